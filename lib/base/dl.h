@@ -1,0 +1,16 @@
+/* dl.h - shared objects. */
+#ifndef BASE_DL_H
+#define BASE_DL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* NULL with the reason in `why`. */
+void *dl_open(const char *path, char *why, size_t why_size);
+/* The address of a data symbol, or NULL. */
+const void *dl_data(void *handle, const char *symbol);
+void dl_close(void *handle);
+/* The folder that the code of this library was loaded from. False: unknown. */
+bool dl_own_folder(char *out, size_t size);
+
+#endif

@@ -1,0 +1,31 @@
+/* file.h - reading whole files, and replacing them whole. */
+#ifndef BASE_FILE_H
+#define BASE_FILE_H
+
+#include "base/env.h"
+
+/* The bytes of a regular file, of a pipe, or of standard input for "-", with a zero byte behind them that is not
+ * counted. env_free() them. */
+pov_status file_read(const env *e, const char *path, char **bytes, size_t *count, pov_error *err);
+
+/* Writing beside the target and renaming over it: commit or discard ends it. "-" goes to standard output. */
+typedef struct file_writer {
+    const env *env;
+    char *path, *temporary;      /* temporary is NULL for standard output and for targets that are no regular file */
+    int descriptor;
+    int error;                   /* errno of the first failure */
+    size_t used;
+    unsigned char buffer[1 << 15];
+} file_writer;
+
+pov_status file_writer_open(file_writer *w, const env *e, const char *path, pov_error *err);
+/* False after a failure; the cause comes with commit. */
+bool file_writer_put(file_writer *w, const void *bytes, size_t count);
+pov_status file_writer_commit(file_writer *w, pov_error *err);
+void file_writer_discard(file_writer *w);
+
+/* Call see(user, name) for every entry of a folder; nothing when there is no such folder. */
+void file_list(const char *folder, void (*see)(void *user, const char *name), void *user);
+bool file_exists(const char *path);
+
+#endif

@@ -1,0 +1,78 @@
+/* povtrace/base.h - what every other header needs: export marks, version,
+ * status codes, messages, and the two hooks (memory, log) a program may supply. */
+#ifndef POVTRACE_BASE_H
+#define POVTRACE_BASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+#define POV_EXTERN extern "C"
+#else
+#define POV_EXTERN
+#endif
+
+#if defined(__GNUC__)
+#define POV_EXPORT POV_EXTERN __attribute__((visibility("default")))
+#define POV_PRINTF(f, a) __attribute__((format(printf, f, a)))
+#else
+#define POV_EXPORT POV_EXTERN
+#define POV_PRINTF(f, a)
+#endif
+#define POV_API POV_EXPORT
+
+#define POVTRACE_VERSION_MAJOR 0
+#define POVTRACE_VERSION_MINOR 1
+#define POVTRACE_VERSION_PATCH 0
+
+/* Version of the library this program runs against. Any thread. */
+POV_API void pov_version(int *major, int *minor, int *patch);
+
+/* Zero is success; every failure is negative. */
+typedef enum pov_status {
+    POV_OK = 0,
+    POV_E_ARGUMENT = -1,    /* the caller broke a documented rule */
+    POV_E_MEMORY = -2,
+    POV_E_IO = -3,
+    POV_E_SYNTAX = -4,      /* the scene text is wrong; see file, line, column */
+    POV_E_UNSUPPORTED = -5, /* valid scene language that this version lacks */
+    POV_E_PLUGIN = -6,      /* no plugin, or one built for another ABI */
+    POV_E_CANCELLED = -7
+} pov_status;
+
+/* A short name such as "syntax"; never NULL. Any thread. */
+POV_API const char *pov_status_name(pov_status status);
+
+/* What went wrong, or what a log message is about, with its place. Calls fill the
+ * caller's pov_error only when they fail; NULL is allowed wherever one is taken. */
+typedef struct pov_error {
+    pov_status status;
+    int line, column;       /* 1-based, the column in bytes; 0 where there is no place to name */
+    int caret;              /* offset into excerpt of what is meant */
+    char file[256];
+    char message[512];      /* one line, no newline at its end */
+    char excerpt[256];      /* the line of scene text, or the part of it around the caret; may be empty */
+    char hint[64];          /* the word that was probably meant; may be empty */
+} pov_error;
+
+/* resize(user, NULL, n) allocates, resize(user, p, 0) frees and returns NULL. Any thread. */
+typedef struct pov_allocator {
+    void *(*resize)(void *user, void *block, size_t bytes);
+    void *user;
+} pov_allocator;
+
+typedef enum pov_log_level { POV_LOG_DEBUG, POV_LOG_INFO, POV_LOG_WARN } pov_log_level;
+/* The note is valid during the call only; its status is POV_OK. Any thread that calls the library. */
+typedef void pov_log_fn(void *user, pov_log_level level, const pov_error *note);
+
+/* `size` is the first member of every struct that a caller fills or receives and
+ * that may grow: `pov_render_desc d = POV_INIT(d);`. Zero in any other member
+ * means "the default". (C++: value-initialise, then set size.) */
+#define POV_INIT(var) { .size = sizeof(var) }
+
+/* Does the other side's struct reach as far as this member? */
+#define POV_HAS(ptr, type, member) \
+    ((ptr)->size >= offsetof(type, member) + sizeof((ptr)->member))
+
+#endif

@@ -1,0 +1,138 @@
+/* povtrace/exact.h - numbers in two parts. Header only, for plugins and library alike.
+ *
+ * A two-part number is the unevaluated sum hi + lo of doubles with |lo| <= ulp(hi)/2, about 106 bits.
+ * The error-free transformations are Knuth's TwoSum, Dekker's FastTwoSum and Veltkamp's and Dekker's
+ * TwoProduct; the arithmetic on two parts and its bounds are those of Joldes, Muller and Popescu, "Tight and
+ * rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017).
+ * Compile with -ffp-contract=off and without -ffast-math: both destroy what these functions are for.
+ * Neither overflow nor underflow is caught here; TwoProduct is exact for products within 1e-290 .. 1e300. */
+#ifndef POVTRACE_EXACT_H
+#define POVTRACE_EXACT_H
+
+#include <povtrace/math.h>
+
+typedef struct pov_two { double hi, lo; } pov_two;
+typedef struct pov_two3 { pov_two x, y, z; } pov_two3;
+
+static inline pov_two pov_two_of(double hi, double lo) { pov_two r; r.hi = hi; r.lo = lo; return r; }
+
+/* a + b exactly; needs |a| >= |b| or a == 0. */
+static inline pov_two pov_fast_two_sum(double a, double b)
+{
+    double s = a + b;
+    return pov_two_of(s, b - (s - a));
+}
+
+/* a + b exactly. */
+static inline pov_two pov_two_sum(double a, double b)
+{
+    double s = a + b, bb = s - a;
+    return pov_two_of(s, (a - (s - bb)) + (b - bb));
+}
+
+/* a * b exactly. A hardware fma gives the same two doubles as the splitting does. */
+static inline pov_two pov_two_product(double a, double b)
+{
+    double p = a * b;
+#if defined(__FMA__) || defined(__aarch64__)
+    return pov_two_of(p, fma(a, b, -p));
+#else
+    double t = 134217729.0 * a, ah = t - (t - a), al = a - ah, bh, bl;
+    t = 134217729.0 * b;
+    bh = t - (t - b);
+    bl = b - bh;
+    return pov_two_of(p, ((ah * bh - p) + ah * bl + al * bh) + al * bl);
+#endif
+}
+
+static inline pov_two pov_two_neg(pov_two a) { return pov_two_of(-a.hi, -a.lo); }
+
+/* Relative error at most 3 u^2 (u = 2^-53). */
+static inline pov_two pov_two_add(pov_two a, pov_two b)
+{
+    pov_two s = pov_two_sum(a.hi, b.hi), t = pov_two_sum(a.lo, b.lo);
+
+    s = pov_fast_two_sum(s.hi, s.lo + t.hi);
+    return pov_fast_two_sum(s.hi, s.lo + t.lo);
+}
+
+static inline pov_two pov_two_sub(pov_two a, pov_two b) { return pov_two_add(a, pov_two_neg(b)); }
+
+/* Relative error at most 2 u^2. */
+static inline pov_two pov_two_add_double(pov_two a, double b)
+{
+    pov_two s = pov_two_sum(a.hi, b);
+    return pov_fast_two_sum(s.hi, a.lo + s.lo);
+}
+
+/* Relative error at most 7 u^2. */
+static inline pov_two pov_two_mul(pov_two a, pov_two b)
+{
+    pov_two p = pov_two_product(a.hi, b.hi);
+    return pov_fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+/* Relative error at most 3 u^2. */
+static inline pov_two pov_two_mul_double(pov_two a, double b)
+{
+    pov_two p = pov_two_product(a.hi, b);
+    return pov_fast_two_sum(p.hi, p.lo + a.lo * b);
+}
+
+/* Relative error at most 15 u^2. */
+static inline pov_two pov_two_div(pov_two a, pov_two b)
+{
+    double q = a.hi / b.hi;
+    pov_two r = pov_two_sub(a, pov_two_mul_double(b, q));
+
+    return pov_fast_two_sum(q, r.hi / b.hi);
+}
+
+/* Of a negative number: zero. Relative error below 4 u^2. */
+static inline pov_two pov_two_sqrt(pov_two a)
+{
+    double s;
+
+    if (!(a.hi > 0.0))
+        return pov_two_of(0.0, 0.0);
+    s = sqrt(a.hi);
+    return pov_fast_two_sum(s, pov_two_sub(a, pov_two_product(s, s)).hi / (2.0 * s));
+}
+
+static inline bool pov_two_less(pov_two a, pov_two b) { return a.hi < b.hi || (a.hi == b.hi && a.lo < b.lo); }
+
+static inline pov_two3 pov_two3_of(pov_vec3 hi, pov_vec3 lo)
+{
+    pov_two3 r;
+    r.x = pov_two_of(hi.x, lo.x);
+    r.y = pov_two_of(hi.y, lo.y);
+    r.z = pov_two_of(hi.z, lo.z);
+    return r;
+}
+
+static inline pov_two pov_two3_dot(pov_two3 a, pov_two3 b)
+{
+    return pov_two_add(pov_two_add(pov_two_mul(a.x, b.x), pov_two_mul(a.y, b.y)), pov_two_mul(a.z, b.z));
+}
+
+static inline pov_two3 pov_two3_cross(pov_two3 a, pov_two3 b)
+{
+    pov_two3 r;
+    r.x = pov_two_sub(pov_two_mul(a.y, b.z), pov_two_mul(a.z, b.y));
+    r.y = pov_two_sub(pov_two_mul(a.z, b.x), pov_two_mul(a.x, b.z));
+    r.z = pov_two_sub(pov_two_mul(a.x, b.y), pov_two_mul(a.y, b.x));
+    return r;
+}
+
+/* Re-centring, one coordinate: (o + o_lo - anchor) + t d in two parts. Its error is of the order u^2 of the terms,
+ * so that what remains near the anchor is exact enough however far the ray starts. */
+static inline pov_two pov_recentre(double o, double o_lo, double anchor, double t, double d)
+{
+    pov_two f = pov_two_add_double(pov_two_sum(o, -anchor), o_lo);
+    return pov_two_add(f, pov_two_product(t, d));
+}
+
+static inline pov_vec3 pov_two3_hi(pov_two3 a) { return pov_vec3_of(a.x.hi, a.y.hi, a.z.hi); }
+static inline pov_vec3 pov_two3_lo(pov_two3 a) { return pov_vec3_of(a.x.lo, a.y.lo, a.z.lo); }
+
+#endif

@@ -1,0 +1,202 @@
+/* povtrace/plugin.h - the contract between libpovtrace and a plugin.
+ *
+ * A plugin is a shared object named after its scene keyword (primitives/torus.so) or file ending (images/png.so),
+ * linked against nothing of povtrace, exporting one data symbol. Nothing in it runs when it is loaded. Growth is by
+ * appending members: each side reads only as many bytes as the other side's `size` says are there.
+ *
+ * [load]   called on the thread that loads a scene; several scenes may load at once, each with instances of its own.
+ * [render] called from many threads at once on the same const object: no writes, no statics, no locks, no allocation. */
+#ifndef POVTRACE_PLUGIN_H
+#define POVTRACE_PLUGIN_H
+
+#include <povtrace/base.h>
+#include <povtrace/image.h>
+#include <povtrace/math.h>
+
+#define POV_PLUGIN_ABI 1u   /* raised only when an old plugin could not work */
+#define POV_BLOCK_MAX 8u    /* most shapes one block holds */
+#define POV_NOBODY 0xffffffffu
+
+/* ---- rays and crossings ------------------------------------------------ */
+
+/* What names a crossing of a shape again: which part of it (face, cap, root), and what normal() wants to know. */
+typedef struct pov_mark { uint32_t part, flags; double u, v; } pov_mark;
+#define POV_MARK_DECIDED 0x80000000u   /* in flags: double left the crossing open, two-part arithmetic decided */
+
+/* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
+ * object far from the origin is exact enough to be told from its surface. */
+typedef struct pov_ray {
+    pov_vec3 org, org_lo, dir;   /* dir need not be unit */
+    uint32_t left;               /* the owner whose surface the ray starts on, or POV_NOBODY */
+    pov_mark left_mark;          /* the mark of that crossing: intersect() leaves out that root by name */
+} pov_ray;
+
+/* A crossing lies at the unevaluated sum t + t_lo. */
+typedef struct pov_crossing {
+    double t, t_lo;
+    uint32_t owner;          /* stamped by pov_cross() */
+    pov_mark mark;
+} pov_crossing;
+
+typedef enum pov_want { POV_WANT_NEAREST, POV_WANT_ANY, POV_WANT_ALL } pov_want;
+
+/* Where intersect() reports. tmin is fixed; tmax closes in as hits are found. */
+typedef struct pov_hits {
+    double tmin, tmax;             /* open interval */
+    pov_want want;
+    bool always_exact;             /* use two-part arithmetic throughout, whatever the filter says */
+    uint32_t owner;                /* whom the host asks: compare with ray->left */
+    uint32_t count, capacity;
+    uint32_t decided;              /* add one for each crossing or miss that two-part arithmetic had to decide */
+    pov_crossing *at;              /* one slot, or `capacity` of them for POV_WANT_ALL */
+    bool (*grow)(struct pov_hits *hits);
+    void *user;                    /* the host's */
+} pov_hits;
+
+/* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that
+ * the answer does not depend on the order of asking. */
+static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
+{
+    if (t != h->tmax)
+        return t < h->tmax;
+    if (h->count == 0)
+        return false;
+    if (t_lo != h->at->t_lo)
+        return t_lo < h->at->t_lo;
+    return h->owner < h->at->owner;
+}
+
+/* Report a crossing. False: nothing more is wanted, return at once. */
+static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
+{
+    pov_crossing *c = h->at;
+
+    if (!(t > h->tmin || (t == h->tmin && t_lo > 0.0)))
+        return true;
+    if (h->want == POV_WANT_ALL) {
+        if (!(t < h->tmax))
+            return true;
+        if (h->count == h->capacity && !h->grow(h))
+            return false;
+        c = &h->at[h->count++];
+    } else {
+        if (!pov_is_nearer(h, t, t_lo))
+            return true;
+        h->count = 1;
+        h->tmax = t;
+    }
+    c->t = t;
+    c->t_lo = t_lo;
+    c->owner = h->owner;
+    c->mark = mark;
+    return h->want != POV_WANT_ANY;
+}
+
+/* What a block says of one ray: lanes that may be crossed within the interval, lanes that surely are, and for each
+ * lane of `maybe` bounds on its nearest crossing there. Bounds may be wide; they must never be wrong. */
+typedef struct pov_block_answer {
+    uint32_t maybe, surely;        /* bit i is lane i; surely is a part of maybe */
+    double lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];   /* hi counts for lanes of `surely` only */
+} pov_block_answer;
+
+/* ---- what the host offers while a scene loads --------------------------- */
+
+typedef struct pov_reader pov_reader;
+
+/* Errors stick: after the first, every read gives zero, every accept() gives
+ * false and more() gives false, so a parse function needs no checks. */
+typedef struct pov_host {
+    uint32_t abi, size;
+    void *(*alloc)(pov_reader *in, size_t bytes);   /* zeroed, lives as long as the scene; NULL after an error */
+    double (*number)(pov_reader *in);
+    void (*vector)(pov_reader *in, pov_vec3 *out);
+    bool (*accept)(pov_reader *in, const char *word);  /* a keyword or a mark */
+    void (*expect)(pov_reader *in, const char *word);
+    bool (*more)(pov_reader *in);                      /* does a value come next? */
+    void (*fail)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);   /* at the last value read */
+    void (*warn)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);
+    /* abi 1 ends here */
+} pov_host;
+
+/* ---- a primitive --------------------------------------------------------
+ *
+ * Order of calls: parse, absorb at most once, bounds, then only [render].
+ * An instance is plain bytes: the host copies it with memcpy for every use of a
+ * #declared object. So it has no destructor, memory it points to comes from
+ * host->alloc and is never written after parse, and absorb changes only the
+ * instance's own bytes. */
+
+enum { POV_SHAPE_SOLID = 1u << 0 };  /* inside() means something: may be a medium, may take part in CSG */
+
+typedef struct pov_shape_class {
+    uint32_t size, flags;
+    const char *keyword;
+    size_t instance_size;    /* the host reserves it: zeroed, aligned to 32 bytes */
+
+    /* [load] Read what stands between the braces, up to the first object
+     * modifier. The host eats the keyword, both braces and the modifiers. */
+    void (*parse)(void *self, const pov_host *host, pov_reader *in);
+    /* [load] A box that holds every point of the shape, rounded outward. False: no finite box. */
+    bool (*bounds)(const void *self, pov_box *out);
+    /* [render] Report every crossing of the open interval, in any order, but for the one the ray left. */
+    void (*intersect)(const void *self, const pov_ray *ray, pov_hits *hits);
+    /* [render] Unit normal, pointing out of a solid. Only for hits that count. The point is found
+     * again from the ray, re-centred on the shape: a rounded world point would be too coarse far out. */
+    void (*normal)(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+
+    /* Any of these may be NULL. */
+
+    /* [render] Needed for POV_SHAPE_SOLID. The point is the sum of both parts. */
+    bool (*inside)(const void *self, pov_vec3 point, pov_vec3 point_lo);
+    /* [load] Take the transform into the shape itself, as exactly as a fresh shape would be, or return false and
+     * leave it be. */
+    bool (*absorb)(void *self, const pov_affine *map);
+    /* [load] [load] [render] Up to POV_BLOCK_MAX shapes of this class side by side in the plugin's own layout,
+     * 64-byte aligned: a quick filter before intersect(), which the host asks for every lane still in question.
+     * block_pack returns false to decline (values out of its range). The ray's `left` plays no part here. */
+    size_t block_size;
+    bool (*block_pack)(void *block, const void *const *selves, uint32_t n);
+    void (*block_filter)(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
+    /* abi 1 ends here */
+} pov_shape_class;
+
+/* ---- an image format ---------------------------------------------------- */
+
+typedef struct pov_image {
+    size_t size;
+    int width, height, bits;       /* three channels of 8 or 16 bits (native order), or of 32: float */
+    pov_transfer transfer;         /* how the integers were encoded */
+    size_t stride;                 /* bytes from row to row, top row first */
+    const void *pixels;
+} pov_image;
+
+typedef struct pov_output { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;
+
+enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2 };
+
+typedef struct pov_image_format {
+    uint32_t size, depths;         /* the POV_IMAGE_* it can hold; the lowest set bit is the usual one */
+    const char *ending;            /* "png" */
+    /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
+    const char *(*write)(const pov_image *image, const pov_output *output);
+    /* abi 1 ends here */
+} pov_image_format;
+
+/* ---- the one exported symbol -------------------------------------------- */
+
+typedef struct pov_plugin {
+    uint32_t abi, size;
+    const char *name, *version;
+    const pov_shape_class *const *shapes;            /* ends with NULL; or NULL */
+    const pov_image_format *const *images;           /* ends with NULL; or NULL */
+    /* abi 1 ends here; patterns, lights, cameras append their own lists */
+} pov_plugin;
+
+#define POV_PLUGIN_SYMBOL "povtrace_plugin"
+#ifdef POV_STATIC_PLUGINS
+#define POV_PLUGIN(id) const pov_plugin povtrace_plugin_##id
+#else
+#define POV_PLUGIN(id) POV_EXPORT const pov_plugin povtrace_plugin; const pov_plugin povtrace_plugin
+#endif
+
+#endif

@@ -1,0 +1,80 @@
+/* povtrace/scene.h - a context, and the scenes loaded in it. */
+#ifndef POVTRACE_SCENE_H
+#define POVTRACE_SCENE_H
+
+#include <povtrace/base.h>
+#include <povtrace/image.h>
+#include <povtrace/math.h>
+
+typedef struct pov_context pov_context;
+typedef struct pov_scene pov_scene;
+struct pov_plugin;
+
+typedef struct pov_context_desc {
+    size_t size;
+    pov_allocator allocator;     /* resize NULL: malloc */
+    pov_log_fn *log;             /* NULL: silent */
+    void *log_user;
+    const char *plugin_path;     /* folders, colon separated; NULL: $POVTRACE_PLUGIN_PATH, else povtrace/ beside the library */
+} pov_context_desc;
+
+/* desc may be NULL. Any thread may load scenes in a context at any time; destroy comes last of all calls on it.
+ * Scenes keep what they need alive, so a context may be destroyed before its scenes. */
+POV_API pov_status pov_context_create(pov_context **out, const pov_context_desc *desc, pov_error *err);
+POV_API void pov_context_destroy(pov_context *context);
+/* Make a plugin linked into the program known; it wins over a file of the same keyword. The program keeps it alive. */
+POV_API pov_status pov_context_add_plugin(pov_context *context, const struct pov_plugin *plugin, pov_error *err);
+/* The name and the file ("" for an added one) of the index-th plugin in use, or false past the last. */
+POV_API bool pov_context_get_plugin(pov_context *context, size_t index, const char **name, const char **path);
+
+typedef enum pov_dialect { POV_DIALECT_AUTO, POV_DIALECT_COURSE, POV_DIALECT_POVRAY } pov_dialect;
+typedef enum pov_accel { POV_ACCEL_TREE, POV_ACCEL_NONE } pov_accel;
+
+typedef struct pov_load_desc {
+    size_t size;
+    pov_dialect dialect;         /* AUTO: the text decides */
+    pov_accel accel;             /* NONE: every ray asks every object; the picture is the same to the bit */
+    int max_trace_level;         /* 0: what the scene says, else this */
+    int threads;                 /* for building; 0: one a core */
+} pov_load_desc;
+
+/* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of
+ * threads may read it. */
+POV_API pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char *path,
+                                       const pov_load_desc *desc, pov_error *err);
+/* `name` stands in messages for the file's name; text needs no end mark. */
+POV_API pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length,
+                                       const char *name, const pov_load_desc *desc, pov_error *err);
+POV_API void pov_scene_destroy(pov_scene *scene);
+
+typedef struct pov_camera {
+    size_t size;
+    pov_vec3 location, direction, right, up;   /* direction + u right + v up looks through (u, v) in -1/2 .. 1/2 */
+} pov_camera;
+
+POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
+/* Turn the camera from where it is towards target, keeping its angles; sky is what shall point up in the picture. */
+POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky, pov_error *err);
+POV_API size_t pov_scene_object_count(const pov_scene *scene);
+/* Keyword and place of an object in the text; false past the last. */
+POV_API bool pov_scene_get_object(const pov_scene *scene, size_t object, const char **keyword, int *line, int *column);
+/* Box around all finite objects; false when there is none. */
+POV_API bool pov_scene_get_bounds(const pov_scene *scene, pov_box *out);
+
+typedef struct pov_scene_info {
+    size_t size;
+    pov_dialect dialect;
+    const char *dialect_reason;        /* the word that decided, or why; the scene's, as long as it lives */
+    pov_transfer transfer;             /* what the scene asks for when its picture is stored in integers */
+    double parse_seconds, build_seconds;
+    size_t objects, infinite_objects, lights, materials, warnings;
+    int max_trace_level;
+} pov_scene_info;
+
+POV_API void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out);
+
+/* One row of what was compiled for this scene, or left out of it, and why. */
+typedef struct pov_plan_row { size_t size; bool used; const char *subject, *state, *reason; } pov_plan_row;
+POV_API bool pov_scene_get_plan(const pov_scene *scene, size_t index, pov_plan_row *out);
+
+#endif

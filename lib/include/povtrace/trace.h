@@ -1,0 +1,27 @@
+/* povtrace/trace.h - single rays, for programs that want no image. */
+#ifndef POVTRACE_TRACE_H
+#define POVTRACE_TRACE_H
+
+#include <povtrace/scene.h>
+
+/* A tracer holds one thread's working memory: make one for each thread. It reads its scene, which must outlive it. */
+typedef struct pov_tracer pov_tracer;
+
+typedef struct pov_hit {
+    size_t size;
+    double distance;             /* in lengths of dir */
+    pov_vec3 point, normal;      /* world space; normal is unit and faces the ray */
+    uint32_t object;             /* 0 .. pov_scene_object_count() - 1 */
+    bool certain;                /* double precision decided; false: two-part arithmetic had to */
+} pov_hit;
+
+POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err);
+POV_API void pov_tracer_destroy(pov_tracer *tracer);
+/* The nearest object in the open ray, dir of any length but zero. False: none. */
+POV_API bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
+/* Does anything stand strictly between the two points? Transparent objects count, no_shadow ones do not. */
+POV_API bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to);
+/* What is seen along the ray: linear red, green, blue, and 1. Fails only when memory ends. */
+POV_API pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err);
+
+#endif

@@ -1,0 +1,18 @@
+/* colour.h - red, green, blue, linear, 1 is full. */
+#ifndef MODEL_COLOUR_H
+#define MODEL_COLOUR_H
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef struct colour { float r, g, b; } colour;
+
+static inline colour colour_of(float r, float g, float b) { colour c = { r, g, b }; return c; }
+static inline colour colour_add(colour a, colour b) { return colour_of(a.r + b.r, a.g + b.g, a.b + b.b); }
+static inline colour colour_mul(colour a, colour b) { return colour_of(a.r * b.r, a.g * b.g, a.b * b.b); }
+static inline colour colour_scale(colour a, float s) { return colour_of(a.r * s, a.g * s, a.b * s); }
+static inline bool colour_is_black(colour a) { return a.r == 0.0f && a.g == 0.0f && a.b == 0.0f; }
+/* The largest absolute component. */
+static inline float colour_weight(colour a) { return fmaxf(fabsf(a.r), fmaxf(fabsf(a.g), fabsf(a.b))); }
+
+#endif

@@ -1,0 +1,20 @@
+/* object.h - one object of a scene, in its own space. */
+#ifndef MODEL_OBJECT_H
+#define MODEL_OBJECT_H
+
+#include "model/transform.h"
+
+#include <povtrace/plugin.h>
+
+enum { OBJECT_NO_SHADOW = 1, OBJECT_INVERSE = 2, OBJECT_HOLLOW = 4 };
+
+typedef struct object {
+    const pov_shape_class *shape;
+    void *instance;              /* instance_size bytes, aligned to 32, in the model's memory, as parse left it */
+    const transform *map;        /* NULL: none */
+    uint32_t material;           /* index into the model's materials */
+    uint32_t flags;              /* OBJECT_* */
+    uint32_t line, column;       /* of its keyword, 1-based */
+} object;
+
+#endif

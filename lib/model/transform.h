@@ -1,0 +1,34 @@
+/* transform.h - transformations as the text has them, and their composition.
+ *
+ * A list from the last written back to the first: prefixes are shared, and nothing is rounded before the whole list
+ * is composed, in two-part arithmetic, into one map and its inverse. */
+#ifndef MODEL_TRANSFORM_H
+#define MODEL_TRANSFORM_H
+
+#include "base/arena.h"
+
+#include <povtrace/math.h>
+
+typedef enum transform_kind { TRANSFORM_TRANSLATE, TRANSFORM_ROTATE, TRANSFORM_SCALE, TRANSFORM_MATRIX } transform_kind;
+
+typedef struct transform {
+    const struct transform *before;   /* what is applied first; NULL: nothing */
+    transform_kind kind;
+    double v[];                       /* x, y, z; or the 12 numbers of matrix <...>, row by row as POV-Ray writes them */
+} transform;
+
+/* `before` with one more behind it; numbers is 3 long, or 12 for a matrix. NULL: no memory. Scale factors are not
+ * zero. A transformation that changes nothing (translate 0, scale 1, whole turns) gives `before` itself. */
+const transform *transform_append(arena *memory, const transform *before, transform_kind kind, const double *numbers);
+
+/* Compose. The entries of out->m are within 2^-100 of the exact ones relative to the largest partial products;
+ * rotations by multiples of 90 degrees are exact. False: the matrix has no inverse. list may be NULL (identity). */
+bool transform_compose(const transform *list, pov_affine *out);
+
+/* The point, mapped and rounded once into two parts. */
+void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo);
+
+/* Sine and cosine of an angle in degrees, each in two parts: s[2], c[2], relative error below 2^-98. */
+void transform_sincos(double degrees, double *s, double *c);
+
+#endif

@@ -1,0 +1,20 @@
+/* job.h - a picture in the making: tiles in passes, claimed, traced and committed. The public type's inside. */
+#ifndef RENDER_JOB_H
+#define RENDER_JOB_H
+
+#include "shade/shade.h"
+
+/* The public calls of povtrace/render.h are made of these; see there. */
+pov_status job_create(pov_job **out, const model *m, const world *w, const pov_render_desc *desc, pov_error *err);
+void job_destroy(pov_job *job);
+pov_status job_start(pov_job *job, pov_error *err);
+pov_job_state job_step(pov_job *job);
+pov_job_state job_wait(pov_job *job, double seconds);
+bool job_take(pov_job *job, pov_rect *changed);
+void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride);
+void job_restart(pov_job *job, const pov_camera *camera);
+void job_cancel(pov_job *job);
+void job_get_progress(pov_job *job, pov_progress *out);
+pov_status job_get_error(pov_job *job, pov_error *err);
+
+#endif

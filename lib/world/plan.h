@@ -1,0 +1,28 @@
+/* plan.h - what a scene needs, and so what is compiled for it and what is left out. */
+#ifndef WORLD_PLAN_H
+#define WORLD_PLAN_H
+
+#include "model/model.h"
+
+typedef struct plan_row { bool used; const char *subject, *state, *reason; } plan_row;
+typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
+
+typedef struct plan {
+    bool lighting;               /* some light shines and some surface answers it */
+    bool shadows;                /* ... and some object throws one */
+    bool coloured_shadows;       /* ... and some of those is transparent */
+    bool highlights, metallic;
+    bool reflection;
+    bool transmission;           /* some surface lets rays through */
+    bool refraction;             /* ... into a medium of ior other than 1 */
+    bool media_at_start;         /* some medium could hold the camera: asked once a picture */
+    plan_row_list rows;          /* for people */
+    arena memory;                /* of the rows' texts */
+} plan;
+
+/* Read the needs off the model. Rows on objects and trees are added by world_create(). */
+pov_status plan_make(plan *p, const model *m, pov_error *err);
+pov_status plan_add(plan *p, bool used, const char *subject, const char *state, const char *reason, pov_error *err);
+void plan_free(plan *p);
+
+#endif

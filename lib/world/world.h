@@ -1,0 +1,58 @@
+/* world.h - a scene compiled for rays: what the plan found needed, and nothing else.
+ *
+ * Object indices are the model's. Every query is [render]: many threads on one const world, each with its own walker. */
+#ifndef WORLD_WORLD_H
+#define WORLD_WORLD_H
+
+#include "model/model.h"
+#include "world/plan.h"
+
+typedef struct world world;
+typedef struct walker walker;     /* one thread's memory for queries */
+
+typedef struct world_options {
+    pov_accel accel;
+    int threads;                 /* for building; 0: one a core */
+    bool always_exact;           /* two-part arithmetic for every intersection */
+} world_options;
+
+/* The model must outlive the world and is not changed. */
+pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err);
+void world_destroy(world *w);
+const plan *world_plan(const world *w);
+/* Box around all finite objects; false: there is none. */
+bool world_bounds(const world *w, pov_box *out);
+
+pov_status walker_create(walker **out, const world *w, pov_error *err);
+void walker_destroy(walker *k);
+/* Intersections so far that two-part arithmetic had to decide. */
+uint64_t walker_decided(const walker *k);
+/* True when memory ended in a query; what the query said is then worth nothing. Stays so. */
+bool walker_failed(const walker *k);
+
+/* A ray's meeting with an object. */
+typedef struct hit {
+    pov_crossing crossing;
+    uint32_t object;
+    pov_vec3 point, point_lo;    /* world space, the sum of both */
+    pov_vec3 normal;             /* unit, world space, out of the solid (inverse objects: into it) */
+    bool entering;               /* the ray goes against that normal */
+} hit;
+
+/* The nearest crossing in the open interval (0, tmax); of equal distances the earlier object's. Fills crossing and
+ * object only; false: none. */
+bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
+/* Fill the rest of what world_nearest() found. */
+void world_surface(const world *w, const pov_ray *ray, hit *h);
+
+/* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of
+ * what transparent surfaces let through, crossing by crossing from near to far. False: an opaque one stands there.
+ * Objects of no_shadow do not count. */
+bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through);
+/* Is anything there at all, transparent or not? For pov_trace_blocked(). */
+bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
+
+/* The media (solids with an interior) that a point lies in, in the order of the scene. Calls see for each. */
+void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object), void *user);
+
+#endif
