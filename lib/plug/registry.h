@@ -21,7 +21,8 @@ pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err);
 pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err);
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err);
 
-/* For messages: the folders that were searched, colon separated; and the keywords that could be loaded. */
+/* For messages: the folders that were searched, colon separated; and the keywords that could be loaded
+ * (kind: "primitives" or "images"). */
 const char *registry_path(const registry *r);
 void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword), void *user);
 

@@ -1,0 +1,321 @@
+#define _GNU_SOURCE   /* secure_getenv */
+#include "plug/registry.h"
+
+#include "base/dl.h"
+#include "base/err.h"
+#include "base/file.h"
+#include "base/map.h"
+#include "base/str.h"
+#include "base/thread.h"
+#include "base/vec.h"
+#include "plug/check.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct loaded {
+    void *handle;                /* NULL for a plugin that the program brought */
+    char *path;
+    const pov_plugin *plugin;
+} loaded;
+
+struct registry {
+    const env *env;
+    char *path;
+    mutex lock;                  /* guards all below */
+    struct { loaded *items; size_t count, capacity; } plugins;
+    map shapes, images;          /* by keyword, by ending */
+};
+
+static const char shape_folder[] = "primitives";
+static const char image_folder[] = "images";
+
+/* ---- making ---- */
+
+static char *default_path(const env *e)
+{
+    const char *given = secure_getenv("POVTRACE_PLUGIN_PATH");
+    char own[PATH_MAX], text[2 * PATH_MAX + 32], *copy;
+
+    if (given && given[0])
+        str_copy(text, sizeof text, given);
+    else if (dl_own_folder(own, sizeof own))
+        snprintf(text, sizeof text, "%s/povtrace:%s", own, POV_PLUGIN_DIR);
+    else
+        str_copy(text, sizeof text, POV_PLUGIN_DIR);
+    copy = env_alloc(e, strlen(text) + 1, 1);
+    if (copy)
+        strcpy(copy, text);
+    return copy;
+}
+
+registry *registry_create(const env *e, const char *path, pov_error *err)
+{
+    registry *r = env_alloc(e, 1, sizeof *r);
+
+    if (!r) {
+        err_memory(err);
+        return NULL;
+    }
+    r->env = e;
+    map_init(&r->shapes, e);
+    map_init(&r->images, e);
+    if (path) {
+        r->path = env_alloc(e, strlen(path) + 1, 1);
+        if (r->path)
+            strcpy(r->path, path);
+    } else {
+        r->path = default_path(e);
+    }
+    if (r->path && mutex_init(&r->lock))
+        return r;
+    env_free(e, r->path);
+    env_free(e, r);
+    err_memory(err);
+    return NULL;
+}
+
+static void unload(registry *r, loaded *l)
+{
+    if (l->handle)
+        dl_close(l->handle);
+    env_free(r->env, l->path);
+}
+
+void registry_destroy(registry *r)
+{
+    size_t i;
+
+    if (!r)
+        return;
+    for (i = r->plugins.count; i-- > 0;)
+        unload(r, &r->plugins.items[i]);
+    env_free(r->env, r->plugins.items);
+    map_free(&r->shapes);
+    map_free(&r->images);
+    mutex_destroy(&r->lock);
+    env_free(r->env, r->path);
+    env_free(r->env, r);
+}
+
+/* ---- adding; the lock is held ---- */
+
+/* The tables keep what they have no wish to change as void *; the classes stay const behind it. */
+static bool put(map *m, const char *name, const void *value)
+{
+    union { const void *constant; void *plain; } both;
+
+    both.constant = value;
+    return map_put(m, name, both.plain);
+}
+
+static pov_status enter(registry *r, loaded l, pov_error *err)
+{
+    const pov_plugin *p = l.plugin;
+    size_t i;
+
+    for (i = 0; p->shapes && p->shapes[i]; i++)
+        if (!put(&r->shapes, p->shapes[i]->keyword, p->shapes[i]))
+            return err_memory(err);
+    for (i = 0; p->images && p->images[i]; i++)
+        if (!put(&r->images, p->images[i]->ending, p->images[i]))
+            return err_memory(err);
+    return POV_OK;
+}
+
+/* A half-entered plugin must not be found again. Replacing a value takes no memory. */
+static void withdraw(registry *r, loaded l)
+{
+    const pov_plugin *p = l.plugin;
+    size_t i;
+
+    for (i = 0; p->shapes && p->shapes[i]; i++)
+        if (map_get(&r->shapes, p->shapes[i]->keyword))
+            put(&r->shapes, p->shapes[i]->keyword, NULL);
+    for (i = 0; p->images && p->images[i]; i++)
+        if (map_get(&r->images, p->images[i]->ending))
+            put(&r->images, p->images[i]->ending, NULL);
+}
+
+static pov_status add(registry *r, loaded l, pov_error *err)
+{
+    const char *wrong = check_plugin(l.plugin);
+
+    if (wrong && l.path)
+        return err_file(err, POV_E_PLUGIN, l.path, "cannot use this plugin: %s", wrong);
+    if (wrong)
+        return err_set(err, POV_E_PLUGIN, "cannot use this plugin: %s", wrong);
+    if (!vec_reserve(r->env, (void **)&r->plugins.items, &r->plugins.capacity, r->plugins.count, sizeof l))
+        return err_memory(err);
+    if (enter(r, l, err) < 0) {
+        withdraw(r, l);
+        return POV_E_MEMORY;
+    }
+    r->plugins.items[r->plugins.count++] = l;
+    return POV_OK;
+}
+
+static pov_status load(registry *r, const char *path, pov_error *err)
+{
+    loaded l = { NULL, NULL, NULL };
+    char why[256];
+    pov_status status;
+
+    l.path = env_alloc(r->env, strlen(path) + 1, 1);
+    if (!l.path)
+        return err_memory(err);
+    strcpy(l.path, path);
+    l.handle = dl_open(path, why, sizeof why);
+    if (!l.handle) {
+        status = err_file(err, POV_E_PLUGIN, path, "cannot load this plugin: %s", why);
+    } else {
+        l.plugin = dl_data(l.handle, POV_PLUGIN_SYMBOL);
+        status = l.plugin ? add(r, l, err)
+                          : err_file(err, POV_E_PLUGIN, path, "cannot use this plugin: it has no symbol %s", POV_PLUGIN_SYMBOL);
+    }
+    if (status < 0)
+        unload(r, &l);
+    return status;
+}
+
+pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err)
+{
+    loaded l = { NULL, NULL, plugin };
+    pov_status status;
+
+    if (!plugin)
+        return err_set(err, POV_E_ARGUMENT, "no plugin was given");
+    mutex_lock(&r->lock);
+    status = add(r, l, err);
+    mutex_unlock(&r->lock);
+    return status;
+}
+
+/* ---- finding ---- */
+
+static bool is_name(const char *word)
+{
+    size_t n = strspn(word, "abcdefghijklmnopqrstuvwxyz0123456789_");
+
+    return n > 0 && n < 64 && word[n] == '\0';
+}
+
+/* The next folder of a colon-separated path; NULL at its end. */
+static const char *next_folder(const char *path, char *out, size_t size)
+{
+    size_t n;
+
+    path += strspn(path, ":");
+    n = strcspn(path, ":");
+    if (n == 0)
+        return NULL;
+    snprintf(out, size, "%.*s", (int)(n < size ? n : size - 1), path);
+    return path + n;
+}
+
+/* Load <folder>/<kind>/<name>.so from the first folder that has it; the path stays empty when none has. */
+static pov_status find(registry *r, const char *kind, const char *name, char path[PATH_MAX + 128], pov_error *err)
+{
+    char folder[PATH_MAX];
+    const char *rest = r->path;
+
+    while ((rest = next_folder(rest, folder, sizeof folder)) != NULL) {
+        snprintf(path, PATH_MAX + 128, "%s/%s/%s.so", folder, kind, name);
+        if (file_exists(path))
+            return load(r, path, err);
+    }
+    path[0] = '\0';
+    return POV_OK;
+}
+
+static pov_status look_up(registry *r, map *m, const char *kind, const char *name, const void **out, pov_error *err)
+{
+    char path[PATH_MAX + 128] = "";
+    pov_status status = POV_OK;
+
+    *out = NULL;
+    if (!is_name(name))
+        return POV_OK;
+    mutex_lock(&r->lock);
+    *out = map_get(m, name);
+    if (!*out) {
+        status = find(r, kind, name, path, err);
+        if (status == POV_OK)
+            *out = map_get(m, name);
+        if (status == POV_OK && !*out && path[0])
+            status = err_file(err, POV_E_PLUGIN, path, "this plugin does not offer \"%s\"", name);
+    }
+    mutex_unlock(&r->lock);
+    return status;
+}
+
+pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err)
+{
+    const void *found;
+    pov_status status = look_up(r, &r->shapes, shape_folder, keyword, &found, err);
+
+    *out = found;
+    return status;
+}
+
+pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err)
+{
+    const void *found;
+    pov_status status = look_up(r, &r->images, image_folder, ending, &found, err);
+
+    *out = found;
+    return status;
+}
+
+/* ---- for messages ---- */
+
+const char *registry_path(const registry *r)
+{
+    return r->path;
+}
+
+typedef struct sieve {
+    void (*see)(void *user, const char *keyword);
+    void *user;
+} sieve;
+
+static void see_file(void *user, const char *name)
+{
+    const sieve *s = user;
+    size_t n = strlen(name);
+    char keyword[64];
+
+    if (n <= 3 || n - 3 >= sizeof keyword || strcmp(name + n - 3, ".so") != 0)
+        return;
+    memcpy(keyword, name, n - 3);
+    keyword[n - 3] = '\0';
+    s->see(s->user, keyword);
+}
+
+void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword), void *user)
+{
+    char folder[PATH_MAX], path[PATH_MAX + 32];
+    const char *rest = r->path;
+    sieve s = { see, user };
+
+    while ((rest = next_folder(rest, folder, sizeof folder)) != NULL) {
+        snprintf(path, sizeof path, "%s/%s", folder, kind);
+        file_list(path, see_file, &s);
+    }
+}
+
+bool registry_get(registry *r, size_t index, const char **name, const char **path)
+{
+    bool there;
+
+    mutex_lock(&r->lock);
+    there = index < r->plugins.count;
+    if (there) {
+        *name = r->plugins.items[index].plugin->name;
+        *path = r->plugins.items[index].path ? r->plugins.items[index].path : "";
+    }
+    mutex_unlock(&r->lock);
+    return there;
+}
