@@ -14,3 +14,12 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT_OBJECTS) $(STATIC)
 	$(CC) $(LINK_FLAGS) $(filter %.o,$^) $(STATIC) -lcmocka $(TEST_LIBS) $(SYSTEM_LIBS) -o $@
 
 $(BUILD)/tests/numerics/%: TEST_LIBS = -lmpfr -lgmp
+
+$(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
+$(BUILD)/tests/plugins/test_images: | $(IMAGES)
+$(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
+# The pure pieces of povc are tested with the program's own objects.
+$(BUILD)/obj/tests/cli/%.o: LIB_FLAGS += -Icli
+$(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
+$(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
+$(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o
