@@ -22,6 +22,8 @@ void world_destroy(world *w);
 const plan *world_plan(const world *w);
 /* Box around all finite objects; false: there is none. */
 bool world_bounds(const world *w, pov_box *out);
+/* Objects without a finite box, which every ray is asked for. */
+size_t world_infinite_count(const world *w);
 
 pov_status walker_create(walker **out, const world *w, pov_error *err);
 void walker_destroy(walker *k);

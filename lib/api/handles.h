@@ -1,0 +1,29 @@
+/* handles.h - the inside of the public handles that belong to no other room. */
+#ifndef API_HANDLES_H
+#define API_HANDLES_H
+
+#include "base/env.h"
+#include "base/thread.h"
+#include "model/model.h"
+#include "plug/registry.h"
+#include "world/world.h"
+
+/* Lives until destroyed and until its last scene is gone: scenes run code of its plugins. */
+struct pov_context {
+    env env;
+    registry *plugins;
+    mutex lock;                  /* guards users */
+    int users;                   /* the program, and each scene */
+};
+
+struct pov_scene {
+    pov_context *context;
+    model model;
+    world *world;
+    double parse_seconds, build_seconds;
+};
+
+void context_retain(pov_context *context);
+void context_release(pov_context *context);
+
+#endif

@@ -1,0 +1,155 @@
+#include "api/adapt.h"
+#include "api/handles.h"
+#include "base/file.h"
+#include "render/encode.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- the format ---- */
+
+/* The ending of the path's last part, small letters; empty when it has none. */
+static void ending_of(const char *path, char *out, size_t size)
+{
+    const char *name = strrchr(path, '/'), *dot = strrchr(name ? name + 1 : path, '.');
+    size_t i;
+
+    /* A name that only starts with a dot has no ending. */
+    for (i = 0; dot && dot != (name ? name + 1 : path) && dot[1 + i] && i + 1 < size; i++)
+        out[i] = (char)tolower((unsigned char)dot[1 + i]);
+    out[i] = '\0';
+}
+
+static pov_status find_format(pov_context *context, const char *path, const pov_image_options *o,
+                              const pov_image_format **out, pov_error *err)
+{
+    char ending[32];
+    pov_status status;
+
+    if (o->format)
+        snprintf(ending, sizeof ending, "%s", o->format);
+    else
+        ending_of(path, ending, sizeof ending);
+    if (!ending[0])
+        return err_file(err, POV_E_ARGUMENT, path, "the name has no ending such as .png to tell the image format");
+    status = registry_image(context->plugins, ending, out, err);
+    if (status == POV_OK && !*out)
+        return err_file(err, POV_E_PLUGIN, path, "no plugin writes images of the ending \".%s\"; searched images/ in %s",
+                        ending, registry_path(context->plugins));
+    return status;
+}
+
+/* Bits a channel: what was asked, or the lowest the format has. 0: the format cannot. */
+static int depth_for(const pov_image_format *f, int asked)
+{
+    if (asked == 0)
+        return f->depths & POV_IMAGE_8 ? 8 : f->depths & POV_IMAGE_16 ? 16 : 32;
+    if (asked == 8 && f->depths & POV_IMAGE_8)
+        return 8;
+    if (asked == 16 && f->depths & POV_IMAGE_16)
+        return 16;
+    /* A format of floats holds more than was asked. */
+    return (asked == 8 || asked == 16) && f->depths == POV_IMAGE_FLOAT ? 32 : 0;
+}
+
+static pov_status prepare(pov_context *context, const char *path, const pov_image_options *options,
+                          pov_image_options *o, const pov_image_format **format, pov_error *err)
+{
+    pov_status status;
+
+    if (!context || !path)
+        return err_set(err, POV_E_ARGUMENT, "an image needs a context and a path");
+    status = adapt_in(o, sizeof *o, options, "the image options", err);
+    if (status == POV_OK)
+        status = find_format(context, path, o, format, err);
+    if (status < 0)
+        return status;
+    if (o->transfer != POV_TRANSFER_LINEAR && o->transfer != POV_TRANSFER_SRGB)
+        return err_set(err, POV_E_ARGUMENT, "unknown transfer curve");
+    if (depth_for(*format, o->bits) == 0)
+        return err_file(err, POV_E_ARGUMENT, path, "%d bits a channel cannot be stored in a .%s file", o->bits,
+                        (*format)->ending);
+    return POV_OK;
+}
+
+pov_status pov_image_check(pov_context *context, const char *path, const pov_image_options *options, pov_error *err)
+{
+    const pov_image_format *format;
+    pov_image_options o;
+
+    return prepare(context, path, options, &o, &format, err);
+}
+
+/* ---- the pixels ---- */
+
+static bool put(void *user, const void *bytes, size_t count)
+{
+    return file_writer_put(user, bytes, count);
+}
+
+static pov_status write_file(pov_context *context, const char *path, const pov_image_format *format,
+                             const pov_image *image, pov_error *err)
+{
+    file_writer *writer = env_alloc(&context->env, 1, sizeof *writer);
+    pov_output output = { writer, put };
+    const char *wrong;
+    pov_status status;
+
+    if (!writer)
+        return err_memory(err);
+    status = file_writer_open(writer, &context->env, path, err);
+    if (status == POV_OK) {
+        wrong = format->write(image, &output);
+        if (wrong && writer->error == 0) {
+            file_writer_discard(writer);
+            status = err_file(err, POV_E_IO, path, "cannot write this image: %s", wrong);
+        } else {
+            status = file_writer_commit(writer, err);
+        }
+    }
+    env_free(&context->env, writer);
+    return status;
+}
+
+/* Three channels a pixel, rows without gaps; NULL: no memory. */
+static void *pack(const env *e, const pov_image *image, const float *rgba, size_t stride)
+{
+    unsigned char *packed = env_alloc(e, (size_t)image->height, image->stride);
+    const unsigned char *row = (const unsigned char *)rgba;
+    encoder encode;
+    int y;
+
+    encoder_init(&encode, image->bits, image->transfer);
+    for (y = 0; packed && y < image->height; y++)
+        encoder_row(&encode, (const float *)(const void *)(row + (size_t)y * stride), image->width, 3,
+                    packed + (size_t)y * image->stride);
+    return packed;
+}
+
+pov_status pov_image_write(pov_context *context, const char *path, int width, int height, const float *rgba,
+                           size_t stride, const pov_image_options *options, pov_error *err)
+{
+    const pov_image_format *format;
+    pov_image image = POV_INIT(image);
+    pov_image_options o;
+    pov_status status = prepare(context, path, options, &o, &format, err);
+    void *packed;
+
+    if (status < 0)
+        return status;
+    if (!rgba || width <= 0 || height <= 0 || stride / (4 * sizeof *rgba) < (size_t)width)
+        return err_set(err, POV_E_ARGUMENT, "an image needs pixels, a size and a stride of whole rows");
+    image.width = width;
+    image.height = height;
+    image.bits = depth_for(format, o.bits);
+    image.transfer = o.transfer;
+    image.stride = (size_t)width * 3 * (size_t)(image.bits / 8);
+    packed = pack(&context->env, &image, rgba, stride);
+    if (!packed)
+        return err_memory(err);
+    image.pixels = packed;
+    status = write_file(context, path, format, &image, err);
+    env_free(&context->env, packed);
+    return status;
+}

@@ -1,0 +1,204 @@
+#include "api/adapt.h"
+#include "api/handles.h"
+#include "base/clock.h"
+#include "base/file.h"
+#include "sdl/reader.h"
+
+#include <povtrace/math.h>
+
+/* ---- loading ---- */
+
+static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *err)
+{
+    world_options options = { d->accel, d->threads, false };
+    double start = clock_seconds();
+    pov_status status = world_create(&scene->world, &scene->model, &options, err);
+
+    scene->build_seconds = clock_seconds() - start;
+    return status;
+}
+
+static pov_status read_and_compile(pov_scene *scene, const char *text, size_t length, const char *name,
+                                   const pov_load_desc *d, pov_error *err)
+{
+    reader_options options = { d->dialect, d->max_trace_level };
+    double start = clock_seconds();
+    pov_status status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
+
+    scene->parse_seconds = clock_seconds() - start;
+    return status < 0 ? status : compile(scene, d, err);
+}
+
+static pov_status load(pov_scene **out, pov_context *context, const char *text, size_t length, const char *name,
+                       const pov_load_desc *d, pov_error *err)
+{
+    pov_scene *scene = env_alloc(&context->env, 1, sizeof *scene);
+    pov_status status;
+
+    if (!scene)
+        return err_memory(err);
+    context_retain(context);
+    scene->context = context;
+    model_init(&scene->model, &context->env);
+    status = read_and_compile(scene, text, length, name, d, err);
+    if (status < 0)
+        pov_scene_destroy(scene);
+    else
+        *out = scene;
+    return status;
+}
+
+static pov_status check(pov_scene **out, pov_context *context, const void *text, const pov_load_desc *desc,
+                        pov_load_desc *ours, pov_error *err)
+{
+    pov_status status;
+
+    if (out)
+        *out = NULL;
+    if (!out || !context || !text)
+        return err_set(err, POV_E_ARGUMENT, "a scene needs a place, a context and a text");
+    status = adapt_in(ours, sizeof *ours, desc, "the load description", err);
+    if (status < 0)
+        return status;
+    if (ours->dialect < POV_DIALECT_AUTO || ours->dialect > POV_DIALECT_POVRAY || ours->accel < POV_ACCEL_TREE ||
+        ours->accel > POV_ACCEL_NONE || ours->max_trace_level < 0 || ours->threads < 0)
+        return err_set(err, POV_E_ARGUMENT, "the load description holds a value out of its range");
+    return POV_OK;
+}
+
+pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char *path, const pov_load_desc *desc,
+                               pov_error *err)
+{
+    pov_load_desc d;
+    pov_status status = check(out, context, path, desc, &d, err);
+    char *text;
+    size_t length;
+
+    if (status < 0)
+        return status;
+    status = file_read(&context->env, path, &text, &length, err);
+    if (status < 0)
+        return status;
+    status = load(out, context, text, length, path, &d, err);
+    env_free(&context->env, text);
+    return status;
+}
+
+pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length,
+                               const char *name, const pov_load_desc *desc, pov_error *err)
+{
+    pov_load_desc d;
+    pov_status status = check(out, context, text, desc, &d, err);
+
+    return status < 0 ? status : load(out, context, text, length, name ? name : "(text)", &d, err);
+}
+
+void pov_scene_destroy(pov_scene *scene)
+{
+    pov_context *context;
+
+    if (!scene)
+        return;
+    context = scene->context;
+    world_destroy(scene->world);
+    model_free(&scene->model);
+    env_free(&context->env, scene);
+    context_release(context);
+}
+
+/* ---- asking ---- */
+
+void pov_scene_get_camera(const pov_scene *scene, pov_camera *out)
+{
+    adapt_out(out, &scene->model.camera, sizeof scene->model.camera);
+}
+
+size_t pov_scene_object_count(const pov_scene *scene)
+{
+    return scene->model.objects.count;
+}
+
+bool pov_scene_get_object(const pov_scene *scene, size_t object, const char **keyword, int *line, int *column)
+{
+    const struct object *o;
+
+    if (object >= scene->model.objects.count)
+        return false;
+    o = &scene->model.objects.items[object];
+    if (keyword)
+        *keyword = o->shape->keyword;
+    if (line)
+        *line = (int)o->line;
+    if (column)
+        *column = (int)o->column;
+    return true;
+}
+
+bool pov_scene_get_bounds(const pov_scene *scene, pov_box *out)
+{
+    return world_bounds(scene->world, out);
+}
+
+void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
+{
+    const model *m = &scene->model;
+    pov_scene_info info = POV_INIT(info);
+
+    info.dialect = m->dialect;
+    info.dialect_reason = m->dialect_reason;
+    info.transfer = m->gamma.transfer;
+    info.parse_seconds = scene->parse_seconds;
+    info.build_seconds = scene->build_seconds;
+    info.objects = m->objects.count;
+    info.infinite_objects = world_infinite_count(scene->world);
+    info.lights = m->lights.count;
+    info.materials = m->materials.count;
+    info.warnings = m->warnings;
+    info.max_trace_level = m->max_trace_level;
+    adapt_out(out, &info, sizeof info);
+}
+
+bool pov_scene_get_plan(const pov_scene *scene, size_t index, pov_plan_row *out)
+{
+    const plan_row_list *rows = &world_plan(scene->world)->rows;
+    pov_plan_row row = POV_INIT(row);
+
+    if (index >= rows->count)
+        return false;
+    row.used = rows->items[index].used;
+    row.subject = rows->items[index].subject;
+    row.state = rows->items[index].state;
+    row.reason = rows->items[index].reason;
+    adapt_out(out, &row, sizeof row);
+    return true;
+}
+
+/* ---- cameras ---- */
+
+static double length(pov_vec3 v)
+{
+    double m = pov_largest(v);
+
+    return m > 0.0 ? m * sqrt(pov_dot(pov_scale(v, 1.0 / m), pov_scale(v, 1.0 / m))) : 0.0;
+}
+
+pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky, pov_error *err)
+{
+    pov_vec3 forward = pov_unit(pov_sub(target, location)), side = pov_unit(pov_cross_product(sky, forward));
+    double direction, right, up;
+
+    if (!camera)
+        return err_set(err, POV_E_ARGUMENT, "no camera was given");
+    if (pov_largest(forward) == 0.0)
+        return err_set(err, POV_E_ARGUMENT, "the camera cannot look at its own location");
+    if (pov_largest(side) == 0.0)
+        return err_set(err, POV_E_ARGUMENT, "the sky lies along the view");
+    direction = length(camera->direction);
+    right = length(camera->right);
+    up = length(camera->up);
+    camera->location = location;
+    camera->direction = pov_scale(forward, direction);
+    camera->right = pov_scale(side, right);
+    camera->up = pov_scale(pov_cross_product(forward, side), up);
+    return POV_OK;
+}
