@@ -118,13 +118,13 @@ size_t pov_scene_object_count(const pov_scene *scene)
     return scene->model.objects.count;
 }
 
-bool pov_scene_get_object(const pov_scene *scene, size_t object, const char **keyword, int *line, int *column)
+bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **keyword, int *line, int *column)
 {
     const struct object *o;
 
-    if (object >= scene->model.objects.count)
+    if (index >= scene->model.objects.count)
         return false;
-    o = &scene->model.objects.items[object];
+    o = &scene->model.objects.items[index];
     if (keyword)
         *keyword = o->shape->keyword;
     if (line)

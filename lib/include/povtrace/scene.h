@@ -56,8 +56,8 @@ POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
 /* Turn the camera from where it is towards target, keeping its angles; sky is what shall point up in the picture. */
 POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky, pov_error *err);
 POV_API size_t pov_scene_object_count(const pov_scene *scene);
-/* Keyword and place of an object in the text; false past the last. */
-POV_API bool pov_scene_get_object(const pov_scene *scene, size_t object, const char **keyword, int *line, int *column);
+/* Keyword and place of the index-th object in the text; false past the last. */
+POV_API bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **keyword, int *line, int *column);
 /* Box around all finite objects; false when there is none. */
 POV_API bool pov_scene_get_bounds(const pov_scene *scene, pov_box *out);
 
