@@ -23,3 +23,27 @@ $(BUILD)/obj/tests/cli/%.o: LIB_FLAGS += -Icli
 $(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o
+
+# Scripts are run like programs; they find what was built in $BUILD_DIR and the compiler in $CC.
+TEST_SCRIPTS = $(sort $(wildcard tests/cli/run.sh tests/install/run.sh))
+
+.PHONY: test tests
+tests: all $(TEST_PROGRAMS)
+test: deps
+	$(MAKE) tests
+	BUILD_DIR='$(abspath $(BUILD))' CC='$(CC)' CXX='$(CXX)' tests/run.sh $(TEST_PROGRAMS) $(TEST_SCRIPTS)
+
+# The same tests under the sanitizers, each in a build of its own.
+SANITIZED_TESTS = $(filter-out tests/numerics/%,$(TEST_SOURCES))
+.PHONY: asan tsan
+asan:
+	$(MAKE) BUILD=build-asan OPTIMISE=-O1 SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer' all $(SANITIZED_TESTS:%.c=build-asan/%)
+	BUILD_DIR='$(CURDIR)/build-asan' tests/run.sh $(SANITIZED_TESTS:%.c=build-asan/%) $(filter tests/cli/%,$(TEST_SCRIPTS))
+tsan:
+	$(MAKE) BUILD=build-tsan OPTIMISE=-O1 SANITIZE=-fsanitize=thread all $(SANITIZED_TESTS:%.c=build-tsan/%)
+	BUILD_DIR='$(CURDIR)/build-tsan' tests/run.sh $(SANITIZED_TESTS:%.c=build-tsan/%)
+
+# Every scene in povtrace and in an installed POV-Ray, picture against picture.
+.PHONY: compare
+compare: all
+	$(PYTHON) tests/compare/compare.py --povc $(POVC)

@@ -98,6 +98,61 @@ static rows identity(void)
     return r;
 }
 
+/* The map is built from the last written transformation to the first: each joins it on the right, and its inverse
+ * joins the inverse on the left. Only what a transformation changes is touched, so that zeros stay exact. */
+typedef struct composition { rows map, inverse; } composition;
+
+static void translate(composition *c, const double *v)
+{
+    int i, k;
+
+    for (i = 0; i < 3; i++) {
+        for (k = 0; k < 3; k++)
+            if (v[k] != 0.0)
+                c->map.at[i][3] = pov_two_add(c->map.at[i][3], pov_two_mul_double(c->map.at[i][k], v[k]));
+        c->inverse.at[i][3] = pov_two_add_double(c->inverse.at[i][3], -v[i]);
+    }
+}
+
+static void scale(composition *c, const double *v)
+{
+    int i, j;
+
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 3; j++)
+            c->map.at[i][j] = pov_two_mul_double(c->map.at[i][j], v[j]);
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 4; j++)
+            c->inverse.at[i][j] = pov_two_div(c->inverse.at[i][j], pov_two_of(v[i], 0.0));
+}
+
+/* x cos + y sin, y cos - x sin. */
+static void turn_pair(pov_two *x, pov_two *y, pov_two s, pov_two c)
+{
+    pov_two turned = pov_two_add(pov_two_mul(*x, c), pov_two_mul(*y, s));
+
+    *y = pov_two_sub(pov_two_mul(*y, c), pov_two_mul(*x, s));
+    *x = turned;
+}
+
+/* Turn by degrees about one axis; left-handed: about x, +y goes to +z. The inverse is the transpose. */
+static void turn(composition *c, int axis, double degrees)
+{
+    int u = (axis + 1) % 3, v = (axis + 2) % 3, i;
+    double sine[2], cosine[2];
+    pov_two s, k;
+
+    if (degrees == 0.0)
+        return;
+    transform_sincos(degrees, sine, cosine);
+    s = pov_two_of(sine[0], sine[1]);
+    k = pov_two_of(cosine[0], cosine[1]);
+    for (i = 0; i < 3; i++)
+        turn_pair(&c->map.at[i][u], &c->map.at[i][v], s, k);
+    for (i = 0; i < 4; i++)
+        turn_pair(&c->inverse.at[u][i], &c->inverse.at[v][i], s, k);
+}
+
 /* a after b: p -> a (b p). */
 static rows after(const rows *a, const rows *b)
 {
@@ -111,49 +166,6 @@ static rows after(const rows *a, const rows *b)
                 sum = pov_two_add(sum, pov_two_mul(a->at[i][k], b->at[k][j]));
             r.at[i][j] = sum;
         }
-    return r;
-}
-
-/* Turn by degrees about one axis; left-handed: about x, +y goes to +z. */
-static rows turn(int axis, double degrees)
-{
-    int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    double s[2], c[2];
-    rows r = identity();
-
-    transform_sincos(degrees, s, c);
-    r.at[u][u] = r.at[v][v] = pov_two_of(c[0], c[1]);
-    r.at[v][u] = pov_two_of(s[0], s[1]);
-    r.at[u][v] = pov_two_of(-s[0], -s[1]);
-    return r;
-}
-
-static rows rotation(const double *v, bool inverse)
-{
-    rows x = turn(0, inverse ? -v[0] : v[0]), y = turn(1, inverse ? -v[1] : v[1]),
-         z = turn(2, inverse ? -v[2] : v[2]), yx;
-
-    if (inverse) {
-        yx = after(&y, &z);
-        return after(&x, &yx);
-    }
-    yx = after(&y, &x);
-    return after(&z, &yx);
-}
-
-static rows simple(const transform *t, bool inverse)
-{
-    rows r = identity();
-    int i;
-
-    if (t->kind == TRANSFORM_ROTATE)
-        return rotation(t->v, inverse);
-    for (i = 0; i < 3; i++) {
-        if (t->kind == TRANSFORM_TRANSLATE)
-            r.at[i][3].hi = inverse ? -t->v[i] : t->v[i];
-        else
-            r.at[i][i] = inverse ? pov_two_div(pov_two_of(1.0, 0.0), pov_two_of(t->v[i], 0.0)) : pov_two_of(t->v[i], 0.0);
-    }
     return r;
 }
 
@@ -174,7 +186,7 @@ static rows written(const double *v)
 static bool invert(const rows *m, rows *out)
 {
     rows a = *m;
-    double scale[3], largest;
+    double factor[3], largest;
     pov_two determinant = { 0.0, 0.0 };
     int i, j, e;
 
@@ -183,9 +195,9 @@ static bool invert(const rows *m, rows *out)
         if (!(largest > 0.0) || largest > 1e300)
             return false;
         frexp(largest, &e);
-        scale[i] = ldexp(1.0, -e);
+        factor[i] = ldexp(1.0, -e);
         for (j = 0; j < 3; j++)
-            a.at[i][j] = pov_two_of(a.at[i][j].hi * scale[i], a.at[i][j].lo * scale[i]);
+            a.at[i][j] = pov_two_of(a.at[i][j].hi * factor[i], a.at[i][j].lo * factor[i]);
     }
     for (i = 0; i < 3; i++)
         for (j = 0; j < 3; j++) {
@@ -199,7 +211,7 @@ static bool invert(const rows *m, rows *out)
     for (i = 0; i < 3; i++) {
         pov_two sum = { 0.0, 0.0 };
         for (j = 0; j < 3; j++) {
-            out->at[i][j] = pov_two_mul_double(pov_two_div(out->at[i][j], determinant), scale[j]);
+            out->at[i][j] = pov_two_mul_double(pov_two_div(out->at[i][j], determinant), factor[j]);
             sum = pov_two_sub(sum, pov_two_mul(out->at[i][j], m->at[j][3]));
         }
         out->at[i][3] = sum;
@@ -218,32 +230,56 @@ static void store(const rows *r, double hi[3][4], double lo[3][4])
         }
 }
 
-/* From the last written to the first: the map grows on its right, the inverse on its left. */
-bool transform_compose(const transform *list, pov_affine *out)
+static bool join(composition *c, const transform *t)
 {
-    rows map = identity(), inverse = identity(), step, back;
-    const transform *t;
+    rows map, inverse;
+    int axis;
+
+    switch (t->kind) {
+    case TRANSFORM_TRANSLATE:
+        translate(c, t->v);
+        break;
+    case TRANSFORM_SCALE:
+        scale(c, t->v);
+        break;
+    case TRANSFORM_ROTATE:
+        for (axis = 2; axis >= 0; axis--)
+            turn(c, axis, t->v[axis]);
+        break;
+    case TRANSFORM_MATRIX:
+        map = written(t->v);
+        if (!invert(&map, &inverse))
+            return false;
+        c->map = after(&c->map, &map);
+        c->inverse = after(&inverse, &c->inverse);
+        break;
+    }
+    return true;
+}
+
+static bool is_finite(const rows *r)
+{
     int i, j;
 
-    for (t = list; t; t = t->before) {
-        if (t->kind == TRANSFORM_MATRIX) {
-            step = written(t->v);
-            if (!invert(&step, &back))
-                return false;
-        } else {
-            step = simple(t, false);
-            back = simple(t, true);
-        }
-        map = after(&map, &step);
-        inverse = after(&back, &inverse);
-    }
-    store(&map, out->m, out->m_lo);
-    store(&inverse, out->inv, out->inv_lo);
     for (i = 0; i < 3; i++)
         for (j = 0; j < 4; j++)
-            if (!(fabs(out->m[i][j]) <= 1.7976931348623157e308 && fabs(out->inv[i][j]) <= 1.7976931348623157e308))
+            if (!isfinite(r->at[i][j].hi) || !isfinite(r->at[i][j].lo))
                 return false;
     return true;
+}
+
+bool transform_compose(const transform *list, pov_affine *out)
+{
+    composition c;
+    const transform *t;
+
+    c.map = c.inverse = identity();
+    for (t = list; t; t = t->before)
+        if (!join(&c, t))
+            return false;
+    store(&c.map, out->m, out->m_lo);
+    store(&c.inverse, out->inv, out->inv_lo);
+    return is_finite(&c.map) && is_finite(&c.inverse);
 }
 
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo)
