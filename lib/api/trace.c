@@ -24,6 +24,7 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     ray.org = org;
     ray.org_lo = pov_vec3_of(0.0, 0.0, 0.0);
     ray.dir = dir;
+    ray.dir_lo = ray.org_lo;
     ray.left = POV_NOBODY;
     ray.left_mark = no_mark;
     return ray;

@@ -29,6 +29,7 @@ typedef struct pov_ray {
     pov_vec3 org, org_lo, dir;   /* dir need not be unit */
     uint32_t left;               /* the owner whose surface the ray starts on, or POV_NOBODY */
     pov_mark left_mark;          /* the mark of that crossing: intersect() leaves out that root by name */
+    pov_vec3 dir_lo;             /* the direction is dir + dir_lo: zero, but where a map was applied to a ray */
 } pov_ray;
 
 /* A crossing lies at the unevaluated sum t + t_lo. */
