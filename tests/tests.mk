@@ -22,7 +22,7 @@ $(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --c
 $(BUILD)/obj/tests/cli/%.o: LIB_FLAGS += -Icli
 $(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
-$(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o
+$(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o
 
 # Scripts are run like programs; they find what was built in $BUILD_DIR and the compiler in $CC.
 TEST_SCRIPTS = $(sort $(wildcard tests/cli/run.sh tests/install/run.sh))

@@ -1,0 +1,341 @@
+#include "args.h"
+
+#include <getopt.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    LARGEST_SIDE = 1000000,      /* libpng's own limit */
+    MOST_THREADS = 4096,
+    MOST_SAMPLES = 1000000,
+    DEEPEST = 65535
+};
+
+/* Options without a letter of their own. */
+enum {
+    OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN, OPTION_DIALECT,
+    OPTION_ACCEL, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS, OPTION_COLOR,
+    OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
+};
+
+static const struct option long_options[] = {
+    { "threads", required_argument, NULL, 't' },
+    { "spp", required_argument, NULL, OPTION_SPP },
+    { "max-depth", required_argument, NULL, OPTION_MAX_DEPTH },
+    { "bits", required_argument, NULL, OPTION_BITS },
+    { "transfer", required_argument, NULL, OPTION_TRANSFER },
+    { "format", required_argument, NULL, OPTION_FORMAT },
+    { "explain", no_argument, NULL, OPTION_EXPLAIN },
+    { "dialect", required_argument, NULL, OPTION_DIALECT },
+    { "accel", required_argument, NULL, OPTION_ACCEL },
+    { "crop", required_argument, NULL, OPTION_CROP },
+    { "check", no_argument, NULL, OPTION_CHECK },
+    { "stats", no_argument, NULL, OPTION_STATS },
+    { "preview", required_argument, NULL, OPTION_PREVIEW },
+    { "progress", required_argument, NULL, OPTION_PROGRESS },
+    { "quiet", no_argument, NULL, 'q' },
+    { "verbose", no_argument, NULL, 'v' },
+    { "color", required_argument, NULL, OPTION_COLOR },
+    { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
+    { "help", no_argument, NULL, OPTION_HELP },
+    { "version", no_argument, NULL, OPTION_VERSION },
+    { NULL, 0, NULL, 0 },
+};
+
+/* Words that an option takes, in the order of its enumeration; ends with NULL. */
+static const char *const transfers[] = { "scene", "srgb", "linear", NULL };
+static const char *const dialects[] = { "auto", "course", "povray", NULL };
+static const char *const accels[] = { "tree", "none", NULL };
+static const char *const progresses[] = { "auto", "bar", "json", "none", NULL };
+static const char *const colors[] = { "auto", "always", "never", NULL };
+
+static bool refuse(args *a, const char *format, ...) POV_PRINTF(2, 3);
+
+static bool refuse(args *a, const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    vsnprintf(a->problem, sizeof a->problem, format, list);
+    va_end(list);
+    return false;
+}
+
+/* Digits only, up to `end` or the text's end; -1 when it is anything else or above the limit. */
+static int digits(const char *text, const char *end, int limit)
+{
+    int value = 0;
+
+    if (text == end || *text == '\0')
+        return -1;
+    for (; text != end && *text; text++) {
+        if (*text < '0' || *text > '9')
+            return -1;
+        if (value > (limit - (*text - '0')) / 10)
+            return -1;
+        value = 10 * value + (*text - '0');
+    }
+    return value;
+}
+
+static bool read_whole(args *a, const char *what, const char *text, int least, int most, int *out)
+{
+    int value = digits(text, NULL, most);
+
+    if (value < least)
+        return refuse(a, "%s must be a whole number from %d to %d, not \"%s\"", what, least, most, text);
+    *out = value;
+    return true;
+}
+
+static bool read_word(args *a, const char *what, const char *text, const char *const *words, int *out)
+{
+    char list[128] = "";
+
+    for (int i = 0; words[i]; i++) {
+        if (strcmp(text, words[i]) == 0) {
+            *out = i;
+            return true;
+        }
+        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", i == 0 ? "" : words[i + 1] ? ", " : " or ",
+                 words[i]);
+    }
+    return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
+}
+
+/* One of a few numbers, which end with -1. */
+static bool read_choice(args *a, const char *what, const char *text, const int *choices, const char *list, int *out)
+{
+    int value = digits(text, NULL, 1000);
+
+    for (; *choices >= 0; choices++) {
+        if (value == *choices) {
+            *out = value;
+            return true;
+        }
+    }
+    return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
+}
+
+/* x0,y0,x1,y1: the first pixel, and the one behind the last. That they lie in the picture is seen later. */
+static bool read_crop(args *a, const char *text)
+{
+    int corner[4];
+    const char *at = text;
+
+    for (int i = 0; i < 4; i++) {
+        const char *end = i < 3 ? strchr(at, ',') : at + strlen(at);
+
+        corner[i] = end ? digits(at, end, LARGEST_SIDE) : -1;
+        if (corner[i] < 0)
+            return refuse(a, "--crop wants four whole numbers x0,y0,x1,y1, not \"%s\"", text);
+        at = end + 1;
+    }
+    if (corner[2] <= corner[0] || corner[3] <= corner[1])
+        return refuse(a, "--crop %s holds no pixel: x1 and y1 must be above x0 and y0", text);
+    a->crop.x = corner[0];
+    a->crop.y = corner[1];
+    a->crop.width = corner[2] - corner[0];
+    a->crop.height = corner[3] - corner[1];
+    return true;
+}
+
+static bool read_format(args *a, const char *text)
+{
+    a->format = *text == '.' ? text + 1 : text;
+    return *a->format != '\0' || refuse(a, "--format wants an image ending, such as png");
+}
+
+static bool read_option_word(args *a, int option, const char *text)
+{
+    int word = 0;
+
+    switch (option) {
+    case OPTION_TRANSFER:
+        if (!read_word(a, "--transfer", text, transfers, &word))
+            return false;
+        a->transfer = (args_transfer)word;
+        return true;
+    case OPTION_DIALECT:
+        if (!read_word(a, "--dialect", text, dialects, &word))
+            return false;
+        a->dialect = (pov_dialect)word;
+        return true;
+    case OPTION_ACCEL:
+        if (!read_word(a, "--accel", text, accels, &word))
+            return false;
+        a->accel = (pov_accel)word;
+        return true;
+    case OPTION_PROGRESS:
+        if (!read_word(a, "--progress", text, progresses, &word))
+            return false;
+        a->progress = (args_progress)word;
+        return true;
+    default:
+        if (!read_word(a, "--color", text, colors, &word))
+            return false;
+        a->color = (args_color)word;
+        return true;
+    }
+}
+
+static bool read_option_number(args *a, int option, const char *text)
+{
+    static const int depths[] = { 8, 16, -1 }, edges[] = { 0, 2, 4, 8, 16, -1 };
+
+    switch (option) {
+    case 't':
+        return read_whole(a, "--threads", text, 1, MOST_THREADS, &a->threads);
+    case OPTION_SPP:
+        return read_whole(a, "--spp", text, 1, MOST_SAMPLES, &a->samples);
+    case OPTION_MAX_DEPTH:
+        return read_whole(a, "--max-depth", text, 1, DEEPEST, &a->max_depth);
+    case OPTION_BITS:
+        return read_choice(a, "--bits", text, depths, "8 or 16", &a->bits);
+    default:
+        return read_choice(a, "--preview", text, edges, "0, 2, 4, 8 or 16", &a->preview);
+    }
+}
+
+static bool read_option(args *a, int option, const char *text)
+{
+    switch (option) {
+    case 't': case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
+        return read_option_number(a, option, text);
+    case OPTION_TRANSFER: case OPTION_DIALECT: case OPTION_ACCEL: case OPTION_PROGRESS: case OPTION_COLOR:
+        return read_option_word(a, option, text);
+    case OPTION_CROP:
+        return read_crop(a, text);
+    case OPTION_FORMAT:
+        return read_format(a, text);
+    case OPTION_PLUGIN_PATH:
+        a->plugin_path = text;
+        return true;
+    case OPTION_EXPLAIN:
+        a->explain = true;
+        return true;
+    case OPTION_CHECK:
+        a->check = true;
+        return true;
+    case OPTION_STATS:
+        a->stats = true;
+        return true;
+    case 'q':
+        a->quiet = true;
+        return true;
+    default:
+        a->verbose = true;
+        return true;
+    }
+}
+
+/* How many letters must change, come or go to make one word of the other. */
+static size_t distance(const char *a, const char *b)
+{
+    size_t row[32], width = strlen(b);
+
+    if (width >= 31)
+        return width;
+    for (size_t j = 0; j <= width; j++)
+        row[j] = j;
+    for (size_t i = 1; a[i - 1]; i++) {
+        size_t diagonal = row[0];
+
+        row[0] = i;
+        for (size_t j = 1; j <= width; j++) {
+            size_t best = diagonal + (a[i - 1] != b[j - 1]);
+
+            diagonal = row[j];
+            best = best < row[j] + 1 ? best : row[j] + 1;
+            row[j] = best < row[j - 1] + 1 ? best : row[j - 1] + 1;
+        }
+    }
+    return row[width];
+}
+
+static bool refuse_unknown(args *a, const char *word)
+{
+    const char *nearest = NULL;
+    size_t least = 3;
+    char name[32];
+
+    if (strncmp(word, "--", 2) != 0)
+        return refuse(a, "there is no option \"%s\"", word);
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(word + 2, "="), word + 2);
+    for (const struct option *o = long_options; o->name; o++) {
+        size_t d = distance(name, o->name);
+
+        if (d < least) {
+            least = d;
+            nearest = o->name;
+        }
+    }
+    if (nearest)
+        return refuse(a, "there is no option \"--%s\"; did you mean \"--%s\"?", name, nearest);
+    return refuse(a, "there is no option \"--%s\"", name);
+}
+
+/* getopt_long has met something it does not know (optopt 0 or a letter), or an option that takes no value with one
+ * (optopt is that option). */
+static bool refuse_option(args *a, char **argv)
+{
+    char letter[3] = { '-', (char)optopt, '\0' };
+
+    if (optopt > 255)
+        return refuse(a, "\"%s\": this option takes no value", argv[optind - 1]);
+    if (optopt == 0)
+        return refuse_unknown(a, argv[optind - 1]);
+    if (optopt >= '0' && optopt <= '9')
+        return refuse(a, "there is no option \"%s\"; sizes are whole numbers above zero", letter);
+    return refuse(a, "there is no option \"%s\"", letter);
+}
+
+static bool read_places(args *a, int count, char **places)
+{
+    static const char *const names[] = { "SCENE", "WIDTH", "HEIGHT", "OUTPUT" };
+
+    if (count > 0)
+        a->scene = places[0];
+    if (count == 1 && (a->check || a->explain))
+        return true;
+    if (count < 4)
+        return refuse(a, "%s is missing: povc wants SCENE WIDTH HEIGHT OUTPUT", names[count]);
+    if (count > 4)
+        return refuse(a, "\"%s\" is one word too many: povc wants SCENE WIDTH HEIGHT OUTPUT", places[4]);
+    if (!read_whole(a, "WIDTH", places[1], 1, LARGEST_SIDE, &a->width) ||
+        !read_whole(a, "HEIGHT", places[2], 1, LARGEST_SIDE, &a->height))
+        return false;
+    if (places[3][0] == '\0')
+        return refuse(a, "OUTPUT is empty; povc wants the name of an image file, or -");
+    a->output = places[3];
+    if (a->crop.width > 0 && (a->crop.x + a->crop.width > a->width || a->crop.y + a->crop.height > a->height))
+        return refuse(a, "--crop reaches out of the picture of %d x %d", a->width, a->height);
+    return true;
+}
+
+args_verdict args_parse(args *a, int argc, char **argv)
+{
+    int option;
+
+    memset(a, 0, sizeof *a);
+    optind = 0;      /* glibc begins anew at 0 */
+    opterr = 0;
+    while ((option = getopt_long(argc, argv, ":t:qvh", long_options, NULL)) != -1) {
+        if (option == 'h' || option == OPTION_HELP)
+            return ARGS_HELP;
+        if (option == OPTION_VERSION)
+            return ARGS_VERSION;
+        if (option == '?') {
+            refuse_option(a, argv);
+            return ARGS_WRONG;
+        }
+        if (option == ':') {
+            refuse(a, "\"%s\" wants a value", argv[optind - 1]);
+            return ARGS_WRONG;
+        }
+        if (!read_option(a, option, optarg))
+            return ARGS_WRONG;
+    }
+    return read_places(a, argc - optind, argv + optind) ? ARGS_RUN : ARGS_WRONG;
+}

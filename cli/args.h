@@ -1,0 +1,32 @@
+/* args.h - povc's command line. Reading it touches nothing but its own struct, so that it can be tested. */
+#ifndef CLI_ARGS_H
+#define CLI_ARGS_H
+
+#include <povtrace/povtrace.h>
+
+typedef enum args_verdict { ARGS_RUN, ARGS_HELP, ARGS_VERSION, ARGS_WRONG } args_verdict;
+typedef enum args_progress { ARGS_PROGRESS_AUTO, ARGS_PROGRESS_BAR, ARGS_PROGRESS_JSON, ARGS_PROGRESS_NONE } args_progress;
+typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
+typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
+
+typedef struct args {
+    const char *scene;
+    const char *output;          /* NULL: nothing is rendered */
+    int width, height;           /* of the whole picture */
+    pov_rect crop;               /* width 0: all of it */
+    int threads, samples, max_depth, bits, preview;   /* 0: the library's default */
+    args_transfer transfer;
+    const char *format;          /* an image ending, or NULL: by the output's name */
+    pov_dialect dialect;
+    pov_accel accel;
+    const char *plugin_path;     /* or NULL */
+    bool explain, check, stats, quiet, verbose;
+    args_progress progress;
+    args_color color;
+    char problem[256];           /* what is wrong, for ARGS_WRONG */
+} args;
+
+/* The strings of argv are kept, not copied; getopt_long may change their order. */
+args_verdict args_parse(args *a, int argc, char **argv);
+
+#endif

@@ -1,0 +1,110 @@
+#include "messages.h"
+#include "text.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { TEXT_SIZE = 600 };
+
+typedef enum style { STYLE_PLAIN, STYLE_PLACE, STYLE_ERROR, STYLE_WARNING, STYLE_NOTE, STYLE_CARET } style;
+
+static const char *escape(const messages *m, style s)
+{
+    static const char *const escapes[] = { "\033[0m", "\033[1m", "\033[1;31m", "\033[1;35m", "\033[1;36m",
+                                           "\033[1;32m" };
+
+    return m->color ? escapes[s] : "";
+}
+
+bool messages_on_terminal(void)
+{
+    const char *terminal = getenv("TERM");
+
+    return isatty(STDERR_FILENO) && terminal && *terminal && strcmp(terminal, "dumb") != 0;
+}
+
+void messages_init(messages *m, const args *a)
+{
+    const char *no_color = getenv("NO_COLOR");
+
+    memset(m, 0, sizeof *m);
+    m->quiet = a->quiet;
+    m->verbose = a->verbose;
+    m->color = a->color == ARGS_COLOR_ALWAYS ||
+               (a->color == ARGS_COLOR_AUTO && !(no_color && *no_color) && messages_on_terminal());
+}
+
+/* The line, a caret under what is meant, and the word that was probably meant under the caret. */
+static void show_excerpt(const messages *m, const pov_error *note)
+{
+    char line[TEXT_SIZE], indent[TEXT_SIZE];
+
+    text_printable(note->excerpt, line, sizeof line);
+    text_indent(note->excerpt, note->caret, indent, sizeof indent);
+    fprintf(stderr, "%5d | %s\n", note->line, line);
+    fprintf(stderr, "      | %s%s^%s\n", indent, escape(m, STYLE_CARET), escape(m, STYLE_PLAIN));
+    if (note->hint[0])
+        fprintf(stderr, "      | %sdid you mean \"%s\"?\n", indent, note->hint);
+}
+
+static void show(const messages *m, style s, const char *kind, const pov_error *note)
+{
+    char text[TEXT_SIZE], file[TEXT_SIZE];
+    bool excerpt = note->line > 0 && note->excerpt[0] && note->caret >= 0;
+
+    text_printable(note->message, text, sizeof text);
+    text_printable(note->file[0] ? note->file : "povc", file, sizeof file);
+    flockfile(stderr);
+    fprintf(stderr, "%s%s:", escape(m, STYLE_PLACE), file);
+    if (note->line > 0)
+        fprintf(stderr, "%d:", note->line);
+    if (note->line > 0 && note->column > 0)
+        fprintf(stderr, "%d:", note->column);
+    fprintf(stderr, "%s %s%s:%s %s", escape(m, STYLE_PLAIN), escape(m, s), kind, escape(m, STYLE_PLAIN), text);
+    if (note->hint[0] && !excerpt)
+        fprintf(stderr, "; did you mean \"%s\"?", note->hint);
+    fputc('\n', stderr);
+    if (excerpt)
+        show_excerpt(m, note);
+    funlockfile(stderr);
+}
+
+void messages_error(const messages *m, const pov_error *err)
+{
+    show(m, STYLE_ERROR, "error", err);
+}
+
+void messages_log(void *user, pov_log_level level, const pov_error *note)
+{
+    messages *m = user;
+
+    if (level == POV_LOG_WARN) {
+        flockfile(stderr);
+        m->warnings++;
+        funlockfile(stderr);
+    }
+    if (m->quiet || (level != POV_LOG_WARN && !m->verbose))
+        return;
+    if (level == POV_LOG_WARN)
+        show(m, STYLE_WARNING, "warning", note);
+    else
+        show(m, STYLE_NOTE, level == POV_LOG_INFO ? "note" : "debug", note);
+}
+
+void messages_say(const messages *m, const char *format, ...)
+{
+    va_list list;
+
+    if (m->quiet)
+        return;
+    flockfile(stderr);
+    fprintf(stderr, "%spovc:%s ", escape(m, STYLE_PLACE), escape(m, STYLE_PLAIN));
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputc('\n', stderr);
+    funlockfile(stderr);
+}

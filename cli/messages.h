@@ -1,0 +1,22 @@
+/* messages.h - what povc says on standard error about a scene, and about itself. */
+#ifndef CLI_MESSAGES_H
+#define CLI_MESSAGES_H
+
+#include "args.h"
+
+typedef struct messages {
+    bool color, quiet, verbose;
+    unsigned warnings;           /* written or silenced */
+} messages;
+
+/* Is standard error a terminal that may be coloured and redrawn? */
+bool messages_on_terminal(void);
+
+void messages_init(messages *m, const args *a);
+void messages_error(const messages *m, const pov_error *err);
+/* A pov_log_fn; user is the messages. */
+void messages_log(void *user, pov_log_level level, const pov_error *note);
+/* "povc: ..." */
+void messages_say(const messages *m, const char *format, ...) POV_PRINTF(2, 3);
+
+#endif

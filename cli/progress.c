@@ -1,0 +1,142 @@
+#include "progress.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+/* Seconds of the job. A bar that would be gone at once is not drawn at all. */
+static const double first_bar = 0.3, every_bar = 0.1, every_line = 10.0, every_json = 0.5;
+
+void progress_init(progress *p, const args *a)
+{
+    memset(p, 0, sizeof *p);
+    p->mode = a->quiet ? ARGS_PROGRESS_NONE : a->progress;
+    if (p->mode == ARGS_PROGRESS_AUTO) {
+        p->mode = ARGS_PROGRESS_BAR;
+        p->lines = !messages_on_terminal();
+    }
+}
+
+bool progress_due(const progress *p, double seconds)
+{
+    switch (p->mode) {
+    case ARGS_PROGRESS_JSON:
+        return seconds - p->shown >= every_json;
+    case ARGS_PROGRESS_BAR:
+        return seconds - p->shown >= (p->lines ? every_line : p->drawn ? every_bar : first_bar);
+    default:
+        return false;
+    }
+}
+
+void progress_percent(double fraction, char *out, size_t size)
+{
+    double tenths = floor(fraction * 1000.0);
+
+    if (!(fraction < 1.0))
+        snprintf(out, size, "100");
+    else
+        snprintf(out, size, "%.1f", (tenths > 0.0 ? tenths : 0.0) / 10.0);
+}
+
+void progress_duration(double seconds, char *out, size_t size)
+{
+    long whole = seconds < 0.0 ? 0 : seconds > 3.6e8 ? 360000000 : (long)ceil(seconds);
+
+    if (whole < 60)
+        snprintf(out, size, "%ld s", whole);
+    else if (whole < 3600)
+        snprintf(out, size, "%ld:%02ld", whole / 60, whole % 60);
+    else
+        snprintf(out, size, "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+uint64_t progress_rays(const pov_counts *c)
+{
+    return c->camera + c->shadow + c->reflected + c->transmitted;
+}
+
+/* Seconds until the end if the rest goes as what is done did; below zero: nobody knows yet. */
+static double remaining(const pov_progress *now)
+{
+    return now->fraction > 0.0 && now->seconds > 0.0 ? now->seconds * (1.0 - now->fraction) / now->fraction : -1.0;
+}
+
+static int screen_columns(void)
+{
+    struct winsize size;
+
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+        return size.ws_col;
+    return 80;
+}
+
+static void draw_bar(const pov_progress *now)
+{
+    char percent[16], left[32] = "", text[160], bar[64];
+    int width, room, full;
+
+    progress_percent(now->fraction, percent, sizeof percent);
+    if (remaining(now) >= 0.0)
+        progress_duration(remaining(now), left, sizeof left);
+    width = snprintf(text, sizeof text, " %5s %%  %.1f M rays/s%s%s", percent,
+                     now->seconds > 0.0 ? (double)progress_rays(&now->counts) / now->seconds * 1e-6 : 0.0,
+                     left[0] ? "  ETA " : "", left);
+    room = screen_columns() - width - 3;
+    room = room > 40 ? 40 : room < 0 ? 0 : room;
+    full = (int)(now->fraction * room);
+    memset(bar, ' ', sizeof bar);
+    memset(bar, '#', (size_t)(full < 0 ? 0 : full > room ? room : full));
+    fprintf(stderr, "\r[%.*s]%s\033[K", room, bar, text);
+    fflush(stderr);
+}
+
+static void write_line(const pov_progress *now)
+{
+    char percent[16], spent[32], left[32];
+
+    progress_percent(now->fraction, percent, sizeof percent);
+    progress_duration(now->seconds, spent, sizeof spent);
+    progress_duration(remaining(now), left, sizeof left);
+    fprintf(stderr, "povc: %s %% after %s, about %s to go\n", percent, spent, left);
+}
+
+static void write_json(const pov_progress *now)
+{
+    char percent[16];
+
+    progress_percent(now->fraction, percent, sizeof percent);
+    fprintf(stderr, "{\"percent\":%s,\"fraction\":%.6f,\"seconds\":%.3f,\"pass\":%d,\"passes\":%d,\"threads\":%d,"
+            "\"rays\":%llu", percent, floor(now->fraction * 1e6) * 1e-6, now->seconds, now->pass, now->passes,
+            now->threads, (unsigned long long)progress_rays(&now->counts));
+    if (remaining(now) >= 0.0)
+        fprintf(stderr, ",\"eta\":%.3f", remaining(now));
+    fprintf(stderr, "}\n");
+    fflush(stderr);
+}
+
+void progress_show(progress *p, const pov_progress *now)
+{
+    p->shown = now->seconds;
+    if (p->mode == ARGS_PROGRESS_JSON) {
+        write_json(now);
+    } else if (p->mode == ARGS_PROGRESS_BAR && p->lines) {
+        write_line(now);
+    } else if (p->mode == ARGS_PROGRESS_BAR) {
+        draw_bar(now);
+        p->drawn = true;
+    }
+}
+
+void progress_end(progress *p, const pov_progress *now)
+{
+    if (p->mode == ARGS_PROGRESS_JSON)
+        write_json(now);
+    if (p->drawn) {
+        fprintf(stderr, "\r\033[K");
+        fflush(stderr);
+    }
+    p->drawn = false;
+}

@@ -1,0 +1,27 @@
+/* progress.h - how far the picture is, on standard error. */
+#ifndef CLI_PROGRESS_H
+#define CLI_PROGRESS_H
+
+#include "messages.h"
+
+typedef struct progress {
+    args_progress mode;          /* never AUTO */
+    bool lines;                  /* a line now and then instead of a bar */
+    bool drawn;                  /* a bar stands on the screen */
+    double shown;                /* seconds of the job when it was last shown */
+} progress;
+
+void progress_init(progress *p, const args *a);
+/* Is it time to show again, `seconds` after the job's start? Asking the job costs, so it is asked only then. */
+bool progress_due(const progress *p, double seconds);
+void progress_show(progress *p, const pov_progress *now);
+/* The last state, and the bar is gone from the screen. */
+void progress_end(progress *p, const pov_progress *now);
+
+/* "42.3": rounded down, and 100 only at the end. */
+void progress_percent(double fraction, char *out, size_t size);
+/* "4 s", "3:07", "2:03:07". */
+void progress_duration(double seconds, char *out, size_t size);
+uint64_t progress_rays(const pov_counts *counts);
+
+#endif

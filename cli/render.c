@@ -1,0 +1,215 @@
+#include "render.h"
+#include "progress.h"
+#include "signals.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+/* Longest time in seconds that a signal waits to be seen. */
+static const double patience = 0.05;
+
+static pov_status fail(pov_error *err, pov_status status, const char *file, const char *message)
+{
+    memset(err, 0, sizeof *err);
+    err->status = status;
+    snprintf(err->file, sizeof err->file, "%s", file);
+    snprintf(err->message, sizeof err->message, "%s", message);
+    return status;
+}
+
+static double now_seconds(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* ---- before the work ---- */
+
+static pov_image_options image_options(const args *a)
+{
+    pov_image_options o = POV_INIT(o);
+
+    o.bits = a->bits;
+    o.transfer = a->transfer == ARGS_TRANSFER_SRGB ? POV_TRANSFER_SRGB : POV_TRANSFER_LINEAR;
+    o.format = a->format;
+    if (!o.format && strcmp(a->output, "-") == 0)
+        o.format = "png";
+    return o;
+}
+
+static pov_status cannot_write(pov_error *err, const char *path, int why)
+{
+    char text[256];
+
+    snprintf(text, sizeof text, "cannot write: %s", strerror(why));
+    return fail(err, POV_E_IO, path, text);
+}
+
+/* The file is made beside its name and renamed, so it is the folder that must let us write. */
+static pov_status check_folder(const char *path, pov_error *err)
+{
+    const char *slash = strrchr(path, '/');
+    char folder[4096];
+    size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
+
+    if (length >= sizeof folder)
+        return cannot_write(err, path, ENAMETOOLONG);
+    memcpy(folder, slash ? path : ".", length);
+    folder[length] = '\0';
+    return access(folder, W_OK | X_OK) == 0 ? POV_OK : cannot_write(err, path, errno);
+}
+
+pov_status render_check_output(pov_context *context, const args *a, pov_error *err)
+{
+    pov_image_options options = image_options(a);
+    pov_status status = pov_image_check(context, a->output, &options, err);
+    struct stat about;
+
+    if (status < 0)
+        return status;
+    if (strcmp(a->output, "-") == 0)
+        return isatty(STDOUT_FILENO) ? fail(err, POV_E_ARGUMENT, "", "standard output is a terminal, no place for a "
+                                            "picture; send it to a pipe or a file") : POV_OK;
+    if (stat(a->output, &about) != 0 || S_ISREG(about.st_mode))
+        return check_folder(a->output, err);
+    return S_ISDIR(about.st_mode) ? cannot_write(err, a->output, EISDIR) : POV_OK;
+}
+
+/* ---- the work ---- */
+
+static pov_status prepare(render *r, pov_error *err)
+{
+    const args *a = r->args;
+    pov_render_desc desc = POV_INIT(desc);
+    pov_scene_info info = POV_INIT(info);
+
+    pov_scene_get_info(r->scene, &info);
+    r->options = image_options(a);
+    if (a->transfer == ARGS_TRANSFER_SCENE)
+        r->options.transfer = info.transfer;
+    r->width = a->crop.width ? a->crop.width : a->width;
+    r->height = a->crop.width ? a->crop.height : a->height;
+    desc.width = a->width;
+    desc.height = a->height;
+    desc.crop = a->crop;
+    desc.preview = a->preview;
+    desc.threads = a->threads;
+    desc.samples = a->samples;
+    r->pixels = malloc(4 * sizeof(float) * (size_t)r->width * (size_t)r->height);
+    if (!r->pixels)
+        return fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");
+    return pov_job_create(&r->job, r->scene, &desc, err);
+}
+
+static pov_status write_picture(render *r, pov_error *err)
+{
+    size_t stride = 4 * sizeof(float) * (size_t)r->width;
+    pov_rect all = { 0, 0, r->width, r->height };
+    double start = now_seconds();
+    pov_status status;
+
+    pov_job_read(r->job, all, POV_PIXELS_LINEAR_FLOAT, r->pixels, stride);
+    status = pov_image_write(r->context, r->args->output, r->width, r->height, r->pixels, stride, &r->options, err);
+    r->write_seconds = now_seconds() - start;
+    return status;
+}
+
+/* SIGUSR1: a picture that cannot be written now is no reason to end; the last one may do better. */
+static void write_now(render *r)
+{
+    pov_error err = { 0 };
+
+    if (strcmp(r->args->output, "-") == 0)
+        messages_say(r->messages, "standard output takes one picture only; it comes at the end");
+    else if (write_picture(r, &err) < 0)
+        messages_error(r->messages, &err);
+    else
+        messages_say(r->messages, "%s now holds the picture so far", r->args->output);
+}
+
+static pov_job_state watch(render *r, progress *shown)
+{
+    double start = now_seconds();
+    pov_progress now = POV_INIT(now);
+    pov_rect changed;
+
+    for (;;) {
+        pov_job_state state = pov_job_wait(r->job, patience);
+
+        /* What has changed is of no interest here, but as long as it is not taken it is news to wait(). */
+        while (pov_job_take(r->job, &changed))
+            continue;
+        if (state != POV_JOB_RUNNING)
+            return state;
+        if (signals_end_asked())
+            pov_job_cancel(r->job);
+        if (signals_write_asked())
+            write_now(r);
+        if (progress_due(shown, now_seconds() - start)) {
+            pov_job_get_progress(r->job, &now);
+            progress_show(shown, &now);
+        }
+    }
+}
+
+static void say_partial(const render *r)
+{
+    char percent[16];
+
+    progress_percent(r->progress.fraction, percent, sizeof percent);
+    messages_say(r->messages, "interrupted: %s holds %s %% of the picture",
+                 strcmp(r->args->output, "-") == 0 ? "standard output" : r->args->output, percent);
+}
+
+static pov_status trace(render *r, pov_error *err)
+{
+    pov_status status = pov_job_start(r->job, err);
+    pov_job_state state;
+    progress shown;
+
+    if (status < 0)
+        return status;
+    progress_init(&shown, r->args);
+    state = watch(r, &shown);
+    r->progress.size = sizeof r->progress;
+    pov_job_get_progress(r->job, &r->progress);
+    progress_end(&shown, &r->progress);
+    if (state == POV_JOB_FAILED)
+        return pov_job_get_error(r->job, err);
+    status = write_picture(r, err);
+    if (status == POV_OK && state == POV_JOB_CANCELLED)
+        say_partial(r);
+    return status;
+}
+
+pov_status render_run(render *r, const args *a, const messages *m, pov_context *context, const pov_scene *scene,
+                      pov_error *err)
+{
+    pov_status status;
+
+    memset(r, 0, sizeof *r);
+    r->args = a;
+    r->messages = m;
+    r->context = context;
+    r->scene = scene;
+    status = prepare(r, err);
+    if (status < 0)
+        return status;
+    signals_watch();
+    return trace(r, err);
+}
+
+void render_free(render *r)
+{
+    pov_job_destroy(r->job);
+    free(r->pixels);
+    r->job = NULL;
+    r->pixels = NULL;
+}

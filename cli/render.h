@@ -1,0 +1,28 @@
+/* render.h - from a loaded scene to an image file. */
+#ifndef CLI_RENDER_H
+#define CLI_RENDER_H
+
+#include "messages.h"
+
+typedef struct render {
+    const args *args;
+    const messages *messages;
+    pov_context *context;
+    const pov_scene *scene;
+    pov_job *job;
+    float *pixels;               /* four channels each, of the crop */
+    int width, height;           /* of the crop */
+    pov_image_options options;
+    pov_progress progress;       /* at the end */
+    double write_seconds;        /* of the last picture written */
+} render;
+
+/* Can the output be written, as far as that can be told before the work? */
+pov_status render_check_output(pov_context *context, const args *a, pov_error *err);
+/* Trace and write. A signal that asks for the end cancels the rest, and what is there is written.
+ * Call render_free() whatever comes of it. */
+pov_status render_run(render *r, const args *a, const messages *m, pov_context *context, const pov_scene *scene,
+                      pov_error *err);
+void render_free(render *r);
+
+#endif

@@ -1,0 +1,65 @@
+#include "signals.h"
+
+#include <signal.h>
+#include <stddef.h>
+#include <stdlib.h>
+
+static volatile sig_atomic_t end_by, write_now;
+
+static void on_end(int signal)
+{
+    end_by = signal;
+}
+
+static void on_write(int signal)
+{
+    (void)signal;
+    write_now = 1;
+}
+
+static void watch(int signal, void (*handler)(int), int flags)
+{
+    struct sigaction action, before;
+
+    if (sigaction(signal, NULL, &before) == 0 && before.sa_handler == SIG_IGN)
+        return;
+    action.sa_handler = handler;
+    action.sa_flags = flags;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, NULL);
+}
+
+void signals_watch(void)
+{
+    /* One-shot handlers: the system's own answer to the second such signal is to end the program. Calls that were
+     * interrupted go on, as a half-written picture helps nobody. */
+    watch(SIGINT, on_end, (int)SA_RESETHAND | SA_RESTART);
+    watch(SIGTERM, on_end, (int)SA_RESETHAND | SA_RESTART);
+    watch(SIGHUP, on_end, (int)SA_RESETHAND | SA_RESTART);
+    watch(SIGUSR1, on_write, SA_RESTART);
+}
+
+int signals_end_asked(void)
+{
+    return end_by;
+}
+
+bool signals_write_asked(void)
+{
+    bool asked = write_now != 0;
+
+    write_now = 0;
+    return asked;
+}
+
+void signals_end_by(int signal)
+{
+    struct sigaction action;
+
+    action.sa_handler = SIG_DFL;
+    action.sa_flags = 0;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, NULL);
+    raise(signal);
+    exit(128 + signal);
+}

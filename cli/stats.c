@@ -1,0 +1,93 @@
+#include "stats.h"
+#include "progress.h"
+
+#include <sys/resource.h>
+
+static void count(FILE *to, const char *name, uint64_t value, const char *unit)
+{
+    fprintf(to, "%s: %llu%s%s\n", name, (unsigned long long)value, *unit ? " " : "", unit);
+}
+
+static void seconds(FILE *to, const char *name, double value)
+{
+    fprintf(to, "%s: %.6f s\n", name, value);
+}
+
+/* The kernel counts in KiB, but for that of macOS, which counts in bytes. */
+static void print_memory(FILE *to)
+{
+    struct rusage usage;
+
+    if (getrusage(RUSAGE_SELF, &usage) != 0)
+        return;
+#ifdef __APPLE__
+    usage.ru_maxrss /= 1024;
+#endif
+    count(to, "memory_peak", (uint64_t)usage.ru_maxrss, "KiB");
+}
+
+static void print_plugins(FILE *to, pov_context *context)
+{
+    const char *name, *path;
+    size_t i;
+
+    fprintf(to, "plugins:");
+    for (i = 0; pov_context_get_plugin(context, i, &name, &path); i++)
+        fprintf(to, "%s%s", i == 0 ? " " : ",", name);
+    fprintf(to, "\n");
+    count(to, "plugins_loaded", i, "");
+}
+
+static void print_scene(FILE *to, const stats *s, const pov_scene_info *info)
+{
+    fprintf(to, "dialect: %s\n", info->dialect == POV_DIALECT_COURSE ? "course" : "povray");
+    count(to, "objects", info->objects, "");
+    count(to, "objects_infinite", info->infinite_objects, "");
+    count(to, "lights", info->lights, "");
+    count(to, "materials", info->materials, "");
+    count(to, "max_trace_level", (uint64_t)info->max_trace_level, "");
+    count(to, "warnings", s->warnings, "");
+    seconds(to, "parse", info->parse_seconds);
+    seconds(to, "build", info->build_seconds);
+}
+
+static void print_counts(FILE *to, const pov_counts *c)
+{
+    count(to, "rays_camera", c->camera, "rays");
+    count(to, "rays_shadow", c->shadow, "rays");
+    count(to, "rays_reflected", c->reflected, "rays");
+    count(to, "rays_transmitted", c->transmitted, "rays");
+    count(to, "rays_total", progress_rays(c), "rays");
+    count(to, "left_out_light_behind", c->shadow_behind, "rays");
+    count(to, "left_out_light_idle", c->shadow_idle, "rays");
+    count(to, "cut_by_depth", c->cut_depth, "rays");
+    count(to, "cut_by_weight", c->cut_weight, "rays");
+    count(to, "inner_reflections", c->inner_reflections, "rays");
+    count(to, "decided", c->decided, "intersections");
+}
+
+static void print_render(FILE *to, const stats *s)
+{
+    const args *a = s->args;
+    uint64_t width = (uint64_t)(a->crop.width ? a->crop.width : a->width);
+    uint64_t height = (uint64_t)(a->crop.width ? a->crop.height : a->height);
+
+    seconds(to, "trace", s->progress->seconds);
+    seconds(to, "write", s->write_seconds);
+    count(to, "pixels", width * height, "pixels");
+    count(to, "samples", (uint64_t)(a->samples ? a->samples : 1), "per_pixel");
+    count(to, "threads", (uint64_t)s->progress->threads, "");
+    print_counts(to, &s->progress->counts);
+}
+
+void stats_print(FILE *to, const stats *s)
+{
+    pov_scene_info info = POV_INIT(info);
+
+    pov_scene_get_info(s->scene, &info);
+    print_scene(to, s, &info);
+    if (s->progress)
+        print_render(to, s);
+    print_plugins(to, s->context);
+    print_memory(to);
+}

@@ -1,0 +1,64 @@
+#include "usage.h"
+
+#include <povtrace/povtrace.h>
+
+#include <stdio.h>
+
+static const char *const help[] = {
+    "Usage: povc SCENE WIDTH HEIGHT OUTPUT [options]\n"
+    "       povc --check | --explain SCENE\n"
+    "\n"
+    "Render a scene in the POV-Ray language to an image file. OUTPUT's ending says\n"
+    "which format: .png, .ppm, or .pfm (linear floats). \"-\" stands for standard\n"
+    "input as SCENE and for standard output as OUTPUT.\n"
+    "\n",
+    "Picture\n"
+    "      --spp N              samples a pixel (default 1, through its centre)\n"
+    "      --max-depth N        depth of reflections and refractions, over the scene's own\n"
+    "      --crop X0,Y0,X1,Y1   only this part: its first pixel, and the one behind its last\n"
+    "      --bits 8|16          bits a channel in PNG and PPM (default 8)\n"
+    "      --transfer scene|srgb|linear\n"
+    "                           how values are encoded in PNG and PPM (default: as the scene asks)\n"
+    "      --format ENDING      image format, whatever OUTPUT is called (default for \"-\": png)\n"
+    "\n",
+    "Scene\n"
+    "      --dialect auto|course|povray\n"
+    "                           the rules to read by (default: the text decides)\n"
+    "      --check              read the scene, say what is wrong, render nothing\n"
+    "      --explain            print what was compiled for this scene and what was left out\n"
+    "      --plugin-path DIRS   look for plugins in these folders, colon separated\n"
+    "\n"
+    "Work\n"
+    "  -t, --threads N          threads (default: one for each core)\n"
+    "      --accel tree|none    a bounding volume tree, or ask every object of every ray\n"
+    "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none)\n"
+    "\n",
+    "Messages\n"
+    "      --stats              print times, rays, memory: one \"name: value unit\" a line\n"
+    "      --progress auto|bar|json|none\n"
+    "                           on standard error (default: a bar on a terminal, else a line each 10 s)\n"
+    "  -q, --quiet              errors only\n"
+    "  -v, --verbose            notes of the library too\n"
+    "      --color auto|always|never\n"
+    "  -h, --help               this text\n"
+    "      --version\n"
+    "\n",
+    "Exit status: 0 complete, 1 error in the scene or while rendering, 2 wrong usage; a signal\n"
+    "that ends povc saves the part that is there and shows as 128 + its number. SIGUSR1 writes\n"
+    "the picture so far.\n",
+};
+
+void usage_print_help(void)
+{
+    for (size_t i = 0; i < sizeof help / sizeof help[0]; i++)
+        fputs(help[i], stdout);
+}
+
+void usage_print_version(void)
+{
+    int major, minor, patch;
+
+    pov_version(&major, &minor, &patch);
+    printf("povc %d.%d.%d (libpovtrace %d.%d.%d)\n", POVTRACE_VERSION_MAJOR, POVTRACE_VERSION_MINOR,
+           POVTRACE_VERSION_PATCH, major, minor, patch);
+}

@@ -1,0 +1,8 @@
+/* usage.h - what povc says of itself when asked. */
+#ifndef CLI_USAGE_H
+#define CLI_USAGE_H
+
+void usage_print_help(void);
+void usage_print_version(void);
+
+#endif

@@ -1,0 +1,210 @@
+/* test_args.c - povc's command line. */
+#include "args.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { MOST_WORDS = 16 };
+
+/* The words of a line, split at blanks, as argv. */
+static args_verdict parse(args *a, const char *line)
+{
+    static char text[512], name[] = "povc";
+    char *argv[MOST_WORDS + 2] = { name };
+    int argc = 1;
+
+    assert_true(strlen(line) < sizeof text);
+    strcpy(text, line);
+    for (char *word = strtok(text, " "); word; word = strtok(NULL, " ")) {
+        assert_true(argc <= MOST_WORDS);
+        argv[argc++] = word;
+    }
+    return args_parse(a, argc, argv);
+}
+
+static void assert_refused(const char *line, const char *said)
+{
+    args a;
+
+    if (parse(&a, line) != ARGS_WRONG)
+        fail_msg("\"%s\" was taken", line);
+    if (!strstr(a.problem, said))
+        fail_msg("\"%s\": said \"%s\", not \"%s\"", line, a.problem, said);
+}
+
+static void args_reads_scene_sizes_and_output(void **state)
+{
+    args a;
+
+    (void)state;
+    assert_int_equal(parse(&a, "s.pov 1024 768 out.png"), ARGS_RUN);
+    assert_string_equal(a.scene, "s.pov");
+    assert_int_equal(a.width, 1024);
+    assert_int_equal(a.height, 768);
+    assert_string_equal(a.output, "out.png");
+    assert_int_equal(a.crop.width, 0);
+    assert_int_equal(a.threads, 0);
+}
+
+static void args_reads_options_wherever_they_stand(void **state)
+{
+    static const char *const lines[] = { "-t 3 --stats s.pov 10 20 o.png", "s.pov -t 3 10 --stats 20 o.png",
+                                         "s.pov 10 20 o.png --stats --threads=3", "s.pov 10 20 o.png -t3 --stats" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        args a;
+
+        assert_int_equal(parse(&a, lines[i]), ARGS_RUN);
+        assert_string_equal(a.scene, "s.pov");
+        assert_int_equal(a.height, 20);
+        assert_int_equal(a.threads, 3);
+        assert_true(a.stats);
+    }
+}
+
+static void args_reads_every_option(void **state)
+{
+    args a;
+
+    (void)state;
+    assert_int_equal(parse(&a, "s 9 9 o --spp 4 --max-depth 7 --bits 16 --transfer srgb --format .ppm --dialect povray"),
+                     ARGS_RUN);
+    assert_int_equal(a.samples, 4);
+    assert_int_equal(a.max_depth, 7);
+    assert_int_equal(a.bits, 16);
+    assert_int_equal(a.transfer, ARGS_TRANSFER_SRGB);
+    assert_string_equal(a.format, "ppm");
+    assert_int_equal(a.dialect, POV_DIALECT_POVRAY);
+    assert_int_equal(parse(&a, "s 9 9 o --accel none --crop 1,2,8,9 --preview 16 --progress json -q -v --color never"),
+                     ARGS_RUN);
+    assert_int_equal(a.accel, POV_ACCEL_NONE);
+    assert_int_equal(a.crop.x, 1);
+    assert_int_equal(a.crop.y, 2);
+    assert_int_equal(a.crop.width, 7);
+    assert_int_equal(a.crop.height, 7);
+    assert_int_equal(a.preview, 16);
+    assert_int_equal(a.progress, ARGS_PROGRESS_JSON);
+    assert_true(a.quiet && a.verbose);
+    assert_int_equal(a.color, ARGS_COLOR_NEVER);
+}
+
+static void args_needs_no_sizes_to_check_or_explain(void **state)
+{
+    args a;
+
+    (void)state;
+    assert_int_equal(parse(&a, "--check s.pov"), ARGS_RUN);
+    assert_true(a.check && !a.output);
+    assert_int_equal(parse(&a, "s.pov --explain"), ARGS_RUN);
+    assert_true(a.explain && !a.output);
+    assert_refused("s.pov", "WIDTH is missing");
+    assert_refused("--check s.pov 10", "HEIGHT is missing");
+}
+
+static void args_takes_a_dash_for_both_ends_and_names_that_look_like_options_after_two(void **state)
+{
+    args a;
+
+    (void)state;
+    assert_int_equal(parse(&a, "- 4 4 -"), ARGS_RUN);
+    assert_string_equal(a.scene, "-");
+    assert_string_equal(a.output, "-");
+    assert_int_equal(parse(&a, "-q -- -s.pov 4 4 --o.png"), ARGS_RUN);
+    assert_string_equal(a.scene, "-s.pov");
+    assert_string_equal(a.output, "--o.png");
+}
+
+static void args_refuses_sizes_that_are_no_whole_numbers_above_zero(void **state)
+{
+    static const char *const sizes[] = { "1024x", "0", "1e3", "1.5", "0x10", "+4", "99999999999999999999", "1000001",
+                                         "4294967297", "ten", "1,024" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        char line[128];
+
+        strcpy(line, "s.pov ");
+        strcat(line, sizes[i]);
+        strcat(line, " 10 o.png");
+        assert_refused(line, "WIDTH must be a whole number from 1 to 1000000");
+        strcpy(line, "s.pov 10 ");
+        strcat(line, sizes[i]);
+        strcat(line, " o.png");
+        assert_refused(line, "HEIGHT must be a whole number from 1 to 1000000");
+    }
+    assert_refused("s.pov -5 10 o.png", "no option \"-5\"");
+    assert_refused("s.pov -- -5 10 o.png", "WIDTH must be a whole number from 1 to 1000000, not \"-5\"");
+}
+
+static void args_refuses_option_values_out_of_range(void **state)
+{
+    (void)state;
+    assert_refused("s 9 9 o -t 0", "--threads must be a whole number from 1");
+    assert_refused("s 9 9 o -t 2x", "not \"2x\"");
+    assert_refused("s 9 9 o --threads=", "--threads must");
+    assert_refused("s 9 9 o --spp 0", "--spp must");
+    assert_refused("s 9 9 o --spp -3", "not \"-3\"");
+    assert_refused("s 9 9 o --max-depth 1e9", "--max-depth must");
+    assert_refused("s 9 9 o --bits 12", "--bits must be 8 or 16");
+    assert_refused("s 9 9 o --preview 3", "--preview must be 0, 2, 4, 8 or 16");
+    assert_refused("s 9 9 o --transfer gamma", "--transfer must be scene, srgb or linear, not \"gamma\"");
+    assert_refused("s 9 9 o --dialect c", "--dialect must be auto, course or povray");
+    assert_refused("s 9 9 o --accel grid", "--accel must be tree or none");
+}
+
+static void args_refuses_crops_that_are_malformed_empty_or_outside(void **state)
+{
+    (void)state;
+    assert_refused("s 9 9 o --crop 1,2,3", "four whole numbers");
+    assert_refused("s 9 9 o --crop 1,2,3,4,5", "four whole numbers");
+    assert_refused("s 9 9 o --crop 1,2,,4", "four whole numbers");
+    assert_refused("s 9 9 o --crop -1,2,3,4", "four whole numbers");
+    assert_refused("s 9 9 o --crop 5,2,5,4", "holds no pixel");
+    assert_refused("s 9 9 o --crop 0,0,10,9", "reaches out of the picture of 9 x 9");
+}
+
+static void args_refuses_unknown_options_and_guesses_what_was_meant(void **state)
+{
+    (void)state;
+    assert_refused("s 9 9 o --thraeds 4", "did you mean \"--threads\"?");
+    assert_refused("s 9 9 o --colour never", "did you mean \"--color\"?");
+    assert_refused("s 9 9 o --wombat", "there is no option \"--wombat\"");
+    assert_refused("s 9 9 o -x", "there is no option \"-x\"");
+    assert_refused("s 9 9 o --stats=3", "takes no value");
+    assert_refused("s 9 9 o --threads", "wants a value");
+    assert_refused("s 9 9 o p", "\"p\" is one word too many");
+    assert_refused("", "SCENE is missing");
+}
+
+static void args_answers_help_and_version_first(void **state)
+{
+    args a;
+
+    (void)state;
+    assert_int_equal(parse(&a, "--help"), ARGS_HELP);
+    assert_int_equal(parse(&a, "s.pov -h"), ARGS_HELP);
+    assert_int_equal(parse(&a, "--version"), ARGS_VERSION);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(args_reads_scene_sizes_and_output),
+        cmocka_unit_test(args_reads_options_wherever_they_stand),
+        cmocka_unit_test(args_reads_every_option),
+        cmocka_unit_test(args_needs_no_sizes_to_check_or_explain),
+        cmocka_unit_test(args_takes_a_dash_for_both_ends_and_names_that_look_like_options_after_two),
+        cmocka_unit_test(args_refuses_sizes_that_are_no_whole_numbers_above_zero),
+        cmocka_unit_test(args_refuses_option_values_out_of_range),
+        cmocka_unit_test(args_refuses_crops_that_are_malformed_empty_or_outside),
+        cmocka_unit_test(args_refuses_unknown_options_and_guesses_what_was_meant),
+        cmocka_unit_test(args_answers_help_and_version_first),
+    };
+
+    return cmocka_run_group_tests_name("povc's command line", tests, NULL, NULL);
+}

@@ -1,0 +1,82 @@
+/* test_progress.c - what progress says, and when. */
+#include "progress.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static void assert_percent(double fraction, const char *expected)
+{
+    char out[16];
+
+    progress_percent(fraction, out, sizeof out);
+    assert_string_equal(out, expected);
+}
+
+static void assert_duration(double seconds, const char *expected)
+{
+    char out[32];
+
+    progress_duration(seconds, out, sizeof out);
+    assert_string_equal(out, expected);
+}
+
+static void progress_never_rounds_up_to_100(void **state)
+{
+    (void)state;
+    assert_percent(0.0, "0.0");
+    assert_percent(0.4239, "42.3");
+    assert_percent(0.99999999, "99.9");
+    assert_percent(1.0, "100");
+    assert_percent(-0.5, "0.0");
+}
+
+static void progress_says_durations_as_a_clock_does(void **state)
+{
+    (void)state;
+    assert_duration(0.2, "1 s");
+    assert_duration(59.0, "59 s");
+    assert_duration(187.0, "3:07");
+    assert_duration(7387.0, "2:03:07");
+    assert_duration(1e30, "100000:00:00");
+}
+
+static void progress_is_silent_when_asked_to_be(void **state)
+{
+    args a = { .quiet = true, .progress = ARGS_PROGRESS_JSON };
+    progress p;
+
+    (void)state;
+    progress_init(&p, &a);
+    assert_false(progress_due(&p, 1e6));
+}
+
+static void progress_without_a_terminal_is_a_line_each_ten_seconds_at_most(void **state)
+{
+    args a = { .progress = ARGS_PROGRESS_AUTO };
+    progress p;
+
+    (void)state;
+    setenv("TERM", "dumb", 1);
+    progress_init(&p, &a);
+    assert_true(p.lines);
+    assert_false(progress_due(&p, 9.9));
+    assert_true(progress_due(&p, 10.1));
+    p.shown = 10.1;
+    assert_false(progress_due(&p, 20.0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(progress_never_rounds_up_to_100),
+        cmocka_unit_test(progress_says_durations_as_a_clock_does),
+        cmocka_unit_test(progress_is_silent_when_asked_to_be),
+        cmocka_unit_test(progress_without_a_terminal_is_a_line_each_ten_seconds_at_most),
+    };
+
+    return cmocka_run_group_tests_name("povc's progress", tests, NULL, NULL);
+}
