@@ -6,7 +6,7 @@
 
 /* ---- the list ---- */
 
-static bool changes_nothing(transform_kind kind, const double *v)
+bool transform_changes_nothing(transform_kind kind, const double *v)
 {
     static const double identity[12] = { 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0 };
     int i;
@@ -32,7 +32,7 @@ const transform *transform_append(arena *memory, const transform *before, transf
     size_t bytes = (kind == TRANSFORM_MATRIX ? 12 : 3) * sizeof *numbers;
     transform *t;
 
-    if (changes_nothing(kind, numbers))
+    if (transform_changes_nothing(kind, numbers))
         return before;
     t = arena_alloc(memory, sizeof *t + bytes, sizeof(double));
     if (!t)

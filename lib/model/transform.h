@@ -17,8 +17,10 @@ typedef struct transform {
     double v[];                       /* x, y, z; or the 12 numbers of matrix <...>, row by row as POV-Ray writes them */
 } transform;
 
+/* Translate 0, scale 1, whole turns, the identity matrix. */
+bool transform_changes_nothing(transform_kind kind, const double *numbers);
 /* `before` with one more behind it; numbers is 3 long, or 12 for a matrix. NULL: no memory. Scale factors are not
- * zero. A transformation that changes nothing (translate 0, scale 1, whole turns) gives `before` itself. */
+ * zero. A transformation that changes nothing gives `before` itself, which may be NULL too. */
 const transform *transform_append(arena *memory, const transform *before, transform_kind kind, const double *numbers);
 
 /* Compose. The entries of out->m are within 2^-100 of the exact ones relative to the largest partial products;
