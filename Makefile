@@ -79,9 +79,114 @@ $(POVC): $(CLI_OBJECTS) $(SHARED)
 	@mkdir -p $(@D)
 	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -lm -o $@
 
--include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)
+# Objects are kept, also those that only a chain of rules made.
+.SECONDARY:
+
 include tests/tests.mk
 
-.PHONY: clean
+# ---- install ----
+
+BINDIR        ?= $(PREFIX)/bin
+INCLUDEDIR    ?= $(PREFIX)/include
+MANDIR        ?= $(PREFIX)/share/man
+COMPLETIONDIR ?= $(PREFIX)/share/bash-completion/completions
+INSTALL       ?= install
+PUBLIC_HEADERS = $(sort $(wildcard lib/include/povtrace/*.h))
+
+# From the program to the library and from the CMake package to the headers, so that the installed tree may be moved;
+# a library outside the prefix is named in full.
+BELOW_PREFIX = $(patsubst $(PREFIX)/%,%,$(LIBDIR))
+EMPTY :=
+UP_TO_PREFIX = $(subst $(EMPTY) ,/,$(patsubst %,..,$(subst /, ,$(BELOW_PREFIX))))
+ifeq ($(BINDIR) $(INCLUDEDIR) $(LIBDIR),$(PREFIX)/bin $(PREFIX)/include $(filter $(PREFIX)/%,$(LIBDIR)))
+INSTALL_RPATH    = $$ORIGIN/../$(BELOW_PREFIX)
+CMAKE_INCLUDEDIR = $${_povtrace_libdir}/$(UP_TO_PREFIX)/include
+else
+INSTALL_RPATH    = $(LIBDIR)
+CMAKE_INCLUDEDIR = $(INCLUDEDIR)
+endif
+
+FILL_IN = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|' \
+          -e 's|@VERSION@|$(VERSION)|' -e 's|@SOVERSION@|$(SOVERSION)|' -e 's|@CMAKE_INCLUDEDIR@|$(CMAKE_INCLUDEDIR)|'
+
+# The library knows the folder of installed plugins by name, as the last place to look: another folder, another object.
+.PHONY: FORCE
+$(BUILD)/libdir: FORCE
+	@mkdir -p $(@D)
+	@echo '$(LIBDIR)' | cmp -s - $@ || echo '$(LIBDIR)' > $@
+$(BUILD)/obj/lib/plug/registry.o: $(BUILD)/libdir
+
+.PHONY: install uninstall
+install: all
+	$(INSTALL) -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/povtrace $(LIBDIR)/pkgconfig $(LIBDIR)/cmake/povtrace \
+	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR))
+	$(INSTALL) -m 644 $(PUBLIC_HEADERS) $(DESTDIR)$(INCLUDEDIR)/povtrace
+	$(INSTALL) -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)
+	ln -sf $(notdir $(SHARED)) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION)
+	ln -sf libpovtrace.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libpovtrace.so
+	$(INSTALL) -m 644 $(STATIC) $(DESTDIR)$(LIBDIR)
+	$(INSTALL) -m 755 $(PRIMITIVES) $(DESTDIR)$(LIBDIR)/povtrace/primitives
+	$(INSTALL) -m 755 $(IMAGES) $(DESTDIR)$(LIBDIR)/povtrace/images
+	@mkdir -p $(BUILD)/install
+	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(INSTALL_RPATH)' -lm \
+	    -o $(BUILD)/install/povc
+	$(INSTALL) -m 755 $(BUILD)/install/povc $(DESTDIR)$(BINDIR)
+	$(FILL_IN) lib/povtrace.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/povtrace.pc
+	$(FILL_IN) lib/povtraceConfig.cmake.in > $(DESTDIR)$(LIBDIR)/cmake/povtrace/povtraceConfig.cmake
+	$(FILL_IN) lib/povtraceConfigVersion.cmake.in > $(DESTDIR)$(LIBDIR)/cmake/povtrace/povtraceConfigVersion.cmake
+	$(INSTALL) -m 644 docs/man/povc.1 $(DESTDIR)$(MANDIR)/man1
+	$(INSTALL) -m 644 docs/man/povtrace.3 $(DESTDIR)$(MANDIR)/man3
+	$(INSTALL) -m 644 cli/povc.bash $(DESTDIR)$(COMPLETIONDIR)/povc
+
+# What install put there and nothing else; folders that others use stay.
+uninstall:
+	rm -f $(DESTDIR)$(BINDIR)/povc $(DESTDIR)$(MANDIR)/man1/povc.1 $(DESTDIR)$(MANDIR)/man3/povtrace.3 \
+	    $(DESTDIR)$(COMPLETIONDIR)/povc $(DESTDIR)$(LIBDIR)/libpovtrace.so $(DESTDIR)$(LIBDIR)/libpovtrace.a \
+	    $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(VERSION) \
+	    $(DESTDIR)$(LIBDIR)/pkgconfig/povtrace.pc \
+	    $(addprefix $(DESTDIR)$(LIBDIR)/cmake/povtrace/,povtraceConfig.cmake povtraceConfigVersion.cmake) \
+	    $(PLUGINS:$(BUILD)/lib/%=$(DESTDIR)$(LIBDIR)/%) \
+	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS)))
+	-rmdir $(addprefix $(DESTDIR),$(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace \
+	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace)
+
+# ---- first steps ----
+
+.PHONY: deps demo check help clean
+deps:
+	@CC='$(CC)' CXX='$(CXX)' PYTHON='$(PYTHON)' PKG_CONFIG='$(PKG_CONFIG)' .ci/deps test
+
+DEMO      ?= sphereflake
+DEMO_SIZE ?= 800 600
+
+demo:
+	@CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' .ci/deps build
+	@$(MAKE) --no-print-directory all
+	@mkdir -p $(BUILD)/demo
+	$(POVC) scenes/gallery/$(DEMO).pov $(DEMO_SIZE) $(BUILD)/demo/$(DEMO).png --spp 4
+	@echo
+	@echo "The picture is in $(BUILD)/demo/$(DEMO).png. What to try next:"
+	@echo "  make demo DEMO=NAME      for another scene of scenes/gallery: $(notdir $(basename $(wildcard scenes/gallery/*.pov)))"
+	@echo "  $(POVC) SCENE.pov 1024 768 OUT.png       for a scene of your own; $(POVC) --help says more"
+	@echo "  $(POVC) --explain scenes/gallery/$(DEMO).pov    for what the scene needs and what was left out"
+
+check: $(SHARED) $(PLUGINS)
+	@BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' tests/check/check.sh
+
+help:
+	@echo "make            build the library, the plugins and povc into $(BUILD)/"
+	@echo "make demo       render a scene of the gallery and say where the picture is"
+	@echo "make test       run every test"
+	@echo "make check      hold the tree to its rules: rooms, exports, headers alone, no absolute epsilons"
+	@echo "make asan tsan  run the tests under the sanitizers"
+	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
+	@echo "make deps       install what is missing to build and test, by the system's package manager"
+	@echo "make install    to PREFIX ($(PREFIX)), below DESTDIR if given; make uninstall takes it away again"
+	@echo "make clean      remove $(BUILD)/"
+	@echo
+	@echo "BUILD=, CC=, CFLAGS=, OPTIMISE=, SANITIZE=, PREFIX=, LIBDIR= are as usual."
+
 clean:
 	rm -rf $(BUILD)
+
+-include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)

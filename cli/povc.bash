@@ -1,0 +1,31 @@
+# bash completion for povc(1)
+
+_povc()
+{
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
+    local options='--threads --spp --max-depth --bits --transfer --format --explain --dialect --accel --crop --check
+        --stats --preview --progress --quiet --verbose --color --plugin-path --help --version'
+
+    COMPREPLY=()
+    case $previous in
+    --bits) words='8 16' ;;
+    --transfer) words='scene srgb linear' ;;
+    --format) words='png ppm pfm' ;;
+    --dialect) words='auto course povray' ;;
+    --accel) words='tree none' ;;
+    --preview) words='0 2 4 8 16' ;;
+    --progress) words='auto bar json none' ;;
+    --color) words='auto always never' ;;
+    --plugin-path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
+    -t | --threads | --spp | --max-depth | --crop) return ;;
+    *)
+        case $current in
+        -?*) words=$options ;;
+        *) mapfile -t COMPREPLY < <(compgen -d -S / -- "$current"
+                                    compgen -f -X '!*.@(pov|inc|png|ppm|pfm)' -- "$current"); return ;;
+        esac ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+}
+shopt -s extglob
+complete -o filenames -o nospace -F _povc povc
