@@ -11,6 +11,9 @@
 
 #include <povtrace/math.h>
 
+#include <stdint.h>
+#include <string.h>
+
 typedef struct pov_two { double hi, lo; } pov_two;
 typedef struct pov_two3 { pov_two x, y, z; } pov_two3;
 
@@ -130,6 +133,46 @@ static inline pov_two pov_recentre(double o, double o_lo, double anchor, double 
 {
     pov_two f = pov_two_add_double(pov_two_sum(o, -anchor), o_lo);
     return pov_two_add(f, pov_two_product(t, d));
+}
+
+/* The anchor's place seen from o + o_lo, turned round: o + o_lo - anchor. Exact but for the sum of the low parts. */
+static inline pov_two pov_two_offset(double o, double o_lo, pov_two anchor)
+{
+    pov_two s = pov_two_sum(o, -anchor.hi);
+    return pov_two_sum(s.hi, s.lo + (o_lo - anchor.lo));
+}
+
+/* f + t (d + d_lo) in two parts, d_lo being the low part of d. */
+static inline pov_two pov_two_along(pov_two f, double t, double d, double d_lo)
+{
+    pov_two p = pov_two_product(t, d);
+    return pov_two_add(f, pov_fast_two_sum(p.hi, p.lo + t * d_lo));
+}
+
+/* The same, rounded once: within 2^-53 of the result and 2^-102 of |f|. */
+static inline double pov_along(pov_two f, double t, double d, double d_lo)
+{
+    pov_two p = pov_two_product(t, d), s = pov_two_sum(f.hi, p.hi);
+    return s.hi + (s.lo + (f.lo + (p.lo + t * d_lo)));
+}
+
+/* The power of two that brings x into [1, 2); of zero and denormals the largest one there is. The sign of x counts
+ * for nothing. Multiplying by it is exact. */
+static inline double pov_inverse_power(double x)
+{
+    uint64_t bits, exponent;
+
+    memcpy(&bits, &x, sizeof bits);
+    exponent = (bits >> 52) & 0x7ff;
+    exponent = exponent < 1 ? 1 : exponent > 2045 ? 2045 : exponent;
+    bits = (2046 - exponent) << 52;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static inline pov_two pov_two_scale(pov_two a, double power_of_two)
+{
+    return pov_two_of(a.hi * power_of_two, a.lo * power_of_two);
 }
 
 static inline pov_vec3 pov_two3_hi(pov_two3 a) { return pov_vec3_of(a.x.hi, a.y.hi, a.z.hi); }

@@ -23,8 +23,14 @@ static inline pov_vec3 pov_cross_product(pov_vec3 a, pov_vec3 b)
     return pov_vec3_of(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-/* The largest absolute component. */
-static inline double pov_largest(pov_vec3 a) { return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))); }
+/* The largest absolute component; what is not a number does not count. */
+static inline double pov_largest(pov_vec3 a)
+{
+    double x = fabs(a.x), y = fabs(a.y), z = fabs(a.z), m = x > 0.0 ? x : 0.0;
+
+    m = y > m ? y : m;
+    return z > m ? z : m;
+}
 
 /* Unit vector along a, whatever its length from denormal to huge; zero for a zero vector. */
 static inline pov_vec3 pov_unit(pov_vec3 a)

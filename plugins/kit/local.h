@@ -1,0 +1,86 @@
+/* local.h - a ray taken to a shape: moved by the shape's anchor, and scaled so that shape and direction are of the
+ * order of one. The scales are powers of two, so nothing is rounded but the sum of the low parts, squares neither
+ * overflow nor underflow, and a scene scaled by a power of two gives the same bits. */
+#ifndef KIT_LOCAL_H
+#define KIT_LOCAL_H
+
+#include <povtrace/exact.h>
+#include <povtrace/plugin.h>
+
+/* Half a unit in the last place of one: the relative error of a rounding. */
+#define KIT_U 0x1p-53
+/* From origins further off than this many sizes of the shape, re-centring to one part is no longer an error far below
+ * that of a rounding (2^-102 of the distance against 2^-53 of the size), and two parts have to serve. */
+#define KIT_FAR 0x1p44
+
+typedef struct kit_ray {
+    pov_two3 f;            /* from the anchor to the origin */
+    pov_vec3 d, d_lo;      /* the largest component of d is in [1, 2) */
+    double unit;           /* a distance here, times unit, is one along the ray */
+} kit_ray;
+
+static inline kit_ray kit_enter(const pov_ray *ray, pov_two3 anchor, double scale)
+{
+    double power = pov_inverse_power(pov_largest(ray->dir));
+    kit_ray k;
+
+    k.f.x = pov_two_scale(pov_two_offset(ray->org.x, ray->org_lo.x, anchor.x), scale);
+    k.f.y = pov_two_scale(pov_two_offset(ray->org.y, ray->org_lo.y, anchor.y), scale);
+    k.f.z = pov_two_scale(pov_two_offset(ray->org.z, ray->org_lo.z, anchor.z), scale);
+    k.d = pov_scale(ray->dir, power);
+    k.d_lo = pov_scale(ray->dir_lo, power);
+    k.unit = power / scale;
+    return k;
+}
+
+static inline pov_vec3 kit_along(const kit_ray *k, double t)
+{
+    return pov_vec3_of(pov_along(k->f.x, t, k->d.x, k->d_lo.x), pov_along(k->f.y, t, k->d.y, k->d_lo.y),
+                       pov_along(k->f.z, t, k->d.z, k->d_lo.z));
+}
+
+static inline pov_two3 kit_along_two(const kit_ray *k, double t)
+{
+    pov_two3 w;
+
+    w.x = pov_two_along(k->f.x, t, k->d.x, k->d_lo.x);
+    w.y = pov_two_along(k->f.y, t, k->d.y, k->d_lo.y);
+    w.z = pov_two_along(k->f.z, t, k->d.z, k->d_lo.z);
+    return w;
+}
+
+/* The point of a crossing, seen from the anchor. */
+static inline pov_two3 kit_point(const kit_ray *k, const pov_crossing *at)
+{
+    pov_two3 w = kit_along_two(k, at->t / k->unit);
+    double t_lo = at->t_lo / k->unit;
+
+    w.x = pov_two_add(w.x, pov_two_product(t_lo, k->d.x));
+    w.y = pov_two_add(w.y, pov_two_product(t_lo, k->d.y));
+    w.z = pov_two_add(w.z, pov_two_product(t_lo, k->d.z));
+    return w;
+}
+
+/* point + point_lo - anchor, scaled. */
+static inline pov_two3 kit_offset(pov_vec3 point, pov_vec3 point_lo, pov_two3 anchor, double scale)
+{
+    pov_two3 w;
+
+    w.x = pov_two_scale(pov_two_offset(point.x, point_lo.x, anchor.x), scale);
+    w.y = pov_two_scale(pov_two_offset(point.y, point_lo.y, anchor.y), scale);
+    w.z = pov_two_scale(pov_two_offset(point.z, point_lo.z, anchor.z), scale);
+    return w;
+}
+
+static inline pov_two3 kit_direction(const kit_ray *k) { return pov_two3_of(k->d, k->d_lo); }
+
+static inline double kit_sum_of_sizes(pov_vec3 a, pov_vec3 b)
+{
+    return fabs(a.x * b.x) + fabs(a.y * b.y) + fabs(a.z * b.z);
+}
+
+/* A bound moved outward by more than the few roundings that made it. */
+static inline double kit_below(double x) { return nextafter(x - 4.0 * KIT_U * fabs(x), -HUGE_VAL); }
+static inline double kit_above(double x) { return nextafter(x + 4.0 * KIT_U * fabs(x), HUGE_VAL); }
+
+#endif

@@ -1,0 +1,57 @@
+/* simd.h - what block filters share. A filter is a plain loop over POV_BLOCK_MAX lanes, compiled for several
+ * instruction sets; the loader picks one. None of them contracts products and sums, so all give the same bits. */
+#ifndef KIT_SIMD_H
+#define KIT_SIMD_H
+
+#include "kit/local.h"
+
+/* Sanitizers cannot run in the resolvers that pick a clone. */
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
+#define KIT_ONE_CLONE 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define KIT_ONE_CLONE 1
+#endif
+
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(KIT_ONE_CLONE)
+#define KIT_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define KIT_CLONES
+#endif
+
+/* Filters square lengths in plain double: coordinates and sizes must leave room for that. */
+static inline bool kit_block_range(double coordinate) { return coordinate < 1e120; }
+static inline bool kit_block_size(double size) { return size > 1e-120 && size < 1e120; }
+
+/* Rays whose squares would leave the range are not filtered: every lane is in question. `a` is the direction's
+ * square. */
+static inline bool kit_block_declines(const pov_ray *ray, double a, double tmin, pov_block_answer *out)
+{
+    uint32_t i;
+
+    if (a > 1e-240 && a < 1e240 && kit_block_range(pov_largest(ray->org)))
+        return false;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        out->lo[i] = tmin;
+        out->hi[i] = HUGE_VAL;
+    }
+    out->maybe = (1u << POV_BLOCK_MAX) - 1;
+    out->surely = 0;
+    return true;
+}
+
+static inline void kit_block_masks(const double *maybe, const double *surely, pov_block_answer *out)
+{
+    uint32_t i;
+
+    out->maybe = out->surely = 0;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        out->maybe |= (uint32_t)(maybe[i] != 0.0) << i;
+        out->surely |= (uint32_t)(surely[i] != 0.0) << i;
+    }
+    out->surely &= out->maybe;
+}
+
+#endif

@@ -1,0 +1,261 @@
+/* sphere { <centre>, radius }
+ *
+ * The ray is re-centred at its closest approach to the centre, where the roots are as large as the sphere and not as
+ * the distance. docs/numerics.md derives the bounds. */
+#include "kit/affine.h"
+#include "kit/report.h"
+#include "kit/simd.h"
+
+typedef struct sphere {
+    pov_two3 centre;
+    pov_two radius;
+    /* What follows is made from these two. Lengths times scale, a power of two, bring the radius into [1, 2). */
+    double scale;
+    pov_two r, square;         /* scaled radius and its square */
+} sphere;
+
+static void prepare(sphere *s)
+{
+    s->scale = pov_inverse_power(s->radius.hi);
+    s->r = pov_two_scale(s->radius, s->scale);
+    s->square = pov_two_mul(s->r, s->r);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    sphere *s = self;
+    pov_vec3 centre;
+    double radius;
+
+    host->vector(in, &centre);
+    host->accept(in, ",");
+    if (host->more(in)) {
+        radius = host->number(in);
+    } else {
+        host->warn(in, "a sphere without a centre stands about the origin");
+        radius = centre.x;
+        centre = zero;
+    }
+    if (radius < 0.0) {
+        host->warn(in, "a negative radius is taken as positive");
+        radius = -radius;
+    }
+    s->centre = pov_two3_of(centre, zero);
+    s->radius = pov_two_of(radius, 0.0);
+    prepare(s);
+}
+
+static void interval(pov_two centre, pov_two radius, double *lo, double *hi)
+{
+    *lo = kit_below(pov_two_sub(centre, radius).hi);
+    *hi = kit_above(pov_two_add(centre, radius).hi);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const sphere *s = self;
+
+    interval(s->centre.x, s->radius, &out->lo.x, &out->hi.x);
+    interval(s->centre.y, s->radius, &out->lo.y, &out->hi.y);
+    interval(s->centre.z, s->radius, &out->lo.z, &out->hi.z);
+    return true;
+}
+
+/* Roots that are wanted, as bits. A ray that left the sphere started on one of its two roots: going outward on the
+ * far one, going inward on the near one. */
+enum { NEAR_ROOT = 1, FAR_ROOT = 2 };
+
+/* Two-part arithmetic from the start. */
+static void decide(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hits)
+{
+    pov_two3 d = kit_direction(k), w;
+    pov_two a = pov_two3_dot(d, d), fd = pov_two3_dot(k->f, d), b, discriminant, root;
+    double middle = -fd.hi / a.hi;
+    uint32_t wanted = !leaving ? NEAR_ROOT | FAR_ROOT : fd.hi < 0.0 ? FAR_ROOT : NEAR_ROOT;
+
+    hits->decided++;
+    w = kit_along_two(k, middle);
+    b = pov_two3_dot(w, d);
+    discriminant = pov_two_add(pov_two_mul(b, b), pov_two_mul(a, pov_two_sub(s->square, pov_two3_dot(w, w))));
+    if (!(discriminant.hi >= 0.0))
+        return;
+    root = pov_two_sqrt(discriminant);
+    if (wanted & NEAR_ROOT) {
+        pov_two t = pov_two_add_double(pov_two_neg(pov_two_div(pov_two_add(b, root), a)), middle);
+        if (!kit_report_decided(hits, t, k->unit, 0))
+            return;
+    }
+    if (wanted & FAR_ROOT)
+        kit_report_decided(hits, pov_two_add_double(pov_two_div(pov_two_sub(root, b), a), middle), k->unit, 1);
+}
+
+/* Double precision with a bound on its error. False: open. */
+static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hits)
+{
+    const double u = KIT_U;
+    pov_vec3 f = pov_two3_hi(k->f), w;
+    double a = pov_dot(k->d, k->d), fd = pov_dot(f, k->d), middle = -fd / a, ww, b, b_error, c, c_error, d, d_error;
+    double root, error;
+    kit_root roots[2];
+    uint32_t first = 0, n = 2;
+
+    if (leaving) {
+        if (!(fabs(fd) > 8.0 * u * kit_sum_of_sizes(f, k->d)))
+            return false;
+        first = fd < 0.0;
+        n = 1;
+    }
+    if (!(pov_largest(f) < KIT_FAR))
+        return false;
+    w = kit_along(k, middle);
+    ww = pov_dot(w, w);
+    b = pov_dot(w, k->d);
+    c = s->square.hi - ww;
+    b_error = 6.0 * u * kit_sum_of_sizes(w, k->d) + u * u * a;
+    c_error = u * (s->square.hi + 6.0 * ww);
+    d = c * a + b * b;
+    d_error = c_error * a + 2.0 * fabs(b) * b_error + b_error * b_error;
+    if (d < -(d_error + 10.0 * u * fabs(d)))
+        return true;
+    if (!(d > 16.0 * d_error))
+        return false;
+    root = sqrt(d);
+    error = (b_error + 0.52 * d_error / root + u * (10.0 * root + 6.0 * fabs(b))) / a;
+    roots[0].t = pov_two_sum(middle, (-b - root) / a);
+    roots[1].t = pov_two_sum(middle, (-b + root) / a);
+    roots[0].error = roots[1].error = error;
+    roots[0].part = 0;
+    roots[1].part = 1;
+    return kit_report(roots + first, n, k->unit, KIT_FINE / sqrt(a), hits);
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const sphere *s = self;
+    bool leaving = ray->left == hits->owner;
+    kit_ray k = kit_enter(ray, s->centre, s->scale);
+
+    if (hits->always_exact || !quick(s, &k, leaving, hits))
+        decide(s, &k, leaving, hits);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const sphere *s = self;
+    kit_ray k = kit_enter(ray, s->centre, s->scale);
+
+    *out = pov_unit(pov_two3_hi(kit_point(&k, at)));
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const sphere *s = self;
+    pov_two3 w = kit_offset(point, point_lo, s->centre, s->scale);
+
+    return pov_two_less(pov_two3_dot(w, w), s->square);
+}
+
+static bool absorb(void *self, const pov_affine *map)
+{
+    sphere *s = self;
+    pov_two factor;
+
+    if (!kit_is_similarity(map, &factor))
+        return false;
+    s->centre = kit_map_point(map, s->centre);
+    s->radius = pov_two_mul(s->radius, factor);
+    prepare(s);
+    return true;
+}
+
+/* ---- blocks ---- */
+
+typedef struct sphere_block {
+    double x[POV_BLOCK_MAX], y[POV_BLOCK_MAX], z[POV_BLOCK_MAX];
+    double inner[POV_BLOCK_MAX], outer[POV_BLOCK_MAX];   /* the radius, less and more what centre and radius lost */
+} sphere_block;
+
+static bool block_pack(void *block, const void *const *selves, uint32_t n)
+{
+    sphere_block *b = block;
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const sphere *s = selves[i < n ? i : 0];
+        pov_vec3 c = pov_two3_hi(s->centre);
+        double lost = KIT_U * (2.0 * s->radius.hi + 2.0 * (fabs(c.x) + fabs(c.y) + fabs(c.z)));
+
+        if (!kit_block_range(pov_largest(c)) || !kit_block_size(s->radius.hi))
+            return false;
+        b->x[i] = c.x;
+        b->y[i] = c.y;
+        b->z[i] = c.z;
+        b->inner[i] = i < n ? s->radius.hi - lost : 0.0;
+        b->outer[i] = i < n ? s->radius.hi + lost : -1.0;   /* lanes without a sphere are never met */
+    }
+    return true;
+}
+
+/* All of it in plain double. The point of closest approach is off by less than 16 u times the distance from origin to
+ * centre, in each of its uses; radii that much smaller and larger make the answer safe. */
+KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
+                                    pov_block_answer *out)
+{
+    const sphere_block *s = block;
+    const pov_vec3 o = ray->org, d = ray->dir;
+    const double a = pov_dot(d, d), inverse = 1.0 / a, per_length = sqrt(inverse);
+    const double from_origin = 2.0 * KIT_U * (fabs(o.x) + fabs(o.y) + fabs(o.z));
+    double maybe[POV_BLOCK_MAX], surely[POV_BLOCK_MAX];
+    uint32_t i;
+
+    if (kit_block_declines(ray, a, tmin, out))
+        return;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        double x = o.x - s->x[i], y = o.y - s->y[i], z = o.z - s->z[i];
+        double size = fabs(x) + fabs(y) + fabs(z);
+        double middle = -(x * d.x + y * d.y + z * d.z) * inverse;
+        double wx = x + middle * d.x, wy = y + middle * d.y, wz = z + middle * d.z;
+        double ww = wx * wx + wy * wy + wz * wz;
+        double slack = 16.0 * KIT_U * size + from_origin;
+        double outer = s->outer[i] + slack, inner = s->inner[i] - slack;
+        double far = outer * outer * (1.0 + 8.0 * KIT_U) - ww, near = inner * inner * (1.0 - 8.0 * KIT_U) - ww;
+        double outside = sqrt(far > 0.0 ? far : 0.0), within = sqrt(near > 0.0 ? near : 0.0);
+        double wide = (outside * (1.0 + 8.0 * KIT_U) + slack) * per_length;
+        double narrow = (within * (1.0 - 8.0 * KIT_U) - slack) * per_length;
+        double shift = 8.0 * KIT_U * fabs(middle);
+        double lo = middle - wide - shift, hi = middle - narrow + shift;
+
+        out->lo[i] = lo;
+        out->hi[i] = hi;
+        maybe[i] = (s->outer[i] > 0.0) & (far >= 0.0) & (lo <= tmax) & (middle + wide + shift >= tmin);
+        surely[i] = (inner > 0.0) & (narrow > 0.0) & (lo > tmin) & (hi < tmax);
+    }
+    kit_block_masks(maybe, surely, out);
+}
+
+static const pov_shape_class sphere_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "sphere",
+    .instance_size = sizeof(sphere),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .absorb = absorb,
+    .block_size = sizeof(sphere_block),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const pov_shape_class *const shapes[] = { &sphere_class, NULL };
+
+POV_PLUGIN(sphere) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "sphere",
+    .version = "1",
+    .shapes = shapes,
+};
