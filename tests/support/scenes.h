@@ -1,0 +1,20 @@
+/* scenes.h - the tree's scenes, and rendering one through the public calls. */
+#ifndef SUPPORT_SCENES_H
+#define SUPPORT_SCENES_H
+
+#include <povtrace/povtrace.h>
+
+#define TEST_PLUGINS TEST_BUILD "/lib/povtrace"
+
+/* Paths of all scenes of a folder of scenes/, sorted; NULL ends. Free with scenes_free(). */
+char **scenes_list(const char *folder);
+void scenes_free(char **list);
+
+/* A context that finds the built plugins and says nothing. */
+pov_context *scenes_context(void);
+/* The whole picture, linear float RGBA; the caller frees it. Fails the test on any error. */
+float *scenes_render(const pov_scene *scene, const pov_render_desc *desc);
+/* Load text, or fail the test. */
+pov_scene *scenes_text(pov_context *context, const char *text);
+
+#endif
