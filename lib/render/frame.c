@@ -1,0 +1,110 @@
+#include "render/frame.h"
+
+#include <string.h>
+
+bool frame_make(frame *f, const env *e, const tiles *t, int first_step)
+{
+    size_t width = (size_t)t->width, height = (size_t)t->height;
+
+    memset(f, 0, sizeof *f);
+    f->tiles = t;
+    f->first_step = first_step;
+    for (f->passes = 1; first_step > 1; first_step /= 2)
+        f->passes++;
+    f->done = env_alloc(e, t->count, 1);
+    if (height <= SIZE_MAX / 16 / width)
+        f->pixels = env_resize(e, NULL, width * height, 4 * sizeof(float));
+    return f->done && f->pixels;
+}
+
+void frame_free(frame *f, const env *e)
+{
+    env_free(e, f->done);
+    env_free(e, f->pixels);
+    f->done = NULL;
+    f->pixels = NULL;
+}
+
+void frame_clear(frame *f)
+{
+    memset(f->done, 0, f->tiles->count);
+}
+
+lattice frame_lattice(const frame *f, int pass)
+{
+    lattice l = { f->first_step >> pass, pass > 0 };
+
+    return l;
+}
+
+static float *pixel(const frame *f, int x, int y)
+{
+    return f->pixels + 4 * ((size_t)y * (size_t)f->tiles->width + (size_t)x);
+}
+
+void frame_put(frame *f, size_t tile, int pass, const float *pixels)
+{
+    pov_rect r = tiles_rect(f->tiles, tile);
+    lattice l = frame_lattice(f, pass);
+
+    for (int y = 0; y < r.height; y += l.step)
+        for (int x = 0; x < r.width; x += l.step)
+            if (lattice_has(l, x, y))
+                memcpy(pixel(f, r.x + x, r.y + y), pixels + 4 * (y * r.width + x), 4 * sizeof *pixels);
+    f->done[tile] |= (uint8_t)(1u << pass);
+}
+
+/* The step of the finest lattice all of whose passes are in; 0: none. */
+static int whole_step(const frame *f, size_t tile)
+{
+    int step = 0;
+
+    for (int pass = 0; pass < f->passes && (f->done[tile] >> pass & 1u); pass++)
+        step = f->first_step >> pass;
+    return step;
+}
+
+void frame_row(const frame *f, size_t tile, int x, int y, int width, float *out)
+{
+    pov_rect r = tiles_rect(f->tiles, tile);
+    int step = whole_step(f, tile);
+
+    if (step == 0) {
+        memset(out, 0, 4 * sizeof *out * (size_t)width);
+    } else if (step == 1) {
+        memcpy(out, pixel(f, x, y), 4 * sizeof *out * (size_t)width);
+    } else {
+        y -= (y - r.y) % step;
+        for (int i = 0; i < width; i++)
+            memcpy(out + 4 * i, pixel(f, x + i - (x + i - r.x) % step, y), 4 * sizeof *out);
+    }
+}
+
+void encoding_make(encoding *e, const gamma *g)
+{
+    e->decode = g->decode;
+    encoder_init(&e->display, 8, g->transfer);
+}
+
+/* Linear light is value ^ decode; what is darker than black keeps its sign. */
+static float linear_of(const encoding *e, float value)
+{
+    return (float)(value < 0.0f ? -pow(-value, e->decode) : pow(value, e->decode));
+}
+
+void encoding_linear(const encoding *e, float *rgba, int count)
+{
+    if (e->decode == 1.0)
+        return;
+    for (int i = 0; i < 4 * count; i++)
+        if (i % 4 != 3)
+            rgba[i] = linear_of(e, rgba[i]);
+}
+
+void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count)
+{
+    encoding_linear(e, rgba, count);
+    encoder_row(&e->display, rgba, count, 4, out);
+    for (int i = 3; i < 4 * count; i += 4)
+        out[i] = rgba[i] > 0.0f ? 255 : 0;
+}

@@ -1,0 +1,55 @@
+/* job_state.h - the inside of a job, for the files that move it on (job.c) and that watch and steer it (watch.c). */
+#ifndef RENDER_JOB_STATE_H
+#define RENDER_JOB_STATE_H
+
+#include "base/thread.h"
+#include "render/frame.h"
+#include "render/job.h"
+#include "render/settings.h"
+#include "render/worker.h"
+
+/* A pool of threads is a loop of steps, and so is a program that steps by itself: each borrows a worker, and the worker
+ * claims a tile, traces it and commits it. */
+struct pov_job {
+    const env *env;
+    const model *model;
+    const world *world;
+    settings settings;
+    tiles tiles;
+    sample *samples;
+    encoding encoding;
+    size_t all_pixels;
+
+    /* The lock guards everything below: nothing of it is touched without, but the bodies of workers, which are those
+     * of whoever borrowed them. Tracing holds no lock. Whoever waits for anything waits for `changed`: idle workers for
+     * work, others for news or the end. */
+    mutex lock;
+    condition changed;
+    pov_job_state state;
+    bool closing;
+    uint64_t generation;
+    pov_camera camera;
+    frame frame;
+    size_t claimed, committed;   /* of passes times tiles */
+    size_t done_pixels;
+    pov_counts counts;
+    bool *dirty;                 /* for each tile: changed since it was last taken */
+    size_t dirty_count, dirty_next;
+    bool news;                   /* tiles to take where there were none, or the end: for job_wait() */
+    int waiting;                 /* threads in job_wait() */
+    double started, ended;       /* ended: 0 while it runs */
+    pov_error error;             /* why the state is FAILED */
+    worker **workers;            /* all there are */
+    size_t worker_count, worker_capacity;
+    worker *free_workers;
+    thread *threads;
+    int thread_count;
+    bool threads_wanted;         /* job_start() was called */
+};
+
+/* The clock starts. The lock is held. */
+void job_begin(pov_job *job);
+/* The clock stops, and everybody who waits is told. The lock is held. */
+void job_end(pov_job *job, pov_job_state state);
+
+#endif

@@ -1,0 +1,71 @@
+#include "render/settings.h"
+
+#include "base/err.h"
+#include "base/thread.h"
+#include "render/sample.h"
+
+/* Pictures are no wider or higher than this, so that sums of pixel coordinates stay far from overflow. */
+enum { EDGE_MAX = 1 << 28 };
+
+static pov_status check_size(const pov_render_desc *d, pov_error *err)
+{
+    if (d->width < 1 || d->height < 1)
+        return err_set(err, POV_E_ARGUMENT, "a picture of %d x %d pixels has none", d->width, d->height);
+    if (d->width > EDGE_MAX || d->height > EDGE_MAX)
+        return err_set(err, POV_E_ARGUMENT, "a picture of %d x %d pixels is too large: %d is the most either way",
+                       d->width, d->height, (int)EDGE_MAX);
+    return POV_OK;
+}
+
+static pov_status take_crop(settings *s, const pov_render_desc *d, pov_error *err)
+{
+    pov_rect c = d->crop;
+
+    if (c.width == 0) {
+        s->crop.x = s->crop.y = 0;
+        s->crop.width = d->width;
+        s->crop.height = d->height;
+        return POV_OK;
+    }
+    if (c.x < 0 || c.y < 0 || c.width < 0 || c.height < 1 || c.x > d->width - c.width || c.y > d->height - c.height)
+        return err_set(err, POV_E_ARGUMENT, "a crop of %d x %d pixels at %d, %d is not within a picture of %d x %d",
+                       c.width, c.height, c.x, c.y, d->width, d->height);
+    s->crop = c;
+    return POV_OK;
+}
+
+static pov_status take_preview(settings *s, const pov_render_desc *d, pov_error *err)
+{
+    int p = d->preview;
+
+    if (p != 0 && p != 2 && p != 4 && p != 8 && p != 16)
+        return err_set(err, POV_E_ARGUMENT, "a preview begins with pixels of 2, 4, 8 or 16, or is 0 for none, not %d", p);
+    s->first_step = p > 0 ? p : 1;
+    return POV_OK;
+}
+
+static pov_status take_numbers(settings *s, const pov_render_desc *d, pov_error *err)
+{
+    if (d->samples < 0 || d->samples > SAMPLES_MAX)
+        return err_set(err, POV_E_ARGUMENT, "a pixel has 1 to %d samples, not %d", (int)SAMPLES_MAX, d->samples);
+    if (d->threads < 0)
+        return err_set(err, POV_E_ARGUMENT, "a job has threads or 0 for one a core, not %d", d->threads);
+    s->samples = d->samples > 0 ? d->samples : 1;
+    s->threads = d->threads > 0 ? d->threads : thread_cores();
+    return POV_OK;
+}
+
+pov_status settings_make(settings *s, const pov_render_desc *desc, pov_error *err)
+{
+    pov_status status = check_size(desc, err);
+
+    s->width = desc->width;
+    s->height = desc->height;
+    s->wake = desc->wake;
+    s->wake_user = desc->wake_user;
+    if (status == POV_OK)
+        status = take_crop(s, desc, err);
+    if (status == POV_OK)
+        status = take_preview(s, desc, err);
+    return status == POV_OK ? take_numbers(s, desc, err) : status;
+}

@@ -1,0 +1,18 @@
+/* settings.h - what a job is asked to do, checked and with the defaults filled in. */
+#ifndef RENDER_SETTINGS_H
+#define RENDER_SETTINGS_H
+
+#include <povtrace/render.h>
+
+typedef struct settings {
+    int width, height;           /* of the whole picture */
+    pov_rect crop;               /* the part that is traced, within it */
+    int first_step;              /* edge of a pixel of the first pass; 1: there is one pass */
+    int threads, samples;
+    void (*wake)(void *user);
+    void *wake_user;
+} settings;
+
+pov_status settings_make(settings *s, const pov_render_desc *desc, pov_error *err);
+
+#endif

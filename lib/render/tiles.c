@@ -1,0 +1,94 @@
+#include "render/tiles.h"
+
+#include <string.h>
+
+/* How many parts of `edge` a length has. */
+static int parts(int length, int edge)
+{
+    return (length - 1) / edge + 1;
+}
+
+static size_t count_of(int width, int height, int edge)
+{
+    return (size_t)parts(width, edge) * (size_t)parts(height, edge);
+}
+
+static int edge_of(int width, int height, int threads)
+{
+    const size_t many_for_one = 64, too_many = 16384;
+    int edge = 32;
+
+    if (count_of(width, height, edge) / many_for_one < (size_t)threads)
+        edge = TILE_EDGE_MIN;
+    else if (count_of(width, height, edge) > too_many)
+        edge = TILE_EDGE_MAX;
+    return edge;
+}
+
+/* How far a tile is from the middle, in tiles: the longer of both ways, doubled. A ring has one number. */
+static int ring_of(const tiles *t, uint32_t index)
+{
+    int x = (int)(index % (uint32_t)t->columns), y = (int)(index / (uint32_t)t->columns);
+    int from_x = 2 * x - (t->columns - 1), from_y = 2 * y - (t->rows - 1);
+
+    from_x = from_x < 0 ? -from_x : from_x;
+    from_y = from_y < 0 ? -from_y : from_y;
+    return from_x > from_y ? from_x : from_y;
+}
+
+/* Sort by rings, by counting; within a ring the tiles keep the order of the rows. */
+static bool sort(tiles *t, const env *e)
+{
+    size_t rings = (size_t)(t->columns > t->rows ? t->columns : t->rows) + 1;
+    size_t *start = env_alloc(e, rings + 1, sizeof *start);
+
+    if (!start)
+        return false;
+    for (uint32_t i = 0; i < t->count; i++)
+        start[ring_of(t, i) + 1]++;
+    for (size_t r = 1; r <= rings; r++)
+        start[r] += start[r - 1];
+    for (uint32_t i = 0; i < t->count; i++)
+        t->order[start[ring_of(t, i)]++] = i;
+    env_free(e, start);
+    return true;
+}
+
+bool tiles_make(tiles *t, const env *e, int width, int height, int threads)
+{
+    memset(t, 0, sizeof *t);
+    t->width = width;
+    t->height = height;
+    t->edge = edge_of(width, height, threads);
+    t->columns = parts(width, t->edge);
+    t->rows = parts(height, t->edge);
+    t->count = count_of(width, height, t->edge);
+    if (t->count > UINT32_MAX / 16)
+        return false;
+    t->order = env_resize(e, NULL, t->count, sizeof *t->order);
+    return t->order && sort(t, e);
+}
+
+void tiles_free(tiles *t, const env *e)
+{
+    env_free(e, t->order);
+    t->order = NULL;
+}
+
+pov_rect tiles_rect(const tiles *t, size_t index)
+{
+    pov_rect r;
+
+    r.x = (int)(index % (size_t)t->columns) * t->edge;
+    r.y = (int)(index / (size_t)t->columns) * t->edge;
+    r.width = t->width - r.x < t->edge ? t->width - r.x : t->edge;
+    r.height = t->height - r.y < t->edge ? t->height - r.y : t->edge;
+    return r;
+}
+
+size_t lattice_pixels(lattice l, int width, int height)
+{
+    size_t all = count_of(width, height, l.step);
+
+    return l.finer ? all - count_of(width, height, 2 * l.step) : all;
+}

@@ -1,0 +1,38 @@
+/* tiles.h - a picture cut into squares, and the order in which they are traced. */
+#ifndef RENDER_TILES_H
+#define RENDER_TILES_H
+
+#include "base/env.h"
+
+#include <povtrace/render.h>
+
+/* Edges are multiples of the coarsest lattice of a preview, so that every tile holds whole lattices. */
+enum { TILE_EDGE_MIN = 16, TILE_EDGE_MAX = 64 };
+
+typedef struct tiles {
+    int width, height;           /* of the picture, pixels */
+    int edge, columns, rows;
+    size_t count;
+    uint32_t *order;             /* from the middle of the picture outwards */
+} tiles;
+
+/* Small enough that `threads` of them have even work to the end, and not so many that handing them out costs. */
+bool tiles_make(tiles *t, const env *e, int width, int height, int threads);
+void tiles_free(tiles *t, const env *e);
+/* The last column and row may be narrower. */
+pov_rect tiles_rect(const tiles *t, size_t index);
+
+/* One pass over a tile: pixels at multiples of `step` from its corner, without those of multiples of 2 step when a
+ * coarser pass has been there. */
+typedef struct lattice { int step; bool finer; } lattice;
+
+static inline bool lattice_has(lattice l, int x, int y)
+{
+    int coarser = 2 * l.step - 1;
+
+    return ((x | y) & (l.step - 1)) == 0 && (!l.finer || ((x | y) & coarser) != 0);
+}
+
+size_t lattice_pixels(lattice l, int width, int height);
+
+#endif

@@ -1,0 +1,39 @@
+#include "shade/pigment.h"
+
+float pigment_opacity(const model *m, const material *surface)
+{
+    float filter = surface->filter;
+
+    if (m->opacity_uses_filter_colour)
+        filter *= fmaxf(surface->pigment.r, fmaxf(surface->pigment.g, surface->pigment.b));
+    return fmaxf(0.0f, 1.0f - filter - surface->transmit);
+}
+
+colour pigment_filter(const material *surface)
+{
+    colour c = colour_scale(surface->pigment, surface->filter);
+
+    return colour_add(c, colour_of(surface->transmit, surface->transmit, surface->transmit));
+}
+
+/* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of 90
+ * degrees. */
+static double fresnel(double cosine)
+{
+    const double half_pi = 1.57079632679489661923;
+    double x = acos(fmin(1.0, fmax(0.0, cosine))) / half_pi - 1.12;
+
+    return fmin(1.0, fmax(0.0, 0.014567225 / (x * x) - 0.011612903));
+}
+
+colour pigment_highlight(const model *m, const material *surface, double cosine)
+{
+    float metallic = surface->metallic;
+    colour c = surface->pigment;
+
+    if (metallic == 0.0f)
+        return colour_of(1.0f, 1.0f, 1.0f);
+    if (m->fresnel_metallic)
+        metallic *= (float)(1.0 - fresnel(cosine));
+    return colour_of(1.0f + metallic * (c.r - 1.0f), 1.0f + metallic * (c.g - 1.0f), 1.0f + metallic * (c.b - 1.0f));
+}
