@@ -14,9 +14,9 @@ enum {
 
 /* Options without a letter of their own. */
 enum {
-    OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN, OPTION_DIALECT,
-    OPTION_ACCEL, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS, OPTION_COLOR,
-    OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
+    OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
+    OPTION_DIALECT, OPTION_ACCEL, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
+    OPTION_COLOR, OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -98,14 +98,15 @@ static bool read_word(args *a, const char *what, const char *text, const char *c
             *out = i;
             return true;
         }
-        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", i == 0 ? "" : words[i + 1] ? ", " : " or ",
-                 words[i]);
+        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
+                 i == 0 ? "" : words[i + 1] ? ", " : " or ", words[i]);
     }
     return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
 }
 
 /* One of a few numbers, which end with -1. */
-static bool read_choice(args *a, const char *what, const char *text, const int *choices, const char *list, int *out)
+static bool read_choice(args *a, const char *what, const char *text, const int *choices, const char *list,
+                        int *out)
 {
     int value = digits(text, NULL, 1000);
 
@@ -276,7 +277,7 @@ static bool refuse_unknown(args *a, const char *word)
     return refuse(a, "there is no option \"--%s\"", name);
 }
 
-/* getopt_long has met something it does not know (optopt 0 or a letter), or an option that takes no value with one
+/* getopt_long has met something it does not know (optopt 0 or a letter), or a value for an option that takes none
  * (optopt is that option). */
 static bool refuse_option(args *a, char **argv)
 {

@@ -5,7 +5,12 @@
 #include <povtrace/povtrace.h>
 
 typedef enum args_verdict { ARGS_RUN, ARGS_HELP, ARGS_VERSION, ARGS_WRONG } args_verdict;
-typedef enum args_progress { ARGS_PROGRESS_AUTO, ARGS_PROGRESS_BAR, ARGS_PROGRESS_JSON, ARGS_PROGRESS_NONE } args_progress;
+typedef enum args_progress {
+    ARGS_PROGRESS_AUTO,
+    ARGS_PROGRESS_BAR,
+    ARGS_PROGRESS_JSON,
+    ARGS_PROGRESS_NONE
+} args_progress;
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 

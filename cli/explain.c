@@ -28,8 +28,8 @@ void explain_print(FILE *to, const pov_scene *scene)
     for (int used = 1; used >= 0; used--) {
         for (size_t i = 0; pov_scene_get_plan(scene, i, &row); i++) {
             if (row.used == (used == 1))
-                fprintf(to, "%c %-*s  %-*s  %s\n", used ? '+' : '-', w.subject, row.subject, w.state, row.state,
-                        row.reason);
+                fprintf(to, "%c %-*s  %-*s  %s\n", used ? '+' : '-', w.subject, row.subject, w.state,
+                        row.state, row.reason);
         }
     }
 }

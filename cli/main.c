@@ -42,8 +42,8 @@ static void say_checked(const args *a, const messages *m, const pov_scene *scene
            info.dialect == POV_DIALECT_COURSE ? "course" : "povray");
 }
 
-static pov_status render_and_report(const args *a, const messages *m, pov_context *context, const pov_scene *scene,
-                                    pov_error *err)
+static pov_status render_and_report(const args *a, const messages *m, pov_context *context,
+                                    const pov_scene *scene, pov_error *err)
 {
     bool rendered = a->output && !a->check;
     stats s = { a, context, scene, NULL, 0.0, m->warnings };

@@ -63,7 +63,8 @@ static void show(const messages *m, style s, const char *kind, const pov_error *
         fprintf(stderr, "%d:", note->line);
     if (note->line > 0 && note->column > 0)
         fprintf(stderr, "%d:", note->column);
-    fprintf(stderr, "%s %s%s:%s %s", escape(m, STYLE_PLAIN), escape(m, s), kind, escape(m, STYLE_PLAIN), text);
+    fprintf(stderr, "%s %s%s:%s %s", escape(m, STYLE_PLAIN), escape(m, s), kind, escape(m, STYLE_PLAIN),
+            text);
     if (note->hint[0] && !excerpt)
         fprintf(stderr, "; did you mean \"%s\"?", note->hint);
     fputc('\n', stderr);

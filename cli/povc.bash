@@ -21,11 +21,11 @@ _povc()
     *)
         case $current in
         -?*) words=$options ;;
-        *) mapfile -t COMPREPLY < <(compgen -d -S / -- "$current"
-                                    compgen -f -X '!*.@(pov|inc|png|ppm|pfm)' -- "$current"); return ;;
+        # Folders, .pov and .inc, .png, .ppm and .pfm.
+        *) mapfile -t COMPREPLY < <(compgen -d -- "$current"; compgen -f -X '!*.p[onpf][vgm]' -- "$current"
+                                    compgen -f -X '!*.inc' -- "$current"); return ;;
         esac ;;
     esac
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
 }
-shopt -s extglob
-complete -o filenames -o nospace -F _povc povc
+complete -o filenames -F _povc povc

@@ -61,7 +61,9 @@ uint64_t progress_rays(const pov_counts *c)
 /* Seconds until the end if the rest goes as what is done did; below zero: nobody knows yet. */
 static double remaining(const pov_progress *now)
 {
-    return now->fraction > 0.0 && now->seconds > 0.0 ? now->seconds * (1.0 - now->fraction) / now->fraction : -1.0;
+    if (!(now->fraction > 0.0 && now->seconds > 0.0))
+        return -1.0;
+    return now->seconds * (1.0 - now->fraction) / now->fraction;
 }
 
 static int screen_columns(void)
@@ -108,8 +110,9 @@ static void write_json(const pov_progress *now)
     char percent[16];
 
     progress_percent(now->fraction, percent, sizeof percent);
-    fprintf(stderr, "{\"percent\":%s,\"fraction\":%.6f,\"seconds\":%.3f,\"pass\":%d,\"passes\":%d,\"threads\":%d,"
-            "\"rays\":%llu", percent, floor(now->fraction * 1e6) * 1e-6, now->seconds, now->pass, now->passes,
+    fprintf(stderr, "{\"percent\":%s,\"fraction\":%.6f,\"seconds\":%.3f,", percent,
+            floor(now->fraction * 1e6) * 1e-6, now->seconds);
+    fprintf(stderr, "\"pass\":%d,\"passes\":%d,\"threads\":%d,\"rays\":%llu", now->pass, now->passes,
             now->threads, (unsigned long long)progress_rays(&now->counts));
     if (remaining(now) >= 0.0)
         fprintf(stderr, ",\"eta\":%.3f", remaining(now));

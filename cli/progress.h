@@ -12,7 +12,7 @@ typedef struct progress {
 } progress;
 
 void progress_init(progress *p, const args *a);
-/* Is it time to show again, `seconds` after the job's start? Asking the job costs, so it is asked only then. */
+/* Is it time to show again, `seconds` after the job's start? Asking the job costs, so only then. */
 bool progress_due(const progress *p, double seconds);
 void progress_show(progress *p, const pov_progress *now);
 /* The last state, and the bar is gone from the screen. */

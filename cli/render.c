@@ -68,6 +68,7 @@ static pov_status check_folder(const char *path, pov_error *err)
 
 pov_status render_check_output(pov_context *context, const args *a, pov_error *err)
 {
+    static const char terminal[] = "standard output is a terminal, no place for a picture; pipe it on";
     pov_image_options options = image_options(a);
     pov_status status = pov_image_check(context, a->output, &options, err);
     struct stat about;
@@ -75,8 +76,7 @@ pov_status render_check_output(pov_context *context, const args *a, pov_error *e
     if (status < 0)
         return status;
     if (strcmp(a->output, "-") == 0)
-        return isatty(STDOUT_FILENO) ? fail(err, POV_E_ARGUMENT, "", "standard output is a terminal, no place for a "
-                                            "picture; send it to a pipe or a file") : POV_OK;
+        return isatty(STDOUT_FILENO) ? fail(err, POV_E_ARGUMENT, "", terminal) : POV_OK;
     if (stat(a->output, &about) != 0 || S_ISREG(about.st_mode))
         return check_folder(a->output, err);
     return S_ISDIR(about.st_mode) ? cannot_write(err, a->output, EISDIR) : POV_OK;
@@ -116,7 +116,8 @@ static pov_status write_picture(render *r, pov_error *err)
     pov_status status;
 
     pov_job_read(r->job, all, POV_PIXELS_LINEAR_FLOAT, r->pixels, stride);
-    status = pov_image_write(r->context, r->args->output, r->width, r->height, r->pixels, stride, &r->options, err);
+    status = pov_image_write(r->context, r->args->output, r->width, r->height, r->pixels, stride, &r->options,
+                             err);
     r->write_seconds = now_seconds() - start;
     return status;
 }
@@ -189,8 +190,8 @@ static pov_status trace(render *r, pov_error *err)
     return status;
 }
 
-pov_status render_run(render *r, const args *a, const messages *m, pov_context *context, const pov_scene *scene,
-                      pov_error *err)
+pov_status render_run(render *r, const args *a, const messages *m, pov_context *context,
+                      const pov_scene *scene, pov_error *err)
 {
     pov_status status;
 

@@ -21,8 +21,8 @@ typedef struct render {
 pov_status render_check_output(pov_context *context, const args *a, pov_error *err);
 /* Trace and write. A signal that asks for the end cancels the rest, and what is there is written.
  * Call render_free() whatever comes of it. */
-pov_status render_run(render *r, const args *a, const messages *m, pov_context *context, const pov_scene *scene,
-                      pov_error *err);
+pov_status render_run(render *r, const args *a, const messages *m, pov_context *context,
+                      const pov_scene *scene, pov_error *err);
 void render_free(render *r);
 
 #endif

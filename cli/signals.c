@@ -31,8 +31,8 @@ static void watch(int signal, void (*handler)(int), int flags)
 
 void signals_watch(void)
 {
-    /* One-shot handlers: the system's own answer to the second such signal is to end the program. Calls that were
-     * interrupted go on, as a half-written picture helps nobody. */
+    /* One-shot handlers: the system's own answer to the second such signal is to end the program. Calls that
+     * were interrupted go on, as a half-written picture helps nobody. */
     watch(SIGINT, on_end, (int)SA_RESETHAND | SA_RESTART);
     watch(SIGTERM, on_end, (int)SA_RESETHAND | SA_RESTART);
     watch(SIGHUP, on_end, (int)SA_RESETHAND | SA_RESTART);

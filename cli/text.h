@@ -6,8 +6,8 @@
 
 /* The line fit for a terminal: control characters and bytes that are no UTF-8 become '?', tabs stay. */
 void text_printable(const char *line, char *out, size_t size);
-/* White space as wide as the first `bytes` bytes of the line: tabs for tabs, none for a combining mark, two blanks
- * for a character of double width. */
+/* White space as wide as the first `bytes` bytes of the line: tabs for tabs, none for a combining mark, two
+ * blanks for a character of double width. */
 void text_indent(const char *line, int bytes, char *out, size_t size);
 
 #endif

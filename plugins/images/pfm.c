@@ -13,8 +13,8 @@ static bool is_little_endian(void)
     return first == 1;
 }
 
-/* The sign of the third number names the byte order of the floats; below zero is little-endian. We write what the
- * machine has, which is little-endian wherever we know it to run, so that a row is put without a copy. */
+/* The sign of the third number names the byte order of the floats; below zero is little-endian. What the machine
+ * has is written, so that a row is put without a copy. */
 static const char *write_pfm(const pov_image *image, const pov_output *output)
 {
     char header[64];
@@ -32,7 +32,10 @@ static const char *write_pfm(const pov_image *image, const pov_output *output)
 }
 
 static const pov_image_format pfm = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_FLOAT, .ending = "pfm", .write = write_pfm,
+    .size = sizeof(pov_image_format),
+    .depths = POV_IMAGE_FLOAT,
+    .ending = "pfm",
+    .write = write_pfm,
 };
 static const pov_image_format *const formats[] = { &pfm, NULL };
 

@@ -1,14 +1,14 @@
 /* png.c - PNG by libpng, 8 or 16 bits a channel, row by row.
  *
- * A picture encoded with the sRGB curve says so in an sRGB chunk. One whose values are stored as they are carries no
- * statement about gamma: the course's rule is that the stored number is what is shown, and a gAMA chunk of 1.0 would
- * make viewers brighten it. */
+ * A picture encoded with the sRGB curve says so in an sRGB chunk. One whose values are stored as they are carries
+ * no statement about gamma: the course's rule is that the stored number is what is shown, and a gAMA chunk of 1.0
+ * would make viewers brighten it. */
 #include <povtrace/plugin.h>
 
 #include <png.h>
 #include <setjmp.h>
 
-/* Fast, and within a tenth of the size of zlib's slowest level on traced pictures; see docs/cli.md for the figures. */
+/* The figures behind this choice are in docs/cli.md. */
 enum { COMPRESSION_LEVEL = 3 };
 
 typedef struct sink {
@@ -61,7 +61,8 @@ static void put_picture(png_structp png, png_infop info, const pov_image *image)
 {
     png_set_compression_level(png, COMPRESSION_LEVEL);
     png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, image->bits,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     if (image->transfer == POV_TRANSFER_SRGB)
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
@@ -85,8 +86,8 @@ static const char *write_png(const pov_image *image, const pov_output *output)
         png_destroy_write_struct(&png, NULL);
         return "out of memory";
     }
-    /* png and info do not change between here and a jump, so they need not be volatile; `to` lives in memory that
-     * others point to. */
+    /* png and info do not change between here and a jump, so they need not be volatile; `to` is reached through
+     * pointers. */
     if (setjmp(png_jmpbuf(png)) == 0) {
         png_set_write_fn(png, &to, put_bytes, flush_nothing);
         put_picture(png, info, image);
@@ -96,7 +97,10 @@ static const char *write_png(const pov_image *image, const pov_output *output)
 }
 
 static const pov_image_format png_format = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_8 | POV_IMAGE_16, .ending = "png", .write = write_png,
+    .size = sizeof(pov_image_format),
+    .depths = POV_IMAGE_8 | POV_IMAGE_16,
+    .ending = "png",
+    .write = write_png,
 };
 static const pov_image_format *const formats[] = { &png_format, NULL };
 

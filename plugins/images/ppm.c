@@ -32,15 +32,20 @@ static const char *write_ppm(const pov_image *image, const pov_output *output)
         return "could not write the header";
     for (int y = 0; y < image->height; y++) {
         const void *row = (const char *)image->pixels + (size_t)y * image->stride;
+        bool done = image->bits == 16 ? put_samples16(output, row, samples)
+                                      : output->put(output->user, row, samples);
 
-        if (!(image->bits == 16 ? put_samples16(output, row, samples) : output->put(output->user, row, samples)))
+        if (!done)
             return "could not write a row";
     }
     return NULL;
 }
 
 static const pov_image_format ppm = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_8 | POV_IMAGE_16, .ending = "ppm", .write = write_ppm,
+    .size = sizeof(pov_image_format),
+    .depths = POV_IMAGE_8 | POV_IMAGE_16,
+    .ending = "ppm",
+    .write = write_ppm,
 };
 static const pov_image_format *const formats[] = { &ppm, NULL };
 

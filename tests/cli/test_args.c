@@ -53,7 +53,8 @@ static void args_reads_scene_sizes_and_output(void **state)
 static void args_reads_options_wherever_they_stand(void **state)
 {
     static const char *const lines[] = { "-t 3 --stats s.pov 10 20 o.png", "s.pov -t 3 10 --stats 20 o.png",
-                                         "s.pov 10 20 o.png --stats --threads=3", "s.pov 10 20 o.png -t3 --stats" };
+                                         "s.pov 10 20 o.png --stats --threads=3",
+                                         "s.pov 10 20 o.png -t3 --stats" };
 
     (void)state;
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
@@ -72,16 +73,16 @@ static void args_reads_every_option(void **state)
     args a;
 
     (void)state;
-    assert_int_equal(parse(&a, "s 9 9 o --spp 4 --max-depth 7 --bits 16 --transfer srgb --format .ppm --dialect povray"),
-                     ARGS_RUN);
+    assert_int_equal(parse(&a, "s 9 9 o --spp 4 --max-depth 7 --bits 16 --transfer srgb --format .ppm "
+                                "--dialect povray"), ARGS_RUN);
     assert_int_equal(a.samples, 4);
     assert_int_equal(a.max_depth, 7);
     assert_int_equal(a.bits, 16);
     assert_int_equal(a.transfer, ARGS_TRANSFER_SRGB);
     assert_string_equal(a.format, "ppm");
     assert_int_equal(a.dialect, POV_DIALECT_POVRAY);
-    assert_int_equal(parse(&a, "s 9 9 o --accel none --crop 1,2,8,9 --preview 16 --progress json -q -v --color never"),
-                     ARGS_RUN);
+    assert_int_equal(parse(&a, "s 9 9 o --accel none --crop 1,2,8,9 --preview 16 --progress json -q -v "
+                                "--color never"), ARGS_RUN);
     assert_int_equal(a.accel, POV_ACCEL_NONE);
     assert_int_equal(a.crop.x, 1);
     assert_int_equal(a.crop.y, 2);
@@ -121,8 +122,8 @@ static void args_takes_a_dash_for_both_ends_and_names_that_look_like_options_aft
 
 static void args_refuses_sizes_that_are_no_whole_numbers_above_zero(void **state)
 {
-    static const char *const sizes[] = { "1024x", "0", "1e3", "1.5", "0x10", "+4", "99999999999999999999", "1000001",
-                                         "4294967297", "ten", "1,024" };
+    static const char *const sizes[] = { "1024x", "0", "1e3", "1.5", "0x10", "+4", "99999999999999999999",
+                                         "1000001", "4294967297", "ten", "1,024" };
 
     (void)state;
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {

@@ -61,7 +61,8 @@ static const uint16_t pixels16[2][10] = { { 0x0102, 3, 0xfffe, 4, 5, 6, 7, 8, 9,
 
 static pov_image image8(pov_transfer transfer)
 {
-    pov_image image = { .width = 3, .height = 2, .bits = 8, .transfer = transfer, .stride = 12, .pixels = pixels8 };
+    pov_image image = { .width = 3, .height = 2, .bits = 8, .transfer = transfer, .stride = 12,
+                        .pixels = pixels8 };
     return image;
 }
 

@@ -1,0 +1,177 @@
+#!/bin/sh
+# The rules of the house that a machine can see. Prints "ok" or "not ok" for each; any "not ok" is a failure.
+# Usage: BUILD=build CC=cc CXX=c++ tests/check/check.sh (after the library and the plugins are built)
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+BUILD=${BUILD:-build}
+CC=${CC:-cc}
+CXX=${CXX:-c++}
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+passed=0 failed=0
+
+# report NAME: what stands in $work/found is what breaks the rule.
+report() {
+    if [ -s "$work/found" ]; then
+        failed=$((failed + 1))
+        echo "not ok $1"
+        sed 's/^/    /' "$work/found"
+    else
+        passed=$((passed + 1))
+        echo "ok $1"
+    fi
+    : > "$work/found"
+}
+: > "$work/found"
+
+sources() { find "$@" \( -name '*.c' -o -name '*.h' \) | LC_ALL=C sort; }
+
+# The C files without their comments, the lines where they were: "file:line:text".
+without_comments() {
+    awk '
+        FNR == 1 { inside = 0 }
+        {
+            line = $0; out = ""
+            while (line != "") {
+                if (inside) {
+                    end = index(line, "*/")
+                    if (!end) { line = ""; break }
+                    line = substr(line, end + 2); inside = 0
+                } else {
+                    start = index(line, "/*"); slashes = index(line, "//")
+                    if (slashes && (!start || slashes < start)) { out = out substr(line, 1, slashes - 1); line = "" }
+                    else if (start) { out = out substr(line, 1, start - 1); line = substr(line, start + 2); inside = 1 }
+                    else { out = out line; line = "" }
+                }
+            }
+            if (out != "") print FILENAME ":" FNR ":" out
+        }' "$@"
+}
+
+# ---- rooms: which includes a folder's files may have ----
+
+# room FOLDER PATTERN: quoted and <povtrace/...> includes must match the extended regular expression.
+room() {
+    [ -d "$1" ] || return 0
+    for file in $(sources "$1"); do
+        grep -nE '^[[:space:]]*#[[:space:]]*include' "$file" |
+            sed -nE 's/^([0-9]+):[^"<]*("[^"]*"|<povtrace\/[^>]*>).*/\1 \2/p' |
+            grep -vE "^[0-9]+ ($2)\$" | sed "s|^|$file:|" >> "$work/found"
+    done
+    report "$1 includes only what its room may"
+}
+public='<povtrace/[a-z]+\.h>'
+# All but the contract, which only plug, sdl, world and api see.
+plain='<povtrace/(povtrace|base|math|exact|scene|trace|render|image)\.h>'
+room lib/include "$public"
+room lib/base "\"base/[a-z_]+\.h\"|<povtrace/(base|math|exact)\.h>"
+room lib/model "\"(model|base)/[a-z_]+\.h\"|$plain"
+room lib/plug "\"(plug|base)/[a-z_]+\.h\"|$public"
+room lib/sdl "\"(sdl|model|plug|base)/[a-z_]+\.h\"|$public"
+room lib/world "\"(world|model|plug|base)/[a-z_0-9]+\.h\"|$public"
+room lib/shade "\"(shade|world|model|base)/[a-z_]+\.h\"|$plain"
+room lib/render "\"(render|shade|world|model|base)/[a-z_]+\.h\"|$plain"
+room lib/api "\"(api|render|shade|world|sdl|plug|model|base)/[a-z_]+\.h\"|$public"
+room plugins/primitives "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact)\.h>"
+room plugins/images "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
+room plugins/kit "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact)\.h>"
+room cli "\"[a-z_]+\.h\"|$plain"
+room viewer "\"[a-z_]+\.h\"|$plain"
+
+for file in $(sources lib plugins cli viewer tests); do
+    grep -nE '^[[:space:]]*#[[:space:]]*include[^"<]*"[^"]*\.\./' "$file" | sed "s|^|$file:|" >> "$work/found"
+done
+report "no include climbs with .."
+
+sources plugins/primitives plugins/images | xargs grep -lE '#[[:space:]]*include[[:space:]]*<png' |
+    grep -v '^plugins/images/png\.c$' >> "$work/found"
+report "only png.c includes libpng"
+
+# ---- words and literals ----
+
+sources lib plugins cli viewer tests | xargs grep -nE '(^|[^A-Z])(TODO|FIXME|XXX)([^A-Z]|$)' >> "$work/found"
+report "no TODO, FIXME or XXX"
+
+# Small powers of ten smell of an absolute tolerance. Those that are none stand in literals.txt, with what they are.
+without_comments $(sources lib plugins) > "$work/code"
+grep -nE '[^0-9a-zA-Z_.][0-9.]+[eE]-(0?[3-9]|1[0-5])[^0-9]|[^0-9.]0?\.00+1[^0-9]' "$work/code" |
+    cut -d: -f2- | sed 's/:[0-9]*: */: /' | grep -vxFf tests/check/literals.txt >> "$work/found"
+report "no literal of lib or plugins smells of an absolute epsilon"
+
+grep -E '(^|[^a-zA-Z0-9_.>])(malloc|calloc|realloc|free|strdup|posix_memalign|aligned_alloc)[[:space:]]*\(' "$work/code" |
+    grep -v '^lib/base/env\.c:' >> "$work/found"
+report "only lib/base/env.c takes memory"
+
+grep -E '(^|[^a-zA-Z0-9_.>])(printf|puts|putchar|perror|exit|abort|_exit|fprintf)[[:space:]]*\(' "$work/code" \
+    >> "$work/found"
+report "the library and the plugins never print, exit or abort"
+
+without_comments $(sources lib cli plugins tests) | grep -E '[^a-zA-Z0-9_](gets|tmpnam|mktemp)[[:space:]]*\(' \
+    >> "$work/found"
+report "no call that cannot be used safely"
+
+for file in $(sources lib plugins cli viewer tests); do
+    lines=$(wc -l < "$file")
+    [ "$lines" -le 600 ] || echo "$file: $lines lines" >> "$work/found"
+done
+report "no file is longer than 600 lines"
+
+sources lib plugins cli viewer tests | xargs awk 'length($0) > 120 { print FILENAME ":" FNR ": " length($0) " columns" }' \
+    >> "$work/found"
+sources lib plugins cli viewer tests | xargs grep -nP '\t|[ \t]+$' >> "$work/found"
+report "no tab, no trailing blank, no line above 120 columns"
+
+# ---- headers ----
+
+for header in lib/include/povtrace/*.h; do
+    name=povtrace/$(basename "$header")
+    printf '#include <%s>\n#include <%s>\nint main(void) { return 0; }\n' "$name" "$name" > "$work/alone.c"
+    cp "$work/alone.c" "$work/alone.cpp"
+    $CC -std=c99 -Wall -Wextra -Wpedantic -Wshadow -Werror -Ilib/include -fsyntax-only "$work/alone.c" \
+        >> "$work/found" 2>&1 || echo "$name does not compile alone as C99" >> "$work/found"
+    $CXX -std=c++11 -Wall -Wextra -Wpedantic -Wshadow -Werror -Ilib/include -fsyntax-only "$work/alone.cpp" \
+        >> "$work/found" 2>&1 || echo "$name does not compile alone as C++11" >> "$work/found"
+done
+report "every public header compiles alone, in C99 and in C++11"
+
+lines=$(cat lib/include/povtrace/*.h | wc -l)
+[ "$lines" -lt 800 ] || echo "$lines lines" > "$work/found"
+report "all public headers together stay under 800 lines"
+
+# ---- what was built ----
+
+library=$(ls "$BUILD"/lib/libpovtrace.so.*.*.* 2>/dev/null | head -n 1)
+if [ -z "$library" ]; then
+    echo "there is no library in $BUILD/lib" > "$work/found"
+    report "the library was built"
+else
+    nm -D --defined-only "$library" | awk '$2 ~ /[A-Z]/ && $2 != "A" { sub(/@.*/, "", $3); print $3 }' |
+        LC_ALL=C sort > "$work/exports"
+    LC_ALL=C sort tests/api/exports.txt | diff - "$work/exports" > "$work/found" 2>&1
+    report "the library exports what tests/api/exports.txt lists"
+
+    ldd "$library" | awk '{ print $1 }' |
+        grep -vE '^(linux-vdso\.so\.|linux-gate\.so\.|(/.*/)?ld-[a-z0-9-]*\.so|lib(c|m|dl|pthread)\.so)' > "$work/found"
+    report "the library needs libc and libm only"
+
+    nm "$BUILD"/obj/lib/*/*.o 2>/dev/null | awk 'NF == 3 && $2 ~ /^[bBdDC]$/ { print $3 }' > "$work/found"
+    report "the library has no variable that can change"
+fi
+
+for plugin in "$BUILD"/lib/povtrace/*/*.so; do
+    [ -e "$plugin" ] || { echo "there are no plugins in $BUILD/lib/povtrace" > "$work/found"; break; }
+    nm -D --defined-only "$plugin" | awk '{ sub(/@.*/, "", $3); print $3 }' | grep -vx povtrace_plugin |
+        sed "s|^|$plugin exports |" >> "$work/found"
+    ldd "$plugin" | grep -q povtrace && echo "$plugin is linked against povtrace" >> "$work/found"
+done
+report "every plugin exports one symbol and needs nothing of povtrace"
+
+for plugin in "$BUILD"/lib/povtrace/primitives/*.so; do
+    source=plugins/primitives/$(basename "$plugin" .so).c
+    [ -e "$source" ] || continue
+    nm "$BUILD/obj/${source%.c}.o" | awk 'NF == 3 && $2 ~ /^[bBC]$/ { print $3 }' | sed "s|^|$source: |" >> "$work/found"
+done
+report "no primitive has a variable that can change"
+
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
