@@ -1,0 +1,5 @@
+// assumed_gamma 1: colours are amounts of light, and the file gets them sRGB-encoded.
+global_settings { assumed_gamma 1.0 }
+camera { location <0, 0.5, -4> look_at <0, 0, 0> }
+light_source { <3, 5, -4> rgb 1 }
+sphere { <0, 0, 0>, 1.2 pigment { rgb <0.9, 0.5, 0.25> } }
