@@ -71,26 +71,32 @@ void media_settle(media_stack *stack, media_span *span, size_t floor)
     stack->count = floor + span->count;
 }
 
-/* With eta = before / after, c and c' the cosines of both angles, and e = eta^2 - 1:
- *     c'^2 = (eta c)^2 - e,    out = eta view + (eta c - c') normal,    eta c - c' = e / (eta c + c').
- * The last form and e = (before - after)(before + after) / after^2 have no cancellation, so that an ior of 1 + 1e-11
- * bends by what it should. The final correction puts the component along the normal on the right side also where
- * rounding of eta view is larger than c'. */
+/* The square of the cosine behind the surface, c'^2 = 1 - (eta s)^2 = (eta c)^2 - e with e = eta^2 - 1, where s is the
+ * sine before it. Steep rays take the first form, for a large eta multiplies the error of s by less than that of c^2;
+ * flat ones the second, in which (before - after)(before + after) keeps what an ior of 1 + 1e-11 is about. */
+static double squared_cosine(double sine_out, double cosine, double before, double after)
+{
+    const double steep = 0.5;
+    double eta = before / after, e = eta * ((before - after) / before) * ((before + after) / after);
+    double critical;
+
+    if (cosine > steep)
+        return (1.0 - sine_out) * (1.0 + sine_out);
+    if (e <= 0.0)
+        return eta * cosine * eta * cosine - e;
+    critical = sqrt(e);
+    return (eta * cosine - critical) * (eta * cosine + critical);
+}
+
 bool refract(pov_vec3 view, pov_vec3 normal, double cosine, double before, double after, pov_vec3 *out)
 {
-    double eta = before / after, e = eta * ((before - after) / before) * ((before + after) / after);
-    double along = eta * cosine, cosine_out, critical;
-    pov_vec3 d;
+    pov_vec3 along = pov_add(view, pov_scale(normal, cosine));
+    double c2;
 
-    if (e > 0.0) {
-        critical = sqrt(e);
-        if (!(along > critical))
-            return false;
-        cosine_out = sqrt((along - critical) * (along + critical));
-    } else {
-        cosine_out = sqrt(along * along - e);
-    }
-    d = pov_add(pov_scale(view, eta), pov_scale(normal, e / (along + cosine_out)));
-    *out = pov_unit(pov_sub(d, pov_scale(normal, pov_dot(d, normal) + cosine_out)));
+    along = pov_scale(pov_sub(along, pov_scale(normal, pov_dot(along, normal))), before / after);
+    c2 = squared_cosine(sqrt(pov_dot(along, along)), cosine, before, after);
+    if (!(c2 > 0.0))
+        return false;
+    *out = pov_unit(pov_sub(along, pov_scale(normal, sqrt(c2))));
     return true;
 }

@@ -1,0 +1,29 @@
+/* tiny.h - scenes built by hand for the rooms that do not read text: spheres and endless planes of the tests' own. */
+#ifndef SUPPORT_TINY_H
+#define SUPPORT_TINY_H
+
+#include "shade/shade.h"
+
+typedef struct tiny { env env; model model; world *world; pov_tracer *tracer; } tiny;
+
+/* Five levels, black background, white ambient light, no gamma, a camera at 0 that looks along z; and no objects. */
+void tiny_begin(tiny *s, const pov_allocator *memory);
+void tiny_end(tiny *s);
+/* The language's default material of this colour, which gives nothing but `ambient` of it. */
+material tiny_glow(float r, float g, float b);
+/* The default material, white, without ambient light. */
+material tiny_matt(void);
+/* Nothing but what passes it. */
+material tiny_glass(double ior);
+void tiny_sphere(tiny *s, double x, double y, double z, double radius, material m);
+/* The points p with p.n = d, n of unit length; seen from both sides, with no inside. */
+void tiny_plane(tiny *s, double x, double y, double z, double d, material m);
+/* An object of any class. */
+void tiny_add(tiny *s, const pov_shape_class *shape, const void *instance, material m);
+void tiny_light(tiny *s, double x, double y, double z, float r, float g, float b);
+/* Compile it: after the last object. */
+void tiny_build(tiny *s);
+/* What is seen from a point in a direction. */
+colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z);
+
+#endif

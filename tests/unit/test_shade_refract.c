@@ -1,0 +1,188 @@
+/* Snell's law without cancellation, and the list of media that a ray is in. */
+#include "support/near.h"
+
+#include "shade/refract.h"
+
+#include <string.h>
+
+/* A ray that comes at this angle to the normal y, downwards. */
+static pov_vec3 coming_at(double angle)
+{
+    return pov_vec3_of(sin(angle), -cos(angle), 0.0);
+}
+
+static bool bend_at(double angle, double before, double after, pov_vec3 *out)
+{
+    return refract(coming_at(angle), pov_vec3_of(0.0, 1.0, 0.0), cos(angle), before, after, out);
+}
+
+static void refract_obeys_snell_at_all_angles(void **state)
+{
+    static const double iors[] = { 1.0, 1.1, 1.33, 1.5, 2.4, 10.0 };
+    pov_vec3 out;
+    (void)state;
+
+    for (int a = 0; a < 6; a++)
+        for (int b = 0; b < 6; b++)
+            for (double angle = 0.0; angle < 1.57; angle += 0.01) {
+                double sine = iors[a] / iors[b] * sin(angle);
+                if (fabs(sine - 1.0) < 1e-3)
+                    continue;
+                assert_int_equal(bend_at(angle, iors[a], iors[b], &out), sine < 1.0);
+                if (sine > 1.0)
+                    continue;
+                assert_near(out.x, sine, 4e-15);
+                assert_near(out.y, -sqrt(1.0 - sine * sine), 1e-12);
+                assert_near(pov_dot(out, out), 1.0, 1e-15);
+            }
+}
+
+/* sin b = sin a / (1 + d) turns the ray by d tan a, to the first order in d. */
+static void refract_bends_by_what_an_ior_of_one_and_1e_11_asks(void **state)
+{
+    const double ior = 1.0 + 1e-11, d = ior - 1.0, angle = 0.7;
+    pov_vec3 out, view = coming_at(angle);
+    (void)state;
+
+    assert_true(bend_at(angle, 1.0, ior, &out));
+    assert_near((view.x - out.x) / (d * sin(angle)), 1.0, 3e-5);
+    assert_near((view.y - out.y) / (d * sin(angle) * tan(angle)), 1.0, 3e-5);
+}
+
+static void refract_leaves_on_the_other_side_also_when_grazing(void **state)
+{
+    pov_vec3 out, normal = { 0.0, 1.0, 0.0 };
+    (void)state;
+
+    for (double cosine = 1e-3; cosine > 1e-300; cosine *= 0.01) {
+        pov_vec3 view = { 1.0, -cosine, 0.0 };
+        assert_true(refract(view, normal, cosine, 1.0, 1.5, &out));
+        assert_near(out.y, -sqrt(1.0 - 1.0 / 2.25), 1e-6);
+        assert_true(refract(view, normal, cosine, 1.0, 1.0 + 1e-15, &out));
+        assert_true(out.y < 0.0);
+        assert_false(refract(view, normal, cosine, 1.5, 1.0, &out));
+    }
+}
+
+static void refract_ends_at_the_critical_angle(void **state)
+{
+    double critical = asin(1.0 / 1.5);
+    pov_vec3 out;
+    (void)state;
+
+    assert_true(bend_at(critical - 1e-12, 1.5, 1.0, &out));
+    assert_true(out.y < 0.0 && out.y > -1e-5);
+    assert_false(bend_at(critical + 1e-12, 1.5, 1.0, &out));
+}
+
+/* ---- media ---- */
+
+typedef struct glasses { env env; model model; material materials[4]; object objects[4]; media_stack stack; } glasses;
+
+static void setup(glasses *g)
+{
+    static const double iors[4] = { 1.1, 1.2, 1.3, 0.0 };
+
+    memset(g, 0, sizeof *g);
+    env_init(&g->env, NULL, NULL, NULL);
+    model_init(&g->model, &g->env);
+    for (uint32_t i = 0; i < 4; i++) {
+        g->materials[i].ior = iors[i];
+        g->objects[i].material = i;
+    }
+    g->model.materials.items = g->materials;
+    g->model.objects.items = g->objects;
+}
+
+static media_crossing cross(glasses *g, media_span *in, uint32_t which, bool keep)
+{
+    media_crossing c = media_cross(&g->stack, *in, &g->model, which);
+
+    assert_true(media_pass(&g->stack, &g->env, in, &c, keep));
+    return c;
+}
+
+static void assert_crossing(media_crossing c, double before, double after)
+{
+    assert_near(c.before, before, 0.0);
+    assert_near(c.after, after, 0.0);
+}
+
+static void the_medium_is_the_one_entered_last(void **state)
+{
+    glasses g;
+    media_span in = { 0, 0 };
+    (void)state;
+    setup(&g);
+
+    assert_crossing(cross(&g, &in, 0, false), 1.0, 1.1);
+    assert_crossing(cross(&g, &in, 1, false), 1.1, 1.2);
+    assert_crossing(cross(&g, &in, 1, false), 1.2, 1.1);
+    assert_crossing(cross(&g, &in, 0, false), 1.1, 1.0);
+    assert_int_equal(in.count, 0);
+    env_free(&g.env, g.stack.items);
+}
+
+static void leaving_a_medium_that_is_not_the_last_bends_nothing(void **state)
+{
+    glasses g;
+    media_span in = { 0, 0 };
+    (void)state;
+    setup(&g);
+
+    cross(&g, &in, 0, false);
+    cross(&g, &in, 1, false);
+    cross(&g, &in, 2, false);
+    assert_crossing(cross(&g, &in, 1, false), 1.3, 1.3);
+    assert_crossing(cross(&g, &in, 2, false), 1.3, 1.1);
+    assert_crossing(cross(&g, &in, 0, false), 1.1, 1.0);
+    env_free(&g.env, g.stack.items);
+}
+
+static void an_ior_of_zero_counts_as_one(void **state)
+{
+    glasses g;
+    media_span in = { 0, 0 };
+    (void)state;
+    setup(&g);
+
+    assert_crossing(cross(&g, &in, 3, false), 1.0, 1.0);
+    assert_crossing(cross(&g, &in, 0, false), 1.0, 1.1);
+    env_free(&g.env, g.stack.items);
+}
+
+static void a_kept_list_stays_as_it_was(void **state)
+{
+    glasses g;
+    media_span in = { 0, 0 }, kept;
+    (void)state;
+    setup(&g);
+
+    cross(&g, &in, 0, false);
+    kept = in;
+    cross(&g, &in, 1, true);
+    assert_int_equal(kept.count, 1);
+    assert_int_equal(g.stack.items[kept.first], 0);
+    assert_int_equal(in.count, 2);
+    assert_int_equal(g.stack.items[in.first], 0);
+    assert_int_equal(g.stack.items[in.first + 1], 1);
+    media_settle(&g.stack, &in, 0);
+    assert_int_equal(g.stack.count, 2);
+    assert_int_equal(g.stack.items[1], 1);
+    env_free(&g.env, g.stack.items);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(refract_obeys_snell_at_all_angles),
+        cmocka_unit_test(refract_bends_by_what_an_ior_of_one_and_1e_11_asks),
+        cmocka_unit_test(refract_leaves_on_the_other_side_also_when_grazing),
+        cmocka_unit_test(refract_ends_at_the_critical_angle),
+        cmocka_unit_test(the_medium_is_the_one_entered_last),
+        cmocka_unit_test(leaving_a_medium_that_is_not_the_last_bends_nothing),
+        cmocka_unit_test(an_ior_of_zero_counts_as_one),
+        cmocka_unit_test(a_kept_list_stays_as_it_was),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
