@@ -13,8 +13,8 @@ static bool is_little_endian(void)
     return first == 1;
 }
 
-/* The sign of the third number names the byte order of the floats; below zero is little-endian. What the machine
- * has is written, so that a row is put without a copy. */
+/* The sign of the third number names the byte order of the floats; below zero is little-endian. What the
+ * machine has is written, so that a row is put without a copy. */
 static const char *write_pfm(const pov_image *image, const pov_output *output)
 {
     char header[64];

@@ -1,8 +1,8 @@
 /* png.c - PNG by libpng, 8 or 16 bits a channel, row by row.
  *
- * A picture encoded with the sRGB curve says so in an sRGB chunk. One whose values are stored as they are carries
- * no statement about gamma: the course's rule is that the stored number is what is shown, and a gAMA chunk of 1.0
- * would make viewers brighten it. */
+ * A picture encoded with the sRGB curve says so in an sRGB chunk. One whose values are stored as they are
+ * carries no statement about gamma: the course's rule is that the stored number is what is shown, and a gAMA
+ * chunk of 1.0 would make viewers brighten it. */
 #include <povtrace/plugin.h>
 
 #include <png.h>
@@ -86,8 +86,8 @@ static const char *write_png(const pov_image *image, const pov_output *output)
         png_destroy_write_struct(&png, NULL);
         return "out of memory";
     }
-    /* png and info do not change between here and a jump, so they need not be volatile; `to` is reached through
-     * pointers. */
+    /* png and info do not change between here and a jump, so they need not be volatile; `to` is reached
+     * through pointers. */
     if (setjmp(png_jmpbuf(png)) == 0) {
         png_set_write_fn(png, &to, put_bytes, flush_nothing);
         put_picture(png, info, image);

@@ -25,13 +25,16 @@
 static inline bool kit_block_range(double coordinate) { return coordinate < 1e120; }
 static inline bool kit_block_size(double size) { return size > 1e-120 && size < 1e120; }
 
-/* Rays whose squares would leave the range are not filtered: every lane is in question. `a` is the direction's
- * square. */
-static inline bool kit_block_declines(const pov_ray *ray, double a, double tmin, pov_block_answer *out)
+static inline bool kit_block_slope(double d) { return d == 0.0 || fabs(d) > 1e-120; }
+
+/* Rays whose squares or inverses would leave the range are not filtered: every lane is in question. */
+static inline bool kit_block_declines(const pov_ray *ray, double tmin, pov_block_answer *out)
 {
+    const double largest = pov_largest(ray->dir);
     uint32_t i;
 
-    if (a > 1e-240 && a < 1e240 && kit_block_range(pov_largest(ray->org)))
+    if (largest > 0.0 && largest < 1e120 && kit_block_slope(ray->dir.x) && kit_block_slope(ray->dir.y)
+        && kit_block_slope(ray->dir.z) && kit_block_range(pov_largest(ray->org)))
         return false;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         out->lo[i] = tmin;

@@ -209,7 +209,7 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
     double maybe[POV_BLOCK_MAX], surely[POV_BLOCK_MAX];
     uint32_t i;
 
-    if (kit_block_declines(ray, a, tmin, out))
+    if (kit_block_declines(ray, tmin, out))
         return;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         double x = o.x - s->x[i], y = o.y - s->y[i], z = o.z - s->z[i];

@@ -1,0 +1,29 @@
+/* frustum.h - cylinders and cones, capped or open, round or squeezed by a map: one mathematics for both keywords. */
+#ifndef KIT_FRUSTUM_H
+#define KIT_FRUSTUM_H
+
+#include "kit/report.h"
+
+/* A point's local coordinates are the rows times (point - anchor). There the shape is x^2 + y^2 <= (radius + slope z)^2
+ * with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and 1 the side, entered and
+ * left by the ray, 2 the cap at z = 0, 3 that at the height. */
+typedef struct kit_frustum {
+    pov_two3 anchor;
+    pov_two3 row[3];             /* for points scaled by `scale` */
+    pov_two radius, slope, height;
+    double scale;
+    pov_vec3 column[3];          /* the map back, not scaled, for bounds */
+    double radii[2], length;     /* as they were written */
+    bool open, empty;
+} kit_frustum;
+
+/* False: base and top are the same point. */
+bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec3 top, double top_radius, bool open);
+
+bool kit_frustum_bounds(const void *self, pov_box *out);
+void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+bool kit_frustum_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
+bool kit_frustum_absorb(void *self, const pov_affine *map);
+
+#endif

@@ -1,0 +1,345 @@
+/* box { <corner>, <opposite corner> }
+ *
+ * Three slabs. Which plane is met first is a comparison of quotients; when they are too near to each other for
+ * doubles, their cross products are compared without any error. The box is closed: edges and corners belong to it. */
+#include "kit/affine.h"
+#include "kit/expansion.h"
+#include "kit/report.h"
+#include "kit/simd.h"
+
+typedef struct box {
+    pov_two plane[6];      /* plane[2 * axis] is the lower one, and so is a mark's part */
+} box;
+
+/* What one question of a ray needs. */
+typedef struct slabs {
+    const box *shape;
+    const pov_ray *ray;
+    double o[3], o_lo[3], d[3], d_lo[3];
+    double t[6];           /* within 6 u of the exact quotients */
+    double slack;          /* as large as all such errors of two of them; infinite for always_exact */
+    bool decided;
+} slabs;
+
+static void set_plane(pov_two plane[6], int axis, double a, double b)
+{
+    plane[2 * axis] = pov_two_of(a < b ? a : b, 0.0);
+    plane[2 * axis + 1] = pov_two_of(a < b ? b : a, 0.0);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    box *b = self;
+    pov_vec3 p, q;
+
+    host->vector(in, &p);
+    host->accept(in, ",");
+    host->vector(in, &q);
+    set_plane(b->plane, 0, p.x, q.x);
+    set_plane(b->plane, 1, p.y, q.y);
+    set_plane(b->plane, 2, p.z, q.z);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const box *b = self;
+    const pov_two *p = b->plane;
+    double *lo[3] = { &out->lo.x, &out->lo.y, &out->lo.z }, *hi[3] = { &out->hi.x, &out->hi.y, &out->hi.z };
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        *lo[i] = p[2 * i].lo < 0.0 ? kit_below(p[2 * i].hi) : p[2 * i].hi;
+        *hi[i] = p[2 * i + 1].lo > 0.0 ? kit_above(p[2 * i + 1].hi) : p[2 * i + 1].hi;
+    }
+    return true;
+}
+
+/* From the ray's origin to a plane. */
+static pov_two distance_to(const slabs *s, int plane)
+{
+    return pov_two_neg(pov_two_offset(s->o[plane / 2], s->o_lo[plane / 2], s->shape->plane[plane]));
+}
+
+static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_exact)
+{
+    int i;
+
+    s->shape = shape;
+    s->ray = ray;
+    s->o[0] = ray->org.x, s->o[1] = ray->org.y, s->o[2] = ray->org.z;
+    s->o_lo[0] = ray->org_lo.x, s->o_lo[1] = ray->org_lo.y, s->o_lo[2] = ray->org_lo.z;
+    s->d[0] = ray->dir.x, s->d[1] = ray->dir.y, s->d[2] = ray->dir.z;
+    s->d_lo[0] = ray->dir_lo.x, s->d_lo[1] = ray->dir_lo.y, s->d_lo[2] = ray->dir_lo.z;
+    s->slack = always_exact ? HUGE_VAL : 8.0 * KIT_U;
+    s->decided = false;
+    for (i = 0; i < 6; i++)
+        s->t[i] = distance_to(s, i).hi / s->d[i / 2];
+}
+
+/* Adds sign times the product of the distance to a plane and the direction along another axis. */
+static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, double sign)
+{
+    const double power = pov_inverse_power(pov_largest(s->ray->dir));
+    const double distance[4] = { s->shape->plane[plane].hi, s->shape->plane[plane].lo, -s->o[plane / 2],
+                                 -s->o_lo[plane / 2] };
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        kit_expansion_add_product(e, distance[i], sign * s->d[axis] * power);
+        kit_expansion_add_product(e, distance[i], sign * s->d_lo[axis] * power);
+    }
+}
+
+/* Negative, zero or positive as the ray meets plane p before, with or after plane q. Neither is parallel to it. */
+static int compare(slabs *s, int p, int q)
+{
+    double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q]));
+    kit_expansion e;
+
+    if (difference > slack)
+        return 1;
+    if (difference < -slack)
+        return -1;
+    s->decided = true;
+    kit_expansion_clear(&e);
+    add_product(&e, s, p, q / 2, 1.0);
+    add_product(&e, s, q, p / 2, -1.0);
+    return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -kit_expansion_sign(&e) : kit_expansion_sign(&e);
+}
+
+/* The planes where the ray enters and leaves all three slabs, -1 for none. False: it is beside one of them. */
+static bool find(slabs *s, int *entry, int *exit)
+{
+    int i;
+
+    *entry = *exit = -1;
+    for (i = 0; i < 3; i++) {
+        int near = s->d[i] < 0.0 ? 2 * i + 1 : 2 * i, far = near ^ 1;
+
+        if (s->d[i] == 0.0) {
+            if (distance_to(s, 2 * i).hi > 0.0 || distance_to(s, 2 * i + 1).hi < 0.0)
+                return false;
+            continue;
+        }
+        if (*entry < 0 || compare(s, near, *entry) > 0)
+            *entry = near;
+        if (*exit < 0 || compare(s, far, *exit) < 0)
+            *exit = far;
+    }
+    return *entry >= 0;
+}
+
+/* The quotient in two parts: what the first division leaves is divided again. */
+static bool report(const slabs *s, pov_hits *hits, int plane)
+{
+    const double d = s->d[plane / 2];
+    const pov_two distance = distance_to(s, plane);
+    double t = distance.hi / d;
+    pov_two p = pov_two_product(t, d), sum;
+    double rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * s->d_lo[plane / 2]);
+
+    sum = pov_fast_two_sum(t, rest / d);
+    if (!isfinite(sum.lo))
+        sum = pov_two_of(t, 0.0);
+    return pov_cross(hits, sum.hi, sum.lo, kit_mark((uint32_t)plane, s->decided ? POV_MARK_DECIDED : 0));
+}
+
+/* A ray that left a face going inward has entered already, whatever rounding says of an edge nearby; going outward or
+ * along the face it has the exit behind it. */
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const int left = ray->left == hits->owner ? (int)(ray->left_mark.part % 6) : -1;
+    bool entered = false, gone = false;
+    int entry, exit;
+    slabs s;
+
+    begin(&s, self, ray, hits->always_exact);
+    if (left >= 0) {
+        entered = left % 2 ? s.d[left / 2] < 0.0 : s.d[left / 2] > 0.0;
+        gone = !entered;
+        if (gone && hits->tmin >= 0.0)
+            return;
+    }
+    if (!find(&s, &entry, &exit))
+        return;
+    if (left < 0 && compare(&s, entry, exit) > 0) {
+        hits->decided += s.decided;
+        return;
+    }
+    hits->decided += s.decided;
+    if (!entered && !report(&s, hits, entry))
+        return;
+    if (!gone)
+        report(&s, hits, exit);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const double way = at->mark.part % 2 ? 1.0 : -1.0;
+
+    (void)self;
+    (void)ray;
+    *out = pov_vec3_of(0.0, 0.0, 0.0);
+    if (at->mark.part < 2)
+        out->x = way;
+    else if (at->mark.part < 4)
+        out->y = way;
+    else
+        out->z = way;
+}
+
+static bool is_between(double p, double p_lo, const pov_two plane[2])
+{
+    return pov_two_offset(p, p_lo, plane[0]).hi > 0.0 && pov_two_offset(p, p_lo, plane[1]).hi < 0.0;
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const box *b = self;
+
+    return is_between(point.x, point_lo.x, b->plane) && is_between(point.y, point_lo.y, b->plane + 2)
+           && is_between(point.z, point_lo.z, b->plane + 4);
+}
+
+/* Moves, stretches along the axes and quarter turns keep a box a box. */
+static bool absorb(void *self, const pov_affine *map)
+{
+    box *b = self;
+    pov_two plane[6];
+    int axis[3], i, j;
+
+    if (!kit_is_axial(map, axis))
+        return false;
+    for (i = 0; i < 3; i++) {
+        const pov_two stretch = kit_entry(map, i, axis[i]);
+
+        for (j = 0; j < 2; j++) {
+            const int to = 2 * i + (stretch.hi < 0.0 ? 1 - j : j);
+            plane[to] = pov_two_add(pov_two_mul(stretch, b->plane[2 * axis[i] + j]), kit_entry(map, i, 3));
+        }
+    }
+    memcpy(b->plane, plane, sizeof plane);
+    return true;
+}
+
+/* ---- blocks ---- */
+
+typedef struct box_block {
+    double lo[3][POV_BLOCK_MAX], hi[3][POV_BLOCK_MAX];
+    double lane[POV_BLOCK_MAX];      /* 1 where there is a box */
+} box_block;
+
+static bool block_pack(void *block, const void *const *selves, uint32_t n)
+{
+    box_block *b = block;
+    uint32_t i;
+    int axis;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        b->lane[i] = i < n;
+        for (axis = 0; axis < 3; axis++) {
+            const pov_two *plane = ((const box *)selves[i < n ? i : 0])->plane + 2 * axis;
+
+            if (!kit_block_range(fabs(plane[0].hi)) || !kit_block_range(fabs(plane[1].hi)))
+                return false;
+            b->lo[axis][i] = plane[0].hi;
+            b->hi[axis][i] = plane[1].hi;
+        }
+    }
+    return true;
+}
+
+/* One axis of all lanes: the interval between the planes, made as much wider (near, far) and narrower (last, first)
+ * as the roundings of plane, origin and quotient can make it. */
+static inline void narrow(const double *lo, const double *hi, double o, double d, double *near, double *far,
+                          double *last, double *first)
+{
+    const double inverse = 1.0 / d, up = 1.0 + 8.0 * KIT_U, down = 1.0 - 8.0 * KIT_U;
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const double a = d < 0.0 ? hi[i] : lo[i], b = d < 0.0 ? lo[i] : hi[i];
+        const double ta = (a - o) * inverse, tb = (b - o) * inverse;
+        const double pad_a = 2.0 * KIT_U * (fabs(a) + fabs(o)) * fabs(inverse);
+        const double pad_b = 2.0 * KIT_U * (fabs(b) + fabs(o)) * fabs(inverse);
+        const double early = ta * (ta > 0.0 ? down : up) - pad_a, late = ta * (ta > 0.0 ? up : down) + pad_a;
+        const double end = tb * (tb > 0.0 ? up : down) + pad_b, soon = tb * (tb > 0.0 ? down : up) - pad_b;
+
+        near[i] = early > near[i] ? early : near[i];
+        last[i] = late > last[i] ? late : last[i];
+        far[i] = end < far[i] ? end : far[i];
+        first[i] = soon < first[i] ? soon : first[i];
+    }
+}
+
+/* An axis that the ray is parallel to. */
+static inline void beside(const double *lo, const double *hi, double o, double *near, double *last)
+{
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const double pad = 2.0 * KIT_U * (fabs(o) + (fabs(lo[i]) > fabs(hi[i]) ? fabs(lo[i]) : fabs(hi[i])));
+
+        if (lo[i] - pad > o || hi[i] + pad < o)
+            near[i] = HUGE_VAL;
+        if (!(lo[i] + pad < o && hi[i] - pad > o))
+            last[i] = HUGE_VAL;
+    }
+}
+
+KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
+                                    pov_block_answer *out)
+{
+    const box_block *b = block;
+    const double o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
+    double near[POV_BLOCK_MAX], far[POV_BLOCK_MAX], last[POV_BLOCK_MAX], first[POV_BLOCK_MAX];
+    double maybe[POV_BLOCK_MAX], surely[POV_BLOCK_MAX];
+    uint32_t i;
+    int axis;
+
+    if (kit_block_declines(ray, tmin, out))
+        return;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        near[i] = last[i] = -HUGE_VAL;
+        far[i] = first[i] = HUGE_VAL;
+    }
+    for (axis = 0; axis < 3; axis++) {
+        if (d[axis] == 0.0)
+            beside(b->lo[axis], b->hi[axis], o[axis], near, last);
+        else
+            narrow(b->lo[axis], b->hi[axis], o[axis], d[axis], near, far, last, first);
+    }
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        maybe[i] = (b->lane[i] > 0.0) & (near[i] <= far[i]) & (near[i] <= tmax) & (far[i] >= tmin);
+        surely[i] = (last[i] < first[i]) & (near[i] > tmin) & (last[i] < tmax);
+        out->lo[i] = near[i];
+        out->hi[i] = last[i];
+    }
+    kit_block_masks(maybe, surely, out);
+}
+
+static const pov_shape_class box_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "box",
+    .instance_size = sizeof(box),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .absorb = absorb,
+    .block_size = sizeof(box_block),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const pov_shape_class *const shapes[] = { &box_class, NULL };
+
+POV_PLUGIN(box) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "box",
+    .version = "1",
+    .shapes = shapes,
+};

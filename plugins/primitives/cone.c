@@ -1,0 +1,53 @@
+/* cone { <base>, base radius, <top>, top radius [open] } */
+#include "kit/frustum.h"
+
+static double radius_from(const pov_host *host, pov_reader *in)
+{
+    double radius;
+
+    host->accept(in, ",");
+    radius = host->number(in);
+    if (radius < 0.0)
+        host->warn(in, "a negative radius is taken as positive");
+    return fabs(radius);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    pov_vec3 base, top;
+    double base_radius, top_radius;
+    bool open;
+
+    host->vector(in, &base);
+    base_radius = radius_from(host, in);
+    host->accept(in, ",");
+    host->vector(in, &top);
+    if (pov_largest(pov_sub(top, base)) == 0.0)
+        host->fail(in, "a cone needs two different ends");
+    top_radius = radius_from(host, in);
+    open = host->accept(in, "open");
+    kit_frustum_make(self, base, base_radius, top, top_radius, open);
+}
+
+static const pov_shape_class cone_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "cone",
+    .instance_size = sizeof(kit_frustum),
+    .parse = parse,
+    .bounds = kit_frustum_bounds,
+    .intersect = kit_frustum_intersect,
+    .normal = kit_frustum_normal,
+    .inside = kit_frustum_inside,
+    .absorb = kit_frustum_absorb,
+};
+
+static const pov_shape_class *const shapes[] = { &cone_class, NULL };
+
+POV_PLUGIN(cone) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "cone",
+    .version = "1",
+    .shapes = shapes,
+};

@@ -1,0 +1,46 @@
+/* cylinder { <base>, <top>, radius [open] } */
+#include "kit/frustum.h"
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    pov_vec3 base, top;
+    double radius;
+    bool open;
+
+    host->vector(in, &base);
+    host->accept(in, ",");
+    host->vector(in, &top);
+    if (pov_largest(pov_sub(top, base)) == 0.0)
+        host->fail(in, "a cylinder needs two different ends");
+    host->accept(in, ",");
+    radius = host->number(in);
+    if (radius < 0.0) {
+        host->warn(in, "a negative radius is taken as positive");
+        radius = -radius;
+    }
+    open = host->accept(in, "open");
+    kit_frustum_make(self, base, radius, top, radius, open);
+}
+
+static const pov_shape_class cylinder_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "cylinder",
+    .instance_size = sizeof(kit_frustum),
+    .parse = parse,
+    .bounds = kit_frustum_bounds,
+    .intersect = kit_frustum_intersect,
+    .normal = kit_frustum_normal,
+    .inside = kit_frustum_inside,
+    .absorb = kit_frustum_absorb,
+};
+
+static const pov_shape_class *const shapes[] = { &cylinder_class, NULL };
+
+POV_PLUGIN(cylinder) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "cylinder",
+    .version = "1",
+    .shapes = shapes,
+};
