@@ -277,8 +277,8 @@ static bool refuse_unknown(args *a, const char *word)
     return refuse(a, "there is no option \"--%s\"", name);
 }
 
-/* getopt_long has met something it does not know (optopt 0 or a letter), or a value for an option that takes none
- * (optopt is that option). */
+/* getopt_long has met something it does not know (optopt 0 or a letter), or a value for an option that takes
+ * none (optopt is that option). */
 static bool refuse_option(args *a, char **argv)
 {
     char letter[3] = { '-', (char)optopt, '\0' };

@@ -1,11 +1,11 @@
-/* signals.h - what the keyboard and other programs ask of a running render. The handlers only leave a note. */
+/* signals.h - what the keyboard and other programs ask of a running render. Handlers only leave a note. */
 #ifndef CLI_SIGNALS_H
 #define CLI_SIGNALS_H
 
 #include <stdbool.h>
 
-/* From now on SIGINT, SIGTERM and SIGHUP ask for an early end, and SIGUSR1 for the picture as it is. The second of
- * a kind that ends the program does so at once. A signal that was ignored before stays ignored. */
+/* From now on SIGINT, SIGTERM and SIGHUP ask for an early end, and SIGUSR1 for the picture as it is. The second
+ * of a kind ends the program at once. A signal that was ignored before stays ignored. */
 void signals_watch(void);
 /* The signal that asked for the end, or 0. */
 int signals_end_asked(void);

@@ -1,0 +1,107 @@
+# What povc says about scenes.
+
+messages_name_the_place_and_point_at_it() {
+    printf 'camera { location <0, 0, -4> }\nsphere { <0, 0, 0>, "one" }\n' > wrong.pov
+    expect 1 "$povc" wrong.pov 8 8 out.png
+    grep -qE '^wrong\.pov:2:[0-9]+: error: ' err
+    column=$(sed -n 's/^wrong\.pov:2:\([0-9]*\): error.*/\1/p' err)
+    [ "$column" -eq 21 ]
+    [ "$(sed -n 2p err)" = '    2 | sphere { <0, 0, 0>, "one" }' ]
+    [ "$(sed -n 3p err)" = '      |                     ^' ]
+    [ ! -e out.png ]
+}
+
+messages_point_at_the_right_place_behind_tabs_and_wide_letters() {
+    printf '\tsphere /* \303\251\344\270\255 */ { <0, 0, 0>, "one" }\n' > wrong.pov
+    expect 1 "$povc" --check wrong.pov
+    tab=$(printf '\t')
+    [ "$(sed -n 3p err)" = "      | ${tab}                                ^" ]
+}
+
+messages_guess_the_word_that_was_meant() {
+    printf 'sphere { <0, 0, 0>, 1 pigmnet { color rgb <1, 1, 1> } }\n' > wrong.pov
+    expect 1 "$povc" --check wrong.pov
+    says err 'did you mean "pigment"?'
+}
+
+messages_carry_no_terminal_commands_from_a_scene() {
+    printf 'sphere { <0, 0, 0>, "\033[2J\233" }\n' > wrong.pov
+    expect 1 "$povc" --check wrong.pov
+    says_not err "$(printf '\033')"
+    says_not err "$(printf '\233')"
+}
+
+messages_warn_and_count_and_can_be_silenced() {
+    printf 'sphere { <0, 0, 0>, -1 pigment { color rgb <1, 1, 1> } }\n' > odd.pov
+    expect 0 "$povc" --check odd.pov
+    grep -qE '^odd\.pov:1:[0-9]+: warning: ' err
+    says out "1 warning;"
+    expect 0 "$povc" odd.pov 4 4 out.png -q
+    [ ! -s err ]
+    [ ! -s out ]
+    expect 0 "$povc" odd.pov 4 4 out.png -q --stats
+    says out "warnings: 1"
+}
+
+messages_are_coloured_on_a_terminal_only_and_not_against_no_color() {
+    printf 'sphere { }\n' > wrong.pov
+    cat > terminal.py <<'END'
+import os, pty, sys
+pid, fd = pty.fork()
+if pid == 0:
+    os.execvp(sys.argv[1], sys.argv[1:])
+text = b""
+while True:
+    try:
+        more = os.read(fd, 4096)
+    except OSError:
+        break
+    if not more:
+        break
+    text += more
+os.waitpid(pid, 0)
+sys.stdout.buffer.write(text)
+END
+    escape=$(printf '\033')
+    TERM=xterm "$PYTHON" terminal.py "$povc" --check wrong.pov > on_terminal
+    says on_terminal "$escape[1;31merror:"
+    TERM=xterm NO_COLOR=1 "$PYTHON" terminal.py "$povc" --check wrong.pov > no_color
+    says no_color "error:"
+    says_not no_color "$escape"
+    TERM=xterm NO_COLOR=1 "$PYTHON" terminal.py "$povc" --check --color always wrong.pov > always
+    says always "$escape"
+    TERM=xterm "$PYTHON" terminal.py "$povc" --check --color never wrong.pov > never
+    says_not never "$escape"
+    TERM=dumb "$PYTHON" terminal.py "$povc" --check wrong.pov > dumb
+    says_not dumb "$escape"
+    expect 1 "$povc" --check wrong.pov
+    says_not err "$escape"
+}
+
+messages_about_input_that_is_no_file() {
+    expect 1 "$povc" no-such-scene.pov 8 8 out.png
+    says err "no-such-scene.pov: error:"
+    mkdir folder.pov
+    expect 1 "$povc" folder.pov 8 8 out.png
+    says err "folder.pov: error:"
+    [ ! -e out.png ]
+}
+
+messages_about_input_without_permission() {
+    small_scene secret.pov
+    chmod 0 secret.pov
+    if [ "$(id -u)" -eq 0 ]; then
+        # Root may read everything, so somebody else asks, with a copy of the program that anybody may run.
+        mkdir app
+        cp -R "$BUILD_DIR/bin" "$BUILD_DIR/lib" app/
+        chmod -R a+rX app . "$cases_folder"
+        expect 1 "$PYTHON" -c '
+import os, sys
+os.setgid(65534); os.setuid(65534)
+os.execv(sys.argv[1], sys.argv[1:])' app/bin/povc --check secret.pov
+    else
+        expect 1 "$povc" --check secret.pov
+    fi
+    says err "secret.pov: error:"
+    says err "ermission denied"
+}

@@ -1,0 +1,123 @@
+# Files: whole or the old one, pipes, formats.
+
+output_formats_follow_from_the_ending() {
+    small_scene
+    expect 0 "$povc" small.pov 9 7 a.png
+    [ "$("$PYTHON" "$pixels" size a.png)" = "9 7 8" ]
+    expect 0 "$povc" small.pov 9 7 a.PPM
+    [ "$("$PYTHON" "$pixels" size a.PPM)" = "9 7 8" ]
+    expect 0 "$povc" small.pov 9 7 a.pfm
+    [ "$("$PYTHON" "$pixels" size a.pfm)" = "9 7 32" ]
+    "$PYTHON" "$pixels" same a.png a.PPM
+    expect 0 "$povc" small.pov 9 7 b.image --format ppm
+    same a.PPM b.image
+    [ ! -s out ]
+    [ ! -s err ]
+}
+
+output_of_16_bits_holds_the_same_in_png_and_ppm() {
+    rich_scene
+    expect 0 "$povc" rich.pov 40 30 a.png --bits 16
+    expect 0 "$povc" rich.pov 40 30 a.ppm --bits 16
+    [ "$("$PYTHON" "$pixels" size a.png)" = "40 30 16" ]
+    "$PYTHON" "$pixels" same a.png a.ppm
+}
+
+output_says_srgb_only_of_encoded_values() {
+    small_scene
+    expect 0 "$povc" small.pov 9 7 linear.png --transfer linear --bits 16
+    expect 0 "$povc" small.pov 9 7 srgb.png --transfer srgb --bits 16
+    [ "$("$PYTHON" "$pixels" chunks linear.png)" = "IHDR IDAT IEND" ]
+    [ "$("$PYTHON" "$pixels" chunks srgb.png)" = "IHDR sRGB IDAT IEND" ]
+    if "$PYTHON" "$pixels" same linear.png srgb.png; then
+        fail "the curve changed nothing"
+    fi
+    expect 0 "$povc" small.pov 9 7 linear.pfm --transfer linear
+    expect 0 "$povc" small.pov 9 7 srgb.pfm --transfer srgb
+    same linear.pfm srgb.pfm
+}
+
+output_and_input_may_be_pipes() {
+    small_scene
+    expect 0 "$povc" small.pov 9 7 file.png
+    cat small.pov | "$povc" - 9 7 - 2> err | cat > pipe.png
+    [ ! -s err ]
+    same file.png pipe.png
+    expect 0 "$povc" small.pov 9 7 file.pfm
+    "$povc" - 9 7 - --format pfm --stats < small.pov > pipe.pfm 2> err
+    same file.pfm pipe.pfm
+    says err "rays_total:"
+}
+
+output_to_a_device_or_pipe_by_name_goes_there() {
+    small_scene
+    expect 0 "$povc" small.pov 9 7 file.ppm
+    mkfifo pipe.ppm
+    cat pipe.ppm > from_pipe &
+    expect 0 "$povc" small.pov 9 7 pipe.ppm
+    wait $!
+    same file.ppm from_pipe
+    [ -p pipe.ppm ]
+    expect 0 "$povc" small.pov 9 7 /dev/null --format png
+}
+
+output_stays_whole_on_a_full_disk() {
+    small_scene
+    expect 0 "$povc" small.pov 64 64 out.pfm
+    cp out.pfm old.pfm
+    # A limit on file sizes fails as a full disk does, in the middle of writing.
+    expect 1 sh -c 'trap "" XFSZ; ulimit -f 8; exec "$@"' sh "$povc" small.pov 64 64 out.pfm --spp 4
+    says err "out.pfm: error: cannot write"
+    same out.pfm old.pfm
+    [ "$(ls)" = "$(printf 'err\nold.pfm\nout\nout.pfm\nsmall.pov')" ] || fail "something was left: $(ls)"
+    if [ -w /dev/full ]; then
+        expect 1 "$povc" small.pov 64 64 /dev/full --format ppm
+        says err "No space left"
+    fi
+}
+
+output_stays_whole_on_a_real_full_disk() {
+    small_scene
+    mkdir disk
+    mount -t tmpfs -o size=64k none disk 2> /dev/null || skip "mounting needs root"
+    (
+        expect 0 "$povc" small.pov 40 40 disk/out.pfm
+        cp disk/out.pfm old.pfm
+        dd if=/dev/zero of=disk/fill bs=1024 count=64 2> /dev/null || true
+        expect 1 "$povc" small.pov 40 40 disk/out.pfm --spp 4
+        says err "No space left"
+        same disk/out.pfm old.pfm
+        [ "$(ls disk)" = "$(printf 'fill\nout.pfm')" ]
+    ) && whole=0 || whole=1
+    umount disk
+    [ "$whole" -eq 0 ]
+}
+
+output_stays_whole_when_killed_while_writing() {
+    small_scene
+    expect 0 "$povc" small.pov 64 64 out.pfm
+    cp out.pfm old.pfm
+    # SIGXFSZ ends the program in the middle of a write, with no chance to tidy up.
+    status=0
+    sh -c 'ulimit -c 0; ulimit -f 8; exec "$@"' sh "$povc" small.pov 64 64 out.pfm --spp 4 || status=$?
+    [ "$status" -gt 128 ] || fail "it was not killed: $status"
+    same out.pfm old.pfm
+}
+
+output_stays_whole_when_killed_at_any_moment() {
+    rich_scene
+    expect 0 "$povc" rich.pov 200 150 new.png
+    for delay in 0.005 0.01 0.02 0.03 0.05 0.08; do
+        echo old > out.png
+        "$PYTHON" "$drive" "wait:$delay" KILL -- "$povc" rich.pov 200 150 out.png > status
+        [ "$(cat out.png | head -c 3)" = old ] || same out.png new.png
+    done
+}
+
+output_keeps_the_permissions_of_the_file_it_replaces() {
+    small_scene
+    expect 0 "$povc" small.pov 4 4 out.png
+    chmod 640 out.png
+    expect 0 "$povc" small.pov 4 4 out.png
+    [ "$(ls -l out.png | cut -c 1-10)" = "-rw-r-----" ]
+}

@@ -1,0 +1,77 @@
+# The same picture, however it is made.
+
+pictures_do_not_depend_on_threads_preview_or_tree() {
+    rich_scene
+    expect 0 "$povc" rich.pov 61 47 one.pfm -t 1
+    for options in '-t 2' '-t 3' '-t 8' '--preview 16' '--preview 2 -t 3' '--preview 4' '--preview 8 -t 1' '--accel none' \
+        '--accel none --preview 16 -t 3'; do
+        # shellcheck disable=SC2086
+        expect 0 "$povc" rich.pov 61 47 other.pfm $options
+        same one.pfm other.pfm
+    done
+}
+
+pictures_of_many_samples_do_not_depend_on_threads_or_preview() {
+    rich_scene
+    expect 0 "$povc" rich.pov 31 23 one.pfm -t 1 --spp 5
+    expect 0 "$povc" rich.pov 31 23 other.pfm -t 3 --spp 5 --preview 8 --accel none
+    same one.pfm other.pfm
+    expect 0 "$povc" rich.pov 31 23 single.pfm
+    if cmp -s one.pfm single.pfm; then
+        fail "five samples are as one"
+    fi
+}
+
+pictures_of_a_crop_are_that_part_of_the_whole() {
+    rich_scene
+    expect 0 "$povc" rich.pov 61 47 whole.pfm
+    for crop in 0,0,61,47 10,5,40,33 60,46,61,47 0,20,61,21 17,0,18,47; do
+        for options in '' '--preview 16 -t 3'; do
+            # shellcheck disable=SC2086
+            expect 0 "$povc" rich.pov 61 47 part.pfm --crop "$crop" $options
+            # shellcheck disable=SC2046
+            "$PYTHON" "$pixels" part whole.pfm $(echo "$crop" | tr , ' ') part.pfm
+        done
+    done
+}
+
+pictures_may_be_one_pixel_or_one_row() {
+    rich_scene
+    for size in '1 1' '1 40' '40 1'; do
+        # shellcheck disable=SC2086
+        expect 0 "$povc" rich.pov $size out.ppm --preview 16
+        [ "$("$PYTHON" "$pixels" size out.ppm)" = "$size 8" ]
+    done
+}
+
+pictures_cut_at_depth_1_have_no_mirrors() {
+    rich_scene
+    expect 0 "$povc" rich.pov 31 23 deep.pfm --stats
+    [ "$(sed -n 's/^rays_reflected: \([0-9]*\) rays/\1/p' out)" -gt 0 ]
+    expect 0 "$povc" rich.pov 31 23 flat.pfm --max-depth 1 --stats
+    says out "rays_reflected: 0 rays"
+    [ "$(sed -n 's/^cut_by_depth: \([0-9]*\) rays/\1/p' out)" -gt 0 ]
+}
+
+pictures_too_large_for_memory_are_an_error() {
+    small_scene
+    expect 1 "$povc" small.pov 1000000 1000000 out.png
+    says err "memory"
+    [ ! -e out.png ]
+}
+
+pictures_of_16_by_16_take_less_than_10_ms() {
+    [ -z "${POVTRACE_SLOW-}" ] || skip "this build is instrumented"
+    nm "$BUILD_DIR/bin/povc" | grep -qE '__(asan|tsan|ubsan)' && skip "this build is instrumented"
+    small_scene
+    "$PYTHON" - "$povc" <<'END'
+import subprocess, sys, time
+best = 1e9
+for _ in range(30):
+    start = time.perf_counter()
+    subprocess.run([sys.argv[1], "small.pov", "16", "16", "out.png"], check=True)
+    best = min(best, time.perf_counter() - start)
+print("%.2f ms" % (best * 1e3))
+assert best < 0.010, "the fastest of 30 runs took %.2f ms" % (best * 1e3)
+END
+}

@@ -1,0 +1,101 @@
+# --stats, --explain, --check, --progress.
+
+reports_of_stats_are_a_name_a_value_and_a_unit_a_line() {
+    rich_scene
+    expect 0 "$povc" rich.pov 16 12 out.png --spp 2 -t 2 --stats
+    if grep -vE '^[a-z_]+: [^ ]+( [A-Za-z_]+)?$' out; then
+        fail "these lines are not of the form"
+    fi
+    for name in parse build trace write; do
+        grep -qE "^$name: [0-9]+\.[0-9]+ s\$" out || fail "no $name"
+    done
+    for name in rays_camera rays_shadow rays_reflected rays_transmitted rays_total left_out_light_behind \
+        left_out_light_idle cut_by_depth cut_by_weight inner_reflections decided objects plugins threads memory_peak pixels; do
+        grep -q "^$name: " out || fail "no $name"
+    done
+    says out "rays_camera: 384 rays"
+    says out "pixels: 192 pixels"
+    says out "threads: 2"
+    says out "objects: 4"
+    total=$(awk '/^rays_(camera|shadow|reflected|transmitted):/ { n += $2 } END { print n }' out)
+    says out "rays_total: $total rays"
+}
+
+reports_of_counts_do_not_depend_on_threads() {
+    rich_scene
+    expect 0 "$povc" rich.pov 31 23 out.png -t 1 --stats
+    grep -E ' rays$' out > one
+    expect 0 "$povc" rich.pov 31 23 out.png -t 3 --preview 8 --stats
+    grep -E ' rays$' out > three
+    same one three
+}
+
+reports_explain_without_sizes_and_without_rendering() {
+    small_scene
+    expect 0 "$povc" --explain small.pov
+    says out "sphere"
+    grep -qE '^\+ ' out
+    grep -qE '^- ' out
+    [ "$(ls)" = "$(printf 'err\nout\nsmall.pov')" ]
+    expect 0 "$povc" small.pov 8 8 a.png --explain
+    grep -qE '^\+ ' out
+    [ -s a.png ]
+    expect 0 "$povc" small.pov 8 8 - --explain
+    says err "SUBJECT"
+    [ "$(head -c 4 out | tail -c 3)" = PNG ]
+}
+
+reports_of_check_need_no_sizes_and_touch_no_output() {
+    small_scene
+    expect 0 "$povc" --check small.pov
+    says out "small.pov: no errors, 0 warnings; 1 object, 1 light, "
+    expect 0 "$povc" small.pov 8 8 a.png --check
+    [ ! -e a.png ]
+    expect 0 "$povc" --check -q small.pov
+    [ ! -s out ]
+    printf 'sphere {' > wrong.pov
+    expect 1 "$povc" --check wrong.pov
+}
+
+reports_of_progress_are_json_lines() {
+    rich_scene
+    "$PYTHON" "$drive" wait:1.5 TERM -- "$povc" rich.pov 64 48 out.png --spp 1000000 --progress json > status 2> err
+    grep '^{' err > lines
+    "$PYTHON" - <<'END'
+import json
+rows = [json.loads(line) for line in open("lines")]
+assert 2 <= len(rows) <= 6, len(rows)
+assert all(0 <= a["fraction"] <= b["fraction"] < 1 for a, b in zip(rows, rows[1:]))
+assert all(row["percent"] < 100 and row["threads"] >= 1 for row in rows)
+END
+    expect 0 "$povc" rich.pov 8 8 out.png --progress json
+    says err '"percent":100,'
+}
+
+reports_of_progress_are_silent_without_a_terminal_and_a_bar_on_one() {
+    rich_scene
+    expect 0 "$povc" rich.pov 64 48 out.png --spp 64
+    [ ! -s err ]
+    cat > terminal.py <<'END'
+import os, pty, sys
+pid, fd = pty.fork()
+if pid == 0:
+    os.execvp(sys.argv[1], sys.argv[1:])
+text = b""
+while True:
+    try:
+        more = os.read(fd, 4096)
+    except OSError:
+        break
+    if not more:
+        break
+    text += more
+os.waitpid(pid, 0)
+sys.stdout.buffer.write(text)
+END
+    TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 64 48 out.png --spp 1000000 > bar
+    says bar "rays/s"
+    says_not bar "100 %"
+    TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 64 48 out.png --spp 1000000 -q > quiet
+    [ ! -s quiet ]
+}
