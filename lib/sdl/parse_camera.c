@@ -1,0 +1,222 @@
+#include "sdl/parse.h"
+#include "sdl/report.h"
+#include "sdl/value.h"
+
+#include <povtrace/exact.h>
+
+#include <float.h>
+
+/* ---- as written ---- */
+
+void parse_camera_defaults(camera_text *c)
+{
+    static const camera_text none;
+
+    *c = none;
+    c->direction = pov_vec3_of(0.0, 0.0, 1.0);
+    c->up = c->sky = pov_vec3_of(0.0, 1.0, 0.0);
+}
+
+static void read_location(pov_reader *in, void *self, word_id word)
+{
+    (void)word;
+    ((camera_text *)self)->location = value_vector(in);
+}
+
+static void read_look_at(pov_reader *in, void *self, word_id word)
+{
+    camera_text *c = self;
+
+    (void)word;
+    c->look_at = value_vector(in);
+    c->look_at_place = in->value;
+    c->has_look_at = true;
+}
+
+static void read_angle(pov_reader *in, void *self, word_id word)
+{
+    double angle = value_number(in);
+
+    (void)word;
+    if (!in->failed && !(angle > 0.0 && angle < 180.0))
+        report_fail(in, &in->value, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
+    ((camera_text *)self)->angle = angle;
+}
+
+static void read_axis(pov_reader *in, void *self, word_id word)
+{
+    camera_text *c = self;
+    pov_vec3 axis = value_vector(in);
+
+    if (pov_largest(axis) == 0.0 && word != WORD_SKY)
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"%s\" must not be zero", token_word_name(word));
+    if (word == WORD_RIGHT)
+        c->right = axis;
+    else if (word == WORD_UP)
+        c->up = axis;
+    else if (word == WORD_SKY)
+        c->sky = axis;
+    else
+        c->direction = axis;
+}
+
+static void move_camera(pov_reader *in, void *self, word_id word)
+{
+    parse_transform(in, &((camera_text *)self)->map, word);
+}
+
+void parse_camera(pov_reader *in, void *self, word_id word)
+{
+    static const item items[] = {
+        { WORD_LOCATION, read_location }, { WORD_LOOK_AT, read_look_at }, { WORD_ANGLE, read_angle },
+        { WORD_RIGHT, read_axis },        { WORD_UP, read_axis },         { WORD_SKY, read_axis },
+        { WORD_DIRECTION, read_axis },    { WORD_TRANSLATE, move_camera }, { WORD_ROTATE, move_camera },
+        { WORD_SCALE, move_camera },      { WORD_MATRIX, move_camera },
+    };
+    static const item_list list = ITEM_LIST("an item of the camera", items);
+    camera_text c;
+
+    (void)self;
+    (void)word;
+    if (in->camera.at.source)
+        report_warn(in, &in->last, "there was a camera before; the last one counts");
+    parse_camera_defaults(&c);
+    c.at = in->last;
+    items_block(in, &list, &c);
+    if (!in->failed && c.has_look_at && pov_largest(pov_sub(c.look_at, c.location)) == 0.0)
+        report_fail(in, &c.look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
+    in->camera = c;
+}
+
+/* ---- the frame ---- */
+
+typedef struct frame { pov_vec3 d, r, u; } frame;
+
+static double length(pov_vec3 v)
+{
+    pov_vec3 w;
+    int e;
+
+    frexp(pov_largest(v), &e);
+    w = pov_vec3_of(ldexp(v.x, -e), ldexp(v.y, -e), ldexp(v.z, -e));
+    return ldexp(sqrt(pov_dot(w, w)), e);
+}
+
+/* The cross product of two unit vectors, each component rounded once, so that it stands upright on both however near
+ * they are to each other. Zero where they are parallel as far as their own rounding can tell: the components of each
+ * are within an ulp of 1, so the sine of the angle between two parallel ones stays below four of them. */
+static pov_vec3 upright(pov_vec3 a, pov_vec3 b)
+{
+    pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
+    pov_vec3 c = pov_two3_hi(pov_two3_cross(pov_two3_of(a, zero), pov_two3_of(b, zero)));
+
+    return length(c) <= 4.0 * DBL_EPSILON ? zero : c;
+}
+
+/* From location towards look_at, however far apart they are. */
+static pov_vec3 towards(const camera_text *c)
+{
+    pov_vec3 whole = pov_sub(c->look_at, c->location);
+
+    if (pov_largest(whole) <= DBL_MAX)
+        return pov_unit(whole);
+    return pov_unit(pov_sub(pov_scale(c->look_at, 0.5), pov_scale(c->location, 0.5)));
+}
+
+/* `up` is the vertical; where it lies along the view x takes its place, and y where x does too. */
+static frame course_frame(const camera_text *c)
+{
+    pov_vec3 view = c->has_look_at ? towards(c) : pov_unit(c->direction);
+    pov_vec3 side = upright(pov_unit(c->up), view);
+    frame f;
+
+    if (pov_largest(side) == 0.0)
+        side = upright(pov_vec3_of(1.0, 0.0, 0.0), view);
+    if (pov_largest(side) == 0.0)
+        side = upright(pov_vec3_of(0.0, 1.0, 0.0), view);
+    side = pov_unit(side);
+    f.d = pov_scale(view, length(c->direction));
+    f.r = pov_scale(side, length(c->right));
+    f.u = pov_scale(pov_unit(upright(view, side)), length(c->up));
+    return f;
+}
+
+/* With a look_at `sky` is the vertical, and of direction, right and up only the lengths count, and whether the three
+ * are left- or right-handed. Where sky lies along the view, right stays as written. Without a look_at all three do. */
+static frame povray_frame(const camera_text *c)
+{
+    frame f = { c->direction, c->right, c->up };
+    pov_vec3 view, side;
+    bool is_mirrored;
+
+    if (!c->has_look_at)
+        return f;
+    view = towards(c);
+    side = pov_unit(upright(pov_unit(c->sky), view));
+    is_mirrored = !(pov_dot(pov_cross_product(pov_unit(c->up), pov_unit(c->direction)), pov_unit(c->right)) > 0.0);
+    f.d = pov_scale(view, length(c->direction));
+    if (pov_largest(side) == 0.0) {
+        side = pov_unit(c->right);
+        is_mirrored = false;
+    }
+    f.r = pov_scale(side, is_mirrored ? -length(c->right) : length(c->right));
+    f.u = pov_scale(pov_unit(upright(view, side)), length(c->up));
+    return f;
+}
+
+static pov_vec3 turn(const pov_affine *map, pov_vec3 v)
+{
+    pov_affine linear = *map;
+
+    linear.m[0][3] = linear.m[1][3] = linear.m[2][3] = 0.0;
+    return pov_affine_point(&linear, v);
+}
+
+static bool is_usable(const pov_camera *c)
+{
+    double largest = fmax(fmax(pov_largest(c->location), pov_largest(c->direction)),
+                          fmax(pov_largest(c->right), pov_largest(c->up)));
+
+    return largest <= DBL_MAX && pov_largest(c->direction) > 0.0 && pov_largest(c->right) > 0.0 &&
+           pov_largest(c->up) > 0.0;
+}
+
+static void move(pov_reader *in, const camera_text *c, pov_camera *out)
+{
+    pov_affine map;
+    pov_vec3 rest;
+
+    if (!c->map)
+        return;
+    if (!transform_compose(c->map, &map)) {
+        report_fail(in, &c->at, POV_E_SYNTAX, "the transformations of the camera go beyond what a double holds");
+        return;
+    }
+    transform_point(&map, out->location, &out->location, &rest);
+    out->direction = turn(&map, out->direction);
+    out->right = turn(&map, out->right);
+    out->up = turn(&map, out->up);
+}
+
+void parse_camera_finish(pov_reader *in)
+{
+    const double pi = 3.14159265358979323846;
+    bool is_povray = in->model->dialect == POV_DIALECT_POVRAY;
+    camera_text c = in->camera;
+    pov_camera *out = &in->model->camera;
+    frame f;
+
+    if (pov_largest(c.right) == 0.0)
+        c.right = pov_vec3_of(is_povray ? 1.33 : 1.33333, 0.0, 0.0);
+    f = is_povray ? povray_frame(&c) : course_frame(&c);
+    if (c.angle > 0.0)
+        f.d = pov_scale(pov_unit(f.d), 0.5 * length(c.right) / tan(c.angle * (pi / 360.0)));
+    out->size = sizeof *out;
+    out->location = c.location;
+    out->direction = f.d;
+    out->right = f.r;
+    out->up = f.u;
+    move(in, &c, out);
+    if (!in->failed && !is_usable(out))
+        report_fail(in, &c.at, POV_E_SYNTAX, "the camera's numbers leave it no picture");
+}

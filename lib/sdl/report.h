@@ -1,0 +1,42 @@
+/* report.h - errors and warnings with their places. */
+#ifndef SDL_REPORT_H
+#define SDL_REPORT_H
+
+#include "sdl/state.h"
+
+#include <stdarg.h>
+
+/* Enough for what a message quotes of the text. */
+enum { REPORT_QUOTE = 64 };
+
+/* The first error is kept, later ones are consequences of it. */
+void report_fail(pov_reader *in, const place *at, pov_status status, const char *format, ...) POV_PRINTF(4, 5);
+void report_failv(pov_reader *in, const place *at, pov_status status, const char *format, va_list args);
+void report_memory(pov_reader *in);
+/* An error of another room, with the place added where it has none. */
+void report_pass_on(pov_reader *in, const place *at, const pov_error *error);
+/* `expected WANTED after "x", found "y"`, where the next token is y. */
+void report_expected(pov_reader *in, const char *wanted);
+
+void report_warn(pov_reader *in, const place *at, const char *format, ...) POV_PRINTF(3, 4);
+void report_warnv(pov_reader *in, const place *at, const char *format, va_list args);
+
+/* The stretch of text as it may stand in a message: shortened, without what is not printable. */
+void report_quote(const place *at, char out[REPORT_QUOTE]);
+/* As report_warn for a note that is not counted among the scene's warnings. */
+void report_note(pov_reader *in, const place *at, const char *format, ...) POV_PRINTF(3, 4);
+
+/* ---- the word that was probably meant ---- */
+
+typedef struct guess {
+    char word[REPORT_QUOTE], best[REPORT_QUOTE];
+    int edits;
+} guess;
+
+/* Of the word that is next; candidates that a plugin asked for are tried first. */
+void report_guess_start(guess *g, const pov_reader *in);
+void report_guess_try(guess *g, const char *candidate);
+/* The next token is no word that may stand here. */
+void report_misplaced(pov_reader *in, const char *wanted, const guess *g);
+
+#endif
