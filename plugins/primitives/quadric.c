@@ -1,0 +1,424 @@
+/* quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }: A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J = 0,
+ * inside where it is not positive.
+ *
+ * Along a ray this is a t^2 + 2 b t + c. It is taken about the ray's own vertex, where b is nearly zero and the
+ * discriminant has nothing to cancel; the coefficients have two parts, so that maps can be absorbed. */
+#include "kit/affine.h"
+#include "kit/report.h"
+
+enum { A, B, C, D, E, F, G, H, I, J, COEFFICIENTS };
+
+/* A crossing's part: where the ray comes to negative values, and where it leaves them. */
+enum { ENTERING = 0, EXITING = 1 };
+
+typedef struct quadric {
+    pov_two3 anchor;
+    pov_two raw[COEFFICIENTS];     /* about the anchor */
+    /* Made from raw: for lengths times scale, multiplied so that the largest is of the order of one. */
+    pov_two q[COEFFICIENTS];
+    double rough[COEFFICIENTS], size[COEFFICIENTS];
+    double scale, curvature;       /* curvature: the largest of the second order */
+} quadric;
+
+/* The binary exponent of the largest of n coefficients; a very small number for none. */
+static int exponent_of(const pov_two *q, int n)
+{
+    double largest = 0.0;
+    int i, exponent;
+
+    for (i = 0; i < n; i++)
+        largest = fmax(largest, fabs(q[i].hi));
+    if (!(largest > 0.0) || !isfinite(largest))
+        return -100000;
+    frexp(largest, &exponent);
+    return exponent;
+}
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
+/* The length at which terms of different order are of the same size. */
+static int length_exponent(int second, int first, int constant)
+{
+    if (second > -100000)
+        return first < -90000 && constant < -90000 ? 0 : larger(first - second, (constant - second) / 2);
+    return first > -100000 && constant > -100000 ? constant - first : 0;
+}
+
+static void prepare(quadric *s)
+{
+    int second = exponent_of(s->raw + A, 6), first = exponent_of(s->raw + G, 3), constant = exponent_of(s->raw + J, 1);
+    int length = length_exponent(second, first, constant), largest, i;
+
+    length = length > 900 ? 900 : length < -900 ? -900 : length;
+    largest = larger(larger(second + 2 * length, first + length), constant);
+    s->curvature = 0.0;
+    for (i = 0; i < COEFFICIENTS; i++) {
+        const int power = (i < G ? 2 * length : i < J ? length : 0) - largest;
+
+        s->q[i] = pov_two_of(ldexp(s->raw[i].hi, power), ldexp(s->raw[i].lo, power));
+        s->rough[i] = s->q[i].hi;
+        s->size[i] = fabs(s->q[i].hi);
+        if (i < G)
+            s->curvature = fmax(s->curvature, s->size[i]);
+    }
+    s->scale = ldexp(1.0, -length);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    quadric *s = self;
+    pov_vec3 v[3];
+    double constant;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        host->vector(in, &v[i]);
+        host->accept(in, ",");
+        s->raw[3 * i] = pov_two_of(v[i].x, 0.0);
+        s->raw[3 * i + 1] = pov_two_of(v[i].y, 0.0);
+        s->raw[3 * i + 2] = pov_two_of(v[i].z, 0.0);
+    }
+    constant = host->number(in);
+    s->raw[J] = pov_two_of(constant, 0.0);
+    prepare(s);
+}
+
+/* ---- bounds, of ellipsoids ---- */
+
+static pov_two half(pov_two a) { return pov_two_scale(a, 0.5); }
+
+static pov_two minor(pov_two a, pov_two b, pov_two c, pov_two d)
+{
+    return pov_two_sub(pov_two_mul(a, b), pov_two_mul(c, d));
+}
+
+/* Is a pivot clear of rounding, against the diagonal entry that it was reduced from? */
+static bool is_clear(pov_two pivot, pov_two entry) { return pivot.hi > 0x1p-12 * entry.hi && entry.hi > 0.0; }
+
+static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square, double *lo, double *hi)
+{
+    /* Pivots that lost at most 12 bits leave 2^-60 of relative error at most; a millionth is far more than enough. */
+    const double radius = sqrt(square.hi) * (1.0 + 0x1p-20) / scale, centre = anchor.hi + middle.hi / scale;
+
+    *lo = kit_below(centre - radius - 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
+    *hi = kit_above(centre + radius + 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
+    return isfinite(*lo) && isfinite(*hi);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const quadric *s = self;
+    const pov_two *q = s->q, d = half(q[D]), e = half(q[E]), f = half(q[F]);
+    const pov_two xx = minor(q[B], q[C], f, f), yy = minor(q[A], q[C], e, e), zz = minor(q[A], q[B], d, d);
+    const pov_two xy = minor(e, f, d, q[C]), xz = minor(d, f, e, q[B]), yz = minor(d, e, f, q[A]);
+    const pov_two det = pov_two_add(pov_two_add(pov_two_mul(q[A], xx), pov_two_mul(d, xy)), pov_two_mul(e, xz));
+    const pov_two g = half(q[G]), h = half(q[H]), i = half(q[I]);
+    pov_two x, y, z, level;
+
+    if (!is_clear(q[A], q[A]) || !is_clear(zz, pov_two_mul(q[A], q[B])) || !is_clear(det, pov_two_mul(zz, q[C])))
+        return false;
+    x = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xx, g), pov_two_mul(xy, h)), pov_two_mul(xz, i)), det);
+    y = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xy, g), pov_two_mul(yy, h)), pov_two_mul(yz, i)), det);
+    z = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xz, g), pov_two_mul(yz, h)), pov_two_mul(zz, i)), det);
+    /* The value at the centre, with its sign turned. */
+    level = pov_two_add(pov_two_add(pov_two_mul(x, g), pov_two_mul(y, h)), pov_two_mul(z, i));
+    if (!(level.hi - q[J].hi > 0x1p-40 * (fabs(level.hi) + fabs(q[J].hi))))
+        return false;
+    level = pov_two_div(pov_two_sub(level, q[J]), det);
+    return extent(s->anchor.x, s->scale, pov_two_neg(x), pov_two_mul(level, xx), &out->lo.x, &out->hi.x)
+           && extent(s->anchor.y, s->scale, pov_two_neg(y), pov_two_mul(level, yy), &out->lo.y, &out->hi.y)
+           && extent(s->anchor.z, s->scale, pov_two_neg(z), pov_two_mul(level, zz), &out->lo.z, &out->hi.z);
+}
+
+/* ---- in two parts ---- */
+
+static pov_two sum3(pov_two a, pov_two b, pov_two c) { return pov_two_add(pov_two_add(a, b), c); }
+
+/* Half the gradient; and without the linear terms the matrix times p. */
+static pov_two3 half_gradient(const pov_two *q, pov_two3 p, bool linear)
+{
+    pov_two3 g;
+
+    g.x = sum3(pov_two_mul(q[A], p.x), half(pov_two_mul(q[D], p.y)), half(pov_two_mul(q[E], p.z)));
+    g.y = sum3(pov_two_mul(q[B], p.y), half(pov_two_mul(q[D], p.x)), half(pov_two_mul(q[F], p.z)));
+    g.z = sum3(pov_two_mul(q[C], p.z), half(pov_two_mul(q[E], p.x)), half(pov_two_mul(q[F], p.y)));
+    if (linear) {
+        g.x = pov_two_add(g.x, half(q[G]));
+        g.y = pov_two_add(g.y, half(q[H]));
+        g.z = pov_two_add(g.z, half(q[I]));
+    }
+    return g;
+}
+
+/* The value at a point whose half gradient is known: p . (g + half the linear terms) + J. */
+static pov_two value(const pov_two *q, pov_two3 p, pov_two3 g)
+{
+    g.x = pov_two_add(g.x, half(q[G]));
+    g.y = pov_two_add(g.y, half(q[H]));
+    g.z = pov_two_add(g.z, half(q[I]));
+    return pov_two_add(pov_two3_dot(p, g), q[J]);
+}
+
+static bool report_decided(pov_hits *hits, pov_two t, double middle, double unit, uint32_t part)
+{
+    t = pov_two_add_double(t, middle);
+    return !isfinite(t.hi) || kit_report_decided(hits, t, unit, part);
+}
+
+/* Which crossings are wanted. A ray that left the surface started on one of the two: where it goes to larger values,
+ * on the exit, else on the entry. */
+enum { WANT_ENTRY = 1, WANT_EXIT = 2 };
+
+static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
+{
+    const double middle = -pov_dot(pov_two3_hi(k->f), k->d) / pov_dot(k->d, k->d);
+    const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = half_gradient(s->q, w, true);
+    const pov_two a = pov_two3_dot(d, half_gradient(s->q, d, false)), b = pov_two3_dot(d, g), c = value(s->q, w, g);
+    const pov_two discriminant = pov_two_sub(pov_two_mul(b, b), pov_two_mul(a, c));
+    pov_two root, sum, entry = { HUGE_VAL, 0.0 }, exit = { HUGE_VAL, 0.0 };
+    uint32_t wanted = WANT_ENTRY | WANT_EXIT;
+
+    hits->decided++;
+    if (leaving) {
+        const double rise = pov_two3_dot(d, half_gradient(s->q, k->f, true)).hi;
+        wanted = rise > 0.0 ? WANT_ENTRY : rise < 0.0 ? WANT_EXIT : 0;
+    }
+    if (!(discriminant.hi >= 0.0))
+        return;
+    root = pov_two_sqrt(discriminant);
+    sum = b.hi < 0.0 ? pov_two_sub(root, b) : pov_two_neg(pov_two_add(b, root));
+    if (sum.hi != 0.0) {
+        const pov_two direct = pov_two_div(c, sum), other = a.hi != 0.0 ? pov_two_div(sum, a) : entry;
+        entry = b.hi < 0.0 ? direct : other;
+        exit = b.hi < 0.0 ? other : direct;
+    } else if (a.hi != 0.0) {
+        entry = exit = sum;
+    }
+    if (wanted & WANT_ENTRY && !report_decided(hits, entry, middle, k->unit, ENTERING))
+        return;
+    if (wanted & WANT_EXIT)
+        report_decided(hits, exit, middle, k->unit, EXITING);
+}
+
+/* ---- in double ---- */
+
+/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the sizes of
+ * coefficients and components in place of themselves the sums of the sizes of all terms. */
+static double along_second(const double *q, pov_vec3 d)
+{
+    return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
+}
+
+static double along_first(const double *q, pov_vec3 w, pov_vec3 d)
+{
+    return d.x * (q[A] * w.x + 0.5 * (q[D] * w.y + q[E] * w.z + q[G]))
+           + d.y * (q[B] * w.y + 0.5 * (q[D] * w.x + q[F] * w.z + q[H]))
+           + d.z * (q[C] * w.z + 0.5 * (q[E] * w.x + q[F] * w.y + q[I]));
+}
+
+static double along_value(const double *q, pov_vec3 w)
+{
+    return w.x * (q[A] * w.x + q[D] * w.y + q[E] * w.z + q[G]) + w.y * (q[B] * w.y + q[F] * w.z + q[H])
+           + w.z * (q[C] * w.z + q[I]) + q[J];
+}
+
+static pov_vec3 sizes(pov_vec3 a) { return pov_vec3_of(fabs(a.x), fabs(a.y), fabs(a.z)); }
+
+typedef struct along {
+    double a, b, c, a_error, b_error, c_error;
+} along;
+
+/* Each term is a product of at most four rounded factors and passes through at most six sums. */
+static along measure(const quadric *s, const kit_ray *k, pov_vec3 w)
+{
+    const pov_vec3 d_size = sizes(k->d), w_size = sizes(w);
+    along r;
+
+    r.a = along_second(s->rough, k->d);
+    r.b = along_first(s->rough, w, k->d);
+    r.c = along_value(s->rough, w);
+    r.a_error = 10.0 * KIT_U * along_second(s->size, d_size);
+    r.b_error = 11.0 * KIT_U * along_first(s->size, w_size, d_size);
+    r.c_error = 12.0 * KIT_U * along_value(s->size, w_size);
+    return r;
+}
+
+static kit_root root_of(double middle, double t, double error, uint32_t part)
+{
+    kit_root r;
+
+    r.t = pov_two_sum(middle, t);
+    r.error = error;
+    r.part = part;
+    return r;
+}
+
+/* No second order: a plane. */
+static bool quick_plane(const kit_ray *k, const along *r, double middle, pov_hits *hits)
+{
+    const double t = -r->c / (2.0 * r->b);
+    kit_root root;
+
+    if (!(fabs(r->b) > 16.0 * r->b_error))
+        return false;
+    root = root_of(middle, t, (r->c_error + 2.0 * fabs(t) * r->b_error) / (1.8 * fabs(r->b)) + KIT_U * fabs(t),
+                   r->b < 0.0 ? ENTERING : EXITING);
+    return kit_report(&root, 1, k->unit, HUGE_VAL, hits);
+}
+
+static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, double middle, uint32_t wanted,
+                         pov_hits *hits)
+{
+    const double d = r->b * r->b - r->a * r->c;
+    const double d_error = (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error
+                           + fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
+    double root, error, entry, exit;
+    kit_root roots[2];
+    uint32_t n = 0, i;
+
+    if (d < -2.0 * d_error)
+        return true;
+    if (!(d > 16.0 * d_error))
+        return false;
+    root = sqrt(d);
+    entry = (-r->b - root) / r->a;
+    exit = (-r->b + root) / r->a;
+    error = (r->b_error + 0.52 * d_error / root + KIT_U * (root + fabs(r->b))) / (0.9 * fabs(r->a));
+    for (i = 0; i < 2; i++) {
+        const bool is_entry = (i == 0) == (r->a > 0.0);
+        const double t = is_entry ? entry : exit;
+
+        if (wanted & (is_entry ? WANT_ENTRY : WANT_EXIT))
+            roots[n++] = root_of(middle, t, error + fabs(t) * (1.1 * r->a_error / fabs(r->a) + 2.0 * KIT_U),
+                                 is_entry ? ENTERING : EXITING);
+    }
+    /* The slope along the ray is at least root / |d| of the gradient's length, so curvature turns the normal by at
+     * most this much a step. */
+    return kit_report(roots, n, k->unit, KIT_FINE * root / (3.0 * s->curvature * pov_dot(k->d, k->d)), hits);
+}
+
+/* Double precision with bounds. False: open. */
+static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
+{
+    const pov_vec3 f = pov_two3_hi(k->f);
+    const along at_start = measure(s, k, f);
+    const bool is_plane = s->curvature == 0.0;
+    uint32_t wanted = WANT_ENTRY | WANT_EXIT;
+    double middle;
+    along there;
+
+    if (leaving && is_plane)
+        return true;
+    if (leaving) {
+        if (!(fabs(at_start.b) > 2.0 * at_start.b_error))
+            return false;
+        wanted = at_start.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
+    }
+    if (!is_plane && !(fabs(at_start.a) > 1024.0 * at_start.a_error))
+        return false;
+    middle = is_plane ? -at_start.c / (2.0 * at_start.b) : -at_start.b / at_start.a;
+    if (!isfinite(middle))
+        return false;
+    there = measure(s, k, kit_along(k, middle));
+    /* What re-centring loses of a far origin must stay below the bounds' own slack. */
+    if (!(pov_largest(f) < KIT_FAR * pov_largest(kit_along(k, middle))))
+        return false;
+    return is_plane ? quick_plane(k, &there, middle, hits) : quick_curved(s, k, &there, middle, wanted, hits);
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const quadric *s = self;
+    const kit_ray k = kit_enter(ray, s->anchor, s->scale);
+    const bool leaving = ray->left == hits->owner;
+
+    if (hits->always_exact || !quick(s, &k, leaving, hits))
+        decide(s, &k, leaving, hits);
+}
+
+/* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const quadric *s = self;
+    const kit_ray k = kit_enter(ray, s->anchor, s->scale);
+
+    *out = pov_unit(pov_two3_hi(half_gradient(s->q, kit_point(&k, at), true)));
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_scale(pov_unit(ray->dir), -1.0);
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const quadric *s = self;
+    const pov_two3 p = kit_offset(point, point_lo, s->anchor, s->scale);
+
+    return value(s->q, p, half_gradient(s->q, p, true)).hi <= 0.0;
+}
+
+/* ---- maps ---- */
+
+static pov_two3 column(const pov_two3 rows[3], int i)
+{
+    pov_two3 c;
+
+    c.x = i == 0 ? rows[0].x : i == 1 ? rows[0].y : rows[0].z;
+    c.y = i == 0 ? rows[1].x : i == 1 ? rows[1].y : rows[1].z;
+    c.z = i == 0 ? rows[2].x : i == 1 ? rows[2].y : rows[2].z;
+    return c;
+}
+
+/* The matrix becomes the inverse's transpose times it times the inverse. Maps far from keeping angles would cost
+ * precision in these products, unless they are axial. */
+static bool absorb(void *self, const pov_affine *map)
+{
+    static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };
+    quadric *s = self;
+    pov_two3 rows[3], columns[3], linear;
+    pov_two raw[COEFFICIENTS];
+    int axis[3], i;
+
+    if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
+        return false;
+    kit_inverse_linear(map, rows);
+    for (i = 0; i < 3; i++)
+        columns[i] = column(rows, i);
+    linear.x = s->raw[G], linear.y = s->raw[H], linear.z = s->raw[I];
+    for (i = 0; i < 6; i++) {
+        const pov_two3 product = half_gradient(s->raw, columns[column_of[i]], false);
+        raw[i] = pov_two_scale(pov_two3_dot(columns[row_of[i]], product), i < D ? 1.0 : 2.0);
+    }
+    for (i = 0; i < 3; i++)
+        raw[G + i] = pov_two3_dot(columns[i], linear);
+    raw[J] = s->raw[J];
+    for (i = 0; i < COEFFICIENTS; i++) {
+        if (!isfinite(raw[i].hi) || !isfinite(raw[i].lo))
+            return false;
+    }
+    s->anchor = kit_map_point(map, s->anchor);
+    memcpy(s->raw, raw, sizeof raw);
+    prepare(s);
+    return true;
+}
+
+static const pov_shape_class quadric_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "quadric",
+    .instance_size = sizeof(quadric),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .absorb = absorb,
+};
+
+static const pov_shape_class *const shapes[] = { &quadric_class, NULL };
+
+POV_PLUGIN(quadric) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "quadric",
+    .version = "1",
+    .shapes = shapes,
+};
