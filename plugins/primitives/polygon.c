@@ -1,0 +1,464 @@
+/* polygon { n, <v1>, ..., <vn> }: a flat figure under the even-odd rule. The first point of a loop again closes it,
+ * and what follows starts another.
+ *
+ * Which side of an edge a ray passes depends on nothing but the ray and the edge, and is decided without any error
+ * where doubles leave it open. So polygons that share an edge leave no gap and no overlap along it. */
+#include "kit/expansion.h"
+#include "kit/report.h"
+
+typedef struct corner {
+    pov_vec3 world;        /* as it was written */
+    pov_vec3 local;        /* from the anchor, scaled, rounded */
+    bool starts;           /* the first of a loop; no edge leads to it */
+} corner;
+
+typedef struct polygon {
+    corner *corners;       /* each loop ends with its first corner again */
+    uint32_t count;
+    pov_two3 anchor, normal;   /* the plane; the normal's largest component is in [1, 2), or it is zero */
+    pov_vec3 unit;
+    double scale;
+    pov_box box;
+} polygon;
+
+static bool same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/* ---- reading ---- */
+
+typedef struct reading {
+    const pov_host *host;
+    pov_reader *in;
+    polygon *shape;
+    uint32_t capacity, start;   /* start: where the loop at hand begins */
+    bool open;                  /* a loop is begun and not yet closed */
+} reading;
+
+static bool append(reading *r, pov_vec3 v, bool starts)
+{
+    polygon *s = r->shape;
+
+    if (s->count == r->capacity) {
+        const uint32_t capacity = r->capacity ? 2 * r->capacity : 16;
+        corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
+
+        if (!bigger)
+            return false;
+        if (s->count)
+            memcpy(bigger, s->corners, s->count * sizeof *bigger);
+        s->corners = bigger;
+        r->capacity = capacity;
+    }
+    s->corners[s->count].world = v;
+    s->corners[s->count++].starts = starts;
+    return true;
+}
+
+static bool close_loop(reading *r)
+{
+    if (r->shape->count - r->start < 3) {
+        r->host->fail(r->in, "a loop of a polygon needs at least 3 points");
+        return false;
+    }
+    r->open = false;
+    return true;
+}
+
+static bool take(reading *r, pov_vec3 v)
+{
+    if (!r->open) {
+        r->start = r->shape->count;
+        r->open = true;
+        return append(r, v, true);
+    }
+    if (!same(v, r->shape->corners[r->start].world))
+        return append(r, v, false);
+    return close_loop(r) && append(r, v, false);
+}
+
+static bool read_corners(reading *r)
+{
+    const double n = r->host->number(r->in);
+    uint32_t i;
+    pov_vec3 v;
+
+    if (!(n >= 3.0 && n <= 1e9 && n == floor(n))) {
+        r->host->fail(r->in, "a polygon needs a whole number of at least 3 points");
+        return false;
+    }
+    for (i = 0; i < (uint32_t)n; i++) {
+        r->host->accept(r->in, ",");
+        if (!r->host->more(r->in)) {
+            r->host->vector(r->in, &v);
+            r->host->fail(r->in, "a polygon has fewer points than it says");
+            return false;
+        }
+        r->host->vector(r->in, &v);
+        if (!take(r, v))
+            return false;
+    }
+    if (r->open) {
+        r->host->warn(r->in, "a polygon's last loop is not closed; its first point is added");
+        v = r->shape->corners[r->start].world;
+        return close_loop(r) && append(r, v, false);
+    }
+    return true;
+}
+
+/* ---- the plane ---- */
+
+static pov_two3 offset_of(const polygon *s, const corner *c)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+
+    return kit_offset(c->world, zero, s->anchor, s->scale);
+}
+
+/* Twice the area vector of the loop that begins at corner i, and the corner behind the loop. */
+static pov_two3 area_of(const polygon *s, uint32_t *i)
+{
+    pov_two3 sum = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } }, before = offset_of(s, &s->corners[*i]);
+
+    for (++*i; *i < s->count && !s->corners[*i].starts; ++*i) {
+        const pov_two3 here = offset_of(s, &s->corners[*i]), cross = pov_two3_cross(before, here);
+
+        sum.x = pov_two_add(sum.x, cross.x);
+        sum.y = pov_two_add(sum.y, cross.y);
+        sum.z = pov_two_add(sum.z, cross.z);
+        before = here;
+    }
+    return sum;
+}
+
+/* The plane goes through the first corner, across the area vector of the largest loop. */
+static double find_plane(polygon *s)
+{
+    double largest = 0.0;
+    uint32_t i = 0;
+
+    while (i < s->count) {
+        const pov_two3 area = area_of(s, &i);
+
+        if (pov_largest(pov_two3_hi(area)) > largest) {
+            largest = pov_largest(pov_two3_hi(area));
+            s->normal = area;
+        }
+    }
+    return largest;
+}
+
+/* How far a corner may lie off the plane when each coordinate was rounded once: by that rounding itself, and by what
+ * it can have turned the plane, which is the rounding times the circumference over the area, at the size's distance. */
+static double tolerance(const polygon *s, double circumference)
+{
+    const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
+
+    return 16.0 * KIT_U * coordinate * (1.0 + 2.0 * circumference / pov_largest(pov_two3_hi(s->normal)));
+}
+
+static void scale_corners(polygon *s)
+{
+    double size = 0.0;
+    uint32_t i;
+
+    s->scale = 1.0;
+    s->box.lo = s->box.hi = s->corners[0].world;
+    for (i = 0; i < s->count; i++) {
+        const pov_vec3 v = s->corners[i].world;
+
+        size = fmax(size, pov_largest(pov_two3_hi(offset_of(s, &s->corners[i]))));
+        s->box.lo = pov_vec3_of(fmin(s->box.lo.x, v.x), fmin(s->box.lo.y, v.y), fmin(s->box.lo.z, v.z));
+        s->box.hi = pov_vec3_of(fmax(s->box.hi.x, v.x), fmax(s->box.hi.y, v.y), fmax(s->box.hi.z, v.z));
+    }
+    s->scale = pov_inverse_power(size);
+    for (i = 0; i < s->count; i++)
+        s->corners[i].local = pov_two3_hi(offset_of(s, &s->corners[i]));
+}
+
+/* The largest distance from the plane, in scaled lengths; and the length of all edges. */
+static double measure(const polygon *s, double *circumference)
+{
+    const pov_vec3 normal = pov_two3_hi(s->normal);
+    const double length = sqrt(pov_dot(normal, normal));
+    double largest = 0.0;
+    uint32_t i;
+
+    *circumference = 0.0;
+    for (i = 0; i < s->count; i++) {
+        const pov_vec3 edge = pov_sub(s->corners[i].local, s->corners[i ? i - 1 : 0].local);
+
+        largest = fmax(largest, fabs(pov_two3_dot(s->normal, offset_of(s, &s->corners[i])).hi) / length);
+        if (!s->corners[i].starts)
+            *circumference += sqrt(pov_dot(edge, edge));
+    }
+    return largest;
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    polygon *s = self;
+    reading r = { host, in, s, 0, 0, false };
+    double largest, off, circumference, power;
+
+    if (!read_corners(&r)) {
+        s->count = 0;
+        return;
+    }
+    s->anchor = pov_two3_of(s->corners[0].world, zero);
+    scale_corners(s);
+    largest = find_plane(s);
+    if (!(largest > 0.0)) {
+        host->warn(in, "the points of this polygon lie on a line: it is not seen");
+        return;
+    }
+    off = measure(s, &circumference);
+    if (!(off <= tolerance(s, circumference)))
+        host->fail(in, "the points of this polygon do not lie in a plane: one is %g of its size off",
+                   off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale);
+    power = pov_inverse_power(largest);
+    s->normal.x = pov_two_scale(s->normal.x, power);
+    s->normal.y = pov_two_scale(s->normal.y, power);
+    s->normal.z = pov_two_scale(s->normal.z, power);
+    s->unit = pov_unit(pov_two3_hi(s->normal));
+    off *= 4.0 / s->scale;
+    s->box.lo = pov_sub(s->box.lo, pov_vec3_of(off, off, off));
+    s->box.hi = pov_add(s->box.hi, pov_vec3_of(off, off, off));
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const polygon *s = self;
+
+    *out = s->box;
+    return true;
+}
+
+/* ---- which side of an edge ---- */
+
+/* A ray looked at along itself: its largest axis points away, across and up are the two others. Only the ray decides
+ * what they are. */
+typedef struct sight {
+    const pov_ray *ray;
+    int across, up, away;
+    double o[3], o_lo[3], d[3], d_lo[3];   /* the direction is scaled */
+    double w[3];           /* a point of the ray near the polygon, seen from the anchor */
+    double error;          /* of a coordinate in sight */
+    bool exact, decided;
+} sight;
+
+static void set3(double *to, pov_vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+
+static sight sight_along(const pov_ray *ray, const kit_ray *k, pov_vec3 w, bool always_exact)
+{
+    const pov_vec3 d = k->d;
+    sight s;
+
+    s.away = fabs(d.x) > fabs(d.y) ? (fabs(d.x) > fabs(d.z) ? 0 : 2) : fabs(d.y) > fabs(d.z) ? 1 : 2;
+    s.across = (s.away + 1) % 3;
+    s.up = (s.away + 2) % 3;
+    s.ray = ray;
+    set3(s.o, ray->org);
+    set3(s.o_lo, ray->org_lo);
+    set3(s.d, k->d);
+    set3(s.d_lo, k->d_lo);
+    set3(s.w, w);
+    /* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded
+     * difference: 6 roundings of terms below 2 (2 + |w|), twice. */
+    s.error = 24.0 * KIT_U * (2.0 + pov_largest(w));
+    s.exact = always_exact || !(pov_largest(pov_two3_hi(k->f)) < KIT_FAR);
+    s.decided = false;
+    return s;
+}
+
+typedef struct seen { double across, up; int above; } seen;
+
+/* Adds sign (v - o) d for one coordinate of the corner and one of the direction. */
+static void add_terms(kit_expansion *e, const sight *s, const double *v, int i, int j, double sign)
+{
+    const double from[3] = { v[i], -s->o[i], -s->o_lo[i] };
+    int n;
+
+    for (n = 0; n < 3; n++) {
+        kit_expansion_add_product(e, from[n], sign * s->d[j]);
+        kit_expansion_add_product(e, from[n], sign * s->d_lo[j]);
+    }
+}
+
+static bool is_above(const sight *s, const corner *c)
+{
+    kit_expansion e;
+    double v[3];
+
+    set3(v, c->world);
+    kit_expansion_clear(&e);
+    add_terms(&e, s, v, s->up, s->away, 1.0);
+    add_terms(&e, s, v, s->away, s->up, -1.0);
+    return kit_expansion_sign(&e) > 0;
+}
+
+/* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for every
+ * polygon that has it. */
+static seen look(sight *s, const corner *c)
+{
+    const double v[3] = { c->local.x - s->w[0], c->local.y - s->w[1], c->local.z - s->w[2] };
+    seen p;
+
+    p.across = v[s->across] * s->d[s->away] - v[s->away] * s->d[s->across];
+    p.up = v[s->up] * s->d[s->away] - v[s->away] * s->d[s->up];
+    p.above = p.up > 0.0;
+    if (s->exact || !(fabs(p.up) > s->error)) {
+        s->decided = true;
+        p.above = is_above(s, c);
+    }
+    return p;
+}
+
+/* The sign of d . ((a - o) x (b - o)). */
+static int orientation(const sight *s, const corner *a, const corner *b)
+{
+    double p[3], q[3];
+    kit_expansion e;
+    int i, m, n, l;
+
+    set3(p, a->world);
+    set3(q, b->world);
+    kit_expansion_clear(&e);
+    for (i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double pj[3] = { p[j], -s->o[j], -s->o_lo[j] }, pk[3] = { p[k], -s->o[k], -s->o_lo[k] };
+        const double qj[3] = { q[j], -s->o[j], -s->o_lo[j] }, qk[3] = { q[k], -s->o[k], -s->o_lo[k] };
+        const double d[2] = { s->d[i], s->d_lo[i] };
+
+        for (l = 0; l < 2; l++) {
+            for (m = 0; m < 3; m++) {
+                for (n = 0; n < 3; n++) {
+                    kit_expansion_add_product3(&e, pj[m], qk[n], d[l]);
+                    kit_expansion_add_product3(&e, pk[m], qj[n], -d[l]);
+                }
+            }
+        }
+    }
+    return kit_expansion_sign(&e);
+}
+
+/* An edge that goes from one side of the level to the other: does it pass the ray on the right, or through it? Edges
+ * are asked upward, so that both polygons of a shared edge ask the same. */
+static bool is_right(sight *s, const corner *a, seen pa, const corner *b, seen pb)
+{
+    const double cross = pa.across * pb.up - pb.across * pa.up;
+    const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error)
+                         + 4.0 * KIT_U * (fabs(pa.across * pb.up) + fabs(pb.across * pa.up));
+    int sign;
+
+    if (!s->exact && fabs(cross) > error)
+        return (cross > 0.0) == (pb.above > pa.above);
+    s->decided = true;
+    sign = orientation(s, a, b);
+    if (s->d[s->away] < 0.0)
+        sign = -sign;
+    return pb.above ? sign >= 0 : sign <= 0;
+}
+
+static bool is_within(const polygon *s, sight *view)
+{
+    bool within = false;
+    seen before = { 0.0, 0.0, 0 };
+    uint32_t i;
+
+    for (i = 0; i < s->count; i++) {
+        const corner *c = &s->corners[i];
+        const seen here = look(view, c);
+
+        if (!c->starts && here.above != before.above && is_right(view, c - 1, before, c, here))
+            within = !within;
+        before = here;
+    }
+    return within;
+}
+
+/* ---- rays ---- */
+
+/* The distance to the plane: a first quotient, and what is missing there. */
+static kit_root quick_distance(const polygon *s, const kit_ray *k, double slope, double slope_error, double first,
+                               pov_vec3 w)
+{
+    const pov_vec3 n = pov_two3_hi(s->normal);
+    const double rest = -pov_dot(n, w) / slope;
+    kit_root root;
+
+    root.t = pov_two_sum(first, rest);
+    root.error = (7.0 * KIT_U * kit_sum_of_sizes(n, w) + fabs(rest) * slope_error) / fabs(slope) + KIT_U * fabs(rest);
+    root.part = 0;
+    if (!(fabs(slope) > 1024.0 * slope_error) || !(pov_largest(pov_two3_hi(k->f)) < KIT_FAR))
+        root.error = HUGE_VAL;
+    return root;
+}
+
+static pov_two decide_distance(const polygon *s, const kit_ray *k, double first)
+{
+    const pov_two slope = pov_two3_dot(s->normal, kit_direction(k));
+    const pov_two height = pov_two3_dot(s->normal, isfinite(first) ? kit_along_two(k, first) : k->f);
+    const pov_two t = pov_two_neg(pov_two_div(height, slope));
+
+    return isfinite(first) ? pov_two_add_double(t, first) : t;
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const polygon *s = self;
+    kit_ray k;
+    pov_vec3 n, w;
+    double slope, first;
+    kit_verdict verdict;
+    kit_root root;
+    sight view;
+
+    if (s->count == 0 || ray->left == hits->owner)
+        return;
+    k = kit_enter(ray, s->anchor, s->scale);
+    n = pov_two3_hi(s->normal);
+    slope = pov_dot(n, k.d);
+    first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
+    w = kit_along(&k, first);
+    root = quick_distance(s, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
+    verdict = kit_judge(&root, k.unit, KIT_FINE, hits);
+    if (verdict == KIT_OUTSIDE)
+        return;
+    view = sight_along(ray, &k, w, hits->always_exact);
+    if (is_within(s, &view)) {
+        if (verdict == KIT_OPEN || hits->always_exact) {
+            view.decided = true;
+            root.t = decide_distance(s, &k, first);
+        }
+        if (isfinite(root.t.hi))
+            pov_cross(hits, root.t.hi * k.unit, root.t.lo * k.unit, kit_mark(0, view.decided ? POV_MARK_DECIDED : 0));
+    }
+    hits->decided += view.decided;
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    (void)ray;
+    (void)at;
+    *out = ((const polygon *)self)->unit;
+}
+
+static const pov_shape_class polygon_class = {
+    .size = sizeof(pov_shape_class),
+    .keyword = "polygon",
+    .instance_size = sizeof(polygon),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+};
+
+static const pov_shape_class *const shapes[] = { &polygon_class, NULL };
+
+POV_PLUGIN(polygon) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "polygon",
+    .version = "1",
+    .shapes = shapes,
+};
