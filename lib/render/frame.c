@@ -11,10 +11,11 @@ bool frame_make(frame *f, const env *e, const tiles *t, int first_step)
     f->first_step = first_step;
     for (f->passes = 1; first_step > 1; first_step /= 2)
         f->passes++;
-    f->done = env_alloc(e, t->count, 1);
     if (height <= SIZE_MAX / 16 / width)
         f->pixels = env_resize(e, NULL, width * height, 4 * sizeof(float));
-    return f->done && f->pixels;
+    if (f->pixels)
+        f->done = env_alloc(e, t->count, 1);
+    return f->done != NULL;
 }
 
 void frame_free(frame *f, const env *e)

@@ -9,8 +9,8 @@ static pov_status make_parts(pov_job *job, pov_error *err)
 {
     const settings *s = &job->settings;
 
-    if (!tiles_make(&job->tiles, job->env, s->crop.width, s->crop.height, s->threads) ||
-        !frame_make(&job->frame, job->env, &job->tiles, s->first_step))
+    tiles_make(&job->tiles, s->crop.width, s->crop.height, s->threads);
+    if (!frame_make(&job->frame, job->env, &job->tiles, s->first_step) || !tiles_sort(&job->tiles, job->env))
         return err_set(err, POV_E_MEMORY, "no memory for a picture of %d x %d pixels", s->crop.width, s->crop.height);
     job->all_pixels = (size_t)s->crop.width * (size_t)s->crop.height;
     job->samples = samples_make(job->env, s->samples);

@@ -10,14 +10,14 @@ static int root_of(int count)
     return edge * edge == count ? edge : 0;
 }
 
-/* The binary digits of i, mirrored at the point: van der Corput's sequence. */
-static double mirrored_bits(unsigned i)
+/* The lowest `bits` binary digits of i in the opposite order. */
+static unsigned mirrored(unsigned i, int bits)
 {
-    double value = 0.0, digit = 0.5;
+    unsigned m = 0;
 
-    for (; i > 0; i >>= 1, digit *= 0.5)
-        value += (i & 1u) ? digit : 0.0;
-    return value;
+    for (; bits > 0; bits--, i >>= 1)
+        m = m << 1 | (i & 1u);
+    return m;
 }
 
 static void fill_grid(sample *s, int edge)
@@ -28,18 +28,21 @@ static void fill_grid(sample *s, int edge)
     }
 }
 
-/* The mean of the mirrored bits is below a half by no more than the room above their largest. */
+/* Columns in order, rows in the order of van der Corput's sequence: one sample in each of `count` rows and columns. */
 static void fill_hammersley(sample *s, int count)
 {
-    double sum = 0.0;
+    int bits = 0, row = 0;
 
-    for (int i = 0; i < count; i++) {
+    while (1 << bits < count)
+        bits++;
+    for (unsigned v = 0; v < 1u << bits; v++) {
+        unsigned i = mirrored(v, bits);
+
+        if (i >= (unsigned)count)
+            continue;
         s[i].x = (i + 0.5) / count;
-        s[i].y = mirrored_bits((unsigned)i);
-        sum += s[i].y;
+        s[i].y = (row++ + 0.5) / count;
     }
-    for (int i = 0; i < count; i++)
-        s[i].y += 0.5 - sum / count;
 }
 
 sample *samples_make(const env *e, int count)

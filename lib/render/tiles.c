@@ -1,7 +1,5 @@
 #include "render/tiles.h"
 
-#include <string.h>
-
 /* How many parts of `edge` a length has. */
 static int parts(int length, int edge)
 {
@@ -36,14 +34,29 @@ static int ring_of(const tiles *t, uint32_t index)
     return from_x > from_y ? from_x : from_y;
 }
 
-/* Sort by rings, by counting; within a ring the tiles keep the order of the rows. */
-static bool sort(tiles *t, const env *e)
+void tiles_make(tiles *t, int width, int height, int threads)
+{
+    t->width = width;
+    t->height = height;
+    t->edge = edge_of(width, height, threads);
+    t->columns = parts(width, t->edge);
+    t->rows = parts(height, t->edge);
+    t->count = count_of(width, height, t->edge);
+    t->order = NULL;
+}
+
+/* By rings, by counting; within a ring the tiles keep the order of the rows. */
+bool tiles_sort(tiles *t, const env *e)
 {
     size_t rings = (size_t)(t->columns > t->rows ? t->columns : t->rows) + 1;
     size_t *start = env_alloc(e, rings + 1, sizeof *start);
 
-    if (!start)
+    if (t->count <= UINT32_MAX)
+        t->order = env_resize(e, NULL, t->count, sizeof *t->order);
+    if (!start || !t->order) {
+        env_free(e, start);
         return false;
+    }
     for (uint32_t i = 0; i < t->count; i++)
         start[ring_of(t, i) + 1]++;
     for (size_t r = 1; r <= rings; r++)
@@ -52,21 +65,6 @@ static bool sort(tiles *t, const env *e)
         t->order[start[ring_of(t, i)]++] = i;
     env_free(e, start);
     return true;
-}
-
-bool tiles_make(tiles *t, const env *e, int width, int height, int threads)
-{
-    memset(t, 0, sizeof *t);
-    t->width = width;
-    t->height = height;
-    t->edge = edge_of(width, height, threads);
-    t->columns = parts(width, t->edge);
-    t->rows = parts(height, t->edge);
-    t->count = count_of(width, height, t->edge);
-    if (t->count > UINT32_MAX / 16)
-        return false;
-    t->order = env_resize(e, NULL, t->count, sizeof *t->order);
-    return t->order && sort(t, e);
 }
 
 void tiles_free(tiles *t, const env *e)

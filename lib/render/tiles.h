@@ -13,11 +13,13 @@ typedef struct tiles {
     int width, height;           /* of the picture, pixels */
     int edge, columns, rows;
     size_t count;
-    uint32_t *order;             /* from the middle of the picture outwards */
+    uint32_t *order;             /* from the middle of the picture outwards; by tiles_sort() */
 } tiles;
 
 /* Small enough that `threads` of them have even work to the end, and not so many that handing them out costs. */
-bool tiles_make(tiles *t, const env *e, int width, int height, int threads);
+void tiles_make(tiles *t, int width, int height, int threads);
+/* False: no memory. */
+bool tiles_sort(tiles *t, const env *e);
 void tiles_free(tiles *t, const env *e);
 /* The last column and row may be narrower. */
 pov_rect tiles_rect(const tiles *t, size_t index);

@@ -76,6 +76,20 @@ static void diffuse_light_goes_by_the_cosine(void **state)
     tiny_end(&s);
 }
 
+static void what_lets_light_through_gives_less_diffuse_light(void **state)
+{
+    material m = tiny_matt();
+    TINY(s);
+
+    m.filter = 0.5f;
+    m.transmit = 0.25f;
+    tiny_plane(&s, 0, 0, 1, 5, m);
+    tiny_light(&s, 0, 0, 1, 1.0f, 1.0f, 1.0f);
+    tiny_build(&s);
+    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.15, 0.15, 0.15, 1e-6);
+    tiny_end(&s);
+}
+
 static void the_normal_is_turned_towards_the_eye(void **state)
 {
     TINY(s);
@@ -571,6 +585,7 @@ int main(void)
         cmocka_unit_test(opacity_may_weigh_the_filter_by_its_colour),
         cmocka_unit_test(opacity_is_never_below_zero),
         cmocka_unit_test(diffuse_light_goes_by_the_cosine),
+        cmocka_unit_test(what_lets_light_through_gives_less_diffuse_light),
         cmocka_unit_test(the_normal_is_turned_towards_the_eye),
         cmocka_unit_test(a_highlight_has_the_colour_of_the_light),
         cmocka_unit_test(a_metal_takes_its_own_colour_into_the_highlight),

@@ -1,0 +1,366 @@
+/* From pixels to rays, samples within them, tiles around them, and the frame that holds them. */
+#include "support/near.h"
+
+#include "render/frame.h"
+#include "render/raygen.h"
+#include "render/sample.h"
+#include "render/tiles.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static env libc_env(void)
+{
+    env e;
+
+    env_init(&e, NULL, NULL, NULL);
+    return e;
+}
+
+static pov_camera a_camera(void)
+{
+    pov_camera c = POV_INIT(c);
+
+    c.location = pov_vec3_of(1.0, 2.0, 3.0);
+    c.direction = pov_vec3_of(0.0, 0.0, 1.0);
+    c.right = pov_vec3_of(2.0, 0.0, 0.0);
+    c.up = pov_vec3_of(0.0, 1.5, 0.0);
+    return c;
+}
+
+/* ---- rays ---- */
+
+static void a_ray_goes_through_the_centre_of_its_pixel(void **state)
+{
+    pov_camera c = a_camera();
+    pov_ray ray = raygen_ray(&c, 4, 3, 0, 0, 0.5, 0.5);
+    (void)state;
+
+    assert_near(ray.org.y, 2.0, 0.0);
+    assert_near(ray.dir.x, 2.0 * (0.5 / 4 - 0.5), 1e-15);
+    assert_near(ray.dir.y, 1.5 * (0.5 - 0.5 / 3), 1e-15);
+    assert_near(ray.dir.z, 1.0, 0.0);
+    assert_int_equal(ray.left, POV_NOBODY);
+    assert_near(ray.org_lo.x + ray.dir_lo.x, 0.0, 0.0);
+}
+
+static void rays_are_symmetric_to_the_bit(void **state)
+{
+    pov_camera c = a_camera();
+    (void)state;
+
+    for (int x = 0; x < 1021; x++) {
+        pov_ray a = raygen_ray(&c, 1021, 1021, x, x, 0.5, 0.5), b = raygen_ray(&c, 1021, 1021, 1020 - x, 1020 - x, 0.5, 0.5);
+        assert_near(a.dir.x, -b.dir.x, 0.0);
+        assert_near(a.dir.y, -b.dir.y, 0.0);
+    }
+}
+
+/* ---- samples ---- */
+
+static void one_sample_is_the_centre(void **state)
+{
+    env e = libc_env();
+    sample *s = samples_make(&e, 1);
+    (void)state;
+
+    assert_near(s[0].x, 0.5, 0.0);
+    assert_near(s[0].y, 0.5, 0.0);
+    env_free(&e, s);
+}
+
+static void a_square_number_of_samples_is_a_grid(void **state)
+{
+    env e = libc_env();
+    sample *s = samples_make(&e, 9);
+    (void)state;
+
+    for (int i = 0; i < 9; i++) {
+        assert_near(s[i].x, (i % 3 + 0.5) / 3.0, 1e-15);
+        assert_near(s[i].y, (i / 3 + 0.5) / 3.0, 1e-15);
+    }
+    env_free(&e, s);
+}
+
+static void samples_lie_within_the_pixel_and_about_its_centre(void **state)
+{
+    env e = libc_env();
+    (void)state;
+
+    for (int n = 1; n <= 300; n++) {
+        sample *s = samples_make(&e, n);
+        double x = 0.0, y = 0.0;
+
+        for (int i = 0; i < n; i++) {
+            assert_true(s[i].x > 0.0 && s[i].x < 1.0 && s[i].y > 0.0 && s[i].y < 1.0);
+            x += s[i].x / n;
+            y += s[i].y / n;
+        }
+        assert_near(x, 0.5, 1e-14);
+        assert_near(y, 0.5, 1e-14);
+        env_free(&e, s);
+    }
+}
+
+/* One in each of 32 rows and columns, and in each cell of 4 x 8: random places would not do that. */
+static void samples_spread_evenly(void **state)
+{
+    env e = libc_env();
+    sample *s = samples_make(&e, 32);
+    int columns[32] = { 0 }, rows[32] = { 0 }, cells[4][8] = { { 0 } };
+    (void)state;
+
+    for (int i = 0; i < 32; i++) {
+        columns[(int)(32.0 * s[i].x)]++;
+        rows[(int)(32.0 * s[i].y)]++;
+        cells[(int)(4.0 * s[i].x)][(int)(8.0 * s[i].y)]++;
+    }
+    for (int i = 0; i < 32; i++) {
+        assert_int_equal(columns[i], 1);
+        assert_int_equal(rows[i], 1);
+        assert_int_equal(cells[i / 8][i % 8], 1);
+    }
+    env_free(&e, s);
+}
+
+/* ---- tiles ---- */
+
+static void tiles_cover_every_pixel_once(void **state)
+{
+    static const int sizes[][2] = { { 1, 1 }, { 16, 16 }, { 17, 33 }, { 320, 240 }, { 1000, 3 }, { 3, 1000 } };
+    env e = libc_env();
+    (void)state;
+
+    for (int i = 0; i < 6; i++) {
+        int width = sizes[i][0], height = sizes[i][1];
+        unsigned char *seen = calloc((size_t)width * (size_t)height, 1);
+        tiles t;
+
+        tiles_make(&t, width, height, 4);
+        assert_true(tiles_sort(&t, &e));
+        for (size_t k = 0; k < t.count; k++) {
+            pov_rect r = tiles_rect(&t, t.order[k]);
+            for (int y = r.y; y < r.y + r.height; y++)
+                for (int x = r.x; x < r.x + r.width; x++)
+                    assert_int_equal(seen[y * width + x]++, 0);
+        }
+        for (int k = 0; k < width * height; k++)
+            assert_int_equal(seen[k], 1);
+        tiles_free(&t, &e);
+        free(seen);
+    }
+}
+
+static void tiles_come_from_the_middle_outwards(void **state)
+{
+    env e = libc_env();
+    tiles t;
+    int last = 0;
+    (void)state;
+
+    tiles_make(&t, 500, 300, 1);
+    assert_true(tiles_sort(&t, &e));
+    for (size_t k = 0; k < t.count; k++) {
+        pov_rect r = tiles_rect(&t, t.order[k]);
+        int x = abs(2 * r.x + t.edge - t.columns * t.edge), y = abs(2 * r.y + t.edge - t.rows * t.edge);
+        assert_true((x > y ? x : y) >= last);
+        last = x > y ? x : y;
+    }
+    tiles_free(&t, &e);
+}
+
+static void passes_have_every_pixel_of_a_tile_once(void **state)
+{
+    (void)state;
+
+    for (int width = 1; width <= 33; width += 4)
+        for (int height = 1; height <= 33; height += 3) {
+            unsigned char seen[33][33] = { { 0 } };
+            for (int step = 16; step > 0; step /= 2) {
+                lattice l = { step, step < 16 };
+                size_t count = 0;
+                for (int y = 0; y < height; y++)
+                    for (int x = 0; x < width; x++)
+                        if (lattice_has(l, x, y)) {
+                            assert_int_equal(seen[y][x]++, 0);
+                            count++;
+                        }
+                assert_int_equal(count, lattice_pixels(l, width, height));
+            }
+            for (int y = 0; y < height; y++)
+                for (int x = 0; x < width; x++)
+                    assert_int_equal(seen[y][x], 1);
+        }
+}
+
+/* ---- the frame ---- */
+
+typedef struct board { env env; tiles tiles; frame frame; float *pixels; } board;
+
+/* A picture of 32 x 16 in two tiles of 16, coarsest pixel 4. */
+static void setup(board *b)
+{
+    b->env = libc_env();
+    tiles_make(&b->tiles, 32, 16, 1);
+    assert_int_equal(b->tiles.edge, 16);
+    assert_true(frame_make(&b->frame, &b->env, &b->tiles, 4));
+    b->pixels = calloc(16 * 16 * 4, sizeof *b->pixels);
+}
+
+static void teardown(board *b)
+{
+    frame_free(&b->frame, &b->env);
+    tiles_free(&b->tiles, &b->env);
+    free(b->pixels);
+}
+
+static void fill(board *b, float value)
+{
+    for (int i = 0; i < 16 * 16 * 4; i++)
+        b->pixels[i] = value;
+}
+
+static float read_at(const board *b, int x, int y)
+{
+    float rgba[4];
+
+    frame_row(&b->frame, (size_t)(x / 16), x, y, 1, rgba);
+    return rgba[0];
+}
+
+static void a_missing_pixel_shows_its_nearest_coarser_one(void **state)
+{
+    board b;
+    (void)state;
+    setup(&b);
+
+    for (int i = 0; i < 16 * 16; i++)
+        b.pixels[4 * i] = (float)i;
+    frame_put(&b.frame, 1, 0, b.pixels);
+    assert_near(read_at(&b, 3, 3), 0.0, 0.0);
+    assert_near(read_at(&b, 16 + 3, 3), 0.0, 0.0);
+    assert_near(read_at(&b, 16 + 5, 11), 8 * 16 + 4, 0.0);
+    frame_put(&b.frame, 1, 1, b.pixels);
+    assert_near(read_at(&b, 16 + 7, 11), 10 * 16 + 6, 0.0);
+    frame_put(&b.frame, 1, 2, b.pixels);
+    assert_near(read_at(&b, 16 + 7, 11), 11 * 16 + 7, 0.0);
+    teardown(&b);
+}
+
+/* Threads may hand in a finer pass before a coarser one. */
+static void a_finer_pass_shows_only_when_the_coarser_ones_are_in(void **state)
+{
+    board b;
+    (void)state;
+    setup(&b);
+
+    fill(&b, 1.0f);
+    frame_put(&b.frame, 0, 0, b.pixels);
+    fill(&b, 3.0f);
+    frame_put(&b.frame, 0, 2, b.pixels);
+    assert_near(read_at(&b, 1, 1), 1.0, 0.0);
+    fill(&b, 2.0f);
+    frame_put(&b.frame, 0, 1, b.pixels);
+    assert_near(read_at(&b, 1, 1), 3.0, 0.0);
+    assert_near(read_at(&b, 2, 2), 2.0, 0.0);
+    assert_near(read_at(&b, 4, 4), 1.0, 0.0);
+    teardown(&b);
+}
+
+static void a_cleared_frame_shows_nothing(void **state)
+{
+    board b;
+    (void)state;
+    setup(&b);
+
+    fill(&b, 1.0f);
+    frame_put(&b.frame, 0, 0, b.pixels);
+    frame_clear(&b.frame);
+    assert_near(read_at(&b, 0, 0), 0.0, 0.0);
+    teardown(&b);
+}
+
+/* ---- what is read ---- */
+
+static int byte_of(const encoding *e, float value)
+{
+    float rgba[4] = { value, value, value, 1.0f };
+    unsigned char bytes[4];
+
+    encoding_display(e, rgba, bytes, 1);
+    assert_int_equal(bytes[3], 255);
+    assert_int_equal(bytes[0], bytes[2]);
+    return bytes[0];
+}
+
+static double curve(double v)
+{
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055;
+}
+
+static void display_bytes_are_rounded_on_the_scene_s_curve(void **state)
+{
+    gamma plain = { 1.0, POV_TRANSFER_LINEAR }, srgb = { 2.2, POV_TRANSFER_SRGB };
+    encoding a, b;
+    (void)state;
+
+    encoding_make(&a, &plain);
+    encoding_make(&b, &srgb);
+    for (int i = -100; i < 2000; i++) {
+        float v = (float)i / 1777.0f;
+        double clamped = v < 0.0f ? 0.0 : v > 1.0f ? 1.0 : v;
+        assert_int_equal(byte_of(&a, v), (int)floor(255.0 * clamped + 0.5));
+        assert_int_equal(byte_of(&b, v), (int)floor(255.0 * curve(pow(clamped, 2.2)) + 0.5));
+    }
+    assert_int_equal(byte_of(&a, NAN), 0);
+}
+
+static void linear_values_are_decoded_and_unclamped(void **state)
+{
+    gamma g = { 2.0, POV_TRANSFER_SRGB };
+    float rgba[4] = { 0.5f, -0.5f, 3.0f, 0.25f };
+    encoding e;
+    (void)state;
+
+    encoding_make(&e, &g);
+    encoding_linear(&e, rgba, 1);
+    assert_near(rgba[0], 0.25, 1e-7);
+    assert_near(rgba[1], -0.25, 1e-7);
+    assert_near(rgba[2], 9.0, 1e-6);
+    assert_near(rgba[3], 0.25, 0.0);
+}
+
+static void what_is_not_known_yet_is_transparent(void **state)
+{
+    gamma g = { 1.0, POV_TRANSFER_LINEAR };
+    float rgba[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
+    unsigned char bytes[4];
+    encoding e;
+    (void)state;
+
+    encoding_make(&e, &g);
+    encoding_display(&e, rgba, bytes, 1);
+    assert_int_equal(bytes[3], 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ray_goes_through_the_centre_of_its_pixel),
+        cmocka_unit_test(rays_are_symmetric_to_the_bit),
+        cmocka_unit_test(one_sample_is_the_centre),
+        cmocka_unit_test(a_square_number_of_samples_is_a_grid),
+        cmocka_unit_test(samples_lie_within_the_pixel_and_about_its_centre),
+        cmocka_unit_test(samples_spread_evenly),
+        cmocka_unit_test(tiles_cover_every_pixel_once),
+        cmocka_unit_test(tiles_come_from_the_middle_outwards),
+        cmocka_unit_test(passes_have_every_pixel_of_a_tile_once),
+        cmocka_unit_test(a_missing_pixel_shows_its_nearest_coarser_one),
+        cmocka_unit_test(a_finer_pass_shows_only_when_the_coarser_ones_are_in),
+        cmocka_unit_test(a_cleared_frame_shows_nothing),
+        cmocka_unit_test(display_bytes_are_rounded_on_the_scene_s_curve),
+        cmocka_unit_test(linear_values_are_decoded_and_unclamped),
+        cmocka_unit_test(what_is_not_known_yet_is_transparent),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
