@@ -3,6 +3,7 @@
 #define WORLD_PLAN_H
 
 #include "model/model.h"
+#include "plug/registry.h"
 
 typedef struct plan_row { bool used; const char *subject, *state, *reason; } plan_row;
 typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
@@ -22,7 +23,11 @@ typedef struct plan {
 
 /* Read the needs off the model. Rows on objects and trees are added by world_create(). */
 pov_status plan_make(plan *p, const model *m, pov_error *err);
-pov_status plan_add(plan *p, bool used, const char *subject, const char *state, const char *reason, pov_error *err);
+/* A row; subject and state are static text, the reason is formatted and copied. */
+pov_status plan_add(plan *p, pov_error *err, bool used, const char *subject, const char *state, const char *reason, ...)
+    POV_PRINTF(6, 7);
+/* Rows on the primitives' plugins: which the scene uses, and which of `plugins` (NULL: none) it had no need of. */
+pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, pov_error *err);
 void plan_free(plan *p);
 
 #endif

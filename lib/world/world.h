@@ -13,7 +13,8 @@ typedef struct walker walker;     /* one thread's memory for queries */
 typedef struct world_options {
     pov_accel accel;
     int threads;                 /* for building; 0: one a core */
-    bool always_exact;           /* two-part arithmetic for every intersection */
+    bool always_exact;           /* two-part arithmetic for every intersection, and no filters before it */
+    const registry *plugins;     /* for the plan's rows on plugins that were not needed; may be NULL */
 } world_options;
 
 /* The model must outlive the world and is not changed. */
@@ -48,8 +49,8 @@ bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, h
 void world_surface(const world *w, const pov_ray *ray, hit *h);
 
 /* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of
- * what transparent surfaces let through, crossing by crossing from near to far. False: an opaque one stands there.
- * Objects of no_shadow do not count. */
+ * what transparent surfaces let through, crossing by crossing from near to far. False: nothing is left, an opaque
+ * surface or enough black ones stand there. Objects of no_shadow do not count. */
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through);
 /* Is anything there at all, transparent or not? For pov_trace_blocked(). */
 bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);

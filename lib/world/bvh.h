@@ -1,0 +1,72 @@
+/* bvh.h - a tree of boxes, eight to a node.
+ *
+ * Boxes are floats in the coordinates of a frame: the world moved to the frame's centre and scaled by a power of two
+ * so that the frame's contents lie in the cube -1..1. A part of the scene that is tiny against its frame gets a frame
+ * of its own, so that floats are fine enough at every scale. All rounding is outward; see bvh_walk.h for the rays. */
+#ifndef WORLD_BVH_H
+#define WORLD_BVH_H
+
+#include "base/env.h"
+
+#include <povtrace/math.h>
+
+enum { BVH_WIDTH = 8 };
+
+/* A reference: two bits of kind, the rest counts nodes, frames, or units of leaf memory. */
+#define BVH_KIND 0xc0000000u
+#define BVH_NODE 0x00000000u
+#define BVH_LEAF 0x40000000u
+#define BVH_FRAME 0x80000000u
+#define BVH_RETURN 0xc0000000u   /* on a walk's stack only: back to that frame */
+enum { BVH_UNIT = 64 };          /* bytes; leaves start at multiples of it */
+
+/* No path from the root is longer, so that a walk's stack has a size: each step down leaves at most seven others and
+ * one return behind. */
+enum { BVH_DEPTH = 56, BVH_STACK = BVH_DEPTH * BVH_WIDTH };
+
+/* Rows of bounds: x low, x high, y low, y high, z low, z high. An empty place has low = +inf, high = -inf. */
+typedef struct bvh_node {
+    float bounds[6][BVH_WIDTH];
+    uint32_t child[BVH_WIDTH];
+} bvh_node;
+
+typedef struct bvh_frame {
+    pov_vec3 centre;
+    double scale;                /* frame = (world - centre) * scale */
+    uint32_t root;
+} bvh_frame;
+
+typedef struct bvh {
+    bvh_node *nodes;
+    bvh_frame *frames;           /* the first is the whole scene's */
+    unsigned char *leaves;
+    size_t node_count, frame_count, leaf_count, leaf_bytes;
+    int depth;
+} bvh;
+
+/* What the leaves are to hold is the caller's affair. Both calls see up to BVH_WIDTH things, and may reorder ids. */
+typedef struct bvh_leaves {
+    /* How many bytes they take; the same for each order. */
+    size_t (*size)(void *user, uint32_t *ids, uint32_t count);
+    void (*fill)(void *user, uint32_t *ids, uint32_t count, void *at);
+    void *user;
+} bvh_leaves;
+
+typedef struct bvh_input {
+    const env *env;
+    const pov_box *boxes;        /* by id, finite, within +-1e150 */
+    const uint32_t *ids;         /* what to put in the tree, at least one */
+    uint32_t count;
+    /* Things of one group share leaves when the group packs; the others stand alone. By id, and by group. */
+    const uint16_t *group;
+    const bool *packs;
+    bool all_pack;
+    int threads;
+    bvh_leaves leaves;
+} bvh_input;
+
+/* The same tree whatever the number of threads. False: no memory. */
+bool bvh_build(bvh *out, const bvh_input *in);
+void bvh_free(bvh *b, const env *e);
+
+#endif

@@ -1,0 +1,54 @@
+/* bvh_build.h - between the steps of a build: splitting (bvh_split.c), growing the draft of a tree (bvh_build.c),
+ * laying it out (bvh_layout.c). */
+#ifndef WORLD_BVH_BUILD_H
+#define WORLD_BVH_BUILD_H
+
+#include "base/arena.h"
+#include "world/bvh.h"
+
+/* A thing to be sorted into the tree: its box in the frame's floats, rounded outward. */
+typedef struct bvh_ref {
+    float lo[3];
+    uint32_t id;
+    float hi[3];
+    uint32_t unused;
+} bvh_ref;
+
+/* refs[begin..end) with the box around them and the box around twice their centres. */
+typedef struct bvh_range {
+    uint32_t begin, end;
+    float lo[3], hi[3], centre_lo[3], centre_hi[3];
+    float area;                  /* half the surface of the box */
+    bool is_leaf;
+} bvh_range;
+
+typedef struct bvh_draft_child {
+    struct bvh_draft_node *node; /* NULL: a leaf */
+    bvh_frame *frame;            /* its own frame, or NULL */
+    float lo[3], hi[3];          /* its box in the frame that it is met in, */
+    double scale;                /* and the scale of that frame */
+    bvh_range range;             /* in its own frame where it has one */
+} bvh_draft_child;
+
+typedef struct bvh_draft_node {
+    int count;
+    bvh_draft_child child[BVH_WIDTH];
+} bvh_draft_node;
+
+static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }
+
+void bvh_range_measure(bvh_range *r, const bvh_ref *refs);
+/* Cut in two where the surface area heuristic says, or in halves where it says nothing. Reorders refs. */
+void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, bvh_range *a, bvh_range *b);
+/* Cut in two of equal count, in the order in which they stand. */
+void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range *b);
+
+/* The frame for refs[begin..end), from their true boxes. */
+bvh_frame bvh_frame_of(const pov_box *boxes, const bvh_ref *refs, uint32_t begin, uint32_t end);
+/* Give them their boxes in it. */
+void bvh_frame_convert(const bvh_frame *frame, const pov_box *boxes, bvh_ref *refs, uint32_t begin, uint32_t end);
+
+/* Turn the draft below `root` into what is walked. Leaves are filled in the order of the tree. */
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_ref *refs);
+
+#endif

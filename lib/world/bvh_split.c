@@ -1,0 +1,172 @@
+#include "world/bvh_build.h"
+
+#include <float.h>
+
+enum { BINS = 16 };
+
+typedef struct bin { float lo[3], hi[3]; uint32_t count; } bin;
+
+static void bin_clear(bin *b)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        b->lo[k] = FLT_MAX;
+        b->hi[k] = -FLT_MAX;
+    }
+    b->count = 0;
+}
+
+static inline void bin_add(bin *b, const float *lo, const float *hi, uint32_t count)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        b->lo[k] = lo[k] < b->lo[k] ? lo[k] : b->lo[k];
+        b->hi[k] = hi[k] > b->hi[k] ? hi[k] : b->hi[k];
+    }
+    b->count += count;
+}
+
+/* Half the surface. */
+static float area_of(const float *lo, const float *hi)
+{
+    float x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+    return x * y + y * z + z * x;
+}
+
+void bvh_range_measure(bvh_range *r, const bvh_ref *refs)
+{
+    bin box, centres;
+    uint32_t i;
+    int k;
+
+    bin_clear(&box);
+    bin_clear(&centres);
+    for (i = r->begin; i < r->end; i++) {
+        const bvh_ref *f = &refs[i];
+        float c[3] = { f->lo[0] + f->hi[0], f->lo[1] + f->hi[1], f->lo[2] + f->hi[2] };
+        bin_add(&box, f->lo, f->hi, 1);
+        bin_add(&centres, c, c, 1);
+    }
+    for (k = 0; k < 3; k++) {
+        r->lo[k] = box.lo[k];
+        r->hi[k] = box.hi[k];
+        r->centre_lo[k] = centres.lo[k];
+        r->centre_hi[k] = centres.hi[k];
+    }
+    r->area = area_of(r->lo, r->hi);
+    r->is_leaf = false;
+}
+
+/* ---- where to cut ---- */
+
+typedef struct cut { int axis, at; float base, factor, cost; } cut;
+
+/* The bin of a box along the cut's axis. Each use must round alike, or a thing would change sides. */
+static inline int bin_of(const bvh_ref *f, int axis, float base, float factor)
+{
+    return (int)((f->lo[axis] + f->hi[axis] - base) * factor);
+}
+
+/* What asking n things costs: packed ones are asked eight at once. */
+static float cost_of(uint32_t n, bool count_blocks)
+{
+    return (float)(count_blocks ? (n + BVH_WIDTH - 1) / BVH_WIDTH : n);
+}
+
+/* The best place between two bins of one axis. */
+static void weigh(const bin *bins, bool count_blocks, int axis, float base, float factor, cut *best)
+{
+    float right[BINS];
+    bin sum;
+    uint32_t behind[BINS];
+    int i;
+
+    bin_clear(&sum);
+    for (i = BINS - 1; i > 0; i--) {
+        bin_add(&sum, bins[i].lo, bins[i].hi, bins[i].count);
+        behind[i] = sum.count;
+        right[i] = sum.count ? area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks) : 0.0f;
+    }
+    bin_clear(&sum);
+    for (i = 1; i < BINS; i++) {
+        float cost;
+        bin_add(&sum, bins[i - 1].lo, bins[i - 1].hi, bins[i - 1].count);
+        if (sum.count == 0 || behind[i] == 0)
+            continue;
+        cost = area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks) + right[i];
+        if (cost < best->cost) {
+            cut found = { axis, i, base, factor, cost };
+            *best = found;
+        }
+    }
+}
+
+static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks)
+{
+    bin bins[3][BINS];
+    float factor[3];
+    cut best = { -1, 0, 0.0f, 0.0f, FLT_MAX };
+    uint32_t i;
+    int k, j;
+
+    for (k = 0; k < 3; k++) {
+        float extent = r->centre_hi[k] - r->centre_lo[k];
+        /* Just below the number of bins, so that the last centre falls into the last of them. Where all centres are
+         * the same, or nearly so against the frame, all fall into the first, and nothing separates there. */
+        factor[k] = extent > 1e-30f ? (float)BINS * 0.9999f / extent : 0.0f;
+        for (j = 0; j < BINS; j++)
+            bin_clear(&bins[k][j]);
+    }
+    for (i = r->begin; i < r->end; i++)
+        for (k = 0; k < 3; k++)
+            bin_add(&bins[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], refs[i].lo, refs[i].hi, 1);
+    for (k = 0; k < 3; k++)
+        if (factor[k] > 0.0f)
+            weigh(bins[k], count_blocks, k, r->centre_lo[k], factor[k], &best);
+    return best;
+}
+
+static uint32_t partition(bvh_ref *refs, uint32_t begin, uint32_t end, const cut *c)
+{
+    for (;;) {
+        bvh_ref swap;
+        while (begin < end && bin_of(&refs[begin], c->axis, c->base, c->factor) < c->at)
+            begin++;
+        while (begin < end && bin_of(&refs[end - 1], c->axis, c->base, c->factor) >= c->at)
+            end--;
+        if (begin >= end)
+            return begin;
+        swap = refs[begin];
+        refs[begin] = refs[end - 1];
+        refs[end - 1] = swap;
+    }
+}
+
+static void divide(const bvh_range *r, const bvh_ref *refs, uint32_t middle, bvh_range *a, bvh_range *b)
+{
+    uint32_t begin = r->begin, end = r->end;   /* a or b may be r itself */
+
+    a->begin = begin;
+    a->end = middle;
+    b->begin = middle;
+    b->end = end;
+    bvh_range_measure(a, refs);
+    bvh_range_measure(b, refs);
+}
+
+void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range *b)
+{
+    divide(r, refs, r->begin + bvh_range_count(r) / 2, a, b);
+}
+
+void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, bvh_range *a, bvh_range *b)
+{
+    cut best = find_cut(r, refs, count_blocks);
+
+    if (best.axis < 0)
+        bvh_halve(r, refs, a, b);
+    else
+        divide(r, refs, partition(refs, r->begin, r->end, &best), a, b);
+}

@@ -1,0 +1,45 @@
+/* parts.h - what a world is made of, for the files of this room. */
+#ifndef WORLD_PARTS_H
+#define WORLD_PARTS_H
+
+#include "world/bvh_walk.h"
+#include "world/flatten.h"
+#include "world/world.h"
+
+/* A solid with an interior. */
+typedef struct medium {
+    uint32_t object;
+    bool boxed;                  /* only points in the box are inside */
+    pov_box box;
+} medium;
+
+struct world {
+    const env *env;
+    const model *model;
+    plan plan;
+    shape_place *places;         /* by object */
+    shape_group *groups;
+    size_t group_count;
+    unsigned char *list_memory;
+    const run *infinite;         /* asked for every ray; NULL: none */
+    const run *list;             /* the finite ones when there is no tree; NULL: none */
+    bvh tree;
+    bool has_tree;
+    const bvh_walks *walks;
+    bool always_exact;
+    pov_box bounds;
+    bool has_bounds;
+    uint32_t infinite_count;
+    medium *media;
+    size_t media_count;
+};
+
+struct walker {
+    const env *env;
+    pov_crossing *crossings;     /* of one light path */
+    uint32_t capacity;
+    uint64_t decided;
+    bool failed;
+};
+
+#endif

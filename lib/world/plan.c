@@ -1,0 +1,231 @@
+#include "world/plan.h"
+
+#include "base/err.h"
+#include "base/vec.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* ---- rows ---- */
+
+pov_status plan_add(plan *p, pov_error *err, bool used, const char *subject, const char *state, const char *reason, ...)
+{
+    plan_row row = { used, NULL, state, NULL };
+    char text[512];
+    va_list args;
+
+    va_start(args, reason);
+    vsnprintf(text, sizeof text, reason, args);
+    va_end(args);
+    row.subject = arena_text(&p->memory, subject, strlen(subject));
+    row.reason = arena_text(&p->memory, text, strlen(text));
+    if (!row.subject || !row.reason || !VEC_PUSH(p->memory.env, &p->rows, row))
+        return err_memory(err);
+    return POV_OK;
+}
+
+void plan_free(plan *p)
+{
+    if (p->memory.env)
+        env_free(p->memory.env, p->rows.items);
+    if (p->memory.env)
+        arena_free(&p->memory);
+    memset(p, 0, sizeof *p);
+}
+
+/* ---- what there is in the model ---- */
+
+typedef struct survey {
+    size_t shining;              /* lights that are not black */
+    size_t answering;            /* objects that light changes */
+    size_t casting, tinting;     /* objects that throw a shadow; transparent ones of them */
+    size_t glossy, metallic, mirrors, transparent, bending, media;
+} survey;
+
+static bool is_medium(const object *o, const material *m)
+{
+    return m->has_interior && (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside;
+}
+
+static void see_object(survey *s, const object *o, const material *m)
+{
+    bool transparent = material_is_transparent(m), casts = !(o->flags & OBJECT_NO_SHADOW);
+    bool glossy = m->phong != 0.0f;
+
+    s->answering += glossy || (m->diffuse != 0.0f && !colour_is_black(m->pigment));
+    s->casting += casts;
+    s->tinting += casts && transparent;
+    s->glossy += glossy;
+    s->metallic += glossy && m->metallic != 0.0f;
+    s->mirrors += !colour_is_black(m->reflection);
+    s->transparent += transparent;
+    s->bending += transparent && m->has_interior && m->ior != 1.0;
+    s->media += is_medium(o, m);
+}
+
+static survey look(const model *m)
+{
+    survey s;
+    size_t i;
+
+    memset(&s, 0, sizeof s);
+    for (i = 0; i < m->lights.count; i++)
+        s.shining += !colour_is_black(m->lights.items[i].color);
+    for (i = 0; i < m->objects.count; i++)
+        see_object(&s, &m->objects.items[i], &m->materials.items[m->objects.items[i].material]);
+    return s;
+}
+
+/* ---- needs ---- */
+
+static void decide(plan *p, const survey *s)
+{
+    p->lighting = s->shining > 0 && s->answering > 0;
+    p->shadows = p->lighting && s->casting > 0;
+    p->coloured_shadows = p->shadows && s->tinting > 0;
+    p->highlights = p->lighting && s->glossy > 0;
+    p->metallic = p->lighting && s->metallic > 0;
+    p->reflection = s->mirrors > 0;
+    p->transmission = s->transparent > 0;
+    p->refraction = s->bending > 0;
+    p->media_at_start = p->refraction && s->media > 0;
+}
+
+static const char *no_light(const survey *s)
+{
+    return s->shining == 0 ? "no light shines" : "no surface answers light";
+}
+
+static pov_status explain_light(plan *p, const survey *s, pov_error *err)
+{
+    pov_status status;
+
+    if (p->lighting)
+        status = plan_add(p, err, true, "lighting", "computed", "lights that shine: %zu; objects that answer: %zu",
+                          s->shining, s->answering);
+    else
+        status = plan_add(p, err, false, "lighting", "left out", "%s", no_light(s));
+    if (status == POV_OK && p->shadows)
+        status = plan_add(p, err, true, "shadow rays", "sent", "objects that throw a shadow: %zu", s->casting);
+    else if (status == POV_OK)
+        status = plan_add(p, err, false, "shadow rays", "left out", "%s",
+                          p->lighting ? "every object is no_shadow" : no_light(s));
+    if (status == POV_OK && p->coloured_shadows)
+        status = plan_add(p, err, true, "coloured shadows", "collected", "transparent objects that throw a shadow: %zu",
+                          s->tinting);
+    else if (status == POV_OK)
+        status = plan_add(p, err, false, "coloured shadows", "left out", "%s",
+                          p->shadows ? "nothing that throws a shadow is transparent: the first object met ends a shadow ray"
+                                     : "no shadow rays are sent");
+    return status;
+}
+
+/* A row on what objects of some kind make necessary. */
+static pov_status explain_kind(plan *p, bool used, const char *subject, const char *state, const char *kind, size_t count,
+                               const char *why_not, pov_error *err)
+{
+    if (used)
+        return plan_add(p, err, true, subject, state, "objects %s: %zu", kind, count);
+    return plan_add(p, err, false, subject, "left out", "%s", why_not);
+}
+
+static pov_status explain_surfaces(plan *p, const survey *s, pov_error *err)
+{
+    pov_status status = explain_kind(p, p->highlights, "highlights", "computed", "with phong", s->glossy,
+                                     s->glossy > 0 ? no_light(s) : "no surface has phong", err);
+
+    if (status == POV_OK)
+        status = explain_kind(p, p->metallic, "metallic", "computed", "with metallic highlights", s->metallic,
+                              s->metallic > 0 ? no_light(s) : "no surface has a metallic highlight", err);
+    if (status == POV_OK)
+        status = explain_kind(p, p->reflection, "reflection", "followed", "with reflection", s->mirrors,
+                              "no surface has reflection", err);
+    if (status == POV_OK)
+        status = explain_kind(p, p->transmission, "transparency", "followed", "that let light through", s->transparent,
+                              "no surface lets light through", err);
+    if (status == POV_OK)
+        status = explain_kind(p, p->refraction, "refraction", "computed", "that bend light", s->bending,
+                              p->transmission ? "no transparent surface has an interior of ior other than 1"
+                                              : "no surface lets light through", err);
+    if (status == POV_OK)
+        status = explain_kind(p, p->media_at_start, "media at the camera", "looked up", "that may hold it", s->media,
+                              "nothing bends light", err);
+    return status;
+}
+
+pov_status plan_make(plan *p, const model *m, pov_error *err)
+{
+    survey s = look(m);
+    pov_status status;
+
+    memset(p, 0, sizeof *p);
+    arena_init(&p->memory, m->env);
+    decide(p, &s);
+    status = plan_add(p, err, true, "dialect", m->dialect == POV_DIALECT_COURSE ? "course" : "povray", "%s",
+                      m->dialect_reason ? m->dialect_reason : "asked for");
+    if (status == POV_OK)
+        status = explain_light(p, &s, err);
+    if (status == POV_OK)
+        status = explain_surfaces(p, &s, err);
+    if (status < 0)
+        plan_free(p);
+    return status;
+}
+
+/* ---- plugins ---- */
+
+typedef struct plugin_rows {
+    plan *plan;
+    const model *model;
+    pov_status status;
+    pov_error *err;
+} plugin_rows;
+
+static pov_status add_plugin(plugin_rows *r, const char *keyword, size_t objects)
+{
+    char subject[96];
+
+    snprintf(subject, sizeof subject, "plugin %s", keyword);
+    if (objects > 0)
+        return plan_add(r->plan, r->err, true, subject, "loaded", "objects: %zu", objects);
+    return plan_add(r->plan, r->err, false, subject, "not loaded", "the scene does not name it");
+}
+
+static bool has_row(const plan *p, const char *keyword)
+{
+    size_t i;
+
+    for (i = 0; i < p->rows.count; i++)
+        if (strncmp(p->rows.items[i].subject, "plugin ", 7) == 0 && strcmp(p->rows.items[i].subject + 7, keyword) == 0)
+            return true;
+    return false;
+}
+
+static void see_keyword(void *user, const char *keyword)
+{
+    plugin_rows *r = user;
+
+    if (r->status == POV_OK && !has_row(r->plan, keyword))
+        r->status = add_plugin(r, keyword, 0);
+}
+
+pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, pov_error *err)
+{
+    plugin_rows r = { p, m, POV_OK, err };
+    const object_list *all = &m->objects;
+    const pov_shape_class *last = NULL;
+    size_t i, k, n;
+
+    for (i = 0; r.status == POV_OK && i < all->count; i++) {
+        const pov_shape_class *shape = all->items[i].shape;
+        if (shape == last || has_row(p, shape->keyword))
+            continue;
+        last = shape;
+        for (k = i, n = 0; k < all->count; k++)
+            n += all->items[k].shape == shape;
+        r.status = add_plugin(&r, shape->keyword, n);
+    }
+    if (r.status == POV_OK && plugins)
+        registry_each_keyword(plugins, "primitives", see_keyword, &r);
+    return r.status;
+}

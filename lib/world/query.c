@@ -1,0 +1,324 @@
+#include "world/parts.h"
+
+#include "base/err.h"
+#include "base/vec.h"
+
+#include <string.h>
+
+/* ---- a walker ---- */
+
+pov_status walker_create(walker **out, const world *w, pov_error *err)
+{
+    walker *k = env_alloc(w->env, 1, sizeof *k);
+
+    *out = k;
+    if (!k)
+        return err_memory(err);
+    k->env = w->env;
+    return POV_OK;
+}
+
+void walker_destroy(walker *k)
+{
+    if (!k)
+        return;
+    env_free(k->env, k->crossings);
+    env_free(k->env, k);
+}
+
+uint64_t walker_decided(const walker *k)
+{
+    return k->decided;
+}
+
+bool walker_failed(const walker *k)
+{
+    return k->failed;
+}
+
+/* ---- what all queries share ---- */
+
+/* A lane that is surely crossed, before or at the limit; which crossing is nearest of all is settled later. */
+typedef struct pending { const run *run; uint32_t lane; double lo; } pending;
+
+enum { PENDING_MAX = 8 };
+
+typedef struct query {
+    bvh_walk walk;               /* first: leaves are handed this */
+    pov_hits hits;
+    pending pending[PENDING_MAX];
+    uint32_t waiting;
+    pov_hits tints;              /* of transparent shapes on a light path */
+    bool any_blocks;             /* transparent or not */
+} query;
+
+static void begin(query *q, const world *w, const pov_ray *ray, double tmax, pov_want want, pov_crossing *at)
+{
+    q->walk.tree = &w->tree;
+    q->walk.ray = ray;
+    q->walk.limit = tmax;
+    q->waiting = 0;
+    q->hits.tmin = 0.0;
+    q->hits.tmax = tmax;
+    q->hits.want = want;
+    q->hits.always_exact = w->always_exact;
+    q->hits.owner = POV_NOBODY;
+    q->hits.count = 0;
+    q->hits.capacity = 1;
+    q->hits.decided = 0;
+    q->hits.at = at;
+    q->hits.grow = NULL;
+    q->hits.user = NULL;
+}
+
+/* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
+static inline double just_beyond(double limit)
+{
+    return limit + limit * 0x1p-52 + 0x1p-1074;
+}
+
+/* Whether something at lo or later can be left out: a reported distance may be off by some units in its last place. */
+static inline bool is_beyond(double lo, double limit)
+{
+    return lo > limit + limit * 0x1p-46;
+}
+
+/* ---- nearest ---- */
+
+static void ask_nearest(query *q, const run *r, uint32_t lane)
+{
+    q->hits.owner = r->object[lane];
+    run_intersect(r, lane, q->walk.ray, &q->hits);
+    if (q->hits.tmax < q->walk.limit)
+        q->walk.limit = q->hits.tmax;
+}
+
+/* Ask those that wait and can still be the nearest; the last to come are probably the nearest. */
+static void settle(query *q)
+{
+    while (q->waiting > 0) {
+        const pending *p = &q->pending[--q->waiting];
+        if (!is_beyond(p->lo, q->walk.limit))
+            ask_nearest(q, p->run, p->lane);
+    }
+}
+
+static void put_off(query *q, const run *r, uint32_t lane, double lo, double hi)
+{
+    pending *p;
+
+    if (q->waiting == PENDING_MAX)
+        settle(q);
+    p = &q->pending[q->waiting++];
+    p->run = r;
+    p->lane = lane;
+    p->lo = lo;
+    if (hi < q->walk.limit)
+        q->walk.limit = hi;
+}
+
+static void filter_nearest(query *q, const run *r)
+{
+    pov_block_answer answer;
+    uint32_t left = q->walk.ray->left, lane;
+
+    r->shape->block_filter(run_block(r), q->walk.ray, 0.0, just_beyond(q->walk.limit), &answer);
+    for (lane = 0; answer.maybe >> lane; lane++) {
+        if (!(answer.maybe >> lane & 1) || is_beyond(answer.lo[lane], q->walk.limit))
+            continue;
+        /* The filter knows nothing of the root that a ray leaves. */
+        if ((answer.surely >> lane & 1) && r->object[lane] != left)
+            put_off(q, r, lane, answer.lo[lane], answer.hi[lane]);
+        else
+            ask_nearest(q, r, lane);
+    }
+}
+
+static bool meet_nearest(bvh_walk *walk, const void *leaf)
+{
+    query *q = (query *)(void *)walk;
+    const run *r;
+    uint32_t lane;
+
+    for (r = leaf; r; r = run_next(r)) {
+        if (r->flags & RUN_PACKED)
+            filter_nearest(q, r);
+        else
+            for (lane = 0; lane < r->count; lane++)
+                ask_nearest(q, r, lane);
+    }
+    return false;
+}
+
+bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out)
+{
+    query q;
+
+    begin(&q, w, ray, tmax, POV_WANT_NEAREST, &out->crossing);
+    q.walk.leaf = meet_nearest;
+    if (w->infinite)
+        meet_nearest(&q.walk, w->infinite);
+    if (w->list)
+        meet_nearest(&q.walk, w->list);
+    if (w->has_tree)
+        w->walks->nearest_first(&q.walk);
+    settle(&q);
+    k->decided += q.hits.decided;
+    out->object = q.hits.count ? out->crossing.owner : POV_NOBODY;
+    return q.hits.count > 0;
+}
+
+/* ---- shadows ---- */
+
+static bool grow(pov_hits *hits)
+{
+    walker *k = hits->user;
+    size_t capacity = k->capacity;
+
+    if (capacity > UINT32_MAX / 2 ||
+        !vec_reserve(k->env, (void **)&k->crossings, &capacity, hits->count, sizeof *k->crossings)) {
+        k->failed = true;
+        return false;
+    }
+    k->capacity = hits->capacity = (uint32_t)capacity;
+    hits->at = k->crossings;
+    return true;
+}
+
+/* True: the path ends here. */
+static bool ask_shadow(query *q, const run *r, uint32_t lane)
+{
+    bool blocks = q->any_blocks || (r->opaque >> lane & 1);
+    pov_hits *hits = blocks ? &q->hits : &q->tints;
+
+    hits->owner = r->object[lane];
+    run_intersect(r, lane, q->walk.ray, hits);
+    return blocks && hits->count > 0;
+}
+
+static bool filter_shadow(query *q, const run *r)
+{
+    pov_block_answer answer;
+    uint32_t lane, blocking = q->any_blocks ? r->casts : r->casts & r->opaque, left = q->walk.ray->left;
+
+    r->shape->block_filter(run_block(r), q->walk.ray, 0.0, q->hits.tmax, &answer);
+    for (lane = 0; answer.surely >> lane; lane++)
+        if ((answer.surely & blocking) >> lane & 1 && r->object[lane] != left && answer.hi[lane] < q->hits.tmax)
+            return true;
+    answer.maybe &= r->casts;
+    for (lane = 0; answer.maybe >> lane; lane++)
+        if ((answer.maybe >> lane & 1) && ask_shadow(q, r, lane))
+            return true;
+    return false;
+}
+
+static bool meet_shadow(bvh_walk *walk, const void *leaf)
+{
+    query *q = (query *)(void *)walk;
+    const run *r;
+    uint32_t lane;
+
+    for (r = leaf; r; r = run_next(r)) {
+        if (r->casts == 0)
+            continue;
+        if (r->flags & RUN_PACKED) {
+            if (filter_shadow(q, r))
+                return true;
+            continue;
+        }
+        for (lane = 0; lane < r->count; lane++)
+            if ((r->casts >> lane & 1) && ask_shadow(q, r, lane))
+                return true;
+    }
+    return false;
+}
+
+/* True: something that blocks stands on the way. */
+static bool is_blocked(query *q, const world *w)
+{
+    q->walk.leaf = meet_shadow;
+    return (w->infinite && meet_shadow(&q->walk, w->infinite)) || (w->list && meet_shadow(&q->walk, w->list)) ||
+           (w->has_tree && w->walks->any_order(&q->walk));
+}
+
+bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
+{
+    pov_crossing at;
+    query q;
+    bool blocked;
+
+    begin(&q, w, ray, tmax, POV_WANT_ANY, &at);
+    q.any_blocks = true;
+    blocked = is_blocked(&q, w);
+    k->decided += q.hits.decided;
+    return blocked;
+}
+
+/* ---- light through transparent shapes ---- */
+
+/* From near to far; what decides between equals only has to be the same for the tree and the list. */
+static bool is_before(const pov_crossing *a, const pov_crossing *b)
+{
+    if (a->t != b->t)
+        return a->t < b->t;
+    if (a->t_lo != b->t_lo)
+        return a->t_lo < b->t_lo;
+    return a->owner < b->owner;
+}
+
+/* Shell's sort: in place, and fast for the few there are. */
+static void sort(pov_crossing *at, uint32_t count)
+{
+    uint32_t gap, i, j;
+
+    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
+        ;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < count; i++) {
+            pov_crossing c = at[i];
+            for (j = i; j >= gap && is_before(&c, &at[j - gap]); j -= gap)
+                at[j] = at[j - gap];
+            at[j] = c;
+        }
+}
+
+static bool multiply(const model *m, pov_crossing *at, uint32_t count, colour *through)
+{
+    uint32_t i;
+
+    sort(at, count);
+    for (i = 0; i < count && !colour_is_black(*through); i++) {
+        const material *s = &m->materials.items[m->objects.items[at[i].owner].material];
+        colour f = colour_scale(s->pigment, s->filter);
+        *through = colour_mul(*through, colour_of(f.r + s->transmit, f.g + s->transmit, f.b + s->transmit));
+    }
+    return !colour_is_black(*through);
+}
+
+static void begin_tints(query *q, walker *k)
+{
+    q->tints = q->hits;
+    q->tints.want = POV_WANT_ALL;
+    q->tints.capacity = k->capacity;
+    q->tints.at = k->crossings;
+    q->tints.grow = grow;
+    q->tints.user = k;
+}
+
+bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through)
+{
+    pov_crossing at;
+    query q;
+
+    *through = colour_of(1.0f, 1.0f, 1.0f);
+    begin(&q, w, ray, tmax, POV_WANT_ANY, &at);
+    q.any_blocks = !w->plan.coloured_shadows;
+    begin_tints(&q, k);
+    if (is_blocked(&q, w)) {
+        k->decided += q.hits.decided + q.tints.decided;
+        *through = colour_of(0.0f, 0.0f, 0.0f);
+        return false;
+    }
+    k->decided += q.hits.decided + q.tints.decided;
+    return q.tints.count == 0 || multiply(w->model, q.tints.at, q.tints.count, through);
+}

@@ -1,0 +1,255 @@
+#include "world/parts.h"
+
+#include "base/err.h"
+
+#include <string.h>
+
+/* ---- the plan's rows on objects and trees ---- */
+
+static pov_status explain_objects(world *w, const flat *f, pov_error *err)
+{
+    plan *p = &w->plan;
+    pov_status status;
+
+    if (f->absorbed + f->composed == 0)
+        status = plan_add(p, err, false, "transformations", "left out", "no object has one");
+    else if (f->composed == 0)
+        status = plan_add(p, err, true, "transformations", "absorbed", "taken into the shapes themselves: %zu", f->absorbed);
+    else
+        status = plan_add(p, err, true, "transformations", f->absorbed ? "some absorbed" : "composed",
+                          "taken into the shapes themselves: %zu; rays taken into the shape's own space: %zu", f->absorbed,
+                          f->composed);
+    if (status == POV_OK && f->packed > 0)
+        status = plan_add(p, err, true, "blocks", "packed", "shapes filtered up to eight at once: %zu of %zu", f->packed,
+                          w->model->objects.count);
+    else if (status == POV_OK)
+        status = plan_add(p, err, false, "blocks", "left out", "no shape takes part in them");
+    if (status == POV_OK && f->infinite_count > 0)
+        status = plan_add(p, err, true, "infinite objects", "asked apart", "without a finite box, asked for every ray: %zu",
+                          (size_t)f->infinite_count);
+    else if (status == POV_OK)
+        status = plan_add(p, err, false, "infinite objects", "left out", "every object has a finite box");
+    return status;
+}
+
+static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_error *err)
+{
+    const bvh *t = &w->tree;
+
+    if (w->has_tree)
+        return plan_add(&w->plan, err, true, "tree", "built",
+                        "%zu objects: nodes %zu, leaves %zu, depth %d, frames %zu, %.1f kB; %s", (size_t)f->finite_count,
+                        t->node_count, t->leaf_count, t->depth, t->frame_count,
+                        1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->walks->name);
+    return plan_add(&w->plan, err, false, "tree", "left out", "%s",
+                    accel == POV_ACCEL_NONE    ? "asked for none: every ray asks every object"
+                    : f->finite_count == 0 ? "no object has a finite box"
+                                               : "so few objects are asked one after the other");
+}
+
+/* ---- media ---- */
+
+static bool find_media(world *w, const flat *f)
+{
+    const object_list *all = &w->model->objects;
+    size_t i, n = 0;
+    uint32_t k;
+
+    for (i = 0; i < all->count; i++)
+        n += w->model->materials.items[all->items[i].material].has_interior;
+    if (n == 0)
+        return true;
+    w->media = env_alloc(w->env, n, sizeof *w->media);
+    if (!w->media)
+        return false;
+    for (i = 0; i < all->count; i++) {
+        const object *o = &all->items[i];
+        medium m = { (uint32_t)i, false, f->boxes[i] };
+        if (!w->model->materials.items[o->material].has_interior)
+            continue;
+        if (o->shape->inside && (o->shape->flags & POV_SHAPE_SOLID))
+            w->media[w->media_count++] = m;
+    }
+    /* Both lists are in the order of the scene. An inverse solid's inside is all but its box. */
+    for (i = 0, k = 0; i < w->media_count; i++) {
+        while (k < f->finite_count && f->finite[k] < w->media[i].object)
+            k++;
+        w->media[i].boxed = k < f->finite_count && f->finite[k] == w->media[i].object &&
+                            !(all->items[w->media[i].object].flags & OBJECT_INVERSE);
+    }
+    return true;
+}
+
+/* ---- lists and the tree ---- */
+
+/* Shapes so few that asking them one after the other costs no more than the tree's first steps would. A packed run
+ * costs about what two shapes alone do. */
+enum { LIST_COST = 4 };
+
+static bool is_tiny(const flat *f)
+{
+    uint32_t in_group[8] = { 0 }, cost = 0;
+    uint32_t i;
+
+    if (f->finite_count > 2 * RUN_WIDTH || f->group_count > 8)
+        return false;
+    for (i = 0; i < f->finite_count; i++)
+        in_group[f->group[f->finite[i]]]++;
+    for (i = 0; i < f->group_count; i++)
+        cost += f->groups[i].packs ? 2 * ((in_group[i] + RUN_WIDTH - 1) / RUN_WIDTH) : in_group[i];
+    return cost <= LIST_COST;
+}
+
+static bool make_lists(world *w, flat *f, bool with_finite)
+{
+    size_t first = f->infinite_count ? flat_runs_size(f, f->infinite, f->infinite_count) : 0, second = 0;
+
+    if (with_finite && f->finite_count > 0)
+        second = flat_runs_size(f, f->finite, f->finite_count);
+    if (first + second == 0)
+        return true;
+    w->list_memory = env_alloc_aligned(w->env, first + second, 64);
+    if (!w->list_memory)
+        return false;
+    if (first > 0) {
+        flat_runs_fill(f, f->infinite, f->infinite_count, w->places, w->list_memory);
+        w->infinite = (const run *)(const void *)w->list_memory;
+    }
+    if (second > 0) {
+        flat_runs_fill(f, f->finite, f->finite_count, w->places, w->list_memory + first);
+        w->list = (const run *)(const void *)(w->list_memory + first);
+    }
+    return true;
+}
+
+typedef struct leaf_maker { world *world; flat *flat; } leaf_maker;
+
+static size_t leaf_size(void *user, uint32_t *ids, uint32_t count)
+{
+    leaf_maker *k = user;
+    return flat_runs_size(k->flat, ids, count);
+}
+
+static void leaf_fill(void *user, uint32_t *ids, uint32_t count, void *at)
+{
+    leaf_maker *k = user;
+    flat_runs_fill(k->flat, ids, count, k->world->places, at);
+}
+
+static bool make_tree(world *w, flat *f, int threads)
+{
+    leaf_maker k = { w, f };
+    bvh_input in = { w->env, f->boxes, f->finite, f->finite_count, f->group, f->packs, f->packed == f->finite_count, threads,
+                     { leaf_size, leaf_fill, &k } };
+
+    w->has_tree = bvh_build(&w->tree, &in);
+    return w->has_tree;
+}
+
+static void find_bounds(world *w, const flat *f)
+{
+    uint32_t i;
+
+    w->has_bounds = f->finite_count > 0;
+    for (i = 0; i < f->finite_count; i++) {
+        const pov_box *b = &f->boxes[f->finite[i]];
+        pov_box *all = &w->bounds;
+        if (i == 0)
+            *all = *b;
+        all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
+        all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
+    }
+}
+
+/* ---- all of it ---- */
+
+static pov_status compile(world *w, flat *f, const world_options *options, pov_error *err)
+{
+    bool tree = options->accel != POV_ACCEL_NONE && f->finite_count > 0 && !is_tiny(f);
+
+    w->infinite_count = f->infinite_count;
+    w->places = env_alloc(w->env, w->model->objects.count, sizeof *w->places);
+    find_bounds(w, f);
+    if (!w->places || !find_media(w, f) || !flat_allocate(f))
+        return err_memory(err);
+    if (!make_lists(w, f, !tree) || (tree && !make_tree(w, f, options->threads)))
+        return err_memory(err);
+    return POV_OK;
+}
+
+static pov_status build(world *w, const world_options *options, pov_error *err)
+{
+    bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
+    pov_status status = plan_make(&w->plan, w->model, err);
+    flat f;
+
+    if (status == POV_OK)
+        status = plan_add_plugins(&w->plan, w->model, options->plugins, err);
+    if (status == POV_OK)
+        status = flatten(&f, w->model, use_blocks, err);
+    if (status < 0)
+        return status;
+    status = compile(w, &f, options, err);
+    if (status == POV_OK)
+        status = explain_objects(w, &f, err);
+    if (status == POV_OK)
+        status = explain_tree(w, &f, options->accel, err);
+    /* The groups' arrays stay with the world. */
+    w->groups = f.groups;
+    w->group_count = f.group_count;
+    flat_free(&f);
+    return status;
+}
+
+pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
+{
+    world *w;
+    pov_status status;
+
+    *out = NULL;
+    if (m->objects.count > POV_NOBODY - 1u)
+        return err_set(err, POV_E_UNSUPPORTED, "%zu objects are more than this version can hold", m->objects.count);
+    w = env_alloc(m->env, 1, sizeof *w);
+    if (!w)
+        return err_memory(err);
+    w->env = m->env;
+    w->model = m;
+    w->always_exact = options->always_exact;
+    w->walks = bvh_walks_best();
+    status = build(w, options, err);
+    if (status < 0)
+        world_destroy(w);
+    else
+        *out = w;
+    return status;
+}
+
+void world_destroy(world *w)
+{
+    if (!w)
+        return;
+    groups_free(w->env, w->groups, w->group_count);
+    bvh_free(&w->tree, w->env);
+    env_free_aligned(w->env, w->list_memory);
+    env_free(w->env, w->places);
+    env_free(w->env, w->media);
+    plan_free(&w->plan);
+    env_free(w->env, w);
+}
+
+const plan *world_plan(const world *w)
+{
+    return &w->plan;
+}
+
+bool world_bounds(const world *w, pov_box *out)
+{
+    if (w->has_bounds)
+        *out = w->bounds;
+    return w->has_bounds;
+}
+
+size_t world_infinite_count(const world *w)
+{
+    return w->infinite_count;
+}

@@ -1,0 +1,406 @@
+#include "support/shapes.h"
+
+#include "support/check.h"
+
+#include "base/vec.h"
+
+#include <povtrace/exact.h>
+
+#include <string.h>
+
+/* ---- balls ---- */
+
+static bool ball_bounds(const void *self, pov_box *out)
+{
+    const test_ball *b = self;
+    double r = b->radius;
+
+    out->lo = pov_vec3_of(nextafter(b->centre.x - r, -HUGE_VAL), nextafter(b->centre.y - r, -HUGE_VAL),
+                          nextafter(b->centre.z - r, -HUGE_VAL));
+    out->hi = pov_vec3_of(nextafter(b->centre.x + r, HUGE_VAL), nextafter(b->centre.y + r, HUGE_VAL),
+                          nextafter(b->centre.z + r, HUGE_VAL));
+    return true;
+}
+
+static pov_two3 ball_centred(const test_ball *b, const pov_ray *ray, double t)
+{
+    pov_two3 w;
+
+    w.x = pov_recentre(ray->org.x, ray->org_lo.x, b->centre.x, t, ray->dir.x);
+    w.y = pov_recentre(ray->org.y, ray->org_lo.y, b->centre.y, t, ray->dir.y);
+    w.z = pov_recentre(ray->org.z, ray->org_lo.z, b->centre.z, t, ray->dir.z);
+    return w;
+}
+
+static pov_two3 scaled(pov_two3 v, double s)
+{
+    v.x = pov_two_of(v.x.hi * s, v.x.lo * s);
+    v.y = pov_two_of(v.y.hi * s, v.y.lo * s);
+    v.z = pov_two_of(v.z.hi * s, v.z.lo * s);
+    return v;
+}
+
+/* The power of two that brings x near 1. */
+static double unscale(double x)
+{
+    int e;
+
+    frexp(x, &e);
+    return ldexp(1.0, -e);
+}
+
+/* Everything in two parts, in units of the radius and of the direction's length. Of a ray that leaves the ball the
+ * root nearer to its start is left out. */
+static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const test_ball *b = self;
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    double size = pov_largest(ray->dir), by = unscale(b->radius > 0.0 ? b->radius : 1.0), faster = unscale(size), tc;
+    pov_vec3 unit = pov_scale(ray->dir, 1.0 / size);
+    pov_two3 w, d = scaled(pov_two3_of(ray->dir, zero), faster);
+    pov_two a, h, c, discriminant, root, t[2];
+    pov_mark mark = { 0, 0, 0.0, 0.0 };
+    int i, left = -1;
+
+    tc = -pov_dot(pov_sub(ray->org, b->centre), unit) / pov_dot(unit, unit) / size;
+    if (!(fabs(tc) < 1e250))
+        return;
+    w = scaled(ball_centred(b, ray, tc), by);
+    if (!(pov_largest(pov_two3_hi(w)) < 1e50))
+        return;
+    a = pov_two3_dot(d, d);
+    h = pov_two3_dot(w, d);
+    c = pov_two_sub(pov_two3_dot(w, w), pov_two_product(b->radius * by, b->radius * by));
+    discriminant = pov_two_sub(pov_two_mul(h, h), pov_two_mul(a, c));
+    if (discriminant.hi < 0.0)
+        return;
+    root = pov_two_sqrt(discriminant);
+    t[0] = pov_two_div(pov_two_neg(pov_two_add(h, root)), a);
+    t[1] = pov_two_div(pov_two_sub(root, h), a);
+    for (i = 0; i < 2; i++)
+        t[i] = pov_two_add_double(pov_two_of(t[i].hi / by * faster, t[i].lo / by * faster), tc);
+    if (ray->left == hits->owner)
+        left = fabs(t[1].hi) < fabs(t[0].hi);
+    for (i = 0; i < 2; i++) {
+        mark.part = (uint32_t)i;
+        if (i != left && !pov_cross(hits, t[i].hi, t[i].lo, mark))
+            return;
+    }
+}
+
+static void ball_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const test_ball *b = self;
+    pov_two3 w = ball_centred(b, ray, at->t);
+
+    *out = pov_unit(pov_vec3_of(w.x.hi + at->t_lo * ray->dir.x, w.y.hi + at->t_lo * ray->dir.y, w.z.hi + at->t_lo * ray->dir.z));
+}
+
+static bool ball_inside(const void *self, pov_vec3 p, pov_vec3 lo)
+{
+    const test_ball *b = self;
+    pov_two3 w;
+
+    w.x = pov_two_add_double(pov_two_sum(p.x, -b->centre.x), lo.x);
+    w.y = pov_two_add_double(pov_two_sum(p.y, -b->centre.y), lo.y);
+    w.z = pov_two_add_double(pov_two_sum(p.z, -b->centre.z), lo.z);
+    return pov_two_less(pov_two3_dot(w, w), pov_two_product(b->radius, b->radius));
+}
+
+/* Only a move, or a scaling by the same number along each axis. */
+static bool ball_absorb(void *self, const pov_affine *map)
+{
+    test_ball *b = self;
+    double s = map->m[0][0];
+    pov_two p[3];
+    int i, j;
+
+    for (i = 0; i < 3; i++)
+        for (j = 0; j < 3; j++)
+            if (map->m_lo[i][j] != 0.0 || map->m[i][j] != (i == j ? s : 0.0))
+                return false;
+    p[0] = pov_two_add_double(pov_two_product(s, b->centre.x), map->m[0][3]);
+    p[1] = pov_two_add_double(pov_two_product(s, b->centre.y), map->m[1][3]);
+    p[2] = pov_two_add_double(pov_two_product(s, b->centre.z), map->m[2][3]);
+    if (p[0].lo != 0.0 || p[1].lo != 0.0 || p[2].lo != 0.0 || map->m_lo[0][3] != 0.0 || map->m_lo[1][3] != 0.0 ||
+        map->m_lo[2][3] != 0.0)
+        return false;
+    b->centre = pov_vec3_of(p[0].hi, p[1].hi, p[2].hi);
+    b->radius *= fabs(s);
+    return true;
+}
+
+typedef struct ball_block { uint32_t count; test_ball ball[POV_BLOCK_MAX]; } ball_block;
+
+/* Very large balls are declined, so that a class with and without blocks at once is tested too. */
+static bool ball_pack(void *block, const void *const *selves, uint32_t n)
+{
+    ball_block *b = block;
+    uint32_t i;
+
+    b->count = n;
+    for (i = 0; i < n; i++) {
+        b->ball[i] = *(const test_ball *)selves[i];
+        if (b->ball[i].radius > 1e20)
+            return false;
+    }
+    return true;
+}
+
+/* Doubles with wide bounds: what is not clearly a miss is `maybe`, what is clearly hit from outside is `surely`. */
+static void ball_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+{
+    const ball_block *b = block;
+    double length = sqrt(pov_dot(ray->dir, ray->dir));
+    uint32_t i;
+
+    out->maybe = out->surely = 0;
+    for (i = 0; i < b->count; i++) {
+        const test_ball *ball = &b->ball[i];
+        pov_vec3 f = pov_sub(ball->centre, ray->org), w;
+        double along = pov_dot(f, ray->dir) / length, error, depth, half;
+        w = pov_sub(f, pov_scale(ray->dir, along / length));
+        error = 1e-12 * (fabs(along) + pov_largest(f) + ball->radius) + 1e-15 * pov_largest(ray->org);
+        depth = (ball->radius + error) * (ball->radius + error) - pov_dot(w, w);
+        if (!(along < 1e150 && along > -1e150 && length > 1e-150 && length < 1e150)) {
+            out->maybe |= 1u << i;
+            out->lo[i] = tmin;
+            continue;
+        }
+        if (depth < -error * error || along + ball->radius + error < tmin * length || along - ball->radius - error > tmax * length)
+            continue;
+        half = sqrt(fmax(depth, 0.0));
+        out->maybe |= 1u << i;
+        out->lo[i] = (along - half - error) / length;
+        depth = (ball->radius - error) * (ball->radius - error) - pov_dot(w, w);
+        if (depth <= 0.0 || ball->radius <= error)
+            continue;
+        out->hi[i] = (along - sqrt(depth) + error) / length;
+        if (out->lo[i] > tmin && out->hi[i] < tmax)
+            out->surely |= 1u << i;
+    }
+}
+
+const pov_shape_class test_ball_class = {
+    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "ball", .instance_size = sizeof(test_ball),
+    .bounds = ball_bounds, .intersect = ball_intersect, .normal = ball_normal, .inside = ball_inside, .absorb = ball_absorb,
+    .block_size = sizeof(ball_block), .block_pack = ball_pack, .block_filter = ball_filter,
+};
+
+const pov_shape_class test_plain_ball_class = {
+    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "plain_ball", .instance_size = sizeof(test_ball),
+    .bounds = ball_bounds, .intersect = ball_intersect, .normal = ball_normal, .inside = ball_inside,
+};
+
+/* ---- bricks ---- */
+
+static bool brick_bounds(const void *self, pov_box *out)
+{
+    const test_brick *b = self;
+
+    out->lo = b->lo;
+    out->hi = b->hi;
+    return true;
+}
+
+/* Narrow the interval to the slab; false: it is missed. In two parts, so that far rays miss and hit as they should. */
+static bool slab(double o, double o_lo, double d, double lo, double hi, int axis, pov_two t[2], int face[2])
+{
+    pov_two to_lo = pov_two_add_double(pov_two_sum(lo, -o), -o_lo), to_hi = pov_two_add_double(pov_two_sum(hi, -o), -o_lo);
+    pov_two a, b, swap;
+
+    if (d == 0.0)
+        return to_lo.hi < 0.0 && to_hi.hi > 0.0;
+    a = pov_two_div(to_lo, pov_two_of(d, 0.0));
+    b = pov_two_div(to_hi, pov_two_of(d, 0.0));
+    if (pov_two_less(b, a)) {
+        swap = a;
+        a = b;
+        b = swap;
+    }
+    if (pov_two_less(t[0], a)) {
+        t[0] = a;
+        face[0] = axis;
+    }
+    if (pov_two_less(b, t[1])) {
+        t[1] = b;
+        face[1] = axis;
+    }
+    return pov_two_less(t[0], t[1]);
+}
+
+static void brick_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const test_brick *b = self;
+    pov_two t[2] = { { -1e300, 0.0 }, { 1e300, 0.0 } };
+    pov_mark mark = { 0, 0, 0.0, 0.0 };
+    int face[2] = { 0, 0 }, i, left = -1;
+    double by = unscale(pov_largest(ray->dir));
+    pov_vec3 d = pov_scale(ray->dir, by);
+
+    if (!slab(ray->org.x, ray->org_lo.x, d.x, b->lo.x, b->hi.x, 0, t, face) ||
+        !slab(ray->org.y, ray->org_lo.y, d.y, b->lo.y, b->hi.y, 1, t, face) ||
+        !slab(ray->org.z, ray->org_lo.z, d.z, b->lo.z, b->hi.z, 2, t, face))
+        return;
+    if (ray->left == hits->owner)
+        left = fabs(t[1].hi) < fabs(t[0].hi);
+    for (i = 0; i < 2; i++) {
+        mark.part = (uint32_t)face[i];
+        if (i != left && !pov_cross(hits, t[i].hi * by, t[i].lo * by, mark))
+            return;
+    }
+}
+
+static void brick_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const test_brick *b = self;
+    double p[3], lo[3] = { b->lo.x, b->lo.y, b->lo.z }, hi[3] = { b->hi.x, b->hi.y, b->hi.z }, n[3] = { 0.0, 0.0, 0.0 };
+    uint32_t axis = at->mark.part;
+
+    p[0] = ray->org.x + at->t * ray->dir.x;
+    p[1] = ray->org.y + at->t * ray->dir.y;
+    p[2] = ray->org.z + at->t * ray->dir.z;
+    n[axis] = p[axis] > 0.5 * lo[axis] + 0.5 * hi[axis] ? 1.0 : -1.0;
+    *out = pov_vec3_of(n[0], n[1], n[2]);
+}
+
+static bool brick_inside(const void *self, pov_vec3 p, pov_vec3 lo)
+{
+    const test_brick *b = self;
+
+    return (p.x - b->lo.x) + lo.x > 0.0 && (p.x - b->hi.x) + lo.x < 0.0 && (p.y - b->lo.y) + lo.y > 0.0 &&
+           (p.y - b->hi.y) + lo.y < 0.0 && (p.z - b->lo.z) + lo.z > 0.0 && (p.z - b->hi.z) + lo.z < 0.0;
+}
+
+const pov_shape_class test_brick_class = {
+    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "brick", .instance_size = sizeof(test_brick),
+    .bounds = brick_bounds, .intersect = brick_intersect, .normal = brick_normal, .inside = brick_inside,
+};
+
+/* ---- the ground ---- */
+
+static bool ground_bounds(const void *self, pov_box *out)
+{
+    (void)self;
+    (void)out;
+    return false;
+}
+
+static void ground_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const test_ground *g = self;
+    pov_mark mark = { 0, 0, 0.0, 0.0 };
+
+    if (ray->dir.y != 0.0 && ray->left != hits->owner)
+        pov_cross(hits, ((g->height - ray->org.y) - ray->org_lo.y) / ray->dir.y, 0.0, mark);
+}
+
+static void ground_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    (void)self;
+    (void)ray;
+    (void)at;
+    *out = pov_vec3_of(0.0, 1.0, 0.0);
+}
+
+static bool ground_inside(const void *self, pov_vec3 p, pov_vec3 lo)
+{
+    const test_ground *g = self;
+
+    return (p.y - g->height) + lo.y < 0.0;
+}
+
+const pov_shape_class test_ground_class = {
+    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "ground", .instance_size = sizeof(test_ground),
+    .bounds = ground_bounds, .intersect = ground_intersect, .normal = ground_normal, .inside = ground_inside,
+};
+
+/* ---- random numbers (splitmix64) ---- */
+
+static uint64_t next(test_random *r)
+{
+    uint64_t z = (r->state += 0x9e3779b97f4a7c15u);
+
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+double test_uniform(test_random *r, double lo, double hi)
+{
+    return lo + (hi - lo) * (double)(next(r) >> 11) * 0x1p-53;
+}
+
+uint32_t test_below(test_random *r, uint32_t n)
+{
+    return (uint32_t)(next(r) % n);
+}
+
+pov_vec3 test_direction(test_random *r)
+{
+    pov_vec3 d;
+
+    do {
+        d.x = test_uniform(r, -1.0, 1.0);
+        d.y = test_uniform(r, -1.0, 1.0);
+        d.z = test_uniform(r, -1.0, 1.0);
+    } while (pov_dot(d, d) > 1.0 || pov_dot(d, d) < 0.01);
+    return d;
+}
+
+/* ---- models ---- */
+
+static env malloc_env;
+
+void test_model_init(model *m, const env *e)
+{
+    env_init(&malloc_env, NULL, NULL, NULL);
+    model_init(m, e ? e : &malloc_env);
+    m->dialect = POV_DIALECT_POVRAY;
+    m->dialect_reason = "a test";
+    m->max_trace_level = 5;
+    test_add_material(m, colour_of(1.0f, 1.0f, 1.0f), 0.0f, 0.0f, false);
+}
+
+uint32_t test_add_material(model *m, colour pigment, float filter, float transmit, bool has_interior)
+{
+    material s;
+
+    material_init(&s);
+    s.pigment = pigment;
+    s.filter = filter;
+    s.transmit = transmit;
+    s.has_interior = has_interior;
+    s.ior = has_interior ? 1.5 : 1.0;
+    assert_true(VEC_PUSH(m->env, &m->materials, s));
+    return (uint32_t)m->materials.count - 1;
+}
+
+uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,
+                  uint32_t flags)
+{
+    object o;
+
+    memset(&o, 0, sizeof o);
+    o.shape = shape;
+    o.instance = arena_alloc(&m->memory, shape->instance_size, 32);
+    assert_non_null(o.instance);
+    memcpy(o.instance, instance, shape->instance_size);
+    o.map = map;
+    o.material = surface;
+    o.flags = flags;
+    assert_true(VEC_PUSH(m->env, &m->objects, o));
+    return (uint32_t)m->objects.count - 1;
+}
+
+uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface)
+{
+    test_ball b = { centre, radius };
+    return test_add(m, &test_ball_class, &b, NULL, surface, 0);
+}
+
+const transform *test_transform(model *m, const transform *before, transform_kind kind, double x, double y, double z)
+{
+    double v[3] = { x, y, z };
+    return transform_append(&m->memory, before, kind, v);
+}

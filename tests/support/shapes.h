@@ -1,0 +1,33 @@
+/* shapes.h - shape classes of the tests' own, so that the world is tested without plugins, and models made of them. */
+#ifndef SUPPORT_SHAPES_H
+#define SUPPORT_SHAPES_H
+
+#include "model/model.h"
+
+#include <povtrace/plugin.h>
+
+typedef struct test_ball { pov_vec3 centre; double radius; } test_ball;
+typedef struct test_brick { pov_vec3 lo, hi; } test_brick;
+typedef struct test_ground { double height; } test_ground;
+
+extern const pov_shape_class test_ball_class;       /* blocks, absorbs similar maps */
+extern const pov_shape_class test_plain_ball_class; /* neither */
+extern const pov_shape_class test_brick_class;      /* no blocks; absorbs moves */
+extern const pov_shape_class test_ground_class;     /* y < height, infinite */
+
+/* Numbers that are the same on every machine. */
+typedef struct test_random { uint64_t state; } test_random;
+double test_uniform(test_random *r, double lo, double hi);
+uint32_t test_below(test_random *r, uint32_t n);
+pov_vec3 test_direction(test_random *r);
+
+/* A model of one opaque white material (index 0). NULL env: malloc. */
+void test_model_init(model *m, const env *e);
+/* Each asserts that memory sufficed, and gives the index. */
+uint32_t test_add_material(model *m, colour pigment, float filter, float transmit, bool has_interior);
+uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,
+                  uint32_t flags);
+uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface);
+const transform *test_transform(model *m, const transform *before, transform_kind kind, double x, double y, double z);
+
+#endif
