@@ -42,9 +42,10 @@ typedef struct survey {
     size_t glossy, metallic, mirrors, transparent, bending, media;
 } survey;
 
-static bool is_medium(const object *o, const material *m)
+bool plan_is_medium(const model *m, const object *o)
 {
-    return m->has_interior && (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside;
+    return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside &&
+           material_is_transparent(&m->materials.items[o->material]);
 }
 
 static void see_object(survey *s, const object *o, const material *m)
@@ -60,7 +61,6 @@ static void see_object(survey *s, const object *o, const material *m)
     s->mirrors += !colour_is_black(m->reflection);
     s->transparent += transparent;
     s->bending += transparent && m->has_interior && m->ior != 1.0;
-    s->media += is_medium(o, m);
 }
 
 static survey look(const model *m)
@@ -71,8 +71,10 @@ static survey look(const model *m)
     memset(&s, 0, sizeof s);
     for (i = 0; i < m->lights.count; i++)
         s.shining += !colour_is_black(m->lights.items[i].color);
-    for (i = 0; i < m->objects.count; i++)
+    for (i = 0; i < m->objects.count; i++) {
         see_object(&s, &m->objects.items[i], &m->materials.items[m->objects.items[i].material]);
+        s.media += plan_is_medium(m, &m->objects.items[i]);
+    }
     return s;
 }
 

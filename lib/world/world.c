@@ -2,6 +2,7 @@
 
 #include "base/err.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- the plan's rows on objects and trees ---- */
@@ -49,25 +50,40 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
 
 /* ---- media ---- */
 
+static double size_of(const medium *m)
+{
+    pov_vec3 edges = pov_sub(m->box.hi, m->box.lo);
+
+    return m->boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
+}
+
+/* Of media that hold each other the inner one comes last: it is what a ray that starts there is in. */
+static int compare_media(const void *left, const void *right)
+{
+    const medium *a = left, *b = right;
+    double size_a = size_of(a), size_b = size_of(b);
+
+    if (size_a != size_b)
+        return size_a > size_b ? -1 : 1;
+    return a->object < b->object ? -1 : 1;
+}
+
 static bool find_media(world *w, const flat *f)
 {
     const object_list *all = &w->model->objects;
     size_t i, n = 0;
     uint32_t k;
 
-    for (i = 0; i < all->count; i++)
-        n += w->model->materials.items[all->items[i].material].has_interior;
-    if (n == 0)
+    if (!w->plan.media_at_start)
         return true;
+    for (i = 0; i < all->count; i++)
+        n += plan_is_medium(w->model, &all->items[i]);
     w->media = env_alloc(w->env, n, sizeof *w->media);
     if (!w->media)
         return false;
     for (i = 0; i < all->count; i++) {
-        const object *o = &all->items[i];
         medium m = { (uint32_t)i, false, f->boxes[i] };
-        if (!w->model->materials.items[o->material].has_interior)
-            continue;
-        if (o->shape->inside && (o->shape->flags & POV_SHAPE_SOLID))
+        if (plan_is_medium(w->model, &all->items[i]))
             w->media[w->media_count++] = m;
     }
     /* Both lists are in the order of the scene. An inverse solid's inside is all but its box. */
@@ -77,6 +93,7 @@ static bool find_media(world *w, const flat *f)
         w->media[i].boxed = k < f->finite_count && f->finite[k] == w->media[i].object &&
                             !(all->items[w->media[i].object].flags & OBJECT_INVERSE);
     }
+    qsort(w->media, w->media_count, sizeof *w->media, compare_media);
     return true;
 }
 

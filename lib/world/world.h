@@ -55,7 +55,8 @@ bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax
 /* Is anything there at all, transparent or not? For pov_trace_blocked(). */
 bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
 
-/* The media (solids with an interior) that a point lies in, in the order of the scene. Calls see for each. */
+/* The media (transparent solids) that a point lies in, the largest first. Calls see for each. Only of use where the
+ * plan has media_at_start. */
 void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object), void *user);
 
 #endif

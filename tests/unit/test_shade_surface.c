@@ -380,6 +380,32 @@ static void an_eye_in_glass_sees_it_bend_on_the_way_out(void **state)
     tiny_end(&s);
 }
 
+/* The bubble is a hole in the glass, whichever the text names first: out of it at 30 degrees into ior 1.5, a wall of
+ * which hides the sky but is no medium. */
+static void an_eye_in_a_bubble_in_glass_is_in_the_bubble(void **state)
+{
+    double in = asin(0.5), r = asin(0.5 / 1.5);
+    (void)state;
+
+    for (int bubble_first = 0; bubble_first < 2; bubble_first++) {
+        material bubble = tiny_glass(1.0);
+        tiny s;
+
+        tiny_begin(&s, NULL);
+        bubble.has_interior = false;
+        if (bubble_first)
+            tiny_sphere(&s, 0, 0, 0, 1, bubble);
+        tiny_sphere(&s, 0, 0, 0, 50, tiny_glass(1.5));
+        if (!bubble_first)
+            tiny_sphere(&s, 0, 0, 0, 1, bubble);
+        tiny_sphere(&s, 0, 0, 0, 100, tiny_matt());
+        put_target(&s, in, in - r);
+        tiny_build(&s);
+        assert_colour(tiny_see(&s, pov_vec3_of(0, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
+        tiny_end(&s);
+    }
+}
+
 /* sin 53 degrees > 1 / 1.5: the ray runs round inside, until the levels end. */
 static void total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_own(void **state)
 {
@@ -602,6 +628,7 @@ int main(void)
         cmocka_unit_test(a_ray_may_split_at_every_level),
         cmocka_unit_test(a_ball_of_glass_bends_a_ray_twice),
         cmocka_unit_test(an_eye_in_glass_sees_it_bend_on_the_way_out),
+        cmocka_unit_test(an_eye_in_a_bubble_in_glass_is_in_the_bubble),
         cmocka_unit_test(total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_own),
         cmocka_unit_test(the_list_of_rays_gives_what_recursion_gives),
         cmocka_unit_test(colours_beyond_all_measure_stay_numbers),
