@@ -93,16 +93,12 @@ def render_povray(scene, options):
 def render_povc(scene, options):
     picture = Path(options.work) / f'{scene.parent.name}-{scene.stem}.pfm'
     run([options.povc, str(scene), str(options.width), str(options.height), str(picture)], 'povc')
-    return stored(images.read_pfm(picture), equivalent.gamma(scene_text(scene)))
+    return stored(images.read_pfm(picture))
 
 
-def stored(picture, gamma):
-    """Computed values as POV-Ray stores them in a linear file: clamped and decoded by assumed_gamma."""
+def stored(picture):
+    """A PFM's values as POV-Ray stores them: clamped."""
     value = numpy.clip(picture, 0.0, 1.0)
-    if gamma == 'srgb':
-        value = numpy.where(value <= 0.04045, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
-    elif gamma != 1.0:
-        value = value ** gamma
     # What is no number is as wrong as can be, whatever stands in the other picture.
     value[~numpy.isfinite(picture)] = 2.0
     return value

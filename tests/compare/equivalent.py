@@ -54,15 +54,6 @@ def dialect(text):
     return 'course'
 
 
-def gamma(text):
-    """The exponent that takes computed values to what POV-Ray stores with File_Gamma=1.0, or "srgb"."""
-    words = tokens(text)
-    found = [words[i + 1] for i, word in enumerate(words) if word == 'assumed_gamma']
-    if not found:
-        return 1.0
-    return 'srgb' if found[-1] == 'srgb' else float(found[-1])
-
-
 def povray_text(text):
     """The text that makes POV-Ray draw what the scene means."""
     return text if dialect(text) == 'povray' else from_course(text)
