@@ -16,11 +16,11 @@ box { <-7.5, -2.5, -0.5>, <7.5, -0.12, 9> pigment { rgbf <0.72, 0.93, 0.96, 0.94
     finish { ambient 0 diffuse 0.1 reflection 0.13 phong 0.6 phong_size 250 } interior { ior 1.33 } }
 
 // On the rim: panes and balls.
-box { <-0.95, 0.29, -0.03>, <0.95, 2.1, 0.03> rotate <0, 24, 0> translate <-3, 0, -1.3>
+box { <-0.95, 0.2, -0.03>, <0.95, 2.1, 0.03> rotate <0, 24, 0> translate <-3, 0, -1.3>
     pigment { rgbf <1, 0.16, 0.08, 0.92> } finish { ambient 0 diffuse 0.2 reflection 0.08 } }
-box { <-0.95, 0.29, -0.03>, <0.95, 1.75, 0.03> rotate <0, -12, 0> translate <-1.5, 0, -1.9>
+box { <-0.95, 0.2, -0.03>, <0.95, 1.75, 0.03> rotate <0, -12, 0> translate <-1.5, 0, -1.9>
     pigment { rgbf <1, 0.72, 0.06, 0.92> } finish { ambient 0 diffuse 0.2 reflection 0.08 } }
-box { <-0.8, 0.29, -0.03>, <0.8, 2.4, 0.03> rotate <0, 30, 0> translate <0.1, 0, -1.1>
+box { <-0.8, 0.2, -0.03>, <0.8, 2.4, 0.03> rotate <0, 30, 0> translate <0.1, 0, -1.1>
     pigment { rgbf <0.08, 0.34, 1, 0.92> } finish { ambient 0 diffuse 0.2 reflection 0.08 } }
 sphere { <1.75, 1.1, -2.5>, 0.8 pigment { rgbf <0.97, 1, 0.98, 0.96> } interior { ior 1.5 }
     finish { ambient 0 diffuse 0.05 reflection 0.1 phong 0.9 phong_size 200 } }
