@@ -69,6 +69,11 @@ void pov_job_restart(pov_job *job, const pov_camera *camera)
     job_restart(job, camera);
 }
 
+void pov_job_pause(pov_job *job, bool paused)
+{
+    job_pause(job, paused);
+}
+
 void pov_job_cancel(pov_job *job)
 {
     job_cancel(job);

@@ -106,7 +106,7 @@ void job_end(pov_job *job, pov_job_state state)
 /* The lock is held. */
 static bool has_work(const pov_job *job)
 {
-    return job->state == POV_JOB_RUNNING && !job->closing &&
+    return job->state == POV_JOB_RUNNING && !job->closing && !job->paused &&
            job->claimed < job->tiles.count * (size_t)job->frame.passes;
 }
 
@@ -326,7 +326,7 @@ pov_job_state job_step(pov_job *job)
         err_memory(&error);
         fail(job, &error);
     }
-    while (job->state == POV_JOB_RUNNING && !has_work(job) && !job->closing)
+    while (job->state == POV_JOB_RUNNING && !has_work(job) && !job->closing && !job->paused)
         condition_wait(&job->changed, &job->lock);
     working = w && has_work(job);
     if (working)

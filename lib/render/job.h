@@ -13,6 +13,7 @@ pov_job_state job_wait(pov_job *job, double seconds);
 bool job_take(pov_job *job, pov_rect *changed);
 void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride);
 void job_restart(pov_job *job, const pov_camera *camera);
+void job_pause(pov_job *job, bool paused);
 void job_cancel(pov_job *job);
 void job_get_progress(pov_job *job, pov_progress *out);
 pov_status job_get_error(pov_job *job, pov_error *err);

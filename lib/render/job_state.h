@@ -26,7 +26,7 @@ struct pov_job {
     mutex lock;
     condition changed;
     pov_job_state state;
-    bool closing;
+    bool closing, paused;
     uint64_t generation;
     pov_camera camera;
     frame frame;

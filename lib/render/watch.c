@@ -109,6 +109,14 @@ void job_restart(pov_job *job, const pov_camera *camera)
     mutex_unlock(&job->lock);
 }
 
+void job_pause(pov_job *job, bool paused)
+{
+    mutex_lock(&job->lock);
+    job->paused = paused;
+    condition_wake_all(&job->changed);
+    mutex_unlock(&job->lock);
+}
+
 void job_cancel(pov_job *job)
 {
     mutex_lock(&job->lock);

@@ -58,6 +58,8 @@ POV_API bool pov_job_take(pov_job *job, pov_rect *changed);       /* next change
 POV_API void pov_job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride);
 /* Drop all pixels and begin with the coarsest; NULL keeps the camera. */
 POV_API void pov_job_restart(pov_job *job, const pov_camera *camera);
+/* While a job is paused nobody begins another tile: its threads sleep, a step traces nothing. All else goes on. */
+POV_API void pov_job_pause(pov_job *job, bool paused);
 POV_API void pov_job_cancel(pov_job *job);
 POV_API void pov_job_get_progress(pov_job *job, pov_progress *out);
 /* Why a job is POV_JOB_FAILED; POV_OK otherwise. */
