@@ -28,7 +28,8 @@ static const directive directives[] = {
     { "else", NULL },    { "elseif", NULL },  { "end", NULL },    { "error", NULL },   { "fclose", NULL },
     { "fopen", NULL },   { "for", NULL },     { "if", NULL },     { "ifdef", NULL },   { "ifndef", NULL },
     { "include", NULL }, { "local", NULL },   { "macro", NULL },  { "range", NULL },   { "read", NULL },
-    { "render", NULL },  { "statistics", NULL }, { "switch", NULL }, { "undef", NULL }, { "version", run_version },
+    { "render", NULL },  { "statistics", NULL }, { "switch", NULL }, { "undef", NULL },
+    { "version", run_version },
     { "warning", NULL }, { "while", NULL },   { "write", NULL },
 };
 

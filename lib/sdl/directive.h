@@ -4,8 +4,8 @@
 
 #include "sdl/state.h"
 
-/* The next token is a '#'. Carry out the directive; the next token is then what stands behind it, which may be the
- * '#' of another. */
+/* The next token is a '#'. Carry out the directive; the next token is then what stands behind it, which may
+ * be the '#' of another. */
 void directive_run(pov_reader *in);
 
 /* Of the word behind a '#': its row among the directives, or -1. There are at most 32. */

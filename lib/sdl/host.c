@@ -34,7 +34,8 @@ static bool is_next(const pov_reader *in, const char *word)
 
     if (is_mark(word))
         return t->kind == (unsigned char)word[0];
-    return t->kind == TOKEN_WORD && strncmp(t->at.start, word, t->at.length) == 0 && word[t->at.length] == '\0';
+    return t->kind == TOKEN_WORD && strncmp(t->at.start, word, t->at.length) == 0 &&
+           word[t->at.length] == '\0';
 }
 
 static bool accept(pov_reader *in, const char *word)
@@ -51,12 +52,17 @@ static bool accept(pov_reader *in, const char *word)
 static void expect(pov_reader *in, const char *word)
 {
     char wanted[REPORT_QUOTE + 2] = "\"";
+    bool is_first = !in->failed;
+    guess g;
 
     if (accept(in, word))
         return;
+    report_guess_start(&g, in);
     str_copy(wanted + 1, REPORT_QUOTE - 1, word);
     strcat(wanted, "\"");
     report_expected(in, wanted);
+    if (is_first)
+        str_copy(in->error.hint, sizeof in->error.hint, g.best);
 }
 
 static bool more(pov_reader *in)

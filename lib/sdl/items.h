@@ -1,4 +1,5 @@
-/* items.h - blocks of the language as tables: which words may stand between two braces, and who reads each. */
+/* items.h - blocks of the language as tables: which words may stand between two braces, and who reads each.
+ * */
 #ifndef SDL_ITEMS_H
 #define SDL_ITEMS_H
 

@@ -6,7 +6,8 @@
 
 enum { ODD, BLANK, LINE, DIGIT, LETTER, MARK, QUOTE };
 
-/* One class a byte, so that each byte is looked at once. ODD: has no business outside of comments and strings. */
+/* One class a byte, so that each byte is looked at once. ODD: has no business outside of comments and
+ * strings. */
 static const unsigned char class_of[256] = {
     ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    /* 00 */
     ODD,    BLANK,  LINE,   BLANK,  BLANK,  LINE,   ODD,    ODD,    /* 08: tab, line feed, vt, ff, return */
@@ -163,7 +164,7 @@ static void lex_string(source *s, token *t)
         finish(s, t, TOKEN_STRING, at + 1);
         return;
     }
-    t->fault = "begins a string that does not end on its line";
+    t->fault = "the string that begins here does not end on its line";
     finish(s, t, TOKEN_BAD, at);
 }
 
@@ -197,7 +198,7 @@ void lex_next(lex *l, token *t)
         if (!skip_blanks(s, &t->at)) {
             t->kind = TOKEN_BAD;
             t->at.length = 2;
-            t->fault = "begins a comment that has no end";
+            t->fault = "the comment that begins here has no end";
             return;
         }
     } while (s->at == s->end && source_pop(&l->sources));

@@ -9,8 +9,8 @@ typedef struct lex {
     const symbols *words;
 } lex;
 
-/* The next token; at the end of the last text TOKEN_END, as often as asked. After TOKEN_BAD the lexer stands behind
- * the stretch of text that is wrong. */
+/* The next token; at the end of the last text TOKEN_END, as often as asked. After TOKEN_BAD the lexer stands
+ * behind the stretch of text that is wrong. */
 void lex_next(lex *l, token *out);
 
 #endif

@@ -10,12 +10,12 @@
 enum {
     MANTISSA_DIGITS = 19,        /* as many always fit 64 bits */
     EXACT_POWER = 22,            /* the largest power of ten that a double holds */
-    EXPONENT_LIMIT = 100000000,  /* beyond it no text is long enough to bring the number back; keeps sums in range */
+    EXPONENT_LIMIT = 100000000,  /* beyond it no text is long enough to bring the number back */
     KEPT_DIGITS = 770            /* two neighbouring doubles, and their middle, differ within 768 digits */
 };
 
-/* The parts of a number's text. The value is digits * 10^exponent, where digits are those from first to last without
- * the point. */
+/* The parts of a number's text. The value is digits * 10^exponent, where digits are those from first to last
+ * without the point. */
 typedef struct parts {
     const char *first, *last;    /* the mantissa, from its first digit that is not zero */
     uint64_t mantissa;           /* of the first MANTISSA_DIGITS digits */
@@ -72,8 +72,8 @@ static const char *read_exponent(const char *at, const char *end, parts *p)
     return at;
 }
 
-/* Any length: the digits are given to strtod as a whole number with an exponent, so that no decimal point of a locale
- * comes in. What stands behind KEPT_DIGITS matters only by being zero or not. */
+/* Any length: the digits are given to strtod as a whole number with an exponent, so that no decimal point of
+ * a locale comes in. What stands behind KEPT_DIGITS matters only by being zero or not. */
 static double read_long(const parts *p)
 {
     char text[KEPT_DIGITS + 32];
@@ -99,8 +99,8 @@ static double read_long(const parts *p)
     return strtod(text, NULL);
 }
 
-/* Mantissa and power as two-part numbers. The quotient or product is within 2^-102 of the true value; unless that is
- * so near the middle of two doubles, its rounding is the right one. */
+/* Mantissa and power as two-part numbers. The quotient or product is within 2^-102 of the true value; unless
+ * that is so near the middle of two doubles, its rounding is the right one. */
 static bool read_two_part(uint64_t mantissa, long exponent, double *out)
 {
     pov_two m, v;

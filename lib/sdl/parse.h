@@ -1,10 +1,13 @@
-/* parse.h - who reads which part of a scene. Each is called when its word has been taken, and takes what belongs to
- * it: straight-line code, for errors stick in the reader. */
+/* parse.h - who reads which part of a scene. Each is called when its word has been taken, and takes what
+ * belongs to it: straight-line code, for errors stick in the reader. */
 #ifndef SDL_PARSE_H
 #define SDL_PARSE_H
 
 #include "sdl/items.h"
 #include "sdl/report.h"
+
+#include <float.h>
+#include <math.h>
 
 /* What is read of one object, from its braces. */
 typedef struct surface_text {
@@ -37,5 +40,11 @@ void parse_camera_finish(pov_reader *in);
 void parse_settings_finish(pov_reader *in);
 
 void parse_camera_defaults(camera_text *c);
+
+/* Neither beyond what a double holds nor NaN. */
+static inline bool parse_is_finite(pov_vec3 v)
+{
+    return fabs(v.x) <= DBL_MAX && fabs(v.y) <= DBL_MAX && fabs(v.z) <= DBL_MAX;
+}
 
 #endif

@@ -4,8 +4,6 @@
 
 #include <povtrace/exact.h>
 
-#include <float.h>
-
 /* ---- as written ---- */
 
 void parse_camera_defaults(camera_text *c)
@@ -102,9 +100,10 @@ static double length(pov_vec3 v)
     return ldexp(sqrt(pov_dot(w, w)), e);
 }
 
-/* The cross product of two unit vectors, each component rounded once, so that it stands upright on both however near
- * they are to each other. Zero where they are parallel as far as their own rounding can tell: the components of each
- * are within an ulp of 1, so the sine of the angle between two parallel ones stays below four of them. */
+/* The cross product of two unit vectors, each component rounded once, so that it stands upright on both
+ * however near they are to each other. Zero where they are parallel as far as their own rounding can tell:
+ * the components of each are within an ulp of 1, so the sine of the angle between two parallel ones stays
+ * below four of them. */
 static pov_vec3 upright(pov_vec3 a, pov_vec3 b)
 {
     pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
@@ -141,19 +140,21 @@ static frame course_frame(const camera_text *c)
     return f;
 }
 
-/* With a look_at `sky` is the vertical, and of direction, right and up only the lengths count, and whether the three
- * are left- or right-handed. Where sky lies along the view, right stays as written. Without a look_at all three do. */
+/* With a look_at `sky` is the vertical, and of direction, right and up only the lengths count, and whether
+ * the three are left- or right-handed. Where sky lies along the view, right stays as written. Without a
+ * look_at all three do. */
 static frame povray_frame(const camera_text *c)
 {
     frame f = { c->direction, c->right, c->up };
-    pov_vec3 view, side;
+    pov_vec3 view, side, side_as_written;
     bool is_mirrored;
 
     if (!c->has_look_at)
         return f;
     view = towards(c);
     side = pov_unit(upright(pov_unit(c->sky), view));
-    is_mirrored = !(pov_dot(pov_cross_product(pov_unit(c->up), pov_unit(c->direction)), pov_unit(c->right)) > 0.0);
+    side_as_written = pov_cross_product(pov_unit(c->up), pov_unit(c->direction));
+    is_mirrored = !(pov_dot(side_as_written, pov_unit(c->right)) > 0.0);
     f.d = pov_scale(view, length(c->direction));
     if (pov_largest(side) == 0.0) {
         side = pov_unit(c->right);
@@ -174,10 +175,8 @@ static pov_vec3 turn(const pov_affine *map, pov_vec3 v)
 
 static bool is_usable(const pov_camera *c)
 {
-    double largest = fmax(fmax(pov_largest(c->location), pov_largest(c->direction)),
-                          fmax(pov_largest(c->right), pov_largest(c->up)));
-
-    return largest <= DBL_MAX && pov_largest(c->direction) > 0.0 && pov_largest(c->right) > 0.0 &&
+    return parse_is_finite(c->location) && parse_is_finite(c->direction) && parse_is_finite(c->right) &&
+           parse_is_finite(c->up) && pov_largest(c->direction) > 0.0 && pov_largest(c->right) > 0.0 &&
            pov_largest(c->up) > 0.0;
 }
 
@@ -189,7 +188,7 @@ static void move(pov_reader *in, const camera_text *c, pov_camera *out)
     if (!c->map)
         return;
     if (!transform_compose(c->map, &map)) {
-        report_fail(in, &c->at, POV_E_SYNTAX, "the transformations of the camera go beyond what a double holds");
+        report_fail(in, &c->at, POV_E_SYNTAX, "the camera is moved beyond what a double holds");
         return;
     }
     transform_point(&map, out->location, &out->location, &rest);

@@ -19,20 +19,18 @@ static void add_light(pov_reader *in, const light_text *text, const place *at)
 {
     light l;
     pov_affine map;
+    bool is_fine;
 
     if (in->failed)
         return;
     l.color = text->colour;
     l.position = text->position;
     l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    if (text->map) {
-        if (transform_compose(text->map, &map))
-            transform_point(&map, text->position, &l.position, &l.position_lo);
-        else
-            report_fail(in, at, POV_E_SYNTAX, "the transformations of the light go beyond what a double holds");
-    }
-    if (!(pov_largest(l.position) <= 1.7976931348623157e308))
-        report_fail(in, at, POV_E_SYNTAX, "the transformations move the light beyond what a double holds");
+    is_fine = !text->map || transform_compose(text->map, &map);
+    if (text->map && is_fine)
+        transform_point(&map, text->position, &l.position, &l.position_lo);
+    if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo))
+        report_fail(in, at, POV_E_SYNTAX, "the light is moved beyond what a double holds");
     if (!in->failed && !VEC_PUSH(in->model->env, &in->model->lights, l))
         report_memory(in);
 }

@@ -126,8 +126,8 @@ static void texture_finish(pov_reader *in, void *self, word_id word)
     parse_finish(in, self);
 }
 
-/* A texture begins with the defaults, whatever stood before it. Upon another look it is a layer: as long as it is
- * opaque it hides what is below. */
+/* A texture begins with the defaults, whatever stood before it. Upon another look it is a layer: as long as
+ * it is opaque it hides what is below. */
 void parse_texture(pov_reader *in, surface_text *s)
 {
     static const item items[] = {

@@ -83,7 +83,8 @@ static void refuse(pov_reader *in, const symbol *word)
     uint32_t flags;
 
     if (word->flags & TRAIT_SHAPE) {
-        report_fail(in, &in->token.at, POV_E_PLUGIN, "no plugin for \"%s\" in %s", word->name, registry_path(in->plugins));
+        report_fail(in, &in->token.at, POV_E_PLUGIN, "no plugin for \"%s\" in %s", word->name,
+                    registry_path(in->plugins));
         return;
     }
     report_guess_start(&g, in);
@@ -149,9 +150,8 @@ void parse_object(pov_reader *in)
     state_advance(in);
     items_open(in, &b);
     o.instance = state_alloc(in, o.shape->instance_size, 32);
-    if (!o.instance)
-        return;
-    o.shape->parse(o.instance, &host_functions, in);
+    if (o.instance)
+        o.shape->parse(o.instance, &host_functions, in);
     items_close(in, &b, &modifiers, &text);
     check_layers(in, &text.surface);
     add_object(in, &o, &text);

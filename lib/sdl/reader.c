@@ -22,7 +22,7 @@ static bool is_utf16(const unsigned char *t, size_t length)
 static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 {
     const char *zero = memchr(text, '\0', length < LOOK_AT ? length : LOOK_AT), *at;
-    place here = in->token.at;
+    place here = { in->lex.sources.top, in->lex.sources.top->text, 0, 1, 1 };
 
     if (is_utf16((const unsigned char *)text, length)) {
         report_fail(in, &here, POV_E_SYNTAX, "this text is in UTF-16; save it as UTF-8");
@@ -85,18 +85,12 @@ static void decide_dialect(pov_reader *in)
 
 static void read(pov_reader *in, const char *text, size_t length, const char *name)
 {
-    static const place nowhere;
-
     if (!source_push(&in->lex.sources, text, length, name)) {
         report_memory(in);
         return;
     }
-    in->token.at.source = in->lex.sources.top;
-    in->token.at.start = in->lex.sources.top->text;
-    in->token.at.line = in->token.at.column = 1;
     refuse_other_files(in, text, length);
     state_advance(in);
-    in->last = nowhere;
     if (!in->failed && state_at_end(in) && !in->povray_word.source)
         report_fail(in, &in->token.at, POV_E_SYNTAX, "there is nothing in this text");
     parse_scene(in);

@@ -10,7 +10,8 @@ typedef struct reader_options {
     int max_trace_level;         /* 0: what the scene says */
 } reader_options;
 
-/* Reads the whole text into m, which model_init() made ready. On failure m may hold a part; model_free() it. */
+/* Reads the whole text into m, which model_init() made ready. On failure m may hold a part; model_free() it.
+ * */
 pov_status reader_read(model *m, registry *plugins, const char *text, size_t length, const char *name,
                        const reader_options *options, pov_error *err);
 

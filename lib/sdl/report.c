@@ -221,7 +221,8 @@ void report_warnv(pov_reader *in, const place *at, const char *format, va_list a
     if (in->model->warnings <= WARNINGS_SHOWN)
         log_note(in, at, format, args);
     if (in->model->warnings == WARNINGS_SHOWN + 1)
-        env_logf(in->model->env, POV_LOG_WARN, "more than %d warnings; the rest is only counted", WARNINGS_SHOWN);
+        env_logf(in->model->env, POV_LOG_WARN, "more than %d warnings; the rest is only counted",
+                 WARNINGS_SHOWN);
 }
 
 void report_warn(pov_reader *in, const place *at, const char *format, ...)
@@ -286,7 +287,8 @@ void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
         snprintf(where, sizeof where, " in \"%s\"", keyword);
     }
     if (state_word(in) != WORD_OTHER) {
-        report_fail(in, &at, POV_E_SYNTAX, "\"%s\" does not belong %s", word, where[0] ? where + 1 : "at the top level");
+        report_fail(in, &at, POV_E_SYNTAX, "\"%s\" does not belong %s", word,
+                    where[0] ? where + 1 : "at the top level");
         return;
     }
     report_fail(in, &at, POV_E_SYNTAX, "unknown word \"%s\"%s", word, where);

@@ -10,7 +10,8 @@
 enum { REPORT_QUOTE = 64 };
 
 /* The first error is kept, later ones are consequences of it. */
-void report_fail(pov_reader *in, const place *at, pov_status status, const char *format, ...) POV_PRINTF(4, 5);
+void report_fail(pov_reader *in, const place *at, pov_status status, const char *format, ...)
+    POV_PRINTF(4, 5);
 void report_failv(pov_reader *in, const place *at, pov_status status, const char *format, va_list args);
 void report_memory(pov_reader *in);
 /* An error of another room, with the place added where it has none. */

@@ -1,4 +1,5 @@
-/* source.h - the texts that are being read: a stack, so that a text may stop for another and go on behind it. */
+/* source.h - the texts that are being read: a stack, so that a text may stop for another and go on behind it.
+ * */
 #ifndef SDL_SOURCE_H
 #define SDL_SOURCE_H
 

@@ -11,6 +11,8 @@ static void fail_bad(pov_reader *in)
     report_quote(&in->token.at, text);
     if (byte == 0)
         report_fail(in, &in->token.at, POV_E_SYNTAX, "a zero byte: this is not a text");
+    else if (byte == '"' || byte == '/')
+        report_fail(in, &in->token.at, POV_E_SYNTAX, "%s", in->token.fault);
     else if (text[0] == '?')
         report_fail(in, &in->token.at, POV_E_SYNTAX, "the byte 0x%02X %s", byte, in->token.fault);
     else

@@ -28,7 +28,8 @@ typedef struct settings_text {
     double version;              /* 0: none was set */
 } settings_text;
 
-/* Words that a plugin asked for and that were not there: what the word that is there may have been meant as. */
+/* Words that a plugin asked for and that were not there: what the word that is there may have been meant as.
+ * */
 enum { TRIED_MAX = 4, TRIED_LENGTH = 24 };
 
 struct pov_reader {

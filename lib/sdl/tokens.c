@@ -6,7 +6,8 @@ typedef struct row { const char *name; uint32_t flags; } row;
 static const row words[WORD_COUNT] = { { "", 0 }, TOKEN_WORDS(TOKEN_ROW) };
 #undef TOKEN_ROW
 
-/* Words of POV-Ray's language that stand for features this version lacks. A row goes when its feature comes. */
+/* Words of POV-Ray's language that stand for features this version lacks. A row goes when its feature comes.
+ * */
 static const char *const later[] = {
     "aa_level", "aa_threshold", "abs", "absorption", "accuracy", "acos", "acosh", "adaptive", "agate",
     "agate_turb", "all", "all_intersections", "alpha", "altitude", "always_sample", "aoi", "aperture",
@@ -20,7 +21,8 @@ static const char *const later[] = {
     "count", "crackle", "crand", "cube", "cubic", "cubic_spline", "cubic_wave", "cutaway_textures",
     "cylindrical", "degrees", "density", "density_file", "density_map", "dents", "df3", "difference",
     "dimension_size", "dimensions", "disc", "dispersion", "dispersion_samples", "dist_exp", "distance",
-    "div", "double_illuminate", "eccentricity", "emission", "error_bound", "evaluate", "exp", "expand_thresholds",
+    "div", "double_illuminate", "eccentricity", "emission", "error_bound", "evaluate", "exp",
+    "expand_thresholds",
     "exponent", "exterior", "extinction", "face_indices", "facets", "fade_color", "fade_colour",
     "fade_distance", "fade_power", "falloff", "falloff_angle", "false", "file_exists", "final_clock",
     "final_frame", "finite", "fisheye", "flatness", "flip", "floor", "focal_point", "fog", "fog_alt",
@@ -40,12 +42,14 @@ static const char *const later[] = {
     "omega", "omnimax", "on", "once", "onion", "orient", "orientation", "orthographic", "panoramic",
     "parallel", "parametric", "pass_through", "pattern", "pavement", "perspective", "pgm", "phase",
     "photons", "pi", "pigment_map", "pigment_pattern", "planar", "plane", "png", "point_at",
-    "pointlight", "poly", "poly_wave", "polynomial", "pot", "potential", "pow", "ppm", "precision", "precompute",
+    "pointlight", "poly", "poly_wave", "polynomial", "pot", "potential", "pow", "ppm", "precision",
+    "precompute",
     "premultiplied", "pretrace_end", "pretrace_start", "prism", "projected_through", "pwr",
     "quadratic_spline", "quartic", "quaternion", "quick_color", "quick_colour", "quilted",
     "radial", "radians", "radiosity", "radius", "rainbow", "ramp_wave", "rand", "range", "ratio",
     "reciprocal", "recursion_limit", "reflection_exponent", "refraction", "repeat", "ripples", "roughness",
-    "samples", "save_file", "scallop_wave", "scattering", "seed", "select", "shadowless", "sin", "sine_wave", "sinh",
+    "samples", "save_file", "scallop_wave", "scattering", "seed", "select", "shadowless", "sin",
+    "sine_wave", "sinh",
     "size", "slice", "slope", "slope_map", "smooth", "smooth_triangle", "solid", "sor", "spacing",
     "specular", "sphere_sweep", "spherical", "spiral1", "spiral2", "spline", "split_union", "spotlight",
     "spotted", "sqr", "sqrt", "srgb", "srgbf", "srgbft", "srgbt", "str", "strcmp", "strength", "strlen",

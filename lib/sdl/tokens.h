@@ -8,11 +8,11 @@
 
 /* What is known of a word beforehand. */
 enum {
-    TRAIT_BASE = 1u << 0,         /* of the base language: does not make a file `povray` */
-    TRAIT_SHAPE = 1u << 1,        /* a primitive that belongs to the language, whether its plugin is there or not */
-    TRAIT_LATER = 1u << 2,        /* of POV-Ray's language, for a feature that is not here yet */
+    TRAIT_BASE = 1u << 0,        /* of the base language: does not make a file `povray` */
+    TRAIT_SHAPE = 1u << 1,       /* a primitive of the language, whether its plugin is there or not */
+    TRAIT_LATER = 1u << 2,       /* of POV-Ray's language, for a feature that is not here yet */
     TRAIT_PAINT = 1u << 3,       /* a colour may begin with it */
-    TRAIT_NAMED = 1u << 4         /* a message about the missing feature has been given */
+    TRAIT_NAMED = 1u << 4        /* a message about the missing feature has been given */
 };
 
 /* Words that have a meaning here: identifier, text, flags. */
@@ -89,7 +89,7 @@ typedef struct token {
     int kind;
     symbol *symbol;              /* of a word; NULL: never met */
     double number;
-    const char *fault;           /* what is wrong with the text: an error if the kind is BAD, else worth a warning */
+    const char *fault;           /* what is wrong: an error if the kind is BAD, else worth a warning */
     place at;
 } token;
 

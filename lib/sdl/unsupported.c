@@ -52,8 +52,8 @@ static void name_the_rest(pov_reader *in, uint32_t named)
     }
 }
 
-/* The token that the reader stands at is lost when it fails, so the rest is named first; the error follows as what
- * the call returns. */
+/* The token that the reader stands at is lost when it fails, so the rest is named first; the error follows as
+ * what the call returns. */
 static void refuse(pov_reader *in, const place *at, const char *what, uint32_t named)
 {
     const place here = *at;

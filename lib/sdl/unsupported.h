@@ -4,8 +4,8 @@
 
 #include "sdl/state.h"
 
-/* Fail with POV_E_UNSUPPORTED: `WHAT is not supported yet`. The rest of the text is looked through, and each other
- * missing feature that its words stand for is logged once, with its first place. */
+/* Fail with POV_E_UNSUPPORTED: `WHAT is not supported yet`. The rest of the text is looked through, and each
+ * other missing feature that its words stand for is logged once, with its first place. */
 void unsupported_form(pov_reader *in, const place *at, const char *what);
 /* The same for the word that is next, one of a feature to come. */
 void unsupported_word(pov_reader *in);

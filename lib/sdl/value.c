@@ -4,6 +4,7 @@
 #include "sdl/unsupported.h"
 
 #include <float.h>
+#include <stdio.h>
 
 static bool is_sign(int kind)
 {
@@ -23,17 +24,16 @@ static bool is_operator(int kind)
 /* Behind a value an operator would go on with it: "1 -2" is one number in this language, not two. */
 static void refuse_operator(pov_reader *in)
 {
-    char what[REPORT_QUOTE];
+    char mark[REPORT_QUOTE], what[REPORT_QUOTE + 64];
     place at = in->token.at;
 
     if (!is_operator(in->token.kind))
         return;
-    report_quote(&at, what);
-    state_note_povray(in, &at);
-    if (is_sign(in->token.kind))
-        unsupported_form(in, &at, "an operator between two values (a \",\" makes them two)");
-    else
-        unsupported_form(in, &at, "an operator between two values");
+    report_quote(&at, mark);
+    snprintf(what, sizeof what,
+             is_sign(in->token.kind) ? "the operator \"%s\" (a \",\" before it begins a new value)"
+                                     : "the operator \"%s\"", mark);
+    unsupported_form(in, &at, what);
 }
 
 static void expected_value(pov_reader *in, const char *wanted)
@@ -47,13 +47,13 @@ static void expected_value(pov_reader *in, const char *wanted)
 /* Signs and digits; the token is a sign or a number. */
 static double signed_number(pov_reader *in, const char *wanted)
 {
-    bool negative = false;
+    bool negative = false, has_sign = is_sign(in->token.kind);
     double number;
 
     for (; is_sign(in->token.kind); state_advance(in))
         negative ^= in->token.kind == '-';
     if (in->token.kind != TOKEN_NUMBER) {
-        if (in->token.kind == '<')
+        if (has_sign && in->token.kind == '<')
             unsupported_form(in, &in->token.at, "a sign before a vector");
         else
             expected_value(in, wanted);

@@ -1,5 +1,5 @@
-/* value.h - numbers, vectors, colours. Every reader of the language, plugins too, gets its values here; here alone
- * expressions will be known. */
+/* value.h - numbers, vectors, colours. Every reader of the language, plugins too, gets its values here; here
+ * alone expressions will be known. */
 #ifndef SDL_VALUE_H
 #define SDL_VALUE_H
 

@@ -6,8 +6,8 @@
 
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT, CHANNELS };
 
-/* What a colour's word says of the numbers behind it: how many a lone number stands for, and which channel the fourth
- * number is. Any of them takes up to five numbers. */
+/* What a colour's word says of the numbers behind it: how many a lone number stands for, and which channel
+ * the fourth number is. Any of them takes up to five numbers. */
 typedef struct form {
     word_id word;
     int channels, fourth;
@@ -69,7 +69,8 @@ static void read_numbers(pov_reader *in, const form *f, float out[CHANNELS])
             v[i] = v[0];
     for (i = 0; i < most && !in->failed; i++) {
         if (fabs(v[i]) > FLT_MAX)
-            report_fail(in, &in->value, POV_E_SYNTAX, "a number beyond %g has no use in a colour", (double)FLT_MAX);
+            report_fail(in, &in->value, POV_E_SYNTAX, "a number beyond %g has no use in a colour",
+                        (double)FLT_MAX);
         out[i < 3 ? i : i == 3 ? f->fourth : TRANSMIT] = (float)v[i];
     }
 }

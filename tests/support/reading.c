@@ -114,7 +114,7 @@ static void parse_blob7(void *self, const pov_host *host, pov_reader *in)
 {
     test_shape *s = self;
 
-    host->expect(in, "strength");
+    host->expect(in, "power");
     s->numbers[0] = host->number(in);
     host->expect(in, "(");
     s->numbers[1] = host->number(in);
@@ -182,10 +182,11 @@ void reading_begin(reading *r, const char *text)
 void reading_end(reading *r)
 {
     model_free(&r->model);
-    registry_destroy(r->plugins);
+    if (r->plugins)
+        registry_destroy(r->plugins);
 }
 
-const test_shape *reading_shape(const reading *r, size_t object)
+const test_shape *reading_shape(const reading *r, size_t index)
 {
-    return r->model.objects.items[object].instance;
+    return r->model.objects.items[index].instance;
 }

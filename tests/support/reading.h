@@ -33,6 +33,6 @@ void reading_begin_bytes(reading *r, const char *text, size_t length, const read
                          const pov_allocator *allocator);
 void reading_end(reading *r);
 
-const test_shape *reading_shape(const reading *r, size_t object);
+const test_shape *reading_shape(const reading *r, size_t index);
 
 #endif

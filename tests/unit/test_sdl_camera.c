@@ -1,0 +1,191 @@
+/* sdl/parse_camera: from what is written to the frame, in both dialects. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include <math.h>
+#include <string.h>
+
+static pov_camera read_camera(const char *text, pov_dialect dialect)
+{
+    reader_options options = {dialect, 0};
+    reading r;
+    pov_camera camera;
+
+    reading_begin_bytes(&r, text, strlen(text), &options, NULL);
+    if (r.status != POV_OK)
+        fail_msg("%s: %s", text, r.error.message);
+    camera = r.model.camera;
+    reading_end(&r);
+    return camera;
+}
+
+static void assert_near(const char *what, pov_vec3 v, double x, double y, double z)
+{
+    double size = fmax(fmax(fabs(x), fabs(y)), fabs(z));
+
+    if (!(pov_largest(pov_sub(v, pov_vec3_of(x, y, z))) <= 4e-16 * size))
+        fail_msg("%s is <%.17g, %.17g, %.17g>, not <%.17g, %.17g, %.17g>", what, v.x, v.y, v.z, x, y, z);
+}
+
+static void assert_frame(pov_camera c, const double d[3], const double r[3], const double u[3])
+{
+    assert_int_equal(c.size, sizeof c);
+    assert_near("direction", c.direction, d[0], d[1], d[2]);
+    assert_near("right", c.right, r[0], r[1], r[2]);
+    assert_near("up", c.up, u[0], u[1], u[2]);
+}
+
+#define V(x, y, z) ((const double[3]){x, y, z})
+
+static void without_a_camera_the_view_is_along_z(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("sphere { 0, 1 }", POV_DIALECT_AUTO), V(0, 0, 1), V(1.33333, 0, 0), V(0, 1, 0));
+    assert_frame(read_camera("sphere { 0, 1 hollow }", POV_DIALECT_AUTO), V(0, 0, 1), V(1.33, 0, 0),
+                 V(0, 1, 0));
+    assert_frame(read_camera("camera { }", POV_DIALECT_COURSE), V(0, 0, 1), V(1.33333, 0, 0), V(0, 1, 0));
+    assert_frame(read_camera("camera { }", POV_DIALECT_POVRAY), V(0, 0, 1), V(1.33, 0, 0), V(0, 1, 0));
+}
+
+static void both_dialects_look_at_a_point_alike(void **state)
+{
+    const char *text = "camera { look_at <1, 2, 3> up <0, 1, 0> right <2, 0, 0> location <-2, 2, -1> }";
+    const double s = 1.0 / sqrt(25.0);
+    pov_camera c;
+    int dialect;
+
+    (void)state;
+    for (dialect = POV_DIALECT_COURSE; dialect <= POV_DIALECT_POVRAY; dialect++) {
+        c = read_camera(text, (pov_dialect)dialect);
+        assert_near("location", c.location, -2, 2, -1);
+        assert_frame(c, V(3 * s, 0, 4 * s), V(2 * 4 * s, 0, -2 * 3 * s), V(0, 1, 0));
+    }
+}
+
+static void the_angle_is_the_horizontal_one(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("camera { angle 90 right <2, 0, 0> look_at <0, 0, 5> }", POV_DIALECT_COURSE),
+                 V(0, 0, 1), V(2, 0, 0), V(0, 1, 0));
+    assert_frame(read_camera("camera { direction <0, 0, 7> right <3, 0, 0> angle 90 }", POV_DIALECT_POVRAY),
+                 V(0, 0, 1.5), V(3, 0, 0), V(0, 1, 0));
+}
+
+static void in_the_course_dialect_up_is_the_vertical(void **state)
+{
+    /* The part of up along the view is subtracted; its length is the picture's height. */
+    assert_frame(read_camera("camera { up <0, 3, 4> look_at <0, 0, 9> }", POV_DIALECT_COURSE), V(0, 0, 1),
+                 V(1.33333, 0, 0), V(0, 5, 0));
+    assert_frame(read_camera("camera { up <1, 0, 0> right <0, 0, 2> look_at <0, 0, 9> }", POV_DIALECT_COURSE),
+                 V(0, 0, 1), V(0, -2, 0), V(1, 0, 0));
+    (void)state;
+}
+
+static void in_the_course_dialect_x_takes_the_place_of_an_up_along_the_view(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("camera { location <0, 5, 0> look_at 0 right <1, 0, 0> }", POV_DIALECT_COURSE),
+                 V(0, -1, 0), V(0, 0, -1), V(1, 0, 0));
+    assert_frame(read_camera("camera { up <.1, .3, .7> look_at <.2, .6, 1.4> }", POV_DIALECT_COURSE),
+                 V(.1 / sqrt(.59), .3 / sqrt(.59), .7 / sqrt(.59)),
+                 V(0, -1.33333 * .7 / sqrt(.58), 1.33333 * .3 / sqrt(.58)),
+                 V(sqrt(.59) * .58 / sqrt(.58 * .59), -sqrt(.59) * .03 / sqrt(.58 * .59),
+                   -sqrt(.59) * .07 / sqrt(.58 * .59)));
+    assert_frame(read_camera("camera { up <1, 0, 0> look_at <3, 0, 0> right <1, 0, 0> }", POV_DIALECT_COURSE),
+                 V(1, 0, 0), V(0, 0, -1), V(0, 1, 0));
+}
+
+static void in_the_povray_dialect_sky_is_the_vertical(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("camera { sky <1, 0, 0> right <2, 0, 0> up <0, 3, 0> look_at <0, 0, 9> }",
+                             POV_DIALECT_AUTO),
+                 V(0, 0, 1), V(0, -2, 0), V(3, 0, 0));
+    assert_frame(read_camera("camera { up <0, 3, 4> look_at <0, 0, 9> }", POV_DIALECT_POVRAY), V(0, 0, 1),
+                 V(1.33, 0, 0), V(0, 5, 0));
+}
+
+static void in_the_povray_dialect_the_frame_is_free_without_look_at(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("camera { direction <0, 1, 2> right <1, 1, 0> up <0, 2, 0> }", POV_DIALECT_AUTO),
+                 V(0, 1, 2), V(1, 1, 0), V(0, 2, 0));
+}
+
+static void in_the_povray_dialect_handedness_is_kept(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("camera { right <-1.33, 0, 0> look_at <0, 0, 9> }", POV_DIALECT_POVRAY),
+                 V(0, 0, 1), V(-1.33, 0, 0), V(0, 1, 0));
+    assert_frame(read_camera("camera { up <0, -1, 0> look_at <0, 0, 9> }", POV_DIALECT_POVRAY), V(0, 0, 1),
+                 V(-1.33, 0, 0), V(0, 1, 0));
+    assert_frame(read_camera("camera { direction <0, 0, 2> look_at <0, 0, 9> }", POV_DIALECT_POVRAY),
+                 V(0, 0, 2), V(1.33, 0, 0), V(0, 1, 0));
+}
+
+static void in_the_povray_dialect_right_stays_where_sky_lies_along_the_view(void **state)
+{
+    (void)state;
+    assert_frame(read_camera("camera { look_at <0, 9, 0> }", POV_DIALECT_POVRAY), V(0, 1, 0), V(1.33, 0, 0),
+                 V(0, 0, -1));
+    assert_frame(read_camera("camera { look_at <0, -9, 0> }", POV_DIALECT_POVRAY), V(0, -1, 0), V(1.33, 0, 0),
+                 V(0, 0, 1));
+}
+
+static void transformations_come_last_wherever_they_stand(void **state)
+{
+    pov_camera c = read_camera(
+        "camera { rotate <0, 90, 0> translate <1, 0, 0> location <0, 0, -5> look_at 0 }", POV_DIALECT_COURSE);
+
+    (void)state;
+    assert_near("location", c.location, -4, 0, 0);
+    assert_frame(c, V(1, 0, 0), V(0, 0, -1.33333), V(0, 1, 0));
+    c = read_camera("camera { location <1, 1, 0> scale <2, 1, 1> }", POV_DIALECT_POVRAY);
+    assert_near("location", c.location, 2, 1, 0);
+    assert_frame(c, V(0, 0, 1), V(2.66, 0, 0), V(0, 1, 0));
+}
+
+static void far_and_small_views_keep_their_direction(void **state)
+{
+    pov_camera c = read_camera("camera { location <1e308, 0, 0> look_at <-1e308, 0, 0> right <1, 0, 0> }",
+                               POV_DIALECT_COURSE);
+
+    (void)state;
+    assert_frame(c, V(-1, 0, 0), V(0, 0, 1), V(0, 1, 0));
+    c = read_camera(
+        "camera { location <1e-300, 0, 0> look_at <0, 0, 0> up <0, 1e-200, 0> right <1e200, 0, 0> }",
+        POV_DIALECT_COURSE);
+    assert_frame(c, V(-1, 0, 0), V(0, 0, 1e200), V(0, 1e-200, 0));
+}
+
+static void the_last_camera_wins_with_a_warning(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "camera { location 1 angle 20 }\ncamera { location 2 }");
+    assert_true(r.model.camera.location.x == 2.0 && r.model.camera.direction.z == 1.0);
+    assert_int_equal(r.model.warnings, 1);
+    assert_int_equal(r.notes[0].line, 2);
+    reading_end(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(without_a_camera_the_view_is_along_z),
+        cmocka_unit_test(both_dialects_look_at_a_point_alike),
+        cmocka_unit_test(the_angle_is_the_horizontal_one),
+        cmocka_unit_test(in_the_course_dialect_up_is_the_vertical),
+        cmocka_unit_test(in_the_course_dialect_x_takes_the_place_of_an_up_along_the_view),
+        cmocka_unit_test(in_the_povray_dialect_sky_is_the_vertical),
+        cmocka_unit_test(in_the_povray_dialect_the_frame_is_free_without_look_at),
+        cmocka_unit_test(in_the_povray_dialect_handedness_is_kept),
+        cmocka_unit_test(in_the_povray_dialect_right_stays_where_sky_lies_along_the_view),
+        cmocka_unit_test(transformations_come_last_wherever_they_stand),
+        cmocka_unit_test(far_and_small_views_keep_their_direction),
+        cmocka_unit_test(the_last_camera_wins_with_a_warning),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

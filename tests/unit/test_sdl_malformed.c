@@ -1,0 +1,594 @@
+/* sdl: texts that are wrong, and what is said of each: status, place, message, guess. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct malformed {
+    const char *text;
+    size_t length;
+    pov_status status;
+    int line, column;
+    const char *message, *hint;
+} malformed;
+
+#define TEXT(text) text, sizeof(text) - 1
+
+static const malformed cases[] = {
+    { TEXT(""), POV_E_SYNTAX, 1, 1,
+      "there is nothing in this text", "" },
+    { TEXT(" \n\t\r\n"), POV_E_SYNTAX, 3, 1,
+      "there is nothing in this text", "" },
+    { TEXT("// only a comment"), POV_E_SYNTAX, 1, 18,
+      "there is nothing in this text", "" },
+    { TEXT("/* only a comment */\n"), POV_E_SYNTAX, 2, 1,
+      "there is nothing in this text", "" },
+    { TEXT("\357\273\277"), POV_E_SYNTAX, 1, 1,
+      "there is nothing in this text", "" },
+    { TEXT("/*"), POV_E_SYNTAX, 1, 1,
+      "the comment that begins here has no end", "" },
+    { TEXT("sphere { 0, 1 } /* /* */"), POV_E_SYNTAX, 1, 17,
+      "the comment that begins here has no end", "" },
+    { TEXT("sphere { 0, 1 }\n/* never ends\n\n"), POV_E_SYNTAX, 2, 1,
+      "the comment that begins here has no end", "" },
+    { TEXT("*/"), POV_E_SYNTAX, 1, 1,
+      "expected an object or a setting, found \"*\"", "" },
+    { TEXT("sphere"), POV_E_SYNTAX, 1, 7,
+      "expected \"{\" after \"sphere\", found the end of the text", "" },
+    { TEXT("sphere {"), POV_E_SYNTAX, 1, 9,
+      "expected a vector after \"{\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { 0"), POV_E_SYNTAX, 1, 11,
+      "expected an object modifier or \"}\" after \"0\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { 0,"), POV_E_SYNTAX, 1, 12,
+      "expected an object modifier or \"}\" after \",\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <"), POV_E_SYNTAX, 1, 11,
+      "expected a number after \"<\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0"), POV_E_SYNTAX, 1, 12,
+      "expected a number after \"0\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0,"), POV_E_SYNTAX, 1, 13,
+      "expected a number after \",\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0, 0, 0"), POV_E_SYNTAX, 1, 18,
+      "expected \">\" after \"0\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0, 0, 0>"), POV_E_SYNTAX, 1, 19,
+      "expected an object modifier or \"}\" after \">\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0, 0, 0>,"), POV_E_SYNTAX, 1, 20,
+      "expected an object modifier or \"}\" after \",\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0, 0, 0>, 1"), POV_E_SYNTAX, 1, 22,
+      "expected an object modifier or \"}\" after \"1\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { <0, 0, 0>, 1\n\n"), POV_E_SYNTAX, 1, 22,
+      "expected an object modifier or \"}\" after \"1\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { 0, 1 pigment"), POV_E_SYNTAX, 1, 22,
+      "expected \"{\" after \"pigment\", found the end of the text;"
+      " the \"{\" of \"sphere\" at 1:8 is still open", "" },
+    { TEXT("sphere { 0, 1 pigment {"), POV_E_SYNTAX, 1, 24,
+      "expected a colour or \"}\" after \"{\", found the end of the text;"
+      " the \"{\" of \"pigment\" at 1:23 is still open", "" },
+    { TEXT("sphere {\n  0, 1\n  pigment { rgb 1\n"), POV_E_SYNTAX, 3, 18,
+      "expected a transformation or \"}\" after \"1\", found the end of the text;"
+      " the \"{\" of \"pigment\" at 3:11 is still open", "" },
+    { TEXT("sphere 0, 1 }"), POV_E_SYNTAX, 1, 8,
+      "expected \"{\" after \"sphere\", found \"0\"", "" },
+    { TEXT("sphere <0, 0, 0>, 1"), POV_E_SYNTAX, 1, 8,
+      "expected \"{\" after \"sphere\", found \"<\"", "" },
+    { TEXT("sphere ( 0, 1 )"), POV_E_SYNTAX, 1, 8,
+      "expected \"{\" after \"sphere\", found \"(\"", "" },
+    { TEXT("sphere { 0, 1 }}"), POV_E_SYNTAX, 1, 16,
+      "expected an object or a setting after \"}\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 };"), POV_E_SYNTAX, 1, 16,
+      "expected an object or a setting after \"}\", found \";\"", "" },
+    { TEXT("{"), POV_E_SYNTAX, 1, 1,
+      "expected an object or a setting, found \"{\"", "" },
+    { TEXT("}"), POV_E_SYNTAX, 1, 1,
+      "expected an object or a setting, found \"}\"", "" },
+    { TEXT("5"), POV_E_SYNTAX, 1, 1,
+      "expected an object or a setting, found \"5\"", "" },
+    { TEXT("\"sphere\""), POV_E_SYNTAX, 1, 1,
+      "expected an object or a setting, found the string \"sphere\"", "" },
+    { TEXT(", sphere { 0, 1 }"), POV_E_SYNTAX, 1, 1,
+      "expected an object or a setting, found \",\"", "" },
+    { TEXT("sphare { 0, 1 }"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"sphare\"", "sphere" },
+    { TEXT("Sphere { 0, 1 }"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"Sphere\"", "sphere" },
+    { TEXT("spheres { 0, 1 }"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"spheres\"", "sphere" },
+    { TEXT("nonsense"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"nonsense\"", "" },
+    { TEXT("camara { }"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"camara\"", "camera" },
+    { TEXT("nan"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"nan\"", "" },
+    { TEXT("sphere { nan, 1 }"), POV_E_SYNTAX, 1, 10,
+      "expected a vector after \"{\", found \"nan\"", "" },
+    { TEXT("sphere { 0, inf }"), POV_E_SYNTAX, 1, 13,
+      "unknown word \"inf\" in \"sphere\"", "" },
+    { TEXT("sphere { 0, NaN }"), POV_E_SYNTAX, 1, 13,
+      "unknown word \"NaN\" in \"sphere\"", "" },
+    { TEXT("sphere { 0, 1e400 }"), POV_E_SYNTAX, 1, 13,
+      "\"1e400\" is too large a number", "" },
+    { TEXT("sphere { 0, -1e400 }"), POV_E_SYNTAX, 1, 14,
+      "\"1e400\" is too large a number", "" },
+    { TEXT("sphere { 0, 1.2.3 }"), POV_E_SYNTAX, 1, 13,
+      "\"1.2.3\" is not a number", "" },
+    { TEXT("sphere { 0, 1e }"), POV_E_SYNTAX, 1, 13,
+      "\"1e\" is not a number", "" },
+    { TEXT("sphere { 0, 2x }"), POV_E_SYNTAX, 1, 13,
+      "\"2x\" is not a number", "" },
+    { TEXT("sphere { 0, 0x10 }"), POV_E_SYNTAX, 1, 13,
+      "\"0x10\" is not a number", "" },
+    { TEXT("sphere { 0, . }"), POV_E_SYNTAX, 1, 13,
+      "expected an object modifier or \"}\" after \",\", found \".\"", "" },
+    { TEXT("sphere { <0, 0, 0, 0>, 1 }"), POV_E_SYNTAX, 1, 20,
+      "expected \">\" after \",\", found \"0\"", "" },
+    { TEXT("sphere { <0>, 1 }"), POV_E_SYNTAX, 1, 12,
+      "expected a number after \"0\", found \">\"", "" },
+    { TEXT("sphere { <>, 1 }"), POV_E_SYNTAX, 1, 11,
+      "expected a number after \"<\", found \">\"", "" },
+    { TEXT("sphere { <0,, 0, 0>, 1 }"), POV_E_SYNTAX, 1, 13,
+      "expected a number after \",\", found \",\"", "" },
+    { TEXT("sphere { <0 0 -1>, 1 }"), POV_E_UNSUPPORTED, 1, 15,
+      "the operator \"-\" (a \",\" before it begins a new value) is not supported yet", "" },
+    { TEXT("sphere { 0, 2*3 }"), POV_E_UNSUPPORTED, 1, 14,
+      "the operator \"*\" is not supported yet", "" },
+    { TEXT("sphere { <1, 2, 3> / 2, 1 }"), POV_E_UNSUPPORTED, 1, 20,
+      "the operator \"/\" is not supported yet", "" },
+    { TEXT("sphere { (1), 1 }"), POV_E_UNSUPPORTED, 1, 10,
+      "an expression is not supported yet", "" },
+    { TEXT("sphere { -<1, 2, 3>, 1 }"), POV_E_UNSUPPORTED, 1, 11,
+      "a sign before a vector is not supported yet", "" },
+    { TEXT("sphere { \"0\", 1 }"), POV_E_SYNTAX, 1, 10,
+      "expected a vector after \"{\", found the string \"0\"", "" },
+    { TEXT("sphere { 0, \"1\" }"), POV_E_SYNTAX, 1, 13,
+      "expected an object modifier or \"}\" after \",\", found the string \"1\"", "" },
+    { TEXT("sphere { 0, <1, 1, 1> }"), POV_E_SYNTAX, 1, 13,
+      "expected a number after \",\", found \"<\"", "" },
+    { TEXT("sphere { 0, 1, pigment { rgb 1 } }"), POV_E_SYNTAX, 1, 14,
+      "expected an object modifier or \"}\" after \"1\", found \",\"", "" },
+    { TEXT("sphere { 0, 1 2 }"), POV_E_SYNTAX, 1, 15,
+      "expected an object modifier or \"}\" after \"1\", found \"2\"", "" },
+    { TEXT("sphere { 0, 1 sphere { 0, 1 } }"), POV_E_SYNTAX, 1, 15,
+      "\"sphere\" does not belong in \"sphere\"", "" },
+    { TEXT("sphere { 0, 1 camera { } }"), POV_E_SYNTAX, 1, 15,
+      "\"camera\" does not belong in \"sphere\"", "" },
+    { TEXT("sphere { 0, 1 location 3 }"), POV_E_SYNTAX, 1, 15,
+      "\"location\" does not belong in \"sphere\"", "" },
+    { TEXT("sphere { 0, 1 pigmnet { rgb 1 } }"), POV_E_SYNTAX, 1, 15,
+      "unknown word \"pigmnet\" in \"sphere\"", "pigment" },
+    { TEXT("sphere { 0, 1 pigment rgb 1 }"), POV_E_SYNTAX, 1, 23,
+      "expected \"{\" after \"pigment\", found \"rgb\"", "" },
+    { TEXT("sphere { 0, 1 pigment { rgb } }"), POV_E_SYNTAX, 1, 29,
+      "expected a colour after \"rgb\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 pigment { color } }"), POV_E_SYNTAX, 1, 31,
+      "expected a colour after \"color\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 pigment { <1, 0, 0> } }"), POV_E_SYNTAX, 1, 25,
+      "expected a colour or \"}\" after \"{\", found \"<\"", "" },
+    { TEXT("sphere { 0, 1 pigment { .5 } }"), POV_E_SYNTAX, 1, 25,
+      "expected a colour or \"}\" after \"{\", found \".5\"", "" },
+    { TEXT("sphere { 0, 1 pigment { rgb 1 rgb 0 } }"), POV_E_SYNTAX, 1, 31,
+      "\"rgb\" does not belong in \"pigment\"", "" },
+    { TEXT("sphere { 0, 1 pigment { rgb <1, 2, 3, 4, 5, 6> } }"), POV_E_SYNTAX, 1, 45,
+      "expected \">\" after \",\", found \"6\"", "" },
+    { TEXT("sphere { 0, 1 pigment { rgbt <1, 2, 3, 4, 5> } }"), POV_E_SYNTAX, 1, 43,
+      "expected \">\" after \",\", found \"5\"", "" },
+    { TEXT("sphere { 0, 1 pigment { rgb 1e39 } }"), POV_E_SYNTAX, 1, 29,
+      "a number beyond 3.40282e+38 has no use in a colour", "" },
+    { TEXT("sphere { 0, 1 pigment { red } }"), POV_E_SYNTAX, 1, 29,
+      "expected a number after \"red\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 pigment { red 1e39 } }"), POV_E_SYNTAX, 1, 29,
+      "a number beyond 3.40282e+38 has no use here", "" },
+    { TEXT("sphere { 0, 1 pigment { colr rgb 1 } }"), POV_E_SYNTAX, 1, 25,
+      "unknown word \"colr\" in \"pigment\"", "color" },
+    { TEXT("sphere { 0, 1 pigment { White } }"), POV_E_SYNTAX, 1, 25,
+      "unknown word \"White\" in \"pigment\"", "" },
+    { TEXT("sphere { 0, 1 pigment { checker rgb 1 rgb 0 } }"), POV_E_UNSUPPORTED, 1, 25,
+      "\"checker\" is not supported yet", "" },
+    { TEXT("sphere { 0, 1 finish { phong } }"), POV_E_SYNTAX, 1, 30,
+      "expected a number after \"phong\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 finish { diffuse rgb 1 } }"), POV_E_SYNTAX, 1, 32,
+      "expected a number after \"diffuse\", found \"rgb\"", "" },
+    { TEXT("sphere { 0, 1 finish { phong_size -1 } }"), POV_E_SYNTAX, 1, 35,
+      "\"phong_size\" must not be negative", "" },
+    { TEXT("sphere { 0, 1 finish { specular .5 } }"), POV_E_UNSUPPORTED, 1, 24,
+      "\"specular\" is not supported yet", "" },
+    { TEXT("sphere { 0, 1 finish { reflection { .5 } } }"), POV_E_UNSUPPORTED, 1, 24,
+      "\"reflection { }\" is not supported yet", "" },
+    { TEXT("sphere { 0, 1 finish { difuse .5 } }"), POV_E_SYNTAX, 1, 24,
+      "unknown word \"difuse\" in \"finish\"", "diffuse" },
+    { TEXT("sphere { 0, 1 finish { reflection } }"), POV_E_SYNTAX, 1, 35,
+      "expected a colour after \"reflection\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 interior { ior } }"), POV_E_SYNTAX, 1, 30,
+      "expected a number after \"ior\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 interior { ior -1 } }"), POV_E_SYNTAX, 1, 30,
+      "\"ior\" must not be negative", "" },
+    { TEXT("sphere { 0, 1 interior { media { } } }"), POV_E_UNSUPPORTED, 1, 26,
+      "\"media\" is not supported yet", "" },
+    { TEXT("sphere { 0, 1 interior 1.5 }"), POV_E_SYNTAX, 1, 24,
+      "expected \"{\" after \"interior\", found \"1.5\"", "" },
+    { TEXT("sphere { 0, 1 texture { interior { ior 1 } } }"), POV_E_SYNTAX, 1, 25,
+      "\"interior\" does not belong in \"texture\"", "" },
+    { TEXT("sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } } }"),
+      POV_E_UNSUPPORTED, 1, 45,
+      "a transparent texture upon another is not supported yet", "" },
+    { TEXT("sphere { 0, 1 normal { bumps } }"), POV_E_UNSUPPORTED, 1, 15,
+      "\"normal\" is not supported yet", "" },
+    { TEXT("sphere { 0, 1 no_shadow 1 }"), POV_E_SYNTAX, 1, 25,
+      "expected an object modifier or \"}\" after \"no_shadow\", found \"1\"", "" },
+    { TEXT("sphere { 0, 1 scale }"), POV_E_SYNTAX, 1, 21,
+      "expected a vector after \"scale\", found \"}\"", "" },
+    { TEXT("sphere { 0, 1 translate pigment { } }"), POV_E_SYNTAX, 1, 25,
+      "expected a vector after \"translate\", found \"pigment\"", "" },
+    { TEXT("sphere { 0, 1 rotate \"x\" }"), POV_E_SYNTAX, 1, 22,
+      "expected a vector after \"rotate\", found the string \"x\"", "" },
+    { TEXT("sphere { 0, 1 rotate x*30 }"), POV_E_UNSUPPORTED, 1, 22,
+      "\"x\" is not supported yet", "" },
+    { TEXT("sphere { 0, 1 matrix 1 }"), POV_E_SYNTAX, 1, 22,
+      "expected \"<\" and 12 numbers for a matrix", "" },
+    { TEXT("sphere { 0, 1 matrix <1, 2, 3> }"), POV_E_SYNTAX, 1, 30,
+      "expected a number after \"3\", found \">\"", "" },
+    { TEXT("sphere { 0, 1 matrix <1,0,0,0,0,0,0,0,1,0,0,0> }"), POV_E_SYNTAX, 1, 22,
+      "the matrix has no inverse", "" },
+    { TEXT("cylinder { <0, 0, 0>, <1, 0, 0>, 1 opne }"), POV_E_SYNTAX, 1, 36,
+      "unknown word \"opne\" in \"cylinder\"", "open" },
+    { TEXT("cylinder { 1, 1, 1 }"), POV_E_SYNTAX, 1, 18,
+      "the cylinder has no length", "" },
+    { TEXT("cylinder { <0, 0, 0>, <1, 0, 0> }"), POV_E_SYNTAX, 1, 33,
+      "expected a number after \">\", found \"}\"", "" },
+    { TEXT("polygon { 2, <0, 0>, <1, 0> }"), POV_E_SYNTAX, 1, 11,
+      "a polygon has from 3 to a million points", "" },
+    { TEXT("polygon { 1e9, <0, 0, 0> }"), POV_E_SYNTAX, 1, 11,
+      "a polygon has from 3 to a million points", "" },
+    { TEXT("polygon { 4, <0, 0, 0>, <1, 0, 0> }"), POV_E_SYNTAX, 1, 35,
+      "expected a vector after \">\", found \"}\"", "" },
+    { TEXT("polygon { -1 }"), POV_E_SYNTAX, 1, 11,
+      "a polygon has from 3 to a million points", "" },
+    { TEXT("quadric { 1, 2, 3 }"), POV_E_SYNTAX, 1, 19,
+      "expected a number after \"3\", found \"}\"", "" },
+    { TEXT("blob7 { powr 3 (4) }"), POV_E_SYNTAX, 1, 9,
+      "expected \"power\" after \"{\", found \"powr\"", "power" },
+    { TEXT("blob7 { power 3 [4] }"), POV_E_SYNTAX, 1, 17,
+      "expected \"(\" after \"3\", found \"[\"", "" },
+    { TEXT("torus { 1, .5 }"), POV_E_UNSUPPORTED, 1, 1,
+      "\"torus\" is not supported yet", "" },
+    { TEXT("union { sphere { 0, 1 } }"), POV_E_UNSUPPORTED, 1, 1,
+      "\"union\" is not supported yet", "" },
+    { TEXT("plane { 0, 1 }"), POV_E_UNSUPPORTED, 1, 1,
+      "\"plane\" is not supported yet", "" },
+    { TEXT("fog { }"), POV_E_UNSUPPORTED, 1, 1,
+      "\"fog\" is not supported yet", "" },
+    { TEXT("camera { location }"), POV_E_SYNTAX, 1, 19,
+      "expected a vector after \"location\", found \"}\"", "" },
+    { TEXT("camera { location angle 3 }"), POV_E_SYNTAX, 1, 19,
+      "expected a vector after \"location\", found \"angle\"", "" },
+    { TEXT("camera { look_at 0 }"), POV_E_SYNTAX, 1, 18,
+      "the camera cannot look at its own location", "" },
+    { TEXT("camera { location 1\n look_at 1 }"), POV_E_SYNTAX, 2, 10,
+      "the camera cannot look at its own location", "" },
+    { TEXT("camera { angle 0 }"), POV_E_SYNTAX, 1, 16,
+      "the angle of a camera lies between 0 and 180 degrees", "" },
+    { TEXT("camera { angle -40 }"), POV_E_SYNTAX, 1, 16,
+      "the angle of a camera lies between 0 and 180 degrees", "" },
+    { TEXT("camera { angle 180 }"), POV_E_SYNTAX, 1, 16,
+      "the angle of a camera lies between 0 and 180 degrees", "" },
+    { TEXT("camera { angle <1, 2, 3> }"), POV_E_SYNTAX, 1, 16,
+      "expected a number after \"angle\", found \"<\"", "" },
+    { TEXT("camera { right 0 }"), POV_E_SYNTAX, 1, 16,
+      "\"right\" must not be zero", "" },
+    { TEXT("camera { up <0, 0, 0> }"), POV_E_SYNTAX, 1, 13,
+      "\"up\" must not be zero", "" },
+    { TEXT("camera { direction 0 }"), POV_E_SYNTAX, 1, 20,
+      "\"direction\" must not be zero", "" },
+    { TEXT("camera { locatoin 0 }"), POV_E_SYNTAX, 1, 10,
+      "unknown word \"locatoin\" in \"camera\"", "location" },
+    { TEXT("camera { sphere { 0, 1 } }"), POV_E_SYNTAX, 1, 10,
+      "\"sphere\" does not belong in \"camera\"", "" },
+    { TEXT("camera { perspective }"), POV_E_UNSUPPORTED, 1, 10,
+      "\"perspective\" is not supported yet", "" },
+    { TEXT("camera 5"), POV_E_SYNTAX, 1, 8,
+      "expected \"{\" after \"camera\", found \"5\"", "" },
+    { TEXT("camera { scale 1e308 location <1e10, 0, 0> }"), POV_E_SYNTAX, 1, 1,
+      "the camera is moved beyond what a double holds", "" },
+    { TEXT("light_source { }"), POV_E_SYNTAX, 1, 16,
+      "expected a vector after \"{\", found \"}\"", "" },
+    { TEXT("light_source { rgb 1 }"), POV_E_SYNTAX, 1, 16,
+      "expected a vector after \"{\", found \"rgb\"", "" },
+    { TEXT("light_source { 0, rgb 1 spotlight }"), POV_E_UNSUPPORTED, 1, 25,
+      "\"spotlight\" is not supported yet", "" },
+    { TEXT("light_source { 0, translate 1 rgb 1 }"), POV_E_SYNTAX, 1, 31,
+      "\"rgb\" does not belong in \"light_source\"", "" },
+    { TEXT("light_source { 0 color }"), POV_E_SYNTAX, 1, 24,
+      "expected a colour after \"color\", found \"}\"", "" },
+    { TEXT("light_source { <1e308, 0, 0>, rgb 1 scale 1e10 }"), POV_E_SYNTAX, 1, 1,
+      "the light is moved beyond what a double holds", "" },
+    { TEXT("global_settings { max_trace_level -1 }"), POV_E_SYNTAX, 1, 35,
+      "\"max_trace_level\" must lie in 0 to 65535", "" },
+    { TEXT("global_settings { max_trace_level 1e9 }"), POV_E_SYNTAX, 1, 35,
+      "\"max_trace_level\" must lie in 0 to 65535", "" },
+    { TEXT("global_settings { assumed_gamma 0 }"), POV_E_SYNTAX, 1, 33,
+      "\"assumed_gamma\" must be above 0", "" },
+    { TEXT("global_settings { assumed_gamma srgb }"), POV_E_UNSUPPORTED, 1, 33,
+      "\"srgb\" is not supported yet", "" },
+    { TEXT("global_settings { radiosity { } }"), POV_E_UNSUPPORTED, 1, 19,
+      "\"radiosity\" is not supported yet", "" },
+    { TEXT("global_settings { ambient_ligth 1 }"), POV_E_SYNTAX, 1, 19,
+      "unknown word \"ambient_ligth\" in \"global_settings\"", "ambient_light" },
+    { TEXT("global_settings"), POV_E_SYNTAX, 1, 16,
+      "expected \"{\" after \"global_settings\", found the end of the text", "" },
+    { TEXT("background { }}"), POV_E_SYNTAX, 1, 15,
+      "expected an object or a setting after \"}\", found \"}\"", "" },
+    { TEXT("background { rgb }"), POV_E_SYNTAX, 1, 18,
+      "expected a colour after \"rgb\", found \"}\"", "" },
+    { TEXT("background { rgb 1 rgb 0 }"), POV_E_SYNTAX, 1, 20,
+      "\"rgb\" does not belong in \"background\"", "" },
+    { TEXT("background { pigment { rgb 1 } }"), POV_E_SYNTAX, 1, 14,
+      "expected a colour after \"{\", found \"pigment\"", "" },
+    { TEXT("translate 3"), POV_E_SYNTAX, 1, 1,
+      "\"translate\" does not belong at the top level", "" },
+    { TEXT("#"), POV_E_SYNTAX, 1, 2,
+      "expected a directive after \"#\", found the end of the text", "" },
+    { TEXT("#declare X = 3;"), POV_E_UNSUPPORTED, 1, 1,
+      "\"#declare\" is not supported yet", "" },
+    { TEXT("#include \"colors.inc\""), POV_E_UNSUPPORTED, 1, 1,
+      "\"#include\" is not supported yet", "" },
+    { TEXT("#versoin 3.7;"), POV_E_SYNTAX, 1, 1,
+      "unknown directive \"#versoin\"", "version" },
+    { TEXT("#nonsense"), POV_E_SYNTAX, 1, 1,
+      "unknown directive \"#nonsense\"", "" },
+    { TEXT("#version"), POV_E_SYNTAX, 1, 9,
+      "expected a number after \"version\", found the end of the text", "" },
+    { TEXT("#version \"3.7\";"), POV_E_SYNTAX, 1, 10,
+      "expected a number after \"version\", found the string \"3.7\"", "" },
+    { TEXT("#version -1;"), POV_E_SYNTAX, 1, 10,
+      "a version is above 0", "" },
+    { TEXT("#version 3.7 3.6;"), POV_E_SYNTAX, 1, 14,
+      "expected an object or a setting after \"3.7\", found \"3.6\"", "" },
+    { TEXT("# 5"), POV_E_SYNTAX, 1, 3,
+      "expected a directive after \"#\", found \"5\"", "" },
+    { TEXT("sphere { 0, 1 } #if (1) sphere { 0, 2 } #end"), POV_E_UNSUPPORTED, 1, 17,
+      "\"#if\" is not supported yet", "" },
+    { TEXT("sphere { #declare X = 1; 0, 1 }"), POV_E_UNSUPPORTED, 1, 10,
+      "\"#declare\" is not supported yet", "" },
+    { TEXT("sphere { \303\251, 1 }"), POV_E_SYNTAX, 1, 10,
+      "\"\303\251\" does not belong outside of comments and strings", "" },
+    { TEXT("sphere { \351, 1 }"), POV_E_SYNTAX, 1, 10,
+      "the byte 0xE9 does not belong outside of comments and strings", "" },
+    { TEXT("sph\303\251re { 0, 1 }"), POV_E_SYNTAX, 1, 1,
+      "unknown word \"sph\"", "" },
+    { TEXT("sphere { 0, 1 } @"), POV_E_SYNTAX, 1, 17,
+      "\"@\" does not belong outside of comments and strings", "" },
+    { TEXT("sphere { 0, 1 } $x"), POV_E_SYNTAX, 1, 17,
+      "\"$\" does not belong outside of comments and strings", "" },
+    { TEXT("sphere { 0, 1 } \032"), POV_E_SYNTAX, 1, 17,
+      "the byte 0x1A does not belong outside of comments and strings", "" },
+    { TEXT("sphere { 0, \"1 }"), POV_E_SYNTAX, 1, 13,
+      "the string that begins here does not end on its line", "" },
+    { TEXT("\"never ends"), POV_E_SYNTAX, 1, 1,
+      "the string that begins here does not end on its line", "" },
+    { TEXT("\377\376s\000p\000"), POV_E_SYNTAX, 1, 1,
+      "this text is in UTF-16; save it as UTF-8", "" },
+    { TEXT("\376\377\000s\000p"), POV_E_SYNTAX, 1, 1,
+      "this text is in UTF-16; save it as UTF-8", "" },
+    { TEXT("s\000p\000h\000"), POV_E_SYNTAX, 1, 1,
+      "this text is in UTF-16; save it as UTF-8", "" },
+    { TEXT("\211PNG\r\n\032\n\000\000\000\rIHDR"), POV_E_SYNTAX, 3, 1,
+      "a zero byte: this is not a text", "" },
+    { TEXT("sphere { 0, 1 }\n\000"), POV_E_SYNTAX, 2, 1,
+      "a zero byte: this is not a text", "" },
+    { TEXT("\177ELF\002\001\001\000\000"), POV_E_SYNTAX, 1, 8,
+      "a zero byte: this is not a text", "" },
+    { TEXT("\t\tsphere { 0, 1 pigmnt { } }"), POV_E_SYNTAX, 1, 17,
+      "unknown word \"pigmnt\" in \"sphere\"", "pigment" },
+    { TEXT("sphere { 0, 1 }\r\n\r\nsphere { 0, 1 oops }"), POV_E_SYNTAX, 3, 15,
+      "unknown word \"oops\" in \"sphere\"", "" },
+    { TEXT("sphere { 0, 1 }\rsphere { 0, 1 oops }"), POV_E_SYNTAX, 2, 15,
+      "unknown word \"oops\" in \"sphere\"", "" },
+};
+
+/* A block of exactly the text's size, so that the sanitizers see a read beyond its end. */
+static void begin_exact(reading *r, const char *text, size_t length)
+{
+    char *exact = malloc(length ? length : 1);
+
+    assert_non_null(exact);
+    memcpy(exact, text, length);
+    reading_begin_bytes(r, exact, length, NULL, NULL);
+    free(exact);
+}
+
+static void every_wrong_text_is_refused_with_its_place(void **state)
+{
+    size_t i, wrong = 0;
+
+    (void)state;
+    assert_true(sizeof cases / sizeof cases[0] >= 80);
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const malformed *c = &cases[i];
+        reading r;
+
+        begin_exact(&r, c->text, c->length);
+        if (r.status != c->status || r.error.status != c->status || r.error.line != c->line ||
+            r.error.column != c->column || strcmp(r.error.message, c->message) != 0 ||
+            strcmp(r.error.hint, c->hint) != 0 || strcmp(r.error.file, "scene.pov") != 0) {
+            print_error("%s\n    gave %d at %d:%d %s [%s]\n", c->text, r.status, r.error.line, r.error.column,
+                        r.error.message, r.error.hint);
+            wrong++;
+        }
+        assert_true(r.error.caret <= (int)strlen(r.error.excerpt));
+        reading_end(&r);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+/* ---- sizes that break weak readers ---- */
+
+static void refused_at(const char *text, size_t length, int line, int column)
+{
+    reading r;
+
+    begin_exact(&r, text, length);
+    assert_int_equal(r.status, POV_E_SYNTAX);
+    assert_int_equal(r.error.line, line);
+    assert_int_equal(r.error.column, column);
+    reading_end(&r);
+}
+
+static void ten_thousand_nested_braces_are_refused(void **state)
+{
+    static char text[8 + 10000];
+
+    (void)state;
+    memcpy(text, "sphere {", 8);
+    memset(text + 8, '{', 10000);
+    refused_at(text, sizeof text, 1, 9);
+    memset(text, '{', sizeof text);
+    refused_at(text, sizeof text, 1, 1);
+}
+
+static void a_million_nested_comments_are_one_without_an_end(void **state)
+{
+    char *text = malloc(2000000);
+    size_t i;
+
+    (void)state;
+    assert_non_null(text);
+    for (i = 0; i < 2000000; i += 2)
+        memcpy(text + i, "/*", 2);
+    refused_at(text, 2000000, 1, 1);
+    free(text);
+}
+
+static void a_hundred_thousand_directives_and_signs_go_no_deeper(void **state)
+{
+    char *text = malloc(1300000);
+    reading r;
+    size_t i;
+
+    (void)state;
+    assert_non_null(text);
+    for (i = 0; i < 1300000; i += 13)
+        memcpy(text + i, "#version 3.7 ", 13);
+    begin_exact(&r, text, 1300000);
+    assert_int_equal(r.status, POV_OK);
+    reading_end(&r);
+    memset(text, '-', 1300000);
+    memcpy(text, "sphere {", 8);
+    refused_at(text, 1300000, 1, 1300001);
+    free(text);
+}
+
+static void long_words_and_lines_are_shown_in_part(void **state)
+{
+    static char text[100000];
+    reading r;
+
+    (void)state;
+    memset(text, ' ', sizeof text);
+    memset(text + 50000, 'q', 20000);
+    begin_exact(&r, text, sizeof text);
+    assert_int_equal(r.error.column, 50001);
+    assert_string_equal(r.error.message, "unknown word \"qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq...\"");
+    assert_int_equal(r.error.excerpt[r.error.caret], 'q');
+    assert_int_equal(r.error.excerpt[r.error.caret - 1], ' ');
+    assert_int_equal(strlen(r.error.excerpt), sizeof r.error.excerpt - 1);
+    reading_end(&r);
+}
+
+static void what_a_terminal_would_obey_is_not_shown(void **state)
+{
+    reading r;
+
+    (void)state;
+    begin_exact(&r, TEXT("/* \033[2J \302\233 \303\251 */ \"\033[2J\" \tx\r\n"));
+    assert_string_equal(r.error.message, "expected an object or a setting, found the string \"?[2J\"");
+    assert_string_equal(r.error.excerpt, "/* ?[2J ?? \303\251 */ \"?[2J\" \tx");
+    reading_end(&r);
+}
+
+static void an_error_in_a_text_below_a_byte_order_mark_has_its_column(void **state)
+{
+    reading r;
+
+    (void)state;
+    begin_exact(&r, TEXT("\357\273\277sphere { 0, 1 oops }"));
+    assert_int_equal(r.error.column, 15);
+    assert_string_equal(r.error.excerpt, "sphere { 0, 1 oops }");
+    assert_int_equal(r.error.caret, 14);
+    reading_end(&r);
+}
+
+static void missing_features_are_named_once_each_with_their_first_place(void **state)
+{
+    reading r;
+
+    (void)state;
+    begin_exact(&r, TEXT("union { torus { 1, 2 } }\n#declare T = torus { 1, 2 }\n"
+                         "#include \"x\" union { plane { y, 0 } }\n"
+                         "sphere { 0, 1 } blob7 { power 1 (2) } // fog\n#declare U = 1; \"media\""));
+    assert_int_equal(r.status, POV_E_UNSUPPORTED);
+    assert_string_equal(r.error.message, "\"union\" is not supported yet");
+    assert_int_equal(r.note_count, 5);
+    assert_string_equal(r.notes[0].message, "\"torus\" is not supported yet");
+    assert_int_equal(r.notes[0].line, 1);
+    assert_int_equal(r.notes[0].column, 9);
+    assert_string_equal(r.notes[1].message, "\"#declare\" is not supported yet");
+    assert_int_equal(r.notes[1].line, 2);
+    assert_string_equal(r.notes[2].message, "\"#include\" is not supported yet");
+    assert_string_equal(r.notes[3].message, "\"plane\" is not supported yet");
+    assert_string_equal(r.notes[4].message, "\"y\" is not supported yet");
+    assert_int_equal(r.notes[4].column, 30);
+    reading_end(&r);
+}
+
+static void a_missing_plugin_is_named_with_the_path(void **state)
+{
+    static const char text[] = "camera { }\n sphere { 0, 1 }";
+    reader_options options = { POV_DIALECT_AUTO, 0 };
+    pov_status status;
+    pov_error error;
+    registry *none;
+    model m;
+    env e;
+
+    (void)state;
+    env_init(&e, NULL, NULL, NULL);
+    none = registry_create(&e, "/nowhere:/nonexistent", &error);
+    model_init(&m, &e);
+    status = reader_read(&m, none, text, sizeof text - 1, "scene.pov", &options, &error);
+    assert_int_equal(status, POV_E_PLUGIN);
+    assert_string_equal(error.message, "no plugin for \"sphere\" in /nowhere:/nonexistent");
+    assert_int_equal(error.line, 2);
+    assert_int_equal(error.column, 2);
+    model_free(&m);
+    model_init(&m, &e);
+    assert_int_equal(reader_read(&m, none, text, sizeof text - 1, "scene.pov", NULL, NULL), POV_E_PLUGIN);
+    model_free(&m);
+    registry_destroy(none);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_wrong_text_is_refused_with_its_place),
+        cmocka_unit_test(ten_thousand_nested_braces_are_refused),
+        cmocka_unit_test(a_million_nested_comments_are_one_without_an_end),
+        cmocka_unit_test(a_hundred_thousand_directives_and_signs_go_no_deeper),
+        cmocka_unit_test(long_words_and_lines_are_shown_in_part),
+        cmocka_unit_test(what_a_terminal_would_obey_is_not_shown),
+        cmocka_unit_test(an_error_in_a_text_below_a_byte_order_mark_has_its_column),
+        cmocka_unit_test(missing_features_are_named_once_each_with_their_first_place),
+        cmocka_unit_test(a_missing_plugin_is_named_with_the_path),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,320 @@
+/* sdl/parse_object and what it asks: shapes, modifiers, materials, lights. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static void read_text(reading *r, const char *text)
+{
+    reading_begin(r, text);
+    if (r->status != POV_OK)
+        fail_msg("%s: %d:%d %s", text, r->error.line, r->error.column, r->error.message);
+}
+
+static const material *material_of(const reading *r, size_t index)
+{
+    return &r->model.materials.items[r->model.objects.items[index].material];
+}
+
+static pov_vec3 mapped(const reading *r, size_t index, double x, double y, double z)
+{
+    pov_affine map;
+
+    assert_true(transform_compose(r->model.objects.items[index].map, &map));
+    return pov_affine_point(&map, pov_vec3_of(x, y, z));
+}
+
+static void assert_point(pov_vec3 p, double x, double y, double z)
+{
+    if (!(pov_largest(pov_sub(p, pov_vec3_of(x, y, z))) <= 1e-15 * pov_largest(pov_vec3_of(x, y, z))))
+        fail_msg("<%.17g, %.17g, %.17g> is not <%g, %g, %g>", p.x, p.y, p.z, x, y, z);
+}
+
+/* ---- shapes ---- */
+
+static void every_primitive_gets_its_numbers(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { <1, 2, 3>, 4 }\n  box { 1, 2 } cone { 1, 2, 3, 4 open } cone { 1, 2, 3, 4 }\n"
+                  "cylinder { 1, 2, 3 open } quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, 10 }\n"
+                  "polygon { 4, <0, 0>, <1, 0>, <1, 1>, <0, 0> } blob7 { power 3 (4) }");
+    assert_int_equal(r.model.objects.count, 8);
+    assert_string_equal(r.model.objects.items[5].shape->keyword, "quadric");
+    assert_true(reading_shape(&r, 0)->numbers[0] == 4.0 && reading_shape(&r, 1)->vectors[1].y == 2.0);
+    assert_true(reading_shape(&r, 2)->open && !reading_shape(&r, 3)->open && reading_shape(&r, 4)->open);
+    assert_true(reading_shape(&r, 5)->vectors[2].z == 9.0 && reading_shape(&r, 5)->numbers[0] == 10.0);
+    assert_true(reading_shape(&r, 6)->points[2].y == 1.0);
+    assert_true(reading_shape(&r, 7)->numbers[1] == 4.0);
+    reading_end(&r);
+}
+
+static void an_object_knows_where_it_stands(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 }\r\n\t/* \n */ box { 0, 1 }");
+    assert_int_equal(r.model.objects.items[0].line, 1);
+    assert_int_equal(r.model.objects.items[0].column, 1);
+    assert_int_equal(r.model.objects.items[1].line, 3);
+    assert_int_equal(r.model.objects.items[1].column, 5);
+    reading_end(&r);
+}
+
+static void an_instance_is_aligned_for_vector_registers(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 } sphere { 0, 1 translate 1 } sphere { 0, 1 }");
+    assert_int_equal((uintptr_t)reading_shape(&r, 0) % 32, 0);
+    assert_int_equal((uintptr_t)reading_shape(&r, 2) % 32, 0);
+    reading_end(&r);
+}
+
+static void a_plugins_warning_has_the_place_of_the_value(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { <0, 0, 0>,\n  -1 }\nsphere { 2 }");
+    assert_int_equal(r.model.warnings, 2);
+    assert_string_equal(r.notes[0].message, "a negative radius is taken as positive");
+    assert_string_equal(r.notes[0].file, "scene.pov");
+    assert_int_equal(r.notes[0].line, 2);
+    assert_int_equal(r.notes[0].column, 3);
+    assert_string_equal(r.notes[0].excerpt, "  -1 }");
+    assert_int_equal(r.notes[0].caret, 2);
+    assert_int_equal(r.notes[1].line, 3);
+    reading_end(&r);
+}
+
+static void equal_warnings_by_the_thousand_are_only_counted(void **state)
+{
+    static char text[12 * 1000 + 1];
+    reading r;
+    int i;
+
+    (void)state;
+    for (i = 0; i < 1000; i++)
+        memcpy(text + 12 * i, "sphere { 2 }", 12);
+    read_text(&r, text);
+    assert_int_equal(r.model.warnings, 1000);
+    assert_int_equal(r.note_count, 101);
+    assert_string_equal(r.notes[100].message, "more than 100 warnings; the rest is only counted");
+    reading_end(&r);
+}
+
+/* ---- transformations ---- */
+
+static void transformations_apply_in_the_order_written(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 translate <1, 0, 0> rotate <0, 90, 0> scale <1, 1, 2> }\n"
+                  "sphere { 0, 1 scale <1, 1, 2> rotate 90 translate <1, 0, 0> }");
+    assert_point(mapped(&r, 0, 0, 0, 0), 0, 0, -2);
+    assert_point(mapped(&r, 0, 0, 0, 1), 1, 0, -2);
+    /* About x, then y, then z, each by 90 degrees: z -> -y -> -y -> x. */
+    assert_point(mapped(&r, 1, 0, 0, 1), 3, 0, 0);
+    reading_end(&r);
+}
+
+static void a_rotation_is_left_handed(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 rotate <90, 0, 0> } sphere { 0, 1 rotate <0, 90, 0> } sphere { 0, 1 rotate "
+                  "<0, 0, 90> }");
+    assert_point(mapped(&r, 0, 0, 1, 0), 0, 0, 1);
+    assert_point(mapped(&r, 1, 0, 0, 1), 1, 0, 0);
+    assert_point(mapped(&r, 2, 1, 0, 0), 0, 1, 0);
+    reading_end(&r);
+}
+
+static void a_matrix_is_read_row_by_row_as_in_povray(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 matrix <1, 2, 3, 0, 1, 4, 0, 0, 1, 7, 8, 9> }");
+    assert_point(mapped(&r, 0, 1, 0, 0), 8, 10, 12);
+    assert_point(mapped(&r, 0, 0, 1, 0), 7, 9, 13);
+    reading_end(&r);
+}
+
+static void a_scale_of_zero_counts_as_one_with_a_warning(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 scale <2, 0, -1> } sphere { 0, 1 scale 0 }");
+    assert_point(mapped(&r, 0, 1, 1, 1), 2, 1, -1);
+    assert_null(r.model.objects.items[1].map);
+    assert_int_equal(r.model.warnings, 2);
+    assert_int_equal(r.notes[0].column, 21);
+    reading_end(&r);
+}
+
+static void what_moves_nothing_is_no_transformation(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r,
+              "sphere { 0, 1 translate 0 scale 1 rotate <0, 360, -720> matrix <1,0,0,0,1,0,0,0,1,0,0,0> }\n"
+              "sphere { 0, 1 translate 1 rotate 0 }");
+    assert_null(r.model.objects.items[0].map);
+    assert_null(r.model.objects.items[1].map->before);
+    reading_end(&r);
+}
+
+/* ---- looks ---- */
+
+static void looks_have_their_defaults(void **state)
+{
+    reading r;
+    const material *m;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 } sphere { 0, 1 pigment { } finish { } texture { } }");
+    m = material_of(&r, 0);
+    assert_true(colour_is_black(m->pigment) && m->filter == 0.0f && m->transmit == 0.0f);
+    assert_true(m->ambient.r == 0.1f && m->ambient.b == 0.1f && m->diffuse == 0.6f && m->phong == 0.0f);
+    assert_true(m->phong_size == 40.0f && m->metallic == 0.0f && colour_is_black(m->reflection));
+    assert_true(m->ior == 1.0 && !m->has_interior);
+    assert_int_equal(r.model.materials.count, 1);
+    reading_end(&r);
+}
+
+static void modifiers_stand_in_any_order_and_number(void **state)
+{
+    reading r;
+    const material *m;
+
+    (void)state;
+    read_text(
+        &r, "sphere { 0, 1 finish { phong .5 metallic } translate 1 interior { ior 1.5 } pigment { rgb 1 }\n"
+            "  finish { diffuse .25 phong_size 9 metallic .5 reflection <.5, .25, 0> } pigment { red .5 } }");
+    m = material_of(&r, 0);
+    assert_true(m->phong == 0.5f && m->diffuse == 0.25f && m->phong_size == 9.0f && m->metallic == 0.5f);
+    assert_true(m->pigment.r == 0.5f && m->pigment.g == 0.0f && m->reflection.g == 0.25f);
+    assert_true(m->has_interior && m->ior == 1.5);
+    reading_end(&r);
+}
+
+static void a_texture_begins_anew_and_what_follows_changes_it(void **state)
+{
+    reading r;
+    const material *m;
+
+    (void)state;
+    read_text(
+        &r,
+        "sphere { 0, 1 interior { ior 2 } pigment { rgb 1 } finish { phong 1 }\n"
+        "  texture { finish { diffuse .5 } scale 3 pigment { rgb .5 translate 1 } } finish { ambient 0 } }");
+    m = material_of(&r, 0);
+    assert_true(m->phong == 0.0f && m->diffuse == 0.5f && m->pigment.g == 0.5f);
+    assert_true(colour_is_black(m->ambient) && m->ior == 2.0);
+    reading_end(&r);
+}
+
+static void an_opaque_layer_hides_the_one_below(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 texture { pigment { rgb 1 } } texture { pigment { rgb .5 } } }");
+    assert_true(material_of(&r, 0)->pigment.r == 0.5f);
+    reading_end(&r);
+}
+
+static void flags_are_kept_and_inverse_undoes_itself(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 no_shadow inverse hollow } sphere { 0, 1 inverse inverse } sphere { 0, 1 }");
+    assert_int_equal(r.model.objects.items[0].flags, OBJECT_NO_SHADOW | OBJECT_INVERSE | OBJECT_HOLLOW);
+    assert_int_equal(r.model.objects.items[1].flags, 0);
+    assert_int_equal(r.model.objects.items[2].flags, 0);
+    reading_end(&r);
+}
+
+static void equal_materials_are_stored_once(void **state)
+{
+    static char text[64 * 1000 + 1];
+    reading r;
+    int i;
+
+    (void)state;
+    for (i = 0; i < 1000; i++)
+        sprintf(text + strlen(text), "sphere { 0, 1 pigment { red %d } }\n", i % 250);
+    read_text(&r, text);
+    assert_int_equal(r.model.materials.count, 250);
+    for (i = 0; i < 1000; i++)
+        assert_true(material_of(&r, (size_t)i)->pigment.r == (float)(i % 250));
+    reading_end(&r);
+}
+
+/* ---- lights ---- */
+
+static void lights_have_place_and_colour(void **state)
+{
+    reading r;
+    const light *l;
+
+    (void)state;
+    read_text(&r, "light_source { <1, 0, 0>, rgb <1, 2, -1> rotate <0, 0, 90> translate <0, 0, 3> }\n"
+                  "light_source { 5 }");
+    l = r.model.lights.items;
+    assert_int_equal(r.model.lights.count, 2);
+    assert_point(l[0].position, 0, 1, 3);
+    assert_true(l[0].color.g == 2.0f && l[0].color.b == -1.0f);
+    assert_true(colour_is_black(l[1].color) && l[1].position.z == 5.0);
+    assert_int_equal(r.model.warnings, 1);
+    reading_end(&r);
+}
+
+static void a_moved_light_keeps_both_parts_of_its_place(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "light_source { <1e-10, 0, 0>, rgb 1 translate <1e9, 0, 0> }");
+    assert_true(r.model.lights.items[0].position.x == 1e9);
+    assert_true(fabs(r.model.lights.items[0].position_lo.x - 1e-10) < 1e-25);
+    reading_end(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_primitive_gets_its_numbers),
+        cmocka_unit_test(an_object_knows_where_it_stands),
+        cmocka_unit_test(an_instance_is_aligned_for_vector_registers),
+        cmocka_unit_test(a_plugins_warning_has_the_place_of_the_value),
+        cmocka_unit_test(equal_warnings_by_the_thousand_are_only_counted),
+        cmocka_unit_test(transformations_apply_in_the_order_written),
+        cmocka_unit_test(a_rotation_is_left_handed),
+        cmocka_unit_test(a_matrix_is_read_row_by_row_as_in_povray),
+        cmocka_unit_test(a_scale_of_zero_counts_as_one_with_a_warning),
+        cmocka_unit_test(what_moves_nothing_is_no_transformation),
+        cmocka_unit_test(looks_have_their_defaults),
+        cmocka_unit_test(modifiers_stand_in_any_order_and_number),
+        cmocka_unit_test(a_texture_begins_anew_and_what_follows_changes_it),
+        cmocka_unit_test(an_opaque_layer_hides_the_one_below),
+        cmocka_unit_test(flags_are_kept_and_inverse_undoes_itself),
+        cmocka_unit_test(equal_materials_are_stored_once),
+        cmocka_unit_test(lights_have_place_and_colour),
+        cmocka_unit_test(a_moved_light_keeps_both_parts_of_its_place),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
