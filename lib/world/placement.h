@@ -10,7 +10,6 @@ typedef struct placement {
     pov_two inverse[3][3];
     pov_two own_anchor[3];       /* the anchor in the shape's own space */
     pov_vec3 anchor;             /* world space, near the shape */
-    double far;                  /* squared distance from the anchor; from beyond it rays are first brought near */
     bool axes;                   /* the inverse has a diagonal only */
 } placement;
 
@@ -19,7 +18,7 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
 /* around: the shape's box in the world, or NULL for an infinite shape. */
 void placement_init(placement *p, const pov_affine *map, const pov_box *around);
 
-/* As the class's own calls, in the world. owner is the shape's object. */
+/* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are. */
 void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray, pov_hits *hits);
 void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                       const pov_crossing *at, pov_vec3 *out);

@@ -26,9 +26,9 @@ static pov_two3 ball_centred(const test_ball *b, const pov_ray *ray, double t)
 {
     pov_two3 w;
 
-    w.x = pov_recentre(ray->org.x, ray->org_lo.x, b->centre.x, t, ray->dir.x);
-    w.y = pov_recentre(ray->org.y, ray->org_lo.y, b->centre.y, t, ray->dir.y);
-    w.z = pov_recentre(ray->org.z, ray->org_lo.z, b->centre.z, t, ray->dir.z);
+    w.x = pov_two_add(pov_recentre(ray->org.x, ray->org_lo.x, b->centre.x, t, ray->dir.x), pov_two_product(t, ray->dir_lo.x));
+    w.y = pov_two_add(pov_recentre(ray->org.y, ray->org_lo.y, b->centre.y, t, ray->dir.y), pov_two_product(t, ray->dir_lo.y));
+    w.z = pov_two_add(pov_recentre(ray->org.z, ray->org_lo.z, b->centre.z, t, ray->dir.z), pov_two_product(t, ray->dir_lo.z));
     return w;
 }
 
@@ -54,10 +54,9 @@ static double unscale(double x)
 static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const test_ball *b = self;
-    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     double size = pov_largest(ray->dir), by = unscale(b->radius > 0.0 ? b->radius : 1.0), faster = unscale(size), tc;
     pov_vec3 unit = pov_scale(ray->dir, 1.0 / size);
-    pov_two3 w, d = scaled(pov_two3_of(ray->dir, zero), faster);
+    pov_two3 w, d = scaled(pov_two3_of(ray->dir, ray->dir_lo), faster);
     pov_two a, h, c, discriminant, root, t[2];
     pov_mark mark = { 0, 0, 0.0, 0.0 };
     int i, left = -1;
@@ -374,6 +373,16 @@ uint32_t test_add_material(model *m, colour pigment, float filter, float transmi
     s.ior = has_interior ? 1.5 : 1.0;
     assert_true(VEC_PUSH(m->env, &m->materials, s));
     return (uint32_t)m->materials.count - 1;
+}
+
+void test_add_light(model *m, float brightness)
+{
+    light lamp;
+
+    memset(&lamp, 0, sizeof lamp);
+    lamp.position = pov_vec3_of(0.0, 9.0, 0.0);
+    lamp.color = colour_of(brightness, brightness, brightness);
+    assert_true(VEC_PUSH(m->env, &m->lights, lamp));
 }
 
 uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,

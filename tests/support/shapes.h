@@ -27,6 +27,7 @@ void test_model_init(model *m, const env *e);
 uint32_t test_add_material(model *m, colour pigment, float filter, float transmit, bool has_interior);
 uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,
                   uint32_t flags);
+void test_add_light(model *m, float brightness);
 uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface);
 const transform *test_transform(model *m, const transform *before, transform_kind kind, double x, double y, double z);
 

@@ -78,6 +78,7 @@ static int follow(pair *p, pov_ray ray, pov_vec3 lamp)
     for (depth = 0; depth < 4 && same_answers(p, &ray, HUGE_VAL, &h); depth++) {
         pov_ray shadow;
         hits++;
+        shadow.dir_lo = no;
         shadow.org = h.point;
         shadow.org_lo = h.point_lo;
         shadow.dir = pov_sub(lamp, h.point);
@@ -92,7 +93,6 @@ static int follow(pair *p, pov_ray ray, pov_vec3 lamp)
         if (pov_largest(ray.dir) == 0.0)
             ray.dir = pov_vec3_of(0.0, 1.0, 0.0);
     }
-    ray.org_lo = no;
     return hits;
 }
 
@@ -181,6 +181,7 @@ static void mixture_is_the_same(int n, int rays, double scale, pov_vec3 offset, 
     int hits;
 
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     add_mixture(&m, &r, n, scale, offset, size);
     make_pair(&p, &m);
     assert_true(p.tree->has_tree);
@@ -233,6 +234,7 @@ static void scenes_of_very_uneven_sizes_are_the_same(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     for (i = 0; i < 4; i++)
         add_mixture(&m, &r, 60, scales[i], origin, 0.1);
     make_pair(&p, &m);
@@ -254,6 +256,7 @@ static void a_long_thin_scene_is_the_same(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     for (i = 0; i < 400; i++, x *= 1.9)
         test_add_ball(&m, pov_vec3_of(x, 0.0, 0.0), 0.4 * x, 0);
     make_pair(&p, &m);
@@ -275,6 +278,7 @@ static void objects_all_alike_are_the_same_and_the_first_wins(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     for (i = 0; i < 1000; i++)
         test_add_ball(&m, pov_vec3_of(0.5, 0.5, 0.5), 1.0, 0);
     make_pair(&p, &m);
@@ -296,6 +300,7 @@ static void degenerate_boxes_are_the_same(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     for (i = 0; i < 200; i++) {
         pov_vec3 c = somewhere(&r, 1.0);
         test_brick slab = { c, pov_add(c, pov_vec3_of(0.3, i % 2 ? 0.0 : 0.2, 0.0)) };
@@ -319,6 +324,7 @@ static void points_alone_make_a_tree(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     for (i = 0; i < 100; i++)
         test_add_ball(&m, pov_vec3_of(3.0, 3.0, 3.0), 0.0, 0);
     make_pair(&p, &m);
@@ -338,6 +344,7 @@ static void few_objects_need_no_tree(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     make_pair(&p, &m);
     assert_false(same_answers(&p, &ray, HUGE_VAL, &h));
     assert_false(world_bounds(p.tree, &box));
@@ -362,6 +369,7 @@ static void infinite_objects_are_asked_apart(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     for (i = 0; i < 3; i++)
         test_add(&m, &test_ground_class, &ground[i], NULL, 0, i == 2 ? OBJECT_NO_SHADOW : 0);
     make_pair(&p, &m);
@@ -389,6 +397,7 @@ static void of_equal_distances_the_earlier_object_wins(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     add_mixture(&m, &r, 100, 0.1, pov_vec3_of(0.0, 3.0, 0.0), 0.2);
     first = test_add(&m, &test_brick_class, &brick, NULL, 0, 0);
     brick.hi.z = 3.0;
@@ -415,6 +424,7 @@ static void rays_of_every_length_and_distance_are_the_same(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
     add_mixture(&m, &r, 300, 1.0, origin, 0.1);
     make_pair(&p, &m);
     for (i = 0; i < 7; i++)

@@ -1,0 +1,292 @@
+/* How a world is compiled: the tree for any number of threads, where things lie, and what the plan says of it. */
+#include "support/check.h"
+#include "support/shapes.h"
+
+#include "world/parts.h"
+
+#include <string.h>
+
+static world *make(const model *m, pov_accel accel, int threads)
+{
+    world_options options = { accel, threads, false, NULL };
+    pov_error err;
+    world *w;
+
+    assert_int_equal(world_create(&w, m, &options, &err), POV_OK);
+    return w;
+}
+
+static pov_vec3 somewhere(test_random *r, double size)
+{
+    return pov_vec3_of(test_uniform(r, -size, size), test_uniform(r, -size, size), test_uniform(r, -size, size));
+}
+
+/* ---- trees ---- */
+
+/* Every leaf's objects, in the order of memory. */
+static void same_leaves(const bvh *a, const bvh *b)
+{
+    size_t at = 0;
+
+    assert_int_equal(a->leaf_bytes, b->leaf_bytes);
+    while (at < a->leaf_bytes) {
+        const run *x = (const run *)(const void *)(a->leaves + at), *y = (const run *)(const void *)(b->leaves + at);
+        assert_int_equal(x->count, y->count);
+        assert_memory_equal(x->object, y->object, x->count * sizeof x->object[0]);
+        at += run_bytes(x->shape, (x->flags & RUN_ROOM) != 0);
+    }
+}
+
+static void any_number_of_threads_builds_the_same_tree(void **state)
+{
+    test_random r = { 1 };
+    world *one, *other;
+    model m;
+    int i, threads;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    for (i = 0; i < 60000; i++) {
+        double size = i % 10 == 0 ? 1e-4 : 1.0;   /* a dense heart in a wide cloud */
+        test_add_ball(&m, somewhere(&r, size), 0.01 * size, 0);
+    }
+    one = make(&m, POV_ACCEL_TREE, 1);
+    assert_true(one->tree.frame_count > 1);
+    for (threads = 2; threads < 8; threads += 3) {
+        other = make(&m, POV_ACCEL_TREE, threads);
+        assert_int_equal(one->tree.node_count, other->tree.node_count);
+        assert_int_equal(one->tree.depth, other->tree.depth);
+        assert_memory_equal(one->tree.nodes, other->tree.nodes, one->tree.node_count * sizeof *one->tree.nodes);
+        assert_memory_equal(one->tree.frames, other->tree.frames, one->tree.frame_count * sizeof *one->tree.frames);
+        same_leaves(&one->tree, &other->tree);
+        world_destroy(other);
+    }
+    world_destroy(one);
+    model_free(&m);
+}
+
+/* In the frame of `frame`, is the true box within the floats around it? */
+static bool is_around(const bvh_frame *f, const bvh_node *n, int i, const pov_box *b)
+{
+    return n->bounds[0][i] <= (b->lo.x - f->centre.x) * f->scale && n->bounds[1][i] >= (b->hi.x - f->centre.x) * f->scale &&
+           n->bounds[2][i] <= (b->lo.y - f->centre.y) * f->scale && n->bounds[3][i] >= (b->hi.y - f->centre.y) * f->scale &&
+           n->bounds[4][i] <= (b->lo.z - f->centre.z) * f->scale && n->bounds[5][i] >= (b->hi.z - f->centre.z) * f->scale;
+}
+
+typedef struct census { const world *world; int seen[4096]; pov_box boxes[4096]; } census;
+
+/* Walk all below `at`; every object must lie within each box on the way to it. `path` is the place in the node above. */
+static void visit(census *c, uint32_t at, uint32_t frame, const bvh_node *above, int place, const bvh_frame *above_frame,
+                  int depth)
+{
+    const bvh *t = &c->world->tree;
+    const run *r;
+    uint32_t i;
+    int k;
+
+    assert_true(depth <= BVH_DEPTH);
+    switch (at & BVH_KIND) {
+    case BVH_FRAME:
+        visit(c, t->frames[at & ~BVH_KIND].root, at & ~BVH_KIND, above, place, above_frame, depth);
+        return;
+    case BVH_NODE:
+        for (k = 0; k < BVH_WIDTH; k++)
+            if (t->nodes[at].bounds[0][k] <= t->nodes[at].bounds[1][k])
+                visit(c, t->nodes[at].child[k], frame, &t->nodes[at], k, &t->frames[frame], depth + 1);
+        return;
+    default:
+        for (r = (const run *)(const void *)(t->leaves + (size_t)(at & ~BVH_KIND) * BVH_UNIT); r; r = run_next(r))
+            for (i = 0; i < r->count; i++) {
+                c->seen[r->object[i]]++;
+                assert_true(is_around(above_frame, above, place, &c->boxes[r->object[i]]));
+                assert_ptr_equal(c->world->places[r->object[i]].instance, run_instance(r, i));
+            }
+    }
+}
+
+static void every_object_is_in_one_leaf_within_its_boxes(void **state)
+{
+    static census c;
+    test_random r = { 2 };
+    model m;
+    world *w;
+    int i;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    for (i = 0; i < 4000; i++) {
+        double size = i % 3 == 0 ? 1e-7 : i % 3 == 1 ? 1.0 : 1e6;
+        test_ball ball = { somewhere(&r, size), 0.01 * size };
+        test_add(&m, i % 5 ? &test_ball_class : &test_plain_ball_class, &ball, NULL, 0, 0);
+        assert_true(test_ball_class.bounds(&ball, &c.boxes[i]));
+    }
+    w = make(&m, POV_ACCEL_TREE, 1);
+    c.world = w;
+    visit(&c, w->tree.frames[0].root, 0, NULL, 0, NULL, 0);
+    for (i = 0; i < 4000; i++)
+        assert_int_equal(c.seen[i], 1);
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory(void **state)
+{
+    test_random r = { 3 };
+    model m;
+    world *w;
+    int i;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    for (i = 0; i < 500; i++)
+        test_add_ball(&m, somewhere(&r, 1.0), 0.05, 0);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    for (i = 0; i < 500; i++)
+        assert_int_equal((uintptr_t)w->places[i].instance % 32, 0);
+    assert_int_equal(w->group_count, 1);
+    assert_int_equal(w->groups[0].used, 500);
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void bounds_are_those_of_the_finite_objects(void **state)
+{
+    test_ground ground = { 100.0 };
+    pov_box box;
+    model m;
+    world *w;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add(&m, &test_ground_class, &ground, NULL, 0, 0);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    assert_false(world_bounds(w, &box));
+    world_destroy(w);
+    test_add_ball(&m, pov_vec3_of(1.0, 2.0, 3.0), 1.0, 0);
+    test_add_ball(&m, pov_vec3_of(-1.0, 2.0, 3.0), 0.5, 0);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    assert_true(world_bounds(w, &box));
+    assert_true(box.lo.x <= -1.5 && box.lo.x > -1.5000001 && box.hi.x >= 2.0 && box.hi.x < 2.0000001);
+    world_destroy(w);
+    model_free(&m);
+}
+
+/* ---- plans ---- */
+
+/* The state of the row on a subject, with its reason. */
+static const plan_row *row_on(const world *w, const char *subject)
+{
+    const plan_row_list *rows = &world_plan(w)->rows;
+    size_t i;
+
+    for (i = 0; i < rows->count; i++)
+        if (strcmp(rows->items[i].subject, subject) == 0)
+            return &rows->items[i];
+    fail_msg("no row on %s", subject);
+    return NULL;
+}
+
+static void row_is(const world *w, const char *subject, bool used, const char *state, const char *reason)
+{
+    const plan_row *r = row_on(w, subject);
+
+    assert_int_equal(r->used, used);
+    assert_string_equal(r->state, state);
+    assert_string_equal(r->reason, reason);
+}
+
+static void a_plain_scene_leaves_out_what_it_does_not_need(void **state)
+{
+    model m;
+    world *w;
+    const plan *p;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    p = world_plan(w);
+    assert_false(p->lighting || p->shadows || p->coloured_shadows || p->highlights || p->metallic || p->reflection ||
+                 p->transmission || p->refraction || p->media_at_start);
+    row_is(w, "shadow rays", false, "left out", "no light shines");
+    row_is(w, "reflection", false, "left out", "no surface has reflection");
+    row_is(w, "transformations", false, "left out", "no object has one");
+    row_is(w, "tree", false, "left out", "so few objects are asked one after the other");
+    row_is(w, "plugin ball", true, "loaded", "objects: 1");
+    row_is(w, "dialect", true, "povray", "a test");
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void a_rich_scene_needs_all_of_it(void **state)
+{
+    test_random r = { 4 };
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    uint32_t glass;
+    model m;
+    world *w;
+    const plan *p;
+    int i;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    glass = test_add_material(&m, colour_of(1, 1, 1), 0.9f, 0.0f, true);
+    m.materials.items[glass].phong = 0.5f;
+    m.materials.items[glass].metallic = 1.0f;
+    m.materials.items[glass].reflection = colour_of(0.1f, 0.1f, 0.1f);
+    test_add_light(&m, 1.0f);
+    for (i = 0; i < 30; i++)
+        test_add_ball(&m, somewhere(&r, 3.0), 0.3, 0);
+    test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_TRANSLATE, 1.0, 2.0, 3.0), glass, 0);
+    test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    p = world_plan(w);
+    assert_true(p->lighting && p->shadows && p->coloured_shadows && p->highlights && p->metallic && p->reflection &&
+                p->transmission && p->refraction && p->media_at_start);
+    row_is(w, "shadow rays", true, "sent", "objects that throw a shadow: 32");
+    row_is(w, "refraction", true, "computed", "objects that bend light: 1");
+    row_is(w, "transformations", true, "some absorbed",
+           "taken into the shapes themselves: 1; rays taken into the shape's own space: 1");
+    row_is(w, "blocks", true, "packed", "shapes filtered up to eight at once: 31 of 32");
+    assert_true(row_on(w, "tree")->used);
+    world_destroy(w);
+    w = make(&m, POV_ACCEL_NONE, 1);
+    row_is(w, "tree", false, "left out", "asked for none: every ray asks every object");
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void a_black_light_and_a_scene_without_shadows_send_no_shadow_rays(void **state)
+{
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    model m;
+    world *w;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, OBJECT_NO_SHADOW);
+    test_add_light(&m, 0.0f);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    assert_false(world_plan(w)->lighting);
+    world_destroy(w);
+    test_add_light(&m, 0.5f);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    assert_true(world_plan(w)->lighting);
+    row_is(w, "shadow rays", false, "left out", "every object is no_shadow");
+    world_destroy(w);
+    model_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(any_number_of_threads_builds_the_same_tree),
+        cmocka_unit_test(every_object_is_in_one_leaf_within_its_boxes),
+        cmocka_unit_test(instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory),
+        cmocka_unit_test(bounds_are_those_of_the_finite_objects),
+        cmocka_unit_test(a_plain_scene_leaves_out_what_it_does_not_need),
+        cmocka_unit_test(a_rich_scene_needs_all_of_it),
+        cmocka_unit_test(a_black_light_and_a_scene_without_shadows_send_no_shadow_rays),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

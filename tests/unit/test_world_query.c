@@ -1,0 +1,483 @@
+/* What rays are told: light through colours, shapes in spaces of their own, media, memory that ends. */
+#include "support/check.h"
+#include "support/failing.h"
+#include "support/near.h"
+#include "support/shapes.h"
+
+#include "world/parts.h"
+
+#include <string.h>
+
+static const pov_vec3 origin = { 0.0, 0.0, 0.0 };
+
+static world *make(const model *m, pov_accel accel)
+{
+    world_options options = { accel, 1, false, NULL };
+    pov_error err;
+    world *w;
+
+    assert_int_equal(world_create(&w, m, &options, &err), POV_OK);
+    return w;
+}
+
+static walker *walk_in(const world *w)
+{
+    pov_error err;
+    walker *k;
+
+    assert_int_equal(walker_create(&k, w, &err), POV_OK);
+    return k;
+}
+
+static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
+{
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.org = org;
+    ray.dir = dir;
+    ray.left = POV_NOBODY;
+    return ray;
+}
+
+static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
+
+/* ---- light paths ---- */
+
+/* The product as one multiplication after the other, near to far. */
+static void light_is_multiplied_from_near_to_far(void **state)
+{
+    static const colour tint[3] = { { 0.9f, 0.3f, 0.7f }, { 0.11f, 0.77f, 0.31f }, { 0.59f, 0.83f, 0.97f } };
+    static const int order[6] = { 2, 2, 0, 0, 1, 1 };
+    const colour white = { 1.0f, 1.0f, 1.0f };
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    colour wanted = { 1.0f, 1.0f, 1.0f }, through;
+    model m;
+    world *w;
+    walker *k;
+    uint32_t i;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
+    for (i = 0; i < 3; i++)
+        test_add_ball(&m, pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 5.0 + 3.0 * i), 1.0, test_add_material(&m, tint[i], 0.7f, 0.2f, false));
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    for (i = 0; i < 6; i++)
+        wanted = colour_mul(wanted, colour_of(tint[order[i]].r * 0.7f + 0.2f, tint[order[i]].g * 0.7f + 0.2f,
+                                              tint[order[i]].b * 0.7f + 0.2f));
+    assert_true(world_light_path(w, k, &ray, HUGE_VAL, &through));
+    assert_memory_equal(&through, &wanted, sizeof wanted);
+    assert_true(world_light_path(w, k, &ray, 1.5, &through));
+    assert_memory_equal(&through, &white, sizeof white);
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void an_opaque_object_behind_glass_ends_a_light_path(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    colour through;
+    model m;
+    world *w;
+    walker *k;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
+    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 2.0), 1.0, test_add_material(&m, colour_of(1, 1, 1), 1.0f, 0.0f, false));
+    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 9.0), 1.0, 0);
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    assert_true(world_light_path(w, k, &ray, 8.0, &through));
+    assert_false(world_light_path(w, k, &ray, 20.0, &through));
+    assert_true(colour_is_black(through));
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    colour through;
+    model m;
+    world *w;
+    walker *k;
+    hit h;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, OBJECT_NO_SHADOW);
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_true(world_light_path(w, k, &ray, HUGE_VAL, &through));
+    assert_false(world_blocked(w, k, &ray, HUGE_VAL));
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+/* Many more crossings than a walker begins with. */
+static void a_light_path_may_cross_any_number_of_surfaces(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    colour through, wanted = { 1.0f, 1.0f, 1.0f };
+    test_random r = { 7 };
+    uint32_t glass, i;
+    model m;
+    world *w;
+    walker *k;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
+    glass = test_add_material(&m, colour_of(0.999f, 0.9985f, 0.998f), 1.0f, 0.0f, false);
+    for (i = 0; i < 1000; i++) {
+        test_add_ball(&m, pov_vec3_of(0.0, 0.0, 10.0 + test_uniform(&r, 0.0, 1000.0)), 0.5, glass);
+        wanted = colour_mul(colour_mul(wanted, m.materials.items[glass].pigment), m.materials.items[glass].pigment);
+    }
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    assert_true(world_light_path(w, k, &ray, HUGE_VAL, &through));
+    assert_memory_equal(&through, &wanted, sizeof wanted);
+    assert_int_equal(k->capacity >= 2000, 1);
+    assert_false(walker_failed(k));
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+static void light_through_black_glass_is_gone(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    colour through;
+    model m;
+    world *w;
+    walker *k;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
+    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 2.0), 1.0, test_add_material(&m, colour_of(0, 0, 0), 1.0f, 0.0f, false));
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    assert_false(world_light_path(w, k, &ray, HUGE_VAL, &through));
+    assert_true(world_blocked(w, k, &ray, HUGE_VAL));
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+/* ---- leaving ---- */
+
+static void a_ray_that_leaves_a_ball_meets_its_other_side_only(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    model m;
+    world *w;
+    walker *k;
+    hit h;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_ball(&m, origin, 1.0, test_add_material(&m, colour_of(1, 1, 1), 0.5f, 0.0f, false));
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
+    world_surface(w, &ray, &h);
+    assert_true(h.entering);
+    ray.org = h.point;
+    ray.org_lo = h.point_lo;
+    ray.left = h.object;
+    ray.left_mark = h.crossing.mark;
+    assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_near(h.crossing.t, 2.0, 0.0);
+    world_surface(w, &ray, &h);
+    assert_false(h.entering);
+    ray.dir.z = -1.0;
+    assert_false(world_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_false(world_blocked(w, k, &ray, HUGE_VAL));
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+/* ---- shapes in spaces of their own ---- */
+
+static hit nearest_of(const model *m, const pov_ray *ray, bool *found)
+{
+    world *w = make(m, POV_ACCEL_TREE);
+    walker *k = walk_in(w);
+    hit h;
+
+    memset(&h, 0, sizeof h);
+    *found = world_nearest(w, k, ray, HUGE_VAL, &h);
+    if (*found)
+        world_surface(w, ray, &h);
+    walker_destroy(k);
+    world_destroy(w);
+    return h;
+}
+
+/* The same ball once as it is and once made of a unit ball by scale and translate. */
+static void placed_matches_plain(double radius, pov_vec3 centre, double distance, test_random *r)
+{
+    test_ball plain = { centre, radius }, unit = { { 0.0, 0.0, 0.0 }, 1.0 };
+    model a, b;
+    int i;
+
+    test_model_init(&a, NULL);
+    test_model_init(&b, NULL);
+    test_add(&a, &test_plain_ball_class, &plain, NULL, 0, 0);
+    test_add(&b, &test_plain_ball_class, &unit,
+             test_transform(&b, test_transform(&b, NULL, TRANSFORM_SCALE, radius, radius, radius), TRANSFORM_TRANSLATE,
+                            centre.x, centre.y, centre.z), 0, 0);
+    for (i = 0; i < 50; i++) {
+        pov_vec3 way = pov_unit(test_direction(r));
+        pov_ray ray = ray_of(pov_add(centre, pov_scale(way, -distance)), pov_scale(way, test_uniform(r, 0.1, 3.0)));
+        bool x, y;
+        hit g, h;
+        ray.org = pov_add(ray.org, pov_scale(test_direction(r), 0.9 * radius));
+        g = nearest_of(&a, &ray, &x);
+        h = nearest_of(&b, &ray, &y);
+        assert_int_equal(x, y);
+        if (!x)
+            continue;
+        assert_near((g.crossing.t - h.crossing.t) + (g.crossing.t_lo - h.crossing.t_lo), 0.0, 1e-15 * radius);
+        assert_near(pov_largest(pov_sub(g.normal, h.normal)), 0.0, 1e-15);
+    }
+    model_free(&a);
+    model_free(&b);
+}
+
+static void a_placed_ball_matches_a_plain_one_however_far(void **state)
+{
+    static const double far[] = { 2.0, 1e3, 1e6, 1e9, 1e12 };
+    test_random r = { 5 };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < 5; i++) {
+        placed_matches_plain(1.0, origin, far[i], &r);
+        placed_matches_plain(1.0, pov_vec3_of(1e9, -2e9, 3e9), far[i], &r);
+        placed_matches_plain(1e-12, origin, 1e-12 * far[i], &r);
+        placed_matches_plain(1e100, pov_vec3_of(1e103, 0.0, 0.0), 1e100 * far[i], &r);
+    }
+}
+
+/* An ellipsoid from its equation: |S^-1 p| = 1. */
+static void a_stretched_and_turned_ball_is_an_ellipsoid(void **state)
+{
+    test_ball unit = { { 0.0, 0.0, 0.0 }, 1.0 };
+    pov_ray ray = ray_of(pov_vec3_of(7.0, 3.0, -50.0), ahead);
+    const transform *map;
+    model m;
+    hit h;
+    bool found;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    map = test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 4.0);
+    map = test_transform(&m, map, TRANSFORM_ROTATE, 0.0, 90.0, 0.0);   /* +z goes to +x */
+    map = test_transform(&m, map, TRANSFORM_TRANSLATE, 5.0, 2.0, 3.0);
+    test_add(&m, &test_plain_ball_class, &unit, map, 0, 0);
+    h = nearest_of(&m, &ray, &found);
+    assert_true(found);
+    /* (2/4)^2 + (1/2)^2 + z^2 = 1, seen from -50, about z = 3. */
+    assert_near(h.crossing.t, 53.0 - sqrt(0.5), 1e-14);
+    assert_near(h.normal.x / h.normal.z, (2.0 / 16.0) / -sqrt(0.5), 1e-14);
+    assert_near(h.normal.y / h.normal.z, (1.0 / 4.0) / -sqrt(0.5), 1e-14);
+    assert_near(pov_dot(h.normal, h.normal), 1.0, 1e-15);
+    assert_near(h.point.z + h.point_lo.z, 3.0 - sqrt(0.5), 1e-14);
+    assert_true(h.entering);
+    model_free(&m);
+}
+
+/* Each corner of a turned box lies in the box that the tree is given. */
+static void a_box_around_a_placed_shape_holds_all_of_it(void **state)
+{
+    test_random r = { 6 };
+    int i, k;
+
+    (void)state;
+    for (i = 0; i < 200; i++) {
+        pov_box own = { test_direction(&r), test_direction(&r) }, around;
+        double far = i % 2 ? 1e9 : 1e-3;
+        pov_affine map;
+        model m;
+        own.hi = pov_add(own.lo, pov_vec3_of(fabs(own.hi.x), fabs(own.hi.y), fabs(own.hi.z)));
+        test_model_init(&m, NULL);
+        assert_true(transform_compose(test_transform(&m, test_transform(&m, NULL, TRANSFORM_ROTATE, i, 2.0 * i, 3.0 * i + 1.0),
+                                                     TRANSFORM_TRANSLATE, far, -far, 0.1), &map));
+        placement_box(&map, &own, &around);
+        for (k = 0; k < 8; k++) {
+            pov_vec3 hi, lo, p = pov_vec3_of(k & 1 ? own.lo.x : own.hi.x, k & 2 ? own.lo.y : own.hi.y, k & 4 ? own.lo.z : own.hi.z);
+            transform_point(&map, p, &hi, &lo);
+            assert_true(hi.x > around.lo.x || (hi.x == around.lo.x && lo.x >= 0.0));
+            assert_true(hi.x < around.hi.x || (hi.x == around.hi.x && lo.x <= 0.0));
+            assert_true(hi.y >= around.lo.y && hi.y <= around.hi.y && hi.z >= around.lo.z && hi.z <= around.hi.z);
+        }
+        assert_true(around.hi.x - around.lo.x < 2.0 * 1.8 + 1e-6 * far);
+        model_free(&m);
+    }
+}
+
+/* ---- inverse objects and media ---- */
+
+static void an_inverse_object_turns_its_normal(void **state)
+{
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    model m;
+    hit h;
+    bool found;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, OBJECT_INVERSE);
+    h = nearest_of(&m, &ray, &found);
+    assert_true(found);
+    assert_near(h.normal.z, 1.0, 0.0);
+    assert_false(h.entering);
+    model_free(&m);
+}
+
+typedef struct seen { uint32_t object[8]; int count; } seen;
+
+static void see(void *user, uint32_t medium_object)
+{
+    seen *s = user;
+    s->object[s->count++] = medium_object;
+}
+
+static void the_media_of_a_point_come_with_the_inner_ones_last(void **state)
+{
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 }, away = { { 9.0, 0.0, 0.0 }, 1.0 };
+    test_ground ground = { 0.5 };
+    seen s = { { 0 }, 0 };
+    uint32_t glass;
+    model m;
+    world *w;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    glass = test_add_material(&m, colour_of(1, 1, 1), 1.0f, 0.0f, true);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, 0);
+    test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 2.0, 3.0, 4.0), glass, 0);
+    test_add(&m, &test_ball_class, &away, NULL, glass, 0);
+    test_add(&m, &test_ground_class, &ground, NULL, glass, 0);
+    test_add(&m, &test_ball_class, &away, NULL, glass, OBJECT_INVERSE);
+    test_add(&m, &test_ball_class, &ball, NULL, glass, OBJECT_INVERSE);
+    w = make(&m, POV_ACCEL_TREE);
+    world_media_at(w, origin, origin, see, &s);
+    assert_int_equal(s.count, 3);
+    assert_int_equal(s.object[0], 3);
+    assert_int_equal(s.object[1], 4);
+    assert_int_equal(s.object[2], 1);
+    world_destroy(w);
+    model_free(&m);
+}
+
+/* ---- memory ---- */
+
+static void fill(model *m)
+{
+    test_random r = { 3 };
+    uint32_t glass = test_add_material(m, colour_of(1, 1, 1), 0.9f, 0.0f, true);
+    int i;
+
+    test_add_light(m, 1.0f);
+    for (i = 0; i < 60; i++) {
+        test_ball ball = { test_direction(&r), 0.3 };
+        const transform *map = i % 3 ? NULL : test_transform(m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 1.0);
+        test_add(m, i % 2 ? &test_ball_class : &test_plain_ball_class, &ball, map, glass, 0);
+    }
+}
+
+/* Build and trace with memory that ends at the n-th request, for each n until there was enough. */
+static void memory_may_end_anywhere(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    long n, crossings = 0;
+    bool enough = false;
+
+    (void)state;
+    for (n = 1; !enough; n++) {
+        world_options options = { POV_ACCEL_TREE, 1, false, NULL };
+        failing counter;
+        pov_allocator hooks;
+        world *w = NULL;
+        walker *k = NULL;
+        colour through;
+        pov_error err;
+        model m;
+        env e;
+
+        failing_init(&counter, 0);
+        hooks = failing_allocator(&counter);
+        env_init(&e, &hooks, NULL, NULL);
+        test_model_init(&m, &e);
+        fill(&m);
+        counter.fail_at = counter.calls + n;
+        err.status = POV_OK;
+        if (world_create(&w, &m, &options, &err) < 0) {
+            assert_int_equal(err.status, POV_E_MEMORY);
+            assert_null(w);
+        } else if (walker_create(&k, w, &err) < 0) {
+            assert_int_equal(err.status, POV_E_MEMORY);
+        } else {
+            world_light_path(w, k, &ray, HUGE_VAL, &through);
+            enough = !walker_failed(k);
+            crossings = (long)k->capacity;
+        }
+        walker_destroy(k);
+        world_destroy(w);
+        model_free(&m);
+        assert_int_equal(counter.blocks, 0);
+        assert_true(n < 500);
+    }
+    assert_true(n > 20);
+    assert_true(crossings > 0);
+}
+
+static void a_transformation_without_an_inverse_is_an_error(void **state)
+{
+    static const double flat_matrix[12] = { 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0 };
+    world_options options = { POV_ACCEL_TREE, 1, false, NULL };
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    pov_error err;
+    world *w;
+    model m;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add(&m, &test_ball_class, &ball, transform_append(&m.memory, NULL, TRANSFORM_MATRIX, flat_matrix), 0, 0);
+    assert_int_equal(world_create(&w, &m, &options, &err), POV_E_SYNTAX);
+    assert_null(w);
+    model_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(light_is_multiplied_from_near_to_far),
+        cmocka_unit_test(an_opaque_object_behind_glass_ends_a_light_path),
+        cmocka_unit_test(what_throws_no_shadow_is_passed_by_light_but_not_by_sight),
+        cmocka_unit_test(a_light_path_may_cross_any_number_of_surfaces),
+        cmocka_unit_test(light_through_black_glass_is_gone),
+        cmocka_unit_test(a_ray_that_leaves_a_ball_meets_its_other_side_only),
+        cmocka_unit_test(a_placed_ball_matches_a_plain_one_however_far),
+        cmocka_unit_test(a_stretched_and_turned_ball_is_an_ellipsoid),
+        cmocka_unit_test(a_box_around_a_placed_shape_holds_all_of_it),
+        cmocka_unit_test(an_inverse_object_turns_its_normal),
+        cmocka_unit_test(the_media_of_a_point_come_with_the_inner_ones_last),
+        cmocka_unit_test(memory_may_end_anywhere),
+        cmocka_unit_test(a_transformation_without_an_inverse_is_an_error),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
