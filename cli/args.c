@@ -8,7 +8,7 @@
 enum {
     LARGEST_SIDE = 1000000,      /* libpng's own limit */
     MOST_THREADS = 4096,
-    MOST_SAMPLES = 1000000,
+    MOST_SAMPLES = 65536,        /* as the library has it */
     DEEPEST = 65535
 };
 

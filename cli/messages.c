@@ -50,13 +50,21 @@ static void show_excerpt(const messages *m, const pov_error *note)
         fprintf(stderr, "      | %sdid you mean \"%s\"?\n", indent, note->hint);
 }
 
+/* Scene text that came through a pipe has no name; what has no place is said by the program itself. */
+static const char *name_of(const pov_error *note)
+{
+    if (note->line > 0 && strcmp(note->file, "-") == 0)
+        return "<stdin>";
+    return note->file[0] ? note->file : "povc";
+}
+
 static void show(const messages *m, style s, const char *kind, const pov_error *note)
 {
     char text[TEXT_SIZE], file[TEXT_SIZE];
     bool excerpt = note->line > 0 && note->excerpt[0] && note->caret >= 0;
 
     text_printable(note->message, text, sizeof text);
-    text_printable(note->file[0] ? note->file : "povc", file, sizeof file);
+    text_printable(name_of(note), file, sizeof file);
     flockfile(stderr);
     fprintf(stderr, "%s%s:", escape(m, STYLE_PLACE), file);
     if (note->line > 0)

@@ -4,14 +4,68 @@
 #include "base/str.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#ifdef __ELF__
+#include <link.h>
+
+/* Does a segment of the file lie beyond its end? `head` is a header of this machine's kind. */
+static bool is_cut_short(int file, const ElfW(Ehdr) *head, size_t size)
+{
+    unsigned i;
+
+    for (i = 0; i < head->e_phnum; i++) {
+        ElfW(Phdr) segment;
+        off_t at = (off_t)(head->e_phoff + (size_t)i * head->e_phentsize);
+
+        if (pread(file, &segment, sizeof segment, at) != (ssize_t)sizeof segment)
+            return true;
+        if (segment.p_type == PT_LOAD && (segment.p_offset > size || segment.p_filesz > size - segment.p_offset))
+            return true;
+    }
+    return false;
+}
+
+/* The system's loader maps a file without asking whether it is all there, and the process is killed when it touches
+ * what is missing. What is no object file of this machine at all the loader refuses by itself. */
+static bool is_whole(const char *path)
+{
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    ElfW(Ehdr) head;
+    struct stat about;
+    bool whole = true;
+
+    if (file < 0)
+        return true;
+    if (fstat(file, &about) == 0 && read(file, &head, sizeof head) == (ssize_t)sizeof head &&
+        memcmp(head.e_ident, ELFMAG, SELFMAG) == 0 &&
+        head.e_ident[EI_CLASS] == (sizeof(void *) == 8 ? ELFCLASS64 : ELFCLASS32))
+        whole = !is_cut_short(file, &head, (size_t)about.st_size);
+    close(file);
+    return whole;
+}
+#else
+static bool is_whole(const char *path)
+{
+    (void)path;
+    return true;
+}
+#endif
 
 void *dl_open(const char *path, char *why, size_t why_size)
 {
-    void *handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    void *handle;
 
+    if (!is_whole(path)) {
+        str_copy(why, why_size, "the file is cut short");
+        return NULL;
+    }
+    handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (!handle)
         str_copy(why, why_size, dlerror());
     return handle;

@@ -8,7 +8,7 @@
 #include <png.h>
 #include <setjmp.h>
 
-/* The figures behind this choice are in docs/cli.md. */
+/* With one filter for all rows, a third of the time of libpng's own choice; the figures are in docs/cli.md. */
 enum { COMPRESSION_LEVEL = 3 };
 
 typedef struct sink {
@@ -60,6 +60,7 @@ static bool is_little_endian(void)
 static void put_picture(png_structp png, png_infop info, const pov_image *image)
 {
     png_set_compression_level(png, COMPRESSION_LEVEL);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, image->bits,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);

@@ -1,21 +1,23 @@
 # What povc says about scenes.
 
 messages_name_the_place_and_point_at_it() {
-    printf 'camera { location <0, 0, -4> }\nsphere { <0, 0, 0>, "one" }\n' > wrong.pov
+    printf 'camera { location <0, 0, -4> }\nsphere { <0, 0, 0>, 1 pigment "one" }\n' > wrong.pov
     expect 1 "$povc" wrong.pov 8 8 out.png
     grep -qE '^wrong\.pov:2:[0-9]+: error: ' err
     column=$(sed -n 's/^wrong\.pov:2:\([0-9]*\): error.*/\1/p' err)
-    [ "$column" -eq 21 ]
-    [ "$(sed -n 2p err)" = '    2 | sphere { <0, 0, 0>, "one" }' ]
-    [ "$(sed -n 3p err)" = '      |                     ^' ]
+    [ "$column" -eq 31 ]
+    [ "$(sed -n 2p err)" = '    2 | sphere { <0, 0, 0>, 1 pigment "one" }' ]
+    [ "$(sed -n 3p err)" = '      |                               ^' ]
     [ ! -e out.png ]
 }
 
 messages_point_at_the_right_place_behind_tabs_and_wide_letters() {
-    printf '\tsphere /* \303\251\344\270\255 */ { <0, 0, 0>, "one" }\n' > wrong.pov
+    printf '\tsphere /* \303\251\344\270\255 */ { <0, 0, 0>, 1 "one" }\n' > wrong.pov
     expect 1 "$povc" --check wrong.pov
     tab=$(printf '\t')
-    [ "$(sed -n 3p err)" = "      | ${tab}                                ^" ]
+    [ "$(sed -n 3p err)" = "      | ${tab}                                ^" ] || fail "$(cat err)"
+    "$povc" --check - < wrong.pov 2> err || true
+    grep -qE '^<stdin>:1:[0-9]+: error: ' err
 }
 
 messages_guess_the_word_that_was_meant() {
@@ -89,17 +91,18 @@ messages_about_input_that_is_no_file() {
 
 messages_about_input_without_permission() {
     small_scene secret.pov
-    chmod 0 secret.pov
     if [ "$(id -u)" -eq 0 ]; then
         # Root may read everything, so somebody else asks, with a copy of the program that anybody may run.
         mkdir app
         cp -R "$BUILD_DIR/bin" "$BUILD_DIR/lib" app/
-        chmod -R a+rX app . "$cases_folder"
+        chmod -R a+rX "$cases_folder"
+        chmod 0 secret.pov
         expect 1 "$PYTHON" -c '
 import os, sys
 os.setgid(65534); os.setuid(65534)
 os.execv(sys.argv[1], sys.argv[1:])' app/bin/povc --check secret.pov
     else
+        chmod 0 secret.pov
         expect 1 "$povc" --check secret.pov
     fi
     says err "secret.pov: error:"

@@ -69,10 +69,17 @@ plugins_that_are_truncated_or_no_objects_at_all_are_refused() {
     copy_plugins
     whole=$BUILD_DIR/lib/povtrace/primitives/sphere.so
     size=$(wc -c < "$whole")
-    for part in 0 1 40 64 600 4096 $((size / 4)) $((size / 2)) $((size * 3 / 4)); do
+    for part in 0 1 40 64 600 4096; do
         head -c "$part" "$whole" > path/primitives/sphere.so
         expect 1 "$povc" --check small.pov --plugin-path path
         says err "path/primitives/sphere.so"
+    done
+    # What is loaded may be whole where only the tables for debuggers are cut off; but nothing may crash.
+    for part in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15; do
+        head -c $((size * part / 16)) "$whole" > path/primitives/sphere.so
+        status=0
+        "$povc" --check small.pov --plugin-path path > out 2> err || status=$?
+        [ "$status" -le 1 ] || fail "exit status $status at $part/16 of the file"
     done
     echo "not an object" > path/primitives/sphere.so
     expect 1 "$povc" --check small.pov --plugin-path path

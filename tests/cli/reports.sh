@@ -2,7 +2,7 @@
 
 reports_of_stats_are_a_name_a_value_and_a_unit_a_line() {
     rich_scene
-    expect 0 "$povc" rich.pov 16 12 out.png --spp 2 -t 2 --stats
+    expect 0 "$povc" rich.pov 128 96 out.png --spp 2 -t 2 --stats
     if grep -vE '^[a-z_]+: [^ ]+( [A-Za-z_]+)?$' out; then
         fail "these lines are not of the form"
     fi
@@ -13,8 +13,8 @@ reports_of_stats_are_a_name_a_value_and_a_unit_a_line() {
         left_out_light_idle cut_by_depth cut_by_weight inner_reflections decided objects plugins threads memory_peak pixels; do
         grep -q "^$name: " out || fail "no $name"
     done
-    says out "rays_camera: 384 rays"
-    says out "pixels: 192 pixels"
+    says out "rays_camera: 24576 rays"
+    says out "pixels: 12288 pixels"
     says out "threads: 2"
     says out "objects: 4"
     total=$(awk '/^rays_(camera|shadow|reflected|transmitted):/ { n += $2 } END { print n }' out)
@@ -59,7 +59,7 @@ reports_of_check_need_no_sizes_and_touch_no_output() {
 
 reports_of_progress_are_json_lines() {
     rich_scene
-    "$PYTHON" "$drive" wait:1.5 TERM -- "$povc" rich.pov 64 48 out.png --spp 1000000 --progress json > status 2> err
+    "$PYTHON" "$drive" wait:1.5 TERM -- "$povc" rich.pov 640 480 out.png --spp 65536 --progress json > status 2> err
     grep '^{' err > lines
     "$PYTHON" - <<'END'
 import json
@@ -93,9 +93,9 @@ while True:
 os.waitpid(pid, 0)
 sys.stdout.buffer.write(text)
 END
-    TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 64 48 out.png --spp 1000000 > bar
+    TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 640 480 out.png --spp 65536 > bar
     says bar "rays/s"
     says_not bar "100 %"
-    TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 64 48 out.png --spp 1000000 -q > quiet
+    TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 640 480 out.png --spp 65536 -q > quiet
     [ ! -s quiet ]
 }

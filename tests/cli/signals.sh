@@ -1,15 +1,15 @@
 # Signals: what is there is saved. The picture of these cases would take hours.
 
-endless="--spp 1000000 --preview 16 -t 2"
+endless="--spp 65536 --preview 16 -t 2"
 
 # ended SIGNAL STATUS: the signal ends povc with that status and a saved picture of the right size.
 ended() {
     rich_scene
     rm -f out.png
     # shellcheck disable=SC2086
-    "$PYTHON" "$drive" wait:0.5 running "$1" -- "$povc" rich.pov 64 48 out.png $endless > status 2> err
+    "$PYTHON" "$drive" wait:0.5 running "$1" -- "$povc" rich.pov 640 480 out.png $endless > status 2> err
     [ "$(cat status)" -eq "$2" ] || fail "status $(cat status) instead of $2"
-    [ "$("$PYTHON" "$pixels" size out.png)" = "64 48 8" ]
+    [ "$("$PYTHON" "$pixels" size out.png)" = "640 480 8" ]
     says err "interrupted: out.png holds "
     says_not err "holds 100 %"
 }
@@ -24,9 +24,9 @@ signals_usr1_writes_the_picture_so_far_and_goes_on() {
     rich_scene
     # shellcheck disable=SC2086
     "$PYTHON" "$drive" wait:0.4 USR1 file:out.png gone:out.png running USR1 file:out.png running KILL -- \
-        "$povc" rich.pov 64 48 out.png $endless > status 2> err
+        "$povc" rich.pov 640 480 out.png $endless > status 2> err
     [ "$(cat status)" -eq 137 ]
-    [ "$("$PYTHON" "$pixels" size out.png)" = "64 48 8" ]
+    [ "$("$PYTHON" "$pixels" size out.png)" = "640 480 8" ]
     says err "out.png now holds the picture so far"
 }
 
@@ -35,14 +35,14 @@ signals_the_second_one_ends_at_once() {
     # Nobody reads the pipe, so saving the picture never ends.
     mkfifo out.png
     # shellcheck disable=SC2086
-    "$PYTHON" "$drive" wait:0.4 INT wait:0.5 running INT -- "$povc" rich.pov 64 48 out.png $endless > status
+    "$PYTHON" "$drive" wait:0.4 INT wait:0.5 running INT -- "$povc" rich.pov 640 480 out.png $endless > status
     [ "$(cat status)" -eq 130 ]
 }
 
 signals_that_were_ignored_stay_ignored() {
     rich_scene
     # shellcheck disable=SC2086
-    "$PYTHON" "$drive" ignore:INT wait:0.4 INT wait:0.5 running TERM -- "$povc" rich.pov 64 48 out.png $endless \
+    "$PYTHON" "$drive" ignore:INT wait:0.4 INT wait:0.5 running TERM -- "$povc" rich.pov 640 480 out.png $endless \
         > status 2> err
     [ "$(cat status)" -eq 143 ]
 }
@@ -50,9 +50,9 @@ signals_that_were_ignored_stay_ignored() {
 signals_save_to_standard_output_too() {
     rich_scene
     # shellcheck disable=SC2086
-    "$PYTHON" "$drive" wait:0.5 TERM -- sh -c 'exec "$@" > pipe.png' sh "$povc" rich.pov 64 48 - $endless > status 2> err
+    "$PYTHON" "$drive" wait:0.5 TERM -- sh -c 'exec "$@" > pipe.png' sh "$povc" rich.pov 640 480 - $endless > status 2> err
     [ "$(cat status)" -eq 143 ]
-    [ "$("$PYTHON" "$pixels" size pipe.png)" = "64 48 8" ]
+    [ "$("$PYTHON" "$pixels" size pipe.png)" = "640 480 8" ]
 }
 
 signals_without_a_preview_keep_what_was_traced_equal_to_the_whole() {

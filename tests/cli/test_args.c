@@ -148,7 +148,7 @@ static void args_refuses_option_values_out_of_range(void **state)
     assert_refused("s 9 9 o -t 0", "--threads must be a whole number from 1");
     assert_refused("s 9 9 o -t 2x", "not \"2x\"");
     assert_refused("s 9 9 o --threads=", "--threads must");
-    assert_refused("s 9 9 o --spp 0", "--spp must");
+    assert_refused("s 9 9 o --spp 0", "--spp must be a whole number from 1 to 65536");
     assert_refused("s 9 9 o --spp -3", "not \"-3\"");
     assert_refused("s 9 9 o --max-depth 1e9", "--max-depth must");
     assert_refused("s 9 9 o --bits 12", "--bits must be 8 or 16");

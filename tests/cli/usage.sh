@@ -25,7 +25,7 @@ usage_help_and_version_are_on_standard_output() {
 
 usage_help_names_every_option_of_the_manual() {
     expect 0 "$povc" --help
-    sed -n 's/^\.B[IR]* .*\\-\\-\([a-z\\-]*\).*/--\1/p' "$root/docs/man/povc.1" | tr -d '\\' | sort -u > manual
+    sed -n 's/^\.B[IR]* .*\\-\\-\([a-z\\-]*\).*/--\1/p' "$root/docs/man/povc.1" | tr -d "\\\\" | grep -v '^--$' | sort -u > manual
     [ "$(wc -l < manual)" -ge 15 ]
     while read -r option; do
         says out "$option"
