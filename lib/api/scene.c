@@ -10,7 +10,7 @@
 
 static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *err)
 {
-    world_options options = { d->accel, d->threads, false };
+    world_options options = { d->accel, d->threads, false, scene->context->plugins };
     double start = clock_seconds();
     pov_status status = world_create(&scene->world, &scene->model, &options, err);
 
