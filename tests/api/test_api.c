@@ -215,6 +215,7 @@ static void warnings_come_through_the_log_with_their_place(void **state)
 
 enum { THREADS = 4, ROUNDS = 6 };
 
+/* NULL when all went well. */
 static void *load_and_render(void *user)
 {
     pov_context *context = user;
@@ -228,13 +229,13 @@ static void *load_and_render(void *user)
 
         snprintf(text, sizeof text, "%s box { <-1,-3,0>, <1,-2,%d> } cylinder { <3,0,0>, <3,1,0>, .5 }", ball, i + 1);
         if (pov_scene_load_text(&scene, context, text, strlen(text), NULL, NULL, NULL) < 0)
-            return "load";
+            return context;
         d.width = 40;
         d.height = 30;
         d.threads = 2;
         pixels = scenes_render(scene, &d);
         if (!(pixels[4 * (40 * 15 + 20)] >= 0.0f))
-            return "picture";
+            return context;
         free(pixels);
         pov_scene_destroy(scene);
     }
