@@ -102,35 +102,34 @@ static int angle_list(pov_reader *in, int least, int most, double *out)
     } while (count < most && !in->failed && (count < least || in->token.kind != '>'));
     state_expect(in, '>');
     refuse_operator(in);
-    return in->failed ? 0 : count;
+    return count;
 }
 
 int value_list(pov_reader *in, const char *wanted, int least, int most, double *out)
 {
-    int i;
+    int i, count = 0;
 
     for (i = 0; i < most; i++)
         out[i] = 0.0;
     if (in->failed)
         return 0;
     in->value = in->token.at;
-    if (in->token.kind == '<')
-        return angle_list(in, least, most, out);
-    out[0] = signed_number(in, wanted);
-    return in->failed ? 0 : 1;
+    if (in->token.kind == '<') {
+        count = angle_list(in, least, most, out);
+    } else {
+        out[0] = signed_number(in, wanted);
+        count = 1;
+    }
+    for (i = 0; i < most && in->failed; i++)
+        out[i] = 0.0;
+    return in->failed ? 0 : count;
 }
 
 pov_vec3 value_vector(pov_reader *in)
 {
     double v[VALUE_LIST_MAX];
     bool is_list = in->token.kind == '<';
-    int count = value_list(in, "a vector", 2, 3, v);
 
-    if (count == 0)
-        return pov_vec3_of(0.0, 0.0, 0.0);
-    if (!is_list)
-        return pov_vec3_of(v[0], v[0], v[0]);
-    if (count == 2)
-        report_warn(in, &in->value, "a vector of two numbers has 0 for the third");
-    return pov_vec3_of(v[0], v[1], v[2]);
+    value_list(in, "a vector", 2, 3, v);
+    return is_list ? pov_vec3_of(v[0], v[1], v[2]) : pov_vec3_of(v[0], v[0], v[0]);
 }

@@ -10,7 +10,7 @@ bool value_follows(const pov_reader *in);
 double value_number(pov_reader *in);
 /* A number that a float holds: fails where it doesn't. */
 float value_float(pov_reader *in);
-/* A number stands for all components, two components have a 0 behind them. */
+/* A number stands for all components, two numbers have a 0 behind them, as in POV-Ray (for flat polygons). */
 pov_vec3 value_vector(pov_reader *in);
 
 enum { VALUE_LIST_MAX = 12 };
