@@ -113,46 +113,38 @@ static pov_two3 offset_of(const polygon *s, const corner *c)
     return kit_offset(c->world, zero, s->anchor, s->scale);
 }
 
-/* Twice the area vector of the loop that begins at corner i, and the corner behind the loop. */
-static pov_two3 area_of(const polygon *s, uint32_t *i)
-{
-    pov_two3 sum = { { 0.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 0.0 } }, before = offset_of(s, &s->corners[*i]);
-
-    for (++*i; *i < s->count && !s->corners[*i].starts; ++*i) {
-        const pov_two3 here = offset_of(s, &s->corners[*i]), cross = pov_two3_cross(before, here);
-
-        sum.x = pov_two_add(sum.x, cross.x);
-        sum.y = pov_two_add(sum.y, cross.y);
-        sum.z = pov_two_add(sum.z, cross.z);
-        before = here;
-    }
-    return sum;
-}
-
-/* The plane goes through the first corner, across the area vector of the largest loop. */
+/* The plane goes through the first corner, the one farthest from it, and the one farthest from the line of these two.
+ * (The area vector would not do: a bow tie's is zero.) Returns the size of their cross product. */
 static double find_plane(polygon *s)
 {
+    const corner *far = s->corners;
+    pov_two3 across;
     double largest = 0.0;
-    uint32_t i = 0;
+    uint32_t i;
 
-    while (i < s->count) {
-        const pov_two3 area = area_of(s, &i);
+    for (i = 0; i < s->count; i++)
+        if (pov_dot(s->corners[i].local, s->corners[i].local) > pov_dot(far->local, far->local))
+            far = &s->corners[i];
+    across = offset_of(s, far);
+    for (i = 0; i < s->count; i++) {
+        const pov_two3 cross = pov_two3_cross(across, offset_of(s, &s->corners[i]));
 
-        if (pov_largest(pov_two3_hi(area)) > largest) {
-            largest = pov_largest(pov_two3_hi(area));
-            s->normal = area;
+        if (pov_largest(pov_two3_hi(cross)) > largest) {
+            largest = pov_largest(pov_two3_hi(cross));
+            s->normal = cross;
         }
     }
     return largest;
 }
 
-/* How far a corner may lie off the plane when each coordinate was rounded once: by that rounding itself, and by what
- * it can have turned the plane, which is the rounding times the circumference over the area, at the size's distance. */
-static double tolerance(const polygon *s, double circumference)
+/* How far a corner may lie off the plane when each coordinate was rounded once, which moves a corner by at most sqrt(3)
+ * roundings. Seen from the first corner it is a b + c, with b and c the two others of the plane and |a| <= 2, |c| <= 1 in
+ * their units by their choice; with the first corner's own share that makes 8 such moves, and as much again is margin. */
+static double tolerance(const polygon *s)
 {
     const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
 
-    return 16.0 * KIT_U * coordinate * (1.0 + 2.0 * circumference / pov_largest(pov_two3_hi(s->normal)));
+    return 32.0 * KIT_U * coordinate;
 }
 
 static void scale_corners(polygon *s)
@@ -174,22 +166,16 @@ static void scale_corners(polygon *s)
         s->corners[i].local = pov_two3_hi(offset_of(s, &s->corners[i]));
 }
 
-/* The largest distance from the plane, in scaled lengths; and the length of all edges. */
-static double measure(const polygon *s, double *circumference)
+/* The largest distance of a corner from the plane, in scaled lengths. */
+static double measure(const polygon *s)
 {
     const pov_vec3 normal = pov_two3_hi(s->normal);
     const double length = sqrt(pov_dot(normal, normal));
     double largest = 0.0;
     uint32_t i;
 
-    *circumference = 0.0;
-    for (i = 0; i < s->count; i++) {
-        const pov_vec3 edge = pov_sub(s->corners[i].local, s->corners[i ? i - 1 : 0].local);
-
+    for (i = 0; i < s->count; i++)
         largest = fmax(largest, fabs(pov_two3_dot(s->normal, offset_of(s, &s->corners[i])).hi) / length);
-        if (!s->corners[i].starts)
-            *circumference += sqrt(pov_dot(edge, edge));
-    }
     return largest;
 }
 
@@ -198,7 +184,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     polygon *s = self;
     reading r = { host, in, s, 0, 0, false };
-    double largest, off, circumference, power;
+    double largest, off, power;
 
     if (!read_corners(&r)) {
         s->count = 0;
@@ -211,8 +197,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->warn(in, "the points of this polygon lie on a line: it is not seen");
         return;
     }
-    off = measure(s, &circumference);
-    if (!(off <= tolerance(s, circumference)))
+    off = measure(s);
+    if (!(off <= tolerance(s)))
         host->fail(in, "the points of this polygon do not lie in a plane: one is %g of its size off",
                    off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale);
     power = pov_inverse_power(largest);

@@ -87,8 +87,8 @@ sphere { 0, 3000 no_shadow pigment { rgb <0.75, 0.88, 1> } finish { ambient rgb 
 // The pool: rim, walls, grout under the tiles, and the water, whose sides end inside the walls.
 box { <-14, -3, -12>, <14, 0.25, 0> pigment { rgb <0.78, 0.72, 0.62> } }
 box { <-14, -3, 8.5>, <14, 0.25, 30> pigment { rgb <0.78, 0.72, 0.62> } }
-box { <-14, -3, -1>, <-7, 0.25, 9> pigment { rgb <0.70, 0.64, 0.55> } }
-box { <7, -3, -1>, <14, 0.25, 9> pigment { rgb <0.70, 0.64, 0.55> } }
+box { <-14, -3, -1>, <-7, 0.24, 9> pigment { rgb <0.70, 0.64, 0.55> } }
+box { <7, -3, -1>, <14, 0.24, 9> pigment { rgb <0.70, 0.64, 0.55> } }
 box { <-14, -3, -1>, <14, -1.84, 9> pigment { rgb <0.5, 0.5, 0.45> } }
 box { <-7.5, -2.5, -0.5>, <7.5, -0.12, 9> pigment { rgbf <0.72, 0.93, 0.96, 0.94> }
     finish { ambient 0 diffuse 0.1 reflection 0.13 phong 0.6 phong_size 250 } interior { ior 1.33 } }
