@@ -4,7 +4,8 @@
 
 #include <povtrace/image.h>
 
-/* For 8 bits: above[i] is the linear value from which on i + 1 is stored, so that a search replaces the curve. */
+/* For 8 bits: above[i] is the linear value from which on i + 1 is stored, so that a search replaces the
+ * curve. */
 typedef struct encoder {
     int bits;
     pov_transfer transfer;
@@ -13,8 +14,8 @@ typedef struct encoder {
 
 /* bits: 8 or 16 (native order): round(max * clamp(curve(value))); 32: the float as it is. */
 void encoder_init(encoder *e, int bits, pov_transfer transfer);
-/* One row of float RGBA pixels to `channels` (3, or 4 with an alpha of full) values each. A value that is no number
- * is stored as 0. */
+/* One row of float RGBA pixels to `channels` (3, or 4 with an alpha of full) values each. A value that is no
+ * number is stored as 0. */
 void encoder_row(const encoder *e, const float *rgba, int width, int channels, void *out);
 
 /* The sRGB curve of IEC 61966-2-1 and its inverse, 0..1 to 0..1. */

@@ -20,8 +20,8 @@ void frame_clear(frame *f);
 lattice frame_lattice(const frame *f, int pass);
 /* Take in a pass of a tile; pixels are the tile's, row by row, of which those of the pass's lattice count. */
 void frame_put(frame *f, size_t tile, int pass, const float *pixels);
-/* A part of a row that lies in one tile: each pixel is that of the finest whole lattice of the tile at or before it.
- * Nothing is in yet: zeros. */
+/* A part of a row that lies in one tile: each pixel is that of the finest whole lattice of the tile at or
+ * before it. Nothing is in yet: zeros. */
 void frame_row(const frame *f, size_t tile, int x, int y, int width, float *out);
 
 /* From values as computed to what is read: linear light, and bytes as the scene asks. */

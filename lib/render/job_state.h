@@ -1,4 +1,5 @@
-/* job_state.h - the inside of a job, for the files that move it on (job.c) and that watch and steer it (watch.c). */
+/* job_state.h - the inside of a job, for the files that move it on (job.c) and that watch and steer it
+ * (watch.c). */
 #ifndef RENDER_JOB_STATE_H
 #define RENDER_JOB_STATE_H
 
@@ -8,8 +9,8 @@
 #include "render/settings.h"
 #include "render/worker.h"
 
-/* A pool of threads is a loop of steps, and so is a program that steps by itself: each borrows a worker, and the worker
- * claims a tile, traces it and commits it. */
+/* A pool of threads is a loop of steps, and so is a program that steps by itself: each borrows a worker, and
+ * the worker claims a tile, traces it and commits it. */
 struct pov_job {
     const env *env;
     const model *model;
@@ -20,9 +21,9 @@ struct pov_job {
     encoding encoding;
     size_t all_pixels;
 
-    /* The lock guards everything below: nothing of it is touched without, but the bodies of workers, which are those
-     * of whoever borrowed them. Tracing holds no lock. Whoever waits for anything waits for `changed`: idle workers for
-     * work, others for news or the end. */
+    /* The lock guards everything below: nothing of it is touched without, but the bodies of workers, which
+     * are those of whoever borrowed them. Tracing holds no lock. Whoever waits for anything waits for
+     * `changed`: idle workers for work, others for news or the end. */
     mutex lock;
     condition changed;
     pov_job_state state;

@@ -28,7 +28,8 @@ static void fill_grid(sample *s, int edge)
     }
 }
 
-/* Columns in order, rows in the order of van der Corput's sequence: one sample in each of `count` rows and columns. */
+/* Columns in order, rows in the order of van der Corput's sequence: one sample in each of `count` rows and
+ * columns. */
 static void fill_hammersley(sample *s, int count)
 {
     int bits = 0, row = 0;

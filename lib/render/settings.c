@@ -39,7 +39,8 @@ static pov_status take_preview(settings *s, const pov_render_desc *d, pov_error 
     int p = d->preview;
 
     if (p != 0 && p != 2 && p != 4 && p != 8 && p != 16)
-        return err_set(err, POV_E_ARGUMENT, "a preview begins with pixels of 2, 4, 8 or 16, or is 0 for none, not %d", p);
+        return err_set(err, POV_E_ARGUMENT, "a preview begins with pixels of 2, 4, 8 or 16, or is 0 for none, not %d",
+                       p);
     s->first_step = p > 0 ? p : 1;
     return POV_OK;
 }

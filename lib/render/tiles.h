@@ -16,7 +16,7 @@ typedef struct tiles {
     uint32_t *order;             /* from the middle of the picture outwards; by tiles_sort() */
 } tiles;
 
-/* Small enough that `threads` of them have even work to the end, and not so many that handing them out costs. */
+/* Small enough that `threads` of them have even work to the end, and not too many to hand out. */
 void tiles_make(tiles *t, int width, int height, int threads);
 /* False: no memory. */
 bool tiles_sort(tiles *t, const env *e);
@@ -24,8 +24,8 @@ void tiles_free(tiles *t, const env *e);
 /* The last column and row may be narrower. */
 pov_rect tiles_rect(const tiles *t, size_t index);
 
-/* One pass over a tile: pixels at multiples of `step` from its corner, without those of multiples of 2 step when a
- * coarser pass has been there. */
+/* One pass over a tile: pixels at multiples of `step` from its corner, without those of multiples of 2 step
+ * when a coarser pass has been there. */
 typedef struct lattice { int step; bool finer; } lattice;
 
 static inline bool lattice_has(lattice l, int x, int y)

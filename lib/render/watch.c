@@ -50,7 +50,8 @@ static pov_rect meet(pov_rect a, pov_rect b)
     return r;
 }
 
-/* Copy what a rectangle has of one tile. The lock is held for a row at a time: to convert takes longer than to copy. */
+/* Copy what a rectangle has of one tile. The lock is held for a row at a time: to convert takes longer than
+ * to copy. */
 static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels format, unsigned char *dst, size_t stride)
 {
     pov_rect part = meet(tiles_rect(&job->tiles, tile), rect);
@@ -83,8 +84,10 @@ void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t 
     if (!dst || rect.x > t->width || rect.y > t->height || rect.width < 1 || rect.height < 1)
         return;
     part = meet(all, rect);
-    for (int row = part.y / t->edge; part.height > 0 && row <= (part.y + part.height - 1) / t->edge; row++)
-        for (int column = part.x / t->edge; part.width > 0 && column <= (part.x + part.width - 1) / t->edge; column++)
+    if (part.width == 0 || part.height == 0)
+        return;
+    for (int row = part.y / t->edge; row <= (part.y + part.height - 1) / t->edge; row++)
+        for (int column = part.x / t->edge; column <= (part.x + part.width - 1) / t->edge; column++)
             read_tile(job, (size_t)row * (size_t)t->columns + (size_t)column, rect, format, dst, stride);
 }
 

@@ -32,7 +32,8 @@ static colour answer(const pov_tracer *t, const surface *s, pov_vec3 direction, 
 /* What is left of the light at the surface. */
 static bool is_lit(pov_tracer *t, const surface *s, pov_vec3 way, colour *through)
 {
-    pov_ray ray = { s->at->point, s->at->point_lo, way, s->at->object, s->at->crossing.mark, { 0.0, 0.0, 0.0 } };
+    pov_ray ray = { .org = s->at->point, .org_lo = s->at->point_lo, .dir = way,
+                    .left = s->at->object, .left_mark = s->at->crossing.mark };
 
     if (!t->plan->shadows)
         return true;

@@ -16,8 +16,8 @@ colour pigment_filter(const material *surface)
     return colour_add(c, colour_of(surface->transmit, surface->transmit, surface->transmit));
 }
 
-/* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of 90
- * degrees. */
+/* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of
+ * 90 degrees. */
 static double fresnel(double cosine)
 {
     const double half_pi = 1.57079632679489661923;
@@ -35,5 +35,6 @@ colour pigment_highlight(const model *m, const material *surface, double cosine)
         return colour_of(1.0f, 1.0f, 1.0f);
     if (m->fresnel_metallic)
         metallic *= (float)(1.0 - fresnel(cosine));
-    return colour_of(1.0f + metallic * (c.r - 1.0f), 1.0f + metallic * (c.g - 1.0f), 1.0f + metallic * (c.b - 1.0f));
+    return colour_of(1.0f + metallic * (c.r - 1.0f), 1.0f + metallic * (c.g - 1.0f),
+                     1.0f + metallic * (c.b - 1.0f));
 }

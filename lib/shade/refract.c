@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-/* A surface without an interior bounds a medium of ior 1: a bubble. An ior that is no positive number is that too. */
+/* A surface without an interior bounds a medium of ior 1: a bubble. An ior that is no positive number is that
+ * too. */
 static double ior_of(const model *m, uint32_t which)
 {
     double ior = m->materials.items[m->objects.items[which].material].ior;
@@ -71,9 +72,10 @@ void media_settle(media_stack *stack, media_span *span, size_t floor)
     stack->count = floor + span->count;
 }
 
-/* The square of the cosine behind the surface, c'^2 = 1 - (eta s)^2 = (eta c)^2 - e with e = eta^2 - 1, where s is the
- * sine before it. Steep rays take the first form, for a large eta multiplies the error of s by less than that of c^2;
- * flat ones the second, in which (before - after)(before + after) keeps what an ior of 1 + 1e-11 is about. */
+/* The square of the cosine behind the surface, c'^2 = 1 - (eta s)^2 = (eta c)^2 - e with e = eta^2 - 1, where
+ * s is the sine before it. Steep rays take the first form, for a large eta multiplies the error of s by less
+ * than that of c^2; flat ones the second, in which (before - after)(before + after) keeps what an ior of 1 +
+ * 1e-11 is about. */
 static double squared_cosine(double sine_out, double cosine, double before, double after)
 {
     const double steep = 0.5;

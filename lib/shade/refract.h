@@ -4,8 +4,8 @@
 
 #include "model/model.h"
 
-/* Lists of media by object index, one behind the other: a ray's list is a span of it, the one entered last at its
- * end. Lists are made and dropped in the order of a stack. */
+/* Lists of media by object index, one behind the other: a ray's list is a span of it, the one entered last at
+ * its end. Lists are made and dropped in the order of a stack. */
 typedef struct media_stack { uint32_t *items; size_t count, capacity; } media_stack;
 typedef struct media_span { size_t first, count; } media_span;
 
@@ -16,17 +16,18 @@ typedef struct media_crossing {
     double before, after;        /* ior on both sides */
 } media_crossing;
 
-/* The medium of a ray is the one entered last of those it is in. An object in the list is left, any other is entered;
- * to leave one that is not the last changes nothing but the list. */
+/* The medium of a ray is the one entered last of those it is in. An object in the list is left, any other is
+ * entered; to leave one that is not the last changes nothing but the list. */
 media_crossing media_cross(const media_stack *stack, media_span in, const model *m, uint32_t which);
-/* The list of the ray behind the crossing. The ray's own is used up, unless it is to be kept. False: no memory. */
+/* The list of the ray behind the crossing. The ray's own is used up, unless it is to be kept. False: no
+ * memory. */
 bool media_pass(media_stack *stack, const env *e, media_span *in, const media_crossing *c, bool keep);
 /* Drop everything above `floor` but the span, which moves down onto it. */
 void media_settle(media_stack *stack, media_span *span, size_t floor);
 bool media_push(media_stack *stack, const env *e, uint32_t which);
 
-/* Snell's law. View is the unit direction of the ray, normal the unit normal turned towards its start, cosine the
- * one between them (>= 0). False: total internal reflection. */
+/* Snell's law. View is the unit direction of the ray, normal the unit normal turned towards its start, cosine
+ * the one between them (>= 0). False: total internal reflection. */
 bool refract(pov_vec3 view, pov_vec3 normal, double cosine, double before, double after, pov_vec3 *out);
 
 #endif

@@ -6,8 +6,8 @@
 
 #include <float.h>
 
-/* Seconds between two questions whether to give up: a cancelled job ends well within 20 ms, also where rays get a
- * hundred times dearer from one question to the next. */
+/* Seconds between two questions whether to give up: a cancelled job ends well within 20 ms, also where rays
+ * get a hundred times dearer from one question to the next. */
 static const double ask_soon = 0.001, ask_late = 0.004;
 enum { ASK_EVERY_MAX = 64 };
 
@@ -125,8 +125,8 @@ static media_span begin_media(pov_tracer *t, const pov_ray *ray)
     return span;
 }
 
-/* The next ray to be followed. A mirrored ray goes first and its transmitted sister waits: a mirrored one is always a
- * level deeper, so no more wait than there are levels. */
+/* The next ray to be followed. A mirrored ray goes first and its transmitted sister waits: a mirrored one is
+ * always a level deeper, so no more wait than there are levels. */
 static bool next_path(pov_tracer *t, path *p, const branches *b)
 {
     if (b->reflects && b->transmits)

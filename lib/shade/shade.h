@@ -8,8 +8,8 @@
 #include <povtrace/render.h>
 #include <povtrace/trace.h>
 
-/* A ray on its way, and what it is worth. The picture's value is a sum over all rays that a camera ray leads to, so
- * none waits for another's result: a list of those still to be followed takes the place of recursion. */
+/* A ray on its way, and what it is worth. The picture's value is a sum over all rays that a camera ray leads
+ * to, so none waits for another's result: a list of those still to be followed takes the place of recursion. */
 typedef struct path {
     pov_ray ray;
     colour factor;               /* the product of the coefficients on the way here */

@@ -3,8 +3,9 @@
 #include "shade/light.h"
 #include "shade/pigment.h"
 
-/* Coincident surfaces can hand a ray back and forth on the spot: straight on does not count for the depth, and by
- * name only one of them is left out. After this many crossings without a move the ray is cut off as too deep. */
+/* Coincident surfaces can hand a ray back and forth on the spot: straight on does not count for the depth,
+ * and by name only one of them is left out. After this many crossings without a move the ray is cut off as
+ * too deep. */
 enum { STANDING_MAX = 1000 };
 
 static const colour white = { 1.0f, 1.0f, 1.0f };
@@ -47,7 +48,8 @@ static path leave(const path *p, const hit *h, pov_vec3 direction)
     return next;
 }
 
-/* Take a path on by a coefficient. False: it is cut off. The depth is asked first, so that a ray is counted once. */
+/* Take a path on by a coefficient. False: it is cut off. The depth is asked first, so that a ray is counted
+ * once. */
 static bool goes_on(pov_tracer *t, path *next, colour coefficient, bool deeper)
 {
     next->factor = colour_mul(next->factor, coefficient);
@@ -86,8 +88,8 @@ static void pass(pov_tracer *t, const path *p, const surface *s, branches *next)
     }
 }
 
-/* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted ray; a
- * mirrored one stays in what it was in. */
+/* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted
+ * ray; a mirrored one stays in what it was in. */
 static void bend(pov_tracer *t, const path *p, const surface *s, branches *next)
 {
     media_crossing c = media_cross(&t->media, p->media, t->model, s->at->object);
@@ -134,7 +136,8 @@ colour surface_meet(pov_tracer *t, const path *p, hit *h, branches *next)
 
     next->reflects = next->transmits = false;
     s.opacity = pigment_opacity(m, s.material);
-    sum = colour_mul(colour_mul(s.material->ambient, m->ambient_light), colour_scale(s.material->pigment, s.opacity));
+    sum = colour_scale(colour_mul(s.material->ambient, s.material->pigment), s.opacity);
+    sum = colour_mul(sum, m->ambient_light);
     if (t->plan->lighting && !answers_light(s.material))
         t->counts.shadow_idle += m->lights.count;
     if (!needs_geometry(t, s.material))

@@ -1,7 +1,7 @@
 #include "support/tiny.h"
 
 #include "base/vec.h"
-#include "support/check.h"
+#include "support/near.h"
 
 #include <string.h>
 
@@ -189,4 +189,11 @@ colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z)
 
     assert_false(s->tracer->failed);
     return c;
+}
+
+void assert_colour(colour c, double r, double g, double b, double tolerance)
+{
+    assert_near(c.r, r, tolerance);
+    assert_near(c.g, g, tolerance);
+    assert_near(c.b, b, tolerance);
 }

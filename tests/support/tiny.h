@@ -1,4 +1,5 @@
-/* tiny.h - scenes built by hand for the rooms that do not read text: spheres and endless planes of the tests' own. */
+/* tiny.h - scenes built by hand for the rooms that do not read text: spheres and endless planes of the tests'
+ * own. */
 #ifndef SUPPORT_TINY_H
 #define SUPPORT_TINY_H
 
@@ -6,7 +7,8 @@
 
 typedef struct tiny { env env; model model; world *world; pov_tracer *tracer; } tiny;
 
-/* Five levels, black background, white ambient light, no gamma, a camera at 0 that looks along z; and no objects. */
+/* Five levels, black background, white ambient light, no gamma, a camera at 0 that looks along z; and no
+ * objects. */
 void tiny_begin(tiny *s, const pov_allocator *memory);
 void tiny_end(tiny *s);
 /* The language's default material of this colour, which gives nothing but `ambient` of it. */
@@ -25,5 +27,6 @@ void tiny_light(tiny *s, double x, double y, double z, float r, float g, float b
 void tiny_build(tiny *s);
 /* What is seen from a point in a direction. */
 colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z);
+void assert_colour(colour c, double r, double g, double b, double tolerance);
 
 #endif

@@ -104,7 +104,8 @@ static void samples_are_averaged(void **state)
     d.samples = 4;
     pixels = tiny_picture(&s, &d);
     for (int i = 0; i < 4; i++) {
-        pov_ray ray = raygen_ray(&s.model.camera, WIDTH, HEIGHT, 30, 26, 0.25 + 0.5 * (i % 2), 0.25 + 0.5 * (i / 2));
+        double dx = 0.25 + 0.5 * (i % 2), dy = 0.25 + 0.5 * (i / 2);
+        pov_ray ray = raygen_ray(&s.model.camera, WIDTH, HEIGHT, 30, 26, dx, dy);
         sum += tracer_color(s.tracer, &ray).g;
     }
     assert_near(pixels[4 * (26 * WIDTH + 30) + 1], sum / 4.0, 1e-7);
@@ -366,8 +367,8 @@ static void refuse(const tiny *s, pov_render_desc d, pov_status wanted)
 static void impossible_descriptions_are_refused(void **state)
 {
     static const int sizes[][2] = { { 0, 1 }, { 1, 0 }, { -1, 5 }, { 5, -2147483647 }, { 1 << 29, 1 } };
-    static const pov_rect crops[] = { { -1, 0, 5, 5 }, { 0, 0, 76, 1 }, { 70, 0, 6, 1 }, { 0, 49, 5, 2 }, { 0, 0, -5, 5 },
-                                      { 0, 0, 5, 0 }, { 2147483647, 0, 2147483647, 1 } };
+    static const pov_rect crops[] = { { -1, 0, 5, 5 }, { 0, 0, 76, 1 }, { 70, 0, 6, 1 }, { 0, 49, 5, 2 },
+                                      { 0, 0, -5, 5 }, { 0, 0, 5, 0 }, { 2147483647, 0, 2147483647, 1 } };
     static const int previews[] = { -1, 1, 3, 32 };
     pov_render_desc d = tiny_desc(WIDTH, HEIGHT);
     tiny s;

@@ -50,7 +50,8 @@ static void rays_are_symmetric_to_the_bit(void **state)
     (void)state;
 
     for (int x = 0; x < 1021; x++) {
-        pov_ray a = raygen_ray(&c, 1021, 1021, x, x, 0.5, 0.5), b = raygen_ray(&c, 1021, 1021, 1020 - x, 1020 - x, 0.5, 0.5);
+        pov_ray a = raygen_ray(&c, 1021, 1021, x, x, 0.5, 0.5);
+        pov_ray b = raygen_ray(&c, 1021, 1021, 1020 - x, 1020 - x, 0.5, 0.5);
         assert_near(a.dir.x, -b.dir.x, 0.0);
         assert_near(a.dir.y, -b.dir.y, 0.0);
     }

@@ -53,7 +53,8 @@ static void *watch(void *user)
     while (!is_stopped(v)) {
         job_wait(v->job, 0.001);
         while (job_take(v->job, &r)) {
-            job_read(v->job, r, POV_PIXELS_LINEAR_FLOAT, v->pixels + 4 * (r.y * WIDTH + r.x), 4 * sizeof(float) * WIDTH);
+            job_read(v->job, r, POV_PIXELS_LINEAR_FLOAT, v->pixels + 4 * (r.y * WIDTH + r.x),
+                     4 * sizeof(float) * WIDTH);
             v->taken++;
         }
         job_get_progress(v->job, &progress);
