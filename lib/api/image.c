@@ -35,8 +35,8 @@ static pov_status find_format(pov_context *context, const char *path, const pov_
         return err_file(err, POV_E_ARGUMENT, path, "the name has no ending such as .png to tell the image format");
     status = registry_image(context->plugins, ending, out, err);
     if (status == POV_OK && !*out)
-        return err_file(err, POV_E_PLUGIN, path, "no plugin writes images of the ending \".%s\"; searched images/ in %s",
-                        ending, registry_path(context->plugins));
+        return err_file(err, POV_E_PLUGIN, path,
+                        "no plugin writes images of the ending \".%s\"; searched images/ in %s", ending, registry_path(context->plugins));
     return status;
 }
 

@@ -52,6 +52,7 @@ pov_status file_read(const env *e, const char *path, char **bytes, size_t *count
     int descriptor = standard_input ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
     struct stat about;
     pov_status status;
+    size_t guess = 4095;
 
     *bytes = NULL;
     *count = 0;
@@ -61,9 +62,11 @@ pov_status file_read(const env *e, const char *path, char **bytes, size_t *count
         status = err_file(err, POV_E_IO, path, "cannot read: %s", strerror(errno));
     else if (S_ISDIR(about.st_mode))
         status = err_file(err, POV_E_IO, path, "is a folder, not a file");
-    else
-        status = read_all(e, descriptor, path, S_ISREG(about.st_mode) && about.st_size > 0 ? (size_t)about.st_size : 4095,
-                          bytes, count, err);
+    else {
+        if (S_ISREG(about.st_mode) && about.st_size > 0)
+            guess = (size_t)about.st_size;
+        status = read_all(e, descriptor, path, guess, bytes, count, err);
+    }
     if (!standard_input)
         close(descriptor);
     return status;

@@ -4,12 +4,14 @@
 
 #include "model/transform.h"
 
-#include <povtrace/plugin.h>
+#include <stdint.h>
+
+struct pov_shape_class;
 
 enum { OBJECT_NO_SHADOW = 1, OBJECT_INVERSE = 2, OBJECT_HOLLOW = 4 };
 
 typedef struct object {
-    const pov_shape_class *shape;
+    const struct pov_shape_class *shape;
     void *instance;              /* instance_size bytes, aligned to 32, in the model's memory, as parse left it */
     const transform *map;        /* NULL: none */
     uint32_t material;           /* index into the model's materials */

@@ -202,7 +202,8 @@ static bool invert(const rows *m, rows *out)
     for (i = 0; i < 3; i++)
         for (j = 0; j < 3; j++) {
             int r1 = (j + 1) % 3, r2 = (j + 2) % 3, c1 = (i + 1) % 3, c2 = (i + 2) % 3;
-            out->at[i][j] = pov_two_sub(pov_two_mul(a.at[r1][c1], a.at[r2][c2]), pov_two_mul(a.at[r1][c2], a.at[r2][c1]));
+            out->at[i][j] = pov_two_sub(pov_two_mul(a.at[r1][c1], a.at[r2][c2]),
+                                        pov_two_mul(a.at[r1][c2], a.at[r2][c1]));
         }
     for (i = 0; i < 3; i++)
         determinant = pov_two_add(determinant, pov_two_mul(a.at[0][i], out->at[i][0]));

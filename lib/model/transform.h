@@ -9,12 +9,14 @@
 
 #include <povtrace/math.h>
 
-typedef enum transform_kind { TRANSFORM_TRANSLATE, TRANSFORM_ROTATE, TRANSFORM_SCALE, TRANSFORM_MATRIX } transform_kind;
+typedef enum transform_kind {
+    TRANSFORM_TRANSLATE, TRANSFORM_ROTATE, TRANSFORM_SCALE, TRANSFORM_MATRIX
+} transform_kind;
 
 typedef struct transform {
     const struct transform *before;   /* what is applied first; NULL: nothing */
     transform_kind kind;
-    double v[];                       /* x, y, z; or the 12 numbers of matrix <...>, row by row as POV-Ray writes them */
+    double v[];                       /* x, y, z; or the 12 numbers of matrix <...> in the order of the text */
 } transform;
 
 /* Translate 0, scale 1, whole turns, the identity matrix. */

@@ -173,7 +173,8 @@ static pov_status load(registry *r, const char *path, pov_error *err)
     } else {
         l.plugin = dl_data(l.handle, POV_PLUGIN_SYMBOL);
         status = l.plugin ? add(r, l, err)
-                          : err_file(err, POV_E_PLUGIN, path, "cannot use this plugin: it has no symbol %s", POV_PLUGIN_SYMBOL);
+                          : err_file(err, POV_E_PLUGIN, path, "cannot use this plugin: it has no symbol %s",
+                                     POV_PLUGIN_SYMBOL);
     }
     if (status < 0)
         unload(r, &l);
@@ -294,7 +295,8 @@ static void see_file(void *user, const char *name)
     s->see(s->user, keyword);
 }
 
-void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword), void *user)
+void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword),
+                           void *user)
 {
     char folder[PATH_MAX], path[PATH_MAX + 32];
     const char *rest = r->path;

@@ -17,14 +17,16 @@ void registry_destroy(registry *r);
 pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err);
 
 /* The class of a keyword. *out is NULL and the status POV_OK when there is no such plugin anywhere. A plugin that is
- * there and cannot be used is POV_E_PLUGIN, with the path and the reason. Only words of a-z, 0-9 and _ are looked for. */
+ * there and cannot be used is POV_E_PLUGIN, with the path and the reason. Only words of a-z, 0-9 and _ are looked
+ * for. */
 pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err);
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err);
 
 /* For messages: the folders that were searched, colon separated; and the keywords that could be loaded
  * (kind: "primitives" or "images"). */
 const char *registry_path(const registry *r);
-void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword), void *user);
+void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword),
+                           void *user);
 
 /* The index-th plugin in use. */
 bool registry_get(registry *r, size_t index, const char **name, const char **path);

@@ -5,7 +5,7 @@
  * appending members: each side reads only as many bytes as the other side's `size` says are there.
  *
  * [load]   called on the thread that loads a scene; several scenes may load at once, each with instances of its own.
- * [render] called from many threads at once on the same const object: no writes, no statics, no locks, no allocation. */
+ * [render] called from many threads at once on the same const object: no writes, statics, locks, allocation. */
 #ifndef POVTRACE_PLUGIN_H
 #define POVTRACE_PLUGIN_H
 

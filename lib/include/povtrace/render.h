@@ -25,7 +25,9 @@ typedef struct pov_render_desc {
     void *wake_user;
 } pov_render_desc;
 
-typedef enum pov_job_state { POV_JOB_IDLE, POV_JOB_RUNNING, POV_JOB_DONE, POV_JOB_CANCELLED, POV_JOB_FAILED } pov_job_state;
+typedef enum pov_job_state {
+    POV_JOB_IDLE, POV_JOB_RUNNING, POV_JOB_DONE, POV_JOB_CANCELLED, POV_JOB_FAILED
+} pov_job_state;
 typedef enum pov_pixels { POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT } pov_pixels;
 
 /* How many rays of each kind were sent, or not sent and why. */

@@ -15,7 +15,8 @@ typedef struct pov_context_desc {
     pov_allocator allocator;     /* resize NULL: malloc */
     pov_log_fn *log;             /* NULL: silent */
     void *log_user;
-    const char *plugin_path;     /* folders, colon separated; NULL: $POVTRACE_PLUGIN_PATH, else povtrace/ beside the library */
+    /* Folders, colon separated; NULL: $POVTRACE_PLUGIN_PATH, else povtrace/ beside the library. */
+    const char *plugin_path;
 } pov_context_desc;
 
 /* desc may be NULL. Any thread may load scenes in a context at any time; destroy comes last of all calls on it.
@@ -54,7 +55,8 @@ typedef struct pov_camera {
 
 POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
 /* Turn the camera from where it is towards target, keeping its angles; sky is what shall point up in the picture. */
-POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky, pov_error *err);
+POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky,
+                                      pov_error *err);
 POV_API size_t pov_scene_object_count(const pov_scene *scene);
 /* Keyword and place of the index-th object in the text; false past the last. */
 POV_API bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **keyword, int *line, int *column);
