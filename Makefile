@@ -18,7 +18,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-proto
 # Contraction would make the bits of a result depend on the machine.
 CFLAGS  ?= -g
 BASE_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(OPTIMISE) -ffp-contract=off -fno-math-errno -fPIC \
-             -fvisibility=hidden -MMD -MP $(WARNINGS) $(CFLAGS) $(SANITIZE)
+             -ffunction-sections -fvisibility=hidden -MMD -MP $(WARNINGS) $(CFLAGS) $(SANITIZE)
 LIB_FLAGS  = $(BASE_FLAGS) -Ilib/include -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"'
 USER_FLAGS = $(BASE_FLAGS) -Ilib/include
 LINK_FLAGS = $(LDFLAGS) $(SANITIZE) $(OPTIMISE)
