@@ -1,4 +1,4 @@
-/* signals.h - what the keyboard and other programs ask of a running render. Handlers only leave a note. */
+/* signals.h - what the keyboard and other programs ask of a render. The handlers only leave a note. */
 #ifndef CLI_SIGNALS_H
 #define CLI_SIGNALS_H
 

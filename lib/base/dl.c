@@ -25,14 +25,15 @@ static bool is_cut_short(int file, const ElfW(Ehdr) *head, size_t size)
 
         if (pread(file, &segment, sizeof segment, at) != (ssize_t)sizeof segment)
             return true;
-        if (segment.p_type == PT_LOAD && (segment.p_offset > size || segment.p_filesz > size - segment.p_offset))
+        if (segment.p_type == PT_LOAD &&
+            (segment.p_offset > size || segment.p_filesz > size - segment.p_offset))
             return true;
     }
     return false;
 }
 
-/* The system's loader maps a file without asking whether it is all there, and the process is killed when it touches
- * what is missing. What is no object file of this machine at all the loader refuses by itself. */
+/* The system's loader maps a file without asking whether it is all there, and the process is killed when it
+ * touches what is missing. What is no object file of this machine at all the loader refuses by itself. */
 static bool is_whole(const char *path)
 {
     int file = open(path, O_RDONLY | O_CLOEXEC);

@@ -110,16 +110,17 @@ without_comments $(sources lib cli plugins tests) | grep -E '[^a-zA-Z0-9_](gets|
     >> "$work/found"
 report "no call that cannot be used safely"
 
+sources lib plugins cli viewer tests | xargs grep -nP '\t|[ \t]+$' >> "$work/found"
+report "no tab and no trailing blank"
+
+# Worth a look, and no more: a reviewer may have been given the reason.
 for file in $(sources lib plugins cli viewer tests); do
     lines=$(wc -l < "$file")
-    [ "$lines" -le 600 ] || echo "$file: $lines lines" >> "$work/found"
+    [ "$lines" -le 600 ] || echo "note: $file has $lines lines"
 done
-report "no file is longer than 600 lines"
-
-sources lib plugins cli viewer tests | xargs awk 'length($0) > 120 { print FILENAME ":" FNR ": " length($0) " columns" }' \
-    >> "$work/found"
-sources lib plugins cli viewer tests | xargs grep -nP '\t|[ \t]+$' >> "$work/found"
-report "no tab, no trailing blank, no line above 120 columns"
+sources lib plugins cli viewer tests | xargs awk '
+    length($0) > 110 { n[FILENAME]++ }
+    END { for (file in n) print "note: " file " has " n[file] " lines above 110 columns" }' | LC_ALL=C sort
 
 # ---- headers ----
 
@@ -140,6 +141,12 @@ report "all public headers together stay under 800 lines"
 
 # ---- what was built ----
 
+# Variables that live where a program may write; constants with addresses in them are in .data.rel.ro.
+changeable() {
+    nm -A -f sysv "$@" 2>/dev/null | tr -d ' ' | awk -F'|' '
+        $NF ~ /^(\.data|\.data\.rel|\.data\.rel\.local|\.bss|\.tbss|\.tdata|\*COM\*)$/ && $4 ~ /OBJECT|TLS/ { print $1 }'
+}
+
 library=$(ls "$BUILD"/lib/libpovtrace.so.*.*.* 2>/dev/null | head -n 1)
 if [ -z "$library" ]; then
     echo "there is no library in $BUILD/lib" > "$work/found"
@@ -154,7 +161,7 @@ else
         grep -vE '^(linux-vdso\.so\.|linux-gate\.so\.|(/.*/)?ld-[a-z0-9-]*\.so|lib(c|m|dl|pthread)\.so)' > "$work/found"
     report "the library needs libc and libm only"
 
-    nm "$BUILD"/obj/lib/*/*.o 2>/dev/null | awk 'NF == 3 && $2 ~ /^[bBdDC]$/ { print $3 }' > "$work/found"
+    changeable "$BUILD"/obj/lib/*/*.o > "$work/found"
     report "the library has no variable that can change"
 fi
 
@@ -169,7 +176,7 @@ report "every plugin exports one symbol and needs nothing of povtrace"
 for plugin in "$BUILD"/lib/povtrace/primitives/*.so; do
     source=plugins/primitives/$(basename "$plugin" .so).c
     [ -e "$source" ] || continue
-    nm "$BUILD/obj/${source%.c}.o" | awk 'NF == 3 && $2 ~ /^[bBC]$/ { print $3 }' | sed "s|^|$source: |" >> "$work/found"
+    changeable "$BUILD/obj/${source%.c}.o" >> "$work/found"
 done
 report "no primitive has a variable that can change"
 
