@@ -325,6 +325,45 @@ static void the_list_of_rays_gives_what_recursion_gives(void **state)
     }
 }
 
+/* ---- scales ---- */
+
+static colour see_scaled(double scale, double x, double y)
+{
+    material mirror = tiny_matt(), glass = tiny_glass(1.5);
+    colour c;
+    tiny s;
+
+    tiny_begin(&s, NULL);
+    mirror.reflection = colour_of(0.5f, 0.5f, 0.5f);
+    glass.reflection = colour_of(0.125f, 0.125f, 0.125f);
+    mirror.phong = 0.5f;
+    tiny_plane(&s, 0, 1, 0, -scale, tiny_matt());
+    tiny_sphere(&s, -scale, 0, 4 * scale, scale, mirror);
+    tiny_sphere(&s, scale, 0, 3 * scale, scale, glass);
+    tiny_sphere(&s, scale, 0.125 * scale, 3 * scale, 0.5 * scale, tiny_glass(1.25));
+    tiny_light(&s, 3 * scale, 5 * scale, -2 * scale, 1.0f, 0.75f, 0.5f);
+    tiny_build(&s);
+    c = tiny_see(&s, origin, x, y, 1);
+    tiny_end(&s);
+    return c;
+}
+
+static void a_power_of_two_in_size_changes_no_bit(void **state)
+{
+    static const double scales[] = { 0x1p-100, 0x1p-40, 0x1p40, 0x1p100 };
+    (void)state;
+
+    for (int i = 0; i < 400; i++) {
+        double x = (i % 20 - 9.5) / 12.0, y = (i / 20 - 12.5) / 16.0;
+        colour one = see_scaled(1.0, x, y);
+
+        for (int k = 0; k < 4; k++) {
+            colour other = see_scaled(scales[k], x, y);
+            assert_memory_equal(&one, &other, sizeof one);
+        }
+    }
+}
+
 static void stick(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const pov_mark no_mark = { 0, 0, 0.0, 0.0 };
@@ -378,6 +417,7 @@ int main(void)
         cmocka_unit_test(an_eye_in_a_bubble_in_glass_is_in_the_bubble),
         cmocka_unit_test(total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_own),
         cmocka_unit_test(the_list_of_rays_gives_what_recursion_gives),
+        cmocka_unit_test(a_power_of_two_in_size_changes_no_bit),
         cmocka_unit_test(coincident_surfaces_cannot_hold_a_ray_for_ever),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

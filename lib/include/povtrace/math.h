@@ -40,8 +40,10 @@ static inline pov_vec3 pov_unit(pov_vec3 a)
 
     if (!(m > 0.0) || m > 1.7976931348623157e308)
         return pov_vec3_of(0.0, 0.0, 0.0);
-    frexp(m, &e);
-    a = pov_vec3_of(ldexp(a.x, -e), ldexp(a.y, -e), ldexp(a.z, -e));
+    if (m < 1e-120 || m > 1e120) {   /* out of the range of squares; within it the scaling would change no bit */
+        frexp(m, &e);
+        a = pov_vec3_of(ldexp(a.x, -e), ldexp(a.y, -e), ldexp(a.z, -e));
+    }
     length = sqrt(pov_dot(a, a));
     return pov_vec3_of(a.x / length, a.y / length, a.z / length);
 }
