@@ -70,14 +70,21 @@ void report_quote(const place *at, char out[REPORT_QUOTE])
     strcat(out, "...");
 }
 
+static bool is_line_end(char byte)
+{
+    return byte == '\n' || byte == '\r';
+}
+
+/* The line around the place, or as much of it as has room. */
 static void fill_excerpt(pov_error *e, const place *at)
 {
-    const char *line = at->start - (at->column - 1), *end = at->start;
+    const char *line = at->start, *end = at->start;
 
-    if (at->start - line > BEFORE_CARET)
-        for (line = at->start - BEFORE_CARET; line < at->start && goes_on(*line); line++)
-            continue;
-    while (end < at->source->end && *end != '\n' && *end != '\r' && end - line < (long)sizeof e->excerpt - 1)
+    while (line > at->source->text && !is_line_end(line[-1]) && at->start - line < BEFORE_CARET)
+        line--;
+    while (line < at->start && goes_on(*line))
+        line++;
+    while (end < at->source->end && !is_line_end(*end) && end - line < (long)sizeof e->excerpt - 1)
         end++;
     while (end > at->start && end < at->source->end && goes_on(*end))
         end--;

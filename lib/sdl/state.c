@@ -32,6 +32,17 @@ static void look_closer(pov_reader *in)
     }
 }
 
+/* A loop, so that a million directives in a row do not become a million calls deep. What stands before them is what
+ * stands before the token behind them. */
+static void run_directives(pov_reader *in)
+{
+    const place last = in->last;
+
+    while (in->token.kind == '#')
+        directive_run(in);
+    in->last = last;
+}
+
 void state_advance(pov_reader *in)
 {
     if (in->failed)
@@ -45,9 +56,8 @@ void state_advance(pov_reader *in)
     } else if (in->token.fault) {
         look_closer(in);
     }
-    /* A loop, so that a million directives in a row do not become a million calls deep. */
-    while (in->token.kind == '#' && !in->in_directive)
-        directive_run(in);
+    if (in->token.kind == '#' && !in->in_directive)
+        run_directives(in);
 }
 
 void state_expect(pov_reader *in, int mark)
