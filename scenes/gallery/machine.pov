@@ -1,4 +1,4 @@
-// A machine of cylinders and cones: boiler and chimney, a piston in a cylinder of glass, crank, flywheel and gears.
+// A machine of cylinders and cones: boiler, chimney, a piston in glass, crank, flywheel and gears.
 global_settings { assumed_gamma 1 max_trace_level 7 ambient_light rgb <0.8, 0.85, 1> }
 camera { location <-2.2, 3.6, -9.8> look_at <0.12, 1.5, 0> angle 42 }
 light_source { <-7, 9, -8> rgb <1.15, 1.06, 0.9> }

@@ -1,10 +1,11 @@
-// Glass and water. The light comes from behind, so that coloured panes and balls throw their colours towards the camera;
-// balls of glass lie on the tiles under water, and a pillar breaks at the surface.
+// Glass and water. The light comes from behind, so that coloured panes and balls throw their colours
+// towards the camera; balls of glass lie on the tiles under water, and a pillar breaks at the surface.
 global_settings { assumed_gamma 1 max_trace_level 12 ambient_light rgb <0.7, 0.85, 1> }
 camera { location <0.9, 5.2, -11.2> look_at <-0.1, 0.05, 0.9> angle 47 }
 light_source { <-2600, 5200, 4700> rgb <1.2, 1.08, 0.9> }
 light_source { <0, 2900, 0> rgb <0.16, 0.22, 0.3> }
-sphere { 0, 3000 no_shadow pigment { rgb <0.75, 0.88, 1> } finish { ambient rgb <0.1, 0.16, 0.26> diffuse 0.55 } }
+sphere { 0, 3000 no_shadow pigment { rgb <0.75, 0.88, 1> }
+    finish { ambient rgb <0.1, 0.16, 0.26> diffuse 0.55 } }
 
 // The pool: rim, walls, grout under the tiles, and the water, whose sides end inside the walls.
 box { <-14, -3, -12>, <14, 0.25, 0> pigment { rgb <0.78, 0.72, 0.62> } }
@@ -33,9 +34,11 @@ sphere { <-3.6, 0.65, -3.4>, 0.35 pigment { rgbf <0.35, 0.75, 1, 0.94> } interio
 
 // In the water: pillars, and balls on the floor.
 cylinder { <3.4, -1.9, 4.4>, <3.4, 1.7, 4.4>, 0.5 pigment { rgb <0.9, 0.87, 0.8> } }
-sphere { <3.4, 2.15, 4.4>, 0.62 pigment { rgb <0.8, 0.5, 0.2> } finish { reflection 0.35 phong 0.8 phong_size 80 } }
+sphere { <3.4, 2.15, 4.4>, 0.62 pigment { rgb <0.8, 0.5, 0.2> }
+    finish { reflection 0.35 phong 0.8 phong_size 80 } }
 cylinder { <-4.4, -1.9, 5.2>, <-4.4, 1.1, 5.2>, 0.5 pigment { rgb <0.9, 0.87, 0.8> } }
-sphere { <-4.4, 1.55, 5.2>, 0.62 pigment { rgb <0.8, 0.5, 0.2> } finish { reflection 0.35 phong 0.8 phong_size 80 } }
+sphere { <-4.4, 1.55, 5.2>, 0.62 pigment { rgb <0.8, 0.5, 0.2> }
+    finish { reflection 0.35 phong 0.8 phong_size 80 } }
 cylinder { <-1.9, -1.7, 5.5>, <-0.1, 1.4, 2.6>, 0.07 pigment { rgb <0.75, 0.12, 0.08> } finish { phong 0.6 } }
 sphere { <0.9, -1.1, 3.2>, 0.7 pigment { rgbf <1, 0.8, 0.35, 0.93> } interior { ior 1.65 }
     finish { ambient 0 diffuse 0.1 reflection 0.1 phong 0.8 phong_size 120 } }

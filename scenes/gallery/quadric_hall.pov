@@ -1,5 +1,5 @@
-// A hall of hyperboloids: each column flares into the vault and into the floor, which mirrors it. The far light is warm,
-// the near one cool; an ellipsoid of brass floats between them.
+// A hall of hyperboloids: each column flares into the vault and into the floor, which mirrors it. The far
+// light is warm, the near one cool; an ellipsoid of brass floats between them.
 global_settings { assumed_gamma 1 max_trace_level 8 ambient_light rgb <0.5, 0.6, 0.9> }
 camera { location <0.75, 1.45, -15.2> look_at <-0.2, 2.05, 0> angle 50 }
 light_source { <2, 1.7, 21> rgb <1.5, 0.85, 0.42> }

@@ -1,11 +1,12 @@
-// A sphereflake: nine balls of a third of the radius sit on every ball, six around its waist and three above.
+// A sphereflake: nine balls of a third of the radius sit on every ball, six around its waist, three above.
 // The sky is a wide ball; a low sun just within it makes the glow at the horizon and the rims of light.
 global_settings { assumed_gamma 1 max_trace_level 6 ambient_light rgb <0.55, 0.75, 1.2> }
 camera { location <2.2, 1.35, -6.9> look_at <0.02, 1.08, 0> angle 37 }
 light_source { <-2200, 4300, -4800> rgb <1.15, 1.02, 0.9> }
 light_source { <-1290, 170, 2620> rgb <5, 2.1, 0.7> }
 
-sphere { 0, 3000 no_shadow pigment { rgb <1, 0.94, 0.9> } finish { ambient rgb <0.02, 0.055, 0.13> diffuse 0.11 } }
+sphere { 0, 3000 no_shadow pigment { rgb <1, 0.94, 0.9> }
+    finish { ambient rgb <0.02, 0.055, 0.13> diffuse 0.11 } }
 quadric { <0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 0.02
     pigment { rgb <0.06, 0.07, 0.10> } finish { ambient 0.1 diffuse 0.7 reflection 0.42 } }
 
