@@ -46,4 +46,5 @@ tsan:
 # Every scene in povtrace and in an installed POV-Ray, picture against picture.
 .PHONY: compare
 compare: all
+	$(PYTHON) tests/compare/test_harness.py
 	$(PYTHON) tests/compare/compare.py --povc $(POVC)

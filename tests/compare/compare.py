@@ -14,8 +14,9 @@ try:
     import numpy
 except ImportError:
     # A python of one's own in front of the path often lacks numpy where the system's python has it.
-    if os.path.realpath(sys.executable) != os.path.realpath('/usr/bin/python3') and os.path.exists('/usr/bin/python3'):
-        os.execv('/usr/bin/python3', ['/usr/bin/python3'] + sys.argv)
+    SYSTEM = '/usr/bin/python3'
+    if os.path.exists(SYSTEM) and os.path.realpath(sys.executable) != os.path.realpath(SYSTEM):
+        os.execv(SYSTEM, [SYSTEM] + sys.argv)
     sys.exit('compare: numpy is needed (Debian: python3-numpy)')
 
 import equivalent
@@ -38,9 +39,11 @@ def arguments():
     parser.add_argument('--povray', default='povray', help='POV-Ray 3.7')
     parser.add_argument('--size', default='320x240', help='of the pictures')
     parser.add_argument('--csv', help='also write the table to this file')
-    parser.add_argument('--work', default='build/compare', help='where pictures go; POV-Ray\'s are kept for the next run')
+    parser.add_argument('--work', default='build/compare',
+                        help='where pictures go; POV-Ray\'s are kept for the next run')
     parser.add_argument('--jobs', type=int, default=2, help='scenes at once')
-    parser.add_argument('--difference', action='store_true', help='also write SCENE.difference.ppm, eight times enlarged')
+    parser.add_argument('--difference', action='store_true',
+                        help='also write SCENE.difference.ppm, eight times enlarged')
     parser.add_argument('scenes', nargs='*', help='default: all of scenes/test and scenes/gallery')
     options = parser.parse_args()
     options.width, options.height = (int(part) for part in options.size.split('x'))
@@ -48,15 +51,17 @@ def arguments():
 
 
 def all_scenes():
-    return [scene for folder in ('scenes/test', 'scenes/gallery') for scene in sorted((ROOT / folder).glob('*.pov'))]
+    return [scene for folder in ('scenes/test', 'scenes/gallery')
+            for scene in sorted((ROOT / folder).glob('*.pov'))]
 
 
 def run(command, what):
     """Runs a program; what it said is the reason if it failed."""
     result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors='replace')
     if result.returncode != 0:
-        lines = [line for line in result.stdout.splitlines() if 'rror' in line] or result.stdout.splitlines()[-1:]
-        raise RenderError(f'{what}: {lines[0].strip() if lines else "exit " + str(result.returncode)}')
+        said = result.stdout.splitlines()
+        reasons = [line.strip() for line in said if 'rror' in line] or said[-1:] or [f'exit {result.returncode}']
+        raise RenderError(f'{what}: {reasons[0]}')
 
 
 def scene_text(scene):
@@ -117,9 +122,11 @@ def compare(scene, options):
     worst = numpy.unravel_index(difference.argmax(), difference.shape)
     off = 100.0 * numpy.mean(difference > TOLERANCE)
     if options.difference:
-        write_ppm(Path(options.work) / f'{scene.parent.name}-{scene.stem}.difference.ppm', 8.0 * (theirs - ours) + 0.5)
-    return dict(row, off_percent=off, rms=float(numpy.sqrt(numpy.mean((theirs - ours) ** 2))),
-                max=float(difference.max()), worst_x=int(worst[1]), worst_y=int(worst[0]), held=off <= SCENE_LIMIT)
+        path = Path(options.work) / f'{scene.parent.name}-{scene.stem}.difference.ppm'
+        write_ppm(path, 8.0 * (theirs - ours) + 0.5)
+    rms = float(numpy.sqrt(numpy.mean((theirs - ours) ** 2)))
+    return dict(row, off_percent=off, rms=rms, max=float(difference.max()), worst_x=int(worst[1]),
+                worst_y=int(worst[0]), held=off <= SCENE_LIMIT)
 
 
 def write_ppm(path, values):
@@ -149,7 +156,8 @@ def verdict(rows):
     median = statistics.median(off) if off else 100.0
     held = bool(rows) and not over and median < MEDIAN_LIMIT
     text = (f'{len(rows)} scenes, median {median:.4f} % off by more than 2/255 (limit {MEDIAN_LIMIT} %), '
-            f'largest {max(off, default=100.0):.4f} % (limit {SCENE_LIMIT} %): {"held" if held else "NOT HELD"}')
+            f'largest {max(off, default=100.0):.4f} % (limit {SCENE_LIMIT} %): '
+            f'{"held" if held else "NOT HELD"}')
     return text + (f'; over or failed: {", ".join(over)}' if over else ''), held
 
 

@@ -1,4 +1,4 @@
-"""What POV-Ray is given for a scene: the scene itself, or an equivalent text where the course dialect differs.
+"""What POV-Ray is given for a scene: itself, or an equivalent text where the course dialect differs.
 
 README.md in this folder says why each change is made. The text is taken apart into tokens and only what
 must be changed is replaced, so that a mistake here shows as a difference of pictures and not as none.
@@ -7,9 +7,10 @@ import math
 import re
 
 COURSE_WORDS = set('''
-    sphere box cone cylinder quadric polygon pigment finish interior translate rotate scale camera location look_at
-    angle up right light_source color colour rgb rgbf red green blue filter ambient diffuse phong phong_size metallic
-    reflection ior global_settings ambient_light max_trace_level adc_bailout'''.split())
+    sphere box cone cylinder quadric polygon pigment finish interior translate rotate scale
+    camera location look_at angle up right light_source color colour rgb rgbf red green blue filter
+    ambient diffuse phong phong_size metallic reflection ior
+    global_settings ambient_light max_trace_level adc_bailout'''.split())
 
 TOKEN = re.compile(r'''(?P<space>\s+)|(?P<line>//[^\n]*)|(?P<word>[A-Za-z_]\w*)
                      |(?P<number>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?P<sign>.)''', re.X | re.S)
@@ -134,13 +135,14 @@ def camera_text(words):
         look_at = (location[0], location[1], location[2] + 1)
     sky = up if not parallel(up, location, look_at) else (1.0, 0.0, 0.0)
     return (f'camera {{ location {vector_text(location)} right <{math.hypot(*right)!r},0,0> '
-            f'up <0,{math.hypot(*up)!r},0> sky {vector_text(sky)} look_at {vector_text(look_at)}{angle}{transforms} }}')
+            f'up <0,{math.hypot(*up)!r},0> sky {vector_text(sky)} look_at {vector_text(look_at)}'
+            f'{angle}{transforms} }}')
 
 
 def parallel(up, location, look_at):
     """Whether `up` has no part across the view."""
     view = [b - a for a, b in zip(location, look_at)]
-    cross = [up[1] * view[2] - up[2] * view[1], up[2] * view[0] - up[0] * view[2], up[0] * view[1] - up[1] * view[0]]
+    cross = [up[i - 2] * view[i - 1] - up[i - 1] * view[i - 2] for i in range(3)]
     return math.hypot(*cross) <= 1e-12 * math.hypot(*up) * math.hypot(*view)
 
 

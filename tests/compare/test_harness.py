@@ -15,8 +15,9 @@ HERE = Path(__file__).resolve().parent
 try:
     import numpy
 except ImportError:
-    if os.path.realpath(sys.executable) != os.path.realpath('/usr/bin/python3') and os.path.exists('/usr/bin/python3'):
-        os.execv('/usr/bin/python3', ['/usr/bin/python3'] + sys.argv)
+    SYSTEM = '/usr/bin/python3'
+    if os.path.exists(SYSTEM) and os.path.realpath(sys.executable) != os.path.realpath(SYSTEM):
+        os.execv(SYSTEM, [SYSTEM] + sys.argv)
     sys.exit('test_harness: numpy is needed (Debian: python3-numpy)')
 
 sys.path.insert(0, str(HERE))
@@ -174,4 +175,7 @@ class WholeRun(unittest.TestCase):
 
 
 if __name__ == '__main__':
-    unittest.main()
+    result = unittest.main(exit=False).result
+    wrong = len(result.failures) + len(result.errors)
+    print(f'{result.testsRun - wrong} passed, {wrong} failed')
+    sys.exit(1 if wrong else 0)
