@@ -1,0 +1,27 @@
+# The bench: povc, POV-Ray, Tachyon and Embree in turn on the same rays. What is not installed is left out.
+EMBREE_BENCH = $(BUILD)/bench/embree_spheres
+# Our own few lines around Embree are given all that this machine can do.
+EMBREE_FLAGS = -std=c++17 -O3 -march=native -Wall -Wextra -Wshadow
+BENCH_FLAGS ?=
+
+$(EMBREE_BENCH): tests/bench/embree_spheres.cpp tests/bench/embree_scene.hpp
+	@mkdir -p $(@D)
+	$(CXX) $(EMBREE_FLAGS) $< -lembree3 -o $@
+
+.PHONY: bench bench-quick bench-counts embree-bench
+# Embree's program is built only for the bench, and only where Embree is.
+embree-bench:
+	@if echo '#include <embree3/rtcore.h>' | $(CXX) -E -x c++ - >/dev/null 2>&1; then \
+	    $(MAKE) --no-print-directory $(EMBREE_BENCH); \
+	else \
+	    echo "bench: Embree is left out, its headers are not installed (Debian: libembree-dev)"; \
+	fi
+
+bench: all embree-bench
+	$(PYTHON) tests/bench/bench.py --povc $(POVC) --embree $(EMBREE_BENCH) --work $(BUILD)/bench $(BENCH_FLAGS)
+
+bench-quick: BENCH_FLAGS += --quick
+bench-quick: bench
+
+bench-counts: all
+	$(PYTHON) tests/bench/counts.py --povc $(POVC) --compiler '$(CC)' --work $(BUILD)/bench $(BENCH_FLAGS)
