@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-/* From now on SIGINT, SIGTERM and SIGHUP ask for an early end, and SIGUSR1 for the picture as it is. The second
+/* From now on SIGINT, SIGTERM and SIGHUP ask for an early end, and SIGUSR1 for the picture so far. The second
  * of a kind ends the program at once. A signal that was ignored before stays ignored. */
 void signals_watch(void);
 /* The signal that asked for the end, or 0. */

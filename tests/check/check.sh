@@ -24,7 +24,7 @@ report() {
 }
 : > "$work/found"
 
-sources() { find "$@" \( -name '*.c' -o -name '*.h' \) | LC_ALL=C sort; }
+sources() { find "$@" \( -name "*.c" -o -name "*.h" \) 2>/dev/null | LC_ALL=C sort; }
 
 # The C files without their comments, the lines where they were: "file:line:text".
 without_comments() {
