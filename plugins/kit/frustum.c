@@ -94,6 +94,15 @@ bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec
     pov_two3 axis, way;
     pov_two length;
 
+    if (top_radius < base_radius) {
+        const pov_vec3 end = base;
+        const double end_radius = base_radius;
+
+        base = top;
+        base_radius = top_radius;
+        top = end;
+        top_radius = end_radius;
+    }
     axis.x = pov_two_sum(top.x, -base.x);
     axis.y = pov_two_sum(top.y, -base.y);
     axis.z = pov_two_sum(top.z, -base.z);
@@ -199,9 +208,22 @@ typedef struct span {
     uint32_t lo_part, hi_part;
 } span;
 
+/* A ray nearly along the side moves hardly at all across it, so much less at times that squares underflow: it is
+ * followed faster by `power`. */
+static double quicken(pov_two3 *d, pov_two *grow)
+{
+    const double power = pov_inverse_power(pov_largest(pov_vec3_of(d->x.hi, d->y.hi, grow->hi)));
+
+    *d = scaled(*d, power);
+    *grow = pov_two_scale(*grow, power);
+    return power;
+}
+
 static span side_span(const kit_frustum *s, pov_two3 w, pov_two3 d)
 {
-    const pov_two r = radius_at(s, w.z), grow = pov_two_mul(s->slope, d.z);
+    pov_two grow = pov_two_mul(s->slope, d.z);
+    const double power = quicken(&d, &grow);
+    const pov_two r = radius_at(s, w.z);
     const pov_two p = sum2(r, d.x, pov_two_neg(grow), w.x), q = sum2(r, d.y, pov_two_neg(grow), w.y);
     const pov_two x = sum2(w.x, d.y, pov_two_neg(w.y), d.x);
     const pov_two a = pov_two_sub(sum2(d.x, d.x, d.y, d.y), pov_two_mul(grow, grow));
@@ -231,6 +253,8 @@ static span side_span(const kit_frustum *s, pov_two3 w, pov_two3 d)
         first = second;
         second = swap;
     }
+    first = pov_two_scale(first, power);
+    second = pov_two_scale(second, power);
     if (a.hi > 0.0) {
         out.lo = first;
         out.hi = second;
@@ -247,6 +271,7 @@ static span side_span(const kit_frustum *s, pov_two3 w, pov_two3 d)
 static span slab_span(const kit_frustum *s, pov_two z, pov_two dz)
 {
     span out = { false, false, false, { 0.0, 0.0 }, { 0.0, 0.0 }, CAP_BASE, CAP_TOP };
+    const double power = pov_inverse_power(dz.hi);
     pov_two base, top;
 
     if (dz.hi == 0.0) {
@@ -254,8 +279,9 @@ static span slab_span(const kit_frustum *s, pov_two z, pov_two dz)
         out.from_ever = out.for_ever = true;
         return out;
     }
-    base = pov_two_div(pov_two_neg(z), dz);
-    top = pov_two_div(pov_two_sub(s->height, z), dz);
+    dz = pov_two_scale(dz, power);
+    base = pov_two_scale(pov_two_div(pov_two_neg(z), dz), power);
+    top = pov_two_scale(pov_two_div(pov_two_sub(s->height, z), dz), power);
     out.lo = dz.hi > 0.0 ? base : top;
     out.hi = dz.hi > 0.0 ? top : base;
     if (dz.hi < 0.0) {
@@ -388,7 +414,7 @@ static bool rough_side(const kit_frustum *s, const rough *g, rough_span *out)
     const bounded discriminant = minus(plus(times(p, p), times(q, q)), times(x, x));
     bounded root, sum, first, second;
 
-    if (!is_certain(a) || !is_certain(discriminant))
+    if (!is_certain(a) || !is_certain(discriminant) || fabs(a.v) < KIT_TINY)
         return false;
     out->empty = discriminant.v < 0.0;
     out->from_ever = out->for_ever = false;

@@ -6,7 +6,8 @@
 
 /* A point's local coordinates are the rows times (point - anchor). There the shape is x^2 + y^2 <= (radius + slope z)^2
  * with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and 1 the side, entered and
- * left by the ray, 2 the cap at z = 0, 3 that at the height. */
+ * left by the ray, 2 the cap at z = 0, 3 that at the height. The anchor is the narrower end: near a cone's apex nothing
+ * cancels then. */
 typedef struct kit_frustum {
     pov_two3 anchor;
     pov_two3 row[3];             /* for points scaled by `scale` */

@@ -13,6 +13,10 @@
  * that of a rounding (2^-102 of the distance against 2^-53 of the size), and two parts have to serve. */
 #define KIT_FAR 0x1p44
 
+/* Second-order coefficients below this, of shapes and directions of the order of one, come from products that may have
+ * underflowed; error bounds know nothing of that. */
+#define KIT_TINY 0x1p-600
+
 typedef struct kit_ray {
     pov_two3 f;            /* from the anchor to the origin */
     pov_vec3 d, d_lo;      /* the largest component of d is in [1, 2) */

@@ -14,7 +14,6 @@ typedef struct box {
 /* What one question of a ray needs. */
 typedef struct slabs {
     const box *shape;
-    const pov_ray *ray;
     double o[3], o_lo[3], d[3], d_lo[3];
     double t[6];           /* within 6 u of the exact quotients */
     double slack;          /* as large as all such errors of two of them; infinite for always_exact */
@@ -65,7 +64,6 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
     int i;
 
     s->shape = shape;
-    s->ray = ray;
     s->o[0] = ray->org.x, s->o[1] = ray->org.y, s->o[2] = ray->org.z;
     s->o_lo[0] = ray->org_lo.x, s->o_lo[1] = ray->org_lo.y, s->o_lo[2] = ray->org_lo.z;
     s->d[0] = ray->dir.x, s->d[1] = ray->dir.y, s->d[2] = ray->dir.z;
@@ -76,34 +74,35 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
         s->t[i] = distance_to(s, i).hi / s->d[i / 2];
 }
 
-/* Adds sign times the product of the distance to a plane and the direction along another axis. */
-static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, double sign)
+/* Adds the product of the distance to a plane and the direction along another axis, times `factor`. */
+static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, double factor)
 {
-    const double power = pov_inverse_power(pov_largest(s->ray->dir));
     const double distance[4] = { s->shape->plane[plane].hi, s->shape->plane[plane].lo, -s->o[plane / 2],
                                  -s->o_lo[plane / 2] };
     int i;
 
     for (i = 0; i < 4; i++) {
-        kit_expansion_add_product(e, distance[i], sign * s->d[axis] * power);
-        kit_expansion_add_product(e, distance[i], sign * s->d_lo[axis] * power);
+        kit_expansion_add_product(e, distance[i], factor * s->d[axis]);
+        kit_expansion_add_product(e, distance[i], factor * s->d_lo[axis]);
     }
 }
 
 /* Negative, zero or positive as the ray meets plane p before, with or after plane q. Neither is parallel to it. */
 static int compare(slabs *s, int p, int q)
 {
-    double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q]));
+    double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q])), power;
     kit_expansion e;
 
-    if (difference > slack)
+    /* Of a finite and an endless distance, no slack need be asked for. */
+    if (difference > slack || difference == HUGE_VAL)
         return 1;
-    if (difference < -slack)
+    if (difference < -slack || difference == -HUGE_VAL)
         return -1;
     s->decided = true;
+    power = pov_inverse_power(fmax(fabs(s->d[p / 2]), fabs(s->d[q / 2])));
     kit_expansion_clear(&e);
-    add_product(&e, s, p, q / 2, 1.0);
-    add_product(&e, s, q, p / 2, -1.0);
+    add_product(&e, s, p, q / 2, power);
+    add_product(&e, s, q, p / 2, -power);
     return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -kit_expansion_sign(&e) : kit_expansion_sign(&e);
 }
 

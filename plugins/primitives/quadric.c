@@ -4,6 +4,7 @@
  * Along a ray this is a t^2 + 2 b t + c. It is taken about the ray's own vertex, where b is nearly zero and the
  * discriminant has nothing to cancel; the coefficients have two parts, so that maps can be absorbed. */
 #include "kit/affine.h"
+#include "kit/expansion.h"
 #include "kit/report.h"
 
 enum { A, B, C, D, E, F, G, H, I, J, COEFFICIENTS };
@@ -64,6 +65,88 @@ static void prepare(quadric *s)
     s->scale = ldexp(1.0, -length);
 }
 
+/* ---- the anchor ---- */
+
+/* Near the centre, if there is one: each axis' own extremum of what is left of the equation when the others stand. */
+static pov_vec3 near_centre(const pov_two *q)
+{
+    double m[3][4] = { { q[A].hi, 0.5 * q[D].hi, 0.5 * q[E].hi, -0.5 * q[G].hi },
+                       { 0.5 * q[D].hi, q[B].hi, 0.5 * q[F].hi, -0.5 * q[H].hi },
+                       { 0.5 * q[E].hi, 0.5 * q[F].hi, q[C].hi, -0.5 * q[I].hi } };
+    double x[3] = { 0.0, 0.0, 0.0 };
+    bool done[3] = { false, false, false };
+    int step, i, j, k;
+
+    for (step = 0; step < 3; step++) {
+        int pivot = -1;
+
+        for (i = 0; i < 3; i++) {
+            const double own = fabs(i == 0 ? q[A].hi : i == 1 ? q[B].hi : q[C].hi);
+
+            if (!done[i] && fabs(m[i][i]) > 0x1p-20 * own && (pivot < 0 || fabs(m[i][i]) > fabs(m[pivot][pivot])))
+                pivot = i;
+        }
+        if (pivot < 0)
+            break;
+        done[pivot] = true;
+        for (j = 0; j < 3; j++) {
+            const double factor = m[j][pivot] / m[pivot][pivot];
+
+            for (k = 0; j != pivot && k < 4; k++)
+                m[j][k] -= factor * m[pivot][k];
+        }
+    }
+    for (i = 0; i < 3; i++)
+        x[i] = done[i] ? m[i][3] / m[i][i] : 0.0;
+    return pov_vec3_of(x[0], x[1], x[2]);
+}
+
+/* The sum of n products of up to three factors each, rounded once into two parts. */
+static pov_two exact_sum(double (*term)[3], int n)
+{
+    kit_expansion e;
+    pov_two sum;
+    int i;
+
+    kit_expansion_clear(&e);
+    for (i = 0; i < n; i++)
+        kit_expansion_add_product3(&e, term[i][0], term[i][1], term[i][2]);
+    sum = pov_two_of(0.0, 0.0);
+    for (i = 0; i < e.count; i++)
+        sum = pov_two_add_double(sum, e.part[i]);
+    return sum;
+}
+
+/* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor near the
+ * centre, without any error on the way, they do not. */
+static void settle(quadric *s)
+{
+    const pov_vec3 c = near_centre(s->raw), zero = { 0.0, 0.0, 0.0 };
+    double q[COEFFICIENTS];
+    pov_two level;
+    int i;
+
+    for (i = 0; i < COEFFICIENTS; i++)
+        q[i] = s->raw[i].hi;
+    {
+        double x[4][3] = { { 2.0 * q[A], c.x, 1.0 }, { q[D], c.y, 1.0 }, { q[E], c.z, 1.0 }, { q[G], 1.0, 1.0 } };
+        double y[4][3] = { { 2.0 * q[B], c.y, 1.0 }, { q[D], c.x, 1.0 }, { q[F], c.z, 1.0 }, { q[H], 1.0, 1.0 } };
+        double z[4][3] = { { 2.0 * q[C], c.z, 1.0 }, { q[E], c.x, 1.0 }, { q[F], c.y, 1.0 }, { q[I], 1.0, 1.0 } };
+        double all[10][3] = { { q[A], c.x, c.x }, { q[B], c.y, c.y }, { q[C], c.z, c.z }, { q[D], c.x, c.y },
+                              { q[E], c.x, c.z }, { q[F], c.y, c.z }, { q[G], c.x, 1.0 }, { q[H], c.y, 1.0 },
+                              { q[I], c.z, 1.0 }, { q[J], 1.0, 1.0 } };
+
+        level = exact_sum(all, 10);
+        if (!(fabs(level.hi) < fabs(q[J])))
+            return;
+        s->raw[G] = exact_sum(x, 4);
+        s->raw[H] = exact_sum(y, 4);
+        s->raw[I] = exact_sum(z, 4);
+        s->raw[J] = level;
+    }
+    s->anchor = pov_two3_of(c, zero);
+}
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     quadric *s = self;
@@ -80,6 +163,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     }
     constant = host->number(in);
     s->raw[J] = pov_two_of(constant, 0.0);
+    settle(s);
     prepare(s);
 }
 
@@ -169,11 +253,27 @@ static bool report_decided(pov_hits *hits, pov_two t, double middle, double unit
  * on the exit, else on the entry. */
 enum { WANT_ENTRY = 1, WANT_EXIT = 2 };
 
+/* a . b for both taken `power` times; a zero stays one. */
+static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
+{
+    const pov_two zero = { 0.0, 0.0 };
+    const pov_two x = b.x.hi != 0.0 ? pov_two_mul(pov_two_scale(a.x, power), pov_two_scale(b.x, power)) : zero;
+    const pov_two y = b.y.hi != 0.0 ? pov_two_mul(pov_two_scale(a.y, power), pov_two_scale(b.y, power)) : zero;
+    const pov_two z = b.z.hi != 0.0 ? pov_two_mul(pov_two_scale(a.z, power), pov_two_scale(b.z, power)) : zero;
+
+    return sum3(x, y, z);
+}
+
 static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
 {
     const double middle = -pov_dot(pov_two3_hi(k->f), k->d) / pov_dot(k->d, k->d);
     const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = half_gradient(s->q, w, true);
-    const pov_two a = pov_two3_dot(d, half_gradient(s->q, d, false)), b = pov_two3_dot(d, g), c = value(s->q, w, g);
+    const pov_two3 turn = half_gradient(s->q, d, false);
+    /* A ray along a surface that is straight that way hardly moves across it, so little at times that squares
+     * underflow: it is followed faster by `power`. */
+    const double power = pov_inverse_power(fmax(pov_largest(pov_two3_hi(turn)), fabs(pov_two3_dot(d, g).hi)));
+    const pov_two a = quick_square(d, turn, power), b = pov_two_scale(pov_two3_dot(d, g), power);
+    const pov_two c = value(s->q, w, g);
     const pov_two discriminant = pov_two_sub(pov_two_mul(b, b), pov_two_mul(a, c));
     pov_two root, sum, entry = { HUGE_VAL, 0.0 }, exit = { HUGE_VAL, 0.0 };
     uint32_t wanted = WANT_ENTRY | WANT_EXIT;
@@ -194,10 +294,10 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
     } else if (a.hi != 0.0) {
         entry = exit = sum;
     }
-    if (wanted & WANT_ENTRY && !report_decided(hits, entry, middle, k->unit, ENTERING))
+    if (wanted & WANT_ENTRY && !report_decided(hits, pov_two_scale(entry, power), middle, k->unit, ENTERING))
         return;
     if (wanted & WANT_EXIT)
-        report_decided(hits, exit, middle, k->unit, EXITING);
+        report_decided(hits, pov_two_scale(exit, power), middle, k->unit, EXITING);
 }
 
 /* ---- in double ---- */
@@ -314,7 +414,7 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
             return false;
         wanted = at_start.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
     }
-    if (!is_plane && !(fabs(at_start.a) > 1024.0 * at_start.a_error))
+    if (!is_plane && !(fabs(at_start.a) > 1024.0 * at_start.a_error && fabs(at_start.a) > KIT_TINY))
         return false;
     middle = is_plane ? -at_start.c / (2.0 * at_start.b) : -at_start.b / at_start.a;
     if (!isfinite(middle))

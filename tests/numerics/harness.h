@@ -1,0 +1,33 @@
+/* harness.h - ask a plugin and the exact reference the same, and keep the score. */
+#ifndef NUMERICS_HARNESS_H
+#define NUMERICS_HARNESS_H
+
+#include "numerics/families.h"
+
+typedef struct score {
+    long rays, rejected;            /* rejected: shapes that parse refused, distances no double can hold */
+    long crossings;
+    long miss_false, hit_false;     /* crossings said not to be there that are, and the other way round */
+    long part_false;                /* found, under a wrong name */
+    long decided;                   /* rays that two-part arithmetic decided */
+    long spawned, selfhit, leak;    /* rays that left the surface; met it again; lost the other side */
+    long exact_differs;             /* always_exact found another number of crossings */
+    double ulp_median, ulp_p99, ulp_max, normal_max, point_max;
+    double ns_median, ns_iqr;       /* for a ray */
+    char worst[4096];               /* the probe of ulp_max, or of the first failure */
+} score;
+
+typedef struct harness harness;
+
+harness *harness_create(void);
+void harness_destroy(harness *h);
+
+/* `rays` probes of a family. Failures are printed as lines that replay.txt can hold, eight at most. */
+void harness_run(harness *h, kind k, const family *f, long rays, uint64_t seed, score *out);
+/* One probe alone. */
+void harness_replay(harness *h, const probe *p, score *out);
+
+/* The unit in the last place that errors of t are held against, for this kind: 16, 32 or 4. */
+double harness_limit(kind k);
+
+#endif

@@ -1,0 +1,45 @@
+/* probe.h - one question: a shape by its numbers and a ray; and the exact answer to it. */
+#ifndef NUMERICS_PROBE_H
+#define NUMERICS_PROBE_H
+
+#include "numerics/real.h"
+
+#include <povtrace/plugin.h>
+
+enum { PROBE_NUMBERS = 64, PROBE_CROSSINGS = 4 };
+
+typedef enum kind { SPHERE, BOX, CONE, CYLINDER, QUADRIC, POLYGON, KINDS } kind;
+
+/* The numbers stand in the order of the scene text: vectors as three. A polygon's begin with its count of points. */
+typedef struct probe {
+    kind kind;
+    int count;
+    double number[PROBE_NUMBERS];
+    bool open;              /* cones and cylinders */
+    pov_ray ray;
+    double size;            /* of the shape: what points and normals are held against */
+} probe;
+
+typedef struct exact_crossing {
+    real t;
+    uint32_t part;
+    double normal[3];
+} exact_crossing;
+
+typedef struct exact_answer {
+    int count;
+    exact_crossing at[PROBE_CROSSINGS];   /* on the whole line, in growing order */
+} exact_answer;
+
+/* The exact answer, in 512 bits, on the same doubles. Uses numbers of the pool. */
+void probe_exact(const probe *p, exact_answer *out);
+
+const char *probe_keyword(kind k);
+/* The shape, parsed by its plugin into memory of the class's size. */
+bool probe_make(const probe *p, const pov_shape_class *shape, pov_reader *in, void *self);
+
+/* A probe as one line of hexadecimal numbers, and back. */
+void probe_write(const probe *p, char *line, size_t size);
+bool probe_read(probe *p, const char *line);
+
+#endif

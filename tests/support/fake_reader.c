@@ -1,0 +1,225 @@
+#include "support/fake_reader.h"
+
+#include <ctype.h>
+#include <dlfcn.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct token { bool is_number; double value; char word[24]; } token;
+typedef struct block { struct block *next; } block;
+
+struct pov_reader {
+    token *tokens;
+    size_t count, capacity, at;
+    block *blocks;
+    bool failed;
+    int warnings;
+    char message[256];
+};
+
+/* ---- feeding ---- */
+
+pov_reader *fake_reader_create(void) { return calloc(1, sizeof(pov_reader)); }
+
+void fake_reader_destroy(pov_reader *in)
+{
+    block *b = in->blocks;
+
+    while (b) {
+        block *next = b->next;
+        free(b);
+        b = next;
+    }
+    free(in->tokens);
+    free(in);
+}
+
+void fake_reader_clear(pov_reader *in)
+{
+    in->count = in->at = 0;
+    in->failed = false;
+    in->warnings = 0;
+    in->message[0] = '\0';
+}
+
+static token *append(pov_reader *in)
+{
+    if (in->count == in->capacity) {
+        in->capacity = in->capacity ? 2 * in->capacity : 64;
+        in->tokens = realloc(in->tokens, in->capacity * sizeof *in->tokens);
+        if (!in->tokens)
+            abort();
+    }
+    memset(&in->tokens[in->count], 0, sizeof(token));
+    return &in->tokens[in->count++];
+}
+
+void fake_reader_number(pov_reader *in, double value)
+{
+    token *t = append(in);
+
+    t->is_number = true;
+    t->value = value;
+}
+
+void fake_reader_word(pov_reader *in, const char *word)
+{
+    snprintf(append(in)->word, sizeof in->tokens->word, "%s", word);
+}
+
+void fake_reader_text(pov_reader *in, const char *text)
+{
+    while (*text) {
+        char word[24] = "", *end;
+        double value = strtod(text, &end);
+        size_t n = 0;
+
+        if (isspace((unsigned char)*text)) {
+            text++;
+        } else if (end != text && !isalpha((unsigned char)*text)) {
+            fake_reader_number(in, value);
+            text = end;
+        } else {
+            do
+                word[n++] = *text++;
+            while (isalpha((unsigned char)word[0]) && isalpha((unsigned char)*text) && n < sizeof word - 1);
+            fake_reader_word(in, word);
+        }
+    }
+}
+
+/* ---- the host ---- */
+
+static void complain(pov_reader *in, const char *format, va_list values)
+{
+    if (!in->failed)
+        vsnprintf(in->message, sizeof in->message, format, values);
+    in->failed = true;
+}
+
+static void host_fail(pov_reader *in, const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
+    complain(in, format, values);
+    va_end(values);
+}
+
+static void host_warn(pov_reader *in, const char *format, ...)
+{
+    (void)format;
+    in->warnings++;
+}
+
+static void *host_alloc(pov_reader *in, size_t bytes)
+{
+    block *b;
+
+    if (in->failed || bytes > (size_t)1 << 30)
+        return NULL;
+    b = calloc(1, 64 + bytes);
+    if (!b)
+        return NULL;
+    b->next = in->blocks;
+    in->blocks = b;
+    return (char *)b + 64;
+}
+
+static bool is_word(const pov_reader *in, const char *word)
+{
+    return !in->failed && in->at < in->count && !in->tokens[in->at].is_number
+           && strcmp(in->tokens[in->at].word, word) == 0;
+}
+
+static bool host_accept(pov_reader *in, const char *word)
+{
+    if (!is_word(in, word))
+        return false;
+    in->at++;
+    return true;
+}
+
+static void host_expect(pov_reader *in, const char *word)
+{
+    if (!host_accept(in, word))
+        host_fail(in, "expected \"%s\"", word);
+}
+
+static double host_number(pov_reader *in)
+{
+    if (in->failed)
+        return 0.0;
+    if (in->at < in->count && in->tokens[in->at].is_number)
+        return in->tokens[in->at++].value;
+    host_fail(in, "expected a number");
+    return 0.0;
+}
+
+static void host_vector(pov_reader *in, pov_vec3 *out)
+{
+    *out = pov_vec3_of(0.0, 0.0, 0.0);
+    if (!is_word(in, "<")) {
+        out->x = out->y = out->z = host_number(in);
+        return;
+    }
+    host_accept(in, "<");
+    out->x = host_number(in);
+    host_accept(in, ",");
+    out->y = host_number(in);
+    host_accept(in, ",");
+    out->z = host_number(in);
+    host_expect(in, ">");
+    if (in->failed)
+        *out = pov_vec3_of(0.0, 0.0, 0.0);
+}
+
+static bool host_more(pov_reader *in)
+{
+    return !in->failed && in->at < in->count && (in->tokens[in->at].is_number || is_word(in, "<"));
+}
+
+/* ---- instances ---- */
+
+bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *self)
+{
+    static const pov_host host = { POV_PLUGIN_ABI, sizeof(pov_host), host_alloc, host_number, host_vector,
+                                   host_accept,    host_expect,      host_more,  host_fail,   host_warn };
+
+    memset(self, 0, shape->instance_size);
+    in->at = 0;
+    shape->parse(self, &host, in);
+    if (!in->failed && in->at < in->count)
+        host_fail(in, "something is left over");
+    return !in->failed;
+}
+
+void *fake_reader_parse(pov_reader *in, const pov_shape_class *shape)
+{
+    void *self = host_alloc(in, shape->instance_size);
+
+    return self && fake_reader_parse_into(in, shape, self) ? self : NULL;
+}
+
+const char *fake_reader_message(const pov_reader *in) { return in->message; }
+int fake_reader_warnings(const pov_reader *in) { return in->warnings; }
+
+const pov_shape_class *fake_reader_load(const char *path)
+{
+    void *file = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    const pov_plugin *plugin = file ? dlsym(file, POV_PLUGIN_SYMBOL) : NULL;
+
+    if (!plugin)
+        fprintf(stderr, "%s\n", dlerror());
+    return plugin && plugin->shapes ? plugin->shapes[0] : NULL;
+}
+
+const pov_shape_class *fake_reader_shape(const char *keyword)
+{
+    char path[1024];
+
+    snprintf(path, sizeof path, "%s/lib/povtrace/primitives/%s.so", TEST_BUILD, keyword);
+    return fake_reader_load(path);
+}
