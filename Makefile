@@ -27,6 +27,7 @@ SYSTEM_LIBS = -lm -ldl -lpthread
 LIB_SOURCES    = $(sort $(wildcard lib/*/*.c))
 LIB_OBJECTS    = $(LIB_SOURCES:%.c=$(BUILD)/obj/%.o)
 KIT_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard plugins/kit/*.c)))
+KIT            = $(BUILD)/obj/plugins/kit.a
 PRIMITIVES     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/primitives/*.c)))
 IMAGES         = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/images/*.c)))
 PLUGINS        = $(PRIMITIVES) $(IMAGES)
@@ -65,7 +66,11 @@ $(BUILD)/obj/plugins/%.o: plugins/%.c
 $(BUILD)/obj/plugins/images/png.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 $(BUILD)/lib/povtrace/images/png.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs libpng)
 
-$(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(KIT_OBJECTS)
+$(KIT): $(KIT_OBJECTS)
+	rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(KIT)
 	@mkdir -p $(@D)
 	$(CC) -shared -Wl,--no-undefined -Wl,--gc-sections -Wl,--as-needed $(LINK_FLAGS) $^ $(PLUGIN_LIBS) -lm -o $@
 
