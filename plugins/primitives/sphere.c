@@ -32,6 +32,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     host->accept(in, ",");
     if (host->more(in)) {
         radius = host->number(in);
+    } else if (centre.x != centre.y || centre.y != centre.z) {
+        radius = host->number(in);   /* fails: what was read is a centre */
     } else {
         host->warn(in, "a sphere without a centre stands about the origin");
         radius = centre.x;

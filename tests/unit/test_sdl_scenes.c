@@ -120,10 +120,41 @@ static void every_scene_is_read_and_no_part_of_it_breaks_the_reader(void **state
     registry_destroy(b.plugins);
 }
 
+static void real_shapes_refuse_what_is_missing(void **state)
+{
+    static const struct {
+        const char *text, *message;
+    } cases[] = {
+        { "sphere { <1, 2, 3> }", "expected a number after \">\", found \"}\"" },
+        { "sphere { <0, 0, 0>, <1, 1, 1> }", "expected a number after \",\", found \"<\"" },
+        { "polygon { 1e9, <0, 0, 0> }", "expected a vector after \">\", found \"}\"" },
+        { "cone { 0, 1, 2 }", "expected a number after \"2\", found \"}\"" },
+        { "quadric { 1, 2, 3 }", "expected a number after \"3\", found \"}\"" },
+        { "box { 1 pigment { } }", "expected a vector after \"1\", found \"pigment\"" },
+        { "cylinder { 0, <1, 0, 0>, 1 close }", "unknown word \"close\" in \"cylinder\"" },
+    };
+    pov_error error;
+    bench b;
+    size_t i;
+
+    (void)state;
+    memset(&b, 0, sizeof b);
+    env_init(&b.env, NULL, NULL, NULL);
+    b.plugins = registry_create(&b.env, TEST_BUILD "/lib/povtrace", &error);
+    assert_non_null(b.plugins);
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        read_first(&b, "scene.pov", cases[i].text, strlen(cases[i].text), &error);
+        assert_int_equal(error.status, POV_E_SYNTAX);
+        assert_string_equal(error.message, cases[i].message);
+    }
+    registry_destroy(b.plugins);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_scene_is_read_and_no_part_of_it_breaks_the_reader),
+        cmocka_unit_test(real_shapes_refuse_what_is_missing),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
