@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 
-void explain_print(FILE *to, const pov_scene *scene);
+/* The scene's plan, and the plugins that are in use for something else than the scene. */
+void explain_print(FILE *to, pov_context *context, const pov_scene *scene);
 
 #endif

@@ -81,7 +81,7 @@ static pov_status run(const args *a, messages *m, pov_error *err)
         if (a->check)
             say_checked(a, m, scene);
         if (a->explain)
-            explain_print(report_stream(a), scene);
+            explain_print(report_stream(a), context, scene);
         status = render_and_report(a, m, context, scene, err);
     }
     pov_scene_destroy(scene);
