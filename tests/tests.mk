@@ -1,5 +1,5 @@
 # Tests: every tests/<room>/test_*.c is a cmocka program linked with the static library.
-TEST_SOURCES  = $(sort $(wildcard tests/*/test_*.c))
+TEST_SOURCES  = $(filter-out $(TESTS_LEFT_OUT),$(sort $(wildcard tests/*/test_*.c)))
 TEST_PROGRAMS = $(TEST_SOURCES:%.c=$(BUILD)/%)
 SUPPORT_OBJECTS = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard tests/support/*.c)))
 # Where tests find what was built, and the tree's scenes.
@@ -14,6 +14,13 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT_OBJECTS) $(STATIC)
 	$(CC) $(LINK_FLAGS) $(filter %.o,$^) $(STATIC) -lcmocka $(TEST_LIBS) $(SYSTEM_LIBS) -o $@
 
 $(BUILD)/tests/numerics/%: TEST_LIBS = -lmpfr -lgmp
+$(BUILD)/tests/numerics/test_primitives: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o harness.o) \
+    | $(PRIMITIVES)
+# The same harness for long: RAYS of torture for each kind, and a table of all families.
+RAYS ?= 500000
+.PHONY: accuracy
+accuracy: $(BUILD)/tests/numerics/test_primitives
+	$< $(RAYS) $(BUILD)/accuracy.csv
 
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)

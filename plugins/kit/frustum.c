@@ -1,6 +1,7 @@
 #include "kit/frustum.h"
 
 #include "kit/affine.h"
+#include "kit/expansion.h"
 
 enum { SIDE_IN = 0, SIDE_OUT = 1, CAP_BASE = 2, CAP_TOP = 3 };
 
@@ -85,6 +86,7 @@ static void normalise(kit_frustum *s)
     for (i = 0; i < 3; i++)
         s->row[i] = scaled(s->row[i], largest);
     s->scale /= largest;
+    s->slender = largest_of(s->row[0]) > 4096.0 * largest_of(s->row[2]);
 }
 
 bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec3 top, double top_radius, bool open)
@@ -110,6 +112,7 @@ bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec
         return false;
     way = measure(scaled(axis, power), &length);
     s->anchor = pov_two3_of(base, zero);
+    s->axis = axis;
     s->height = pov_two_scale(length, 1.0 / power);
     s->radius = pov_two_of(base_radius, 0.0);
     s->slope = pov_two_div(pov_two_sum(top_radius, -base_radius), s->height);
@@ -152,12 +155,22 @@ bool kit_frustum_bounds(const void *self, pov_box *out)
     return true;
 }
 
+static pov_two3 times_vector(const pov_two3 rows[3], pov_two3 w)
+{
+    pov_two3 p;
+
+    p.x = pov_two3_dot(rows[0], w);
+    p.y = pov_two3_dot(rows[1], w);
+    p.z = pov_two3_dot(rows[2], w);
+    return p;
+}
+
 /* The new rows are the old ones times the inverse map. An affine map of any shape can be taken in; one that is far
  * from keeping angles would cost precision in the products, unless it is axial. */
 bool kit_frustum_absorb(void *self, const pov_affine *map)
 {
     kit_frustum *s = self;
-    pov_two3 inverse[3], columns[3];
+    pov_two3 inverse[3], columns[3], rows[3];
     int axis[3], i;
 
     if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
@@ -167,6 +180,8 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
     columns[1].x = inverse[0].y, columns[1].y = inverse[1].y, columns[1].z = inverse[2].y;
     columns[2].x = inverse[0].z, columns[2].y = inverse[1].z, columns[2].z = inverse[2].z;
     s->anchor = kit_map_point(map, s->anchor);
+    kit_linear(map, rows);
+    s->axis = times_vector(rows, s->axis);
     for (i = 0; i < 3; i++) {
         const pov_two3 row = s->row[i];
         const pov_vec3 c = s->column[i];
@@ -183,13 +198,44 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- in two parts ---- */
 
-static pov_two3 to_local(const kit_frustum *s, pov_two3 w)
-{
-    pov_two3 p;
+static pov_two3 to_local(const kit_frustum *s, pov_two3 w) { return times_vector(s->row, w); }
 
-    p.x = pov_two3_dot(s->row[0], w);
-    p.y = pov_two3_dot(s->row[1], w);
-    p.z = pov_two3_dot(s->row[2], w);
+/* o + o_lo - anchor + t (d + d_lo) - y axis, rounded once. */
+static pov_two exact_offset(double o, double o_lo, pov_two anchor, double t, double d, double d_lo, double y, pov_two axis)
+{
+    kit_expansion e;
+    pov_two sum = { 0.0, 0.0 };
+    int i;
+
+    kit_expansion_clear(&e);
+    kit_expansion_add(&e, o);
+    kit_expansion_add(&e, o_lo);
+    kit_expansion_add(&e, -anchor.hi);
+    kit_expansion_add(&e, -anchor.lo);
+    kit_expansion_add_product(&e, t, d);
+    kit_expansion_add_product(&e, t, d_lo);
+    kit_expansion_add_product(&e, -y, axis.hi);
+    kit_expansion_add_product(&e, -y, axis.lo);
+    for (i = 0; i < e.count; i++)
+        sum = pov_two_add_double(sum, e.part[i]);
+    return sum;
+}
+
+/* The ray's point at t. On a slender shape even two parts of a length would leave little of a width, so there the part
+ * along the axis is taken away first, without any error. */
+static pov_two3 local_along(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, double t)
+{
+    pov_two3 w = kit_along_two(k, t), p;
+    double y, along = t * k->unit;
+
+    if (!s->slender)
+        return to_local(s, w);
+    y = pov_two3_dot(s->row[2], w).hi / s->height.hi;
+    w.x = exact_offset(ray->org.x, ray->org_lo.x, s->anchor.x, along, ray->dir.x, ray->dir_lo.x, y, s->axis.x);
+    w.y = exact_offset(ray->org.y, ray->org_lo.y, s->anchor.y, along, ray->dir.y, ray->dir_lo.y, y, s->axis.y);
+    w.z = exact_offset(ray->org.z, ray->org_lo.z, s->anchor.z, along, ray->dir.z, ray->dir_lo.z, y, s->axis.z);
+    p = to_local(s, scaled(w, s->scale));
+    p.z = pov_two_add(p.z, pov_two_mul_double(s->height, y));
     return p;
 }
 
@@ -330,14 +376,36 @@ static leaving leaving_of(const kit_frustum *s, const kit_ray *k, pov_two3 d, ui
     return outward < 0.0 ? INWARD : OUTWARD;
 }
 
+/* How much further along the ray a root lies that is much nearer to the apex than w is; 0 for none. */
+static double to_apex(const kit_frustum *s, const span *side, pov_two3 w, pov_two3 d)
+{
+    const double r = s->radius.hi + s->slope.hi * w.z.hi, grow = s->slope.hi * d.z.hi;
+    const double at_lo = side->from_ever ? HUGE_VAL : fabs(r + grow * side->lo.hi);
+    const double at_hi = side->for_ever ? HUGE_VAL : fabs(r + grow * side->hi.hi);
+    const double there = at_lo < at_hi ? side->lo.hi : side->hi.hi;
+
+    return !side->empty && fmin(at_lo, at_hi) < 0x1p-4 * fabs(r) && isfinite(there) ? there : 0.0;
+}
+
 static void decide(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, double middle, pov_hits *hits)
 {
-    const pov_two3 d = to_local(s, kit_direction(k)), w = to_local(s, kit_along_two(k, middle));
+    const pov_two3 d = to_local(s, kit_direction(k));
     const leaving way = ray->left == hits->owner ? leaving_of(s, k, d, ray->left_mark.part) : NOT_LEAVING;
-    span side = side_span(s, w, d), slab = slab_span(s, w.z, d.z), both = s->open ? side : meet(side, slab);
+    pov_two3 w = local_along(s, k, ray, middle);
+    span side = side_span(s, w, d), slab, both;
+    double further;
     bool in, out;
 
     hits->decided++;
+    /* Close to the apex everything is small; seen from further off it would be small differences. */
+    further = to_apex(s, &side, w, d);
+    if (further != 0.0 && s->slope.hi != 0.0) {
+        middle += further;
+        w = local_along(s, k, ray, middle);
+        side = side_span(s, w, d);
+    }
+    slab = slab_span(s, w.z, d.z);
+    both = s->open ? side : meet(side, slab);
     if (both.empty)
         return;
     in = way != INWARD && !both.from_ever;

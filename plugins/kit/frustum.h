@@ -9,13 +9,13 @@
  * left by the ray, 2 the cap at z = 0, 3 that at the height. The anchor is the narrower end: near a cone's apex nothing
  * cancels then. */
 typedef struct kit_frustum {
-    pov_two3 anchor;
+    pov_two3 anchor, axis;       /* axis: from there to the other end */
     pov_two3 row[3];             /* for points scaled by `scale` */
     pov_two radius, slope, height;
     double scale;
     pov_vec3 column[3];          /* the map back, not scaled, for bounds */
     double radii[2], length;     /* as they were written */
-    bool open, empty;
+    bool open, empty, slender;   /* slender: much longer than wide */
 } kit_frustum;
 
 /* False: base and top are the same point. */

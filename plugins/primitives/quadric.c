@@ -253,6 +253,26 @@ static bool report_decided(pov_hits *hits, pov_two t, double middle, double unit
  * on the exit, else on the entry. */
 enum { WANT_ENTRY = 1, WANT_EXIT = 2 };
 
+/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the sizes of
+ * coefficients and components in place of themselves the sums of the sizes of all terms. */
+static double along_second(const double *q, pov_vec3 d)
+{
+    return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
+}
+
+static double along_first(const double *q, pov_vec3 w, pov_vec3 d)
+{
+    return d.x * (q[A] * w.x + 0.5 * (q[D] * w.y + q[E] * w.z + q[G]))
+           + d.y * (q[B] * w.y + 0.5 * (q[D] * w.x + q[F] * w.z + q[H]))
+           + d.z * (q[C] * w.z + 0.5 * (q[E] * w.x + q[F] * w.y + q[I]));
+}
+
+static double along_value(const double *q, pov_vec3 w)
+{
+    return w.x * (q[A] * w.x + q[D] * w.y + q[E] * w.z + q[G]) + w.y * (q[B] * w.y + q[F] * w.z + q[H])
+           + w.z * (q[C] * w.z + q[I]) + q[J];
+}
+
 /* a . b for both taken `power` times; a zero stays one. */
 static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
 {
@@ -264,9 +284,22 @@ static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
     return sum3(x, y, z);
 }
 
+/* Where to take the equation: at the ray's vertex, where the discriminant does not cancel; but if that is out of all
+ * proportion to where the ray passes the anchor, as with a ray almost along the axis of a paraboloid, then there. */
+static double middle_of(const quadric *s, const kit_ray *k)
+{
+    const pov_two3 d = kit_direction(k);
+    const double nearest = -pov_dot(pov_two3_hi(k->f), k->d) / pov_dot(k->d, k->d);
+    const pov_vec3 w = kit_along(k, nearest);
+    const double a = pov_two3_dot(d, half_gradient(s->q, d, false)).hi;
+    const double vertex = nearest - along_first(s->rough, w, k->d) / a;
+
+    return fabs(vertex - nearest) < 1024.0 * (1.0 + pov_largest(w)) ? vertex : nearest;
+}
+
 static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
 {
-    const double middle = -pov_dot(pov_two3_hi(k->f), k->d) / pov_dot(k->d, k->d);
+    const double middle = middle_of(s, k);
     const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = half_gradient(s->q, w, true);
     const pov_two3 turn = half_gradient(s->q, d, false);
     /* A ray along a surface that is straight that way hardly moves across it, so little at times that squares
@@ -301,26 +334,6 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
 }
 
 /* ---- in double ---- */
-
-/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the sizes of
- * coefficients and components in place of themselves the sums of the sizes of all terms. */
-static double along_second(const double *q, pov_vec3 d)
-{
-    return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
-}
-
-static double along_first(const double *q, pov_vec3 w, pov_vec3 d)
-{
-    return d.x * (q[A] * w.x + 0.5 * (q[D] * w.y + q[E] * w.z + q[G]))
-           + d.y * (q[B] * w.y + 0.5 * (q[D] * w.x + q[F] * w.z + q[H]))
-           + d.z * (q[C] * w.z + 0.5 * (q[E] * w.x + q[F] * w.y + q[I]));
-}
-
-static double along_value(const double *q, pov_vec3 w)
-{
-    return w.x * (q[A] * w.x + q[D] * w.y + q[E] * w.z + q[G]) + w.y * (q[B] * w.y + q[F] * w.z + q[H])
-           + w.z * (q[C] * w.z + q[I]) + q[J];
-}
 
 static pov_vec3 sizes(pov_vec3 a) { return pov_vec3_of(fabs(a.x), fabs(a.y), fabs(a.z)); }
 
