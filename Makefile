@@ -8,16 +8,17 @@ LIBDIR   ?= $(PREFIX)/lib
 CC       ?= cc
 CXX      ?= c++
 PYTHON   ?= python3
-OPTIMISE ?= -O2
+OPTIMISE ?= -O3
 SANITIZE ?=
 WERROR   ?=
 PKG_CONFIG ?= pkg-config
 
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wpointer-arith \
            -Wwrite-strings -Wvla -Wundef $(WERROR)
-# Contraction would make the bits of a result depend on the machine.
+# Contraction would make the bits of a result depend on the machine. Nobody reads floating-point traps or errno, and
+# loops over lanes become vectors only without them.
 CFLAGS  ?= -g
-BASE_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(OPTIMISE) -ffp-contract=off -fno-math-errno -fPIC \
+BASE_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(OPTIMISE) -ffp-contract=off -fno-math-errno -fno-trapping-math -fPIC \
              -ffunction-sections -fvisibility=hidden -MMD -MP $(WARNINGS) $(CFLAGS) $(SANITIZE)
 LIB_FLAGS  = $(BASE_FLAGS) -Ilib/include -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"'
 USER_FLAGS = $(BASE_FLAGS) -Ilib/include
@@ -87,6 +88,7 @@ $(POVC): $(CLI_OBJECTS) $(SHARED)
 # Objects are kept, also those that only a chain of rules made.
 .SECONDARY:
 
+-include viewer/viewer.mk
 include tests/tests.mk
 
 # ---- install ----
