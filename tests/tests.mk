@@ -55,3 +55,5 @@ tsan:
 compare: all
 	$(PYTHON) tests/compare/test_harness.py
 	$(PYTHON) tests/compare/compare.py --povc $(POVC)
+
+include tests/bench/bench.mk

@@ -17,6 +17,8 @@ import make_scenes
 import programs
 import scenes
 
+# Of the slowest round to the fastest; other work on the machine shows as more.
+STEADY = 1.15
 QUICK = ('flake-3', 'spheres-1e2', 'spheres-1e4', 'mixed-1e2', 'rings', 'hall')
 
 
@@ -32,6 +34,7 @@ def arguments():
     parser.add_argument('--size', default='800x600')
     parser.add_argument('--quick', action='store_true', help='small pictures of a few scenes, three rounds')
     parser.add_argument('--without', nargs='*', default=[], help='programs to leave out, by the name in the table')
+    parser.add_argument('--base', default='povtrace', help='the program that the others are held against')
     parser.add_argument('--no-pictures', action='store_true', help='do not compare the pictures first')
     options = parser.parse_args()
     if options.quick:
@@ -42,7 +45,7 @@ def arguments():
 
 
 def chosen_programs(options):
-    """Those that are there, povtrace first; what is missing is said."""
+    """Those that are there, the base first; what is missing is said."""
     every = [programs.Povtrace(options.povc), programs.PovRay(options.povray), programs.Tachyon(options.tachyon),
              programs.Embree(options.embree), programs.Embree(options.embree, 8), programs.Embree(options.embree, 16)]
     wanted = [program for program in every if program.name not in options.without]
@@ -52,7 +55,7 @@ def chosen_programs(options):
     there = [program for program in wanted if program.is_there()]
     if not there:
         sys.exit('bench: none of the programs is there')
-    return there
+    return sorted(there, key=lambda program: program.name != options.base)
 
 
 def compare_pictures(job, drawers, folder):
@@ -87,7 +90,9 @@ def summary(job, drawers, rounds, off):
         yield {'scene': job.name, 'program': program.name, 'runs': len(times), 'trace_median_s': median,
                'trace_min_s': min(times), 'trace_max_s': max(times),
                'ns_per_ray': median * 1e9 / rays if rays else '',
+               'base': drawers[0].name,
                'ratio': statistics.median(time / one for time, one in zip(times, base)),
+               'ratio_of_minima': min(times) / min(base),
                'pixels_off_percent': off.get(program.name, '')}
 
 
@@ -112,6 +117,8 @@ def print_rows(rows, every):
     first = rows[0]
     line = f'{first["scene"]:<13}{first["trace_median_s"] * 1e3:13.1f}'
     line += f'{first["ns_per_ray"]:8.1f}' if first['ns_per_ray'] else ' ' * 8
+    if first['base'] != every[0].name:
+        line += f'  by {first["base"]}'
     for program in every[1:]:
         row = by_name.get(program.name)
         off = f' ({row["pixels_off_percent"]:.2f})' if row and row['pixels_off_percent'] != '' else ''
@@ -120,11 +127,14 @@ def print_rows(rows, every):
 
 
 def print_medians(rows, every):
-    """The last line: each program's ratio in the median of its scenes, and its least."""
+    """The last lines: each program's ratio in the median of its scenes and its least; how steady the times were."""
     for program in every[1:]:
-        ratios = [row['ratio'] for row in rows if row['program'] == program.name]
+        ratios = [row['ratio'] for row in rows if row['program'] == program.name and row['base'] == every[0].name]
         if ratios:
             print(f'{program.name}: {statistics.median(ratios):.2f} in the median, {min(ratios):.2f} at least')
+    spread = statistics.median(row['trace_max_s'] / row['trace_min_s'] for row in rows)
+    print(f'The slowest round took {spread:.2f} times the fastest in the median: '
+          f'{"steady" if spread < STEADY else "the machine was busy, measure again"}.')
 
 
 def write_results(rows, every, options):

@@ -31,7 +31,8 @@ def mark(form, colour, x, y):
 
 
 def text(x, y, words, anchor='start', size=13, colour='#222'):
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" font-size="{size}" fill="{colour}">{escape(words)}</text>'
+    style = f'text-anchor="{anchor}" font-size="{size}" fill="{colour}"'
+    return f'<text x="{x:.1f}" y="{y:.1f}" {style}>{escape(words)}</text>'
 
 
 def ticks(low, high):

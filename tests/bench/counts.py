@@ -37,7 +37,8 @@ def arguments():
 def conditions(compiler):
     """What the counts depend on besides the source."""
     version = subprocess.run([compiler, '--version'], stdout=subprocess.PIPE, text=True).stdout.splitlines()
-    flags = re.search(r'^flags\s*:(.*)', Path('/proc/cpuinfo').read_text(), re.M) if Path('/proc/cpuinfo').exists() else None
+    processor = Path('/proc/cpuinfo')
+    flags = re.search(r'^flags\s*:(.*)', processor.read_text(), re.M) if processor.exists() else None
     wide = 'AVX2' if flags and 'avx2' in flags[1].split() else 'no AVX2'
     return f'{version[0] if version else compiler}, {wide}'
 
@@ -74,7 +75,8 @@ def verdict(now, before):
         return 'not stored', True
     change = now / before - 1.0
     held = abs(change) <= LIMIT
-    return f'{100.0 * change:+.2f} %' + ('' if held else '  OVER' if change > 0 else '  UNDER: store the better count'), held
+    note = '' if held else '  OVER' if change > 0 else '  UNDER: store the better count'
+    return f'{100.0 * change:+.2f} %{note}', held
 
 
 def main():
@@ -86,7 +88,8 @@ def main():
     noted, stored = read_stored(options.stored)
     same = noted == here
     if stored and not same and not options.store:
-        print(f'Stored under: {noted}\nCounted under: {here}\nOther conditions, so nothing is held to the stored counts.')
+        print(f'Stored under: {noted}\nCounted under: {here}')
+        print('Other conditions, so nothing is held to the stored counts.')
     print(f'{"scene":<14}{"instructions a ray":>20}{"stored":>10}  change', flush=True)
     counts, over = {}, []
     for name in options.scenes:

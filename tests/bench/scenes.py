@@ -211,6 +211,7 @@ def scene(name):
     if kind == 'pair' and size in PAIRS:
         return pair(size)
     if kind not in MAKERS:
-        raise ValueError(f'no scene "{name}"; there are {", ".join(MAKERS)} and {", ".join("pair-" + p for p in PAIRS)}')
+        every = [*MAKERS, *('pair-' + kind for kind in PAIRS)]
+        raise ValueError(f'no scene "{name}"; there are {", ".join(every)}')
     maker, usual = MAKERS[kind]
     return maker(int(float(size)) if size else usual)
