@@ -18,7 +18,8 @@ static widths measure(const pov_scene *scene)
     return w;
 }
 
-static void print_row(FILE *to, widths w, bool used, const char *subject, const char *state, const char *reason)
+static void print_row(FILE *to, widths w, bool used, const char *subject, const char *state,
+                      const char *reason)
 {
     fprintf(to, "%c %-*s  %-*s  %s\n", used ? '+' : '-', w.subject, subject, w.state, state, reason);
 }

@@ -8,7 +8,7 @@
 #include <png.h>
 #include <setjmp.h>
 
-/* With one filter for all rows, a third of the time of libpng's own choice; the figures are in docs/cli.md. */
+/* With one filter for all rows a third of the time of libpng's own choice; figures are in docs/cli.md. */
 enum { COMPRESSION_LEVEL = 3 };
 
 typedef struct sink {

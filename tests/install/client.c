@@ -1,5 +1,5 @@
-/* client.c - a program of somebody else's, built against the installed library alone. It reads a scene from memory,
- * asks single rays, renders on threads of the library's and step by step on its own, and writes a PNG.
+/* client.c - a program of somebody else's, built against the installed library alone. It reads a scene from
+ * memory, asks single rays, renders on threads of the library's and step by step on its own, and writes a PNG.
  * Usage: client OUTPUT.png */
 #include <povtrace/povtrace.h>
 

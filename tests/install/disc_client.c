@@ -18,7 +18,8 @@ int main(void)
     const char *name, *path;
     bool met, through_hole;
 
-    if (pov_context_create(&context, NULL, &err) < 0 || pov_context_add_plugin(context, &povtrace_plugin, &err) < 0 ||
+    if (pov_context_create(&context, NULL, &err) < 0 ||
+        pov_context_add_plugin(context, &povtrace_plugin, &err) < 0 ||
         pov_scene_load_text(&scene, context, text, strlen(text), "text", NULL, &err) < 0 ||
         pov_tracer_create(&tracer, scene, &err) < 0) {
         fprintf(stderr, "%s\n", err.message);
