@@ -13,26 +13,41 @@ double encode_srgb_inverse(double stored)
     return stored <= 0.04045 ? stored / 12.92 : pow((stored + 0.055) / 1.055, 2.4);
 }
 
-void encoder_init(encoder *e, int bits, pov_transfer transfer)
+static void fill_tables(encoder *e)
 {
-    int i;
+    int code = 0;
 
-    e->bits = bits;
-    e->transfer = transfer;
-    for (i = 0; bits == 8 && i < 255; i++) {
+    for (int i = 0; i < 255; i++) {
         double stored = (i + 0.5) / 255.0;
-        e->above[i] = (float)(transfer == POV_TRANSFER_SRGB ? encode_srgb_inverse(stored) : stored);
+        e->above[i] = (float)(e->transfer == POV_TRANSFER_SRGB ? encode_srgb_inverse(stored) : stored);
+    }
+    for (int i = 0; i < ENCODER_CELLS; i++) {
+        while (code < 255 && (float)i / ENCODER_CELLS >= e->above[code])
+            code++;
+        e->least[i] = (unsigned char)code;
     }
 }
 
-/* How many of the 255 thresholds the value reaches: eight halvings. */
+void encoder_init(encoder *e, int bits, pov_transfer transfer)
+{
+    e->bits = bits;
+    e->transfer = transfer;
+    if (bits == 8)
+        fill_tables(e);
+}
+
+/* How many of the 255 thresholds the value reaches. A cell holds one of them or two. */
 static unsigned char stored_8(const encoder *e, float v)
 {
-    int code = 0, step;
+    int code;
 
-    for (step = 128; step > 0; step >>= 1)
-        if (v >= e->above[code + step - 1])
-            code += step;
+    if (!(v > 0.0f))
+        return 0;
+    if (v >= 1.0f)
+        return 255;
+    code = e->least[(int)(v * ENCODER_CELLS)];
+    while (code < 255 && v >= e->above[code])
+        code++;
     return (unsigned char)code;
 }
 

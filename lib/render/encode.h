@@ -4,12 +4,15 @@
 
 #include <povtrace/image.h>
 
-/* For 8 bits: above[i] is the linear value from which on i + 1 is stored, so that a search replaces the
- * curve. */
+enum { ENCODER_CELLS = 4096 };
+
+/* For 8 bits: above[i] is the linear value from which on i + 1 is stored, so that a search replaces the curve, and
+ * least[i] is what is stored at i / ENCODER_CELLS, where the search begins. */
 typedef struct encoder {
     int bits;
     pov_transfer transfer;
     float above[255];
+    unsigned char least[ENCODER_CELLS];
 } encoder;
 
 /* bits: 8 or 16 (native order): round(max * clamp(curve(value))); 32: the float as it is. */
