@@ -141,8 +141,8 @@ static frame course_frame(const camera_text *c)
 }
 
 /* With a look_at `sky` is the vertical, and of direction, right and up only the lengths count, and whether
- * the three are left- or right-handed. Where sky lies along the view, right stays as written. Without a
- * look_at all three do. */
+ * the three are left- or right-handed. Where sky lies along the view, right's own direction takes the place of
+ * the side. Without a look_at all three stay as written. */
 static frame povray_frame(const camera_text *c)
 {
     frame f = { c->direction, c->right, c->up };
@@ -156,10 +156,8 @@ static frame povray_frame(const camera_text *c)
     side_as_written = pov_cross_product(pov_unit(c->up), pov_unit(c->direction));
     is_mirrored = !(pov_dot(side_as_written, pov_unit(c->right)) > 0.0);
     f.d = pov_scale(view, length(c->direction));
-    if (pov_largest(side) == 0.0) {
+    if (pov_largest(side) == 0.0)
         side = pov_unit(c->right);
-        is_mirrored = false;
-    }
     f.r = pov_scale(side, is_mirrored ? -length(c->right) : length(c->right));
     f.u = pov_scale(pov_unit(upright(view, side)), length(c->up));
     return f;

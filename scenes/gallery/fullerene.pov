@@ -2,7 +2,7 @@
 // side is seen bent.
 global_settings { assumed_gamma 1 max_trace_level 10 ambient_light rgb <0.6, 0.8, 1> }
 camera { location <2, 3.2, -23.5> look_at <-0.1, -0.45, 0> angle 41 }
-light_source { <-4200, 4600, -3900> rgb <1.1, 1, 0.88> }
+light_source { <-4200, 4600, -3900> rgb <1.45, 1.3, 1.12> }
 light_source { <1500, 500, 2430> rgb <1.6, 3.0, 3.4> }
 sphere { 0, 3000 no_shadow pigment { rgb 1 } finish { ambient rgb <0.008, 0.018, 0.028> diffuse 0.07 } }
 quadric { <0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 5.6 pigment { rgb <0.05, 0.065, 0.075> }

@@ -1,11 +1,11 @@
 // A machine of cylinders and cones: boiler, chimney, a piston in glass, crank, flywheel and gears.
 global_settings { assumed_gamma 1 max_trace_level 7 ambient_light rgb <0.8, 0.85, 1> }
 camera { location <-2.2, 3.6, -9.8> look_at <0.12, 1.5, 0> angle 42 }
-light_source { <-7, 9, -8> rgb <1.15, 1.06, 0.9> }
+light_source { <-7, 9, -8> rgb <1.4, 1.28, 1.08> }
 light_source { <9, 5, -6> rgb <0.26, 0.32, 0.44> }
 light_source { <-2, 7, 5> rgb <0.36, 0.28, 0.2> }
 quadric { <0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 0 pigment { rgb <0.14, 0.12, 0.11> } finish { reflection 0.16 } }
-quadric { <0, 0, 0>, <0, 0, 0>, <0, 0, -1>, 7 pigment { rgb <0.20, 0.24, 0.27> } }
+quadric { <0, 0, 0>, <0, 0, 0>, <0, 0, -1>, 7 pigment { rgb <0.09, 0.13, 0.16> } }
 box { <-3.9, 0.02, -1.5>, <4.1, 0.3, 1.5> pigment { rgb <0.3, 0.15, 0.07> } finish { reflection 0.06 phong 0.6 phong_size 80 } }
 box { <-3.8, 0.3, -1.4>, <4, 0.36, 1.4> pigment { rgb <0.04, 0.16, 0.1> } finish { reflection 0.06 phong 0.6 phong_size 80 } }
 cylinder { <0.2, 1.25, 0.75>, <3.5, 1.25, 0.75>, 0.62 pigment { rgb <0.04, 0.16, 0.1> } finish { reflection 0.06 phong 0.6 phong_size 80 } }

@@ -268,7 +268,7 @@ def fullerene():
 // side is seen bent.
 global_settings { assumed_gamma 1 max_trace_level 10 ambient_light rgb <0.6, 0.8, 1> }
 camera { location <2, 3.2, -23.5> look_at <-0.1, -0.45, 0> angle 41 }
-light_source { <-4200, 4600, -3900> rgb <1.1, 1, 0.88> }
+light_source { <-4200, 4600, -3900> rgb <1.45, 1.3, 1.12> }
 light_source { <1500, 500, 2430> rgb <1.6, 3.0, 3.4> }
 sphere { 0, 3000 no_shadow pigment { rgb 1 } finish { ambient rgb <0.008, 0.018, 0.028> diffuse 0.07 } }
 quadric { <0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 5.6 pigment { rgb <0.05, 0.065, 0.075> }
@@ -303,11 +303,11 @@ def machine():
     lines = ['''// A machine of cylinders and cones: boiler, chimney, a piston in glass, crank, flywheel and gears.
 global_settings { assumed_gamma 1 max_trace_level 7 ambient_light rgb <0.8, 0.85, 1> }
 camera { location <-2.2, 3.6, -9.8> look_at <0.12, 1.5, 0> angle 42 }
-light_source { <-7, 9, -8> rgb <1.15, 1.06, 0.9> }
+light_source { <-7, 9, -8> rgb <1.4, 1.28, 1.08> }
 light_source { <9, 5, -6> rgb <0.26, 0.32, 0.44> }
 light_source { <-2, 7, 5> rgb <0.36, 0.28, 0.2> }
 quadric { <0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 0 pigment { rgb <0.14, 0.12, 0.11> } finish { reflection 0.16 } }
-quadric { <0, 0, 0>, <0, 0, 0>, <0, 0, -1>, 7 pigment { rgb <0.20, 0.24, 0.27> } }''']
+quadric { <0, 0, 0>, <0, 0, 0>, <0, 0, -1>, 7 pigment { rgb <0.09, 0.13, 0.16> } }''']
 
     def rod(a, b, radius, tint, finish):
         lines.append(cylinder(a, b, radius, colour(*tint), finish))
@@ -424,8 +424,8 @@ def rose_window():
     lines = ['''// A rose window: polygons of coloured glass in a wall with a round hole in it, with the sun behind.
 // Nothing colours the floor but the light that has come through them.
 global_settings { assumed_gamma 1 max_trace_level 10 ambient_light rgb <0.42, 0.5, 0.72> }
-camera { location <3.4, 4.4, -17.5> look_at <-1.7, 3.35, -1.5> angle 46 }
-light_source { <2600, 4300, 4300> rgb <2.3, 2.1, 1.75> }
+camera { location <4.2, 4.6, -17> look_at <-0.9, 3.25, -1.8> angle 50 }
+light_source { <1500, 4500, 4300> rgb <2.5, 2.3, 1.9> }
 light_source { <-3, 6, -12> rgb <0.17, 0.18, 0.22> }
 background { rgb <0.85, 0.95, 1.1> }
 box { <-30, -0.3, -30>, <30, 0, 12> pigment { rgb <0.70, 0.66, 0.60> } finish { reflection 0.07 } }
@@ -485,11 +485,11 @@ box { <12, 0, -30>, <12.4, 30, 0> pigment { rgb <0.6, 0.56, 0.5> } }''']
     ring(2.42, 0.05, 48)
     ring(outer - 0.02, 0.09, 48)
     for x in (-5.2, 5.2):
-        for z in (-1.2, -7.2):
+        for z in (-1.2, -9.2):
             lines.append(cylinder((x, 0.5, z), (x, 9.4, z), 0.55, colour(0.62, 0.58, 0.52)))
             lines.append(cone((x, 9.3, z), 0.55, (x, 11, z), 1.3, colour(0.62, 0.58, 0.52)))
             lines.append(box((x - 0.85, 0, z - 0.85), (x + 0.85, 0.5, z + 0.85), colour(0.62, 0.58, 0.52)))
-    lines.append(sphere((0.75, 0.8, -6.2), 0.8, colour(0.4, 0.4, 0.4), 'finish { reflection 0.65 phong 0.5 }'))
+    lines.append(sphere((2.6, 0.8, -5), 0.8, colour(0.4, 0.4, 0.4), 'finish { reflection 0.65 phong 0.5 }'))
     return lines
 
 

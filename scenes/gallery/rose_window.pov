@@ -1,8 +1,8 @@
 // A rose window: polygons of coloured glass in a wall with a round hole in it, with the sun behind.
 // Nothing colours the floor but the light that has come through them.
 global_settings { assumed_gamma 1 max_trace_level 10 ambient_light rgb <0.42, 0.5, 0.72> }
-camera { location <3.4, 4.4, -17.5> look_at <-1.7, 3.35, -1.5> angle 46 }
-light_source { <2600, 4300, 4300> rgb <2.3, 2.1, 1.75> }
+camera { location <4.2, 4.6, -17> look_at <-0.9, 3.25, -1.8> angle 50 }
+light_source { <1500, 4500, 4300> rgb <2.5, 2.3, 1.9> }
 light_source { <-3, 6, -12> rgb <0.17, 0.18, 0.22> }
 background { rgb <0.85, 0.95, 1.1> }
 box { <-30, -0.3, -30>, <30, 0, 12> pigment { rgb <0.70, 0.66, 0.60> } finish { reflection 0.07 } }
@@ -704,13 +704,13 @@ sphere { <-0.4281, 8.4519, 0>, 0.09 pigment { rgb <0.03, 0.03, 0.035> } }
 cylinder { <-5.2, 0.5, -1.2>, <-5.2, 9.4, -1.2>, 0.55 pigment { rgb <0.62, 0.58, 0.52> } }
 cone { <-5.2, 9.3, -1.2>, 0.55, <-5.2, 11, -1.2>, 1.3 pigment { rgb <0.62, 0.58, 0.52> } }
 box { <-6.05, 0, -2.05>, <-4.35, 0.5, -0.35> pigment { rgb <0.62, 0.58, 0.52> } }
-cylinder { <-5.2, 0.5, -7.2>, <-5.2, 9.4, -7.2>, 0.55 pigment { rgb <0.62, 0.58, 0.52> } }
-cone { <-5.2, 9.3, -7.2>, 0.55, <-5.2, 11, -7.2>, 1.3 pigment { rgb <0.62, 0.58, 0.52> } }
-box { <-6.05, 0, -8.05>, <-4.35, 0.5, -6.35> pigment { rgb <0.62, 0.58, 0.52> } }
+cylinder { <-5.2, 0.5, -9.2>, <-5.2, 9.4, -9.2>, 0.55 pigment { rgb <0.62, 0.58, 0.52> } }
+cone { <-5.2, 9.3, -9.2>, 0.55, <-5.2, 11, -9.2>, 1.3 pigment { rgb <0.62, 0.58, 0.52> } }
+box { <-6.05, 0, -10.05>, <-4.35, 0.5, -8.35> pigment { rgb <0.62, 0.58, 0.52> } }
 cylinder { <5.2, 0.5, -1.2>, <5.2, 9.4, -1.2>, 0.55 pigment { rgb <0.62, 0.58, 0.52> } }
 cone { <5.2, 9.3, -1.2>, 0.55, <5.2, 11, -1.2>, 1.3 pigment { rgb <0.62, 0.58, 0.52> } }
 box { <4.35, 0, -2.05>, <6.05, 0.5, -0.35> pigment { rgb <0.62, 0.58, 0.52> } }
-cylinder { <5.2, 0.5, -7.2>, <5.2, 9.4, -7.2>, 0.55 pigment { rgb <0.62, 0.58, 0.52> } }
-cone { <5.2, 9.3, -7.2>, 0.55, <5.2, 11, -7.2>, 1.3 pigment { rgb <0.62, 0.58, 0.52> } }
-box { <4.35, 0, -8.05>, <6.05, 0.5, -6.35> pigment { rgb <0.62, 0.58, 0.52> } }
-sphere { <0.75, 0.8, -6.2>, 0.8 pigment { rgb <0.4, 0.4, 0.4> } finish { reflection 0.65 phong 0.5 } }
+cylinder { <5.2, 0.5, -9.2>, <5.2, 9.4, -9.2>, 0.55 pigment { rgb <0.62, 0.58, 0.52> } }
+cone { <5.2, 9.3, -9.2>, 0.55, <5.2, 11, -9.2>, 1.3 pigment { rgb <0.62, 0.58, 0.52> } }
+box { <4.35, 0, -10.05>, <6.05, 0.5, -8.35> pigment { rgb <0.62, 0.58, 0.52> } }
+sphere { <2.6, 0.8, -5>, 0.8 pigment { rgb <0.4, 0.4, 0.4> } finish { reflection 0.65 phong 0.5 } }

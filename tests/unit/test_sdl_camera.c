@@ -130,6 +130,9 @@ static void in_the_povray_dialect_right_stays_where_sky_lies_along_the_view(void
                  V(0, 0, -1));
     assert_frame(read_camera("camera { look_at <0, -9, 0> }", POV_DIALECT_POVRAY), V(0, -1, 0), V(1.33, 0, 0),
                  V(0, 0, 1));
+    /* Measured of POV-Ray: it turns the frame by the written right, and then mirrors it as ever. */
+    assert_frame(read_camera("camera { right <-2, 0, 0> look_at <0, -9, 0> }", POV_DIALECT_POVRAY), V(0, -1, 0),
+                 V(2, 0, 0), V(0, 0, -1));
 }
 
 static void transformations_come_last_wherever_they_stand(void **state)
