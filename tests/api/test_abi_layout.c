@@ -1,0 +1,53 @@
+/* The layout that old programs and plugins were compiled with: members may be added behind these, none may move.
+ * On a machine with 64-bit pointers. */
+#include "support/check.h"
+
+#include <povtrace/plugin.h>
+#include <povtrace/povtrace.h>
+
+#define AT(type, member, offset) assert_int_equal(offsetof(type, member), offset)
+
+static void program_structs_stay_where_they_are(void **state)
+{
+    (void)state;
+    AT(pov_error, file, 16);
+    AT(pov_error, message, 272);
+    AT(pov_error, excerpt, 784);
+    AT(pov_error, hint, 1040);
+    AT(pov_context_desc, plugin_path, 40);
+    AT(pov_load_desc, threads, 20);
+    AT(pov_camera, up, 80);
+    AT(pov_scene_info, max_trace_level, 88);
+    AT(pov_plan_row, reason, 32);
+    AT(pov_hit, certain, 68);
+    AT(pov_render_desc, wake_user, 64);
+    AT(pov_progress, counts, 40);
+    AT(pov_image_options, format, 16);
+}
+
+static void plugin_structs_stay_where_they_are(void **state)
+{
+    (void)state;
+    AT(pov_ray, left, 72);
+    AT(pov_ray, left_mark, 80);
+    AT(pov_crossing, mark, 24);
+    AT(pov_hits, at, 40);
+    AT(pov_hits, user, 56);
+    AT(pov_block_answer, hi, 72);
+    AT(pov_host, warn, 64);
+    AT(pov_shape_class, block_filter, 88);
+    AT(pov_image, pixels, 32);
+    AT(pov_image_format, write, 16);
+    AT(pov_plugin, images, 32);
+    assert_int_equal(POV_PLUGIN_ABI, 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(program_structs_stay_where_they_are),
+        cmocka_unit_test(plugin_structs_stay_where_they_are),
+    };
+
+    return cmocka_run_group_tests_name("abi_layout", tests, NULL, NULL);
+}
