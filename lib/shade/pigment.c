@@ -6,7 +6,7 @@ float pigment_opacity(const model *m, const material *surface)
 
     if (m->opacity_uses_filter_colour)
         filter *= fmaxf(surface->pigment.r, fmaxf(surface->pigment.g, surface->pigment.b));
-    return fmaxf(0.0f, 1.0f - filter - surface->transmit);
+    return 1.0f - filter - surface->transmit;
 }
 
 colour pigment_filter(const material *surface)
