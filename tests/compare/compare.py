@@ -19,6 +19,7 @@ except ImportError:
         os.execv(SYSTEM, [SYSTEM] + sys.argv)
     sys.exit('compare: numpy is needed (Debian: python3-numpy)')
 
+sys.dont_write_bytecode = True
 import equivalent
 import images
 

@@ -20,6 +20,7 @@ except ImportError:
         os.execv(SYSTEM, [SYSTEM] + sys.argv)
     sys.exit('test_harness: numpy is needed (Debian: python3-numpy)')
 
+sys.dont_write_bytecode = True
 sys.path.insert(0, str(HERE))
 import compare
 import equivalent
