@@ -22,6 +22,7 @@ RAYS ?= 500000
 accuracy: $(BUILD)/tests/numerics/test_primitives
 	$< $(RAYS) $(BUILD)/accuracy.csv
 
+$(BUILD)/tests/plugins/test_contract: $(BUILD)/obj/tests/plugins/subject.o | $(PRIMITIVES)
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
 $(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)

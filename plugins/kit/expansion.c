@@ -40,6 +40,16 @@ void kit_expansion_add_product3(kit_expansion *e, double a, double b, double c)
     kit_expansion_add_product(e, p.hi, c);
 }
 
+pov_two kit_expansion_two(const kit_expansion *e)
+{
+    pov_two sum = { 0.0, 0.0 };
+    int i;
+
+    for (i = 0; i < e->count; i++)
+        sum = pov_two_add_double(sum, e->part[i]);
+    return sum;
+}
+
 int kit_expansion_sign(const kit_expansion *e)
 {
     double largest = e->count > 0 ? e->part[e->count - 1] : 0.0;

@@ -21,6 +21,9 @@ void kit_expansion_add(kit_expansion *e, double a);
 void kit_expansion_add_product(kit_expansion *e, double a, double b);
 void kit_expansion_add_product3(kit_expansion *e, double a, double b, double c);
 
+/* The sum, rounded once into two parts. */
+pov_two kit_expansion_two(const kit_expansion *e);
+
 /* -1, 0 or 1. */
 int kit_expansion_sign(const kit_expansion *e);
 

@@ -105,16 +105,12 @@ static pov_vec3 near_centre(const pov_two *q)
 static pov_two exact_sum(double (*term)[3], int n)
 {
     kit_expansion e;
-    pov_two sum;
     int i;
 
     kit_expansion_clear(&e);
     for (i = 0; i < n; i++)
         kit_expansion_add_product3(&e, term[i][0], term[i][1], term[i][2]);
-    sum = pov_two_of(0.0, 0.0);
-    for (i = 0; i < e.count; i++)
-        sum = pov_two_add_double(sum, e.part[i]);
-    return sum;
+    return kit_expansion_two(&e);
 }
 
 /* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor near the
@@ -243,9 +239,8 @@ static pov_two value(const pov_two *q, pov_two3 p, pov_two3 g)
     return pov_two_add(pov_two3_dot(p, g), q[J]);
 }
 
-static bool report_decided(pov_hits *hits, pov_two t, double middle, double unit, uint32_t part)
+static bool report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part)
 {
-    t = pov_two_add_double(t, middle);
     return !isfinite(t.hi) || kit_report_decided(hits, t, unit, part);
 }
 
@@ -294,7 +289,54 @@ static double middle_of(const quadric *s, const kit_ray *k)
     const double a = pov_two3_dot(d, half_gradient(s->q, d, false)).hi;
     const double vertex = nearest - along_first(s->rough, w, k->d) / a;
 
-    return fabs(vertex - nearest) < 1024.0 * (1.0 + pov_largest(w)) ? vertex : nearest;
+    return fabs(vertex - nearest) < 1024.0 * pov_largest(w) ? vertex : nearest;
+}
+
+/* Adds q a b, each in two parts. */
+static void add_term(kit_expansion *e, pov_two q, pov_two a, pov_two b)
+{
+    const double part[3][2] = { { q.hi, q.lo }, { a.hi, a.lo }, { b.hi, b.lo } };
+    int i;
+
+    for (i = 0; i < 8; i++)
+        kit_expansion_add_product3(e, part[0][i & 1], part[1][i >> 1 & 1], part[2][i >> 2]);
+}
+
+/* The value at a point, without any error but that of rounding once. */
+static pov_two exact_value(const pov_two *q, pov_two3 p)
+{
+    const pov_two one = { 1.0, 0.0 };
+    kit_expansion e;
+
+    kit_expansion_clear(&e);
+    add_term(&e, q[A], p.x, p.x);
+    add_term(&e, q[B], p.y, p.y);
+    add_term(&e, q[C], p.z, p.z);
+    add_term(&e, q[D], p.x, p.y);
+    add_term(&e, q[E], p.x, p.z);
+    add_term(&e, q[F], p.y, p.z);
+    add_term(&e, q[G], p.x, one);
+    add_term(&e, q[H], p.y, one);
+    add_term(&e, q[I], p.z, one);
+    add_term(&e, q[J], one, one);
+    return kit_expansion_two(&e);
+}
+
+/* A root so near to the ray's origin that the way from `middle` is nearly all of it: -c / (b + or - root), with the
+ * value c at the origin itself. */
+static pov_two near_origin(const quadric *s, const kit_ray *k, pov_two root)
+{
+    const pov_two c = exact_value(s->q, k->f), b = pov_two3_dot(kit_direction(k), half_gradient(s->q, k->f, true));
+
+    return pov_two_neg(pov_two_div(c, b.hi < 0.0 ? pov_two_sub(b, root) : pov_two_add(b, root)));
+}
+
+/* A root seen from `middle`, seen from the origin. */
+static pov_two from_origin(const quadric *s, const kit_ray *k, double middle, pov_two t, pov_two root)
+{
+    const pov_two sum = pov_two_add_double(t, middle);
+
+    return fabs(sum.hi) < 0x1p-24 * fabs(middle) ? near_origin(s, k, root) : sum;
 }
 
 static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
@@ -320,6 +362,7 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
         return;
     root = pov_two_sqrt(discriminant);
     sum = b.hi < 0.0 ? pov_two_sub(root, b) : pov_two_neg(pov_two_add(b, root));
+    root = pov_two_scale(root, 1.0 / power);
     if (sum.hi != 0.0) {
         const pov_two direct = pov_two_div(c, sum), other = a.hi != 0.0 ? pov_two_div(sum, a) : entry;
         entry = b.hi < 0.0 ? direct : other;
@@ -327,10 +370,12 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
     } else if (a.hi != 0.0) {
         entry = exit = sum;
     }
-    if (wanted & WANT_ENTRY && !report_decided(hits, pov_two_scale(entry, power), middle, k->unit, ENTERING))
+    entry = from_origin(s, k, middle, pov_two_scale(entry, power), root);
+    exit = from_origin(s, k, middle, pov_two_scale(exit, power), root);
+    if (wanted & WANT_ENTRY && !report_decided(hits, entry, k->unit, ENTERING))
         return;
     if (wanted & WANT_EXIT)
-        report_decided(hits, pov_two_scale(exit, power), middle, k->unit, EXITING);
+        report_decided(hits, exit, k->unit, EXITING);
 }
 
 /* ---- in double ---- */

@@ -119,9 +119,14 @@ static void frustum(const probe *p, line l, const double *base, double r0, const
     for (i = 0; i < n; i++) {
         const real height = real_add(y, real_mul(t[i], e)), radius = real_add(r, real_mul(t[i], s));
 
-        if (real_sign(height) >= 0 && real_compare(height, one) <= 0)
-            add(out, t[i], part[i], real3_sub(real3_add(w, real3_scale(v, t[i])),
-                                              real3_scale(a, real_div(real_mul(k, radius), m))));
+        if (real_sign(height) >= 0 && real_compare(height, one) <= 0) {
+            real3 normal = real3_sub(real3_add(w, real3_scale(v, t[i])), real3_scale(a, real_div(real_mul(k, radius), m)));
+
+            /* So near to an apex that not even a distance in two parts tells where around it: any normal will do. */
+            if (fabs(real_double(radius)) < 1e-15 * p->size)
+                normal = real3_scale(normal, real_of(0.0));
+            add(out, t[i], part[i], normal);
+        }
     }
     for (i = 0; i < 2 && !p->open && real_sign(e) != 0; i++) {
         const real at = real_div(real_sub(i ? one : real_of(0.0), y), e), limit = real_of(i ? r1 : r0);

@@ -114,18 +114,21 @@ static void host_warn(pov_reader *in, const char *format, ...)
     in->warnings++;
 }
 
-static void *host_alloc(pov_reader *in, size_t bytes)
+void *fake_reader_memory(pov_reader *in, size_t bytes)
 {
-    block *b;
+    block *b = calloc(1, sizeof *b + 64 + bytes);
+    char *start = (char *)(b + 1);
 
-    if (in->failed || bytes > (size_t)1 << 30)
-        return NULL;
-    b = calloc(1, 64 + bytes);
     if (!b)
-        return NULL;
+        abort();
     b->next = in->blocks;
     in->blocks = b;
-    return (char *)b + 64;
+    return start + (64 - (uintptr_t)start % 64) % 64;
+}
+
+static void *host_alloc(pov_reader *in, size_t bytes)
+{
+    return in->failed || bytes > (size_t)1 << 30 ? NULL : fake_reader_memory(in, bytes);
 }
 
 static bool is_word(const pov_reader *in, const char *word)
@@ -198,9 +201,9 @@ bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *
 
 void *fake_reader_parse(pov_reader *in, const pov_shape_class *shape)
 {
-    void *self = host_alloc(in, shape->instance_size);
+    void *self = fake_reader_memory(in, shape->instance_size);
 
-    return self && fake_reader_parse_into(in, shape, self) ? self : NULL;
+    return fake_reader_parse_into(in, shape, self) ? self : NULL;
 }
 
 const char *fake_reader_message(const pov_reader *in) { return in->message; }

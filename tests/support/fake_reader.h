@@ -15,6 +15,9 @@ void fake_reader_word(pov_reader *in, const char *word);
 /* Numbers, words and marks as in a scene; anything else becomes a word that nobody expects. */
 void fake_reader_text(pov_reader *in, const char *text);
 
+/* Zeroed memory, aligned to 64 bytes, freed with the reader. */
+void *fake_reader_memory(pov_reader *in, size_t bytes);
+
 /* An instance parsed from what was fed, or NULL when that failed or left something over. */
 void *fake_reader_parse(pov_reader *in, const pov_shape_class *shape);
 /* The same into memory of the caller's, of the class's size. */

@@ -1,0 +1,256 @@
+/* Cylinders and cones in double precision, with a running bound on every error. */
+#include "kit/frustum_parts.h"
+
+typedef struct bounded { double v, e; } bounded;   /* the exact value is within e of v */
+
+static inline bounded bounded_of(double v, double e) { bounded b; b.v = v; b.e = e; return b; }
+
+/* A row times a vector that is off by a rounding itself: six roundings in all. */
+static inline bounded row_times(const pov_two3 *row, pov_vec3 w)
+{
+    const double x = row->x.hi * w.x, y = row->y.hi * w.y, z = row->z.hi * w.z;
+
+    return bounded_of(x + y + z, 7.0 * KIT_U * (fabs(x) + fabs(y) + fabs(z)));
+}
+
+static inline bounded times(bounded a, bounded b)
+{
+    const double v = a.v * b.v;
+    return bounded_of(v, fabs(a.v) * b.e + a.e * (fabs(b.v) + b.e) + KIT_U * fabs(v));
+}
+
+static inline bounded plus(bounded a, bounded b)
+{
+    const double v = a.v + b.v;
+    return bounded_of(v, a.e + b.e + KIT_U * fabs(v));
+}
+
+static inline bounded minus(bounded a, bounded b)
+{
+    b.v = -b.v;
+    return plus(a, b);
+}
+
+static inline bounded over(bounded a, bounded b)
+{
+    const double v = a.v / b.v;
+    return bounded_of(v, (a.e + fabs(v) * b.e) / (fabs(b.v) - b.e) + KIT_U * fabs(v));
+}
+
+/* The sign is certain: not even a bound twice as wide could turn it, which also pays for the bound's own roundings. */
+static inline bool is_certain(bounded a) { return fabs(a.v) > 2.0 * a.e; }
+
+/* The same as span, in double. */
+typedef struct rough_span {
+    bool empty, from_ever, for_ever;
+    bounded lo, hi;
+    uint32_t lo_part, hi_part;
+} rough_span;
+
+typedef struct rough { bounded x, y, z, dx, dy, dz, r, grow; } rough;
+
+static bool rough_side(const kit_frustum *s, const rough *g, rough_span *out)
+{
+    const bounded p = minus(times(g->r, g->dx), times(g->grow, g->x)), q = minus(times(g->r, g->dy), times(g->grow, g->y));
+    const bounded x = minus(times(g->x, g->dy), times(g->y, g->dx));
+    const bounded a = minus(plus(times(g->dx, g->dx), times(g->dy, g->dy)), times(g->grow, g->grow));
+    const bounded b = minus(plus(times(g->x, g->dx), times(g->y, g->dy)), times(g->r, g->grow));
+    const bounded c = minus(plus(times(g->x, g->x), times(g->y, g->y)), times(g->r, g->r));
+    const bounded discriminant = minus(plus(times(p, p), times(q, q)), times(x, x));
+    bounded root, sum, first, second;
+
+    if (!is_certain(a) || !is_certain(discriminant) || fabs(a.v) < KIT_TINY)
+        return false;
+    out->empty = discriminant.v < 0.0;
+    out->from_ever = out->for_ever = false;
+    out->lo_part = SIDE_IN;
+    out->hi_part = SIDE_OUT;
+    if (out->empty)
+        return a.v > 0.0;
+    if (a.v > 0.0 && s->slope.hi != 0.0) {
+        const bounded axial = minus(times(g->r, a), times(g->grow, b));
+
+        if (!is_certain(axial))
+            return false;
+        if (axial.v < 0.0) {
+            out->empty = true;
+            return true;
+        }
+    }
+    root.v = sqrt(discriminant.v);
+    root.e = discriminant.e / root.v + KIT_U * root.v;
+    sum = b.v < 0.0 ? minus(root, b) : minus(bounded_of(-b.v, b.e), root);
+    first = over(c, sum);
+    second = over(sum, a);
+    if (first.v > second.v) {
+        const bounded swap = first;
+        first = second;
+        second = swap;
+    }
+    out->lo = a.v > 0.0 ? first : second;
+    out->hi = a.v > 0.0 ? second : first;
+    out->from_ever = a.v < 0.0 && g->grow.v < 0.0;
+    out->for_ever = a.v < 0.0 && g->grow.v > 0.0;
+    return a.v > 0.0 || is_certain(g->grow);
+}
+
+static bool rough_slab(const kit_frustum *s, const rough *g, rough_span *out)
+{
+    const bounded top = plus(bounded_of(s->height.hi, KIT_U), bounded_of(-g->z.v, g->z.e));
+    const bool up = g->dz.v > 0.0;
+
+    out->empty = out->from_ever = out->for_ever = false;
+    out->lo = out->hi = bounded_of(0.0, 0.0);
+    out->lo_part = up ? CAP_BASE : CAP_TOP;
+    out->hi_part = up ? CAP_TOP : CAP_BASE;
+    if (g->dz.v == 0.0 && g->dz.e == 0.0) {
+        out->from_ever = out->for_ever = true;
+        out->empty = g->z.v < 0.0 || top.v < 0.0;
+        return is_certain(g->z) && is_certain(top);
+    }
+    if (!is_certain(g->dz))
+        return false;
+    out->lo = over(up ? bounded_of(-g->z.v, g->z.e) : top, g->dz);
+    out->hi = over(up ? top : bounded_of(-g->z.v, g->z.e), g->dz);
+    return true;
+}
+
+/* Is a before b? False in *certain when that cannot be told. */
+static inline bool is_before(bounded a, bounded b, bool *certain)
+{
+    if (!(fabs(a.v - b.v) > 2.0 * (a.e + b.e)))
+        *certain = false;
+    return a.v < b.v;
+}
+
+static rough_span rough_meet(rough_span a, rough_span b, bool *certain)
+{
+    if (a.empty || b.empty) {
+        a.empty = true;
+        return a;
+    }
+    if (a.from_ever || (!b.from_ever && is_before(a.lo, b.lo, certain))) {
+        a.from_ever = b.from_ever;
+        a.lo = b.lo;
+        a.lo_part = b.lo_part;
+    }
+    if (a.for_ever || (!b.for_ever && is_before(b.hi, a.hi, certain))) {
+        a.for_ever = b.for_ever;
+        a.hi = b.hi;
+        a.hi_part = b.hi_part;
+    }
+    return a;
+}
+
+static bool rough_within(const rough_span *slab, bounded t, bool *certain)
+{
+    if (slab->empty)
+        return false;
+    return (slab->from_ever || !is_before(t, slab->lo, certain)) && (slab->for_ever || !is_before(slab->hi, t, certain));
+}
+
+static leaving rough_leaving(const kit_frustum *s, const kit_ray *k, const rough *g, uint32_t part, bool *certain)
+{
+    const pov_vec3 f = pov_two3_hi(k->f);
+    bounded x, y, z, outward;
+
+    if (part >= CAP_BASE) {
+        *certain = *certain && (is_certain(g->dz) || (g->dz.v == 0.0 && g->dz.e == 0.0));
+        return (part == CAP_BASE ? g->dz.v > 0.0 : g->dz.v < 0.0) ? INWARD : OUTWARD;
+    }
+    x = row_times(&s->row[0], f);
+    y = row_times(&s->row[1], f);
+    z = row_times(&s->row[2], f);
+    z = plus(bounded_of(s->radius.hi, KIT_U), times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), z));
+    outward = minus(plus(times(x, g->dx), times(y, g->dy)), times(g->grow, z));
+    *certain = *certain && is_certain(outward);
+    return outward.v < 0.0 ? INWARD : OUTWARD;
+}
+
+/* How far off a crossing may be for a normal within 1e-13: a part of the radius there. */
+static double fine_at(const rough *g, bounded t, uint32_t part)
+{
+    const double speed = fabs(g->dx.v) + fabs(g->dy.v) + fabs(g->dz.v);
+
+    return KIT_FINE * (part >= CAP_BASE ? 1.0 : fabs(g->r.v + t.v * g->grow.v)) / speed;
+}
+
+static inline kit_root root_of(double middle, bounded t, uint32_t part)
+{
+    kit_root r;
+
+    r.t = pov_two_sum(middle, t.v);
+    r.error = t.e;
+    r.part = part;
+    return r;
+}
+
+static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, const rough *g, double middle, pov_hits *hits)
+{
+    rough_span side, slab, both;
+    leaving way = NOT_LEAVING;
+    bool certain = true, in, out;
+    kit_root roots[2];
+    double fine = HUGE_VAL;
+    uint32_t n = 0;
+
+    if (!rough_slab(s, g, &slab))
+        return false;
+    if (slab.empty)
+        return true;
+    if (!rough_side(s, g, &side))
+        return false;
+    if (side.empty)
+        return true;
+    if (ray->left == hits->owner)
+        way = rough_leaving(s, k, g, ray->left_mark.part, &certain);
+    both = s->open ? side : rough_meet(side, slab, &certain);
+    in = way != INWARD && !both.from_ever;
+    out = way != OUTWARD && !both.for_ever;
+    if (s->open) {
+        in = in && rough_within(&slab, both.lo, &certain);
+        out = out && rough_within(&slab, both.hi, &certain);
+    } else if (way == NOT_LEAVING && !both.from_ever && !both.for_ever && is_before(both.hi, both.lo, &certain)) {
+        return certain;
+    }
+    if (!certain)
+        return false;
+    if (in) {
+        roots[n++] = root_of(middle, both.lo, both.lo_part);
+        fine = fine_at(g, both.lo, both.lo_part);
+    }
+    if (out) {
+        roots[n++] = root_of(middle, both.hi, both.hi_part);
+        fine = fmin(fine, fine_at(g, both.hi, both.hi_part));
+    }
+    return kit_report(roots, n, k->unit, fine, hits);
+}
+
+void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const kit_frustum *s = self;
+    const kit_ray k = kit_enter(ray, s->anchor, s->scale);
+    const pov_vec3 f = pov_two3_hi(k.f);
+    double middle;
+    pov_vec3 w;
+    rough g;
+
+    if (s->empty)
+        return;
+    g.dx = row_times(&s->row[0], k.d);
+    g.dy = row_times(&s->row[1], k.d);
+    g.dz = row_times(&s->row[2], k.d);
+    /* Closest approach to the middle of the axis, in local lengths. Any point near the shape would do. */
+    middle = -(row_times(&s->row[0], f).v * g.dx.v + row_times(&s->row[1], f).v * g.dy.v
+               + (row_times(&s->row[2], f).v - 0.5 * s->height.hi) * g.dz.v)
+             / (g.dx.v * g.dx.v + g.dy.v * g.dy.v + g.dz.v * g.dz.v);
+    w = kit_along(&k, middle);
+    g.x = row_times(&s->row[0], w);
+    g.y = row_times(&s->row[1], w);
+    g.z = row_times(&s->row[2], w);
+    g.r = plus(bounded_of(s->radius.hi, KIT_U * s->radius.hi),
+               times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.z));
+    g.grow = times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.dz);
+    if (hits->always_exact || !(pov_largest(f) < KIT_FAR) || !quick(s, &k, ray, &g, middle, hits))
+        kit_frustum_decide(s, &k, ray, middle, hits);
+}

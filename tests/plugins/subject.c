@@ -1,0 +1,189 @@
+#include "plugins/subject.h"
+
+#include "support/check.h"
+#include "support/fake_reader.h"
+
+#include <povtrace/exact.h>
+
+#include <stdio.h>
+#include <string.h>
+
+plugin_subject subject;
+
+static const struct { const char *keyword, *text; } texts[] = {
+    { "sphere", "<0, 0, 0>, 1" },
+    { "sphere", "<3, -2, 1>, 0.25" },
+    { "sphere", "<1e6, 2e6, -1e6>, 1e-3" },
+    { "box", "<-1, -1, -1>, <1, 1, 1>" },
+    { "box", "<2, 5, 1>, <1, 4.5, 3>" },
+    { "box", "<0, 0, 0>, <1, 1e-9, 1>" },
+    { "cylinder", "<0, 0, 0>, <0, 1, 0>, 1" },
+    { "cylinder", "<1, 2, 3>, <2, 1, 5>, 0.5 open" },
+    { "cylinder", "<0, 0, 0>, <0, 0, 10>, 1e-4" },
+    { "cone", "<0, 0, 0>, 1, <0, 1, 0>, 0" },
+    { "cone", "<1, 0, 1>, 0.25, <2, 3, 0>, 1 open" },
+    { "cone", "<0, -1, 0>, 1, <0, 1, 0>, 0.999999" },
+    { "quadric", "<1, 1, 1>, <0, 0, 0>, <0, 0, 0>, -1" },
+    { "quadric", "<1, 2, 0.5>, <0.3, -0.2, 0.1>, <1, 0, 2>, -1" },
+    { "quadric", "<1, 0, 1>, <0, 0, 0>, <0, -1, 0>, 0" },
+    { "quadric", "<0, 0, 0>, <0, 0, 0>, <0, 1, 0>, 0.5" },
+    { "quadric", "<1, 1, -1>, <0, 0, 0>, <0, 0, 0>, -0.25" },
+    { "quadric", "<-1, -1, -1>, <0, 0, 0>, <0, 0, 0>, 1" },
+    { "polygon", "5, <0, 0, 0>, <1, 0, 0>, <1, 1, 0>, <0, 1, 0>, <0, 0, 0>" },
+    { "polygon", "10, <-2, 1, -2>, <2, 1, -2>, <2, 1, 2>, <-2, 1, 2>, <-2, 1, -2>, "
+                 "<-1, 1, -1>, <1, 1, -1>, <1, 1, 1>, <-1, 1, 1>, <-1, 1, -1>" },
+    { "polygon", "4, <1, 0, 0>, <0, 1, 0>, <0, 0, 1>, <1, 0, 0>" },
+    { "disc", "<0, 0, 0>, <0, 1, 0>, 1" },
+    { "disc", "<1, 2, 3>, <1, -1, 2>, 2, 0.5" },
+};
+
+static uint64_t state = 88172645463325252u;
+
+double subject_uniform(void)
+{
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (double)(state >> 11) * 0x1p-53;
+}
+
+pov_vec3 subject_direction(void)
+{
+    const double z = 2.0 * subject_uniform() - 1.0, angle = 6.283185307179586 * subject_uniform(), r = sqrt(1.0 - z * z);
+    return pov_vec3_of(r * cos(angle), r * sin(angle), z);
+}
+
+void *subject_memory(void)
+{
+    return fake_reader_memory(subject.in, subject.shape->instance_size);
+}
+
+static double shorter(double a, double b) { return b > 0.0 && b < a ? b : a; }
+
+static void take(void *self)
+{
+    thing *t = &subject.things[subject.count++];
+    pov_vec3 side;
+
+    t->self = self;
+    t->finite = subject.shape->bounds(self, &t->box);
+    if (!t->finite) {
+        t->box.lo = pov_vec3_of(-2.0, -2.0, -2.0);
+        t->box.hi = pov_vec3_of(2.0, 2.0, 2.0);
+    }
+    side = pov_sub(t->box.hi, t->box.lo);
+    t->size = pov_largest(side);
+    t->thickness = shorter(shorter(t->size, side.x), shorter(side.y, side.z));
+    t->middle = pov_add(pov_scale(t->box.lo, 0.5), pov_scale(t->box.hi, 0.5));
+}
+
+/* As many numbers as the plugin wants: more are fed until it is content. */
+static void guess(void)
+{
+    int tries, numbers, i;
+
+    for (tries = 0; tries < 4000 && subject.count < 6; tries++) {
+        void *self = subject_memory();
+
+        fake_reader_clear(subject.in);
+        numbers = 1 + tries % 24;
+        for (i = 0; i < numbers; i++) {
+            const bool vector = subject_uniform() < 0.5;
+
+            if (vector) {
+                char text[128];
+                snprintf(text, sizeof text, "<%.17g, %.17g, %.17g>", 4.0 * subject_uniform() - 2.0, 4.0 * subject_uniform() - 2.0,
+                         4.0 * subject_uniform() - 2.0);
+                fake_reader_text(subject.in, text);
+            } else {
+                fake_reader_number(subject.in, subject_uniform() < 0.3 ? floor(8.0 * subject_uniform()) : 2.0 * subject_uniform());
+            }
+        }
+        if (fake_reader_parse_into(subject.in, subject.shape, self))
+            take(self);
+    }
+}
+
+bool subject_set_up(const char *file)
+{
+    size_t i;
+
+    memset(&subject, 0, sizeof subject);
+    snprintf(subject.file, sizeof subject.file, "%s", file);
+    subject.shape = fake_reader_load(file);
+    subject.in = fake_reader_create();
+    if (!subject.shape || !subject.in)
+        return false;
+    for (i = 0; i < sizeof texts / sizeof *texts; i++) {
+        void *self;
+
+        if (strcmp(texts[i].keyword, subject.shape->keyword) != 0)
+            continue;
+        self = subject_memory();
+        fake_reader_clear(subject.in);
+        fake_reader_text(subject.in, texts[i].text);
+        if (fake_reader_parse_into(subject.in, subject.shape, self))
+            take(self);
+        else
+            print_error("%s { %s }: %s\n", texts[i].keyword, texts[i].text, fake_reader_message(subject.in));
+    }
+    if (subject.count == 0)
+        guess();
+    return subject.count > 0;
+}
+
+/* ---- rays ---- */
+
+pov_ray subject_ray(const thing *t)
+{
+    const pov_vec3 half = pov_scale(pov_sub(t->box.hi, t->box.lo), 0.6), d = subject_direction();
+    const pov_vec3 target = pov_add(t->middle, pov_vec3_of(half.x * (2.0 * subject_uniform() - 1.0), half.y * (2.0 * subject_uniform() - 1.0),
+                                                           half.z * (2.0 * subject_uniform() - 1.0)));
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.org = pov_sub(target, pov_scale(d, t->size * pow(10.0, 4.0 * subject_uniform() - 1.0)));
+    ray.dir = pov_scale(d, pow(10.0, 6.0 * subject_uniform() - 3.0));
+    ray.left = POV_NOBODY;
+    return ray;
+}
+
+uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
+                       pov_crossing at[MOST])
+{
+    pov_hits hits = { 0 };
+    uint32_t i, j;
+
+    hits.tmin = tmin;
+    hits.tmax = tmax;
+    hits.want = want;
+    hits.always_exact = exact;
+    hits.owner = OWNER;
+    hits.capacity = MOST;
+    hits.at = at;
+    subject.shape->intersect(self, ray, &hits);
+    for (i = 1; i < hits.count; i++) {
+        const pov_crossing c = at[i];
+
+        for (j = i; j > 0 && at[j - 1].t > c.t; j--)
+            at[j] = at[j - 1];
+        at[j] = c;
+    }
+    return hits.count;
+}
+
+uint32_t subject_ask(const void *self, const pov_ray *ray, pov_crossing at[MOST])
+{
+    return subject_ask_in(self, ray, POV_WANT_ALL, 0.0, HUGE_VAL, false, at);
+}
+
+void subject_point(const pov_ray *ray, double t, double t_lo, pov_vec3 *hi, pov_vec3 *lo)
+{
+    const pov_two when = pov_two_of(t, t_lo);
+    const pov_two x = pov_two_add(pov_two_sum(ray->org.x, ray->org_lo.x), pov_two_mul_double(when, ray->dir.x));
+    const pov_two y = pov_two_add(pov_two_sum(ray->org.y, ray->org_lo.y), pov_two_mul_double(when, ray->dir.y));
+    const pov_two z = pov_two_add(pov_two_sum(ray->org.z, ray->org_lo.z), pov_two_mul_double(when, ray->dir.z));
+
+    *hi = pov_vec3_of(x.hi, y.hi, z.hi);
+    *lo = pov_vec3_of(x.lo, y.lo, z.lo);
+}

@@ -1,0 +1,50 @@
+/* subject.h - the plugin under test: instances of its shape, and rays at them. */
+#ifndef PLUGINS_SUBJECT_H
+#define PLUGINS_SUBJECT_H
+
+#include <povtrace/plugin.h>
+
+enum { OWNER = 3, MOST = 64, SHAPES = 24 };
+
+typedef struct thing {
+    void *self;
+    pov_box box;
+    bool finite;
+    double size, thickness;  /* the longest and the shortest side of the box that has a length */
+    pov_vec3 middle;
+} thing;
+
+/* What is under test: a class and instances of it. */
+typedef struct plugin_subject {
+    char file[1024];
+    const pov_shape_class *shape;
+    pov_reader *in;
+    thing things[SHAPES];
+    int count;
+} plugin_subject;
+
+extern plugin_subject subject;
+
+/* Does the class reach as far as this member, and is it there? */
+#define HAS(member) \
+    (subject.shape->size >= offsetof(pov_shape_class, member) + sizeof subject.shape->member \
+     && subject.shape->member != NULL)
+
+/* Load a file and make instances of its first shape. False: there are none. */
+bool subject_set_up(const char *file);
+/* Memory for an instance; lives as long as the subject. */
+void *subject_memory(void);
+
+double subject_uniform(void);        /* 0 <= x < 1 */
+pov_vec3 subject_direction(void);    /* unit, all directions alike */
+
+/* From somewhere, near or far, towards the thing or past it. */
+pov_ray subject_ray(const thing *t);
+/* Crossings in growing order; how many. */
+uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
+                        pov_crossing at[MOST]);
+uint32_t subject_ask(const void *self, const pov_ray *ray, pov_crossing at[MOST]);
+/* The point at t, in two parts. */
+void subject_point(const pov_ray *ray, double t, double t_lo, pov_vec3 *hi, pov_vec3 *lo);
+
+#endif

@@ -1,0 +1,534 @@
+/* test_contract.c - what every primitive plugin promises, asked of each .so in a folder.
+ *
+ * test_contract [FOLDER or FILE ...]: the build's own plugins by default. A plugin of a keyword that the table does not
+ * know is given random numbers until it takes some, so a new primitive passes, or fails, unchanged. */
+#include "plugins/subject.h"
+
+#include "support/check.h"
+#include "support/fake_reader.h"
+
+#include <povtrace/exact.h>
+
+#include <dirent.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RAYS = 20000, SPAWNED = 120000 };
+
+static double length_of(pov_vec3 a) { return sqrt(pov_dot(a, a)); }
+
+/* Each of `rays` rays on every instance; `see` gives false where something is wrong. */
+static void each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
+{
+    int i, j, broken = 0;
+
+    for (i = 0; i < subject.count; i++) {
+        for (j = 0; j < rays; j++) {
+            const pov_ray ray = subject_ray(&subject.things[i]);
+
+            if (see(&subject.things[i], &ray))
+                continue;
+            if (broken++ < 4)
+                print_error("%s, shape %d: from <%a, %a, %a> along <%a, %a, %a>\n", subject.shape->keyword, i, ray.org.x,
+                            ray.org.y, ray.org.z, ray.dir.x, ray.dir.y, ray.dir.z);
+        }
+    }
+    assert_int_equal(broken, 0);
+}
+
+/* ---- what is promised ---- */
+
+static void the_form_is_kept(void **unused)
+{
+    const pov_shape_class *s = subject.shape;
+    const char *name = strrchr(subject.file, '/');
+
+    (void)unused;
+    assert_true(s->size >= offsetof(pov_shape_class, inside));
+    assert_non_null(s->keyword);
+    assert_true(s->instance_size > 0 && s->parse && s->bounds && s->intersect && s->normal);
+    assert_true(!(s->flags & POV_SHAPE_SOLID) || HAS(inside));
+    name = name ? name + 1 : subject.file;
+    assert_int_equal(strncmp(name, s->keyword, strlen(s->keyword)), 0);
+    assert_string_equal(name + strlen(s->keyword), ".so");
+    if (HAS(block_pack))
+        assert_true(s->block_size > 0 && s->block_filter);
+}
+
+static bool lies_within(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), i;
+
+    for (i = 0; i < n && t->finite; i++) {
+        const double slack = 8.0 * DBL_EPSILON * (pov_largest(t->box.lo) + pov_largest(t->box.hi)) * 1e-3
+                             + 1e-13 * t->size;
+        pov_vec3 p, low;
+
+        subject_point(ray, at[i].t, at[i].t_lo, &p, &low);
+        if (p.x < t->box.lo.x - slack || p.y < t->box.lo.y - slack || p.z < t->box.lo.z - slack
+            || p.x > t->box.hi.x + slack || p.y > t->box.hi.y + slack || p.z > t->box.hi.z + slack)
+            return false;
+    }
+    return true;
+}
+
+static void crossings_lie_within_bounds(void **unused)
+{
+    (void)unused;
+    each_ray(RAYS, lies_within);
+}
+
+static bool has_unit_normals(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), i;
+
+    for (i = 0; i < n; i++) {
+        pov_vec3 normal;
+
+        subject.shape->normal(t->self, ray, &at[i], &normal);
+        if (!(fabs(pov_dot(normal, normal) - 1.0) < 8.0 * DBL_EPSILON))
+            return false;
+    }
+    return true;
+}
+
+static void normals_are_unit(void **unused)
+{
+    (void)unused;
+    each_ray(RAYS, has_unit_normals);
+}
+
+static bool is_inside(const thing *t, const pov_ray *ray, double when, double when_lo)
+{
+    pov_vec3 p, low;
+
+    subject_point(ray, when, when_lo, &p, &low);
+    return subject.shape->inside(t->self, p, low);
+}
+
+/* Of crossings apart from each other: inside on one side, not on the other, and the normal points to the latter. Open
+ * shapes end in air, so there inside() need not flip; but where it does it must do so rightly. */
+static bool flips_at_crossings(const thing *t, const pov_ray *ray)
+{
+    const double speed = length_of(ray->dir), step = 1e-6 * t->size / speed;
+    pov_crossing at[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), i;
+
+    for (i = 0; i < n; i++) {
+        pov_vec3 normal;
+        bool before, after;
+        double rise;
+
+        if ((i > 0 && at[i].t - at[i - 1].t < 8.0 * step) || (i + 1 < n && at[i + 1].t - at[i].t < 8.0 * step))
+            continue;
+        subject.shape->normal(t->self, ray, &at[i], &normal);
+        rise = pov_dot(normal, ray->dir) / speed;
+        if (fabs(rise) < 1e-2)
+            continue;
+        before = is_inside(t, ray, at[i].t - step, at[i].t_lo);
+        after = is_inside(t, ray, at[i].t + step, at[i].t_lo);
+        if (before == after || after != (rise < 0.0))
+            return false;
+    }
+    return true;
+}
+
+static void inside_flips_where_a_ray_crosses(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & POV_SHAPE_SOLID)
+        each_ray(RAYS, flips_at_crossings);
+    else
+        skip();
+}
+
+static bool same_crossing(const pov_crossing *a, const pov_crossing *b)
+{
+    return a->t == b->t && a->t_lo == b->t_lo && a->mark.part == b->mark.part;
+}
+
+/* In any interval the nearest is the first of all, and ANY finds something exactly when there is something. What double
+ * precision decides for one question may be decided in two parts for another, so the distances may differ by that. */
+static bool agrees(const thing *t, const pov_ray *ray)
+{
+    pov_crossing all[MOST], one[MOST];
+    const double limit = subject_uniform() < 0.5 ? HUGE_VAL : 3.0 * t->size / length_of(ray->dir);
+    uint32_t n = subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, limit, false, all);
+    uint32_t nearest = subject_ask_in(t->self, ray, POV_WANT_NEAREST, 0.0, limit, false, one);
+
+    if (nearest != (n > 0))
+        return false;
+    if (n > 0 && fabs(one[0].t - all[0].t) > 32.0 * DBL_EPSILON * fabs(all[0].t))
+        return false;
+    if (n > 0 && one[0].owner != OWNER)
+        return false;
+    return subject_ask_in(t->self, ray, POV_WANT_ANY, 0.0, limit, false, one) == nearest;
+}
+
+static void nearest_is_the_first_of_all_and_any_is_as_nearest(void **unused)
+{
+    (void)unused;
+    each_ray(RAYS, agrees);
+}
+
+static bool agrees_exactly(const thing *t, const pov_ray *ray)
+{
+    pov_crossing quick[MOST], exact[MOST];
+    uint32_t n = subject_ask(t->self, ray, quick), i;
+
+    if (subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, HUGE_VAL, true, exact) != n)
+        return false;
+    for (i = 0; i < n; i++) {
+        if (fabs(quick[i].t - exact[i].t) > 32.0 * DBL_EPSILON * fabs(exact[i].t))
+            return false;
+    }
+    return true;
+}
+
+static void always_exact_finds_the_same(void **unused)
+{
+    (void)unused;
+    each_ray(RAYS, agrees_exactly);
+}
+
+static bool copies_agree(const thing *t, const pov_ray *ray)
+{
+    void *copy = subject_memory();
+    pov_crossing a[MOST], b[MOST];
+    uint32_t n, i;
+
+    memcpy(copy, t->self, subject.shape->instance_size);
+    n = subject_ask(t->self, ray, a);
+    if (subject_ask(copy, ray, b) != n)
+        return false;
+    for (i = 0; i < n; i++) {
+        if (!same_crossing(&a[i], &b[i]))
+            return false;
+    }
+    return true;
+}
+
+static void copies_behave_alike(void **unused)
+{
+    (void)unused;
+    each_ray(RAYS / 4, copies_agree);
+}
+
+/* ---- maps ---- */
+
+/* Axial and general ones, with their inverses; exact to a rounding each. */
+static pov_affine map_of(int which)
+{
+    const double turn = 0.7 * which, c = which % 3 ? cos(turn) : 0.0, s = which % 3 ? sin(turn) : 1.0;
+    const double scale = which % 2 ? 3.0 : 0.5, x = which > 4 ? 2.0 * scale : scale;
+    pov_affine f;
+
+    memset(&f, 0, sizeof f);
+    f.m[0][0] = x * c, f.m[0][2] = x * s;
+    f.m[1][1] = which == 5 ? -scale : scale;
+    f.m[2][0] = -scale * s, f.m[2][2] = scale * c;
+    f.m[0][3] = 1.5, f.m[1][3] = -2.25, f.m[2][3] = 10.0 * which;
+    f.inv[0][0] = c / x, f.inv[0][2] = -s / scale;
+    f.inv[1][1] = 1.0 / f.m[1][1];
+    f.inv[2][0] = s / x, f.inv[2][2] = c / scale;
+    f.inv[0][3] = -(f.inv[0][0] * f.m[0][3] + f.inv[0][2] * f.m[2][3]);
+    f.inv[1][3] = -f.inv[1][1] * f.m[1][3];
+    f.inv[2][3] = -(f.inv[2][0] * f.m[0][3] + f.inv[2][2] * f.m[2][3]);
+    return f;
+}
+
+static pov_vec3 linear(const double m[3][4], pov_vec3 v)
+{
+    return pov_vec3_of(m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+                       m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z);
+}
+
+/* The mapped shape against the ray taken back: the same crossings but for what the map's own rounding moves. */
+static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine *f, const pov_ray *ray)
+{
+    pov_crossing own[MOST], taken[MOST];
+    const double size = t->size + length_of(pov_sub(ray->org, t->middle));
+    pov_ray there = *ray;
+    uint32_t n = subject_ask(t->self, ray, own), m, i;
+
+    there.org = pov_affine_point(f, ray->org);
+    there.dir = linear(f->m, ray->dir);
+    m = subject_ask(mapped, &there, taken);
+    if (n != m) {
+        /* A graze may fall either way: then two crossings are close, or one ends at an edge. */
+        const pov_ray beside = { pov_add(ray->org, pov_scale(subject_direction(), 1e-9 * size)), ray->org_lo, ray->dir, POV_NOBODY,
+                                 ray->left_mark, ray->dir_lo };
+        return subject_ask(t->self, &beside, own) != n || n + m <= 2;
+    }
+    for (i = 0; i < n; i++) {
+        pov_vec3 a, b;
+
+        if (fabs(own[i].t - taken[i].t) * length_of(ray->dir) > 1e-6 * size)
+            return false;
+        subject.shape->normal(t->self, ray, &own[i], &a);
+        subject.shape->normal(mapped, &there, &taken[i], &b);
+        /* Normals go by the transposed inverse; back again by the transposed map. */
+        b = pov_unit(pov_vec3_of(f->m[0][0] * b.x + f->m[1][0] * b.y + f->m[2][0] * b.z,
+                                 f->m[0][1] * b.x + f->m[1][1] * b.y + f->m[2][1] * b.z,
+                                 f->m[0][2] * b.x + f->m[1][2] * b.y + f->m[2][2] * b.z));
+        if (length_of(pov_sub(a, b)) > 1e-4 && own[i].mark.part == taken[i].mark.part)
+            return false;
+    }
+    return true;
+}
+
+static void an_absorbed_map_is_as_a_mapped_ray(void **unused)
+{
+    int i, which, j, taken = 0, broken = 0;
+
+    (void)unused;
+    if (!HAS(absorb))
+        skip();
+    for (i = 0; i < subject.count; i++) {
+        const thing *t = &subject.things[i];
+
+        for (which = 0; which < 7; which++) {
+            const pov_affine f = map_of(which);
+            void *mapped = subject_memory(), *before = subject_memory();
+
+            memcpy(mapped, t->self, subject.shape->instance_size);
+            memcpy(before, t->self, subject.shape->instance_size);
+            if (!subject.shape->absorb(mapped, &f)) {
+                assert_memory_equal(mapped, before, subject.shape->instance_size);
+                continue;
+            }
+            taken++;
+            for (j = 0; j < RAYS / 8 && t->size < 1e3 && pov_largest(t->middle) < 1e3 && t->size > 1e-1; j++) {
+                const pov_ray ray = subject_ray(t);
+                broken += !absorbed_agrees(t, mapped, &f, &ray);
+            }
+        }
+    }
+    assert_true(taken > 0);
+    assert_int_equal(broken, 0);
+}
+
+/* ---- blocks ---- */
+
+static bool filter_is_right(const void *block, const thing *const *things, uint32_t n, const pov_ray *ray, double tmin,
+                            double tmax)
+{
+    pov_block_answer answer;
+    uint32_t i;
+
+    memset(&answer, 0, sizeof answer);
+    subject.shape->block_filter(block, ray, tmin, tmax, &answer);
+    if (answer.surely & ~answer.maybe)
+        return false;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const uint32_t bit = 1u << i;
+        pov_crossing at[MOST];
+        uint32_t found;
+
+        if (i >= n) {
+            if (answer.maybe & bit)
+                return false;
+            continue;
+        }
+        found = subject_ask_in(things[i]->self, ray, POV_WANT_NEAREST, tmin, tmax, true, at);
+        if (found && (!(answer.maybe & bit) || at[0].t < answer.lo[i]))
+            return false;
+        if (answer.surely & bit && (!found || at[0].t > answer.hi[i]))
+            return false;
+    }
+    return true;
+}
+
+static void block_filters_never_exclude_a_crossing(void **unused)
+{
+    void *block;
+    int round, j, broken = 0, packed = 0, seen = 0;
+
+    (void)unused;
+    if (!HAS(block_pack))
+        skip();
+    block = fake_reader_memory(subject.in, subject.shape->block_size);
+    for (round = 0; round < 40; round++) {
+        const uint32_t n = 1 + (uint32_t)(POV_BLOCK_MAX * subject_uniform());
+        const thing *things[POV_BLOCK_MAX];
+        const void *selves[POV_BLOCK_MAX];
+        uint32_t i;
+
+        for (i = 0; i < n; i++) {
+            things[i] = &subject.things[(int)(subject.count * subject_uniform())];
+            selves[i] = things[i]->self;
+        }
+        if (!subject.shape->block_pack(block, selves, n))
+            continue;
+        packed++;
+        for (j = 0; j < RAYS / 4; j++) {
+            const thing *t = things[(uint32_t)(n * subject_uniform())];
+            pov_ray ray = subject_ray(t);
+            const double scale = t->size / length_of(ray.dir), tmin = subject_uniform() < 0.5 ? 0.0 : scale * subject_uniform();
+            const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : tmin + 20.0 * scale * subject_uniform();
+            pov_block_answer answer;
+
+            if (subject_uniform() < 0.1)
+                ray.dir.x = 0.0;
+            if (subject_uniform() < 0.05)
+                ray.dir.y = -0.0;
+            broken += !filter_is_right(block, things, n, &ray, tmin, tmax);
+            subject.shape->block_filter(block, &ray, tmin, tmax, &answer);
+            seen += answer.surely != 0;
+        }
+    }
+    assert_true(packed > 0);
+    assert_int_equal(broken, 0);
+    /* A filter that is never sure is of no use. */
+    assert_true(seen > 0);
+}
+
+/* ---- leaving ---- */
+
+/* A ray that starts on the surface does not meet its own start: no crossing lies nearer than a chord of that tilt can
+ * be. */
+static bool leaves_for_good(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), m, i, which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal;
+    pov_ray next;
+    double tilt;
+
+    if (n == 0)
+        return true;
+    memset(&next, 0, sizeof next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    next.dir = subject_direction();
+    tilt = pov_dot(next.dir, normal);
+    if (subject_uniform() < 0.5) {
+        const double less = pow(10.0, -4.0 * subject_uniform());
+
+        next.dir = pov_unit(pov_sub(next.dir, pov_scale(normal, tilt * (1.0 - less))));
+        tilt = pov_dot(next.dir, normal);
+    }
+    if (fabs(tilt) < 1e-6)
+        return true;
+    next.left = OWNER;
+    next.left_mark = at[which].mark;
+    m = subject_ask(t->self, &next, again);
+    for (i = 0; i < m; i++) {
+        /* At an edge or a rim another part is as near as one likes; the same part is not. */
+        if (again[i].t < 1e-9 * t->thickness && again[i].mark.part == at[which].mark.part)
+            return false;
+    }
+    return true;
+}
+
+static void a_ray_that_leaves_never_meets_its_start(void **unused)
+{
+    (void)unused;
+    each_ray(SPAWNED, leaves_for_good);
+}
+
+/* ---- garbage ---- */
+
+static void garbage_never_crashes_parse(void **unused)
+{
+    static const char *const words[] = { "<", ">", ",", "open", "{", "}", "pigment", "-", "nan", "\"" };
+    static const double odd[] = { 0.0, -0.0, 1e308, -1e308, 5e-324, 1e-320, -1.0, 3.0, 4.0, 1e9, HUGE_VAL, -HUGE_VAL, NAN };
+    void *self = subject_memory();
+    int round, i;
+
+    (void)unused;
+    for (round = 0; round < 20000; round++) {
+        const int n = (int)(24.0 * subject_uniform());
+        pov_crossing at[MOST];
+        pov_box box;
+
+        fake_reader_clear(subject.in);
+        for (i = 0; i < n; i++) {
+            if (subject_uniform() < 0.4)
+                fake_reader_word(subject.in, words[(int)(10.0 * subject_uniform())]);
+            else
+                fake_reader_number(subject.in, subject_uniform() < 0.5 ? odd[(int)(13.0 * subject_uniform())] : 8.0 * subject_uniform() - 4.0);
+        }
+        /* What it takes, it must also survive being asked. */
+        if (fake_reader_parse_into(subject.in, subject.shape, self)) {
+            const pov_ray ray = subject_ray(&subject.things[0]);
+
+            subject.shape->bounds(self, &box);
+            subject_ask(self, &ray, at);
+            if (HAS(inside))
+                subject.shape->inside(self, ray.org, ray.org_lo);
+        }
+    }
+}
+
+/* ---- folders ---- */
+
+static int check_file(const char *file)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_form_is_kept),
+        cmocka_unit_test(crossings_lie_within_bounds),
+        cmocka_unit_test(normals_are_unit),
+        cmocka_unit_test(inside_flips_where_a_ray_crosses),
+        cmocka_unit_test(nearest_is_the_first_of_all_and_any_is_as_nearest),
+        cmocka_unit_test(always_exact_finds_the_same),
+        cmocka_unit_test(copies_behave_alike),
+        cmocka_unit_test(an_absorbed_map_is_as_a_mapped_ray),
+        cmocka_unit_test(block_filters_never_exclude_a_crossing),
+        cmocka_unit_test(a_ray_that_leaves_never_meets_its_start),
+        cmocka_unit_test(garbage_never_crashes_parse),
+    };
+    int failed;
+
+    if (!subject_set_up(file)) {
+        print_error("%s: no shape could be made\n", file);
+        return 1;
+    }
+    failed = cmocka_run_group_tests_name(subject.shape->keyword, tests, NULL, NULL);
+    fake_reader_destroy(subject.in);
+    return failed;
+}
+
+static bool is_plugin(const char *name)
+{
+    const size_t n = strlen(name);
+    return n > 3 && strcmp(name + n - 3, ".so") == 0;
+}
+
+static int order(const void *a, const void *b) { return strcmp(a, b); }
+
+static int check_folder(const char *folder)
+{
+    static char files[256][1024];
+    DIR *d = opendir(folder);
+    const struct dirent *entry;
+    int count = 0, failed = 0, i;
+
+    if (!d)
+        return check_file(folder);
+    while (count < 256 && (entry = readdir(d)) != NULL) {
+        if (is_plugin(entry->d_name))
+            snprintf(files[count++], sizeof files[0], "%s/%s", folder, entry->d_name);
+    }
+    closedir(d);
+    qsort(files, (size_t)count, sizeof files[0], order);
+    for (i = 0; i < count; i++)
+        failed += check_file(files[i]);
+    return count == 0 || failed;
+}
+
+int main(int argc, char **argv)
+{
+    int i, failed = 0;
+
+    if (argc < 2)
+        return check_folder(TEST_BUILD "/lib/povtrace/primitives");
+    for (i = 1; i < argc; i++)
+        failed += check_folder(argv[i]);
+    return failed != 0;
+}
