@@ -1,0 +1,333 @@
+#include "app.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Of these keys each has a bit in `flying`, in this order. */
+static const char flight_keys[] = "WASDQE";
+/* A slow scene is begun anew after this time even if its first picture is not whole: 20 times a second and some. */
+static const double RESTART_SECONDS = 0.045;
+static const double FLIGHT_SECONDS = 1.0 / 60.0;
+static const double NOTE_SECONDS = 2.0;
+
+enum { EXPOSURE_MOST = 20 };
+
+void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
+{
+    memset(a, 0, sizeof *a);
+    a->width = width;
+    a->height = height;
+    a->scale = 1.0;
+    a->probe = probe;
+    a->probe_user = probe_user;
+    a->restarted = -1.0;
+    a->orders = APP_DRAW;
+}
+
+/* The shape of picture that a camera is meant for. Where the window's is as good as that, or was asked for, it is the
+ * window's, and the picture to the bit what povc makes of this size. */
+static double shape_of(const app *a, const pov_camera *c)
+{
+    const double as_good = 0.01;
+    double window = (double)a->width / a->height;
+    double meant = sqrt(pov_dot(c->right, c->right) / pov_dot(c->up, c->up));
+
+    return a->sized || !(fabs(meant / window - 1.0) > as_good) ? window : meant;
+}
+
+void app_set_scene(app *a, const pov_camera *camera, double reach, double size)
+{
+    double shape = shape_of(a, camera);
+
+    if (a->has_scene)
+        orbit_set_home(&a->orbit, camera, reach, shape);
+    else
+        orbit_init(&a->orbit, camera, reach, shape);
+    orbit_fit(&a->orbit, a->width, a->height);
+    a->has_scene = true;
+    a->size = size > 0.0 ? size : 1.0;
+    a->orders |= APP_DRAW;
+}
+
+pov_camera app_camera(const app *a)
+{
+    return orbit_camera(&a->orbit);
+}
+
+const char *app_view_name(app_view view)
+{
+    static const char *const names[APP_VIEWS] = { "picture", "normal", "depth" };
+
+    return names[view];
+}
+
+double app_gain(const app *a)
+{
+    return pow(2.0, 0.5 * a->exposure);
+}
+
+void app_say(app *a, double now, const char *format, ...)
+{
+    va_list list;
+
+    va_start(list, format);
+    vsnprintf(a->note, sizeof a->note, format, list);
+    va_end(list);
+    a->note_until = now + NOTE_SECONDS;
+    a->orders |= APP_DRAW;
+}
+
+/* ---- what is typed ---- */
+
+static void face(app *a, orbit_side side)
+{
+    orbit_face(&a->orbit, side);
+    a->moved = true;
+}
+
+static void reset(app *a)
+{
+    orbit_reset(&a->orbit);
+    a->moved = true;
+}
+
+static void expose(app *a, int more, double now)
+{
+    int wanted = a->exposure + more;
+
+    a->exposure = wanted > EXPOSURE_MOST ? EXPOSURE_MOST : wanted < -EXPOSURE_MOST ? -EXPOSURE_MOST : wanted;
+    a->orders |= APP_TONE;
+    app_say(a, now, "exposure %+.1f stops", 0.5 * a->exposure);
+}
+
+static void show_next(app *a, double now)
+{
+    a->view = (app_view)((a->view + 1) % APP_VIEWS);
+    a->orders |= APP_VIEW;
+    app_say(a, now, "%s", app_view_name(a->view));
+}
+
+static void toggle_pause(app *a, double now)
+{
+    a->paused = !a->paused;
+    a->orders |= APP_PAUSE;
+    app_say(a, now, a->paused ? "paused" : "going on");
+}
+
+static void toggle(app *a, bool *what)
+{
+    *what = !*what;
+    a->orders |= APP_DRAW;
+}
+
+/* Commands that need no scene. True: it was one. */
+static bool take_general(app *a, int code)
+{
+    switch (code) {
+    case 'h': case 'H': case APP_KEY_F1:
+        toggle(a, &a->help);
+        return true;
+    case APP_KEY_F5:
+        a->orders |= APP_RELOAD;
+        return true;
+    case APP_KEY_ESCAPE:
+        a->orders |= APP_QUIT;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void command(app *a, int code, double now)
+{
+    if (take_general(a, code) || !a->has_scene)
+        return;
+    switch (code) {
+    case '1': face(a, ORBIT_FRONT); break;
+    case '3': face(a, ORBIT_RIGHT); break;
+    case '7': face(a, ORBIT_TOP); break;
+    case 'r': case 'R': case APP_KEY_ENTER: reset(a); break;
+    case 'c': case 'C': a->orders |= APP_PRINT; break;
+    case '[': expose(a, -1, now); break;
+    case ']': expose(a, 1, now); break;
+    case 'p': case 'P': toggle_pause(a, now); break;
+    case 's': case 'S': a->orders |= APP_SNAPSHOT; break;
+    case 'i': case 'I': toggle(a, &a->inspect); break;
+    case APP_KEY_TAB: show_next(a, now); break;
+    default: break;
+    }
+}
+
+/* ---- flight ---- */
+
+static double held(const app *a, char plus, char minus)
+{
+    double sum = 0.0;
+
+    for (int i = 0; flight_keys[i]; i++)
+        if (a->flying >> i & 1u)
+            sum += flight_keys[i] == plus ? 1.0 : flight_keys[i] == minus ? -1.0 : 0.0;
+    return sum;
+}
+
+/* A fifth of the scene in a second, or where the camera looks at something near, the way there; Shift is four times
+ * as fast. By the clock, so that a slow scene does not slow it. */
+static void fly(app *a, double now)
+{
+    pov_vec3 ahead = a->orbit.camera.direction;
+    double near = a->orbit.reach * sqrt(pov_dot(ahead, ahead)), speed = 0.2 * a->size, way;
+
+    if (a->drag != APP_FLY || !a->flying || now <= a->flown) {
+        a->flown = now;
+        return;
+    }
+    speed = near < speed ? near : speed;
+    way = (a->shift ? 4.0 : 1.0) * speed * (now - a->flown);
+    orbit_fly(&a->orbit, way * held(a, 'D', 'A'), way * held(a, 'E', 'Q'), way * held(a, 'W', 'S'));
+    a->flown = now;
+    a->moved = true;
+}
+
+static void take_key(app *a, int code, bool down, double now)
+{
+    const char *key = code > 0 && code < 128 ? strchr(flight_keys, code) : NULL;
+
+    if (code == APP_KEY_SHIFT)
+        a->shift = down;
+    if (key) {
+        unsigned bit = 1u << (key - flight_keys);
+
+        fly(a, now);
+        a->flying = down ? a->flying | bit : a->flying & ~bit;
+    } else if (down) {
+        command(a, code, now);
+    }
+}
+
+/* ---- the pointer ---- */
+
+static double probe(const app *a, double x, double y)
+{
+    return a->probe ? a->probe(a->probe_user, x, y) : 0.0;
+}
+
+static void take_button(app *a, int button, bool down, double now)
+{
+    if (!down) {
+        if (a->drag != APP_NO_DRAG && button == a->drag_button)
+            a->drag = APP_NO_DRAG;
+        return;
+    }
+    if (a->drag != APP_NO_DRAG || !a->has_scene)
+        return;
+    a->drag_button = button;
+    a->drag = button == APP_RIGHT ? APP_FLY : button == APP_MIDDLE || a->shift ? APP_PAN : APP_ORBIT;
+    a->flown = now;
+    orbit_set_reach(&a->orbit, probe(a, 0.5, 0.5));
+}
+
+static void take_pointer(app *a, double x, double y)
+{
+    double right = (x - a->x) / a->width, down = (y - a->y) / a->height;
+
+    a->x = x;
+    a->y = y;
+    if (a->inspect)
+        a->orders |= APP_DRAW;
+    if (a->drag == APP_NO_DRAG || (right == 0.0 && down == 0.0))
+        return;
+    if (a->drag == APP_ORBIT)
+        orbit_turn(&a->orbit, right, down);
+    else if (a->drag == APP_PAN)
+        orbit_pan(&a->orbit, right, down);
+    else
+        orbit_look(&a->orbit, right, down);
+    a->moved = true;
+}
+
+static void take_wheel(app *a, double steps)
+{
+    double x = a->x / a->width, y = a->y / a->height;
+
+    if (!a->has_scene || steps == 0.0)
+        return;
+    orbit_dolly(&a->orbit, x, y, probe(a, x, y), steps);
+    a->moved = true;
+}
+
+static void take_size(app *a, double width, double height, double scale)
+{
+    a->scale = scale > 0.0 ? scale : 1.0;
+    a->orders |= APP_DRAW;
+    /* A window that is put away has no size; what it had stays. */
+    if (width < 1.0 || height < 1.0 || (a->width == (int)width && a->height == (int)height))
+        return;
+    a->width = (int)width;
+    a->height = (int)height;
+    if (a->has_scene)
+        orbit_fit(&a->orbit, a->width, a->height);
+    a->resized = true;
+}
+
+void app_take(app *a, const app_event *e, double now)
+{
+    switch (e->kind) {
+    case APP_CHARACTER:
+        /* While the right button is held, letters steer. */
+        if (a->drag != APP_FLY)
+            command(a, e->code, now);
+        break;
+    case APP_KEY: take_key(a, e->code, e->down, now); break;
+    case APP_BUTTON: take_button(a, e->code, e->down, now); break;
+    case APP_POINTER: take_pointer(a, e->x, e->y); break;
+    case APP_WHEEL: take_wheel(a, e->y); break;
+    case APP_SIZE: take_size(a, e->x, e->y, e->scale); break;
+    case APP_LEAVE:
+        a->flying = 0;
+        a->shift = false;
+        a->drag = APP_NO_DRAG;
+        break;
+    case APP_CLOSE: a->orders |= APP_QUIT; break;
+    }
+}
+
+/* ---- what is to be done ---- */
+
+unsigned app_update(app *a, double now, bool coarse_is_there)
+{
+    unsigned orders;
+
+    fly(a, now);
+    if (a->note[0] && now >= a->note_until) {
+        a->note[0] = '\0';
+        a->orders |= APP_DRAW;
+    }
+    if ((a->moved || a->resized) && (coarse_is_there || now - a->restarted >= RESTART_SECONDS)) {
+        a->orders |= (a->resized ? APP_RESIZE : APP_RESTART) | APP_DRAW;
+        a->moved = a->resized = false;
+        a->restarted = now;
+    }
+    orders = a->orders;
+    a->orders = 0;
+    return orders;
+}
+
+double app_patience(const app *a, double now)
+{
+    double left = -1.0;
+
+    if (a->orders)
+        return 0.0;
+    if (a->drag == APP_FLY && a->flying)
+        return FLIGHT_SECONDS;
+    if (a->note[0])
+        left = a->note_until > now ? a->note_until - now : 0.0;
+    if (a->moved || a->resized) {
+        double due = a->restarted + RESTART_SECONDS - now;
+
+        due = due > 0.0 ? due : 0.0;
+        left = left < 0.0 || due < left ? due : left;
+    }
+    return left;
+}

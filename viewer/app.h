@@ -1,0 +1,85 @@
+/* app.h - what the viewer is doing: events go in, orders come out. No window, no OpenGL, no thread; the only thing it
+ * asks of a scene is how far away something is. Places are in pixels of the framebuffer, from its upper left corner. */
+#ifndef VIEWER_APP_H
+#define VIEWER_APP_H
+
+#include "orbit.h"
+
+/* Keys are known by the ASCII of the capital that is printed on them, others by these. */
+enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_SHIFT };
+enum { APP_LEFT, APP_RIGHT, APP_MIDDLE, APP_BUTTONS };
+
+typedef enum app_event_kind {
+    APP_CHARACTER,           /* code: what was typed, whatever keys that took */
+    APP_KEY,                 /* code, down */
+    APP_BUTTON,              /* code, down */
+    APP_POINTER,             /* x, y */
+    APP_WHEEL,               /* y: steps, away from the user is positive */
+    APP_SIZE,                /* x, y: of the framebuffer; scale */
+    APP_LEAVE,               /* the window has lost its focus: no key is held any more */
+    APP_CLOSE
+} app_event_kind;
+
+typedef struct app_event { app_event_kind kind; int code; bool down; double x, y, scale; } app_event;
+
+/* What is to be done outside, as a set of bits. */
+enum {
+    APP_DRAW = 1,            /* what is seen has changed */
+    APP_RESTART = 2,         /* begin anew with app_camera() */
+    APP_RESIZE = 4,          /* the same, with a picture of another size */
+    APP_RELOAD = 8,
+    APP_PRINT = 16,          /* the camera, to standard output */
+    APP_SNAPSHOT = 32,
+    APP_PAUSE = 64,          /* `paused` has changed */
+    APP_TONE = 128,          /* `exposure` has changed */
+    APP_VIEW = 256,          /* `view` has changed */
+    APP_QUIT = 512
+};
+
+typedef enum app_view { APP_PICTURE, APP_NORMAL, APP_DEPTH, APP_VIEWS } app_view;
+typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY } app_drag;
+
+/* How far along orbit_ray(x, y) something is, in lengths of that ray; not positive: nothing. */
+typedef double app_probe(void *user, double x, double y);
+
+typedef struct app {
+    orbit orbit;
+    bool has_scene;
+    bool sized;              /* the user has said how large the picture is: it is shaped as povc would shape it */
+    double size;             /* of the scene, for the speed of flight */
+    int width, height;
+    double scale;            /* of text, for displays with small pixels */
+    double x, y;             /* the pointer */
+    app_drag drag;
+    int drag_button;
+    bool shift;
+    unsigned flying;         /* a bit for each of the keys WASDQE that is held */
+    double flown;            /* the time up to which flight has been accounted for */
+    app_view view;
+    int exposure;            /* in half stops */
+    bool paused, help, inspect;
+    bool moved, resized;     /* the job does not know yet */
+    double restarted;
+    unsigned orders;
+    char note[160];          /* a word to the user, until */
+    double note_until;
+    app_probe *probe;
+    void *probe_user;
+} app;
+
+void app_init(app *a, int width, int height, app_probe *probe, void *probe_user);
+/* There is a scene, or another: its camera, its size. */
+void app_set_scene(app *a, const pov_camera *camera, double reach, double size);
+void app_take(app *a, const app_event *event, double now);
+/* Fly on to now, and say what is to be done. While the camera moves the picture is begun anew each time that its
+ * first coarse one is there, and at least 20 times a second. */
+unsigned app_update(app *a, double now, bool coarse_is_there);
+/* After how many seconds app_update() has something to do by itself; less than 0: never. */
+double app_patience(const app *a, double now);
+void app_say(app *a, double now, const char *format, ...) POV_PRINTF(3, 4);
+pov_camera app_camera(const app *a);
+const char *app_view_name(app_view view);
+/* By how much light is multiplied before it is shown. */
+double app_gain(const app *a);
+
+#endif

@@ -1,0 +1,24 @@
+/* args.h - povview's command line as values. */
+#ifndef VIEWER_ARGS_H
+#define VIEWER_ARGS_H
+
+#include <povtrace/scene.h>
+
+typedef enum args_verdict { ARGS_RUN, ARGS_HELP, ARGS_VERSION, ARGS_WRONG } args_verdict;
+
+typedef struct args {
+    const char *scene;
+    int width, height;           /* 0: not said */
+    const char *shot;            /* draw without a display, to this file */
+    int frames;                  /* passes that a shot waits for; 0: all */
+    const char *keys;            /* what is done in a shot; "" for nothing */
+    bool bench;
+    int threads, samples, max_depth;
+    pov_dialect dialect;
+    const char *plugin_path;
+    char problem[256];           /* after ARGS_WRONG */
+} args;
+
+args_verdict args_parse(args *a, int argc, char **argv);
+
+#endif

@@ -1,0 +1,164 @@
+#include "loop.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+/* Pixels are brought into the picture for no longer than this between two looks at the events. */
+static const double PIXEL_SECONDS = 0.008;
+/* No display shows more pictures than this, and those that nobody sees cost the threads that trace their time. */
+static const double FRAME_SECONDS = 1.0 / 60.0;
+
+static double clock_seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void take_event(void *user, const app_event *event)
+{
+    viewer *v = user;
+    double start = clock_seconds();
+
+    app_take(&v->app, event, viewer_now(v));
+    v->in_events += clock_seconds() - start;
+}
+
+double viewer_now(const viewer *v)
+{
+    return v->fixed_clock >= 0.0 ? v->fixed_clock : clock_seconds() - v->began;
+}
+
+static void draw(viewer *v)
+{
+    const uint8_t *pixels;
+    int width, height, first, last;
+    double scale;
+
+    pixels = session_pixels(v->session, &width, &height);
+    if (session_take_rows(v->session, &first, &last))
+        present_picture(v->present, pixels, width, height, first, last);
+    v->drawn = viewer_now(v);
+    v->behind = false;
+    v->surface->get_size(v->surface, &width, &height, &scale);
+    /* A window that is put away has no size. */
+    if (width < 1 || height < 1)
+        return;
+    present_draw(v->present, width, height);
+    v->surface->swap(v->surface);
+    v->frames++;
+}
+
+pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_error *err)
+{
+    session_desc desc = { &v->args, s->post, s, by_steps };
+    app_event size = { APP_SIZE, 0, false, 0.0, 0.0, 1.0 };
+    pov_status status;
+    int width, height;
+
+    memset(v, 0, sizeof *v);
+    v->args = *a;
+    v->surface = s;
+    v->began = clock_seconds();
+    v->fixed_clock = -1.0;
+    v->drawn = -1.0;
+    s->get_size(s, &width, &height, &size.scale);
+    app_init(&v->app, width, height, NULL, NULL);
+    v->app.sized = a->width > 0;
+    size.x = width;
+    size.y = height;
+    app_take(&v->app, &size, 0.0);
+    s->sink = take_event;
+    s->sink_user = v;
+    status = present_create(&v->present, s, err);
+    if (status == POV_OK)
+        status = session_open(&v->session, &v->app, &desc, err);
+    /* Drivers compile what they draw by when it is first drawn: now, that nothing is seen yet. */
+    if (status == POV_OK)
+        draw(v);
+    if (status < 0)
+        viewer_close(v);
+    return status;
+}
+
+/* The threads poke the surface, so that they end before it does; what they still do need not be watched. */
+void viewer_close(viewer *v)
+{
+    v->surface->sink = NULL;
+    v->surface->hide(v->surface);
+    session_close(v->session);
+    overlay_free(&v->overlay);
+    present_destroy(v->present);
+    v->surface->close(v->surface);
+}
+
+static void show_title(viewer *v)
+{
+    char title[sizeof v->title];
+
+    session_title(v->session, title, sizeof title);
+    if (strcmp(title, v->title) == 0)
+        return;
+    memcpy(v->title, title, sizeof title);
+    v->surface->set_title(v->surface, title);
+}
+
+bool viewer_step(viewer *v)
+{
+    bool in_hurry = v->fixed_clock < 0.0;
+    double start = clock_seconds(), busy;
+    unsigned orders = session_update(v->session, viewer_now(v), in_hurry ? PIXEL_SECONDS : 1e9);
+    bool changed = overlay_update(&v->overlay, &v->app, v->session, v->present);
+
+    v->behind = v->behind || orders || changed || session_has_rows(v->session);
+    if (v->behind && (!in_hurry || viewer_now(v) - v->drawn >= FRAME_SECONDS))
+        draw(v);
+    show_title(v);
+    busy = clock_seconds() - start + v->in_events;
+    v->in_events = 0.0;
+    v->longest = busy > v->longest ? busy : v->longest;
+    return !(orders & APP_QUIT);
+}
+
+void viewer_wait(viewer *v, double most)
+{
+    double now = viewer_now(v), patience = session_patience(v->session, now), due = v->drawn + FRAME_SECONDS - now;
+
+    if (v->behind && due < patience)
+        patience = due > 0.0 ? due : 0.0;
+    v->surface->wait(v->surface, patience < most ? patience : most);
+}
+
+void viewer_run(viewer *v)
+{
+    while (viewer_step(v))
+        viewer_wait(v, 1.0);
+}
+
+/* What scene text has of controls would reach the terminal as commands. */
+static void make_printable(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            *text = '?';
+}
+
+void say_error(const pov_error *err)
+{
+    pov_error e = *err;
+
+    make_printable(e.file);
+    make_printable(e.message);
+    make_printable(e.hint);
+    flockfile(stderr);
+    fprintf(stderr, "%s:", e.file[0] ? e.file : "povview");
+    if (e.line > 0)
+        fprintf(stderr, "%d:%d:", e.line, e.column);
+    fprintf(stderr, " error: %s", e.message);
+    if (e.hint[0])
+        fprintf(stderr, "; did you mean \"%s\"?", e.hint);
+    fputc('\n', stderr);
+    funlockfile(stderr);
+}

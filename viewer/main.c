@@ -1,0 +1,86 @@
+/* povview - watch a scene become a picture. */
+#include "loop.h"
+
+#include <povtrace/povtrace.h>
+
+#include <stdio.h>
+
+enum { EXIT_COMPLETE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, USUAL_WIDTH = 1024, USUAL_HEIGHT = 768 };
+
+static const char *const help[] = {
+    "Usage: povview SCENE [WIDTH HEIGHT] [options]\n"
+    "       povview SCENE [WIDTH HEIGHT] --shot FILE [--frames N] [--keys TEXT]\n"
+    "\n"
+    "Watch a scene in the POV-Ray language become a picture, walk about in it, and see\n"
+    "it change when its file is saved. H shows what the keys and the mouse do.\n"
+    "\n",
+    "Without a display\n"
+    "      --shot FILE          draw what the window would show into an image file\n"
+    "      --frames N           after N passes, the first one the coarsest (default: all)\n"
+    "      --keys TEXT          what the user does before: characters are keys, and in brackets\n"
+    "                           <tab> <enter> <f1> <f5> <esc> <drag X,Y> <pan X,Y> <look X,Y>\n"
+    "                           <move X,Y> <wheel N> <fly KEYS SECONDS> <size W,H> <load FILE>\n"
+    "\n",
+    "Scene and work\n"
+    "      --dialect auto|course|povray\n"
+    "                           the rules to read by (default: the text decides)\n"
+    "      --max-depth N        depth of reflections and refractions, over the scene's own\n"
+    "      --spp N              samples a pixel (default 1, through its centre)\n"
+    "  -t, --threads N          threads (default: one for each core)\n"
+    "      --plugin-path DIRS   look for plugins in these folders, colon separated\n"
+    "      --bench              measure: first picture, restarts, how long the window is busy\n"
+    "  -h, --help               this text\n"
+    "      --version\n"
+    "\n",
+    "Exit status: 0 complete, 1 error in the scene or no display, 2 wrong usage.\n",
+};
+
+static void print_help(void)
+{
+    for (size_t i = 0; i < sizeof help / sizeof help[0]; i++)
+        fputs(help[i], stdout);
+}
+
+static void print_version(void)
+{
+    int major, minor, patch;
+
+    pov_version(&major, &minor, &patch);
+    printf("povview %d.%d.%d (libpovtrace %d.%d.%d)\n", POVTRACE_VERSION_MAJOR, POVTRACE_VERSION_MINOR,
+           POVTRACE_VERSION_PATCH, major, minor, patch);
+}
+
+static int window_run(const args *a)
+{
+    int width = a->width > 0 ? a->width : USUAL_WIDTH, height = a->height > 0 ? a->height : USUAL_HEIGHT;
+    pov_error err = { 0 };
+    surface *s = surface_glfw_open(width, height, "povview", &err);
+    viewer v;
+
+    if (!s || viewer_open(&v, a, s, false, &err) < 0) {
+        say_error(&err);
+        return EXIT_ERROR;
+    }
+    viewer_run(&v);
+    viewer_close(&v);
+    return EXIT_COMPLETE;
+}
+
+int main(int argc, char **argv)
+{
+    args a;
+
+    switch (args_parse(&a, argc, argv)) {
+    case ARGS_HELP:
+        print_help();
+        return EXIT_COMPLETE;
+    case ARGS_VERSION:
+        print_version();
+        return EXIT_COMPLETE;
+    case ARGS_WRONG:
+        fprintf(stderr, "povview: error: %s\nTry \"povview --help\".\n", a.problem);
+        return EXIT_USAGE;
+    default:
+        return a.shot ? shot_run(&a) : a.bench ? bench_run(&a) : window_run(&a);
+    }
+}

@@ -1,0 +1,299 @@
+#include "panel.h"
+
+#include <cairo.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINE_SIZE = 640 };
+
+/* In units of the scale. */
+static const double FONT_SIZE = 13.0, LINE_HEIGHT = 18.0, MARGIN = 12.0, GAP = 18.0, RADIUS = 6.0;
+
+/* Drawing goes through the text twice with the same steps: first to measure, then with a place to draw on. */
+typedef struct pen {
+    cairo_t *c;
+    bool drawing;
+    double scale, most;          /* the widest a line may be */
+    double column;               /* where second columns begin */
+    double y, widest;
+    char above[LINE_SIZE];       /* the line of a file that a caret is for, from the byte that is shown first */
+    size_t skipped;
+} pen;
+
+/* ---- text ---- */
+
+/* Bytes of the UTF-8 character that stands here, 0 where none does. */
+static size_t character(const unsigned char *s)
+{
+    size_t bytes = s[0] < 0x80 ? 1 : s[0] >= 0xc2 && s[0] < 0xe0 ? 2 : (s[0] & 0xf0) == 0xe0 ? 3
+                 : s[0] >= 0xf0 && s[0] < 0xf5 ? 4 : 0;
+
+    for (size_t i = 1; i < bytes; i++)
+        if ((s[i] & 0xc0) != 0x80)
+            return 0;
+    if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] >= 0xa0) || (s[0] == 0xf0 && s[1] < 0x90) ||
+        (s[0] == 0xf4 && s[1] >= 0x90))
+        return 0;
+    return bytes;
+}
+
+/* The text that cairo may be given: as many bytes, but that what is none becomes "?" and what is not seen a blank. */
+static void clean(char *text)
+{
+    unsigned char *s = (unsigned char *)text;
+
+    while (*s) {
+        size_t bytes = character(s);
+
+        if (bytes == 0)
+            *s = '?';
+        else if (*s < 0x20 || *s == 0x7f)
+            *s = ' ';
+        s += bytes > 0 ? bytes : 1;
+    }
+}
+
+static void choose(pen *p, bool plain, bool bold)
+{
+    cairo_select_font_face(p->c, plain ? "sans-serif" : "monospace", CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(p->c, FONT_SIZE * p->scale);
+}
+
+static double width_of(const pen *p, const char *text)
+{
+    cairo_text_extents_t e;
+
+    cairo_text_extents(p->c, text, &e);
+    return e.x_advance;
+}
+
+static void put(pen *p, double x, const char *text, double red, double green, double blue)
+{
+    double end = x + width_of(p, text);
+
+    p->widest = end > p->widest ? end : p->widest;
+    if (!p->drawing)
+        return;
+    cairo_set_source_rgb(p->c, red, green, blue);
+    cairo_move_to(p->c, MARGIN * p->scale + x, MARGIN * p->scale + p->y + FONT_SIZE * p->scale);
+    cairo_show_text(p->c, text);
+}
+
+static void next_line(pen *p)
+{
+    p->y += LINE_HEIGHT * p->scale;
+}
+
+/* ---- kinds of lines ---- */
+
+static void title(pen *p, const char *text, bool warns)
+{
+    choose(p, true, true);
+    if (warns)
+        put(p, 0.0, text, 1.0, 0.62, 0.36);
+    else
+        put(p, 0.0, text, 1.0, 1.0, 1.0);
+    next_line(p);
+}
+
+/* As many words as fit on each line; one that is too long by itself is broken nowhere. */
+static void words(pen *p, const char *text)
+{
+    char line[LINE_SIZE];
+    size_t used = 0;
+
+    choose(p, true, false);
+    while (*text) {
+        size_t blank = strspn(text, " "), length = blank + strcspn(text + blank, " ");
+
+        if (used + length >= sizeof line)
+            length = sizeof line - 1 - used;
+        memcpy(line + used, text, length);
+        line[used + length] = '\0';
+        if (used > 0 && (width_of(p, line) > p->most || length == 0)) {
+            line[used] = '\0';
+            put(p, 0.0, line, 0.88, 0.88, 0.88);
+            next_line(p);
+            text += blank < length ? blank : length;
+            used = 0;
+            continue;
+        }
+        used += length;
+        text += length;
+    }
+    line[used] = '\0';
+    put(p, 0.0, line, 0.88, 0.88, 0.88);
+    next_line(p);
+}
+
+static void columns(pen *p, char *text)
+{
+    char *second = strchr(text, '\t');
+
+    if (second)
+        *second++ = '\0';
+    clean(text);
+    choose(p, true, true);
+    if (!p->drawing) {
+        double end = width_of(p, text) + GAP * p->scale;
+
+        p->column = end > p->column ? end : p->column;
+    }
+    put(p, 0.0, text, 0.62, 0.80, 1.0);
+    if (second) {
+        clean(second);
+        choose(p, true, false);
+        put(p, p->column, second, 0.88, 0.88, 0.88);
+    }
+    next_line(p);
+}
+
+/* A line of a file; where it is too wide the part about the caret, whose place the line below tells. */
+static void excerpt(pen *p, const char *text, const char *below)
+{
+    size_t caret = below[0] == '^' ? (size_t)atoi(below + 1) : 0, length = strlen(text);
+
+    choose(p, false, false);
+    p->skipped = 0;
+    snprintf(p->above, sizeof p->above, "%s", text);
+    caret = caret < length ? caret : length;
+    while (width_of(p, p->above) > p->most && p->skipped + 24 < caret) {
+        size_t bytes = character((const unsigned char *)text + p->skipped);
+
+        p->skipped += bytes > 0 ? bytes : 1;
+        snprintf(p->above, sizeof p->above, "%s", text + p->skipped);
+    }
+    while (width_of(p, p->above) > p->most && p->above[0]) {
+        size_t end = strlen(p->above) - 1;
+
+        while (end > 0 && ((unsigned char)p->above[end] & 0xc0) == 0x80)
+            end--;
+        p->above[end] = '\0';
+    }
+    put(p, 0.0, p->above, 0.95, 0.95, 0.80);
+    next_line(p);
+}
+
+static void caret(pen *p, const char *number)
+{
+    size_t bytes = (size_t)atoi(number);
+    char before[LINE_SIZE];
+
+    bytes = bytes > p->skipped ? bytes - p->skipped : 0;
+    snprintf(before, sizeof before, "%.*s", (int)bytes, p->above);
+    choose(p, false, true);
+    /* Close under its line. */
+    p->y -= 3.0 * p->scale;
+    put(p, width_of(p, before), "^", 0.55, 0.95, 0.55);
+    next_line(p);
+}
+
+/* Go through all lines once. */
+static void write_all(pen *p, const char *content)
+{
+    char line[LINE_SIZE];
+
+    p->y = 0.0;
+    while (*content) {
+        size_t length = strcspn(content, "\n");
+        const char *next = content + length + (content[length] == '\n');
+
+        snprintf(line, sizeof line, "%.*s", (int)length, content);
+        if (line[0] != '|')
+            clean(line);
+        switch (line[0]) {
+        case '#': title(p, line + 1, false); break;
+        case '!': title(p, line + 1, true); break;
+        case '|': columns(p, line + 1); break;
+        case '=': excerpt(p, line + 1, next); break;
+        case '^': caret(p, line + 1); break;
+        default: words(p, line + (line[0] == ' ')); break;
+        }
+        content = next;
+    }
+}
+
+/* ---- the panel ---- */
+
+static void ground(const pen *p, double width, double height)
+{
+    const double r = RADIUS * p->scale, right = 1.5707963267948966;
+
+    cairo_new_sub_path(p->c);
+    cairo_arc(p->c, width - r, r, r, -right, 0.0);
+    cairo_arc(p->c, width - r, height - r, r, 0.0, right);
+    cairo_arc(p->c, r, height - r, r, right, 2.0 * right);
+    cairo_arc(p->c, r, r, r, 2.0 * right, 3.0 * right);
+    cairo_close_path(p->c);
+    cairo_set_source_rgba(p->c, 0.05, 0.06, 0.08, 0.84);
+    cairo_fill(p->c);
+}
+
+static void measure(pen *p, const char *content)
+{
+    cairo_surface_t *none = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 1, 1);
+
+    p->c = cairo_create(none);
+    /* Once for the place of the second column, once with it. */
+    for (int i = 0; i < 2; i++)
+        write_all(p, content);
+    cairo_destroy(p->c);
+    cairo_surface_destroy(none);
+}
+
+static void draw(panel *p, pen *with, const char *content)
+{
+    double margins = 2.0 * MARGIN * with->scale;
+    int width = (int)ceil(with->widest + margins), height = (int)ceil(with->y + margins);
+    cairo_surface_t *surface;
+
+    width = width < p->most_width ? width : p->most_width;
+    surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width > 1 ? width : 1, height);
+    with->c = cairo_create(surface);
+    ground(with, width, height);
+    with->drawing = true;
+    write_all(with, content);
+    cairo_destroy(with->c);
+    cairo_surface_flush(surface);
+    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
+        cairo_surface_destroy(surface);
+        return;
+    }
+    p->surface = surface;
+    p->pixels = (const uint32_t *)(const void *)cairo_image_surface_get_data(surface);
+    p->width = cairo_image_surface_get_width(surface);
+    p->height = cairo_image_surface_get_height(surface);
+}
+
+bool panel_set(panel *p, const char *content, double scale, int most_width)
+{
+    pen with = { .scale = scale, .most = most_width - 2.0 * MARGIN * scale };
+    char *copy;
+
+    if (content[0] == '\0' && !p->pixels)
+        return false;
+    if (p->content && strcmp(p->content, content) == 0 && p->scale == scale && p->most_width == most_width)
+        return false;
+    panel_free(p);
+    p->scale = scale;
+    p->most_width = most_width;
+    copy = content[0] ? malloc(strlen(content) + 1) : NULL;
+    if (!copy)
+        return true;
+    p->content = strcpy(copy, content);
+    measure(&with, content);
+    draw(p, &with, content);
+    return true;
+}
+
+void panel_free(panel *p)
+{
+    free(p->content);
+    if (p->surface)
+        cairo_surface_destroy(p->surface);
+    memset(p, 0, sizeof *p);
+}

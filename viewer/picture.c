@@ -1,0 +1,166 @@
+#include "picture.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+/* Tiles lie on a grid of this or of a multiple; rows are read again by as many. */
+enum { CELL = 8, STRIP = 32, PART = 32 };
+
+static double clock_seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static size_t cells(int length)
+{
+    return (size_t)((length + CELL - 1) / CELL);
+}
+
+static void stretch(const picture *from, uint8_t *to, int width, int height)
+{
+    for (int y = 0; y < height; y++) {
+        const uint8_t *row = from->pixels + (size_t)((long long)y * from->height / height) * (size_t)from->width * 4;
+
+        for (int x = 0; x < width; x++, to += 4)
+            memcpy(to, row + (size_t)((long long)x * from->width / width) * 4, 4);
+    }
+}
+
+bool picture_resize(picture *p, int width, int height)
+{
+    uint8_t *pixels = calloc((size_t)width * (size_t)height, 4);
+    unsigned *seen = calloc(cells(width) * cells(height), sizeof *seen);
+
+    if (!pixels || !seen) {
+        free(pixels);
+        free(seen);
+        return false;
+    }
+    if (p->pixels)
+        stretch(p, pixels, width, height);
+    free(p->pixels);
+    free(p->seen);
+    p->pixels = pixels;
+    p->seen = seen;
+    p->width = width;
+    p->height = p->reread = height;
+    p->first = 0;
+    p->last = height - 1;
+    p->restart = 0;
+    picture_restart(p);
+    return true;
+}
+
+void picture_free(picture *p)
+{
+    free(p->pixels);
+    free(p->seen);
+    memset(p, 0, sizeof *p);
+}
+
+void picture_restart(picture *p)
+{
+    p->restart++;
+    p->covered = 0;
+    p->reread = p->height;
+}
+
+void picture_expose(picture *p, pov_transfer transfer, double gain)
+{
+    p->toned = gain != 1.0;
+    if (p->toned)
+        tone_init(&p->tone, transfer, gain);
+    picture_reread(p);
+}
+
+void picture_reread(picture *p)
+{
+    p->reread = 0;
+}
+
+void picture_touch(picture *p, int first, int last)
+{
+    p->first = first < p->first ? first : p->first;
+    p->last = last > p->last ? last : p->last;
+}
+
+bool picture_is_covered(const picture *p)
+{
+    return p->covered == (size_t)p->width * (size_t)p->height;
+}
+
+/* Tiles that are not there yet read as nothing, and what was shown in their place stays. */
+static void keep_what_is_there(uint8_t *to, const uint8_t *fresh, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (fresh[4 * i + 3])
+            memcpy(to + 4 * i, fresh + 4 * i, 4);
+}
+
+/* A part no wider or higher than PART. */
+static void read_part(picture *p, pov_job *job, pov_rect r)
+{
+    float linear[4 * PART * PART];
+    uint8_t fresh[4 * PART * PART];
+    size_t width = (size_t)r.width;
+
+    if (p->toned) {
+        pov_job_read(job, r, POV_PIXELS_LINEAR_FLOAT, linear, 4 * width * sizeof *linear);
+        tone_row(&p->tone, linear, fresh, r.width * r.height);
+    } else {
+        pov_job_read(job, r, POV_PIXELS_DISPLAY8, fresh, 4 * width);
+    }
+    for (int y = 0; y < r.height; y++)
+        keep_what_is_there(p->pixels + ((size_t)(r.y + y) * (size_t)p->width + (size_t)r.x) * 4,
+                           fresh + 4 * width * (size_t)y, r.width);
+}
+
+static void read_rows(picture *p, pov_job *job, pov_rect r)
+{
+    for (int y = 0; y < r.height; y += PART)
+        for (int x = 0; x < r.width; x += PART) {
+            pov_rect part = { r.x + x, r.y + y, r.width - x, r.height - y };
+
+            part.width = part.width < PART ? part.width : PART;
+            part.height = part.height < PART ? part.height : PART;
+            read_part(p, job, part);
+        }
+    picture_touch(p, r.y, r.y + r.height - 1);
+}
+
+static void note_seen(picture *p, pov_rect tile)
+{
+    unsigned *seen = &p->seen[(size_t)(tile.y / CELL) * cells(p->width) + (size_t)(tile.x / CELL)];
+
+    if (*seen == p->restart)
+        return;
+    *seen = p->restart;
+    p->covered += (size_t)tile.width * (size_t)tile.height;
+}
+
+bool picture_update(picture *p, pov_job *job, double seconds)
+{
+    double end = clock_seconds() + seconds;
+    pov_rect tile;
+
+    while (p->reread < p->height) {
+        pov_rect strip = { 0, p->reread, p->width, STRIP };
+
+        strip.height = p->height - strip.y < STRIP ? p->height - strip.y : STRIP;
+        read_rows(p, job, strip);
+        p->reread += strip.height;
+        if (clock_seconds() >= end)
+            return true;
+    }
+    while (pov_job_take(job, &tile)) {
+        read_rows(p, job, tile);
+        note_seen(p, tile);
+        if (clock_seconds() >= end)
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,26 @@
+/* present.h - the picture and the panels over it, to the surface, by OpenGL. */
+#ifndef VIEWER_PRESENT_H
+#define VIEWER_PRESENT_H
+
+#include "surface.h"
+
+enum { PRESENT_PANELS = 4 };
+
+/* An image of the panel: premultiplied, 0xAARRGGBB in the machine's order of bytes, as cairo has it. */
+typedef struct present_panel { const uint32_t *pixels; int width, height, x, y; } present_panel;
+
+typedef struct present present;
+
+pov_status present_create(present **out, surface *s, pov_error *err);
+void present_destroy(present *p);
+/* Rows `first` to `last` of the picture have changed: bytes red, green, blue and alpha. A picture of another size is
+ * taken whole. */
+void present_picture(present *p, const uint8_t *pixels, int width, int height, int first, int last);
+/* What the index-th panel shows from now on; NULL pixels: nothing. */
+void present_set_panel(present *p, int index, const present_panel *panel);
+/* Draw it all into a surface of this size, the picture stretched to it. */
+void present_draw(present *p, int width, int height);
+/* Red, green, blue and alpha of what was drawn, upper row first. */
+void present_read(present *p, int width, int height, uint8_t *out);
+
+#endif

@@ -1,0 +1,548 @@
+#include "session.h"
+
+#include "camera_text.h"
+#include "file_watch.h"
+#include "helper.h"
+#include "picture.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+enum { COARSEST = 16, MOST_SNAPSHOTS = 9999, POLITENESS = 5 };
+
+struct session {
+    app *app;
+    session_desc desc;
+    pov_context *context;
+    helper *helper;
+    file_watch watch;
+
+    pov_scene *scene;            /* all that follows is of this scene; NULL: none was read so far */
+    pov_tracer *tracer;
+    maps *maps;                  /* made when first asked for */
+    pov_job *job;
+    pov_scene_info info;
+    picture picture;
+
+    bool unread;                 /* the job has more to take */
+    bool wrong;
+    pov_error error;
+    int loads;                   /* asked for and not answered */
+    int snapshot;                /* the last one's number */
+    double now, worked;          /* the clock, and for how long the job has worked since it began */
+    unsigned long restarts;
+};
+
+static void warn(void *user, pov_log_level level, const pov_error *note)
+{
+    (void)user;
+    if (level == POV_LOG_WARN && note->line > 0)
+        fprintf(stderr, "%s:%d:%d: warning: %s\n", note->file, note->line, note->column, note->message);
+    else if (level == POV_LOG_WARN)
+        fprintf(stderr, "povview: warning: %s\n", note->message);
+}
+
+static double probe(void *user, double x, double y)
+{
+    session *s = user;
+    pov_camera camera = app_camera(s->app);
+    pov_hit hit = POV_INIT(hit);
+
+    if (!s->tracer || !pov_trace_hit(s->tracer, camera.location, orbit_ray(&s->app->orbit, x, y), &hit))
+        return 0.0;
+    return hit.distance;
+}
+
+/* ---- the job ---- */
+
+static bool is_picture(const session *s)
+{
+    return s->app->view == APP_PICTURE;
+}
+
+static void fail(session *s, const pov_error *why)
+{
+    s->wrong = true;
+    s->error = *why;
+    s->app->orders |= APP_DRAW;
+}
+
+static void steer(session *s)
+{
+    if (s->job)
+        pov_job_pause(s->job, s->app->paused || !is_picture(s));
+}
+
+static void draw_map(session *s)
+{
+    maps_request r = { s->app->view == APP_DEPTH ? MAPS_DEPTH : MAPS_NORMAL, app_camera(s->app), s->picture.width,
+                       s->picture.height, s->app->orbit.reach };
+    pov_error err = { 0 };
+
+    if (is_picture(s) || !s->scene || !s->picture.pixels)
+        return;
+    if (!s->maps && maps_create(&s->maps, s->scene, s->desc.wake, s->desc.wake_user, &err) < 0)
+        fail(s, &err);
+    else
+        maps_begin(s->maps, &r);
+}
+
+typedef struct start { pov_job *job; pov_status status; pov_error error; } start;
+
+/* Threads have the priority of the one that starts them, where each has its own: on Linux. */
+static void *start_politely(void *user)
+{
+    start *s = user;
+
+#ifdef __linux__
+    setpriority(PRIO_PROCESS, 0, POLITENESS);
+#endif
+    s->status = pov_job_start(s->job, &s->error);
+    return NULL;
+}
+
+/* With threads that let the window's pass, and those that it draws by. */
+static pov_status start_job(pov_job *job, pov_error *err)
+{
+    start s = { job, POV_OK, { 0 } };
+    pthread_t thread;
+
+    if (pthread_create(&thread, NULL, start_politely, &s) != 0)
+        return pov_job_start(job, err);
+    pthread_join(thread, NULL);
+    *err = s.error;
+    return s.status;
+}
+
+/* A job of the window's size, in the place of the one before, if there was any. */
+static void make_job(session *s)
+{
+    pov_render_desc d = POV_INIT(d);
+    pov_camera camera = app_camera(s->app);
+    helper_waste old = { s->job, NULL, NULL, NULL };
+    pov_error err = { 0 };
+
+    helper_dispose(s->helper, &old);
+    s->job = NULL;
+    if ((s->picture.width != s->app->width || s->picture.height != s->app->height) &&
+        !picture_resize(&s->picture, s->app->width, s->app->height)) {
+        err.status = POV_E_MEMORY;
+        snprintf(err.message, sizeof err.message, "no memory for a picture of this size");
+        fail(s, &err);
+        return;
+    }
+    d.width = s->picture.width;
+    d.height = s->picture.height;
+    d.preview = COARSEST;
+    d.threads = s->desc.args->threads;
+    d.samples = s->desc.args->samples;
+    d.camera = &camera;
+    d.wake = s->desc.wake;
+    d.wake_user = s->desc.wake_user;
+    if (pov_job_create(&s->job, s->scene, &d, &err) < 0) {
+        fail(s, &err);
+        return;
+    }
+    steer(s);
+    if (!s->desc.by_steps && start_job(s->job, &err) < 0)
+        fail(s, &err);
+}
+
+static void begin_anew(session *s)
+{
+    picture_restart(&s->picture);
+    s->worked = 0.0;
+    s->restarts++;
+    draw_map(s);
+}
+
+static void restart(session *s, bool resize)
+{
+    pov_camera camera = app_camera(s->app);
+
+    if (!s->scene)
+        return;
+    if (resize || !s->job)
+        make_job(s);
+    else
+        pov_job_restart(s->job, &camera);
+    begin_anew(s);
+}
+
+/* ---- scenes ---- */
+
+/* How large the scene is, and how far ahead its middle lies where the camera looks at nothing. */
+static double measure(const pov_scene *scene, const pov_camera *c, double *reach)
+{
+    double along = pov_dot(c->direction, c->direction), size;
+    pov_vec3 middle, across;
+    pov_box box;
+
+    if (!pov_scene_get_bounds(scene, &box))
+        return 10.0 * sqrt(along);
+    across = pov_sub(box.hi, box.lo);
+    size = sqrt(pov_dot(across, across));
+    middle = pov_add(box.lo, pov_scale(across, 0.5));
+    if (!(*reach > 0.0))
+        *reach = pov_dot(pov_sub(middle, c->location), c->direction) / along;
+    if (!(*reach > 0.0))
+        *reach = size / sqrt(along);
+    return size;
+}
+
+static void adopt(session *s, const helper_result *r)
+{
+    helper_waste old = { s->job, s->maps, s->tracer, s->scene };
+    pov_camera camera = POV_INIT(camera);
+    pov_scene_info info = POV_INIT(info);
+    double reach = r->reach, size;
+    bool again = s->scene != NULL;
+
+    helper_dispose(s->helper, &old);
+    s->job = NULL;
+    s->maps = NULL;
+    s->scene = r->scene;
+    s->tracer = r->tracer;
+    s->wrong = false;
+    pov_scene_get_info(s->scene, &info);
+    s->info = info;
+    pov_scene_get_camera(s->scene, &camera);
+    size = measure(s->scene, &camera, &reach);
+    app_set_scene(s->app, &camera, reach, size);
+    make_job(s);
+    begin_anew(s);
+    if (s->picture.toned)
+        picture_expose(&s->picture, info.transfer, app_gain(s->app));
+    if (again)
+        app_say(s->app, s->now, "read again");
+}
+
+void session_load(session *s, const char *path)
+{
+    pov_error err = { 0 };
+
+    if (helper_load(s->helper, path)) {
+        s->loads++;
+        return;
+    }
+    err.status = POV_E_ARGUMENT;
+    snprintf(err.message, sizeof err.message, "the scene's path is too long");
+    fail(s, &err);
+}
+
+/* ---- files ---- */
+
+/* The scene's name without folder and ending, a number that is free, .png; in the working folder. */
+static bool free_name(session *s, char *out, size_t size)
+{
+    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    size_t length = strcspn(base, ".");
+
+    while (s->snapshot < MOST_SNAPSHOTS) {
+        s->snapshot++;
+        snprintf(out, size, "%.*s-%03d.png", (int)length, base, s->snapshot);
+        if (access(out, F_OK) != 0)
+            return true;
+    }
+    return false;
+}
+
+static void take_snapshot(session *s)
+{
+    const picture *from = &s->picture;
+    helper_picture p = { s->job, NULL, from->width, from->height, app_gain(s->app), s->info.transfer };
+    size_t bytes = (size_t)from->width * (size_t)from->height * 4;
+    char name[300];
+
+    if (!s->job || !free_name(s, name, sizeof name))
+        return;
+    if (!is_picture(s)) {
+        p.bytes = malloc(bytes);
+        p.transfer = POV_TRANSFER_LINEAR;
+        if (p.bytes)
+            memcpy(p.bytes, from->pixels, bytes);
+    }
+    if ((!is_picture(s) && !p.bytes) || !helper_save(s->helper, name, &p)) {
+        free(p.bytes);
+        app_say(s->app, s->now, "not saved: no memory");
+    }
+}
+
+static void print_camera(const session *s)
+{
+    pov_camera camera = app_camera(s->app);
+    char text[1024];
+
+    camera_text(&camera, s->info.dialect, s->app->orbit.reach, text, sizeof text);
+    fputs(text, stdout);
+    fflush(stdout);
+}
+
+/* ---- from moment to moment ---- */
+
+static void take_results(session *s)
+{
+    helper_result r;
+
+    while (helper_take(s->helper, &r)) {
+        if (r.kind == HELPER_LOAD) {
+            s->loads--;
+            if (r.scene)
+                adopt(s, &r);
+            else
+                fail(s, &r.error);
+        } else if (r.error.status < 0) {
+            app_say(s->app, s->now, "not saved: %.130s", r.error.message);
+        } else {
+            app_say(s->app, s->now, "saved %.140s", r.path);
+        }
+    }
+}
+
+static void obey(session *s, unsigned orders)
+{
+    if (orders & (APP_RESTART | APP_RESIZE))
+        restart(s, (orders & APP_RESIZE) != 0);
+    if (orders & (APP_PAUSE | APP_VIEW))
+        steer(s);
+    if (orders & APP_VIEW) {
+        if (is_picture(s)) {
+            if (s->maps)
+                maps_stop(s->maps);
+            picture_reread(&s->picture);
+        } else {
+            draw_map(s);
+        }
+    }
+    if (orders & APP_TONE)
+        picture_expose(&s->picture, s->info.transfer, app_gain(s->app));
+    if (orders & APP_PRINT)
+        print_camera(s);
+    if (orders & APP_SNAPSHOT)
+        take_snapshot(s);
+    if (orders & APP_RELOAD)
+        session_load(s, s->desc.args->scene);
+}
+
+static void look_at_job(session *s)
+{
+    pov_error err = { 0 };
+
+    if (s->job && !s->wrong && pov_job_get_error(s->job, &err) < 0)
+        fail(s, &err);
+}
+
+static void take_pixels(session *s, double budget)
+{
+    int first, last;
+
+    if (!s->job || !s->picture.pixels)
+        return;
+    if (is_picture(s)) {
+        s->unread = picture_update(&s->picture, s->job, budget);
+    } else if (s->maps && maps_take(s->maps, s->picture.pixels, &first, &last)) {
+        picture_touch(&s->picture, first, last);
+    }
+}
+
+unsigned session_update(session *s, double now, double budget)
+{
+    unsigned orders;
+
+    if (s->job && !s->app->paused && is_picture(s) && pov_job_wait(s->job, 0.0) == POV_JOB_RUNNING)
+        s->worked += now - s->now;
+    s->now = now;
+    take_results(s);
+    if (file_watch_changed(&s->watch, now))
+        session_load(s, s->desc.args->scene);
+    orders = app_update(s->app, now, s->scene && is_picture(s) && picture_is_covered(&s->picture));
+    obey(s, orders);
+    take_pixels(s, budget);
+    look_at_job(s);
+    return orders;
+}
+
+static double sooner(double a, double b)
+{
+    return a < 0.0 ? b : b < 0.0 || a < b ? a : b;
+}
+
+double session_patience(const session *s, double now)
+{
+    const double often_enough = 1.0;
+    double left = sooner(app_patience(s->app, now), file_watch_patience(&s->watch, now));
+
+    return s->unread ? 0.0 : sooner(left, often_enough);
+}
+
+/* ---- asking ---- */
+
+const uint8_t *session_pixels(const session *s, int *width, int *height)
+{
+    *width = s->picture.width;
+    *height = s->picture.height;
+    return s->picture.pixels;
+}
+
+bool session_has_rows(const session *s)
+{
+    return s->picture.pixels && s->picture.last >= s->picture.first;
+}
+
+bool session_take_rows(session *s, int *first, int *last)
+{
+    picture *p = &s->picture;
+
+    if (!session_has_rows(s))
+        return false;
+    *first = p->first;
+    *last = p->last;
+    p->first = p->height;
+    p->last = -1;
+    return true;
+}
+
+bool session_coarse_is_there(const session *s)
+{
+    return s->scene && picture_is_covered(&s->picture);
+}
+
+bool session_is_settled(session *s)
+{
+    if (!helper_is_idle(s->helper) || s->loads > 0 || s->app->orders || s->app->moved || s->app->resized)
+        return false;
+    if (!s->job || s->wrong)
+        return true;
+    if (!is_picture(s))
+        return s->maps && maps_is_done(s->maps);
+    return !s->unread && (s->app->paused || s->desc.by_steps || pov_job_wait(s->job, 0.0) != POV_JOB_RUNNING);
+}
+
+void session_step(session *s, int passes)
+{
+    pov_progress p = POV_INIT(p);
+
+    while (s->job && !s->app->paused && is_picture(s)) {
+        pov_job_get_progress(s->job, &p);
+        if (p.pass > passes || pov_job_step(s->job) != POV_JOB_RUNNING)
+            return;
+    }
+}
+
+unsigned long session_restarts(const session *s)
+{
+    return s->restarts;
+}
+
+pov_context *session_context(session *s)
+{
+    return s->context;
+}
+
+const pov_error *session_error(const session *s)
+{
+    return s->wrong ? &s->error : NULL;
+}
+
+bool session_inspect(session *s, session_place *out)
+{
+    const app *a = s->app;
+    pov_camera camera = app_camera(a);
+    pov_hit hit = POV_INIT(hit);
+    pov_rect pixel = { (int)a->x, (int)a->y, 1, 1 };
+    pov_vec3 ray;
+
+    memset(out, 0, sizeof *out);
+    if (!s->job || a->x < 0.0 || a->y < 0.0 || pixel.x >= s->picture.width || pixel.y >= s->picture.height)
+        return false;
+    out->x = pixel.x;
+    out->y = pixel.y;
+    ray = orbit_ray(&a->orbit, (pixel.x + 0.5) / s->picture.width, (pixel.y + 0.5) / s->picture.height);
+    pov_job_read(s->job, pixel, POV_PIXELS_LINEAR_FLOAT, out->color, sizeof out->color);
+    out->hit = pov_trace_hit(s->tracer, camera.location, ray, &hit);
+    if (!out->hit)
+        return true;
+    pov_scene_get_object(s->scene, hit.object, &out->keyword, &out->line, &out->column);
+    out->distance = hit.distance * sqrt(pov_dot(ray, ray));
+    out->point = hit.point;
+    out->normal = hit.normal;
+    out->certain = hit.certain;
+    return true;
+}
+
+void session_title(session *s, char *out, size_t size)
+{
+    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    pov_progress p = POV_INIT(p);
+
+    if (!s->job) {
+        snprintf(out, size, s->loads > 0 ? "%.100s: reading" : "%.100s", name);
+        return;
+    }
+    pov_job_get_progress(s->job, &p);
+    if (!is_picture(s))
+        snprintf(out, size, "%.100s: %s", name, app_view_name(s->app->view));
+    else if (p.fraction >= 1.0)
+        snprintf(out, size, "%.100s: done in %.1f s", name, s->worked);
+    else if (s->app->paused)
+        snprintf(out, size, "%.100s: %d %%, paused", name, (int)(100.0 * p.fraction));
+    else if (p.fraction > 0.0 && s->worked > 0.5)
+        snprintf(out, size, "%.100s: %d %%, %.0f s left", name, (int)(100.0 * p.fraction),
+                 s->worked * (1.0 - p.fraction) / p.fraction + 0.5);
+    else
+        snprintf(out, size, "%.100s: %d %%", name, (int)(100.0 * p.fraction));
+}
+
+/* ---- life ---- */
+
+pov_status session_open(session **out, app *a, const session_desc *desc, pov_error *err)
+{
+    session *s = calloc(1, sizeof *s);
+    pov_context_desc c = POV_INIT(c);
+    pov_load_desc l = POV_INIT(l);
+    pov_status status;
+
+    if (!s) {
+        err->status = POV_E_MEMORY;
+        snprintf(err->message, sizeof err->message, "no memory to begin with");
+        return POV_E_MEMORY;
+    }
+    s->app = a;
+    s->desc = *desc;
+    a->probe = probe;
+    a->probe_user = s;
+    c.log = warn;
+    c.plugin_path = desc->args->plugin_path;
+    l.dialect = desc->args->dialect;
+    l.max_trace_level = desc->args->max_depth;
+    l.threads = desc->args->threads;
+    status = pov_context_create(&s->context, &c, err);
+    if (status == POV_OK)
+        status = helper_start(&s->helper, s->context, &l, desc->wake, desc->wake_user, err);
+    if (status < 0) {
+        session_close(s);
+        return status;
+    }
+    file_watch_begin(&s->watch, desc->args->scene, 0.0);
+    session_load(s, desc->args->scene);
+    *out = s;
+    return POV_OK;
+}
+
+void session_close(session *s)
+{
+    if (!s)
+        return;
+    helper_stop(s->helper);
+    pov_job_destroy(s->job);
+    maps_destroy(s->maps);
+    pov_tracer_destroy(s->tracer);
+    pov_scene_destroy(s->scene);
+    pov_context_destroy(s->context);
+    picture_free(&s->picture);
+    free(s);
+}

@@ -1,0 +1,42 @@
+# povview. Built where pkg-config finds what it draws with; else the rest still is.
+VIEWER_PACKAGES = glfw3 osmesa cairo
+VIEWER_SOURCES  = $(sort $(wildcard viewer/*.c))
+VIEWER_OBJECTS  = $(VIEWER_SOURCES:%.c=$(BUILD)/obj/%.o)
+# Tests of what needs none of the packages are built everywhere.
+VIEWER_PURE_TESTS = tests/viewer/test_orbit.c tests/viewer/test_app.c tests/viewer/test_args.c
+POVVIEW         = $(BUILD)/bin/povview
+
+$(BUILD)/obj/viewer/%.o: viewer/%.c
+	@mkdir -p $(@D)
+	$(CC) $(USER_FLAGS) $(VIEWER_FLAGS) -Iviewer -c $< -o $@
+
+$(BUILD)/obj/tests/viewer/%.o: LIB_FLAGS += $(VIEWER_FLAGS) -Iviewer
+VIEWER_PURE = $(patsubst %,$(BUILD)/obj/viewer/%.o,orbit app args script camera_text)
+$(VIEWER_PURE_TESTS:%.c=$(BUILD)/%): $(VIEWER_PURE)
+
+ifeq ($(shell $(PKG_CONFIG) --exists $(VIEWER_PACKAGES) && echo yes),yes)
+
+# Neither libGL nor libOSMesa is linked: each OpenGL call is fetched from the surface.
+VIEWER_FLAGS := $(shell $(PKG_CONFIG) --cflags $(VIEWER_PACKAGES))
+VIEWER_LIBS  := $(shell $(PKG_CONFIG) --libs glfw3 cairo)
+
+all: $(POVVIEW)
+
+$(POVVIEW): $(VIEWER_OBJECTS) $(SHARED)
+	@mkdir -p $(@D)
+	$(CC) $(LINK_FLAGS) $(VIEWER_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' $(VIEWER_LIBS) \
+	    $(SYSTEM_LIBS) -o $@
+
+$(BUILD)/tests/viewer/test_shot: $(filter-out $(BUILD)/obj/viewer/main.o,$(VIEWER_OBJECTS))
+$(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
+
+else
+
+TESTS_LEFT_OUT += $(filter-out $(VIEWER_PURE_TESTS),$(wildcard tests/viewer/test_*.c))
+
+all: no-viewer
+.PHONY: no-viewer
+no-viewer:
+	@echo "povview was left out: pkg-config does not find all of $(VIEWER_PACKAGES)"
+
+endif
