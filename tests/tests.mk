@@ -22,7 +22,11 @@ RAYS ?= 500000
 accuracy: $(BUILD)/tests/numerics/test_primitives
 	$< $(RAYS) $(BUILD)/accuracy.csv
 
-$(BUILD)/tests/plugins/test_contract: $(BUILD)/obj/tests/plugins/subject.o | $(PRIMITIVES)
+# A plugin as a stranger would build it, held to the contract with our own.
+$(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c
+	@mkdir -p $(@D)
+	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
+$(BUILD)/tests/plugins/test_contract: $(BUILD)/obj/tests/plugins/subject.o | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
 $(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)

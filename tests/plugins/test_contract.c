@@ -1,6 +1,6 @@
 /* test_contract.c - what every primitive plugin promises, asked of each .so in a folder.
  *
- * test_contract [FOLDER or FILE ...]: the build's own plugins by default. A plugin of a keyword that the table does not
+ * test_contract [FOLDER or FILE ...]: by default the build's own plugins, and the one built out of tree. A plugin of a keyword that the table does not
  * know is given random numbers until it takes some, so a new primitive passes, or fails, unchanged. */
 #include "plugins/subject.h"
 
@@ -527,7 +527,8 @@ int main(int argc, char **argv)
     int i, failed = 0;
 
     if (argc < 2)
-        return check_folder(TEST_BUILD "/lib/povtrace/primitives");
+        return check_folder(TEST_BUILD "/lib/povtrace/primitives")
+               + check_folder(TEST_BUILD "/tests/plugins/out_of_tree");
     for (i = 1; i < argc; i++)
         failed += check_folder(argv[i]);
     return failed != 0;
