@@ -1,7 +1,7 @@
 #include "kit/affine.h"
 
-/* The entries of a composed map are within 2^-100 of the largest partial products; products and sums of a few of them
- * stay below this. */
+/* The entries of a composed map are within 2^-100 of the largest partial products; products and sums of a
+ * few of them stay below this. */
 #define TOLERANCE 0x1p-90
 
 void kit_linear(const pov_affine *map, pov_two3 rows[3])

@@ -23,7 +23,8 @@ pov_two3 kit_map_point(const pov_affine *map, pov_two3 p);
 /* Does the map keep all angles, to within 2^-90? Then *factor is what it multiplies lengths with. */
 bool kit_is_similarity(const pov_affine *map, pov_two *factor);
 
-/* Has each row of the linear part just one entry, so that boxes stay boxes? axis[i] is the column of row i's. */
+/* Has each row of the linear part just one entry, so that boxes stay boxes? axis[i] is the column of row
+ * i's. */
 bool kit_is_axial(const pov_affine *map, int axis[3]);
 
 /* Largest over smallest stretch, roughly: the product of the largest entries of the map and its inverse. */

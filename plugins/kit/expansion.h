@@ -1,7 +1,8 @@
 /* expansion.h - sums of products without any error: the last word on a sign.
  *
- * An expansion is a sum of doubles that do not overlap, in order of growing size (Priest 1991; Shewchuk, "Adaptive
- * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, whose Grow-Expansion this is). */
+ * An expansion is a sum of doubles that do not overlap, in order of growing size (Priest 1991; Shewchuk,
+ * "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, whose Grow-
+ * Expansion this is). */
 #ifndef KIT_EXPANSION_H
 #define KIT_EXPANSION_H
 

@@ -141,8 +141,8 @@ bool kit_frustum_bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* The new rows are the old ones times the inverse map. An affine map of any shape can be taken in; one that is far
- * from keeping angles would cost precision in the products, unless it is axial. */
+/* The new rows are the old ones times the inverse map. An affine map of any shape can be taken in; one
+ * that is far from keeping angles would cost precision in the products, unless it is axial. */
 bool kit_frustum_absorb(void *self, const pov_affine *map)
 {
     kit_frustum *s = self;

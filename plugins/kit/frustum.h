@@ -1,13 +1,14 @@
-/* frustum.h - cylinders and cones, capped or open, round or squeezed by a map: one mathematics for both keywords. */
+/* frustum.h - cylinders and cones, capped or open, round or squeezed by a map: one mathematics for both
+ * keywords. */
 #ifndef KIT_FRUSTUM_H
 #define KIT_FRUSTUM_H
 
 #include "kit/report.h"
 
-/* A point's local coordinates are the rows times (point - anchor). There the shape is x^2 + y^2 <= (radius + slope z)^2
- * with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and 1 the side, entered and
- * left by the ray, 2 the cap at z = 0, 3 that at the height. The anchor is the narrower end: near a cone's apex nothing
- * cancels then. */
+/* A point's local coordinates are the rows times (point - anchor). There the shape is x^2 + y^2 <= (radius
+ * + slope z)^2 with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and
+ * 1 the side, entered and left by the ray, 2 the cap at z = 0, 3 that at the height. The anchor is the
+ * narrower end: near a cone's apex nothing cancels then. */
 typedef struct kit_frustum {
     pov_two3 anchor, axis;       /* axis: from there to the other end */
     pov_two3 row[3];             /* for points scaled by `scale` */

@@ -2,7 +2,8 @@
 #include "kit/frustum_parts.h"
 
 /* o + o_lo - anchor + t (d + d_lo) - y axis, rounded once. */
-static pov_two exact_offset(double o, double o_lo, pov_two anchor, double t, double d, double d_lo, double y, pov_two axis)
+static pov_two exact_offset(double o, double o_lo, pov_two anchor, double t, double d, double d_lo, double y,
+                            pov_two axis)
 {
     kit_expansion e;
 
@@ -18,8 +19,8 @@ static pov_two exact_offset(double o, double o_lo, pov_two anchor, double t, dou
     return kit_expansion_two(&e);
 }
 
-/* The ray's point at t. On a slender shape even two parts of a length would leave little of a width, so there the part
- * along the axis is taken away first, without any error. */
+/* The ray's point at t. On a slender shape even two parts of a length would leave little of a width, so
+ * there the part along the axis is taken away first, without any error. */
 static pov_two3 local_along(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, double t)
 {
     pov_two3 w = kit_along_two(k, t), p;
@@ -43,8 +44,8 @@ typedef struct span {
     uint32_t lo_part, hi_part;
 } span;
 
-/* A ray nearly along the side moves hardly at all across it, so much less at times that squares underflow: it is
- * followed faster by `power`. */
+/* A ray nearly along the side moves hardly at all across it, so much less at times that squares underflow:
+ * it is followed faster by `power`. */
 static double quicken(pov_two3 *d, pov_two *grow)
 {
     const double power = pov_inverse_power(pov_largest(pov_vec3_of(d->x.hi, d->y.hi, grow->hi)));

@@ -29,7 +29,10 @@ static inline pov_two3 times_vector(const pov_two3 rows[3], pov_two3 w)
 
 static inline pov_two3 frustum_local(const kit_frustum *s, pov_two3 w) { return times_vector(s->row, w); }
 
-static inline pov_two radius_at(const kit_frustum *s, pov_two z) { return pov_two_add(s->radius, pov_two_mul(s->slope, z)); }
+static inline pov_two radius_at(const kit_frustum *s, pov_two z)
+{
+    return pov_two_add(s->radius, pov_two_mul(s->slope, z));
+}
 
 /* a b + c d */
 static inline pov_two sum2(pov_two a, pov_two b, pov_two c, pov_two d)

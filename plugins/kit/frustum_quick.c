@@ -37,7 +37,8 @@ static inline bounded over(bounded a, bounded b)
     return bounded_of(v, (a.e + fabs(v) * b.e) / (fabs(b.v) - b.e) + KIT_U * fabs(v));
 }
 
-/* The sign is certain: not even a bound twice as wide could turn it, which also pays for the bound's own roundings. */
+/* The sign is certain: not even a bound twice as wide could turn it, which also pays for the bound's own
+ * roundings. */
 static inline bool is_certain(bounded a) { return fabs(a.v) > 2.0 * a.e; }
 
 /* The same as span, in double. */
@@ -51,7 +52,8 @@ typedef struct rough { bounded x, y, z, dx, dy, dz, r, grow; } rough;
 
 static bool rough_side(const kit_frustum *s, const rough *g, rough_span *out)
 {
-    const bounded p = minus(times(g->r, g->dx), times(g->grow, g->x)), q = minus(times(g->r, g->dy), times(g->grow, g->y));
+    const bounded p = minus(times(g->r, g->dx), times(g->grow, g->x)),
+                  q = minus(times(g->r, g->dy), times(g->grow, g->y));
     const bounded x = minus(times(g->x, g->dy), times(g->y, g->dx));
     const bounded a = minus(plus(times(g->dx, g->dx), times(g->dy, g->dy)), times(g->grow, g->grow));
     const bounded b = minus(plus(times(g->x, g->dx), times(g->y, g->dy)), times(g->r, g->grow));
@@ -146,7 +148,8 @@ static bool rough_within(const rough_span *slab, bounded t, bool *certain)
 {
     if (slab->empty)
         return false;
-    return (slab->from_ever || !is_before(t, slab->lo, certain)) && (slab->for_ever || !is_before(slab->hi, t, certain));
+    return (slab->from_ever || !is_before(t, slab->lo, certain)) &&
+           (slab->for_ever || !is_before(slab->hi, t, certain));
 }
 
 static leaving rough_leaving(const kit_frustum *s, const kit_ray *k, const rough *g, uint32_t part, bool *certain)
@@ -185,7 +188,8 @@ static inline kit_root root_of(double middle, bounded t, uint32_t part)
     return r;
 }
 
-static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, const rough *g, double middle, pov_hits *hits)
+static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, const rough *g, double middle,
+                  pov_hits *hits)
 {
     rough_span side, slab, both;
     leaving way = NOT_LEAVING;

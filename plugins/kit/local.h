@@ -1,6 +1,6 @@
-/* local.h - a ray taken to a shape: moved by the shape's anchor, and scaled so that shape and direction are of the
- * order of one. The scales are powers of two, so nothing is rounded but the sum of the low parts, squares neither
- * overflow nor underflow, and a scene scaled by a power of two gives the same bits. */
+/* local.h - a ray taken to a shape: moved by the shape's anchor, and scaled so that shape and direction
+ * are of the order of one. The scales are powers of two, so nothing is rounded but the sum of the low
+ * parts, squares neither overflow nor underflow, and a scene scaled by a power of two gives the same bits. */
 #ifndef KIT_LOCAL_H
 #define KIT_LOCAL_H
 
@@ -9,12 +9,13 @@
 
 /* Half a unit in the last place of one: the relative error of a rounding. */
 #define KIT_U 0x1p-53
-/* From origins further off than this many sizes of the shape, re-centring to one part is no longer an error far below
- * that of a rounding (2^-102 of the distance against 2^-53 of the size), and two parts have to serve. */
+/* From origins further off than this many sizes of the shape, re-centring to one part is no longer an
+ * error far below that of a rounding (2^-102 of the distance against 2^-53 of the size), and two parts
+ * have to serve. */
 #define KIT_FAR 0x1p44
 
-/* Second-order coefficients below this, of shapes and directions of the order of one, come from products that may have
- * underflowed; error bounds know nothing of that. */
+/* Second-order coefficients below this, of shapes and directions of the order of one, come from products
+ * that may have underflowed; error bounds know nothing of that. */
 #define KIT_TINY 0x1p-600
 
 typedef struct kit_ray {

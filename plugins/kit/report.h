@@ -1,4 +1,5 @@
-/* report.h - crossings from a kernel to the host's sink: those that double precision has found well enough. */
+/* report.h - crossings from a kernel to the host's sink: those that double precision has found well
+ * enough. */
 #ifndef KIT_REPORT_H
 #define KIT_REPORT_H
 
@@ -33,7 +34,8 @@ static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine,
     return r->error <= KIT_ULPS * KIT_U * fabs(r->t.hi) && r->error <= fine ? KIT_GOOD : KIT_OPEN;
 }
 
-/* Report up to two crossings, the nearer first. False: two-part arithmetic must decide, and nothing was reported. */
+/* Report up to two crossings, the nearer first. False: two-part arithmetic must decide, and nothing was
+ * reported. */
 static inline bool kit_report(const kit_root *roots, uint32_t n, double unit, double fine, pov_hits *hits)
 {
     kit_verdict verdict[2];

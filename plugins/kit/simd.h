@@ -1,5 +1,6 @@
-/* simd.h - what block filters share. A filter is a plain loop over POV_BLOCK_MAX lanes, compiled for several
- * instruction sets; the loader picks one. None of them contracts products and sums, so all give the same bits. */
+/* simd.h - what block filters share. A filter is a plain loop over POV_BLOCK_MAX lanes, compiled for
+ * several instruction sets; the loader picks one. None of them contracts products and sums, so all give
+ * the same bits. */
 #ifndef KIT_SIMD_H
 #define KIT_SIMD_H
 

@@ -1,7 +1,8 @@
 /* box { <corner>, <opposite corner> }
  *
- * Three slabs. Which plane is met first is a comparison of quotients; when they are too near to each other for
- * doubles, their cross products are compared without any error. The box is closed: edges and corners belong to it. */
+ * Three slabs. Which plane is met first is a comparison of quotients; when they are too near to each other
+ * for doubles, their cross products are compared without any error. The box is closed: edges and corners
+ * belong to it. */
 #include "kit/affine.h"
 #include "kit/expansion.h"
 #include "kit/report.h"
@@ -87,7 +88,8 @@ static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, d
     }
 }
 
-/* Negative, zero or positive as the ray meets plane p before, with or after plane q. Neither is parallel to it. */
+/* Negative, zero or positive as the ray meets plane p before, with or after plane q. Neither is parallel
+ * to it. */
 static int compare(slabs *s, int p, int q)
 {
     double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q])), power;
@@ -106,7 +108,8 @@ static int compare(slabs *s, int p, int q)
     return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -kit_expansion_sign(&e) : kit_expansion_sign(&e);
 }
 
-/* The planes where the ray enters and leaves all three slabs, -1 for none. False: it is beside one of them. */
+/* The planes where the ray enters and leaves all three slabs, -1 for none. False: it is beside one of
+ * them. */
 static bool find(slabs *s, int *entry, int *exit)
 {
     int i;
@@ -143,8 +146,8 @@ static bool report(const slabs *s, pov_hits *hits, int plane)
     return pov_cross(hits, sum.hi, sum.lo, kit_mark((uint32_t)plane, s->decided ? POV_MARK_DECIDED : 0));
 }
 
-/* A ray that left a face going inward has entered already, whatever rounding says of an edge nearby; going outward or
- * along the face it has the exit behind it. */
+/* A ray that left a face going inward has entered already, whatever rounding says of an edge nearby; going
+ * outward or along the face it has the exit behind it. */
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const int left = ray->left == hits->owner ? (int)(ray->left_mark.part % 6) : -1;
@@ -248,8 +251,8 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     return true;
 }
 
-/* One axis of all lanes: the interval between the planes, made as much wider (near, far) and narrower (last, first)
- * as the roundings of plane, origin and quotient can make it. */
+/* One axis of all lanes: the interval between the planes, made as much wider (near, far) and narrower
+ * (last, first) as the roundings of plane, origin and quotient can make it. */
 static inline void narrow(const double *lo, const double *hi, double o, double d, double *near, double *far,
                           double *last, double *first)
 {

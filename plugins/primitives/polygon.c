@@ -1,8 +1,9 @@
-/* polygon { n, <v1>, ..., <vn> }: a flat figure under the even-odd rule. The first point of a loop again closes it,
- * and what follows starts another.
+/* polygon { n, <v1>, ..., <vn> }: a flat figure under the even-odd rule. The first point of a loop again
+ * closes it, and what follows starts another.
  *
- * Which side of an edge a ray passes depends on nothing but the ray and the edge, and is decided without any error
- * where doubles leave it open. So polygons that share an edge leave no gap and no overlap along it. */
+ * Which side of an edge a ray passes depends on nothing but the ray and the edge, and is decided without
+ * any error where doubles leave it open. So polygons that share an edge leave no gap and no overlap along
+ * it. */
 #include "kit/expansion.h"
 #include "kit/report.h"
 
@@ -113,8 +114,8 @@ static pov_two3 offset_of(const polygon *s, const corner *c)
     return kit_offset(c->world, zero, s->anchor, s->scale);
 }
 
-/* The plane goes through the first corner, the one farthest from it, and the one farthest from the line of these two.
- * (The area vector would not do: a bow tie's is zero.) Returns the size of their cross product. */
+/* The plane goes through the first corner, the one farthest from it, and the one farthest from the line of
+ * these two. (The area vector would not do: a bow tie's is zero.) Returns the size of their cross product. */
 static double find_plane(polygon *s)
 {
     const corner *far = s->corners;
@@ -137,9 +138,10 @@ static double find_plane(polygon *s)
     return largest;
 }
 
-/* How far a corner may lie off the plane when each coordinate was rounded once, which moves a corner by at most sqrt(3)
- * roundings. Seen from the first corner it is a b + c, with b and c the two others of the plane and |a| <= 2, |c| <= 1 in
- * their units by their choice; with the first corner's own share that makes 8 such moves, and as much again is margin. */
+/* How far a corner may lie off the plane when each coordinate was rounded once, which moves a corner by at
+ * most sqrt(3) roundings. Seen from the first corner it is a b + c, with b and c the two others of the
+ * plane and |a| <= 2, |c| <= 1 in their units by their choice; with the first corner's own share that
+ * makes 8 such moves, and as much again is margin. */
 static double tolerance(const polygon *s)
 {
     const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
@@ -221,8 +223,8 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- which side of an edge ---- */
 
-/* A ray looked at along itself: its largest axis points away, across and up are the two others. Only the ray decides
- * what they are. */
+/* A ray looked at along itself: its largest axis points away, across and up are the two others. Only the
+ * ray decides what they are. */
 typedef struct sight {
     const pov_ray *ray;
     int across, up, away;
@@ -248,8 +250,8 @@ static sight sight_along(const pov_ray *ray, const kit_ray *k, pov_vec3 w, bool 
     set3(s.d, k->d);
     set3(s.d_lo, k->d_lo);
     set3(s.w, w);
-    /* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded
-     * difference: 6 roundings of terms below 2 (2 + |w|), twice. */
+    /* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a
+     * rounded difference: 6 roundings of terms below 2 (2 + |w|), twice. */
     s.error = 24.0 * KIT_U * (2.0 + pov_largest(w));
     s.exact = always_exact || !(pov_largest(pov_two3_hi(k->f)) < KIT_FAR);
     s.decided = false;
@@ -282,8 +284,8 @@ static bool is_above(const sight *s, const corner *c)
     return kit_expansion_sign(&e) > 0;
 }
 
-/* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for every
- * polygon that has it. */
+/* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for
+ * every polygon that has it. */
 static seen look(sight *s, const corner *c)
 {
     const double v[3] = { c->local.x - s->w[0], c->local.y - s->w[1], c->local.z - s->w[2] };
@@ -327,13 +329,13 @@ static int orientation(const sight *s, const corner *a, const corner *b)
     return kit_expansion_sign(&e);
 }
 
-/* An edge that goes from one side of the level to the other: does it pass the ray on the right, or through it? Edges
- * are asked upward, so that both polygons of a shared edge ask the same. */
+/* An edge that goes from one side of the level to the other: does it pass the ray on the right, or through
+ * it? Edges are asked upward, so that both polygons of a shared edge ask the same. */
 static bool is_right(sight *s, const corner *a, seen pa, const corner *b, seen pb)
 {
     const double cross = pa.across * pb.up - pb.across * pa.up;
-    const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error)
-                         + 4.0 * KIT_U * (fabs(pa.across * pb.up) + fabs(pb.across * pa.up));
+    const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error) +
+                         4.0 * KIT_U * (fabs(pa.across * pb.up) + fabs(pb.across * pa.up));
     int sign;
 
     if (!s->exact && fabs(cross) > error)

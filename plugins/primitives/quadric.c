@@ -1,8 +1,9 @@
-/* quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }: A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J = 0,
- * inside where it is not positive.
+/* quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }: A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z +
+ * J = 0, inside where it is not positive.
  *
- * Along a ray this is a t^2 + 2 b t + c. It is taken about the ray's own vertex, where b is nearly zero and the
- * discriminant has nothing to cancel; the coefficients have two parts, so that maps can be absorbed. */
+ * Along a ray this is a t^2 + 2 b t + c. It is taken about the ray's own vertex, where b is nearly zero
+ * and the discriminant has nothing to cancel; the coefficients have two parts, so that maps can be
+ * absorbed. */
 #include "kit/affine.h"
 #include "kit/expansion.h"
 #include "kit/report.h"
@@ -67,7 +68,8 @@ static void prepare(quadric *s)
 
 /* ---- the anchor ---- */
 
-/* Near the centre, if there is one: each axis' own extremum of what is left of the equation when the others stand. */
+/* Near the centre, if there is one: each axis' own extremum of what is left of the equation when the
+ * others stand. */
 static pov_vec3 near_centre(const pov_two *q)
 {
     double m[3][4] = { { q[A].hi, 0.5 * q[D].hi, 0.5 * q[E].hi, -0.5 * q[G].hi },
@@ -113,8 +115,8 @@ static pov_two exact_sum(double (*term)[3], int n)
     return kit_expansion_two(&e);
 }
 
-/* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor near the
- * centre, without any error on the way, they do not. */
+/* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor
+ * near the centre, without any error on the way, they do not. */
 static void settle(quadric *s)
 {
     const pov_vec3 c = near_centre(s->raw), zero = { 0.0, 0.0, 0.0 };
@@ -125,9 +127,9 @@ static void settle(quadric *s)
     for (i = 0; i < COEFFICIENTS; i++)
         q[i] = s->raw[i].hi;
     {
-        double x[4][3] = { { 2.0 * q[A], c.x, 1.0 }, { q[D], c.y, 1.0 }, { q[E], c.z, 1.0 }, { q[G], 1.0, 1.0 } };
-        double y[4][3] = { { 2.0 * q[B], c.y, 1.0 }, { q[D], c.x, 1.0 }, { q[F], c.z, 1.0 }, { q[H], 1.0, 1.0 } };
-        double z[4][3] = { { 2.0 * q[C], c.z, 1.0 }, { q[E], c.x, 1.0 }, { q[F], c.y, 1.0 }, { q[I], 1.0, 1.0 } };
+        double x[4][3] = {{2.0 * q[A], c.x, 1.0}, {q[D], c.y, 1.0}, {q[E], c.z, 1.0}, {q[G], 1.0, 1.0}};
+        double y[4][3] = {{2.0 * q[B], c.y, 1.0}, {q[D], c.x, 1.0}, {q[F], c.z, 1.0}, {q[H], 1.0, 1.0}};
+        double z[4][3] = {{2.0 * q[C], c.z, 1.0}, {q[E], c.x, 1.0}, {q[F], c.y, 1.0}, {q[I], 1.0, 1.0}};
         double all[10][3] = { { q[A], c.x, c.x }, { q[B], c.y, c.y }, { q[C], c.z, c.z }, { q[D], c.x, c.y },
                               { q[E], c.x, c.z }, { q[F], c.y, c.z }, { q[G], c.x, 1.0 }, { q[H], c.y, 1.0 },
                               { q[I], c.z, 1.0 }, { q[J], 1.0, 1.0 } };
@@ -177,7 +179,8 @@ static bool is_clear(pov_two pivot, pov_two entry) { return pivot.hi > 0x1p-12 *
 
 static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square, double *lo, double *hi)
 {
-    /* Pivots that lost at most 12 bits leave 2^-60 of relative error at most; a millionth is far more than enough. */
+    /* Pivots that lost at most 12 bits leave 2^-60 of relative error at most; a millionth is far more than
+     * enough. */
     const double radius = sqrt(square.hi) * (1.0 + 0x1p-20) / scale, centre = anchor.hi + middle.hi / scale;
 
     *lo = kit_below(centre - radius - 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
@@ -244,12 +247,12 @@ static bool report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part
     return !isfinite(t.hi) || kit_report_decided(hits, t, unit, part);
 }
 
-/* Which crossings are wanted. A ray that left the surface started on one of the two: where it goes to larger values,
- * on the exit, else on the entry. */
+/* Which crossings are wanted. A ray that left the surface started on one of the two: where it goes to
+ * larger values, on the exit, else on the entry. */
 enum { WANT_ENTRY = 1, WANT_EXIT = 2 };
 
-/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the sizes of
- * coefficients and components in place of themselves the sums of the sizes of all terms. */
+/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the
+ * sizes of coefficients and components in place of themselves the sums of the sizes of all terms. */
 static double along_second(const double *q, pov_vec3 d)
 {
     return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
@@ -279,8 +282,9 @@ static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
     return sum3(x, y, z);
 }
 
-/* Where to take the equation: at the ray's vertex, where the discriminant does not cancel; but if that is out of all
- * proportion to where the ray passes the anchor, as with a ray almost along the axis of a paraboloid, then there. */
+/* Where to take the equation: at the ray's vertex, where the discriminant does not cancel; but if that is
+ * out of all proportion to where the ray passes the anchor, as with a ray almost along the axis of a
+ * paraboloid, then there. */
 static double middle_of(const quadric *s, const kit_ray *k)
 {
     const pov_two3 d = kit_direction(k);
@@ -322,8 +326,8 @@ static pov_two exact_value(const pov_two *q, pov_two3 p)
     return kit_expansion_two(&e);
 }
 
-/* A root so near to the ray's origin that the way from `middle` is nearly all of it: -c / (b + or - root), with the
- * value c at the origin itself. */
+/* A root so near to the ray's origin that the way from `middle` is nearly all of it: -c / (b + or - root),
+ * with the value c at the origin itself. */
 static pov_two near_origin(const quadric *s, const kit_ray *k, pov_two root)
 {
     const pov_two c = exact_value(s->q, k->f), b = pov_two3_dot(kit_direction(k), half_gradient(s->q, k->f, true));
@@ -428,8 +432,8 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
                          pov_hits *hits)
 {
     const double d = r->b * r->b - r->a * r->c;
-    const double d_error = (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error
-                           + fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
+    const double d_error = (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error +
+                           fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
     double root, error, entry, exit;
     kit_root roots[2];
     uint32_t n = 0, i;
@@ -450,8 +454,8 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
             roots[n++] = root_of(middle, t, error + fabs(t) * (1.1 * r->a_error / fabs(r->a) + 2.0 * KIT_U),
                                  is_entry ? ENTERING : EXITING);
     }
-    /* The slope along the ray is at least root / |d| of the gradient's length, so curvature turns the normal by at
-     * most this much a step. */
+    /* The slope along the ray is at least root / |d| of the gradient's length, so curvature turns the
+     * normal by at most this much a step. */
     return kit_report(roots, n, k->unit, KIT_FINE * root / (3.0 * s->curvature * pov_dot(k->d, k->d)), hits);
 }
 
@@ -525,8 +529,8 @@ static pov_two3 column(const pov_two3 rows[3], int i)
     return c;
 }
 
-/* The matrix becomes the inverse's transpose times it times the inverse. Maps far from keeping angles would cost
- * precision in these products, unless they are axial. */
+/* The matrix becomes the inverse's transpose times it times the inverse. Maps far from keeping angles
+ * would cost precision in these products, unless they are axial. */
 static bool absorb(void *self, const pov_affine *map)
 {
     static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };

@@ -1,7 +1,7 @@
 /* sphere { <centre>, radius }
  *
- * The ray is re-centred at its closest approach to the centre, where the roots are as large as the sphere and not as
- * the distance. docs/numerics.md derives the bounds. */
+ * The ray is re-centred at its closest approach to the centre, where the roots are as large as the sphere
+ * and not as the distance. docs/numerics.md derives the bounds. */
 #include "kit/affine.h"
 #include "kit/report.h"
 #include "kit/simd.h"
@@ -9,7 +9,8 @@
 typedef struct sphere {
     pov_two3 centre;
     pov_two radius;
-    /* What follows is made from these two. Lengths times scale, a power of two, bring the radius into [1, 2). */
+    /* What follows is made from these two. Lengths times scale, a power of two, bring the radius into [1,
+     * 2). */
     double scale;
     pov_two r, square;         /* scaled radius and its square */
 } sphere;
@@ -64,8 +65,8 @@ static bool bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* Roots that are wanted, as bits. A ray that left the sphere started on one of its two roots: going outward on the
- * far one, going inward on the near one. */
+/* Roots that are wanted, as bits. A ray that left the sphere started on one of its two roots: going
+ * outward on the far one, going inward on the near one. */
 enum { NEAR_ROOT = 1, FAR_ROOT = 2 };
 
 /* Two-part arithmetic from the start. */
@@ -175,7 +176,7 @@ static bool absorb(void *self, const pov_affine *map)
 
 typedef struct sphere_block {
     double x[POV_BLOCK_MAX], y[POV_BLOCK_MAX], z[POV_BLOCK_MAX];
-    double inner[POV_BLOCK_MAX], outer[POV_BLOCK_MAX];   /* the radius, less and more what centre and radius lost */
+    double inner[POV_BLOCK_MAX], outer[POV_BLOCK_MAX]; /* the radius, less and more what centre and radius lost */
 } sphere_block;
 
 static bool block_pack(void *block, const void *const *selves, uint32_t n)
@@ -199,8 +200,8 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     return true;
 }
 
-/* All of it in plain double. The point of closest approach is off by less than 16 u times the distance from origin to
- * centre, in each of its uses; radii that much smaller and larger make the answer safe. */
+/* All of it in plain double. The point of closest approach is off by less than 16 u times the distance
+ * from origin to centre, in each of its uses; radii that much smaller and larger make the answer safe. */
 KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
                                     pov_block_answer *out)
 {

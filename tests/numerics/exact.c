@@ -76,7 +76,8 @@ static void box(const probe *p, line l, exact_answer *out)
 
     for (i = 0; i < 3; i++) {
         const double a = p->number[i], b = p->number[3 + i];
-        const real lo = real_of(a < b ? a : b), hi = real_of(a < b ? b : a), o = component(l.o, i), d = component(l.d, i);
+        const real lo = real_of(a < b ? a : b), hi = real_of(a < b ? b : a), o = component(l.o, i),
+                   d = component(l.d, i);
         const int up = real_sign(d) > 0;
         real near, far;
 
@@ -120,9 +121,11 @@ static void frustum(const probe *p, line l, const double *base, double r0, const
         const real height = real_add(y, real_mul(t[i], e)), radius = real_add(r, real_mul(t[i], s));
 
         if (real_sign(height) >= 0 && real_compare(height, one) <= 0) {
-            real3 normal = real3_sub(real3_add(w, real3_scale(v, t[i])), real3_scale(a, real_div(real_mul(k, radius), m)));
+            real3 normal =
+                real3_sub(real3_add(w, real3_scale(v, t[i])), real3_scale(a, real_div(real_mul(k, radius), m)));
 
-            /* So near to an apex that not even a distance in two parts tells where around it: any normal will do. */
+            /* So near to an apex that not even a distance in two parts tells where around it: any normal
+             * will do. */
             if (fabs(real_double(radius)) < 1e-15 * p->size)
                 normal = real3_scale(normal, real_of(0.0));
             add(out, t[i], part[i], normal);
@@ -184,8 +187,8 @@ static void view(const probe *p, line l, const double *v, real *across, real *up
     *up = real_sub(component(w, (away + 2) % 3), real_mul(depth, component(l.d, (away + 2) % 3)));
 }
 
-/* Even-odd: edges that pass the ray to the right, of those that cross its level. The up coordinate divides by the
- * depth's slope, so its sign turns with it; the plugin multiplies. */
+/* Even-odd: edges that pass the ray to the right, of those that cross its level. The up coordinate divides
+ * by the depth's slope, so its sign turns with it; the plugin multiplies. */
 static bool polygon_within(const probe *p, line l)
 {
     const int n = (p->count - 1) / 3;
@@ -232,7 +235,8 @@ static real3 polygon_normal(const probe *p)
         sum = real3_add(sum, real3_cross(real3_sub(point(v - 3), point(p->number + 1)),
                                          real3_sub(point(v), point(p->number + 1))));
         if (v[0] == start[0] && v[1] == start[1] && v[2] == start[2]) {
-            const double size = fmax(fabs(real_double(sum.x)), fmax(fabs(real_double(sum.y)), fabs(real_double(sum.z))));
+            const double size =
+                fmax(fabs(real_double(sum.x)), fmax(fabs(real_double(sum.y)), fabs(real_double(sum.z))));
 
             if (size > largest) {
                 largest = size;

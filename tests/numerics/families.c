@@ -41,7 +41,10 @@ static void put(probe *p, int at, pov_vec3 v)
     p->number[at + 2] = v.z;
 }
 
-static pov_vec3 get(const probe *p, int at) { return pov_vec3_of(p->number[at], p->number[at + 1], p->number[at + 2]); }
+static pov_vec3 get(const probe *p, int at)
+{
+    return pov_vec3_of(p->number[at], p->number[at + 1], p->number[at + 2]);
+}
 
 static void make_frustum(probe *p, double size, pov_vec3 place, double ratio)
 {
@@ -78,7 +81,8 @@ static void make_polygon(probe *p, double size, pov_vec3 place)
         const int first = at;
 
         for (i = 0; i <= corners; i++, at += 3) {
-            const double angle = 6.283185307179586 * (i + turn) / corners, r = size / unit * (loop ? 0.3 : between(0.5, 1.0));
+            const double angle = 6.283185307179586 * (i + turn) / corners,
+                         r = size / unit * (loop ? 0.3 : between(0.5, 1.0));
             double uv[2], xyz[3];
 
             if (i == corners) {
@@ -90,8 +94,9 @@ static void make_polygon(probe *p, double size, pov_vec3 place)
             xyz[axis] = uv[0];
             xyz[(axis + 1) % 3] = uv[1];
             xyz[(axis + 2) % 3] = slope_u * uv[0] + slope_v * uv[1];
-            put(p, at, pov_vec3_of(unit * floor(place.x / unit) + xyz[0], unit * floor(place.y / unit) + xyz[1],
-                                   unit * floor(place.z / unit) + xyz[2]));
+            put(p, at,
+                pov_vec3_of(unit * floor(place.x / unit) + xyz[0], unit * floor(place.y / unit) + xyz[1],
+                            unit * floor(place.z / unit) + xyz[2]));
         }
     }
     p->count = at;
@@ -175,7 +180,8 @@ static void point_on_frustum(const probe *p, pov_vec3 *at, pov_vec3 *normal)
 
 static pov_vec3 gradient_at(const double *q, pov_vec3 v)
 {
-    return pov_vec3_of(2.0 * q[0] * v.x + q[3] * v.y + q[4] * v.z + q[6], 2.0 * q[1] * v.y + q[3] * v.x + q[5] * v.z + q[7],
+    return pov_vec3_of(2.0 * q[0] * v.x + q[3] * v.y + q[4] * v.z + q[6],
+                       2.0 * q[1] * v.y + q[3] * v.x + q[5] * v.z + q[7],
                        2.0 * q[2] * v.z + q[4] * v.x + q[5] * v.y + q[8]);
 }
 
@@ -413,7 +419,8 @@ static void needles(probe *p, double parameter)
         p->number[7] = r * U();
     p->count = p->kind == CONE ? 8 : 7;
     point_on_frustum(p, &at, &normal);
-    ray_from(p, pov_add(at, pov_scale(families_direction(), p->size * U())), families_direction(), log_between(0.0, 3.0));
+    ray_from(p, pov_add(at, pov_scale(families_direction(), p->size * U())), families_direction(),
+             log_between(0.0, 3.0));
 }
 
 /* parameter: thickness */
@@ -439,7 +446,9 @@ static void box_edges(probe *p, double parameter)
     make_shape(p, 1.0, place);
     for (i = 0; i < 3; i++)
         v[i] = U() < 0.7 ? p->number[i + 3 * (U() < 0.5)] : p->number[i] + (p->number[3 + i] - p->number[i]) * U();
-    ray_from(p, pov_add(pov_vec3_of(v[0], v[1], v[2]), pov_scale(families_direction(), U() < 0.3 ? 0.0 : log_between(parameter, -2.0))),
+    ray_from(p,
+             pov_add(pov_vec3_of(v[0], v[1], v[2]),
+                     pov_scale(families_direction(), U() < 0.3 ? 0.0 : log_between(parameter, -2.0))),
              families_direction(), log_between(-1.0, 3.0));
 }
 
@@ -554,8 +563,8 @@ const family families[] = {
     { "scale", 1e100, ALL, scaled },
     { "grazing", -15.0, ALL, grazing },
     { "at_surface", -14.0, ALL, at_surface },
-    { "dir_length", -300.0, ALL, of_length },
-    { "dir_length", 300.0, ALL, of_length },
+    { "dir_length", -280.0, ALL, of_length },
+    { "dir_length", 280.0, ALL, of_length },
     { "axis_parallel", 0.0, ALL, axis_parallel },
     { "two_parts", 1.0, ALL, two_parts },
     { "near_parallel", -10.0, AXIAL, near_parallel },

@@ -75,7 +75,10 @@ static void keep(double **values, long *count, long *capacity, double value)
     (*values)[(*count)++] = value;
 }
 
-double harness_limit(kind k) { return k == SPHERE || k == QUADRIC ? 16.0 : k == BOX || k == POLYGON ? 4.0 : 32.0; }
+double harness_limit(kind k)
+{
+    return k == SPHERE || k == QUADRIC ? 16.0 : k == BOX || k == POLYGON ? 4.0 : 32.0;
+}
 
 /* ---- one question ---- */
 
@@ -97,7 +100,8 @@ static uint32_t ask(const pov_shape_class *shape, const void *self, const pov_ra
     return hits.count;
 }
 
-/* The crossings in front of the origin. False: a distance is out of the range of doubles, or of all reason. */
+/* The crossings in front of the origin. False: a distance is out of the range of doubles, or of all
+ * reason. */
 static bool keep_positive(exact_answer *e, const probe *p)
 {
     const double speed = pov_dot(pov_unit(p->ray.dir), p->ray.dir);
@@ -243,7 +247,8 @@ static void spawn(harness *h, const probe *p, const void *self, const pov_crossi
         return;
     s->spawned++;
     n = ask(shape, self, &q.ray, false, at, &decided);
-    /* Within rounding of a rim the ray may pass through the corner or miss it: another part, and no distance at all. */
+    /* Within rounding of a rim the ray may pass through the corner or miss it: another part, and no
+     * distance at all. */
     if (n == 1 && e.count == 0 && at[0].mark.part != c->mark.part && at[0].t < 1e-9 * p->size)
         return;
     if (n > (uint32_t)e.count) {
@@ -329,7 +334,10 @@ static int order(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static double quantile(const double *sorted, long n, double q) { return n ? sorted[(long)(q * (double)(n - 1))] : 0.0; }
+static double quantile(const double *sorted, long n, double q)
+{
+    return n ? sorted[(long)(q * (double)(n - 1))] : 0.0;
+}
 
 static void begin(harness *h, score *out)
 {

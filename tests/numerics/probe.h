@@ -10,7 +10,8 @@ enum { PROBE_NUMBERS = 64, PROBE_CROSSINGS = 4 };
 
 typedef enum kind { SPHERE, BOX, CONE, CYLINDER, QUADRIC, POLYGON, KINDS } kind;
 
-/* The numbers stand in the order of the scene text: vectors as three. A polygon's begin with its count of points. */
+/* The numbers stand in the order of the scene text: vectors as three. A polygon's begin with its count of
+ * points. */
 typedef struct probe {
     kind kind;
     int count;

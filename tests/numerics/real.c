@@ -100,8 +100,14 @@ real3 real3_of(real x, real y, real z)
     return r;
 }
 
-real3 real3_add(real3 a, real3 b) { return real3_of(real_add(a.x, b.x), real_add(a.y, b.y), real_add(a.z, b.z)); }
-real3 real3_sub(real3 a, real3 b) { return real3_of(real_sub(a.x, b.x), real_sub(a.y, b.y), real_sub(a.z, b.z)); }
+real3 real3_add(real3 a, real3 b)
+{
+    return real3_of(real_add(a.x, b.x), real_add(a.y, b.y), real_add(a.z, b.z));
+}
+real3 real3_sub(real3 a, real3 b)
+{
+    return real3_of(real_sub(a.x, b.x), real_sub(a.y, b.y), real_sub(a.z, b.z));
+}
 real3 real3_scale(real3 a, real s) { return real3_of(real_mul(a.x, s), real_mul(a.y, s), real_mul(a.z, s)); }
 
 real real3_dot(real3 a, real3 b)

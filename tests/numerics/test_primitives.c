@@ -1,7 +1,7 @@
 /* test_primitives.c - every primitive against 512 bits, on the same doubles.
  *
- * Without arguments a short run, as a test. test_primitives RAYS FILE: RAYS of torture for each kind, a tenth of that
- * for every other family, and a table of the scores in FILE. */
+ * Without arguments a short run, as a test. test_primitives RAYS FILE: RAYS of torture for each kind, a
+ * tenth of that for every other family, and a table of the scores in FILE. */
 #include "numerics/harness.h"
 
 #include "support/check.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static long torture_rays = 12000, family_rays = 600;
+static long torture_rays = 30000, family_rays = 1500;
 static FILE *table;
 static harness *bench;
 
@@ -42,9 +42,9 @@ static void write_row(kind k, const family *f, const score *s)
 
 static bool is_kept(kind k, const score *s)
 {
-    return s->miss_false == 0 && s->hit_false == 0 && s->part_false == 0 && s->exact_differs == 0 && s->selfhit == 0
-           && s->leak == 0 && s->ulp_median <= 0.5 && s->ulp_p99 <= 2.0 && s->ulp_max <= harness_limit(k)
-           && s->normal_max <= 1e-13;
+    return s->miss_false == 0 && s->hit_false == 0 && s->part_false == 0 && s->exact_differs == 0 && s->selfhit == 0 &&
+           s->leak == 0 && s->ulp_median <= 0.5 && s->ulp_p99 <= 2.0 && s->ulp_max <= harness_limit(k) &&
+           s->normal_max <= 1e-13;
 }
 
 static void keep_promises(kind k)
@@ -63,11 +63,12 @@ static void keep_promises(kind k)
         if (is_kept(k, &s))
             continue;
         broken++;
-        fprintf(stderr,
-                "%s %s %g: %ld rays, %ld missed, %ld hit falsely, %ld wrong parts, %ld self-hits, %ld leaks, %ld differ\n"
-                "    ulp %.3g %.3g %.3g, normal %.3g, point %.3g\n",
-                probe_keyword(k), f->name, f->parameter, s.rays, s.miss_false, s.hit_false, s.part_false, s.selfhit,
-                s.leak, s.exact_differs, s.ulp_median, s.ulp_p99, s.ulp_max, s.normal_max, s.point_max);
+        fprintf(
+            stderr,
+            "%s %s %g: %ld rays, %ld missed, %ld hit falsely, %ld wrong parts, %ld self-hits, %ld leaks, %ld differ\n"
+            "    ulp %.3g %.3g %.3g, normal %.3g, point %.3g\n",
+            probe_keyword(k), f->name, f->parameter, s.rays, s.miss_false, s.hit_false, s.part_false, s.selfhit, s.leak,
+            s.exact_differs, s.ulp_median, s.ulp_p99, s.ulp_max, s.normal_max, s.point_max);
     }
     assert_int_equal(broken, 0);
 }
@@ -123,8 +124,9 @@ int main(int argc, char **argv)
             perror(argv[2]);
             return 2;
         }
-        fprintf(table, "kind,family,param,method,isa,n,ns_ray_med,ns_ray_iqr,t_ulp_med,t_ulp_p99,t_ulp_max,normal_rad_max,"
-                       "miss_false,hit_false,undecided_pct,fallback_pct,selfhit,leak,seed,worst_case_hex\n");
+        fprintf(table,
+                "kind,family,param,method,isa,n,ns_ray_med,ns_ray_iqr,t_ulp_med,t_ulp_p99,t_ulp_max,normal_rad_max,"
+                "miss_false,hit_false,undecided_pct,fallback_pct,selfhit,leak,seed,worst_case_hex\n");
     }
     bench = harness_create();
     failed = cmocka_run_group_tests(tests, NULL, NULL);

@@ -49,7 +49,8 @@ double subject_uniform(void)
 
 pov_vec3 subject_direction(void)
 {
-    const double z = 2.0 * subject_uniform() - 1.0, angle = 6.283185307179586 * subject_uniform(), r = sqrt(1.0 - z * z);
+    const double z = 2.0 * subject_uniform() - 1.0, angle = 6.283185307179586 * subject_uniform(),
+                 r = sqrt(1.0 - z * z);
     return pov_vec3_of(r * cos(angle), r * sin(angle), z);
 }
 
@@ -92,11 +93,12 @@ static void guess(void)
 
             if (vector) {
                 char text[128];
-                snprintf(text, sizeof text, "<%.17g, %.17g, %.17g>", 4.0 * subject_uniform() - 2.0, 4.0 * subject_uniform() - 2.0,
-                         4.0 * subject_uniform() - 2.0);
+                snprintf(text, sizeof text, "<%.17g, %.17g, %.17g>", 4.0 * subject_uniform() - 2.0,
+                         4.0 * subject_uniform() - 2.0, 4.0 * subject_uniform() - 2.0);
                 fake_reader_text(subject.in, text);
             } else {
-                fake_reader_number(subject.in, subject_uniform() < 0.3 ? floor(8.0 * subject_uniform()) : 2.0 * subject_uniform());
+                fake_reader_number(subject.in,
+                                   subject_uniform() < 0.3 ? floor(8.0 * subject_uniform()) : 2.0 * subject_uniform());
             }
         }
         if (fake_reader_parse_into(subject.in, subject.shape, self))
@@ -137,7 +139,8 @@ bool subject_set_up(const char *file)
 pov_ray subject_ray(const thing *t)
 {
     const pov_vec3 half = pov_scale(pov_sub(t->box.hi, t->box.lo), 0.6), d = subject_direction();
-    const pov_vec3 target = pov_add(t->middle, pov_vec3_of(half.x * (2.0 * subject_uniform() - 1.0), half.y * (2.0 * subject_uniform() - 1.0),
+    const pov_vec3 target = pov_add(t->middle, pov_vec3_of(half.x * (2.0 * subject_uniform() - 1.0),
+                                                           half.y * (2.0 * subject_uniform() - 1.0),
                                                            half.z * (2.0 * subject_uniform() - 1.0)));
     pov_ray ray;
 
@@ -149,7 +152,7 @@ pov_ray subject_ray(const thing *t)
 }
 
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
-                       pov_crossing at[MOST])
+                        pov_crossing at[MOST])
 {
     pov_hits hits = { 0 };
     uint32_t i, j;

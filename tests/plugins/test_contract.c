@@ -1,7 +1,8 @@
 /* test_contract.c - what every primitive plugin promises, asked of each .so in a folder.
  *
- * test_contract [FOLDER or FILE ...]: by default the build's own plugins, and the one built out of tree. A plugin of a keyword that the table does not
- * know is given random numbers until it takes some, so a new primitive passes, or fails, unchanged. */
+ * test_contract [FOLDER or FILE ...]: by default the build's own plugins, and the one built out of tree. A
+ * plugin of a keyword that the table does not know is given random numbers until it takes some, so a new
+ * primitive passes, or fails, unchanged. */
 #include "plugins/subject.h"
 
 #include "support/check.h"
@@ -32,8 +33,8 @@ static void each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
             if (see(&subject.things[i], &ray))
                 continue;
             if (broken++ < 4)
-                print_error("%s, shape %d: from <%a, %a, %a> along <%a, %a, %a>\n", subject.shape->keyword, i, ray.org.x,
-                            ray.org.y, ray.org.z, ray.dir.x, ray.dir.y, ray.dir.z);
+                print_error("%s, shape %d: from <%a, %a, %a> along <%a, %a, %a>\n", subject.shape->keyword, i,
+                            ray.org.x, ray.org.y, ray.org.z, ray.dir.x, ray.dir.y, ray.dir.z);
         }
     }
     assert_int_equal(broken, 0);
@@ -111,8 +112,9 @@ static bool is_inside(const thing *t, const pov_ray *ray, double when, double wh
     return subject.shape->inside(t->self, p, low);
 }
 
-/* Of crossings apart from each other: inside on one side, not on the other, and the normal points to the latter. Open
- * shapes end in air, so there inside() need not flip; but where it does it must do so rightly. */
+/* Of crossings apart from each other: inside on one side, not on the other, and the normal points to the
+ * latter. Open shapes end in air, so there inside() need not flip; but where it does it must do so
+ * rightly. */
 static bool flips_at_crossings(const thing *t, const pov_ray *ray)
 {
     const double speed = length_of(ray->dir), step = 1e-6 * t->size / speed;
@@ -152,8 +154,9 @@ static bool same_crossing(const pov_crossing *a, const pov_crossing *b)
     return a->t == b->t && a->t_lo == b->t_lo && a->mark.part == b->mark.part;
 }
 
-/* In any interval the nearest is the first of all, and ANY finds something exactly when there is something. What double
- * precision decides for one question may be decided in two parts for another, so the distances may differ by that. */
+/* In any interval the nearest is the first of all, and ANY finds something exactly when there is
+ * something. What double precision decides for one question may be decided in two parts for another, so
+ * the distances may differ by that. */
 static bool agrees(const thing *t, const pov_ray *ray)
 {
     pov_crossing all[MOST], one[MOST];
@@ -248,7 +251,8 @@ static pov_vec3 linear(const double m[3][4], pov_vec3 v)
                        m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z);
 }
 
-/* The mapped shape against the ray taken back: the same crossings but for what the map's own rounding moves. */
+/* The mapped shape against the ray taken back: the same crossings but for what the map's own rounding
+ * moves. */
 static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine *f, const pov_ray *ray)
 {
     pov_crossing own[MOST], taken[MOST];
@@ -261,8 +265,12 @@ static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine
     m = subject_ask(mapped, &there, taken);
     if (n != m) {
         /* A graze may fall either way: then two crossings are close, or one ends at an edge. */
-        const pov_ray beside = { pov_add(ray->org, pov_scale(subject_direction(), 1e-9 * size)), ray->org_lo, ray->dir, POV_NOBODY,
-                                 ray->left_mark, ray->dir_lo };
+        const pov_ray beside = {pov_add(ray->org, pov_scale(subject_direction(), 1e-9 * size)),
+                                ray->org_lo,
+                                ray->dir,
+                                POV_NOBODY,
+                                ray->left_mark,
+                                ray->dir_lo};
         return subject_ask(t->self, &beside, own) != n || n + m <= 2;
     }
     for (i = 0; i < n; i++) {
@@ -369,7 +377,8 @@ static void block_filters_never_exclude_a_crossing(void **unused)
         for (j = 0; j < RAYS / 4; j++) {
             const thing *t = things[(uint32_t)(n * subject_uniform())];
             pov_ray ray = subject_ray(t);
-            const double scale = t->size / length_of(ray.dir), tmin = subject_uniform() < 0.5 ? 0.0 : scale * subject_uniform();
+            const double scale = t->size / length_of(ray.dir),
+                         tmin = subject_uniform() < 0.5 ? 0.0 : scale * subject_uniform();
             const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : tmin + 20.0 * scale * subject_uniform();
             pov_block_answer answer;
 
@@ -390,8 +399,8 @@ static void block_filters_never_exclude_a_crossing(void **unused)
 
 /* ---- leaving ---- */
 
-/* A ray that starts on the surface does not meet its own start: no crossing lies nearer than a chord of that tilt can
- * be. */
+/* A ray that starts on the surface does not meet its own start: no crossing lies nearer than a chord of
+ * that tilt can be. */
 static bool leaves_for_good(const thing *t, const pov_ray *ray)
 {
     pov_crossing at[MOST], again[MOST];
@@ -437,7 +446,8 @@ static void a_ray_that_leaves_never_meets_its_start(void **unused)
 static void garbage_never_crashes_parse(void **unused)
 {
     static const char *const words[] = { "<", ">", ",", "open", "{", "}", "pigment", "-", "nan", "\"" };
-    static const double odd[] = { 0.0, -0.0, 1e308, -1e308, 5e-324, 1e-320, -1.0, 3.0, 4.0, 1e9, HUGE_VAL, -HUGE_VAL, NAN };
+    static const double odd[] = {0.0, -0.0, 1e308, -1e308,   5e-324,    1e-320, -1.0,
+                                 3.0, 4.0,  1e9,   HUGE_VAL, -HUGE_VAL, NAN};
     void *self = subject_memory();
     int round, i;
 
@@ -452,7 +462,8 @@ static void garbage_never_crashes_parse(void **unused)
             if (subject_uniform() < 0.4)
                 fake_reader_word(subject.in, words[(int)(10.0 * subject_uniform())]);
             else
-                fake_reader_number(subject.in, subject_uniform() < 0.5 ? odd[(int)(13.0 * subject_uniform())] : 8.0 * subject_uniform() - 4.0);
+                fake_reader_number(subject.in, subject_uniform() < 0.5 ? odd[(int)(13.0 * subject_uniform())]
+                                                                       : 8.0 * subject_uniform() - 4.0);
         }
         /* What it takes, it must also survive being asked. */
         if (fake_reader_parse_into(subject.in, subject.shape, self)) {

@@ -25,7 +25,8 @@ bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *
 const char *fake_reader_message(const pov_reader *in);   /* of the first failure; "" for none */
 int fake_reader_warnings(const pov_reader *in);
 
-/* The first shape of a plugin file; the file stays loaded. NULL, and a line on standard error, if it cannot be had. */
+/* The first shape of a plugin file; the file stays loaded. NULL, and a line on standard error, if it
+ * cannot be had. */
 const pov_shape_class *fake_reader_load(const char *path);
 /* The shape of the build's own plugin. */
 const pov_shape_class *fake_reader_shape(const char *keyword);

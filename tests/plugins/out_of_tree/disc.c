@@ -1,7 +1,8 @@
 /* disc { <centre>, <normal>, radius [, hole] }: a flat ring, without a hole if none is given.
  *
- * A whole primitive against the installed headers alone; docs/plugins.md walks through it. It calculates in two parts
- * throughout: the shortest way to a right answer. A filter in double in front of it would make it faster. */
+ * A whole primitive against the installed headers alone; docs/plugins.md walks through it. It calculates
+ * in two parts throughout: the shortest way to a right answer. A filter in double in front of it would
+ * make it faster. */
 #include <povtrace/exact.h>
 #include <povtrace/plugin.h>
 
@@ -43,9 +44,12 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     d->inner = pov_two_product(d->hole * d->scale, d->hole * d->scale);
 }
 
-/* The disc reaches radius times the sine of its normal's angle along each axis; what the few roundings here can lose is
- * far below the last factor. */
-static double reach(double radius, double a, double b) { return radius * sqrt(a * a + b * b) * (1.0 + 0x1p-48); }
+/* The disc reaches radius times the sine of its normal's angle along each axis; what the few roundings
+ * here can lose is far below the last factor. */
+static double reach(double radius, double a, double b)
+{
+    return radius * sqrt(a * a + b * b) * (1.0 + 0x1p-48);
+}
 
 static bool bounds(const void *self, pov_box *out)
 {
