@@ -10,6 +10,8 @@ enum { HALVE_FROM = 40 };
 /* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
 static const float frame_part = 0x1p-10f;
 enum { FRAME_LEAST = 16 };
+/* What a lowest node holds when it is full. */
+enum { FULL_PACKED = BVH_WIDTH * BVH_WIDTH, FULL_ALONE = BVH_WIDTH };
 /* Parts of fewer things than this are not worth a thread's while. */
 enum { JOB_LEAST = 4096, THREADS_FROM = 20000, THREADS_MAX = 64 };
 
@@ -62,15 +64,28 @@ static void cut(const builder *b, const bvh_range *r, bool halve, bvh_range *x, 
     y->is_leaf = is_leaf(b, y);
 }
 
+/* Parts of a node of n things need not be smaller than this: a power of the tree's width times what a lowest node
+ * holds, so that nodes are nearly full all the way down. */
+static uint32_t part_of(const builder *b, uint32_t n)
+{
+    uint32_t part = b->in->all_pack ? FULL_PACKED : FULL_ALONE;
+
+    if (n <= part)
+        return 0;
+    while (n / part > BVH_WIDTH)
+        part *= BVH_WIDTH;
+    return part;
+}
+
 /* Which of the parts to cut next: the one most often met, or at great depth the one of most things; -1: none. */
-static int next_to_cut(const bvh_range *parts, int n, bool halve)
+static int next_to_cut(const bvh_range *parts, int n, uint32_t part, bool halve)
 {
     float most = -1.0f;
     int i, best = -1;
 
     for (i = 0; i < n; i++) {
         float size = halve ? (float)bvh_range_count(&parts[i]) : parts[i].area;
-        if (!parts[i].is_leaf && size > most) {
+        if (!parts[i].is_leaf && size > most && (bvh_range_count(&parts[i]) > part || halve)) {
             most = size;
             best = i;
         }
@@ -86,12 +101,13 @@ static bool grow_node(hand *h, bvh_draft_child *child, int depth)
     bvh_range parts[BVH_WIDTH];
     bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node, 16);
     bool halve = depth >= HALVE_FROM;
+    uint32_t part = part_of(h->builder, bvh_range_count(&child->range));
     int n = 1, i, best;
 
     if (!node)
         return false;
     parts[0] = child->range;
-    while (n < BVH_WIDTH && (best = next_to_cut(parts, n, halve)) >= 0) {
+    while (n < BVH_WIDTH && (best = next_to_cut(parts, n, part, halve)) >= 0) {
         cut(h->builder, &parts[best], halve, &parts[best], &parts[n]);
         n++;
     }

@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "world/bvh.h"
 
-/* A thing to be sorted into the tree: its box in the frame's floats, rounded outward. */
+/* A thing to be sorted into the tree: its box in the frame's floats, rounded outward. Two vectors of four. */
 typedef struct bvh_ref {
     float lo[3];
     uint32_t id;

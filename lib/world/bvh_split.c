@@ -1,31 +1,52 @@
 #include "world/bvh_build.h"
 
 #include <float.h>
+#include <string.h>
 
 enum { BINS = 16 };
 
-typedef struct bin { float lo[3], hi[3]; uint32_t count; } bin;
+/* Four lanes, so that a box is two vectors; the fourth means nothing. */
+typedef struct bin { float lo[4], hi[4]; uint32_t count; } bin;
 
 static void bin_clear(bin *b)
 {
     int k;
 
-    for (k = 0; k < 3; k++) {
+    for (k = 0; k < 4; k++) {
         b->lo[k] = FLT_MAX;
         b->hi[k] = -FLT_MAX;
     }
     b->count = 0;
 }
 
+/* Copies first, so that the compiler sees that nothing overlaps. */
 static inline void bin_add(bin *b, const float *lo, const float *hi, uint32_t count)
 {
+    float a[4], c[4], x[4], y[4];
     int k;
 
-    for (k = 0; k < 3; k++) {
-        b->lo[k] = lo[k] < b->lo[k] ? lo[k] : b->lo[k];
-        b->hi[k] = hi[k] > b->hi[k] ? hi[k] : b->hi[k];
-    }
+    memcpy(a, b->lo, sizeof a);
+    memcpy(c, b->hi, sizeof c);
+    memcpy(x, lo, sizeof x);
+    memcpy(y, hi, sizeof y);
+    for (k = 0; k < 4; k++)
+        a[k] = x[k] < a[k] ? x[k] : a[k];
+    for (k = 0; k < 4; k++)
+        c[k] = y[k] > c[k] ? y[k] : c[k];
+    memcpy(b->lo, a, sizeof a);
+    memcpy(b->hi, c, sizeof c);
     b->count += count;
+}
+
+/* The box of a reference as two vectors; what is in their fourth lanes is no number. */
+typedef struct vectors { float lo[4], hi[4]; } vectors;
+
+static inline vectors vectors_of(const bvh_ref *f)
+{
+    vectors v;
+
+    memcpy(&v, f, sizeof v);
+    return v;
 }
 
 /* Half the surface. */
@@ -44,9 +65,11 @@ void bvh_range_measure(bvh_range *r, const bvh_ref *refs)
     bin_clear(&box);
     bin_clear(&centres);
     for (i = r->begin; i < r->end; i++) {
-        const bvh_ref *f = &refs[i];
-        float c[3] = { f->lo[0] + f->hi[0], f->lo[1] + f->hi[1], f->lo[2] + f->hi[2] };
-        bin_add(&box, f->lo, f->hi, 1);
+        vectors v = vectors_of(&refs[i]);
+        float c[4];
+        bin_add(&box, v.lo, v.hi, 1);
+        for (k = 0; k < 4; k++)
+            c[k] = v.lo[k] + v.hi[k];
         bin_add(&centres, c, c, 1);
     }
     for (k = 0; k < 3; k++) {
@@ -119,9 +142,11 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks)
         for (j = 0; j < BINS; j++)
             bin_clear(&bins[k][j]);
     }
-    for (i = r->begin; i < r->end; i++)
+    for (i = r->begin; i < r->end; i++) {
+        vectors v = vectors_of(&refs[i]);
         for (k = 0; k < 3; k++)
-            bin_add(&bins[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], refs[i].lo, refs[i].hi, 1);
+            bin_add(&bins[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], v.lo, v.hi, 1);
+    }
     for (k = 0; k < 3; k++)
         if (factor[k] > 0.0f)
             weigh(bins[k], count_blocks, k, r->centre_lo[k], factor[k], &best);

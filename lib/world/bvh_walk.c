@@ -1,5 +1,7 @@
 #include "world/bvh_walk.h"
 
+#include "world/bits.h"
+
 #include <string.h>
 
 /* What the entries of the stack are: the entry's distance, a float that is not negative and so sorts as its bits do,
@@ -24,20 +26,55 @@ static inline float entry_of(uint64_t key)
 static inline float greater(float a, float b) { return a > b ? a : b; }
 static inline float lesser(float a, float b) { return a < b ? a : b; }
 
-static inline uint32_t first_of(uint32_t mask)
+/* The key of the first child in the mask, which is taken out of it. */
+static inline uint64_t take_key(const bvh_node *node, uint32_t *mask, const float *entry)
 {
-#ifdef __GNUC__
-    return (uint32_t)__builtin_ctz(mask);
-#else
-    uint32_t i = 0;
-    while (!(mask >> i & 1))
-        i++;
-    return i;
-#endif
+    uint32_t i = first_of(*mask);
+
+    *mask &= *mask - 1;
+    return key_of(entry[i], node->child[i]);
+}
+
+static inline void put_greater_first(uint64_t *a, uint64_t *b)
+{
+    uint64_t less = *a < *b ? *a : *b, more = *a < *b ? *b : *a;
+
+    *a = more;
+    *b = less;
+}
+
+/* What the node test wants of a ray. */
+typedef struct lanes_portable {
+    float inverse[3], near_offset[3], far_offset[3], limit;
+    uint32_t near_row[3];        /* rows of a node's bounds: where the ray enters; row ^ 1 is where it leaves */
+} lanes_portable;
+
+static inline void spread_axis(lanes_portable *lanes, int k, double o, double d, double slack)
+{
+    double a = fabs(d), inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
+
+    slack *= fabs(inverse) * (1.0 + fabs(o));
+    lanes->inverse[k] = (float)inverse;
+    lanes->near_offset[k] = (float)(o * inverse + slack);
+    lanes->far_offset[k] = (float)(o * inverse - slack);
+    lanes->near_row[k] = 2u * (uint32_t)k + (inverse < 0.0);
+}
+
+static inline void spread_portable(const bvh_local *l, float limit, lanes_portable *lanes)
+{
+    spread_axis(lanes, 0, l->org.x, l->dir.x, l->slack);
+    spread_axis(lanes, 1, l->org.y, l->dir.y, l->slack);
+    spread_axis(lanes, 2, l->org.z, l->dir.z, l->slack);
+    lanes->limit = limit;
+}
+
+static inline void limit_portable(lanes_portable *lanes, float limit)
+{
+    lanes->limit = limit;
 }
 
 /* The boxes of a node that the ray may meet, and where it enters them. */
-static inline uint32_t meet_portable(const bvh_node *node, const bvh_slabs *s, float entry[BVH_WIDTH])
+static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable *s, float entry[BVH_WIDTH])
 {
     const float *nx = node->bounds[s->near_row[0]], *fx = node->bounds[s->near_row[0] ^ 1];
     const float *ny = node->bounds[s->near_row[1]], *fy = node->bounds[s->near_row[1] ^ 1];
@@ -63,10 +100,16 @@ static inline uint32_t meet_portable(const bvh_node *node, const bvh_slabs *s, f
     return mask;
 }
 
+#define WALK_LANES lanes_portable
+#define WALK_SPREAD spread_portable
+#define WALK_LIMIT limit_portable
 #define WALK_MEET meet_portable
 #define WALK_NAME(name) name##_portable
 #define WALK_TARGET
 #include "world/bvh_walk_body.h"
+#undef WALK_LANES
+#undef WALK_SPREAD
+#undef WALK_LIMIT
 #undef WALK_MEET
 #undef WALK_NAME
 #undef WALK_TARGET
@@ -79,26 +122,71 @@ const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_o
 
 #define WALK_TARGET __attribute__((target("avx2,fma")))
 
-/* A fused product and difference round less often, so that the slack in the offsets covers them too. */
-WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const bvh_slabs *s, float entry[BVH_WIDTH])
+/* Each number of the ray in all lanes, and the rows of a node counted in bytes. */
+typedef struct lanes_avx2 {
+    __m256 inverse[3], near_offset[3], far_offset[3], limit;
+    size_t near_row[3], far_row[3];
+} lanes_avx2;
+
+WALK_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128 inverse, __m128 near, __m128 far, int backward)
 {
-    const float *nx = node->bounds[s->near_row[0]], *fx = node->bounds[s->near_row[0] ^ 1];
-    const float *ny = node->bounds[s->near_row[1]], *fy = node->bounds[s->near_row[1] ^ 1];
-    const float *nz = node->bounds[s->near_row[2]], *fz = node->bounds[s->near_row[2] ^ 1];
-    __m256 ix = _mm256_set1_ps(s->inverse[0]), iy = _mm256_set1_ps(s->inverse[1]), iz = _mm256_set1_ps(s->inverse[2]);
-    __m256 x = _mm256_fmsub_ps(_mm256_load_ps(nx), ix, _mm256_set1_ps(s->near_offset[0]));
-    __m256 y = _mm256_fmsub_ps(_mm256_load_ps(ny), iy, _mm256_set1_ps(s->near_offset[1]));
-    __m256 z = _mm256_fmsub_ps(_mm256_load_ps(nz), iz, _mm256_set1_ps(s->near_offset[2]));
+    lanes->inverse[k] = _mm256_broadcastss_ps(inverse);
+    lanes->near_offset[k] = _mm256_broadcastss_ps(near);
+    lanes->far_offset[k] = _mm256_broadcastss_ps(far);
+    lanes->near_row[k] = (2u * (size_t)k + (size_t)(backward >> k & 1)) * sizeof(float[BVH_WIDTH]);
+    lanes->far_row[k] = lanes->near_row[k] ^ sizeof(float[BVH_WIDTH]);
+}
+
+WALK_TARGET static inline void spread_avx2(const bvh_local *l, float limit, lanes_avx2 *lanes)
+{
+    __m256d o = _mm256_set_pd(0.0, l->org.z, l->org.y, l->org.x), d = _mm256_set_pd(1.0, l->dir.z, l->dir.y, l->dir.x);
+    __m256d sign = _mm256_set1_pd(-0.0), one = _mm256_set1_pd(1.0), inverse, at, slack;
+    __m128 r, near, far;
+    int backward = _mm256_movemask_pd(d);
+
+    inverse = _mm256_or_pd(_mm256_max_pd(_mm256_andnot_pd(sign, d), _mm256_set1_pd(BVH_LEAST)), _mm256_and_pd(sign, d));
+    inverse = _mm256_div_pd(one, inverse);
+    at = _mm256_mul_pd(o, inverse);
+    slack = _mm256_mul_pd(_mm256_add_pd(_mm256_andnot_pd(sign, o), one), _mm256_set1_pd(l->slack));
+    slack = _mm256_mul_pd(slack, _mm256_andnot_pd(sign, inverse));
+    r = _mm256_cvtpd_ps(inverse);
+    near = _mm256_cvtpd_ps(_mm256_add_pd(at, slack));
+    far = _mm256_cvtpd_ps(_mm256_sub_pd(at, slack));
+    spread_axis_avx2(lanes, 0, r, near, far, backward);
+    spread_axis_avx2(lanes, 1, _mm_movehdup_ps(r), _mm_movehdup_ps(near), _mm_movehdup_ps(far), backward);
+    spread_axis_avx2(lanes, 2, _mm_movehl_ps(r, r), _mm_movehl_ps(near, near), _mm_movehl_ps(far, far), backward);
+    lanes->limit = _mm256_set1_ps(limit);
+}
+
+WALK_TARGET static inline void limit_avx2(lanes_avx2 *lanes, float limit)
+{
+    lanes->limit = _mm256_set1_ps(limit);
+}
+
+WALK_TARGET static inline __m256 row_avx2(const bvh_node *node, size_t row)
+{
+    return _mm256_load_ps((const float *)(const void *)((const char *)node + row));
+}
+
+/* A fused product and difference round less often, so that the slack in the offsets covers them too. */
+WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const lanes_avx2 *r, float entry[BVH_WIDTH])
+{
+    __m256 x = _mm256_fmsub_ps(row_avx2(node, r->near_row[0]), r->inverse[0], r->near_offset[0]);
+    __m256 y = _mm256_fmsub_ps(row_avx2(node, r->near_row[1]), r->inverse[1], r->near_offset[1]);
+    __m256 z = _mm256_fmsub_ps(row_avx2(node, r->near_row[2]), r->inverse[2], r->near_offset[2]);
     __m256 in = _mm256_max_ps(_mm256_max_ps(x, y), _mm256_max_ps(z, _mm256_setzero_ps())), out;
 
-    x = _mm256_fmsub_ps(_mm256_load_ps(fx), ix, _mm256_set1_ps(s->far_offset[0]));
-    y = _mm256_fmsub_ps(_mm256_load_ps(fy), iy, _mm256_set1_ps(s->far_offset[1]));
-    z = _mm256_fmsub_ps(_mm256_load_ps(fz), iz, _mm256_set1_ps(s->far_offset[2]));
-    out = _mm256_min_ps(_mm256_min_ps(x, y), _mm256_min_ps(z, _mm256_set1_ps(s->limit)));
+    x = _mm256_fmsub_ps(row_avx2(node, r->far_row[0]), r->inverse[0], r->far_offset[0]);
+    y = _mm256_fmsub_ps(row_avx2(node, r->far_row[1]), r->inverse[1], r->far_offset[1]);
+    z = _mm256_fmsub_ps(row_avx2(node, r->far_row[2]), r->inverse[2], r->far_offset[2]);
+    out = _mm256_min_ps(_mm256_min_ps(x, y), _mm256_min_ps(z, r->limit));
     _mm256_storeu_ps(entry, in);
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
 }
 
+#define WALK_LANES lanes_avx2
+#define WALK_SPREAD spread_avx2
+#define WALK_LIMIT limit_avx2
 #define WALK_MEET meet_avx2
 #define WALK_NAME(name) name##_avx2
 #include "world/bvh_walk_body.h"

@@ -13,12 +13,15 @@
 
 #include <povtrace/plugin.h>
 
-typedef struct bvh_slabs {
-    float inverse[3], near_offset[3], far_offset[3];
-    float limit;                 /* u beyond which nothing counts */
-    uint32_t near_row[3];        /* rows of a node's bounds: where the ray enters; row ^ 1 is where it leaves */
+/* A ray in a frame. */
+typedef struct bvh_local {
+    pov_vec3 org, dir;
     double scale, shift;
-} bvh_slabs;
+    double slack;                /* of the offsets: relative to |inverse| (1 + |o|) */
+} bvh_local;
+
+#define BVH_SLACK 0x1p-22
+#define BVH_LEAST 1e-18
 
 /* A walk under way; queries put their own members behind it. */
 typedef struct bvh_walk {
@@ -40,17 +43,37 @@ typedef struct bvh_walks {
 const bvh_walks *bvh_walks_best(void);
 extern const bvh_walks bvh_walks_portable;
 
-/* Set up the ray in a frame. False: it passes by. */
-bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double limit, bvh_slabs *out);
+/* A ray that starts further away than BVH_NEAR half-sizes of the frame is brought near. False: it passes by. */
+#define BVH_NEAR 8.0
+bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
 
-/* The walk's limit in the frame, rounded up. The t of a crossing may be off by a few units in its last place, which
- * must not hide the box that it lies in: 64 of them are allowed for. */
-static inline void bvh_set_limit(bvh_slabs *s, double limit)
+/* The ray in a frame. False: it passes by. */
+static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, bvh_local *out)
 {
-    double u = (limit - s->shift) * s->scale + (fabs(limit) + fabs(s->shift)) * s->scale * 0x1p-46;
+    pov_vec3 o = pov_sub(ray->org, frame->centre), d = ray->dir;
+    double most = fabs(d.x);
+
+    most = fabs(d.y) > most ? fabs(d.y) : most;
+    most = fabs(d.z) > most ? fabs(d.z) : most;
+    o = pov_scale(pov_add(o, ray->org_lo), frame->scale);
+    out->org = o;
+    out->dir = d;
+    out->scale = frame->scale;
+    out->shift = 0.0;
+    out->slack = BVH_SLACK;
+    if (most > 0x1p-20 && most < 0x1p20 && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
+        return true;
+    return bvh_enter_far(frame, ray, out);
+}
+
+/* The u of a limit, rounded up. The t of a crossing may be off by a few units in its last place, which must not hide
+ * the box that it lies in: 64 of them are allowed for. */
+static inline float bvh_limit(const bvh_local *l, double limit)
+{
+    double u = (limit - l->shift) * l->scale + (fabs(limit) + fabs(l->shift)) * l->scale * 0x1p-46;
 
     u += fabs(u) * 0x1p-22;
-    s->limit = u < 1e38 ? (float)u : HUGE_VALF;
+    return u < 1e38 ? (float)u : HUGE_VALF;
 }
 
 #endif

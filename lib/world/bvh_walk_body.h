@@ -1,81 +1,125 @@
 /* bvh_walk_body.h - the walk itself, included by bvh_walk.c once for each instruction set, with WALK_TARGET (the
- * function attribute), WALK_MEET (the node test) and WALK_NAME (what makes names differ). No guard, for that reason. */
+ * function attribute), WALK_LANES (a ray as the node test wants it), WALK_SPREAD (makes it), WALK_LIMIT (lowers its
+ * limit), WALK_MEET (the node test) and WALK_NAME (what makes names differ). No guard, for that reason. */
 
-/* Put the met children on the stack, the nearest on top, and say how high it is now. */
-WALK_TARGET static inline uint32_t WALK_NAME(push)(const bvh_node *node, uint32_t mask, const float *entry, bool sorted,
+/* Put the met children on the stack, the nearest on top, and say how high it is now. Exchanges sort the first four,
+ * for they cost fewer wrongly guessed branches than a loop. */
+WALK_TARGET static inline uint32_t WALK_NAME(push)(const bvh_node *node, uint32_t mask, const float *entry,
                                                    uint64_t *stack, uint32_t top)
 {
-    uint32_t base = top;
+    uint64_t a = take_key(node, &mask, entry), b = take_key(node, &mask, entry), c, d;
+    uint32_t base = top, at;
 
-    for (; mask; mask &= mask - 1) {
-        uint32_t i = first_of(mask), at = top++;
-        uint64_t key = key_of(entry[i], node->child[i]);
-        if (sorted)
-            for (; at > base && stack[at - 1] < key; at--)
-                stack[at] = stack[at - 1];
-        stack[at] = key;
+    put_greater_first(&a, &b);
+    if (!mask) {
+        stack[top++] = a;
+        stack[top++] = b;
+        return top;
+    }
+    c = take_key(node, &mask, entry);
+    put_greater_first(&b, &c);
+    put_greater_first(&a, &b);
+    if (!mask) {
+        stack[top++] = a;
+        stack[top++] = b;
+        stack[top++] = c;
+        return top;
+    }
+    d = take_key(node, &mask, entry);
+    put_greater_first(&c, &d);
+    put_greater_first(&b, &c);
+    put_greater_first(&a, &b);
+    stack[top++] = a;
+    stack[top++] = b;
+    stack[top++] = c;
+    stack[top++] = d;
+    while (mask) {
+        a = take_key(node, &mask, entry);
+        for (at = top++; at > base && stack[at - 1] < a; at--)
+            stack[at] = stack[at - 1];
+        stack[at] = a;
     }
     return top;
 }
 
-/* Change into a frame, leaving behind a way back. */
-WALK_TARGET static inline bool WALK_NAME(change)(const bvh_walk *w, uint32_t to, uint32_t *frame, bvh_slabs *s,
-                                                 uint64_t *stack, uint32_t *top)
+/* The node at `at` and what is nearest below it, until that is no node, or nothing (then: the top of the stack). */
+WALK_TARGET static inline bool WALK_NAME(descend)(const bvh_node *nodes, const WALK_LANES *ray, bool sorted,
+                                                  uint32_t *at, uint64_t *stack, uint32_t *top)
 {
-    bvh_slabs inner;
+    float entry[BVH_WIDTH];
 
-    if (!bvh_enter(&w->tree->frames[to], w->ray, w->limit, &inner))
+    while ((*at & BVH_KIND) == BVH_NODE) {
+        const bvh_node *node = &nodes[*at];
+        uint32_t mask = WALK_MEET(node, ray, entry);
+        if (!mask)
+            return false;
+        if (mask & (mask - 1)) {
+            if (sorted)
+                *top = WALK_NAME(push)(node, mask, entry, stack, *top);
+            else
+                for (; mask; mask &= mask - 1)
+                    stack[(*top)++] = node->child[first_of(mask)];
+            *at = (uint32_t)stack[--*top];
+        } else {
+            *at = node->child[first_of(mask)];
+        }
+    }
+    return true;
+}
+
+/* Set up the ray in a frame. False: it passes by. */
+WALK_TARGET static inline bool WALK_NAME(enter)(const bvh_walk *w, uint32_t frame, bvh_local *local, WALK_LANES *lanes,
+                                                float *limit)
+{
+    bvh_local l;
+
+    if (!bvh_enter(&w->tree->frames[frame], w->ray, &l))
         return false;
-    stack[(*top)++] = key_of(0.0f, BVH_RETURN | *frame);
-    *frame = to;
-    *s = inner;
+    *limit = bvh_limit(&l, w->limit);
+    WALK_SPREAD(&l, *limit, lanes);
+    *local = l;
     return true;
 }
 
 WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
 {
+    const bvh *t = w->tree;
     uint64_t stack[BVH_STACK];
-    float entry[BVH_WIDTH];
-    bvh_slabs s;
-    uint32_t top = 0, frame = 0, at = w->tree->frames[0].root, mask;
+    uint32_t top = 0, frame = 0, at = t->frames[0].root;
+    WALK_LANES lanes;
+    bvh_local local;
+    float limit;
+    double before;
 
-    if (!bvh_enter(&w->tree->frames[0], w->ray, w->limit, &s))
+    if (!WALK_NAME(enter)(w, 0, &local, &lanes, &limit))
         return false;
     for (;;) {
-        switch (at & BVH_KIND) {
-        case BVH_NODE:
-            mask = WALK_MEET(&w->tree->nodes[at], &s, entry);
-            if (mask && !(mask & (mask - 1))) {
-                at = w->tree->nodes[at].child[first_of(mask)];
+        if (WALK_NAME(descend)(t->nodes, &lanes, sorted, &at, stack, &top)) {
+            uint32_t index = at & ~BVH_KIND;
+            if ((at & BVH_KIND) == BVH_LEAF) {
+                before = w->limit;
+                if (w->leaf(w, t->leaves + (size_t)index * BVH_UNIT))
+                    return true;
+                if (w->limit < before) {
+                    limit = bvh_limit(&local, w->limit);
+                    WALK_LIMIT(&lanes, limit);
+                }
+            } else if ((at & BVH_KIND) == BVH_RETURN) {
+                /* It was entered before, so that it is not passed by now. */
+                WALK_NAME(enter)(w, index, &local, &lanes, &limit);
+                frame = index;
+            } else if (WALK_NAME(enter)(w, index, &local, &lanes, &limit)) {
+                stack[top++] = BVH_RETURN | frame;
+                frame = index;
+                at = t->frames[index].root;
                 continue;
             }
-            top = WALK_NAME(push)(&w->tree->nodes[at], mask, entry, sorted, stack, top);
-            break;
-        case BVH_LEAF: {
-            double before = w->limit;
-            if (w->leaf(w, w->tree->leaves + (size_t)(at & ~BVH_KIND) * BVH_UNIT))
-                return true;
-            if (w->limit < before)
-                bvh_set_limit(&s, w->limit);
-            break;
-        }
-        case BVH_FRAME:
-            if (WALK_NAME(change)(w, at & ~BVH_KIND, &frame, &s, stack, &top)) {
-                at = w->tree->frames[frame].root;
-                continue;
-            }
-            break;
-        case BVH_RETURN:
-            /* It was entered before, so that it is not passed by now. */
-            frame = at & ~BVH_KIND;
-            bvh_enter(&w->tree->frames[frame], w->ray, w->limit, &s);
-            break;
         }
         do {
             if (top == 0)
                 return false;
             top--;
-        } while (entry_of(stack[top]) > s.limit);
+        } while (entry_of(stack[top]) > limit);
         at = (uint32_t)stack[top];
     }
 }

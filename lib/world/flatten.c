@@ -86,18 +86,40 @@ static pov_status compose(maker *k, const object *o, pov_error *err)
     return POV_OK;
 }
 
+/* Let a copy take the transformation in. *done: it has. */
+static pov_status absorb(maker *k, const object *o, flat_shape *s, bool *done, pov_error *err)
+{
+    void *copy;
+
+    *done = false;
+    if (!o->shape->absorb)
+        return POV_OK;
+    copy = arena_alloc(&k->f->staging, stride_of(o->shape), INSTANCE_ALIGN);
+    if (!copy)
+        return err_memory(err);
+    memcpy(copy, o->instance, o->shape->instance_size);
+    *done = o->shape->absorb(copy, &k->map);
+    if (*done)
+        s->instance = copy;
+    k->f->absorbed += *done;
+    return POV_OK;
+}
+
 /* Take the transformation into the shape, or place it; *finite says whether *box is set. */
 static pov_status place(maker *k, const object *o, flat_shape *s, pov_box *box, bool *finite, pov_error *err)
 {
     pov_status status = POV_OK;
+    bool done = true;
     pov_box own;
 
+    s->instance = o->instance;
     if (o->map)
         status = compose(k, o, err);
+    if (o->map && status == POV_OK)
+        status = absorb(k, o, s, &done, err);
     if (status < 0)
         return status;
-    if (!o->map || (o->shape->absorb && o->shape->absorb(s->instance, &k->map))) {
-        k->f->absorbed += o->map != NULL;
+    if (done) {
         *finite = o->shape->bounds(s->instance, box) && is_finite_box(box);
         return POV_OK;
     }
@@ -135,10 +157,6 @@ static pov_status flatten_one(maker *k, uint32_t index, pov_error *err)
     pov_status status;
     int group;
 
-    s->instance = arena_alloc(&f->staging, stride_of(o->shape), INSTANCE_ALIGN);
-    if (!s->instance)
-        return err_memory(err);
-    memcpy(s->instance, o->instance, o->shape->instance_size);
     status = place(k, o, s, &f->boxes[index], &finite, err);
     if (status < 0)
         return status;

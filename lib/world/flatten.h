@@ -24,7 +24,7 @@ typedef struct shape_group {
 
 /* All that is known of an object while the world is built. */
 typedef struct flat_shape {
-    void *instance;              /* a copy, its transformation absorbed if it could be */
+    const void *instance;        /* the model's; or a copy that has absorbed its transformation */
     placement *placement;
 } flat_shape;
 

@@ -2,6 +2,7 @@
 
 #include "base/err.h"
 #include "base/vec.h"
+#include "world/bits.h"
 
 #include <string.h>
 
@@ -120,11 +121,12 @@ static void put_off(query *q, const run *r, uint32_t lane, double lo, double hi)
 static void filter_nearest(query *q, const run *r)
 {
     pov_block_answer answer;
-    uint32_t left = q->walk.ray->left, lane;
+    uint32_t left = q->walk.ray->left, mask;
 
     r->shape->block_filter(run_block(r), q->walk.ray, 0.0, just_beyond(q->walk.limit), &answer);
-    for (lane = 0; answer.maybe >> lane; lane++) {
-        if (!(answer.maybe >> lane & 1) || is_beyond(answer.lo[lane], q->walk.limit))
+    for (mask = answer.maybe; mask; mask &= mask - 1) {
+        uint32_t lane = first_of(mask);
+        if (is_beyond(answer.lo[lane], q->walk.limit))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
         if ((answer.surely >> lane & 1) && r->object[lane] != left)
@@ -199,15 +201,14 @@ static bool ask_shadow(query *q, const run *r, uint32_t lane)
 static bool filter_shadow(query *q, const run *r)
 {
     pov_block_answer answer;
-    uint32_t lane, blocking = q->any_blocks ? r->casts : r->casts & r->opaque, left = q->walk.ray->left;
+    uint32_t blocking = q->any_blocks ? r->casts : r->casts & r->opaque, left = q->walk.ray->left, mask;
 
     r->shape->block_filter(run_block(r), q->walk.ray, 0.0, q->hits.tmax, &answer);
-    for (lane = 0; answer.surely >> lane; lane++)
-        if ((answer.surely & blocking) >> lane & 1 && r->object[lane] != left && answer.hi[lane] < q->hits.tmax)
+    for (mask = answer.surely & blocking; mask; mask &= mask - 1)
+        if (r->object[first_of(mask)] != left && answer.hi[first_of(mask)] < q->hits.tmax)
             return true;
-    answer.maybe &= r->casts;
-    for (lane = 0; answer.maybe >> lane; lane++)
-        if ((answer.maybe >> lane & 1) && ask_shadow(q, r, lane))
+    for (mask = answer.maybe & r->casts; mask; mask &= mask - 1)
+        if (ask_shadow(q, r, first_of(mask)))
             return true;
     return false;
 }
@@ -309,16 +310,20 @@ bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax
 {
     pov_crossing at;
     query q;
+    bool open;
 
-    *through = colour_of(1.0f, 1.0f, 1.0f);
     begin(&q, w, ray, tmax, POV_WANT_ANY, &at);
     q.any_blocks = !w->plan.coloured_shadows;
-    begin_tints(&q, k);
-    if (is_blocked(&q, w)) {
-        k->decided += q.hits.decided + q.tints.decided;
-        *through = colour_of(0.0f, 0.0f, 0.0f);
-        return false;
+    *through = colour_of(1.0f, 1.0f, 1.0f);
+    if (q.any_blocks) {
+        open = !is_blocked(&q, w);
+    } else {
+        begin_tints(&q, k);
+        open = !is_blocked(&q, w) && (q.tints.count == 0 || multiply(w->model, q.tints.at, q.tints.count, through));
+        k->decided += q.tints.decided;
     }
-    k->decided += q.hits.decided + q.tints.decided;
-    return q.tints.count == 0 || multiply(w->model, q.tints.at, q.tints.count, through);
+    k->decided += q.hits.decided;
+    if (!open)
+        *through = colour_of(0.0f, 0.0f, 0.0f);
+    return open;
 }

@@ -52,6 +52,12 @@ void world_surface(const world *w, const pov_ray *ray, hit *h);
  * what transparent surfaces let through, crossing by crossing from near to far. False: nothing is left, an opaque
  * surface or enough black ones stand there. Objects of no_shadow do not count. */
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through);
+/* The same of up to WORLD_MANY rays in company, with their answers to the bit: those of rays that start and go alike
+ * cost a fraction of single ones. out and through have room for n; bit i of what is returned is ray i's. */
+enum { WORLD_MANY = 64 };
+uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
+uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
+                               colour *through);
 /* Is anything there at all, transparent or not? For pov_trace_blocked(). */
 bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
 
