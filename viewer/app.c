@@ -19,6 +19,8 @@ void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
     a->width = width;
     a->height = height;
     a->scale = 1.0;
+    a->x = 0.5 * width;
+    a->y = 0.5 * height;
     a->probe = probe;
     a->probe_user = probe_user;
     a->restarted = -1.0;

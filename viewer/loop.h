@@ -35,6 +35,11 @@ void viewer_run(viewer *v);
 
 /* Without a window: do what the keys say, wait for the picture, write it. Returns the exit code. */
 int shot_run(const args *a);
+/* Its parts, for a viewer whose clock is fixed: wait for a scene, or for why there is none; do what the keys say; wait
+ * until all is there, or as many passes as were asked for. */
+bool shot_wait_for_scene(viewer *v);
+void shot_play(viewer *v, const char *keys);
+void shot_settle(viewer *v);
 /* Measure: first picture, restarts, how long the window's thread is busy. Returns the exit code. */
 int bench_run(const args *a);
 /* "povview: error: ..." with its place, to standard error. */

@@ -33,7 +33,7 @@ void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba)
     if (!hit)
         return;
     if (request->kind == MAPS_DEPTH) {
-        rgba[0] = rgba[1] = rgba[2] = byte_of(1.0 / (1.0 + hit->distance / request->middle));
+        rgba[0] = rgba[1] = rgba[2] = byte_of(1.0 / (1.0 + pow(hit->distance / request->middle, 3.0)));
         return;
     }
     rgba[0] = byte_of(0.5 + 0.5 * hit->normal.x);

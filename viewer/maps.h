@@ -27,7 +27,7 @@ bool maps_take(maps *m, uint8_t *pixels, int *first, int *last);
 bool maps_is_done(maps *m);
 
 /* The colour of a hit, and of NULL for none. Normals' -1 .. 1 become 0 .. 255, world x red, y green, z blue; depth is
- * white near, black far, as 1 / (1 + depth / middle). */
+ * white near, black far, as 1 / (1 + (depth / middle)^3). */
 void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba);
 
 #endif

@@ -15,8 +15,7 @@ static void tick(viewer *v)
     viewer_step(v);
 }
 
-/* Until all is there, or as many passes as were asked for. */
-static void settle(viewer *v)
+void shot_settle(viewer *v)
 {
     for (;;) {
         viewer_step(v);
@@ -66,7 +65,7 @@ static void play(viewer *v, const script_step *step)
     case SCRIPT_CHARACTER:
         /* What is saved is whole. */
         if (step->code == 's' || step->code == 'S')
-            settle(v);
+            shot_settle(v);
         send(v, APP_CHARACTER, step->code, true, 0.0, 0.0);
         break;
     case SCRIPT_KEY: send(v, APP_KEY, step->code, true, 0.0, 0.0); break;
@@ -79,23 +78,31 @@ static void play(viewer *v, const script_step *step)
     case SCRIPT_SIZE: surface_osmesa_resize(v->surface, (int)step->x, (int)step->y); break;
     case SCRIPT_LOAD:
         /* The picture of the scene before is what a message would stand over. */
-        settle(v);
+        shot_settle(v);
         session_load(v->session, step->word);
-        settle(v);
+        shot_settle(v);
         break;
     case SCRIPT_END: break;
     }
     tick(v);
 }
 
-static void play_all(viewer *v)
+void shot_play(viewer *v, const char *keys)
 {
-    const char *at = v->args.keys;
     char problem[128];
     script_step step;
 
-    while (script_next(&at, &step, problem, sizeof problem) && step.kind != SCRIPT_END)
+    while (script_next(&keys, &step, problem, sizeof problem) && step.kind != SCRIPT_END)
         play(v, &step);
+}
+
+bool shot_wait_for_scene(viewer *v)
+{
+    while (!v->app.has_scene && !session_error(v->session)) {
+        viewer_wait(v, 0.05);
+        viewer_step(v);
+    }
+    return v->app.has_scene;
 }
 
 static pov_status write_drawing(viewer *v, pov_error *err)
@@ -129,16 +136,12 @@ static pov_status take(viewer *v, pov_error *err)
     if (status < 0)
         return status;
     v->fixed_clock = 0.0;
-    while (!v->app.has_scene && !session_error(v->session)) {
-        viewer_wait(v, 0.05);
-        viewer_step(v);
-    }
-    if (!v->app.has_scene) {
+    if (!shot_wait_for_scene(v)) {
         *err = *session_error(v->session);
         return err->status;
     }
-    play_all(v);
-    settle(v);
+    shot_play(v, v->args.keys);
+    shot_settle(v);
     tick(v);
     return write_drawing(v, err);
 }

@@ -1,0 +1,437 @@
+/* The whole viewer on OSMesa, without a display: what it draws, pixel by pixel. */
+#include "loop.h"
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { WIDTH = 320, HEIGHT = 240 };
+
+/* A red ball before a black ground; at the camera's height, lit from behind it. */
+static const char good[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                           "camera { location <0, 0, -5> look_at 0 }\n"
+                           "light_source { <0, 0, -50> rgb 1 }\n"
+                           "sphere { 0, 1 pigment { rgb <1, 0, 0> } finish { ambient 0 diffuse .4 } }\n";
+static const char wrong[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                            "camera { location <0, 0, -5> look_at 0 }\n"
+                            "sphere { 0, 1 pigmnet { rgb <1, 0, 0> } }\n";
+static const char green[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                            "camera { location <0, 0, -9> look_at 0 }\n"
+                            "light_source { <0, 0, -50> rgb 1 }\n"
+                            "sphere { 0, 1 pigment { rgb <0, 1, 0> } finish { ambient 0 diffuse .4 } }\n";
+
+static char folder[] = "/tmp/povview-test-XXXXXX";
+static char scene_path[sizeof folder + 20];
+
+static void write_scene(const char *text)
+{
+    FILE *f = fopen(scene_path, "w");
+
+    assert_non_null(f);
+    assert_true(fputs(text, f) >= 0);
+    assert_int_equal(fclose(f), 0);
+}
+
+typedef struct stage { viewer v; uint8_t *pixels; } stage;
+
+static stage *begin(const char *text, int frames)
+{
+    stage *s = calloc(1, sizeof *s);
+    args a = { .scene = scene_path, .width = WIDTH, .height = HEIGHT, .keys = "", .shot = "", .frames = frames,
+               .plugin_path = TEST_PLUGINS };
+    pov_error err = { 0 };
+    surface *memory = surface_osmesa_open(WIDTH, HEIGHT, &err);
+
+    assert_non_null(s);
+    write_scene(text);
+    if (!memory || viewer_open(&s->v, &a, memory, frames > 0, &err) < 0)
+        fail_msg("%s", err.message);
+    s->v.fixed_clock = 0.0;
+    shot_wait_for_scene(&s->v);
+    return s;
+}
+
+/* Do this, wait, and see what is there then. */
+static const uint8_t *see(stage *s, const char *keys)
+{
+    shot_play(&s->v, keys);
+    shot_settle(&s->v);
+    /* Words in passing have passed. */
+    s->v.fixed_clock += 10.0;
+    viewer_step(&s->v);
+    free(s->pixels);
+    s->pixels = malloc((size_t)s->v.app.width * (size_t)s->v.app.height * 4);
+    assert_non_null(s->pixels);
+    present_read(s->v.present, s->v.app.width, s->v.app.height, s->pixels);
+    return s->pixels;
+}
+
+static uint8_t *copy(const uint8_t *pixels)
+{
+    uint8_t *to = malloc(WIDTH * HEIGHT * 4);
+
+    assert_non_null(to);
+    return memcpy(to, pixels, WIDTH * HEIGHT * 4);
+}
+
+static void end(stage *s)
+{
+    viewer_close(&s->v);
+    free(s->pixels);
+    free(s);
+}
+
+static const uint8_t *at(const uint8_t *pixels, int x, int y)
+{
+    return pixels + 4 * (y * WIDTH + x);
+}
+
+static void assert_color(const uint8_t *pixel, int red, int green_, int blue, int tolerance)
+{
+    if (abs(pixel[0] - red) > tolerance || abs(pixel[1] - green_) > tolerance || abs(pixel[2] - blue) > tolerance)
+        fail_msg("%d %d %d is not %d %d %d", pixel[0], pixel[1], pixel[2], red, green_, blue);
+}
+
+/* How many pixels differ, of all. */
+static int differences(const uint8_t *a, const uint8_t *b)
+{
+    int count = 0;
+
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        count += memcmp(a + 4 * i, b + 4 * i, 3) != 0;
+    return count;
+}
+
+/* The picture as a program that has no viewer gets it. */
+static uint8_t *plain_picture(const char *text)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, text);
+    pov_render_desc d = POV_INIT(d);
+    pov_rect all = { 0, 0, WIDTH, HEIGHT };
+    uint8_t *pixels = malloc(WIDTH * HEIGHT * 4);
+    pov_job *job;
+
+    assert_non_null(pixels);
+    d.width = WIDTH;
+    d.height = HEIGHT;
+    assert_int_equal(pov_job_create(&job, scene, &d, NULL), POV_OK);
+    while (pov_job_step(job) == POV_JOB_RUNNING)
+        continue;
+    pov_job_read(job, all, POV_PIXELS_DISPLAY8, pixels, WIDTH * 4);
+    pov_job_destroy(job);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return pixels;
+}
+
+static void shot_is_the_plain_picture_to_the_bit(void **state)
+{
+    uint8_t *plain = plain_picture(good);
+    stage *s = begin(good, 0);
+
+    (void)state;
+    assert_int_equal(differences(see(s, ""), plain), 0);
+    assert_true(at(plain, WIDTH / 2, HEIGHT / 2)[0] > 100);
+    free(plain);
+    end(s);
+}
+
+static void shot_after_one_pass_is_squares_of_sixteen(void **state)
+{
+    stage *s = begin(good, 1);
+    const uint8_t *p = see(s, "");
+
+    (void)state;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            assert_memory_equal(at(p, x, y), at(p, x - x % 16, y - y % 16), 4);
+    assert_true(at(p, WIDTH / 2, HEIGHT / 2)[0] > 100);
+    end(s);
+}
+
+static void shot_after_five_passes_is_the_whole_picture(void **state)
+{
+    uint8_t *plain = plain_picture(good);
+    stage *s = begin(good, 5);
+
+    (void)state;
+    assert_int_equal(differences(see(s, ""), plain), 0);
+    free(plain);
+    end(s);
+}
+
+static void shot_shows_help_over_the_picture_and_takes_it_away(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+    const uint8_t *p = see(s, "h");
+    int bright = 0;
+
+    (void)state;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        bright += p[4 * i] > 180 && p[4 * i + 1] > 180 && p[4 * i + 2] > 180;
+    assert_true(bright > 300);
+    assert_int_equal(differences(see(s, "h"), before), 0);
+    free(before);
+    end(s);
+}
+
+/* The scene's file is another: the clock goes on, so that it is looked at. */
+static void save(stage *s, const char *text)
+{
+    static time_t second = 1000000;
+    struct timespec times[2] = { { 0, 0 }, { 0, 0 } };
+
+    /* A file that is written twice within the clock's grain would look the same. */
+    write_scene(text);
+    times[0].tv_sec = times[1].tv_sec = second++;
+    assert_int_equal(utimensat(AT_FDCWD, scene_path, times, 0), 0);
+    for (int i = 0; i < 3; i++) {
+        s->v.fixed_clock += 1.0;
+        viewer_step(&s->v);
+    }
+    shot_settle(&s->v);
+}
+
+static void shot_keeps_the_last_good_picture_under_the_message(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+    const uint8_t *p;
+
+    (void)state;
+    save(s, wrong);
+    assert_non_null(session_error(s->v.session));
+    assert_int_equal(session_error(s->v.session)->line, 3);
+    p = see(s, "");
+    assert_memory_equal(p, before, WIDTH * 60 * 4);
+    assert_true(differences(p, before) > 3000);
+    save(s, good);
+    assert_null(session_error(s->v.session));
+    assert_int_equal(differences(see(s, ""), before), 0);
+    free(before);
+    end(s);
+}
+
+static void shot_follows_the_file_and_its_camera_until_the_user_moves(void **state)
+{
+    stage *s = begin(good, 0);
+    double distance;
+
+    (void)state;
+    see(s, "");
+    save(s, green);
+    assert_true(at(see(s, ""), WIDTH / 2, HEIGHT / 2)[1] > 100);
+    assert_true(app_camera(&s->v.app).location.z == -9.0);
+    see(s, "<drag 40,0>");
+    distance = app_camera(&s->v.app).location.x;
+    save(s, good);
+    assert_true(at(see(s, ""), WIDTH / 2, HEIGHT / 2)[0] > 100);
+    assert_true(app_camera(&s->v.app).location.x == distance && distance < 0.0);
+    see(s, "r");
+    assert_true(app_camera(&s->v.app).location.z == -5.0);
+    end(s);
+}
+
+static void shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one(void **state)
+{
+    stage *s = begin(wrong, 0);
+
+    (void)state;
+    assert_false(s->v.app.has_scene);
+    assert_non_null(session_error(s->v.session));
+    see(s, "h");
+    save(s, good);
+    assert_true(at(see(s, "h"), WIDTH / 2, HEIGHT / 2)[0] > 100);
+    end(s);
+}
+
+static void shot_shows_normals_and_depth(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *picture = copy(see(s, ""));
+    const uint8_t *p = see(s, "<tab>");
+
+    (void)state;
+    /* The ball's nearest point looks along -z, its left side along -x. */
+    assert_color(at(p, WIDTH / 2, HEIGHT / 2), 128, 128, 0, 3);
+    assert_true(at(p, WIDTH / 2 - 40, HEIGHT / 2)[0] < 60);
+    assert_color(at(p, 5, 5), 0, 0, 0, 0);
+    p = see(s, "<tab>");
+    /* The middle is at the pivot's depth. */
+    assert_color(at(p, WIDTH / 2, HEIGHT / 2), 128, 128, 128, 2);
+    assert_true(at(p, WIDTH / 2 - 40, HEIGHT / 2)[0] < 128);
+    assert_int_equal(differences(see(s, "<tab>"), picture), 0);
+    free(picture);
+    end(s);
+}
+
+static void shot_exposes_by_half_stops(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+    double linear = 0.4 * 2.0, stored = 255.0 * (1.055 * pow(linear, 1.0 / 2.4) - 0.055);
+
+    (void)state;
+    assert_color(at(see(s, "]]"), WIDTH / 2, HEIGHT / 2), (int)(stored + 0.5), 0, 0, 1);
+    assert_int_equal(differences(see(s, "[["), before), 0);
+    free(before);
+    end(s);
+}
+
+static void shot_drag_shows_another_side(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+
+    (void)state;
+    /* The light stays where it is, so the ball's shadow side comes round; the ball keeps its place. */
+    assert_true(differences(see(s, "<drag 80,0>"), before) > 1000);
+    assert_int_equal(differences(see(s, "<enter>"), before), 0);
+    free(before);
+    end(s);
+}
+
+static void shot_takes_another_size(void **state)
+{
+    stage *s = begin(good, 0);
+    const uint8_t *p;
+
+    (void)state;
+    see(s, "");
+    p = see(s, "<size 200,240>");
+    assert_int_equal(s->v.app.width, 200);
+    /* As high as before, and round still: the ball's edge is as far from the middle across as down. */
+    for (int r = 1; r < 90; r++)
+        assert_true(abs(p[4 * (120 * 200 + 100 + r)] - p[4 * ((120 + r) * 200 + 100)]) < 60);
+    assert_true(p[4 * (120 * 200 + 100)] > 100);
+    end(s);
+}
+
+static void shot_inspects_what_is_under_the_pointer(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+    session_place place;
+    char text[1000];
+
+    (void)state;
+    assert_true(differences(see(s, "<move 160,120>i"), before) > 3000);
+    assert_true(session_inspect(s->v.session, &place));
+    assert_true(place.hit && place.line == 4);
+    assert_string_equal(place.keyword, "sphere");
+    assert_true(fabs(place.distance - 4.0) < 0.01 && fabs(place.normal.z + 1.0) < 0.01);
+    assert_true(fabs((double)place.color[0] - 0.4) < 0.01);
+    overlay_write_place(&place, text, sizeof text);
+    assert_non_null(strstr(text, "#sphere, line 4\n"));
+    see(s, "<move 2,2>");
+    assert_true(session_inspect(s->v.session, &place));
+    assert_false(place.hit);
+    free(before);
+    end(s);
+}
+
+static char *read_file(const char *path, size_t *size)
+{
+    FILE *f = fopen(path, "rb");
+    char *bytes = malloc(1 << 20);
+
+    if (!f || !bytes)
+        fail_msg("there is no %s", path);
+    *size = fread(bytes, 1, 1 << 20, f);
+    fclose(f);
+    return bytes;
+}
+
+static void shot_snapshot_is_the_file_that_povc_writes(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *plain = plain_picture(good);
+    float *rgba = malloc(WIDTH * HEIGHT * 4 * sizeof *rgba);
+    char wanted[sizeof folder + 20];
+    char *a, *b;
+    size_t a_size, b_size;
+    pov_image_options options = POV_INIT(options);
+
+    (void)state;
+    assert_non_null(rgba);
+    snprintf(wanted, sizeof wanted, "%s/wanted.png", folder);
+    for (int i = 0; i < WIDTH * HEIGHT * 4; i++)
+        rgba[i] = (float)(plain[i] / 255.0);
+    assert_int_equal(pov_image_write(session_context(s->v.session), wanted, WIDTH, HEIGHT, rgba,
+                                     WIDTH * 4 * sizeof *rgba, &options, NULL), POV_OK);
+    see(s, "s");
+    a = read_file("scene-001.png", &a_size);
+    see(s, "s");
+    free(read_file("scene-002.png", &b_size));
+    b = read_file(wanted, &b_size);
+    /* Both say how they are encoded; the pixels behind that are the same. */
+    assert_true(a_size > 100 && b_size > 100);
+    assert_memory_equal(a + a_size - 60, b + b_size - 60, 60);
+    free(a);
+    free(b);
+    free(rgba);
+    free(plain);
+    end(s);
+}
+
+static void shot_pause_stops_the_picture_and_lets_it_go_on(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+
+    (void)state;
+    /* Paused, a restart shows nothing of the new side; unpaused it does. */
+    assert_int_equal(differences(see(s, "p<drag 80,0>"), before), 0);
+    assert_true(differences(see(s, "p"), before) > 1000);
+    free(before);
+    end(s);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    if (!mkdtemp(folder) || chdir(folder) != 0)
+        return -1;
+    snprintf(scene_path, sizeof scene_path, "%s/scene.pov", folder);
+    return 0;
+}
+
+static int remove_folder(void **state)
+{
+    static const char *const names[] = { "scene.pov", "scene-001.png", "scene-002.png", "wanted.png" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        unlink(names[i]);
+    return chdir("/") == 0 ? rmdir(folder) : -1;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shot_is_the_plain_picture_to_the_bit),
+        cmocka_unit_test(shot_after_one_pass_is_squares_of_sixteen),
+        cmocka_unit_test(shot_after_five_passes_is_the_whole_picture),
+        cmocka_unit_test(shot_shows_help_over_the_picture_and_takes_it_away),
+        cmocka_unit_test(shot_keeps_the_last_good_picture_under_the_message),
+        cmocka_unit_test(shot_follows_the_file_and_its_camera_until_the_user_moves),
+        cmocka_unit_test(shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one),
+        cmocka_unit_test(shot_shows_normals_and_depth),
+        cmocka_unit_test(shot_exposes_by_half_stops),
+        cmocka_unit_test(shot_drag_shows_another_side),
+        cmocka_unit_test(shot_takes_another_size),
+        cmocka_unit_test(shot_inspects_what_is_under_the_pointer),
+        cmocka_unit_test(shot_snapshot_is_the_file_that_povc_writes),
+        cmocka_unit_test(shot_pause_stops_the_picture_and_lets_it_go_on),
+    };
+
+    return cmocka_run_group_tests_name("the viewer without a display", tests, make_folder, remove_folder);
+}
