@@ -46,7 +46,7 @@ static inline void put_greater_first(uint64_t *a, uint64_t *b)
 /* What the node test wants of a ray. */
 typedef struct lanes_portable {
     float inverse[3], near_offset[3], far_offset[3], limit;
-    uint32_t near_row[3];        /* rows of a node's bounds: where the ray enters; row ^ 1 is where it leaves */
+    uint32_t near_row[3]; /* rows of a node's bounds: where the ray enters; row ^ 1 is where it leaves */
 } lanes_portable;
 
 static inline void spread_axis(lanes_portable *lanes, int k, double o, double d, double slack)
@@ -128,7 +128,8 @@ typedef struct lanes_avx2 {
     size_t near_row[3], far_row[3];
 } lanes_avx2;
 
-WALK_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128 inverse, __m128 near, __m128 far, int backward)
+WALK_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128 inverse, __m128 near, __m128 far,
+                                                int backward)
 {
     lanes->inverse[k] = _mm256_broadcastss_ps(inverse);
     lanes->near_offset[k] = _mm256_broadcastss_ps(near);

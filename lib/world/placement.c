@@ -120,7 +120,8 @@ static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
     own->left_mark = ray->left_mark;
 }
 
-void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray, pov_hits *hits)
+void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+                         pov_hits *hits)
 {
     pov_ray own;
 
@@ -140,13 +141,15 @@ void placement_normal(const placement *p, const pov_shape_class *shape, const vo
     shape->normal(self, &own, at, &normal);
     /* Normals go by the transpose of the inverse. */
     for (i = 0; i < 3; i++) {
-        pov_two sum = pov_two_add(pov_two_mul_double(p->inverse[0][i], normal.x), pov_two_mul_double(p->inverse[1][i], normal.y));
+        pov_two sum =
+            pov_two_add(pov_two_mul_double(p->inverse[0][i], normal.x), pov_two_mul_double(p->inverse[1][i], normal.y));
         n[i] = pov_two_add(sum, pov_two_mul_double(p->inverse[2][i], normal.z)).hi;
     }
     *out = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
 }
 
-bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point, pov_vec3 point_lo)
+bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
+                      pov_vec3 point_lo)
 {
     pov_two w[3], o[3];
     int i;

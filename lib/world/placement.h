@@ -19,9 +19,11 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
 void placement_init(placement *p, const pov_affine *map, const pov_box *around);
 
 /* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are. */
-void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray, pov_hits *hits);
+void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+                         pov_hits *hits);
 void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                       const pov_crossing *at, pov_vec3 *out);
-bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point, pov_vec3 point_lo);
+bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
+                      pov_vec3 point_lo);
 
 #endif

@@ -117,14 +117,14 @@ static pov_status explain_light(plan *p, const survey *s, pov_error *err)
                           s->tinting);
     else if (status == POV_OK)
         status = plan_add(p, err, false, "coloured shadows", "left out", "%s",
-                          p->shadows ? "nothing that throws a shadow is transparent: the first object met ends a shadow ray"
+                          p->shadows ? "nothing that throws a shadow is transparent: the first object met ends it"
                                      : "no shadow rays are sent");
     return status;
 }
 
 /* A row on what objects of some kind make necessary. */
-static pov_status explain_kind(plan *p, bool used, const char *subject, const char *state, const char *kind, size_t count,
-                               const char *why_not, pov_error *err)
+static pov_status explain_kind(plan *p, bool used, const char *subject, const char *state, const char *kind,
+                               size_t count, const char *why_not, pov_error *err)
 {
     if (used)
         return plan_add(p, err, true, subject, state, "objects %s: %zu", kind, count);

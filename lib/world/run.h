@@ -24,8 +24,15 @@ typedef struct run {
 
 enum { RUN_HEAD = 64 };
 
-static inline const void *run_block(const run *r) { return (const unsigned char *)r + RUN_HEAD; }
-static inline const void *run_instance(const run *r, uint32_t lane) { return r->instances + (size_t)lane * r->stride; }
+static inline const void *run_block(const run *r)
+{
+    return (const unsigned char *)r + RUN_HEAD;
+}
+
+static inline const void *run_instance(const run *r, uint32_t lane)
+{
+    return r->instances + (size_t)lane * r->stride;
+}
 
 /* Bytes from a run to the next: blocks are rounded up to whole lines of memory. */
 static inline size_t run_bytes(const pov_shape_class *shape, bool room)

@@ -50,7 +50,8 @@ static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 
     return inside != ((o->flags & OBJECT_INVERSE) != 0);
 }
 
-void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object), void *user)
+void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object),
+                    void *user)
 {
     size_t i;
 

@@ -15,19 +15,20 @@ static pov_status explain_objects(world *w, const flat *f, pov_error *err)
     if (f->absorbed + f->composed == 0)
         status = plan_add(p, err, false, "transformations", "left out", "no object has one");
     else if (f->composed == 0)
-        status = plan_add(p, err, true, "transformations", "absorbed", "taken into the shapes themselves: %zu", f->absorbed);
+        status = plan_add(p, err, true, "transformations", "absorbed", "taken into the shapes themselves: %zu",
+                          f->absorbed);
     else
         status = plan_add(p, err, true, "transformations", f->absorbed ? "some absorbed" : "composed",
-                          "taken into the shapes themselves: %zu; rays taken into the shape's own space: %zu", f->absorbed,
-                          f->composed);
+                          "taken into the shapes themselves: %zu; rays taken into the shape's own space: %zu",
+                          f->absorbed, f->composed);
     if (status == POV_OK && f->packed > 0)
-        status = plan_add(p, err, true, "blocks", "packed", "shapes filtered up to eight at once: %zu of %zu", f->packed,
-                          w->model->objects.count);
+        status = plan_add(p, err, true, "blocks", "packed", "shapes filtered up to eight at once: %zu of %zu",
+                          f->packed, w->model->objects.count);
     else if (status == POV_OK)
         status = plan_add(p, err, false, "blocks", "left out", "no shape takes part in them");
     if (status == POV_OK && f->infinite_count > 0)
-        status = plan_add(p, err, true, "infinite objects", "asked apart", "without a finite box, asked for every ray: %zu",
-                          (size_t)f->infinite_count);
+        status = plan_add(p, err, true, "infinite objects", "asked apart",
+                          "without a finite box, asked for every ray: %zu", (size_t)f->infinite_count);
     else if (status == POV_OK)
         status = plan_add(p, err, false, "infinite objects", "left out", "every object has a finite box");
     return status;
@@ -39,8 +40,8 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
 
     if (w->has_tree)
         return plan_add(&w->plan, err, true, "tree", "built",
-                        "%zu objects: nodes %zu, leaves %zu, depth %d, frames %zu, %.1f kB; %s", (size_t)f->finite_count,
-                        t->node_count, t->leaf_count, t->depth, t->frame_count,
+                        "%zu objects: nodes %zu, leaves %zu, depth %d, frames %zu, %.1f kB; %s",
+                        (size_t)f->finite_count, t->node_count, t->leaf_count, t->depth, t->frame_count,
                         1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->walks->name);
     return plan_add(&w->plan, err, false, "tree", "left out", "%s",
                     accel == POV_ACCEL_NONE    ? "asked for none: every ray asks every object"
@@ -156,8 +157,17 @@ static void leaf_fill(void *user, uint32_t *ids, uint32_t count, void *at)
 static bool make_tree(world *w, flat *f, int threads)
 {
     leaf_maker k = { w, f };
-    bvh_input in = { w->env, f->boxes, f->finite, f->finite_count, f->group, f->packs, f->packed == f->finite_count, threads,
-                     { leaf_size, leaf_fill, &k } };
+    bvh_input in = {
+        .env = w->env,
+        .boxes = f->boxes,
+        .ids = f->finite,
+        .count = f->finite_count,
+        .group = f->group,
+        .packs = f->packs,
+        .all_pack = f->packed == f->finite_count,
+        .threads = threads,
+        .leaves = { leaf_size, leaf_fill, &k },
+    };
 
     w->has_tree = bvh_build(&w->tree, &in);
     return w->has_tree;

@@ -1,6 +1,7 @@
 /* world.h - a scene compiled for rays: what the plan found needed, and nothing else.
  *
- * Object indices are the model's. Every query is [render]: many threads on one const world, each with its own walker. */
+ * Object indices are the model's. Every query is [render]: many threads on one const world, each with its own walker.
+ */
 #ifndef WORLD_WORLD_H
 #define WORLD_WORLD_H
 
@@ -63,6 +64,7 @@ bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
 
 /* The media (transparent solids) that a point lies in, the largest first. Calls see for each. Only of use where the
  * plan has media_at_start. */
-void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object), void *user);
+void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object),
+                    void *user);
 
 #endif

@@ -106,6 +106,9 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     if (leaving) {
         if (!(fabs(fd) > 8.0 * u * kit_sum_of_sizes(f, k->d)))
             return false;
+        /* Outward, the other root is behind. */
+        if (fd > 0.0 && hits->tmin >= 0.0)
+            return true;
         first = fd < 0.0;
         n = 1;
     }
@@ -177,6 +180,7 @@ static bool absorb(void *self, const pov_affine *map)
 typedef struct sphere_block {
     double x[POV_BLOCK_MAX], y[POV_BLOCK_MAX], z[POV_BLOCK_MAX];
     double inner[POV_BLOCK_MAX], outer[POV_BLOCK_MAX]; /* the radius, less and more what centre and radius lost */
+    double reach;   /* no centre is further from the origin, by sum of sizes */
 } sphere_block;
 
 static bool block_pack(void *block, const void *const *selves, uint32_t n)
@@ -184,10 +188,11 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     sphere_block *b = block;
     uint32_t i;
 
+    b->reach = 0.0;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const sphere *s = selves[i < n ? i : 0];
         pov_vec3 c = pov_two3_hi(s->centre);
-        double lost = KIT_U * (2.0 * s->radius.hi + 2.0 * (fabs(c.x) + fabs(c.y) + fabs(c.z)));
+        double far = fabs(c.x) + fabs(c.y) + fabs(c.z), lost = KIT_U * (2.0 * s->radius.hi + 2.0 * far);
 
         if (!kit_block_range(pov_largest(c)) || !kit_block_size(s->radius.hi))
             return false;
@@ -196,45 +201,65 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
         b->z[i] = c.z;
         b->inner[i] = i < n ? s->radius.hi - lost : 0.0;
         b->outer[i] = i < n ? s->radius.hi + lost : -1.0;   /* lanes without a sphere are never met */
+        b->reach = fmax(b->reach, far);
     }
     return true;
 }
 
+/* A lane that the line of the ray comes near to: where, and whether it is met. */
+static inline void bound_lane(const sphere_block *s, uint32_t i, double middle, double ww, double slack,
+                              double per_length, double tmin, double tmax, pov_block_answer *out)
+{
+    double outer = s->outer[i] + slack, inner = s->inner[i] - slack;
+    double far = outer * outer * (1.0 + 8.0 * KIT_U) - ww, near = inner * inner * (1.0 - 8.0 * KIT_U) - ww;
+    double wide = (sqrt(far) * (1.0 + 8.0 * KIT_U) + slack) * per_length;
+    double shift = 8.0 * KIT_U * fabs(middle), narrow;
+
+    out->lo[i] = middle - wide - shift;
+    if (!(out->lo[i] <= tmax && middle + wide + shift >= tmin))
+        return;
+    out->maybe |= 1u << i;
+    if (!(inner > 0.0 && near > 0.0))
+        return;
+    narrow = (sqrt(near) * (1.0 - 8.0 * KIT_U) - slack) * per_length;
+    out->hi[i] = middle - narrow + shift;
+    if (narrow > 0.0 && out->lo[i] > tmin && out->hi[i] < tmax)
+        out->surely |= 1u << i;
+}
+
 /* All of it in plain double. The point of closest approach is off by less than 16 u times the distance
- * from origin to centre, in each of its uses; radii that much smaller and larger make the answer safe. */
+ * from origin to centre, in each of its uses; radii that much smaller and larger make the answer safe. Most
+ * blocks are passed by on every lane: that is found out first, for all lanes at once. */
 KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
                                     pov_block_answer *out)
 {
     const sphere_block *s = block;
     const pov_vec3 o = ray->org, d = ray->dir;
-    const double a = pov_dot(d, d), inverse = 1.0 / a, per_length = sqrt(inverse);
-    const double from_origin = 2.0 * KIT_U * (fabs(o.x) + fabs(o.y) + fabs(o.z));
-    double maybe[POV_BLOCK_MAX], surely[POV_BLOCK_MAX];
+    const double a = pov_dot(d, d), inverse = 1.0 / a;
+    const double slack = 18.0 * KIT_U * (fabs(o.x) + fabs(o.y) + fabs(o.z) + s->reach);
+    double middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX], depth[POV_BLOCK_MAX], per_length;
+    int64_t met = 0;
     uint32_t i;
 
-    if (kit_block_declines(ray, tmin, out))
+    if (!(a > 1e-200 && a < 1e200 && slack < 1e100) && kit_block_declines(ray, tmin, out))
         return;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        double x = o.x - s->x[i], y = o.y - s->y[i], z = o.z - s->z[i];
-        double size = fabs(x) + fabs(y) + fabs(z);
-        double middle = -(x * d.x + y * d.y + z * d.z) * inverse;
-        double wx = x + middle * d.x, wy = y + middle * d.y, wz = z + middle * d.z;
-        double ww = wx * wx + wy * wy + wz * wz;
-        double slack = 16.0 * KIT_U * size + from_origin;
-        double outer = s->outer[i] + slack, inner = s->inner[i] - slack;
-        double far = outer * outer * (1.0 + 8.0 * KIT_U) - ww, near = inner * inner * (1.0 - 8.0 * KIT_U) - ww;
-        double outside = sqrt(far > 0.0 ? far : 0.0), within = sqrt(near > 0.0 ? near : 0.0);
-        double wide = (outside * (1.0 + 8.0 * KIT_U) + slack) * per_length;
-        double narrow = (within * (1.0 - 8.0 * KIT_U) - slack) * per_length;
-        double shift = 8.0 * KIT_U * fabs(middle);
-        double lo = middle - wide - shift, hi = middle - narrow + shift;
-
-        out->lo[i] = lo;
-        out->hi[i] = hi;
-        maybe[i] = (s->outer[i] > 0.0) & (far >= 0.0) & (lo <= tmax) & (middle + wide + shift >= tmin);
-        surely[i] = (inner > 0.0) & (narrow > 0.0) & (lo > tmin) & (hi < tmax);
+        double x = o.x - s->x[i], y = o.y - s->y[i], z = o.z - s->z[i], outer = s->outer[i] + slack, wx, wy, wz;
+        middle[i] = -(x * d.x + y * d.y + z * d.z) * inverse;
+        wx = x + middle[i] * d.x;
+        wy = y + middle[i] * d.y;
+        wz = z + middle[i] * d.z;
+        ww[i] = wx * wx + wy * wy + wz * wz;
+        depth[i] = outer * outer * (1.0 + 8.0 * KIT_U) - ww[i];
+        met |= depth[i] >= 0.0;
     }
-    kit_block_masks(maybe, surely, out);
+    out->maybe = out->surely = 0;
+    if (!met)
+        return;
+    per_length = sqrt(inverse);
+    for (i = 0; i < POV_BLOCK_MAX; i++)
+        if (depth[i] >= 0.0 && s->outer[i] > 0.0)
+            bound_lane(s, i, middle[i], ww[i], slack, per_length, tmin, tmax, out);
 }
 
 static const pov_shape_class sphere_class = {

@@ -26,9 +26,12 @@ static pov_two3 ball_centred(const test_ball *b, const pov_ray *ray, double t)
 {
     pov_two3 w;
 
-    w.x = pov_two_add(pov_recentre(ray->org.x, ray->org_lo.x, b->centre.x, t, ray->dir.x), pov_two_product(t, ray->dir_lo.x));
-    w.y = pov_two_add(pov_recentre(ray->org.y, ray->org_lo.y, b->centre.y, t, ray->dir.y), pov_two_product(t, ray->dir_lo.y));
-    w.z = pov_two_add(pov_recentre(ray->org.z, ray->org_lo.z, b->centre.z, t, ray->dir.z), pov_two_product(t, ray->dir_lo.z));
+    w.x = pov_two_add(pov_recentre(ray->org.x, ray->org_lo.x, b->centre.x, t, ray->dir.x),
+                      pov_two_product(t, ray->dir_lo.x));
+    w.y = pov_two_add(pov_recentre(ray->org.y, ray->org_lo.y, b->centre.y, t, ray->dir.y),
+                      pov_two_product(t, ray->dir_lo.y));
+    w.z = pov_two_add(pov_recentre(ray->org.z, ray->org_lo.z, b->centre.z, t, ray->dir.z),
+                      pov_two_product(t, ray->dir_lo.z));
     return w;
 }
 
@@ -92,7 +95,8 @@ static void ball_normal(const void *self, const pov_ray *ray, const pov_crossing
     const test_ball *b = self;
     pov_two3 w = ball_centred(b, ray, at->t);
 
-    *out = pov_unit(pov_vec3_of(w.x.hi + at->t_lo * ray->dir.x, w.y.hi + at->t_lo * ray->dir.y, w.z.hi + at->t_lo * ray->dir.z));
+    *out = pov_unit(
+        pov_vec3_of(w.x.hi + at->t_lo * ray->dir.x, w.y.hi + at->t_lo * ray->dir.y, w.z.hi + at->t_lo * ray->dir.z));
 }
 
 static bool ball_inside(const void *self, pov_vec3 p, pov_vec3 lo)
@@ -166,7 +170,8 @@ static void ball_filter(const void *block, const pov_ray *ray, double tmin, doub
             out->lo[i] = tmin;
             continue;
         }
-        if (depth < -error * error || along + ball->radius + error < tmin * length || along - ball->radius - error > tmax * length)
+        if (depth < -error * error || along + ball->radius + error < tmin * length ||
+            along - ball->radius - error > tmax * length)
             continue;
         half = sqrt(fmax(depth, 0.0));
         out->maybe |= 1u << i;
@@ -181,14 +186,29 @@ static void ball_filter(const void *block, const pov_ray *ray, double tmin, doub
 }
 
 const pov_shape_class test_ball_class = {
-    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "ball", .instance_size = sizeof(test_ball),
-    .bounds = ball_bounds, .intersect = ball_intersect, .normal = ball_normal, .inside = ball_inside, .absorb = ball_absorb,
-    .block_size = sizeof(ball_block), .block_pack = ball_pack, .block_filter = ball_filter,
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "ball",
+    .instance_size = sizeof(test_ball),
+    .bounds = ball_bounds,
+    .intersect = ball_intersect,
+    .normal = ball_normal,
+    .inside = ball_inside,
+    .absorb = ball_absorb,
+    .block_size = sizeof(ball_block),
+    .block_pack = ball_pack,
+    .block_filter = ball_filter,
 };
 
 const pov_shape_class test_plain_ball_class = {
-    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "plain_ball", .instance_size = sizeof(test_ball),
-    .bounds = ball_bounds, .intersect = ball_intersect, .normal = ball_normal, .inside = ball_inside,
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "plain_ball",
+    .instance_size = sizeof(test_ball),
+    .bounds = ball_bounds,
+    .intersect = ball_intersect,
+    .normal = ball_normal,
+    .inside = ball_inside,
 };
 
 /* ---- bricks ---- */
@@ -205,7 +225,8 @@ static bool brick_bounds(const void *self, pov_box *out)
 /* Narrow the interval to the slab; false: it is missed. In two parts, so that far rays miss and hit as they should. */
 static bool slab(double o, double o_lo, double d, double lo, double hi, int axis, pov_two t[2], int face[2])
 {
-    pov_two to_lo = pov_two_add_double(pov_two_sum(lo, -o), -o_lo), to_hi = pov_two_add_double(pov_two_sum(hi, -o), -o_lo);
+    pov_two to_lo = pov_two_add_double(pov_two_sum(lo, -o), -o_lo),
+            to_hi = pov_two_add_double(pov_two_sum(hi, -o), -o_lo);
     pov_two a, b, swap;
 
     if (d == 0.0)
@@ -253,7 +274,7 @@ static void brick_intersect(const void *self, const pov_ray *ray, pov_hits *hits
 static void brick_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const test_brick *b = self;
-    double p[3], lo[3] = { b->lo.x, b->lo.y, b->lo.z }, hi[3] = { b->hi.x, b->hi.y, b->hi.z }, n[3] = { 0.0, 0.0, 0.0 };
+    double p[3], lo[3] = {b->lo.x, b->lo.y, b->lo.z}, hi[3] = {b->hi.x, b->hi.y, b->hi.z}, n[3] = {0.0, 0.0, 0.0};
     uint32_t axis = at->mark.part;
 
     p[0] = ray->org.x + at->t * ray->dir.x;
@@ -272,8 +293,14 @@ static bool brick_inside(const void *self, pov_vec3 p, pov_vec3 lo)
 }
 
 const pov_shape_class test_brick_class = {
-    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "brick", .instance_size = sizeof(test_brick),
-    .bounds = brick_bounds, .intersect = brick_intersect, .normal = brick_normal, .inside = brick_inside,
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "brick",
+    .instance_size = sizeof(test_brick),
+    .bounds = brick_bounds,
+    .intersect = brick_intersect,
+    .normal = brick_normal,
+    .inside = brick_inside,
 };
 
 /* ---- the ground ---- */
@@ -310,8 +337,14 @@ static bool ground_inside(const void *self, pov_vec3 p, pov_vec3 lo)
 }
 
 const pov_shape_class test_ground_class = {
-    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "ground", .instance_size = sizeof(test_ground),
-    .bounds = ground_bounds, .intersect = ground_intersect, .normal = ground_normal, .inside = ground_inside,
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "ground",
+    .instance_size = sizeof(test_ground),
+    .bounds = ground_bounds,
+    .intersect = ground_intersect,
+    .normal = ground_normal,
+    .inside = ground_inside,
 };
 
 /* ---- random numbers (splitmix64) ---- */

@@ -61,7 +61,8 @@ static void light_is_multiplied_from_near_to_far(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 3; i++)
-        test_add_ball(&m, pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 5.0 + 3.0 * i), 1.0, test_add_material(&m, tint[i], 0.7f, 0.2f, false));
+        test_add_ball(&m, pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 5.0 + 3.0 * i), 1.0,
+                      test_add_material(&m, tint[i], 0.7f, 0.2f, false));
     w = make(&m, POV_ACCEL_TREE);
     k = walk_in(w);
     for (i = 0; i < 6; i++)
@@ -236,7 +237,8 @@ static void placed_matches_plain(double radius, pov_vec3 centre, double distance
     test_add(&a, &test_plain_ball_class, &plain, NULL, 0, 0);
     test_add(&b, &test_plain_ball_class, &unit,
              test_transform(&b, test_transform(&b, NULL, TRANSFORM_SCALE, radius, radius, radius), TRANSFORM_TRANSLATE,
-                            centre.x, centre.y, centre.z), 0, 0);
+                            centre.x, centre.y, centre.z),
+             0, 0);
     for (i = 0; i < 50; i++) {
         pov_vec3 way = pov_unit(test_direction(r));
         pov_ray ray = ray_of(pov_add(centre, pov_scale(way, -distance)), pov_scale(way, test_uniform(r, 0.1, 3.0)));
@@ -312,11 +314,14 @@ static void a_box_around_a_placed_shape_holds_all_of_it(void **state)
         model m;
         own.hi = pov_add(own.lo, pov_vec3_of(fabs(own.hi.x), fabs(own.hi.y), fabs(own.hi.z)));
         test_model_init(&m, NULL);
-        assert_true(transform_compose(test_transform(&m, test_transform(&m, NULL, TRANSFORM_ROTATE, i, 2.0 * i, 3.0 * i + 1.0),
-                                                     TRANSFORM_TRANSLATE, far, -far, 0.1), &map));
+        assert_true(
+            transform_compose(test_transform(&m, test_transform(&m, NULL, TRANSFORM_ROTATE, i, 2.0 * i, 3.0 * i + 1.0),
+                                             TRANSFORM_TRANSLATE, far, -far, 0.1),
+                              &map));
         placement_box(&map, &own, &around);
         for (k = 0; k < 8; k++) {
-            pov_vec3 hi, lo, p = pov_vec3_of(k & 1 ? own.lo.x : own.hi.x, k & 2 ? own.lo.y : own.hi.y, k & 4 ? own.lo.z : own.hi.z);
+            pov_vec3 hi, lo,
+                p = pov_vec3_of(k & 1 ? own.lo.x : own.hi.x, k & 2 ? own.lo.y : own.hi.y, k & 4 ? own.lo.z : own.hi.z);
             transform_point(&map, p, &hi, &lo);
             assert_true(hi.x > around.lo.x || (hi.x == around.lo.x && lo.x >= 0.0));
             assert_true(hi.x < around.hi.x || (hi.x == around.hi.x && lo.x <= 0.0));

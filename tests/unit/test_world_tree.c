@@ -50,7 +50,8 @@ static bool same_answers(pair *p, const pov_ray *ray, double tmax, hit *out)
 
     assert_int_equal(found, world_nearest(p->list, p->on_list, ray, tmax, &b));
     assert_int_equal(world_blocked(p->tree, p->on_tree, ray, tmax), world_blocked(p->list, p->on_list, ray, tmax));
-    assert_int_equal(world_light_path(p->tree, p->on_tree, ray, tmax, &x), world_light_path(p->list, p->on_list, ray, tmax, &y));
+    assert_int_equal(world_light_path(p->tree, p->on_tree, ray, tmax, &x),
+                     world_light_path(p->list, p->on_list, ray, tmax, &y));
     assert_memory_equal(&x, &y, sizeof x);
     if (!found)
         return false;
@@ -124,7 +125,8 @@ static int trace(pair *p, test_random *r, int rays, double scale, pov_vec3 offse
             d = pov_vec3_of(o.x > 0.0 ? -1.0 : 1.0, 0.0, 1e-30);
         if (i % 7 == 0)
             d = pov_scale(d, 1e-7);
-        hits += follow(p, ray_of(pov_add(o, offset), d), pov_add(offset, pov_scale(pov_vec3_of(2.0, 5.0, -3.0), scale)));
+        hits +=
+            follow(p, ray_of(pov_add(o, offset), d), pov_add(offset, pov_scale(pov_vec3_of(2.0, 5.0, -3.0), scale)));
     }
     return hits;
 }
@@ -145,7 +147,7 @@ static void add_mixture(model *m, test_random *r, int n, double scale, pov_vec3 
     for (i = 0; i < n; i++) {
         pov_vec3 c = pov_add(offset, somewhere(r, scale));
         test_ball ball = { c, scale * size * test_uniform(r, 0.2, 1.0) };
-        test_brick brick = { c, pov_add(c, pov_scale(pov_vec3_of(1.0, test_uniform(r, 0.1, 2.0), 0.5), scale * size)) };
+        test_brick brick = {c, pov_add(c, pov_scale(pov_vec3_of(1.0, test_uniform(r, 0.1, 2.0), 0.5), scale * size))};
         uint32_t surface = test_below(r, 3) == 0 ? glass : 0, flags = test_below(r, 8) == 0 ? OBJECT_NO_SHADOW : 0;
         const transform *map = NULL;
         switch (test_below(r, 6)) {
@@ -220,7 +222,8 @@ static void scenes_far_from_the_origin_are_the_same(void **state)
 
     (void)state;
     for (i = 0; i < sizeof distances / sizeof distances[0]; i++)
-        mixture_is_the_same(100, 400, 1.0, pov_vec3_of(distances[i], -0.5 * distances[i], 2.0 * distances[i]), 0.15, 20 + i);
+        mixture_is_the_same(100, 400, 1.0, pov_vec3_of(distances[i], -0.5 * distances[i], 2.0 * distances[i]), 0.15,
+                            20 + i);
 }
 
 /* Clusters within clusters: each has its own frame in the tree. */
@@ -430,7 +433,8 @@ static void rays_of_every_length_and_distance_are_the_same(void **state)
     for (i = 0; i < 7; i++)
         for (k = 0; k < 7; k++)
             for (n = 0; n < 15; n++) {
-                pov_vec3 way = pov_unit(test_direction(&r)), o = pov_add(pov_scale(way, -distances[k]), somewhere(&r, 1.0));
+                pov_vec3 way = pov_unit(test_direction(&r)),
+                         o = pov_add(pov_scale(way, -distances[k]), somewhere(&r, 1.0));
                 hit h;
                 pov_ray ray = ray_of(o, pov_scale(way, lengths[i]));
                 same_answers(&p, &ray, HUGE_VAL, &h);
