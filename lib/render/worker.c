@@ -37,35 +37,96 @@ pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask
     return POV_OK;
 }
 
-/* The mean of what is seen through each of the pixel's places. A single place is taken as it is. */
-static void trace_pixel(worker *w, const settings *s, const sample *samples, int x, int y, float *out)
+/* Rays in company: those of the pixels of a block of the lattice, or some of one pixel's. */
+typedef struct company {
+    uint32_t count, pixels;
+    pov_ray rays[BATCH_MAX];
+    uint32_t pixel[BATCH_MAX];   /* of a ray: which of the block's */
+    double sum[BATCH_MAX][3];    /* of the pixels' samples so far */
+    float *out[BATCH_MAX];
+} company;
+
+static void trace_company(worker *w, company *c)
 {
-    double sum[3] = { 0.0, 0.0, 0.0 };
+    colour seen[BATCH_MAX];
 
-    for (int i = 0; i < s->samples && !w->tracer->interrupt.given_up; i++) {
-        pov_ray ray = raygen_ray(&w->claim.camera, s->width, s->height, x, y, samples[i].x, samples[i].y);
-        colour c = tracer_color(w->tracer, &ray);
+    tracer_colors(w->tracer, c->rays, c->count, seen);
+    for (uint32_t i = 0; i < c->count; i++) {
+        double *sum = c->sum[c->pixel[i]];
 
-        sum[0] += c.r;
-        sum[1] += c.g;
-        sum[2] += c.b;
+        sum[0] += seen[i].r;
+        sum[1] += seen[i].g;
+        sum[2] += seen[i].b;
     }
-    for (int c = 0; c < 3; c++)
-        out[c] = (float)(sum[c] / s->samples);
-    out[3] = 1.0f;
+    c->count = 0;
+}
+
+static bool is_given_up(const worker *w)
+{
+    return w->tracer->failed || w->tracer->interrupt.given_up;
+}
+
+static void trace_pixel(worker *w, company *c, const settings *s, const sample *samples, int x, int y, float *out)
+{
+    uint32_t pixel = c->pixels++;
+
+    memset(c->sum[pixel], 0, sizeof c->sum[pixel]);
+    c->out[pixel] = out;
+    for (int i = 0; i < s->samples && !is_given_up(w); i++) {
+        c->pixel[c->count] = pixel;
+        c->rays[c->count++] = raygen_ray(&w->claim.camera, s->width, s->height, x, y, samples[i].x, samples[i].y);
+        if (c->count == BATCH_MAX)
+            trace_company(w, c);
+    }
+}
+
+/* The mean of what is seen through each of the pixel's places. A single place is taken as it is. */
+static void end_block(worker *w, company *c, const settings *s)
+{
+    if (c->count > 0)
+        trace_company(w, c);
+    for (uint32_t i = 0; i < c->pixels; i++) {
+        for (int k = 0; k < 3; k++)
+            c->out[i][k] = (float)(c->sum[i][k] / s->samples);
+        c->out[i][3] = 1.0f;
+    }
+    c->pixels = 0;
+}
+
+/* The edge of a square of pixels whose rays are not too many for one company. */
+static int block_edge(int samples)
+{
+    int edge = 8;
+
+    while (edge > 1 && edge * edge * samples > BATCH_MAX)
+        edge /= 2;
+    return edge;
+}
+
+/* A block is a square of the lattice's pixels, (x, y) its corner in the tile. */
+static void trace_block(worker *w, company *together, const settings *s, const sample *samples, int left, int top, int edge)
+{
+    const claim *c = &w->claim;
+
+    for (int y = top; y < c->rect.height && y < top + edge; y += c->lattice.step)
+        for (int x = left; x < c->rect.width && x < left + edge; x += c->lattice.step)
+            if (lattice_has(c->lattice, x, y))
+                trace_pixel(w, together, s, samples, s->crop.x + c->rect.x + x, s->crop.y + c->rect.y + y,
+                            w->pixels + 4 * (y * c->rect.width + x));
+    end_block(w, together, s);
 }
 
 bool worker_trace(worker *w, const settings *s, const sample *samples)
 {
     const claim *c = &w->claim;
-    int left = s->crop.x + c->rect.x, top = s->crop.y + c->rect.y, step = c->lattice.step;
+    int edge = block_edge(s->samples) * c->lattice.step;
+    company together;
 
-    for (int y = 0; y < c->rect.height; y += step)
-        for (int x = 0; x < c->rect.width; x += step) {
-            if (!lattice_has(c->lattice, x, y))
-                continue;
-            trace_pixel(w, s, samples, left + x, top + y, w->pixels + 4 * (y * c->rect.width + x));
-            if (w->tracer->failed || w->tracer->interrupt.given_up)
+    together.count = together.pixels = 0;
+    for (int y = 0; y < c->rect.height; y += edge)
+        for (int x = 0; x < c->rect.width; x += edge) {
+            trace_block(w, &together, s, samples, x, y, edge);
+            if (is_given_up(w))
                 return false;
         }
     return true;

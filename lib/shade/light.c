@@ -29,37 +29,71 @@ static colour answer(const pov_tracer *t, const surface *s, pov_vec3 direction, 
     return sum;
 }
 
-/* What is left of the light at the surface. */
-static bool is_lit(pov_tracer *t, const surface *s, pov_vec3 way, colour *through)
+/* Note the ray from a surface to the light, or add what it gives where nothing can stand in the way. */
+static void ask(pov_tracer *t, surface *s, pov_vec3 way, colour given)
 {
-    pov_ray ray = { .org = s->at->point, .org_lo = s->at->point_lo, .dir = way,
-                    .left = s->at->object, .left_mark = s->at->crossing.mark };
+    light_rays *l = &t->light_rays;
+    pov_ray *ray = &l->rays[l->count];
 
-    if (!t->plan->shadows)
-        return true;
-    t->counts.shadow++;
-    return world_light_path(t->world, t->walker, &ray, 1.0, through);
+    if (!t->plan->shadows) {
+        s->lit = colour_add(s->lit, given);
+        return;
+    }
+    ray->org = s->at.point;
+    ray->org_lo = s->at.point_lo;
+    ray->dir = way;
+    ray->left = s->at.object;
+    ray->left_mark = s->at.crossing.mark;
+    l->of[l->count] = s;
+    l->given[l->count++] = given;
 }
 
-colour light_gather(pov_tracer *t, const surface *s)
+static void send(pov_tracer *t)
 {
-    colour sum = { 0.0f, 0.0f, 0.0f };
+    light_rays *l = &t->light_rays;
+    const pov_ray *rays[BATCH_MAX];
+    colour through[BATCH_MAX];
+    uint64_t lit;
+    uint32_t i;
 
-    for (size_t i = 0; i < t->model->lights.count; i++) {
-        const light *l = &t->model->lights.items[i];
-        pov_vec3 way = towards(l, s->at), direction = pov_unit(way);
-        double cosine = pov_dot(s->normal, direction);
-        colour given, through = { 1.0f, 1.0f, 1.0f };
+    for (i = 0; i < l->count; i++)
+        rays[i] = &l->rays[i];
+    t->counts.shadow += l->count;
+    lit = world_light_path_many(t->world, t->walker, rays, l->count, 1.0, through);
+    for (i = 0; i < l->count; i++)
+        if (lit >> i & 1)
+            l->of[i]->lit = colour_add(l->of[i]->lit, colour_mul(l->given[i], through[i]));
+    l->count = 0;
+}
 
-        if (!(cosine > 0.0)) {
-            t->counts.shadow_behind++;
-            continue;
-        }
-        given = colour_mul(l->color, answer(t, s, direction, cosine));
-        if (colour_is_black(given))
-            t->counts.shadow_idle++;
-        else if (is_lit(t, s, way, &through))
-            sum = colour_add(sum, colour_mul(given, through));
+static void shine(pov_tracer *t, const light *l, surface *s)
+{
+    pov_vec3 way = towards(l, &s->at), direction = pov_unit(way);
+    double cosine = pov_dot(s->normal, direction);
+    colour given;
+
+    if (!(cosine > 0.0)) {
+        t->counts.shadow_behind++;
+        return;
     }
-    return sum;
+    given = colour_mul(l->color, answer(t, s, direction, cosine));
+    if (colour_is_black(given))
+        t->counts.shadow_idle++;
+    else
+        ask(t, s, way, given);
+}
+
+void light_gather(pov_tracer *t, surface *const *surfaces, uint32_t n)
+{
+    uint32_t i;
+
+    for (i = 0; i < n; i++)
+        surfaces[i]->lit = colour_of(0.0f, 0.0f, 0.0f);
+    for (size_t k = 0; k < t->model->lights.count && !t->failed && !tracer_gives_up(t, n); k++) {
+        for (i = 0; i < n; i++)
+            shine(t, &t->model->lights.items[k], surfaces[i]);
+        if (t->light_rays.count > 0)
+            send(t);
+        t->failed = t->failed || walker_failed(t->walker);
+    }
 }

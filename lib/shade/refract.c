@@ -34,33 +34,17 @@ bool media_push(media_stack *stack, const env *e, uint32_t which)
     return VEC_PUSH(e, stack, which);
 }
 
-/* A copy of the span at the top. */
-static bool lift(media_stack *stack, const env *e, media_span *span)
+bool media_pass(media_stack *stack, const env *e, media_span *in, const media_crossing *c)
 {
-    size_t first = stack->count;
+    media_span out = { stack->count, 0 };
 
-    for (size_t i = 0; i < span->count; i++)
-        if (!media_push(stack, e, stack->items[span->first + i]))
+    for (size_t i = 0; i < in->count; i++)
+        if (i != c->index && !media_push(stack, e, stack->items[in->first + i]))
             return false;
-    span->first = first;
-    return true;
-}
-
-bool media_pass(media_stack *stack, const env *e, media_span *in, const media_crossing *c, bool keep)
-{
-    bool on_top = in->first + in->count == stack->count;
-    uint32_t *list;
-
-    if ((keep || !on_top) && !lift(stack, e, in))
+    if (c->index == in->count && !media_push(stack, e, c->object))
         return false;
-    if (c->index == in->count) {
-        in->count++;
-        return media_push(stack, e, c->object);
-    }
-    list = stack->items + in->first;
-    in->count--;
-    stack->count--;
-    memmove(list + c->index, list + c->index + 1, (in->count - c->index) * sizeof *list);
+    out.count = stack->count - out.first;
+    *in = out;
     return true;
 }
 

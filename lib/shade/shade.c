@@ -2,20 +2,15 @@
 
 #include "base/clock.h"
 #include "base/err.h"
-#include "shade/surface.h"
+#include "base/vec.h"
+#include "shade/light.h"
 
 #include <float.h>
+#include <string.h>
 
 /* Seconds between two questions whether to give up: a cancelled job ends well within 20 ms, also where rays
  * get a hundred times dearer from one question to the next. */
-static const double ask_soon = 0.001, ask_late = 0.004;
-enum { ASK_EVERY_MAX = 64 };
-
-/* Level 0 is 1: the camera ray itself is always followed. */
-static int levels_of(const model *m)
-{
-    return m->max_trace_level > 1 ? m->max_trace_level : 1;
-}
+static const double ask_soon = 0.002, ask_late = 0.008;
 
 pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_error *err)
 {
@@ -28,8 +23,10 @@ pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_e
     t->model = m;
     t->world = w;
     t->plan = world_plan(w);
-    t->waiting = env_resize(t->env, NULL, (size_t)levels_of(m) + 1, sizeof *t->waiting);
-    status = t->waiting ? walker_create(&t->walker, w, err) : err_memory(err);
+    t->now = &t->batches[0];
+    t->mirrored = &t->batches[1];
+    t->passed = &t->batches[2];
+    status = walker_create(&t->walker, w, err);
     if (status < 0) {
         tracer_destroy(t);
         return status;
@@ -48,7 +45,8 @@ void tracer_destroy(pov_tracer *t)
     walker_destroy(t->walker);
     env_free(e, t->media.items);
     env_free(e, t->start.items);
-    env_free(e, t->waiting);
+    env_free(e, t->waiting.items);
+    env_free(e, t->waits.items);
     env_free(e, t);
 }
 
@@ -73,14 +71,16 @@ void tracer_set_interrupt(pov_tracer *t, bool (*ask)(void *user), void *user)
 }
 
 /* Rays cost from 100 ns to many milliseconds, so the pace follows the clock. It changes no colour. */
-static bool gives_up(interrupt *i)
+bool tracer_gives_up(pov_tracer *t, uint32_t rays)
 {
+    interrupt *i = &t->interrupt;
     double now;
 
-    if (!i->ask || i->given_up || --i->left > 0)
+    i->left -= (int)rays;
+    if (!i->ask || i->given_up || i->left > 0)
         return i->given_up;
     now = clock_seconds();
-    if (now - i->asked < ask_soon && i->every < ASK_EVERY_MAX)
+    if (now - i->asked < ask_soon && i->every < BATCH_MAX)
         i->every *= 2;
     else if (now - i->asked > ask_late)
         i->every = i->every > 8 ? i->every / 8 : 1;
@@ -103,45 +103,94 @@ static void see_medium(void *user, uint32_t which)
         t->failed = true;
 }
 
-/* The media of a camera ray. They are looked for once for all rays that start at the same point. */
+/* Where the camera ray starts: media are looked for once for all rays that start at the same point. */
+static void find_start(pov_tracer *t, const pov_ray *ray)
+{
+    if (t->start_known && is_same(t->start_org, ray->org) && is_same(t->start_org_lo, ray->org_lo))
+        return;
+    t->start.count = 0;
+    world_media_at(t->world, ray->org, ray->org_lo, see_medium, t);
+    t->start_org = ray->org;
+    t->start_org_lo = ray->org_lo;
+    t->start_known = true;
+}
+
 static media_span begin_media(pov_tracer *t, const pov_ray *ray)
 {
-    media_span span = { 0, 0 };
+    media_span span = { t->media.count, 0 };
 
-    t->media.count = 0;
     if (!t->plan->media_at_start)
         return span;
-    if (!t->start_known || !is_same(t->start_org, ray->org) || !is_same(t->start_org_lo, ray->org_lo)) {
-        t->start.count = 0;
-        world_media_at(t->world, ray->org, ray->org_lo, see_medium, t);
-        t->start_org = ray->org;
-        t->start_org_lo = ray->org_lo;
-        t->start_known = true;
-    }
+    find_start(t, ray);
     for (size_t i = 0; i < t->start.count && !t->failed; i++)
         if (!media_push(&t->media, t->env, t->start.items[i]))
             t->failed = true;
-    span.count = t->media.count;
+    span.count = t->media.count - span.first;
     return span;
 }
 
-/* The next ray to be followed. A mirrored ray goes first and its transmitted sister waits: a mirrored one is
- * always a level deeper, so no more wait than there are levels. */
-static bool next_path(pov_tracer *t, path *p, const branches *b)
+/* ---- from batch to batch ---- */
+
+/* Of a batch whose lists all lie behind those of the batches that wait, or all before their end. */
+static void settle_media(pov_tracer *t)
 {
-    if (b->reflects && b->transmits)
-        t->waiting[t->waiting_count++] = b->transmitted;
-    if (b->reflects || b->transmits) {
-        *p = b->reflects ? b->reflected : b->transmitted;
-        return true;
+    batch *b = t->now;
+    size_t floor = t->waits.count > 0 ? t->waits.items[t->waits.count - 1].media : 0;
+
+    t->media.count = floor;
+    for (uint32_t i = 0; i < b->count; i++) {
+        media_span *in = &b->paths[i].media;
+        if (in->count > 0 && in->first >= floor)
+            media_settle(&t->media, in, t->media.count);
     }
-    if (t->waiting_count == 0)
+}
+
+static bool put_aside(pov_tracer *t, const batch *b)
+{
+    wait w = { b->count, t->media.count };
+
+    for (uint32_t i = 0; i < b->count; i++)
+        if (!VEC_PUSH(t->env, &t->waiting, b->paths[i]))
+            return false;
+    return VEC_PUSH(t->env, &t->waits, w);
+}
+
+static void take_up(pov_tracer *t, batch *b)
+{
+    wait w = t->waits.items[--t->waits.count];
+
+    b->count = w.paths;
+    t->waiting.count -= w.paths;
+    memcpy(b->paths, t->waiting.items + t->waiting.count, w.paths * sizeof *b->paths);
+    t->media.count = w.media;
+}
+
+static void change(batch **a, batch **b)
+{
+    batch *c = *a;
+
+    *a = *b;
+    *b = c;
+}
+
+/* The paths to be followed next. The mirrored go first and their transmitted sisters wait: mirrored ones are always a
+ * level deeper, so no more batches wait than there are levels. */
+static bool next_batch(pov_tracer *t)
+{
+    if (t->mirrored->count > 0 && t->passed->count > 0 && !put_aside(t, t->passed)) {
+        t->failed = true;
         return false;
-    *p = t->waiting[--t->waiting_count];
-    if (t->plan->refraction) {
-        const path *below = t->waiting_count > 0 ? &t->waiting[t->waiting_count - 1] : NULL;
-        media_settle(&t->media, &p->media, below ? below->media.first + below->media.count : 0);
     }
+    if (t->mirrored->count > 0)
+        change(&t->now, &t->mirrored);
+    else if (t->passed->count > 0)
+        change(&t->now, &t->passed);
+    else if (t->waits.count > 0)
+        take_up(t, t->now);
+    else
+        return false;
+    if (t->plan->refraction)
+        settle_media(t);
     return true;
 }
 
@@ -151,25 +200,67 @@ static float finite(float x)
     return isnan(x) ? 0.0f : fmaxf(-FLT_MAX, fminf(FLT_MAX, x));
 }
 
-static colour follow(pov_tracer *t, path *p)
+static colour finite_colour(colour c)
 {
-    colour sum = { 0.0f, 0.0f, 0.0f };
-    branches next;
-    hit h;
-
-    t->waiting_count = 0;
-    do {
-        colour seen = t->model->background;
-
-        next.reflects = next.transmits = false;
-        if (world_nearest(t->world, t->walker, &p->ray, HUGE_VAL, &h))
-            seen = surface_meet(t, p, &h, &next);
-        seen = colour_mul(p->factor, seen);
-        sum = colour_add(sum, colour_of(finite(seen.r), finite(seen.g), finite(seen.b)));
-        t->failed = t->failed || walker_failed(t->walker);
-    } while (!t->failed && !gives_up(&t->interrupt) && next_path(t, p, &next));
-    return colour_of(finite(sum.r), finite(sum.g), finite(sum.b));
+    return colour_of(finite(c.r), finite(c.g), finite(c.b));
 }
+
+static void see(const path *p, colour seen, colour *out)
+{
+    out[p->lane] = colour_add(out[p->lane], finite_colour(colour_mul(p->factor, seen)));
+}
+
+/* What the batch's rays meet, one surface a ray that meets any. The others see the background. */
+static uint32_t meet(pov_tracer *t, colour *out)
+{
+    const batch *b = t->now;
+    const pov_ray *rays[BATCH_MAX];
+    hit hits[BATCH_MAX];
+    uint64_t met;
+    uint32_t i, n = 0;
+
+    for (i = 0; i < b->count; i++)
+        rays[i] = &b->paths[i].ray;
+    met = world_nearest_many(t->world, t->walker, rays, b->count, HUGE_VAL, hits);
+    for (i = 0; i < b->count; i++) {
+        if (!(met >> i & 1)) {
+            see(&b->paths[i], t->model->background, out);
+            continue;
+        }
+        t->surfaces[n].from = &b->paths[i];
+        t->surfaces[n++].at = hits[i];
+    }
+    return n;
+}
+
+/* Follow the paths of one batch to where they end, and see which go on. */
+static void follow(pov_tracer *t, colour *out)
+{
+    surface *answers[BATCH_MAX], *branches[BATCH_MAX];
+    uint32_t n = meet(t, out), to_light = 0, to_branch = 0, i;
+
+    for (i = 0; i < n; i++) {
+        surface *s = &t->surfaces[i];
+        bool more = surface_meet(t, s);
+
+        if (more)
+            branches[to_branch++] = s;
+        if (more && surface_answers_light(t, s))
+            answers[to_light++] = s;
+        else
+            s->lit = colour_of(0.0f, 0.0f, 0.0f);
+    }
+    if (to_light > 0)
+        light_gather(t, answers, to_light);
+    for (i = 0; i < n; i++)
+        see(t->surfaces[i].from, colour_add(t->surfaces[i].glow, t->surfaces[i].lit), out);
+    t->mirrored->count = t->passed->count = 0;
+    for (i = 0; i < to_branch; i++)
+        surface_branch(t, branches[i]);
+    t->failed = t->failed || walker_failed(t->walker);
+}
+
+/* ---- camera rays ---- */
 
 /* Rays of cameras that do not exist: no direction, or one that is not a number. */
 static bool is_ray(const pov_ray *ray)
@@ -179,13 +270,56 @@ static bool is_ray(const pov_ray *ray)
     return isfinite(start) && length > 0.0 && isfinite(ray->dir.x + ray->dir.y + ray->dir.z);
 }
 
+static void begin(pov_tracer *t, const pov_ray *ray, uint32_t lane)
+{
+    path *p = &t->now->paths[t->now->count++];
+
+    p->ray = *ray;
+    p->factor = colour_of(1.0f, 1.0f, 1.0f);
+    p->weight = 1.0f;
+    p->level = 1;
+    p->standing = 0;
+    p->lane = lane;
+    p->media = begin_media(t, ray);
+    t->counts.camera++;
+}
+
+static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
+{
+    uint32_t i;
+
+    t->now->count = 0;
+    t->media.count = t->waiting.count = t->waits.count = 0;
+    for (i = 0; i < n; i++) {
+        bool sees = is_ray(&rays[i]);
+
+        out[i] = sees ? colour_of(0.0f, 0.0f, 0.0f) : t->model->background;
+        if (sees)
+            begin(t, &rays[i], i);
+    }
+    if (t->now->count > 0)
+        do
+            follow(t, out);
+        while (!t->failed && !tracer_gives_up(t, t->now->count) && next_batch(t));
+    for (i = 0; i < n; i++)
+        if (is_ray(&rays[i]))
+            out[i] = finite_colour(out[i]);
+}
+
 colour tracer_color(pov_tracer *t, const pov_ray *ray)
 {
-    path p = { .ray = *ray, .factor = { 1.0f, 1.0f, 1.0f }, .weight = 1.0f, .level = 1 };
+    colour seen;
 
-    if (!is_ray(ray))
-        return t->model->background;
-    t->counts.camera++;
-    p.media = begin_media(t, ray);
-    return follow(t, &p);
+    trace(t, ray, 1, &seen);
+    return seen;
+}
+
+/* Batches are no larger than the number of rays that may be sent between two questions whether to give up. */
+void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, colour *out)
+{
+    for (size_t i = 0, some; i < n && !t->failed && !t->interrupt.given_up; i += some) {
+        some = t->interrupt.ask ? (size_t)t->interrupt.every : BATCH_MAX;
+        some = some < n - i ? some : n - i;
+        trace(t, rays + i, (uint32_t)some, out + i);
+    }
 }

@@ -16,8 +16,40 @@ typedef struct path {
     float weight;                /* the product of their largest components */
     int level;                   /* 1: the camera ray */
     int standing;                /* crossings in a row that did not move the ray: see surface.c */
+    uint32_t lane;               /* whose camera ray it comes from */
     media_span media;            /* what it is in */
 } path;
+
+/* Paths that are followed in company: of neighbouring camera rays the same way on, at most one of each, ordered by
+ * lane. So what a camera ray's paths give is added up in the same order in any company, and alone. */
+enum { BATCH_MAX = WORLD_MANY };
+typedef struct batch { uint32_t count; path paths[BATCH_MAX]; } batch;
+
+/* A hit, seen from the ray's start. */
+typedef struct surface {
+    const path *from;
+    hit at;
+    const material *material;
+    pov_vec3 view;               /* unit direction of the ray */
+    pov_vec3 normal;             /* unit, turned towards the ray's start */
+    pov_vec3 mirrored;           /* view, mirrored; unit */
+    double cosine;               /* between normal and the way back, >= 0 */
+    float opacity;
+    colour glow, lit;            /* what it sends along the ray: by itself, and of the lights */
+} surface;
+
+/* Rays to one light, and the surfaces that ask for it. */
+typedef struct light_rays {
+    uint32_t count;
+    pov_ray rays[BATCH_MAX];
+    surface *of[BATCH_MAX];
+    colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
+} light_rays;
+
+/* Batches that wait, the last of them on top. */
+typedef struct path_stack { path *items; size_t count, capacity; } path_stack;
+typedef struct wait { uint32_t paths; size_t media; } wait;   /* of one batch, and the media's count behind it */
+typedef struct wait_stack { wait *items; size_t count, capacity; } wait_stack;
 
 /* Asking now and then whether to give up, each few milliseconds at most, whatever a ray costs. */
 typedef struct interrupt {
@@ -38,12 +70,16 @@ struct pov_tracer {
     pov_counts counts;
     bool failed;                 /* memory ended; what was computed since is worth nothing */
     interrupt interrupt;
-    media_stack media;           /* of the ray being followed and of those that wait */
+    media_stack media;           /* of the paths being followed and of those that wait */
     media_stack start;           /* those that hold start_org + start_org_lo, when start_known */
     pov_vec3 start_org, start_org_lo;
     bool start_known;
-    path *waiting;               /* transmitted rays, at most one a level: room for all is made at creation */
-    int waiting_count;
+    path_stack waiting;          /* transmitted rays, at most one batch a level */
+    wait_stack waits;
+    batch *now, *mirrored, *passed;   /* being followed, and those that go on from it: three of `batches` */
+    batch batches[3];
+    surface surfaces[BATCH_MAX];
+    light_rays light_rays;
 };
 
 pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_error *err);
@@ -51,10 +87,15 @@ void tracer_destroy(pov_tracer *t);
 
 /* What is seen along a camera ray. The tracer finds the media that hold its start. */
 colour tracer_color(pov_tracer *t, const pov_ray *ray);
+/* The same of many, which cost less in company when neighbours in the list are neighbours in the picture. */
+void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, colour *out);
 /* Counts since the tracer was made, those of its walker included. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* From now on ask while tracing whether to give up; after a yes t->interrupt.given_up holds, and what
  * tracer_color() gives is worth nothing. */
 void tracer_set_interrupt(pov_tracer *t, bool (*ask)(void *user), void *user);
+
+/* For this room, after so many rays: is it time to give up? */
+bool tracer_gives_up(pov_tracer *t, uint32_t rays);
 
 #endif

@@ -10,41 +10,65 @@ enum { STANDING_MAX = 1000 };
 
 static const colour white = { 1.0f, 1.0f, 1.0f };
 
-static bool answers_light(const material *m)
+bool surface_answers_light(const pov_tracer *t, const surface *s)
 {
-    return m->diffuse != 0.0f || m->phong != 0.0f;
+    return t->plan->lighting && (s->material->diffuse != 0.0f || s->material->phong != 0.0f);
 }
 
-/* Does anything but ambient light come from a surface of this material? */
-static bool needs_geometry(const pov_tracer *t, const material *m)
+/* Does anything but its own glow come from the surface? */
+static bool needs_geometry(const pov_tracer *t, const surface *s)
 {
-    if (t->plan->lighting && answers_light(m))
-        return true;
-    return (t->plan->reflection && !colour_is_black(m->reflection)) ||
+    const material *m = s->material;
+
+    return surface_answers_light(t, s) || (t->plan->reflection && !colour_is_black(m->reflection)) ||
            (t->plan->transmission && material_is_transparent(m));
 }
 
-static void look(pov_tracer *t, const path *p, hit *h, surface *s)
+static void look(pov_tracer *t, surface *s)
 {
-    world_surface(t->world, &p->ray, h);
-    s->view = pov_unit(p->ray.dir);
-    s->normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
+    world_surface(t->world, &s->from->ray, &s->at);
+    s->view = pov_unit(s->from->ray.dir);
+    s->normal = s->at.entering ? s->at.normal : pov_scale(s->at.normal, -1.0);
     s->cosine = fmax(0.0, -pov_dot(s->normal, s->view));
     s->mirrored = pov_add(s->view, pov_scale(s->normal, 2.0 * s->cosine));
 }
 
-/* A ray that goes on from the hit. Its factor and weight are not yet those of the way it takes. */
-static path leave(const path *p, const hit *h, pov_vec3 direction)
+bool surface_meet(pov_tracer *t, surface *s)
 {
-    path next = *p;
+    const model *m = t->model;
 
-    next.ray.org = h->point;
-    next.ray.org_lo = h->point_lo;
-    next.ray.dir = direction;
-    next.ray.dir_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    next.ray.left = h->object;
-    next.ray.left_mark = h->crossing.mark;
-    next.standing = 0;
+    s->material = &m->materials.items[m->objects.items[s->at.object].material];
+    s->opacity = pigment_opacity(m, s->material);
+    s->glow = colour_scale(colour_mul(s->material->ambient, s->material->pigment), s->opacity);
+    s->glow = colour_mul(s->glow, m->ambient_light);
+    if (t->plan->lighting && !surface_answers_light(t, s))
+        t->counts.shadow_idle += m->lights.count;
+    if (!needs_geometry(t, s))
+        return false;
+    look(t, s);
+    return true;
+}
+
+/* ---- the rays that go on ---- */
+
+/* Begin a path that goes on from the surface. Its factor and weight are not yet those of the way it takes. */
+static path *leave(batch *b, const surface *s, pov_vec3 direction)
+{
+    const path *p = s->from;
+    path *next = &b->paths[b->count];
+
+    next->ray.org = s->at.point;
+    next->ray.org_lo = s->at.point_lo;
+    next->ray.dir = direction;
+    next->ray.dir_lo = pov_vec3_of(0.0, 0.0, 0.0);
+    next->ray.left = s->at.object;
+    next->ray.left_mark = s->at.crossing.mark;
+    next->factor = p->factor;
+    next->weight = p->weight;
+    next->level = p->level;
+    next->standing = 0;
+    next->lane = p->lane;
+    next->media = p->media;
     return next;
 }
 
@@ -66,85 +90,77 @@ static bool goes_on(pov_tracer *t, path *next, colour coefficient, bool deeper)
     return true;
 }
 
-static void reflect(pov_tracer *t, const path *p, const surface *s, colour coefficient, branches *next)
+/* Here and below: true when the ray goes on. */
+static bool reflect(pov_tracer *t, const surface *s, colour coefficient)
 {
-    next->reflected = leave(p, s->at, s->mirrored);
-    next->reflects = goes_on(t, &next->reflected, coefficient, true);
-    t->counts.reflected += next->reflects;
+    bool goes = goes_on(t, leave(t->mirrored, s, s->mirrored), coefficient, true);
+
+    t->mirrored->count += goes;
+    t->counts.reflected += goes;
+    return goes;
 }
 
 /* Straight on, whatever lies on both sides. */
-static void pass(pov_tracer *t, const path *p, const surface *s, branches *next)
+static bool pass(pov_tracer *t, const surface *s)
 {
-    path *out = &next->transmitted;
+    const path *p = s->from;
+    path *out = leave(t->passed, s, p->ray.dir);
 
-    *out = leave(p, s->at, p->ray.dir);
-    next->transmits = goes_on(t, out, pigment_filter(s->material), false);
+    if (!goes_on(t, out, pigment_filter(s->material), false))
+        return false;
     if (out->ray.org.x == p->ray.org.x && out->ray.org.y == p->ray.org.y && out->ray.org.z == p->ray.org.z)
         out->standing = p->standing + 1;
-    if (next->transmits && out->standing > STANDING_MAX) {
-        next->transmits = false;
+    if (out->standing > STANDING_MAX) {
         t->counts.cut_depth++;
+        return false;
     }
+    return true;
+}
+
+/* The mirrored ray of an ordinary surface. */
+static void mirror(pov_tracer *t, const surface *s)
+{
+    if (t->plan->reflection && !colour_is_black(s->material->reflection))
+        reflect(t, s, s->material->reflection);
+}
+
+static void keep_passed(pov_tracer *t, bool passes)
+{
+    t->passed->count += passes;
+    t->counts.transmitted += passes;
 }
 
 /* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted
  * ray; a mirrored one stays in what it was in. */
-static void bend(pov_tracer *t, const path *p, const surface *s, branches *next)
+static void bend(pov_tracer *t, const surface *s)
 {
-    media_crossing c = media_cross(&t->media, p->media, t->model, s->at->object);
-    bool mirrors = t->plan->reflection && !colour_is_black(s->material->reflection);
+    media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at.object);
+    path *out = &t->passed->paths[t->passed->count];
     pov_vec3 direction;
+    bool passes;
 
     if (c.before == c.after) {
-        pass(t, p, s, next);
+        passes = pass(t, s);
     } else if (refract(s->view, s->normal, s->cosine, c.before, c.after, &direction)) {
-        next->transmitted = leave(p, s->at, direction);
-        next->transmits = goes_on(t, &next->transmitted, pigment_filter(s->material), true);
+        passes = goes_on(t, leave(t->passed, s, direction), pigment_filter(s->material), true);
     } else {
-        reflect(t, p, s, white, next);
-        t->counts.inner_reflections += next->reflects;
+        t->counts.inner_reflections += reflect(t, s, white);
         return;
     }
-    if (mirrors)
-        reflect(t, p, s, s->material->reflection, next);
-    if (next->transmits && !media_pass(&t->media, t->env, &next->transmitted.media, &c, next->reflects))
+    mirror(t, s);
+    if (passes && !media_pass(&t->media, t->env, &out->media, &c))
         t->failed = true;
+    keep_passed(t, passes);
 }
 
-static void branch(pov_tracer *t, const path *p, const surface *s, branches *next)
+void surface_branch(pov_tracer *t, const surface *s)
 {
-    const material *m = s->material;
-    bool transparent = t->plan->transmission && material_is_transparent(m);
-
-    if (transparent && t->plan->refraction) {
-        bend(t, p, s, next);
+    if (!t->plan->transmission || !material_is_transparent(s->material)) {
+        mirror(t, s);
+    } else if (t->plan->refraction) {
+        bend(t, s);
     } else {
-        if (t->plan->reflection && !colour_is_black(m->reflection))
-            reflect(t, p, s, m->reflection, next);
-        if (transparent)
-            pass(t, p, s, next);
+        mirror(t, s);
+        keep_passed(t, pass(t, s));
     }
-    t->counts.transmitted += next->transmits;
-}
-
-colour surface_meet(pov_tracer *t, const path *p, hit *h, branches *next)
-{
-    const model *m = t->model;
-    surface s = { .at = h, .material = &m->materials.items[m->objects.items[h->object].material] };
-    colour sum;
-
-    next->reflects = next->transmits = false;
-    s.opacity = pigment_opacity(m, s.material);
-    sum = colour_scale(colour_mul(s.material->ambient, s.material->pigment), s.opacity);
-    sum = colour_mul(sum, m->ambient_light);
-    if (t->plan->lighting && !answers_light(s.material))
-        t->counts.shadow_idle += m->lights.count;
-    if (!needs_geometry(t, s.material))
-        return sum;
-    look(t, p, h, &s);
-    if (t->plan->lighting && answers_light(s.material))
-        sum = colour_add(sum, light_gather(t, &s));
-    branch(t, p, &s, next);
-    return sum;
 }

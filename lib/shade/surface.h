@@ -4,21 +4,12 @@
 
 #include "shade/shade.h"
 
-/* A hit, seen from the ray's start. */
-typedef struct surface {
-    const hit *at;
-    const material *material;
-    pov_vec3 view;               /* unit direction of the ray */
-    pov_vec3 normal;             /* unit, turned towards the ray's start */
-    pov_vec3 mirrored;           /* view, mirrored; unit */
-    double cosine;               /* between normal and the way back, >= 0 */
-    float opacity;
-} surface;
-
-/* The rays that go on from a hit. */
-typedef struct branches { bool reflects, transmits; path reflected, transmitted; } branches;
-
-/* What the surface sends along the ray by itself, without the rays that go on. */
-colour surface_meet(pov_tracer *t, const path *p, hit *h, branches *next);
+/* Seen from the path's start: what the surface sends along the ray by itself, and, where anything more can come of it,
+ * all that lights and further rays ask of it. False: nothing more. s->from and s->at are set. */
+bool surface_meet(pov_tracer *t, surface *s);
+/* Do lights change anything about it? */
+bool surface_answers_light(const pov_tracer *t, const surface *s);
+/* The rays that go on: into t->mirrored and t->passed. */
+void surface_branch(pov_tracer *t, const surface *s);
 
 #endif
