@@ -47,12 +47,12 @@ def count(povc, scene, width, height):
     """Instructions and rays of one run."""
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / 'callgrind.out'
-        words = programs.run(['valgrind', '--tool=callgrind', f'--callgrind-out-file={out}', povc, scene, width, height,
-                              '/dev/null', '--format', 'pfm', '--threads', 1, '--stats', '--progress', 'none'])
+        run_of = programs.run(['valgrind', '--tool=callgrind', f'--callgrind-out-file={out}', povc, scene, width, height,
+                               '/dev/null', '--format', 'pfm', '--threads', 1, '--stats', '--progress', 'none'])
         total = re.search(r'^(?:totals|summary): (\d+)', out.read_text(), re.M)
     if not total:
         raise programs.ProgramError('callgrind wrote no total')
-    return int(total[1]), programs.figures(words)['rays_total']
+    return int(total[1]), programs.figures(run_of)['rays_total']
 
 
 def instructions_per_ray(povc, scene):

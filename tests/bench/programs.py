@@ -1,12 +1,14 @@
 """The programs that the bench runs: how each is called, and where it says how long it traced.
 
 One thread, one sample a pixel; a timed run writes no file. What counts is the time of tracing as each program measures
-it itself: no start, parsing, building or writing.
+it itself: no start, parsing, building or writing. Where other work took part of the processor in the meantime, that
+part is taken off, so that a busy machine disturbs little.
 """
 import os
 import re
 import shutil
 import subprocess
+import time
 from dataclasses import dataclass
 
 
@@ -25,30 +27,38 @@ class Job:
 
 
 def run(command):
-    """What a program said, on both outputs."""
+    """What a program said, on both outputs, and the share of the processor that it got."""
     # Programs that ask for the user's settings find none: all run with their own defaults.
     surroundings = dict(os.environ, HOME='/nonexistent')
+    begun = time.monotonic()
     try:
-        result = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                errors='replace', env=surroundings)
+        process = subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   env=surroundings)
     except OSError as error:
         raise ProgramError(f'{command[0]}: {error.strerror}') from error
-    if result.returncode != 0:
-        lines = result.stdout.strip().splitlines()
-        raise ProgramError(f'{command[0]}: exit {result.returncode}: {lines[-1] if lines else ""}')
-    return result.stdout
+    words = process.stdout.read().decode(errors='replace')
+    _, status, used = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    share = min(1.0, (used.ru_utime + used.ru_stime) / (time.monotonic() - begun))
+    if process.returncode != 0:
+        lines = words.strip().splitlines()
+        raise ProgramError(f'{command[0]}: exit {process.returncode}: {lines[-1] if lines else ""}')
+    return words, share
 
 
-def figures(words):
-    """All that has the form `name: number`."""
-    return {name: float(value) for name, value in re.findall(r'(\w+): ([-+.\d]+(?:e[-+]?\d+)?)(?= |$)', words, re.M)}
+def figures(run_of):
+    """All that has the form `name: number`; of the time to trace, what was the program's own."""
+    words, share = run_of
+    found = {name: float(value)
+             for name, value in re.findall(r'(\w+): ([-+.\d]+(?:e[-+]?\d+)?)(?= |$)', words, re.M)}
+    return dict(found, trace=found['trace'] * share) if 'trace' in found else found
 
 
 def seconds(words, pattern, program):
-    found = re.search(pattern, words)
+    found = re.search(pattern, words, re.S)
     if not found:
         raise ProgramError(f'{program} did not say how long it traced')
-    return {'trace': float(found[1])}
+    return float(found[1])
 
 
 class Program:
@@ -80,9 +90,10 @@ class PovRay(Program):
 
     def draw(self, job, picture=None):
         output = [f'+O{picture}', '+FN16', 'File_Gamma=1.0'] if picture else ['-F']
-        words = run([self.path, f'+I{job.povray}', *output, f'+W{job.width}', f'+H{job.height}', '-A', '-D', '-V',
-                     '+WT1'])
-        return seconds(words, r'Trace Time:.*\(([\d.]+) seconds\)', self.name)
+        words, _ = run([self.path, f'+I{job.povray}', *output, f'+W{job.width}', f'+H{job.height}', '-A', '-D', '-V',
+                        '+WT1'])
+        # It sleeps at its start, so that its share says nothing, but it counts the time of its own thread.
+        return {'trace': seconds(words, r'Trace Time:.*?with ([\d.]+) CPU-seconds', self.name)}
 
 
 class Tachyon(Program):
@@ -90,8 +101,8 @@ class Tachyon(Program):
 
     def draw(self, job, picture=None):
         output = ['-format', 'PPM48', '-o', picture] if picture else ['-nosave']
-        words = run([self.path, job.tachyon, *output, '-shade_phong', '-numthreads', 1])
-        return seconds(words, r'Ray Tracing Time: +([\d.]+) seconds', self.name)
+        words, share = run([self.path, job.tachyon, *output, '-shade_phong', '-numthreads', 1])
+        return {'trace': seconds(words, r'Ray Tracing Time: +([\d.]+) seconds', self.name) * share}
 
 
 class Embree(Program):
