@@ -10,7 +10,7 @@
 #include <time.h>
 
 /* The library is fetched when it is asked for, and its names stay its own: a window draws by libGL, which exports the
- * same ones. */
+ * same ones. It is never let go, for it leaves threads and work for the process's end behind. */
 typedef struct library {
     void *handle;
     OSMesaContext (*create)(const int *attributes, OSMesaContext share);
@@ -97,8 +97,6 @@ static void close_memory(surface *s)
 
     if (m->context)
         m->mesa.destroy(m->context);
-    if (m->mesa.handle)
-        dlclose(m->mesa.handle);
     pthread_cond_destroy(&m->news);
     pthread_mutex_destroy(&m->lock);
     free(m->buffer);

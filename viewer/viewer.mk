@@ -30,6 +30,16 @@ $(POVVIEW): $(VIEWER_OBJECTS) $(SHARED)
 $(BUILD)/tests/viewer/test_shot: $(filter-out $(BUILD)/obj/viewer/main.o,$(VIEWER_OBJECTS))
 $(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
 
+# The real window is tested where there is something to show it on.
+ifneq ($(and $(shell command -v Xvfb),$(shell command -v xdotool),$(shell command -v import)),)
+VIEWER_SCRIPTS = tests/viewer/window.sh
+else
+tests: no-window
+.PHONY: no-window
+no-window:
+	@echo "the test of the window was left out: it needs Xvfb, xdotool and ImageMagick"
+endif
+
 else
 
 TESTS_LEFT_OUT += $(filter-out $(VIEWER_PURE_TESTS),$(wildcard tests/viewer/test_*.c))

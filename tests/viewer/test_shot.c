@@ -26,6 +26,13 @@ static const char green[] = "#version 3.7; global_settings { assumed_gamma 1 }\n
                             "light_source { <0, 0, -50> rgb 1 }\n"
                             "sphere { 0, 1 pigment { rgb <0, 1, 0> } finish { ambient 0 diffuse .4 } }\n";
 
+/* What the libraries below keep to the process's end is theirs; LeakSanitizer asks for this by name. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libfontconfig.so\nleak:libOSMesa.so\nleak:libLLVM\nleak:libglapi.so\n";
+}
+
 static char folder[] = "/tmp/povview-test-XXXXXX";
 static char scene_path[sizeof folder + 20];
 
@@ -352,34 +359,38 @@ static char *read_file(const char *path, size_t *size)
 
 static void shot_snapshot_is_the_file_that_povc_writes(void **state)
 {
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, good);
     stage *s = begin(good, 0);
-    uint8_t *plain = plain_picture(good);
-    float *rgba = malloc(WIDTH * HEIGHT * 4 * sizeof *rgba);
-    char wanted[sizeof folder + 20];
-    char *a, *b;
-    size_t a_size, b_size;
+    pov_render_desc d = POV_INIT(d);
     pov_image_options options = POV_INIT(options);
+    float *rgba;
+    char *saved, *wanted;
+    size_t saved_size, wanted_size;
 
     (void)state;
-    assert_non_null(rgba);
-    snprintf(wanted, sizeof wanted, "%s/wanted.png", folder);
-    for (int i = 0; i < WIDTH * HEIGHT * 4; i++)
-        rgba[i] = (float)(plain[i] / 255.0);
-    assert_int_equal(pov_image_write(session_context(s->v.session), wanted, WIDTH, HEIGHT, rgba,
-                                     WIDTH * 4 * sizeof *rgba, &options, NULL), POV_OK);
+    d.width = WIDTH;
+    d.height = HEIGHT;
+    options.transfer = POV_TRANSFER_SRGB;
+    rgba = scenes_render(scene, &d);
+    assert_int_equal(pov_image_write(context, "wanted.png", WIDTH, HEIGHT, rgba, WIDTH * 4 * sizeof *rgba, &options,
+                                     NULL), POV_OK);
     see(s, "s");
-    a = read_file("scene-001.png", &a_size);
+    wanted = read_file("wanted.png", &wanted_size);
+    saved = read_file("scene-001.png", &saved_size);
+    assert_int_equal(saved_size, wanted_size);
+    assert_memory_equal(saved, wanted, wanted_size);
+    free(saved);
+    /* The next one takes the next number. */
     see(s, "s");
-    free(read_file("scene-002.png", &b_size));
-    b = read_file(wanted, &b_size);
-    /* Both say how they are encoded; the pixels behind that are the same. */
-    assert_true(a_size > 100 && b_size > 100);
-    assert_memory_equal(a + a_size - 60, b + b_size - 60, 60);
-    free(a);
-    free(b);
+    saved = read_file("scene-002.png", &saved_size);
+    assert_memory_equal(saved, wanted, wanted_size);
+    free(saved);
+    free(wanted);
     free(rgba);
-    free(plain);
     end(s);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
 }
 
 static void shot_pause_stops_the_picture_and_lets_it_go_on(void **state)

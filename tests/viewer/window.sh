@@ -1,0 +1,153 @@
+#!/bin/sh
+# The real window, under Xvfb: mouse, keys, the scene's file saved, another size, the end; looked at by screenshots.
+# Usage: BUILD_DIR=build tests/viewer/window.sh. Ends with "N passed, N failed".
+set -u
+root=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
+povview=${BUILD_DIR:-$root/build}/bin/povview
+for tool in Xvfb xdotool import compare convert; do
+    if ! command -v "$tool" >/dev/null 2>&1; then
+        echo "there is no $tool to test the window with"
+        exit 2
+    fi
+done
+work=$(mktemp -d) || exit 1
+server= viewer=
+end() {
+    [ -n "$viewer" ] && kill "$viewer" 2>/dev/null
+    [ -n "$server" ] && kill "$server" 2>/dev/null
+    rm -rf "$work"
+}
+trap end EXIT
+cd "$work" || exit 1
+passed=0 failed=0
+
+# check NAME COMMAND...: passes if the command does.
+check() {
+    name=$1
+    shift
+    if "$@"; then
+        passed=$((passed + 1))
+        echo "ok $name"
+    else
+        failed=$((failed + 1))
+        echo "not ok $name"
+    fi
+}
+
+# within COMMAND...: ask until it is so, for ten seconds.
+within() {
+    tries=100
+    until "$@"; do
+        tries=$((tries - 1))
+        [ "$tries" -gt 0 ] || return 1
+        sleep 0.1
+    done
+}
+
+# scene BODY: save the scene, in one step, as editors do.
+scene() {
+    cat > scene.new <<END
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -5> look_at 0 }
+light_source { <-30, 40, -50> rgb 1 }
+$1
+END
+    mv scene.new scene.pov
+}
+
+shot() { import -window "$window" "$1"; }
+# channel FILE X Y r|g|b: of a pixel, 0 to 255.
+channel() { convert "$1" -crop "1x1+$2+$3" +repage -format "%[fx:round(255*p{0,0}.$4)]" info:; }
+# differ FILE FILE: how many pixels do.
+differ() { compare -metric AE "$1" "$2" null: 2>&1 | sed 's/[^0-9].*//'; }
+is_done() { xdotool getwindowname "$window" 2>/dev/null | grep -q ': done in'; }
+is_there() { window=$(xdotool search --name '^scene.pov' 2>/dev/null | head -n 1); [ -n "$window" ]; }
+
+# looks FILE X Y r|g|b: take a screenshot; is the pixel of that colour?
+looks() {
+    shot "$1"
+    [ "$(channel "$1" "$2" "$3" "$4")" -gt 90 ]
+}
+changed() { shot "$1"; [ "$(differ "$1" "$2")" -gt "$3" ]; }
+same() { shot "$1"; [ "$(differ "$1" "$2")" -eq 0 ]; }
+
+env -u DISPLAY -u WAYLAND_DISPLAY "$povview" "$root/scenes/test/sphere.pov" >out 2>err
+check "without a display it says so and names --shot" \
+    sh -c '[ $0 -eq 1 ] && grep -q "cannot open a window.*--shot" err' $?
+
+exec 3> display
+Xvfb -displayfd 3 -screen 0 1024x768x24 -nolisten tcp >/dev/null 2>&1 &
+server=$!
+exec 3>&-
+within test -s display || { echo "Xvfb did not start"; echo "$passed passed, 1 failed"; exit 1; }
+DISPLAY=:$(head -n 1 display)
+export DISPLAY
+
+scene 'sphere { 0, 1 pigment { rgb <1, 0, 0> } }'
+"$povview" scene.pov 400 300 >out 2>err &
+viewer=$!
+within is_there
+check "a window opens with the scene's name" is_there
+check "the picture becomes whole" within is_done
+xdotool mousemove --window "$window" 200 150
+check "the picture is seen" within looks first.png 200 150 r
+
+xdotool mousedown 1
+for step in 1 2 3 4 5; do xdotool mousemove_relative 10 4; done
+xdotool mouseup 1
+check "a drag turns the picture" within changed turned.png first.png 500
+within is_done
+xdotool key c
+check "C prints a camera" within grep -q '^camera {' out
+xdotool key Return
+check "Enter brings the first picture back" within same again.png first.png
+
+xdotool click 4
+check "the wheel goes nearer" within changed near.png first.png 500
+xdotool key r
+within same again.png first.png
+
+xdotool mousedown 3 keydown w
+sleep 0.3
+xdotool keyup w mouseup 3
+check "W flies with the right button held" within changed flown.png first.png 500
+xdotool key r
+within same again.png first.png
+
+xdotool key h
+check "H shows help" within changed help.png first.png 5000
+xdotool key h
+check "and takes it away" within same again.png first.png
+
+scene 'sphere { 0, 1 pigment { rgb <0, 1, 0> } }'
+check "a saved file is read again" within looks green.png 200 150 g
+# A word says that it was; then only the picture is there.
+within is_done
+sleep 2.2
+shot green.png
+scene 'sphere { 0, 1 pigmnet { rgb <0, 0, 1> } }'
+check "a wrong file shows a message" within changed wrong.png green.png 3000
+check "over the last good picture" test "$(channel wrong.png 200 150 g)" -gt 90
+scene 'sphere { 0, 1 pigment { rgb <0, 0, 1> } }'
+check "a mended file is shown" within looks blue.png 200 150 b
+
+xdotool windowsize "$window" 600 500
+size_is() { shot sized.png; [ "$(identify -format %wx%h sized.png)" = 600x500 ] && [ "$(channel sized.png 300 250 b)" -gt 90 ]; }
+check "another size of the window is filled" within size_is
+within is_done
+# The ball is as high as before in parts of the window: half of it at 0.2 of the height above the middle is inside.
+check "and nothing is stretched" sh -c '[ $0 -gt 60 ] && [ $1 -gt 60 ]' \
+    "$(channel sized.png 300 180 b)" "$(channel sized.png 230 250 b)"
+
+xdotool key Escape
+gone() { ! kill -0 "$viewer" 2>/dev/null; }
+check "Esc ends it" within gone
+wait "$viewer"
+check "with exit status 0" test $? -eq 0
+viewer=
+check "and nothing was said on standard error" test ! -s err
+
+[ "$failed" -eq 0 ] || cat err
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
