@@ -14,6 +14,8 @@ $(BUILD)/obj/tests/viewer/%.o: LIB_FLAGS += $(VIEWER_FLAGS) -Iviewer
 VIEWER_PURE = $(patsubst %,$(BUILD)/obj/viewer/%.o,orbit app args script camera_text)
 $(VIEWER_PURE_TESTS:%.c=$(BUILD)/%): $(VIEWER_PURE)
 
+VIEWER_SCRIPTS = tests/viewer/examples.sh
+
 ifeq ($(shell $(PKG_CONFIG) --exists $(VIEWER_PACKAGES) && echo yes),yes)
 
 # Neither libGL nor libOSMesa is linked: each OpenGL call is fetched from the surface.
@@ -32,7 +34,7 @@ $(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
 
 # The real window is tested where there is something to show it on.
 ifneq ($(and $(shell command -v Xvfb),$(shell command -v xdotool),$(shell command -v import)),)
-VIEWER_SCRIPTS = tests/viewer/window.sh
+VIEWER_SCRIPTS += tests/viewer/window.sh
 else
 tests: no-window
 .PHONY: no-window

@@ -27,7 +27,7 @@ static const char green[] = "#version 3.7; global_settings { assumed_gamma 1 }\n
                             "sphere { 0, 1 pigment { rgb <0, 1, 0> } finish { ambient 0 diffuse .4 } }\n";
 
 /* What the libraries below keep to the process's end is theirs; LeakSanitizer asks for this by name. */
-const char *__lsan_default_suppressions(void);
+POV_EXPORT const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void)
 {
     return "leak:libfontconfig.so\nleak:libOSMesa.so\nleak:libLLVM\nleak:libglapi.so\n";
