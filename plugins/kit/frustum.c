@@ -53,6 +53,15 @@ static pov_two3 measure(pov_two3 axis, pov_two *length)
 
 static double largest_of(pov_two3 a) { return pov_largest(pov_two3_hi(a)); }
 
+/* Along a coordinate axis, and a power of two long: products with it are exact. */
+static bool is_axial(pov_two3 row)
+{
+    const double largest = largest_of(row);
+
+    return (row.x.hi != 0.0) + (row.y.hi != 0.0) + (row.z.hi != 0.0) == 1 && row.x.lo == 0.0 && row.y.lo == 0.0
+           && row.z.lo == 0.0 && largest * pov_inverse_power(largest) == 1.0;
+}
+
 /* Bring everything to the order of one by powers of two: radii, height, and the rows for scaled points. */
 static void normalise(kit_frustum *s)
 {
@@ -72,6 +81,8 @@ static void normalise(kit_frustum *s)
     for (i = 0; i < 3; i++)
         s->row[i] = scaled(s->row[i], largest);
     s->scale /= largest;
+    for (i = 0; i < 3; i++)
+        s->loss[i] = is_axial(s->row[i]) ? 2.0 * KIT_U : 7.0 * KIT_U;
     s->slender = largest_of(s->row[0]) > 4096.0 * largest_of(s->row[2]);
 }
 
@@ -174,11 +185,24 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- points ---- */
 
+/* The crossing's point in local coordinates; on the side it is brought onto the surface, because near an apex the
+ * distance alone is not fine enough for a normal. */
+static pov_two3 surface_point(const kit_frustum *s, const kit_ray *k, const pov_crossing *at)
+{
+    const pov_two3 w = kit_point(k, at), p = frustum_local(s, w), d = frustum_local(s, kit_direction(k));
+    const pov_two r = radius_at(s, p.z);
+
+    if (at->mark.part >= CAP_BASE)
+        return p;
+    return frustum_local(s, kit_step(k, w, pov_two_sub(sum2(p.x, p.x, p.y, p.y), pov_two_mul(r, r)).hi,
+                                     p.x.hi * d.x.hi + p.y.hi * d.y.hi - r.hi * s->slope.hi * d.z.hi));
+}
+
 void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const kit_frustum *s = self;
     const kit_ray k = kit_enter(ray, s->anchor, s->scale);
-    const pov_two3 p = frustum_local(s, kit_point(&k, at));
+    const pov_two3 p = surface_point(s, &k, at);
     const pov_two z = pov_two_neg(pov_two_mul(s->slope, radius_at(s, p.z)));
     pov_two3 n;
 

@@ -12,6 +12,7 @@
 typedef struct kit_frustum {
     pov_two3 anchor, axis;       /* axis: from there to the other end */
     pov_two3 row[3];             /* for points scaled by `scale` */
+    double loss[3];              /* roundings that a row's product with a rounded point passes through */
     pov_two radius, slope, height;
     double scale;
     pov_vec3 column[3];          /* the map back, not scaled, for bounds */

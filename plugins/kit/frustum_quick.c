@@ -5,12 +5,13 @@ typedef struct bounded { double v, e; } bounded;   /* the exact value is within 
 
 static inline bounded bounded_of(double v, double e) { bounded b; b.v = v; b.e = e; return b; }
 
-/* A row times a vector that is off by a rounding itself: six roundings in all. */
-static inline bounded row_times(const pov_two3 *row, pov_vec3 w)
+/* A row times a vector that is off by a rounding itself: six roundings in all, or one if the row is a coordinate axis. */
+static inline bounded row_times(const kit_frustum *s, int i, pov_vec3 w)
 {
+    const pov_two3 *row = &s->row[i];
     const double x = row->x.hi * w.x, y = row->y.hi * w.y, z = row->z.hi * w.z;
 
-    return bounded_of(x + y + z, 7.0 * KIT_U * (fabs(x) + fabs(y) + fabs(z)));
+    return bounded_of(x + y + z, s->loss[i] * (fabs(x) + fabs(y) + fabs(z)));
 }
 
 static inline bounded times(bounded a, bounded b)
@@ -46,6 +47,7 @@ typedef struct rough_span {
     bool empty, from_ever, for_ever;
     bounded lo, hi;
     uint32_t lo_part, hi_part;
+    double apart;            /* half the distance between the roots of the side */
 } rough_span;
 
 typedef struct rough { bounded x, y, z, dx, dy, dz, r, grow; } rough;
@@ -84,6 +86,7 @@ static bool rough_side(const kit_frustum *s, const rough *g, rough_span *out)
     sum = b.v < 0.0 ? minus(root, b) : minus(bounded_of(-b.v, b.e), root);
     first = over(c, sum);
     second = over(sum, a);
+    out->apart = root.v / fabs(a.v);
     if (first.v > second.v) {
         const bounded swap = first;
         first = second;
@@ -161,21 +164,13 @@ static leaving rough_leaving(const kit_frustum *s, const kit_ray *k, const rough
         *certain = *certain && (is_certain(g->dz) || (g->dz.v == 0.0 && g->dz.e == 0.0));
         return (part == CAP_BASE ? g->dz.v > 0.0 : g->dz.v < 0.0) ? INWARD : OUTWARD;
     }
-    x = row_times(&s->row[0], f);
-    y = row_times(&s->row[1], f);
-    z = row_times(&s->row[2], f);
+    x = row_times(s, 0, f);
+    y = row_times(s, 1, f);
+    z = row_times(s, 2, f);
     z = plus(bounded_of(s->radius.hi, KIT_U), times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), z));
     outward = minus(plus(times(x, g->dx), times(y, g->dy)), times(g->grow, z));
     *certain = *certain && is_certain(outward);
     return outward.v < 0.0 ? INWARD : OUTWARD;
-}
-
-/* How far off a crossing may be for a normal within 1e-13: a part of the radius there. */
-static double fine_at(const rough *g, bounded t, uint32_t part)
-{
-    const double speed = fabs(g->dx.v) + fabs(g->dy.v) + fabs(g->dz.v);
-
-    return KIT_FINE * (part >= CAP_BASE ? 1.0 : fabs(g->r.v + t.v * g->grow.v)) / speed;
 }
 
 static inline kit_root root_of(double middle, bounded t, uint32_t part)
@@ -194,8 +189,8 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, co
     rough_span side, slab, both;
     leaving way = NOT_LEAVING;
     bool certain = true, in, out;
+    const double speed = fabs(g->dx.v) + fabs(g->dy.v) + fabs(g->dz.v);
     kit_root roots[2];
-    double fine = HUGE_VAL;
     uint32_t n = 0;
 
     if (!rough_slab(s, g, &slab))
@@ -219,15 +214,11 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, co
     }
     if (!certain)
         return false;
-    if (in) {
+    if (in)
         roots[n++] = root_of(middle, both.lo, both.lo_part);
-        fine = fine_at(g, both.lo, both.lo_part);
-    }
-    if (out) {
+    if (out)
         roots[n++] = root_of(middle, both.hi, both.hi_part);
-        fine = fmin(fine, fine_at(g, both.hi, both.hi_part));
-    }
-    return kit_report(roots, n, k->unit, fine, hits);
+    return kit_report(roots, n, k->unit, fmin(KIT_FINE / speed, KIT_APART * side.apart), hits);
 }
 
 void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -241,17 +232,17 @@ void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
     if (s->empty)
         return;
-    g.dx = row_times(&s->row[0], k.d);
-    g.dy = row_times(&s->row[1], k.d);
-    g.dz = row_times(&s->row[2], k.d);
+    g.dx = row_times(s, 0, k.d);
+    g.dy = row_times(s, 1, k.d);
+    g.dz = row_times(s, 2, k.d);
     /* Closest approach to the middle of the axis, in local lengths. Any point near the shape would do. */
-    middle = -(row_times(&s->row[0], f).v * g.dx.v + row_times(&s->row[1], f).v * g.dy.v
-               + (row_times(&s->row[2], f).v - 0.5 * s->height.hi) * g.dz.v)
+    middle = -(row_times(s, 0, f).v * g.dx.v + row_times(s, 1, f).v * g.dy.v
+               + (row_times(s, 2, f).v - 0.5 * s->height.hi) * g.dz.v)
              / (g.dx.v * g.dx.v + g.dy.v * g.dy.v + g.dz.v * g.dz.v);
     w = kit_along(&k, middle);
-    g.x = row_times(&s->row[0], w);
-    g.y = row_times(&s->row[1], w);
-    g.z = row_times(&s->row[2], w);
+    g.x = row_times(s, 0, w);
+    g.y = row_times(s, 1, w);
+    g.z = row_times(s, 2, w);
     g.r = plus(bounded_of(s->radius.hi, KIT_U * s->radius.hi),
                times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.z));
     g.grow = times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.dz);

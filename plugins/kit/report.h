@@ -7,8 +7,12 @@
 
 /* A crossing may be off by this many half units in its last place: 16 units at most, whatever the binade. */
 #define KIT_ULPS 16.0
-/* And by this part of the shape's size, so that normal and point of it are good to 1e-13 too. */
-#define KIT_FINE 0x1p-45
+/* And by this part of the shape's size, so that its point and normal are good to 1e-13 too. */
+#define KIT_FINE 0x1p-44
+
+/* Where normals are found by a step of Newton's from the crossing, this part of the distance between two roots: the step
+ * squares it. */
+#define KIT_APART 0x1p-24
 
 typedef struct kit_root {
     pov_two t;              /* in the units of a kit_ray */
@@ -31,6 +35,9 @@ static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine,
 
     if ((r->t.hi + slack) * unit < hits->tmin || (r->t.hi - slack) * unit > hits->tmax)
         return KIT_OUTSIDE;
+    /* Who asks for any crossing wants to know only that it is there. */
+    if (hits->want == POV_WANT_ANY && (r->t.hi - slack) * unit > hits->tmin && (r->t.hi + slack) * unit < hits->tmax)
+        return KIT_GOOD;
     return r->error <= KIT_ULPS * KIT_U * fabs(r->t.hi) && r->error <= fine ? KIT_GOOD : KIT_OPEN;
 }
 

@@ -19,7 +19,8 @@ typedef struct quadric {
     /* Made from raw: for lengths times scale, multiplied so that the largest is of the order of one. */
     pov_two q[COEFFICIENTS];
     double rough[COEFFICIENTS], size[COEFFICIENTS];
-    double scale, curvature;       /* curvature: the largest of the second order */
+    double scale;
+    bool flat;                     /* nothing of the second order: a plane */
 } quadric;
 
 /* The binary exponent of the largest of n coefficients; a very small number for none. */
@@ -53,16 +54,14 @@ static void prepare(quadric *s)
 
     length = length > 900 ? 900 : length < -900 ? -900 : length;
     largest = larger(larger(second + 2 * length, first + length), constant);
-    s->curvature = 0.0;
     for (i = 0; i < COEFFICIENTS; i++) {
         const int power = (i < G ? 2 * length : i < J ? length : 0) - largest;
 
         s->q[i] = pov_two_of(ldexp(s->raw[i].hi, power), ldexp(s->raw[i].lo, power));
         s->rough[i] = s->q[i].hi;
         s->size[i] = fabs(s->q[i].hi);
-        if (i < G)
-            s->curvature = fmax(s->curvature, s->size[i]);
     }
+    s->flat = second == -100000;
     s->scale = ldexp(1.0, -length);
 }
 
@@ -343,9 +342,12 @@ static pov_two from_origin(const quadric *s, const kit_ray *k, double middle, po
     return fabs(sum.hi) < 0x1p-24 * fabs(middle) ? near_origin(s, k, root) : sum;
 }
 
-static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
+/* Both roots, as distances from `middle`, and half their distance times the second-order coefficient. */
+typedef struct solution { pov_two entry, exit, root; } solution;
+
+/* False: the ray misses. A root that is not there is infinite. */
+static bool solve(const quadric *s, const kit_ray *k, double middle, solution *out)
 {
-    const double middle = middle_of(s, k);
     const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = half_gradient(s->q, w, true);
     const pov_two3 turn = half_gradient(s->q, d, false);
     /* A ray along a surface that is straight that way hardly moves across it, so little at times that squares
@@ -355,18 +357,11 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
     const pov_two c = value(s->q, w, g);
     const pov_two discriminant = pov_two_sub(pov_two_mul(b, b), pov_two_mul(a, c));
     pov_two root, sum, entry = { HUGE_VAL, 0.0 }, exit = { HUGE_VAL, 0.0 };
-    uint32_t wanted = WANT_ENTRY | WANT_EXIT;
 
-    hits->decided++;
-    if (leaving) {
-        const double rise = pov_two3_dot(d, half_gradient(s->q, k->f, true)).hi;
-        wanted = rise > 0.0 ? WANT_ENTRY : rise < 0.0 ? WANT_EXIT : 0;
-    }
     if (!(discriminant.hi >= 0.0))
-        return;
+        return false;
     root = pov_two_sqrt(discriminant);
     sum = b.hi < 0.0 ? pov_two_sub(root, b) : pov_two_neg(pov_two_add(b, root));
-    root = pov_two_scale(root, 1.0 / power);
     if (sum.hi != 0.0) {
         const pov_two direct = pov_two_div(c, sum), other = a.hi != 0.0 ? pov_two_div(sum, a) : entry;
         entry = b.hi < 0.0 ? direct : other;
@@ -374,12 +369,47 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
     } else if (a.hi != 0.0) {
         entry = exit = sum;
     }
-    entry = from_origin(s, k, middle, pov_two_scale(entry, power), root);
-    exit = from_origin(s, k, middle, pov_two_scale(exit, power), root);
-    if (wanted & WANT_ENTRY && !report_decided(hits, entry, k->unit, ENTERING))
+    out->entry = pov_two_scale(entry, power);
+    out->exit = pov_two_scale(exit, power);
+    out->root = pov_two_scale(root, 1.0 / power);
+    return true;
+}
+
+/* How much further along the ray a root lies that is much nearer to the anchor than w is; 0 for none. */
+static double to_anchor(const kit_ray *k, double middle, const solution *roots)
+{
+    const double here = pov_largest(kit_along(k, middle));
+    const double at_entry = isfinite(roots->entry.hi) ? pov_largest(kit_along(k, middle + roots->entry.hi)) : HUGE_VAL;
+    const double at_exit = isfinite(roots->exit.hi) ? pov_largest(kit_along(k, middle + roots->exit.hi)) : HUGE_VAL;
+    const double there = at_entry < at_exit ? roots->entry.hi : roots->exit.hi;
+
+    return isfinite(there) && fmin(at_entry, at_exit) < 0x1p-4 * here ? there : 0.0;
+}
+
+static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
+{
+    double middle = middle_of(s, k), further;
+    uint32_t wanted = WANT_ENTRY | WANT_EXIT;
+    solution roots;
+
+    hits->decided++;
+    if (leaving) {
+        const double rise = pov_two3_dot(kit_direction(k), half_gradient(s->q, k->f, true)).hi;
+        wanted = rise > 0.0 ? WANT_ENTRY : rise < 0.0 ? WANT_EXIT : 0;
+    }
+    if (!solve(s, k, middle, &roots))
+        return;
+    /* Near the apex of a cone everything is small; seen from further off it would be small differences. */
+    further = to_anchor(k, middle, &roots);
+    middle += further;
+    if (further != 0.0 && !solve(s, k, middle, &roots))
+        return;
+    roots.entry = from_origin(s, k, middle, roots.entry, roots.root);
+    roots.exit = from_origin(s, k, middle, roots.exit, roots.root);
+    if (wanted & WANT_ENTRY && !report_decided(hits, roots.entry, k->unit, ENTERING))
         return;
     if (wanted & WANT_EXIT)
-        report_decided(hits, exit, k->unit, EXITING);
+        report_decided(hits, roots.exit, k->unit, EXITING);
 }
 
 /* ---- in double ---- */
@@ -428,7 +458,7 @@ static bool quick_plane(const kit_ray *k, const along *r, double middle, pov_hit
     return kit_report(&root, 1, k->unit, HUGE_VAL, hits);
 }
 
-static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, double middle, uint32_t wanted,
+static bool quick_curved(const kit_ray *k, const along *r, double middle, uint32_t wanted,
                          pov_hits *hits)
 {
     const double d = r->b * r->b - r->a * r->c;
@@ -454,9 +484,7 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
             roots[n++] = root_of(middle, t, error + fabs(t) * (1.1 * r->a_error / fabs(r->a) + 2.0 * KIT_U),
                                  is_entry ? ENTERING : EXITING);
     }
-    /* The slope along the ray is at least root / |d| of the gradient's length, so curvature turns the
-     * normal by at most this much a step. */
-    return kit_report(roots, n, k->unit, KIT_FINE * root / (3.0 * s->curvature * pov_dot(k->d, k->d)), hits);
+    return kit_report(roots, n, k->unit, fmin(KIT_FINE / sqrt(pov_dot(k->d, k->d)), KIT_APART * root / fabs(r->a)), hits);
 }
 
 /* Double precision with bounds. False: open. */
@@ -464,7 +492,7 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
 {
     const pov_vec3 f = pov_two3_hi(k->f);
     const along at_start = measure(s, k, f);
-    const bool is_plane = s->curvature == 0.0;
+    const bool is_plane = s->flat;
     uint32_t wanted = WANT_ENTRY | WANT_EXIT;
     double middle;
     along there;
@@ -485,7 +513,7 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
     /* What re-centring loses of a far origin must stay below the bounds' own slack. */
     if (!(pov_largest(f) < KIT_FAR * pov_largest(kit_along(k, middle))))
         return false;
-    return is_plane ? quick_plane(k, &there, middle, hits) : quick_curved(s, k, &there, middle, wanted, hits);
+    return is_plane ? quick_plane(k, &there, middle, hits) : quick_curved(k, &there, middle, wanted, hits);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -498,13 +526,22 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         decide(s, &k, leaving, hits);
 }
 
+/* The point of a crossing, brought onto the surface: where that curves much, the distance alone is not fine enough for
+ * a normal. */
+static pov_two3 surface_point(const quadric *s, const kit_ray *k, const pov_crossing *at)
+{
+    const pov_two3 p = kit_point(k, at), g = half_gradient(s->q, p, true);
+
+    return kit_step(k, p, value(s->q, p, g).hi, pov_dot(pov_two3_hi(g), k->d));
+}
+
 /* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const quadric *s = self;
     const kit_ray k = kit_enter(ray, s->anchor, s->scale);
 
-    *out = pov_unit(pov_two3_hi(half_gradient(s->q, kit_point(&k, at), true)));
+    *out = pov_unit(pov_two3_hi(half_gradient(s->q, surface_point(s, &k, at), true)));
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }

@@ -261,7 +261,7 @@ static void spawn(harness *h, const probe *p, const void *self, const pov_crossi
     for (i = 0; i < e.count && (uint32_t)e.count == n; i++) {
         if (ulps_off(e.at[i].t, at[i].t) > harness_limit(p->kind)) {
             s->leak++;
-            complain(h, p, "other side misplaced after", s);
+            complain(h, &q, "other side misplaced", s);
         }
     }
 }
