@@ -3,6 +3,7 @@
 #include <getopt.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -16,12 +17,15 @@ enum {
 enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
-    OPTION_COLOR, OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
+    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
     { "threads", required_argument, NULL, 't' },
     { "spp", required_argument, NULL, OPTION_SPP },
+    { "error", required_argument, NULL, OPTION_ERROR },
+    { "time", required_argument, NULL, OPTION_TIME },
+    { "sampling", required_argument, NULL, OPTION_SAMPLING },
     { "max-depth", required_argument, NULL, OPTION_MAX_DEPTH },
     { "bits", required_argument, NULL, OPTION_BITS },
     { "transfer", required_argument, NULL, OPTION_TRANSFER },
@@ -48,6 +52,7 @@ static const char *const transfers[] = { "scene", "srgb", "linear", NULL };
 static const char *const dialects[] = { "auto", "course", "povray", NULL };
 static const char *const accels[] = { "tree", "none", NULL };
 static const char *const progresses[] = { "auto", "bar", "json", "none", NULL };
+static const char *const samplings[] = { "auto", "uniform", "adaptive", NULL };
 static const char *const colors[] = { "auto", "always", "never", NULL };
 
 static bool refuse(args *a, const char *format, ...) POV_PRINTF(2, 3);
@@ -119,6 +124,19 @@ static bool read_choice(args *a, const char *what, const char *text, const int *
     return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
 }
 
+/* A decimal number above zero. strtod() alone would take blanks, signs, hexadecimals, "inf" and "nan" too. */
+static bool read_positive(args *a, const char *what, const char *text, double *out)
+{
+    char *end = NULL;
+
+    *out = 0.0;
+    if (text[strspn(text, "0123456789.eE+-")] == '\0' && (*text == '.' || (*text >= '0' && *text <= '9')))
+        *out = strtod(text, &end);
+    if (!end || *end != '\0' || !(*out > 0.0) || !(*out <= 1e9))
+        return refuse(a, "%s must be a number above 0, not \"%s\"", what, text);
+    return true;
+}
+
 /* x0,y0,x1,y1: the first pixel, and the one behind the last. That they lie in the picture is seen later. */
 static bool read_crop(args *a, const char *text)
 {
@@ -168,6 +186,11 @@ static bool read_option_word(args *a, int option, const char *text)
             return false;
         a->accel = (pov_accel)word;
         return true;
+    case OPTION_SAMPLING:
+        if (!read_word(a, "--sampling", text, samplings, &word))
+            return false;
+        a->sampling = (args_sampling)word;
+        return true;
     case OPTION_PROGRESS:
         if (!read_word(a, "--progress", text, progresses, &word))
             return false;
@@ -205,7 +228,12 @@ static bool read_option(args *a, int option, const char *text)
     case 't': case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
         return read_option_number(a, option, text);
     case OPTION_TRANSFER: case OPTION_DIALECT: case OPTION_ACCEL: case OPTION_PROGRESS: case OPTION_COLOR:
+    case OPTION_SAMPLING:
         return read_option_word(a, option, text);
+    case OPTION_ERROR:
+        return read_positive(a, "--error", text, &a->error);
+    case OPTION_TIME:
+        return read_positive(a, "--time", text, &a->time);
     case OPTION_CROP:
         return read_crop(a, text);
     case OPTION_FORMAT:

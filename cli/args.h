@@ -14,6 +14,8 @@ typedef enum args_progress {
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 
+typedef enum args_sampling { ARGS_SAMPLING_AUTO, ARGS_SAMPLING_UNIFORM, ARGS_SAMPLING_ADAPTIVE } args_sampling;
+
 typedef struct args {
     const char *scene;
     const char *output;          /* NULL: nothing is rendered */
@@ -21,6 +23,8 @@ typedef struct args {
     pov_rect crop;               /* width 0: all of it */
     int threads, samples, max_depth, bits, preview;   /* 0: the library's default */
     args_transfer transfer;
+    double error, time;          /* ends of refinement; 0: none */
+    args_sampling sampling;
     const char *format;          /* an image ending, or NULL: by the output's name */
     pov_dialect dialect;
     pov_accel accel;

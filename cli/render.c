@@ -102,6 +102,11 @@ static pov_status prepare(render *r, pov_error *err)
     desc.preview = a->preview;
     desc.threads = a->threads;
     desc.samples = a->samples;
+    desc.target_error = a->error;
+    desc.time_limit = a->time;
+    /* To reach an error soonest is to look where it is; who asks for a number of samples gets them everywhere. */
+    if (a->sampling == ARGS_SAMPLING_ADAPTIVE || (a->sampling == ARGS_SAMPLING_AUTO && (a->error > 0.0 || a->time > 0.0)))
+        desc.sampling = POV_SAMPLING_ADAPTIVE;
     r->pixels = malloc(4 * sizeof(float) * (size_t)r->width * (size_t)r->height);
     if (!r->pixels)
         return fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");

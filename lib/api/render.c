@@ -87,6 +87,16 @@ void pov_job_get_progress(pov_job *job, pov_progress *out)
     adapt_out(out, &ours, sizeof ours);
 }
 
+bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out)
+{
+    pov_pass ours = POV_INIT(ours);
+
+    if (!job_get_pass(job, index, &ours))
+        return false;
+    adapt_out(out, &ours, sizeof ours);
+    return true;
+}
+
 pov_status pov_job_get_error(pov_job *job, pov_error *err)
 {
     return job_get_error(job, err);

@@ -55,6 +55,24 @@ void frame_put(frame *f, size_t tile, int pass, const float *pixels)
     f->done[tile] |= (uint8_t)(1u << pass);
 }
 
+void frame_replace(frame *f, size_t tile, const float *pixels)
+{
+    pov_rect r = tiles_rect(f->tiles, tile);
+
+    for (int y = 0; y < r.height; y++)
+        memcpy(pixel(f, r.x, r.y + y), pixels + 4 * y * r.width, 4 * sizeof *pixels * (size_t)r.width);
+}
+
+bool frame_has(const frame *f, size_t tile)
+{
+    return f->done[tile] == (1u << f->passes) - 1u;
+}
+
+void frame_pixels(const frame *f, int x, int y, int width, float *out)
+{
+    memcpy(out, pixel(f, x, y), 4 * sizeof *out * (size_t)width);
+}
+
 /* The step of the finest lattice all of whose passes are in; 0: none. */
 static int whole_step(const frame *f, size_t tile)
 {

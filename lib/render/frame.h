@@ -20,6 +20,11 @@ void frame_clear(frame *f);
 lattice frame_lattice(const frame *f, int pass);
 /* Take in a pass of a tile; pixels are the tile's, row by row, of which those of the pass's lattice count. */
 void frame_put(frame *f, size_t tile, int pass, const float *pixels);
+/* Take in all pixels of a tile whose passes are all in. */
+void frame_replace(frame *f, size_t tile, const float *pixels);
+bool frame_has(const frame *f, size_t tile);
+/* A part of a row of which every pass is in. */
+void frame_pixels(const frame *f, int x, int y, int width, float *out);
 /* A part of a row that lies in one tile: each pixel is that of the finest whole lattice of the tile at or
  * before it. Nothing is in yet: zeros. */
 void frame_row(const frame *f, size_t tile, int x, int y, int width, float *out);

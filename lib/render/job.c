@@ -13,24 +13,40 @@ static pov_status make_parts(pov_job *job, pov_error *err)
     if (!frame_make(&job->frame, job->env, &job->tiles, s->first_step) || !tiles_sort(&job->tiles, job->env))
         return err_set(err, POV_E_MEMORY, "no memory for a picture of %d x %d pixels", s->crop.width, s->crop.height);
     job->all_pixels = (size_t)s->crop.width * (size_t)s->crop.height;
-    job->samples = samples_make(job->env, s->samples);
+    if (!cells_make(&job->cells, job->env, s->crop.width, s->crop.height, s->sampling))
+        return err_memory(err);
+    job->cells.reference = s->reference;
+    job->cells.reference_clipped = s->reference_clipped;
+    job->scratch = env_alloc(job->env, job->cells.count, sizeof *job->scratch);
+    job->queue = env_alloc(job->env, job->tiles.count, sizeof *job->queue);
     job->dirty = env_alloc(job->env, job->tiles.count, sizeof *job->dirty);
     if ((size_t)s->threads > job->tiles.count)
         job->settings.threads = (int)job->tiles.count;
     job->threads = env_alloc(job->env, (size_t)job->settings.threads, sizeof *job->threads);
-    return job->samples && job->dirty && job->threads ? POV_OK : err_memory(err);
+    if (!job->scratch || !job->queue || !job->dirty || !job->threads)
+        return err_memory(err);
+    passes_begin(job);
+    return POV_OK;
+}
+
+static void free_worker(pov_job *job, worker *w)
+{
+    worker_free(w, job->env);
+    refinement_free(w->refinement, job->env);
+    env_free(job->env, w);
 }
 
 static void free_parts(pov_job *job)
 {
-    for (size_t i = 0; i < job->worker_count; i++) {
-        worker_free(job->workers[i], job->env);
-        env_free(job->env, job->workers[i]);
-    }
+    for (size_t i = 0; i < job->worker_count; i++)
+        free_worker(job, job->workers[i]);
     env_free(job->env, job->workers);
     env_free(job->env, job->threads);
     env_free(job->env, job->dirty);
-    env_free(job->env, job->samples);
+    cells_free(&job->cells, job->env);
+    env_free(job->env, job->scratch);
+    env_free(job->env, job->queue);
+    env_free(job->env, job->rows.items);
     frame_free(&job->frame, job->env);
     tiles_free(&job->tiles, job->env);
     env_free(job->env, job);
@@ -107,21 +123,7 @@ void job_end(pov_job *job, pov_job_state state)
 static bool has_work(const pov_job *job)
 {
     return job->state == POV_JOB_RUNNING && !job->closing && !job->paused &&
-           job->claimed < job->tiles.count * (size_t)job->frame.passes;
-}
-
-/* Take on the next tile. The lock is held, and there is work. */
-static void claim_tile(pov_job *job, worker *w)
-{
-    claim *c = &w->claim;
-
-    c->generation = job->generation;
-    c->camera = job->camera;
-    c->pass = (int)(job->claimed / job->tiles.count);
-    c->tile = job->tiles.order[job->claimed % job->tiles.count];
-    c->rect = tiles_rect(&job->tiles, c->tile);
-    c->lattice = frame_lattice(&job->frame, c->pass);
-    job->claimed++;
+           job->claimed < job->due;
 }
 
 /* Does what a worker is tracing still count? The lock is held. */
@@ -136,40 +138,10 @@ static bool ask_whether_to_give_up(void *user)
     bool current;
 
     mutex_lock(&w->job->lock);
+    passes_expire(w->job);
     current = is_current(w->job, &w->claim);
     mutex_unlock(&w->job->lock);
     return !current;
-}
-
-/* The lock is held. True: there are tiles to take where there were none. */
-static bool mark_dirty(pov_job *job, size_t tile)
-{
-    if (job->dirty[tile])
-        return false;
-    job->dirty[tile] = true;
-    return job->dirty_count++ == 0;
-}
-
-/* The lock is held, the tile is whole and current. True: whoever waits for news should hear of it. */
-static bool commit(pov_job *job, worker *w, const pov_counts *fresh)
-{
-    const claim *c = &w->claim;
-    bool first = mark_dirty(job, c->tile);
-
-    frame_put(&job->frame, c->tile, c->pass, w->pixels);
-    counts_add(&job->counts, fresh);
-    job->done_pixels += lattice_pixels(c->lattice, c->rect.width, c->rect.height);
-    job->committed++;
-    if (job->committed == job->tiles.count * (size_t)job->frame.passes) {
-        job_end(job, POV_JOB_DONE);
-        return true;
-    }
-    if (first) {
-        job->news = true;
-        if (job->waiting > 0)
-            condition_wake_all(&job->changed);
-    }
-    return first;
 }
 
 /* The lock is held. */
@@ -181,27 +153,47 @@ static void fail(pov_job *job, const pov_error *why)
     job_end(job, POV_JOB_FAILED);
 }
 
+void job_fail_memory(pov_job *job)
+{
+    pov_error error = { 0 };
+
+    err_memory(&error);
+    fail(job, &error);
+}
+
+static bool trace(pov_job *job, worker *w)
+{
+    if (w->claim.refining)
+        return refine_more(w, &job->settings, &job->cells, &job->encoding);
+    return worker_trace(w, &job->settings);
+}
+
 /* Trace what was claimed, and hand it in unless the job has gone on without it. */
 static void work(pov_job *job, worker *w)
 {
     pov_error error = { 0 };
     pov_counts fresh = { 0 };
     bool whole = false, tell = false;
+    double began = clock_thread_seconds();
 
     if (worker_prepare(w, job->model, job->world, ask_whether_to_give_up, &error) == POV_OK) {
-        whole = worker_trace(w, &job->settings, job->samples);
+        whole = trace(job, w);
         fresh = worker_count(w);
         if (w->tracer->failed)
             err_memory(&error);
     }
     mutex_lock(&job->lock);
+    if (w->claim.generation == job->generation)
+        job->cpu += clock_thread_seconds() - began;
     if (is_current(job, &w->claim)) {
         if (error.status < 0) {
             fail(job, &error);
             tell = true;
         } else if (whole) {
-            tell = commit(job, w, &fresh);
+            tell = passes_commit(job, w, &fresh);
         }
+    } else if (job->stop == POV_STOP_TIME) {
+        tell = true;
     }
     mutex_unlock(&job->lock);
     if (tell)
@@ -209,6 +201,15 @@ static void work(pov_job *job, worker *w)
 }
 
 /* ---- workers and threads ---- */
+
+static bool make_worker(pov_job *job, worker *w)
+{
+    if (!worker_make(w, job, job->env, job->tiles.edge))
+        return false;
+    if (job->settings.sampling)
+        w->refinement = refinement_make(job->env, job->tiles.edge);
+    return w->refinement || !job->settings.sampling;
+}
 
 /* A worker that nobody is using, or a new one. NULL: no memory. */
 static worker *borrow(pov_job *job)
@@ -223,8 +224,10 @@ static worker *borrow(pov_job *job)
     if (w)
         return w;
     w = env_alloc(job->env, 1, sizeof *w);
-    if (!w || !worker_make(w, job, job->env, job->tiles.edge)) {
-        env_free(job->env, w);
+    if (!w)
+        return NULL;
+    if (!make_worker(job, w)) {
+        free_worker(job, w);
         return NULL;
     }
     mutex_lock(&job->lock);
@@ -234,10 +237,8 @@ static worker *borrow(pov_job *job)
         job->workers[job->worker_count++] = w;
     }
     mutex_unlock(&job->lock);
-    if (!grown) {
-        worker_free(w, job->env);
-        env_free(job->env, w);
-    }
+    if (!grown)
+        free_worker(job, w);
     return grown ? w : NULL;
 }
 
@@ -257,11 +258,12 @@ static void *run(void *user)
 
     mutex_lock(&job->lock);
     while (!job->closing) {
+        passes_expire(job);
         if (!has_work(job)) {
             condition_wait(&job->changed, &job->lock);
             continue;
         }
-        claim_tile(job, w);
+        passes_claim(job, w);
         mutex_unlock(&job->lock);
         work(job, w);
         mutex_lock(&job->lock);
@@ -321,16 +323,14 @@ pov_job_state job_step(pov_job *job)
     mutex_lock(&job->lock);
     if (job->state == POV_JOB_IDLE)
         job_begin(job);
-    if (!w) {
-        pov_error error = { 0 };
-        err_memory(&error);
-        fail(job, &error);
-    }
+    if (!w)
+        job_fail_memory(job);
+    passes_expire(job);
     while (job->state == POV_JOB_RUNNING && !has_work(job) && !job->closing && !job->paused)
         condition_wait(&job->changed, &job->lock);
     working = w && has_work(job);
     if (working)
-        claim_tile(job, w);
+        passes_claim(job, w);
     mutex_unlock(&job->lock);
     if (working)
         work(job, w);

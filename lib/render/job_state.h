@@ -6,6 +6,7 @@
 #include "base/thread.h"
 #include "render/frame.h"
 #include "render/job.h"
+#include "render/refine.h"
 #include "render/settings.h"
 #include "render/worker.h"
 
@@ -17,7 +18,6 @@ struct pov_job {
     const world *world;
     settings settings;
     tiles tiles;
-    sample *samples;
     encoding encoding;
     size_t all_pixels;
 
@@ -31,7 +31,14 @@ struct pov_job {
     uint64_t generation;
     pov_camera camera;
     frame frame;
-    size_t claimed, committed;   /* of passes times tiles */
+    cells cells;
+    double *scratch;             /* a number for each cell */
+    uint32_t *queue;             /* the tiles that the current pass of more samples has work in */
+    size_t due, claimed, committed;   /* steps of the lattices' passes together, or of the pass of more samples */
+    bool refining;               /* all lattices are in, more samples are being taken */
+    struct { pov_pass *items; size_t count, capacity; } rows;
+    pov_stop stop;
+    double cpu;                  /* seconds of all threads */
     size_t done_pixels;
     pov_counts counts;
     bool *dirty;                 /* for each tile: changed since it was last taken */
@@ -47,6 +54,24 @@ struct pov_job {
     int thread_count;
     bool threads_wanted;         /* job_start() was called */
 };
+
+/* A job without memory ends as failed. The lock is held. */
+void job_fail_memory(pov_job *job);
+
+/* From one pass to the next; see passes.c. The lock is held for each. */
+/* Forget all there was. */
+void passes_begin(pov_job *job);
+/* Take on the next tile; there is work. */
+void passes_claim(pov_job *job, worker *w);
+/* A tile is whole and current; the last one of a pass ends it: what the next one does is decided by what is in, so
+ * not by the order of tiles. True: whoever waits for news should hear of it. */
+bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh);
+/* An end before the pass's: the row of what there is. */
+void passes_stop(pov_job *job, pov_stop why);
+/* End the job if its time is over. True: it did. */
+bool passes_expire(pov_job *job);
+/* Of the work until the nearest end that is asked for, as far as can be told. */
+double passes_fraction(const pov_job *job);
 
 /* The clock starts. The lock is held. */
 void job_begin(pov_job *job);

@@ -1,61 +1,59 @@
 #include "render/sample.h"
 
-/* The edge of a square grid of `count`, or 0. */
-static int root_of(int count)
+static uint32_t mirrored(uint32_t v)
 {
-    int edge = 1;
-
-    while (edge * edge < count)
-        edge++;
-    return edge * edge == count ? edge : 0;
+    v = (v >> 1 & 0x55555555u) | (v & 0x55555555u) << 1;
+    v = (v >> 2 & 0x33333333u) | (v & 0x33333333u) << 2;
+    v = (v >> 4 & 0x0f0f0f0fu) | (v & 0x0f0f0f0fu) << 4;
+    v = (v >> 8 & 0x00ff00ffu) | (v & 0x00ff00ffu) << 8;
+    return v >> 16 | v << 16;
 }
 
-/* The lowest `bits` binary digits of i in the opposite order. */
-static unsigned mirrored(unsigned i, int bits)
+/* The finaliser of Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014. */
+static uint64_t mixed(uint64_t v)
 {
-    unsigned m = 0;
-
-    for (; bits > 0; bits--, i >>= 1)
-        m = m << 1 | (i & 1u);
-    return m;
+    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9u;
+    v = (v ^ v >> 27) * 0x94d049bb133111ebu;
+    return v ^ v >> 31;
 }
 
-static void fill_grid(sample *s, int edge)
+/* Owen's scrambling of a fraction whose digits stand mirrored: each digit is turned or not by a hash of those before
+ * it. The hash is that of Laine and Karras: Stratified sampling for stochastic transparency, EGSR 2011; that it makes
+ * an Owen scrambling of a mirrored number is Burley's: Practical hash-based Owen scrambling, JCGT 9(4), 2020. */
+static uint32_t scrambled(uint32_t v, uint32_t seed)
 {
-    for (int i = 0; i < edge * edge; i++) {
-        s[i].x = (i % edge + 0.5) / edge;
-        s[i].y = (i / edge + 0.5) / edge;
-    }
+    v += seed;
+    v ^= v * 0x6c50b47cu;
+    v ^= v * 0xb82f1e52u;
+    v ^= v * 0xc7afe638u;
+    v ^= v * 0x8d22f6e6u;
+    return v;
 }
 
-/* Columns in order, rows in the order of van der Corput's sequence: one sample in each of `count` rows and
- * columns. */
-static void fill_hammersley(sample *s, int count)
+/* Sobol's second dimension, mirrored: the columns of Pascal's triangle modulo 2. */
+static uint32_t second_dimension(uint32_t index)
 {
-    int bits = 0, row = 0;
+    uint32_t sum = 0;
 
-    while (1 << bits < count)
-        bits++;
-    for (unsigned v = 0; v < 1u << bits; v++) {
-        unsigned i = mirrored(v, bits);
-
-        if (i >= (unsigned)count)
-            continue;
-        s[i].x = (i + 0.5) / count;
-        s[i].y = (row++ + 0.5) / count;
-    }
+    for (uint32_t column = 1u; index != 0; index >>= 1, column ^= column << 1)
+        if (index & 1u)
+            sum ^= column;
+    return sum;
 }
 
-sample *samples_make(const env *e, int count)
+static double fraction(uint32_t digits)
 {
-    sample *s = env_resize(e, NULL, (size_t)count, sizeof *s);
-    int edge = root_of(count);
+    return ((double)digits + 0.5) / 4294967296.0;
+}
 
-    if (!s)
-        return NULL;
-    if (edge > 0)
-        fill_grid(s, edge);
-    else
-        fill_hammersley(s, count);
+sample sample_at(int x, int y, int half, uint32_t index)
+{
+    uint64_t key = mixed((uint64_t)(uint32_t)half << 60 ^ (uint64_t)(uint32_t)y << 30 ^ (uint64_t)(uint32_t)x);
+    uint64_t seeds = mixed(key + 0x9e3779b97f4a7c15u);
+    sample s;
+
+    /* The index itself is the first dimension, mirrored. */
+    s.x = fraction(mirrored(scrambled(index, (uint32_t)seeds)));
+    s.y = fraction(mirrored(scrambled(second_dimension(index), (uint32_t)(seeds >> 32))));
     return s;
 }

@@ -2,14 +2,25 @@
 #ifndef RENDER_SAMPLE_H
 #define RENDER_SAMPLE_H
 
-#include "base/env.h"
+#include <stdint.h>
 
 typedef struct sample { double x, y; } sample;
 
 enum { SAMPLES_MAX = 1 << 16 };
 
-/* The same for every pixel: a regular grid when count is a square, else a Hammersley set; 1 is the centre.
- * Their mean is the centre, so that nothing moves when the count changes. NULL: no memory. env_free() it. */
-sample *samples_make(const env *e, int count);
+/* The index-th place of a pixel's `half` (0 or 1), from its top left corner, within 0 .. 1. A place depends on
+ * nothing but these numbers, so that samples may be taken by any thread, in any order, and again.
+ *
+ * Each half is Sobol's (0,2)-sequence, scrambled anew for each pixel and each half: 2^k samples of a half from 0 on
+ * have one in each of 2^k cells, whatever their shape, and every place is as likely as any other. So the mean of a
+ * half is right on average, the halves are independent of each other and of those of all other pixels, and what
+ * they differ by tells how far their mean is from the truth. */
+sample sample_at(int x, int y, int half, uint32_t index);
+
+/* Samples are dealt to the halves in turn: how many of `count` the first and the second has. */
+static inline uint32_t sample_half(uint32_t count, int half)
+{
+    return half == 0 ? count - count / 2 : count / 2;
+}
 
 #endif

@@ -4,6 +4,8 @@
 #include "base/thread.h"
 #include "render/sample.h"
 
+#include <math.h>
+
 /* Pictures are no wider or higher than this, so that sums of pixel coordinates stay far from overflow. */
 enum { EDGE_MAX = 1 << 28 };
 
@@ -51,7 +53,19 @@ static pov_status take_numbers(settings *s, const pov_render_desc *d, pov_error 
         return err_set(err, POV_E_ARGUMENT, "a pixel has 1 to %d samples, not %d", (int)SAMPLES_MAX, d->samples);
     if (d->threads < 0)
         return err_set(err, POV_E_ARGUMENT, "a job has threads or 0 for one a core, not %d", d->threads);
-    s->samples = d->samples > 0 ? d->samples : 1;
+    if (!(d->target_error >= 0.0) || !isfinite(d->target_error))
+        return err_set(err, POV_E_ARGUMENT, "the error to reach is a number above 0, or 0 for none");
+    if (!(d->time_limit >= 0.0))
+        return err_set(err, POV_E_ARGUMENT, "the time limit is a number of seconds above 0, or 0 for none");
+    if (d->sampling != POV_SAMPLING_UNIFORM && d->sampling != POV_SAMPLING_ADAPTIVE)
+        return err_set(err, POV_E_ARGUMENT, "unknown way of sampling");
+    s->samples = d->samples > 0 ? d->samples : d->target_error > 0.0 || d->time_limit > 0.0 ? SAMPLES_MAX : 1;
+    s->sampling = s->samples > 1;
+    s->adaptive = d->sampling == POV_SAMPLING_ADAPTIVE;
+    s->target_error = d->target_error;
+    s->time_limit = d->time_limit;
+    s->reference = d->reference;
+    s->reference_clipped = d->reference_clipped;
     s->threads = d->threads > 0 ? d->threads : thread_cores();
     return POV_OK;
 }

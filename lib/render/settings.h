@@ -8,7 +8,12 @@ typedef struct settings {
     int width, height;           /* of the whole picture */
     pov_rect crop;               /* the part that is traced, within it */
     int first_step;              /* edge of a pixel of the first pass; 1: there is one pass */
-    int threads, samples;
+    int threads;
+    int samples;                 /* of a pixel, on average: the most */
+    bool sampling, adaptive;     /* more than one sample a pixel; more of them where the error is */
+    double target_error, time_limit;   /* 0: none */
+    const float *reference;      /* the caller's; or NULL */
+    bool reference_clipped;
     void (*wake)(void *user);
     void *wake_user;
 } settings;

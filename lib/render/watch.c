@@ -12,9 +12,13 @@ pov_job_state job_wait(pov_job *job, double seconds)
 
     mutex_lock(&job->lock);
     job->waiting++;
-    while (job->state == POV_JOB_RUNNING && !job->news)
-        if (!condition_wait_until(&job->changed, &job->lock, until))
+    while (job->state == POV_JOB_RUNNING && !job->news) {
+        double end = job->settings.time_limit > 0.0 ? job->started + job->settings.time_limit : until;
+
+        if (!condition_wait_until(&job->changed, &job->lock, fmin(until, end)) && !passes_expire(job) &&
+            clock_seconds() >= until)
             break;
+    }
     job->waiting--;
     job->news = false;
     state = job->state;
@@ -50,12 +54,29 @@ static pov_rect meet(pov_rect a, pov_rect b)
     return r;
 }
 
+/* One row of a map of the cells. The lock is held. */
+static void map_row(const pov_job *job, int x, int y, int width, pov_pixels format, float *out)
+{
+    const cells *c = &job->cells;
+
+    for (int i = 0; i < width; i++) {
+        size_t index = (size_t)(y / CELL_EDGE) * (size_t)c->columns + (size_t)((x + i) / CELL_EDGE);
+        const cell *at = &c->items[index];
+        pov_rect r = cells_rect(c, index);
+
+        if (format == POV_PIXELS_SAMPLES)
+            out[i] = (float)at->count;
+        else
+            out[i] = at->count > 1 ? (float)sqrt(at->square / ((double)r.width * r.height)) : -1.0f;
+    }
+}
+
 /* Copy what a rectangle has of one tile. The lock is held for a row at a time: to convert takes longer than
  * to copy. */
 static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels format, unsigned char *dst, size_t stride)
 {
     pov_rect part = meet(tiles_rect(&job->tiles, tile), rect);
-    size_t pixel_bytes = format == POV_PIXELS_DISPLAY8 ? 4 : 4 * sizeof(float);
+    size_t pixel_bytes = format == POV_PIXELS_LINEAR_FLOAT ? 4 * sizeof(float) : 4;
     unsigned char bytes[4 * TILE_EDGE_MAX];
     float row[4 * TILE_EDGE_MAX];
 
@@ -63,13 +84,17 @@ static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels forma
         unsigned char *to = dst + (size_t)(part.y + y - rect.y) * stride + (size_t)(part.x - rect.x) * pixel_bytes;
 
         mutex_lock(&job->lock);
-        frame_row(&job->frame, tile, part.x, part.y + y, part.width, row);
+        if (format == POV_PIXELS_ERROR || format == POV_PIXELS_SAMPLES)
+            map_row(job, part.x, part.y + y, part.width, format, row);
+        else
+            frame_row(&job->frame, tile, part.x, part.y + y, part.width, row);
         mutex_unlock(&job->lock);
         if (format == POV_PIXELS_DISPLAY8) {
             encoding_display(&job->encoding, row, bytes, part.width);
             memcpy(to, bytes, pixel_bytes * (size_t)part.width);
         } else {
-            encoding_linear(&job->encoding, row, part.width);
+            if (format == POV_PIXELS_LINEAR_FLOAT)
+                encoding_linear(&job->encoding, row, part.width);
             memcpy(to, row, pixel_bytes * (size_t)part.width);
         }
     }
@@ -93,16 +118,14 @@ void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t 
 
 void job_restart(pov_job *job, const pov_camera *camera)
 {
-    pov_counts none = { 0 };
-
     mutex_lock(&job->lock);
     job->generation++;
     if (camera)
         job->camera = *camera;
     frame_clear(&job->frame);
     memset(job->dirty, 0, job->tiles.count * sizeof *job->dirty);
-    job->dirty_count = job->claimed = job->committed = job->done_pixels = 0;
-    job->counts = none;
+    job->dirty_count = 0;
+    passes_begin(job);
     job->error.status = POV_OK;
     if (job->thread_count > 0 || job->state == POV_JOB_RUNNING)
         job_begin(job);
@@ -123,26 +146,57 @@ void job_pause(pov_job *job, bool paused)
 void job_cancel(pov_job *job)
 {
     mutex_lock(&job->lock);
-    if (job->state == POV_JOB_IDLE || job->state == POV_JOB_RUNNING)
+    if (job->state == POV_JOB_IDLE || job->state == POV_JOB_RUNNING) {
+        passes_stop(job, POV_STOP_USER);
         job_end(job, POV_JOB_CANCELLED);
+    }
     mutex_unlock(&job->lock);
+}
+
+/* Passes of more samples are not counted before they come. The lock is held. */
+static void count_passes(const pov_job *job, pov_progress *out)
+{
+    int lattices = job->frame.passes, pass = (int)(job->claimed / job->tiles.count) + 1;
+
+    out->passes = lattices;
+    out->pass = pass < lattices ? pass : lattices;
+    if (job->refining) {
+        out->pass = lattices + (int)job->rows.count;
+        if (job->state != POV_JOB_RUNNING)
+            out->pass--;
+        out->passes = out->pass;
+    }
 }
 
 void job_get_progress(pov_job *job, pov_progress *out)
 {
-    size_t pass;
+    const pov_pass *last;
 
     mutex_lock(&job->lock);
-    pass = job->claimed / job->tiles.count + 1;
-    out->passes = job->frame.passes;
-    out->pass = pass < (size_t)out->passes ? (int)pass : out->passes;
-    out->fraction = (double)job->done_pixels / (double)job->all_pixels;
+    count_passes(job, out);
+    out->fraction = passes_fraction(job);
+    last = job->rows.count > 0 ? &job->rows.items[job->rows.count - 1] : NULL;
+    out->spp_mean = last ? last->spp_mean : 0.0;
+    out->est_rmse = last ? last->est_rmse : -1.0;
+    out->stop = job->stop;
     out->threads = job->thread_count > 0 ? job->thread_count : 1;
     out->counts = job->counts;
     out->seconds = 0.0;
     if (job->started > 0.0)
         out->seconds = (job->ended > 0.0 ? job->ended : clock_seconds()) - job->started;
     mutex_unlock(&job->lock);
+}
+
+bool job_get_pass(pov_job *job, size_t index, pov_pass *out)
+{
+    bool there;
+
+    mutex_lock(&job->lock);
+    there = index < job->rows.count;
+    if (there)
+        *out = job->rows.items[index];
+    mutex_unlock(&job->lock);
+    return there;
 }
 
 pov_status job_get_error(pov_job *job, pov_error *err)

@@ -37,12 +37,10 @@ pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask
     return POV_OK;
 }
 
-/* Rays in company: those of the pixels of a block of the lattice, or some of one pixel's. */
+/* Rays in company: those of the pixels of a block of the lattice. */
 typedef struct company {
-    uint32_t count, pixels;
+    uint32_t count;
     pov_ray rays[BATCH_MAX];
-    uint32_t pixel[BATCH_MAX];   /* of a ray: which of the block's */
-    double sum[BATCH_MAX][3];    /* of the pixels' samples so far */
     float *out[BATCH_MAX];
 } company;
 
@@ -52,84 +50,58 @@ static void trace_company(worker *w, company *c)
 
     tracer_colors(w->tracer, c->rays, c->count, seen);
     for (uint32_t i = 0; i < c->count; i++) {
-        double *sum = c->sum[c->pixel[i]];
-
-        sum[0] += seen[i].r;
-        sum[1] += seen[i].g;
-        sum[2] += seen[i].b;
+        c->out[i][0] = seen[i].r;
+        c->out[i][1] = seen[i].g;
+        c->out[i][2] = seen[i].b;
+        c->out[i][3] = 1.0f;
     }
     c->count = 0;
 }
 
-static bool is_given_up(const worker *w)
+/* (x, y) is the pixel's place in the whole picture: a crop's samples are the whole's. */
+static pov_ray first_ray(const worker *w, const settings *s, int x, int y)
 {
-    return w->tracer->failed || w->tracer->interrupt.given_up;
-}
+    const sample centre = { 0.5, 0.5 };
+    sample at = s->sampling ? sample_at(x, y, 0, 0) : centre;
 
-static void trace_pixel(worker *w, company *c, const settings *s, const sample *samples, int x, int y, float *out)
-{
-    uint32_t pixel = c->pixels++;
-
-    memset(c->sum[pixel], 0, sizeof c->sum[pixel]);
-    c->out[pixel] = out;
-    for (int i = 0; i < s->samples && !is_given_up(w); i++) {
-        c->pixel[c->count] = pixel;
-        c->rays[c->count++] = raygen_ray(&w->claim.camera, s->width, s->height, x, y, samples[i].x, samples[i].y);
-        if (c->count == BATCH_MAX)
-            trace_company(w, c);
-    }
-}
-
-/* The mean of what is seen through each of the pixel's places. A single place is taken as it is. */
-static void end_block(worker *w, company *c, const settings *s)
-{
-    if (c->count > 0)
-        trace_company(w, c);
-    for (uint32_t i = 0; i < c->pixels; i++) {
-        for (int k = 0; k < 3; k++)
-            c->out[i][k] = (float)(c->sum[i][k] / s->samples);
-        c->out[i][3] = 1.0f;
-    }
-    c->pixels = 0;
-}
-
-/* The edge of a square of pixels whose rays are not too many for one company. */
-static int block_edge(int samples)
-{
-    int edge = 8;
-
-    while (edge > 1 && edge * edge * samples > BATCH_MAX)
-        edge /= 2;
-    return edge;
+    return raygen_ray(&w->claim.camera, s->width, s->height, x, y, at.x, at.y);
 }
 
 /* A block is a square of the lattice's pixels, (x, y) its corner in the tile. */
-static void trace_block(worker *w, company *together, const settings *s, const sample *samples, int left, int top, int edge)
+static void trace_block(worker *w, company *together, const settings *s, int left, int top, int edge)
 {
     const claim *c = &w->claim;
 
     for (int y = top; y < c->rect.height && y < top + edge; y += c->lattice.step)
         for (int x = left; x < c->rect.width && x < left + edge; x += c->lattice.step)
-            if (lattice_has(c->lattice, x, y))
-                trace_pixel(w, together, s, samples, s->crop.x + c->rect.x + x, s->crop.y + c->rect.y + y,
-                            w->pixels + 4 * (y * c->rect.width + x));
-    end_block(w, together, s);
+            if (lattice_has(c->lattice, x, y)) {
+                together->out[together->count] = w->pixels + 4 * (y * c->rect.width + x);
+                together->rays[together->count++] = first_ray(w, s, s->crop.x + c->rect.x + x, s->crop.y + c->rect.y + y);
+            }
+    if (together->count > 0)
+        trace_company(w, together);
 }
 
-bool worker_trace(worker *w, const settings *s, const sample *samples)
+bool worker_trace(worker *w, const settings *s)
 {
+    enum { BLOCK_EDGE = 8 };     /* squared, no more than BATCH_MAX */
     const claim *c = &w->claim;
-    int edge = block_edge(s->samples) * c->lattice.step;
+    int edge = BLOCK_EDGE * c->lattice.step;
     company together;
 
-    together.count = together.pixels = 0;
+    together.count = 0;
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += edge) {
-            trace_block(w, &together, s, samples, x, y, edge);
-            if (is_given_up(w))
+            trace_block(w, &together, s, x, y, edge);
+            if (worker_is_given_up(w))
                 return false;
         }
     return true;
+}
+
+bool worker_is_given_up(const worker *w)
+{
+    return w->tracer->failed || w->tracer->interrupt.given_up;
 }
 
 /* Counts are added member by member, so that one added to the struct is a line here too. */

@@ -15,13 +15,17 @@ typedef struct claim {
     int pass;
     pov_rect rect;               /* of the tile, relative to the crop's corner */
     lattice lattice;
+    bool refining;               /* more samples of each cell, not the first of a lattice */
 } claim;
+
+typedef struct refinement refinement;   /* refine.h */
 
 typedef struct worker {
     pov_job *job;
     pov_tracer *tracer;          /* NULL until the first tile */
     claim claim;
     float *pixels;               /* of the tile, row by row */
+    refinement *refinement;      /* the job's to make and free; NULL when a pixel has one sample */
     pov_counts counted;          /* of the tracer's, those that earlier tiles have accounted for */
     struct worker *next_free;    /* in the job's list of those that nobody is using */
 } worker;
@@ -31,8 +35,10 @@ bool worker_make(worker *w, pov_job *job, const env *e, int tile_edge);
 void worker_free(worker *w, const env *e);
 /* Make the tracer if there is none that works; `ask` is asked while tracing whether the claim still holds. */
 pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask)(void *worker), pov_error *err);
-/* Trace the claimed tile. False: it was given up. Memory that ended shows in tracer->failed. */
-bool worker_trace(worker *w, const settings *s, const sample *samples);
+/* Trace one sample of each pixel of the claimed lattice. False: it was given up. Memory that ended shows in
+ * tracer->failed. */
+bool worker_trace(worker *w, const settings *s);
+bool worker_is_given_up(const worker *w);
 /* The rays since the last call. */
 pov_counts worker_count(worker *w);
 

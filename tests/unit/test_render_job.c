@@ -4,6 +4,7 @@
 #include "support/tiny_job.h"
 
 #include "render/raygen.h"
+#include "render/sample.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -104,8 +105,8 @@ static void samples_are_averaged(void **state)
     d.samples = 4;
     pixels = tiny_picture(&s, &d);
     for (int i = 0; i < 4; i++) {
-        double dx = 0.25 + 0.5 * (i % 2), dy = 0.25 + 0.5 * (i / 2);
-        pov_ray ray = raygen_ray(&s.model.camera, WIDTH, HEIGHT, 30, 26, dx, dy);
+        sample at = sample_at(30, 26, i % 2, (uint32_t)(i / 2));
+        pov_ray ray = raygen_ray(&s.model.camera, WIDTH, HEIGHT, 30, 26, at.x, at.y);
         sum += tracer_color(s.tracer, &ray).g;
     }
     assert_near(pixels[4 * (26 * WIDTH + 30) + 1], sum / 4.0, 1e-7);

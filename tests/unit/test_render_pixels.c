@@ -59,69 +59,52 @@ static void rays_are_symmetric_to_the_bit(void **state)
 
 /* ---- samples ---- */
 
-static void one_sample_is_the_centre(void **state)
+/* One in each of 32 rows and columns, and in each cell of 4 x 8 and of 8 x 4, for both halves of any pixel: random
+ * places would not do that. */
+static void samples_of_a_half_spread_evenly(void **state)
 {
-    env e = libc_env();
-    sample *s = samples_make(&e, 1);
     (void)state;
 
-    assert_near(s[0].x, 0.5, 0.0);
-    assert_near(s[0].y, 0.5, 0.0);
-    env_free(&e, s);
-}
+    for (int pixel = 0; pixel < 20; pixel++) {
+        int columns[32] = { 0 }, rows[32] = { 0 }, high[4][8] = { { 0 } }, wide[8][4] = { { 0 } };
 
-static void a_square_number_of_samples_is_a_grid(void **state)
-{
-    env e = libc_env();
-    sample *s = samples_make(&e, 9);
-    (void)state;
+        for (uint32_t i = 0; i < 32; i++) {
+            sample s = sample_at(7 * pixel, 1000 - pixel, pixel % 2, i);
 
-    for (int i = 0; i < 9; i++) {
-        assert_near(s[i].x, (i % 3 + 0.5) / 3.0, 1e-15);
-        assert_near(s[i].y, (i / 3 + 0.5) / 3.0, 1e-15);
-    }
-    env_free(&e, s);
-}
-
-static void samples_lie_within_the_pixel_and_about_its_centre(void **state)
-{
-    env e = libc_env();
-    (void)state;
-
-    for (int n = 1; n <= 300; n++) {
-        sample *s = samples_make(&e, n);
-        double x = 0.0, y = 0.0;
-
-        for (int i = 0; i < n; i++) {
-            assert_true(s[i].x > 0.0 && s[i].x < 1.0 && s[i].y > 0.0 && s[i].y < 1.0);
-            x += s[i].x / n;
-            y += s[i].y / n;
+            assert_true(s.x > 0.0 && s.x < 1.0 && s.y > 0.0 && s.y < 1.0);
+            columns[(int)(32.0 * s.x)]++;
+            rows[(int)(32.0 * s.y)]++;
+            high[(int)(4.0 * s.x)][(int)(8.0 * s.y)]++;
+            wide[(int)(8.0 * s.x)][(int)(4.0 * s.y)]++;
         }
-        assert_near(x, 0.5, 1e-14);
-        assert_near(y, 0.5, 1e-14);
-        env_free(&e, s);
+        for (int i = 0; i < 32; i++)
+            assert_true(columns[i] == 1 && rows[i] == 1 && high[i / 8][i % 8] == 1 && wide[i / 4][i % 4] == 1);
     }
 }
 
-/* One in each of 32 rows and columns, and in each cell of 4 x 8: random places would not do that. */
-static void samples_spread_evenly(void **state)
+/* The first places of many pixels and halves are as even as chance makes them, and know nothing of each other. */
+static void every_pixel_and_half_has_places_of_its_own(void **state)
 {
-    env e = libc_env();
-    sample *s = samples_make(&e, 32);
-    int columns[32] = { 0 }, rows[32] = { 0 }, cells[4][8] = { { 0 } };
+    enum { EDGE = 100, N = EDGE * EDGE };
+    double mean[2] = { 0.0, 0.0 }, halves = 0.0, neighbours = 0.0, axes = 0.0;
     (void)state;
 
-    for (int i = 0; i < 32; i++) {
-        columns[(int)(32.0 * s[i].x)]++;
-        rows[(int)(32.0 * s[i].y)]++;
-        cells[(int)(4.0 * s[i].x)][(int)(8.0 * s[i].y)]++;
+    for (int i = 0; i < N; i++) {
+        sample a = sample_at(i % EDGE, i / EDGE, 0, 0), b = sample_at(i % EDGE, i / EDGE, 1, 0);
+        sample next = sample_at(i % EDGE + 1, i / EDGE, 0, 0);
+
+        mean[0] += a.x / N;
+        mean[1] += a.y / N;
+        halves += 12.0 * (a.x - 0.5) * (b.x - 0.5) / N;
+        neighbours += 12.0 * (a.x - 0.5) * (next.x - 0.5) / N;
+        axes += 12.0 * (a.x - 0.5) * (a.y - 0.5) / N;
     }
-    for (int i = 0; i < 32; i++) {
-        assert_int_equal(columns[i], 1);
-        assert_int_equal(rows[i], 1);
-        assert_int_equal(cells[i / 8][i % 8], 1);
-    }
-    env_free(&e, s);
+    /* Five standard deviations of what independent places would give. */
+    assert_near(mean[0], 0.5, 5.0 * 0.2887 / EDGE);
+    assert_near(mean[1], 0.5, 5.0 * 0.2887 / EDGE);
+    assert_near(halves, 0.0, 5.0 / EDGE);
+    assert_near(neighbours, 0.0, 5.0 / EDGE);
+    assert_near(axes, 0.0, 5.0 / EDGE);
 }
 
 /* ---- tiles ---- */
@@ -349,10 +332,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_goes_through_the_centre_of_its_pixel),
         cmocka_unit_test(rays_are_symmetric_to_the_bit),
-        cmocka_unit_test(one_sample_is_the_centre),
-        cmocka_unit_test(a_square_number_of_samples_is_a_grid),
-        cmocka_unit_test(samples_lie_within_the_pixel_and_about_its_centre),
-        cmocka_unit_test(samples_spread_evenly),
+        cmocka_unit_test(samples_of_a_half_spread_evenly),
+        cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),
         cmocka_unit_test(tiles_cover_every_pixel_once),
         cmocka_unit_test(tiles_come_from_the_middle_outwards),
         cmocka_unit_test(passes_have_every_pixel_of_a_tile_once),

@@ -13,22 +13,36 @@
 typedef struct pov_job pov_job;
 typedef struct pov_rect { int x, y, width, height; } pov_rect;
 
+typedef enum pov_sampling { POV_SAMPLING_UNIFORM, POV_SAMPLING_ADAPTIVE } pov_sampling;
+
 typedef struct pov_render_desc {
     size_t size;
     int width, height;            /* needed: of the whole picture */
     pov_rect crop;                /* the part that is traced and read; width 0: all of it */
     int preview;                  /* edge of a pixel of the first pass: 2, 4, 8 or 16; 0: one full pass */
     int threads;                  /* 0: one for each core */
-    int samples;                  /* for each pixel; 0: one, through its centre */
+    int samples;                  /* a pixel, on average; 0 or 1: one, through its centre, unless a limit below is set */
     const pov_camera *camera;     /* NULL: the scene's; copied */
     void (*wake)(void *user);     /* from a worker: something is there to take. Only poke a loop from it. */
     void *wake_user;
+    pov_sampling sampling;        /* samples alike for all pixels, or more of them where the error is */
+    double target_error;          /* add samples until the estimated rms error, in linear light, is this; 0: none */
+    double time_limit;            /* or until so many seconds have passed since the start; 0: none */
+    const float *reference;       /* of the crop, linear, four channels a pixel: each pass is held against it. Kept
+                                     by the caller while the job lives; or NULL */
+    bool reference_clipped;       /* the reference holds nothing outside 0 .. 1 */
 } pov_render_desc;
 
 typedef enum pov_job_state {
     POV_JOB_IDLE, POV_JOB_RUNNING, POV_JOB_DONE, POV_JOB_CANCELLED, POV_JOB_FAILED
 } pov_job_state;
-typedef enum pov_pixels { POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT } pov_pixels;
+/* The last two are maps of one float a pixel: the estimated rms error, below zero where it is not known, and the number
+ * of samples. Both are alike within a cell of 8 by 8 pixels, for a single pixel's estimate would be chance. */
+typedef enum pov_pixels {
+    POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES
+} pov_pixels;
+/* What ended a job; NONE: nothing yet, or a failure. */
+typedef enum pov_stop { POV_STOP_NONE, POV_STOP_SAMPLES, POV_STOP_ERROR, POV_STOP_TIME, POV_STOP_USER } pov_stop;
 
 /* How many rays of each kind were sent, or not sent and why. */
 typedef struct pov_counts {
@@ -44,7 +58,26 @@ typedef struct pov_progress {
     double fraction, seconds;     /* seconds of wall time from start to now, or to the end */
     int pass, passes, threads;
     pov_counts counts;            /* of the tiles done so far */
+    double spp_mean, est_rmse;    /* at the last pass's end; est_rmse is below zero while it is not known */
+    pov_stop stop;
 } pov_progress;
+
+/* The picture at the end of a pass: a row of the report of error against run time. docs/report.md has more. */
+typedef struct pov_pass {
+    size_t size;
+    int pass, threads;
+    double wall_s, cpu_s;         /* since the start */
+    double spp_mean;
+    int spp_max;
+    pov_counts counts;
+    /* The rms error of the picture in linear light as the difference of two independent halves of the samples shows
+     * it, the band that holds the true one in 95 of 100 cases, and of the cells' own the one that 99 of 100 are below.
+     * What is cut off (counts.cut_depth, cut_weight) they cannot see. Below zero: not known. */
+    double est_rmse, est_ci95_lo, est_ci95_hi, est_p99_tile;
+    double ref_rmse, ref_max;     /* against the reference; below zero: there is none */
+    uint64_t unresolved;          /* pixels of cells whose own error is above the target, or 1/255 without one */
+    uint64_t clipped;             /* pixels outside 0 .. 1, which a file of integers will not hold */
+} pov_pass;
 
 /* desc is copied; the scene must outlive the job. */
 POV_API pov_status pov_job_create(pov_job **out, const pov_scene *scene, const pov_render_desc *desc, pov_error *err);
@@ -64,6 +97,8 @@ POV_API void pov_job_restart(pov_job *job, const pov_camera *camera);
 POV_API void pov_job_pause(pov_job *job, bool paused);
 POV_API void pov_job_cancel(pov_job *job);
 POV_API void pov_job_get_progress(pov_job *job, pov_progress *out);
+/* The index-th pass that has ended since the start; false past the last. */
+POV_API bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out);
 /* Why a job is POV_JOB_FAILED; POV_OK otherwise. */
 POV_API pov_status pov_job_get_error(pov_job *job, pov_error *err);
 

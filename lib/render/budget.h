@@ -1,0 +1,15 @@
+/* budget.h - how many samples each cell shall have after the next pass. */
+#ifndef RENDER_BUDGET_H
+#define RENDER_BUDGET_H
+
+#include "render/cells.h"
+#include "render/settings.h"
+
+/* Samples that every pixel has before an estimate ends or steers anything: a thing that the first ones missed. */
+enum { BUDGET_PILOT = 8 };
+
+/* Set the targets, from what the cells have shown so far and nothing else. `scratch` has room for a number a cell.
+ * False: no cell may have more. */
+bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch);
+
+#endif

@@ -1,0 +1,191 @@
+#include "render/cells.h"
+
+#include "render/sample.h"
+
+#include <math.h>
+#include <string.h>
+
+bool cells_make(cells *c, const env *e, int width, int height, bool sampling)
+{
+    c->width = width;
+    c->height = height;
+    c->columns = (width - 1) / CELL_EDGE + 1;
+    c->rows = (height - 1) / CELL_EDGE + 1;
+    c->count = (size_t)c->columns * (size_t)c->rows;
+    c->items = env_alloc(e, c->count, sizeof *c->items);
+    if (sampling)
+        c->halves = env_resize(e, NULL, (size_t)width * (size_t)height, 6 * sizeof *c->halves);
+    return c->items && (c->halves || !sampling);
+}
+
+void cells_free(cells *c, const env *e)
+{
+    env_free(e, c->items);
+    env_free(e, c->halves);
+}
+
+void cells_clear(cells *c)
+{
+    memset(c->items, 0, c->count * sizeof *c->items);
+}
+
+cell_range cells_of(pov_rect tile)
+{
+    cell_range r = { tile.x / CELL_EDGE, tile.y / CELL_EDGE, (tile.width - 1) / CELL_EDGE + 1,
+                     (tile.height - 1) / CELL_EDGE + 1 };
+
+    return r;
+}
+
+pov_rect cells_rect(const cells *c, size_t index)
+{
+    pov_rect r;
+
+    r.x = (int)(index % (size_t)c->columns) * CELL_EDGE;
+    r.y = (int)(index / (size_t)c->columns) * CELL_EDGE;
+    r.width = c->width - r.x < CELL_EDGE ? c->width - r.x : CELL_EDGE;
+    r.height = c->height - r.y < CELL_EDGE ? c->height - r.y : CELL_EDGE;
+    return r;
+}
+
+/* ---- a tile's part ---- */
+
+static cell *row_of_cells(const cells *c, cell_range r, int row)
+{
+    return c->items + (size_t)(r.row + row) * (size_t)c->columns + r.column;
+}
+
+static double *row_of_halves(const cells *c, pov_rect tile, int y)
+{
+    return c->halves + 6 * ((size_t)(tile.y + y) * (size_t)c->width + (size_t)tile.x);
+}
+
+void cells_take(const cells *c, pov_rect tile, cell *items, double *halves)
+{
+    cell_range r = cells_of(tile);
+
+    for (int row = 0; row < r.rows; row++)
+        memcpy(items + row * r.columns, row_of_cells(c, r, row), (size_t)r.columns * sizeof *items);
+    for (int y = 0; y < tile.height; y++)
+        memcpy(halves + 6 * y * tile.width, row_of_halves(c, tile, y), 6 * sizeof *halves * (size_t)tile.width);
+}
+
+void cells_put(cells *c, pov_rect tile, const cell *items, const double *halves)
+{
+    cell_range r = cells_of(tile);
+
+    for (int row = 0; row < r.rows; row++)
+        memcpy(row_of_cells(c, r, row), items + row * r.columns, (size_t)r.columns * sizeof *items);
+    for (int y = 0; y < tile.height; y++)
+        memcpy(row_of_halves(c, tile, y), halves + 6 * y * tile.width, 6 * sizeof *halves * (size_t)tile.width);
+}
+
+/* ---- what the halves say ---- */
+
+static float within(float v)
+{
+    return v < 0.0f ? 0.0f : v > 1.0f ? 1.0f : v;
+}
+
+/* How far a pixel in linear light is from the reference. */
+static void hold_against(const cells *c, cell *into, int x, int y, const float *rgba)
+{
+    const float *truth = c->reference + 4 * ((size_t)y * (size_t)c->width + (size_t)x);
+    double square = 0.0;
+
+    for (int i = 0; i < 3; i++) {
+        double off = (double)(c->reference_clipped ? within(rgba[i]) : rgba[i]) - (double)truth[i];
+
+        square += off * off;
+        into->off_max = fmax(into->off_max, fabs(off));
+    }
+    into->off_square += square / 3.0;
+}
+
+static void look_at_pixel(const cells *c, cell *into, int x, int y, const float *linear)
+{
+    for (int i = 0; i < 3; i++)
+        if (linear[i] < 0.0f || linear[i] > 1.0f) {
+            into->clipped++;
+            break;
+        }
+    if (c->reference)
+        hold_against(c, into, x, y, linear);
+}
+
+/* The variance of the mean of n samples of which one half has a and the other b is estimated without bias by
+ * (difference of the halves' means)^2 * a b / n^2. */
+static double square_of_error(const encoding *e, const double *halves, double a, double b)
+{
+    float first[4] = { 0 }, second[4] = { 0 };
+    double square = 0.0;
+
+    if (b == 0.0)
+        return 0.0;
+    if (e->decode == 1.0) {
+        for (int i = 0; i < 3; i++) {
+            double d = halves[i] / a - halves[3 + i] / b;
+
+            square += d * d;
+        }
+    } else {
+        for (int i = 0; i < 3; i++) {
+            first[i] = (float)(halves[i] / a);
+            second[i] = (float)(halves[3 + i] / b);
+        }
+        encoding_linear(e, first, 1);
+        encoding_linear(e, second, 1);
+        for (int i = 0; i < 3; i++) {
+            double d = (double)first[i] - (double)second[i];
+
+            square += d * d;
+        }
+    }
+    return square / 3.0 * (a * b / ((a + b) * (a + b)));
+}
+
+void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
+{
+    cell_range r = cells_of(tile);
+    float row[4 * TILE_EDGE_MAX];
+    cell one = { .count = 1, .target = 1 };
+
+    for (int i = 0; i < r.columns * r.rows; i++)
+        row_of_cells(c, r, i / r.columns)[i % r.columns] = one;
+    for (int y = 0; y < tile.height; y++) {
+        frame_pixels(f, tile.x, tile.y + y, tile.width, row);
+        for (int x = 0; c->halves && x < tile.width; x++)
+            for (int i = 0; i < 6; i++)
+                row_of_halves(c, tile, y)[6 * x + i] = i < 3 ? (double)row[4 * x + i] : 0.0;
+        encoding_linear(e, row, tile.width);
+        for (int x = 0; x < tile.width; x++)
+            look_at_pixel(c, row_of_cells(c, r, y / CELL_EDGE) + x / CELL_EDGE, tile.x + x, tile.y + y, row + 4 * x);
+    }
+}
+
+/* A cell whose count has grown is measured from its halves anew. */
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, cell *items, const double *halves, float *pixels)
+{
+    cell_range r = cells_of(tile);
+
+    for (int i = 0; i < r.columns * r.rows; i++) {
+        cell fresh = { .count = items[i].count, .target = items[i].target };
+        items[i] = fresh;
+    }
+    for (int y = 0; y < tile.height; y++)
+        for (int x = 0; x < tile.width; x++) {
+            cell *into = &items[y / CELL_EDGE * r.columns + x / CELL_EDGE];
+            const double *h = halves + 6 * (y * tile.width + x);
+            double a = sample_half(into->count, 0), b = sample_half(into->count, 1), square = square_of_error(e, h, a, b);
+            float *out = pixels + 4 * (y * tile.width + x), linear[4];
+
+            for (int i = 0; i < 3; i++)
+                out[i] = (float)((h[i] + h[3 + i]) / (a + b));
+            out[3] = 1.0f;
+            memcpy(linear, out, sizeof linear);
+            encoding_linear(e, linear, 1);
+            into->square += square;
+            into->fourth += square * square;
+            look_at_pixel(c, into, tile.x + x, tile.y + y, linear);
+        }
+}

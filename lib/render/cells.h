@@ -1,0 +1,45 @@
+/* cells.h - a picture whose pixels take many samples: the sums of both halves, and what they say of the error, in
+ * squares small enough to follow the picture and large enough for the mean of their pixels to be honest. */
+#ifndef RENDER_CELLS_H
+#define RENDER_CELLS_H
+
+#include "render/frame.h"
+
+/* Cells do not follow the tiles, whose size depends on the number of threads: what is decided by cells does not. */
+enum { CELL_EDGE = 8, TILE_CELLS_MAX = (TILE_EDGE_MAX / CELL_EDGE) * (TILE_EDGE_MAX / CELL_EDGE) };
+
+typedef struct cell {
+    uint32_t count, target;      /* samples that each of its pixels has, and shall have after this pass */
+    uint32_t clipped;            /* pixels outside 0 .. 1 in linear light */
+    double square, fourth;       /* sums over its pixels of the estimated squared error, and of that squared */
+    double off_square, off_max;  /* against the reference */
+} cell;
+
+typedef struct cells {
+    int width, height, columns, rows;
+    size_t count;
+    cell *items;
+    double *halves;              /* six a pixel: the sums of both; NULL when a pixel has one sample */
+    const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
+    bool reference_clipped;      /* it holds nothing outside 0 .. 1 */
+} cells;
+
+/* Part of a picture in cells: what a tile covers. */
+typedef struct cell_range { int column, row, columns, rows; } cell_range;
+
+/* False: no memory. */
+bool cells_make(cells *c, const env *e, int width, int height, bool sampling);
+void cells_free(cells *c, const env *e);
+void cells_clear(cells *c);
+cell_range cells_of(pov_rect tile);
+pov_rect cells_rect(const cells *c, size_t index);
+
+/* Copy what a tile has out to buffers of its own, and back in. */
+void cells_take(const cells *c, pov_rect tile, cell *items, double *halves);
+void cells_put(cells *c, pov_rect tile, const cell *items, const double *halves);
+/* The first sample of each pixel of a tile is in: it becomes the first half's. */
+void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e);
+/* Make the tile's pixels of its halves, four channels each, and measure its cells. */
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, cell *items, const double *halves, float *pixels);
+
+#endif

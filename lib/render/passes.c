@@ -1,0 +1,201 @@
+#include "render/job_state.h"
+
+#include "base/clock.h"
+#include "base/vec.h"
+#include "render/budget.h"
+#include "render/estimate.h"
+
+#include <math.h>
+
+void passes_begin(pov_job *job)
+{
+    pov_counts none = { 0 };
+
+    job->due = job->tiles.count * (size_t)job->frame.passes;
+    job->claimed = job->committed = 0;
+    job->done_pixels = 0;
+    job->refining = false;
+    job->rows.count = 0;
+    job->stop = POV_STOP_NONE;
+    job->cpu = 0.0;
+    job->counts = none;
+    cells_clear(&job->cells);
+}
+
+void passes_claim(pov_job *job, worker *w)
+{
+    claim *c = &w->claim;
+    size_t all = job->tiles.count, number = job->claimed++;
+
+    c->generation = job->generation;
+    c->camera = job->camera;
+    c->refining = job->refining;
+    c->pass = job->refining ? job->frame.passes : (int)(number / all);
+    c->tile = job->refining ? job->queue[number] : job->tiles.order[number % all];
+    c->rect = tiles_rect(&job->tiles, c->tile);
+    if (c->refining)
+        cells_take(&job->cells, c->rect, w->refinement->cells, w->refinement->halves);
+    else
+        c->lattice = frame_lattice(&job->frame, c->pass);
+}
+
+/* ---- the end of a pass ---- */
+
+/* The row of the picture as it is. */
+static bool note(pov_job *job)
+{
+    pov_pass row = POV_INIT(row);
+
+    row.pass = (int)job->rows.count + 1;
+    row.threads = job->thread_count > 0 ? job->thread_count : 1;
+    row.wall_s = clock_seconds() - job->started;
+    row.cpu_s = job->cpu;
+    row.counts = job->counts;
+    estimate_row(&job->cells, &job->settings, job->scratch, &row);
+    return VEC_PUSH(job->env, &job->rows, row);
+}
+
+static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
+{
+    const settings *s = &job->settings;
+
+    if (s->target_error > 0.0 && now->est_rmse >= 0.0 && now->est_rmse <= s->target_error &&
+        now->spp_mean >= BUDGET_PILOT)
+        return POV_STOP_ERROR;
+    return now->spp_mean >= s->samples ? POV_STOP_SAMPLES : POV_STOP_NONE;
+}
+
+static bool has_due_cells(const pov_job *job, size_t tile)
+{
+    cell_range r = cells_of(tiles_rect(&job->tiles, tile));
+
+    for (int y = r.row; y < r.row + r.rows; y++)
+        for (int x = r.column; x < r.column + r.columns; x++) {
+            const cell *at = &job->cells.items[(size_t)y * (size_t)job->cells.columns + (size_t)x];
+            if (at->target > at->count)
+                return true;
+        }
+    return false;
+}
+
+/* From the cells' targets: the tiles that have work, from the middle outwards. */
+static void queue_up(pov_job *job)
+{
+    job->refining = true;
+    job->due = job->claimed = job->committed = 0;
+    for (size_t i = 0; i < job->tiles.count; i++)
+        if (has_due_cells(job, job->tiles.order[i]))
+            job->queue[job->due++] = job->tiles.order[i];
+}
+
+static void end_pass(pov_job *job)
+{
+    const pov_pass *now;
+
+    if (!note(job)) {
+        job_fail_memory(job);
+        return;
+    }
+    now = &job->rows.items[job->rows.count - 1];
+    job->stop = reason_to_end(job, now);
+    if (job->stop == POV_STOP_NONE && !budget_next(&job->cells, &job->settings, now, job->scratch))
+        job->stop = POV_STOP_SAMPLES;
+    if (job->stop != POV_STOP_NONE) {
+        job_end(job, POV_JOB_DONE);
+        return;
+    }
+    queue_up(job);
+    condition_wake_all(&job->changed);
+}
+
+/* ---- commit ---- */
+
+static bool mark_dirty(pov_job *job, size_t tile)
+{
+    if (job->dirty[tile])
+        return false;
+    job->dirty[tile] = true;
+    return job->dirty_count++ == 0;
+}
+
+/* Before the claimed cells are put in place of the old ones. */
+static size_t samples_more(const pov_job *job, const claim *c)
+{
+    cell_range r = cells_of(c->rect);
+    size_t sum = 0;
+
+    for (int y = r.row; y < r.row + r.rows; y++)
+        for (int x = r.column; x < r.column + r.columns; x++) {
+            size_t index = (size_t)y * (size_t)job->cells.columns + (size_t)x;
+            const cell *at = &job->cells.items[index];
+            pov_rect rect = cells_rect(&job->cells, index);
+
+            sum += (size_t)rect.width * (size_t)rect.height * (at->target - at->count);
+        }
+    return sum;
+}
+
+bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh)
+{
+    const claim *c = &w->claim;
+    bool first = mark_dirty(job, c->tile);
+
+    counts_add(&job->counts, fresh);
+    if (c->refining) {
+        job->done_pixels += samples_more(job, c);
+        cells_put(&job->cells, c->rect, w->refinement->cells, w->refinement->halves);
+        frame_replace(&job->frame, c->tile, w->pixels);
+    } else {
+        job->done_pixels += lattice_pixels(c->lattice, c->rect.width, c->rect.height);
+        frame_put(&job->frame, c->tile, c->pass, w->pixels);
+        if (frame_has(&job->frame, c->tile))
+            cells_first(&job->cells, c->rect, &job->frame, &job->encoding);
+    }
+    if (++job->committed == job->due) {
+        end_pass(job);
+        return true;
+    }
+    if (first) {
+        job->news = true;
+        if (job->waiting > 0)
+            condition_wake_all(&job->changed);
+    }
+    return first;
+}
+
+/* ---- an early end ---- */
+
+void passes_stop(pov_job *job, pov_stop why)
+{
+    job->stop = why;
+    /* Without memory for it the last row is missing; the picture is not. */
+    if (job->state == POV_JOB_RUNNING && (job->committed > 0 || job->rows.count == 0))
+        note(job);
+}
+
+bool passes_expire(pov_job *job)
+{
+    if (job->state != POV_JOB_RUNNING || !(job->settings.time_limit > 0.0) ||
+        clock_seconds() - job->started < job->settings.time_limit)
+        return false;
+    passes_stop(job, POV_STOP_TIME);
+    job_end(job, POV_JOB_DONE);
+    return true;
+}
+
+double passes_fraction(const pov_job *job)
+{
+    const settings *s = &job->settings;
+    double done = (double)job->done_pixels / ((double)job->all_pixels * s->samples), most = 0.999;
+    const pov_pass *last = job->rows.count > 0 ? &job->rows.items[job->rows.count - 1] : NULL;
+
+    if (!s->sampling)
+        return done;
+    if (job->state == POV_JOB_DONE && (last || job->stop != POV_STOP_TIME) && job->done_pixels >= job->all_pixels)
+        return 1.0;
+    if (last && last->est_rmse > 0.0 && s->target_error > 0.0)
+        done = fmax(done, s->target_error * s->target_error / (last->est_rmse * last->est_rmse));
+    if (s->time_limit > 0.0 && job->started > 0.0)
+        done = fmax(done, (clock_seconds() - job->started) / s->time_limit);
+    return fmin(done, most);
+}
