@@ -40,6 +40,9 @@ static inline pov_two sum2(pov_two a, pov_two b, pov_two c, pov_two d)
     return pov_two_add(pov_two_mul(a, b), pov_two_mul(c, d));
 }
 
+/* The equation of the side, or of a cap's plane, at a point. */
+kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part);
+
 /* Two-part arithmetic from the start, about the ray's point at `middle`. */
 void kit_frustum_decide(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, double middle, pov_hits *hits);
 

@@ -180,6 +180,7 @@ static inline kit_root root_of(double middle, bounded t, uint32_t part)
     r.t = pov_two_sum(middle, t.v);
     r.error = t.e;
     r.part = part;
+    r.flags = 0;
     return r;
 }
 
@@ -189,6 +190,7 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, co
     rough_span side, slab, both;
     leaving way = NOT_LEAVING;
     bool certain = true, in, out;
+    kit_equation equation = { s, k, kit_frustum_residual, 0.0 };
     const double speed = fabs(g->dx.v) + fabs(g->dy.v) + fabs(g->dz.v);
     kit_root roots[2];
     uint32_t n = 0;
@@ -218,7 +220,8 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, co
         roots[n++] = root_of(middle, both.lo, both.lo_part);
     if (out)
         roots[n++] = root_of(middle, both.hi, both.hi_part);
-    return kit_report(roots, n, k->unit, fmin(KIT_FINE / speed, KIT_APART * side.apart), hits);
+    equation.apart = s->slender ? 0.0 : side.apart;
+    return kit_report(roots, n, fmin(KIT_FINE / speed, KIT_APART * side.apart), &equation, hits);
 }
 
 void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)

@@ -54,16 +54,20 @@ static inline pov_two3 kit_along_two(const kit_ray *k, double t)
     return w;
 }
 
+static inline pov_two3 kit_along_two_parts(const kit_ray *k, pov_two t)
+{
+    pov_two3 w = kit_along_two(k, t.hi);
+
+    w.x = pov_two_add(w.x, pov_two_product(t.lo, k->d.x));
+    w.y = pov_two_add(w.y, pov_two_product(t.lo, k->d.y));
+    w.z = pov_two_add(w.z, pov_two_product(t.lo, k->d.z));
+    return w;
+}
+
 /* The point of a crossing, seen from the anchor. */
 static inline pov_two3 kit_point(const kit_ray *k, const pov_crossing *at)
 {
-    pov_two3 w = kit_along_two(k, at->t / k->unit);
-    double t_lo = at->t_lo / k->unit;
-
-    w.x = pov_two_add(w.x, pov_two_product(t_lo, k->d.x));
-    w.y = pov_two_add(w.y, pov_two_product(t_lo, k->d.y));
-    w.z = pov_two_add(w.z, pov_two_product(t_lo, k->d.z));
-    return w;
+    return kit_along_two_parts(k, pov_two_of(at->t / k->unit, at->t_lo / k->unit));
 }
 
 /* Newton's step along the ray, from a point where an equation has this value and half this slope. A ray that only

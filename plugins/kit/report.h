@@ -5,8 +5,8 @@
 
 #include "kit/local.h"
 
-/* A crossing may be off by this many half units in its last place: 16 units at most, whatever the binade. */
-#define KIT_ULPS 16.0
+/* A crossing may be off by this many half units in its last place: 12 units at most, whatever the binade. */
+#define KIT_ULPS 12.0
 /* And by this part of the shape's size, so that its point and normal are good to 1e-13 too. */
 #define KIT_FINE 0x1p-44
 
@@ -17,8 +17,19 @@
 typedef struct kit_root {
     pov_two t;              /* in the units of a kit_ray */
     double error;           /* no less than the error of t */
-    uint32_t part;
+    uint32_t part, flags;
 } kit_root;
+
+/* What makes a crossing finer that is there for certain: its equation's value at a point of the ray, from two-part
+ * arithmetic, and half its slope there, in double; with bounds on their errors. */
+typedef struct kit_residual { double value, error, half_slope, slope_error; } kit_residual;
+
+typedef struct kit_equation {
+    const void *self;
+    const kit_ray *ray;
+    kit_residual (*at)(const void *self, const kit_ray *ray, pov_two3 point, uint32_t part);
+    double apart;           /* half the distance between two roots */
+} kit_equation;
 
 typedef enum kit_verdict { KIT_OUTSIDE, KIT_GOOD, KIT_OPEN } kit_verdict;
 
@@ -41,15 +52,40 @@ static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine,
     return r->error <= KIT_ULPS * KIT_U * fabs(r->t.hi) && r->error <= fine ? KIT_GOOD : KIT_OPEN;
 }
 
+/* A step of Newton's. It squares the error over the distance of the roots; what remains are the residual's own errors
+ * and the rounding of the step. */
+static inline bool kit_refine(kit_root *r, const kit_equation *e)
+{
+    const kit_ray *k = e->ray;
+    kit_residual residual;
+    double step;
+
+    if (!(r->error <= KIT_APART * e->apart))
+        return false;
+    residual = e->at(e->self, k, kit_along_two_parts(k, r->t), r->part);
+    step = -0.5 * residual.value / residual.half_slope;
+    if (!(fabs(step) <= 2.0 * r->error))
+        return false;
+    if (fabs(r->t.hi) <= r->error)
+        r->flags |= POV_MARK_DECIDED;
+    r->error = fabs(step) * (4.0 * KIT_U + 2.0 * residual.slope_error / fabs(residual.half_slope)) + step * step / e->apart
+               + residual.error / fabs(residual.half_slope);
+    r->t = pov_two_add_double(r->t, step);
+    return true;
+}
+
 /* Report up to two crossings, the nearer first. False: two-part arithmetic must decide, and nothing was
  * reported. */
-static inline bool kit_report(const kit_root *roots, uint32_t n, double unit, double fine, pov_hits *hits)
+static inline bool kit_report(kit_root *roots, uint32_t n, double fine, const kit_equation *e, pov_hits *hits)
 {
+    const double unit = e->ray->unit;
     kit_verdict verdict[2];
     uint32_t i;
 
     for (i = 0; i < n; i++) {
         verdict[i] = kit_judge(&roots[i], unit, fine, hits);
+        if (verdict[i] == KIT_OPEN && kit_refine(&roots[i], e))
+            verdict[i] = kit_judge(&roots[i], unit, fine, hits);
         if (verdict[i] == KIT_OPEN)
             return false;
         if (verdict[i] == KIT_GOOD && hits->want != POV_WANT_ALL && roots[i].t.hi * unit > hits->tmin)
@@ -58,7 +94,10 @@ static inline bool kit_report(const kit_root *roots, uint32_t n, double unit, do
     for (i = 0; i < n; i++) {
         const kit_root *r = &roots[i];
 
-        if (verdict[i] == KIT_GOOD && !pov_cross(hits, r->t.hi * unit, r->t.lo * unit, kit_mark(r->part, 0)))
+        if (verdict[i] != KIT_GOOD)
+            continue;
+        hits->decided += r->flags != 0;
+        if (!pov_cross(hits, r->t.hi * unit, r->t.lo * unit, kit_mark(r->part, r->flags)))
             break;
     }
     return true;

@@ -376,7 +376,7 @@ static kit_root quick_distance(const polygon *s, const kit_ray *k, double slope,
 
     root.t = pov_two_sum(first, rest);
     root.error = (7.0 * KIT_U * kit_sum_of_sizes(n, w) + fabs(rest) * slope_error) / fabs(slope) + KIT_U * fabs(rest);
-    root.part = 0;
+    root.part = root.flags = 0;
     if (!(fabs(slope) > 1024.0 * slope_error) || !(pov_largest(pov_two3_hi(k->f)) < KIT_FAR))
         root.error = HUGE_VAL;
     return root;

@@ -442,12 +442,28 @@ static kit_root root_of(double middle, double t, double error, uint32_t part)
     r.t = pov_two_sum(middle, t);
     r.error = error;
     r.part = part;
+    r.flags = 0;
+    return r;
+}
+
+static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
+{
+    const quadric *s = self;
+    const pov_two3 g = half_gradient(s->q, w, true);
+    kit_residual r;
+
+    (void)part;
+    r.value = value(s->q, w, g).hi;
+    r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w)));
+    r.half_slope = pov_dot(pov_two3_hi(g), k->d);
+    r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(g), k->d);
     return r;
 }
 
 /* No second order: a plane. */
-static bool quick_plane(const kit_ray *k, const along *r, double middle, pov_hits *hits)
+static bool quick_plane(const quadric *s, const kit_ray *k, const along *r, double middle, pov_hits *hits)
 {
+    const kit_equation equation = { s, k, residual, HUGE_VAL };
     const double t = -r->c / (2.0 * r->b);
     kit_root root;
 
@@ -455,15 +471,16 @@ static bool quick_plane(const kit_ray *k, const along *r, double middle, pov_hit
         return false;
     root = root_of(middle, t, (r->c_error + 2.0 * fabs(t) * r->b_error) / (1.8 * fabs(r->b)) + KIT_U * fabs(t),
                    r->b < 0.0 ? ENTERING : EXITING);
-    return kit_report(&root, 1, k->unit, HUGE_VAL, hits);
+    return kit_report(&root, 1, HUGE_VAL, &equation, hits);
 }
 
-static bool quick_curved(const kit_ray *k, const along *r, double middle, uint32_t wanted,
+static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, double middle, uint32_t wanted,
                          pov_hits *hits)
 {
     const double d = r->b * r->b - r->a * r->c;
     const double d_error = (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error +
                            fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
+    kit_equation equation = { s, k, residual, 0.0 };
     double root, error, entry, exit;
     kit_root roots[2];
     uint32_t n = 0, i;
@@ -484,7 +501,8 @@ static bool quick_curved(const kit_ray *k, const along *r, double middle, uint32
             roots[n++] = root_of(middle, t, error + fabs(t) * (1.1 * r->a_error / fabs(r->a) + 2.0 * KIT_U),
                                  is_entry ? ENTERING : EXITING);
     }
-    return kit_report(roots, n, k->unit, fmin(KIT_FINE / sqrt(pov_dot(k->d, k->d)), KIT_APART * root / fabs(r->a)), hits);
+    equation.apart = root / fabs(r->a);
+    return kit_report(roots, n, fmin(KIT_FINE / sqrt(pov_dot(k->d, k->d)), KIT_APART * equation.apart), &equation, hits);
 }
 
 /* Double precision with bounds. False: open. */
@@ -513,7 +531,7 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
     /* What re-centring loses of a far origin must stay below the bounds' own slack. */
     if (!(pov_largest(f) < KIT_FAR * pov_largest(kit_along(k, middle))))
         return false;
-    return is_plane ? quick_plane(k, &there, middle, hits) : quick_curved(k, &there, middle, wanted, hits);
+    return is_plane ? quick_plane(s, k, &there, middle, hits) : quick_curved(s, k, &there, middle, wanted, hits);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)

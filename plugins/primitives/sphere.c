@@ -93,6 +93,19 @@ static void decide(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hi
         kit_report_decided(hits, pov_two_add_double(pov_two_div(pov_two_sub(root, b), a), middle), k->unit, 1);
 }
 
+static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
+{
+    const sphere *s = self;
+    kit_residual r;
+
+    (void)part;
+    r.value = pov_two_sub(pov_two3_dot(w, w), s->square).hi;
+    r.error = 0x1p-100 * s->square.hi;
+    r.half_slope = pov_dot(pov_two3_hi(w), k->d);
+    r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(w), k->d);
+    return r;
+}
+
 /* Double precision with a bound on its error. False: open. */
 static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hits)
 {
@@ -100,6 +113,7 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     pov_vec3 f = pov_two3_hi(k->f), w;
     double a = pov_dot(k->d, k->d), fd = pov_dot(f, k->d), middle = -fd / a, ww, b, b_error, c, c_error, d, d_error;
     double root, error;
+    kit_equation equation = { s, k, residual, 0.0 };
     kit_root roots[2];
     uint32_t first = 0, n = 2;
 
@@ -133,7 +147,9 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     roots[0].error = roots[1].error = error;
     roots[0].part = 0;
     roots[1].part = 1;
-    return kit_report(roots + first, n, k->unit, KIT_FINE / sqrt(a), hits);
+    roots[0].flags = roots[1].flags = 0;
+    equation.apart = root / a;
+    return kit_report(roots + first, n, KIT_FINE / sqrt(a), &equation, hits);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
