@@ -9,12 +9,17 @@ static const double PIXEL_SECONDS = 0.008;
 /* No display shows more pictures than this, and those that nobody sees cost the threads that trace their time. */
 static const double FRAME_SECONDS = 1.0 / 60.0;
 
-static double clock_seconds(void)
+static double seconds_of(clockid_t clock)
 {
     struct timespec t;
 
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(clock, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double clock_seconds(void)
+{
+    return seconds_of(CLOCK_MONOTONIC);
 }
 
 static void take_event(void *user, const app_event *event)
@@ -108,7 +113,7 @@ static void show_title(viewer *v)
 bool viewer_step(viewer *v)
 {
     bool in_hurry = v->fixed_clock < 0.0;
-    double start = clock_seconds(), busy;
+    double start = clock_seconds(), worked = seconds_of(CLOCK_THREAD_CPUTIME_ID), busy;
     unsigned orders = session_update(v->session, viewer_now(v), in_hurry ? PIXEL_SECONDS : 1e9);
     bool changed = overlay_update(&v->overlay, &v->app, v->session, v->present);
 
@@ -117,7 +122,9 @@ bool viewer_step(viewer *v)
         draw(v);
     show_title(v);
     busy = clock_seconds() - start + v->in_events;
+    worked = seconds_of(CLOCK_THREAD_CPUTIME_ID) - worked;
     v->in_events = 0.0;
+    v->longest_work = worked > v->longest_work ? worked : v->longest_work;
     v->longest = busy > v->longest ? busy : v->longest;
     return !(orders & APP_QUIT);
 }

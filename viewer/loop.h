@@ -14,7 +14,8 @@ typedef struct viewer {
     double began;                /* the clock when it did */
     double fixed_clock;          /* in place of the clock, for what must not depend on it; less than 0: not so */
     double longest;              /* time that the thread of the surface was busy without a look at its events */
-    double in_events;            /* of that, what the events took since the last step */
+    double longest_work;         /* processor's time of that thread in such a stretch */
+    double in_events;            /* of the time, what the events took since the last step */
     unsigned long frames;
     double drawn;                /* when the last one was */
     bool behind;                 /* there is something to draw that was not due yet */
