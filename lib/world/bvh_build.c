@@ -34,6 +34,8 @@ typedef struct hand {
     bool failed;
 } hand;
 
+/* One thing, or what one block can hold. Leaves that ask two blocks, or more things than one that stand alone, were
+ * measured to cost more than the nodes that tell them apart. */
 static bool is_leaf(const builder *b, const bvh_range *r)
 {
     uint32_t i;
@@ -43,8 +45,6 @@ static bool is_leaf(const builder *b, const bvh_range *r)
         return true;
     if (bvh_range_count(r) > BVH_WIDTH)
         return false;
-    if (b->in->all_pack && !b->in->group)
-        return true;
     group = b->in->group[b->refs[r->begin].id];
     for (i = r->begin + 1; i < r->end; i++)
         if (b->in->group[b->refs[i].id] != group)
