@@ -16,7 +16,7 @@ enum {
 /* Options without a letter of their own. */
 enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
-    OPTION_DIALECT, OPTION_ACCEL, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
+    OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
 };
 
@@ -33,6 +33,8 @@ static const struct option long_options[] = {
     { "explain", no_argument, NULL, OPTION_EXPLAIN },
     { "dialect", required_argument, NULL, OPTION_DIALECT },
     { "accel", required_argument, NULL, OPTION_ACCEL },
+    { "accuracy", required_argument, NULL, OPTION_ACCURACY },
+    { "aov", required_argument, NULL, OPTION_AOV },
     { "crop", required_argument, NULL, OPTION_CROP },
     { "check", no_argument, NULL, OPTION_CHECK },
     { "stats", no_argument, NULL, OPTION_STATS },
@@ -51,6 +53,8 @@ static const struct option long_options[] = {
 static const char *const transfers[] = { "scene", "srgb", "linear", NULL };
 static const char *const dialects[] = { "auto", "course", "povray", NULL };
 static const char *const accels[] = { "tree", "none", NULL };
+static const char *const accuracies[] = { "certified", "max", NULL };
+static const char *const aovs[] = { "certainty", "normal", "depth", NULL };
 static const char *const progresses[] = { "auto", "bar", "json", "none", NULL };
 static const char *const samplings[] = { "auto", "uniform", "adaptive", NULL };
 static const char *const colors[] = { "auto", "always", "never", NULL };
@@ -186,6 +190,11 @@ static bool read_option_word(args *a, int option, const char *text)
             return false;
         a->accel = (pov_accel)word;
         return true;
+    case OPTION_ACCURACY:
+        if (!read_word(a, "--accuracy", text, accuracies, &word))
+            return false;
+        a->accuracy = (pov_accuracy)word;
+        return true;
     case OPTION_SAMPLING:
         if (!read_word(a, "--sampling", text, samplings, &word))
             return false;
@@ -227,6 +236,7 @@ static bool read_option(args *a, int option, const char *text)
     switch (option) {
     case 't': case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
         return read_option_number(a, option, text);
+    case OPTION_ACCURACY:
     case OPTION_TRANSFER: case OPTION_DIALECT: case OPTION_ACCEL: case OPTION_PROGRESS: case OPTION_COLOR:
     case OPTION_SAMPLING:
         return read_option_word(a, option, text);
@@ -257,6 +267,19 @@ static bool read_option(args *a, int option, const char *text)
         a->verbose = true;
         return true;
     }
+}
+
+/* The one option of two words: the map, and its file, which getopt_long has yet to come to. */
+static bool read_aov(args *a, const char *text, int argc, char **argv)
+{
+    int word = 0;
+
+    if (!read_word(a, "--aov", text, aovs, &word))
+        return false;
+    if (optind >= argc || argv[optind][0] == '\0')
+        return refuse(a, "--aov %s wants the name of an image file", text);
+    a->aov[word] = argv[optind++];
+    return true;
 }
 
 /* How many letters must change, come or go to make one word of the other. */
@@ -363,7 +386,7 @@ args_verdict args_parse(args *a, int argc, char **argv)
             refuse(a, "\"%s\" wants a value", argv[optind - 1]);
             return ARGS_WRONG;
         }
-        if (!read_option(a, option, optarg))
+        if (option == OPTION_AOV ? !read_aov(a, optarg, argc, argv) : !read_option(a, option, optarg))
             return ARGS_WRONG;
     }
     return read_places(a, argc - optind, argv + optind) ? ARGS_RUN : ARGS_WRONG;

@@ -12,6 +12,8 @@ typedef enum args_progress {
     ARGS_PROGRESS_NONE
 } args_progress;
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
+/* Maps of what the camera rays meet, besides the picture. */
+typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOVS } args_aov;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 
 typedef enum args_sampling { ARGS_SAMPLING_AUTO, ARGS_SAMPLING_UNIFORM, ARGS_SAMPLING_ADAPTIVE } args_sampling;
@@ -28,6 +30,8 @@ typedef struct args {
     const char *format;          /* an image ending, or NULL: by the output's name */
     pov_dialect dialect;
     pov_accel accel;
+    pov_accuracy accuracy;
+    const char *aov[ARGS_AOVS];  /* where each map goes; NULL: it is not made */
     const char *plugin_path;     /* or NULL */
     bool explain, check, stats, quiet, verbose;
     args_progress progress;

@@ -1,4 +1,5 @@
 /* povc - render a scene to an image file. */
+#include "aov.h"
 #include "args.h"
 #include "explain.h"
 #include "messages.h"
@@ -24,6 +25,7 @@ static pov_status load(pov_scene **scene, pov_context *context, const args *a, p
 
     desc.dialect = a->dialect;
     desc.accel = a->accel;
+    desc.accuracy = a->accuracy;
     desc.max_trace_level = a->max_depth;
     desc.threads = a->threads;
     return pov_scene_load_file(scene, context, a->scene, &desc, err);
@@ -59,6 +61,8 @@ static pov_status render_and_report(const args *a, const messages *m, pov_contex
         stats_print(report_stream(a), &s);
     if (rendered)
         render_free(&r);
+    if (status == POV_OK && rendered && !signals_end_asked())
+        status = aov_write(context, scene, a, err);
     return status;
 }
 
@@ -75,6 +79,8 @@ static pov_status run(const args *a, messages *m, pov_error *err)
     status = pov_context_create(&context, &desc, err);
     if (status == POV_OK && a->output && !a->check)
         status = render_check_output(context, a, err);
+    if (status == POV_OK && a->output && !a->check)
+        status = aov_check(context, a, err);
     if (status == POV_OK)
         status = load(&scene, context, a, err);
     if (status == POV_OK) {

@@ -3,7 +3,7 @@
 _povc()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
-    local options='--threads --spp --max-depth --bits --transfer --format --explain --dialect --accel --crop --check
+    local options='--threads --spp --max-depth --bits --transfer --format --explain --dialect --accel --accuracy --aov --crop --check
         --stats --preview --progress --quiet --verbose --color --plugin-path --help --version'
 
     COMPREPLY=()
@@ -13,6 +13,8 @@ _povc()
     --format) words='png ppm pfm' ;;
     --dialect) words='auto course povray' ;;
     --accel) words='tree none' ;;
+    --accuracy) words='certified max' ;;
+    --aov) words='certainty normal depth' ;;
     --preview) words='0 2 4 8 16' ;;
     --progress) words='auto bar json none' ;;
     --color) words='auto always never' ;;

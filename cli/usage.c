@@ -20,6 +20,8 @@ static const char *const help[] = {
     "      --transfer scene|srgb|linear\n"
     "                           how values are encoded in PNG and PPM (default: as the scene asks)\n"
     "      --format ENDING      image format, whatever OUTPUT is called (default for \"-\": png)\n"
+    "      --aov certainty|normal|depth FILE\n"
+    "                           besides the picture a map of what the pixels' centres meet\n"
     "\n",
     "Scene\n"
     "      --dialect auto|course|povray\n"
@@ -31,6 +33,8 @@ static const char *const help[] = {
     "Work\n"
     "  -t, --threads N          threads (default: one for each core)\n"
     "      --accel tree|none    a bounding volume tree, or ask every object of every ray\n"
+    "      --accuracy certified|max\n"
+    "                           double where it is certain, or two doubles throughout\n"
     "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none)\n"
     "\n",
     "Messages\n"

@@ -10,7 +10,7 @@
 
 static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *err)
 {
-    world_options options = { d->accel, d->threads, false, scene->context->plugins };
+    world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, scene->context->plugins };
     double start = clock_seconds();
     pov_status status = world_create(&scene->world, &scene->model, &options, err);
 
@@ -61,7 +61,8 @@ static pov_status check(pov_scene **out, pov_context *context, const void *text,
     if (status < 0)
         return status;
     if (ours->dialect < POV_DIALECT_AUTO || ours->dialect > POV_DIALECT_POVRAY || ours->accel < POV_ACCEL_TREE ||
-        ours->accel > POV_ACCEL_NONE || ours->max_trace_level < 0 || ours->threads < 0)
+        ours->accel > POV_ACCEL_NONE || ours->max_trace_level < 0 || ours->threads < 0 ||
+        ours->accuracy < POV_ACCURACY_CERTIFIED || ours->accuracy > POV_ACCURACY_MAX)
         return err_set(err, POV_E_ARGUMENT, "the load description holds a value out of its range");
     return POV_OK;
 }

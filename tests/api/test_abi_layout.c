@@ -16,6 +16,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_error, hint, 1040);
     AT(pov_context_desc, plugin_path, 40);
     AT(pov_load_desc, threads, 20);
+    AT(pov_load_desc, accuracy, 24);
     AT(pov_camera, up, 80);
     AT(pov_scene_info, max_trace_level, 88);
     AT(pov_plan_row, reason, 32);

@@ -77,3 +77,26 @@ print("%.2f ms" % (best * 1e3))
 assert best < 0.010, "the fastest of 30 runs took %.2f ms" % (best * 1e3)
 END
 }
+
+pictures_of_two_parts_throughout_are_the_same_but_for_roundings() {
+    rich_scene
+    expect 0 "$povc" rich.pov 61 47 certified.pfm --stats
+    [ "$(sed -n 's/^decided: \([0-9]*\) intersections/\1/p' out)" -lt 3000 ]
+    expect 0 "$povc" rich.pov 61 47 max.pfm --accuracy max --stats
+    [ "$(sed -n 's/^decided: \([0-9]*\) intersections/\1/p' out)" -gt 3000 ]
+    "$PYTHON" "$pixels" near certified.pfm max.pfm 1e-4 2
+}
+
+pictures_come_with_maps_of_what_is_met() {
+    rich_scene
+    expect 0 "$povc" rich.pov 61 47 out.pfm -t 3 --aov certainty c.pfm --aov depth d.pfm --aov normal n.png
+    expect 0 "$povc" rich.pov 61 47 out.pfm -t 1 --aov depth other.pfm
+    same d.pfm other.pfm
+    # The large sphere fills the picture's lower edge; the eye is some 8 away from the row of spheres.
+    "$PYTHON" "$pixels" between d.pfm 30 46 4 4.5
+    "$PYTHON" "$pixels" between d.pfm 30 24 6 9
+    "$PYTHON" "$pixels" between d.pfm 30 0 0 0
+    expect 0 "$povc" rich.pov 61 47 out.pfm --accuracy max --aov certainty m.pfm
+    [ "$("$PYTHON" "$pixels" mean c.pfm)" != "$("$PYTHON" "$pixels" mean m.pfm)" ]
+    expect 1 "$povc" rich.pov 61 47 out.pfm --aov depth d.nosuch
+}

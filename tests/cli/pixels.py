@@ -6,6 +6,9 @@ pixels.py chunks FILE.png              prints the names of the chunks
 pixels.py part WHOLE X0 Y0 X1 Y1 FILE  fails unless FILE is that part of WHOLE
 pixels.py same A B                     fails unless both hold the same samples
 pixels.py black FILE                   prints the share of black pixels
+pixels.py near A.pfm B.pfm D N         fails if more than N pixels differ by more than D
+pixels.py between FILE.pfm X Y LO HI   fails unless the pixel's channels lie in LO .. HI
+pixels.py mean FILE.pfm                prints the channels' means
 """
 import struct
 import sys
@@ -86,6 +89,10 @@ def read(path):
     return width, height, bits, rows_of(data[at:], width, height, 3 * bits // 8)
 
 
+def floats(path):
+    return [[struct.unpack("<3f", pixel) for pixel in row] for row in read(path)[3]]
+
+
 def main():
     what, files = sys.argv[1], sys.argv[2:]
     if what == "size":
@@ -103,6 +110,16 @@ def main():
     elif what == "black":
         width, height, _, rows = read(files[0])
         print(sum(not any(pixel) for row in rows for pixel in row) / (width * height))
+    elif what == "near":
+        off = sum(max(abs(p - q) for p, q in zip(a, b)) > float(files[2])
+                  for one, other in zip(floats(files[0]), floats(files[1])) for a, b in zip(one, other))
+        assert off <= int(files[3]), "%d pixels differ" % off
+    elif what == "between":
+        pixel = floats(files[0])[int(files[2])][int(files[1])]
+        assert all(float(files[3]) <= c <= float(files[4]) for c in pixel), pixel
+    elif what == "mean":
+        pixels = [pixel for row in floats(files[0]) for pixel in row]
+        print(*[sum(channel) / len(pixels) for channel in zip(*pixels)])
 
 
 main()

@@ -81,6 +81,12 @@ static void args_reads_every_option(void **state)
     assert_int_equal(a.transfer, ARGS_TRANSFER_SRGB);
     assert_string_equal(a.format, "ppm");
     assert_int_equal(a.dialect, POV_DIALECT_POVRAY);
+    assert_int_equal(parse(&a, "s --aov depth d.pfm 9 9 o --accuracy max --aov certainty c.png"), ARGS_RUN);
+    assert_int_equal(a.accuracy, POV_ACCURACY_MAX);
+    assert_string_equal(a.aov[ARGS_AOV_DEPTH], "d.pfm");
+    assert_string_equal(a.aov[ARGS_AOV_CERTAINTY], "c.png");
+    assert_null(a.aov[ARGS_AOV_NORMAL]);
+    assert_string_equal(a.output, "o");
     assert_int_equal(parse(&a, "s 9 9 o --accel none --crop 1,2,8,9 --preview 16 --progress json -q -v "
                                 "--color never"), ARGS_RUN);
     assert_int_equal(a.accel, POV_ACCEL_NONE);
@@ -156,6 +162,9 @@ static void args_refuses_option_values_out_of_range(void **state)
     assert_refused("s 9 9 o --transfer gamma", "--transfer must be scene, srgb or linear, not \"gamma\"");
     assert_refused("s 9 9 o --dialect c", "--dialect must be auto, course or povray");
     assert_refused("s 9 9 o --accel grid", "--accel must be tree or none");
+    assert_refused("s 9 9 o --accuracy float", "--accuracy must be certified or max");
+    assert_refused("s 9 9 o --aov shadow x.png", "--aov must be certainty, normal or depth");
+    assert_refused("s 9 9 o --aov normal", "--aov normal wants the name of an image file");
 }
 
 static void args_refuses_crops_that_are_malformed_empty_or_outside(void **state)

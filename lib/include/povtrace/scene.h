@@ -30,6 +30,9 @@ POV_API bool pov_context_get_plugin(pov_context *context, size_t index, const ch
 
 typedef enum pov_dialect { POV_DIALECT_AUTO, POV_DIALECT_COURSE, POV_DIALECT_POVRAY } pov_dialect;
 typedef enum pov_accel { POV_ACCEL_TREE, POV_ACCEL_NONE } pov_accel;
+/* CERTIFIED: in double, with a bound on its error, and in two parts where that leaves an answer open. MAX: in two
+ * parts throughout. */
+typedef enum pov_accuracy { POV_ACCURACY_CERTIFIED, POV_ACCURACY_MAX } pov_accuracy;
 
 typedef struct pov_load_desc {
     size_t size;
@@ -37,6 +40,7 @@ typedef struct pov_load_desc {
     pov_accel accel;             /* NONE: every ray asks every object; the picture is the same to the bit */
     int max_trace_level;         /* 0: what the scene says, else this */
     int threads;                 /* for building; 0: one a core */
+    pov_accuracy accuracy;
 } pov_load_desc;
 
 /* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of

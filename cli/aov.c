@@ -1,0 +1,185 @@
+#include "aov.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { THREADS_MAX = 64 };
+
+typedef struct maps {
+    const args *args;
+    const pov_scene *scene;
+    pov_camera camera;
+    pov_rect rect;               /* the part of the picture that is mapped */
+    int threads;
+    float *pixels[ARGS_AOVS];    /* four channels each; NULL: not asked for */
+} maps;
+
+/* One thread's share: each n-th row. */
+typedef struct share { const maps *maps; int first; pov_tracer *tracer; } share;
+
+static bool is_asked(const args *a)
+{
+    for (int i = 0; i < ARGS_AOVS; i++)
+        if (a->aov[i])
+            return true;
+    return false;
+}
+
+static pov_image_options options(void)
+{
+    pov_image_options o = POV_INIT(o);
+
+    o.transfer = POV_TRANSFER_LINEAR;
+    return o;
+}
+
+pov_status aov_check(pov_context *context, const args *a, pov_error *err)
+{
+    pov_image_options o = options();
+    pov_status status = POV_OK;
+
+    for (int i = 0; i < ARGS_AOVS && status == POV_OK; i++)
+        if (a->aov[i])
+            status = pov_image_check(context, a->aov[i], &o, err);
+    return status;
+}
+
+static int threads_of(const args *a)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN), wanted = a->threads > 0 ? a->threads : cores;
+
+    return wanted < 1 ? 1 : wanted > THREADS_MAX ? THREADS_MAX : (int)wanted;
+}
+
+/* ---- tracing ---- */
+
+/* The place of a pixel's centre in -1/2 .. 1/2: the very rays that the picture's single samples are. */
+static double centred(int pixel, int size)
+{
+    return ((double)pixel - 0.5 * size + 0.5) / size;
+}
+
+static pov_vec3 direction_at(const maps *m, int x, int y)
+{
+    const double u = centred(m->rect.x + x, m->args->width), v = -centred(m->rect.y + y, m->args->height);
+
+    return pov_add(m->camera.direction, pov_add(pov_scale(m->camera.right, u), pov_scale(m->camera.up, v)));
+}
+
+static void put(float *to, double r, double g, double b)
+{
+    to[0] = (float)r;
+    to[1] = (float)g;
+    to[2] = (float)b;
+    to[3] = 1.0f;
+}
+
+static double length(pov_vec3 v)
+{
+    const double m = pov_largest(v);
+
+    return m > 0.0 ? m * sqrt(pov_dot(pov_scale(v, 1.0 / m), pov_scale(v, 1.0 / m))) : 0.0;
+}
+
+static void map_pixel(const maps *m, pov_tracer *tracer, int x, int y)
+{
+    const size_t at = 4 * ((size_t)y * (size_t)m->rect.width + (size_t)x);
+    const pov_vec3 d = direction_at(m, x, y);
+    pov_hit h = POV_INIT(h);
+
+    if (!pov_trace_hit(tracer, m->camera.location, d, &h))
+        return;
+    if (m->pixels[ARGS_AOV_CERTAINTY])
+        put(m->pixels[ARGS_AOV_CERTAINTY] + at, !h.certain, h.certain, 0.0);
+    if (m->pixels[ARGS_AOV_NORMAL])
+        put(m->pixels[ARGS_AOV_NORMAL] + at, 0.5 + 0.5 * h.normal.x, 0.5 + 0.5 * h.normal.y, 0.5 + 0.5 * h.normal.z);
+    if (m->pixels[ARGS_AOV_DEPTH]) {
+        const double depth = h.distance * length(d);
+        put(m->pixels[ARGS_AOV_DEPTH] + at, depth, depth, depth);
+    }
+}
+
+static void *work(void *user)
+{
+    const share *s = user;
+
+    for (int y = s->first; y < s->maps->rect.height; y += s->maps->threads)
+        for (int x = 0; x < s->maps->rect.width; x++)
+            map_pixel(s->maps, s->tracer, x, y);
+    return NULL;
+}
+
+/* A thread that cannot be had leaves its share to this one. */
+static pov_status trace(const maps *m, pov_error *err)
+{
+    share shares[THREADS_MAX];
+    pthread_t threads[THREADS_MAX];
+    bool started[THREADS_MAX] = { false };
+    pov_status status = POV_OK;
+    int i;
+
+    memset(shares, 0, sizeof shares);
+    for (i = 0; i < m->threads && status == POV_OK; i++) {
+        shares[i].maps = m;
+        shares[i].first = i;
+        status = pov_tracer_create(&shares[i].tracer, m->scene, err);
+    }
+    for (i = 1; i < m->threads && status == POV_OK; i++)
+        started[i] = pthread_create(&threads[i], NULL, work, &shares[i]) == 0;
+    for (i = 0; i < m->threads; i++) {
+        if (started[i])
+            pthread_join(threads[i], NULL);
+        else if (status == POV_OK)
+            work(&shares[i]);
+    }
+    for (i = 0; i < m->threads; i++)
+        pov_tracer_destroy(shares[i].tracer);
+    return status;
+}
+
+/* ---- writing ---- */
+
+static pov_status prepare(maps *m, pov_error *err)
+{
+    const size_t count = 4 * (size_t)m->rect.width * (size_t)m->rect.height;
+
+    for (int i = 0; i < ARGS_AOVS; i++) {
+        if (!m->args->aov[i])
+            continue;
+        m->pixels[i] = calloc(count, sizeof *m->pixels[i]);
+        if (!m->pixels[i]) {
+            memset(err, 0, sizeof *err);
+            err->status = POV_E_MEMORY;
+            snprintf(err->message, sizeof err->message, "out of memory for a map of this size");
+            return POV_E_MEMORY;
+        }
+    }
+    return POV_OK;
+}
+
+pov_status aov_write(pov_context *context, const pov_scene *scene, const args *a, pov_error *err)
+{
+    const pov_rect all = { 0, 0, a->width, a->height };
+    pov_image_options o = options();
+    maps m = { .args = a, .scene = scene, .camera = POV_INIT(m.camera) };
+    pov_status status;
+
+    if (!is_asked(a))
+        return POV_OK;
+    m.rect = a->crop.width ? a->crop : all;
+    m.threads = threads_of(a);
+    pov_scene_get_camera(scene, &m.camera);
+    status = prepare(&m, err);
+    if (status == POV_OK)
+        status = trace(&m, err);
+    for (int i = 0; i < ARGS_AOVS; i++) {
+        if (m.pixels[i] && status == POV_OK)
+            status = pov_image_write(context, a->aov[i], m.rect.width, m.rect.height, m.pixels[i],
+                                     4 * sizeof(float) * (size_t)m.rect.width, &o, err);
+        free(m.pixels[i]);
+    }
+    return status;
+}
