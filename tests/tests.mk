@@ -53,7 +53,8 @@ asan:
 	BUILD_DIR='$(CURDIR)/build-asan' tests/run.sh $(SANITIZED_TESTS:%.c=build-asan/%) $(filter tests/cli/%,$(TEST_SCRIPTS))
 tsan:
 	$(MAKE) BUILD=build-tsan OPTIMISE=-O1 SANITIZE=-fsanitize=thread all $(SANITIZED_TESTS:%.c=build-tsan/%)
-	BUILD_DIR='$(CURDIR)/build-tsan' tests/run.sh $(SANITIZED_TESTS:%.c=build-tsan/%)
+	TSAN_OPTIONS='suppressions=$(CURDIR)/tests/support/tsan.supp ignore_noninstrumented_modules=1' \
+	    BUILD_DIR='$(CURDIR)/build-tsan' tests/run.sh $(SANITIZED_TESTS:%.c=build-tsan/%)
 
 # Every scene in povtrace and in an installed POV-Ray, picture against picture.
 .PHONY: compare
