@@ -31,11 +31,74 @@ static const char *write_pfm(const pov_image *image, const pov_output *output)
     return NULL;
 }
 
+/* A whole number above zero after white space; 0: there is none. `at` moves behind it. */
+static int read_number(const char **at, const char *end)
+{
+    int value = 0;
+
+    while (*at < end && (**at == ' ' || **at == '\n' || **at == '\r' || **at == '\t'))
+        (*at)++;
+    for (; *at < end && **at >= '0' && **at <= '9' && value < 100000000; (*at)++)
+        value = 10 * value + (**at - '0');
+    return value;
+}
+
+/* Of the scale only the sign counts: the byte order. One white space ends the line. */
+static bool read_order(const char **at, const char *end, bool *little)
+{
+    while (*at < end && **at == '\n')
+        (*at)++;
+    *little = *at < end && **at == '-';
+    while (*at < end && **at != '\n')
+        (*at)++;
+    return (*at)++ < end;
+}
+
+static void read_row(const unsigned char *from, size_t count, bool swap, bool grey, float *to)
+{
+    for (size_t i = 0; i < count; i++) {
+        const unsigned char *f = from + 4 * (grey ? i / 3 : i);
+        unsigned char turned[4] = { f[3], f[2], f[1], f[0] };
+
+        memcpy(&to[i], swap ? turned : f, 4);
+    }
+}
+
+static const char *read_pfm(const void *bytes, size_t count, const pov_image_target *target)
+{
+    const char *at = (const char *)bytes + 2, *end = (const char *)bytes + count;
+    pov_image about = POV_INIT(about);
+    bool little, grey;
+    size_t row;
+    char *pixels;
+
+    if (count < 8 || (memcmp(bytes, "PF", 2) != 0 && memcmp(bytes, "Pf", 2) != 0))
+        return "it does not begin like a PFM";
+    grey = ((const char *)bytes)[1] == 'f';
+    about.width = read_number(&at, end);
+    about.height = read_number(&at, end);
+    if (about.width < 1 || about.height < 1 || !read_order(&at, end, &little))
+        return "its header is wrong";
+    row = (grey ? 4 : 12) * (size_t)about.width;
+    if ((size_t)(end - at) / row < (size_t)about.height)
+        return "it is cut off";
+    about.bits = 32;
+    about.stride = 12 * (size_t)about.width;
+    pixels = target->begin(target->user, &about);
+    if (!pixels)
+        return "there is no memory for it";
+    for (int y = about.height - 1; y >= 0; y--, at += row)
+        read_row((const unsigned char *)at, 3 * (size_t)about.width, little != is_little_endian(), grey,
+                 (float *)(void *)(pixels + (size_t)y * about.stride));
+    return NULL;
+}
+
 static const pov_image_format pfm = {
     .size = sizeof(pov_image_format),
     .depths = POV_IMAGE_FLOAT,
     .ending = "pfm",
     .write = write_pfm,
+    .read = read_pfm,
 };
 static const pov_image_format *const formats[] = { &pfm, NULL };
 

@@ -7,6 +7,7 @@
 
 #include <png.h>
 #include <setjmp.h>
+#include <string.h>
 
 /* With one filter for all rows a third of the time of libpng's own choice; figures are in docs/cli.md. */
 enum { COMPRESSION_LEVEL = 3 };
@@ -97,11 +98,118 @@ static const char *write_png(const pov_image *image, const pov_output *output)
     return to.problem;
 }
 
+/* ---- reading ---- */
+
+typedef struct source {
+    const unsigned char *at, *end;
+    const char *problem;      /* static text */
+    const pov_image_target *target;
+    unsigned char *pixels;    /* the host's */
+    pov_image about;
+} source;
+
+static void get_bytes(png_structp png, png_bytep bytes, png_size_t count)
+{
+    source *from = png_get_io_ptr(png);
+
+    if ((size_t)(from->end - from->at) < count) {
+        from->problem = "it is cut off";
+        png_error(png, from->problem);
+    }
+    memcpy(bytes, from->at, count);
+    from->at += count;
+}
+
+static void on_read_error(png_structp png, png_const_charp text)
+{
+    source *from = png_get_error_ptr(png);
+
+    (void)text;
+    if (!from->problem)
+        from->problem = "libpng cannot read it";
+    png_longjmp(png, 1);
+}
+
+/* Whatever it holds becomes red, green and blue of 8 or 16 bits. */
+static void ask_for_rgb(png_structp png, png_infop info)
+{
+    png_set_expand(png);
+    png_set_strip_alpha(png);
+    png_set_gray_to_rgb(png);
+    png_set_interlace_handling(png);
+    if (png_get_bit_depth(png, info) == 16 && is_little_endian())
+        png_set_swap(png);
+    png_read_update_info(png, info);
+}
+
+/* A file that says nothing stores the values as they are, as write_png() does. */
+static pov_transfer transfer_of(png_structp png, png_infop info)
+{
+    const double srgb_about = 0.45455, near = 0.005;
+    double gamma = 1.0;
+    int intent;
+
+    if (png_get_sRGB(png, info, &intent))
+        return POV_TRANSFER_SRGB;
+    if (png_get_gAMA(png, info, &gamma) && gamma > srgb_about - near && gamma < srgb_about + near)
+        return POV_TRANSFER_SRGB;
+    return POV_TRANSFER_LINEAR;
+}
+
+/* All that may jump. */
+static void get_picture(png_structp png, png_infop info, source *from)
+{
+    int passes;
+
+    png_read_info(png, info);
+    from->about.transfer = transfer_of(png, info);
+    passes = png_get_interlace_type(png, info) == PNG_INTERLACE_ADAM7 ? 7 : 1;
+    ask_for_rgb(png, info);
+    from->about.width = (int)png_get_image_width(png, info);
+    from->about.height = (int)png_get_image_height(png, info);
+    from->about.bits = png_get_bit_depth(png, info);
+    from->about.stride = png_get_rowbytes(png, info);
+    from->pixels = from->target->begin(from->target->user, &from->about);
+    if (!from->pixels) {
+        from->problem = "there is no memory for it";
+        png_error(png, from->problem);
+    }
+    for (; passes > 0; passes--)
+        for (int y = 0; y < from->about.height; y++)
+            png_read_row(png, from->pixels + (size_t)y * from->about.stride, NULL);
+}
+
+static const char *read_png(const void *bytes, size_t count, const pov_image_target *target)
+{
+    source from = { .at = bytes, .end = (const unsigned char *)bytes + count, .target = target };
+    png_structp png;
+    png_infop info;
+
+    if (count < 8 || png_sig_cmp(bytes, 0, 8) != 0)
+        return "it does not begin like a PNG";
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &from, on_read_error, on_warning);
+    if (!png)
+        return "out of memory, or another version of libpng";
+    from.about.size = sizeof from.about;
+    info = png_create_info_struct(png);
+    if (!info) {
+        png_destroy_read_struct(&png, NULL, NULL);
+        return "out of memory";
+    }
+    if (setjmp(png_jmpbuf(png)) == 0) {
+        png_set_read_fn(png, &from, get_bytes);
+        get_picture(png, info, &from);
+    }
+    png_destroy_read_struct(&png, &info, NULL);
+    return from.problem;
+}
+
 static const pov_image_format png_format = {
     .size = sizeof(pov_image_format),
     .depths = POV_IMAGE_8 | POV_IMAGE_16,
     .ending = "png",
     .write = write_png,
+    .read = read_png,
 };
 static const pov_image_format *const formats[] = { &png_format, NULL };
 

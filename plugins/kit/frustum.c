@@ -185,8 +185,8 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- points ---- */
 
-/* The local coordinates are sums of three products, whose error is below 2^-100 of terms below 16 as long as the shape
- * is not slender. */
+/* The local coordinates are sums of three products with entries below 2, so within 2^-101 of |w|; they and the radius
+ * are below 8 wherever it matters. */
 kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
     const kit_frustum *s = self;
@@ -197,7 +197,7 @@ kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w
     const double d_error = 64.0 * KIT_U;
     kit_residual out;
 
-    out.error = 0x1p-94;
+    out.error = 0x1p-96 * (1.0 + largest_of(w));
     if (part >= CAP_BASE) {
         out.value = part == CAP_BASE ? p.z.hi : pov_two_sub(p.z, s->height).hi;
         out.half_slope = 0.5 * d.z;

@@ -5,13 +5,15 @@ typedef struct bounded { double v, e; } bounded;   /* the exact value is within 
 
 static inline bounded bounded_of(double v, double e) { bounded b; b.v = v; b.e = e; return b; }
 
-/* A row times a vector that is off by a rounding itself: six roundings in all, or one if the row is a coordinate axis. */
-static inline bounded row_times(const kit_frustum *s, int i, pov_vec3 w)
+/* A row times a vector that is off by a rounding of each component, and of `slack` more: six roundings in all, or one if
+ * the row is a coordinate axis. */
+static inline bounded row_times(const kit_frustum *s, int i, pov_vec3 w, double slack)
 {
     const pov_two3 *row = &s->row[i];
     const double x = row->x.hi * w.x, y = row->y.hi * w.y, z = row->z.hi * w.z;
+    const double lost = fabs(row->x.hi) + fabs(row->y.hi) + fabs(row->z.hi);
 
-    return bounded_of(x + y + z, s->loss[i] * (fabs(x) + fabs(y) + fabs(z)));
+    return bounded_of(x + y + z, s->loss[i] * (fabs(x) + fabs(y) + fabs(z) + slack * lost));
 }
 
 static inline bounded times(bounded a, bounded b)
@@ -164,9 +166,9 @@ static leaving rough_leaving(const kit_frustum *s, const kit_ray *k, const rough
         *certain = *certain && (is_certain(g->dz) || (g->dz.v == 0.0 && g->dz.e == 0.0));
         return (part == CAP_BASE ? g->dz.v > 0.0 : g->dz.v < 0.0) ? INWARD : OUTWARD;
     }
-    x = row_times(s, 0, f);
-    y = row_times(s, 1, f);
-    z = row_times(s, 2, f);
+    x = row_times(s, 0, f, 0.0);
+    y = row_times(s, 1, f, 0.0);
+    z = row_times(s, 2, f, 0.0);
     z = plus(bounded_of(s->radius.hi, KIT_U), times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), z));
     outward = minus(plus(times(x, g->dx), times(y, g->dy)), times(g->grow, z));
     *certain = *certain && is_certain(outward);
@@ -229,23 +231,24 @@ void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const kit_frustum *s = self;
     const kit_ray k = kit_enter(ray, s->anchor, s->scale);
     const pov_vec3 f = pov_two3_hi(k.f);
+    const double slack = kit_far_slack(&k);
     double middle;
     pov_vec3 w;
     rough g;
 
     if (s->empty)
         return;
-    g.dx = row_times(s, 0, k.d);
-    g.dy = row_times(s, 1, k.d);
-    g.dz = row_times(s, 2, k.d);
+    g.dx = row_times(s, 0, k.d, 0.0);
+    g.dy = row_times(s, 1, k.d, 0.0);
+    g.dz = row_times(s, 2, k.d, 0.0);
     /* Closest approach to the middle of the axis, in local lengths. Any point near the shape would do. */
-    middle = -(row_times(s, 0, f).v * g.dx.v + row_times(s, 1, f).v * g.dy.v
-               + (row_times(s, 2, f).v - 0.5 * s->height.hi) * g.dz.v)
+    middle = -(row_times(s, 0, f, 0.0).v * g.dx.v + row_times(s, 1, f, 0.0).v * g.dy.v
+               + (row_times(s, 2, f, 0.0).v - 0.5 * s->height.hi) * g.dz.v)
              / (g.dx.v * g.dx.v + g.dy.v * g.dy.v + g.dz.v * g.dz.v);
     w = kit_along(&k, middle);
-    g.x = row_times(s, 0, w);
-    g.y = row_times(s, 1, w);
-    g.z = row_times(s, 2, w);
+    g.x = row_times(s, 0, w, slack);
+    g.y = row_times(s, 1, w, slack);
+    g.z = row_times(s, 2, w, slack);
     g.r = plus(bounded_of(s->radius.hi, KIT_U * s->radius.hi),
                times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.z));
     g.grow = times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.dz);

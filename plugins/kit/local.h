@@ -44,6 +44,10 @@ static inline pov_vec3 kit_along(const kit_ray *k, double t)
                        pov_along(k->f.z, t, k->d.z, k->d_lo.z));
 }
 
+/* Re-centring loses 10 u^2 of the distance besides the rounding of each component: as if the components were larger by
+ * this much. */
+static inline double kit_far_slack(const kit_ray *k) { return 10.0 * KIT_U * pov_largest(pov_two3_hi(k->f)); }
+
 static inline pov_two3 kit_along_two(const kit_ray *k, double t)
 {
     pov_two3 w;

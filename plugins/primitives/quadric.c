@@ -414,7 +414,11 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
 
 /* ---- in double ---- */
 
-static pov_vec3 sizes(pov_vec3 a) { return pov_vec3_of(fabs(a.x), fabs(a.y), fabs(a.z)); }
+/* Absolute values, and on each a slack. */
+static pov_vec3 sizes(pov_vec3 a, double slack)
+{
+    return pov_vec3_of(fabs(a.x) + slack, fabs(a.y) + slack, fabs(a.z) + slack);
+}
 
 typedef struct along {
     double a, b, c, a_error, b_error, c_error;
@@ -423,7 +427,7 @@ typedef struct along {
 /* Each term is a product of at most four rounded factors and passes through at most six sums. */
 static along measure(const quadric *s, const kit_ray *k, pov_vec3 w)
 {
-    const pov_vec3 d_size = sizes(k->d), w_size = sizes(w);
+    const pov_vec3 d_size = sizes(k->d, 0.0), w_size = sizes(w, kit_far_slack(k));
     along r;
 
     r.a = along_second(s->rough, k->d);
@@ -454,7 +458,7 @@ static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uin
 
     (void)part;
     r.value = value(s->q, w, g).hi;
-    r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w)));
+    r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w), 0.0));
     r.half_slope = pov_dot(pov_two3_hi(g), k->d);
     r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(g), k->d);
     return r;
@@ -528,9 +532,6 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
     if (!isfinite(middle))
         return false;
     there = measure(s, k, kit_along(k, middle));
-    /* What re-centring loses of a far origin must stay below the bounds' own slack. */
-    if (!(pov_largest(f) < KIT_FAR * pov_largest(kit_along(k, middle))))
-        return false;
     return is_plane ? quick_plane(s, k, &there, middle, hits) : quick_curved(s, k, &there, middle, wanted, hits);
 }
 

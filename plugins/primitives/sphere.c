@@ -132,7 +132,7 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     ww = pov_dot(w, w);
     b = pov_dot(w, k->d);
     c = s->square.hi - ww;
-    b_error = 6.0 * u * kit_sum_of_sizes(w, k->d) + u * u * a;
+    b_error = 10.0 * u * kit_sum_of_sizes(w, k->d) + u * u * a;
     c_error = u * (s->square.hi + 6.0 * ww);
     d = c * a + b * b;
     d_error = c_error * a + 2.0 * fabs(b) * b_error + b_error * b_error;
@@ -141,7 +141,7 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     if (!(d > 16.0 * d_error))
         return false;
     root = sqrt(d);
-    error = (b_error + 0.52 * d_error / root + u * (10.0 * root + 6.0 * fabs(b))) / a;
+    error = (b_error + 0.52 * d_error / root + u * (12.0 * root + 8.0 * fabs(b))) / a;
     roots[0].t = pov_two_sum(middle, (-b - root) / a);
     roots[1].t = pov_two_sum(middle, (-b + root) / a);
     roots[0].error = roots[1].error = error;
