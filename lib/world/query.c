@@ -124,7 +124,7 @@ static void filter_nearest(query *q, const run *r)
     uint32_t left = q->walk.ray->left, mask;
 
     r->shape->block_filter(run_block(r), q->walk.ray, 0.0, just_beyond(q->walk.limit), &answer);
-    for (mask = answer.maybe; mask; mask &= mask - 1) {
+    for (mask = answer.maybe & run_lanes(r); mask; mask &= mask - 1) {
         uint32_t lane = first_of(mask);
         if (is_beyond(answer.lo[lane], q->walk.limit))
             continue;

@@ -24,6 +24,8 @@ typedef struct run {
 
 enum { RUN_HEAD = 64 };
 
+/* The lanes that hold a shape; a filter that declines answers for all there could be. */
+static inline uint32_t run_lanes(const run *r) { return (1u << r->count) - 1; }
 static inline const void *run_block(const run *r)
 {
     return (const unsigned char *)r + RUN_HEAD;
