@@ -57,13 +57,13 @@ signals_save_to_standard_output_too() {
 
 signals_without_a_preview_keep_what_was_traced_equal_to_the_whole() {
     rich_scene
-    expect 0 "$povc" rich.pov 64 48 whole.ppm --spp 16
-    "$PYTHON" "$drive" wait:0.05 TERM -- "$povc" rich.pov 64 48 part.ppm --spp 16 -t 1 > status 2> err
+    expect 0 "$povc" rich.pov 320 240 whole.ppm
+    "$PYTHON" "$drive" wait:0.05 TERM -- "$povc" rich.pov 320 240 part.ppm -t 1 > status 2> err
     [ -e part.ppm ] || skip "it ended before the job began"
     "$PYTHON" - <<'END'
 whole, part = open("whole.ppm", "rb").read(), open("part.ppm", "rb").read()
 assert len(whole) == len(part)
-pixels = [(whole[i:i + 3], part[i:i + 3]) for i in range(len(whole) - 64 * 48 * 3, len(whole), 3)]
+pixels = [(whole[i:i + 3], part[i:i + 3]) for i in range(len(whole) - 320 * 240 * 3, len(whole), 3)]
 wrong = sum(a != b and b != b"\0\0\0" for a, b in pixels)
 assert wrong == 0, "%d pixels are neither black nor the picture's" % wrong
 END
