@@ -59,7 +59,7 @@ pov_camera app_camera(const app *a)
 
 const char *app_view_name(app_view view)
 {
-    static const char *const names[APP_VIEWS] = { "picture", "normal", "depth" };
+    static const char *const names[APP_VIEWS] = { "picture", "normal", "depth", "samples", "error", "certainty" };
 
     return names[view];
 }
@@ -156,6 +156,7 @@ static void command(app *a, int code, double now)
     case 'p': case 'P': toggle_pause(a, now); break;
     case 's': case 'S': a->orders |= APP_SNAPSHOT; break;
     case 'i': case 'I': toggle(a, &a->inspect); break;
+    case 'g': case 'G': toggle(a, &a->curve); break;
     case APP_KEY_TAB: show_next(a, now); break;
     default: break;
     }

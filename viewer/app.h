@@ -36,7 +36,9 @@ enum {
     APP_QUIT = 512
 };
 
-typedef enum app_view { APP_PICTURE, APP_NORMAL, APP_DEPTH, APP_VIEWS } app_view;
+typedef enum app_view {
+    APP_PICTURE, APP_NORMAL, APP_DEPTH, APP_SAMPLES, APP_ERROR, APP_CERTAINTY, APP_VIEWS
+} app_view;
 typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY } app_drag;
 
 /* How far along orbit_ray(x, y) something is, in lengths of that ray; not positive: nothing. */
@@ -57,7 +59,7 @@ typedef struct app {
     double flown;            /* the time up to which flight has been accounted for */
     app_view view;
     int exposure;            /* in half stops */
-    bool paused, help, inspect;
+    bool paused, help, inspect, curve;
     bool moved, resized;     /* the job does not know yet */
     double restarted;
     unsigned orders;

@@ -5,12 +5,13 @@
 #include <getopt.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LARGEST_SIDE = 16384, MOST_THREADS = 4096, MOST_SAMPLES = 65536, DEEPEST = 65535, MOST_FRAMES = 1000000 };
 
 enum {
-    OPTION_SHOT = 256, OPTION_FRAMES, OPTION_KEYS, OPTION_BENCH, OPTION_SPP, OPTION_MAX_DEPTH, OPTION_DIALECT,
+    OPTION_SHOT = 256, OPTION_FRAMES, OPTION_KEYS, OPTION_BENCH, OPTION_SPP, OPTION_ERROR, OPTION_MAX_DEPTH, OPTION_DIALECT,
     OPTION_PLUGIN_PATH, OPTION_VERSION
 };
 
@@ -21,6 +22,7 @@ static const struct option long_options[] = {
     { "bench", no_argument, NULL, OPTION_BENCH },
     { "threads", required_argument, NULL, 't' },
     { "spp", required_argument, NULL, OPTION_SPP },
+    { "error", required_argument, NULL, OPTION_ERROR },
     { "max-depth", required_argument, NULL, OPTION_MAX_DEPTH },
     { "dialect", required_argument, NULL, OPTION_DIALECT },
     { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
@@ -51,6 +53,16 @@ static bool read_whole(args *a, const char *what, const char *text, int most, in
     if (*at || value < 1 || value > most)
         return refuse(a, "%s must be a whole number from 1 to %d, not \"%s\"", what, most, text);
     *out = (int)value;
+    return true;
+}
+
+static bool read_error(args *a, const char *text)
+{
+    char *end;
+
+    a->error = strtod(text, &end);
+    if (end == text || *end || !(a->error > 0.0 && a->error < 1.0))
+        return refuse(a, "--error must be a number above 0 and below 1, not \"%s\"", text);
     return true;
 }
 
@@ -85,6 +97,8 @@ static bool read_option(args *a, int option, const char *text)
         return read_whole(a, "--threads", text, MOST_THREADS, &a->threads);
     case OPTION_SPP:
         return read_whole(a, "--spp", text, MOST_SAMPLES, &a->samples);
+    case OPTION_ERROR:
+        return read_error(a, text);
     case OPTION_MAX_DEPTH:
         return read_whole(a, "--max-depth", text, DEEPEST, &a->max_depth);
     case OPTION_DIALECT:
@@ -121,6 +135,20 @@ static bool check_together(args *a)
     return true;
 }
 
+/* A window goes on until the eye sees no difference; what is made for a file or measured is the first whole picture. */
+static void fill_in(args *a)
+{
+    const int plenty = 1024;
+    const double unseen = 0.002;
+
+    if (a->samples > 0 || a->error > 0.0) {
+        a->samples = a->samples > 0 ? a->samples : MOST_SAMPLES;
+        return;
+    }
+    a->samples = a->shot || a->bench ? 1 : plenty;
+    a->error = a->shot || a->bench ? 0.0 : unseen;
+}
+
 /* getopt_long has met something that it does not know, or an option whose value is missing or too much. */
 static bool refuse_option(args *a, int verdict, char **argv)
 {
@@ -151,5 +179,8 @@ args_verdict args_parse(args *a, int argc, char **argv)
         if (!read_option(a, option, optarg))
             return ARGS_WRONG;
     }
-    return read_places(a, argc - optind, argv + optind) && check_together(a) ? ARGS_RUN : ARGS_WRONG;
+    if (!read_places(a, argc - optind, argv + optind) || !check_together(a))
+        return ARGS_WRONG;
+    fill_in(a);
+    return ARGS_RUN;
 }

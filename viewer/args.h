@@ -13,7 +13,9 @@ typedef struct args {
     int frames;                  /* passes that a shot waits for; 0: all */
     const char *keys;            /* what is done in a shot; "" for nothing */
     bool bench;
-    int threads, samples, max_depth;
+    int threads, max_depth;
+    int samples;                 /* a pixel, on average and at most */
+    double error;                /* no more samples from here on; 0: there is no such limit */
     pov_dialect dialect;
     const char *plugin_path;
     char problem[256];           /* after ARGS_WRONG */

@@ -28,10 +28,16 @@ static uint8_t byte_of(double v)
 
 void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba)
 {
+    static const uint8_t certain[3] = { 40, 60, 100 }, uncertain[3] = { 255, 150, 30 };
+
     rgba[0] = rgba[1] = rgba[2] = 0;
     rgba[3] = 255;
     if (!hit)
         return;
+    if (request->kind == MAPS_CERTAINTY) {
+        memcpy(rgba, hit->certain ? certain : uncertain, 3);
+        return;
+    }
     if (request->kind == MAPS_DEPTH) {
         rgba[0] = rgba[1] = rgba[2] = byte_of(1.0 / (1.0 + pow(hit->distance / request->middle, 3.0)));
         return;

@@ -4,7 +4,7 @@
 
 #include <povtrace/trace.h>
 
-typedef enum maps_kind { MAPS_NORMAL, MAPS_DEPTH } maps_kind;
+typedef enum maps_kind { MAPS_NORMAL, MAPS_DEPTH, MAPS_CERTAINTY } maps_kind;
 
 typedef struct maps_request {
     maps_kind kind;
@@ -27,7 +27,8 @@ bool maps_take(maps *m, uint8_t *pixels, int *first, int *last);
 bool maps_is_done(maps *m);
 
 /* The colour of a hit, and of NULL for none. Normals' -1 .. 1 become 0 .. 255, world x red, y green, z blue; depth is
- * white near, black far, as 1 / (1 + (depth / middle)^3). */
+ * white near, black far, as 1 / (1 + (depth / middle)^3). What
+ * double precision decided is blue, what it left to two-part numbers is orange. */
 void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba);
 
 #endif

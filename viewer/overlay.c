@@ -1,10 +1,12 @@
 #include "overlay.h"
 
+#include "curve.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { MESSAGE, PLACE, NOTE, HELP, TEXT_SIZE = 2048 };
+enum { MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
 
 /* Free room at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
@@ -19,7 +21,8 @@ static const char help[] =
     "|R, Enter\tback to the scene's camera\n"
     "|C\tprint the camera as scene text\n"
     "|[  ]\tless, more exposure\n"
-    "|Tab\tpicture, normal, depth\n"
+    "|Tab\tpicture, normal, depth, samples, error, certainty\n"
+    "|G\terror against time\n"
     "|I\twhat is under the pointer\n"
     "|P\tpause\n"
     "|S\tsave what is seen as PNG\n"
@@ -71,6 +74,10 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
         add(out, size, "|color\t%.4f, %.4f, %.4f\n", (double)p->color[0], (double)p->color[1], (double)p->color[2]);
     else
         add(out, size, "|color\tnot yet\n");
+    if (p->samples > 0.0f)
+        add(out, size, "|samples\t%.0f\n", (double)p->samples);
+    if (p->error >= 0.0f)
+        add(out, size, "|error\t%.2g\n", (double)p->error);
     add(out, size, "|pixel\t%d, %d\n", p->x, p->y);
 }
 
@@ -100,8 +107,24 @@ static void place(const app *a, int index, const panel *p, int *x, int *y)
         *y = a->height - edge - p->height;
     } else if (index == NOTE) {
         *x = (a->width - p->width) / 2;
+    } else if (index == CAPTION || index == CURVE) {
+        *x = a->width - edge - p->width;
+        *y = index == CURVE ? a->height - edge - p->height : edge;
     }
+    *x = *x > 0 ? *x : 0;
     *y = *y > 0 ? *y : 0;
+}
+
+/* What the colours of a view mean. */
+static const char *caption(app_view view)
+{
+    static const char *const captions[APP_VIEWS] = {
+        "", "#normal\n red x, green y, blue z: -1 dark, 1 bright\n", "#depth\n white near, black far\n",
+        "#samples\n dark 1, bright 1024\n", "#error\n dark 0.0001, bright 0.1, grey not known\n",
+        "#certainty\n blue: decided in double; orange: by two-part numbers\n",
+    };
+
+    return captions[view];
 }
 
 static void write(int index, const app *a, session *s, char *out, size_t size)
@@ -116,6 +139,8 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
         overlay_write_place(&at, out, size);
     else if (index == NOTE && a->note[0])
         add(out, size, " %s\n", a->note);
+    else if (index == CAPTION)
+        add(out, size, "%s", caption(a->view));
     else if (index == HELP && a->help)
         add(out, size, "%s", help);
 }
@@ -132,7 +157,8 @@ bool overlay_update(overlay *o, const app *a, session *s, present *p)
         int x, y;
 
         write(i, a, s, text, sizeof text);
-        fresh = panel_set(from, text, a->scale, a->width - (int)(2.0 * EDGE * a->scale));
+        fresh = i == CURVE ? curve_set(from, s, a->curve, a->scale)
+                           : panel_set(from, text, a->scale, a->width - (int)(2.0 * EDGE * a->scale));
         place(a, i, from, &x, &y);
         if (!fresh && (!from->pixels || (x == o->x[i] && y == o->y[i])))
             continue;

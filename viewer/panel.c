@@ -1,7 +1,5 @@
 #include "panel.h"
 
-#include <cairo.h>
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -219,18 +217,18 @@ static void write_all(pen *p, const char *content)
 
 /* ---- the panel ---- */
 
-static void ground(const pen *p, double width, double height)
+static void ground(cairo_t *c, double scale, double width, double height)
 {
-    const double r = RADIUS * p->scale, right = 1.5707963267948966;
+    const double r = RADIUS * scale, right = 1.5707963267948966;
 
-    cairo_new_sub_path(p->c);
-    cairo_arc(p->c, width - r, r, r, -right, 0.0);
-    cairo_arc(p->c, width - r, height - r, r, 0.0, right);
-    cairo_arc(p->c, r, height - r, r, right, 2.0 * right);
-    cairo_arc(p->c, r, r, r, 2.0 * right, 3.0 * right);
-    cairo_close_path(p->c);
-    cairo_set_source_rgba(p->c, 0.05, 0.06, 0.08, 0.84);
-    cairo_fill(p->c);
+    cairo_new_sub_path(c);
+    cairo_arc(c, width - r, r, r, -right, 0.0);
+    cairo_arc(c, width - r, height - r, r, 0.0, right);
+    cairo_arc(c, r, height - r, r, right, 2.0 * right);
+    cairo_arc(c, r, r, r, 2.0 * right, 3.0 * right);
+    cairo_close_path(c);
+    cairo_set_source_rgba(c, 0.05, 0.06, 0.08, 0.84);
+    cairo_fill(c);
 }
 
 static void measure(pen *p, const char *content)
@@ -245,21 +243,14 @@ static void measure(pen *p, const char *content)
     cairo_surface_destroy(none);
 }
 
-static void draw(panel *p, pen *with, const char *content)
+/* The drawing is finished; one that failed is shown as nothing. */
+static void keep(panel *p, cairo_t *c, cairo_surface_t *surface)
 {
-    double margins = 2.0 * MARGIN * with->scale;
-    int width = (int)ceil(with->widest + margins), height = (int)ceil(with->y + margins);
-    cairo_surface_t *surface;
+    bool failed = cairo_status(c) != CAIRO_STATUS_SUCCESS;
 
-    width = width < p->most_width ? width : p->most_width;
-    surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width > 1 ? width : 1, height);
-    with->c = cairo_create(surface);
-    ground(with, width, height);
-    with->drawing = true;
-    write_all(with, content);
-    cairo_destroy(with->c);
+    cairo_destroy(c);
     cairo_surface_flush(surface);
-    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
+    if (failed || cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {
         cairo_surface_destroy(surface);
         return;
     }
@@ -269,24 +260,68 @@ static void draw(panel *p, pen *with, const char *content)
     p->height = cairo_image_surface_get_height(surface);
 }
 
-bool panel_set(panel *p, const char *content, double scale, int most_width)
+static void draw_text(panel *p, pen *with, const char *content)
 {
-    pen with = { .scale = scale, .most = most_width - 2.0 * MARGIN * scale };
-    char *copy;
+    double margins = 2.0 * MARGIN * with->scale;
+    int width = (int)ceil(with->widest + margins), height = (int)ceil(with->y + margins);
+    cairo_surface_t *surface;
 
-    if (content[0] == '\0' && !p->pixels)
+    width = width < p->most_width ? width : p->most_width;
+    surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width > 1 ? width : 1, height);
+    with->c = cairo_create(surface);
+    ground(with->c, with->scale, width, height);
+    with->drawing = true;
+    write_all(with, content);
+    keep(p, with->c, surface);
+}
+
+/* Is this another content than what is shown? Then that is gone, and the new one's name kept. */
+static bool begin(panel *p, const char *content, double scale, int most_width)
+{
+    if (content[0] == '\0' && !p->content)
         return false;
     if (p->content && strcmp(p->content, content) == 0 && p->scale == scale && p->most_width == most_width)
         return false;
     panel_free(p);
     p->scale = scale;
     p->most_width = most_width;
-    copy = content[0] ? malloc(strlen(content) + 1) : NULL;
-    if (!copy)
+    if (content[0])
+        p->content = malloc(strlen(content) + 1);
+    if (p->content)
+        strcpy(p->content, content);
+    return true;
+}
+
+bool panel_set(panel *p, const char *content, double scale, int most_width)
+{
+    pen with = { .scale = scale, .most = most_width - 2.0 * MARGIN * scale };
+
+    if (!begin(p, content, scale, most_width))
+        return false;
+    if (p->content) {
+        measure(&with, content);
+        draw_text(p, &with, content);
+    }
+    return true;
+}
+
+bool panel_set_drawing(panel *p, const char *content, double scale, double width, double height,
+                       void (*draw)(cairo_t *c, const void *user), const void *user)
+{
+    int across = (int)ceil(width * scale), down = (int)ceil(height * scale);
+    cairo_surface_t *surface;
+    cairo_t *c;
+
+    if (!begin(p, content, scale, across))
+        return false;
+    if (!p->content)
         return true;
-    p->content = strcpy(copy, content);
-    measure(&with, content);
-    draw(p, &with, content);
+    surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, across, down);
+    c = cairo_create(surface);
+    ground(c, scale, across, down);
+    cairo_scale(c, scale, scale);
+    draw(c, user);
+    keep(p, c, surface);
     return true;
 }
 

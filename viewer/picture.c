@@ -1,5 +1,8 @@
 #include "picture.h"
 
+#include "ramp.h"
+
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -77,6 +80,12 @@ void picture_expose(picture *p, pov_transfer transfer, double gain)
     picture_reread(p);
 }
 
+void picture_show(picture *p, picture_kind kind)
+{
+    p->kind = kind;
+    picture_reread(p);
+}
+
 void picture_reread(picture *p)
 {
     p->reread = 0;
@@ -101,6 +110,27 @@ static void keep_what_is_there(uint8_t *to, const uint8_t *fresh, int count)
             memcpy(to + 4 * i, fresh + 4 * i, 4);
 }
 
+/* Where a value lies on its way from dark to bright; what is not known is below. */
+static double brightness(picture_kind kind, float value)
+{
+    double t;
+
+    if (!(value > 0.0f))
+        return value == 0.0f ? 0.0 : -1.0;
+    t = kind == PICTURE_ERROR ? (log10((double)value) + 4.0) / 3.0 : log2((double)value) / 10.0;
+    return t > 0.0 ? t : 0.0;
+}
+
+static void read_map(picture *p, pov_job *job, pov_rect r, uint8_t *fresh)
+{
+    float values[PART * PART];
+
+    pov_job_read(job, r, p->kind == PICTURE_ERROR ? POV_PIXELS_ERROR : POV_PIXELS_SAMPLES, values,
+                 (size_t)r.width * sizeof *values);
+    for (int i = 0; i < r.width * r.height; i++)
+        ramp_color(brightness(p->kind, values[i]), fresh + 4 * i);
+}
+
 /* A part no wider or higher than PART. */
 static void read_part(picture *p, pov_job *job, pov_rect r)
 {
@@ -108,7 +138,9 @@ static void read_part(picture *p, pov_job *job, pov_rect r)
     uint8_t fresh[4 * PART * PART];
     size_t width = (size_t)r.width;
 
-    if (p->toned) {
+    if (p->kind != PICTURE_COLORS) {
+        read_map(p, job, r, fresh);
+    } else if (p->toned) {
         pov_job_read(job, r, POV_PIXELS_LINEAR_FLOAT, linear, 4 * width * sizeof *linear);
         tone_row(&p->tone, linear, fresh, r.width * r.height);
     } else {

@@ -6,10 +6,14 @@
 
 #include <povtrace/render.h>
 
+/* What of the job is shown: its colours, or how far they may be off, or what they have cost. */
+typedef enum picture_kind { PICTURE_COLORS, PICTURE_ERROR, PICTURE_SAMPLES } picture_kind;
+
 typedef struct picture {
     uint8_t *pixels;             /* red, green, blue, alpha; alpha 0: nothing yet */
     int width, height;
     int first, last;             /* rows changed since they were last asked for; last < first: none */
+    picture_kind kind;
     bool toned;                  /* by `tone`; else as the scene asks */
     tone tone;
     int reread;                  /* rows from here on are to be read again; height: none */
@@ -25,6 +29,8 @@ void picture_free(picture *p);
 void picture_restart(picture *p);
 /* Show with this gain; 1 is to the bit what the job encodes. */
 void picture_expose(picture *p, pov_transfer transfer, double gain);
+/* Errors from 0.0001 to 0.1 and samples from 1 to 1024 go from dark to bright, by their logarithm. */
+void picture_show(picture *p, picture_kind kind);
 /* Read all rows again, as time allows. */
 void picture_reread(picture *p);
 /* Take changed tiles from the job until the time is up. True: some are left. */

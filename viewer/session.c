@@ -59,9 +59,22 @@ static double probe(void *user, double x, double y)
 
 /* ---- the job ---- */
 
-static bool is_picture(const session *s)
+/* Does the view come from the job? The others are traced apart, and the job rests meanwhile. */
+static bool shows_job(const session *s)
 {
-    return s->app->view == APP_PICTURE;
+    app_view v = s->app->view;
+
+    return v == APP_PICTURE || v == APP_SAMPLES || v == APP_ERROR;
+}
+
+static picture_kind kind_of(app_view view)
+{
+    return view == APP_ERROR ? PICTURE_ERROR : view == APP_SAMPLES ? PICTURE_SAMPLES : PICTURE_COLORS;
+}
+
+static maps_kind map_of(app_view view)
+{
+    return view == APP_DEPTH ? MAPS_DEPTH : view == APP_CERTAINTY ? MAPS_CERTAINTY : MAPS_NORMAL;
 }
 
 static void fail(session *s, const pov_error *why)
@@ -74,16 +87,16 @@ static void fail(session *s, const pov_error *why)
 static void steer(session *s)
 {
     if (s->job)
-        pov_job_pause(s->job, s->app->paused || !is_picture(s));
+        pov_job_pause(s->job, s->app->paused || !shows_job(s));
 }
 
 static void draw_map(session *s)
 {
-    maps_request r = { s->app->view == APP_DEPTH ? MAPS_DEPTH : MAPS_NORMAL, app_camera(s->app), s->picture.width,
+    maps_request r = { map_of(s->app->view), app_camera(s->app), s->picture.width,
                        s->picture.height, s->app->orbit.reach };
     pov_error err = { 0 };
 
-    if (is_picture(s) || !s->scene || !s->picture.pixels)
+    if (shows_job(s) || !s->scene || !s->picture.pixels)
         return;
     if (!s->maps && maps_create(&s->maps, s->scene, s->desc.wake, s->desc.wake_user, &err) < 0)
         fail(s, &err);
@@ -140,6 +153,8 @@ static void make_job(session *s)
     d.preview = COARSEST;
     d.threads = s->desc.args->threads;
     d.samples = s->desc.args->samples;
+    d.sampling = POV_SAMPLING_ADAPTIVE;
+    d.target_error = s->desc.args->error;
     d.camera = &camera;
     d.wake = s->desc.wake;
     d.wake_user = s->desc.wake_user;
@@ -260,13 +275,13 @@ static void take_snapshot(session *s)
 
     if (!s->job || !free_name(s, name, sizeof name))
         return;
-    if (!is_picture(s)) {
+    if (s->app->view != APP_PICTURE) {
         p.bytes = malloc(bytes);
         p.transfer = POV_TRANSFER_LINEAR;
         if (p.bytes)
             memcpy(p.bytes, from->pixels, bytes);
     }
-    if ((!is_picture(s) && !p.bytes) || !helper_save(s->helper, name, &p)) {
+    if ((s->app->view != APP_PICTURE && !p.bytes) || !helper_save(s->helper, name, &p)) {
         free(p.bytes);
         app_say(s->app, s->now, "not saved: no memory");
     }
@@ -310,10 +325,10 @@ static void obey(session *s, unsigned orders)
     if (orders & (APP_PAUSE | APP_VIEW))
         steer(s);
     if (orders & APP_VIEW) {
-        if (is_picture(s)) {
+        if (shows_job(s)) {
             if (s->maps)
                 maps_stop(s->maps);
-            picture_reread(&s->picture);
+            picture_show(&s->picture, kind_of(s->app->view));
         } else {
             draw_map(s);
         }
@@ -342,7 +357,7 @@ static void take_pixels(session *s, double budget)
 
     if (!s->job || !s->picture.pixels)
         return;
-    if (is_picture(s)) {
+    if (shows_job(s)) {
         s->unread = picture_update(&s->picture, s->job, budget);
     } else if (s->maps && maps_take(s->maps, s->picture.pixels, &first, &last)) {
         picture_touch(&s->picture, first, last);
@@ -353,13 +368,13 @@ unsigned session_update(session *s, double now, double budget)
 {
     unsigned orders;
 
-    if (s->job && !s->app->paused && is_picture(s) && pov_job_wait(s->job, 0.0) == POV_JOB_RUNNING)
+    if (s->job && !s->app->paused && shows_job(s) && pov_job_wait(s->job, 0.0) == POV_JOB_RUNNING)
         s->worked += now - s->now;
     s->now = now;
     take_results(s);
     if (file_watch_changed(&s->watch, now))
         session_load(s, s->desc.args->scene);
-    orders = app_update(s->app, now, s->scene && is_picture(s) && picture_is_covered(&s->picture));
+    orders = app_update(s->app, now, s->scene && shows_job(s) && picture_is_covered(&s->picture));
     obey(s, orders);
     take_pixels(s, budget);
     look_at_job(s);
@@ -417,7 +432,7 @@ bool session_is_settled(session *s)
         return false;
     if (!s->job || s->wrong)
         return true;
-    if (!is_picture(s))
+    if (!shows_job(s))
         return s->maps && maps_is_done(s->maps);
     return !s->unread && (s->app->paused || s->desc.by_steps || pov_job_wait(s->job, 0.0) != POV_JOB_RUNNING);
 }
@@ -426,7 +441,7 @@ void session_step(session *s, int passes)
 {
     pov_progress p = POV_INIT(p);
 
-    while (s->job && !s->app->paused && is_picture(s)) {
+    while (s->job && !s->app->paused && shows_job(s)) {
         pov_job_get_progress(s->job, &p);
         if (p.pass > passes || pov_job_step(s->job) != POV_JOB_RUNNING)
             return;
@@ -448,6 +463,11 @@ const pov_error *session_error(const session *s)
     return s->wrong ? &s->error : NULL;
 }
 
+bool session_get_pass(const session *s, size_t index, pov_pass *out)
+{
+    return s->job && pov_job_get_pass(s->job, index, out);
+}
+
 bool session_inspect(session *s, session_place *out)
 {
     const app *a = s->app;
@@ -463,6 +483,8 @@ bool session_inspect(session *s, session_place *out)
     out->y = pixel.y;
     ray = orbit_ray(&a->orbit, (pixel.x + 0.5) / s->picture.width, (pixel.y + 0.5) / s->picture.height);
     pov_job_read(s->job, pixel, POV_PIXELS_LINEAR_FLOAT, out->color, sizeof out->color);
+    pov_job_read(s->job, pixel, POV_PIXELS_SAMPLES, &out->samples, sizeof out->samples);
+    pov_job_read(s->job, pixel, POV_PIXELS_ERROR, &out->error, sizeof out->error);
     out->hit = pov_trace_hit(s->tracer, camera.location, ray, &hit);
     if (!out->hit)
         return true;
@@ -472,6 +494,24 @@ bool session_inspect(session *s, session_place *out)
     out->normal = hit.normal;
     out->certain = hit.certain;
     return true;
+}
+
+/* What has been done, what is left of it. Per cent are never rounded up to 100. */
+static void describe(const session *s, const char *name, const pov_progress *p, char *out, size_t size)
+{
+    char quality[80] = "", rest[40] = "";
+
+    if (p->est_rmse >= 0.0)
+        snprintf(quality, sizeof quality, ", %.1f samples, error %.2g", p->spp_mean, p->est_rmse);
+    if (p->fraction >= 1.0) {
+        snprintf(out, size, "%.100s: done in %.1f s%s", name, s->worked, quality);
+        return;
+    }
+    if (s->app->paused)
+        snprintf(rest, sizeof rest, ", paused");
+    else if (p->fraction > 0.0 && s->worked > 0.5)
+        snprintf(rest, sizeof rest, ", %.0f s left", s->worked * (1.0 - p->fraction) / p->fraction + 0.5);
+    snprintf(out, size, "%.100s: %d %%%s%s", name, (int)(100.0 * p->fraction), quality, rest);
 }
 
 void session_title(session *s, char *out, size_t size)
@@ -484,17 +524,10 @@ void session_title(session *s, char *out, size_t size)
         return;
     }
     pov_job_get_progress(s->job, &p);
-    if (!is_picture(s))
+    if (!shows_job(s))
         snprintf(out, size, "%.100s: %s", name, app_view_name(s->app->view));
-    else if (p.fraction >= 1.0)
-        snprintf(out, size, "%.100s: done in %.1f s", name, s->worked);
-    else if (s->app->paused)
-        snprintf(out, size, "%.100s: %d %%, paused", name, (int)(100.0 * p.fraction));
-    else if (p.fraction > 0.0 && s->worked > 0.5)
-        snprintf(out, size, "%.100s: %d %%, %.0f s left", name, (int)(100.0 * p.fraction),
-                 s->worked * (1.0 - p.fraction) / p.fraction + 0.5);
     else
-        snprintf(out, size, "%.100s: %d %%", name, (int)(100.0 * p.fraction));
+        describe(s, name, &p, out, size);
 }
 
 /* ---- life ---- */

@@ -27,6 +27,7 @@ typedef struct session_place {
     pov_vec3 point, normal;
     bool certain;
     float color[4];              /* linear, as the job has it; alpha 0: not traced yet */
+    float samples, error;        /* how many, and how far off they may be; below 0: not known */
 } session_place;
 
 /* The session's scene will be read by a thread; session_update() takes it when it is there. */
@@ -57,6 +58,8 @@ unsigned long session_restarts(const session *s);
 pov_context *session_context(session *s);
 /* Why there is no scene, or none of the file as it is now; NULL: there is. */
 const pov_error *session_error(const session *s);
+/* The index-th pass of the picture since it was begun; false past the last. */
+bool session_get_pass(const session *s, size_t index, pov_pass *out);
 bool session_inspect(session *s, session_place *out);
 /* The window's title: name, per cent, what is left. */
 void session_title(session *s, char *out, size_t size);

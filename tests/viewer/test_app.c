@@ -257,7 +257,7 @@ static void app_is_calm_before_there_is_a_scene(void **state)
 
     (void)state;
     app_init(&a, WIDTH, HEIGHT, NULL, NULL);
-    for (const char *c = "137rRcC[]pPsSiI"; *c; c++)
+    for (const char *c = "137rRcC[]pPsSiIgG"; *c; c++)
         type(&a, *c);
     send(&a, APP_BUTTON, APP_LEFT, true, 0, 0, 1.0);
     send(&a, APP_POINTER, 0, false, 30, 30, 1.0);

@@ -27,11 +27,17 @@ static void args_are_read(void **state)
     (void)state;
     assert_int_equal(parse(&a, "s.pov", NULL, NULL, NULL), ARGS_RUN);
     assert_int_equal(a.width, 0);
+    assert_true(a.samples > 1 && a.error > 0.0);
+    assert_int_equal(parse(&a, "s.pov", "--spp=7", NULL, NULL), ARGS_RUN);
+    assert_true(a.samples == 7 && a.error == 0.0);
+    assert_int_equal(parse(&a, "s.pov", "--error=0.01", NULL, NULL), ARGS_RUN);
+    assert_true(a.samples > 1000 && a.error == 0.01);
     assert_int_equal(parse(&a, "s.pov", "640", "480", NULL), ARGS_RUN);
     assert_int_equal(a.width, 640);
     assert_int_equal(a.height, 480);
     assert_int_equal(parse(&a, "--shot=x.png", "s.pov", "--frames=3", "--keys=h<drag 10,-5>"), ARGS_RUN);
     assert_int_equal(a.frames, 3);
+    assert_true(a.samples == 1 && a.error == 0.0);
     assert_int_equal(parse(&a, "--help", NULL, NULL, NULL), ARGS_HELP);
     assert_int_equal(parse(&a, "--version", NULL, NULL, NULL), ARGS_VERSION);
 }
@@ -53,6 +59,7 @@ static void args_that_are_wrong_are_named(void **state)
     assert_refused("s.pov", "640", "48x", NULL, "HEIGHT must be a whole number from 1 to 16384, not \"48x\"");
     assert_refused("s.pov", "0", "480", NULL, "WIDTH must be a whole number from 1 to 16384, not \"0\"");
     assert_refused("s.pov", "--frames=3", NULL, NULL, "--frames goes with --shot");
+    assert_refused("s.pov", "--error=nan", NULL, NULL, "--error must be a number above 0 and below 1, not \"nan\"");
     assert_refused("s.pov", "--bench", "--shot=x.png", NULL, "--shot and --bench do not go together");
     assert_refused("s.pov", "--shot=x.png", "--keys=<fly>", NULL, "--keys cannot read <fly>");
     assert_refused("s.pov", "--nonsense", NULL, NULL, "there is no option \"--nonsense\"");

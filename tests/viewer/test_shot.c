@@ -47,10 +47,10 @@ static void write_scene(const char *text)
 
 typedef struct stage { viewer v; uint8_t *pixels; } stage;
 
-static stage *begin(const char *text, int frames)
+static stage *begin_with(const char *text, int frames, int samples)
 {
     stage *s = calloc(1, sizeof *s);
-    args a = { .scene = scene_path, .width = WIDTH, .height = HEIGHT, .keys = "", .shot = "", .frames = frames,
+    args a = { .scene = scene_path, .width = WIDTH, .height = HEIGHT, .keys = "", .shot = "", .frames = frames, .samples = samples,
                .plugin_path = TEST_PLUGINS };
     pov_error err = { 0 };
     surface *memory = surface_osmesa_open(WIDTH, HEIGHT, &err);
@@ -62,6 +62,11 @@ static stage *begin(const char *text, int frames)
     s->v.fixed_clock = 0.0;
     shot_wait_for_scene(&s->v);
     return s;
+}
+
+static stage *begin(const char *text, int frames)
+{
+    return begin_with(text, frames, 1);
 }
 
 /* Do this, wait, and see what is there then. */
@@ -275,8 +280,60 @@ static void shot_shows_normals_and_depth(void **state)
     /* The middle is at the pivot's depth. */
     assert_color(at(p, WIDTH / 2, HEIGHT / 2), 128, 128, 128, 2);
     assert_true(at(p, WIDTH / 2 - 40, HEIGHT / 2)[0] < 128);
-    assert_int_equal(differences(see(s, "<tab>"), picture), 0);
+    assert_int_equal(differences(see(s, "<tab><tab><tab><tab>"), picture), 0);
     free(picture);
+    end(s);
+}
+
+static int brightness(const uint8_t *pixel)
+{
+    return pixel[0] + pixel[1] + pixel[2];
+}
+
+static void shot_shows_where_the_samples_and_the_error_are(void **state)
+{
+    stage *s = begin_with(good, 0, 16);
+    const uint8_t *p = see(s, "<tab><tab><tab>");
+    char title[200];
+
+    (void)state;
+    /* The ball's edge, right of the middle by a fifth of the height and some, against the ground below. */
+    assert_int_equal(s->v.app.view, APP_SAMPLES);
+    assert_true(brightness(at(p, 160 + 48, 120)) > brightness(at(p, 40, 200)) + 50);
+    p = see(s, "<tab>");
+    assert_int_equal(s->v.app.view, APP_ERROR);
+    assert_true(brightness(at(p, 160 + 48, 120)) > brightness(at(p, 40, 200)) + 50);
+    session_title(s->v.session, title, sizeof title);
+    assert_non_null(strstr(title, "done"));
+    assert_non_null(strstr(title, "16.0 samples, error "));
+    end(s);
+}
+
+static void shot_shows_the_curve_of_error_against_time(void **state)
+{
+    stage *s = begin_with(good, 0, 16);
+    uint8_t *before = copy(see(s, ""));
+    const uint8_t *p = see(s, "g");
+    int orange = 0;
+
+    (void)state;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        orange += p[4 * i] > 200 && p[4 * i + 1] > 120 && p[4 * i + 1] < 220 && p[4 * i + 2] < 120;
+    assert_true(orange > 30);
+    assert_int_equal(differences(see(s, "g"), before), 0);
+    free(before);
+    end(s);
+}
+
+static void shot_shows_what_double_decided(void **state)
+{
+    stage *s = begin(good, 0);
+    const uint8_t *p = see(s, "<tab><tab><tab><tab><tab>");
+
+    (void)state;
+    assert_int_equal(s->v.app.view, APP_CERTAINTY);
+    assert_color(at(p, WIDTH / 2, HEIGHT / 2), 40, 60, 100, 0);
+    assert_color(at(p, 5, 5), 0, 0, 0, 0);
     end(s);
 }
 
@@ -436,6 +493,9 @@ int main(void)
         cmocka_unit_test(shot_follows_the_file_and_its_camera_until_the_user_moves),
         cmocka_unit_test(shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one),
         cmocka_unit_test(shot_shows_normals_and_depth),
+        cmocka_unit_test(shot_shows_where_the_samples_and_the_error_are),
+        cmocka_unit_test(shot_shows_the_curve_of_error_against_time),
+        cmocka_unit_test(shot_shows_what_double_decided),
         cmocka_unit_test(shot_exposes_by_half_stops),
         cmocka_unit_test(shot_drag_shows_another_side),
         cmocka_unit_test(shot_takes_another_size),
