@@ -18,6 +18,10 @@
  * that may have underflowed; error bounds know nothing of that. */
 #define KIT_TINY 0x1p-600
 
+/* A direction's largest component is below 2, so it is shorter than sqrt(12) = 1 / 0.288: a point is off by at most a
+ * given length if the distance along the ray is off by at most this part of it. */
+#define KIT_SLOWEST 0.28
+
 typedef struct kit_ray {
     pov_two3 f;            /* from the anchor to the origin */
     pov_vec3 d, d_lo;      /* the largest component of d is in [1, 2) */

@@ -4,242 +4,35 @@
  * Along a ray this is a t^2 + 2 b t + c. It is taken about the ray's own vertex, where b is nearly zero
  * and the discriminant has nothing to cancel; the coefficients have two parts, so that maps can be
  * absorbed. */
-#include "kit/affine.h"
-#include "kit/expansion.h"
 #include "kit/report.h"
-
-enum { A, B, C, D, E, F, G, H, I, J, COEFFICIENTS };
+#include "kit/second_order.h"
 
 /* A crossing's part: where the ray comes to negative values, and where it leaves them. */
 enum { ENTERING = 0, EXITING = 1 };
 
-typedef struct quadric {
-    pov_two3 anchor;
-    pov_two raw[COEFFICIENTS];     /* about the anchor */
-    /* Made from raw: for lengths times scale, multiplied so that the largest is of the order of one. */
-    pov_two q[COEFFICIENTS];
-    double rough[COEFFICIENTS], size[COEFFICIENTS];
-    double scale;
-    bool flat;                     /* nothing of the second order: a plane */
-} quadric;
-
-/* The binary exponent of the largest of n coefficients; a very small number for none. */
-static int exponent_of(const pov_two *q, int n)
-{
-    double largest = 0.0;
-    int i, exponent;
-
-    for (i = 0; i < n; i++)
-        largest = fmax(largest, fabs(q[i].hi));
-    if (!(largest > 0.0) || !isfinite(largest))
-        return -100000;
-    frexp(largest, &exponent);
-    return exponent;
-}
-
-static int larger(int a, int b) { return a > b ? a : b; }
-
-/* The length at which terms of different order are of the same size. */
-static int length_exponent(int second, int first, int constant)
-{
-    if (second > -100000)
-        return first < -90000 && constant < -90000 ? 0 : larger(first - second, (constant - second) / 2);
-    return first > -100000 && constant > -100000 ? constant - first : 0;
-}
-
-static void prepare(quadric *s)
-{
-    int second = exponent_of(s->raw + A, 6), first = exponent_of(s->raw + G, 3), constant = exponent_of(s->raw + J, 1);
-    int length = length_exponent(second, first, constant), largest, i;
-
-    length = length > 900 ? 900 : length < -900 ? -900 : length;
-    largest = larger(larger(second + 2 * length, first + length), constant);
-    for (i = 0; i < COEFFICIENTS; i++) {
-        const int power = (i < G ? 2 * length : i < J ? length : 0) - largest;
-
-        s->q[i] = pov_two_of(ldexp(s->raw[i].hi, power), ldexp(s->raw[i].lo, power));
-        s->rough[i] = s->q[i].hi;
-        s->size[i] = fabs(s->q[i].hi);
-    }
-    s->flat = second == -100000;
-    s->scale = ldexp(1.0, -length);
-}
-
-/* ---- the anchor ---- */
-
-/* Near the centre, if there is one: each axis' own extremum of what is left of the equation when the
- * others stand. */
-static pov_vec3 near_centre(const pov_two *q)
-{
-    double m[3][4] = { { q[A].hi, 0.5 * q[D].hi, 0.5 * q[E].hi, -0.5 * q[G].hi },
-                       { 0.5 * q[D].hi, q[B].hi, 0.5 * q[F].hi, -0.5 * q[H].hi },
-                       { 0.5 * q[E].hi, 0.5 * q[F].hi, q[C].hi, -0.5 * q[I].hi } };
-    double x[3] = { 0.0, 0.0, 0.0 };
-    bool done[3] = { false, false, false };
-    int step, i, j, k;
-
-    for (step = 0; step < 3; step++) {
-        int pivot = -1;
-
-        for (i = 0; i < 3; i++) {
-            const double own = fabs(i == 0 ? q[A].hi : i == 1 ? q[B].hi : q[C].hi);
-
-            if (!done[i] && fabs(m[i][i]) > 0x1p-20 * own && (pivot < 0 || fabs(m[i][i]) > fabs(m[pivot][pivot])))
-                pivot = i;
-        }
-        if (pivot < 0)
-            break;
-        done[pivot] = true;
-        for (j = 0; j < 3; j++) {
-            const double factor = m[j][pivot] / m[pivot][pivot];
-
-            for (k = 0; j != pivot && k < 4; k++)
-                m[j][k] -= factor * m[pivot][k];
-        }
-    }
-    for (i = 0; i < 3; i++)
-        x[i] = done[i] ? m[i][3] / m[i][i] : 0.0;
-    return pov_vec3_of(x[0], x[1], x[2]);
-}
-
-/* The sum of n products of up to three factors each, rounded once into two parts. */
-static pov_two exact_sum(double (*term)[3], int n)
-{
-    kit_expansion e;
-    int i;
-
-    kit_expansion_clear(&e);
-    for (i = 0; i < n; i++)
-        kit_expansion_add_product3(&e, term[i][0], term[i][1], term[i][2]);
-    return kit_expansion_two(&e);
-}
-
-/* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor
- * near the centre, without any error on the way, they do not. */
-static void settle(quadric *s)
-{
-    const pov_vec3 c = near_centre(s->raw), zero = { 0.0, 0.0, 0.0 };
-    double q[COEFFICIENTS];
-    pov_two level;
-    int i;
-
-    for (i = 0; i < COEFFICIENTS; i++)
-        q[i] = s->raw[i].hi;
-    {
-        double x[4][3] = {{2.0 * q[A], c.x, 1.0}, {q[D], c.y, 1.0}, {q[E], c.z, 1.0}, {q[G], 1.0, 1.0}};
-        double y[4][3] = {{2.0 * q[B], c.y, 1.0}, {q[D], c.x, 1.0}, {q[F], c.z, 1.0}, {q[H], 1.0, 1.0}};
-        double z[4][3] = {{2.0 * q[C], c.z, 1.0}, {q[E], c.x, 1.0}, {q[F], c.y, 1.0}, {q[I], 1.0, 1.0}};
-        double all[10][3] = { { q[A], c.x, c.x }, { q[B], c.y, c.y }, { q[C], c.z, c.z }, { q[D], c.x, c.y },
-                              { q[E], c.x, c.z }, { q[F], c.y, c.z }, { q[G], c.x, 1.0 }, { q[H], c.y, 1.0 },
-                              { q[I], c.z, 1.0 }, { q[J], 1.0, 1.0 } };
-
-        level = exact_sum(all, 10);
-        if (!(fabs(level.hi) < fabs(q[J])))
-            return;
-        s->raw[G] = exact_sum(x, 4);
-        s->raw[H] = exact_sum(y, 4);
-        s->raw[I] = exact_sum(z, 4);
-        s->raw[J] = level;
-    }
-    s->anchor = pov_two3_of(c, zero);
-}
+typedef kit_second_order quadric;
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    quadric *s = self;
-    pov_vec3 v[3];
-    double constant;
+    double q[COEFFICIENTS];
+    pov_vec3 v;
     int i;
 
     for (i = 0; i < 3; i++) {
-        host->vector(in, &v[i]);
+        host->vector(in, &v);
         host->accept(in, ",");
-        s->raw[3 * i] = pov_two_of(v[i].x, 0.0);
-        s->raw[3 * i + 1] = pov_two_of(v[i].y, 0.0);
-        s->raw[3 * i + 2] = pov_two_of(v[i].z, 0.0);
+        q[3 * i] = v.x;
+        q[3 * i + 1] = v.y;
+        q[3 * i + 2] = v.z;
     }
-    constant = host->number(in);
-    s->raw[J] = pov_two_of(constant, 0.0);
-    settle(s);
-    prepare(s);
+    q[J] = host->number(in);
+    kit_second_order_make(self, q);
 }
 
-/* ---- bounds, of ellipsoids ---- */
-
-static pov_two half(pov_two a) { return pov_two_scale(a, 0.5); }
-
-static pov_two minor(pov_two a, pov_two b, pov_two c, pov_two d)
-{
-    return pov_two_sub(pov_two_mul(a, b), pov_two_mul(c, d));
-}
-
-/* Is a pivot clear of rounding, against the diagonal entry that it was reduced from? */
-static bool is_clear(pov_two pivot, pov_two entry) { return pivot.hi > 0x1p-12 * entry.hi && entry.hi > 0.0; }
-
-static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square, double *lo, double *hi)
-{
-    /* Pivots that lost at most 12 bits leave 2^-60 of relative error at most; a millionth is far more than
-     * enough. */
-    const double radius = sqrt(square.hi) * (1.0 + 0x1p-20) / scale, centre = anchor.hi + middle.hi / scale;
-
-    *lo = kit_below(centre - radius - 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
-    *hi = kit_above(centre + radius + 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
-    return isfinite(*lo) && isfinite(*hi);
-}
-
-static bool bounds(const void *self, pov_box *out)
-{
-    const quadric *s = self;
-    const pov_two *q = s->q, d = half(q[D]), e = half(q[E]), f = half(q[F]);
-    const pov_two xx = minor(q[B], q[C], f, f), yy = minor(q[A], q[C], e, e), zz = minor(q[A], q[B], d, d);
-    const pov_two xy = minor(e, f, d, q[C]), xz = minor(d, f, e, q[B]), yz = minor(d, e, f, q[A]);
-    const pov_two det = pov_two_add(pov_two_add(pov_two_mul(q[A], xx), pov_two_mul(d, xy)), pov_two_mul(e, xz));
-    const pov_two g = half(q[G]), h = half(q[H]), i = half(q[I]);
-    pov_two x, y, z, level;
-
-    if (!is_clear(q[A], q[A]) || !is_clear(zz, pov_two_mul(q[A], q[B])) || !is_clear(det, pov_two_mul(zz, q[C])))
-        return false;
-    x = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xx, g), pov_two_mul(xy, h)), pov_two_mul(xz, i)), det);
-    y = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xy, g), pov_two_mul(yy, h)), pov_two_mul(yz, i)), det);
-    z = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xz, g), pov_two_mul(yz, h)), pov_two_mul(zz, i)), det);
-    /* The value at the centre, with its sign turned. */
-    level = pov_two_add(pov_two_add(pov_two_mul(x, g), pov_two_mul(y, h)), pov_two_mul(z, i));
-    if (!(level.hi - q[J].hi > 0x1p-40 * (fabs(level.hi) + fabs(q[J].hi))))
-        return false;
-    level = pov_two_div(pov_two_sub(level, q[J]), det);
-    return extent(s->anchor.x, s->scale, pov_two_neg(x), pov_two_mul(level, xx), &out->lo.x, &out->hi.x)
-           && extent(s->anchor.y, s->scale, pov_two_neg(y), pov_two_mul(level, yy), &out->lo.y, &out->hi.y)
-           && extent(s->anchor.z, s->scale, pov_two_neg(z), pov_two_mul(level, zz), &out->lo.z, &out->hi.z);
-}
+static bool bounds(const void *self, pov_box *out) { return kit_second_order_bounds(self, out); }
+static bool absorb(void *self, const pov_affine *map) { return kit_second_order_absorb(self, map); }
 
 /* ---- in two parts ---- */
-
-static pov_two sum3(pov_two a, pov_two b, pov_two c) { return pov_two_add(pov_two_add(a, b), c); }
-
-/* Half the gradient; and without the linear terms the matrix times p. */
-static pov_two3 half_gradient(const pov_two *q, pov_two3 p, bool linear)
-{
-    pov_two3 g;
-
-    g.x = sum3(pov_two_mul(q[A], p.x), half(pov_two_mul(q[D], p.y)), half(pov_two_mul(q[E], p.z)));
-    g.y = sum3(pov_two_mul(q[B], p.y), half(pov_two_mul(q[D], p.x)), half(pov_two_mul(q[F], p.z)));
-    g.z = sum3(pov_two_mul(q[C], p.z), half(pov_two_mul(q[E], p.x)), half(pov_two_mul(q[F], p.y)));
-    if (linear) {
-        g.x = pov_two_add(g.x, half(q[G]));
-        g.y = pov_two_add(g.y, half(q[H]));
-        g.z = pov_two_add(g.z, half(q[I]));
-    }
-    return g;
-}
-
-/* The value at a point whose half gradient is known: p . (g + half the linear terms) + J. */
-static pov_two value(const pov_two *q, pov_two3 p, pov_two3 g)
-{
-    g.x = pov_two_add(g.x, half(q[G]));
-    g.y = pov_two_add(g.y, half(q[H]));
-    g.z = pov_two_add(g.z, half(q[I]));
-    return pov_two_add(pov_two3_dot(p, g), q[J]);
-}
 
 static bool report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part)
 {
@@ -278,7 +71,7 @@ static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
     const pov_two y = b.y.hi != 0.0 ? pov_two_mul(pov_two_scale(a.y, power), pov_two_scale(b.y, power)) : zero;
     const pov_two z = b.z.hi != 0.0 ? pov_two_mul(pov_two_scale(a.z, power), pov_two_scale(b.z, power)) : zero;
 
-    return sum3(x, y, z);
+    return pov_two_add(pov_two_add(x, y), z);
 }
 
 /* Where to take the equation: at the ray's vertex, where the discriminant does not cancel; but if that is
@@ -289,47 +82,17 @@ static double middle_of(const quadric *s, const kit_ray *k)
     const pov_two3 d = kit_direction(k);
     const double nearest = -pov_dot(pov_two3_hi(k->f), k->d) / pov_dot(k->d, k->d);
     const pov_vec3 w = kit_along(k, nearest);
-    const double a = pov_two3_dot(d, half_gradient(s->q, d, false)).hi;
+    const double a = pov_two3_dot(d, kit_half_gradient(s->q, d, false)).hi;
     const double vertex = nearest - along_first(s->rough, w, k->d) / a;
 
     return fabs(vertex - nearest) < 1024.0 * pov_largest(w) ? vertex : nearest;
-}
-
-/* Adds q a b, each in two parts. */
-static void add_term(kit_expansion *e, pov_two q, pov_two a, pov_two b)
-{
-    const double part[3][2] = { { q.hi, q.lo }, { a.hi, a.lo }, { b.hi, b.lo } };
-    int i;
-
-    for (i = 0; i < 8; i++)
-        kit_expansion_add_product3(e, part[0][i & 1], part[1][i >> 1 & 1], part[2][i >> 2]);
-}
-
-/* The value at a point, without any error but that of rounding once. */
-static pov_two exact_value(const pov_two *q, pov_two3 p)
-{
-    const pov_two one = { 1.0, 0.0 };
-    kit_expansion e;
-
-    kit_expansion_clear(&e);
-    add_term(&e, q[A], p.x, p.x);
-    add_term(&e, q[B], p.y, p.y);
-    add_term(&e, q[C], p.z, p.z);
-    add_term(&e, q[D], p.x, p.y);
-    add_term(&e, q[E], p.x, p.z);
-    add_term(&e, q[F], p.y, p.z);
-    add_term(&e, q[G], p.x, one);
-    add_term(&e, q[H], p.y, one);
-    add_term(&e, q[I], p.z, one);
-    add_term(&e, q[J], one, one);
-    return kit_expansion_two(&e);
 }
 
 /* A root so near to the ray's origin that the way from `middle` is nearly all of it: -c / (b + or - root),
  * with the value c at the origin itself. */
 static pov_two near_origin(const quadric *s, const kit_ray *k, pov_two root)
 {
-    const pov_two c = exact_value(s->q, k->f), b = pov_two3_dot(kit_direction(k), half_gradient(s->q, k->f, true));
+    const pov_two c = kit_exact_value(s->q, k->f), b = pov_two3_dot(kit_direction(k), kit_half_gradient(s->q, k->f, true));
 
     return pov_two_neg(pov_two_div(c, b.hi < 0.0 ? pov_two_sub(b, root) : pov_two_add(b, root)));
 }
@@ -348,13 +111,13 @@ typedef struct solution { pov_two entry, exit, root; } solution;
 /* False: the ray misses. A root that is not there is infinite. */
 static bool solve(const quadric *s, const kit_ray *k, double middle, solution *out)
 {
-    const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = half_gradient(s->q, w, true);
-    const pov_two3 turn = half_gradient(s->q, d, false);
+    const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = kit_half_gradient(s->q, w, true);
+    const pov_two3 turn = kit_half_gradient(s->q, d, false);
     /* A ray along a surface that is straight that way hardly moves across it, so little at times that squares
      * underflow: it is followed faster by `power`. */
     const double power = pov_inverse_power(fmax(pov_largest(pov_two3_hi(turn)), fabs(pov_two3_dot(d, g).hi)));
     const pov_two a = quick_square(d, turn, power), b = pov_two_scale(pov_two3_dot(d, g), power);
-    const pov_two c = value(s->q, w, g);
+    const pov_two c = kit_value(s->q, w, g);
     const pov_two discriminant = pov_two_sub(pov_two_mul(b, b), pov_two_mul(a, c));
     pov_two root, sum, entry = { HUGE_VAL, 0.0 }, exit = { HUGE_VAL, 0.0 };
 
@@ -394,7 +157,7 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
 
     hits->decided++;
     if (leaving) {
-        const double rise = pov_two3_dot(kit_direction(k), half_gradient(s->q, k->f, true)).hi;
+        const double rise = pov_two3_dot(kit_direction(k), kit_half_gradient(s->q, k->f, true)).hi;
         wanted = rise > 0.0 ? WANT_ENTRY : rise < 0.0 ? WANT_EXIT : 0;
     }
     if (!solve(s, k, middle, &roots))
@@ -453,11 +216,11 @@ static kit_root root_of(double middle, double t, double error, uint32_t part)
 static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
     const quadric *s = self;
-    const pov_two3 g = half_gradient(s->q, w, true);
+    const pov_two3 g = kit_half_gradient(s->q, w, true);
     kit_residual r;
 
     (void)part;
-    r.value = value(s->q, w, g).hi;
+    r.value = kit_value(s->q, w, g).hi;
     r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w), 0.0));
     r.half_slope = pov_dot(pov_two3_hi(g), k->d);
     r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(g), k->d);
@@ -506,33 +269,57 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
                                  is_entry ? ENTERING : EXITING);
     }
     equation.apart = root / fabs(r->a);
-    return kit_report(roots, n, fmin(KIT_FINE / sqrt(pov_dot(k->d, k->d)), KIT_APART * equation.apart), &equation, hits);
+    return kit_report(roots, n, fmin(KIT_FINE * KIT_SLOWEST, KIT_APART * equation.apart), &equation, hits);
+}
+
+/* What most rays are told by the coefficients at their origin: that they miss, or have all behind them. The sizes of the
+ * terms are bounded by the largest component of the origin and by the direction's, which is below 2. */
+static bool is_clear_miss(const quadric *s, const along *r, double far, double tmin)
+{
+    const double a_error = 40.0 * KIT_U * s->sum2, b_error = 22.0 * KIT_U * (s->sum2 * far + 0.5 * s->sum1);
+    const double c_error = 12.0 * KIT_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
+    const double d = r->b * r->b - r->a * r->c;
+    const double d_error = (2.0 * fabs(r->b) + b_error) * b_error + (fabs(r->a) + a_error) * c_error
+                           + fabs(r->c) * a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
+    const double sign = r->b > 0.0 ? 1.0 : -1.0;
+
+    if (d < -2.0 * d_error)
+        return true;
+    /* Coefficients of one sign have no positive root. */
+    return tmin >= 0.0 && sign * r->b > b_error && sign * r->c > c_error && (s->flat || sign * r->a > a_error);
 }
 
 /* Double precision with bounds. False: open. */
 static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
 {
     const pov_vec3 f = pov_two3_hi(k->f);
-    const along at_start = measure(s, k, f);
-    const bool is_plane = s->flat;
     uint32_t wanted = WANT_ENTRY | WANT_EXIT;
+    along r;
     double middle;
-    along there;
 
-    if (leaving && is_plane)
+    if (leaving && s->flat)
+        return true;
+    r.a = along_second(s->rough, k->d);
+    r.b = along_first(s->rough, f, k->d);
+    r.c = along_value(s->rough, f);
+    if (is_clear_miss(s, &r, pov_largest(f), hits->tmin))
         return true;
     if (leaving) {
-        if (!(fabs(at_start.b) > 2.0 * at_start.b_error))
+        const double error = 22.0 * KIT_U * along_first(s->size, sizes(f, 0.0), sizes(k->d, 0.0));
+
+        if (!(fabs(r.b) > error))
             return false;
-        wanted = at_start.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
+        wanted = r.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
     }
-    if (!is_plane && !(fabs(at_start.a) > 1024.0 * at_start.a_error && fabs(at_start.a) > KIT_TINY))
-        return false;
-    middle = is_plane ? -at_start.c / (2.0 * at_start.b) : -at_start.b / at_start.a;
+    middle = s->flat ? -r.c / (2.0 * r.b) : -r.b / r.a;
     if (!isfinite(middle))
         return false;
-    there = measure(s, k, kit_along(k, middle));
-    return is_plane ? quick_plane(s, k, &there, middle, hits) : quick_curved(s, k, &there, middle, wanted, hits);
+    r = measure(s, k, kit_along(k, middle));
+    if (s->flat)
+        return quick_plane(s, k, &r, middle, hits);
+    if (!(fabs(r.a) > 1024.0 * r.a_error && fabs(r.a) > KIT_TINY))
+        return false;
+    return quick_curved(s, k, &r, middle, wanted, hits);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -549,9 +336,9 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
  * a normal. */
 static pov_two3 surface_point(const quadric *s, const kit_ray *k, const pov_crossing *at)
 {
-    const pov_two3 p = kit_point(k, at), g = half_gradient(s->q, p, true);
+    const pov_two3 p = kit_point(k, at), g = kit_half_gradient(s->q, p, true);
 
-    return kit_step(k, p, value(s->q, p, g).hi, pov_dot(pov_two3_hi(g), k->d));
+    return kit_step(k, p, kit_value(s->q, p, g).hi, pov_dot(pov_two3_hi(g), k->d));
 }
 
 /* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */
@@ -560,7 +347,7 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     const quadric *s = self;
     const kit_ray k = kit_enter(ray, s->anchor, s->scale);
 
-    *out = pov_unit(pov_two3_hi(half_gradient(s->q, surface_point(s, &k, at), true)));
+    *out = pov_unit(pov_two3_hi(kit_half_gradient(s->q, surface_point(s, &k, at), true)));
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
@@ -570,52 +357,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     const quadric *s = self;
     const pov_two3 p = kit_offset(point, point_lo, s->anchor, s->scale);
 
-    return value(s->q, p, half_gradient(s->q, p, true)).hi <= 0.0;
-}
-
-/* ---- maps ---- */
-
-static pov_two3 column(const pov_two3 rows[3], int i)
-{
-    pov_two3 c;
-
-    c.x = i == 0 ? rows[0].x : i == 1 ? rows[0].y : rows[0].z;
-    c.y = i == 0 ? rows[1].x : i == 1 ? rows[1].y : rows[1].z;
-    c.z = i == 0 ? rows[2].x : i == 1 ? rows[2].y : rows[2].z;
-    return c;
-}
-
-/* The matrix becomes the inverse's transpose times it times the inverse. Maps far from keeping angles
- * would cost precision in these products, unless they are axial. */
-static bool absorb(void *self, const pov_affine *map)
-{
-    static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };
-    quadric *s = self;
-    pov_two3 rows[3], columns[3], linear;
-    pov_two raw[COEFFICIENTS];
-    int axis[3], i;
-
-    if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
-        return false;
-    kit_inverse_linear(map, rows);
-    for (i = 0; i < 3; i++)
-        columns[i] = column(rows, i);
-    linear.x = s->raw[G], linear.y = s->raw[H], linear.z = s->raw[I];
-    for (i = 0; i < 6; i++) {
-        const pov_two3 product = half_gradient(s->raw, columns[column_of[i]], false);
-        raw[i] = pov_two_scale(pov_two3_dot(columns[row_of[i]], product), i < D ? 1.0 : 2.0);
-    }
-    for (i = 0; i < 3; i++)
-        raw[G + i] = pov_two3_dot(columns[i], linear);
-    raw[J] = s->raw[J];
-    for (i = 0; i < COEFFICIENTS; i++) {
-        if (!isfinite(raw[i].hi) || !isfinite(raw[i].lo))
-            return false;
-    }
-    s->anchor = kit_map_point(map, s->anchor);
-    memcpy(s->raw, raw, sizeof raw);
-    prepare(s);
-    return true;
+    return kit_value(s->q, p, kit_half_gradient(s->q, p, true)).hi <= 0.0;
 }
 
 static const pov_shape_class quadric_class = {

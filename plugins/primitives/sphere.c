@@ -111,7 +111,8 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
 {
     const double u = KIT_U;
     pov_vec3 f = pov_two3_hi(k->f), w;
-    double a = pov_dot(k->d, k->d), fd = pov_dot(f, k->d), middle = -fd / a, ww, b, b_error, c, c_error, d, d_error;
+    double a = pov_dot(k->d, k->d), inverse = 1.0 / a, fd = pov_dot(f, k->d), middle = -fd * inverse;
+    double ww, b, b_error, c, c_error, d, d_error;
     double root, error;
     kit_equation equation = { s, k, residual, 0.0 };
     kit_root roots[2];
@@ -141,15 +142,15 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     if (!(d > 16.0 * d_error))
         return false;
     root = sqrt(d);
-    error = (b_error + 0.52 * d_error / root + u * (12.0 * root + 8.0 * fabs(b))) / a;
-    roots[0].t = pov_two_sum(middle, (-b - root) / a);
-    roots[1].t = pov_two_sum(middle, (-b + root) / a);
+    error = (b_error + 0.52 * d_error / root + u * (13.0 * root + 9.0 * fabs(b))) * inverse;
+    roots[0].t = pov_two_sum(middle, (-b - root) * inverse);
+    roots[1].t = pov_two_sum(middle, (-b + root) * inverse);
     roots[0].error = roots[1].error = error;
     roots[0].part = 0;
     roots[1].part = 1;
     roots[0].flags = roots[1].flags = 0;
-    equation.apart = root / a;
-    return kit_report(roots + first, n, KIT_FINE / sqrt(a), &equation, hits);
+    equation.apart = root * inverse;
+    return kit_report(roots + first, n, KIT_FINE * KIT_SLOWEST, &equation, hits);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)

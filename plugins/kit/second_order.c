@@ -1,0 +1,289 @@
+#include "kit/second_order.h"
+
+#include "kit/affine.h"
+#include "kit/expansion.h"
+
+static pov_two half(pov_two a) { return pov_two_scale(a, 0.5); }
+
+static pov_two sum3(pov_two a, pov_two b, pov_two c) { return pov_two_add(pov_two_add(a, b), c); }
+
+/* ---- values ---- */
+
+pov_two3 kit_half_gradient(const pov_two *q, pov_two3 p, bool linear)
+{
+    pov_two3 g;
+
+    g.x = sum3(pov_two_mul(q[A], p.x), half(pov_two_mul(q[D], p.y)), half(pov_two_mul(q[E], p.z)));
+    g.y = sum3(pov_two_mul(q[B], p.y), half(pov_two_mul(q[D], p.x)), half(pov_two_mul(q[F], p.z)));
+    g.z = sum3(pov_two_mul(q[C], p.z), half(pov_two_mul(q[E], p.x)), half(pov_two_mul(q[F], p.y)));
+    if (linear) {
+        g.x = pov_two_add(g.x, half(q[G]));
+        g.y = pov_two_add(g.y, half(q[H]));
+        g.z = pov_two_add(g.z, half(q[I]));
+    }
+    return g;
+}
+
+/* The value at a point whose half gradient is known: p . (g + half the linear terms) + J. */
+pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 g)
+{
+    g.x = pov_two_add(g.x, half(q[G]));
+    g.y = pov_two_add(g.y, half(q[H]));
+    g.z = pov_two_add(g.z, half(q[I]));
+    return pov_two_add(pov_two3_dot(p, g), q[J]);
+}
+
+/* Adds q a b, each in two parts. */
+static void add_term(kit_expansion *e, pov_two q, pov_two a, pov_two b)
+{
+    const double part[3][2] = { { q.hi, q.lo }, { a.hi, a.lo }, { b.hi, b.lo } };
+    int i;
+
+    for (i = 0; i < 8; i++)
+        kit_expansion_add_product3(e, part[0][i & 1], part[1][i >> 1 & 1], part[2][i >> 2]);
+}
+
+pov_two kit_exact_value(const pov_two *q, pov_two3 p)
+{
+    const pov_two one = { 1.0, 0.0 };
+    kit_expansion e;
+
+    kit_expansion_clear(&e);
+    add_term(&e, q[A], p.x, p.x);
+    add_term(&e, q[B], p.y, p.y);
+    add_term(&e, q[C], p.z, p.z);
+    add_term(&e, q[D], p.x, p.y);
+    add_term(&e, q[E], p.x, p.z);
+    add_term(&e, q[F], p.y, p.z);
+    add_term(&e, q[G], p.x, one);
+    add_term(&e, q[H], p.y, one);
+    add_term(&e, q[I], p.z, one);
+    add_term(&e, q[J], one, one);
+    return kit_expansion_two(&e);
+}
+
+/* ---- loading ---- */
+
+/* The binary exponent of the largest of n coefficients; a very small number for none. */
+static int exponent_of(const pov_two *q, int n)
+{
+    double largest = 0.0;
+    int i, exponent;
+
+    for (i = 0; i < n; i++)
+        largest = fmax(largest, fabs(q[i].hi));
+    if (!(largest > 0.0) || !isfinite(largest))
+        return -100000;
+    frexp(largest, &exponent);
+    return exponent;
+}
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
+/* The length at which terms of different order are of the same size. */
+static int length_exponent(int second, int first, int constant)
+{
+    if (second > -100000)
+        return first < -90000 && constant < -90000 ? 0 : larger(first - second, (constant - second) / 2);
+    return first > -100000 && constant > -100000 ? constant - first : 0;
+}
+
+static void prepare(kit_second_order *s)
+{
+    int second = exponent_of(s->raw + A, 6), first = exponent_of(s->raw + G, 3), constant = exponent_of(s->raw + J, 1);
+    int length = length_exponent(second, first, constant), largest, i;
+
+    length = length > 900 ? 900 : length < -900 ? -900 : length;
+    largest = larger(larger(second + 2 * length, first + length), constant);
+    for (i = 0; i < COEFFICIENTS; i++) {
+        const int power = (i < G ? 2 * length : i < J ? length : 0) - largest;
+
+        s->q[i] = pov_two_of(ldexp(s->raw[i].hi, power), ldexp(s->raw[i].lo, power));
+        s->rough[i] = s->q[i].hi;
+        s->size[i] = fabs(s->q[i].hi);
+    }
+    s->sum2 = s->size[A] + s->size[B] + s->size[C] + s->size[D] + s->size[E] + s->size[F];
+    s->sum1 = s->size[G] + s->size[H] + s->size[I];
+    s->flat = second == -100000;
+    s->scale = ldexp(1.0, -length);
+}
+
+/* ---- the anchor ---- */
+
+/* Near the centre, if there is one: each axis' own extremum of what is left of the equation when the
+ * others stand. */
+static pov_vec3 near_centre(const pov_two *q)
+{
+    double m[3][4] = { { q[A].hi, 0.5 * q[D].hi, 0.5 * q[E].hi, -0.5 * q[G].hi },
+                       { 0.5 * q[D].hi, q[B].hi, 0.5 * q[F].hi, -0.5 * q[H].hi },
+                       { 0.5 * q[E].hi, 0.5 * q[F].hi, q[C].hi, -0.5 * q[I].hi } };
+    double x[3] = { 0.0, 0.0, 0.0 };
+    bool done[3] = { false, false, false };
+    int step, i, j, k;
+
+    for (step = 0; step < 3; step++) {
+        int pivot = -1;
+
+        for (i = 0; i < 3; i++) {
+            const double own = fabs(i == 0 ? q[A].hi : i == 1 ? q[B].hi : q[C].hi);
+
+            if (!done[i] && fabs(m[i][i]) > 0x1p-20 * own && (pivot < 0 || fabs(m[i][i]) > fabs(m[pivot][pivot])))
+                pivot = i;
+        }
+        if (pivot < 0)
+            break;
+        done[pivot] = true;
+        for (j = 0; j < 3; j++) {
+            const double factor = m[j][pivot] / m[pivot][pivot];
+
+            for (k = 0; j != pivot && k < 4; k++)
+                m[j][k] -= factor * m[pivot][k];
+        }
+    }
+    for (i = 0; i < 3; i++)
+        x[i] = done[i] ? m[i][3] / m[i][i] : 0.0;
+    return pov_vec3_of(x[0], x[1], x[2]);
+}
+
+/* The sum of n products of up to three factors each, rounded once into two parts. */
+static pov_two exact_sum(double (*term)[3], int n)
+{
+    kit_expansion e;
+    int i;
+
+    kit_expansion_clear(&e);
+    for (i = 0; i < n; i++)
+        kit_expansion_add_product3(&e, term[i][0], term[i][1], term[i][2]);
+    return kit_expansion_two(&e);
+}
+
+/* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor
+ * near the centre, without any error on the way, they do not. */
+static void settle(kit_second_order *s)
+{
+    const pov_vec3 c = near_centre(s->raw), zero = { 0.0, 0.0, 0.0 };
+    double q[COEFFICIENTS];
+    pov_two level;
+    int i;
+
+    for (i = 0; i < COEFFICIENTS; i++)
+        q[i] = s->raw[i].hi;
+    {
+        double x[4][3] = {{2.0 * q[A], c.x, 1.0}, {q[D], c.y, 1.0}, {q[E], c.z, 1.0}, {q[G], 1.0, 1.0}};
+        double y[4][3] = {{2.0 * q[B], c.y, 1.0}, {q[D], c.x, 1.0}, {q[F], c.z, 1.0}, {q[H], 1.0, 1.0}};
+        double z[4][3] = {{2.0 * q[C], c.z, 1.0}, {q[E], c.x, 1.0}, {q[F], c.y, 1.0}, {q[I], 1.0, 1.0}};
+        double all[10][3] = { { q[A], c.x, c.x }, { q[B], c.y, c.y }, { q[C], c.z, c.z }, { q[D], c.x, c.y },
+                              { q[E], c.x, c.z }, { q[F], c.y, c.z }, { q[G], c.x, 1.0 }, { q[H], c.y, 1.0 },
+                              { q[I], c.z, 1.0 }, { q[J], 1.0, 1.0 } };
+
+        level = exact_sum(all, 10);
+        if (!(fabs(level.hi) < fabs(q[J])))
+            return;
+        s->raw[G] = exact_sum(x, 4);
+        s->raw[H] = exact_sum(y, 4);
+        s->raw[I] = exact_sum(z, 4);
+        s->raw[J] = level;
+    }
+    s->anchor = pov_two3_of(c, zero);
+}
+
+void kit_second_order_make(kit_second_order *s, const double coefficients[COEFFICIENTS])
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    int i;
+
+    s->anchor = pov_two3_of(zero, zero);
+    for (i = 0; i < COEFFICIENTS; i++)
+        s->raw[i] = pov_two_of(coefficients[i], 0.0);
+    settle(s);
+    prepare(s);
+}
+
+/* ---- bounds, of ellipsoids ---- */
+
+static pov_two minor(pov_two a, pov_two b, pov_two c, pov_two d)
+{
+    return pov_two_sub(pov_two_mul(a, b), pov_two_mul(c, d));
+}
+
+/* Is a pivot clear of rounding, against the diagonal entry that it was reduced from? */
+static bool is_clear(pov_two pivot, pov_two entry) { return pivot.hi > 0x1p-12 * entry.hi && entry.hi > 0.0; }
+
+static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square, double *lo, double *hi)
+{
+    /* Pivots that lost at most 12 bits leave 2^-60 of relative error at most; a millionth is far more than
+     * enough. */
+    const double radius = sqrt(square.hi) * (1.0 + 0x1p-20) / scale, centre = anchor.hi + middle.hi / scale;
+
+    *lo = kit_below(centre - radius - 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
+    *hi = kit_above(centre + radius + 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
+    return isfinite(*lo) && isfinite(*hi);
+}
+
+bool kit_second_order_bounds(const kit_second_order *s, pov_box *out)
+{
+    const pov_two *q = s->q, d = half(q[D]), e = half(q[E]), f = half(q[F]);
+    const pov_two xx = minor(q[B], q[C], f, f), yy = minor(q[A], q[C], e, e), zz = minor(q[A], q[B], d, d);
+    const pov_two xy = minor(e, f, d, q[C]), xz = minor(d, f, e, q[B]), yz = minor(d, e, f, q[A]);
+    const pov_two det = pov_two_add(pov_two_add(pov_two_mul(q[A], xx), pov_two_mul(d, xy)), pov_two_mul(e, xz));
+    const pov_two g = half(q[G]), h = half(q[H]), i = half(q[I]);
+    pov_two x, y, z, level;
+
+    if (!is_clear(q[A], q[A]) || !is_clear(zz, pov_two_mul(q[A], q[B])) || !is_clear(det, pov_two_mul(zz, q[C])))
+        return false;
+    x = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xx, g), pov_two_mul(xy, h)), pov_two_mul(xz, i)), det);
+    y = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xy, g), pov_two_mul(yy, h)), pov_two_mul(yz, i)), det);
+    z = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xz, g), pov_two_mul(yz, h)), pov_two_mul(zz, i)), det);
+    /* The value at the centre, with its sign turned. */
+    level = pov_two_add(pov_two_add(pov_two_mul(x, g), pov_two_mul(y, h)), pov_two_mul(z, i));
+    if (!(level.hi - q[J].hi > 0x1p-40 * (fabs(level.hi) + fabs(q[J].hi))))
+        return false;
+    level = pov_two_div(pov_two_sub(level, q[J]), det);
+    return extent(s->anchor.x, s->scale, pov_two_neg(x), pov_two_mul(level, xx), &out->lo.x, &out->hi.x)
+           && extent(s->anchor.y, s->scale, pov_two_neg(y), pov_two_mul(level, yy), &out->lo.y, &out->hi.y)
+           && extent(s->anchor.z, s->scale, pov_two_neg(z), pov_two_mul(level, zz), &out->lo.z, &out->hi.z);
+}
+
+/* ---- maps ---- */
+
+static pov_two3 column(const pov_two3 rows[3], int i)
+{
+    pov_two3 c;
+
+    c.x = i == 0 ? rows[0].x : i == 1 ? rows[0].y : rows[0].z;
+    c.y = i == 0 ? rows[1].x : i == 1 ? rows[1].y : rows[1].z;
+    c.z = i == 0 ? rows[2].x : i == 1 ? rows[2].y : rows[2].z;
+    return c;
+}
+
+/* The matrix becomes the inverse's transpose times it times the inverse. Maps far from keeping angles
+ * would cost precision in these products, unless they are axial. */
+bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map)
+{
+    static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };
+    pov_two3 rows[3], columns[3], linear;
+    pov_two raw[COEFFICIENTS];
+    int axis[3], i;
+
+    if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
+        return false;
+    kit_inverse_linear(map, rows);
+    for (i = 0; i < 3; i++)
+        columns[i] = column(rows, i);
+    linear.x = s->raw[G], linear.y = s->raw[H], linear.z = s->raw[I];
+    for (i = 0; i < 6; i++) {
+        const pov_two3 product = kit_half_gradient(s->raw, columns[column_of[i]], false);
+        raw[i] = pov_two_scale(pov_two3_dot(columns[row_of[i]], product), i < D ? 1.0 : 2.0);
+    }
+    for (i = 0; i < 3; i++)
+        raw[G + i] = pov_two3_dot(columns[i], linear);
+    raw[J] = s->raw[J];
+    for (i = 0; i < COEFFICIENTS; i++) {
+        if (!isfinite(raw[i].hi) || !isfinite(raw[i].lo))
+            return false;
+    }
+    s->anchor = kit_map_point(map, s->anchor);
+    memcpy(s->raw, raw, sizeof raw);
+    prepare(s);
+    return true;
+}

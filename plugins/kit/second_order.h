@@ -1,0 +1,35 @@
+/* second_order.h - the ten coefficients of a surface of the second order, about an anchor, in two parts. */
+#ifndef KIT_SECOND_ORDER_H
+#define KIT_SECOND_ORDER_H
+
+#include "kit/local.h"
+
+/* A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J */
+enum { A, B, C, D, E, F, G, H, I, J, COEFFICIENTS };
+
+typedef struct kit_second_order {
+    pov_two3 anchor;
+    pov_two raw[COEFFICIENTS];     /* about the anchor */
+    /* Made from raw: for lengths times scale, multiplied so that the largest is of the order of one. */
+    pov_two q[COEFFICIENTS];
+    double rough[COEFFICIENTS], size[COEFFICIENTS];
+    double sum2, sum1;             /* of the sizes of second order, and of the first */
+    double scale;
+    bool flat;                     /* nothing of the second order: a plane */
+} kit_second_order;
+
+/* From coefficients about the origin, as they were written. */
+void kit_second_order_make(kit_second_order *s, const double coefficients[COEFFICIENTS]);
+/* A box around an ellipsoid. False: it is none, or nearly none. */
+bool kit_second_order_bounds(const kit_second_order *s, pov_box *out);
+/* False: the map is too far from keeping angles, and s is as it was. */
+bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map);
+
+/* With one set of coefficients: half the gradient; and without the linear terms the matrix times p. */
+pov_two3 kit_half_gradient(const pov_two *q, pov_two3 p, bool linear);
+/* The value at a point whose half gradient is known. */
+pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
+/* The value at a point, without any error but that of rounding once. */
+pov_two kit_exact_value(const pov_two *q, pov_two3 p);
+
+#endif
