@@ -32,6 +32,20 @@ $(POVVIEW): $(VIEWER_OBJECTS) $(SHARED)
 $(BUILD)/tests/viewer/test_shot: $(filter-out $(BUILD)/obj/viewer/main.o,$(VIEWER_OBJECTS))
 $(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
 
+.PHONY: install-viewer uninstall-viewer
+install: install-viewer
+install-viewer: all
+	$(INSTALL) -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1
+	@mkdir -p $(BUILD)/install
+	$(CC) $(LINK_FLAGS) $(VIEWER_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(INSTALL_RPATH)' $(VIEWER_LIBS) \
+	    $(SYSTEM_LIBS) -o $(BUILD)/install/povview
+	$(INSTALL) -m 755 $(BUILD)/install/povview $(DESTDIR)$(BINDIR)
+	$(INSTALL) -m 644 docs/man/povview.1 $(DESTDIR)$(MANDIR)/man1
+
+uninstall: uninstall-viewer
+uninstall-viewer:
+	rm -f $(DESTDIR)$(BINDIR)/povview $(DESTDIR)$(MANDIR)/man1/povview.1
+
 # The real window is tested where there is something to show it on.
 ifneq ($(and $(shell command -v Xvfb),$(shell command -v xdotool),$(shell command -v import)),)
 VIEWER_SCRIPTS += tests/viewer/window.sh
