@@ -17,4 +17,13 @@ static inline uint32_t first_of(uint32_t mask)
 #endif
 }
 
+static inline uint32_t first_of64(uint64_t mask)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_ctzll(mask);
+#else
+    return (uint32_t)mask ? first_of((uint32_t)mask) : 32 + first_of((uint32_t)(mask >> 32));
+#endif
+}
+
 #endif

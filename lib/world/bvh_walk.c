@@ -1,27 +1,6 @@
-#include "world/bvh_walk.h"
+#include "world/bvh_company.h"
 
 #include "world/bits.h"
-
-#include <string.h>
-
-/* What the entries of the stack are: the entry's distance, a float that is not negative and so sorts as its bits do,
- * above the reference. */
-static inline uint64_t key_of(float entry, uint32_t child)
-{
-    uint32_t bits;
-
-    memcpy(&bits, &entry, sizeof bits);
-    return (uint64_t)bits << 32 | child;
-}
-
-static inline float entry_of(uint64_t key)
-{
-    uint32_t bits = (uint32_t)(key >> 32);
-    float entry;
-
-    memcpy(&entry, &bits, sizeof entry);
-    return entry;
-}
 
 static inline float greater(float a, float b) { return a > b ? a : b; }
 static inline float lesser(float a, float b) { return a < b ? a : b; }
@@ -114,7 +93,8 @@ static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable 
 #undef WALK_NAME
 #undef WALK_TARGET
 
-const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_order_portable };
+const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_order_portable,
+                                       bvh_company_nearest_portable, bvh_company_any_portable };
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
@@ -192,7 +172,8 @@ WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const lanes_a
 #define WALK_NAME(name) name##_avx2
 #include "world/bvh_walk_body.h"
 
-static const bvh_walks bvh_walks_avx2 = { "AVX2", nearest_first_avx2, any_order_avx2 };
+const bvh_walks bvh_walks_avx2 = { "AVX2", nearest_first_avx2, any_order_avx2, bvh_company_nearest_avx2,
+                                   bvh_company_any_avx2 };
 
 const bvh_walks *bvh_walks_best(void)
 {

@@ -13,6 +13,8 @@
 
 #include <povtrace/plugin.h>
 
+#include <string.h>
+
 /* A ray in a frame. */
 typedef struct bvh_local {
     pov_vec3 org, dir;
@@ -27,6 +29,7 @@ typedef struct bvh_local {
 typedef struct bvh_walk {
     const bvh *tree;
     const pov_ray *ray;
+    uint32_t frame, at;          /* where it begins: a reference in a frame */
     double limit;                /* nothing beyond this t counts; leaves may lower it */
     /* What lies in a leaf. True: the walk may end. */
     bool (*leaf)(struct bvh_walk *walk, const void *leaf);
@@ -37,11 +40,17 @@ typedef struct bvh_walks {
     const char *name;
     bool (*nearest_first)(bvh_walk *walk);
     bool (*any_order)(bvh_walk *walk);
+    /* Up to BVH_COMPANY walks from the root together, of rays of one bvh_octant(). Bit i: a leaf ended walk i. */
+    uint64_t (*nearest_together)(bvh_walk *const *walks, uint32_t n);
+    uint64_t (*any_together)(bvh_walk *const *walks, uint32_t n);
 } bvh_walks;
 
 /* The best that this processor can do; `portable` is what every processor can. */
 const bvh_walks *bvh_walks_best(void);
 extern const bvh_walks bvh_walks_portable;
+#if defined(__x86_64__) && defined(__GNUC__)
+extern const bvh_walks bvh_walks_avx2;   /* only where the processor has AVX2 */
+#endif
 
 /* A ray that starts further away than BVH_NEAR half-sizes of the frame is brought near. False: it passes by. */
 #define BVH_NEAR 8.0
@@ -64,6 +73,25 @@ static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, bvh_loc
     if (most > 0x1p-20 && most < 0x1p20 && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
         return true;
     return bvh_enter_far(frame, ray, out);
+}
+
+/* What the entries of a stack are: the entry's distance, a float that is not negative and so sorts as its bits do,
+ * above the reference. */
+static inline uint64_t key_of(float entry, uint32_t child)
+{
+    uint32_t bits;
+
+    memcpy(&bits, &entry, sizeof bits);
+    return (uint64_t)bits << 32 | child;
+}
+
+static inline float entry_of(uint64_t key)
+{
+    uint32_t bits = (uint32_t)(key >> 32);
+    float entry;
+
+    memcpy(&entry, &bits, sizeof entry);
+    return entry;
 }
 
 /* The u of a limit, rounded up. The t of a crossing may be off by a few units in its last place, which must not hide

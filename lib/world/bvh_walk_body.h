@@ -85,13 +85,13 @@ WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
 {
     const bvh *t = w->tree;
     uint64_t stack[BVH_STACK];
-    uint32_t top = 0, frame = 0, at = t->frames[0].root;
+    uint32_t top = 0, frame = w->frame, at = w->at;
     WALK_LANES lanes;
     bvh_local local;
     float limit;
     double before;
 
-    if (!WALK_NAME(enter)(w, 0, &local, &lanes, &limit))
+    if (!WALK_NAME(enter)(w, frame, &local, &lanes, &limit))
         return false;
     for (;;) {
         if (WALK_NAME(descend)(t->nodes, &lanes, sorted, &at, stack, &top)) {

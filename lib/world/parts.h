@@ -2,7 +2,7 @@
 #ifndef WORLD_PARTS_H
 #define WORLD_PARTS_H
 
-#include "world/bvh_walk.h"
+#include "world/bvh_company.h"
 #include "world/flatten.h"
 #include "world/world.h"
 
@@ -34,10 +34,12 @@ struct world {
     size_t media_count;
 };
 
+/* For the crossings of one light path: with transparent shapes, and with one that blocks. */
+typedef struct tint_room { walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
+
 struct walker {
     const env *env;
-    pov_crossing *crossings;     /* of one light path */
-    uint32_t capacity;
+    tint_room rooms[WORLD_MANY];
     uint64_t decided;
     bool failed;
 };

@@ -1,4 +1,4 @@
-#include "world/parts.h"
+#include "world/query.h"
 
 #include "base/err.h"
 #include "base/vec.h"
@@ -11,19 +11,25 @@
 pov_status walker_create(walker **out, const world *w, pov_error *err)
 {
     walker *k = env_alloc(w->env, 1, sizeof *k);
+    int i;
 
     *out = k;
     if (!k)
         return err_memory(err);
     k->env = w->env;
+    for (i = 0; i < WORLD_MANY; i++)
+        k->rooms[i].walker = k;
     return POV_OK;
 }
 
 void walker_destroy(walker *k)
 {
+    int i;
+
     if (!k)
         return;
-    env_free(k->env, k->crossings);
+    for (i = 0; i < WORLD_MANY; i++)
+        env_free(k->env, k->rooms[i].crossings);
     env_free(k->env, k);
 }
 
@@ -39,24 +45,12 @@ bool walker_failed(const walker *k)
 
 /* ---- what all queries share ---- */
 
-/* A lane that is surely crossed, before or at the limit; which crossing is nearest of all is settled later. */
-typedef struct pending { const run *run; uint32_t lane; double lo; } pending;
-
-enum { PENDING_MAX = 8 };
-
-typedef struct query {
-    bvh_walk walk;               /* first: leaves are handed this */
-    pov_hits hits;
-    pending pending[PENDING_MAX];
-    uint32_t waiting;
-    pov_hits tints;              /* of transparent shapes on a light path */
-    bool any_blocks;             /* transparent or not */
-} query;
-
 static void begin(query *q, const world *w, const pov_ray *ray, double tmax, pov_want want, pov_crossing *at)
 {
     q->walk.tree = &w->tree;
     q->walk.ray = ray;
+    q->walk.frame = 0;
+    q->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
     q->walk.limit = tmax;
     q->waiting = 0;
     q->hits.tmin = 0.0;
@@ -152,38 +146,48 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
     return false;
 }
 
+void query_begin_nearest(query *q, const world *w, const pov_ray *ray, double tmax, hit *out)
+{
+    begin(q, w, ray, tmax, POV_WANT_NEAREST, &out->crossing);
+    q->walk.leaf = meet_nearest;
+    if (w->infinite)
+        meet_nearest(&q->walk, w->infinite);
+    if (w->list)
+        meet_nearest(&q->walk, w->list);
+}
+
+bool query_end_nearest(query *q, walker *k, hit *out)
+{
+    settle(q);
+    k->decided += q->hits.decided;
+    out->object = q->hits.count ? out->crossing.owner : POV_NOBODY;
+    return q->hits.count > 0;
+}
+
 bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out)
 {
     query q;
 
-    begin(&q, w, ray, tmax, POV_WANT_NEAREST, &out->crossing);
-    q.walk.leaf = meet_nearest;
-    if (w->infinite)
-        meet_nearest(&q.walk, w->infinite);
-    if (w->list)
-        meet_nearest(&q.walk, w->list);
+    query_begin_nearest(&q, w, ray, tmax, out);
     if (w->has_tree)
         w->walks->nearest_first(&q.walk);
-    settle(&q);
-    k->decided += q.hits.decided;
-    out->object = q.hits.count ? out->crossing.owner : POV_NOBODY;
-    return q.hits.count > 0;
+    return query_end_nearest(&q, k, out);
 }
 
 /* ---- shadows ---- */
 
 static bool grow(pov_hits *hits)
 {
-    walker *k = hits->user;
-    size_t capacity = k->capacity;
+    tint_room *room = hits->user;
+    size_t capacity = room->capacity;
 
     if (capacity > UINT32_MAX / 2 ||
-        !vec_reserve(k->env, (void **)&k->crossings, &capacity, hits->count, sizeof *k->crossings)) {
-        k->failed = true;
+        !vec_reserve(room->walker->env, (void **)&room->crossings, &capacity, hits->count, sizeof *room->crossings)) {
+        room->walker->failed = true;
         return false;
     }
-    k->capacity = hits->capacity = (uint32_t)capacity;
-    hits->at = k->crossings;
+    room->capacity = hits->capacity = (uint32_t)capacity;
+    hits->at = room->crossings;
     return true;
 }
 
@@ -234,12 +238,11 @@ static bool meet_shadow(bvh_walk *walk, const void *leaf)
     return false;
 }
 
-/* True: something that blocks stands on the way. */
-static bool is_blocked(query *q, const world *w)
+/* True: something that blocks stands on the way, before the tree is asked. */
+static bool begin_shadow(query *q, const world *w)
 {
     q->walk.leaf = meet_shadow;
-    return (w->infinite && meet_shadow(&q->walk, w->infinite)) || (w->list && meet_shadow(&q->walk, w->list)) ||
-           (w->has_tree && w->walks->any_order(&q->walk));
+    return (w->infinite && meet_shadow(&q->walk, w->infinite)) || (w->list && meet_shadow(&q->walk, w->list));
 }
 
 bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
@@ -250,7 +253,7 @@ bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
 
     begin(&q, w, ray, tmax, POV_WANT_ANY, &at);
     q.any_blocks = true;
-    blocked = is_blocked(&q, w);
+    blocked = begin_shadow(&q, w) || (w->has_tree && w->walks->any_order(&q.walk));
     k->decided += q.hits.decided;
     return blocked;
 }
@@ -296,34 +299,45 @@ static bool multiply(const model *m, pov_crossing *at, uint32_t count, colour *t
     return !colour_is_black(*through);
 }
 
-static void begin_tints(query *q, walker *k)
+static void begin_tints(query *q, tint_room *room)
 {
     q->tints = q->hits;
     q->tints.want = POV_WANT_ALL;
-    q->tints.capacity = k->capacity;
-    q->tints.at = k->crossings;
+    q->tints.capacity = room->capacity;
+    q->tints.at = room->crossings;
     q->tints.grow = grow;
-    q->tints.user = k;
+    q->tints.user = room;
+}
+
+bool query_begin_light(query *q, const world *w, tint_room *room, const pov_ray *ray, double tmax)
+{
+    begin(q, w, ray, tmax, POV_WANT_ANY, &room->blocking);
+    q->any_blocks = !w->plan.coloured_shadows;
+    if (!q->any_blocks)
+        begin_tints(q, room);
+    return begin_shadow(q, w);
+}
+
+bool query_end_light(query *q, const world *w, walker *k, bool blocked, colour *through)
+{
+    bool open = !blocked;
+
+    *through = colour_of(1.0f, 1.0f, 1.0f);
+    k->decided += q->hits.decided;
+    if (!q->any_blocks) {
+        k->decided += q->tints.decided;
+        open = open && (q->tints.count == 0 || multiply(w->model, q->tints.at, q->tints.count, through));
+    }
+    if (!open)
+        *through = colour_of(0.0f, 0.0f, 0.0f);
+    return open;
 }
 
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through)
 {
-    pov_crossing at;
     query q;
-    bool open;
+    bool blocked = query_begin_light(&q, w, &k->rooms[0], ray, tmax);
 
-    begin(&q, w, ray, tmax, POV_WANT_ANY, &at);
-    q.any_blocks = !w->plan.coloured_shadows;
-    *through = colour_of(1.0f, 1.0f, 1.0f);
-    if (q.any_blocks) {
-        open = !is_blocked(&q, w);
-    } else {
-        begin_tints(&q, k);
-        open = !is_blocked(&q, w) && (q.tints.count == 0 || multiply(w->model, q.tints.at, q.tints.count, through));
-        k->decided += q.tints.decided;
-    }
-    k->decided += q.hits.decided;
-    if (!open)
-        *through = colour_of(0.0f, 0.0f, 0.0f);
-    return open;
+    blocked = blocked || (w->has_tree && w->walks->any_order(&q.walk));
+    return query_end_light(&q, w, k, blocked, through);
 }

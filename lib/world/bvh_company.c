@@ -1,0 +1,305 @@
+#include "world/bvh_company.h"
+
+#include "world/bits.h"
+
+#include <string.h>
+
+/* What all rays of a company share on one axis: ends of the interval of 1/d, and by end the offsets. */
+typedef struct company_axis {
+    float inverse[2], near_offset[2], far_offset[2];
+    uint32_t near_row;           /* rows of a node's bounds: where rays enter; row ^ 1 is where they leave */
+} company_axis;
+
+/* Arrays by lane; eight lanes are loaded at once. */
+#ifdef __GNUC__
+#define COMPANY_ALIGNED __attribute__((aligned(64)))
+#else
+#define COMPANY_ALIGNED
+#endif
+
+typedef struct company {
+    float inverse[3][BVH_COMPANY], near_offset[3][BVH_COMPANY], far_offset[3][BVH_COMPANY], limit[BVH_COMPANY];
+    double org[3][BVH_COMPANY], dir[3][BVH_COMPANY], scale[BVH_COMPANY], shift[BVH_COMPANY];
+    company_axis axis[3];
+    const bvh *tree;
+    bvh_walk *const *walks;
+    uint64_t open, ended;        /* lanes that still walk; those that a leaf ended */
+    uint32_t width;              /* lanes, a multiple of eight */
+    uint32_t frame;
+} COMPANY_ALIGNED company;
+
+typedef struct company_entry { uint64_t key, lanes; } company_entry;
+
+/* So few lanes walk faster alone. */
+static inline bool is_few(uint64_t lanes)
+{
+    return (lanes & (lanes - 1)) == 0;
+}
+
+static void begin(company *c, bvh_walk *const *walks, uint32_t n)
+{
+    c->tree = walks[0]->tree;
+    c->walks = walks;
+    c->open = ~(uint64_t)0 >> (BVH_COMPANY - n);
+    c->ended = 0;
+    c->width = (n + 7) & ~7u;
+    c->frame = 0;
+}
+
+static inline void end_lane(company *c, uint32_t i)
+{
+    c->open &= ~((uint64_t)1 << i);
+    c->ended |= (uint64_t)1 << i;
+}
+
+static inline void lower_limit(company *c, uint32_t i)
+{
+    bvh_local l;
+
+    l.scale = c->scale[i];
+    l.shift = c->shift[i];
+    c->limit[i] = bvh_limit(&l, c->walks[i]->limit);
+}
+
+static void visit(company *c, uint64_t lanes, uint32_t leaf)
+{
+    const unsigned char *at = c->tree->leaves + (size_t)leaf * BVH_UNIT;
+
+    for (; lanes; lanes &= lanes - 1) {
+        uint32_t i = first_of64(lanes);
+        bvh_walk *w = c->walks[i];
+        double before = w->limit;
+
+        if (w->leaf(w, at))
+            end_lane(c, i);
+        else if (w->limit < before)
+            lower_limit(c, i);
+    }
+}
+
+static inline void put_lane(company *c, uint32_t i, const bvh_local *l)
+{
+    c->org[0][i] = l->org.x;
+    c->org[1][i] = l->org.y;
+    c->org[2][i] = l->org.z;
+    c->dir[0][i] = l->dir.x;
+    c->dir[1][i] = l->dir.y;
+    c->dir[2][i] = l->dir.z;
+    c->scale[i] = l->scale;
+    c->shift[i] = l->shift;
+}
+
+/* Lanes that are in the frame. The places of all others hold one of theirs, so that bounds are not widened, and a
+ * limit that nothing is within. */
+static uint64_t enter_lanes(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
+{
+    uint64_t in = 0;
+    bvh_local l, some;
+    uint32_t i;
+
+    c->frame = frame;
+    *blind = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        i = first_of64(lanes);
+        if (!bvh_enter(&c->tree->frames[frame], c->walks[i]->ray, &l))
+            continue;
+        if (l.slack > BVH_SLACK) {
+            *blind |= (uint64_t)1 << i;
+            continue;
+        }
+        some = l;
+        put_lane(c, i, &l);
+        c->limit[i] = bvh_limit(&l, c->walks[i]->limit);
+        in |= (uint64_t)1 << i;
+    }
+    for (i = 0; in && i < c->width; i++)
+        if (!(in >> i & 1)) {
+            put_lane(c, i, &some);
+            c->limit[i] = -1.0f;
+        }
+    return in;
+}
+
+/* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
+static inline void bound(company *c, int k, float lo, float hi, double first, double last)
+{
+    company_axis *a = &c->axis[k];
+    bool backward = lo < 0.0f;
+    double near = backward ? first : last, far = backward ? last : first;
+    double slack = 2.0 * BVH_SLACK * (1.0 + fmax(fabs(first), fabs(last)));
+    int end;
+
+    a->inverse[0] = lo;
+    a->inverse[1] = hi;
+    a->near_row = 2u * (uint32_t)k + backward;
+    for (end = 0; end < 2; end++) {
+        double r = (double)a->inverse[end];
+        a->near_offset[end] = (float)(near * r + fabs(r) * slack);
+        a->far_offset[end] = (float)(far * r - fabs(r) * slack);
+    }
+}
+
+static inline float greater(float a, float b) { return a > b ? a : b; }
+static inline float lesser(float a, float b) { return a < b ? a : b; }
+
+/* ---- for every processor ---- */
+
+/* Boxes that any lane may meet, and what no lane enters them before. */
+static inline uint32_t group_portable(const bvh_node *node, const company *c, float entry[BVH_WIDTH])
+{
+    float leave[BVH_WIDTH];
+    uint32_t mask = 0;
+    int i, k;
+
+    for (i = 0; i < BVH_WIDTH; i++) {
+        entry[i] = 0.0f;
+        leave[i] = HUGE_VALF;
+    }
+    for (k = 0; k < 3; k++) {
+        const company_axis *a = &c->axis[k];
+        const float *near = node->bounds[a->near_row], *far = node->bounds[a->near_row ^ 1];
+        for (i = 0; i < BVH_WIDTH; i++) {
+            float x = near[i] * a->inverse[0] - a->near_offset[0], y = near[i] * a->inverse[1] - a->near_offset[1];
+            entry[i] = greater(entry[i], lesser(x, y));
+        }
+        for (i = 0; i < BVH_WIDTH; i++) {
+            float x = far[i] * a->inverse[0] - a->far_offset[0], y = far[i] * a->inverse[1] - a->far_offset[1];
+            leave[i] = lesser(leave[i], greater(x, y));
+        }
+    }
+    for (i = 0; i < BVH_WIDTH; i++)
+        mask |= (uint32_t)(entry[i] <= leave[i]) << i;
+    return mask;
+}
+
+/* The lanes that may meet a child. */
+static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes)
+{
+    uint64_t meet = 0;
+    uint32_t i, j;
+    int k;
+
+    for (i = 0; i < c->width; i += 8) {
+        float entry[8], leave[8];
+        if (!(lanes >> i & 255))
+            continue;
+        for (j = 0; j < 8; j++) {
+            entry[j] = 0.0f;
+            leave[j] = c->limit[i + j];
+        }
+        for (k = 0; k < 3; k++) {
+            uint32_t row = c->axis[k].near_row;
+            float near = node->bounds[row][child], far = node->bounds[row ^ 1][child];
+            for (j = 0; j < 8; j++) {
+                float x = near * c->inverse[k][i + j] - c->near_offset[k][i + j];
+                float y = far * c->inverse[k][i + j] - c->far_offset[k][i + j];
+                entry[j] = greater(entry[j], x);
+                leave[j] = lesser(leave[j], y);
+            }
+        }
+        for (j = 0; j < 8; j++)
+            meet |= (uint64_t)(entry[j] <= leave[j]) << (i + j);
+    }
+    return meet & lanes;
+}
+
+/* The lanes whose limit is not before an entry. */
+static inline uint64_t within_portable(const company *c, float entry, uint64_t lanes)
+{
+    uint64_t in = 0;
+    uint32_t i;
+
+    for (i = 0; i < c->width; i++)
+        in |= (uint64_t)(entry <= c->limit[i]) << i;
+    return in & lanes;
+}
+
+#define COMPANY_TARGET
+#define COMPANY_NAME(name) name##_portable
+#define COMPANY_ALONE bvh_walks_portable
+#define COMPANY_GROUP group_portable
+#define COMPANY_LANES lanes_portable
+#define COMPANY_WITHIN within_portable
+#include "world/bvh_company_body.h"
+#undef COMPANY_TARGET
+#undef COMPANY_NAME
+#undef COMPANY_ALONE
+#undef COMPANY_GROUP
+#undef COMPANY_LANES
+#undef COMPANY_WITHIN
+
+/* ---- for those with AVX2 ---- */
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+#include <immintrin.h>
+
+#define COMPANY_TARGET __attribute__((target("avx2,fma")))
+
+COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const company *c, float entry[BVH_WIDTH])
+{
+    __m256 in = _mm256_setzero_ps(), out = _mm256_set1_ps(HUGE_VALF);
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        const company_axis *a = &c->axis[k];
+        __m256 near = _mm256_load_ps(node->bounds[a->near_row]), far = _mm256_load_ps(node->bounds[a->near_row ^ 1]);
+        __m256 r0 = _mm256_broadcast_ss(&a->inverse[0]), r1 = _mm256_broadcast_ss(&a->inverse[1]);
+        __m256 x = _mm256_fmsub_ps(near, r0, _mm256_broadcast_ss(&a->near_offset[0]));
+        __m256 y = _mm256_fmsub_ps(near, r1, _mm256_broadcast_ss(&a->near_offset[1]));
+        in = _mm256_max_ps(in, _mm256_min_ps(x, y));
+        x = _mm256_fmsub_ps(far, r0, _mm256_broadcast_ss(&a->far_offset[0]));
+        y = _mm256_fmsub_ps(far, r1, _mm256_broadcast_ss(&a->far_offset[1]));
+        out = _mm256_min_ps(out, _mm256_max_ps(x, y));
+    }
+    _mm256_storeu_ps(entry, in);
+    return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
+}
+
+COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes)
+{
+    __m256 near[3], far[3];
+    uint64_t meet = 0;
+    uint32_t i;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        near[k] = _mm256_broadcast_ss(&node->bounds[c->axis[k].near_row][child]);
+        far[k] = _mm256_broadcast_ss(&node->bounds[c->axis[k].near_row ^ 1][child]);
+    }
+    for (i = 0; i < c->width; i += 8) {
+        __m256 in = _mm256_setzero_ps(), out;
+        if (!(lanes >> i & 255))
+            continue;
+        out = _mm256_load_ps(c->limit + i);
+        for (k = 0; k < 3; k++) {
+            __m256 inverse = _mm256_load_ps(c->inverse[k] + i);
+            in = _mm256_max_ps(in, _mm256_fmsub_ps(near[k], inverse, _mm256_load_ps(c->near_offset[k] + i)));
+            out = _mm256_min_ps(out, _mm256_fmsub_ps(far[k], inverse, _mm256_load_ps(c->far_offset[k] + i)));
+        }
+        meet |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ)) << i;
+    }
+    return meet & lanes;
+}
+
+COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry, uint64_t lanes)
+{
+    __m256 at = _mm256_set1_ps(entry);
+    uint64_t in = 0;
+    uint32_t i;
+
+    for (i = 0; i < c->width; i += 8) {
+        __m256 within = _mm256_cmp_ps(at, _mm256_load_ps(c->limit + i), _CMP_LE_OQ);
+        in |= (uint64_t)(uint32_t)_mm256_movemask_ps(within) << i;
+    }
+    return in & lanes;
+}
+
+#define COMPANY_NAME(name) name##_avx2
+#define COMPANY_ALONE bvh_walks_avx2
+#define COMPANY_GROUP group_avx2
+#define COMPANY_LANES lanes_avx2
+#define COMPANY_WITHIN within_avx2
+#include "world/bvh_company_body.h"
+
+#endif

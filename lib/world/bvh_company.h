@@ -1,0 +1,31 @@
+/* bvh_company.h - many rays through a tree at once.
+ *
+ * Rays that start and go alike meet nearly the same boxes. So all of them together are tested against the eight
+ * children of a node first: over the intervals that their 1/d and o lie in, a plane at b is met no earlier than
+ * the least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What
+ * floats lose there is at most 4 + 4 |o| in the units of bvh_walk.h: |b - o| for r, |b| for the product, |o| twice
+ * for o and the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that
+ * remain each is tested against eight rays at once, with the single ray's formula. What the group's test says for
+ * the order of boxes is a hint; what a ray meets does not depend on it. */
+#ifndef WORLD_BVH_COMPANY_H
+#define WORLD_BVH_COMPANY_H
+
+#include "world/bvh_walk.h"
+
+enum { BVH_COMPANY = 64 };
+
+/* Directions of one company have the same signs. */
+static inline uint32_t bvh_octant(const pov_ray *ray)
+{
+    return (signbit(ray->dir.x) ? 1u : 0u) | (signbit(ray->dir.y) ? 2u : 0u) | (signbit(ray->dir.z) ? 4u : 0u);
+}
+
+/* As bvh_walks. Bit i: a leaf ended walk i. */
+uint64_t bvh_company_nearest_portable(bvh_walk *const *walks, uint32_t n);
+uint64_t bvh_company_any_portable(bvh_walk *const *walks, uint32_t n);
+#if defined(__x86_64__) && defined(__GNUC__)
+uint64_t bvh_company_nearest_avx2(bvh_walk *const *walks, uint32_t n);
+uint64_t bvh_company_any_avx2(bvh_walk *const *walks, uint32_t n);
+#endif
+
+#endif
