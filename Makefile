@@ -31,7 +31,9 @@ KIT_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard plugins/kit/*
 KIT            = $(BUILD)/obj/plugins/kit.a
 PRIMITIVES     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/primitives/*.c)))
 IMAGES         = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/images/*.c)))
-PLUGINS        = $(PRIMITIVES) $(IMAGES)
+# Plots need cairo; without it all else is built.
+PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(BUILD)/lib/povtrace/plots/plot.so)
+PLUGINS        = $(PRIMITIVES) $(IMAGES) $(PLOTS)
 CLI_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard cli/*.c)))
 SHARED         = $(BUILD)/lib/libpovtrace.so.$(VERSION)
 STATIC         = $(BUILD)/lib/libpovtrace.a
@@ -66,6 +68,9 @@ $(BUILD)/obj/plugins/%.o: plugins/%.c
 
 $(BUILD)/obj/plugins/images/png.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 $(BUILD)/lib/povtrace/images/png.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs libpng)
+
+$(BUILD)/obj/plugins/plots/plot.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags cairo)
+$(BUILD)/lib/povtrace/plots/plot.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs cairo)
 
 $(KIT): $(KIT_OBJECTS)
 	rm -f $@
@@ -126,7 +131,7 @@ $(BUILD)/obj/lib/plug/registry.o: $(BUILD)/libdir
 .PHONY: install uninstall
 install: all
 	$(INSTALL) -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/povtrace $(LIBDIR)/pkgconfig $(LIBDIR)/cmake/povtrace \
-	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR))
+	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR))
 	$(INSTALL) -m 644 $(PUBLIC_HEADERS) $(DESTDIR)$(INCLUDEDIR)/povtrace
 	$(INSTALL) -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)
 	ln -sf $(notdir $(SHARED)) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION)
@@ -134,6 +139,7 @@ install: all
 	$(INSTALL) -m 644 $(STATIC) $(DESTDIR)$(LIBDIR)
 	$(INSTALL) -m 755 $(PRIMITIVES) $(DESTDIR)$(LIBDIR)/povtrace/primitives
 	$(INSTALL) -m 755 $(IMAGES) $(DESTDIR)$(LIBDIR)/povtrace/images
+	$(if $(PLOTS),$(INSTALL) -m 755 $(PLOTS) $(DESTDIR)$(LIBDIR)/povtrace/plots)
 	@mkdir -p $(BUILD)/install
 	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(INSTALL_RPATH)' -lm \
 	    -o $(BUILD)/install/povc
@@ -154,7 +160,7 @@ uninstall:
 	    $(addprefix $(DESTDIR)$(LIBDIR)/cmake/povtrace/,povtraceConfig.cmake povtraceConfigVersion.cmake) \
 	    $(PLUGINS:$(BUILD)/lib/%=$(DESTDIR)$(LIBDIR)/%) \
 	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS)))
-	-rmdir $(addprefix $(DESTDIR),$(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace \
+	-rmdir $(addprefix $(DESTDIR),$(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
 	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace)
 
 # ---- first steps ----

@@ -17,7 +17,8 @@ enum {
 enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
-    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
+    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
+    OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -43,6 +44,9 @@ static const struct option long_options[] = {
     { "quiet", no_argument, NULL, 'q' },
     { "verbose", no_argument, NULL, 'v' },
     { "color", required_argument, NULL, OPTION_COLOR },
+    { "seed", required_argument, NULL, OPTION_SEED },
+    { "report", required_argument, NULL, OPTION_REPORT },
+    { "reference", required_argument, NULL, OPTION_REFERENCE },
     { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
     { "help", no_argument, NULL, OPTION_HELP },
     { "version", no_argument, NULL, OPTION_VERSION },
@@ -222,6 +226,8 @@ static bool read_option_number(args *a, int option, const char *text)
         return read_whole(a, "--threads", text, 1, MOST_THREADS, &a->threads);
     case OPTION_SPP:
         return read_whole(a, "--spp", text, 1, MOST_SAMPLES, &a->samples);
+    case OPTION_SEED:
+        return read_whole(a, "--seed", text, 0, 2000000000, &a->seed);
     case OPTION_MAX_DEPTH:
         return read_whole(a, "--max-depth", text, 1, DEEPEST, &a->max_depth);
     case OPTION_BITS:
@@ -234,7 +240,7 @@ static bool read_option_number(args *a, int option, const char *text)
 static bool read_option(args *a, int option, const char *text)
 {
     switch (option) {
-    case 't': case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
+    case 't': case OPTION_SEED: case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
         return read_option_number(a, option, text);
     case OPTION_ACCURACY:
     case OPTION_TRANSFER: case OPTION_DIALECT: case OPTION_ACCEL: case OPTION_PROGRESS: case OPTION_COLOR:
@@ -248,6 +254,12 @@ static bool read_option(args *a, int option, const char *text)
         return read_crop(a, text);
     case OPTION_FORMAT:
         return read_format(a, text);
+    case OPTION_REPORT:
+        a->report = text;
+        return true;
+    case OPTION_REFERENCE:
+        a->reference = text;
+        return true;
     case OPTION_PLUGIN_PATH:
         a->plugin_path = text;
         return true;

@@ -25,6 +25,7 @@ typedef struct args {
     pov_rect crop;               /* width 0: all of it */
     int threads, samples, max_depth, bits, preview;   /* 0: the library's default */
     args_transfer transfer;
+    int seed;
     double error, time;          /* ends of refinement; 0: none */
     args_sampling sampling;
     const char *format;          /* an image ending, or NULL: by the output's name */
@@ -33,6 +34,7 @@ typedef struct args {
     pov_accuracy accuracy;
     const char *aov[ARGS_AOVS];  /* where each map goes; NULL: it is not made */
     const char *plugin_path;     /* or NULL */
+    const char *report, *reference;   /* files, or NULL */
     bool explain, check, stats, quiet, verbose;
     args_progress progress;
     args_color color;

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { EXIT_COMPLETE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2 };
+enum { EXIT_COMPLETE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_SHORT = 3 };
 
 /* Reports go to standard output, unless the picture goes there. */
 static FILE *report_stream(const args *a)
@@ -45,7 +45,7 @@ static void say_checked(const args *a, const messages *m, const pov_scene *scene
 }
 
 static pov_status render_and_report(const args *a, const messages *m, pov_context *context,
-                                    const pov_scene *scene, pov_error *err)
+                                    const pov_scene *scene, bool *short_of, pov_error *err)
 {
     bool rendered = a->output && !a->check;
     stats s = { a, context, scene, NULL, 0.0, m->warnings };
@@ -59,14 +59,16 @@ static pov_status render_and_report(const args *a, const messages *m, pov_contex
     }
     if (status == POV_OK && a->stats)
         stats_print(report_stream(a), &s);
-    if (rendered)
+    if (rendered) {
+        *short_of = r.short_of;
         render_free(&r);
+    }
     if (status == POV_OK && rendered && !signals_end_asked())
         status = aov_write(context, scene, a, err);
     return status;
 }
 
-static pov_status run(const args *a, messages *m, pov_error *err)
+static pov_status run(const args *a, messages *m, bool *short_of, pov_error *err)
 {
     pov_context_desc desc = POV_INIT(desc);
     pov_context *context = NULL;
@@ -88,7 +90,7 @@ static pov_status run(const args *a, messages *m, pov_error *err)
             say_checked(a, m, scene);
         if (a->explain)
             explain_print(report_stream(a), context, scene);
-        status = render_and_report(a, m, context, scene, err);
+        status = render_and_report(a, m, context, scene, short_of, err);
     }
     pov_scene_destroy(scene);
     pov_context_destroy(context);
@@ -124,6 +126,7 @@ int main(int argc, char **argv)
     args a;
     args_verdict verdict = args_parse(&a, argc, argv);
     int code = EXIT_COMPLETE;
+    bool short_of = false;
 
     messages_init(&m, &a);
     if (verdict == ARGS_WRONG)
@@ -132,9 +135,11 @@ int main(int argc, char **argv)
         usage_print_help();
     } else if (verdict == ARGS_VERSION) {
         usage_print_version();
-    } else if (run(&a, &m, &err) < 0) {
+    } else if (run(&a, &m, &short_of, &err) < 0) {
         messages_error(&m, &err);
         code = err.status == POV_E_ARGUMENT ? EXIT_USAGE : EXIT_ERROR;
+    } else if (short_of) {
+        code = EXIT_SHORT;
     }
     code = finish(&m, code);
     if (signals_end_asked())

@@ -3,12 +3,15 @@
 _povc()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
-    local options='--threads --spp --max-depth --bits --transfer --format --explain --dialect --accel --accuracy --aov --crop --check
+    local options='--threads --spp --error --time --sampling --seed --report --reference --partial-every --resume --compare
+        --max-depth --bits --transfer --format --explain --dialect --accel --accuracy --aov --crop --check
         --stats --preview --progress --quiet --verbose --color --plugin-path --help --version'
 
     COMPREPLY=()
     case $previous in
     --bits) words='8 16' ;;
+    --sampling) words='auto uniform adaptive' ;;
+    --report | --reference) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
     --transfer) words='scene srgb linear' ;;
     --format) words='png ppm pfm' ;;
     --dialect) words='auto course povray' ;;
@@ -19,7 +22,7 @@ _povc()
     --progress) words='auto bar json none' ;;
     --color) words='auto always never' ;;
     --plugin-path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
-    -t | --threads | --spp | --max-depth | --crop) return ;;
+    -t | --threads | --spp | --error | --time | --seed | --partial-every | --max-depth | --crop) return ;;
     *)
         case $current in
         -?*) words=$options ;;

@@ -1,26 +1,17 @@
 #include "render.h"
 #include "progress.h"
+#include "report.h"
+#include "save.h"
 #include "signals.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
 /* Longest time in seconds that a signal waits to be seen. */
 static const double patience = 0.05;
-
-static pov_status fail(pov_error *err, pov_status status, const char *file, const char *message)
-{
-    memset(err, 0, sizeof *err);
-    err->status = status;
-    snprintf(err->file, sizeof err->file, "%s", file);
-    snprintf(err->message, sizeof err->message, "%s", message);
-    return status;
-}
 
 static double now_seconds(void)
 {
@@ -44,45 +35,36 @@ static pov_image_options image_options(const args *a)
     return o;
 }
 
-static pov_status cannot_write(pov_error *err, const char *path, int why)
-{
-    char text[256];
-
-    snprintf(text, sizeof text, "cannot write: %s", strerror(why));
-    return fail(err, POV_E_IO, path, text);
-}
-
-/* The file is made beside its name and renamed, so it is the folder that must let us write. */
-static pov_status check_folder(const char *path, pov_error *err)
-{
-    const char *slash = strrchr(path, '/');
-    char folder[4096];
-    size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
-
-    if (length >= sizeof folder)
-        return cannot_write(err, path, ENAMETOOLONG);
-    memcpy(folder, slash ? path : ".", length);
-    folder[length] = '\0';
-    return access(folder, W_OK | X_OK) == 0 ? POV_OK : cannot_write(err, path, errno);
-}
-
 pov_status render_check_output(pov_context *context, const args *a, pov_error *err)
 {
     static const char terminal[] = "standard output is a terminal, no place for a picture; pipe it on";
     pov_image_options options = image_options(a);
     pov_status status = pov_image_check(context, a->output, &options, err);
-    struct stat about;
 
+    if (status == POV_OK && a->report)
+        status = report_check(context, a, err);
     if (status < 0)
         return status;
     if (strcmp(a->output, "-") == 0)
-        return isatty(STDOUT_FILENO) ? fail(err, POV_E_ARGUMENT, "", terminal) : POV_OK;
-    if (stat(a->output, &about) != 0 || S_ISREG(about.st_mode))
-        return check_folder(a->output, err);
-    return S_ISDIR(about.st_mode) ? cannot_write(err, a->output, EISDIR) : POV_OK;
+        return isatty(STDOUT_FILENO) ? save_fail(err, POV_E_ARGUMENT, "", terminal) : POV_OK;
+    return save_check(a->output, err);
 }
 
 /* ---- the work ---- */
+
+static pov_status read_reference(render *r, pov_error *err)
+{
+    char text[256];
+    pov_status status;
+
+    r->reference.size = sizeof r->reference;
+    status = pov_image_read(r->context, r->args->reference, &r->reference, err);
+    if (status < 0 || (r->reference.width == r->width && r->reference.height == r->height))
+        return status;
+    snprintf(text, sizeof text, "a reference of %d x %d pixels cannot be held against a picture of %d x %d",
+             r->reference.width, r->reference.height, r->width, r->height);
+    return save_fail(err, POV_E_ARGUMENT, r->args->reference, text);
+}
 
 static pov_status prepare(render *r, pov_error *err)
 {
@@ -102,14 +84,19 @@ static pov_status prepare(render *r, pov_error *err)
     desc.preview = a->preview;
     desc.threads = a->threads;
     desc.samples = a->samples;
+    desc.seed = (uint32_t)a->seed;
     desc.target_error = a->error;
     desc.time_limit = a->time;
     /* To reach an error soonest is to look where it is; who asks for a number of samples gets them everywhere. */
     if (a->sampling == ARGS_SAMPLING_ADAPTIVE || (a->sampling == ARGS_SAMPLING_AUTO && (a->error > 0.0 || a->time > 0.0)))
         desc.sampling = POV_SAMPLING_ADAPTIVE;
+    if (a->reference && read_reference(r, err) < 0)
+        return err->status;
+    desc.reference = r->reference.rgba;
+    desc.reference_clipped = r->reference.bits < 32;
     r->pixels = malloc(4 * sizeof(float) * (size_t)r->width * (size_t)r->height);
     if (!r->pixels)
-        return fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");
+        return save_fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");
     return pov_job_create(&r->job, r->scene, &desc, err);
 }
 
@@ -174,6 +161,42 @@ static void say_partial(const render *r)
                  strcmp(r->args->output, "-") == 0 ? "standard output" : r->args->output, percent);
 }
 
+/* What ended the refinement, when there was a choice. */
+static void say_end(render *r)
+{
+    const args *a = r->args;
+    const pov_progress *p = &r->progress;
+    char reached[160] = "", percent[16];
+
+    r->short_of = (p->stop == POV_STOP_TIME && (a->error > 0.0 || a->samples > 0 || p->spp_mean < 1.0)) ||
+                  (p->stop == POV_STOP_SAMPLES && a->error > 0.0);
+    if (!(a->error > 0.0 || a->time > 0.0))
+        return;
+    if (p->spp_mean < 1.0) {
+        progress_percent(p->spp_mean, percent, sizeof percent);
+        messages_say(r->messages, "the time limit ended it: %s holds %s %% of the picture", a->output, percent);
+        return;
+    }
+    if (p->est_rmse >= 0.0)
+        snprintf(reached, sizeof reached, ", estimated error %.3g", p->est_rmse);
+    messages_say(r->messages, "%s ended it after %.2f s: %.1f samples a pixel%s%s",
+                 p->stop == POV_STOP_ERROR ? "the error asked for" : p->stop == POV_STOP_TIME ? "the time limit" : "the number of samples",
+                 p->seconds, p->spp_mean, reached, r->short_of && a->error > 0.0 ? ", not yet what was asked" : "");
+}
+
+static pov_status write_report(render *r, pov_error *err)
+{
+    report of = { .args = r->args, .messages = r->messages, .context = r->context, .scene = r->scene, .job = r->job };
+
+    of.progress = &r->progress;
+    of.write_seconds = r->write_seconds;
+    of.pixels = r->pixels;
+    of.width = r->width;
+    of.height = r->height;
+    of.options = r->options;
+    return report_write(&of, err);
+}
+
 static pov_status trace(render *r, pov_error *err)
 {
     pov_status status = pov_job_start(r->job, err);
@@ -192,7 +215,9 @@ static pov_status trace(render *r, pov_error *err)
     status = write_picture(r, err);
     if (status == POV_OK && state == POV_JOB_CANCELLED)
         say_partial(r);
-    return status;
+    else if (status == POV_OK)
+        say_end(r);
+    return status == POV_OK && r->args->report ? write_report(r, err) : status;
 }
 
 pov_status render_run(render *r, const args *a, const messages *m, pov_context *context,
@@ -215,6 +240,7 @@ pov_status render_run(render *r, const args *a, const messages *m, pov_context *
 void render_free(render *r)
 {
     pov_job_destroy(r->job);
+    pov_image_free(r->context, &r->reference);
     free(r->pixels);
     r->job = NULL;
     r->pixels = NULL;

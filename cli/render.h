@@ -15,6 +15,8 @@ typedef struct render {
     pov_image_options options;
     pov_progress progress;       /* at the end */
     double write_seconds;        /* of the last picture written */
+    pov_bitmap reference;        /* what --reference names */
+    bool short_of;               /* a budget ended it before what was asked for was reached */
 } render;
 
 /* Can the output be written, as far as that can be told before the work? */

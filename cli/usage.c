@@ -14,6 +14,11 @@ static const char *const help[] = {
     "\n",
     "Picture\n"
     "      --spp N              samples a pixel (default 1, through its centre)\n"
+    "      --error E            add samples, most where the error is, until the estimated rms error is E\n"
+    "      --time S             or until S seconds have passed\n"
+    "      --sampling auto|uniform|adaptive\n"
+    "                           alike everywhere, or more where the error is (default: as --error and --time need)\n"
+    "      --seed N             other places for the samples (default 0)\n"
     "      --max-depth N        depth of reflections and refractions, over the scene's own\n"
     "      --crop X0,Y0,X1,Y1   only this part: its first pixel, and the one behind its last\n"
     "      --bits 8|16          bits a channel in PNG and PPM (default 8)\n"
@@ -38,6 +43,8 @@ static const char *const help[] = {
     "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none)\n"
     "\n",
     "Messages\n"
+    "      --report FILE        error against run time: .csv, .json, .html, .svg or .png\n"
+    "      --reference IMAGE    a PFM or PNG that every pass is held against in the report\n"
     "      --stats              print times, rays, memory: one \"name: value unit\" a line\n"
     "      --progress auto|bar|json|none\n"
     "                           on standard error (default: a bar on a terminal, else a line each 10 s)\n"
@@ -47,7 +54,8 @@ static const char *const help[] = {
     "  -h, --help               this text\n"
     "      --version\n"
     "\n",
-    "Exit status: 0 complete, 1 error in the scene or while rendering, 2 wrong usage; a signal\n"
+    "Exit status: 0 complete, 1 error in the scene or while rendering, 2 wrong usage, 3 a limit ended\n"
+    "it before what was asked for was reached; a signal\n"
     "that ends povc saves the part that is there and shows as 128 + its number. SIGUSR1 writes\n"
     "the picture so far.\n",
 };

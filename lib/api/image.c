@@ -1,5 +1,6 @@
 #include "api/adapt.h"
 #include "api/handles.h"
+#include "api/image.h"
 #include "base/file.h"
 #include "render/encode.h"
 
@@ -21,8 +22,8 @@ static void ending_of(const char *path, char *out, size_t size)
     out[i] = '\0';
 }
 
-static pov_status find_format(pov_context *context, const char *path, const pov_image_options *o,
-                              const pov_image_format **out, pov_error *err)
+pov_status image_find_format(pov_context *context, const char *path, const pov_image_options *o,
+                             const pov_image_format **out, pov_error *err)
 {
     char ending[32];
     pov_status status;
@@ -62,7 +63,7 @@ static pov_status prepare(pov_context *context, const char *path, const pov_imag
         return err_set(err, POV_E_ARGUMENT, "an image needs a context and a path");
     status = adapt_in(o, sizeof *o, options, "the image options", err);
     if (status == POV_OK)
-        status = find_format(context, path, o, format, err);
+        status = image_find_format(context, path, o, format, err);
     if (status < 0)
         return status;
     if (o->transfer != POV_TRANSFER_LINEAR && o->transfer != POV_TRANSFER_SRGB)
@@ -87,6 +88,9 @@ static bool put(void *user, const void *bytes, size_t count)
 {
     return file_writer_put(user, bytes, count);
 }
+
+/* To a file, or to the program's own output. */
+typedef struct place { const char *path; const pov_output *output; } place;
 
 static pov_status write_file(pov_context *context, const char *path, const pov_image_format *format,
                              const pov_image *image, pov_error *err)
@@ -127,13 +131,21 @@ static void *pack(const env *e, const pov_image *image, const float *rgba, size_
     return packed;
 }
 
-pov_status pov_image_write(pov_context *context, const char *path, int width, int height, const float *rgba,
-                           size_t stride, const pov_image_options *options, pov_error *err)
+static pov_status put_out(const pov_output *output, const pov_image_format *format, const pov_image *image,
+                          pov_error *err)
+{
+    const char *wrong = format->write(image, output);
+
+    return wrong ? err_set(err, POV_E_IO, "cannot write this image: %s", wrong) : POV_OK;
+}
+
+static pov_status write_image(pov_context *context, place to, int width, int height, const float *rgba, size_t stride,
+                              const pov_image_options *options, pov_error *err)
 {
     const pov_image_format *format;
     pov_image image = POV_INIT(image);
     pov_image_options o;
-    pov_status status = prepare(context, path, options, &o, &format, err);
+    pov_status status = prepare(context, to.path, options, &o, &format, err);
     void *packed;
 
     if (status < 0)
@@ -149,7 +161,25 @@ pov_status pov_image_write(pov_context *context, const char *path, int width, in
     if (!packed)
         return err_memory(err);
     image.pixels = packed;
-    status = write_file(context, path, format, &image, err);
+    status = to.output ? put_out(to.output, format, &image, err) : write_file(context, to.path, format, &image, err);
     env_free(&context->env, packed);
     return status;
+}
+
+pov_status pov_image_write(pov_context *context, const char *path, int width, int height, const float *rgba,
+                           size_t stride, const pov_image_options *options, pov_error *err)
+{
+    place to = { path, NULL };
+
+    return write_image(context, to, width, height, rgba, stride, options, err);
+}
+
+pov_status pov_image_put(pov_context *context, const pov_output *output, int width, int height, const float *rgba,
+                         size_t stride, const pov_image_options *options, pov_error *err)
+{
+    place to = { "", output };
+
+    if (!output)
+        return err_set(err, POV_E_ARGUMENT, "no output was given");
+    return write_image(context, to, width, height, rgba, stride, options, err);
 }

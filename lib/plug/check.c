@@ -31,6 +31,18 @@ static const char *check_image(const pov_image_format *f)
     return NULL;
 }
 
+static const char *check_plot(const pov_plot_format *f)
+{
+    if (!REACHES(f, pov_plot_format, draw) || !f->ending || !f->ending[0] || !f->draw)
+        return "a plot format lacks its ending or draw";
+    return NULL;
+}
+
+const pov_plot_format *const *check_plots(const pov_plugin *plugin)
+{
+    return REACHES(plugin, pov_plugin, plots) ? plugin->plots : NULL;
+}
+
 const char *check_plugin(const pov_plugin *plugin)
 {
     const char *wrong = NULL;
@@ -40,11 +52,13 @@ const char *check_plugin(const pov_plugin *plugin)
         return "it was built for another version of the plugin contract";
     if (!REACHES(plugin, pov_plugin, images) || !plugin->name || !plugin->version)
         return "its description is incomplete";
-    if (!plugin->shapes && !plugin->images)
+    if (!plugin->shapes && !plugin->images && !check_plots(plugin))
         return "it offers nothing";
     for (i = 0; !wrong && plugin->shapes && plugin->shapes[i]; i++)
         wrong = check_shape(plugin->shapes[i]);
     for (i = 0; !wrong && plugin->images && plugin->images[i]; i++)
         wrong = check_image(plugin->images[i]);
+    for (i = 0; !wrong && check_plots(plugin) && check_plots(plugin)[i]; i++)
+        wrong = check_plot(check_plots(plugin)[i]);
     return wrong;
 }

@@ -26,11 +26,12 @@ struct registry {
     char *path;
     mutex lock;                  /* guards all below */
     struct { loaded *items; size_t count, capacity; } plugins;
-    map shapes, images;          /* by keyword, by ending */
+    map shapes, images, plots;   /* by keyword, by ending */
 };
 
 static const char shape_folder[] = "primitives";
 static const char image_folder[] = "images";
+static const char plot_folder[] = "plots";
 
 /* ---- making ---- */
 
@@ -62,6 +63,7 @@ registry *registry_create(const env *e, const char *path, pov_error *err)
     r->env = e;
     map_init(&r->shapes, e);
     map_init(&r->images, e);
+    map_init(&r->plots, e);
     if (path) {
         r->path = env_alloc(e, strlen(path) + 1, 1);
         if (r->path)
@@ -95,6 +97,7 @@ void registry_destroy(registry *r)
     env_free(r->env, r->plugins.items);
     map_free(&r->shapes);
     map_free(&r->images);
+    map_free(&r->plots);
     mutex_destroy(&r->lock);
     env_free(r->env, r->path);
     env_free(r->env, r);
@@ -122,6 +125,9 @@ static pov_status enter(registry *r, loaded l, pov_error *err)
     for (i = 0; p->images && p->images[i]; i++)
         if (!put(&r->images, p->images[i]->ending, p->images[i]))
             return err_memory(err);
+    for (i = 0; check_plots(p) && check_plots(p)[i]; i++)
+        if (!put(&r->plots, check_plots(p)[i]->ending, check_plots(p)[i]))
+            return err_memory(err);
     return POV_OK;
 }
 
@@ -137,6 +143,9 @@ static void withdraw(registry *r, loaded l)
     for (i = 0; p->images && p->images[i]; i++)
         if (map_get(&r->images, p->images[i]->ending))
             put(&r->images, p->images[i]->ending, NULL);
+    for (i = 0; check_plots(p) && check_plots(p)[i]; i++)
+        if (map_get(&r->plots, check_plots(p)[i]->ending))
+            put(&r->plots, check_plots(p)[i]->ending, NULL);
 }
 
 static pov_status add(registry *r, loaded l, pov_error *err)
@@ -231,18 +240,20 @@ static pov_status find(registry *r, const char *kind, const char *name, char pat
     return POV_OK;
 }
 
-static pov_status look_up(registry *r, map *m, const char *kind, const char *name, const void **out, pov_error *err)
+/* `name` is looked up in the map; the file it is in, if need be, is called `file`. */
+static pov_status look_up(registry *r, map *m, const char *kind, const char *file, const char *name, const void **out,
+                          pov_error *err)
 {
     char path[PATH_MAX + 128] = "";
     pov_status status = POV_OK;
 
     *out = NULL;
-    if (!is_name(name))
+    if (!is_name(name) || !is_name(file))
         return POV_OK;
     mutex_lock(&r->lock);
     *out = map_get(m, name);
     if (!*out) {
-        status = find(r, kind, name, path, err);
+        status = find(r, kind, file, path, err);
         if (status == POV_OK)
             *out = map_get(m, name);
         if (status == POV_OK && !*out && path[0])
@@ -255,7 +266,7 @@ static pov_status look_up(registry *r, map *m, const char *kind, const char *nam
 pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err)
 {
     const void *found;
-    pov_status status = look_up(r, &r->shapes, shape_folder, keyword, &found, err);
+    pov_status status = look_up(r, &r->shapes, shape_folder, keyword, keyword, &found, err);
 
     *out = found;
     return status;
@@ -264,7 +275,17 @@ pov_status registry_shape(registry *r, const char *keyword, const pov_shape_clas
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err)
 {
     const void *found;
-    pov_status status = look_up(r, &r->images, image_folder, ending, &found, err);
+    pov_status status = look_up(r, &r->images, image_folder, ending, ending, &found, err);
+
+    *out = found;
+    return status;
+}
+
+/* One plugin has all formats, for what draws one draws the others too. */
+pov_status registry_plot(registry *r, const char *ending, const pov_plot_format **out, pov_error *err)
+{
+    const void *found;
+    pov_status status = look_up(r, &r->plots, plot_folder, "plot", ending, &found, err);
 
     *out = found;
     return status;

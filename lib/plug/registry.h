@@ -20,6 +20,7 @@ pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err);
  * there and cannot be used is POV_E_PLUGIN, with the path and the reason. Only words of a-z, 0-9 and _ are looked
  * for. */
 pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err);
+pov_status registry_plot(registry *r, const char *ending, const pov_plot_format **out, pov_error *err);
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err);
 
 /* For messages: the folders that were searched, colon separated; and the keywords that could be loaded

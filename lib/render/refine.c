@@ -42,7 +42,7 @@ static void trace_patch(worker *w, const settings *s, const patch *p, uint32_t n
 
     for (int i = 0; i < count; i++) {
         int x = p->x + i % p->width, y = p->y + i / p->width;
-        sample at = sample_at(x, y, half, number / 2);
+        sample at = sample_at(s->seed, x, y, half, number / 2);
 
         rays[i] = raygen_ray(&w->claim.camera, s->width, s->height, x, y, at.x, at.y);
     }

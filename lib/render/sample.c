@@ -46,10 +46,10 @@ static double fraction(uint32_t digits)
     return ((double)digits + 0.5) / 4294967296.0;
 }
 
-sample sample_at(int x, int y, int half, uint32_t index)
+sample sample_at(uint32_t seed, int x, int y, int half, uint32_t index)
 {
     uint64_t key = mixed((uint64_t)(uint32_t)half << 60 ^ (uint64_t)(uint32_t)y << 30 ^ (uint64_t)(uint32_t)x);
-    uint64_t seeds = mixed(key + 0x9e3779b97f4a7c15u);
+    uint64_t seeds = mixed(key + (uint64_t)seed * 0x9e3779b97f4a7c15u);
     sample s;
 
     /* The index itself is the first dimension, mirrored. */

@@ -64,6 +64,7 @@ static pov_status take_numbers(settings *s, const pov_render_desc *d, pov_error 
     s->adaptive = d->sampling == POV_SAMPLING_ADAPTIVE;
     s->target_error = d->target_error;
     s->time_limit = d->time_limit;
+    s->seed = d->seed;
     s->reference = d->reference;
     s->reference_clipped = d->reference_clipped;
     s->threads = d->threads > 0 ? d->threads : thread_cores();

@@ -10,6 +10,7 @@ typedef struct settings {
     int first_step;              /* edge of a pixel of the first pass; 1: there is one pass */
     int threads;
     int samples;                 /* of a pixel, on average: the most */
+    uint32_t seed;
     bool sampling, adaptive;     /* more than one sample a pixel; more of them where the error is */
     double target_error, time_limit;   /* 0: none */
     const float *reference;      /* the caller's; or NULL */

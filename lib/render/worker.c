@@ -62,7 +62,7 @@ static void trace_company(worker *w, company *c)
 static pov_ray first_ray(const worker *w, const settings *s, int x, int y)
 {
     const sample centre = { 0.5, 0.5 };
-    sample at = s->sampling ? sample_at(x, y, 0, 0) : centre;
+    sample at = s->sampling ? sample_at(s->seed, x, y, 0, 0) : centre;
 
     return raygen_ray(&w->claim.camera, s->width, s->height, x, y, at.x, at.y);
 }

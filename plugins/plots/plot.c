@@ -18,6 +18,8 @@ static const colour curve_colours[] = {
 enum { COLOURS = sizeof curve_colours / sizeof curve_colours[0], MARKS = 5, TICKS_MAX = 64, DECADES_MAX = 8 };
 static const colour ink = { 0.13, 0.13, 0.13 }, pale = { 0.87, 0.87, 0.87 }, paler = { 0.945, 0.945, 0.945 },
                     level_colour = { 0.35, 0.35, 0.35 };
+/* Where the guide begins, in parts of the first point. */
+static const double guide_above = 1.3;
 static const double text_size = 12.0, small_size = 11.0, title_size = 15.0;
 
 /* An axis as it is drawn: positions are logarithms where the axis is logarithmic. */
@@ -62,6 +64,8 @@ static void widen_by_panel(scale *s, const pov_panel *p, bool vertical)
                 widen(s, c->high[k]);
             }
         }
+    if (vertical && p->guide)
+        widen(s, guide_above * pow(10.0, s->high));
     for (size_t i = 0; i < p->level_count; i++)
         if (p->levels[i].vertical != vertical)
             widen(s, p->levels[i].at);
@@ -260,6 +264,7 @@ static void draw_band(const frame *f, const pov_series *s, colour c)
 
     if (!s->low || !s->high)
         return;
+    cairo_new_path(f->to);
     for (size_t k = 0; k < s->count; k++)
         if (has_band(f, s, k)) {
             cairo_line_to(f->to, across(f, s->x[k]), down(f, s->high[k]));
@@ -361,11 +366,11 @@ static void draw_level(const frame *f, const pov_level *l)
         put_note(f, f->left + 6.0, down(f, l->at) - 5.0, 0.0, l->name);
 }
 
-/* From below the first point of the first curve on, so that it touches none. */
+/* From above the first point of the first curve on: a curve that is steeper does not meet it. */
 static void draw_guide(const frame *f)
 {
     const pov_series *s = f->panel->series;
-    const double below = 0.72, dash[2] = { 1.5, 3.5 };
+    const double dash[2] = { 1.5, 3.5 };
     double x0, y0, x1, y1;
     size_t first = 0;
 
@@ -376,7 +381,7 @@ static void draw_guide(const frame *f)
     if (first + 1 >= s->count)
         return;
     x0 = s->x[first];
-    y0 = below * s->y[first];
+    y0 = guide_above * s->y[first];
     x1 = pow(10.0, f->x.high);
     y1 = y0 * pow(x1 / x0, f->panel->slope);
     if (log10(y1) < f->y.low) {
@@ -388,9 +393,9 @@ static void draw_guide(const frame *f)
     cairo_set_dash(f->to, dash, 2, 0.0);
     put_line(f->to, across(f, x0), down(f, y0), across(f, x1), down(f, y1));
     set_dash(f->to, 0);
-    x1 = x0 * pow(x1 / x0, 0.3);
+    x1 = x0 * pow(x1 / x0, 0.45);
     y1 = y0 * pow(x1 / x0, f->panel->slope);
-    put_note(f, across(f, x1) - 6.0, down(f, y1) + 16.0, 1.0, f->panel->guide);
+    put_note(f, across(f, x1) + 8.0, down(f, y1) - 6.0, 0.0, f->panel->guide);
 }
 
 static void draw_legend(const frame *f)

@@ -66,8 +66,8 @@ static void a_context_without_plugins_says_where_it_looked(void **state)
 
 static void a_plugin_of_another_contract_is_refused(void **state)
 {
-    pov_plugin other = { POV_PLUGIN_ABI + 1, sizeof other, "other", "1", NULL, NULL };
-    pov_plugin empty = { POV_PLUGIN_ABI, sizeof empty, "empty", "1", NULL, NULL };
+    pov_plugin other = { POV_PLUGIN_ABI + 1, sizeof other, "other", "1", NULL, NULL, NULL };
+    pov_plugin empty = { POV_PLUGIN_ABI, sizeof empty, "empty", "1", NULL, NULL, NULL };
     pov_context *context = scenes_context();
     pov_error err;
 

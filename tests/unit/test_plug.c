@@ -56,7 +56,7 @@ static pov_shape_class good_class(void)
 
 static pov_plugin plugin_of(const pov_shape_class *const *shapes)
 {
-    pov_plugin p = { POV_PLUGIN_ABI, sizeof p, "thing", "1", shapes, NULL };
+    pov_plugin p = { POV_PLUGIN_ABI, sizeof p, "thing", "1", shapes, NULL, NULL };
 
     return p;
 }

@@ -105,7 +105,7 @@ static void samples_are_averaged(void **state)
     d.samples = 4;
     pixels = tiny_picture(&s, &d);
     for (int i = 0; i < 4; i++) {
-        sample at = sample_at(30, 26, i % 2, (uint32_t)(i / 2));
+        sample at = sample_at(0, 30, 26, i % 2, (uint32_t)(i / 2));
         pov_ray ray = raygen_ray(&s.model.camera, WIDTH, HEIGHT, 30, 26, at.x, at.y);
         sum += tracer_color(s.tracer, &ray).g;
     }

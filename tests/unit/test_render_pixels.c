@@ -69,7 +69,7 @@ static void samples_of_a_half_spread_evenly(void **state)
         int columns[32] = { 0 }, rows[32] = { 0 }, high[4][8] = { { 0 } }, wide[8][4] = { { 0 } };
 
         for (uint32_t i = 0; i < 32; i++) {
-            sample s = sample_at(7 * pixel, 1000 - pixel, pixel % 2, i);
+            sample s = sample_at(3, 7 * pixel, 1000 - pixel, pixel % 2, i);
 
             assert_true(s.x > 0.0 && s.x < 1.0 && s.y > 0.0 && s.y < 1.0);
             columns[(int)(32.0 * s.x)]++;
@@ -90,8 +90,8 @@ static void every_pixel_and_half_has_places_of_its_own(void **state)
     (void)state;
 
     for (int i = 0; i < N; i++) {
-        sample a = sample_at(i % EDGE, i / EDGE, 0, 0), b = sample_at(i % EDGE, i / EDGE, 1, 0);
-        sample next = sample_at(i % EDGE + 1, i / EDGE, 0, 0);
+        sample a = sample_at(0, i % EDGE, i / EDGE, 0, 0), b = sample_at(0, i % EDGE, i / EDGE, 1, 0);
+        sample next = sample_at(0, i % EDGE + 1, i / EDGE, 0, 0);
 
         mean[0] += a.x / N;
         mean[1] += a.y / N;

@@ -12,6 +12,7 @@
 #include <povtrace/base.h>
 #include <povtrace/image.h>
 #include <povtrace/math.h>
+#include <povtrace/plot.h>
 
 #define POV_PLUGIN_ABI 1u   /* raised only when an old plugin could not work */
 #define POV_BLOCK_MAX 8u    /* most shapes one block holds */
@@ -171,7 +172,8 @@ typedef struct pov_image {
     const void *pixels;
 } pov_image;
 
-typedef struct pov_output { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;
+/* Whoever reads says what there is, and gets room for height rows of stride bytes; NULL: there is none. */
+typedef struct pov_image_target { void *user; void *(*begin)(void *user, const pov_image *about); } pov_image_target;
 
 enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2 };
 
@@ -180,8 +182,19 @@ typedef struct pov_image_format {
     const char *ending;            /* "png" */
     /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
     const char *(*write)(const pov_image *image, const pov_output *output);
-    /* abi 1 ends here */
+    /* abi 1 began with these. */
+    /* Any thread. The bytes of a whole file to pixels; may be NULL. NULL when all went well, else what is wrong. */
+    const char *(*read)(const void *bytes, size_t count, const pov_image_target *target);
 } pov_image_format;
+
+/* ---- plots --------------------------------------------------------------- */
+
+typedef struct pov_plot_format {
+    uint32_t size;
+    const char *ending;          /* "svg" */
+    /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
+    const char *(*draw)(const pov_plot *plot, const pov_output *output);
+} pov_plot_format;
 
 /* ---- the one exported symbol -------------------------------------------- */
 
@@ -190,7 +203,8 @@ typedef struct pov_plugin {
     const char *name, *version;
     const pov_shape_class *const *shapes;            /* ends with NULL; or NULL */
     const pov_image_format *const *images;           /* ends with NULL; or NULL */
-    /* abi 1 ends here; patterns, lights, cameras append their own lists */
+    /* abi 1 began with these; patterns, lights, cameras append their own lists */
+    const pov_plot_format *const *plots;             /* ends with NULL; or NULL */
 } pov_plugin;
 
 #define POV_PLUGIN_SYMBOL "povtrace_plugin"

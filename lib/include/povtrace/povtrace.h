@@ -4,6 +4,7 @@
 #include <povtrace/base.h>
 #include <povtrace/image.h>
 #include <povtrace/math.h>
+#include <povtrace/plot.h>
 #include <povtrace/render.h>
 #include <povtrace/scene.h>
 #include <povtrace/trace.h>

@@ -30,6 +30,7 @@ typedef struct pov_render_desc {
     double time_limit;            /* or until so many seconds have passed since the start; 0: none */
     const float *reference;       /* of the crop, linear, four channels a pixel: each pass is held against it. Kept
                                      by the caller while the job lives; or NULL */
+    uint32_t seed;                /* another one, other places for all samples but a single one */
     bool reference_clipped;       /* the reference holds nothing outside 0 .. 1 */
 } pov_render_desc;
 

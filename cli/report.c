@@ -1,0 +1,173 @@
+#include "report.h"
+#include "plots.h"
+#include "save.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef enum form { FORM_CSV, FORM_JSON, FORM_HTML, FORM_PLOT } form;
+static const struct { const char *ending; form form; } forms[] = {
+    { "csv", FORM_CSV }, { "json", FORM_JSON }, { "html", FORM_HTML }, { "svg", FORM_PLOT }, { "png", FORM_PLOT },
+};
+
+/* The ending of the path's name, small letters; empty when it is none of ours. */
+static const char *find_form(const char *path, form *out)
+{
+    const char *dot = strrchr(path, '.');
+    char ending[8] = "";
+
+    for (size_t i = 0; dot && dot[1 + i] && i + 1 < sizeof ending; i++)
+        ending[i] = (char)tolower((unsigned char)dot[1 + i]);
+    for (size_t i = 0; dot && strlen(dot + 1) < sizeof ending && i < sizeof forms / sizeof forms[0]; i++)
+        if (strcmp(ending, forms[i].ending) == 0) {
+            *out = forms[i].form;
+            return forms[i].ending;
+        }
+    return NULL;
+}
+
+pov_status report_check(pov_context *context, const args *a, pov_error *err)
+{
+    static const char endings[] = "a report's name ends with .csv, .json, .html, .svg or .png";
+    form f = FORM_CSV;
+    const char *ending = find_form(a->report, &f);
+    pov_status status;
+
+    if (!ending)
+        return save_fail(err, POV_E_ARGUMENT, a->report, endings);
+    status = save_check(a->report, err);
+    if (status == POV_OK && (f == FORM_PLOT || f == FORM_HTML))
+        status = pov_plot_check(context, f == FORM_PLOT ? ending : "svg", err);
+    return status;
+}
+
+/* ---- figures ---- */
+
+report_figures report_figures_of(const pov_pass *row, const pov_pass *before)
+{
+    report_figures f = { -1.0, -1.0, NAN };
+    double best = row->ref_rmse >= 0.0 ? row->ref_rmse : row->est_rmse;
+
+    if (row->ref_rmse > 0.0 && row->est_rmse >= 0.0)
+        f.est_over_true = row->est_rmse / row->ref_rmse;
+    if (best > 0.0 && row->cpu_s > 0.0)
+        f.efficiency = 1.0 / (best * best * row->cpu_s);
+    if (before && before->est_rmse > 0.0 && row->est_rmse > 0.0 && before->wall_s > 0.0 && row->wall_s > before->wall_s)
+        f.slope = log(row->est_rmse / before->est_rmse) / log(row->wall_s / before->wall_s);
+    return f;
+}
+
+const char *report_stop(const report *r)
+{
+    switch (r->progress->stop) {
+    case POV_STOP_SAMPLES: return "samples";
+    case POV_STOP_ERROR: return "error";
+    case POV_STOP_TIME: return "time";
+    case POV_STOP_USER: return "user";
+    default: return "none";
+    }
+}
+
+/* ---- tables ---- */
+
+static void put_csv_number(FILE *to, double value)
+{
+    if (value >= 0.0)
+        fprintf(to, ",%.9g", value);
+    else
+        fputc(',', to);
+}
+
+static void put_csv_row(FILE *to, const pov_pass *p, const pov_pass *before)
+{
+    report_figures f = report_figures_of(p, before);
+    const pov_counts *c = &p->counts;
+
+    fprintf(to, "%d,%.6f,%.6f,%d,%.6g,%d,%llu,%llu,%llu", p->pass, p->wall_s, p->cpu_s, p->threads, p->spp_mean, p->spp_max,
+            (unsigned long long)c->camera, (unsigned long long)(c->reflected + c->transmitted),
+            (unsigned long long)c->shadow);
+    put_csv_number(to, p->est_rmse);
+    put_csv_number(to, p->est_ci95_lo);
+    put_csv_number(to, p->est_ci95_hi);
+    put_csv_number(to, p->est_p99_tile);
+    fprintf(to, ",%llu,%llu,%llu,%llu", (unsigned long long)p->unresolved, (unsigned long long)c->cut_depth,
+            (unsigned long long)c->cut_weight, (unsigned long long)p->clipped);
+    put_csv_number(to, p->ref_rmse);
+    put_csv_number(to, p->ref_max);
+    put_csv_number(to, f.est_over_true);
+    put_csv_number(to, f.efficiency);
+    if (isnan(f.slope))
+        fputs(",\n", to);
+    else
+        fprintf(to, ",%.4f\n", f.slope);
+}
+
+void report_put_csv(const report *r, FILE *to)
+{
+    fputs("pass,wall_s,cpu_s,threads,spp_mean,spp_max,primary_rays,secondary_rays,shadow_rays,est_rmse,est_ci95_lo,"
+          "est_ci95_hi,est_p99_tile,unresolved_px,bias_depth,bias_adc,bias_clamp,ref_rmse,ref_max,est_over_true,"
+          "efficiency,slope\n", to);
+    for (size_t i = 0; i < r->count; i++)
+        put_csv_row(to, &r->rows[i], i > 0 ? &r->rows[i - 1] : NULL);
+}
+
+/* ---- writing ---- */
+
+static pov_status put_form(const report *r, FILE *to, pov_error *err)
+{
+    form f = FORM_CSV;
+    const char *ending = find_form(r->args->report, &f);
+
+    switch (f) {
+    case FORM_CSV:
+        report_put_csv(r, to);
+        return POV_OK;
+    case FORM_JSON:
+        report_put_json(r, to);
+        return POV_OK;
+    case FORM_HTML:
+        return report_put_html(r, to, err);
+    default:
+        return report_put_plot(r, ending, to, err);
+    }
+}
+
+static pov_status fetch_rows(report *r, pov_error *err)
+{
+    pov_pass row = POV_INIT(row);
+
+    for (r->count = 0; pov_job_get_pass(r->job, r->count, &row); r->count++) {
+        pov_pass *grown = realloc(r->rows, (r->count + 1) * sizeof *grown);
+
+        if (!grown)
+            return save_fail(err, POV_E_MEMORY, r->args->report, "out of memory for the report");
+        r->rows = grown;
+        r->rows[r->count] = row;
+    }
+    return POV_OK;
+}
+
+pov_status report_write(report *r, pov_error *err)
+{
+    char *text = NULL;
+    size_t length = 0;
+    FILE *to = open_memstream(&text, &length);
+    pov_status status;
+
+    r->rows = NULL;
+    if (!to)
+        return save_fail(err, POV_E_MEMORY, r->args->report, "out of memory for the report");
+    status = fetch_rows(r, err);
+    if (status == POV_OK)
+        status = put_form(r, to, err);
+    if (fclose(to) != 0 && status == POV_OK)
+        status = save_fail(err, POV_E_MEMORY, r->args->report, "out of memory for the report");
+    if (status == POV_OK)
+        status = save_bytes(r->args->report, text, length, err);
+    free(text);
+    free(r->rows);
+    r->rows = NULL;
+    return status;
+}

@@ -1,0 +1,10 @@
+/* image.h - which plugin an image file wants. */
+#ifndef API_IMAGE_H
+#define API_IMAGE_H
+
+#include "api/handles.h"
+
+pov_status image_find_format(pov_context *context, const char *path, const pov_image_options *o,
+                             const pov_image_format **out, pov_error *err);
+
+#endif
