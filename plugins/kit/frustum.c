@@ -224,7 +224,7 @@ static pov_two3 surface_point(const kit_frustum *s, const kit_ray *k, const pov_
     if (at->mark.part >= CAP_BASE)
         return frustum_local(s, w);
     r = kit_frustum_residual(s, k, w, at->mark.part);
-    return frustum_local(s, kit_step(k, w, r.value, r.half_slope));
+    return frustum_local(s, kit_step(k, w, r.value, r.half_slope, 1.0));
 }
 
 void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)

@@ -80,11 +80,11 @@ static inline pov_two3 kit_point(const kit_ray *k, const pov_crossing *at)
 
 /* Newton's step along the ray, from a point where an equation has this value and half this slope. A ray that only
  * touches the surface has none; nor has it a point that is off by much. */
-static inline pov_two3 kit_step(const kit_ray *k, pov_two3 w, double value, double half_slope)
+static inline pov_two3 kit_step(const kit_ray *k, pov_two3 w, double value, double half_slope, double size)
 {
     const double step = -0.5 * value / half_slope;
 
-    if (!(fabs(step) < 0x1p-30))
+    if (!(fabs(step) < 0x1p-30 * size))
         return w;
     w.x = pov_two_add(w.x, pov_two_product(step, k->d.x));
     w.y = pov_two_add(w.y, pov_two_product(step, k->d.y));

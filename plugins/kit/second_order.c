@@ -80,11 +80,14 @@ static int exponent_of(const pov_two *q, int n)
 
 static int larger(int a, int b) { return a > b ? a : b; }
 
+/* Rounded down, so that a whole change of lengths is a whole change of the exponent. */
+static int half_of(int a) { return a >= 0 ? a / 2 : -((1 - a) / 2); }
+
 /* The length at which terms of different order are of the same size. */
 static int length_exponent(int second, int first, int constant)
 {
     if (second > -100000)
-        return first < -90000 && constant < -90000 ? 0 : larger(first - second, (constant - second) / 2);
+        return first < -90000 && constant < -90000 ? 0 : larger(first - second, half_of(constant - second));
     return first > -100000 && constant > -100000 ? constant - first : 0;
 }
 
@@ -105,6 +108,7 @@ static void prepare(kit_second_order *s)
     s->sum2 = s->size[A] + s->size[B] + s->size[C] + s->size[D] + s->size[E] + s->size[F];
     s->sum1 = s->size[G] + s->size[H] + s->size[I];
     s->flat = second == -100000;
+    s->sizeless = !(s->sum1 > 0.0) && !(s->size[J] > 0.0);
     s->scale = ldexp(1.0, -length);
 }
 

@@ -16,6 +16,7 @@ typedef struct kit_second_order {
     double sum2, sum1;             /* of the sizes of second order, and of the first */
     double scale;
     bool flat;                     /* nothing of the second order: a plane */
+    bool sizeless;                 /* nothing else: a cone, the same at every scale */
 } kit_second_order;
 
 /* From coefficients about the origin, as they were written. */

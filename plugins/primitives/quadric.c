@@ -248,7 +248,7 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
     const double d_error = (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error +
                            fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
     kit_equation equation = { s, k, residual, 0.0 };
-    double root, error, entry, exit;
+    double root, error, entry, exit, size;
     kit_root roots[2];
     uint32_t n = 0, i;
 
@@ -269,7 +269,8 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
                                  is_entry ? ENTERING : EXITING);
     }
     equation.apart = root / fabs(r->a);
-    return kit_report(roots, n, fmin(KIT_FINE * KIT_SLOWEST, KIT_APART * equation.apart), &equation, hits);
+    size = s->sizeless ? pov_largest(pov_two3_hi(k->f)) : 1.0;
+    return kit_report(roots, n, fmin(KIT_FINE * KIT_SLOWEST * size, KIT_APART * equation.apart), &equation, hits);
 }
 
 /* What most rays are told by the coefficients at their origin: that they miss, or have all behind them. The sizes of the
@@ -338,7 +339,8 @@ static pov_two3 surface_point(const quadric *s, const kit_ray *k, const pov_cros
 {
     const pov_two3 p = kit_point(k, at), g = kit_half_gradient(s->q, p, true);
 
-    return kit_step(k, p, kit_value(s->q, p, g).hi, pov_dot(pov_two3_hi(g), k->d));
+    return kit_step(k, p, kit_value(s->q, p, g).hi, pov_dot(pov_two3_hi(g), k->d),
+                    s->sizeless ? pov_largest(pov_two3_hi(p)) : 1.0);
 }
 
 /* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */

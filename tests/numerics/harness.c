@@ -258,12 +258,42 @@ static void spawn(harness *h, const probe *p, const void *self, const pov_crossi
         s->leak++;
         complain(h, p, "leaked after", s);
     }
+    /* A chord along the surface is as long as the square root of what two parts lose: nobody could tell its last bits. */
+    if (fabs(pov_dot(normal, q.ray.dir)) < 1e-7)
+        return;
     for (i = 0; i < e.count && (uint32_t)e.count == n; i++) {
         if (ulps_off(e.at[i].t, at[i].t) > harness_limit(p->kind)) {
             s->leak++;
             complain(h, &q, "other side misplaced", s);
         }
     }
+}
+
+/* ---- scaling ---- */
+
+/* Everything 2^k times as large gives the same bits 2^k times as large. */
+static bool scales(harness *h, const probe *p, const pov_crossing *at, uint32_t n)
+{
+    const int k = (int)(80.0 * families_uniform()) - 40;
+    const double power = ldexp(1.0, k);
+    pov_reader *in = fake_reader_create();
+    void *self = fake_reader_memory(in, h->shape[p->kind]->instance_size);
+    pov_crossing there[8];
+    uint32_t m = 0, decided, i;
+    probe q = *p;
+
+    probe_scale(&q, power);
+    if (probe_make(&q, h->shape[p->kind], in, self))
+        m = ask(h->shape[p->kind], self, &q.ray, false, there, &decided);
+    fake_reader_destroy(in);
+    for (i = 0; i < n && m == n; i++) {
+        /* Low parts that would be denormal are rounded. */
+        if (fabs(at[i].t * power) < 1e-270)
+            continue;
+        if (there[i].t != at[i].t * power || there[i].t_lo != at[i].t_lo * power)
+            return false;
+    }
+    return m == n;
 }
 
 /* ---- a probe, a family ---- */
@@ -298,6 +328,11 @@ static void judge(harness *h, const probe *p, const void *self, score *s)
     if (s->rays % 8 == 0 && ask(shape, self, &p->ray, true, at, &decided) != n) {
         s->exact_differs++;
         complain(h, p, "always_exact differs", s);
+    }
+    ask(shape, self, &p->ray, false, at, &decided);
+    if (s->rays % 8 == 4 && !scales(h, p, at, n)) {
+        s->scale_differs++;
+        complain(h, p, "scaled differs", s);
     }
 }
 

@@ -12,6 +12,7 @@ typedef struct score {
     long decided;                   /* rays that two-part arithmetic decided */
     long spawned, selfhit, leak;    /* rays that left the surface; met it again; lost the other side */
     long exact_differs;             /* always_exact found another number of crossings */
+    long scale_differs;             /* scaled by a power of two, the bits were others */
     double ulp_median, ulp_p99, ulp_max, normal_max, point_max;
     double ns_median, ns_iqr;       /* for a ray */
     char worst[4096];               /* the probe of ulp_max, or of the first failure */

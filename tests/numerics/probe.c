@@ -43,6 +43,21 @@ bool probe_make(const probe *p, const pov_shape_class *shape, pov_reader *in, vo
     return fake_reader_parse_into(in, shape, self);
 }
 
+void probe_scale(probe *p, double power)
+{
+    int i;
+
+    for (i = p->kind == POLYGON; i < p->count; i++) {
+        if (p->kind != QUADRIC)
+            p->number[i] *= power;
+        else if (i < 9)
+            p->number[i] /= i < 6 ? power * power : power;
+    }
+    p->ray.org = pov_scale(p->ray.org, power);
+    p->ray.org_lo = pov_scale(p->ray.org_lo, power);
+    p->size *= power;
+}
+
 static int put(char *line, size_t size, int at, double value)
 {
     return at < 0 || (size_t)at >= size ? -1 : at + snprintf(line + at, size - (size_t)at, " %a", value);

@@ -39,6 +39,9 @@ const char *probe_keyword(kind k);
 /* The shape, parsed by its plugin into memory of the class's size. */
 bool probe_make(const probe *p, const pov_shape_class *shape, pov_reader *in, void *self);
 
+/* All lengths times a power of two. */
+void probe_scale(probe *p, double power);
+
 /* A probe as one line of hexadecimal numbers, and back. */
 void probe_write(const probe *p, char *line, size_t size);
 bool probe_read(probe *p, const char *line);

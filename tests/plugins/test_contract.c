@@ -59,22 +59,33 @@ static void the_form_is_kept(void **unused)
         assert_true(s->block_size > 0 && s->block_filter);
 }
 
-static bool lies_within(const thing *t, const pov_ray *ray)
+/* But for the rounding of the point that is held against the box. */
+static bool lie_within(const void *self, const pov_ray *ray, const pov_crossing *at, uint32_t n)
 {
-    pov_crossing at[MOST];
-    uint32_t n = subject_ask(t->self, ray, at), i;
+    pov_box box;
+    uint32_t i;
 
-    for (i = 0; i < n && t->finite; i++) {
-        const double slack = 8.0 * DBL_EPSILON * (pov_largest(t->box.lo) + pov_largest(t->box.hi)) * 1e-3
-                             + 1e-13 * t->size;
+    if (!subject.shape->bounds(self, &box))
+        return true;
+    for (i = 0; i < n; i++) {
+        const double slack = 1e-13 * pov_largest(pov_sub(box.hi, box.lo))
+                             + DBL_EPSILON * 1e-2 * (pov_largest(box.lo) + pov_largest(box.hi));
         pov_vec3 p, low;
 
         subject_point(ray, at[i].t, at[i].t_lo, &p, &low);
-        if (p.x < t->box.lo.x - slack || p.y < t->box.lo.y - slack || p.z < t->box.lo.z - slack
-            || p.x > t->box.hi.x + slack || p.y > t->box.hi.y + slack || p.z > t->box.hi.z + slack)
+        if (p.x < box.lo.x - slack || p.y < box.lo.y - slack || p.z < box.lo.z - slack || p.x > box.hi.x + slack
+            || p.y > box.hi.y + slack || p.z > box.hi.z + slack)
             return false;
     }
     return true;
+}
+
+static bool lies_within(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+    uint32_t n = subject_ask(t->self, ray, at);
+
+    return lie_within(t->self, ray, at, n);
 }
 
 static void crossings_lie_within_bounds(void **unused)
@@ -263,6 +274,8 @@ static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine
     there.org = pov_affine_point(f, ray->org);
     there.dir = linear(f->m, ray->dir);
     m = subject_ask(mapped, &there, taken);
+    if (!lie_within(mapped, &there, taken, m))
+        return false;
     if (n != m) {
         /* A graze may fall either way: then two crossings are close, or one ends at an edge. */
         const pov_ray beside = {pov_add(ray->org, pov_scale(subject_direction(), 1e-9 * size)),
