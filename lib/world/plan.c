@@ -211,6 +211,19 @@ static void see_keyword(void *user, const char *keyword)
         r->status = add_plugin(r, keyword, 0);
 }
 
+/* A folder lists its files in any order. */
+static void sort_rows(plan_row *rows, size_t count)
+{
+    size_t i, j;
+
+    for (i = 1; i < count; i++) {
+        plan_row row = rows[i];
+        for (j = i; j > 0 && strcmp(rows[j - 1].subject, row.subject) > 0; j--)
+            rows[j] = rows[j - 1];
+        rows[j] = row;
+    }
+}
+
 pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, pov_error *err)
 {
     plugin_rows r = { p, m, POV_OK, err };
@@ -227,7 +240,9 @@ pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, po
             n += all->items[k].shape == shape;
         r.status = add_plugin(&r, shape->keyword, n);
     }
+    n = p->rows.count;
     if (r.status == POV_OK && plugins)
         registry_each_keyword(plugins, "primitives", see_keyword, &r);
+    sort_rows(p->rows.items + n, p->rows.count - n);
     return r.status;
 }
