@@ -18,34 +18,28 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
     return status;
 }
 
-static pov_status read_and_compile(pov_scene *scene, const char *text, size_t length, const char *name,
-                                   const pov_load_desc *d, pov_error *err)
+static pov_status read_text(pov_scene *scene, const char *text, size_t length, const char *name,
+                            const pov_load_desc *d, pov_error *err)
 {
     reader_options options = { d->dialect, d->max_trace_level };
     double start = clock_seconds();
     pov_status status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
 
     scene->parse_seconds = clock_seconds() - start;
-    return status < 0 ? status : compile(scene, d, err);
+    return status;
 }
 
-static pov_status load(pov_scene **out, pov_context *context, const char *text, size_t length, const char *name,
-                       const pov_load_desc *d, pov_error *err)
+static pov_status create(pov_scene **out, pov_context *context, pov_error *err)
 {
     pov_scene *scene = env_alloc(&context->env, 1, sizeof *scene);
-    pov_status status;
 
     if (!scene)
         return err_memory(err);
     context_retain(context);
     scene->context = context;
     model_init(&scene->model, &context->env);
-    status = read_and_compile(scene, text, length, name, d, err);
-    if (status < 0)
-        pov_scene_destroy(scene);
-    else
-        *out = scene;
-    return status;
+    *out = scene;
+    return POV_OK;
 }
 
 static pov_status check(pov_scene **out, pov_context *context, const void *text, const pov_load_desc *desc,
@@ -67,22 +61,39 @@ static pov_status check(pov_scene **out, pov_context *context, const void *text,
     return POV_OK;
 }
 
+/* What was read becomes a world; a scene that failed is no more. */
+static pov_status finish(pov_scene **out, pov_scene *scene, const pov_load_desc *d, pov_status status, pov_error *err)
+{
+    if (status == POV_OK)
+        status = compile(scene, d, err);
+    if (status < 0)
+        pov_scene_destroy(scene);
+    else
+        *out = scene;
+    return status;
+}
+
 pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char *path, const pov_load_desc *desc,
                                pov_error *err)
 {
     pov_load_desc d;
     pov_status status = check(out, context, path, desc, &d, err);
+    pov_scene *scene = NULL;
     char *text;
     size_t length;
 
     if (status < 0)
         return status;
-    status = file_read(&context->env, path, &text, &length, err);
+    status = create(&scene, context, err);
     if (status < 0)
         return status;
-    status = load(out, context, text, length, path, &d, err);
-    env_free(&context->env, text);
-    return status;
+    status = file_read(&context->env, path, &text, &length, err);
+    if (status == POV_OK) {
+        /* The text goes before the world comes: they need not find room at the same time. */
+        status = read_text(scene, text, length, path, &d, err);
+        env_free(&context->env, text);
+    }
+    return finish(out, scene, &d, status, err);
 }
 
 pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length,
@@ -90,8 +101,14 @@ pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char
 {
     pov_load_desc d;
     pov_status status = check(out, context, text, desc, &d, err);
+    pov_scene *scene = NULL;
 
-    return status < 0 ? status : load(out, context, text, length, name ? name : "(text)", &d, err);
+    if (status == POV_OK)
+        status = create(&scene, context, err);
+    if (status < 0)
+        return status;
+    status = read_text(scene, text, length, name ? name : "(text)", &d, err);
+    return finish(out, scene, &d, status, err);
 }
 
 void pov_scene_destroy(pov_scene *scene)
