@@ -16,16 +16,20 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT_OBJECTS) $(STATIC)
 $(BUILD)/tests/numerics/%: TEST_LIBS = -lmpfr -lgmp
 $(BUILD)/tests/numerics/test_primitives: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o harness.o) \
     | $(PRIMITIVES)
+$(BUILD)/tests/numerics/test_watertight: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o) \
+    | $(PRIMITIVES)
 # The same harness for long: RAYS of torture for each kind, and a table of all families.
 RAYS ?= 500000
 .PHONY: accuracy
-accuracy: $(BUILD)/tests/numerics/test_primitives
-	$< $(RAYS) $(BUILD)/accuracy.csv
+accuracy: $(BUILD)/tests/numerics/test_primitives $(BUILD)/tests/numerics/test_watertight
+	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
+	$(BUILD)/tests/numerics/test_watertight $(RAYS)0
 
 # A plugin as a stranger would build it, held to the contract with our own.
 $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
+$(BUILD)/tests/plugins/test_parse: | $(PRIMITIVES)
 $(BUILD)/tests/plugins/test_contract: $(BUILD)/obj/tests/plugins/subject.o | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)

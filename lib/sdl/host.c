@@ -83,6 +83,9 @@ static void warn(pov_reader *in, const char *format, ...)
 {
     va_list args;
 
+    /* After an error what was read is made up, and warnings of it would be too. */
+    if (in->failed)
+        return;
     va_start(args, format);
     report_warnv(in, &in->value, format, args);
     va_end(args);

@@ -111,7 +111,7 @@ static void host_fail(pov_reader *in, const char *format, ...)
 static void host_warn(pov_reader *in, const char *format, ...)
 {
     (void)format;
-    in->warnings++;
+    in->warnings += !in->failed;
 }
 
 void *fake_reader_memory(pov_reader *in, size_t bytes)

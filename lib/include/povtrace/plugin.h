@@ -106,7 +106,7 @@ typedef struct pov_block_answer {
 typedef struct pov_reader pov_reader;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives
- * false and more() gives false, so a parse function needs no checks. */
+ * false, more() gives false and warn() says nothing, so a parse function needs no checks. */
 typedef struct pov_host {
     uint32_t abi, size;
     void *(*alloc)(pov_reader *in, size_t bytes);   /* zeroed, lives as long as the scene; NULL after an error */

@@ -1,0 +1,163 @@
+/* test_watertight.c - polygons that share edges and corners leave no gap between them, and do not overlap.
+ *
+ * Fans of triangles about a corner, flat ones and bent ones, seen from near and far: a ray at the corner, at an edge or
+ * beside one meets exactly one of them. test_watertight RAYS for a long run. */
+#include "numerics/families.h"
+
+#include "support/check.h"
+#include "support/fake_reader.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LEAST = 3, MOST = 9 };
+
+static long rays = 100000;
+
+#define U families_uniform
+
+static void feed(pov_reader *in, pov_vec3 v)
+{
+    fake_reader_word(in, "<");
+    fake_reader_number(in, v.x);
+    fake_reader_number(in, v.y);
+    fake_reader_number(in, v.z);
+    fake_reader_word(in, ">");
+}
+
+typedef struct fan {
+    pov_vec3 middle, rim[MOST];
+    int count;
+    void *triangle[MOST];
+} fan;
+
+static void make_fan(fan *f, const pov_shape_class *shape, pov_reader *in)
+{
+    const double place = U() < 0.3 ? 1e6 : 2.0, bend = U() < 0.5 ? 0.0 : 0.05;
+    const pov_vec3 axis = families_direction();
+    const pov_vec3 e = pov_unit(pov_cross_product(axis, families_direction())), g = pov_cross_product(axis, e);
+    int i;
+
+    f->middle = pov_scale(families_direction(), place * U());
+    f->count = LEAST + (int)((MOST - LEAST + 1) * U());
+    for (i = 0; i < f->count; i++) {
+        const double angle = 6.283185307179586 * (i + 0.5 * U()) / f->count, r = 0.5 + U();
+
+        f->rim[i] = pov_add(pov_add(f->middle, pov_scale(axis, bend * (2.0 * U() - 1.0))),
+                            pov_add(pov_scale(e, r * cos(angle)), pov_scale(g, r * sin(angle))));
+    }
+    for (i = 0; i < f->count; i++) {
+        fake_reader_clear(in);
+        fake_reader_number(in, 4.0);
+        /* Neighbours go along a shared edge in either sense. */
+        if (U() < 0.5) {
+            feed(in, f->middle);
+            feed(in, f->rim[i]);
+            feed(in, f->rim[(i + 1) % f->count]);
+            feed(in, f->middle);
+        } else {
+            feed(in, f->rim[(i + 1) % f->count]);
+            feed(in, f->rim[i]);
+            feed(in, f->middle);
+            feed(in, f->rim[(i + 1) % f->count]);
+        }
+        f->triangle[i] = fake_reader_parse(in, shape);
+        assert_non_null(f->triangle[i]);
+    }
+}
+
+/* Well inside the fan, whatever its shape: on a spoke's inner part, on the middle, or beside these. */
+static pov_vec3 target_in(const fan *f)
+{
+    const pov_vec3 spoke = pov_sub(f->rim[(int)(f->count * U())], f->middle);
+    const double along = U() < 0.2 ? 0.0 : 0.1 * U(), beside = U() < 0.5 ? 0.0 : pow(10.0, -16.0 * U() - 2.0);
+
+    return pov_add(pov_add(f->middle, pov_scale(spoke, along)), pov_scale(families_direction(), beside));
+}
+
+static int count_hits(const fan *f, const pov_shape_class *shape, const pov_ray *ray, bool always_exact)
+{
+    int i, hits_found = 0;
+
+    for (i = 0; i < f->count; i++) {
+        pov_crossing at[2];
+        pov_hits hits = { -HUGE_VAL, HUGE_VAL, POV_WANT_ALL, always_exact, 0, 0, 2, 0, at, NULL, NULL };
+
+        shape->intersect(f->triangle[i], ray, &hits);
+        hits_found += (int)hits.count;
+    }
+    return hits_found;
+}
+
+/* From the side where a bent fan is seen as one sheet. */
+static pov_ray ray_at(const fan *f, pov_vec3 target)
+{
+    const pov_vec3 normal = pov_unit(pov_cross_product(pov_sub(f->rim[0], f->middle), pov_sub(f->rim[1], f->middle)));
+    const double distance = pow(10.0, 9.0 * U());
+    pov_vec3 d = families_direction();
+    pov_ray ray;
+
+    d = pov_unit(pov_add(pov_scale(normal, U() < 0.5 ? 2.0 : -2.0), d));
+    if (U() < 0.1)
+        d = pov_vec3_of(floor(3.0 * d.x), floor(3.0 * d.y), floor(3.0 * d.z) + 0.5);
+    memset(&ray, 0, sizeof ray);
+    ray.org = pov_sub(target, pov_scale(d, distance));
+    ray.dir = d;
+    if (U() < 0.5)
+        ray.dir = pov_sub(target, ray.org);
+    ray.left = POV_NOBODY;
+    return ray;
+}
+
+static bool aims_well(const pov_ray *ray, pov_vec3 target)
+{
+    /* A far origin is rounded: the ray still has to come within the fan. */
+    const pov_vec3 to = pov_sub(target, ray->org);
+    const double t = pov_dot(to, ray->dir) / pov_dot(ray->dir, ray->dir);
+
+    return pov_largest(pov_sub(to, pov_scale(ray->dir, t))) < 0.02;
+}
+
+static void a_ray_at_a_shared_edge_or_corner_meets_exactly_one(void **state)
+{
+    const pov_shape_class *shape = fake_reader_shape("polygon");
+    long done = 0, wrong = 0;
+
+    (void)state;
+    assert_non_null(shape);
+    families_seed(5);
+    while (done < rays) {
+        pov_reader *in = fake_reader_create();
+        fan f;
+        int i;
+
+        make_fan(&f, shape, in);
+        for (i = 0; i < 50; i++) {
+            const pov_vec3 target = target_in(&f);
+            const pov_ray ray = ray_at(&f, target);
+            int found;
+
+            if (!aims_well(&ray, target))
+                continue;
+            done++;
+            found = count_hits(&f, shape, &ray, i % 16 == 0);
+            if (found == 1)
+                continue;
+            if (wrong++ < 8)
+                print_error("%d hits of %d: from <%a, %a, %a> along <%a, %a, %a>\n", found, f.count, ray.org.x, ray.org.y,
+                            ray.org.z, ray.dir.x, ray.dir.y, ray.dir.z);
+        }
+        fake_reader_destroy(in);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(a_ray_at_a_shared_edge_or_corner_meets_exactly_one) };
+
+    if (argc > 1)
+        rays = strtol(argv[1], NULL, 10);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

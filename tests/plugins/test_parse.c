@@ -1,0 +1,116 @@
+/* What the primitives read, warn of and refuse: the rules of docs/language.md. */
+#include "support/check.h"
+#include "support/fake_reader.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct wanted { const char *keyword, *text; int warnings; const char *message; } wanted;
+
+static void hold(const wanted *table, size_t count)
+{
+    size_t i;
+
+    for (i = 0; i < count; i++) {
+        const pov_shape_class *shape = fake_reader_shape(table[i].keyword);
+        pov_reader *in = fake_reader_create();
+        void *self;
+
+        assert_non_null(shape);
+        fake_reader_text(in, table[i].text);
+        self = fake_reader_parse(in, shape);
+        if ((self != NULL) != (table[i].message == NULL) || fake_reader_warnings(in) != table[i].warnings
+            || (table[i].message && !strstr(fake_reader_message(in), table[i].message)))
+            fail_msg("%s { %s }: %d warnings, \"%s\"", table[i].keyword, table[i].text, fake_reader_warnings(in),
+                     fake_reader_message(in));
+        fake_reader_destroy(in);
+    }
+}
+
+static void what_the_language_allows_is_read(void **state)
+{
+    static const wanted table[] = {
+        { "sphere", "<1, 2, 3>, 4", 0, NULL },
+        { "sphere", "<1 2 3> 4", 0, NULL },
+        { "sphere", "0, 1", 0, NULL },
+        { "sphere", "2", 1, NULL },
+        { "sphere", "<0, 0, 0>, -1", 1, NULL },
+        { "box", "<1, 1, 1>, <-1, -1, -1>", 0, NULL },
+        { "box", "-1, 1", 0, NULL },
+        { "cylinder", "<0, 0, 0>, <0, 1, 0>, 1", 0, NULL },
+        { "cylinder", "<0, 0, 0>, <0, 1, 0>, -1 open", 1, NULL },
+        { "cone", "<0, 0, 0>, 1, <0, 1, 0>, 0 open", 0, NULL },
+        { "cone", "<0, 0, 0>, -1, <0, 1, 0>, -2", 2, NULL },
+        { "quadric", "<1, 1, 1>, <0, 0, 0>, <0, 0, 0>, -1", 0, NULL },
+        { "quadric", "1, 0, 0, -1", 0, NULL },
+        { "polygon", "4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0>", 0, NULL },
+        { "polygon", "3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 1, NULL },
+        { "polygon", "4, <0, 0, 0>, <1, 1, 1>, <2, 2, 2>, <0, 0, 0>", 1, NULL },
+    };
+
+    (void)state;
+    hold(table, sizeof table / sizeof *table);
+}
+
+static void what_makes_no_shape_is_refused(void **state)
+{
+    static const wanted table[] = {
+        { "sphere", "", 0, "expected" },
+        { "sphere", "<1, 2>, 3", 0, "expected" },
+        { "box", "<1, 2, 3>", 0, "expected" },
+        { "cylinder", "<1, 2, 3>, <1, 2, 3>, 1", 0, "two different ends" },
+        { "cone", "<1, 2, 3>, 1, <1, 2, 3>, 0", 0, "two different ends" },
+        { "polygon", "2, <0, 0, 0>, <1, 0, 0>", 0, "at least 3 points" },
+        { "polygon", "3.5, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "whole number" },
+        { "polygon", "4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "expected" },
+        { "polygon", "3, <0, 0, 0>, <1, 0, 0>, <0, 0, 0>", 0, "at least 3 points" },
+        { "polygon", "5, <0, 0, 0>, <1, 0, 0>, <1, 1, 1e-9>, <0, 1, 0>, <0, 0, 0>", 0, "in a plane" },
+        { "polygon", "5, <0, 0, 0>, <1e-6, 0, 0>, <1e-6, 1e-6, 1e-15>, <0, 1e-6, 0>, <0, 0, 0>", 0, "in a plane" },
+    };
+
+    (void)state;
+    hold(table, sizeof table / sizeof *table);
+}
+
+/* A figure that was turned in space and rounded to doubles is as flat as a figure can be. */
+static void a_polygon_may_be_off_its_plane_by_rounding(void **state)
+{
+    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const double places[] = { 0.0, 1.0, 1e3, 1e6, 1e9 };
+    pov_reader *in = fake_reader_create();
+    size_t p;
+    int turn, i;
+
+    (void)state;
+    for (p = 0; p < sizeof places / sizeof *places; p++) {
+        for (turn = 0; turn < 200; turn++) {
+            const double a = 0.1 * turn, b = 0.37 * turn;
+
+            fake_reader_clear(in);
+            fake_reader_number(in, 9.0);
+            for (i = 0; i < 9; i++) {
+                const double angle = 0.785398163397448 * (i % 8), x = cos(angle), y = sin(angle);
+
+                fake_reader_word(in, "<");
+                fake_reader_number(in, places[p] + x * cos(a) - y * sin(a) * cos(b));
+                fake_reader_number(in, places[p] + x * sin(a) + y * cos(a) * cos(b));
+                fake_reader_number(in, y * sin(b) - places[p]);
+                fake_reader_word(in, ">");
+            }
+            if (!fake_reader_parse(in, shape))
+                fail_msg("at %g, turned by %g: %s", places[p], a, fake_reader_message(in));
+        }
+    }
+    fake_reader_destroy(in);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_the_language_allows_is_read),
+        cmocka_unit_test(what_makes_no_shape_is_refused),
+        cmocka_unit_test(a_polygon_may_be_off_its_plane_by_rounding),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
