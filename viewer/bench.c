@@ -1,4 +1,5 @@
 #include "loop.h"
+#include "say.h"
 
 #include <stdio.h>
 
@@ -100,7 +101,7 @@ int bench_run(const args *a)
     if (!s)
         s = surface_osmesa_open(width, height, &err);
     if (!s || viewer_open(&v, a, s, false, &err) < 0) {
-        say_error(&err);
+        say("error", &err);
         return 1;
     }
     done = measure_first(&v, &f) && measure_drag(&v, &f) && measure_whole(&v, &f);
@@ -109,7 +110,7 @@ int bench_run(const args *a)
     if (done)
         print(&v, &f, window != NULL);
     else if (session_error(v.session))
-        say_error(session_error(v.session));
+        say("error", session_error(v.session));
     viewer_close(&v);
     return done ? 0 : 1;
 }

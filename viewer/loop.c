@@ -1,6 +1,5 @@
 #include "loop.h"
 
-#include <stdio.h>
 #include <string.h>
 #include <time.h>
 
@@ -142,30 +141,4 @@ void viewer_run(viewer *v)
 {
     while (viewer_step(v))
         viewer_wait(v, 1.0);
-}
-
-/* What scene text has of controls would reach the terminal as commands. */
-static void make_printable(char *text)
-{
-    for (; *text; text++)
-        if ((unsigned char)*text < 0x20 || *text == 0x7f)
-            *text = '?';
-}
-
-void say_error(const pov_error *err)
-{
-    pov_error e = *err;
-
-    make_printable(e.file);
-    make_printable(e.message);
-    make_printable(e.hint);
-    flockfile(stderr);
-    fprintf(stderr, "%s:", e.file[0] ? e.file : "povview");
-    if (e.line > 0)
-        fprintf(stderr, "%d:%d:", e.line, e.column);
-    fprintf(stderr, " error: %s", e.message);
-    if (e.hint[0])
-        fprintf(stderr, "; did you mean \"%s\"?", e.hint);
-    fputc('\n', stderr);
-    funlockfile(stderr);
 }

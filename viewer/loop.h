@@ -43,7 +43,5 @@ void shot_play(viewer *v, const char *keys);
 void shot_settle(viewer *v);
 /* Measure: first picture, restarts, how long the window's thread is busy. Returns the exit code. */
 int bench_run(const args *a);
-/* "povview: error: ..." with its place, to standard error. */
-void say_error(const pov_error *err);
 
 #endif

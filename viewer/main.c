@@ -1,5 +1,6 @@
 /* povview - watch a scene become a picture. */
 #include "loop.h"
+#include "say.h"
 
 #include <povtrace/povtrace.h>
 
@@ -60,7 +61,7 @@ static int window_run(const args *a)
     viewer v;
 
     if (!s || viewer_open(&v, a, s, false, &err) < 0) {
-        say_error(&err);
+        say("error", &err);
         return EXIT_ERROR;
     }
     viewer_run(&v);

@@ -1,9 +1,7 @@
-#include "session.h"
+#include "session_state.h"
 
 #include "camera_text.h"
-#include "file_watch.h"
-#include "helper.h"
-#include "picture.h"
+#include "say.h"
 
 #include <pthread.h>
 #include <stdio.h>
@@ -14,36 +12,11 @@
 
 enum { COARSEST = 16, MOST_SNAPSHOTS = 9999, POLITENESS = 5 };
 
-struct session {
-    app *app;
-    session_desc desc;
-    pov_context *context;
-    helper *helper;
-    file_watch watch;
-
-    pov_scene *scene;            /* all that follows is of this scene; NULL: none was read so far */
-    pov_tracer *tracer;
-    maps *maps;                  /* made when first asked for */
-    pov_job *job;
-    pov_scene_info info;
-    picture picture;
-
-    bool unread;                 /* the job has more to take */
-    bool wrong;
-    pov_error error;
-    int loads;                   /* asked for and not answered */
-    int snapshot;                /* the last one's number */
-    double now, worked;          /* the clock, and for how long the job has worked since it began */
-    unsigned long restarts;
-};
-
 static void warn(void *user, pov_log_level level, const pov_error *note)
 {
     (void)user;
-    if (level == POV_LOG_WARN && note->line > 0)
-        fprintf(stderr, "%s:%d:%d: warning: %s\n", note->file, note->line, note->column, note->message);
-    else if (level == POV_LOG_WARN)
-        fprintf(stderr, "povview: warning: %s\n", note->message);
+    if (level == POV_LOG_WARN)
+        say("warning", note);
 }
 
 static double probe(void *user, double x, double y)
@@ -59,8 +32,7 @@ static double probe(void *user, double x, double y)
 
 /* ---- the job ---- */
 
-/* Does the view come from the job? The others are traced apart, and the job rests meanwhile. */
-static bool shows_job(const session *s)
+bool session_shows_job(const session *s)
 {
     app_view v = s->app->view;
 
@@ -87,7 +59,7 @@ static void fail(session *s, const pov_error *why)
 static void steer(session *s)
 {
     if (s->job)
-        pov_job_pause(s->job, s->app->paused || !shows_job(s));
+        pov_job_pause(s->job, s->app->paused || !session_shows_job(s));
 }
 
 static void draw_map(session *s)
@@ -96,7 +68,7 @@ static void draw_map(session *s)
                        s->picture.height, s->app->orbit.reach };
     pov_error err = { 0 };
 
-    if (shows_job(s) || !s->scene || !s->picture.pixels)
+    if (session_shows_job(s) || !s->scene || !s->picture.pixels)
         return;
     if (!s->maps && maps_create(&s->maps, s->scene, s->desc.wake, s->desc.wake_user, &err) < 0)
         fail(s, &err);
@@ -325,7 +297,7 @@ static void obey(session *s, unsigned orders)
     if (orders & (APP_PAUSE | APP_VIEW))
         steer(s);
     if (orders & APP_VIEW) {
-        if (shows_job(s)) {
+        if (session_shows_job(s)) {
             if (s->maps)
                 maps_stop(s->maps);
             picture_show(&s->picture, kind_of(s->app->view));
@@ -357,7 +329,7 @@ static void take_pixels(session *s, double budget)
 
     if (!s->job || !s->picture.pixels)
         return;
-    if (shows_job(s)) {
+    if (session_shows_job(s)) {
         s->unread = picture_update(&s->picture, s->job, budget);
     } else if (s->maps && maps_take(s->maps, s->picture.pixels, &first, &last)) {
         picture_touch(&s->picture, first, last);
@@ -368,13 +340,13 @@ unsigned session_update(session *s, double now, double budget)
 {
     unsigned orders;
 
-    if (s->job && !s->app->paused && shows_job(s) && pov_job_wait(s->job, 0.0) == POV_JOB_RUNNING)
+    if (s->job && !s->app->paused && session_shows_job(s) && pov_job_wait(s->job, 0.0) == POV_JOB_RUNNING)
         s->worked += now - s->now;
     s->now = now;
     take_results(s);
     if (file_watch_changed(&s->watch, now))
         session_load(s, s->desc.args->scene);
-    orders = app_update(s->app, now, s->scene && shows_job(s) && picture_is_covered(&s->picture));
+    orders = app_update(s->app, now, s->scene && session_shows_job(s) && picture_is_covered(&s->picture));
     obey(s, orders);
     take_pixels(s, budget);
     look_at_job(s);
@@ -394,45 +366,13 @@ double session_patience(const session *s, double now)
     return s->unread ? 0.0 : sooner(left, often_enough);
 }
 
-/* ---- asking ---- */
-
-const uint8_t *session_pixels(const session *s, int *width, int *height)
-{
-    *width = s->picture.width;
-    *height = s->picture.height;
-    return s->picture.pixels;
-}
-
-bool session_has_rows(const session *s)
-{
-    return s->picture.pixels && s->picture.last >= s->picture.first;
-}
-
-bool session_take_rows(session *s, int *first, int *last)
-{
-    picture *p = &s->picture;
-
-    if (!session_has_rows(s))
-        return false;
-    *first = p->first;
-    *last = p->last;
-    p->first = p->height;
-    p->last = -1;
-    return true;
-}
-
-bool session_coarse_is_there(const session *s)
-{
-    return s->scene && picture_is_covered(&s->picture);
-}
-
 bool session_is_settled(session *s)
 {
     if (!helper_is_idle(s->helper) || s->loads > 0 || s->app->orders || s->app->moved || s->app->resized)
         return false;
     if (!s->job || s->wrong)
         return true;
-    if (!shows_job(s))
+    if (!session_shows_job(s))
         return s->maps && maps_is_done(s->maps);
     return !s->unread && (s->app->paused || s->desc.by_steps || pov_job_wait(s->job, 0.0) != POV_JOB_RUNNING);
 }
@@ -441,93 +381,11 @@ void session_step(session *s, int passes)
 {
     pov_progress p = POV_INIT(p);
 
-    while (s->job && !s->app->paused && shows_job(s)) {
+    while (s->job && !s->app->paused && session_shows_job(s)) {
         pov_job_get_progress(s->job, &p);
         if (p.pass > passes || pov_job_step(s->job) != POV_JOB_RUNNING)
             return;
     }
-}
-
-unsigned long session_restarts(const session *s)
-{
-    return s->restarts;
-}
-
-pov_context *session_context(session *s)
-{
-    return s->context;
-}
-
-const pov_error *session_error(const session *s)
-{
-    return s->wrong ? &s->error : NULL;
-}
-
-bool session_get_pass(const session *s, size_t index, pov_pass *out)
-{
-    return s->job && pov_job_get_pass(s->job, index, out);
-}
-
-bool session_inspect(session *s, session_place *out)
-{
-    const app *a = s->app;
-    pov_camera camera = app_camera(a);
-    pov_hit hit = POV_INIT(hit);
-    pov_rect pixel = { (int)a->x, (int)a->y, 1, 1 };
-    pov_vec3 ray;
-
-    memset(out, 0, sizeof *out);
-    if (!s->job || a->x < 0.0 || a->y < 0.0 || pixel.x >= s->picture.width || pixel.y >= s->picture.height)
-        return false;
-    out->x = pixel.x;
-    out->y = pixel.y;
-    ray = orbit_ray(&a->orbit, (pixel.x + 0.5) / s->picture.width, (pixel.y + 0.5) / s->picture.height);
-    pov_job_read(s->job, pixel, POV_PIXELS_LINEAR_FLOAT, out->color, sizeof out->color);
-    pov_job_read(s->job, pixel, POV_PIXELS_SAMPLES, &out->samples, sizeof out->samples);
-    pov_job_read(s->job, pixel, POV_PIXELS_ERROR, &out->error, sizeof out->error);
-    out->hit = pov_trace_hit(s->tracer, camera.location, ray, &hit);
-    if (!out->hit)
-        return true;
-    pov_scene_get_object(s->scene, hit.object, &out->keyword, &out->line, &out->column);
-    out->distance = hit.distance * sqrt(pov_dot(ray, ray));
-    out->point = hit.point;
-    out->normal = hit.normal;
-    out->certain = hit.certain;
-    return true;
-}
-
-/* What has been done, what is left of it. Per cent are never rounded up to 100. */
-static void describe(const session *s, const char *name, const pov_progress *p, char *out, size_t size)
-{
-    char quality[80] = "", rest[40] = "";
-
-    if (p->est_rmse >= 0.0)
-        snprintf(quality, sizeof quality, ", %.1f samples, error %.2g", p->spp_mean, p->est_rmse);
-    if (p->fraction >= 1.0) {
-        snprintf(out, size, "%.100s: done in %.1f s%s", name, s->worked, quality);
-        return;
-    }
-    if (s->app->paused)
-        snprintf(rest, sizeof rest, ", paused");
-    else if (p->fraction > 0.0 && s->worked > 0.5)
-        snprintf(rest, sizeof rest, ", %.0f s left", s->worked * (1.0 - p->fraction) / p->fraction + 0.5);
-    snprintf(out, size, "%.100s: %d %%%s%s", name, (int)(100.0 * p->fraction), quality, rest);
-}
-
-void session_title(session *s, char *out, size_t size)
-{
-    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    pov_progress p = POV_INIT(p);
-
-    if (!s->job) {
-        snprintf(out, size, s->loads > 0 ? "%.100s: reading" : "%.100s", name);
-        return;
-    }
-    pov_job_get_progress(s->job, &p);
-    if (!shows_job(s))
-        snprintf(out, size, "%.100s: %s", name, app_view_name(s->app->view));
-    else
-        describe(s, name, &p, out, size);
 }
 
 /* ---- life ---- */

@@ -1,4 +1,5 @@
 #include "loop.h"
+#include "say.h"
 #include "script.h"
 
 #include <stdio.h>
@@ -159,6 +160,6 @@ int shot_run(const args *a)
     }
     if (err.status == POV_OK)
         return 0;
-    say_error(&err);
+    say("error", &err);
     return 1;
 }

@@ -1,0 +1,116 @@
+#include "session_state.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const uint8_t *session_pixels(const session *s, int *width, int *height)
+{
+    *width = s->picture.width;
+    *height = s->picture.height;
+    return s->picture.pixels;
+}
+
+bool session_has_rows(const session *s)
+{
+    return s->picture.pixels && s->picture.last >= s->picture.first;
+}
+
+bool session_take_rows(session *s, int *first, int *last)
+{
+    picture *p = &s->picture;
+
+    if (!session_has_rows(s))
+        return false;
+    *first = p->first;
+    *last = p->last;
+    p->first = p->height;
+    p->last = -1;
+    return true;
+}
+
+bool session_coarse_is_there(const session *s)
+{
+    return s->scene && picture_is_covered(&s->picture);
+}
+
+unsigned long session_restarts(const session *s)
+{
+    return s->restarts;
+}
+
+pov_context *session_context(session *s)
+{
+    return s->context;
+}
+
+const pov_error *session_error(const session *s)
+{
+    return s->wrong ? &s->error : NULL;
+}
+
+bool session_get_pass(const session *s, size_t index, pov_pass *out)
+{
+    return s->job && pov_job_get_pass(s->job, index, out);
+}
+
+bool session_inspect(session *s, session_place *out)
+{
+    const app *a = s->app;
+    pov_camera camera = app_camera(a);
+    pov_hit hit = POV_INIT(hit);
+    pov_rect pixel = { (int)a->x, (int)a->y, 1, 1 };
+    pov_vec3 ray;
+
+    memset(out, 0, sizeof *out);
+    if (!s->job || a->x < 0.0 || a->y < 0.0 || pixel.x >= s->picture.width || pixel.y >= s->picture.height)
+        return false;
+    out->x = pixel.x;
+    out->y = pixel.y;
+    ray = orbit_ray(&a->orbit, (pixel.x + 0.5) / s->picture.width, (pixel.y + 0.5) / s->picture.height);
+    pov_job_read(s->job, pixel, POV_PIXELS_LINEAR_FLOAT, out->color, sizeof out->color);
+    pov_job_read(s->job, pixel, POV_PIXELS_SAMPLES, &out->samples, sizeof out->samples);
+    pov_job_read(s->job, pixel, POV_PIXELS_ERROR, &out->error, sizeof out->error);
+    out->hit = pov_trace_hit(s->tracer, camera.location, ray, &hit);
+    if (!out->hit)
+        return true;
+    pov_scene_get_object(s->scene, hit.object, &out->keyword, &out->line, &out->column);
+    out->distance = hit.distance * sqrt(pov_dot(ray, ray));
+    out->point = hit.point;
+    out->normal = hit.normal;
+    out->certain = hit.certain;
+    return true;
+}
+
+/* What has been done, what is left of it. Per cent are never rounded up to 100. */
+static void describe(const session *s, const char *name, const pov_progress *p, char *out, size_t size)
+{
+    char quality[80] = "", rest[40] = "";
+
+    if (p->est_rmse >= 0.0)
+        snprintf(quality, sizeof quality, ", %.1f samples, error %.2g", p->spp_mean, p->est_rmse);
+    if (p->fraction >= 1.0) {
+        snprintf(out, size, "%.100s: done in %.1f s%s", name, s->worked, quality);
+        return;
+    }
+    if (s->app->paused)
+        snprintf(rest, sizeof rest, ", paused");
+    else if (p->fraction > 0.0 && s->worked > 0.5)
+        snprintf(rest, sizeof rest, ", %.0f s left", s->worked * (1.0 - p->fraction) / p->fraction + 0.5);
+    snprintf(out, size, "%.100s: %d %%%s%s", name, (int)(100.0 * p->fraction), quality, rest);
+}
+
+void session_title(session *s, char *out, size_t size)
+{
+    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    pov_progress p = POV_INIT(p);
+
+    if (!s->job) {
+        snprintf(out, size, s->loads > 0 ? "%.100s: reading" : "%.100s", name);
+        return;
+    }
+    pov_job_get_progress(s->job, &p);
+    if (!session_shows_job(s))
+        snprintf(out, size, "%.100s: %s", name, app_view_name(s->app->view));
+    else
+        describe(s, name, &p, out, size);
+}
