@@ -17,7 +17,7 @@ enum {
 enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
-    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
+    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
     OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
 };
 
@@ -45,6 +45,8 @@ static const struct option long_options[] = {
     { "verbose", no_argument, NULL, 'v' },
     { "color", required_argument, NULL, OPTION_COLOR },
     { "seed", required_argument, NULL, OPTION_SEED },
+    { "partial-every", required_argument, NULL, OPTION_PARTIAL_EVERY },
+    { "resume", no_argument, NULL, OPTION_RESUME },
     { "report", required_argument, NULL, OPTION_REPORT },
     { "reference", required_argument, NULL, OPTION_REFERENCE },
     { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
@@ -254,6 +256,11 @@ static bool read_option(args *a, int option, const char *text)
         return read_crop(a, text);
     case OPTION_FORMAT:
         return read_format(a, text);
+    case OPTION_PARTIAL_EVERY:
+        return read_positive(a, "--partial-every", text, &a->partial_every);
+    case OPTION_RESUME:
+        a->resume = true;
+        return true;
     case OPTION_REPORT:
         a->report = text;
         return true;
@@ -373,6 +380,8 @@ static bool read_places(args *a, int count, char **places)
     if (places[3][0] == '\0')
         return refuse(a, "OUTPUT is empty; povc wants the name of an image file, or -");
     a->output = places[3];
+    if (strcmp(a->output, "-") == 0 && (a->resume || a->partial_every > 0.0))
+        return refuse(a, "--resume and --partial-every keep a checkpoint beside OUTPUT, which must be a file for that");
     if (a->crop.width > 0 && (a->crop.x + a->crop.width > a->width || a->crop.y + a->crop.height > a->height))
         return refuse(a, "--crop reaches out of the picture of %d x %d", a->width, a->height);
     return true;

@@ -26,6 +26,8 @@ typedef struct args {
     int threads, samples, max_depth, bits, preview;   /* 0: the library's default */
     args_transfer transfer;
     int seed;
+    double partial_every;        /* seconds between checkpoints; 0: none */
+    bool resume;
     double error, time;          /* ends of refinement; 0: none */
     args_sampling sampling;
     const char *format;          /* an image ending, or NULL: by the output's name */

@@ -1,4 +1,5 @@
 #include "render.h"
+#include "partial.h"
 #include "progress.h"
 #include "report.h"
 #include "save.h"
@@ -127,7 +128,17 @@ static void write_now(render *r)
         messages_say(r->messages, "%s now holds the picture so far", r->args->output);
 }
 
-static pov_job_state watch(render *r, progress *shown)
+/* The checkpoint first: a picture that is newer than it would be lost. */
+static void write_partial(render *r, partial *kept)
+{
+    pov_error err = { 0 };
+
+    partial_save(kept);
+    if (write_picture(r, &err) < 0)
+        messages_error(r->messages, &err);
+}
+
+static pov_job_state watch(render *r, progress *shown, partial *kept)
 {
     double start = now_seconds();
     pov_progress now = POV_INIT(now);
@@ -145,6 +156,8 @@ static pov_job_state watch(render *r, progress *shown)
             pov_job_cancel(r->job);
         if (signals_write_asked())
             write_now(r);
+        if (partial_due(kept, now_seconds() - start))
+            write_partial(r, kept);
         if (progress_due(shown, now_seconds() - start)) {
             pov_job_get_progress(r->job, &now);
             progress_show(shown, &now);
@@ -199,20 +212,27 @@ static pov_status write_report(render *r, pov_error *err)
 
 static pov_status trace(render *r, pov_error *err)
 {
-    pov_status status = pov_job_start(r->job, err);
     pov_job_state state;
     progress shown;
+    partial kept;
+    pov_status status = partial_begin(&kept, r->args, r->messages, r->job, err);
 
+    if (status == POV_OK)
+        status = pov_job_start(r->job, err);
     if (status < 0)
         return status;
     progress_init(&shown, r->args);
-    state = watch(r, &shown);
+    state = watch(r, &shown, &kept);
     r->progress.size = sizeof r->progress;
     pov_job_get_progress(r->job, &r->progress);
     progress_end(&shown, &r->progress);
     if (state == POV_JOB_FAILED)
         return pov_job_get_error(r->job, err);
+    if (state == POV_JOB_CANCELLED || r->progress.stop == POV_STOP_TIME)
+        partial_save(&kept);
     status = write_picture(r, err);
+    if (status == POV_OK && state == POV_JOB_DONE && r->progress.stop != POV_STOP_TIME)
+        partial_forget(&kept);
     if (status == POV_OK && state == POV_JOB_CANCELLED)
         say_partial(r);
     else if (status == POV_OK)

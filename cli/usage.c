@@ -40,6 +40,8 @@ static const char *const help[] = {
     "      --accel tree|none    a bounding volume tree, or ask every object of every ray\n"
     "      --accuracy certified|max\n"
     "                           double where it is certain, or two doubles throughout\n"
+    "      --partial-every S    write the picture so far, and a checkpoint beside it, each S seconds\n"
+    "      --resume             go on from that checkpoint, and keep one\n"
     "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none)\n"
     "\n",
     "Messages\n"

@@ -87,6 +87,20 @@ void pov_job_get_progress(pov_job *job, pov_progress *out)
     adapt_out(out, &ours, sizeof ours);
 }
 
+pov_status pov_job_save(pov_job *job, const char *file, pov_error *err)
+{
+    if (!job || !file)
+        return err_set(err, POV_E_ARGUMENT, "to save takes a job and a path");
+    return job_save(job, file, err);
+}
+
+pov_status pov_job_load(pov_job *job, const char *file, pov_error *err)
+{
+    if (!job || !file)
+        return err_set(err, POV_E_ARGUMENT, "to load takes a job and a path");
+    return job_load(job, file, err);
+}
+
 bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out)
 {
     pov_pass ours = POV_INIT(ours);

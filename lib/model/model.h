@@ -36,6 +36,7 @@ typedef struct model {
     pov_dialect dialect;
     const char *dialect_reason;
     size_t warnings;
+    uint64_t identity;           /* hash of all texts it was read from */
 } model;
 
 void model_init(model *m, const env *e);

@@ -107,7 +107,7 @@ static void poke(const pov_job *job)
 void job_begin(pov_job *job)
 {
     job->state = POV_JOB_RUNNING;
-    job->started = clock_seconds();
+    job->started = clock_seconds() - job->earlier;
     job->ended = 0.0;
 }
 

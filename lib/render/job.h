@@ -16,6 +16,8 @@ void job_restart(pov_job *job, const pov_camera *camera);
 void job_pause(pov_job *job, bool paused);
 void job_cancel(pov_job *job);
 void job_get_progress(pov_job *job, pov_progress *out);
+pov_status job_save(pov_job *job, const char *file, pov_error *err);
+pov_status job_load(pov_job *job, const char *file, pov_error *err);
 bool job_get_pass(pov_job *job, size_t index, pov_pass *out);
 pov_status job_get_error(pov_job *job, pov_error *err);
 

@@ -37,8 +37,10 @@ struct pov_job {
     size_t due, claimed, committed;   /* steps of the lattices' passes together, or of the pass of more samples */
     bool refining;               /* all lattices are in, more samples are being taken */
     struct { pov_pass *items; size_t count, capacity; } rows;
+    bool last_is_partial;        /* the last row is not of a whole pass */
     pov_stop stop;
     double cpu;                  /* seconds of all threads */
+    double earlier;              /* seconds of wall time before a checkpoint */
     size_t done_pixels;
     pov_counts counts;
     bool *dirty;                 /* for each tile: changed since it was last taken */
@@ -63,6 +65,10 @@ void job_fail_memory(pov_job *job);
 void passes_begin(pov_job *job);
 /* Take on the next tile; there is work. */
 void passes_claim(pov_job *job, worker *w);
+/* Go past what a checkpoint brought. */
+void passes_skip(pov_job *job);
+/* Begin the pass that the cells' targets ask for. */
+void passes_queue(pov_job *job);
 /* A tile is whole and current; the last one of a pass ends it: what the next one does is decided by what is in, so
  * not by the order of tiles. True: whoever waits for news should hear of it. */
 bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh);

@@ -12,14 +12,25 @@ void passes_begin(pov_job *job)
     pov_counts none = { 0 };
 
     job->due = job->tiles.count * (size_t)job->frame.passes;
+    job->earlier = 0.0;
     job->claimed = job->committed = 0;
     job->done_pixels = 0;
     job->refining = false;
     job->rows.count = 0;
+    job->last_is_partial = false;
     job->stop = POV_STOP_NONE;
     job->cpu = 0.0;
     job->counts = none;
     cells_clear(&job->cells);
+}
+
+void passes_skip(pov_job *job)
+{
+    size_t all = job->tiles.count;
+
+    while (!job->refining && job->claimed < job->due &&
+           (job->frame.done[job->tiles.order[job->claimed % all]] >> job->claimed / all & 1u))
+        job->claimed++;
 }
 
 void passes_claim(pov_job *job, worker *w)
@@ -37,6 +48,7 @@ void passes_claim(pov_job *job, worker *w)
         cells_take(&job->cells, c->rect, w->refinement->cells, w->refinement->halves);
     else
         c->lattice = frame_lattice(&job->frame, c->pass);
+    passes_skip(job);
 }
 
 /* ---- the end of a pass ---- */
@@ -79,7 +91,7 @@ static bool has_due_cells(const pov_job *job, size_t tile)
 }
 
 /* From the cells' targets: the tiles that have work, from the middle outwards. */
-static void queue_up(pov_job *job)
+void passes_queue(pov_job *job)
 {
     job->refining = true;
     job->due = job->claimed = job->committed = 0;
@@ -104,7 +116,7 @@ static void end_pass(pov_job *job)
         job_end(job, POV_JOB_DONE);
         return;
     }
-    queue_up(job);
+    passes_queue(job);
     condition_wake_all(&job->changed);
 }
 
@@ -170,7 +182,7 @@ void passes_stop(pov_job *job, pov_stop why)
     job->stop = why;
     /* Without memory for it the last row is missing; the picture is not. */
     if (job->state == POV_JOB_RUNNING && (job->committed > 0 || job->rows.count == 0))
-        note(job);
+        job->last_is_partial = note(job);
 }
 
 bool passes_expire(pov_job *job)

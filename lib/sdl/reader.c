@@ -119,6 +119,7 @@ pov_status reader_read(model *m, registry *plugins, const char *text, size_t len
         if (err)
             *err = in.error;
     }
+    m->identity = in.lex.sources.hash;
     free_reader(&in);
     return status;
 }

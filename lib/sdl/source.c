@@ -1,5 +1,7 @@
 #include "sdl/source.h"
 
+#include "base/hash.h"
+
 #include <string.h>
 
 void source_init(source_stack *s, const env *e)
@@ -7,6 +9,7 @@ void source_init(source_stack *s, const env *e)
     s->env = e;
     s->top = NULL;
     s->all = NULL;
+    s->hash = 0;
 }
 
 void source_free(source_stack *s)
@@ -39,6 +42,7 @@ bool source_push(source_stack *s, const char *text, size_t length, const char *n
     added->older = s->all;
     s->top = added;
     s->all = added;
+    s->hash = hash_bytes(s->hash, text, length);
     return true;
 }
 

@@ -18,6 +18,7 @@ typedef struct source {
 typedef struct source_stack {
     const env *env;
     source *top, *all;
+    uint64_t hash;               /* of all texts pushed so far */
 } source_stack;
 
 /* A stretch of text: what messages point at. */

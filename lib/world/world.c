@@ -280,3 +280,8 @@ size_t world_infinite_count(const world *w)
 {
     return w->infinite_count;
 }
+
+bool world_is_exact(const world *w)
+{
+    return w->always_exact;
+}

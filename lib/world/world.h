@@ -26,6 +26,8 @@ const plan *world_plan(const world *w);
 bool world_bounds(const world *w, pov_box *out);
 /* Objects without a finite box, which every ray is asked for. */
 size_t world_infinite_count(const world *w);
+/* Were its options to use two-part arithmetic for every intersection? */
+bool world_is_exact(const world *w);
 
 pov_status walker_create(walker **out, const world *w, pov_error *err);
 void walker_destroy(walker *k);

@@ -98,6 +98,10 @@ POV_API void pov_job_restart(pov_job *job, const pov_camera *camera);
 POV_API void pov_job_pause(pov_job *job, bool paused);
 POV_API void pov_job_cancel(pov_job *job);
 POV_API void pov_job_get_progress(pov_job *job, pov_progress *out);
+/* Write all there is to go on from, at any time; a job of the same scene text, settings and version takes it up before
+ * its start, refuses any other's, and ends with the same bits, rows included but for their times. */
+POV_API pov_status pov_job_save(pov_job *job, const char *file, pov_error *err);
+POV_API pov_status pov_job_load(pov_job *job, const char *file, pov_error *err);
 /* The index-th pass that has ended since the start; false past the last. */
 POV_API bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out);
 /* Why a job is POV_JOB_FAILED; POV_OK otherwise. */

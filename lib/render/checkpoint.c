@@ -1,0 +1,323 @@
+#include "render/job_state.h"
+
+#include "base/clock.h"
+#include "base/err.h"
+#include "base/file.h"
+#include "base/hash.h"
+#include "base/vec.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* A checkpoint is a memory image for the machine and the version that wrote it: both are checked, and so is every
+ * byte. In order: identity, state, rows, counts and targets of the cells, then while lattices are traced which of
+ * their passes each square has and the pixels, and afterwards the halves; last the hash of all that. */
+
+enum { FORMAT = 1, SQUARE = TILE_EDGE_MIN };
+
+/* What must be the same to go on. Written over zeros, so that padding is the same too. */
+typedef struct identity {
+    char magic[16], version[16];
+    uint32_t order, format;
+    uint64_t scene;
+    int32_t dialect, depth, exact;
+    int32_t width, height, crop[4], first_step, samples, adaptive, cell_edge;
+    uint32_t seed;
+    double target_error, camera[12];
+} identity;
+
+typedef struct state {
+    uint64_t rows;
+    uint32_t refining, reserved;
+    double elapsed, cpu;
+    pov_counts counts;
+} state;
+
+static void identify(const pov_job *job, identity *id)
+{
+    const settings *s = &job->settings;
+    const pov_vec3 vectors[4] = { job->camera.location, job->camera.direction, job->camera.right, job->camera.up };
+    const pov_rect c = s->crop;
+
+    memset(id, 0, sizeof *id);
+    strcpy(id->magic, "povtrace-part\n");
+    snprintf(id->version, sizeof id->version, "%d.%d.%d", POVTRACE_VERSION_MAJOR, POVTRACE_VERSION_MINOR,
+             POVTRACE_VERSION_PATCH);
+    id->order = 0x01020304;
+    id->format = FORMAT;
+    id->scene = job->model->identity;
+    id->dialect = (int32_t)job->model->dialect;
+    id->depth = job->model->max_trace_level;
+    id->exact = world_is_exact(job->world);
+    id->width = s->width;
+    id->height = s->height;
+    id->crop[0] = c.x;
+    id->crop[1] = c.y;
+    id->crop[2] = c.width;
+    id->crop[3] = c.height;
+    id->first_step = s->first_step;
+    id->samples = s->samples;
+    id->adaptive = s->adaptive;
+    id->cell_edge = CELL_EDGE;
+    id->seed = s->seed;
+    id->target_error = s->target_error;
+    memcpy(id->camera, vectors, sizeof id->camera);
+}
+
+/* ---- squares: what tiles are made of, whatever their size ---- */
+
+static size_t square_columns(const pov_job *job)
+{
+    return ((size_t)job->tiles.width - 1) / SQUARE + 1;
+}
+
+static size_t square_count(const pov_job *job)
+{
+    return square_columns(job) * (((size_t)job->tiles.height - 1) / SQUARE + 1);
+}
+
+static size_t tile_of_square(const pov_job *job, size_t square)
+{
+    size_t x = square % square_columns(job) * SQUARE, y = square / square_columns(job) * SQUARE;
+    size_t edge = (size_t)job->tiles.edge;
+
+    return y / edge * (size_t)job->tiles.columns + x / edge;
+}
+
+static size_t pixel_count(const pov_job *job)
+{
+    return (size_t)job->tiles.width * (size_t)job->tiles.height;
+}
+
+/* ---- saving ---- */
+
+static size_t size_of(const pov_job *job, size_t rows, bool refining)
+{
+    size_t size = sizeof(identity) + sizeof(state) + rows * sizeof(pov_pass) + 8 * job->cells.count;
+
+    size += refining ? 6 * sizeof(double) * pixel_count(job) : square_count(job) + 4 * sizeof(float) * pixel_count(job);
+    return size + sizeof(uint64_t);
+}
+
+static unsigned char *put(unsigned char *to, const void *from, size_t count)
+{
+    if (count > 0)
+        memcpy(to, from, count);
+    return to + count;
+}
+
+/* The rows of whole passes. */
+static size_t row_count(const pov_job *job)
+{
+    return job->rows.count - (job->last_is_partial ? 1 : 0);
+}
+
+/* All but the hash. The lock is held. */
+static void image(const pov_job *job, unsigned char *to)
+{
+    identity id;
+    state s;
+
+    identify(job, &id);
+    memset(&s, 0, sizeof s);
+    s.rows = row_count(job);
+    s.refining = job->refining;
+    s.elapsed = (job->ended > 0.0 ? job->ended : clock_seconds()) - job->started;
+    s.cpu = job->cpu;
+    s.counts = job->counts;
+    to = put(to, &id, sizeof id);
+    to = put(to, &s, sizeof s);
+    to = put(to, job->rows.items, row_count(job) * sizeof *job->rows.items);
+    for (size_t i = 0; i < job->cells.count; i++) {
+        to = put(to, &job->cells.items[i].count, 4);
+        to = put(to, &job->cells.items[i].target, 4);
+    }
+    if (job->refining) {
+        put(to, job->cells.halves, 6 * sizeof(double) * pixel_count(job));
+        return;
+    }
+    for (size_t i = 0; i < square_count(job); i++)
+        *to++ = job->frame.done[tile_of_square(job, i)];
+    put(to, job->frame.pixels, 4 * sizeof(float) * pixel_count(job));
+}
+
+pov_status job_save(pov_job *job, const char *file, pov_error *err)
+{
+    file_writer *writer = env_alloc(job->env, 1, sizeof *writer);
+    unsigned char *bytes;
+    size_t size;
+    uint64_t hash;
+    pov_status status;
+
+    if (!writer)
+        return err_memory(err);
+    mutex_lock(&job->lock);
+    size = size_of(job, row_count(job), job->refining);
+    bytes = env_alloc(job->env, size, 1);
+    if (bytes)
+        image(job, bytes);
+    mutex_unlock(&job->lock);
+    status = bytes ? file_writer_open(writer, job->env, file, err) : err_memory(err);
+    if (status == POV_OK) {
+        hash = hash_bytes(0, bytes, size - sizeof hash);
+        memcpy(bytes + size - sizeof hash, &hash, sizeof hash);
+        file_writer_put(writer, bytes, size);
+        status = file_writer_commit(writer, err);
+    }
+    env_free(job->env, bytes);
+    env_free(job->env, writer);
+    return status;
+}
+
+/* ---- going on ---- */
+
+static pov_status check(const pov_job *job, const char *file, const char *bytes, size_t count, pov_error *err)
+{
+    identity ours, theirs;
+    state s;
+
+    identify(job, &ours);
+    if (count < sizeof theirs + sizeof s)
+        return err_file(err, POV_E_IO, file, "this is no checkpoint");
+    memcpy(&theirs, bytes, sizeof theirs);
+    memcpy(&s, bytes + sizeof theirs, sizeof s);
+    if (memcmp(theirs.magic, ours.magic, sizeof ours.magic) != 0)
+        return err_file(err, POV_E_IO, file, "this is no checkpoint");
+    if (theirs.order != ours.order || theirs.format != ours.format ||
+        memcmp(theirs.version, ours.version, sizeof ours.version) != 0)
+        return err_file(err, POV_E_ARGUMENT, file, "this checkpoint was made by another version of povtrace, %.15s, or another machine",
+                        theirs.order == ours.order ? theirs.version : "unknown");
+    if (theirs.scene != ours.scene)
+        return err_file(err, POV_E_ARGUMENT, file, "this checkpoint was made from another scene text");
+    if (memcmp(&theirs, &ours, sizeof ours) != 0)
+        return err_file(err, POV_E_ARGUMENT, file,
+                        "this checkpoint was made with other settings: size, crop, preview, samples, error, sampling, seed, depth, accuracy or camera");
+    return POV_OK;
+}
+
+/* Is every byte there, and as it was written? */
+static pov_status check_whole(const pov_job *job, const char *file, const char *bytes, size_t count, pov_error *err)
+{
+    uint64_t hash;
+    state s;
+
+    memcpy(&s, bytes + sizeof(identity), sizeof s);
+    if (s.rows > 1u << 24 || s.refining > 1 || (s.refining && !job->settings.sampling) ||
+        count != size_of(job, (size_t)s.rows, s.refining))
+        return err_file(err, POV_E_IO, file, "this checkpoint is damaged");
+    memcpy(&hash, bytes + count - sizeof hash, sizeof hash);
+    if (hash != hash_bytes(0, bytes, count - sizeof hash))
+        return err_file(err, POV_E_IO, file, "this checkpoint is damaged");
+    return POV_OK;
+}
+
+/* From the bits of squares to those of tiles: a tile has what all of its squares have. Its first samples are dealt to
+ * the cells anew. */
+static void take_lattices(pov_job *job, const unsigned char *bits)
+{
+    size_t tiles_count = job->tiles.count;
+
+    memset(job->frame.done, 0xff, tiles_count);
+    for (size_t i = 0; i < square_count(job); i++)
+        job->frame.done[tile_of_square(job, i)] &= bits[i];
+    memcpy(job->frame.pixels, bits + square_count(job), 4 * sizeof(float) * pixel_count(job));
+    cells_clear(&job->cells);
+    for (size_t i = 0; i < tiles_count; i++) {
+        pov_rect r = tiles_rect(&job->tiles, i);
+
+        for (int pass = 0; pass < job->frame.passes; pass++)
+            if (job->frame.done[i] >> pass & 1u) {
+                job->committed++;
+                job->done_pixels += lattice_pixels(frame_lattice(&job->frame, pass), r.width, r.height);
+            }
+        if (frame_has(&job->frame, i))
+            cells_first(&job->cells, r, &job->frame, &job->encoding);
+    }
+    passes_skip(job);
+}
+
+static void take_halves(pov_job *job, const unsigned char *halves, refinement *part, float *pixels)
+{
+    memcpy(job->cells.halves, halves, 6 * sizeof(double) * pixel_count(job));
+    for (size_t i = 0; i < job->tiles.count; i++) {
+        pov_rect r = tiles_rect(&job->tiles, i);
+
+        cells_take(&job->cells, r, part->cells, part->halves);
+        cells_measure(&job->cells, r, &job->encoding, part->cells, part->halves, pixels);
+        cells_put(&job->cells, r, part->cells, part->halves);
+        job->frame.done[i] = (uint8_t)((1u << job->frame.passes) - 1u);
+        frame_replace(&job->frame, i, pixels);
+    }
+    for (size_t i = 0; i < job->cells.count; i++) {
+        pov_rect r = cells_rect(&job->cells, i);
+
+        job->done_pixels += (size_t)r.width * (size_t)r.height * job->cells.items[i].count;
+    }
+    passes_queue(job);
+}
+
+static bool take_rows(pov_job *job, const unsigned char *at, size_t count)
+{
+    pov_pass row;
+
+    for (size_t i = 0; i < count; i++) {
+        memcpy(&row, at + i * sizeof row, sizeof row);
+        if (!VEC_PUSH(job->env, &job->rows, row))
+            return false;
+    }
+    return true;
+}
+
+/* All of it is right: take it. The lock is held. */
+static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
+{
+    refinement *part = refinement_make(job->env, job->tiles.edge);
+    float *pixels = env_alloc(job->env, (size_t)job->tiles.edge * (size_t)job->tiles.edge, 4 * sizeof *pixels);
+    pov_status status = part && pixels ? POV_OK : err_memory(err);
+    state s;
+
+    passes_begin(job);
+    memcpy(&s, at + sizeof(identity), sizeof s);
+    at += sizeof(identity) + sizeof s;
+    if (status == POV_OK && !take_rows(job, at, (size_t)s.rows))
+        status = err_memory(err);
+    at += s.rows * sizeof(pov_pass);
+    if (status == POV_OK) {
+        for (size_t i = 0; i < job->cells.count; i++, at += 8) {
+            memcpy(&job->cells.items[i].count, at, 4);
+            memcpy(&job->cells.items[i].target, at + 4, 4);
+        }
+        job->earlier = s.elapsed;
+        job->cpu = s.cpu;
+        job->counts = s.counts;
+        if (s.refining)
+            take_halves(job, at, part, pixels);
+        else
+            take_lattices(job, at);
+    }
+    env_free(job->env, pixels);
+    refinement_free(part, job->env);
+    return status;
+}
+
+pov_status job_load(pov_job *job, const char *file, pov_error *err)
+{
+    char *bytes;
+    size_t count;
+    pov_status status = file_read(job->env, file, &bytes, &count, err);
+
+    if (status < 0)
+        return status;
+    mutex_lock(&job->lock);
+    if (job->state != POV_JOB_IDLE)
+        status = err_set(err, POV_E_ARGUMENT, "a job takes up a checkpoint before it starts");
+    if (status == POV_OK)
+        status = check(job, file, bytes, count, err);
+    if (status == POV_OK)
+        status = check_whole(job, file, bytes, count, err);
+    if (status == POV_OK)
+        status = take(job, (const unsigned char *)bytes, err);
+    mutex_unlock(&job->lock);
+    env_free(job->env, bytes);
+    return status;
+}

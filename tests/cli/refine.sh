@@ -1,0 +1,128 @@
+# More samples where the error is, what ends them, and what is told of it.
+
+field() {   # field FILE COLUMN: of the last row
+    awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i } END { print $column }' "$1"
+}
+
+between() {   # between LOW VALUE HIGH
+    awk -v l="$1" -v v="$2" -v h="$3" 'BEGIN { exit !(l <= v && v <= h) }' || fail "$2 is not within $1 and $3"
+}
+
+refine_reaches_the_error_that_was_asked_for() {
+    rich_scene
+    expect 0 "$povc" rich.pov 64 48 truth.pfm --spp 512 --seed 1
+    expect 0 "$povc" rich.pov 64 48 out.pfm --error 0.01 --reference truth.pfm --report out.csv
+    says err "the error asked for ended it"
+    between 0 "$(field out.csv est_rmse)" 0.01
+    between 0 "$(field out.csv ref_rmse)" 0.012
+    between 0.8 "$(field out.csv est_over_true)" 1.25
+}
+
+refine_says_when_a_limit_came_first() {
+    rich_scene
+    expect 3 "$povc" rich.pov 32 24 out.pfm --error 1e-6 --spp 12
+    says err "the number of samples ended it"
+    says err "not yet what was asked"
+    expect 3 "$povc" rich.pov 64 48 out.pfm --spp 60000 --time 0.2
+    says err "the time limit ended it"
+    expect 0 "$povc" rich.pov 64 48 out.pfm --time 0.2
+}
+
+refine_ends_in_time() {
+    rich_scene
+    expect 3 "$povc" rich.pov 320 240 out.pfm --error 1e-6 --time 0.5 --stats
+    between 0.5 "$(sed -n 's/^trace: \([0-9.]*\) s/\1/p' out)" 0.6
+}
+
+refine_gives_the_same_bits_however_it_is_done() {
+    rich_scene
+    expect 0 "$povc" rich.pov 75 50 one.pfm -t 1 --error 0.02
+    for options in '-t 2' '-t 3 --preview 16' '-t 8 --preview 4' '-t 2 --accel none'; do
+        # shellcheck disable=SC2086
+        expect 0 "$povc" rich.pov 75 50 other.pfm --error 0.02 $options
+        same one.pfm other.pfm
+    done
+    expect 0 "$povc" rich.pov 75 50 other.pfm --error 0.02 --seed 1
+    if cmp -s one.pfm other.pfm; then
+        fail "another seed changes nothing"
+    fi
+}
+
+# SIGKILL at moments that differ from run to run; what goes on has another number of threads.
+refine_goes_on_after_kill_9_to_the_same_bits() {
+    rich_scene
+    for options in '--error 0.004' '--spp 64 --preview 8'; do
+        # shellcheck disable=SC2086
+        expect 0 "$povc" rich.pov 96 72 whole.pfm -q -t 1 $options
+        for pause in 0.05 0.2 0.5; do
+            rm -f out.pfm out.pfm.checkpoint
+            # shellcheck disable=SC2086
+            "$povc" rich.pov 96 72 out.pfm -q -t 2 --partial-every 0.01 $options 2> /dev/null &
+            running=$!
+            sleep "$pause"
+            kill -9 "$running" 2> /dev/null || true
+            wait "$running" 2> /dev/null || true
+            # shellcheck disable=SC2086
+            expect 0 "$povc" rich.pov 96 72 out.pfm -q -t 3 --resume $options
+            same whole.pfm out.pfm
+            [ ! -e out.pfm.checkpoint ] || fail "the checkpoint of a complete picture is still there"
+        done
+    done
+}
+
+refine_refuses_the_checkpoint_of_another() {
+    rich_scene
+    sed 's/angle 50/angle 51/' rich.pov > other.pov
+    expect 3 "$povc" rich.pov 96 72 out.pfm --error 1e-5 --time 0.2 --partial-every 9
+    cp out.pfm.checkpoint kept
+    expect 2 "$povc" other.pov 96 72 out.pfm --error 1e-5 --resume
+    says err "another scene text"
+    for options in '--error 1e-4' '--error 1e-5 --seed 3' '--error 1e-5 --sampling uniform' '--error 1e-5 --max-depth 2'; do
+        # shellcheck disable=SC2086
+        expect 2 "$povc" rich.pov 96 72 out.pfm $options --resume
+        says err "other settings"
+    done
+    expect 2 "$povc" rich.pov 96 71 out.pfm --error 1e-5 --resume
+    same out.pfm.checkpoint kept
+    head -c 100000 kept > out.pfm.checkpoint
+    expect 1 "$povc" rich.pov 96 72 out.pfm --error 1e-5 --resume
+    says err "damaged"
+    head -c 20 kept > out.pfm.checkpoint
+    expect 1 "$povc" rich.pov 96 72 out.pfm --error 1e-5 --resume
+    says err "no checkpoint"
+    expect 2 "$povc" rich.pov 96 72 - --resume
+}
+
+refine_writes_a_report_of_each_form() {
+    rich_scene
+    expect 0 "$povc" rich.pov 32 24 truth.png --spp 64 --bits 16
+    for form in csv json html svg png; do
+        if [ "$form" != csv ] && [ "$form" != json ] && [ ! -e "$BUILD_DIR/lib/povtrace/plots/plot.so" ]; then
+            continue
+        fi
+        expect 0 "$povc" rich.pov 32 24 out.pfm --spp 24 --sampling adaptive --reference truth.png --report "r.$form"
+        [ -s "r.$form" ] || fail "there is no r.$form"
+    done
+    says r.csv "pass,wall_s,cpu_s,threads,spp_mean,spp_max,primary_rays,secondary_rays,shadow_rays,est_rmse"
+    between 24 "$(field r.csv spp_mean)" 26
+    "$PYTHON" -c 'import json; r = json.load(open("r.json")); assert r["ended_by"] == "samples" and len(r["passes"]) > 4
+assert r["explain"] and r["passes"][-1]["ref_rmse"] > 0 and r["passes"][0]["est_rmse"] is None'
+    [ -e r.html ] || skip "no cairo here"
+    "$PYTHON" -c 'import base64, re; t = open("r.html").read()
+kinds = re.findall(r"data:image/([a-z+]*);base64,([A-Za-z0-9+/=]*)", t)
+assert [k for k, _ in kinds] == ["png", "png", "png", "svg+xml"], [k for k, _ in kinds]
+assert all(base64.b64decode(d, validate=True)[:4] in (b"\x89PNG", b"<?xm") for _, d in kinds)
+assert "src=\"http" not in t and "max_trace_level" in t'
+    says r.svg "<svg"
+    expect 2 "$povc" rich.pov 32 24 out.pfm --report r.txt
+    expect 2 "$povc" rich.pov 32 23 out.pfm --reference truth.png
+    says err "cannot be held against"
+}
+
+refine_loads_what_draws_only_when_asked() {
+    rich_scene
+    expect 0 "$povc" rich.pov 16 12 out.pfm --spp 4 --report r.csv --stats
+    says out "plugins: pfm,sphere"
+    expect 0 "$povc" rich.pov 16 12 out.pfm --spp 4
+    [ ! -s err ] || fail "a plain number of samples is nothing to talk about: $(cat err)"
+}
