@@ -15,7 +15,8 @@ typedef struct box {
 /* What one question of a ray needs. */
 typedef struct slabs {
     const box *shape;
-    double o[3], o_lo[3], d[3], d_lo[3];
+    double o[3], o_lo[3], d[3], d_lo[3];   /* the direction's largest component is in [1, 2) */
+    double unit;           /* a distance here, times unit, is one along the ray */
     double t[6];           /* within 6 u of the exact quotients */
     double slack;          /* as large as all such errors of two of them; infinite for always_exact */
     bool decided;
@@ -62,13 +63,16 @@ static pov_two distance_to(const slabs *s, int plane)
 
 static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_exact)
 {
+    const double power = pov_inverse_power(pov_largest(ray->dir));
+    const pov_vec3 d = pov_scale(ray->dir, power), d_lo = pov_scale(ray->dir_lo, power);
     int i;
 
     s->shape = shape;
     s->o[0] = ray->org.x, s->o[1] = ray->org.y, s->o[2] = ray->org.z;
     s->o_lo[0] = ray->org_lo.x, s->o_lo[1] = ray->org_lo.y, s->o_lo[2] = ray->org_lo.z;
-    s->d[0] = ray->dir.x, s->d[1] = ray->dir.y, s->d[2] = ray->dir.z;
-    s->d_lo[0] = ray->dir_lo.x, s->d_lo[1] = ray->dir_lo.y, s->d_lo[2] = ray->dir_lo.z;
+    s->d[0] = d.x, s->d[1] = d.y, s->d[2] = d.z;
+    s->d_lo[0] = d_lo.x, s->d_lo[1] = d_lo.y, s->d_lo[2] = d_lo.z;
+    s->unit = power;
     s->slack = always_exact ? HUGE_VAL : 8.0 * KIT_U;
     s->decided = false;
     for (i = 0; i < 6; i++)
@@ -143,7 +147,7 @@ static bool report(const slabs *s, pov_hits *hits, int plane)
     sum = pov_fast_two_sum(t, rest / d);
     if (!isfinite(sum.lo))
         sum = pov_two_of(t, 0.0);
-    return pov_cross(hits, sum.hi, sum.lo, kit_mark((uint32_t)plane, s->decided ? POV_MARK_DECIDED : 0));
+    return pov_cross(hits, sum.hi * s->unit, sum.lo * s->unit, kit_mark((uint32_t)plane, s->decided ? POV_MARK_DECIDED : 0));
 }
 
 /* A ray that left a face going inward has entered already, whatever rounding says of an edge nearby; going
