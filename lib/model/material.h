@@ -20,4 +20,12 @@ bool material_equal(const material *a, const material *b);
 
 static inline bool material_is_transparent(const material *m) { return m->filter != 0.0f || m->transmit != 0.0f; }
 
+/* What light that passes the surface is multiplied by. */
+static inline colour material_filter(const material *m)
+{
+    colour c = colour_scale(m->pigment, m->filter);
+
+    return colour_add(c, colour_of(m->transmit, m->transmit, m->transmit));
+}
+
 #endif

@@ -48,6 +48,29 @@ static void ask(pov_tracer *t, surface *s, pov_vec3 way, colour given)
     l->given[l->count++] = given;
 }
 
+static bool any_on_spot(const light_rays *l)
+{
+    for (uint32_t i = 0; i < l->count; i++)
+        if (l->of[i]->spot)
+            return true;
+    return false;
+}
+
+/* Rays from surfaces that lie on others go alone. */
+static uint64_t light_each(pov_tracer *t, const light_rays *l, colour *through)
+{
+    uint64_t lit = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        const uint32_t at = l->of[i]->spot;
+        const bool is_lit = at ? world_light_path_from(t->world, t->walker, &t->spots.items[at - 1], &l->rays[i], 1.0,
+                                                       &through[i])
+                               : world_light_path(t->world, t->walker, &l->rays[i], 1.0, &through[i]);
+        lit |= (uint64_t)is_lit << i;
+    }
+    return lit;
+}
+
 static void send(pov_tracer *t)
 {
     light_rays *l = &t->light_rays;
@@ -59,7 +82,8 @@ static void send(pov_tracer *t)
     for (i = 0; i < l->count; i++)
         rays[i] = &l->rays[i];
     t->counts.shadow += l->count;
-    lit = world_light_path_many(t->world, t->walker, rays, l->count, 1.0, through);
+    lit = any_on_spot(l) ? light_each(t, l, through)
+                         : world_light_path_many(t->world, t->walker, rays, l->count, 1.0, through);
     for (i = 0; i < l->count; i++)
         if (lit >> i & 1)
             l->of[i]->lit = colour_add(l->of[i]->lit, colour_mul(l->given[i], through[i]));

@@ -9,13 +9,6 @@ float pigment_opacity(const model *m, const material *surface)
     return 1.0f - filter - surface->transmit;
 }
 
-colour pigment_filter(const material *surface)
-{
-    colour c = colour_scale(surface->pigment, surface->filter);
-
-    return colour_add(c, colour_of(surface->transmit, surface->transmit, surface->transmit));
-}
-
 /* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of
  * 90 degrees. */
 static double fresnel(double cosine)

@@ -47,6 +47,7 @@ void tracer_destroy(pov_tracer *t)
     env_free(e, t->start.items);
     env_free(e, t->waiting.items);
     env_free(e, t->waits.items);
+    env_free(e, t->spots.items);
     env_free(e, t);
 }
 
@@ -145,9 +146,26 @@ static void settle_media(pov_tracer *t)
     }
 }
 
+/* The same of the spots. */
+static void settle_spots(pov_tracer *t)
+{
+    const size_t floor = t->waits.count > 0 ? t->waits.items[t->waits.count - 1].spots : 0;
+
+    t->spots.count = floor;
+    for (uint32_t i = 0; i < t->now->count; i++) {
+        path *p = &t->now->paths[i];
+
+        if (p->spot <= floor)
+            continue;
+        if (p->spot - 1 != t->spots.count)
+            t->spots.items[t->spots.count] = t->spots.items[p->spot - 1];
+        p->spot = (uint32_t)++t->spots.count;
+    }
+}
+
 static bool put_aside(pov_tracer *t, const batch *b)
 {
-    wait w = { b->count, t->media.count };
+    wait w = { b->count, t->media.count, t->spots.count };
 
     for (uint32_t i = 0; i < b->count; i++)
         if (!VEC_PUSH(t->env, &t->waiting, b->paths[i]))
@@ -163,6 +181,7 @@ static void take_up(pov_tracer *t, batch *b)
     t->waiting.count -= w.paths;
     memcpy(b->paths, t->waiting.items + t->waiting.count, w.paths * sizeof *b->paths);
     t->media.count = w.media;
+    t->spots.count = w.spots;
 }
 
 static void change(batch **a, batch **b)
@@ -191,6 +210,8 @@ static bool next_batch(pov_tracer *t)
         return false;
     if (t->plan->refraction)
         settle_media(t);
+    if (t->spots.count > 0)
+        settle_spots(t);
     return true;
 }
 
@@ -210,25 +231,93 @@ static void see(const path *p, colour seen, colour *out)
     out[p->lane] = colour_add(out[p->lane], finite_colour(colour_mul(p->factor, seen)));
 }
 
+/* ---- what rays meet ---- */
+
+/* The surface lies on others. */
+static void stand_on(pov_tracer *t, surface *s, const spot *on)
+{
+    if (!VEC_PUSH(t->env, &t->spots, *on)) {
+        t->failed = true;
+        return;
+    }
+    s->spot = (uint32_t)t->spots.count;
+    s->above = on->above;
+    while (s->on + 1 < on->count && on->at[s->on].object != s->at.object)
+        s->on++;
+}
+
+static void find_spot(pov_tracer *t, surface *s, const spot *from)
+{
+    spot on;
+
+    world_spot(t->world, t->walker, &s->from->ray, from, &s->at, &on);
+    stand_on(t, s, &on);
+}
+
+/* A path that starts on a spot meets what it crosses before it has gone anywhere, or else what comes next. */
+static bool meet_from_spot(pov_tracer *t, surface *s)
+{
+    const path *p = s->from;
+    spot from = t->spots.items[p->spot - 1];
+    uint32_t which;
+
+    from.above = p->above;
+    which = spot_crossed(&from, p->ray.dir);
+    if (which < from.count) {
+        s->at = from.at[which];
+        s->at.entering = pov_dot(s->at.normal, p->ray.dir) < 0.0;
+        stand_on(t, s, &from);
+        return true;
+    }
+    if (!world_nearest_from(t->world, t->walker, &from, &p->ray, HUGE_VAL, &s->at))
+        return false;
+    if (s->at.company)
+        find_spot(t, s, &from);
+    return true;
+}
+
+static bool meet_alone(pov_tracer *t, surface *s)
+{
+    return s->from->spot ? meet_from_spot(t, s)
+                         : world_nearest(t->world, t->walker, &s->from->ray, HUGE_VAL, &s->at);
+}
+
+static bool any_on_spot(const pov_tracer *t, const batch *b)
+{
+    for (uint32_t i = 0; t->spots.count > 0 && i < b->count; i++)
+        if (b->paths[i].spot)
+            return true;
+    return false;
+}
+
 /* What the batch's rays meet, one surface a ray that meets any. The others see the background. */
 static uint32_t meet(pov_tracer *t, colour *out)
 {
     const batch *b = t->now;
+    const bool alone = any_on_spot(t, b);
     const pov_ray *rays[BATCH_MAX];
     hit hits[BATCH_MAX];
-    uint64_t met;
+    uint64_t met = 0;
     uint32_t i, n = 0;
 
     for (i = 0; i < b->count; i++)
         rays[i] = &b->paths[i].ray;
-    met = world_nearest_many(t->world, t->walker, rays, b->count, HUGE_VAL, hits);
+    if (!alone)
+        met = world_nearest_many(t->world, t->walker, rays, b->count, HUGE_VAL, hits);
     for (i = 0; i < b->count; i++) {
-        if (!(met >> i & 1)) {
+        surface *s = &t->surfaces[n];
+
+        s->from = &b->paths[i];
+        s->spot = s->above = s->on = 0;
+        if (!(alone ? meet_alone(t, s) : met >> i & 1)) {
             see(&b->paths[i], t->model->background, out);
             continue;
         }
-        t->surfaces[n].from = &b->paths[i];
-        t->surfaces[n++].at = hits[i];
+        if (!alone)
+            s->at = hits[i];
+        if (s->at.company && !s->spot)
+            find_spot(t, s, NULL);
+        n++;
     }
     return n;
 }
@@ -281,6 +370,7 @@ static void begin(pov_tracer *t, const pov_ray *ray, uint32_t lane)
     p->standing = 0;
     p->lane = lane;
     p->media = begin_media(t, ray);
+    p->spot = p->above = 0;
     t->counts.camera++;
 }
 
@@ -289,7 +379,7 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
     uint32_t i;
 
     t->now->count = 0;
-    t->media.count = t->waiting.count = t->waits.count = 0;
+    t->media.count = t->waiting.count = t->waits.count = t->spots.count = 0;
     for (i = 0; i < n; i++) {
         bool sees = is_ray(&rays[i]);
 

@@ -18,6 +18,8 @@ typedef struct path {
     int standing;                /* crossings in a row that did not move the ray: see surface.c */
     uint32_t lane;               /* whose camera ray it comes from */
     media_span media;            /* what it is in */
+    uint32_t spot, above;        /* it starts where surfaces lie on each other: that of t->spots, counted from 1, and its
+                                  * sides of them; spot 0: it does not */
 } path;
 
 /* Paths that are followed in company: of neighbouring camera rays the same way on, at most one of each, ordered by
@@ -29,6 +31,7 @@ typedef struct batch { uint32_t count; path paths[BATCH_MAX]; } batch;
 typedef struct surface {
     const path *from;
     hit at;
+    uint32_t spot, above, on;    /* it lies on others: as in a path; which of them it is */
     const material *material;
     pov_vec3 view;               /* unit direction of the ray */
     pov_vec3 normal;             /* unit, turned towards the ray's start */
@@ -48,7 +51,9 @@ typedef struct light_rays {
 
 /* Batches that wait, the last of them on top. */
 typedef struct path_stack { path *items; size_t count, capacity; } path_stack;
-typedef struct wait { uint32_t paths; size_t media; } wait;   /* of one batch, and the media's count behind it */
+/* Of one batch, and how many media and spots there are behind it. */
+typedef struct wait { uint32_t paths; size_t media, spots; } wait;
+typedef struct spot_stack { spot *items; size_t count, capacity; } spot_stack;
 typedef struct wait_stack { wait *items; size_t count, capacity; } wait_stack;
 
 /* Asking now and then whether to give up, each few milliseconds at most, whatever a ray costs. */
@@ -76,6 +81,7 @@ struct pov_tracer {
     bool start_known;
     path_stack waiting;          /* transmitted rays, at most one batch a level */
     wait_stack waits;
+    spot_stack spots;            /* of paths and of surfaces, in their order */
     batch *now, *mirrored, *passed;   /* being followed, and those that go on from it: three of `batches` */
     batch batches[3];
     surface surfaces[BATCH_MAX];

@@ -3,9 +3,8 @@
 #include "shade/light.h"
 #include "shade/pigment.h"
 
-/* Coincident surfaces can hand a ray back and forth on the spot: straight on does not count for the depth,
- * and by name only one of them is left out. After this many crossings without a move the ray is cut off as
- * too deep. */
+/* More surfaces on one spot than are told apart can hand a ray back and forth there: straight on does not count for the
+ * depth. After this many crossings without a move the ray is cut off as too deep. */
 enum { STANDING_MAX = 1000 };
 
 static const colour white = { 1.0f, 1.0f, 1.0f };
@@ -26,7 +25,8 @@ static bool needs_geometry(const pov_tracer *t, const surface *s)
 
 static void look(pov_tracer *t, surface *s)
 {
-    world_surface(t->world, &s->from->ray, &s->at);
+    if (s->spot == 0)
+        world_surface(t->world, &s->from->ray, &s->at);
     s->view = pov_unit(s->from->ray.dir);
     s->normal = s->at.entering ? s->at.normal : pov_scale(s->at.normal, -1.0);
     s->cosine = fmax(0.0, -pov_dot(s->normal, s->view));
@@ -69,6 +69,17 @@ static path *leave(batch *b, const surface *s, pov_vec3 direction)
     next->standing = 0;
     next->lane = p->lane;
     next->media = p->media;
+    next->spot = s->spot;
+    next->above = s->above;
+    return next;
+}
+
+/* To the surface's other side, where other surfaces may begin. */
+static path *leave_across(batch *b, const surface *s, pov_vec3 direction)
+{
+    path *next = leave(b, s, direction);
+
+    next->above ^= 1u << s->on;
     return next;
 }
 
@@ -104,9 +115,9 @@ static bool reflect(pov_tracer *t, const surface *s, colour coefficient)
 static bool pass(pov_tracer *t, const surface *s)
 {
     const path *p = s->from;
-    path *out = leave(t->passed, s, p->ray.dir);
+    path *out = leave_across(t->passed, s, p->ray.dir);
 
-    if (!goes_on(t, out, pigment_filter(s->material), false))
+    if (!goes_on(t, out, material_filter(s->material), false))
         return false;
     if (out->ray.org.x == p->ray.org.x && out->ray.org.y == p->ray.org.y && out->ray.org.z == p->ray.org.z)
         out->standing = p->standing + 1;
@@ -142,7 +153,7 @@ static void bend(pov_tracer *t, const surface *s)
     if (c.before == c.after) {
         passes = pass(t, s);
     } else if (refract(s->view, s->normal, s->cosine, c.before, c.after, &direction)) {
-        passes = goes_on(t, leave(t->passed, s, direction), pigment_filter(s->material), true);
+        passes = goes_on(t, leave_across(t->passed, s, direction), material_filter(s->material), true);
     } else {
         t->counts.inner_reflections += reflect(t, s, white);
         return;

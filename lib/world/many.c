@@ -56,7 +56,7 @@ uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *ray
         query_begin_nearest(&q[i], w, rays[i], tmax, &out[i]);
     walk_tree(q, all_of(n), w->walks->nearest_together, w->walks->nearest_first);
     for (i = 0; i < n; i++)
-        met |= (uint64_t)query_end_nearest(&q[i], k, &out[i]) << i;
+        met |= (uint64_t)query_end_nearest(&q[i], w, k, &out[i]) << i;
     return met;
 }
 

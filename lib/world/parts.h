@@ -44,4 +44,13 @@ struct walker {
     bool failed;
 };
 
+/* For a query that wants all: more room. hits->user is the tint_room. */
+bool crossings_grow(pov_hits *hits);
+/* From near to far. */
+void crossings_sort(pov_crossing *at, uint32_t count);
+/* Sorts, and takes `through` through the surfaces of all of them. False: nothing is left. */
+bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour *through);
+/* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
+void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
+
 #endif

@@ -64,6 +64,7 @@ static void begin(query *q, const world *w, const pov_ray *ray, double tmax, pov
     q->hits.at = at;
     q->hits.grow = NULL;
     q->hits.user = NULL;
+    q->hits.crowded = false;
 }
 
 /* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
@@ -156,11 +157,14 @@ void query_begin_nearest(query *q, const world *w, const pov_ray *ray, double tm
         meet_nearest(&q->walk, w->list);
 }
 
-bool query_end_nearest(query *q, walker *k, hit *out)
+bool query_end_nearest(query *q, const world *w, walker *k, hit *out)
 {
     settle(q);
     k->decided += q->hits.decided;
     out->object = q->hits.count ? out->crossing.owner : POV_NOBODY;
+    out->company = 0;
+    if (q->hits.crowded)
+        spot_choose(w, k, q->walk.ray, NULL, out);
     return q->hits.count > 0;
 }
 
@@ -171,12 +175,12 @@ bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, h
     query_begin_nearest(&q, w, ray, tmax, out);
     if (w->has_tree)
         w->walks->nearest_first(&q.walk);
-    return query_end_nearest(&q, k, out);
+    return query_end_nearest(&q, w, k, out);
 }
 
 /* ---- shadows ---- */
 
-static bool grow(pov_hits *hits)
+bool crossings_grow(pov_hits *hits)
 {
     tint_room *room = hits->user;
     size_t capacity = room->capacity;
@@ -271,7 +275,7 @@ static bool is_before(const pov_crossing *a, const pov_crossing *b)
 }
 
 /* Shell's sort: in place, and fast for the few there are. */
-static void sort(pov_crossing *at, uint32_t count)
+void crossings_sort(pov_crossing *at, uint32_t count)
 {
     uint32_t gap, i, j;
 
@@ -286,16 +290,13 @@ static void sort(pov_crossing *at, uint32_t count)
         }
 }
 
-static bool multiply(const model *m, pov_crossing *at, uint32_t count, colour *through)
+bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour *through)
 {
     uint32_t i;
 
-    sort(at, count);
-    for (i = 0; i < count && !colour_is_black(*through); i++) {
-        const material *s = &m->materials.items[m->objects.items[at[i].owner].material];
-        colour f = colour_scale(s->pigment, s->filter);
-        *through = colour_mul(*through, colour_of(f.r + s->transmit, f.g + s->transmit, f.b + s->transmit));
-    }
+    crossings_sort(at, count);
+    for (i = 0; i < count && !colour_is_black(*through); i++)
+        *through = colour_mul(*through, material_filter(&m->materials.items[m->objects.items[at[i].owner].material]));
     return !colour_is_black(*through);
 }
 
@@ -305,7 +306,7 @@ static void begin_tints(query *q, tint_room *room)
     q->tints.want = POV_WANT_ALL;
     q->tints.capacity = room->capacity;
     q->tints.at = room->crossings;
-    q->tints.grow = grow;
+    q->tints.grow = crossings_grow;
     q->tints.user = room;
 }
 
@@ -326,7 +327,7 @@ bool query_end_light(query *q, const world *w, walker *k, bool blocked, colour *
     k->decided += q->hits.decided;
     if (!q->any_blocks) {
         k->decided += q->tints.decided;
-        open = open && (q->tints.count == 0 || multiply(w->model, q->tints.at, q->tints.count, through));
+        open = open && (q->tints.count == 0 || crossings_multiply(w->model, q->tints.at, q->tints.count, through));
     }
     if (!open)
         *through = colour_of(0.0f, 0.0f, 0.0f);

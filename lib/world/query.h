@@ -20,7 +20,7 @@ typedef struct query {
 
 /* The nearest crossing is put into out; a tree, if there is one, is to be walked in between. */
 void query_begin_nearest(query *q, const world *w, const pov_ray *ray, double tmax, hit *out);
-bool query_end_nearest(query *q, walker *k, hit *out);
+bool query_end_nearest(query *q, const world *w, walker *k, hit *out);
 /* True: the light ends here, before the tree is asked. room is for the crossings of transparent shapes. */
 bool query_begin_light(query *q, const world *w, tint_room *room, const pov_ray *ray, double tmax);
 /* blocked: something that blocks stands on the way. False: nothing is left of the light. */

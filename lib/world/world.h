@@ -43,10 +43,11 @@ typedef struct hit {
     pov_vec3 point, point_lo;    /* world space, the sum of both */
     pov_vec3 normal;             /* unit, world space, out of the solid (inverse objects: into it) */
     bool entering;               /* the ray goes against that normal */
+    uint32_t company;            /* how many surfaces lie on each other here, this one among them; 0: it is alone */
 } hit;
 
-/* The nearest crossing in the open interval (0, tmax); of equal distances the earlier object's. Fills crossing and
- * object only; false: none. */
+/* The nearest crossing in the open interval (0, tmax). Fills crossing, object and company only; false: none. Of several
+ * in one place it is the one that the ray crosses first: spot_crossed(). */
 bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
 /* Fill the rest of what world_nearest() found. */
 void world_surface(const world *w, const pov_ray *ray, hit *h);
@@ -68,5 +69,34 @@ bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
  * plan has media_at_start. */
 void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object),
                     void *user);
+
+/* ---- surfaces that lie on each other ----
+ *
+ * They share a point and have no distance. So what starts there is said to lie on this or that side of each of them, and
+ * a ray crosses at once all those that part it from where it goes: first what it enters, then what it leaves, and of
+ * these the earlier object first. Nothing there depends on roundings. More than SPOT_MAX are not told apart: the last
+ * objects of them count as any surface near by. */
+
+enum { SPOT_MAX = 16 };
+
+typedef struct spot {
+    uint32_t count;
+    uint32_t above;              /* bit i: the point lies where the normal of at[i] points to */
+    uint32_t solid;              /* bit i: at[i] is a solid's */
+    hit at[SPOT_MAX];            /* by object */
+} spot;
+
+/* What lies where world_nearest() or world_nearest_from() found company; sides are the ray's own. `from`: what the ray
+ * started on, or NULL. */
+void world_spot(const world *w, walker *k, const pov_ray *ray, const spot *from, const hit *h, spot *out);
+/* The first surface that a ray of this direction crosses at once, or the spot's count. */
+uint32_t spot_crossed(const spot *s, pov_vec3 dir);
+/* It is crossed: the ray is on its other side. */
+static inline void spot_pass(spot *s, uint32_t which) { s->above ^= 1u << which; }
+/* As world_nearest() and world_light_path(), for a ray that starts on the spot. What it crosses at once comes first for
+ * light; world_nearest_from() leaves it to spot_crossed(). */
+bool world_nearest_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax, hit *out);
+bool world_light_path_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax,
+                           colour *through);
 
 #endif

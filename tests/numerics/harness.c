@@ -85,7 +85,7 @@ double harness_limit(kind k)
 static uint32_t ask(const pov_shape_class *shape, const void *self, const pov_ray *ray, bool always_exact,
                     pov_crossing at[8], uint32_t *decided)
 {
-    pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, always_exact, OWNER, 0, 8, 0, at, NULL, NULL };
+    pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, always_exact, OWNER, 0, 8, 0, at, NULL, NULL, false };
     uint32_t i, j;
 
     shape->intersect(self, ray, &hits);
@@ -354,7 +354,7 @@ static void time_batch(harness *h, const pov_shape_class *shape)
 
         for (i = 0; i < h->made; i++) {
             pov_crossing at;
-            pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_NEAREST, false, OWNER, 0, 1, 0, &at, NULL, NULL };
+            pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_NEAREST, false, OWNER, 0, 1, 0, &at, NULL, NULL, false };
 
             shape->intersect(instance(h, i), &h->probes[i].ray, &hits);
         }

@@ -53,19 +53,32 @@ typedef struct pov_hits {
     pov_crossing *at;              /* one slot, or `capacity` of them for POV_WANT_ALL */
     bool (*grow)(struct pov_hits *hits);
     void *user;                    /* the host's */
+    bool crowded;                  /* NEAREST: another owner's crossing is as near, as far as doubles tell */
 } pov_hits;
 
+/* Distances that differ by less than this part of them may be the same: twice what crossings may be off by, and some. */
+#define POV_NEAR (1.0 / 70368744177664.0)   /* 2^-46 */
+
 /* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that
- * the answer does not depend on the order of asking. */
+ * the answer does not depend on the order of asking. (The host looks again at what is as near: docs/numerics.md.) */
 static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
 {
-    if (t != h->tmax)
-        return t < h->tmax;
     if (h->count == 0)
-        return false;
+        return t < h->tmax;
+    if (t != h->at->t)
+        return t < h->at->t;
     if (t_lo != h->at->t_lo)
         return t_lo < h->at->t_lo;
     return h->owner < h->at->owner;
+}
+
+/* Take note of one that is about as near as the nearest so far, and of the first that is clearly nearer. */
+static inline void pov_note_company(pov_hits *h, double t)
+{
+    if (fabs(t - h->at->t) <= POV_NEAR * fabs(t))
+        h->crowded = h->crowded || h->owner != h->at->owner;
+    else if (t < h->at->t)
+        h->crowded = false;
 }
 
 /* Report a crossing. False: nothing more is wanted, return at once. */
@@ -82,10 +95,12 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
             return false;
         c = &h->at[h->count++];
     } else {
+        if (h->count)
+            pov_note_company(h, t);
         if (!pov_is_nearer(h, t, t_lo))
             return true;
         h->count = 1;
-        h->tmax = t;
+        h->tmax = t + POV_NEAR * fabs(t);   /* open for company */
     }
     c->t = t;
     c->t_lo = t_lo;
