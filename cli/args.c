@@ -17,7 +17,7 @@ enum {
 enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
-    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
+    OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
     OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
 };
 
@@ -47,6 +47,7 @@ static const struct option long_options[] = {
     { "seed", required_argument, NULL, OPTION_SEED },
     { "partial-every", required_argument, NULL, OPTION_PARTIAL_EVERY },
     { "resume", no_argument, NULL, OPTION_RESUME },
+    { "compare", no_argument, NULL, OPTION_COMPARE },
     { "report", required_argument, NULL, OPTION_REPORT },
     { "reference", required_argument, NULL, OPTION_REFERENCE },
     { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
@@ -261,6 +262,9 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_RESUME:
         a->resume = true;
         return true;
+    case OPTION_COMPARE:
+        a->compare = true;
+        return true;
     case OPTION_REPORT:
         a->report = text;
         return true;
@@ -362,10 +366,21 @@ static bool refuse_option(args *a, char **argv)
     return refuse(a, "there is no option \"%s\"", letter);
 }
 
+static bool read_compared(args *a, int count, char **places)
+{
+    if (count < 2)
+        return refuse(a, "--compare wants one or more reports in .csv, and the name of the plot");
+    a->compared = places;
+    a->compared_count = count;
+    return true;
+}
+
 static bool read_places(args *a, int count, char **places)
 {
     static const char *const names[] = { "SCENE", "WIDTH", "HEIGHT", "OUTPUT" };
 
+    if (a->compare)
+        return read_compared(a, count, places);
     if (count > 0)
         a->scene = places[0];
     if (count == 1 && (a->check || a->explain))

@@ -37,6 +37,9 @@ typedef struct args {
     const char *aov[ARGS_AOVS];  /* where each map goes; NULL: it is not made */
     const char *plugin_path;     /* or NULL */
     const char *report, *reference;   /* files, or NULL */
+    char **compared;             /* of --compare: reports, and the plot to be drawn of them; or NULL */
+    int compared_count;
+    bool compare;
     bool explain, check, stats, quiet, verbose;
     args_progress progress;
     args_color color;

@@ -1,6 +1,7 @@
 /* povc - render a scene to an image file. */
 #include "aov.h"
 #include "args.h"
+#include "compare.h"
 #include "explain.h"
 #include "messages.h"
 #include "render.h"
@@ -75,6 +76,8 @@ static pov_status run(const args *a, messages *m, bool *short_of, pov_error *err
     pov_scene *scene = NULL;
     pov_status status;
 
+    if (a->compared)
+        return compare_run(a, err);
     desc.log = messages_log;
     desc.log_user = m;
     desc.plugin_path = a->plugin_path;

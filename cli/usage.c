@@ -7,6 +7,7 @@
 static const char *const help[] = {
     "Usage: povc SCENE WIDTH HEIGHT OUTPUT [options]\n"
     "       povc --check | --explain SCENE\n"
+    "       povc --compare REPORT.csv... PLOT.svg|PLOT.png\n"
     "\n"
     "Render a scene in the POV-Ray language to an image file. OUTPUT's ending says\n"
     "which format: .png, .ppm, or .pfm (linear floats). \"-\" stands for standard\n"

@@ -4,10 +4,9 @@
 
 #include <math.h>
 
-/* A pass adds half of what is there. An estimate from few samples may be far off, so no cell grows by more than
- * GROWTH in one pass, and none stays behind the mean by more than LAG: what all samples of a cell have missed is
- * looked for all the same. */
-enum { GROWTH = 4, LAG = 8 };
+/* A pass adds half of what is there. No cell stays behind the mean by more than LAG: what all samples of a cell have
+ * missed is looked for all the same. */
+enum { LAG = 8 };
 
 /* The error aimed at, in parts of the one that was asked for: to be just below it is not to need another pass. */
 static const double aim = 0.985;
@@ -39,8 +38,8 @@ static bool set_all(cells *c, uint32_t target)
 {
     bool more = false;
 
-    for (size_t i = 0; i < c->count; i++) {
-        cell *at = &c->items[i];
+    for (size_t i = 0; i < GROUPS * c->count; i++) {
+        group *at = &c->groups[i];
 
         at->target = target > at->count ? target : at->count;
         more = more || at->target > at->count;
@@ -62,103 +61,111 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
     return set_all(c, next < (uint32_t)s->samples ? next : (uint32_t)s->samples);
 }
 
-/* ---- where the error is ---- */
+/* ---- where the error is ----
+ *
+ * Counts double, so that both halves stay whole nets: half a net more would be worth little. The mean squared error of
+ * a cell then falls by 2^-3/2 where edges make it, by less where more than a place in the pixel decides. So what
+ * doubling takes off the picture's error for each sample is in proportion to error / count, and the cells where that
+ * is above some threshold double: a little above, once; far above, twice. */
 
-/* The error of a cell, as a variance of one sample, but no less than the mean of its neighbourhood: an edge goes on
- * next door, and an estimate that is low by chance is mended by its neighbours'. */
-static double variance_near(const cells *c, int column, int row)
+static const double falls_by = 0.42, far_above = 5.0;
+
+/* The mean squared error of a pixel of the other group of the cell, as it would be with this group's count, but no less
+ * than the mean of the neighbourhood's: an edge goes on next door, and an estimate that is low by chance is mended. */
+static double error_near(const cells *c, size_t number)
 {
+    int column = (int)(number / GROUPS % (size_t)c->columns), row = (int)(number / GROUPS / (size_t)c->columns);
     double own = 0.0, sum = 0.0;
     int n = 0;
 
     for (int y = row > 0 ? row - 1 : 0; y <= row + 1 && y < c->rows; y++)
         for (int x = column > 0 ? column - 1 : 0; x <= column + 1 && x < c->columns; x++) {
-            size_t index = (size_t)y * (size_t)c->columns + (size_t)x;
-            pov_rect r = cells_rect(c, index);
-            double v = c->items[index].square * c->items[index].count / ((double)r.width * r.height);
+            size_t other = GROUPS * ((size_t)y * (size_t)c->columns + (size_t)x) + (1 - number % GROUPS);
+            size_t pixels = cells_pixels(c, other);
+            double square;
 
+            if (pixels == 0)
+                continue;
+            square = c->groups[other].square * c->groups[other].count / ((double)pixels * c->groups[number].count);
             if (x == column && y == row)
-                own = v;
-            sum += v;
+                own = square;
+            sum += square;
             n++;
         }
-    return fmax(own, sum / n);
+    return n > 0 ? fmax(own, sum / n) : 0.0;
 }
 
-static uint32_t wanted(const cell *at, double weight, double scale, uint32_t least)
+static uint32_t wanted(const group *at, double worth, double threshold, uint32_t least)
 {
-    uint32_t most = at->count < SAMPLES_MAX / GROWTH ? GROWTH * at->count : SAMPLES_MAX;
-    uint32_t n = scale * weight < most ? even_above(scale * weight) : most;
+    uint32_t n = at->count;
 
-    n = n > least ? n : least;
-    return n > at->count ? n : at->count;
+    if (worth > threshold)
+        n *= worth > far_above * threshold ? 4 : 2;
+    while (n < least)
+        n *= 2;
+    return n < SAMPLES_MAX ? n : SAMPLES_MAX;
 }
 
 typedef struct outcome { double mean, square; } outcome;
 
-/* What the picture would be with this scale: the sum of squared errors is least, at a given number of samples, where
- * samples are in proportion to the standard deviation. */
-static outcome foresee(const cells *c, const double *weights, double scale, uint32_t least)
+/* What the picture would be with this threshold. */
+static outcome foresee(const cells *c, const double *worths, double threshold, uint32_t least)
 {
     double all = (double)c->width * (double)c->height;
     outcome o = { 0.0, 0.0 };
 
-    for (size_t i = 0; i < c->count; i++) {
-        const cell *at = &c->items[i];
-        pov_rect r = cells_rect(c, i);
-        uint32_t n = wanted(at, weights[i], scale, least);
+    for (size_t i = 0; i < GROUPS * c->count; i++) {
+        const group *at = &c->groups[i];
+        uint32_t n = wanted(at, worths[i], threshold, least);
+        double square = at->square;
 
-        o.mean += (double)r.width * r.height * n;
-        o.square += at->square * at->count / n;
+        o.mean += (double)cells_pixels(c, i) * n;
+        for (uint32_t k = at->count; k < n; k *= 2)
+            square *= falls_by;
+        o.square += square;
     }
     o.mean /= all;
     o.square /= all;
     return o;
 }
 
-/* The scale that gives this mean, or as near as it comes from above. `square` above 0: or the smaller one that is
- * enough for that error. */
-static double find_scale(const cells *c, const double *weights, double mean, double square, uint32_t least)
+/* The highest threshold that gives this mean, or is enough for that error (`square`; 0: none); or zero, for all. */
+static double find_threshold(const cells *c, const double *worths, double mean, double square, uint32_t least)
 {
-    enum { DOUBLINGS = 40, HALVINGS = 20 };
-    double low = 0.0, high = 1.0;
-    outcome o = foresee(c, weights, high, least);
+    enum { HALVINGS = 40 };
+    double low = 0.0, high = 0.0;
 
-    for (int i = 0; i < DOUBLINGS && o.mean < mean && !(o.square <= square); i++) {
-        low = high;
-        high *= 2.0;
-        o = foresee(c, weights, high, least);
-    }
+    for (size_t i = 0; i < GROUPS * c->count; i++)
+        high = fmax(high, worths[i]);
     for (int i = 0; i < HALVINGS; i++) {
-        double middle = 0.5 * (low + high);
+        /* Worths span many decades: the geometric mean, once there is one. */
+        double middle = low > 0.0 ? sqrt(low * high) : high / 1024.0;
+        outcome o = foresee(c, worths, middle, least);
 
-        o = foresee(c, weights, middle, least);
-        if (o.mean < mean && !(o.square <= square))
+        if (o.mean >= mean || o.square <= square)
             low = middle;
         else
             high = middle;
     }
-    return high;
+    return low;
 }
 
-static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, double *weights)
+static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, double *worths)
 {
-    double mean = fmin(1.5 * now->spp_mean, s->samples), goal = aim * s->target_error, largest = 0.0, scale;
-    uint32_t least = even_above(floor(mean / LAG));
+    double mean = fmin(1.5 * now->spp_mean, s->samples), goal = aim * s->target_error, threshold;
+    uint32_t least = (uint32_t)(mean / LAG);
     bool more = false;
 
-    for (size_t i = 0; i < c->count; i++) {
-        weights[i] = sqrt(variance_near(c, (int)(i % (size_t)c->columns), (int)(i / (size_t)c->columns)));
-        largest = fmax(largest, weights[i]);
+    for (size_t i = 0; i < GROUPS * c->count; i++)
+        worths[i] = error_near(c, i) / c->groups[i].count;
+    threshold = find_threshold(c, worths, mean, goal * goal, least);
+    for (size_t i = 0; i < GROUPS * c->count; i++) {
+        group *at = &c->groups[i];
+
+        at->target = wanted(at, worths[i], threshold, least);
+        more = more || at->target > at->count;
     }
-    for (size_t i = 0; i < c->count && largest > 0.0; i++)
-        weights[i] /= largest;
-    scale = find_scale(c, weights, mean, goal * goal, least);
-    for (size_t i = 0; i < c->count; i++) {
-        c->items[i].target = wanted(&c->items[i], weights[i], scale, least);
-        more = more || c->items[i].target > c->items[i].count;
-    }
-    return more || set_all(c, even_above(mean));
+    return more || set_all(c, 2 * (uint32_t)now->spp_max);
 }
 
 bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch)

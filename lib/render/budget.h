@@ -1,4 +1,4 @@
-/* budget.h - how many samples each cell shall have after the next pass. */
+/* budget.h - how many samples each group shall have after the next pass. */
 #ifndef RENDER_BUDGET_H
 #define RENDER_BUDGET_H
 
@@ -8,8 +8,8 @@
 /* Samples that every pixel has before an estimate ends or steers anything: a thing that the first ones missed. */
 enum { BUDGET_PILOT = 8 };
 
-/* Set the targets, from what the cells have shown so far and nothing else. `scratch` has room for a number a cell.
- * False: no cell may have more. */
+/* Set the targets, from what the cells have shown so far and nothing else. `scratch` has room for a number a group.
+ * False: none may have more. */
 bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch);
 
 #endif

@@ -12,21 +12,21 @@ bool cells_make(cells *c, const env *e, int width, int height, bool sampling)
     c->columns = (width - 1) / CELL_EDGE + 1;
     c->rows = (height - 1) / CELL_EDGE + 1;
     c->count = (size_t)c->columns * (size_t)c->rows;
-    c->items = env_alloc(e, c->count, sizeof *c->items);
+    c->groups = env_alloc(e, c->count, GROUPS * sizeof *c->groups);
     if (sampling)
         c->halves = env_resize(e, NULL, (size_t)width * (size_t)height, 6 * sizeof *c->halves);
-    return c->items && (c->halves || !sampling);
+    return c->groups && (c->halves || !sampling);
 }
 
 void cells_free(cells *c, const env *e)
 {
-    env_free(e, c->items);
+    env_free(e, c->groups);
     env_free(e, c->halves);
 }
 
 void cells_clear(cells *c)
 {
-    memset(c->items, 0, c->count * sizeof *c->items);
+    memset(c->groups, 0, c->count * GROUPS * sizeof *c->groups);
 }
 
 cell_range cells_of(pov_rect tile)
@@ -48,11 +48,18 @@ pov_rect cells_rect(const cells *c, size_t index)
     return r;
 }
 
+size_t cells_pixels(const cells *c, size_t number)
+{
+    pov_rect r = cells_rect(c, number / GROUPS);
+
+    return ((size_t)r.width * (size_t)r.height + 1 - number % GROUPS) / GROUPS;
+}
+
 /* ---- a tile's part ---- */
 
-static cell *row_of_cells(const cells *c, cell_range r, int row)
+static group *row_of_groups(const cells *c, cell_range r, int row)
 {
-    return c->items + (size_t)(r.row + row) * (size_t)c->columns + r.column;
+    return c->groups + GROUPS * ((size_t)(r.row + row) * (size_t)c->columns + (size_t)r.column);
 }
 
 static double *row_of_halves(const cells *c, pov_rect tile, int y)
@@ -60,22 +67,22 @@ static double *row_of_halves(const cells *c, pov_rect tile, int y)
     return c->halves + 6 * ((size_t)(tile.y + y) * (size_t)c->width + (size_t)tile.x);
 }
 
-void cells_take(const cells *c, pov_rect tile, cell *items, double *halves)
+void cells_take(const cells *c, pov_rect tile, group *groups, double *halves)
 {
     cell_range r = cells_of(tile);
 
     for (int row = 0; row < r.rows; row++)
-        memcpy(items + row * r.columns, row_of_cells(c, r, row), (size_t)r.columns * sizeof *items);
+        memcpy(groups + GROUPS * row * r.columns, row_of_groups(c, r, row), GROUPS * (size_t)r.columns * sizeof *groups);
     for (int y = 0; y < tile.height; y++)
         memcpy(halves + 6 * y * tile.width, row_of_halves(c, tile, y), 6 * sizeof *halves * (size_t)tile.width);
 }
 
-void cells_put(cells *c, pov_rect tile, const cell *items, const double *halves)
+void cells_put(cells *c, pov_rect tile, const group *groups, const double *halves)
 {
     cell_range r = cells_of(tile);
 
     for (int row = 0; row < r.rows; row++)
-        memcpy(row_of_cells(c, r, row), items + row * r.columns, (size_t)r.columns * sizeof *items);
+        memcpy(row_of_groups(c, r, row), groups + GROUPS * row * r.columns, GROUPS * (size_t)r.columns * sizeof *groups);
     for (int y = 0; y < tile.height; y++)
         memcpy(row_of_halves(c, tile, y), halves + 6 * y * tile.width, 6 * sizeof *halves * (size_t)tile.width);
 }
@@ -88,7 +95,7 @@ static float within(float v)
 }
 
 /* How far a pixel in linear light is from the reference. */
-static void hold_against(const cells *c, cell *into, int x, int y, const float *rgba)
+static void hold_against(const cells *c, group *into, int x, int y, const float *rgba)
 {
     const float *truth = c->reference + 4 * ((size_t)y * (size_t)c->width + (size_t)x);
     double square = 0.0;
@@ -102,7 +109,7 @@ static void hold_against(const cells *c, cell *into, int x, int y, const float *
     into->off_square += square / 3.0;
 }
 
-static void look_at_pixel(const cells *c, cell *into, int x, int y, const float *linear)
+static void look_at_pixel(const cells *c, group *into, int x, int y, const float *linear)
 {
     for (int i = 0; i < 3; i++)
         if (linear[i] < 0.0f || linear[i] > 1.0f) {
@@ -148,10 +155,10 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
 {
     cell_range r = cells_of(tile);
     float row[4 * TILE_EDGE_MAX];
-    cell one = { .count = 1, .target = 1 };
+    group one = { .count = 1, .target = 1 };
 
-    for (int i = 0; i < r.columns * r.rows; i++)
-        row_of_cells(c, r, i / r.columns)[i % r.columns] = one;
+    for (int i = 0; i < GROUPS * r.columns * r.rows; i++)
+        row_of_groups(c, r, i / (GROUPS * r.columns))[i % (GROUPS * r.columns)] = one;
     for (int y = 0; y < tile.height; y++) {
         frame_pixels(f, tile.x, tile.y + y, tile.width, row);
         for (int x = 0; c->halves && x < tile.width; x++)
@@ -159,22 +166,23 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
                 row_of_halves(c, tile, y)[6 * x + i] = i < 3 ? (double)row[4 * x + i] : 0.0;
         encoding_linear(e, row, tile.width);
         for (int x = 0; x < tile.width; x++)
-            look_at_pixel(c, row_of_cells(c, r, y / CELL_EDGE) + x / CELL_EDGE, tile.x + x, tile.y + y, row + 4 * x);
+            look_at_pixel(c, &c->groups[group_of(c->columns, tile.x + x, tile.y + y)], tile.x + x, tile.y + y, row + 4 * x);
     }
 }
 
-/* A cell whose count has grown is measured from its halves anew. */
-void cells_measure(const cells *c, pov_rect tile, const encoding *e, cell *items, const double *halves, float *pixels)
+/* A group whose count has grown is measured from its halves anew. */
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, const double *halves,
+                   float *pixels)
 {
     cell_range r = cells_of(tile);
 
-    for (int i = 0; i < r.columns * r.rows; i++) {
-        cell fresh = { .count = items[i].count, .target = items[i].target };
-        items[i] = fresh;
+    for (int i = 0; i < GROUPS * r.columns * r.rows; i++) {
+        group fresh = { .count = groups[i].count, .target = groups[i].target };
+        groups[i] = fresh;
     }
     for (int y = 0; y < tile.height; y++)
         for (int x = 0; x < tile.width; x++) {
-            cell *into = &items[y / CELL_EDGE * r.columns + x / CELL_EDGE];
+            group *into = &groups[group_of(r.columns, x, y)];
             const double *h = halves + 6 * (y * tile.width + x);
             double a = sample_half(into->count, 0), b = sample_half(into->count, 1), square = square_of_error(e, h, a, b);
             float *out = pixels + 4 * (y * tile.width + x), linear[4];

@@ -5,20 +5,25 @@
 
 #include "render/frame.h"
 
+/* The pixels of a cell are two groups, as the black and the white fields of a board. What one group has shown decides how
+ * many samples the other gets: a pixel that looks right by chance does not thereby get fewer samples, so neither the
+ * picture nor the estimate leans towards what happened to be seen. */
+enum { GROUPS = 2 };
+
 /* Cells do not follow the tiles, whose size depends on the number of threads: what is decided by cells does not. */
 enum { CELL_EDGE = 8, TILE_CELLS_MAX = (TILE_EDGE_MAX / CELL_EDGE) * (TILE_EDGE_MAX / CELL_EDGE) };
 
-typedef struct cell {
+typedef struct group {
     uint32_t count, target;      /* samples that each of its pixels has, and shall have after this pass */
     uint32_t clipped;            /* pixels outside 0 .. 1 in linear light */
     double square, fourth;       /* sums over its pixels of the estimated squared error, and of that squared */
     double off_square, off_max;  /* against the reference */
-} cell;
+} group;
 
 typedef struct cells {
     int width, height, columns, rows;
     size_t count;
-    cell *items;
+    group *groups;               /* GROUPS of each cell, one after the other */
     double *halves;              /* six a pixel: the sums of both; NULL when a pixel has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
     bool reference_clipped;      /* it holds nothing outside 0 .. 1 */
@@ -33,13 +38,22 @@ void cells_free(cells *c, const env *e);
 void cells_clear(cells *c);
 cell_range cells_of(pov_rect tile);
 pov_rect cells_rect(const cells *c, size_t index);
+/* A corner cell may be so narrow that its second group has none. */
+size_t cells_pixels(const cells *c, size_t group);
+
+/* The group of a pixel of a tile among those of the tile, or of the picture among those of the picture. */
+static inline size_t group_of(int columns, int x, int y)
+{
+    return GROUPS * ((size_t)(y / CELL_EDGE) * (size_t)columns + (size_t)(x / CELL_EDGE)) + (size_t)((x ^ y) & 1);
+}
 
 /* Copy what a tile has out to buffers of its own, and back in. */
-void cells_take(const cells *c, pov_rect tile, cell *items, double *halves);
-void cells_put(cells *c, pov_rect tile, const cell *items, const double *halves);
+void cells_take(const cells *c, pov_rect tile, group *groups, double *halves);
+void cells_put(cells *c, pov_rect tile, const group *groups, const double *halves);
 /* The first sample of each pixel of a tile is in: it becomes the first half's. */
 void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e);
 /* Make the tile's pixels of its halves, four channels each, and measure its cells. */
-void cells_measure(const cells *c, pov_rect tile, const encoding *e, cell *items, const double *halves, float *pixels);
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, const double *halves,
+                   float *pixels);
 
 #endif

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* A checkpoint is a memory image for the machine and the version that wrote it: both are checked, and so is every
- * byte. In order: identity, state, rows, counts and targets of the cells, then while lattices are traced which of
+ * byte. In order: identity, state, rows, counts and targets of the groups, then while lattices are traced which of
  * their passes each square has and the pixels, and afterwards the halves; last the hash of all that. */
 
 enum { FORMAT = 1, SQUARE = TILE_EDGE_MIN };
@@ -93,7 +93,7 @@ static size_t pixel_count(const pov_job *job)
 
 static size_t size_of(const pov_job *job, size_t rows, bool refining)
 {
-    size_t size = sizeof(identity) + sizeof(state) + rows * sizeof(pov_pass) + 8 * job->cells.count;
+    size_t size = sizeof(identity) + sizeof(state) + rows * sizeof(pov_pass) + 8 * GROUPS * job->cells.count;
 
     size += refining ? 6 * sizeof(double) * pixel_count(job) : square_count(job) + 4 * sizeof(float) * pixel_count(job);
     return size + sizeof(uint64_t);
@@ -128,9 +128,9 @@ static void image(const pov_job *job, unsigned char *to)
     to = put(to, &id, sizeof id);
     to = put(to, &s, sizeof s);
     to = put(to, job->rows.items, row_count(job) * sizeof *job->rows.items);
-    for (size_t i = 0; i < job->cells.count; i++) {
-        to = put(to, &job->cells.items[i].count, 4);
-        to = put(to, &job->cells.items[i].target, 4);
+    for (size_t i = 0; i < GROUPS * job->cells.count; i++) {
+        to = put(to, &job->cells.groups[i].count, 4);
+        to = put(to, &job->cells.groups[i].target, 4);
     }
     if (job->refining) {
         put(to, job->cells.halves, 6 * sizeof(double) * pixel_count(job));
@@ -242,17 +242,14 @@ static void take_halves(pov_job *job, const unsigned char *halves, refinement *p
     for (size_t i = 0; i < job->tiles.count; i++) {
         pov_rect r = tiles_rect(&job->tiles, i);
 
-        cells_take(&job->cells, r, part->cells, part->halves);
-        cells_measure(&job->cells, r, &job->encoding, part->cells, part->halves, pixels);
-        cells_put(&job->cells, r, part->cells, part->halves);
+        cells_take(&job->cells, r, part->groups, part->halves);
+        cells_measure(&job->cells, r, &job->encoding, part->groups, part->halves, pixels);
+        cells_put(&job->cells, r, part->groups, part->halves);
         job->frame.done[i] = (uint8_t)((1u << job->frame.passes) - 1u);
         frame_replace(&job->frame, i, pixels);
     }
-    for (size_t i = 0; i < job->cells.count; i++) {
-        pov_rect r = cells_rect(&job->cells, i);
-
-        job->done_pixels += (size_t)r.width * (size_t)r.height * job->cells.items[i].count;
-    }
+    for (size_t i = 0; i < GROUPS * job->cells.count; i++)
+        job->done_pixels += cells_pixels(&job->cells, i) * job->cells.groups[i].count;
     passes_queue(job);
 }
 
@@ -283,9 +280,9 @@ static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
         status = err_memory(err);
     at += s.rows * sizeof(pov_pass);
     if (status == POV_OK) {
-        for (size_t i = 0; i < job->cells.count; i++, at += 8) {
-            memcpy(&job->cells.items[i].count, at, 4);
-            memcpy(&job->cells.items[i].target, at + 4, 4);
+        for (size_t i = 0; i < GROUPS * job->cells.count; i++, at += 8) {
+            memcpy(&job->cells.groups[i].count, at, 4);
+            memcpy(&job->cells.groups[i].target, at + 4, 4);
         }
         job->earlier = s.elapsed;
         job->cpu = s.cpu;

@@ -43,47 +43,50 @@ static void band(pov_pass *row, double square, double fourth)
     row->est_ci95_hi = row->est_rmse * exp(0.5 * spread);
 }
 
-static size_t pixels_of(const cells *c, size_t index)
-{
-    pov_rect r = cells_rect(c, index);
+/* What is summed over the groups. */
+typedef struct sums { double square, fourth, off, samples; bool known, whole; } sums;
 
-    return (size_t)r.width * (size_t)r.height;
+static void add_group(sums *s, const group *g, size_t pixels, pov_pass *row)
+{
+    if (pixels == 0)
+        return;
+    s->square += g->square;
+    s->fourth += g->fourth;
+    s->off += g->off_square;
+    s->samples += (double)pixels * g->count;
+    s->known = s->known && g->count > 1;
+    s->whole = s->whole && g->count > 0;
+    row->clipped += g->clipped;
+    row->ref_max = fmax(row->ref_max, g->off_max);
+    row->spp_max = (int)g->count > row->spp_max ? (int)g->count : row->spp_max;
 }
 
 void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *row)
 {
     const double eye_sees = 1.0 / 255.0;
     double limit = s->target_error > 0.0 ? s->target_error : eye_sees, all = (double)c->width * (double)c->height;
-    double square = 0.0, fourth = 0.0, off = 0.0, samples = 0.0;
-    bool known = true, whole = true;
+    sums sum = { .known = true, .whole = true };
 
     row->unresolved = row->clipped = 0;
     row->spp_max = 0;
     row->ref_max = 0.0;
     for (size_t i = 0; i < c->count; i++) {
-        const cell *at = &c->items[i];
-        double pixels = (double)pixels_of(c, i);
+        const group *g = &c->groups[GROUPS * i];
+        size_t first = cells_pixels(c, GROUPS * i), second = cells_pixels(c, GROUPS * i + 1);
 
-        square += at->square;
-        fourth += at->fourth;
-        off += at->off_square;
-        samples += pixels * at->count;
-        scratch[i] = at->square / pixels;
-        row->unresolved += at->square > limit * limit * pixels ? (uint64_t)pixels : 0;
-        row->clipped += at->clipped;
-        row->ref_max = fmax(row->ref_max, at->off_max);
-        row->spp_max = (int)at->count > row->spp_max ? (int)at->count : row->spp_max;
-        known = known && at->count > 1;
-        whole = whole && at->count > 0;
+        add_group(&sum, &g[0], first, row);
+        add_group(&sum, &g[1], second, row);
+        scratch[i] = (g[0].square + g[1].square) / (double)(first + second);
+        row->unresolved += scratch[i] > limit * limit ? first + second : 0;
     }
-    row->spp_mean = samples / all;
+    row->spp_mean = sum.samples / all;
     row->est_rmse = row->est_ci95_lo = row->est_ci95_hi = row->est_p99_tile = -1.0;
-    if (known) {
-        row->est_rmse = sqrt(square / all);
-        band(row, square, fourth);
+    if (sum.known) {
+        row->est_rmse = sqrt(sum.square / all);
+        band(row, sum.square, sum.fourth);
         row->est_p99_tile = sqrt(select_kth(scratch, c->count, (c->count - 1) * 99 / 100));
     }
-    row->ref_rmse = c->reference && whole ? sqrt(off / all) : -1.0;
+    row->ref_rmse = c->reference && sum.whole ? sqrt(sum.off / all) : -1.0;
     if (row->ref_rmse < 0.0)
         row->ref_max = -1.0;
 }

@@ -17,7 +17,7 @@ static pov_status make_parts(pov_job *job, pov_error *err)
         return err_memory(err);
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;
-    job->scratch = env_alloc(job->env, job->cells.count, sizeof *job->scratch);
+    job->scratch = env_alloc(job->env, job->cells.count, GROUPS * sizeof *job->scratch);
     job->queue = env_alloc(job->env, job->tiles.count, sizeof *job->queue);
     job->dirty = env_alloc(job->env, job->tiles.count, sizeof *job->dirty);
     if ((size_t)s->threads > job->tiles.count)

@@ -32,7 +32,7 @@ struct pov_job {
     pov_camera camera;
     frame frame;
     cells cells;
-    double *scratch;             /* a number for each cell */
+    double *scratch;             /* a number for each group of a cell */
     uint32_t *queue;             /* the tiles that the current pass of more samples has work in */
     size_t due, claimed, committed;   /* steps of the lattices' passes together, or of the pass of more samples */
     bool refining;               /* all lattices are in, more samples are being taken */

@@ -45,7 +45,7 @@ void passes_claim(pov_job *job, worker *w)
     c->tile = job->refining ? job->queue[number] : job->tiles.order[number % all];
     c->rect = tiles_rect(&job->tiles, c->tile);
     if (c->refining)
-        cells_take(&job->cells, c->rect, w->refinement->cells, w->refinement->halves);
+        cells_take(&job->cells, c->rect, w->refinement->groups, w->refinement->halves);
     else
         c->lattice = frame_lattice(&job->frame, c->pass);
     passes_skip(job);
@@ -81,16 +81,17 @@ static bool has_due_cells(const pov_job *job, size_t tile)
 {
     cell_range r = cells_of(tiles_rect(&job->tiles, tile));
 
-    for (int y = r.row; y < r.row + r.rows; y++)
-        for (int x = r.column; x < r.column + r.columns; x++) {
-            const cell *at = &job->cells.items[(size_t)y * (size_t)job->cells.columns + (size_t)x];
-            if (at->target > at->count)
+    for (int y = r.row; y < r.row + r.rows; y++) {
+        const group *at = &job->cells.groups[GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column)];
+
+        for (int i = 0; i < GROUPS * r.columns; i++)
+            if (at[i].target > at[i].count)
                 return true;
-        }
+    }
     return false;
 }
 
-/* From the cells' targets: the tiles that have work, from the middle outwards. */
+/* From the groups' targets: the tiles that have work, from the middle outwards. */
 void passes_queue(pov_job *job)
 {
     job->refining = true;
@@ -130,20 +131,18 @@ static bool mark_dirty(pov_job *job, size_t tile)
     return job->dirty_count++ == 0;
 }
 
-/* Before the claimed cells are put in place of the old ones. */
+/* Before the claimed groups are put in place of the old ones. */
 static size_t samples_more(const pov_job *job, const claim *c)
 {
     cell_range r = cells_of(c->rect);
     size_t sum = 0;
 
-    for (int y = r.row; y < r.row + r.rows; y++)
-        for (int x = r.column; x < r.column + r.columns; x++) {
-            size_t index = (size_t)y * (size_t)job->cells.columns + (size_t)x;
-            const cell *at = &job->cells.items[index];
-            pov_rect rect = cells_rect(&job->cells, index);
+    for (int y = r.row; y < r.row + r.rows; y++) {
+        size_t first = GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column);
 
-            sum += (size_t)rect.width * (size_t)rect.height * (at->target - at->count);
-        }
+        for (size_t i = first; i < first + GROUPS * (size_t)r.columns; i++)
+            sum += cells_pixels(&job->cells, i) * (job->cells.groups[i].target - job->cells.groups[i].count);
+    }
     return sum;
 }
 
@@ -155,7 +154,7 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh)
     counts_add(&job->counts, fresh);
     if (c->refining) {
         job->done_pixels += samples_more(job, c);
-        cells_put(&job->cells, c->rect, w->refinement->cells, w->refinement->halves);
+        cells_put(&job->cells, c->rect, w->refinement->groups, w->refinement->halves);
         frame_replace(&job->frame, c->tile, w->pixels);
     } else {
         job->done_pixels += lattice_pixels(c->lattice, c->rect.width, c->rect.height);

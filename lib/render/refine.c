@@ -25,31 +25,47 @@ void refinement_free(refinement *r, const env *e)
     env_free(e, r);
 }
 
-/* The pixels of a cell that lie in the claimed tile, which are all of it. */
+/* Pixels of one group of a cell of the claimed tile. */
 typedef struct patch {
-    int x, y;                    /* of its corner in the whole picture */
-    int width, height;
-    double *halves;              /* of its corner */
-    int stride;                  /* from row to row, in numbers */
+    int count;
+    struct { int x, y; double *halves; } at[CELL_EDGE * CELL_EDGE];   /* places in the whole picture */
 } patch;
 
-/* A sample of each pixel of a cell: neighbours in company. */
-static void trace_patch(worker *w, const settings *s, const patch *p, uint32_t number)
+static void find_patch(const worker *w, const settings *s, cell_range range, int number, patch *p)
+{
+    pov_rect tile = w->claim.rect;
+    int left = number / GROUPS % range.columns * CELL_EDGE, top = number / GROUPS / range.columns * CELL_EDGE;
+
+    p->count = 0;
+    for (int y = top; y < top + CELL_EDGE && y < tile.height; y++)
+        for (int x = left; x < left + CELL_EDGE && x < tile.width; x++) {
+            if (group_of(range.columns, x, y) != (size_t)number)
+                continue;
+            p->at[p->count].x = s->crop.x + tile.x + x;
+            p->at[p->count].y = s->crop.y + tile.y + y;
+            p->at[p->count++].halves = w->refinement->halves + 6 * (y * tile.width + x);
+        }
+}
+
+/* The next samples of each pixel of a group, one or two: neighbours in company. */
+static void trace_patch(worker *w, const settings *s, const patch *p, uint32_t number, int more)
 {
     pov_ray rays[CELL_EDGE * CELL_EDGE];
     colour seen[CELL_EDGE * CELL_EDGE];
-    int half = (int)(number & 1u), count = p->width * p->height;
+    int count = more * p->count;
 
     for (int i = 0; i < count; i++) {
-        int x = p->x + i % p->width, y = p->y + i / p->width;
-        sample at = sample_at(s->seed, x, y, half, number / 2);
+        int x = p->at[i % p->count].x, y = p->at[i % p->count].y;
+        uint32_t k = number + (uint32_t)(i / p->count);
+        sample at = sample_at(s->seed, x, y, (int)(k & 1u), k / 2);
 
         rays[i] = raygen_ray(&w->claim.camera, s->width, s->height, x, y, at.x, at.y);
     }
     if (count > 0)
         tracer_colors(w->tracer, rays, (size_t)count, seen);
     for (int i = 0; i < count; i++) {
-        double *sum = p->halves + i / p->width * p->stride + i % p->width * 6 + 3 * half;
+        uint32_t k = number + (uint32_t)(i / p->count);
+        double *sum = p->at[i % p->count].halves + 3 * (k & 1u);
 
         /* Sums in double of floats are exact as long as their exponents are near: a constant stays itself. */
         sum[0] += seen[i].r;
@@ -58,20 +74,24 @@ static void trace_patch(worker *w, const settings *s, const patch *p, uint32_t n
     }
 }
 
-/* The index-th cell of the claimed tile. */
-static patch patch_of(const worker *w, const settings *s, cell_range range, int index)
+/* False: it was given up. */
+static bool refine_group(worker *w, const settings *s, cell_range range, int number)
 {
-    pov_rect tile = w->claim.rect;
-    int left = index % range.columns * CELL_EDGE, top = index / range.columns * CELL_EDGE;
+    group *g = &w->refinement->groups[number];
     patch p;
 
-    p.x = s->crop.x + tile.x + left;
-    p.y = s->crop.y + tile.y + top;
-    p.width = tile.width - left < CELL_EDGE ? tile.width - left : CELL_EDGE;
-    p.height = tile.height - top < CELL_EDGE ? tile.height - top : CELL_EDGE;
-    p.stride = 6 * tile.width;
-    p.halves = w->refinement->halves + 6 * (top * tile.width + left);
-    return p;
+    if (g->count >= g->target)
+        return true;
+    find_patch(w, s, range, number, &p);
+    while (g->count < g->target) {
+        int more = g->target - g->count > 1 ? GROUPS : 1;
+
+        trace_patch(w, s, &p, g->count, more);
+        if (worker_is_given_up(w))
+            return false;
+        g->count += (uint32_t)more;
+    }
+    return true;
 }
 
 bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e)
@@ -79,15 +99,9 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     cell_range range = cells_of(w->claim.rect);
     refinement *r = w->refinement;
 
-    for (int i = 0; i < range.columns * range.rows; i++) {
-        patch p = patch_of(w, s, range, i);
-
-        for (; r->cells[i].count < r->cells[i].target; r->cells[i].count++) {
-            trace_patch(w, s, &p, r->cells[i].count);
-            if (worker_is_given_up(w))
-                return false;
-        }
-    }
-    cells_measure(c, w->claim.rect, e, r->cells, r->halves, w->pixels);
+    for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
+        if (!refine_group(w, s, range, i))
+            return false;
+    cells_measure(c, w->claim.rect, e, r->groups, r->halves, w->pixels);
     return true;
 }

@@ -60,14 +60,16 @@ static void map_row(const pov_job *job, int x, int y, int width, pov_pixels form
     const cells *c = &job->cells;
 
     for (int i = 0; i < width; i++) {
-        size_t index = (size_t)(y / CELL_EDGE) * (size_t)c->columns + (size_t)((x + i) / CELL_EDGE);
-        const cell *at = &c->items[index];
-        pov_rect r = cells_rect(c, index);
+        size_t number = group_of(c->columns, x + i, y), cell = number / GROUPS;
+        const group *both = &c->groups[GROUPS * cell];
+        pov_rect r = cells_rect(c, cell);
 
         if (format == POV_PIXELS_SAMPLES)
-            out[i] = (float)at->count;
+            out[i] = (float)c->groups[number].count;
+        else if (c->groups[number].count > 1)
+            out[i] = (float)sqrt((both[0].square + both[1].square) / ((double)r.width * r.height));
         else
-            out[i] = at->count > 1 ? (float)sqrt(at->square / ((double)r.width * r.height)) : -1.0f;
+            out[i] = -1.0f;
     }
 }
 

@@ -1,0 +1,10 @@
+/* compare.h - the curves of several runs in one diagram. */
+#ifndef CLI_COMPARE_H
+#define CLI_COMPARE_H
+
+#include "args.h"
+
+/* Of the reports in a->compared, all but the last of which are .csv; the last is the plot to be written. */
+pov_status compare_run(const args *a, pov_error *err);
+
+#endif

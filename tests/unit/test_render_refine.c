@@ -1,0 +1,270 @@
+/* Passes of more samples: what they cost, what they find, and what they say of their error. */
+#include "support/near.h"
+#include "support/tiny_job.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 64, HEIGHT = 48, PIXELS = WIDTH * HEIGHT };
+
+static pov_render_desc refining(int samples, pov_sampling sampling)
+{
+    pov_render_desc d = tiny_desc(WIDTH, HEIGHT);
+
+    d.samples = samples;
+    d.sampling = sampling;
+    d.threads = 2;
+    return d;
+}
+
+static pov_job *run(const tiny *s, const pov_render_desc *d)
+{
+    pov_job *job = tiny_job(s, d);
+
+    assert_int_equal(job_start(job, NULL), POV_OK);
+    while (job_wait(job, 10.0) == POV_JOB_RUNNING)
+        continue;
+    return job;
+}
+
+static pov_pass last_row(pov_job *job)
+{
+    pov_pass row = POV_INIT(row);
+    size_t count = 0;
+
+    while (job_get_pass(job, count, &row))
+        count++;
+    assert_true(count > 0);
+    return row;
+}
+
+static void a_constant_stays_itself_to_the_bit(void **state)
+{
+    pov_render_desc d = refining(37, POV_SAMPLING_ADAPTIVE);
+    float *pixels;
+    tiny s;
+    (void)state;
+
+    tiny_begin(&s, NULL);
+    s.model.background = colour_of(0.1f, 0.7f, 1.0f / 3.0f);
+    tiny_build(&s);
+    pixels = tiny_picture(&s, &d);
+    for (int i = 0; i < PIXELS; i++)
+        assert_true(pixels[4 * i] == 0.1f && pixels[4 * i + 1] == 0.7f && pixels[4 * i + 2] == 1.0f / 3.0f);
+    free(pixels);
+    tiny_end(&s);
+}
+
+typedef struct tally { double log_ratio; int rows, covered; } tally;
+
+static void hold_to_truth(const tiny *s, const pov_render_desc *d, tally *sum)
+{
+    pov_job *job = run(s, d);
+    pov_pass row = POV_INIT(row);
+
+    for (size_t i = 0; job_get_pass(job, i, &row); i++) {
+        if (row.est_rmse < 0.0)
+            continue;
+        /* One small picture: chance alone is worth a fifth. */
+        assert_true(row.est_rmse > 0.6 * row.ref_rmse && row.est_rmse < 1.6 * row.ref_rmse);
+        sum->log_ratio += log(row.est_rmse / row.ref_rmse);
+        sum->covered += row.est_ci95_lo <= row.ref_rmse && row.ref_rmse <= row.est_ci95_hi;
+        sum->rows++;
+    }
+    job_destroy(job);
+}
+
+static void the_estimate_is_near_the_true_error(void **state)
+{
+    pov_render_desc d = refining(1024, POV_SAMPLING_UNIFORM);
+    float *truth;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    d.seed = 1;
+    truth = tiny_picture(&s, &d);
+    for (int way = 0; way < 2; way++) {
+        tally sum = { 0.0, 0, 0 };
+
+        d = refining(32, way == 0 ? POV_SAMPLING_UNIFORM : POV_SAMPLING_ADAPTIVE);
+        d.reference = truth;
+        for (d.seed = 5; d.seed < 9; d.seed++)
+            hold_to_truth(&s, &d, &sum);
+        assert_true(sum.rows >= 24);
+        assert_true(10 * sum.covered >= 9 * sum.rows);
+        assert_true(fabs(sum.log_ratio / sum.rows) < log(1.18));
+    }
+    free(truth);
+    tiny_end(&s);
+}
+
+static void an_asked_error_is_reached_and_not_by_far(void **state)
+{
+    pov_render_desc d = refining(0, POV_SAMPLING_ADAPTIVE);
+    pov_progress end = POV_INIT(end);
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    for (int way = 0; way < 2; way++) {
+        d.sampling = way == 0 ? POV_SAMPLING_UNIFORM : POV_SAMPLING_ADAPTIVE;
+        d.target_error = 0.006;
+        job = run(&s, &d);
+        job_get_progress(job, &end);
+        assert_int_equal(end.stop, POV_STOP_ERROR);
+        assert_true(end.est_rmse <= 0.006 && end.est_rmse > 0.003);
+        assert_near(end.fraction, 1.0, 0.0);
+        job_destroy(job);
+    }
+    tiny_end(&s);
+}
+
+/* Threads as thin as 1/25 of a pixel before an even ground: few of the first samples meet one. */
+static void hairlines(tiny *s)
+{
+    tiny_begin(s, NULL);
+    s->model.background = colour_of(0.0f, 0.0f, 0.0f);
+    for (int i = 0; i < 400; i++)
+        tiny_sphere(s, -0.4 + 0.002 * i, 0.1 + 0.0005 * i, 1.0, 0.00065, tiny_glow(5.0f, 5.0f, 5.0f));
+    tiny_build(s);
+}
+
+static double light_of(const tiny *s, pov_render_desc d)
+{
+    float *pixels = tiny_picture(s, &d);
+    double sum = 0.0;
+
+    for (int i = 0; i < PIXELS; i++)
+        sum += (double)pixels[4 * i];
+    free(pixels);
+    return sum;
+}
+
+/* The light of the picture is what it should be: no part of the line was given up, and none was drawn too bright. The
+ * mean of six pictures has a standard deviation of 1.5 %. */
+static void what_the_first_samples_missed_is_found(void **state)
+{
+    pov_render_desc d = refining(2048, POV_SAMPLING_UNIFORM);
+    double truth, found = 0.0;
+    tiny s;
+    (void)state;
+
+    hairlines(&s);
+    d.seed = 1;
+    truth = light_of(&s, d);
+    d = refining(64, POV_SAMPLING_ADAPTIVE);
+    for (d.seed = 10; d.seed < 16; d.seed++)
+        found += light_of(&s, d) / 6.0;
+    assert_true(truth > 0.0);
+    assert_near(found / truth, 1.0, 0.05);
+    tiny_end(&s);
+}
+
+static void samples_go_where_the_error_is(void **state)
+{
+    pov_render_desc d = refining(64, POV_SAMPLING_UNIFORM);
+    pov_job *job;
+    double uniform;
+    tiny s;
+    (void)state;
+
+    hairlines(&s);
+    job = run(&s, &d);
+    uniform = last_row(job).est_rmse;
+    assert_int_equal(last_row(job).spp_max, 64);
+    job_destroy(job);
+    d.sampling = POV_SAMPLING_ADAPTIVE;
+    job = run(&s, &d);
+    assert_true(last_row(job).est_rmse < 0.7 * uniform);
+    assert_true(last_row(job).spp_mean < 70.0 && last_row(job).spp_max > 128);
+    job_destroy(job);
+    tiny_end(&s);
+}
+
+static void a_restart_ends_with_the_same_bits(void **state)
+{
+    pov_render_desc d = refining(24, POV_SAMPLING_ADAPTIVE);
+    float *pixels, *again;
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    pixels = tiny_picture(&s, &d);
+    d.preview = 8;
+    job = tiny_job(&s, &d);
+    for (int i = 0; i < 80; i++)
+        job_step(job);
+    job_restart(job, NULL);
+    while (job_step(job) == POV_JOB_RUNNING)
+        continue;
+    again = tiny_read(job, WIDTH, HEIGHT);
+    assert_memory_equal(pixels, again, 4 * sizeof(float) * PIXELS);
+    job_destroy(job);
+    free(pixels);
+    free(again);
+    tiny_end(&s);
+}
+
+static void a_time_limit_ends_a_job_that_is_stepped(void **state)
+{
+    pov_render_desc d = refining(0, POV_SAMPLING_UNIFORM);
+    pov_progress end = POV_INIT(end);
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_endless(&s);
+    d.time_limit = 0.05;
+    job = tiny_job(&s, &d);
+    while (job_step(job) == POV_JOB_RUNNING)
+        continue;
+    job_get_progress(job, &end);
+    assert_int_equal(end.stop, POV_STOP_TIME);
+    assert_true(end.fraction < 1.0 && end.seconds >= 0.05 && end.seconds < 0.3);
+    job_destroy(job);
+    tiny_end(&s);
+}
+
+static void maps_show_error_and_samples(void **state)
+{
+    pov_render_desc d = refining(32, POV_SAMPLING_ADAPTIVE);
+    pov_rect all = { 0, 0, WIDTH, HEIGHT };
+    float error[PIXELS], samples[PIXELS];
+    double square = 0.0, count = 0.0;
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    job = run(&s, &d);
+    job_read(job, all, POV_PIXELS_ERROR, error, WIDTH * sizeof *error);
+    job_read(job, all, POV_PIXELS_SAMPLES, samples, WIDTH * sizeof *samples);
+    for (int i = 0; i < PIXELS; i++) {
+        square += (double)error[i] * (double)error[i] / PIXELS;
+        count += (double)samples[i] / PIXELS;
+    }
+    assert_near(sqrt(square), last_row(job).est_rmse, 1e-6);
+    assert_near(count, last_row(job).spp_mean, 1e-9);
+    job_destroy(job);
+    tiny_end(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_constant_stays_itself_to_the_bit),
+        cmocka_unit_test(the_estimate_is_near_the_true_error),
+        cmocka_unit_test(an_asked_error_is_reached_and_not_by_far),
+        cmocka_unit_test(what_the_first_samples_missed_is_found),
+        cmocka_unit_test(samples_go_where_the_error_is),
+        cmocka_unit_test(a_restart_ends_with_the_same_bits),
+        cmocka_unit_test(a_time_limit_ends_a_job_that_is_stepped),
+        cmocka_unit_test(maps_show_error_and_samples),
+    };
+
+    return cmocka_run_group_tests_name("render_refine", tests, NULL, NULL);
+}
