@@ -77,13 +77,15 @@ static int screen_columns(void)
 
 static void draw_bar(const pov_progress *now)
 {
-    char percent[16], left[32] = "", text[160], bar[64];
+    char percent[16], left[32] = "", quality[64] = "", text[224], bar[64];
     int width, room, full;
 
     progress_percent(now->fraction, percent, sizeof percent);
     if (remaining(now) >= 0.0)
         progress_duration(remaining(now), left, sizeof left);
-    width = snprintf(text, sizeof text, " %5s %%  %.1f M rays/s%s%s", percent,
+    if (now->est_rmse >= 0.0 && now->spp_mean > 1.0)
+        snprintf(quality, sizeof quality, "  %.0f spp  error %.2g", now->spp_mean, now->est_rmse);
+    width = snprintf(text, sizeof text, " %5s %%%s  %.1f M rays/s%s%s", percent, quality,
                      now->seconds > 0.0 ? (double)progress_rays(&now->counts) / now->seconds * 1e-6 : 0.0,
                      left[0] ? "  ETA " : "", left);
     room = screen_columns() - width - 3;
@@ -114,6 +116,10 @@ static void write_json(const pov_progress *now)
             floor(now->fraction * 1e6) * 1e-6, now->seconds);
     fprintf(stderr, "\"pass\":%d,\"passes\":%d,\"threads\":%d,\"rays\":%llu", now->pass, now->passes,
             now->threads, (unsigned long long)progress_rays(&now->counts));
+    if (now->spp_mean > 0.0)
+        fprintf(stderr, ",\"spp\":%.6g", now->spp_mean);
+    if (now->spp_mean > 0.0 && now->est_rmse >= 0.0)
+        fprintf(stderr, ",\"error\":%.6g", now->est_rmse);
     if (remaining(now) >= 0.0)
         fprintf(stderr, ",\"eta\":%.3f", remaining(now));
     fprintf(stderr, "}\n");

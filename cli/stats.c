@@ -75,7 +75,9 @@ static void print_render(FILE *to, const stats *s)
     seconds(to, "trace", s->progress->seconds);
     seconds(to, "write", s->write_seconds);
     count(to, "pixels", width * height, "pixels");
-    count(to, "samples", (uint64_t)(a->samples ? a->samples : 1), "per_pixel");
+    fprintf(to, "samples: %.6g per_pixel\n", s->progress->spp_mean);
+    if (s->progress->est_rmse >= 0.0)
+        fprintf(to, "estimated_error: %.6g rms\n", s->progress->est_rmse);
     count(to, "threads", (uint64_t)s->progress->threads, "");
     print_counts(to, &s->progress->counts);
 }

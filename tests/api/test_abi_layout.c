@@ -22,7 +22,14 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_plan_row, reason, 32);
     AT(pov_hit, certain, 68);
     AT(pov_render_desc, wake_user, 64);
+    AT(pov_render_desc, seed, 104);
     AT(pov_progress, counts, 40);
+    AT(pov_progress, stop, 136);
+    AT(pov_pass, counts, 48);
+    AT(pov_pass, clipped, 184);
+    AT(pov_bitmap, rgba, 24);
+    AT(pov_panel, share, 112);
+    AT(pov_plot, panel_count, 40);
     AT(pov_image_options, format, 16);
 }
 
@@ -40,6 +47,8 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_plugin, images, 32);
+    AT(pov_plugin, plots, 40);
+    AT(pov_image_format, read, 24);
     assert_int_equal(POV_PLUGIN_ABI, 1);
 }
 
