@@ -30,8 +30,7 @@ typedef struct company {
 
 typedef struct company_entry { uint64_t key, lanes; } company_entry;
 
-/* So few lanes walk faster alone. */
-static inline bool is_few(uint64_t lanes)
+static inline bool is_one(uint64_t lanes)
 {
     return (lanes & (lanes - 1)) == 0;
 }
@@ -172,6 +171,30 @@ static inline uint32_t group_portable(const bvh_node *node, const company *c, fl
     return mask;
 }
 
+/* Boxes that one lane may meet, and where it enters them. */
+static inline uint32_t one_portable(const bvh_node *node, uint32_t lane, const company *c, float entry[BVH_WIDTH])
+{
+    float leave[BVH_WIDTH];
+    uint32_t mask = 0;
+    int i, k;
+
+    for (i = 0; i < BVH_WIDTH; i++) {
+        entry[i] = 0.0f;
+        leave[i] = c->limit[lane];
+    }
+    for (k = 0; k < 3; k++) {
+        const float *near = node->bounds[c->axis[k].near_row], *far = node->bounds[c->axis[k].near_row ^ 1];
+        float r = c->inverse[k][lane], in = c->near_offset[k][lane], out = c->far_offset[k][lane];
+        for (i = 0; i < BVH_WIDTH; i++)
+            entry[i] = greater(entry[i], near[i] * r - in);
+        for (i = 0; i < BVH_WIDTH; i++)
+            leave[i] = lesser(leave[i], far[i] * r - out);
+    }
+    for (i = 0; i < BVH_WIDTH; i++)
+        mask |= (uint32_t)(entry[i] <= leave[i]) << i;
+    return mask;
+}
+
 /* The lanes that may meet a child. */
 static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes)
 {
@@ -218,6 +241,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #define COMPANY_NAME(name) name##_portable
 #define COMPANY_ALONE bvh_walks_portable
 #define COMPANY_GROUP group_portable
+#define COMPANY_ONE one_portable
 #define COMPANY_LANES lanes_portable
 #define COMPANY_WITHIN within_portable
 #include "world/bvh_company_body.h"
@@ -225,6 +249,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #undef COMPANY_NAME
 #undef COMPANY_ALONE
 #undef COMPANY_GROUP
+#undef COMPANY_ONE
 #undef COMPANY_LANES
 #undef COMPANY_WITHIN
 
@@ -251,6 +276,23 @@ COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const com
         x = _mm256_fmsub_ps(far, r0, _mm256_broadcast_ss(&a->far_offset[0]));
         y = _mm256_fmsub_ps(far, r1, _mm256_broadcast_ss(&a->far_offset[1]));
         out = _mm256_min_ps(out, _mm256_max_ps(x, y));
+    }
+    _mm256_storeu_ps(entry, in);
+    return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
+}
+
+COMPANY_TARGET static inline uint32_t one_avx2(const bvh_node *node, uint32_t lane, const company *c,
+                                               float entry[BVH_WIDTH])
+{
+    __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]);
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        const company_axis *a = &c->axis[k];
+        __m256 near = _mm256_load_ps(node->bounds[a->near_row]), far = _mm256_load_ps(node->bounds[a->near_row ^ 1]);
+        __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
+        in = _mm256_max_ps(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
+        out = _mm256_min_ps(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
     }
     _mm256_storeu_ps(entry, in);
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
@@ -298,6 +340,7 @@ COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry,
 #define COMPANY_NAME(name) name##_avx2
 #define COMPANY_ALONE bvh_walks_avx2
 #define COMPANY_GROUP group_avx2
+#define COMPANY_ONE one_avx2
 #define COMPANY_LANES lanes_avx2
 #define COMPANY_WITHIN within_avx2
 #include "world/bvh_company_body.h"

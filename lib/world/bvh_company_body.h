@@ -1,6 +1,6 @@
 /* bvh_company_body.h - the walk in company, included by bvh_company.c once for each instruction set, with
  * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_ALONE (the walks of
- * single rays), and the tests COMPANY_GROUP, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
+ * single rays), and the tests COMPANY_GROUP, COMPANY_ONE, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
 
 /* The bounds of one axis over all lanes. Lanes that take no part hold another's values. */
 COMPANY_TARGET static inline void COMPANY_NAME(bound_axis)(company *c, int k)
@@ -90,11 +90,12 @@ COMPANY_TARGET static inline uint32_t COMPANY_NAME(push)(const company *c, const
                                                          bool sorted, company_entry *stack, uint32_t top)
 {
     float entry[BVH_WIDTH];
-    uint32_t mask = COMPANY_GROUP(node, c, entry), base = top;
+    bool alone = is_one(lanes);
+    uint32_t mask = alone ? COMPANY_ONE(node, first_of64(lanes), c, entry) : COMPANY_GROUP(node, c, entry), base = top;
 
     for (; mask; mask &= mask - 1) {
         uint32_t i = first_of(mask), at = top;
-        uint64_t meet = COMPANY_LANES(node, i, c, lanes), key = key_of(entry[i], node->child[i]);
+        uint64_t meet = alone ? lanes : COMPANY_LANES(node, i, c, lanes), key = key_of(entry[i], node->child[i]);
 
         if (!meet)
             continue;
@@ -120,8 +121,6 @@ COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_walk *const *walks,
     for (;;) {
         if ((at & BVH_KIND) == BVH_RETURN) {
             COMPANY_NAME(come_back)(&c, at & ~BVH_KIND);
-        } else if (is_few(lanes)) {
-            COMPANY_NAME(leave)(&c, lanes, at, sorted);
         } else if ((at & BVH_KIND) == BVH_NODE) {
             top = COMPANY_NAME(push)(&c, &c.tree->nodes[at], lanes, sorted, stack, top);
         } else if ((at & BVH_KIND) == BVH_LEAF) {

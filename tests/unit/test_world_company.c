@@ -1,0 +1,336 @@
+/* Rays in company get the answers of single rays to the bit, whatever they are and wherever they go. */
+#include "support/check.h"
+#include "support/shapes.h"
+
+#include "world/parts.h"
+
+#include <string.h>
+
+static const pov_vec3 origin = { 0.0, 0.0, 0.0 };
+
+typedef struct subject { model model; world *world; walker *walker; test_random random; } subject;
+
+static void begin(subject *s, uint64_t seed)
+{
+    memset(s, 0, sizeof *s);
+    s->random.state = seed;
+    test_model_init(&s->model, NULL);
+    test_add_light(&s->model, 1.0f);
+}
+
+static void build(subject *s, pov_accel accel)
+{
+    world_options options = { accel, 1, false, NULL };
+    pov_error err;
+
+    assert_int_equal(world_create(&s->world, &s->model, &options, &err), POV_OK);
+    assert_int_equal(walker_create(&s->walker, s->world, &err), POV_OK);
+    assert_int_equal(s->world->has_tree, accel != POV_ACCEL_NONE);
+}
+
+static void end(subject *s)
+{
+    walker_destroy(s->walker);
+    world_destroy(s->world);
+    model_free(&s->model);
+}
+
+static pov_vec3 somewhere(subject *s, double size)
+{
+    return pov_vec3_of(test_uniform(&s->random, -size, size), test_uniform(&s->random, -size, size),
+                       test_uniform(&s->random, -size, size));
+}
+
+/* Balls in blocks, bricks, placed balls; opaque and coloured ones, some without a shadow. */
+static void add_things(subject *s, int n, double scale, pov_vec3 offset, bool coloured)
+{
+    uint32_t glass = test_add_material(&s->model, colour_of(0.9f, 0.5f, 0.2f), 0.8f, 0.1f, true);
+    int i;
+
+    for (i = 0; i < n; i++) {
+        pov_vec3 c = pov_add(offset, somewhere(s, scale));
+        double size = 0.1 * scale * test_uniform(&s->random, 0.2, 1.0);
+        test_ball ball = { c, size };
+        test_brick brick = { c, pov_add(c, pov_vec3_of(size, 0.2 * size, 2.0 * size)) };
+        uint32_t surface = coloured && i % 3 == 0 ? glass : 0, flags = i % 11 == 0 ? OBJECT_NO_SHADOW : 0;
+        const transform *map = NULL;
+        if (i % 5 == 0)
+            test_add(&s->model, &test_brick_class, &brick, NULL, surface, flags);
+        else if (i % 5 == 1) {
+            ball.centre = origin;
+            ball.radius = 1.0;
+            map = test_transform(&s->model, map, TRANSFORM_SCALE, size, 0.5 * size, 2.0 * size);
+            map = test_transform(&s->model, map, TRANSFORM_TRANSLATE, c.x, c.y, c.z);
+            test_add(&s->model, &test_ball_class, &ball, map, surface, flags);
+        } else {
+            test_add(&s->model, &test_ball_class, &ball, NULL, surface, flags);
+        }
+    }
+}
+
+static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
+{
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.org = org;
+    ray.dir = dir;
+    ray.left = POV_NOBODY;
+    return ray;
+}
+
+static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit *single)
+{
+    hit many[WORLD_MANY];
+    uint64_t met = world_nearest_many(s->world, s->walker, rays, n, HUGE_VAL, many);
+    int hits = 0;
+    uint32_t i;
+
+    assert_true(n == WORLD_MANY || met >> n == 0);
+    for (i = 0; i < n; i++) {
+        bool found = world_nearest(s->world, s->walker, rays[i], HUGE_VAL, &single[i]);
+        assert_int_equal(met >> i & 1, found);
+        if (!found)
+            continue;
+        hits++;
+        assert_int_equal(many[i].object, single[i].object);
+        assert_memory_equal(&many[i].crossing.t, &single[i].crossing.t, sizeof many[i].crossing.t);
+        assert_memory_equal(&many[i].crossing.t_lo, &single[i].crossing.t_lo, sizeof many[i].crossing.t_lo);
+        assert_int_equal(many[i].crossing.mark.part, single[i].crossing.mark.part);
+    }
+    return hits;
+}
+
+static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, double tmax)
+{
+    colour many[WORLD_MANY], single;
+    uint64_t lit = world_light_path_many(s->world, s->walker, rays, n, tmax, many);
+    uint32_t i;
+
+    assert_true(n == WORLD_MANY || lit >> n == 0);
+    for (i = 0; i < n; i++) {
+        assert_int_equal(lit >> i & 1, world_light_path(s->world, s->walker, rays[i], tmax, &single));
+        assert_memory_equal(&many[i], &single, sizeof single);
+    }
+}
+
+/* The rays, and from what they meet those to a light, on each of this processor's walks. Gives the number of hits. */
+static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 lamp)
+{
+    const bvh_walks *walks[2] = { bvh_walks_best(), &bvh_walks_portable };
+    const pov_ray *all[WORLD_MANY], *lights[WORLD_MANY];
+    pov_ray shadows[WORLD_MANY];
+    hit hits[WORLD_MANY];
+    uint32_t i, lit = 0;
+    int met = 0, k;
+
+    for (i = 0; i < n; i++)
+        all[i] = &rays[i];
+    for (k = 0; k < 2; k++) {
+        s->world->walks = walks[k];
+        met = same_nearest(s, all, n, hits);
+        same_light(s, all, n, HUGE_VAL);
+        for (i = lit = 0; i < n; i++) {
+            if (hits[i].object == POV_NOBODY)
+                continue;
+            world_surface(s->world, all[i], &hits[i]);
+            shadows[lit] = ray_of(hits[i].point, pov_sub(lamp, hits[i].point));
+            shadows[lit].org_lo = hits[i].point_lo;
+            shadows[lit].left = hits[i].object;
+            shadows[lit].left_mark = hits[i].crossing.mark;
+            lights[lit] = &shadows[lit];
+            lit++;
+        }
+        if (lit > 0) {
+            same_nearest(s, lights, lit, hits);
+            same_light(s, lights, lit, 1.0);
+        }
+    }
+    return met;
+}
+
+/* A beam from one point through a square of points. */
+static int beam(subject *s, uint32_t n, pov_vec3 from, pov_vec3 to, double spread, double length)
+{
+    pov_ray rays[WORLD_MANY];
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        pov_vec3 d = pov_add(pov_sub(to, from), pov_vec3_of(spread * (i % 8), spread * (i / 8), spread * (i % 3)));
+        rays[i] = ray_of(from, pov_scale(d, length));
+    }
+    return same_company(s, rays, n, pov_add(to, pov_vec3_of(spread, 100.0 * spread, -30.0 * spread)));
+}
+
+static void beams_are_the_same(int things, double scale, pov_vec3 offset, bool coloured, double length)
+{
+    static const double way[4] = { 0.5, 3.0, 40.0, 1e7 };
+    subject s;
+    int i, hits = 0;
+
+    begin(&s, 20250607u + (uint64_t)things);
+    add_things(&s, things, scale, offset, coloured);
+    build(&s, POV_ACCEL_TREE);
+    for (i = 0; i < 120; i++) {
+        pov_vec3 from = pov_add(offset, pov_scale(test_direction(&s.random), scale * way[i % 4]));
+        pov_vec3 to = pov_add(offset, somewhere(&s, 0.5 * scale));
+        hits += beam(&s, 1 + (uint32_t)i * 37 % WORLD_MANY, from, to, scale * (i % 3 == 0 ? 0.2 : 0.01), length);
+    }
+    assert_true(hits > 100);
+    end(&s);
+}
+
+static void beams_through_scenes_of_all_sizes(void **state)
+{
+    (void)state;
+    beams_are_the_same(40, 1.0, origin, false, 1.0);
+    beams_are_the_same(600, 1.0, origin, true, 1.0);
+    beams_are_the_same(5000, 1.0, origin, false, 1.0);
+}
+
+static void beams_in_tiny_huge_and_far_scenes(void **state)
+{
+    (void)state;
+    beams_are_the_same(300, 1e-12, origin, true, 1.0);
+    beams_are_the_same(300, 1e12, origin, true, 1e-20);
+    beams_are_the_same(300, 1.0, pov_vec3_of(1e9, -1e9, 1e9), true, 1e20);
+    beams_are_the_same(300, 1e-100, origin, false, 1e100);
+}
+
+/* Parts of a scene that are tiny against it stand in frames of their own. */
+static void beams_through_frames_in_frames(void **state)
+{
+    subject s;
+    int i, hits = 0;
+    (void)state;
+
+    begin(&s, 77);
+    add_things(&s, 100, 1.0, origin, true);
+    add_things(&s, 100, 1e-5, pov_vec3_of(0.1, 0.2, 0.3), true);
+    add_things(&s, 100, 1e-10, pov_vec3_of(0.1, 0.2, 0.3), false);
+    build(&s, POV_ACCEL_TREE);
+    assert_true(s.world->tree.frame_count > 2);
+    for (i = 0; i < 200; i++) {
+        double size = i % 3 == 0 ? 1.0 : i % 3 == 1 ? 1e-5 : 1e-10;
+        pov_vec3 to = pov_add(pov_vec3_of(0.1, 0.2, 0.3), somewhere(&s, size));
+        pov_vec3 from = pov_add(to, pov_scale(test_direction(&s.random), size * (i % 2 ? 3.0 : 1e4)));
+        hits += beam(&s, WORLD_MANY, from, to, 0.02 * size, 1.0);
+    }
+    assert_true(hits > 1000);
+    end(&s);
+}
+
+static void rays_of_all_directions_at_once(void **state)
+{
+    pov_ray rays[WORLD_MANY];
+    subject s;
+    uint32_t i, k, hits = 0;
+    (void)state;
+
+    begin(&s, 5);
+    add_things(&s, 900, 1.0, origin, true);
+    build(&s, POV_ACCEL_TREE);
+    for (k = 0; k < 60; k++) {
+        for (i = 0; i < WORLD_MANY; i++)
+            rays[i] = ray_of(somewhere(&s, 1.5), test_direction(&s.random));
+        hits += (uint32_t)same_company(&s, rays, WORLD_MANY, pov_vec3_of(2.0, 3.0, -4.0));
+    }
+    assert_true(hits > 1000);
+    end(&s);
+}
+
+/* Zeros of both signs, and components that count as zero. */
+static void rays_along_axes(void **state)
+{
+    static const double small[4] = { 0.0, -0.0, 1e-300, -1e-25 };
+    pov_ray rays[WORLD_MANY];
+    subject s;
+    uint32_t i, k, hits = 0;
+    (void)state;
+
+    begin(&s, 6);
+    add_things(&s, 400, 1.0, origin, false);
+    build(&s, POV_ACCEL_TREE);
+    for (k = 0; k < 60; k++) {
+        for (i = 0; i < WORLD_MANY; i++) {
+            double d[3] = { small[i % 4], small[i / 4 % 4], small[(i + k) % 4] };
+            d[k % 3] = k % 2 ? -1.0 : 1.0;
+            rays[i] = ray_of(pov_vec3_of(0.03 * (i % 8), 0.04 * (i / 8), 0.01 * i), pov_vec3_of(d[0], d[1], d[2]));
+        }
+        hits += (uint32_t)same_company(&s, rays, 4 * (1 + k % 16), pov_vec3_of(0.0, 3.0, 0.0));
+    }
+    assert_true(hits > 100);
+    end(&s);
+}
+
+/* Lengths and places so absurd that a ray asks every box goes among ordinary ones. */
+static void absurd_rays_among_ordinary_ones(void **state)
+{
+    static const double length[4] = { 1.0, 1e-310, 1e300, 1e-200 };
+    pov_ray rays[WORLD_MANY];
+    subject s;
+    uint32_t i, k, hits = 0;
+    (void)state;
+
+    begin(&s, 7);
+    add_things(&s, 300, 1.0, origin, true);
+    build(&s, POV_ACCEL_TREE);
+    for (k = 0; k < 40; k++) {
+        for (i = 0; i < WORLD_MANY; i++) {
+            pov_vec3 from = i % 5 == 4 ? pov_vec3_of(-1e200, -1e200, -1e200) : somewhere(&s, 1.0);
+            pov_vec3 d = pov_vec3_of(test_uniform(&s.random, 0.1, 1.0), test_uniform(&s.random, 0.1, 1.0), 0.5);
+            rays[i] = ray_of(from, pov_scale(d, i % 3 == 0 ? length[i / 3 % 4] : 1.0));
+        }
+        hits += (uint32_t)same_company(&s, rays, WORLD_MANY, pov_vec3_of(0.0, 3.0, 0.0));
+    }
+    assert_true(hits > 100);
+    end(&s);
+}
+
+static void a_company_that_meets_nothing(void **state)
+{
+    subject s;
+    (void)state;
+
+    begin(&s, 8);
+    add_things(&s, 300, 1.0, origin, true);
+    build(&s, POV_ACCEL_TREE);
+    assert_int_equal(beam(&s, WORLD_MANY, pov_vec3_of(0.0, 9.0, 0.0), pov_vec3_of(0.0, 20.0, 0.0), 0.01, 1.0), 0);
+    assert_int_equal(beam(&s, 1, pov_vec3_of(0.0, 1e9, 0.0), pov_vec3_of(0.0, 2e9, 0.0), 0.01, 1.0), 0);
+    end(&s);
+}
+
+static void lists_and_infinite_shapes(void **state)
+{
+    static const pov_accel accel[2] = { POV_ACCEL_NONE, POV_ACCEL_TREE };
+    test_ground ground = { -0.5 };
+    int i, k, hits = 0;
+    (void)state;
+
+    for (k = 0; k < 2; k++) {
+        subject s;
+        begin(&s, 9);
+        add_things(&s, 100, 1.0, origin, true);
+        test_add(&s.model, &test_ground_class, &ground, NULL, 0, 0);
+        build(&s, accel[k]);
+        for (i = 0; i < 30; i++)
+            hits += beam(&s, WORLD_MANY, pov_scale(test_direction(&s.random), 3.0), somewhere(&s, 0.5), 0.05, 1.0);
+        end(&s);
+    }
+    assert_true(hits > 1000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(beams_through_scenes_of_all_sizes),
+        cmocka_unit_test(beams_in_tiny_huge_and_far_scenes),
+        cmocka_unit_test(beams_through_frames_in_frames),
+        cmocka_unit_test(rays_of_all_directions_at_once),
+        cmocka_unit_test(rays_along_axes),
+        cmocka_unit_test(absurd_rays_among_ordinary_ones),
+        cmocka_unit_test(a_company_that_meets_nothing),
+        cmocka_unit_test(lists_and_infinite_shapes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
