@@ -55,18 +55,27 @@ void *env_resize(const env *e, void *block, size_t count, size_t bytes)
 }
 
 /* The address that the allocator gave stands in the word before the aligned block. */
-void *env_alloc_aligned(const env *e, size_t bytes, size_t align)
+void *env_reserve_aligned(const env *e, size_t bytes, size_t align)
 {
     unsigned char *raw, *block;
 
     if (bytes > SIZE_MAX - align - sizeof raw)
         return NULL;
-    raw = env_alloc(e, 1, bytes + align + sizeof raw);
+    raw = env_resize(e, NULL, 1, bytes + align + sizeof raw);
     if (!raw)
         return NULL;
     block = raw + sizeof raw;
     block += (align - ((uintptr_t)block & (align - 1))) & (align - 1);
     memcpy(block - sizeof raw, &raw, sizeof raw);
+    return block;
+}
+
+void *env_alloc_aligned(const env *e, size_t bytes, size_t align)
+{
+    void *block = env_reserve_aligned(e, bytes, align);
+
+    if (block)
+        memset(block, 0, bytes);
     return block;
 }
 

@@ -19,6 +19,8 @@ void *env_alloc(const env *e, size_t count, size_t bytes);
 void *env_resize(const env *e, void *block, size_t count, size_t bytes);
 /* A zeroed block whose address is a multiple of align (a power of two); free it with env_free_aligned only. */
 void *env_alloc_aligned(const env *e, size_t bytes, size_t align);
+/* The same, not zeroed: for what is written whole, by several threads. */
+void *env_reserve_aligned(const env *e, size_t bytes, size_t align);
 void env_free_aligned(const env *e, void *block);
 void env_free(const env *e, void *block);
 

@@ -44,18 +44,26 @@ typedef struct bvh {
     int depth;
 } bvh;
 
-/* What the leaves are to hold is the caller's affair. Both calls see up to BVH_WIDTH things, and may reorder ids. */
+/* What the leaves are to hold is the caller's affair. First all sizes are asked, then `allocate` once, then all are
+ * filled: calls for leaves of one part come one at a time and in the same order both times, those of different parts
+ * from several threads. Leaves hold up to BVH_WIDTH things; size may reorder ids, and fill sees them so. */
+enum { BVH_PARTS = 64 };
+
 typedef struct bvh_leaves {
-    /* How many bytes they take; the same for each order. */
-    size_t (*size)(void *user, uint32_t *ids, uint32_t count);
-    void (*fill)(void *user, uint32_t *ids, uint32_t count, void *at);
+    size_t (*size)(void *user, uint32_t part, uint32_t *ids, uint32_t count);
+    bool (*allocate)(void *user);
+    void (*fill)(void *user, uint32_t part, const uint32_t *ids, uint32_t count, void *at);
     void *user;
 } bvh_leaves;
 
 typedef struct bvh_input {
     const env *env;
-    const pov_box *boxes;        /* by id, finite, within +-1e150 */
-    const uint32_t *ids;         /* what to put in the tree, at least one */
+    /* By id: finite, within +-1e150. Any thread. */
+    void (*box)(void *user, uint32_t id, pov_box *out);
+    void (*drop)(void *user);    /* boxes are not asked for any more; may be NULL */
+    void *box_user;
+    pov_box bounds;              /* around all of them */
+    uint32_t *ids;               /* what to put in the tree, at least one; left in the order of the leaves */
     uint32_t count;
     /* Things of one group share leaves when the group packs; the others stand alone. By id, and by group. */
     const uint16_t *group;

@@ -1,5 +1,6 @@
 #include "world/bvh_build.h"
 
+#include "base/share.h"
 #include "base/thread.h"
 #include "base/vec.h"
 
@@ -13,25 +14,27 @@ enum { FRAME_LEAST = 16 };
 /* What a lowest node holds when it is full. */
 enum { FULL_PACKED = BVH_WIDTH * BVH_WIDTH, FULL_ALONE = BVH_WIDTH };
 /* Parts of fewer things than this are not worth a thread's while. */
-enum { JOB_LEAST = 4096, THREADS_FROM = 20000, THREADS_MAX = 64 };
+enum { JOB_LEAST = 4096, THREADS_FROM = 20000, PARTS = 64 };
 
 /* A part of the tree that is left for whoever comes first. */
 typedef struct job { bvh_draft_child *child; int depth; } job;
 
 typedef struct builder {
     const bvh_input *in;
+    int threads;
     bvh_ref *refs;
+    const bvh_frame *frame;      /* the whole scene's */
+    mutex lock;                  /* guards what follows, while threads work */
+    condition changed;
     struct { job *items; size_t count, capacity; } jobs;
-    mutex lock;                  /* guards next */
-    size_t next;
+    int at_work;                 /* hands whose job may lead to others */
+    bool failed;
 } builder;
 
 /* One thread's part in it. */
 typedef struct hand {
     builder *builder;
     arena memory;
-    uint32_t job_below;          /* smaller parts become jobs; 0: none do */
-    bool failed;
 } hand;
 
 /* One thing, or what one block can hold. Leaves that ask two blocks, or more things than one that stand alone, were
@@ -52,14 +55,15 @@ static bool is_leaf(const builder *b, const bvh_range *r)
     return b->in->packs[group];
 }
 
-static void cut(const builder *b, const bvh_range *r, bool halve, bvh_range *x, bvh_range *y)
+/* threads: who has nothing else to do. */
+static void cut(const builder *b, const bvh_range *r, bool halve, int threads, bvh_range *x, bvh_range *y)
 {
     bvh_range whole = *r;
 
     if (halve)
         bvh_halve(&whole, b->refs, x, y);
     else
-        bvh_split(&whole, b->refs, b->in->all_pack, x, y);
+        bvh_split(&whole, b->refs, b->in->all_pack, threads, x, y);
     x->is_leaf = is_leaf(b, x);
     y->is_leaf = is_leaf(b, y);
 }
@@ -93,7 +97,7 @@ static int next_to_cut(const bvh_range *parts, int n, uint32_t part, bool halve)
     return best;
 }
 
-static bool grow(hand *h, bvh_draft_child *child, int depth);
+static bool grow_child(hand *h, bvh_draft_child *child, int depth);
 
 /* The things of child->range become a node below it. */
 static bool grow_node(hand *h, bvh_draft_child *child, int depth)
@@ -102,13 +106,13 @@ static bool grow_node(hand *h, bvh_draft_child *child, int depth)
     bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node, 16);
     bool halve = depth >= HALVE_FROM;
     uint32_t part = part_of(h->builder, bvh_range_count(&child->range));
-    int n = 1, i, best;
+    int n = 1, i, best, threads = depth == 0 ? h->builder->threads : 1;
 
     if (!node)
         return false;
     parts[0] = child->range;
     while (n < BVH_WIDTH && (best = next_to_cut(parts, n, part, halve)) >= 0) {
-        cut(h->builder, &parts[best], halve, &parts[best], &parts[n]);
+        cut(h->builder, &parts[best], halve, threads, &parts[best], &parts[n]);
         n++;
     }
     child->node = node;
@@ -120,7 +124,7 @@ static bool grow_node(hand *h, bvh_draft_child *child, int depth)
         memcpy(node->child[i].hi, parts[i].hi, sizeof parts[i].hi);
     }
     for (i = 0; i < n; i++)
-        if (!grow(h, &node->child[i], depth + 1))
+        if (!grow_child(h, &node->child[i], depth + 1))
             return false;
     return true;
 }
@@ -138,9 +142,10 @@ static bool wants_frame(const bvh_range *r, int depth)
 /* Boxes within a few rounding errors of the world's own numbers gain nothing from a finer frame, and get none. */
 static bool set_frame(hand *h, bvh_draft_child *child)
 {
+    const bvh_input *in = h->builder->in;
     bvh_range *r = &child->range;
-    const pov_box *boxes = h->builder->in->boxes;
-    bvh_frame frame = bvh_frame_of(boxes, h->builder->refs, r->begin, r->end);
+    pov_box all = bvh_box_around(in, h->builder->refs, r->begin, r->end);
+    bvh_frame frame = bvh_frame_around(&all);
 
     if (frame.scale * (double)frame_part < 0.25 * child->scale)
         return true;
@@ -148,119 +153,165 @@ static bool set_frame(hand *h, bvh_draft_child *child)
     if (!child->frame)
         return false;
     *child->frame = frame;
-    bvh_frame_convert(&frame, boxes, h->builder->refs, r->begin, r->end);
-    bvh_range_measure(r, h->builder->refs);
+    bvh_frame_convert(&frame, in, h->builder->refs, r->begin, r->end);
+    bvh_range_measure(r, h->builder->refs, 1);
     return true;
 }
 
 static bool grow(hand *h, bvh_draft_child *child, int depth)
 {
-    uint32_t n = bvh_range_count(&child->range);
-
     if (child->range.is_leaf)
         return true;
-    if (n < h->job_below) {
-        job later = { child, depth };
-        return VEC_PUSH(h->builder->in->env, &h->builder->jobs, later);
-    }
     if (wants_frame(&child->range, depth) && !set_frame(h, child))
         return false;
     return grow_node(h, child, depth);
 }
 
-static void *work(void *user)
+/* ---- by several threads ---- */
+
+static bool leave_to_others(hand *h, bvh_draft_child *child, int depth)
 {
-    hand *h = user;
+    builder *b = h->builder;
+    job later = { child, depth };
+    bool done;
+
+    mutex_lock(&b->lock);
+    done = VEC_PUSH(b->in->env, &b->jobs, later);
+    condition_wake_all(&b->changed);
+    mutex_unlock(&b->lock);
+    return done;
+}
+
+static bool grow_child(hand *h, bvh_draft_child *child, int depth)
+{
+    if (h->builder->threads > 1 && bvh_range_count(&child->range) >= JOB_LEAST && !child->range.is_leaf)
+        return leave_to_others(h, child, depth);
+    return grow(h, child, depth);
+}
+
+/* Take jobs until there are none and nobody is left who could bring one. */
+static void work(void *user, uint32_t which, int unused)
+{
+    hand *h = (hand *)user + which;
     builder *b = h->builder;
 
-    for (;;) {
-        size_t mine;
-        mutex_lock(&b->lock);
-        mine = b->next < b->jobs.count ? b->next++ : b->jobs.count;
-        mutex_unlock(&b->lock);
-        if (mine == b->jobs.count)
-            return NULL;
-        if (!grow(h, b->jobs.items[mine].child, b->jobs.items[mine].depth)) {
-            h->failed = true;
-            return NULL;
+    (void)unused;
+    mutex_lock(&b->lock);
+    while (!b->failed && (b->jobs.count > 0 || b->at_work > 0)) {
+        bool done;
+        job mine;
+        if (b->jobs.count == 0) {
+            condition_wait(&b->changed, &b->lock);
+            continue;
         }
+        mine = b->jobs.items[--b->jobs.count];
+        b->at_work++;
+        mutex_unlock(&b->lock);
+        done = grow(h, mine.child, mine.depth);
+        mutex_lock(&b->lock);
+        b->at_work--;
+        b->failed = b->failed || !done;
+        condition_wake_all(&b->changed);
     }
+    mutex_unlock(&b->lock);
 }
 
-/* All the jobs, by the calling thread and by as many others as start. */
-static bool work_together(builder *b, hand *hands, int n)
+static void name_part(void *user, uint32_t part, int unused)
 {
-    thread threads[THREADS_MAX];
-    bool failed = false;
-    int i, started = 0;
+    const builder *b = user;
+    uint32_t begin = share_begin(b->in->count, PARTS, part), end = share_begin(b->in->count, PARTS, part + 1), i;
 
-    if (!mutex_init(&b->lock))
+    (void)unused;
+    for (i = begin; i < end; i++) {
+        b->refs[i].id = b->in->ids[i];
+        b->refs[i].unused = 0;
+    }
+    bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
+}
+
+/* The draft of the whole tree. */
+static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
+{
+    bvh_frame *frame = arena_alloc(&hands[0].memory, sizeof *frame, 16);
+    bool done;
+
+    if (!frame)
         return false;
-    for (i = 0; i < n; i++)
-        hands[i].job_below = 0;
-    while (started < n - 1 && thread_start(&threads[started], work, &hands[started + 1]))
-        started++;
-    work(&hands[0]);
-    for (i = 0; i < started; i++)
-        thread_join(threads[i]);
-    for (i = 0; i < n; i++)
-        failed = failed || hands[i].failed;
-    mutex_destroy(&b->lock);
-    return !failed;
-}
-
-static bool grow_all(builder *b, bvh_draft_child *root, hand *hands, int n)
-{
+    *frame = bvh_frame_around(&b->in->bounds);
+    b->frame = root->frame = frame;
     root->range.begin = 0;
     root->range.end = b->in->count;
-    if (!set_frame(&hands[0], root))
-        return false;
+    share_work(b->threads, PARTS, name_part, b);
+    bvh_range_measure(&root->range, b->refs, b->threads);
     root->range.is_leaf = is_leaf(b, &root->range);
-    if (n > 1) {
-        uint32_t part = b->in->count / 32;
-        hands[0].job_below = part > JOB_LEAST ? part : JOB_LEAST;
+    if (root->range.is_leaf)
+        return true;
+    done = grow_node(&hands[0], root, 0);
+    if (done && b->threads > 1) {
+        share_work(b->threads, (uint32_t)b->threads, work, hands);
+        done = !b->failed;
     }
-    if (!root->range.is_leaf && !grow_node(&hands[0], root, 0))
-        return false;
-    return n == 1 || work_together(b, hands, n);
+    return done;
 }
 
-static int thread_count(const bvh_input *in)
+static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
 {
-    int n = in->threads > 0 ? in->threads : thread_cores();
+    int n = b->threads, i;
+    hand *hands = env_alloc(b->in->env, (size_t)n, sizeof *hands);
+    bvh_draft_child root;
+    bool done;
 
-    if (in->count < THREADS_FROM)
-        return 1;
-    return n < THREADS_MAX ? n : THREADS_MAX;
+    if (!hands)
+        return false;
+    memset(&root, 0, sizeof root);
+    for (i = 0; i < n; i++) {
+        hands[i].builder = b;
+        arena_init(&hands[i].memory, b->in->env);
+    }
+    done = grow_all(b, &root, hands) && bvh_layout(out, b->in, &root, leaves);
+    for (i = 0; i < n; i++)
+        arena_free(&hands[i].memory);
+    env_free(b->in->env, hands);
+    return done;
+}
+
+/* The nodes, and in->ids in the order of the leaves; what served to find them is given back. */
+static bool build_nodes(bvh *out, const bvh_input *in, bvh_leaf **leaves)
+{
+    builder b;
+    uint32_t i;
+    bool done = false;
+
+    memset(&b, 0, sizeof b);
+    b.in = in;
+    b.threads = in->count < THREADS_FROM ? 1 : in->threads;
+    b.refs = env_reserve_aligned(in->env, in->count * sizeof *b.refs, 64);
+    if (b.refs && mutex_init(&b.lock)) {
+        if (condition_init(&b.changed)) {
+            done = draft_and_lay_out(out, &b, leaves);
+            condition_destroy(&b.changed);
+        }
+        mutex_destroy(&b.lock);
+    }
+    for (i = 0; done && i < in->count; i++)
+        in->ids[i] = b.refs[i].id;
+    env_free(in->env, b.jobs.items);
+    env_free_aligned(in->env, b.refs);
+    return done;
 }
 
 bool bvh_build(bvh *out, const bvh_input *in)
 {
-    int n = thread_count(in), i;
-    hand *hands = env_alloc(in->env, (size_t)n, sizeof *hands);
-    bvh_draft_child root;
-    builder b;
-    uint32_t k;
-    bool done = false;
+    bvh_leaf *leaves = NULL;
+    bool done;
 
     memset(out, 0, sizeof *out);
-    memset(&b, 0, sizeof b);
-    memset(&root, 0, sizeof root);
-    b.in = in;
-    b.refs = env_alloc(in->env, in->count, sizeof *b.refs);
-    if (b.refs && hands) {
-        for (i = 0; i < n; i++) {
-            hands[i].builder = &b;
-            arena_init(&hands[i].memory, in->env);
-        }
-        for (k = 0; k < in->count; k++)
-            b.refs[k].id = in->ids[k];
-        done = grow_all(&b, &root, hands, n) && bvh_layout(out, in, &root, b.refs);
-        for (i = 0; i < n; i++)
-            arena_free(&hands[i].memory);
-    }
-    env_free(in->env, b.jobs.items);
-    env_free(in->env, b.refs);
-    env_free(in->env, hands);
+    done = build_nodes(out, in, &leaves);
+    if (done && in->drop)
+        in->drop(in->box_user);
+    done = done && bvh_place_leaves(out, in, leaves);
+    env_free(in->env, leaves);
+    if (!done)
+        bvh_free(out, in->env);
     return done;
 }

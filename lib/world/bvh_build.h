@@ -37,18 +37,26 @@ typedef struct bvh_draft_node {
 
 static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }
 
-void bvh_range_measure(bvh_range *r, const bvh_ref *refs);
+/* threads: who may help, with the same result for any number. */
+void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads);
 /* Cut in two where the surface area heuristic says, or in halves where it says nothing. Reorders refs. */
-void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, bvh_range *a, bvh_range *b);
+void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, int threads, bvh_range *a, bvh_range *b);
 /* Cut in two of equal count, in the order in which they stand. */
 void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range *b);
 
-/* The frame for refs[begin..end), from their true boxes. */
-bvh_frame bvh_frame_of(const pov_box *boxes, const bvh_ref *refs, uint32_t begin, uint32_t end);
-/* Give them their boxes in it. */
-void bvh_frame_convert(const bvh_frame *frame, const pov_box *boxes, bvh_ref *refs, uint32_t begin, uint32_t end);
+/* The frame for what lies within the box. */
+bvh_frame bvh_frame_around(const pov_box *all);
+/* The box around refs[begin..end), from their true boxes. */
+pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin, uint32_t end);
+/* Give them their boxes in the frame. */
+void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *refs, uint32_t begin, uint32_t end);
 
-/* Turn the draft below `root` into what is walked. Leaves are filled in the order of the tree. */
-bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_ref *refs);
+/* A leaf: ids[begin..begin + count) of the input, and where it lies in the leaves' memory. */
+typedef struct bvh_leaf { uint32_t begin, count, at; } bvh_leaf;
+
+/* Turn the draft below `root` into nodes and frames, with leaves counted where places will be. */
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves);
+/* Size, place and fill them. */
+bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves);
 
 #endif

@@ -11,15 +11,16 @@ static inline float round_up(double x)
     return (float)(x + (fabs(x) * 0x1p-22 + 0x1p-120));
 }
 
-static pov_box box_around(const pov_box *boxes, const bvh_ref *refs, uint32_t begin, uint32_t end)
+pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin, uint32_t end)
 {
-    pov_box all = boxes[refs[begin].id];
+    pov_box all, b;
     uint32_t i;
 
+    in->box(in->box_user, refs[begin].id, &all);
     for (i = begin + 1; i < end; i++) {
-        const pov_box *b = &boxes[refs[i].id];
-        all.lo = pov_vec3_of(fmin(all.lo.x, b->lo.x), fmin(all.lo.y, b->lo.y), fmin(all.lo.z, b->lo.z));
-        all.hi = pov_vec3_of(fmax(all.hi.x, b->hi.x), fmax(all.hi.y, b->hi.y), fmax(all.hi.z, b->hi.z));
+        in->box(in->box_user, refs[i].id, &b);
+        all.lo = pov_vec3_of(fmin(all.lo.x, b.lo.x), fmin(all.lo.y, b.lo.y), fmin(all.lo.z, b.lo.z));
+        all.hi = pov_vec3_of(fmax(all.hi.x, b.hi.x), fmax(all.hi.y, b.hi.y), fmax(all.hi.z, b.hi.z));
     }
     return all;
 }
@@ -35,18 +36,17 @@ static double scale_for(const pov_box *all)
     return ldexp(1.0, -e);
 }
 
-bvh_frame bvh_frame_of(const pov_box *boxes, const bvh_ref *refs, uint32_t begin, uint32_t end)
+bvh_frame bvh_frame_around(const pov_box *all)
 {
-    pov_box all = box_around(boxes, refs, begin, end);
     bvh_frame f;
 
-    f.centre = pov_add(pov_scale(all.lo, 0.5), pov_scale(all.hi, 0.5));
-    f.scale = scale_for(&all);
+    f.centre = pov_add(pov_scale(all->lo, 0.5), pov_scale(all->hi, 0.5));
+    f.scale = scale_for(all);
     f.root = 0;
     return f;
 }
 
-void bvh_frame_convert(const bvh_frame *frame, const pov_box *boxes, bvh_ref *refs, uint32_t begin, uint32_t end)
+void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *refs, uint32_t begin, uint32_t end)
 {
     pov_vec3 c = frame->centre;
     double s = frame->scale;
@@ -54,12 +54,13 @@ void bvh_frame_convert(const bvh_frame *frame, const pov_box *boxes, bvh_ref *re
 
     for (i = begin; i < end; i++) {
         bvh_ref *f = &refs[i];
-        const pov_box *b = &boxes[f->id];
-        f->lo[0] = round_down((b->lo.x - c.x) * s);
-        f->lo[1] = round_down((b->lo.y - c.y) * s);
-        f->lo[2] = round_down((b->lo.z - c.z) * s);
-        f->hi[0] = round_up((b->hi.x - c.x) * s);
-        f->hi[1] = round_up((b->hi.y - c.y) * s);
-        f->hi[2] = round_up((b->hi.z - c.z) * s);
+        pov_box b;
+        in->box(in->box_user, f->id, &b);
+        f->lo[0] = round_down((b.lo.x - c.x) * s);
+        f->lo[1] = round_down((b.lo.y - c.y) * s);
+        f->lo[2] = round_down((b.lo.z - c.z) * s);
+        f->hi[0] = round_up((b.hi.x - c.x) * s);
+        f->hi[1] = round_up((b.hi.y - c.y) * s);
+        f->hi[2] = round_up((b.hi.z - c.z) * s);
     }
 }

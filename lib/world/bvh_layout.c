@@ -1,58 +1,40 @@
 #include "world/bvh_build.h"
 
+#include "base/share.h"
+
 #include <string.h>
+
+/* ---- nodes ---- */
 
 typedef struct layout {
     bvh *out;
-    const bvh_input *in;
-    bvh_ref *refs;
-    size_t nodes, frames, leaf_bytes;   /* given out so far */
+    bvh_leaf *leaves;
+    size_t nodes, frames, placed_leaves;   /* given out so far */
 } layout;
 
-/* ---- how much there is ---- */
-
-static uint32_t leaf_ids(const layout *l, const bvh_range *r, uint32_t ids[BVH_WIDTH])
+static void count(bvh *out, const bvh_draft_child *c, int depth)
 {
-    uint32_t i, n = bvh_range_count(r);
-
-    for (i = 0; i < n; i++)
-        ids[i] = l->refs[r->begin + i].id;
-    return n;
-}
-
-static void count(layout *l, const bvh_draft_child *c, int depth)
-{
-    const bvh_leaves *leaves = &l->in->leaves;
-    uint32_t ids[BVH_WIDTH], n;
-    size_t bytes;
     int i;
 
-    l->out->frame_count += c->frame != NULL;
-    if (depth > l->out->depth)
-        l->out->depth = depth;
+    out->frame_count += c->frame != NULL;
+    if (depth > out->depth)
+        out->depth = depth;
     if (!c->node) {
-        n = leaf_ids(l, &c->range, ids);
-        bytes = leaves->size(leaves->user, ids, n);
-        l->out->leaf_bytes += (bytes + BVH_UNIT - 1) / BVH_UNIT * BVH_UNIT;
-        l->out->leaf_count++;
+        out->leaf_count++;
         return;
     }
-    l->out->node_count++;
+    out->node_count++;
     for (i = 0; i < c->node->count; i++)
-        count(l, &c->node->child[i], depth + 1);
+        count(out, &c->node->child[i], depth + 1);
 }
-
-/* ---- putting it down ---- */
 
 static uint32_t put_leaf(layout *l, const bvh_range *r)
 {
-    const bvh_leaves *leaves = &l->in->leaves;
-    uint32_t ids[BVH_WIDTH], n = leaf_ids(l, r, ids);
-    size_t at = l->leaf_bytes, bytes = leaves->size(leaves->user, ids, n);
+    uint32_t index = (uint32_t)l->placed_leaves++;
 
-    leaves->fill(leaves->user, ids, n, l->out->leaves + at);
-    l->leaf_bytes += (bytes + BVH_UNIT - 1) / BVH_UNIT * BVH_UNIT;
-    return BVH_LEAF | (uint32_t)(at / BVH_UNIT);
+    l->leaves[index].begin = r->begin;
+    l->leaves[index].count = bvh_range_count(r);
+    return BVH_LEAF | index;
 }
 
 static uint32_t put(layout *l, const bvh_draft_child *c);
@@ -102,28 +84,101 @@ static uint32_t put(layout *l, const bvh_draft_child *c)
     return BVH_FRAME | index;
 }
 
-static bool allocate(bvh *b, const env *e)
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves)
 {
     const size_t most = ~BVH_KIND;
+    layout l = { out, NULL, 0, 0, 0 };
 
-    if (b->node_count > most || b->frame_count > most || b->leaf_bytes / BVH_UNIT > most)
+    *leaves = NULL;
+    count(out, root, 0);
+    if (out->node_count > most || out->frame_count > most || out->leaf_count > most)
         return false;
-    b->nodes = env_alloc_aligned(e, b->node_count * sizeof *b->nodes, BVH_UNIT);
-    b->frames = env_alloc(e, b->frame_count, sizeof *b->frames);
-    b->leaves = env_alloc_aligned(e, b->leaf_bytes, BVH_UNIT);
-    return b->nodes && b->frames && b->leaves;
+    out->nodes = env_alloc_aligned(in->env, out->node_count * sizeof *out->nodes, BVH_UNIT);
+    out->frames = env_alloc(in->env, out->frame_count, sizeof *out->frames);
+    *leaves = l.leaves = env_alloc(in->env, out->leaf_count, sizeof *l.leaves);
+    if (!out->nodes || !out->frames || !l.leaves)
+        return false;
+    put(&l, root);
+    return true;
 }
 
-bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_ref *refs)
-{
-    layout l = { out, in, refs, 0, 0, 0 };
+/* ---- leaves ---- */
 
-    count(&l, root, 0);
-    if (!allocate(out, in->env)) {
-        bvh_free(out, in->env);
-        return false;
+typedef struct leaf_work {
+    const bvh *tree;
+    const bvh_input *in;
+    bvh_leaf *leaves;
+} leaf_work;
+
+static void size_part(void *user, uint32_t part, int hand)
+{
+    const leaf_work *w = user;
+    const bvh_leaves *ask = &w->in->leaves;
+    uint32_t n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_PARTS, part);
+
+    (void)hand;
+    for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
+        bvh_leaf *leaf = &w->leaves[i];
+        size_t bytes = ask->size(ask->user, part, w->in->ids + leaf->begin, leaf->count);
+        leaf->at = (uint32_t)((bytes + BVH_UNIT - 1) / BVH_UNIT);
     }
-    put(&l, root);
+}
+
+static void fill_part(void *user, uint32_t part, int hand)
+{
+    const leaf_work *w = user;
+    const bvh_leaves *ask = &w->in->leaves;
+    uint32_t n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_PARTS, part);
+
+    (void)hand;
+    for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
+        const bvh_leaf *leaf = &w->leaves[i];
+        ask->fill(ask->user, part, w->in->ids + leaf->begin, leaf->count,
+                  w->tree->leaves + (size_t)leaf->at * BVH_UNIT);
+    }
+}
+
+/* From sizes to places. False: more than a reference can tell. */
+static bool add_up(bvh *out, bvh_leaf *leaves)
+{
+    size_t i, at = 0;
+
+    for (i = 0; i < out->leaf_count; i++) {
+        size_t units = leaves[i].at;
+        leaves[i].at = (uint32_t)at;
+        at += units;
+        if (at > ~BVH_KIND)
+            return false;
+    }
+    out->leaf_bytes = at * BVH_UNIT;
+    return true;
+}
+
+/* References have told which leaf; now they tell where it is. */
+static void point(uint32_t *reference, const bvh_leaf *leaves)
+{
+    if ((*reference & BVH_KIND) == BVH_LEAF)
+        *reference = BVH_LEAF | leaves[*reference & ~BVH_KIND].at;
+}
+
+bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves)
+{
+    leaf_work w = { out, in, leaves };
+    size_t i;
+    int k;
+
+    share_work(in->threads, BVH_PARTS, size_part, &w);
+    if (!add_up(out, leaves) || !in->leaves.allocate(in->leaves.user))
+        return false;
+    out->leaves = env_reserve_aligned(in->env, out->leaf_bytes, BVH_UNIT);
+    if (!out->leaves)
+        return false;
+    for (i = 0; i < out->node_count; i++)
+        for (k = 0; k < BVH_WIDTH; k++)
+            point(&out->nodes[i].child[k], leaves);
+    for (i = 0; i < out->frame_count; i++)
+        point(&out->frames[i].root, leaves);
+    share_work(in->threads, BVH_PARTS, fill_part, &w);
     return true;
 }
 

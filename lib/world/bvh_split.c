@@ -1,9 +1,13 @@
 #include "world/bvh_build.h"
 
+#include "base/share.h"
+
 #include <float.h>
 #include <string.h>
 
-enum { BINS = 16 };
+/* A range of many references is looked through in parts. Smallest and largest values and counts do not depend on how
+ * they are put together. */
+enum { BINS = 16, PARTS = 32, PARTS_FROM = 1 << 16 };
 
 /* Four lanes, so that a box is two vectors; the fourth means nothing. */
 typedef struct bin { float lo[4], hi[4]; uint32_t count; } bin;
@@ -56,27 +60,66 @@ static float area_of(const float *lo, const float *hi)
     return x * y + y * z + z * x;
 }
 
-void bvh_range_measure(bvh_range *r, const bvh_ref *refs)
+typedef struct extent { bin box, centres; } extent;
+
+static void extend(extent *e, const bvh_ref *refs, uint32_t begin, uint32_t end)
 {
-    bin box, centres;
     uint32_t i;
     int k;
 
-    bin_clear(&box);
-    bin_clear(&centres);
-    for (i = r->begin; i < r->end; i++) {
+    bin_clear(&e->box);
+    bin_clear(&e->centres);
+    for (i = begin; i < end; i++) {
         vectors v = vectors_of(&refs[i]);
         float c[4];
-        bin_add(&box, v.lo, v.hi, 1);
+        bin_add(&e->box, v.lo, v.hi, 1);
         for (k = 0; k < 4; k++)
             c[k] = v.lo[k] + v.hi[k];
-        bin_add(&centres, c, c, 1);
+        bin_add(&e->centres, c, c, 1);
     }
+}
+
+typedef struct extent_work { const bvh_range *range; const bvh_ref *refs; extent parts[PARTS]; } extent_work;
+
+static void extend_part(void *user, uint32_t i, int hand)
+{
+    extent_work *w = user;
+    uint32_t n = bvh_range_count(w->range), begin = w->range->begin;
+
+    (void)hand;
+    extend(&w->parts[i], w->refs, begin + share_begin(n, PARTS, i), begin + share_begin(n, PARTS, i + 1));
+}
+
+static extent extent_of(const bvh_range *r, const bvh_ref *refs, int threads)
+{
+    extent_work w;
+    extent all;
+    int i;
+
+    if (threads <= 1 || bvh_range_count(r) < PARTS_FROM) {
+        extend(&all, refs, r->begin, r->end);
+        return all;
+    }
+    w.range = r;
+    w.refs = refs;
+    share_work(threads, PARTS, extend_part, &w);
+    for (all = w.parts[0], i = 1; i < PARTS; i++) {
+        bin_add(&all.box, w.parts[i].box.lo, w.parts[i].box.hi, w.parts[i].box.count);
+        bin_add(&all.centres, w.parts[i].centres.lo, w.parts[i].centres.hi, w.parts[i].centres.count);
+    }
+    return all;
+}
+
+void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads)
+{
+    extent e = extent_of(r, refs, threads);
+    int k;
+
     for (k = 0; k < 3; k++) {
-        r->lo[k] = box.lo[k];
-        r->hi[k] = box.hi[k];
-        r->centre_lo[k] = centres.lo[k];
-        r->centre_hi[k] = centres.hi[k];
+        r->lo[k] = e.box.lo[k];
+        r->hi[k] = e.box.hi[k];
+        r->centre_lo[k] = e.centres.lo[k];
+        r->centre_hi[k] = e.centres.hi[k];
     }
     r->area = area_of(r->lo, r->hi);
     r->is_leaf = false;
@@ -126,30 +169,78 @@ static void weigh(const bin *bins, bool count_blocks, int axis, float base, floa
     }
 }
 
-static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks)
+/* Bins along the three axes. */
+typedef struct histogram { bin at[3][BINS]; } histogram;
+
+static void sort_into(histogram *h, const bvh_range *r, const float *factor, const bvh_ref *refs, uint32_t begin,
+                      uint32_t end)
 {
-    bin bins[3][BINS];
-    float factor[3];
-    cut best = { -1, 0, 0.0f, 0.0f, FLT_MAX };
     uint32_t i;
     int k, j;
 
-    for (k = 0; k < 3; k++) {
-        float extent = r->centre_hi[k] - r->centre_lo[k];
-        /* Just below the number of bins, so that the last centre falls into the last of them. Where all centres are
-         * the same, or nearly so against the frame, all fall into the first, and nothing separates there. */
-        factor[k] = extent > 1e-30f ? (float)BINS * 0.9999f / extent : 0.0f;
+    for (k = 0; k < 3; k++)
         for (j = 0; j < BINS; j++)
-            bin_clear(&bins[k][j]);
-    }
-    for (i = r->begin; i < r->end; i++) {
+            bin_clear(&h->at[k][j]);
+    for (i = begin; i < end; i++) {
         vectors v = vectors_of(&refs[i]);
         for (k = 0; k < 3; k++)
-            bin_add(&bins[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], v.lo, v.hi, 1);
+            bin_add(&h->at[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], v.lo, v.hi, 1);
     }
+}
+
+typedef struct histogram_work {
+    const bvh_range *range;
+    const bvh_ref *refs;
+    const float *factor;
+    histogram parts[PARTS];
+} histogram_work;
+
+static void sort_part(void *user, uint32_t i, int hand)
+{
+    histogram_work *w = user;
+    uint32_t n = bvh_range_count(w->range), begin = w->range->begin;
+
+    (void)hand;
+    sort_into(&w->parts[i], w->range, w->factor, w->refs, begin + share_begin(n, PARTS, i),
+              begin + share_begin(n, PARTS, i + 1));
+}
+
+static void sort_together(histogram *all, const bvh_range *r, const float *factor, const bvh_ref *refs, int threads)
+{
+    histogram_work w;
+    int i, k, j;
+
+    w.range = r;
+    w.refs = refs;
+    w.factor = factor;
+    share_work(threads, PARTS, sort_part, &w);
+    *all = w.parts[0];
+    for (i = 1; i < PARTS; i++)
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < BINS; j++)
+                bin_add(&all->at[k][j], w.parts[i].at[k][j].lo, w.parts[i].at[k][j].hi, w.parts[i].at[k][j].count);
+}
+
+static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, int threads)
+{
+    histogram bins;
+    float factor[3];
+    cut best = { -1, 0, 0.0f, 0.0f, FLT_MAX };
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        float wide = r->centre_hi[k] - r->centre_lo[k];
+        /* Just below the number of bins, so that the last centre falls into the last of them. Where all centres are
+         * the same, or nearly so against the frame, all fall into the first, and nothing separates there. */
+        factor[k] = wide > 1e-30f ? (float)BINS * 0.9999f / wide : 0.0f;
+    }
+    if (threads > 1 && bvh_range_count(r) >= PARTS_FROM)
+        sort_together(&bins, r, factor, refs, threads);
+    else
+        sort_into(&bins, r, factor, refs, r->begin, r->end);
     for (k = 0; k < 3; k++)
         if (factor[k] > 0.0f)
-            weigh(bins[k], count_blocks, k, r->centre_lo[k], factor[k], &best);
+            weigh(bins.at[k], count_blocks, k, r->centre_lo[k], factor[k], &best);
     return best;
 }
 
@@ -169,7 +260,7 @@ static uint32_t partition(bvh_ref *refs, uint32_t begin, uint32_t end, const cut
     }
 }
 
-static void divide(const bvh_range *r, const bvh_ref *refs, uint32_t middle, bvh_range *a, bvh_range *b)
+static void divide(const bvh_range *r, const bvh_ref *refs, uint32_t middle, int threads, bvh_range *a, bvh_range *b)
 {
     uint32_t begin = r->begin, end = r->end;   /* a or b may be r itself */
 
@@ -177,21 +268,21 @@ static void divide(const bvh_range *r, const bvh_ref *refs, uint32_t middle, bvh
     a->end = middle;
     b->begin = middle;
     b->end = end;
-    bvh_range_measure(a, refs);
-    bvh_range_measure(b, refs);
+    bvh_range_measure(a, refs, threads);
+    bvh_range_measure(b, refs, threads);
 }
 
 void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range *b)
 {
-    divide(r, refs, r->begin + bvh_range_count(r) / 2, a, b);
+    divide(r, refs, r->begin + bvh_range_count(r) / 2, 1, a, b);
 }
 
-void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, bvh_range *a, bvh_range *b)
+void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, int threads, bvh_range *a, bvh_range *b)
 {
-    cut best = find_cut(r, refs, count_blocks);
+    cut best = find_cut(r, refs, count_blocks, threads);
 
     if (best.axis < 0)
         bvh_halve(r, refs, a, b);
     else
-        divide(r, refs, partition(refs, r->begin, r->end, &best), a, b);
+        divide(r, refs, partition(refs, r->begin, r->end, &best), threads, a, b);
 }

@@ -1,13 +1,58 @@
 #include "world/flatten.h"
 
 #include "base/err.h"
+#include "base/vec.h"
 
 #include <string.h>
 
-/* Instances and placements are told apart by these. */
-enum { INSTANCE_ALIGN = 32, MOST_GROUPS = 0xffff };
+/* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on the stack;
+ * a larger class's copy is made where it would stay. */
+enum { INSTANCE_ALIGN = 32, ROOM = 1024, MOST_CLASSES = 0x7fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
+/* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones are marked until the
+ * lists are made. */
+enum { ALONE, PACKS, PLACED, KINDS, INFINITE = 0x8000 };
 /* Beyond this, squares of lengths come near the end of the range of double: such an object is asked apart. */
 static const double largest_coordinate = 1e150;
+
+/* ---- parts of the scene, for one thread each ---- */
+
+typedef struct part {
+    pov_status status;
+    uint32_t failed;             /* the first object that has no inverse */
+    uint32_t finite, infinite;
+    pov_box bounds;
+    size_t absorbed, composed, packed;
+} part;
+
+typedef struct class_list { const pov_shape_class **items; size_t count, capacity; } class_list;
+
+typedef struct survey {
+    flat *f;
+    class_list classes;
+    part *parts;
+    uint32_t part_count;
+    bool use_blocks;
+} survey;
+
+/* Works on one part. */
+typedef struct maker {
+    const survey *survey;
+    flat *f;
+    part *part;
+    arena *staging, *kept;
+    size_t class_index;
+    const pov_shape_class *scratch_shape;
+    void *scratch;               /* a block of that class */
+    const transform *list;       /* what `map` was composed of: many objects in a row may share it */
+    pov_affine map;
+} maker;
+
+typedef struct room { unsigned char bytes[ROOM + INSTANCE_ALIGN]; } room;
+
+static void *aligned(room *r)
+{
+    return r->bytes + (-(uintptr_t)r->bytes & (INSTANCE_ALIGN - 1));
+}
 
 static uint32_t stride_of(const pov_shape_class *shape)
 {
@@ -15,332 +60,346 @@ static uint32_t stride_of(const pov_shape_class *shape)
     return (uint32_t)((bytes + INSTANCE_ALIGN - 1) / INSTANCE_ALIGN * INSTANCE_ALIGN);
 }
 
-/* ---- groups ---- */
-
-/* Index of the group, made if new; negative: no memory, or too many. */
-static int find_group(flat *f, const pov_shape_class *shape, bool placed, bool packs)
-{
-    shape_group fresh = { shape, placed, packs, 0, 0, stride_of(shape), NULL, NULL };
-    size_t i;
-
-    for (i = 0; i < f->group_count; i++)
-        if (f->groups[i].shape == shape && f->groups[i].placed == placed && f->groups[i].packs == packs)
-            return (int)i;
-    if (f->group_count == f->group_capacity) {
-        size_t wanted = f->group_capacity ? 2 * f->group_capacity : 8;
-        shape_group *grown = env_resize(f->env, f->groups, wanted, sizeof *grown);
-        bool *packed;
-        if (!grown)
-            return -1;
-        f->groups = grown;
-        packed = env_resize(f->env, f->packs, wanted, sizeof *packed);
-        if (!packed)
-            return -1;
-        f->packs = packed;
-        f->group_capacity = wanted;
-    }
-    if (f->group_count >= MOST_GROUPS)
-        return -1;
-    f->packs[f->group_count] = packs;
-    f->groups[f->group_count] = fresh;
-    return (int)f->group_count++;
-}
-
-/* Would a block take this shape? Tried with it alone, in scratch memory. */
-static bool takes(const pov_shape_class *shape, const void *instance, void *scratch)
-{
-    return shape->block_pack(scratch, &instance, 1);
-}
-
-static bool has_blocks(const pov_shape_class *shape)
-{
-    return shape->block_size > 0 && shape->block_pack && shape->block_filter;
-}
-
-/* ---- one object ---- */
-
-typedef struct maker {
-    flat *f;
-    bool use_blocks;
-    const transform *list;       /* what `map` was composed of: many objects in a row may share it */
-    pov_affine map;
-    const pov_shape_class *scratch_shape;
-    void *scratch;               /* a block of that class */
-} maker;
-
 static bool is_finite_box(const pov_box *b)
 {
     return b->lo.x <= b->hi.x && b->lo.y <= b->hi.y && b->lo.z <= b->hi.z &&
            pov_largest(b->lo) <= largest_coordinate && pov_largest(b->hi) <= largest_coordinate;
 }
 
-static pov_status compose(maker *k, const object *o, pov_error *err)
+/* ---- one object ---- */
+
+static pov_status compose(maker *k, const object *o)
 {
     if (o->map == k->list)
         return POV_OK;
     k->list = NULL;
     if (!transform_compose(o->map, &k->map))
-        return err_set(err, POV_E_SYNTAX, "the transformation of the %s in line %u has no inverse", o->shape->keyword,
-                       (unsigned)o->line);
+        return POV_E_SYNTAX;
     k->list = o->map;
     return POV_OK;
 }
 
-/* Let a copy take the transformation in. *done: it has. */
-static pov_status absorb(maker *k, const object *o, flat_shape *s, bool *done, pov_error *err)
+/* Let a copy take the transformation in: *out, or NULL if it cannot. */
+static pov_status absorb(maker *k, const object *o, const void **out)
 {
-    void *copy;
+    size_t bytes = o->shape->instance_size;
+    room here;
+    void *trial = bytes <= ROOM ? aligned(&here) : arena_alloc(k->staging, bytes, INSTANCE_ALIGN), *copy = trial;
 
-    *done = false;
-    if (!o->shape->absorb)
+    *out = NULL;
+    if (!trial)
+        return POV_E_MEMORY;
+    memcpy(trial, o->instance, bytes);
+    if (!o->shape->absorb(trial, &k->map))
         return POV_OK;
-    copy = arena_alloc(&k->f->staging, stride_of(o->shape), INSTANCE_ALIGN);
-    if (!copy)
-        return err_memory(err);
-    memcpy(copy, o->instance, o->shape->instance_size);
-    *done = o->shape->absorb(copy, &k->map);
-    if (*done)
-        s->instance = copy;
-    k->f->absorbed += *done;
+    if (bytes <= ROOM) {
+        copy = arena_alloc(k->staging, bytes, INSTANCE_ALIGN);
+        if (!copy)
+            return POV_E_MEMORY;
+        memcpy(copy, trial, bytes);
+    }
+    *out = copy;
     return POV_OK;
 }
 
-/* Take the transformation into the shape, or place it; *finite says whether *box is set. */
-static pov_status place(maker *k, const object *o, flat_shape *s, pov_box *box, bool *finite, pov_error *err)
+/* A place of its own for a shape that stays as it was written. */
+static pov_status place(maker *k, const object *o, uint32_t index, bool *finite)
 {
-    pov_status status = POV_OK;
-    bool done = true;
-    pov_box own;
+    shape_place *s = &k->f->mapped[index];
+    pov_box own, *box = &k->f->boxes[index];
+    placement *p = arena_alloc(k->kept, sizeof *p, sizeof(double));
 
+    if (!p)
+        return POV_E_MEMORY;
     s->instance = o->instance;
-    if (o->map)
-        status = compose(k, o, err);
-    if (o->map && status == POV_OK)
-        status = absorb(k, o, s, &done, err);
-    if (status < 0)
-        return status;
-    if (done) {
-        *finite = o->shape->bounds(s->instance, box) && is_finite_box(box);
-        return POV_OK;
-    }
-    k->f->composed++;
+    s->placement = p;
     *finite = o->shape->bounds(s->instance, &own) && is_finite_box(&own);
     if (*finite) {
         placement_box(&k->map, &own, box);
         *finite = is_finite_box(box);
     }
-    s->placement = arena_alloc(&k->f->staging, sizeof *s->placement, INSTANCE_ALIGN);
-    if (!s->placement)
-        return err_memory(err);
-    placement_init(s->placement, &k->map, *finite ? box : NULL);
+    placement_init(p, &k->map, *finite ? box : NULL);
+    k->part->composed++;
     return POV_OK;
 }
 
-static pov_status set_scratch(maker *k, const pov_shape_class *shape, pov_error *err)
+/* Take the transformation into the shape, or place it. */
+static pov_status move(maker *k, const object *o, uint32_t index, bool *finite)
 {
-    if (shape == k->scratch_shape)
-        return POV_OK;
-    k->scratch_shape = NULL;
-    k->scratch = arena_alloc(&k->f->staging, shape->block_size, 64);
-    if (!k->scratch)
-        return err_memory(err);
-    k->scratch_shape = shape;
+    shape_place *s = &k->f->mapped[index];
+    pov_status status = compose(k, o);
+
+    if (status == POV_OK && o->shape->absorb)
+        status = absorb(k, o, &s->instance);
+    if (status < 0)
+        return status;
+    if (!s->instance)
+        return place(k, o, index, finite);
+    k->part->absorbed++;
+    *finite = o->shape->bounds(s->instance, &k->f->boxes[index]) && is_finite_box(&k->f->boxes[index]);
     return POV_OK;
 }
 
-static pov_status flatten_one(maker *k, uint32_t index, pov_error *err)
+/* Would a block take this shape? Tried with it alone, in scratch memory. */
+static pov_status try_block(maker *k, const pov_shape_class *shape, const void *instance, bool *takes)
+{
+    if (shape != k->scratch_shape) {
+        k->scratch_shape = NULL;
+        k->scratch = arena_alloc(k->staging, shape->block_size, 64);
+        if (!k->scratch)
+            return POV_E_MEMORY;
+        k->scratch_shape = shape;
+    }
+    *takes = shape->block_pack(k->scratch, &instance, 1);
+    return POV_OK;
+}
+
+static void join(pov_box *all, const pov_box *b)
+{
+    all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
+    all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
+}
+
+static size_t find_class(maker *k, const pov_shape_class *shape)
+{
+    const class_list *all = &k->survey->classes;
+
+    if (all->items[k->class_index] != shape)
+        for (k->class_index = 0; all->items[k->class_index] != shape; k->class_index++)
+            continue;
+    return k->class_index;
+}
+
+static pov_status flatten_one(maker *k, uint32_t index)
 {
     flat *f = k->f;
     const object *o = &f->model->objects.items[index];
-    flat_shape *s = &f->shapes[index];
-    bool finite, packs = false;
-    pov_status status;
-    int group;
+    const pov_shape_class *shape = o->shape;
+    const void *instance = o->instance;
+    bool finite, packs = false, placed = false;
+    pov_status status = POV_OK;
+    pov_box own, *box = &own;
 
-    status = place(k, o, s, &f->boxes[index], &finite, err);
-    if (status < 0)
-        return status;
-    if (finite && k->use_blocks && !s->placement && has_blocks(o->shape)) {
-        status = set_scratch(k, o->shape, err);
+    if (o->map) {
+        status = move(k, o, index, &finite);
         if (status < 0)
             return status;
-        packs = takes(o->shape, s->instance, k->scratch);
+        box = &f->boxes[index];
+        instance = f->mapped[index].instance;
+        placed = f->mapped[index].placement != NULL;
+    } else {
+        finite = shape->bounds(instance, box) && is_finite_box(box);
     }
-    group = find_group(f, o->shape, s->placement != NULL, packs);
-    if (group < 0)
-        return err_memory(err);
-    f->group[index] = (uint16_t)group;
-    f->groups[group].count++;
-    f->packed += packs;
-    if (finite)
-        f->finite[f->finite_count++] = index;
-    else
-        f->infinite[f->infinite_count++] = index;
-    return POV_OK;
-}
-
-/* ---- all ---- */
-
-pov_status flatten(flat *f, const model *m, bool use_blocks, pov_error *err)
-{
-    size_t n = m->objects.count;
-    maker k;
-    pov_status status = POV_OK;
-    uint32_t i;
-
-    memset(f, 0, sizeof *f);
-    memset(&k, 0, sizeof k);
-    k.f = f;
-    k.use_blocks = use_blocks;
-    f->env = m->env;
-    f->model = m;
-    arena_init(&f->staging, m->env);
-    f->shapes = env_alloc(f->env, n, sizeof *f->shapes);
-    f->boxes = env_alloc(f->env, n, sizeof *f->boxes);
-    f->group = env_alloc(f->env, n, sizeof *f->group);
-    f->finite = env_alloc(f->env, n, sizeof *f->finite);
-    f->infinite = env_alloc(f->env, n, sizeof *f->infinite);
-    if (!f->shapes || !f->boxes || !f->group || !f->finite || !f->infinite)
-        status = err_memory(err);
-    for (i = 0; status == POV_OK && i < n; i++)
-        status = flatten_one(&k, i, err);
-    if (status < 0) {
-        groups_free(f->env, f->groups, f->group_count);
-        f->groups = NULL;
-        flat_free(f);
+    if (finite && k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
+        status = try_block(k, shape, instance, &packs);
+    f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
+    k->part->packed += packs;
+    if (finite && k->part->finite++ == 0)
+        k->part->bounds = *box;
+    else if (finite)
+        join(&k->part->bounds, box);
+    if (!finite) {
+        f->group[index] |= INFINITE;
+        k->part->infinite++;
     }
     return status;
 }
 
-bool flat_allocate(flat *f)
+static void flatten_part(void *user, uint32_t which, int hand)
 {
-    size_t i;
+    survey *s = user;
+    uint32_t n = (uint32_t)s->f->model->objects.count, i = share_begin(n, s->part_count, which);
+    uint32_t end = share_begin(n, s->part_count, which + 1);
+    part *p = &s->parts[which];
+    maker k;
 
-    for (i = 0; i < f->group_count; i++) {
-        shape_group *g = &f->groups[i];
-        g->instances = env_alloc_aligned(f->env, (size_t)g->count * g->stride, 64);
-        if (!g->instances)
+    memset(&k, 0, offsetof(maker, map));
+    k.survey = s;
+    k.f = s->f;
+    k.part = p;
+    k.staging = &s->f->staging[hand];
+    k.kept = &s->f->kept[hand];
+    for (; i < end && p->status == POV_OK; i++) {
+        p->status = flatten_one(&k, i);
+        p->failed = i;
+    }
+}
+
+/* ---- all of them ---- */
+
+static bool find_classes(survey *s, bool *any_map)
+{
+    const object_list *all = &s->f->model->objects;
+    const pov_shape_class *last = NULL;
+    size_t i, k;
+
+    *any_map = false;
+    for (i = 0; i < all->count; i++) {
+        *any_map = *any_map || all->items[i].map;
+        if (all->items[i].shape == last)
+            continue;
+        last = all->items[i].shape;
+        for (k = 0; k < s->classes.count && s->classes.items[k] != last; k++)
+            continue;
+        if (k == s->classes.count && (k == MOST_CLASSES || !VEC_PUSH(s->f->env, &s->classes, last)))
             return false;
-        if (g->placed) {
-            g->placements = env_alloc_aligned(f->env, g->count * sizeof *g->placements, 64);
-            if (!g->placements)
-                return false;
-        }
     }
     return true;
 }
 
-void groups_free(const env *e, shape_group *groups, size_t count)
+static arena *make_arenas(const env *e, int count)
+{
+    arena *arenas = env_alloc(e, (size_t)count, sizeof *arenas);
+    int i;
+
+    for (i = 0; arenas && i < count; i++)
+        arena_init(&arenas[i], e);
+    return arenas;
+}
+
+static bool allocate(survey *s, bool any_map)
+{
+    flat *f = s->f;
+    size_t n = f->model->objects.count;
+
+    s->part_count = (uint32_t)(n / PART_LEAST < 1 ? 1 : n / PART_LEAST > PARTS_MOST ? PARTS_MOST : n / PART_LEAST);
+    s->parts = env_alloc(f->env, s->part_count, sizeof *s->parts);
+    f->staging = make_arenas(f->env, f->threads);
+    f->kept = make_arenas(f->env, f->threads);
+    f->group = env_alloc(f->env, n, sizeof *f->group);
+    if (any_map) {
+        f->mapped = env_alloc(f->env, n, sizeof *f->mapped);
+        f->boxes = env_alloc(f->env, n, sizeof *f->boxes);
+    }
+    return s->parts && f->staging && f->kept && f->group && (!any_map || (f->mapped && f->boxes));
+}
+
+/* The parts' counts together, or the first part's failure. */
+static pov_status add_up(survey *s, pov_error *err)
+{
+    flat *f = s->f;
+    uint32_t i;
+
+    for (i = 0; i < s->part_count; i++) {
+        const part *p = &s->parts[i];
+        const object *o = &f->model->objects.items[p->failed];
+        if (p->status == POV_E_MEMORY)
+            return err_memory(err);
+        if (p->status < 0)
+            return err_set(err, p->status, "the transformation of the %s in line %u has no inverse", o->shape->keyword,
+                           (unsigned)o->line);
+        if (p->finite > 0 && f->finite_count == 0)
+            f->bounds = p->bounds;
+        else if (p->finite > 0)
+            join(&f->bounds, &p->bounds);
+        f->finite_count += p->finite;
+        f->infinite_count += p->infinite;
+        f->absorbed += p->absorbed;
+        f->composed += p->composed;
+        f->packed += p->packed;
+    }
+    return POV_OK;
+}
+
+/* The groups that have members, in the order in which the scene first names one. */
+static bool make_groups(survey *s)
+{
+    flat *f = s->f;
+    size_t n = f->model->objects.count, most = KINDS * s->classes.count, i;
+    uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not met yet */
+    uint32_t finite = 0, infinite = 0;
+
+    f->groups = env_alloc(f->env, most, sizeof *f->groups);
+    f->packs = env_alloc(f->env, most, sizeof *f->packs);
+    f->finite = env_alloc(f->env, f->finite_count, sizeof *f->finite);
+    f->infinite = env_alloc(f->env, f->infinite_count, sizeof *f->infinite);
+    for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && i < n; i++) {
+        unsigned mark = f->group[i], old = mark & ~(unsigned)INFINITE;
+        if (!name[old]) {
+            const pov_shape_class *shape = s->classes.items[old / KINDS];
+            shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, 0, stride_of(shape), NULL };
+            f->packs[f->group_count] = fresh.packs;
+            f->groups[f->group_count] = fresh;
+            name[old] = (uint16_t)++f->group_count;
+        }
+        f->group[i] = (uint16_t)(name[old] - 1);
+        f->groups[f->group[i]].count++;
+        if (mark & INFINITE)
+            f->infinite[infinite++] = (uint32_t)i;
+        else
+            f->finite[finite++] = (uint32_t)i;
+    }
+    env_free(f->env, name);
+    return f->groups && f->packs && f->finite && f->infinite && i == n;
+}
+
+pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err)
+{
+    survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
+    pov_status status = POV_OK;
+    bool any_map;
+
+    memset(f, 0, sizeof *f);
+    f->env = m->env;
+    f->model = m;
+    f->threads = threads;
+    if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
+        status = err_memory(err);
+    if (status == POV_OK) {
+        share_work(threads, s.part_count, flatten_part, &s);
+        status = add_up(&s, err);
+    }
+    if (status == POV_OK && !make_groups(&s))
+        status = err_memory(err);
+    env_free(f->env, s.classes.items);
+    env_free(f->env, s.parts);
+    return status;
+}
+
+void flat_box(const flat *f, uint32_t index, pov_box *out)
+{
+    const object *o = &f->model->objects.items[index];
+
+    if (o->map)
+        *out = f->boxes[index];
+    else
+        o->shape->bounds(o->instance, out);
+}
+
+void flat_drop_boxes(flat *f)
+{
+    env_free(f->env, f->boxes);
+    f->boxes = NULL;
+}
+
+void flat_free_arenas(const env *e, arena *arenas, int count)
+{
+    int i;
+
+    for (i = 0; arenas && i < count; i++)
+        arena_free(&arenas[i]);
+    env_free(e, arenas);
+}
+
+void flat_free_groups(const env *e, shape_group *groups, size_t count)
 {
     size_t i;
 
-    for (i = 0; i < count; i++) {
+    for (i = 0; groups && i < count; i++)
         env_free_aligned(e, groups[i].instances);
-        env_free_aligned(e, groups[i].placements);
-    }
     env_free(e, groups);
 }
 
 void flat_free(flat *f)
 {
-    arena_free(&f->staging);
-    env_free(f->env, f->shapes);
+    flat_free_arenas(f->env, f->staging, f->threads);
+    flat_free_arenas(f->env, f->kept, f->threads);
+    flat_free_groups(f->env, f->groups, f->group_count);
+    env_free(f->env, f->mapped);
     env_free(f->env, f->boxes);
     env_free(f->env, f->group);
     env_free(f->env, f->packs);
     env_free(f->env, f->finite);
     env_free(f->env, f->infinite);
     memset(f, 0, sizeof *f);
-}
-
-/* ---- runs ---- */
-
-static bool comes_before(const flat *f, uint32_t a, uint32_t b)
-{
-    return f->group[a] != f->group[b] ? f->group[a] < f->group[b] : a < b;
-}
-
-/* By group, then by object: few in a leaf, and nearly in order in a list. */
-static void put_in_order(const flat *f, uint32_t *ids, uint32_t count)
-{
-    uint32_t gap, i, j;
-
-    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
-        ;
-    for (; gap > 0; gap /= 3)
-        for (i = gap; i < count; i++) {
-            uint32_t id = ids[i];
-            for (j = i; j >= gap && comes_before(f, id, ids[j - gap]); j -= gap)
-                ids[j] = ids[j - gap];
-            ids[j] = id;
-        }
-}
-
-/* How many from the front make one run. */
-static uint32_t run_length(const flat *f, const uint32_t *ids, uint32_t count)
-{
-    uint32_t n = 1;
-
-    while (n < count && n < RUN_WIDTH && f->group[ids[n]] == f->group[ids[0]])
-        n++;
-    return n;
-}
-
-size_t flat_runs_size(flat *f, uint32_t *ids, uint32_t count)
-{
-    size_t bytes = 0;
-    uint32_t n;
-
-    put_in_order(f, ids, count);
-    for (; count > 0; ids += n, count -= n) {
-        const shape_group *g = &f->groups[f->group[ids[0]]];
-        n = run_length(f, ids, count);
-        bytes += run_bytes(g->shape, g->packs);
-    }
-    return bytes;
-}
-
-static void fill_run(flat *f, const uint32_t *ids, uint32_t count, shape_place *places, run *r)
-{
-    shape_group *g = &f->groups[f->group[ids[0]]];
-    const void *selves[RUN_WIDTH];
-    uint32_t i;
-
-    r->shape = g->shape;
-    r->stride = g->stride;
-    r->instances = g->instances + (size_t)g->used * g->stride;
-    r->placements = g->placed ? g->placements + g->used : NULL;
-    r->count = (uint8_t)count;
-    r->flags = g->packs ? RUN_ROOM : 0;
-    for (i = 0; i < count; i++, g->used++) {
-        const object *o = &f->model->objects.items[ids[i]];
-        unsigned char *instance = g->instances + (size_t)g->used * g->stride;
-        memcpy(instance, f->shapes[ids[i]].instance, g->shape->instance_size);
-        selves[i] = instance;
-        if (g->placed)
-            g->placements[g->used] = *f->shapes[ids[i]].placement;
-        places[ids[i]].instance = instance;
-        places[ids[i]].placement = g->placed ? &g->placements[g->used] : NULL;
-        r->object[i] = ids[i];
-        r->casts |= (uint8_t)(!(o->flags & OBJECT_NO_SHADOW) << i);
-        r->opaque |= (uint8_t)(!material_is_transparent(&f->model->materials.items[o->material]) << i);
-    }
-    if (g->packs && g->shape->block_pack((unsigned char *)r + RUN_HEAD, selves, count))
-        r->flags |= RUN_PACKED;
-}
-
-void flat_runs_fill(flat *f, uint32_t *ids, uint32_t count, shape_place *places, void *at)
-{
-    unsigned char *end = at;
-    uint32_t n;
-
-    put_in_order(f, ids, count);
-    for (; count > 0; ids += n, count -= n) {
-        run *r = (run *)(void *)end;
-        n = run_length(f, ids, count);
-        fill_run(f, ids, n, places, r);
-        if (n < count)
-            r->flags |= RUN_MORE;
-        end += run_bytes(r->shape, (r->flags & RUN_ROOM) != 0);
-    }
 }

@@ -1,12 +1,14 @@
-/* flatten.h - from a model's objects to shapes that lie side by side, as rays want them. */
+/* flatten.h - from a model's objects to shapes: which share what, where each stands, and what was made of its
+ * transformation. What rays want side by side is laid out by runs.c. */
 #ifndef WORLD_FLATTEN_H
 #define WORLD_FLATTEN_H
 
 #include "base/arena.h"
+#include "base/share.h"
 #include "model/model.h"
 #include "world/run.h"
 
-/* Where an object's shape is, for what is asked once a hit. */
+/* Where an object's shape is. */
 typedef struct shape_place {
     const void *instance;
     const placement *placement;  /* NULL: own space is the world */
@@ -16,44 +18,38 @@ typedef struct shape_place {
 typedef struct shape_group {
     const pov_shape_class *shape;
     bool placed, packs;
-    uint32_t count, used;        /* of `used` the final place is given out */
+    uint32_t count;
     uint32_t stride;             /* bytes from instance to instance */
-    unsigned char *instances;
-    placement *placements;
+    unsigned char *instances;    /* of shapes that are not placed, in the order of the runs */
 } shape_group;
 
-/* All that is known of an object while the world is built. */
-typedef struct flat_shape {
-    const void *instance;        /* the model's; or a copy that has absorbed its transformation */
-    placement *placement;
-} flat_shape;
-
+/* What is known of a model's objects while the world is built. Arrays are by object. */
 typedef struct flat {
     const env *env;
     const model *model;
-    arena staging;               /* of what is copied again into its group */
-    flat_shape *shapes;          /* by object */
-    pov_box *boxes;              /* by object; of finite ones */
-    uint16_t *group;             /* by object: which one */
+    int threads;
+    arena *staging;              /* by thread: copies that have absorbed a transformation, until runs take them */
+    arena *kept;                 /* by thread: placements and their instances, which runs point to */
+    shape_place *mapped;         /* of those with a transformation; NULL: no object has one */
+    pov_box *boxes;              /* the same, of finite ones */
+    uint16_t *group;
     shape_group *groups;
     bool *packs;                 /* by group, as the tree wants it */
-    size_t group_count, group_capacity;
+    size_t group_count;
     uint32_t *finite, *infinite; /* objects, in the order of the scene */
     uint32_t finite_count, infinite_count;
+    pov_box bounds;              /* around the finite ones, if there are any */
     size_t absorbed, composed, packed;
 } flat;
 
-/* use_blocks: whether shapes may share blocks. On failure nothing is left behind. */
-pov_status flatten(flat *f, const model *m, bool use_blocks, pov_error *err);
-/* Memory for the groups' final arrays, which outlive the flat. */
-bool flat_allocate(flat *f);
-/* All but those arrays. */
+/* use_blocks: whether shapes may share blocks. What flat_free() frees is there after a failure too. */
+pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err);
+/* The box of a finite object, as flatten() saw it. Any thread. */
+void flat_box(const flat *f, uint32_t index, pov_box *out);
+/* Boxes are not asked for any more. */
+void flat_drop_boxes(flat *f);
 void flat_free(flat *f);
-void groups_free(const env *e, shape_group *groups, size_t count);
-
-/* How many bytes the runs of these objects take, and filling them in: instances are copied to their groups, and
- * places noted. ids are put in order. */
-size_t flat_runs_size(flat *f, uint32_t *ids, uint32_t count);
-void flat_runs_fill(flat *f, uint32_t *ids, uint32_t count, shape_place *places, void *at);
+void flat_free_groups(const env *e, shape_group *groups, size_t count);
+void flat_free_arenas(const env *e, arena *arenas, int count);
 
 #endif

@@ -3,7 +3,7 @@
 #define WORLD_PARTS_H
 
 #include "world/bvh_company.h"
-#include "world/flatten.h"
+#include "world/runs.h"
 #include "world/world.h"
 
 /* A solid with an interior. */
@@ -17,9 +17,13 @@ struct world {
     const env *env;
     const model *model;
     plan plan;
-    shape_place *places;         /* by object */
+    uint16_t *group;             /* by object, as the next two */
+    uint32_t *slot;              /* its place among the group's instances */
+    shape_place *mapped;         /* of objects of groups that are placed; NULL: there are none */
     shape_group *groups;
     size_t group_count;
+    arena *kept;                 /* of placements */
+    int kept_count;
     unsigned char *list_memory;
     const run *infinite;         /* asked for every ray; NULL: none */
     const run *list;             /* the finite ones when there is no tree; NULL: none */
@@ -52,5 +56,16 @@ void crossings_sort(pov_crossing *at, uint32_t count);
 bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour *through);
 /* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
 void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
+
+static inline shape_place world_place(const world *w, uint32_t index)
+{
+    const shape_group *g = &w->groups[w->group[index]];
+    shape_place p = { NULL, NULL };
+
+    if (g->placed)
+        return w->mapped[index];
+    p.instance = g->instances + (size_t)w->slot[index] * g->stride;
+    return p;
+}
 
 #endif

@@ -10,7 +10,7 @@ static pov_two along(double o, double o_lo, pov_two t, double d)
 void world_surface(const world *w, const pov_ray *ray, hit *h)
 {
     const object *o = &w->model->objects.items[h->object];
-    const shape_place *place = &w->places[h->object];
+    const shape_place place = world_place(w, h->object);
     pov_two t = pov_fast_two_sum(h->crossing.t, h->crossing.t_lo);
     pov_two3 p;
 
@@ -19,10 +19,10 @@ void world_surface(const world *w, const pov_ray *ray, hit *h)
     p.z = along(ray->org.z, ray->org_lo.z, t, ray->dir.z);
     h->point = pov_two3_hi(p);
     h->point_lo = pov_two3_lo(p);
-    if (place->placement)
-        placement_normal(place->placement, o->shape, place->instance, ray, &h->crossing, &h->normal);
+    if (place.placement)
+        placement_normal(place.placement, o->shape, place.instance, ray, &h->crossing, &h->normal);
     else
-        o->shape->normal(place->instance, ray, &h->crossing, &h->normal);
+        o->shape->normal(place.instance, ray, &h->crossing, &h->normal);
     if (o->flags & OBJECT_INVERSE)
         h->normal = pov_scale(h->normal, -1.0);
     h->entering = pov_dot(h->normal, ray->dir) < 0.0;
@@ -38,15 +38,15 @@ static bool is_within(const pov_box *b, pov_vec3 p)
 static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 point_lo)
 {
     const object *o = &w->model->objects.items[m->object];
-    const shape_place *place = &w->places[m->object];
+    const shape_place place = world_place(w, m->object);
     bool inside;
 
     if (m->boxed && !is_within(&m->box, point))
         return false;
-    if (place->placement)
-        inside = placement_inside(place->placement, o->shape, place->instance, point, point_lo);
+    if (place.placement)
+        inside = placement_inside(place.placement, o->shape, place.instance, point, point_lo);
     else
-        inside = o->shape->inside(place->instance, point, point_lo);
+        inside = o->shape->inside(place.instance, point, point_lo);
     return inside != ((o->flags & OBJECT_INVERSE) != 0);
 }
 

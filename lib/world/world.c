@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Scenes of fewer objects are compiled by the calling thread alone. */
+enum { THREADS_FROM = 10000 };
+
 /* ---- the plan's rows on objects and trees ---- */
 
 static pov_status explain_objects(world *w, const flat *f, pov_error *err)
@@ -83,7 +86,7 @@ static bool find_media(world *w, const flat *f)
     if (!w->media)
         return false;
     for (i = 0; i < all->count; i++) {
-        medium m = { (uint32_t)i, false, f->boxes[i] };
+        medium m = { .object = (uint32_t)i };
         if (plan_is_medium(w->model, &all->items[i]))
             w->media[w->media_count++] = m;
     }
@@ -93,6 +96,8 @@ static bool find_media(world *w, const flat *f)
             k++;
         w->media[i].boxed = k < f->finite_count && f->finite[k] == w->media[i].object &&
                             !(all->items[w->media[i].object].flags & OBJECT_INVERSE);
+        if (w->media[i].boxed)
+            flat_box(f, w->media[i].object, &w->media[i].box);
     }
     qsort(w->media, w->media_count, sizeof *w->media, compare_media);
     return true;
@@ -118,74 +123,96 @@ static bool is_tiny(const flat *f)
     return cost <= TREE_COST;
 }
 
-static bool make_lists(world *w, flat *f, bool with_finite)
-{
-    size_t first = f->infinite_count ? flat_runs_size(f, f->infinite, f->infinite_count) : 0, second = 0;
+/* The lists are the first part of the runs, the tree's parts follow. */
+enum { LIST_PART, TREE_PART };
 
-    if (with_finite && f->finite_count > 0)
-        second = flat_runs_size(f, f->finite, f->finite_count);
-    if (first + second == 0)
-        return true;
-    w->list_memory = env_alloc_aligned(w->env, first + second, 64);
-    if (!w->list_memory)
-        return false;
-    if (first > 0) {
-        flat_runs_fill(f, f->infinite, f->infinite_count, w->places, w->list_memory);
+static bool size_lists(world *w, runs *r, bool with_finite, size_t *first)
+{
+    const flat *f = r->flat;
+    size_t second = with_finite ? runs_size(r, LIST_PART, f->finite, f->finite_count) : 0;
+
+    *first = runs_size(r, LIST_PART, f->infinite, f->infinite_count);
+    if (*first + second > 0)
+        w->list_memory = env_reserve_aligned(w->env, *first + second, 64);
+    return w->list_memory || *first + second == 0;
+}
+
+static void fill_lists(world *w, runs *r, bool with_finite, size_t first)
+{
+    const flat *f = r->flat;
+
+    if (f->infinite_count > 0) {
+        runs_fill(r, LIST_PART, f->infinite, f->infinite_count, w->list_memory);
         w->infinite = (const run *)(const void *)w->list_memory;
     }
-    if (second > 0) {
-        flat_runs_fill(f, f->finite, f->finite_count, w->places, w->list_memory + first);
+    if (with_finite && f->finite_count > 0) {
+        runs_fill(r, LIST_PART, f->finite, f->finite_count, w->list_memory + first);
         w->list = (const run *)(const void *)(w->list_memory + first);
     }
-    return true;
 }
 
-typedef struct leaf_maker { world *world; flat *flat; } leaf_maker;
-
-static size_t leaf_size(void *user, uint32_t *ids, uint32_t count)
+static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count)
 {
-    leaf_maker *k = user;
-    return flat_runs_size(k->flat, ids, count);
+    return runs_size(user, TREE_PART + part, ids, count);
 }
 
-static void leaf_fill(void *user, uint32_t *ids, uint32_t count, void *at)
+static bool leaf_allocate(void *user)
 {
-    leaf_maker *k = user;
-    flat_runs_fill(k->flat, ids, count, k->world->places, at);
+    return runs_allocate(user);
 }
 
-static bool make_tree(world *w, flat *f, int threads)
+static void leaf_fill(void *user, uint32_t part, const uint32_t *ids, uint32_t count, void *at)
 {
-    leaf_maker k = { w, f };
+    runs_fill(user, TREE_PART + part, ids, count, at);
+}
+
+static void box_of(void *user, uint32_t id, pov_box *out)
+{
+    flat_box(user, id, out);
+}
+
+static void drop_boxes(void *user)
+{
+    flat_drop_boxes(user);
+}
+
+static bool make_tree(world *w, flat *f, runs *r)
+{
     bvh_input in = {
         .env = w->env,
-        .boxes = f->boxes,
+        .box = box_of,
+        .drop = drop_boxes,
+        .box_user = f,
+        .bounds = f->bounds,
         .ids = f->finite,
         .count = f->finite_count,
         .group = f->group,
         .packs = f->packs,
         .all_pack = f->packed == f->finite_count,
-        .threads = threads,
-        .leaves = { leaf_size, leaf_fill, &k },
+        .threads = f->threads,
+        .leaves = { leaf_size, leaf_allocate, leaf_fill, r },
     };
 
     w->has_tree = bvh_build(&w->tree, &in);
     return w->has_tree;
 }
 
-static void find_bounds(world *w, const flat *f)
+static bool lay_out(world *w, flat *f, bool tree)
 {
-    uint32_t i;
+    size_t first = 0;
+    bool done;
+    runs r;
 
-    w->has_bounds = f->finite_count > 0;
-    for (i = 0; i < f->finite_count; i++) {
-        const pov_box *b = &f->boxes[f->finite[i]];
-        pov_box *all = &w->bounds;
-        if (i == 0)
-            *all = *b;
-        all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
-        all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
+    done = runs_init(&r, f, TREE_PART + (tree ? BVH_PARTS : 0)) && size_lists(w, &r, !tree, &first) &&
+           (tree ? make_tree(w, f, &r) : runs_allocate(&r));
+    if (done)
+        fill_lists(w, &r, !tree, first);
+    if (done) {
+        w->slot = r.slot;
+        r.slot = NULL;
     }
+    runs_free(&r);
+    return done;
 }
 
 /* ---- all of it ---- */
@@ -195,35 +222,49 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
     bool tree = options->accel != POV_ACCEL_NONE && f->finite_count > 0 && !is_tiny(f);
 
     w->infinite_count = f->infinite_count;
-    w->places = env_alloc(w->env, w->model->objects.count, sizeof *w->places);
-    find_bounds(w, f);
-    if (!w->places || !find_media(w, f) || !flat_allocate(f))
-        return err_memory(err);
-    if (!make_lists(w, f, !tree) || (tree && !make_tree(w, f, options->threads)))
+    w->has_bounds = f->finite_count > 0;
+    w->bounds = f->bounds;
+    if (!find_media(w, f) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
+}
+
+/* What rays need stays with the world, the rest goes. */
+static void take_over(world *w, flat *f)
+{
+    w->groups = f->groups;
+    w->group_count = f->group_count;
+    w->group = f->group;
+    w->kept = f->kept;
+    w->kept_count = f->threads;
+    f->groups = NULL;
+    f->group = NULL;
+    f->kept = NULL;
+    if (f->composed > 0) {
+        w->mapped = f->mapped;
+        f->mapped = NULL;
+    }
 }
 
 static pov_status build(world *w, const world_options *options, pov_error *err)
 {
     bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
+    int threads = w->model->objects.count < THREADS_FROM ? 1 : share_threads(options->threads);
     pov_status status = plan_make(&w->plan, w->model, err);
     flat f;
 
     if (status == POV_OK)
         status = plan_add_plugins(&w->plan, w->model, options->plugins, err);
-    if (status == POV_OK)
-        status = flatten(&f, w->model, use_blocks, err);
     if (status < 0)
         return status;
-    status = compile(w, &f, options, err);
+    status = flatten(&f, w->model, use_blocks, threads, err);
+    if (status == POV_OK)
+        status = compile(w, &f, options, err);
     if (status == POV_OK)
         status = explain_objects(w, &f, err);
     if (status == POV_OK)
         status = explain_tree(w, &f, options->accel, err);
-    /* The groups' arrays stay with the world. */
-    w->groups = f.groups;
-    w->group_count = f.group_count;
+    take_over(w, &f);
     flat_free(&f);
     return status;
 }
@@ -255,10 +296,13 @@ void world_destroy(world *w)
 {
     if (!w)
         return;
-    groups_free(w->env, w->groups, w->group_count);
+    flat_free_groups(w->env, w->groups, w->group_count);
+    flat_free_arenas(w->env, w->kept, w->kept_count);
     bvh_free(&w->tree, w->env);
     env_free_aligned(w->env, w->list_memory);
-    env_free(w->env, w->places);
+    env_free(w->env, w->group);
+    env_free(w->env, w->slot);
+    env_free(w->env, w->mapped);
     env_free(w->env, w->media);
     plan_free(&w->plan);
     env_free(w->env, w);

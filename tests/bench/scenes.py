@@ -198,9 +198,27 @@ def pair(kind):
     return Scene((1.9, 1.5, -3.6), (0, 0, 0), 42, lights=lights[:2 if kind == 'light' else 1], objects=strew)
 
 
+def moved(kind):
+    """Unit spheres, each brought to its place: "even" ones keep their shape, others are stretched and turned."""
+    def make(count):
+        def strew():
+            draw = random.Random(count + 3).random
+            spacing = 2.0 / count ** (1.0 / 3.0)
+            for _ in range(count):
+                place = [2.0 * draw() - 1.0 for _ in range(3)]
+                size = [spacing * (0.15 + 0.3 * draw()) for _ in range(3)]
+                turn = [360.0 * draw() for _ in range(3)]
+                look = MATT[int(draw() * 6.0)].text()
+                change = '%.5g' % size[0] if kind == 'even' else '<%.5g,%.5g,%.5g> rotate <%.5g,%.5g,%.5g>' % (*size, *turn)
+                yield f'sphere {{ <0,0,0>, 1 {look} scale {change} translate {vector(place)} }}'
+        return Scene((1.9, 1.5, -3.6), (0, 0, 0), 42, objects=strew)
+    return make
+
+
 PAIRS = ('plain', 'mirror', 'filter', 'glass', 'moved', 'light')
 MAKERS = {'flake': (flake, 4), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000), 'rings': (rings, 14),
-          'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000)}
+          'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000),
+          'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000)}
 BENCH = ('flake-4', 'flake-6', 'spheres-1e2', 'spheres-1e4', 'spheres-1e5', 'spheres-1e6', 'mixed-1e2', 'mixed-1e4',
          'mixed-1e5', 'rings', 'tree', 'hall', 'glass', 'strip')
 

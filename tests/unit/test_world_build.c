@@ -115,7 +115,7 @@ static void visit(census *c, uint32_t at, uint32_t frame, const bvh_node *above,
             for (i = 0; i < r->count; i++) {
                 c->seen[r->object[i]]++;
                 assert_true(is_around(above_frame, above, place, &c->boxes[r->object[i]]));
-                assert_ptr_equal(c->world->places[r->object[i]].instance, run_instance(r, i));
+                assert_ptr_equal(world_place(c->world, r->object[i]).instance, run_instance(r, i));
             }
     }
 }
@@ -158,9 +158,9 @@ static void instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_mem
         test_add_ball(&m, somewhere(&r, 1.0), 0.05, 0);
     w = make(&m, POV_ACCEL_TREE, 1);
     for (i = 0; i < 500; i++)
-        assert_int_equal((uintptr_t)w->places[i].instance % 32, 0);
+        assert_int_equal((uintptr_t)world_place(w, (uint32_t)i).instance % 32, 0);
     assert_int_equal(w->group_count, 1);
-    assert_int_equal(w->groups[0].used, 500);
+    assert_int_equal(w->groups[0].count, 500);
     world_destroy(w);
     model_free(&m);
 }

@@ -1,0 +1,22 @@
+/* share.h - work in numbered parts, done by several threads at once. */
+#ifndef BASE_SHARE_H
+#define BASE_SHARE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { SHARE_MAX = 64 };         /* more threads than this are never used */
+
+/* Call part(user, i, hand) once for each i below count, in any order, on up to `threads` threads, the caller's among
+ * them. Calls of equal hand, a number below threads, never overlap. Fewer threads do it all when no more will start. */
+void share_work(int threads, uint32_t count, void (*part)(void *user, uint32_t i, int hand), void *user);
+/* Threads to use: `wanted`, or one a core where that is 0. */
+int share_threads(int wanted);
+
+/* Where the i-th of `parts` nearly equal parts of n begins; it ends where the next begins. */
+static inline uint32_t share_begin(uint32_t n, uint32_t parts, uint32_t i)
+{
+    return (uint32_t)((uint64_t)n * i / parts);
+}
+
+#endif

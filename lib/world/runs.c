@@ -1,0 +1,149 @@
+#include "world/runs.h"
+
+#include <string.h>
+
+bool runs_init(runs *r, flat *f, uint32_t parts)
+{
+    r->flat = f;
+    r->parts = parts;
+    r->at = env_alloc(f->env, parts, f->group_count * sizeof *r->at);
+    r->slot = env_alloc(f->env, f->model->objects.count, sizeof *r->slot);
+    return r->at && r->slot;
+}
+
+void runs_free(runs *r)
+{
+    env_free(r->flat->env, r->at);
+    env_free(r->flat->env, r->slot);
+    r->at = r->slot = NULL;
+}
+
+/* ---- sizes ---- */
+
+static bool comes_before(const flat *f, uint32_t a, uint32_t b)
+{
+    return f->group[a] != f->group[b] ? f->group[a] < f->group[b] : a < b;
+}
+
+/* By group, then by object: few in a leaf, and nearly in order in a list. */
+static void put_in_order(const flat *f, uint32_t *ids, uint32_t count)
+{
+    uint32_t gap, i, j;
+
+    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
+        ;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < count; i++) {
+            uint32_t id = ids[i];
+            for (j = i; j >= gap && comes_before(f, id, ids[j - gap]); j -= gap)
+                ids[j] = ids[j - gap];
+            ids[j] = id;
+        }
+}
+
+/* How many from the front make one run. Shapes with a placement stay where they are, so each makes its own. */
+static uint32_t run_length(const flat *f, const uint32_t *ids, uint32_t count)
+{
+    uint32_t n = 1;
+
+    if (f->groups[f->group[ids[0]]].placed)
+        return 1;
+    while (n < count && n < RUN_WIDTH && f->group[ids[n]] == f->group[ids[0]])
+        n++;
+    return n;
+}
+
+size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
+{
+    const flat *f = r->flat;
+    size_t bytes = 0;
+    uint32_t n;
+
+    put_in_order(f, ids, count);
+    for (; count > 0; ids += n, count -= n) {
+        const shape_group *g = &f->groups[f->group[ids[0]]];
+        n = run_length(f, ids, count);
+        r->at[part * f->group_count + f->group[ids[0]]] += n;
+        bytes += run_bytes(g->shape, g->packs);
+    }
+    return bytes;
+}
+
+bool runs_allocate(runs *r)
+{
+    flat *f = r->flat;
+    size_t g;
+    uint32_t part;
+
+    for (g = 0; g < f->group_count; g++) {
+        uint32_t all = 0;
+        for (part = 0; part < r->parts; part++) {
+            uint32_t *at = &r->at[part * f->group_count + g], n = *at;
+            *at = all;
+            all += n;
+        }
+        if (f->groups[g].placed)
+            continue;
+        f->groups[g].instances = env_reserve_aligned(f->env, (size_t)all * f->groups[g].stride, 64);
+        if (!f->groups[g].instances)
+            return false;
+    }
+    return true;
+}
+
+/* ---- filling ---- */
+
+/* Put the instance into its final place. */
+static const void *settle(runs *r, uint32_t id, uint32_t slot)
+{
+    const flat *f = r->flat;
+    const object *o = &f->model->objects.items[id];
+    const shape_group *g = &f->groups[f->group[id]];
+    unsigned char *instance = g->instances + (size_t)slot * g->stride;
+
+    memcpy(instance, o->map ? f->mapped[id].instance : o->instance, g->shape->instance_size);
+    r->slot[id] = slot;
+    return instance;
+}
+
+static void fill_run(runs *r, const uint32_t *ids, uint32_t count, uint32_t *at, run *out)
+{
+    const flat *f = r->flat;
+    const model *m = f->model;
+    const shape_group *g = &f->groups[f->group[ids[0]]];
+    const void *selves[RUN_WIDTH];
+    uint32_t i;
+
+    memset(out, 0, run_bytes(g->shape, g->packs));
+    out->shape = g->shape;
+    out->stride = g->stride;
+    out->count = (uint8_t)count;
+    out->flags = g->packs ? RUN_ROOM : 0;
+    for (i = 0; i < count; i++) {
+        const object *o = &m->objects.items[ids[i]];
+        selves[i] = g->placed ? f->mapped[ids[i]].instance : settle(r, ids[i], (*at)++);
+        out->object[i] = ids[i];
+        out->casts |= (uint8_t)(!(o->flags & OBJECT_NO_SHADOW) << i);
+        out->opaque |= (uint8_t)(!material_is_transparent(&m->materials.items[o->material]) << i);
+    }
+    out->instances = selves[0];
+    out->placements = g->placed ? f->mapped[ids[0]].placement : NULL;
+    if (g->packs && g->shape->block_pack((unsigned char *)out + RUN_HEAD, selves, count))
+        out->flags |= RUN_PACKED;
+}
+
+void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void *at)
+{
+    const flat *f = r->flat;
+    unsigned char *end = at;
+    uint32_t n;
+
+    for (; count > 0; ids += n, count -= n) {
+        run *out = (run *)(void *)end;
+        n = run_length(f, ids, count);
+        fill_run(r, ids, n, &r->at[part * f->group_count + f->group[ids[0]]], out);
+        if (n < count)
+            out->flags |= RUN_MORE;
+        end += run_bytes(out->shape, (out->flags & RUN_ROOM) != 0);
+    }
+}

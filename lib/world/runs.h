@@ -1,0 +1,26 @@
+/* runs.h - laying out what rays ask: runs of shapes, and instances side by side in the order of the runs.
+ *
+ * First every run's size is asked, then memory is found, then they are filled. Both passes go by parts, each of which
+ * may have a thread of its own; where things come to lie depends on the order of the parts only. */
+#ifndef WORLD_RUNS_H
+#define WORLD_RUNS_H
+
+#include "world/flatten.h"
+
+typedef struct runs {
+    flat *flat;
+    uint32_t parts;
+    uint32_t *at;                /* by part and group: how many instances; then the place of the next */
+    uint32_t *slot;              /* by object: its place in its group */
+} runs;
+
+bool runs_init(runs *r, flat *f, uint32_t parts);
+/* How many bytes the runs of these objects take. ids are put in order. */
+size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count);
+/* When all sizes have been asked: room for the instances. */
+bool runs_allocate(runs *r);
+/* The same objects in the same order within each part; memory need not be zeroed. */
+void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void *at);
+void runs_free(runs *r);
+
+#endif
