@@ -10,21 +10,21 @@ typedef bool lone_walk(bvh_walk *walk);
 /* Walk through the tree those that are told, in companies of one octant. Bit i: a leaf ended walk i. */
 static uint64_t walk_tree(query *q, uint64_t which, company_walk *together, lone_walk *alone)
 {
-    uint64_t ended = 0;
+    uint64_t of[8] = { 0 }, rest, ended = 0, over;
+    uint32_t octant, n, i;
 
-    while (which) {
-        uint32_t octant = bvh_octant(q[first_of64(which)].walk.ray), n = 0, i;
+    for (rest = which; rest; rest &= rest - 1) {
+        i = first_of64(rest);
+        of[bvh_octant(q[i].walk.ray)] |= (uint64_t)1 << i;
+    }
+    for (octant = 0; octant < 8; octant++) {
         uint8_t lane[WORLD_MANY];
         bvh_walk *walks[WORLD_MANY];
-        uint64_t rest = which, over;
 
-        for (; rest; rest &= rest - 1) {
-            i = first_of64(rest);
-            if (bvh_octant(q[i].walk.ray) != octant)
-                continue;
-            lane[n] = (uint8_t)i;
-            walks[n++] = &q[i].walk;
-            which &= ~((uint64_t)1 << i);
+        for (n = 0, rest = of[octant]; rest; rest &= rest - 1) {
+            lane[n] = (uint8_t)first_of64(rest);
+            walks[n] = &q[lane[n]].walk;
+            n++;
         }
         if (n >= COMPANY_LEAST)
             for (over = together(walks, n); over; over &= over - 1)

@@ -46,6 +46,20 @@ static inline bool kit_block_declines(const pov_ray *ray, double tmin, pov_block
     return true;
 }
 
+/* The lowest bit that is set; some must be. */
+static inline uint32_t kit_first_lane(uint32_t mask)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_ctz(mask);
+#else
+    uint32_t i = 0;
+
+    while (!(mask >> i & 1))
+        i++;
+    return i;
+#endif
+}
+
 static inline void kit_block_masks(const double *maybe, const double *surely, pov_block_answer *out)
 {
     uint32_t i;

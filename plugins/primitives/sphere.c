@@ -198,6 +198,7 @@ typedef struct sphere_block {
     double x[POV_BLOCK_MAX], y[POV_BLOCK_MAX], z[POV_BLOCK_MAX];
     double inner[POV_BLOCK_MAX], outer[POV_BLOCK_MAX]; /* the radius, less and more what centre and radius lost */
     double reach;   /* no centre is further from the origin, by sum of sizes */
+    int64_t lanes;  /* those that hold a sphere */
 } sphere_block;
 
 static bool block_pack(void *block, const void *const *selves, uint32_t n)
@@ -206,6 +207,7 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     uint32_t i;
 
     b->reach = 0.0;
+    b->lanes = (1 << n) - 1;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const sphere *s = selves[i < n ? i : 0];
         pov_vec3 c = pov_two3_hi(s->centre);
@@ -216,8 +218,8 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
         b->x[i] = c.x;
         b->y[i] = c.y;
         b->z[i] = c.z;
-        b->inner[i] = i < n ? s->radius.hi - lost : 0.0;
-        b->outer[i] = i < n ? s->radius.hi + lost : -1.0;   /* lanes without a sphere are never met */
+        b->inner[i] = s->radius.hi - lost;
+        b->outer[i] = s->radius.hi + lost;
         b->reach = fmax(b->reach, far);
     }
     return true;
@@ -255,6 +257,7 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
     const double a = pov_dot(d, d), inverse = 1.0 / a;
     const double slack = 18.0 * KIT_U * (fabs(o.x) + fabs(o.y) + fabs(o.z) + s->reach);
     double middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX], depth[POV_BLOCK_MAX], per_length;
+    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     int64_t met = 0;
     uint32_t i;
 
@@ -268,15 +271,17 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
         wz = z + middle[i] * d.z;
         ww[i] = wx * wx + wy * wy + wz * wz;
         depth[i] = outer * outer * (1.0 + 8.0 * KIT_U) - ww[i];
-        met |= depth[i] >= 0.0;
+        met |= depth[i] >= 0.0 ? bit[i] : 0;
     }
     out->maybe = out->surely = 0;
+    met &= s->lanes;
     if (!met)
         return;
     per_length = sqrt(inverse);
-    for (i = 0; i < POV_BLOCK_MAX; i++)
-        if (depth[i] >= 0.0 && s->outer[i] > 0.0)
-            bound_lane(s, i, middle[i], ww[i], slack, per_length, tmin, tmax, out);
+    for (; met; met &= met - 1) {
+        i = kit_first_lane((uint32_t)met);
+        bound_lane(s, i, middle[i], ww[i], slack, per_length, tmin, tmax, out);
+    }
 }
 
 static const pov_shape_class sphere_class = {
