@@ -109,7 +109,7 @@ static void colour_of(double part, float *rgba)
 
 typedef struct span { double low, high; } span;   /* of what a map shows, both above zero */
 
-/* Three decades below the largest value, or from the smallest one on. */
+/* Two decades below the largest value, or from the smallest one on. */
 static span span_of(const float *map, size_t count)
 {
     span s = { HUGE_VAL, 0.0 };
@@ -121,7 +121,7 @@ static span span_of(const float *map, size_t count)
         }
     if (!(s.high > 0.0))
         s.low = s.high = 1.0;
-    s.low = fmax(s.low, s.high * 1e-3);
+    s.low = fmax(s.low, s.high * 0.01);
     return s;
 }
 
