@@ -67,3 +67,4 @@ compare: all
 	$(PYTHON) tests/compare/compare.py --povc $(POVC)
 
 include tests/bench/bench.mk
+include tests/numerics/peers/peers.mk
