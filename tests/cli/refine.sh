@@ -126,3 +126,39 @@ refine_loads_what_draws_only_when_asked() {
     expect 0 "$povc" rich.pov 16 12 out.pfm --spp 4
     [ ! -s err ] || fail "a plain number of samples is nothing to talk about: $(cat err)"
 }
+
+# Bars of a fortieth of a pixel: most first samples of the pixels on them see nothing of them.
+refine_finds_hairlines() {
+    cat > hairlines.pov <<'END'
+global_settings { ambient_light rgb <1, 1, 1> }
+camera { location <0, 0, -10> look_at <0, 0, 0> angle 40 }
+cylinder { <-2.9, -1.3, 0>, <2.8, 1.6, 0>, .0014 pigment { color rgb <30, 30, 30> } finish { ambient 1 diffuse 0 } }
+cylinder { <-2.7, 1.7, 1>, <2.9, -.9, 1>, .0014 pigment { color rgb <30, 30, 30> } finish { ambient 1 diffuse 0 } }
+END
+    expect 0 "$povc" hairlines.pov 64 48 truth.pfm --spp 4096 --seed 1
+    for seed in 1 2 3 4; do
+        expect 0 "$povc" hairlines.pov 64 48 "$seed.pfm" --spp 128 --sampling adaptive --seed "1$seed"
+    done
+    "$PYTHON" -c 'import array
+def light(name):
+    data = open(name, "rb").read()
+    return sum(array.array("f", data[len(data) - 64 * 48 * 12:]))
+ratio = sum(light("%d.pfm" % seed) for seed in (1, 2, 3, 4)) / 4 / light("truth.pfm")
+print(ratio)
+assert 0.93 < ratio < 1.07, ratio'
+}
+
+refine_compares_reports_in_one_plot() {
+    [ -e "$BUILD_DIR/lib/povtrace/plots/plot.so" ] || skip "no cairo here"
+    rich_scene
+    expect 0 "$povc" rich.pov 32 24 out.pfm --spp 16 --report uniform.csv
+    expect 0 "$povc" rich.pov 32 24 out.pfm --spp 16 --sampling adaptive --report adaptive.csv
+    expect 0 "$povc" --compare uniform.csv adaptive.csv both.svg
+    says both.svg "<svg"
+    expect 0 "$povc" --compare uniform.csv both.png
+    expect 2 "$povc" --compare rich.pov both.svg
+    says err "no report"
+    expect 1 "$povc" --compare missing.csv both.svg
+    expect 2 "$povc" --compare uniform.csv
+    expect 2 "$povc" --compare uniform.csv both.txt
+}
