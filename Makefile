@@ -193,6 +193,7 @@ help:
 	@echo "make check      hold the tree to its rules: rooms, exports, headers alone, no absolute epsilons"
 	@echo "make asan tsan  run the tests under the sanitizers"
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
+	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; make bench-counts its instructions a ray"
 	@echo "make deps       install what is missing to build and test, by the system's package manager"
 	@echo "make install    to PREFIX ($(PREFIX)), below DESTDIR if given; make uninstall takes it away again"
 	@echo "make clean      remove $(BUILD)/"
