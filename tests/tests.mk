@@ -16,14 +16,15 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT_OBJECTS) $(STATIC)
 $(BUILD)/tests/numerics/%: TEST_LIBS = -lmpfr -lgmp
 $(BUILD)/tests/numerics/test_primitives: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o harness.o) \
     | $(PRIMITIVES)
-$(BUILD)/tests/numerics/test_watertight: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o) \
+$(BUILD)/tests/numerics/test_maps $(BUILD)/tests/numerics/test_watertight: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o) \
     | $(PRIMITIVES)
 # The same harness for long: RAYS of torture for each kind, and a table of all families.
 RAYS ?= 500000
 .PHONY: accuracy
-accuracy: $(BUILD)/tests/numerics/test_primitives $(BUILD)/tests/numerics/test_watertight
+accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_maps)
 	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
 	$(BUILD)/tests/numerics/test_watertight $(RAYS)0
+	$(BUILD)/tests/numerics/test_maps $(RAYS)
 
 # A plugin as a stranger would build it, held to the contract with our own.
 $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c

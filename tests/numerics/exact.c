@@ -10,7 +10,7 @@ static real3 two_parts(pov_vec3 hi, pov_vec3 lo)
     return real3_of(real_of2(hi.x, lo.x), real_of2(hi.y, lo.y), real_of2(hi.z, lo.z));
 }
 
-static void add(exact_answer *out, real t, uint32_t part, real3 normal)
+static void add(exact_answer *out, real t, uint32_t part, real3 normal, double room)
 {
     const real length = real_sqrt(real3_dot(normal, normal));
     exact_crossing c, *at = out->at;
@@ -18,6 +18,7 @@ static void add(exact_answer *out, real t, uint32_t part, real3 normal)
 
     c.t = t;
     c.part = part;
+    c.room = room;
     c.normal[0] = real_double(real_div(normal.x, length));
     c.normal[1] = real_double(real_div(normal.y, length));
     c.normal[2] = real_double(real_div(normal.z, length));
@@ -58,7 +59,7 @@ static void sphere(const probe *p, line l, exact_answer *out)
     int n = roots(real3_dot(l.d, l.d), real3_dot(f, l.d), real_sub(real3_dot(f, f), real_mul(r, r)), t, part), i;
 
     for (i = 0; i < n; i++)
-        add(out, t[i], part[i], real3_add(f, real3_scale(l.d, t[i])));
+        add(out, t[i], part[i], real3_add(f, real3_scale(l.d, t[i])), HUGE_VAL);
 }
 
 static real component(real3 v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
@@ -99,8 +100,8 @@ static void box(const probe *p, line l, exact_answer *out)
     }
     if (entry < 0 || real_compare(first, last) > 0)
         return;
-    add(out, first, (uint32_t)entry, axis_vector(entry));
-    add(out, last, (uint32_t)leave, axis_vector(leave));
+    add(out, first, (uint32_t)entry, axis_vector(entry), HUGE_VAL);
+    add(out, last, (uint32_t)leave, axis_vector(leave), HUGE_VAL);
 }
 
 /* Roots on the infinite double cone that lie between the ends, and caps within their radius. */
@@ -121,14 +122,10 @@ static void frustum(const probe *p, line l, const double *base, double r0, const
         const real height = real_add(y, real_mul(t[i], e)), radius = real_add(r, real_mul(t[i], s));
 
         if (real_sign(height) >= 0 && real_compare(height, one) <= 0) {
-            real3 normal =
+            const real3 normal =
                 real3_sub(real3_add(w, real3_scale(v, t[i])), real3_scale(a, real_div(real_mul(k, radius), m)));
 
-            /* So near to an apex that not even a distance in two parts tells where around it: any normal
-             * will do. */
-            if (fabs(real_double(radius)) < 1e-15 * p->size)
-                normal = real3_scale(normal, real_of(0.0));
-            add(out, t[i], part[i], normal);
+            add(out, t[i], part[i], normal, fabs(real_double(radius)));
         }
     }
     for (i = 0; i < 2 && !p->open && real_sign(e) != 0; i++) {
@@ -136,7 +133,7 @@ static void frustum(const probe *p, line l, const double *base, double r0, const
         const real3 from_axis = real3_add(w, real3_scale(v, at));
 
         if (real_compare(real3_dot(from_axis, from_axis), real_mul(limit, limit)) <= 0)
-            add(out, at, 2 + (uint32_t)i, i ? a : real3_scale(a, real_of(-1.0)));
+            add(out, at, 2 + (uint32_t)i, i ? a : real3_scale(a, real_of(-1.0)), HUGE_VAL);
     }
 }
 
@@ -160,12 +157,18 @@ static void quadric(const probe *p, line l, exact_answer *out)
     const real a = real_mul(half, real3_dot(l.d, gradient(q, l.d, false)));
     const real b = real_mul(half, real3_dot(l.d, gradient(q, l.o, true)));
     const real c = real_add(real_mul(half, real3_dot(l.o, real3_add(gradient(q, l.o, true), linear))), real_of(q[9]));
+    double curvature = 0.0;
     uint32_t part[2];
     real t[2];
     int n = roots(a, b, c, t, part), i;
 
-    for (i = 0; i < n; i++)
-        add(out, t[i], part[i], gradient(q, real3_add(l.o, real3_scale(l.d, t[i])), true));
+    for (i = 0; i < 6; i++)
+        curvature = fmax(curvature, fabs(q[i]));
+    for (i = 0; i < n; i++) {
+        const real3 g = gradient(q, real3_add(l.o, real3_scale(l.d, t[i])), true);
+
+        add(out, t[i], part[i], g, real_double(real_sqrt(real3_dot(g, g))) / (2.0 * curvature));
+    }
 }
 
 /* The axis that the ray goes along most. */
@@ -254,16 +257,13 @@ static void polygon(const probe *p, line l, exact_answer *out)
     const real slope = real3_dot(n, l.d);
 
     if (real_sign(slope) != 0 && polygon_within(p, l))
-        add(out, real_div(real3_dot(n, real3_sub(point(p->number + 1), l.o)), slope), 0, n);
+        add(out, real_div(real3_dot(n, real3_sub(point(p->number + 1), l.o)), slope), 0, n, HUGE_VAL);
 }
 
-void probe_exact(const probe *p, exact_answer *out)
+static void answer(const probe *p, line l, exact_answer *out)
 {
     const double *n = p->number;
-    line l;
 
-    l.o = two_parts(p->ray.org, p->ray.org_lo);
-    l.d = two_parts(p->ray.dir, p->ray.dir_lo);
     out->count = 0;
     if (p->kind == SPHERE)
         sphere(p, l, out);
@@ -279,4 +279,16 @@ void probe_exact(const probe *p, exact_answer *out)
         quadric(p, l, out);
     else
         polygon(p, l, out);
+}
+
+void probe_exact(const probe *p, exact_answer *out)
+{
+    const line l = { two_parts(p->ray.org, p->ray.org_lo), two_parts(p->ray.dir, p->ray.dir_lo) };
+    answer(p, l, out);
+}
+
+void probe_exact_line(const probe *p, real3 org, real3 dir, exact_answer *out)
+{
+    const line l = { org, dir };
+    answer(p, l, out);
 }

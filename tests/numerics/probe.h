@@ -25,6 +25,7 @@ typedef struct exact_crossing {
     real t;
     uint32_t part;
     double normal[3];
+    double room;            /* to where the surface has no normal: about the way to a cone's apex */
 } exact_crossing;
 
 typedef struct exact_answer {
@@ -34,6 +35,8 @@ typedef struct exact_answer {
 
 /* The exact answer, in 512 bits, on the same doubles. Uses numbers of the pool. */
 void probe_exact(const probe *p, exact_answer *out);
+/* The same with a ray that no doubles could hold. Not for polygons. */
+void probe_exact_line(const probe *p, real3 org, real3 dir, exact_answer *out);
 
 const char *probe_keyword(kind k);
 /* The shape, parsed by its plugin into memory of the class's size. */
