@@ -149,7 +149,7 @@ void parse_object(pov_reader *in)
     in->value = in->token.at;
     state_advance(in);
     items_open(in, &b);
-    o.instance = state_alloc(in, o.shape->instance_size, 32);
+    o.instance = state_alloc(in, o.shape->prepare ? o.shape->text_size : o.shape->instance_size, 32);
     if (o.instance)
         o.shape->parse(o.instance, &host_functions, in);
     items_close(in, &b, &modifiers, &text);

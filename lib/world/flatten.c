@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-/* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on the stack;
- * a larger class's copy is made where it would stay. */
-enum { INSTANCE_ALIGN = 32, ROOM = 1024, MOST_CLASSES = 0x7fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
+/* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on
+ * the stack; a larger class's copy is made where it would stay. */
+enum { INSTANCE_ALIGN = 32, ROOM = POV_PREPARED_MAX, MOST_CLASSES = 0x7fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
 /* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones are marked until the
  * lists are made. */
 enum { ALONE, PACKS, PLACED, KINDS, INFINITE = 0x8000 };
@@ -43,6 +43,8 @@ typedef struct maker {
     size_t class_index;
     const pov_shape_class *scratch_shape;
     void *scratch;               /* a block of that class */
+    const object *kept_object;   /* whose instance was kept last */
+    const void *kept_instance;
     const transform *list;       /* what `map` was composed of: many objects in a row may share it */
     pov_affine map;
 } maker;
@@ -52,6 +54,25 @@ typedef struct room { unsigned char bytes[ROOM + INSTANCE_ALIGN]; } room;
 static void *aligned(room *r)
 {
     return r->bytes + (-(uintptr_t)r->bytes & (INSTANCE_ALIGN - 1));
+}
+
+void flat_make(const object *o, void *instance)
+{
+    if (o->shape->prepare) {
+        memset(instance, 0, o->shape->instance_size);
+        o->shape->prepare(instance, o->instance);
+    } else {
+        memcpy(instance, o->instance, o->shape->instance_size);
+    }
+}
+
+/* An instance to look at: the model's own where that is one, else one made in the room. */
+static const void *look_at(const object *o, room *r)
+{
+    if (!o->shape->prepare)
+        return o->instance;
+    flat_make(o, aligned(r));
+    return aligned(r);
 }
 
 static uint32_t stride_of(const pov_shape_class *shape)
@@ -89,7 +110,7 @@ static pov_status absorb(maker *k, const object *o, const void **out)
     *out = NULL;
     if (!trial)
         return POV_E_MEMORY;
-    memcpy(trial, o->instance, bytes);
+    flat_make(o, trial);
     if (!o->shape->absorb(trial, &k->map))
         return POV_OK;
     if (bytes <= ROOM) {
@@ -102,6 +123,25 @@ static pov_status absorb(maker *k, const object *o, const void **out)
     return POV_OK;
 }
 
+/* The instance of a shape that is placed: the model's own, or one that is kept; the same for shapes in a row that were
+ * written alike. NULL: no memory. */
+static const void *keep(maker *k, const object *o)
+{
+    const object *last = k->kept_object;
+
+    if (!o->shape->prepare)
+        return o->instance;
+    if (!last || last->shape != o->shape || memcmp(last->instance, o->instance, o->shape->text_size) != 0) {
+        void *made = arena_alloc(k->kept, o->shape->instance_size, INSTANCE_ALIGN);
+        if (!made)
+            return NULL;
+        flat_make(o, made);
+        k->kept_object = o;
+        k->kept_instance = made;
+    }
+    return k->kept_instance;
+}
+
 /* A place of its own for a shape that stays as it was written. */
 static pov_status place(maker *k, const object *o, uint32_t index, bool *finite)
 {
@@ -109,9 +149,9 @@ static pov_status place(maker *k, const object *o, uint32_t index, bool *finite)
     pov_box own, *box = &k->f->boxes[index];
     placement *p = arena_alloc(k->kept, sizeof *p, sizeof(double));
 
-    if (!p)
+    s->instance = keep(k, o);
+    if (!p || !s->instance)
         return POV_E_MEMORY;
-    s->instance = o->instance;
     s->placement = p;
     *finite = o->shape->bounds(s->instance, &own) && is_finite_box(&own);
     if (*finite) {
@@ -175,10 +215,11 @@ static pov_status flatten_one(maker *k, uint32_t index)
     flat *f = k->f;
     const object *o = &f->model->objects.items[index];
     const pov_shape_class *shape = o->shape;
-    const void *instance = o->instance;
+    const void *instance;
     bool finite, packs = false, placed = false;
     pov_status status = POV_OK;
     pov_box own, *box = &own;
+    room here;
 
     if (o->map) {
         status = move(k, o, index, &finite);
@@ -188,6 +229,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
         instance = f->mapped[index].instance;
         placed = f->mapped[index].placement != NULL;
     } else {
+        instance = look_at(o, &here);
         finite = shape->bounds(instance, box) && is_finite_box(box);
     }
     if (finite && k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
@@ -359,11 +401,12 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
 void flat_box(const flat *f, uint32_t index, pov_box *out)
 {
     const object *o = &f->model->objects.items[index];
+    room here;
 
     if (o->map)
         *out = f->boxes[index];
     else
-        o->shape->bounds(o->instance, out);
+        o->shape->bounds(look_at(o, &here), out);
 }
 
 void flat_drop_boxes(flat *f)

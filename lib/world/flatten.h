@@ -23,6 +23,9 @@ typedef struct shape_group {
     unsigned char *instances;    /* of shapes that are not placed, in the order of the runs */
 } shape_group;
 
+/* Make an object's instance of what was written, in instance_size bytes. */
+void flat_make(const object *o, void *instance);
+
 /* What is known of a model's objects while the world is built. Arrays are by object. */
 typedef struct flat {
     const env *env;

@@ -101,7 +101,10 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
     const shape_group *g = &f->groups[f->group[id]];
     unsigned char *instance = g->instances + (size_t)slot * g->stride;
 
-    memcpy(instance, o->map ? f->mapped[id].instance : o->instance, g->shape->instance_size);
+    if (o->map)
+        memcpy(instance, f->mapped[id].instance, g->shape->instance_size);
+    else
+        flat_make(o, instance);
     r->slot[id] = slot;
     return instance;
 }

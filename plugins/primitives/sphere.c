@@ -6,26 +6,28 @@
 #include "kit/report.h"
 #include "kit/simd.h"
 
+/* A line of memory: what intersect() wants besides is made from these two as fast as it is fetched. */
 typedef struct sphere {
     pov_two3 centre;
     pov_two radius;
-    /* What follows is made from these two. Lengths times scale, a power of two, bring the radius into [1,
-     * 2). */
-    double scale;
-    pov_two r, square;         /* scaled radius and its square */
 } sphere;
 
-static void prepare(sphere *s)
+typedef struct sphere_text { pov_vec3 centre; double radius; } sphere_text;
+
+/* Lengths times this, a power of two, bring the radius into [1, 2). */
+static inline double scale_of(const sphere *s) { return pov_inverse_power(s->radius.hi); }
+
+/* The square of the scaled radius. */
+static inline pov_two square_of(const sphere *s)
 {
-    s->scale = pov_inverse_power(s->radius.hi);
-    s->r = pov_two_scale(s->radius, s->scale);
-    s->square = pov_two_mul(s->r, s->r);
+    pov_two r = pov_two_scale(s->radius, scale_of(s));
+    return pov_two_mul(r, r);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    sphere *s = self;
+    sphere_text *text = self;
     pov_vec3 centre;
     double radius;
 
@@ -44,9 +46,18 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->warn(in, "a negative radius is taken as positive");
         radius = -radius;
     }
-    s->centre = pov_two3_of(centre, zero);
-    s->radius = pov_two_of(radius, 0.0);
-    prepare(s);
+    text->centre = centre;
+    text->radius = radius;
+}
+
+static void prepare(void *self, const void *written)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const sphere_text *text = written;
+    sphere *s = self;
+
+    s->centre = pov_two3_of(text->centre, zero);
+    s->radius = pov_two_of(text->radius, 0.0);
 }
 
 static void interval(pov_two centre, pov_two radius, double *lo, double *hi)
@@ -70,7 +81,7 @@ static bool bounds(const void *self, pov_box *out)
 enum { NEAR_ROOT = 1, FAR_ROOT = 2 };
 
 /* Two-part arithmetic from the start. */
-static void decide(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hits)
+static void decide(pov_two square, const kit_ray *k, bool leaving, pov_hits *hits)
 {
     pov_two3 d = kit_direction(k), w;
     pov_two a = pov_two3_dot(d, d), fd = pov_two3_dot(k->f, d), b, discriminant, root;
@@ -80,7 +91,7 @@ static void decide(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hi
     hits->decided++;
     w = kit_along_two(k, middle);
     b = pov_two3_dot(w, d);
-    discriminant = pov_two_add(pov_two_mul(b, b), pov_two_mul(a, pov_two_sub(s->square, pov_two3_dot(w, w))));
+    discriminant = pov_two_add(pov_two_mul(b, b), pov_two_mul(a, pov_two_sub(square, pov_two3_dot(w, w))));
     if (!(discriminant.hi >= 0.0))
         return;
     root = pov_two_sqrt(discriminant);
@@ -95,26 +106,26 @@ static void decide(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hi
 
 static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
-    const sphere *s = self;
+    const pov_two *square = self;
     kit_residual r;
 
     (void)part;
-    r.value = pov_two_sub(pov_two3_dot(w, w), s->square).hi;
-    r.error = 0x1p-100 * s->square.hi;
+    r.value = pov_two_sub(pov_two3_dot(w, w), *square).hi;
+    r.error = 0x1p-100 * square->hi;
     r.half_slope = pov_dot(pov_two3_hi(w), k->d);
     r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(w), k->d);
     return r;
 }
 
 /* Double precision with a bound on its error. False: open. */
-static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hits)
+static bool quick(pov_two square, const kit_ray *k, bool leaving, pov_hits *hits)
 {
     const double u = KIT_U;
     pov_vec3 f = pov_two3_hi(k->f), w;
     double a = pov_dot(k->d, k->d), inverse = 1.0 / a, fd = pov_dot(f, k->d), middle = -fd * inverse;
     double ww, b, b_error, c, c_error, d, d_error;
     double root, error;
-    kit_equation equation = { s, k, residual, 0.0 };
+    kit_equation equation = { &square, k, residual, 0.0 };
     kit_root roots[2];
     uint32_t first = 0, n = 2;
 
@@ -132,9 +143,9 @@ static bool quick(const sphere *s, const kit_ray *k, bool leaving, pov_hits *hit
     w = kit_along(k, middle);
     ww = pov_dot(w, w);
     b = pov_dot(w, k->d);
-    c = s->square.hi - ww;
+    c = square.hi - ww;
     b_error = 10.0 * u * kit_sum_of_sizes(w, k->d) + u * u * a;
-    c_error = u * (s->square.hi + 6.0 * ww);
+    c_error = u * (square.hi + 6.0 * ww);
     d = c * a + b * b;
     d_error = c_error * a + 2.0 * fabs(b) * b_error + b_error * b_error;
     if (d < -(d_error + 10.0 * u * fabs(d)))
@@ -157,16 +168,17 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const sphere *s = self;
     bool leaving = ray->left == hits->owner;
-    kit_ray k = kit_enter(ray, s->centre, s->scale);
+    kit_ray k = kit_enter(ray, s->centre, scale_of(s));
+    pov_two square = square_of(s);
 
-    if (hits->always_exact || !quick(s, &k, leaving, hits))
-        decide(s, &k, leaving, hits);
+    if (hits->always_exact || !quick(square, &k, leaving, hits))
+        decide(square, &k, leaving, hits);
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const sphere *s = self;
-    kit_ray k = kit_enter(ray, s->centre, s->scale);
+    kit_ray k = kit_enter(ray, s->centre, scale_of(s));
 
     *out = pov_unit(pov_two3_hi(kit_point(&k, at)));
 }
@@ -174,9 +186,9 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const sphere *s = self;
-    pov_two3 w = kit_offset(point, point_lo, s->centre, s->scale);
+    pov_two3 w = kit_offset(point, point_lo, s->centre, scale_of(s));
 
-    return pov_two_less(pov_two3_dot(w, w), s->square);
+    return pov_two_less(pov_two3_dot(w, w), square_of(s));
 }
 
 static bool absorb(void *self, const pov_affine *map)
@@ -188,7 +200,6 @@ static bool absorb(void *self, const pov_affine *map)
         return false;
     s->centre = kit_map_point(map, s->centre);
     s->radius = pov_two_mul(s->radius, factor);
-    prepare(s);
     return true;
 }
 
@@ -298,6 +309,8 @@ static const pov_shape_class sphere_class = {
     .block_size = sizeof(sphere_block),
     .block_pack = block_pack,
     .block_filter = block_filter,
+    .text_size = sizeof(sphere_text),
+    .prepare = prepare,
 };
 
 static const pov_shape_class *const shapes[] = { &sphere_class, NULL };

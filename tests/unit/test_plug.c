@@ -40,6 +40,12 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     *out = pov_vec3_of(0, 0, 1);
 }
 
+static void prepare(void *self, const void *text)
+{
+    (void)self;
+    (void)text;
+}
+
 static pov_shape_class good_class(void)
 {
     pov_shape_class c = { 0 };
@@ -91,6 +97,9 @@ static void a_class_must_keep_the_contract(void **state)
     c = good_class();
     c.instance_size = 0;
     assert_string_equal(verdict(&c), "a shape class has an impossible instance size");
+    c = good_class();
+    c.prepare = prepare;
+    assert_string_equal(verdict(&c), "a shape class has prepare with an impossible size");
 }
 
 static void an_added_class_is_found_and_a_later_one_wins(void **state)

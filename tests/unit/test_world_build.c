@@ -165,6 +165,39 @@ static void instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_mem
     model_free(&m);
 }
 
+static void prepare_twice_as_large(void *self, const void *text)
+{
+    test_ball *ball = self;
+
+    memcpy(ball, text, sizeof *ball);
+    ball->radius *= 2.0;
+}
+
+static void instances_are_prepared_alone_absorbed_and_placed(void **state)
+{
+    pov_shape_class small = test_ball_class;
+    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    const test_ball *made[3];
+    model m;
+    world *w;
+    int i;
+
+    (void)state;
+    small.text_size = sizeof ball;
+    small.prepare = prepare_twice_as_large;
+    test_model_init(&m, NULL);
+    test_add(&m, &small, &ball, NULL, 0, 0);
+    test_add(&m, &small, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 3.0, 3.0, 3.0), 0, 0);
+    test_add(&m, &small, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
+    w = make(&m, POV_ACCEL_TREE, 1);
+    for (i = 0; i < 3; i++)
+        made[i] = world_place(w, (uint32_t)i).instance;
+    assert_true(made[0]->radius == 2.0 && made[1]->radius == 6.0 && made[2]->radius == 2.0);
+    assert_non_null(world_place(w, 2).placement);
+    world_destroy(w);
+    model_free(&m);
+}
+
 static void bounds_are_those_of_the_finite_objects(void **state)
 {
     test_ground ground = { 100.0 };
@@ -299,6 +332,7 @@ int main(void)
         cmocka_unit_test(any_number_of_threads_builds_the_same_tree),
         cmocka_unit_test(every_object_is_in_one_leaf_within_its_boxes),
         cmocka_unit_test(instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory),
+        cmocka_unit_test(instances_are_prepared_alone_absorbed_and_placed),
         cmocka_unit_test(bounds_are_those_of_the_finite_objects),
         cmocka_unit_test(a_plain_scene_leaves_out_what_it_does_not_need),
         cmocka_unit_test(a_rich_scene_needs_all_of_it),

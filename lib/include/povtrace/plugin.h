@@ -17,6 +17,7 @@
 #define POV_PLUGIN_ABI 1u   /* raised only when an old plugin could not work */
 #define POV_BLOCK_MAX 8u    /* most shapes one block holds */
 #define POV_NOBODY 0xffffffffu
+#define POV_PREPARED_MAX 1024u
 
 /* ---- rays and crossings ------------------------------------------------ */
 
@@ -137,7 +138,7 @@ typedef struct pov_host {
 
 /* ---- a primitive --------------------------------------------------------
  *
- * Order of calls: parse, absorb at most once, bounds, then only [render].
+ * Order of calls: parse, prepare, absorb at most once, bounds, then only [render].
  * An instance is plain bytes: the host copies it with memcpy for every use of a
  * #declared object. So it has no destructor, memory it points to comes from
  * host->alloc and is never written after parse, and absorb changes only the
@@ -174,6 +175,11 @@ typedef struct pov_shape_class {
     size_t block_size;
     bool (*block_pack)(void *block, const void *const *selves, uint32_t n);
     void (*block_filter)(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
+    /* [load] For classes whose instance is larger than what was written: parse gets text_size zeroed bytes in its
+     * place, and prepare makes of them an instance of at most POV_PREPARED_MAX bytes, which comes zeroed. It is
+     * called again, from several threads, wherever the host would have to keep one. */
+    size_t text_size;
+    void (*prepare)(void *self, const void *text);
     /* abi 1 ends here */
 } pov_shape_class;
 
