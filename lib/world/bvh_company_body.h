@@ -118,6 +118,8 @@ COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_walk *const *walks,
 
     begin(&c, walks, n);
     lanes = COMPANY_NAME(enter)(&c, 0, c.open, sorted);
+    if (!lanes)
+        return c.ended;
     for (;;) {
         if ((at & BVH_KIND) == BVH_RETURN) {
             COMPANY_NAME(come_back)(&c, at & ~BVH_KIND);
