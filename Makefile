@@ -70,7 +70,8 @@ $(BUILD)/obj/plugins/images/png.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags 
 $(BUILD)/lib/povtrace/images/png.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs libpng)
 
 $(BUILD)/obj/plugins/plots/plot.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags cairo)
-$(BUILD)/lib/povtrace/plots/plot.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs cairo)
+# Cairo and what it stands on keep caches for ever: unloaded and loaded again, they would leak them each time.
+$(BUILD)/lib/povtrace/plots/plot.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs cairo) -Wl,-z,nodelete
 
 $(KIT): $(KIT_OBJECTS)
 	rm -f $@
