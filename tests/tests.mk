@@ -55,7 +55,8 @@ SANITIZED_TESTS = $(filter-out tests/numerics/%,$(TEST_SOURCES))
 .PHONY: asan tsan
 asan:
 	$(MAKE) BUILD=build-asan OPTIMISE=-O1 SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer' all $(SANITIZED_TESTS:%.c=build-asan/%)
-	BUILD_DIR='$(CURDIR)/build-asan' tests/run.sh $(SANITIZED_TESTS:%.c=build-asan/%) $(filter tests/cli/%,$(TEST_SCRIPTS))
+	LSAN_OPTIONS='suppressions=$(CURDIR)/tests/support/lsan.supp print_suppressions=0' BUILD_DIR='$(CURDIR)/build-asan' \
+	    tests/run.sh $(SANITIZED_TESTS:%.c=build-asan/%) $(filter tests/cli/%,$(TEST_SCRIPTS))
 tsan:
 	$(MAKE) BUILD=build-tsan OPTIMISE=-O1 SANITIZE=-fsanitize=thread all $(SANITIZED_TESTS:%.c=build-tsan/%)
 	TSAN_OPTIONS='suppressions=$(CURDIR)/tests/support/tsan.supp ignore_noninstrumented_modules=1' \
