@@ -5,11 +5,14 @@ $(EMBREE_MASK): tests/numerics/peers/embree_mask.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -O2 -Wall -Wextra -Wshadow $< -lembree3 -o $@
 
-.PHONY: peers
-peers: all
+.PHONY: peers embree-mask
+embree-mask:
 	@if echo '#include <embree3/rtcore.h>' | $(CXX) -E -x c++ - >/dev/null 2>&1; then \
-	    $(MAKE) --no-print-directory $(EMBREE_MASK) && embree="--embree $(EMBREE_MASK)"; \
+	    $(MAKE) --no-print-directory $(EMBREE_MASK); \
 	else \
 	    echo "peers: Embree is left out, its headers are not installed (Debian: libembree-dev)"; \
-	fi; \
-	$(PYTHON) tests/numerics/peers/peers.py --povc $(POVC) $$embree --work $(BUILD)/peers --table $(BUILD)/peers/peers.md
+	fi
+
+peers: all embree-mask
+	$(PYTHON) tests/numerics/peers/peers.py --povc $(POVC) --embree $(EMBREE_MASK) --work $(BUILD)/peers \
+	    --table $(BUILD)/peers/peers.md $(PEERS_FLAGS)

@@ -158,7 +158,7 @@ class Embree:
         self.work, self.program = work, options.embree
 
     def draw_shape(self, camera, kind, size, c, n):
-        if not self.program:
+        if not self.program or not os.path.exists(self.program):
             raise Missing('embree')
         if kind not in ('sphere', 'box', 'polygon'):
             raise Missing(kind)
