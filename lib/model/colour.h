@@ -13,6 +13,13 @@ static inline colour colour_mul(colour a, colour b) { return colour_of(a.r * b.r
 static inline colour colour_scale(colour a, float s) { return colour_of(a.r * s, a.g * s, a.b * s); }
 static inline bool colour_is_black(colour a) { return a.r == 0.0f && a.g == 0.0f && a.b == 0.0f; }
 /* The largest absolute component. */
-static inline float colour_weight(colour a) { return fmaxf(fabsf(a.r), fmaxf(fabsf(a.g), fabsf(a.b))); }
+static inline float colour_weight(colour a)
+{
+    /* Comparisons, for fmaxf() is a call. */
+    float r = fabsf(a.r), g = fabsf(a.g), b = fabsf(a.b);
+
+    g = g > b ? g : b;
+    return r > g ? r : g;
+}
 
 #endif

@@ -218,7 +218,9 @@ static bool next_batch(pov_tracer *t)
 /* Overflow of absurd colours ends here: NaN becomes 0, the infinite the largest number. */
 static float finite(float x)
 {
-    return isnan(x) ? 0.0f : fmaxf(-FLT_MAX, fminf(FLT_MAX, x));
+    if (x >= -FLT_MAX && x <= FLT_MAX)
+        return x;
+    return isnan(x) ? 0.0f : copysignf(FLT_MAX, x);
 }
 
 static colour finite_colour(colour c)

@@ -29,7 +29,8 @@ static void look(pov_tracer *t, surface *s)
         world_surface(t->world, &s->from->ray, &s->at);
     s->view = pov_unit(s->from->ray.dir);
     s->normal = s->at.entering ? s->at.normal : pov_scale(s->at.normal, -1.0);
-    s->cosine = fmax(0.0, -pov_dot(s->normal, s->view));
+    s->cosine = -pov_dot(s->normal, s->view);
+    s->cosine = s->cosine > 0.0 ? s->cosine : 0.0;
     s->mirrored = pov_add(s->view, pov_scale(s->normal, 2.0 * s->cosine));
 }
 
