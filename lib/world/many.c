@@ -1,8 +1,8 @@
 #include "world/bits.h"
 #include "world/query.h"
 
-/* Fewer rays of one octant are better off alone. */
-enum { COMPANY_LEAST = 4 };
+/* Fewer rays of one octant are better off alone: two in company are 3 to 4 % slower on the whole, four 1 %. */
+enum { COMPANY_LEAST = 8 };
 
 typedef uint64_t company_walk(bvh_walk *const *walks, uint32_t n);
 typedef bool lone_walk(bvh_walk *walk);
