@@ -45,17 +45,44 @@ const transform *transform_append(arena *memory, const transform *before, transf
 
 /* ---- sine and cosine in two parts ---- */
 
-/* Sum of the Taylor series first * (1 - x^2/((n+1)(n+2)) + ...) where `first` is x^n/n!, n = 0 or 1. */
-static pov_two series(pov_two first, pov_two x2, int n)
-{
-    pov_two sum = first, term = first;
+/* What x^2 is multiplied by in the Taylor series of sin(x) / x and of cos(x): 1/n! with its sign. */
+enum { TERMS = 15 };
+static const pov_two of_sine[TERMS] = {
+    { 1.0, 0.0 }, { -0.16666666666666666, -9.25185853854297e-18 },
+    { 0.008333333333333333, 1.1564823173178714e-19 }, { -0.0001984126984126984, -1.7209558293420705e-22 },
+    { 2.7557319223985893e-06, -1.858393274046472e-22 }, { -2.505210838544172e-08, 1.448814070935912e-24 },
+    { 1.6059043836821613e-10, 1.2585294588752098e-26 }, { -7.647163731819816e-13, -7.03872877733453e-30 },
+    { 2.8114572543455206e-15, 1.6508842730861433e-31 }, { -8.22063524662433e-18, -2.2141894119604265e-34 },
+    { 1.9572941063391263e-20, -1.3643503830087908e-36 }, { -3.868170170630684e-23, 8.843177655482344e-40 },
+    { 6.446950284384474e-26, -1.9330404233703465e-42 }, { -9.183689863795546e-29, -1.4303150396787322e-45 },
+    { 1.1309962886447716e-31, 1.0498015412959506e-47 }
+};
+static const pov_two of_cosine[TERMS] = {
+    { 1.0, 0.0 }, { -0.5, 0.0 },
+    { 0.041666666666666664, 2.3129646346357427e-18 }, { -0.001388888888888889, 5.300543954373577e-20 },
+    { 2.48015873015873e-05, 2.1511947866775882e-23 }, { -2.755731922398589e-07, -2.3767714622250297e-23 },
+    { 2.08767569878681e-09, -1.20734505911326e-25 }, { -1.1470745597729725e-11, -2.0655512752830745e-28 },
+    { 4.779477332387385e-14, 4.399205485834081e-31 }, { -1.5619206968586225e-16, -1.1910679660273754e-32 },
+    { 4.110317623312165e-19, 1.4412973378659527e-36 }, { -8.896791392450574e-22, 7.911402614872376e-38 },
+    { 1.6117375710961184e-24, -3.6846573564509766e-41 }, { -2.4795962632247976e-27, 1.2953730964765229e-43 },
+    { 3.279889237069838e-30, 1.5117542744029879e-46 }
+};
 
-    /* |x| <= pi/4: 14 terms reach (pi/4)^28/28! < 2^-105 of the first. */
-    for (; n < 30; n += 2) {
-        term = pov_two_neg(pov_two_div(pov_two_mul(term, x2), pov_two_of((double)((n + 1) * (n + 2)), 0.0)));
-        sum = pov_two_add(sum, term);
-    }
-    return sum;
+/* The sum without its first term, which is 1, so that the caller can add that exactly. |x| <= pi/4: the 15 terms reach
+ * (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that the rounding of doubles does no
+ * harm there. */
+static pov_two series(const pov_two *of, pov_two x2)
+{
+    double rest = of[TERMS - 1].hi;
+    pov_two sum;
+    int i;
+
+    for (i = TERMS - 2; i >= 9; i--)
+        rest = rest * x2.hi + of[i].hi;
+    sum = pov_two_of(rest, 0.0);
+    for (; i >= 1; i--)
+        sum = pov_two_add(pov_two_mul(sum, x2), of[i]);
+    return pov_two_mul(sum, x2);
 }
 
 void transform_sincos(double degrees, double *s, double *c)
@@ -65,7 +92,8 @@ void transform_sincos(double degrees, double *s, double *c)
     double rest = fmod(degrees, 360.0);
     int quarter = (int)floor(rest / 90.0 + 0.5);
     pov_two x = pov_two_mul_double(degree, rest - 90.0 * quarter), x2 = pov_two_mul(x, x);
-    pov_two sine = series(x, x2, 1), cosine = series(pov_two_of(1.0, 0.0), x2, 0), swap = sine;
+    pov_two sine = pov_two_add(x, pov_two_mul(x, series(of_sine, x2)));
+    pov_two cosine = pov_two_add_double(series(of_cosine, x2), 1.0), swap = sine;
 
     quarter &= 3;
     if (quarter & 1) {
