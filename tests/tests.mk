@@ -27,7 +27,7 @@ accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight t
 	$(BUILD)/tests/numerics/test_maps $(RAYS)
 
 # A plugin as a stranger would build it, held to the contract with our own.
-$(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c
+$(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcard lib/include/povtrace/*.h)
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
 $(BUILD)/tests/plugins/test_parse: | $(PRIMITIVES)

@@ -223,16 +223,20 @@ static bool agrees(const pov_shape_class *shape, const void *self, const exact_m
         n += real_sign(e->at[j].t) > 0;
     if (hits.count != n)
         return false;
-    for (j = 0; j < e->count; j++) {
+    if (n == 2 && at[1].t < at[0].t) {
+        const pov_crossing first = at[1];
+
+        at[1] = at[0];
+        at[0] = first;
+    }
+    for (j = 0, i = 0; j < e->count; j++) {
         pov_vec3 normal;
 
         if (real_sign(e->at[j].t) <= 0)
             continue;
-        for (i = 0; i < n && !is_near(p, &e->at[j], &at[i], limit); i++)
-            ;
-        if (i == n)
+        if (!is_near(p, &e->at[j], &at[i], limit))
             return false;
-        shape->normal(self, ray, &at[i], &normal);
+        shape->normal(self, ray, &at[i++], &normal);
         /* Two parts of a coordinate 1e9 sizes away are not fine enough for the neighbourhood of an apex. */
         if (e->at[j].room > 1e-6 * p->size && !(normal_off(f, &e->at[j], normal) <= 1e-13))
             return false;

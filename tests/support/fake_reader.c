@@ -191,12 +191,13 @@ bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *
     static const pov_host host = { POV_PLUGIN_ABI, sizeof(pov_host), host_alloc, host_number, host_vector,
                                    host_accept,    host_expect,      host_more,  host_fail,   host_warn };
 
-    void *text = shape->prepare ? fake_reader_memory(in, shape->text_size) : self;
+    const bool is_prepared = POV_HAS(shape, pov_shape_class, prepare) && shape->prepare;
+    void *text = is_prepared ? fake_reader_memory(in, shape->text_size) : self;
 
     memset(self, 0, shape->instance_size);
     in->at = 0;
     shape->parse(text, &host, in);
-    if (shape->prepare)
+    if (is_prepared)
         shape->prepare(self, text);
     if (!in->failed && in->at < in->count)
         host_fail(in, "something is left over");
