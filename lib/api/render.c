@@ -64,8 +64,9 @@ void pov_job_restart(pov_job *job, const pov_camera *camera)
 {
     pov_camera ours;
 
-    if (camera && adapt_in(&ours, sizeof ours, camera, "the camera", NULL) == POV_OK)
-        camera = &ours;
+    /* What says no size is no camera, and must not be read as one. */
+    if (camera)
+        camera = adapt_in(&ours, sizeof ours, camera, "the camera", NULL) == POV_OK ? &ours : NULL;
     job_restart(job, camera);
 }
 

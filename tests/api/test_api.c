@@ -178,6 +178,38 @@ static void a_camera_can_be_turned(void **state)
     pov_context_destroy(context);
 }
 
+static void wait_for(pov_job *job)
+{
+    while (pov_job_wait(job, 10.0) == POV_JOB_RUNNING)
+        continue;
+}
+
+static void a_restart_with_no_real_camera_keeps_the_one_it_had(void **state)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, "sphere { <0, 0, 4>, 1 pigment { color red 1 } finish { ambient 1 } }"
+                                            "global_settings { ambient_light rgb 1 }");
+    const pov_rect middle = { 8, 6, 1, 1 };
+    pov_render_desc d = POV_INIT(d);
+    pov_camera nothing = { 0 };
+    float rgba[4] = { 0 };
+    pov_job *job;
+
+    (void)state;
+    d.width = 16;
+    d.height = 12;
+    assert_int_equal(pov_job_create(&job, scene, &d, NULL), POV_OK);
+    assert_int_equal(pov_job_start(job, NULL), POV_OK);
+    wait_for(job);
+    pov_job_restart(job, &nothing);
+    wait_for(job);
+    pov_job_read(job, middle, POV_PIXELS_LINEAR_FLOAT, rgba, sizeof rgba);
+    assert_true(rgba[0] == 1.0f);
+    pov_job_destroy(job);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
 /* ---- messages ---- */
 
 typedef struct notes { int warnings; pov_error last; } notes;
@@ -273,6 +305,7 @@ int main(void)
         cmocka_unit_test(structs_of_other_sizes_are_adapted),
         cmocka_unit_test(rays_meet_what_stands_there),
         cmocka_unit_test(a_camera_can_be_turned),
+        cmocka_unit_test(a_restart_with_no_real_camera_keeps_the_one_it_had),
         cmocka_unit_test(warnings_come_through_the_log_with_their_place),
         cmocka_unit_test(loads_and_renders_run_side_by_side),
     };
