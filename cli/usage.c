@@ -47,7 +47,7 @@ static const char *const help[] = {
     "\n",
     "Messages\n"
     "      --report FILE        error against run time: .csv, .json, .html, .svg or .png\n"
-    "      --reference IMAGE    a PFM or PNG that every pass is held against in the report\n"
+    "      --reference IMAGE    a PFM, PNG or PPM to hold every pass of the report against\n"
     "      --stats              print times, rays, memory: one \"name: value unit\" a line\n"
     "      --progress auto|bar|json|none\n"
     "                           on standard error (default: a bar on a terminal, else a line each 10 s)\n"

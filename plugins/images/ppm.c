@@ -2,6 +2,7 @@
 #include <povtrace/plugin.h>
 
 #include <stdio.h>
+#include <string.h>
 
 /* 16-bit samples turned byte by byte, whatever order the machine has. */
 static bool put_samples16(const pov_output *output, const uint16_t *samples, size_t count)
@@ -41,11 +42,109 @@ static const char *write_ppm(const pov_image *image, const pov_output *output)
     return NULL;
 }
 
+/* ---- reading: the header as Netpbm's ppm(5) has it ---- */
+
+typedef struct source { const unsigned char *at, *end; } source;
+
+static bool is_space(int c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/* White space, and comments to the end of their line. */
+static void skip(source *from)
+{
+    while (from->at < from->end && (is_space(*from->at) || *from->at == '#')) {
+        if (*from->at == '#')
+            while (from->at < from->end && *from->at != '\n')
+                from->at++;
+        else
+            from->at++;
+    }
+}
+
+/* A whole number; 0: there is none, or one that no picture has. */
+static int read_number(source *from)
+{
+    const int most = 1 << 28;
+    int value = 0;
+
+    skip(from);
+    for (; from->at < from->end && *from->at >= '0' && *from->at <= '9' && value <= most; from->at++)
+        value = 10 * value + (*from->at - '0');
+    return value <= most ? value : 0;
+}
+
+/* The file's largest value becomes the largest of 8 or 16 bits. False: a sample is larger than that. */
+static bool read_row(const unsigned char *from, size_t samples, unsigned most, int bits, void *to)
+{
+    const unsigned full = bits == 8 ? 255u : 65535u;
+
+    for (size_t i = 0; i < samples; i++) {
+        unsigned value = bits == 8 ? from[i] : (unsigned)from[2 * i] << 8 | from[2 * i + 1];
+
+        if (value > most)
+            return false;
+        value = (value * full + most / 2) / most;
+        if (bits == 8)
+            ((uint8_t *)to)[i] = (uint8_t)value;
+        else
+            ((uint16_t *)to)[i] = (uint16_t)value;
+    }
+    return true;
+}
+
+static const char *read_header(source *from, pov_image *about, int *most)
+{
+    if (from->end - from->at >= 2 && memcmp(from->at, "P3", 2) == 0)
+        return "it is a PPM of plain text (P3), of which only the binary ones (P6) are read";
+    if (from->end - from->at < 2 || memcmp(from->at, "P6", 2) != 0)
+        return "it does not begin like a PPM (P6)";
+    from->at += 2;
+    about->width = read_number(from);
+    about->height = read_number(from);
+    *most = read_number(from);
+    /* One white space ends the header: what follows may look like more of it. */
+    if (from->at == from->end)
+        return "it is cut off in its header";
+    if (about->width < 1 || about->height < 1 || *most < 1 || *most > 65535 || !is_space(*from->at++))
+        return "its header is wrong";
+    return NULL;
+}
+
+/* It says nothing of its encoding: the values are as they are, as write_ppm() stores linear ones. */
+static const char *read_ppm(const void *bytes, size_t count, const pov_image_target *target)
+{
+    source from = { bytes, (const unsigned char *)bytes + count };
+    pov_image about = POV_INIT(about);
+    const char *wrong;
+    unsigned char *pixels;
+    size_t samples;
+    int most;
+
+    wrong = read_header(&from, &about, &most);
+    if (wrong)
+        return wrong;
+    about.bits = most < 256 ? 8 : 16;
+    samples = 3 * (size_t)about.width;
+    about.stride = samples * (size_t)(about.bits / 8);
+    if ((size_t)(from.end - from.at) / about.stride < (size_t)about.height)
+        return "it is cut off: its header promises more pixels than there are";
+    pixels = target->begin(target->user, &about);
+    if (!pixels)
+        return "there is no memory for it";
+    for (int y = 0; y < about.height; y++, from.at += about.stride)
+        if (!read_row(from.at, samples, (unsigned)most, about.bits, pixels + (size_t)y * about.stride))
+            return "a value is larger than its header's largest";
+    return NULL;
+}
+
 static const pov_image_format ppm = {
     .size = sizeof(pov_image_format),
     .depths = POV_IMAGE_8 | POV_IMAGE_16,
     .ending = "ppm",
     .write = write_ppm,
+    .read = read_ppm,
 };
 static const pov_image_format *const formats[] = { &ppm, NULL };
 

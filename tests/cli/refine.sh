@@ -119,6 +119,24 @@ assert "src=\"http" not in t and "max_trace_level" in t'
     says err "cannot be held against"
 }
 
+# The same values by another file: the same rows; and part of a file is none.
+refine_takes_a_ppm_for_its_reference() {
+    rich_scene
+    for bits in 8 16; do
+        for form in png ppm; do
+            expect 0 "$povc" rich.pov 32 24 truth.$form --spp 64 --bits $bits --transfer linear
+            expect 0 "$povc" rich.pov 32 24 out.pfm --spp 8 --reference truth.$form --report $form.csv
+        done
+        [ -n "$(field ppm.csv ref_rmse)" ] || fail "there is no ref_rmse"
+        for column in ref_rmse ref_max; do
+            [ "$(field ppm.csv $column)" = "$(field png.csv $column)" ] || fail "$bits bits: $column differs"
+        done
+    done
+    head -c 3000 truth.ppm > half.ppm
+    expect 1 "$povc" rich.pov 32 24 out.pfm --reference half.ppm
+    says err "half.ppm: error: cannot read this image: it is cut off: its header promises more pixels than there are"
+}
+
 refine_loads_what_draws_only_when_asked() {
     rich_scene
     expect 0 "$povc" rich.pov 16 12 out.pfm --spp 4 --report r.csv --stats
