@@ -3,6 +3,7 @@
 #include "base/share.h"
 
 #include <float.h>
+#include <stddef.h>
 #include <string.h>
 
 /* A range of many references is looked through in parts. Smallest and largest values and counts do not depend on how
@@ -23,8 +24,8 @@ static void bin_clear(bin *b)
     b->count = 0;
 }
 
-/* Copies first, so that the compiler sees that nothing overlaps. */
-static inline void bin_add(bin *b, const float *lo, const float *hi, uint32_t count)
+/* Copies first, so that the compiler sees that nothing overlaps. `lo` and `hi` are four floats each. */
+static inline void bin_add(bin *b, const void *lo, const void *hi, uint32_t count)
 {
     float a[4], c[4], x[4], y[4];
     int k;
@@ -42,16 +43,10 @@ static inline void bin_add(bin *b, const float *lo, const float *hi, uint32_t co
     b->count += count;
 }
 
-/* The box of a reference as two vectors; what is in their fourth lanes is no number. */
-typedef struct vectors { float lo[4], hi[4]; } vectors;
-
-static inline vectors vectors_of(const bvh_ref *f)
-{
-    vectors v;
-
-    memcpy(&v, f, sizeof v);
-    return v;
-}
+/* The corners of a reference's box as vectors; what is in their fourth lanes is no number. They are read from where
+ * they stand: gcc 12, compiling for AVX2, spills a copy of both to a stack that it forgets to align. */
+static inline const void *lo_of(const bvh_ref *f) { return f; }
+static inline const void *hi_of(const bvh_ref *f) { return (const char *)f + offsetof(bvh_ref, hi); }
 
 /* Half the surface. */
 static float area_of(const float *lo, const float *hi)
@@ -70,11 +65,12 @@ static void extend(extent *e, const bvh_ref *refs, uint32_t begin, uint32_t end)
     bin_clear(&e->box);
     bin_clear(&e->centres);
     for (i = begin; i < end; i++) {
-        vectors v = vectors_of(&refs[i]);
-        float c[4];
-        bin_add(&e->box, v.lo, v.hi, 1);
+        float c[4], hi[4];
+        bin_add(&e->box, lo_of(&refs[i]), hi_of(&refs[i]), 1);
+        memcpy(c, lo_of(&refs[i]), sizeof c);
+        memcpy(hi, hi_of(&refs[i]), sizeof hi);
         for (k = 0; k < 4; k++)
-            c[k] = v.lo[k] + v.hi[k];
+            c[k] += hi[k];
         bin_add(&e->centres, c, c, 1);
     }
 }
@@ -181,11 +177,9 @@ static void sort_into(histogram *h, const bvh_range *r, const float *factor, con
     for (k = 0; k < 3; k++)
         for (j = 0; j < BINS; j++)
             bin_clear(&h->at[k][j]);
-    for (i = begin; i < end; i++) {
-        vectors v = vectors_of(&refs[i]);
+    for (i = begin; i < end; i++)
         for (k = 0; k < 3; k++)
-            bin_add(&h->at[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], v.lo, v.hi, 1);
-    }
+            bin_add(&h->at[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], lo_of(&refs[i]), hi_of(&refs[i]), 1);
 }
 
 typedef struct histogram_work {
