@@ -12,6 +12,10 @@ OPTIMISE ?= -O3
 SANITIZE ?=
 WERROR   ?=
 PKG_CONFIG ?= pkg-config
+# The library and the primitives are built once more for these processors, beside the baseline; the system's loader
+# picks, and the pictures are the same to the bit. WIDE= leaves that out.
+WIDE     ?= $(if $(SANITIZE),,$(shell $(CC) -march=x86-64-v3 -dM -E -x c /dev/null 2>/dev/null | \
+               grep -q __gnu_linux__ && echo x86-64-v3))
 
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wpointer-arith \
            -Wwrite-strings -Wvla -Wundef $(WERROR)
@@ -19,7 +23,7 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-proto
 # loops over lanes become vectors only without them.
 CFLAGS  ?= -g
 BASE_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(OPTIMISE) -ffp-contract=off -fno-math-errno -fno-trapping-math -fPIC \
-             -ffunction-sections -fvisibility=hidden -MMD -MP $(WARNINGS) $(CFLAGS) $(SANITIZE)
+             -ffunction-sections -fvisibility=hidden -MMD -MP $(WARNINGS) $(MARCH) $(CFLAGS) $(SANITIZE)
 LIB_FLAGS  = $(BASE_FLAGS) -Ilib/include -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"'
 USER_FLAGS = $(BASE_FLAGS) -Ilib/include
 LINK_FLAGS = $(LDFLAGS) $(SANITIZE) $(OPTIMISE)
@@ -38,9 +42,14 @@ CLI_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard cli/*.c)))
 SHARED         = $(BUILD)/lib/libpovtrace.so.$(VERSION)
 STATIC         = $(BUILD)/lib/libpovtrace.a
 POVC           = $(BUILD)/bin/povc
+# Of what is WIDE, where the loader and the library look for it.
+WIDE_FOLDER    = $(if $(WIDE),lib/glibc-hwcaps/$(WIDE))
+WIDE_SHARED    = $(if $(WIDE),$(BUILD)/$(WIDE_FOLDER)/libpovtrace.so.$(VERSION))
+WIDE_OBJECTS   = $(LIB_SOURCES:%.c=$(BUILD)/obj/$(WIDE)/%.o)
+WIDE_PLUGINS   = $(if $(WIDE),$(PRIMITIVES:$(BUILD)/lib/povtrace/primitives/%=$(BUILD)/lib/povtrace/primitives/$(WIDE)/%))
 
 .PHONY: all
-all: $(SHARED) $(STATIC) $(PLUGINS) $(POVC)
+all: $(SHARED) $(STATIC) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC)
 
 # ---- the library ----
 
@@ -53,10 +62,12 @@ $(STATIC): $(LIB_OBJECTS)
 	rm -f $@
 	ar rcs $@ $^
 
+LINK_SHARED = $(CC) -shared -Wl,-soname,libpovtrace.so.$(SOVERSION) -Wl,--version-script,lib/api/libpovtrace.map \
+              -Wl,--no-undefined $(LINK_FLAGS) $(filter %.o,$^) $(SYSTEM_LIBS) -o $@
+
 $(SHARED): $(LIB_OBJECTS) lib/api/libpovtrace.map
 	@mkdir -p $(@D)
-	$(CC) -shared -Wl,-soname,libpovtrace.so.$(SOVERSION) -Wl,--version-script,lib/api/libpovtrace.map \
-	    -Wl,--no-undefined $(LINK_FLAGS) $(LIB_OBJECTS) $(SYSTEM_LIBS) -o $@
+	$(LINK_SHARED)
 	ln -sf $(@F) $(@D)/libpovtrace.so.$(SOVERSION)
 	ln -sf libpovtrace.so.$(SOVERSION) $(@D)/libpovtrace.so
 
@@ -77,9 +88,38 @@ $(KIT): $(KIT_OBJECTS)
 	rm -f $@
 	ar rcs $@ $^
 
+LINK_PLUGIN = $(CC) -shared -Wl,--no-undefined -Wl,--gc-sections -Wl,--as-needed $(LINK_FLAGS) $^ $(PLUGIN_LIBS) -lm -o $@
+
 $(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(KIT)
 	@mkdir -p $(@D)
-	$(CC) -shared -Wl,--no-undefined -Wl,--gc-sections -Wl,--as-needed $(LINK_FLAGS) $^ $(PLUGIN_LIBS) -lm -o $@
+	$(LINK_PLUGIN)
+
+# ---- the same for wider processors ----
+
+ifneq ($(WIDE),)
+$(BUILD)/obj/$(WIDE)/%.o: MARCH = -march=$(WIDE) -DPOV_WIDE='"$(WIDE)"'
+
+$(BUILD)/obj/$(WIDE)/lib/%.o: lib/%.c
+	@mkdir -p $(@D)
+	$(CC) $(LIB_FLAGS) -c $< -o $@
+
+$(WIDE_SHARED): $(WIDE_OBJECTS) lib/api/libpovtrace.map
+	@mkdir -p $(@D)
+	$(LINK_SHARED)
+	ln -sf $(@F) $(@D)/libpovtrace.so.$(SOVERSION)
+
+$(BUILD)/obj/$(WIDE)/plugins/%.o: plugins/%.c
+	@mkdir -p $(@D)
+	$(CC) $(USER_FLAGS) -Iplugins -c $< -o $@
+
+$(BUILD)/obj/$(WIDE)/plugins/kit.a: $(KIT_OBJECTS:$(BUILD)/obj/%=$(BUILD)/obj/$(WIDE)/%)
+	rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/lib/povtrace/primitives/$(WIDE)/%.so: $(BUILD)/obj/$(WIDE)/plugins/primitives/%.o $(BUILD)/obj/$(WIDE)/plugins/kit.a
+	@mkdir -p $(@D)
+	$(LINK_PLUGIN)
+endif
 
 # ---- programs ----
 
@@ -127,7 +167,7 @@ FILL_IN = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@INCLU
 $(BUILD)/libdir: FORCE
 	@mkdir -p $(@D)
 	@echo '$(LIBDIR)' | cmp -s - $@ || echo '$(LIBDIR)' > $@
-$(BUILD)/obj/lib/plug/registry.o: $(BUILD)/libdir
+$(BUILD)/obj/lib/plug/registry.o $(BUILD)/obj/$(WIDE)/lib/plug/registry.o: $(BUILD)/libdir
 
 .PHONY: install uninstall
 install: all
@@ -141,6 +181,10 @@ install: all
 	$(INSTALL) -m 755 $(PRIMITIVES) $(DESTDIR)$(LIBDIR)/povtrace/primitives
 	$(INSTALL) -m 755 $(IMAGES) $(DESTDIR)$(LIBDIR)/povtrace/images
 	$(if $(PLOTS),$(INSTALL) -m 755 $(PLOTS) $(DESTDIR)$(LIBDIR)/povtrace/plots)
+	$(if $(WIDE),$(INSTALL) -d $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE) $(DESTDIR)$(LIBDIR)/povtrace/primitives/$(WIDE))
+	$(if $(WIDE),$(INSTALL) -m 755 $(WIDE_SHARED) $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE))
+	$(if $(WIDE),ln -sf $(notdir $(WIDE_SHARED)) $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE)/libpovtrace.so.$(SOVERSION))
+	$(if $(WIDE),$(INSTALL) -m 755 $(WIDE_PLUGINS) $(DESTDIR)$(LIBDIR)/povtrace/primitives/$(WIDE))
 	@mkdir -p $(BUILD)/install
 	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(INSTALL_RPATH)' -lm \
 	    -o $(BUILD)/install/povc
@@ -159,9 +203,11 @@ uninstall:
 	    $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(VERSION) \
 	    $(DESTDIR)$(LIBDIR)/pkgconfig/povtrace.pc \
 	    $(addprefix $(DESTDIR)$(LIBDIR)/cmake/povtrace/,povtraceConfig.cmake povtraceConfigVersion.cmake) \
-	    $(PLUGINS:$(BUILD)/lib/%=$(DESTDIR)$(LIBDIR)/%) \
+	    $(patsubst $(BUILD)/lib/%,$(DESTDIR)$(LIBDIR)/%,$(PLUGINS) $(WIDE_PLUGINS) $(WIDE_SHARED)) \
+	    $(if $(WIDE),$(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE)/libpovtrace.so.$(SOVERSION)) \
 	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS)))
-	-rmdir $(addprefix $(DESTDIR),$(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
+	-rmdir $(addprefix $(DESTDIR),$(if $(WIDE),$(LIBDIR)/glibc-hwcaps/$(WIDE) $(LIBDIR)/glibc-hwcaps \
+	    $(LIBDIR)/povtrace/primitives/$(WIDE)) $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
 	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace)
 
 # ---- first steps ----
@@ -199,7 +245,8 @@ help:
 	@echo "make install    to PREFIX ($(PREFIX)), below DESTDIR if given; make uninstall takes it away again"
 	@echo "make clean      remove $(BUILD)/"
 	@echo
-	@echo "BUILD=, CC=, CFLAGS=, OPTIMISE=, SANITIZE=, PREFIX=, LIBDIR= are as usual."
+	@echo "BUILD=, CC=, CFLAGS=, OPTIMISE=, SANITIZE=, PREFIX=, LIBDIR= are as usual; WIDE= leaves out the second build"
+	@echo "of the library and the primitives for x86-64-v3 processors."
 
 clean:
 	rm -rf $(BUILD)

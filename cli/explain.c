@@ -6,7 +6,7 @@ typedef struct widths { int subject, state; } widths;
 
 static widths measure(const pov_scene *scene)
 {
-    widths w = { 7, 5 };
+    widths w = { 7, (int)strlen(pov_built_for()) };
     pov_plan_row row = POV_INIT(row);
 
     for (size_t i = 0; pov_scene_get_plan(scene, i, &row); i++) {
@@ -57,12 +57,21 @@ static void print_other_plugins(FILE *to, widths w, pov_context *context, const 
     }
 }
 
+static void print_library(FILE *to, widths w)
+{
+    bool wide = strcmp(pov_built_for(), "baseline") != 0;
+
+    print_row(to, w, true, "library", pov_built_for(),
+              wide ? "this processor can run the wider of the copies" : "the copy that any processor can run");
+}
+
 /* What is used stands before what was left out. */
 void explain_print(FILE *to, pov_context *context, const pov_scene *scene)
 {
     widths w = measure(scene);
 
     fprintf(to, "  %-*s  %-*s  %s\n", w.subject, "SUBJECT", w.state, "STATE", "REASON");
+    print_library(to, w);
     print_rows(to, w, scene, true);
     print_other_plugins(to, w, context, scene);
     print_rows(to, w, scene, false);

@@ -91,5 +91,6 @@ void stats_print(FILE *to, const stats *s)
     if (s->progress)
         print_render(to, s);
     print_plugins(to, s->context);
+    fprintf(to, "built_for: %s\n", pov_built_for());
     print_memory(to);
 }

@@ -74,6 +74,6 @@ void usage_print_version(void)
     int major, minor, patch;
 
     pov_version(&major, &minor, &patch);
-    printf("povc %d.%d.%d (libpovtrace %d.%d.%d)\n", POVTRACE_VERSION_MAJOR, POVTRACE_VERSION_MINOR,
-           POVTRACE_VERSION_PATCH, major, minor, patch);
+    printf("povc %d.%d.%d (libpovtrace %d.%d.%d, %s)\n", POVTRACE_VERSION_MAJOR, POVTRACE_VERSION_MINOR,
+           POVTRACE_VERSION_PATCH, major, minor, patch, pov_built_for());
 }

@@ -1,3 +1,5 @@
+#include "base/dl.h"
+
 #include <povtrace/base.h>
 
 void pov_version(int *major, int *minor, int *patch)
@@ -8,6 +10,11 @@ void pov_version(int *major, int *minor, int *patch)
         *minor = POVTRACE_VERSION_MINOR;
     if (patch)
         *patch = POVTRACE_VERSION_PATCH;
+}
+
+const char *pov_built_for(void)
+{
+    return dl_wide()[0] ? dl_wide() : "baseline";
 }
 
 const char *pov_status_name(pov_status status)

@@ -6,6 +6,7 @@
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -82,18 +83,43 @@ void dl_close(void *handle)
     dlclose(handle);
 }
 
+#ifdef POV_WIDE
+const char *dl_wide(void)
+{
+    return POV_WIDE;
+}
+#else
+const char *dl_wide(void)
+{
+    return "";
+}
+#endif
+
+/* Where does the name of the folder end without the place that the loader keeps for wide copies? */
+static size_t without_wide(const char *folder, size_t n)
+{
+    char tail[64];
+    size_t m = (size_t)snprintf(tail, sizeof tail, "/glibc-hwcaps/%s", dl_wide());
+
+    return dl_wide()[0] && n > m && memcmp(folder + n - m, tail, m) == 0 ? n - m : n;
+}
+
 bool dl_own_folder(char *out, size_t size)
 {
     static const char here = 0;   /* an address within this library */
     Dl_info info;
     char whole[PATH_MAX], *slash;
+    size_t n;
 
     if (!dladdr(&here, &info) || !info.dli_fname || !realpath(info.dli_fname, whole))
         return false;
     slash = strrchr(whole, '/');
-    if (!slash || (size_t)(slash - whole) >= size)
+    if (!slash)
         return false;
-    *slash = '\0';
+    n = without_wide(whole, (size_t)(slash - whole));
+    if (n >= size)
+        return false;
+    whole[n] = '\0';
     str_copy(out, size, whole);
     return true;
 }

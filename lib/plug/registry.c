@@ -225,15 +225,27 @@ static const char *next_folder(const char *path, char *out, size_t size)
     return path + n;
 }
 
-/* Load <folder>/<kind>/<name>.so from the first folder that has it; the path stays empty when none has. */
+/* Is there <folder>/<kind>/<name>.so, or the same in the sub-folder for the processors that this copy of the library was
+ * compiled for? */
+static bool is_in(const char *folder, const char *kind, const char *name, char path[PATH_MAX + 128])
+{
+    if (dl_wide()[0]) {
+        snprintf(path, PATH_MAX + 128, "%s/%s/%s/%s.so", folder, kind, dl_wide(), name);
+        if (file_exists(path))
+            return true;
+    }
+    snprintf(path, PATH_MAX + 128, "%s/%s/%s.so", folder, kind, name);
+    return file_exists(path);
+}
+
+/* Load it from the first folder that has it; the path stays empty when none has. */
 static pov_status find(registry *r, const char *kind, const char *name, char path[PATH_MAX + 128], pov_error *err)
 {
     char folder[PATH_MAX];
     const char *rest = r->path;
 
     while ((rest = next_folder(rest, folder, sizeof folder)) != NULL) {
-        snprintf(path, PATH_MAX + 128, "%s/%s/%s.so", folder, kind, name);
-        if (file_exists(path))
+        if (is_in(folder, kind, name, path))
             return load(r, path, err);
     }
     path[0] = '\0';

@@ -20,7 +20,7 @@ usage_help_and_version_are_on_standard_output() {
     says out "povc SCENE WIDTH HEIGHT OUTPUT"
     [ ! -s err ]
     expect 0 "$povc" --version
-    grep -qE '^povc [0-9]+\.[0-9]+\.[0-9]+ \(libpovtrace [0-9]+\.[0-9]+\.[0-9]+\)$' out
+    grep -qE '^povc [0-9]+\.[0-9]+\.[0-9]+ \(libpovtrace [0-9]+\.[0-9]+\.[0-9]+, (baseline|x86-64-v[0-9])\)$' out
 }
 
 usage_help_names_every_option_of_the_manual() {

@@ -31,14 +31,24 @@ install_puts_every_file_in_its_place() {
     done
     [ "$(readlink "$lib/libpovtrace.so.0")" = libpovtrace.so.0.1.0 ]
     [ "$(readlink "$lib/libpovtrace.so")" = libpovtrace.so.0 ]
-    [ "$(ls "$lib/povtrace/primitives" | wc -l)" -eq "$(ls "$root"/plugins/primitives/*.c | wc -l)" ]
+    [ "$(ls "$lib/povtrace/primitives" | grep -c '\.so$')" -eq "$(ls "$root"/plugins/primitives/*.c | wc -l)" ]
     if grep -r '@[A-Z_]*@' "$lib/pkgconfig" "$lib/cmake"; then
         fail "something was not filled in"
     fi
 }
 
+install_puts_the_wider_copies_where_the_loader_looks() {
+    [ -d "$BUILD_DIR/lib/glibc-hwcaps" ] || skip "this build has no wider copies"
+    [ "$(readlink "$lib/glibc-hwcaps/x86-64-v3/libpovtrace.so.0")" = libpovtrace.so.0.1.0 ]
+    [ -s "$lib/glibc-hwcaps/x86-64-v3/libpovtrace.so.0.1.0" ]
+    [ "$(ls "$lib/povtrace/primitives/x86-64-v3")" = "$(cd "$lib/povtrace/primitives" && ls -- *.so)" ]
+}
+
 install_povc_finds_its_library_and_plugins_wherever_the_tree_stands() {
     cp -R "$stage$prefix" moved
+    "$povc" --version > built
+    expect 0 moved/bin/povc --version
+    same out built
     printf 'sphere { <0, 0, 5>, 2 pigment { color rgb <1, 1, 1> } finish { ambient 1 } }\n' > small.pov
     expect 0 moved/bin/povc small.pov 8 6 out.png --stats
     says out "plugins_loaded: 2"
@@ -161,6 +171,7 @@ install_can_be_taken_away_again() {
     [ "$(cat left)" = "$stage$prefix/lib/of-somebody-else" ] || fail "left: $(cat left)"
     [ ! -e "$stage$prefix/include/povtrace" ]
     [ ! -e "$stage$prefix/lib/povtrace" ]
+    [ ! -e "$stage$prefix/lib/glibc-hwcaps" ]
 }
 
 deps_installs_what_is_missing_and_nothing_else() {
