@@ -51,6 +51,8 @@ typedef struct hit {
 bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
 /* Fill the rest of what world_nearest() found. */
 void world_surface(const world *w, const pov_ray *ray, hit *h);
+/* The same of n rays with a hit each, to the bit; many cost less than as many alone. */
+void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n);
 
 /* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of
  * what transparent surfaces let through, crossing by crossing from near to far. False: nothing is left, an opaque

@@ -3,8 +3,8 @@
  * The ray is re-centred at its closest approach to the centre, where the roots are as large as the sphere
  * and not as the distance. docs/numerics.md derives the bounds. */
 #include "kit/affine.h"
+#include "kit/lanes.h"
 #include "kit/report.h"
-#include "kit/simd.h"
 
 /* A line of memory: what intersect() wants besides is made from these two as fast as it is fetched. */
 typedef struct sphere {
@@ -175,12 +175,17 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         decide(square, &k, leaving, hits);
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+/* From the centre to the crossing, scaled. */
+static inline pov_vec3 offset(const sphere *s, const pov_ray *ray, const pov_crossing *at)
 {
-    const sphere *s = self;
     kit_ray k = kit_enter(ray, s->centre, scale_of(s));
 
-    *out = pov_unit(pov_two3_hi(kit_point(&k, at)));
+    return pov_two3_hi(kit_point(&k, at));
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    *out = pov_unit(offset(self, ray, at));
 }
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
@@ -201,6 +206,89 @@ static bool absorb(void *self, const pov_affine *map)
     s->centre = kit_map_point(map, s->centre);
     s->radius = pov_two_mul(s->radius, factor);
     return true;
+}
+
+/* ---- many at once ---- */
+
+/* Spheres, each with its ray and, for its normal, a crossing. */
+typedef struct sphere_lanes {
+    kit_rays rays;
+    kit_lane3 centre, centre_lo;
+    kit_lane radius, radius_lo, t, t_lo;
+} sphere_lanes;
+
+static inline void put_sphere(sphere_lanes *l, uint32_t i, const sphere *s)
+{
+    kit_put(&l->centre, i, pov_two3_hi(s->centre));
+    kit_put(&l->centre_lo, i, pov_two3_lo(s->centre));
+    l->radius[i] = s->radius.hi;
+    l->radius_lo[i] = s->radius.lo;
+}
+
+static inline sphere get_sphere(const sphere_lanes *l, uint32_t i)
+{
+    sphere s;
+
+    s.centre = pov_two3_of(kit_get(&l->centre, i), kit_get(&l->centre_lo, i));
+    s.radius = pov_two_of(l->radius[i], l->radius_lo[i]);
+    return s;
+}
+
+/* Normals, and how large they were before they were unit: pov_unit() scales the very large and the very small. */
+KIT_CLONES static void find_normals(const sphere_lanes *restrict l, kit_lane3 *restrict out, double *restrict largest)
+{
+    uint32_t i;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        sphere s = get_sphere(l, i);
+        pov_ray ray = kit_get_ray(&l->rays, i);
+        pov_crossing at;
+        pov_vec3 w;
+        double length;
+
+        at.t = l->t[i];
+        at.t_lo = l->t_lo[i];
+        w = offset(&s, &ray, &at);
+        length = sqrt(pov_dot(w, w));
+        largest[i] = pov_largest(w);
+        kit_put(out, i, pov_vec3_of(w.x / length, w.y / length, w.z / length));
+    }
+}
+
+static void normals_of(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                       pov_vec3 *const *out, uint32_t n)
+{
+    sphere_lanes lanes;
+    kit_lane3 unit;
+    kit_lane largest;
+    uint32_t i, j;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        j = kit_lane_of(i, n);
+        kit_put_ray(&lanes.rays, i, rays[j]);
+        put_sphere(&lanes, i, selves[j]);
+        lanes.t[i] = at[j]->t;
+        lanes.t_lo[i] = at[j]->t_lo;
+    }
+    find_normals(&lanes, &unit, largest);
+    for (i = 0; i < n; i++)
+        if (largest[i] > 1e-100 && largest[i] < 1e100)
+            *out[i] = kit_get(&unit, i);
+        else
+            normal(selves[i], rays[i], at[i], out[i]);
+}
+
+static void normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                        pov_vec3 *const *out, uint32_t n)
+{
+    uint32_t i;
+
+    for (; n >= KIT_LEAST; n -= i, selves += i, rays += i, at += i, out += i) {
+        i = n < KIT_LANES ? n : KIT_LANES;
+        normals_of(selves, rays, at, out, i);
+    }
+    for (i = 0; i < n; i++)
+        normal(selves[i], rays[i], at[i], out[i]);
 }
 
 /* ---- blocks ---- */
@@ -311,6 +399,7 @@ static const pov_shape_class sphere_class = {
     .block_filter = block_filter,
     .text_size = sizeof(sphere_text),
     .prepare = prepare,
+    .normal_many = normal_many,
 };
 
 static const pov_shape_class *const shapes[] = { &sphere_class, NULL };

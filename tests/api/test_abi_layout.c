@@ -45,6 +45,8 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_host, warn, 64);
     AT(pov_shape_class, block_filter, 88);
     AT(pov_shape_class, prepare, 104);
+    AT(pov_shape_class, intersect_many, 112);
+    AT(pov_shape_class, normal_many, 120);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_plugin, images, 32);

@@ -26,9 +26,7 @@ typedef struct plugin_subject {
 extern plugin_subject subject;
 
 /* Does the class reach as far as this member, and is it there? */
-#define HAS(member) \
-    (subject.shape->size >= offsetof(pov_shape_class, member) + sizeof subject.shape->member \
-     && subject.shape->member != NULL)
+#define HAS(member) POV_SHAPE_HAS(subject.shape, member)
 
 /* Load a file and make instances of its first shape. False: there are none. */
 bool subject_set_up(const char *file);

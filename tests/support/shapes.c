@@ -99,6 +99,23 @@ static void ball_normal(const void *self, const pov_ray *ray, const pov_crossing
         pov_vec3_of(w.x.hi + at->t_lo * ray->dir.x, w.y.hi + at->t_lo * ray->dir.y, w.z.hi + at->t_lo * ray->dir.z));
 }
 
+static void ball_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    uint32_t i;
+
+    for (i = 0; i < n; i++)
+        ball_intersect(selves[i], rays[i], hits[i]);
+}
+
+static void ball_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                             pov_vec3 *const *out, uint32_t n)
+{
+    uint32_t i;
+
+    for (i = 0; i < n; i++)
+        ball_normal(selves[i], rays[i], at[i], out[i]);
+}
+
 static bool ball_inside(const void *self, pov_vec3 p, pov_vec3 lo)
 {
     const test_ball *b = self;
@@ -198,6 +215,8 @@ const pov_shape_class test_ball_class = {
     .block_size = sizeof(ball_block),
     .block_pack = ball_pack,
     .block_filter = ball_filter,
+    .intersect_many = ball_intersect_many,
+    .normal_many = ball_normal_many,
 };
 
 const pov_shape_class test_plain_ball_class = {

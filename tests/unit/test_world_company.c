@@ -52,7 +52,7 @@ static void add_things(subject *s, int n, double scale, pov_vec3 offset, bool co
         double size = 0.1 * scale * test_uniform(&s->random, 0.2, 1.0);
         test_ball ball = { c, size };
         test_brick brick = { c, pov_add(c, pov_vec3_of(size, 0.2 * size, 2.0 * size)) };
-        uint32_t surface = coloured && i % 3 == 0 ? glass : 0, flags = i % 11 == 0 ? OBJECT_NO_SHADOW : 0;
+        uint32_t surface = coloured && i % 3 == 0 ? glass : 0, flags = i % 11 == 0 ? OBJECT_NO_SHADOW : i % 7 == 0 ? OBJECT_INVERSE : 0;
         const transform *map = NULL;
         if (i % 5 == 0)
             test_add(&s->model, &test_brick_class, &brick, NULL, surface, flags);
@@ -114,6 +114,30 @@ static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, doubl
     }
 }
 
+static void same_surfaces(subject *s, const pov_ray *const *rays, uint32_t n, const hit *hits)
+{
+    const pov_ray *met[WORLD_MANY];
+    hit many[WORLD_MANY], *at[WORLD_MANY];
+    uint32_t i, k = 0;
+
+    for (i = 0; i < n; i++) {
+        if (hits[i].object == POV_NOBODY)
+            continue;
+        many[k] = hits[i];
+        at[k] = &many[k];
+        met[k++] = rays[i];
+    }
+    world_surface_many(s->world, met, at, k);
+    for (i = 0; i < k; i++) {
+        hit single = many[i];
+        world_surface(s->world, met[i], &single);
+        assert_memory_equal(&many[i].point, &single.point, sizeof single.point);
+        assert_memory_equal(&many[i].point_lo, &single.point_lo, sizeof single.point_lo);
+        assert_memory_equal(&many[i].normal, &single.normal, sizeof single.normal);
+        assert_int_equal(many[i].entering, single.entering);
+    }
+}
+
 /* The rays, and from what they meet those to a light, on each of this processor's walks. Gives the number of hits. */
 static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 lamp)
 {
@@ -130,6 +154,7 @@ static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 la
         s->world->walks = walks[k];
         met = same_nearest(s, all, n, hits);
         same_light(s, all, n, HUGE_VAL);
+        same_surfaces(s, all, n, hits);
         for (i = lit = 0; i < n; i++) {
             if (hits[i].object == POV_NOBODY)
                 continue;

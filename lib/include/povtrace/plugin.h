@@ -181,7 +181,17 @@ typedef struct pov_shape_class {
     size_t text_size;
     void (*prepare)(void *self, const void *text);
     /* abi 1 ends here */
+
+    /* [render] As n calls of intersect(), and of normal(), to the bit: pair i is shape i with ray i. For rays that are
+     * asked in company, where several side by side cost less than as many alone; n is at least one. */
+    void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+    void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                        pov_vec3 *const *out, uint32_t n);
 } pov_shape_class;
+
+/* Does a class reach as far as this member, and is it there? */
+#define POV_SHAPE_HAS(shape, member) \
+    ((shape)->size >= offsetof(pov_shape_class, member) + sizeof (shape)->member && (shape)->member != NULL)
 
 /* ---- an image format ---------------------------------------------------- */
 

@@ -1,0 +1,22 @@
+/* simd.h - plain loops over lanes, compiled for several instruction sets; the loader picks one. None of them contracts
+ * products and sums, so all give the same bits. */
+#ifndef BASE_SIMD_H
+#define BASE_SIMD_H
+
+/* Sanitizers cannot run in the resolvers that pick a clone. */
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
+#define SIMD_ONE_CLONE 1
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SIMD_ONE_CLONE 1
+#endif
+
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(SIMD_ONE_CLONE)
+#define SIMD_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define SIMD_CLONES
+#endif
+
+#endif
