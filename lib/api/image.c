@@ -119,7 +119,7 @@ static pov_status write_file(pov_context *context, const char *path, const pov_i
 /* Three channels a pixel, rows without gaps; NULL: no memory. */
 static void *pack(const env *e, const pov_image *image, const float *rgba, size_t stride)
 {
-    unsigned char *packed = env_alloc(e, (size_t)image->height, image->stride);
+    unsigned char *packed = env_resize(e, NULL, (size_t)image->height, image->stride);
     const unsigned char *row = (const unsigned char *)rgba;
     encoder encode;
     int y;

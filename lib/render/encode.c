@@ -60,22 +60,43 @@ static uint16_t stored_16(const encoder *e, float v)
     return (uint16_t)(65535.0 * x + 0.5);
 }
 
-static void store(const encoder *e, float v, size_t index, void *out)
+/* A value that is no number is no light. */
+static void store_floats(const float *rgba, size_t pixels, int channels, float *out)
 {
-    if (e->bits == 8)
-        ((unsigned char *)out)[index] = stored_8(e, v);
-    else if (e->bits == 16)
-        ((uint16_t *)out)[index] = stored_16(e, v);
-    else
-        ((float *)out)[index] = v == v ? v : 0.0f;
+    for (size_t i = 0; i < pixels; i++, rgba += 4, out += channels) {
+        for (int c = 0; c < 3; c++)
+            out[c] = rgba[c] == rgba[c] ? rgba[c] : 0.0f;
+        if (channels == 4)
+            out[3] = 1.0f;
+    }
+}
+
+static void store_bytes(const encoder *e, const float *rgba, size_t pixels, int channels, unsigned char *out)
+{
+    for (size_t i = 0; i < pixels; i++, rgba += 4, out += channels) {
+        for (int c = 0; c < 3; c++)
+            out[c] = stored_8(e, rgba[c]);
+        if (channels == 4)
+            out[3] = 255;
+    }
+}
+
+static void store_words(const encoder *e, const float *rgba, size_t pixels, int channels, uint16_t *out)
+{
+    for (size_t i = 0; i < pixels; i++, rgba += 4, out += channels) {
+        for (int c = 0; c < 3; c++)
+            out[c] = stored_16(e, rgba[c]);
+        if (channels == 4)
+            out[3] = 65535;
+    }
 }
 
 void encoder_row(const encoder *e, const float *rgba, int width, int channels, void *out)
 {
-    size_t i, n = (size_t)width;
-    int c;
-
-    for (i = 0; i < n; i++)
-        for (c = 0; c < channels; c++)
-            store(e, c < 3 ? rgba[4 * i + (size_t)c] : 1.0f, i * (size_t)channels + (size_t)c, out);
+    if (e->bits == 8)
+        store_bytes(e, rgba, (size_t)width, channels, out);
+    else if (e->bits == 16)
+        store_words(e, rgba, (size_t)width, channels, out);
+    else
+        store_floats(rgba, (size_t)width, channels, out);
 }

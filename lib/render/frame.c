@@ -48,10 +48,13 @@ void frame_put(frame *f, size_t tile, int pass, const float *pixels)
     pov_rect r = tiles_rect(f->tiles, tile);
     lattice l = frame_lattice(f, pass);
 
-    for (int y = 0; y < r.height; y += l.step)
-        for (int x = 0; x < r.width; x += l.step)
-            if (lattice_has(l, x, y))
-                memcpy(pixel(f, r.x + x, r.y + y), pixels + 4 * (y * r.width + x), 4 * sizeof *pixels);
+    if (l.step == 1 && !l.finer)
+        frame_replace(f, tile, pixels);
+    else
+        for (int y = 0; y < r.height; y += l.step)
+            for (int x = 0; x < r.width; x += l.step)
+                if (lattice_has(l, x, y))
+                    memcpy(pixel(f, r.x + x, r.y + y), pixels + 4 * (y * r.width + x), 4 * sizeof *pixels);
     f->done[tile] |= (uint8_t)(1u << pass);
 }
 

@@ -40,14 +40,16 @@ pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask
 /* Rays in company: those of the pixels of a block of the lattice. */
 typedef struct company {
     uint32_t count;
-    pov_ray rays[BATCH_MAX];
+    raygen_places through;
     float *out[BATCH_MAX];
+    pov_ray rays[BATCH_MAX];
 } company;
 
-static void trace_company(worker *w, company *c)
+static void trace_company(worker *w, const settings *s, company *c)
 {
     colour seen[BATCH_MAX];
 
+    raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, seen);
     for (uint32_t i = 0; i < c->count; i++) {
         c->out[i][0] = seen[i].r;
@@ -55,31 +57,38 @@ static void trace_company(worker *w, company *c)
         c->out[i][2] = seen[i].b;
         c->out[i][3] = 1.0f;
     }
-    c->count = 0;
 }
 
 /* (x, y) is the pixel's place in the whole picture: a crop's samples are the whole's. */
-static pov_ray first_ray(const worker *w, const settings *s, int x, int y)
+static inline void look_through(company *c, const settings *s, int x, int y, float *out)
 {
     const sample centre = { 0.5, 0.5 };
-    sample at = s->sampling ? sample_at(s->seed, x, y, 0, 0) : centre;
+    const sample at = s->sampling ? sample_at(s->seed, x, y, 0, 0) : centre;
+    const uint32_t i = c->count++;
 
-    return raygen_ray(&w->claim.camera, s->width, s->height, x, y, at.x, at.y);
+    c->through.x[i] = x;
+    c->through.y[i] = y;
+    c->through.dx[i] = at.x;
+    c->through.dy[i] = at.y;
+    c->out[i] = out;
 }
 
-/* A block is a square of the lattice's pixels, (x, y) its corner in the tile. */
+/* A block is a square of the lattice's pixels, (left, top) its corner in the tile. */
 static void trace_block(worker *w, company *together, const settings *s, int left, int top, int edge)
 {
     const claim *c = &w->claim;
+    const int right = left + edge < c->rect.width ? left + edge : c->rect.width;
 
-    for (int y = top; y < c->rect.height && y < top + edge; y += c->lattice.step)
-        for (int x = left; x < c->rect.width && x < left + edge; x += c->lattice.step)
-            if (lattice_has(c->lattice, x, y)) {
-                together->out[together->count] = w->pixels + 4 * (y * c->rect.width + x);
-                together->rays[together->count++] = first_ray(w, s, s->crop.x + c->rect.x + x, s->crop.y + c->rect.y + y);
-            }
+    together->count = 0;
+    for (int y = top; y < c->rect.height && y < top + edge; y += c->lattice.step) {
+        float *row = w->pixels + 4 * y * c->rect.width;
+
+        for (int x = left; x < right; x += c->lattice.step)
+            if (lattice_has(c->lattice, x, y))
+                look_through(together, s, s->crop.x + c->rect.x + x, s->crop.y + c->rect.y + y, row + 4 * x);
+    }
     if (together->count > 0)
-        trace_company(w, together);
+        trace_company(w, s, together);
 }
 
 bool worker_trace(worker *w, const settings *s)
@@ -89,7 +98,7 @@ bool worker_trace(worker *w, const settings *s)
     int edge = BLOCK_EDGE * c->lattice.step;
     company together;
 
-    together.count = 0;
+    raygen_begin(&c->camera, together.rays, BATCH_MAX);
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += edge) {
             trace_block(w, &together, s, x, y, edge);

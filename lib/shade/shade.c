@@ -12,6 +12,14 @@
  * get a hundred times dearer from one question to the next. */
 static const double ask_soon = 0.002, ask_late = 0.008;
 
+static void make_camera_paths(batch *b)
+{
+    const path fresh = { .factor = { 1.0f, 1.0f, 1.0f }, .weight = 1.0f, .level = 1 };
+
+    for (uint32_t i = 0; i < BATCH_MAX; i++)
+        b->paths[i] = fresh;
+}
+
 pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_error *err)
 {
     pov_tracer *t = env_alloc(m->env, 1, sizeof *t);
@@ -23,6 +31,7 @@ pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_e
     t->model = m;
     t->world = w;
     t->plan = world_plan(w);
+    make_camera_paths(&t->camera);
     t->now = &t->batches[0];
     t->mirrored = &t->batches[1];
     t->passed = &t->batches[2];
@@ -120,8 +129,6 @@ static media_span begin_media(pov_tracer *t, const pov_ray *ray)
 {
     media_span span = { t->media.count, 0 };
 
-    if (!t->plan->media_at_start)
-        return span;
     find_start(t, ray);
     for (size_t i = 0; i < t->start.count && !t->failed; i++)
         if (!media_push(&t->media, t->env, t->start.items[i]))
@@ -167,9 +174,12 @@ static bool put_aside(pov_tracer *t, const batch *b)
 {
     wait w = { b->count, t->media.count, t->spots.count };
 
-    for (uint32_t i = 0; i < b->count; i++)
-        if (!VEC_PUSH(t->env, &t->waiting, b->paths[i]))
+    for (uint32_t i = 0; i < b->count; i++) {
+        waiting one = { b->paths[i], *b->rays[i] };
+
+        if (!VEC_PUSH(t->env, &t->waiting, one))
             return false;
+    }
     return VEC_PUSH(t->env, &t->waits, w);
 }
 
@@ -179,7 +189,13 @@ static void take_up(pov_tracer *t, batch *b)
 
     b->count = w.paths;
     t->waiting.count -= w.paths;
-    memcpy(b->paths, t->waiting.items + t->waiting.count, w.paths * sizeof *b->paths);
+    for (uint32_t i = 0; i < w.paths; i++) {
+        const waiting *one = &t->waiting.items[t->waiting.count + i];
+
+        b->paths[i] = one->path;
+        b->room[i] = one->ray;
+        b->rays[i] = &b->room[i];
+    }
     t->media.count = w.media;
     t->spots.count = w.spots;
 }
@@ -223,12 +239,15 @@ static float finite(float x)
     return isnan(x) ? 0.0f : copysignf(FLT_MAX, x);
 }
 
-static colour finite_colour(colour c)
+/* A sum with anything in it that is no finite number is none either. */
+static inline colour finite_colour(colour c)
 {
+    if (isfinite(c.r + c.g + c.b))
+        return c;
     return colour_of(finite(c.r), finite(c.g), finite(c.b));
 }
 
-static void see(const path *p, colour seen, colour *out)
+static inline void see(const path *p, colour seen, colour *out)
 {
     out[p->lane] = colour_add(out[p->lane], finite_colour(colour_mul(p->factor, seen)));
 }
@@ -252,7 +271,7 @@ static void find_spot(pov_tracer *t, surface *s, const spot *from)
 {
     spot on;
 
-    world_spot(t->world, t->walker, &s->from->ray, from, &s->at, &on);
+    world_spot(t->world, t->walker, s->ray, from, &s->at, &on);
     stand_on(t, s, &on);
 }
 
@@ -264,14 +283,14 @@ static bool meet_from_spot(pov_tracer *t, surface *s)
     uint32_t which;
 
     from.above = p->above;
-    which = spot_crossed(&from, p->ray.dir);
+    which = spot_crossed(&from, s->ray->dir);
     if (which < from.count) {
         s->at = from.at[which];
-        s->at.entering = pov_dot(s->at.normal, p->ray.dir) < 0.0;
+        s->at.entering = pov_dot(s->at.normal, s->ray->dir) < 0.0;
         stand_on(t, s, &from);
         return true;
     }
-    if (!world_nearest_from(t->world, t->walker, &from, &p->ray, HUGE_VAL, &s->at))
+    if (!world_nearest_from(t->world, t->walker, &from, s->ray, HUGE_VAL, &s->at))
         return false;
     if (s->at.company)
         find_spot(t, s, &from);
@@ -281,7 +300,7 @@ static bool meet_from_spot(pov_tracer *t, surface *s)
 static bool meet_alone(pov_tracer *t, surface *s)
 {
     return s->from->spot ? meet_from_spot(t, s)
-                         : world_nearest(t->world, t->walker, &s->from->ray, HUGE_VAL, &s->at);
+                         : world_nearest(t->world, t->walker, s->ray, HUGE_VAL, &s->at);
 }
 
 static bool any_on_spot(const pov_tracer *t, const batch *b)
@@ -293,23 +312,20 @@ static bool any_on_spot(const pov_tracer *t, const batch *b)
 }
 
 /* What the batch's rays meet, one surface a ray that meets any. The others see the background. */
-static uint32_t meet(pov_tracer *t, colour *out)
+static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 {
-    const batch *b = t->now;
     const bool alone = any_on_spot(t, b);
-    const pov_ray *rays[BATCH_MAX];
     hit hits[BATCH_MAX];
     uint64_t met = 0;
     uint32_t i, n = 0;
 
-    for (i = 0; i < b->count; i++)
-        rays[i] = &b->paths[i].ray;
     if (!alone)
-        met = world_nearest_many(t->world, t->walker, rays, b->count, HUGE_VAL, hits);
+        met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, hits);
     for (i = 0; i < b->count; i++) {
         surface *s = &t->surfaces[n];
 
         s->from = &b->paths[i];
+        s->ray = b->rays[i];
         s->spot = s->above = s->on = 0;
         if (!(alone ? meet_alone(t, s) : met >> i & 1)) {
             see(&b->paths[i], t->model->background, out);
@@ -325,10 +341,10 @@ static uint32_t meet(pov_tracer *t, colour *out)
 }
 
 /* Follow the paths of one batch to where they end, and see which go on. */
-static void follow(pov_tracer *t, colour *out)
+static void follow(pov_tracer *t, const batch *b, colour *out)
 {
     surface *answers[BATCH_MAX], *branches[BATCH_MAX];
-    uint32_t n = meet(t, out), to_light = 0, to_branch = 0, i;
+    uint32_t n = meet(t, b, out), to_light = 0, to_branch = 0, i;
 
     for (i = 0; i < n; i++) {
         surface *s = &t->surfaces[i];
@@ -354,48 +370,48 @@ static void follow(pov_tracer *t, colour *out)
 /* ---- camera rays ---- */
 
 /* Rays of cameras that do not exist: no direction, or one that is not a number. */
-static bool is_ray(const pov_ray *ray)
+static inline bool is_ray(const pov_ray *ray)
 {
-    double start = ray->org.x + ray->org.y + ray->org.z, length = pov_largest(ray->dir);
+    double start = ray->org.x + ray->org.y + ray->org.z, way = ray->dir.x + ray->dir.y + ray->dir.z;
 
-    return isfinite(start) && length > 0.0 && isfinite(ray->dir.x + ray->dir.y + ray->dir.z);
+    return isfinite(start) && isfinite(way) && (way != 0.0 || pov_largest(ray->dir) > 0.0);
 }
 
-static void begin(pov_tracer *t, const pov_ray *ray, uint32_t lane)
+/* Bit i: ray i is one, and its path begins. */
+static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n)
 {
-    path *p = &t->now->paths[t->now->count++];
+    batch *b = &t->camera;
+    uint64_t rays_there = 0;
 
-    p->ray = *ray;
-    p->factor = colour_of(1.0f, 1.0f, 1.0f);
-    p->weight = 1.0f;
-    p->level = 1;
-    p->standing = 0;
-    p->lane = lane;
-    p->media = begin_media(t, ray);
-    p->spot = p->above = 0;
-    t->counts.camera++;
+    b->count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        if (!is_ray(&rays[i]))
+            continue;
+        if (t->plan->media_at_start)
+            b->paths[b->count].media = begin_media(t, &rays[i]);
+        b->paths[b->count].lane = i;
+        b->rays[b->count++] = &rays[i];
+        rays_there |= (uint64_t)1 << i;
+    }
+    t->counts.camera += b->count;
+    return rays_there;
 }
 
 static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
 {
+    const batch *b = &t->camera;
+    uint64_t seeing;
     uint32_t i;
 
-    t->now->count = 0;
     t->media.count = t->waiting.count = t->waits.count = t->spots.count = 0;
-    for (i = 0; i < n; i++) {
-        bool sees = is_ray(&rays[i]);
-
-        out[i] = sees ? colour_of(0.0f, 0.0f, 0.0f) : t->model->background;
-        if (sees)
-            begin(t, &rays[i], i);
-    }
-    if (t->now->count > 0)
-        do
-            follow(t, out);
-        while (!t->failed && !tracer_gives_up(t, t->now->count) && next_batch(t));
+    seeing = begin(t, rays, n);
     for (i = 0; i < n; i++)
-        if (is_ray(&rays[i]))
-            out[i] = finite_colour(out[i]);
+        out[i] = colour_of(0.0f, 0.0f, 0.0f);
+    if (b->count > 0)
+        for (follow(t, b, out); !t->failed && !tracer_gives_up(t, b->count) && next_batch(t); b = t->now)
+            follow(t, t->now, out);
+    for (i = 0; i < n; i++)
+        out[i] = seeing >> i & 1 ? finite_colour(out[i]) : t->model->background;
 }
 
 colour tracer_color(pov_tracer *t, const pov_ray *ray)

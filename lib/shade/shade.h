@@ -11,7 +11,6 @@
 /* A ray on its way, and what it is worth. The picture's value is a sum over all rays that a camera ray leads
  * to, so none waits for another's result: a list of those still to be followed takes the place of recursion. */
 typedef struct path {
-    pov_ray ray;
     colour factor;               /* the product of the coefficients on the way here */
     float weight;                /* the product of their largest components */
     int level;                   /* 1: the camera ray */
@@ -25,11 +24,17 @@ typedef struct path {
 /* Paths that are followed in company: of neighbouring camera rays the same way on, at most one of each, ordered by
  * lane. So what a camera ray's paths give is added up in the same order in any company, and alone. */
 enum { BATCH_MAX = WORLD_MANY };
-typedef struct batch { uint32_t count; path paths[BATCH_MAX]; } batch;
+typedef struct batch {
+    uint32_t count;
+    path paths[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];   /* of the paths: the caller's camera rays, or those in `room` */
+    pov_ray room[BATCH_MAX];
+} batch;
 
 /* A hit, seen from the ray's start. */
 typedef struct surface {
     const path *from;
+    const pov_ray *ray;          /* the path's */
     hit at;
     uint32_t spot, above, on;    /* it lies on others: as in a path; which of them it is */
     const material *material;
@@ -50,7 +55,8 @@ typedef struct light_rays {
 } light_rays;
 
 /* Batches that wait, the last of them on top. */
-typedef struct path_stack { path *items; size_t count, capacity; } path_stack;
+typedef struct waiting { path path; pov_ray ray; } waiting;
+typedef struct path_stack { waiting *items; size_t count, capacity; } path_stack;
 /* Of one batch, and how many media and spots there are behind it. */
 typedef struct wait { uint32_t paths; size_t media, spots; } wait;
 typedef struct spot_stack { spot *items; size_t count, capacity; } spot_stack;
@@ -82,6 +88,7 @@ struct pov_tracer {
     path_stack waiting;          /* transmitted rays, at most one batch a level */
     wait_stack waits;
     spot_stack spots;            /* of paths and of surfaces, in their order */
+    batch camera;                /* paths of camera rays; what is the same for all of them was set once */
     batch *now, *mirrored, *passed;   /* being followed, and those that go on from it: three of `batches` */
     batch batches[3];
     surface surfaces[BATCH_MAX];

@@ -26,8 +26,8 @@ static bool needs_geometry(const pov_tracer *t, const surface *s)
 static void look(pov_tracer *t, surface *s)
 {
     if (s->spot == 0)
-        world_surface(t->world, &s->from->ray, &s->at);
-    s->view = pov_unit(s->from->ray.dir);
+        world_surface(t->world, s->ray, &s->at);
+    s->view = pov_unit(s->ray->dir);
     s->normal = s->at.entering ? s->at.normal : pov_scale(s->at.normal, -1.0);
     s->cosine = -pov_dot(s->normal, s->view);
     s->cosine = s->cosine > 0.0 ? s->cosine : 0.0;
@@ -57,13 +57,15 @@ static path *leave(batch *b, const surface *s, pov_vec3 direction)
 {
     const path *p = s->from;
     path *next = &b->paths[b->count];
+    pov_ray *ray = &b->room[b->count];
 
-    next->ray.org = s->at.point;
-    next->ray.org_lo = s->at.point_lo;
-    next->ray.dir = direction;
-    next->ray.dir_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    next->ray.left = s->at.object;
-    next->ray.left_mark = s->at.crossing.mark;
+    b->rays[b->count] = ray;
+    ray->org = s->at.point;
+    ray->org_lo = s->at.point_lo;
+    ray->dir = direction;
+    ray->dir_lo = pov_vec3_of(0.0, 0.0, 0.0);
+    ray->left = s->at.object;
+    ray->left_mark = s->at.crossing.mark;
     next->factor = p->factor;
     next->weight = p->weight;
     next->level = p->level;
@@ -115,13 +117,13 @@ static bool reflect(pov_tracer *t, const surface *s, colour coefficient)
 /* Straight on, whatever lies on both sides. */
 static bool pass(pov_tracer *t, const surface *s)
 {
-    const path *p = s->from;
-    path *out = leave_across(t->passed, s, p->ray.dir);
+    const pov_vec3 from = s->ray->org, to = s->at.point;
+    path *out = leave_across(t->passed, s, s->ray->dir);
 
     if (!goes_on(t, out, material_filter(s->material), false))
         return false;
-    if (out->ray.org.x == p->ray.org.x && out->ray.org.y == p->ray.org.y && out->ray.org.z == p->ray.org.z)
-        out->standing = p->standing + 1;
+    if (from.x == to.x && from.y == to.y && from.z == to.z)
+        out->standing = s->from->standing + 1;
     if (out->standing > STANDING_MAX) {
         t->counts.cut_depth++;
         return false;

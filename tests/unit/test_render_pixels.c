@@ -57,6 +57,30 @@ static void rays_are_symmetric_to_the_bit(void **state)
     }
 }
 
+static void many_rays_are_single_ones_to_the_bit(void **state)
+{
+    const pov_camera c = a_camera();
+    pov_ray rays[RAYGEN_MANY];
+    raygen_places places;
+    (void)state;
+
+    for (int i = 0; i < RAYGEN_MANY; i++) {
+        sample at = sample_at(7, i, 3 * i, i & 1, (uint32_t)i);
+
+        places.x[i] = i;
+        places.y[i] = 3 * i;
+        places.dx[i] = at.x;
+        places.dy[i] = at.y;
+    }
+    raygen_begin(&c, rays, RAYGEN_MANY);
+    raygen_aim(&c, 83, 211, &places, RAYGEN_MANY, rays);
+    for (int i = 0; i < RAYGEN_MANY; i++) {
+        pov_ray one = raygen_ray(&c, 83, 211, places.x[i], places.y[i], places.dx[i], places.dy[i]);
+
+        assert_memory_equal(&one, &rays[i], sizeof one);
+    }
+}
+
 /* ---- samples ---- */
 
 /* One in each of 32 rows and columns, and in each cell of 4 x 8 and of 8 x 4, for both halves of any pixel: random
@@ -332,6 +356,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_goes_through_the_centre_of_its_pixel),
         cmocka_unit_test(rays_are_symmetric_to_the_bit),
+        cmocka_unit_test(many_rays_are_single_ones_to_the_bit),
         cmocka_unit_test(samples_of_a_half_spread_evenly),
         cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),
         cmocka_unit_test(tiles_cover_every_pixel_once),
