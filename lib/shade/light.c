@@ -1,49 +1,81 @@
 #include "shade/light.h"
 
+#include "base/simd.h"
+#include "shade/geometry.h"
 #include "shade/pigment.h"
 
 #include <povtrace/exact.h>
 
-/* From the hit to the light, rounded once: both ends have two parts, so that a light may be near or far. */
-static pov_vec3 towards(const light *l, const hit *h)
-{
-    pov_two3 a = pov_two3_of(l->position, l->position_lo), b = pov_two3_of(h->point, h->point_lo);
+/* How surfaces see one light, by lane. */
+typedef struct sight {
+    lanes way;                   /* from the surface to the light */
+    double cosine[BATCH_MAX];    /* between it and the normal */
+    double gloss[BATCH_MAX];     /* ... and the mirrored ray */
+} sight;
 
-    return pov_vec3_of(pov_two_sub(a.x, b.x).hi, pov_two_sub(a.y, b.y).hi, pov_two_sub(a.z, b.z).hi);
+static inline void see(sight *s, const geometry *g, uint32_t i, pov_vec3 direction)
+{
+    s->cosine[i] = pov_dot(lanes_at(&g->normal, i), direction);
+    s->gloss[i] = pov_dot(lanes_at(&g->mirrored, i), direction);
 }
 
-/* What white light from a unit direction becomes on its way to the ray's start. */
-static colour answer(const pov_tracer *t, const surface *s, pov_vec3 direction, double cosine)
+/* From a point to the light along one axis, rounded once: both ends have two parts, so that a light may be near or far. */
+static inline double towards(double l, double l_lo, double p, double p_lo)
+{
+    return pov_two_sub(pov_two_of(l, l_lo), pov_two_of(p, p_lo)).hi;
+}
+
+/* False: some way is so short or long that its square is none. */
+SIMD_CLONES static bool look_plain(sight *restrict s, const geometry *restrict g, const light *restrict l, uint32_t n)
+{
+    const pov_vec3 at = l->position, at_lo = l->position_lo;
+    int plain = 1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        pov_vec3 direction;
+
+        s->way.x[i] = towards(at.x, at_lo.x, g->point.x[i], g->point_lo.x[i]);
+        s->way.y[i] = towards(at.y, at_lo.y, g->point.y[i], g->point_lo.y[i]);
+        s->way.z[i] = towards(at.z, at_lo.z, g->point.z[i], g->point_lo.z[i]);
+        plain &= geometry_unit(s->way.x[i], s->way.y[i], s->way.z[i], &direction);
+        see(s, g, i, direction);
+    }
+    return plain;
+}
+
+static void look_at_light(sight *s, const geometry *g, const light *l, uint32_t n)
+{
+    if (!look_plain(s, g, l, n))
+        for (uint32_t i = 0; i < n; i++)
+            see(s, g, i, pov_unit(lanes_at(&s->way, i)));
+}
+
+/* What white light becomes on its way to the ray's start. */
+static inline colour answer(const pov_tracer *t, const surface *s, double cosine, double gloss)
 {
     const material *m = s->material;
-    colour sum = colour_scale(m->pigment, s->opacity * m->diffuse * (float)cosine);
-    double along;
+    colour sum = colour_scale(m->pigment, s->look->body * (float)cosine);
 
-    if (!t->plan->highlights || m->phong == 0.0f)
-        return sum;
-    along = pov_dot(s->mirrored, direction);
-    if (along > 0.0) {
-        float strength = m->phong * (float)pow(along, m->phong_size);
+    if (t->plan->highlights && m->phong != 0.0f && gloss > 0.0) {
+        const float strength = m->phong * (float)pow(gloss, m->phong_size);
+
         sum = colour_add(sum, colour_scale(pigment_highlight(t->model, m, cosine), strength));
     }
     return sum;
 }
 
 /* Note the ray from a surface to the light, or add what it gives where nothing can stand in the way. */
-static void ask(pov_tracer *t, surface *s, pov_vec3 way, colour given)
+static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, colour given)
 {
     light_rays *l = &t->light_rays;
-    pov_ray *ray = &l->rays[l->count];
+    surface *s = &t->surfaces[lane];
 
     if (!t->plan->shadows) {
         s->lit = colour_add(s->lit, given);
         return;
     }
-    ray->org = s->at.point;
-    ray->org_lo = s->at.point_lo;
-    ray->dir = way;
-    ray->left = s->at.object;
-    ray->left_mark = s->at.crossing.mark;
+    l->room[lane].dir = way;
+    l->rays[l->count] = &l->room[lane];
     l->of[l->count] = s;
     l->given[l->count++] = given;
 }
@@ -63,9 +95,9 @@ static uint64_t light_each(pov_tracer *t, const light_rays *l, colour *through)
 
     for (uint32_t i = 0; i < l->count; i++) {
         const uint32_t at = l->of[i]->spot;
-        const bool is_lit = at ? world_light_path_from(t->world, t->walker, &t->spots.items[at - 1], &l->rays[i], 1.0,
+        const bool is_lit = at ? world_light_path_from(t->world, t->walker, &t->spots.items[at - 1], l->rays[i], 1.0,
                                                        &through[i])
-                               : world_light_path(t->world, t->walker, &l->rays[i], 1.0, &through[i]);
+                               : world_light_path(t->world, t->walker, l->rays[i], 1.0, &through[i]);
         lit |= (uint64_t)is_lit << i;
     }
     return lit;
@@ -74,50 +106,74 @@ static uint64_t light_each(pov_tracer *t, const light_rays *l, colour *through)
 static void send(pov_tracer *t)
 {
     light_rays *l = &t->light_rays;
-    const pov_ray *rays[BATCH_MAX];
     colour through[BATCH_MAX];
     uint64_t lit;
     uint32_t i;
 
-    for (i = 0; i < l->count; i++)
-        rays[i] = &l->rays[i];
     t->counts.shadow += l->count;
-    lit = any_on_spot(l) ? light_each(t, l, through)
-                         : world_light_path_many(t->world, t->walker, rays, l->count, 1.0, through);
+    lit = t->spots.count > 0 && any_on_spot(l)
+              ? light_each(t, l, through)
+              : world_light_path_many(t->world, t->walker, l->rays, l->count, 1.0, through);
     for (i = 0; i < l->count; i++)
         if (lit >> i & 1)
             l->of[i]->lit = colour_add(l->of[i]->lit, colour_mul(l->given[i], through[i]));
-    l->count = 0;
 }
 
-static void shine(pov_tracer *t, const light *l, surface *s)
+/* The rays of all surfaces to one light, but for those that it cannot change anything about. */
+static void shine(pov_tracer *t, const light *l, uint32_t n)
 {
-    pov_vec3 way = towards(l, &s->at), direction = pov_unit(way);
-    double cosine = pov_dot(s->normal, direction);
-    colour given;
+    uint32_t behind = 0, idle = 0;
+    sight s;
 
-    if (!(cosine > 0.0)) {
-        t->counts.shadow_behind++;
-        return;
+    look_at_light(&s, &t->geometry, l, n);
+    t->light_rays.count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        const surface *on = &t->surfaces[i];
+        colour given;
+
+        if (!on->look->lit)
+            continue;
+        if (!(s.cosine[i] > 0.0)) {
+            behind++;
+            continue;
+        }
+        given = colour_mul(l->color, answer(t, on, s.cosine[i], s.gloss[i]));
+        if (colour_is_black(given))
+            idle++;
+        else
+            ask(t, i, lanes_at(&s.way, i), given);
     }
-    given = colour_mul(l->color, answer(t, s, direction, cosine));
-    if (colour_is_black(given))
-        t->counts.shadow_idle++;
-    else
-        ask(t, s, way, given);
+    t->counts.shadow_behind += behind;
+    t->counts.shadow_idle += idle;
+    if (t->light_rays.count > 0)
+        send(t);
+    t->failed = t->failed || walker_failed(t->walker);
 }
 
-void light_gather(pov_tracer *t, surface *const *surfaces, uint32_t n)
+/* The surfaces that lights change; rays from them start all alike, to whatever light. */
+static uint32_t begin(pov_tracer *t, uint32_t n)
 {
-    uint32_t i;
+    uint32_t lit = 0;
 
-    for (i = 0; i < n; i++)
-        surfaces[i]->lit = colour_of(0.0f, 0.0f, 0.0f);
-    for (size_t k = 0; k < t->model->lights.count && !t->failed && !tracer_gives_up(t, n); k++) {
-        for (i = 0; i < n; i++)
-            shine(t, &t->model->lights.items[k], surfaces[i]);
-        if (t->light_rays.count > 0)
-            send(t);
-        t->failed = t->failed || walker_failed(t->walker);
+    for (uint32_t i = 0; i < n; i++) {
+        const surface *s = &t->surfaces[i];
+        pov_ray *ray = &t->light_rays.room[i];
+
+        if (!s->look->lit)
+            continue;
+        lit++;
+        ray->org = s->at->point;
+        ray->org_lo = s->at->point_lo;
+        ray->left = s->at->object;
+        ray->left_mark = s->at->crossing.mark;
     }
+    return lit;
+}
+
+void light_gather(pov_tracer *t, uint32_t n)
+{
+    const uint32_t lit = begin(t, n);
+
+    for (size_t k = 0; lit > 0 && k < t->model->lights.count && !t->failed && !tracer_gives_up(t, lit); k++)
+        shine(t, &t->model->lights.items[k], n);
 }

@@ -2,9 +2,9 @@
 #ifndef SHADE_LIGHT_H
 #define SHADE_LIGHT_H
 
-#include "shade/surface.h"
+#include "shade/shade.h"
 
-/* Diffuse light and highlights of all lights that the surfaces see, into `lit` of each. */
-void light_gather(pov_tracer *t, surface *const *surfaces, uint32_t n);
+/* Diffuse light and highlights of all lights that t->surfaces see, into `lit` of each; t->geometry is known. */
+void light_gather(pov_tracer *t, uint32_t n);
 
 #endif

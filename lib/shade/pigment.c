@@ -1,14 +1,5 @@
 #include "shade/pigment.h"
 
-float pigment_opacity(const model *m, const material *surface)
-{
-    float filter = surface->filter;
-
-    if (m->opacity_uses_filter_colour)
-        filter *= fmaxf(surface->pigment.r, fmaxf(surface->pigment.g, surface->pigment.b));
-    return 1.0f - filter - surface->transmit;
-}
-
 /* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of
  * 90 degrees. */
 static double fresnel(double cosine)

@@ -3,7 +3,9 @@
 #include "base/clock.h"
 #include "base/err.h"
 #include "base/vec.h"
+#include "shade/geometry.h"
 #include "shade/light.h"
+#include "shade/surface.h"
 
 #include <float.h>
 #include <string.h>
@@ -263,7 +265,7 @@ static void stand_on(pov_tracer *t, surface *s, const spot *on)
     }
     s->spot = (uint32_t)t->spots.count;
     s->above = on->above;
-    while (s->on + 1 < on->count && on->at[s->on].object != s->at.object)
+    while (s->on + 1 < on->count && on->at[s->on].object != s->at->object)
         s->on++;
 }
 
@@ -271,7 +273,7 @@ static void find_spot(pov_tracer *t, surface *s, const spot *from)
 {
     spot on;
 
-    world_spot(t->world, t->walker, s->ray, from, &s->at, &on);
+    world_spot(t->world, t->walker, s->ray, from, s->at, &on);
     stand_on(t, s, &on);
 }
 
@@ -285,14 +287,14 @@ static bool meet_from_spot(pov_tracer *t, surface *s)
     from.above = p->above;
     which = spot_crossed(&from, s->ray->dir);
     if (which < from.count) {
-        s->at = from.at[which];
-        s->at.entering = pov_dot(s->at.normal, s->ray->dir) < 0.0;
+        *s->at = from.at[which];
+        s->at->entering = pov_dot(s->at->normal, s->ray->dir) < 0.0;
         stand_on(t, s, &from);
         return true;
     }
-    if (!world_nearest_from(t->world, t->walker, &from, s->ray, HUGE_VAL, &s->at))
+    if (!world_nearest_from(t->world, t->walker, &from, s->ray, HUGE_VAL, s->at))
         return false;
-    if (s->at.company)
+    if (s->at->company)
         find_spot(t, s, &from);
     return true;
 }
@@ -300,7 +302,7 @@ static bool meet_from_spot(pov_tracer *t, surface *s)
 static bool meet_alone(pov_tracer *t, surface *s)
 {
     return s->from->spot ? meet_from_spot(t, s)
-                         : world_nearest(t->world, t->walker, s->ray, HUGE_VAL, &s->at);
+                         : world_nearest(t->world, t->walker, s->ray, HUGE_VAL, s->at);
 }
 
 static bool any_on_spot(const pov_tracer *t, const batch *b)
@@ -311,31 +313,32 @@ static bool any_on_spot(const pov_tracer *t, const batch *b)
     return false;
 }
 
-/* What the batch's rays meet, one surface a ray that meets any. The others see the background. */
+/* What the batch's rays meet: those surfaces of which more than their own glow is seen. */
 static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 {
     const bool alone = any_on_spot(t, b);
-    hit hits[BATCH_MAX];
     uint64_t met = 0;
     uint32_t i, n = 0;
 
     if (!alone)
-        met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, hits);
+        met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
     for (i = 0; i < b->count; i++) {
         surface *s = &t->surfaces[n];
 
         s->from = &b->paths[i];
         s->ray = b->rays[i];
+        s->at = &t->hits[i];
         s->spot = s->above = s->on = 0;
         if (!(alone ? meet_alone(t, s) : met >> i & 1)) {
-            see(&b->paths[i], t->model->background, out);
+            see(s->from, t->model->background, out);
             continue;
         }
-        if (!alone)
-            s->at = hits[i];
-        if (s->at.company && !s->spot)
+        if (s->at->company && !s->spot)
             find_spot(t, s, NULL);
-        n++;
+        if (surface_meet(t, s))
+            n++;
+        else
+            see(s->from, s->look->glow, out);
     }
     return n;
 }
@@ -343,27 +346,16 @@ static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 /* Follow the paths of one batch to where they end, and see which go on. */
 static void follow(pov_tracer *t, const batch *b, colour *out)
 {
-    surface *answers[BATCH_MAX], *branches[BATCH_MAX];
-    uint32_t n = meet(t, b, out), to_light = 0, to_branch = 0, i;
+    const uint32_t n = meet(t, b, out);
+    uint32_t i;
 
-    for (i = 0; i < n; i++) {
-        surface *s = &t->surfaces[i];
-        bool more = surface_meet(t, s);
-
-        if (more)
-            branches[to_branch++] = s;
-        if (more && surface_answers_light(t, s))
-            answers[to_light++] = s;
-        else
-            s->lit = colour_of(0.0f, 0.0f, 0.0f);
-    }
-    if (to_light > 0)
-        light_gather(t, answers, to_light);
+    geometry_find(t, n);
+    light_gather(t, n);
     for (i = 0; i < n; i++)
-        see(t->surfaces[i].from, colour_add(t->surfaces[i].glow, t->surfaces[i].lit), out);
+        see(t->surfaces[i].from, colour_add(t->surfaces[i].look->glow, t->surfaces[i].lit), out);
     t->mirrored->count = t->passed->count = 0;
-    for (i = 0; i < to_branch; i++)
-        surface_branch(t, branches[i]);
+    for (i = 0; i < n; i++)
+        surface_branch(t, i);
     t->failed = t->failed || walker_failed(t->walker);
 }
 

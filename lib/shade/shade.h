@@ -35,23 +35,35 @@ typedef struct batch {
 typedef struct surface {
     const path *from;
     const pov_ray *ray;          /* the path's */
-    hit at;
+    hit *at;
     uint32_t spot, above, on;    /* it lies on others: as in a path; which of them it is */
     const material *material;
-    pov_vec3 view;               /* unit direction of the ray */
-    pov_vec3 normal;             /* unit, turned towards the ray's start */
-    pov_vec3 mirrored;           /* view, mirrored; unit */
-    double cosine;               /* between normal and the way back, >= 0 */
-    float opacity;
-    colour glow, lit;            /* what it sends along the ray: by itself, and of the lights */
+    const plan_look *look;
+    colour lit;                  /* what it sends along the ray of what the lights send it */
 } surface;
 
-/* Rays to one light, and the surfaces that ask for it. */
+/* Vectors by lane, so that loops over lanes become vectors of the processor. */
+typedef struct lanes { double x[BATCH_MAX], y[BATCH_MAX], z[BATCH_MAX]; } lanes;
+
+/* How surfaces lie towards the rays that meet them, by lane. */
+typedef struct geometry {
+    lanes point, point_lo;
+    lanes way;                   /* direction of the ray */
+    lanes view;                  /* the same, unit */
+    lanes normal;                /* unit, turned towards the ray's start */
+    lanes mirrored;              /* view, mirrored; unit */
+    double cosine[BATCH_MAX];    /* between normal and the way back, >= 0 */
+} geometry;
+
+static inline pov_vec3 lanes_at(const lanes *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
+
+/* Rays to one light. */
 typedef struct light_rays {
     uint32_t count;
-    pov_ray rays[BATCH_MAX];
-    surface *of[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];
+    surface *of[BATCH_MAX];      /* the surfaces that ask for it */
     colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
+    pov_ray room[BATCH_MAX];     /* each surface's, whose direction is the current light's */
 } light_rays;
 
 /* Batches that wait, the last of them on top. */
@@ -91,7 +103,9 @@ struct pov_tracer {
     batch camera;                /* paths of camera rays; what is the same for all of them was set once */
     batch *now, *mirrored, *passed;   /* being followed, and those that go on from it: three of `batches` */
     batch batches[3];
+    hit hits[BATCH_MAX];
     surface surfaces[BATCH_MAX];
+    geometry geometry;           /* of the surfaces, in their order */
     light_rays light_rays;
 };
 

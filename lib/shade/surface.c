@@ -1,53 +1,22 @@
 #include "shade/surface.h"
 
-#include "shade/light.h"
-#include "shade/pigment.h"
-
 /* More surfaces on one spot than are told apart can hand a ray back and forth there: straight on does not count for the
  * depth. After this many crossings without a move the ray is cut off as too deep. */
 enum { STANDING_MAX = 1000 };
 
 static const colour white = { 1.0f, 1.0f, 1.0f };
 
-bool surface_answers_light(const pov_tracer *t, const surface *s)
-{
-    return t->plan->lighting && (s->material->diffuse != 0.0f || s->material->phong != 0.0f);
-}
-
-/* Does anything but its own glow come from the surface? */
-static bool needs_geometry(const pov_tracer *t, const surface *s)
-{
-    const material *m = s->material;
-
-    return surface_answers_light(t, s) || (t->plan->reflection && !colour_is_black(m->reflection)) ||
-           (t->plan->transmission && material_is_transparent(m));
-}
-
-static void look(pov_tracer *t, surface *s)
-{
-    if (s->spot == 0)
-        world_surface(t->world, s->ray, &s->at);
-    s->view = pov_unit(s->ray->dir);
-    s->normal = s->at.entering ? s->at.normal : pov_scale(s->at.normal, -1.0);
-    s->cosine = -pov_dot(s->normal, s->view);
-    s->cosine = s->cosine > 0.0 ? s->cosine : 0.0;
-    s->mirrored = pov_add(s->view, pov_scale(s->normal, 2.0 * s->cosine));
-}
-
 bool surface_meet(pov_tracer *t, surface *s)
 {
-    const model *m = t->model;
+    const uint32_t which = t->model->objects.items[s->at->object].material;
+    const plan_look *look = &t->plan->looks[which];
 
-    s->material = &m->materials.items[m->objects.items[s->at.object].material];
-    s->opacity = pigment_opacity(m, s->material);
-    s->glow = colour_scale(colour_mul(s->material->ambient, s->material->pigment), s->opacity);
-    s->glow = colour_mul(s->glow, m->ambient_light);
-    if (t->plan->lighting && !surface_answers_light(t, s))
-        t->counts.shadow_idle += m->lights.count;
-    if (!needs_geometry(t, s))
-        return false;
-    look(t, s);
-    return true;
+    s->material = &t->model->materials.items[which];
+    s->look = look;
+    s->lit = colour_of(0.0f, 0.0f, 0.0f);
+    if (!look->lit && t->plan->lighting)
+        t->counts.shadow_idle += t->model->lights.count;
+    return look->lit || look->mirrors || look->passes;
 }
 
 /* ---- the rays that go on ---- */
@@ -60,12 +29,12 @@ static path *leave(batch *b, const surface *s, pov_vec3 direction)
     pov_ray *ray = &b->room[b->count];
 
     b->rays[b->count] = ray;
-    ray->org = s->at.point;
-    ray->org_lo = s->at.point_lo;
+    ray->org = s->at->point;
+    ray->org_lo = s->at->point_lo;
     ray->dir = direction;
     ray->dir_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    ray->left = s->at.object;
-    ray->left_mark = s->at.crossing.mark;
+    ray->left = s->at->object;
+    ray->left_mark = s->at->crossing.mark;
     next->factor = p->factor;
     next->weight = p->weight;
     next->level = p->level;
@@ -105,9 +74,10 @@ static bool goes_on(pov_tracer *t, path *next, colour coefficient, bool deeper)
 }
 
 /* Here and below: true when the ray goes on. */
-static bool reflect(pov_tracer *t, const surface *s, colour coefficient)
+static bool reflect(pov_tracer *t, uint32_t lane, colour coefficient)
 {
-    bool goes = goes_on(t, leave(t->mirrored, s, s->mirrored), coefficient, true);
+    path *next = leave(t->mirrored, &t->surfaces[lane], lanes_at(&t->geometry.mirrored, lane));
+    bool goes = goes_on(t, next, coefficient, true);
 
     t->mirrored->count += goes;
     t->counts.reflected += goes;
@@ -117,10 +87,10 @@ static bool reflect(pov_tracer *t, const surface *s, colour coefficient)
 /* Straight on, whatever lies on both sides. */
 static bool pass(pov_tracer *t, const surface *s)
 {
-    const pov_vec3 from = s->ray->org, to = s->at.point;
+    const pov_vec3 from = s->ray->org, to = s->at->point;
     path *out = leave_across(t->passed, s, s->ray->dir);
 
-    if (!goes_on(t, out, material_filter(s->material), false))
+    if (!goes_on(t, out, s->look->filter, false))
         return false;
     if (from.x == to.x && from.y == to.y && from.z == to.z)
         out->standing = s->from->standing + 1;
@@ -132,10 +102,12 @@ static bool pass(pov_tracer *t, const surface *s)
 }
 
 /* The mirrored ray of an ordinary surface. */
-static void mirror(pov_tracer *t, const surface *s)
+static void mirror(pov_tracer *t, uint32_t lane)
 {
-    if (t->plan->reflection && !colour_is_black(s->material->reflection))
-        reflect(t, s, s->material->reflection);
+    const surface *s = &t->surfaces[lane];
+
+    if (s->look->mirrors)
+        reflect(t, lane, s->material->reflection);
 }
 
 static void keep_passed(pov_tracer *t, bool passes)
@@ -146,35 +118,40 @@ static void keep_passed(pov_tracer *t, bool passes)
 
 /* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted
  * ray; a mirrored one stays in what it was in. */
-static void bend(pov_tracer *t, const surface *s)
+static void bend(pov_tracer *t, uint32_t lane)
 {
-    media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at.object);
+    const surface *s = &t->surfaces[lane];
+    const geometry *g = &t->geometry;
+    const pov_vec3 view = lanes_at(&g->view, lane), normal = lanes_at(&g->normal, lane);
+    media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at->object);
     path *out = &t->passed->paths[t->passed->count];
     pov_vec3 direction;
     bool passes;
 
     if (c.before == c.after) {
         passes = pass(t, s);
-    } else if (refract(s->view, s->normal, s->cosine, c.before, c.after, &direction)) {
-        passes = goes_on(t, leave_across(t->passed, s, direction), material_filter(s->material), true);
+    } else if (refract(view, normal, g->cosine[lane], c.before, c.after, &direction)) {
+        passes = goes_on(t, leave_across(t->passed, s, direction), s->look->filter, true);
     } else {
-        t->counts.inner_reflections += reflect(t, s, white);
+        t->counts.inner_reflections += reflect(t, lane, white);
         return;
     }
-    mirror(t, s);
+    mirror(t, lane);
     if (passes && !media_pass(&t->media, t->env, &out->media, &c))
         t->failed = true;
     keep_passed(t, passes);
 }
 
-void surface_branch(pov_tracer *t, const surface *s)
+void surface_branch(pov_tracer *t, uint32_t lane)
 {
-    if (!t->plan->transmission || !material_is_transparent(s->material)) {
-        mirror(t, s);
+    const surface *s = &t->surfaces[lane];
+
+    if (!s->look->passes) {
+        mirror(t, lane);
     } else if (t->plan->refraction) {
-        bend(t, s);
+        bend(t, lane);
     } else {
-        mirror(t, s);
+        mirror(t, lane);
         keep_passed(t, pass(t, s));
     }
 }

@@ -155,6 +155,41 @@ static pov_status explain_surfaces(plan *p, const survey *s, pov_error *err)
     return status;
 }
 
+/* The part of ambient and diffuse light that a surface which lets light through still gives. Negative where filter
+ * and transmit are more than 1 together, as in POV-Ray. */
+static float opacity_of(const model *m, const material *of)
+{
+    float filter = of->filter;
+
+    if (m->opacity_uses_filter_colour)
+        filter *= fmaxf(of->pigment.r, fmaxf(of->pigment.g, of->pigment.b));
+    return 1.0f - filter - of->transmit;
+}
+
+static plan_look look_of(const plan *p, const model *m, const material *of)
+{
+    const float opacity = opacity_of(m, of);
+    plan_look l;
+
+    l.lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
+    l.mirrors = p->reflection && !colour_is_black(of->reflection);
+    l.passes = p->transmission && material_is_transparent(of);
+    l.body = opacity * of->diffuse;
+    l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
+    l.filter = material_filter(of);
+    return l;
+}
+
+static pov_status make_looks(plan *p, const model *m, pov_error *err)
+{
+    p->looks = arena_alloc(&p->memory, m->materials.count * sizeof *p->looks, sizeof(float));
+    if (!p->looks)
+        return err_memory(err);
+    for (size_t i = 0; i < m->materials.count; i++)
+        p->looks[i] = look_of(p, m, &m->materials.items[i]);
+    return POV_OK;
+}
+
 pov_status plan_make(plan *p, const model *m, pov_error *err)
 {
     survey s = look(m);
@@ -163,8 +198,10 @@ pov_status plan_make(plan *p, const model *m, pov_error *err)
     memset(p, 0, sizeof *p);
     arena_init(&p->memory, m->env);
     decide(p, &s);
-    status = plan_add(p, err, true, "dialect", m->dialect == POV_DIALECT_COURSE ? "course" : "povray", "%s",
-                      m->dialect_reason ? m->dialect_reason : "asked for");
+    status = make_looks(p, m, err);
+    if (status == POV_OK)
+        status = plan_add(p, err, true, "dialect", m->dialect == POV_DIALECT_COURSE ? "course" : "povray", "%s",
+                          m->dialect_reason ? m->dialect_reason : "asked for");
     if (status == POV_OK)
         status = explain_light(p, &s, err);
     if (status == POV_OK)

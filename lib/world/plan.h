@@ -8,6 +8,14 @@
 typedef struct plan_row { bool used; const char *subject, *state, *reason; } plan_row;
 typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
 
+/* What of a material counts in this scene, worked out once and not at every hit. */
+typedef struct plan_look {
+    bool lit, mirrors, passes;   /* lights change something about it; rays go on from it, mirrored or through it */
+    float body;                  /* the part of its colour by which it gives light back all round */
+    colour glow;                 /* what it sends by itself */
+    colour filter;               /* what passes it is multiplied by */
+} plan_look;
+
 typedef struct plan {
     bool lighting;               /* some light shines and some surface answers it */
     bool shadows;                /* ... and some object throws one */
@@ -17,8 +25,9 @@ typedef struct plan {
     bool transmission;           /* some surface lets rays through */
     bool refraction;             /* ... into a medium of ior other than 1 */
     bool media_at_start;         /* some medium could hold the camera: asked once a picture */
+    plan_look *looks;            /* one a material */
     plan_row_list rows;          /* for people */
-    arena memory;                /* of the rows' texts */
+    arena memory;                /* of the looks and the rows' texts */
 } plan;
 
 /* Read the needs off the model. Rows on objects and trees are added by world_create(). */
