@@ -307,7 +307,7 @@ unsigned app_update(app *a, double now, bool coarse_is_there)
         a->orders |= APP_DRAW;
     }
     if ((a->moved || a->resized) && (coarse_is_there || now - a->restarted >= RESTART_SECONDS)) {
-        a->orders |= (a->resized ? APP_RESIZE : APP_RESTART) | APP_DRAW;
+        a->orders |= a->resized ? APP_RESIZE | APP_DRAW : APP_RESTART;
         a->moved = a->resized = false;
         a->restarted = now;
     }

@@ -24,7 +24,7 @@ static bool measure_first(viewer *v, figures *f)
         if (!v->app.has_scene)
             viewer_wait(v, 0.05);
     }
-    while (!session_coarse_is_there(v->session)) {
+    while (!session_coarse_is_there(v->session) || viewer_is_behind(v)) {
         viewer_wait(v, 0.05);
         if (!viewer_step(v))
             return false;

@@ -1,5 +1,6 @@
 #include "loop.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
 
@@ -7,6 +8,9 @@
 static const double PIXEL_SECONDS = 0.008;
 /* No display shows more pictures than this, and those that nobody sees cost the threads that trace their time. */
 static const double FRAME_SECONDS = 1.0 / 60.0;
+/* A picture begun anew is first drawn when its coarse one is whole, for what is drawn before that makes it wait. A slow
+ * one is drawn in parts, this often. */
+static const double PART_SECONDS = 0.045;
 
 static double seconds_of(clockid_t clock)
 {
@@ -77,11 +81,14 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
     s->sink = take_event;
     s->sink_user = v;
     status = present_create(&v->present, s, err);
+    /* Drivers make room for the picture and compile what draws it when it is first drawn: now, that nothing is seen yet. */
+    if (status == POV_OK) {
+        present_nothing(v->present, width, height);
+        present_draw(v->present, width, height);
+        s->swap(s);
+    }
     if (status == POV_OK)
         status = session_open(&v->session, &v->app, &desc, err);
-    /* Drivers compile what they draw by when it is first drawn: now, that nothing is seen yet. */
-    if (status == POV_OK)
-        draw(v);
     if (status < 0)
         viewer_close(v);
     return status;
@@ -109,6 +116,21 @@ static void show_title(viewer *v)
     v->surface->set_title(v->surface, title);
 }
 
+/* When to draw what there is to draw. */
+static double due(const viewer *v)
+{
+    double since = session_coarse_since(v->session);
+
+    if (!v->behind && !session_has_rows(v->session))
+        return HUGE_VAL;
+    return v->behind || since < 0.0 ? v->drawn + FRAME_SECONDS : fmax(v->drawn, since) + PART_SECONDS;
+}
+
+bool viewer_is_behind(const viewer *v)
+{
+    return due(v) < HUGE_VAL;
+}
+
 bool viewer_step(viewer *v)
 {
     bool in_hurry = v->fixed_clock < 0.0;
@@ -116,8 +138,9 @@ bool viewer_step(viewer *v)
     unsigned orders = session_update(v->session, viewer_now(v), in_hurry ? PIXEL_SECONDS : 1e9);
     bool changed = overlay_update(&v->overlay, &v->app, v->session, v->present);
 
-    v->behind = v->behind || orders || changed || session_has_rows(v->session);
-    if (v->behind && (!in_hurry || viewer_now(v) - v->drawn >= FRAME_SECONDS))
+    /* A restart by itself changes nothing that is seen. */
+    v->behind = v->behind || (orders & ~(unsigned)APP_RESTART) || changed;
+    if (in_hurry ? viewer_now(v) >= due(v) : viewer_is_behind(v))
         draw(v);
     show_title(v);
     busy = clock_seconds() - start + v->in_events;
@@ -130,11 +153,9 @@ bool viewer_step(viewer *v)
 
 void viewer_wait(viewer *v, double most)
 {
-    double now = viewer_now(v), patience = session_patience(v->session, now), due = v->drawn + FRAME_SECONDS - now;
+    double now = viewer_now(v), patience = fmin(session_patience(v->session, now), fmax(due(v) - now, 0.0));
 
-    if (v->behind && due < patience)
-        patience = due > 0.0 ? due : 0.0;
-    v->surface->wait(v->surface, patience < most ? patience : most);
+    v->surface->wait(v->surface, fmin(patience, most));
 }
 
 void viewer_run(viewer *v)

@@ -18,7 +18,7 @@ typedef struct viewer {
     double in_events;            /* of the time, what the events took since the last step */
     unsigned long frames;
     double drawn;                /* when the last one was */
-    bool behind;                 /* there is something to draw that was not due yet */
+    bool behind;                 /* something else than the picture has changed and was not drawn yet */
     char title[200];
 } viewer;
 
@@ -29,6 +29,8 @@ void viewer_close(viewer *v);
 double viewer_now(const viewer *v);
 /* Do what there is to do and draw if something has changed. False: the user wants to quit. */
 bool viewer_step(viewer *v);
+/* Is there something to draw that was not due yet? */
+bool viewer_is_behind(const viewer *v);
 /* Sleep until there is something to do, and let the surface deliver its events. */
 void viewer_wait(viewer *v, double most);
 /* Sit in a window until the user quits. */

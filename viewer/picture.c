@@ -43,16 +43,18 @@ bool picture_resize(picture *p, int width, int height)
         free(seen);
         return false;
     }
-    if (p->pixels)
+    p->first = height;
+    p->last = -1;
+    if (p->pixels) {
         stretch(p, pixels, width, height);
+        picture_touch(p, 0, height - 1);
+    }
     free(p->pixels);
     free(p->seen);
     p->pixels = pixels;
     p->seen = seen;
     p->width = width;
     p->height = p->reread = height;
-    p->first = 0;
-    p->last = height - 1;
     p->restart = 0;
     picture_restart(p);
     return true;

@@ -29,7 +29,6 @@ static void make_image(const gl *g, image *i)
 pov_status present_create(present **out, surface *s, pov_error *err)
 {
     present *p = calloc(1, sizeof *p);
-    static const uint8_t nothing[4];
     const char *missing;
 
     if (!p || !gl_fetch(&p->gl, s->get_proc, &missing)) {
@@ -42,7 +41,6 @@ pov_status present_create(present **out, surface *s, pov_error *err)
     make_image(&p->gl, &p->picture);
     for (int i = 0; i < PRESENT_PANELS; i++)
         make_image(&p->gl, &p->panels[i]);
-    present_picture(p, nothing, 1, 1, 0, 0);
     p->gl.tex_env(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     p->gl.pixel_store(GL_UNPACK_ALIGNMENT, 4);
     p->gl.pixel_store(GL_PACK_ALIGNMENT, 4);
@@ -76,6 +74,16 @@ static void load(const gl *g, image *i, const void *pixels, int width, int heigh
                          (const char *)pixels + (size_t)first * (size_t)width * 4);
     }
     i->shown = true;
+}
+
+bool present_nothing(present *p, int width, int height)
+{
+    uint8_t *nothing = calloc((size_t)width * (size_t)height, 4);
+
+    if (nothing)
+        present_picture(p, nothing, width, height, 0, height - 1);
+    free(nothing);
+    return nothing != NULL;
 }
 
 void present_picture(present *p, const uint8_t *pixels, int width, int height, int first, int last)

@@ -13,6 +13,8 @@ typedef struct present present;
 
 pov_status present_create(present **out, surface *s, pov_error *err);
 void present_destroy(present *p);
+/* An empty picture of this size, so that the display has room for one before there is a first. False: no memory. */
+bool present_nothing(present *p, int width, int height);
 /* Rows `first` to `last` of the picture have changed: bytes red, green, blue and alpha. A picture of another size is
  * taken whole. */
 void present_picture(present *p, const uint8_t *pixels, int width, int height, int first, int last);

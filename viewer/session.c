@@ -142,6 +142,7 @@ static void make_job(session *s)
 static void begin_anew(session *s)
 {
     picture_restart(&s->picture);
+    s->begun = s->now;
     s->worked = 0.0;
     s->restarts++;
     draw_map(s);

@@ -49,6 +49,9 @@ bool session_take_rows(session *s, int *first, int *last);
 bool session_has_rows(const session *s);
 /* Has each tile of the picture been seen since the last restart? */
 bool session_coarse_is_there(const session *s);
+/* When the picture was begun anew, as long as not even its coarse one is whole; less than 0: it is, or another view is
+ * shown. */
+double session_coarse_since(const session *s);
 /* Is all there that was asked for: scene, picture or map, files? */
 bool session_is_settled(session *s);
 /* Trace until the picture has so many passes, on this thread. */

@@ -33,6 +33,11 @@ bool session_coarse_is_there(const session *s)
     return s->scene && picture_is_covered(&s->picture);
 }
 
+double session_coarse_since(const session *s)
+{
+    return s->job && session_shows_job(s) && !picture_is_covered(&s->picture) ? s->begun : -1.0;
+}
+
 unsigned long session_restarts(const session *s)
 {
     return s->restarts;

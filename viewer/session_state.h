@@ -26,7 +26,7 @@ struct session {
     pov_error error;
     int loads;                   /* asked for and not answered */
     int snapshot;                /* the last one's number */
-    double now, worked;          /* the clock, and for how long the job has worked since it began */
+    double now, begun, worked;   /* the clock; when the job began anew, and for how long it has worked since */
     unsigned long restarts;
 };
 

@@ -17,6 +17,7 @@ typedef struct library {
     void (*destroy)(OSMesaContext context);
     GLboolean (*make_current)(OSMesaContext context, void *buffer, GLenum type, GLsizei width, GLsizei height);
     OSMESAproc (*get_proc)(const char *name);
+    void (*finish)(void);        /* OpenGL's */
 } library;
 
 typedef struct memory_surface {
@@ -75,9 +76,10 @@ static void post(void *user)
     pthread_mutex_unlock(&m->lock);
 }
 
+/* What was ordered is drawn when it can be seen, and this is when. */
 static void swap(surface *s)
 {
-    (void)s;
+    ((memory_surface *)s)->mesa.finish();
 }
 
 static void hide(surface *s)
@@ -120,7 +122,8 @@ static bool open_library(library *l)
         l->handle = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
     if (!l->handle || !fetch(l, "OSMesaCreateContextAttribs", &l->create) ||
         !fetch(l, "OSMesaDestroyContext", &l->destroy) || !fetch(l, "OSMesaMakeCurrent", &l->make_current) ||
-        !fetch(l, "OSMesaGetProcAddress", &l->get_proc))
+        !fetch(l, "OSMesaGetProcAddress", &l->get_proc) ||
+        !fetch(l, "glFinish", &l->finish))
         return false;
     mesa_get_proc = l->get_proc;
     return true;

@@ -86,20 +86,23 @@ static int whole_step(const frame *f, size_t tile)
     return step;
 }
 
-void frame_row(const frame *f, size_t tile, int x, int y, int width, float *out)
+int frame_row(const frame *f, size_t tile, int x, int y, int width, float *out)
 {
     pov_rect r = tiles_rect(f->tiles, tile);
     int step = whole_step(f, tile);
 
     if (step == 0) {
-        memset(out, 0, 4 * sizeof *out * (size_t)width);
-    } else if (step == 1) {
-        memcpy(out, pixel(f, x, y), 4 * sizeof *out * (size_t)width);
-    } else {
-        y -= (y - r.y) % step;
-        for (int i = 0; i < width; i++)
-            memcpy(out + 4 * i, pixel(f, x + i - (x + i - r.x) % step, y), 4 * sizeof *out);
+        memset(out, 0, 4 * sizeof *out);
+        return f->tiles->edge;
     }
+    if (step == 1) {
+        frame_pixels(f, x, y, width, out);
+        return step;
+    }
+    y -= (y - r.y) % step;
+    for (int at = x - (x - r.x) % step; at < x + width; at += step, out += 4)
+        memcpy(out, pixel(f, at, y), 4 * sizeof *out);
+    return step;
 }
 
 void encoding_make(encoding *e, const gamma *g)

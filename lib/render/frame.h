@@ -25,9 +25,10 @@ void frame_replace(frame *f, size_t tile, const float *pixels);
 bool frame_has(const frame *f, size_t tile);
 /* A part of a row of which every pass is in. */
 void frame_pixels(const frame *f, int x, int y, int width, float *out);
-/* A part of a row that lies in one tile: each pixel is that of the finest whole lattice of the tile at or
- * before it. Nothing is in yet: zeros. */
-void frame_row(const frame *f, size_t tile, int x, int y, int width, float *out);
+/* What stands for a part of a row that lies in one tile: the pixels of the tile's finest whole lattice at or before it.
+ * Returns the lattice's step: each of them stands for all columns to the next multiple of it, counted from the tile's
+ * corner. Nothing is in yet: zeros, for the whole of the tile. */
+int frame_row(const frame *f, size_t tile, int x, int y, int width, float *out);
 
 /* From values as computed to what is read: linear light, and bytes as the scene asks. */
 typedef struct encoding { double decode; encoder display; } encoding;

@@ -73,32 +73,61 @@ static void map_row(const pov_job *job, int x, int y, int width, pov_pixels form
     }
 }
 
-/* Copy what a rectangle has of one tile. The lock is held for a row at a time: to convert takes longer than
- * to copy. */
-static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels format, unsigned char *dst, size_t stride)
+static void read_map(pov_job *job, pov_rect part, pov_pixels format, unsigned char *dst, size_t stride)
 {
-    pov_rect part = meet(tiles_rect(&job->tiles, tile), rect);
-    size_t pixel_bytes = format == POV_PIXELS_LINEAR_FLOAT ? 4 * sizeof(float) : 4;
-    unsigned char bytes[4 * TILE_EDGE_MAX];
-    float row[4 * TILE_EDGE_MAX];
+    float row[TILE_EDGE_MAX];
 
     for (int y = 0; y < part.height; y++) {
-        unsigned char *to = dst + (size_t)(part.y + y - rect.y) * stride + (size_t)(part.x - rect.x) * pixel_bytes;
+        mutex_lock(&job->lock);
+        map_row(job, part.x, part.y + y, part.width, format, row);
+        mutex_unlock(&job->lock);
+        memcpy(dst + (size_t)y * stride, row, sizeof *row * (size_t)part.width);
+    }
+}
+
+/* Convert what stands for a row, and give it to all columns that it stands for; `offset` is the first one's place in
+ * the tile. */
+static void put_row(const pov_job *job, pov_pixels format, float *row, int offset, int step, int width, unsigned char *to)
+{
+    int count = (offset + width - 1) / step - offset / step + 1;
+    unsigned char bytes[4 * TILE_EDGE_MAX];
+
+    if (format == POV_PIXELS_DISPLAY8) {
+        encoding_display(&job->encoding, row, bytes, count);
+        for (int i = 0; i < width; i++)
+            memcpy(to + 4 * i, bytes + 4 * ((offset + i) / step - offset / step), 4);
+    } else {
+        encoding_linear(&job->encoding, row, count);
+        for (int i = 0; i < width; i++)
+            memcpy(to + 16 * i, row + 4 * ((offset + i) / step - offset / step), 16);
+    }
+}
+
+/* Copy what a rectangle has of one tile. The lock is held for a row at a time: to convert takes longer than
+ * to copy. While a tile is coarse the rows between its lattice's are copies of the one above. */
+static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels format, unsigned char *dst, size_t stride)
+{
+    pov_rect all = tiles_rect(&job->tiles, tile), part = meet(all, rect);
+    size_t pixel_bytes = format == POV_PIXELS_LINEAR_FLOAT ? 4 * sizeof(float) : 4;
+    float row[4 * TILE_EDGE_MAX];
+    int above = 0;
+
+    dst += (size_t)(part.y - rect.y) * stride + (size_t)(part.x - rect.x) * pixel_bytes;
+    if (format == POV_PIXELS_ERROR || format == POV_PIXELS_SAMPLES) {
+        read_map(job, part, format, dst, stride);
+        return;
+    }
+    for (int y = 0; y < part.height; y++, dst += stride) {
+        int step;
 
         mutex_lock(&job->lock);
-        if (format == POV_PIXELS_ERROR || format == POV_PIXELS_SAMPLES)
-            map_row(job, part.x, part.y + y, part.width, format, row);
-        else
-            frame_row(&job->frame, tile, part.x, part.y + y, part.width, row);
+        step = frame_row(&job->frame, tile, part.x, part.y + y, part.width, row);
         mutex_unlock(&job->lock);
-        if (format == POV_PIXELS_DISPLAY8) {
-            encoding_display(&job->encoding, row, bytes, part.width);
-            memcpy(to, bytes, pixel_bytes * (size_t)part.width);
-        } else {
-            if (format == POV_PIXELS_LINEAR_FLOAT)
-                encoding_linear(&job->encoding, row, part.width);
-            memcpy(to, row, pixel_bytes * (size_t)part.width);
-        }
+        if (step == above && (part.y + y - all.y) % step != 0)
+            memcpy(dst, dst - stride, pixel_bytes * (size_t)part.width);
+        else
+            put_row(job, format, row, part.x - all.x, step, part.width, dst);
+        above = step;
     }
 }
 

@@ -209,6 +209,41 @@ static void the_first_pass_fills_the_picture(void **state)
     tiny_end(&s);
 }
 
+/* The picture as it is, whole and in pieces that begin anywhere: the same bytes, whatever the lattices that are in. */
+static void assert_pieces_are_of_the_whole(pov_job *job, pov_pixels format, size_t bytes)
+{
+    static const pov_rect pieces[] = { { 0, 0, 1, 1 }, { 3, 5, 7, 9 }, { 13, 14, 40, 20 }, { 31, 31, 2, 2 }, { 74, 49, 1, 1 } };
+    static unsigned char all[HEIGHT][WIDTH * 16], part[HEIGHT][WIDTH * 16];
+    pov_rect whole_picture = { 0, 0, WIDTH, HEIGHT };
+
+    job_read(job, whole_picture, format, all, sizeof all[0]);
+    for (int i = 0; i < 5; i++) {
+        pov_rect r = pieces[i];
+
+        job_read(job, r, format, part, sizeof part[0]);
+        for (int y = 0; y < r.height; y++)
+            assert_memory_equal(part[y], &all[r.y + y][(size_t)r.x * bytes], (size_t)r.width * bytes);
+    }
+}
+
+static void pieces_of_a_coarse_picture_are_of_the_whole(void **state)
+{
+    pov_render_desc d = tiny_desc(WIDTH, HEIGHT);
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    d.preview = 16;
+    job = tiny_job(&s, &d);
+    do {
+        assert_pieces_are_of_the_whole(job, POV_PIXELS_LINEAR_FLOAT, 16);
+        assert_pieces_are_of_the_whole(job, POV_PIXELS_DISPLAY8, 4);
+    } while (job_step(job) == POV_JOB_RUNNING);
+    job_destroy(job);
+    tiny_end(&s);
+}
+
 static void reading_outside_the_picture_writes_nothing(void **state)
 {
     pov_render_desc d = tiny_desc(WIDTH, HEIGHT);
@@ -483,6 +518,7 @@ int main(void)
         cmocka_unit_test(taken_tiles_cover_every_pixel_once),
         cmocka_unit_test(reading_what_is_taken_gives_the_picture),
         cmocka_unit_test(the_first_pass_fills_the_picture),
+        cmocka_unit_test(pieces_of_a_coarse_picture_are_of_the_whole),
         cmocka_unit_test(reading_outside_the_picture_writes_nothing),
         cmocka_unit_test(progress_counts_what_was_done),
         cmocka_unit_test(a_wake_comes_when_there_is_something_to_take_again),
