@@ -49,6 +49,10 @@ static inline void kit_block_decline(double tmin, pov_block_answer *out)
     out->surely = 0;
 }
 
+/* One instruction each; of what is not a number the second. */
+static inline double kit_greater(double a, double b) { return a > b ? a : b; }
+static inline double kit_lesser(double a, double b) { return a < b ? a : b; }
+
 /* The lowest bit that is set; some must be. */
 static inline uint32_t kit_first_lane(uint32_t mask)
 {

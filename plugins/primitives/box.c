@@ -291,9 +291,6 @@ static inline slab_view view_of(const box_block *b, int axis, double o, double d
     return v;
 }
 
-static inline double greater(double a, double b) { return a > b ? a : b; }
-static inline double lesser(double a, double b) { return a < b ? a : b; }
-
 /* For certain the ray is outside before `near` and after `far`, and inside from `last` to `first`. What is not a number
  * comes from a plane just so far off as the pad and the direction zero; it is passed over by the comparisons. */
 static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t n, double tmin, double tmax,
@@ -302,21 +299,21 @@ static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t 
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     const slab_view x = view_of(b, 0, ray->org.x, ray->dir.x), y = view_of(b, 1, ray->org.y, ray->dir.y),
                     z = view_of(b, 2, ray->org.z, ray->dir.z);
-    const double end = lesser(tmax, DBL_MAX);
+    const double end = kit_lesser(tmax, DBL_MAX);
     int64_t maybe = 0, surely = 0;
     uint32_t i;
 
     for (i = 0; i < n; i++) {
         const double ax = x.enter[i] - x.o, ay = y.enter[i] - y.o, az = z.enter[i] - z.o;
         const double bx = x.leave[i] - x.o, by = y.leave[i] - y.o, bz = z.leave[i] - z.o;
-        const double near = greater((az - z.pad) * z.inverse,
-                                    greater((ay - y.pad) * y.inverse, greater((ax - x.pad) * x.inverse, -HUGE_VAL)));
-        const double last = greater((az + z.pad) * z.inverse,
-                                    greater((ay + y.pad) * y.inverse, greater((ax + x.pad) * x.inverse, -HUGE_VAL)));
-        const double far = lesser((bz + z.pad) * z.inverse,
-                                  lesser((by + y.pad) * y.inverse, lesser((bx + x.pad) * x.inverse, HUGE_VAL)));
-        const double first = lesser((bz - z.pad) * z.inverse,
-                                    lesser((by - y.pad) * y.inverse, lesser((bx - x.pad) * x.inverse, HUGE_VAL)));
+        const double near_xy = kit_greater((ay - y.pad) * y.inverse, kit_greater((ax - x.pad) * x.inverse, -HUGE_VAL));
+        const double last_xy = kit_greater((ay + y.pad) * y.inverse, kit_greater((ax + x.pad) * x.inverse, -HUGE_VAL));
+        const double far_xy = kit_lesser((by + y.pad) * y.inverse, kit_lesser((bx + x.pad) * x.inverse, HUGE_VAL));
+        const double first_xy = kit_lesser((by - y.pad) * y.inverse, kit_lesser((bx - x.pad) * x.inverse, HUGE_VAL));
+        const double near = kit_greater((az - z.pad) * z.inverse, near_xy);
+        const double last = kit_greater((az + z.pad) * z.inverse, last_xy);
+        const double far = kit_lesser((bz + z.pad) * z.inverse, far_xy);
+        const double first = kit_lesser((bz - z.pad) * z.inverse, first_xy);
 
         maybe |= (near <= far) & (near <= end) & (far >= tmin) ? bit[i] : 0;
         surely |= (last < first) & (near > tmin) & (last < tmax) ? bit[i] : 0;
