@@ -200,10 +200,10 @@ static inline void bound_lane(const kit_frustum_block *b, uint32_t i, const lane
         out->surely |= bit;
 }
 
-KIT_CLONES void kit_frustum_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
-                                   pov_block_answer *out)
+/* Static, since the names of clones would be seen from outside. */
+KIT_CLONES static void filter(const kit_frustum_block *b, const pov_ray *ray, double tmin, double tmax,
+                              pov_block_answer *out)
 {
-    const kit_frustum_block *b = block;
     glance g;
     lanes l;
     uint32_t met;
@@ -218,4 +218,9 @@ KIT_CLONES void kit_frustum_filter(const void *block, const pov_ray *ray, double
     out->maybe = out->surely = 0;
     for (; met; met &= met - 1)
         bound_lane(b, kit_first_lane(met), &l, &g, tmin, tmax, out);
+}
+
+void kit_frustum_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+{
+    filter(block, ray, tmin, tmax, out);
 }
