@@ -9,7 +9,8 @@
 #define SIMD_ONE_CLONE 1
 #endif
 #endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+/* What is compiled for AVX2 as a whole needs no clone for it, and POV_PORTABLE asks for plain C alone. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__AVX2__) || defined(POV_PORTABLE)
 #define SIMD_ONE_CLONE 1
 #endif
 

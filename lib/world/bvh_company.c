@@ -255,7 +255,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 
 /* ---- for those with AVX2 ---- */
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
 #include <immintrin.h>
 

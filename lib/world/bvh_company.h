@@ -23,7 +23,7 @@ static inline uint32_t bvh_octant(const pov_ray *ray)
 /* As bvh_walks. Bit i: a leaf ended walk i. */
 uint64_t bvh_company_nearest_portable(bvh_walk *const *walks, uint32_t n);
 uint64_t bvh_company_any_portable(bvh_walk *const *walks, uint32_t n);
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 uint64_t bvh_company_nearest_avx2(bvh_walk *const *walks, uint32_t n);
 uint64_t bvh_company_any_avx2(bvh_walk *const *walks, uint32_t n);
 #endif

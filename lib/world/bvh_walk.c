@@ -96,7 +96,7 @@ static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable 
 const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_order_portable,
                                        bvh_company_nearest_portable, bvh_company_any_portable };
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
 #include <immintrin.h>
 

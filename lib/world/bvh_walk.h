@@ -48,7 +48,7 @@ typedef struct bvh_walks {
 /* The best that this processor can do; `portable` is what every processor can. */
 const bvh_walks *bvh_walks_best(void);
 extern const bvh_walks bvh_walks_portable;
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 extern const bvh_walks bvh_walks_avx2;   /* only where the processor has AVX2 */
 #endif
 

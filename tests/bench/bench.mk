@@ -8,7 +8,7 @@ $(EMBREE_BENCH): tests/bench/embree_spheres.cpp tests/bench/embree_scene.hpp
 	@mkdir -p $(@D)
 	$(CXX) $(EMBREE_FLAGS) $< -lembree3 -o $@
 
-.PHONY: bench bench-quick bench-counts embree-bench
+.PHONY: bench bench-quick bench-counts bench-whole bench-threads bench-scale bench-bits bench-docs embree-bench
 # Embree's program is built only for the bench, and only where Embree is.
 embree-bench:
 	@if echo '#include <embree3/rtcore.h>' | $(CXX) -E -x c++ - >/dev/null 2>&1; then \
@@ -25,3 +25,19 @@ bench-quick: bench
 
 bench-counts: all
 	$(PYTHON) tests/bench/counts.py --povc $(POVC) --compiler '$(CC)' --work $(BUILD)/bench $(BENCH_FLAGS)
+
+# Whole processes on the small scenes of the tests; 1 to N threads; the number of objects.
+bench-whole: all
+	$(PYTHON) tests/bench/whole.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
+bench-threads: all
+	$(PYTHON) tests/bench/threads.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
+bench-scale: all
+	$(PYTHON) tests/bench/scale.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
+
+# Small pictures of the bench's scenes, the same to the bit by every instruction set, tree and list, 1 to 8 threads. The
+# copy of portable C alone is built for this.
+PORTABLE = $(BUILD)/portable
+bench-bits: all
+	$(MAKE) --no-print-directory BUILD=$(PORTABLE) WIDE= CFLAGS='$(CFLAGS) -DPOV_PORTABLE' $(PORTABLE)/bin/povc \
+	    $(patsubst $(BUILD)/%,$(PORTABLE)/%,$(PRIMITIVES) $(IMAGES))
+	$(PYTHON) tests/bench/bits.py --povc $(POVC) --portable $(PORTABLE)/bin/povc --work $(BUILD)/bench $(BENCH_FLAGS)

@@ -65,3 +65,9 @@ wide_plugins_hold_to_the_contract() {
     [ -x "$contract" ] || skip "test_contract is not built"
     "$contract" "$BUILD_DIR/lib/povtrace/primitives/x86-64-v3"
 }
+
+# `make bench-bits` does so with larger pictures, more threads and a build of portable C alone.
+wide_and_narrow_trees_and_lists_draw_the_benchs_scenes_alike() {
+    expect 0 "$PYTHON" "$root/tests/bench/bits.py" --povc "$povc" --work bits --size 40x30 --threads 1 3
+    says out ": 0 differ"
+}

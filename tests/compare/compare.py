@@ -74,16 +74,20 @@ def scene_text(scene):
         return data.decode('latin-1')
 
 
-def render_povray(scene, options):
-    """POV-Ray's picture of what the scene means, kept under a name made from the text."""
+def povray_source(scene):
+    """What POV-Ray is given for a scene: written by hand, the scene itself, or its equivalent."""
     by_hand = Path(__file__).parent / 'povray' / scene.name
     text = scene_text(scene)
     if by_hand.exists():
-        given = by_hand.read_bytes()
-    elif equivalent.dialect(text) == 'povray':
-        given = scene.read_bytes()
-    else:
-        given = equivalent.povray_text(text).encode()
+        return by_hand.read_bytes()
+    if equivalent.dialect(text) == 'povray':
+        return scene.read_bytes()
+    return equivalent.povray_text(text).encode()
+
+
+def render_povray(scene, options):
+    """POV-Ray's picture of what the scene means, kept under a name made from the text."""
+    given = povray_source(scene)
     key = hashlib.sha256(given + options.size.encode()).hexdigest()[:12]
     picture = Path(options.work) / f'{scene.parent.name}-{scene.stem}-{key}.png'
     if not picture.exists():
