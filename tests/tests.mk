@@ -14,16 +14,36 @@ $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT_OBJECTS) $(STATIC)
 	$(CC) $(LINK_FLAGS) $(filter %.o,$^) $(STATIC) -lcmocka $(TEST_LIBS) $(SYSTEM_LIBS) -o $@
 
 $(BUILD)/tests/numerics/%: TEST_LIBS = -lmpfr -lgmp
-$(BUILD)/tests/numerics/test_primitives: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o harness.o) \
-    | $(PRIMITIVES)
-$(BUILD)/tests/numerics/test_maps $(BUILD)/tests/numerics/test_watertight: $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o) \
-    | $(PRIMITIVES)
-# The same harness for long: RAYS of torture for each kind, and a table of all families.
+PROBE_OBJECTS = $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o)
+$(BUILD)/tests/numerics/test_primitives: $(PROBE_OBJECTS) $(addprefix $(BUILD)/obj/tests/numerics/,leaving.o harness.o) | $(PRIMITIVES)
+$(BUILD)/tests/numerics/test_leaving: $(PROBE_OBJECTS) $(BUILD)/obj/tests/numerics/leaving.o | $(PRIMITIVES)
+$(BUILD)/tests/numerics/test_maps $(BUILD)/tests/numerics/test_watertight: $(PROBE_OBJECTS) | $(PRIMITIVES)
+# What we compare with: each method a folder of plugins, built from one source a primitive.
+METHOD_FLAGS_textbook =
+METHOD_FLAGS_qform = -DRECENTRED
+METHOD_FLAGS_twofold = -DTWO_PARTS
+METHOD_SOURCES = $(sort $(wildcard tests/numerics/methods/primitives/*.c))
+METHODS = $(foreach m,textbook qform twofold,$(METHOD_SOURCES:tests/numerics/methods/%.c=$(BUILD)/tests/numerics/$m/%.so))
+define METHOD_RULE
+$(BUILD)/tests/numerics/$1/primitives/%.so: tests/numerics/methods/primitives/%.c $(wildcard tests/numerics/methods/*.h) $(KIT)
+	@mkdir -p $$(@D)
+	$(CC) $(filter-out -MMD -MP,$(USER_FLAGS)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared -Wl,--gc-sections $(LINK_FLAGS) $$< $(KIT) \
+	    -lm -o $$@
+endef
+$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m)))
+.PHONY: accuracy-methods
+accuracy-methods: $(METHODS)
+
+# The same harness for long: RAYS of torture for each kind, and a table of all families and methods; EDGES rays at shared
+# edges; LEAVING rays that leave a surface, for every kind and family.
 RAYS ?= 500000
+EDGES ?= 100000000
+LEAVING ?= 1000000
 .PHONY: accuracy
-accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_maps)
+accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps) $(METHODS)
 	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
-	$(BUILD)/tests/numerics/test_watertight $(RAYS)0
+	$(BUILD)/tests/numerics/test_watertight $(EDGES)
+	$(BUILD)/tests/numerics/test_leaving $(LEAVING)
 	$(BUILD)/tests/numerics/test_maps $(RAYS)
 
 # A plugin as a stranger would build it, held to the contract with our own.

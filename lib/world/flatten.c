@@ -158,7 +158,7 @@ static pov_status place(maker *k, const object *o, uint32_t index, bool *finite)
         placement_box(&k->map, &own, box);
         *finite = is_finite_box(box);
     }
-    placement_init(p, &k->map, *finite ? box : NULL);
+    placement_init(p, &k->map, &own, *finite ? box : NULL);
     k->part->composed++;
     return POV_OK;
 }

@@ -1,4 +1,4 @@
-#include "world/placement.h"
+#include "world/placement_parts.h"
 
 #include <string.h>
 
@@ -49,27 +49,67 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out)
     out->hi = pov_vec3_of(hi[0], hi[1], hi[2]);
 }
 
-static pov_two apply_row(const placement *p, int i, const pov_two v[3])
+static inline double part(pov_vec3 v, int i)
 {
-    if (p->axes)
-        return pov_two_mul(p->inverse[i][i], v[i]);
-    return pov_two_add(pov_two_add(pov_two_mul(p->inverse[i][0], v[0]), pov_two_mul(p->inverse[i][1], v[1])),
-                       pov_two_mul(p->inverse[i][2], v[2]));
+    return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
 
-void placement_init(placement *p, const pov_affine *map, const pov_box *around)
+static inline pov_two inverse(const placement *p, int i, int j)
 {
-    pov_two moved[3];
+    return pov_two_of(part(p->column[j], i), part(p->column_lo[j], i));
+}
+
+static inline pov_two apply_row(const placement *p, int i, const pov_two v[3])
+{
+    if (p->axes)
+        return pov_two_mul(inverse(p, i, i), v[i]);
+    return pov_two_add(pov_two_add(pov_two_mul(inverse(p, i, 0), v[0]), pov_two_mul(inverse(p, i, 1), v[1])),
+                       pov_two_mul(inverse(p, i, 2), v[2]));
+}
+
+static void set_inverse(placement *p, const pov_affine *map)
+{
     int i, j;
 
-    memset(p, 0, sizeof *p);
     p->axes = true;
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 3; j++) {
-            p->inverse[i][j] = entry(map->inv, map->inv_lo, i, j);
-            if (i != j && p->inverse[i][j].hi != 0.0)
+    for (j = 0; j < 3; j++) {
+        p->column[j] = pov_vec3_of(map->inv[0][j], map->inv[1][j], map->inv[2][j]);
+        p->column_lo[j] = pov_vec3_of(map->inv_lo[0][j], map->inv_lo[1][j], map->inv_lo[2][j]);
+        for (i = 0; i < 3; i++)
+            if (i != j && map->inv[i][j] != 0.0)
                 p->axes = false;
-        }
+    }
+}
+
+/* From the anchor to the further side of the own box, and what the filter may be off by: see placement_parts.h. */
+static bool set_half(placement *p, int i, double lo, double hi, pov_vec3 reach)
+{
+    const pov_two at = pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i));
+    double half = fmax(pov_two_sub(pov_two_of(hi, 0.0), at).hi, pov_two_sub(at, pov_two_of(lo, 0.0)).hi), lost = 0.0;
+    int j;
+
+    for (j = 0; j < 3; j++)
+        lost += fabs(inverse(p, i, j).hi) * part(reach, j);
+    half += PLACEMENT_LOST * (lost + half) + PLACEMENT_LEAST;
+    p->half[i] = (float)(half * (1.0 + 0x1p-20));
+    return half < PLACEMENT_LARGE && pov_largest(p->column[i]) < PLACEMENT_RANGE;
+}
+
+static bool set_box(placement *p, const pov_box *own, const pov_box *around)
+{
+    const pov_vec3 reach = pov_sub(around->hi, around->lo);
+
+    return pov_largest(reach) < PLACEMENT_RANGE && set_half(p, 0, own->lo.x, own->hi.x, reach) &&
+           set_half(p, 1, own->lo.y, own->hi.y, reach) && set_half(p, 2, own->lo.z, own->hi.z, reach);
+}
+
+void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around)
+{
+    pov_two moved[3], at[3];
+    int i;
+
+    memset(p, 0, sizeof *p);
+    set_inverse(p, map);
     p->anchor = pov_vec3_of(map->m[0][3], map->m[1][3], map->m[2][3]);
     if (around)
         p->anchor = pov_add(pov_scale(around->lo, 0.5), pov_scale(around->hi, 0.5));
@@ -77,7 +117,10 @@ void placement_init(placement *p, const pov_affine *map, const pov_box *around)
     moved[1] = pov_two_sub(pov_two_of(p->anchor.y, 0.0), entry(map->m, map->m_lo, 1, 3));
     moved[2] = pov_two_sub(pov_two_of(p->anchor.z, 0.0), entry(map->m, map->m_lo, 2, 3));
     for (i = 0; i < 3; i++)
-        p->own_anchor[i] = apply_row(p, i, moved);
+        at[i] = apply_row(p, i, moved);
+    p->own_anchor = pov_vec3_of(at[0].hi, at[1].hi, at[2].hi);
+    p->own_anchor_lo = pov_vec3_of(at[0].lo, at[1].lo, at[2].lo);
+    p->boxed = around && set_box(p, own, around);
 }
 
 /* ---- rays ---- */
@@ -95,23 +138,32 @@ static inline pov_two turned(const placement *p, int i, pov_vec3 d)
     pov_two sum;
 
     if (p->axes)
-        return pov_two_mul_double(p->inverse[i][i], i == 0 ? d.x : i == 1 ? d.y : d.z);
-    sum = pov_two_add(pov_two_mul_double(p->inverse[i][0], d.x), pov_two_mul_double(p->inverse[i][1], d.y));
-    return pov_two_add(sum, pov_two_mul_double(p->inverse[i][2], d.z));
+        return pov_two_mul_double(inverse(p, i, i), part(d, i));
+    sum = pov_two_add(pov_two_mul_double(inverse(p, i, 0), d.x), pov_two_mul_double(inverse(p, i, 1), d.y));
+    return pov_two_add(sum, pov_two_mul_double(inverse(p, i, 2), d.z));
+}
+
+/* A point of the world, in two parts, in the shape's own space. */
+static inline void own_point(const placement *p, pov_vec3 at, pov_vec3 at_lo, pov_two out[3])
+{
+    pov_two w[3];
+    int i;
+
+    w[0] = from_anchor(at.x, at_lo.x, p->anchor.x);
+    w[1] = from_anchor(at.y, at_lo.y, p->anchor.y);
+    w[2] = from_anchor(at.z, at_lo.z, p->anchor.z);
+    for (i = 0; i < 3; i++)
+        out[i] = pov_two_add(apply_row(p, i, w), pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i)));
 }
 
 static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
 {
-    pov_two w[3], o[3], d[3];
+    pov_two o[3], d[3];
     int i;
 
-    w[0] = from_anchor(ray->org.x, ray->org_lo.x, p->anchor.x);
-    w[1] = from_anchor(ray->org.y, ray->org_lo.y, p->anchor.y);
-    w[2] = from_anchor(ray->org.z, ray->org_lo.z, p->anchor.z);
-    for (i = 0; i < 3; i++) {
-        o[i] = pov_two_add(apply_row(p, i, w), p->own_anchor[i]);
+    own_point(p, ray->org, ray->org_lo, o);
+    for (i = 0; i < 3; i++)
         d[i] = turned(p, i, ray->dir);
-    }
     own->org = pov_vec3_of(o[0].hi, o[1].hi, o[2].hi);
     own->org_lo = pov_vec3_of(o[0].lo, o[1].lo, o[2].lo);
     own->dir = pov_vec3_of(d[0].hi, d[1].hi, d[2].hi);
@@ -120,12 +172,52 @@ static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
     own->left_mark = ray->left_mark;
 }
 
+/* The filter for one axis after the other. */
+static bool misses(const placement *p, const pov_ray *ray, double tmin, double tmax)
+{
+    const pov_vec3 g = pov_sub(ray->org, p->anchor), w = pov_add(g, ray->org_lo), d = ray->dir;
+    const pov_vec3 size = pov_vec3_of(fabs(g.x) + fabs(ray->org_lo.x), fabs(g.y) + fabs(ray->org_lo.y),
+                                      fabs(g.z) + fabs(ray->org_lo.z));
+    double in = tmin - fabs(tmin) * PLACEMENT_LATE, out = tmax + fabs(tmax) * PLACEMENT_LATE;
+    int i;
+
+    if (!placement_filters(p, size, d))
+        return false;
+    for (i = 0; i < 3; i++) {
+        const double x = inverse(p, i, 0).hi, y = inverse(p, i, 1).hi, z = inverse(p, i, 2).hi;
+        const double at = x * w.x + y * w.y + z * w.z, per = 1.0 / (x * d.x + y * d.y + z * d.z);
+        const double lost = fabs(x) * size.x + fabs(y) * size.y + fabs(z) * size.z;
+        const double half = (double)p->half[i] + PLACEMENT_LOST * lost;
+        const double a = (-half - at) * per, b = (half - at) * per;
+
+        in = (a < b ? a : b) > in ? (a < b ? a : b) : in;
+        out = (a > b ? a : b) < out ? (a > b ? a : b) : out;
+    }
+    return in > out;
+}
+
+const placement_code placement_portable = { own_ray, misses };
+
+static inline const placement_code *best(void)
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        return &placement_avx2;
+#endif
+    return &placement_portable;
+}
+
+/* ---- what rays are answered ---- */
+
 void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                          pov_hits *hits)
 {
+    const placement_code *code = best();
     pov_ray own;
 
-    own_ray(p, ray, &own);
+    if (!hits->always_exact && code->misses(p, ray, hits->tmin, hits->tmax))
+        return;
+    code->own_ray(p, ray, &own);
     shape->intersect(self, &own, hits);
 }
 
@@ -137,13 +229,13 @@ void placement_normal(const placement *p, const pov_shape_class *shape, const vo
     double n[3];
     int i;
 
-    own_ray(p, ray, &own);
+    best()->own_ray(p, ray, &own);
     shape->normal(self, &own, at, &normal);
     /* Normals go by the transpose of the inverse. */
     for (i = 0; i < 3; i++) {
         pov_two sum =
-            pov_two_add(pov_two_mul_double(p->inverse[0][i], normal.x), pov_two_mul_double(p->inverse[1][i], normal.y));
-        n[i] = pov_two_add(sum, pov_two_mul_double(p->inverse[2][i], normal.z)).hi;
+            pov_two_add(pov_two_mul_double(inverse(p, 0, i), normal.x), pov_two_mul_double(inverse(p, 1, i), normal.y));
+        n[i] = pov_two_add(sum, pov_two_mul_double(inverse(p, 2, i), normal.z)).hi;
     }
     *out = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
 }
@@ -151,13 +243,8 @@ void placement_normal(const placement *p, const pov_shape_class *shape, const vo
 bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo)
 {
-    pov_two w[3], o[3];
-    int i;
+    pov_two o[3];
 
-    w[0] = from_anchor(point.x, point_lo.x, p->anchor.x);
-    w[1] = from_anchor(point.y, point_lo.y, p->anchor.y);
-    w[2] = from_anchor(point.z, point_lo.z, p->anchor.z);
-    for (i = 0; i < 3; i++)
-        o[i] = pov_two_add(apply_row(p, i, w), p->own_anchor[i]);
+    own_point(p, point, point_lo, o);
     return shape->inside(self, pov_vec3_of(o[0].hi, o[1].hi, o[2].hi), pov_vec3_of(o[0].lo, o[1].lo, o[2].lo));
 }

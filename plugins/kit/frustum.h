@@ -29,4 +29,17 @@ void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing
 bool kit_frustum_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 bool kit_frustum_absorb(void *self, const pov_affine *map);
 
+/* ---- blocks ---- */
+
+typedef struct kit_frustum_block {
+    double anchor[3][POV_BLOCK_MAX], row[3][3][POV_BLOCK_MAX];   /* rows for points as they are */
+    double radius[POV_BLOCK_MAX], slope[POV_BLOCK_MAX], height[POV_BLOCK_MAX];
+    double size[POV_BLOCK_MAX];  /* the largest entry of the rows */
+    double reach;                /* nothing considered is further from the origin, by sum of sizes */
+    uint32_t lanes, open;        /* by bits: holds a shape; has no caps */
+} kit_frustum_block;
+
+bool kit_frustum_pack(void *block, const void *const *selves, uint32_t n);
+void kit_frustum_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
+
 #endif

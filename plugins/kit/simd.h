@@ -27,25 +27,32 @@
 static inline bool kit_block_range(double coordinate) { return coordinate < 1e120; }
 static inline bool kit_block_size(double size) { return size > 1e-120 && size < 1e120; }
 
-static inline bool kit_block_slope(double d) { return d == 0.0 || fabs(d) > 1e-120; }
+static inline double kit_sum_of_components(pov_vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
-/* Rays whose squares or inverses would leave the range are not filtered: every lane is in question. */
-static inline bool kit_block_declines(const pov_ray *ray, double tmin, pov_block_answer *out)
+/* Is a ray within the range, too? */
+static inline bool kit_block_takes(const pov_ray *ray)
 {
-    const double largest = pov_largest(ray->dir);
+    const double speed = kit_sum_of_components(ray->dir);
+
+    return kit_block_range(kit_sum_of_components(ray->org)) && speed > 1e-120 && speed < 1e120;
+}
+
+/* Every lane is in question. */
+static inline void kit_block_decline(double tmin, pov_block_answer *out)
+{
     uint32_t i;
 
-    if (largest > 0.0 && largest < 1e120 && kit_block_slope(ray->dir.x) && kit_block_slope(ray->dir.y)
-        && kit_block_slope(ray->dir.z) && kit_block_range(pov_largest(ray->org)))
-        return false;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         out->lo[i] = tmin;
         out->hi[i] = HUGE_VAL;
     }
     out->maybe = (1u << POV_BLOCK_MAX) - 1;
     out->surely = 0;
-    return true;
 }
+
+/* One instruction each; of what is not a number the second. */
+static inline double kit_greater(double a, double b) { return a > b ? a : b; }
+static inline double kit_lesser(double a, double b) { return a < b ? a : b; }
 
 /* The lowest bit that is set; some must be. */
 static inline uint32_t kit_first_lane(uint32_t mask)
@@ -59,18 +66,6 @@ static inline uint32_t kit_first_lane(uint32_t mask)
         i++;
     return i;
 #endif
-}
-
-static inline void kit_block_masks(const double *maybe, const double *surely, pov_block_answer *out)
-{
-    uint32_t i;
-
-    out->maybe = out->surely = 0;
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        out->maybe |= (uint32_t)(maybe[i] != 0.0) << i;
-        out->surely |= (uint32_t)(surely[i] != 0.0) << i;
-    }
-    out->surely &= out->maybe;
 }
 
 #endif

@@ -8,6 +8,8 @@
 #include "kit/report.h"
 #include "kit/simd.h"
 
+#include <float.h>
+
 typedef struct box {
     pov_two plane[6];      /* plane[2 * axis] is the lower one, and so is a mark's part */
 } box;
@@ -17,7 +19,7 @@ typedef struct slabs {
     const box *shape;
     double o[3], o_lo[3], d[3], d_lo[3];   /* the direction's largest component is in [1, 2) */
     double unit;           /* a distance here, times unit, is one along the ray */
-    double t[6];           /* within 6 u of the exact quotients */
+    double t[6];           /* within 6 u of the exact quotients: a difference that its low parts change much is exact */
     double slack;          /* as large as all such errors of two of them; infinite for always_exact */
     bool decided;
 } slabs;
@@ -75,8 +77,11 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
     s->unit = power;
     s->slack = always_exact ? HUGE_VAL : 8.0 * KIT_U;
     s->decided = false;
-    for (i = 0; i < 6; i++)
-        s->t[i] = distance_to(s, i).hi / s->d[i / 2];
+    for (i = 0; i < 6; i++) {
+        const pov_two plane = shape->plane[i];
+
+        s->t[i] = ((plane.hi - s->o[i / 2]) + (plane.lo - s->o_lo[i / 2])) / s->d[i / 2];
+    }
 }
 
 /* Adds the product of the distance to a plane and the direction along another axis, times `factor`. */
@@ -150,6 +155,13 @@ static bool report(const slabs *s, pov_hits *hits, int plane)
     return pov_cross(hits, sum.hi * s->unit, sum.lo * s->unit, kit_mark((uint32_t)plane, s->decided ? POV_MARK_DECIDED : 0));
 }
 
+static inline bool goes_inward(pov_vec3 d, int face)
+{
+    const double away = face < 2 ? d.x : face < 4 ? d.y : d.z;
+
+    return face % 2 ? away < 0.0 : away > 0.0;
+}
+
 /* A ray that left a face going inward has entered already, whatever rounding says of an edge nearby; going
  * outward or along the face it has the exit behind it. */
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -159,9 +171,11 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     int entry, exit;
     slabs s;
 
+    if (left >= 0 && hits->tmin >= 0.0 && !goes_inward(ray->dir, left))
+        return;
     begin(&s, self, ray, hits->always_exact);
     if (left >= 0) {
-        entered = left % 2 ? s.d[left / 2] < 0.0 : s.d[left / 2] > 0.0;
+        entered = goes_inward(pov_vec3_of(s.d[0], s.d[1], s.d[2]), left);
         gone = !entered;
         if (gone && hits->tmin >= 0.0)
             return;
@@ -231,97 +245,96 @@ static bool absorb(void *self, const pov_affine *map)
 /* ---- blocks ---- */
 
 typedef struct box_block {
-    double lo[3][POV_BLOCK_MAX], hi[3][POV_BLOCK_MAX];
-    double lane[POV_BLOCK_MAX];      /* 1 where there is a box */
+    double plane[6][POV_BLOCK_MAX];  /* those of a box's; a lane without a box has its upper ones below its lower */
+    double reach[3];                 /* by axis: no plane is further from the origin */
+    bool few;                        /* half of the lanes are enough */
 } box_block;
 
 static bool block_pack(void *block, const void *const *selves, uint32_t n)
 {
     box_block *b = block;
-    uint32_t i;
-    int axis;
+    uint32_t i, p;
 
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        b->lane[i] = i < n;
-        for (axis = 0; axis < 3; axis++) {
-            const pov_two *plane = ((const box *)selves[i < n ? i : 0])->plane + 2 * axis;
-
-            if (!kit_block_range(fabs(plane[0].hi)) || !kit_block_range(fabs(plane[1].hi)))
+    /* Never so small that a part u of it would not be exact. */
+    b->reach[0] = b->reach[1] = b->reach[2] = 0x1p-900;
+    b->few = n <= POV_BLOCK_MAX / 2;
+    for (p = 0; p < 6; p++) {
+        for (i = 0; i < POV_BLOCK_MAX; i++)
+            b->plane[p][i] = p % 2 ? -HUGE_VAL : HUGE_VAL;
+        for (i = 0; i < n; i++) {
+            b->plane[p][i] = ((const box *)selves[i])->plane[p].hi;
+            if (!kit_block_range(fabs(b->plane[p][i])))
                 return false;
-            b->lo[axis][i] = plane[0].hi;
-            b->hi[axis][i] = plane[1].hi;
+            b->reach[p / 2] = fmax(b->reach[p / 2], fabs(b->plane[p][i]));
         }
     }
     return true;
 }
 
-/* One axis of all lanes: the interval between the planes, made as much wider (near, far) and narrower
- * (last, first) as the roundings of plane, origin and quotient can make it. */
-static inline void narrow(const double *lo, const double *hi, double o, double d, double *near, double *far,
-                          double *last, double *first)
+/* What a ray is along one axis, to all lanes. `pad` has the direction's sign. */
+typedef struct slab_view { const double *enter, *leave; double o, inverse, pad; } slab_view;
+
+/* Of the distance to a plane, origin and plane as they are rounded make u of their sum; two sums, the inverse, its
+ * product and the direction's low part as much each: less than 7 u in all. A ray along the planes is between them for
+ * ever or never. */
+static inline slab_view view_of(const box_block *b, int axis, double o, double d)
 {
-    const double inverse = 1.0 / d, up = 1.0 + 8.0 * KIT_U, down = 1.0 - 8.0 * KIT_U;
-    uint32_t i;
+    const int upper = d < 0.0;
+    const double pad = 8.0 * KIT_U * (fabs(o) + b->reach[axis]);
+    slab_view v;
 
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const double a = d < 0.0 ? hi[i] : lo[i], b = d < 0.0 ? lo[i] : hi[i];
-        const double ta = (a - o) * inverse, tb = (b - o) * inverse;
-        const double pad_a = 2.0 * KIT_U * (fabs(a) + fabs(o)) * fabs(inverse);
-        const double pad_b = 2.0 * KIT_U * (fabs(b) + fabs(o)) * fabs(inverse);
-        const double early = ta * (ta > 0.0 ? down : up) - pad_a, late = ta * (ta > 0.0 ? up : down) + pad_a;
-        const double end = tb * (tb > 0.0 ? up : down) + pad_b, soon = tb * (tb > 0.0 ? down : up) - pad_b;
-
-        near[i] = early > near[i] ? early : near[i];
-        last[i] = late > last[i] ? late : last[i];
-        far[i] = end < far[i] ? end : far[i];
-        first[i] = soon < first[i] ? soon : first[i];
-    }
+    v.enter = b->plane[2 * axis + upper];
+    v.leave = b->plane[2 * axis + !upper];
+    v.o = o;
+    v.inverse = d == 0.0 ? HUGE_VAL : 1.0 / d;
+    v.pad = upper ? -pad : pad;
+    return v;
 }
 
-/* An axis that the ray is parallel to. */
-static inline void beside(const double *lo, const double *hi, double o, double *near, double *last)
+/* For certain the ray is outside before `near` and after `far`, and inside from `last` to `first`. What is not a number
+ * comes from a plane just so far off as the pad and the direction zero; it is passed over by the comparisons. */
+static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t n, double tmin, double tmax,
+                               pov_block_answer *restrict out)
 {
+    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    const slab_view x = view_of(b, 0, ray->org.x, ray->dir.x), y = view_of(b, 1, ray->org.y, ray->dir.y),
+                    z = view_of(b, 2, ray->org.z, ray->dir.z);
+    const double end = kit_lesser(tmax, DBL_MAX);
+    int64_t maybe = 0, surely = 0;
     uint32_t i;
 
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const double pad = 2.0 * KIT_U * (fabs(o) + (fabs(lo[i]) > fabs(hi[i]) ? fabs(lo[i]) : fabs(hi[i])));
+    for (i = 0; i < n; i++) {
+        const double ax = x.enter[i] - x.o, ay = y.enter[i] - y.o, az = z.enter[i] - z.o;
+        const double bx = x.leave[i] - x.o, by = y.leave[i] - y.o, bz = z.leave[i] - z.o;
+        const double near_xy = kit_greater((ay - y.pad) * y.inverse, kit_greater((ax - x.pad) * x.inverse, -HUGE_VAL));
+        const double last_xy = kit_greater((ay + y.pad) * y.inverse, kit_greater((ax + x.pad) * x.inverse, -HUGE_VAL));
+        const double far_xy = kit_lesser((by + y.pad) * y.inverse, kit_lesser((bx + x.pad) * x.inverse, HUGE_VAL));
+        const double first_xy = kit_lesser((by - y.pad) * y.inverse, kit_lesser((bx - x.pad) * x.inverse, HUGE_VAL));
+        const double near = kit_greater((az - z.pad) * z.inverse, near_xy);
+        const double last = kit_greater((az + z.pad) * z.inverse, last_xy);
+        const double far = kit_lesser((bz + z.pad) * z.inverse, far_xy);
+        const double first = kit_lesser((bz - z.pad) * z.inverse, first_xy);
 
-        if (lo[i] - pad > o || hi[i] + pad < o)
-            near[i] = HUGE_VAL;
-        if (!(lo[i] + pad < o && hi[i] - pad > o))
-            last[i] = HUGE_VAL;
+        maybe |= (near <= far) & (near <= end) & (far >= tmin) ? bit[i] : 0;
+        surely |= (last < first) & (near > tmin) & (last < tmax) ? bit[i] : 0;
+        out->lo[i] = near;
+        out->hi[i] = last;
     }
+    out->maybe = (uint32_t)maybe;
+    out->surely = (uint32_t)(surely & maybe);
 }
 
 KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
                                     pov_block_answer *out)
 {
     const box_block *b = block;
-    const double o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
-    double near[POV_BLOCK_MAX], far[POV_BLOCK_MAX], last[POV_BLOCK_MAX], first[POV_BLOCK_MAX];
-    double maybe[POV_BLOCK_MAX], surely[POV_BLOCK_MAX];
-    uint32_t i;
-    int axis;
 
-    if (kit_block_declines(ray, tmin, out))
-        return;
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        near[i] = last[i] = -HUGE_VAL;
-        far[i] = first[i] = HUGE_VAL;
-    }
-    for (axis = 0; axis < 3; axis++) {
-        if (d[axis] == 0.0)
-            beside(b->lo[axis], b->hi[axis], o[axis], near, last);
-        else
-            narrow(b->lo[axis], b->hi[axis], o[axis], d[axis], near, far, last, first);
-    }
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        maybe[i] = (b->lane[i] > 0.0) & (near[i] <= far[i]) & (near[i] <= tmax) & (far[i] >= tmin);
-        surely[i] = (last[i] < first[i]) & (near[i] > tmin) & (last[i] < tmax);
-        out->lo[i] = near[i];
-        out->hi[i] = last[i];
-    }
-    kit_block_masks(maybe, surely, out);
+    if (!kit_block_takes(ray))
+        kit_block_decline(tmin, out);
+    else if (b->few)
+        filter_some(b, ray, POV_BLOCK_MAX / 2, tmin, tmax, out);
+    else
+        filter_some(b, ray, POV_BLOCK_MAX, tmin, tmax, out);
 }
 
 static const pov_shape_class box_class = {

@@ -40,6 +40,9 @@ static const pov_shape_class cone_class = {
     .normal = kit_frustum_normal,
     .inside = kit_frustum_inside,
     .absorb = kit_frustum_absorb,
+    .block_size = sizeof(kit_frustum_block),
+    .block_pack = kit_frustum_pack,
+    .block_filter = kit_frustum_filter,
 };
 
 static const pov_shape_class *const shapes[] = { &cone_class, NULL };

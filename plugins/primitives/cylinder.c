@@ -33,6 +33,9 @@ static const pov_shape_class cylinder_class = {
     .normal = kit_frustum_normal,
     .inside = kit_frustum_inside,
     .absorb = kit_frustum_absorb,
+    .block_size = sizeof(kit_frustum_block),
+    .block_pack = kit_frustum_pack,
+    .block_filter = kit_frustum_filter,
 };
 
 static const pov_shape_class *const shapes[] = { &cylinder_class, NULL };

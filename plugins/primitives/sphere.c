@@ -360,8 +360,10 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
     int64_t met = 0;
     uint32_t i;
 
-    if (!(a > 1e-200 && a < 1e200 && slack < 1e100) && kit_block_declines(ray, tmin, out))
+    if (!(a > 1e-200 && a < 1e200 && slack < 1e100)) {
+        kit_block_decline(tmin, out);
         return;
+    }
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         double x = o.x - s->x[i], y = o.y - s->y[i], z = o.z - s->z[i], outer = s->outer[i] + slack, wx, wy, wz;
         middle[i] = -(x * d.x + y * d.y + z * d.z) * inverse;

@@ -1,4 +1,4 @@
-/* harness.h - ask a plugin and the exact reference the same, and keep the score. */
+/* harness.h - ask plugins and the exact reference the same, and keep the score. */
 #ifndef NUMERICS_HARNESS_H
 #define NUMERICS_HARNESS_H
 
@@ -18,17 +18,26 @@ typedef struct score {
     char worst[4096];               /* the probe of ulp_max, or of the first failure */
 } score;
 
+/* A way to intersect. The first of a harness is ours, which is held to everything; the others are asked the same rays
+ * and timed in turn with it. */
+typedef struct method {
+    const char *name;
+    const char *folder;             /* of its plugins, below the build's */
+    bool always_exact;
+    bool rival;                     /* not ours: its failures are counted, and no news */
+} method;
+
+enum { METHODS_MAX = 8 };
+
 typedef struct harness harness;
 
-harness *harness_create(void);
+harness *harness_create(const method *methods, int count);
 void harness_destroy(harness *h);
 
-/* `rays` probes of a family. Failures are printed as lines that replay.txt can hold, eight at most. */
+/* `rays` probes of a family, a score for each method. Failures of ours are printed as lines that replay.txt can hold,
+ * eight at most. */
 void harness_run(harness *h, kind k, const family *f, long rays, uint64_t seed, score *out);
 /* One probe alone. */
 void harness_replay(harness *h, const probe *p, score *out);
-
-/* The unit in the last place that errors of t are held against, for this kind: 16, 32 or 4. */
-double harness_limit(kind k);
 
 #endif

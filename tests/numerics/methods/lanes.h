@@ -1,0 +1,74 @@
+/* lanes.h - the plainest block filter: the boxes of up to eight shapes, side by side. */
+#ifndef METHODS_LANES_H
+#define METHODS_LANES_H
+
+#include "kit/simd.h"
+
+typedef struct lane_boxes { double lo[3][POV_BLOCK_MAX], hi[3][POV_BLOCK_MAX]; int64_t lanes; } lane_boxes;
+
+static inline bool lanes_pack(lane_boxes *b, bool (*bounds)(const void *, pov_box *), const void *const *selves, uint32_t n)
+{
+    uint32_t i;
+
+    b->lanes = (1 << n) - 1;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        pov_box box;
+
+        if (!bounds(selves[i < n ? i : 0], &box))
+            return false;
+        b->lo[0][i] = box.lo.x, b->lo[1][i] = box.lo.y, b->lo[2][i] = box.lo.z;
+        b->hi[0][i] = box.hi.x, b->hi[1][i] = box.hi.y, b->hi[2][i] = box.hi.z;
+    }
+    return true;
+}
+
+/* Widened by a few roundings, as any tree's boxes are. */
+static inline void lanes_filter(const lane_boxes *b, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+{
+    const double o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
+    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    double far[POV_BLOCK_MAX], inverse[3], pad[3];
+    int64_t met = 0;
+    uint32_t i;
+    int axis;
+
+    for (axis = 0; axis < 3; axis++) {
+        inverse[axis] = 1.0 / (fabs(d[axis]) > 1e-120 ? d[axis] : 1e-120);
+        pad[axis] = 1e-14 * fabs(o[axis]);
+    }
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        out->lo[i] = tmin;
+        far[i] = tmax;
+    }
+    for (axis = 0; axis < 3; axis++) {
+        const bool down = inverse[axis] < 0.0;
+        const double *first = down ? b->hi[axis] : b->lo[axis], *last = down ? b->lo[axis] : b->hi[axis];
+        const double from = down ? o[axis] - pad[axis] : o[axis] + pad[axis];
+        const double to = down ? o[axis] + pad[axis] : o[axis] - pad[axis];
+
+        for (i = 0; i < POV_BLOCK_MAX; i++) {
+            const double a = (first[i] - from) * inverse[axis], z = (last[i] - to) * inverse[axis];
+
+            out->lo[i] = a > out->lo[i] ? a : out->lo[i];
+            far[i] = z < far[i] ? z : far[i];
+        }
+    }
+    for (i = 0; i < POV_BLOCK_MAX; i++)
+        met |= out->lo[i] <= far[i] * (1.0 + 1e-15) ? bit[i] : 0;
+    out->maybe = (uint32_t)(met & b->lanes);
+    out->surely = 0;
+}
+
+/* The three members of a class whose shapes have boxes. */
+#define METHODS_LANES(bounds)                                                                                         \
+    static bool block_pack(void *block, const void *const *selves, uint32_t n)                                        \
+    {                                                                                                                 \
+        return lanes_pack(block, bounds, selves, n);                                                                  \
+    }                                                                                                                 \
+    KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,              \
+                                        pov_block_answer *out)                                                        \
+    {                                                                                                                 \
+        lanes_filter(block, ray, tmin, tmax, out);                                                                    \
+    }
+
+#endif
