@@ -20,10 +20,11 @@ typedef struct maps {
 /* One thread's share: each n-th row. */
 typedef struct share { const maps *maps; int first; pov_tracer *tracer; } share;
 
-static bool is_asked(const args *a)
+/* The map of time is the job's own; all others are of what a ray meets. */
+static bool wants_rays(const args *a)
 {
     for (int i = 0; i < ARGS_AOVS; i++)
-        if (a->aov[i])
+        if (a->aov[i] && i != ARGS_AOV_TIME)
             return true;
     return false;
 }
@@ -140,6 +141,35 @@ static pov_status trace(const maps *m, pov_error *err)
     return status;
 }
 
+/* ---- time ---- */
+
+static bool holds_floats(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+
+    return dot && (strcmp(dot, ".pfm") == 0 || strcmp(dot, ".PFM") == 0);
+}
+
+/* Microseconds; or parts of the largest, where a file of integers would clip them. */
+static void map_time(const maps *m, pov_job *job)
+{
+    const size_t count = (size_t)m->rect.width * (size_t)m->rect.height;
+    const pov_rect all = { 0, 0, m->rect.width, m->rect.height };
+    float *to = m->pixels[ARGS_AOV_TIME];
+    double most = 0.0, scale = 1e6;
+
+    pov_job_read(job, all, POV_PIXELS_TIME, to, sizeof *to * (size_t)m->rect.width);
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, (double)to[i]);
+    if (!holds_floats(m->args->aov[ARGS_AOV_TIME]))
+        scale = most > 0.0 ? 1.0 / most : 0.0;
+    /* From the last on, for what was read stands where the first ones go. */
+    for (size_t i = count; i-- > 0;) {
+        const double value = scale * (double)to[i];
+        put(to + 4 * i, value, value, value);
+    }
+}
+
 /* ---- writing ---- */
 
 static pov_status prepare(maps *m, pov_error *err)
@@ -160,21 +190,21 @@ static pov_status prepare(maps *m, pov_error *err)
     return POV_OK;
 }
 
-pov_status aov_write(pov_context *context, const pov_scene *scene, const args *a, pov_error *err)
+pov_status aov_write(pov_context *context, const pov_scene *scene, pov_job *job, const args *a, pov_error *err)
 {
     const pov_rect all = { 0, 0, a->width, a->height };
     pov_image_options o = options();
     maps m = { .args = a, .scene = scene, .camera = POV_INIT(m.camera) };
     pov_status status;
 
-    if (!is_asked(a))
-        return POV_OK;
     m.rect = a->crop.width ? a->crop : all;
     m.threads = threads_of(a);
     pov_scene_get_camera(scene, &m.camera);
     status = prepare(&m, err);
-    if (status == POV_OK)
+    if (status == POV_OK && wants_rays(a))
         status = trace(&m, err);
+    if (status == POV_OK && m.pixels[ARGS_AOV_TIME])
+        map_time(&m, job);
     for (int i = 0; i < ARGS_AOVS; i++) {
         if (m.pixels[i] && status == POV_OK)
             status = pov_image_write(context, a->aov[i], m.rect.width, m.rect.height, m.pixels[i],

@@ -12,8 +12,8 @@ typedef enum args_progress {
     ARGS_PROGRESS_NONE
 } args_progress;
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
-/* Maps of what the camera rays meet, besides the picture. */
-typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOVS } args_aov;
+/* Maps besides the picture: of what the camera rays meet, and of the time that the pixels take. */
+typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOV_TIME, ARGS_AOVS } args_aov;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 
 typedef enum args_sampling { ARGS_SAMPLING_AUTO, ARGS_SAMPLING_UNIFORM, ARGS_SAMPLING_ADAPTIVE } args_sampling;

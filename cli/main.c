@@ -60,12 +60,12 @@ static pov_status render_and_report(const args *a, const messages *m, pov_contex
     }
     if (status == POV_OK && a->stats)
         stats_print(report_stream(a), &s);
+    if (status == POV_OK && rendered && !signals_end_asked())
+        status = aov_write(context, scene, r.job, a, err);
     if (rendered) {
         *short_of = r.short_of;
         render_free(&r);
     }
-    if (status == POV_OK && rendered && !signals_end_asked())
-        status = aov_write(context, scene, a, err);
     return status;
 }
 

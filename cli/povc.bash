@@ -17,7 +17,7 @@ _povc()
     --dialect) words='auto course povray' ;;
     --accel) words='tree none' ;;
     --accuracy) words='certified max' ;;
-    --aov) words='certainty normal depth' ;;
+    --aov) words='certainty normal depth time' ;;
     --preview) words='0 2 4 8 16' ;;
     --progress) words='auto bar json none' ;;
     --color) words='auto always never' ;;

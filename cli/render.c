@@ -86,6 +86,7 @@ static pov_status prepare(render *r, pov_error *err)
     desc.threads = a->threads;
     desc.samples = a->samples;
     desc.seed = (uint32_t)a->seed;
+    desc.time_map = a->aov[ARGS_AOV_TIME] != NULL;
     desc.target_error = a->error;
     desc.time_limit = a->time;
     /* To reach an error soonest is to look where it is; who asks for a number of samples gets them everywhere. */

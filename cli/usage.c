@@ -26,8 +26,9 @@ static const char *const help[] = {
     "      --transfer scene|srgb|linear\n"
     "                           how values are encoded in PNG and PPM (default: as the scene asks)\n"
     "      --format ENDING      image format, whatever OUTPUT is called (default for \"-\": png)\n"
-    "      --aov certainty|normal|depth FILE\n"
-    "                           besides the picture a map of what the pixels' centres meet\n"
+    "      --aov certainty|normal|depth|time FILE\n"
+    "                           besides the picture a map of what the pixels' centres meet, or of\n"
+    "                           the time that the pixels took\n"
     "\n",
     "Scene\n"
     "      --dialect auto|course|povray\n"

@@ -59,7 +59,8 @@ pov_camera app_camera(const app *a)
 
 const char *app_view_name(app_view view)
 {
-    static const char *const names[APP_VIEWS] = { "picture", "normal", "depth", "samples", "error", "certainty" };
+    static const char *const names[APP_VIEWS] = { "picture", "normal", "depth", "samples", "time", "error",
+                                                    "certainty" };
 
     return names[view];
 }

@@ -21,7 +21,7 @@ static const char help[] =
     "|R, Enter\tback to the scene's camera\n"
     "|C\tprint the camera as scene text\n"
     "|[  ]\tless, more exposure\n"
-    "|Tab\tpicture, normal, depth, samples, error, certainty\n"
+    "|Tab\tpicture, normal, depth, samples, time, error, certainty\n"
     "|G\terror against time\n"
     "|I\twhat is under the pointer\n"
     "|P\tpause\n"
@@ -76,6 +76,8 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
         add(out, size, "|color\tnot yet\n");
     if (p->samples > 0.0f)
         add(out, size, "|samples\t%.0f\n", (double)p->samples);
+    if (p->seconds > 0.0f)
+        add(out, size, "|time\t%.3g \xc2\xb5s\n", 1e6 * (double)p->seconds);
     if (p->error >= 0.0f)
         add(out, size, "|error\t%.2g\n", (double)p->error);
     add(out, size, "|pixel\t%d, %d\n", p->x, p->y);
@@ -120,7 +122,8 @@ static const char *caption(app_view view)
 {
     static const char *const captions[APP_VIEWS] = {
         "", "#normal\n red x, green y, blue z: -1 dark, 1 bright\n", "#depth\n white near, black far\n",
-        "#samples\n dark 1, bright 1024\n", "#error\n dark 0.0001, bright 0.1, grey not known\n",
+        "#samples\n dark 1, bright 1024\n", "#time\n dark a microsecond of the processor a pixel, bright 10 ms\n",
+        "#error\n dark 0.0001, bright 0.1, grey not known\n",
         "#certainty\n blue: decided in double; orange: by two-part numbers\n",
     };
 

@@ -119,16 +119,20 @@ static double brightness(picture_kind kind, float value)
 
     if (!(value > 0.0f))
         return value == 0.0f ? 0.0 : -1.0;
-    t = kind == PICTURE_ERROR ? (log10((double)value) + 4.0) / 3.0 : log2((double)value) / 10.0;
+    switch (kind) {
+    case PICTURE_ERROR: t = (log10((double)value) + 4.0) / 3.0; break;
+    case PICTURE_TIME: t = (log10((double)value) + 6.0) / 4.0; break;
+    default: t = log2((double)value) / 10.0; break;
+    }
     return t > 0.0 ? t : 0.0;
 }
 
 static void read_map(picture *p, pov_job *job, pov_rect r, uint8_t *fresh)
 {
+    static const pov_pixels maps[] = { POV_PIXELS_DISPLAY8, POV_PIXELS_SAMPLES, POV_PIXELS_TIME, POV_PIXELS_ERROR };
     float values[PART * PART];
 
-    pov_job_read(job, r, p->kind == PICTURE_ERROR ? POV_PIXELS_ERROR : POV_PIXELS_SAMPLES, values,
-                 (size_t)r.width * sizeof *values);
+    pov_job_read(job, r, maps[p->kind], values, (size_t)r.width * sizeof *values);
     for (int i = 0; i < r.width * r.height; i++)
         ramp_color(brightness(p->kind, values[i]), fresh + 4 * i);
 }

@@ -7,7 +7,7 @@
 #include <povtrace/render.h>
 
 /* What of the job is shown: its colours, or how far they may be off, or what they have cost. */
-typedef enum picture_kind { PICTURE_COLORS, PICTURE_ERROR, PICTURE_SAMPLES } picture_kind;
+typedef enum picture_kind { PICTURE_COLORS, PICTURE_SAMPLES, PICTURE_TIME, PICTURE_ERROR } picture_kind;
 
 typedef struct picture {
     uint8_t *pixels;             /* red, green, blue, alpha; alpha 0: nothing yet */
@@ -29,7 +29,8 @@ void picture_free(picture *p);
 void picture_restart(picture *p);
 /* Show with this gain; 1 is to the bit what the job encodes. */
 void picture_expose(picture *p, pov_transfer transfer, double gain);
-/* Errors from 0.0001 to 0.1 and samples from 1 to 1024 go from dark to bright, by their logarithm. */
+/* Samples from 1 to 1024, a pixel's time from a microsecond to 10 ms and errors from 0.0001 to 0.1 go from dark to
+ * bright, by their logarithm. */
 void picture_show(picture *p, picture_kind kind);
 /* Read all rows again, as time allows. */
 void picture_reread(picture *p);

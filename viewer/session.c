@@ -36,12 +36,17 @@ bool session_shows_job(const session *s)
 {
     app_view v = s->app->view;
 
-    return v == APP_PICTURE || v == APP_SAMPLES || v == APP_ERROR;
+    return v == APP_PICTURE || v == APP_SAMPLES || v == APP_TIME || v == APP_ERROR;
 }
 
 static picture_kind kind_of(app_view view)
 {
-    return view == APP_ERROR ? PICTURE_ERROR : view == APP_SAMPLES ? PICTURE_SAMPLES : PICTURE_COLORS;
+    switch (view) {
+    case APP_SAMPLES: return PICTURE_SAMPLES;
+    case APP_TIME: return PICTURE_TIME;
+    case APP_ERROR: return PICTURE_ERROR;
+    default: return PICTURE_COLORS;
+    }
 }
 
 static maps_kind map_of(app_view view)
@@ -127,6 +132,7 @@ static void make_job(session *s)
     d.samples = s->desc.args->samples;
     d.sampling = POV_SAMPLING_ADAPTIVE;
     d.target_error = s->desc.args->error;
+    d.time_map = 1;
     d.camera = &camera;
     d.wake = s->desc.wake;
     d.wake_user = s->desc.wake_user;

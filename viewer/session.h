@@ -28,6 +28,7 @@ typedef struct session_place {
     bool certain;
     float color[4];              /* linear, as the job has it; alpha 0: not traced yet */
     float samples, error;        /* how many, and how far off they may be; below 0: not known */
+    float seconds;               /* of the processor, that a pixel near it has taken */
 } session_place;
 
 /* The session's scene will be read by a thread; session_update() takes it when it is there. */

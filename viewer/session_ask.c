@@ -75,6 +75,7 @@ bool session_inspect(session *s, session_place *out)
     pov_job_read(s->job, pixel, POV_PIXELS_LINEAR_FLOAT, out->color, sizeof out->color);
     pov_job_read(s->job, pixel, POV_PIXELS_SAMPLES, &out->samples, sizeof out->samples);
     pov_job_read(s->job, pixel, POV_PIXELS_ERROR, &out->error, sizeof out->error);
+    pov_job_read(s->job, pixel, POV_PIXELS_TIME, &out->seconds, sizeof out->seconds);
     out->hit = pov_trace_hit(s->tracer, camera.location, ray, &hit);
     if (!out->hit)
         return true;

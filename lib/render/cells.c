@@ -19,15 +19,24 @@ bool cells_make(cells *c, const env *e, int width, int height, bool sampling)
     return c->groups && (c->halves || !sampling);
 }
 
+bool cells_count_time(cells *c, const env *e)
+{
+    c->seconds = env_alloc(e, c->count, sizeof *c->seconds);
+    return c->seconds != NULL;
+}
+
 void cells_free(cells *c, const env *e)
 {
     env_free(e, c->groups);
+    env_free(e, c->seconds);
     env_free(e, c->halves);
 }
 
 void cells_clear(cells *c)
 {
     memset(c->groups, 0, c->count * GROUPS * sizeof *c->groups);
+    if (c->seconds)
+        memset(c->seconds, 0, c->count * sizeof *c->seconds);
 }
 
 cell_range cells_of(pov_rect tile)
@@ -86,6 +95,14 @@ void cells_put(cells *c, pov_rect tile, const group *groups, const double *halve
         memcpy(row_of_groups(c, r, row), groups + GROUPS * row * r.columns, GROUPS * (size_t)r.columns * sizeof *groups);
     for (int y = 0; y < tile.height; y++)
         memcpy(row_of_halves(c, tile, y), halves + 6 * y * tile.width, 6 * sizeof *halves * (size_t)tile.width);
+}
+
+void cells_spend(cells *c, pov_rect tile, const double *seconds)
+{
+    cell_range r = cells_of(tile);
+
+    for (int i = 0; i < r.columns * r.rows; i++)
+        c->seconds[(size_t)(r.row + i / r.columns) * (size_t)c->columns + (size_t)(r.column + i % r.columns)] += seconds[i];
 }
 
 /* ---- what the halves say ---- */

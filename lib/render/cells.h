@@ -24,6 +24,7 @@ typedef struct cells {
     int width, height, columns, rows;
     size_t count;
     group *groups;               /* GROUPS of each cell, one after the other */
+    double *seconds;             /* of the processor, that each cell has taken; NULL: nobody asks */
     double *halves;              /* six a pixel: the sums of both; NULL when a pixel has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
     bool reference_clipped;      /* it holds nothing outside 0 .. 1 */
@@ -34,6 +35,10 @@ typedef struct cell_range { int column, row, columns, rows; } cell_range;
 
 /* False: no memory. */
 bool cells_make(cells *c, const env *e, int width, int height, bool sampling);
+/* From now on what the cells take of the processor's time is added up. False: no memory. */
+bool cells_count_time(cells *c, const env *e);
+/* What a pass over a tile took, for each of the tile's cells. */
+void cells_spend(cells *c, pov_rect tile, const double *seconds);
 void cells_free(cells *c, const env *e);
 void cells_clear(cells *c);
 cell_range cells_of(pov_rect tile);

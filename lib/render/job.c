@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/err.h"
+#include "render/meter.h"
 
 /* ---- a job's life ---- */
 
@@ -17,6 +18,8 @@ static pov_status make_parts(pov_job *job, pov_error *err)
         return err_memory(err);
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;
+    if (s->time_map && !cells_count_time(&job->cells, job->env))
+        return err_memory(err);
     job->scratch = env_alloc(job->env, job->cells.count, GROUPS * sizeof *job->scratch);
     job->queue = env_alloc(job->env, job->tiles.count, sizeof *job->queue);
     job->dirty = env_alloc(job->env, job->tiles.count, sizeof *job->dirty);
@@ -33,6 +36,7 @@ static void free_worker(pov_job *job, worker *w)
 {
     worker_free(w, job->env);
     refinement_free(w->refinement, job->env);
+    env_free(job->env, w->meter);
     env_free(job->env, w);
 }
 
@@ -208,7 +212,9 @@ static bool make_worker(pov_job *job, worker *w)
         return false;
     if (job->settings.sampling)
         w->refinement = refinement_make(job->env, job->tiles.edge);
-    return w->refinement || !job->settings.sampling;
+    if (job->settings.time_map)
+        w->meter = env_alloc(job->env, 1, sizeof *w->meter);
+    return (w->refinement || !job->settings.sampling) && (w->meter || !job->settings.time_map);
 }
 
 /* A worker that nobody is using, or a new one. NULL: no memory. */

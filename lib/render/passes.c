@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "render/budget.h"
 #include "render/estimate.h"
+#include "render/meter.h"
 
 #include <math.h>
 
@@ -152,6 +153,8 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh)
     bool first = mark_dirty(job, c->tile);
 
     counts_add(&job->counts, fresh);
+    if (w->meter)
+        cells_spend(&job->cells, c->rect, w->meter->spent);
     if (c->refining) {
         job->done_pixels += samples_more(job, c);
         cells_put(&job->cells, c->rect, w->refinement->groups, w->refinement->halves);

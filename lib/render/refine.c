@@ -1,5 +1,6 @@
 #include "render/refine.h"
 
+#include "render/meter.h"
 #include "render/raygen.h"
 #include "render/sample.h"
 
@@ -99,9 +100,14 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     cell_range range = cells_of(w->claim.rect);
     refinement *r = w->refinement;
 
-    for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
+    meter_begin(w->meter);
+    for (int i = 0; i < GROUPS * range.columns * range.rows; i++) {
+        int cell = i / GROUPS;
+
         if (!refine_group(w, s, range, i))
             return false;
+        meter_cell(w->meter, w->claim.rect, cell % range.columns * CELL_EDGE, cell / range.columns * CELL_EDGE);
+    }
     cells_measure(c, w->claim.rect, e, r->groups, r->halves, w->pixels);
     return true;
 }

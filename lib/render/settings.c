@@ -79,6 +79,7 @@ pov_status settings_make(settings *s, const pov_render_desc *desc, pov_error *er
     s->height = desc->height;
     s->wake = desc->wake;
     s->wake_user = desc->wake_user;
+    s->time_map = desc->time_map != 0;
     if (status == POV_OK)
         status = take_crop(s, desc, err);
     if (status == POV_OK)

@@ -54,23 +54,19 @@ static pov_rect meet(pov_rect a, pov_rect b)
     return r;
 }
 
-/* One row of a map of the cells. The lock is held. */
-static void map_row(const pov_job *job, int x, int y, int width, pov_pixels format, float *out)
+/* What a map of the cells has for a pixel. The lock is held. */
+static float map_value(const cells *c, int x, int y, pov_pixels format)
 {
-    const cells *c = &job->cells;
+    size_t number = group_of(c->columns, x, y), cell = number / GROUPS;
+    const group *both = &c->groups[GROUPS * cell];
+    pov_rect r = cells_rect(c, cell);
+    double pixels = (double)r.width * r.height;
 
-    for (int i = 0; i < width; i++) {
-        size_t number = group_of(c->columns, x + i, y), cell = number / GROUPS;
-        const group *both = &c->groups[GROUPS * cell];
-        pov_rect r = cells_rect(c, cell);
-
-        if (format == POV_PIXELS_SAMPLES)
-            out[i] = (float)c->groups[number].count;
-        else if (c->groups[number].count > 1)
-            out[i] = (float)sqrt((both[0].square + both[1].square) / ((double)r.width * r.height));
-        else
-            out[i] = -1.0f;
-    }
+    if (format == POV_PIXELS_SAMPLES)
+        return (float)c->groups[number].count;
+    if (format == POV_PIXELS_TIME)
+        return c->seconds ? (float)(c->seconds[cell] / pixels) : -1.0f;
+    return c->groups[number].count > 1 ? (float)sqrt((both[0].square + both[1].square) / pixels) : -1.0f;
 }
 
 static void read_map(pov_job *job, pov_rect part, pov_pixels format, unsigned char *dst, size_t stride)
@@ -79,7 +75,8 @@ static void read_map(pov_job *job, pov_rect part, pov_pixels format, unsigned ch
 
     for (int y = 0; y < part.height; y++) {
         mutex_lock(&job->lock);
-        map_row(job, part.x, part.y + y, part.width, format, row);
+        for (int x = 0; x < part.width; x++)
+            row[x] = map_value(&job->cells, part.x + x, part.y + y, format);
         mutex_unlock(&job->lock);
         memcpy(dst + (size_t)y * stride, row, sizeof *row * (size_t)part.width);
     }
@@ -113,7 +110,7 @@ static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels forma
     int above = 0;
 
     dst += (size_t)(part.y - rect.y) * stride + (size_t)(part.x - rect.x) * pixel_bytes;
-    if (format == POV_PIXELS_ERROR || format == POV_PIXELS_SAMPLES) {
+    if (format != POV_PIXELS_DISPLAY8 && format != POV_PIXELS_LINEAR_FLOAT) {
         read_map(job, part, format, dst, stride);
         return;
     }

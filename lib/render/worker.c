@@ -1,5 +1,6 @@
 #include "render/worker.h"
 
+#include "render/meter.h"
 #include "render/raygen.h"
 
 #include <string.h>
@@ -99,9 +100,11 @@ bool worker_trace(worker *w, const settings *s)
     company together;
 
     raygen_begin(&c->camera, together.rays, BATCH_MAX);
+    meter_begin(w->meter);
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += edge) {
             trace_block(w, &together, s, x, y, edge);
+            meter_square(w->meter, c->rect, c->lattice, x, y, edge);
             if (worker_is_given_up(w))
                 return false;
         }

@@ -19,6 +19,7 @@ typedef struct claim {
 } claim;
 
 typedef struct refinement refinement;   /* refine.h */
+typedef struct meter meter;             /* meter.h */
 
 typedef struct worker {
     pov_job *job;
@@ -26,6 +27,7 @@ typedef struct worker {
     claim claim;
     float *pixels;               /* of the tile, row by row */
     refinement *refinement;      /* the job's to make and free; NULL when a pixel has one sample */
+    meter *meter;                /* the job's to make and free; NULL: nobody asks */
     pov_counts counted;          /* of the tracer's, those that earlier tiles have accounted for */
     struct worker *next_free;    /* in the job's list of those that nobody is using */
 } worker;

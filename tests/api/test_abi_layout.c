@@ -23,6 +23,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_hit, certain, 68);
     AT(pov_render_desc, wake_user, 64);
     AT(pov_render_desc, seed, 104);
+    AT(pov_render_desc, time_map, 112);
     AT(pov_progress, counts, 40);
     AT(pov_progress, stop, 136);
     AT(pov_pass, counts, 48);

@@ -479,6 +479,7 @@ static bool survives(long n, bool by_steps)
     tiny_room(&s, &allocator);
     memory.fail_at = memory.calls + n;
     d.threads = 2;
+    d.time_map = 1;
     status = job_create(&job, &s.model, s.world, &d, &err);
     if (status == POV_OK && !by_steps)
         status = job_start(job, &err);

@@ -253,6 +253,57 @@ static void maps_show_error_and_samples(void **state)
     tiny_end(&s);
 }
 
+/* Seconds of the processor that all pixels together have taken; none may be below `least`. */
+static double time_of_all(pov_job *job, double least)
+{
+    pov_rect all = { 0, 0, WIDTH, HEIGHT };
+    float seconds[PIXELS];
+    double sum = 0.0;
+
+    job_read(job, all, POV_PIXELS_TIME, seconds, WIDTH * sizeof *seconds);
+    for (int i = 0; i < PIXELS; i++) {
+        assert_true((double)seconds[i] >= least);
+        sum += (double)seconds[i];
+    }
+    return sum;
+}
+
+/* Tracing is most of what the threads do, and nothing of it is counted twice. */
+static void the_map_of_time_adds_up_to_the_threads_time(void **state)
+{
+    pov_render_desc d = refining(32, POV_SAMPLING_ADAPTIVE);
+    double sum;
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    d.preview = 16;
+    d.time_map = 1;
+    job = run(&s, &d);
+    sum = time_of_all(job, 1e-9);
+    assert_true(sum <= last_row(job).cpu_s && sum >= 0.5 * last_row(job).cpu_s);
+    job_pause(job, true);
+    job_restart(job, NULL);
+    assert_near(time_of_all(job, 0.0), 0.0, 0.0);
+    job_destroy(job);
+    tiny_end(&s);
+}
+
+static void without_being_asked_no_time_is_kept(void **state)
+{
+    pov_render_desc d = refining(8, POV_SAMPLING_UNIFORM);
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    job = run(&s, &d);
+    assert_near(time_of_all(job, -1.0), -1.0 * PIXELS, 0.0);
+    job_destroy(job);
+    tiny_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -264,6 +315,8 @@ int main(void)
         cmocka_unit_test(a_restart_ends_with_the_same_bits),
         cmocka_unit_test(a_time_limit_ends_a_job_that_is_stepped),
         cmocka_unit_test(maps_show_error_and_samples),
+        cmocka_unit_test(the_map_of_time_adds_up_to_the_threads_time),
+        cmocka_unit_test(without_being_asked_no_time_is_kept),
     };
 
     return cmocka_run_group_tests_name("render_refine", tests, NULL, NULL);

@@ -287,7 +287,7 @@ static void shot_shows_normals_and_depth(void **state)
     /* The middle is at the pivot's depth. */
     assert_color(at(p, WIDTH / 2, HEIGHT / 2), 128, 128, 128, 2);
     assert_true(at(p, WIDTH / 2 - 40, HEIGHT / 2)[0] < 128);
-    assert_int_equal(differences(see(s, "<tab><tab><tab><tab>"), picture), 0);
+    assert_int_equal(differences(see(s, "<tab><tab><tab><tab><tab>"), picture), 0);
     free(picture);
     end(s);
 }
@@ -308,7 +308,7 @@ static void shot_shows_where_the_samples_and_the_error_are(void **state)
     /* The ball's edge, right of the middle by a fifth of the height and some, against the ground below. */
     assert_int_equal(s->v.app.view, APP_SAMPLES);
     assert_true(brightness(at(p, 160 + 48, 120)) > brightness(at(p, 40, 200)) + 50);
-    p = see(s, "<tab>");
+    p = see(s, "<tab><tab>");
     assert_int_equal(s->v.app.view, APP_ERROR);
     for (int x = 0; x < WIDTH; x++)
         most = brightness(at(p, x, 120)) > most ? brightness(at(p, x, 120)) : most;
@@ -316,6 +316,36 @@ static void shot_shows_where_the_samples_and_the_error_are(void **state)
     session_title(s->v.session, title, sizeof title);
     assert_non_null(strstr(title, "done"));
     assert_non_null(strstr(title, "16.0 samples, error "));
+    end(s);
+}
+
+/* The mean brightness of a square of pixels. */
+static double brightness_of(const uint8_t *pixels, int left, int top)
+{
+    enum { EDGE = 32 };
+    double sum = 0.0;
+
+    for (int i = 0; i < EDGE * EDGE; i++)
+        sum += brightness(at(pixels, left + i % EDGE, top + i / EDGE));
+    return sum / (EDGE * EDGE);
+}
+
+/* Pixels of a ball with light and shadow take more of the processor than those of nothing. */
+static void shot_shows_where_the_time_went(void **state)
+{
+    stage *s = begin_with(good, 0, 16);
+    const uint8_t *p = see(s, "<tab><tab><tab><tab>");
+    session_place place;
+    char text[1000];
+
+    (void)state;
+    assert_int_equal(s->v.app.view, APP_TIME);
+    assert_true(brightness_of(p, WIDTH / 2 - 16, HEIGHT / 2 - 16) > brightness_of(p, 8, 8) + 30.0);
+    see(s, "<move 160,120>");
+    assert_true(session_inspect(s->v.session, &place));
+    assert_true(place.seconds > 1e-7f && place.seconds < 0.1f);
+    overlay_write_place(&place, text, sizeof text);
+    assert_non_null(strstr(text, "|time\t"));
     end(s);
 }
 
@@ -338,7 +368,7 @@ static void shot_shows_the_curve_of_error_against_time(void **state)
 static void shot_shows_what_double_decided(void **state)
 {
     stage *s = begin(good, 0);
-    const uint8_t *p = see(s, "<tab><tab><tab><tab><tab>");
+    const uint8_t *p = see(s, "<tab><tab><tab><tab><tab><tab>");
 
     (void)state;
     assert_int_equal(s->v.app.view, APP_CERTAINTY);
@@ -504,6 +534,7 @@ int main(void)
         cmocka_unit_test(shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one),
         cmocka_unit_test(shot_shows_normals_and_depth),
         cmocka_unit_test(shot_shows_where_the_samples_and_the_error_are),
+        cmocka_unit_test(shot_shows_where_the_time_went),
         cmocka_unit_test(shot_shows_the_curve_of_error_against_time),
         cmocka_unit_test(shot_shows_what_double_decided),
         cmocka_unit_test(shot_exposes_by_half_stops),

@@ -32,15 +32,18 @@ typedef struct pov_render_desc {
                                      by the caller while the job lives; or NULL */
     uint32_t seed;                /* another one, other places for all samples but a single one */
     bool reference_clipped;       /* the reference holds nothing outside 0 .. 1 */
+    int time_map;                 /* not 0: keep account of where the time goes, for POV_PIXELS_TIME */
 } pov_render_desc;
 
 typedef enum pov_job_state {
     POV_JOB_IDLE, POV_JOB_RUNNING, POV_JOB_DONE, POV_JOB_CANCELLED, POV_JOB_FAILED
 } pov_job_state;
-/* The last two are maps of one float a pixel: the estimated rms error, below zero where it is not known, and the number
- * of samples. Both are alike within a cell of 8 by 8 pixels, for a single pixel's estimate would be chance. */
+/* The last three are maps of one float a pixel: the estimated rms error, below zero where it is not known; the number of
+ * samples; and the seconds of the processor that the pixel has taken since the start, or since what pov_job_load()
+ * brought, below zero where desc.time_map did not ask for it. All are alike within a cell of 8 by 8 pixels, for a single
+ * pixel's would be chance. */
 typedef enum pov_pixels {
-    POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES
+    POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES, POV_PIXELS_TIME
 } pov_pixels;
 /* What ended a job; NONE: nothing yet, or a failure. */
 typedef enum pov_stop { POV_STOP_NONE, POV_STOP_SAMPLES, POV_STOP_ERROR, POV_STOP_TIME, POV_STOP_USER } pov_stop;

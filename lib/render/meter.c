@@ -1,0 +1,52 @@
+#include "render/meter.h"
+
+#include "base/clock.h"
+
+#include <string.h>
+
+void meter_begin(meter *m)
+{
+    if (!m)
+        return;
+    memset(m->spent, 0, sizeof m->spent);
+    m->since = clock_thread_seconds();
+}
+
+static double seconds_since(meter *m)
+{
+    double now = clock_thread_seconds(), seconds = now - m->since;
+
+    m->since = now;
+    return seconds;
+}
+
+static double *cell_at(meter *m, pov_rect tile, int x, int y)
+{
+    return &m->spent[y / CELL_EDGE * cells_of(tile).columns + x / CELL_EDGE];
+}
+
+void meter_cell(meter *m, pov_rect tile, int x, int y)
+{
+    if (m)
+        *cell_at(m, tile, x, y) += seconds_since(m);
+}
+
+void meter_square(meter *m, pov_rect tile, lattice l, int left, int top, int edge)
+{
+    int right = left + edge < tile.width ? left + edge : tile.width, count = 0;
+    int bottom = top + edge < tile.height ? top + edge : tile.height;
+    double each;
+
+    if (!m)
+        return;
+    for (int y = top; y < bottom; y += l.step)
+        for (int x = left; x < right; x += l.step)
+            count += lattice_has(l, x, y);
+    if (count == 0)
+        return;
+    each = seconds_since(m) / count;
+    for (int y = top; y < bottom; y += l.step)
+        for (int x = left; x < right; x += l.step)
+            if (lattice_has(l, x, y))
+                *cell_at(m, tile, x, y) += each;
+}
