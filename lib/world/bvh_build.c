@@ -16,8 +16,13 @@ enum { FULL_PACKED = BVH_WIDTH * BVH_WIDTH, FULL_ALONE = BVH_WIDTH };
 /* Parts of fewer things than this are not worth a thread's while. */
 enum { JOB_LEAST = 4096, THREADS_FROM = 20000, PARTS = 64 };
 
-/* A part of the tree that is left for whoever comes first. */
-typedef struct job { bvh_draft_child *child; int depth; } job;
+/* A part of the tree that is to grow, perhaps by whoever comes first. */
+typedef struct job {
+    bvh_draft_child *child;
+    bvh_range range;             /* in its own frame where it has one */
+    double scale;                /* of that frame */
+    int depth;
+} job;
 
 typedef struct builder {
     const bvh_input *in;
@@ -97,36 +102,47 @@ static int next_to_cut(const bvh_range *parts, int n, uint32_t part, bool halve)
     return best;
 }
 
-static bool grow_child(hand *h, bvh_draft_child *child, int depth);
+static bool grow_child(hand *h, const job *j);
 
-/* The things of child->range become a node below it. */
-static bool grow_node(hand *h, bvh_draft_child *child, int depth)
+/* Parts of a range become children of one node. */
+static bool grow_parts(hand *h, const job *above, const bvh_range *parts, int n)
 {
-    bvh_range parts[BVH_WIDTH];
-    bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node, 16);
-    bool halve = depth >= HALVE_FROM;
-    uint32_t part = part_of(h->builder, bvh_range_count(&child->range));
-    int n = 1, i, best, threads = depth == 0 ? h->builder->threads : 1;
+    bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node + (size_t)n * sizeof *node->child, 8);
+    int i;
 
     if (!node)
         return false;
-    parts[0] = child->range;
+    above->child->node = node;
+    node->count = n;
+    for (i = 0; i < n; i++) {
+        bvh_draft_child *c = &node->child[i];
+        memcpy(c->lo, parts[i].lo, sizeof c->lo);
+        memcpy(c->hi, parts[i].hi, sizeof c->hi);
+        c->begin = parts[i].begin;
+        c->count = bvh_range_count(&parts[i]);
+    }
+    for (i = 0; i < n; i++) {
+        const job below = { &node->child[i], parts[i], above->scale, above->depth + 1 };
+        if (!grow_child(h, &below))
+            return false;
+    }
+    return true;
+}
+
+/* The things of a range become a node. */
+static bool grow_node(hand *h, const job *j)
+{
+    bvh_range parts[BVH_WIDTH];
+    bool halve = j->depth >= HALVE_FROM;
+    uint32_t part = part_of(h->builder, bvh_range_count(&j->range));
+    int n = 1, best, threads = j->depth == 0 ? h->builder->threads : 1;
+
+    parts[0] = j->range;
     while (n < BVH_WIDTH && (best = next_to_cut(parts, n, part, halve)) >= 0) {
         cut(h->builder, &parts[best], halve, threads, &parts[best], &parts[n]);
         n++;
     }
-    child->node = node;
-    node->count = n;
-    for (i = 0; i < n; i++) {
-        node->child[i].range = parts[i];
-        node->child[i].scale = child->frame ? child->frame->scale : child->scale;
-        memcpy(node->child[i].lo, parts[i].lo, sizeof parts[i].lo);
-        memcpy(node->child[i].hi, parts[i].hi, sizeof parts[i].hi);
-    }
-    for (i = 0; i < n; i++)
-        if (!grow_child(h, &node->child[i], depth + 1))
-            return false;
-    return true;
+    return grow_parts(h, j, parts, n);
 }
 
 static bool wants_frame(const bvh_range *r, int depth)
@@ -140,53 +156,55 @@ static bool wants_frame(const bvh_range *r, int depth)
 }
 
 /* Boxes within a few rounding errors of the world's own numbers gain nothing from a finer frame, and get none. */
-static bool set_frame(hand *h, bvh_draft_child *child)
+static bool set_frame(hand *h, job *j)
 {
     const bvh_input *in = h->builder->in;
-    bvh_range *r = &child->range;
+    bvh_range *r = &j->range;
     pov_box all = bvh_box_around(in, h->builder->refs, r->begin, r->end);
     bvh_frame frame = bvh_frame_around(&all);
 
-    if (frame.scale * (double)frame_part < 0.25 * child->scale)
+    if (frame.scale * (double)frame_part < 0.25 * j->scale)
         return true;
-    child->frame = arena_alloc(&h->memory, sizeof frame, 16);
-    if (!child->frame)
+    j->child->frame = arena_alloc(&h->memory, sizeof frame, 8);
+    if (!j->child->frame)
         return false;
-    *child->frame = frame;
+    *j->child->frame = frame;
+    j->scale = frame.scale;
     bvh_frame_convert(&frame, in, h->builder->refs, r->begin, r->end);
     bvh_range_measure(r, h->builder->refs, 1);
     return true;
 }
 
-static bool grow(hand *h, bvh_draft_child *child, int depth)
+static bool grow(hand *h, const job *j)
 {
-    if (child->range.is_leaf)
-        return true;
-    if (wants_frame(&child->range, depth) && !set_frame(h, child))
+    job own = *j;
+
+    if (wants_frame(&own.range, own.depth) && !set_frame(h, &own))
         return false;
-    return grow_node(h, child, depth);
+    return grow_node(h, &own);
 }
 
 /* ---- by several threads ---- */
 
-static bool leave_to_others(hand *h, bvh_draft_child *child, int depth)
+static bool leave_to_others(hand *h, const job *j)
 {
     builder *b = h->builder;
-    job later = { child, depth };
     bool done;
 
     mutex_lock(&b->lock);
-    done = VEC_PUSH(b->in->env, &b->jobs, later);
+    done = VEC_PUSH(b->in->env, &b->jobs, *j);
     condition_wake_all(&b->changed);
     mutex_unlock(&b->lock);
     return done;
 }
 
-static bool grow_child(hand *h, bvh_draft_child *child, int depth)
+static bool grow_child(hand *h, const job *j)
 {
-    if (h->builder->threads > 1 && bvh_range_count(&child->range) >= JOB_LEAST && !child->range.is_leaf)
-        return leave_to_others(h, child, depth);
-    return grow(h, child, depth);
+    if (j->range.is_leaf)
+        return true;
+    if (h->builder->threads > 1 && bvh_range_count(&j->range) >= JOB_LEAST)
+        return leave_to_others(h, j);
+    return grow(h, j);
 }
 
 /* Take jobs until there are none and nobody is left who could bring one. */
@@ -207,7 +225,7 @@ static void work(void *user, uint32_t which, int unused)
         mine = b->jobs.items[--b->jobs.count];
         b->at_work++;
         mutex_unlock(&b->lock);
-        done = grow(h, mine.child, mine.depth);
+        done = grow(h, &mine);
         mutex_lock(&b->lock);
         b->at_work--;
         b->failed = b->failed || !done;
@@ -232,21 +250,25 @@ static void name_part(void *user, uint32_t part, int unused)
 /* The draft of the whole tree. */
 static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
 {
-    bvh_frame *frame = arena_alloc(&hands[0].memory, sizeof *frame, 16);
+    bvh_frame *frame = arena_alloc(&hands[0].memory, sizeof *frame, 8);
+    job all;
     bool done;
 
     if (!frame)
         return false;
     *frame = bvh_frame_around(&b->in->bounds);
     b->frame = root->frame = frame;
-    root->range.begin = 0;
-    root->range.end = b->in->count;
+    root->count = b->in->count;
+    memset(&all, 0, sizeof all);
+    all.child = root;
+    all.scale = frame->scale;
+    all.range.end = b->in->count;
     share_work(b->threads, PARTS, name_part, b);
-    bvh_range_measure(&root->range, b->refs, b->threads);
-    root->range.is_leaf = is_leaf(b, &root->range);
-    if (root->range.is_leaf)
+    bvh_range_measure(&all.range, b->refs, b->threads);
+    all.range.is_leaf = is_leaf(b, &all.range);
+    if (all.range.is_leaf)
         return true;
-    done = grow_node(&hands[0], root, 0);
+    done = grow_node(&hands[0], &all);
     if (done && b->threads > 1) {
         share_work(b->threads, (uint32_t)b->threads, work, hands);
         done = !b->failed;

@@ -22,17 +22,17 @@ typedef struct bvh_range {
     bool is_leaf;
 } bvh_range;
 
+/* The draft is what most of the memory of a build goes for: nothing stands in it but what the layout asks. */
 typedef struct bvh_draft_child {
     struct bvh_draft_node *node; /* NULL: a leaf */
     bvh_frame *frame;            /* its own frame, or NULL */
-    float lo[3], hi[3];          /* its box in the frame that it is met in, */
-    double scale;                /* and the scale of that frame */
-    bvh_range range;             /* in its own frame where it has one */
+    float lo[3], hi[3];          /* its box in the frame that it is met in */
+    uint32_t begin, count;       /* its things */
 } bvh_draft_child;
 
 typedef struct bvh_draft_node {
     int count;
-    bvh_draft_child child[BVH_WIDTH];
+    bvh_draft_child child[];
 } bvh_draft_node;
 
 static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }

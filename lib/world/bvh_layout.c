@@ -28,12 +28,12 @@ static void count(bvh *out, const bvh_draft_child *c, int depth)
         count(out, &c->node->child[i], depth + 1);
 }
 
-static uint32_t put_leaf(layout *l, const bvh_range *r)
+static uint32_t put_leaf(layout *l, const bvh_draft_child *c)
 {
     uint32_t index = (uint32_t)l->placed_leaves++;
 
-    l->leaves[index].begin = r->begin;
-    l->leaves[index].count = bvh_range_count(r);
+    l->leaves[index].begin = c->begin;
+    l->leaves[index].count = c->count;
     return BVH_LEAF | index;
 }
 
@@ -77,7 +77,7 @@ static uint32_t put(layout *l, const bvh_draft_child *c)
         frame = &l->out->frames[index];
         *frame = *c->frame;
     }
-    reference = c->node ? put_node(l, c->node) : put_leaf(l, &c->range);
+    reference = c->node ? put_node(l, c->node) : put_leaf(l, c);
     if (!frame)
         return reference;
     frame->root = reference;
