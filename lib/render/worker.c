@@ -60,18 +60,20 @@ static void trace_company(worker *w, const settings *s, company *c)
     }
 }
 
-/* (x, y) is the pixel's place in the whole picture: a crop's samples are the whole's. */
+/* (x, y) is the pixel's place in the whole picture: a crop's samples are the whole's. A lone one is the centre. */
 static inline void look_through(company *c, const settings *s, int x, int y, float *out)
 {
-    const sample centre = { 0.5, 0.5 };
-    const sample at = s->sampling ? sample_at(s->seed, x, y, 0, 0) : centre;
     const uint32_t i = c->count++;
 
     c->through.x[i] = x;
     c->through.y[i] = y;
-    c->through.dx[i] = at.x;
-    c->through.dy[i] = at.y;
     c->out[i] = out;
+    if (s->sampling) {
+        const sample at = sample_at(s->seed, x, y, 0, 0);
+
+        c->through.dx[i] = at.x;
+        c->through.dy[i] = at.y;
+    }
 }
 
 /* A block is a square of the lattice's pixels, (left, top) its corner in the tile. */
@@ -100,6 +102,8 @@ bool worker_trace(worker *w, const settings *s)
     company together;
 
     raygen_begin(&c->camera, together.rays, BATCH_MAX);
+    for (int i = 0; i < BATCH_MAX; i++)
+        together.through.dx[i] = together.through.dy[i] = 0.5;
     meter_begin(w->meter);
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += edge) {

@@ -3,6 +3,7 @@
 #include "base/simd.h"
 #include "shade/geometry.h"
 #include "shade/pigment.h"
+#include "world/bits.h"
 
 #include <povtrace/exact.h>
 
@@ -50,18 +51,23 @@ static void look_at_light(sight *s, const geometry *g, const light *l, uint32_t 
             see(s, g, i, pov_unit(lanes_at(&s->way, i)));
 }
 
-/* What white light becomes on its way to the ray's start. */
-static inline colour answer(const pov_tracer *t, const surface *s, double cosine, double gloss)
+static inline bool is_visible(colour c)
 {
-    const material *m = s->material;
-    colour sum = colour_scale(m->pigment, s->look->body * (float)cosine);
+    return fabsf(c.r) >= PLAN_VISIBLE && fabsf(c.g) >= PLAN_VISIBLE && fabsf(c.b) >= PLAN_VISIBLE;
+}
 
-    if (t->plan->highlights && m->phong != 0.0f && gloss > 0.0) {
-        const float strength = m->phong * (float)pow(gloss, m->phong_size);
+/* What white light becomes on its way to the ray's start. Highlights that are lost in the sum are not computed. */
+static inline colour answer(const model *m, const surface *s, double cosine, double gloss)
+{
+    const material *of = s->material;
+    const plan_look *look = s->look;
+    const colour sum = colour_scale(of->pigment, look->body * (float)cosine);
+    float strength;
 
-        sum = colour_add(sum, colour_scale(pigment_highlight(t->model, m, cosine), strength));
-    }
-    return sum;
+    if (!look->glossy || !(gloss > 0.0) || (gloss <= look->dull && is_visible(sum)))
+        return sum;
+    strength = of->phong * (float)pow(gloss, of->phong_size);
+    return colour_add(sum, colour_scale(pigment_highlight(m, of, cosine), strength));
 }
 
 /* Note the ray from a surface to the light, or add what it gives where nothing can stand in the way. */
@@ -108,36 +114,36 @@ static void send(pov_tracer *t)
     light_rays *l = &t->light_rays;
     colour through[BATCH_MAX];
     uint64_t lit;
-    uint32_t i;
 
     t->counts.shadow += l->count;
     lit = t->spots.count > 0 && any_on_spot(l)
               ? light_each(t, l, through)
               : world_light_path_many(t->world, t->walker, l->rays, l->count, 1.0, through);
-    for (i = 0; i < l->count; i++)
-        if (lit >> i & 1)
-            l->of[i]->lit = colour_add(l->of[i]->lit, colour_mul(l->given[i], through[i]));
+    for (; lit; lit &= lit - 1) {
+        const uint32_t i = first_of64(lit);
+
+        l->of[i]->lit = colour_add(l->of[i]->lit, colour_mul(l->given[i], through[i]));
+    }
 }
 
-/* The rays of all surfaces to one light, but for those that it cannot change anything about. */
+/* The rays of the lit surfaces to one light, but for those that it cannot change anything about. */
 static void shine(pov_tracer *t, const light *l, uint32_t n)
 {
+    const light_rays *rays = &t->light_rays;
     uint32_t behind = 0, idle = 0;
     sight s;
 
     look_at_light(&s, &t->geometry, l, n);
     t->light_rays.count = 0;
-    for (uint32_t i = 0; i < n; i++) {
-        const surface *on = &t->surfaces[i];
+    for (uint32_t k = 0; k < rays->lit_count; k++) {
+        const uint32_t i = rays->lit[k];
         colour given;
 
-        if (!on->look->lit)
-            continue;
         if (!(s.cosine[i] > 0.0)) {
             behind++;
             continue;
         }
-        given = colour_mul(l->color, answer(t, on, s.cosine[i], s.gloss[i]));
+        given = colour_mul(l->color, answer(t->model, &t->surfaces[i], s.cosine[i], s.gloss[i]));
         if (colour_is_black(given))
             idle++;
         else
@@ -145,35 +151,36 @@ static void shine(pov_tracer *t, const light *l, uint32_t n)
     }
     t->counts.shadow_behind += behind;
     t->counts.shadow_idle += idle;
-    if (t->light_rays.count > 0)
+    if (rays->count > 0)
         send(t);
     t->failed = t->failed || walker_failed(t->walker);
 }
 
 /* The surfaces that lights change; rays from them start all alike, to whatever light. */
-static uint32_t begin(pov_tracer *t, uint32_t n)
+static void begin(pov_tracer *t, uint32_t n)
 {
-    uint32_t lit = 0;
+    light_rays *l = &t->light_rays;
 
+    l->lit_count = 0;
     for (uint32_t i = 0; i < n; i++) {
         const surface *s = &t->surfaces[i];
-        pov_ray *ray = &t->light_rays.room[i];
+        pov_ray *ray = &l->room[i];
 
         if (!s->look->lit)
             continue;
-        lit++;
+        l->lit[l->lit_count++] = i;
         ray->org = s->at->point;
         ray->org_lo = s->at->point_lo;
         ray->left = s->at->object;
         ray->left_mark = s->at->crossing.mark;
     }
-    return lit;
 }
 
 void light_gather(pov_tracer *t, uint32_t n)
 {
-    const uint32_t lit = begin(t, n);
+    const uint32_t *lit = &t->light_rays.lit_count;
 
-    for (size_t k = 0; lit > 0 && k < t->model->lights.count && !t->failed && !tracer_gives_up(t, lit); k++)
+    begin(t, n);
+    for (size_t k = 0; *lit > 0 && k < t->model->lights.count && !t->failed && !tracer_gives_up(t, *lit); k++)
         shine(t, &t->model->lights.items[k], n);
 }

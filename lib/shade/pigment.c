@@ -10,13 +10,11 @@ static double fresnel(double cosine)
     return fmin(1.0, fmax(0.0, 0.014567225 / (x * x) - 0.011612903));
 }
 
-colour pigment_highlight(const model *m, const material *surface, double cosine)
+colour pigment_metal(const model *m, const material *of, double cosine)
 {
-    float metallic = surface->metallic;
-    colour c = surface->pigment;
+    float metallic = of->metallic;
+    colour c = of->pigment;
 
-    if (metallic == 0.0f)
-        return colour_of(1.0f, 1.0f, 1.0f);
     if (m->fresnel_metallic)
         metallic *= (float)(1.0 - fresnel(cosine));
     return colour_of(1.0f + metallic * (c.r - 1.0f), 1.0f + metallic * (c.g - 1.0f),

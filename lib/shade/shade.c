@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/err.h"
+#include "base/simd.h"
 #include "base/vec.h"
 #include "shade/geometry.h"
 #include "shade/light.h"
@@ -249,6 +250,15 @@ static inline colour finite_colour(colour c)
     return colour_of(finite(c.r), finite(c.g), finite(c.b));
 }
 
+SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
+{
+    int out = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        out |= !(fabsf(x[i]) <= FLT_MAX);
+    return !out;
+}
+
 static inline void see(const path *p, colour seen, colour *out)
 {
     out[p->lane] = colour_add(out[p->lane], finite_colour(colour_mul(p->factor, seen)));
@@ -364,9 +374,12 @@ static void follow(pov_tracer *t, const batch *b, colour *out)
 /* Rays of cameras that do not exist: no direction, or one that is not a number. */
 static inline bool is_ray(const pov_ray *ray)
 {
-    double start = ray->org.x + ray->org.y + ray->org.z, way = ray->dir.x + ray->dir.y + ray->dir.z;
+    const double start = ray->org.x + ray->org.y + ray->org.z, way = ray->dir.x + ray->dir.y + ray->dir.z;
+    const double both = fabs(way + 0.0 * start);
 
-    return isfinite(start) && isfinite(way) && (way != 0.0 || pov_largest(ray->dir) > 0.0);
+    if (both > 0.0 && both <= DBL_MAX)
+        return true;
+    return isfinite(start) && isfinite(way) && pov_largest(ray->dir) > 0.0;
 }
 
 /* Bit i: ray i is one, and its path begins. */
@@ -402,8 +415,12 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
     if (b->count > 0)
         for (follow(t, b, out); !t->failed && !tracer_gives_up(t, b->count) && next_batch(t); b = t->now)
             follow(t, t->now, out);
-    for (i = 0; i < n; i++)
-        out[i] = seeing >> i & 1 ? finite_colour(out[i]) : t->model->background;
+    if (!are_finite(&out->r, 3 * n))
+        for (i = 0; i < n; i++)
+            out[i] = finite_colour(out[i]);
+    for (i = 0; t->camera.count < n && i < n; i++)
+        if (!(seeing >> i & 1))
+            out[i] = t->model->background;
 }
 
 colour tracer_color(pov_tracer *t, const pov_ray *ray)

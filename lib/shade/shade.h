@@ -63,6 +63,7 @@ typedef struct light_rays {
     const pov_ray *rays[BATCH_MAX];
     surface *of[BATCH_MAX];      /* the surfaces that ask for it */
     colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
+    uint32_t lit_count, lit[BATCH_MAX];   /* lanes of the surfaces that lights change */
     pov_ray room[BATCH_MAX];     /* each surface's, whose direction is the current light's */
 } light_rays;
 

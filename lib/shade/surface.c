@@ -21,7 +21,7 @@ bool surface_meet(pov_tracer *t, surface *s)
 
 /* ---- the rays that go on ---- */
 
-/* Begin a path that goes on from the surface. Its factor and weight are not yet those of the way it takes. */
+/* Begin a path that goes on from the surface, by a direction without a low part. Its factor and weight are not yet those of the way it takes. */
 static path *leave(batch *b, const surface *s, pov_vec3 direction)
 {
     const path *p = s->from;
@@ -32,7 +32,6 @@ static path *leave(batch *b, const surface *s, pov_vec3 direction)
     ray->org = s->at->point;
     ray->org_lo = s->at->point_lo;
     ray->dir = direction;
-    ray->dir_lo = pov_vec3_of(0.0, 0.0, 0.0);
     ray->left = s->at->object;
     ray->left_mark = s->at->crossing.mark;
     next->factor = p->factor;

@@ -166,6 +166,22 @@ static float opacity_of(const model *m, const material *of)
     return 1.0f - filter - of->transmit;
 }
 
+static bool is_share(float x) { return x >= 0.0f && x <= 1.0f; }
+
+/* A sum of PLAN_VISIBLE or more stays itself when less than half of 2^-32 is added to it, the distance of floats just below.
+ * The highlight is phong gloss^size times at most 1; solved for gloss with one more factor of 2 for all roundings. */
+static double dull_of(const material *of)
+{
+    const float largest_size = 0x1p20f;
+    const colour c = of->pigment;
+
+    if (!(of->phong > 0.0f && of->phong_size > 0.0f && of->phong_size < largest_size))
+        return 0.0;
+    if (of->metallic != 0.0f && !(is_share(of->metallic) && is_share(c.r) && is_share(c.g) && is_share(c.b)))
+        return 0.0;
+    return pow(0x1p-34 / (double)of->phong, 1.0 / (double)of->phong_size);
+}
+
 static plan_look look_of(const plan *p, const model *m, const material *of)
 {
     const float opacity = opacity_of(m, of);
@@ -174,6 +190,8 @@ static plan_look look_of(const plan *p, const model *m, const material *of)
     l.lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
     l.mirrors = p->reflection && !colour_is_black(of->reflection);
     l.passes = p->transmission && material_is_transparent(of);
+    l.glossy = p->highlights && of->phong != 0.0f;
+    l.dull = l.glossy ? dull_of(of) : 0.0;
     l.body = opacity * of->diffuse;
     l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
     l.filter = material_filter(of);
@@ -182,7 +200,7 @@ static plan_look look_of(const plan *p, const model *m, const material *of)
 
 static pov_status make_looks(plan *p, const model *m, pov_error *err)
 {
-    p->looks = arena_alloc(&p->memory, m->materials.count * sizeof *p->looks, sizeof(float));
+    p->looks = arena_alloc(&p->memory, m->materials.count * sizeof *p->looks, sizeof(double));
     if (!p->looks)
         return err_memory(err);
     for (size_t i = 0; i < m->materials.count; i++)

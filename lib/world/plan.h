@@ -8,9 +8,14 @@
 typedef struct plan_row { bool used; const char *subject, *state, *reason; } plan_row;
 typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
 
+#define PLAN_VISIBLE 0x1p-8f
+
 /* What of a material counts in this scene, worked out once and not at every hit. */
 typedef struct plan_look {
     bool lit, mirrors, passes;   /* lights change something about it; rays go on from it, mirrored or through it */
+    bool glossy;                 /* it has highlights */
+    double dull;                 /* what a gloss (cosine between mirrored ray and light) of no more than that adds is
+                                  * lost in any float of PLAN_VISIBLE or more */
     float body;                  /* the part of its colour by which it gives light back all round */
     colour glow;                 /* what it sends by itself */
     colour filter;               /* what passes it is multiplied by */

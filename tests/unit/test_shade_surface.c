@@ -151,6 +151,57 @@ static void a_metal_by_fresnel_loses_some_of_its_colour(void **state)
     see_highlight(&s, m, colour_of(0.125f, (float)(0.125 * (0.5 + 0.5 * f)), (float)(0.0625 * f)));
 }
 
+/* What is not computed would have been lost in the sum. */
+static void a_highlight_is_left_out_only_where_no_float_can_hold_it(void **state)
+{
+    static const float sizes[] = { 0.5f, 1.0f, 7.0f, 40.0f, 1000.0f, 1e6f }, strengths[] = { 0.01f, 0.5f, 1.0f, 30.0f };
+    (void)state;
+
+    for (size_t i = 0; i < 6; i++)
+        for (size_t j = 0; j < 4; j++) {
+            material m = tiny_matt();
+            double dull;
+            tiny s;
+
+            m.phong = strengths[j];
+            m.phong_size = sizes[i];
+            tiny_begin(&s, NULL);
+            tiny_plane(&s, 0, 0, 1, 5, m);
+            tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
+            tiny_build(&s);
+            dull = world_plan(s.world)->looks[0].dull;
+            assert_true(dull > 0.0 && dull * dull != dull);
+            for (double gloss = dull; gloss > 0.9 * dull; gloss -= 0.01 * dull) {
+                const float strength = m.phong * (float)pow(gloss, m.phong_size);
+
+                assert_true(PLAN_VISIBLE + strength == PLAN_VISIBLE && -PLAN_VISIBLE + strength == -PLAN_VISIBLE);
+            }
+            assert_true(PLAN_VISIBLE + m.phong * (float)pow(dull * pow(16.0, 1.0 / m.phong_size), m.phong_size) > PLAN_VISIBLE);
+            tiny_end(&s);
+        }
+}
+
+static void highlights_that_grow_away_from_the_light_are_never_left_out(void **state)
+{
+    material bright = tiny_matt(), odd = tiny_matt(), flat = tiny_matt();
+    tiny s;
+    (void)state;
+    tiny_begin(&s, NULL);
+
+    bright.phong = odd.phong = flat.phong = 1.0f;
+    bright.metallic = 2.0f;
+    odd.phong_size = -1.0f;
+    flat.phong_size = 0.0f;
+    tiny_plane(&s, 0, 0, 1, 5, bright);
+    tiny_plane(&s, 0, 0, 1, 6, odd);
+    tiny_plane(&s, 0, 0, 1, 7, flat);
+    tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
+    tiny_build(&s);
+    for (int i = 0; i < 3; i++)
+        assert_near(world_plan(s.world)->looks[i].dull, 0.0, 0.0);
+    tiny_end(&s);
+}
+
 static void a_phong_size_of_zero_is_a_highlight_all_over(void **state)
 {
     material m = tiny_matt();
@@ -247,6 +298,34 @@ static void a_light_may_be_very_near_or_very_far(void **state)
 
 /* ---- the ends of the world ---- */
 
+/* Lanes are computed at once only as long as squares of lengths are numbers. */
+static void directions_may_be_as_short_or_long_as_numbers_go(void **state)
+{
+    static const double lengths[] = { 0x1p-900, 0x1p-500, 0x1p500, 0x1p900 };
+    material m = tiny_matt();
+    colour usual;
+    tiny s;
+    (void)state;
+    tiny_begin(&s, NULL);
+
+    m.phong = 0.5f;
+    m.reflection = colour_of(0.5f, 0.5f, 0.5f);
+    tiny_plane(&s, 0, 0, 1, 5, m);
+    tiny_plane(&s, 0, 0.6, -0.8, 5, m);
+    s.model.objects.items[1].flags |= OBJECT_NO_SHADOW;
+    tiny_light(&s, 1, 2, 0, 1.0f, 1.0f, 1.0f);
+    tiny_light(&s, 0x1p900, 0, -0x1p900, 0.0f, 0.25f, 0.0f);
+    tiny_build(&s);
+    usual = tiny_see(&s, origin, 0.25, 0.125, 1.0);
+    assert_true(usual.r > 0.1f && usual.g > usual.r);
+    for (int i = 0; i < 4; i++) {
+        colour c = tiny_see(&s, origin, 0.25 * lengths[i], 0.125 * lengths[i], lengths[i]);
+
+        assert_colour(c, usual.r, usual.g, usual.b, 0.0);
+    }
+    tiny_end(&s);
+}
+
 static void colours_beyond_all_measure_stay_numbers(void **state)
 {
     material m = tiny_matt();
@@ -295,10 +374,13 @@ int main(void)
         cmocka_unit_test(a_highlight_has_the_colour_of_the_light),
         cmocka_unit_test(a_metal_takes_its_own_colour_into_the_highlight),
         cmocka_unit_test(a_metal_by_fresnel_loses_some_of_its_colour),
+        cmocka_unit_test(a_highlight_is_left_out_only_where_no_float_can_hold_it),
+        cmocka_unit_test(highlights_that_grow_away_from_the_light_are_never_left_out),
         cmocka_unit_test(a_phong_size_of_zero_is_a_highlight_all_over),
         cmocka_unit_test(an_opaque_ball_throws_a_shadow_and_a_coloured_one_tints_it),
         cmocka_unit_test(rays_that_would_add_nothing_are_not_sent_but_counted),
         cmocka_unit_test(a_light_may_be_very_near_or_very_far),
+        cmocka_unit_test(directions_may_be_as_short_or_long_as_numbers_go),
         cmocka_unit_test(colours_beyond_all_measure_stay_numbers),
         cmocka_unit_test(a_ray_that_is_none_sees_the_background),
     };
