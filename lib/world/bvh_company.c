@@ -22,7 +22,7 @@ typedef struct company {
     double org[3][BVH_COMPANY], dir[3][BVH_COMPANY], scale[BVH_COMPANY], shift[BVH_COMPANY];
     company_axis axis[3];
     const bvh *tree;
-    bvh_walk *const *walks;
+    bvh_party *party;
     uint64_t open, ended;        /* lanes that still walk; those that a leaf ended */
     uint32_t width;              /* lanes, a multiple of eight */
     uint32_t frame;
@@ -35,45 +35,40 @@ static inline bool is_one(uint64_t lanes)
     return (lanes & (lanes - 1)) == 0;
 }
 
-static void begin(company *c, bvh_walk *const *walks, uint32_t n)
+static void begin(company *c, bvh_party *party)
 {
-    c->tree = walks[0]->tree;
-    c->walks = walks;
-    c->open = ~(uint64_t)0 >> (BVH_COMPANY - n);
+    c->tree = party->tree;
+    c->party = party;
+    c->open = party->lanes;
     c->ended = 0;
-    c->width = (n + 7) & ~7u;
+    c->width = (party->count + 7) & ~7u;
     c->frame = 0;
 }
 
-static inline void end_lane(company *c, uint32_t i)
+static inline void end_lanes(company *c, uint64_t lanes)
 {
-    c->open &= ~((uint64_t)1 << i);
-    c->ended |= (uint64_t)1 << i;
+    c->open &= ~lanes;
+    c->ended |= lanes;
 }
 
 static inline void lower_limit(company *c, uint32_t i)
 {
-    bvh_local l;
-
-    l.scale = c->scale[i];
-    l.shift = c->shift[i];
-    c->limit[i] = bvh_limit(&l, c->walks[i]->limit);
+    c->limit[i] = bvh_limit(c->scale[i], c->shift[i], c->party->limit[i]);
 }
 
-static void visit(company *c, uint64_t lanes, uint32_t leaf)
+static inline void lower_limits(company *c)
 {
-    const unsigned char *at = c->tree->leaves + (size_t)leaf * BVH_UNIT;
+    uint64_t lanes = c->party->lowered & c->open;
 
-    for (; lanes; lanes &= lanes - 1) {
-        uint32_t i = first_of64(lanes);
-        bvh_walk *w = c->walks[i];
-        double before = w->limit;
+    for (; lanes; lanes &= lanes - 1)
+        lower_limit(c, first_of64(lanes));
+    c->party->lowered = 0;
+}
 
-        if (w->leaf(w, at))
-            end_lane(c, i);
-        else if (w->limit < before)
-            lower_limit(c, i);
-    }
+static inline void visit(company *c, uint64_t lanes, uint32_t leaf)
+{
+    end_lanes(c, c->party->leaf(c->party, c->tree->leaves + (size_t)leaf * BVH_UNIT, lanes));
+    lower_limits(c);
 }
 
 static inline void put_lane(company *c, uint32_t i, const bvh_local *l)
@@ -90,17 +85,15 @@ static inline void put_lane(company *c, uint32_t i, const bvh_local *l)
 
 /* Lanes that are in the frame. The places of all others hold one of theirs, so that bounds are not widened, and a
  * limit that nothing is within. */
-static uint64_t enter_lanes(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
+static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
 {
     uint64_t in = 0;
     bvh_local l, some;
     uint32_t i;
 
-    c->frame = frame;
-    *blind = 0;
     for (; lanes; lanes &= lanes - 1) {
         i = first_of64(lanes);
-        if (!bvh_enter(&c->tree->frames[frame], c->walks[i]->ray, &l))
+        if (!bvh_enter(&c->tree->frames[frame], c->party->rays[i], &l))
             continue;
         if (l.slack > BVH_SLACK) {
             *blind |= (uint64_t)1 << i;
@@ -108,7 +101,7 @@ static uint64_t enter_lanes(company *c, uint32_t frame, uint64_t lanes, uint64_t
         }
         some = l;
         put_lane(c, i, &l);
-        c->limit[i] = bvh_limit(&l, c->walks[i]->limit);
+        lower_limit(c, i);
         in |= (uint64_t)1 << i;
     }
     for (i = 0; in && i < c->width; i++)
@@ -117,6 +110,24 @@ static uint64_t enter_lanes(company *c, uint32_t frame, uint64_t lanes, uint64_t
             c->limit[i] = -1.0f;
         }
     return in;
+}
+
+/* The same where all of them start near the frame. */
+static void fill_others(company *c, uint64_t in)
+{
+    const uint32_t some = first_of64(in);
+    uint32_t i;
+    int k;
+
+    for (i = 0; i < c->width; i++) {
+        if (in >> i & 1)
+            continue;
+        for (k = 0; k < 3; k++) {
+            c->org[k][i] = c->org[k][some];
+            c->dir[k][i] = c->dir[k][some];
+        }
+        c->limit[i] = -1.0f;
+    }
 }
 
 /* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
@@ -239,7 +250,6 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 
 #define COMPANY_TARGET
 #define COMPANY_NAME(name) name##_portable
-#define COMPANY_ALONE bvh_walks_portable
 #define COMPANY_GROUP group_portable
 #define COMPANY_ONE one_portable
 #define COMPANY_LANES lanes_portable
@@ -247,7 +257,6 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #include "world/bvh_company_body.h"
 #undef COMPANY_TARGET
 #undef COMPANY_NAME
-#undef COMPANY_ALONE
 #undef COMPANY_GROUP
 #undef COMPANY_ONE
 #undef COMPANY_LANES
@@ -338,7 +347,6 @@ COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry,
 }
 
 #define COMPANY_NAME(name) name##_avx2
-#define COMPANY_ALONE bvh_walks_avx2
 #define COMPANY_GROUP group_avx2
 #define COMPANY_ONE one_avx2
 #define COMPANY_LANES lanes_avx2

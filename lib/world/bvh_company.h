@@ -12,20 +12,18 @@
 
 #include "world/bvh_walk.h"
 
-enum { BVH_COMPANY = 64 };
-
 /* Directions of one company have the same signs. */
 static inline uint32_t bvh_octant(const pov_ray *ray)
 {
     return (signbit(ray->dir.x) ? 1u : 0u) | (signbit(ray->dir.y) ? 2u : 0u) | (signbit(ray->dir.z) ? 4u : 0u);
 }
 
-/* As bvh_walks. Bit i: a leaf ended walk i. */
-uint64_t bvh_company_nearest_portable(bvh_walk *const *walks, uint32_t n);
-uint64_t bvh_company_any_portable(bvh_walk *const *walks, uint32_t n);
+/* As bvh_walks. */
+uint64_t bvh_company_nearest_portable(bvh_party *party);
+uint64_t bvh_company_any_portable(bvh_party *party);
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
-uint64_t bvh_company_nearest_avx2(bvh_walk *const *walks, uint32_t n);
-uint64_t bvh_company_any_avx2(bvh_walk *const *walks, uint32_t n);
+uint64_t bvh_company_nearest_avx2(bvh_party *party);
+uint64_t bvh_company_any_avx2(bvh_party *party);
 #endif
 
 #endif

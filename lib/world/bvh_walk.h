@@ -35,14 +35,31 @@ typedef struct bvh_walk {
     bool (*leaf)(struct bvh_walk *walk, const void *leaf);
 } bvh_walk;
 
+enum { BVH_COMPANY = POV_RAYS_MAX };
+
+/* Walks under way together, of rays whose directions have the same signs; queries put their own members behind it. */
+typedef struct bvh_party {
+    const bvh *tree;
+    const pov_ray *const *rays;
+    uint32_t count;
+    uint64_t lanes;              /* those that walk */
+    pov_rays side;               /* the rays by component; lanes from count to the next multiple of eight hold the last */
+    double limit[BVH_COMPANY];   /* as a walk's, by lane */
+    uint64_t lowered;            /* a leaf lowered the limit of these: whoever sees that takes the bits out */
+    /* What lies in a leaf, for some lanes. Gives those that may end. */
+    uint64_t (*leaf)(struct bvh_party *party, const void *leaf, uint64_t lanes);
+    /* Take one lane on alone from a reference in a frame. True: a leaf ended it. */
+    bool (*alone)(struct bvh_party *party, uint32_t lane, uint32_t frame, uint32_t at);
+} bvh_party;
+
 /* Visit the leaves that the ray may meet before the limit. True: a leaf ended it. Near ones first, or in any order. */
 typedef struct bvh_walks {
     const char *name;
     bool (*nearest_first)(bvh_walk *walk);
     bool (*any_order)(bvh_walk *walk);
-    /* Up to BVH_COMPANY walks from the root together, of rays of one bvh_octant(). Bit i: a leaf ended walk i. */
-    uint64_t (*nearest_together)(bvh_walk *const *walks, uint32_t n);
-    uint64_t (*any_together)(bvh_walk *const *walks, uint32_t n);
+    /* From the root, together. Bit i: a leaf ended lane i. */
+    uint64_t (*nearest_together)(bvh_party *party);
+    uint64_t (*any_together)(bvh_party *party);
 } bvh_walks;
 
 /* The best that this processor can do; `portable` is what every processor can. */
@@ -54,6 +71,9 @@ extern const bvh_walks bvh_walks_avx2;   /* only where the processor has AVX2 */
 
 /* A ray that starts further away than BVH_NEAR half-sizes of the frame is brought near. False: it passes by. */
 #define BVH_NEAR 8.0
+/* Directions whose largest component lies between these are taken as they are. */
+#define BVH_SHORT 0x1p-20
+#define BVH_LONG 0x1p20
 bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
 
 /* The ray in a frame. False: it passes by. */
@@ -70,7 +90,7 @@ static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, bvh_loc
     out->scale = frame->scale;
     out->shift = 0.0;
     out->slack = BVH_SLACK;
-    if (most > 0x1p-20 && most < 0x1p20 && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
+    if (most > BVH_SHORT && most < BVH_LONG && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
         return true;
     return bvh_enter_far(frame, ray, out);
 }
@@ -96,9 +116,9 @@ static inline float entry_of(uint64_t key)
 
 /* The u of a limit, rounded up. The t of a crossing may be off by a few units in its last place, which must not hide
  * the box that it lies in: 64 of them are allowed for. */
-static inline float bvh_limit(const bvh_local *l, double limit)
+static inline float bvh_limit(double scale, double shift, double limit)
 {
-    double u = (limit - l->shift) * l->scale + (fabs(limit) + fabs(l->shift)) * l->scale * 0x1p-46;
+    double u = (limit - shift) * scale + (fabs(limit) + fabs(shift)) * scale * 0x1p-46;
 
     u += fabs(u) * 0x1p-22;
     return u < 1e38 ? (float)u : HUGE_VALF;

@@ -75,7 +75,7 @@ WALK_TARGET static inline bool WALK_NAME(enter)(const bvh_walk *w, uint32_t fram
 
     if (!bvh_enter(&w->tree->frames[frame], w->ray, &l))
         return false;
-    *limit = bvh_limit(&l, w->limit);
+    *limit = bvh_limit(l.scale, l.shift, w->limit);
     WALK_SPREAD(&l, *limit, lanes);
     *local = l;
     return true;
@@ -101,7 +101,7 @@ WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
                 if (w->leaf(w, t->leaves + (size_t)index * BVH_UNIT))
                     return true;
                 if (w->limit < before) {
-                    limit = bvh_limit(&local, w->limit);
+                    limit = bvh_limit(local.scale, local.shift, w->limit);
                     WALK_LIMIT(&lanes, limit);
                 }
             } else if ((at & BVH_KIND) == BVH_RETURN) {

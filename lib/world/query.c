@@ -53,30 +53,7 @@ static void begin(query *q, const world *w, const pov_ray *ray, double tmax, pov
     q->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
     q->walk.limit = tmax;
     q->waiting = 0;
-    q->hits.tmin = 0.0;
-    q->hits.tmax = tmax;
-    q->hits.want = want;
-    q->hits.always_exact = w->always_exact;
-    q->hits.owner = POV_NOBODY;
-    q->hits.count = 0;
-    q->hits.capacity = 1;
-    q->hits.decided = 0;
-    q->hits.at = at;
-    q->hits.grow = NULL;
-    q->hits.user = NULL;
-    q->hits.crowded = false;
-}
-
-/* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
-static inline double just_beyond(double limit)
-{
-    return limit + limit * 0x1p-52 + 0x1p-1074;
-}
-
-/* Whether something at lo or later can be left out: a reported distance may be off by some units in its last place. */
-static inline bool is_beyond(double lo, double limit)
-{
-    return lo > limit + limit * 0x1p-46;
+    begin_hits(&q->hits, w, tmax, want, at);
 }
 
 /* ---- nearest ---- */
@@ -119,7 +96,7 @@ static void filter_nearest(query *q, const run *r)
     uint32_t left = q->walk.ray->left, mask;
 
     r->shape->block_filter(run_block(r), q->walk.ray, 0.0, just_beyond(q->walk.limit), &answer);
-    for (mask = answer.maybe & run_lanes(r); mask; mask &= mask - 1) {
+    for (mask = answer.maybe & run_lanes(r) & ~left_behind(r, q->walk.ray); mask; mask &= mask - 1) {
         uint32_t lane = first_of(mask);
         if (is_beyond(answer.lo[lane], q->walk.limit))
             continue;
@@ -147,35 +124,33 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
     return false;
 }
 
-void query_begin_nearest(query *q, const world *w, const pov_ray *ray, double tmax, hit *out)
+void query_go_on_nearest(query *q, const world *w)
 {
-    begin(q, w, ray, tmax, POV_WANT_NEAREST, &out->crossing);
+    q->waiting = 0;
     q->walk.leaf = meet_nearest;
-    if (w->infinite)
-        meet_nearest(&q->walk, w->infinite);
-    if (w->list)
-        meet_nearest(&q->walk, w->list);
-}
-
-bool query_end_nearest(query *q, const world *w, walker *k, hit *out)
-{
+    w->walks->nearest_first(&q->walk);
     settle(q);
-    k->decided += q->hits.decided;
-    out->object = q->hits.count ? out->crossing.owner : POV_NOBODY;
-    out->company = 0;
-    if (q->hits.crowded)
-        spot_choose(w, k, q->walk.ray, NULL, out);
-    return q->hits.count > 0;
 }
 
 bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out)
 {
     query q;
 
-    query_begin_nearest(&q, w, ray, tmax, out);
+    begin(&q, w, ray, tmax, POV_WANT_NEAREST, &out->crossing);
+    q.walk.leaf = meet_nearest;
+    if (w->infinite)
+        meet_nearest(&q.walk, w->infinite);
+    if (w->list)
+        meet_nearest(&q.walk, w->list);
     if (w->has_tree)
         w->walks->nearest_first(&q.walk);
-    return query_end_nearest(&q, w, k, out);
+    settle(&q);
+    k->decided += q.hits.decided;
+    out->object = q.hits.count ? out->crossing.owner : POV_NOBODY;
+    out->company = 0;
+    if (q.hits.crowded)
+        spot_choose(w, k, ray, NULL, out);
+    return q.hits.count > 0;
 }
 
 /* ---- shadows ---- */
@@ -215,7 +190,7 @@ static bool filter_shadow(query *q, const run *r)
     for (mask = answer.surely & blocking; mask; mask &= mask - 1)
         if (r->object[first_of(mask)] != left && answer.hi[first_of(mask)] < q->hits.tmax)
             return true;
-    for (mask = answer.maybe & r->casts; mask; mask &= mask - 1)
+    for (mask = answer.maybe & r->casts & ~left_behind(r, q->walk.ray); mask; mask &= mask - 1)
         if (ask_shadow(q, r, first_of(mask)))
             return true;
     return false;
@@ -300,35 +275,29 @@ bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour
     return !colour_is_black(*through);
 }
 
-static void begin_tints(query *q, tint_room *room)
+void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room)
 {
-    q->tints = q->hits;
-    q->tints.want = POV_WANT_ALL;
-    q->tints.capacity = room->capacity;
-    q->tints.at = room->crossings;
-    q->tints.grow = crossings_grow;
-    q->tints.user = room;
+    *tints = *hits;
+    tints->want = POV_WANT_ALL;
+    tints->capacity = room->capacity;
+    tints->at = room->crossings;
+    tints->grow = crossings_grow;
+    tints->user = room;
 }
 
-bool query_begin_light(query *q, const world *w, tint_room *room, const pov_ray *ray, double tmax)
+bool query_go_on_light(query *q, const world *w)
 {
-    begin(q, w, ray, tmax, POV_WANT_ANY, &room->blocking);
-    q->any_blocks = !w->plan.coloured_shadows;
-    if (!q->any_blocks)
-        begin_tints(q, room);
-    return begin_shadow(q, w);
+    q->walk.leaf = meet_shadow;
+    return w->walks->any_order(&q->walk);
 }
 
-bool query_end_light(query *q, const world *w, walker *k, bool blocked, colour *through)
+bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through)
 {
     bool open = !blocked;
 
     *through = colour_of(1.0f, 1.0f, 1.0f);
-    k->decided += q->hits.decided;
-    if (!q->any_blocks) {
-        k->decided += q->tints.decided;
-        open = open && (q->tints.count == 0 || crossings_multiply(w->model, q->tints.at, q->tints.count, through));
-    }
+    if (tints && tints->count > 0)
+        open = open && crossings_multiply(w->model, tints->at, tints->count, through);
     if (!open)
         *through = colour_of(0.0f, 0.0f, 0.0f);
     return open;
@@ -336,9 +305,15 @@ bool query_end_light(query *q, const world *w, walker *k, bool blocked, colour *
 
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through)
 {
+    tint_room *room = &k->rooms[0];
     query q;
-    bool blocked = query_begin_light(&q, w, &k->rooms[0], ray, tmax);
+    bool blocked;
 
-    blocked = blocked || (w->has_tree && w->walks->any_order(&q.walk));
-    return query_end_light(&q, w, k, blocked, through);
+    begin(&q, w, ray, tmax, POV_WANT_ANY, &room->blocking);
+    q.any_blocks = !w->plan.coloured_shadows;
+    if (!q.any_blocks)
+        begin_tints(&q.tints, &q.hits, room);
+    blocked = begin_shadow(&q, w) || (w->has_tree && w->walks->any_order(&q.walk));
+    k->decided += q.hits.decided + (q.any_blocks ? 0 : q.tints.decided);
+    return end_light(w, blocked, q.any_blocks ? NULL : &q.tints, through);
 }

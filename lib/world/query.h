@@ -18,12 +18,56 @@ typedef struct query {
     pov_hits tints;              /* of transparent shapes on a light path */
 } query;
 
-/* The nearest crossing is put into out; a tree, if there is one, is to be walked in between. */
-void query_begin_nearest(query *q, const world *w, const pov_ray *ray, double tmax, hit *out);
-bool query_end_nearest(query *q, const world *w, walker *k, hit *out);
-/* True: the light ends here, before the tree is asked. room is for the crossings of transparent shapes. */
-bool query_begin_light(query *q, const world *w, tint_room *room, const pov_ray *ray, double tmax);
-/* blocked: something that blocks stands on the way. False: nothing is left of the light. */
-bool query_end_light(query *q, const world *w, walker *k, bool blocked, colour *through);
+/* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
+static inline double just_beyond(double limit)
+{
+    return limit + limit * 0x1p-52 + 0x1p-1074;
+}
+
+/* Whether something at lo or later can be left out: a reported distance may be off by some units in its last place. */
+static inline bool is_beyond(double lo, double limit)
+{
+    return lo > limit + limit * 0x1p-46;
+}
+
+/* Lanes of a run that the ray cannot meet: the convex shape that it went away from. */
+static inline uint32_t left_behind(const run *r, const pov_ray *ray)
+{
+    uint32_t lane;
+
+    if (!(r->shape->flags & POV_SHAPE_CONVEX) || !(ray->left_mark.flags & POV_MARK_AWAY))
+        return 0;
+    for (lane = 0; lane < r->count; lane++)
+        if (r->object[lane] == ray->left)
+            return 1u << lane;
+    return 0;
+}
+
+static inline void begin_hits(pov_hits *hits, const world *w, double tmax, pov_want want, pov_crossing *at)
+{
+    hits->tmin = 0.0;
+    hits->tmax = tmax;
+    hits->want = want;
+    hits->always_exact = w->always_exact;
+    hits->owner = POV_NOBODY;
+    hits->count = 0;
+    hits->capacity = 1;
+    hits->decided = 0;
+    hits->at = at;
+    hits->grow = NULL;
+    hits->user = NULL;
+    hits->crowded = false;
+}
+
+/* From the hits of the shapes that block to those of the transparent ones. */
+void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room);
+
+/* blocked: something that blocks stands on the way; tints: what transparent shapes were crossed, or NULL. False: nothing
+ * is left of the light. */
+bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through);
+
+/* Go on from the middle of a tree, with the walk and the hits of whoever has begun it. True: the light ends. */
+void query_go_on_nearest(query *q, const world *w);
+bool query_go_on_light(query *q, const world *w);
 
 #endif

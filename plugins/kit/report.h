@@ -39,17 +39,26 @@ static inline pov_mark kit_mark(uint32_t part, uint32_t flags)
     return mark;
 }
 
-/* `fine` is the largest error that the shape's size allows. Not a number anywhere gives KIT_OPEN. */
+/* What a root may be off by, once t and unit have been multiplied. */
+static inline double kit_slack(const kit_root *r) { return r->error + 2.0 * KIT_U * fabs(r->t.hi); }
+
+/* Is it good enough? `fine` is the largest error that the shape's size allows. */
+static inline bool kit_is_fine(const kit_root *r, double fine)
+{
+    return r->error <= KIT_ULPS * KIT_U * fabs(r->t.hi) && r->error <= fine;
+}
+
+/* Not a number anywhere gives KIT_OPEN. */
 static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine, const pov_hits *hits)
 {
-    double slack = r->error + 2.0 * KIT_U * fabs(r->t.hi);
+    double slack = kit_slack(r);
 
     if ((r->t.hi + slack) * unit < hits->tmin || (r->t.hi - slack) * unit > hits->tmax)
         return KIT_OUTSIDE;
     /* Who asks for any crossing wants to know only that it is there. */
     if (hits->want == POV_WANT_ANY && (r->t.hi - slack) * unit > hits->tmin && (r->t.hi + slack) * unit < hits->tmax)
         return KIT_GOOD;
-    return r->error <= KIT_ULPS * KIT_U * fabs(r->t.hi) && r->error <= fine ? KIT_GOOD : KIT_OPEN;
+    return kit_is_fine(r, fine) ? KIT_GOOD : KIT_OPEN;
 }
 
 /* A step of Newton's. It squares the error over the distance of the roots; what remains are the residual's own errors

@@ -68,4 +68,23 @@ static inline uint32_t kit_first_lane(uint32_t mask)
 #endif
 }
 
+static inline uint32_t kit_first_lane64(uint64_t mask)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_ctzll(mask);
+#else
+    return (uint32_t)mask ? kit_first_lane((uint32_t)mask) : 32 + kit_first_lane((uint32_t)(mask >> 32));
+#endif
+}
+
+/* a b + c for filters, whose bounds hold for one rounding as for two. */
+static inline double kit_sum_of(double a, double b, double c)
+{
+#ifdef __FMA__
+    return fma(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
 #endif

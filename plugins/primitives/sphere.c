@@ -117,51 +117,80 @@ static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uin
     return r;
 }
 
+/* The chord that a sphere cuts out of a ray, in double: its middle, and the middle's remaining distance b; the discriminant
+ * with a bound on its error; and, where that is above zero for certain, its root and a bound on the error of both ends. */
+typedef struct chord { double middle, inverse, b, d, d_error, root, error; } chord;
+
+static inline chord find_chord(pov_two square, const kit_ray *k)
+{
+    const double u = KIT_U;
+    const double a = pov_dot(k->d, k->d);
+    pov_vec3 w;
+    double ww, b_error, c, c_error;
+    chord h;
+
+    h.inverse = 1.0 / a;
+    h.middle = -pov_dot(pov_two3_hi(k->f), k->d) * h.inverse;
+    w = kit_along(k, h.middle);
+    ww = pov_dot(w, w);
+    h.b = pov_dot(w, k->d);
+    c = square.hi - ww;
+    b_error = 10.0 * u * kit_sum_of_sizes(w, k->d) + u * u * a;
+    c_error = u * (square.hi + 6.0 * ww);
+    h.d = c * a + h.b * h.b;
+    h.d_error = c_error * a + 2.0 * fabs(h.b) * b_error + b_error * b_error;
+    h.root = sqrt(h.d);
+    h.error = (b_error + 0.52 * h.d_error / h.root + u * (13.0 * h.root + 9.0 * fabs(h.b))) * h.inverse;
+    return h;
+}
+
+/* Are there two ends for certain? */
+static inline bool is_cut(const chord *h) { return h->d > 16.0 * h->d_error; }
+
+static inline kit_root near_end(const chord *h)
+{
+    kit_root r = { pov_two_sum(h->middle, (-h->b - h->root) * h->inverse), h->error, 0, 0 };
+    return r;
+}
+
+static inline kit_root far_end(const chord *h)
+{
+    kit_root r = { pov_two_sum(h->middle, (-h->b + h->root) * h->inverse), h->error, 1, 0 };
+    return r;
+}
+
+/* Re-centring to one part is exact enough. */
+static inline bool is_near(const kit_ray *k) { return pov_largest(pov_two3_hi(k->f)) < KIT_FAR; }
+
 /* Double precision with a bound on its error. False: open. */
 static bool quick(pov_two square, const kit_ray *k, bool leaving, pov_hits *hits)
 {
-    const double u = KIT_U;
-    pov_vec3 f = pov_two3_hi(k->f), w;
-    double a = pov_dot(k->d, k->d), inverse = 1.0 / a, fd = pov_dot(f, k->d), middle = -fd * inverse;
-    double ww, b, b_error, c, c_error, d, d_error;
-    double root, error;
+    pov_vec3 f = pov_two3_hi(k->f);
+    double fd = pov_dot(f, k->d);
     kit_equation equation = { &square, k, residual, 0.0 };
     kit_root roots[2];
-    uint32_t first = 0, n = 2;
+    chord h;
 
     if (leaving) {
-        if (!(fabs(fd) > 8.0 * u * kit_sum_of_sizes(f, k->d)))
+        if (!(fabs(fd) > 8.0 * KIT_U * kit_sum_of_sizes(f, k->d)))
             return false;
         /* Outward, the other root is behind. */
         if (fd > 0.0 && hits->tmin >= 0.0)
             return true;
-        first = fd < 0.0;
-        n = 1;
     }
-    if (!(pov_largest(f) < KIT_FAR))
+    if (!is_near(k))
         return false;
-    w = kit_along(k, middle);
-    ww = pov_dot(w, w);
-    b = pov_dot(w, k->d);
-    c = square.hi - ww;
-    b_error = 10.0 * u * kit_sum_of_sizes(w, k->d) + u * u * a;
-    c_error = u * (square.hi + 6.0 * ww);
-    d = c * a + b * b;
-    d_error = c_error * a + 2.0 * fabs(b) * b_error + b_error * b_error;
-    if (d < -(d_error + 10.0 * u * fabs(d)))
+    h = find_chord(square, k);
+    if (h.d < -(h.d_error + 10.0 * KIT_U * fabs(h.d)))
         return true;
-    if (!(d > 16.0 * d_error))
+    if (!is_cut(&h))
         return false;
-    root = sqrt(d);
-    error = (b_error + 0.52 * d_error / root + u * (13.0 * root + 9.0 * fabs(b))) * inverse;
-    roots[0].t = pov_two_sum(middle, (-b - root) * inverse);
-    roots[1].t = pov_two_sum(middle, (-b + root) * inverse);
-    roots[0].error = roots[1].error = error;
-    roots[0].part = 0;
-    roots[1].part = 1;
-    roots[0].flags = roots[1].flags = 0;
-    equation.apart = root * inverse;
-    return kit_report(roots + first, n, KIT_FINE * KIT_SLOWEST, &equation, hits);
+    roots[0] = near_end(&h);
+    roots[1] = far_end(&h);
+    equation.apart = h.root * h.inverse;
+    if (leaving)
+        return kit_report(roots + (fd < 0.0), 1, KIT_FINE * KIT_SLOWEST, &equation, hits);
+    return kit_report(roots, 2, KIT_FINE * KIT_SLOWEST, &equation, hits);
 }
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
@@ -234,6 +263,65 @@ static inline sphere get_sphere(const sphere_lanes *l, uint32_t i)
     return s;
 }
 
+/* Where rays enter: bounds on the distance, and the distance. No number where double does not find it well enough. */
+typedef struct entry_lanes { kit_lane lo, hi, t, t_lo; } entry_lanes;
+
+KIT_CLONES static void find_entries(const sphere_lanes *restrict l, entry_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        const sphere s = get_sphere(l, i);
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const kit_ray k = kit_enter(&ray, s.centre, scale_of(&s));
+        const chord h = find_chord(square_of(&s), &k);
+        const kit_root r = near_end(&h);
+        const double slack = kit_slack(&r);
+        const bool good = is_near(&k) & is_cut(&h) & kit_is_fine(&r, KIT_FINE * KIT_SLOWEST);
+
+        out->lo[i] = good ? (r.t.hi - slack) * k.unit : NAN;
+        out->hi[i] = (r.t.hi + slack) * k.unit;
+        out->t[i] = r.t.hi * k.unit;
+        out->t_lo[i] = r.t.lo * k.unit;
+    }
+}
+
+/* Whoever does not leave the sphere, and enters it within the interval for certain, has his answer. */
+static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    sphere_lanes lanes;
+    entry_lanes entry;
+    uint32_t i, j;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        j = kit_lane_of(i, n);
+        kit_put_ray(&lanes.rays, i, rays[j]);
+        put_sphere(&lanes, i, selves[j]);
+    }
+    find_entries(&lanes, &entry);
+    for (i = 0; i < n; i++) {
+        pov_hits *h = hits[i];
+
+        if (entry.lo[i] <= h->tmax && entry.hi[i] >= h->tmin && entry.t[i] > h->tmin && h->want != POV_WANT_ALL
+            && !h->always_exact && h->owner != rays[i]->left)
+            pov_cross(h, entry.t[i], entry.t_lo[i], kit_mark(0, 0));
+        else
+            intersect(selves[i], rays[i], h);
+    }
+}
+
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    uint32_t i;
+
+    for (; n >= KIT_LEAST; n -= i, selves += i, rays += i, hits += i) {
+        i = n < KIT_LANES ? n : KIT_LANES;
+        intersect_lanes(selves, rays, hits, i);
+    }
+    for (i = 0; i < n; i++)
+        intersect(selves[i], rays[i], hits[i]);
+}
+
 /* Normals, and how large they were before they were unit: pov_unit() scales the very large and the very small. */
 KIT_CLONES static void find_normals(const sphere_lanes *restrict l, kit_lane3 *restrict out, double *restrict largest)
 {
@@ -296,6 +384,8 @@ static void normal_many(const void *const *selves, const pov_ray *const *rays, c
 typedef struct sphere_block {
     double x[POV_BLOCK_MAX], y[POV_BLOCK_MAX], z[POV_BLOCK_MAX];
     double inner[POV_BLOCK_MAX], outer[POV_BLOCK_MAX]; /* the radius, less and more what centre and radius lost */
+    double square[POV_BLOCK_MAX];   /* of outer, rounded up; below all for lanes without a sphere */
+    double most;    /* the largest outer */
     double reach;   /* no centre is further from the origin, by sum of sizes */
     int64_t lanes;  /* those that hold a sphere */
 } sphere_block;
@@ -305,7 +395,7 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     sphere_block *b = block;
     uint32_t i;
 
-    b->reach = 0.0;
+    b->reach = b->most = 0.0;
     b->lanes = (1 << n) - 1;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const sphere *s = selves[i < n ? i : 0];
@@ -319,6 +409,8 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
         b->z[i] = c.z;
         b->inner[i] = s->radius.hi - lost;
         b->outer[i] = s->radius.hi + lost;
+        b->square[i] = i < n ? b->outer[i] * b->outer[i] * (1.0 + 12.0 * KIT_U) : -HUGE_VAL;
+        b->most = fmax(b->most, b->outer[i]);
         b->reach = fmax(b->reach, far);
     }
     return true;
@@ -385,9 +477,58 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
     }
 }
 
+/* The lanes whose spheres the line of a ray may come near to, with its closest approach to each. The square of a sum with
+ * the slack is at most the square of the one and what the slack adds to the largest. */
+static inline uint32_t near_lines(const sphere_block *s, const pov_rays *rays, uint32_t at, double slack,
+                                  double *restrict middle, double *restrict ww)
+{
+    const double ox = rays->org[0][at], oy = rays->org[1][at], oz = rays->org[2][at];
+    const double dx = rays->dir[0][at], dy = rays->dir[1][at], dz = rays->dir[2][at];
+    const double inverse = -rays->inverse[at], more = slack * (2.0 * s->most + slack) * (1.0 + 12.0 * KIT_U);
+    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    int64_t met = 0;
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const double x = ox - s->x[i], y = oy - s->y[i], z = oz - s->z[i];
+        const double m = kit_sum_of(z, dz, kit_sum_of(y, dy, x * dx)) * inverse;
+        const double wx = kit_sum_of(m, dx, x), wy = kit_sum_of(m, dy, y), wz = kit_sum_of(m, dz, z);
+
+        middle[i] = m;
+        ww[i] = kit_sum_of(wz, wz, kit_sum_of(wy, wy, wx * wx));
+        met |= ww[i] <= s->square[i] + more ? bit[i] : 0;
+    }
+    return (uint32_t)met;
+}
+
+KIT_CLONES static uint64_t block_filter_many(const void *block, const pov_rays *rays, uint64_t lanes,
+                                             pov_block_answer *out)
+{
+    const sphere_block *s = block;
+    double middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX];
+    uint64_t met = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t at = kit_first_lane64(lanes);
+        const double slack = 18.0 * KIT_U * (rays->size[at] + s->reach);
+        uint32_t near = near_lines(s, rays, at, slack, middle, ww);
+
+        if (!near)
+            continue;
+        out[at].maybe = out[at].surely = 0;
+        for (; near; near &= near - 1) {
+            const uint32_t i = kit_first_lane(near);
+            bound_lane(s, i, middle[i], ww[i], slack, rays->per_length[at], 0.0, rays->tmax[at], &out[at]);
+        }
+        if (out[at].maybe)
+            met |= (uint64_t)1 << at;
+    }
+    return met;
+}
+
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
     .keyword = "sphere",
     .instance_size = sizeof(sphere),
     .parse = parse,
@@ -401,7 +542,9 @@ static const pov_shape_class sphere_class = {
     .block_filter = block_filter,
     .text_size = sizeof(sphere_text),
     .prepare = prepare,
+    .intersect_many = intersect_many,
     .normal_many = normal_many,
+    .block_filter_many = block_filter_many,
 };
 
 static const pov_shape_class *const shapes[] = { &sphere_class, NULL };

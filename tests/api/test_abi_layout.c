@@ -48,6 +48,9 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_shape_class, prepare, 104);
     AT(pov_shape_class, intersect_many, 112);
     AT(pov_shape_class, normal_many, 120);
+    AT(pov_shape_class, block_filter_many, 128);
+    AT(pov_rays, inverse, 4608);
+    AT(pov_rays, tmax, 6144);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_plugin, images, 32);

@@ -336,15 +336,12 @@ static void an_absorbed_map_is_as_a_mapped_ray(void **unused)
 
 /* ---- blocks ---- */
 
-static bool filter_is_right(const void *block, const thing *const *things, uint32_t n, const pov_ray *ray, double tmin,
-                            double tmax)
+static bool is_right(const pov_block_answer *answer, const thing *const *things, uint32_t n, const pov_ray *ray,
+                     double tmin, double tmax)
 {
-    pov_block_answer answer;
     uint32_t i;
 
-    memset(&answer, 0, sizeof answer);
-    subject.shape->block_filter(block, ray, tmin, tmax, &answer);
-    if (answer.surely & ~answer.maybe)
+    if (answer->surely & ~answer->maybe)
         return false;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const uint32_t bit = 1u << i;
@@ -353,17 +350,41 @@ static bool filter_is_right(const void *block, const thing *const *things, uint3
 
         /* A filter that declines says so of all lanes there could be. */
         if (i >= n) {
-            if (answer.surely & bit)
+            if (answer->surely & bit)
                 return false;
             continue;
         }
         found = subject_ask_in(things[i]->self, ray, POV_WANT_NEAREST, tmin, tmax, true, at);
-        if (found && (!(answer.maybe & bit) || at[0].t < answer.lo[i]))
+        if (found && (!(answer->maybe & bit) || at[0].t < answer->lo[i]))
             return false;
-        if (answer.surely & bit && (!found || at[0].t > answer.hi[i]))
+        if (answer->surely & bit && (!found || at[0].t > answer->hi[i]))
             return false;
     }
     return true;
+}
+
+static bool filter_is_right(const void *block, const thing *const *things, uint32_t n, const pov_ray *ray, double tmin,
+                            double tmax)
+{
+    pov_block_answer answer;
+
+    memset(&answer, 0, sizeof answer);
+    subject.shape->block_filter(block, ray, tmin, tmax, &answer);
+    return is_right(&answer, things, n, ray, tmin, tmax);
+}
+
+/* Up to POV_BLOCK_MAX of the subject's things in a block. 0: it declines them. */
+static uint32_t pack_some(void *block, const thing **things)
+{
+    const uint32_t n = 1 + (uint32_t)(POV_BLOCK_MAX * subject_uniform());
+    const void *selves[POV_BLOCK_MAX];
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        things[i] = &subject.things[(int)(subject.count * subject_uniform())];
+        selves[i] = things[i]->self;
+    }
+    return subject.shape->block_pack(block, selves, n) ? n : 0;
 }
 
 /* A ray along the surface of one, or off that by little: from the side of a crossing, across its normal. */
@@ -442,16 +463,10 @@ static void block_filters_never_exclude_a_crossing(void **unused)
         skip();
     block = fake_reader_memory(subject.in, subject.shape->block_size);
     for (round = 0; round < 60; round++) {
-        const uint32_t n = 1 + (uint32_t)(POV_BLOCK_MAX * subject_uniform());
         const thing *things[POV_BLOCK_MAX];
-        const void *selves[POV_BLOCK_MAX];
-        uint32_t i;
+        const uint32_t n = pack_some(block, things);
 
-        for (i = 0; i < n; i++) {
-            things[i] = &subject.things[(int)(subject.count * subject_uniform())];
-            selves[i] = things[i]->self;
-        }
-        if (!subject.shape->block_pack(block, selves, n))
+        if (n == 0)
             continue;
         packed++;
         for (j = 0; j < RAYS / 4; j++) {
@@ -472,6 +487,78 @@ static void block_filters_never_exclude_a_crossing(void **unused)
     assert_true(packed > 0);
     assert_int_equal(broken, 0);
     /* A filter that is never sure is of no use. */
+    assert_true(seen > 0);
+}
+
+/* Put the ray where filters want it, unless it is out of the range that they are promised. */
+static bool put_in_range(pov_rays *rays, uint32_t i, const pov_ray *ray, double tmax)
+{
+    const double o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
+    const double low[3] = { ray->org_lo.x, ray->org_lo.y, ray->org_lo.z };
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        if (!(fabs(o[k]) < 1e99) || (d[k] != 0.0 && !(fabs(d[k]) > 1e-80 && fabs(d[k]) < 1e80)))
+            return false;
+        rays->org[k][i] = o[k];
+        rays->org_lo[k][i] = low[k];
+        rays->dir[k][i] = d[k];
+    }
+    rays->inverse[i] = 1.0 / pov_dot(ray->dir, ray->dir);
+    rays->per_length[i] = sqrt(rays->inverse[i]);
+    rays->size[i] = fabs(o[0]) + fabs(o[1]) + fabs(o[2]);
+    rays->tmax[i] = tmax;
+    return pov_largest(ray->dir) > 0.0 && pov_largest(ray->dir_lo) == 0.0;
+}
+
+/* Some rays in company at some things; how many answers are wrong. */
+static int wrong_in_company(const void *block, const thing *const *things, uint32_t n, int *seen)
+{
+    static pov_rays rays;
+    static pov_ray ray[POV_RAYS_MAX];
+    static pov_block_answer answers[POV_RAYS_MAX];
+    const pov_block_answer none = { 0, 0, { 0.0 }, { 0.0 } };
+    uint64_t lanes = 0, met;
+    int broken = 0;
+    uint32_t i;
+
+    for (i = 0; i < POV_RAYS_MAX; i++) {
+        const thing *t = things[(uint32_t)(n * subject_uniform())];
+        const double scale = t->size / length_of((ray[i] = block_ray(t)).dir);
+
+        if (put_in_range(&rays, i, &ray[i], subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform()))
+            lanes |= (uint64_t)(subject_uniform() < 0.8) << i;
+    }
+    met = subject.shape->block_filter_many(block, &rays, lanes, answers);
+    if (met & ~lanes)
+        return 1;
+    for (i = 0; i < POV_RAYS_MAX; i++)
+        if (lanes >> i & 1) {
+            const pov_block_answer *answer = met >> i & 1 ? &answers[i] : &none;
+
+            broken += !is_right(answer, things, n, &ray[i], 0.0, rays.tmax[i]);
+            *seen += answer->surely != 0;
+        }
+    return broken;
+}
+
+static void block_filters_in_company_never_exclude_a_crossing(void **unused)
+{
+    void *block;
+    int round, broken = 0, seen = 0;
+
+    (void)unused;
+    if (!HAS(block_filter_many))
+        skip();
+    block = fake_reader_memory(subject.in, subject.shape->block_size);
+    for (round = 0; round < 3000; round++) {
+        const thing *things[POV_BLOCK_MAX];
+        const uint32_t n = pack_some(block, things);
+
+        if (n > 0)
+            broken += wrong_in_company(block, things, n, &seen);
+    }
+    assert_int_equal(broken, 0);
     assert_true(seen > 0);
 }
 
@@ -709,6 +796,7 @@ static int check_file(const char *file)
         cmocka_unit_test(copies_behave_alike),
         cmocka_unit_test(an_absorbed_map_is_as_a_mapped_ray),
         cmocka_unit_test(block_filters_never_exclude_a_crossing),
+        cmocka_unit_test(block_filters_in_company_never_exclude_a_crossing),
         cmocka_unit_test(many_rays_get_the_answers_of_single_ones),
         cmocka_unit_test(many_normals_are_those_of_single_ones),
         cmocka_unit_test(a_ray_that_leaves_never_meets_its_start),

@@ -18,12 +18,14 @@
 #define POV_BLOCK_MAX 8u    /* most shapes one block holds */
 #define POV_NOBODY 0xffffffffu
 #define POV_PREPARED_MAX 1024u
+#define POV_RAYS_MAX 64u    /* most rays that block_filter_many() is asked for */
 
 /* ---- rays and crossings ------------------------------------------------ */
 
 /* What names a crossing of a shape again: which part of it (face, cap, root), and what normal() wants to know. */
 typedef struct pov_mark { uint32_t part, flags; double u, v; } pov_mark;
 #define POV_MARK_DECIDED 0x80000000u   /* in flags: double left the crossing open, two-part arithmetic decided */
+#define POV_MARK_AWAY 0x40000000u      /* in a ray's left_mark: it goes outward, at an angle that is no matter of rounding */
 
 /* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
  * object far from the origin is exact enough to be told from its surface. */
@@ -117,6 +119,16 @@ typedef struct pov_block_answer {
     double lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];   /* hi counts for lanes of `surely` only */
 } pov_block_answer;
 
+/* Rays side by side for block_filter_many(), each in a lane of its own. The host puts only such rays there as are in
+ * the range of squares: org below 1e100, components of dir zero or of 1e-80 to 1e80, dir_lo zero. */
+typedef struct pov_rays {
+    double org[3][POV_RAYS_MAX], org_lo[3][POV_RAYS_MAX], dir[3][POV_RAYS_MAX];
+    double inverse[POV_RAYS_MAX];      /* 1 / dir.dir, rounded */
+    double per_length[POV_RAYS_MAX];   /* its root: the t of a length of one */
+    double size[POV_RAYS_MAX];         /* |org.x| + |org.y| + |org.z| */
+    double tmax[POV_RAYS_MAX];
+} pov_rays;
+
 /* ---- what the host offers while a scene loads --------------------------- */
 
 typedef struct pov_reader pov_reader;
@@ -144,7 +156,10 @@ typedef struct pov_host {
  * host->alloc and is never written after parse, and absorb changes only the
  * instance's own bytes. */
 
-enum { POV_SHAPE_SOLID = 1u << 0 };  /* inside() means something: may be a medium, may take part in CSG */
+enum {
+    POV_SHAPE_SOLID = 1u << 0,   /* inside() means something: may be a medium, may take part in CSG */
+    POV_SHAPE_CONVEX = 1u << 1   /* who leaves it outward never comes back: it lies on one side of each tangent plane */
+};
 
 typedef struct pov_shape_class {
     uint32_t size, flags;
@@ -187,6 +202,9 @@ typedef struct pov_shape_class {
     void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                         pov_vec3 *const *out, uint32_t n);
+    /* [render] block_filter() from 0 to its tmax for each ray that `lanes` has a bit for. Gives those that have a lane of
+     * the block in `maybe`; theirs are the places of out, by lane of the rays, that are filled in. */
+    uint64_t (*block_filter_many)(const void *block, const pov_rays *rays, uint64_t lanes, pov_block_answer *out);
 } pov_shape_class;
 
 /* Does a class reach as far as this member, and is it there? */
