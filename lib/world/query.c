@@ -56,6 +56,12 @@ static void begin(query *q, const world *w, const pov_ray *ray, double tmax, pov
     begin_hits(&q->hits, w, tmax, want, at);
 }
 
+/* Where a ray starts on the only shape of a run, a filter would say "perhaps"; the shape knows the rest by name. */
+static inline bool is_filtered(const query *q, const run *r)
+{
+    return (r->flags & RUN_PACKED) && (r->count > 1 || r->object[0] != q->walk.ray->left);
+}
+
 /* ---- nearest ---- */
 
 static void ask_nearest(query *q, const run *r, uint32_t lane)
@@ -115,7 +121,7 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
     uint32_t lane;
 
     for (r = leaf; r; r = run_next(r)) {
-        if (r->flags & RUN_PACKED)
+        if (is_filtered(q, r))
             filter_nearest(q, r);
         else
             for (lane = 0; lane < r->count; lane++)
@@ -205,7 +211,7 @@ static bool meet_shadow(bvh_walk *walk, const void *leaf)
     for (r = leaf; r; r = run_next(r)) {
         if (r->casts == 0)
             continue;
-        if (r->flags & RUN_PACKED) {
+        if (is_filtered(q, r)) {
             if (filter_shadow(q, r))
                 return true;
             continue;

@@ -5,6 +5,7 @@
  * any error where doubles leave it open. So polygons that share an edge leave no gap and no overlap along
  * it. */
 #include "kit/expansion.h"
+#include "kit/flat_block.h"
 #include "kit/report.h"
 
 typedef struct corner {
@@ -431,6 +432,53 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     *out = ((const polygon *)self)->unit;
 }
 
+/* ---- blocks ---- */
+
+/* One loop of three or four corners, then the first of them again. */
+static bool is_small(const polygon *s)
+{
+    uint32_t i, loops = 0;
+
+    for (i = 0; i < s->count; i++)
+        loops += s->corners[i].starts;
+    return loops == 1 && s->count <= KIT_SIDES + 1;
+}
+
+static void describe(const polygon *s, kit_flat *f)
+{
+    const pov_vec3 n = pov_two3_hi(s->normal);
+    pov_vec3 corners[KIT_SIDES];
+    uint32_t i;
+
+    f->anchor = pov_two3_hi(s->anchor);
+    f->normal = n;
+    f->scale = s->scale;
+    if (is_small(s)) {
+        for (i = 0; i + 1 < s->count; i++)
+            corners[i] = s->corners[i].local;
+        if (kit_flat_outline(f, corners, s->count - 1))
+            return;
+    }
+    kit_flat_begin(f, s->corners[0].local, pov_vec3_of(fabs(n.x) < fabs(n.y), fabs(n.x) >= fabs(n.y), 0.0));
+    for (i = 1; i < s->count; i++)
+        kit_flat_extend(f, s->corners[i].local);
+}
+
+static bool block_pack(void *block, const void *const *selves, uint32_t n)
+{
+    kit_flat figures[POV_BLOCK_MAX];
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        const polygon *s = selves[i];
+
+        if (s->count == 0 || !(pov_largest(pov_two3_hi(s->normal)) > 0.0))
+            return false;
+        describe(s, &figures[i]);
+    }
+    return kit_flat_pack(block, figures, n);
+}
+
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
     .keyword = "polygon",
@@ -439,6 +487,9 @@ static const pov_shape_class polygon_class = {
     .bounds = bounds,
     .intersect = intersect,
     .normal = normal,
+    .block_size = sizeof(kit_flat_block),
+    .block_pack = block_pack,
+    .block_filter = kit_flat_filter,
 };
 
 static const pov_shape_class *const shapes[] = { &polygon_class, NULL };

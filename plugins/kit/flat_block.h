@@ -1,0 +1,39 @@
+/* flat_block.h - up to eight flat figures at once, in plain double: which of them a ray may meet, which surely, and
+ * where. */
+#ifndef KIT_FLAT_BLOCK_H
+#define KIT_FLAT_BLOCK_H
+
+#include "kit/local.h"
+
+enum { KIT_SIDES = 4 };
+
+/* Lengths are scaled and seen from the anchor; corners are below 2. The figure lies where all of side . p >= offset;
+ * `sure` if it is just that. Sides are unit vectors within the plane. */
+typedef struct kit_flat {
+    pov_vec3 anchor, normal;     /* the normal's largest component is in [1, 2) */
+    double scale;
+    pov_vec3 side[KIT_SIDES];
+    double offset[KIT_SIDES];
+    bool sure;
+} kit_flat;
+
+/* Three or four corners of a convex figure with no short edge: false if that is not what they are. */
+bool kit_flat_outline(kit_flat *f, const pov_vec3 *corner, uint32_t n);
+
+/* A rectangle around any figure: begun with one of its corners and a way in the plane, and extended by the others. */
+void kit_flat_begin(kit_flat *f, pov_vec3 corner, pov_vec3 way);
+void kit_flat_extend(kit_flat *f, pov_vec3 corner);
+
+typedef struct kit_flat_block {
+    double anchor[3][POV_BLOCK_MAX], normal[3][POV_BLOCK_MAX], side[KIT_SIDES][3][POV_BLOCK_MAX];
+    double offset[KIT_SIDES][POV_BLOCK_MAX];
+    double scale[POV_BLOCK_MAX];
+    double reach;                /* no point of a figure is further from the origin, by sum of sizes */
+    uint32_t lanes, sure;        /* by bits */
+} kit_flat_block;
+
+/* False: out of range. */
+bool kit_flat_pack(kit_flat_block *b, const kit_flat *figures, uint32_t n);
+void kit_flat_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
+
+#endif
