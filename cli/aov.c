@@ -90,11 +90,12 @@ static void map_pixel(const maps *m, pov_tracer *tracer, int x, int y)
     const size_t at = 4 * ((size_t)y * (size_t)m->rect.width + (size_t)x);
     const pov_vec3 d = direction_at(m, x, y);
     pov_hit h = POV_INIT(h);
+    const bool met = pov_trace_hit(tracer, m->camera.location, d, &h);
 
-    if (!pov_trace_hit(tracer, m->camera.location, d, &h))
-        return;
     if (m->pixels[ARGS_AOV_CERTAINTY])
-        put(m->pixels[ARGS_AOV_CERTAINTY] + at, !h.certain, h.certain, 0.0);
+        put(m->pixels[ARGS_AOV_CERTAINTY] + at, !h.certain, met && h.certain, 0.0);
+    if (!met)
+        return;
     if (m->pixels[ARGS_AOV_NORMAL])
         put(m->pixels[ARGS_AOV_NORMAL] + at, 0.5 + 0.5 * h.normal.x, 0.5 + 0.5 * h.normal.y, 0.5 + 0.5 * h.normal.z);
     if (m->pixels[ARGS_AOV_DEPTH]) {

@@ -45,6 +45,23 @@ accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight t
 	$(BUILD)/tests/numerics/test_watertight $(EDGES)
 	$(BUILD)/tests/numerics/test_leaving $(LEAVING)
 	$(BUILD)/tests/numerics/test_maps $(RAYS)
+	$(MAKE) --no-print-directory accuracy-report
+
+# The tables of docs/numerics.md and its plots, from the table that was measured last. Plots need cairo.
+.PHONY: accuracy-report accuracy-cost
+$(BUILD)/tests/numerics/accuracy_plot: tests/numerics/accuracy_plot.c
+	@mkdir -p $(@D)
+	$(CC) $(BASE_FLAGS) $$($(PKG_CONFIG) --cflags cairo) $< $$($(PKG_CONFIG) --libs cairo) -lm -o $@
+accuracy-report: $(BUILD)/tests/numerics/accuracy_plot
+	$(PYTHON) tests/numerics/accuracy_report.py $(BUILD)/accuracy.csv docs/numerics.md docs/images $<
+
+# Whole renders against the same program with textbook kernels: the gallery, and the bench's scenes.
+COST_BENCH ?= flake-4 spheres-1e2 spheres-1e4 mixed-1e2 mixed-1e4 rings tree hall glass strip
+COST_FLAGS ?=
+accuracy-cost: all $(METHODS)
+	$(PYTHON) tests/bench/make_scenes.py --out $(BUILD)/bench/scenes $(COST_BENCH)
+	$(PYTHON) tests/numerics/cost.py --povc $(POVC) --product $(BUILD)/lib/povtrace --textbook $(BUILD)/tests/numerics/textbook \
+	    --csv $(BUILD)/cost.csv $(COST_FLAGS) $(wildcard scenes/gallery/*.pov) $(COST_BENCH:%=$(BUILD)/bench/scenes/%.pov)
 
 # A plugin as a stranger would build it, held to the contract with our own.
 $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcard lib/include/povtrace/*.h)

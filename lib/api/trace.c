@@ -36,14 +36,21 @@ static bool is_ray(pov_vec3 org, pov_vec3 dir)
     return pov_largest(pov_unit(dir)) > 0.0 && isfinite(org.x) && isfinite(org.y) && isfinite(org.z);
 }
 
+/* A miss is certain if no object on the way had to be decided; of a hit its own crossing counts, for what lies behind
+ * it is looked at or not as the tree has it. */
 bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 {
+    const uint64_t before = walker_decided(tracer->walker);
     pov_ray ray = ray_of(org, dir);
     pov_hit found = POV_INIT(found);
     hit h;
 
-    if (!is_ray(org, dir) || !world_nearest(tracer->world, tracer->walker, &ray, INFINITY, &h))
+    if (!is_ray(org, dir) || !world_nearest(tracer->world, tracer->walker, &ray, INFINITY, &h)) {
+        found.certain = walker_decided(tracer->walker) == before;
+        if (out)
+            adapt_out(out, &found, sizeof found);
         return false;
+    }
     world_surface(tracer->world, &ray, &h);
     found.distance = h.crossing.t;
     found.point = h.point;

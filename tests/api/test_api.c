@@ -150,12 +150,34 @@ static void rays_meet_what_stands_there(void **state)
     assert_true(pov_trace_hit(tracer, pov_vec3_of(0, 0, 0), pov_vec3_of(0, 0, 1e-200), &hit));
     assert_true(hit.normal.z == -1.0);
     assert_false(pov_trace_hit(tracer, pov_vec3_of(0, 0, -5), pov_vec3_of(0, 1, 0), &hit));
+    assert_true(hit.certain);
     assert_false(pov_trace_hit(tracer, pov_vec3_of(0, 0, -5), pov_vec3_of(0, 0, 0), &hit));
     assert_false(pov_trace_hit(tracer, pov_vec3_of(NAN, 0, -5), pov_vec3_of(0, 0, 1), &hit));
     assert_true(pov_trace_blocked(tracer, pov_vec3_of(0, 0, -5), pov_vec3_of(0, 0, 5)));
     assert_false(pov_trace_blocked(tracer, pov_vec3_of(0, 0, -5), pov_vec3_of(0, 0, -1)));
     assert_int_equal(pov_trace_color(tracer, pov_vec3_of(0, 0, -5), pov_vec3_of(0, 0, 1), rgba, &err), POV_OK);
     assert_true(fabsf(rgba[0] - 0.6f) < 1e-6f && rgba[1] == 0.0f && rgba[3] == 1.0f);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+/* Past the ball of radius 1 by the last bit of 1, along its edge, and within it by half of that. */
+static void a_miss_says_whether_it_was_certain(void **state)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, ball);
+    pov_tracer *tracer;
+    pov_hit hit = POV_INIT(hit);
+
+    (void)state;
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    assert_false(pov_trace_hit(tracer, pov_vec3_of(0x1.0000000000001p0, 0, -5), pov_vec3_of(0, 0, 1), &hit));
+    assert_false(hit.certain);
+    assert_false(pov_trace_hit(tracer, pov_vec3_of(1.5, 0, -5), pov_vec3_of(0, 0, 1), &hit));
+    assert_true(hit.certain);
+    assert_true(pov_trace_hit(tracer, pov_vec3_of(0x1.fffffffffffffp-1, 0, -5), pov_vec3_of(0, 0, 1), &hit));
+    assert_false(hit.certain);
     pov_tracer_destroy(tracer);
     pov_scene_destroy(scene);
     pov_context_destroy(context);
@@ -304,6 +326,7 @@ int main(void)
         cmocka_unit_test(missing_arguments_are_errors_and_not_crashes),
         cmocka_unit_test(structs_of_other_sizes_are_adapted),
         cmocka_unit_test(rays_meet_what_stands_there),
+        cmocka_unit_test(a_miss_says_whether_it_was_certain),
         cmocka_unit_test(a_camera_can_be_turned),
         cmocka_unit_test(a_restart_with_no_real_camera_keeps_the_one_it_had),
         cmocka_unit_test(warnings_come_through_the_log_with_their_place),

@@ -105,11 +105,12 @@ static bool take_out_start(exact_answer *e, kind k, uint32_t part, double size)
     double nearest = HUGE_VAL, second = HUGE_VAL;
     int i, start = 0;
 
-    /* The planes of a box have names, however near they are to each other. */
+    /* The planes of a box have names, however near they are to each other; but of one without any thickness nobody
+     * can tell whether the start was rounded to the other side. */
     for (i = 0; i < e->count && k == BOX; i++) {
         if (e->at[i].part == part && fabs(real_double(e->at[i].t)) < 1e-24 * size) {
             take_out(e, i);
-            return true;
+            return e->count == 0 || fabs(real_double(e->at[0].t)) > 1e-24 * size;
         }
     }
 

@@ -153,9 +153,101 @@ static void a_ray_at_a_shared_edge_or_corner_meets_exactly_one(void **state)
     assert_int_equal(wrong, 0);
 }
 
+/* ---- exactly on an edge ---- */
+
+enum { GRID = 4 };
+
+/* A unit square of whole corners; from (i, j, 0) along two of the axes. */
+static void *make_square(const pov_shape_class *shape, pov_reader *in, pov_vec3 corner, pov_vec3 e, pov_vec3 g)
+{
+    fake_reader_clear(in);
+    fake_reader_number(in, 5.0);
+    feed(in, corner);
+    feed(in, pov_add(corner, e));
+    feed(in, pov_add(pov_add(corner, e), g));
+    feed(in, pov_add(corner, g));
+    feed(in, corner);
+    return fake_reader_parse(in, shape);
+}
+
+/* As a pixel's centre may: all numbers are small multiples of 1/4, so the ray meets edge and corner without any error. */
+static pov_ray exact_ray(double x, double y, int number)
+{
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.dir = pov_vec3_of((number % 5 - 2) * 0.25, (number / 5 % 5 - 2) * 0.25, number / 25 % 2 ? 1.0 : -1.0);
+    ray.org = pov_sub(pov_vec3_of(x, y, 0.0), pov_scale(ray.dir, 4.0));
+    ray.left = POV_NOBODY;
+    return ray;
+}
+
+static int hits_of(const pov_shape_class *shape, void *const *squares, int count, const pov_ray *ray)
+{
+    int i, found = 0;
+
+    for (i = 0; i < count; i++) {
+        pov_crossing at[2];
+        pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, false, 0, 0, 2, 0, at, NULL, NULL, false };
+
+        shape->intersect(squares[i], ray, &hits);
+        found += (int)hits.count;
+    }
+    return found;
+}
+
+static void a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them(void **state)
+{
+    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const pov_vec3 e = { 1.0, 0.0, 0.0 }, g = { 0.0, 1.0, 0.0 };
+    pov_reader *in = fake_reader_create();
+    void *squares[GRID * GRID];
+    int i, j, number;
+
+    (void)state;
+    assert_non_null(shape);
+    for (i = 0; i < GRID * GRID; i++)
+        squares[i] = make_square(shape, in, pov_vec3_of(i % GRID, i / GRID, 0.0), e, g);
+    for (number = 0; number < 50; number++) {
+        for (i = 1; i < 2 * GRID; i++) {
+            for (j = 1; j < 2 * GRID; j++) {
+                const pov_ray ray = exact_ray(0.5 * i, 0.5 * j, number);
+                assert_int_equal(hits_of(shape, squares, GRID * GRID, &ray), 1);
+            }
+        }
+    }
+    fake_reader_destroy(in);
+}
+
+/* Seen from where both polygons of an edge lie to the same side of it, as at the ridge of a roof: both or none. */
+static void a_ray_exactly_on_the_outline_of_a_fold_meets_both_or_none(void **state)
+{
+    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const pov_vec3 corner = { 0.0, 0.0, 0.0 }, edge = { 0.0, 4.0, 0.0 };
+    pov_reader *in = fake_reader_create();
+    void *fold[2];
+    int j, number;
+
+    (void)state;
+    assert_non_null(shape);
+    fold[0] = make_square(shape, in, corner, pov_vec3_of(4.0, 0.0, 2.0), edge);
+    fold[1] = make_square(shape, in, corner, pov_vec3_of(4.0, 0.0, -2.0), edge);
+    for (number = 0; number < 50; number++) {
+        for (j = 1; j < 8; j++) {
+            const pov_ray ray = exact_ray(0.0, 0.5 * j, number);
+            assert_int_equal(hits_of(shape, fold, 2, &ray) % 2, 0);
+        }
+    }
+    fake_reader_destroy(in);
+}
+
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_ray_at_a_shared_edge_or_corner_meets_exactly_one) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ray_at_a_shared_edge_or_corner_meets_exactly_one),
+        cmocka_unit_test(a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them),
+        cmocka_unit_test(a_ray_exactly_on_the_outline_of_a_fold_meets_both_or_none),
+    };
 
     if (argc > 1)
         rays = strtol(argv[1], NULL, 10);

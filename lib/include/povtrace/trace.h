@@ -17,7 +17,7 @@ typedef struct pov_hit {
 
 POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err);
 POV_API void pov_tracer_destroy(pov_tracer *tracer);
-/* The nearest object in the open ray, dir of any length but zero. False: none. */
+/* The nearest object in the open ray, dir of any length but zero. False: none, and only `certain` means anything. */
 POV_API bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
 /* Does anything stand strictly between the two points? Transparent objects count, no_shadow ones do not. */
 POV_API bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to);
