@@ -61,7 +61,7 @@ COST_FLAGS ?=
 accuracy-cost: all $(METHODS)
 	$(PYTHON) tests/bench/make_scenes.py --out $(BUILD)/bench/scenes $(COST_BENCH)
 	$(PYTHON) tests/numerics/cost.py --povc $(POVC) --product $(BUILD)/lib/povtrace --textbook $(BUILD)/tests/numerics/textbook \
-	    --csv $(BUILD)/cost.csv $(COST_FLAGS) $(wildcard scenes/gallery/*.pov) $(COST_BENCH:%=$(BUILD)/bench/scenes/%.pov)
+	    --csv $(BUILD)/cost.csv --document docs/numerics.md $(COST_FLAGS) $(wildcard scenes/gallery/*.pov) $(COST_BENCH:%=$(BUILD)/bench/scenes/%.pov)
 
 # A plugin as a stranger would build it, held to the contract with our own.
 $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcard lib/include/povtrace/*.h)

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """What certainty costs: whole renders by povc with our primitives, against the same program with textbook kernels.
 
-    cost.py --povc POVC --textbook FOLDER --product FOLDER [--rounds N] [--size W H] [--csv FILE] SCENE...
+    cost.py --povc POVC --textbook FOLDER --product FOLDER [--rounds N] [--size W H] [--instructions] [--csv FILE]
+            [--document FILE] SCENE...
 
 Both are run in turn, with one thread and one sample a pixel. What counts is the processor's time for tracing, as `--stats`
 tells it, corrected for what else the machine did meanwhile; of each pair of runs the ratio, of the ratios the median. With
---instructions callgrind counts instructions instead: once each, and no noise. The pictures differ a little; how many
-pixels do by more than 2/255 is printed besides.
+--instructions callgrind counts instructions instead: once each, and no noise. The pictures may differ a little; how many
+pixels do by more than 2/255 is printed besides. --document FILE refreshes the table there between two marks.
 """
 import argparse
 import os
@@ -59,6 +60,24 @@ def differing(a, b):
     return many, len(a) // 3
 
 
+MARKS = ('<!-- cost: begin -->\n', '<!-- cost: end -->\n')
+
+
+def refresh(options, rows):
+    """The table in the document."""
+    path = pathlib.Path(options.document)
+    text = path.read_text(encoding='utf-8')
+    begin, end = (text.index(mark) for mark in MARKS)
+    unit = 'million instructions' if options.instructions else 'ms'
+    lines = [f'| scene, {options.size[0]}x{options.size[1]} | povtrace, {unit} | textbook kernels | ratio | pixels off by more than 2/255 |',
+             '|---|---|---|---|---|']
+    scale = 1e-6 if options.instructions else 1e3
+    lines += [f'| {name} | {mine * scale:.0f} | {other * scale:.0f} | {ratio:.2f} | {many} |'
+              for name, mine, other, ratio, many, _ in rows]
+    lines.append(f'| median | | | {statistics.median(row[3] for row in rows):.2f} | |')
+    path.write_text(text[:begin + len(MARKS[0])] + '\n'.join(lines) + '\n' + text[end:], encoding='utf-8')
+
+
 def compare(options, scene, folder):
     """The ratios of the pairs, and our and the textbook's median."""
     ours, theirs = [options.product], [options.textbook, options.product]
@@ -81,6 +100,7 @@ def main():
     parser.add_argument('--size', type=int, nargs=2, default=(400, 300))
     parser.add_argument('--instructions', action='store_true')
     parser.add_argument('--csv')
+    parser.add_argument('--document')
     parser.add_argument('scenes', nargs='+')
     options = parser.parse_args()
     rows = []
@@ -97,6 +117,8 @@ def main():
                   f'{many} of {of}', flush=True)
     print(f'median ratio {statistics.median(row[3] for row in rows):.3f}, '
           f'largest {max(row[3] for row in rows):.3f}')
+    if options.document:
+        refresh(options, rows)
     if options.csv:
         with open(options.csv, 'w', encoding='utf-8') as out:
             out.write('scene,ours,textbook,ratio,pixels_differing,pixels\n')
