@@ -92,8 +92,9 @@ static void put_csv_row(FILE *to, const pov_pass *p, const pov_pass *before)
     put_csv_number(to, p->est_ci95_lo);
     put_csv_number(to, p->est_ci95_hi);
     put_csv_number(to, p->est_p99_tile);
-    fprintf(to, ",%llu,%llu,%llu,%llu", (unsigned long long)p->unresolved, (unsigned long long)c->cut_depth,
-            (unsigned long long)c->cut_weight, (unsigned long long)p->clipped);
+    put_csv_number(to, p->est_rmse >= 0.0 ? (double)p->unresolved : -1.0);
+    fprintf(to, ",%llu,%llu,%llu", (unsigned long long)c->cut_depth, (unsigned long long)c->cut_weight,
+            (unsigned long long)p->clipped);
     put_csv_number(to, p->ref_rmse);
     put_csv_number(to, p->ref_max);
     put_csv_number(to, f.est_over_true);

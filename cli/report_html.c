@@ -43,8 +43,9 @@ static void put_base64(FILE *to, const unsigned char *bytes, size_t count)
 
 /* ---- pictures inside the page ---- */
 
-static pov_status put_image(const report *r, FILE *to, const float *rgba, pov_transfer transfer, const char *what,
-                            pov_error *err)
+/* `kind` is the image's class in the page, `what` is said where it cannot be seen. */
+static pov_status put_image(const report *r, FILE *to, const float *rgba, pov_transfer transfer, const char *kind,
+                            const char *what, pov_error *err)
 {
     pov_image_options options = POV_INIT(options);
     char *bytes = NULL;
@@ -63,7 +64,7 @@ static pov_status put_image(const report *r, FILE *to, const float *rgba, pov_tr
     if (fclose(png) != 0 && status == POV_OK)
         status = save_fail(err, POV_E_MEMORY, r->args->report, "out of memory for the report");
     if (status == POV_OK) {
-        fprintf(to, "<img alt=\"%s\" src=\"data:image/png;base64,", what);
+        fprintf(to, "<img class=\"%s\" alt=\"%s\" src=\"data:image/png;base64,", kind, what);
         put_base64(to, (const unsigned char *)bytes, count);
         fputs("\">\n", to);
     }
@@ -92,20 +93,13 @@ static pov_status put_curve(const report *r, FILE *to, pov_error *err)
     return status;
 }
 
+/* How a value that is not there looks. */
+static const float blank = 1.0f;
+
 /* Dark blue to yellow, lighter all the way: for eyes of every kind, and in grey. */
 static const float ramp[5][3] = {
     { 0.00f, 0.13f, 0.30f }, { 0.26f, 0.30f, 0.42f }, { 0.48f, 0.48f, 0.47f }, { 0.74f, 0.68f, 0.41f }, { 1.00f, 0.92f, 0.28f },
 };
-
-static void colour_of(double part, float *rgba)
-{
-    double at = 4.0 * fmin(fmax(part, 0.0), 1.0);
-    int low = at < 3.0 ? (int)at : 3;
-
-    for (int i = 0; i < 3; i++)
-        rgba[i] = (float)(ramp[low][i] + (at - low) * (ramp[low + 1][i] - ramp[low][i]));
-    rgba[3] = 1.0f;
-}
 
 typedef struct span { double low, high; } span;   /* of what a map shows, both above zero */
 
@@ -125,13 +119,30 @@ static span span_of(const float *map, size_t count)
     return s;
 }
 
-static void put_scale(FILE *to, span s, const char *unit)
+/* Values below zero are none. */
+static void colour_of(float value, span s, float *rgba)
 {
-    fputs("<div class=\"ramp\" style=\"background:linear-gradient(to right", to);
-    for (int i = 0; i < 5; i++)
-        fprintf(to, ",rgb(%d,%d,%d)", (int)(255 * ramp[i][0]), (int)(255 * ramp[i][1]), (int)(255 * ramp[i][2]));
-    fprintf(to, ")\"></div><div class=\"ends\"><span>%.3g</span><span>%s, logarithmic</span><span>%.3g</span></div>\n", s.low,
-            unit, s.high);
+    double part = value > 0.0f ? log((double)value / s.low) / fmax(log(s.high / s.low), 1e-300) : 0.0;
+    double at = 4.0 * fmin(fmax(part, 0.0), 1.0);
+    int low = at < 3.0 ? (int)at : 3;
+
+    for (int i = 0; i < 3; i++)
+        rgba[i] = value < 0.0f ? blank : (float)(ramp[low][i] + (at - low) * (ramp[low + 1][i] - ramp[low][i]));
+    rgba[3] = 1.0f;
+}
+
+/* `but` is said behind the unit: what else there is in the map. */
+static void put_scale(FILE *to, span s, const char *unit, const char *but)
+{
+    if (s.low < s.high) {
+        fputs("<div class=\"ramp\" style=\"background:linear-gradient(to right", to);
+        for (int i = 0; i < 5; i++)
+            fprintf(to, ",rgb(%d,%d,%d)", (int)(255 * ramp[i][0]), (int)(255 * ramp[i][1]), (int)(255 * ramp[i][2]));
+        fprintf(to, ")\"></div><div class=\"ends\"><span>%.3g</span><span>%s, logarithmic%s</span><span>%.3g</span></div>\n",
+                s.low, unit, but, s.high);
+    } else {
+        fprintf(to, "<div class=\"ends\"><span>everywhere %.3g %s%s</span></div>\n", s.high, unit, but);
+    }
 }
 
 static pov_status put_map(const report *r, FILE *to, pov_pixels kind, const char *what, const char *unit, pov_error *err)
@@ -140,16 +151,21 @@ static pov_status put_map(const report *r, FILE *to, pov_pixels kind, const char
     pov_rect all = { 0, 0, r->width, r->height };
     float *map = malloc(count * sizeof *map), *rgba = malloc(4 * count * sizeof *rgba);
     pov_status status = POV_OK;
+    bool has_blanks = false;
     span s;
 
     if (map && rgba) {
         pov_job_read(r->job, all, kind, map, sizeof *map * (size_t)r->width);
         s = span_of(map, count);
-        for (size_t i = 0; i < count; i++)
-            colour_of(map[i] > 0.0f ? log(map[i] / s.low) / fmax(log(s.high / s.low), 1e-300) : 0.0, rgba + 4 * i);
+        for (size_t i = 0; i < count; i++) {
+            bool blank_here = map[i] < 0.0f || (kind == POV_PIXELS_SAMPLES && !(map[i] > 0.0f));
+
+            has_blanks = has_blanks || blank_here;
+            colour_of(blank_here ? -1.0f : map[i], s, rgba + 4 * i);
+        }
         fprintf(to, "<figure><figcaption>%s</figcaption>\n", what);
-        status = put_image(r, to, rgba, POV_TRANSFER_LINEAR, what, err);
-        put_scale(to, s, unit);
+        status = put_image(r, to, rgba, POV_TRANSFER_LINEAR, "map", what, err);
+        put_scale(to, s, unit, !has_blanks ? "" : kind == POV_PIXELS_SAMPLES ? "; white: none" : "; white: not known");
         fputs("</figure>\n", to);
     } else {
         status = save_fail(err, POV_E_MEMORY, r->args->report, "out of memory for the report");
@@ -169,23 +185,28 @@ static void put_cell(FILE *to, double value, const char *format)
     fputs("</td>", to);
 }
 
-static void put_passes(const report *r, FILE *to)
+static void put_count(FILE *to, uint64_t count)
+{
+    fprintf(to, "<td>%llu</td>", (unsigned long long)count);
+}
+
+static void put_errors(const report *r, FILE *to)
 {
     fputs("<h2>Passes</h2>\n<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>pass</th><th>wall s</th><th>cpu s</th>"
-          "<th>samples a pixel</th><th>most</th><th>rays</th><th>estimated rms error</th><th>95 % band from</th><th>to</th>"
+          "<th>samples a pixel</th><th>most</th><th>estimated rms error</th><th>95 % band from</th><th>to</th>"
           "<th>99 % of cells below</th><th>unresolved pixels</th><th>true rms error</th><th>true largest</th>"
           "<th>estimated / true</th><th>slope</th></tr></thead>\n", to);
     for (size_t i = 0; i < r->count; i++) {
         const pov_pass *p = &r->rows[i];
         report_figures f = report_figures_of(p, i > 0 ? &r->rows[i - 1] : NULL);
 
-        fprintf(to, "<tr><td>%d</td><td>%.3f</td><td>%.3f</td><td>%.2f</td><td>%d</td><td>%llu</td>", p->pass, p->wall_s,
-                p->cpu_s, p->spp_mean, p->spp_max, (unsigned long long)progress_rays(&p->counts));
+        fprintf(to, "<tr><td>%d</td><td>%.3f</td><td>%.3f</td><td>%.2f</td><td>%d</td>", p->pass, p->wall_s, p->cpu_s,
+                p->spp_mean, p->spp_max);
         put_cell(to, p->est_rmse, "%.6f");
         put_cell(to, p->est_ci95_lo, "%.6f");
         put_cell(to, p->est_ci95_hi, "%.6f");
         put_cell(to, p->est_p99_tile, "%.6f");
-        fprintf(to, "<td>%llu</td>", (unsigned long long)p->unresolved);
+        put_cell(to, p->est_rmse >= 0.0 ? (double)p->unresolved : -1.0, "%.0f");
         put_cell(to, p->ref_rmse, "%.6f");
         put_cell(to, p->ref_max, "%.4f");
         put_cell(to, f.est_over_true, "%.3f");
@@ -193,6 +214,27 @@ static void put_passes(const report *r, FILE *to)
             fputs("<td></td></tr>\n", to);
         else
             fprintf(to, "<td>%.2f</td></tr>\n", f.slope);
+    }
+    fputs("</table></div>\n", to);
+}
+
+static void put_work(const report *r, FILE *to)
+{
+    fputs("<h2>What they took</h2>\n<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>pass</th><th>threads</th>"
+          "<th>primary rays</th><th>secondary rays</th><th>shadow rays</th><th>cut off by depth</th><th>by weight</th>"
+          "<th>pixels outside 0 &hellip; 1</th><th>efficiency, 1 / (error&sup2; cpu s)</th></tr></thead>\n", to);
+    for (size_t i = 0; i < r->count; i++) {
+        const pov_pass *p = &r->rows[i];
+
+        fprintf(to, "<tr><td>%d</td><td>%d</td>", p->pass, p->threads);
+        put_count(to, p->counts.camera);
+        put_count(to, p->counts.reflected + p->counts.transmitted);
+        put_count(to, p->counts.shadow);
+        put_count(to, p->counts.cut_depth);
+        put_count(to, p->counts.cut_weight);
+        put_count(to, p->clipped);
+        put_cell(to, report_figures_of(p, NULL).efficiency, "%.5g");
+        fputs("</tr>\n", to);
     }
     fputs("</table></div>\n", to);
 }
@@ -255,17 +297,23 @@ static pov_status put_stats(const report *r, FILE *to, pov_error *err)
 
 static const char *const style =
     "body{font:15px/1.45 system-ui,sans-serif;color:#222;background:#fff;margin:2em auto;max-width:1080px;padding:0 1em}"
-    "h1{font-size:1.5em;margin:0}h2{font-size:1.15em;margin:1.6em 0 .5em;border-bottom:1px solid #ccc}"
+    "h1{font-size:1.5em;margin:0;overflow-wrap:anywhere}"
+    "h2{font-size:1.15em;margin:1.6em 0 .5em;border-bottom:1px solid #ccc}"
     ".lead{color:#444;margin:.3em 0 1.2em}.row{display:flex;flex-wrap:wrap;gap:16px}"
     "figure{margin:0;flex:1 1 300px;min-width:0}figcaption{font-size:.85em;color:#444;margin-bottom:4px}"
-    "img{width:100%;height:auto;display:block;image-rendering:auto}img.curve{max-width:820px}"
+    "img{width:100%;height:auto;display:block}img.map{image-rendering:pixelated;box-shadow:0 0 0 1px #ccc}"
+    "img.curve{max-width:820px}"
     ".ramp{height:10px;margin-top:6px;-webkit-print-color-adjust:exact;print-color-adjust:exact}"
-    ".ends{display:flex;justify-content:space-between;font-size:.8em;color:#444}"
+    ".ends{display:flex;justify-content:space-between;font-size:.8em;color:#444;margin-top:2px}"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.85em}"
     "th,td{text-align:left;padding:3px 8px;border-bottom:1px solid #ddd;vertical-align:top}"
     ".numbers td,.numbers th,td.n{text-align:right;font-variant-numeric:tabular-nums}.out td{color:#666}"
-    "pre{font-size:.82em;columns:2;background:#f6f6f6;padding:10px;-webkit-print-color-adjust:exact}"
-    "@media print{body{margin:0;max-width:none;font-size:11px}figure,table,img{break-inside:avoid}pre{background:none}}";
+    "pre{font-size:.82em;columns:2 24em;background:#f6f6f6;padding:10px;margin:0}"
+    "@page{margin:14mm}"
+    "@media print{body{margin:0;max-width:none;padding:0;font-size:10px}.row{flex-wrap:nowrap;gap:8px}"
+    "figure{flex-basis:0}.wide{overflow:visible}.numbers{font-size:.78em}.numbers th,.numbers td{padding:2px 4px}"
+    "h2{break-after:avoid}figure,tr,img{break-inside:avoid}pre{break-inside:avoid}thead{display:table-header-group}"
+    "img.curve{max-width:150mm}pre{background:none;padding:0;columns:2}}";
 
 static const char *stop_in_words(const report *r)
 {
@@ -300,18 +348,33 @@ static void put_head(const report *r, FILE *to)
     fprintf(to, ". It ended because %s.</p>\n", stop_in_words(r));
 }
 
+/* Is there a pass whose error is known? */
+static bool shows_error(const report *r)
+{
+    for (size_t i = 0; i < r->count; i++)
+        if (r->rows[i].est_rmse >= 0.0 || r->rows[i].ref_rmse >= 0.0)
+            return true;
+    return false;
+}
+
 static pov_status put_pictures(const report *r, FILE *to, pov_error *err)
 {
     pov_status status;
 
     fputs("<div class=\"row\">\n<figure><figcaption>the picture</figcaption>\n", to);
-    status = put_image(r, to, r->pixels, r->options.transfer, "the picture", err);
+    status = put_image(r, to, r->pixels, r->options.transfer, "picture", "the picture", err);
     fputs("</figure>\n", to);
-    if (status == POV_OK)
+    if (status == POV_OK && shows_error(r))
         status = put_map(r, to, POV_PIXELS_ERROR, "estimated rms error, by cells of 8 &times; 8 pixels", "linear light", err);
-    if (status == POV_OK)
+    /* A map of one sample everywhere tells nothing, but one that shows what is missing does. */
+    if (status == POV_OK && r->count > 0 && r->rows[r->count - 1].spp_mean != 1.0)
         status = put_map(r, to, POV_PIXELS_SAMPLES, "samples a pixel", "samples", err);
     fputs("</div>\n<h2>Error against run time</h2>\n", to);
+    if (status == POV_OK && shows_error(r))
+        return put_curve(r, to, err);
+    if (status == POV_OK)
+        fputs("<p>It is not known: to estimate the error takes two samples of each pixel, to measure it a reference "
+              "(<code>--spp</code>, <code>--error</code>, <code>--time</code>, <code>--reference</code>).</p>\n", to);
     return status;
 }
 
@@ -321,9 +384,8 @@ pov_status report_put_html(const report *r, FILE *to, pov_error *err)
 
     put_head(r, to);
     status = put_pictures(r, to, err);
-    if (status == POV_OK)
-        status = put_curve(r, to, err);
-    put_passes(r, to);
+    put_errors(r, to);
+    put_work(r, to);
     put_bias(r, to);
     put_plan(r, to);
     if (status == POV_OK)

@@ -47,7 +47,7 @@ static void put_row(FILE *to, const pov_pass *p, const pov_pass *before)
     put_number(to, "est_ci95_lo", p->est_ci95_lo, p->est_ci95_lo >= 0.0);
     put_number(to, "est_ci95_hi", p->est_ci95_hi, p->est_ci95_hi >= 0.0);
     put_number(to, "est_p99_tile", p->est_p99_tile, p->est_p99_tile >= 0.0);
-    put_count(to, "unresolved_px", p->unresolved);
+    put_number(to, "unresolved_px", (double)p->unresolved, p->est_rmse >= 0.0);
     put_count(to, "bias_depth", p->counts.cut_depth);
     put_count(to, "bias_adc", p->counts.cut_weight);
     put_count(to, "bias_clamp", p->clipped);

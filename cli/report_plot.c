@@ -47,7 +47,7 @@ static bool has_reference(const report *r)
 
 static pov_panel error_panel(const report *r, const columns *c, pov_series series[3], pov_level levels[2])
 {
-    const char *by_wall = "estimated, 95 % band, by wall time", *by_cpu = "estimated, by processor time";
+    const char *by_wall = "estimated, 95 % band, by wall time", *by_cpu = "estimated, 95 % band, by processor time";
     pov_panel p = { .x = { "seconds", true, 0.0, 0.0 }, .y = { "rms error, linear light", true, 0.0, 0.0 } };
 
     p.series = series;
@@ -55,8 +55,7 @@ static pov_panel error_panel(const report *r, const columns *c, pov_series serie
     if (has_reference(r))
         series[p.series_count++] =
             (pov_series){ "true, against the reference, by wall time", r->count, c->wall, c->truth, NULL, NULL, false };
-    if (r->count > 0 && r->rows[0].threads > 1)
-        series[p.series_count++] = (pov_series){ by_cpu, r->count, c->cpu, c->estimate, NULL, NULL, true };
+    series[p.series_count++] = (pov_series){ by_cpu, r->count, c->cpu, c->estimate, c->low, c->high, true };
     p.levels = levels;
     if (r->args->error > 0.0)
         levels[p.level_count++] = (pov_level){ "asked error", r->args->error, false };
@@ -76,7 +75,7 @@ static void find_span(const report *r, const columns *c, pov_axis *x)
     for (size_t i = 0; i < r->count; i++) {
         least = fmin(least, c->wall[i]);
         most = fmax(most, c->wall[i]);
-        if (r->rows[0].threads > 1 && c->estimate[i] > 0.0) {
+        if (c->estimate[i] > 0.0 && c->cpu[i] > 0.0) {
             least = fmin(least, c->cpu[i]);
             most = fmax(most, c->cpu[i]);
         }

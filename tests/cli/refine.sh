@@ -114,6 +114,12 @@ assert [k for k, _ in kinds] == ["png", "png", "png", "svg+xml"], [k for k, _ in
 assert all(base64.b64decode(d, validate=True)[:4] in (b"\x89PNG", b"<?xm") for _, d in kinds)
 assert "src=\"http" not in t and "max_trace_level" in t'
     says r.svg "<svg"
+    # One sample shows no error: neither a map of it nor a curve, and no number that would be none.
+    expect 0 "$povc" rich.pov 32 24 out.pfm --report r.html
+    "$PYTHON" -c 'import re; t = open("r.html").read()
+assert re.findall(r"data:image/([a-z+]*);base64", t) == ["png"] and "It is not known" in t'
+    expect 0 "$povc" rich.pov 32 24 out.pfm --report r.csv
+    [ -z "$(field r.csv unresolved_px)$(field r.csv est_rmse)" ] || fail "one sample tells of an error"
     expect 2 "$povc" rich.pov 32 24 out.pfm --report r.txt
     expect 2 "$povc" rich.pov 32 23 out.pfm --reference truth.png
     says err "cannot be held against"

@@ -79,7 +79,8 @@ typedef struct pov_pass {
      * What is cut off (counts.cut_depth, cut_weight) they cannot see. Below zero: not known. */
     double est_rmse, est_ci95_lo, est_ci95_hi, est_p99_tile;
     double ref_rmse, ref_max;     /* against the reference; below zero: there is none */
-    uint64_t unresolved;          /* pixels of cells whose own error is above the target, or 1/255 without one */
+    uint64_t unresolved;          /* pixels of cells whose own error is above the target, or 1/255 without one; tells
+                                     something where est_rmse does */
     uint64_t clipped;             /* pixels outside 0 .. 1, which a file of integers will not hold */
 } pov_pass;
 
