@@ -71,7 +71,7 @@ static inline colour answer(const model *m, const surface *s, double cosine, dou
 }
 
 /* Note the ray from a surface to the light, or add what it gives where nothing can stand in the way. */
-static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, colour given)
+static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, double cosine, colour given)
 {
     light_rays *l = &t->light_rays;
     surface *s = &t->surfaces[lane];
@@ -81,6 +81,7 @@ static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, colour given)
         return;
     }
     l->room[lane].dir = way;
+    world_leave(&l->room[lane], s->at, cosine);
     l->rays[l->count] = &l->room[lane];
     l->of[l->count] = s;
     l->given[l->count++] = given;
@@ -147,7 +148,7 @@ static void shine(pov_tracer *t, const light *l, uint32_t n)
         if (colour_is_black(given))
             idle++;
         else
-            ask(t, i, lanes_at(&s.way, i), given);
+            ask(t, i, lanes_at(&s.way, i), s.cosine[i], given);
     }
     t->counts.shadow_behind += behind;
     t->counts.shadow_idle += idle;
@@ -171,8 +172,6 @@ static void begin(pov_tracer *t, uint32_t n)
         l->lit[l->lit_count++] = i;
         ray->org = s->at->point;
         ray->org_lo = s->at->point_lo;
-        ray->left = s->at->object;
-        ray->left_mark = s->at->crossing.mark;
     }
 }
 

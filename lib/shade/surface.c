@@ -78,6 +78,7 @@ static bool reflect(pov_tracer *t, uint32_t lane, colour coefficient)
     path *next = leave(t->mirrored, &t->surfaces[lane], lanes_at(&t->geometry.mirrored, lane));
     bool goes = goes_on(t, next, coefficient, true);
 
+    world_leave(&t->mirrored->room[t->mirrored->count], t->surfaces[lane].at, t->geometry.cosine[lane]);
     t->mirrored->count += goes;
     t->counts.reflected += goes;
     return goes;

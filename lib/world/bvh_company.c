@@ -154,6 +154,26 @@ static inline float lesser(float a, float b) { return a < b ? a : b; }
 
 /* ---- for every processor ---- */
 
+/* Of 1/d and o on one axis. Lanes that take no part hold another's values. */
+static inline void bounds_portable(const company *c, int k, float lo[8], float hi[8], double first[8], double last[8])
+{
+    const float *inverse = c->inverse[k];
+    const double *o = c->org[k];
+    uint32_t i, j;
+
+    for (j = 0; j < 8; j++) {
+        lo[j] = hi[j] = inverse[j];
+        first[j] = last[j] = o[j];
+    }
+    for (i = 8; i < c->width; i += 8)
+        for (j = 0; j < 8; j++) {
+            lo[j] = lesser(inverse[i + j], lo[j]);
+            hi[j] = greater(inverse[i + j], hi[j]);
+            first[j] = o[i + j] < first[j] ? o[i + j] : first[j];
+            last[j] = o[i + j] > last[j] ? o[i + j] : last[j];
+        }
+}
+
 /* Boxes that any lane may meet, and what no lane enters them before. */
 static inline uint32_t group_portable(const bvh_node *node, const company *c, float entry[BVH_WIDTH])
 {
@@ -250,6 +270,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 
 #define COMPANY_TARGET
 #define COMPANY_NAME(name) name##_portable
+#define COMPANY_BOUNDS bounds_portable
 #define COMPANY_GROUP group_portable
 #define COMPANY_ONE one_portable
 #define COMPANY_LANES lanes_portable
@@ -257,6 +278,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #include "world/bvh_company_body.h"
 #undef COMPANY_TARGET
 #undef COMPANY_NAME
+#undef COMPANY_BOUNDS
 #undef COMPANY_GROUP
 #undef COMPANY_ONE
 #undef COMPANY_LANES
@@ -269,6 +291,31 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #include <immintrin.h>
 
 #define COMPANY_TARGET __attribute__((target("avx2,fma")))
+
+COMPANY_TARGET static inline void bounds_avx2(const company *c, int k, float lo[8], float hi[8], double first[8],
+                                              double last[8])
+{
+    __m256 less = _mm256_load_ps(c->inverse[k]), more = less;
+    __m256d low = _mm256_load_pd(c->org[k]), low4 = _mm256_load_pd(c->org[k] + 4), high = low, high4 = low4;
+    uint32_t i;
+
+    for (i = 8; i < c->width; i += 8) {
+        __m256 inverse = _mm256_load_ps(c->inverse[k] + i);
+        __m256d o = _mm256_load_pd(c->org[k] + i), p = _mm256_load_pd(c->org[k] + i + 4);
+        less = _mm256_min_ps(inverse, less);
+        more = _mm256_max_ps(inverse, more);
+        low = _mm256_min_pd(o, low);
+        low4 = _mm256_min_pd(p, low4);
+        high = _mm256_max_pd(o, high);
+        high4 = _mm256_max_pd(p, high4);
+    }
+    _mm256_storeu_ps(lo, less);
+    _mm256_storeu_ps(hi, more);
+    _mm256_storeu_pd(first, low);
+    _mm256_storeu_pd(first + 4, low4);
+    _mm256_storeu_pd(last, high);
+    _mm256_storeu_pd(last + 4, high4);
+}
 
 COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const company *c, float entry[BVH_WIDTH])
 {
@@ -347,6 +394,7 @@ COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry,
 }
 
 #define COMPANY_NAME(name) name##_avx2
+#define COMPANY_BOUNDS bounds_avx2
 #define COMPANY_GROUP group_avx2
 #define COMPANY_ONE one_avx2
 #define COMPANY_LANES lanes_avx2

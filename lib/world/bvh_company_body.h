@@ -1,90 +1,95 @@
 /* bvh_company_body.h - the walk in company, included by bvh_company.c once for each instruction set, with
- * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), and the tests COMPANY_GROUP,
- * COMPANY_ONE, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
+ * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_BOUNDS (of all lanes, by
+ * eight columns), and the tests COMPANY_GROUP, COMPANY_ONE, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
 
-/* The bounds of one axis over all lanes. Lanes that take no part hold another's values. */
-COMPANY_TARGET static inline void COMPANY_NAME(bound_axis)(company *c, int k)
+/* Offsets of one axis, and what all rays there share. */
+COMPANY_TARGET static inline void COMPANY_NAME(spread_axis)(company *c, int k)
 {
-    const float *inverse = c->inverse[k];
-    const double *o = c->org[k];
+    const double *restrict dir = c->dir[k], *restrict org = c->org[k];
+    float *restrict inverses = c->inverse[k], *restrict near = c->near_offset[k], *restrict far = c->far_offset[k];
+    const uint32_t width = c->width;
     float lo[8], hi[8];
     double first[8], last[8];
-    uint32_t i, j;
+    uint32_t i;
 
-    for (j = 0; j < 8; j++) {
-        lo[j] = hi[j] = inverse[j];
-        first[j] = last[j] = o[j];
+    for (i = 0; i < width; i++) {
+        double d = dir[i], o = org[i], a = fabs(d);
+        double inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
+        double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
+        inverses[i] = (float)inverse;
+        near[i] = (float)(o * inverse + slack);
+        far[i] = (float)(o * inverse - slack);
     }
-    for (i = 8; i < c->width; i += 8)
-        for (j = 0; j < 8; j++) {
-            lo[j] = inverse[i + j] < lo[j] ? inverse[i + j] : lo[j];
-            hi[j] = inverse[i + j] > hi[j] ? inverse[i + j] : hi[j];
-            first[j] = o[i + j] < first[j] ? o[i + j] : first[j];
-            last[j] = o[i + j] > last[j] ? o[i + j] : last[j];
-        }
-    for (j = 1; j < 8; j++) {
-        lo[0] = lo[j] < lo[0] ? lo[j] : lo[0];
-        hi[0] = hi[j] > hi[0] ? hi[j] : hi[0];
-        first[0] = first[j] < first[0] ? first[j] : first[0];
-        last[0] = last[j] > last[0] ? last[j] : last[0];
+    COMPANY_BOUNDS(c, k, lo, hi, first, last);
+    for (i = 1; i < 8; i++) {
+        lo[0] = lesser(lo[i], lo[0]);
+        hi[0] = greater(hi[i], hi[0]);
+        first[0] = first[i] < first[0] ? first[i] : first[0];
+        last[0] = last[i] > last[0] ? last[i] : last[0];
     }
     bound(c, k, lo[0], hi[0], first[0], last[0]);
 }
 
 COMPANY_TARGET static inline void COMPANY_NAME(spread)(company *c)
 {
-    uint32_t i;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        for (i = 0; i < c->width; i++) {
-            double d = c->dir[k][i], o = c->org[k][i], a = fabs(d);
-            double inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
-            double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
-            c->inverse[k][i] = (float)inverse;
-            c->near_offset[k][i] = (float)(o * inverse + slack);
-            c->far_offset[k][i] = (float)(o * inverse - slack);
-        }
-        COMPANY_NAME(bound_axis)(c, k);
-    }
-}
-
-/* All rays in the frame. False: some start too far from it, or are too long or short, to be taken so simply. */
-COMPANY_TARGET static inline bool COMPANY_NAME(place)(company *c, const bvh_frame *f)
-{
-    const pov_rays *rays = &c->party->side;
-    const double centre[3] = { f->centre.x, f->centre.y, f->centre.z };
-    double most[8] = { 0.0 }, shortest[8], longest[8] = { 0.0 };
-    uint32_t i, j;
     int k;
 
     for (k = 0; k < 3; k++)
-        for (i = 0; i < c->width; i += 8)
-            for (j = 0; j < 8; j++) {
-                double o = (rays->org[k][i + j] - centre[k] + rays->org_lo[k][i + j]) * f->scale;
-                c->org[k][i + j] = o;
-                c->dir[k][i + j] = rays->dir[k][i + j];
-                most[j] = fabs(o) > most[j] ? fabs(o) : most[j];
-            }
-    for (j = 0; j < 8; j++)
-        shortest[j] = HUGE_VAL;
-    for (i = 0; i < c->width; i += 8)
-        for (j = 0; j < 8; j++) {
-            double x = fabs(rays->dir[0][i + j]), y = fabs(rays->dir[1][i + j]), z = fabs(rays->dir[2][i + j]);
-            x = y > x ? y : x;
-            x = z > x ? z : x;
-            shortest[j] = x < shortest[j] ? x : shortest[j];
-            longest[j] = x > longest[j] ? x : longest[j];
-            c->scale[i + j] = f->scale;
-            c->shift[i + j] = 0.0;
-            c->limit[i + j] = bvh_limit(f->scale, 0.0, c->party->limit[i + j]);
-        }
-    for (j = 1; j < 8; j++) {
-        most[0] = most[j] > most[0] ? most[j] : most[0];
-        shortest[0] = shortest[j] < shortest[0] ? shortest[j] : shortest[0];
-        longest[0] = longest[j] > longest[0] ? longest[j] : longest[0];
+        COMPANY_NAME(spread_axis)(c, k);
+}
+
+/* One axis of all rays in the frame. False: some start too far from it. */
+COMPANY_TARGET static inline bool COMPANY_NAME(place_axis)(company *c, double centre, double scale, int k)
+{
+    const pov_rays *rays = &c->party->side;
+    const double *restrict org = rays->org[k], *restrict org_lo = rays->org_lo[k], *restrict from = rays->dir[k];
+    double *restrict to = c->org[k], *restrict dir = c->dir[k];
+    const uint32_t width = c->width;
+    uint32_t i;
+    int near = 1;
+
+    for (i = 0; i < width; i++) {
+        double o = (org[i] - centre + org_lo[i]) * scale;
+
+        to[i] = o;
+        dir[i] = from[i];
+        near &= fabs(o) <= BVH_NEAR;
     }
-    return most[0] <= BVH_NEAR && shortest[0] > BVH_SHORT && longest[0] < BVH_LONG;
+    return near;
+}
+
+/* False: some directions are too long or short to be taken as they are. */
+COMPANY_TARGET static inline bool COMPANY_NAME(place_limits)(company *c, double scale)
+{
+    const double *restrict x = c->dir[0], *restrict y = c->dir[1], *restrict z = c->dir[2];
+    double *restrict scales = c->scale, *restrict shifts = c->shift;
+    const double *restrict limits = c->party->limit;
+    float *restrict out = c->limit;
+    const uint32_t width = c->width;
+    uint32_t i;
+    int plain = 1;
+
+    for (i = 0; i < width; i++) {
+        double m = fabs(x[i]);
+
+        m = fabs(y[i]) > m ? fabs(y[i]) : m;
+        m = fabs(z[i]) > m ? fabs(z[i]) : m;
+        plain &= (m > BVH_SHORT) & (m < BVH_LONG);
+        scales[i] = scale;
+        shifts[i] = 0.0;
+        out[i] = bvh_limit(scale, 0.0, limits[i]);
+    }
+    return plain;
+}
+
+/* All rays in the frame. False: they cannot be taken so simply. */
+COMPANY_TARGET static inline bool COMPANY_NAME(place)(company *c, const bvh_frame *f)
+{
+    const bool x = COMPANY_NAME(place_axis)(c, f->centre.x, f->scale, 0);
+    const bool y = COMPANY_NAME(place_axis)(c, f->centre.y, f->scale, 1);
+    const bool z = COMPANY_NAME(place_axis)(c, f->centre.z, f->scale, 2);
+
+    return COMPANY_NAME(place_limits)(c, f->scale) && x && y && z;
 }
 
 /* Lanes go on alone from a reference in the frame. */

@@ -35,9 +35,11 @@ static void find_normal(const world *w, const pov_ray *ray, hit *h)
 /* The shape's normal is the surface's, but that of inverse objects points inwards. */
 static inline void take_side(const world *w, const pov_ray *ray, hit *h)
 {
-    if (w->model->objects.items[h->object].flags & OBJECT_INVERSE)
+    h->entering = h->outside = pov_dot(h->normal, ray->dir) < 0.0;
+    if (w->model->objects.items[h->object].flags & OBJECT_INVERSE) {
         h->normal = pov_scale(h->normal, -1.0);
-    h->entering = pov_dot(h->normal, ray->dir) < 0.0;
+        h->entering = pov_dot(h->normal, ray->dir) < 0.0;
+    }
 }
 
 void world_surface(const world *w, const pov_ray *ray, hit *h)

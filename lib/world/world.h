@@ -43,6 +43,7 @@ typedef struct hit {
     pov_vec3 point, point_lo;    /* world space, the sum of both */
     pov_vec3 normal;             /* unit, world space, out of the solid (inverse objects: into it) */
     bool entering;               /* the ray goes against that normal */
+    bool outside;                /* the ray goes against the shape's own: it comes from where no convex shape is */
     uint32_t company;            /* how many surfaces lie on each other here, this one among them; 0: it is alone */
 } hit;
 
@@ -53,6 +54,16 @@ bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, h
 void world_surface(const world *w, const pov_ray *ray, hit *h);
 /* The same of n rays with a hit each, to the bit; many cost less than as many alone. */
 void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n);
+
+/* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Below some
+ * hundred times what normals may be off by nothing is said of whether it goes away. */
+static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
+{
+    ray->left = h->object;
+    ray->left_mark = h->crossing.mark;
+    if (h->outside && cosine > 1e-11)
+        ray->left_mark.flags |= POV_MARK_AWAY;
+}
 
 /* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of
  * what transparent surfaces let through, crossing by crossing from near to far. False: nothing is left, an opaque

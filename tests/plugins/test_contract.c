@@ -746,6 +746,38 @@ static void a_ray_that_leaves_never_meets_its_start(void **unused)
     each_ray(SPAWNED, leaves_for_good);
 }
 
+/* From each crossing outward, at all angles down to a hundred times what normals may be off by. */
+static bool never_comes_back(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal, along;
+    pov_ray next;
+
+    if (n == 0)
+        return true;
+    memset(&next, 0, sizeof next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    along = subject_direction();
+    along = pov_sub(along, pov_scale(normal, pov_dot(along, normal)));
+    next.dir = pov_unit(pov_add(pov_unit(along), pov_scale(normal, pow(10.0, 2.0 - 13.0 * subject_uniform()))));
+    if (!(pov_dot(next.dir, normal) > 1e-11))
+        return true;
+    next.left = OWNER;
+    next.left_mark = at[which].mark;
+    return subject_ask(t->self, &next, again) == 0;
+}
+
+static void a_convex_shape_is_left_for_good(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & POV_SHAPE_CONVEX)
+        each_ray(SPAWNED, never_comes_back);
+    else
+        skip();
+}
+
 /* ---- garbage ---- */
 
 static void garbage_never_crashes_parse(void **unused)
@@ -800,6 +832,7 @@ static int check_file(const char *file)
         cmocka_unit_test(many_rays_get_the_answers_of_single_ones),
         cmocka_unit_test(many_normals_are_those_of_single_ones),
         cmocka_unit_test(a_ray_that_leaves_never_meets_its_start),
+        cmocka_unit_test(a_convex_shape_is_left_for_good),
         cmocka_unit_test(garbage_never_crashes_parse),
     };
     int failed;
