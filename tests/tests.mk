@@ -18,19 +18,22 @@ PROBE_OBJECTS = $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o 
 $(BUILD)/tests/numerics/test_primitives: $(PROBE_OBJECTS) $(addprefix $(BUILD)/obj/tests/numerics/,leaving.o harness.o) | $(PRIMITIVES)
 $(BUILD)/tests/numerics/test_leaving: $(PROBE_OBJECTS) $(BUILD)/obj/tests/numerics/leaving.o | $(PRIMITIVES)
 $(BUILD)/tests/numerics/test_maps $(BUILD)/tests/numerics/test_watertight: $(PROBE_OBJECTS) | $(PRIMITIVES)
-# What we compare with: each method a folder of plugins, built from one source a primitive.
+# What we compare with: each method a folder of plugins, built from one source a primitive; for wider processors too.
 METHOD_FLAGS_textbook =
 METHOD_FLAGS_qform = -DRECENTRED
 METHOD_FLAGS_twofold = -DTWO_PARTS
 METHOD_SOURCES = $(sort $(wildcard tests/numerics/methods/primitives/*.c))
-METHODS = $(foreach m,textbook qform twofold,$(METHOD_SOURCES:tests/numerics/methods/%.c=$(BUILD)/tests/numerics/$m/%.so))
+METHOD_NAMES = $(foreach w,primitives $(WIDE:%=primitives/%),$(METHOD_SOURCES:tests/numerics/methods/primitives/%.c=$w/%.so))
+METHODS = $(foreach m,textbook qform twofold,$(METHOD_NAMES:%=$(BUILD)/tests/numerics/$m/%))
+# The method, a folder's ending, and the kit to go with it.
 define METHOD_RULE
-$(BUILD)/tests/numerics/$1/primitives/%.so: tests/numerics/methods/primitives/%.c $(wildcard tests/numerics/methods/*.h) $(KIT)
+$(BUILD)/tests/numerics/$1/primitives$2/%.so: tests/numerics/methods/primitives/%.c $(wildcard tests/numerics/methods/*.h) $3
 	@mkdir -p $$(@D)
-	$(CC) $(filter-out -MMD -MP,$(USER_FLAGS)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared -Wl,--gc-sections $(LINK_FLAGS) $$< $(KIT) \
-	    -lm -o $$@
+	$(CC) $(filter-out -MMD -MP,$(USER_FLAGS)) $(if $2,-march=$(WIDE)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
+	    -Wl,--gc-sections $(LINK_FLAGS) $$< $3 -lm -o $$@
 endef
-$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m)))
+$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(KIT))))
+$(if $(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,/$(WIDE),$(BUILD)/obj/$(WIDE)/plugins/kit.a))))
 .PHONY: accuracy-methods
 accuracy-methods: $(METHODS)
 

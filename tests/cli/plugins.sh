@@ -1,9 +1,10 @@
 # Plugins that are not there, or not what they should be: a clear error, and never a crash.
 
-# The build's plugins, to be spoilt one by one.
+# The build's plugins, to be spoilt one by one; without those for wider processors, which would take their places.
 copy_plugins() {
     mkdir -p path
     cp -R "$BUILD_DIR/lib/povtrace/primitives" "$BUILD_DIR/lib/povtrace/images" path/
+    rm -rf path/primitives/*/
     chmod -R u+w path
 }
 
