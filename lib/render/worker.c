@@ -60,36 +60,46 @@ static void trace_company(worker *w, const settings *s, company *c)
     }
 }
 
-/* (x, y) is the pixel's place in the whole picture: a crop's samples are the whole's. A lone one is the centre. */
-static inline void look_through(company *c, const settings *s, int x, int y, float *out)
+/* Where in their pixels the rays go through. A pixel's place in the whole picture counts: a crop's samples are the
+ * whole's. The centres, where a pixel has one sample, are there already. */
+static void take_samples(company *c, const settings *s)
 {
-    const uint32_t i = c->count++;
+    raygen_places *p = &c->through;
 
-    c->through.x[i] = x;
-    c->through.y[i] = y;
-    c->out[i] = out;
-    if (s->sampling) {
-        const sample at = sample_at(s->seed, x, y, 0, 0);
+    for (uint32_t i = 0; s->sampling && i < c->count; i++) {
+        const sample at = sample_at(s->seed, p->x[i], p->y[i], 0, 0);
 
-        c->through.dx[i] = at.x;
-        c->through.dy[i] = at.y;
+        p->dx[i] = at.x;
+        p->dy[i] = at.y;
     }
+}
+
+/* The lattice's pixels of one row of the tile, from `left` on. */
+static void take_row(company *c, lattice l, pov_rect at, int left, int right, int y, float *row)
+{
+    /* What a coarser pass has traced is left out: in its rows every other pixel, in those between none. */
+    const bool between = l.finer && (y & l.step) == 0;
+    uint32_t n = c->count;
+
+    for (int x = between ? left + l.step : left; x < right; x += between ? 2 * l.step : l.step) {
+        c->through.x[n] = at.x + x;
+        c->through.y[n] = at.y + y;
+        c->out[n++] = row + 4 * x;
+    }
+    c->count = n;
 }
 
 /* A block is a square of the lattice's pixels, (left, top) its corner in the tile. */
 static void trace_block(worker *w, company *together, const settings *s, int left, int top, int edge)
 {
-    const claim *c = &w->claim;
-    const int right = left + edge < c->rect.width ? left + edge : c->rect.width;
+    const pov_rect tile = w->claim.rect, at = { s->crop.x + tile.x, s->crop.y + tile.y, tile.width, tile.height };
+    const int right = left + edge < tile.width ? left + edge : tile.width;
+    const lattice l = w->claim.lattice;
 
     together->count = 0;
-    for (int y = top; y < c->rect.height && y < top + edge; y += c->lattice.step) {
-        float *row = w->pixels + 4 * y * c->rect.width;
-
-        for (int x = left; x < right; x += c->lattice.step)
-            if (lattice_has(c->lattice, x, y))
-                look_through(together, s, s->crop.x + c->rect.x + x, s->crop.y + c->rect.y + y, row + 4 * x);
-    }
+    for (int y = top; y < tile.height && y < top + edge; y += l.step)
+        take_row(together, l, at, left, right, y, w->pixels + 4 * y * tile.width);
+    take_samples(together, s);
     if (together->count > 0)
         trace_company(w, s, together);
 }

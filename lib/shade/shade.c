@@ -4,9 +4,11 @@
 #include "base/err.h"
 #include "base/simd.h"
 #include "base/vec.h"
+#include "shade/batch.h"
 #include "shade/geometry.h"
 #include "shade/light.h"
 #include "shade/surface.h"
+#include "world/bits.h"
 
 #include <float.h>
 #include <string.h>
@@ -35,10 +37,7 @@ pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_e
     t->world = w;
     t->plan = world_plan(w);
     make_camera_paths(&t->camera);
-    t->now = &t->batches[0];
-    t->mirrored = &t->batches[1];
-    t->passed = &t->batches[2];
-    status = walker_create(&t->walker, w, err);
+    status = batch_make(t) ? walker_create(&t->walker, w, err) : err_memory(err);
     if (status < 0) {
         tracer_destroy(t);
         return status;
@@ -55,10 +54,9 @@ void tracer_destroy(pov_tracer *t)
         return;
     e = t->env;
     walker_destroy(t->walker);
+    batch_free(t);
     env_free(e, t->media.items);
     env_free(e, t->start.items);
-    env_free(e, t->waiting.items);
-    env_free(e, t->waits.items);
     env_free(e, t->spots.items);
     env_free(e, t);
 }
@@ -140,99 +138,7 @@ static media_span begin_media(pov_tracer *t, const pov_ray *ray)
     return span;
 }
 
-/* ---- from batch to batch ---- */
-
-/* Of a batch whose lists all lie behind those of the batches that wait, or all before their end. */
-static void settle_media(pov_tracer *t)
-{
-    batch *b = t->now;
-    size_t floor = t->waits.count > 0 ? t->waits.items[t->waits.count - 1].media : 0;
-
-    t->media.count = floor;
-    for (uint32_t i = 0; i < b->count; i++) {
-        media_span *in = &b->paths[i].media;
-        if (in->count > 0 && in->first >= floor)
-            media_settle(&t->media, in, t->media.count);
-    }
-}
-
-/* The same of the spots. */
-static void settle_spots(pov_tracer *t)
-{
-    const size_t floor = t->waits.count > 0 ? t->waits.items[t->waits.count - 1].spots : 0;
-
-    t->spots.count = floor;
-    for (uint32_t i = 0; i < t->now->count; i++) {
-        path *p = &t->now->paths[i];
-
-        if (p->spot <= floor)
-            continue;
-        if (p->spot - 1 != t->spots.count)
-            t->spots.items[t->spots.count] = t->spots.items[p->spot - 1];
-        p->spot = (uint32_t)++t->spots.count;
-    }
-}
-
-static bool put_aside(pov_tracer *t, const batch *b)
-{
-    wait w = { b->count, t->media.count, t->spots.count };
-
-    for (uint32_t i = 0; i < b->count; i++) {
-        waiting one = { b->paths[i], *b->rays[i] };
-
-        if (!VEC_PUSH(t->env, &t->waiting, one))
-            return false;
-    }
-    return VEC_PUSH(t->env, &t->waits, w);
-}
-
-static void take_up(pov_tracer *t, batch *b)
-{
-    wait w = t->waits.items[--t->waits.count];
-
-    b->count = w.paths;
-    t->waiting.count -= w.paths;
-    for (uint32_t i = 0; i < w.paths; i++) {
-        const waiting *one = &t->waiting.items[t->waiting.count + i];
-
-        b->paths[i] = one->path;
-        b->room[i] = one->ray;
-        b->rays[i] = &b->room[i];
-    }
-    t->media.count = w.media;
-    t->spots.count = w.spots;
-}
-
-static void change(batch **a, batch **b)
-{
-    batch *c = *a;
-
-    *a = *b;
-    *b = c;
-}
-
-/* The paths to be followed next. The mirrored go first and their transmitted sisters wait: mirrored ones are always a
- * level deeper, so no more batches wait than there are levels. */
-static bool next_batch(pov_tracer *t)
-{
-    if (t->mirrored->count > 0 && t->passed->count > 0 && !put_aside(t, t->passed)) {
-        t->failed = true;
-        return false;
-    }
-    if (t->mirrored->count > 0)
-        change(&t->now, &t->mirrored);
-    else if (t->passed->count > 0)
-        change(&t->now, &t->passed);
-    else if (t->waits.count > 0)
-        take_up(t, t->now);
-    else
-        return false;
-    if (t->plan->refraction)
-        settle_media(t);
-    if (t->spots.count > 0)
-        settle_spots(t);
-    return true;
-}
+/* ---- what is seen ---- */
 
 /* Overflow of absurd colours ends here: NaN becomes 0, the infinite the largest number. */
 static float finite(float x)
@@ -315,41 +221,67 @@ static bool meet_alone(pov_tracer *t, surface *s)
                          : world_nearest(t->world, t->walker, s->ray, HUGE_VAL, s->at);
 }
 
-static bool any_on_spot(const pov_tracer *t, const batch *b)
+static bool any_on_spot(const batch *b)
 {
-    for (uint32_t i = 0; t->spots.count > 0 && i < b->count; i++)
+    for (uint32_t i = 0; i < b->count; i++)
         if (b->paths[i].spot)
             return true;
     return false;
 }
 
+/* Ray i's surface, which is to be the n-th. */
+static inline surface *place(pov_tracer *t, const batch *b, uint32_t i, uint32_t n)
+{
+    surface *s = &t->surfaces[n];
+
+    s->from = &b->paths[i];
+    s->ray = b->rays[i];
+    s->at = &t->hits[i];
+    s->spot = s->above = s->on = 0;
+    return s;
+}
+
+/* Is more to be seen of what was met than its own glow? */
+static inline bool is_kept(pov_tracer *t, surface *s, colour *out)
+{
+    if (s->at->company && !s->spot)
+        find_spot(t, s, NULL);
+    if (surface_meet(t, s))
+        return true;
+    see(s->from, s->look->glow, out);
+    return false;
+}
+
+/* Rays some of which start on spots. */
+static uint32_t meet_each(pov_tracer *t, const batch *b, colour *out)
+{
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < b->count; i++) {
+        surface *s = place(t, b, i, n);
+
+        if (meet_alone(t, s))
+            n += is_kept(t, s, out);
+        else
+            see(s->from, t->model->background, out);
+    }
+    return n;
+}
+
 /* What the batch's rays meet: those surfaces of which more than their own glow is seen. */
 static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 {
-    const bool alone = any_on_spot(t, b);
-    uint64_t met = 0;
-    uint32_t i, n = 0;
+    const colour background = t->model->background;
+    uint64_t met, rest;
+    uint32_t n = 0;
 
-    if (!alone)
-        met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
-    for (i = 0; i < b->count; i++) {
-        surface *s = &t->surfaces[n];
-
-        s->from = &b->paths[i];
-        s->ray = b->rays[i];
-        s->at = &t->hits[i];
-        s->spot = s->above = s->on = 0;
-        if (!(alone ? meet_alone(t, s) : met >> i & 1)) {
-            see(s->from, t->model->background, out);
-            continue;
-        }
-        if (s->at->company && !s->spot)
-            find_spot(t, s, NULL);
-        if (surface_meet(t, s))
-            n++;
-        else
-            see(s->from, s->look->glow, out);
-    }
+    if (t->spots.count > 0 && any_on_spot(b))
+        return meet_each(t, b, out);
+    met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
+    for (rest = ~met & ~(uint64_t)0 >> (BATCH_MAX - b->count); rest; rest &= rest - 1)
+        see(&b->paths[first_of64(rest)], background, out);
+    for (rest = met; rest; rest &= rest - 1)
+        n += is_kept(t, place(t, b, first_of64(rest), n), out);
     return n;
 }
 
@@ -387,18 +319,19 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n)
 {
     batch *b = &t->camera;
     uint64_t rays_there = 0;
+    uint32_t count = 0;
 
-    b->count = 0;
     for (uint32_t i = 0; i < n; i++) {
         if (!is_ray(&rays[i]))
             continue;
-        if (t->plan->media_at_start)
-            b->paths[b->count].media = begin_media(t, &rays[i]);
-        b->paths[b->count].lane = i;
-        b->rays[b->count++] = &rays[i];
+        b->paths[count].lane = i;
+        b->rays[count++] = &rays[i];
         rays_there |= (uint64_t)1 << i;
     }
-    t->counts.camera += b->count;
+    for (uint32_t i = 0; t->plan->media_at_start && i < count; i++)
+        b->paths[i].media = begin_media(t, b->rays[i]);
+    b->count = count;
+    t->counts.camera += count;
     return rays_there;
 }
 
@@ -408,12 +341,12 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
     uint64_t seeing;
     uint32_t i;
 
-    t->media.count = t->waiting.count = t->waits.count = t->spots.count = 0;
+    batch_forget(t);
     seeing = begin(t, rays, n);
     for (i = 0; i < n; i++)
         out[i] = colour_of(0.0f, 0.0f, 0.0f);
     if (b->count > 0)
-        for (follow(t, b, out); !t->failed && !tracer_gives_up(t, b->count) && next_batch(t); b = t->now)
+        for (follow(t, b, out); !t->failed && !tracer_gives_up(t, b->count) && batch_next(t); b = t->now)
             follow(t, t->now, out);
     if (!are_finite(&out->r, 3 * n))
         for (i = 0; i < n; i++)

@@ -29,6 +29,7 @@ typedef struct batch {
     path paths[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* of the paths: the caller's camera rays, or those in `room` */
     pov_ray room[BATCH_MAX];
+    struct batch *next;          /* of those that are spare */
 } batch;
 
 /* A hit, seen from the ray's start. */
@@ -67,11 +68,8 @@ typedef struct light_rays {
     pov_ray room[BATCH_MAX];     /* each surface's, whose direction is the current light's */
 } light_rays;
 
-/* Batches that wait, the last of them on top. */
-typedef struct waiting { path path; pov_ray ray; } waiting;
-typedef struct path_stack { waiting *items; size_t count, capacity; } path_stack;
-/* Of one batch, and how many media and spots there are behind it. */
-typedef struct wait { uint32_t paths; size_t media, spots; } wait;
+/* A batch that waits, and how many media and spots there are behind it; the last of them on top. */
+typedef struct wait { batch *paths; size_t media, spots; } wait;
 typedef struct spot_stack { spot *items; size_t count, capacity; } spot_stack;
 typedef struct wait_stack { wait *items; size_t count, capacity; } wait_stack;
 
@@ -98,12 +96,11 @@ struct pov_tracer {
     media_stack start;           /* those that hold start_org + start_org_lo, when start_known */
     pov_vec3 start_org, start_org_lo;
     bool start_known;
-    path_stack waiting;          /* transmitted rays, at most one batch a level */
-    wait_stack waits;
+    wait_stack waits;            /* transmitted rays, at most one batch a level */
     spot_stack spots;            /* of paths and of surfaces, in their order */
     batch camera;                /* paths of camera rays; what is the same for all of them was set once */
-    batch *now, *mirrored, *passed;   /* being followed, and those that go on from it: three of `batches` */
-    batch batches[3];
+    batch *now, *mirrored, *passed;   /* being followed, and those that go on from it */
+    batch *spare;
     hit hits[BATCH_MAX];
     surface surfaces[BATCH_MAX];
     geometry geometry;           /* of the surfaces, in their order */

@@ -122,7 +122,7 @@ static void a_ray_may_split_at_every_level(void **state)
     tiny_plane(&s, 0, 0, 1, -6, tiny_glow(0.0f, 1.0f, 0.0f));
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 0, 0, 1), 2.0 / 3.0, 1.0 / 3.0, 0.0, 1e-6);
-    assert_int_equal(s.tracer->waiting.count, 0);
+    assert_int_equal(s.tracer->waits.count, 0);
     tiny_end(&s);
 }
 
