@@ -13,7 +13,7 @@
  * byte. In order: identity, state, rows, counts and targets of the groups, then while lattices are traced which of
  * their passes each square has and the pixels, and afterwards the halves; last the hash of all that. */
 
-enum { FORMAT = 1, SQUARE = TILE_EDGE_MIN };
+enum { FORMAT = 2, SQUARE = TILE_EDGE_MIN };
 
 /* What must be the same to go on. Written over zeros, so that padding is the same too. */
 typedef struct identity {
@@ -30,7 +30,7 @@ typedef struct state {
     uint64_t rows;
     uint32_t refining, reserved;
     double elapsed, cpu;
-    pov_counts counts;
+    pov_counts counts, lattices[LATTICES_MAX];
 } state;
 
 static void identify(const pov_job *job, identity *id)
@@ -125,6 +125,8 @@ static void image(const pov_job *job, unsigned char *to)
     s.elapsed = (job->ended > 0.0 ? job->ended : clock_seconds()) - job->started;
     s.cpu = job->cpu;
     s.counts = job->counts;
+    for (int i = 0; i < LATTICES_MAX; i++)
+        s.lattices[i] = job->lattices[i].counts;
     to = put(to, &id, sizeof id);
     to = put(to, &s, sizeof s);
     to = put(to, job->rows.items, row_count(job) * sizeof *job->rows.items);
@@ -228,11 +230,14 @@ static void take_lattices(pov_job *job, const unsigned char *bits)
         for (int pass = 0; pass < job->frame.passes; pass++)
             if (job->frame.done[i] >> pass & 1u) {
                 job->committed++;
+                job->lattices[pass].tiles++;
                 job->done_pixels += lattice_pixels(frame_lattice(&job->frame, pass), r.width, r.height);
             }
         if (frame_has(&job->frame, i))
             cells_first(&job->cells, r, &job->frame, &job->encoding);
     }
+    while (job->lattices_ended + 1 < job->frame.passes && job->lattices[job->lattices_ended].tiles == tiles_count)
+        job->lattices_ended++;
     passes_skip(job);
 }
 
@@ -287,6 +292,8 @@ static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
         job->earlier = s.elapsed;
         job->cpu = s.cpu;
         job->counts = s.counts;
+        for (int i = 0; i < LATTICES_MAX; i++)
+            job->lattices[i].counts = s.lattices[i];
         if (s.refining)
             take_halves(job, at, part, pixels);
         else

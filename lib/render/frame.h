@@ -6,6 +6,8 @@
 #include "render/encode.h"
 #include "render/tiles.h"
 
+enum { LATTICES_MAX = 5 };       /* steps 16, 8, 4, 2, 1 */
+
 typedef struct frame {
     const tiles *tiles;
     int first_step, passes;      /* the coarsest lattice; 1 + log2 of it */

@@ -10,6 +10,13 @@
 #include "render/settings.h"
 #include "render/worker.h"
 
+/* A pass of first samples. Threads may be tiles ahead in the next one when its last tile comes, so that each has its own
+ * account: what is said of it does not depend on them. */
+typedef struct lattice_pass {
+    size_t tiles;                /* that are in */
+    pov_counts counts;
+} lattice_pass;
+
 /* A pool of threads is a loop of steps, and so is a program that steps by itself: each borrows a worker, and
  * the worker claims a tile, traces it and commits it. */
 struct pov_job {
@@ -35,6 +42,8 @@ struct pov_job {
     double *scratch;             /* a number for each group of a cell */
     uint32_t *queue;             /* the tiles that the current pass of more samples has work in */
     size_t due, claimed, committed;   /* steps of the lattices' passes together, or of the pass of more samples */
+    lattice_pass lattices[LATTICES_MAX];
+    int lattices_ended;          /* those, but for the last one, that a row tells of */
     bool refining;               /* all lattices are in, more samples are being taken */
     struct { pov_pass *items; size_t count, capacity; } rows;
     bool last_is_partial;        /* the last row is not of a whole pass */

@@ -7,6 +7,7 @@
 #include "render/meter.h"
 
 #include <math.h>
+#include <string.h>
 
 void passes_begin(pov_job *job)
 {
@@ -16,6 +17,8 @@ void passes_begin(pov_job *job)
     job->earlier = 0.0;
     job->claimed = job->committed = 0;
     job->done_pixels = 0;
+    memset(job->lattices, 0, sizeof job->lattices);
+    job->lattices_ended = 0;
     job->refining = false;
     job->rows.count = 0;
     job->last_is_partial = false;
@@ -54,8 +57,7 @@ void passes_claim(pov_job *job, worker *w)
 
 /* ---- the end of a pass ---- */
 
-/* The row of the picture as it is. */
-static bool note(pov_job *job)
+static pov_pass begin_row(const pov_job *job)
 {
     pov_pass row = POV_INIT(row);
 
@@ -64,8 +66,47 @@ static bool note(pov_job *job)
     row.wall_s = clock_seconds() - job->started;
     row.cpu_s = job->cpu;
     row.counts = job->counts;
+    return row;
+}
+
+/* The row of the picture as it is. */
+static bool note(pov_job *job)
+{
+    pov_pass row = begin_row(job);
+
     estimate_row(&job->cells, &job->settings, job->scratch, &row);
+    if (!job->refining)
+        row.spp_mean = (double)job->done_pixels / (double)job->all_pixels;
     return VEC_PUSH(job->env, &job->rows, row);
+}
+
+/* The row of a coarse picture: nothing is known of its error. */
+static bool note_lattice(pov_job *job, int pass)
+{
+    pov_pass row = begin_row(job);
+    pov_counts none = { 0 };
+    size_t pixels = 0;
+
+    row.counts = none;
+    for (int i = 0; i <= pass; i++) {
+        counts_add(&row.counts, &job->lattices[i].counts);
+        pixels += lattice_pixels(frame_lattice(&job->frame, i), job->tiles.width, job->tiles.height);
+    }
+    row.spp_mean = (double)pixels / (double)job->all_pixels;
+    row.spp_max = 1;
+    row.est_rmse = row.est_ci95_lo = row.est_ci95_hi = row.est_p99_tile = row.ref_rmse = row.ref_max = -1.0;
+    return VEC_PUSH(job->env, &job->rows, row);
+}
+
+/* A tile of a pass of first samples is in. The last of these passes ends like those of more samples, in end_pass(). */
+static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
+{
+    job->lattices[pass].tiles++;
+    counts_add(&job->lattices[pass].counts, fresh);
+    while (job->lattices_ended + 1 < job->frame.passes &&
+           job->lattices[job->lattices_ended].tiles == job->tiles.count)
+        if (!note_lattice(job, job->lattices_ended++))
+            job_fail_memory(job);
 }
 
 static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
@@ -164,6 +205,7 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh)
         frame_put(&job->frame, c->tile, c->pass, w->pixels);
         if (frame_has(&job->frame, c->tile))
             cells_first(&job->cells, c->rect, &job->frame, &job->encoding);
+        count_lattice(job, c->pass, fresh);
     }
     if (++job->committed == job->due) {
         end_pass(job);

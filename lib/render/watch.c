@@ -189,7 +189,7 @@ static void count_passes(const pov_job *job, pov_progress *out)
     out->passes = lattices;
     out->pass = pass < lattices ? pass : lattices;
     if (job->refining) {
-        out->pass = lattices + (int)job->rows.count;
+        out->pass = (int)job->rows.count + 1;
         if (job->state != POV_JOB_RUNNING)
             out->pass--;
         out->passes = out->pass;

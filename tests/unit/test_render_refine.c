@@ -253,6 +253,43 @@ static void maps_show_error_and_samples(void **state)
     tiny_end(&s);
 }
 
+/* A row a pass, of those of first samples too; what it says does not depend on how many threads are ahead. */
+static void each_coarse_pass_has_a_row(void **state)
+{
+    static const double pixels[5] = { 1.0, 4.0, 16.0, 64.0, 256.0 };
+    pov_render_desc d = refining(4, POV_SAMPLING_UNIFORM);
+    pov_pass rows[2][8] = { { POV_INIT(rows[0][0]) } };
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    d.preview = 16;
+    for (int run_of = 0; run_of < 2; run_of++) {
+        pov_job *job;
+
+        d.threads = 1 + 2 * run_of;
+        job = run(&s, &d);
+        for (size_t i = 0; i < 7; i++)
+            assert_true(job_get_pass(job, i, &rows[run_of][i]));
+        assert_false(job_get_pass(job, 7, &rows[run_of][7]));
+        job_destroy(job);
+    }
+    for (int i = 0; i < 7; i++) {
+        const pov_pass *row = &rows[0][i], *other = &rows[1][i];
+
+        assert_int_equal(row->pass, i + 1);
+        assert_true(row->wall_s >= (i > 0 ? rows[0][i - 1].wall_s : 0.0));
+        assert_int_equal(row->counts.camera, (uint64_t)(row->spp_mean * PIXELS + 0.5));
+        assert_true((row->est_rmse >= 0.0) == (i > 4));
+        assert_true(row->spp_mean == other->spp_mean && row->est_rmse == other->est_rmse);
+        assert_int_equal(row->counts.shadow, other->counts.shadow);
+        /* A picture whose edges are no multiples of 16 has some more in its last squares. */
+        if (i < 5)
+            assert_true(row->spp_mean >= pixels[i] / 256.0 && row->spp_mean < 1.4 * pixels[i] / 256.0);
+    }
+    tiny_end(&s);
+}
+
 /* Seconds of the processor that all pixels together have taken; none may be below `least`. */
 static double time_of_all(pov_job *job, double least)
 {
@@ -315,6 +352,7 @@ int main(void)
         cmocka_unit_test(a_restart_ends_with_the_same_bits),
         cmocka_unit_test(a_time_limit_ends_a_job_that_is_stepped),
         cmocka_unit_test(maps_show_error_and_samples),
+        cmocka_unit_test(each_coarse_pass_has_a_row),
         cmocka_unit_test(the_map_of_time_adds_up_to_the_threads_time),
         cmocka_unit_test(without_being_asked_no_time_is_kept),
     };
