@@ -200,7 +200,7 @@ const placement_code placement_portable = { own_ray, misses };
 
 static inline const placement_code *best(void)
 {
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
         return &placement_avx2;
 #endif

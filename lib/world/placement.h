@@ -37,7 +37,7 @@ typedef struct placement_code {
 } placement_code;
 
 extern const placement_code placement_portable;
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 extern const placement_code placement_avx2;   /* only where the processor has AVX2 and fma */
 #endif
 

@@ -2,7 +2,7 @@
  * nothing. Operations and their order are placement.c's. */
 #include "world/placement_parts.h"
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
 #include <immintrin.h>
 

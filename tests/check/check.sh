@@ -103,6 +103,10 @@ grep -E '(^|[^a-zA-Z0-9_.>])(malloc|calloc|realloc|free|strdup|posix_memalign|al
     grep -v '^lib/base/env\.c:' >> "$work/found"
 report "only lib/base/env.c takes memory"
 
+# The build of portable C, which `make bench-bits` holds the others against, has no vector code by hand.
+grep -nE '#.*defined\(__x86_64__\)' $(sources lib plugins) | grep -vE 'POV_PORTABLE|_ONE_CLONE' >> "$work/found"
+report "vector code is left out where POV_PORTABLE is defined"
+
 grep -E '(^|[^a-zA-Z0-9_.>])(printf|puts|putchar|perror|exit|abort|_exit|fprintf)[[:space:]]*\(' "$work/code" \
     >> "$work/found"
 report "the library and the plugins never print, exit or abort"
