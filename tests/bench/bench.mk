@@ -29,8 +29,12 @@ bench-counts: all
 # Whole processes on the small scenes of the tests; 1 to N threads; the number of objects.
 bench-whole: all
 	$(PYTHON) tests/bench/whole.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
-bench-threads: all
-	$(PYTHON) tests/bench/threads.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
+TAILS = $(BUILD)/bench/tails
+$(TAILS): tests/bench/tails.c $(SHARED)
+	@mkdir -p $(@D)
+	$(CC) $(USER_FLAGS) $(LINK_FLAGS) $< -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -o $@
+bench-threads: all $(TAILS)
+	$(PYTHON) tests/bench/threads.py --povc $(POVC) --tails $(TAILS) --work $(BUILD)/bench $(BENCH_FLAGS)
 bench-scale: all
 	$(PYTHON) tests/bench/scale.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
 

@@ -4,11 +4,12 @@
 `busy` is the threads' processor time by their number and the wall time of tracing: what is missing to 1 they stood idle,
 at the start, at the end, or because other work had the processor. `dearer` is by how much the same work cost more
 processor time than on one thread: caches and memory that are shared, clocks that fall. `whole` counts the process from
-its start to its end with reading, building and writing.
+its start to its end with reading, building and writing. Last, what the tiles alone allow for up to 16 threads: tails.c.
 """
 import argparse
 import csv
 import os
+import re
 import statistics
 import sys
 import tempfile
@@ -25,6 +26,7 @@ FIELDS = ('scene', 'threads', 'trace_s', 'faster', 'busy', 'dearer', 'whole_s', 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--povc', default='build/bin/povc')
+    parser.add_argument('--tails', default='build/bench/tails', help='the program that hands out tiles')
     parser.add_argument('--work', default='build/bench')
     parser.add_argument('--size', default='800x600')
     parser.add_argument('--runs', type=int, default=5, help='rounds of each scene')
@@ -76,6 +78,12 @@ def measure(options, name, scene):
                'build_s': middle(lambda one: one[place]['build'])}
 
 
+def print_tails(options, name, scene):
+    said, _ = programs.run([options.tails, scene, options.width, options.height])
+    bounds = re.findall(r'threads: (\d+) .*faster: ([\d.]+)', said)
+    print(f'{name:<14}  tiles allow {", ".join(f"{faster} on {threads}" for threads, faster in bounds[1:])}', flush=True)
+
+
 def main():
     options = arguments()
     rows = []
@@ -89,6 +97,8 @@ def main():
             rows.append(row)
             print(f'{row["scene"]:<14}{row["threads"]:>8}{1e3 * row["trace_s"]:10.1f}{row["faster"]:8.2f}{row["busy"]:7.2f}'
                   f'{row["dearer"]:8.2f}{1e3 * row["whole_s"]:10.1f}{row["whole_faster"]:8.2f}', flush=True)
+        if Path(options.tails).exists():
+            print_tails(options, name, scene)
     for threads in options.threads[1:]:
         mine = [row['faster'] for row in rows if row['threads'] == threads]
         print(f'{threads} threads: {statistics.median(mine):.2f} times as fast in the median, {min(mine):.2f} at least')
