@@ -8,7 +8,7 @@ $(EMBREE_BENCH): tests/bench/embree_spheres.cpp tests/bench/embree_scene.hpp
 	@mkdir -p $(@D)
 	$(CXX) $(EMBREE_FLAGS) $< -lembree3 -o $@
 
-.PHONY: bench bench-quick bench-counts bench-whole bench-threads bench-scale bench-bits bench-docs embree-bench
+.PHONY: bench bench-quick bench-counts bench-whole bench-threads bench-scale bench-where bench-bits bench-docs embree-bench
 # Embree's program is built only for the bench, and only where Embree is.
 embree-bench:
 	@if echo '#include <embree3/rtcore.h>' | $(CXX) -E -x c++ - >/dev/null 2>&1; then \
@@ -37,6 +37,11 @@ bench-threads: all $(TAILS)
 	$(PYTHON) tests/bench/threads.py --povc $(POVC) --tails $(TAILS) --work $(BUILD)/bench $(BENCH_FLAGS)
 bench-scale: all
 	$(PYTHON) tests/bench/scale.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
+# Instructions by parts of the program, under callgrind; then all tables of docs/performance.md from what was measured.
+bench-where: all
+	$(PYTHON) tests/bench/where.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
+bench-docs:
+	$(PYTHON) tests/bench/tables.py --work $(BUILD)/bench
 
 # Small pictures of the bench's scenes, the same to the bit by every instruction set, tree and list, 1 to 8 threads. The
 # copy of portable C alone is built for this.
