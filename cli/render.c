@@ -143,14 +143,11 @@ static pov_job_state watch(render *r, progress *shown, partial *kept)
 {
     double start = now_seconds();
     pov_progress now = POV_INIT(now);
-    pov_rect changed;
 
     for (;;) {
+        /* What has changed is not taken, so nothing but the first tile and the end is news: tiles wake nobody. */
         pov_job_state state = pov_job_wait(r->job, patience);
 
-        /* What has changed is of no interest here, but as long as it is not taken it is news to wait(). */
-        while (pov_job_take(r->job, &changed))
-            continue;
         if (state != POV_JOB_RUNNING)
             return state;
         if (signals_end_asked())
