@@ -61,7 +61,7 @@ static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
 {
     ray->left = h->object;
     ray->left_mark = h->crossing.mark;
-    if (h->outside && cosine > 1e-11)
+    if (h->outside && cosine > 0x1p-36)
         ray->left_mark.flags |= POV_MARK_AWAY;
 }
 

@@ -762,7 +762,7 @@ static bool never_comes_back(const thing *t, const pov_ray *ray)
     along = subject_direction();
     along = pov_sub(along, pov_scale(normal, pov_dot(along, normal)));
     next.dir = pov_unit(pov_add(pov_unit(along), pov_scale(normal, pow(10.0, 2.0 - 13.0 * subject_uniform()))));
-    if (!(pov_dot(next.dir, normal) > 1e-11))
+    if (!(pov_dot(next.dir, normal) > 0x1p-36))
         return true;
     next.left = OWNER;
     next.left_mark = at[which].mark;

@@ -1,0 +1,46 @@
+/* company.h - queries of rays that go together: what they share, for those that ask what is nearest and those that ask
+ * for light. */
+#ifndef WORLD_COMPANY_H
+#define WORLD_COMPANY_H
+
+#include "world/bits.h"
+#include "world/query.h"
+
+/* Queries of rays that go together. Most rays never come to need hits of their own, so these are begun when they do. */
+typedef struct company {
+    bvh_party party;             /* first: leaves are handed this */
+    const world *world;
+    walker *walker;
+    const pov_ray *rays[WORLD_MANY];
+    uint8_t of[WORLD_MANY];      /* by lane: which of the caller's it is */
+    double tmax;
+    bool any_blocks;             /* transparent or not */
+    uint64_t asked;              /* lanes whose hits have been begun */
+    uint64_t waiting;            /* lanes that have a shape pending */
+    hit *out;                    /* the caller's; NULL: light is asked for */
+    pending pending[WORLD_MANY];
+    pov_block_answer answers[WORLD_MANY];
+    pov_hits hits[WORLD_MANY], tints[WORLD_MANY];
+} company;
+
+static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
+static inline uint64_t all_of(uint32_t n) { return ~(uint64_t)0 >> (WORLD_MANY - n); }
+
+static inline void lower(company *c, uint32_t i, double limit)
+{
+    c->party.limit[i] = limit;
+    c->party.side.tmax[i] = just_beyond(limit);
+    c->party.lowered |= bit_of(i);
+}
+
+/* Take those of `which`. Lanes that hold a ray out of range are told: they are to go alone. */
+uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax);
+/* The answers of a run's block for some lanes; those of whom any shape is in question are told. */
+uint64_t company_filter(company *c, const run *r, uint64_t lanes);
+
+/* Those of the caller's rays that `which` names; bits of the answers are the caller's. */
+uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out);
+uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                       colour *through);
+
+#endif

@@ -1,0 +1,201 @@
+#include "world/company.h"
+
+static pov_hits *nearest_hits(company *c, uint32_t i)
+{
+    if (!(c->asked & bit_of(i))) {
+        c->asked |= bit_of(i);
+        begin_hits(&c->hits[i], c->world, c->tmax, POV_WANT_NEAREST, &c->out[c->of[i]].crossing);
+    }
+    return &c->hits[i];
+}
+
+static void ask_nearest(company *c, uint32_t i, const run *r, uint32_t lane)
+{
+    pov_hits *hits = nearest_hits(c, i);
+
+    hits->owner = r->object[lane];
+    run_intersect(r, lane, c->rays[i], hits);
+    if (hits->tmax < c->party.limit[i])
+        lower(c, i, hits->tmax);
+}
+
+/* One that can be left out by now need not wait any more; if it cannot, it is asked before the next one waits. */
+static void put_off(company *c, uint32_t i, const run *r, uint32_t lane)
+{
+    const pov_block_answer *answer = &c->answers[i];
+    pending *p = &c->pending[i];
+
+    if (answer->hi[lane] < c->party.limit[i])
+        lower(c, i, answer->hi[lane]);
+    if ((c->waiting & bit_of(i)) && !is_beyond(p->lo, c->party.limit[i]))
+        ask_nearest(c, i, p->run, p->lane);
+    p->run = r;
+    p->lane = lane;
+    p->lo = answer->lo[lane];
+    c->waiting |= bit_of(i);
+}
+
+static void take_nearest(company *c, uint32_t i, const run *r)
+{
+    const pov_block_answer *answer = &c->answers[i];
+    const pov_ray *ray = c->rays[i];
+    uint32_t mask = answer->maybe & run_lanes(r) & ~left_behind(r, ray);
+
+    for (; mask; mask &= mask - 1) {
+        const uint32_t lane = first_of(mask);
+
+        if (is_beyond(answer->lo[lane], c->party.limit[i]))
+            continue;
+        /* The filter knows nothing of the root that a ray leaves. */
+        if ((answer->surely >> lane & 1) && r->object[lane] != ray->left)
+            put_off(c, i, r, lane);
+        else
+            ask_nearest(c, i, r, lane);
+    }
+}
+
+static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
+{
+    company *c = (company *)(void *)party;
+    const run *r;
+    uint64_t met;
+    uint32_t lane;
+
+    for (r = leaf; r; r = run_next(r)) {
+        if (r->flags & RUN_PACKED) {
+            for (met = company_filter(c, r, lanes); met; met &= met - 1)
+                take_nearest(c, first_of64(met), r);
+            continue;
+        }
+        for (met = lanes; met; met &= met - 1)
+            for (lane = 0; lane < r->count; lane++)
+                ask_nearest(c, first_of64(met), r, lane);
+    }
+    return 0;
+}
+
+static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint32_t at)
+{
+    company *c = (company *)(void *)party;
+    query q;
+
+    q.walk.tree = party->tree;
+    q.walk.ray = c->rays[lane];
+    q.walk.frame = frame;
+    q.walk.at = at;
+    q.walk.limit = party->limit[lane];
+    q.hits = *nearest_hits(c, lane);
+    query_go_on_nearest(&q, c->world);
+    c->hits[lane] = q.hits;
+    if (q.walk.limit < party->limit[lane])
+        lower(c, lane, q.walk.limit);
+    return false;
+}
+
+/* Pairs of one class that may be asked together. */
+typedef struct pairs {
+    uint32_t count;
+    const void *selves[WORLD_MANY];
+    const pov_ray *rays[WORLD_MANY];
+    pov_hits *hits[WORLD_MANY];
+} pairs;
+
+/* Take those of `left` that are of a class; the others are left. */
+static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t left, pairs *out)
+{
+    uint64_t rest, others = 0;
+
+    out->count = 0;
+    for (rest = left; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const pending *p = &c->pending[i];
+        const uint32_t n = out->count;
+
+        if (p->run->shape != shape) {
+            others |= bit_of(i);
+            continue;
+        }
+        out->selves[n] = run_instance(p->run, p->lane);
+        out->rays[n] = c->rays[i];
+        out->hits[n] = nearest_hits(c, i);
+        out->hits[n]->owner = p->run->object[p->lane];
+        out->count++;
+    }
+    return others;
+}
+
+/* Ask those that wait and can still be the nearest. What waits stood in a block, and so has no placement. */
+static void settle(company *c)
+{
+    uint64_t left = 0, rest;
+    pairs some;
+    uint32_t i;
+
+    for (rest = c->waiting; rest; rest &= rest - 1) {
+        i = first_of64(rest);
+        if (!is_beyond(c->pending[i].lo, c->party.limit[i]))
+            left |= bit_of(i);
+    }
+    while (left) {
+        const pov_shape_class *shape = c->pending[first_of64(left)].run->shape;
+
+        left = take_class(c, shape, left, &some);
+        if (POV_SHAPE_HAS(shape, intersect_many))
+            shape->intersect_many(some.selves, some.rays, some.hits, some.count);
+        else
+            for (i = 0; i < some.count; i++)
+                shape->intersect(some.selves[i], some.rays[i], some.hits[i]);
+    }
+}
+
+/* What was met, as bits of the caller's. */
+static uint64_t end_nearest(company *c)
+{
+    uint64_t met = 0, rest;
+
+    for (rest = c->party.lanes; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const pov_hits *hits = &c->hits[i];
+        hit *out = &c->out[c->of[i]];
+
+        out->object = POV_NOBODY;
+        out->company = 0;
+        if (!(c->asked & bit_of(i)))
+            continue;
+        c->walker->decided += hits->decided;
+        if (hits->count == 0)
+            continue;
+        out->object = out->crossing.owner;
+        met |= bit_of(c->of[i]);
+        if (hits->crowded)
+            spot_choose(c->world, c->walker, c->rays[i], NULL, out);
+    }
+    return met;
+}
+
+uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out)
+{
+    uint64_t met = 0, alone;
+    company c;
+
+    c.out = out;
+    c.party.leaf = meet_nearest;
+    c.party.alone = nearest_alone;
+    alone = company_begin(&c, w, k, rays, which, tmax);
+    c.party.lanes = all_of(c.party.count) & ~alone;
+    for (; alone; alone &= alone - 1) {
+        const uint32_t i = c.of[first_of64(alone)];
+        met |= (uint64_t)world_nearest(w, k, rays[i], tmax, &out[i]) << i;
+    }
+    if (!c.party.lanes)
+        return met;
+    if (w->infinite)
+        meet_nearest(&c.party, w->infinite, c.party.lanes);
+    if (w->list)
+        meet_nearest(&c.party, w->list, c.party.lanes);
+    c.party.lowered = 0;
+    if (w->has_tree)
+        w->walks->nearest_together(&c.party);
+    settle(&c);
+    return met | end_nearest(&c);
+}
