@@ -240,6 +240,7 @@ help:
 	@echo "make check      hold the tree to its rules: rooms, exports, headers alone, no absolute epsilons"
 	@echo "make asan tsan  run the tests under the sanitizers"
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
+	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
 	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; bench-counts: its instructions a ray, bench-whole:"
 	@echo "                whole processes, bench-threads, bench-scale: threads and objects, bench-bits: the same to the bit"
 	@echo "make deps       install what is missing to build and test, by the system's package manager"

@@ -365,7 +365,7 @@ static pov_status put_pictures(const report *r, FILE *to, pov_error *err)
     status = put_image(r, to, r->pixels, r->options.transfer, "picture", "the picture", err);
     fputs("</figure>\n", to);
     if (status == POV_OK && shows_error(r))
-        status = put_map(r, to, POV_PIXELS_ERROR, "estimated rms error, by cells of 8 &times; 8 pixels", "linear light", err);
+        status = put_map(r, to, POV_PIXELS_ERROR, "estimated rms error, by cells of 4 &times; 4 pixels", "linear light", err);
     /* A map of one sample everywhere tells nothing, but one that shows what is missing does. */
     if (status == POV_OK && r->count > 0 && r->rows[r->count - 1].spp_mean != 1.0)
         status = put_map(r, to, POV_PIXELS_SAMPLES, "samples a pixel", "samples", err);

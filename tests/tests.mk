@@ -108,5 +108,11 @@ compare: all
 	$(PYTHON) tests/compare/test_harness.py
 	$(PYTHON) tests/compare/compare.py --povc $(POVC)
 
+# What povc says of its error against references of 65 536 samples a pixel, which take over an hour the first time.
+VALIDATE_FLAGS ?=
+.PHONY: validate-error
+validate-error: all
+	$(PYTHON) tests/compare/validate_error.py --povc $(POVC) --work $(BUILD)/validate $(VALIDATE_FLAGS)
+
 include tests/bench/bench.mk
 include tests/numerics/peers/peers.mk

@@ -51,7 +51,7 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
 {
     uint32_t n = (uint32_t)now->spp_max, next = next_rung(n);
 
-    if (s->target_error > 0.0 && now->est_rmse > 0.0 && n >= BUDGET_PILOT) {
+    if (s->target_error > 0.0 && now->est_rmse > 0.0 && n >= BUDGET_LEAST) {
         double ratio = now->est_rmse / (aim * s->target_error);
         double needed = fmax(n * ratio * ratio, n + 2.0);
 
@@ -68,31 +68,39 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
  * doubling takes off the picture's error for each sample is in proportion to error / count, and the cells where that
  * is above some threshold double: a little above, once; far above, twice. */
 
-static const double falls_by = 0.42, far_above = 5.0;
+static const double falls_by = 0.36, far_above = 5.0;
 
-/* The mean squared error of a pixel of the other group of the cell, as it would be with this group's count, but no less
- * than the mean of the neighbourhood's: an edge goes on next door, and an estimate that is low by chance is mended. */
+/* The mean squared error of a pixel of the other group of the cell, as it would be with this group's count. What the few
+ * differences of one group say of that is mostly chance. So a quarter is its own, a quarter the neighbourhood's, for an
+ * edge goes on next door, and a half is the neighbourhood's by the group's share of its contrast, for errors are where
+ * pixels differ. */
 static double error_near(const cells *c, size_t number)
 {
     int column = (int)(number / GROUPS % (size_t)c->columns), row = (int)(number / GROUPS / (size_t)c->columns);
-    double own = 0.0, sum = 0.0;
+    double own = 0.0, own_contrast = 0.0, sum = 0.0, contrasts = 0.0;
     int n = 0;
 
     for (int y = row > 0 ? row - 1 : 0; y <= row + 1 && y < c->rows; y++)
         for (int x = column > 0 ? column - 1 : 0; x <= column + 1 && x < c->columns; x++) {
             size_t other = GROUPS * ((size_t)y * (size_t)c->columns + (size_t)x) + (1 - number % GROUPS);
             size_t pixels = cells_pixels(c, other);
-            double square;
+            double square, contrast;
 
             if (pixels == 0)
                 continue;
             square = c->groups[other].square * c->groups[other].count / ((double)pixels * c->groups[number].count);
-            if (x == column && y == row)
+            contrast = cells_contrast(&c->groups[other], pixels);
+            if (x == column && y == row) {
                 own = square;
+                own_contrast = contrast;
+            }
             sum += square;
+            contrasts += contrast;
             n++;
         }
-    return n > 0 ? fmax(own, sum / n) : 0.0;
+    if (n == 0)
+        return 0.0;
+    return 0.25 * (own + sum / n) + 0.5 * sum * (contrasts > 0.0 ? own_contrast / contrasts : 1.0 / n);
 }
 
 static uint32_t wanted(const group *at, double worth, double threshold, uint32_t least)

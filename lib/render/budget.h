@@ -5,8 +5,9 @@
 #include "render/cells.h"
 #include "render/settings.h"
 
-/* Samples that every pixel has before an estimate ends or steers anything: a thing that the first ones missed. */
-enum { BUDGET_PILOT = 8 };
+/* Samples that every pixel has before an estimate steers anything, and on average before one ends anything: a thing that
+ * the first ones missed. */
+enum { BUDGET_PILOT = 4, BUDGET_LEAST = 8 };
 
 /* Set the targets, from what the cells have shown so far and nothing else. `scratch` has room for a number a group.
  * False: none may have more. */

@@ -65,6 +65,15 @@ size_t cells_pixels(const cells *c, size_t number)
     return ((size_t)r.width * (size_t)r.height + 1 - number % GROUPS) / GROUPS;
 }
 
+double cells_contrast(const group *g, size_t pixels)
+{
+    double n = (double)pixels, mean_square = 0.0;
+
+    for (int i = 0; i < 3; i++)
+        mean_square += g->light[i] * g->light[i] / (3.0 * n * n);
+    return fmax(g->light_square / n - mean_square, 0.0);
+}
+
 /* ---- a tile's part ---- */
 
 static group *row_of_groups(const cells *c, cell_range r, int row)
@@ -129,6 +138,10 @@ static void hold_against(const cells *c, group *into, int x, int y, const float 
 
 static void look_at_pixel(const cells *c, group *into, int x, int y, const float *linear)
 {
+    for (int i = 0; i < 3; i++) {
+        into->light[i] += (double)linear[i];
+        into->light_square += (double)linear[i] * (double)linear[i] / 3.0;
+    }
     for (int i = 0; i < 3; i++)
         if (linear[i] < 0.0f || linear[i] > 1.0f) {
             into->clipped++;

@@ -11,12 +11,13 @@
 enum { GROUPS = 2 };
 
 /* Cells do not follow the tiles, whose size depends on the number of threads: what is decided by cells does not. */
-enum { CELL_EDGE = 8, TILE_CELLS_MAX = (TILE_EDGE_MAX / CELL_EDGE) * (TILE_EDGE_MAX / CELL_EDGE) };
+enum { CELL_EDGE = 4, TILE_CELLS_MAX = (TILE_EDGE_MAX / CELL_EDGE) * (TILE_EDGE_MAX / CELL_EDGE) };
 
 typedef struct group {
     uint32_t count, target;      /* samples that each of its pixels has, and shall have after this pass */
     uint32_t clipped;            /* pixels outside 0 .. 1 in linear light */
     double square, fourth;       /* sums over its pixels of the estimated squared error, and of that squared */
+    double light[3], light_square;   /* sums over its pixels of linear light, and of its mean square */
     double off_square, off_max;  /* against the reference */
 } group;
 
@@ -45,6 +46,8 @@ cell_range cells_of(pov_rect tile);
 pov_rect cells_rect(const cells *c, size_t index);
 /* A corner cell may be so narrow that its second group has none. */
 size_t cells_pixels(const cells *c, size_t group);
+/* Variance of the light of the pixels of a group that has some. */
+double cells_contrast(const group *g, size_t pixels);
 
 /* The group of a pixel of a tile among those of the tile, or of the picture among those of the picture. */
 static inline size_t group_of(int columns, int x, int y)

@@ -25,10 +25,15 @@ static double *cell_at(meter *m, pov_rect tile, int x, int y)
     return &m->spent[y / CELL_EDGE * cells_of(tile).columns + x / CELL_EDGE];
 }
 
-void meter_cell(meter *m, pov_rect tile, int x, int y)
+void meter_cells(meter *m, const int *of, uint32_t count)
 {
-    if (m)
-        *cell_at(m, tile, x, y) += seconds_since(m);
+    double each;
+
+    if (!m)
+        return;
+    each = seconds_since(m) / count;
+    for (uint32_t i = 0; i < count; i++)
+        m->spent[of[i]] += each;
 }
 
 void meter_square(meter *m, pov_rect tile, lattice l, int left, int top, int edge)

@@ -13,8 +13,8 @@ struct meter {
 /* Each takes NULL, for nobody asks: then no clock is read. */
 /* A tile has been claimed. */
 void meter_begin(meter *m);
-/* The time since the last reading went into one cell of the tile; (x, y) is a pixel of it, within the tile. */
-void meter_cell(meter *m, pov_rect tile, int x, int y);
+/* The time since the last reading went into these cells of the tile, alike; one may be there many times. */
+void meter_cells(meter *m, const int *of, uint32_t count);
 /* It went into the pixels of a lattice within a square of the tile, alike. */
 void meter_square(meter *m, pov_rect tile, lattice l, int left, int top, int edge);
 

@@ -114,7 +114,7 @@ static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
     const settings *s = &job->settings;
 
     if (s->target_error > 0.0 && now->est_rmse >= 0.0 && now->est_rmse <= s->target_error &&
-        now->spp_mean >= BUDGET_PILOT)
+        now->spp_mean >= BUDGET_LEAST)
         return POV_STOP_ERROR;
     return now->spp_mean >= s->samples ? POV_STOP_SAMPLES : POV_STOP_NONE;
 }

@@ -26,71 +26,67 @@ void refinement_free(refinement *r, const env *e)
     env_free(e, r);
 }
 
-/* Pixels of one group of a cell of the claimed tile. */
-typedef struct patch {
-    int count;
-    struct { int x, y; double *halves; } at[CELL_EDGE * CELL_EDGE];   /* places in the whole picture */
-} patch;
+/* Rays in company, on their way from group to group: neighbours whose samples are few fill one together. */
+typedef struct company {
+    uint32_t count;
+    raygen_places through;
+    double *sums[BATCH_MAX];     /* the half of the pixel that it goes to */
+    int cells[BATCH_MAX];        /* that of the tile which it is in */
+    pov_ray rays[BATCH_MAX];
+} company;
 
-static void find_patch(const worker *w, const settings *s, cell_range range, int number, patch *p)
+static void trace_company(worker *w, const settings *s, company *c)
 {
-    pov_rect tile = w->claim.rect;
-    int left = number / GROUPS % range.columns * CELL_EDGE, top = number / GROUPS / range.columns * CELL_EDGE;
+    colour seen[BATCH_MAX];
 
-    p->count = 0;
-    for (int y = top; y < top + CELL_EDGE && y < tile.height; y++)
-        for (int x = left; x < left + CELL_EDGE && x < tile.width; x++) {
-            if (group_of(range.columns, x, y) != (size_t)number)
-                continue;
-            p->at[p->count].x = s->crop.x + tile.x + x;
-            p->at[p->count].y = s->crop.y + tile.y + y;
-            p->at[p->count++].halves = w->refinement->halves + 6 * (y * tile.width + x);
-        }
-}
-
-/* The next samples of each pixel of a group, one or two: neighbours in company. */
-static void trace_patch(worker *w, const settings *s, const patch *p, uint32_t number, int more)
-{
-    pov_ray rays[CELL_EDGE * CELL_EDGE];
-    colour seen[CELL_EDGE * CELL_EDGE];
-    int count = more * p->count;
-
-    for (int i = 0; i < count; i++) {
-        int x = p->at[i % p->count].x, y = p->at[i % p->count].y;
-        uint32_t k = number + (uint32_t)(i / p->count);
-        sample at = sample_at(s->seed, x, y, (int)(k & 1u), k / 2);
-
-        rays[i] = raygen_ray(&w->claim.camera, s->width, s->height, x, y, at.x, at.y);
-    }
-    if (count > 0)
-        tracer_colors(w->tracer, rays, (size_t)count, seen);
-    for (int i = 0; i < count; i++) {
-        uint32_t k = number + (uint32_t)(i / p->count);
-        double *sum = p->at[i % p->count].halves + 3 * (k & 1u);
-
+    if (c->count == 0)
+        return;
+    raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
+    tracer_colors(w->tracer, c->rays, c->count, seen);
+    meter_cells(w->meter, c->cells, c->count);
+    for (uint32_t i = 0; i < c->count; i++) {
         /* Sums in double of floats are exact as long as their exponents are near: a constant stays itself. */
-        sum[0] += seen[i].r;
-        sum[1] += seen[i].g;
-        sum[2] += seen[i].b;
+        c->sums[i][0] += (double)seen[i].r;
+        c->sums[i][1] += (double)seen[i].g;
+        c->sums[i][2] += (double)seen[i].b;
     }
+    c->count = 0;
 }
 
-/* False: it was given up. */
-static bool refine_group(worker *w, const settings *s, cell_range range, int number)
+/* The k-th sample of a pixel of a cell of the claimed tile. */
+static void add_sample(worker *w, const settings *s, company *c, int cell, int x, int y, uint32_t k)
+{
+    const pov_rect tile = w->claim.rect;
+    const int px = s->crop.x + tile.x + x, py = s->crop.y + tile.y + y;
+    const sample at = sample_at(s->seed, px, py, (int)(k & 1u), k / 2);
+    raygen_places *p = &c->through;
+    uint32_t n = c->count++;
+
+    p->x[n] = px;
+    p->y[n] = py;
+    p->dx[n] = at.x;
+    p->dy[n] = at.y;
+    c->sums[n] = w->refinement->halves + 6 * (y * tile.width + x) + 3 * (k & 1u);
+    c->cells[n] = cell;
+    if (c->count == BATCH_MAX)
+        trace_company(w, s, c);
+}
+
+/* The next samples of all pixels of a group. False: it was given up. */
+static bool refine_group(worker *w, const settings *s, cell_range range, int number, company *c)
 {
     group *g = &w->refinement->groups[number];
-    patch p;
+    pov_rect tile = w->claim.rect;
+    int cell = number / GROUPS;
+    int left = cell % range.columns * CELL_EDGE, top = cell / range.columns * CELL_EDGE;
 
-    if (g->count >= g->target)
-        return true;
-    find_patch(w, s, range, number, &p);
-    while (g->count < g->target) {
-        int more = g->target - g->count > 1 ? GROUPS : 1;
-
-        trace_patch(w, s, &p, g->count, more);
+    for (; g->count < g->target; g->count++) {
+        for (int y = top; y < top + CELL_EDGE && y < tile.height; y++)
+            for (int x = left; x < left + CELL_EDGE && x < tile.width; x++)
+                if (group_of(range.columns, x, y) == (size_t)number)
+                    add_sample(w, s, c, cell, x, y, g->count);
         if (worker_is_given_up(w))
             return false;
-        g->count += (uint32_t)more;
     }
     return true;
 }
@@ -99,15 +95,17 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
 {
     cell_range range = cells_of(w->claim.rect);
     refinement *r = w->refinement;
+    company together;
 
     meter_begin(w->meter);
-    for (int i = 0; i < GROUPS * range.columns * range.rows; i++) {
-        int cell = i / GROUPS;
-
-        if (!refine_group(w, s, range, i))
+    together.count = 0;
+    raygen_begin(&w->claim.camera, together.rays, BATCH_MAX);
+    for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
+        if (!refine_group(w, s, range, i, &together))
             return false;
-        meter_cell(w->meter, w->claim.rect, cell % range.columns * CELL_EDGE, cell / range.columns * CELL_EDGE);
-    }
+    trace_company(w, s, &together);
+    if (worker_is_given_up(w))
+        return false;
     cells_measure(c, w->claim.rect, e, r->groups, r->halves, w->pixels);
     return true;
 }

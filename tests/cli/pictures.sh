@@ -101,7 +101,7 @@ pictures_come_with_maps_of_what_is_met() {
     expect 1 "$povc" rich.pov 61 47 out.pfm --aov depth d.nosuch
 }
 
-# Cells of 8 by 8 pixels, alike within; together not more than the threads' time, and most of it.
+# Cells of 4 by 4 pixels, alike within; together not more than the threads' time, and most of it.
 pictures_come_with_a_map_of_the_time_they_took() {
     rich_scene
     expect 0 "$povc" rich.pov 61 47 plain.pfm --spp 16
@@ -110,7 +110,7 @@ pictures_come_with_a_map_of_the_time_they_took() {
     "$PYTHON" -c 'import json, struct
 data = open("t.pfm", "rb").read()[-61 * 47 * 12:]
 rows = [[struct.unpack_from("=3f", data, 12 * (61 * (46 - y) + x)) for x in range(61)] for y in range(47)]
-assert all(p[0] == p[1] == p[2] == rows[y & ~7][x & ~7][0] > 0 for y, r in enumerate(rows) for x, p in enumerate(r))
+assert all(p[0] == p[1] == p[2] == rows[y & ~3][x & ~3][0] > 0 for y, r in enumerate(rows) for x, p in enumerate(r))
 cpu = json.load(open("r.json"))["passes"][-1]["cpu_s"]
 assert 0.5 * cpu < sum(p[0] for r in rows for p in r) * 1e-6 <= cpu'
     expect 0 "$povc" rich.pov 61 47 out.pfm --aov time t.ppm

@@ -40,7 +40,7 @@ typedef enum pov_job_state {
 } pov_job_state;
 /* The last three are maps of one float a pixel: the estimated rms error, below zero where it is not known; the number of
  * samples; and the seconds of the processor that the pixel has taken since the start, or since what pov_job_load()
- * brought, below zero where desc.time_map did not ask for it. All are alike within a cell of 8 by 8 pixels, for a single
+ * brought, below zero where desc.time_map did not ask for it. All are alike within a cell of 4 by 4 pixels, for a single
  * pixel's would be chance. */
 typedef enum pov_pixels {
     POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES, POV_PIXELS_TIME

@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""Holds what povc says of its error against the truth, on every scene of the gallery.
+
+The truth is a picture of 65 536 samples a pixel of another seed, kept for the next run. Held are: est_over_true within
+0.85 .. 1.18 in each row from 4 to 1024 samples; the 95 % band around the true error in 90 % of the rows; a true error
+below 0.0024 after --error 0.002; --time 2 ending within 0.1 s. Last, how much more uniform sampling takes than adaptive
+to --error 0.002. The exit status is 1 if something is not held."""
+import argparse
+import csv
+import hashlib
+import os
+import statistics
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LOWEST, HIGHEST = 0.85, 1.18
+COVERED = 0.9
+ASKED, REACHED = 0.002, 0.0024
+SECONDS, LATE = 2.0, 0.1
+GAIN = 2.0
+SEED = '777'
+WAYS = ('uniform', 'adaptive')
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--povc', default='build/bin/povc')
+    parser.add_argument('--work', default='build/validate', help='where references are kept')
+    parser.add_argument('--size', default='64x48', help='of the pictures with a reference')
+    parser.add_argument('--truth', type=int, default=65536, help='samples a pixel of a reference')
+    parser.add_argument('--most', type=int, default=1024, help='samples a pixel of the rows')
+    parser.add_argument('--large', default='320x240', help='of the pictures whose cost is compared')
+    parser.add_argument('--parts', default='rows,error,time,gain', help='what to do')
+    parser.add_argument('scenes', nargs='*', help='default: the gallery')
+    options = parser.parse_args()
+    options.parts = options.parts.split(',')
+    options.scenes = [Path(name) for name in options.scenes] or sorted((ROOT / 'scenes/gallery').glob('*.pov'))
+    return options
+
+
+def render(options, scene, size, output, *more):
+    """The exit status is 3 when a limit came before what was asked for: that is no failure here."""
+    command = [options.povc, str(scene), *size.split('x'), str(output), '-q', *more]
+    done = subprocess.run(command, stderr=subprocess.PIPE, text=True, check=False)
+    if done.returncode not in (0, 3):
+        sys.exit(f'validate: {" ".join(command)}: {done.stderr}')
+
+
+def rows_of(options, scene, size, *more):
+    """The report's rows, as numbers; what is not known is None."""
+    work = Path(options.work)
+    report = work / f'{os.getpid()}.csv'
+    render(options, scene, size, work / f'{os.getpid()}.pfm', '--report', str(report), *more)
+    with open(report, newline='', encoding='ascii') as file:
+        return [{key: float(text) if text else None for key, text in row.items()} for row in csv.DictReader(file)]
+
+
+def truth_of(options, scene):
+    """A reference is made once; when it was interrupted, the next run goes on with it."""
+    name = hashlib.sha256(scene.read_bytes()).hexdigest()[:12]
+    path = Path(options.work) / f'{scene.stem}-{options.size}-{options.truth}-{name}.pfm'
+    if not path.exists():
+        part = path.with_suffix('.part.pfm')
+        resume = ['--resume'] if Path(f'{part}.checkpoint').exists() else []
+        render(options, scene, options.size, part, '--spp', str(options.truth), '--sampling', 'uniform',
+               '--seed', SEED, '--partial-every', '60', *resume)
+        part.rename(path)
+    return path
+
+
+def rays(row):
+    return row['primary_rays'] + row['secondary_rays'] + row['shadow_rays']
+
+
+def hold_rows(options, scene, truth):
+    """Rows, those outside the limits, and how many bands held, over both ways of sampling."""
+    count = held = 0
+    outside = []
+    for way in WAYS:
+        rows = rows_of(options, scene, options.size, '--spp', str(options.most), '--sampling', way, '--reference', str(truth))
+        rows = [row for row in rows if row['spp_mean'] >= 4 and row['est_rmse'] is not None]
+        ratios = [row['est_over_true'] for row in rows]
+        covered = sum(row['est_ci95_lo'] <= row['ref_rmse'] <= row['est_ci95_hi'] for row in rows)
+        outside += [f'{way} at {row["spp_mean"]:.0f}: {row["est_over_true"]:.2f}' for row in rows
+                    if not LOWEST <= row['est_over_true'] <= HIGHEST]
+        count, held = count + len(rows), held + covered
+        print(f'{scene.stem:14} {way:9} estimated / true {min(ratios):.2f} ... {max(ratios):.2f}'
+              f'   band holds {covered} of {len(rows)}', flush=True)
+    return count, held, outside
+
+
+def check_rows(options):
+    count = held = 0
+    outside = []
+    for scene in options.scenes:
+        rows, covered, wrong = hold_rows(options, scene, truth_of(options, scene))
+        count, held = count + rows, held + covered
+        outside += [f'{scene.stem} {text}' for text in wrong]
+    print(f'rows: {len(outside)} of {count} outside {LOWEST} ... {HIGHEST}; bands hold {held} of {count}, '
+          f'{100.0 * held / count:.1f} % ({100 * COVERED:.0f} % asked)')
+    for text in outside:
+        print(f'  {text}')
+    return not outside and held >= COVERED * count
+
+
+def check_error(options):
+    worst = 0.0
+    for scene in options.scenes:
+        last = rows_of(options, scene, options.size, '--error', str(ASKED), '--reference', str(truth_of(options, scene)))[-1]
+        print(f'{scene.stem:14} --error {ASKED}: {last["spp_mean"]:.1f} samples, estimated {last["est_rmse"]:.5f}, '
+              f'true {last["ref_rmse"]:.5f}', flush=True)
+        worst = max(worst, last['ref_rmse'])
+    print(f'error: largest true error {worst:.5f} ({REACHED} allowed)')
+    return worst < REACHED
+
+
+def check_time(options):
+    worst = 0.0
+    for scene in options.scenes:
+        last = rows_of(options, scene, options.large, '--time', str(SECONDS))[-1]
+        print(f'{scene.stem:14} --time {SECONDS}: ended after {last["wall_s"]:.3f} s', flush=True)
+        worst = max(worst, abs(last['wall_s'] - SECONDS))
+    print(f'time: {worst:.3f} s off at most ({LATE} allowed)')
+    return worst < LATE
+
+
+def check_gain(options):
+    """What uniform sampling takes over what adaptive sampling takes: the first that is not above the error asked for."""
+    times = []
+    for scene in options.scenes:
+        both = [rows_of(options, scene, options.large, '-t', '1', '--error', str(ASKED), '--sampling', way)[-1] for way in WAYS]
+        uniform, adaptive = both
+        times.append(uniform['cpu_s'] / adaptive['cpu_s'])
+        print(f'{scene.stem:14} samples {uniform["spp_mean"]:.1f} / {adaptive["spp_mean"]:.1f}'
+              f'   rays {rays(uniform) / rays(adaptive):.2f}   processor time {times[-1]:.2f}'
+              f'   estimated {uniform["est_rmse"]:.5f} / {adaptive["est_rmse"]:.5f}', flush=True)
+    print(f'gain: {statistics.median(times):.2f} times in processor time on the median scene ({GAIN} asked)')
+    return statistics.median(times) >= GAIN
+
+
+def main():
+    options = arguments()
+    Path(options.work).mkdir(parents=True, exist_ok=True)
+    checks = {'rows': check_rows, 'error': check_error, 'time': check_time, 'gain': check_gain}
+    held = [checks[part](options) for part in options.parts]
+    for suffix in ('csv', 'pfm'):
+        Path(options.work, f'{os.getpid()}.{suffix}').unlink(missing_ok=True)
+    sys.exit(0 if all(held) else 1)
+
+
+if __name__ == '__main__':
+    main()
