@@ -185,64 +185,129 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- points ---- */
 
-/* The local coordinates are sums of three products with entries below 2, so within 2^-101 of |w|; they and the radius
+/* a . b with the products and sums of high parts without error, and all that is small summed in double: it is below 5 u
+ * of the sum of the terms' sizes, so what six roundings lose of it is below 2^-100 of that sum. */
+static inline pov_two quick_dot(pov_two3 a, pov_two3 b)
+{
+    const pov_two x = pov_two_product(a.x.hi, b.x.hi), y = pov_two_product(a.y.hi, b.y.hi);
+    const pov_two z = pov_two_product(a.z.hi, b.z.hi), xy = pov_two_sum(x.hi, y.hi), all = pov_two_sum(xy.hi, z.hi);
+    const double low = (x.lo + y.lo) + (z.lo + xy.lo) + all.lo;
+    const double mixed = (a.x.hi * b.x.lo + a.x.lo * b.x.hi) + (a.y.hi * b.y.lo + a.y.lo * b.y.hi)
+                         + (a.z.hi * b.z.lo + a.z.lo * b.z.hi);
+
+    return pov_two_sum(all.hi, low + mixed);
+}
+
+/* A point, the radius there, and the direction, in local coordinates. */
+typedef struct view { pov_two3 p; pov_two r; pov_vec3 d; } view;
+
+static inline view view_of(const kit_frustum *s, const kit_ray *k, pov_two3 w)
+{
+    view v;
+
+    v.p.x = quick_dot(s->row[0], w);
+    v.p.y = quick_dot(s->row[1], w);
+    v.p.z = quick_dot(s->row[2], w);
+    v.r = radius_at(s, v.p.z);
+    v.d = pov_vec3_of(pov_dot(pov_two3_hi(s->row[0]), k->d), pov_dot(pov_two3_hi(s->row[1]), k->d),
+                      pov_dot(pov_two3_hi(s->row[2]), k->d));
+    return v;
+}
+
+/* x^2 + y^2 - r^2, and half its slope along the ray. */
+static inline double side_value(const view *v)
+{
+    pov_two3 a = v->p, b = v->p;
+
+    a.z = v->r;
+    b.z = pov_two_neg(v->r);
+    return quick_dot(a, b).hi;
+}
+
+static inline double side_slope(const kit_frustum *s, const view *v)
+{
+    return v->p.x.hi * v->d.x + v->p.y.hi * v->d.y - v->r.hi * (s->slope.hi * v->d.z);
+}
+
+/* The local coordinates are sums of three products with entries below 2, so within 2^-97 of |w|; they and the radius
  * are below 8 wherever it matters. */
 kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
     const kit_frustum *s = self;
-    const pov_two3 p = frustum_local(s, w);
-    const pov_vec3 d = pov_vec3_of(pov_dot(pov_two3_hi(s->row[0]), k->d), pov_dot(pov_two3_hi(s->row[1]), k->d),
-                                   pov_dot(pov_two3_hi(s->row[2]), k->d));
+    const view v = view_of(s, k, w);
     /* Rows and direction are below 2: no component of d is off by more than this. */
-    const double d_error = 64.0 * KIT_U;
+    const double d_error = 64.0 * KIT_U, grow = s->slope.hi * v.d.z;
+    const pov_vec3 size = pov_vec3_of(fabs(v.p.x.hi), fabs(v.p.y.hi), fabs(v.r.hi));
     kit_residual out;
 
-    out.error = 0x1p-96 * (1.0 + largest_of(w));
+    out.error = 0x1p-91 * (1.0 + largest_of(w));
     if (part >= CAP_BASE) {
-        out.value = part == CAP_BASE ? p.z.hi : pov_two_sub(p.z, s->height).hi;
-        out.half_slope = 0.5 * d.z;
+        out.value = part == CAP_BASE ? v.p.z.hi : pov_two_sub(v.p.z, s->height).hi;
+        out.half_slope = 0.5 * v.d.z;
         out.slope_error = d_error;
     } else {
-        const pov_two r = radius_at(s, p.z);
-        const double grow = s->slope.hi * d.z;
-
-        out.value = pov_two_sub(sum2(p.x, p.x, p.y, p.y), pov_two_mul(r, r)).hi;
-        out.half_slope = p.x.hi * d.x + p.y.hi * d.y - r.hi * grow;
-        out.slope_error = d_error * (fabs(p.x.hi) + fabs(p.y.hi) + fabs(r.hi * s->slope.hi))
-                          + 4.0 * KIT_U * (fabs(p.x.hi * d.x) + fabs(p.y.hi * d.y) + fabs(r.hi * grow));
+        out.value = side_value(&v);
+        out.half_slope = side_slope(s, &v);
+        out.slope_error = d_error * (size.x + size.y + size.z * fabs(s->slope.hi))
+                          + 4.0 * KIT_U * (size.x * fabs(v.d.x) + size.y * fabs(v.d.y) + size.z * fabs(grow));
     }
     return out;
 }
 
-/* The crossing's point in local coordinates; on the side it is brought onto the surface, because near an apex the
- * distance alone is not fine enough for a normal. */
-static pov_two3 surface_point(const kit_frustum *s, const kit_ray *k, const pov_crossing *at)
+/* The crossing's point in local coordinates, and the radius there; on the side it is brought onto the surface, because
+ * near an apex the distance alone is not fine enough for a normal. A point that is off by much is left where it is. */
+static inline view surface_point(const kit_frustum *s, const kit_ray *k, const pov_crossing *at)
 {
-    const pov_two3 w = kit_point(k, at);
-    kit_residual r;
+    view v = view_of(s, k, kit_point(k, at));
+    double step;
 
-    if (at->mark.part >= CAP_BASE)
-        return frustum_local(s, w);
-    r = kit_frustum_residual(s, k, w, at->mark.part);
-    return frustum_local(s, kit_step(k, w, r.value, r.half_slope, 1.0));
+    step = -0.5 * side_value(&v) / side_slope(s, &v);
+    if (!(fabs(step) < 0x1p-30))
+        return v;
+    v.p.x = pov_two_add(v.p.x, pov_two_product(step, v.d.x));
+    v.p.y = pov_two_add(v.p.y, pov_two_product(step, v.d.y));
+    v.p.z = pov_two_add(v.p.z, pov_two_product(step, v.d.z));
+    v.r = radius_at(s, v.p.z);
+    return v;
+}
+
+static void cap_normal(const kit_frustum *s, uint32_t part, pov_vec3 *out)
+{
+    *out = pov_scale(pov_unit(pov_two3_hi(s->row[2])), part == CAP_BASE ? -1.0 : 1.0);
+}
+
+static inline pov_two3 two3_of(pov_two a, pov_two b, pov_two c)
+{
+    pov_two3 v;
+
+    v.x = a;
+    v.y = b;
+    v.z = c;
+    return v;
 }
 
 void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const kit_frustum *s = self;
-    const kit_ray k = kit_enter(ray, s->anchor, s->scale);
-    const pov_two3 p = surface_point(s, &k, at);
-    const pov_two z = pov_two_neg(pov_two_mul(s->slope, radius_at(s, p.z)));
+    const pov_two3 *row = s->row;
+    kit_ray k;
+    view v;
     pov_two3 n;
 
-    if (at->mark.part >= CAP_BASE || (p.x.hi == 0.0 && p.y.hi == 0.0)) {
-        *out = pov_scale(pov_unit(pov_two3_hi(s->row[2])), at->mark.part == CAP_BASE ? -1.0 : 1.0);
+    if (at->mark.part >= CAP_BASE) {
+        cap_normal(s, at->mark.part, out);
         return;
     }
-    n.x = pov_two_add(sum2(p.x, s->row[0].x, p.y, s->row[1].x), pov_two_mul(z, s->row[2].x));
-    n.y = pov_two_add(sum2(p.x, s->row[0].y, p.y, s->row[1].y), pov_two_mul(z, s->row[2].y));
-    n.z = pov_two_add(sum2(p.x, s->row[0].z, p.y, s->row[1].z), pov_two_mul(z, s->row[2].z));
-    *out = pov_unit(pov_two3_hi(n));
+    k = kit_enter(ray, s->anchor, s->scale);
+    v = surface_point(s, &k, at);
+    if (v.p.x.hi == 0.0 && v.p.y.hi == 0.0) {
+        cap_normal(s, CAP_TOP, out);
+        return;
+    }
+    n = two3_of(v.p.x, v.p.y, pov_two_neg(pov_two_mul(s->slope, v.r)));
+    *out = pov_unit(pov_vec3_of(quick_dot(n, two3_of(row[0].x, row[1].x, row[2].x)).hi,
+                                quick_dot(n, two3_of(row[0].y, row[1].y, row[2].y)).hi,
+                                quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi));
 }
 
 bool kit_frustum_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
