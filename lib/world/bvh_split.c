@@ -137,29 +137,31 @@ static float cost_of(uint32_t n, bool count_blocks)
     return (float)(count_blocks ? (n + BVH_WIDTH - 1) / BVH_WIDTH : n);
 }
 
-/* The best place between two bins of one axis. */
+/* The best place between two bins of one axis. Most ranges are of few things, so that most bins hold nothing: they
+ * cost as much as the one before, and are passed by. */
 static void weigh(const bin *bins, bool count_blocks, int axis, float base, float factor, cut *best)
 {
+    const bin *held[BINS];
     float right[BINS];
+    int n = 0, i;
     bin sum;
-    uint32_t behind[BINS];
-    int i;
 
-    bin_clear(&sum);
-    for (i = BINS - 1; i > 0; i--) {
-        bin_add(&sum, bins[i].lo, bins[i].hi, bins[i].count);
-        behind[i] = sum.count;
-        right[i] = sum.count ? area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks) : 0.0f;
+    for (i = 0; i < BINS; i++) {
+        held[n] = &bins[i];
+        n += bins[i].count > 0;
     }
     bin_clear(&sum);
-    for (i = 1; i < BINS; i++) {
+    for (i = n - 1; i > 0; i--) {
+        bin_add(&sum, held[i]->lo, held[i]->hi, held[i]->count);
+        right[i] = area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks);
+    }
+    bin_clear(&sum);
+    for (i = 1; i < n; i++) {
         float cost;
-        bin_add(&sum, bins[i - 1].lo, bins[i - 1].hi, bins[i - 1].count);
-        if (sum.count == 0 || behind[i] == 0)
-            continue;
+        bin_add(&sum, held[i - 1]->lo, held[i - 1]->hi, held[i - 1]->count);
         cost = area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks) + right[i];
         if (cost < best->cost) {
-            cut found = { axis, i, base, factor, cost };
+            cut found = { axis, (int)(held[i] - bins), base, factor, cost };
             *best = found;
         }
     }
