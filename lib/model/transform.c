@@ -68,46 +68,88 @@ static const pov_two of_cosine[TERMS] = {
     { 3.279889237069838e-30, 1.5117542744029879e-46 }
 };
 
+/* Three angles at once cost hardly more than one. */
+enum { ANGLES = 3, LANES = 4 };
+typedef struct lanes { double hi[LANES], lo[LANES]; } lanes;
+
 /* The sum without its first term, which is 1, so that the caller can add that exactly. |x| <= pi/4: the 15 terms reach
  * (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that the rounding of doubles does no
  * harm there. */
-static pov_two series(const pov_two *of, pov_two x2)
+static void series(const pov_two *of, const lanes *x2, lanes *out)
 {
-    double rest = of[TERMS - 1].hi;
-    pov_two sum;
-    int i;
+    double hi[LANES], lo[LANES];
+    int i, k;
 
+    for (k = 0; k < LANES; k++) {
+        hi[k] = of[TERMS - 1].hi;
+        lo[k] = 0.0;
+    }
     for (i = TERMS - 2; i >= 9; i--)
-        rest = rest * x2.hi + of[i].hi;
-    sum = pov_two_of(rest, 0.0);
-    for (; i >= 1; i--)
-        sum = pov_two_add(pov_two_mul(sum, x2), of[i]);
-    return pov_two_mul(sum, x2);
+        for (k = 0; k < LANES; k++)
+            hi[k] = hi[k] * x2->hi[k] + of[i].hi;
+    for (i = 8; i >= 1; i--) {
+        const pov_two term = of[i];
+        for (k = 0; k < LANES; k++) {
+            pov_two t = pov_two_mul(pov_two_of(hi[k], lo[k]), pov_two_of(x2->hi[k], x2->lo[k]));
+            t = pov_two_add(t, term);
+            hi[k] = t.hi;
+            lo[k] = t.lo;
+        }
+    }
+    for (k = 0; k < LANES; k++) {
+        pov_two t = pov_two_mul(pov_two_of(hi[k], lo[k]), pov_two_of(x2->hi[k], x2->lo[k]));
+        out->hi[k] = t.hi;
+        out->lo[k] = t.lo;
+    }
+}
+
+static pov_two lane_of(const lanes *l, int k)
+{
+    return pov_two_of(l->hi[k], l->lo[k]);
+}
+
+static void sincos_of(const double *degrees, pov_two *s, pov_two *c)
+{
+    /* pi/180 in two parts. fmod and the subtraction of a multiple of 90 are exact, so that the reduction is. */
+    const pov_two degree = { 0.017453292519943295, 2.9486522708701687e-19 };
+    lanes x2 = { { 0.0 }, { 0.0 } }, sines, cosines;
+    pov_two x[ANGLES];
+    int quarter[ANGLES], k;
+
+    for (k = 0; k < ANGLES; k++) {
+        double rest = fmod(degrees[k], 360.0);
+        pov_two square;
+        quarter[k] = (int)floor(rest / 90.0 + 0.5);
+        x[k] = pov_two_mul_double(degree, rest - 90.0 * quarter[k]);
+        square = pov_two_mul(x[k], x[k]);
+        x2.hi[k] = square.hi;
+        x2.lo[k] = square.lo;
+    }
+    series(of_sine, &x2, &sines);
+    series(of_cosine, &x2, &cosines);
+    for (k = 0; k < ANGLES; k++) {
+        pov_two sine = pov_two_add(x[k], pov_two_mul(x[k], lane_of(&sines, k)));
+        pov_two cosine = pov_two_add_double(lane_of(&cosines, k), 1.0), swap = sine;
+
+        if (quarter[k] & 1) {
+            sine = cosine;
+            cosine = pov_two_neg(swap);
+        }
+        s[k] = quarter[k] & 2 ? pov_two_neg(sine) : sine;
+        c[k] = quarter[k] & 2 ? pov_two_neg(cosine) : cosine;
+    }
 }
 
 void transform_sincos(double degrees, double *s, double *c)
 {
-    /* pi/180 in two parts. fmod and the subtraction of a multiple of 90 are exact, so that the reduction is. */
-    const pov_two degree = { 0.017453292519943295, 2.9486522708701687e-19 };
-    double rest = fmod(degrees, 360.0);
-    int quarter = (int)floor(rest / 90.0 + 0.5);
-    pov_two x = pov_two_mul_double(degree, rest - 90.0 * quarter), x2 = pov_two_mul(x, x);
-    pov_two sine = pov_two_add(x, pov_two_mul(x, series(of_sine, x2)));
-    pov_two cosine = pov_two_add_double(series(of_cosine, x2), 1.0), swap = sine;
+    const double angles[ANGLES] = { degrees, 0.0, 0.0 };
+    pov_two sine[ANGLES], cosine[ANGLES];
 
-    quarter &= 3;
-    if (quarter & 1) {
-        sine = cosine;
-        cosine = pov_two_neg(swap);
-    }
-    if (quarter & 2) {
-        sine = pov_two_neg(sine);
-        cosine = pov_two_neg(cosine);
-    }
-    s[0] = sine.hi;
-    s[1] = sine.lo;
-    c[0] = cosine.hi;
-    c[1] = cosine.lo;
+    sincos_of(angles, sine, cosine);
+    s[0] = sine[0].hi;
+    s[1] = sine[0].lo;
+    c[0] = cosine[0].hi;
+    c[1] = cosine[0].lo;
 }
 
 /* ---- composition ---- */
@@ -163,22 +205,26 @@ static void turn_pair(pov_two *x, pov_two *y, pov_two s, pov_two c)
     *x = turned;
 }
 
-/* Turn by degrees about one axis; left-handed: about x, +y goes to +z. The inverse is the transpose. */
-static void turn(composition *c, int axis, double degrees)
+/* Turn about one axis; left-handed: about x, +y goes to +z. The inverse is the transpose. */
+static void turn(composition *c, int axis, pov_two sine, pov_two cosine)
 {
     int u = (axis + 1) % 3, v = (axis + 2) % 3, i;
-    double sine[2], cosine[2];
-    pov_two s, k;
 
-    if (degrees == 0.0)
-        return;
-    transform_sincos(degrees, sine, cosine);
-    s = pov_two_of(sine[0], sine[1]);
-    k = pov_two_of(cosine[0], cosine[1]);
     for (i = 0; i < 3; i++)
-        turn_pair(&c->map.at[i][u], &c->map.at[i][v], s, k);
+        turn_pair(&c->map.at[i][u], &c->map.at[i][v], sine, cosine);
     for (i = 0; i < 4; i++)
-        turn_pair(&c->inverse.at[u][i], &c->inverse.at[v][i], s, k);
+        turn_pair(&c->inverse.at[u][i], &c->inverse.at[v][i], sine, cosine);
+}
+
+static void rotate(composition *c, const double *degrees)
+{
+    pov_two sine[ANGLES], cosine[ANGLES];
+    int axis;
+
+    sincos_of(degrees, sine, cosine);
+    for (axis = 2; axis >= 0; axis--)
+        if (degrees[axis] != 0.0)
+            turn(c, axis, sine[axis], cosine[axis]);
 }
 
 /* a after b: p -> a (b p). */
@@ -262,7 +308,6 @@ static void store(const rows *r, double hi[3][4], double lo[3][4])
 static bool join(composition *c, const transform *t)
 {
     rows map, inverse;
-    int axis;
 
     switch (t->kind) {
     case TRANSFORM_TRANSLATE:
@@ -272,8 +317,7 @@ static bool join(composition *c, const transform *t)
         scale(c, t->v);
         break;
     case TRANSFORM_ROTATE:
-        for (axis = 2; axis >= 0; axis--)
-            turn(c, axis, t->v[axis]);
+        rotate(c, t->v);
         break;
     case TRANSFORM_MATRIX:
         map = written(t->v);
