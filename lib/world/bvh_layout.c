@@ -168,10 +168,10 @@ bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves)
     int k;
 
     share_work(in->threads, BVH_PARTS, size_part, &w);
-    if (!add_up(out, leaves) || !in->leaves.allocate(in->leaves.user))
+    if (!add_up(out, leaves))
         return false;
     out->leaves = env_reserve_aligned(in->env, out->leaf_bytes, BVH_UNIT);
-    if (!out->leaves)
+    if (!out->leaves || !in->leaves.allocate(in->leaves.user, out->leaves))
         return false;
     for (i = 0; i < out->node_count; i++)
         for (k = 0; k < BVH_WIDTH; k++)

@@ -142,41 +142,49 @@ static const void *keep(maker *k, const object *o)
     return k->kept_instance;
 }
 
-/* A place of its own for a shape that stays as it was written. */
-static pov_status place(maker *k, const object *o, uint32_t index, bool *finite)
+/* The box of a placed shape in its own space and in the world. False: there is none. */
+static bool placed_box(const object *o, const void *instance, const pov_affine *map, pov_box *own, pov_box *around)
 {
-    shape_place *s = &k->f->mapped[index];
-    pov_box own, *box = &k->f->boxes[index];
-    placement *p = arena_alloc(k->kept, sizeof *p, sizeof(double));
-
-    s->instance = keep(k, o);
-    if (!p || !s->instance)
-        return POV_E_MEMORY;
-    s->placement = p;
-    *finite = o->shape->bounds(s->instance, &own) && is_finite_box(&own);
-    if (*finite) {
-        placement_box(&k->map, &own, box);
-        *finite = is_finite_box(box);
-    }
-    placement_init(p, &k->map, &own, *finite ? box : NULL);
-    k->part->composed++;
-    return POV_OK;
+    if (!o->shape->bounds(instance, own) || !is_finite_box(own))
+        return false;
+    placement_box(map, own, around);
+    return is_finite_box(around);
 }
 
-/* Take the transformation into the shape, or place it. */
-static pov_status move(maker *k, const object *o, uint32_t index, bool *finite)
+void flat_place(const flat *f, uint32_t index, placement *out)
 {
-    shape_place *s = &k->f->mapped[index];
+    const object *o = &f->model->objects.items[index];
+    pov_box own, around;
+    pov_affine map;
+    bool finite;
+
+    transform_compose(o->map, &map);   /* as it could before */
+    finite = placed_box(o, f->moved[index], &map, &own, &around);
+    placement_init(out, &map, &own, finite ? &around : NULL);
+}
+
+/* Take the transformation into the shape, or leave the shape as it was written. */
+static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, bool *placed)
+{
+    const void **instance = &k->f->moved[index];
+    pov_box own, *box = &k->f->boxes[index];
     pov_status status = compose(k, o);
 
     if (status == POV_OK && o->shape->absorb)
-        status = absorb(k, o, &s->instance);
+        status = absorb(k, o, instance);
     if (status < 0)
         return status;
-    if (!s->instance)
-        return place(k, o, index, finite);
-    k->part->absorbed++;
-    *finite = o->shape->bounds(s->instance, &k->f->boxes[index]) && is_finite_box(&k->f->boxes[index]);
+    *placed = *instance == NULL;
+    if (*placed) {
+        *instance = keep(k, o);
+        if (!*instance)
+            return POV_E_MEMORY;
+        k->part->composed++;
+        *finite = placed_box(o, *instance, &k->map, &own, box);
+    } else {
+        k->part->absorbed++;
+        *finite = o->shape->bounds(*instance, box) && is_finite_box(box);
+    }
     return POV_OK;
 }
 
@@ -222,12 +230,11 @@ static pov_status flatten_one(maker *k, uint32_t index)
     room here;
 
     if (o->map) {
-        status = move(k, o, index, &finite);
+        status = move(k, o, index, &finite, &placed);
         if (status < 0)
             return status;
         box = &f->boxes[index];
-        instance = f->mapped[index].instance;
-        placed = f->mapped[index].placement != NULL;
+        instance = f->moved[index];
     } else {
         instance = look_at(o, &here);
         finite = shape->bounds(instance, box) && is_finite_box(box);
@@ -310,10 +317,10 @@ static bool allocate(survey *s, bool any_map)
     f->kept = make_arenas(f->env, f->threads);
     f->group = env_alloc(f->env, n, sizeof *f->group);
     if (any_map) {
-        f->mapped = env_alloc(f->env, n, sizeof *f->mapped);
+        f->moved = env_alloc(f->env, n, sizeof *f->moved);
         f->boxes = env_alloc(f->env, n, sizeof *f->boxes);
     }
-    return s->parts && f->staging && f->kept && f->group && (!any_map || (f->mapped && f->boxes));
+    return s->parts && f->staging && f->kept && f->group && (!any_map || (f->moved && f->boxes));
 }
 
 /* The parts' counts together, or the first part's failure. */
@@ -438,7 +445,7 @@ void flat_free(flat *f)
     flat_free_arenas(f->env, f->staging, f->threads);
     flat_free_arenas(f->env, f->kept, f->threads);
     flat_free_groups(f->env, f->groups, f->group_count);
-    env_free(f->env, f->mapped);
+    env_free(f->env, f->moved);
     env_free(f->env, f->boxes);
     env_free(f->env, f->group);
     env_free(f->env, f->packs);

@@ -8,12 +8,6 @@
 #include "model/model.h"
 #include "world/run.h"
 
-/* Where an object's shape is. */
-typedef struct shape_place {
-    const void *instance;
-    const placement *placement;  /* NULL: own space is the world */
-} shape_place;
-
 /* Shapes of one class that are stored and asked alike. */
 typedef struct shape_group {
     const pov_shape_class *shape;
@@ -32,8 +26,8 @@ typedef struct flat {
     const model *model;
     int threads;
     arena *staging;              /* by thread: copies that have absorbed a transformation, until runs take them */
-    arena *kept;                 /* by thread: placements and their instances, which runs point to */
-    shape_place *mapped;         /* of those with a transformation; NULL: no object has one */
+    arena *kept;                 /* by thread: instances of shapes that are placed, which runs point to */
+    const void **moved;          /* instances of those with a transformation; NULL: no object has one */
     pov_box *boxes;              /* the same, of finite ones */
     uint16_t *group;
     shape_group *groups;
@@ -49,6 +43,8 @@ typedef struct flat {
 pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err);
 /* The box of a finite object, as flatten() saw it. Any thread. */
 void flat_box(const flat *f, uint32_t index, pov_box *out);
+/* The placement of an object whose group is placed. Made anew, so that it is kept in one place only. Any thread. */
+void flat_place(const flat *f, uint32_t index, placement *out);
 /* Boxes are not asked for any more. */
 void flat_drop_boxes(flat *f);
 void flat_free(flat *f);

@@ -13,16 +13,21 @@ typedef struct medium {
     pov_box box;
 } medium;
 
+/* Where an object's shape is. */
+typedef struct shape_place {
+    const void *instance;
+    const placement *placement;  /* NULL: own space is the world */
+} shape_place;
+
 struct world {
     const env *env;
     const model *model;
     plan plan;
-    uint16_t *group;             /* by object, as the next two */
-    uint32_t *slot;              /* its place among the group's instances */
-    shape_place *mapped;         /* of objects of groups that are placed; NULL: there are none */
+    uint16_t *group;             /* by object, as the next */
+    uint32_t *slot;              /* its place among the group's instances; where its run is, if it is placed */
     shape_group *groups;
     size_t group_count;
-    arena *kept;                 /* of placements */
+    arena *kept;                 /* instances of shapes that are placed */
     int kept_count;
     unsigned char *list_memory;
     const run *infinite;         /* asked for every ray; NULL: none */
@@ -62,9 +67,14 @@ static inline shape_place world_place(const world *w, uint32_t index)
     const shape_group *g = &w->groups[w->group[index]];
     shape_place p = { NULL, NULL };
 
-    if (g->placed)
-        return w->mapped[index];
-    p.instance = g->instances + (size_t)w->slot[index] * g->stride;
+    if (g->placed) {
+        const unsigned char *base = w->slot[index] & RUNS_IN_LISTS ? w->list_memory : w->tree.leaves;
+        const run *r = (const run *)(const void *)(base + (size_t)(w->slot[index] & ~RUNS_IN_LISTS) * RUNS_LINE);
+        p.instance = r->instances;
+        p.placement = run_placement(r);
+    } else {
+        p.instance = g->instances + (size_t)w->slot[index] * g->stride;
+    }
     return p;
 }
 

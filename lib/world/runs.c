@@ -53,6 +53,11 @@ static uint32_t run_length(const flat *f, const uint32_t *ids, uint32_t count)
     return n;
 }
 
+static unsigned room_of(const shape_group *g)
+{
+    return g->placed ? RUN_PLACED : g->packs ? RUN_ROOM : 0;
+}
+
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
 {
     const flat *f = r->flat;
@@ -64,7 +69,7 @@ size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
         const shape_group *g = &f->groups[f->group[ids[0]]];
         n = run_length(f, ids, count);
         r->at[part * f->group_count + f->group[ids[0]]] += n;
-        bytes += run_bytes(g->shape, g->packs);
+        bytes += run_bytes(g->shape, room_of(g));
     }
     return bytes;
 }
@@ -102,11 +107,21 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
     unsigned char *instance = g->instances + (size_t)slot * g->stride;
 
     if (o->map)
-        memcpy(instance, f->mapped[id].instance, g->shape->instance_size);
+        memcpy(instance, f->moved[id], g->shape->instance_size);
     else
         flat_make(o, instance);
     r->slot[id] = slot;
     return instance;
+}
+
+/* What a run of a placed shape holds besides, and where it can be found. */
+static const void *place(runs *r, uint32_t id, run *out)
+{
+    unsigned char *start = (unsigned char *)out;
+
+    flat_place(r->flat, id, (placement *)(void *)(start + RUN_PLACE));
+    r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
+    return r->flat->moved[id];
 }
 
 static void fill_run(runs *r, const uint32_t *ids, uint32_t count, uint32_t *at, run *out)
@@ -117,20 +132,20 @@ static void fill_run(runs *r, const uint32_t *ids, uint32_t count, uint32_t *at,
     const void *selves[RUN_WIDTH];
     uint32_t i;
 
-    memset(out, 0, run_bytes(g->shape, g->packs));
+    memset(out, 0, run_bytes(g->shape, room_of(g)));
     out->shape = g->shape;
-    out->stride = g->stride;
     out->count = (uint8_t)count;
-    out->flags = g->packs ? RUN_ROOM : 0;
+    out->flags = (uint8_t)room_of(g);
     for (i = 0; i < count; i++) {
         const object *o = &m->objects.items[ids[i]];
-        selves[i] = g->placed ? f->mapped[ids[i]].instance : settle(r, ids[i], (*at)++);
+        selves[i] = g->placed ? place(r, ids[i], out) : settle(r, ids[i], (*at)++);
         out->object[i] = ids[i];
         out->casts |= (uint8_t)(!(o->flags & OBJECT_NO_SHADOW) << i);
         out->opaque |= (uint8_t)(!material_is_transparent(&m->materials.items[o->material]) << i);
     }
     out->instances = selves[0];
-    out->placements = g->placed ? f->mapped[ids[0]].placement : NULL;
+    if (!g->placed)
+        out->stride = g->stride;
     if (g->packs && g->shape->block_pack((unsigned char *)out + RUN_HEAD, selves, count))
         out->flags |= RUN_PACKED;
 }
@@ -147,6 +162,6 @@ void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void
         fill_run(r, ids, n, &r->at[part * f->group_count + f->group[ids[0]]], out);
         if (n < count)
             out->flags |= RUN_MORE;
-        end += run_bytes(out->shape, (out->flags & RUN_ROOM) != 0);
+        end += run_bytes(out->shape, out->flags);
     }
 }

@@ -11,15 +11,21 @@ typedef struct runs {
     flat *flat;
     uint32_t parts;
     uint32_t *at;                /* by part and group: how many instances; then the place of the next */
-    uint32_t *slot;              /* by object: its place in its group */
+    uint32_t *slot;              /* by object: its place in its group; of one that is placed, where its run is */
+    const unsigned char *base;   /* what runs are being filled, and the bit that tells which */
+    uint32_t mark;
 } runs;
+
+/* Where the run of a placed shape is: in lines of memory, from the start of the leaves or, with this bit, the lists. */
+#define RUNS_IN_LISTS 0x80000000u
+enum { RUNS_LINE = 64 };
 
 bool runs_init(runs *r, flat *f, uint32_t parts);
 /* How many bytes the runs of these objects take. ids are put in order. */
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count);
 /* When all sizes have been asked: room for the instances. */
 bool runs_allocate(runs *r);
-/* The same objects in the same order within each part; memory need not be zeroed. */
+/* The same objects in the same order within each part, into `base`; memory need not be zeroed. */
 void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void *at);
 void runs_free(runs *r);
 

@@ -141,6 +141,8 @@ static void fill_lists(world *w, runs *r, bool with_finite, size_t first)
 {
     const flat *f = r->flat;
 
+    r->base = w->list_memory;
+    r->mark = RUNS_IN_LISTS;
     if (f->infinite_count > 0) {
         runs_fill(r, LIST_PART, f->infinite, f->infinite_count, w->list_memory);
         w->infinite = (const run *)(const void *)w->list_memory;
@@ -156,9 +158,13 @@ static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count
     return runs_size(user, TREE_PART + part, ids, count);
 }
 
-static bool leaf_allocate(void *user)
+static bool leaf_allocate(void *user, const void *leaves)
 {
-    return runs_allocate(user);
+    runs *r = user;
+
+    r->base = leaves;
+    r->mark = 0;
+    return runs_allocate(r);
 }
 
 static void leaf_fill(void *user, uint32_t part, const uint32_t *ids, uint32_t count, void *at)
@@ -240,10 +246,6 @@ static void take_over(world *w, flat *f)
     f->groups = NULL;
     f->group = NULL;
     f->kept = NULL;
-    if (f->composed > 0) {
-        w->mapped = f->mapped;
-        f->mapped = NULL;
-    }
 }
 
 static pov_status build(world *w, const world_options *options, pov_error *err)
@@ -302,7 +304,6 @@ void world_destroy(world *w)
     env_free_aligned(w->env, w->list_memory);
     env_free(w->env, w->group);
     env_free(w->env, w->slot);
-    env_free(w->env, w->mapped);
     env_free(w->env, w->media);
     plan_free(&w->plan);
     env_free(w->env, w);
