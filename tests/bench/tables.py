@@ -6,8 +6,11 @@ there is none, the table stays as it is.
 """
 import argparse
 import csv
+import os
 import re
 import statistics
+import subprocess
+import time
 from pathlib import Path
 
 # How many times as long as ours each of the others is to take.
@@ -104,6 +107,17 @@ TABLES = {'figures': ('bench.csv', figures), 'whole': ('whole.csv', whole), 'thr
           'scale': ('scale.csv', scale), 'where': ('where.csv', where)}
 
 
+def conditions(path):
+    """The line below a table: when it was measured, on what, and the last commit before."""
+    day = time.strftime('%Y-%m-%d', time.localtime(path.stat().st_mtime))
+    commit = subprocess.run(['git', 'log', '-1', '--format=%s', f'--before={int(path.stat().st_mtime)}'],
+                            stdout=subprocess.PIPE, text=True).stdout.strip()
+    cpuinfo = Path('/proc/cpuinfo')
+    model = re.search(r'model name\s*: (.*)', cpuinfo.read_text()) if cpuinfo.exists() else None
+    return (f'Measured on {day} after "{commit}", {model[1] if model else "an unknown processor"}, '
+            f'{len(os.sched_getaffinity(0))} cores.')
+
+
 def main():
     options = arguments()
     docs = Path(options.docs)
@@ -114,7 +128,7 @@ def main():
             print(f'{name}: left as it is, there is no {path}')
             continue
         with open(path) as file:
-            lines = make(list(csv.DictReader(file)))
+            lines = make(list(csv.DictReader(file))) + ['', conditions(path)]
         mark = f'<!-- bench:{name} -->'
         text, found = re.subn(f'({mark}\n).*?(<!-- end -->)', lambda m: m[1] + '\n'.join(lines) + '\n' + m[2], text,
                               flags=re.S)

@@ -17,7 +17,7 @@ import counts
 import make_scenes
 import programs
 
-SCENES = ('flake-4', 'spheres-1e2', 'spheres-1e4', 'spheres-1e6', 'mixed-1e2', 'mixed-1e4', 'rings', 'tree', 'hall', 'glass',
+SCENES = ('flake-4', 'spheres-1e2', 'spheres-1e4', 'mixed-1e2', 'mixed-1e4', 'rings', 'tree', 'hall', 'glass',
           'strip')
 # The first that fits a function's place, "object:file:function", is its part.
 PARTS = (('tree', r':lib/world/(bvh_|many|bits|query|run)'),
