@@ -16,6 +16,7 @@
 /* Seconds between two questions whether to give up: a cancelled job ends well within 20 ms, also where rays
  * get a hundred times dearer from one question to the next. */
 static const double ask_soon = 0.002, ask_late = 0.008;
+enum { EVERY_MAX = 4 * BATCH_MAX };
 
 static void make_camera_paths(batch *b)
 {
@@ -91,7 +92,7 @@ bool tracer_gives_up(pov_tracer *t, uint32_t rays)
     if (!i->ask || i->given_up || i->left > 0)
         return i->given_up;
     now = clock_seconds();
-    if (now - i->asked < ask_soon && i->every < BATCH_MAX)
+    if (now - i->asked < ask_soon && i->every < EVERY_MAX)
         i->every *= 2;
     else if (now - i->asked > ask_late)
         i->every = i->every > 8 ? i->every / 8 : 1;
@@ -368,7 +369,7 @@ colour tracer_color(pov_tracer *t, const pov_ray *ray)
 void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, colour *out)
 {
     for (size_t i = 0, some; i < n && !t->failed && !t->interrupt.given_up; i += some) {
-        some = t->interrupt.ask ? (size_t)t->interrupt.every : BATCH_MAX;
+        some = t->interrupt.ask && t->interrupt.every < BATCH_MAX ? (size_t)t->interrupt.every : BATCH_MAX;
         some = some < n - i ? some : n - i;
         trace(t, rays + i, (uint32_t)some, out + i);
     }
