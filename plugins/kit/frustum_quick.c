@@ -186,11 +186,9 @@ static inline kit_root root_of(double middle, bounded t, uint32_t part)
     return r;
 }
 
-static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, const rough *g, double middle,
-                  pov_hits *hits)
+static bool quick(const kit_frustum *s, const kit_ray *k, const rough *g, leaving way, double middle, pov_hits *hits)
 {
     rough_span side, slab, both;
-    leaving way = NOT_LEAVING;
     bool certain = true, in, out;
     kit_equation equation = { s, k, kit_frustum_residual, 0.0 };
     const double speed = fabs(g->dx.v) + fabs(g->dy.v) + fabs(g->dz.v);
@@ -205,8 +203,6 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, co
         return false;
     if (side.empty)
         return true;
-    if (ray->left == hits->owner)
-        way = rough_leaving(s, k, g, ray->left_mark.part, &certain);
     both = s->open ? side : rough_meet(side, slab, &certain);
     in = way != INWARD && !both.from_ever;
     out = way != OUTWARD && !both.for_ever;
@@ -232,6 +228,8 @@ void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const kit_ray k = kit_enter(ray, s->anchor, s->scale);
     const pov_vec3 f = pov_two3_hi(k.f);
     const double slack = kit_far_slack(&k);
+    leaving way = NOT_LEAVING;
+    bool certain = pov_largest(f) < KIT_FAR && !hits->always_exact;
     double middle;
     pov_vec3 w;
     rough g;
@@ -241,6 +239,13 @@ void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     g.dx = row_times(s, 0, k.d, 0.0);
     g.dy = row_times(s, 1, k.d, 0.0);
     g.dz = row_times(s, 2, k.d, 0.0);
+    g.grow = times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.dz);
+    if (ray->left == hits->owner) {
+        way = rough_leaving(s, &k, &g, ray->left_mark.part, &certain);
+        /* With its caps it is convex: from there on all of it is behind. */
+        if (certain && way == OUTWARD && !s->open && hits->tmin >= 0.0)
+            return;
+    }
     /* Closest approach to the middle of the axis, in local lengths. Any point near the shape would do. */
     middle = -(row_times(s, 0, f, 0.0).v * g.dx.v + row_times(s, 1, f, 0.0).v * g.dy.v
                + (row_times(s, 2, f, 0.0).v - 0.5 * s->height.hi) * g.dz.v)
@@ -251,7 +256,6 @@ void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     g.z = row_times(s, 2, w, slack);
     g.r = plus(bounded_of(s->radius.hi, KIT_U * s->radius.hi),
                times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.z));
-    g.grow = times(bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)), g.dz);
-    if (hits->always_exact || !(pov_largest(f) < KIT_FAR) || !quick(s, &k, ray, &g, middle, hits))
+    if (!certain || !quick(s, &k, &g, way, middle, hits))
         kit_frustum_decide(s, &k, ray, middle, hits);
 }

@@ -6,7 +6,10 @@
 
 #include "kit/local.h"
 
-/* Sanitizers cannot run in the resolvers that pick a clone. */
+/* Sanitizers cannot run in the resolvers that pick a clone, and what is built for wide processors needs none. */
+#if defined(__AVX2__)
+#define KIT_ONE_CLONE 1
+#endif
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
 #define KIT_ONE_CLONE 1
