@@ -8,6 +8,8 @@
 
 enum { WIDTH = 12, HEIGHT = 9 };
 
+#define CHECKPOINT TEST_BUILD "/tests/api/test_memory.checkpoint"
+
 static pov_status render(const pov_scene *scene, pov_error *err)
 {
     static float pixels[WIDTH * HEIGHT * 4];
@@ -34,7 +36,44 @@ static pov_status render(const pov_scene *scene, pov_error *err)
     return status;
 }
 
-static pov_status whole_way(const char *path, failing *f, pov_error *err)
+/* Eight samples a pixel on average, where the error is; it is left after a pass for a checkpoint, and another job goes on
+ * from that and tells its rows. */
+static pov_status refine(const pov_scene *scene, pov_error *err)
+{
+    pov_render_desc d = POV_INIT(d);
+    pov_pass row = POV_INIT(row);
+    pov_job *job = NULL;
+    pov_status status;
+
+    d.width = WIDTH;
+    d.height = HEIGHT;
+    d.threads = 1;
+    d.samples = 8;
+    d.sampling = POV_SAMPLING_ADAPTIVE;
+    status = pov_job_create(&job, scene, &d, err);
+    while (status == POV_OK && !pov_job_get_pass(job, 1, &row) && pov_job_step(job) == POV_JOB_RUNNING)
+        continue;
+    if (status == POV_OK)
+        status = pov_job_get_error(job, err);
+    if (status == POV_OK)
+        status = pov_job_save(job, CHECKPOINT, err);
+    pov_job_destroy(job);
+    job = NULL;
+    if (status == POV_OK)
+        status = pov_job_create(&job, scene, &d, err);
+    if (status == POV_OK)
+        status = pov_job_load(job, CHECKPOINT, err);
+    while (status == POV_OK && pov_job_step(job) == POV_JOB_RUNNING)
+        continue;
+    if (status == POV_OK)
+        status = pov_job_get_error(job, err);
+    if (status == POV_OK)
+        assert_true(pov_job_get_pass(job, 4, &row) && row.est_rmse >= 0.0 && row.spp_mean >= 8.0);
+    pov_job_destroy(job);
+    return status;
+}
+
+static pov_status whole_way(const char *path, failing *f, pov_status (*draw)(const pov_scene *, pov_error *), pov_error *err)
 {
     pov_context_desc d = POV_INIT(d);
     pov_context *context = NULL;
@@ -47,26 +86,25 @@ static pov_status whole_way(const char *path, failing *f, pov_error *err)
     if (status == POV_OK)
         status = pov_scene_load_file(&scene, context, path, NULL, err);
     if (status == POV_OK)
-        status = render(scene, err);
+        status = draw(scene, err);
     pov_scene_destroy(scene);
     pov_context_destroy(context);
     return status;
 }
 
-static void every_allocation_may_fail(void **state)
+static void fail_every_allocation(pov_status (*draw)(const pov_scene *, pov_error *))
 {
     char **list = scenes_list("test");
     long n, failures = 0;
     size_t i;
 
-    (void)state;
     for (i = 0; list[i]; i++) {
         pov_status status = POV_E_MEMORY;
         for (n = 1; status != POV_OK; n++) {
             pov_error err;
             failing f;
             failing_init(&f, n);
-            status = whole_way(list[i], &f, &err);
+            status = whole_way(list[i], &f, draw, &err);
             if (status != POV_OK && status != POV_E_MEMORY)
                 fail_msg("%s, allocation %ld: %s: %s", list[i], n, pov_status_name(status), err.message);
             if (f.blocks != 0)
@@ -80,9 +118,25 @@ static void every_allocation_may_fail(void **state)
     scenes_free(list);
 }
 
+static void every_allocation_of_a_picture_may_fail(void **state)
+{
+    (void)state;
+    fail_every_allocation(render);
+}
+
+static void every_allocation_of_more_samples_may_fail(void **state)
+{
+    (void)state;
+    fail_every_allocation(refine);
+    assert_int_equal(remove(CHECKPOINT), 0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(every_allocation_may_fail) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_allocation_of_a_picture_may_fail),
+        cmocka_unit_test(every_allocation_of_more_samples_may_fail),
+    };
 
     return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
 }
