@@ -90,7 +90,8 @@ test: deps
 	$(MAKE) tests
 	BUILD_DIR='$(abspath $(BUILD))' CC='$(CC)' CXX='$(CXX)' tests/run.sh $(TEST_PROGRAMS) $(TEST_SCRIPTS)
 
-# The same tests under the sanitizers, each in a build of its own.
+# The same tests under the sanitizers, each in a build of its own. POVTRACE_STORM=60 in the environment has jobs restarted,
+# paused, resized and cancelled at random moments for a minute.
 SANITIZED_TESTS = $(filter-out tests/numerics/%,$(TEST_SOURCES))
 .PHONY: asan tsan
 asan:

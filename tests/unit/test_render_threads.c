@@ -1,10 +1,12 @@
 /* Jobs that are restarted, cancelled, watched and destroyed while threads work on them. */
+#include "support/failing.h"
 #include "support/near.h"
 #include "support/tiny_job.h"
 
 #include "base/clock.h"
 #include "base/thread.h"
 
+#include <dirent.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -160,6 +162,97 @@ static void a_pixel_that_takes_for_ever_is_given_up_at_once(void **state)
     tiny_end(&s);
 }
 
+/* One job's life: of any size and kind, and whatever a viewer may do to it at any moment. */
+static void weather(const tiny *s, viewer *v, unsigned *seed)
+{
+    pov_render_desc d = tiny_desc(1 + (int)(next_random(seed) % WIDTH), 1 + (int)(next_random(seed) % HEIGHT));
+    pov_camera camera = s->model.camera;
+    thread t;
+
+    d.threads = 1 + (int)(next_random(seed) % 4);
+    d.preview = next_random(seed) % 2 ? 16 : 0;
+    d.samples = next_random(seed) % 3 ? 12 : 1;
+    d.sampling = next_random(seed) % 2 ? POV_SAMPLING_ADAPTIVE : POV_SAMPLING_UNIFORM;
+    v->stop = false;
+    v->job = tiny_job(s, &d);
+    assert_true(mutex_init(&v->lock) && thread_start(&t, watch, v));
+    for (int i = 0; i < 30; i++) {
+        unsigned what = next_random(seed) % 8;
+
+        camera.location.x = i * 0.01;
+        if (what < 3)
+            job_restart(v->job, &camera);
+        else if (what < 5)
+            job_pause(v->job, what == 3);
+        else if (what == 5)
+            job_cancel(v->job);
+        else if (what == 6)
+            assert_int_equal(job_start(v->job, NULL), POV_OK);
+        nap(next_random(seed) % 20 * 1e-4);
+    }
+    if (next_random(seed) % 4 == 0) {
+        float *found, *wanted;
+
+        job_pause(v->job, false);
+        job_restart(v->job, &camera);
+        while (job_step(v->job) == POV_JOB_RUNNING)
+            continue;
+        found = tiny_read(v->job, d.width, d.height);
+        d.camera = &camera;
+        wanted = tiny_picture(s, &d);
+        assert_memory_equal(found, wanted, 4 * sizeof(float) * (size_t)d.width * (size_t)d.height);
+        free(found);
+        free(wanted);
+    }
+    finish(v, t);
+    job_destroy(v->job);
+}
+
+/* Or -1 where the system does not say. */
+static int threads_alive(void)
+{
+    DIR *tasks = opendir("/proc/self/task");
+    int count = 0;
+
+    if (!tasks)
+        return -1;
+    while (readdir(tasks))
+        count++;
+    closedir(tasks);
+    return count;
+}
+
+/* For POVTRACE_STORM seconds, half a second where nobody says. */
+static void all_of_it_at_random_moments_leaves_nothing_behind(void **state)
+{
+    const char *asked = getenv("POVTRACE_STORM");
+    double until = clock_seconds() + (asked ? strtod(asked, NULL) : 0.5);
+    viewer *v = calloc(1, sizeof *v);
+    unsigned seed = 17;
+    pov_allocator memory;
+    failing all;
+    int lives = 0, alive;
+    long blocks;
+    tiny s;
+    (void)state;
+
+    failing_init(&all, 0);
+    memory = failing_allocator(&all);
+    tiny_room(&s, &memory);
+    blocks = all.blocks;
+    alive = threads_alive();
+    for (; lives == 0 || clock_seconds() < until; lives++)
+        weather(&s, v, &seed);
+    assert_int_equal(all.blocks, blocks);
+    /* The system may list a thread for a moment after it was joined. */
+    for (int i = 0; i < 100 && threads_alive() != alive; i++)
+        nap(0.01);
+    assert_int_equal(threads_alive(), alive);
+    print_message("%d jobs came and went\n", lives);
+    free(v);
+    tiny_end(&s);
+}
+
 static void *step_to_the_end(void *user)
 {
     while (job_step(user) == POV_JOB_RUNNING)
@@ -222,6 +315,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_storm_of_restarts_ends_in_the_last_camera_s_picture),
         cmocka_unit_test(a_job_may_be_cancelled_and_destroyed_at_any_moment),
+        cmocka_unit_test(all_of_it_at_random_moments_leaves_nothing_behind),
         cmocka_unit_test(a_pixel_that_takes_for_ever_is_given_up_at_once),
         cmocka_unit_test(threads_of_the_program_may_step_beside_those_of_the_job),
         cmocka_unit_test(waiting_ends_when_its_time_is_up),
