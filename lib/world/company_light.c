@@ -57,7 +57,7 @@ static uint64_t meet_light(bvh_party *party, const void *leaf, uint64_t lanes)
             continue;
         for (met = packed ? company_filter(c, r, lanes) : lanes; met; met &= met - 1) {
             const uint32_t i = first_of64(met);
-            if (packed ? take_light(c, i, r) : ask_lights(c, i, r, r->casts))
+            if (packed ? take_light(c, i, r) : ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i])))
                 ended |= bit_of(i);
         }
         lanes &= ~ended;

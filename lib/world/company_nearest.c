@@ -59,7 +59,7 @@ static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
     company *c = (company *)(void *)party;
     const run *r;
     uint64_t met;
-    uint32_t lane;
+    uint32_t mask;
 
     for (r = leaf; r; r = run_next(r)) {
         if (r->flags & RUN_PACKED) {
@@ -68,8 +68,8 @@ static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
             continue;
         }
         for (met = lanes; met; met &= met - 1)
-            for (lane = 0; lane < r->count; lane++)
-                ask_nearest(c, first_of64(met), r, lane);
+            for (mask = run_lanes(r) & ~left_behind(r, c->rays[first_of64(met)]); mask; mask &= mask - 1)
+                ask_nearest(c, first_of64(met), r, first_of(mask));
     }
     return 0;
 }

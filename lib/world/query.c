@@ -118,14 +118,14 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
 {
     query *q = (query *)(void *)walk;
     const run *r;
-    uint32_t lane;
+    uint32_t mask;
 
     for (r = leaf; r; r = run_next(r)) {
         if (is_filtered(q, r))
             filter_nearest(q, r);
         else
-            for (lane = 0; lane < r->count; lane++)
-                ask_nearest(q, r, lane);
+            for (mask = run_lanes(r) & ~left_behind(r, walk->ray); mask; mask &= mask - 1)
+                ask_nearest(q, r, first_of(mask));
     }
     return false;
 }
@@ -206,7 +206,7 @@ static bool meet_shadow(bvh_walk *walk, const void *leaf)
 {
     query *q = (query *)(void *)walk;
     const run *r;
-    uint32_t lane;
+    uint32_t mask;
 
     for (r = leaf; r; r = run_next(r)) {
         if (r->casts == 0)
@@ -216,8 +216,8 @@ static bool meet_shadow(bvh_walk *walk, const void *leaf)
                 return true;
             continue;
         }
-        for (lane = 0; lane < r->count; lane++)
-            if ((r->casts >> lane & 1) && ask_shadow(q, r, lane))
+        for (mask = r->casts & ~left_behind(r, walk->ray); mask; mask &= mask - 1)
+            if (ask_shadow(q, r, first_of(mask)))
                 return true;
     }
     return false;

@@ -339,7 +339,7 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
 
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
     .keyword = "box",
     .instance_size = sizeof(box),
     .parse = parse,

@@ -24,7 +24,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 
 static const pov_shape_class cylinder_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
     .keyword = "cylinder",
     .instance_size = sizeof(kit_frustum),
     .parse = parse,
