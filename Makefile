@@ -119,6 +119,12 @@ $(BUILD)/obj/$(WIDE)/plugins/kit.a: $(KIT_OBJECTS:$(BUILD)/obj/%=$(BUILD)/obj/$(
 $(BUILD)/lib/povtrace/primitives/$(WIDE)/%.so: $(BUILD)/obj/$(WIDE)/plugins/primitives/%.o $(BUILD)/obj/$(WIDE)/plugins/kit.a
 	@mkdir -p $(@D)
 	$(LINK_PLUGIN)
+else
+# The loader would take what an earlier make left.
+.PHONY: narrow
+all: narrow
+narrow:
+	rm -rf $(BUILD)/lib/glibc-hwcaps $(wildcard $(BUILD)/lib/povtrace/primitives/x86-64-v*)
 endif
 
 # ---- programs ----
@@ -127,7 +133,7 @@ $(BUILD)/obj/cli/%.o: cli/%.c
 	@mkdir -p $(@D)
 	$(CC) $(USER_FLAGS) -Icli -c $< -o $@
 
-$(POVC): $(CLI_OBJECTS) $(SHARED)
+$(POVC): $(CLI_OBJECTS) $(SHARED) | $(WIDE_SHARED) $(WIDE_PLUGINS)
 	@mkdir -p $(@D)
 	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -lm -o $@
 
