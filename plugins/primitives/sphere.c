@@ -277,7 +277,7 @@ KIT_CLONES static void find_entries(const sphere_lanes *restrict l, entry_lanes 
         const chord h = find_chord(square_of(&s), &k);
         const kit_root r = near_end(&h);
         const double slack = kit_slack(&r);
-        const bool good = is_near(&k) & is_cut(&h) & kit_is_fine(&r, KIT_FINE * KIT_SLOWEST);
+        const int good = (int)is_near(&k) & (int)is_cut(&h) & (int)kit_is_fine(&r, KIT_FINE * KIT_SLOWEST);
 
         out->lo[i] = good ? (r.t.hi - slack) * k.unit : NAN;
         out->hi[i] = (r.t.hi + slack) * k.unit;
