@@ -49,13 +49,14 @@ static pov_status render_and_report(const args *a, const messages *m, pov_contex
                                     const pov_scene *scene, bool *short_of, pov_error *err)
 {
     bool rendered = a->output && !a->check;
-    stats s = { a, context, scene, NULL, 0.0, m->warnings };
+    stats s = { a, context, scene, NULL, NULL, 0.0, m->warnings };
     pov_status status = POV_OK;
     render r;
 
     if (rendered) {
         status = render_run(&r, a, m, context, scene, err);
         s.progress = &r.progress;
+        s.job = r.job;
         s.write_seconds = r.write_seconds;
     }
     if (status == POV_OK && a->stats)

@@ -274,7 +274,7 @@ static void put_plan(const report *r, FILE *to)
 
 static pov_status put_stats(const report *r, FILE *to, pov_error *err)
 {
-    stats s = { r->args, r->context, r->scene, r->progress, r->write_seconds, r->messages->warnings };
+    stats s = { r->args, r->context, r->scene, r->progress, r->job, r->write_seconds, r->messages->warnings };
     char *text = NULL;
     size_t length = 0;
     FILE *lines = open_memstream(&text, &length);

@@ -86,6 +86,20 @@ static void print_counts(FILE *to, const pov_counts *c)
     count(to, "decided", c->decided, "intersections");
 }
 
+/* What each class of primitives was asked, and what two-part arithmetic had to decide of it. */
+static void print_classes(FILE *to, pov_job *job)
+{
+    pov_class_counts c = POV_INIT(c);
+    char name[128];
+
+    for (size_t i = 0; pov_job_get_class(job, i, &c); i++) {
+        snprintf(name, sizeof name, "%s_asked", c.keyword);
+        count(to, name, c.asked, "intersections");
+        snprintf(name, sizeof name, "%s_decided", c.keyword);
+        count(to, name, c.decided, "intersections");
+    }
+}
+
 static void print_render(FILE *to, const stats *s)
 {
     const args *a = s->args;
@@ -100,6 +114,7 @@ static void print_render(FILE *to, const stats *s)
         fprintf(to, "estimated_error: %.6g rms\n", s->progress->est_rmse);
     count(to, "threads", (uint64_t)s->progress->threads, "");
     print_counts(to, &s->progress->counts);
+    print_classes(to, s->job);
 }
 
 void stats_print(FILE *to, const stats *s)

@@ -11,6 +11,7 @@ typedef struct stats {
     pov_context *context;
     const pov_scene *scene;
     const pov_progress *progress;   /* NULL: nothing was rendered */
+    pov_job *job;                   /* the same */
     double write_seconds;
     unsigned warnings;
 } stats;

@@ -112,6 +112,16 @@ bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out)
     return true;
 }
 
+bool pov_job_get_class(pov_job *job, size_t index, pov_class_counts *out)
+{
+    pov_class_counts ours = POV_INIT(ours);
+
+    if (!job_get_class(job, index, &ours))
+        return false;
+    adapt_out(out, &ours, sizeof ours);
+    return true;
+}
+
 pov_status pov_job_get_error(pov_job *job, pov_error *err)
 {
     return job_get_error(job, err);

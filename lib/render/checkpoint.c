@@ -13,7 +13,7 @@
  * byte. In order: identity, state, rows, counts and targets of the groups, then while lattices are traced which of
  * their passes each square has and the pixels, and afterwards the halves; last the hash of all that. */
 
-enum { FORMAT = 2, SQUARE = TILE_EDGE_MIN };
+enum { FORMAT = 3, SQUARE = TILE_EDGE_MIN };
 
 /* What must be the same to go on. Written over zeros, so that padding is the same too. */
 typedef struct identity {
@@ -31,6 +31,7 @@ typedef struct state {
     uint32_t refining, reserved;
     double elapsed, cpu;
     pov_counts counts, lattices[LATTICES_MAX];
+    class_counts classes;
 } state;
 
 static void identify(const pov_job *job, identity *id)
@@ -127,6 +128,7 @@ static void image(const pov_job *job, unsigned char *to)
     s.counts = job->counts;
     for (int i = 0; i < LATTICES_MAX; i++)
         s.lattices[i] = job->lattices[i].counts;
+    s.classes = job->classes;
     to = put(to, &id, sizeof id);
     to = put(to, &s, sizeof s);
     to = put(to, job->rows.items, row_count(job) * sizeof *job->rows.items);
@@ -294,6 +296,7 @@ static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
         job->counts = s.counts;
         for (int i = 0; i < LATTICES_MAX; i++)
             job->lattices[i].counts = s.lattices[i];
+        job->classes = s.classes;
         if (s.refining)
             take_halves(job, at, part, pixels);
         else

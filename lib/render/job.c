@@ -177,12 +177,14 @@ static void work(pov_job *job, worker *w)
 {
     pov_error error = { 0 };
     pov_counts fresh = { 0 };
+    class_counts classes = { 0 };
     bool whole = false, tell = false;
     double began = clock_thread_seconds();
 
     if (worker_prepare(w, job->model, job->world, ask_whether_to_give_up, &error) == POV_OK) {
         whole = trace(job, w);
         fresh = worker_count(w);
+        walker_take_classes(w->tracer->walker, &classes);
         if (w->tracer->failed)
             err_memory(&error);
     }
@@ -194,7 +196,7 @@ static void work(pov_job *job, worker *w)
             fail(job, &error);
             tell = true;
         } else if (whole) {
-            tell = passes_commit(job, w, &fresh);
+            tell = passes_commit(job, w, &fresh, &classes);
         }
     } else if (job->stop == POV_STOP_TIME) {
         tell = true;

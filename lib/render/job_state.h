@@ -52,6 +52,7 @@ struct pov_job {
     double earlier;              /* seconds of wall time before a checkpoint */
     size_t done_pixels;
     pov_counts counts;
+    class_counts classes;
     bool *dirty;                 /* for each tile: changed since it was last taken */
     size_t dirty_count, dirty_next;
     bool news;                   /* tiles to take where there were none, or the end: for job_wait() */
@@ -80,7 +81,7 @@ void passes_skip(pov_job *job);
 void passes_queue(pov_job *job);
 /* A tile is whole and current; the last one of a pass ends it: what the next one does is decided by what is in, so
  * not by the order of tiles. True: whoever waits for news should hear of it. */
-bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh);
+bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class_counts *classes);
 /* An end before the pass's: the row of what there is. */
 void passes_stop(pov_job *job, pov_stop why);
 /* End the job if its time is over. True: it did. */

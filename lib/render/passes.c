@@ -25,6 +25,7 @@ void passes_begin(pov_job *job)
     job->stop = POV_STOP_NONE;
     job->cpu = 0.0;
     job->counts = none;
+    memset(&job->classes, 0, sizeof job->classes);
     cells_clear(&job->cells);
 }
 
@@ -188,12 +189,16 @@ static size_t samples_more(const pov_job *job, const claim *c)
     return sum;
 }
 
-bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh)
+bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class_counts *classes)
 {
     const claim *c = &w->claim;
     bool first = mark_dirty(job, c->tile);
 
     counts_add(&job->counts, fresh);
+    for (int i = 0; i < WORLD_CLASSES; i++) {
+        job->classes.of[i].asked += classes->of[i].asked;
+        job->classes.of[i].decided += classes->of[i].decided;
+    }
     if (w->meter)
         cells_spend(&job->cells, c->rect, w->meter->spent);
     if (c->refining) {

@@ -227,6 +227,18 @@ bool job_get_pass(pov_job *job, size_t index, pov_pass *out)
     return there;
 }
 
+bool job_get_class(pov_job *job, size_t index, pov_class_counts *out)
+{
+    out->keyword = index < WORLD_CLASSES ? world_class(job->world, index) : NULL;
+    if (!out->keyword)
+        return false;
+    mutex_lock(&job->lock);
+    out->asked = job->classes.of[index].asked;
+    out->decided = job->classes.of[index].decided;
+    mutex_unlock(&job->lock);
+    return true;
+}
+
 pov_status job_get_error(pov_job *job, pov_error *err)
 {
     pov_status status = POV_OK;

@@ -18,18 +18,29 @@ static bool ask_light(company *c, uint32_t i, const run *r, uint32_t lane)
     const bool blocks = c->any_blocks || (r->opaque >> lane & 1);
     pov_hits *hits = blocks ? &c->hits[i] : &c->tints[i];
 
-    begin_light(c, i);
     hits->owner = r->object[lane];
     run_intersect(r, lane, c->rays[i], hits);
     return blocks && hits->count > 0;
 }
 
+static inline uint32_t decided_of(const company *c, uint32_t i)
+{
+    return c->hits[i].decided + (c->any_blocks ? 0 : c->tints[i].decided);
+}
+
 static bool ask_lights(company *c, uint32_t i, const run *r, uint32_t mask)
 {
-    for (; mask; mask &= mask - 1)
-        if (ask_light(c, i, r, first_of(mask)))
-            return true;
-    return false;
+    uint32_t asked = 0, before;
+    bool ended = false;
+
+    if (!mask)
+        return false;
+    begin_light(c, i);
+    before = decided_of(c, i);
+    for (; mask && !ended; mask &= mask - 1, asked++)
+        ended = ask_light(c, i, r, first_of(mask));
+    walker_count(c->walker, r, asked, decided_of(c, i) - before);
+    return ended;
 }
 
 static bool take_light(company *c, uint32_t i, const run *r)
@@ -72,6 +83,7 @@ static bool light_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint32_
     bool ended;
 
     begin_light(c, lane);
+    q.walker = c->walker;
     q.walk.tree = party->tree;
     q.walk.ray = c->rays[lane];
     q.walk.frame = frame;
@@ -97,7 +109,7 @@ static uint64_t end_lights(company *c, uint64_t ended, colour *through)
         pov_hits *tints = asked && !c->any_blocks ? &c->tints[i] : NULL;
 
         if (asked)
-            c->walker->decided += c->hits[i].decided + (tints ? tints->decided : 0);
+            c->walker->decided += decided_of(c, i);
         lit |= (uint64_t)end_light(c->world, ended >> i & 1, tints, &through[c->of[i]]) << c->of[i];
     }
     return lit;

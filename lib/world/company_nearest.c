@@ -19,6 +19,14 @@ static void ask_nearest(company *c, uint32_t i, const run *r, uint32_t lane)
         lower(c, i, hits->tmax);
 }
 
+static void count_nearest(company *c, uint32_t i, const run *r, uint32_t lane)
+{
+    const uint32_t before = nearest_hits(c, i)->decided;
+
+    ask_nearest(c, i, r, lane);
+    walker_count(c->walker, r, 1, c->hits[i].decided - before);
+}
+
 /* One that can be left out by now need not wait any more; if it cannot, it is asked before the next one waits. */
 static void put_off(company *c, uint32_t i, const run *r, uint32_t lane)
 {
@@ -28,7 +36,7 @@ static void put_off(company *c, uint32_t i, const run *r, uint32_t lane)
     if (answer->hi[lane] < c->party.limit[i])
         lower(c, i, answer->hi[lane]);
     if ((c->waiting & bit_of(i)) && !is_beyond(p->lo, c->party.limit[i]))
-        ask_nearest(c, i, p->run, p->lane);
+        count_nearest(c, i, p->run, p->lane);
     p->run = r;
     p->lane = lane;
     p->lo = answer->lo[lane];
@@ -50,7 +58,7 @@ static void take_nearest(company *c, uint32_t i, const run *r)
         if ((answer->surely >> lane & 1) && r->object[lane] != ray->left)
             put_off(c, i, r, lane);
         else
-            ask_nearest(c, i, r, lane);
+            count_nearest(c, i, r, lane);
     }
 }
 
@@ -59,7 +67,7 @@ static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
     company *c = (company *)(void *)party;
     const run *r;
     uint64_t met;
-    uint32_t mask;
+    uint32_t mask, asked, decided;
 
     for (r = leaf; r; r = run_next(r)) {
         if (r->flags & RUN_PACKED) {
@@ -67,9 +75,19 @@ static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
                 take_nearest(c, first_of64(met), r);
             continue;
         }
-        for (met = lanes; met; met &= met - 1)
-            for (mask = run_lanes(r) & ~left_behind(r, c->rays[first_of64(met)]); mask; mask &= mask - 1)
-                ask_nearest(c, first_of64(met), r, first_of(mask));
+        asked = decided = 0;
+        for (met = lanes; met; met &= met - 1) {
+            const uint32_t i = first_of64(met);
+
+            mask = run_lanes(r) & ~left_behind(r, c->rays[i]);
+            if (!mask)
+                continue;
+            decided -= nearest_hits(c, i)->decided;
+            for (; mask; mask &= mask - 1, asked++)
+                ask_nearest(c, i, r, first_of(mask));
+            decided += c->hits[i].decided;
+        }
+        walker_count(c->walker, r, asked, decided);
     }
     return 0;
 }
@@ -79,6 +97,7 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
     company *c = (company *)(void *)party;
     query q;
 
+    q.walker = c->walker;
     q.walk.tree = party->tree;
     q.walk.ray = c->rays[lane];
     q.walk.frame = frame;
@@ -124,6 +143,23 @@ static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t le
     return others;
 }
 
+static void ask_pairs(company *c, const run *r, pairs *some)
+{
+    const pov_shape_class *shape = r->shape;
+    uint32_t decided = 0, i;
+
+    for (i = 0; i < some->count; i++)
+        decided -= some->hits[i]->decided;
+    if (POV_SHAPE_HAS(shape, intersect_many))
+        shape->intersect_many(some->selves, some->rays, some->hits, some->count);
+    else
+        for (i = 0; i < some->count; i++)
+            shape->intersect(some->selves[i], some->rays[i], some->hits[i]);
+    for (i = 0; i < some->count; i++)
+        decided += some->hits[i]->decided;
+    walker_count(c->walker, r, some->count, decided);
+}
+
 /* Ask those that wait and can still be the nearest. What waits stood in a block, and so has no placement. */
 static void settle(company *c)
 {
@@ -137,14 +173,10 @@ static void settle(company *c)
             left |= bit_of(i);
     }
     while (left) {
-        const pov_shape_class *shape = c->pending[first_of64(left)].run->shape;
+        const run *r = c->pending[first_of64(left)].run;
 
-        left = take_class(c, shape, left, &some);
-        if (POV_SHAPE_HAS(shape, intersect_many))
-            shape->intersect_many(some.selves, some.rays, some.hits, some.count);
-        else
-            for (i = 0; i < some.count; i++)
-                shape->intersect(some.selves[i], some.rays[i], some.hits[i]);
+        left = take_class(c, r->shape, left, &some);
+        ask_pairs(c, r, &some);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/err.h"
 #include "base/vec.h"
+#include "world/world.h"
 
 #include <string.h>
 
@@ -350,6 +351,21 @@ static pov_status add_up(survey *s, pov_error *err)
     return POV_OK;
 }
 
+/* Classes are numbered as the scene first names them; the last number is that of all for which there is no other. */
+static uint8_t number_of(const flat *f, const pov_shape_class *shape)
+{
+    uint8_t next = 0;
+    size_t i;
+
+    for (i = 0; i < f->group_count; i++) {
+        if (f->groups[i].shape == shape)
+            return f->groups[i].class_number;
+        if (f->groups[i].class_number >= next)
+            next = (uint8_t)(f->groups[i].class_number + 1);
+    }
+    return next < WORLD_CLASSES ? next : WORLD_CLASSES - 1;
+}
+
 /* The groups that have members, in the order in which the scene first names one. */
 static bool make_groups(survey *s)
 {
@@ -366,7 +382,8 @@ static bool make_groups(survey *s)
         unsigned mark = f->group[i], old = mark & ~(unsigned)INFINITE;
         if (!name[old]) {
             const pov_shape_class *shape = s->classes.items[old / KINDS];
-            shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, 0, stride_of(shape), NULL };
+            shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, number_of(f, shape), 0,
+                                  stride_of(shape), NULL };
             f->packs[f->group_count] = fresh.packs;
             f->groups[f->group_count] = fresh;
             name[old] = (uint16_t)++f->group_count;

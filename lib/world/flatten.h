@@ -12,6 +12,7 @@
 typedef struct shape_group {
     const pov_shape_class *shape;
     bool placed, packs;
+    uint8_t class_number;        /* in class_counts */
     uint32_t count;
     uint32_t stride;             /* bytes from instance to instance */
     unsigned char *instances;    /* of shapes that are not placed, in the order of the runs */

@@ -50,8 +50,18 @@ struct walker {
     const env *env;
     tint_room rooms[WORLD_MANY];
     uint64_t decided;
+    class_counts classes;
     bool failed;
 };
+
+/* Count questions to shapes of a run's class, and what was decided of them: once a run where that can be, for a shape's
+ * quick answer takes hardly longer. */
+static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_t decided)
+{
+    k->classes.of[run_class(r)].asked += asked;
+    if (decided)
+        k->classes.of[run_class(r)].decided += decided;
+}
 
 /* For a query that wants all: more room. hits->user is the tint_room. */
 bool crossings_grow(pov_hits *hits);

@@ -38,6 +38,17 @@ uint64_t walker_decided(const walker *k)
     return k->decided;
 }
 
+void walker_take_classes(walker *k, class_counts *sum)
+{
+    uint32_t i;
+
+    for (i = 0; i < WORLD_CLASSES; i++) {
+        sum->of[i].asked += k->classes.of[i].asked;
+        sum->of[i].decided += k->classes.of[i].decided;
+    }
+    memset(&k->classes, 0, sizeof k->classes);
+}
+
 bool walker_failed(const walker *k)
 {
     return k->failed;
@@ -45,8 +56,10 @@ bool walker_failed(const walker *k)
 
 /* ---- what all queries share ---- */
 
-static void begin(query *q, const world *w, const pov_ray *ray, double tmax, pov_want want, pov_crossing *at)
+static void begin(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, pov_want want,
+                  pov_crossing *at)
 {
+    q->walker = k;
     q->walk.tree = &w->tree;
     q->walk.ray = ray;
     q->walk.frame = 0;
@@ -72,13 +85,21 @@ static void ask_nearest(query *q, const run *r, uint32_t lane)
         q->walk.limit = q->hits.tmax;
 }
 
+static void count_nearest(query *q, const run *r, uint32_t lane)
+{
+    const uint32_t before = q->hits.decided;
+
+    ask_nearest(q, r, lane);
+    walker_count(q->walker, r, 1, q->hits.decided - before);
+}
+
 /* Ask those that wait and can still be the nearest; the last to come are probably the nearest. */
 static void settle(query *q)
 {
     while (q->waiting > 0) {
         const pending *p = &q->pending[--q->waiting];
         if (!is_beyond(p->lo, q->walk.limit))
-            ask_nearest(q, p->run, p->lane);
+            count_nearest(q, p->run, p->lane);
     }
 }
 
@@ -110,7 +131,7 @@ static void filter_nearest(query *q, const run *r)
         if ((answer.surely >> lane & 1) && r->object[lane] != left)
             put_off(q, r, lane, answer.lo[lane], answer.hi[lane]);
         else
-            ask_nearest(q, r, lane);
+            count_nearest(q, r, lane);
     }
 }
 
@@ -118,14 +139,18 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
 {
     query *q = (query *)(void *)walk;
     const run *r;
-    uint32_t mask;
+    uint32_t mask, asked, before;
 
     for (r = leaf; r; r = run_next(r)) {
-        if (is_filtered(q, r))
+        if (is_filtered(q, r)) {
             filter_nearest(q, r);
-        else
-            for (mask = run_lanes(r) & ~left_behind(r, walk->ray); mask; mask &= mask - 1)
-                ask_nearest(q, r, first_of(mask));
+            continue;
+        }
+        asked = 0;
+        before = q->hits.decided;
+        for (mask = run_lanes(r) & ~left_behind(r, walk->ray); mask; mask &= mask - 1, asked++)
+            ask_nearest(q, r, first_of(mask));
+        walker_count(q->walker, r, asked, q->hits.decided - before);
     }
     return false;
 }
@@ -142,7 +167,7 @@ bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, h
 {
     query q;
 
-    begin(&q, w, ray, tmax, POV_WANT_NEAREST, &out->crossing);
+    begin(&q, w, k, ray, tmax, POV_WANT_NEAREST, &out->crossing);
     q.walk.leaf = meet_nearest;
     if (w->infinite)
         meet_nearest(&q.walk, w->infinite);
@@ -187,6 +212,22 @@ static bool ask_shadow(query *q, const run *r, uint32_t lane)
     return blocks && hits->count > 0;
 }
 
+static inline uint32_t decided_of(const query *q) { return q->hits.decided + (q->any_blocks ? 0 : q->tints.decided); }
+
+static bool ask_shadows(query *q, const run *r, uint32_t mask)
+{
+    const uint32_t before = decided_of(q);
+    uint32_t asked = 0;
+    bool ended = false;
+
+    if (!mask)
+        return false;
+    for (; mask && !ended; mask &= mask - 1, asked++)
+        ended = ask_shadow(q, r, first_of(mask));
+    walker_count(q->walker, r, asked, decided_of(q) - before);
+    return ended;
+}
+
 static bool filter_shadow(query *q, const run *r)
 {
     pov_block_answer answer;
@@ -196,29 +237,19 @@ static bool filter_shadow(query *q, const run *r)
     for (mask = answer.surely & blocking; mask; mask &= mask - 1)
         if (r->object[first_of(mask)] != left && answer.hi[first_of(mask)] < q->hits.tmax)
             return true;
-    for (mask = answer.maybe & r->casts & ~left_behind(r, q->walk.ray); mask; mask &= mask - 1)
-        if (ask_shadow(q, r, first_of(mask)))
-            return true;
-    return false;
+    return ask_shadows(q, r, answer.maybe & r->casts & ~left_behind(r, q->walk.ray));
 }
 
 static bool meet_shadow(bvh_walk *walk, const void *leaf)
 {
     query *q = (query *)(void *)walk;
     const run *r;
-    uint32_t mask;
 
     for (r = leaf; r; r = run_next(r)) {
         if (r->casts == 0)
             continue;
-        if (is_filtered(q, r)) {
-            if (filter_shadow(q, r))
-                return true;
-            continue;
-        }
-        for (mask = r->casts & ~left_behind(r, walk->ray); mask; mask &= mask - 1)
-            if (ask_shadow(q, r, first_of(mask)))
-                return true;
+        if (is_filtered(q, r) ? filter_shadow(q, r) : ask_shadows(q, r, r->casts & ~left_behind(r, walk->ray)))
+            return true;
     }
     return false;
 }
@@ -236,7 +267,7 @@ bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
     query q;
     bool blocked;
 
-    begin(&q, w, ray, tmax, POV_WANT_ANY, &at);
+    begin(&q, w, k, ray, tmax, POV_WANT_ANY, &at);
     q.any_blocks = true;
     blocked = begin_shadow(&q, w) || (w->has_tree && w->walks->any_order(&q.walk));
     k->decided += q.hits.decided;
@@ -315,7 +346,7 @@ bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax
     query q;
     bool blocked;
 
-    begin(&q, w, ray, tmax, POV_WANT_ANY, &room->blocking);
+    begin(&q, w, k, ray, tmax, POV_WANT_ANY, &room->blocking);
     q.any_blocks = !w->plan.coloured_shadows;
     if (!q.any_blocks)
         begin_tints(&q.tints, &q.hits, room);

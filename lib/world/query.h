@@ -11,6 +11,7 @@ enum { PENDING_MAX = 8 };
 
 typedef struct query {
     bvh_walk walk;               /* first: leaves are handed this */
+    walker *walker;
     pov_hits hits;
     uint32_t waiting;
     bool any_blocks;             /* transparent or not */

@@ -10,7 +10,8 @@ enum {
     RUN_PACKED = 1,              /* a block stands RUN_HEAD bytes behind the run's start */
     RUN_ROOM = 2,                /* there is room for a block there, packed or not */
     RUN_MORE = 4,                /* another run follows */
-    RUN_PLACED = 8               /* one shape only, and its placement behind its object */
+    RUN_PLACED = 8,              /* one shape only, and its placement behind its object */
+    RUN_CLASS_SHIFT = 4          /* the bits above are the number of the class: see class_counts */
 };
 
 typedef struct run {
@@ -49,6 +50,8 @@ static inline size_t run_bytes(const pov_shape_class *shape, unsigned flags)
         return RUN_PLACED_BYTES;
     return RUN_HEAD + (flags & RUN_ROOM ? (shape->block_size + 63) / 64 * 64 : 0);
 }
+
+static inline uint32_t run_class(const run *r) { return r->flags >> RUN_CLASS_SHIFT; }
 
 static inline const run *run_next(const run *r)
 {

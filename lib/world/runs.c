@@ -135,7 +135,7 @@ static void fill_run(runs *r, const uint32_t *ids, uint32_t count, uint32_t *at,
     memset(out, 0, run_bytes(g->shape, room_of(g)));
     out->shape = g->shape;
     out->count = (uint8_t)count;
-    out->flags = (uint8_t)room_of(g);
+    out->flags = (uint8_t)(room_of(g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
     for (i = 0; i < count; i++) {
         const object *o = &m->objects.items[ids[i]];
         selves[i] = g->placed ? place(r, ids[i], out) : settle(r, ids[i], (*at)++);

@@ -14,6 +14,7 @@ static const double around = 0x1p-45;
 /* Slower than the usual ones: no filters, and two-part arithmetic. */
 typedef struct asking {
     bvh_walk walk;               /* first: leaves are handed this */
+    walker *walker;
     pov_ray ray;                 /* the walk's, with the name of what is left changing from object to object */
     const spot *from;            /* NULL: the ray's own name holds for all */
     pov_hits hits, tints;        /* tints: of transparent shapes, where `light` is asked for */
@@ -23,6 +24,7 @@ typedef struct asking {
 static void begin(asking *a, const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax)
 {
     memset(a, 0, sizeof *a);
+    a->walker = k;
     a->walk.tree = &w->tree;
     a->walk.ray = ray;
     a->walk.limit = tmax;
@@ -54,9 +56,12 @@ static void name(asking *a, uint32_t owner)
 
 static void ask(asking *a, const run *r, uint32_t lane, pov_hits *hits)
 {
+    const uint32_t before = hits->decided;
+
     hits->owner = r->object[lane];
     name(a, hits->owner);
     run_intersect(r, lane, &a->ray, hits);
+    walker_count(a->walker, r, 1, hits->decided - before);
 }
 
 static bool meet(bvh_walk *walk, const void *leaf)

@@ -326,6 +326,16 @@ size_t world_infinite_count(const world *w)
     return w->infinite_count;
 }
 
+const char *world_class(const world *w, size_t number)
+{
+    size_t i;
+
+    for (i = 0; i < w->group_count; i++)
+        if (w->groups[i].class_number == number)
+            return w->groups[i].shape->keyword;
+    return NULL;
+}
+
 bool world_is_exact(const world *w)
 {
     return w->always_exact;

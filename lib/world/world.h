@@ -29,10 +29,19 @@ size_t world_infinite_count(const world *w);
 /* Were its options to use two-part arithmetic for every intersection? */
 bool world_is_exact(const world *w);
 
+/* What each class of primitives was asked, after boxes and filters, and what two-part arithmetic had to decide of it. */
+enum { WORLD_CLASSES = 16 };
+typedef struct class_counts { struct { uint64_t asked, decided; } of[WORLD_CLASSES]; } class_counts;
+
+/* The keyword of a class by its number; NULL past the last. */
+const char *world_class(const world *w, size_t number);
+
 pov_status walker_create(walker **out, const world *w, pov_error *err);
 void walker_destroy(walker *k);
 /* Intersections so far that two-part arithmetic had to decide. */
 uint64_t walker_decided(const walker *k);
+/* The counts since they were last taken are added. */
+void walker_take_classes(walker *k, class_counts *sum);
 /* True when memory ended in a query; what the query said is then worth nothing. Stays so. */
 bool walker_failed(const walker *k);
 

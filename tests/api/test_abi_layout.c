@@ -28,6 +28,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_progress, stop, 136);
     AT(pov_pass, counts, 48);
     AT(pov_pass, clipped, 184);
+    AT(pov_class_counts, decided, 24);
     AT(pov_bitmap, rgba, 24);
     AT(pov_panel, share, 112);
     AT(pov_plot, panel_count, 40);

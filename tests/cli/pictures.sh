@@ -87,6 +87,16 @@ pictures_of_two_parts_throughout_are_the_same_but_for_roundings() {
     "$PYTHON" "$pixels" near certified.pfm max.pfm 1e-4 2
 }
 
+pictures_say_of_each_primitive_what_was_asked_and_decided() {
+    for accuracy in certified max; do
+        expect 0 "$povc" "$root/scenes/gallery/machine.pov" 40 30 out.pfm --accuracy "$accuracy" --stats
+        awk '/_asked:/ { asked = $2; classes++ } /_decided:/ { if ($2 > asked) exit 1; sum += $2; all += asked }
+            /^decided:/ { decided = $2 } /^rays_total:/ { rays = $2 }
+            END { exit !(classes == 5 && sum == decided && all > rays) }' out
+    done
+    [ "$(sed -n 's/^sphere_asked: //p' out)" = "$(sed -n 's/^sphere_decided: //p' out)" ]
+}
+
 pictures_come_with_maps_of_what_is_met() {
     rich_scene
     expect 0 "$povc" rich.pov 61 47 out.pfm -t 3 --aov certainty c.pfm --aov depth d.pfm --aov normal n.png

@@ -84,6 +84,13 @@ typedef struct pov_pass {
     uint64_t clipped;             /* pixels outside 0 .. 1, which a file of integers will not hold */
 } pov_pass;
 
+/* What a class of primitives was asked by rays, after boxes and filters, and what double left open of it. */
+typedef struct pov_class_counts {
+    size_t size;
+    const char *keyword;          /* the scene's, as long as it lives */
+    uint64_t asked, decided;      /* intersections; decided: by two-part arithmetic */
+} pov_class_counts;
+
 /* desc is copied; the scene must outlive the job. */
 POV_API pov_status pov_job_create(pov_job **out, const pov_scene *scene, const pov_render_desc *desc, pov_error *err);
 POV_API void pov_job_destroy(pov_job *job);             /* cancels and joins first */
@@ -108,6 +115,9 @@ POV_API pov_status pov_job_save(pov_job *job, const char *file, pov_error *err);
 POV_API pov_status pov_job_load(pov_job *job, const char *file, pov_error *err);
 /* The index-th pass that has ended since the start; false past the last. */
 POV_API bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out);
+/* Of the tiles done so far, for the index-th class in the order of the scene; false past the last. Classes from the
+ * sixteenth on are counted together. */
+POV_API bool pov_job_get_class(pov_job *job, size_t index, pov_class_counts *out);
 /* Why a job is POV_JOB_FAILED; POV_OK otherwise. */
 POV_API pov_status pov_job_get_error(pov_job *job, pov_error *err);
 
