@@ -87,7 +87,12 @@ export DISPLAY
 scene 'sphere { 0, 1 pigment { rgb <1, 0, 0> } }'
 "$povview" scene.pov 400 300 >out 2>err &
 viewer=$!
-within is_there
+if ! within is_there; then
+    echo "not ok a window opens with the scene's name"
+    cat err
+    echo "$passed passed, $((failed + 1)) failed"
+    exit 1
+fi
 check "a window opens with the scene's name" is_there
 check "the picture becomes whole" within is_done
 xdotool mousemove --window "$window" 200 150
@@ -115,10 +120,57 @@ check "W flies with the right button held" within changed flown.png first.png 50
 xdotool key r
 within same again.png first.png
 
-xdotool key h
-check "H shows help" within changed help.png first.png 5000
-xdotool key h
-check "and takes it away" within same again.png first.png
+# toggles KEY WHAT: once shows it, once more takes it away.
+toggles() {
+    xdotool key "$1"
+    check "$1 shows $2" within changed shown.png first.png 500
+    xdotool key "$1"
+    check "and takes it away" within same again.png first.png
+}
+# away NAME: something has moved the camera; R undoes it.
+away() {
+    check "$1" within changed moved.png first.png 500
+    xdotool key r
+    within same again.png first.png || check "but R does not undo it" false
+}
+title_says() { xdotool getwindowname "$window" | grep -q "$1"; }
+
+xdotool mousedown 2 mousemove_relative 30 10 mouseup 2
+away "a middle drag shifts it"
+xdotool mousemove --window "$window" 200 150 keydown shift mousedown 1 mousemove_relative 30 10 mouseup 1 keyup shift
+away "so does a drag with Shift"
+for side in 1 3 7; do
+    xdotool key $side
+    away "$side shows it from another side"
+done
+xdotool mousemove --window "$window" 200 150
+
+xdotool key bracketright
+check "] is brighter" within changed bright.png first.png 5000
+xdotool key bracketleft
+check "[ is darker again" within same again.png first.png
+for view in normal depth samples time error certainty; do
+    xdotool key Tab
+    check "Tab shows the view of $view" within changed view.png first.png 20000
+done
+xdotool key Tab
+check "and comes round to the picture" within same again.png first.png
+toggles h help
+toggles F1 help
+toggles g "the error against time"
+toggles i "what is under the pointer"
+xdotool key p key 3
+check "P pauses" within title_says ', paused'
+xdotool key p key r
+check "and lets it go on" within same again.png first.png
+xdotool key s
+check "S saves the picture" within test -s scene-001.png
+check "of the window's size" test "$(identify -format %wx%h scene-001.png)" = 400x300
+within same again.png first.png
+xdotool key F5
+check "F5 reads it again" within changed again.png first.png 100
+check "and it is the same picture" within same again.png first.png
+check "the title tells samples and error" title_says 'scene.pov: done in [0-9.]* s, [0-9.]* samples, error 0.00'
 
 scene 'sphere { 0, 1 pigment { rgb <0, 1, 0> } }'
 check "a saved file is read again" within looks green.png 200 150 g
