@@ -310,8 +310,10 @@ static void shot_shows_where_the_samples_and_the_error_are(void **state)
     assert_true(brightness(at(p, 160 + 48, 120)) > brightness(at(p, 40, 200)) + 50);
     p = see(s, "<tab><tab>");
     assert_int_equal(s->v.app.view, APP_ERROR);
-    for (int x = 0; x < WIDTH; x++)
-        most = brightness(at(p, x, 120)) > most ? brightness(at(p, x, 120)) : most;
+    /* Below the legend: of the cells at the ball's edge some differ from what half of the samples say, some by chance
+     * do not. */
+    for (int i = WIDTH * 90; i < WIDTH * HEIGHT; i++)
+        most = brightness(at(p, i % WIDTH, i / WIDTH)) > most ? brightness(at(p, i % WIDTH, i / WIDTH)) : most;
     assert_true(most > brightness(at(p, 40, 200)) + 50);
     session_title(s->v.session, title, sizeof title);
     assert_non_null(strstr(title, "done"));
