@@ -247,6 +247,7 @@ static bool absorb(void *self, const pov_affine *map)
 typedef struct box_block {
     double plane[6][POV_BLOCK_MAX];  /* those of a box's; a lane without a box has its upper ones below its lower */
     double reach[3];                 /* by axis: no plane is further from the origin */
+    uint32_t lanes;                  /* by bits: holds a box */
     bool few;                        /* half of the lanes are enough */
 } box_block;
 
@@ -255,8 +256,9 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     box_block *b = block;
     uint32_t i, p;
 
-    /* Never so small that a part u of it would not be exact. */
-    b->reach[0] = b->reach[1] = b->reach[2] = 0x1p-900;
+    /* Never so small that a part u of it, times the inverse of a direction, would not be exact. */
+    b->reach[0] = b->reach[1] = b->reach[2] = 0x1p-680;
+    b->lanes = (1u << n) - 1;
     b->few = n <= POV_BLOCK_MAX / 2;
     for (p = 0; p < 6; p++) {
         for (i = 0; i < POV_BLOCK_MAX; i++)
@@ -315,8 +317,8 @@ static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t 
         const double far = kit_lesser((bz + z.pad) * z.inverse, far_xy);
         const double first = kit_lesser((bz - z.pad) * z.inverse, first_xy);
 
-        maybe |= (near <= far) & (near <= end) & (far >= tmin) ? bit[i] : 0;
-        surely |= (last < first) & (near > tmin) & (last < tmax) ? bit[i] : 0;
+        maybe |= ((near <= far) & (near <= end) & (far >= tmin)) ? bit[i] : 0;
+        surely |= ((last < first) & (near > tmin) & (last < tmax)) ? bit[i] : 0;
         out->lo[i] = near;
         out->hi[i] = last;
     }
@@ -337,6 +339,101 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
         filter_some(b, ray, POV_BLOCK_MAX, tmin, tmax, out);
 }
 
+/* Some rays side by side. The distance to a plane is the plane times `inverse`, and `start`, off by less than the pad.
+ * That is without end where a ray goes along the planes of an axis. */
+enum { TOGETHER = 8 };
+typedef struct starts { double inverse[3][TOGETHER], start[3][TOGETHER], pad[TOGETHER]; } starts;
+
+/* How far off, as a part of origin and plane times the inverse: u for these two as they are rounded, u each for the
+ * inverse, both products, their sum, and what comes of taking the pad off. That is less than 7 u; the worst axis speaks
+ * for all. */
+static inline double start_axis(starts *restrict s, uint32_t i, int axis, double o, double d, double reach)
+{
+    const double inverse = 1.0 / d;
+
+    s->inverse[axis][i] = inverse;
+    s->start[axis][i] = -o * inverse;
+    return 8.0 * KIT_U * (fabs(o) + reach) * fabs(inverse);
+}
+
+static inline void start_some(const box_block *b, const pov_rays *rays, uint32_t from, starts *restrict s)
+{
+    const double rx = b->reach[0], ry = b->reach[1], rz = b->reach[2];
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const double x = start_axis(s, i, 0, rays->org[0][from + i], rays->dir[0][from + i], rx);
+        const double y = start_axis(s, i, 1, rays->org[1][from + i], rays->dir[1][from + i], ry);
+        const double z = start_axis(s, i, 2, rays->org[2][from + i], rays->dir[2][from + i], rz);
+
+        s->pad[i] = kit_greater(x, kit_greater(y, z));
+    }
+}
+
+/* As filter_some() from 0 to tmax, with one pad for all axes. A lane without a box would hold all of space here. */
+static inline void meet_some(const box_block *b, const starts *s, uint32_t at, uint32_t n, double tmax,
+                             pov_block_answer *restrict out)
+{
+    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    const double rx = s->inverse[0][at], ry = s->inverse[1][at], rz = s->inverse[2][at];
+    const double sx = s->start[0][at], sy = s->start[1][at], sz = s->start[2][at], pad = s->pad[at];
+    int64_t met = 0;
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        const double ax = kit_sum_of(b->plane[0][i], rx, sx), bx = kit_sum_of(b->plane[1][i], rx, sx);
+        const double ay = kit_sum_of(b->plane[2][i], ry, sy), by = kit_sum_of(b->plane[3][i], ry, sy);
+        const double az = kit_sum_of(b->plane[4][i], rz, sz), bz = kit_sum_of(b->plane[5][i], rz, sz);
+        const double entry = kit_greater(kit_greater(kit_lesser(ax, bx), kit_lesser(ay, by)), kit_lesser(az, bz));
+        const double exit = kit_lesser(kit_lesser(kit_greater(ax, bx), kit_greater(ay, by)), kit_greater(az, bz));
+        const double near = entry - pad, last = entry + pad, far = exit + pad, first = exit - pad;
+
+        met |= kit_greater(near, 0.0) <= kit_lesser(far, tmax) ? bit[i] : 0;
+        met |= ((near > 0.0) & (last < kit_lesser(first, tmax))) ? bit[i] << POV_BLOCK_MAX : 0;
+        out->lo[i] = near;
+        out->hi[i] = last;
+    }
+    out->maybe = (uint32_t)met & b->lanes;
+    out->surely = (uint32_t)met >> POV_BLOCK_MAX & b->lanes;
+}
+
+static void filter_alone(const box_block *b, const pov_rays *rays, uint32_t at, pov_block_answer *out)
+{
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.org = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
+    ray.dir = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
+    block_filter(b, &ray, 0.0, rays->tmax[at], out);
+}
+
+KIT_CLONES static uint64_t block_filter_many(const void *block, const pov_rays *rays, uint64_t lanes,
+                                             pov_block_answer *out)
+{
+    const box_block *b = block;
+    uint64_t met = 0;
+    uint32_t from, some;
+    starts s;
+
+    for (from = 0; from < POV_RAYS_MAX; from += TOGETHER) {
+        some = (uint32_t)(lanes >> from) & ((1u << TOGETHER) - 1);
+        if (some)
+            start_some(b, rays, from, &s);
+        for (; some; some &= some - 1) {
+            const uint32_t i = kit_first_lane(some), at = from + i;
+
+            if (!(s.pad[i] < HUGE_VAL))
+                filter_alone(b, rays, at, &out[at]);
+            else if (b->few)
+                meet_some(b, &s, i, POV_BLOCK_MAX / 2, rays->tmax[at], &out[at]);
+            else
+                meet_some(b, &s, i, POV_BLOCK_MAX, rays->tmax[at], &out[at]);
+            met |= (uint64_t)(out[at].maybe != 0) << at;
+        }
+    }
+    return met;
+}
+
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
@@ -351,6 +448,7 @@ static const pov_shape_class box_class = {
     .block_size = sizeof(box_block),
     .block_pack = block_pack,
     .block_filter = block_filter,
+    .block_filter_many = block_filter_many,
 };
 
 static const pov_shape_class *const shapes[] = { &box_class, NULL };
