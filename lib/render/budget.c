@@ -137,8 +137,21 @@ static outcome foresee(const cells *c, const double *worths, double threshold, u
     return o;
 }
 
-/* The highest threshold that gives this mean, or is enough for that error (`square`; 0: none); or zero, for all. */
-static double find_threshold(const cells *c, const double *worths, double mean, double square, uint32_t least)
+/* What a pass goes for: this mean, or less, but not below `fewest`, where that is enough for the error asked for
+ * (`square`; 0: none). */
+typedef struct goal { double mean, fewest, square; } goal;
+
+/* A pass adds a sixteenth at least, for each has its cost; and the error asked for ends nothing before BUDGET_LEAST. */
+static goal goal_of(const settings *s, const pov_pass *now)
+{
+    double mean = fmin(1.5 * now->spp_mean, s->samples), error = aim * s->target_error;
+    double fewest = fmax(1.0625 * now->spp_mean, BUDGET_LEAST);
+
+    return (goal){ mean, fmin(mean, fewest), error * error };
+}
+
+/* The highest threshold that is enough; or zero, for all. */
+static double find_threshold(const cells *c, const double *worths, const goal *g, uint32_t least)
 {
     enum { HALVINGS = 40 };
     double low = 0.0, high = 0.0;
@@ -150,7 +163,7 @@ static double find_threshold(const cells *c, const double *worths, double mean, 
         double middle = low > 0.0 ? sqrt(low * high) : high / 1024.0;
         outcome o = foresee(c, worths, middle, least);
 
-        if (o.mean >= mean || o.square <= square)
+        if (o.mean >= g->mean || (o.mean >= g->fewest && o.square <= g->square))
             low = middle;
         else
             high = middle;
@@ -160,13 +173,14 @@ static double find_threshold(const cells *c, const double *worths, double mean, 
 
 static bool next_adaptive(cells *c, const settings *s, const pov_pass *now, double *worths)
 {
-    double mean = fmin(1.5 * now->spp_mean, s->samples), goal = aim * s->target_error, threshold;
-    uint32_t least = (uint32_t)(mean / LAG);
+    const goal g = goal_of(s, now);
+    const uint32_t least = (uint32_t)(g.mean / LAG);
+    double threshold;
     bool more = false;
 
     for (size_t i = 0; i < GROUPS * c->count; i++)
         worths[i] = error_near(c, i) / c->groups[i].count;
-    threshold = find_threshold(c, worths, mean, goal * goal, least);
+    threshold = find_threshold(c, worths, &g, least);
     for (size_t i = 0; i < GROUPS * c->count; i++) {
         group *at = &c->groups[i];
 

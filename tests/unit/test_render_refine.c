@@ -122,6 +122,33 @@ static void an_asked_error_is_reached_and_not_by_far(void **state)
     tiny_end(&s);
 }
 
+/* Asked for less than the first samples have reached, or for hardly more: as few passes, none of them a crumb. */
+static void no_pass_is_a_crumb(void **state)
+{
+    static const double asked[] = { 0.5, 0.03, 0.012, 0.006, 0.003 };
+    pov_render_desc d = refining(0, POV_SAMPLING_ADAPTIVE);
+    tiny s;
+    (void)state;
+
+    tiny_room(&s, NULL);
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
+        pov_pass row = POV_INIT(row);
+        double before = 1.0;
+        pov_job *job;
+
+        d.target_error = asked[i];
+        job = run(&s, &d);
+        for (size_t k = 0; job_get_pass(job, k, &row); k++) {
+            assert_true(row.spp_mean <= 1.0 || row.spp_mean > 1.05 * before);
+            before = row.spp_mean;
+        }
+        if (i == 0)
+            assert_true(row.spp_mean < 10.0);
+        job_destroy(job);
+    }
+    tiny_end(&s);
+}
+
 /* Threads as thin as 1/25 of a pixel before an even ground: few of the first samples meet one. */
 static void hairlines(tiny *s)
 {
@@ -347,6 +374,7 @@ int main(void)
         cmocka_unit_test(a_constant_stays_itself_to_the_bit),
         cmocka_unit_test(the_estimate_is_near_the_true_error),
         cmocka_unit_test(an_asked_error_is_reached_and_not_by_far),
+        cmocka_unit_test(no_pass_is_a_crumb),
         cmocka_unit_test(what_the_first_samples_missed_is_found),
         cmocka_unit_test(samples_go_where_the_error_is),
         cmocka_unit_test(a_restart_ends_with_the_same_bits),

@@ -3,7 +3,7 @@
 # Usage: BUILD_DIR=build tests/viewer/window.sh. Ends with "N passed, N failed".
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-povview=${BUILD_DIR:-$root/build}/bin/povview
+povview=$(cd "${BUILD_DIR:-$root/build}" && pwd)/bin/povview
 for tool in Xvfb xdotool import compare convert; do
     if ! command -v "$tool" >/dev/null 2>&1; then
         echo "there is no $tool to test the window with"
