@@ -20,7 +20,7 @@ static const double largest_coordinate = 1e150;
 typedef struct part {
     pov_status status;
     uint32_t failed;             /* the first object that has no inverse */
-    uint32_t finite, infinite;
+    uint32_t finite, infinite, alone;
     pov_box bounds;
     size_t absorbed, composed, packed;
 } part;
@@ -240,10 +240,11 @@ static pov_status flatten_one(maker *k, uint32_t index)
         instance = look_at(o, &here);
         finite = shape->bounds(instance, box) && is_finite_box(box);
     }
-    if (finite && k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
+    if (k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
         status = try_block(k, shape, instance, &packs);
     f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
     k->part->packed += packs;
+    k->part->alone += finite && !packs;
     if (finite && k->part->finite++ == 0)
         k->part->bounds = *box;
     else if (finite)
@@ -344,6 +345,7 @@ static pov_status add_up(survey *s, pov_error *err)
             join(&f->bounds, &p->bounds);
         f->finite_count += p->finite;
         f->infinite_count += p->infinite;
+        f->alone_count += p->alone;
         f->absorbed += p->absorbed;
         f->composed += p->composed;
         f->packed += p->packed;

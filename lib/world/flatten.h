@@ -36,6 +36,7 @@ typedef struct flat {
     size_t group_count;
     uint32_t *finite, *infinite; /* objects, in the order of the scene */
     uint32_t finite_count, infinite_count;
+    uint32_t alone_count;        /* finite ones that no block takes */
     pov_box bounds;              /* around the finite ones, if there are any */
     size_t absorbed, composed, packed;
 } flat;

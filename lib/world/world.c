@@ -194,7 +194,7 @@ static bool make_tree(world *w, flat *f, runs *r)
         .count = f->finite_count,
         .group = f->group,
         .packs = f->packs,
-        .all_pack = f->packed == f->finite_count,
+        .all_pack = f->alone_count == 0,
         .threads = f->threads,
         .leaves = { leaf_size, leaf_allocate, leaf_fill, r },
     };

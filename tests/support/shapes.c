@@ -219,6 +219,27 @@ const pov_shape_class test_ball_class = {
     .normal_many = ball_normal_many,
 };
 
+static bool no_bounds(const void *self, pov_box *out)
+{
+    (void)self;
+    (void)out;
+    return false;
+}
+
+const pov_shape_class test_loose_ball_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "loose_ball",
+    .instance_size = sizeof(test_ball),
+    .bounds = no_bounds,
+    .intersect = ball_intersect,
+    .normal = ball_normal,
+    .inside = ball_inside,
+    .block_size = sizeof(ball_block),
+    .block_pack = ball_pack,
+    .block_filter = ball_filter,
+};
+
 const pov_shape_class test_plain_ball_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,

@@ -11,6 +11,7 @@ typedef struct test_brick { pov_vec3 lo, hi; } test_brick;
 typedef struct test_ground { double height; } test_ground;
 
 extern const pov_shape_class test_ball_class;       /* blocks, absorbs similar maps */
+extern const pov_shape_class test_loose_ball_class; /* blocks, but no box: as if infinite */
 extern const pov_shape_class test_plain_ball_class; /* neither */
 extern const pov_shape_class test_brick_class;      /* no blocks; absorbs moves */
 extern const pov_shape_class test_ground_class;     /* y < height, infinite */

@@ -337,6 +337,10 @@ static void lists_and_infinite_shapes(void **state)
         begin(&s, 9);
         add_things(&s, 100, 1.0, origin, true);
         test_add(&s.model, &test_ground_class, &ground, NULL, 0, 0);
+        for (i = 0; i < 11; i++) {
+            const test_ball ball = { somewhere(&s, 1.0), 0.2 };
+            test_add(&s.model, &test_loose_ball_class, &ball, NULL, 0, 0);
+        }
         build(&s, accel[k]);
         for (i = 0; i < 30; i++)
             hits += beam(&s, WORLD_MANY, pov_scale(test_direction(&s.random), 3.0), somewhere(&s, 0.5), 0.05, 1.0);

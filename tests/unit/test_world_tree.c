@@ -387,6 +387,33 @@ static void infinite_objects_are_asked_apart(void **state)
     model_free(&m);
 }
 
+static void infinite_objects_share_blocks(void **state)
+{
+    test_random r = { 43 };
+    model m;
+    pair p;
+    size_t i;
+    int k;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
+    for (k = 0; k < 21; k++) {
+        test_ball ball = { somewhere(&r, 1.0), test_uniform(&r, 0.05, 0.3) };
+        test_add(&m, &test_loose_ball_class, &ball, NULL, 0, k % 5 == 4 ? OBJECT_NO_SHADOW : 0);
+    }
+    add_mixture(&m, &r, 100, 1.0, origin, 0.1);
+    make_pair(&p, &m);
+    assert_int_equal(world_infinite_count(p.tree), 21);
+    assert_true(p.tree->has_tree);
+    for (i = 0; i < p.tree->group_count; i++)
+        if (p.tree->groups[i].shape == &test_loose_ball_class)
+            assert_true(p.tree->groups[i].packs);
+    assert_true(trace(&p, &r, 1500, 1.0, origin) > 500);
+    free_pair(&p);
+    model_free(&m);
+}
+
 /* The last in the order of asking is the first of the scene, and the other way round. */
 static void of_equal_distances_the_earlier_object_wins(void **state)
 {
@@ -457,6 +484,7 @@ int main(void)
         cmocka_unit_test(points_alone_make_a_tree),
         cmocka_unit_test(few_objects_need_no_tree),
         cmocka_unit_test(infinite_objects_are_asked_apart),
+        cmocka_unit_test(infinite_objects_share_blocks),
         cmocka_unit_test(of_equal_distances_the_earlier_object_wins),
         cmocka_unit_test(rays_of_every_length_and_distance_are_the_same),
     };
