@@ -5,7 +5,7 @@
  * and the discriminant has nothing to cancel; the coefficients have two parts, so that maps can be
  * absorbed. */
 #include "kit/report.h"
-#include "kit/second_order.h"
+#include "kit/second_order_block.h"
 
 /* A crossing's part: where the ray comes to negative values, and where it leaves them. */
 enum { ENTERING = 0, EXITING = 1 };
@@ -373,6 +373,10 @@ static const pov_shape_class quadric_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
+    .block_size = sizeof(kit_second_order_block),
+    .block_pack = kit_second_order_pack,
+    .block_filter = kit_second_order_filter,
+    .block_filter_many = kit_second_order_filter_many,
 };
 
 static const pov_shape_class *const shapes[] = { &quadric_class, NULL };

@@ -44,6 +44,26 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "disc", "<1, 2, 3>, <1, -1, 2>, 2, 0.5" },
 };
 
+/* Asked of block filters only, about a point: far apart roots and sizes are more than other tests allow for. */
+static const struct hard { const char *keyword, *text; double x, y, z, half; } hard_texts[] = {
+    { "quadric", "<1, 0, 0>, <0, 0, 0>, <0, 0, 0>, -1", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<1, 2, 1>, <0, 2, 0>, <0.5, 0, 0>, -0.5", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<-1, -1, 1>, <0, 0, 0>, <0, 0, 0>, 0.25", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<1, -1, 0>, <0, 0, 0>, <0, 0, -1>, 0.1", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -1e-8", 0.0, 0.0, 0.0, 2e-4 },
+    { "quadric", "<1e-9, 1e-12, -1e-10>, <0, 1e-11, 0>, <0.3, 1, -0.2>, 0.1", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<1e-17, 1e-14, 0>, <0, 1e-15, 0>, <0.3, 1, -0.2>, 0.1", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<1, 1e-13, -1>, <0, 0, 1e-15>, <0, 0, 0>, -1e-3", 0.0, 0.0, 0.0, 2.0 },
+    { "quadric", "<1, 0, 1>, <0, 0, 0>, <-2e6, 0, 4e6>, 4999999999999", 1e6, 0.0, -2e6, 2.0 },
+    { "quadric", "<1, 0, 0>, <0, 0, 0>, <-2e8, -1, 0>, 1e16", 1e8, 0.0, 0.0, 2.0 },
+    { "quadric", "<1, 1, -1>, <0, 0, 0>, <0, 0, 0>, 0", 0.0, 0.0, 0.0, 1e-3 },
+    { "quadric", "<1e20, -2e20, 1e20>, <0, 0, 0>, <0, 0, 0>, -1e-4", 0.0, 0.0, 0.0, 1e-12 },
+    { "quadric", "<1e-20, -2e-20, 1e-20>, <0, 0, 0>, <0, 0, 0>, 1", 0.0, 0.0, 0.0, 1e10 },
+    { "quadric", "<0, 0, 0>, <0, 0, 0>, <1e-7, 1, 1e-9>, -1e6", 0.0, 1e6, 0.0, 1.0 },
+    { "quadric", "<1, 1, 1>, <2, 2, 2>, <0, 0, 0>, -1e-6", 0.0, 0.0, 0.0, 1.0 },
+    { "quadric", "<1, 1, 1>, <0, 0, 0>, <0, 0, 0>, 1e-12", 0.0, 0.0, 0.0, 1e-5 },
+};
+
 static uint64_t state = 88172645463325252u;
 
 double subject_uniform(void)
@@ -68,21 +88,56 @@ void *subject_memory(void)
 
 static double shorter(double a, double b) { return b > 0.0 && b < a ? b : a; }
 
-static void take(void *self)
+static void look_about(thing *t, pov_vec3 middle, double half)
 {
-    thing *t = &subject.things[subject.count++];
     pov_vec3 side;
 
-    t->self = self;
-    t->finite = subject.shape->bounds(self, &t->box);
     if (!t->finite) {
-        t->box.lo = pov_vec3_of(-2.0, -2.0, -2.0);
-        t->box.hi = pov_vec3_of(2.0, 2.0, 2.0);
+        t->box.lo = pov_sub(middle, pov_vec3_of(half, half, half));
+        t->box.hi = pov_add(middle, pov_vec3_of(half, half, half));
     }
     side = pov_sub(t->box.hi, t->box.lo);
     t->size = pov_largest(side);
     t->thickness = shorter(shorter(t->size, side.x), shorter(side.y, side.z));
     t->middle = pov_add(pov_scale(t->box.lo, 0.5), pov_scale(t->box.hi, 0.5));
+}
+
+static void take(void *self)
+{
+    thing *t = &subject.things[subject.count++];
+
+    t->self = self;
+    t->finite = subject.shape->bounds(self, &t->box);
+    look_about(t, pov_vec3_of(0.0, 0.0, 0.0), 2.0);
+}
+
+static void read_in(const char *text)
+{
+    void *self = subject_memory();
+
+    fake_reader_clear(subject.in);
+    fake_reader_text(subject.in, text);
+    if (fake_reader_parse_into(subject.in, subject.shape, self))
+        take(self);
+    else
+        print_error("%s { %s }: %s\n", subject.shape->keyword, text, fake_reader_message(subject.in));
+}
+
+static void read_hard(void)
+{
+    const int count = subject.count;
+    size_t i;
+
+    for (i = 0; i < sizeof hard_texts / sizeof *hard_texts; i++) {
+        const struct hard *h = &hard_texts[i];
+
+        if (strcmp(h->keyword, subject.shape->keyword) != 0)
+            continue;
+        read_in(h->text);
+        look_about(&subject.things[subject.count - 1], pov_vec3_of(h->x, h->y, h->z), h->half);
+    }
+    subject.hard = subject.count - count;
+    subject.count = count;
 }
 
 /* As many numbers as the plugin wants: more are fed until it is content. */
@@ -124,20 +179,12 @@ bool subject_set_up(const char *file)
     if (!subject.shape || !subject.in)
         return false;
     for (i = 0; i < sizeof texts / sizeof *texts; i++) {
-        void *self;
-
-        if (strcmp(texts[i].keyword, subject.shape->keyword) != 0)
-            continue;
-        self = subject_memory();
-        fake_reader_clear(subject.in);
-        fake_reader_text(subject.in, texts[i].text);
-        if (fake_reader_parse_into(subject.in, subject.shape, self))
-            take(self);
-        else
-            print_error("%s { %s }: %s\n", texts[i].keyword, texts[i].text, fake_reader_message(subject.in));
+        if (strcmp(texts[i].keyword, subject.shape->keyword) == 0)
+            read_in(texts[i].text);
     }
     if (subject.count == 0)
         guess();
+    read_hard();
     return subject.count > 0;
 }
 

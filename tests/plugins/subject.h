@@ -20,7 +20,7 @@ typedef struct plugin_subject {
     const pov_shape_class *shape;
     pov_reader *in;
     thing things[SHAPES];
-    int count;
+    int count, hard;         /* how many; and how many more for block filters only */
 } plugin_subject;
 
 extern plugin_subject subject;

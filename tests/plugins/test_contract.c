@@ -381,7 +381,7 @@ static uint32_t pack_some(void *block, const thing **things)
     uint32_t i;
 
     for (i = 0; i < n; i++) {
-        things[i] = &subject.things[(int)(subject.count * subject_uniform())];
+        things[i] = &subject.things[(int)((subject.count + subject.hard) * subject_uniform())];
         selves[i] = things[i]->self;
     }
     return subject.shape->block_pack(block, selves, n) ? n : 0;

@@ -186,7 +186,7 @@ typedef struct pov_shape_class {
     bool (*absorb)(void *self, const pov_affine *map);
     /* [load] [load] [render] Up to POV_BLOCK_MAX shapes of this class side by side in the plugin's own layout,
      * 64-byte aligned: a quick filter before intersect(), which the host asks for every lane still in question.
-     * block_pack returns false to decline (values out of its range). The ray's `left` plays no part here. */
+     * block_pack returns false to decline (values out of its range, or no gain). The ray's `left` plays no part here. */
     size_t block_size;
     bool (*block_pack)(void *block, const void *const *selves, uint32_t n);
     void (*block_filter)(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);

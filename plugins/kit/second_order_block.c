@@ -1,0 +1,224 @@
+/* Along a ray that starts p from the anchor, with direction d, the equation is a t^2 + 2 b t + c. All three are taken at
+ * the ray's own start, and their errors from sums of sizes: docs/numerics.md derives the bounds. */
+#include "kit/second_order_block.h"
+
+#include "kit/simd.h"
+
+#include <float.h>
+
+/* Each of a, b and c is off by less than this part of the sum of its terms' sizes. */
+#define PART (20.0 * KIT_U)
+/* Reported crossings are off by less than this part of their distance, with all roundings here. */
+#define WIDER (24.0 * KIT_U)
+
+/* ---- packing ---- */
+
+static bool put(kit_second_order_block *b, uint32_t lane, const kit_second_order *s)
+{
+    const pov_vec3 anchor = pov_two3_hi(s->anchor);
+    const double length = 1.0 / s->scale, first = s->flat ? 1.0 : length, value = s->flat ? length : length * length;
+    int i;
+
+    if (!(length > 1e-60 && length < 1e60 && pov_largest(anchor) < 1e60)
+        || !(s->flat ? s->sum1 > 0x1p-8 && s->sum1 < 0x1p8 : s->sum2 > 0x1p-8 && s->sum2 < 0x1p8))
+        return false;
+    for (i = 0; i < COEFFICIENTS; i++)
+        b->q[i][lane] = s->rough[i] * (i < D ? 1.0 : i < G ? 0.5 : i < J ? 0.5 * first : value);
+    b->anchor[0][lane] = anchor.x;
+    b->anchor[1][lane] = anchor.y;
+    b->anchor[2][lane] = anchor.z;
+    b->reach[lane] = pov_largest(anchor) + 1e-60;
+    b->sum2[lane] = s->flat ? 0.0 : s->sum2;
+    b->half1[lane] = 0.5 * s->sum1 * first;
+    b->sum0[lane] = s->size[J] * value;
+    return true;
+}
+
+/* Is it one, with a box? Nothing but time hangs on it, so the signs need no certainty. */
+static bool is_ellipsoid(const kit_second_order *s)
+{
+    const double *q = s->rough, d = 0.5 * q[D], e = 0.5 * q[E], f = 0.5 * q[F], minor = q[A] * q[B] - d * d;
+
+    return q[A] > 0.0 && minor > 0.0
+           && q[C] * minor + 2.0 * d * e * f - q[A] * f * f - q[B] * e * e > 0.0;
+}
+
+/* Ellipsoids stand in leaves of a tree, behind boxes that leave little to be told: among themselves they are asked
+ * faster without a block. */
+bool kit_second_order_pack(void *block, const void *const *selves, uint32_t n)
+{
+    kit_second_order_block *b = block;
+    uint32_t bounded = 0, i;
+
+    for (i = 0; i < n; i++)
+        bounded += is_ellipsoid(selves[i]);
+    if (bounded == n)
+        return false;
+    b->lanes = (1 << n) - 1;
+    for (i = 0; i < POV_BLOCK_MAX; i++)
+        if (!put(b, i, selves[i < n ? i : 0]))
+            return false;
+    return true;
+}
+
+/* ---- asking ---- */
+
+/* A ray, and the largest components of its start, or more, and of its direction. */
+typedef struct line { pov_vec3 o, d; double far, speed, tmin, tmax; } line;
+
+/* Lengths of the order of the squares of coefficients must not overflow, nor what is left of them after the bounds'
+ * smallness vanish. */
+static inline bool is_ordinary(double far, double speed) { return far < 1e60 && speed > 1e-80 && speed < 1e80; }
+
+/* By lane: coefficients, with their signs turned where b is negative; the discriminant; and a bound on each one's error. */
+typedef struct found {
+    double a[POV_BLOCK_MAX], b[POV_BLOCK_MAX], c[POV_BLOCK_MAX], d[POV_BLOCK_MAX];
+    double a_error[POV_BLOCK_MAX], b_error[POV_BLOCK_MAX], c_error[POV_BLOCK_MAX], d_error[POV_BLOCK_MAX];
+} found;
+
+static inline double three(double a, double b, double c, double x, double y, double z, double more)
+{
+    return kit_sum_of(c, z, kit_sum_of(b, y, kit_sum_of(a, x, more)));
+}
+
+/* The lanes that are not missed for certain: whose discriminant may be positive, and whose coefficients are not all of
+ * one sign, which leaves no positive root. */
+static inline uint32_t find(const kit_second_order_block *s, const line *l, uint32_t n, found *restrict f)
+{
+    const double dx = l->d.x, dy = l->d.y, dz = l->d.z, square = l->speed * l->speed;
+    const double xx = dx * dx, yy = dy * dy, zz = dz * dz, xy = 2.0 * dx * dy, xz = 2.0 * dx * dz, yz = 2.0 * dy * dz;
+    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    int64_t missed = 0;
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        const double x = l->o.x - s->anchor[0][i], y = l->o.y - s->anchor[1][i], z = l->o.z - s->anchor[2][i];
+        const double gx = three(s->q[A][i], s->q[D][i], s->q[E][i], x, y, z, s->q[G][i]);
+        const double gy = three(s->q[D][i], s->q[B][i], s->q[F][i], x, y, z, s->q[H][i]);
+        const double gz = three(s->q[E][i], s->q[F][i], s->q[C][i], x, y, z, s->q[I][i]);
+        const double mixed = three(s->q[D][i], s->q[E][i], s->q[F][i], xy, xz, yz, 0.0);
+        const double a = three(s->q[A][i], s->q[B][i], s->q[C][i], xx, yy, zz, mixed);
+        const double b = three(gx, gy, gz, dx, dy, dz, 0.0);
+        const double c = three(gx + s->q[G][i], gy + s->q[H][i], gz + s->q[I][i], x, y, z, s->q[J][i]);
+        const double far = l->far + s->reach[i], first = kit_sum_of(s->sum2[i], far, s->half1[i]);
+        const double value = kit_sum_of(first + s->half1[i], far, s->sum0[i]);
+        const double a_size = b < 0.0 ? -a : a, c_size = b < 0.0 ? -c : c, d = kit_sum_of(b, b, -a * c);
+        const double a_error = PART * s->sum2[i] * square, b_error = PART * first * l->speed, c_error = PART * value;
+        const double d_error = 2.5 * PART * kit_sum_of(first, first, s->sum2[i] * value) * square;
+
+        f->a[i] = a_size, f->b[i] = fabs(b), f->c[i] = c_size, f->d[i] = d;
+        f->a_error[i] = a_error, f->b_error[i] = b_error, f->c_error[i] = c_error, f->d_error[i] = d_error;
+        missed |= (d < -d_error) | ((fabs(b) > b_error) & (c_size > c_error) & (a_size >= a_error)) ? bit[i] : 0;
+    }
+    return (uint32_t)(s->lanes & ~missed);
+}
+
+/* Bounds on a root as a distance. */
+typedef struct bounds { double lo, hi; } bounds;
+
+/* -c / m, for m between two positive values. */
+static inline bounds near_root(double c, double error, double least, double most)
+{
+    const double down = -c - error, up = error - c;
+    bounds r = { down / (down < 0.0 ? least : most), up / (up < 0.0 ? most : least) };
+
+    r.lo -= WIDER * fabs(r.lo);
+    r.hi += WIDER * fabs(r.hi);
+    return r;
+}
+
+/* -m / a where that may be positive; a wide interval if the sign of a is in doubt, and nowhere if there is no a. */
+static inline bounds other_root(double a, double error, double least, double most)
+{
+    bounds r = { HUGE_VAL, HUGE_VAL };
+
+    if (a <= error && error > 0.0)
+        r.lo = least / (fabs(a) + error) * (1.0 - WIDER);
+    if (a < -error)
+        r.hi = most / (-a - error) * (1.0 + WIDER);
+    return r;
+}
+
+static inline bool may_be_within(bounds r, const line *l, double end) { return !(r.lo > end || r.hi < l->tmin); }
+static inline bool is_within(bounds r, const line *l) { return r.lo > l->tmin && r.hi < l->tmax; }
+
+/* With m = |b| + the discriminant's root, the roots are -c / m and -m / a, all signs being those for a positive b. */
+static inline void bound_lane(const found *f, uint32_t i, const line *l, pov_block_answer *out)
+{
+    const double end = kit_lesser(l->tmax, DBL_MAX), root_most = sqrt(f->d[i] + f->d_error[i]);
+    const bool is_real = f->d[i] > f->d_error[i];
+    const double root_least = is_real ? sqrt(f->d[i] - f->d_error[i]) : 0.0;
+    const double least = (f->b[i] - f->b_error[i] + root_least) * (1.0 - 8.0 * KIT_U);
+    const double most = (f->b[i] + f->b_error[i] + root_most) * (1.0 + 8.0 * KIT_U);
+    bounds one = { -HUGE_VAL, HUGE_VAL }, other = one;
+    bool one_is_met, other_is_met;
+
+    if (least > 0.0) {
+        one = near_root(f->c[i], f->c_error[i], least, most);
+        other = other_root(f->a[i], f->a_error[i], least, most);
+    }
+    one_is_met = may_be_within(one, l, end);
+    other_is_met = may_be_within(other, l, end);
+    if (!one_is_met && !other_is_met)
+        return;
+    out->maybe |= 1u << i;
+    out->lo[i] = one_is_met && other_is_met ? kit_lesser(one.lo, other.lo) : one_is_met ? one.lo : other.lo;
+    one_is_met = is_real && is_within(one, l);
+    other_is_met = is_real && is_within(other, l);
+    if (!one_is_met && !other_is_met)
+        return;
+    out->surely |= 1u << i;
+    out->hi[i] = one_is_met && other_is_met ? kit_lesser(one.hi, other.hi) : one_is_met ? one.hi : other.hi;
+}
+
+static inline void answer(const kit_second_order_block *s, const line *l, pov_block_answer *out)
+{
+    found f;
+    uint32_t met = s->lanes < 16 ? find(s, l, POV_BLOCK_MAX / 2, &f) : find(s, l, POV_BLOCK_MAX, &f);
+
+    out->maybe = out->surely = 0;
+    for (; met; met &= met - 1)
+        bound_lane(&f, kit_first_lane(met), l, out);
+}
+
+/* Static, since the names of clones would be seen from outside. */
+KIT_CLONES static void filter(const kit_second_order_block *s, const pov_ray *ray, double tmin, double tmax,
+                              pov_block_answer *out)
+{
+    const line l = { ray->org, ray->dir, pov_largest(ray->org), pov_largest(ray->dir), tmin, tmax };
+
+    if (is_ordinary(l.far, l.speed) && tmin >= 0.0)
+        answer(s, &l, out);
+    else
+        kit_block_decline(tmin, out);
+}
+
+void kit_second_order_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+{
+    filter(block, ray, tmin, tmax, out);
+}
+
+KIT_CLONES static uint64_t filter_many(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes,
+                                       pov_block_answer *out)
+{
+    uint64_t met = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t at = kit_first_lane64(lanes);
+        const pov_vec3 o = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
+        const pov_vec3 d = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
+        const line l = { o, d, rays->size[at], pov_largest(d), 0.0, rays->tmax[at] };
+
+        if (is_ordinary(l.far, l.speed))
+            answer(s, &l, &out[at]);
+        else
+            kit_block_decline(0.0, &out[at]);
+        met |= (uint64_t)(out[at].maybe != 0) << at;
+    }
+    return met;
+}
+
+uint64_t kit_second_order_filter_many(const void *block, const pov_rays *rays, uint64_t lanes, pov_block_answer *out)
+{
+    return filter_many(block, rays, lanes, out);
+}
