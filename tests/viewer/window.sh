@@ -70,6 +70,7 @@ looks() {
     [ "$(channel "$1" "$2" "$3" "$4")" -gt 90 ]
 }
 changed() { shot "$1"; [ "$(differ "$1" "$2")" -gt "$3" ]; }
+alike() { shot "$1"; [ "$(differ "$1" "$2")" -lt "$3" ]; }
 same() { shot "$1"; [ "$(differ "$1" "$2")" -eq 0 ]; }
 
 env -u DISPLAY -u WAYLAND_DISPLAY "$povview" "$root/scenes/test/sphere.pov" >out 2>err
@@ -139,10 +140,16 @@ xdotool mousedown 2 mousemove_relative 30 10 mouseup 2
 away "a middle drag shifts it"
 xdotool mousemove --window "$window" 200 150 keydown shift mousedown 1 mousemove_relative 30 10 mouseup 1 keyup shift
 away "so does a drag with Shift"
-for side in 1 3 7; do
+for side in 3 7; do
     xdotool key $side
     away "$side shows it from another side"
 done
+xdotool key 7
+within changed moved.png first.png 500
+xdotool key 1
+check "1 shows it from the front, where it was" within alike again.png first.png 50
+xdotool key r
+within same again.png first.png
 xdotool mousemove --window "$window" 200 150
 
 xdotool key bracketright
