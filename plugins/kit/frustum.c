@@ -185,19 +185,6 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- points ---- */
 
-/* a . b with the products and sums of high parts without error, and all that is small summed in double: it is below 5 u
- * of the sum of the terms' sizes, so what six roundings lose of it is below 2^-100 of that sum. */
-static inline pov_two quick_dot(pov_two3 a, pov_two3 b)
-{
-    const pov_two x = pov_two_product(a.x.hi, b.x.hi), y = pov_two_product(a.y.hi, b.y.hi);
-    const pov_two z = pov_two_product(a.z.hi, b.z.hi), xy = pov_two_sum(x.hi, y.hi), all = pov_two_sum(xy.hi, z.hi);
-    const double low = (x.lo + y.lo) + (z.lo + xy.lo) + all.lo;
-    const double mixed = (a.x.hi * b.x.lo + a.x.lo * b.x.hi) + (a.y.hi * b.y.lo + a.y.lo * b.y.hi)
-                         + (a.z.hi * b.z.lo + a.z.lo * b.z.hi);
-
-    return pov_two_sum(all.hi, low + mixed);
-}
-
 /* A point, the radius there, and the direction, in local coordinates. */
 typedef struct view { pov_two3 p; pov_two r; pov_vec3 d; } view;
 
@@ -205,9 +192,9 @@ static inline view view_of(const kit_frustum *s, const kit_ray *k, pov_two3 w)
 {
     view v;
 
-    v.p.x = quick_dot(s->row[0], w);
-    v.p.y = quick_dot(s->row[1], w);
-    v.p.z = quick_dot(s->row[2], w);
+    v.p.x = kit_quick_dot(s->row[0], w);
+    v.p.y = kit_quick_dot(s->row[1], w);
+    v.p.z = kit_quick_dot(s->row[2], w);
     v.r = radius_at(s, v.p.z);
     v.d = pov_vec3_of(pov_dot(pov_two3_hi(s->row[0]), k->d), pov_dot(pov_two3_hi(s->row[1]), k->d),
                       pov_dot(pov_two3_hi(s->row[2]), k->d));
@@ -221,7 +208,7 @@ static inline double side_value(const view *v)
 
     a.z = v->r;
     b.z = pov_two_neg(v->r);
-    return quick_dot(a, b).hi;
+    return kit_quick_dot(a, b).hi;
 }
 
 static inline double side_slope(const kit_frustum *s, const view *v)
@@ -305,9 +292,9 @@ void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing
         return;
     }
     n = two3_of(v.p.x, v.p.y, pov_two_neg(pov_two_mul(s->slope, v.r)));
-    *out = pov_unit(pov_vec3_of(quick_dot(n, two3_of(row[0].x, row[1].x, row[2].x)).hi,
-                                quick_dot(n, two3_of(row[0].y, row[1].y, row[2].y)).hi,
-                                quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi));
+    *out = pov_unit(pov_vec3_of(kit_quick_dot(n, two3_of(row[0].x, row[1].x, row[2].x)).hi,
+                                kit_quick_dot(n, two3_of(row[0].y, row[1].y, row[2].y)).hi,
+                                kit_quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi));
 }
 
 bool kit_frustum_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)

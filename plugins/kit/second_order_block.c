@@ -55,9 +55,14 @@ bool kit_second_order_pack(void *block, const void *const *selves, uint32_t n)
     if (bounded == n)
         return false;
     b->lanes = (1 << n) - 1;
-    for (i = 0; i < POV_BLOCK_MAX; i++)
-        if (!put(b, i, selves[i < n ? i : 0]))
+    b->flat = true;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const kit_second_order *s = selves[i < n ? i : 0];
+
+        if (!put(b, i, s))
             return false;
+        b->flat = b->flat && s->flat;
+    }
     return true;
 }
 
@@ -171,10 +176,129 @@ static inline void bound_lane(const found *f, uint32_t i, const line *l, pov_blo
     out->hi[i] = one_is_met && other_is_met ? kit_lesser(one.hi, other.hi) : one_is_met ? one.hi : other.hi;
 }
 
+/* ---- planes ---- */
+
+/* A plane has but the root -c / 2 b, which is sure where the sign of b is: nowhere else are there bounds on it. */
+typedef struct plane { pov_vec3 anchor, half; double c, reach, half1, sum0; } plane;
+
+static inline plane plane_of(const kit_second_order_block *s, uint32_t i)
+{
+    const plane p = { { s->anchor[0][i], s->anchor[1][i], s->anchor[2][i] }, { s->q[G][i], s->q[H][i], s->q[I][i] },
+                      s->q[J][i], s->reach[i], s->half1[i], s->sum0[i] };
+    return p;
+}
+
+static inline bounds meet_plane(const plane *p, double ox, double oy, double oz, double far, double dx, double dy,
+                                double dz)
+{
+    const double speed = kit_greater(fabs(dx), kit_greater(fabs(dy), fabs(dz)));
+    const double b = three(p->half.x, p->half.y, p->half.z, dx, dy, dz, 0.0), b_error = PART * p->half1 * speed;
+    const double half_c = three(p->half.x, p->half.y, p->half.z, ox - p->anchor.x, oy - p->anchor.y, oz - p->anchor.z,
+                                0.5 * p->c);
+    const double c_error = PART * kit_sum_of(p->half1, far + p->reach, 0.5 * p->sum0);
+    const double c = b < 0.0 ? -half_c : half_c, down = -c - c_error, up = c_error - c;
+    const double least = fabs(b) - b_error, most = fabs(b) + b_error;
+    const double most_inverse = 1.0 / least, least_inverse = 1.0 / most;
+    const double lo = kit_lesser(down * most_inverse, down * least_inverse);
+    const double hi = kit_greater(up * most_inverse, up * least_inverse);
+    const bool is_clear = (least > 0.0) & (far < 1e60);
+    const bounds r = { is_clear ? lo - WIDER * fabs(lo) : -HUGE_VAL, is_clear ? hi + WIDER * fabs(hi) : HUGE_VAL };
+
+    return r;
+}
+
+static inline void answer_flat(const kit_second_order_block *s, const line *l, pov_block_answer *out)
+{
+    const double end = kit_lesser(l->tmax, DBL_MAX);
+    uint32_t lanes = (uint32_t)s->lanes;
+
+    out->maybe = out->surely = 0;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = kit_first_lane(lanes);
+        const plane p = plane_of(s, i);
+        const bounds r = meet_plane(&p, l->o.x, l->o.y, l->o.z, l->far, l->d.x, l->d.y, l->d.z);
+
+        out->lo[i] = r.lo;
+        out->hi[i] = r.hi;
+        out->maybe |= (uint32_t)may_be_within(r, l, end) << i;
+        out->surely |= (uint32_t)is_within(r, l) << i;
+    }
+}
+
+/* Rays side by side. */
+enum { TOGETHER = 8 };
+
+static inline void meet_together(const plane *p, const pov_rays *rays, uint32_t from, double *restrict lo,
+                                 double *restrict hi)
+{
+    const double *ox = rays->org[0] + from, *oy = rays->org[1] + from, *oz = rays->org[2] + from;
+    const double *dx = rays->dir[0] + from, *dy = rays->dir[1] + from, *dz = rays->dir[2] + from;
+    const double *size = rays->size + from;
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const bounds r = meet_plane(p, ox[i], oy[i], oz[i], size[i], dx[i], dy[i], dz[i]);
+
+        lo[i] = r.lo;
+        hi[i] = r.hi;
+    }
+}
+
+static inline uint64_t flat_some(const plane *p, uint32_t lane, const pov_rays *rays, uint32_t from, uint32_t some,
+                                 pov_block_answer *out)
+{
+    double lo[TOGETHER], hi[TOGETHER];
+    uint64_t met = 0;
+
+    meet_together(p, rays, from, lo, hi);
+    for (; some; some &= some - 1) {
+        const uint32_t i = kit_first_lane(some), at = from + i;
+
+        if (lo[i] > rays->tmax[at] || hi[i] < 0.0)
+            continue;
+        out[at].lo[lane] = lo[i];
+        out[at].hi[lane] = hi[i];
+        out[at].maybe |= 1u << lane;
+        out[at].surely |= (uint32_t)((lo[i] > 0.0) & (hi[i] < rays->tmax[at])) << lane;
+        met |= (uint64_t)1 << at;
+    }
+    return met;
+}
+
+static inline uint64_t filter_flat(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes,
+                                   pov_block_answer *out)
+{
+    const uint32_t all = (1u << TOGETHER) - 1;
+    uint32_t planes = (uint32_t)s->lanes, from;
+    uint64_t met = 0, rest;
+
+    for (rest = lanes; rest; rest &= rest - 1) {
+        pov_block_answer *o = &out[kit_first_lane64(rest)];
+        o->maybe = o->surely = 0;
+    }
+    for (; planes; planes &= planes - 1) {
+        const uint32_t lane = kit_first_lane(planes);
+        const plane p = plane_of(s, lane);
+
+        for (from = 0; from < POV_RAYS_MAX; from += TOGETHER)
+            if (lanes >> from & all)
+                met |= flat_some(&p, lane, rays, from, (uint32_t)(lanes >> from) & all, out);
+    }
+    return met;
+}
+
+/* ---- rays ---- */
+
 static inline void answer(const kit_second_order_block *s, const line *l, pov_block_answer *out)
 {
     found f;
-    uint32_t met = s->lanes < 16 ? find(s, l, POV_BLOCK_MAX / 2, &f) : find(s, l, POV_BLOCK_MAX, &f);
+    uint32_t met;
+
+    if (s->flat) {
+        answer_flat(s, l, out);
+        return;
+    }
+    met = s->lanes < 16 ? find(s, l, POV_BLOCK_MAX / 2, &f) : find(s, l, POV_BLOCK_MAX, &f);
 
     out->maybe = out->surely = 0;
     for (; met; met &= met - 1)
@@ -203,6 +327,8 @@ KIT_CLONES static uint64_t filter_many(const kit_second_order_block *s, const po
 {
     uint64_t met = 0;
 
+    if (s->flat)
+        return filter_flat(s, rays, lanes, out);
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t at = kit_first_lane64(lanes);
         const pov_vec3 o = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);

@@ -11,6 +11,7 @@ typedef struct kit_second_order_block {
     double reach[POV_BLOCK_MAX];             /* the anchor's largest component, and never zero */
     double sum2[POV_BLOCK_MAX], half1[POV_BLOCK_MAX], sum0[POV_BLOCK_MAX];   /* of sizes, by order; half of the first */
     int64_t lanes;                           /* by bits */
+    bool flat;                               /* planes, all of them */
 } kit_second_order_block;
 
 /* selves: each a kit_second_order. False: out of range. */

@@ -227,18 +227,25 @@ static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uin
     return r;
 }
 
-/* No second order: a plane. */
-static bool quick_plane(const quadric *s, const kit_ray *k, const along *r, double middle, pov_hits *hits)
+/* No second order: a plane. Its value at the origin and its slope in two parts give the crossing as exactly. */
+static bool quick_plane(const quadric *s, const kit_ray *k, pov_hits *hits)
 {
-    const kit_equation equation = { s, k, residual, HUGE_VAL };
-    const double t = -r->c / (2.0 * r->b);
+    const pov_two3 n = { s->q[G], s->q[H], s->q[I] };
+    const pov_vec3 n_size = pov_vec3_of(s->size[G], s->size[H], s->size[I]);
+    const pov_two value = pov_two_add(kit_quick_dot(n, k->f), s->q[J]), slope = kit_quick_dot(n, kit_direction(k));
+    const double value_error = 0x1p-98 * (kit_sum_of_sizes(n_size, pov_two3_hi(k->f)) + s->size[J]);
+    const double slope_error = 0x1p-98 * kit_sum_of_sizes(n_size, k->d);
+    kit_verdict verdict;
     kit_root root;
 
-    if (!(fabs(r->b) > 16.0 * r->b_error))
+    if (!(fabs(slope.hi) > 16.0 * slope_error && fabs(slope.hi) > KIT_TINY && fabs(value.hi) > KIT_TINY))
         return false;
-    root = root_of(middle, t, (r->c_error + 2.0 * fabs(t) * r->b_error) / (1.8 * fabs(r->b)) + KIT_U * fabs(t),
-                   r->b < 0.0 ? ENTERING : EXITING);
-    return kit_report(&root, 1, HUGE_VAL, &equation, hits);
+    root.t = pov_two_neg(pov_two_div(value, slope));
+    root.error = 1.1 * (value_error + fabs(root.t.hi) * slope_error) / fabs(slope.hi) + 0x1p-100 * fabs(root.t.hi);
+    verdict = kit_judge(&root, k->unit, HUGE_VAL, hits);
+    if (verdict == KIT_GOOD)
+        pov_cross(hits, root.t.hi * k->unit, root.t.lo * k->unit, kit_mark(slope.hi < 0.0 ? ENTERING : EXITING, 0));
+    return verdict != KIT_OPEN;
 }
 
 static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, double middle, uint32_t wanted,
@@ -287,7 +294,7 @@ static bool is_clear_miss(const quadric *s, const along *r, double far, double t
     if (d < -2.0 * d_error)
         return true;
     /* Coefficients of one sign have no positive root. */
-    return tmin >= 0.0 && sign * r->b > b_error && sign * r->c > c_error && (s->flat || sign * r->a > a_error);
+    return tmin >= 0.0 && sign * r->b > b_error && sign * r->c > c_error && sign * r->a > a_error;
 }
 
 /* Double precision with bounds. False: open. */
@@ -298,8 +305,8 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
     along r;
     double middle;
 
-    if (leaving && s->flat)
-        return true;
+    if (s->flat)
+        return leaving || quick_plane(s, k, hits);
     r.a = along_second(s->rough, k->d);
     r.b = along_first(s->rough, f, k->d);
     r.c = along_value(s->rough, f);
@@ -312,12 +319,10 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
             return false;
         wanted = r.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
     }
-    middle = s->flat ? -r.c / (2.0 * r.b) : -r.b / r.a;
+    middle = -r.b / r.a;
     if (!isfinite(middle))
         return false;
     r = measure(s, k, kit_along(k, middle));
-    if (s->flat)
-        return quick_plane(s, k, &r, middle, hits);
     if (!(fabs(r.a) > 1024.0 * r.a_error && fabs(r.a) > KIT_TINY))
         return false;
     return quick_curved(s, k, &r, middle, wanted, hits);
@@ -343,13 +348,20 @@ static pov_two3 surface_point(const quadric *s, const kit_ray *k, const pov_cros
                     s->sizeless ? pov_largest(pov_two3_hi(p)) : 1.0);
 }
 
+static pov_vec3 gradient(const quadric *s, const pov_ray *ray, const pov_crossing *at)
+{
+    kit_ray k;
+
+    if (s->flat)
+        return pov_vec3_of(s->rough[G], s->rough[H], s->rough[I]);
+    k = kit_enter(ray, s->anchor, s->scale);
+    return pov_two3_hi(kit_half_gradient(s->q, surface_point(s, &k, at), true));
+}
+
 /* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const quadric *s = self;
-    const kit_ray k = kit_enter(ray, s->anchor, s->scale);
-
-    *out = pov_unit(pov_two3_hi(kit_half_gradient(s->q, surface_point(s, &k, at), true)));
+    *out = pov_unit(gradient(self, ray, at));
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }

@@ -4,7 +4,7 @@
 
 #include <povtrace/plugin.h>
 
-enum { OWNER = 3, MOST = 64, SHAPES = 24 };
+enum { OWNER = 3, MOST = 64, SHAPES = 40 };
 
 typedef struct thing {
     void *self;

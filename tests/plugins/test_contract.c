@@ -373,15 +373,17 @@ static bool filter_is_right(const void *block, const thing *const *things, uint3
     return is_right(&answer, things, n, ray, tmin, tmax);
 }
 
-/* Up to POV_BLOCK_MAX of the subject's things in a block. 0: it declines them. */
+/* Up to POV_BLOCK_MAX of the subject's things in a block, or one of them as often. 0: it declines them. */
 static uint32_t pack_some(void *block, const thing **things)
 {
     const uint32_t n = 1 + (uint32_t)(POV_BLOCK_MAX * subject_uniform());
+    const bool alike = subject_uniform() < 0.4;
     const void *selves[POV_BLOCK_MAX];
     uint32_t i;
 
     for (i = 0; i < n; i++) {
-        things[i] = &subject.things[(int)((subject.count + subject.hard) * subject_uniform())];
+        things[i] = alike && i > 0 ? things[0]
+                                   : &subject.things[(int)((subject.count + subject.hard) * subject_uniform())];
         selves[i] = things[i]->self;
     }
     return subject.shape->block_pack(block, selves, n) ? n : 0;
