@@ -69,6 +69,7 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
         add(out, size, "|position\t%.6g, %.6g, %.6g\n", p->point.x, p->point.y, p->point.z);
         add(out, size, "|normal\t%.4f, %.4f, %.4f\n", p->normal.x, p->normal.y, p->normal.z);
         add(out, size, "|distance\t%.8g\n", p->distance);
+        add(out, size, "|hits\t%zu on the way\n", p->hits);
         add(out, size, "|decided by\t%s\n", p->certain ? "double" : "two-part numbers");
     }
     if (p->color[3] > 0.0f)

@@ -24,6 +24,7 @@ typedef struct session_place {
     const char *keyword;         /* of the object, and where it stands in the text */
     int line, column;
     double distance;             /* in units of the scene */
+    size_t hits;                 /* surfaces on the way, this one and those behind it */
     pov_vec3 point, normal;
     bool certain;
     float color[4];              /* linear, as the job has it; alpha 0: not traced yet */

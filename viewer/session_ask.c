@@ -58,6 +58,16 @@ bool session_get_pass(const session *s, size_t index, pov_pass *out)
     return s->job && pov_job_get_pass(s->job, index, out);
 }
 
+/* Not even a ray through millions of objects makes the window wait. */
+static bool is_worth_more(void *user, const pov_hit *hit)
+{
+    const size_t most = 1000;
+    size_t *count = user;
+
+    (void)hit;
+    return ++*count < most;
+}
+
 bool session_inspect(session *s, session_place *out)
 {
     const app *a = s->app;
@@ -80,6 +90,7 @@ bool session_inspect(session *s, session_place *out)
     if (!out->hit)
         return true;
     pov_scene_get_object(s->scene, hit.object, &out->keyword, &out->line, &out->column);
+    pov_trace_hits(s->tracer, camera.location, ray, is_worth_more, &out->hits);
     out->distance = hit.distance * sqrt(pov_dot(ray, ray));
     out->point = hit.point;
     out->normal = hit.normal;

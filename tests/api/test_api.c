@@ -162,6 +162,90 @@ static void rays_meet_what_stands_there(void **state)
     pov_context_destroy(context);
 }
 
+typedef struct crossings { size_t count, most; pov_hit at[64]; } crossings;
+
+static bool note_crossing(void *user, const pov_hit *hit)
+{
+    crossings *c = user;
+
+    assert_in_range(c->count, 0, 63);
+    c->at[c->count++] = *hit;
+    return c->count < c->most;
+}
+
+static crossings cross_all(const pov_scene *scene, pov_vec3 org, pov_vec3 dir, size_t most)
+{
+    crossings c = { .most = most };
+    pov_tracer *tracer;
+
+    size_t count;
+
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    count = pov_trace_hits(tracer, org, dir, note_crossing, &c);
+    assert_int_equal(count, c.count);
+    pov_tracer_destroy(tracer);
+    return c;
+}
+
+static void assert_crossing(const crossings *c, size_t i, uint32_t object, double distance, double normal)
+{
+    assert_int_equal(c->at[i].object, object);
+    assert_true(c->at[i].distance == distance);
+    assert_true(c->at[i].normal.z == normal);
+}
+
+static void every_surface_on_the_way_is_seen(void **state)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, "sphere { 0, 1 } sphere { 0, 2 } quadric { <0, 0, 0>, <0, 0, 0>, <0, 0, 1>, -4 }"
+                                            "box { <-1, -1, 4>, <1, 1, 5> } box { <-1, -1, 5>, <1, 1, 7> }");
+    crossings c;
+
+    (void)state;
+    c = cross_all(scene, pov_vec3_of(0, 0, -4), pov_vec3_of(0, 0, 0.5), 64);
+    assert_int_equal(c.count, 9);
+    assert_crossing(&c, 0, 1, 4.0, -1.0);
+    assert_crossing(&c, 1, 0, 6.0, -1.0);
+    assert_crossing(&c, 2, 0, 10.0, -1.0);
+    assert_crossing(&c, 3, 1, 12.0, -1.0);
+    /* The box begins on the plane, which is the end of what lies below it: entered first, and then left. */
+    assert_crossing(&c, 4, 3, 16.0, -1.0);
+    assert_crossing(&c, 5, 2, 16.0, -1.0);
+    assert_crossing(&c, 6, 4, 18.0, -1.0);
+    assert_crossing(&c, 7, 3, 18.0, -1.0);
+    assert_crossing(&c, 8, 4, 22.0, -1.0);
+    c = cross_all(scene, pov_vec3_of(0, 0, -4), pov_vec3_of(0, 0, 0.5), 3);
+    assert_int_equal(c.count, 3);
+    c = cross_all(scene, pov_vec3_of(0, 9, -4), pov_vec3_of(0, 0, -1), 64);
+    assert_int_equal(c.count, 0);
+    c = cross_all(scene, pov_vec3_of(0, 0, 0), pov_vec3_of(0, 0, 0), 64);
+    assert_int_equal(c.count, 0);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+/* Along the middle of a pile of a thousandth part of what a step would be with an absolute epsilon. */
+static void thin_and_far_surfaces_are_all_seen(void **state)
+{
+    char text[4096];
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    crossings c;
+    size_t used = 0;
+
+    (void)state;
+    for (int i = 0; i < 20; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "box { <-1, -1, %.17g>, <1, 1, %.17g> }\n",
+                                 1e6 + i * 4e-9, 1e6 + i * 4e-9 + 2e-9);
+    scene = scenes_text(context, text);
+    c = cross_all(scene, pov_vec3_of(0.1, 0.2, 0), pov_vec3_of(1e-9, -1e-9, 1), 64);
+    assert_int_equal(c.count, 40);
+    for (size_t i = 0; i < c.count; i++)
+        assert_int_equal(c.at[i].object, i / 2);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
 /* Past the ball of radius 1 by the last bit of 1, along its edge, and within it by half of that. */
 static void a_miss_says_whether_it_was_certain(void **state)
 {
@@ -326,6 +410,8 @@ int main(void)
         cmocka_unit_test(missing_arguments_are_errors_and_not_crashes),
         cmocka_unit_test(structs_of_other_sizes_are_adapted),
         cmocka_unit_test(rays_meet_what_stands_there),
+        cmocka_unit_test(every_surface_on_the_way_is_seen),
+        cmocka_unit_test(thin_and_far_surfaces_are_all_seen),
         cmocka_unit_test(a_miss_says_whether_it_was_certain),
         cmocka_unit_test(a_camera_can_be_turned),
         cmocka_unit_test(a_restart_with_no_real_camera_keeps_the_one_it_had),

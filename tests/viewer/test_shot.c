@@ -437,6 +437,8 @@ static void shot_inspects_what_is_under_the_pointer(void **state)
     assert_true(fabs((double)place.color[0] - 0.4) < 0.01);
     overlay_write_place(&place, text, sizeof text);
     assert_non_null(strstr(text, "#sphere, line 4\n"));
+    assert_int_equal(place.hits, 2);
+    assert_non_null(strstr(text, "|hits\t2 on the way\n"));
     see(s, "<move 2,2>");
     assert_true(session_inspect(s->v.session, &place));
     assert_false(place.hit);

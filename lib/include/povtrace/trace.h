@@ -19,6 +19,10 @@ POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, p
 POV_API void pov_tracer_destroy(pov_tracer *tracer);
 /* The nearest object in the open ray, dir of any length but zero. False: none, and only `certain` means anything. */
 POV_API bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
+/* Every surface on the way, from near to far; through transparent and opaque ones the ray goes on straight. `see` is
+ * called for each and returns false to end it. Returns how many were seen; *out of pov_trace_hit() is the first. */
+POV_API size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see)(void *user, const pov_hit *hit),
+                              void *user);
 /* Does anything stand strictly between the two points? Transparent objects count, no_shadow ones do not. */
 POV_API bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to);
 /* What is seen along the ray: linear red, green, blue, and 1. Fails only when memory ends. */
