@@ -243,7 +243,7 @@ static bool absorb(void *self, const pov_affine *map)
 typedef struct sphere_lanes {
     kit_rays rays;
     kit_lane3 centre, centre_lo;
-    kit_lane radius, radius_lo, t, t_lo;
+    kit_lane radius, radius_lo, t, t_lo, tmin;
 } sphere_lanes;
 
 static inline void put_sphere(sphere_lanes *l, uint32_t i, const sphere *s)
@@ -263,10 +263,14 @@ static inline sphere get_sphere(const sphere_lanes *l, uint32_t i)
     return s;
 }
 
-/* Where rays enter: bounds on the distance, and the distance. No number where double does not find it well enough. */
-typedef struct entry_lanes { kit_lane lo, hi, t, t_lo; } entry_lanes;
+/* Where rays come in, or, of those that start within, where they leave: bounds on the distance, and the distance. No
+ * number where double does not find it well enough. */
+typedef struct end_lanes {
+    kit_lane lo, hi, t, t_lo;
+    int64_t part[KIT_LANES];
+} end_lanes;
 
-KIT_CLONES static void find_entries(const sphere_lanes *restrict l, entry_lanes *restrict out)
+KIT_CLONES static void find_ends(const sphere_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
 
@@ -275,7 +279,9 @@ KIT_CLONES static void find_entries(const sphere_lanes *restrict l, entry_lanes 
         const pov_ray ray = kit_get_ray(&l->rays, i);
         const kit_ray k = kit_enter(&ray, s.centre, scale_of(&s));
         const chord h = find_chord(square_of(&s), &k);
-        const kit_root r = near_end(&h);
+        const kit_root near = near_end(&h), far = far_end(&h);
+        const int within = (near.t.hi + kit_slack(&near)) * k.unit < l->tmin[i];
+        const kit_root r = { { within ? far.t.hi : near.t.hi, within ? far.t.lo : near.t.lo }, h.error, 0, 0 };
         const double slack = kit_slack(&r);
         const int good = (int)is_near(&k) & (int)is_cut(&h) & (int)kit_is_fine(&r, KIT_FINE * KIT_SLOWEST);
 
@@ -283,28 +289,30 @@ KIT_CLONES static void find_entries(const sphere_lanes *restrict l, entry_lanes 
         out->hi[i] = (r.t.hi + slack) * k.unit;
         out->t[i] = r.t.hi * k.unit;
         out->t_lo[i] = r.t.lo * k.unit;
+        out->part[i] = within;
     }
 }
 
-/* Whoever does not leave the sphere, and enters it within the interval for certain, has his answer. */
+/* Whoever does not leave the sphere, and comes to this end of the chord within the interval for certain, has his answer. */
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     sphere_lanes lanes;
-    entry_lanes entry;
+    end_lanes end;
     uint32_t i, j;
 
     for (i = 0; i < KIT_LANES; i++) {
         j = kit_lane_of(i, n);
         kit_put_ray(&lanes.rays, i, rays[j]);
         put_sphere(&lanes, i, selves[j]);
+        lanes.tmin[i] = hits[j]->tmin;
     }
-    find_entries(&lanes, &entry);
+    find_ends(&lanes, &end);
     for (i = 0; i < n; i++) {
         pov_hits *h = hits[i];
 
-        if (entry.lo[i] <= h->tmax && entry.hi[i] >= h->tmin && entry.t[i] > h->tmin && h->want != POV_WANT_ALL
+        if (end.lo[i] <= h->tmax && end.hi[i] >= h->tmin && end.t[i] > h->tmin && h->want != POV_WANT_ALL
             && !h->always_exact && h->owner != rays[i]->left)
-            pov_cross(h, entry.t[i], entry.t_lo[i], kit_mark(0, 0));
+            pov_cross(h, end.t[i], end.t_lo[i], kit_mark((uint32_t)end.part[i], 0));
         else
             intersect(selves[i], rays[i], h);
     }
@@ -424,6 +432,7 @@ static inline void bound_lane(const sphere_block *s, uint32_t i, double middle, 
     double far = outer * outer * (1.0 + 8.0 * KIT_U) - ww, near = inner * inner * (1.0 - 8.0 * KIT_U) - ww;
     double wide = (sqrt(far) * (1.0 + 8.0 * KIT_U) + slack) * per_length;
     double shift = 8.0 * KIT_U * fabs(middle), narrow;
+    int within;
 
     out->lo[i] = middle - wide - shift;
     if (!(out->lo[i] <= tmax && middle + wide + shift >= tmin))
@@ -432,8 +441,13 @@ static inline void bound_lane(const sphere_block *s, uint32_t i, double middle, 
     if (!(inner > 0.0 && near > 0.0))
         return;
     narrow = (sqrt(near) * (1.0 - 8.0 * KIT_U) - slack) * per_length;
-    out->hi[i] = middle - narrow + shift;
-    if (narrow > 0.0 && out->lo[i] > tmin && out->hi[i] < tmax)
+    if (!(narrow > 0.0))
+        return;
+    /* Who starts within comes to the far end. */
+    within = middle - narrow + shift < tmin;
+    out->lo[i] = within ? middle + narrow - shift : out->lo[i];
+    out->hi[i] = within ? middle + wide + shift : middle - narrow + shift;
+    if (out->lo[i] > tmin && out->hi[i] < tmax)
         out->surely |= 1u << i;
 }
 
