@@ -140,8 +140,8 @@ static inline void filter_some(const kit_flat_block *b, const pov_ray *ray, uint
         const double second = kit_lesser(side_at(b, 2, i, x, y, z), side_at(b, 3, i, x, y, z));
         const double least = kit_lesser(first, second), lo = t - pad, hi = t + pad;
 
-        missed |= (least < -doubt) | (lo > tmax) | (hi < tmin) ? bit[i] : 0;
-        met |= (least > doubt) & (lo > tmin) & (hi < tmax) ? bit[i] : 0;
+        missed |= ((least < -doubt) | (lo > tmax) | (hi < tmin)) ? bit[i] : 0;
+        met |= ((least > doubt) & (lo > tmin) & (hi < tmax)) ? bit[i] : 0;
         out->lo[i] = lo > tmin ? lo : tmin;
         out->hi[i] = hi;
     }

@@ -78,20 +78,6 @@ static inline pov_two3 kit_point(const kit_ray *k, const pov_crossing *at)
     return kit_along_two_parts(k, pov_two_of(at->t / k->unit, at->t_lo / k->unit));
 }
 
-/* Newton's step along the ray, from a point where an equation has this value and half this slope. A ray that only
- * touches the surface has none; nor has it a point that is off by much. */
-static inline pov_two3 kit_step(const kit_ray *k, pov_two3 w, double value, double half_slope, double size)
-{
-    const double step = -0.5 * value / half_slope;
-
-    if (!(fabs(step) < 0x1p-30 * size))
-        return w;
-    w.x = pov_two_add(w.x, pov_two_product(step, k->d.x));
-    w.y = pov_two_add(w.y, pov_two_product(step, k->d.y));
-    w.z = pov_two_add(w.z, pov_two_product(step, k->d.z));
-    return w;
-}
-
 /* point + point_lo - anchor, scaled. */
 static inline pov_two3 kit_offset(pov_vec3 point, pov_vec3 point_lo, pov_two3 anchor, double scale)
 {

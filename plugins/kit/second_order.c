@@ -33,6 +33,33 @@ pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 g)
     return pov_two_add(pov_two3_dot(p, g), q[J]);
 }
 
+/* Off by less than 3 u^2 of both sizes. */
+static inline pov_two plus(pov_two a, pov_two b)
+{
+    const pov_two s = pov_two_sum(a.hi, b.hi);
+    return pov_two_sum(s.hi, s.lo + (a.lo + b.lo));
+}
+
+pov_two3 kit_quick_half_gradient(const pov_two *q, pov_two3 p)
+{
+    const pov_two d = half(q[D]), e = half(q[E]), f = half(q[F]);
+    const pov_two3 x = { q[A], d, e }, y = { d, q[B], f }, z = { e, f, q[C] };
+    pov_two3 g;
+
+    g.x = plus(kit_quick_dot(x, p), half(q[G]));
+    g.y = plus(kit_quick_dot(y, p), half(q[H]));
+    g.z = plus(kit_quick_dot(z, p), half(q[I]));
+    return g;
+}
+
+pov_two kit_quick_value(const pov_two *q, pov_two3 p, pov_two3 g)
+{
+    g.x = plus(g.x, half(q[G]));
+    g.y = plus(g.y, half(q[H]));
+    g.z = plus(g.z, half(q[I]));
+    return plus(kit_quick_dot(p, g), q[J]);
+}
+
 /* Adds q a b, each in two parts. */
 static void add_term(kit_expansion *e, pov_two q, pov_two a, pov_two b)
 {

@@ -30,6 +30,9 @@ bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map);
 pov_two3 kit_half_gradient(const pov_two *q, pov_two3 p, bool linear);
 /* The value at a point whose half gradient is known. */
 pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
+/* The same, within 2^-99 and 2^-98 of the sum of the sizes of all terms: for what is left after cancelling. */
+pov_two3 kit_quick_half_gradient(const pov_two *q, pov_two3 p);
+pov_two kit_quick_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
 /* The value at a point, without any error but that of rounding once. */
 pov_two kit_exact_value(const pov_two *q, pov_two3 p);
 

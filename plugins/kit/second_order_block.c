@@ -113,7 +113,7 @@ static inline uint32_t find(const kit_second_order_block *s, const line *l, uint
 
         f->a[i] = a_size, f->b[i] = fabs(b), f->c[i] = c_size, f->d[i] = d;
         f->a_error[i] = a_error, f->b_error[i] = b_error, f->c_error[i] = c_error, f->d_error[i] = d_error;
-        missed |= (d < -d_error) | ((fabs(b) > b_error) & (c_size > c_error) & (a_size >= a_error)) ? bit[i] : 0;
+        missed |= ((d < -d_error) | ((fabs(b) > b_error) & (c_size > c_error) & (a_size >= a_error))) ? bit[i] : 0;
     }
     return (uint32_t)(s->lanes & ~missed);
 }

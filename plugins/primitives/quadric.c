@@ -1,9 +1,9 @@
 /* quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }: A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z +
  * J = 0, inside where it is not positive.
  *
- * Along a ray this is a t^2 + 2 b t + c. It is taken about the ray's own vertex, where b is nearly zero
- * and the discriminant has nothing to cancel; the coefficients have two parts, so that maps can be
- * absorbed. */
+ * Along a ray this is a t^2 + 2 b t + c. Where the ray's origin is too far for that, it is taken about the ray's own
+ * vertex, where b is nearly zero and the discriminant has nothing to cancel; the coefficients have two parts, so that
+ * maps can be absorbed. */
 #include "kit/report.h"
 #include "kit/second_order_block.h"
 
@@ -216,11 +216,11 @@ static kit_root root_of(double middle, double t, double error, uint32_t part)
 static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
     const quadric *s = self;
-    const pov_two3 g = kit_half_gradient(s->q, w, true);
+    const pov_two3 g = kit_quick_half_gradient(s->q, w);
     kit_residual r;
 
     (void)part;
-    r.value = kit_value(s->q, w, g).hi;
+    r.value = kit_quick_value(s->q, w, g).hi;
     r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w), 0.0));
     r.half_slope = pov_dot(pov_two3_hi(g), k->d);
     r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(g), k->d);
@@ -261,7 +261,7 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
 
     if (d < -2.0 * d_error)
         return true;
-    if (!(d > 16.0 * d_error))
+    if (!(d > 16.0 * d_error) || !(fabs(r->a) > 1024.0 * r->a_error && fabs(r->a) > KIT_TINY))
         return false;
     root = sqrt(d);
     entry = (-r->b - root) / r->a;
@@ -280,51 +280,56 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
     return kit_report(roots, n, fmin(KIT_FINE * KIT_SLOWEST * size, KIT_APART * equation.apart), &equation, hits);
 }
 
-/* What most rays are told by the coefficients at their origin: that they miss, or have all behind them. The sizes of the
- * terms are bounded by the largest component of the origin and by the direction's, which is below 2. */
-static bool is_clear_miss(const quadric *s, const along *r, double far, double tmin)
-{
-    const double a_error = 40.0 * KIT_U * s->sum2, b_error = 22.0 * KIT_U * (s->sum2 * far + 0.5 * s->sum1);
-    const double c_error = 12.0 * KIT_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
-    const double d = r->b * r->b - r->a * r->c;
-    const double d_error = (2.0 * fabs(r->b) + b_error) * b_error + (fabs(r->a) + a_error) * c_error
-                           + fabs(r->c) * a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
-    const double sign = r->b > 0.0 ? 1.0 : -1.0;
-
-    if (d < -2.0 * d_error)
-        return true;
-    /* Coefficients of one sign have no positive root. */
-    return tmin >= 0.0 && sign * r->b > b_error && sign * r->c > c_error && sign * r->a > a_error;
-}
-
-/* Double precision with bounds. False: open. */
-static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
+/* The coefficients at the ray's origin. The sizes of the terms are bounded by the largest component of the origin and by
+ * the direction's, which is below 2. */
+static along measure_at_origin(const quadric *s, const kit_ray *k)
 {
     const pov_vec3 f = pov_two3_hi(k->f);
+    const double far = pov_largest(f);
+    along r;
+
+    r.a = along_second(s->rough, k->d);
+    r.b = along_first(s->rough, f, k->d);
+    r.c = along_value(s->rough, f);
+    r.a_error = 40.0 * KIT_U * s->sum2;
+    r.b_error = 22.0 * KIT_U * (s->sum2 * far + 0.5 * s->sum1);
+    r.c_error = 12.0 * KIT_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
+    return r;
+}
+
+/* Coefficients of one sign have no positive root. */
+static bool is_behind(const along *r, double tmin)
+{
+    const double sign = r->b > 0.0 ? 1.0 : -1.0;
+
+    return tmin >= 0.0 && sign * r->b > r->b_error && sign * r->c > r->c_error && sign * r->a > r->a_error;
+}
+
+/* Double precision with bounds, at the ray's origin and, if that is not enough, at its vertex. False: open. */
+static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hits)
+{
     uint32_t wanted = WANT_ENTRY | WANT_EXIT;
     along r;
     double middle;
 
     if (s->flat)
         return leaving || quick_plane(s, k, hits);
-    r.a = along_second(s->rough, k->d);
-    r.b = along_first(s->rough, f, k->d);
-    r.c = along_value(s->rough, f);
-    if (is_clear_miss(s, &r, pov_largest(f), hits->tmin))
+    r = measure_at_origin(s, k);
+    if (is_behind(&r, hits->tmin))
         return true;
     if (leaving) {
-        const double error = 22.0 * KIT_U * along_first(s->size, sizes(f, 0.0), sizes(k->d, 0.0));
+        const double error = 22.0 * KIT_U * along_first(s->size, sizes(pov_two3_hi(k->f), 0.0), sizes(k->d, 0.0));
 
         if (!(fabs(r.b) > error))
             return false;
         wanted = r.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
     }
+    if (quick_curved(s, k, &r, 0.0, wanted, hits))
+        return true;
     middle = -r.b / r.a;
     if (!isfinite(middle))
         return false;
     r = measure(s, k, kit_along(k, middle));
-    if (!(fabs(r.a) > 1024.0 * r.a_error && fabs(r.a) > KIT_TINY))
-        return false;
     return quick_curved(s, k, &r, middle, wanted, hits);
 }
 
@@ -338,24 +343,31 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         decide(s, &k, leaving, hits);
 }
 
-/* The point of a crossing, brought onto the surface: where that curves much, the distance alone is not fine enough for
- * a normal. */
-static pov_two3 surface_point(const quadric *s, const kit_ray *k, const pov_crossing *at)
-{
-    const pov_two3 p = kit_point(k, at), g = kit_half_gradient(s->q, p, true);
-
-    return kit_step(k, p, kit_value(s->q, p, g).hi, pov_dot(pov_two3_hi(g), k->d),
-                    s->sizeless ? pov_largest(pov_two3_hi(p)) : 1.0);
-}
-
+/* At the point of a crossing, brought onto the surface by a step of Newton's along the ray: where that curves much, the
+ * distance alone is not fine enough for a normal. The gradient moves with the point by the matrix times the direction;
+ * that is so small that plain double is enough. */
 static pov_vec3 gradient(const quadric *s, const pov_ray *ray, const pov_crossing *at)
 {
+    const double *q = s->rough;
+    double step;
+    pov_vec3 move;
+    pov_two3 p, g;
     kit_ray k;
 
     if (s->flat)
-        return pov_vec3_of(s->rough[G], s->rough[H], s->rough[I]);
+        return pov_vec3_of(q[G], q[H], q[I]);
     k = kit_enter(ray, s->anchor, s->scale);
-    return pov_two3_hi(kit_half_gradient(s->q, surface_point(s, &k, at), true));
+    p = kit_point(&k, at);
+    g = kit_quick_half_gradient(s->q, p);
+    step = -0.5 * kit_quick_value(s->q, p, g).hi / pov_dot(pov_two3_hi(g), k.d);
+    /* A ray that only touches the surface has none; nor has it a point that is off by much. */
+    if (!(fabs(step) < 0x1p-30 * (s->sizeless ? pov_largest(pov_two3_hi(p)) : 1.0)))
+        step = 0.0;
+    move = pov_vec3_of(q[A] * k.d.x + 0.5 * (q[D] * k.d.y + q[E] * k.d.z),
+                       q[B] * k.d.y + 0.5 * (q[D] * k.d.x + q[F] * k.d.z),
+                       q[C] * k.d.z + 0.5 * (q[E] * k.d.x + q[F] * k.d.y));
+    return pov_vec3_of(g.x.hi + (g.x.lo + step * move.x), g.y.hi + (g.y.lo + step * move.y),
+                       g.z.hi + (g.z.lo + step * move.z));
 }
 
 /* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */
