@@ -313,7 +313,7 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
     double middle;
 
     if (s->flat)
-        return leaving || quick_plane(s, k, hits);
+        return quick_plane(s, k, hits);
     r = measure_at_origin(s, k);
     if (is_behind(&r, hits->tmin))
         return true;
@@ -336,9 +336,13 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const quadric *s = self;
-    const kit_ray k = kit_enter(ray, s->anchor, s->scale);
     const bool leaving = ray->left == hits->owner;
+    kit_ray k;
 
+    /* A plane is not met again. */
+    if (leaving && s->flat)
+        return;
+    k = kit_enter(ray, s->anchor, s->scale);
     if (hits->always_exact || !quick(s, &k, leaving, hits))
         decide(s, &k, leaving, hits);
 }
