@@ -7,6 +7,13 @@
 #include <povtrace/exact.h>
 #include <povtrace/plugin.h>
 
+/* What stands in a loop over lanes: with a call in it the loop would not become vectors. */
+#if defined(__GNUC__)
+#define KIT_INLINE __attribute__((always_inline)) static inline
+#else
+#define KIT_INLINE static inline
+#endif
+
 /* Half a unit in the last place of one: the relative error of a rounding. */
 #define KIT_U 0x1p-53
 /* From origins further off than this many sizes of the shape, re-centring to one part is no longer an
@@ -52,7 +59,7 @@ static inline pov_vec3 kit_along(const kit_ray *k, double t)
  * this much. */
 static inline double kit_far_slack(const kit_ray *k) { return 10.0 * KIT_U * pov_largest(pov_two3_hi(k->f)); }
 
-static inline pov_two3 kit_along_two(const kit_ray *k, double t)
+KIT_INLINE pov_two3 kit_along_two(const kit_ray *k, double t)
 {
     pov_two3 w;
 
@@ -62,7 +69,7 @@ static inline pov_two3 kit_along_two(const kit_ray *k, double t)
     return w;
 }
 
-static inline pov_two3 kit_along_two_parts(const kit_ray *k, pov_two t)
+KIT_INLINE pov_two3 kit_along_two_parts(const kit_ray *k, pov_two t)
 {
     pov_two3 w = kit_along_two(k, t.hi);
 

@@ -61,8 +61,17 @@ static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine,
     return kit_is_fine(r, fine) ? KIT_GOOD : KIT_OPEN;
 }
 
-/* A step of Newton's. It squares the error over the distance of the roots; what remains are the residual's own errors
- * and the rounding of the step. */
+/* A step of Newton's, and what the root may be off by then: the step squares the error over the distance of the roots;
+ * what remains are the residual's own errors and the rounding of the step. */
+static inline double kit_root_step(const kit_residual *r) { return -0.5 * r->value / r->half_slope; }
+
+static inline double kit_root_step_error(const kit_residual *r, double step, double apart)
+{
+    const double slope = fabs(r->half_slope);
+
+    return fabs(step) * (4.0 * KIT_U + 2.0 * r->slope_error / slope) + step * step / apart + r->error / slope;
+}
+
 static inline bool kit_refine(kit_root *r, const kit_equation *e)
 {
     const kit_ray *k = e->ray;
@@ -72,13 +81,12 @@ static inline bool kit_refine(kit_root *r, const kit_equation *e)
     if (!(r->error <= KIT_APART * e->apart))
         return false;
     residual = e->at(e->self, k, kit_along_two_parts(k, r->t), r->part);
-    step = -0.5 * residual.value / residual.half_slope;
+    step = kit_root_step(&residual);
     if (!(fabs(step) <= 2.0 * r->error))
         return false;
     if (fabs(r->t.hi) <= r->error)
         r->flags |= POV_MARK_DECIDED;
-    r->error = fabs(step) * (4.0 * KIT_U + 2.0 * residual.slope_error / fabs(residual.half_slope)) + step * step / e->apart
-               + residual.error / fabs(residual.half_slope);
+    r->error = kit_root_step_error(&residual, step, e->apart);
     r->t = pov_two_add_double(r->t, step);
     return true;
 }

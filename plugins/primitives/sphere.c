@@ -104,17 +104,23 @@ static void decide(pov_two square, const kit_ray *k, bool leaving, pov_hits *hit
         kit_report_decided(hits, pov_two_add_double(pov_two_div(pov_two_sub(root, b), a), middle), k->unit, 1);
 }
 
-static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
+KIT_INLINE kit_residual residual_at(pov_two square, const kit_ray *k, pov_two3 w)
 {
-    const pov_two *square = self;
     kit_residual r;
 
-    (void)part;
-    r.value = pov_two_sub(pov_two3_dot(w, w), *square).hi;
-    r.error = 0x1p-100 * square->hi;
+    r.value = pov_two_sub(pov_two3_dot(w, w), square).hi;
+    r.error = 0x1p-100 * square.hi;
     r.half_slope = pov_dot(pov_two3_hi(w), k->d);
     r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(w), k->d);
     return r;
+}
+
+static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
+{
+    const pov_two *square = self;
+
+    (void)part;
+    return residual_at(*square, k, w);
 }
 
 /* The chord that a sphere cuts out of a ray, in double: its middle, and the middle's remaining distance b; the discriminant
@@ -263,12 +269,25 @@ static inline sphere get_sphere(const sphere_lanes *l, uint32_t i)
     return s;
 }
 
-/* Where rays come in, or, of those that start within, where they leave: bounds on the distance, and the distance. No
- * number where double does not find it well enough. */
+/* Where rays come in, or, of those that start within, where they leave: that end of the chord in the shape's units, what it
+ * may be off by, and half the chord; then bounds on the distance, and the distance. */
 typedef struct end_lanes {
+    kit_lane root, root_lo, error, apart;
     kit_lane lo, hi, t, t_lo;
     int64_t part[KIT_LANES];
+    int64_t good[KIT_LANES];     /* is it found well enough? */
 } end_lanes;
+
+static inline void put_end(end_lanes *restrict out, uint32_t i, const kit_root *r, double unit, int good)
+{
+    const double slack = kit_slack(r);
+
+    out->lo[i] = (r->t.hi - slack) * unit;
+    out->hi[i] = (r->t.hi + slack) * unit;
+    out->t[i] = r->t.hi * unit;
+    out->t_lo[i] = r->t.lo * unit;
+    out->good[i] = good & (int)kit_is_fine(r, KIT_FINE * KIT_SLOWEST);
+}
 
 KIT_CLONES static void find_ends(const sphere_lanes *restrict l, end_lanes *restrict out)
 {
@@ -282,23 +301,79 @@ KIT_CLONES static void find_ends(const sphere_lanes *restrict l, end_lanes *rest
         const kit_root near = near_end(&h), far = far_end(&h);
         const int within = (near.t.hi + kit_slack(&near)) * k.unit < l->tmin[i];
         const kit_root r = { { within ? far.t.hi : near.t.hi, within ? far.t.lo : near.t.lo }, h.error, 0, 0 };
-        const double slack = kit_slack(&r);
-        const int good = (int)is_near(&k) & (int)is_cut(&h) & (int)kit_is_fine(&r, KIT_FINE * KIT_SLOWEST);
 
-        out->lo[i] = good ? (r.t.hi - slack) * k.unit : NAN;
-        out->hi[i] = (r.t.hi + slack) * k.unit;
-        out->t[i] = r.t.hi * k.unit;
-        out->t_lo[i] = r.t.lo * k.unit;
+        out->root[i] = r.t.hi;
+        out->root_lo[i] = r.t.lo;
+        out->error[i] = is_near(&k) & is_cut(&h) ? r.error : NAN;
+        out->apart[i] = h.root * h.inverse;
         out->part[i] = within;
+        put_end(out, i, &r, k.unit, out->error[i] >= 0.0);
     }
 }
 
-/* Whoever does not leave the sphere, and comes to this end of the chord within the interval for certain, has his answer. */
+/* The step that kit_report() takes where double was not fine enough. */
+KIT_CLONES static void refine_ends(const sphere_lanes *restrict l, end_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        const sphere s = get_sphere(l, i);
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const kit_ray k = kit_enter(&ray, s.centre, scale_of(&s));
+        const double error = out->error[i], apart = out->apart[i];
+        kit_root r = { { out->root[i], out->root_lo[i] }, 0.0, 0, 0 };
+        const kit_residual f = residual_at(square_of(&s), &k, kit_along_two_parts(&k, r.t));
+        const double step = kit_root_step(&f);
+        const int good = (int)(error <= KIT_APART * apart) & (int)(fabs(step) <= 2.0 * error) & (int)(fabs(r.t.hi) > error);
+
+        r.error = kit_root_step_error(&f, step, apart);
+        r.t = pov_two_add_double(r.t, step);
+        put_end(out, i, &r, k.unit, good);
+    }
+}
+
+/* Whoever does not leave the sphere, and comes to this end of the chord within the interval for certain. */
+static inline bool is_answered(const end_lanes *e, uint32_t i, const pov_ray *ray, const pov_hits *h)
+{
+    return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact
+           && h->owner != ray->left;
+}
+
+/* Of these lanes, bit by bit; those that are still to be asked are returned. */
+static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
+{
+    uint32_t left = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = kit_first_lane(lanes);
+
+        if (e->good[i] && is_answered(e, i, rays[i], hits[i]))
+            pov_cross(hits[i], e->t[i], e->t_lo[i], kit_mark((uint32_t)e->part[i], 0));
+        else
+            left |= 1u << i;
+    }
+    return left;
+}
+
+/* Those whom a step would help: to look for any crossing none is needed. */
+static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
+{
+    uint32_t worth = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = kit_first_lane(lanes);
+
+        if (!e->good[i] && hits[i]->want != POV_WANT_ANY && is_answered(e, i, rays[i], hits[i]))
+            worth |= 1u << i;
+    }
+    return worth;
+}
+
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     sphere_lanes lanes;
     end_lanes end;
-    uint32_t i, j;
+    uint32_t i, j, left, worth;
 
     for (i = 0; i < KIT_LANES; i++) {
         j = kit_lane_of(i, n);
@@ -307,14 +382,15 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
         lanes.tmin[i] = hits[j]->tmin;
     }
     find_ends(&lanes, &end);
-    for (i = 0; i < n; i++) {
-        pov_hits *h = hits[i];
-
-        if (end.lo[i] <= h->tmax && end.hi[i] >= h->tmin && end.t[i] > h->tmin && h->want != POV_WANT_ALL
-            && !h->always_exact && h->owner != rays[i]->left)
-            pov_cross(h, end.t[i], end.t_lo[i], kit_mark((uint32_t)end.part[i], 0));
-        else
-            intersect(selves[i], rays[i], h);
+    left = report_ends(&end, (1u << n) - 1, rays, hits);
+    worth = worth_a_step(&end, left, rays, hits);
+    if (worth) {
+        refine_ends(&lanes, &end);
+        left = (left & ~worth) | report_ends(&end, worth, rays, hits);
+    }
+    for (; left; left &= left - 1) {
+        i = kit_first_lane(left);
+        intersect(selves[i], rays[i], hits[i]);
     }
 }
 
