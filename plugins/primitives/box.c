@@ -5,8 +5,8 @@
  * belong to it. */
 #include "kit/affine.h"
 #include "kit/expansion.h"
+#include "kit/lanes.h"
 #include "kit/report.h"
-#include "kit/simd.h"
 
 #include <float.h>
 
@@ -242,6 +242,138 @@ static bool absorb(void *self, const pov_affine *map)
     return true;
 }
 
+/* ---- many at once ---- */
+
+/* Boxes, each with its ray. */
+typedef struct box_lanes {
+    kit_rays rays;
+    kit_lane plane[6], plane_lo[6];
+} box_lanes;
+
+/* Where rays enter. No number where a comparison is not certain. */
+typedef struct entry_lanes { kit_lane t, t_lo, part; } entry_lanes;
+
+static inline void put_box(box_lanes *l, uint32_t i, const box *b)
+{
+    int p;
+
+    for (p = 0; p < 6; p++) {
+        l->plane[p][i] = b->plane[p].hi;
+        l->plane_lo[p][i] = b->plane[p].lo;
+    }
+}
+
+/* A plane, and what the ray is along its axis; t as that of slabs. */
+typedef struct crossed { double t, plane, plane_lo, o, o_lo, d, d_lo, part; } crossed;
+
+static inline crossed choose(int first, crossed a, crossed b)
+{
+    crossed c;
+
+    c.t = first ? a.t : b.t;
+    c.plane = first ? a.plane : b.plane;
+    c.plane_lo = first ? a.plane_lo : b.plane_lo;
+    c.o = first ? a.o : b.o;
+    c.o_lo = first ? a.o_lo : b.o_lo;
+    c.d = first ? a.d : b.d;
+    c.d_lo = first ? a.d_lo : b.d_lo;
+    c.part = first ? a.part : b.part;
+    return c;
+}
+
+/* The planes of an axis, in the order that the ray meets them. */
+static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o, double o_lo, double d, double d_lo,
+                              crossed *near, double *far)
+{
+    const double lower = l->plane[2 * axis][i], lower_lo = l->plane_lo[2 * axis][i];
+    const double upper = l->plane[2 * axis + 1][i], upper_lo = l->plane_lo[2 * axis + 1][i];
+    const double at = ((lower - o) + (lower_lo - o_lo)) / d, beyond = ((upper - o) + (upper_lo - o_lo)) / d;
+    const int backward = d < 0.0;
+
+    near->t = backward ? beyond : at;
+    near->plane = backward ? upper : lower;
+    near->plane_lo = backward ? upper_lo : lower_lo;
+    near->part = backward ? 2.0 * axis + 1.0 : 2.0 * axis;
+    near->o = o;
+    near->o_lo = o_lo;
+    near->d = d;
+    near->d_lo = d_lo;
+    *far = backward ? at : beyond;
+}
+
+/* As compare() says it without a closer look. */
+static inline int is_apart(double a, double b) { return fabs(a - b) > 8.0 * KIT_U * (fabs(a) + fabs(b)); }
+
+/* As begin(), find() and report() for the entry. A direction without a component along some axis makes distances without
+ * end, and these are not certain. */
+KIT_CLONES static void find_entries(const box_lanes *restrict l, entry_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const double power = pov_inverse_power(pov_largest(ray.dir));
+        const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
+        crossed x, y, z, xy, entry;
+        double far_x, far_y, far_z, far_xy, exit, t, rest;
+        pov_two distance, p, sum;
+        int certain;
+
+        cross_axis(l, i, 0, ray.org.x, ray.org_lo.x, d.x, d_lo.x, &x, &far_x);
+        cross_axis(l, i, 1, ray.org.y, ray.org_lo.y, d.y, d_lo.y, &y, &far_y);
+        cross_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z, &z, &far_z);
+        xy = choose(y.t > x.t, y, x);
+        far_xy = kit_lesser(far_y, far_x);
+        entry = choose(z.t > xy.t, z, xy);
+        exit = kit_lesser(far_z, far_xy);
+        certain = is_apart(y.t, x.t) & is_apart(z.t, xy.t) & is_apart(far_y, far_x) & is_apart(far_z, far_xy) &
+                  is_apart(entry.t, exit) & (int)(entry.t < exit);
+        distance = pov_two_neg(pov_two_offset(entry.o, entry.o_lo, pov_two_of(entry.plane, entry.plane_lo)));
+        t = distance.hi / entry.d;
+        p = pov_two_product(t, entry.d);
+        rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * entry.d_lo);
+        sum = pov_fast_two_sum(t, rest / entry.d);
+        out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) ? sum.hi * power : NAN;
+        out->t_lo[i] = sum.lo * power;
+        out->part[i] = entry.part;
+    }
+}
+
+/* Whoever does not leave the box, and enters it for certain, has his answer: what leaves it is further off. */
+static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    entry_lanes entry;
+    box_lanes lanes;
+    uint32_t i, j;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        j = kit_lane_of(i, n);
+        kit_put_ray(&lanes.rays, i, rays[j]);
+        put_box(&lanes, i, selves[j]);
+    }
+    find_entries(&lanes, &entry);
+    for (i = 0; i < n; i++) {
+        pov_hits *h = hits[i];
+
+        if (entry.t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact && h->owner != rays[i]->left)
+            pov_cross(h, entry.t[i], entry.t_lo[i], kit_mark((uint32_t)entry.part[i], 0));
+        else
+            intersect(selves[i], rays[i], h);
+    }
+}
+
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    uint32_t i;
+
+    for (; n >= KIT_LEAST; n -= i, selves += i, rays += i, hits += i) {
+        i = n < KIT_LANES ? n : KIT_LANES;
+        intersect_lanes(selves, rays, hits, i);
+    }
+    for (i = 0; i < n; i++)
+        intersect(selves[i], rays[i], hits[i]);
+}
+
 /* ---- blocks ---- */
 
 typedef struct box_block {
@@ -448,6 +580,7 @@ static const pov_shape_class box_class = {
     .block_size = sizeof(box_block),
     .block_pack = block_pack,
     .block_filter = block_filter,
+    .intersect_many = intersect_many,
     .block_filter_many = block_filter_many,
 };
 
