@@ -185,37 +185,6 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- points ---- */
 
-/* A point, the radius there, and the direction, in local coordinates. */
-typedef struct view { pov_two3 p; pov_two r; pov_vec3 d; } view;
-
-static inline view view_of(const kit_frustum *s, const kit_ray *k, pov_two3 w)
-{
-    view v;
-
-    v.p.x = kit_quick_dot(s->row[0], w);
-    v.p.y = kit_quick_dot(s->row[1], w);
-    v.p.z = kit_quick_dot(s->row[2], w);
-    v.r = radius_at(s, v.p.z);
-    v.d = pov_vec3_of(pov_dot(pov_two3_hi(s->row[0]), k->d), pov_dot(pov_two3_hi(s->row[1]), k->d),
-                      pov_dot(pov_two3_hi(s->row[2]), k->d));
-    return v;
-}
-
-/* x^2 + y^2 - r^2, and half its slope along the ray. */
-static inline double side_value(const view *v)
-{
-    pov_two3 a = v->p, b = v->p;
-
-    a.z = v->r;
-    b.z = pov_two_neg(v->r);
-    return kit_quick_dot(a, b).hi;
-}
-
-static inline double side_slope(const kit_frustum *s, const view *v)
-{
-    return v->p.x.hi * v->d.x + v->p.y.hi * v->d.y - v->r.hi * (s->slope.hi * v->d.z);
-}
-
 /* The local coordinates are sums of three products with entries below 2, so within 2^-97 of |w|; they and the radius
  * are below 8 wherever it matters. */
 kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
@@ -243,18 +212,13 @@ kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w
 
 /* The crossing's point in local coordinates, and the radius there; on the side it is brought onto the surface, because
  * near an apex the distance alone is not fine enough for a normal. A point that is off by much is left where it is. */
-static inline view surface_point(const kit_frustum *s, const kit_ray *k, const pov_crossing *at)
+static view surface_point(const kit_frustum *s, const kit_ray *k, const pov_crossing *at)
 {
     view v = view_of(s, k, kit_point(k, at));
-    double step;
+    const double step = side_step(s, &v);
 
-    step = -0.5 * side_value(&v) / side_slope(s, &v);
-    if (!(fabs(step) < 0x1p-30))
-        return v;
-    v.p.x = pov_two_add(v.p.x, pov_two_product(step, v.d.x));
-    v.p.y = pov_two_add(v.p.y, pov_two_product(step, v.d.y));
-    v.p.z = pov_two_add(v.p.z, pov_two_product(step, v.d.z));
-    v.r = radius_at(s, v.p.z);
+    if (is_step(step))
+        take_step(s, &v, step);
     return v;
 }
 
@@ -263,23 +227,11 @@ static void cap_normal(const kit_frustum *s, uint32_t part, pov_vec3 *out)
     *out = pov_scale(pov_unit(pov_two3_hi(s->row[2])), part == CAP_BASE ? -1.0 : 1.0);
 }
 
-static inline pov_two3 two3_of(pov_two a, pov_two b, pov_two c)
-{
-    pov_two3 v;
-
-    v.x = a;
-    v.y = b;
-    v.z = c;
-    return v;
-}
-
 void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const kit_frustum *s = self;
-    const pov_two3 *row = s->row;
     kit_ray k;
     view v;
-    pov_two3 n;
 
     if (at->mark.part >= CAP_BASE) {
         cap_normal(s, at->mark.part, out);
@@ -291,10 +243,7 @@ void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing
         cap_normal(s, CAP_TOP, out);
         return;
     }
-    n = two3_of(v.p.x, v.p.y, pov_two_neg(pov_two_mul(s->slope, v.r)));
-    *out = pov_unit(pov_vec3_of(kit_quick_dot(n, two3_of(row[0].x, row[1].x, row[2].x)).hi,
-                                kit_quick_dot(n, two3_of(row[0].y, row[1].y, row[2].y)).hi,
-                                kit_quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi));
+    *out = pov_unit(side_normal(s, &v));
 }
 
 bool kit_frustum_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)

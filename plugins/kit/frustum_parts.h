@@ -40,6 +40,70 @@ static inline pov_two sum2(pov_two a, pov_two b, pov_two c, pov_two d)
     return pov_two_add(pov_two_mul(a, b), pov_two_mul(c, d));
 }
 
+/* A point, the radius there, and the direction, in local coordinates. */
+typedef struct view { pov_two3 p; pov_two r; pov_vec3 d; } view;
+
+static inline view view_of(const kit_frustum *s, const kit_ray *k, pov_two3 w)
+{
+    view v;
+
+    v.p.x = kit_quick_dot(s->row[0], w);
+    v.p.y = kit_quick_dot(s->row[1], w);
+    v.p.z = kit_quick_dot(s->row[2], w);
+    v.r = radius_at(s, v.p.z);
+    v.d = pov_vec3_of(pov_dot(pov_two3_hi(s->row[0]), k->d), pov_dot(pov_two3_hi(s->row[1]), k->d),
+                      pov_dot(pov_two3_hi(s->row[2]), k->d));
+    return v;
+}
+
+/* x^2 + y^2 - r^2, and half its slope along the ray. */
+static inline double side_value(const view *v)
+{
+    pov_two3 a = v->p, b = v->p;
+
+    a.z = v->r;
+    b.z = pov_two_neg(v->r);
+    return kit_quick_dot(a, b).hi;
+}
+
+static inline double side_slope(const kit_frustum *s, const view *v)
+{
+    return v->p.x.hi * v->d.x + v->p.y.hi * v->d.y - v->r.hi * (s->slope.hi * v->d.z);
+}
+
+/* Newton's step to the side. */
+static inline double side_step(const kit_frustum *s, const view *v) { return -0.5 * side_value(v) / side_slope(s, v); }
+
+static inline int is_step(double step) { return fabs(step) < 0x1p-30; }
+
+static inline void take_step(const kit_frustum *s, view *v, double step)
+{
+    v->p.x = pov_two_add(v->p.x, pov_two_product(step, v->d.x));
+    v->p.y = pov_two_add(v->p.y, pov_two_product(step, v->d.y));
+    v->p.z = pov_two_add(v->p.z, pov_two_product(step, v->d.z));
+    v->r = radius_at(s, v->p.z);
+}
+
+static inline pov_two3 two3_of(pov_two a, pov_two b, pov_two c)
+{
+    pov_two3 v;
+
+    v.x = a;
+    v.y = b;
+    v.z = c;
+    return v;
+}
+
+/* Of the side, not yet unit. */
+static inline pov_vec3 side_normal(const kit_frustum *s, const view *v)
+{
+    const pov_two3 *row = s->row, n = two3_of(v->p.x, v->p.y, pov_two_neg(pov_two_mul(s->slope, v->r)));
+
+    return pov_vec3_of(kit_quick_dot(n, two3_of(row[0].x, row[1].x, row[2].x)).hi,
+                       kit_quick_dot(n, two3_of(row[0].y, row[1].y, row[2].y)).hi,
+                       kit_quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi);
+}
+
 /* The equation of the side, or of a cap's plane, at a point. */
 kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part);
 
