@@ -301,13 +301,14 @@ KIT_CLONES static void find_ends(const sphere_lanes *restrict l, end_lanes *rest
         const kit_root near = near_end(&h), far = far_end(&h);
         const int within = (near.t.hi + kit_slack(&near)) * k.unit < l->tmin[i];
         const kit_root r = { { within ? far.t.hi : near.t.hi, within ? far.t.lo : near.t.lo }, h.error, 0, 0 };
+        const int sound = (int)is_near(&k) & (int)is_cut(&h);
 
         out->root[i] = r.t.hi;
         out->root_lo[i] = r.t.lo;
-        out->error[i] = is_near(&k) & is_cut(&h) ? r.error : NAN;
+        out->error[i] = sound ? r.error : NAN;
         out->apart[i] = h.root * h.inverse;
         out->part[i] = within;
-        put_end(out, i, &r, k.unit, out->error[i] >= 0.0);
+        put_end(out, i, &r, k.unit, sound);
     }
 }
 
