@@ -297,12 +297,13 @@ static along measure_at_origin(const quadric *s, const kit_ray *k)
     return r;
 }
 
-/* Coefficients of one sign have no positive root. */
-static bool is_behind(const along *r, double tmin)
+/* Coefficients of one sign have no positive root. Where one root is the start, which is left out, the other has the sign of
+ * -b / a, whatever is left of c there. */
+static bool is_behind(const along *r, bool leaving, double tmin)
 {
     const double sign = r->b > 0.0 ? 1.0 : -1.0;
 
-    return tmin >= 0.0 && sign * r->b > r->b_error && sign * r->c > r->c_error && sign * r->a > r->a_error;
+    return tmin >= 0.0 && sign * r->b > r->b_error && sign * r->a > r->a_error && (leaving || sign * r->c > r->c_error);
 }
 
 /* Double precision with bounds, at the ray's origin and, if that is not enough, at its vertex. False: open. */
@@ -315,12 +316,11 @@ static bool quick(const quadric *s, const kit_ray *k, bool leaving, pov_hits *hi
     if (s->flat)
         return quick_plane(s, k, hits);
     r = measure_at_origin(s, k);
-    if (is_behind(&r, hits->tmin))
+    if (is_behind(&r, leaving, hits->tmin))
         return true;
     if (leaving) {
-        const double error = 22.0 * KIT_U * along_first(s->size, sizes(pov_two3_hi(k->f), 0.0), sizes(k->d, 0.0));
-
-        if (!(fabs(r.b) > error))
+        if (!(fabs(r.b) > r.b_error)
+            && !(fabs(r.b) > 22.0 * KIT_U * along_first(s->size, sizes(pov_two3_hi(k->f), 0.0), sizes(k->d, 0.0))))
             return false;
         wanted = r.b > 0.0 ? WANT_ENTRY : WANT_EXIT;
     }
