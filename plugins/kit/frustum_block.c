@@ -75,6 +75,16 @@ typedef struct glance { double blur, speed; } glance;
  * direction. Its own roundings are below 13 sigma G^2. */
 static inline double doubt_of(double sigma, double g) { return 64.0 * sigma * g * g; }
 
+static inline double dot(double ax, double ay, double az, double bx, double by, double bz)
+{
+    return kit_sum_of(az, bz, kit_sum_of(ay, by, ax * bx));
+}
+
+static inline double row_times(const kit_frustum_block *b, int row, uint32_t i, double x, double y, double z)
+{
+    return dot(b->row[row][0][i], b->row[row][1][i], b->row[row][2][i], x, y, z);
+}
+
 /* Lanes that the line does not miss for certain. Its nearest point lies no further out than the shape's corners, of
  * which the square is below 6; where sigma is no small thing, or not a number, nothing is certain. */
 static inline uint32_t find_met(const kit_frustum_block *b, const pov_ray *ray, const glance *g, uint32_t n,
@@ -88,19 +98,17 @@ static inline uint32_t find_met(const kit_frustum_block *b, const pov_ray *ray, 
 
     for (i = 0; i < n; i++) {
         const double wx = o.x - b->anchor[0][i], wy = o.y - b->anchor[1][i], wz = o.z - b->anchor[2][i];
-        const double dx = b->row[0][0][i] * d.x + b->row[0][1][i] * d.y + b->row[0][2][i] * d.z;
-        const double dy = b->row[1][0][i] * d.x + b->row[1][1][i] * d.y + b->row[1][2][i] * d.z;
-        const double dz = b->row[2][0][i] * d.x + b->row[2][1][i] * d.y + b->row[2][2][i] * d.z;
-        const double fx = b->row[0][0][i] * wx + b->row[0][1][i] * wy + b->row[0][2][i] * wz;
-        const double fy = b->row[1][0][i] * wx + b->row[1][1][i] * wy + b->row[1][2][i] * wz;
-        const double fz = b->row[2][0][i] * wx + b->row[2][1][i] * wy + b->row[2][2][i] * wz;
+        const double dx = row_times(b, 0, i, d.x, d.y, d.z), fx = row_times(b, 0, i, wx, wy, wz);
+        const double dy = row_times(b, 1, i, d.x, d.y, d.z), fy = row_times(b, 1, i, wx, wy, wz);
+        const double dz = row_times(b, 2, i, d.x, d.y, d.z), fz = row_times(b, 2, i, wx, wy, wz);
         const double half = 0.5 * b->height[i];
-        const double middle = -(fx * dx + fy * dy + (fz - half) * dz) / (dx * dx + dy * dy + dz * dz);
-        const double x = fx + middle * dx, y = fy + middle * dy, z = fz + middle * dz;
-        const double r = b->radius[i] + b->slope[i] * z, grow = b->slope[i] * dz;
-        const double p = r * dx - grow * x, q = r * dy - grow * y, m = x * dy - y * dx;
-        const double discriminant = p * p + q * q - m * m, sigma = blur * b->size[i];
-        const double square = x * x + y * y + (z - half) * (z - half), doubt = doubt_of(sigma, b->size[i] * speed);
+        const double middle = -dot(fx, fy, fz - half, dx, dy, dz) / dot(dx, dy, dz, dx, dy, dz);
+        const double x = kit_sum_of(middle, dx, fx), y = kit_sum_of(middle, dy, fy), z = kit_sum_of(middle, dz, fz);
+        const double r = kit_sum_of(b->slope[i], z, b->radius[i]), grow = b->slope[i] * dz;
+        const double p = kit_sum_of(r, dx, -(grow * x)), q = kit_sum_of(r, dy, -(grow * y));
+        const double m = kit_sum_of(x, dy, -(y * dx)), sigma = blur * b->size[i];
+        const double discriminant = kit_sum_of(p, p, kit_sum_of(q, q, -(m * m)));
+        const double square = dot(x, y, z - half, x, y, z - half), doubt = doubt_of(sigma, b->size[i] * speed);
         const bool misses = ((discriminant < -doubt) | (square > 8.0)) & (sigma < 0x1p-8);
 
         l->x[i] = x;
@@ -124,9 +132,9 @@ typedef struct reach { double lo, late, soon, hi; } reach;
  * below zero and the ray comes near to the apex, nothing is said. */
 static inline reach side_of(const kit_frustum_block *b, uint32_t i, const lanes *l, double sigma, double g)
 {
-    const double r = b->radius[i] + b->slope[i] * l->z[i], grow = b->slope[i] * l->dz[i];
-    const double a = l->dx[i] * l->dx[i] + l->dy[i] * l->dy[i] - grow * grow;
-    const double half = l->x[i] * l->dx[i] + l->y[i] * l->dy[i] - r * grow, doubt = doubt_of(sigma, g);
+    const double r = kit_sum_of(b->slope[i], l->z[i], b->radius[i]), grow = b->slope[i] * l->dz[i];
+    const double a = dot(l->dx[i], l->dy[i], grow, l->dx[i], l->dy[i], -grow);
+    const double half = dot(l->x[i], l->y[i], r, l->dx[i], l->dy[i], -grow), doubt = doubt_of(sigma, g);
     const double least = l->discriminant[i] - doubt, most = l->discriminant[i] + doubt;
     const double small = sqrt(kit_greater(least, 0.0)), large = sqrt(kit_greater(most, 0.0));
     const double inverse = 1.0 / a, gain = g * inverse;
