@@ -171,12 +171,13 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
     s->axis = times_vector(rows, s->axis);
     for (i = 0; i < 3; i++) {
         const pov_two3 row = s->row[i];
-        const pov_vec3 c = s->column[i];
+        /* Before a map columns are rows but for a power of two, and rows have two parts. */
+        const pov_two3 column = scaled(row, pov_largest(s->column[i]) / largest_of(row));
 
         s->row[i].x = pov_two3_dot(row, columns[0]);
         s->row[i].y = pov_two3_dot(row, columns[1]);
         s->row[i].z = pov_two3_dot(row, columns[2]);
-        s->column[i] = pov_sub(pov_affine_point(map, c), pov_affine_point(map, pov_vec3_of(0.0, 0.0, 0.0)));
+        s->column[i] = pov_two3_hi(times_vector(rows, column));
     }
     if (!s->empty)
         normalise(s);

@@ -313,9 +313,43 @@ static void an_absorbed_map_is_exact(void **unused)
     real_free_all();
 }
 
+/* A long one made short and moved far: what its axis becomes must not be rounded where it is moved to. */
+static void a_box_holds_what_was_made_small_and_moved(void **unused)
+{
+    static const char *const texts[] = { "<0,0,0>, <0,1073741824,0>, 1", "<0,0,0>, 1, <0,1073741824,0>, 0.5" };
+    pov_reader *in = fake_reader_create();
+    int i, j, k;
+
+    (void)unused;
+    for (i = 0; i < 2; i++)
+        for (j = 0; j < 40; j++) {
+            const pov_shape_class *shape = fake_reader_shape(i == 0 ? "cylinder" : "cone");
+            void *self = fake_reader_memory(in, shape->instance_size);
+            const double scale = (1.0 + 0.025 * j) / 1073741824.0, far = 1e6 / (1.0 + j);
+            pov_affine map;
+            pov_box box;
+
+            memset(&map, 0, sizeof map);
+            for (k = 0; k < 3; k++) {
+                map.m[k][k] = scale;
+                map.m[k][3] = far;
+                map.inv[k][k] = 1.0 / scale;
+                map.inv[k][3] = -far / scale;
+            }
+            fake_reader_clear(in);
+            fake_reader_text(in, texts[i]);
+            assert_true(fake_reader_parse_into(in, shape, self));
+            assert_true(shape->absorb(self, &map) && shape->bounds(self, &box));
+            assert_true(box.lo.y <= far && box.lo.y > far - 1e-8);
+            assert_true(box.hi.y >= far + (1.0 + 0.025 * j) && box.hi.y < far + (1.0 + 0.025 * j) + 1e-8);
+        }
+    fake_reader_destroy(in);
+}
+
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(an_absorbed_map_is_exact) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(an_absorbed_map_is_exact),
+                                        cmocka_unit_test(a_box_holds_what_was_made_small_and_moved) };
 
     if (argc > 1)
         rays = strtol(argv[1], NULL, 10);
