@@ -26,8 +26,8 @@ static inline kit_ball get_ball(const ball_lanes *l, uint32_t i)
     return s;
 }
 
-/* Where rays come in, or, of those that start within, where they leave: that end of the chord in the shape's units, what
- * it may be off by, and half the chord; then bounds on the distance, and the distance. */
+/* Where rays come in, or, of those that start within, where they leave: that end of the chord in the shape's units,
+ * what it may be off by, and half the chord; then bounds on the distance, and the distance. */
 typedef struct end_lanes {
     kit_lane root, root_lo, error, apart;
     kit_lane lo, hi, t, t_lo;
