@@ -30,8 +30,12 @@ typedef struct company {
 
 typedef struct company_entry { uint64_t key, lanes; } company_entry;
 
-static inline bool is_one(uint64_t lanes)
+/* Up to four: to take each of them to all children costs less than to take all to each child. */
+static inline bool is_few(uint64_t lanes)
 {
+    lanes &= lanes - 1;
+    lanes &= lanes - 1;
+    lanes &= lanes - 1;
     return (lanes & (lanes - 1)) == 0;
 }
 
@@ -202,27 +206,40 @@ static inline uint32_t group_portable(const bvh_node *node, const company *c, fl
     return mask;
 }
 
-/* Boxes that one lane may meet, and where it enters them. */
-static inline uint32_t one_portable(const bvh_node *node, uint32_t lane, const company *c, float entry[BVH_WIDTH])
+/* Boxes that any of a few lanes may meet, by child which of them, and where the first of these enters it. */
+static inline uint32_t few_portable(const bvh_node *node, const company *c, uint64_t lanes, float entry[BVH_WIDTH],
+                                    uint64_t meet[BVH_WIDTH])
 {
-    float leave[BVH_WIDTH];
     uint32_t mask = 0;
     int i, k;
 
     for (i = 0; i < BVH_WIDTH; i++) {
-        entry[i] = 0.0f;
-        leave[i] = c->limit[lane];
+        entry[i] = HUGE_VALF;
+        meet[i] = 0;
     }
-    for (k = 0; k < 3; k++) {
-        const float *near = node->bounds[c->axis[k].near_row], *far = node->bounds[c->axis[k].near_row ^ 1];
-        float r = c->inverse[k][lane], in = c->near_offset[k][lane], out = c->far_offset[k][lane];
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t lane = first_of64(lanes);
+        float in[BVH_WIDTH], out[BVH_WIDTH];
+
+        for (i = 0; i < BVH_WIDTH; i++) {
+            in[i] = 0.0f;
+            out[i] = c->limit[lane];
+        }
+        for (k = 0; k < 3; k++) {
+            const float *near = node->bounds[c->axis[k].near_row], *far = node->bounds[c->axis[k].near_row ^ 1];
+            const float r = c->inverse[k][lane], first = c->near_offset[k][lane], last = c->far_offset[k][lane];
+            for (i = 0; i < BVH_WIDTH; i++)
+                in[i] = greater(in[i], near[i] * r - first);
+            for (i = 0; i < BVH_WIDTH; i++)
+                out[i] = lesser(out[i], far[i] * r - last);
+        }
         for (i = 0; i < BVH_WIDTH; i++)
-            entry[i] = greater(entry[i], near[i] * r - in);
-        for (i = 0; i < BVH_WIDTH; i++)
-            leave[i] = lesser(leave[i], far[i] * r - out);
+            if (in[i] <= out[i]) {
+                entry[i] = lesser(entry[i], in[i]);
+                meet[i] |= (uint64_t)1 << lane;
+                mask |= 1u << i;
+            }
     }
-    for (i = 0; i < BVH_WIDTH; i++)
-        mask |= (uint32_t)(entry[i] <= leave[i]) << i;
     return mask;
 }
 
@@ -272,7 +289,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #define COMPANY_NAME(name) name##_portable
 #define COMPANY_BOUNDS bounds_portable
 #define COMPANY_GROUP group_portable
-#define COMPANY_ONE one_portable
+#define COMPANY_FEW few_portable
 #define COMPANY_LANES lanes_portable
 #define COMPANY_WITHIN within_portable
 #include "world/bvh_company_body.h"
@@ -280,7 +297,7 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #undef COMPANY_NAME
 #undef COMPANY_BOUNDS
 #undef COMPANY_GROUP
-#undef COMPANY_ONE
+#undef COMPANY_FEW
 #undef COMPANY_LANES
 #undef COMPANY_WITHIN
 
@@ -337,21 +354,41 @@ COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const com
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
 }
 
-COMPANY_TARGET static inline uint32_t one_avx2(const bvh_node *node, uint32_t lane, const company *c,
-                                               float entry[BVH_WIDTH])
+/* Four comparisons' outcomes, for lanes of 64 bits. */
+COMPANY_TARGET static inline __m256i wide_avx2(__m128 met)
 {
-    __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]);
+    return _mm256_cvtepi32_epi64(_mm_castps_si128(met));
+}
+
+COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const company *c, uint64_t lanes,
+                                               float entry[BVH_WIDTH], uint64_t meet[BVH_WIDTH])
+{
+    __m256i low = _mm256_setzero_si256(), high = low;
+    __m256 first = _mm256_set1_ps(HUGE_VALF), any = _mm256_setzero_ps();
     int k;
 
-    for (k = 0; k < 3; k++) {
-        const company_axis *a = &c->axis[k];
-        __m256 near = _mm256_load_ps(node->bounds[a->near_row]), far = _mm256_load_ps(node->bounds[a->near_row ^ 1]);
-        __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
-        in = _mm256_max_ps(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
-        out = _mm256_min_ps(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t lane = first_of64(lanes);
+        const __m256i bit = _mm256_set1_epi64x((long long)((uint64_t)1 << lane));
+        __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]), met;
+
+        for (k = 0; k < 3; k++) {
+            __m256 near = _mm256_load_ps(node->bounds[c->axis[k].near_row]);
+            __m256 far = _mm256_load_ps(node->bounds[c->axis[k].near_row ^ 1]);
+            __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
+            in = _mm256_max_ps(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
+            out = _mm256_min_ps(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
+        }
+        met = _mm256_cmp_ps(in, out, _CMP_LE_OQ);
+        first = _mm256_blendv_ps(first, _mm256_min_ps(first, in), met);
+        any = _mm256_or_ps(any, met);
+        low = _mm256_or_si256(low, _mm256_and_si256(bit, wide_avx2(_mm256_castps256_ps128(met))));
+        high = _mm256_or_si256(high, _mm256_and_si256(bit, wide_avx2(_mm256_extractf128_ps(met, 1))));
     }
-    _mm256_storeu_ps(entry, in);
-    return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
+    _mm256_storeu_ps(entry, first);
+    _mm256_storeu_si256((__m256i *)(void *)meet, low);
+    _mm256_storeu_si256((__m256i *)(void *)(meet + 4), high);
+    return (uint32_t)_mm256_movemask_ps(any);
 }
 
 COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes)
@@ -396,7 +433,7 @@ COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry,
 #define COMPANY_NAME(name) name##_avx2
 #define COMPANY_BOUNDS bounds_avx2
 #define COMPANY_GROUP group_avx2
-#define COMPANY_ONE one_avx2
+#define COMPANY_FEW few_avx2
 #define COMPANY_LANES lanes_avx2
 #define COMPANY_WITHIN within_avx2
 #include "world/bvh_company_body.h"

@@ -1,6 +1,6 @@
 /* bvh_company_body.h - the walk in company, included by bvh_company.c once for each instruction set, with
  * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_BOUNDS (of all lanes, by
- * eight columns), and the tests COMPANY_GROUP, COMPANY_ONE, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
+ * eight columns), and the tests COMPANY_GROUP, COMPANY_FEW, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
 
 /* Offsets of one axis, and what all rays there share. */
 COMPANY_TARGET static inline void COMPANY_NAME(spread_axis)(company *c, int k)
@@ -133,12 +133,13 @@ COMPANY_TARGET static inline uint32_t COMPANY_NAME(push)(const company *c, const
                                                          bool sorted, company_entry *stack, uint32_t top)
 {
     float entry[BVH_WIDTH];
-    bool alone = is_one(lanes);
-    uint32_t mask = alone ? COMPANY_ONE(node, first_of64(lanes), c, entry) : COMPANY_GROUP(node, c, entry), base = top;
+    uint64_t meets[BVH_WIDTH];
+    bool few = is_few(lanes);
+    uint32_t mask = few ? COMPANY_FEW(node, c, lanes, entry, meets) : COMPANY_GROUP(node, c, entry), base = top;
 
     for (; mask; mask &= mask - 1) {
         uint32_t i = first_of(mask), at = top;
-        uint64_t meet = alone ? lanes : COMPANY_LANES(node, i, c, lanes), key = key_of(entry[i], node->child[i]);
+        uint64_t meet = few ? meets[i] : COMPANY_LANES(node, i, c, lanes), key = key_of(entry[i], node->child[i]);
 
         if (!meet)
             continue;
