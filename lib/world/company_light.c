@@ -52,7 +52,21 @@ static bool take_light(company *c, uint32_t i, const run *r)
     for (; mask; mask &= mask - 1)
         if (r->object[first_of(mask)] != ray->left && answer->hi[first_of(mask)] < c->tmax)
             return true;
-    return ask_lights(c, i, r, answer->maybe & r->casts & ~left_behind(r, ray));
+    mask = answer->maybe & r->casts & ~left_behind(r, ray);
+    if (mask && !c->any_blocks) {
+        begin_light(c, i);
+        mask = pass_through(r, answer, ray->left, mask, &c->tints[i]);
+    }
+    return ask_lights(c, i, r, mask);
+}
+
+static uint64_t filter_light(company *c, const run *r, uint64_t lanes)
+{
+    uint64_t rest;
+
+    for (rest = c->any_blocks ? 0 : lanes; rest; rest &= rest - 1)
+        c->answers[first_of64(rest)].twice = 0;
+    return company_filter(c, r, lanes);
 }
 
 static uint64_t meet_light(bvh_party *party, const void *leaf, uint64_t lanes)
@@ -66,7 +80,7 @@ static uint64_t meet_light(bvh_party *party, const void *leaf, uint64_t lanes)
 
         if (r->casts == 0)
             continue;
-        for (met = packed ? company_filter(c, r, lanes) : lanes; met; met &= met - 1) {
+        for (met = packed ? filter_light(c, r, lanes) : lanes; met; met &= met - 1) {
             const uint32_t i = first_of64(met);
             if (packed ? take_light(c, i, r) : ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i])))
                 ended |= bit_of(i);

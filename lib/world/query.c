@@ -233,11 +233,13 @@ static bool filter_shadow(query *q, const run *r)
     pov_block_answer answer;
     uint32_t blocking = q->any_blocks ? r->casts : r->casts & r->opaque, left = q->walk.ray->left, mask;
 
+    answer.twice = 0;
     r->shape->block_filter(run_block(r), q->walk.ray, 0.0, q->hits.tmax, &answer);
     for (mask = answer.surely & blocking; mask; mask &= mask - 1)
         if (r->object[first_of(mask)] != left && answer.hi[first_of(mask)] < q->hits.tmax)
             return true;
-    return ask_shadows(q, r, answer.maybe & r->casts & ~left_behind(r, q->walk.ray));
+    mask = answer.maybe & r->casts & ~left_behind(r, q->walk.ray);
+    return ask_shadows(q, r, q->any_blocks ? mask : pass_through(r, &answer, left, mask, &q->tints));
 }
 
 static bool meet_shadow(bvh_walk *walk, const void *leaf)
@@ -276,8 +278,8 @@ bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
 
 /* ---- light through transparent shapes ---- */
 
-/* From near to far; what decides between equals only has to be the same for the tree and the list. */
-static bool is_before(const pov_crossing *a, const pov_crossing *b)
+/* What decides between equals only has to be the same for the tree and the list. */
+static bool is_nearer(const pov_crossing *a, const pov_crossing *b)
 {
     if (a->t != b->t)
         return a->t < b->t;
@@ -286,8 +288,10 @@ static bool is_before(const pov_crossing *a, const pov_crossing *b)
     return a->owner < b->owner;
 }
 
+static bool is_of_earlier(const pov_crossing *a, const pov_crossing *b) { return a->owner < b->owner; }
+
 /* Shell's sort: in place, and fast for the few there are. */
-void crossings_sort(pov_crossing *at, uint32_t count)
+static void sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b))
 {
     uint32_t gap, i, j;
 
@@ -302,13 +306,27 @@ void crossings_sort(pov_crossing *at, uint32_t count)
         }
 }
 
+void crossings_sort(pov_crossing *at, uint32_t count)
+{
+    sort(at, count, is_nearer);
+}
+
+/* Where on its way light meets a filter does not matter to what is left of it. The product is rounded once, and its
+ * order that of the objects: it is the same for the tree and the list. */
 bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour *through)
 {
+    double r = (double)through->r, g = (double)through->g, b = (double)through->b;
     uint32_t i;
 
-    crossings_sort(at, count);
-    for (i = 0; i < count && !colour_is_black(*through); i++)
-        *through = colour_mul(*through, material_filter(&m->materials.items[m->objects.items[at[i].owner].material]));
+    sort(at, count, is_of_earlier);
+    for (i = 0; i < count; i++) {
+        const colour filter = material_filter(&m->materials.items[m->objects.items[at[i].owner].material]);
+
+        r *= (double)filter.r;
+        g *= (double)filter.g;
+        b *= (double)filter.b;
+    }
+    *through = colour_of((float)r, (float)g, (float)b);
     return !colour_is_black(*through);
 }
 
@@ -316,6 +334,7 @@ void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room)
 {
     *tints = *hits;
     tints->want = POV_WANT_ALL;
+    tints->count_only = true;
     tints->capacity = room->capacity;
     tints->at = room->crossings;
     tints->grow = crossings_grow;

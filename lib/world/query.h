@@ -2,6 +2,7 @@
 #ifndef WORLD_QUERY_H
 #define WORLD_QUERY_H
 
+#include "world/bits.h"
 #include "world/parts.h"
 
 /* A lane that is surely crossed, before or at the limit; which crossing is nearest of all is settled later. */
@@ -50,6 +51,7 @@ static inline void begin_hits(pov_hits *hits, const world *w, double tmax, pov_w
     hits->tmax = tmax;
     hits->want = want;
     hits->always_exact = w->always_exact;
+    hits->count_only = false;
     hits->owner = POV_NOBODY;
     hits->count = 0;
     hits->capacity = 1;
@@ -58,6 +60,27 @@ static inline void begin_hits(pov_hits *hits, const world *w, double tmax, pov_w
     hits->grow = NULL;
     hits->user = NULL;
     hits->crowded = false;
+}
+
+/* Transparent shapes that light surely enters and leaves on its way are noted as crossed twice, and are not asked. Gives
+ * the rest of the mask. */
+static inline uint32_t pass_through(const run *r, const pov_block_answer *answer, uint32_t left, uint32_t mask,
+                                    pov_hits *tints)
+{
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    uint32_t through = mask & answer->twice & ~(uint32_t)r->opaque;
+
+    for (; through; through &= through - 1) {
+        const uint32_t lane = first_of(through);
+
+        if (r->object[lane] == left)
+            continue;
+        tints->owner = r->object[lane];
+        if (pov_cross(tints, answer->lo[lane], 0.0, mark))
+            pov_cross(tints, answer->lo[lane], 0.0, mark);
+        mask &= ~(1u << lane);
+    }
+    return mask;
 }
 
 /* From the hits of the shapes that block to those of the transparent ones. */

@@ -51,8 +51,11 @@ static inline void bound_lane(const kit_ball_block *s, uint32_t i, double middle
     within = middle - narrow + shift < tmin;
     out->lo[i] = within ? middle + narrow - shift : out->lo[i];
     out->hi[i] = within ? middle + wide + shift : middle - narrow + shift;
-    if (out->lo[i] > tmin && out->hi[i] < tmax)
-        out->surely |= 1u << i;
+    if (!(out->lo[i] > tmin && out->hi[i] < tmax))
+        return;
+    out->surely |= 1u << i;
+    if (!within && middle + wide + shift < tmax)
+        out->twice |= 1u << i;
 }
 
 /* All of it in plain double. The point of closest approach is off by less than 16 u times the distance
@@ -84,7 +87,7 @@ KIT_CLONES static void filter(const void *block, const pov_ray *ray, double tmin
         depth[i] = outer * outer * (1.0 + 8.0 * KIT_U) - ww[i];
         met |= depth[i] >= 0.0 ? bit[i] : 0;
     }
-    out->maybe = out->surely = 0;
+    out->maybe = out->surely = out->twice = 0;
     met &= s->lanes;
     if (!met)
         return;
@@ -133,7 +136,7 @@ KIT_CLONES static uint64_t filter_many(const void *block, const pov_rays *rays, 
 
         if (!near)
             continue;
-        out[at].maybe = out[at].surely = 0;
+        out[at].maybe = out[at].surely = out[at].twice = 0;
         for (; near; near &= near - 1) {
             const uint32_t i = kit_first_lane(near);
             bound_lane(s, i, middle[i], ww[i], slack, rays->per_length[at], 0.0, rays->tmax[at], &out[at]);

@@ -203,9 +203,12 @@ static inline void bound_lane(const kit_frustum_block *b, uint32_t i, const lane
         return;
     out->maybe |= bit;
     /* An open one has to be entered by its side. */
-    if (late < kit_lesser(side.soon, slab.soon) && lo > tmin && late < tmax
-        && (!(b->open & bit) || side.lo > slab.late))
-        out->surely |= bit;
+    if (!(late < kit_lesser(side.soon, slab.soon) && lo > tmin && late < tmax
+          && (!(b->open & bit) || side.lo > slab.late)))
+        return;
+    out->surely |= bit;
+    if (hi < tmax && !(b->open & bit))
+        out->twice |= bit;
 }
 
 /* Static, since the names of clones would be seen from outside. */
@@ -223,7 +226,7 @@ KIT_CLONES static void filter(const kit_frustum_block *b, const pov_ray *ray, do
         return;
     }
     met = b->lanes < 16 ? find_met(b, ray, &g, POV_BLOCK_MAX / 2, &l) : find_met(b, ray, &g, POV_BLOCK_MAX, &l);
-    out->maybe = out->surely = 0;
+    out->maybe = out->surely = out->twice = 0;
     for (; met; met &= met - 1)
         bound_lane(b, kit_first_lane(met), &l, &g, tmin, tmax, out);
 }

@@ -55,8 +55,8 @@ static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine,
 
     if ((r->t.hi + slack) * unit < hits->tmin || (r->t.hi - slack) * unit > hits->tmax)
         return KIT_OUTSIDE;
-    /* Who asks for any crossing wants to know only that it is there. */
-    if (hits->want == POV_WANT_ANY && (r->t.hi - slack) * unit > hits->tmin && (r->t.hi + slack) * unit < hits->tmax)
+    /* Who asks for any crossing, or how many there are, wants to know only that it is there. */
+    if ((hits->want == POV_WANT_ANY || hits->count_only) && (r->t.hi - slack) * unit > hits->tmin && (r->t.hi + slack) * unit < hits->tmax)
         return KIT_GOOD;
     return kit_is_fine(r, fine) ? KIT_GOOD : KIT_OPEN;
 }

@@ -434,7 +434,7 @@ static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t 
     const slab_view x = view_of(b, 0, ray->org.x, ray->dir.x), y = view_of(b, 1, ray->org.y, ray->dir.y),
                     z = view_of(b, 2, ray->org.z, ray->dir.z);
     const double end = kit_lesser(tmax, DBL_MAX);
-    int64_t maybe = 0, surely = 0;
+    int64_t maybe = 0, surely = 0, twice = 0;
     uint32_t i;
 
     for (i = 0; i < n; i++) {
@@ -451,11 +451,13 @@ static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t 
 
         maybe |= ((near <= far) & (near <= end) & (far >= tmin)) ? bit[i] : 0;
         surely |= ((last < first) & (near > tmin) & (last < tmax)) ? bit[i] : 0;
+        twice |= ((last < first) & (near > tmin) & (far < tmax)) ? bit[i] : 0;
         out->lo[i] = near;
         out->hi[i] = last;
     }
     out->maybe = (uint32_t)maybe;
     out->surely = (uint32_t)(surely & maybe);
+    out->twice = (uint32_t)(twice & maybe);
 }
 
 KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
@@ -522,11 +524,13 @@ static inline void meet_some(const box_block *b, const starts *s, uint32_t at, u
 
         met |= kit_greater(near, 0.0) <= kit_lesser(far, tmax) ? bit[i] : 0;
         met |= ((near > 0.0) & (last < kit_lesser(first, tmax))) ? bit[i] << POV_BLOCK_MAX : 0;
+        met |= ((near > 0.0) & (last < first) & (far < tmax)) ? bit[i] << 2 * POV_BLOCK_MAX : 0;
         out->lo[i] = near;
         out->hi[i] = last;
     }
     out->maybe = (uint32_t)met & b->lanes;
     out->surely = (uint32_t)met >> POV_BLOCK_MAX & b->lanes;
+    out->twice = (uint32_t)met >> 2 * POV_BLOCK_MAX & b->lanes;
 }
 
 static void filter_alone(const box_block *b, const pov_rays *rays, uint32_t at, pov_block_answer *out)

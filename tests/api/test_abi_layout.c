@@ -44,6 +44,7 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_hits, at, 40);
     AT(pov_hits, user, 56);
     AT(pov_block_answer, hi, 72);
+    AT(pov_block_answer, twice, 136);
     AT(pov_host, warn, 64);
     AT(pov_shape_class, block_filter, 88);
     AT(pov_shape_class, prepare, 104);

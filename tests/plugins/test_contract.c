@@ -210,6 +210,31 @@ static void always_exact_finds_the_same(void **unused)
     each_ray(RAYS, agrees_exactly);
 }
 
+/* Asked for no more than how many crossings there are, in an interval that ends anywhere. */
+static bool counts_the_same(const thing *t, const pov_ray *ray)
+{
+    const double scale = t->size / length_of(ray->dir);
+    const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform();
+    pov_crossing at[MOST];
+    pov_hits hits;
+
+    memset(&hits, 0, sizeof hits);
+    hits.tmax = tmax;
+    hits.want = POV_WANT_ALL;
+    hits.count_only = true;
+    hits.owner = OWNER;
+    hits.capacity = MOST;
+    hits.at = at;
+    subject.shape->intersect(t->self, ray, &hits);
+    return hits.count == subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, tmax, true, at);
+}
+
+static void counting_finds_as_many(void **unused)
+{
+    (void)unused;
+    each_ray(RAYS, counts_the_same);
+}
+
 static bool copies_agree(const thing *t, const pov_ray *ray)
 {
     void *copy = subject_memory();
@@ -341,7 +366,7 @@ static bool is_right(const pov_block_answer *answer, const thing *const *things,
 {
     uint32_t i;
 
-    if (answer->surely & ~answer->maybe)
+    if (answer->surely & ~answer->maybe || answer->twice & ~answer->surely)
         return false;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const uint32_t bit = 1u << i;
@@ -358,6 +383,8 @@ static bool is_right(const pov_block_answer *answer, const thing *const *things,
         if (found && (!(answer->maybe & bit) || at[0].t < answer->lo[i]))
             return false;
         if (answer->surely & bit && (!found || at[0].t > answer->hi[i]))
+            return false;
+        if (answer->twice & bit && subject_ask_in(things[i]->self, ray, POV_WANT_ALL, tmin, tmax, true, at) != 2)
             return false;
     }
     return true;
@@ -477,7 +504,7 @@ static void block_filters_never_exclude_a_crossing(void **unused)
             const double scale = t->size / length_of(ray.dir),
                          tmin = subject_uniform() < 0.5 ? 0.0 : scale * subject_uniform();
             const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : tmin + 20.0 * scale * subject_uniform();
-            pov_block_answer answer;
+            pov_block_answer answer = { 0 };
 
             if (!filter_is_right(block, things, n, &ray, tmin, tmax) && broken++ < 4)
                 print_error("%s: from <%a, %a, %a> along <%a, %a, %a>, %a to %a\n", subject.shape->keyword, ray.org.x,
@@ -519,7 +546,7 @@ static int wrong_in_company(const void *block, const thing *const *things, uint3
     static pov_rays rays;
     static pov_ray ray[POV_RAYS_MAX];
     static pov_block_answer answers[POV_RAYS_MAX];
-    const pov_block_answer none = { 0, 0, { 0.0 }, { 0.0 } };
+    const pov_block_answer none = { 0, 0, { 0.0 }, { 0.0 }, 0 };
     uint64_t lanes = 0, met;
     int broken = 0;
     uint32_t i;
@@ -531,6 +558,7 @@ static int wrong_in_company(const void *block, const thing *const *things, uint3
         if (put_in_range(&rays, i, &ray[i], subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform()))
             lanes |= (uint64_t)(subject_uniform() < 0.8) << i;
     }
+    memset(answers, 0, sizeof answers);
     met = subject.shape->block_filter_many(block, &rays, lanes, answers);
     if (met & ~lanes)
         return 1;
@@ -827,6 +855,7 @@ static int check_file(const char *file)
         cmocka_unit_test(inside_flips_where_a_ray_crosses),
         cmocka_unit_test(nearest_is_the_first_of_all_and_any_is_as_nearest),
         cmocka_unit_test(always_exact_finds_the_same),
+        cmocka_unit_test(counting_finds_as_many),
         cmocka_unit_test(copies_behave_alike),
         cmocka_unit_test(an_absorbed_map_is_as_a_mapped_ray),
         cmocka_unit_test(block_filters_never_exclude_a_crossing),

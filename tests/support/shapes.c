@@ -174,7 +174,7 @@ static void ball_filter(const void *block, const pov_ray *ray, double tmin, doub
     double length = sqrt(pov_dot(ray->dir, ray->dir));
     uint32_t i;
 
-    out->maybe = out->surely = 0;
+    out->maybe = out->surely = out->twice = 0;
     for (i = 0; i < b->count; i++) {
         const test_ball *ball = &b->ball[i];
         pov_vec3 f = pov_sub(ball->centre, ray->org), w;
@@ -197,8 +197,11 @@ static void ball_filter(const void *block, const pov_ray *ray, double tmin, doub
         if (depth <= 0.0 || ball->radius <= error)
             continue;
         out->hi[i] = (along - sqrt(depth) + error) / length;
-        if (out->lo[i] > tmin && out->hi[i] < tmax)
-            out->surely |= 1u << i;
+        if (!(out->lo[i] > tmin && out->hi[i] < tmax))
+            continue;
+        out->surely |= 1u << i;
+        if ((along + half + error) / length < tmax)
+            out->twice |= 1u << i;
     }
 }
 

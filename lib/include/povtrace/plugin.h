@@ -50,6 +50,7 @@ typedef struct pov_hits {
     double tmin, tmax;             /* open interval */
     pov_want want;
     bool always_exact;             /* use two-part arithmetic throughout, whatever the filter says */
+    bool count_only;               /* ALL: t may be off, as long as what is reported lies in the interval for certain */
     uint32_t owner;                /* whom the host asks: compare with ray->left */
     uint32_t count, capacity;
     uint32_t decided;              /* add one for each crossing or miss that two-part arithmetic had to decide */
@@ -113,10 +114,12 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
 }
 
 /* What a block says of one ray: lanes that may be crossed within the interval, lanes that surely are, and for each
- * lane of `maybe` bounds on its nearest crossing there. Bounds may be wide; they must never be wrong. */
+ * lane of `maybe` bounds on its nearest crossing there. Bounds may be wide; they must never be wrong. Of the root that a
+ * ray leaves a block knows nothing. */
 typedef struct pov_block_answer {
     uint32_t maybe, surely;        /* bit i is lane i; surely is a part of maybe */
     double lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];   /* hi counts for lanes of `surely` only */
+    uint32_t twice;                /* lanes of surely that are crossed just twice; zeroed by a host that looks at it */
 } pov_block_answer;
 
 /* Rays side by side for block_filter_many(), each in a lane of its own. The host puts only such rays there as are in
