@@ -210,11 +210,8 @@ static void always_exact_finds_the_same(void **unused)
     each_ray(RAYS, agrees_exactly);
 }
 
-/* Asked for no more than how many crossings there are, in an interval that ends anywhere. */
-static bool counts_the_same(const thing *t, const pov_ray *ray)
+static uint32_t count_only(const thing *t, const pov_ray *ray, double tmax)
 {
-    const double scale = t->size / length_of(ray->dir);
-    const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform();
     pov_crossing at[MOST];
     pov_hits hits;
 
@@ -226,7 +223,32 @@ static bool counts_the_same(const thing *t, const pov_ray *ray)
     hits.capacity = MOST;
     hits.at = at;
     subject.shape->intersect(t->self, ray, &hits);
-    return hits.count == subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, tmax, true, at);
+    return hits.count;
+}
+
+/* Asked for no more than how many crossings there are, in an interval that ends anywhere; the ray starts anywhere, or on
+ * the surface. */
+static bool counts_the_same(const thing *t, const pov_ray *ray)
+{
+    const double scale = t->size / length_of(ray->dir);
+    const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform();
+    pov_crossing at[MOST];
+    pov_ray next = *ray;
+    uint32_t n;
+
+    if (count_only(t, ray, tmax) != subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, tmax, true, at))
+        return false;
+    n = subject_ask(t->self, ray, at);
+    if (n == 0)
+        return true;
+    n = (uint32_t)(n * subject_uniform());
+    subject_point(ray, at[n].t, at[n].t_lo, &next.org, &next.org_lo);
+    next.dir = pov_scale(subject_direction(), length_of(ray->dir));
+    next.left = OWNER;
+    next.left_mark = at[n].mark;
+    n = subject_ask_in(t->self, &next, POV_WANT_ALL, 0.0, tmax, true, at);
+    /* Nearer to a rim than starts are exact either is right. */
+    return count_only(t, &next, tmax) == n || (n > 0 && at[0].t < 1e-9 * t->thickness / length_of(ray->dir));
 }
 
 static void counting_finds_as_many(void **unused)
