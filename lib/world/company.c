@@ -122,7 +122,7 @@ static inline bool is_company(uint64_t lanes)
 
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)
 {
-    uint64_t of[8], met = 0;
+    uint64_t of[8], met = 0, apart = 0;
     uint32_t octant;
 
     if (n == 0)
@@ -132,11 +132,8 @@ uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *ray
         if (is_company(of[octant]))
             met |= company_nearest(w, k, rays, of[octant], tmax, out);
         else
-            for (; of[octant]; of[octant] &= of[octant] - 1) {
-                const uint32_t i = first_of64(of[octant]);
-                met |= (uint64_t)world_nearest(w, k, rays[i], tmax, &out[i]) << i;
-            }
-    return met;
+            apart |= of[octant];
+    return apart ? met | company_nearest_apart(w, k, rays, apart, tmax, out) : met;
 }
 
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,

@@ -40,6 +40,9 @@ uint64_t company_filter(company *c, const run *r, uint64_t lanes);
 
 /* Those of the caller's rays that `which` names; bits of the answers are the caller's. */
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out);
+/* The same of rays that go through the tree one by one; what is left to be asked at the end is asked together. */
+uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                               hit *out);
 uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                        colour *through);
 

@@ -205,6 +205,33 @@ static uint64_t end_nearest(company *c)
     return met;
 }
 
+uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out)
+{
+    uint32_t n = 0;
+    company c;
+    query q;
+
+    c.walker = k;
+    c.world = w;
+    c.tmax = tmax;
+    c.out = out;
+    c.waiting = 0;
+    for (; which; which &= which - 1, n++) {
+        const uint32_t i = first_of64(which);
+
+        query_nearest(&q, w, k, rays[i], tmax, &out[i].crossing);
+        if (query_settle_but_one(&q, &c.pending[n]))
+            c.waiting |= bit_of(n);
+        c.rays[n] = rays[i];
+        c.of[n] = (uint8_t)i;
+        c.hits[n] = q.hits;
+        c.party.limit[n] = q.walk.limit;
+    }
+    c.asked = c.party.lanes = all_of(n);
+    settle(&c);
+    return end_nearest(&c);
+}
+
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out)
 {
     uint64_t met = 0, alone;

@@ -163,18 +163,42 @@ void query_go_on_nearest(query *q, const world *w)
     settle(q);
 }
 
+void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, pov_crossing *at)
+{
+    begin(q, w, k, ray, tmax, POV_WANT_NEAREST, at);
+    q->walk.leaf = meet_nearest;
+    if (w->infinite)
+        meet_nearest(&q->walk, w->infinite);
+    if (w->list)
+        meet_nearest(&q->walk, w->list);
+    if (w->has_tree)
+        w->walks->nearest_first(&q->walk);
+}
+
+bool query_settle_but_one(query *q, pending *one)
+{
+    bool left = false;
+
+    while (q->waiting > 0) {
+        const pending *p = &q->pending[--q->waiting];
+
+        if (is_beyond(p->lo, q->walk.limit))
+            continue;
+        if (left || !POV_SHAPE_HAS(p->run->shape, intersect_many)) {
+            count_nearest(q, p->run, p->lane);
+        } else {
+            *one = *p;
+            left = true;
+        }
+    }
+    return left;
+}
+
 bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out)
 {
     query q;
 
-    begin(&q, w, k, ray, tmax, POV_WANT_NEAREST, &out->crossing);
-    q.walk.leaf = meet_nearest;
-    if (w->infinite)
-        meet_nearest(&q.walk, w->infinite);
-    if (w->list)
-        meet_nearest(&q.walk, w->list);
-    if (w->has_tree)
-        w->walks->nearest_first(&q.walk);
+    query_nearest(&q, w, k, ray, tmax, &out->crossing);
     settle(&q);
     k->decided += q.hits.decided;
     out->object = q.hits.count ? out->crossing.owner : POV_NOBODY;

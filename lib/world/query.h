@@ -90,6 +90,10 @@ void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room);
  * is left of the light. */
 bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through);
 
+/* Who is nearest, but for what waits to be asked: of that all but one can be settled, and this is given, if there is any. */
+void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, pov_crossing *at);
+bool query_settle_but_one(query *q, pending *one);
+
 /* Go on from the middle of a tree, with the walk and the hits of whoever has begun it. True: the light ends. */
 void query_go_on_nearest(query *q, const world *w);
 bool query_go_on_light(query *q, const world *w);
