@@ -7,7 +7,7 @@ bool kit_ball_pack(void *block, const void *const *selves, uint32_t n)
     kit_ball_block *b = block;
     uint32_t i;
 
-    b->reach = b->most = 0.0;
+    b->reach = b->most = b->band = 0.0;
     b->lanes = (1 << n) - 1;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const kit_ball *s = selves[i < n ? i : 0];
@@ -19,8 +19,9 @@ bool kit_ball_pack(void *block, const void *const *selves, uint32_t n)
         b->x[i] = c.x;
         b->y[i] = c.y;
         b->z[i] = c.z;
-        b->inner[i] = s->radius.hi - lost;
         b->outer[i] = s->radius.hi + lost;
+        /* The third pays for the roundings of outer, and of what the band is taken off. */
+        b->band = fmax(b->band, 3.0 * lost);
         b->square[i] = i < n ? b->outer[i] * b->outer[i] * (1.0 + 12.0 * KIT_U) : -HUGE_VAL;
         b->most = fmax(b->most, b->outer[i]);
         b->reach = fmax(b->reach, far);
@@ -32,7 +33,7 @@ bool kit_ball_pack(void *block, const void *const *selves, uint32_t n)
 static inline void bound_lane(const kit_ball_block *s, uint32_t i, double middle, double ww, double slack,
                               double per_length, double tmin, double tmax, pov_block_answer *out)
 {
-    double outer = s->outer[i] + slack, inner = s->inner[i] - slack;
+    double outer = s->outer[i] + slack, inner = s->outer[i] - s->band - slack;
     double far = outer * outer * (1.0 + 8.0 * KIT_U) - ww, near = inner * inner * (1.0 - 8.0 * KIT_U) - ww;
     double wide = (sqrt(far) * (1.0 + 8.0 * KIT_U) + slack) * per_length;
     double shift = 8.0 * KIT_U * fabs(middle), narrow;
