@@ -511,7 +511,7 @@ static inline void meet_some(const box_block *b, const starts *s, uint32_t at, u
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     const double rx = s->inverse[0][at], ry = s->inverse[1][at], rz = s->inverse[2][at];
     const double sx = s->start[0][at], sy = s->start[1][at], sz = s->start[2][at], pad = s->pad[at];
-    int64_t met = 0;
+    int64_t met = 0, twice = 0;
     uint32_t i;
 
     for (i = 0; i < n; i++) {
@@ -524,13 +524,13 @@ static inline void meet_some(const box_block *b, const starts *s, uint32_t at, u
 
         met |= kit_greater(near, 0.0) <= kit_lesser(far, tmax) ? bit[i] : 0;
         met |= ((near > 0.0) & (last < kit_lesser(first, tmax))) ? bit[i] << POV_BLOCK_MAX : 0;
-        met |= ((near > 0.0) & (last < first) & (far < tmax)) ? bit[i] << 2 * POV_BLOCK_MAX : 0;
+        twice |= ((near > 0.0) & (last < first) & (far < tmax)) ? bit[i] : 0;
         out->lo[i] = near;
         out->hi[i] = last;
     }
     out->maybe = (uint32_t)met & b->lanes;
     out->surely = (uint32_t)met >> POV_BLOCK_MAX & b->lanes;
-    out->twice = (uint32_t)met >> 2 * POV_BLOCK_MAX & b->lanes;
+    out->twice = (uint32_t)twice & b->lanes;
 }
 
 static void filter_alone(const box_block *b, const pov_rays *rays, uint32_t at, pov_block_answer *out)
