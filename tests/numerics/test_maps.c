@@ -165,13 +165,22 @@ static pov_ray world_ray(const exact_map *f, const pov_ray *own, real3 *org, rea
     return ray;
 }
 
+/* How fast a ray leaves the surface that it crosses. */
+static double rise_of(const probe *p, const exact_crossing *e)
+{
+    return fabs(e->normal[0] * p->ray.dir.x + e->normal[1] * p->ray.dir.y + e->normal[2] * p->ray.dir.z);
+}
+
+/* What two parts of a coordinate 1e9 sizes away can hold: nearer to a surface no start is on one side of it. */
+static double finest(const probe *p) { return 0x1p-70 * p->size; }
+
 static bool in_range(const exact_answer *e, const probe *p)
 {
     int i;
 
     for (i = 0; i < e->count; i++) {
-        const double t = fabs(real_double(e->at[i].t)) * pov_dot(pov_unit(p->ray.dir), p->ray.dir);
-        if (!(t < 1e9 * p->size && t > 1e-13 * p->size))
+        const double t = fabs(real_double(e->at[i].t)), length = t * pov_dot(pov_unit(p->ray.dir), p->ray.dir);
+        if (!(length < 1e9 * p->size && length > 1e-13 * p->size && t * rise_of(p, &e->at[i]) > finest(p)))
             return false;
     }
     return true;
@@ -183,15 +192,13 @@ static double ulps_off(real exact, double t)
     return fabs(real_double(real_sub(exact, real_of(t)))) / (nextafter(near, HUGE_VAL) - near);
 }
 
-/* Within the limit; or off the surface by no more than two parts of a coordinate 1e9 sizes away can hold, which the angle
- * of a graze makes more along the ray. */
+/* Within the limit; or off the surface by no more than coordinates can hold, which the angle of a graze makes more along
+ * the ray. */
 static bool is_near(const probe *p, const exact_crossing *e, const pov_crossing *c, double limit)
 {
-    const pov_vec3 d = p->ray.dir;
-    const double rise = e->normal[0] * d.x + e->normal[1] * d.y + e->normal[2] * d.z;
     const double off = fabs(real_double(real_sub(e->t, real_of2(c->t, c->t_lo))));
 
-    return ulps_off(e->t, c->t) <= limit || off * fabs(rise) < 0x1p-70 * p->size;
+    return ulps_off(e->t, c->t) <= limit || off * rise_of(p, e) < finest(p);
 }
 
 /* The exact normal goes by the transposed inverse. */
