@@ -155,14 +155,7 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
 
 void kit_ball_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    uint32_t i;
-
-    for (; n >= KIT_LEAST; n -= i, selves += i, rays += i, hits += i) {
-        i = n < KIT_LANES ? n : KIT_LANES;
-        intersect_lanes(selves, rays, hits, i);
-    }
-    for (i = 0; i < n; i++)
-        kit_ball_intersect(selves[i], rays[i], hits[i]);
+    kit_intersect_pairs(selves, rays, hits, n, intersect_lanes, kit_ball_intersect);
 }
 
 /* Normals, and how large they were before they were unit: pov_unit() scales the very large and the very small. */

@@ -45,4 +45,21 @@ static inline pov_ray kit_get_ray(const kit_rays *l, uint32_t i)
     return ray;
 }
 
+/* intersect_many() of a class: eight pairs at a time as long as that pays, and what is left one by one. */
+KIT_INLINE void kit_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                    uint32_t n,
+                                    void (*eight)(const void *const *selves, const pov_ray *const *rays,
+                                                  pov_hits *const *hits, uint32_t n),
+                                    void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+{
+    uint32_t i;
+
+    for (; n >= KIT_LEAST; n -= i, selves += i, rays += i, hits += i) {
+        i = n < KIT_LANES ? n : KIT_LANES;
+        eight(selves, rays, hits, i);
+    }
+    for (i = 0; i < n; i++)
+        one(selves[i], rays[i], hits[i]);
+}
+
 #endif

@@ -364,14 +364,7 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
 
 static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    uint32_t i;
-
-    for (; n >= KIT_LEAST; n -= i, selves += i, rays += i, hits += i) {
-        i = n < KIT_LANES ? n : KIT_LANES;
-        intersect_lanes(selves, rays, hits, i);
-    }
-    for (i = 0; i < n; i++)
-        intersect(selves[i], rays[i], hits[i]);
+    kit_intersect_pairs(selves, rays, hits, n, intersect_lanes, intersect);
 }
 
 /* ---- blocks ---- */
