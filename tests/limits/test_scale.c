@@ -144,6 +144,58 @@ static void a_narrow_view_from_afar_is_as_good_as_any(void **state)
     free(near);
 }
 
+#define TEXT TEST_BUILD "/tests/limits/test_scale.pov"
+#define IMAGE TEST_BUILD "/tests/limits/test_scale.pfm"
+
+/* What povc makes of a text: three floats a pixel, the lowest row first. */
+static void draw_by_povc(const char *text, float *pixels)
+{
+    const size_t count = 3 * (size_t)PIXELS;
+    FILE *f = fopen(TEXT, "w");
+    char command[4096];
+    int width, height;
+
+    assert_non_null(f);
+    assert_true(fputs(text, f) >= 0 && fclose(f) == 0);
+    snprintf(command, sizeof command, "'%s' '%s' %d %d '%s' --quiet", TEST_BUILD "/bin/povc", TEXT, WIDTH, HEIGHT, IMAGE);
+    assert_int_equal(system(command), 0);
+    f = fopen(IMAGE, "rb");
+    assert_non_null(f);
+    assert_int_equal(fscanf(f, "PF %d %d -1.0%*1[\n]", &width, &height), 2);
+    assert_true(width == WIDTH && height == HEIGHT);
+    assert_int_equal(fread(pixels, sizeof *pixels, count, f), count);
+    fclose(f);
+}
+
+/* The command is as good as the library: the same bits, from the extremes of what is asked above. */
+static void povc_draws_the_same(void **state)
+{
+    static const limits_frame frames[] = {
+        { 1.0, { 0.0, 0.0, 0.0 } },   { 0x1p-300, { 0.0, 0.0, 0.0 } },    { 0x1p300, { 0.0, 0.0, 0.0 } },
+        { 1e-12, { 0.0, 0.0, 0.0 } }, { 1e12, { 0.0, 0.0, 0.0 } },        { 1.0, { 1e9, -3e9, 7e9 } },
+        { 1.0, { 1e12, 3e12, 1e12 } }, { 0x1p-20, { 1024.0, 2048.0, -4096.0 } },
+    };
+    static float drawn[3 * PIXELS];
+
+    for (size_t i = 0; i < sizeof frames / sizeof *frames; i++) {
+        float *wanted = limits_picture(*state, limits_everything, &frames[i], WIDTH, HEIGHT);
+        char *text = limits_text(limits_everything, &frames[i]);
+        long off = 0;
+
+        draw_by_povc(text, drawn);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                off += memcmp(drawn + 3 * ((HEIGHT - 1 - y) * WIDTH + x), wanted + 4 * (y * WIDTH + x), 3 * sizeof *wanted) != 0;
+        if (off)
+            print_error("scale %g, moved by %g: %ld pixels differ\n", frames[i].scale, frames[i].move.x, off);
+        assert_int_equal(off, 0);
+        free(text);
+        free(wanted);
+    }
+    remove(TEXT);
+    remove(IMAGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -153,6 +205,7 @@ int main(void)
         cmocka_unit_test(no_move_changes_the_picture),
         cmocka_unit_test(a_tiny_scene_may_be_far_out),
         cmocka_unit_test(a_narrow_view_from_afar_is_as_good_as_any),
+        cmocka_unit_test(povc_draws_the_same),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }
