@@ -171,16 +171,22 @@ static double rise_of(const probe *p, const exact_crossing *e)
     return fabs(e->normal[0] * p->ray.dir.x + e->normal[1] * p->ray.dir.y + e->normal[2] * p->ray.dir.z);
 }
 
-/* What two parts of a coordinate 1e9 sizes away can hold: nearer to a surface no start is on one side of it. */
+/* What two parts of a coordinate 1e9 sizes away can hold. */
 static double finest(const probe *p) { return 0x1p-70 * p->size; }
+
+/* Nearer to a flat face no start is on one side of it. */
+static bool is_on_face(const probe *p, const exact_crossing *e)
+{
+    return p->kind == BOX && fabs(real_double(e->t)) * rise_of(p, e) < finest(p);
+}
 
 static bool in_range(const exact_answer *e, const probe *p)
 {
     int i;
 
     for (i = 0; i < e->count; i++) {
-        const double t = fabs(real_double(e->at[i].t)), length = t * pov_dot(pov_unit(p->ray.dir), p->ray.dir);
-        if (!(length < 1e9 * p->size && length > 1e-13 * p->size && t * rise_of(p, &e->at[i]) > finest(p)))
+        const double t = fabs(real_double(e->at[i].t)) * pov_dot(pov_unit(p->ray.dir), p->ray.dir);
+        if (!(t < 1e9 * p->size && t > 1e-13 * p->size) || is_on_face(p, &e->at[i]))
             return false;
     }
     return true;
