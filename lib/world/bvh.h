@@ -52,7 +52,7 @@ enum { BVH_PARTS = 64 };
 typedef struct bvh_leaves {
     size_t (*size)(void *user, uint32_t part, uint32_t *ids, uint32_t count);
     bool (*allocate)(void *user, const void *leaves);   /* what is to be filled */
-    void (*fill)(void *user, uint32_t part, const uint32_t *ids, uint32_t count, void *at);
+    void (*fill)(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
     void *user;
 } bvh_leaves;
 

@@ -52,7 +52,7 @@ pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin,
 void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *refs, uint32_t begin, uint32_t end);
 
 /* A leaf: ids[begin..begin + count) of the input, and where it lies in the leaves' memory. */
-typedef struct bvh_leaf { uint32_t begin, count, at; } bvh_leaf;
+typedef struct bvh_leaf { uint32_t begin, count, at, frame; } bvh_leaf;
 
 /* Turn the draft below `root` into nodes and frames, with leaves counted where places will be. */
 bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves);

@@ -19,7 +19,7 @@ typedef struct company_axis {
 
 typedef struct company {
     float inverse[3][BVH_COMPANY], near_offset[3][BVH_COMPANY], far_offset[3][BVH_COMPANY], limit[BVH_COMPANY];
-    double org[3][BVH_COMPANY], dir[3][BVH_COMPANY], scale[BVH_COMPANY], shift[BVH_COMPANY];
+    double scale[BVH_COMPANY];
     company_axis axis[3];
     const bvh *tree;
     bvh_party *party;
@@ -57,7 +57,9 @@ static inline void end_lanes(company *c, uint64_t lanes)
 
 static inline void lower_limit(company *c, uint32_t i)
 {
-    c->limit[i] = bvh_limit(c->scale[i], c->shift[i], c->party->limit[i]);
+    pov_rays *side = &c->party->side;
+
+    c->limit[i] = side->framed.smax[i] = bvh_limit(c->scale[i], side->framed.shift[i], c->party->limit[i]);
 }
 
 static inline void lower_limits(company *c)
@@ -75,51 +77,32 @@ static inline void visit(company *c, uint64_t lanes, uint32_t leaf)
     lower_limits(c);
 }
 
+/* The lane of one axis. */
+static inline void put_axis(company *c, uint32_t i, int k, double o, double d)
+{
+    const double a = fabs(d), inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
+    const double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
+
+    c->inverse[k][i] = (float)inverse;
+    c->near_offset[k][i] = (float)(o * inverse + slack);
+    c->far_offset[k][i] = (float)(o * inverse - slack);
+}
+
 static inline void put_lane(company *c, uint32_t i, const bvh_local *l)
 {
-    c->org[0][i] = l->org.x;
-    c->org[1][i] = l->org.y;
-    c->org[2][i] = l->org.z;
-    c->dir[0][i] = l->dir.x;
-    c->dir[1][i] = l->dir.y;
-    c->dir[2][i] = l->dir.z;
+    put_axis(c, i, 0, l->org.x, l->dir.x);
+    put_axis(c, i, 1, l->org.y, l->dir.y);
+    put_axis(c, i, 2, l->org.z, l->dir.z);
     c->scale[i] = l->scale;
-    c->shift[i] = l->shift;
+    bvh_stand(&c->party->side, i, l, 0.0f);
 }
 
-/* Lanes that are in the frame. The places of all others hold one of theirs, so that bounds are not widened, and a
- * limit that nothing is within. */
-static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
-{
-    uint64_t in = 0;
-    bvh_local l, some;
-    uint32_t i;
-
-    for (; lanes; lanes &= lanes - 1) {
-        i = first_of64(lanes);
-        if (!bvh_enter(&c->tree->frames[frame], c->party->rays[i], &l))
-            continue;
-        if (l.slack > BVH_SLACK) {
-            *blind |= (uint64_t)1 << i;
-            continue;
-        }
-        some = l;
-        put_lane(c, i, &l);
-        lower_limit(c, i);
-        in |= (uint64_t)1 << i;
-    }
-    for (i = 0; in && i < c->width; i++)
-        if (!(in >> i & 1)) {
-            put_lane(c, i, &some);
-            c->limit[i] = -1.0f;
-        }
-    return in;
-}
-
-/* The same where all of them start near the frame. */
+/* The places of lanes that are not in the frame hold one that is, so that bounds are not widened, and a limit that nothing
+ * is within. */
 static void fill_others(company *c, uint64_t in)
 {
     const uint32_t some = first_of64(in);
+    pov_rays *side = &c->party->side;
     uint32_t i;
     int k;
 
@@ -127,20 +110,43 @@ static void fill_others(company *c, uint64_t in)
         if (in >> i & 1)
             continue;
         for (k = 0; k < 3; k++) {
-            c->org[k][i] = c->org[k][some];
-            c->dir[k][i] = c->dir[k][some];
+            c->inverse[k][i] = c->inverse[k][some];
+            side->framed.org[k][i] = side->framed.org[k][some];
         }
         c->limit[i] = -1.0f;
     }
 }
 
+/* Lanes that are in the frame. */
+static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
+{
+    const bvh_party *party = c->party;
+    uint64_t in = 0;
+    bvh_local l;
+    uint32_t i;
+
+    for (; lanes; lanes &= lanes - 1) {
+        i = first_of64(lanes);
+        if (!bvh_enter(&c->tree->frames[frame], party->rays[i], party->length[i], party->side.per_length[i], &l))
+            continue;
+        if (l.slack > BVH_SLACK) {
+            *blind |= (uint64_t)1 << i;
+            continue;
+        }
+        put_lane(c, i, &l);
+        lower_limit(c, i);
+        in |= (uint64_t)1 << i;
+    }
+    return in;
+}
+
 /* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
-static inline void bound(company *c, int k, float lo, float hi, double first, double last)
+static inline void bound(company *c, int k, float lo, float hi, float first, float last)
 {
     company_axis *a = &c->axis[k];
     bool backward = lo < 0.0f;
-    double near = backward ? first : last, far = backward ? last : first;
-    double slack = 2.0 * BVH_SLACK * (1.0 + fmax(fabs(first), fabs(last)));
+    double near = (double)(backward ? first : last), far = (double)(backward ? last : first);
+    double slack = 2.0 * BVH_SLACK * (1.0 + fmax(fabs(near), fabs(far)));
     int end;
 
     a->inverse[0] = lo;
@@ -159,10 +165,9 @@ static inline float lesser(float a, float b) { return a < b ? a : b; }
 /* ---- for every processor ---- */
 
 /* Of 1/d and o on one axis. Lanes that take no part hold another's values. */
-static inline void bounds_portable(const company *c, int k, float lo[8], float hi[8], double first[8], double last[8])
+static inline void bounds_portable(const company *c, int k, float lo[8], float hi[8], float first[8], float last[8])
 {
-    const float *inverse = c->inverse[k];
-    const double *o = c->org[k];
+    const float *inverse = c->inverse[k], *o = c->party->side.framed.org[k];
     uint32_t i, j;
 
     for (j = 0; j < 8; j++) {
@@ -173,8 +178,8 @@ static inline void bounds_portable(const company *c, int k, float lo[8], float h
         for (j = 0; j < 8; j++) {
             lo[j] = lesser(inverse[i + j], lo[j]);
             hi[j] = greater(inverse[i + j], hi[j]);
-            first[j] = o[i + j] < first[j] ? o[i + j] : first[j];
-            last[j] = o[i + j] > last[j] ? o[i + j] : last[j];
+            first[j] = lesser(o[i + j], first[j]);
+            last[j] = greater(o[i + j], last[j]);
         }
 }
 
@@ -309,29 +314,24 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 
 #define COMPANY_TARGET __attribute__((target("avx2,fma")))
 
-COMPANY_TARGET static inline void bounds_avx2(const company *c, int k, float lo[8], float hi[8], double first[8],
-                                              double last[8])
+COMPANY_TARGET static inline void bounds_avx2(const company *c, int k, float lo[8], float hi[8], float first[8],
+                                              float last[8])
 {
-    __m256 less = _mm256_load_ps(c->inverse[k]), more = less;
-    __m256d low = _mm256_load_pd(c->org[k]), low4 = _mm256_load_pd(c->org[k] + 4), high = low, high4 = low4;
+    const float *org = c->party->side.framed.org[k];
+    __m256 less = _mm256_load_ps(c->inverse[k]), more = less, low = _mm256_loadu_ps(org), high = low;
     uint32_t i;
 
     for (i = 8; i < c->width; i += 8) {
-        __m256 inverse = _mm256_load_ps(c->inverse[k] + i);
-        __m256d o = _mm256_load_pd(c->org[k] + i), p = _mm256_load_pd(c->org[k] + i + 4);
+        __m256 inverse = _mm256_load_ps(c->inverse[k] + i), o = _mm256_loadu_ps(org + i);
         less = _mm256_min_ps(inverse, less);
         more = _mm256_max_ps(inverse, more);
-        low = _mm256_min_pd(o, low);
-        low4 = _mm256_min_pd(p, low4);
-        high = _mm256_max_pd(o, high);
-        high4 = _mm256_max_pd(p, high4);
+        low = _mm256_min_ps(o, low);
+        high = _mm256_max_ps(o, high);
     }
     _mm256_storeu_ps(lo, less);
     _mm256_storeu_ps(hi, more);
-    _mm256_storeu_pd(first, low);
-    _mm256_storeu_pd(first + 4, low4);
-    _mm256_storeu_pd(last, high);
-    _mm256_storeu_pd(last + 4, high4);
+    _mm256_storeu_ps(first, low);
+    _mm256_storeu_ps(last, high);
 }
 
 COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const company *c, float entry[BVH_WIDTH])

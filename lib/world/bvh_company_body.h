@@ -2,82 +2,82 @@
  * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_BOUNDS (of all lanes, by
  * eight columns), and the tests COMPANY_GROUP, COMPANY_FEW, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
 
-/* Offsets of one axis, and what all rays there share. */
-COMPANY_TARGET static inline void COMPANY_NAME(spread_axis)(company *c, int k)
+/* What all rays share on one axis. */
+COMPANY_TARGET static inline void COMPANY_NAME(bound_axis)(company *c, int k)
 {
-    const double *restrict dir = c->dir[k], *restrict org = c->org[k];
-    float *restrict inverses = c->inverse[k], *restrict near = c->near_offset[k], *restrict far = c->far_offset[k];
-    const uint32_t width = c->width;
-    float lo[8], hi[8];
-    double first[8], last[8];
+    float lo[8], hi[8], first[8], last[8];
     uint32_t i;
 
-    for (i = 0; i < width; i++) {
-        double d = dir[i], o = org[i], a = fabs(d);
-        double inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
-        double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
-        inverses[i] = (float)inverse;
-        near[i] = (float)(o * inverse + slack);
-        far[i] = (float)(o * inverse - slack);
-    }
     COMPANY_BOUNDS(c, k, lo, hi, first, last);
     for (i = 1; i < 8; i++) {
         lo[0] = lesser(lo[i], lo[0]);
         hi[0] = greater(hi[i], hi[0]);
-        first[0] = first[i] < first[0] ? first[i] : first[0];
-        last[0] = last[i] > last[0] ? last[i] : last[0];
+        first[0] = lesser(first[i], first[0]);
+        last[0] = greater(last[i], last[0]);
     }
     bound(c, k, lo[0], hi[0], first[0], last[0]);
 }
 
-COMPANY_TARGET static inline void COMPANY_NAME(spread)(company *c)
+COMPANY_TARGET static inline void COMPANY_NAME(bound_all)(company *c)
 {
     int k;
 
     for (k = 0; k < 3; k++)
-        COMPANY_NAME(spread_axis)(c, k);
+        COMPANY_NAME(bound_axis)(c, k);
 }
 
 /* One axis of all rays in the frame. False: some start too far from it. */
 COMPANY_TARGET static inline bool COMPANY_NAME(place_axis)(company *c, double centre, double scale, int k)
 {
-    const pov_rays *rays = &c->party->side;
-    const double *restrict org = rays->org[k], *restrict org_lo = rays->org_lo[k], *restrict from = rays->dir[k];
-    double *restrict to = c->org[k], *restrict dir = c->dir[k];
+    pov_rays *side = &c->party->side;
+    const double *restrict org = side->org[k], *restrict org_lo = side->org_lo[k], *restrict dir = side->dir[k];
+    const double *restrict per_length = side->per_length;
+    float *restrict inverses = c->inverse[k], *restrict near = c->near_offset[k], *restrict far = c->far_offset[k];
+    float *restrict org_out = side->framed.org[k], *restrict dir_out = side->framed.dir[k];
     const uint32_t width = c->width;
     uint32_t i;
-    int near = 1;
+    int is_near = 1;
 
     for (i = 0; i < width; i++) {
-        double o = (org[i] - centre + org_lo[i]) * scale;
+        const double o = (org[i] - centre + org_lo[i]) * scale, d = dir[i] * per_length[i], a = fabs(d);
+        const double inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
+        const double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
 
-        to[i] = o;
-        dir[i] = from[i];
-        near &= fabs(o) <= BVH_NEAR;
+        inverses[i] = (float)inverse;
+        near[i] = (float)(o * inverse + slack);
+        far[i] = (float)(o * inverse - slack);
+        org_out[i] = (float)o;
+        dir_out[i] = (float)d;
+        is_near &= fabs(o) <= BVH_NEAR;
     }
-    return near;
+    return is_near;
 }
 
-/* False: some directions are too long or short to be taken as they are. */
+/* False: in some units the frame is too large or too small. */
 COMPANY_TARGET static inline bool COMPANY_NAME(place_limits)(company *c, double scale)
 {
-    const double *restrict x = c->dir[0], *restrict y = c->dir[1], *restrict z = c->dir[2];
-    double *restrict scales = c->scale, *restrict shifts = c->shift;
-    const double *restrict limits = c->party->limit;
-    float *restrict out = c->limit;
+    pov_rays *side = &c->party->side;
+    const double *restrict limits = c->party->limit, *restrict lengths = c->party->length;
+    const double *restrict per_length = side->per_length;
+    const float *restrict x = side->framed.org[0], *restrict y = side->framed.org[1], *restrict z = side->framed.org[2];
+    double *restrict scales = c->scale, *restrict shifts = side->framed.shift, *restrict units = side->framed.unit;
+    float *restrict out = c->limit, *restrict smax = side->framed.smax, *restrict size = side->framed.size;
+    const double back = 1.0 / scale;
     const uint32_t width = c->width;
     uint32_t i;
     int plain = 1;
 
     for (i = 0; i < width; i++) {
-        double m = fabs(x[i]);
+        const double own = scale * lengths[i];
+        const float limit = bvh_limit(own, 0.0, limits[i]);
 
-        m = fabs(y[i]) > m ? fabs(y[i]) : m;
-        m = fabs(z[i]) > m ? fabs(z[i]) : m;
-        plain &= (m > BVH_SHORT) & (m < BVH_LONG);
-        scales[i] = scale;
+        plain &= (own > BVH_SHORT) & (own < BVH_LONG);
+        scales[i] = own;
         shifts[i] = 0.0;
-        out[i] = bvh_limit(scale, 0.0, limits[i]);
+        units[i] = per_length[i] * back;
+        out[i] = limit;
+        smax[i] = limit;
+        size[i] = fabsf(x[i]) + fabsf(y[i]) + fabsf(z[i]);
     }
     return plain;
 }
@@ -107,14 +107,17 @@ static void COMPANY_NAME(leave)(company *c, uint64_t lanes, uint32_t at)
 /* Take lanes into a frame; those that are in it are told. Rays that need a walk's blind ways are named. */
 COMPANY_TARGET static uint64_t COMPANY_NAME(enter_lanes)(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
 {
+    const bool plain = COMPANY_NAME(place)(c, &c->tree->frames[frame]);
+
     *blind = 0;
     c->frame = frame;
-    if (!COMPANY_NAME(place)(c, &c->tree->frames[frame]))
+    if (!plain)
         lanes = enter_each(c, frame, lanes, blind);
-    else if (lanes != ~(uint64_t)0 >> (BVH_COMPANY - c->party->count))
+    if (!lanes)
+        return 0;
+    if (!plain || lanes != ~(uint64_t)0 >> (BVH_COMPANY - c->party->count))
         fill_others(c, lanes);
-    if (lanes)
-        COMPANY_NAME(spread)(c);
+    COMPANY_NAME(bound_all)(c);
     return lanes;
 }
 

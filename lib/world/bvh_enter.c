@@ -23,7 +23,7 @@ static pov_vec3 point_at(const bvh_frame *f, const pov_ray *ray, double t)
     return pov_scale(pov_vec3_of(x.hi, y.hi, z.hi), f->scale);
 }
 
-/* Move the start to just before the cube. dir is about 1 long here. */
+/* Move the start to just before the cube. */
 static bool approach(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
 {
     pov_vec3 o = l->org, d = l->dir, at;
@@ -46,15 +46,21 @@ static bool approach(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
     return pov_dot(at, at) - along * along <= 4.0 + pov_dot(at, at) * 0x1p-33;
 }
 
+/* A direction too long or too short to be squared, and its unit vector. */
+static bool measure(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
+{
+    const double m = pov_largest(ray->dir);
+    const pov_vec3 d = pov_vec3_of(ray->dir.x / m, ray->dir.y / m, ray->dir.z / m);
+    const double length = sqrt(pov_dot(d, d));
+
+    l->dir = pov_vec3_of(d.x / length, d.y / length, d.z / length);
+    l->scale = f->scale * m * length;
+    return l->scale > 1e-300 && l->scale < 1e300;
+}
+
 bool bvh_enter_far(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
 {
-    double m = pov_largest(ray->dir);
-
-    if (!(m > 0x1p-20 && m < 0x1p20)) {
-        l->dir = pov_vec3_of(ray->dir.x / m, ray->dir.y / m, ray->dir.z / m);
-        l->scale *= m;
-    }
-    if (!(l->scale > 1e-300 && l->scale < 1e300))
+    if (!measure(f, ray, l))
         return enter_blindly(l);
     if (pov_largest(l->org) <= BVH_NEAR)
         return true;

@@ -28,16 +28,18 @@ static void count(bvh *out, const bvh_draft_child *c, int depth)
         count(out, &c->node->child[i], depth + 1);
 }
 
-static uint32_t put_leaf(layout *l, const bvh_draft_child *c)
+static uint32_t put_leaf(layout *l, const bvh_draft_child *c, uint32_t frame)
 {
     uint32_t index = (uint32_t)l->placed_leaves++;
 
     l->leaves[index].begin = c->begin;
     l->leaves[index].count = c->count;
+    l->leaves[index].frame = frame;
     return BVH_LEAF | index;
 }
 
-static uint32_t put(layout *l, const bvh_draft_child *c);
+/* What stands in a frame. */
+static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame);
 
 static void set_place(bvh_node *node, int i, const float *lo, const float *hi)
 {
@@ -49,7 +51,7 @@ static void set_place(bvh_node *node, int i, const float *lo, const float *hi)
     }
 }
 
-static uint32_t put_node(layout *l, const bvh_draft_node *draft)
+static uint32_t put_node(layout *l, const bvh_draft_node *draft, uint32_t frame)
 {
     static const float never_lo[3] = { HUGE_VALF, HUGE_VALF, HUGE_VALF };
     static const float never_hi[3] = { -HUGE_VALF, -HUGE_VALF, -HUGE_VALF };
@@ -62,26 +64,24 @@ static uint32_t put_node(layout *l, const bvh_draft_node *draft)
     for (i = 0; i < draft->count; i++) {
         const bvh_draft_child *c = &draft->child[i];
         set_place(node, i, c->lo, c->hi);
-        node->child[i] = put(l, c);
+        node->child[i] = put(l, c, frame);
     }
     return BVH_NODE | index;
 }
 
-static uint32_t put(layout *l, const bvh_draft_child *c)
+static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame)
 {
-    bvh_frame *frame = NULL;
-    uint32_t index = 0, reference;
+    uint32_t reference;
 
     if (c->frame) {
-        index = (uint32_t)l->frames++;
-        frame = &l->out->frames[index];
-        *frame = *c->frame;
+        frame = (uint32_t)l->frames++;
+        l->out->frames[frame] = *c->frame;
     }
-    reference = c->node ? put_node(l, c->node) : put_leaf(l, c);
-    if (!frame)
+    reference = c->node ? put_node(l, c->node, frame) : put_leaf(l, c, frame);
+    if (!c->frame)
         return reference;
-    frame->root = reference;
-    return BVH_FRAME | index;
+    l->out->frames[frame].root = reference;
+    return BVH_FRAME | frame;
 }
 
 bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves)
@@ -98,7 +98,7 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_
     *leaves = l.leaves = env_alloc(in->env, out->leaf_count, sizeof *l.leaves);
     if (!out->nodes || !out->frames || !l.leaves)
         return false;
-    put(&l, root);
+    put(&l, root, 0);
     return true;
 }
 
@@ -133,7 +133,7 @@ static void fill_part(void *user, uint32_t part, int hand)
     (void)hand;
     for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
         const bvh_leaf *leaf = &w->leaves[i];
-        ask->fill(ask->user, part, w->in->ids + leaf->begin, leaf->count,
+        ask->fill(ask->user, part, &w->tree->frames[leaf->frame], w->in->ids + leaf->begin, leaf->count,
                   w->tree->leaves + (size_t)leaf->at * BVH_UNIT);
     }
 }

@@ -120,7 +120,9 @@ WALK_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128
 
 WALK_TARGET static inline void spread_avx2(const bvh_local *l, float limit, lanes_avx2 *lanes)
 {
-    __m256d o = _mm256_set_pd(0.0, l->org.z, l->org.y, l->org.x), d = _mm256_set_pd(1.0, l->dir.z, l->dir.y, l->dir.x);
+    /* The fourth lane goes for nothing. */
+    __m256d o = _mm256_set_pd(l->org.z, l->org.z, l->org.y, l->org.x);
+    __m256d d = _mm256_set_pd(l->dir.z, l->dir.z, l->dir.y, l->dir.x);
     __m256d sign = _mm256_set1_pd(-0.0), one = _mm256_set1_pd(1.0), inverse, at, slack;
     __m128 r, near, far;
     int backward = _mm256_movemask_pd(d);

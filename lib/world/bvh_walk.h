@@ -1,7 +1,7 @@
 /* bvh_walk.h - one ray through a tree.
  *
- * In a frame the ray is p(u) = o + u d with o near the cube -1..1, and u = (t - shift) * scale >= 0 within it. A slab's
- * planes are met at u = b * inverse - offset. What floats lose there is, in units of |inverse| * 2^-24: |b| for the
+ * In a frame the ray is p(u) = o + u d with o near the cube -1..1, d a unit vector, and u = (t - shift) * scale >= 0
+ * within it. A slab's planes are met at u = b * inverse - offset. What floats lose there is, in units of |inverse| * 2^-24: |b| for the
  * inverse, |b| for the product, |o| for the offset, |b| + |o| for the difference, together at most 3 + 2 |o|; all of it
  * is put into the offsets, once a ray and axis (4 + 4 |o|), so that entries are never late and exits never early: what
  * Ize (JCGT 2013) gets by widening each exit. Direction components below 1e-18 of the others count as that: over the
@@ -17,7 +17,7 @@
 
 /* A ray in a frame. */
 typedef struct bvh_local {
-    pov_vec3 org, dir;
+    pov_vec3 org, dir;           /* dir has a length of one */
     double scale, shift;
     double slack;                /* of the offsets: relative to |inverse| (1 + |o|) */
 } bvh_local;
@@ -29,6 +29,8 @@ typedef struct bvh_local {
 typedef struct bvh_walk {
     const bvh *tree;
     const pov_ray *ray;
+    double length, per_length;   /* of the ray's direction, and the inverse */
+    pov_rays *framed;            /* whose first lane is to stand in the frame, for blocks; or NULL */
     uint32_t frame, at;          /* where it begins: a reference in a frame */
     double limit;                /* nothing beyond this t counts; leaves may lower it */
     /* What lies in a leaf. True: the walk may end. */
@@ -44,6 +46,7 @@ typedef struct bvh_party {
     uint32_t count;
     uint64_t lanes;              /* those that walk */
     pov_rays side;               /* the rays by component; lanes from count to the next multiple of eight hold the last */
+    double length[BVH_COMPANY];  /* of directions */
     double limit[BVH_COMPANY];   /* as a walk's, by lane */
     uint64_t lowered;            /* a leaf lowered the limit of these: whoever sees that takes the bits out */
     /* What lies in a leaf, for some lanes. Gives those that may end. */
@@ -71,28 +74,45 @@ extern const bvh_walks bvh_walks_avx2;   /* only where the processor has AVX2 */
 
 /* A ray that starts further away than BVH_NEAR half-sizes of the frame is brought near. False: it passes by. */
 #define BVH_NEAR 8.0
-/* Directions whose largest component lies between these are taken as they are. */
-#define BVH_SHORT 0x1p-20
-#define BVH_LONG 0x1p20
+/* Directions of a length between these are taken as they are. */
+#define BVH_SHORT 0x1p-300
+#define BVH_LONG 0x1p300
 bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
 
-/* The ray in a frame. False: it passes by. */
-static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, bvh_local *out)
+/* The ray in a frame, with the length of its direction and the inverse of that. False: it passes by. */
+static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double length, double per_length, bvh_local *out)
 {
-    pov_vec3 o = pov_sub(ray->org, frame->centre), d = ray->dir;
-    double most = fabs(d.x);
+    pov_vec3 o = pov_sub(ray->org, frame->centre);
 
-    most = fabs(d.y) > most ? fabs(d.y) : most;
-    most = fabs(d.z) > most ? fabs(d.z) : most;
     o = pov_scale(pov_add(o, ray->org_lo), frame->scale);
     out->org = o;
-    out->dir = d;
-    out->scale = frame->scale;
+    out->dir = pov_scale(ray->dir, per_length);
+    out->scale = frame->scale * length;
     out->shift = 0.0;
     out->slack = BVH_SLACK;
-    if (most > BVH_SHORT && most < BVH_LONG && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
+    if (length > BVH_SHORT && length < BVH_LONG && out->scale > BVH_SHORT && out->scale < BVH_LONG
+        && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
         return true;
     return bvh_enter_far(frame, ray, out);
+}
+
+/* What blocks are told of a ray in a frame. */
+static inline void bvh_stand(pov_rays *rays, uint32_t lane, const bvh_local *l, float limit)
+{
+    const bool blind = l->slack > BVH_SLACK;
+    const float x = (float)l->org.x, y = (float)l->org.y, z = (float)l->org.z;
+    const float far = (float)(fabs(l->shift) * l->scale * 0x1p-22);
+
+    rays->framed.org[0][lane] = x;
+    rays->framed.org[1][lane] = y;
+    rays->framed.org[2][lane] = z;
+    rays->framed.dir[0][lane] = (float)l->dir.x;
+    rays->framed.dir[1][lane] = (float)l->dir.y;
+    rays->framed.dir[2][lane] = (float)l->dir.z;
+    rays->framed.size[lane] = blind ? HUGE_VALF : fabsf(x) + fabsf(y) + fabsf(z) + far;
+    rays->framed.smax[lane] = limit;
+    rays->framed.shift[lane] = l->shift;
+    rays->framed.unit[lane] = blind ? 1.0 : 1.0 / l->scale;
 }
 
 /* What the entries of a stack are: the entry's distance, a float that is not negative and so sorts as its bits do,

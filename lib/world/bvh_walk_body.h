@@ -73,10 +73,12 @@ WALK_TARGET static inline bool WALK_NAME(enter)(const bvh_walk *w, uint32_t fram
 {
     bvh_local l;
 
-    if (!bvh_enter(&w->tree->frames[frame], w->ray, &l))
+    if (!bvh_enter(&w->tree->frames[frame], w->ray, w->length, w->per_length, &l))
         return false;
     *limit = bvh_limit(l.scale, l.shift, w->limit);
     WALK_SPREAD(&l, *limit, lanes);
+    if (w->framed)
+        bvh_stand(w->framed, 0, &l, *limit);
     *local = l;
     return true;
 }
@@ -103,6 +105,8 @@ WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
                 if (w->limit < before) {
                     limit = bvh_limit(local.scale, local.shift, w->limit);
                     WALK_LIMIT(&lanes, limit);
+                    if (w->framed)
+                        w->framed->framed.smax[0] = limit;
                 }
             } else if ((at & BVH_KIND) == BVH_RETURN) {
                 /* It was entered before, so that it is not passed by now. */

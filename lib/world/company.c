@@ -2,44 +2,17 @@
 
 #include "base/simd.h"
 
-static inline void put_ray(pov_rays *s, uint32_t i, const pov_ray *ray)
-{
-    s->org[0][i] = ray->org.x;
-    s->org[1][i] = ray->org.y;
-    s->org[2][i] = ray->org.z;
-    s->org_lo[0][i] = ray->org_lo.x;
-    s->org_lo[1][i] = ray->org_lo.y;
-    s->org_lo[2][i] = ray->org_lo.z;
-    s->dir[0][i] = ray->dir.x;
-    s->dir[1][i] = ray->dir.y;
-    s->dir[2][i] = ray->dir.z;
-}
-
-static inline double is_out(double x, double least, double most)
-{
-    const double size = fabs(x);
-
-    return size <= most && (size >= least || size == 0.0) ? 0.0 : 1.0;
-}
-
-/* What follows from a ray. odd: not zero where it is out of the range that filters are promised. */
-SIMD_CLONES static void derive(pov_rays *restrict s, uint32_t width, double tmax, double *restrict odd)
+/* odd: not zero where a ray is out of the range that filters are promised. */
+SIMD_CLONES static void derive(pov_rays *restrict s, uint32_t width, double end, double *restrict length,
+                               double *restrict odd)
 {
     uint32_t i;
 
-    for (i = 0; i < width; i++) {
-        const double x = s->dir[0][i], y = s->dir[1][i], z = s->dir[2][i], square = x * x + y * y + z * z;
-
-        s->inverse[i] = 1.0 / square;
-        s->per_length[i] = sqrt(s->inverse[i]);
-        s->size[i] = fabs(s->org[0][i]) + fabs(s->org[1][i]) + fabs(s->org[2][i]);
-        s->tmax[i] = tmax;
-        odd[i] = is_out(x, 1e-80, 1e80) + is_out(y, 1e-80, 1e80) + is_out(z, 1e-80, 1e80) +
-                 is_out(s->size[i], 0.0, 1e100) + (square > 0.0 ? 0.0 : 1.0);
-    }
+    for (i = 0; i < width; i++)
+        odd[i] = side_derive(s, i, end, length);
 }
 
-static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which)
+static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which, double end)
 {
     double odd[WORLD_MANY];
     uint64_t alone = 0;
@@ -49,12 +22,12 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
         i = first_of64(which);
         c->rays[n] = rays[i];
         c->of[n] = (uint8_t)i;
-        put_ray(&c->party.side, n++, rays[i]);
+        side_put(&c->party.side, n++, rays[i]);
     }
     c->party.count = n;
     for (i = n; i % 8; i++)
-        put_ray(&c->party.side, i, c->rays[n - 1]);
-    derive(&c->party.side, i, just_beyond(c->tmax), odd);
+        side_put(&c->party.side, i, c->rays[n - 1]);
+    derive(&c->party.side, i, end, c->party.length, odd);
     while (i-- > 0) {
         c->party.limit[i] = c->tmax;
         if (odd[i] != 0.0 && i < n)
@@ -63,7 +36,8 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
     return alone;
 }
 
-uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax)
+uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                       double end)
 {
     c->party.tree = &w->tree;
     c->party.rays = c->rays;
@@ -72,24 +46,26 @@ uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *con
     c->walker = k;
     c->tmax = tmax;
     c->asked = c->waiting = 0;
-    return take_rays(c, rays, which);
+    return take_rays(c, rays, which, end);
 }
 
-uint64_t company_filter(company *c, const run *r, uint64_t lanes)
+uint64_t company_stand_in_list(company *c, uint64_t lanes)
 {
-    const pov_shape_class *shape = r->shape;
-    uint64_t met = 0;
+    const pov_rays *side = &c->party.side;
+    uint64_t in = 0;
+    bvh_local l;
 
-    if (POV_SHAPE_HAS(shape, block_filter_many))
-        return shape->block_filter_many(run_block(r), &c->party.side, lanes, c->answers);
+    if (!c->world->list_packed)
+        return lanes;
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
 
-        shape->block_filter(run_block(r), c->rays[i], 0.0, c->party.side.tmax[i], &c->answers[i]);
-        if (c->answers[i].maybe)
-            met |= bit_of(i);
+        if (!bvh_enter(&c->world->list_frame, c->rays[i], c->party.length[i], side->per_length[i], &l))
+            continue;
+        bvh_stand(&c->party.side, i, &l, bvh_limit(l.scale, l.shift, c->party.limit[i]));
+        in |= bit_of(i);
     }
-    return met;
+    return in;
 }
 
 /* ---- who goes with whom ---- */

@@ -19,8 +19,8 @@ typedef struct company {
     uint64_t waiting;            /* lanes that have a shape pending */
     hit *out;                    /* the caller's; NULL: light is asked for */
     pending pending[WORLD_MANY];
-    pov_block_answer answers[WORLD_MANY];
     pov_hits hits[WORLD_MANY], tints[WORLD_MANY];
+    pov_meeting met[POV_MEETINGS_MAX];
 } company;
 
 static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
@@ -33,10 +33,12 @@ static inline void lower(company *c, uint32_t i, double limit)
     c->party.lowered |= bit_of(i);
 }
 
-/* Take those of `which`. Lanes that hold a ray out of range are told: they are to go alone. */
-uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax);
-/* The answers of a run's block for some lanes; those of whom any shape is in question are told. */
-uint64_t company_filter(company *c, const run *r, uint64_t lanes);
+/* Take those of `which`; filters are to look up to `end`. Lanes that hold a ray out of range are told: they are to go
+ * alone. */
+uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                       double end);
+/* Those of some lanes that the world's list may be met by; its blocks are told of them. */
+uint64_t company_stand_in_list(company *c, uint64_t lanes);
 
 /* Those of the caller's rays that `which` names; bits of the answers are the caller's. */
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out);

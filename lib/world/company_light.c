@@ -43,47 +43,53 @@ static bool ask_lights(company *c, uint32_t i, const run *r, uint32_t mask)
     return ended;
 }
 
-static bool take_light(company *c, uint32_t i, const run *r)
+/* One of a block's that nobody knows enough of. True: the path ends here. */
+static bool take_light(company *c, const run *r, const pov_meeting *m)
 {
-    const pov_block_answer *answer = &c->answers[i];
-    const pov_ray *ray = c->rays[i];
-    uint32_t mask = answer->surely & (c->any_blocks ? r->casts : r->casts & r->opaque);
+    const pov_ray *ray = c->rays[m->ray];
 
-    for (; mask; mask &= mask - 1)
-        if (r->object[first_of(mask)] != ray->left && answer->hi[first_of(mask)] < c->tmax)
-            return true;
-    mask = answer->maybe & r->casts & ~left_behind(r, ray);
-    if (mask && !c->any_blocks) {
-        begin_light(c, i);
-        mask = pass_through(r, answer, ray->left, mask, &c->tints[i]);
+    if (!(r->casts >> m->lane & 1) || (r->object[m->lane] == ray->left && goes_away(r, ray)))
+        return false;
+    if (!c->any_blocks) {
+        begin_light(c, m->ray);
+        if (passes_through(r, m, ray, &c->tints[m->ray]))
+            return false;
     }
-    return ask_lights(c, i, r, mask);
+    return ask_lights(c, m->ray, r, 1u << m->lane);
 }
 
 static uint64_t filter_light(company *c, const run *r, uint64_t lanes)
 {
-    uint64_t rest;
+    const uint32_t n = r->shape->block_filter(run_block(r), &c->party.side, lanes, c->met);
+    const uint32_t blocking = c->any_blocks ? r->casts : r->casts & r->opaque;
+    uint64_t ended = 0;
+    uint32_t i;
 
-    for (rest = c->any_blocks ? 0 : lanes; rest; rest &= rest - 1)
-        c->answers[first_of64(rest)].twice = 0;
-    return company_filter(c, r, lanes);
+    for (i = 0; i < n; i++)
+        ended |= (uint64_t)is_blocked(r, &c->met[i], blocking, c->rays[c->met[i].ray]) << c->met[i].ray;
+    for (i = 0; i < n; i++)
+        if (!(ended >> c->met[i].ray & 1))
+            ended |= (uint64_t)take_light(c, r, &c->met[i]) << c->met[i].ray;
+    return ended;
 }
 
 static uint64_t meet_light(bvh_party *party, const void *leaf, uint64_t lanes)
 {
     company *c = (company *)(void *)party;
-    uint64_t ended = 0, met;
+    uint64_t ended = 0, rest;
     const run *r;
 
     for (r = leaf; r && lanes; r = run_next(r)) {
-        const bool packed = r->flags & RUN_PACKED;
-
         if (r->casts == 0)
             continue;
-        for (met = packed ? filter_light(c, r, lanes) : lanes; met; met &= met - 1) {
-            const uint32_t i = first_of64(met);
-            if (packed ? take_light(c, i, r) : ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i])))
-                ended |= bit_of(i);
+        if (r->flags & RUN_PACKED) {
+            ended |= filter_light(c, r, lanes);
+        } else {
+            for (rest = lanes; rest; rest &= rest - 1) {
+                const uint32_t i = first_of64(rest);
+                if (ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i])))
+                    ended |= bit_of(i);
+            }
         }
         lanes &= ~ended;
     }
@@ -99,13 +105,13 @@ static bool light_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint32_
     begin_light(c, lane);
     q.walker = c->walker;
     q.walk.tree = party->tree;
-    q.walk.ray = c->rays[lane];
     q.walk.frame = frame;
     q.walk.at = at;
     q.walk.limit = c->tmax;
     q.any_blocks = c->any_blocks;
     q.hits = c->hits[lane];
     q.tints = c->tints[lane];
+    query_go_on(&q, c->rays[lane], party->length[lane], party->side.per_length[lane]);
     ended = query_go_on_light(&q, c->world);
     c->hits[lane] = q.hits;
     c->tints[lane] = q.tints;
@@ -138,7 +144,7 @@ uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, ui
     c.any_blocks = !w->plan.coloured_shadows;
     c.party.leaf = meet_light;
     c.party.alone = light_alone;
-    alone = company_begin(&c, w, k, rays, which, tmax);
+    alone = company_begin(&c, w, k, rays, which, tmax, tmax);
     all = all_of(c.party.count) & ~alone;
     for (; alone; alone &= alone - 1) {
         const uint32_t i = c.of[first_of64(alone)];
@@ -147,7 +153,7 @@ uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, ui
     if (w->infinite && all)
         ended |= meet_light(&c.party, w->infinite, all);
     if (w->list && all & ~ended)
-        ended |= meet_light(&c.party, w->list, all & ~ended);
+        ended |= meet_light(&c.party, w->list, company_stand_in_list(&c, all & ~ended));
     c.party.lanes = all & ~ended;
     if (w->has_tree && c.party.lanes)
         ended |= w->walks->any_together(&c.party);

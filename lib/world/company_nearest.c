@@ -28,37 +28,37 @@ static void count_nearest(company *c, uint32_t i, const run *r, uint32_t lane)
 }
 
 /* One that can be left out by now need not wait any more; if it cannot, it is asked before the next one waits. */
-static void put_off(company *c, uint32_t i, const run *r, uint32_t lane)
+static void put_off(company *c, const run *r, const pov_meeting *m)
 {
-    const pov_block_answer *answer = &c->answers[i];
+    const uint32_t i = m->ray;
     pending *p = &c->pending[i];
 
-    if (answer->hi[lane] < c->party.limit[i])
-        lower(c, i, answer->hi[lane]);
+    if (m->hi < c->party.limit[i])
+        lower(c, i, m->hi);
     if ((c->waiting & bit_of(i)) && !is_beyond(p->lo, c->party.limit[i]))
         count_nearest(c, i, p->run, p->lane);
     p->run = r;
-    p->lane = lane;
-    p->lo = answer->lo[lane];
+    p->lane = m->lane;
+    p->lo = m->lo;
     c->waiting |= bit_of(i);
 }
 
-static void take_nearest(company *c, uint32_t i, const run *r)
+static void filter_nearest(company *c, const run *r, uint64_t lanes)
 {
-    const pov_block_answer *answer = &c->answers[i];
-    const pov_ray *ray = c->rays[i];
-    uint32_t mask = answer->maybe & run_lanes(r) & ~left_behind(r, ray);
+    const pov_meeting *m = c->met;
+    uint32_t n = r->shape->block_filter(run_block(r), &c->party.side, lanes, c->met);
 
-    for (; mask; mask &= mask - 1) {
-        const uint32_t lane = first_of(mask);
+    for (; n > 0; m++, n--) {
+        const pov_ray *ray = c->rays[m->ray];
+        const bool left = r->object[m->lane] == ray->left;
 
-        if (is_beyond(answer->lo[lane], c->party.limit[i]))
+        if (is_beyond(m->lo, c->party.limit[m->ray]) || (left && goes_away(r, ray)))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
-        if ((answer->surely >> lane & 1) && r->object[lane] != ray->left)
-            put_off(c, i, r, lane);
+        if (m->surely && !left)
+            put_off(c, r, m);
         else
-            count_nearest(c, i, r, lane);
+            count_nearest(c, m->ray, r, m->lane);
     }
 }
 
@@ -71,8 +71,7 @@ static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
 
     for (r = leaf; r; r = run_next(r)) {
         if (r->flags & RUN_PACKED) {
-            for (met = company_filter(c, r, lanes); met; met &= met - 1)
-                take_nearest(c, first_of64(met), r);
+            filter_nearest(c, r, lanes);
             continue;
         }
         asked = decided = 0;
@@ -99,11 +98,11 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
 
     q.walker = c->walker;
     q.walk.tree = party->tree;
-    q.walk.ray = c->rays[lane];
     q.walk.frame = frame;
     q.walk.at = at;
     q.walk.limit = party->limit[lane];
     q.hits = *nearest_hits(c, lane);
+    query_go_on(&q, c->rays[lane], party->length[lane], party->side.per_length[lane]);
     query_go_on_nearest(&q, c->world);
     c->hits[lane] = q.hits;
     if (q.walk.limit < party->limit[lane])
@@ -240,7 +239,7 @@ uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, 
     c.out = out;
     c.party.leaf = meet_nearest;
     c.party.alone = nearest_alone;
-    alone = company_begin(&c, w, k, rays, which, tmax);
+    alone = company_begin(&c, w, k, rays, which, tmax, just_beyond(tmax));
     c.party.lanes = all_of(c.party.count) & ~alone;
     for (; alone; alone &= alone - 1) {
         const uint32_t i = c.of[first_of64(alone)];
@@ -251,7 +250,7 @@ uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, 
     if (w->infinite)
         meet_nearest(&c.party, w->infinite, c.party.lanes);
     if (w->list)
-        meet_nearest(&c.party, w->list, c.party.lanes);
+        meet_nearest(&c.party, w->list, company_stand_in_list(&c, c.party.lanes));
     c.party.lowered = 0;
     if (w->has_tree)
         w->walks->nearest_together(&c.party);

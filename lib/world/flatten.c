@@ -2,6 +2,7 @@
 
 #include "base/err.h"
 #include "base/vec.h"
+#include "world/bvh_build.h"
 #include "world/world.h"
 
 #include <string.h>
@@ -189,9 +190,12 @@ static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, 
     return POV_OK;
 }
 
-/* Would a block take this shape? Tried with it alone, in scratch memory. */
-static pov_status try_block(maker *k, const pov_shape_class *shape, const void *instance, bool *takes)
+/* Would a block take this shape? Tried with it alone, in scratch memory, and a frame around its box, if it has one. */
+static pov_status try_block(maker *k, const pov_shape_class *shape, const void *instance, const pov_box *box, bool *takes)
 {
+    bvh_frame around;
+    pov_frame frame;
+
     if (shape != k->scratch_shape) {
         k->scratch_shape = NULL;
         k->scratch = arena_alloc(k->staging, shape->block_size, 64);
@@ -199,7 +203,12 @@ static pov_status try_block(maker *k, const pov_shape_class *shape, const void *
             return POV_E_MEMORY;
         k->scratch_shape = shape;
     }
-    *takes = shape->block_pack(k->scratch, &instance, 1);
+    if (box) {
+        around = bvh_frame_around(box);
+        frame.centre = around.centre;
+        frame.scale = around.scale;
+    }
+    *takes = shape->block_pack(k->scratch, box ? &frame : NULL, &instance, 1);
     return POV_OK;
 }
 
@@ -241,7 +250,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
         finite = shape->bounds(instance, box) && is_finite_box(box);
     }
     if (k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
-        status = try_block(k, shape, instance, &packs);
+        status = try_block(k, shape, instance, finite ? box : NULL, &packs);
     f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
     k->part->packed += packs;
     k->part->alone += finite && !packs;

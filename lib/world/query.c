@@ -65,14 +65,31 @@ static void begin(query *q, const world *w, walker *k, const pov_ray *ray, doubl
     q->walk.frame = 0;
     q->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
     q->walk.limit = tmax;
+    q->walk.framed = &q->rays;
     q->waiting = 0;
+    side_put(&q->rays, 0, ray);
+    q->in_range = side_derive(&q->rays, 0, tmax, &q->walk.length) == 0.0;
+    q->walk.per_length = q->rays.per_length[0];
     begin_hits(&q->hits, w, tmax, want, at);
+}
+
+/* False: it passes the list by. */
+static bool stand_in_list(query *q, const world *w)
+{
+    bvh_local l;
+
+    if (!w->list_packed)
+        return true;
+    if (!bvh_enter(&w->list_frame, q->walk.ray, q->walk.length, q->walk.per_length, &l))
+        return false;
+    bvh_stand(&q->rays, 0, &l, bvh_limit(l.scale, l.shift, q->walk.limit));
+    return true;
 }
 
 /* Where a ray starts on the only shape of a run, a filter would say "perhaps"; the shape knows the rest by name. */
 static inline bool is_filtered(const query *q, const run *r)
 {
-    return (r->flags & RUN_PACKED) && (r->count > 1 || r->object[0] != q->walk.ray->left);
+    return (r->flags & RUN_PACKED) && q->in_range && (r->count > 1 || r->object[0] != q->walk.ray->left);
 }
 
 /* ---- nearest ---- */
@@ -119,19 +136,23 @@ static void put_off(query *q, const run *r, uint32_t lane, double lo, double hi)
 
 static void filter_nearest(query *q, const run *r)
 {
-    pov_block_answer answer;
-    uint32_t left = q->walk.ray->left, mask;
+    const pov_ray *ray = q->walk.ray;
+    pov_meeting met[POV_BLOCK_MAX];
+    const pov_meeting *m;
+    uint32_t n;
 
-    r->shape->block_filter(run_block(r), q->walk.ray, 0.0, just_beyond(q->walk.limit), &answer);
-    for (mask = answer.maybe & run_lanes(r) & ~left_behind(r, q->walk.ray); mask; mask &= mask - 1) {
-        uint32_t lane = first_of(mask);
-        if (is_beyond(answer.lo[lane], q->walk.limit))
+    q->rays.tmax[0] = just_beyond(q->walk.limit);
+    n = r->shape->block_filter(run_block(r), &q->rays, 1, met);
+    for (m = met; n > 0; m++, n--) {
+        const bool left = r->object[m->lane] == ray->left;
+
+        if (is_beyond(m->lo, q->walk.limit) || (left && goes_away(r, ray)))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
-        if ((answer.surely >> lane & 1) && r->object[lane] != left)
-            put_off(q, r, lane, answer.lo[lane], answer.hi[lane]);
+        if (m->surely && !left)
+            put_off(q, r, m->lane, m->lo, m->hi);
         else
-            count_nearest(q, r, lane);
+            count_nearest(q, r, m->lane);
     }
 }
 
@@ -155,6 +176,15 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
     return false;
 }
 
+void query_go_on(query *q, const pov_ray *ray, double length, double per_length)
+{
+    q->walk.ray = ray;
+    q->walk.length = length;
+    q->walk.per_length = per_length;
+    q->walk.framed = NULL;
+    q->in_range = false;
+}
+
 void query_go_on_nearest(query *q, const world *w)
 {
     q->waiting = 0;
@@ -169,7 +199,7 @@ void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, doub
     q->walk.leaf = meet_nearest;
     if (w->infinite)
         meet_nearest(&q->walk, w->infinite);
-    if (w->list)
+    if (w->list && stand_in_list(q, w))
         meet_nearest(&q->walk, w->list);
     if (w->has_tree)
         w->walks->nearest_first(&q->walk);
@@ -254,16 +284,19 @@ static bool ask_shadows(query *q, const run *r, uint32_t mask)
 
 static bool filter_shadow(query *q, const run *r)
 {
-    pov_block_answer answer;
-    uint32_t blocking = q->any_blocks ? r->casts : r->casts & r->opaque, left = q->walk.ray->left, mask;
+    const uint32_t blocking = q->any_blocks ? r->casts : r->casts & r->opaque;
+    const pov_ray *ray = q->walk.ray;
+    pov_meeting met[POV_BLOCK_MAX];
+    uint32_t n, i, mask = 0;
 
-    answer.twice = 0;
-    r->shape->block_filter(run_block(r), q->walk.ray, 0.0, q->hits.tmax, &answer);
-    for (mask = answer.surely & blocking; mask; mask &= mask - 1)
-        if (r->object[first_of(mask)] != left && answer.hi[first_of(mask)] < q->hits.tmax)
+    n = r->shape->block_filter(run_block(r), &q->rays, 1, met);
+    for (i = 0; i < n; i++)
+        if (is_blocked(r, &met[i], blocking, ray))
             return true;
-    mask = answer.maybe & r->casts & ~left_behind(r, q->walk.ray);
-    return ask_shadows(q, r, q->any_blocks ? mask : pass_through(r, &answer, left, mask, &q->tints));
+    for (i = 0; i < n; i++)
+        if ((r->casts >> met[i].lane & 1) && (q->any_blocks || !passes_through(r, &met[i], ray, &q->tints)))
+            mask |= 1u << met[i].lane;
+    return ask_shadows(q, r, mask & ~left_behind(r, ray));
 }
 
 static bool meet_shadow(bvh_walk *walk, const void *leaf)
@@ -284,7 +317,7 @@ static bool meet_shadow(bvh_walk *walk, const void *leaf)
 static bool begin_shadow(query *q, const world *w)
 {
     q->walk.leaf = meet_shadow;
-    return (w->infinite && meet_shadow(&q->walk, w->infinite)) || (w->list && meet_shadow(&q->walk, w->list));
+    return (w->infinite && meet_shadow(&q->walk, w->infinite)) || (w->list && stand_in_list(q, w) && meet_shadow(&q->walk, w->list));
 }
 
 bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)

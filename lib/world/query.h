@@ -4,6 +4,7 @@
 
 #include "world/bits.h"
 #include "world/parts.h"
+#include "world/side.h"
 
 /* A lane that is surely crossed, before or at the limit; which crossing is nearest of all is settled later. */
 typedef struct pending { const run *run; uint32_t lane; double lo; } pending;
@@ -16,8 +17,10 @@ typedef struct query {
     pov_hits hits;
     uint32_t waiting;
     bool any_blocks;             /* transparent or not */
+    bool in_range;               /* of filters */
     pending pending[PENDING_MAX];
     pov_hits tints;              /* of transparent shapes on a light path */
+    pov_rays rays;               /* the first lane is the ray */
 } query;
 
 /* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
@@ -32,17 +35,28 @@ static inline bool is_beyond(double lo, double limit)
     return lo > limit + limit * 0x1p-46;
 }
 
-/* Lanes of a run that the ray cannot meet: the convex shape that it went away from. */
+/* The convex shape that a ray went away from cannot be met. */
+static inline bool goes_away(const run *r, const pov_ray *ray)
+{
+    return (r->shape->flags & POV_SHAPE_CONVEX) && (ray->left_mark.flags & POV_MARK_AWAY);
+}
+
 static inline uint32_t left_behind(const run *r, const pov_ray *ray)
 {
     uint32_t lane;
 
-    if (!(r->shape->flags & POV_SHAPE_CONVEX) || !(ray->left_mark.flags & POV_MARK_AWAY))
+    if (!goes_away(r, ray))
         return 0;
     for (lane = 0; lane < r->count; lane++)
         if (r->object[lane] == ray->left)
             return 1u << lane;
     return 0;
+}
+
+/* Does it block light for certain? The filter knows nothing of the root that a ray leaves. */
+static inline bool is_blocked(const run *r, const pov_meeting *m, uint32_t blocking, const pov_ray *ray)
+{
+    return m->surely && (blocking >> m->lane & 1) && r->object[m->lane] != ray->left;
 }
 
 static inline void begin_hits(pov_hits *hits, const world *w, double tmax, pov_want want, pov_crossing *at)
@@ -62,25 +76,17 @@ static inline void begin_hits(pov_hits *hits, const world *w, double tmax, pov_w
     hits->crowded = false;
 }
 
-/* Transparent shapes that light surely enters and leaves on its way are noted as crossed twice, and are not asked. Gives
- * the rest of the mask. */
-static inline uint32_t pass_through(const run *r, const pov_block_answer *answer, uint32_t left, uint32_t mask,
-                                    pov_hits *tints)
+/* Transparent shapes that light surely enters and leaves on its way are noted as crossed twice, and are not asked. */
+static inline bool passes_through(const run *r, const pov_meeting *m, const pov_ray *ray, pov_hits *tints)
 {
     const pov_mark mark = { 0, 0, 0.0, 0.0 };
-    uint32_t through = mask & answer->twice & ~(uint32_t)r->opaque;
 
-    for (; through; through &= through - 1) {
-        const uint32_t lane = first_of(through);
-
-        if (r->object[lane] == left)
-            continue;
-        tints->owner = r->object[lane];
-        if (pov_cross(tints, answer->lo[lane], 0.0, mark))
-            pov_cross(tints, answer->lo[lane], 0.0, mark);
-        mask &= ~(1u << lane);
-    }
-    return mask;
+    if (!m->twice || (r->opaque >> m->lane & 1) || r->object[m->lane] == ray->left)
+        return false;
+    tints->owner = r->object[m->lane];
+    if (pov_cross(tints, m->lo, 0.0, mark))
+        pov_cross(tints, m->lo, 0.0, mark);
+    return true;
 }
 
 /* From the hits of the shapes that block to those of the transparent ones. */
@@ -94,7 +100,9 @@ bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through);
 void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, pov_crossing *at);
 bool query_settle_but_one(query *q, pending *one);
 
-/* Go on from the middle of a tree, with the walk and the hits of whoever has begun it. True: the light ends. */
+/* Go on from the middle of a tree, with the walk and the hits of whoever has begun it, of a ray that blocks cannot be told
+ * of. True: the light ends. */
+void query_go_on(query *q, const pov_ray *ray, double length, double per_length);
 void query_go_on_nearest(query *q, const world *w);
 bool query_go_on_light(query *q, const world *w);
 

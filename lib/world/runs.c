@@ -124,7 +124,7 @@ static const void *place(runs *r, uint32_t id, run *out)
     return r->flat->moved[id];
 }
 
-static void fill_run(runs *r, const uint32_t *ids, uint32_t count, uint32_t *at, run *out)
+static void fill_run(runs *r, const pov_frame *frame, const uint32_t *ids, uint32_t count, uint32_t *at, run *out)
 {
     const flat *f = r->flat;
     const model *m = f->model;
@@ -146,11 +146,11 @@ static void fill_run(runs *r, const uint32_t *ids, uint32_t count, uint32_t *at,
     out->instances = selves[0];
     if (!g->placed)
         out->stride = g->stride;
-    if (g->packs && g->shape->block_pack((unsigned char *)out + RUN_HEAD, selves, count))
+    if (g->packs && g->shape->block_pack((unsigned char *)out + RUN_HEAD, frame, selves, count))
         out->flags |= RUN_PACKED;
 }
 
-void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void *at)
+void runs_fill(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
     const flat *f = r->flat;
     unsigned char *end = at;
@@ -159,7 +159,7 @@ void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void
     for (; count > 0; ids += n, count -= n) {
         run *out = (run *)(void *)end;
         n = run_length(f, ids, count);
-        fill_run(r, ids, n, &r->at[part * f->group_count + f->group[ids[0]]], out);
+        fill_run(r, frame, ids, n, &r->at[part * f->group_count + f->group[ids[0]]], out);
         if (n < count)
             out->flags |= RUN_MORE;
         end += run_bytes(out->shape, out->flags);

@@ -25,8 +25,9 @@ bool runs_init(runs *r, flat *f, uint32_t parts);
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count);
 /* When all sizes have been asked: room for the instances. */
 bool runs_allocate(runs *r);
-/* The same objects in the same order within each part, into `base`; memory need not be zeroed. */
-void runs_fill(runs *r, uint32_t part, const uint32_t *ids, uint32_t count, void *at);
+/* The same objects in the same order within each part, into `base`; memory need not be zeroed. frame: what they stand in,
+ * or NULL. */
+void runs_fill(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, void *at);
 void runs_free(runs *r);
 
 #endif

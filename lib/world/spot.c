@@ -28,6 +28,8 @@ static void begin(asking *a, const world *w, walker *k, const spot *from, const 
     a->walk.tree = &w->tree;
     a->walk.ray = ray;
     a->walk.limit = tmax;
+    a->walk.length = sqrt(pov_dot(ray->dir, ray->dir));
+    a->walk.per_length = 1.0 / a->walk.length;
     a->ray = *ray;
     a->from = from;
     a->hits.tmax = tmax;

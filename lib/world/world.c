@@ -1,3 +1,4 @@
+#include "world/bvh_build.h"
 #include "world/parts.h"
 
 #include "base/err.h"
@@ -137,19 +138,31 @@ static bool size_lists(world *w, runs *r, bool with_finite, size_t *first)
     return w->list_memory || *first + second == 0;
 }
 
+static pov_frame frame_of(const bvh_frame *f)
+{
+    const pov_frame frame = { f->centre, f->scale };
+    return frame;
+}
+
 static void fill_lists(world *w, runs *r, bool with_finite, size_t first)
 {
     const flat *f = r->flat;
+    const run *i;
+    pov_frame frame;
 
     r->base = w->list_memory;
     r->mark = RUNS_IN_LISTS;
     if (f->infinite_count > 0) {
-        runs_fill(r, LIST_PART, f->infinite, f->infinite_count, w->list_memory);
+        runs_fill(r, LIST_PART, NULL, f->infinite, f->infinite_count, w->list_memory);
         w->infinite = (const run *)(const void *)w->list_memory;
     }
     if (with_finite && f->finite_count > 0) {
-        runs_fill(r, LIST_PART, f->finite, f->finite_count, w->list_memory + first);
+        w->list_frame = bvh_frame_around(&f->bounds);
+        frame = frame_of(&w->list_frame);
+        runs_fill(r, LIST_PART, &frame, f->finite, f->finite_count, w->list_memory + first);
         w->list = (const run *)(const void *)(w->list_memory + first);
+        for (i = w->list; i; i = run_next(i))
+            w->list_packed = w->list_packed || (i->flags & RUN_PACKED);
     }
 }
 
@@ -167,9 +180,11 @@ static bool leaf_allocate(void *user, const void *leaves)
     return runs_allocate(r);
 }
 
-static void leaf_fill(void *user, uint32_t part, const uint32_t *ids, uint32_t count, void *at)
+static void leaf_fill(void *user, uint32_t part, const bvh_frame *in, const uint32_t *ids, uint32_t count, void *at)
 {
-    runs_fill(user, TREE_PART + part, ids, count, at);
+    const pov_frame frame = frame_of(in);
+
+    runs_fill(user, TREE_PART + part, &frame, ids, count, at);
 }
 
 static void box_of(void *user, uint32_t id, pov_box *out)

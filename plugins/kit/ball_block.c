@@ -2,159 +2,137 @@
 
 #include "kit/simd.h"
 
-bool kit_ball_pack(void *block, const void *const *selves, uint32_t n)
+/* Half a unit in the last place of a float of one. */
+#define E 0x1p-24f
+
+/* Points of a ray near the spheres, the point that it is nearest to one among them, are off by less than 22 e (1 + S), S
+ * being the sum of the sizes of its origin's coordinates: docs/numerics.md has the count. Radii that much smaller and
+ * larger, and bounds that much wider, make the answer safe. */
+#define BLUR (24.0f * E)
+
+static double place(pov_two c, double centre, double scale) { return (c.hi - centre + c.lo) * scale; }
+
+bool kit_ball_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     kit_ball_block *b = block;
     uint32_t i;
 
-    b->reach = b->most = b->band = 0.0;
-    b->lanes = (1 << n) - 1;
+    if (!frame)
+        return false;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const kit_ball *s = selves[i < n ? i : 0];
-        pov_vec3 c = pov_two3_hi(s->centre);
-        double far = fabs(c.x) + fabs(c.y) + fabs(c.z), lost = KIT_U * (2.0 * s->radius.hi + 2.0 * far);
 
-        if (!kit_block_range(pov_largest(c)) || !kit_block_size(s->radius.hi))
-            return false;
-        b->x[i] = c.x;
-        b->y[i] = c.y;
-        b->z[i] = c.z;
-        b->outer[i] = s->radius.hi + lost;
-        /* The third pays for the roundings of outer, and of what the band is taken off. */
-        b->band = fmax(b->band, 3.0 * lost);
-        b->square[i] = i < n ? b->outer[i] * b->outer[i] * (1.0 + 12.0 * KIT_U) : -HUGE_VAL;
-        b->most = fmax(b->most, b->outer[i]);
-        b->reach = fmax(b->reach, far);
+        b->x[i] = (float)place(s->centre.x, frame->centre.x, frame->scale);
+        b->y[i] = (float)place(s->centre.y, frame->centre.y, frame->scale);
+        b->z[i] = (float)place(s->centre.z, frame->centre.z, frame->scale);
+        b->radius[i] = i < n ? (float)(s->radius.hi * frame->scale) : NAN;
     }
     return true;
 }
 
-/* A lane that the line of the ray comes near to: where, and whether it is met. */
-static inline void bound_lane(const kit_ball_block *s, uint32_t i, double middle, double ww, double slack,
-                              double per_length, double tmin, double tmax, pov_block_answer *out)
+static inline float sum_of(float a, float b, float c)
 {
-    double outer = s->outer[i] + slack, inner = s->outer[i] - s->band - slack;
-    double far = outer * outer * (1.0 + 8.0 * KIT_U) - ww, near = inner * inner * (1.0 - 8.0 * KIT_U) - ww;
-    double wide = (sqrt(far) * (1.0 + 8.0 * KIT_U) + slack) * per_length;
-    double shift = 8.0 * KIT_U * fabs(middle), narrow;
-    int within;
-
-    out->lo[i] = middle - wide - shift;
-    if (!(out->lo[i] <= tmax && middle + wide + shift >= tmin))
-        return;
-    out->maybe |= 1u << i;
-    if (!(inner > 0.0 && near > 0.0))
-        return;
-    narrow = (sqrt(near) * (1.0 - 8.0 * KIT_U) - slack) * per_length;
-    if (!(narrow > 0.0))
-        return;
-    /* Who starts within comes to the far end. */
-    within = middle - narrow + shift < tmin;
-    out->lo[i] = within ? middle + narrow - shift : out->lo[i];
-    out->hi[i] = within ? middle + wide + shift : middle - narrow + shift;
-    if (!(out->lo[i] > tmin && out->hi[i] < tmax))
-        return;
-    out->surely |= 1u << i;
-    if (!within && middle + wide + shift < tmax)
-        out->twice |= 1u << i;
+#ifdef __FMA__
+    return fmaf(a, b, c);
+#else
+    return a * b + c;
+#endif
 }
 
-/* All of it in plain double. The point of closest approach is off by less than 16 u times the distance
- * from origin to centre, in each of its uses; radii that much smaller and larger make the answer safe. Most
- * blocks are passed by on every lane: that is found out first, for all lanes at once. */
-KIT_CLONES static void filter(const void *block, const pov_ray *ray, double tmin, double tmax,
-                                    pov_block_answer *out)
+/* The lanes whose spheres the line of a ray may come near to, how far it has gone there, and the square of how near. */
+static inline uint32_t near_lines(const kit_ball_block *s, const pov_rays *rays, uint32_t at, float blur,
+                                  float *restrict middle, float *restrict ww)
 {
-    const kit_ball_block *s = block;
-    const pov_vec3 o = ray->org, d = ray->dir;
-    const double a = pov_dot(d, d), inverse = 1.0 / a;
-    const double slack = 18.0 * KIT_U * (fabs(o.x) + fabs(o.y) + fabs(o.z) + s->reach);
-    double middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX], depth[POV_BLOCK_MAX], per_length;
-    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    int64_t met = 0;
-    uint32_t i;
-
-    if (!(a > 1e-200 && a < 1e200 && slack < 1e100)) {
-        kit_block_decline(tmin, out);
-        return;
-    }
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        double x = o.x - s->x[i], y = o.y - s->y[i], z = o.z - s->z[i], outer = s->outer[i] + slack, wx, wy, wz;
-        middle[i] = -(x * d.x + y * d.y + z * d.z) * inverse;
-        wx = x + middle[i] * d.x;
-        wy = y + middle[i] * d.y;
-        wz = z + middle[i] * d.z;
-        ww[i] = wx * wx + wy * wy + wz * wz;
-        depth[i] = outer * outer * (1.0 + 8.0 * KIT_U) - ww[i];
-        met |= depth[i] >= 0.0 ? bit[i] : 0;
-    }
-    out->maybe = out->surely = out->twice = 0;
-    met &= s->lanes;
-    if (!met)
-        return;
-    per_length = sqrt(inverse);
-    for (; met; met &= met - 1) {
-        i = kit_first_lane((uint32_t)met);
-        bound_lane(s, i, middle[i], ww[i], slack, per_length, tmin, tmax, out);
-    }
-}
-
-/* The lanes whose spheres the line of a ray may come near to, with its closest approach to each. The square of a sum
- * with the slack is at most the square of the one and what the slack adds to the largest. */
-static inline uint32_t near_lines(const kit_ball_block *s, const pov_rays *rays, uint32_t at, double slack,
-                                  double *restrict middle, double *restrict ww)
-{
-    const double ox = rays->org[0][at], oy = rays->org[1][at], oz = rays->org[2][at];
-    const double dx = rays->dir[0][at], dy = rays->dir[1][at], dz = rays->dir[2][at];
-    const double inverse = -rays->inverse[at], more = slack * (2.0 * s->most + slack) * (1.0 + 12.0 * KIT_U);
-    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    int64_t met = 0;
+    const float ox = rays->framed.org[0][at], oy = rays->framed.org[1][at], oz = rays->framed.org[2][at];
+    const float dx = rays->framed.dir[0][at], dy = rays->framed.dir[1][at], dz = rays->framed.dir[2][at];
+    kit_bits met;
     uint32_t i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const double x = ox - s->x[i], y = oy - s->y[i], z = oz - s->z[i];
-        const double m = kit_sum_of(z, dz, kit_sum_of(y, dy, x * dx)) * inverse;
-        const double wx = kit_sum_of(m, dx, x), wy = kit_sum_of(m, dy, y), wz = kit_sum_of(m, dz, z);
+        const float x = s->x[i] - ox, y = s->y[i] - oy, z = s->z[i] - oz, outer = s->radius[i] + blur;
+        const float m = sum_of(z, dz, sum_of(y, dy, x * dx));
+        const float wx = sum_of(-m, dx, x), wy = sum_of(-m, dy, y), wz = sum_of(-m, dz, z);
 
         middle[i] = m;
-        ww[i] = kit_sum_of(wz, wz, kit_sum_of(wy, wy, wx * wx));
-        met |= ww[i] <= s->square[i] + more ? bit[i] : 0;
+        ww[i] = sum_of(wz, wz, sum_of(wy, wy, wx * wx));
+        met.lane[i] = -(ww[i] <= outer * outer * (1.0f + 8.0f * E));
     }
-    return (uint32_t)met;
+    return kit_gather_bits(&met);
 }
 
-KIT_CLONES static uint64_t filter_many(const void *block, const pov_rays *rays, uint64_t lanes,
-                                             pov_block_answer *out)
+/* Bounds along the ray on the chords that its line and the spheres share, as long as there is one: on where it comes in or,
+ * where it starts within, leaves. */
+typedef struct chords {
+    float lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];
+    uint32_t maybe, surely, twice;   /* by lane, as of a meeting */
+} chords;
+
+static inline void bound_chords(const kit_ball_block *s, float blur, float smax, const float *restrict middle,
+                                const float *restrict ww, chords *restrict out)
 {
-    const kit_ball_block *s = block;
-    double middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX];
-    uint64_t met = 0;
+    const float sure = smax * (1.0f - 16.0f * E) - blur;   /* no further away than tmax */
+    kit_bits maybe, surely, twice;
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const float outer = s->radius[i] + blur, inner = s->radius[i] - blur;
+        const float wide = sqrtf(outer * outer * (1.0f + 8.0f * E) - ww[i]) + blur;
+        const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * E) - ww[i]) - blur;
+        const float in = middle[i] - wide, surely_in = middle[i] - narrow;
+        const float out_from = middle[i] + narrow, out_to = middle[i] + wide;
+        const int known = (inner > 0.0f) & (narrow > 0.0f), within = known & (surely_in < 0.0f);
+        const float lo = within ? out_from : in, hi = within ? out_to : surely_in;
+
+        out->lo[i] = lo;
+        out->hi[i] = hi;
+        maybe.lane[i] = -((in <= smax) & (out_to >= 0.0f));
+        surely.lane[i] = -(known & (lo > 0.0f) & (hi < sure));
+        twice.lane[i] = -(known & (in > 0.0f) & (out_to < sure));
+    }
+    out->maybe = kit_gather_bits(&maybe);
+    out->surely = kit_gather_bits(&surely);
+    out->twice = kit_gather_bits(&twice);
+}
+
+static inline uint32_t tell(const chords *c, const pov_rays *rays, uint32_t at, pov_meeting *out, uint32_t n)
+{
+    const double shift = rays->framed.shift[at], unit = rays->framed.unit[at];
+    uint32_t mask;
+
+    for (mask = c->maybe; mask; mask &= mask - 1, n++) {
+        const uint32_t i = kit_first_lane(mask);
+
+        out[n].lo = shift + (double)c->lo[i] * unit;
+        out[n].hi = shift + (double)c->hi[i] * unit;
+        out[n].ray = (uint8_t)at;
+        out[n].lane = (uint8_t)i;
+        out[n].surely = c->surely >> i & 1;
+        out[n].twice = c->twice >> i & 1;
+    }
+    return n;
+}
+
+/* Static, since the names of clones would be seen from outside. Most blocks are passed by on every lane: that is found
+ * out first. */
+KIT_CLONES static uint32_t filter(const kit_ball_block *s, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+{
+    float middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX];
+    uint32_t n = 0;
+    chords c;
 
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t at = kit_first_lane64(lanes);
-        const double slack = 18.0 * KIT_U * (rays->size[at] + s->reach);
-        uint32_t near = near_lines(s, rays, at, slack, middle, ww);
+        const float blur = BLUR * (1.0f + rays->framed.size[at]);
 
-        if (!near)
+        if (!near_lines(s, rays, at, blur, middle, ww))
             continue;
-        out[at].maybe = out[at].surely = out[at].twice = 0;
-        for (; near; near &= near - 1) {
-            const uint32_t i = kit_first_lane(near);
-            bound_lane(s, i, middle[i], ww[i], slack, rays->per_length[at], 0.0, rays->tmax[at], &out[at]);
-        }
-        if (out[at].maybe)
-            met |= (uint64_t)1 << at;
+        bound_chords(s, blur, rays->framed.smax[at], middle, ww, &c);
+        n = tell(&c, rays, at, out, n);
     }
-    return met;
+    return n;
 }
 
-/* The clones are static, since their names would be seen from outside. */
-void kit_ball_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+uint32_t kit_ball_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    filter(block, ray, tmin, tmax, out);
-}
-
-uint64_t kit_ball_filter_many(const void *block, const pov_rays *rays, uint64_t lanes, pov_block_answer *out)
-{
-    return filter_many(block, rays, lanes, out);
+    return filter(block, rays, lanes, out);
 }

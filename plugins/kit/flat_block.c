@@ -116,12 +116,12 @@ static inline double side_at(const kit_flat_block *b, uint32_t k, uint32_t i, do
 /* With F the scaled sum of sizes of the origin and the figure's furthest point, S the scaled sum of sizes of the
  * direction and s the slope of the plane along it: height and slope are off by 12 u F and 10 u S, the distance to the
  * plane by less than 64 u F / s, and what is reported by as much again. */
-static inline void filter_some(const kit_flat_block *b, const pov_ray *ray, uint32_t n, double tmin, double tmax,
-                               pov_block_answer *restrict out)
+static inline void filter_some(const kit_flat_block *b, const pov_rays *rays, uint32_t at, uint32_t n,
+                               kit_answer *restrict out)
 {
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    const pov_vec3 o = ray->org, d = ray->dir;
-    const double speed = kit_sum_of_components(d), blur = KIT_U * (kit_sum_of_components(o) + b->reach);
+    const pov_vec3 o = kit_origin(rays, at), d = kit_way(rays, at);
+    const double speed = kit_sum_of_components(d), blur = KIT_U * (rays->size[at] + b->reach), tmax = rays->tmax[at];
     int64_t missed = 0, met = 0;
     uint32_t i;
 
@@ -140,28 +140,37 @@ static inline void filter_some(const kit_flat_block *b, const pov_ray *ray, uint
         const double second = kit_lesser(side_at(b, 2, i, x, y, z), side_at(b, 3, i, x, y, z));
         const double least = kit_lesser(first, second), lo = t - pad, hi = t + pad;
 
-        missed |= ((least < -doubt) | (lo > tmax) | (hi < tmin)) ? bit[i] : 0;
-        met |= ((least > doubt) & (lo > tmin) & (hi < tmax)) ? bit[i] : 0;
-        out->lo[i] = lo > tmin ? lo : tmin;
+        missed |= ((least < -doubt) | (lo > tmax) | (hi < 0.0)) ? bit[i] : 0;
+        met |= ((least > doubt) & (lo > 0.0) & (hi < tmax)) ? bit[i] : 0;
+        out->lo[i] = lo > 0.0 ? lo : 0.0;
         out->hi[i] = hi;
     }
     out->maybe = ~(uint32_t)missed & b->lanes;
     out->surely = (uint32_t)met & b->lanes & b->sure;
+    out->twice = 0;
 }
 
 /* Static, since the names of clones would be seen from outside. */
-KIT_CLONES static void filter(const kit_flat_block *b, const pov_ray *ray, double tmin, double tmax,
-                              pov_block_answer *out)
+KIT_CLONES static uint32_t filter(const kit_flat_block *b, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    if (!(is_ordinary(kit_sum_of_components(ray->dir)) && kit_sum_of_components(ray->org) < 1e40))
-        kit_block_decline(tmin, out);
-    else if (b->lanes < 16)
-        filter_some(b, ray, POV_BLOCK_MAX / 2, tmin, tmax, out);
-    else
-        filter_some(b, ray, POV_BLOCK_MAX, tmin, tmax, out);
+    uint32_t n = 0;
+    kit_answer a;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t at = kit_first_lane64(lanes);
+
+        if (!(is_ordinary(kit_sum_of_components(kit_way(rays, at))) && rays->size[at] < 1e40))
+            kit_decline(b->lanes, &a);
+        else if (b->lanes < 16)
+            filter_some(b, rays, at, POV_BLOCK_MAX / 2, &a);
+        else
+            filter_some(b, rays, at, POV_BLOCK_MAX, &a);
+        n = kit_tell(&a, at, out, n);
+    }
+    return n;
 }
 
-void kit_flat_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+uint32_t kit_flat_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    filter(block, ray, tmin, tmax, out);
+    return filter(block, rays, lanes, out);
 }

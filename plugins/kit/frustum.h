@@ -41,7 +41,7 @@ typedef struct kit_frustum_block {
     uint32_t lanes, open;        /* by bits: holds a shape; has no caps */
 } kit_frustum_block;
 
-bool kit_frustum_pack(void *block, const void *const *selves, uint32_t n);
-void kit_frustum_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
+bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
+uint32_t kit_frustum_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 #endif

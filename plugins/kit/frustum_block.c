@@ -46,11 +46,12 @@ static bool pack_lane(kit_frustum_block *b, uint32_t i, const kit_frustum *s)
     return is_ordinary(largest);
 }
 
-bool kit_frustum_pack(void *block, const void *const *selves, uint32_t n)
+bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     kit_frustum_block *b = block;
     uint32_t i;
 
+    (void)frame;
     b->reach = 0.0;
     b->lanes = (1u << n) - 1;
     b->open = 0;
@@ -61,14 +62,14 @@ bool kit_frustum_pack(void *block, const void *const *selves, uint32_t n)
 }
 
 /* A ray in local coordinates, about its point at `middle`, and the discriminant of the side there. */
-typedef struct lanes {
+typedef struct local_rays {
     double x[POV_BLOCK_MAX], y[POV_BLOCK_MAX], z[POV_BLOCK_MAX];
     double dx[POV_BLOCK_MAX], dy[POV_BLOCK_MAX], dz[POV_BLOCK_MAX];
     double middle[POV_BLOCK_MAX], discriminant[POV_BLOCK_MAX];
-} lanes;
+} local_rays;
 
-/* What the ray alone says: sigma of a lane is `blur` times its size. */
-typedef struct glance { double blur, speed; } glance;
+/* A ray: sigma of a lane is `blur` times its size. */
+typedef struct glance { pov_vec3 org, dir; double blur, speed, tmax; } glance;
 
 /* A local point off by sigma / 2 moves the value x^2 + y^2 - r(z)^2 by less than 12 sigma, and so the discriminant by
  * that times its leading coefficient, which is below 4 G^2; G, size times speed, is no less than a component of the
@@ -87,11 +88,10 @@ static inline double row_times(const kit_frustum_block *b, int row, uint32_t i, 
 
 /* Lanes that the line does not miss for certain. Its nearest point lies no further out than the shape's corners, of
  * which the square is below 6; where sigma is no small thing, or not a number, nothing is certain. */
-static inline uint32_t find_met(const kit_frustum_block *b, const pov_ray *ray, const glance *g, uint32_t n,
-                                lanes *restrict l)
+static inline uint32_t find_met(const kit_frustum_block *b, const glance *g, uint32_t n, local_rays *restrict l)
 {
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    const pov_vec3 o = ray->org, d = ray->dir;
+    const pov_vec3 o = g->org, d = g->dir;
     const double blur = g->blur, speed = g->speed;
     int64_t missed = 0;
     uint32_t i;
@@ -130,7 +130,7 @@ typedef struct reach { double lo, late, soon, hi; } reach;
 
 /* The side. With a coefficient a of one sign or the other the roots are (-b -+ sqrt D) / a. Where a is all but zero, or
  * below zero and the ray comes near to the apex, nothing is said. */
-static inline reach side_of(const kit_frustum_block *b, uint32_t i, const lanes *l, double sigma, double g)
+static inline reach side_of(const kit_frustum_block *b, uint32_t i, const local_rays *l, double sigma, double g)
 {
     const double r = kit_sum_of(b->slope[i], l->z[i], b->radius[i]), grow = b->slope[i] * l->dz[i];
     const double a = dot(l->dx[i], l->dy[i], grow, l->dx[i], l->dy[i], -grow);
@@ -163,7 +163,7 @@ static inline reach side_of(const kit_frustum_block *b, uint32_t i, const lanes 
 
 /* Between the ends. The inner one stays so far from an apex that the radius there is above zero for certain. Along the
  * ends a slope too small to matter stands for none. */
-static inline reach slab_of(const kit_frustum_block *b, uint32_t i, const lanes *l, double sigma, double g)
+static inline reach slab_of(const kit_frustum_block *b, uint32_t i, const local_rays *l, double sigma, double g)
 {
     const double dz = fabs(l->dz[i]) > 0x1p-200 * g ? l->dz[i] : 0x1p-200 * g, inverse = 1.0 / dz;
     const double slack = 4.0 * KIT_U * fabs(l->middle[i]);
@@ -179,15 +179,14 @@ static inline reach slab_of(const kit_frustum_block *b, uint32_t i, const lanes 
     return out;
 }
 
-static inline void bound_lane(const kit_frustum_block *b, uint32_t i, const lanes *l, const glance *ray, double tmin,
-                              double tmax, pov_block_answer *out)
+static inline void bound_lane(const kit_frustum_block *b, uint32_t i, const local_rays *l, const glance *ray, kit_answer *out)
 {
-    const double sigma = ray->blur * b->size[i], g = ray->speed * b->size[i];
+    const double tmax = ray->tmax, sigma = ray->blur * b->size[i], g = ray->speed * b->size[i];
     const uint32_t bit = 1u << i;
     reach side, slab;
     double lo, late, hi;
 
-    out->lo[i] = tmin;
+    out->lo[i] = 0.0;
     if (!(sigma < 0x1p-8)) {
         out->maybe |= bit;
         return;
@@ -199,11 +198,11 @@ static inline void bound_lane(const kit_frustum_block *b, uint32_t i, const lane
     hi = kit_lesser(side.hi, slab.hi);
     out->lo[i] = lo;
     out->hi[i] = late;
-    if (!(lo <= hi && lo <= tmax && hi >= tmin))
+    if (!(lo <= hi && lo <= tmax && hi >= 0.0))
         return;
     out->maybe |= bit;
     /* An open one has to be entered by its side. */
-    if (!(late < kit_lesser(side.soon, slab.soon) && lo > tmin && late < tmax
+    if (!(late < kit_lesser(side.soon, slab.soon) && lo > 0.0 && late < tmax
           && (!(b->open & bit) || side.lo > slab.late)))
         return;
     out->surely |= bit;
@@ -211,27 +210,40 @@ static inline void bound_lane(const kit_frustum_block *b, uint32_t i, const lane
         out->twice |= bit;
 }
 
-/* Static, since the names of clones would be seen from outside. */
-KIT_CLONES static void filter(const kit_frustum_block *b, const pov_ray *ray, double tmin, double tmax,
-                              pov_block_answer *out)
+static inline void answer(const kit_frustum_block *b, const pov_rays *rays, uint32_t at, kit_answer *out)
 {
-    glance g;
-    lanes l;
+    glance g = { kit_origin(rays, at), kit_way(rays, at), 0.0, 0.0, rays->tmax[at] };
+    local_rays l;
     uint32_t met;
 
-    g.speed = sum_of(ray->dir);
-    g.blur = 64.0 * KIT_U * (sum_of(ray->org) + b->reach);
+    g.speed = sum_of(g.dir);
+    g.blur = 64.0 * KIT_U * (rays->size[at] + b->reach);
     if (!(is_ordinary(g.speed) && kit_block_range(g.blur))) {
-        kit_block_decline(tmin, out);
+        kit_decline(b->lanes, out);
         return;
     }
-    met = b->lanes < 16 ? find_met(b, ray, &g, POV_BLOCK_MAX / 2, &l) : find_met(b, ray, &g, POV_BLOCK_MAX, &l);
+    met = b->lanes < 16 ? find_met(b, &g, POV_BLOCK_MAX / 2, &l) : find_met(b, &g, POV_BLOCK_MAX, &l);
     out->maybe = out->surely = out->twice = 0;
     for (; met; met &= met - 1)
-        bound_lane(b, kit_first_lane(met), &l, &g, tmin, tmax, out);
+        bound_lane(b, kit_first_lane(met), &l, &g, out);
 }
 
-void kit_frustum_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+/* Static, since the names of clones would be seen from outside. */
+KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    filter(block, ray, tmin, tmax, out);
+    uint32_t n = 0;
+    kit_answer a;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t at = kit_first_lane64(lanes);
+
+        answer(b, rays, at, &a);
+        n = kit_tell(&a, at, out, n);
+    }
+    return n;
+}
+
+uint32_t kit_frustum_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+{
+    return filter(block, rays, lanes, out);
 }

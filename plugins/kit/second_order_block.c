@@ -45,11 +45,12 @@ static bool is_ellipsoid(const kit_second_order *s)
 
 /* Ellipsoids stand in leaves of a tree, behind boxes that leave little to be told: among themselves they are asked
  * faster without a block. */
-bool kit_second_order_pack(void *block, const void *const *selves, uint32_t n)
+bool kit_second_order_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     kit_second_order_block *b = block;
     uint32_t bounded = 0, i;
 
+    (void)frame;
     for (i = 0; i < n; i++)
         bounded += is_ellipsoid(selves[i]);
     if (bounded == n)
@@ -69,7 +70,7 @@ bool kit_second_order_pack(void *block, const void *const *selves, uint32_t n)
 /* ---- asking ---- */
 
 /* A ray, and the largest components of its start, or more, and of its direction. */
-typedef struct line { pov_vec3 o, d; double far, speed, tmin, tmax; } line;
+typedef struct line { pov_vec3 o, d; double far, speed, tmax; } line;
 
 /* Lengths of the order of the squares of coefficients must not overflow, nor what is left of them after the bounds'
  * smallness vanish. */
@@ -144,11 +145,11 @@ static inline bounds other_root(double a, double error, double least, double mos
     return r;
 }
 
-static inline bool may_be_within(bounds r, const line *l, double end) { return !(r.lo > end || r.hi < l->tmin); }
-static inline bool is_within(bounds r, const line *l) { return r.lo > l->tmin && r.hi < l->tmax; }
+static inline bool may_be_within(bounds r, double end) { return !(r.lo > end || r.hi < 0.0); }
+static inline bool is_within(bounds r, const line *l) { return r.lo > 0.0 && r.hi < l->tmax; }
 
 /* With m = |b| + the discriminant's root, the roots are -c / m and -m / a, all signs being those for a positive b. */
-static inline void bound_lane(const found *f, uint32_t i, const line *l, pov_block_answer *out)
+static inline void bound_lane(const found *f, uint32_t i, const line *l, kit_answer *out)
 {
     const double end = kit_lesser(l->tmax, DBL_MAX), root_most = sqrt(f->d[i] + f->d_error[i]);
     const bool is_real = f->d[i] > f->d_error[i];
@@ -162,8 +163,8 @@ static inline void bound_lane(const found *f, uint32_t i, const line *l, pov_blo
         one = near_root(f->c[i], f->c_error[i], least, most);
         other = other_root(f->a[i], f->a_error[i], least, most);
     }
-    one_is_met = may_be_within(one, l, end);
-    other_is_met = may_be_within(other, l, end);
+    one_is_met = may_be_within(one, end);
+    other_is_met = may_be_within(other, end);
     if (!one_is_met && !other_is_met)
         return;
     out->maybe |= 1u << i;
@@ -207,24 +208,6 @@ static inline bounds meet_plane(const plane *p, double ox, double oy, double oz,
     return r;
 }
 
-static inline void answer_flat(const kit_second_order_block *s, const line *l, pov_block_answer *out)
-{
-    const double end = kit_lesser(l->tmax, DBL_MAX);
-    uint32_t lanes = (uint32_t)s->lanes;
-
-    out->maybe = out->surely = 0;
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t i = kit_first_lane(lanes);
-        const plane p = plane_of(s, i);
-        const bounds r = meet_plane(&p, l->o.x, l->o.y, l->o.z, l->far, l->d.x, l->d.y, l->d.z);
-
-        out->lo[i] = r.lo;
-        out->hi[i] = r.hi;
-        out->maybe |= (uint32_t)may_be_within(r, l, end) << i;
-        out->surely |= (uint32_t)is_within(r, l) << i;
-    }
-}
-
 /* Rays side by side. */
 enum { TOGETHER = 8 };
 
@@ -244,107 +227,99 @@ static inline void meet_together(const plane *p, const pov_rays *rays, uint32_t 
     }
 }
 
-static inline uint64_t flat_some(const plane *p, uint32_t lane, const pov_rays *rays, uint32_t from, uint32_t some,
-                                 pov_block_answer *out)
+static inline uint32_t tell_plane(double lo, double hi, const pov_rays *rays, uint32_t at, uint32_t lane, pov_meeting *out,
+                                  uint32_t n)
+{
+    if (lo > rays->tmax[at] || hi < 0.0)
+        return n;
+    out[n].lo = lo;
+    out[n].hi = hi;
+    out[n].ray = (uint8_t)at;
+    out[n].lane = (uint8_t)lane;
+    out[n].surely = (lo > 0.0) & (hi < rays->tmax[at]);
+    out[n].twice = false;
+    return n + 1;
+}
+
+static inline uint32_t flat_alone(const plane *p, uint32_t lane, const pov_rays *rays, uint32_t at, pov_meeting *out,
+                                  uint32_t n)
+{
+    const bounds r = meet_plane(p, rays->org[0][at], rays->org[1][at], rays->org[2][at], rays->size[at], rays->dir[0][at],
+                                rays->dir[1][at], rays->dir[2][at]);
+
+    return tell_plane(r.lo, r.hi, rays, at, lane, out, n);
+}
+
+static inline uint32_t flat_some(const plane *p, uint32_t lane, const pov_rays *rays, uint32_t from, uint32_t some,
+                                 pov_meeting *out, uint32_t n)
 {
     double lo[TOGETHER], hi[TOGETHER];
-    uint64_t met = 0;
 
     meet_together(p, rays, from, lo, hi);
     for (; some; some &= some - 1) {
-        const uint32_t i = kit_first_lane(some), at = from + i;
+        const uint32_t i = kit_first_lane(some);
 
-        if (lo[i] > rays->tmax[at] || hi[i] < 0.0)
-            continue;
-        out[at].lo[lane] = lo[i];
-        out[at].hi[lane] = hi[i];
-        out[at].maybe |= 1u << lane;
-        out[at].surely |= (uint32_t)((lo[i] > 0.0) & (hi[i] < rays->tmax[at])) << lane;
-        met |= (uint64_t)1 << at;
+        n = tell_plane(lo[i], hi[i], rays, from + i, lane, out, n);
     }
-    return met;
+    return n;
 }
 
-static inline uint64_t filter_flat(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes,
-                                   pov_block_answer *out)
+static inline uint32_t filter_flat(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     const uint32_t all = (1u << TOGETHER) - 1;
-    uint32_t planes = (uint32_t)s->lanes, from;
-    uint64_t met = 0, rest;
+    uint32_t planes = (uint32_t)s->lanes, n = 0, from;
 
-    for (rest = lanes; rest; rest &= rest - 1) {
-        pov_block_answer *o = &out[kit_first_lane64(rest)];
-        o->maybe = o->surely = 0;
-    }
     for (; planes; planes &= planes - 1) {
         const uint32_t lane = kit_first_lane(planes);
         const plane p = plane_of(s, lane);
 
+        if ((lanes & (lanes - 1)) == 0) {
+            n = flat_alone(&p, lane, rays, kit_first_lane64(lanes), out, n);
+            continue;
+        }
         for (from = 0; from < POV_RAYS_MAX; from += TOGETHER)
             if (lanes >> from & all)
-                met |= flat_some(&p, lane, rays, from, (uint32_t)(lanes >> from) & all, out);
+                n = flat_some(&p, lane, rays, from, (uint32_t)(lanes >> from) & all, out, n);
     }
-    return met;
+    return n;
 }
 
 /* ---- rays ---- */
 
-static inline void answer(const kit_second_order_block *s, const line *l, pov_block_answer *out)
+static inline void answer(const kit_second_order_block *s, const line *l, kit_answer *out)
 {
     found f;
     uint32_t met;
 
-    if (s->flat) {
-        answer_flat(s, l, out);
-        return;
-    }
+    out->maybe = out->surely = out->twice = 0;
     met = s->lanes < 16 ? find(s, l, POV_BLOCK_MAX / 2, &f) : find(s, l, POV_BLOCK_MAX, &f);
-
-    out->maybe = out->surely = 0;
     for (; met; met &= met - 1)
         bound_lane(&f, kit_first_lane(met), l, out);
 }
 
 /* Static, since the names of clones would be seen from outside. */
-KIT_CLONES static void filter(const kit_second_order_block *s, const pov_ray *ray, double tmin, double tmax,
-                              pov_block_answer *out)
+KIT_CLONES static uint32_t filter(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    const line l = { ray->org, ray->dir, pov_largest(ray->org), pov_largest(ray->dir), tmin, tmax };
-
-    if (is_ordinary(l.far, l.speed) && tmin >= 0.0)
-        answer(s, &l, out);
-    else
-        kit_block_decline(tmin, out);
-}
-
-void kit_second_order_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
-{
-    filter(block, ray, tmin, tmax, out);
-}
-
-KIT_CLONES static uint64_t filter_many(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes,
-                                       pov_block_answer *out)
-{
-    uint64_t met = 0;
+    uint32_t n = 0;
+    kit_answer a;
 
     if (s->flat)
         return filter_flat(s, rays, lanes, out);
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t at = kit_first_lane64(lanes);
-        const pov_vec3 o = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
-        const pov_vec3 d = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
-        const line l = { o, d, rays->size[at], pov_largest(d), 0.0, rays->tmax[at] };
+        const pov_vec3 d = kit_way(rays, at);
+        const line l = { kit_origin(rays, at), d, rays->size[at], pov_largest(d), rays->tmax[at] };
 
         if (is_ordinary(l.far, l.speed))
-            answer(s, &l, &out[at]);
+            answer(s, &l, &a);
         else
-            kit_block_decline(0.0, &out[at]);
-        met |= (uint64_t)(out[at].maybe != 0) << at;
+            kit_decline((uint32_t)s->lanes, &a);
+        n = kit_tell(&a, at, out, n);
     }
-    return met;
+    return n;
 }
 
-uint64_t kit_second_order_filter_many(const void *block, const pov_rays *rays, uint64_t lanes, pov_block_answer *out)
+uint32_t kit_second_order_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    return filter_many(block, rays, lanes, out);
+    return filter(block, rays, lanes, out);
 }

@@ -15,8 +15,7 @@ typedef struct kit_second_order_block {
 } kit_second_order_block;
 
 /* selves: each a kit_second_order. False: out of range. */
-bool kit_second_order_pack(void *block, const void *const *selves, uint32_t n);
-void kit_second_order_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
-uint64_t kit_second_order_filter_many(const void *block, const pov_rays *rays, uint64_t lanes, pov_block_answer *out);
+bool kit_second_order_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
+uint32_t kit_second_order_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 #endif

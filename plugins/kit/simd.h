@@ -6,6 +6,8 @@
 
 #include "kit/local.h"
 
+#include <string.h>
+
 /* Sanitizers cannot run in the resolvers that pick a clone, and what is built for wide processors needs none. */
 #if defined(__AVX2__)
 #define KIT_ONE_CLONE 1
@@ -32,30 +34,60 @@ static inline bool kit_block_size(double size) { return size > 1e-120 && size < 
 
 static inline double kit_sum_of_components(pov_vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
-/* Is a ray within the range, too? */
-static inline bool kit_block_takes(const pov_ray *ray)
+/* A ray of a filter's. */
+static inline pov_vec3 kit_origin(const pov_rays *rays, uint32_t at)
 {
-    const double speed = kit_sum_of_components(ray->dir);
-
-    return kit_block_range(kit_sum_of_components(ray->org)) && speed > 1e-120 && speed < 1e120;
+    return pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
 }
 
-/* Every lane is in question. */
-static inline void kit_block_decline(double tmin, pov_block_answer *out)
+static inline pov_vec3 kit_way(const pov_rays *rays, uint32_t at)
+{
+    return pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
+}
+
+/* What a block says of one ray: lanes that may be crossed, that surely are, and that surely are just twice, and bounds on
+ * the nearest crossing of each lane of `maybe`; hi counts for lanes of `surely` only. */
+typedef struct kit_answer {
+    uint32_t maybe, surely, twice;
+    double lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];
+} kit_answer;
+
+/* Every lane that holds something is in question. */
+static inline void kit_decline(uint32_t lanes, kit_answer *out)
 {
     uint32_t i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        out->lo[i] = tmin;
+        out->lo[i] = 0.0;
         out->hi[i] = HUGE_VAL;
     }
-    out->maybe = (1u << POV_BLOCK_MAX) - 1;
-    out->surely = 0;
+    out->maybe = lanes;
+    out->surely = out->twice = 0;
 }
 
 /* One instruction each; of what is not a number the second. */
 static inline double kit_greater(double a, double b) { return a > b ? a : b; }
 static inline double kit_lesser(double a, double b) { return a < b ? a : b; }
+
+/* A comparison's outcome by lane, all bits or none, and one bit for each of these. */
+typedef struct kit_bits { int32_t lane[POV_BLOCK_MAX]; } kit_bits;
+
+static inline uint32_t kit_gather_bits(const kit_bits *b)
+{
+#if defined(__AVX2__) && defined(__GNUC__)
+    typedef float floats __attribute__((vector_size(32)));
+    floats f;
+
+    memcpy(&f, b->lane, sizeof f);
+    return (uint32_t)__builtin_ia32_movmskps256(f);
+#else
+    uint32_t bits = 0, i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++)
+        bits |= (uint32_t)b->lane[i] & 1u << i;
+    return bits;
+#endif
+}
 
 /* The lowest bit that is set; some must be. */
 static inline uint32_t kit_first_lane(uint32_t mask)
@@ -78,6 +110,24 @@ static inline uint32_t kit_first_lane64(uint64_t mask)
 #else
     return (uint32_t)mask ? kit_first_lane((uint32_t)mask) : 32 + kit_first_lane((uint32_t)(mask >> 32));
 #endif
+}
+
+/* Puts what was answered of a ray after the n meetings that there are; gives how many there are then. */
+static inline uint32_t kit_tell(const kit_answer *a, uint32_t ray, pov_meeting *out, uint32_t n)
+{
+    uint32_t mask;
+
+    for (mask = a->maybe; mask; mask &= mask - 1, n++) {
+        const uint32_t i = kit_first_lane(mask);
+
+        out[n].lo = a->lo[i];
+        out[n].hi = a->hi[i];
+        out[n].ray = (uint8_t)ray;
+        out[n].lane = (uint8_t)i;
+        out[n].surely = a->surely >> i & 1;
+        out[n].twice = a->twice >> i & 1;
+    }
+    return n;
 }
 
 /* a b + c for filters, whose bounds hold for one rounding as for two. */

@@ -376,11 +376,12 @@ typedef struct box_block {
     bool few;                        /* half of the lanes are enough */
 } box_block;
 
-static bool block_pack(void *block, const void *const *selves, uint32_t n)
+static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     box_block *b = block;
     uint32_t i, p;
 
+    (void)frame;
     /* Never so small that a part u of it, times the inverse of a direction, would not be exact. */
     b->reach[0] = b->reach[1] = b->reach[2] = 0x1p-680;
     b->lanes = (1u << n) - 1;
@@ -420,13 +421,14 @@ static inline slab_view view_of(const box_block *b, int axis, double o, double d
 
 /* For certain the ray is outside before `near` and after `far`, and inside from `last` to `first`. What is not a number
  * comes from a plane just so far off as the pad and the direction zero; it is passed over by the comparisons. */
-static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t n, double tmin, double tmax,
-                               pov_block_answer *restrict out)
+static inline void filter_some(const box_block *b, const pov_rays *rays, uint32_t at, uint32_t n,
+                               kit_answer *restrict out)
 {
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    const slab_view x = view_of(b, 0, ray->org.x, ray->dir.x), y = view_of(b, 1, ray->org.y, ray->dir.y),
-                    z = view_of(b, 2, ray->org.z, ray->dir.z);
-    const double end = kit_lesser(tmax, DBL_MAX);
+    const slab_view x = view_of(b, 0, rays->org[0][at], rays->dir[0][at]),
+                    y = view_of(b, 1, rays->org[1][at], rays->dir[1][at]),
+                    z = view_of(b, 2, rays->org[2][at], rays->dir[2][at]);
+    const double tmax = rays->tmax[at], end = kit_lesser(tmax, DBL_MAX);
     int64_t maybe = 0, surely = 0, twice = 0;
     uint32_t i;
 
@@ -442,28 +444,23 @@ static inline void filter_some(const box_block *b, const pov_ray *ray, uint32_t 
         const double far = kit_lesser((bz + z.pad) * z.inverse, far_xy);
         const double first = kit_lesser((bz - z.pad) * z.inverse, first_xy);
 
-        maybe |= ((near <= far) & (near <= end) & (far >= tmin)) ? bit[i] : 0;
-        surely |= ((last < first) & (near > tmin) & (last < tmax)) ? bit[i] : 0;
-        twice |= ((last < first) & (near > tmin) & (far < tmax)) ? bit[i] : 0;
+        maybe |= ((near <= far) & (near <= end) & (far >= 0.0)) ? bit[i] : 0;
+        surely |= ((last < first) & (near > 0.0) & (last < tmax)) ? bit[i] : 0;
+        twice |= ((last < first) & (near > 0.0) & (far < tmax)) ? bit[i] : 0;
         out->lo[i] = near;
         out->hi[i] = last;
     }
-    out->maybe = (uint32_t)maybe;
-    out->surely = (uint32_t)(surely & maybe);
-    out->twice = (uint32_t)(twice & maybe);
+    out->maybe = (uint32_t)maybe & b->lanes;
+    out->surely = (uint32_t)(surely & maybe) & b->lanes;
+    out->twice = (uint32_t)(twice & maybe) & b->lanes;
 }
 
-KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
-                                    pov_block_answer *out)
+static inline void answer_alone(const box_block *b, const pov_rays *rays, uint32_t at, kit_answer *out)
 {
-    const box_block *b = block;
-
-    if (!kit_block_takes(ray))
-        kit_block_decline(tmin, out);
-    else if (b->few)
-        filter_some(b, ray, POV_BLOCK_MAX / 2, tmin, tmax, out);
+    if (b->few)
+        filter_some(b, rays, at, POV_BLOCK_MAX / 2, out);
     else
-        filter_some(b, ray, POV_BLOCK_MAX, tmin, tmax, out);
+        filter_some(b, rays, at, POV_BLOCK_MAX, out);
 }
 
 /* Some rays side by side. The distance to a plane is the plane times `inverse`, and `start`, off by less than the pad.
@@ -499,7 +496,7 @@ static inline void start_some(const box_block *b, const pov_rays *rays, uint32_t
 
 /* As filter_some() from 0 to tmax, with one pad for all axes. A lane without a box would hold all of space here. */
 static inline void meet_some(const box_block *b, const starts *s, uint32_t at, uint32_t n, double tmax,
-                             pov_block_answer *restrict out)
+                             kit_answer *restrict out)
 {
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     const double rx = s->inverse[0][at], ry = s->inverse[1][at], rz = s->inverse[2][at];
@@ -526,24 +523,25 @@ static inline void meet_some(const box_block *b, const starts *s, uint32_t at, u
     out->twice = (uint32_t)twice & b->lanes;
 }
 
-static void filter_alone(const box_block *b, const pov_rays *rays, uint32_t at, pov_block_answer *out)
+static inline void answer(const box_block *b, const starts *s, uint32_t i, double tmax, kit_answer *out)
 {
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
-    ray.dir = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
-    block_filter(b, &ray, 0.0, rays->tmax[at], out);
+    if (b->few)
+        meet_some(b, s, i, POV_BLOCK_MAX / 2, tmax, out);
+    else
+        meet_some(b, s, i, POV_BLOCK_MAX, tmax, out);
 }
 
-KIT_CLONES static uint64_t block_filter_many(const void *block, const pov_rays *rays, uint64_t lanes,
-                                             pov_block_answer *out)
+KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     const box_block *b = block;
-    uint64_t met = 0;
-    uint32_t from, some;
+    uint32_t n = 0, from, some;
+    kit_answer a;
     starts s;
 
+    if ((lanes & (lanes - 1)) == 0) {
+        answer_alone(b, rays, kit_first_lane64(lanes), &a);
+        return kit_tell(&a, kit_first_lane64(lanes), out, 0);
+    }
     for (from = 0; from < POV_RAYS_MAX; from += TOGETHER) {
         some = (uint32_t)(lanes >> from) & ((1u << TOGETHER) - 1);
         if (some)
@@ -551,16 +549,14 @@ KIT_CLONES static uint64_t block_filter_many(const void *block, const pov_rays *
         for (; some; some &= some - 1) {
             const uint32_t i = kit_first_lane(some), at = from + i;
 
-            if (!(s.pad[i] < HUGE_VAL))
-                filter_alone(b, rays, at, &out[at]);
-            else if (b->few)
-                meet_some(b, &s, i, POV_BLOCK_MAX / 2, rays->tmax[at], &out[at]);
+            if (s.pad[i] < HUGE_VAL)
+                answer(b, &s, i, rays->tmax[at], &a);
             else
-                meet_some(b, &s, i, POV_BLOCK_MAX, rays->tmax[at], &out[at]);
-            met |= (uint64_t)(out[at].maybe != 0) << at;
+                answer_alone(b, rays, at, &a);
+            n = kit_tell(&a, at, out, n);
         }
     }
-    return met;
+    return n;
 }
 
 static const pov_shape_class box_class = {
@@ -578,7 +574,6 @@ static const pov_shape_class box_class = {
     .block_pack = block_pack,
     .block_filter = block_filter,
     .intersect_many = intersect_many,
-    .block_filter_many = block_filter_many,
 };
 
 static const pov_shape_class *const shapes[] = { &box_class, NULL };

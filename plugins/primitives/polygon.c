@@ -464,11 +464,12 @@ static void describe(const polygon *s, kit_flat *f)
         kit_flat_extend(f, s->corners[i].local);
 }
 
-static bool block_pack(void *block, const void *const *selves, uint32_t n)
+static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     kit_flat figures[POV_BLOCK_MAX];
     uint32_t i;
 
+    (void)frame;
     for (i = 0; i < n; i++) {
         const polygon *s = selves[i];
 

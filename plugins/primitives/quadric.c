@@ -404,7 +404,6 @@ static const pov_shape_class quadric_class = {
     .block_size = sizeof(kit_second_order_block),
     .block_pack = kit_second_order_pack,
     .block_filter = kit_second_order_filter,
-    .block_filter_many = kit_second_order_filter_many,
 };
 
 static const pov_shape_class *const shapes[] = { &quadric_class, NULL };

@@ -94,7 +94,6 @@ static const pov_shape_class sphere_class = {
     .prepare = prepare,
     .intersect_many = kit_ball_intersect_many,
     .normal_many = kit_ball_normal_many,
-    .block_filter_many = kit_ball_filter_many,
 };
 
 static const pov_shape_class *const shapes[] = { &sphere_class, NULL };

@@ -43,22 +43,23 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_crossing, mark, 24);
     AT(pov_hits, at, 40);
     AT(pov_hits, user, 56);
-    AT(pov_block_answer, hi, 72);
-    AT(pov_block_answer, twice, 136);
+    AT(pov_meeting, ray, 16);
+    AT(pov_meeting, twice, 19);
     AT(pov_host, warn, 64);
     AT(pov_shape_class, block_filter, 88);
     AT(pov_shape_class, prepare, 104);
     AT(pov_shape_class, intersect_many, 112);
     AT(pov_shape_class, normal_many, 120);
-    AT(pov_shape_class, block_filter_many, 128);
     AT(pov_rays, inverse, 4608);
     AT(pov_rays, tmax, 6144);
+    AT(pov_rays, framed.size, 8192);
+    AT(pov_rays, framed.unit, 9216);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_plugin, images, 32);
     AT(pov_plugin, plots, 40);
     AT(pov_image_format, read, 24);
-    assert_int_equal(POV_PLUGIN_ABI, 1);
+    assert_int_equal(POV_PLUGIN_ABI, 2);
 }
 
 int main(void)

@@ -153,11 +153,12 @@ static bool ball_absorb(void *self, const pov_affine *map)
 typedef struct ball_block { uint32_t count; test_ball ball[POV_BLOCK_MAX]; } ball_block;
 
 /* Very large balls are declined, so that a class with and without blocks at once is tested too. */
-static bool ball_pack(void *block, const void *const *selves, uint32_t n)
+static bool ball_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     ball_block *b = block;
     uint32_t i;
 
+    (void)frame;
     b->count = n;
     for (i = 0; i < n; i++) {
         b->ball[i] = *(const test_ball *)selves[i];
@@ -167,42 +168,50 @@ static bool ball_pack(void *block, const void *const *selves, uint32_t n)
     return true;
 }
 
-/* Doubles with wide bounds: what is not clearly a miss is `maybe`, what is clearly hit from outside is `surely`. */
-static void ball_filter(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+/* In doubles, with wide bounds. False: it is clearly missed. */
+static bool meet_ball(const test_ball *ball, pov_vec3 org, pov_vec3 dir, double tmax, pov_meeting *out)
+{
+    const double length = sqrt(pov_dot(dir, dir));
+    pov_vec3 f = pov_sub(ball->centre, org), w;
+    double along = pov_dot(f, dir) / length, error, depth, half;
+
+    w = pov_sub(f, pov_scale(dir, along / length));
+    error = 1e-12 * (fabs(along) + pov_largest(f) + ball->radius) + 1e-15 * pov_largest(org);
+    depth = (ball->radius + error) * (ball->radius + error) - pov_dot(w, w);
+    out->surely = out->twice = false;
+    out->lo = 0.0;
+    if (!(along < 1e150 && along > -1e150 && length > 1e-150 && length < 1e150))
+        return true;
+    if (depth < -error * error || along + ball->radius + error < 0.0 ||
+        along - ball->radius - error > tmax * length)
+        return false;
+    half = sqrt(fmax(depth, 0.0));
+    out->lo = (along - half - error) / length;
+    depth = (ball->radius - error) * (ball->radius - error) - pov_dot(w, w);
+    if (depth <= 0.0 || ball->radius <= error)
+        return true;
+    out->hi = (along - sqrt(depth) + error) / length;
+    out->surely = out->lo > 0.0 && out->hi < tmax;
+    out->twice = out->surely && (along + half + error) / length < tmax;
+    return true;
+}
+
+static uint32_t ball_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     const ball_block *b = block;
-    double length = sqrt(pov_dot(ray->dir, ray->dir));
-    uint32_t i;
+    uint32_t n = 0, at, i;
 
-    out->maybe = out->surely = out->twice = 0;
-    for (i = 0; i < b->count; i++) {
-        const test_ball *ball = &b->ball[i];
-        pov_vec3 f = pov_sub(ball->centre, ray->org), w;
-        double along = pov_dot(f, ray->dir) / length, error, depth, half;
-        w = pov_sub(f, pov_scale(ray->dir, along / length));
-        error = 1e-12 * (fabs(along) + pov_largest(f) + ball->radius) + 1e-15 * pov_largest(ray->org);
-        depth = (ball->radius + error) * (ball->radius + error) - pov_dot(w, w);
-        if (!(along < 1e150 && along > -1e150 && length > 1e-150 && length < 1e150)) {
-            out->maybe |= 1u << i;
-            out->lo[i] = tmin;
-            continue;
-        }
-        if (depth < -error * error || along + ball->radius + error < tmin * length ||
-            along - ball->radius - error > tmax * length)
-            continue;
-        half = sqrt(fmax(depth, 0.0));
-        out->maybe |= 1u << i;
-        out->lo[i] = (along - half - error) / length;
-        depth = (ball->radius - error) * (ball->radius - error) - pov_dot(w, w);
-        if (depth <= 0.0 || ball->radius <= error)
-            continue;
-        out->hi[i] = (along - sqrt(depth) + error) / length;
-        if (!(out->lo[i] > tmin && out->hi[i] < tmax))
-            continue;
-        out->surely |= 1u << i;
-        if ((along + half + error) / length < tmax)
-            out->twice |= 1u << i;
+    for (at = 0; at < POV_RAYS_MAX; at++) {
+        const pov_vec3 org = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
+        const pov_vec3 dir = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
+
+        for (i = 0; (lanes >> at & 1) && i < b->count; i++)
+            if (meet_ball(&b->ball[i], org, dir, rays->tmax[at], &out[n])) {
+                out[n].ray = (uint8_t)at;
+                out[n++].lane = (uint8_t)i;
+            }
     }
+    return n;
 }
 
 const pov_shape_class test_ball_class = {

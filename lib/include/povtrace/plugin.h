@@ -14,11 +14,11 @@
 #include <povtrace/math.h>
 #include <povtrace/plot.h>
 
-#define POV_PLUGIN_ABI 1u   /* raised only when an old plugin could not work */
+#define POV_PLUGIN_ABI 2u   /* raised only when an old plugin could not work */
 #define POV_BLOCK_MAX 8u    /* most shapes one block holds */
 #define POV_NOBODY 0xffffffffu
 #define POV_PREPARED_MAX 1024u
-#define POV_RAYS_MAX 64u    /* most rays that block_filter_many() is asked for */
+#define POV_RAYS_MAX 64u    /* most rays that block_filter() is asked for */
 
 /* ---- rays and crossings ------------------------------------------------ */
 
@@ -113,24 +113,37 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
     return h->want != POV_WANT_ANY;
 }
 
-/* What a block says of one ray: lanes that may be crossed within the interval, lanes that surely are, and for each
- * lane of `maybe` bounds on its nearest crossing there. Bounds may be wide; they must never be wrong. Of the root that a
- * ray leaves a block knows nothing. */
-typedef struct pov_block_answer {
-    uint32_t maybe, surely;        /* bit i is lane i; surely is a part of maybe */
-    double lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];   /* hi counts for lanes of `surely` only */
-    uint32_t twice;                /* lanes of surely that are crossed just twice; zeroed by a host that looks at it */
-} pov_block_answer;
+/* Blocks may hold floats, in a frame: a point p of the world is (p - centre) * scale there, with a power of two for the
+ * scale. All that a block holds lies in the cube -1..1. */
+typedef struct pov_frame { pov_vec3 centre; double scale; } pov_frame;
 
-/* Rays side by side for block_filter_many(), each in a lane of its own. The host puts only such rays there as are in
- * the range of squares: org below 1e100, components of dir zero or of 1e-80 to 1e80, dir_lo zero. */
+/* Rays side by side for block_filter(), each in a lane of its own. The host puts only such rays there as are in the
+ * range of squares: org below 1e100, components of dir zero or of 1e-80 to 1e80, dir_lo zero. */
 typedef struct pov_rays {
     double org[3][POV_RAYS_MAX], org_lo[3][POV_RAYS_MAX], dir[3][POV_RAYS_MAX];
     double inverse[POV_RAYS_MAX];      /* 1 / dir.dir, rounded */
     double per_length[POV_RAYS_MAX];   /* its root: the t of a length of one */
     double size[POV_RAYS_MAX];         /* |org.x| + |org.y| + |org.z| */
     double tmax[POV_RAYS_MAX];
+    /* The same in the frame of the block, rounded to floats; the point s along dir is at t = shift + s * unit. */
+    struct {
+        float org[3][POV_RAYS_MAX];
+        float dir[3][POV_RAYS_MAX];    /* a unit vector */
+        float size[POV_RAYS_MAX];      /* |org.x| + |org.y| + |org.z| + 2^-22 |shift| / unit; without end: nothing is known */
+        float smax[POV_RAYS_MAX];      /* of tmax, rounded up by less than 2^-21 of it and 2^-44 |shift| / unit */
+        double shift[POV_RAYS_MAX], unit[POV_RAYS_MAX];
+    } framed;
 } pov_rays;
+
+/* A shape of a block that a ray may cross within its interval, with bounds on its nearest crossing there. Bounds may be
+ * wide; they must never be wrong. Of the root that a ray leaves a block knows nothing. */
+typedef struct pov_meeting {
+    double lo, hi;               /* hi counts only where it is surely crossed */
+    uint8_t ray, lane;           /* lanes of the rays, and of the block */
+    bool surely;                 /* it is crossed for certain, */
+    bool twice;                  /* and just twice */
+} pov_meeting;
+#define POV_MEETINGS_MAX (POV_RAYS_MAX * POV_BLOCK_MAX)
 
 /* ---- what the host offers while a scene loads --------------------------- */
 
@@ -148,7 +161,7 @@ typedef struct pov_host {
     bool (*more)(pov_reader *in);                      /* does a value come next? */
     void (*fail)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);   /* at the last value read */
     void (*warn)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);
-    /* abi 1 ends here */
+    /* abi 2 began with these. */
 } pov_host;
 
 /* ---- a primitive --------------------------------------------------------
@@ -189,25 +202,24 @@ typedef struct pov_shape_class {
     bool (*absorb)(void *self, const pov_affine *map);
     /* [load] [load] [render] Up to POV_BLOCK_MAX shapes of this class side by side in the plugin's own layout,
      * 64-byte aligned: a quick filter before intersect(), which the host asks for every lane still in question.
-     * block_pack returns false to decline (values out of its range, or no gain). The ray's `left` plays no part here. */
+     * block_pack returns false to decline (values out of its range, or no gain); frame is NULL for shapes without bounds.
+     * block_filter looks from 0 to its tmax along each ray that `lanes` has a bit for, puts whom it may meet into out, in
+     * any order, no ray and lane twice, and gives how many. */
     size_t block_size;
-    bool (*block_pack)(void *block, const void *const *selves, uint32_t n);
-    void (*block_filter)(const void *block, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out);
+    bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
+    uint32_t (*block_filter)(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
     /* [load] For classes whose instance is larger than what was written: parse gets text_size zeroed bytes in its
      * place, and prepare makes of them an instance of at most POV_PREPARED_MAX bytes, which comes zeroed. It is
      * called again, from several threads, wherever the host would have to keep one. */
     size_t text_size;
     void (*prepare)(void *self, const void *text);
-    /* abi 1 ends here */
+    /* abi 2 began with these. */
 
     /* [render] As n calls of intersect(), and of normal(), to the bit: pair i is shape i with ray i. For rays that are
      * asked in company, where several side by side cost less than as many alone; n is at least one. */
     void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                         pov_vec3 *const *out, uint32_t n);
-    /* [render] block_filter() from 0 to its tmax for each ray that `lanes` has a bit for. Gives those that have a lane of
-     * the block in `maybe`; theirs are the places of out, by lane of the rays, that are filled in. */
-    uint64_t (*block_filter_many)(const void *block, const pov_rays *rays, uint64_t lanes, pov_block_answer *out);
 } pov_shape_class;
 
 /* Does a class reach as far as this member, and is it there? */
@@ -234,7 +246,7 @@ typedef struct pov_image_format {
     const char *ending;            /* "png" */
     /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
     const char *(*write)(const pov_image *image, const pov_output *output);
-    /* abi 1 began with these. */
+    /* abi 2 began with these. */
     /* Any thread. The bytes of a whole file to pixels; may be NULL. NULL when all went well, else what is wrong. */
     const char *(*read)(const void *bytes, size_t count, const pov_image_target *target);
 } pov_image_format;
@@ -255,7 +267,7 @@ typedef struct pov_plugin {
     const char *name, *version;
     const pov_shape_class *const *shapes;            /* ends with NULL; or NULL */
     const pov_image_format *const *images;           /* ends with NULL; or NULL */
-    /* abi 1 began with these; patterns, lights, cameras append their own lists */
+    /* abi 2 began with these; patterns, lights, cameras append their own lists */
     const pov_plot_format *const *plots;             /* ends with NULL; or NULL */
 } pov_plugin;
 

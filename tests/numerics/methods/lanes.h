@@ -23,9 +23,10 @@ static inline bool lanes_pack(lane_boxes *b, bool (*bounds)(const void *, pov_bo
 }
 
 /* Widened by a few roundings, as any tree's boxes are. */
-static inline void lanes_filter(const lane_boxes *b, const pov_ray *ray, double tmin, double tmax, pov_block_answer *out)
+static inline void lanes_answer(const lane_boxes *b, const pov_rays *rays, uint32_t at, kit_answer *out)
 {
-    const double o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
+    const double o[3] = { rays->org[0][at], rays->org[1][at], rays->org[2][at] };
+    const double d[3] = { rays->dir[0][at], rays->dir[1][at], rays->dir[2][at] }, tmax = rays->tmax[at];
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     double far[POV_BLOCK_MAX], inverse[3], pad[3];
     int64_t met = 0;
@@ -37,7 +38,7 @@ static inline void lanes_filter(const lane_boxes *b, const pov_ray *ray, double 
         pad[axis] = 1e-14 * fabs(o[axis]);
     }
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        out->lo[i] = tmin;
+        out->lo[i] = 0.0;
         far[i] = tmax;
     }
     for (axis = 0; axis < 3; axis++) {
@@ -56,19 +57,31 @@ static inline void lanes_filter(const lane_boxes *b, const pov_ray *ray, double 
     for (i = 0; i < POV_BLOCK_MAX; i++)
         met |= out->lo[i] <= far[i] * (1.0 + 1e-15) ? bit[i] : 0;
     out->maybe = (uint32_t)(met & b->lanes);
-    out->surely = 0;
+    out->surely = out->twice = 0;
+}
+
+static inline uint32_t lanes_filter(const lane_boxes *b, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+{
+    uint32_t n = 0;
+    kit_answer a;
+
+    for (; lanes; lanes &= lanes - 1) {
+        lanes_answer(b, rays, kit_first_lane64(lanes), &a);
+        n = kit_tell(&a, kit_first_lane64(lanes), out, n);
+    }
+    return n;
 }
 
 /* The three members of a class whose shapes have boxes. */
 #define METHODS_LANES(bounds)                                                                                         \
-    static bool block_pack(void *block, const void *const *selves, uint32_t n)                                        \
+    static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)                \
     {                                                                                                                 \
+        (void)frame;                                                                                                  \
         return lanes_pack(block, bounds, selves, n);                                                                  \
     }                                                                                                                 \
-    KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,              \
-                                        pov_block_answer *out)                                                        \
+    KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out) \
     {                                                                                                                 \
-        lanes_filter(block, ray, tmin, tmax, out);                                                                    \
+        return lanes_filter(block, rays, lanes, out);                                                                 \
     }
 
 #endif

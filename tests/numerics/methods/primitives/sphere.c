@@ -69,7 +69,7 @@ typedef struct sphere_block {
     int64_t lanes;
 } sphere_block;
 
-static bool block_pack(void *block, const void *const *selves, uint32_t n)
+static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     sphere_block *b = block;
     uint32_t i;
@@ -84,12 +84,10 @@ static bool block_pack(void *block, const void *const *selves, uint32_t n)
     return true;
 }
 
-KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, double tmin, double tmax,
-                                    pov_block_answer *out)
+static inline void answer(const sphere_block *s, const pov_rays *rays, uint32_t at, kit_answer *out)
 {
-    const sphere_block *s = block;
-    const pov_vec3 o = ray->org, d = ray->dir;
-    const double a = pov_dot(d, d), inverse = 1.0 / a;
+    const pov_vec3 o = kit_origin(rays, at), d = kit_way(rays, at);
+    const double a = pov_dot(d, d), inverse = 1.0 / a, tmax = rays->tmax[at];
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     double square[POV_BLOCK_MAX], b[POV_BLOCK_MAX];
     int64_t met = 0;
@@ -102,7 +100,7 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
         square[i] = b[i] * b[i] - a * (x * x + y * y + z * z - s->rr[i]);
         met |= square[i] >= 0.0 ? bit[i] : 0;
     }
-    out->maybe = out->surely = 0;
+    out->maybe = out->surely = out->twice = 0;
     for (met &= s->lanes; met; met &= met - 1) {
         double root, far;
 
@@ -111,12 +109,24 @@ KIT_CLONES static void block_filter(const void *block, const pov_ray *ray, doubl
         out->lo[i] = (-b[i] - root) * inverse;
         far = (-b[i] + root) * inverse;
         out->hi[i] = out->lo[i];
-        if (!(out->lo[i] <= tmax && far >= tmin))
+        if (!(out->lo[i] <= tmax && far >= 0.0))
             continue;
         out->maybe |= 1u << i;
-        if (out->lo[i] > tmin && out->lo[i] < tmax)
+        if (out->lo[i] > 0.0 && out->lo[i] < tmax)
             out->surely |= 1u << i;
     }
+}
+
+KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+{
+    uint32_t n = 0;
+    kit_answer a;
+
+    for (; lanes; lanes &= lanes - 1) {
+        answer(block, rays, kit_first_lane64(lanes), &a);
+        n = kit_tell(&a, kit_first_lane64(lanes), out, n);
+    }
+    return n;
 }
 
 static const pov_shape_class sphere_class = {

@@ -1,0 +1,42 @@
+/* side.h - rays side by side, as filters want them. */
+#ifndef WORLD_SIDE_H
+#define WORLD_SIDE_H
+
+#include <povtrace/plugin.h>
+
+static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
+{
+    s->org[0][i] = ray->org.x;
+    s->org[1][i] = ray->org.y;
+    s->org[2][i] = ray->org.z;
+    s->org_lo[0][i] = ray->org_lo.x;
+    s->org_lo[1][i] = ray->org_lo.y;
+    s->org_lo[2][i] = ray->org_lo.z;
+    s->dir[0][i] = ray->dir.x;
+    s->dir[1][i] = ray->dir.y;
+    s->dir[2][i] = ray->dir.z;
+}
+
+static inline double side_is_out(double x, double least, double most)
+{
+    const double size = fabs(x);
+
+    return size <= most && (size >= least || size == 0.0) ? 0.0 : 1.0;
+}
+
+/* What follows from a ray, with the length of its direction. Not zero where the ray is out of the range that filters are
+ * promised. */
+static inline double side_derive(pov_rays *restrict s, uint32_t i, double tmax, double *restrict length)
+{
+    const double x = s->dir[0][i], y = s->dir[1][i], z = s->dir[2][i], square = x * x + y * y + z * z;
+
+    s->inverse[i] = 1.0 / square;
+    s->per_length[i] = sqrt(s->inverse[i]);
+    length[i] = square * s->per_length[i];
+    s->size[i] = fabs(s->org[0][i]) + fabs(s->org[1][i]) + fabs(s->org[2][i]);
+    s->tmax[i] = tmax;
+    return side_is_out(x, 1e-80, 1e80) + side_is_out(y, 1e-80, 1e80) + side_is_out(z, 1e-80, 1e80) +
+           side_is_out(s->size[i], 0.0, 1e100) + (square > 0.0 ? 0.0 : 1.0);
+}
+
+#endif
