@@ -15,6 +15,7 @@ static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
     s->dir[0][i] = ray->dir.x;
     s->dir[1][i] = ray->dir.y;
     s->dir[2][i] = ray->dir.z;
+    s->away[i] = ray->left_mark.flags & POV_MARK_AWAY ? ray->left : POV_NOBODY;
 }
 
 static inline double side_is_out(double x, double least, double most)

@@ -114,7 +114,8 @@ static inline uint32_t tell(const chords *c, const pov_rays *rays, uint32_t at, 
 
 /* Static, since the names of clones would be seen from outside. Most blocks are passed by on every lane: that is found
  * out first. */
-KIT_CLONES static uint32_t filter(const kit_ball_block *s, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+KIT_CLONES static uint32_t filter(const kit_ball_block *s, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                                  pov_meeting *out)
 {
     float middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX];
     uint32_t n = 0;
@@ -124,15 +125,18 @@ KIT_CLONES static uint32_t filter(const kit_ball_block *s, const pov_rays *rays,
         const uint32_t at = kit_first_lane64(lanes);
         const float blur = BLUR * (1.0f + rays->framed.size[at]);
 
-        if (!near_lines(s, rays, at, blur, middle, ww))
+        const uint32_t near = near_lines(s, rays, at, blur, middle, ww) & ~kit_owned_by(owners, rays->away[at]);
+
+        if (!near)
             continue;
         bound_chords(s, blur, rays->framed.smax[at], middle, ww, &c);
+        c.maybe &= near;
         n = tell(&c, rays, at, out, n);
     }
     return n;
 }
 
-uint32_t kit_ball_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+uint32_t kit_ball_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    return filter(block, rays, lanes, out);
+    return filter(block, owners, rays, lanes, out);
 }

@@ -13,6 +13,6 @@ typedef struct kit_ball_block {
 
 /* selves: each a kit_ball. */
 bool kit_ball_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
-uint32_t kit_ball_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+uint32_t kit_ball_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 #endif

@@ -170,7 +170,8 @@ KIT_CLONES static uint32_t filter(const kit_flat_block *b, const pov_rays *rays,
     return n;
 }
 
-uint32_t kit_flat_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+uint32_t kit_flat_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
+    (void)owners;
     return filter(block, rays, lanes, out);
 }

@@ -34,6 +34,6 @@ typedef struct kit_flat_block {
 
 /* False: out of range. */
 bool kit_flat_pack(kit_flat_block *b, const kit_flat *figures, uint32_t n);
-uint32_t kit_flat_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+uint32_t kit_flat_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 #endif

@@ -229,7 +229,8 @@ static inline void answer(const kit_frustum_block *b, const pov_rays *rays, uint
 }
 
 /* Static, since the names of clones would be seen from outside. */
-KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                                  pov_meeting *out)
 {
     uint32_t n = 0;
     kit_answer a;
@@ -237,13 +238,18 @@ KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const pov_rays *ra
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t at = kit_first_lane64(lanes);
 
+        const uint32_t left = kit_owned_by(owners, rays->away[at]);
+
+        if (!(b->lanes & ~left))
+            continue;
         answer(b, rays, at, &a);
+        a.maybe &= ~left;
         n = kit_tell(&a, at, out, n);
     }
     return n;
 }
 
-uint32_t kit_frustum_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+uint32_t kit_frustum_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    return filter(block, rays, lanes, out);
+    return filter(block, owners, rays, lanes, out);
 }

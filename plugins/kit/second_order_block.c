@@ -319,7 +319,8 @@ KIT_CLONES static uint32_t filter(const kit_second_order_block *s, const pov_ray
     return n;
 }
 
-uint32_t kit_second_order_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+uint32_t kit_second_order_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
+    (void)owners;
     return filter(block, rays, lanes, out);
 }

@@ -16,6 +16,6 @@ typedef struct kit_second_order_block {
 
 /* selves: each a kit_second_order. False: out of range. */
 bool kit_second_order_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
-uint32_t kit_second_order_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+uint32_t kit_second_order_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 #endif

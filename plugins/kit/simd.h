@@ -89,6 +89,17 @@ static inline uint32_t kit_gather_bits(const kit_bits *b)
 #endif
 }
 
+/* The lanes that are whose, as bits. */
+static inline uint32_t kit_owned_by(const uint32_t *owners, uint32_t whose)
+{
+    kit_bits same;
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++)
+        same.lane[i] = -(owners[i] == whose);
+    return kit_gather_bits(&same);
+}
+
 /* The lowest bit that is set; some must be. */
 static inline uint32_t kit_first_lane(uint32_t mask)
 {

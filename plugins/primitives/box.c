@@ -531,7 +531,7 @@ static inline void answer(const box_block *b, const starts *s, uint32_t i, doubl
         meet_some(b, s, i, POV_BLOCK_MAX, tmax, out);
 }
 
-KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     const box_block *b = block;
     uint32_t n = 0, from, some;
@@ -539,20 +539,28 @@ KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays,
     starts s;
 
     if ((lanes & (lanes - 1)) == 0) {
-        answer_alone(b, rays, kit_first_lane64(lanes), &a);
-        return kit_tell(&a, kit_first_lane64(lanes), out, 0);
+        const uint32_t at = kit_first_lane64(lanes), left = kit_owned_by(owners, rays->away[at]);
+
+        if (!(b->lanes & ~left))
+            return 0;
+        answer_alone(b, rays, at, &a);
+        a.maybe &= ~left;
+        return kit_tell(&a, at, out, 0);
     }
     for (from = 0; from < POV_RAYS_MAX; from += TOGETHER) {
         some = (uint32_t)(lanes >> from) & ((1u << TOGETHER) - 1);
         if (some)
             start_some(b, rays, from, &s);
         for (; some; some &= some - 1) {
-            const uint32_t i = kit_first_lane(some), at = from + i;
+            const uint32_t i = kit_first_lane(some), at = from + i, left = kit_owned_by(owners, rays->away[at]);
 
+            if (!(b->lanes & ~left))
+                continue;
             if (s.pad[i] < HUGE_VAL)
                 answer(b, &s, i, rays->tmax[at], &a);
             else
                 answer_alone(b, rays, at, &a);
+            a.maybe &= ~left;
             n = kit_tell(&a, at, out, n);
         }
     }

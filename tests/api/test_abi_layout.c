@@ -52,8 +52,8 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_shape_class, normal_many, 120);
     AT(pov_rays, inverse, 4608);
     AT(pov_rays, tmax, 6144);
-    AT(pov_rays, framed.size, 8192);
-    AT(pov_rays, framed.unit, 9216);
+    AT(pov_rays, framed.size, 8448);
+    AT(pov_rays, framed.unit, 9472);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_plugin, images, 32);

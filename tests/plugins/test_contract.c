@@ -564,6 +564,8 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
     static pov_rays rays;
     static pov_ray ray[POV_RAYS_MAX];
     static pov_meeting met[POV_MEETINGS_MAX];
+    static const uint32_t owners[POV_BLOCK_MAX] = { 11, 12, 13, 14, 15, 16, 17, 18 };
+    const bool convex = subject.shape->flags & POV_SHAPE_CONVEX;
     const pov_meeting *of[POV_RAYS_MAX][POV_BLOCK_MAX];
     uint64_t lanes = 0;
     uint32_t count, i, k;
@@ -576,12 +578,13 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
         if (put_in_range(&rays, i, &ray[i], subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform())
             && (frame->scale == 0.0 || put_in_frame(&rays, i, &ray[i], frame)))
             lanes |= (uint64_t)(subject_uniform() < 0.8) << i;
+        rays.away[i] = subject_uniform() < 0.3 ? owners[(uint32_t)(n * subject_uniform())] : POV_NOBODY;
     }
     /* Now and then one alone. */
     if (subject_uniform() < 0.3)
         lanes &= ~(lanes - 1);
     memset(of, 0, sizeof of);
-    count = subject.shape->block_filter(block, &rays, lanes, met);
+    count = subject.shape->block_filter(block, owners, &rays, lanes, met);
     for (i = 0; i < count; i++) {
         if (met[i].ray >= POV_RAYS_MAX || !(lanes >> met[i].ray & 1) || met[i].lane >= n || of[met[i].ray][met[i].lane])
             return 1;
@@ -590,7 +593,8 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
     }
     for (i = 0; i < POV_RAYS_MAX; i++)
         for (k = 0; (lanes >> i & 1) && k < n; k++)
-            if (!is_right(of[i][k], things[k], &ray[i], rays.tmax[i]) && broken++ < 2)
+            if ((of[i][k] || !convex || rays.away[i] != owners[k])
+                && !is_right(of[i][k], things[k], &ray[i], rays.tmax[i]) && broken++ < 2)
                 print_error("%s: from <%a, %a, %a> along <%a, %a, %a> to %a\n", subject.shape->keyword, ray[i].org.x,
                             ray[i].org.y, ray[i].org.z, ray[i].dir.x, ray[i].dir.y, ray[i].dir.z, rays.tmax[i]);
     return broken;

@@ -196,11 +196,12 @@ static bool meet_ball(const test_ball *ball, pov_vec3 org, pov_vec3 dir, double 
     return true;
 }
 
-static uint32_t ball_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     const ball_block *b = block;
     uint32_t n = 0, at, i;
 
+    (void)owners;
     for (at = 0; at < POV_RAYS_MAX; at++) {
         const pov_vec3 org = pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
         const pov_vec3 dir = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);

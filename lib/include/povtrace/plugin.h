@@ -125,6 +125,7 @@ typedef struct pov_rays {
     double per_length[POV_RAYS_MAX];   /* its root: the t of a length of one */
     double size[POV_RAYS_MAX];         /* |org.x| + |org.y| + |org.z| */
     double tmax[POV_RAYS_MAX];
+    uint32_t away[POV_RAYS_MAX];       /* whom the ray has left with POV_MARK_AWAY, or POV_NOBODY */
     /* The same in the frame of the block, rounded to floats; the point s along dir is at t = shift + s * unit. */
     struct {
         float org[3][POV_RAYS_MAX];
@@ -204,10 +205,12 @@ typedef struct pov_shape_class {
      * 64-byte aligned: a quick filter before intersect(), which the host asks for every lane still in question.
      * block_pack returns false to decline (values out of its range, or no gain); frame is NULL for shapes without bounds.
      * block_filter looks from 0 to its tmax along each ray that `lanes` has a bit for, puts whom it may meet into out, in
-     * any order, no ray and lane twice, and gives how many. */
+     * any order, no ray and lane twice, and gives how many. owners has room for POV_BLOCK_MAX; a convex shape may be left
+     * out of what a ray goes away from it meets. */
     size_t block_size;
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
-    uint32_t (*block_filter)(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+    uint32_t (*block_filter)(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                             pov_meeting *out);
     /* [load] For classes whose instance is larger than what was written: parse gets text_size zeroed bytes in its
      * place, and prepare makes of them an instance of at most POV_PREPARED_MAX bytes, which comes zeroed. It is
      * called again, from several threads, wherever the host would have to keep one. */

@@ -79,7 +79,7 @@ static inline uint32_t lanes_filter(const lane_boxes *b, const pov_rays *rays, u
         (void)frame;                                                                                                  \
         return lanes_pack(block, bounds, selves, n);                                                                  \
     }                                                                                                                 \
-    KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out) \
+    KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out) \
     {                                                                                                                 \
         return lanes_filter(block, rays, lanes, out);                                                                 \
     }

@@ -117,7 +117,7 @@ static inline void answer(const sphere_block *s, const pov_rays *rays, uint32_t 
     }
 }
 
-KIT_CLONES static uint32_t block_filter(const void *block, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     uint32_t n = 0;
     kit_answer a;
