@@ -66,7 +66,7 @@ static inline colour answer(const model *m, const surface *s, double cosine, dou
 
     if (!look->glossy || !(gloss > 0.0) || (gloss <= look->dull && is_visible(sum)))
         return sum;
-    strength = of->phong * (float)pow(gloss, of->phong_size);
+    strength = of->phong * pigment_power(gloss, of, look);
     return colour_add(sum, colour_scale(pigment_highlight(m, of, cosine), strength));
 }
 

@@ -182,6 +182,13 @@ static double dull_of(const material *of)
     return pow(0x1p-34 / (double)of->phong, 1.0 / (double)of->phong_size);
 }
 
+static uint32_t power_of(const material *of)
+{
+    const float size = of->phong_size;
+
+    return size >= 1.0f && size <= (float)PLAN_POWER_MAX && size == floorf(size) ? (uint32_t)size : 0;
+}
+
 static plan_look look_of(const plan *p, const model *m, const material *of)
 {
     const float opacity = opacity_of(m, of);
@@ -192,6 +199,7 @@ static plan_look look_of(const plan *p, const model *m, const material *of)
     l.passes = p->transmission && material_is_transparent(of);
     l.glossy = p->highlights && of->phong != 0.0f;
     l.dull = l.glossy ? dull_of(of) : 0.0;
+    l.power = power_of(of);
     l.body = opacity * of->diffuse;
     l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
     l.filter = material_filter(of);

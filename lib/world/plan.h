@@ -9,6 +9,7 @@ typedef struct plan_row { bool used; const char *subject, *state, *reason; } pla
 typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
 
 #define PLAN_VISIBLE 0x1p-8f
+enum { PLAN_POWER_MAX = 1024 };
 
 /* What of a material counts in this scene, worked out once and not at every hit. */
 typedef struct plan_look {
@@ -16,6 +17,7 @@ typedef struct plan_look {
     bool glossy;                 /* it has highlights */
     double dull;                 /* what a gloss (cosine between mirrored ray and light) of no more than that adds is
                                   * lost in any float of PLAN_VISIBLE or more */
+    uint32_t power;              /* phong_size where that is a whole number from 1 to PLAN_POWER_MAX, or 0 */
     float body;                  /* the part of its colour by which it gives light back all round */
     colour glow;                 /* what it sends by itself */
     colour filter;               /* what passes it is multiplied by */
