@@ -22,4 +22,14 @@ static inline float colour_weight(colour a)
     return r > g ? r : g;
 }
 
+/* What light is multiplied by on its way, and the weight of that, or the product of such weights. */
+typedef struct coefficient { colour by; float weight; } coefficient;
+
+static inline coefficient coefficient_of(colour c) { coefficient k = { c, colour_weight(c) }; return k; }
+static inline coefficient coefficient_mul(coefficient a, coefficient b)
+{
+    coefficient k = { colour_mul(a.by, b.by), a.weight * b.weight };
+    return k;
+}
+
 #endif

@@ -4,12 +4,21 @@
 
 /* ---- batches, filled and spare ---- */
 
+static batch *make(const env *e)
+{
+    batch *b = env_alloc(e, 1, sizeof *b);
+
+    for (uint32_t i = 0; b && i < BATCH_MAX; i++)
+        b->rays[i] = &b->room[i];
+    return b;
+}
+
 static batch *take_spare(pov_tracer *t)
 {
     batch *b = t->spare;
 
     if (!b)
-        return env_alloc(t->env, 1, sizeof *b);
+        return make(t->env);
     t->spare = b->next;
     return b;
 }

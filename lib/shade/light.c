@@ -59,7 +59,7 @@ static inline bool is_visible(colour c)
 /* What white light becomes on its way to the ray's start. Highlights that are lost in the sum are not computed. */
 static inline colour answer(const model *m, const surface *s, double cosine, double gloss)
 {
-    const material *of = s->material;
+    const material *of = s->look->material;
     const plan_look *look = s->look;
     const colour sum = colour_scale(of->pigment, look->body * (float)cosine);
     float strength;

@@ -20,7 +20,7 @@ enum { EVERY_MAX = 4 * BATCH_MAX };
 
 static void make_camera_paths(batch *b)
 {
-    const path fresh = { .factor = { 1.0f, 1.0f, 1.0f }, .weight = 1.0f, .level = 1 };
+    const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1 };
 
     for (uint32_t i = 0; i < BATCH_MAX; i++)
         b->paths[i] = fresh;
@@ -168,7 +168,7 @@ SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
 
 static inline void see(const path *p, colour seen, colour *out)
 {
-    out[p->lane] = colour_add(out[p->lane], finite_colour(colour_mul(p->factor, seen)));
+    out[p->lane] = colour_add(out[p->lane], finite_colour(colour_mul(p->factor.by, seen)));
 }
 
 /* ---- what rays meet ---- */
@@ -297,8 +297,7 @@ static void follow(pov_tracer *t, const batch *b, colour *out)
     for (i = 0; i < n; i++)
         see(t->surfaces[i].from, colour_add(t->surfaces[i].look->glow, t->surfaces[i].lit), out);
     t->mirrored->count = t->passed->count = 0;
-    for (i = 0; i < n; i++)
-        surface_branch(t, i);
+    surface_branch(t, n);
     t->failed = t->failed || walker_failed(t->walker);
 }
 

@@ -11,14 +11,13 @@
 /* A ray on its way, and what it is worth. The picture's value is a sum over all rays that a camera ray leads
  * to, so none waits for another's result: a list of those still to be followed takes the place of recursion. */
 typedef struct path {
-    colour factor;               /* the product of the coefficients on the way here */
-    float weight;                /* the product of their largest components */
+    coefficient factor;          /* the product of the coefficients on the way here, and of their weights */
     int level;                   /* 1: the camera ray */
-    int standing;                /* crossings in a row that did not move the ray: see surface.c */
     uint32_t lane;               /* whose camera ray it comes from */
-    media_span media;            /* what it is in */
     uint32_t spot, above;        /* it starts where surfaces lie on each other: that of t->spots, counted from 1, and its
                                   * sides of them; spot 0: it does not */
+    media_span media;            /* what it is in */
+    int standing;                /* crossings in a row that did not move the ray: see surface.c */
 } path;
 
 /* Paths that are followed in company: of neighbouring camera rays the same way on, at most one of each, ordered by
@@ -37,9 +36,8 @@ typedef struct surface {
     const path *from;
     const pov_ray *ray;          /* the path's */
     hit *at;
+    const plan_look *look;       /* of its material */
     uint32_t spot, above, on;    /* it lies on others: as in a path; which of them it is */
-    const material *material;
-    const plan_look *look;
     colour lit;                  /* what it sends along the ray of what the lights send it */
 } surface;
 

@@ -4,14 +4,13 @@
  * depth. After this many crossings without a move the ray is cut off as too deep. */
 enum { STANDING_MAX = 1000 };
 
-static const colour white = { 1.0f, 1.0f, 1.0f };
+static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
 
 bool surface_meet(pov_tracer *t, surface *s)
 {
     const uint32_t which = t->model->objects.items[s->at->object].material;
     const plan_look *look = &t->plan->looks[which];
 
-    s->material = &t->model->materials.items[which];
     s->look = look;
     s->lit = colour_of(0.0f, 0.0f, 0.0f);
     if (!look->lit && t->plan->lighting)
@@ -21,27 +20,27 @@ bool surface_meet(pov_tracer *t, surface *s)
 
 /* ---- the rays that go on ---- */
 
-/* Begin a path that goes on from the surface, by a direction without a low part. Its factor and weight are not yet those of the way it takes. */
-static path *leave(batch *b, const surface *s, pov_vec3 direction)
+/* What cuts rays off, and how many it did. */
+typedef struct limits { int level; float weight; uint64_t cut_depth, cut_weight; } limits;
+
+/* Begin a path that goes on from the surface, by a direction without a low part; what its ray leaves is still to be named.
+ * Its factor is not yet that of the way it takes. */
+static inline path *leave(batch *b, const surface *s, pov_vec3 direction)
 {
     const path *p = s->from;
     path *next = &b->paths[b->count];
     pov_ray *ray = &b->room[b->count];
 
-    b->rays[b->count] = ray;
     ray->org = s->at->point;
     ray->org_lo = s->at->point_lo;
     ray->dir = direction;
-    ray->left = s->at->object;
-    ray->left_mark = s->at->crossing.mark;
     next->factor = p->factor;
-    next->weight = p->weight;
     next->level = p->level;
-    next->standing = 0;
     next->lane = p->lane;
-    next->media = p->media;
     next->spot = s->spot;
     next->above = s->above;
+    next->media = p->media;
+    next->standing = 0;
     return next;
 }
 
@@ -50,22 +49,23 @@ static path *leave_across(batch *b, const surface *s, pov_vec3 direction)
 {
     path *next = leave(b, s, direction);
 
+    b->room[b->count].left = s->at->object;
+    b->room[b->count].left_mark = s->at->crossing.mark;
     next->above ^= 1u << s->on;
     return next;
 }
 
 /* Take a path on by a coefficient. False: it is cut off. The depth is asked first, so that a ray is counted
  * once. */
-static bool goes_on(pov_tracer *t, path *next, colour coefficient, bool deeper)
+static inline bool goes_on(limits *l, path *next, const coefficient *by, bool deeper)
 {
-    next->factor = colour_mul(next->factor, coefficient);
-    next->weight *= colour_weight(coefficient);
-    if (deeper && next->level >= t->model->max_trace_level) {
-        t->counts.cut_depth++;
+    next->factor = coefficient_mul(next->factor, *by);
+    if (deeper && next->level >= l->level) {
+        l->cut_depth++;
         return false;
     }
-    if (!(next->weight >= (float)t->model->adc_bailout)) {
-        t->counts.cut_weight++;
+    if (!(next->factor.weight >= l->weight)) {
+        l->cut_weight++;
         return false;
     }
     next->level += deeper;
@@ -73,52 +73,46 @@ static bool goes_on(pov_tracer *t, path *next, colour coefficient, bool deeper)
 }
 
 /* Here and below: true when the ray goes on. */
-static bool reflect(pov_tracer *t, uint32_t lane, colour coefficient)
+static inline bool reflect(pov_tracer *t, limits *l, uint32_t lane, const coefficient *by)
 {
-    path *next = leave(t->mirrored, &t->surfaces[lane], lanes_at(&t->geometry.mirrored, lane));
-    bool goes = goes_on(t, next, coefficient, true);
+    const surface *s = &t->surfaces[lane];
+    batch *b = t->mirrored;
+    const bool goes = goes_on(l, leave(b, s, lanes_at(&t->geometry.mirrored, lane)), by, true);
 
-    world_leave(&t->mirrored->room[t->mirrored->count], t->surfaces[lane].at, t->geometry.cosine[lane]);
-    t->mirrored->count += goes;
-    t->counts.reflected += goes;
+    world_leave(&b->room[b->count], s->at, t->geometry.cosine[lane]);
+    b->count += goes;
     return goes;
 }
 
 /* Straight on, whatever lies on both sides. */
-static bool pass(pov_tracer *t, const surface *s)
+static bool pass(pov_tracer *t, limits *l, const surface *s)
 {
     const pov_vec3 from = s->ray->org, to = s->at->point;
     path *out = leave_across(t->passed, s, s->ray->dir);
 
-    if (!goes_on(t, out, s->look->filter, false))
+    if (!goes_on(l, out, &s->look->filter, false))
         return false;
     if (from.x == to.x && from.y == to.y && from.z == to.z)
         out->standing = s->from->standing + 1;
     if (out->standing > STANDING_MAX) {
-        t->counts.cut_depth++;
+        l->cut_depth++;
         return false;
     }
     return true;
 }
 
 /* The mirrored ray of an ordinary surface. */
-static void mirror(pov_tracer *t, uint32_t lane)
+static inline void mirror(pov_tracer *t, limits *l, uint32_t lane)
 {
-    const surface *s = &t->surfaces[lane];
+    const plan_look *look = t->surfaces[lane].look;
 
-    if (s->look->mirrors)
-        reflect(t, lane, s->material->reflection);
-}
-
-static void keep_passed(pov_tracer *t, bool passes)
-{
-    t->passed->count += passes;
-    t->counts.transmitted += passes;
+    if (look->mirrors)
+        reflect(t, l, lane, &look->mirror);
 }
 
 /* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted
  * ray; a mirrored one stays in what it was in. */
-static void bend(pov_tracer *t, uint32_t lane)
+static void bend(pov_tracer *t, limits *l, uint32_t lane)
 {
     const surface *s = &t->surfaces[lane];
     const geometry *g = &t->geometry;
@@ -129,29 +123,36 @@ static void bend(pov_tracer *t, uint32_t lane)
     bool passes;
 
     if (c.before == c.after) {
-        passes = pass(t, s);
+        passes = pass(t, l, s);
     } else if (refract(view, normal, g->cosine[lane], c.before, c.after, &direction)) {
-        passes = goes_on(t, leave_across(t->passed, s, direction), s->look->filter, true);
+        passes = goes_on(l, leave_across(t->passed, s, direction), &s->look->filter, true);
     } else {
-        t->counts.inner_reflections += reflect(t, lane, white);
+        t->counts.inner_reflections += reflect(t, l, lane, &whole);
         return;
     }
-    mirror(t, lane);
+    mirror(t, l, lane);
     if (passes && !media_pass(&t->media, t->env, &out->media, &c))
         t->failed = true;
-    keep_passed(t, passes);
+    t->passed->count += passes;
 }
 
-void surface_branch(pov_tracer *t, uint32_t lane)
+void surface_branch(pov_tracer *t, uint32_t n)
 {
-    const surface *s = &t->surfaces[lane];
+    limits l = { t->model->max_trace_level, (float)t->model->adc_bailout, 0, 0 };
 
-    if (!s->look->passes) {
-        mirror(t, lane);
-    } else if (t->plan->refraction) {
-        bend(t, lane);
-    } else {
-        mirror(t, lane);
-        keep_passed(t, pass(t, s));
+    for (uint32_t i = 0; i < n; i++) {
+        const surface *s = &t->surfaces[i];
+
+        if (s->look->passes && t->plan->refraction) {
+            bend(t, &l, i);
+        } else {
+            mirror(t, &l, i);
+            if (s->look->passes)
+                t->passed->count += pass(t, &l, s);
+        }
     }
+    t->counts.cut_depth += l.cut_depth;
+    t->counts.cut_weight += l.cut_weight;
+    t->counts.reflected += t->mirrored->count;
+    t->counts.transmitted += t->passed->count;
 }

@@ -6,7 +6,7 @@
 
 /* Can anything but its own glow come from what was met? It begins with s->at set. */
 bool surface_meet(pov_tracer *t, surface *s);
-/* The rays that go on from surface `lane`, whose geometry is known: into t->mirrored and t->passed. */
-void surface_branch(pov_tracer *t, uint32_t lane);
+/* The rays that go on from t->surfaces, whose geometry is known: into t->mirrored and t->passed, which are empty. */
+void surface_branch(pov_tracer *t, uint32_t n);
 
 #endif

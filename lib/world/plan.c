@@ -202,7 +202,9 @@ static plan_look look_of(const plan *p, const model *m, const material *of)
     l.power = power_of(of);
     l.body = opacity * of->diffuse;
     l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
-    l.filter = material_filter(of);
+    l.mirror = coefficient_of(of->reflection);
+    l.filter = coefficient_of(material_filter(of));
+    l.material = of;
     return l;
 }
 

@@ -20,7 +20,8 @@ typedef struct plan_look {
     uint32_t power;              /* phong_size where that is a whole number from 1 to PLAN_POWER_MAX, or 0 */
     float body;                  /* the part of its colour by which it gives light back all round */
     colour glow;                 /* what it sends by itself */
-    colour filter;               /* what passes it is multiplied by */
+    coefficient mirror, filter;  /* what is mirrored, and what passes it, is multiplied by */
+    const material *material;
 } plan_look;
 
 typedef struct plan {
