@@ -245,11 +245,17 @@ static inline surface *place(pov_tracer *t, const batch *b, uint32_t i, uint32_t
 /* Is more to be seen of what was met than its own glow? */
 static inline bool is_kept(pov_tracer *t, surface *s, colour *out)
 {
+    const plan_look *look;
+
     if (s->at->company && !s->spot)
         find_spot(t, s, NULL);
-    if (surface_meet(t, s))
+    s->look = look = &t->plan->looks[t->model->objects.items[s->at->object].material];
+    if (!look->lit && t->plan->lighting)
+        t->counts.shadow_idle += t->model->lights.count;
+    s->lit = colour_of(0.0f, 0.0f, 0.0f);
+    if (look->lit || look->mirrors || look->passes)
         return true;
-    see(s->from, s->look->glow, out);
+    see(s->from, look->glow, out);
     return false;
 }
 

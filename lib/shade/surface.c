@@ -6,26 +6,28 @@ enum { STANDING_MAX = 1000 };
 
 static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
 
-bool surface_meet(pov_tracer *t, surface *s)
-{
-    const uint32_t which = t->model->objects.items[s->at->object].material;
-    const plan_look *look = &t->plan->looks[which];
-
-    s->look = look;
-    s->lit = colour_of(0.0f, 0.0f, 0.0f);
-    if (!look->lit && t->plan->lighting)
-        t->counts.shadow_idle += t->model->lights.count;
-    return look->lit || look->mirrors || look->passes;
-}
-
 /* ---- the rays that go on ---- */
 
 /* What cuts rays off, and how many it did. */
 typedef struct limits { int level; float weight; uint64_t cut_depth, cut_weight; } limits;
 
-/* Begin a path that goes on from the surface, by a direction without a low part; what its ray leaves is still to be named.
- * Its factor is not yet that of the way it takes. */
-static inline path *leave(batch *b, const surface *s, pov_vec3 direction)
+/* Is a path that goes on from p with this factor followed? The depth is asked first, so that a ray is counted once. */
+static inline bool goes_on(limits *l, const path *p, const coefficient *factor, bool deeper)
+{
+    if (deeper && p->level >= l->level) {
+        l->cut_depth++;
+        return false;
+    }
+    if (!(factor->weight >= l->weight)) {
+        l->cut_weight++;
+        return false;
+    }
+    return true;
+}
+
+/* Begin the path that goes on from the surface, by a direction without a low part. What its ray leaves is still to be
+ * named, and the path to be counted. */
+static inline path *leave(batch *b, const surface *s, pov_vec3 direction, coefficient factor, bool deeper)
 {
     const path *p = s->from;
     path *next = &b->paths[b->count];
@@ -34,8 +36,8 @@ static inline path *leave(batch *b, const surface *s, pov_vec3 direction)
     ray->org = s->at->point;
     ray->org_lo = s->at->point_lo;
     ray->dir = direction;
-    next->factor = p->factor;
-    next->level = p->level;
+    next->factor = factor;
+    next->level = p->level + deeper;
     next->lane = p->lane;
     next->spot = s->spot;
     next->above = s->above;
@@ -44,61 +46,50 @@ static inline path *leave(batch *b, const surface *s, pov_vec3 direction)
     return next;
 }
 
-/* To the surface's other side, where other surfaces may begin. */
-static path *leave_across(batch *b, const surface *s, pov_vec3 direction)
+/* To the surface's other side, where other surfaces may begin. NULL: the path is cut off. */
+static path *leave_across(batch *b, limits *l, const surface *s, pov_vec3 direction, bool deeper)
 {
-    path *next = leave(b, s, direction);
+    const coefficient factor = coefficient_mul(s->from->factor, s->look->filter);
+    pov_ray *ray = &b->room[b->count];
+    path *next;
 
-    b->room[b->count].left = s->at->object;
-    b->room[b->count].left_mark = s->at->crossing.mark;
+    if (!goes_on(l, s->from, &factor, deeper))
+        return NULL;
+    next = leave(b, s, direction, factor, deeper);
+    ray->left = s->at->object;
+    ray->left_mark = s->at->crossing.mark;
     next->above ^= 1u << s->on;
     return next;
 }
 
-/* Take a path on by a coefficient. False: it is cut off. The depth is asked first, so that a ray is counted
- * once. */
-static inline bool goes_on(limits *l, path *next, const coefficient *by, bool deeper)
-{
-    next->factor = coefficient_mul(next->factor, *by);
-    if (deeper && next->level >= l->level) {
-        l->cut_depth++;
-        return false;
-    }
-    if (!(next->factor.weight >= l->weight)) {
-        l->cut_weight++;
-        return false;
-    }
-    next->level += deeper;
-    return true;
-}
-
-/* Here and below: true when the ray goes on. */
-static inline bool reflect(pov_tracer *t, limits *l, uint32_t lane, const coefficient *by)
+/* Back to the side that the ray came from. */
+static inline void reflect(pov_tracer *t, limits *l, uint32_t lane, const coefficient *by)
 {
     const surface *s = &t->surfaces[lane];
+    const coefficient factor = coefficient_mul(s->from->factor, *by);
     batch *b = t->mirrored;
-    const bool goes = goes_on(l, leave(b, s, lanes_at(&t->geometry.mirrored, lane)), by, true);
 
-    world_leave(&b->room[b->count], s->at, t->geometry.cosine[lane]);
-    b->count += goes;
-    return goes;
+    if (!goes_on(l, s->from, &factor, true))
+        return;
+    leave(b, s, lanes_at(&t->geometry.mirrored, lane), factor, true);
+    world_leave(&b->room[b->count++], s->at, t->geometry.cosine[lane]);
 }
 
-/* Straight on, whatever lies on both sides. */
-static bool pass(pov_tracer *t, limits *l, const surface *s)
+/* Straight on, whatever lies on both sides. NULL: the path is cut off. */
+static path *pass(pov_tracer *t, limits *l, const surface *s)
 {
     const pov_vec3 from = s->ray->org, to = s->at->point;
-    path *out = leave_across(t->passed, s, s->ray->dir);
+    path *out = leave_across(t->passed, l, s, s->ray->dir, false);
 
-    if (!goes_on(l, out, &s->look->filter, false))
-        return false;
+    if (!out)
+        return NULL;
     if (from.x == to.x && from.y == to.y && from.z == to.z)
         out->standing = s->from->standing + 1;
     if (out->standing > STANDING_MAX) {
         l->cut_depth++;
-        return false;
+        return NULL;
     }
-    return true;
+    return out;
 }
 
 /* The mirrored ray of an ordinary surface. */
@@ -117,23 +108,24 @@ static void bend(pov_tracer *t, limits *l, uint32_t lane)
     const surface *s = &t->surfaces[lane];
     const geometry *g = &t->geometry;
     const pov_vec3 view = lanes_at(&g->view, lane), normal = lanes_at(&g->normal, lane);
-    media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at->object);
-    path *out = &t->passed->paths[t->passed->count];
+    const media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at->object);
+    const uint32_t before = t->mirrored->count;
     pov_vec3 direction;
-    bool passes;
+    path *out;
 
     if (c.before == c.after) {
-        passes = pass(t, l, s);
+        out = pass(t, l, s);
     } else if (refract(view, normal, g->cosine[lane], c.before, c.after, &direction)) {
-        passes = goes_on(l, leave_across(t->passed, s, direction), &s->look->filter, true);
+        out = leave_across(t->passed, l, s, direction, true);
     } else {
-        t->counts.inner_reflections += reflect(t, l, lane, &whole);
+        reflect(t, l, lane, &whole);
+        t->counts.inner_reflections += t->mirrored->count - before;
         return;
     }
     mirror(t, l, lane);
-    if (passes && !media_pass(&t->media, t->env, &out->media, &c))
+    if (out && !media_pass(&t->media, t->env, &out->media, &c))
         t->failed = true;
-    t->passed->count += passes;
+    t->passed->count += out != NULL;
 }
 
 void surface_branch(pov_tracer *t, uint32_t n)
@@ -148,7 +140,7 @@ void surface_branch(pov_tracer *t, uint32_t n)
         } else {
             mirror(t, &l, i);
             if (s->look->passes)
-                t->passed->count += pass(t, &l, s);
+                t->passed->count += pass(t, &l, s) != NULL;
         }
     }
     t->counts.cut_depth += l.cut_depth;
