@@ -20,58 +20,79 @@ static inline void see(sight *s, const geometry *g, uint32_t i, pov_vec3 directi
     s->gloss[i] = pov_dot(lanes_at(&g->mirrored, i), direction);
 }
 
-/* From a point to the light along one axis, rounded once: both ends have two parts, so that a light may be near or far. */
-static inline double towards(double l, double l_lo, double p, double p_lo)
+/* From a point to the light along one axis, rounded once: both ends have two parts, so that a light may be near or far.
+ * Of a light without a low part less is left to do for the same bits. */
+static inline double towards(double l, double l_lo, double p, double p_lo, bool low)
 {
-    return pov_two_sub(pov_two_of(l, l_lo), pov_two_of(p, p_lo)).hi;
+    pov_two way;
+
+    if (low)
+        return pov_two_sub(pov_two_of(l, l_lo), pov_two_of(p, p_lo)).hi;
+    way = pov_two_sum(l, -p);
+    return way.hi + (way.lo + (0.0 - p_lo));
 }
 
-/* False: some way is so short or long that its square is none. */
-SIMD_CLONES static bool look_plain(sight *restrict s, const geometry *restrict g, const light *restrict l, uint32_t n)
+/* What looking at a light finds besides: a way so short or long that its square is none; a cosine too small for
+ * world_leave(). */
+enum { ODD_WAY = 1, GRAZING = 2 };
+
+static inline int look_all(sight *restrict s, const geometry *restrict g, const light *restrict l, uint32_t n, bool low)
 {
     const pov_vec3 at = l->position, at_lo = l->position_lo;
-    int plain = 1;
+    int plain = 1, steep = 1;
 
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 direction;
 
-        s->way.x[i] = towards(at.x, at_lo.x, g->point.x[i], g->point_lo.x[i]);
-        s->way.y[i] = towards(at.y, at_lo.y, g->point.y[i], g->point_lo.y[i]);
-        s->way.z[i] = towards(at.z, at_lo.z, g->point.z[i], g->point_lo.z[i]);
+        s->way.x[i] = towards(at.x, at_lo.x, g->point.x[i], g->point_lo.x[i], low);
+        s->way.y[i] = towards(at.y, at_lo.y, g->point.y[i], g->point_lo.y[i], low);
+        s->way.z[i] = towards(at.z, at_lo.z, g->point.z[i], g->point_lo.z[i], low);
         plain &= geometry_unit(s->way.x[i], s->way.y[i], s->way.z[i], &direction);
         see(s, g, i, direction);
+        steep &= fabs(s->cosine[i]) > WORLD_AWAY;
     }
-    return plain;
+    return (plain ? 0 : ODD_WAY) | (steep ? 0 : GRAZING);
 }
 
-static void look_at_light(sight *s, const geometry *g, const light *l, uint32_t n)
+SIMD_CLONES static int look_plain(sight *restrict s, const geometry *restrict g, const light *restrict l, uint32_t n)
 {
-    if (!look_plain(s, g, l, n))
+    return look_all(s, g, l, n, false);
+}
+
+SIMD_CLONES static int look_low(sight *restrict s, const geometry *restrict g, const light *restrict l, uint32_t n)
+{
+    return look_all(s, g, l, n, true);
+}
+
+/* True: there may be a cosine too small for world_leave(). */
+static bool look_at_light(sight *s, const geometry *g, const light *l, uint32_t n)
+{
+    const pov_vec3 lo = l->position_lo;
+    const bool low = lo.x != 0.0 || lo.y != 0.0 || lo.z != 0.0;
+    const int found = low ? look_low(s, g, l, n) : look_plain(s, g, l, n);
+
+    if (found & ODD_WAY)
         for (uint32_t i = 0; i < n; i++)
             see(s, g, i, pov_unit(lanes_at(&s->way, i)));
+    return found != 0;
 }
 
-static inline bool is_visible(colour c)
+/* What white light becomes on its way to the ray's start. Highlights that are lost in the sum are not computed: all its
+ * components are then as large as PLAN_VISIBLE, because the smallest is. */
+static inline colour answer(const model *m, const plan_look *look, double cosine, double gloss)
 {
-    return fabsf(c.r) >= PLAN_VISIBLE && fabsf(c.g) >= PLAN_VISIBLE && fabsf(c.b) >= PLAN_VISIBLE;
-}
-
-/* What white light becomes on its way to the ray's start. Highlights that are lost in the sum are not computed. */
-static inline colour answer(const model *m, const surface *s, double cosine, double gloss)
-{
-    const material *of = s->look->material;
-    const plan_look *look = s->look;
-    const colour sum = colour_scale(of->pigment, look->body * (float)cosine);
+    const float part = look->body * (float)cosine;
+    const colour sum = colour_scale(look->pigment, part);
     float strength;
 
-    if (!look->glossy || !(gloss > 0.0) || (gloss <= look->dull && is_visible(sum)))
+    if (!(gloss > look->gloss_least) || (gloss <= look->dull && fabsf(look->pigment_least * part) >= PLAN_VISIBLE))
         return sum;
-    strength = of->phong * pigment_power(gloss, of, look);
-    return colour_add(sum, colour_scale(pigment_highlight(m, of, cosine), strength));
+    strength = look->material->phong * pigment_power(gloss, look);
+    return colour_add(sum, colour_scale(pigment_highlight(m, look->material, cosine), strength));
 }
 
 /* Note the ray from a surface to the light, or add what it gives where nothing can stand in the way. */
-static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, double cosine, colour given)
+static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, colour given)
 {
     light_rays *l = &t->light_rays;
     surface *s = &t->surfaces[lane];
@@ -81,16 +102,15 @@ static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, double cosine
         return;
     }
     l->room[lane].dir = way;
-    world_leave(&l->room[lane], s->at, cosine);
     l->rays[l->count] = &l->room[lane];
-    l->of[l->count] = s;
-    l->given[l->count++] = given;
+    l->given[lane] = given;
+    l->of[l->count++] = (uint8_t)lane;
 }
 
-static bool any_on_spot(const light_rays *l)
+static bool any_on_spot(const pov_tracer *t, const light_rays *l)
 {
     for (uint32_t i = 0; i < l->count; i++)
-        if (l->of[i]->spot)
+        if (t->surfaces[l->of[i]].spot)
             return true;
     return false;
 }
@@ -101,7 +121,7 @@ static uint64_t light_each(pov_tracer *t, const light_rays *l, colour *through)
     uint64_t lit = 0;
 
     for (uint32_t i = 0; i < l->count; i++) {
-        const uint32_t at = l->of[i]->spot;
+        const uint32_t at = t->surfaces[l->of[i]].spot;
         const bool is_lit = at ? world_light_path_from(t->world, t->walker, &t->spots.items[at - 1], l->rays[i], 1.0,
                                                        &through[i])
                                : world_light_path(t->world, t->walker, l->rays[i], 1.0, &through[i]);
@@ -112,18 +132,31 @@ static uint64_t light_each(pov_tracer *t, const light_rays *l, colour *through)
 
 static void send(pov_tracer *t)
 {
-    light_rays *l = &t->light_rays;
+    const light_rays *l = &t->light_rays;
     colour through[BATCH_MAX];
     uint64_t lit;
 
     t->counts.shadow += l->count;
-    lit = t->spots.count > 0 && any_on_spot(l)
+    lit = t->spots.count > 0 && any_on_spot(t, l)
               ? light_each(t, l, through)
               : world_light_path_many(t->world, t->walker, l->rays, l->count, 1.0, through);
     for (; lit; lit &= lit - 1) {
         const uint32_t i = first_of64(lit);
+        surface *s = &t->surfaces[l->of[i]];
 
-        l->of[i]->lit = colour_add(l->of[i]->lit, colour_mul(l->given[i], through[i]));
+        s->lit = colour_add(s->lit, colour_mul(l->given[l->of[i]], through[i]));
+    }
+}
+
+/* What rays from the lit surfaces leave, at these cosines. NULL: at none so small that it matters. */
+static void name_left(pov_tracer *t, const double *cosines)
+{
+    light_rays *l = &t->light_rays;
+
+    for (uint32_t k = 0; k < l->lit_count; k++) {
+        const uint32_t i = l->lit[k];
+
+        world_leave(&l->room[i], t->surfaces[i].at, cosines ? cosines[i] : 1.0);
     }
 }
 
@@ -133,8 +166,10 @@ static void shine(pov_tracer *t, const light *l, uint32_t n)
     const light_rays *rays = &t->light_rays;
     uint32_t behind = 0, idle = 0;
     sight s;
+    const bool grazing = look_at_light(&s, &t->geometry, l, n);
 
-    look_at_light(&s, &t->geometry, l, n);
+    if (grazing)
+        name_left(t, s.cosine);
     t->light_rays.count = 0;
     for (uint32_t k = 0; k < rays->lit_count; k++) {
         const uint32_t i = rays->lit[k];
@@ -144,16 +179,18 @@ static void shine(pov_tracer *t, const light *l, uint32_t n)
             behind++;
             continue;
         }
-        given = colour_mul(l->color, answer(t->model, &t->surfaces[i], s.cosine[i], s.gloss[i]));
+        given = colour_mul(l->color, answer(t->model, t->surfaces[i].look, s.cosine[i], s.gloss[i]));
         if (colour_is_black(given))
             idle++;
         else
-            ask(t, i, lanes_at(&s.way, i), s.cosine[i], given);
+            ask(t, i, lanes_at(&s.way, i), given);
     }
     t->counts.shadow_behind += behind;
     t->counts.shadow_idle += idle;
     if (rays->count > 0)
         send(t);
+    if (grazing)
+        name_left(t, NULL);
     t->failed = t->failed || walker_failed(t->walker);
 }
 
@@ -161,18 +198,20 @@ static void shine(pov_tracer *t, const light *l, uint32_t n)
 static void begin(pov_tracer *t, uint32_t n)
 {
     light_rays *l = &t->light_rays;
+    uint32_t count = 0;
 
-    l->lit_count = 0;
     for (uint32_t i = 0; i < n; i++) {
         const surface *s = &t->surfaces[i];
         pov_ray *ray = &l->room[i];
 
         if (!s->look->lit)
             continue;
-        l->lit[l->lit_count++] = i;
+        l->lit[count++] = (uint8_t)i;
         ray->org = s->at->point;
         ray->org_lo = s->at->point_lo;
+        world_leave(ray, s->at, 1.0);
     }
+    l->lit_count = count;
 }
 
 void light_gather(pov_tracer *t, uint32_t n)

@@ -7,7 +7,7 @@
 /* gloss^phong_size, rounded to float as pow()'s would be. A product of n factors is off by less than n 2^-53 of it, and
  * pow() by less than 2^-52; so where floats on both sides of 2^-42 are the same, that is the one. What lies below double's
  * range on the way is no float either. */
-static inline float pigment_power(double gloss, const material *of, const plan_look *look)
+static inline float pigment_power(double gloss, const plan_look *look)
 {
     double product = 1.0, square = gloss;
 
@@ -16,7 +16,7 @@ static inline float pigment_power(double gloss, const material *of, const plan_l
             product *= square;
     if (look->power && (float)(product * (1.0 - 0x1p-42)) == (float)(product * (1.0 + 0x1p-42)))
         return (float)product;
-    return (float)pow(gloss, of->phong_size);
+    return (float)pow(gloss, look->material->phong_size);
 }
 
 /* What a highlight is multiplied by; cosine is the one between normal and light. Of a metal: */

@@ -60,9 +60,10 @@ static inline pov_vec3 lanes_at(const lanes *l, uint32_t i) { return pov_vec3_of
 typedef struct light_rays {
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];
-    surface *of[BATCH_MAX];      /* the surfaces that ask for it */
+    uint8_t of[BATCH_MAX];       /* lanes of the surfaces that ask for it */
     colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
-    uint32_t lit_count, lit[BATCH_MAX];   /* lanes of the surfaces that lights change */
+    uint32_t lit_count;
+    uint8_t lit[BATCH_MAX];      /* lanes of the surfaces that lights change */
     pov_ray room[BATCH_MAX];     /* each surface's, whose direction is the current light's */
 } light_rays;
 

@@ -197,9 +197,11 @@ static plan_look look_of(const plan *p, const model *m, const material *of)
     l.lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
     l.mirrors = p->reflection && !colour_is_black(of->reflection);
     l.passes = p->transmission && material_is_transparent(of);
-    l.glossy = p->highlights && of->phong != 0.0f;
-    l.dull = l.glossy ? dull_of(of) : 0.0;
+    l.gloss_least = p->highlights && of->phong != 0.0f ? 0.0 : HUGE_VAL;
+    l.dull = l.gloss_least > 0.0 ? 0.0 : dull_of(of);
     l.power = power_of(of);
+    l.pigment = of->pigment;
+    l.pigment_least = fminf(fabsf(of->pigment.r), fminf(fabsf(of->pigment.g), fabsf(of->pigment.b)));
     l.body = opacity * of->diffuse;
     l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
     l.mirror = coefficient_of(of->reflection);

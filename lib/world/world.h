@@ -66,11 +66,12 @@ void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *
 
 /* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Below some
  * hundred times what normals may be off by nothing is said of whether it goes away. */
+#define WORLD_AWAY 0x1p-36
 static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
 {
     ray->left = h->object;
     ray->left_mark = h->crossing.mark;
-    if (h->outside && cosine > 0x1p-36)
+    if (h->outside && cosine > WORLD_AWAY)
         ray->left_mark.flags |= POV_MARK_AWAY;
 }
 

@@ -211,16 +211,16 @@ static void the_power_of_a_highlight_is_that_of_pow(void **state)
 
     for (size_t i = 0; i < 7; i++) {
         const material m = { .phong_size = (float)sizes[i] };
-        const plan_look look = { .power = (uint32_t)sizes[i] };
+        const plan_look look = { .power = (uint32_t)sizes[i], .material = &m };
 
         for (int j = 1; j < 20000; j++) {
             const float end = (float)j / 20000 + 0x1p-26f;
             const double edge = pow(0.5 * ((double)end + (double)nextafterf(end, 1.0f)), 1.0 / sizes[i]);
 
-            assert_true(pigment_power(j / 19000.0, &m, &look) == (float)pow(j / 19000.0, sizes[i]));
-            assert_true(pigment_power(edge, &m, &look) == (float)pow(edge, sizes[i]));
+            assert_true(pigment_power(j / 19000.0, &look) == (float)pow(j / 19000.0, sizes[i]));
+            assert_true(pigment_power(edge, &look) == (float)pow(edge, sizes[i]));
         }
-        assert_true(pigment_power(1e-200, &m, &look) == (float)pow(1e-200, sizes[i]));
+        assert_true(pigment_power(1e-200, &look) == (float)pow(1e-200, sizes[i]));
     }
 }
 
