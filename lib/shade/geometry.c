@@ -2,6 +2,12 @@
 
 #include "base/simd.h"
 
+void geometry_begin(geometry *g)
+{
+    for (uint32_t i = 0; i < BATCH_MAX; i++)
+        g->way.x[i] = g->normal.x[i] = 1.0;
+}
+
 /* Points and normals of what was met. */
 static void complete(pov_tracer *t, uint32_t n)
 {
@@ -68,7 +74,7 @@ void geometry_find(pov_tracer *t, uint32_t n)
         put(&g->point_lo, i, s->at->point_lo);
         put(&g->normal, i, pov_scale(s->at->normal, side));
     }
-    if (!turn_plain(g, n))
+    if (!turn_plain(g, lanes_whole(n)))
         for (uint32_t i = 0; i < n; i++)
             turn(g, i, pov_unit(lanes_at(&g->way, i)));
 }

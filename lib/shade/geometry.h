@@ -4,6 +4,8 @@
 
 #include "shade/shade.h"
 
+/* Of no surfaces yet: lanes hold what is computed with like any other. */
+void geometry_begin(geometry *g);
 /* From t->surfaces to t->geometry; of surfaces that lie on no others the hits are completed first. */
 void geometry_find(pov_tracer *t, uint32_t n);
 

@@ -91,20 +91,18 @@ static inline colour answer(const model *m, const plan_look *look, double cosine
     return colour_add(sum, colour_scale(pigment_highlight(m, look->material, cosine), strength));
 }
 
-/* Note the ray from a surface to the light, or add what it gives where nothing can stand in the way. */
-static inline void ask(pov_tracer *t, uint32_t lane, pov_vec3 way, colour given)
-{
-    light_rays *l = &t->light_rays;
-    surface *s = &t->surfaces[lane];
+/* What a light gives where nothing can stand in the way. */
+static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
 
-    if (!t->plan->shadows) {
-        s->lit = colour_add(s->lit, given);
-        return;
-    }
-    l->room[lane].dir = way;
-    l->rays[l->count] = &l->room[lane];
-    l->given[lane] = given;
-    l->of[l->count++] = (uint8_t)lane;
+/* Note the ray from a surface to the light: the n-th. */
+static inline void ask(light_rays *l, uint32_t n, uint32_t lane, pov_vec3 way, colour given)
+{
+    pov_ray *ray = &l->room[lane];
+
+    ray->dir = way;
+    l->rays[n] = ray;
+    l->given[n] = given;
+    l->of[n] = (uint8_t)lane;
 }
 
 static bool any_on_spot(const pov_tracer *t, const light_rays *l)
@@ -142,9 +140,8 @@ static void send(pov_tracer *t)
               : world_light_path_many(t->world, t->walker, l->rays, l->count, 1.0, through);
     for (; lit; lit &= lit - 1) {
         const uint32_t i = first_of64(lit);
-        surface *s = &t->surfaces[l->of[i]];
 
-        s->lit = colour_add(s->lit, colour_mul(l->given[l->of[i]], through[i]));
+        add_light(&t->surfaces[l->of[i]], colour_mul(l->given[i], through[i]));
     }
 }
 
@@ -163,15 +160,16 @@ static void name_left(pov_tracer *t, const double *cosines)
 /* The rays of the lit surfaces to one light, but for those that it cannot change anything about. */
 static void shine(pov_tracer *t, const light *l, uint32_t n)
 {
-    const light_rays *rays = &t->light_rays;
-    uint32_t behind = 0, idle = 0;
+    light_rays *rays = &t->light_rays;
+    const uint32_t lit_count = rays->lit_count;
+    const bool shadows = t->plan->shadows;
+    uint32_t behind = 0, idle = 0, asked = 0;
     sight s;
-    const bool grazing = look_at_light(&s, &t->geometry, l, n);
+    const bool grazing = look_at_light(&s, &t->geometry, l, lanes_whole(n));
 
     if (grazing)
         name_left(t, s.cosine);
-    t->light_rays.count = 0;
-    for (uint32_t k = 0; k < rays->lit_count; k++) {
+    for (uint32_t k = 0; k < lit_count; k++) {
         const uint32_t i = rays->lit[k];
         colour given;
 
@@ -180,14 +178,17 @@ static void shine(pov_tracer *t, const light *l, uint32_t n)
             continue;
         }
         given = colour_mul(l->color, answer(t->model, t->surfaces[i].look, s.cosine[i], s.gloss[i]));
-        if (colour_is_black(given))
+        if (!(given.r > 0.0f) && colour_is_black(given))
             idle++;
+        else if (shadows)
+            ask(rays, asked++, i, lanes_at(&s.way, i), given);
         else
-            ask(t, i, lanes_at(&s.way, i), given);
+            add_light(&t->surfaces[i], given);
     }
     t->counts.shadow_behind += behind;
     t->counts.shadow_idle += idle;
-    if (rays->count > 0)
+    rays->count = asked;
+    if (asked > 0)
         send(t);
     if (grazing)
         name_left(t, NULL);

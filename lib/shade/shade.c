@@ -38,6 +38,7 @@ pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_e
     t->world = w;
     t->plan = world_plan(w);
     make_camera_paths(&t->camera);
+    geometry_begin(&t->geometry);
     status = batch_make(t) ? walker_create(&t->walker, w, err) : err_memory(err);
     if (status < 0) {
         tracer_destroy(t);

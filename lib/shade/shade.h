@@ -44,6 +44,10 @@ typedef struct surface {
 /* Vectors by lane, so that loops over lanes become vectors of the processor. */
 typedef struct lanes { double x[BATCH_MAX], y[BATCH_MAX], z[BATCH_MAX]; } lanes;
 
+/* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past the
+ * end is of earlier surfaces, and nobody looks at it. */
+static inline uint32_t lanes_whole(uint32_t n) { return (n + 7) & ~7u; }
+
 /* How surfaces lie towards the rays that meet them, by lane. */
 typedef struct geometry {
     lanes point, point_lo;
