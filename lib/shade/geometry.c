@@ -5,44 +5,37 @@
 void geometry_begin(geometry *g)
 {
     for (uint32_t i = 0; i < BATCH_MAX; i++)
-        g->way.x[i] = g->normal.x[i] = 1.0;
+        g->to.way.x[i] = g->to.normal.x[i] = 1.0;
 }
 
-/* Points and normals of what was met. */
+/* Points and normals of what was met; of what lies on others they are known. */
 static void complete(pov_tracer *t, uint32_t n)
 {
     const pov_ray *rays[BATCH_MAX];
     hit *hits[BATCH_MAX];
-    uint32_t count = 0;
+    uint32_t count = 0, i;
 
-    for (uint32_t i = 0; i < n; i++) {
-        const surface *s = &t->surfaces[i];
-
-        if (s->spot)
+    for (i = 0; i < n; i++) {
+        if (t->surfaces[i].spot)
             continue;
-        rays[count] = s->ray;
-        hits[count++] = s->at;
+        rays[count] = t->rays[i];
+        hits[count++] = t->met[i];
     }
     if (count > 0)
-        world_surface_many(t->world, rays, hits, count);
-}
-
-static inline void put(lanes *l, uint32_t i, pov_vec3 v)
-{
-    l->x[i] = v.x;
-    l->y[i] = v.y;
-    l->z[i] = v.z;
+        world_surface_many(t->world, rays, hits, count, &t->geometry.to);
+    for (i = 0; i < n; i++)
+        world_approach(&t->geometry.to, i, t->rays[i], t->met[i]);
 }
 
 /* What the surface's side and the unit direction make of lane i. */
 static inline void turn(geometry *g, uint32_t i, pov_vec3 view)
 {
-    const pov_vec3 normal = lanes_at(&g->normal, i);
+    const pov_vec3 normal = lanes_at(&g->to.normal, i);
     double cosine = -pov_dot(normal, view);
 
     cosine = cosine > 0.0 ? cosine : 0.0;
-    put(&g->view, i, view);
-    put(&g->mirrored, i, pov_add(view, pov_scale(normal, 2.0 * cosine)));
+    lanes_put(&g->view, i, view);
+    lanes_put(&g->mirrored, i, pov_add(view, pov_scale(normal, 2.0 * cosine)));
     g->cosine[i] = cosine;
 }
 
@@ -54,7 +47,7 @@ SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n)
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 view;
 
-        plain &= geometry_unit(g->way.x[i], g->way.y[i], g->way.z[i], &view);
+        plain &= geometry_unit(g->to.way.x[i], g->to.way.y[i], g->to.way.z[i], &view);
         turn(g, i, view);
     }
     return plain;
@@ -64,17 +57,11 @@ void geometry_find(pov_tracer *t, uint32_t n)
 {
     geometry *g = &t->geometry;
 
-    complete(t, n);
-    for (uint32_t i = 0; i < n; i++) {
-        const surface *s = &t->surfaces[i];
-        const double side = s->at->entering ? 1.0 : -1.0;
-
-        put(&g->way, i, s->ray->dir);
-        put(&g->point, i, s->at->point);
-        put(&g->point_lo, i, s->at->point_lo);
-        put(&g->normal, i, pov_scale(s->at->normal, side));
-    }
+    if (t->spots.count > 0)
+        complete(t, n);
+    else
+        world_surface_many(t->world, t->rays, t->met, n, &g->to);
     if (!turn_plain(g, lanes_whole(n)))
         for (uint32_t i = 0; i < n; i++)
-            turn(g, i, pov_unit(lanes_at(&g->way, i)));
+            turn(g, i, pov_unit(lanes_at(&g->to.way, i)));
 }

@@ -9,14 +9,14 @@
 
 /* How surfaces see one light, by lane. */
 typedef struct sight {
-    lanes way;                   /* from the surface to the light */
+    vec_lanes way;               /* from the surface to the light */
     double cosine[BATCH_MAX];    /* between it and the normal */
     double gloss[BATCH_MAX];     /* ... and the mirrored ray */
 } sight;
 
 static inline void see(sight *s, const geometry *g, uint32_t i, pov_vec3 direction)
 {
-    s->cosine[i] = pov_dot(lanes_at(&g->normal, i), direction);
+    s->cosine[i] = pov_dot(lanes_at(&g->to.normal, i), direction);
     s->gloss[i] = pov_dot(lanes_at(&g->mirrored, i), direction);
 }
 
@@ -44,9 +44,9 @@ static inline int look_all(sight *restrict s, const geometry *restrict g, const 
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 direction;
 
-        s->way.x[i] = towards(at.x, at_lo.x, g->point.x[i], g->point_lo.x[i], low);
-        s->way.y[i] = towards(at.y, at_lo.y, g->point.y[i], g->point_lo.y[i], low);
-        s->way.z[i] = towards(at.z, at_lo.z, g->point.z[i], g->point_lo.z[i], low);
+        s->way.x[i] = towards(at.x, at_lo.x, g->to.point.x[i], g->to.point_lo.x[i], low);
+        s->way.y[i] = towards(at.y, at_lo.y, g->to.point.y[i], g->to.point_lo.y[i], low);
+        s->way.z[i] = towards(at.z, at_lo.z, g->to.point.z[i], g->to.point_lo.z[i], low);
         plain &= geometry_unit(s->way.x[i], s->way.y[i], s->way.z[i], &direction);
         see(s, g, i, direction);
         steep &= fabs(s->cosine[i]) > WORLD_AWAY;

@@ -237,8 +237,8 @@ static inline surface *place(pov_tracer *t, const batch *b, uint32_t i, uint32_t
     surface *s = &t->surfaces[n];
 
     s->from = &b->paths[i];
-    s->ray = b->rays[i];
-    s->at = &t->hits[i];
+    s->ray = t->rays[n] = b->rays[i];
+    s->at = t->met[n] = &t->hits[i];
     s->spot = s->above = s->on = 0;
     return s;
 }

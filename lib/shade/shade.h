@@ -41,24 +41,17 @@ typedef struct surface {
     colour lit;                  /* what it sends along the ray of what the lights send it */
 } surface;
 
-/* Vectors by lane, so that loops over lanes become vectors of the processor. */
-typedef struct lanes { double x[BATCH_MAX], y[BATCH_MAX], z[BATCH_MAX]; } lanes;
-
 /* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past the
  * end is of earlier surfaces, and nobody looks at it. */
 static inline uint32_t lanes_whole(uint32_t n) { return (n + 7) & ~7u; }
 
 /* How surfaces lie towards the rays that meet them, by lane. */
 typedef struct geometry {
-    lanes point, point_lo;
-    lanes way;                   /* direction of the ray */
-    lanes view;                  /* the same, unit */
-    lanes normal;                /* unit, turned towards the ray's start */
-    lanes mirrored;              /* view, mirrored; unit */
+    approaches to;
+    vec_lanes view;              /* the way, unit */
+    vec_lanes mirrored;          /* view, mirrored; unit */
     double cosine[BATCH_MAX];    /* between normal and the way back, >= 0 */
 } geometry;
-
-static inline pov_vec3 lanes_at(const lanes *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
 
 /* Rays to one light. */
 typedef struct light_rays {
@@ -106,6 +99,8 @@ struct pov_tracer {
     batch *spare;
     hit hits[BATCH_MAX];
     surface surfaces[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];   /* theirs, in their order, and what these met */
+    hit *met[BATCH_MAX];
     geometry geometry;           /* of the surfaces, in their order */
     light_rays light_rays;
 };

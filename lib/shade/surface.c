@@ -107,7 +107,7 @@ static void bend(pov_tracer *t, limits *l, uint32_t lane)
 {
     const surface *s = &t->surfaces[lane];
     const geometry *g = &t->geometry;
-    const pov_vec3 view = lanes_at(&g->view, lane), normal = lanes_at(&g->normal, lane);
+    const pov_vec3 view = lanes_at(&g->view, lane), normal = lanes_at(&g->to.normal, lane);
     const media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at->object);
     const uint32_t before = t->mirrored->count;
     pov_vec3 direction;

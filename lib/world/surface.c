@@ -51,16 +51,33 @@ void world_surface(const world *w, const pov_ray *ray, hit *h)
 
 /* ---- of many ---- */
 
+static inline void put_points(approaches *out, uint32_t i, const pov_ray *ray, const hit *h)
+{
+    lanes_put(&out->way, i, ray->dir);
+    lanes_put(&out->point, i, h->point);
+    lanes_put(&out->point_lo, i, h->point_lo);
+}
+
+static inline void put_normal(approaches *out, uint32_t i, const hit *h)
+{
+    lanes_put(&out->normal, i, pov_scale(h->normal, h->entering ? 1.0 : -1.0));
+}
+
+void world_approach(approaches *out, uint32_t lane, const pov_ray *ray, const hit *h)
+{
+    put_points(out, lane, ray, h);
+    put_normal(out, lane, h);
+}
+
 /* Lanes that hold nothing cost as much as others: fewer points than the least are better off alone. */
 enum { LANES = 8, POINTS_LEAST = 4 };
 
-/* By component: rays and crossings, and the points there. */
-typedef struct point_lanes {
-    double org[3][LANES], org_lo[3][LANES], dir[3][LANES], t[LANES], t_lo[LANES];
-    double point[3][LANES], point_lo[3][LANES];
-} point_lanes;
+/* By component: where rays start, and how far they go. */
+typedef struct start_lanes {
+    double org[3][LANES], org_lo[3][LANES], t[LANES], t_lo[LANES];
+} start_lanes;
 
-static inline void put_lane(point_lanes *l, uint32_t i, const pov_ray *ray, const pov_crossing *at)
+static inline void put_lane(start_lanes *l, uint32_t i, const pov_ray *ray, const pov_crossing *at)
 {
     l->org[0][i] = ray->org.x;
     l->org[1][i] = ray->org.y;
@@ -68,126 +85,105 @@ static inline void put_lane(point_lanes *l, uint32_t i, const pov_ray *ray, cons
     l->org_lo[0][i] = ray->org_lo.x;
     l->org_lo[1][i] = ray->org_lo.y;
     l->org_lo[2][i] = ray->org_lo.z;
-    l->dir[0][i] = ray->dir.x;
-    l->dir[1][i] = ray->dir.y;
-    l->dir[2][i] = ray->dir.z;
     l->t[i] = at->t;
     l->t_lo[i] = at->t_lo;
 }
 
-SIMD_CLONES static void find_lanes(point_lanes *l)
+static inline void find_axis(const start_lanes *l, int axis, const double *d, double *hi, double *lo)
 {
-    uint32_t i;
-    int k;
+    for (uint32_t i = 0; i < LANES; i++) {
+        const pov_two t = pov_fast_two_sum(l->t[i], l->t_lo[i]);
+        const pov_two p = along(l->org[axis][i], l->org_lo[axis][i], t, d[i]);
 
-    for (k = 0; k < 3; k++) {
-        const double *o = l->org[k], *o_lo = l->org_lo[k], *d = l->dir[k];
-        double *hi = l->point[k], *lo = l->point_lo[k];
-
-        for (i = 0; i < LANES; i++) {
-            pov_two p = along(o[i], o_lo[i], pov_fast_two_sum(l->t[i], l->t_lo[i]), d[i]);
-
-            hi[i] = p.hi;
-            lo[i] = p.lo;
-        }
+        hi[i] = p.hi;
+        lo[i] = p.lo;
     }
 }
 
-static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n)
+/* The points of the lanes from `first` on, whose ways are there. */
+SIMD_CLONES static void find_lanes(const start_lanes *restrict l, approaches *restrict out, uint32_t first)
 {
-    point_lanes l;
-    uint32_t first, i, j;
+    find_axis(l, 0, out->way.x + first, out->point.x + first, out->point_lo.x + first);
+    find_axis(l, 1, out->way.y + first, out->point.y + first, out->point_lo.y + first);
+    find_axis(l, 2, out->way.z + first, out->point.z + first, out->point_lo.z + first);
+}
 
-    for (first = 0; first < n; first += LANES) {
+static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out)
+{
+    for (uint32_t first = 0; first < n; first += LANES) {
+        const uint32_t some = n - first < LANES ? n - first : LANES;
+        start_lanes l;
+        uint32_t i;
+
         for (i = 0; i < LANES; i++) {
-            j = first + i < n ? first + i : n - 1;
+            const uint32_t j = first + (i < some ? i : some - 1);
+
             put_lane(&l, i, rays[j], &hits[j]->crossing);
+            lanes_put(&out->way, first + i, rays[j]->dir);
         }
-        find_lanes(&l);
-        for (i = 0, j = first; i < LANES && j < n; i++, j++) {
-            hits[j]->point = pov_vec3_of(l.point[0][i], l.point[1][i], l.point[2][i]);
-            hits[j]->point_lo = pov_vec3_of(l.point_lo[0][i], l.point_lo[1][i], l.point_lo[2][i]);
+        find_lanes(&l, out, first);
+        for (i = first; i < first + some; i++) {
+            hits[i]->point = lanes_at(&out->point, i);
+            hits[i]->point_lo = lanes_at(&out->point_lo, i);
         }
     }
 }
 
 /* Up to WORLD_MANY shapes of one class in the space of the world. */
 typedef struct normals {
-    uint32_t count;
     const void *selves[WORLD_MANY];
     const pov_ray *rays[WORLD_MANY];
     const pov_crossing *at[WORLD_MANY];
     pov_vec3 *out[WORLD_MANY];
 } normals;
 
-/* Take those of `left` that are of a class; the others are left. */
-static uint64_t take_class(const world *w, const pov_shape_class *shape, const pov_ray *const *rays, hit *const *hits,
-                           uint64_t left, normals *out)
+/* Normals of the class of the first of `left`, together. Shapes in spaces of their own are asked alone, as are those of
+ * classes that know no better. The others are left. */
+static uint64_t find_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint64_t left)
 {
-    uint64_t rest, others = 0;
-
-    out->count = 0;
-    for (rest = left; rest; rest &= rest - 1) {
-        const uint32_t i = first_of64(rest);
-        const uint32_t at = out->count;
-
-        if (w->model->objects.items[hits[i]->object].shape != shape) {
-            others |= (uint64_t)1 << i;
-            continue;
-        }
-        out->selves[at] = world_place(w, hits[i]->object).instance;
-        out->rays[at] = rays[i];
-        out->at[at] = &hits[i]->crossing;
-        out->out[at] = &hits[i]->normal;
-        out->count++;
-    }
-    return others;
-}
-
-/* Shapes in spaces of their own are asked alone, as are those of classes that know no better. The others are left. */
-static uint64_t find_lone_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n)
-{
+    const pov_shape_class *shape = NULL;
     uint64_t others = 0;
-    uint32_t i;
+    uint32_t count = 0;
+    normals some;
 
-    for (i = 0; i < n; i++) {
-        const shape_group *g = &w->groups[w->group[hits[i]->object]];
+    for (; left; left &= left - 1) {
+        const uint32_t i = first_of64(left), which = hits[i]->object;
+        const shape_group *g = &w->groups[w->group[which]];
 
-        if (!g->placed && POV_SHAPE_HAS(g->shape, normal_many))
-            others |= (uint64_t)1 << i;
-        else
+        if (g->placed || (g->shape != shape && !POV_SHAPE_HAS(g->shape, normal_many))) {
             find_normal(w, rays[i], hits[i]);
+        } else if (shape && g->shape != shape) {
+            others |= (uint64_t)1 << i;
+        } else {
+            shape = g->shape;
+            some.selves[count] = g->instances + (size_t)w->slot[which] * g->stride;
+            some.rays[count] = rays[i];
+            some.at[count] = &hits[i]->crossing;
+            some.out[count++] = &hits[i]->normal;
+        }
     }
+    if (count > 0)
+        shape->normal_many(some.selves, some.rays, some.at, some.out, count);
     return others;
 }
 
-static void surface_some(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n)
+void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out)
 {
-    uint64_t left = find_lone_normals(w, rays, hits, n);
-    normals some;
+    uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0;
     uint32_t i;
 
-    if (n < POINTS_LEAST)
-        for (i = 0; i < n; i++)
-            find_point(rays[i], hits[i]);
-    else
-        find_points(rays, hits, n);
-    while (left) {
-        const pov_shape_class *shape = w->model->objects.items[hits[first_of64(left)]->object].shape;
-
-        left = take_class(w, shape, rays, hits, left, &some);
-        shape->normal_many(some.selves, some.rays, some.at, some.out, some.count);
+    if (n >= POINTS_LEAST)
+        find_points(rays, hits, n, out);
+    for (i = 0; n < POINTS_LEAST && i < n; i++) {
+        find_point(rays[i], hits[i]);
+        put_points(out, i, rays[i], hits[i]);
     }
-    for (i = 0; i < n; i++)
+    while (left)
+        left = find_normals(w, rays, hits, left);
+    for (i = 0; i < n; i++) {
         take_side(w, rays[i], hits[i]);
-}
-
-void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n)
-{
-    uint32_t first;
-
-    for (first = 0; first < n; first += WORLD_MANY)
-        surface_some(w, rays + first, hits + first, n - first < WORLD_MANY ? n - first : WORLD_MANY);
+        put_normal(out, i, hits[i]);
+    }
 }
 
 /* ---- media ---- */

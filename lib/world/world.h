@@ -61,8 +61,31 @@ typedef struct hit {
 bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
 /* Fill the rest of what world_nearest() found. */
 void world_surface(const world *w, const pov_ray *ray, hit *h);
-/* The same of n rays with a hit each, to the bit; many cost less than as many alone. */
-void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n);
+
+/* Vectors by lane, so that loops over lanes become vectors of the processor. */
+enum { WORLD_MANY = 64 };
+typedef struct vec_lanes { double x[WORLD_MANY], y[WORLD_MANY], z[WORLD_MANY]; } vec_lanes;
+
+static inline pov_vec3 lanes_at(const vec_lanes *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
+static inline void lanes_put(vec_lanes *l, uint32_t i, pov_vec3 v)
+{
+    l->x[i] = v.x;
+    l->y[i] = v.y;
+    l->z[i] = v.z;
+}
+
+/* How rays come to surfaces, by lane. */
+typedef struct approaches {
+    vec_lanes way;               /* direction of the ray */
+    vec_lanes point, point_lo;
+    vec_lanes normal;            /* unit, turned towards the ray's start */
+} approaches;
+
+/* Of a hit that is filled. */
+void world_approach(approaches *out, uint32_t lane, const pov_ray *ray, const hit *h);
+/* Of up to WORLD_MANY rays with a hit each: what world_surface() fills, to the bit, and the approaches; many cost less than
+ * as many alone. */
+void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out);
 
 /* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Below some
  * hundred times what normals may be off by nothing is said of whether it goes away. */
@@ -81,7 +104,6 @@ static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through);
 /* The same of up to WORLD_MANY rays in company, with their answers to the bit: those of rays that start and go alike
  * cost a fraction of single ones. out and through have room for n; bit i of what is returned is ray i's. */
-enum { WORLD_MANY = 64 };
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
                                colour *through);

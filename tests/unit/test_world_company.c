@@ -114,10 +114,18 @@ static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, doubl
     }
 }
 
+static void same_lane(const vec_lanes *l, uint32_t i, pov_vec3 v)
+{
+    const pov_vec3 there = lanes_at(l, i);
+
+    assert_memory_equal(&there, &v, sizeof v);
+}
+
 static void same_surfaces(subject *s, const pov_ray *const *rays, uint32_t n, const hit *hits)
 {
     const pov_ray *met[WORLD_MANY];
     hit many[WORLD_MANY], *at[WORLD_MANY];
+    approaches to;
     uint32_t i, k = 0;
 
     for (i = 0; i < n; i++) {
@@ -127,7 +135,7 @@ static void same_surfaces(subject *s, const pov_ray *const *rays, uint32_t n, co
         at[k] = &many[k];
         met[k++] = rays[i];
     }
-    world_surface_many(s->world, met, at, k);
+    world_surface_many(s->world, met, at, k, &to);
     for (i = 0; i < k; i++) {
         hit single = many[i];
         world_surface(s->world, met[i], &single);
@@ -135,6 +143,10 @@ static void same_surfaces(subject *s, const pov_ray *const *rays, uint32_t n, co
         assert_memory_equal(&many[i].point_lo, &single.point_lo, sizeof single.point_lo);
         assert_memory_equal(&many[i].normal, &single.normal, sizeof single.normal);
         assert_int_equal(many[i].entering, single.entering);
+        same_lane(&to.way, i, met[i]->dir);
+        same_lane(&to.point, i, single.point);
+        same_lane(&to.point_lo, i, single.point_lo);
+        same_lane(&to.normal, i, pov_scale(single.normal, single.entering ? 1.0 : -1.0));
     }
 }
 
