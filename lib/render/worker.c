@@ -53,10 +53,13 @@ static void trace_company(worker *w, const settings *s, company *c)
     raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, seen);
     for (uint32_t i = 0; i < c->count; i++) {
-        c->out[i][0] = seen[i].r;
-        c->out[i][1] = seen[i].g;
-        c->out[i][2] = seen[i].b;
-        c->out[i][3] = 1.0f;
+        const colour at = seen[i];
+        float *out = c->out[i];
+
+        out[0] = at.r;
+        out[1] = at.g;
+        out[2] = at.b;
+        out[3] = 1.0f;
     }
 }
 

@@ -22,8 +22,10 @@ static void make_camera_paths(batch *b)
 {
     const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1 };
 
-    for (uint32_t i = 0; i < BATCH_MAX; i++)
+    for (uint32_t i = 0; i < BATCH_MAX; i++) {
         b->paths[i] = fresh;
+        b->paths[i].lane = i;
+    }
 }
 
 pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_error *err)
@@ -103,7 +105,7 @@ bool tracer_gives_up(pov_tracer *t, uint32_t rays)
     return i->given_up;
 }
 
-static bool is_same(pov_vec3 a, pov_vec3 b)
+static inline bool is_same(pov_vec3 a, pov_vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
@@ -128,16 +130,29 @@ static void find_start(pov_tracer *t, const pov_ray *ray)
     t->start_known = true;
 }
 
-static media_span begin_media(pov_tracer *t, const pov_ray *ray)
+static media_span copy_start(pov_tracer *t)
 {
     media_span span = { t->media.count, 0 };
 
-    find_start(t, ray);
     for (size_t i = 0; i < t->start.count && !t->failed; i++)
         if (!media_push(&t->media, t->env, t->start.items[i]))
             t->failed = true;
     span.count = t->media.count - span.first;
     return span;
+}
+
+/* The media of the camera's paths, each with a list of its own. */
+static void begin_media(pov_tracer *t, const pov_ray *ray)
+{
+    const media_span none = { 0, 0 };
+    batch *b = &t->camera;
+
+    find_start(t, ray);
+    if (t->start.count == 0 && !t->camera_in_media)
+        return;
+    t->camera_in_media = t->start.count > 0;
+    for (uint32_t i = 0; i < BATCH_MAX; i++)
+        b->paths[i].media = i < b->count ? copy_start(t) : none;
 }
 
 /* ---- what is seen ---- */
@@ -310,35 +325,60 @@ static void follow(pov_tracer *t, const batch *b, colour *out)
 
 /* ---- camera rays ---- */
 
-/* Rays of cameras that do not exist: no direction, or one that is not a number. */
-static inline bool is_ray(const pov_ray *ray)
-{
-    const double start = ray->org.x + ray->org.y + ray->org.z, way = ray->dir.x + ray->dir.y + ray->dir.z;
-    const double both = fabs(way + 0.0 * start);
+/* Rays of cameras that do not exist have no direction, or are not numbers. */
+static bool is_start(const pov_ray *ray) { return isfinite(ray->org.x + ray->org.y + ray->org.z); }
 
-    if (both > 0.0 && both <= DBL_MAX)
+static inline bool is_way(pov_vec3 dir)
+{
+    const double way = dir.x + dir.y + dir.z, size = fabs(way);
+
+    if (size > 0.0 && size <= DBL_MAX)
         return true;
-    return isfinite(start) && isfinite(way) && pov_largest(ray->dir) > 0.0;
+    return isfinite(way) && pov_largest(dir) > 0.0;
+}
+
+static uint32_t count_ways(const pov_ray *rays, uint32_t n)
+{
+    uint32_t i = 0;
+
+    while (i < n && is_way(rays[i].dir))
+        i++;
+    return i;
 }
 
 /* Bit i: ray i is one, and its path begins. */
+static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
+{
+    uint64_t rays_there = 0;
+
+    b->count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        if (!is_start(rays) || !is_way(rays[i].dir))
+            continue;
+        b->paths[b->count].lane = i;
+        b->rays[b->count++] = &rays[i];
+        rays_there |= (uint64_t)1 << i;
+    }
+    return rays_there;
+}
+
+/* The same; as a rule all are, and paths have their lanes from one time to the next. */
 static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n)
 {
     batch *b = &t->camera;
-    uint64_t rays_there = 0;
-    uint32_t count = 0;
+    uint64_t rays_there = ~(uint64_t)0;
 
-    for (uint32_t i = 0; i < n; i++) {
-        if (!is_ray(&rays[i]))
-            continue;
-        b->paths[count].lane = i;
-        b->rays[count++] = &rays[i];
-        rays_there |= (uint64_t)1 << i;
-    }
-    for (uint32_t i = 0; t->plan->media_at_start && i < count; i++)
-        b->paths[i].media = begin_media(t, b->rays[i]);
-    b->count = count;
-    t->counts.camera += count;
+    if (t->camera_odd)
+        make_camera_paths(b);
+    t->camera_odd = !is_start(rays) || count_ways(rays, n) < n;
+    b->count = n;
+    for (uint32_t i = 0; i < n; i++)
+        b->rays[i] = &rays[i];
+    if (t->camera_odd)
+        rays_there = begin_some(b, rays, n);
+    if (t->plan->media_at_start && b->count > 0)
+        begin_media(t, rays);
+    t->counts.camera += b->count;
     return rays_there;
 }
 
@@ -358,7 +398,7 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
     if (!are_finite(&out->r, 3 * n))
         for (i = 0; i < n; i++)
             out[i] = finite_colour(out[i]);
-    for (i = 0; t->camera.count < n && i < n; i++)
+    for (i = 0; t->camera_odd && i < n; i++)
         if (!(seeing >> i & 1))
             out[i] = t->model->background;
 }

@@ -95,6 +95,7 @@ struct pov_tracer {
     wait_stack waits;            /* transmitted rays, at most one batch a level */
     spot_stack spots;            /* of paths and of surfaces, in their order */
     batch camera;                /* paths of camera rays; what is the same for all of them was set once */
+    bool camera_odd, camera_in_media;   /* its paths are not those of all lanes in turn; some hold media */
     batch *now, *mirrored, *passed;   /* being followed, and those that go on from it */
     batch *spare;
     hit hits[BATCH_MAX];
@@ -110,7 +111,8 @@ void tracer_destroy(pov_tracer *t);
 
 /* What is seen along a camera ray. The tracer finds the media that hold its start. */
 colour tracer_color(pov_tracer *t, const pov_ray *ray);
-/* The same of many, which cost less in company when neighbours in the list are neighbours in the picture. */
+/* The same of many that start at one point, which cost less in company when neighbours in the list are neighbours in the
+ * picture. */
 void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, colour *out);
 /* Counts since the tracer was made, those of its walker included. */
 pov_counts tracer_counts(const pov_tracer *t);

@@ -384,6 +384,36 @@ static void a_ray_that_is_none_sees_the_background(void **state)
     tiny_end(&s);
 }
 
+/* Rays that are none among many, and many without such behind them. */
+static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
+{
+    const double none[4][5] = { { 0, 0, 0, 0, 0 }, { 1, 0, 1, 0, 0 }, { 0, 0, 0, 0, 1 }, { 0, 0, 0, 0, 0 } };
+    pov_ray rays[5];
+    colour many[5];
+    tiny s;
+    (void)state;
+    tiny_begin(&s, NULL);
+
+    s.model.background = colour_of(0.25f, 0.5f, 1.0f);
+    tiny_plane(&s, 0, 1, 0, 1, tiny_glow(1.0f, 0.5f, 0.0f));
+    tiny_build(&s);
+    for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < 5; i++) {
+            const pov_ray ray = { .dir = { 0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0 }, .left = POV_NOBODY };
+
+            rays[i] = ray;
+        }
+        tracer_colors(s.tracer, rays, 5, many);
+        for (int i = 0; i < 5; i++) {
+            const colour one = tracer_color(s.tracer, &rays[i]);
+
+            assert_memory_equal(&many[i], &one, sizeof one);
+            assert_true(one.b == (i < 3 || none[k][i] > 0.0 ? 1.0f : 0.0f));
+        }
+    }
+    tiny_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -406,6 +436,7 @@ int main(void)
         cmocka_unit_test(directions_may_be_as_short_or_long_as_numbers_go),
         cmocka_unit_test(colours_beyond_all_measure_stay_numbers),
         cmocka_unit_test(a_ray_that_is_none_sees_the_background),
+        cmocka_unit_test(rays_that_are_none_leave_the_others_in_their_lanes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
