@@ -198,6 +198,7 @@ static void stand_on(pov_tracer *t, surface *s, const spot *on)
     }
     s->spot = (uint32_t)t->spots.count;
     s->above = on->above;
+    s->on = 0;
     while (s->on + 1 < on->count && on->at[s->on].object != s->at->object)
         s->on++;
 }
@@ -247,15 +248,17 @@ static bool any_on_spot(const batch *b)
 }
 
 /* Ray i's surface, which is to be the n-th. */
-static inline surface *place(pov_tracer *t, const batch *b, uint32_t i, uint32_t n)
+static inline void place(pov_tracer *t, surface *s, const batch *b, uint32_t i, uint32_t n)
 {
-    surface *s = &t->surfaces[n];
+    hit *at = &t->hits[i];
+    const pov_ray *ray = b->rays[i];
 
     s->from = &b->paths[i];
-    s->ray = t->rays[n] = b->rays[i];
-    s->at = t->met[n] = &t->hits[i];
-    s->spot = s->above = s->on = 0;
-    return s;
+    s->ray = ray;
+    s->at = at;
+    s->spot = 0;
+    t->rays[n] = ray;
+    t->met[n] = at;
 }
 
 /* Is more to be seen of what was met than its own glow? */
@@ -281,8 +284,9 @@ static uint32_t meet_each(pov_tracer *t, const batch *b, colour *out)
     uint32_t n = 0;
 
     for (uint32_t i = 0; i < b->count; i++) {
-        surface *s = place(t, b, i, n);
+        surface *s = &t->surfaces[n];
 
+        place(t, s, b, i, n);
         if (meet_alone(t, s))
             n += is_kept(t, s, out);
         else
@@ -296,6 +300,7 @@ static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 {
     const colour background = t->model->background;
     uint64_t met, rest;
+    surface *s = t->surfaces;
     uint32_t n = 0;
 
     if (t->spots.count > 0 && any_on_spot(b))
@@ -303,8 +308,13 @@ static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
     met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
     for (rest = ~met & ~(uint64_t)0 >> (BATCH_MAX - b->count); rest; rest &= rest - 1)
         see(&b->paths[first_of64(rest)], background, out);
-    for (rest = met; rest; rest &= rest - 1)
-        n += is_kept(t, place(t, b, first_of64(rest), n), out);
+    for (rest = met; rest; rest &= rest - 1) {
+        place(t, s, b, first_of64(rest), n);
+        if (is_kept(t, s, out)) {
+            s++;
+            n++;
+        }
+    }
     return n;
 }
 
