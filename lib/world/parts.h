@@ -70,7 +70,7 @@ bool crossings_grow(pov_hits *hits);
 /* From near to far. */
 void crossings_sort(pov_crossing *at, uint32_t count);
 /* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
-bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour *through);
+bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);
 /* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
 void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
 

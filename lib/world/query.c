@@ -368,16 +368,28 @@ void crossings_sort(pov_crossing *at, uint32_t count)
     sort(at, count, is_nearer);
 }
 
+static bool are_in_order(const pov_crossing *at, uint32_t count)
+{
+    uint32_t i;
+
+    for (i = 1; i < count; i++)
+        if (is_of_earlier(&at[i], &at[i - 1]))
+            return false;
+    return true;
+}
+
 /* Where on its way light meets a filter does not matter to what is left of it. The product is rounded once, and its
  * order that of the objects: it is the same for the tree and the list. */
-bool crossings_multiply(const model *m, pov_crossing *at, uint32_t count, colour *through)
+bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through)
 {
+    const object *objects = w->model->objects.items;
     double r = (double)through->r, g = (double)through->g, b = (double)through->b;
     uint32_t i;
 
-    sort(at, count, is_of_earlier);
+    if (!are_in_order(at, count))
+        sort(at, count, is_of_earlier);
     for (i = 0; i < count; i++) {
-        const colour filter = material_filter(&m->materials.items[m->objects.items[at[i].owner].material]);
+        const colour filter = w->plan.looks[objects[at[i].owner].material].filter.by;
 
         r *= (double)filter.r;
         g *= (double)filter.g;
@@ -410,7 +422,7 @@ bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through)
 
     *through = colour_of(1.0f, 1.0f, 1.0f);
     if (tints && tints->count > 0)
-        open = open && crossings_multiply(w->model, tints->at, tints->count, through);
+        open = open && crossings_multiply(w, tints->at, tints->count, through);
     if (!open)
         *through = colour_of(0.0f, 0.0f, 0.0f);
     return open;

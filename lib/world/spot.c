@@ -267,7 +267,7 @@ bool world_light_path_from(const world *w, walker *k, const spot *from, const po
     a.hits.capacity = 1;
     a.hits.at = &at;
     open = leave_spot(w, from, ray->dir, through) && !go(&a, w, k) &&
-           (a.tints.count == 0 || crossings_multiply(w->model, a.tints.at, a.tints.count, through));
+           (a.tints.count == 0 || crossings_multiply(w, a.tints.at, a.tints.count, through));
     if (!open)
         *through = colour_of(0.0f, 0.0f, 0.0f);
     return open;
