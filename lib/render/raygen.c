@@ -2,6 +2,8 @@
 
 #include "base/simd.h"
 
+#include <float.h>
+
 /* Where a place between 0 and `size` lies in -1/2 .. 1/2, symmetric to the bit about the middle. */
 static inline double centred(int pixel, double within, int size)
 {
@@ -31,25 +33,31 @@ void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n)
         rays[i] = ray;
 }
 
-/* Directions by lane, so that the loop becomes vectors. */
-SIMD_CLONES static void aim(const pov_camera *camera, int width, int height, const raygen_places *p, uint32_t n,
-                             double (*out)[RAYGEN_MANY])
+/* Directions by lane, so that the loop becomes vectors. False: some direction may be none, or not a number. */
+SIMD_CLONES static bool aim(const pov_camera *camera, int width, int height, const raygen_places *p, uint32_t n,
+                            double (*out)[RAYGEN_MANY])
 {
+    int sound = 1;
+
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 d = direction(camera, width, height, p->x[i], p->y[i], p->dx[i], p->dy[i]);
+        const double size = fabs(d.x + d.y + d.z);
 
         out[0][i] = d.x;
         out[1][i] = d.y;
         out[2][i] = d.z;
+        sound &= (size > 0.0) & (size <= DBL_MAX);
     }
+    return sound;
 }
 
-void raygen_aim(const pov_camera *camera, int width, int height, const raygen_places *through, uint32_t n,
+bool raygen_aim(const pov_camera *camera, int width, int height, const raygen_places *through, uint32_t n,
                 pov_ray *rays)
 {
     double to[3][RAYGEN_MANY];
+    const bool sound = aim(camera, width, height, through, n, to);
 
-    aim(camera, width, height, through, n, to);
     for (uint32_t i = 0; i < n; i++)
         rays[i].dir = pov_vec3_of(to[0][i], to[1][i], to[2][i]);
+    return sound;
 }

@@ -38,11 +38,12 @@ typedef struct company {
 static void trace_company(worker *w, const settings *s, company *c)
 {
     colour seen[BATCH_MAX];
+    bool sound;
 
     if (c->count == 0)
         return;
-    raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
-    tracer_colors(w->tracer, c->rays, c->count, seen);
+    sound = raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
+    tracer_colors(w->tracer, c->rays, c->count, sound, seen);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {
         /* Sums in double of floats are exact as long as their exponents are near: a constant stays itself. */

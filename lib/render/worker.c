@@ -49,9 +49,10 @@ typedef struct company {
 static void trace_company(worker *w, const settings *s, company *c)
 {
     colour seen[BATCH_MAX];
+    bool sound;
 
-    raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
-    tracer_colors(w->tracer, c->rays, c->count, seen);
+    sound = raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
+    tracer_colors(w->tracer, c->rays, c->count, sound, seen);
     for (uint32_t i = 0; i < c->count; i++) {
         const colour at = seen[i];
         float *out = c->out[i];

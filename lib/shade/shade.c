@@ -338,22 +338,14 @@ static void follow(pov_tracer *t, const batch *b, colour *out)
 /* Rays of cameras that do not exist have no direction, or are not numbers. */
 static bool is_start(const pov_ray *ray) { return isfinite(ray->org.x + ray->org.y + ray->org.z); }
 
-static inline bool is_way(pov_vec3 dir)
+static bool is_way(pov_vec3 dir) { return isfinite(dir.x + dir.y + dir.z) && pov_largest(dir) > 0.0; }
+
+static bool are_ways(const pov_ray *rays, uint32_t n)
 {
-    const double way = dir.x + dir.y + dir.z, size = fabs(way);
-
-    if (size > 0.0 && size <= DBL_MAX)
-        return true;
-    return isfinite(way) && pov_largest(dir) > 0.0;
-}
-
-static uint32_t count_ways(const pov_ray *rays, uint32_t n)
-{
-    uint32_t i = 0;
-
-    while (i < n && is_way(rays[i].dir))
-        i++;
-    return i;
+    for (uint32_t i = 0; i < n; i++)
+        if (!is_way(rays[i].dir))
+            return false;
+    return true;
 }
 
 /* Bit i: ray i is one, and its path begins. */
@@ -373,14 +365,14 @@ static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
 }
 
 /* The same; as a rule all are, and paths have their lanes from one time to the next. */
-static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n)
+static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, bool sound)
 {
     batch *b = &t->camera;
     uint64_t rays_there = ~(uint64_t)0;
 
     if (t->camera_odd)
         make_camera_paths(b);
-    t->camera_odd = !is_start(rays) || count_ways(rays, n) < n;
+    t->camera_odd = !is_start(rays) || !(sound || are_ways(rays, n));
     b->count = n;
     for (uint32_t i = 0; i < n; i++)
         b->rays[i] = &rays[i];
@@ -392,14 +384,14 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n)
     return rays_there;
 }
 
-static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, colour *out)
+static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, bool sound, colour *out)
 {
     const batch *b = &t->camera;
     uint64_t seeing;
     uint32_t i;
 
     batch_forget(t);
-    seeing = begin(t, rays, n);
+    seeing = begin(t, rays, n, sound);
     for (i = 0; i < n; i++)
         out[i] = colour_of(0.0f, 0.0f, 0.0f);
     if (b->count > 0)
@@ -417,16 +409,16 @@ colour tracer_color(pov_tracer *t, const pov_ray *ray)
 {
     colour seen;
 
-    trace(t, ray, 1, &seen);
+    trace(t, ray, 1, false, &seen);
     return seen;
 }
 
 /* Batches are no larger than the number of rays that may be sent between two questions whether to give up. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, colour *out)
+void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, bool sound, colour *out)
 {
     for (size_t i = 0, some; i < n && !t->failed && !t->interrupt.given_up; i += some) {
         some = t->interrupt.ask && t->interrupt.every < BATCH_MAX ? (size_t)t->interrupt.every : BATCH_MAX;
         some = some < n - i ? some : n - i;
-        trace(t, rays + i, (uint32_t)some, out + i);
+        trace(t, rays + i, (uint32_t)some, sound, out + i);
     }
 }

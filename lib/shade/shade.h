@@ -112,8 +112,8 @@ void tracer_destroy(pov_tracer *t);
 /* What is seen along a camera ray. The tracer finds the media that hold its start. */
 colour tracer_color(pov_tracer *t, const pov_ray *ray);
 /* The same of many that start at one point, which cost less in company when neighbours in the list are neighbours in the
- * picture. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, colour *out);
+ * picture. sound: all have directions for certain, as raygen_aim() says. */
+void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, bool sound, colour *out);
 /* Counts since the tracer was made, those of its walker included. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* From now on ask while tracing whether to give up; after a yes t->interrupt.given_up holds, and what

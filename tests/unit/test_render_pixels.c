@@ -73,7 +73,7 @@ static void many_rays_are_single_ones_to_the_bit(void **state)
         places.dy[i] = at.y;
     }
     raygen_begin(&c, rays, RAYGEN_MANY);
-    raygen_aim(&c, 83, 211, &places, RAYGEN_MANY, rays);
+    assert_true(raygen_aim(&c, 83, 211, &places, RAYGEN_MANY, rays));
     for (int i = 0; i < RAYGEN_MANY; i++) {
         pov_ray one = raygen_ray(&c, 83, 211, places.x[i], places.y[i], places.dx[i], places.dy[i]);
 

@@ -403,7 +403,7 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
 
             rays[i] = ray;
         }
-        tracer_colors(s.tracer, rays, 5, many);
+        tracer_colors(s.tracer, rays, 5, false, many);
         for (int i = 0; i < 5; i++) {
             const colour one = tracer_color(s.tracer, &rays[i]);
 
