@@ -201,6 +201,7 @@ static void begin(pov_tracer *t, uint32_t n)
     light_rays *l = &t->light_rays;
     uint32_t count = 0;
 
+    l->room = t->mirrored->room;
     for (uint32_t i = 0; i < n; i++) {
         const surface *s = &t->surfaces[i];
         pov_ray *ray = &l->room[i];

@@ -61,7 +61,8 @@ typedef struct light_rays {
     colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
     uint32_t lit_count;
     uint8_t lit[BATCH_MAX];      /* lanes of the surfaces that lights change */
-    pov_ray room[BATCH_MAX];     /* each surface's, whose direction is the current light's */
+    pov_ray *room;               /* each surface's, whose direction is the current light's: that of t->mirrored, which is
+                                  * empty until all lights are done, so that fewer lines of memory are in use */
 } light_rays;
 
 /* A batch that waits, and how many media and spots there are behind it; the last of them on top. */
