@@ -416,18 +416,6 @@ bool query_go_on_light(query *q, const world *w)
     return w->walks->any_order(&q->walk);
 }
 
-bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through)
-{
-    bool open = !blocked;
-
-    *through = colour_of(1.0f, 1.0f, 1.0f);
-    if (tints && tints->count > 0)
-        open = open && crossings_multiply(w, tints->at, tints->count, through);
-    if (!open)
-        *through = colour_of(0.0f, 0.0f, 0.0f);
-    return open;
-}
-
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through)
 {
     tint_room *room = &k->rooms[0];

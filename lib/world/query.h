@@ -94,7 +94,16 @@ void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room);
 
 /* blocked: something that blocks stands on the way; tints: what transparent shapes were crossed, or NULL. False: nothing
  * is left of the light. */
-bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through);
+static inline bool end_light(const world *w, bool blocked, pov_hits *tints, colour *through)
+{
+    *through = colour_of(1.0f, 1.0f, 1.0f);
+    if (!blocked && !(tints && tints->count > 0))
+        return true;
+    if (!blocked && crossings_multiply(w, tints->at, tints->count, through))
+        return true;
+    *through = colour_of(0.0f, 0.0f, 0.0f);
+    return false;
+}
 
 /* Who is nearest, but for what waits to be asked: of that all but one can be settled, and this is given, if there is any. */
 void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, pov_crossing *at);
