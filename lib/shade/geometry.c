@@ -42,7 +42,7 @@ static inline void turn(geometry *g, uint32_t i, pov_vec3 view)
 /* False: some direction is so short or long that its square is none. */
 SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n)
 {
-    int plain = 1;
+    int64_t plain = -1;
 
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 view;
@@ -50,7 +50,7 @@ SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n)
         plain &= geometry_unit(g->to.way.x[i], g->to.way.y[i], g->to.way.z[i], &view);
         turn(g, i, view);
     }
-    return plain;
+    return plain != 0;
 }
 
 void geometry_find(pov_tracer *t, uint32_t n)

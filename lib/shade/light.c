@@ -39,7 +39,7 @@ enum { ODD_WAY = 1, GRAZING = 2 };
 static inline int look_all(sight *restrict s, const geometry *restrict g, const light *restrict l, uint32_t n, bool low)
 {
     const pov_vec3 at = l->position, at_lo = l->position_lo;
-    int plain = 1, steep = 1;
+    int64_t plain = -1, steep = -1;
 
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 direction;
@@ -49,7 +49,7 @@ static inline int look_all(sight *restrict s, const geometry *restrict g, const 
         s->way.z[i] = towards(at.z, at_lo.z, g->to.point.z[i], g->to.point_lo.z[i], low);
         plain &= geometry_unit(s->way.x[i], s->way.y[i], s->way.z[i], &direction);
         see(s, g, i, direction);
-        steep &= fabs(s->cosine[i]) > WORLD_AWAY;
+        steep &= fabs(s->cosine[i]) > WORLD_AWAY ? -1 : 0;
     }
     return (plain ? 0 : ODD_WAY) | (steep ? 0 : GRAZING);
 }

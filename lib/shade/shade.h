@@ -43,7 +43,7 @@ typedef struct surface {
 
 /* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past the
  * end is of earlier surfaces, and nobody looks at it. */
-static inline uint32_t lanes_whole(uint32_t n) { return (n + 7) & ~7u; }
+static inline uint32_t lanes_whole(uint32_t n) { return (n + 3) & ~3u; }
 
 /* How surfaces lie towards the rays that meet them, by lane. */
 typedef struct geometry {
