@@ -295,10 +295,25 @@ static uint32_t meet_each(pov_tracer *t, const batch *b, colour *out)
     return n;
 }
 
+/* Of the rays that meet nothing. The camera's all see the same, and are the first to add what they see. */
+static void see_background(pov_tracer *t, const batch *b, uint64_t rays, colour *out)
+{
+    const colour background = t->model->background;
+    colour seen = colour_of(0.0f, 0.0f, 0.0f);
+
+    if (b != &t->camera) {
+        for (; rays; rays &= rays - 1)
+            see(&b->paths[first_of64(rays)], background, out);
+        return;
+    }
+    seen = colour_add(seen, finite_colour(colour_mul(b->paths[0].factor.by, background)));
+    for (; rays; rays &= rays - 1)
+        out[b->paths[first_of64(rays)].lane] = seen;
+}
+
 /* What the batch's rays meet: those surfaces of which more than their own glow is seen. */
 static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 {
-    const colour background = t->model->background;
     uint64_t met, rest;
     surface *s = t->surfaces;
     uint32_t n = 0;
@@ -306,8 +321,7 @@ static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
     if (t->spots.count > 0 && any_on_spot(b))
         return meet_each(t, b, out);
     met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
-    for (rest = ~met & ~(uint64_t)0 >> (BATCH_MAX - b->count); rest; rest &= rest - 1)
-        see(&b->paths[first_of64(rest)], background, out);
+    see_background(t, b, ~met & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = met; rest; rest &= rest - 1) {
         place(t, s, b, first_of64(rest), n);
         if (is_kept(t, s, out)) {
