@@ -20,4 +20,11 @@
 #define SIMD_CLONES
 #endif
 
+/* What such a loop calls: it must not stay a call. */
+#if defined(__GNUC__)
+#define SIMD_INLINE __attribute__((always_inline)) static inline
+#else
+#define SIMD_INLINE static inline
+#endif
+
 #endif

@@ -46,7 +46,7 @@ static void put_off(company *c, const run *r, const pov_meeting *m)
 static void filter_nearest(company *c, const run *r, uint64_t lanes)
 {
     const pov_meeting *m = c->met;
-    uint32_t n = r->shape->block_filter(run_block(r), r->object, &c->party.side, lanes, c->met);
+    uint32_t n = run_filter(r, &c->party.side, lanes, c->met);
 
     for (; n > 0; m++, n--) {
         const pov_ray *ray = c->rays[m->ray];
@@ -116,6 +116,7 @@ typedef struct pairs {
     const void *selves[WORLD_MANY];
     const pov_ray *rays[WORLD_MANY];
     pov_hits *hits[WORLD_MANY];
+    pov_ray own[WORLD_MANY];     /* of placed ones */
 } pairs;
 
 /* Take those of `left` that are of a class; the others are left. */
@@ -135,6 +136,10 @@ static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t le
         }
         out->selves[n] = run_instance(p->run, p->lane);
         out->rays[n] = c->rays[i];
+        if (p->run->flags & RUN_PLACED) {
+            placement_ray(run_placement(p->run), c->rays[i], &out->own[n]);
+            out->rays[n] = &out->own[n];
+        }
         out->hits[n] = nearest_hits(c, i);
         out->hits[n]->owner = p->run->object[p->lane];
         out->count++;
@@ -159,7 +164,7 @@ static void ask_pairs(company *c, const run *r, pairs *some)
     walker_count(c->walker, r, some->count, decided);
 }
 
-/* Ask those that wait and can still be the nearest. What waits stood in a block, and so has no placement. */
+/* Ask those that wait and can still be the nearest. */
 static void settle(company *c)
 {
     uint64_t left = 0, rest;

@@ -162,7 +162,7 @@ void flat_place(const flat *f, uint32_t index, placement *out)
 
     transform_compose(o->map, &map);   /* as it could before */
     finite = placed_box(o, f->moved[index], &map, &own, &around);
-    placement_init(out, &map, &own, finite ? &around : NULL);
+    placement_init(out, &map, &own, finite ? &around : NULL, o->shape->flags);
 }
 
 /* Take the transformation into the shape, or leave the shape as it was written. */
@@ -419,6 +419,7 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
     memset(f, 0, sizeof *f);
     f->env = m->env;
     f->model = m;
+    f->use_blocks = use_blocks;
     f->threads = threads;
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);

@@ -25,6 +25,7 @@ void flat_make(const object *o, void *instance);
 typedef struct flat {
     const env *env;
     const model *model;
+    bool use_blocks;
     int threads;
     arena *staging;              /* by thread: copies that have absorbed a transformation, until runs take them */
     arena *kept;                 /* by thread: instances of shapes that are placed, which runs point to */

@@ -81,29 +81,62 @@ static void set_inverse(placement *p, const pov_affine *map)
     }
 }
 
-/* From the anchor to the further side of the own box, and what the filter may be off by: see placement_parts.h. */
-static bool set_half(placement *p, int i, double lo, double hi, pov_vec3 reach)
+/* From the anchor to the further side of the own box, and what the filter may be off by: see placement_parts.h.
+ * snug: set to false if the nearer side is not as far, as far as the filter cares. */
+static bool set_half(placement *p, int i, double lo, double hi, pov_vec3 reach, bool *snug)
 {
     const pov_two at = pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i));
-    double half = fmax(pov_two_sub(pov_two_of(hi, 0.0), at).hi, pov_two_sub(at, pov_two_of(lo, 0.0)).hi), lost = 0.0;
+    const double above = pov_two_sub(pov_two_of(hi, 0.0), at).hi, below = pov_two_sub(at, pov_two_of(lo, 0.0)).hi;
+    const double least = fmin(above, below) - PLACEMENT_ROUNDED * (fabs(lo) + fabs(hi));
+    double half = fmax(above, below), lost = 0.0;
     int j;
 
     for (j = 0; j < 3; j++)
         lost += fabs(inverse(p, i, j).hi) * part(reach, j);
     half += PLACEMENT_LOST * (lost + half) + PLACEMENT_LEAST;
     p->half[i] = (float)(half * (1.0 + 0x1p-20));
+    *snug = *snug && half > PLACEMENT_SMALL && least >= PLACEMENT_SNUG * (double)p->half[i];
     return half < PLACEMENT_LARGE && pov_largest(p->column[i]) < PLACEMENT_RANGE;
 }
 
-static bool set_box(placement *p, const pov_box *own, const pov_box *around)
+static bool set_box(placement *p, const pov_box *own, const pov_box *around, bool *snug)
 {
     const pov_vec3 reach = pov_sub(around->hi, around->lo);
 
-    return pov_largest(reach) < PLACEMENT_RANGE && set_half(p, 0, own->lo.x, own->hi.x, reach) &&
-           set_half(p, 1, own->lo.y, own->hi.y, reach) && set_half(p, 2, own->lo.z, own->hi.z, reach);
+    *snug = true;
+    return pov_largest(reach) < PLACEMENT_RANGE && set_half(p, 0, own->lo.x, own->hi.x, reach, snug) &&
+           set_half(p, 1, own->lo.y, own->hi.y, reach, snug) && set_half(p, 2, own->lo.z, own->hi.z, reach, snug);
 }
 
-void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around)
+/* Are the rows of |A| |M| small, A being the inverse of M? */
+static bool is_tame(const pov_affine *map)
+{
+    double most = 0.0;
+    int i, j, k;
+
+    for (i = 0; i < 3; i++) {
+        double row = 0.0;
+        for (j = 0; j < 3; j++)
+            for (k = 0; k < 3; k++)
+                row += fabs(map->inv[i][k] * map->m[k][j]);
+        most = row <= most ? most : row;
+    }
+    return most <= PLACEMENT_TAME;
+}
+
+static uint8_t what_is_known(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around,
+                             uint32_t flags)
+{
+    bool snug;
+
+    if (!around || !set_box(p, own, around, &snug))
+        return PLACEMENT_UNKNOWN;
+    if (!(flags & (POV_SHAPE_BOX | POV_SHAPE_BALL)) || !snug || !is_tame(map))
+        return PLACEMENT_IN_BOX;
+    return flags & POV_SHAPE_BOX ? PLACEMENT_IS_BOX : PLACEMENT_IS_BALL;
+}
+
+void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags)
 {
     pov_two moved[3], at[3];
     int i;
@@ -120,7 +153,7 @@ void placement_init(placement *p, const pov_affine *map, const pov_box *own, con
         at[i] = apply_row(p, i, moved);
     p->own_anchor = pov_vec3_of(at[0].hi, at[1].hi, at[2].hi);
     p->own_anchor_lo = pov_vec3_of(at[0].lo, at[1].lo, at[2].lo);
-    p->boxed = around && set_box(p, own, around);
+    p->known = what_is_known(p, map, own, around, flags);
 }
 
 /* ---- rays ---- */
@@ -156,7 +189,7 @@ static inline void own_point(const placement *p, pov_vec3 at, pov_vec3 at_lo, po
         out[i] = pov_two_add(apply_row(p, i, w), pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i)));
 }
 
-static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
+void placement_ray_portable(const placement *p, const pov_ray *ray, pov_ray *own)
 {
     pov_two o[3], d[3];
     int i;
@@ -172,39 +205,15 @@ static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
     own->left_mark = ray->left_mark;
 }
 
-/* The filter for one axis after the other. */
-static bool misses(const placement *p, const pov_ray *ray, double tmin, double tmax)
-{
-    const pov_vec3 g = pov_sub(ray->org, p->anchor), w = pov_add(g, ray->org_lo), d = ray->dir;
-    const pov_vec3 size = pov_vec3_of(fabs(g.x) + fabs(ray->org_lo.x), fabs(g.y) + fabs(ray->org_lo.y),
-                                      fabs(g.z) + fabs(ray->org_lo.z));
-    double in = tmin - fabs(tmin) * PLACEMENT_LATE, out = tmax + fabs(tmax) * PLACEMENT_LATE;
-    int i;
-
-    if (!placement_filters(p, size, d))
-        return false;
-    for (i = 0; i < 3; i++) {
-        const double x = inverse(p, i, 0).hi, y = inverse(p, i, 1).hi, z = inverse(p, i, 2).hi;
-        const double at = x * w.x + y * w.y + z * w.z, per = 1.0 / (x * d.x + y * d.y + z * d.z);
-        const double lost = fabs(x) * size.x + fabs(y) * size.y + fabs(z) * size.z;
-        const double half = (double)p->half[i] + PLACEMENT_LOST * lost;
-        const double a = (-half - at) * per, b = (half - at) * per;
-
-        in = (a < b ? a : b) > in ? (a < b ? a : b) : in;
-        out = (a > b ? a : b) < out ? (a > b ? a : b) : out;
-    }
-    return in > out;
-}
-
-const placement_code placement_portable = { own_ray, misses };
-
-static inline const placement_code *best(void)
+void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own)
 {
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return &placement_avx2;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        placement_ray_avx2(p, ray, own);
+        return;
+    }
 #endif
-    return &placement_portable;
+    placement_ray_portable(p, ray, own);
 }
 
 /* ---- what rays are answered ---- */
@@ -212,12 +221,9 @@ static inline const placement_code *best(void)
 void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                          pov_hits *hits)
 {
-    const placement_code *code = best();
     pov_ray own;
 
-    if (!hits->always_exact && code->misses(p, ray, hits->tmin, hits->tmax))
-        return;
-    code->own_ray(p, ray, &own);
+    placement_ray(p, ray, &own);
     shape->intersect(self, &own, hits);
 }
 
@@ -229,7 +235,7 @@ void placement_normal(const placement *p, const pov_shape_class *shape, const vo
     double n[3];
     int i;
 
-    best()->own_ray(p, ray, &own);
+    placement_ray(p, ray, &own);
     shape->normal(self, &own, at, &normal);
     /* Normals go by the transpose of the inverse. */
     for (i = 0; i < 3; i++) {

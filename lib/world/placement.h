@@ -12,16 +12,24 @@ typedef struct placement {
     pov_vec3 anchor;                           /* world space, near the shape */
     float half[3];               /* own space, from the anchor to the sides of a box that holds the shape, and more */
     bool axes;                   /* the inverse has a diagonal only */
-    bool boxed;                  /* there is that box, and nothing is out of range: rays are filtered */
+    uint8_t known;               /* PLACEMENT_* */
 } placement;
+
+/* What is known of the shape, so that rays can be filtered; it is in the range of filters then. */
+enum { PLACEMENT_UNKNOWN, PLACEMENT_IN_BOX, PLACEMENT_IS_BOX, PLACEMENT_IS_BALL };
 
 /* The box around a transformed box, rounded outward. */
 void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
-/* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. */
-void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around);
+/* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
+void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 
-/* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are.
- * intersect() first asks the filter, but for hits that are always exact. */
+/* As block_filter() of a block that holds the shape alone; nothing may be UNKNOWN. */
+uint32_t placement_filter(const placement *p, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+
+/* The ray in the shape's own space. */
+void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own);
+
+/* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are. */
 void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                          pov_hits *hits);
 void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
@@ -29,16 +37,12 @@ void placement_normal(const placement *p, const pov_shape_class *shape, const vo
 bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo);
 
-/* What a processor does in its own way, the same bits in each. `misses` is the filter: in plain double, true where the
- * ray surely does not meet the shape's own box between tmin and tmax. */
-typedef struct placement_code {
-    void (*own_ray)(const placement *p, const pov_ray *ray, pov_ray *own);
-    bool (*misses)(const placement *p, const pov_ray *ray, double tmin, double tmax);
-} placement_code;
+/* placement_ray() as processors do it, each in its own way, the same bits in each. */
+typedef void placement_code(const placement *p, const pov_ray *ray, pov_ray *own);
 
-extern const placement_code placement_portable;
+placement_code placement_ray_portable;
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
-extern const placement_code placement_avx2;   /* only where the processor has AVX2 and fma */
+placement_code placement_ray_avx2;   /* only where the processor has AVX2 and fma */
 #endif
 
 #endif

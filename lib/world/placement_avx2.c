@@ -1,6 +1,6 @@
 /* The rays of placed shapes with x, y and z side by side. The fourth lane holds what lies behind them, and counts for
  * nothing. Operations and their order are placement.c's. */
-#include "world/placement_parts.h"
+#include "world/placement.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
@@ -19,11 +19,6 @@ TARGET static inline void store(pov_vec3 *out, __m256d v)
 {
     _mm_storeu_pd(&out->x, _mm256_castpd256_pd128(v));
     _mm_store_sd(&out->z, _mm256_extractf128_pd(v, 1));
-}
-
-TARGET static inline __m256d size_of(__m256d v)
-{
-    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), v);
 }
 
 /* ---- two parts: exact.h has the names and the bounds ---- */
@@ -105,7 +100,7 @@ TARGET static inline two4 start_of(const placement *p, const pov_ray *ray)
     return fast_sum(t.hi, _mm256_add_pd(s.lo, t.lo));
 }
 
-TARGET static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
+TARGET void placement_ray_avx2(const placement *p, const pov_ray *ray, pov_ray *own)
 {
     const two4 w = start_of(p, ray), anchor = { load(&p->own_anchor), load(&p->own_anchor_lo) };
     two4 o, d;
@@ -128,50 +123,5 @@ TARGET static void own_ray(const placement *p, const pov_ray *ray, pov_ray *own)
     own->left = ray->left;
     own->left_mark = ray->left_mark;
 }
-
-/* ---- the filter ---- */
-
-TARGET static inline __m256d linear(__m256d x, __m256d y, __m256d z, __m256d v)
-{
-    __m256d s = _mm256_add_pd(_mm256_mul_pd(x, SPREAD(v, 0)), _mm256_mul_pd(y, SPREAD(v, 1)));
-
-    return _mm256_add_pd(s, _mm256_mul_pd(z, SPREAD(v, 2)));
-}
-
-/* What comes second counts where the other is no number. */
-TARGET static inline double greatest(__m256d v, double least)
-{
-    __m128d a = _mm256_castpd256_pd128(v), b = _mm256_extractf128_pd(v, 1), r = _mm_max_sd(a, _mm_set_sd(least));
-
-    return _mm_cvtsd_f64(_mm_max_sd(b, _mm_max_sd(_mm_unpackhi_pd(a, a), r)));
-}
-
-TARGET static inline double smallest(__m256d v, double most)
-{
-    __m128d a = _mm256_castpd256_pd128(v), b = _mm256_extractf128_pd(v, 1), r = _mm_min_sd(a, _mm_set_sd(most));
-
-    return _mm_cvtsd_f64(_mm_min_sd(b, _mm_min_sd(_mm_unpackhi_pd(a, a), r)));
-}
-
-TARGET static bool misses(const placement *p, const pov_ray *ray, double tmin, double tmax)
-{
-    const __m256d x = load(&p->column[0]), y = load(&p->column[1]), z = load(&p->column[2]), d = load(&ray->dir);
-    const __m256d g = _mm256_sub_pd(load(&ray->org), load(&p->anchor)), low = load(&ray->org_lo);
-    const __m256d at = linear(x, y, z, _mm256_add_pd(g, low)), size = _mm256_add_pd(size_of(g), size_of(low));
-    const __m256d per = _mm256_div_pd(_mm256_set1_pd(1.0), linear(x, y, z, d));
-    const __m256d lost = linear(size_of(x), size_of(y), size_of(z), size);
-    const __m256d half = _mm256_add_pd(_mm256_cvtps_pd(_mm_loadu_ps(p->half)),
-                                       _mm256_mul_pd(_mm256_set1_pd(PLACEMENT_LOST), lost));
-    const __m256d a = _mm256_mul_pd(_mm256_sub_pd(_mm256_sub_pd(_mm256_setzero_pd(), half), at), per);
-    const __m256d b = _mm256_mul_pd(_mm256_sub_pd(half, at), per);
-    const double in = greatest(_mm256_min_pd(a, b), tmin - fabs(tmin) * PLACEMENT_LATE);
-    const double out = smallest(_mm256_max_pd(a, b), tmax + fabs(tmax) * PLACEMENT_LATE);
-    pov_vec3 sizes;
-
-    store(&sizes, size);
-    return in > out && placement_filters(p, sizes, ray->dir);
-}
-
-const placement_code placement_avx2 = { own_ray, misses };
 
 #endif

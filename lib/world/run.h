@@ -7,7 +7,7 @@
 enum { RUN_WIDTH = 8 };
 
 enum {
-    RUN_PACKED = 1,              /* a block stands RUN_HEAD bytes behind the run's start */
+    RUN_PACKED = 1,              /* a filter: a block RUN_HEAD bytes behind the run's start, or its placement's */
     RUN_ROOM = 2,                /* there is room for a block there, packed or not */
     RUN_MORE = 4,                /* another run follows */
     RUN_PLACED = 8,              /* one shape only, and its placement behind its object */
@@ -58,6 +58,14 @@ static inline const run *run_next(const run *r)
     if (!(r->flags & RUN_MORE))
         return NULL;
     return (const run *)(const void *)((const unsigned char *)r + run_bytes(r->shape, r->flags));
+}
+
+/* Of one that is RUN_PACKED. */
+static inline uint32_t run_filter(const run *r, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+{
+    if (r->flags & RUN_PLACED)
+        return placement_filter(run_placement(r), rays, lanes, out);
+    return r->shape->block_filter(run_block(r), r->object, rays, lanes, out);
 }
 
 static inline void run_intersect(const run *r, uint32_t lane, const pov_ray *ray, pov_hits *hits)

@@ -118,8 +118,11 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
 static const void *place(runs *r, uint32_t id, run *out)
 {
     unsigned char *start = (unsigned char *)out;
+    placement *p = (placement *)(void *)(start + RUN_PLACE);
 
-    flat_place(r->flat, id, (placement *)(void *)(start + RUN_PLACE));
+    flat_place(r->flat, id, p);
+    if (r->flat->use_blocks && p->known != PLACEMENT_UNKNOWN)
+        out->flags |= RUN_PACKED;
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
     return r->flat->moved[id];
 }

@@ -569,7 +569,7 @@ KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owner
 
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX,
     .keyword = "box",
     .instance_size = sizeof(box),
     .parse = parse,

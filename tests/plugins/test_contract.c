@@ -841,6 +841,39 @@ static void a_convex_shape_is_left_for_good(void **unused)
         skip();
 }
 
+static double between(double lo, double hi, double at)
+{
+    const double rounded = DBL_EPSILON * 8.0 * (fabs(lo) + fabs(hi)), half = 0.5 * (hi - lo) - rounded;
+
+    return 0.5 * (lo + hi) + at * fmax(half, 0.0);
+}
+
+/* Points just within the bounds, or the ball that touches them. */
+static bool fills_its_bounds(const thing *t, const pov_ray *ray)
+{
+    const double edge = 1.0 - 0x1p-40;
+    pov_vec3 at = pov_scale(subject_direction(), edge), zero = { 0.0, 0.0, 0.0 };
+    pov_box box;
+
+    (void)ray;
+    if (subject.shape->flags & POV_SHAPE_BOX)
+        at = pov_vec3_of(copysign(edge, at.x), copysign(edge, at.y), copysign(edge, at.z));
+    if (!subject.shape->bounds(t->self, &box))
+        return false;
+    at = pov_vec3_of(between(box.lo.x, box.hi.x, at.x), between(box.lo.y, box.hi.y, at.y),
+                     between(box.lo.z, box.hi.z, at.z));
+    return subject.shape->inside(t->self, at, zero);
+}
+
+static void a_box_or_ball_fills_its_bounds(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & (POV_SHAPE_BOX | POV_SHAPE_BALL))
+        each_ray(RAYS, fills_its_bounds);
+    else
+        skip();
+}
+
 /* ---- garbage ---- */
 
 static void garbage_never_crashes_parse(void **unused)
@@ -895,6 +928,7 @@ static int check_file(const char *file)
         cmocka_unit_test(many_rays_get_the_answers_of_single_ones),
         cmocka_unit_test(many_normals_are_those_of_single_ones),
         cmocka_unit_test(a_ray_that_leaves_never_meets_its_start),
+        cmocka_unit_test(a_box_or_ball_fills_its_bounds),
         cmocka_unit_test(a_convex_shape_is_left_for_good),
         cmocka_unit_test(garbage_never_crashes_parse),
     };

@@ -1,5 +1,5 @@
-/* Rays of shapes in spaces of their own: the filter before them never says a wrong no, and every processor's copy gives
- * the same bits. */
+/* Rays of shapes in spaces of their own: the filter before them never says a wrong no or yes, for one ray as for many,
+ * and every processor's copy gives the same bits. */
 #include "support/check.h"
 #include "support/shapes.h"
 
@@ -46,20 +46,56 @@ static void intersect_brick(const void *self, const pov_ray *ray, pov_hits *hits
 }
 
 static const pov_shape_class brick = { .size = sizeof brick, .keyword = "brick", .instance_size = sizeof(pov_box),
-                                       .intersect = intersect_brick };
+                                       .flags = POV_SHAPE_BOX, .intersect = intersect_brick };
 
-static uint32_t count_hits(const placement *p, const pov_box *own, const pov_ray *ray, double tmax, bool always_exact)
+/* ---- and the ball in a box, about its point nearest to the centre ---- */
+
+static pov_two3 from_centre(const pov_box *b, const pov_ray *ray)
 {
-    pov_crossing at[2];
+    pov_two3 w;
+
+    w.x = pov_two_add_double(pov_two_of(ray->org.x, ray->org_lo.x), -0.5 * (b->lo.x + b->hi.x));
+    w.y = pov_two_add_double(pov_two_of(ray->org.y, ray->org_lo.y), -0.5 * (b->lo.y + b->hi.y));
+    w.z = pov_two_add_double(pov_two_of(ray->org.z, ray->org_lo.z), -0.5 * (b->lo.z + b->hi.z));
+    return w;
+}
+
+static void intersect_orb(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const pov_box *b = self;
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    const double radius = 0.5 * (b->hi.x - b->lo.x);
+    const pov_two3 d = pov_two3_of(ray->dir, ray->dir_lo), f = from_centre(b, ray);
+    const pov_two a = pov_two3_dot(d, d), middle = pov_two_neg(pov_two_div(pov_two3_dot(f, d), a));
+    pov_two3 w;
+    pov_two square, half;
+
+    w.x = pov_two_add(f.x, pov_two_mul(middle, d.x));
+    w.y = pov_two_add(f.y, pov_two_mul(middle, d.y));
+    w.z = pov_two_add(f.z, pov_two_mul(middle, d.z));
+    square = pov_two_sub(pov_two_product(radius, radius), pov_two3_dot(w, w));
+    if (!(square.hi >= 0.0))
+        return;
+    half = pov_two_sqrt(pov_two_div(square, a));
+    if (pov_cross(hits, pov_two_sub(middle, half).hi, 0.0, mark))
+        pov_cross(hits, pov_two_add(middle, half).hi, 0.0, mark);
+}
+
+static const pov_shape_class orb = { .size = sizeof orb, .keyword = "orb", .instance_size = sizeof(pov_box),
+                                     .flags = POV_SHAPE_BALL, .intersect = intersect_orb };
+
+static uint32_t find_hits(const placement *p, const pov_shape_class *shape, const pov_box *own, const pov_ray *ray,
+                          double tmax, pov_crossing at[2])
+{
     pov_hits hits;
 
     memset(&hits, 0, sizeof hits);
     hits.tmax = tmax;
     hits.want = POV_WANT_ALL;
-    hits.always_exact = always_exact;
+    hits.always_exact = true;
     hits.capacity = 2;
     hits.at = at;
-    placement_intersect(p, &brick, own, ray, &hits);
+    placement_intersect(p, shape, own, ray, &hits);
     return hits.count;
 }
 
@@ -124,7 +160,7 @@ static pov_ray random_ray(test_random *r, const pov_affine *map, const pov_box *
     ray.dir = pov_scale(way, power(r, -3.0, 3.0));
     ray.org = pov_sub(there, pov_scale(way, pov_largest(pov_sub(own->hi, own->lo)) * fabs(map->m[0][0]) *
                                                 power(r, -3.0, 6.0)));
-    if (test_below(r, 2))
+    if (test_below(r, 2) && pov_largest(pov_sub(there, ray.org)) > 0.0)
         ray.dir = pov_scale(pov_sub(there, ray.org), power(r, -3.0, 3.0));
     ray.org_lo = pov_scale(ray.org, test_uniform(r, -0x1p-54, 0x1p-54));
     ray.left = test_below(r, 2) ? POV_NOBODY : 0;
@@ -147,10 +183,9 @@ static void check_copies(const placement *p, const pov_ray *ray)
 
     if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
         return;
-    placement_portable.own_ray(p, ray, &a);
-    placement_avx2.own_ray(p, ray, &b);
+    placement_ray_portable(p, ray, &a);
+    placement_ray_avx2(p, ray, &b);
     assert_true(is_same(&a, &b));
-    assert_true(placement_portable.misses(p, ray, 0.0, HUGE_VAL) == placement_avx2.misses(p, ray, 0.0, HUGE_VAL));
 #else
     (void)p;
     (void)ray;
@@ -158,52 +193,141 @@ static void check_copies(const placement *p, const pov_ray *ray)
 #endif
 }
 
-typedef struct tally { long hits, misses, filtered; } tally;
+enum { RAYS = 4, APART = 19 };   /* how many go at a shape, and how many lanes lie between them */
 
-static void check_map(model *m, test_random *r, tally *t)
+typedef struct tally { long hits, misses, filtered, sure, twice; } tally;
+
+static void put_ray(pov_rays *to, uint32_t i, const pov_ray *ray, double tmax)
 {
-    const pov_box own = random_box(r);
+    to->org[0][i] = ray->org.x;
+    to->org[1][i] = ray->org.y;
+    to->org[2][i] = ray->org.z;
+    to->org_lo[0][i] = ray->org_lo.x;
+    to->org_lo[1][i] = ray->org_lo.y;
+    to->org_lo[2][i] = ray->org_lo.z;
+    to->dir[0][i] = ray->dir.x;
+    to->dir[1][i] = ray->dir.y;
+    to->dir[2][i] = ray->dir.z;
+    to->tmax[i] = tmax;
+}
+
+static bool is_not_before(double a, double b) { return a >= b - fabs(b) * 0x1p-46; }
+
+/* What is said of one ray, held against the truth; NULL: nothing. */
+static void check_answer(const pov_meeting *said, uint32_t hits, const pov_crossing at[2], tally *t)
+{
+    assert_true(said || hits == 0);
+    t->hits += hits > 0;
+    t->misses += hits == 0;
+    t->filtered += !said;
+    if (!said)
+        return;
+    assert_true(hits > 0 || !said->surely);
+    assert_true(hits == 2 || !said->twice);
+    if (hits > 0)
+        assert_true(is_not_before(at[0].t, said->lo));
+    if (said->surely)
+        assert_true(is_not_before(said->hi, at[0].t));
+    t->sure += said->surely;
+    t->twice += said->twice;
+}
+
+static void check_map(model *m, test_random *r, const pov_shape_class *shape, pov_box own, tally *t)
+{
+    const pov_meeting *of[RAYS] = { NULL };
+    pov_crossing at[RAYS][2];
+    pov_meeting met[RAYS];
+    static pov_rays rays;
+    uint32_t hits[RAYS], count, i;
+    uint64_t lanes = 0;
     pov_box around;
     pov_affine map;
     placement p;
-    int i;
 
     assert_true(transform_compose(random_map(m, r), &map));
     placement_box(&map, &own, &around);
-    placement_init(&p, &map, &own, &around);
-    for (i = 0; i < 4; i++) {
+    placement_init(&p, &map, &own, &around, shape->flags);
+    assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
+    for (i = 0; i < RAYS; i++) {
         const pov_ray ray = random_ray(r, &map, &own);
         const double tmax = test_below(r, 2) ? HUGE_VAL : power(r, -3.0, 6.0);
-        const uint32_t hits = count_hits(&p, &own, &ray, tmax, true);
 
+        hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
         check_copies(&p, &ray);
-        assert_int_equal(count_hits(&p, &own, &ray, tmax, false), hits);
-        if (hits)
-            assert_false(placement_portable.misses(&p, &ray, 0.0, tmax));
-        t->hits += hits > 0;
-        t->misses += hits == 0;
-        t->filtered += placement_portable.misses(&p, &ray, 0.0, tmax);
+        put_ray(&rays, i * APART, &ray, tmax);
+        lanes |= (uint64_t)1 << i * APART;
     }
+    count = placement_filter(&p, &rays, lanes, met);
+    for (i = 0; i < count; i++) {
+        assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
+        of[met[i].ray / APART] = &met[i];
+    }
+    for (i = 0; i < RAYS; i++)
+        check_answer(of[i], hits[i], at[i], t);
 }
 
-static void the_filter_never_says_a_wrong_no(void **state)
+static pov_box random_cube(test_random *r)
+{
+    const double size = power(r, -2.0, 2.0);
+    const pov_vec3 far = pov_scale(test_direction(r), test_below(r, 2) ? 0.0 : 10.0 * size);
+    pov_box b;
+
+    b.lo = pov_sub(far, pov_vec3_of(size, size, size));
+    b.hi = pov_add(far, pov_vec3_of(size, size, size));
+    return b;
+}
+
+static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random *r))
 {
     test_random r = { 17 };
-    tally t = { 0, 0, 0 };
+    tally t = { 0, 0, 0, 0, 0 };
     int i, j;
 
-    (void)state;
     for (i = 0; i < MAPS; i += BATCH) {
         model m;
         test_model_init(&m, NULL);
         for (j = 0; j < BATCH; j++)
-            check_map(&m, &r, &t);
+            check_map(&m, &r, shape, own(&r), &t);
         model_free(&m);
     }
-    print_message("hits %ld, misses %ld, filtered %ld\n", t.hits, t.misses, t.filtered);
+    print_message("%s: hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.hits, t.misses,
+                  t.filtered, t.sure, t.twice);
+    return t;
+}
+
+static void the_filter_is_right_of_boxes(void **state)
+{
+    const tally t = check_maps(&brick, random_box);
+
+    (void)state;
     /* It is of use: many rays of either kind, and most that miss are told, though they aim at edges. */
     assert_true(t.hits > MAPS && t.misses > MAPS / 2);
     assert_true((double)t.filtered > 0.5 * (double)t.misses);
+    assert_true(t.sure > MAPS / 10 && t.twice > MAPS / 20);
+}
+
+static void the_filter_is_right_of_balls(void **state)
+{
+    const tally t = check_maps(&orb, random_cube);
+
+    (void)state;
+    assert_true(t.hits > MAPS / 10 && t.misses > MAPS / 2);
+    assert_true((double)t.filtered > 0.5 * (double)t.misses);
+    assert_true(t.sure > MAPS / 20 && t.twice > MAPS / 40);
+}
+
+/* A ray through the middle, which meets the ball twice. */
+static void check_range(const placement *p, const pov_box *own, const pov_ray *ray)
+{
+    static pov_rays rays;
+    pov_crossing at[2];
+    pov_meeting met;
+
+    assert_int_equal(find_hits(p, &brick, own, ray, HUGE_VAL, at), 2);
+    if (p->known == PLACEMENT_UNKNOWN)
+        return;
+    put_ray(&rays, 0, ray, HUGE_VAL);
+    assert_int_equal(placement_filter(p, &rays, 1, &met), 1);
 }
 
 /* Where squares and products would leave the range of double, there is no filter and no wrong answer. */
@@ -225,17 +349,17 @@ static void what_is_out_of_range_is_not_filtered(void **state)
         assert_true(transform_compose(test_transform(&m, NULL, TRANSFORM_SCALE, sizes[i], 2.0 * sizes[i], sizes[i]),
                                       &map));
         placement_box(&map, &own, &around);
-        placement_init(&p, &map, &own, &around);
+        placement_init(&p, &map, &own, &around, POV_SHAPE_BALL);
         memset(&ray, 0, sizeof ray);
         ray.org = pov_vec3_of(0.0, 0.0, -5.0 * sizes[i]);
         ray.dir = pov_vec3_of(0.0, 1e-3, 1.0);
         check_copies(&p, &ray);
-        assert_int_equal(count_hits(&p, &own, &ray, HUGE_VAL, false), 2);
-        ray.dir = pov_vec3_of(0.0, 1e-113, 1e-110);
+        check_range(&p, &own, &ray);
+        ray.dir = pov_vec3_of(0.0, 1e-73, 1e-70);
         check_copies(&p, &ray);
-        assert_int_equal(count_hits(&p, &own, &ray, HUGE_VAL, false), 2);
-        placement_init(&p, &map, &own, NULL);
-        assert_false(placement_portable.misses(&p, &ray, 0.0, 1e-9));
+        check_range(&p, &own, &ray);
+        placement_init(&p, &map, &own, NULL, POV_SHAPE_BALL);
+        assert_int_equal(p.known, PLACEMENT_UNKNOWN);
         model_free(&m);
     }
 }
@@ -243,7 +367,8 @@ static void what_is_out_of_range_is_not_filtered(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_filter_never_says_a_wrong_no),
+        cmocka_unit_test(the_filter_is_right_of_boxes),
+        cmocka_unit_test(the_filter_is_right_of_balls),
         cmocka_unit_test(what_is_out_of_range_is_not_filtered),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -175,7 +175,11 @@ typedef struct pov_host {
 
 enum {
     POV_SHAPE_SOLID = 1u << 0,   /* inside() means something: may be a medium, may take part in CSG */
-    POV_SHAPE_CONVEX = 1u << 1   /* who leaves it outward never comes back: it lies on one side of each tangent plane */
+    POV_SHAPE_CONVEX = 1u << 1,  /* who leaves it outward never comes back: it lies on one side of each tangent plane */
+    /* It fills its bounds, or is the ball within them, but for what rounding them outward adds: up to eight units in the
+     * last place of the coordinates. Hosts that know better may look for more than bounds say. */
+    POV_SHAPE_BOX = 1u << 2,
+    POV_SHAPE_BALL = 1u << 3
 };
 
 typedef struct pov_shape_class {
