@@ -42,6 +42,10 @@ typedef struct kit_frustum_block {
 } kit_frustum_block;
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
-uint32_t kit_frustum_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+uint32_t kit_frustum_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                            pov_meeting *out);
+/* One lane of a block and many rays: puts their meetings after the n that there are, and gives how many there are then. */
+uint32_t kit_frustum_meet_rays(const kit_frustum_block *b, uint32_t which, const pov_rays *rays, uint64_t lanes,
+                               pov_meeting *out, uint32_t n);
 
 #endif
