@@ -25,6 +25,8 @@ bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec
 
 bool kit_frustum_bounds(const void *self, pov_box *out);
 void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+void kit_frustum_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                uint32_t n);
 void kit_frustum_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 void kit_frustum_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                              pov_vec3 *const *out, uint32_t n);

@@ -43,6 +43,7 @@ static const pov_shape_class cone_class = {
     .block_size = sizeof(kit_frustum_block),
     .block_pack = kit_frustum_pack,
     .block_filter = kit_frustum_filter,
+    .intersect_many = kit_frustum_intersect_many,
     .normal_many = kit_frustum_normal_many,
 };
 

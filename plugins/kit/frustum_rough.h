@@ -1,0 +1,134 @@
+/* frustum_rough.h - double precision with a running bound on every error: what one ray and several share. */
+#ifndef KIT_FRUSTUM_ROUGH_H
+#define KIT_FRUSTUM_ROUGH_H
+
+#include "kit/frustum_parts.h"
+#include "kit/simd.h"
+
+typedef struct bounded { double v, e; } bounded;   /* the exact value is within e of v */
+
+KIT_INLINE bounded bounded_of(double v, double e) { bounded b; b.v = v; b.e = e; return b; }
+
+/* A row times a vector that is off by a rounding of each component, and of `slack` more: six roundings in all, or one if
+ * the row is a coordinate axis. */
+KIT_INLINE bounded row_times(const kit_frustum *s, int i, pov_vec3 w, double slack)
+{
+    const pov_two3 *row = &s->row[i];
+    const double x = row->x.hi * w.x, y = row->y.hi * w.y, z = row->z.hi * w.z;
+    const double lost = fabs(row->x.hi) + fabs(row->y.hi) + fabs(row->z.hi);
+
+    return bounded_of(x + y + z, s->loss[i] * (fabs(x) + fabs(y) + fabs(z) + slack * lost));
+}
+
+KIT_INLINE bounded times(bounded a, bounded b)
+{
+    const double v = a.v * b.v;
+    return bounded_of(v, fabs(a.v) * b.e + a.e * (fabs(b.v) + b.e) + KIT_U * fabs(v));
+}
+
+KIT_INLINE bounded plus(bounded a, bounded b)
+{
+    const double v = a.v + b.v;
+    return bounded_of(v, a.e + b.e + KIT_U * fabs(v));
+}
+
+KIT_INLINE bounded minus(bounded a, bounded b)
+{
+    b.v = -b.v;
+    return plus(a, b);
+}
+
+KIT_INLINE bounded over(bounded a, bounded b)
+{
+    const double v = a.v / b.v;
+    return bounded_of(v, (a.e + fabs(v) * b.e) / (fabs(b.v) - b.e) + KIT_U * fabs(v));
+}
+
+/* The sign is certain: not even a bound twice as wide could turn it, which also pays for the bound's own
+ * roundings. */
+KIT_INLINE bool is_certain(bounded a) { return fabs(a.v) > 2.0 * a.e; }
+
+typedef struct rough { bounded x, y, z, dx, dy, dz, r, grow; } rough;
+
+/* Two components across the axis: what either is off by at most, the larger of their sizes, and the sum. */
+typedef struct rough_pair { double off, most, size; } rough_pair;
+
+KIT_INLINE rough_pair pair_of(bounded a, bounded b)
+{
+    rough_pair p;
+
+    p.off = kit_greater(a.e, b.e);
+    p.most = kit_greater(fabs(a.v), fabs(b.v));
+    p.size = fabs(a.v) + fabs(b.v);
+    return p;
+}
+
+/* What a product, a square, and the sum of two squares are off by for their factors. */
+KIT_INLINE double off_by(double a, double a_off, double b, double b_off) { return a * b_off + a_off * (b + b_off); }
+KIT_INLINE double off_by_square(double a, double off) { return off * (2.0 * a + off); }
+KIT_INLINE double off_by_squares(rough_pair a) { return 2.0 * a.off * (a.size + a.off); }
+
+/* The equation of the side along the ray, a t^2 + 2 b t + c, and its discriminant p^2 + q^2 - m^2. The same rules as above,
+ * once for what is alike. */
+typedef struct rough_equation { bounded a, b, c, discriminant; } rough_equation;
+
+KIT_INLINE rough_equation equation_of(const rough *g)
+{
+    const double u = KIT_U, x = g->x.v, y = g->y.v, r = g->r.v, dx = g->dx.v, dy = g->dy.v, grow = g->grow.v;
+    const double far = fabs(r), steep = fabs(grow), p = r * dx - grow * x, q = r * dy - grow * y, m = x * dy - y * dx;
+    const double way2 = dx * dx + dy * dy, grow2 = grow * grow, out2 = x * x + y * y, r2 = r * r, pq2 = p * p + q * q;
+    const rough_pair out = pair_of(g->x, g->y), way = pair_of(g->dx, g->dy);
+    const double pq_off = off_by(far, g->r.e, way.most, way.off) + off_by(steep, g->grow.e, out.most, out.off)
+                          + 2.0 * u * (far * way.most + steep * out.most);
+    /* Of m, and of x dx + y dy. */
+    const double m_off = out.size * way.off + out.off * (way.size + 2.0 * way.off) + 3.0 * u * out.size * way.most;
+    const rough_pair pq = { pq_off, 0.0, fabs(p) + fabs(q) };
+    rough_equation e;
+
+    e.a = bounded_of(way2 - grow2, off_by_squares(way) + off_by_square(steep, g->grow.e) + 3.0 * u * (way2 + grow2));
+    e.b = bounded_of(x * dx + y * dy - r * grow, m_off + off_by(far, g->r.e, steep, g->grow.e) + 3.0 * u * far * steep);
+    e.c = bounded_of(out2 - r2, off_by_squares(out) + off_by_square(far, g->r.e) + 3.0 * u * (out2 + r2));
+    e.discriminant = bounded_of(pq2 - m * m, off_by_squares(pq) + off_by_square(fabs(m), m_off) + 3.0 * u * (pq2 + m * m));
+    return e;
+}
+
+KIT_INLINE kit_root root_of(double middle, bounded t, uint32_t part)
+{
+    kit_root r;
+
+    r.t = pov_two_sum(middle, t.v);
+    r.error = t.e;
+    r.part = part;
+    r.flags = 0;
+    return r;
+}
+
+/* The slope, rounded. */
+KIT_INLINE bounded slope_of(const kit_frustum *s) { return bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)); }
+
+/* A ray at its closest approach to the middle of the axis, in local lengths. Any point near the shape would do. */
+KIT_INLINE double find_middle(const kit_frustum *s, const kit_ray *k, rough *g)
+{
+    const pov_vec3 f = pov_two3_hi(k->f);
+    const double x = row_times(s, 0, f, 0.0).v, y = row_times(s, 1, f, 0.0).v, z = row_times(s, 2, f, 0.0).v;
+
+    g->dx = row_times(s, 0, k->d, 0.0);
+    g->dy = row_times(s, 1, k->d, 0.0);
+    g->dz = row_times(s, 2, k->d, 0.0);
+    g->grow = times(slope_of(s), g->dz);
+    return -(x * g->dx.v + y * g->dy.v + (z - 0.5 * s->height.hi) * g->dz.v)
+           / (g->dx.v * g->dx.v + g->dy.v * g->dy.v + g->dz.v * g->dz.v);
+}
+
+KIT_INLINE void find_point(const kit_frustum *s, const kit_ray *k, double middle, rough *g)
+{
+    const pov_vec3 w = kit_along(k, middle);
+    const double slack = kit_far_slack(k);
+
+    g->x = row_times(s, 0, w, slack);
+    g->y = row_times(s, 1, w, slack);
+    g->z = row_times(s, 2, w, slack);
+    g->r = plus(bounded_of(s->radius.hi, KIT_U * s->radius.hi), times(slope_of(s), g->z));
+}
+
+#endif
