@@ -2,7 +2,7 @@
 #include "kit/frustum_bounds.h"
 
 /* Fewer shapes than that are asked with rays in the lanes. */
-enum { SPARSE = 5 };
+enum { SPARSE = 3 };
 
 static double sum_of(pov_vec3 a) { return kit_sum_of_components(a); }
 
