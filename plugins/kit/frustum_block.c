@@ -187,17 +187,6 @@ KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const uint32_t *ow
     return n;
 }
 
-/* Those that do not go away from someone. */
-static uint64_t stay(const pov_rays *rays, uint64_t lanes, uint32_t owner)
-{
-    uint64_t rest;
-
-    for (rest = lanes; rest; rest &= rest - 1)
-        if (rays->away[kit_first_lane64(rest)] == owner)
-            lanes &= ~(rest & -rest);
-    return lanes;
-}
-
 /* Shape by shape: lanes are rays. */
 static uint32_t filter_few(const kit_frustum_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                            pov_meeting *out)
@@ -207,7 +196,7 @@ static uint32_t filter_few(const kit_frustum_block *b, const uint32_t *owners, c
     for (mask = b->lanes; mask; mask &= mask - 1) {
         const uint32_t which = kit_first_lane(mask);
 
-        n = kit_frustum_meet_rays(b, which, rays, stay(rays, lanes, owners[which]), out, n);
+        n = kit_frustum_meet_rays(b, which, rays, kit_stay(rays, lanes, owners[which]), out, n);
     }
     return n;
 }

@@ -123,6 +123,17 @@ static inline uint32_t kit_first_lane64(uint64_t mask)
 #endif
 }
 
+/* Those of some rays that do not go away from someone. */
+static inline uint64_t kit_stay(const pov_rays *rays, uint64_t lanes, uint32_t owner)
+{
+    uint64_t rest;
+
+    for (rest = lanes; rest; rest &= rest - 1)
+        if (rays->away[kit_first_lane64(rest)] == owner)
+            lanes &= ~(rest & -rest);
+    return lanes;
+}
+
 /* Puts what was answered of a ray after the n meetings that there are; gives how many there are then. */
 static inline uint32_t kit_tell(const kit_answer *a, uint32_t ray, pov_meeting *out, uint32_t n)
 {
