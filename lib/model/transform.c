@@ -45,74 +45,72 @@ const transform *transform_append(arena *memory, const transform *before, transf
 
 /* ---- sine and cosine in two parts ---- */
 
-/* What x^2 is multiplied by in the Taylor series of sin(x) / x and of cos(x): 1/n! with its sign. */
-enum { TERMS = 15 };
-static const pov_two of_sine[TERMS] = {
-    { 1.0, 0.0 }, { -0.16666666666666666, -9.25185853854297e-18 },
-    { 0.008333333333333333, 1.1564823173178714e-19 }, { -0.0001984126984126984, -1.7209558293420705e-22 },
-    { 2.7557319223985893e-06, -1.858393274046472e-22 }, { -2.505210838544172e-08, 1.448814070935912e-24 },
-    { 1.6059043836821613e-10, 1.2585294588752098e-26 }, { -7.647163731819816e-13, -7.03872877733453e-30 },
-    { 2.8114572543455206e-15, 1.6508842730861433e-31 }, { -8.22063524662433e-18, -2.2141894119604265e-34 },
-    { 1.9572941063391263e-20, -1.3643503830087908e-36 }, { -3.868170170630684e-23, 8.843177655482344e-40 },
-    { 6.446950284384474e-26, -1.9330404233703465e-42 }, { -9.183689863795546e-29, -1.4303150396787322e-45 },
-    { 1.1309962886447716e-31, 1.0498015412959506e-47 }
-};
-static const pov_two of_cosine[TERMS] = {
-    { 1.0, 0.0 }, { -0.5, 0.0 },
-    { 0.041666666666666664, 2.3129646346357427e-18 }, { -0.001388888888888889, 5.300543954373577e-20 },
-    { 2.48015873015873e-05, 2.1511947866775882e-23 }, { -2.755731922398589e-07, -2.3767714622250297e-23 },
-    { 2.08767569878681e-09, -1.20734505911326e-25 }, { -1.1470745597729725e-11, -2.0655512752830745e-28 },
-    { 4.779477332387385e-14, 4.399205485834081e-31 }, { -1.5619206968586225e-16, -1.1910679660273754e-32 },
-    { 4.110317623312165e-19, 1.4412973378659527e-36 }, { -8.896791392450574e-22, 7.911402614872376e-38 },
-    { 1.6117375710961184e-24, -3.6846573564509766e-41 }, { -2.4795962632247976e-27, 1.2953730964765229e-43 },
-    { 3.279889237069838e-30, 1.5117542744029879e-46 }
-};
-
-/* Three angles at once cost hardly more than one. */
-enum { ANGLES = 3, LANES = 4 };
+/* Numbers on which the same is done, eight in plain loops, which compilers take as vectors. Four and four are of two
+ * kinds; the last of each four means nothing, or little. */
+enum { LANES = 8, HALF = LANES / 2 };
 typedef struct lanes { double hi[LANES], lo[LANES]; } lanes;
 
-/* The sum without its first term, which is 1, so that the caller can add that exactly. |x| <= pi/4: the 15 terms reach
- * (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that the rounding of doubles does no
- * harm there. */
-static void series(const pov_two *of, const lanes *x2, lanes *out)
-{
-    double hi[LANES], lo[LANES];
-    int i, k;
-
-    for (k = 0; k < LANES; k++) {
-        hi[k] = of[TERMS - 1].hi;
-        lo[k] = 0.0;
-    }
-    for (i = TERMS - 2; i >= 9; i--)
-        for (k = 0; k < LANES; k++)
-            hi[k] = hi[k] * x2->hi[k] + of[i].hi;
-    for (i = 8; i >= 1; i--) {
-        const pov_two term = of[i];
-        for (k = 0; k < LANES; k++) {
-            pov_two t = pov_two_mul(pov_two_of(hi[k], lo[k]), pov_two_of(x2->hi[k], x2->lo[k]));
-            t = pov_two_add(t, term);
-            hi[k] = t.hi;
-            lo[k] = t.lo;
-        }
-    }
-    for (k = 0; k < LANES; k++) {
-        pov_two t = pov_two_mul(pov_two_of(hi[k], lo[k]), pov_two_of(x2->hi[k], x2->lo[k]));
-        out->hi[k] = t.hi;
-        out->lo[k] = t.lo;
-    }
-}
-
-static pov_two lane_of(const lanes *l, int k)
+static inline pov_two lane_of(const lanes *l, int k)
 {
     return pov_two_of(l->hi[k], l->lo[k]);
 }
+
+static inline void set_lane(lanes *l, int k, pov_two to)
+{
+    l->hi[k] = to.hi;
+    l->lo[k] = to.lo;
+}
+
+/* What x^2 is multiplied by in the Taylor series of sin(x) / x, for the first four lanes, and of cos(x), for the
+ * others: 1/n! with its sign. */
+#define FOUR(x) x, x, x, x
+#define TERM(sine, sine_lo, cosine, cosine_lo) { { FOUR(sine), FOUR(cosine) }, { FOUR(sine_lo), FOUR(cosine_lo) } }
+enum { TERMS = 15 };
+static const lanes terms[TERMS] = {
+    TERM(1.0, 0.0, 1.0, 0.0),
+    TERM(-0.16666666666666666, -9.25185853854297e-18, -0.5, 0.0),
+    TERM(0.008333333333333333, 1.1564823173178714e-19, 0.041666666666666664, 2.3129646346357427e-18),
+    TERM(-0.0001984126984126984, -1.7209558293420705e-22, -0.001388888888888889, 5.300543954373577e-20),
+    TERM(2.7557319223985893e-06, -1.858393274046472e-22, 2.48015873015873e-05, 2.1511947866775882e-23),
+    TERM(-2.505210838544172e-08, 1.448814070935912e-24, -2.755731922398589e-07, -2.3767714622250297e-23),
+    TERM(1.6059043836821613e-10, 1.2585294588752098e-26, 2.08767569878681e-09, -1.20734505911326e-25),
+    TERM(-7.647163731819816e-13, -7.03872877733453e-30, -1.1470745597729725e-11, -2.0655512752830745e-28),
+    TERM(2.8114572543455206e-15, 1.6508842730861433e-31, 4.779477332387385e-14, 4.399205485834081e-31),
+    TERM(-8.22063524662433e-18, -2.2141894119604265e-34, -1.5619206968586225e-16, -1.1910679660273754e-32),
+    TERM(1.9572941063391263e-20, -1.3643503830087908e-36, 4.110317623312165e-19, 1.4412973378659527e-36),
+    TERM(-3.868170170630684e-23, 8.843177655482344e-40, -8.896791392450574e-22, 7.911402614872376e-38),
+    TERM(6.446950284384474e-26, -1.9330404233703465e-42, 1.6117375710961184e-24, -3.6846573564509766e-41),
+    TERM(-9.183689863795546e-29, -1.4303150396787322e-45, -2.4795962632247976e-27, 1.2953730964765229e-43),
+    TERM(1.1309962886447716e-31, 1.0498015412959506e-47, 3.279889237069838e-30, 1.5117542744029879e-46)
+};
+
+/* The sums without their first terms, which are 1, so that the caller can add that exactly. |x| <= pi/4: the 15 terms
+ * reach (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that the rounding of doubles does
+ * no harm there. */
+static void series(const lanes *restrict x2, lanes *restrict sum)
+{
+    int i, k;
+
+    for (k = 0; k < LANES; k++) {
+        double tail = terms[TERMS - 1].hi[k];
+        for (i = TERMS - 2; i >= 9; i--)
+            tail = tail * x2->hi[k] + terms[i].hi[k];
+        set_lane(sum, k, pov_two_of(tail, 0.0));
+    }
+    for (i = 8; i >= 1; i--)
+        for (k = 0; k < LANES; k++)
+            set_lane(sum, k, pov_two_add(pov_two_mul(lane_of(sum, k), lane_of(x2, k)), lane_of(&terms[i], k)));
+    for (k = 0; k < LANES; k++)
+        set_lane(sum, k, pov_two_mul(lane_of(sum, k), lane_of(x2, k)));
+}
+
+enum { ANGLES = 3 };
 
 static void sincos_of(const double *degrees, pov_two *s, pov_two *c)
 {
     /* pi/180 in two parts. fmod and the subtraction of a multiple of 90 are exact, so that the reduction is. */
     const pov_two degree = { 0.017453292519943295, 2.9486522708701687e-19 };
-    lanes x2 = { { 0.0 }, { 0.0 } }, sines, cosines;
+    lanes x2 = { { 0.0 }, { 0.0 } }, sum;
     pov_two x[ANGLES];
     int quarter[ANGLES], k;
 
@@ -122,14 +120,13 @@ static void sincos_of(const double *degrees, pov_two *s, pov_two *c)
         quarter[k] = (int)floor(rest / 90.0 + 0.5);
         x[k] = pov_two_mul_double(degree, rest - 90.0 * quarter[k]);
         square = pov_two_mul(x[k], x[k]);
-        x2.hi[k] = square.hi;
-        x2.lo[k] = square.lo;
+        set_lane(&x2, k, square);
+        set_lane(&x2, HALF + k, square);
     }
-    series(of_sine, &x2, &sines);
-    series(of_cosine, &x2, &cosines);
+    series(&x2, &sum);
     for (k = 0; k < ANGLES; k++) {
-        pov_two sine = pov_two_add(x[k], pov_two_mul(x[k], lane_of(&sines, k)));
-        pov_two cosine = pov_two_add_double(lane_of(&cosines, k), 1.0), swap = sine;
+        pov_two sine = pov_two_add(x[k], pov_two_mul(x[k], lane_of(&sum, k)));
+        pov_two cosine = pov_two_add_double(lane_of(&sum, HALF + k), 1.0), swap = sine;
 
         if (quarter[k] & 1) {
             sine = cosine;
@@ -154,68 +151,68 @@ void transform_sincos(double degrees, double *s, double *c)
 
 /* ---- composition ---- */
 
-/* Rows of an affine map, the last column moves. */
+/* An affine map p -> m p, the last column moves. */
 typedef struct rows { pov_two at[3][4]; } rows;
 
-static rows identity(void)
+/* The map is built from the last written transformation to the first: each joins it on the right, and its inverse
+ * joins the inverse on the left. So a column of the map has the fate of that row of the inverse. Only what a
+ * transformation changes is touched, so that zeros stay exact. */
+typedef struct composition {
+    lanes axis[3];               /* the map's column, then the inverse's row */
+    lanes moved;                 /* the map's last column */
+} composition;
+
+static void start(composition *c)
 {
-    rows r;
     int i;
 
-    memset(&r, 0, sizeof r);
+    memset(c, 0, sizeof *c);
     for (i = 0; i < 3; i++)
-        r.at[i][i].hi = 1.0;
-    return r;
+        c->axis[i].hi[i] = c->axis[i].hi[HALF + i] = 1.0;
 }
-
-/* The map is built from the last written transformation to the first: each joins it on the right, and its inverse
- * joins the inverse on the left. Only what a transformation changes is touched, so that zeros stay exact. */
-typedef struct composition { rows map, inverse; } composition;
 
 static void translate(composition *c, const double *v)
 {
+    lanes *restrict moved = &c->moved;
     int i, k;
 
-    for (i = 0; i < 3; i++) {
-        for (k = 0; k < 3; k++)
-            if (v[k] != 0.0)
-                c->map.at[i][3] = pov_two_add(c->map.at[i][3], pov_two_mul_double(c->map.at[i][k], v[k]));
-        c->inverse.at[i][3] = pov_two_add_double(c->inverse.at[i][3], -v[i]);
+    for (k = 0; k < 3; k++) {
+        const lanes *restrict axis = &c->axis[k];
+        if (v[k] == 0.0)
+            continue;
+        for (i = 0; i < LANES; i++)
+            set_lane(moved, i, pov_two_add(lane_of(moved, i), pov_two_mul_double(lane_of(axis, i), v[k])));
     }
+    for (k = 0; k < 3; k++)
+        set_lane(&c->axis[k], LANES - 1, pov_two_add_double(lane_of(&c->axis[k], LANES - 1), -v[k]));
 }
 
 static void scale(composition *c, const double *v)
 {
-    int i, j;
+    int i, k;
 
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 3; j++)
-            c->map.at[i][j] = pov_two_mul_double(c->map.at[i][j], v[j]);
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 4; j++)
-            c->inverse.at[i][j] = pov_two_div(c->inverse.at[i][j], pov_two_of(v[i], 0.0));
+    for (k = 0; k < 3; k++)
+        for (i = 0; i < LANES; i++) {
+            const pov_two a = lane_of(&c->axis[k], i), factor = pov_two_of(v[k], 0.0);
+            const pov_two more = pov_two_mul_double(a, v[k]), less = pov_two_div(a, factor);
+            c->axis[k].hi[i] = i < HALF ? more.hi : less.hi;
+            c->axis[k].lo[i] = i < HALF ? more.lo : less.lo;
+        }
 }
 
 /* x cos + y sin, y cos - x sin. */
-static void turn_pair(pov_two *x, pov_two *y, pov_two s, pov_two c)
+static void turn_pair(lanes *restrict x, lanes *restrict y, pov_two s, pov_two c)
 {
-    pov_two turned = pov_two_add(pov_two_mul(*x, c), pov_two_mul(*y, s));
+    int i;
 
-    *y = pov_two_sub(pov_two_mul(*y, c), pov_two_mul(*x, s));
-    *x = turned;
+    for (i = 0; i < LANES; i++) {
+        const pov_two a = lane_of(x, i), b = lane_of(y, i);
+        set_lane(x, i, pov_two_add(pov_two_mul(a, c), pov_two_mul(b, s)));
+        set_lane(y, i, pov_two_sub(pov_two_mul(b, c), pov_two_mul(a, s)));
+    }
 }
 
-/* Turn about one axis; left-handed: about x, +y goes to +z. The inverse is the transpose. */
-static void turn(composition *c, int axis, pov_two sine, pov_two cosine)
-{
-    int u = (axis + 1) % 3, v = (axis + 2) % 3, i;
-
-    for (i = 0; i < 3; i++)
-        turn_pair(&c->map.at[i][u], &c->map.at[i][v], sine, cosine);
-    for (i = 0; i < 4; i++)
-        turn_pair(&c->inverse.at[u][i], &c->inverse.at[v][i], sine, cosine);
-}
-
+/* Left-handed: about x, +y goes to +z. The inverse is the transpose. */
 static void rotate(composition *c, const double *degrees)
 {
     pov_two sine[ANGLES], cosine[ANGLES];
@@ -224,23 +221,7 @@ static void rotate(composition *c, const double *degrees)
     sincos_of(degrees, sine, cosine);
     for (axis = 2; axis >= 0; axis--)
         if (degrees[axis] != 0.0)
-            turn(c, axis, sine[axis], cosine[axis]);
-}
-
-/* a after b: p -> a (b p). */
-static rows after(const rows *a, const rows *b)
-{
-    rows r;
-    int i, j, k;
-
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 4; j++) {
-            pov_two sum = j == 3 ? a->at[i][3] : pov_two_of(0.0, 0.0);
-            for (k = 0; k < 3; k++)
-                sum = pov_two_add(sum, pov_two_mul(a->at[i][k], b->at[k][j]));
-            r.at[i][j] = sum;
-        }
-    return r;
+            turn_pair(&c->axis[(axis + 1) % 3], &c->axis[(axis + 2) % 3], sine[axis], cosine[axis]);
 }
 
 /* matrix <...> multiplies row vectors, so it stands transposed here. */
@@ -294,21 +275,44 @@ static bool invert(const rows *m, rows *out)
     return true;
 }
 
-static void store(const rows *r, double hi[3][4], double lo[3][4])
+static void add_product(lanes *restrict sum, const lanes *restrict a, const lanes *restrict b)
 {
-    int i, j;
+    int i;
 
-    for (i = 0; i < 3; i++)
-        for (j = 0; j < 4; j++) {
-            hi[i][j] = r->at[i][j].hi;
-            lo[i][j] = r->at[i][j].lo;
+    for (i = 0; i < LANES; i++)
+        set_lane(sum, i, pov_two_add(lane_of(sum, i), pov_two_mul(lane_of(a, i), lane_of(b, i))));
+}
+
+/* p -> map (m p), and inverse of m after the inverse. False: m has none. */
+static bool multiply(composition *c, const double *v)
+{
+    const composition old = *c;
+    const rows m = written(v);
+    rows inverse;
+    lanes factor;
+    int i, j, k;
+
+    if (!invert(&m, &inverse))
+        return false;
+    for (j = 0; j < 4; j++) {
+        lanes *out = j < 3 ? &c->axis[j] : &c->moved;
+        if (j < 3) {
+            memset(out, 0, sizeof *out);
+            set_lane(out, LANES - 1, inverse.at[j][3]);
         }
+        for (k = 0; k < 3; k++) {
+            for (i = 0; i < HALF; i++) {
+                set_lane(&factor, i, m.at[k][j]);
+                set_lane(&factor, HALF + i, j < 3 ? inverse.at[j][k] : pov_two_of(0.0, 0.0));
+            }
+            add_product(out, &old.axis[k], &factor);
+        }
+    }
+    return true;
 }
 
 static bool join(composition *c, const transform *t)
 {
-    rows map, inverse;
-
     switch (t->kind) {
     case TRANSFORM_TRANSLATE:
         translate(c, t->v);
@@ -320,39 +324,48 @@ static bool join(composition *c, const transform *t)
         rotate(c, t->v);
         break;
     case TRANSFORM_MATRIX:
-        map = written(t->v);
-        if (!invert(&map, &inverse))
-            return false;
-        c->map = after(&c->map, &map);
-        c->inverse = after(&inverse, &c->inverse);
-        break;
+        return multiply(c, t->v);
     }
     return true;
 }
 
-static bool is_finite(const rows *r)
+static void store(const composition *c, pov_affine *out)
 {
     int i, j;
 
     for (i = 0; i < 3; i++)
+        for (j = 0; j < 4; j++) {
+            const lanes *column = j < 3 ? &c->axis[j] : &c->moved, *row = &c->axis[i];
+            out->m[i][j] = column->hi[i];
+            out->m_lo[i][j] = column->lo[i];
+            out->inv[i][j] = row->hi[HALF + j];
+            out->inv_lo[i][j] = row->lo[HALF + j];
+        }
+}
+
+/* Zero times anything else is no zero. */
+static bool is_finite(const pov_affine *map)
+{
+    double sum[4] = { 0.0 };
+    int i, j;
+
+    for (i = 0; i < 3; i++)
         for (j = 0; j < 4; j++)
-            if (!isfinite(r->at[i][j].hi) || !isfinite(r->at[i][j].lo))
-                return false;
-    return true;
+            sum[j] += 0.0 * map->m[i][j] + 0.0 * map->m_lo[i][j] + 0.0 * map->inv[i][j] + 0.0 * map->inv_lo[i][j];
+    return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
 }
 
 bool transform_compose(const transform *list, pov_affine *out)
 {
-    composition c;
     const transform *t;
+    composition c;
 
-    c.map = c.inverse = identity();
+    start(&c);
     for (t = list; t; t = t->before)
         if (!join(&c, t))
             return false;
-    store(&c.map, out->m, out->m_lo);
-    store(&c.inverse, out->inv, out->inv_lo);
-    return is_finite(&c.map) && is_finite(&c.inverse);
+    store(&c, out);
+    return is_finite(out);
 }
 
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo)
