@@ -9,44 +9,30 @@ static pov_two entry(const double hi[3][4], const double lo[3][4], int i, int j)
     return pov_two_of(hi[i][j], lo[i][j]);
 }
 
-/* One bound of a sum of intervals: the terms' two-part sum, moved outward by more than its error (relative to the
- * terms, 2^-96 is many times what the additions lose) and rounded outward. */
-static double bound(const pov_affine *map, const pov_vec3 *corner, int i, double outward)
+/* One bound of a row's sum of intervals, the lower one for a side of -1, the upper one for 1: the terms' two-part sum,
+ * moved outward by more than its error (relative to the terms, 2^-96 is many times what the additions lose) and rounded
+ * outward. near, far: the corners of the box, far the one on that side. */
+static inline double bound(const pov_affine *map, int i, const double *near, const double *far, double side)
 {
-    const double v[3] = { corner->x, corner->y, corner->z };
     pov_two sum = entry(map->m, map->m_lo, i, 3);
     double size = fabs(sum.hi);
     int j;
 
     for (j = 0; j < 3; j++) {
-        pov_two term = pov_two_mul_double(entry(map->m, map->m_lo, i, j), v[j]);
+        double v = map->m[i][j] >= 0.0 ? far[j] : near[j];
+        pov_two term = pov_two_mul_double(entry(map->m, map->m_lo, i, j), v);
         sum = pov_two_add(sum, term);
         size += fabs(term.hi);
     }
-    return nextafter(sum.hi + copysign(size * 0x1p-96, outward), outward);
-}
-
-static double pick(double factor, double at_plus, double at_minus)
-{
-    return factor >= 0.0 ? at_plus : at_minus;
+    return side * pov_next(side * sum.hi + size * 0x1p-96);
 }
 
 void placement_box(const pov_affine *map, const pov_box *own, pov_box *out)
 {
-    double lo[3], hi[3];
-    int i;
+    const double lo[3] = { own->lo.x, own->lo.y, own->lo.z }, hi[3] = { own->hi.x, own->hi.y, own->hi.z };
 
-    for (i = 0; i < 3; i++) {
-        const double *m = map->m[i];
-        pov_vec3 a = pov_vec3_of(pick(m[0], own->lo.x, own->hi.x), pick(m[1], own->lo.y, own->hi.y),
-                                 pick(m[2], own->lo.z, own->hi.z));
-        pov_vec3 b = pov_vec3_of(pick(m[0], own->hi.x, own->lo.x), pick(m[1], own->hi.y, own->lo.y),
-                                 pick(m[2], own->hi.z, own->lo.z));
-        lo[i] = bound(map, &a, i, -HUGE_VAL);
-        hi[i] = bound(map, &b, i, HUGE_VAL);
-    }
-    out->lo = pov_vec3_of(lo[0], lo[1], lo[2]);
-    out->hi = pov_vec3_of(hi[0], hi[1], hi[2]);
+    out->lo = pov_vec3_of(bound(map, 0, hi, lo, -1.0), bound(map, 1, hi, lo, -1.0), bound(map, 2, hi, lo, -1.0));
+    out->hi = pov_vec3_of(bound(map, 0, lo, hi, 1.0), bound(map, 1, lo, hi, 1.0), bound(map, 2, lo, hi, 1.0));
 }
 
 static inline double part(pov_vec3 v, int i)

@@ -117,7 +117,7 @@ static inline pov_two kit_quick_dot(pov_two3 a, pov_two3 b)
 }
 
 /* A bound moved outward by more than the few roundings that made it. */
-static inline double kit_below(double x) { return nextafter(x - 4.0 * KIT_U * fabs(x), -HUGE_VAL); }
-static inline double kit_above(double x) { return nextafter(x + 4.0 * KIT_U * fabs(x), HUGE_VAL); }
+static inline double kit_below(double x) { return -pov_next(4.0 * KIT_U * fabs(x) - x); }
+static inline double kit_above(double x) { return pov_next(x + 4.0 * KIT_U * fabs(x)); }
 
 #endif

@@ -364,12 +364,36 @@ static void what_is_out_of_range_is_not_filtered(void **state)
     }
 }
 
+/* ---- bounds ---- */
+
+static void next_is_nextafter(double x)
+{
+    const double mine = pov_next(x), theirs = nextafter(x, HUGE_VAL);
+
+    assert_int_equal(memcmp(&mine, &theirs, sizeof mine), 0);
+}
+
+static void the_next_double_is_that_of_nextafter(void **state)
+{
+    const double at[] = { 0.0, 5e-324, 2.2250738585072014e-308, 0x1p-1022, 1.0, 0x1.fffffffffffffp0, 1e300,
+                          1.7976931348623157e308, HUGE_VAL };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof at / sizeof at[0]; i++) {
+        next_is_nextafter(at[i]);
+        next_is_nextafter(-at[i]);
+    }
+    assert_true(isnan(pov_next(NAN)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_filter_is_right_of_boxes),
         cmocka_unit_test(the_filter_is_right_of_balls),
         cmocka_unit_test(what_is_out_of_range_is_not_filtered),
+        cmocka_unit_test(the_next_double_is_that_of_nextafter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

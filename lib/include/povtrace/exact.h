@@ -170,6 +170,20 @@ static inline double pov_inverse_power(double x)
     return x;
 }
 
+/* The next double above x, as nextafter() has it, which is a call; the next below is -pov_next(-x). */
+static inline double pov_next(double x)
+{
+    uint64_t bits;
+
+    if (!(x < HUGE_VAL))
+        return x;
+    x += 0.0;   /* of two zeros the positive one */
+    memcpy(&bits, &x, sizeof bits);
+    bits += x >= 0.0 ? 1 : UINT64_MAX;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
 static inline pov_two pov_two_scale(pov_two a, double power_of_two)
 {
     return pov_two_of(a.hi * power_of_two, a.lo * power_of_two);
