@@ -9,6 +9,8 @@
 /* A range of many references is looked through in parts. Smallest and largest values and counts do not depend on how
  * they are put together. */
 enum { BINS = 16, PARTS = 32, PARTS_FROM = 1 << 16 };
+/* Centres that lie together within this have no order. */
+static const float least_width = 1e-30f;
 
 /* Four lanes, so that a box is two vectors; the fourth means nothing. */
 typedef struct bin { float lo[4], hi[4]; uint32_t count; } bin;
@@ -228,7 +230,7 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, 
         float wide = r->centre_hi[k] - r->centre_lo[k];
         /* Just below the number of bins, so that the last centre falls into the last of them. Where all centres are
          * the same, or nearly so against the frame, all fall into the first, and nothing separates there. */
-        factor[k] = wide > 1e-30f ? (float)BINS * 0.9999f / wide : 0.0f;
+        factor[k] = wide > least_width ? (float)BINS * 0.9999f / wide : 0.0f;
     }
     if (threads > 1 && bvh_range_count(r) >= PARTS_FROM)
         sort_together(&bins, r, factor, refs, threads);
@@ -273,10 +275,31 @@ void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range 
     divide(r, refs, r->begin + bvh_range_count(r) / 2, 1, a, b);
 }
 
+/* Two things, as every third cut is of: one or the other way round costs the same, so the first axis decides on which
+ * their centres are not the same. */
+static void part_two(const bvh_range *r, bvh_ref *refs, bvh_range *a, bvh_range *b)
+{
+    bvh_ref *first = &refs[r->begin], swap = *first;
+    int k = 0;
+
+    while (k < 3 && !(r->centre_hi[k] - r->centre_lo[k] > least_width))
+        k++;
+    if (k < 3 && first->lo[k] + first->hi[k] > r->centre_lo[k]) {
+        first[0] = first[1];
+        first[1] = swap;
+    }
+    bvh_halve(r, refs, a, b);
+}
+
 void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, int threads, bvh_range *a, bvh_range *b)
 {
-    cut best = find_cut(r, refs, count_blocks, threads);
+    cut best;
 
+    if (bvh_range_count(r) == 2) {
+        part_two(r, refs, a, b);
+        return;
+    }
+    best = find_cut(r, refs, count_blocks, threads);
     if (best.axis < 0)
         bvh_halve(r, refs, a, b);
     else
