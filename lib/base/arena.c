@@ -81,6 +81,17 @@ void *arena_alloc(arena *a, size_t bytes, size_t align)
     return (unsigned char *)b + start;
 }
 
+bool arena_give_back(arena *a, void *block, size_t bytes)
+{
+    struct arena_block *b = a->blocks;
+
+    if (!b || (unsigned char *)block + bytes != (unsigned char *)b + b->used)
+        return false;
+    memset(block, 0, bytes);
+    b->used -= bytes;
+    return true;
+}
+
 char *arena_text(arena *a, const char *text, size_t length)
 {
     char *copy = length < SIZE_MAX ? arena_alloc(a, length + 1, 1) : NULL;

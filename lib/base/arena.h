@@ -14,6 +14,8 @@ void arena_init(arena *a, const env *e);
 void arena_free(arena *a);
 /* Zeroed; align is a power of two of at most 64. NULL when memory ends. */
 void *arena_alloc(arena *a, size_t bytes, size_t align);
+/* What was allocated last goes back. False: it was not the last, and stays. */
+bool arena_give_back(arena *a, void *block, size_t bytes);
 /* A copy of the first `length` bytes with an end mark. */
 char *arena_text(arena *a, const char *text, size_t length);
 char *arena_printf(arena *a, const char *format, ...) POV_PRINTF(2, 3);

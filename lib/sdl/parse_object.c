@@ -133,6 +133,23 @@ static void add_object(pov_reader *in, object *o, const object_text *text)
         report_memory(in);
 }
 
+static size_t text_size(const pov_shape_class *shape)
+{
+    return shape->prepare ? shape->text_size : shape->instance_size;
+}
+
+/* Many a scene is of one shape in many places: what was written as it was the last time is kept once. */
+static void share_text(pov_reader *in, object *o)
+{
+    const object_list *all = &in->model->objects;
+    const object *last = all->count > 0 ? &all->items[all->count - 1] : NULL;
+    size_t bytes = text_size(o->shape);
+
+    if (last && last->shape == o->shape && memcmp(last->instance, o->instance, bytes) == 0 &&
+        arena_give_back(&in->model->memory, o->instance, bytes))
+        o->instance = last->instance;
+}
+
 void parse_object(pov_reader *in)
 {
     object o;
@@ -149,9 +166,11 @@ void parse_object(pov_reader *in)
     in->value = in->token.at;
     state_advance(in);
     items_open(in, &b);
-    o.instance = state_alloc(in, o.shape->prepare ? o.shape->text_size : o.shape->instance_size, 32);
+    o.instance = state_alloc(in, text_size(o.shape), 32);
     if (o.instance)
         o.shape->parse(o.instance, &host_functions, in);
+    if (!in->failed)
+        share_text(in, &o);
     items_close(in, &b, &modifiers, &text);
     check_layers(in, &text.surface);
     add_object(in, &o, &text);

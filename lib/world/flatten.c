@@ -133,7 +133,8 @@ static const void *keep(maker *k, const object *o)
 
     if (!o->shape->prepare)
         return o->instance;
-    if (!last || last->shape != o->shape || memcmp(last->instance, o->instance, o->shape->text_size) != 0) {
+    if (!last || last->shape != o->shape ||
+        (last->instance != o->instance && memcmp(last->instance, o->instance, o->shape->text_size) != 0)) {
         void *made = arena_alloc(k->kept, o->shape->instance_size, INSTANCE_ALIGN);
         if (!made)
             return NULL;
