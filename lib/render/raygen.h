@@ -18,8 +18,8 @@ typedef struct raygen_places {
 
 /* Rays that start at the camera and do not yet know where to. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
-/* Only the directions of rays that raygen_begin() made; n <= RAYGEN_MANY. True: all are directions for certain, neither zero
- * nor without end. */
+/* Only the directions of rays that raygen_begin() made; n <= RAYGEN_MANY. True: all are directions for certain, neither
+ * zero nor without end. */
 bool raygen_aim(const pov_camera *camera, int width, int height, const raygen_places *through, uint32_t n,
                 pov_ray *rays);
 

@@ -5,8 +5,8 @@
 #include "world/plan.h"
 
 /* gloss^phong_size, rounded to float as pow()'s would be. A product of n factors is off by less than n 2^-53 of it, and
- * pow() by less than 2^-52; so where floats on both sides of 2^-42 are the same, that is the one. What lies below double's
- * range on the way is no float either. */
+ * pow() by less than 2^-52; so where floats on both sides of 2^-42 are the same, that is the one. What lies below
+ * double's range on the way is no float either. */
 static inline float pigment_power(double gloss, const plan_look *look)
 {
     double product = 1.0, square = gloss;

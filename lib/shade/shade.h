@@ -41,8 +41,8 @@ typedef struct surface {
     colour lit;                  /* what it sends along the ray of what the lights send it */
 } surface;
 
-/* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past the
- * end is of earlier surfaces, and nobody looks at it. */
+/* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past
+ * the end is of earlier surfaces, and nobody looks at it. */
 static inline uint32_t lanes_whole(uint32_t n) { return (n + 3) & ~3u; }
 
 /* How surfaces lie towards the rays that meet them, by lane. */
@@ -61,8 +61,8 @@ typedef struct light_rays {
     colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
     uint32_t lit_count;
     uint8_t lit[BATCH_MAX];      /* lanes of the surfaces that lights change */
-    pov_ray *room;               /* each surface's, whose direction is the current light's: that of t->mirrored, which is
-                                  * empty until all lights are done, so that fewer lines of memory are in use */
+    pov_ray *room;               /* each surface's, whose direction is the current light's: that of t->mirrored, which
+                                  * is empty until all lights are done, so that fewer lines of memory are in use */
 } light_rays;
 
 /* A batch that waits, and how many media and spots there are behind it; the last of them on top. */
@@ -112,8 +112,8 @@ void tracer_destroy(pov_tracer *t);
 
 /* What is seen along a camera ray. The tracer finds the media that hold its start. */
 colour tracer_color(pov_tracer *t, const pov_ray *ray);
-/* The same of many that start at one point, which cost less in company when neighbours in the list are neighbours in the
- * picture. sound: all have directions for certain, as raygen_aim() says. */
+/* The same of many that start at one point, which cost less in company when neighbours in the list are neighbours in
+ * the picture. sound: all have directions for certain, as raygen_aim() says. */
 void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, bool sound, colour *out);
 /* Counts since the tracer was made, those of its walker included. */
 pov_counts tracer_counts(const pov_tracer *t);

@@ -14,8 +14,8 @@ enum { PLAN_POWER_MAX = 1024 };
 /* What of a material counts in this scene, worked out once and not at every hit. */
 typedef struct plan_look {
     bool lit, mirrors, passes;   /* lights change something about it; rays go on from it, mirrored or through it */
-    double gloss_least;          /* of no more gloss (cosine between mirrored ray and light) there is no highlight: 0, or
-                                  * infinite where there is none at all */
+    double gloss_least;          /* of no more gloss (cosine between mirrored ray and light) there is no highlight: 0,
+                                  * or infinite where there is none at all */
     double dull;                 /* what a gloss of no more than that adds is lost in any float of PLAN_VISIBLE or
                                   * more */
     uint32_t power;              /* phong_size where that is a whole number from 1 to PLAN_POWER_MAX, or 0 */

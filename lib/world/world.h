@@ -83,13 +83,15 @@ typedef struct approaches {
 
 /* Of a hit that is filled. */
 void world_approach(approaches *out, uint32_t lane, const pov_ray *ray, const hit *h);
-/* Of up to WORLD_MANY rays with a hit each: what world_surface() fills, to the bit, and the approaches; many cost less than
- * as many alone. */
+/* Of up to WORLD_MANY rays with a hit each: what world_surface() fills, to the bit, and the approaches; many cost less
+ * than as many alone. */
 void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out);
 
-/* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Below some
- * hundred times what normals may be off by nothing is said of whether it goes away. */
+/* Some hundred times what normals may be off by. */
 #define WORLD_AWAY 0x1p-36
+
+/* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Up to
+ * WORLD_AWAY nothing is said of whether it goes away. */
 static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
 {
     ray->left = h->object;
