@@ -21,6 +21,7 @@ typedef struct company {
     float inverse[3][BVH_COMPANY], near_offset[3][BVH_COMPANY], far_offset[3][BVH_COMPANY], limit[BVH_COMPANY];
     double scale[BVH_COMPANY];
     company_axis axis[3];
+    bool near;                   /* all origins are near the frame */
     const bvh *tree;
     bvh_party *party;
     uint64_t open, ended;        /* lanes that still walk; those that a leaf ended */
@@ -146,8 +147,10 @@ static inline void bound(company *c, int k, float lo, float hi, float first, flo
     company_axis *a = &c->axis[k];
     bool backward = lo < 0.0f;
     double near = (double)(backward ? first : last), far = (double)(backward ? last : first);
-    double slack = 2.0 * BVH_SLACK * (1.0 + fmax(fabs(near), fabs(far)));
+    double size = fabs(near) > fabs(far) ? fabs(near) : fabs(far), slack = 2.0 * BVH_SLACK * (1.0 + size);
     int end;
+
+    c->near = c->near && size <= BVH_NEAR;
 
     a->inverse[0] = lo;
     a->inverse[1] = hi;

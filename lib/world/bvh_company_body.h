@@ -22,12 +22,13 @@ COMPANY_TARGET static inline void COMPANY_NAME(bound_all)(company *c)
 {
     int k;
 
+    c->near = true;
     for (k = 0; k < 3; k++)
         COMPANY_NAME(bound_axis)(c, k);
 }
 
-/* One axis of all rays in the frame. False: some start too far from it. */
-COMPANY_TARGET static inline bool COMPANY_NAME(place_axis)(company *c, double centre, double scale, int k)
+/* One axis of all rays in the frame. */
+COMPANY_TARGET static inline void COMPANY_NAME(place_axis)(company *c, double centre, double scale, int k)
 {
     pov_rays *side = &c->party->side;
     const double *restrict org = side->org[k], *restrict org_lo = side->org_lo[k], *restrict dir = side->dir[k];
@@ -36,7 +37,6 @@ COMPANY_TARGET static inline bool COMPANY_NAME(place_axis)(company *c, double ce
     float *restrict org_out = side->framed.org[k], *restrict dir_out = side->framed.dir[k];
     const uint32_t width = c->width;
     uint32_t i;
-    int is_near = 1;
 
     for (i = 0; i < width; i++) {
         const double o = (org[i] - centre + org_lo[i]) * scale, d = dir[i] * per_length[i], a = fabs(d);
@@ -48,13 +48,10 @@ COMPANY_TARGET static inline bool COMPANY_NAME(place_axis)(company *c, double ce
         far[i] = (float)(o * inverse - slack);
         org_out[i] = (float)o;
         dir_out[i] = (float)d;
-        is_near &= fabs(o) <= BVH_NEAR;
     }
-    return is_near;
 }
 
-/* False: in some units the frame is too large or too small. */
-COMPANY_TARGET static inline bool COMPANY_NAME(place_limits)(company *c, double scale)
+COMPANY_TARGET static inline void COMPANY_NAME(place_limits)(company *c, double scale)
 {
     pov_rays *side = &c->party->side;
     const double *restrict limits = c->party->limit, *restrict lengths = c->party->length;
@@ -65,13 +62,11 @@ COMPANY_TARGET static inline bool COMPANY_NAME(place_limits)(company *c, double 
     const double back = 1.0 / scale;
     const uint32_t width = c->width;
     uint32_t i;
-    int plain = 1;
 
     for (i = 0; i < width; i++) {
         const double own = scale * lengths[i];
         const float limit = bvh_limit(own, 0.0, limits[i]);
 
-        plain &= (own > BVH_SHORT) & (own < BVH_LONG);
         scales[i] = own;
         shifts[i] = 0.0;
         units[i] = per_length[i] * back;
@@ -79,17 +74,17 @@ COMPANY_TARGET static inline bool COMPANY_NAME(place_limits)(company *c, double 
         smax[i] = limit;
         size[i] = fabsf(x[i]) + fabsf(y[i]) + fabsf(z[i]);
     }
-    return plain;
 }
 
-/* All rays in the frame. False: they cannot be taken so simply. */
+/* All rays in the frame. False: they cannot be taken so simply. Their lengths are in the range of filters. */
 COMPANY_TARGET static inline bool COMPANY_NAME(place)(company *c, const bvh_frame *f)
 {
-    const bool x = COMPANY_NAME(place_axis)(c, f->centre.x, f->scale, 0);
-    const bool y = COMPANY_NAME(place_axis)(c, f->centre.y, f->scale, 1);
-    const bool z = COMPANY_NAME(place_axis)(c, f->centre.z, f->scale, 2);
-
-    return COMPANY_NAME(place_limits)(c, f->scale) && x && y && z;
+    COMPANY_NAME(place_axis)(c, f->centre.x, f->scale, 0);
+    COMPANY_NAME(place_axis)(c, f->centre.y, f->scale, 1);
+    COMPANY_NAME(place_axis)(c, f->centre.z, f->scale, 2);
+    COMPANY_NAME(place_limits)(c, f->scale);
+    COMPANY_NAME(bound_all)(c);
+    return c->near && f->scale > BVH_SMALL && f->scale < BVH_LARGE;
 }
 
 /* Lanes go on alone from a reference in the frame. */
@@ -115,9 +110,10 @@ COMPANY_TARGET static uint64_t COMPANY_NAME(enter_lanes)(company *c, uint32_t fr
         lanes = enter_each(c, frame, lanes, blind);
     if (!lanes)
         return 0;
-    if (!plain || lanes != ~(uint64_t)0 >> (BVH_COMPANY - c->party->count))
+    if (!plain || lanes != ~(uint64_t)0 >> (BVH_COMPANY - c->party->count)) {
         fill_others(c, lanes);
-    COMPANY_NAME(bound_all)(c);
+        COMPANY_NAME(bound_all)(c);
+    }
     return lanes;
 }
 

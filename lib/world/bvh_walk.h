@@ -77,6 +77,9 @@ extern const bvh_walks bvh_walks_avx2;   /* only where the processor has AVX2 */
 /* Directions of a length between these are taken as they are. */
 #define BVH_SHORT 0x1p-300
 #define BVH_LONG 0x1p300
+/* Frames of a scale between these are met by such directions without more ado. */
+#define BVH_SMALL 0x1p-600
+#define BVH_LARGE 0x1p600
 bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
 
 /* The ray in a frame, with the length of its direction and the inverse of that. False: it passes by. */
@@ -90,7 +93,7 @@ static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double 
     out->scale = frame->scale * length;
     out->shift = 0.0;
     out->slack = BVH_SLACK;
-    if (length > BVH_SHORT && length < BVH_LONG && out->scale > BVH_SHORT && out->scale < BVH_LONG
+    if (length > BVH_SHORT && length < BVH_LONG && frame->scale > BVH_SMALL && frame->scale < BVH_LARGE
         && fabs(o.x) <= BVH_NEAR && fabs(o.y) <= BVH_NEAR && fabs(o.z) <= BVH_NEAR)
         return true;
     return bvh_enter_far(frame, ray, out);
