@@ -7,6 +7,7 @@ void model_init(model *m, const env *e)
     memset(m, 0, sizeof *m);
     m->env = e;
     arena_init(&m->memory, e);
+    arena_init(&m->maps, e);
 }
 
 void model_free(model *m)
@@ -15,4 +16,14 @@ void model_free(model *m)
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
     arena_free(&m->memory);
+    arena_free(&m->maps);
+}
+
+void model_drop_maps(model *m)
+{
+    size_t i;
+
+    for (i = 0; i < m->objects.count; i++)
+        m->objects.items[i].map = NULL;
+    arena_free(&m->maps);
 }

@@ -21,7 +21,8 @@ typedef struct gamma {
 } gamma;
 
 typedef struct model {
-    arena memory;                /* of instances, transformations and texts */
+    arena memory;                /* of instances and texts */
+    arena maps;                  /* of transformations, which model_drop_maps() takes away before the rest */
     const env *env;
     object_list objects;         /* in the order of the text: an object's index is its name everywhere */
     material_list materials;
@@ -41,5 +42,7 @@ typedef struct model {
 
 void model_init(model *m, const env *e);
 void model_free(model *m);
+/* Objects have no transformations any more. */
+void model_drop_maps(model *m);
 
 #endif

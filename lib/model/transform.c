@@ -27,9 +27,14 @@ bool transform_changes_nothing(transform_kind kind, const double *v)
     return false;
 }
 
+static size_t count_of(transform_kind kind)
+{
+    return kind == TRANSFORM_MATRIX ? 12 : 3;
+}
+
 const transform *transform_append(arena *memory, const transform *before, transform_kind kind, const double *numbers)
 {
-    size_t bytes = (kind == TRANSFORM_MATRIX ? 12 : 3) * sizeof *numbers;
+    size_t bytes = count_of(kind) * sizeof *numbers;
     transform *t;
 
     if (transform_changes_nothing(kind, numbers))
@@ -311,20 +316,20 @@ static bool multiply(composition *c, const double *v)
     return true;
 }
 
-static bool join(composition *c, const transform *t)
+static bool join(composition *c, transform_kind kind, const double *v)
 {
-    switch (t->kind) {
+    switch (kind) {
     case TRANSFORM_TRANSLATE:
-        translate(c, t->v);
+        translate(c, v);
         break;
     case TRANSFORM_SCALE:
-        scale(c, t->v);
+        scale(c, v);
         break;
     case TRANSFORM_ROTATE:
-        rotate(c, t->v);
+        rotate(c, v);
         break;
     case TRANSFORM_MATRIX:
-        return multiply(c, t->v);
+        return multiply(c, v);
     }
     return true;
 }
@@ -362,10 +367,51 @@ bool transform_compose(const transform *list, pov_affine *out)
 
     start(&c);
     for (t = list; t; t = t->before)
-        if (!join(&c, t))
+        if (!join(&c, t->kind, t->v))
             return false;
     store(&c, out);
     return is_finite(out);
+}
+
+/* ---- lists one behind the other ---- */
+
+typedef struct packed { transform_kind kind; int more; double v[]; } packed;
+
+size_t transform_packed_bytes(const transform *list)
+{
+    size_t bytes = 0;
+
+    for (; list; list = list->before)
+        bytes += sizeof(packed) + count_of(list->kind) * sizeof *list->v;
+    return bytes;
+}
+
+void transform_pack(const transform *list, void *at)
+{
+    packed *p = at;
+
+    for (; list; list = list->before) {
+        p->kind = list->kind;
+        p->more = list->before != NULL;
+        memcpy(p->v, list->v, count_of(list->kind) * sizeof *p->v);
+        p = (packed *)(void *)(p->v + count_of(list->kind));
+    }
+}
+
+const void *transform_compose_packed(const void *at, pov_affine *out)
+{
+    const packed *p = at;
+    bool good = true, more;
+    composition c;
+
+    start(&c);
+    do {
+        good = good && join(&c, p->kind, p->v);
+        more = p->more != 0;
+        p = (const packed *)(const void *)(p->v + count_of(p->kind));
+    } while (more);
+    store(&c, out);
+    return good && is_finite(out) ? p : NULL;
 }
 
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo)

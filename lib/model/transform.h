@@ -29,6 +29,12 @@ const transform *transform_append(arena *memory, const transform *before, transf
  * rotations by multiples of 90 degrees are exact. False: the matrix has no inverse. list may be NULL (identity). */
 bool transform_compose(const transform *list, pov_affine *out);
 
+/* Lists one behind the other, to be composed in that order: what one takes, in bytes, a multiple of 8; writing it;
+ * composing it, which gives the end of it, or NULL where transform_compose() says false. */
+size_t transform_packed_bytes(const transform *list);
+void transform_pack(const transform *list, void *at);
+const void *transform_compose_packed(const void *at, pov_affine *out);
+
 /* The point, mapped and rounded once into two parts. */
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo);
 

@@ -8,7 +8,7 @@ static void append(pov_reader *in, const transform **list, transform_kind kind, 
 
     if (in->failed || transform_changes_nothing(kind, numbers))
         return;
-    longer = transform_append(&in->model->memory, *list, kind, numbers);
+    longer = transform_append(&in->model->maps, *list, kind, numbers);
     if (longer)
         *list = longer;
     else

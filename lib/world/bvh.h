@@ -46,13 +46,15 @@ typedef struct bvh {
 
 /* What the leaves are to hold is the caller's affair. First all sizes are asked, then `allocate` once, then all are
  * filled: calls for leaves of one part come one at a time and in the same order both times, those of different parts
- * from several threads. Leaves hold up to BVH_WIDTH things; size may reorder ids, and fill sees them so. */
-enum { BVH_PARTS = 64 };
+ * from several threads. Leaves hold up to BVH_WIDTH things; size may reorder ids, and fill sees them so. Parts are
+ * filled from the last to the first, and now and then `filled` is told how far that is. */
+enum { BVH_PARTS = 512 };
 
 typedef struct bvh_leaves {
     size_t (*size)(void *user, uint32_t part, uint32_t *ids, uint32_t count);
     bool (*allocate)(void *user, const void *leaves);   /* what is to be filled */
     void (*fill)(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
+    void (*filled)(void *user, uint32_t part);   /* that part and all behind it */
     void *user;
 } bvh_leaves;
 

@@ -290,18 +290,20 @@ static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
         hands[i].builder = b;
         arena_init(&hands[i].memory, b->in->env);
     }
-    done = grow_all(b, &root, hands) && bvh_layout(out, b->in, &root, leaves);
+    done = grow_all(b, &root, hands);
+    if (done && b->in->drop)
+        b->in->drop(b->in->box_user);
+    done = done && bvh_layout(out, b->in, &root, b->refs, leaves);
     for (i = 0; i < n; i++)
         arena_free(&hands[i].memory);
     env_free(b->in->env, hands);
     return done;
 }
 
-/* The nodes, and in->ids in the order of the leaves; what served to find them is given back. */
+/* The nodes and the order of the leaves; what served to find them is given back. */
 static bool build_nodes(bvh *out, const bvh_input *in, bvh_leaf **leaves)
 {
     builder b;
-    uint32_t i;
     bool done = false;
 
     memset(&b, 0, sizeof b);
@@ -315,8 +317,6 @@ static bool build_nodes(bvh *out, const bvh_input *in, bvh_leaf **leaves)
         }
         mutex_destroy(&b.lock);
     }
-    for (i = 0; done && i < in->count; i++)
-        in->ids[i] = b.refs[i].id;
     env_free(in->env, b.jobs.items);
     env_free_aligned(in->env, b.refs);
     return done;
@@ -328,10 +328,7 @@ bool bvh_build(bvh *out, const bvh_input *in)
     bool done;
 
     memset(out, 0, sizeof *out);
-    done = build_nodes(out, in, &leaves);
-    if (done && in->drop)
-        in->drop(in->box_user);
-    done = done && bvh_place_leaves(out, in, leaves);
+    done = build_nodes(out, in, &leaves) && bvh_place_leaves(out, in, leaves);
     env_free(in->env, leaves);
     if (!done)
         bvh_free(out, in->env);

@@ -51,11 +51,13 @@ pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin,
 /* Give them their boxes in the frame. */
 void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *refs, uint32_t begin, uint32_t end);
 
-/* A leaf: ids[begin..begin + count) of the input, and where it lies in the leaves' memory. */
-typedef struct bvh_leaf { uint32_t begin, count, at, frame; } bvh_leaf;
+/* A leaf: the input's ids from `begin` to where the next one begins, where it lies in the leaves' memory, and what frame
+ * it stands in. */
+typedef struct bvh_leaf { uint32_t begin, at, frame; } bvh_leaf;
 
-/* Turn the draft below `root` into nodes and frames, with leaves counted where places will be. */
-bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves);
+/* Turn the draft below `root` into nodes and frames, with leaves counted where places will be, and the input's ids into
+ * the order of the leaves. One leaf more marks their end. */
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves);
 /* Size, place and fill them. */
 bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves);
 

@@ -9,7 +9,10 @@
 typedef struct layout {
     bvh *out;
     bvh_leaf *leaves;
+    const bvh_ref *refs;
+    uint32_t *ids;
     size_t nodes, frames, placed_leaves;   /* given out so far */
+    uint32_t placed_ids;
 } layout;
 
 static void count(bvh *out, const bvh_draft_child *c, int depth)
@@ -30,11 +33,12 @@ static void count(bvh *out, const bvh_draft_child *c, int depth)
 
 static uint32_t put_leaf(layout *l, const bvh_draft_child *c, uint32_t frame)
 {
-    uint32_t index = (uint32_t)l->placed_leaves++;
+    uint32_t index = (uint32_t)l->placed_leaves++, i;
 
-    l->leaves[index].begin = c->begin;
-    l->leaves[index].count = c->count;
+    l->leaves[index].begin = l->placed_ids;
     l->leaves[index].frame = frame;
+    for (i = 0; i < c->count; i++)
+        l->ids[l->placed_ids++] = l->refs[c->begin + i].id;
     return BVH_LEAF | index;
 }
 
@@ -84,10 +88,10 @@ static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame)
     return BVH_FRAME | frame;
 }
 
-bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves)
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves)
 {
     const size_t most = ~BVH_KIND;
-    layout l = { out, NULL, 0, 0, 0 };
+    layout l = { out, NULL, refs, in->ids, 0, 0, 0, 0 };
 
     *leaves = NULL;
     count(out, root, 0);
@@ -95,19 +99,24 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_
         return false;
     out->nodes = env_alloc_aligned(in->env, out->node_count * sizeof *out->nodes, BVH_UNIT);
     out->frames = env_alloc(in->env, out->frame_count, sizeof *out->frames);
-    *leaves = l.leaves = env_alloc(in->env, out->leaf_count, sizeof *l.leaves);
+    *leaves = l.leaves = env_alloc(in->env, out->leaf_count + 1, sizeof *l.leaves);
     if (!out->nodes || !out->frames || !l.leaves)
         return false;
     put(&l, root, 0);
+    l.leaves[out->leaf_count].begin = in->count;
     return true;
 }
 
 /* ---- leaves ---- */
 
+/* Parts are filled in so many rounds. */
+enum { ROUNDS = 16, ROUND = BVH_PARTS / ROUNDS };
+
 typedef struct leaf_work {
     const bvh *tree;
     const bvh_input *in;
     bvh_leaf *leaves;
+    uint32_t first;              /* part of this round */
 } leaf_work;
 
 static void size_part(void *user, uint32_t part, int hand)
@@ -119,21 +128,21 @@ static void size_part(void *user, uint32_t part, int hand)
     (void)hand;
     for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
         bvh_leaf *leaf = &w->leaves[i];
-        size_t bytes = ask->size(ask->user, part, w->in->ids + leaf->begin, leaf->count);
+        size_t bytes = ask->size(ask->user, part, w->in->ids + leaf->begin, leaf[1].begin - leaf->begin);
         leaf->at = (uint32_t)((bytes + BVH_UNIT - 1) / BVH_UNIT);
     }
 }
 
-static void fill_part(void *user, uint32_t part, int hand)
+static void fill_part(void *user, uint32_t which, int hand)
 {
     const leaf_work *w = user;
     const bvh_leaves *ask = &w->in->leaves;
-    uint32_t n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_PARTS, part);
+    uint32_t part = w->first + which, n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_PARTS, part);
 
     (void)hand;
     for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
         const bvh_leaf *leaf = &w->leaves[i];
-        ask->fill(ask->user, part, &w->tree->frames[leaf->frame], w->in->ids + leaf->begin, leaf->count,
+        ask->fill(ask->user, part, &w->tree->frames[leaf->frame], w->in->ids + leaf->begin, leaf[1].begin - leaf->begin,
                   w->tree->leaves + (size_t)leaf->at * BVH_UNIT);
     }
 }
@@ -163,7 +172,7 @@ static void point(uint32_t *reference, const bvh_leaf *leaves)
 
 bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves)
 {
-    leaf_work w = { out, in, leaves };
+    leaf_work w = { out, in, leaves, BVH_PARTS };
     size_t i;
     int k;
 
@@ -178,7 +187,11 @@ bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves)
             point(&out->nodes[i].child[k], leaves);
     for (i = 0; i < out->frame_count; i++)
         point(&out->frames[i].root, leaves);
-    share_work(in->threads, BVH_PARTS, fill_part, &w);
+    while (w.first > 0) {
+        w.first -= ROUND;
+        share_work(in->threads, ROUND, fill_part, &w);
+        in->leaves.filled(in->leaves.user, w.first);
+    }
     return true;
 }
 

@@ -154,16 +154,12 @@ static bool placed_box(const object *o, const void *instance, const pov_affine *
     return is_finite_box(around);
 }
 
-void flat_place(const flat *f, uint32_t index, placement *out)
+void flat_place(const flat *f, uint32_t index, const pov_affine *map, placement *out)
 {
-    const object *o = &f->model->objects.items[index];
     pov_box own, around;
-    pov_affine map;
-    bool finite;
+    bool finite = placed_box(&f->model->objects.items[index], f->moved[index], map, &own, &around);
 
-    transform_compose(o->map, &map);   /* as it could before */
-    finite = placed_box(o, f->moved[index], &map, &own, &around);
-    placement_init(out, &map, &own, finite ? &around : NULL, o->shape->flags);
+    placement_init(out, map, &own, finite ? &around : NULL, f->model->objects.items[index].shape->flags);
 }
 
 /* Take the transformation into the shape, or leave the shape as it was written. */
@@ -440,7 +436,7 @@ void flat_box(const flat *f, uint32_t index, pov_box *out)
     const object *o = &f->model->objects.items[index];
     room here;
 
-    if (o->map)
+    if (f->moved && f->moved[index])
         *out = f->boxes[index];
     else
         o->shape->bounds(look_at(o, &here), out);
@@ -450,6 +446,13 @@ void flat_drop_boxes(flat *f)
 {
     env_free(f->env, f->boxes);
     f->boxes = NULL;
+}
+
+void flat_drop_maps(flat *f)
+{
+    if (f->last)
+        model_drop_maps(f->last);
+    f->last = NULL;
 }
 
 void flat_free_arenas(const env *e, arena *arenas, int count)

@@ -25,6 +25,7 @@ void flat_make(const object *o, void *instance);
 typedef struct flat {
     const env *env;
     const model *model;
+    model *last;                 /* the same, if no other world is to come of it; NULL: it must stay as it is */
     bool use_blocks;
     int threads;
     arena *staging;              /* by thread: copies that have absorbed a transformation, until runs take them */
@@ -46,10 +47,13 @@ typedef struct flat {
 pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err);
 /* The box of a finite object, as flatten() saw it. Any thread. */
 void flat_box(const flat *f, uint32_t index, pov_box *out);
-/* The placement of an object whose group is placed. Made anew, so that it is kept in one place only. Any thread. */
-void flat_place(const flat *f, uint32_t index, placement *out);
+/* The placement of an object whose group is placed, by what was composed of its transformations. Made anew, so that it
+ * is kept in one place only. Any thread. */
+void flat_place(const flat *f, uint32_t index, const pov_affine *map, placement *out);
 /* Boxes are not asked for any more. */
 void flat_drop_boxes(flat *f);
+/* Nor are the model's transformations, if this is its last world. */
+void flat_drop_maps(flat *f);
 void flat_free(flat *f);
 void flat_free_groups(const env *e, shape_group *groups, size_t count);
 void flat_free_arenas(const env *e, arena *arenas, int count);

@@ -1,20 +1,28 @@
 #include "world/runs.h"
 
+#include "base/share.h"
+
 #include <string.h>
 
 bool runs_init(runs *r, flat *f, uint32_t parts)
 {
+    memset(r, 0, sizeof *r);
     r->flat = f;
     r->parts = parts;
+    r->of = env_alloc(f->env, parts + 1u, sizeof *r->of);
     r->at = env_alloc(f->env, parts, f->group_count * sizeof *r->at);
     r->slot = env_alloc(f->env, f->model->objects.count, sizeof *r->slot);
-    return r->at && r->slot;
+    return r->of && r->at && r->slot;
 }
 
 void runs_free(runs *r)
 {
+    env_free(r->flat->env, r->of);
+    env_free(r->flat->env, r->maps);
     env_free(r->flat->env, r->at);
     env_free(r->flat->env, r->slot);
+    r->of = NULL;
+    r->maps = NULL;
     r->at = r->slot = NULL;
 }
 
@@ -65,11 +73,14 @@ size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
     uint32_t n;
 
     put_in_order(f, ids, count);
+    r->of[part].ids += count;
     for (; count > 0; ids += n, count -= n) {
         const shape_group *g = &f->groups[f->group[ids[0]]];
         n = run_length(f, ids, count);
         r->at[part * f->group_count + f->group[ids[0]]] += n;
         bytes += run_bytes(g->shape, room_of(g));
+        if (g->placed && f->last)
+            r->of[part].maps += transform_packed_bytes(f->model->objects.items[ids[0]].map);
     }
     return bytes;
 }
@@ -96,6 +107,73 @@ bool runs_allocate(runs *r)
     return true;
 }
 
+/* ---- transformations ---- */
+
+static void take_part(void *user, uint32_t part, int hand)
+{
+    const runs *r = user;
+    const flat *f = r->flat;
+    size_t at = r->of[part].maps;
+    uint32_t i;
+
+    (void)hand;
+    for (i = r->of[part].ids; i < r->of[part + 1].ids; i++) {
+        const transform *list = f->model->objects.items[f->finite[i]].map;
+        if (f->groups[f->group[f->finite[i]]].placed) {
+            transform_pack(list, r->maps + at);
+            at += transform_packed_bytes(list);
+        }
+    }
+}
+
+bool runs_take_maps(runs *r, uint32_t first)
+{
+    flat *f = r->flat;
+    size_t maps = 0;
+    uint32_t part, ids = 0;
+
+    if (!f->last)
+        return true;
+    for (part = 0; part <= r->parts; part++) {
+        const runs_part mine = r->of[part];
+        const runs_part from = { ids, maps, maps };
+        r->of[part] = from;
+        ids += part < first ? 0 : mine.ids;
+        maps += part < first ? 0 : mine.maps;
+    }
+    if (maps > 0) {
+        r->maps = env_resize(f->env, NULL, maps, 1);
+        if (!r->maps)
+            return false;
+        share_work(f->threads, r->parts, take_part, r);
+    }
+    flat_drop_maps(f);
+    return true;
+}
+
+void runs_filled(runs *r, uint32_t part)
+{
+    unsigned char *rest;
+
+    if (!r->maps || r->of[part].maps == 0)
+        return;
+    rest = env_resize(r->flat->env, r->maps, r->of[part].maps, 1);
+    if (rest)
+        r->maps = rest;
+}
+
+/* What was composed of the transformations of a part's next placed shape. */
+static void map_of(runs *r, uint32_t part, uint32_t id, pov_affine *out)
+{
+    if (r->maps) {
+        runs_part *p = &r->of[part];
+        const unsigned char *end = transform_compose_packed(r->maps + p->next, out);   /* as it could before */
+        p->next = (size_t)(end - r->maps);
+    } else {
+        transform_compose(r->flat->model->objects.items[id].map, out);
+    }
+}
+
 /* ---- filling ---- */
 
 /* Put the instance into its final place. */
@@ -106,7 +184,7 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
     const shape_group *g = &f->groups[f->group[id]];
     unsigned char *instance = g->instances + (size_t)slot * g->stride;
 
-    if (o->map)
+    if (f->moved && f->moved[id])
         memcpy(instance, f->moved[id], g->shape->instance_size);
     else
         flat_make(o, instance);
@@ -115,24 +193,27 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
 }
 
 /* What a run of a placed shape holds besides, and where it can be found. */
-static const void *place(runs *r, uint32_t id, run *out)
+static const void *place(runs *r, uint32_t part, uint32_t id, run *out)
 {
     unsigned char *start = (unsigned char *)out;
     placement *p = (placement *)(void *)(start + RUN_PLACE);
+    pov_affine map;
 
-    flat_place(r->flat, id, p);
+    map_of(r, part, id, &map);
+    flat_place(r->flat, id, &map, p);
     if (r->flat->use_blocks && p->known != PLACEMENT_UNKNOWN)
         out->flags |= RUN_PACKED;
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
     return r->flat->moved[id];
 }
 
-static void fill_run(runs *r, const pov_frame *frame, const uint32_t *ids, uint32_t count, uint32_t *at, run *out)
+static void fill_run(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, run *out)
 {
     const flat *f = r->flat;
+    uint32_t *at = &r->at[part * f->group_count + f->group[ids[0]]];
     const model *m = f->model;
     const shape_group *g = &f->groups[f->group[ids[0]]];
-    const void *selves[RUN_WIDTH];
+    const void *selves[RUN_WIDTH] = { NULL };
     uint32_t i;
 
     memset(out, 0, run_bytes(g->shape, room_of(g)));
@@ -141,7 +222,7 @@ static void fill_run(runs *r, const pov_frame *frame, const uint32_t *ids, uint3
     out->flags = (uint8_t)(room_of(g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
     for (i = 0; i < count; i++) {
         const object *o = &m->objects.items[ids[i]];
-        selves[i] = g->placed ? place(r, ids[i], out) : settle(r, ids[i], (*at)++);
+        selves[i] = g->placed ? place(r, part, ids[i], out) : settle(r, ids[i], (*at)++);
         out->object[i] = ids[i];
         out->casts |= (uint8_t)(!(o->flags & OBJECT_NO_SHADOW) << i);
         out->opaque |= (uint8_t)(!material_is_transparent(&m->materials.items[o->material]) << i);
@@ -162,7 +243,7 @@ void runs_fill(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *i
     for (; count > 0; ids += n, count -= n) {
         run *out = (run *)(void *)end;
         n = run_length(f, ids, count);
-        fill_run(r, frame, ids, n, &r->at[part * f->group_count + f->group[ids[0]]], out);
+        fill_run(r, part, frame, ids, n, out);
         if (n < count)
             out->flags |= RUN_MORE;
         end += run_bytes(out->shape, out->flags);

@@ -7,9 +7,14 @@
 
 #include "world/flatten.h"
 
+/* A part's objects among all, and where the transformations of its next placed shape stand among all that are kept. */
+typedef struct runs_part { uint32_t ids; size_t maps, next; } runs_part;
+
 typedef struct runs {
     flat *flat;
     uint32_t parts;
+    runs_part *of;               /* by part, and one behind the last */
+    unsigned char *maps;         /* see runs_take_maps(); NULL: the model still has them */
     uint32_t *at;                /* by part and group: how many instances; then the place of the next */
     uint32_t *slot;              /* by object: its place in its group; of one that is placed, where its run is */
     const unsigned char *base;   /* what runs are being filled, and the bit that tells which */
@@ -28,6 +33,12 @@ bool runs_allocate(runs *r);
 /* The same objects in the same order within each part, into `base`; memory need not be zeroed. frame: what they stand in,
  * or NULL. */
 void runs_fill(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, void *at);
+/* Before the first fill of part `first`, if all parts from there on are of the flat's finite objects one after the other
+ * and this is the model's last world: their transformations are put in the order in which they are wanted, so that
+ * the model's can go before the leaves come, and they themselves bit by bit. */
+bool runs_take_maps(runs *r, uint32_t first);
+/* That part and all behind it are filled. */
+void runs_filled(runs *r, uint32_t part);
 void runs_free(runs *r);
 
 #endif

@@ -127,15 +127,22 @@ static bool is_tiny(const flat *f)
 /* The lists are the first part of the runs, the tree's parts follow. */
 enum { LIST_PART, TREE_PART };
 
-static bool size_lists(world *w, runs *r, bool with_finite, size_t *first)
-{
-    const flat *f = r->flat;
-    size_t second = with_finite ? runs_size(r, LIST_PART, f->finite, f->finite_count) : 0;
+typedef struct layout {
+    world *world;
+    runs runs;
+    size_t first;                /* bytes of the list of infinite objects */
+} layout;
 
-    *first = runs_size(r, LIST_PART, f->infinite, f->infinite_count);
-    if (*first + second > 0)
-        w->list_memory = env_reserve_aligned(w->env, *first + second, 64);
-    return w->list_memory || *first + second == 0;
+static bool size_lists(layout *l, bool with_finite)
+{
+    const flat *f = l->runs.flat;
+    world *w = l->world;
+    size_t second = with_finite ? runs_size(&l->runs, LIST_PART, f->finite, f->finite_count) : 0;
+
+    l->first = runs_size(&l->runs, LIST_PART, f->infinite, f->infinite_count);
+    if (l->first + second > 0)
+        w->list_memory = env_reserve_aligned(w->env, l->first + second, 64);
+    return w->list_memory || l->first + second == 0;
 }
 
 static pov_frame frame_of(const bvh_frame *f)
@@ -144,23 +151,25 @@ static pov_frame frame_of(const bvh_frame *f)
     return frame;
 }
 
-static void fill_lists(world *w, runs *r, bool with_finite, size_t first)
+static void fill_lists(layout *l, bool with_finite)
 {
-    const flat *f = r->flat;
-    const run *i;
+    const flat *f = l->runs.flat;
+    world *w = l->world;
+    unsigned char *second = w->list_memory + l->first;
     pov_frame frame;
+    const run *i;
 
-    r->base = w->list_memory;
-    r->mark = RUNS_IN_LISTS;
+    l->runs.base = w->list_memory;
+    l->runs.mark = RUNS_IN_LISTS;
     if (f->infinite_count > 0) {
-        runs_fill(r, LIST_PART, NULL, f->infinite, f->infinite_count, w->list_memory);
+        runs_fill(&l->runs, LIST_PART, NULL, f->infinite, f->infinite_count, w->list_memory);
         w->infinite = (const run *)(const void *)w->list_memory;
     }
     if (with_finite && f->finite_count > 0) {
         w->list_frame = bvh_frame_around(&f->bounds);
         frame = frame_of(&w->list_frame);
-        runs_fill(r, LIST_PART, &frame, f->finite, f->finite_count, w->list_memory + first);
-        w->list = (const run *)(const void *)(w->list_memory + first);
+        runs_fill(&l->runs, LIST_PART, &frame, f->finite, f->finite_count, second);
+        w->list = (const run *)(const void *)second;
         for (i = w->list; i; i = run_next(i))
             w->list_packed = w->list_packed || (i->flags & RUN_PACKED);
     }
@@ -168,23 +177,32 @@ static void fill_lists(world *w, runs *r, bool with_finite, size_t first)
 
 static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count)
 {
-    return runs_size(user, TREE_PART + part, ids, count);
+    return runs_size(&((layout *)user)->runs, TREE_PART + part, ids, count);
 }
 
+/* Lists are filled first: the transformations of what is in them may go now. */
 static bool leaf_allocate(void *user, const void *leaves)
 {
-    runs *r = user;
+    layout *l = user;
 
-    r->base = leaves;
-    r->mark = 0;
-    return runs_allocate(r);
+    if (!runs_allocate(&l->runs))
+        return false;
+    fill_lists(l, false);
+    l->runs.base = leaves;
+    l->runs.mark = 0;
+    return runs_take_maps(&l->runs, TREE_PART);
 }
 
 static void leaf_fill(void *user, uint32_t part, const bvh_frame *in, const uint32_t *ids, uint32_t count, void *at)
 {
     const pov_frame frame = frame_of(in);
 
-    runs_fill(user, TREE_PART + part, &frame, ids, count, at);
+    runs_fill(&((layout *)user)->runs, TREE_PART + part, &frame, ids, count, at);
+}
+
+static void leaves_filled(void *user, uint32_t part)
+{
+    runs_filled(&((layout *)user)->runs, TREE_PART + part);
 }
 
 static void box_of(void *user, uint32_t id, pov_box *out)
@@ -197,8 +215,10 @@ static void drop_boxes(void *user)
     flat_drop_boxes(user);
 }
 
-static bool make_tree(world *w, flat *f, runs *r)
+static bool make_tree(layout *l)
 {
+    flat *f = l->runs.flat;
+    world *w = l->world;
     bvh_input in = {
         .env = w->env,
         .box = box_of,
@@ -211,28 +231,34 @@ static bool make_tree(world *w, flat *f, runs *r)
         .packs = f->packs,
         .all_pack = f->alone_count == 0,
         .threads = f->threads,
-        .leaves = { leaf_size, leaf_allocate, leaf_fill, r },
+        .leaves = { leaf_size, leaf_allocate, leaf_fill, leaves_filled, l },
     };
 
     w->has_tree = bvh_build(&w->tree, &in);
     return w->has_tree;
 }
 
+static bool make_list(layout *l)
+{
+    if (!runs_allocate(&l->runs))
+        return false;
+    fill_lists(l, true);
+    return true;
+}
+
 static bool lay_out(world *w, flat *f, bool tree)
 {
-    size_t first = 0;
+    layout l;
     bool done;
-    runs r;
 
-    done = runs_init(&r, f, TREE_PART + (tree ? BVH_PARTS : 0)) && size_lists(w, &r, !tree, &first) &&
-           (tree ? make_tree(w, f, &r) : runs_allocate(&r));
-    if (done)
-        fill_lists(w, &r, !tree, first);
+    l.world = w;
+    done = runs_init(&l.runs, f, TREE_PART + (tree ? BVH_PARTS : 0)) && size_lists(&l, !tree) &&
+           (tree ? make_tree(&l) : make_list(&l));
     if (done) {
-        w->slot = r.slot;
-        r.slot = NULL;
+        w->slot = l.runs.slot;
+        l.runs.slot = NULL;
     }
-    runs_free(&r);
+    runs_free(&l.runs);
     return done;
 }
 
@@ -263,7 +289,8 @@ static void take_over(world *w, flat *f)
     f->kept = NULL;
 }
 
-static pov_status build(world *w, const world_options *options, pov_error *err)
+/* last: the model, if its transformations may go; else NULL. */
+static pov_status build(world *w, model *last, const world_options *options, pov_error *err)
 {
     bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
     int threads = w->model->objects.count < THREADS_FROM ? 1 : share_threads(options->threads);
@@ -275,6 +302,9 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     if (status < 0)
         return status;
     status = flatten(&f, w->model, use_blocks, threads, err);
+    f.last = last;
+    if (status == POV_OK && f.composed == 0)
+        flat_drop_maps(&f);
     if (status == POV_OK)
         status = compile(w, &f, options, err);
     if (status == POV_OK)
@@ -282,11 +312,12 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     if (status == POV_OK)
         status = explain_tree(w, &f, options->accel, err);
     take_over(w, &f);
+    flat_drop_maps(&f);
     flat_free(&f);
     return status;
 }
 
-pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
+static pov_status create(world **out, const model *m, model *last, const world_options *options, pov_error *err)
 {
     world *w;
     pov_status status;
@@ -301,12 +332,22 @@ pov_status world_create(world **out, const model *m, const world_options *option
     w->model = m;
     w->always_exact = options->always_exact;
     w->walks = bvh_walks_best();
-    status = build(w, options, err);
+    status = build(w, last, options, err);
     if (status < 0)
         world_destroy(w);
     else
         *out = w;
     return status;
+}
+
+pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
+{
+    return create(out, m, NULL, options, err);
+}
+
+pov_status world_create_last(world **out, model *m, const world_options *options, pov_error *err)
+{
+    return create(out, m, m, options, err);
 }
 
 void world_destroy(world *w)

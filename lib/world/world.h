@@ -20,6 +20,9 @@ typedef struct world_options {
 
 /* The model must outlive the world and is not changed. */
 pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err);
+/* The same for a model of which no other world is to come: its transformations go as soon as shapes have their places,
+ * which saves a large scene a quarter of its memory. */
+pov_status world_create_last(world **out, model *m, const world_options *options, pov_error *err);
 void world_destroy(world *w);
 const plan *world_plan(const world *w);
 /* Box around all finite objects; false: there is none. */

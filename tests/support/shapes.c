@@ -497,5 +497,5 @@ uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surfac
 const transform *test_transform(model *m, const transform *before, transform_kind kind, double x, double y, double z)
 {
     double v[3] = { x, y, z };
-    return transform_append(&m->memory, before, kind, v);
+    return transform_append(&m->maps, before, kind, v);
 }

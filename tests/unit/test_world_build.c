@@ -198,6 +198,62 @@ static void instances_are_prepared_alone_absorbed_and_placed(void **state)
     model_free(&m);
 }
 
+/* Every third ball is stretched, some grounds are turned, and one in ten transformations is a matrix. */
+static void scatter(model *m, int count)
+{
+    const double matrix[12] = { 1.0, 0.25, 0.0, 0.0, 1.0, 0.5, 0.125, 0.0, 1.0, 3.0, 4.0, 5.0 };
+    test_ground ground = { -100.0 };
+    test_random r = { 4 };
+    int i;
+
+    for (i = 0; i < count; i++) {
+        test_ball ball = { somewhere(&r, 10.0), 0.01 };
+        const transform *map = NULL;
+        pov_vec3 v = somewhere(&r, 1.0);
+        if (i % 3 == 0)
+            map = test_transform(m, test_transform(m, map, TRANSFORM_SCALE, 1.0, 2.0, 3.0), TRANSFORM_ROTATE, v.x, v.y, v.z);
+        if (i % 10 == 0)
+            map = transform_append(&m->maps, map, TRANSFORM_MATRIX, matrix);
+        if (i % 2000 == 0)
+            test_add(m, &test_ground_class, &ground, map, 0, 0);
+        else
+            test_add(m, i % 2 ? &test_ball_class : &test_plain_ball_class, &ball, map, 0, 0);
+    }
+}
+
+/* For any number of threads, with a tree and with a list. */
+static void the_last_world_of_a_model_is_like_any_other_and_takes_its_transformations(void **state)
+{
+    int i, k, count;
+
+    (void)state;
+    for (i = 0; i < 6; i++) {
+        world_options options = { i % 2 ? POV_ACCEL_TREE : POV_ACCEL_NONE, 1 + i / 2, false, NULL };
+        world *any, *last;
+        pov_error err;
+        model m;
+
+        test_model_init(&m, NULL);
+        count = i % 2 ? 20000 : 3000;
+        scatter(&m, count);
+        assert_int_equal(world_create(&any, &m, &options, &err), POV_OK);
+        assert_non_null(m.objects.items[0].map);
+        assert_int_equal(world_create_last(&last, &m, &options, &err), POV_OK);
+        if (i % 2)
+            same_leaves(&any->tree, &last->tree);
+        for (k = 0; k < count; k++) {
+            shape_place a = world_place(any, (uint32_t)k), b = world_place(last, (uint32_t)k);
+            assert_null(m.objects.items[k].map);
+            assert_int_equal(a.placement != NULL, b.placement != NULL);
+            if (a.placement)
+                assert_memory_equal(a.placement, b.placement, sizeof *a.placement);
+        }
+        world_destroy(any);
+        world_destroy(last);
+        model_free(&m);
+    }
+}
+
 static void bounds_are_those_of_the_finite_objects(void **state)
 {
     test_ground ground = { 100.0 };
@@ -333,6 +389,7 @@ int main(void)
         cmocka_unit_test(every_object_is_in_one_leaf_within_its_boxes),
         cmocka_unit_test(instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory),
         cmocka_unit_test(instances_are_prepared_alone_absorbed_and_placed),
+        cmocka_unit_test(the_last_world_of_a_model_is_like_any_other_and_takes_its_transformations),
         cmocka_unit_test(bounds_are_those_of_the_finite_objects),
         cmocka_unit_test(a_plain_scene_leaves_out_what_it_does_not_need),
         cmocka_unit_test(a_rich_scene_needs_all_of_it),

@@ -467,7 +467,7 @@ static void a_transformation_without_an_inverse_is_an_error(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, transform_append(&m.memory, NULL, TRANSFORM_MATRIX, flat_matrix), 0, 0);
+    test_add(&m, &test_ball_class, &ball, transform_append(&m.maps, NULL, TRANSFORM_MATRIX, flat_matrix), 0, 0);
     assert_int_equal(world_create(&w, &m, &options, &err), POV_E_SYNTAX);
     assert_null(w);
     model_free(&m);
