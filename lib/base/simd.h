@@ -27,4 +27,11 @@
 #define SIMD_INLINE static inline
 #endif
 
+/* What will be read soon, where the processor cannot guess it. The address need not be one. */
+#if defined(__GNUC__)
+#define SIMD_EXPECT(address) __builtin_prefetch(address)
+#else
+#define SIMD_EXPECT(address) ((void)(address))
+#endif
+
 #endif

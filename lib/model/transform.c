@@ -120,7 +120,7 @@ static void sincos_of(const double *degrees, pov_two *s, pov_two *c)
     int quarter[ANGLES], k;
 
     for (k = 0; k < ANGLES; k++) {
-        double rest = fmod(degrees[k], 360.0);
+        double rest = fabs(degrees[k]) < 360.0 ? degrees[k] : fmod(degrees[k], 360.0);
         pov_two square;
         quarter[k] = (int)floor(rest / 90.0 + 0.5);
         x[k] = pov_two_mul_double(degree, rest - 90.0 * quarter[k]);
@@ -169,11 +169,12 @@ typedef struct composition {
 
 static void start(composition *c)
 {
-    int i;
+    static const composition identity = { { { { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0 }, { 0.0 } },
+                                            { { 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0 }, { 0.0 } },
+                                            { { 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0 }, { 0.0 } } },
+                                          { { 0.0 }, { 0.0 } } };
 
-    memset(c, 0, sizeof *c);
-    for (i = 0; i < 3; i++)
-        c->axis[i].hi[i] = c->axis[i].hi[HALF + i] = 1.0;
+    memcpy(c, &identity, sizeof *c);
 }
 
 static void translate(composition *c, const double *v)

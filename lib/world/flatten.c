@@ -179,6 +179,7 @@ static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, 
         if (!*instance)
             return POV_E_MEMORY;
         k->part->composed++;
+        k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
         *finite = placed_box(o, *instance, &k->map, &own, box);
     } else {
         k->part->absorbed++;
@@ -327,8 +328,9 @@ static bool allocate(survey *s, bool any_map)
     if (any_map) {
         f->moved = env_alloc(f->env, n, sizeof *f->moved);
         f->boxes = env_alloc(f->env, n, sizeof *f->boxes);
+        f->maps = env_alloc(f->env, n, sizeof *f->maps);
     }
-    return s->parts && f->staging && f->kept && f->group && (!any_map || (f->moved && f->boxes));
+    return s->parts && f->staging && f->kept && f->group && (!any_map || (f->moved && f->boxes && f->maps));
 }
 
 /* The parts' counts together, or the first part's failure. */
@@ -453,6 +455,8 @@ void flat_drop_maps(flat *f)
     if (f->last)
         model_drop_maps(f->last);
     f->last = NULL;
+    env_free(f->env, f->maps);
+    f->maps = NULL;
 }
 
 void flat_free_arenas(const env *e, arena *arenas, int count)
@@ -480,6 +484,7 @@ void flat_free(flat *f)
     flat_free_groups(f->env, f->groups, f->group_count);
     env_free(f->env, f->moved);
     env_free(f->env, f->boxes);
+    env_free(f->env, f->maps);
     env_free(f->env, f->group);
     env_free(f->env, f->packs);
     env_free(f->env, f->finite);

@@ -33,6 +33,7 @@ typedef struct flat {
     const void **moved;          /* instances of those with a transformation; NULL: no object has one */
     pov_box *boxes;              /* the same, of finite ones */
     uint16_t *group;
+    uint32_t *maps;              /* bytes that the transformations of those that are placed take in a row; as moved */
     shape_group *groups;
     bool *packs;                 /* by group, as the tree wants it */
     size_t group_count;

@@ -1,6 +1,7 @@
 #include "world/runs.h"
 
 #include "base/share.h"
+#include "base/simd.h"
 
 #include <string.h>
 
@@ -80,7 +81,7 @@ size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
         r->at[part * f->group_count + f->group[ids[0]]] += n;
         bytes += run_bytes(g->shape, room_of(g));
         if (g->placed && f->last)
-            r->of[part].maps += transform_packed_bytes(f->model->objects.items[ids[0]].map);
+            r->of[part].maps += f->maps[ids[0]];
     }
     return bytes;
 }
@@ -109,19 +110,36 @@ bool runs_allocate(runs *r)
 
 /* ---- transformations ---- */
 
+/* Objects of a leaf lie anywhere in the scene. Looking ahead by so many hides most of the way to memory. */
+enum { AHEAD = 8 };
+
+/* Two lines of it: two or three transformations one behind the other. */
+static void expect_list(const transform *list)
+{
+    if (list) {
+        SIMD_EXPECT(list);
+        SIMD_EXPECT((const unsigned char *)list + 64);
+    }
+}
+
 static void take_part(void *user, uint32_t part, int hand)
 {
     const runs *r = user;
     const flat *f = r->flat;
+    const object *all = f->model->objects.items;
     size_t at = r->of[part].maps;
     uint32_t i;
 
     (void)hand;
     for (i = r->of[part].ids; i < r->of[part + 1].ids; i++) {
-        const transform *list = f->model->objects.items[f->finite[i]].map;
-        if (f->groups[f->group[f->finite[i]]].placed) {
-            transform_pack(list, r->maps + at);
-            at += transform_packed_bytes(list);
+        const uint32_t id = f->finite[i];
+        if (i + 2 * AHEAD < f->finite_count)
+            SIMD_EXPECT(&all[f->finite[i + 2 * AHEAD]].map);
+        if (i + AHEAD < f->finite_count)
+            expect_list(all[f->finite[i + AHEAD]].map);
+        if (f->groups[f->group[id]].placed) {
+            transform_pack(all[id].map, r->maps + at);
+            at += f->maps[id];
         }
     }
 }
