@@ -91,67 +91,90 @@ static const lanes terms[TERMS] = {
 
 /* The sums without their first terms, which are 1, so that the caller can add that exactly. |x| <= pi/4: the 15 terms
  * reach (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that the rounding of doubles does
- * no harm there. */
-static void series(const lanes *restrict x2, lanes *restrict sum)
+ * no harm there. Each step waits for the one before, so n sums side by side cost little more than one. */
+static void series(const lanes *restrict x2, lanes *restrict sum, int n)
 {
-    int i, k;
+    int i, k, m;
 
-    for (k = 0; k < LANES; k++) {
-        double tail = terms[TERMS - 1].hi[k];
-        for (i = TERMS - 2; i >= 9; i--)
-            tail = tail * x2->hi[k] + terms[i].hi[k];
-        set_lane(sum, k, pov_two_of(tail, 0.0));
-    }
+    for (m = 0; m < n; m++)
+        for (k = 0; k < LANES; k++) {
+            double tail = terms[TERMS - 1].hi[k];
+            for (i = TERMS - 2; i >= 9; i--)
+                tail = tail * x2[m].hi[k] + terms[i].hi[k];
+            set_lane(&sum[m], k, pov_two_of(tail, 0.0));
+        }
     for (i = 8; i >= 1; i--)
+        for (m = 0; m < n; m++)
+            for (k = 0; k < LANES; k++)
+                set_lane(&sum[m], k,
+                         pov_two_add(pov_two_mul(lane_of(&sum[m], k), lane_of(&x2[m], k)), lane_of(&terms[i], k)));
+    for (m = 0; m < n; m++)
         for (k = 0; k < LANES; k++)
-            set_lane(sum, k, pov_two_add(pov_two_mul(lane_of(sum, k), lane_of(x2, k)), lane_of(&terms[i], k)));
-    for (k = 0; k < LANES; k++)
-        set_lane(sum, k, pov_two_mul(lane_of(sum, k), lane_of(x2, k)));
+            set_lane(&sum[m], k, pov_two_mul(lane_of(&sum[m], k), lane_of(&x2[m], k)));
 }
 
 enum { ANGLES = 3 };
 
-static void sincos_of(const double *degrees, pov_two *s, pov_two *c)
+/* Of three angles each. */
+typedef struct turns { pov_two x[ANGLES], sine[ANGLES], cosine[ANGLES]; int quarter[ANGLES]; } turns;
+
+static void reduce(turns *t, const double *degrees, lanes *x2)
 {
     /* pi/180 in two parts. fmod and the subtraction of a multiple of 90 are exact, so that the reduction is. */
     const pov_two degree = { 0.017453292519943295, 2.9486522708701687e-19 };
-    lanes x2 = { { 0.0 }, { 0.0 } }, sum;
-    pov_two x[ANGLES];
-    int quarter[ANGLES], k;
+    int k;
 
+    memset(x2, 0, sizeof *x2);
     for (k = 0; k < ANGLES; k++) {
         double rest = fabs(degrees[k]) < 360.0 ? degrees[k] : fmod(degrees[k], 360.0);
         pov_two square;
-        quarter[k] = (int)floor(rest / 90.0 + 0.5);
-        x[k] = pov_two_mul_double(degree, rest - 90.0 * quarter[k]);
-        square = pov_two_mul(x[k], x[k]);
-        set_lane(&x2, k, square);
-        set_lane(&x2, HALF + k, square);
+        t->quarter[k] = (int)floor(rest / 90.0 + 0.5);
+        t->x[k] = pov_two_mul_double(degree, rest - 90.0 * t->quarter[k]);
+        square = pov_two_mul(t->x[k], t->x[k]);
+        set_lane(x2, k, square);
+        set_lane(x2, HALF + k, square);
     }
-    series(&x2, &sum);
-    for (k = 0; k < ANGLES; k++) {
-        pov_two sine = pov_two_add(x[k], pov_two_mul(x[k], lane_of(&sum, k)));
-        pov_two cosine = pov_two_add_double(lane_of(&sum, HALF + k), 1.0), swap = sine;
+}
 
-        if (quarter[k] & 1) {
+static void finish(turns *t, const lanes *sum)
+{
+    int k;
+
+    for (k = 0; k < ANGLES; k++) {
+        pov_two sine = pov_two_add(t->x[k], pov_two_mul(t->x[k], lane_of(sum, k)));
+        pov_two cosine = pov_two_add_double(lane_of(sum, HALF + k), 1.0), swap = sine;
+
+        if (t->quarter[k] & 1) {
             sine = cosine;
             cosine = pov_two_neg(swap);
         }
-        s[k] = quarter[k] & 2 ? pov_two_neg(sine) : sine;
-        c[k] = quarter[k] & 2 ? pov_two_neg(cosine) : cosine;
+        t->sine[k] = t->quarter[k] & 2 ? pov_two_neg(sine) : sine;
+        t->cosine[k] = t->quarter[k] & 2 ? pov_two_neg(cosine) : cosine;
     }
+}
+
+static void sincos_of(turns *t, const double *const *degrees, int n)
+{
+    lanes x2[TRANSFORM_MANY], sum[TRANSFORM_MANY];
+    int m;
+
+    for (m = 0; m < n; m++)
+        reduce(&t[m], degrees[m], &x2[m]);
+    series(x2, sum, n);
+    for (m = 0; m < n; m++)
+        finish(&t[m], &sum[m]);
 }
 
 void transform_sincos(double degrees, double *s, double *c)
 {
-    const double angles[ANGLES] = { degrees, 0.0, 0.0 };
-    pov_two sine[ANGLES], cosine[ANGLES];
+    const double angles[ANGLES] = { degrees, 0.0, 0.0 }, *all = angles;
+    turns t;
 
-    sincos_of(angles, sine, cosine);
-    s[0] = sine[0].hi;
-    s[1] = sine[0].lo;
-    c[0] = cosine[0].hi;
-    c[1] = cosine[0].lo;
+    sincos_of(&t, &all, 1);
+    s[0] = t.sine[0].hi;
+    s[1] = t.sine[0].lo;
+    c[0] = t.cosine[0].hi;
+    c[1] = t.cosine[0].lo;
 }
 
 /* ---- composition ---- */
@@ -219,15 +242,16 @@ static void turn_pair(lanes *restrict x, lanes *restrict y, pov_two s, pov_two c
 }
 
 /* Left-handed: about x, +y goes to +z. The inverse is the transpose. */
-static void rotate(composition *c, const double *degrees)
+static void rotate(composition *c, const double *const *degrees, int n)
 {
-    pov_two sine[ANGLES], cosine[ANGLES];
-    int axis;
+    turns t[TRANSFORM_MANY];
+    int axis, m;
 
-    sincos_of(degrees, sine, cosine);
+    sincos_of(t, degrees, n);
     for (axis = 2; axis >= 0; axis--)
-        if (degrees[axis] != 0.0)
-            turn_pair(&c->axis[(axis + 1) % 3], &c->axis[(axis + 2) % 3], sine[axis], cosine[axis]);
+        for (m = 0; m < n; m++)
+            if (degrees[m][axis] != 0.0)
+                turn_pair(&c[m].axis[(axis + 1) % 3], &c[m].axis[(axis + 2) % 3], t[m].sine[axis], t[m].cosine[axis]);
 }
 
 /* matrix <...> multiplies row vectors, so it stands transposed here. */
@@ -317,22 +341,30 @@ static bool multiply(composition *c, const double *v)
     return true;
 }
 
-static bool join(composition *c, transform_kind kind, const double *v)
+/* One transformation more for each of n. The bits of those that have no inverse are returned. */
+static unsigned join(composition *c, transform_kind kind, const double *const *v, int n)
 {
+    unsigned flat = 0;
+    int m;
+
     switch (kind) {
     case TRANSFORM_TRANSLATE:
-        translate(c, v);
+        for (m = 0; m < n; m++)
+            translate(&c[m], v[m]);
         break;
     case TRANSFORM_SCALE:
-        scale(c, v);
+        for (m = 0; m < n; m++)
+            scale(&c[m], v[m]);
         break;
     case TRANSFORM_ROTATE:
-        rotate(c, v);
+        rotate(c, v, n);
         break;
     case TRANSFORM_MATRIX:
-        return multiply(c, v);
+        for (m = 0; m < n; m++)
+            flat |= (unsigned)!multiply(&c[m], v[m]) << m;
+        break;
     }
-    return true;
+    return flat;
 }
 
 static void store(const composition *c, pov_affine *out)
@@ -361,22 +393,64 @@ static bool is_finite(const pov_affine *map)
     return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
 }
 
+/* All of them to be stored; those that are fit for use. */
+static unsigned store_all(const composition *c, unsigned flat, pov_affine *out, int n)
+{
+    unsigned good = 0;
+    int m;
+
+    for (m = 0; m < n; m++) {
+        store(&c[m], &out[m]);
+        good |= (unsigned)(!(flat >> m & 1) && is_finite(&out[m])) << m;
+    }
+    return good;
+}
+
+bool transform_are_alike(const transform *a, const transform *b)
+{
+    while (a && b && a->kind == b->kind) {
+        a = a->before;
+        b = b->before;
+    }
+    return !a && !b;
+}
+
+unsigned transform_compose_many(const transform *const *lists, int n, pov_affine *out)
+{
+    const transform *t[TRANSFORM_MANY];
+    const double *v[TRANSFORM_MANY] = { NULL };
+    composition c[TRANSFORM_MANY];
+    unsigned flat = 0;
+    int m;
+
+    for (m = 0; m < n; m++) {
+        start(&c[m]);
+        t[m] = lists[m];
+    }
+    while (t[0]) {
+        const transform_kind kind = t[0]->kind;
+        for (m = 0; m < n; m++) {
+            v[m] = t[m]->v;
+            t[m] = t[m]->before;
+        }
+        flat |= join(c, kind, v, n);
+    }
+    return store_all(c, flat, out, n);
+}
+
 bool transform_compose(const transform *list, pov_affine *out)
 {
-    const transform *t;
-    composition c;
-
-    start(&c);
-    for (t = list; t; t = t->before)
-        if (!join(&c, t->kind, t->v))
-            return false;
-    store(&c, out);
-    return is_finite(out);
+    return transform_compose_many(&list, 1, out) != 0;
 }
 
 /* ---- lists one behind the other ---- */
 
 typedef struct packed { transform_kind kind; int more; double v[]; } packed;
+
+static const packed *next_of(const packed *p)
+{
+    return (const packed *)(const void *)(p->v + count_of(p->kind));
+}
 
 size_t transform_packed_bytes(const transform *list)
 {
@@ -399,20 +473,45 @@ void transform_pack(const transform *list, void *at)
     }
 }
 
-const void *transform_compose_packed(const void *at, pov_affine *out)
+/* The end of a list; NULL: it is not like the other. */
+static const packed *end_if_alike(const packed *p, const packed *other)
 {
-    const packed *p = at;
-    bool good = true, more;
-    composition c;
+    while (p->kind == other->kind && p->more == other->more) {
+        if (!p->more)
+            return next_of(p);
+        p = next_of(p);
+        other = next_of(other);
+    }
+    return NULL;
+}
 
-    start(&c);
+const void *transform_compose_packed(const void *at, const void *end, int most, pov_affine *out, int *count)
+{
+    const packed *p[TRANSFORM_MANY], *next = end_if_alike(at, at);
+    const double *v[TRANSFORM_MANY] = { NULL };
+    composition c[TRANSFORM_MANY];
+    int n = 1, m;
+    bool more;
+
+    p[0] = at;
+    while (n < most && (const void *)next != end && end_if_alike(next, at)) {
+        p[n++] = next;
+        next = end_if_alike(next, at);
+    }
+    for (m = 0; m < n; m++)
+        start(&c[m]);
     do {
-        good = good && join(&c, p->kind, p->v);
-        more = p->more != 0;
-        p = (const packed *)(const void *)(p->v + count_of(p->kind));
+        const transform_kind kind = p[0]->kind;
+        more = p[0]->more != 0;
+        for (m = 0; m < n; m++) {
+            v[m] = p[m]->v;
+            p[m] = next_of(p[m]);
+        }
+        join(c, kind, v, n);
     } while (more);
-    store(&c, out);
-    return good && is_finite(out) ? p : NULL;
+    store_all(c, 0, out, n);
+    *count = n;
+    return next;
 }
 
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo)

@@ -29,11 +29,18 @@ const transform *transform_append(arena *memory, const transform *before, transf
  * rotations by multiples of 90 degrees are exact. False: the matrix has no inverse. list may be NULL (identity). */
 bool transform_compose(const transform *list, pov_affine *out);
 
+/* Many lists of the same kinds of transformations at once, with the bits that they would have alone: one waits for each
+ * of its steps, several share the time. Bit i of what is returned: the i-th has an inverse. */
+enum { TRANSFORM_MANY = 4 };
+bool transform_are_alike(const transform *a, const transform *b);
+unsigned transform_compose_many(const transform *const *lists, int n, pov_affine *out);
+
 /* Lists one behind the other, to be composed in that order: what one takes, in bytes, a multiple of 8; writing it;
- * composing it, which gives the end of it, or NULL where transform_compose() says false. */
+ * composing `most` (TRANSFORM_MANY at most) or as many as are alike, which gives the start of the next. They have
+ * inverses, as was seen before. */
 size_t transform_packed_bytes(const transform *list);
 void transform_pack(const transform *list, void *at);
-const void *transform_compose_packed(const void *at, pov_affine *out);
+const void *transform_compose_packed(const void *at, const void *end, int most, pov_affine *out, int *count);
 
 /* The point, mapped and rounded once into two parts. */
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo);

@@ -47,8 +47,11 @@ typedef struct maker {
     void *scratch;               /* a block of that class */
     const object *kept_object;   /* whose instance was kept last */
     const void *kept_instance;
-    const transform *list;       /* what `map` was composed of: many objects in a row may share it */
-    pov_affine map;
+    const object *end;           /* of the part */
+    const transform *lists[TRANSFORM_MANY];   /* what was composed last, with that of objects that follow */
+    int list_count, now;         /* which of them is meant; many objects in a row may share it */
+    unsigned good;               /* bit i: the i-th has an inverse */
+    pov_affine maps[TRANSFORM_MANY];
 } maker;
 
 typedef struct room { unsigned char bytes[ROOM + INSTANCE_ALIGN]; } room;
@@ -93,13 +96,19 @@ static bool is_finite_box(const pov_box *b)
 
 static pov_status compose(maker *k, const object *o)
 {
-    if (o->map == k->list)
-        return POV_OK;
-    k->list = NULL;
-    if (!transform_compose(o->map, &k->map))
-        return POV_E_SYNTAX;
-    k->list = o->map;
-    return POV_OK;
+    while (k->now < k->list_count && k->lists[k->now] != o->map)
+        k->now++;
+    if (k->now == k->list_count) {
+        k->now = k->list_count = 0;
+        for (; o < k->end && k->list_count < TRANSFORM_MANY && o->map; o++) {
+            if (k->list_count > 0 && !transform_are_alike(o->map, k->lists[0]))
+                break;
+            if (k->list_count == 0 || o->map != k->lists[k->list_count - 1])
+                k->lists[k->list_count++] = o->map;
+        }
+        k->good = transform_compose_many(k->lists, k->list_count, k->maps);
+    }
+    return k->good >> k->now & 1 ? POV_OK : POV_E_SYNTAX;
 }
 
 /* Let a copy take the transformation in: *out, or NULL if it cannot. */
@@ -113,7 +122,7 @@ static pov_status absorb(maker *k, const object *o, const void **out)
     if (!trial)
         return POV_E_MEMORY;
     flat_make(o, trial);
-    if (!o->shape->absorb(trial, &k->map))
+    if (!o->shape->absorb(trial, &k->maps[k->now]))
         return POV_OK;
     if (bytes <= ROOM) {
         copy = arena_alloc(k->staging, bytes, INSTANCE_ALIGN);
@@ -180,7 +189,7 @@ static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, 
             return POV_E_MEMORY;
         k->part->composed++;
         k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
-        *finite = placed_box(o, *instance, &k->map, &own, box);
+        *finite = placed_box(o, *instance, &k->maps[k->now], &own, box);
     } else {
         k->part->absorbed++;
         *finite = o->shape->bounds(*instance, box) && is_finite_box(box);
@@ -271,9 +280,10 @@ static void flatten_part(void *user, uint32_t which, int hand)
     part *p = &s->parts[which];
     maker k;
 
-    memset(&k, 0, offsetof(maker, map));
+    memset(&k, 0, offsetof(maker, maps));
     k.survey = s;
     k.f = s->f;
+    k.end = s->f->model->objects.items + end;
     k.part = p;
     k.staging = &s->f->staging[hand];
     k.kept = &s->f->kept[hand];

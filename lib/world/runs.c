@@ -16,8 +16,23 @@ bool runs_init(runs *r, flat *f, uint32_t parts)
     return r->of && r->at && r->slot;
 }
 
+/* Composed before they are wanted, for many at once cost less. */
+typedef struct ready_maps {
+    pov_affine maps[TRANSFORM_MANY];
+    int used, count;
+} ready_maps;
+
+static void free_ready(runs *r, uint32_t part)
+{
+    for (; r->of && part < r->parts; part++) {
+        env_free(r->flat->env, r->of[part].ready);
+        r->of[part].ready = NULL;
+    }
+}
+
 void runs_free(runs *r)
 {
+    free_ready(r, 0);
     env_free(r->flat->env, r->of);
     env_free(r->flat->env, r->maps);
     env_free(r->flat->env, r->at);
@@ -154,7 +169,7 @@ bool runs_take_maps(runs *r, uint32_t first)
         return true;
     for (part = 0; part <= r->parts; part++) {
         const runs_part mine = r->of[part];
-        const runs_part from = { ids, maps, maps };
+        const runs_part from = { ids, maps, maps, NULL };
         r->of[part] = from;
         ids += part < first ? 0 : mine.ids;
         maps += part < first ? 0 : mine.maps;
@@ -173,6 +188,7 @@ void runs_filled(runs *r, uint32_t part)
 {
     unsigned char *rest;
 
+    free_ready(r, part);
     if (!r->maps || r->of[part].maps == 0)
         return;
     rest = env_resize(r->flat->env, r->maps, r->of[part].maps, 1);
@@ -183,13 +199,24 @@ void runs_filled(runs *r, uint32_t part)
 /* What was composed of the transformations of a part's next placed shape. */
 static void map_of(runs *r, uint32_t part, uint32_t id, pov_affine *out)
 {
-    if (r->maps) {
-        runs_part *p = &r->of[part];
-        const unsigned char *end = transform_compose_packed(r->maps + p->next, out);   /* as it could before */
-        p->next = (size_t)(end - r->maps);
-    } else {
-        transform_compose(r->flat->model->objects.items[id].map, out);
+    runs_part *p = &r->of[part];
+    ready_maps here = { .used = 0, .count = 0 }, *ready = &here;
+
+    if (!r->maps) {
+        transform_compose(r->flat->model->objects.items[id].map, out);   /* as it could before */
+        return;
     }
+    if (!p->ready)
+        p->ready = env_alloc(r->flat->env, 1, sizeof *p->ready);
+    if (p->ready)
+        ready = p->ready;
+    if (ready->used == ready->count) {
+        const void *next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps,
+                                                    ready == &here ? 1 : TRANSFORM_MANY, ready->maps, &ready->count);
+        p->next = (size_t)((const unsigned char *)next - r->maps);
+        ready->used = 0;
+    }
+    *out = ready->maps[ready->used++];
 }
 
 /* ---- filling ---- */

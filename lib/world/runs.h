@@ -8,7 +8,11 @@
 #include "world/flatten.h"
 
 /* A part's objects among all, and where the transformations of its next placed shape stand among all that are kept. */
-typedef struct runs_part { uint32_t ids; size_t maps, next; } runs_part;
+typedef struct runs_part {
+    uint32_t ids;
+    size_t maps, next;
+    struct ready_maps *ready;    /* what has been composed of those before `next`; NULL: nothing yet */
+} runs_part;
 
 typedef struct runs {
     flat *flat;
