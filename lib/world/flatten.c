@@ -44,7 +44,8 @@ typedef struct maker {
     arena *staging, *kept;
     size_t class_index;
     const pov_shape_class *scratch_shape;
-    void *scratch;               /* a block of that class */
+    void *scratch;               /* a block of that class, in memory for the largest so far */
+    size_t scratch_bytes;
     const object *kept_object;   /* whose instance was kept last */
     const void *kept_instance;
     const object *end;           /* of the part */
@@ -203,13 +204,15 @@ static pov_status try_block(maker *k, const pov_shape_class *shape, const void *
     bvh_frame around;
     pov_frame frame;
 
-    if (shape != k->scratch_shape) {
-        k->scratch_shape = NULL;
+    if (shape->block_size > k->scratch_bytes) {
         k->scratch = arena_alloc(k->staging, shape->block_size, 64);
         if (!k->scratch)
             return POV_E_MEMORY;
-        k->scratch_shape = shape;
+        k->scratch_bytes = shape->block_size;
     }
+    if (shape != k->scratch_shape)
+        memset(k->scratch, 0, shape->block_size);
+    k->scratch_shape = shape;
     if (box) {
         around = bvh_frame_around(box);
         frame.centre = around.centre;
