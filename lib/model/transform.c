@@ -200,18 +200,21 @@ static void start(composition *c)
     memcpy(c, &identity, sizeof *c);
 }
 
+static void move_along(lanes *restrict moved, const lanes *restrict axis, double by)
+{
+    int i;
+
+    for (i = 0; i < LANES; i++)
+        set_lane(moved, i, pov_two_add(lane_of(moved, i), pov_two_mul_double(lane_of(axis, i), by)));
+}
+
 static void translate(composition *c, const double *v)
 {
-    lanes *restrict moved = &c->moved;
-    int i, k;
+    int k;
 
-    for (k = 0; k < 3; k++) {
-        const lanes *restrict axis = &c->axis[k];
-        if (v[k] == 0.0)
-            continue;
-        for (i = 0; i < LANES; i++)
-            set_lane(moved, i, pov_two_add(lane_of(moved, i), pov_two_mul_double(lane_of(axis, i), v[k])));
-    }
+    for (k = 0; k < 3; k++)
+        if (v[k] != 0.0)
+            move_along(&c->moved, &c->axis[k], v[k]);
     for (k = 0; k < 3; k++)
         set_lane(&c->axis[k], LANES - 1, pov_two_add_double(lane_of(&c->axis[k], LANES - 1), -v[k]));
 }

@@ -196,27 +196,29 @@ void runs_filled(runs *r, uint32_t part)
         r->maps = rest;
 }
 
-/* What was composed of the transformations of a part's next placed shape. */
-static void map_of(runs *r, uint32_t part, uint32_t id, pov_affine *out)
+/* What is composed of the transformations of a part's next placed shape, in `room` or where it was ready. */
+static const pov_affine *map_of(runs *r, uint32_t part, uint32_t id, pov_affine *room)
 {
     runs_part *p = &r->of[part];
-    ready_maps here = { .used = 0, .count = 0 }, *ready = &here;
+    const unsigned char *next;
+    int count;
 
     if (!r->maps) {
-        transform_compose(r->flat->model->objects.items[id].map, out);   /* as it could before */
-        return;
+        transform_compose(r->flat->model->objects.items[id].map, room);   /* as it could before */
+        return room;
     }
+    if (p->ready && p->ready->used < p->ready->count)
+        return &p->ready->maps[p->ready->used++];
     if (!p->ready)
         p->ready = env_alloc(r->flat->env, 1, sizeof *p->ready);
-    if (p->ready)
-        ready = p->ready;
-    if (ready->used == ready->count) {
-        const void *next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps,
-                                                    ready == &here ? 1 : TRANSFORM_MANY, ready->maps, &ready->count);
-        p->next = (size_t)((const unsigned char *)next - r->maps);
-        ready->used = 0;
-    }
-    *out = ready->maps[ready->used++];
+    next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps, p->ready ? TRANSFORM_MANY : 1,
+                                    p->ready ? p->ready->maps : room, &count);
+    p->next = (size_t)(next - r->maps);
+    if (!p->ready)
+        return room;
+    p->ready->count = count;
+    p->ready->used = 1;
+    return p->ready->maps;
 }
 
 /* ---- filling ---- */
@@ -242,10 +244,9 @@ static const void *place(runs *r, uint32_t part, uint32_t id, run *out)
 {
     unsigned char *start = (unsigned char *)out;
     placement *p = (placement *)(void *)(start + RUN_PLACE);
-    pov_affine map;
+    pov_affine room;
 
-    map_of(r, part, id, &map);
-    flat_place(r->flat, id, &map, p);
+    flat_place(r->flat, id, map_of(r, part, id, &room), p);
     if (r->flat->use_blocks && p->known != PLACEMENT_UNKNOWN)
         out->flags |= RUN_PACKED;
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
