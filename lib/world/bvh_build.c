@@ -328,7 +328,7 @@ bool bvh_build(bvh *out, const bvh_input *in)
     bool done;
 
     memset(out, 0, sizeof *out);
-    done = build_nodes(out, in, &leaves) && bvh_place_leaves(out, in, leaves);
+    done = build_nodes(out, in, &leaves) && bvh_place_leaves(out, in, &leaves);
     env_free(in->env, leaves);
     if (!done)
         bvh_free(out, in->env);

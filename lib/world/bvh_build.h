@@ -58,7 +58,7 @@ typedef struct bvh_leaf { uint32_t begin, at, frame; } bvh_leaf;
 /* Turn the draft below `root` into nodes and frames, with leaves counted where places will be, and the input's ids into
  * the order of the leaves. One leaf more marks their end. */
 bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves);
-/* Size, place and fill them. */
-bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves);
+/* Size, place and fill them. The list of leaves is cut as they are filled. */
+bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves);
 
 #endif

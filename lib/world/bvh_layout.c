@@ -170,28 +170,41 @@ static void point(uint32_t *reference, const bvh_leaf *leaves)
         *reference = BVH_LEAF | leaves[*reference & ~BVH_KIND].at;
 }
 
-bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf *leaves)
+/* Parts are filled from the last to the first, and leaves that are filled need no place in the list. */
+static void fill(leaf_work *w, bvh_leaf **leaves)
 {
-    leaf_work w = { out, in, leaves, BVH_PARTS };
+    const bvh_input *in = w->in;
+    bvh_leaf *rest;
+
+    for (w->first = BVH_PARTS; w->first > 0;) {
+        w->first -= ROUND;
+        share_work(in->threads, ROUND, fill_part, w);
+        in->leaves.filled(in->leaves.user, w->first);
+        rest = env_resize(in->env, *leaves, share_begin((uint32_t)w->tree->leaf_count, BVH_PARTS, w->first) + 1u,
+                          sizeof *rest);
+        if (rest)
+            *leaves = w->leaves = rest;
+    }
+}
+
+bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves)
+{
+    leaf_work w = { out, in, *leaves, 0 };
     size_t i;
     int k;
 
     share_work(in->threads, BVH_PARTS, size_part, &w);
-    if (!add_up(out, leaves))
+    if (!add_up(out, *leaves))
         return false;
     out->leaves = env_reserve_aligned(in->env, out->leaf_bytes, BVH_UNIT);
     if (!out->leaves || !in->leaves.allocate(in->leaves.user, out->leaves))
         return false;
     for (i = 0; i < out->node_count; i++)
         for (k = 0; k < BVH_WIDTH; k++)
-            point(&out->nodes[i].child[k], leaves);
+            point(&out->nodes[i].child[k], *leaves);
     for (i = 0; i < out->frame_count; i++)
-        point(&out->frames[i].root, leaves);
-    while (w.first > 0) {
-        w.first -= ROUND;
-        share_work(in->threads, ROUND, fill_part, &w);
-        in->leaves.filled(in->leaves.user, w.first);
-    }
+        point(&out->frames[i].root, *leaves);
+    fill(&w, leaves);
     return true;
 }
 
