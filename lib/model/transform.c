@@ -488,7 +488,7 @@ static const packed *end_if_alike(const packed *p, const packed *other)
     return NULL;
 }
 
-const void *transform_compose_packed(const void *at, const void *end, int most, pov_affine *out, int *count)
+const void *transform_compose_packed(const void *at, const void *end, pov_affine *out, int *count)
 {
     const packed *p[TRANSFORM_MANY], *next = end_if_alike(at, at);
     const double *v[TRANSFORM_MANY] = { NULL };
@@ -497,7 +497,7 @@ const void *transform_compose_packed(const void *at, const void *end, int most, 
     bool more;
 
     p[0] = at;
-    while (n < most && (const void *)next != end && end_if_alike(next, at)) {
+    while (n < TRANSFORM_MANY && (const void *)next != end && end_if_alike(next, at)) {
         p[n++] = next;
         next = end_if_alike(next, at);
     }

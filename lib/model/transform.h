@@ -36,11 +36,11 @@ bool transform_are_alike(const transform *a, const transform *b);
 unsigned transform_compose_many(const transform *const *lists, int n, pov_affine *out);
 
 /* Lists one behind the other, to be composed in that order: what one takes, in bytes, a multiple of 8; writing it;
- * composing `most` (TRANSFORM_MANY at most) or as many as are alike, which gives the start of the next. They have
+ * composing as many before `end` as are alike, TRANSFORM_MANY at most, which gives the start of the next. They have
  * inverses, as was seen before. */
 size_t transform_packed_bytes(const transform *list);
 void transform_pack(const transform *list, void *at);
-const void *transform_compose_packed(const void *at, const void *end, int most, pov_affine *out, int *count);
+const void *transform_compose_packed(const void *at, const void *end, pov_affine *out, int *count);
 
 /* The point, mapped and rounded once into two parts. */
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo);

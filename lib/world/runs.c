@@ -11,34 +11,22 @@ bool runs_init(runs *r, flat *f, uint32_t parts)
     r->flat = f;
     r->parts = parts;
     r->of = env_alloc(f->env, parts + 1u, sizeof *r->of);
+    r->ready = env_resize(f->env, NULL, parts, TRANSFORM_MANY * sizeof *r->ready);
     r->at = env_alloc(f->env, parts, f->group_count * sizeof *r->at);
     r->slot = env_alloc(f->env, f->model->objects.count, sizeof *r->slot);
-    return r->of && r->at && r->slot;
-}
-
-/* Composed before they are wanted, for many at once cost less. */
-typedef struct ready_maps {
-    pov_affine maps[TRANSFORM_MANY];
-    int used, count;
-} ready_maps;
-
-static void free_ready(runs *r, uint32_t part)
-{
-    for (; r->of && part < r->parts; part++) {
-        env_free(r->flat->env, r->of[part].ready);
-        r->of[part].ready = NULL;
-    }
+    return r->of && r->ready && r->at && r->slot;
 }
 
 void runs_free(runs *r)
 {
-    free_ready(r, 0);
     env_free(r->flat->env, r->of);
     env_free(r->flat->env, r->maps);
+    env_free(r->flat->env, r->ready);
     env_free(r->flat->env, r->at);
     env_free(r->flat->env, r->slot);
     r->of = NULL;
     r->maps = NULL;
+    r->ready = NULL;
     r->at = r->slot = NULL;
 }
 
@@ -169,7 +157,7 @@ bool runs_take_maps(runs *r, uint32_t first)
         return true;
     for (part = 0; part <= r->parts; part++) {
         const runs_part mine = r->of[part];
-        const runs_part from = { ids, maps, maps, NULL };
+        const runs_part from = { ids, maps, maps, 0, 0 };
         r->of[part] = from;
         ids += part < first ? 0 : mine.ids;
         maps += part < first ? 0 : mine.maps;
@@ -188,7 +176,6 @@ void runs_filled(runs *r, uint32_t part)
 {
     unsigned char *rest;
 
-    free_ready(r, part);
     if (!r->maps || r->of[part].maps == 0)
         return;
     rest = env_resize(r->flat->env, r->maps, r->of[part].maps, 1);
@@ -196,29 +183,22 @@ void runs_filled(runs *r, uint32_t part)
         r->maps = rest;
 }
 
-/* What is composed of the transformations of a part's next placed shape, in `room` or where it was ready. */
-static const pov_affine *map_of(runs *r, uint32_t part, uint32_t id, pov_affine *room)
+/* What is composed of the transformations of a part's next placed shape. */
+static const pov_affine *map_of(runs *r, uint32_t part, uint32_t id)
 {
+    pov_affine *ready = r->ready + part * TRANSFORM_MANY;
     runs_part *p = &r->of[part];
-    const unsigned char *next;
-    int count;
 
     if (!r->maps) {
-        transform_compose(r->flat->model->objects.items[id].map, room);   /* as it could before */
-        return room;
+        transform_compose(r->flat->model->objects.items[id].map, ready);   /* as it could before */
+        return ready;
     }
-    if (p->ready && p->ready->used < p->ready->count)
-        return &p->ready->maps[p->ready->used++];
-    if (!p->ready)
-        p->ready = env_alloc(r->flat->env, 1, sizeof *p->ready);
-    next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps, p->ready ? TRANSFORM_MANY : 1,
-                                    p->ready ? p->ready->maps : room, &count);
-    p->next = (size_t)(next - r->maps);
-    if (!p->ready)
-        return room;
-    p->ready->count = count;
-    p->ready->used = 1;
-    return p->ready->maps;
+    if (p->used == p->ready) {
+        const unsigned char *next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps, ready, &p->ready);
+        p->next = (size_t)(next - r->maps);
+        p->used = 0;
+    }
+    return &ready[p->used++];
 }
 
 /* ---- filling ---- */
@@ -244,9 +224,8 @@ static const void *place(runs *r, uint32_t part, uint32_t id, run *out)
 {
     unsigned char *start = (unsigned char *)out;
     placement *p = (placement *)(void *)(start + RUN_PLACE);
-    pov_affine room;
 
-    flat_place(r->flat, id, map_of(r, part, id, &room), p);
+    flat_place(r->flat, id, map_of(r, part, id), p);
     if (r->flat->use_blocks && p->known != PLACEMENT_UNKNOWN)
         out->flags |= RUN_PACKED;
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;

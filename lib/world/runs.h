@@ -7,11 +7,12 @@
 
 #include "world/flatten.h"
 
-/* A part's objects among all, and where the transformations of its next placed shape stand among all that are kept. */
+/* Of a part: its objects and the transformations of its placed ones, among all; the next of these to be composed, and
+ * of what was composed last how many there are and are used. */
 typedef struct runs_part {
     uint32_t ids;
     size_t maps, next;
-    struct ready_maps *ready;    /* what has been composed of those before `next`; NULL: nothing yet */
+    int ready, used;
 } runs_part;
 
 typedef struct runs {
@@ -19,6 +20,7 @@ typedef struct runs {
     uint32_t parts;
     runs_part *of;               /* by part, and one behind the last */
     unsigned char *maps;         /* see runs_take_maps(); NULL: the model still has them */
+    pov_affine *ready;           /* by part TRANSFORM_MANY: composed before they are wanted, for many cost less at once */
     uint32_t *at;                /* by part and group: how many instances; then the place of the next */
     uint32_t *slot;              /* by object: its place in its group; of one that is placed, where its run is */
     const unsigned char *base;   /* what runs are being filled, and the bit that tells which */
