@@ -10,9 +10,10 @@
 
 static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *err)
 {
-    world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, scene->context->plugins };
+    world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, scene->context->plugins,
+                              &scene->model };
     double start = clock_seconds();
-    pov_status status = world_create_last(&scene->world, &scene->model, &options, err);
+    pov_status status = world_create(&scene->world, &scene->model, &options, err);
 
     scene->build_seconds = clock_seconds() - start;
     return status;

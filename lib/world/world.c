@@ -289,8 +289,7 @@ static void take_over(world *w, flat *f)
     f->kept = NULL;
 }
 
-/* last: the model, if its transformations may go; else NULL. */
-static pov_status build(world *w, model *last, const world_options *options, pov_error *err)
+static pov_status build(world *w, const world_options *options, pov_error *err)
 {
     bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
     int threads = w->model->objects.count < THREADS_FROM ? 1 : share_threads(options->threads);
@@ -302,7 +301,7 @@ static pov_status build(world *w, model *last, const world_options *options, pov
     if (status < 0)
         return status;
     status = flatten(&f, w->model, use_blocks, threads, err);
-    f.last = last;
+    f.last = options->last;
     if (status == POV_OK && f.composed == 0)
         flat_drop_maps(&f);
     if (status == POV_OK)
@@ -317,7 +316,7 @@ static pov_status build(world *w, model *last, const world_options *options, pov
     return status;
 }
 
-static pov_status create(world **out, const model *m, model *last, const world_options *options, pov_error *err)
+pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
 {
     world *w;
     pov_status status;
@@ -332,22 +331,12 @@ static pov_status create(world **out, const model *m, model *last, const world_o
     w->model = m;
     w->always_exact = options->always_exact;
     w->walks = bvh_walks_best();
-    status = build(w, last, options, err);
+    status = build(w, options, err);
     if (status < 0)
         world_destroy(w);
     else
         *out = w;
     return status;
-}
-
-pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
-{
-    return create(out, m, NULL, options, err);
-}
-
-pov_status world_create_last(world **out, model *m, const world_options *options, pov_error *err)
-{
-    return create(out, m, m, options, err);
 }
 
 void world_destroy(world *w)

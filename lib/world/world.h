@@ -16,13 +16,12 @@ typedef struct world_options {
     int threads;                 /* for building; 0: one a core */
     bool always_exact;           /* two-part arithmetic for every intersection, and no filters before it */
     const registry *plugins;     /* for the plan's rows on plugins that were not needed; may be NULL */
+    model *last;                 /* the model itself, if no other world is to come of it: its transformations go as soon
+                                  * as shapes have their places, a quarter of a large scene's memory; else NULL */
 } world_options;
 
-/* The model must outlive the world and is not changed. */
+/* The model must outlive the world and is not changed, but for what options->last says. */
 pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err);
-/* The same for a model of which no other world is to come: its transformations go as soon as shapes have their places,
- * which saves a large scene a quarter of its memory. */
-pov_status world_create_last(world **out, model *m, const world_options *options, pov_error *err);
 void world_destroy(world *w);
 const plan *world_plan(const world *w);
 /* Box around all finite objects; false: there is none. */

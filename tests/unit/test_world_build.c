@@ -8,7 +8,7 @@
 
 static world *make(const model *m, pov_accel accel, int threads)
 {
-    world_options options = { accel, threads, false, NULL };
+    world_options options = { .accel = accel, .threads = threads };
     pov_error err;
     world *w;
 
@@ -228,7 +228,7 @@ static void the_last_world_of_a_model_is_like_any_other_and_takes_its_transforma
 
     (void)state;
     for (i = 0; i < 6; i++) {
-        world_options options = { i % 2 ? POV_ACCEL_TREE : POV_ACCEL_NONE, 1 + i / 2, false, NULL };
+        world_options options = { .accel = i % 2 ? POV_ACCEL_TREE : POV_ACCEL_NONE, .threads = 1 + i / 2 };
         world *any, *last;
         pov_error err;
         model m;
@@ -238,7 +238,8 @@ static void the_last_world_of_a_model_is_like_any_other_and_takes_its_transforma
         scatter(&m, count);
         assert_int_equal(world_create(&any, &m, &options, &err), POV_OK);
         assert_non_null(m.objects.items[0].map);
-        assert_int_equal(world_create_last(&last, &m, &options, &err), POV_OK);
+        options.last = &m;
+        assert_int_equal(world_create(&last, &m, &options, &err), POV_OK);
         if (i % 2)
             same_leaves(&any->tree, &last->tree);
         for (k = 0; k < count; k++) {

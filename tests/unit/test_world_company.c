@@ -20,7 +20,7 @@ static void begin(subject *s, uint64_t seed)
 
 static void build(subject *s, pov_accel accel)
 {
-    world_options options = { accel, 1, false, NULL };
+    world_options options = { .accel = accel, .threads = 1 };
     pov_error err;
 
     assert_int_equal(world_create(&s->world, &s->model, &options, &err), POV_OK);

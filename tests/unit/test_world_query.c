@@ -12,7 +12,7 @@ static const pov_vec3 origin = { 0.0, 0.0, 0.0 };
 
 static world *make(const model *m, pov_accel accel)
 {
-    world_options options = { accel, 1, false, NULL };
+    world_options options = { .accel = accel, .threads = 1 };
     pov_error err;
     world *w;
 
@@ -419,7 +419,7 @@ static void memory_may_end_anywhere(void **state)
 
     (void)state;
     for (n = 1; !enough; n++) {
-        world_options options = { POV_ACCEL_TREE, 1, false, NULL };
+        world_options options = { .accel = POV_ACCEL_TREE, .threads = 1 };
         failing counter;
         pov_allocator hooks;
         world *w = NULL;
@@ -459,7 +459,7 @@ static void memory_may_end_anywhere(void **state)
 static void a_transformation_without_an_inverse_is_an_error(void **state)
 {
     static const double flat_matrix[12] = { 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0 };
-    world_options options = { POV_ACCEL_TREE, 1, false, NULL };
+    world_options options = { .accel = POV_ACCEL_TREE, .threads = 1 };
     test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
     pov_error err;
     world *w;

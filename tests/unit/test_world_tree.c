@@ -12,7 +12,7 @@ typedef struct pair { world *tree, *list; walker *on_tree, *on_list; } pair;
 
 static void make_pair(pair *p, const model *m)
 {
-    world_options with = { POV_ACCEL_TREE, 1, false, NULL }, without = { POV_ACCEL_NONE, 1, false, NULL };
+    world_options with = { .accel = POV_ACCEL_TREE, .threads = 1 }, without = { .accel = POV_ACCEL_NONE, .threads = 1 };
     pov_error err;
 
     assert_int_equal(world_create(&p->tree, m, &with, &err), POV_OK);
