@@ -15,7 +15,16 @@
 /* Directions of one company have the same signs. */
 static inline uint32_t bvh_octant(const pov_ray *ray)
 {
+#if defined(__AVX__) && defined(__GNUC__)
+    /* Behind the direction stand eight bytes more of the ray. */
+    typedef double doubles __attribute__((vector_size(32)));
+    doubles d;
+
+    memcpy(&d, (const char *)ray + offsetof(pov_ray, dir), sizeof d);
+    return (uint32_t)__builtin_ia32_movmskpd256(d) & 7;
+#else
     return (signbit(ray->dir.x) ? 1u : 0u) | (signbit(ray->dir.y) ? 2u : 0u) | (signbit(ray->dir.z) ? 4u : 0u);
+#endif
 }
 
 /* As bvh_walks. */
