@@ -17,6 +17,34 @@ static inline void put_ball(ball_lanes *l, uint32_t i, const kit_ball *s)
     l->radius_lo[i] = s->radius.lo;
 }
 
+/* Pairs into four lanes from i on. */
+KIT_INLINE void put_four(ball_lanes *l, uint32_t i, const void *const *selves, const pov_ray *const *rays, uint32_t n)
+{
+    const void *balls[4];
+    uint32_t j;
+
+    for (j = 0; j < 4; j++)
+        balls[j] = selves[kit_lane_of(i + j, n)];
+    kit_put_four_of(&l->rays, i, rays, n);
+#ifdef KIT_TRANSPOSES
+    kit_four v[4];
+
+    kit_transpose(balls, 0, v);
+    kit_store_four(l->centre.x, i, v[0]);
+    kit_store_four(l->centre_lo.x, i, v[1]);
+    kit_store_four(l->centre.y, i, v[2]);
+    kit_store_four(l->centre_lo.y, i, v[3]);
+    kit_transpose(balls, 4 * sizeof(double), v);
+    kit_store_four(l->centre.z, i, v[0]);
+    kit_store_four(l->centre_lo.z, i, v[1]);
+    kit_store_four(l->radius, i, v[2]);
+    kit_store_four(l->radius_lo, i, v[3]);
+#else
+    for (j = 0; j < 4; j++)
+        put_ball(l, i + j, balls[j]);
+#endif
+}
+
 static inline kit_ball get_ball(const ball_lanes *l, uint32_t i)
 {
     kit_ball s;
@@ -132,14 +160,12 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
 {
     ball_lanes lanes;
     end_lanes end;
-    uint32_t i, j, left, worth;
+    uint32_t i, left, worth;
 
-    for (i = 0; i < KIT_LANES; i++) {
-        j = kit_lane_of(i, n);
-        kit_put_ray(&lanes.rays, i, rays[j]);
-        put_ball(&lanes, i, selves[j]);
-        lanes.tmin[i] = hits[j]->tmin;
-    }
+    for (i = 0; i < KIT_LANES; i += 4)
+        put_four(&lanes, i, selves, rays, n);
+    for (i = 0; i < KIT_LANES; i++)
+        lanes.tmin[i] = hits[kit_lane_of(i, n)]->tmin;
     find_ends(&lanes, &end);
     left = report_ends(&end, (1u << n) - 1, rays, hits);
     worth = worth_a_step(&end, left, rays, hits);
@@ -187,10 +213,10 @@ static void normals_of(const void *const *selves, const pov_ray *const *rays, co
     kit_lane largest;
     uint32_t i, j;
 
+    for (i = 0; i < KIT_LANES; i += 4)
+        put_four(&lanes, i, selves, rays, n);
     for (i = 0; i < KIT_LANES; i++) {
         j = kit_lane_of(i, n);
-        kit_put_ray(&lanes.rays, i, rays[j]);
-        put_ball(&lanes, i, selves[j]);
         lanes.t[i] = at[j]->t;
         lanes.t_lo[i] = at[j]->t_lo;
     }

@@ -149,13 +149,11 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
 {
     entry_lanes entry;
     pair_lanes lanes;
-    uint32_t i, j;
+    uint32_t i;
 
-    for (i = 0; i < TOGETHER; i++) {
-        j = kit_lane_of(i, n);
-        kit_put_ray(&lanes.rays, i, rays[j]);
-        put_shape(&lanes, i, selves[j]);
-    }
+    kit_put_four_of(&lanes.rays, 0, rays, n);
+    for (i = 0; i < TOGETHER; i++)
+        put_shape(&lanes, i, selves[kit_lane_of(i, n)]);
     find_entries(&lanes, &entry);
     for (i = 0; i < n; i++)
         if (is_answered(&entry, i, selves[i], rays[i], hits[i]))

@@ -81,13 +81,15 @@ static void normals_of(const void *const *selves, const pov_ray *const *rays, co
     side_lanes lanes;
     kit_lane3 unit;
     kit_lane good;
+    const pov_ray *some[TOGETHER];
     uint32_t i, j;
 
     for (i = 0; i < TOGETHER; i++) {
         j = which[kit_lane_of(i, n)];
-        kit_put_ray(&lanes.rays, i, rays[j]);
+        some[i] = rays[j];
         put_side(&lanes, i, selves[j], at[j]);
     }
+    kit_put_four_rays(&lanes.rays, 0, some);
     find_normals(&lanes, &unit, good);
     for (i = 0; i < TOGETHER && i < n; i++) {
         j = which[i];

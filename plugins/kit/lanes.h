@@ -33,6 +33,81 @@ static inline void kit_put_ray(kit_rays *l, uint32_t i, const pov_ray *ray)
     kit_put(&l->dir_lo, i, ray->dir_lo);
 }
 
+/* Four structures at once. Stored one by one their numbers would be waited for when vectors of them are loaded. */
+#if defined(__AVX__) && defined(__GNUC__)
+#define KIT_TRANSPOSES 1
+typedef double kit_four __attribute__((vector_size(32)));
+typedef int64_t kit_places __attribute__((vector_size(32)));
+#ifdef __clang__
+#define KIT_PICK(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#else
+#define KIT_PICK(a, b, i, j, k, l) __builtin_shuffle(a, b, (kit_places){ i, j, k, l })
+#endif
+
+static inline kit_four kit_load_four(const void *from, size_t offset)
+{
+    kit_four v;
+
+    memcpy(&v, (const char *)from + offset, sizeof v);
+    return v;
+}
+
+/* Of four doubles at an offset of each: those that come first in a row, then those that come second, and so on. */
+KIT_INLINE void kit_transpose(const void *const from[4], size_t offset, kit_four to[4])
+{
+    const kit_four a = kit_load_four(from[0], offset), b = kit_load_four(from[1], offset);
+    const kit_four c = kit_load_four(from[2], offset), d = kit_load_four(from[3], offset);
+    const kit_four ab = KIT_PICK(a, b, 0, 4, 2, 6), cd = KIT_PICK(c, d, 0, 4, 2, 6);
+    const kit_four more_ab = KIT_PICK(a, b, 1, 5, 3, 7), more_cd = KIT_PICK(c, d, 1, 5, 3, 7);
+
+    to[0] = KIT_PICK(ab, cd, 0, 1, 4, 5);
+    to[1] = KIT_PICK(more_ab, more_cd, 0, 1, 4, 5);
+    to[2] = KIT_PICK(ab, cd, 2, 3, 6, 7);
+    to[3] = KIT_PICK(more_ab, more_cd, 2, 3, 6, 7);
+}
+
+static inline void kit_store_four(double *lane, uint32_t i, kit_four v) { memcpy(lane + i, &v, sizeof v); }
+#endif
+
+/* Rays into four lanes from i on. */
+KIT_INLINE void kit_put_four_rays(kit_rays *l, uint32_t i, const pov_ray *const rays[4])
+{
+    uint32_t j;
+#ifdef KIT_TRANSPOSES
+    const void *const from[4] = { rays[0], rays[1], rays[2], rays[3] };
+    kit_four v[4];
+
+    kit_transpose(from, offsetof(pov_ray, org), v);
+    kit_store_four(l->org.x, i, v[0]);
+    kit_store_four(l->org.y, i, v[1]);
+    kit_store_four(l->org.z, i, v[2]);
+    kit_store_four(l->org_lo.x, i, v[3]);
+    kit_transpose(from, offsetof(pov_ray, org_lo) + sizeof(double), v);
+    kit_store_four(l->org_lo.y, i, v[0]);
+    kit_store_four(l->org_lo.z, i, v[1]);
+    kit_store_four(l->dir.x, i, v[2]);
+    kit_store_four(l->dir.y, i, v[3]);
+    kit_transpose(from, offsetof(pov_ray, dir_lo) - sizeof(double), v);
+    kit_store_four(l->dir_lo.x, i, v[1]);
+    kit_store_four(l->dir_lo.y, i, v[2]);
+    kit_store_four(l->dir_lo.z, i, v[3]);
+    for (j = 0; j < 4; j++)
+        l->dir.z[i + j] = rays[j]->dir.z;
+#else
+    for (j = 0; j < 4; j++)
+        kit_put_ray(l, i + j, rays[j]);
+#endif
+}
+
+/* The rays of n pairs into four lanes from i on. */
+KIT_INLINE void kit_put_four_of(kit_rays *l, uint32_t i, const pov_ray *const *rays, uint32_t n)
+{
+    const pov_ray *const some[4] = { rays[kit_lane_of(i, n)], rays[kit_lane_of(i + 1, n)], rays[kit_lane_of(i + 2, n)],
+                                     rays[kit_lane_of(i + 3, n)] };
+
+    kit_put_four_rays(l, i, some);
+}
+
 /* The ray of a lane, but for what it left. */
 static inline pov_ray kit_get_ray(const kit_rays *l, uint32_t i)
 {

@@ -345,13 +345,12 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
 {
     entry_lanes entry;
     box_lanes lanes;
-    uint32_t i, j;
+    uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i++) {
-        j = kit_lane_of(i, n);
-        kit_put_ray(&lanes.rays, i, rays[j]);
-        put_box(&lanes, i, selves[j]);
-    }
+    for (i = 0; i < KIT_LANES; i += 4)
+        kit_put_four_of(&lanes.rays, i, rays, n);
+    for (i = 0; i < KIT_LANES; i++)
+        put_box(&lanes, i, selves[kit_lane_of(i, n)]);
     find_entries(&lanes, &entry);
     for (i = 0; i < n; i++) {
         pov_hits *h = hits[i];

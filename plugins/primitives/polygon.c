@@ -466,7 +466,6 @@ static inline void put_polygon(polygon_lanes *l, uint32_t i, const polygon *s, c
 {
     uint32_t c;
 
-    kit_put_ray(&l->rays, i, ray);
     kit_put(&l->anchor, i, pov_two3_hi(s->anchor));
     kit_put(&l->anchor_lo, i, pov_two3_lo(s->anchor));
     kit_put(&l->normal, i, pov_two3_hi(s->normal));
@@ -575,6 +574,7 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
     plane_lanes plane;
     uint32_t i, j;
 
+    kit_put_four_of(&lanes.rays, 0, rays, n);
     for (i = 0; i < TOGETHER; i++) {
         j = kit_lane_of(i, n);
         put_polygon(&lanes, i, selves[j], rays[j]);
