@@ -18,15 +18,19 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
     uint64_t alone = 0;
     uint32_t n = 0, i;
 
-    for (; which; which &= which - 1) {
+    for (; which; which &= which - 1, n++) {
         i = first_of64(which);
         c->rays[n] = rays[i];
         c->of[n] = (uint8_t)i;
-        side_put(&c->party.side, n++, rays[i]);
     }
     c->party.count = n;
     for (i = n; i % 8; i++)
-        side_put(&c->party.side, i, c->rays[n - 1]);
+        c->rays[i] = c->rays[n - 1];
+    for (i = 0; i < n; i += 4)
+        side_put_four(&c->party.side, i, c->rays + i);
+    i = (n + 7) & ~7u;
+    if (n + 4 <= i)
+        side_put_four(&c->party.side, i - 4, c->rays + i - 4);
     derive(&c->party.side, i, end, c->party.length, odd);
     while (i-- > 0) {
         c->party.limit[i] = c->tmax;

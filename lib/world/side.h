@@ -2,7 +2,14 @@
 #ifndef WORLD_SIDE_H
 #define WORLD_SIDE_H
 
+#include "base/simd.h"
+
 #include <povtrace/plugin.h>
+
+static inline uint32_t side_away(const pov_ray *ray)
+{
+    return ray->left_mark.flags & POV_MARK_AWAY ? ray->left : POV_NOBODY;
+}
 
 static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
 {
@@ -15,7 +22,27 @@ static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
     s->dir[0][i] = ray->dir.x;
     s->dir[1][i] = ray->dir.y;
     s->dir[2][i] = ray->dir.z;
-    s->away[i] = ray->left_mark.flags & POV_MARK_AWAY ? ray->left : POV_NOBODY;
+    s->away[i] = side_away(ray);
+}
+
+/* Four rays, from lane i on. */
+static inline void side_put_four(pov_rays *s, uint32_t i, const pov_ray *const rays[4])
+{
+    uint32_t j;
+#ifdef SIMD_TRANSPOSES
+    const void *const from[4] = { rays[0], rays[1], rays[2], rays[3] };
+
+    simd_transpose(from, offsetof(pov_ray, org), s->org[0] + i, s->org[1] + i, s->org[2] + i, s->org_lo[0] + i);
+    simd_transpose(from, offsetof(pov_ray, org_lo) + sizeof(double), s->org_lo[1] + i, s->org_lo[2] + i, s->dir[0] + i,
+                   s->dir[1] + i);
+    for (j = 0; j < 4; j++) {
+        s->dir[2][i + j] = rays[j]->dir.z;
+        s->away[i + j] = side_away(rays[j]);
+    }
+#else
+    for (j = 0; j < 4; j++)
+        side_put(s, i + j, rays[j]);
+#endif
 }
 
 static inline double side_is_out(double x, double least, double most)
