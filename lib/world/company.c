@@ -3,14 +3,17 @@
 #include "base/simd.h"
 
 /* odd: not zero where a ray is out of the range that filters are promised. */
-SIMD_CLONES static void derive(pov_rays *restrict s, uint32_t width, double end, double *restrict length,
+SIMD_CLONES static void derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length,
                                double *restrict odd)
 {
     uint32_t i;
 
-    for (i = 0; i < width; i++)
+    for (i = 0; i < n; i++)
         odd[i] = side_derive(s, i, end, length);
 }
+
+/* Lanes are gone through by eights. */
+static inline uint32_t width(uint32_t n) { return (n + 7) & ~7u; }
 
 static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which, double end)
 {
@@ -24,15 +27,12 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
         c->of[n] = (uint8_t)i;
     }
     c->party.count = n;
-    for (i = n; i % 8; i++)
+    for (i = n; i < width(n); i++)
         c->rays[i] = c->rays[n - 1];
-    for (i = 0; i < n; i += 4)
+    for (i = 0; i < width(n); i += 4)
         side_put_four(&c->party.side, i, c->rays + i);
-    i = (n + 7) & ~7u;
-    if (n + 4 <= i)
-        side_put_four(&c->party.side, i - 4, c->rays + i - 4);
-    derive(&c->party.side, i, end, c->party.length, odd);
-    while (i-- > 0) {
+    derive(&c->party.side, width(n), end, c->party.length, odd);
+    for (i = 0; i < width(n); i++) {
         c->party.limit[i] = c->tmax;
         if (odd[i] != 0.0 && i < n)
             alone |= bit_of(i);

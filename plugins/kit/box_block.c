@@ -148,11 +148,9 @@ static inline void meet_some(const kit_box_block *b, const starts *s, uint32_t a
     out->twice = (uint32_t)twice & b->lanes;
 }
 
-/* What meet_some() finds, of one box and all rays of `starts`, by bits and lanes of these. */
-typedef struct found { int64_t maybe, surely, twice; double lo[TOGETHER], hi[TOGETHER]; } found;
-
+/* As meet_some(), one box and all rays of `starts`. */
 static inline void meet_rays(const kit_box_block *b, uint32_t which, const starts *s, const double *restrict tmax,
-                             found *restrict out)
+                             kit_found *restrict out)
 {
     const int64_t bit[TOGETHER] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     const double lower_x = b->plane[0][which], lower_y = b->plane[2][which], lower_z = b->plane[4][which];
@@ -175,25 +173,9 @@ static inline void meet_rays(const kit_box_block *b, uint32_t which, const start
         out->lo[i] = near;
         out->hi[i] = last;
     }
-    out->maybe = maybe;
-    out->surely = surely;
-    out->twice = twice;
-}
-
-/* The only box of a block. */
-static inline uint32_t tell_only(const found *f, uint32_t from, uint32_t some, pov_meeting *out, uint32_t n)
-{
-    for (some &= (uint32_t)f->maybe; some; some &= some - 1, n++) {
-        const uint32_t i = kit_first_lane(some);
-
-        out[n].lo = f->lo[i];
-        out[n].hi = f->hi[i];
-        out[n].ray = (uint8_t)(from + i);
-        out[n].lane = 0;
-        out[n].surely = f->surely >> i & 1;
-        out[n].twice = f->twice >> i & 1;
-    }
-    return n;
+    out->maybe = (uint32_t)maybe;
+    out->surely = (uint32_t)surely;
+    out->twice = (uint32_t)twice;
 }
 
 /* Rays of which the filter for some knows nothing. */
@@ -229,7 +211,7 @@ KIT_CLONES static uint32_t filter(const kit_box_block *b, const uint32_t *owners
                                   pov_meeting *out)
 {
     uint32_t n = 0, from, some;
-    found f;
+    kit_found f;
     starts s;
 
     if ((lanes & (lanes - 1)) == 0)
@@ -244,7 +226,8 @@ KIT_CLONES static uint32_t filter(const kit_box_block *b, const uint32_t *owners
         if (b->lanes == 1) {
             const uint32_t odd = find_odd(&s);
             meet_rays(b, 0, &s, rays->tmax + from, &f);
-            n = tell_only(&f, from, some & ~odd, out, n);
+            f.maybe &= some & ~odd;
+            n = kit_tell_rays(&f, from, 0, out, n);
             some &= odd;
         }
         for (; some; some &= some - 1) {

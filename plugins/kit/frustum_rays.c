@@ -68,7 +68,6 @@ static inline void find_sides(const kit_one *s, const lines *all, sides *restric
 
 /* known: whether anything is certain at all. */
 typedef struct masks { int64_t known, maybe, surely, twice; } masks;
-typedef struct bounds { double lo[TOGETHER], hi[TOGETHER]; } bounds;
 
 /* An open one has to be entered by its side. */
 static inline masks bound_lines(const kit_one *s, double closed, const lines *all, const sides *side,
@@ -99,43 +98,25 @@ static inline masks bound_lines(const kit_one *s, double closed, const lines *al
 }
 
 /* Four rays, of which some are looked at. */
-static inline masks meet_four(const kit_one *s, const kit_frustum_block *b, double closed, const pov_rays *rays,
-                              size_t from, uint32_t some, bounds *restrict out)
+static inline void meet_four(const kit_one *s, const kit_frustum_block *b, bool open, const pov_rays *rays, size_t from,
+                             uint32_t some, kit_found *restrict out)
 {
-    masks m = { 0, 0, 0, 0 };
-    uint32_t blind;
-    int64_t met;
+    uint32_t met, blind;
     sides side;
     lines l;
+    masks m;
 
-    met = find_lines(s, b->reach, rays, from, &l) & some;
+    met = (uint32_t)find_lines(s, b->reach, rays, from, &l) & some;
+    out->maybe = 0;
     if (!met)
-        return m;
+        return;
     find_sides(s, &l, &side);
-    m = bound_lines(s, closed, &l, &side, rays->tmax + from, out->lo, out->hi);
-    m.maybe = met & (m.maybe | ~m.known);
-    m.surely &= m.maybe & m.known;
-    for (blind = (uint32_t)(m.maybe & ~m.known); blind; blind &= blind - 1)
+    m = bound_lines(s, open ? 0.0 : 1.0, &l, &side, rays->tmax + from, out->lo, out->hi);
+    out->maybe = met & (uint32_t)(m.maybe | ~m.known);
+    out->surely = out->maybe & (uint32_t)(m.surely & m.known);
+    out->twice = open ? 0 : out->surely & (uint32_t)m.twice;
+    for (blind = out->maybe & ~(uint32_t)m.known; blind; blind &= blind - 1)
         out->lo[kit_first_lane(blind)] = 0.0;
-    return m;
-}
-
-static inline uint32_t tell(const masks *m, const bounds *b, size_t from, uint32_t which, bool open, pov_meeting *out,
-                            uint32_t n)
-{
-    uint32_t mask;
-
-    for (mask = (uint32_t)m->maybe; mask; mask &= mask - 1, n++) {
-        const uint32_t i = kit_first_lane(mask);
-
-        out[n].lo = b->lo[i];
-        out[n].hi = b->hi[i];
-        out[n].ray = (uint8_t)(from + i);
-        out[n].lane = (uint8_t)which;
-        out[n].surely = m->surely >> i & 1;
-        out[n].twice = !open && ((m->surely & m->twice) >> i & 1);
-    }
-    return n;
 }
 
 KIT_CLONES static uint32_t meet_rays(const kit_frustum_block *b, uint32_t which, const pov_rays *rays, uint64_t lanes,
@@ -144,13 +125,13 @@ KIT_CLONES static uint32_t meet_rays(const kit_frustum_block *b, uint32_t which,
     const uint64_t four = (1u << TOGETHER) - 1;
     const kit_one s = kit_one_of(b, which);
     const bool open = b->open >> which & 1;
-    bounds found;
+    kit_found found;
 
     while (lanes) {
         const uint32_t from = kit_first_lane64(lanes) / TOGETHER * TOGETHER;
-        const masks m = meet_four(&s, b, open ? 0.0 : 1.0, rays, from, (uint32_t)(lanes >> from & four), &found);
 
-        n = tell(&m, &found, from, which, open, out, n);
+        meet_four(&s, b, open, rays, from, (uint32_t)(lanes >> from & four), &found);
+        n = kit_tell_rays(&found, from, which, out, n);
         lanes &= ~(four << from);
     }
     return n;

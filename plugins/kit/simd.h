@@ -134,6 +134,28 @@ static inline uint64_t kit_stay(const pov_rays *rays, uint64_t lanes, uint32_t o
     return lanes;
 }
 
+/* What one shape says of some rays side by side, by bits and lanes of these: as a kit_answer. */
+typedef struct kit_found { uint32_t maybe, surely, twice; double lo[8], hi[8]; } kit_found;
+
+/* Puts what was found of a shape and the rays from `from` on after the n meetings that there are; gives how many there are
+ * then. */
+static inline uint32_t kit_tell_rays(const kit_found *f, uint32_t from, uint32_t lane, pov_meeting *out, uint32_t n)
+{
+    uint32_t mask;
+
+    for (mask = f->maybe; mask; mask &= mask - 1, n++) {
+        const uint32_t i = kit_first_lane(mask);
+
+        out[n].lo = f->lo[i];
+        out[n].hi = f->hi[i];
+        out[n].ray = (uint8_t)(from + i);
+        out[n].lane = (uint8_t)lane;
+        out[n].surely = f->surely >> i & 1;
+        out[n].twice = f->twice >> i & 1;
+    }
+    return n;
+}
+
 /* Puts what was answered of a ray after the n meetings that there are; gives how many there are then. */
 static inline uint32_t kit_tell(const kit_answer *a, uint32_t ray, pov_meeting *out, uint32_t n)
 {
