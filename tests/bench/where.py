@@ -20,10 +20,10 @@ import programs
 SCENES = ('flake-4', 'spheres-1e2', 'spheres-1e4', 'mixed-1e2', 'mixed-1e4', 'rings', 'tree', 'hall', 'glass',
           'strip')
 # The first that fits a function's place, "object:file:function", is its part.
-PARTS = (('tree', r':lib/world/(bvh_|company|bits|query|run)'),
-         # A function that begins with an intrinsic counts as its header's.
-         ('placements', r':lib/world/placement|intrin\.h:misses'),
-         ('filters', r'/primitives/.*(:plugins/kit/\w*block|filter|block)'),
+PARTS = (('filters', r'/primitives/.*(:plugins/kit/\w*block|filter|block|:meet_rays)|:placement_filter'),
+         # Functions that begin with what is inlined count as its header's.
+         ('tree', r':lib/world/(bvh_|company|bits|query|run|side)|:take_rays'),
+         ('placements', r':lib/world/placement|intrin\.h:placement_ray'),
          ('normals', r'/primitives/.*:(\w*normal|look)|:lib/world/(surface|spot)'),
          ('shapes', r'/primitives/'),
          ('shading', r':lib/(shade|world|model)/|libm\.so'),
