@@ -28,9 +28,8 @@
 #define KIT_CLONES
 #endif
 
-/* Filters square lengths in plain double: coordinates and sizes must leave room for that. */
+/* Filters square lengths in plain double: coordinates must leave room for that. */
 static inline bool kit_block_range(double coordinate) { return coordinate < 1e120; }
-static inline bool kit_block_size(double size) { return size > 1e-120 && size < 1e120; }
 
 static inline double kit_sum_of_components(pov_vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 

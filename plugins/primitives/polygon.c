@@ -6,23 +6,7 @@
  * it. */
 #include "kit/expansion.h"
 #include "kit/flat_block.h"
-#include "kit/lanes.h"
-#include "kit/report.h"
-
-typedef struct corner {
-    pov_vec3 world;        /* as it was written */
-    pov_vec3 local;        /* from the anchor, scaled, rounded */
-    bool starts;           /* the first of a loop; no edge leads to it */
-} corner;
-
-typedef struct polygon {
-    corner *corners;       /* each loop ends with its first corner again */
-    uint32_t count;
-    pov_two3 anchor, normal;   /* the plane; the normal's largest component is in [1, 2), or it is zero */
-    pov_vec3 unit;
-    double scale;
-    pov_box box;
-} polygon;
+#include "kit/polygon.h"
 
 static bool same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
@@ -31,18 +15,18 @@ static bool same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.
 typedef struct reading {
     const pov_host *host;
     pov_reader *in;
-    polygon *shape;
+    kit_polygon *shape;
     uint32_t capacity, start;   /* start: where the loop at hand begins */
     bool open;                  /* a loop is begun and not yet closed */
 } reading;
 
 static bool append(reading *r, pov_vec3 v, bool starts)
 {
-    polygon *s = r->shape;
+    kit_polygon *s = r->shape;
 
     if (s->count == r->capacity) {
         const uint32_t capacity = r->capacity ? 2 * r->capacity : 16;
-        corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
+        kit_corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
 
         if (!bigger)
             return false;
@@ -109,7 +93,7 @@ static bool read_corners(reading *r)
 
 /* ---- the plane ---- */
 
-static pov_two3 offset_of(const polygon *s, const corner *c)
+static pov_two3 offset_of(const kit_polygon *s, const kit_corner *c)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
 
@@ -118,9 +102,9 @@ static pov_two3 offset_of(const polygon *s, const corner *c)
 
 /* The plane goes through the first corner, the one farthest from it, and the one farthest from the line of
  * these two. (The area vector would not do: a bow tie's is zero.) Returns the size of their cross product. */
-static double find_plane(polygon *s)
+static double find_plane(kit_polygon *s)
 {
-    const corner *far = s->corners;
+    const kit_corner *far = s->corners;
     pov_two3 across;
     double largest = 0.0;
     uint32_t i;
@@ -144,14 +128,14 @@ static double find_plane(polygon *s)
  * most sqrt(3) roundings. Seen from the first corner it is a b + c, with b and c the two others of the
  * plane and |a| <= 2, |c| <= 1 in their units by their choice; with the first corner's own share that
  * makes 8 such moves, and as much again is margin. */
-static double tolerance(const polygon *s)
+static double tolerance(const kit_polygon *s)
 {
     const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
 
     return 32.0 * KIT_U * coordinate;
 }
 
-static void scale_corners(polygon *s)
+static void scale_corners(kit_polygon *s)
 {
     double size = 0.0;
     uint32_t i;
@@ -171,7 +155,7 @@ static void scale_corners(polygon *s)
 }
 
 /* The largest distance of a corner from the plane, in scaled lengths. */
-static double measure(const polygon *s)
+static double measure(const kit_polygon *s)
 {
     const pov_vec3 normal = pov_two3_hi(s->normal);
     const double length = sqrt(pov_dot(normal, normal));
@@ -186,7 +170,7 @@ static double measure(const polygon *s)
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    polygon *s = self;
+    kit_polygon *s = self;
     reading r = { host, in, s, 0, 0, false };
     double largest, off, power;
 
@@ -217,7 +201,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 
 static bool bounds(const void *self, pov_box *out)
 {
-    const polygon *s = self;
+    const kit_polygon *s = self;
 
     *out = s->box;
     return true;
@@ -238,20 +222,11 @@ typedef struct sight {
 
 static void set3(double *to, pov_vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 
-/* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded difference: 6
- * roundings of terms below 2 (2 + |w|), twice. */
-KIT_INLINE double sight_error(pov_vec3 w) { return 24.0 * KIT_U * (2.0 + pov_largest(w)); }
-
-static inline int away_along(pov_vec3 d)
-{
-    return fabs(d.x) > fabs(d.y) ? (fabs(d.x) > fabs(d.z) ? 0 : 2) : fabs(d.y) > fabs(d.z) ? 1 : 2;
-}
-
 static sight sight_along(const pov_ray *ray, const kit_ray *k, pov_vec3 w, bool always_exact)
 {
     sight s;
 
-    s.away = away_along(k->d);
+    s.away = kit_polygon_away(k->d);
     s.across = (s.away + 1) % 3;
     s.up = (s.away + 2) % 3;
     s.ray = ray;
@@ -260,7 +235,7 @@ static sight sight_along(const pov_ray *ray, const kit_ray *k, pov_vec3 w, bool 
     set3(s.d, k->d);
     set3(s.d_lo, k->d_lo);
     set3(s.w, w);
-    s.error = sight_error(w);
+    s.error = kit_polygon_blur(w);
     s.exact = always_exact || !(pov_largest(pov_two3_hi(k->f)) < KIT_FAR);
     s.decided = false;
     return s;
@@ -280,7 +255,7 @@ static void add_terms(kit_expansion *e, const sight *s, const double *v, int i, 
     }
 }
 
-static bool is_above(const sight *s, const corner *c)
+static bool is_above(const sight *s, const kit_corner *c)
 {
     kit_expansion e;
     double v[3];
@@ -294,7 +269,7 @@ static bool is_above(const sight *s, const corner *c)
 
 /* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for
  * every polygon that has it. */
-static seen look(sight *s, const corner *c)
+static seen look(sight *s, const kit_corner *c)
 {
     const double v[3] = { c->local.x - s->w[0], c->local.y - s->w[1], c->local.z - s->w[2] };
     seen p;
@@ -310,7 +285,7 @@ static seen look(sight *s, const corner *c)
 }
 
 /* The sign of d . ((a - o) x (b - o)). */
-static int orientation(const sight *s, const corner *a, const corner *b)
+static int orientation(const sight *s, const kit_corner *a, const kit_corner *b)
 {
     double p[3], q[3];
     kit_expansion e;
@@ -339,7 +314,7 @@ static int orientation(const sight *s, const corner *a, const corner *b)
 
 /* An edge that goes from one side of the level to the other: does it pass the ray on the right, or through
  * it? Edges are asked upward, so that both polygons of a shared edge ask the same. */
-static bool is_right(sight *s, const corner *a, seen pa, const corner *b, seen pb)
+static bool is_right(sight *s, const kit_corner *a, seen pa, const kit_corner *b, seen pb)
 {
     const double cross = pa.across * pb.up - pb.across * pa.up;
     const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error) +
@@ -355,14 +330,14 @@ static bool is_right(sight *s, const corner *a, seen pa, const corner *b, seen p
     return pb.above ? sign >= 0 : sign <= 0;
 }
 
-static bool is_within(const polygon *s, sight *view)
+static bool is_within(const kit_polygon *s, sight *view)
 {
     bool within = false;
     seen before = { 0.0, 0.0, 0 };
     uint32_t i;
 
     for (i = 0; i < s->count; i++) {
-        const corner *c = &s->corners[i];
+        const kit_corner *c = &s->corners[i];
         const seen here = look(view, c);
 
         if (!c->starts && here.above != before.above && is_right(view, c - 1, before, c, here))
@@ -374,22 +349,7 @@ static bool is_within(const polygon *s, sight *view)
 
 /* ---- rays ---- */
 
-/* The distance to the plane: a first quotient, and what is missing there. */
-KIT_INLINE kit_root quick_distance(pov_vec3 n, const kit_ray *k, double slope, double slope_error, double first,
-                                   pov_vec3 w)
-{
-    const double rest = -pov_dot(n, w) / slope, off = 7.0 * KIT_U * kit_sum_of_sizes(n, w) + fabs(rest) * slope_error;
-    const double error = off / fabs(slope) + KIT_U * fabs(rest);
-    const int sound = (int)(fabs(slope) > 1024.0 * slope_error) & (int)(pov_largest(pov_two3_hi(k->f)) < KIT_FAR);
-    kit_root root;
-
-    root.t = pov_two_sum(first, rest);
-    root.error = sound ? error : HUGE_VAL;
-    root.part = root.flags = 0;
-    return root;
-}
-
-static pov_two decide_distance(const polygon *s, const kit_ray *k, double first)
+static pov_two decide_distance(const kit_polygon *s, const kit_ray *k, double first)
 {
     const pov_two slope = pov_two3_dot(s->normal, kit_direction(k));
     const pov_two height = pov_two3_dot(s->normal, isfinite(first) ? kit_along_two(k, first) : k->f);
@@ -400,7 +360,7 @@ static pov_two decide_distance(const polygon *s, const kit_ray *k, double first)
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    const polygon *s = self;
+    const kit_polygon *s = self;
     kit_ray k;
     pov_vec3 n, w;
     double slope, first;
@@ -415,7 +375,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     slope = pov_dot(n, k.d);
     first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
     w = kit_along(&k, first);
-    root = quick_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
+    root = kit_polygon_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
     verdict = kit_judge(&root, k.unit, KIT_FINE, hits);
     if (verdict == KIT_OUTSIDE)
         return;
@@ -435,184 +395,17 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 {
     (void)ray;
     (void)at;
-    *out = ((const polygon *)self)->unit;
+    *out = ((const kit_polygon *)self)->unit;
 }
 
-/* One loop of three or four corners, then the first of them again. */
-static bool is_small(const polygon *s)
-{
-    uint32_t i, loops = 0;
-
-    if (s->count > KIT_SIDES + 1)
-        return false;
-    for (i = 0; i < s->count; i++)
-        loops += s->corners[i].starts;
-    return loops == 1;
-}
-
-/* ---- many at once ---- */
-
-/* Fewer than KIT_LANES: corners are many to copy, so places that hold nothing are dear. */
-enum { TOGETHER = 4, CORNERS = KIT_SIDES + 1 };
-
-/* Small polygons, each with its ray, and the ray's largest axis; a place after the last corner repeats it. */
-typedef struct polygon_lanes {
-    kit_rays rays;
-    kit_lane3 anchor, anchor_lo, normal, corner[CORNERS];
-    kit_lane scale, away;
-} polygon_lanes;
-
-static inline void put_polygon(polygon_lanes *l, uint32_t i, const polygon *s, const pov_ray *ray)
-{
-    uint32_t c;
-
-    kit_put(&l->anchor, i, pov_two3_hi(s->anchor));
-    kit_put(&l->anchor_lo, i, pov_two3_lo(s->anchor));
-    kit_put(&l->normal, i, pov_two3_hi(s->normal));
-    l->scale[i] = s->scale;
-    l->away[i] = away_along(ray->dir);
-    for (c = 0; c < CORNERS - 1; c++)
-        kit_put(&l->corner[c], i, s->corners[c].local);
-    kit_put(&l->corner[c], i, s->corners[s->count - 1].local);
-}
-
-/* As in a sight: across, up, away. */
-static inline pov_vec3 turn(pov_vec3 v, double away)
-{
-    const double across = away < 0.5 ? v.y : away < 1.5 ? v.z : v.x, up = away < 0.5 ? v.z : away < 1.5 ? v.x : v.y;
-
-    return pov_vec3_of(across, up, away < 0.5 ? v.x : away < 1.5 ? v.y : v.z);
-}
-
-/* The ray's point near the polygon, its direction as in a sight, and what a coordinate there may be off by. */
-typedef struct ray_at { pov_vec3 w, d; double error, away; } ray_at;
-
-/* A corner in sight. above, certain: one or zero. Level with the ray it is not certain on which side it is. */
-typedef struct spot { double across, up, above, certain; } spot;
-
-static inline spot see(const kit_lane3 *c, uint32_t i, const ray_at *at)
-{
-    const pov_vec3 v = turn(pov_sub(kit_get(c, i), at->w), at->away), d = at->d;
-    spot p;
-
-    p.across = v.x * d.z - v.z * d.x;
-    p.up = v.y * d.z - v.z * d.y;
-    p.above = p.up > 0.0 ? 1.0 : 0.0;
-    p.certain = fabs(p.up) > at->error ? 1.0 : 0.0;
-    return p;
-}
-
-/* As is_right(), one or zero: does an edge pass the ray on the right, to the other side of the level? Adds one to
- * `certain` if that is. */
-static inline double pass(spot a, spot b, double error, double *certain)
-{
-    const double cross = a.across * b.up - b.across * a.up, way = b.above - a.above;
-    const double doubt = error * (fabs(a.across) + fabs(a.up) + fabs(b.across) + fabs(b.up) + 2.0 * error) +
-                         4.0 * KIT_U * (fabs(a.across * b.up) + fabs(b.across * a.up));
-    const double sure = fabs(cross) > doubt ? 1.0 : 0.0;
-
-    *certain += kit_greater(sure, 1.0 - fabs(way));
-    return way * cross > 0.0 ? 1.0 : 0.0;
-}
-
-/* As is_within(), of one loop: is it certain that the ray is enclosed? */
-static inline int surely_within(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov_vec3 d)
-{
-    const double error = sight_error(w), away = l->away[i];
-    const ray_at at = { w, turn(d, away), error, away };
-    const spot a = see(&l->corner[0], i, &at), b = see(&l->corner[1], i, &at), c = see(&l->corner[2], i, &at);
-    const spot e = see(&l->corner[3], i, &at), f = see(&l->corner[4], i, &at);
-    double certain = a.certain + b.certain + c.certain + e.certain + f.certain;
-    const double one = pass(a, b, error, &certain), two = pass(b, c, error, &certain);
-    const double three = pass(c, e, error, &certain), four = pass(e, f, error, &certain);
-
-    /* One turn or three. */
-    return (int)(certain > 8.5) & (int)(fabs(fabs(one + two + three + four - 2.0) - 1.0) < 0.5);
-}
-
-/* Where planes are met, in the units of a kit_ray, and what that may be off by; within: not zero where the figure surely
- * is. */
-typedef struct plane_lanes { kit_lane t, t_lo, error, unit, within; } plane_lanes;
-
-/* As intersect() where nothing has to be decided. */
-KIT_CLONES static void find_planes(const polygon_lanes *restrict l, plane_lanes *restrict out)
-{
-    uint32_t i;
-
-    for (i = 0; i < TOGETHER; i++) {
-        const pov_ray ray = kit_get_ray(&l->rays, i);
-        const pov_vec3 n = kit_get(&l->normal, i);
-        const kit_ray k = kit_enter(&ray, pov_two3_of(kit_get(&l->anchor, i), kit_get(&l->anchor_lo, i)), l->scale[i]);
-        const double slope = pov_dot(n, k.d), first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
-        const pov_vec3 w = kit_along(&k, first);
-        const kit_root r = quick_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
-
-        out->t[i] = r.t.hi;
-        out->t_lo[i] = r.t.lo;
-        out->error[i] = r.error;
-        out->unit[i] = k.unit;
-        out->within[i] = surely_within(l, i, w, k.d) ? 1.0 : 0.0;
-    }
-}
-
-/* Whoever does not start on it, and surely goes through it. */
-static bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, pov_hits *h)
-{
-    const kit_root r = { { p->t[i], p->t_lo[i] }, p->error[i], 0, 0 };
-
-    if (!(p->within[i] > 0.0) || h->always_exact || h->owner == ray->left
-        || kit_judge(&r, p->unit[i], KIT_FINE, h) != KIT_GOOD)
-        return false;
-    if (isfinite(r.t.hi))
-        pov_cross(h, r.t.hi * p->unit[i], r.t.lo * p->unit[i], kit_mark(0, 0));
-    return true;
-}
-
-static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
-{
-    polygon_lanes lanes;
-    plane_lanes plane;
-    uint32_t i, j;
-
-    kit_put_four_of(&lanes.rays, 0, rays, n);
-    for (i = 0; i < TOGETHER; i++) {
-        j = kit_lane_of(i, n);
-        put_polygon(&lanes, i, selves[j], rays[j]);
-    }
-    find_planes(&lanes, &plane);
-    for (i = 0; i < n; i++)
-        if (!report_plane(&plane, i, rays[i], hits[i]))
-            intersect(selves[i], rays[i], hits[i]);
-}
-
-/* The small ones in company, others alone. */
 static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    const void *self[TOGETHER];
-    const pov_ray *ray[TOGETHER];
-    pov_hits *hit[TOGETHER];
-    uint32_t i, count = 0;
-
-    for (i = 0; i < n; i++) {
-        if (is_small(selves[i])) {
-            self[count] = selves[i];
-            ray[count] = rays[i];
-            hit[count++] = hits[i];
-        } else {
-            intersect(selves[i], rays[i], hits[i]);
-        }
-        if (count == TOGETHER || (count > 1 && i + 1 == n)) {
-            intersect_lanes(self, ray, hit, count);
-            count = 0;
-        }
-    }
-    if (count)
-        intersect(self[0], ray[0], hit[0]);
+    kit_polygon_intersect_many(selves, rays, hits, n, intersect);
 }
 
 /* ---- blocks ---- */
 
-static void describe(const polygon *s, kit_flat *f)
+static void describe(const kit_polygon *s, kit_flat *f)
 {
     const pov_vec3 n = pov_two3_hi(s->normal);
     pov_vec3 corners[KIT_SIDES];
@@ -621,7 +414,7 @@ static void describe(const polygon *s, kit_flat *f)
     f->anchor = pov_two3_hi(s->anchor);
     f->normal = n;
     f->scale = s->scale;
-    if (is_small(s)) {
+    if (kit_polygon_is_small(s)) {
         for (i = 0; i + 1 < s->count; i++)
             corners[i] = s->corners[i].local;
         if (kit_flat_outline(f, corners, s->count - 1))
@@ -639,7 +432,7 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
 
     (void)frame;
     for (i = 0; i < n; i++) {
-        const polygon *s = selves[i];
+        const kit_polygon *s = selves[i];
 
         if (s->count == 0 || !(pov_largest(pov_two3_hi(s->normal)) > 0.0))
             return false;
@@ -651,7 +444,7 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
     .keyword = "polygon",
-    .instance_size = sizeof(polygon),
+    .instance_size = sizeof(kit_polygon),
     .parse = parse,
     .bounds = bounds,
     .intersect = intersect,

@@ -1,0 +1,64 @@
+/* polygon.h - a flat figure, and what is reckoned of it alike for one ray and for many. */
+#ifndef KIT_POLYGON_H
+#define KIT_POLYGON_H
+
+#include "kit/flat_block.h"
+#include "kit/report.h"
+
+typedef struct kit_corner {
+    pov_vec3 world;        /* as it was written */
+    pov_vec3 local;        /* from the anchor, scaled, rounded */
+    bool starts;           /* the first of a loop; no edge leads to it */
+} kit_corner;
+
+typedef struct kit_polygon {
+    kit_corner *corners;       /* each loop ends with its first corner again */
+    uint32_t count;
+    pov_two3 anchor, normal;   /* the plane; the normal's largest component is in [1, 2), or it is zero */
+    pov_vec3 unit;
+    double scale;
+    pov_box box;
+} kit_polygon;
+
+/* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded difference:
+ * 6 roundings of terms below 2 (2 + |w|), twice. */
+KIT_INLINE double kit_polygon_blur(pov_vec3 w) { return 24.0 * KIT_U * (2.0 + pov_largest(w)); }
+
+/* The largest axis of a direction. */
+static inline int kit_polygon_away(pov_vec3 d)
+{
+    return fabs(d.x) > fabs(d.y) ? (fabs(d.x) > fabs(d.z) ? 0 : 2) : fabs(d.y) > fabs(d.z) ? 1 : 2;
+}
+
+/* The distance to the plane: a first quotient, and what is missing there. */
+KIT_INLINE kit_root kit_polygon_distance(pov_vec3 n, const kit_ray *k, double slope, double slope_error, double first,
+                                   pov_vec3 w)
+{
+    const double rest = -pov_dot(n, w) / slope, off = 7.0 * KIT_U * kit_sum_of_sizes(n, w) + fabs(rest) * slope_error;
+    const double error = off / fabs(slope) + KIT_U * fabs(rest);
+    const int sound = (int)(fabs(slope) > 1024.0 * slope_error) & (int)(pov_largest(pov_two3_hi(k->f)) < KIT_FAR);
+    kit_root root;
+
+    root.t = pov_two_sum(first, rest);
+    root.error = sound ? error : HUGE_VAL;
+    root.part = root.flags = 0;
+    return root;
+}
+
+/* One loop of three or four corners, then the first of them again. */
+static inline bool kit_polygon_is_small(const kit_polygon *s)
+{
+    uint32_t i, loops = 0;
+
+    if (s->count > KIT_SIDES + 1)
+        return false;
+    for (i = 0; i < s->count; i++)
+        loops += s->corners[i].starts;
+    return loops == 1;
+}
+
+/* The small ones in company, others by `one`. */
+void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                uint32_t n, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits));
+
+#endif

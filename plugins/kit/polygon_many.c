@@ -1,0 +1,162 @@
+/* Small polygons, each with its ray, side by side. */
+#include "kit/lanes.h"
+#include "kit/polygon.h"
+
+/* Fewer than KIT_LANES: corners are many to copy, so places that hold nothing are dear. */
+enum { TOGETHER = 4, CORNERS = KIT_SIDES + 1 };
+
+/* Small polygons, each with its ray, and the ray's largest axis; a place after the last corner repeats it. */
+typedef struct polygon_lanes {
+    kit_rays rays;
+    kit_lane3 anchor, anchor_lo, normal, corner[CORNERS];
+    kit_lane scale, away;
+} polygon_lanes;
+
+static inline void put_polygon(polygon_lanes *l, uint32_t i, const kit_polygon *s, const pov_ray *ray)
+{
+    uint32_t c;
+
+    kit_put(&l->anchor, i, pov_two3_hi(s->anchor));
+    kit_put(&l->anchor_lo, i, pov_two3_lo(s->anchor));
+    kit_put(&l->normal, i, pov_two3_hi(s->normal));
+    l->scale[i] = s->scale;
+    l->away[i] = kit_polygon_away(ray->dir);
+    for (c = 0; c < CORNERS - 1; c++)
+        kit_put(&l->corner[c], i, s->corners[c].local);
+    kit_put(&l->corner[c], i, s->corners[s->count - 1].local);
+}
+
+/* As in a sight: across, up, away. */
+static inline pov_vec3 turn(pov_vec3 v, double away)
+{
+    const double across = away < 0.5 ? v.y : away < 1.5 ? v.z : v.x, up = away < 0.5 ? v.z : away < 1.5 ? v.x : v.y;
+
+    return pov_vec3_of(across, up, away < 0.5 ? v.x : away < 1.5 ? v.y : v.z);
+}
+
+/* The ray's point near the polygon, its direction as in a sight, and what a coordinate there may be off by. */
+typedef struct ray_at { pov_vec3 w, d; double error, away; } ray_at;
+
+/* A corner in sight. above, certain: one or zero. Level with the ray it is not certain on which side it is. */
+typedef struct spot { double across, up, above, certain; } spot;
+
+static inline spot see(const kit_lane3 *c, uint32_t i, const ray_at *at)
+{
+    const pov_vec3 v = turn(pov_sub(kit_get(c, i), at->w), at->away), d = at->d;
+    spot p;
+
+    p.across = v.x * d.z - v.z * d.x;
+    p.up = v.y * d.z - v.z * d.y;
+    p.above = p.up > 0.0 ? 1.0 : 0.0;
+    p.certain = fabs(p.up) > at->error ? 1.0 : 0.0;
+    return p;
+}
+
+/* As is_right() of the primitive, one or zero: does an edge pass the ray on the right, to the other side of the level?
+ * Adds one to `certain` if that is. */
+static inline double pass(spot a, spot b, double error, double *certain)
+{
+    const double cross = a.across * b.up - b.across * a.up, way = b.above - a.above;
+    const double doubt = error * (fabs(a.across) + fabs(a.up) + fabs(b.across) + fabs(b.up) + 2.0 * error) +
+                         4.0 * KIT_U * (fabs(a.across * b.up) + fabs(b.across * a.up));
+    const double sure = fabs(cross) > doubt ? 1.0 : 0.0;
+
+    *certain += kit_greater(sure, 1.0 - fabs(way));
+    return way * cross > 0.0 ? 1.0 : 0.0;
+}
+
+/* As is_within(), of one loop: is it certain that the ray is enclosed? */
+static inline int surely_within(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov_vec3 d)
+{
+    const double error = kit_polygon_blur(w), away = l->away[i];
+    const ray_at at = { w, turn(d, away), error, away };
+    const spot a = see(&l->corner[0], i, &at), b = see(&l->corner[1], i, &at), c = see(&l->corner[2], i, &at);
+    const spot e = see(&l->corner[3], i, &at), f = see(&l->corner[4], i, &at);
+    double certain = a.certain + b.certain + c.certain + e.certain + f.certain;
+    const double one = pass(a, b, error, &certain), two = pass(b, c, error, &certain);
+    const double three = pass(c, e, error, &certain), four = pass(e, f, error, &certain);
+
+    /* One turn or three. */
+    return (int)(certain > 8.5) & (int)(fabs(fabs(one + two + three + four - 2.0) - 1.0) < 0.5);
+}
+
+/* Where planes are met, in the units of a kit_ray, and what that may be off by; within: not zero where the figure
+ * surely is. */
+typedef struct plane_lanes { kit_lane t, t_lo, error, unit, within; } plane_lanes;
+
+/* As its intersect() where nothing has to be decided. */
+KIT_CLONES static void find_planes(const polygon_lanes *restrict l, plane_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const pov_vec3 n = kit_get(&l->normal, i);
+        const kit_ray k = kit_enter(&ray, pov_two3_of(kit_get(&l->anchor, i), kit_get(&l->anchor_lo, i)), l->scale[i]);
+        const double slope = pov_dot(n, k.d), first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
+        const pov_vec3 w = kit_along(&k, first);
+        const kit_root r = kit_polygon_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
+
+        out->t[i] = r.t.hi;
+        out->t_lo[i] = r.t.lo;
+        out->error[i] = r.error;
+        out->unit[i] = k.unit;
+        out->within[i] = surely_within(l, i, w, k.d) ? 1.0 : 0.0;
+    }
+}
+
+/* Whoever does not start on it, and surely goes through it. */
+static bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, pov_hits *h)
+{
+    const kit_root r = { { p->t[i], p->t_lo[i] }, p->error[i], 0, 0 };
+
+    if (!(p->within[i] > 0.0) || h->always_exact || h->owner == ray->left
+        || kit_judge(&r, p->unit[i], KIT_FINE, h) != KIT_GOOD)
+        return false;
+    if (isfinite(r.t.hi))
+        pov_cross(h, r.t.hi * p->unit[i], r.t.lo * p->unit[i], kit_mark(0, 0));
+    return true;
+}
+
+static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
+                            void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+{
+    polygon_lanes lanes;
+    plane_lanes plane;
+    uint32_t i, j;
+
+    kit_put_four_of(&lanes.rays, 0, rays, n);
+    for (i = 0; i < TOGETHER; i++) {
+        j = kit_lane_of(i, n);
+        put_polygon(&lanes, i, selves[j], rays[j]);
+    }
+    find_planes(&lanes, &plane);
+    for (i = 0; i < n; i++)
+        if (!report_plane(&plane, i, rays[i], hits[i]))
+            one(selves[i], rays[i], hits[i]);
+}
+
+void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                uint32_t n, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+{
+    const void *self[TOGETHER];
+    const pov_ray *ray[TOGETHER];
+    pov_hits *hit[TOGETHER];
+    uint32_t i, count = 0;
+
+    for (i = 0; i < n; i++) {
+        if (kit_polygon_is_small(selves[i])) {
+            self[count] = selves[i];
+            ray[count] = rays[i];
+            hit[count++] = hits[i];
+        } else {
+            one(selves[i], rays[i], hits[i]);
+        }
+        if (count == TOGETHER || (count > 1 && i + 1 == n)) {
+            intersect_lanes(self, ray, hit, count, one);
+            count = 0;
+        }
+    }
+    if (count)
+        one(self[0], ray[0], hit[0]);
+}
