@@ -1,5 +1,7 @@
 #include "world/company.h"
 
+#include "base/simd.h"
+
 static pov_hits *nearest_hits(company *c, uint32_t i)
 {
     if (!(c->asked & bit_of(i))) {
@@ -41,6 +43,7 @@ static void put_off(company *c, const run *r, const pov_meeting *m)
     p->lane = m->lane;
     p->lo = m->lo;
     c->waiting |= bit_of(i);
+    SIMD_EXPECT(run_instance(r, m->lane));
 }
 
 static void filter_nearest(company *c, const run *r, uint64_t lanes)
@@ -203,6 +206,7 @@ static uint64_t end_nearest(company *c)
             continue;
         out->object = out->crossing.owner;
         met |= bit_of(c->of[i]);
+        SIMD_EXPECT(&c->world->model->objects.items[out->object]);
         if (hits->crowded)
             spot_choose(c->world, c->walker, c->rays[i], NULL, out);
     }
