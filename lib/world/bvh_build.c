@@ -11,8 +11,6 @@ enum { HALVE_FROM = 40 };
 /* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
 static const float frame_part = 0x1p-10f;
 enum { FRAME_LEAST = 16 };
-/* What a lowest node holds when it is full. */
-enum { FULL_PACKED = BVH_WIDTH * BVH_WIDTH, FULL_ALONE = BVH_WIDTH };
 /* Parts of fewer things than this are not worth a thread's while. */
 enum { JOB_LEAST = 4096, THREADS_FROM = 20000, PARTS = 64 };
 
@@ -22,6 +20,7 @@ typedef struct job {
     bvh_range range;             /* in its own frame where it has one */
     double scale;                /* of that frame */
     int depth;
+    bool is_fine;                /* no frame would be finer */
 } job;
 
 typedef struct builder {
@@ -73,28 +72,15 @@ static void cut(const builder *b, const bvh_range *r, bool halve, int threads, b
     y->is_leaf = is_leaf(b, y);
 }
 
-/* Parts of a node of n things need not be smaller than this: a power of the tree's width times what a lowest node
- * holds, so that nodes are nearly full all the way down. */
-static uint32_t part_of(const builder *b, uint32_t n)
-{
-    uint32_t part = b->in->all_pack ? FULL_PACKED : FULL_ALONE;
-
-    if (n <= part)
-        return 0;
-    while (n / part > BVH_WIDTH)
-        part *= BVH_WIDTH;
-    return part;
-}
-
 /* Which of the parts to cut next: the one most often met, or at great depth the one of most things; -1: none. */
-static int next_to_cut(const bvh_range *parts, int n, uint32_t part, bool halve)
+static int next_to_cut(const bvh_range *parts, int n, bool halve)
 {
     float most = -1.0f;
     int i, best = -1;
 
     for (i = 0; i < n; i++) {
         float size = halve ? (float)bvh_range_count(&parts[i]) : parts[i].area;
-        if (!parts[i].is_leaf && size > most && (bvh_range_count(&parts[i]) > part || halve)) {
+        if (!parts[i].is_leaf && size > most) {
             most = size;
             best = i;
         }
@@ -104,29 +90,27 @@ static int next_to_cut(const bvh_range *parts, int n, uint32_t part, bool halve)
 
 static bool grow_child(hand *h, const job *j);
 
-/* Parts of a range become children of one node. */
-static bool grow_parts(hand *h, const job *above, const bvh_range *parts, int n)
+/* A node whose children are still to be set. */
+static bvh_draft_node *make_node(hand *h, const job *j, int n)
 {
     bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node + (size_t)n * sizeof *node->child, 8);
-    int i;
 
-    if (!node)
-        return false;
-    above->child->node = node;
-    node->count = n;
-    for (i = 0; i < n; i++) {
-        bvh_draft_child *c = &node->child[i];
-        memcpy(c->lo, parts[i].lo, sizeof c->lo);
-        memcpy(c->hi, parts[i].hi, sizeof c->hi);
-        c->begin = parts[i].begin;
-        c->count = bvh_range_count(&parts[i]);
-    }
-    for (i = 0; i < n; i++) {
-        const job below = { &node->child[i], parts[i], above->scale, above->depth + 1 };
-        if (!grow_child(h, &below))
-            return false;
-    }
-    return true;
+    if (node)
+        node->count = n;
+    j->child->node = node;
+    return node;
+}
+
+/* One of its children, which is to grow. */
+static job set_child(const job *above, bvh_draft_child *c, const bvh_range *r)
+{
+    const job below = { c, *r, above->scale, above->depth + 1, above->is_fine };
+
+    memcpy(c->lo, r->lo, sizeof c->lo);
+    memcpy(c->hi, r->hi, sizeof c->hi);
+    c->begin = r->begin;
+    c->count = bvh_range_count(r);
+    return below;
 }
 
 /* The things of a range become a node. */
@@ -134,25 +118,33 @@ static bool grow_node(hand *h, const job *j)
 {
     bvh_range parts[BVH_WIDTH];
     bool halve = j->depth >= HALVE_FROM;
-    uint32_t part = part_of(h->builder, bvh_range_count(&j->range));
-    int n = 1, best, threads = j->depth == 0 ? h->builder->threads : 1;
+    int n = 1, best, i, threads = j->depth == 0 ? h->builder->threads : 1;
+    bvh_draft_node *node;
 
     parts[0] = j->range;
-    while (n < BVH_WIDTH && (best = next_to_cut(parts, n, part, halve)) >= 0) {
+    while (n < BVH_WIDTH && (best = next_to_cut(parts, n, halve)) >= 0) {
         cut(h->builder, &parts[best], halve, threads, &parts[best], &parts[n]);
         n++;
     }
-    return grow_parts(h, j, parts, n);
+    node = make_node(h, j, n);
+    for (i = 0; node && i < n; i++) {
+        const job below = set_child(j, &node->child[i], &parts[i]);
+        if (!grow_child(h, &below))
+            return false;
+    }
+    return node != NULL;
 }
 
-static bool wants_frame(const bvh_range *r, int depth)
+static bool wants_frame(const job *j, const bvh_range *r)
 {
     int k;
 
+    if (j->is_fine)
+        return false;
     for (k = 0; k < 3; k++)
         if (r->hi[k] - r->lo[k] > frame_part)
             return false;
-    return bvh_range_count(r) >= FRAME_LEAST && depth < HALVE_FROM;
+    return bvh_range_count(r) >= FRAME_LEAST && j->depth < HALVE_FROM;
 }
 
 /* Boxes within a few rounding errors of the world's own numbers gain nothing from a finer frame, and get none. */
@@ -163,7 +155,8 @@ static bool set_frame(hand *h, job *j)
     pov_box all = bvh_box_around(in, h->builder->refs, r->begin, r->end);
     bvh_frame frame = bvh_frame_around(&all);
 
-    if (frame.scale * (double)frame_part < 0.25 * j->scale)
+    j->is_fine = frame.scale * (double)frame_part < 0.25 * j->scale;
+    if (j->is_fine)
         return true;
     j->child->frame = arena_alloc(&h->memory, sizeof frame, 8);
     if (!j->child->frame)
@@ -175,12 +168,70 @@ static bool set_frame(hand *h, job *j)
     return true;
 }
 
+static bool grow(hand *h, const job *j);
+
+/* Cut a range in two, and those again, down to leaves and to what wants a frame of its own. The number of twigs. */
+static uint32_t grow_twigs(const builder *b, const job *j, bvh_twig *twigs)
+{
+    uint32_t count = 1, i;
+
+    twigs[0].range = j->range;
+    twigs[0].depth = j->depth;
+    for (i = 0; i < count; i++) {
+        bvh_twig *t = &twigs[i];
+
+        t->is_end = t->range.is_leaf || (i > 0 && wants_frame(j, &t->range));
+        if (t->is_end)
+            continue;
+        t->left = count;
+        cut(b, &t->range, t->depth >= HALVE_FROM, 1, &twigs[count].range, &twigs[count + 1].range);
+        twigs[count].depth = twigs[count + 1].depth = t->depth + 1;
+        count += 2;
+    }
+    return count;
+}
+
+/* A twig becomes a node, and those below it. */
+static bool collapse(hand *h, const job *j, const bvh_twig *twigs, uint32_t which)
+{
+    uint32_t children[BVH_WIDTH];
+    const int n = bvh_children_of(twigs, which, children);
+    bvh_draft_node *node = make_node(h, j, n);
+    int i;
+
+    for (i = 0; node && i < n; i++) {
+        const bvh_twig *t = &twigs[children[i]];
+        const job below = set_child(j, &node->child[i], &t->range);
+
+        if (!(t->is_end ? t->range.is_leaf || grow(h, &below) : collapse(h, &below, twigs, children[i])))
+            return false;
+    }
+    return node != NULL;
+}
+
+/* The things of a range become as few nodes, met as rarely, as can be. */
+static bool grow_small(hand *h, const job *j)
+{
+    const env *e = h->builder->in->env;
+    bvh_twig *twigs = env_resize(e, NULL, 2 * (size_t)bvh_range_count(&j->range), sizeof *twigs);
+    bool done = twigs != NULL;
+
+    if (done) {
+        bvh_weigh_twigs(twigs, grow_twigs(h->builder, j, twigs));
+        done = collapse(h, j, twigs, 0);
+    }
+    env_free(e, twigs);
+    return done;
+}
+
 static bool grow(hand *h, const job *j)
 {
     job own = *j;
 
-    if (wants_frame(&own.range, own.depth) && !set_frame(h, &own))
+    if (wants_frame(&own, &own.range) && !set_frame(h, &own))
         return false;
+    if (bvh_range_count(&own.range) < JOB_LEAST && own.depth < HALVE_FROM)
+        return grow_small(h, &own);
     return grow_node(h, &own);
 }
 
@@ -268,7 +319,7 @@ static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
     all.range.is_leaf = is_leaf(b, &all.range);
     if (all.range.is_leaf)
         return true;
-    done = grow_node(&hands[0], &all);
+    done = grow(&hands[0], &all);
     if (done && b->threads > 1) {
         share_work(b->threads, (uint32_t)b->threads, work, hands);
         done = !b->failed;

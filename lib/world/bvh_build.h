@@ -37,6 +37,22 @@ typedef struct bvh_draft_node {
 
 static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }
 
+/* What a binary tree is made of on the way to one of wide nodes. */
+typedef struct bvh_twig {
+    bvh_range range;
+    uint32_t left;               /* its first half, the other one behind it */
+    int depth;                   /* of the tree, were it a node */
+    bool is_end;                 /* not divided here */
+    uint8_t to_left[BVH_WIDTH];
+    float cost[BVH_WIDTH];       /* of at most 1 to 8 nodes side by side for all below: their surfaces' sum */
+} bvh_twig;
+
+/* Find what nodes cost least (Ylitie, Karras, Laine 2017: Efficient incoherent ray traversal on GPUs through compressed
+ * wide BVHs); halves stand behind what they are halves of. */
+void bvh_weigh_twigs(bvh_twig *twigs, uint32_t count);
+/* The children of the node that twig `which` becomes, which is no end. */
+int bvh_children_of(const bvh_twig *twigs, uint32_t which, uint32_t out[BVH_WIDTH]);
+
 /* threads: who may help, with the same result for any number. */
 void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads);
 /* Cut in two where the surface area heuristic says, or in halves where it says nothing. Reorders refs. */
