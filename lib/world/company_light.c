@@ -9,7 +9,7 @@ static void begin_light(company *c, uint32_t i)
     c->asked |= bit_of(i);
     begin_hits(&c->hits[i], c->world, c->tmax, POV_WANT_ANY, &room->blocking);
     if (!c->any_blocks)
-        begin_tints(&c->tints[i], &c->hits[i], room);
+        begin_tints(&c->tints[i], c->world, c->tmax, room);
 }
 
 /* True: the path ends here. */

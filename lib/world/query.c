@@ -399,13 +399,11 @@ bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour
     return !colour_is_black(*through);
 }
 
-void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room)
+void begin_tints(pov_hits *tints, const world *w, double tmax, tint_room *room)
 {
-    *tints = *hits;
-    tints->want = POV_WANT_ALL;
+    begin_hits(tints, w, tmax, POV_WANT_ALL, room->crossings);
     tints->count_only = true;
     tints->capacity = room->capacity;
-    tints->at = room->crossings;
     tints->grow = crossings_grow;
     tints->user = room;
 }
@@ -425,7 +423,7 @@ bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax
     begin(&q, w, k, ray, tmax, POV_WANT_ANY, &room->blocking);
     q.any_blocks = !w->plan.coloured_shadows;
     if (!q.any_blocks)
-        begin_tints(&q.tints, &q.hits, room);
+        begin_tints(&q.tints, w, tmax, room);
     blocked = begin_shadow(&q, w) || (w->has_tree && w->walks->any_order(&q.walk));
     k->decided += q.hits.decided + (q.any_blocks ? 0 : q.tints.decided);
     return end_light(w, blocked, q.any_blocks ? NULL : &q.tints, through);

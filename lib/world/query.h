@@ -89,8 +89,8 @@ static inline bool passes_through(const run *r, const pov_meeting *m, const pov_
     return true;
 }
 
-/* From the hits of the shapes that block to those of the transparent ones. */
-void begin_tints(pov_hits *tints, const pov_hits *hits, tint_room *room);
+/* The hits of the transparent shapes. (A copy of those that block would wait until these are stored.) */
+void begin_tints(pov_hits *tints, const world *w, double tmax, tint_room *room);
 
 /* blocked: something that blocks stands on the way; tints: what transparent shapes were crossed, or NULL. False: nothing
  * is left of the light. */
