@@ -29,6 +29,10 @@ typedef struct company {
     uint32_t frame;
 } COMPANY_ALIGNED company;
 
+/* Of rays that are taken into a frame in floats. In the units of bvh_walk.h: twice |b| + |o| for 1/d, of a rounded d; |b|
+ * for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6 |o|. */
+#define COMPANY_SLACK 0x1p-21f
+
 typedef struct company_entry { uint64_t key, lanes; } company_entry;
 
 /* Up to four: to take each of them to all children costs less than to take all to each child. */

@@ -35,19 +35,20 @@ COMPANY_TARGET static inline void COMPANY_NAME(place_axis)(company *c, double ce
     const double *restrict per_length = side->per_length;
     float *restrict inverses = c->inverse[k], *restrict near = c->near_offset[k], *restrict far = c->far_offset[k];
     float *restrict org_out = side->framed.org[k], *restrict dir_out = side->framed.dir[k];
+    const float least = (float)BVH_LEAST;
     const uint32_t width = c->width;
     uint32_t i;
 
     for (i = 0; i < width; i++) {
-        const double o = (org[i] - centre + org_lo[i]) * scale, d = dir[i] * per_length[i], a = fabs(d);
-        const double inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
-        const double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
+        const float o = (float)((org[i] - centre + org_lo[i]) * scale), d = (float)(dir[i] * per_length[i]);
+        const float a = fabsf(d), inverse = 1.0f / copysignf(a > least ? a : least, d);
+        const float slack = fabsf(inverse) * (1.0f + fabsf(o)) * COMPANY_SLACK;
 
-        inverses[i] = (float)inverse;
-        near[i] = (float)(o * inverse + slack);
-        far[i] = (float)(o * inverse - slack);
-        org_out[i] = (float)o;
-        dir_out[i] = (float)d;
+        inverses[i] = inverse;
+        near[i] = o * inverse + slack;
+        far[i] = o * inverse - slack;
+        org_out[i] = o;
+        dir_out[i] = d;
     }
 }
 
