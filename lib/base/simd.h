@@ -3,6 +3,9 @@
 #ifndef BASE_SIMD_H
 #define BASE_SIMD_H
 
+#include <stdint.h>
+#include <string.h>
+
 /* Sanitizers cannot run in the resolvers that pick a clone. */
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
@@ -36,10 +39,6 @@
 
 /* Four structures' doubles by place. Stored one by one they would be waited for when vectors of them are loaded. */
 #if defined(__AVX__) && defined(__GNUC__)
-#include <stdint.h>
-#include <string.h>
-
-#define SIMD_TRANSPOSES 1
 typedef double simd_four __attribute__((vector_size(32)));
 typedef int64_t simd_places __attribute__((vector_size(32)));
 #ifdef __clang__
@@ -70,6 +69,20 @@ SIMD_INLINE void simd_transpose(const void *const from[4], size_t offset, double
     simd_store_four(x, SIMD_PICK(more_ab, more_cd, 0, 1, 4, 5));
     simd_store_four(y, SIMD_PICK(ab, cd, 2, 3, 6, 7));
     simd_store_four(z, SIMD_PICK(more_ab, more_cd, 2, 3, 6, 7));
+}
+#else
+SIMD_INLINE void simd_transpose(const void *const from[4], size_t offset, double *w, double *x, double *y, double *z)
+{
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        const char *at = (const char *)from[i] + offset;
+
+        memcpy(w + i, at, sizeof *w);
+        memcpy(x + i, at + sizeof *w, sizeof *x);
+        memcpy(y + i, at + 2 * sizeof *w, sizeof *y);
+        memcpy(z + i, at + 3 * sizeof *w, sizeof *z);
+    }
 }
 #endif
 

@@ -2,22 +2,26 @@
 
 #include "base/simd.h"
 
-/* odd: not zero where a ray is out of the range that filters are promised. */
-SIMD_CLONES static void derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length,
-                               double *restrict odd)
-{
-    uint32_t i;
-
-    for (i = 0; i < n; i++)
-        odd[i] = side_derive(s, i, end, length);
-}
-
 /* Lanes are gone through by eights. */
 static inline uint32_t width(uint32_t n) { return (n + 7) & ~7u; }
 
+/* True: all are in the range that filters are promised, or else `in` says which. */
+SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length,
+                               int64_t *restrict in)
+{
+    int64_t all = -1;
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        in[i] = side_derive(s, i, end, length);
+        all &= in[i];
+    }
+    return all != 0;
+}
+
 static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which, double end)
 {
-    double odd[WORLD_MANY];
+    int64_t in[WORLD_MANY];
     uint64_t alone = 0;
     uint32_t n = 0, i;
 
@@ -31,12 +35,11 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
         c->rays[i] = c->rays[n - 1];
     for (i = 0; i < width(n); i += 4)
         side_put_four(&c->party.side, i, c->rays + i);
-    derive(&c->party.side, width(n), end, c->party.length, odd);
-    for (i = 0; i < width(n); i++) {
+    for (i = 0; i < width(n); i++)
         c->party.limit[i] = c->tmax;
-        if (odd[i] != 0.0 && i < n)
-            alone |= bit_of(i);
-    }
+    if (!derive(&c->party.side, width(n), end, c->party.length, in))
+        for (i = 0; i < n; i++)
+            alone |= in[i] ? 0 : bit_of(i);
     return alone;
 }
 
@@ -77,27 +80,40 @@ uint64_t company_stand_in_list(company *c, uint64_t lanes)
 /* Fewer rays of one octant are better off alone. */
 enum { COMPANY_LEAST = 8 };
 
+static bool are_of_one(const pov_ray *const *rays, uint32_t n, uint32_t *octant)
+{
+    uint32_t any = 0, every = 7, i;
+
+    for (i = 0; i < n; i++) {
+        any |= bvh_octant(rays[i]);
+        every &= bvh_octant(rays[i]);
+    }
+    *octant = any;
+    return any == every;
+}
+
 /* Those of one octant go together through a tree; a list takes all. */
 static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
 {
-    uint32_t i;
+    uint32_t octant = 0, i;
 
     for (i = 0; i < 8; i++)
         of[i] = 0;
-    if (!w->has_tree)
-        of[0] = all_of(n);
+    if (!w->has_tree || are_of_one(rays, n, &octant))
+        of[octant] = all_of(n);
     else
         for (i = 0; i < n; i++)
             of[bvh_octant(rays[i])] |= bit_of(i);
 }
 
+/* Are there COMPANY_LEAST? */
 static inline bool is_company(uint64_t lanes)
 {
     uint32_t n;
 
-    for (n = 0; lanes && n < COMPANY_LEAST; lanes &= lanes - 1)
-        n++;
-    return n == COMPANY_LEAST;
+    for (n = 1; n < COMPANY_LEAST; n++)
+        lanes &= lanes - 1;
+    return lanes != 0;
 }
 
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)

@@ -68,7 +68,7 @@ static void begin(query *q, const world *w, walker *k, const pov_ray *ray, doubl
     q->walk.framed = &q->rays;
     q->waiting = 0;
     side_put(&q->rays, 0, ray);
-    q->in_range = side_derive(&q->rays, 0, tmax, &q->walk.length) == 0.0;
+    q->in_range = side_derive(&q->rays, 0, tmax, &q->walk.length) != 0;
     q->walk.per_length = q->rays.per_length[0];
     begin_hits(&q->hits, w, tmax, want, at);
 }

@@ -28,33 +28,28 @@ static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
 /* Four rays, from lane i on. */
 static inline void side_put_four(pov_rays *s, uint32_t i, const pov_ray *const rays[4])
 {
-    uint32_t j;
-#ifdef SIMD_TRANSPOSES
     const void *const from[4] = { rays[0], rays[1], rays[2], rays[3] };
+    double other[3][4];
+    uint32_t j;
 
     simd_transpose(from, offsetof(pov_ray, org), s->org[0] + i, s->org[1] + i, s->org[2] + i, s->org_lo[0] + i);
-    simd_transpose(from, offsetof(pov_ray, org_lo) + sizeof(double), s->org_lo[1] + i, s->org_lo[2] + i, s->dir[0] + i,
-                   s->dir[1] + i);
-    for (j = 0; j < 4; j++) {
-        s->dir[2][i + j] = rays[j]->dir.z;
-        s->away[i + j] = side_away(rays[j]);
-    }
-#else
+    simd_transpose(from, offsetof(pov_ray, org_lo.y), s->org_lo[1] + i, s->org_lo[2] + i, s->dir[0] + i, s->dir[1] + i);
+    simd_transpose(from, offsetof(pov_ray, dir.z), s->dir[2] + i, other[0], other[1], other[2]);
     for (j = 0; j < 4; j++)
-        side_put(s, i + j, rays[j]);
-#endif
+        s->away[i + j] = side_away(rays[j]);
 }
 
-static inline double side_is_out(double x, double least, double most)
+/* -1 or 0, as wide as a double, as loops over lanes like it best. */
+static inline int64_t side_is_in(double x, double least, double most)
 {
     const double size = fabs(x);
 
-    return size <= most && (size >= least || size == 0.0) ? 0.0 : 1.0;
+    return ((size <= most) & ((size >= least) | (size == 0.0))) ? -1 : 0;
 }
 
-/* What follows from a ray, with the length of its direction. Not zero where the ray is out of the range that filters are
- * promised. */
-static inline double side_derive(pov_rays *restrict s, uint32_t i, double tmax, double *restrict length)
+/* What follows from a ray, with the length of its direction. 0 where the ray is out of the range that filters are
+ * promised, else -1. */
+static inline int64_t side_derive(pov_rays *restrict s, uint32_t i, double tmax, double *restrict length)
 {
     const double x = s->dir[0][i], y = s->dir[1][i], z = s->dir[2][i], square = x * x + y * y + z * z;
 
@@ -63,8 +58,8 @@ static inline double side_derive(pov_rays *restrict s, uint32_t i, double tmax, 
     length[i] = square * s->per_length[i];
     s->size[i] = fabs(s->org[0][i]) + fabs(s->org[1][i]) + fabs(s->org[2][i]);
     s->tmax[i] = tmax;
-    return side_is_out(x, 1e-80, 1e80) + side_is_out(y, 1e-80, 1e80) + side_is_out(z, 1e-80, 1e80) +
-           side_is_out(s->size[i], 0.0, 1e100) + (square > 0.0 ? 0.0 : 1.0);
+    return side_is_in(x, 1e-80, 1e80) & side_is_in(y, 1e-80, 1e80) & side_is_in(z, 1e-80, 1e80) &
+           (s->size[i] <= 1e100 ? -1 : 0) & (square > 0.0 ? -1 : 0);
 }
 
 #endif

@@ -69,25 +69,11 @@ void world_approach(approaches *out, uint32_t lane, const pov_ray *ray, const hi
     put_normal(out, lane, h);
 }
 
-/* Lanes that hold nothing cost as much as others: fewer points than the least are better off alone. */
-enum { LANES = 8, POINTS_LEAST = 4 };
+/* Lanes that hold nothing cost as much as others: fewer points are better off alone. */
+enum { LANES = 4 };
 
 /* By component: where rays start, and how far they go. */
-typedef struct start_lanes {
-    double org[3][LANES], org_lo[3][LANES], t[LANES], t_lo[LANES];
-} start_lanes;
-
-static inline void put_lane(start_lanes *l, uint32_t i, const pov_ray *ray, const pov_crossing *at)
-{
-    l->org[0][i] = ray->org.x;
-    l->org[1][i] = ray->org.y;
-    l->org[2][i] = ray->org.z;
-    l->org_lo[0][i] = ray->org_lo.x;
-    l->org_lo[1][i] = ray->org_lo.y;
-    l->org_lo[2][i] = ray->org_lo.z;
-    l->t[i] = at->t;
-    l->t_lo[i] = at->t_lo;
-}
+typedef struct start_lanes { double org[3][LANES], org_lo[3][LANES], t[LANES], t_lo[LANES]; } start_lanes;
 
 static inline void find_axis(const start_lanes *l, int axis, const double *d, double *hi, double *lo)
 {
@@ -108,24 +94,44 @@ SIMD_CLONES static void find_lanes(const start_lanes *restrict l, approaches *re
     find_axis(l, 2, out->way.z + first, out->point.z + first, out->point_lo.z + first);
 }
 
+/* Four rays and what they meet. */
+static inline void put_lanes(start_lanes *l, approaches *out, uint32_t first, const void *const rays[LANES],
+                             const void *const hits[LANES])
+{
+    double other[LANES], more[LANES], most[LANES];
+
+    simd_transpose(rays, offsetof(pov_ray, org), l->org[0], l->org[1], l->org[2], l->org_lo[0]);
+    simd_transpose(rays, offsetof(pov_ray, org_lo.y), l->org_lo[1], l->org_lo[2], out->way.x + first, out->way.y + first);
+    simd_transpose(rays, offsetof(pov_ray, dir.z), out->way.z + first, other, more, most);
+    simd_transpose(hits, offsetof(hit, crossing), l->t, l->t_lo, other, more);
+}
+
+static inline void take_points(const approaches *a, uint32_t first, hit *const h[LANES])
+{
+    const void *const from[] = { a->point.x + first, a->point.y + first, a->point.z + first, a->point_lo.x + first };
+    const void *const rest[] = { a->point.z + first, a->point_lo.x + first, a->point_lo.y + first, a->point_lo.z + first };
+
+    simd_transpose(from, 0, &h[0]->point.x, &h[1]->point.x, &h[2]->point.x, &h[3]->point.x);
+    simd_transpose(rest, 0, &h[0]->point.z, &h[1]->point.z, &h[2]->point.z, &h[3]->point.z);
+}
+
+/* Past the end the last stands again. */
 static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out)
 {
     for (uint32_t first = 0; first < n; first += LANES) {
-        const uint32_t some = n - first < LANES ? n - first : LANES;
+        const void *r[LANES], *h[LANES];
+        hit *to[LANES];
         start_lanes l;
-        uint32_t i;
 
-        for (i = 0; i < LANES; i++) {
-            const uint32_t j = first + (i < some ? i : some - 1);
+        for (uint32_t i = 0; i < LANES; i++) {
+            const uint32_t j = first + i < n ? first + i : n - 1;
 
-            put_lane(&l, i, rays[j], &hits[j]->crossing);
-            lanes_put(&out->way, first + i, rays[j]->dir);
+            r[i] = rays[j];
+            h[i] = to[i] = hits[j];
         }
+        put_lanes(&l, out, first, r, h);
         find_lanes(&l, out, first);
-        for (i = first; i < first + some; i++) {
-            hits[i]->point = lanes_at(&out->point, i);
-            hits[i]->point_lo = lanes_at(&out->point_lo, i);
-        }
+        take_points(out, first, to);
     }
 }
 
@@ -172,9 +178,9 @@ void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *
     uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0;
     uint32_t i;
 
-    if (n >= POINTS_LEAST)
+    if (n >= LANES)
         find_points(rays, hits, n, out);
-    for (i = 0; n < POINTS_LEAST && i < n; i++) {
+    for (i = 0; n < LANES && i < n; i++) {
         find_point(rays[i], hits[i]);
         put_points(out, i, rays[i], hits[i]);
     }
