@@ -2,7 +2,7 @@
 #ifndef SHADE_REFRACT_H
 #define SHADE_REFRACT_H
 
-#include "model/model.h"
+#include "world/world.h"
 
 /* Lists of media by object index, one behind the other: a ray's list is a span of it, the one entered last at
  * its end. Lists are made and dropped in the order of a stack. */
@@ -28,5 +28,13 @@ bool media_push(media_stack *stack, const env *e, uint32_t which);
 /* Snell's law. View is the unit direction of the ray, normal the unit normal turned towards its start, cosine
  * the one between them (>= 0). False: total internal reflection. */
 bool refract(pov_vec3 view, pov_vec3 normal, double cosine, double before, double after, pov_vec3 *out);
+
+/* The same by lane, to the bit. */
+typedef struct bends {
+    double before[WORLD_MANY], after[WORLD_MANY];   /* also of lanes that fill the last four */
+    double squared_cosine[WORLD_MANY];              /* between the way behind the surface and the normal: > 0, or there is none */
+    vec_lanes way;
+} bends;
+void refract_many(bends *b, const vec_lanes *view, const vec_lanes *normal, const double *cosines, uint32_t n);
 
 #endif

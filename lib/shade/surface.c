@@ -101,29 +101,50 @@ static inline void mirror(pov_tracer *t, limits *l, uint32_t lane)
         reflect(t, l, lane, &look->mirror);
 }
 
+/* What rays that are bent cross, and where they go on. */
+typedef struct passages { media_crossing crossing[BATCH_MAX]; bends to; } passages;
+
+static void find_passages(const pov_tracer *t, passages *p, uint32_t n)
+{
+    const geometry *g = &t->geometry;
+    bool any = false;
+
+    for (uint32_t i = 0; i < lanes_whole(n); i++)
+        p->to.before[i] = p->to.after[i] = 1.0;
+    for (uint32_t i = 0; i < n; i++) {
+        const surface *s = &t->surfaces[i];
+
+        if (!s->look->passes)
+            continue;
+        p->crossing[i] = media_cross(&t->media, s->from->media, t->model, s->at->object);
+        p->to.before[i] = p->crossing[i].before;
+        p->to.after[i] = p->crossing[i].after;
+        any = true;
+    }
+    if (any)
+        refract_many(&p->to, &g->view, &g->to.normal, g->cosine, n);
+}
+
 /* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted
  * ray; a mirrored one stays in what it was in. */
-static void bend(pov_tracer *t, limits *l, uint32_t lane)
+static void part(pov_tracer *t, limits *l, const passages *p, uint32_t lane)
 {
     const surface *s = &t->surfaces[lane];
-    const geometry *g = &t->geometry;
-    const pov_vec3 view = lanes_at(&g->view, lane), normal = lanes_at(&g->to.normal, lane);
-    const media_crossing c = media_cross(&t->media, s->from->media, t->model, s->at->object);
+    const media_crossing *c = &p->crossing[lane];
     const uint32_t before = t->mirrored->count;
-    pov_vec3 direction;
     path *out;
 
-    if (c.before == c.after) {
+    if (c->before == c->after) {
         out = pass(t, l, s);
-    } else if (refract(view, normal, g->cosine[lane], c.before, c.after, &direction)) {
-        out = leave_across(t->passed, l, s, direction, true);
+    } else if (p->to.squared_cosine[lane] > 0.0) {
+        out = leave_across(t->passed, l, s, lanes_at(&p->to.way, lane), true);
     } else {
         reflect(t, l, lane, &whole);
         t->counts.inner_reflections += t->mirrored->count - before;
         return;
     }
     mirror(t, l, lane);
-    if (out && !media_pass(&t->media, t->env, &out->media, &c))
+    if (out && !media_pass(&t->media, t->env, &out->media, c))
         t->failed = true;
     t->passed->count += out != NULL;
 }
@@ -131,12 +152,15 @@ static void bend(pov_tracer *t, limits *l, uint32_t lane)
 void surface_branch(pov_tracer *t, uint32_t n)
 {
     limits l = { t->model->max_trace_level, (float)t->model->adc_bailout, 0, 0 };
+    passages p;
 
+    if (t->plan->refraction)
+        find_passages(t, &p, n);
     for (uint32_t i = 0; i < n; i++) {
         const surface *s = &t->surfaces[i];
 
         if (s->look->passes && t->plan->refraction) {
-            bend(t, &l, i);
+            part(t, &l, &p, i);
         } else {
             mirror(t, &l, i);
             if (s->look->passes)

@@ -64,6 +64,41 @@ static void refract_leaves_on_the_other_side_also_when_grazing(void **state)
     }
 }
 
+/* Lane i of n: what surfaces of these media on both sides make of a ray at an angle of its own. */
+static void assert_bent_alike(const double *iors, uint32_t count, uint32_t n)
+{
+    vec_lanes view, normal;
+    double cosines[WORLD_MANY];
+    bends b;
+
+    for (uint32_t i = 0; i < WORLD_MANY; i++) {
+        const double angle = 1.57 / WORLD_MANY * i;
+        lanes_put(&view, i, coming_at(angle));
+        lanes_put(&normal, i, pov_vec3_of(0.0, 1.0, 0.0));
+        cosines[i] = cos(angle);
+        b.before[i] = iors[i % count];
+        b.after[i] = iors[i / count % count];
+    }
+    refract_many(&b, &view, &normal, cosines, n);
+    for (uint32_t i = 0; i < n; i++) {
+        pov_vec3 one, way = lanes_at(&b.way, i);
+        assert_int_equal(refract(lanes_at(&view, i), lanes_at(&normal, i), cosines[i], b.before[i], b.after[i], &one),
+                         b.squared_cosine[i] > 0.0);
+        assert_memory_equal(&way, &one, sizeof one);
+    }
+}
+
+static void refract_many_bends_as_refract_to_the_bit(void **state)
+{
+    static const double iors[] = { 1.0, 1.5, 1.0 + 1e-15, 2.4 }, odd[] = { 1.0, 1e100, 1e-100 };
+    (void)state;
+
+    for (uint32_t n = 1; n <= WORLD_MANY; n++) {
+        assert_bent_alike(iors, 4, n);
+        assert_bent_alike(odd, 3, n);
+    }
+}
+
 static void refract_ends_at_the_critical_angle(void **state)
 {
     double critical = asin(1.0 / 1.5);
@@ -178,6 +213,7 @@ int main(void)
         cmocka_unit_test(refract_obeys_snell_at_all_angles),
         cmocka_unit_test(refract_bends_by_what_an_ior_of_one_and_1e_11_asks),
         cmocka_unit_test(refract_leaves_on_the_other_side_also_when_grazing),
+        cmocka_unit_test(refract_many_bends_as_refract_to_the_bit),
         cmocka_unit_test(refract_ends_at_the_critical_angle),
         cmocka_unit_test(the_medium_is_the_one_entered_last),
         cmocka_unit_test(leaving_a_medium_that_is_not_the_last_bends_nothing),
