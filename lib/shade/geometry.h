@@ -14,10 +14,10 @@ void geometry_find(pov_tracer *t, uint32_t n);
  * loops.) */
 static inline int64_t geometry_unit(double x, double y, double z, pov_vec3 *out)
 {
-    const double largest = pov_largest(pov_vec3_of(x, y, z)), length = sqrt(x * x + y * y + z * z);
+    const double square = x * x + y * y + z * z, length = sqrt(square);
 
     *out = pov_vec3_of(x / length, y / length, z / length);
-    return (largest >= 1e-120) & (largest <= 1e120) ? -1 : 0;
+    return (square >= 1e-239) & (square <= 1e239) ? -1 : 0;
 }
 
 #endif

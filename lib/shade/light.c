@@ -12,6 +12,9 @@ typedef struct sight {
     vec_lanes way;               /* from the surface to the light */
     double cosine[BATCH_MAX];    /* between it and the normal */
     double gloss[BATCH_MAX];     /* ... and the mirrored ray */
+    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* what they send on when nothing stands in the way */
+    uint32_t odd[BATCH_MAX];     /* 1: that is not known yet */
+    uint32_t faces[BATCH_MAX], gives[BATCH_MAX];   /* 1: the light is before it; and it sends anything on */
 } sight;
 
 static inline void see(sight *s, const geometry *g, uint32_t i, pov_vec3 direction)
@@ -77,32 +80,82 @@ static bool look_at_light(sight *s, const geometry *g, const light *l, uint32_t 
     return found != 0;
 }
 
-/* What white light becomes on its way to the ray's start. Highlights that are lost in the sum are not computed: all its
- * components are then as large as PLAN_VISIBLE, because the smallest is. */
-static inline colour answer(const model *m, const plan_look *look, double cosine, double gloss)
+/* What white light becomes on its way to the ray's start, with a highlight. */
+static colour answer(const model *m, const plan_look *look, double cosine, double gloss)
 {
-    const float part = look->body * (float)cosine;
-    const colour sum = colour_scale(look->pigment, part);
-    float strength;
+    const colour body = colour_scale(look->pigment, look->body * (float)cosine);
+    const float strength = look->material->phong * pigment_power(gloss, look);
 
-    if (!(gloss > look->gloss_least) || (gloss <= look->dull && fabsf(look->pigment_least * part) >= PLAN_VISIBLE))
-        return sum;
-    strength = look->material->phong * pigment_power(gloss, look);
-    return colour_add(sum, colour_scale(pigment_highlight(m, look->material, cosine), strength));
+    return colour_add(body, colour_scale(pigment_highlight(m, look->material, cosine), strength));
 }
 
-/* What a light gives where nothing can stand in the way. */
-static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
+static inline float lesser(float a, float b) { return a < b ? a : b; }
 
-/* Note the ray from a surface to the light: the n-th. */
-static inline void ask(light_rays *l, uint32_t n, uint32_t lane, pov_vec3 way, colour given)
+/* What becomes of the light's colour, of all; its highlights to the bit as above. Those that are lost in the sum do not count:
+ * all its components are then as large as PLAN_VISIBLE. False: some are odd. */
+SIMD_CLONES static bool answer_plain(sight *restrict s, const finishes *restrict f, colour of, uint32_t n)
 {
-    pov_ray *ray = &l->room[lane];
+    uint32_t odd = 0;
 
-    ray->dir = way;
-    l->rays[n] = ray;
-    l->given[n] = given;
-    l->of[n] = (uint8_t)lane;
+    for (uint32_t i = 0; i < n; i++) {
+        const double gloss = s->gloss[i], product = pigment_product(gloss, f->power[i]);
+        const float part = f->body[i] * (float)s->cosine[i];
+        const float red = f->red[i] * part, green = f->green[i] * part, blue = f->blue[i] * part;
+        const float lo = f->phong[i] * pigment_lo(product), hi = f->phong[i] * pigment_hi(product);
+        const bool lost = (gloss <= f->dull[i]) & (lesser(fabsf(red), lesser(fabsf(green), fabsf(blue))) >= PLAN_VISIBLE);
+        const bool shines = (gloss > 0.0) & !lost;
+        const float strength = shines ? lo : 0.0f;
+
+        s->odd[i] = shines & !(lo == hi);
+        odd |= s->odd[i];
+        s->red[i] = of.r * (red + strength);
+        s->green[i] = of.g * (green + strength);
+        s->blue[i] = of.b * (blue + strength);
+        s->faces[i] = s->cosine[i] > 0.0;
+        s->gives[i] = (s->cosine[i] > 0.0) & !colour_is_black(colour_of(s->red[i], s->green[i], s->blue[i]));
+    }
+    return !odd;
+}
+
+static void answer_all(const pov_tracer *t, sight *s, colour of, uint32_t n)
+{
+    const light_rays *l = &t->light_rays;
+
+    if (answer_plain(s, &l->finishes, of, n))
+        return;
+    for (uint32_t k = 0; k < l->lit_count; k++) {
+        const uint32_t i = l->lit[k];
+        colour c;
+
+        if (!s->odd[i])
+            continue;
+        c = colour_mul(of, answer(t->model, t->surfaces[i].look, s->cosine[i], s->gloss[i]));
+        s->red[i] = c.r;
+        s->green[i] = c.g;
+        s->blue[i] = c.b;
+        s->gives[i] = s->faces[i] & !colour_is_black(c);
+    }
+}
+
+static inline colour given_at(const sight *s, uint32_t i) { return colour_of(s->red[i], s->green[i], s->blue[i]); }
+
+/* The rays from lit surfaces that the light is before and that send anything on. Nothing is decided by branches, which
+ * nobody could guess. Returns how many the light is before. */
+static uint32_t aim(light_rays *l, const sight *s)
+{
+    uint32_t facing = 0, count = 0;
+
+    for (uint32_t k = 0; k < l->lit_count; k++) {
+        const uint8_t i = l->lit[k];
+
+        l->room[i].dir = lanes_at(&s->way, i);
+        l->rays[count] = &l->room[i];
+        l->of[count] = i;
+        facing += s->faces[i];
+        count += s->gives[i];
+    }
+    l->count = count;
+    return facing;
 }
 
 static bool any_on_spot(const pov_tracer *t, const light_rays *l)
@@ -128,21 +181,33 @@ static uint64_t light_each(pov_tracer *t, const light_rays *l, colour *through)
     return lit;
 }
 
-static void send(pov_tracer *t)
+/* Of the rays to a light those that get there. */
+static uint64_t send(pov_tracer *t, colour *through)
+{
+    const light_rays *l = &t->light_rays;
+
+    t->counts.shadow += l->count;
+    if (t->spots.count > 0 && any_on_spot(t, l))
+        return light_each(t, l, through);
+    return world_light_path_many(t->world, t->walker, l->rays, l->count, 1.0, through);
+}
+
+static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
+
+static void light_up(pov_tracer *t, const sight *s)
 {
     const light_rays *l = &t->light_rays;
     colour through[BATCH_MAX];
-    uint64_t lit;
 
-    t->counts.shadow += l->count;
-    lit = t->spots.count > 0 && any_on_spot(t, l)
-              ? light_each(t, l, through)
-              : world_light_path_many(t->world, t->walker, l->rays, l->count, 1.0, through);
-    for (; lit; lit &= lit - 1) {
-        const uint32_t i = first_of64(lit);
+    if (!t->plan->shadows)
+        for (uint32_t i = 0; i < l->count; i++)
+            add_light(&t->surfaces[l->of[i]], given_at(s, l->of[i]));
+    else
+        for (uint64_t lit = send(t, through); lit; lit &= lit - 1) {
+            const uint32_t i = first_of64(lit);
 
-        add_light(&t->surfaces[l->of[i]], colour_mul(l->given[i], through[i]));
-    }
+            add_light(&t->surfaces[l->of[i]], colour_mul(given_at(s, l->of[i]), through[i]));
+        }
 }
 
 /* What rays from the lit surfaces leave, at these cosines. NULL: at none so small that it matters. */
@@ -157,42 +222,36 @@ static void name_left(pov_tracer *t, const double *cosines)
     }
 }
 
-/* The rays of the lit surfaces to one light, but for those that it cannot change anything about. */
+/* What one light gives the lit surfaces. */
 static void shine(pov_tracer *t, const light *l, uint32_t n)
 {
     light_rays *rays = &t->light_rays;
-    const uint32_t lit_count = rays->lit_count;
-    const bool shadows = t->plan->shadows;
-    uint32_t behind = 0, idle = 0, asked = 0;
+    uint32_t facing;
     sight s;
     const bool grazing = look_at_light(&s, &t->geometry, l, lanes_whole(n));
 
     if (grazing)
         name_left(t, s.cosine);
-    for (uint32_t k = 0; k < lit_count; k++) {
-        const uint32_t i = rays->lit[k];
-        colour given;
-
-        if (!(s.cosine[i] > 0.0)) {
-            behind++;
-            continue;
-        }
-        given = colour_mul(l->color, answer(t->model, t->surfaces[i].look, s.cosine[i], s.gloss[i]));
-        if (!(given.r > 0.0f) && colour_is_black(given))
-            idle++;
-        else if (shadows)
-            ask(rays, asked++, i, lanes_at(&s.way, i), given);
-        else
-            add_light(&t->surfaces[i], given);
-    }
-    t->counts.shadow_behind += behind;
-    t->counts.shadow_idle += idle;
-    rays->count = asked;
-    if (asked > 0)
-        send(t);
+    answer_all(t, &s, l->color, lanes_whole(n));
+    facing = aim(rays, &s);
+    t->counts.shadow_behind += rays->lit_count - facing;
+    t->counts.shadow_idle += facing - rays->count;
+    if (rays->count > 0)
+        light_up(t, &s);
     if (grazing)
         name_left(t, NULL);
     t->failed = t->failed || walker_failed(t->walker);
+}
+
+static inline void finish(finishes *f, uint32_t i, const plan_look *look)
+{
+    f->red[i] = look->pigment.r;
+    f->green[i] = look->pigment.g;
+    f->blue[i] = look->pigment.b;
+    f->body[i] = look->body;
+    f->phong[i] = look->phong;
+    f->dull[i] = look->dull;
+    f->power[i] = look->power;
 }
 
 /* The surfaces that lights change; rays from them start all alike, to whatever light. */
@@ -209,6 +268,7 @@ static void begin(pov_tracer *t, uint32_t n)
         if (!s->look->lit)
             continue;
         l->lit[count++] = (uint8_t)i;
+        finish(&l->finishes, i, s->look);
         ray->org = s->at->point;
         ray->org_lo = s->at->point_lo;
         world_leave(ray, s->at, 1.0);

@@ -53,14 +53,21 @@ typedef struct geometry {
     double cosine[BATCH_MAX];    /* between normal and the way back, >= 0 */
 } geometry;
 
+/* How lit surfaces answer light, by lane. */
+typedef struct finishes {
+    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], body[BATCH_MAX], phong[BATCH_MAX];   /* as plan_look has them */
+    double dull[BATCH_MAX];
+    int64_t power[BATCH_MAX];
+} finishes;
+
 /* Rays to one light. */
 typedef struct light_rays {
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];
     uint8_t of[BATCH_MAX];       /* lanes of the surfaces that ask for it */
-    colour given[BATCH_MAX];     /* what the surface sends on when nothing stands in the way */
     uint32_t lit_count;
     uint8_t lit[BATCH_MAX];      /* lanes of the surfaces that lights change */
+    finishes finishes;
     pov_ray *room;               /* each surface's, whose direction is the current light's: that of t->mirrored, which
                                   * is empty until all lights are done, so that fewer lines of memory are in use */
 } light_rays;

@@ -189,6 +189,15 @@ static uint32_t power_of(const material *of)
     return size >= 1.0f && size <= (float)PLAN_POWER_MAX && size == floorf(size) ? (uint32_t)size : 0;
 }
 
+static float phong_of(const plan *p, const material *of)
+{
+    const uint32_t power = power_of(of);
+
+    if (!p->highlights || of->phong == 0.0f)
+        return 0.0f;
+    return power > 0 && power <= PLAN_POWER_EASY && of->metallic == 0.0f ? of->phong : NAN;
+}
+
 static plan_look look_of(const plan *p, const model *m, const material *of)
 {
     const float opacity = opacity_of(m, of);
@@ -197,11 +206,10 @@ static plan_look look_of(const plan *p, const model *m, const material *of)
     l.lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
     l.mirrors = p->reflection && !colour_is_black(of->reflection);
     l.passes = p->transmission && material_is_transparent(of);
-    l.gloss_least = p->highlights && of->phong != 0.0f ? 0.0 : HUGE_VAL;
-    l.dull = l.gloss_least > 0.0 ? 0.0 : dull_of(of);
+    l.phong = phong_of(p, of);
+    l.dull = l.phong == 0.0f ? 0.0 : dull_of(of);
     l.power = power_of(of);
     l.pigment = of->pigment;
-    l.pigment_least = fminf(fabsf(of->pigment.r), fminf(fabsf(of->pigment.g), fabsf(of->pigment.b)));
     l.body = opacity * of->diffuse;
     l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
     l.mirror = coefficient_of(of->reflection);

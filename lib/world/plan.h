@@ -9,18 +9,16 @@ typedef struct plan_row { bool used; const char *subject, *state, *reason; } pla
 typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
 
 #define PLAN_VISIBLE 0x1p-8f
-enum { PLAN_POWER_MAX = 1024 };
+enum { PLAN_POWER_EASY = 255, PLAN_POWER_MAX = 1024 };
 
 /* What of a material counts in this scene, worked out once and not at every hit. */
 typedef struct plan_look {
     bool lit, mirrors, passes;   /* lights change something about it; rays go on from it, mirrored or through it */
-    double gloss_least;          /* of no more gloss (cosine between mirrored ray and light) there is no highlight: 0,
-                                  * or infinite where there is none at all */
-    double dull;                 /* what a gloss of no more than that adds is lost in any float of PLAN_VISIBLE or
-                                  * more */
+    double dull;                 /* what a gloss (cosine between mirrored ray and light) of no more than that adds is lost
+                                  * in any float of PLAN_VISIBLE or more */
     uint32_t power;              /* phong_size where that is a whole number from 1 to PLAN_POWER_MAX, or 0 */
+    float phong;                 /* 0: no highlight; not a number: one that is coloured, or of no power of up to PLAN_POWER_EASY */
     colour pigment;
-    float pigment_least;         /* the smallest absolute component */
     float body;                  /* the part of its colour by which it gives light back all round */
     colour glow;                 /* what it sends by itself */
     coefficient mirror, filter;  /* what is mirrored, and what passes it, is multiplied by */
