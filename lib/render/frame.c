@@ -1,5 +1,7 @@
 #include "render/frame.h"
 
+#include "base/pages.h"
+
 #include <string.h>
 
 bool frame_make(frame *f, const env *e, const tiles *t, int first_step)
@@ -13,8 +15,10 @@ bool frame_make(frame *f, const env *e, const tiles *t, int first_step)
         f->passes++;
     if (height <= SIZE_MAX / 16 / width)
         f->pixels = env_resize(e, NULL, width * height, 4 * sizeof(float));
-    if (f->pixels)
+    if (f->pixels) {
+        pages_expect(f->pixels, width * height * 4 * sizeof(float));
         f->done = env_alloc(e, t->count, 1);
+    }
     return f->done != NULL;
 }
 
