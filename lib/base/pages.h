@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* A block that is about to be filled, and will be used all over. Systems that have larger pages may then take them, which
- * are fewer to fetch and to look up. What it holds does not change. */
+/* A block that is about to be filled, and will be used all over. Systems that have larger pages may then take them,
+ * which are fewer to fetch. What the block holds does not change. */
 void pages_expect(void *block, size_t bytes);
 
 #endif

@@ -91,8 +91,8 @@ static colour answer(const model *m, const plan_look *look, double cosine, doubl
 
 static inline float lesser(float a, float b) { return a < b ? a : b; }
 
-/* What becomes of the light's colour, of all; its highlights to the bit as above. Those that are lost in the sum do not count:
- * all its components are then as large as PLAN_VISIBLE. False: some are odd. */
+/* What of the light's colour all send on, to the bit as above where there is a highlight. One that is lost in the sum
+ * is none: all components of that are then as large as PLAN_VISIBLE. False: some are odd. */
 SIMD_CLONES static bool answer_plain(sight *restrict s, const finishes *restrict f, colour of, uint32_t n)
 {
     uint32_t odd = 0;
@@ -102,8 +102,8 @@ SIMD_CLONES static bool answer_plain(sight *restrict s, const finishes *restrict
         const float part = f->body[i] * (float)s->cosine[i];
         const float red = f->red[i] * part, green = f->green[i] * part, blue = f->blue[i] * part;
         const float lo = f->phong[i] * pigment_lo(product), hi = f->phong[i] * pigment_hi(product);
-        const bool lost = (gloss <= f->dull[i]) & (lesser(fabsf(red), lesser(fabsf(green), fabsf(blue))) >= PLAN_VISIBLE);
-        const bool shines = (gloss > 0.0) & !lost;
+        const float least = lesser(fabsf(red), lesser(fabsf(green), fabsf(blue)));
+        const bool shines = (gloss > 0.0) & !((gloss <= f->dull[i]) & (least >= PLAN_VISIBLE));
         const float strength = shines ? lo : 0.0f;
 
         s->odd[i] = shines & !(lo == hi);

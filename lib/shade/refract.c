@@ -102,7 +102,8 @@ SIMD_CLONES static bool bend_plain(bends *restrict b, const vec_lanes *restrict 
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 way;
 
-        b->squared_cosine[i] = bend(lanes_at(view, i), lanes_at(normal, i), cosines[i], b->before[i], b->after[i], &way);
+        b->squared_cosine[i] = bend(lanes_at(view, i), lanes_at(normal, i), cosines[i], b->before[i], b->after[i],
+                                    &way);
         plain &= geometry_unit(way.x, way.y, way.z, &way);
         lanes_put(&b->way, i, way);
     }

@@ -32,7 +32,7 @@ bool refract(pov_vec3 view, pov_vec3 normal, double cosine, double before, doubl
 /* The same by lane, to the bit. */
 typedef struct bends {
     double before[WORLD_MANY], after[WORLD_MANY];   /* also of lanes that fill the last four */
-    double squared_cosine[WORLD_MANY];              /* between the way behind the surface and the normal: > 0, or there is none */
+    double squared_cosine[WORLD_MANY];              /* of the way behind the surface; 0 or less: there is none */
     vec_lanes way;
 } bends;
 void refract_many(bends *b, const vec_lanes *view, const vec_lanes *normal, const double *cosines, uint32_t n);

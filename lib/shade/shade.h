@@ -53,9 +53,9 @@ typedef struct geometry {
     double cosine[BATCH_MAX];    /* between normal and the way back, >= 0 */
 } geometry;
 
-/* How lit surfaces answer light, by lane. */
+/* How lit surfaces answer light, by lane: what plan_look says of them. */
 typedef struct finishes {
-    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], body[BATCH_MAX], phong[BATCH_MAX];   /* as plan_look has them */
+    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], body[BATCH_MAX], phong[BATCH_MAX];
     double dull[BATCH_MAX];
     int64_t power[BATCH_MAX];
 } finishes;

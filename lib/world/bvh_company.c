@@ -29,7 +29,7 @@ typedef struct company {
     uint32_t frame;
 } COMPANY_ALIGNED company;
 
-/* Of rays that are taken into a frame in floats. In the units of bvh_walk.h: twice |b| + |o| for 1/d, of a rounded d; |b|
+/* Of rays that are taken into a frame in floats. In the units of bvh_walk.h: twice |b - o| for 1/d, of a rounded d; |b|
  * for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6 |o|. */
 #define COMPANY_SLACK 0x1p-21f
 

@@ -3,8 +3,8 @@
  * Rays that start and go alike meet nearly the same boxes. So all of them together are tested against the eight
  * children of a node first: over the intervals that their 1/d and o lie in, a plane at b is met no earlier than
  * the least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What
- * floats lose there is at most 4 + 4 |o| in the units of bvh_walk.h: |b - o| for r, |b| for the product, |o| twice
- * for o and the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that
+ * floats lose there is at most 4 + 5 |o| in the units of bvh_walk.h: twice |b - o| for r, |b| for the product, |o|
+ * twice for o and the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that
  * remain each is tested against eight rays at once, with the single ray's formula. What the group's test says for
  * the order of boxes is a hint; what a ray meets does not depend on it. */
 #ifndef WORLD_BVH_COMPANY_H

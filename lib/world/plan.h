@@ -14,10 +14,11 @@ enum { PLAN_POWER_EASY = 255, PLAN_POWER_MAX = 1024 };
 /* What of a material counts in this scene, worked out once and not at every hit. */
 typedef struct plan_look {
     bool lit, mirrors, passes;   /* lights change something about it; rays go on from it, mirrored or through it */
-    double dull;                 /* what a gloss (cosine between mirrored ray and light) of no more than that adds is lost
-                                  * in any float of PLAN_VISIBLE or more */
+    double dull;                 /* what a gloss (cosine between mirrored ray and light) of no more than that adds is
+                                  * lost in any float of PLAN_VISIBLE or more */
     uint32_t power;              /* phong_size where that is a whole number from 1 to PLAN_POWER_MAX, or 0 */
-    float phong;                 /* 0: no highlight; not a number: one that is coloured, or of no power of up to PLAN_POWER_EASY */
+    float phong;                 /* of highlights that are white and of a power from 1 to PLAN_POWER_EASY; 0: there is
+                                  * none; not a number: there is another */
     colour pigment;
     float body;                  /* the part of its colour by which it gives light back all round */
     colour glow;                 /* what it sends by itself */

@@ -101,15 +101,17 @@ static inline void put_lanes(start_lanes *l, approaches *out, uint32_t first, co
     double other[LANES], more[LANES], most[LANES];
 
     simd_transpose(rays, offsetof(pov_ray, org), l->org[0], l->org[1], l->org[2], l->org_lo[0]);
-    simd_transpose(rays, offsetof(pov_ray, org_lo.y), l->org_lo[1], l->org_lo[2], out->way.x + first, out->way.y + first);
+    simd_transpose(rays, offsetof(pov_ray, org_lo.y), l->org_lo[1], l->org_lo[2], out->way.x + first,
+                   out->way.y + first);
     simd_transpose(rays, offsetof(pov_ray, dir.z), out->way.z + first, other, more, most);
     simd_transpose(hits, offsetof(hit, crossing), l->t, l->t_lo, other, more);
 }
 
 static inline void take_points(const approaches *a, uint32_t first, hit *const h[LANES])
 {
-    const void *const from[] = { a->point.x + first, a->point.y + first, a->point.z + first, a->point_lo.x + first };
-    const void *const rest[] = { a->point.z + first, a->point_lo.x + first, a->point_lo.y + first, a->point_lo.z + first };
+    const double *const z = a->point.z + first, *const x_lo = a->point_lo.x + first;
+    const void *const from[] = { a->point.x + first, a->point.y + first, z, x_lo };
+    const void *const rest[] = { z, x_lo, a->point_lo.y + first, a->point_lo.z + first };
 
     simd_transpose(from, 0, &h[0]->point.x, &h[1]->point.x, &h[2]->point.x, &h[3]->point.x);
     simd_transpose(rest, 0, &h[0]->point.z, &h[1]->point.z, &h[2]->point.z, &h[3]->point.z);
