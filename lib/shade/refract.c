@@ -15,20 +15,20 @@ static double ior_of(const model *m, uint32_t which)
     return ior > 0.0 && ior <= 1e100 ? ior : 1.0;
 }
 
-media_crossing media_cross(const media_stack *stack, media_span in, const model *m, uint32_t which)
+void media_cross(const media_stack *stack, media_span in, const model *m, uint32_t which, media_crossing *out)
 {
     const uint32_t *list = stack->items + in.first;
-    media_crossing c = { which, 0, 1.0, 1.0 };
+    size_t index = 0;
 
-    while (c.index < in.count && list[c.index] != which)
-        c.index++;
-    if (in.count > 0)
-        c.before = c.after = ior_of(m, list[in.count - 1]);
-    if (c.index == in.count)
-        c.after = ior_of(m, which);
-    else if (c.index == in.count - 1)
-        c.after = c.index > 0 ? ior_of(m, list[c.index - 1]) : 1.0;
-    return c;
+    while (index < in.count && list[index] != which)
+        index++;
+    out->object = which;
+    out->index = index;
+    out->before = out->after = in.count > 0 ? ior_of(m, list[in.count - 1]) : 1.0;
+    if (index == in.count)
+        out->after = ior_of(m, which);
+    else if (index == in.count - 1)
+        out->after = index > 0 ? ior_of(m, list[index - 1]) : 1.0;
 }
 
 bool media_push(media_stack *stack, const env *e, uint32_t which)

@@ -18,7 +18,7 @@ typedef struct media_crossing {
 
 /* The medium of a ray is the one entered last of those it is in. An object in the list is left, any other is
  * entered; to leave one that is not the last changes nothing but the list. */
-media_crossing media_cross(const media_stack *stack, media_span in, const model *m, uint32_t which);
+void media_cross(const media_stack *stack, media_span in, const model *m, uint32_t which, media_crossing *out);
 /* The list of the ray behind the crossing: a new one at the top. False: no memory. */
 bool media_pass(media_stack *stack, const env *e, media_span *in, const media_crossing *c);
 /* Drop everything above `floor` but the span, which moves down onto it. */

@@ -116,7 +116,7 @@ static void find_passages(const pov_tracer *t, passages *p, uint32_t n)
 
         if (!s->look->passes)
             continue;
-        p->crossing[i] = media_cross(&t->media, s->from->media, t->model, s->at->object);
+        media_cross(&t->media, s->from->media, t->model, s->at->object, &p->crossing[i]);
         p->to.before[i] = p->crossing[i].before;
         p->to.after[i] = p->crossing[i].after;
         any = true;
