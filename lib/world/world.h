@@ -96,10 +96,13 @@ void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *
  * WORLD_AWAY nothing is said of whether it goes away. */
 static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
 {
+    const pov_mark *mark = &h->crossing.mark;
+
     ray->left = h->object;
-    ray->left_mark = h->crossing.mark;
-    if (h->outside && cosine > WORLD_AWAY)
-        ray->left_mark.flags |= POV_MARK_AWAY;
+    ray->left_mark.part = mark->part;
+    ray->left_mark.flags = mark->flags | (h->outside && cosine > WORLD_AWAY ? POV_MARK_AWAY : 0);
+    ray->left_mark.u = mark->u;
+    ray->left_mark.v = mark->v;
 }
 
 /* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of
