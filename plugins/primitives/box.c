@@ -371,12 +371,16 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
 {
     uint32_t i, p;
 
-    (void)frame;
+    if (!frame)
+        return false;
     kit_box_begin(block, n);
     for (i = 0; i < n; i++)
-        for (p = 0; p < 6; p++)
-            if (!kit_box_put(block, i, p, ((const box *)selves[i])->plane[p].hi))
-                return false;
+        for (p = 0; p < 6; p++) {
+            const pov_two plane = ((const box *)selves[i])->plane[p];
+            const double centre = p < 2 ? frame->centre.x : p < 4 ? frame->centre.y : frame->centre.z;
+
+            kit_box_put(block, i, p, (plane.hi - centre + plane.lo) * frame->scale);
+        }
     return true;
 }
 
