@@ -10,9 +10,6 @@ enum { KIT_FLOATS = 8 };
 /* Half a unit in the last place of a float of one. */
 #define KIT_E 0x1p-24f
 
-/* Of rays with a size in the frame beyond this nothing is known. */
-#define KIT_NEAR 1024.0f
-
 /* As those for doubles. */
 static inline float kit_float_greater(float a, float b) { return a > b ? a : b; }
 static inline float kit_float_lesser(float a, float b) { return a < b ? a : b; }
@@ -28,6 +25,50 @@ static inline float kit_float_sum(float a, float b, float c)
 /* What is found, by lane: as of meetings, but for the bounds, which are lengths in the frame. */
 typedef struct kit_chords { float lo[KIT_FLOATS], hi[KIT_FLOATS]; uint32_t maybe, surely, twice; } kit_chords;
 
+/* The same, before conditions are bits. */
+typedef struct kit_conditions { kit_bits maybe, surely, twice; } kit_conditions;
+
+/* maybe: those of `some`. */
+static inline void kit_gather(const kit_conditions *c, uint32_t some, kit_chords *out)
+{
+    out->maybe = some & kit_gather_bits(&c->maybe);
+    out->surely = kit_gather_bits(&c->surely);
+    out->twice = kit_gather_bits(&c->twice);
+}
+
+/* Before what a ray passes here it is no further away than its tmax for certain. */
+KIT_INLINE float kit_sure_end(const pov_rays *rays, size_t at)
+{
+    return rays->framed.smax[at] * (1.0f - 16.0f * KIT_E) - 8.0f * KIT_E * rays->framed.size[at];
+}
+
+/* The size of a ray in the frame; without end if nothing is known of it. */
+KIT_INLINE float kit_size(const pov_rays *rays, size_t at)
+{
+    return rays->framed.size[at] < 1024.0f ? rays->framed.size[at] : HUGE_VALF;
+}
+
+/* Puts a meeting of each lane of `maybe` after the n that there are; gives how many there are then. Lanes are rays, from
+ * `ray` on, at one shape, or shapes from `shape` on, that one ray is at. */
+KIT_INLINE uint32_t kit_tell_chords(const kit_chords *c, const pov_rays *rays, uint32_t ray, uint32_t shape, bool of_rays,
+                                    pov_meeting *out, uint32_t n)
+{
+    uint32_t mask;
+
+    for (mask = c->maybe; mask; mask &= mask - 1, n++) {
+        const uint32_t i = kit_first_lane(mask), at = of_rays ? ray + i : ray;
+        const double shift = rays->framed.shift[at], unit = rays->framed.unit[at];
+
+        out[n].lo = shift + (double)c->lo[i] * unit;
+        out[n].hi = shift + (double)c->hi[i] * unit;
+        out[n].ray = (uint8_t)at;
+        out[n].lane = (uint8_t)(of_rays ? shape : shape + i);
+        out[n].surely = c->surely >> i & 1;
+        out[n].twice = c->twice >> i & 1;
+    }
+    return n;
+}
+
 /* Are more than n of these bits set? */
 static inline bool kit_are_more(uint32_t bits, uint32_t n)
 {
@@ -36,41 +77,42 @@ static inline bool kit_are_more(uint32_t bits, uint32_t n)
     return bits != 0;
 }
 
-/* Puts what one lane says after the n meetings that there are. */
-KIT_INLINE void kit_tell_chord(const kit_chords *c, uint32_t i, const pov_rays *rays, uint32_t ray, uint32_t shape,
-                               pov_meeting *out)
+/* Of `some`: eight rays, from `from` on, at one shape of a block; one ray at all of its shapes. */
+typedef void kit_meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                           kit_chords *restrict out);
+typedef void kit_meet_shapes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out);
+
+/* A filter. Rays and shapes are taken by eights; those of which there are more stand in the lanes. */
+KIT_INLINE uint32_t kit_filter_by_eights(const void *block, uint32_t count, const uint32_t *owners, const pov_rays *rays,
+                                         uint64_t lanes, kit_meet_rays *meet_rays, kit_meet_shapes *meet_shapes,
+                                         pov_meeting *out)
 {
-    const double shift = rays->framed.shift[ray], unit = rays->framed.unit[ray];
+    const uint32_t all = (1u << count) - 1;
+    uint32_t n = 0, which;
+    kit_chords c;
 
-    out->lo = shift + (double)c->lo[i] * unit;
-    out->hi = shift + (double)c->hi[i] * unit;
-    out->ray = (uint8_t)ray;
-    out->lane = (uint8_t)shape;
-    out->surely = c->surely >> i & 1;
-    out->twice = c->twice >> i & 1;
-}
+    while (lanes) {
+        const uint32_t from = kit_first_lane64(lanes) / KIT_FLOATS * KIT_FLOATS;
+        uint32_t some = (uint32_t)(lanes >> from) & 255u;
+        const bool of_rays = kit_are_more(some, count);
 
-/* Both give how many meetings there are then: of a shape and the rays from `from` on, of a ray and the shapes. */
-static inline uint32_t kit_tell_rays_chords(const kit_chords *c, const pov_rays *rays, uint32_t from, uint32_t shape,
-                                            pov_meeting *out, uint32_t n)
-{
-    uint32_t mask;
+        lanes &= ~((uint64_t)255 << from);
+        for (which = 0; of_rays && which < count; which++) {
+            const uint32_t stay = some & ~kit_owned_by(rays->away + from, owners[which]);
 
-    for (mask = c->maybe; mask; mask &= mask - 1, n++) {
-        const uint32_t i = kit_first_lane(mask);
-        kit_tell_chord(c, i, rays, from + i, shape, &out[n]);
-    }
-    return n;
-}
+            if (!stay)
+                continue;
+            meet_rays(block, which, rays, from, stay, &c);
+            n = kit_tell_chords(&c, rays, from, which, true, out, n);
+        }
+        for (; !of_rays && some; some &= some - 1) {
+            const uint32_t at = from + kit_first_lane(some), stay = all & ~kit_owned_by(owners, rays->away[at]);
 
-static inline uint32_t kit_tell_shapes_chords(const kit_chords *c, const pov_rays *rays, uint32_t ray, pov_meeting *out,
-                                              uint32_t n)
-{
-    uint32_t mask;
-
-    for (mask = c->maybe; mask; mask &= mask - 1, n++) {
-        const uint32_t i = kit_first_lane(mask);
-        kit_tell_chord(c, i, rays, ray, i, &out[n]);
+            if (!stay)
+                continue;
+            meet_shapes(block, rays, at, stay, &c);
+            n = kit_tell_chords(&c, rays, at, 0, false, out, n);
+        }
     }
     return n;
 }

@@ -35,19 +35,17 @@ bool kit_frustum_absorb(void *self, const pov_affine *map);
 
 /* ---- blocks ---- */
 
+/* In the frame, and the rows for points in it. Local coordinates are seen from the middle of the axis here. */
 typedef struct kit_frustum_block {
-    double anchor[3][POV_BLOCK_MAX], row[3][3][POV_BLOCK_MAX];   /* rows for points as they are */
-    double radius[POV_BLOCK_MAX], slope[POV_BLOCK_MAX], height[POV_BLOCK_MAX];
-    double size[POV_BLOCK_MAX];  /* the largest entry of the rows */
-    double reach;                /* nothing considered is further from the origin, by sum of sizes */
-    uint32_t lanes, open;        /* by bits: holds a shape; has no caps */
+    float centre[3][POV_BLOCK_MAX], row[3][3][POV_BLOCK_MAX];
+    float radius[POV_BLOCK_MAX], slope[POV_BLOCK_MAX], half[POV_BLOCK_MAX];   /* radius: in the middle; half of the height */
+    float wide[POV_BLOCK_MAX], high[POV_BLOCK_MAX];   /* see frustum_bounds.h */
+    float closed[POV_BLOCK_MAX]; /* one, or zero: it has no caps */
+    uint32_t count;
 } kit_frustum_block;
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
 uint32_t kit_frustum_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                             pov_meeting *out);
-/* One lane of a block and many rays: puts their meetings after the n that there are, and gives how many there are then. */
-uint32_t kit_frustum_meet_rays(const kit_frustum_block *b, uint32_t which, const pov_rays *rays, uint64_t lanes,
-                               pov_meeting *out, uint32_t n);
 
 #endif

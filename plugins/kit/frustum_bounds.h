@@ -1,138 +1,145 @@
-/* frustum_bounds.h - a ray and a cylinder or cone of a block, in plain double: does its line surely miss, and bounds on
- * where it enters and leaves. Everything stands in loops over lanes, of shapes or of rays, so it has no branches.
+/* frustum_bounds.h - a ray and a cylinder or cone of a block, in floats: does its line surely miss, and bounds on where it
+ * enters and leaves. Everything stands in loops over lanes, of shapes or of rays, so it has no branches.
  *
- * The ray is taken about its point nearest to the middle of the shape, in local coordinates, where all is as large as
- * one. There it is off by less than half of sigma = 64 u N (O + R) in each coordinate, with N the largest entry of the
- * rows and O + R what origin and shape can be: docs/numerics.md has the count. All bounds are made of that. */
+ * The ray is taken in local coordinates, seen from the middle of the axis, about its point nearest to that, which is
+ * `middle` away from its start; near the shape all is as large as one there. Its points near the shape are off by less
+ * than 12 e N (S + 2 + |middle|) in a coordinate, N being the sum of the entries of that one's row: docs/numerics.md has
+ * the count. A radius that much larger or smaller, and ends that much further apart or nearer, make the bounds safe. */
 #ifndef KIT_FRUSTUM_BOUNDS_H
 #define KIT_FRUSTUM_BOUNDS_H
 
+#include "kit/floats.h"
 #include "kit/frustum.h"
-#include "kit/simd.h"
 
-/* A shape of a block. size: the largest entry of the rows. */
-typedef struct kit_one { pov_vec3 anchor, row[3]; double radius, slope, height, size; } kit_one;
+typedef struct kit_three { float x, y, z; } kit_three;
 
-KIT_INLINE pov_vec3 kit_one_vector(const double v[3][POV_BLOCK_MAX], uint32_t i)
+/* A shape of a block, and a ray. */
+typedef struct kit_one { kit_three centre, row[3]; float radius, slope, half, wide, high, closed; } kit_one;
+typedef struct kit_way_in { kit_three org, dir; float size, smax, sure; } kit_way_in;
+
+/* Beyond this, in local coordinates, radius and ends are not known well enough to say that a ray enters; nor, beyond one,
+ * to say anything. */
+#define KIT_BLURRED 0x1p-4f
+
+KIT_INLINE float kit_dot(kit_three a, kit_three b)
 {
-    return pov_vec3_of(v[0][i], v[1][i], v[2][i]);
+    return kit_float_sum(a.z, b.z, kit_float_sum(a.y, b.y, a.x * b.x));
 }
 
-KIT_INLINE kit_one kit_one_of(const kit_frustum_block *b, uint32_t i)
+KIT_INLINE kit_three kit_turned(const kit_one *s, kit_three v)
 {
-    kit_one s;
-
-    s.anchor = kit_one_vector(b->anchor, i);
-    s.row[0] = kit_one_vector(b->row[0], i);
-    s.row[1] = kit_one_vector(b->row[1], i);
-    s.row[2] = kit_one_vector(b->row[2], i);
-    s.radius = b->radius[i];
-    s.slope = b->slope[i];
-    s.height = b->height[i];
-    s.size = b->size[i];
-    return s;
+    const kit_three r = { kit_dot(s->row[0], v), kit_dot(s->row[1], v), kit_dot(s->row[2], v) };
+    return r;
 }
 
-/* What a ray is to a shape. Where sigma is no small thing, or not a number, nothing is certain; g is the shape's size
- * times the direction's. */
-typedef struct kit_blur { double sigma, g; } kit_blur;
+/* A ray in local coordinates about its point at `middle`, and what the discriminant of the side is there with the larger
+ * radius. */
+typedef struct kit_line { kit_three p, d; float middle, discriminant; } kit_line;
 
-#define KIT_BLURRED 0x1p-8
-/* Times the sum of what origin and shape can be. */
-#define KIT_BLUR (64.0 * KIT_U)
-
-/* A ray of ordinary length and a shape as small as that leave room for the sixth power of either. */
-KIT_INLINE int kit_is_ordinary(double speed) { return (int)(speed > 1e-40) & (int)(speed < 1e40); }
-
-/* A ray in local coordinates about its point at `middle`, and the discriminant of the side there. */
-typedef struct kit_line { pov_vec3 p, d; double middle, discriminant; } kit_line;
-
-KIT_INLINE double kit_dot(pov_vec3 a, pov_vec3 b) { return kit_sum_of(a.z, b.z, kit_sum_of(a.y, b.y, a.x * b.x)); }
-
-KIT_INLINE pov_vec3 kit_turned(const kit_one *s, pov_vec3 v)
+/* What radius and ends may be off by. */
+KIT_INLINE float kit_widening(const kit_one *s, const kit_way_in *ray, float middle)
 {
-    return pov_vec3_of(kit_dot(s->row[0], v), kit_dot(s->row[1], v), kit_dot(s->row[2], v));
+    return s->wide * (ray->size + 2.0f + fabsf(middle));
 }
 
-KIT_INLINE kit_line kit_find_line(const kit_one *s, pov_vec3 org, pov_vec3 dir)
+KIT_INLINE float kit_heightening(const kit_one *s, const kit_way_in *ray, float middle)
 {
-    const pov_vec3 d = kit_turned(s, dir), f = kit_turned(s, pov_sub(org, s->anchor));
-    const double middle = -kit_dot(pov_vec3_of(f.x, f.y, f.z - 0.5 * s->height), d) / kit_dot(d, d);
-    const double x = kit_sum_of(middle, d.x, f.x), y = kit_sum_of(middle, d.y, f.y), z = kit_sum_of(middle, d.z, f.z);
-    const double r = kit_sum_of(s->slope, z, s->radius), grow = s->slope * d.z;
-    const double p = kit_sum_of(r, d.x, -(grow * x)), q = kit_sum_of(r, d.y, -(grow * y));
-    const double m = kit_sum_of(x, d.y, -(y * d.x));
+    return s->high * (ray->size + 2.0f + fabsf(middle));
+}
+
+/* The discriminant of a line with a side that has this radius at its point. */
+KIT_INLINE float kit_discriminant(const kit_line *l, float r, float grow)
+{
+    const float p = kit_float_sum(r, l->d.x, -(grow * l->p.x)), q = kit_float_sum(r, l->d.y, -(grow * l->p.y));
+    const float m = kit_float_sum(l->p.x, l->d.y, -(l->p.y * l->d.x));
+
+    return kit_float_sum(p, p, kit_float_sum(q, q, -(m * m)));
+}
+
+KIT_INLINE kit_line kit_find_line(const kit_one *s, const kit_way_in *ray)
+{
+    const kit_three from = { ray->org.x - s->centre.x, ray->org.y - s->centre.y, ray->org.z - s->centre.z };
+    const kit_three d = kit_turned(s, ray->dir), f = kit_turned(s, from);
     kit_line l;
 
-    l.p = pov_vec3_of(x, y, z);
+    l.middle = -kit_dot(f, d) / kit_dot(d, d);
     l.d = d;
-    l.middle = middle;
-    l.discriminant = kit_sum_of(p, p, kit_sum_of(q, q, -(m * m)));
+    l.p.x = kit_float_sum(l.middle, d.x, f.x);
+    l.p.y = kit_float_sum(l.middle, d.y, f.y);
+    l.p.z = kit_float_sum(l.middle, d.z, f.z);
+    l.discriminant = kit_discriminant(&l, kit_float_sum(s->slope, l.p.z, s->radius + kit_widening(s, ray, l.middle)), s->slope * d.z);
     return l;
 }
 
-/* A local point off by sigma / 2 moves the value x^2 + y^2 - r(z)^2 by less than 12 sigma, and so the discriminant by
- * that times its leading coefficient, which is below 4 G^2; G, size times speed, is no less than a component of the
- * direction. Its own roundings are below 13 sigma G^2. */
-KIT_INLINE double kit_doubt(const kit_blur *b) { return 64.0 * b->sigma * b->g * b->g; }
-
-/* The line's nearest point lies no further out than the shape's corners, of which the square is below 6. */
-KIT_INLINE int kit_line_misses(const kit_one *s, const kit_line *l, const kit_blur *b)
+/* How fast the side and the ray part at most; and what the roundings of a discriminant come to. */
+KIT_INLINE float kit_speed(const kit_one *s, const kit_line *l)
 {
-    const pov_vec3 out = pov_vec3_of(l->p.x, l->p.y, l->p.z - 0.5 * s->height);
+    return fabsf(l->d.x) + fabsf(l->d.y) + fabsf(s->slope * l->d.z);
+}
 
-    return ((int)(l->discriminant < -kit_doubt(b)) | (int)(kit_dot(out, out) > 8.0)) & (int)(b->sigma < KIT_BLURRED);
+KIT_INLINE float kit_doubt(float speed) { return 2048.0f * KIT_E * speed * speed; }
+
+KIT_INLINE float kit_blur(const kit_one *s, const kit_way_in *ray, float middle)
+{
+    return kit_float_greater(kit_widening(s, ray, middle), kit_heightening(s, ray, middle));
+}
+
+/* The line's nearest point lies no further out than the shape's corners, of which the square is then below 14. */
+KIT_INLINE int kit_line_misses(const kit_one *s, const kit_way_in *ray, const kit_line *l)
+{
+    return ((int)(l->discriminant < -kit_doubt(kit_speed(s, l))) | (int)(kit_dot(l->p, l->p) > 16.0f))
+           & (int)(kit_blur(s, ray, l->middle) < 1.0f);
 }
 
 /* Bounds on where a ray enters and leaves something: before `lo` and after `hi` it is outside, from `late` to `soon` it
  * is inside. */
-typedef struct kit_reach { double lo, late, soon, hi; } kit_reach;
+typedef struct kit_reach { float lo, late, soon, hi; } kit_reach;
 
 /* The side. With a coefficient a of one sign or the other the roots are (-b -+ sqrt D) / a. Where a is all but zero, or
  * below zero and the ray comes near to the apex, nothing is said. */
-KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_line *l, const kit_blur *b)
+KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_way_in *ray, const kit_line *l)
 {
-    const double r = kit_sum_of(s->slope, l->p.z, s->radius), grow = s->slope * l->d.z, g = b->g;
-    const pov_vec3 d = pov_vec3_of(l->d.x, l->d.y, grow), back = pov_vec3_of(d.x, d.y, -grow);
-    const double a = kit_dot(d, back), half = kit_dot(pov_vec3_of(l->p.x, l->p.y, r), back), doubt = kit_doubt(b);
-    const double least = l->discriminant - doubt, most = l->discriminant + doubt;
-    const double small = sqrt(kit_greater(least, 0.0)), large = sqrt(kit_greater(most, 0.0));
-    const double inverse = 1.0 / a, gain = g * inverse;
-    /* Of half 100 u g, of a 20 u g^2, of quotient and root 3 u; both parts of the numerator together are below 50 g. */
-    const double slack = 4096.0 * KIT_U * g * gain * gain + 4.0 * KIT_U * fabs(l->middle);
+    const float wide = kit_widening(s, ray, l->middle), r = kit_float_sum(s->slope, l->p.z, s->radius), grow = s->slope * l->d.z;
+    const float a = kit_float_sum(l->d.x, l->d.x, kit_float_sum(l->d.y, l->d.y, -(grow * grow))), inverse = 1.0f / a;
+    const float across = kit_float_sum(l->p.x, l->d.x, l->p.y * l->d.y), speed = kit_speed(s, l), doubt = kit_doubt(speed);
+    const float outer = kit_float_sum(grow, r + wide, -across), inner = kit_float_sum(grow, r - wide, -across);
+    const float more = a > 0.0f ? doubt : -doubt, apart = l->discriminant + more;
+    const float within = kit_discriminant(l, r - wide, grow) - more;
+    const float large = sqrtf(kit_float_greater(apart, 0.0f)), small = sqrtf(kit_float_greater(within, 0.0f));
+    /* Of b 50 e g, of a 4 e g^2, of quotient and root 3 e; both parts of the numerator together are below 31 g. */
+    const float gain = speed * inverse, slack = 512.0f * KIT_E * speed * gain * gain + 2.0f * KIT_E * fabsf(l->middle);
     /* By their signs: is anything known, is there an entry, an exit? Conditions joined in other ways stop compilers. */
-    const double known = kit_lesser(fabs(a) - 0x1p-26 * g * g, kit_greater(a, least));
-    const double enters = kit_greater(a, grow), leaves = kit_greater(a, -grow);
-    const double wide = a > 0.0 ? large : small, deep = a > 0.0 ? small : large;
-    const double lo = l->middle + (-half - wide) * inverse - slack, late = l->middle + (-half - deep) * inverse + slack;
-    const double soon = l->middle + (-half + deep) * inverse - slack, hi = l->middle + (-half + wide) * inverse + slack;
-    const double first = enters > 0.0 ? lo : -HUGE_VAL, entry = enters > 0.0 ? late : -HUGE_VAL;
-    const double exit = leaves > 0.0 ? soon : HUGE_VAL, last = leaves > 0.0 ? hi : HUGE_VAL;
+    const float known = kit_float_lesser(fabsf(a) - kit_float_sum(0x1p-8f * speed, speed, 1e-36f),
+                                         kit_float_greater(a, l->discriminant - doubt));
+    const float sure = kit_float_lesser(known, within);
+    const float enters = kit_float_greater(a, grow), leaves = kit_float_greater(a, -grow);
+    const float lo = l->middle + (outer - large) * inverse - slack, late = l->middle + (inner - small) * inverse + slack;
+    const float soon = l->middle + (inner + small) * inverse - slack, hi = l->middle + (outer + large) * inverse + slack;
+    const float first = enters > 0.0f ? lo : -HUGE_VALF, entry = enters > 0.0f ? late : -HUGE_VALF;
+    const float exit = leaves > 0.0f ? soon : HUGE_VALF, last = leaves > 0.0f ? hi : HUGE_VALF;
     kit_reach out;
 
-    out.lo = known > 0.0 ? first : -HUGE_VAL;
-    out.late = known > 0.0 ? entry : HUGE_VAL;
-    out.soon = kit_lesser(known, least) > 0.0 ? exit : -HUGE_VAL;
-    out.hi = known > 0.0 ? last : HUGE_VAL;
+    out.lo = known > 0.0f ? first : -HUGE_VALF;
+    out.late = sure > 0.0f ? entry : HUGE_VALF;
+    out.soon = sure > 0.0f ? exit : -HUGE_VALF;
+    out.hi = known > 0.0f ? last : HUGE_VALF;
     return out;
 }
 
-/* Between the ends. The inner one stays so far from an apex that the radius there is above zero for certain. Along the
- * ends a slope too small to matter stands for none. */
-KIT_INLINE kit_reach kit_slab(const kit_one *s, const kit_line *l, const kit_blur *b)
+/* Between the ends. The inner one stays so far from an apex that the smaller radius there is above zero for certain. Along
+ * the ends a slope too small to matter stands for none. */
+KIT_INLINE kit_reach kit_slab(const kit_one *s, const kit_way_in *ray, const kit_line *l)
 {
-    const double sigma = b->sigma, least = 0x1p-200 * b->g, z = l->p.z;
-    const double dz = fabs(l->d.z) > least ? l->d.z : least, inverse = 1.0 / dz;
-    const double slack = 4.0 * KIT_U * fabs(l->middle);
-    const double base_out = (-sigma - z) * inverse, base_in = (8.0 * sigma - z) * inverse;
-    const double top_out = (s->height + sigma - z) * inverse, top_in = (s->height - sigma - z) * inverse;
-    const int up = dz > 0.0;
+    const float high = kit_heightening(s, ray, l->middle), z = l->p.z;
+    const float dz = fabsf(l->d.z) > 0x1p-40f ? l->d.z : 0x1p-40f, inverse = 1.0f / dz, slack = 2.0f * KIT_E * fabsf(l->middle);
+    const float base_out = (-s->half - high - z) * inverse, top_out = (s->half + high - z) * inverse;
+    const float base_in = (4.0f * kit_widening(s, ray, l->middle) + high - s->half - z) * inverse, top_in = (s->half - high - z) * inverse;
     kit_reach out;
 
-    out.lo = l->middle + (up ? base_out : top_out) - slack;
-    out.late = l->middle + (up ? base_in : top_in) + slack;
-    out.soon = l->middle + (up ? top_in : base_in) - slack;
-    out.hi = l->middle + (up ? top_out : base_out) + slack;
+    out.lo = l->middle + kit_float_lesser(base_out, top_out) - slack;
+    out.late = l->middle + (dz > 0.0f ? base_in : top_in) + slack;
+    out.soon = l->middle + (dz > 0.0f ? top_in : base_in) - slack;
+    out.hi = l->middle + kit_float_greater(base_out, top_out) + slack;
     return out;
 }
 
