@@ -1,6 +1,6 @@
 #include "kit/flat_block.h"
 
-#include "kit/simd.h"
+#include "kit/floats.h"
 
 /* Edges are no shorter, and no corner is nearer to the line of an edge it is not on: then an edge's line is known all
  * over the figure to what 128 roundings of a corner make. */
@@ -73,105 +73,135 @@ void kit_flat_extend(kit_flat *f, pov_vec3 corner)
 
 /* ---- blocks ---- */
 
-static bool is_ordinary(double size) { return size > 1e-40 && size < 1e40; }
-
-static void put(double to[3][POV_BLOCK_MAX], uint32_t i, pov_vec3 v)
+static void put(float to[3][POV_BLOCK_MAX], uint32_t i, pov_vec3 v)
 {
-    to[0][i] = v.x;
-    to[1][i] = v.y;
-    to[2][i] = v.z;
+    to[0][i] = (float)v.x;
+    to[1][i] = (float)v.y;
+    to[2][i] = (float)v.z;
 }
 
-bool kit_flat_pack(kit_flat_block *b, const kit_flat *figures, uint32_t n)
+/* A corner may lie 111 u off the plane, of the sum of sizes of the furthest point: seen along a ray an edge is off by that
+ * over the plane's slope, and by 111 times that at the far end of the figure. The anchor's low part is less. */
+static void pack_lane(kit_flat_block *b, const pov_frame *frame, uint32_t i, const kit_flat *f)
 {
-    uint32_t i, k;
+    const double reach = kit_sum_of_components(f->anchor) + 8.0 / f->scale;
+    uint32_t k;
 
-    b->reach = 0.0;
-    b->lanes = (1u << n) - 1;
+    put(b->anchor, i, pov_scale(pov_sub(f->anchor, frame->centre), frame->scale));
+    put(b->normal, i, pov_unit(f->normal));
+    for (k = 0; k < KIT_SIDES; k++) {
+        put(b->side[k], i, f->side[k]);
+        b->offset[k][i] = (float)(f->offset[k] / f->scale * frame->scale);
+    }
+    b->rough[i] = (float)(16384.0 * KIT_U * reach * frame->scale);
+}
+
+bool kit_flat_pack(kit_flat_block *b, const pov_frame *frame, const kit_flat *figures, uint32_t n)
+{
+    uint32_t i;
+
+    if (!frame)
+        return false;
+    b->count = n;
     b->sure = 0;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const kit_flat *f = &figures[i < n ? i : 0];
-        const double reach = kit_sum_of_components(f->anchor) + 8.0 / f->scale;
-
-        if (!(is_ordinary(f->scale) && reach < 1e40))
-            return false;
-        put(b->anchor, i, f->anchor);
-        put(b->normal, i, pov_scale(f->normal, f->scale));
-        for (k = 0; k < KIT_SIDES; k++) {
-            put(b->side[k], i, pov_scale(f->side[k], f->scale));
-            b->offset[k][i] = f->offset[k];
-        }
-        b->scale[i] = f->scale;
-        b->reach = kit_greater(b->reach, reach);
-        b->sure |= (uint32_t)f->sure << i;
+        pack_lane(b, frame, i, &figures[i < n ? i : 0]);
+        b->sure |= (uint32_t)(i < n && figures[i].sure) << i;
     }
     return true;
 }
 
-static inline double side_at(const kit_flat_block *b, uint32_t k, uint32_t i, double x, double y, double z)
+typedef struct three { float x, y, z; } three;
+
+/* A figure, and a ray. */
+typedef struct figure { three anchor, normal, side[KIT_SIDES]; float offset[KIT_SIDES], rough; } figure;
+typedef struct line { three org, dir; float size, smax, sure; } line;
+
+KIT_INLINE three three_of(const float v[3][POV_BLOCK_MAX], uint32_t i)
 {
-    return b->side[k][0][i] * x + b->side[k][1][i] * y + b->side[k][2][i] * z - b->offset[k][i];
+    const three r = { v[0][i], v[1][i], v[2][i] };
+    return r;
 }
 
-/* With F the scaled sum of sizes of the origin and the figure's furthest point, S the scaled sum of sizes of the
- * direction and s the slope of the plane along it: height and slope are off by 12 u F and 10 u S, the distance to the
- * plane by less than 64 u F / s, and what is reported by as much again. */
-static inline void filter_some(const kit_flat_block *b, const pov_rays *rays, uint32_t at, uint32_t n,
-                               kit_answer *restrict out)
+KIT_INLINE figure figure_of(const kit_flat_block *b, uint32_t i)
 {
-    const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
-    const pov_vec3 o = kit_origin(rays, at), d = kit_way(rays, at);
-    const double speed = kit_sum_of_components(d), blur = KIT_U * (rays->size[at] + b->reach), tmax = rays->tmax[at];
-    int64_t missed = 0, met = 0;
+    const figure f = { three_of(b->anchor, i), three_of(b->normal, i),
+                       { three_of(b->side[0], i), three_of(b->side[1], i), three_of(b->side[2], i), three_of(b->side[3], i) },
+                       { b->offset[0][i], b->offset[1][i], b->offset[2][i], b->offset[3][i] }, b->rough[i] };
+    return f;
+}
+
+KIT_INLINE line line_of(const pov_rays *rays, size_t at)
+{
+    const line l = { { rays->framed.org[0][at], rays->framed.org[1][at], rays->framed.org[2][at] },
+                     { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] },
+                     kit_size(rays, at), rays->framed.smax[at], kit_sure_end(rays, at) };
+    return l;
+}
+
+KIT_INLINE float dot(three a, three b) { return kit_float_sum(a.z, b.z, kit_float_sum(a.y, b.y, a.x * b.x)); }
+
+/* With S the sum of the sizes of the origin's coordinates, and n and d of length one: the distance to the plane is off by
+ * less than 32 e (1 + S) / |n . d|, and a point there, as its sides see it, by as much and 64 e (1 + S). */
+KIT_INLINE void meet(const figure *f, const line *l, uint32_t i, kit_chords *restrict out, kit_conditions *restrict say)
+{
+    const three from = { l->org.x - f->anchor.x, l->org.y - f->anchor.y, l->org.z - f->anchor.z };
+    const float slope = dot(f->normal, l->dir), inverse = 1.0f / copysignf(kit_float_greater(fabsf(slope), 0x1p-60f), slope);
+    const float pad = kit_float_sum(64.0f * KIT_E, l->size, 64.0f * KIT_E + f->rough) * fabsf(inverse), doubt = 2.0f * pad;
+    const float t = -dot(f->normal, from) * inverse;
+    const three p = { kit_float_sum(t, l->dir.x, from.x), kit_float_sum(t, l->dir.y, from.y),
+                      kit_float_sum(t, l->dir.z, from.z) };
+    const float first = kit_float_lesser(dot(f->side[0], p) - f->offset[0], dot(f->side[1], p) - f->offset[1]);
+    const float second = kit_float_lesser(dot(f->side[2], p) - f->offset[2], dot(f->side[3], p) - f->offset[3]);
+    const float least = kit_float_lesser(first, second), lo = t - pad, hi = t + pad;
+    const int missed = (int)(least < -doubt) | (int)(lo > l->smax) | (int)(hi < 0.0f);
+
+    out->lo[i] = kit_float_greater(lo, -HUGE_VALF);
+    out->hi[i] = hi;
+    say->maybe.lane[i] = -!missed;
+    say->surely.lane[i] = -((int)(least > doubt) & (int)(lo > 0.0f) & (int)(hi < l->sure) & (int)(pad < 0x1p-4f));
+}
+
+KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                          kit_chords *restrict out)
+{
+    const kit_flat_block *b = block;
+    const figure f = figure_of(b, which);
+    kit_conditions say = { .twice = { { 0 } } };
     uint32_t i;
 
-    for (i = 0; i < n; i++) {
-        const double fx = o.x - b->anchor[0][i], fy = o.y - b->anchor[1][i], fz = o.z - b->anchor[2][i];
-        const double slope = b->normal[0][i] * d.x + b->normal[1][i] * d.y + b->normal[2][i] * d.z;
-        const double inverse = 1.0 / slope, size = b->scale[i] * speed;
-        const double t = -(b->normal[0][i] * fx + b->normal[1][i] * fy + b->normal[2][i] * fz) * inverse;
-        /* Along the plane nothing is certain. */
-        const double pad = fabs(slope) > 0x1p-40 * size ? 128.0 * blur * b->scale[i] * fabs(inverse) : HUGE_VAL;
-        /* A point of the plane is off by 58 u F S / s in each coordinate, an edge by what its corners may lie off the
-         * plane, 111 u F S / s, and at the far end of the figure by 111 times that. */
-        const double doubt = 128.0 * pad * size;
-        const double x = fx + t * d.x, y = fy + t * d.y, z = fz + t * d.z;
-        const double first = kit_lesser(side_at(b, 0, i, x, y, z), side_at(b, 1, i, x, y, z));
-        const double second = kit_lesser(side_at(b, 2, i, x, y, z), side_at(b, 3, i, x, y, z));
-        const double least = kit_lesser(first, second), lo = t - pad, hi = t + pad;
-
-        missed |= ((least < -doubt) | (lo > tmax) | (hi < 0.0)) ? bit[i] : 0;
-        met |= ((least > doubt) & (lo > 0.0) & (hi < tmax)) ? bit[i] : 0;
-        out->lo[i] = lo > 0.0 ? lo : 0.0;
-        out->hi[i] = hi;
+    for (i = 0; i < KIT_FLOATS; i++) {
+        const line l = line_of(rays, from + i);
+        meet(&f, &l, i, out, &say);
     }
-    out->maybe = ~(uint32_t)missed & b->lanes;
-    out->surely = (uint32_t)met & b->lanes & b->sure;
-    out->twice = 0;
+    kit_gather(&say, some, out);
+    if (!(b->sure >> which & 1))
+        out->surely = 0;
+}
+
+KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
+{
+    const kit_flat_block *b = block;
+    const line l = line_of(rays, at);
+    kit_conditions say = { .twice = { { 0 } } };
+    uint32_t i;
+
+    for (i = 0; i < KIT_FLOATS; i++) {
+        const figure f = figure_of(b, i);
+        meet(&f, &l, i, out, &say);
+    }
+    kit_gather(&say, some, out);
+    out->surely &= b->sure;
 }
 
 /* Static, since the names of clones would be seen from outside. */
-KIT_CLONES static uint32_t filter(const kit_flat_block *b, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+KIT_CLONES static uint32_t filter(const kit_flat_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                                  pov_meeting *out)
 {
-    uint32_t n = 0;
-    kit_answer a;
-
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t at = kit_first_lane64(lanes);
-
-        if (!(is_ordinary(kit_sum_of_components(kit_way(rays, at))) && rays->size[at] < 1e40))
-            kit_decline(b->lanes, &a);
-        else if (b->lanes < 16)
-            filter_some(b, rays, at, POV_BLOCK_MAX / 2, &a);
-        else
-            filter_some(b, rays, at, POV_BLOCK_MAX, &a);
-        n = kit_tell(&a, at, out, n);
-    }
-    return n;
+    return kit_filter_by_eights(b, b->count, owners, rays, lanes, meet_rays, meet_figures, out);
 }
 
 uint32_t kit_flat_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    (void)owners;
-    return filter(block, rays, lanes, out);
+    return filter(block, owners, rays, lanes, out);
 }

@@ -1,4 +1,4 @@
-/* flat_block.h - up to eight flat figures at once, in plain double: which of them a ray may meet, which surely, and
+/* flat_block.h - up to eight flat figures at once, in floats: which of them a ray may meet, which surely, and
  * where. */
 #ifndef KIT_FLAT_BLOCK_H
 #define KIT_FLAT_BLOCK_H
@@ -24,16 +24,16 @@ bool kit_flat_outline(kit_flat *f, const pov_vec3 *corner, uint32_t n);
 void kit_flat_begin(kit_flat *f, pov_vec3 corner, pov_vec3 way);
 void kit_flat_extend(kit_flat *f, pov_vec3 corner);
 
+/* In the frame; normals and sides of length one. */
 typedef struct kit_flat_block {
-    double anchor[3][POV_BLOCK_MAX], normal[3][POV_BLOCK_MAX], side[KIT_SIDES][3][POV_BLOCK_MAX];
-    double offset[KIT_SIDES][POV_BLOCK_MAX];
-    double scale[POV_BLOCK_MAX];
-    double reach;                /* no point of a figure is further from the origin, by sum of sizes */
-    uint32_t lanes, sure;        /* by bits */
+    float anchor[3][POV_BLOCK_MAX], normal[3][POV_BLOCK_MAX], side[KIT_SIDES][3][POV_BLOCK_MAX];
+    float offset[KIT_SIDES][POV_BLOCK_MAX];
+    float rough[POV_BLOCK_MAX];  /* what the figure itself may be off by */
+    uint32_t count, sure;        /* sure: by bits */
 } kit_flat_block;
 
 /* False: out of range. */
-bool kit_flat_pack(kit_flat_block *b, const kit_flat *figures, uint32_t n);
+bool kit_flat_pack(kit_flat_block *b, const pov_frame *frame, const kit_flat *figures, uint32_t n);
 uint32_t kit_flat_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 #endif

@@ -20,6 +20,9 @@ typedef struct kit_polygon {
     pov_box box;
 } kit_polygon;
 
+/* Whoever leaves a plane, to either side, goes away from it. */
+#define KIT_POLYGON_MARK POV_MARK_AWAY
+
 /* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded difference:
  * 6 roundings of terms below 2 (2 + |w|), twice. */
 KIT_INLINE double kit_polygon_blur(pov_vec3 w) { return 24.0 * KIT_U * (2.0 + pov_largest(w)); }

@@ -114,7 +114,7 @@ static bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, p
         || kit_judge(&r, p->unit[i], KIT_FINE, h) != KIT_GOOD)
         return false;
     if (isfinite(r.t.hi))
-        pov_cross(h, r.t.hi * p->unit[i], r.t.lo * p->unit[i], kit_mark(0, 0));
+        pov_cross(h, r.t.hi * p->unit[i], r.t.lo * p->unit[i], kit_mark(0, KIT_POLYGON_MARK));
     return true;
 }
 

@@ -386,7 +386,8 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
             root.t = decide_distance(s, &k, first);
         }
         if (isfinite(root.t.hi))
-            pov_cross(hits, root.t.hi * k.unit, root.t.lo * k.unit, kit_mark(0, view.decided ? POV_MARK_DECIDED : 0));
+            pov_cross(hits, root.t.hi * k.unit, root.t.lo * k.unit,
+                      kit_mark(0, view.decided ? KIT_POLYGON_MARK | POV_MARK_DECIDED : KIT_POLYGON_MARK));
     }
     hits->decided += view.decided;
 }
@@ -430,7 +431,6 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
     kit_flat figures[POV_BLOCK_MAX];
     uint32_t i;
 
-    (void)frame;
     for (i = 0; i < n; i++) {
         const kit_polygon *s = selves[i];
 
@@ -438,11 +438,12 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
             return false;
         describe(s, &figures[i]);
     }
-    return kit_flat_pack(block, figures, n);
+    return kit_flat_pack(block, frame, figures, n);
 }
 
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_CONVEX,
     .keyword = "polygon",
     .instance_size = sizeof(kit_polygon),
     .parse = parse,
