@@ -17,7 +17,7 @@ typedef struct axis { float inverse, start, pad; } axis;
 typedef struct line { axis x, y, z; float smax, sure; } line;
 
 /* A ray no faster than that along an axis stays between two planes, or beside them, as far as floats tell. */
-#define SLOWEST 0x1p-40f
+#define SLOWEST 0x1p-30f
 
 /* Planes are off by less than 8 e (1 + S), S being the sum of the sizes of the origin's coordinates, with all that is
  * lost in the distances to them: docs/numerics.md has the count. */
@@ -25,7 +25,7 @@ typedef struct line { axis x, y, z; float smax, sure; } line;
 
 KIT_INLINE axis axis_of(float o, float d, float blur)
 {
-    const float inverse = 1.0f / copysignf(kit_float_greater(fabsf(d), SLOWEST), d);
+    const float inverse = 1.0f / (fabsf(d) > SLOWEST ? d : SLOWEST);
     const axis a = { inverse, -o * inverse, blur * fabsf(inverse) };
 
     return a;
@@ -52,27 +52,28 @@ KIT_INLINE planes planes_of(const kit_box_block *b, uint32_t i)
 /* For certain a ray is outside before `near` and after `far`, and inside from `last` to `first`. */
 typedef struct span { float near, last, first, far; } span;
 
-/* What is not a number comes of a ray that nothing is known of; it is passed over by the comparisons. */
-KIT_INLINE void meet_axis(span *s, const axis *a, float lower, float upper)
+KIT_INLINE span meet_axis(const axis *a, float lower, float upper)
 {
     const float p = kit_float_sum(lower, a->inverse, a->start), q = kit_float_sum(upper, a->inverse, a->start);
     const float in = kit_float_lesser(p, q), out = kit_float_greater(p, q);
+    const span s = { in - a->pad, in + a->pad, out - a->pad, out + a->pad };
 
-    s->near = kit_float_greater(in - a->pad, s->near);
-    s->last = kit_float_greater(in + a->pad, s->last);
-    s->first = kit_float_lesser(out - a->pad, s->first);
-    s->far = kit_float_lesser(out + a->pad, s->far);
+    return s;
+}
+
+KIT_INLINE span common(span a, span b)
+{
+    const span s = { kit_float_greater(a.near, b.near), kit_float_greater(a.last, b.last),
+                     kit_float_lesser(a.first, b.first), kit_float_lesser(a.far, b.far) };
+    return s;
 }
 
 KIT_INLINE void meet(const planes *p, const line *l, uint32_t i, kit_chords *restrict out, kit_conditions *restrict say)
 {
-    span s = { -HUGE_VALF, -HUGE_VALF, HUGE_VALF, HUGE_VALF };
-    int enters;
+    const span x = meet_axis(&l->x, p->lower[0], p->upper[0]), y = meet_axis(&l->y, p->lower[1], p->upper[1]);
+    const span s = common(common(x, y), meet_axis(&l->z, p->lower[2], p->upper[2]));
+    const int enters = (int)(s.near > 0.0f) & (int)(s.last < s.first);
 
-    meet_axis(&s, &l->x, p->lower[0], p->upper[0]);
-    meet_axis(&s, &l->y, p->lower[1], p->upper[1]);
-    meet_axis(&s, &l->z, p->lower[2], p->upper[2]);
-    enters = (int)(s.near > 0.0f) & (int)(s.last < s.first);
     out->lo[i] = s.near;
     out->hi[i] = s.last;
     say->maybe.lane[i] = -(kit_float_greater(s.near, 0.0f) <= kit_float_lesser(s.far, l->smax));

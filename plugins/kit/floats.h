@@ -42,10 +42,10 @@ KIT_INLINE float kit_sure_end(const pov_rays *rays, size_t at)
     return rays->framed.smax[at] * (1.0f - 16.0f * KIT_E) - 8.0f * KIT_E * rays->framed.size[at];
 }
 
-/* The size of a ray in the frame; without end if nothing is known of it. */
+/* The size of a ray in the frame; where nothing is known of it one so large that all doubts cover the frame. */
 KIT_INLINE float kit_size(const pov_rays *rays, size_t at)
 {
-    return rays->framed.size[at] < 1024.0f ? rays->framed.size[at] : HUGE_VALF;
+    return rays->framed.size[at] < 1024.0f ? rays->framed.size[at] : 0x1p116f;
 }
 
 /* Puts a meeting of each lane of `maybe` after the n that there are; gives how many there are then. Lanes are rays, from
