@@ -33,11 +33,10 @@ KIT_INLINE axis axis_of(float o, float d, float blur)
 
 KIT_INLINE line line_of(const pov_rays *rays, size_t at)
 {
-    const float blur = BLUR * (1.0f + kit_size(rays, at));
-    const line l = { axis_of(rays->framed.org[0][at], rays->framed.dir[0][at], blur),
-                     axis_of(rays->framed.org[1][at], rays->framed.dir[1][at], blur),
-                     axis_of(rays->framed.org[2][at], rays->framed.dir[2][at], blur),
-                     rays->framed.smax[at], kit_sure_end(rays, at) };
+    const kit_beam r = kit_beam_of(rays, at);
+    const float blur = BLUR * (1.0f + r.size);
+    const line l = { axis_of(r.org.x, r.dir.x, blur), axis_of(r.org.y, r.dir.y, blur), axis_of(r.org.z, r.dir.z, blur),
+                     r.smax, r.sure };
     return l;
 }
 

@@ -111,15 +111,11 @@ bool kit_flat_pack(kit_flat_block *b, const pov_frame *frame, const kit_flat *fi
     return true;
 }
 
-typedef struct three { float x, y, z; } three;
+typedef struct figure { kit_three anchor, normal, side[KIT_SIDES]; float offset[KIT_SIDES], rough; } figure;
 
-/* A figure, and a ray. */
-typedef struct figure { three anchor, normal, side[KIT_SIDES]; float offset[KIT_SIDES], rough; } figure;
-typedef struct line { three org, dir; float size, smax, sure; } line;
-
-KIT_INLINE three three_of(const float v[3][POV_BLOCK_MAX], uint32_t i)
+KIT_INLINE kit_three three_of(const float v[3][POV_BLOCK_MAX], uint32_t i)
 {
-    const three r = { v[0][i], v[1][i], v[2][i] };
+    const kit_three r = { v[0][i], v[1][i], v[2][i] };
     return r;
 }
 
@@ -131,28 +127,18 @@ KIT_INLINE figure figure_of(const kit_flat_block *b, uint32_t i)
     return f;
 }
 
-KIT_INLINE line line_of(const pov_rays *rays, size_t at)
-{
-    const line l = { { rays->framed.org[0][at], rays->framed.org[1][at], rays->framed.org[2][at] },
-                     { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] },
-                     kit_size(rays, at), rays->framed.smax[at], kit_sure_end(rays, at) };
-    return l;
-}
-
-KIT_INLINE float dot(three a, three b) { return kit_float_sum(a.z, b.z, kit_float_sum(a.y, b.y, a.x * b.x)); }
-
 /* With S the sum of the sizes of the origin's coordinates, and n and d of length one: the distance to the plane is off by
  * less than 32 e (1 + S) / |n . d|, and a point there, as its sides see it, by as much and 64 e (1 + S). */
-KIT_INLINE void meet(const figure *f, const line *l, uint32_t i, kit_chords *restrict out, kit_conditions *restrict say)
+KIT_INLINE void meet(const figure *f, const kit_beam *l, uint32_t i, kit_chords *restrict out, kit_conditions *restrict say)
 {
-    const three from = { l->org.x - f->anchor.x, l->org.y - f->anchor.y, l->org.z - f->anchor.z };
-    const float slope = dot(f->normal, l->dir), inverse = 1.0f / copysignf(kit_float_greater(fabsf(slope), 0x1p-60f), slope);
+    const kit_three from = { l->org.x - f->anchor.x, l->org.y - f->anchor.y, l->org.z - f->anchor.z };
+    const float slope = kit_dot(f->normal, l->dir), inverse = 1.0f / copysignf(kit_float_greater(fabsf(slope), 0x1p-60f), slope);
     const float pad = kit_float_sum(64.0f * KIT_E, l->size, 64.0f * KIT_E + f->rough) * fabsf(inverse), doubt = 2.0f * pad;
-    const float t = -dot(f->normal, from) * inverse;
-    const three p = { kit_float_sum(t, l->dir.x, from.x), kit_float_sum(t, l->dir.y, from.y),
+    const float t = -kit_dot(f->normal, from) * inverse;
+    const kit_three p = { kit_float_sum(t, l->dir.x, from.x), kit_float_sum(t, l->dir.y, from.y),
                       kit_float_sum(t, l->dir.z, from.z) };
-    const float first = kit_float_lesser(dot(f->side[0], p) - f->offset[0], dot(f->side[1], p) - f->offset[1]);
-    const float second = kit_float_lesser(dot(f->side[2], p) - f->offset[2], dot(f->side[3], p) - f->offset[3]);
+    const float first = kit_float_lesser(kit_dot(f->side[0], p) - f->offset[0], kit_dot(f->side[1], p) - f->offset[1]);
+    const float second = kit_float_lesser(kit_dot(f->side[2], p) - f->offset[2], kit_dot(f->side[3], p) - f->offset[3]);
     const float least = kit_float_lesser(first, second), lo = t - pad, hi = t + pad;
     const int missed = (int)(least < -doubt) | (int)(lo > l->smax) | (int)(hi < 0.0f);
 
@@ -171,7 +157,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
     uint32_t i;
 
     for (i = 0; i < KIT_FLOATS; i++) {
-        const line l = line_of(rays, from + i);
+        const kit_beam l = kit_beam_of(rays, from + i);
         meet(&f, &l, i, out, &say);
     }
     kit_gather(&say, some, out);
@@ -182,7 +168,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
 KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
 {
     const kit_flat_block *b = block;
-    const line l = line_of(rays, at);
+    const kit_beam l = kit_beam_of(rays, at);
     kit_conditions say = { .twice = { { 0 } } };
     uint32_t i;
 

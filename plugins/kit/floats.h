@@ -22,6 +22,27 @@ static inline float kit_float_sum(float a, float b, float c)
 #endif
 }
 
+typedef struct kit_three { float x, y, z; } kit_three;
+
+KIT_INLINE float kit_dot(kit_three a, kit_three b)
+{
+    return kit_float_sum(a.z, b.z, kit_float_sum(a.y, b.y, a.x * b.x));
+}
+
+/* A ray in the frame. Where nothing is known of it the size is so large that all doubts cover the frame. What it passes
+ * before `sure` is no further away than its tmax for certain. */
+typedef struct kit_beam { kit_three org, dir; float size, smax, sure; } kit_beam;
+
+KIT_INLINE kit_beam kit_beam_of(const pov_rays *rays, size_t at)
+{
+    const float size = rays->framed.size[at], smax = rays->framed.smax[at];
+    const kit_beam r = { { rays->framed.org[0][at], rays->framed.org[1][at], rays->framed.org[2][at] },
+                         { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] },
+                         size < 1024.0f ? size : 0x1p116f, smax,
+                         smax * (1.0f - 16.0f * KIT_E) - 8.0f * KIT_E * size };
+    return r;
+}
+
 /* What is found, by lane: as of meetings, but for the bounds, which are lengths in the frame. */
 typedef struct kit_chords { float lo[KIT_FLOATS], hi[KIT_FLOATS]; uint32_t maybe, surely, twice; } kit_chords;
 
@@ -36,20 +57,8 @@ static inline void kit_gather(const kit_conditions *c, uint32_t some, kit_chords
     out->twice = kit_gather_bits(&c->twice);
 }
 
-/* Before what a ray passes here it is no further away than its tmax for certain. */
-KIT_INLINE float kit_sure_end(const pov_rays *rays, size_t at)
-{
-    return rays->framed.smax[at] * (1.0f - 16.0f * KIT_E) - 8.0f * KIT_E * rays->framed.size[at];
-}
-
-/* The size of a ray in the frame; where nothing is known of it one so large that all doubts cover the frame. */
-KIT_INLINE float kit_size(const pov_rays *rays, size_t at)
-{
-    return rays->framed.size[at] < 1024.0f ? rays->framed.size[at] : 0x1p116f;
-}
-
 /* Puts a meeting of each lane of `maybe` after the n that there are; gives how many there are then. Lanes are rays, from
- * `ray` on, at one shape, or shapes from `shape` on, that one ray is at. */
+ * `ray` on, at one shape, or shapes, from the first on, at one ray. */
 KIT_INLINE uint32_t kit_tell_chords(const kit_chords *c, const pov_rays *rays, uint32_t ray, uint32_t shape, bool of_rays,
                                     pov_meeting *out, uint32_t n)
 {
@@ -62,7 +71,7 @@ KIT_INLINE uint32_t kit_tell_chords(const kit_chords *c, const pov_rays *rays, u
         out[n].lo = shift + (double)c->lo[i] * unit;
         out[n].hi = shift + (double)c->hi[i] * unit;
         out[n].ray = (uint8_t)at;
-        out[n].lane = (uint8_t)(of_rays ? shape : shape + i);
+        out[n].lane = (uint8_t)(of_rays ? shape : i);
         out[n].surely = c->surely >> i & 1;
         out[n].twice = c->twice >> i & 1;
     }

@@ -65,14 +65,6 @@ KIT_INLINE kit_one one_of(const kit_frustum_block *b, uint32_t i)
     return s;
 }
 
-KIT_INLINE kit_way_in ray_of(const pov_rays *rays, size_t at)
-{
-    const kit_way_in r = { { rays->framed.org[0][at], rays->framed.org[1][at], rays->framed.org[2][at] },
-                           { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] },
-                           kit_size(rays, at), rays->framed.smax[at], kit_sure_end(rays, at) };
-    return r;
-}
-
 /* What is kept of lines from one loop to the next. */
 typedef struct lines {
     float x[KIT_FLOATS], y[KIT_FLOATS], z[KIT_FLOATS], dx[KIT_FLOATS], dy[KIT_FLOATS], dz[KIT_FLOATS];
@@ -80,7 +72,7 @@ typedef struct lines {
 } lines;
 
 /* Does a line not miss for certain? */
-KIT_INLINE int32_t find(const kit_one *s, const kit_way_in *ray, uint32_t i, lines *restrict out)
+KIT_INLINE int32_t find(const kit_one *s, const kit_beam *ray, uint32_t i, lines *restrict out)
 {
     const kit_line l = kit_find_line(s, ray);
 
@@ -96,7 +88,7 @@ KIT_INLINE int32_t find(const kit_one *s, const kit_way_in *ray, uint32_t i, lin
 }
 
 /* An open one has to be entered by its side. */
-KIT_INLINE void bound(const kit_one *s, const kit_way_in *ray, const lines *all, uint32_t i, kit_chords *restrict out,
+KIT_INLINE void bound(const kit_one *s, const kit_beam *ray, const lines *all, uint32_t i, kit_chords *restrict out,
                       kit_conditions *restrict say)
 {
     const kit_line l = { { all->x[i], all->y[i], all->z[i] }, { all->dx[i], all->dy[i], all->dz[i] }, all->middle[i],
@@ -127,7 +119,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
     lines l;
 
     for (i = 0; i < KIT_FLOATS; i++) {
-        const kit_way_in ray = ray_of(rays, from + i);
+        const kit_beam ray = kit_beam_of(rays, from + i);
         say.maybe.lane[i] = find(&s, &ray, i, &l);
     }
     some &= kit_gather_bits(&say.maybe);
@@ -135,7 +127,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
     if (!some)
         return;
     for (i = 0; i < KIT_FLOATS; i++) {
-        const kit_way_in ray = ray_of(rays, from + i);
+        const kit_beam ray = kit_beam_of(rays, from + i);
         bound(&s, &ray, &l, i, out, &say);
     }
     kit_gather(&say, some, out);
@@ -143,7 +135,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
 
 KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
 {
-    const kit_way_in ray = ray_of(rays, at);
+    const kit_beam ray = kit_beam_of(rays, at);
     kit_conditions say;
     uint32_t i;
     lines l;

@@ -11,20 +11,12 @@
 #include "kit/floats.h"
 #include "kit/frustum.h"
 
-typedef struct kit_three { float x, y, z; } kit_three;
-
-/* A shape of a block, and a ray. */
+/* A shape of a block. */
 typedef struct kit_one { kit_three centre, row[3]; float radius, slope, half, wide, high, closed; } kit_one;
-typedef struct kit_way_in { kit_three org, dir; float size, smax, sure; } kit_way_in;
 
 /* Beyond this, in local coordinates, radius and ends are not known well enough to say that a ray enters; nor, beyond one,
  * to say anything. */
 #define KIT_BLURRED 0x1p-4f
-
-KIT_INLINE float kit_dot(kit_three a, kit_three b)
-{
-    return kit_float_sum(a.z, b.z, kit_float_sum(a.y, b.y, a.x * b.x));
-}
 
 KIT_INLINE kit_three kit_turned(const kit_one *s, kit_three v)
 {
@@ -37,12 +29,12 @@ KIT_INLINE kit_three kit_turned(const kit_one *s, kit_three v)
 typedef struct kit_line { kit_three p, d; float middle, discriminant; } kit_line;
 
 /* What radius and ends may be off by. */
-KIT_INLINE float kit_widening(const kit_one *s, const kit_way_in *ray, float middle)
+KIT_INLINE float kit_widening(const kit_one *s, const kit_beam *ray, float middle)
 {
     return s->wide * (ray->size + 2.0f + fabsf(middle));
 }
 
-KIT_INLINE float kit_heightening(const kit_one *s, const kit_way_in *ray, float middle)
+KIT_INLINE float kit_heightening(const kit_one *s, const kit_beam *ray, float middle)
 {
     return s->high * (ray->size + 2.0f + fabsf(middle));
 }
@@ -56,7 +48,7 @@ KIT_INLINE float kit_discriminant(const kit_line *l, float r, float grow)
     return kit_float_sum(p, p, kit_float_sum(q, q, -(m * m)));
 }
 
-KIT_INLINE kit_line kit_find_line(const kit_one *s, const kit_way_in *ray)
+KIT_INLINE kit_line kit_find_line(const kit_one *s, const kit_beam *ray)
 {
     const kit_three from = { ray->org.x - s->centre.x, ray->org.y - s->centre.y, ray->org.z - s->centre.z };
     const kit_three d = kit_turned(s, ray->dir), f = kit_turned(s, from);
@@ -79,13 +71,13 @@ KIT_INLINE float kit_speed(const kit_one *s, const kit_line *l)
 
 KIT_INLINE float kit_doubt(float speed) { return 2048.0f * KIT_E * speed * speed; }
 
-KIT_INLINE float kit_blur(const kit_one *s, const kit_way_in *ray, float middle)
+KIT_INLINE float kit_blur(const kit_one *s, const kit_beam *ray, float middle)
 {
     return kit_float_greater(kit_widening(s, ray, middle), kit_heightening(s, ray, middle));
 }
 
 /* The line's nearest point lies no further out than the shape's corners, of which the square is then below 14. */
-KIT_INLINE int kit_line_misses(const kit_one *s, const kit_way_in *ray, const kit_line *l)
+KIT_INLINE int kit_line_misses(const kit_one *s, const kit_beam *ray, const kit_line *l)
 {
     return ((int)(l->discriminant < -kit_doubt(kit_speed(s, l))) | (int)(kit_dot(l->p, l->p) > 16.0f))
            & (int)(kit_blur(s, ray, l->middle) < 1.0f);
@@ -97,7 +89,7 @@ typedef struct kit_reach { float lo, late, soon, hi; } kit_reach;
 
 /* The side. With a coefficient a of one sign or the other the roots are (-b -+ sqrt D) / a. Where a is all but zero, or
  * below zero and the ray comes near to the apex, nothing is said. */
-KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_way_in *ray, const kit_line *l)
+KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_beam *ray, const kit_line *l)
 {
     const float wide = kit_widening(s, ray, l->middle), r = kit_float_sum(s->slope, l->p.z, s->radius), grow = s->slope * l->d.z;
     const float a = kit_float_sum(l->d.x, l->d.x, kit_float_sum(l->d.y, l->d.y, -(grow * grow))), inverse = 1.0f / a;
@@ -128,7 +120,7 @@ KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_way_in *ray, const kit
 
 /* Between the ends. The inner one stays so far from an apex that the smaller radius there is above zero for certain. Along
  * the ends a slope too small to matter stands for none. */
-KIT_INLINE kit_reach kit_slab(const kit_one *s, const kit_way_in *ray, const kit_line *l)
+KIT_INLINE kit_reach kit_slab(const kit_one *s, const kit_beam *ray, const kit_line *l)
 {
     const float high = kit_heightening(s, ray, l->middle), z = l->p.z;
     const float dz = fabsf(l->d.z) > 0x1p-40f ? l->d.z : 0x1p-40f, inverse = 1.0f / dz, slack = 2.0f * KIT_E * fabsf(l->middle);

@@ -28,9 +28,6 @@
 #define KIT_CLONES
 #endif
 
-/* Filters square lengths in plain double: coordinates must leave room for that. */
-static inline bool kit_block_range(double coordinate) { return coordinate < 1e120; }
-
 static inline double kit_sum_of_components(pov_vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
 /* A ray of a filter's. */
@@ -120,39 +117,6 @@ static inline uint32_t kit_first_lane64(uint64_t mask)
 #else
     return (uint32_t)mask ? kit_first_lane((uint32_t)mask) : 32 + kit_first_lane((uint32_t)(mask >> 32));
 #endif
-}
-
-/* Those of some rays that do not go away from someone. */
-static inline uint64_t kit_stay(const pov_rays *rays, uint64_t lanes, uint32_t owner)
-{
-    uint64_t rest;
-
-    for (rest = lanes; rest; rest &= rest - 1)
-        if (rays->away[kit_first_lane64(rest)] == owner)
-            lanes &= ~(rest & -rest);
-    return lanes;
-}
-
-/* What one shape says of some rays side by side, by bits and lanes of these: as a kit_answer. */
-typedef struct kit_found { uint32_t maybe, surely, twice; double lo[8], hi[8]; } kit_found;
-
-/* Puts what was found of a shape and the rays from `from` on after the n meetings that there are; gives how many there are
- * then. */
-static inline uint32_t kit_tell_rays(const kit_found *f, uint32_t from, uint32_t lane, pov_meeting *out, uint32_t n)
-{
-    uint32_t mask;
-
-    for (mask = f->maybe; mask; mask &= mask - 1, n++) {
-        const uint32_t i = kit_first_lane(mask);
-
-        out[n].lo = f->lo[i];
-        out[n].hi = f->hi[i];
-        out[n].ray = (uint8_t)(from + i);
-        out[n].lane = (uint8_t)lane;
-        out[n].surely = f->surely >> i & 1;
-        out[n].twice = f->twice >> i & 1;
-    }
-    return n;
 }
 
 /* Puts what was answered of a ray after the n meetings that there are; gives how many there are then. */
