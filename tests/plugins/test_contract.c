@@ -809,7 +809,8 @@ static void a_ray_that_leaves_never_meets_its_start(void **unused)
     each_ray(SPAWNED, leaves_for_good);
 }
 
-/* From each crossing outward, at all angles down to a hundred times what normals may be off by. */
+/* From each crossing outward, at all angles down to a hundred times what normals may be off by; to either side, where the
+ * crossing's mark says so. */
 static bool never_comes_back(const thing *t, const pov_ray *ray)
 {
     pov_crossing at[MOST], again[MOST];
@@ -821,6 +822,8 @@ static bool never_comes_back(const thing *t, const pov_ray *ray)
         return true;
     memset(&next, 0, sizeof next);
     subject.shape->normal(t->self, ray, &at[which], &normal);
+    if ((at[which].mark.flags & POV_MARK_AWAY) && subject_uniform() < 0.5)
+        normal = pov_scale(normal, -1.0);
     subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
     along = subject_direction();
     along = pov_sub(along, pov_scale(normal, pov_dot(along, normal)));

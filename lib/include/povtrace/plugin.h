@@ -25,7 +25,9 @@
 /* What names a crossing of a shape again: which part of it (face, cap, root), and what normal() wants to know. */
 typedef struct pov_mark { uint32_t part, flags; double u, v; } pov_mark;
 #define POV_MARK_DECIDED 0x80000000u   /* in flags: double left the crossing open, two-part arithmetic decided */
-#define POV_MARK_AWAY 0x40000000u      /* in a ray's left_mark: it goes outward, at an angle that is no matter of rounding */
+/* In a ray's left_mark: it goes outward, at an angle that is no matter of rounding. In a mark that a shape reports: whoever
+ * leaves it there, to either side and at any angle, never comes back. */
+#define POV_MARK_AWAY 0x40000000u
 
 /* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
  * object far from the origin is exact enough to be told from its surface. */
