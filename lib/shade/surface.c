@@ -46,18 +46,17 @@ static inline path *leave(batch *b, const surface *s, pov_vec3 direction, coeffi
     return next;
 }
 
-/* To the surface's other side, where other surfaces may begin. NULL: the path is cut off. */
-static path *leave_across(batch *b, limits *l, const surface *s, pov_vec3 direction, bool deeper)
+/* To the surface's other side, where other surfaces may begin, at this cosine to the normal there. NULL: the path is
+ * cut off. */
+static path *leave_across(batch *b, limits *l, const surface *s, pov_vec3 direction, double cosine, bool deeper)
 {
     const coefficient factor = coefficient_mul(s->from->factor, s->look->filter);
-    pov_ray *ray = &b->room[b->count];
     path *next;
 
     if (!goes_on(l, s->from, &factor, deeper))
         return NULL;
     next = leave(b, s, direction, factor, deeper);
-    ray->left = s->at->object;
-    ray->left_mark = s->at->crossing.mark;
+    world_cross(&b->room[b->count], s->at, cosine);
     next->above ^= 1u << s->on;
     return next;
 }
@@ -76,10 +75,11 @@ static inline void reflect(pov_tracer *t, limits *l, uint32_t lane, const coeffi
 }
 
 /* Straight on, whatever lies on both sides. NULL: the path is cut off. */
-static path *pass(pov_tracer *t, limits *l, const surface *s)
+static path *pass(pov_tracer *t, limits *l, uint32_t lane)
 {
+    const surface *s = &t->surfaces[lane];
     const pov_vec3 from = s->ray->org, to = s->at->point;
-    path *out = leave_across(t->passed, l, s, s->ray->dir, false);
+    path *out = leave_across(t->passed, l, s, s->ray->dir, t->geometry.cosine[lane], false);
 
     if (!out)
         return NULL;
@@ -135,9 +135,11 @@ static void part(pov_tracer *t, limits *l, const passages *p, uint32_t lane)
     path *out;
 
     if (c->before == c->after) {
-        out = pass(t, l, s);
+        out = pass(t, l, lane);
     } else if (p->to.squared_cosine[lane] > 0.0) {
-        out = leave_across(t->passed, l, s, lanes_at(&p->to.way, lane), true);
+        const pov_vec3 way = lanes_at(&p->to.way, lane);
+
+        out = leave_across(t->passed, l, s, way, -pov_dot(way, lanes_at(&t->geometry.to.normal, lane)), true);
     } else {
         reflect(t, l, lane, &whole);
         t->counts.inner_reflections += t->mirrored->count - before;
@@ -164,7 +166,7 @@ void surface_branch(pov_tracer *t, uint32_t n)
         } else {
             mirror(t, &l, i);
             if (s->look->passes)
-                t->passed->count += pass(t, &l, s) != NULL;
+                t->passed->count += pass(t, &l, i) != NULL;
         }
     }
     t->counts.cut_depth += l.cut_depth;

@@ -120,16 +120,18 @@ uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *ray
 {
     uint64_t of[8], met = 0, apart = 0;
     uint32_t octant;
+    exits e;
 
     if (n == 0)
         return 0;
+    company_find_exits(w, k, rays, n, tmax, out, &e);
     divide(w, rays, n, of);
     for (octant = 0; octant < 8; octant++)
         if (is_company(of[octant]))
-            met |= company_nearest(w, k, rays, of[octant], tmax, out);
+            met |= company_nearest(w, k, rays, of[octant], tmax, &e, out);
         else
             apart |= of[octant];
-    return apart ? met | company_nearest_apart(w, k, rays, apart, tmax, out) : met;
+    return apart ? met | company_nearest_apart(w, k, rays, apart, tmax, &e, out) : met;
 }
 
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,

@@ -40,11 +40,18 @@ uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *con
 /* Those of some lanes that the world's list may be met by; its blocks are told of them. */
 uint64_t company_stand_in_list(company *c, uint64_t lanes);
 
+/* Where rays that go into a closed shape come out of it, as bits and places of the caller's: all of them are asked
+ * together, before anything else, and end there at the latest. */
+typedef struct exits { uint64_t known; pov_hits hits[WORLD_MANY]; } exits;
+void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
+                        exits *e);
+
 /* Those of the caller's rays that `which` names; bits of the answers are the caller's. */
-uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out);
+uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                         const exits *e, hit *out);
 /* The same of rays that go through the tree one by one; what is left to be asked at the end is asked together. */
 uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                               hit *out);
+                               const exits *e, hit *out);
 uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                        colour *through);
 

@@ -48,7 +48,7 @@ static bool take_light(company *c, const run *r, const pov_meeting *m)
 {
     const pov_ray *ray = c->rays[m->ray];
 
-    if (!(r->casts >> m->lane & 1) || (r->object[m->lane] == ray->left && goes_away(r, ray)))
+    if (!(r->casts >> m->lane & 1) || is_settled(r, m->lane, ray, c->party.side.away[m->ray]))
         return false;
     if (!c->any_blocks) {
         begin_light(c, m->ray);
@@ -87,7 +87,7 @@ static uint64_t meet_light(bvh_party *party, const void *leaf, uint64_t lanes)
         } else {
             for (rest = lanes; rest; rest &= rest - 1) {
                 const uint32_t i = first_of64(rest);
-                if (ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i])))
+                if (ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i], party->side.away[i])))
                     ended |= bit_of(i);
             }
         }
@@ -111,11 +111,24 @@ static bool light_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint32_
     q.any_blocks = c->any_blocks;
     q.hits = c->hits[lane];
     q.tints = c->tints[lane];
-    query_go_on(&q, c->rays[lane], party->length[lane], party->side.per_length[lane]);
+    query_go_on(&q, c->rays[lane], party->side.away[lane], party->length[lane], party->side.per_length[lane]);
     ended = query_go_on_light(&q, c->world);
     c->hits[lane] = q.hits;
     c->tints[lane] = q.tints;
     return ended;
+}
+
+/* Note what light comes out of before it meets anything else. */
+static void leave_tints(company *c)
+{
+    uint32_t i;
+
+    for (i = 0; i < c->party.count; i++)
+        if (goes_in(c->rays[i]) && light_comes_out(c->world, c->rays[i], c->tmax)) {
+            begin_light(c, i);
+            note_tint(&c->tints[i], c->rays[i]->left);
+            c->party.side.away[i] = c->rays[i]->left;
+        }
 }
 
 /* What is lit, as bits of the caller's. */
@@ -146,6 +159,8 @@ uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, ui
     c.party.alone = light_alone;
     alone = company_begin(&c, w, k, rays, which, tmax, tmax);
     all = all_of(c.party.count) & ~alone;
+    if (!c.any_blocks && any_goes_in(c.rays, c.party.count))
+        leave_tints(&c);
     for (; alone; alone &= alone - 1) {
         const uint32_t i = c.of[first_of64(alone)];
         lit |= (uint64_t)world_light_path(w, k, rays[i], tmax, &through[i]) << i;

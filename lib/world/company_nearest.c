@@ -55,7 +55,8 @@ static void filter_nearest(company *c, const run *r, uint64_t lanes)
         const pov_ray *ray = c->rays[m->ray];
         const bool left = r->object[m->lane] == ray->left;
 
-        if (is_beyond(m->lo, c->party.limit[m->ray]) || (left && goes_away(r, ray)))
+        if (is_beyond(m->lo, c->party.limit[m->ray]) ||
+            (left && is_settled(r, m->lane, ray, c->party.side.away[m->ray])))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
         if (m->surely && !left)
@@ -81,7 +82,7 @@ static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
         for (met = lanes; met; met &= met - 1) {
             const uint32_t i = first_of64(met);
 
-            mask = run_lanes(r) & ~left_behind(r, c->rays[i]);
+            mask = run_lanes(r) & ~left_behind(r, c->rays[i], party->side.away[i]);
             if (!mask)
                 continue;
             decided -= nearest_hits(c, i)->decided;
@@ -105,7 +106,7 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
     q.walk.at = at;
     q.walk.limit = party->limit[lane];
     q.hits = *nearest_hits(c, lane);
-    query_go_on(&q, c->rays[lane], party->length[lane], party->side.per_length[lane]);
+    query_go_on(&q, c->rays[lane], party->side.away[lane], party->length[lane], party->side.per_length[lane]);
     query_go_on_nearest(&q, c->world);
     c->hits[lane] = q.hits;
     if (q.walk.limit < party->limit[lane])
@@ -122,37 +123,21 @@ typedef struct pairs {
     pov_ray own[WORLD_MANY];     /* of placed ones */
 } pairs;
 
-/* Take those of `left` that are of a class; the others are left. */
-static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t left, pairs *out)
+static inline void put_pair(pairs *some, const void *self, const placement *place, const pov_ray *ray, pov_hits *hits)
 {
-    uint64_t rest, others = 0;
+    const uint32_t n = some->count++;
 
-    out->count = 0;
-    for (rest = left; rest; rest &= rest - 1) {
-        const uint32_t i = first_of64(rest);
-        const pending *p = &c->pending[i];
-        const uint32_t n = out->count;
-
-        if (p->run->shape != shape) {
-            others |= bit_of(i);
-            continue;
-        }
-        out->selves[n] = run_instance(p->run, p->lane);
-        out->rays[n] = c->rays[i];
-        if (p->run->flags & RUN_PLACED) {
-            placement_ray(run_placement(p->run), c->rays[i], &out->own[n]);
-            out->rays[n] = &out->own[n];
-        }
-        out->hits[n] = nearest_hits(c, i);
-        out->hits[n]->owner = p->run->object[p->lane];
-        out->count++;
+    some->selves[n] = self;
+    some->rays[n] = ray;
+    if (place) {
+        placement_ray(place, ray, &some->own[n]);
+        some->rays[n] = &some->own[n];
     }
-    return others;
+    some->hits[n] = hits;
 }
 
-static void ask_pairs(company *c, const run *r, pairs *some)
+static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some)
 {
-    const pov_shape_class *shape = r->shape;
     uint32_t decided = 0, i;
 
     for (i = 0; i < some->count; i++)
@@ -164,7 +149,30 @@ static void ask_pairs(company *c, const run *r, pairs *some)
             shape->intersect(some->selves[i], some->rays[i], some->hits[i]);
     for (i = 0; i < some->count; i++)
         decided += some->hits[i]->decided;
-    walker_count(c->walker, r, some->count, decided);
+    walker_count_class(k, class_number, some->count, decided);
+}
+
+/* Take those of `left` that are of a class; the others are left. */
+static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t left, pairs *out)
+{
+    uint64_t rest, others = 0;
+
+    out->count = 0;
+    for (rest = left; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const pending *p = &c->pending[i];
+        const placement *place = p->run->flags & RUN_PLACED ? run_placement(p->run) : NULL;
+        pov_hits *hits;
+
+        if (p->run->shape != shape) {
+            others |= bit_of(i);
+            continue;
+        }
+        hits = nearest_hits(c, i);
+        hits->owner = p->run->object[p->lane];
+        put_pair(out, run_instance(p->run, p->lane), place, c->rays[i], hits);
+    }
+    return others;
 }
 
 /* Ask those that wait and can still be the nearest. */
@@ -183,7 +191,70 @@ static void settle(company *c)
         const run *r = c->pending[first_of64(left)].run;
 
         left = take_class(c, r->shape, left, &some);
-        ask_pairs(c, r, &some);
+        ask_pairs(c->walker, r->shape, run_class(r), &some);
+    }
+}
+
+/* ---- exits ---- */
+
+static inline const shape_group *group_of(const world *w, uint32_t which) { return &w->groups[w->group[which]]; }
+
+/* Ask those of `left` that start on a shape of the class of the first; the others are left. */
+static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const *rays, uint64_t left, exits *e)
+{
+    const shape_group *first = group_of(w, rays[first_of64(left)]->left);
+    uint64_t others = 0;
+    pairs some;
+
+    some.count = 0;
+    for (; left; left &= left - 1) {
+        const uint32_t i = first_of64(left), which = rays[i]->left;
+        shape_place place;
+
+        if (group_of(w, which)->shape != first->shape) {
+            others |= bit_of(i);
+            continue;
+        }
+        place = world_place(w, which);
+        e->hits[i].owner = which;
+        put_pair(&some, place.instance, place.placement, rays[i], &e->hits[i]);
+    }
+    ask_pairs(k, first->shape, first->class_number, &some);
+    return others;
+}
+
+void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
+                        exits *e)
+{
+    uint64_t left;
+    uint32_t i;
+
+    e->known = 0;
+    if (!w->plan.transmission || !any_goes_in(rays, n))
+        return;
+    for (i = 0; i < n; i++)
+        if (goes_in(rays[i])) {
+            e->known |= bit_of(i);
+            begin_hits(&e->hits[i], w, tmax, POV_WANT_NEAREST, &out[i].crossing);
+        }
+    for (left = e->known; left;)
+        left = find_class_exits(w, k, rays, left, e);
+}
+
+static void begin_from_exits(company *c, const exits *e)
+{
+    uint32_t i;
+
+    for (i = 0; e->known && i < c->party.count; i++) {
+        const pov_hits *known = &e->hits[c->of[i]];
+
+        if (!(e->known >> c->of[i] & 1))
+            continue;
+        c->asked |= bit_of(i);
+        c->hits[i] = *known;
+        c->party.side.away[i] = c->rays[i]->left;
+        if (known->tmax < c->party.limit[i])
+            lower(c, i, known->tmax);
     }
 }
 
@@ -213,7 +284,8 @@ static uint64_t end_nearest(company *c)
     return met;
 }
 
-uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out)
+uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                               const exits *e, hit *out)
 {
     uint32_t n = 0;
     company c;
@@ -227,7 +299,7 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
     for (; which; which &= which - 1, n++) {
         const uint32_t i = first_of64(which);
 
-        query_nearest(&q, w, k, rays[i], tmax, &out[i].crossing);
+        query_nearest(&q, w, k, rays[i], tmax, e->known >> i & 1 ? &e->hits[i] : NULL, &out[i].crossing);
         if (query_settle_but_one(&q, &c.pending[n]))
             c.waiting |= bit_of(n);
         c.rays[n] = rays[i];
@@ -240,7 +312,8 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
     return end_nearest(&c);
 }
 
-uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax, hit *out)
+uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                         const exits *e, hit *out)
 {
     uint64_t met = 0, alone;
     company c;
@@ -256,6 +329,7 @@ uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, 
     }
     if (!c.party.lanes)
         return met;
+    begin_from_exits(&c, e);
     if (w->infinite)
         meet_nearest(&c.party, w->infinite, c.party.lanes);
     if (w->list)

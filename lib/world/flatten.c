@@ -22,7 +22,7 @@ typedef struct part {
     pov_status status;
     uint32_t failed;             /* the first object that has no inverse */
     uint32_t finite, infinite, alone;
-    pov_box bounds;
+    pov_box bounds, clear;
     size_t absorbed, composed, packed;
 } part;
 
@@ -228,6 +228,9 @@ static void join(pov_box *all, const pov_box *b)
     all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
 }
 
+static const pov_box everything = { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+
 static size_t find_class(maker *k, const pov_shape_class *shape)
 {
     const class_list *all = &k->survey->classes;
@@ -268,6 +271,8 @@ static pov_status flatten_one(maker *k, uint32_t index)
         k->part->bounds = *box;
     else if (finite)
         join(&k->part->bounds, box);
+    if (material_is_transparent(&f->model->materials.items[o->material]))
+        join(&k->part->clear, finite ? box : &everything);
     if (!finite) {
         f->group[index] |= INFINITE;
         k->part->infinite++;
@@ -290,6 +295,7 @@ static void flatten_part(void *user, uint32_t which, int hand)
     k.part = p;
     k.staging = &s->f->staging[hand];
     k.kept = &s->f->kept[hand];
+    p->clear = nothing;
     for (; i < end && p->status == POV_OK; i++) {
         p->status = flatten_one(&k, i);
         p->failed = i;
@@ -352,6 +358,7 @@ static pov_status add_up(survey *s, pov_error *err)
     flat *f = s->f;
     uint32_t i;
 
+    f->clear = nothing;
     for (i = 0; i < s->part_count; i++) {
         const part *p = &s->parts[i];
         const object *o = &f->model->objects.items[p->failed];
@@ -364,6 +371,7 @@ static pov_status add_up(survey *s, pov_error *err)
             f->bounds = p->bounds;
         else if (p->finite > 0)
             join(&f->bounds, &p->bounds);
+        join(&f->clear, &p->clear);
         f->finite_count += p->finite;
         f->infinite_count += p->infinite;
         f->alone_count += p->alone;

@@ -41,6 +41,7 @@ typedef struct flat {
     uint32_t finite_count, infinite_count;
     uint32_t alone_count;        /* finite ones that no block takes */
     pov_box bounds;              /* around the finite ones, if there are any */
+    pov_box clear;               /* around those that light passes; the other way round if there are none */
     size_t absorbed, composed, packed;
 } flat;
 

@@ -38,7 +38,7 @@ struct world {
     bool has_tree;
     const bvh_walks *walks;
     bool always_exact;
-    pov_box bounds;
+    pov_box bounds, clear;       /* clear: around what light passes */
     bool has_bounds;
     uint32_t infinite_count;
     medium *media;
@@ -58,11 +58,16 @@ struct walker {
 
 /* Count questions to shapes of a run's class, and what was decided of them: once a run where that can be, for a shape's
  * quick answer takes hardly longer. */
+static inline void walker_count_class(walker *k, uint32_t number, uint32_t asked, uint32_t decided)
+{
+    k->classes.of[number].asked += asked;
+    if (decided)
+        k->classes.of[number].decided += decided;
+}
+
 static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_t decided)
 {
-    k->classes.of[run_class(r)].asked += asked;
-    if (decided)
-        k->classes.of[run_class(r)].decided += decided;
+    walker_count_class(k, run_class(r), asked, decided);
 }
 
 /* For a query that wants all: more room. hits->user is the tint_room. */

@@ -146,7 +146,7 @@ static void filter_nearest(query *q, const run *r)
     for (m = met; n > 0; m++, n--) {
         const bool left = r->object[m->lane] == ray->left;
 
-        if (is_beyond(m->lo, q->walk.limit) || (left && goes_away(r, ray)))
+        if (is_beyond(m->lo, q->walk.limit) || (left && is_settled(r, m->lane, ray, q->rays.away[0])))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
         if (m->surely && !left)
@@ -169,15 +169,16 @@ static bool meet_nearest(bvh_walk *walk, const void *leaf)
         }
         asked = 0;
         before = q->hits.decided;
-        for (mask = run_lanes(r) & ~left_behind(r, walk->ray); mask; mask &= mask - 1, asked++)
+        for (mask = run_lanes(r) & ~left_behind(r, walk->ray, q->rays.away[0]); mask; mask &= mask - 1, asked++)
             ask_nearest(q, r, first_of(mask));
         walker_count(q->walker, r, asked, q->hits.decided - before);
     }
     return false;
 }
 
-void query_go_on(query *q, const pov_ray *ray, double length, double per_length)
+void query_go_on(query *q, const pov_ray *ray, uint32_t away, double length, double per_length)
 {
+    q->rays.away[0] = away;
     q->walk.ray = ray;
     q->walk.length = length;
     q->walk.per_length = per_length;
@@ -193,9 +194,15 @@ void query_go_on_nearest(query *q, const world *w)
     settle(q);
 }
 
-void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, pov_crossing *at)
+void query_nearest(query *q, const world *w, walker *k, const pov_ray *ray, double tmax, const pov_hits *known,
+                   pov_crossing *at)
 {
     begin(q, w, k, ray, tmax, POV_WANT_NEAREST, at);
+    if (known) {
+        q->hits = *known;
+        q->walk.limit = known->tmax;
+        q->rays.away[0] = ray->left;
+    }
     q->walk.leaf = meet_nearest;
     if (w->infinite)
         meet_nearest(&q->walk, w->infinite);
@@ -228,7 +235,7 @@ bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, h
 {
     query q;
 
-    query_nearest(&q, w, k, ray, tmax, &out->crossing);
+    query_nearest(&q, w, k, ray, tmax, NULL, &out->crossing);
     settle(&q);
     k->decided += q.hits.decided;
     out->object = q.hits.count ? out->crossing.owner : POV_NOBODY;
@@ -296,7 +303,7 @@ static bool filter_shadow(query *q, const run *r)
     for (i = 0; i < n; i++)
         if ((r->casts >> met[i].lane & 1) && (q->any_blocks || !passes_through(r, &met[i], ray, &q->tints)))
             mask |= 1u << met[i].lane;
-    return ask_shadows(q, r, mask & ~left_behind(r, ray));
+    return ask_shadows(q, r, mask & ~left_behind(r, ray, q->rays.away[0]));
 }
 
 static bool meet_shadow(bvh_walk *walk, const void *leaf)
@@ -307,7 +314,8 @@ static bool meet_shadow(bvh_walk *walk, const void *leaf)
     for (r = leaf; r; r = run_next(r)) {
         if (r->casts == 0)
             continue;
-        if (is_filtered(q, r) ? filter_shadow(q, r) : ask_shadows(q, r, r->casts & ~left_behind(r, walk->ray)))
+        if (is_filtered(q, r) ? filter_shadow(q, r)
+                              : ask_shadows(q, r, r->casts & ~left_behind(r, walk->ray, q->rays.away[0])))
             return true;
     }
     return false;
@@ -408,6 +416,25 @@ void begin_tints(pov_hits *tints, const world *w, double tmax, tint_room *room)
     tints->user = room;
 }
 
+/* Does a way end beyond an interval, by more than ends and bounds are rounded? */
+static inline bool is_out(double from, double way, double lo, double hi)
+{
+    const double slack = 0x1p-40 * (fabs(from) + fabs(way)), end = from + way;
+
+    return end + slack < lo || end - slack > hi;
+}
+
+bool light_comes_out(const world *w, const pov_ray *ray, double tmax)
+{
+    const pov_vec3 way = pov_scale(ray->dir, tmax), lo = w->clear.lo, hi = w->clear.hi;
+    const object *o = &w->model->objects.items[ray->left];
+
+    if ((o->flags & OBJECT_NO_SHADOW) || !material_is_transparent(&w->model->materials.items[o->material]))
+        return false;
+    return is_out(ray->org.x, way.x, lo.x, hi.x) || is_out(ray->org.y, way.y, lo.y, hi.y) ||
+           is_out(ray->org.z, way.z, lo.z, hi.z);
+}
+
 bool query_go_on_light(query *q, const world *w)
 {
     q->walk.leaf = meet_shadow;
@@ -422,8 +449,13 @@ bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax
 
     begin(&q, w, k, ray, tmax, POV_WANT_ANY, &room->blocking);
     q.any_blocks = !w->plan.coloured_shadows;
-    if (!q.any_blocks)
+    if (!q.any_blocks) {
         begin_tints(&q.tints, w, tmax, room);
+        if (goes_in(ray) && light_comes_out(w, ray, tmax)) {
+            note_tint(&q.tints, ray->left);
+            q.rays.away[0] = ray->left;
+        }
+    }
     blocked = begin_shadow(&q, w) || (w->has_tree && w->walks->any_order(&q.walk));
     k->decided += q.hits.decided + (q.any_blocks ? 0 : q.tints.decided);
     return end_light(w, blocked, q.any_blocks ? NULL : &q.tints, through);

@@ -271,6 +271,7 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
     w->infinite_count = f->infinite_count;
     w->has_bounds = f->finite_count > 0;
     w->bounds = f->bounds;
+    w->clear = f->clear;
     if (!find_media(w, f) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;

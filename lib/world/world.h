@@ -92,17 +92,30 @@ void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *
 /* Some hundred times what normals may be off by. */
 #define WORLD_AWAY 0x1p-36
 
-/* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Up to
- * WORLD_AWAY nothing is said of whether it goes away. */
-static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
+/* What a ray leaves, with what more is known of it. The mark is put together before it is stored: who waits for it reads
+ * it at once. */
+static inline void world_name_left(pov_ray *ray, const hit *h, uint32_t known)
 {
     const pov_mark *mark = &h->crossing.mark;
 
     ray->left = h->object;
     ray->left_mark.part = mark->part;
-    ray->left_mark.flags = mark->flags | (h->outside && cosine > WORLD_AWAY ? POV_MARK_AWAY : 0);
+    ray->left_mark.flags = mark->flags | known;
     ray->left_mark.u = mark->u;
     ray->left_mark.v = mark->v;
+}
+
+/* Name what a ray leaves that goes back to the side that it came from, at this cosine to the normal there. Up to
+ * WORLD_AWAY nothing is said of whether it goes away. */
+static inline void world_leave(pov_ray *ray, const hit *h, double cosine)
+{
+    world_name_left(ray, h, cosine > WORLD_AWAY ? (h->outside ? POV_MARK_AWAY : POV_MARK_INTO) : 0);
+}
+
+/* The same of a ray that goes on to the other side. */
+static inline void world_cross(pov_ray *ray, const hit *h, double cosine)
+{
+    world_name_left(ray, h, cosine > WORLD_AWAY ? (h->outside ? POV_MARK_INTO : POV_MARK_AWAY) : 0);
 }
 
 /* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of

@@ -61,7 +61,7 @@ static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     pov_vec3 unit = pov_scale(ray->dir, 1.0 / size);
     pov_two3 w, d = scaled(pov_two3_of(ray->dir, ray->dir_lo), faster);
     pov_two a, h, c, discriminant, root, t[2];
-    pov_mark mark = { 0, 0, 0.0, 0.0 };
+    pov_mark mark = { 0, POV_MARK_CLOSED, 0.0, 0.0 };
     int i, left = -1;
 
     tc = -pov_dot(pov_sub(ray->org, b->centre), unit) / pov_dot(unit, unit) / size;
@@ -306,7 +306,7 @@ static void brick_intersect(const void *self, const pov_ray *ray, pov_hits *hits
 {
     const test_brick *b = self;
     pov_two t[2] = { { -1e300, 0.0 }, { 1e300, 0.0 } };
-    pov_mark mark = { 0, 0, 0.0, 0.0 };
+    pov_mark mark = { 0, POV_MARK_CLOSED, 0.0, 0.0 };
     int face[2] = { 0, 0 }, i, left = -1;
     double by = unscale(pov_largest(ray->dir));
     pov_vec3 d = pov_scale(ray->dir, by);
@@ -436,6 +436,16 @@ pov_vec3 test_direction(test_random *r)
 /* ---- models ---- */
 
 static env malloc_env;
+
+void test_leave(pov_ray *ray, const hit *h)
+{
+    const double rise = pov_dot(pov_unit(ray->dir), h->normal);
+
+    if ((rise > 0.0) == h->entering)
+        world_leave(ray, h, fabs(rise));
+    else
+        world_cross(ray, h, fabs(rise));
+}
 
 void test_model_init(model *m, const env *e)
 {

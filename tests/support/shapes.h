@@ -3,6 +3,7 @@
 #define SUPPORT_SHAPES_H
 
 #include "model/model.h"
+#include "world/world.h"
 
 #include <povtrace/plugin.h>
 
@@ -21,6 +22,9 @@ typedef struct test_random { uint64_t state; } test_random;
 double test_uniform(test_random *r, double lo, double hi);
 uint32_t test_below(test_random *r, uint32_t n);
 pov_vec3 test_direction(test_random *r);
+
+/* Name what a ray leaves that starts where h is: it goes to either side. */
+void test_leave(pov_ray *ray, const hit *h);
 
 /* A model of one opaque white material (index 0). NULL env: malloc. */
 void test_model_init(model *m, const env *e);

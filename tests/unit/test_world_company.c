@@ -114,6 +114,27 @@ static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, doubl
     }
 }
 
+/* What a ray knows of the side that it goes to saves questions and changes no answer. */
+static void same_unnamed(subject *s, const pov_ray *const *rays, uint32_t n)
+{
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        pov_ray plain = *rays[i];
+        colour with, without;
+        hit a, b;
+
+        plain.left_mark.flags = 0;
+        assert_int_equal(world_light_path(s->world, s->walker, rays[i], 1.0, &with),
+                         world_light_path(s->world, s->walker, &plain, 1.0, &without));
+        assert_memory_equal(&with, &without, sizeof with);
+        assert_int_equal(world_nearest(s->world, s->walker, rays[i], HUGE_VAL, &a),
+                         world_nearest(s->world, s->walker, &plain, HUGE_VAL, &b));
+        assert_int_equal(a.object, b.object);
+        assert_true(a.object == POV_NOBODY || (a.crossing.t == b.crossing.t && a.crossing.t_lo == b.crossing.t_lo));
+    }
+}
+
 static void same_lane(const vec_lanes *l, uint32_t i, pov_vec3 v)
 {
     const pov_vec3 there = lanes_at(l, i);
@@ -173,14 +194,14 @@ static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 la
             world_surface(s->world, all[i], &hits[i]);
             shadows[lit] = ray_of(hits[i].point, pov_sub(lamp, hits[i].point));
             shadows[lit].org_lo = hits[i].point_lo;
-            shadows[lit].left = hits[i].object;
-            shadows[lit].left_mark = hits[i].crossing.mark;
+            test_leave(&shadows[lit], &hits[i]);
             lights[lit] = &shadows[lit];
             lit++;
         }
         if (lit > 0) {
             same_nearest(s, lights, lit, hits);
             same_light(s, lights, lit, 1.0);
+            same_unnamed(s, lights, lit);
         }
     }
     return met;

@@ -83,16 +83,16 @@ static int follow(pair *p, pov_ray ray, pov_vec3 lamp)
         shadow.org = h.point;
         shadow.org_lo = h.point_lo;
         shadow.dir = pov_sub(lamp, h.point);
-        shadow.left = h.object;
-        shadow.left_mark = h.crossing.mark;
+        test_leave(&shadow, &h);
         same_answers(p, &shadow, 1.0, &ignored);
         if (depth % 2 == 0)
             shadow.dir = ray.dir;
         else
             shadow.dir = pov_sub(ray.dir, pov_scale(h.normal, 2.0 * pov_dot(h.normal, ray.dir)));
+        if (pov_largest(shadow.dir) == 0.0)
+            shadow.dir = pov_vec3_of(0.0, 1.0, 0.0);
         ray = shadow;
-        if (pov_largest(ray.dir) == 0.0)
-            ray.dir = pov_vec3_of(0.0, 1.0, 0.0);
+        test_leave(&ray, &h);
     }
     return hits;
 }

@@ -28,6 +28,8 @@ typedef struct pov_mark { uint32_t part, flags; double u, v; } pov_mark;
 /* In a ray's left_mark: it goes outward, at an angle that is no matter of rounding. In a mark that a shape reports: whoever
  * leaves it there, to either side and at any angle, never comes back. */
 #define POV_MARK_AWAY 0x40000000u
+#define POV_MARK_INTO 0x20000000u      /* in a ray's left_mark: it goes inward, as surely */
+#define POV_MARK_CLOSED 0x10000000u    /* in flags: of a shape that is bounded, convex and without gaps */
 
 /* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
  * object far from the origin is exact enough to be told from its surface. */
@@ -127,7 +129,7 @@ typedef struct pov_rays {
     double per_length[POV_RAYS_MAX];   /* its root: the t of a length of one */
     double size[POV_RAYS_MAX];         /* |org.x| + |org.y| + |org.z| */
     double tmax[POV_RAYS_MAX];
-    uint32_t away[POV_RAYS_MAX];       /* whom the ray has left with POV_MARK_AWAY, or POV_NOBODY */
+    uint32_t away[POV_RAYS_MAX];       /* whom the ray need not be asked of (POV_MARK_AWAY), or POV_NOBODY */
     /* The same in the frame of the block, rounded to floats; the point s along dir is at t = shift + s * unit. */
     struct {
         float org[3][POV_RAYS_MAX];
@@ -181,7 +183,8 @@ enum {
     /* It fills its bounds, or is the ball within them, but for what rounding them outward adds: up to eight units in the
      * last place of the coordinates. Hosts that know better may look for more than bounds say. */
     POV_SHAPE_BOX = 1u << 2,
-    POV_SHAPE_BALL = 1u << 3
+    POV_SHAPE_BALL = 1u << 3,
+    POV_SHAPE_FACES = 1u << 4    /* its sides are flat: normal() does not look at the ray */
 };
 
 typedef struct pov_shape_class {
