@@ -216,20 +216,25 @@ void placement_intersect(const placement *p, const pov_shape_class *shape, const
 void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                       const pov_crossing *at, pov_vec3 *out)
 {
-    pov_vec3 normal;
     pov_ray own;
+
+    placement_ray(p, ray, &own);
+    shape->normal(self, &own, at, out);
+    placement_turn_normal(p, out);
+}
+
+/* Normals go by the transpose of the inverse. */
+void placement_turn_normal(const placement *p, pov_vec3 *normal)
+{
     double n[3];
     int i;
 
-    placement_ray(p, ray, &own);
-    shape->normal(self, &own, at, &normal);
-    /* Normals go by the transpose of the inverse. */
     for (i = 0; i < 3; i++) {
-        pov_two sum =
-            pov_two_add(pov_two_mul_double(inverse(p, 0, i), normal.x), pov_two_mul_double(inverse(p, 1, i), normal.y));
-        n[i] = pov_two_add(sum, pov_two_mul_double(inverse(p, 2, i), normal.z)).hi;
+        pov_two sum = pov_two_add(pov_two_mul_double(inverse(p, 0, i), normal->x),
+                                  pov_two_mul_double(inverse(p, 1, i), normal->y));
+        n[i] = pov_two_add(sum, pov_two_mul_double(inverse(p, 2, i), normal->z)).hi;
     }
-    *out = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
+    *normal = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
 }
 
 bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,

@@ -34,6 +34,8 @@ void placement_intersect(const placement *p, const pov_shape_class *shape, const
                          pov_hits *hits);
 void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
                       const pov_crossing *at, pov_vec3 *out);
+/* From the shape's own space to the world. */
+void placement_turn_normal(const placement *p, pov_vec3 *normal);
 bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo);
 

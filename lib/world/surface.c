@@ -21,7 +21,7 @@ static void find_point(const pov_ray *ray, hit *h)
     h->point_lo = pov_two3_lo(p);
 }
 
-static void find_normal(const world *w, const pov_ray *ray, hit *h)
+static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
 {
     const object *o = &w->model->objects.items[h->object];
     const shape_place place = world_place(w, h->object);
@@ -137,41 +137,81 @@ static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n
     }
 }
 
-/* Up to WORLD_MANY shapes of one class in the space of the world. */
+/* Up to WORLD_MANY shapes of one class. */
 typedef struct normals {
     const void *selves[WORLD_MANY];
     const pov_ray *rays[WORLD_MANY];
     const pov_crossing *at[WORLD_MANY];
     pov_vec3 *out[WORLD_MANY];
+    uint32_t count, placed;
+    const placement *place[WORLD_MANY];   /* of those in spaces of their own */
+    pov_vec3 *turned[WORLD_MANY];
+    pov_ray own[WORLD_MANY];
 } normals;
 
-/* Normals of the class of the first of `left`, together. Shapes in spaces of their own are asked alone, as are those of
- * classes that know no better. The others are left. */
+/* The ray that a class looks at for the normal of a placed shape. */
+static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, const placement *place, const pov_ray *ray,
+                                hit *h)
+{
+    const uint32_t n = some->placed++;
+
+    some->place[n] = place;
+    some->turned[n] = &h->normal;
+    if (shape->flags & POV_SHAPE_FACES)
+        return ray;
+    placement_ray(place, ray, &some->own[n]);
+    return &some->own[n];
+}
+
+static void find_added(normals *some, const pov_shape_class *shape)
+{
+    uint32_t i;
+
+    if (POV_SHAPE_HAS(shape, normal_many))
+        shape->normal_many(some->selves, some->rays, some->at, some->out, some->count);
+    else
+        for (i = 0; i < some->count; i++)
+            shape->normal(some->selves[i], some->rays[i], some->at[i], some->out[i]);
+    for (i = 0; i < some->placed; i++)
+        placement_turn_normal(some->place[i], some->turned[i]);
+}
+
+/* Normals of the class of the first of `left`, together, stage after stage. Those of classes that know no better are
+ * asked for at once, where nothing is to be turned. The others are left. */
 static uint64_t find_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint64_t left)
 {
     const pov_shape_class *shape = NULL;
     uint64_t others = 0;
-    uint32_t count = 0;
     normals some;
 
-    for (; left; left &= left - 1) {
-        const uint32_t i = first_of64(left), which = hits[i]->object;
+    for (some.count = some.placed = 0; left; left &= left - 1) {
+        const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
         const shape_group *g = &w->groups[w->group[which]];
 
-        if (g->placed || (g->shape != shape && !POV_SHAPE_HAS(g->shape, normal_many))) {
+        if (!g->placed && g->shape != shape && !POV_SHAPE_HAS(g->shape, normal_many)) {
             find_normal(w, rays[i], hits[i]);
-        } else if (shape && g->shape != shape) {
-            others |= (uint64_t)1 << i;
-        } else {
-            shape = g->shape;
-            some.selves[count] = g->instances + (size_t)w->slot[which] * g->stride;
-            some.rays[count] = rays[i];
-            some.at[count] = &hits[i]->crossing;
-            some.out[count++] = &hits[i]->normal;
+            continue;
         }
+        if (shape && g->shape != shape) {
+            others |= (uint64_t)1 << i;
+            continue;
+        }
+        shape = g->shape;
+        some.rays[n] = rays[i];
+        if (g->placed) {
+            const shape_place place = world_place(w, which);
+
+            some.selves[n] = place.instance;
+            some.rays[n] = place_ray(&some, shape, place.placement, rays[i], hits[i]);
+        } else {
+            some.selves[n] = g->instances + (size_t)w->slot[which] * g->stride;
+        }
+        some.at[n] = &hits[i]->crossing;
+        some.out[n] = &hits[i]->normal;
+        some.count++;
     }
-    if (count > 0)
-        shape->normal_many(some.selves, some.rays, some.at, some.out, count);
+    if (some.count > 0)
+        find_added(&some, shape);
     return others;
 }
 

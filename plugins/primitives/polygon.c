@@ -443,7 +443,7 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
 
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_CONVEX,
+    .flags = POV_SHAPE_CONVEX | POV_SHAPE_FACES,
     .keyword = "polygon",
     .instance_size = sizeof(kit_polygon),
     .parse = parse,
