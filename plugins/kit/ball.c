@@ -21,11 +21,12 @@ static void decide(pov_two square, const kit_ray *k, bool leaving, pov_hits *hit
     root = pov_two_sqrt(discriminant);
     if (wanted & NEAR_ROOT) {
         pov_two t = pov_two_add_double(pov_two_neg(pov_two_div(pov_two_add(b, root), a)), middle);
-        if (!kit_report_decided(hits, t, k->unit, 0))
+        if (!kit_report_decided(hits, t, k->unit, 0, POV_MARK_CLOSED))
             return;
     }
     if (wanted & FAR_ROOT)
-        kit_report_decided(hits, pov_two_add_double(pov_two_div(pov_two_sub(root, b), a), middle), k->unit, 1);
+        kit_report_decided(hits, pov_two_add_double(pov_two_div(pov_two_sub(root, b), a), middle), k->unit, 1,
+                           POV_MARK_CLOSED);
 }
 
 static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)

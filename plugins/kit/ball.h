@@ -67,13 +67,13 @@ static inline bool kit_is_cut(const kit_chord *h) { return h->d > 16.0 * h->d_er
 
 static inline kit_root kit_near_end(const kit_chord *h)
 {
-    kit_root r = { pov_two_sum(h->middle, (-h->b - h->root) * h->inverse), h->error, 0, 0 };
+    kit_root r = { pov_two_sum(h->middle, (-h->b - h->root) * h->inverse), h->error, 0, POV_MARK_CLOSED };
     return r;
 }
 
 static inline kit_root kit_far_end(const kit_chord *h)
 {
-    kit_root r = { pov_two_sum(h->middle, (-h->b + h->root) * h->inverse), h->error, 1, 0 };
+    kit_root r = { pov_two_sum(h->middle, (-h->b + h->root) * h->inverse), h->error, 1, POV_MARK_CLOSED };
     return r;
 }
 

@@ -6,7 +6,8 @@
 typedef struct ball_lanes {
     kit_rays rays;
     kit_lane3 centre, centre_lo;
-    kit_lane radius, radius_lo, t, t_lo, tmin;
+    kit_lane radius, radius_lo, t, t_lo;
+    kit_lane tmin;               /* who enters before that starts within */
 } ball_lanes;
 
 static inline void put_ball(ball_lanes *l, uint32_t i, const kit_ball *s)
@@ -119,11 +120,12 @@ KIT_CLONES static void refine_ends(const ball_lanes *restrict l, end_lanes *rest
     }
 }
 
-/* Whoever does not leave the sphere, and comes to this end of the chord within the interval for certain. */
+/* Whoever does not leave the sphere, or goes into it, and comes to this end of the chord within the interval for
+ * certain. */
 static inline bool is_answered(const end_lanes *e, uint32_t i, const pov_ray *ray, const pov_hits *h)
 {
     return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && h->want != POV_WANT_ALL
-           && !h->always_exact && h->owner != ray->left;
+           && !h->always_exact && (h->owner != ray->left || kit_is_inward(ray, h));
 }
 
 /* Of these lanes, bit by bit; those that are still to be asked are returned. */
@@ -135,7 +137,7 @@ static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const pov_ray *c
         const uint32_t i = kit_first_lane(lanes);
 
         if (e->good[i] && is_answered(e, i, rays[i], hits[i]))
-            pov_cross(hits[i], e->t[i], e->t_lo[i], kit_mark((uint32_t)e->part[i], 0));
+            pov_cross(hits[i], e->t[i], e->t_lo[i], kit_mark((uint32_t)e->part[i], POV_MARK_CLOSED));
         else
             left |= 1u << i;
     }
@@ -164,8 +166,11 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
 
     for (i = 0; i < KIT_LANES; i += 4)
         put_four(&lanes, i, selves, rays, n);
-    for (i = 0; i < KIT_LANES; i++)
-        lanes.tmin[i] = hits[kit_lane_of(i, n)]->tmin;
+    for (i = 0; i < KIT_LANES; i++) {
+        const uint32_t j = kit_lane_of(i, n);
+
+        lanes.tmin[i] = kit_is_inward(rays[j], hits[j]) ? HUGE_VAL : hits[j]->tmin;
+    }
     find_ends(&lanes, &end);
     left = report_ends(&end, (1u << n) - 1, rays, hits);
     worth = worth_a_step(&end, left, rays, hits);

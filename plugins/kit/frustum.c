@@ -186,29 +186,14 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
 
 /* ---- points ---- */
 
-/* The local coordinates are sums of three products with entries below 2, so within 2^-97 of |w|; they and the radius
- * are below 8 wherever it matters. */
 kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
     const kit_frustum *s = self;
     const view v = view_of(s, k, w);
-    /* Rows and direction are below 2: no component of d is off by more than this. */
-    const double d_error = 64.0 * KIT_U, grow = s->slope.hi * v.d.z;
-    const pov_vec3 size = pov_vec3_of(fabs(v.p.x.hi), fabs(v.p.y.hi), fabs(v.r.hi));
-    kit_residual out;
+    kit_residual r = part >= CAP_BASE ? cap_residual(s, &v, part == CAP_BASE) : side_residual(s, &v);
 
-    out.error = 0x1p-91 * (1.0 + largest_of(w));
-    if (part >= CAP_BASE) {
-        out.value = part == CAP_BASE ? v.p.z.hi : pov_two_sub(v.p.z, s->height).hi;
-        out.half_slope = 0.5 * v.d.z;
-        out.slope_error = d_error;
-    } else {
-        out.value = side_value(&v);
-        out.half_slope = side_slope(s, &v);
-        out.slope_error = d_error * (size.x + size.y + size.z * fabs(s->slope.hi))
-                          + 4.0 * KIT_U * (size.x * fabs(v.d.x) + size.y * fabs(v.d.y) + size.z * fabs(grow));
-    }
-    return out;
+    r.error = frustum_value_error(w);
+    return r;
 }
 
 /* The crossing's point in local coordinates, and the radius there; on the side it is brought onto the surface, because

@@ -206,8 +206,9 @@ void kit_frustum_decide(const kit_frustum *s, const kit_ray *k, const pov_ray *r
     } else if (way == NOT_LEAVING && pov_two_less(both.hi, both.lo)) {
         return;
     }
-    if (in && !kit_report_decided(hits, pov_two_add_double(both.lo, middle), k->unit, both.lo_part))
+    if (in && !kit_report_decided(hits, pov_two_add_double(both.lo, middle), k->unit, both.lo_part,
+                                  frustum_mark(s)))
         return;
     if (out)
-        kit_report_decided(hits, pov_two_add_double(both.hi, middle), k->unit, both.hi_part);
+        kit_report_decided(hits, pov_two_add_double(both.hi, middle), k->unit, both.hi_part, frustum_mark(s));
 }

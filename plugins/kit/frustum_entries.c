@@ -1,48 +1,6 @@
-/* Where several rays enter cylinders or cones, each one of its own, side by side. */
-#include "kit/frustum_rough.h"
-#include "kit/lanes.h"
-
-/* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
-enum { TOGETHER = 4 };
-
-/* Shapes, as far as they are needed, each with its ray. */
-typedef struct pair_lanes {
-    kit_rays rays;
-    kit_lane3 anchor, anchor_lo, row[3];
-    kit_lane loss[3], radius, slope, height, scale;
-} pair_lanes;
-
-static inline void put_shape(pair_lanes *l, uint32_t i, const kit_frustum *s)
-{
-    int k;
-
-    kit_put(&l->anchor, i, pov_two3_hi(s->anchor));
-    kit_put(&l->anchor_lo, i, pov_two3_lo(s->anchor));
-    for (k = 0; k < 3; k++) {
-        kit_put(&l->row[k], i, pov_two3_hi(s->row[k]));
-        l->loss[k][i] = s->loss[k];
-    }
-    l->radius[i] = s->radius.hi;
-    l->slope[i] = s->slope.hi;
-    l->height[i] = s->height.hi;
-    l->scale[i] = s->scale;
-}
-
-static inline void get_shape(const pair_lanes *l, uint32_t i, kit_frustum *s)
-{
-    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    int k;
-
-    s->anchor = pov_two3_of(kit_get(&l->anchor, i), kit_get(&l->anchor_lo, i));
-    for (k = 0; k < 3; k++) {
-        s->row[k] = pov_two3_of(kit_get(&l->row[k], i), zero);
-        s->loss[k] = l->loss[k][i];
-    }
-    s->radius = pov_two_of(l->radius[i], 0.0);
-    s->slope = pov_two_of(l->slope[i], 0.0);
-    s->height = pov_two_of(l->height[i], 0.0);
-    s->scale = l->scale[i];
-}
+/* Where several rays enter cylinders or cones, each one of its own, or come out of those that they start on, side by
+ * side. */
+#include "kit/frustum_lanes.h"
 
 static inline bounded choose(int first, bounded a, bounded b)
 {
@@ -89,10 +47,15 @@ static inline chord cut_slab(const kit_frustum *s, const rough *g)
     return c;
 }
 
-/* Bounds on the distance, the distance, and which part is met; good: not zero where it is found well enough. */
-typedef struct entry_lanes { kit_lane lo, hi, t, t_lo, part, good; } entry_lanes;
+/* Where rays come in, or out, in the shape's units, what that may be off by, and half the distance of the side's
+ * roots; then bounds on the distance, the distance, and which part is met; good: not zero where it is found well
+ * enough, unsure: where a step of Newton's may yet find it so. */
+typedef struct end_lanes {
+    kit_lane root, root_lo, error, apart, fine;
+    kit_lane lo, hi, t, t_lo, part, good, unsure;
+} end_lanes;
 
-static inline void put_entry(entry_lanes *restrict out, uint32_t i, const kit_root *r, double unit)
+KIT_INLINE void put_end(end_lanes *restrict out, uint32_t i, const kit_root *r, double unit, int good)
 {
     const double slack = kit_slack(r);
 
@@ -100,25 +63,27 @@ static inline void put_entry(entry_lanes *restrict out, uint32_t i, const kit_ro
     out->hi[i] = (r->t.hi + slack) * unit;
     out->t[i] = r->t.hi * unit;
     out->t_lo[i] = r->t.lo * unit;
+    out->good[i] = good ? 1.0 : 0.0;
 }
 
-/* As kit_frustum_intersect() of one that has its ends, and that the ray does not leave. */
-KIT_CLONES static void find_entries(const pair_lanes *restrict l, entry_lanes *restrict out)
+/* As kit_frustum_intersect() of one that has its ends, and that the ray does not leave, or goes into. */
+KIT_CLONES static void find_ends(const frustum_lanes *restrict l, const double *restrict inward,
+                                 end_lanes *restrict out)
 {
     uint32_t i;
 
     for (i = 0; i < TOGETHER; i++) {
         const pov_ray ray = kit_get_ray(&l->rays, i);
-        kit_frustum s;
+        const kit_frustum s = get_shape(l, i);
+        const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
+        const int is_exit = inward[i] > 0.0;
         chord side, slab;
         kit_root root;
         bounded lo, hi;
-        double middle, fine, speed;
-        kit_ray k;
+        double middle, speed, first, last;
+        int certain;
         rough g;
 
-        get_shape(l, i, &s);
-        k = kit_enter(&ray, s.anchor, s.scale);
         middle = find_middle(&s, &k, &g);
         find_point(&s, &k, middle, &g);
         speed = fabs(g.dx.v) + fabs(g.dy.v) + fabs(g.dz.v);
@@ -126,40 +91,121 @@ KIT_CLONES static void find_entries(const pair_lanes *restrict l, entry_lanes *r
         slab = cut_slab(&s, &g);
         lo = choose(side.lo.v < slab.lo.v, slab.lo, side.lo);
         hi = choose(slab.hi.v < side.hi.v, slab.hi, side.hi);
-        root = root_of(middle, lo, 0);
-        fine = kit_lesser(KIT_FINE / speed, KIT_APART * side.apart);
-        put_entry(out, i, &root, k.unit);
-        out->part[i] = side.lo.v < slab.lo.v ? (g.dz.v > 0.0 ? CAP_BASE : CAP_TOP) : SIDE_IN;
-        out->good[i] = side.certain & slab.certain & is_apart(side.lo, slab.lo) & is_apart(slab.hi, side.hi)
-                               & is_apart(hi, lo) & (int)(hi.v > lo.v) & (int)kit_is_fine(&root, fine)
-                               & (int)(pov_largest(pov_two3_hi(k.f)) < KIT_FAR)
-                           ? 1.0
-                           : 0.0;
+        certain = side.certain & slab.certain & is_apart(side.lo, slab.lo) & is_apart(slab.hi, side.hi)
+                  & (is_exit | (is_apart(hi, lo) & (int)(hi.v > lo.v)))
+                  & (int)(pov_largest(pov_two3_hi(k.f)) < KIT_FAR);
+        root = root_of(middle, choose(is_exit, hi, lo), 0, 0);
+        out->root[i] = root.t.hi;
+        out->root_lo[i] = root.t.lo;
+        out->error[i] = root.error;
+        out->apart[i] = side.apart;
+        out->fine[i] = kit_lesser(KIT_FINE / speed, KIT_APART * side.apart);
+        first = g.dz.v > 0.0 ? CAP_BASE : CAP_TOP;
+        first = side.lo.v < slab.lo.v ? first : SIDE_IN;
+        last = g.dz.v > 0.0 ? CAP_TOP : CAP_BASE;
+        last = slab.hi.v < side.hi.v ? last : SIDE_OUT;
+        out->part[i] = is_exit ? last : first;
+        out->unsure[i] = certain & (int)(root.error <= KIT_APART * side.apart) ? 1.0 : 0.0;
+        put_end(out, i, &root, k.unit, certain & (int)kit_is_fine(&root, out->fine[i]));
     }
 }
 
-static inline bool is_answered(const entry_lanes *e, uint32_t i, const kit_frustum *s, const pov_ray *ray,
+/* The step that kit_report() takes where double was not fine enough. */
+KIT_CLONES static void refine_ends(const frustum_lanes *restrict l, end_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const kit_frustum s = get_shape(l, i);
+        const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
+        const double error = out->error[i], apart = out->apart[i];
+        kit_root r = { { out->root[i], out->root_lo[i] }, 0.0, 0, 0 };
+        const pov_two3 w = kit_along_two_parts(&k, r.t);
+        const view v = view_of(&s, &k, w);
+        const kit_residual cap = cap_residual(&s, &v, out->part[i] < CAP_TOP), side = side_residual(&s, &v);
+        const int is_cap = out->part[i] > SIDE_OUT;
+        const kit_residual f = { is_cap ? cap.value : side.value, frustum_value_error(w),
+                                 is_cap ? cap.half_slope : side.half_slope,
+                                 is_cap ? cap.slope_error : side.slope_error };
+        const double step = kit_root_step(&f);
+        const int good = (int)(fabs(step) <= 2.0 * error) & (int)(fabs(r.t.hi) > error);
+
+        r.error = kit_root_step_error(&f, step, apart);
+        r.t = pov_two_add_double(r.t, step);
+        put_end(out, i, &r, k.unit, good & (int)kit_is_fine(&r, out->fine[i]));
+    }
+}
+
+static inline bool is_answered(const end_lanes *e, uint32_t i, const kit_frustum *s, const pov_ray *ray,
                                const pov_hits *h)
 {
-    return e->good[i] > 0.0 && e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && !s->open && !s->empty
-           && h->want != POV_WANT_ALL && !h->always_exact && h->owner != ray->left;
+    return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && !s->open && !s->empty
+           && h->want != POV_WANT_ALL && !h->always_exact && (h->owner != ray->left || kit_is_inward(ray, h));
+}
+
+/* Of these lanes, bit by bit; those that are still to be asked are returned. */
+static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const void *const *selves, const pov_ray *const *rays,
+                            pov_hits *const *hits)
+{
+    uint32_t left = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = kit_first_lane(lanes);
+
+        if (e->good[i] > 0.0 && is_answered(e, i, selves[i], rays[i], hits[i]))
+            pov_cross(hits[i], e->t[i], e->t_lo[i], kit_mark((uint32_t)e->part[i], POV_MARK_CLOSED));
+        else
+            left |= 1u << i;
+    }
+    return left;
+}
+
+/* Those whom a step would help: to look for any crossing none is needed. */
+static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const void *const *selves, const pov_ray *const *rays,
+                             pov_hits *const *hits)
+{
+    uint32_t worth = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = kit_first_lane(lanes);
+        const kit_frustum *s = selves[i];
+
+        if (e->unsure[i] > 0.0 && !s->slender && hits[i]->want != POV_WANT_ANY
+            && is_answered(e, i, s, rays[i], hits[i]))
+            worth |= 1u << i;
+    }
+    return worth;
 }
 
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    entry_lanes entry;
-    pair_lanes lanes;
-    uint32_t i;
+    const void *shapes[TOGETHER];
+    const pov_ray *some[TOGETHER];
+    kit_lane inward;
+    end_lanes end;
+    frustum_lanes lanes;
+    uint32_t i, left, worth;
 
-    kit_put_four_of(&lanes.rays, 0, rays, n);
-    for (i = 0; i < TOGETHER; i++)
-        put_shape(&lanes, i, selves[kit_lane_of(i, n)]);
-    find_entries(&lanes, &entry);
-    for (i = 0; i < n; i++)
-        if (is_answered(&entry, i, selves[i], rays[i], hits[i]))
-            pov_cross(hits[i], entry.t[i], entry.t_lo[i], kit_mark((uint32_t)entry.part[i], 0));
-        else
-            kit_frustum_intersect(selves[i], rays[i], hits[i]);
+    for (i = 0; i < TOGETHER; i++) {
+        const uint32_t j = kit_lane_of(i, n);
+
+        shapes[i] = selves[j];
+        some[i] = rays[j];
+        inward[i] = kit_is_inward(rays[j], hits[j]) ? 1.0 : 0.0;
+    }
+    put_pairs(&lanes, shapes, some);
+    find_ends(&lanes, inward, &end);
+    left = report_ends(&end, (1u << n) - 1, selves, rays, hits);
+    worth = worth_a_step(&end, left, selves, rays, hits);
+    if (worth) {
+        refine_ends(&lanes, &end);
+        left = (left & ~worth) | report_ends(&end, worth, selves, rays, hits);
+    }
+    for (; left; left &= left - 1) {
+        i = kit_first_lane(left);
+        kit_frustum_intersect(selves[i], rays[i], hits[i]);
+    }
 }
 
 void kit_frustum_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,

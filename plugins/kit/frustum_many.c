@@ -1,67 +1,21 @@
 /* The normals of several cylinders or cones side by side. */
-#include "kit/frustum_parts.h"
-#include "kit/lanes.h"
-
-/* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
-enum { TOGETHER = 4 };
-
-/* Shapes, as far as normals of sides need them, each with its ray and a crossing. */
-typedef struct side_lanes {
-    kit_rays rays;
-    kit_lane3 anchor, anchor_lo, row[3], row_lo[3];
-    kit_lane radius, radius_lo, slope, slope_lo, scale, t, t_lo;
-} side_lanes;
-
-static inline void put_side(side_lanes *l, uint32_t i, const kit_frustum *s, const pov_crossing *at)
-{
-    int k;
-
-    kit_put(&l->anchor, i, pov_two3_hi(s->anchor));
-    kit_put(&l->anchor_lo, i, pov_two3_lo(s->anchor));
-    for (k = 0; k < 3; k++) {
-        kit_put(&l->row[k], i, pov_two3_hi(s->row[k]));
-        kit_put(&l->row_lo[k], i, pov_two3_lo(s->row[k]));
-    }
-    l->radius[i] = s->radius.hi;
-    l->radius_lo[i] = s->radius.lo;
-    l->slope[i] = s->slope.hi;
-    l->slope_lo[i] = s->slope.lo;
-    l->scale[i] = s->scale;
-    l->t[i] = at->t;
-    l->t_lo[i] = at->t_lo;
-}
-
-static inline void get_side(const side_lanes *l, uint32_t i, kit_frustum *s, pov_crossing *at)
-{
-    s->anchor = pov_two3_of(kit_get(&l->anchor, i), kit_get(&l->anchor_lo, i));
-    s->row[0] = pov_two3_of(kit_get(&l->row[0], i), kit_get(&l->row_lo[0], i));
-    s->row[1] = pov_two3_of(kit_get(&l->row[1], i), kit_get(&l->row_lo[1], i));
-    s->row[2] = pov_two3_of(kit_get(&l->row[2], i), kit_get(&l->row_lo[2], i));
-    s->radius = pov_two_of(l->radius[i], l->radius_lo[i]);
-    s->slope = pov_two_of(l->slope[i], l->slope_lo[i]);
-    s->scale = l->scale[i];
-    at->t = l->t[i];
-    at->t_lo = l->t_lo[i];
-}
+#include "kit/frustum_lanes.h"
 
 /* As kit_frustum_normal(). good: not zero where that takes its usual way, and pov_unit() neither scales. */
-KIT_CLONES static void find_normals(const side_lanes *restrict l, kit_lane3 *restrict out, double *restrict good)
+KIT_CLONES static void find_normals(const frustum_lanes *restrict l, const double *restrict t,
+                                    const double *restrict t_lo, kit_lane3 *restrict out, double *restrict good)
 {
     uint32_t i;
 
     for (i = 0; i < TOGETHER; i++) {
         const pov_ray ray = kit_get_ray(&l->rays, i);
-        pov_crossing at;
-        kit_frustum s;
-        kit_ray k;
+        const kit_frustum s = get_shape(l, i);
+        const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
+        view v = view_of(&s, &k, kit_along_two_parts(&k, pov_two_of(t[i] / k.unit, t_lo[i] / k.unit)));
+        const double step = side_step(&s, &v);
         pov_vec3 w;
-        view v;
-        double step, length, largest;
+        double length, largest;
 
-        get_side(l, i, &s, &at);
-        k = kit_enter(&ray, s.anchor, s.scale);
-        v = view_of(&s, &k, kit_point(&k, &at));
-        step = side_step(&s, &v);
         take_step(&s, &v, step);
         w = side_normal(&s, &v);
         length = sqrt(pov_dot(w, w));
@@ -78,19 +32,22 @@ KIT_CLONES static void find_normals(const side_lanes *restrict l, kit_lane3 *res
 static void normals_of(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                        pov_vec3 *const *out, const uint32_t *which, uint32_t n)
 {
-    side_lanes lanes;
+    frustum_lanes lanes;
     kit_lane3 unit;
-    kit_lane good;
+    kit_lane t, t_lo, good;
+    const void *shapes[TOGETHER];
     const pov_ray *some[TOGETHER];
     uint32_t i, j;
 
     for (i = 0; i < TOGETHER; i++) {
         j = which[kit_lane_of(i, n)];
+        shapes[i] = selves[j];
         some[i] = rays[j];
-        put_side(&lanes, i, selves[j], at[j]);
+        t[i] = at[j]->t;
+        t_lo[i] = at[j]->t_lo;
     }
-    kit_put_four_rays(&lanes.rays, 0, some);
-    find_normals(&lanes, &unit, good);
+    put_pairs(&lanes, shapes, some);
+    find_normals(&lanes, t, t_lo, &unit, good);
     for (i = 0; i < TOGETHER && i < n; i++) {
         j = which[i];
         if (good[i] > 0.0)

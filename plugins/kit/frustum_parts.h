@@ -6,6 +6,8 @@
 
 enum { SIDE_IN = 0, SIDE_OUT = 1, CAP_BASE = 2, CAP_TOP = 3 };
 
+static inline uint32_t frustum_mark(const kit_frustum *s) { return s->open ? 0 : POV_MARK_CLOSED; }
+
 /* Which crossings a ray that left the shape may still report. */
 typedef enum leaving { NOT_LEAVING, INWARD, OUTWARD } leaving;
 
@@ -102,6 +104,39 @@ static inline pov_vec3 side_normal(const kit_frustum *s, const view *v)
     return pov_vec3_of(kit_quick_dot(n, two3_of(row[0].x, row[1].x, row[2].x)).hi,
                        kit_quick_dot(n, two3_of(row[0].y, row[1].y, row[2].y)).hi,
                        kit_quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi);
+}
+
+/* The local coordinates are sums of three products with entries below 2, so within 2^-97 of |w|; they and the radius
+ * are below 8 wherever it matters. */
+static inline double frustum_value_error(pov_two3 w) { return 0x1p-91 * (1.0 + pov_largest(pov_two3_hi(w))); }
+
+/* Rows and direction are below 2: no component of d is off by more than this. */
+#define FRUSTUM_D_ERROR (64.0 * KIT_U)
+
+static inline kit_residual side_residual(const kit_frustum *s, const view *v)
+{
+    const double grow = s->slope.hi * v->d.z;
+    const pov_vec3 size = pov_vec3_of(fabs(v->p.x.hi), fabs(v->p.y.hi), fabs(v->r.hi));
+    kit_residual r;
+
+    r.error = 0.0;
+    r.value = side_value(v);
+    r.half_slope = side_slope(s, v);
+    r.slope_error = FRUSTUM_D_ERROR * (size.x + size.y + size.z * fabs(s->slope.hi))
+                    + 4.0 * KIT_U * (size.x * fabs(v->d.x) + size.y * fabs(v->d.y) + size.z * fabs(grow));
+    return r;
+}
+
+static inline kit_residual cap_residual(const kit_frustum *s, const view *v, int base)
+{
+    const pov_two beyond = pov_two_sub(v->p.z, s->height);
+    kit_residual r;
+
+    r.error = 0.0;
+    r.value = base ? v->p.z.hi : beyond.hi;
+    r.half_slope = 0.5 * v->d.z;
+    r.slope_error = FRUSTUM_D_ERROR;
+    return r;
 }
 
 /* The equation of the side, or of a cap's plane, at a point. */

@@ -152,9 +152,9 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const rough *g, leavin
     if (!certain)
         return false;
     if (in)
-        roots[n++] = root_of(middle, both.lo, both.lo_part);
+        roots[n++] = root_of(middle, both.lo, both.lo_part, frustum_mark(s));
     if (out)
-        roots[n++] = root_of(middle, both.hi, both.hi_part);
+        roots[n++] = root_of(middle, both.hi, both.hi_part, frustum_mark(s));
     equation.apart = s->slender ? 0.0 : side.apart;
     return kit_report(roots, n, fmin(KIT_FINE / speed, KIT_APART * side.apart), &equation, hits);
 }

@@ -92,14 +92,14 @@ KIT_INLINE rough_equation equation_of(const rough *g)
     return e;
 }
 
-KIT_INLINE kit_root root_of(double middle, bounded t, uint32_t part)
+KIT_INLINE kit_root root_of(double middle, bounded t, uint32_t part, uint32_t flags)
 {
     kit_root r;
 
     r.t = pov_two_sum(middle, t.v);
     r.error = t.e;
     r.part = part;
-    r.flags = 0;
+    r.flags = flags;
     return r;
 }
 

@@ -108,6 +108,26 @@ KIT_INLINE void kit_put_four_of(kit_rays *l, uint32_t i, const pov_ray *const *r
     kit_put_four_rays(l, i, some);
 }
 
+/* The first n doubles of four shapes, n being a multiple of four: the k-th of shape j comes to place j of row k, and
+ * rows are `width` long. */
+KIT_INLINE void kit_put_four_shapes(double *rows, size_t width, uint32_t n, const void *const shapes[4])
+{
+    uint32_t k, j;
+#ifdef KIT_TRANSPOSES
+    kit_four v[4];
+
+    for (k = 0; k < n; k += 4) {
+        kit_transpose(shapes, k * sizeof(double), v);
+        for (j = 0; j < 4; j++)
+            kit_store_four(rows + (k + j) * width, 0, v[j]);
+    }
+#else
+    for (j = 0; j < 4; j++)
+        for (k = 0; k < n; k++)
+            memcpy(&rows[k * width + j], (const char *)shapes[j] + k * sizeof(double), sizeof(double));
+#endif
+}
+
 /* The ray of a lane, but for what it left. */
 static inline pov_ray kit_get_ray(const kit_rays *l, uint32_t i)
 {

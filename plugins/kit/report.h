@@ -39,6 +39,12 @@ static inline pov_mark kit_mark(uint32_t part, uint32_t flags)
     return mark;
 }
 
+/* Does a ray start on the shape and go into it for certain? */
+static inline bool kit_is_inward(const pov_ray *ray, const pov_hits *hits)
+{
+    return ray->left == hits->owner && (ray->left_mark.flags & POV_MARK_INTO);
+}
+
 /* What a root may be off by, once t and unit have been multiplied. */
 static inline double kit_slack(const kit_root *r) { return r->error + 2.0 * KIT_U * fabs(r->t.hi); }
 
@@ -113,7 +119,7 @@ static inline bool kit_report(kit_root *roots, uint32_t n, double fine, const ki
 
         if (verdict[i] != KIT_GOOD)
             continue;
-        hits->decided += r->flags != 0;
+        hits->decided += (r->flags & POV_MARK_DECIDED) != 0;
         if (!pov_cross(hits, r->t.hi * unit, r->t.lo * unit, kit_mark(r->part, r->flags)))
             break;
     }
@@ -121,9 +127,9 @@ static inline bool kit_report(kit_root *roots, uint32_t n, double fine, const ki
 }
 
 /* What two-part arithmetic found. */
-static inline bool kit_report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part)
+static inline bool kit_report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part, uint32_t flags)
 {
-    return pov_cross(hits, t.hi * unit, t.lo * unit, kit_mark(part, POV_MARK_DECIDED));
+    return pov_cross(hits, t.hi * unit, t.lo * unit, kit_mark(part, flags | POV_MARK_DECIDED));
 }
 
 #endif

@@ -1,9 +1,7 @@
-#include "kit/second_order.h"
+#include "kit/second_order_rough.h"
 
 #include "kit/affine.h"
 #include "kit/expansion.h"
-
-static pov_two half(pov_two a) { return pov_two_scale(a, 0.5); }
 
 static pov_two sum3(pov_two a, pov_two b, pov_two c) { return pov_two_add(pov_two_add(a, b), c); }
 
@@ -31,33 +29,6 @@ pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 g)
     g.y = pov_two_add(g.y, half(q[H]));
     g.z = pov_two_add(g.z, half(q[I]));
     return pov_two_add(pov_two3_dot(p, g), q[J]);
-}
-
-/* Off by less than 3 u^2 of both sizes. */
-static inline pov_two plus(pov_two a, pov_two b)
-{
-    const pov_two s = pov_two_sum(a.hi, b.hi);
-    return pov_two_sum(s.hi, s.lo + (a.lo + b.lo));
-}
-
-pov_two3 kit_quick_half_gradient(const pov_two *q, pov_two3 p)
-{
-    const pov_two d = half(q[D]), e = half(q[E]), f = half(q[F]);
-    const pov_two3 x = { q[A], d, e }, y = { d, q[B], f }, z = { e, f, q[C] };
-    pov_two3 g;
-
-    g.x = plus(kit_quick_dot(x, p), half(q[G]));
-    g.y = plus(kit_quick_dot(y, p), half(q[H]));
-    g.z = plus(kit_quick_dot(z, p), half(q[I]));
-    return g;
-}
-
-pov_two kit_quick_value(const pov_two *q, pov_two3 p, pov_two3 g)
-{
-    g.x = plus(g.x, half(q[G]));
-    g.y = plus(g.y, half(q[H]));
-    g.z = plus(g.z, half(q[I]));
-    return plus(kit_quick_dot(p, g), q[J]);
 }
 
 /* Adds q a b, each in two parts. */
@@ -120,6 +91,7 @@ static int length_exponent(int second, int first, int constant)
 
 static void prepare(kit_second_order *s)
 {
+    pov_box box;
     int second = exponent_of(s->raw + A, 6), first = exponent_of(s->raw + G, 3), constant = exponent_of(s->raw + J, 1);
     int length = length_exponent(second, first, constant), largest, i;
 
@@ -137,6 +109,7 @@ static void prepare(kit_second_order *s)
     s->flat = second == -100000;
     s->sizeless = !(s->sum1 > 0.0) && !(s->size[J] > 0.0);
     s->scale = ldexp(1.0, -length);
+    s->closed = kit_second_order_bounds(s, &box);
 }
 
 /* ---- the anchor ---- */

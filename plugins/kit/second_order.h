@@ -9,14 +9,15 @@ enum { A, B, C, D, E, F, G, H, I, J, COEFFICIENTS };
 
 typedef struct kit_second_order {
     pov_two3 anchor;
-    pov_two raw[COEFFICIENTS];     /* about the anchor */
     /* Made from raw: for lengths times scale, multiplied so that the largest is of the order of one. */
     pov_two q[COEFFICIENTS];
-    double rough[COEFFICIENTS], size[COEFFICIENTS];
     double sum2, sum1;             /* of the sizes of second order, and of the first */
     double scale;
+    pov_two raw[COEFFICIENTS];     /* about the anchor */
+    double rough[COEFFICIENTS], size[COEFFICIENTS];   /* of q */
     bool flat;                     /* nothing of the second order: a plane */
     bool sizeless;                 /* nothing else: a cone, the same at every scale */
+    bool closed;                   /* an ellipsoid for certain */
 } kit_second_order;
 
 /* From coefficients about the origin, as they were written. */
@@ -30,10 +31,15 @@ bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map);
 pov_two3 kit_half_gradient(const pov_two *q, pov_two3 p, bool linear);
 /* The value at a point whose half gradient is known. */
 pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
-/* The same, within 2^-99 and 2^-98 of the sum of the sizes of all terms: for what is left after cancelling. */
-pov_two3 kit_quick_half_gradient(const pov_two *q, pov_two3 p);
-pov_two kit_quick_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
 /* The value at a point, without any error but that of rounding once. */
 pov_two kit_exact_value(const pov_two *q, pov_two3 p);
+
+/* Many at once; `one` is asked for those that the quick way leaves open. */
+typedef void kit_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+typedef void kit_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+void kit_second_order_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                     uint32_t n, kit_intersect *one);
+void kit_second_order_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                                  pov_vec3 *const *out, uint32_t n, kit_normal *one);
 
 #endif

@@ -141,6 +141,14 @@ static bool find(slabs *s, int *entry, int *exit)
     return *entry >= 0;
 }
 
+/* One that is as flat as a plane somewhere is left where it is entered. */
+static inline uint32_t mark_of(const box *b)
+{
+    const pov_two *p = b->plane;
+
+    return p[0].hi < p[1].hi && p[2].hi < p[3].hi && p[4].hi < p[5].hi ? POV_MARK_CLOSED : 0;
+}
+
 /* The quotient in two parts: what the first division leaves is divided again. */
 static bool report(const slabs *s, pov_hits *hits, int plane)
 {
@@ -153,7 +161,8 @@ static bool report(const slabs *s, pov_hits *hits, int plane)
     sum = pov_fast_two_sum(t, rest / d);
     if (!isfinite(sum.lo))
         sum = pov_two_of(t, 0.0);
-    return pov_cross(hits, sum.hi * s->unit, sum.lo * s->unit, kit_mark((uint32_t)plane, s->decided ? POV_MARK_DECIDED : 0));
+    return pov_cross(hits, sum.hi * s->unit, sum.lo * s->unit,
+                     kit_mark((uint32_t)plane, mark_of(s->shape) | (s->decided ? POV_MARK_DECIDED : 0)));
 }
 
 static inline bool goes_inward(pov_vec3 d, int face)
@@ -248,21 +257,13 @@ static bool absorb(void *self, const pov_affine *map)
 /* Boxes, each with its ray. */
 typedef struct box_lanes {
     kit_rays rays;
-    kit_lane plane[6], plane_lo[6];
+    kit_lane plane[12];          /* both parts of the first, and so on */
+    kit_lane way;                /* 1 for the entry, -1 for the exit */
 } box_lanes;
 
-/* Where rays enter. No number where a comparison is not certain. */
-typedef struct entry_lanes { kit_lane t, t_lo, part; } entry_lanes;
-
-static inline void put_box(box_lanes *l, uint32_t i, const box *b)
-{
-    int p;
-
-    for (p = 0; p < 6; p++) {
-        l->plane[p][i] = b->plane[p].hi;
-        l->plane_lo[p][i] = b->plane[p].lo;
-    }
-}
+/* Where rays enter, or where those that start on the box and go into it leave. No number where a comparison is not
+ * certain. */
+typedef struct end_lanes { kit_lane t, t_lo, part; } end_lanes;
 
 /* A plane, and what the ray is along its axis; t as that of slabs. */
 typedef struct crossed { double t, plane, plane_lo, o, o_lo, d, d_lo, part; } crossed;
@@ -282,14 +283,16 @@ static inline crossed choose(int first, crossed a, crossed b)
     return c;
 }
 
-/* The planes of an axis, in the order that the ray meets them. */
+/* The planes of an axis, in the order that the ray meets them, or the other way round for its exit: then distances have
+ * their signs turned, so that what is sought is the largest of the near ones again. */
 static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o, double o_lo, double d, double d_lo,
                               crossed *near, double *far)
 {
-    const double lower = l->plane[2 * axis][i], lower_lo = l->plane_lo[2 * axis][i];
-    const double upper = l->plane[2 * axis + 1][i], upper_lo = l->plane_lo[2 * axis + 1][i];
-    const double at = ((lower - o) + (lower_lo - o_lo)) / d, beyond = ((upper - o) + (upper_lo - o_lo)) / d;
-    const int backward = d < 0.0;
+    const double lower = l->plane[4 * axis][i], lower_lo = l->plane[4 * axis + 1][i];
+    const double upper = l->plane[4 * axis + 2][i], upper_lo = l->plane[4 * axis + 3][i];
+    const double way = l->way[i];
+    const double at = ((lower - o) + (lower_lo - o_lo)) / d * way, beyond = ((upper - o) + (upper_lo - o_lo)) / d * way;
+    const int backward = d * way < 0.0;
 
     near->t = backward ? beyond : at;
     near->plane = backward ? upper : lower;
@@ -305,9 +308,9 @@ static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o
 /* As compare() says it without a closer look. */
 static inline int is_apart(double a, double b) { return fabs(a - b) > 8.0 * KIT_U * (fabs(a) + fabs(b)); }
 
-/* As begin(), find() and report() for the entry. A direction without a component along some axis makes distances without
+/* As begin(), find() and report() for one end. A direction without a component along some axis makes distances without
  * end, and these are not certain. */
-KIT_CLONES static void find_entries(const box_lanes *restrict l, entry_lanes *restrict out)
+KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
 
@@ -315,8 +318,8 @@ KIT_CLONES static void find_entries(const box_lanes *restrict l, entry_lanes *re
         const pov_ray ray = kit_get_ray(&l->rays, i);
         const double power = pov_inverse_power(pov_largest(ray.dir));
         const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
-        crossed x, y, z, xy, entry;
-        double far_x, far_y, far_z, far_xy, exit, t, rest;
+        crossed x, y, z, xy, end;
+        double far_x, far_y, far_z, far_xy, far, t, rest;
         pov_two distance, p, sum;
         int certain;
 
@@ -325,38 +328,47 @@ KIT_CLONES static void find_entries(const box_lanes *restrict l, entry_lanes *re
         cross_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z, &z, &far_z);
         xy = choose(y.t > x.t, y, x);
         far_xy = kit_lesser(far_y, far_x);
-        entry = choose(z.t > xy.t, z, xy);
-        exit = kit_lesser(far_z, far_xy);
+        end = choose(z.t > xy.t, z, xy);
+        far = kit_lesser(far_z, far_xy);
         certain = is_apart(y.t, x.t) & is_apart(z.t, xy.t) & is_apart(far_y, far_x) & is_apart(far_z, far_xy) &
-                  is_apart(entry.t, exit) & (int)(entry.t < exit);
-        distance = pov_two_neg(pov_two_offset(entry.o, entry.o_lo, pov_two_of(entry.plane, entry.plane_lo)));
-        t = distance.hi / entry.d;
-        p = pov_two_product(t, entry.d);
-        rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * entry.d_lo);
-        sum = pov_fast_two_sum(t, rest / entry.d);
+                  ((int)(l->way[i] < 0.0) | (is_apart(end.t, far) & (int)(end.t < far)));
+        distance = pov_two_neg(pov_two_offset(end.o, end.o_lo, pov_two_of(end.plane, end.plane_lo)));
+        t = distance.hi / end.d;
+        p = pov_two_product(t, end.d);
+        rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * end.d_lo);
+        sum = pov_fast_two_sum(t, rest / end.d);
         out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) ? sum.hi * power : NAN;
         out->t_lo[i] = sum.lo * power;
-        out->part[i] = entry.part;
+        out->part[i] = end.part;
     }
 }
 
-/* Whoever does not leave the box, and enters it for certain, has his answer: what leaves it is further off. */
+/* Whoever does not leave the box, and enters it for certain, has his answer: what leaves it is further off. So has
+ * who goes into it from where he starts. */
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    entry_lanes entry;
+    end_lanes end;
+    const void *shapes[KIT_LANES];
     box_lanes lanes;
     uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i += 4)
+    for (i = 0; i < KIT_LANES; i++) {
+        const uint32_t j = kit_lane_of(i, n);
+
+        shapes[i] = selves[j];
+        lanes.way[i] = kit_is_inward(rays[j], hits[j]) ? -1.0 : 1.0;
+    }
+    for (i = 0; i < KIT_LANES; i += 4) {
         kit_put_four_of(&lanes.rays, i, rays, n);
-    for (i = 0; i < KIT_LANES; i++)
-        put_box(&lanes, i, selves[kit_lane_of(i, n)]);
-    find_entries(&lanes, &entry);
+        kit_put_four_shapes(lanes.plane[0] + i, KIT_LANES, 12, shapes + i);
+    }
+    find_ends(&lanes, &end);
     for (i = 0; i < n; i++) {
         pov_hits *h = hits[i];
 
-        if (entry.t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact && h->owner != rays[i]->left)
-            pov_cross(h, entry.t[i], entry.t_lo[i], kit_mark((uint32_t)entry.part[i], 0));
+        if (end.t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact &&
+            (h->owner != rays[i]->left || lanes.way[i] < 0.0))
+            pov_cross(h, end.t[i], end.t_lo[i], kit_mark((uint32_t)end.part[i], mark_of(selves[i])));
         else
             intersect(selves[i], rays[i], h);
     }
@@ -386,7 +398,7 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
 
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX | POV_SHAPE_FACES,
     .keyword = "box",
     .instance_size = sizeof(box),
     .parse = parse,

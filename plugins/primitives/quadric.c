@@ -4,11 +4,8 @@
  * Along a ray this is a t^2 + 2 b t + c. Where the ray's origin is too far for that, it is taken about the ray's own
  * vertex, where b is nearly zero and the discriminant has nothing to cancel; the coefficients have two parts, so that
  * maps can be absorbed. */
-#include "kit/report.h"
 #include "kit/second_order_block.h"
-
-/* A crossing's part: where the ray comes to negative values, and where it leaves them. */
-enum { ENTERING = 0, EXITING = 1 };
+#include "kit/second_order_rough.h"
 
 typedef kit_second_order quadric;
 
@@ -34,34 +31,14 @@ static bool absorb(void *self, const pov_affine *map) { return kit_second_order_
 
 /* ---- in two parts ---- */
 
-static bool report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part)
+static bool report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part, uint32_t flags)
 {
-    return !isfinite(t.hi) || kit_report_decided(hits, t, unit, part);
+    return !isfinite(t.hi) || kit_report_decided(hits, t, unit, part, flags);
 }
 
 /* Which crossings are wanted. A ray that left the surface started on one of the two: where it goes to
  * larger values, on the exit, else on the entry. */
 enum { WANT_ENTRY = 1, WANT_EXIT = 2 };
-
-/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the
- * sizes of coefficients and components in place of themselves the sums of the sizes of all terms. */
-static double along_second(const double *q, pov_vec3 d)
-{
-    return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
-}
-
-static double along_first(const double *q, pov_vec3 w, pov_vec3 d)
-{
-    return d.x * (q[A] * w.x + 0.5 * (q[D] * w.y + q[E] * w.z + q[G]))
-           + d.y * (q[B] * w.y + 0.5 * (q[D] * w.x + q[F] * w.z + q[H]))
-           + d.z * (q[C] * w.z + 0.5 * (q[E] * w.x + q[F] * w.y + q[I]));
-}
-
-static double along_value(const double *q, pov_vec3 w)
-{
-    return w.x * (q[A] * w.x + q[D] * w.y + q[E] * w.z + q[G]) + w.y * (q[B] * w.y + q[F] * w.z + q[H])
-           + w.z * (q[C] * w.z + q[I]) + q[J];
-}
 
 /* a . b for both taken `power` times; a zero stays one. */
 static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
@@ -169,23 +146,13 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
         return;
     roots.entry = from_origin(s, k, middle, roots.entry, roots.root);
     roots.exit = from_origin(s, k, middle, roots.exit, roots.root);
-    if (wanted & WANT_ENTRY && !report_decided(hits, roots.entry, k->unit, ENTERING))
+    if (wanted & WANT_ENTRY && !report_decided(hits, roots.entry, k->unit, ENTERING, second_order_mark(s)))
         return;
     if (wanted & WANT_EXIT)
-        report_decided(hits, roots.exit, k->unit, EXITING);
+        report_decided(hits, roots.exit, k->unit, EXITING, second_order_mark(s));
 }
 
 /* ---- in double ---- */
-
-/* Absolute values, and on each a slack. */
-static pov_vec3 sizes(pov_vec3 a, double slack)
-{
-    return pov_vec3_of(fabs(a.x) + slack, fabs(a.y) + slack, fabs(a.z) + slack);
-}
-
-typedef struct along {
-    double a, b, c, a_error, b_error, c_error;
-} along;
 
 /* Each term is a product of at most four rounded factors and passes through at most six sums. */
 static along measure(const quadric *s, const kit_ray *k, pov_vec3 w)
@@ -202,29 +169,21 @@ static along measure(const quadric *s, const kit_ray *k, pov_vec3 w)
     return r;
 }
 
-static kit_root root_of(double middle, double t, double error, uint32_t part)
+static kit_root root_of(double middle, double t, double error, uint32_t part, uint32_t flags)
 {
     kit_root r;
 
     r.t = pov_two_sum(middle, t);
     r.error = error;
     r.part = part;
-    r.flags = 0;
+    r.flags = flags;
     return r;
 }
 
 static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part)
 {
-    const quadric *s = self;
-    const pov_two3 g = kit_quick_half_gradient(s->q, w);
-    kit_residual r;
-
     (void)part;
-    r.value = kit_quick_value(s->q, w, g).hi;
-    r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w), 0.0));
-    r.half_slope = pov_dot(pov_two3_hi(g), k->d);
-    r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(g), k->d);
-    return r;
+    return second_order_residual(self, k, w);
 }
 
 /* No second order: a plane. Its value at the origin and its slope in two parts give the crossing as exactly. */
@@ -251,9 +210,7 @@ static bool quick_plane(const quadric *s, const kit_ray *k, pov_hits *hits)
 static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, double middle, uint32_t wanted,
                          pov_hits *hits)
 {
-    const double d = r->b * r->b - r->a * r->c;
-    const double d_error = (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error +
-                           fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
+    const double d = discriminant_of(r), d_error = discriminant_error(r);
     kit_equation equation = { s, k, residual, 0.0 };
     double root, error, entry, exit, size;
     kit_root roots[2];
@@ -261,40 +218,23 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
 
     if (d < -2.0 * d_error)
         return true;
-    if (!(d > 16.0 * d_error) || !(fabs(r->a) > 1024.0 * r->a_error && fabs(r->a) > KIT_TINY))
+    if (!is_cut(r, d, d_error))
         return false;
     root = sqrt(d);
     entry = (-r->b - root) / r->a;
     exit = (-r->b + root) / r->a;
-    error = (r->b_error + 0.52 * d_error / root + KIT_U * (root + fabs(r->b))) / (0.9 * fabs(r->a));
+    error = roots_error(r, root, d_error);
     for (i = 0; i < 2; i++) {
         const bool is_entry = (i == 0) == (r->a > 0.0);
         const double t = is_entry ? entry : exit;
 
         if (wanted & (is_entry ? WANT_ENTRY : WANT_EXIT))
-            roots[n++] = root_of(middle, t, error + fabs(t) * (1.1 * r->a_error / fabs(r->a) + 2.0 * KIT_U),
-                                 is_entry ? ENTERING : EXITING);
+            roots[n++] = root_of(middle, t, root_error(r, t, error),
+                                 is_entry ? ENTERING : EXITING, second_order_mark(s));
     }
     equation.apart = root / fabs(r->a);
     size = s->sizeless ? pov_largest(pov_two3_hi(k->f)) : 1.0;
     return kit_report(roots, n, fmin(KIT_FINE * KIT_SLOWEST * size, KIT_APART * equation.apart), &equation, hits);
-}
-
-/* The coefficients at the ray's origin. The sizes of the terms are bounded by the largest component of the origin and by
- * the direction's, which is below 2. */
-static along measure_at_origin(const quadric *s, const kit_ray *k)
-{
-    const pov_vec3 f = pov_two3_hi(k->f);
-    const double far = pov_largest(f);
-    along r;
-
-    r.a = along_second(s->rough, k->d);
-    r.b = along_first(s->rough, f, k->d);
-    r.c = along_value(s->rough, f);
-    r.a_error = 40.0 * KIT_U * s->sum2;
-    r.b_error = 22.0 * KIT_U * (s->sum2 * far + 0.5 * s->sum1);
-    r.c_error = 12.0 * KIT_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
-    return r;
 }
 
 /* Coefficients of one sign have no positive root. Where one root is the start, which is left out, the other has the sign of
@@ -347,31 +287,21 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         decide(s, &k, leaving, hits);
 }
 
-/* At the point of a crossing, brought onto the surface by a step of Newton's along the ray: where that curves much, the
- * distance alone is not fine enough for a normal. The gradient moves with the point by the matrix times the direction;
- * that is so small that plain double is enough. */
 static pov_vec3 gradient(const quadric *s, const pov_ray *ray, const pov_crossing *at)
 {
-    const double *q = s->rough;
-    double step;
-    pov_vec3 move;
     pov_two3 p, g;
+    double step;
     kit_ray k;
 
     if (s->flat)
-        return pov_vec3_of(q[G], q[H], q[I]);
+        return pov_vec3_of(s->rough[G], s->rough[H], s->rough[I]);
     k = kit_enter(ray, s->anchor, s->scale);
     p = kit_point(&k, at);
-    g = kit_quick_half_gradient(s->q, p);
-    step = -0.5 * kit_quick_value(s->q, p, g).hi / pov_dot(pov_two3_hi(g), k.d);
-    /* A ray that only touches the surface has none; nor has it a point that is off by much. */
-    if (!(fabs(step) < 0x1p-30 * (s->sizeless ? pov_largest(pov_two3_hi(p)) : 1.0)))
+    g = quick_half_gradient(s->q, p);
+    step = step_to(s, &k, p, g);
+    if (!(fabs(step) < SECOND_ORDER_STEP * (s->sizeless ? pov_largest(pov_two3_hi(p)) : 1.0)))
         step = 0.0;
-    move = pov_vec3_of(q[A] * k.d.x + 0.5 * (q[D] * k.d.y + q[E] * k.d.z),
-                       q[B] * k.d.y + 0.5 * (q[D] * k.d.x + q[F] * k.d.z),
-                       q[C] * k.d.z + 0.5 * (q[E] * k.d.x + q[F] * k.d.y));
-    return pov_vec3_of(g.x.hi + (g.x.lo + step * move.x), g.y.hi + (g.y.lo + step * move.y),
-                       g.z.hi + (g.z.lo + step * move.z));
+    return gradient_beyond(s, &k, g, step);
 }
 
 /* Where the gradient vanishes, at the apex of a cone, no normal is better than another. */
@@ -390,6 +320,17 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     return kit_value(s->q, p, kit_half_gradient(s->q, p, true)).hi <= 0.0;
 }
 
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    kit_second_order_intersect_many(selves, rays, hits, n, intersect);
+}
+
+static void normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                        pov_vec3 *const *out, uint32_t n)
+{
+    kit_second_order_normal_many(selves, rays, at, out, n, normal);
+}
+
 static const pov_shape_class quadric_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,
@@ -404,6 +345,8 @@ static const pov_shape_class quadric_class = {
     .block_size = sizeof(kit_second_order_block),
     .block_pack = kit_second_order_pack,
     .block_filter = kit_second_order_filter,
+    .intersect_many = intersect_many,
+    .normal_many = normal_many,
 };
 
 static const pov_shape_class *const shapes[] = { &quadric_class, NULL };

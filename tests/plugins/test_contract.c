@@ -123,6 +123,13 @@ static bool is_inside(const thing *t, const pov_ray *ray, double when, double wh
     return subject.shape->inside(t->self, p, low);
 }
 
+static bool flips(const thing *t, const pov_ray *ray, const pov_crossing *at, double step, double rise)
+{
+    const bool before = is_inside(t, ray, at->t - step, at->t_lo), after = is_inside(t, ray, at->t + step, at->t_lo);
+
+    return before != after && after == (rise < 0.0);
+}
+
 /* Of crossings apart from each other: inside on one side, not on the other, and the normal points to the
  * latter. Open shapes end in air, so there inside() need not flip; but where it does it must do so
  * rightly. */
@@ -134,7 +141,6 @@ static bool flips_at_crossings(const thing *t, const pov_ray *ray)
 
     for (i = 0; i < n; i++) {
         pov_vec3 normal;
-        bool before, after;
         double rise;
 
         if ((i > 0 && at[i].t - at[i - 1].t < 8.0 * step) || (i + 1 < n && at[i + 1].t - at[i].t < 8.0 * step))
@@ -143,9 +149,8 @@ static bool flips_at_crossings(const thing *t, const pov_ray *ray)
         rise = pov_dot(normal, ray->dir) / speed;
         if (fabs(rise) < 1e-2)
             continue;
-        before = is_inside(t, ray, at[i].t - step, at[i].t_lo);
-        after = is_inside(t, ray, at[i].t + step, at[i].t_lo);
-        if (before == after || after != (rise < 0.0))
+        /* Next to the rim of an open one it takes a smaller step. */
+        if (!flips(t, ray, &at[i], step, rise) && !flips(t, ray, &at[i], 1e-3 * step, rise))
             return false;
     }
     return true;
@@ -629,6 +634,18 @@ static void block_filters_never_exclude_a_crossing(void **unused)
 
 enum { COMPANY = 37 };
 
+/* To which side a ray goes from the crossing that it starts on, where that is no matter of rounding. */
+static void name_side(const thing *t, pov_ray *ray, const pov_crossing *from)
+{
+    pov_vec3 normal;
+    double rise;
+
+    subject.shape->normal(t->self, ray, from, &normal);
+    rise = pov_dot(normal, pov_unit(ray->dir));
+    if (fabs(rise) > 1e-6)
+        ray->left_mark.flags |= rise > 0.0 ? POV_MARK_AWAY : POV_MARK_INTO;
+}
+
 /* Rays of all kinds: from far and near, from the surface itself, with zeros of both signs, absurdly large and small. */
 static pov_ray any_ray(const thing *t)
 {
@@ -644,6 +661,8 @@ static pov_ray any_ray(const thing *t)
         ray.dir = subject_direction();
         ray.left = OWNER;
         ray.left_mark = at[which].mark;
+        if (luck < 0.3)
+            name_side(t, &ray, &at[which]);
     } else if (luck < 0.5) {
         ray.dir.x = luck < 0.45 ? 0.0 : -0.0;
     } else if (luck < 0.6) {
@@ -844,6 +863,66 @@ static void a_convex_shape_is_left_for_good(void **unused)
         skip();
 }
 
+/* From each crossing inward: out once, and then no more. */
+static bool comes_out_once(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), i, which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal;
+    pov_ray next;
+
+    for (i = 1; i < n; i++)
+        if ((at[i].mark.flags ^ at[0].mark.flags) & POV_MARK_CLOSED)
+            return false;
+    if (n == 0 || !(at[0].mark.flags & POV_MARK_CLOSED))
+        return true;
+    memset(&next, 0, sizeof next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    next.dir = subject_direction();
+    if (pov_dot(next.dir, normal) > 0.0)
+        next.dir = pov_scale(next.dir, -1.0);
+    if (!(pov_dot(next.dir, normal) < -1e-6))
+        return true;
+    next.left = OWNER;
+    next.left_mark = at[which].mark;
+    next.left_mark.flags |= POV_MARK_INTO;
+    return subject_ask(t->self, &next, again) == 1 && again[0].mark.flags & POV_MARK_CLOSED;
+}
+
+static void who_goes_into_a_closed_shape_comes_out_once(void **unused)
+{
+    (void)unused;
+    each_ray(SPAWNED, comes_out_once);
+}
+
+static bool normals_need_no_ray(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+    const uint32_t n = subject_ask(t->self, ray, at);
+    pov_vec3 one, other;
+    pov_ray none;
+    uint32_t i;
+
+    memset(&none, 0, sizeof none);
+    for (i = 0; i < n; i++) {
+        subject.shape->normal(t->self, ray, &at[i], &one);
+        subject.shape->normal(t->self, &none, &at[i], &other);
+        if (memcmp(&one, &other, sizeof one) != 0)
+            return false;
+    }
+    return true;
+}
+
+static void faces_have_the_same_normal_from_everywhere(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & POV_SHAPE_FACES)
+        each_ray(RAYS, normals_need_no_ray);
+    else
+        skip();
+}
+
 static double between(double lo, double hi, double at)
 {
     const double rounded = DBL_EPSILON * 8.0 * (fabs(lo) + fabs(hi)), half = 0.5 * (hi - lo) - rounded;
@@ -933,6 +1012,8 @@ static int check_file(const char *file)
         cmocka_unit_test(a_ray_that_leaves_never_meets_its_start),
         cmocka_unit_test(a_box_or_ball_fills_its_bounds),
         cmocka_unit_test(a_convex_shape_is_left_for_good),
+        cmocka_unit_test(who_goes_into_a_closed_shape_comes_out_once),
+        cmocka_unit_test(faces_have_the_same_normal_from_everywhere),
         cmocka_unit_test(garbage_never_crashes_parse),
     };
     int failed;

@@ -1,0 +1,55 @@
+/* frustum_lanes.h - several cylinders or cones side by side, each with a ray. */
+#ifndef KIT_FRUSTUM_LANES_H
+#define KIT_FRUSTUM_LANES_H
+
+#include "kit/frustum_rough.h"
+#include "kit/lanes.h"
+
+/* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
+enum { TOGETHER = 4 };
+
+/* A shape's numbers, as they stand in it, up to what rays do not need. */
+#define NUMBER_OF(member) (offsetof(kit_frustum, member) / sizeof(double))
+enum { NUMBERS = NUMBER_OF(column) };
+
+typedef struct frustum_lanes {
+    kit_rays rays;
+    double number[NUMBERS][TOGETHER];
+} frustum_lanes;
+
+KIT_INLINE void put_pairs(frustum_lanes *l, const void *const shapes[TOGETHER], const pov_ray *const rays[TOGETHER])
+{
+    kit_put_four_shapes(l->number[0], TOGETHER, NUMBERS, shapes);
+    kit_put_four_rays(&l->rays, 0, rays);
+}
+
+static inline pov_two get_two(const frustum_lanes *l, uint32_t i, size_t number)
+{
+    return pov_two_of(l->number[number][i], l->number[number + 1][i]);
+}
+
+static inline pov_two3 get_two3(const frustum_lanes *l, uint32_t i, size_t number)
+{
+    return two3_of(get_two(l, i, number), get_two(l, i, number + 2), get_two(l, i, number + 4));
+}
+
+/* The shape of a lane, but for what stands behind its numbers, and its axis. */
+static inline kit_frustum get_shape(const frustum_lanes *l, uint32_t i)
+{
+    kit_frustum s;
+
+    s.anchor = get_two3(l, i, NUMBER_OF(anchor));
+    s.row[0] = get_two3(l, i, NUMBER_OF(row));
+    s.row[1] = get_two3(l, i, NUMBER_OF(row) + 6);
+    s.row[2] = get_two3(l, i, NUMBER_OF(row) + 12);
+    s.loss[0] = l->number[NUMBER_OF(loss)][i];
+    s.loss[1] = l->number[NUMBER_OF(loss) + 1][i];
+    s.loss[2] = l->number[NUMBER_OF(loss) + 2][i];
+    s.radius = get_two(l, i, NUMBER_OF(radius));
+    s.slope = get_two(l, i, NUMBER_OF(slope));
+    s.height = get_two(l, i, NUMBER_OF(height));
+    s.scale = l->number[NUMBER_OF(scale)][i];
+    return s;
+}
+
+#endif

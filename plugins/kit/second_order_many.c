@@ -1,0 +1,208 @@
+/* Several surfaces of the second order side by side, each with a ray: where rays enter, or come out of what they
+ * start on, and normals. */
+#include "kit/lanes.h"
+#include "kit/second_order_rough.h"
+
+/* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
+enum { TOGETHER = 4 };
+
+/* A shape's numbers, as they stand in it, up to what rays do not need; whole fours of them. */
+#define NUMBER_OF(member) (offsetof(kit_second_order, member) / sizeof(double))
+enum { NUMBERS = (NUMBER_OF(raw) + 3) / 4 * 4 };
+
+typedef struct pair_lanes {
+    kit_rays rays;
+    double number[NUMBERS][TOGETHER];
+} pair_lanes;
+
+static inline pov_two get_two(const pair_lanes *l, uint32_t i, size_t number)
+{
+    return pov_two_of(l->number[number][i], l->number[number + 1][i]);
+}
+
+KIT_INLINE void get_coefficient(const pair_lanes *l, uint32_t i, int which, kit_second_order *s)
+{
+    s->q[which] = get_two(l, i, NUMBER_OF(q) + 2 * (size_t)which);
+    s->rough[which] = s->q[which].hi;
+    s->size[which] = fabs(s->q[which].hi);
+}
+
+/* Without a loop: within one it would not become vectors. */
+KIT_INLINE kit_second_order get_shape(const pair_lanes *l, uint32_t i)
+{
+    kit_second_order s;
+
+    s.anchor.x = get_two(l, i, NUMBER_OF(anchor));
+    s.anchor.y = get_two(l, i, NUMBER_OF(anchor) + 2);
+    s.anchor.z = get_two(l, i, NUMBER_OF(anchor) + 4);
+    get_coefficient(l, i, A, &s);
+    get_coefficient(l, i, B, &s);
+    get_coefficient(l, i, C, &s);
+    get_coefficient(l, i, D, &s);
+    get_coefficient(l, i, E, &s);
+    get_coefficient(l, i, F, &s);
+    get_coefficient(l, i, G, &s);
+    get_coefficient(l, i, H, &s);
+    get_coefficient(l, i, I, &s);
+    get_coefficient(l, i, J, &s);
+    s.sum2 = l->number[NUMBER_OF(sum2)][i];
+    s.sum1 = l->number[NUMBER_OF(sum1)][i];
+    s.scale = l->number[NUMBER_OF(scale)][i];
+    return s;
+}
+
+/* Bounds on the distance, the distance, and whether it is found well enough. */
+typedef struct end_lanes { kit_lane lo, hi, t, t_lo, good; } end_lanes;
+
+/* As the quick way at the ray's origin, of a shape whose second order is positive along the ray, for the nearer
+ * crossing, or for the further one of a ray that starts on the nearer. Nearly every one needs the step. */
+KIT_CLONES static void find_ends(const pair_lanes *restrict l, const double *restrict inward, end_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const kit_second_order s = get_shape(l, i);
+        const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
+        const along r = measure_at_origin(&s, &k);
+        const int is_exit = inward[i] > 0.0;
+        const double d = discriminant_of(&r), d_error = discriminant_error(&r), root = sqrt(d);
+        const double t = (-r.b + (is_exit ? root : -root)) / r.a, apart = root / fabs(r.a);
+        const double error = root_error(&r, t, roots_error(&r, root, d_error));
+        const double fine = kit_lesser(KIT_FINE * KIT_SLOWEST, KIT_APART * apart);
+        const kit_root first = { pov_two_of(t, 0.0), error, 0, 0 };
+        const kit_residual f = second_order_residual(&s, &k, kit_along_two_parts(&k, first.t));
+        const double step = kit_root_step(&f);
+        const kit_root end = { pov_two_add_double(first.t, step), kit_root_step_error(&f, step, apart), 0, 0 };
+        const int needs_step = (int)!kit_is_fine(&first, fine) & (int)(error <= KIT_APART * apart)
+                               & (int)(fabs(step) <= 2.0 * error) & (int)(fabs(t) > error);
+        const double slack = kit_slack(&end);
+
+        out->lo[i] = (end.t.hi - slack) * k.unit;
+        out->hi[i] = (end.t.hi + slack) * k.unit;
+        out->t[i] = end.t.hi * k.unit;
+        out->t_lo[i] = end.t.lo * k.unit;
+        out->good[i] = is_cut(&r, d, d_error) & (int)(r.a > 0.0) & (!is_exit | (int)(-r.b > r.b_error)) & needs_step
+                               & (int)kit_is_fine(&end, fine)
+                           ? 1.0
+                           : 0.0;
+    }
+}
+
+static inline bool is_answered(const end_lanes *e, uint32_t i, const pov_ray *ray, const pov_hits *h)
+{
+    return e->good[i] > 0.0 && e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin
+           && h->want == POV_WANT_NEAREST && !h->always_exact && (h->owner != ray->left || kit_is_inward(ray, h));
+}
+
+/* Pairs of shapes that are neither flat nor without a size. */
+static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
+                            kit_intersect *one)
+{
+    const void *shapes[TOGETHER];
+    const pov_ray *some[TOGETHER];
+    kit_lane inward;
+    pair_lanes lanes;
+    end_lanes end;
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const uint32_t j = kit_lane_of(i, n);
+
+        shapes[i] = selves[j];
+        some[i] = rays[j];
+        inward[i] = kit_is_inward(rays[j], hits[j]) ? 1.0 : 0.0;
+    }
+    kit_put_four_shapes(lanes.number[0], TOGETHER, NUMBERS, shapes);
+    kit_put_four_rays(&lanes.rays, 0, some);
+    find_ends(&lanes, inward, &end);
+    for (i = 0; i < n; i++) {
+        const kit_second_order *s = selves[i];
+
+        if (is_answered(&end, i, rays[i], hits[i]) && !s->flat && !s->sizeless)
+            pov_cross(hits[i], end.t[i], end.t_lo[i],
+                      kit_mark(inward[i] > 0.0 ? EXITING : ENTERING, second_order_mark(s)));
+        else
+            one(s, rays[i], hits[i]);
+    }
+}
+
+void kit_second_order_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                     uint32_t n, kit_intersect *one)
+{
+    uint32_t i;
+
+    for (; n > 1; n -= i, selves += i, rays += i, hits += i) {
+        i = n < TOGETHER ? n : TOGETHER;
+        intersect_lanes(selves, rays, hits, i, one);
+    }
+    if (n)
+        one(selves[0], rays[0], hits[0]);
+}
+
+/* ---- normals ---- */
+
+/* good: not zero where the step is taken, and pov_unit() does not scale. */
+KIT_CLONES static void find_normals(const pair_lanes *restrict l, const double *restrict t, const double *restrict t_lo,
+                                    kit_lane3 *restrict out, double *restrict good)
+{
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const kit_second_order s = get_shape(l, i);
+        const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
+        const pov_two3 p = kit_along_two_parts(&k, pov_two_of(t[i] / k.unit, t_lo[i] / k.unit));
+        const pov_two3 g = quick_half_gradient(s.q, p);
+        const double step = step_to(&s, &k, p, g);
+        const pov_vec3 w = gradient_beyond(&s, &k, g, step);
+        const double length = sqrt(pov_dot(w, w)), largest = pov_largest(w);
+
+        good[i] = (int)(fabs(step) < SECOND_ORDER_STEP) & (int)(largest > 1e-100) & (int)(largest < 1e100) ? 1.0 : 0.0;
+        kit_put(out, i, pov_vec3_of(w.x / length, w.y / length, w.z / length));
+    }
+}
+
+static void normals_of(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                       pov_vec3 *const *out, uint32_t n, kit_normal *one)
+{
+    const void *shapes[TOGETHER];
+    const pov_ray *some[TOGETHER];
+    kit_lane t, t_lo, good;
+    pair_lanes lanes;
+    kit_lane3 unit;
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        const uint32_t j = kit_lane_of(i, n);
+
+        shapes[i] = selves[j];
+        some[i] = rays[j];
+        t[i] = at[j]->t;
+        t_lo[i] = at[j]->t_lo;
+    }
+    kit_put_four_shapes(lanes.number[0], TOGETHER, NUMBERS, shapes);
+    kit_put_four_rays(&lanes.rays, 0, some);
+    find_normals(&lanes, t, t_lo, &unit, good);
+    for (i = 0; i < n; i++) {
+        const kit_second_order *s = selves[i];
+
+        if (good[i] > 0.0 && !s->flat && !s->sizeless)
+            *out[i] = kit_get(&unit, i);
+        else
+            one(s, rays[i], at[i], out[i]);
+    }
+}
+
+void kit_second_order_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                                  pov_vec3 *const *out, uint32_t n, kit_normal *one)
+{
+    uint32_t i;
+
+    for (; n > 1; n -= i, selves += i, rays += i, at += i, out += i) {
+        i = n < TOGETHER ? n : TOGETHER;
+        normals_of(selves, rays, at, out, i, one);
+    }
+    if (n)
+        one(selves[0], rays[0], at[0], out[0]);
+}

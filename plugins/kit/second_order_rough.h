@@ -1,0 +1,154 @@
+/* second_order_rough.h - surfaces of the second order along a ray, in double with bounds on the errors, and the step
+ * that makes a crossing finer: what one ray and several share. */
+#ifndef KIT_SECOND_ORDER_ROUGH_H
+#define KIT_SECOND_ORDER_ROUGH_H
+
+#include "kit/report.h"
+#include "kit/second_order.h"
+
+/* A crossing's part: where the ray comes to negative values, and where it leaves them. */
+enum { ENTERING = 0, EXITING = 1 };
+
+static inline uint32_t second_order_mark(const kit_second_order *s) { return s->closed ? POV_MARK_CLOSED : 0; }
+
+/* ---- what is left after cancelling ---- */
+
+static inline pov_two half(pov_two a) { return pov_two_scale(a, 0.5); }
+
+/* Off by less than 3 u^2 of both sizes. */
+KIT_INLINE pov_two quick_sum(pov_two a, pov_two b)
+{
+    const pov_two s = pov_two_sum(a.hi, b.hi);
+    return pov_two_sum(s.hi, s.lo + (a.lo + b.lo));
+}
+
+/* As kit_half_gradient() and kit_value(), within 2^-99 and 2^-98 of the sum of the sizes of all terms. */
+KIT_INLINE pov_two3 quick_half_gradient(const pov_two *q, pov_two3 p)
+{
+    const pov_two d = half(q[D]), e = half(q[E]), f = half(q[F]);
+    const pov_two3 x = { q[A], d, e }, y = { d, q[B], f }, z = { e, f, q[C] };
+    pov_two3 g;
+
+    g.x = quick_sum(kit_quick_dot(x, p), half(q[G]));
+    g.y = quick_sum(kit_quick_dot(y, p), half(q[H]));
+    g.z = quick_sum(kit_quick_dot(z, p), half(q[I]));
+    return g;
+}
+
+KIT_INLINE pov_two quick_value(const pov_two *q, pov_two3 p, pov_two3 g)
+{
+    g.x = quick_sum(g.x, half(q[G]));
+    g.y = quick_sum(g.y, half(q[H]));
+    g.z = quick_sum(g.z, half(q[I]));
+    return quick_sum(kit_quick_dot(p, g), q[J]);
+}
+
+/* ---- along a ray ---- */
+
+/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the
+ * sizes of coefficients and components in place of themselves the sums of the sizes of all terms. */
+KIT_INLINE double along_second(const double *q, pov_vec3 d)
+{
+    return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
+}
+
+KIT_INLINE double along_first(const double *q, pov_vec3 w, pov_vec3 d)
+{
+    return d.x * (q[A] * w.x + 0.5 * (q[D] * w.y + q[E] * w.z + q[G]))
+           + d.y * (q[B] * w.y + 0.5 * (q[D] * w.x + q[F] * w.z + q[H]))
+           + d.z * (q[C] * w.z + 0.5 * (q[E] * w.x + q[F] * w.y + q[I]));
+}
+
+KIT_INLINE double along_value(const double *q, pov_vec3 w)
+{
+    return w.x * (q[A] * w.x + q[D] * w.y + q[E] * w.z + q[G]) + w.y * (q[B] * w.y + q[F] * w.z + q[H])
+           + w.z * (q[C] * w.z + q[I]) + q[J];
+}
+
+/* Absolute values, and on each a slack. */
+static inline pov_vec3 sizes(pov_vec3 a, double slack)
+{
+    return pov_vec3_of(fabs(a.x) + slack, fabs(a.y) + slack, fabs(a.z) + slack);
+}
+
+typedef struct along { double a, b, c, a_error, b_error, c_error; } along;
+
+/* The coefficients at the ray's origin. The sizes of the terms are bounded by the largest component of the origin and
+ * by the direction's, which is below 2. */
+KIT_INLINE along measure_at_origin(const kit_second_order *s, const kit_ray *k)
+{
+    const pov_vec3 f = pov_two3_hi(k->f);
+    const double far = pov_largest(f);
+    along r;
+
+    r.a = along_second(s->rough, k->d);
+    r.b = along_first(s->rough, f, k->d);
+    r.c = along_value(s->rough, f);
+    r.a_error = 40.0 * KIT_U * s->sum2;
+    r.b_error = 22.0 * KIT_U * (s->sum2 * far + 0.5 * s->sum1);
+    r.c_error = 12.0 * KIT_U * ((s->sum2 * far + s->sum1) * far + s->size[J]);
+    return r;
+}
+
+KIT_INLINE double discriminant_of(const along *r) { return r->b * r->b - r->a * r->c; }
+
+KIT_INLINE double discriminant_error(const along *r)
+{
+    return (2.0 * fabs(r->b) + r->b_error) * r->b_error + (fabs(r->a) + r->a_error) * r->c_error +
+           fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
+}
+
+/* There are two roots for certain, and well enough known. */
+static inline int is_cut(const along *r, double d, double d_error)
+{
+    return (int)(d > 16.0 * d_error) & (int)(fabs(r->a) > 1024.0 * r->a_error) & (int)(fabs(r->a) > KIT_TINY);
+}
+
+/* Of both roots; of one of them what its own size adds. */
+KIT_INLINE double roots_error(const along *r, double root, double d_error)
+{
+    return (r->b_error + 0.52 * d_error / root + KIT_U * (root + fabs(r->b))) / (0.9 * fabs(r->a));
+}
+
+KIT_INLINE double root_error(const along *r, double t, double error)
+{
+    return error + fabs(t) * (1.1 * r->a_error / fabs(r->a) + 2.0 * KIT_U);
+}
+
+KIT_INLINE kit_residual second_order_residual(const kit_second_order *s, const kit_ray *k, pov_two3 w)
+{
+    const pov_two3 g = quick_half_gradient(s->q, w);
+    kit_residual r;
+
+    r.value = quick_value(s->q, w, g).hi;
+    r.error = 0x1p-98 * along_value(s->size, sizes(pov_two3_hi(w), 0.0));
+    r.half_slope = pov_dot(pov_two3_hi(g), k->d);
+    r.slope_error = 6.0 * KIT_U * kit_sum_of_sizes(pov_two3_hi(g), k->d);
+    return r;
+}
+
+/* ---- normals ---- */
+
+/* At the point of a crossing, brought onto the surface by a step of Newton's along the ray: where that curves much,
+ * the distance alone is not fine enough for a normal. Longer steps than this are not taken: a ray that only touches
+ * the surface has none, nor has a point that is off by much. */
+#define SECOND_ORDER_STEP 0x1p-30
+
+KIT_INLINE double step_to(const kit_second_order *s, const kit_ray *k, pov_two3 p, pov_two3 g)
+{
+    return -0.5 * quick_value(s->q, p, g).hi / pov_dot(pov_two3_hi(g), k->d);
+}
+
+/* The gradient moves with the point by the matrix times the direction; that is so small that plain double is enough. */
+KIT_INLINE pov_vec3 gradient_beyond(const kit_second_order *s, const kit_ray *k, pov_two3 g, double step)
+{
+    const double *q = s->rough;
+    const pov_vec3 move = pov_vec3_of(q[A] * k->d.x + 0.5 * (q[D] * k->d.y + q[E] * k->d.z),
+                                      q[B] * k->d.y + 0.5 * (q[D] * k->d.x + q[F] * k->d.z),
+                                      q[C] * k->d.z + 0.5 * (q[E] * k->d.x + q[F] * k->d.y));
+
+    return pov_vec3_of(g.x.hi + (g.x.lo + step * move.x), g.y.hi + (g.y.lo + step * move.y),
+                       g.z.hi + (g.z.lo + step * move.z));
+}
+
+#endif
