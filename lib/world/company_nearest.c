@@ -258,6 +258,14 @@ static void begin_from_exits(company *c, const exits *e)
     }
 }
 
+/* What is looked at of an object that was met. */
+static inline void expect_place(const world *w, uint32_t which)
+{
+    SIMD_EXPECT(&w->model->objects.items[which]);
+    SIMD_EXPECT(&w->group[which]);
+    SIMD_EXPECT(&w->slot[which]);
+}
+
 /* What was met, as bits of the caller's. */
 static uint64_t end_nearest(company *c)
 {
@@ -277,7 +285,7 @@ static uint64_t end_nearest(company *c)
             continue;
         out->object = out->crossing.owner;
         met |= bit_of(c->of[i]);
-        SIMD_EXPECT(&c->world->model->objects.items[out->object]);
+        expect_place(c->world, out->object);
         if (hits->crowded)
             spot_choose(c->world, c->walker, c->rays[i], NULL, out);
     }

@@ -1,6 +1,7 @@
 #include "world/query.h"
 
 #include "base/err.h"
+#include "base/simd.h"
 #include "base/vec.h"
 #include "world/bits.h"
 
@@ -130,6 +131,7 @@ static void put_off(query *q, const run *r, uint32_t lane, double lo, double hi)
     p->run = r;
     p->lane = lane;
     p->lo = lo;
+    SIMD_EXPECT(run_instance(r, lane));
     if (hi < q->walk.limit)
         q->walk.limit = hi;
 }
