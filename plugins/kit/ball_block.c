@@ -1,14 +1,11 @@
 #include "kit/ball_block.h"
 
-#include "kit/simd.h"
-
-/* Half a unit in the last place of a float of one. */
-#define E 0x1p-24f
+#include "kit/floats.h"
 
 /* Points of a ray near the spheres, the point that it is nearest to one among them, are off by less than 22 e (1 + S), S
  * being the sum of the sizes of its origin's coordinates: docs/numerics.md has the count. Radii that much smaller and
  * larger, and bounds that much wider, make the answer safe. */
-#define BLUR (24.0f * E)
+#define BLUR (24.0f * KIT_E)
 
 static double place(pov_two c, double centre, double scale) { return (c.hi - centre + c.lo) * scale; }
 
@@ -30,15 +27,6 @@ bool kit_ball_pack(void *block, const pov_frame *frame, const void *const *selve
     return true;
 }
 
-static inline float sum_of(float a, float b, float c)
-{
-#ifdef __FMA__
-    return fmaf(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
 /* The lanes whose spheres the line of a ray may come near to, how far it has gone there, and the square of how near. */
 static inline uint32_t near_lines(const kit_ball_block *s, const pov_rays *rays, uint32_t at, float blur,
                                   float *restrict middle, float *restrict ww)
@@ -50,12 +38,12 @@ static inline uint32_t near_lines(const kit_ball_block *s, const pov_rays *rays,
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const float x = s->x[i] - ox, y = s->y[i] - oy, z = s->z[i] - oz, outer = s->radius[i] + blur;
-        const float m = sum_of(z, dz, sum_of(y, dy, x * dx));
-        const float wx = sum_of(-m, dx, x), wy = sum_of(-m, dy, y), wz = sum_of(-m, dz, z);
+        const float m = kit_float_sum(z, dz, kit_float_sum(y, dy, x * dx));
+        const float wx = kit_float_sum(-m, dx, x), wy = kit_float_sum(-m, dy, y), wz = kit_float_sum(-m, dz, z);
 
         middle[i] = m;
-        ww[i] = sum_of(wz, wz, sum_of(wy, wy, wx * wx));
-        met.lane[i] = -(ww[i] <= outer * outer * (1.0f + 8.0f * E));
+        ww[i] = kit_float_sum(wz, wz, kit_float_sum(wy, wy, wx * wx));
+        met.lane[i] = -(ww[i] <= outer * outer * (1.0f + 8.0f * KIT_E));
     }
     return kit_gather_bits(&met);
 }
@@ -70,14 +58,14 @@ typedef struct chords {
 static inline void bound_chords(const kit_ball_block *s, float blur, float smax, const float *restrict middle,
                                 const float *restrict ww, chords *restrict out)
 {
-    const float sure = smax * (1.0f - 16.0f * E) - blur;   /* no further away than tmax */
+    const float sure = smax * (1.0f - 16.0f * KIT_E) - blur;   /* no further away than tmax */
     kit_bits maybe, surely, twice;
     uint32_t i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const float outer = s->radius[i] + blur, inner = s->radius[i] - blur;
-        const float wide = sqrtf(outer * outer * (1.0f + 8.0f * E) - ww[i]) + blur;
-        const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * E) - ww[i]) - blur;
+        const float wide = sqrtf(outer * outer * (1.0f + 8.0f * KIT_E) - ww[i]) + blur;
+        const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * KIT_E) - ww[i]) - blur;
         const float in = middle[i] - wide, surely_in = middle[i] - narrow;
         const float out_from = middle[i] + narrow, out_to = middle[i] + wide;
         const int known = (inner > 0.0f) & (narrow > 0.0f), within = known & (surely_in < 0.0f);
