@@ -118,19 +118,23 @@ static inline bool is_company(uint64_t lanes)
 
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)
 {
-    uint64_t of[8], met = 0, apart = 0;
+    uint64_t of[8], met, apart = 0;
     uint32_t octant;
     exits e;
 
     if (n == 0)
         return 0;
     company_find_exits(w, k, rays, n, tmax, out, &e);
+    met = e.met;
     divide(w, rays, n, of);
-    for (octant = 0; octant < 8; octant++)
-        if (is_company(of[octant]))
-            met |= company_nearest(w, k, rays, of[octant], tmax, &e, out);
+    for (octant = 0; octant < 8; octant++) {
+        const uint64_t lanes = of[octant] & ~e.met;
+
+        if (is_company(lanes))
+            met |= company_nearest(w, k, rays, lanes, tmax, &e, out);
         else
-            apart |= of[octant];
+            apart |= lanes;
+    }
     return apart ? met | company_nearest_apart(w, k, rays, apart, tmax, &e, out) : met;
 }
 

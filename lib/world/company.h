@@ -41,8 +41,8 @@ uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *con
 uint64_t company_stand_in_list(company *c, uint64_t lanes);
 
 /* Where rays that go into a closed shape come out of it, as bits and places of the caller's: all of them are asked
- * together, before anything else, and end there at the latest. */
-typedef struct exits { uint64_t known; pov_hits hits[WORLD_MANY]; } exits;
+ * together, before anything else, and end there at the latest. `met`: those that end there, for nothing else is near. */
+typedef struct exits { uint64_t known, met; pov_hits hits[WORLD_MANY]; } exits;
 void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
                         exits *e);
 

@@ -223,13 +223,30 @@ static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const
     return others;
 }
 
+/* Nothing else can be met in a shape that stands alone. */
+static void leave_lonely(const world *w, walker *k, const pov_ray *const *rays, hit *out, exits *e)
+{
+    uint64_t rest;
+
+    for (rest = e->known; w->lonely && rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        if (e->hits[i].count == 0 || !w->lonely[rays[i]->left])
+            continue;
+        k->decided += e->hits[i].decided;
+        out[i].object = rays[i]->left;
+        out[i].company = 0;
+        e->met |= bit_of(i);
+    }
+}
+
 void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
                         exits *e)
 {
     uint64_t left;
     uint32_t i;
 
-    e->known = 0;
+    e->known = e->met = 0;
     if (!w->plan.transmission || !any_goes_in(rays, n))
         return;
     for (i = 0; i < n; i++)
@@ -239,6 +256,7 @@ void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, u
         }
     for (left = e->known; left;)
         left = find_class_exits(w, k, rays, left, e);
+    leave_lonely(w, k, rays, out, e);
 }
 
 static void begin_from_exits(company *c, const exits *e)

@@ -52,6 +52,9 @@ void flat_box(const flat *f, uint32_t index, pov_box *out);
 /* The placement of an object whose group is placed, by what was composed of its transformations. Made anew, so that it
  * is kept in one place only. Any thread. */
 void flat_place(const flat *f, uint32_t index, const pov_affine *map, placement *out);
+/* By object, 1: it lets light pass and nothing else comes near its box. NULL: nothing does, or there is too much to look
+ * at. False: no memory. */
+bool flat_find_lonely(const flat *f, uint8_t **lonely);
 /* Boxes are not asked for any more. */
 void flat_drop_boxes(flat *f);
 /* Nor are the model's transformations, if this is its last world. */

@@ -39,6 +39,7 @@ struct world {
     const bvh_walks *walks;
     bool always_exact;
     pov_box bounds, clear;       /* clear: around what light passes */
+    uint8_t *lonely;             /* by object, 1: it is clear, and nothing else is in its box; NULL: nobody knows */
     bool has_bounds;
     uint32_t infinite_count;
     medium *media;

@@ -272,7 +272,7 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
     w->has_bounds = f->finite_count > 0;
     w->bounds = f->bounds;
     w->clear = f->clear;
-    if (!find_media(w, f) || !lay_out(w, f, tree))
+    if (!find_media(w, f) || (w->plan.transmission && !flat_find_lonely(f, &w->lonely)) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
 }
@@ -351,6 +351,7 @@ void world_destroy(world *w)
     env_free(w->env, w->group);
     env_free(w->env, w->slot);
     env_free(w->env, w->media);
+    env_free(w->env, w->lonely);
     plan_free(&w->plan);
     env_free(w->env, w);
 }
