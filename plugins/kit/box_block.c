@@ -91,7 +91,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
         const line l = line_of(rays, from + i);
         meet(&p, &l, i, out, &say);
     }
-    kit_gather(&say, some, out);
+    kit_gather(&say, KIT_FLOATS, some, out);
 }
 
 KIT_INLINE void meet_boxes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
@@ -104,14 +104,14 @@ KIT_INLINE void meet_boxes(const void *block, const pov_rays *rays, size_t at, u
         const planes p = planes_of(block, i);
         meet(&p, &l, i, out, &say);
     }
-    kit_gather(&say, some, out);
+    kit_gather(&say, POV_BLOCK_MAX, some, out);
 }
 
 /* Static, since the names of clones would be seen from outside. */
 KIT_CLONES static uint32_t filter(const kit_box_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {
-    return kit_filter_by_eights(b, b->count, owners, rays, lanes, meet_rays, meet_boxes, out);
+    return kit_filter_in_lanes(b, b->count, owners, rays, lanes, meet_rays, meet_boxes, out);
 }
 
 uint32_t kit_box_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)

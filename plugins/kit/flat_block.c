@@ -160,7 +160,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
         const kit_beam l = kit_beam_of(rays, from + i);
         meet(&f, &l, i, out, &say);
     }
-    kit_gather(&say, some, out);
+    kit_gather(&say, KIT_FLOATS, some, out);
     if (!(b->sure >> which & 1))
         out->surely = 0;
 }
@@ -172,11 +172,11 @@ KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at,
     kit_conditions say = { .twice = { { 0 } } };
     uint32_t i;
 
-    for (i = 0; i < KIT_FLOATS; i++) {
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
         const figure f = figure_of(b, i);
         meet(&f, &l, i, out, &say);
     }
-    kit_gather(&say, some, out);
+    kit_gather(&say, POV_BLOCK_MAX, some, out);
     out->surely &= b->sure;
 }
 
@@ -184,7 +184,7 @@ KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at,
 KIT_CLONES static uint32_t filter(const kit_flat_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {
-    return kit_filter_by_eights(b, b->count, owners, rays, lanes, meet_rays, meet_figures, out);
+    return kit_filter_in_lanes(b, b->count, owners, rays, lanes, meet_rays, meet_figures, out);
 }
 
 uint32_t kit_flat_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)

@@ -1,11 +1,16 @@
-/* floats.h - what block filters in floats share: eight lanes, of shapes that one ray is asked of, or of rays that are
- * asked of one shape. */
+/* floats.h - what block filters in floats share: lanes of the shapes of a block that one ray is asked of, or of rays that
+ * are asked of one shape. */
 #ifndef KIT_FLOATS_H
 #define KIT_FLOATS_H
 
 #include "kit/simd.h"
 
+/* Rays that are taken together: as many as a vector of the processor holds, and no fewer than a block holds shapes. */
+#ifdef __AVX512F__
+enum { KIT_FLOATS = 16 };
+#else
 enum { KIT_FLOATS = 8 };
+#endif
 
 /* Half a unit in the last place of a float of one. */
 #define KIT_E 0x1p-24f
@@ -46,15 +51,46 @@ KIT_INLINE kit_beam kit_beam_of(const pov_rays *rays, size_t at)
 /* What is found, by lane: as of meetings, but for the bounds, which are lengths in the frame. */
 typedef struct kit_chords { float lo[KIT_FLOATS], hi[KIT_FLOATS]; uint32_t maybe, surely, twice; } kit_chords;
 
-/* The same, before conditions are bits. */
-typedef struct kit_conditions { kit_bits maybe, surely, twice; } kit_conditions;
+/* Comparisons' outcomes as of kit_bits, of as many lanes as are in use. */
+typedef struct kit_outcomes { int32_t lane[KIT_FLOATS]; } kit_outcomes;
 
-/* maybe: those of `some`. */
-static inline void kit_gather(const kit_conditions *c, uint32_t some, kit_chords *out)
+/* The bits of n lanes: those of a block, or KIT_FLOATS. */
+KIT_INLINE uint32_t kit_bits_of(const kit_outcomes *o, uint32_t n)
 {
-    out->maybe = some & kit_gather_bits(&c->maybe);
-    out->surely = kit_gather_bits(&c->surely);
-    out->twice = kit_gather_bits(&c->twice);
+#ifdef __AVX512DQ__
+    if (n > POV_BLOCK_MAX) {
+        typedef int ints __attribute__((vector_size(64)));
+        ints v;
+
+        memcpy(&v, o->lane, sizeof v);
+        return __builtin_ia32_cvtd2mask512(v);
+    }
+#else
+    (void)n;
+#endif
+    return kit_gather_lanes(o->lane);
+}
+
+/* The same of bounds, before conditions are bits. */
+typedef struct kit_conditions { kit_outcomes maybe, surely, twice; } kit_conditions;
+
+/* Of n lanes; maybe: those of `some`. */
+KIT_INLINE void kit_gather(const kit_conditions *c, uint32_t n, uint32_t some, kit_chords *out)
+{
+    out->maybe = some & kit_bits_of(&c->maybe, n);
+    out->surely = kit_bits_of(&c->surely, n);
+    out->twice = kit_bits_of(&c->twice, n);
+}
+
+/* The lanes of KIT_FLOATS that are whose. */
+KIT_INLINE uint32_t kit_rays_of(const uint32_t *owners, uint32_t whose)
+{
+    kit_outcomes same;
+    uint32_t i;
+
+    for (i = 0; i < KIT_FLOATS; i++)
+        same.lane[i] = -(owners[i] == whose);
+    return kit_bits_of(&same, KIT_FLOATS);
 }
 
 /* Puts a meeting of each lane of `maybe` after the n that there are; gives how many there are then. Lanes are rays, from
@@ -86,28 +122,28 @@ static inline bool kit_are_more(uint32_t bits, uint32_t n)
     return bits != 0;
 }
 
-/* Of `some`: eight rays, from `from` on, at one shape of a block; one ray at all of its shapes. */
+/* Of `some`: KIT_FLOATS rays, from `from` on, at one shape of a block; one ray at all of its shapes. */
 typedef void kit_meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
                            kit_chords *restrict out);
 typedef void kit_meet_shapes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out);
 
-/* A filter. Rays and shapes are taken by eights; those of which there are more stand in the lanes. */
-KIT_INLINE uint32_t kit_filter_by_eights(const void *block, uint32_t count, const uint32_t *owners, const pov_rays *rays,
+/* A filter. Rays and shapes of which there are more stand in the lanes. */
+KIT_INLINE uint32_t kit_filter_in_lanes(const void *block, uint32_t count, const uint32_t *owners, const pov_rays *rays,
                                          uint64_t lanes, kit_meet_rays *meet_rays, kit_meet_shapes *meet_shapes,
                                          pov_meeting *out)
 {
-    const uint32_t all = (1u << count) - 1;
+    const uint32_t all = (1u << count) - 1, together = (uint32_t)((UINT64_C(1) << KIT_FLOATS) - 1);
     uint32_t n = 0, which;
     kit_chords c;
 
     while (lanes) {
         const uint32_t from = kit_first_lane64(lanes) / KIT_FLOATS * KIT_FLOATS;
-        uint32_t some = (uint32_t)(lanes >> from) & 255u;
+        uint32_t some = (uint32_t)(lanes >> from) & together;
         const bool of_rays = kit_are_more(some, count);
 
-        lanes &= ~((uint64_t)255 << from);
+        lanes &= ~((uint64_t)together << from);
         for (which = 0; of_rays && which < count; which++) {
-            const uint32_t stay = some & ~kit_owned_by(rays->away + from, owners[which]);
+            const uint32_t stay = some & ~kit_rays_of(rays->away + from, owners[which]);
 
             if (!stay)
                 continue;

@@ -122,7 +122,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
         const kit_beam ray = kit_beam_of(rays, from + i);
         say.maybe.lane[i] = find(&s, &ray, i, &l);
     }
-    some &= kit_gather_bits(&say.maybe);
+    some &= kit_bits_of(&say.maybe, KIT_FLOATS);
     out->maybe = 0;
     if (!some)
         return;
@@ -130,7 +130,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
         const kit_beam ray = kit_beam_of(rays, from + i);
         bound(&s, &ray, &l, i, out, &say);
     }
-    kit_gather(&say, some, out);
+    kit_gather(&say, KIT_FLOATS, some, out);
 }
 
 KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
@@ -140,26 +140,26 @@ KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, 
     uint32_t i;
     lines l;
 
-    for (i = 0; i < KIT_FLOATS; i++) {
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
         const kit_one s = one_of(block, i);
         say.maybe.lane[i] = find(&s, &ray, i, &l);
     }
-    some &= kit_gather_bits(&say.maybe);
+    some &= kit_bits_of(&say.maybe, POV_BLOCK_MAX);
     out->maybe = 0;
     if (!some)
         return;
-    for (i = 0; i < KIT_FLOATS; i++) {
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
         const kit_one s = one_of(block, i);
         bound(&s, &ray, &l, i, out, &say);
     }
-    kit_gather(&say, some, out);
+    kit_gather(&say, POV_BLOCK_MAX, some, out);
 }
 
 /* Static, since the names of clones would be seen from outside. */
 KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {
-    return kit_filter_by_eights(b, b->count, owners, rays, lanes, meet_rays, meet_shapes, out);
+    return kit_filter_in_lanes(b, b->count, owners, rays, lanes, meet_rays, meet_shapes, out);
 }
 
 uint32_t kit_frustum_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,

@@ -68,22 +68,24 @@ static inline double kit_lesser(double a, double b) { return a < b ? a : b; }
 /* A comparison's outcome by lane, all bits or none, and one bit for each of these. */
 typedef struct kit_bits { int32_t lane[POV_BLOCK_MAX]; } kit_bits;
 
-static inline uint32_t kit_gather_bits(const kit_bits *b)
+static inline uint32_t kit_gather_lanes(const int32_t *lanes)
 {
 #if defined(__AVX2__) && defined(__GNUC__)
     typedef float floats __attribute__((vector_size(32)));
     floats f;
 
-    memcpy(&f, b->lane, sizeof f);
+    memcpy(&f, lanes, sizeof f);
     return (uint32_t)__builtin_ia32_movmskps256(f);
 #else
     uint32_t bits = 0, i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++)
-        bits |= (uint32_t)b->lane[i] & 1u << i;
+        bits |= (uint32_t)lanes[i] & 1u << i;
     return bits;
 #endif
 }
+
+static inline uint32_t kit_gather_bits(const kit_bits *b) { return kit_gather_lanes(b->lane); }
 
 /* The lanes that are whose, as bits. */
 static inline uint32_t kit_owned_by(const uint32_t *owners, uint32_t whose)
