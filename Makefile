@@ -14,8 +14,9 @@ WERROR   ?=
 PKG_CONFIG ?= pkg-config
 # The library and the primitives are built once more for these processors, beside the baseline; the system's loader
 # picks, and the pictures are the same to the bit. WIDE= leaves that out.
-WIDE     ?= $(if $(SANITIZE),,$(shell $(CC) -march=x86-64-v3 -dM -E -x c /dev/null 2>/dev/null | \
-               grep -q __gnu_linux__ && echo x86-64-v3))
+WIDE     ?= $(if $(SANITIZE),,$(shell for w in x86-64-v3 x86-64-v4; do \
+               $(CC) -march=$$w -dM -E -x c /dev/null 2>/dev/null | grep -q __gnu_linux__ && echo $$w; done))
+WIDE     := $(WIDE)
 
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wpointer-arith \
            -Wwrite-strings -Wvla -Wundef $(WERROR)
@@ -43,10 +44,8 @@ SHARED         = $(BUILD)/lib/libpovtrace.so.$(VERSION)
 STATIC         = $(BUILD)/lib/libpovtrace.a
 POVC           = $(BUILD)/bin/povc
 # Of what is WIDE, where the loader and the library look for it.
-WIDE_FOLDER    = $(if $(WIDE),lib/glibc-hwcaps/$(WIDE))
-WIDE_SHARED    = $(if $(WIDE),$(BUILD)/$(WIDE_FOLDER)/libpovtrace.so.$(VERSION))
-WIDE_OBJECTS   = $(LIB_SOURCES:%.c=$(BUILD)/obj/$(WIDE)/%.o)
-WIDE_PLUGINS   = $(if $(WIDE),$(PRIMITIVES:$(BUILD)/lib/povtrace/primitives/%=$(BUILD)/lib/povtrace/primitives/$(WIDE)/%))
+WIDE_SHARED    = $(WIDE:%=$(BUILD)/lib/glibc-hwcaps/%/libpovtrace.so.$(VERSION))
+WIDE_PLUGINS   = $(foreach w,$(WIDE),$(PRIMITIVES:$(BUILD)/lib/povtrace/primitives/%=$(BUILD)/lib/povtrace/primitives/$(w)/%))
 
 .PHONY: all
 all: $(SHARED) $(STATIC) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC)
@@ -96,35 +95,43 @@ $(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(KIT)
 
 # ---- the same for wider processors ----
 
-ifneq ($(WIDE),)
-$(BUILD)/obj/$(WIDE)/%.o: MARCH = -march=$(WIDE) -DPOV_WIDE='"$(WIDE)"'
+# Compilers hold back from vectors of 512 bits unless they are told.
+WIDE_FLAGS_x86-64-v4 = -mprefer-vector-width=512
 
-$(BUILD)/obj/$(WIDE)/lib/%.o: lib/%.c
-	@mkdir -p $(@D)
-	$(CC) $(LIB_FLAGS) -c $< -o $@
+# $(1): the processors.
+define WIDE_RULES
+$(BUILD)/obj/$(1)/%.o: MARCH = -march=$(1) $(WIDE_FLAGS_$(1)) -DPOV_WIDE='"$(1)"'
 
-$(WIDE_SHARED): $(WIDE_OBJECTS) lib/api/libpovtrace.map
-	@mkdir -p $(@D)
-	$(LINK_SHARED)
-	ln -sf $(@F) $(@D)/libpovtrace.so.$(SOVERSION)
+$(BUILD)/obj/$(1)/lib/%.o: lib/%.c
+	@mkdir -p $$(@D)
+	$$(CC) $$(LIB_FLAGS) -c $$< -o $$@
 
-$(BUILD)/obj/$(WIDE)/plugins/%.o: plugins/%.c
-	@mkdir -p $(@D)
-	$(CC) $(USER_FLAGS) -Iplugins -c $< -o $@
+$(BUILD)/lib/glibc-hwcaps/$(1)/libpovtrace.so.$(VERSION): $(LIB_SOURCES:%.c=$(BUILD)/obj/$(1)/%.o) lib/api/libpovtrace.map
+	@mkdir -p $$(@D)
+	$$(LINK_SHARED)
+	ln -sf $$(@F) $$(@D)/libpovtrace.so.$(SOVERSION)
 
-$(BUILD)/obj/$(WIDE)/plugins/kit.a: $(KIT_OBJECTS:$(BUILD)/obj/%=$(BUILD)/obj/$(WIDE)/%)
-	rm -f $@
-	ar rcs $@ $^
+$(BUILD)/obj/$(1)/plugins/%.o: plugins/%.c
+	@mkdir -p $$(@D)
+	$$(CC) $$(USER_FLAGS) -Iplugins -c $$< -o $$@
 
-$(BUILD)/lib/povtrace/primitives/$(WIDE)/%.so: $(BUILD)/obj/$(WIDE)/plugins/primitives/%.o $(BUILD)/obj/$(WIDE)/plugins/kit.a
-	@mkdir -p $(@D)
-	$(LINK_PLUGIN)
-else
+$(BUILD)/obj/$(1)/plugins/kit.a: $(KIT_OBJECTS:$(BUILD)/obj/%=$(BUILD)/obj/$(1)/%)
+	rm -f $$@
+	ar rcs $$@ $$^
+
+$(BUILD)/lib/povtrace/primitives/$(1)/%.so: $(BUILD)/obj/$(1)/plugins/primitives/%.o $(BUILD)/obj/$(1)/plugins/kit.a
+	@mkdir -p $$(@D)
+	$$(LINK_PLUGIN)
+endef
+$(foreach w,$(WIDE),$(eval $(call WIDE_RULES,$(w))))
+
 # The loader would take what an earlier make left.
+STALE := $(filter-out $(WIDE),$(notdir $(wildcard $(BUILD)/lib/glibc-hwcaps/*)))
+ifneq ($(STALE),)
 .PHONY: narrow
 all: narrow
 narrow:
-	rm -rf $(BUILD)/lib/glibc-hwcaps $(wildcard $(BUILD)/lib/povtrace/primitives/x86-64-v*)
+	rm -rf $(STALE:%=$(BUILD)/lib/glibc-hwcaps/%) $(STALE:%=$(BUILD)/lib/povtrace/primitives/%)
 endif
 
 # ---- programs ----
@@ -173,7 +180,16 @@ FILL_IN = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@INCLU
 $(BUILD)/libdir: FORCE
 	@mkdir -p $(@D)
 	@echo '$(LIBDIR)' | cmp -s - $@ || echo '$(LIBDIR)' > $@
-$(BUILD)/obj/lib/plug/registry.o $(BUILD)/obj/$(WIDE)/lib/plug/registry.o: $(BUILD)/libdir
+$(BUILD)/obj/lib/plug/registry.o $(WIDE:%=$(BUILD)/obj/%/lib/plug/registry.o): $(BUILD)/libdir
+
+# $(1): the processors.
+define INSTALL_WIDE
+	$(INSTALL) -d $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(1) $(DESTDIR)$(LIBDIR)/povtrace/primitives/$(1)
+	$(INSTALL) -m 755 $(BUILD)/lib/glibc-hwcaps/$(1)/libpovtrace.so.$(VERSION) $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(1)
+	ln -sf libpovtrace.so.$(VERSION) $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(1)/libpovtrace.so.$(SOVERSION)
+	$(INSTALL) -m 755 $(filter $(BUILD)/lib/povtrace/primitives/$(1)/%,$(WIDE_PLUGINS)) $(DESTDIR)$(LIBDIR)/povtrace/primitives/$(1)
+
+endef
 
 .PHONY: install uninstall
 install: all
@@ -187,10 +203,7 @@ install: all
 	$(INSTALL) -m 755 $(PRIMITIVES) $(DESTDIR)$(LIBDIR)/povtrace/primitives
 	$(INSTALL) -m 755 $(IMAGES) $(DESTDIR)$(LIBDIR)/povtrace/images
 	$(if $(PLOTS),$(INSTALL) -m 755 $(PLOTS) $(DESTDIR)$(LIBDIR)/povtrace/plots)
-	$(if $(WIDE),$(INSTALL) -d $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE) $(DESTDIR)$(LIBDIR)/povtrace/primitives/$(WIDE))
-	$(if $(WIDE),$(INSTALL) -m 755 $(WIDE_SHARED) $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE))
-	$(if $(WIDE),ln -sf $(notdir $(WIDE_SHARED)) $(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE)/libpovtrace.so.$(SOVERSION))
-	$(if $(WIDE),$(INSTALL) -m 755 $(WIDE_PLUGINS) $(DESTDIR)$(LIBDIR)/povtrace/primitives/$(WIDE))
+	$(foreach w,$(WIDE),$(call INSTALL_WIDE,$(w)))
 	@mkdir -p $(BUILD)/install
 	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(INSTALL_RPATH)' -lm \
 	    -o $(BUILD)/install/povc
@@ -210,10 +223,10 @@ uninstall:
 	    $(DESTDIR)$(LIBDIR)/pkgconfig/povtrace.pc \
 	    $(addprefix $(DESTDIR)$(LIBDIR)/cmake/povtrace/,povtraceConfig.cmake povtraceConfigVersion.cmake) \
 	    $(patsubst $(BUILD)/lib/%,$(DESTDIR)$(LIBDIR)/%,$(PLUGINS) $(WIDE_PLUGINS) $(WIDE_SHARED)) \
-	    $(if $(WIDE),$(DESTDIR)$(LIBDIR)/glibc-hwcaps/$(WIDE)/libpovtrace.so.$(SOVERSION)) \
+	    $(WIDE:%=$(DESTDIR)$(LIBDIR)/glibc-hwcaps/%/libpovtrace.so.$(SOVERSION)) \
 	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS)))
-	-rmdir $(addprefix $(DESTDIR),$(if $(WIDE),$(LIBDIR)/glibc-hwcaps/$(WIDE) $(LIBDIR)/glibc-hwcaps \
-	    $(LIBDIR)/povtrace/primitives/$(WIDE)) $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
+	-rmdir $(addprefix $(DESTDIR),$(if $(WIDE),$(WIDE:%=$(LIBDIR)/glibc-hwcaps/%) $(LIBDIR)/glibc-hwcaps \
+	    $(WIDE:%=$(LIBDIR)/povtrace/primitives/%)) $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
 	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace)
 
 # ---- first steps ----
@@ -253,8 +266,8 @@ help:
 	@echo "make install    to PREFIX ($(PREFIX)), below DESTDIR if given; make uninstall takes it away again"
 	@echo "make clean      remove $(BUILD)/"
 	@echo
-	@echo "BUILD=, CC=, CFLAGS=, OPTIMISE=, SANITIZE=, PREFIX=, LIBDIR= are as usual; WIDE= leaves out the second build"
-	@echo "of the library and the primitives for x86-64-v3 processors."
+	@echo "BUILD=, CC=, CFLAGS=, OPTIMISE=, SANITIZE=, PREFIX=, LIBDIR= are as usual; WIDE= leaves out the builds"
+	@echo "of the library and the primitives for x86-64-v3 and x86-64-v4 processors."
 
 clean:
 	rm -rf $(BUILD)

@@ -29,11 +29,11 @@ METHODS = $(foreach m,textbook qform twofold,$(METHOD_NAMES:%=$(BUILD)/tests/num
 define METHOD_RULE
 $(BUILD)/tests/numerics/$1/primitives$2/%.so: tests/numerics/methods/primitives/%.c $(wildcard tests/numerics/methods/*.h) $3
 	@mkdir -p $$(@D)
-	$(CC) $(filter-out -MMD -MP,$(USER_FLAGS)) $(if $2,-march=$(WIDE)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
+	$(CC) $(filter-out -MMD -MP,$(USER_FLAGS)) $(if $2,-march=$(2:/%=%)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
 	    -Wl,--gc-sections $(LINK_FLAGS) $$< $3 -lm -o $$@
 endef
 $(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(KIT))))
-$(if $(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,/$(WIDE),$(BUILD)/obj/$(WIDE)/plugins/kit.a))))
+$(foreach w,$(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,/$w,$(BUILD)/obj/$w/plugins/kit.a))))
 .PHONY: accuracy-methods
 accuracy-methods: $(METHODS)
 

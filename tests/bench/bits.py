@@ -2,7 +2,7 @@
 """Holds povc's pictures of small bench scenes together, byte for byte.
 
 The first is traced without a tree by one thread of the baseline library; against it stand tree and list, by several
-numbers of threads, of each copy of the library: for any x86-64, for x86-64-v3, and one made of portable C alone.
+numbers of threads, of each copy of the library: for any x86-64, for x86-64-v3 and v4, and one made of portable C alone.
 """
 import argparse
 import os
@@ -44,11 +44,15 @@ def copies(options, work):
     """Name, program and the loader's first folder of each copy of the library that runs here."""
     povc = Path(options.povc).resolve()
     found = [('baseline', povc, str(narrow_folder(work, povc)))]
+    os.environ.pop('LD_LIBRARY_PATH', None)
     said, _ = programs.run([povc, '--version'])
-    if 'x86-64-v3' in said:
-        found.append(('x86-64-v3', povc, ''))
-    else:
-        print('x86-64-v3 is left out: it was not built, or this processor is older')
+    for copy in ('x86-64-v3', 'x86-64-v4'):
+        folder = povc.parent.parent / 'lib' / 'glibc-hwcaps' / copy
+        # The loader took the widest that this processor can run.
+        if folder.is_dir() and any(f', {wider})' in said for wider in ('x86-64-v3', 'x86-64-v4') if wider >= copy):
+            found.append((copy, povc, str(folder)))
+        else:
+            print(f'{copy} is left out: it was not built, or this processor is older')
     if options.portable:
         found.append(('portable', Path(options.portable).resolve(), ''))
     return found

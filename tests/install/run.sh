@@ -39,9 +39,11 @@ install_puts_every_file_in_its_place() {
 
 install_puts_the_wider_copies_where_the_loader_looks() {
     [ -d "$BUILD_DIR/lib/glibc-hwcaps" ] || skip "this build has no wider copies"
-    [ "$(readlink "$lib/glibc-hwcaps/x86-64-v3/libpovtrace.so.0")" = libpovtrace.so.0.1.0 ]
-    [ -s "$lib/glibc-hwcaps/x86-64-v3/libpovtrace.so.0.1.0" ]
-    [ "$(ls "$lib/povtrace/primitives/x86-64-v3")" = "$(cd "$lib/povtrace/primitives" && ls -- *.so)" ]
+    for copy in $(ls "$BUILD_DIR/lib/glibc-hwcaps"); do
+        [ "$(readlink "$lib/glibc-hwcaps/$copy/libpovtrace.so.0")" = libpovtrace.so.0.1.0 ] || fail "$copy"
+        [ -s "$lib/glibc-hwcaps/$copy/libpovtrace.so.0.1.0" ] || fail "$copy"
+        [ "$(ls "$lib/povtrace/primitives/$copy")" = "$(cd "$lib/povtrace/primitives" && ls -- *.so)" ] || fail "$copy"
+    done
 }
 
 install_povc_finds_its_library_and_plugins_wherever_the_tree_stands() {

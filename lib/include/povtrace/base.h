@@ -28,8 +28,8 @@
 
 /* Version of the library this program runs against. Any thread. */
 POV_API void pov_version(int *major, int *minor, int *patch);
-/* The processors that this copy of the library was compiled for: "baseline", or "x86-64-v3" where the system's
- * loader found that one to fit. Both give the same bits. Any thread. */
+/* The processors that this copy of the library was compiled for: "baseline", or "x86-64-v3" or "x86-64-v4" where the
+ * system's loader found that one to fit. All give the same bits. Any thread. */
 POV_API const char *pov_built_for(void);
 
 /* Zero is success; every failure is negative. */
