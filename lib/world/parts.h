@@ -75,6 +75,11 @@ static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_
 bool crossings_grow(pov_hits *hits);
 /* From near to far. */
 void crossings_sort(pov_crossing *at, uint32_t count);
+/* What the surface of one lets through. */
+static inline colour crossing_filter(const world *w, const pov_crossing *at)
+{
+    return w->plan.looks[w->model->objects.items[at->owner].material].filter.by;
+}
 /* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
 bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);
 /* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */

@@ -392,14 +392,13 @@ static bool are_in_order(const pov_crossing *at, uint32_t count)
  * order that of the objects: it is the same for the tree and the list. */
 bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through)
 {
-    const object *objects = w->model->objects.items;
     double r = (double)through->r, g = (double)through->g, b = (double)through->b;
     uint32_t i;
 
     if (!are_in_order(at, count))
         sort(at, count, is_of_earlier);
     for (i = 0; i < count; i++) {
-        const colour filter = w->plan.looks[objects[at[i].owner].material].filter.by;
+        const colour filter = crossing_filter(w, &at[i]);
 
         r *= (double)filter.r;
         g *= (double)filter.g;

@@ -126,6 +126,10 @@ static inline bool end_light(const world *w, bool blocked, pov_hits *tints, colo
     *through = colour_of(1.0f, 1.0f, 1.0f);
     if (!blocked && !(tints && tints->count > 0))
         return true;
+    if (!blocked && tints->count == 1) {
+        *through = crossing_filter(w, tints->at);   /* what white times that is */
+        return !colour_is_black(*through);
+    }
     if (!blocked && crossings_multiply(w, tints->at, tints->count, through))
         return true;
     *through = colour_of(0.0f, 0.0f, 0.0f);
