@@ -30,6 +30,13 @@
 #define SIMD_INLINE static inline
 #endif
 
+/* What must stay one. */
+#if defined(__GNUC__)
+#define SIMD_APART __attribute__((noinline))
+#else
+#define SIMD_APART
+#endif
+
 /* What will be read soon, where the processor cannot guess it. The address need not be one. */
 #if defined(__GNUC__)
 #define SIMD_EXPECT(address) __builtin_prefetch(address)

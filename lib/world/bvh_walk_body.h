@@ -68,7 +68,7 @@ WALK_TARGET static inline bool WALK_NAME(descend)(const bvh_node *nodes, const W
 }
 
 /* Set up the ray in a frame. False: it passes by. */
-WALK_TARGET static inline bool WALK_NAME(enter)(const bvh_walk *w, uint32_t frame, bvh_local *local, WALK_LANES *lanes,
+WALK_TARGET static inline bool WALK_NAME(enter)(bvh_walk *w, uint32_t frame, bvh_local *local, WALK_LANES *lanes,
                                                 float *limit)
 {
     bvh_local l;
@@ -79,6 +79,7 @@ WALK_TARGET static inline bool WALK_NAME(enter)(const bvh_walk *w, uint32_t fram
     WALK_SPREAD(&l, *limit, lanes);
     if (w->framed)
         bvh_stand(w->framed, 0, &l, *limit);
+    w->in = &w->tree->frames[frame];
     *local = l;
     return true;
 }

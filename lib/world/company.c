@@ -47,6 +47,7 @@ uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *con
                        double end)
 {
     c->party.tree = &w->tree;
+    c->party.in = NULL;
     c->party.rays = c->rays;
     c->party.lowered = 0;
     c->world = w;
@@ -64,6 +65,7 @@ uint64_t company_stand_in_list(company *c, uint64_t lanes)
 
     if (!c->world->list_packed)
         return lanes;
+    c->party.in = &c->world->list_frame;
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
 

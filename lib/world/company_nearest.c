@@ -49,7 +49,7 @@ static void put_off(company *c, const run *r, const pov_meeting *m)
 static void filter_nearest(company *c, const run *r, uint64_t lanes)
 {
     const pov_meeting *m = c->met;
-    uint32_t n = run_filter(r, &c->party.side, lanes, c->met);
+    uint32_t n = run_filter(r, c->party.in, &c->party.side, lanes, c->met);
 
     for (; n > 0; m++, n--) {
         const pov_ray *ray = c->rays[m->ray];

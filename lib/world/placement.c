@@ -67,21 +67,21 @@ static void set_inverse(placement *p, const pov_affine *map)
     }
 }
 
-/* From the anchor to the further side of the own box, and what the filter may be off by: see placement_parts.h.
- * snug: set to false if the nearer side is not as far, as far as the filter cares. */
+/* From the anchor to the further side of the own box, and some: what is flat stays within the range of floats. reach:
+ * the edges of the box in the world. snug: set to false if the nearer side is not as far, as far as the filter cares. */
 static bool set_half(placement *p, int i, double lo, double hi, pov_vec3 reach, bool *snug)
 {
     const pov_two at = pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i));
     const double above = pov_two_sub(pov_two_of(hi, 0.0), at).hi, below = pov_two_sub(at, pov_two_of(lo, 0.0)).hi;
     const double least = fmin(above, below) - PLACEMENT_ROUNDED * (fabs(lo) + fabs(hi));
-    double half = fmax(above, below), lost = 0.0;
+    double half = fmax(above, below) + PLACEMENT_LEAST, across = 0.0;
     int j;
 
     for (j = 0; j < 3; j++)
-        lost += fabs(inverse(p, i, j).hi) * part(reach, j);
-    half += PLACEMENT_LOST * (lost + half) + PLACEMENT_LEAST;
-    p->half[i] = (float)(half * (1.0 + 0x1p-20));
-    *snug = *snug && half > PLACEMENT_SMALL && least >= PLACEMENT_SNUG * (double)p->half[i];
+        across += fabs(inverse(p, i, j).hi) * part(reach, j);
+    half = fmax(half, PLACEMENT_FLAT * across);
+    p->per_half[i] = (float)((1.0 - 0x1p-20) / half);
+    *snug = *snug && half > PLACEMENT_SMALL && least * (double)p->per_half[i] >= PLACEMENT_SNUG;
     return half < PLACEMENT_LARGE && pov_largest(p->column[i]) < PLACEMENT_RANGE;
 }
 
@@ -94,30 +94,13 @@ static bool set_box(placement *p, const pov_box *own, const pov_box *around, boo
            set_half(p, 1, own->lo.y, own->hi.y, reach, snug) && set_half(p, 2, own->lo.z, own->hi.z, reach, snug);
 }
 
-/* Are the rows of |A| |M| small, A being the inverse of M? */
-static bool is_tame(const pov_affine *map)
-{
-    double most = 0.0;
-    int i, j, k;
-
-    for (i = 0; i < 3; i++) {
-        double row = 0.0;
-        for (j = 0; j < 3; j++)
-            for (k = 0; k < 3; k++)
-                row += fabs(map->inv[i][k] * map->m[k][j]);
-        most = row <= most ? most : row;
-    }
-    return most <= PLACEMENT_TAME;
-}
-
-static uint8_t what_is_known(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around,
-                             uint32_t flags)
+static uint8_t what_is_known(placement *p, const pov_box *own, const pov_box *around, uint32_t flags)
 {
     bool snug;
 
     if (!around || !set_box(p, own, around, &snug))
         return PLACEMENT_UNKNOWN;
-    if (!(flags & (POV_SHAPE_BOX | POV_SHAPE_BALL)) || !snug || !is_tame(map))
+    if (!(flags & (POV_SHAPE_BOX | POV_SHAPE_BALL)) || !snug)
         return PLACEMENT_IN_BOX;
     return flags & POV_SHAPE_BOX ? PLACEMENT_IS_BOX : PLACEMENT_IS_BALL;
 }
@@ -139,7 +122,7 @@ void placement_init(placement *p, const pov_affine *map, const pov_box *own, con
         at[i] = apply_row(p, i, moved);
     p->own_anchor = pov_vec3_of(at[0].hi, at[1].hi, at[2].hi);
     p->own_anchor_lo = pov_vec3_of(at[0].lo, at[1].lo, at[2].lo);
-    p->known = what_is_known(p, map, own, around, flags);
+    p->known = what_is_known(p, own, around, flags);
 }
 
 /* ---- rays ---- */

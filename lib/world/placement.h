@@ -3,16 +3,19 @@
 #ifndef WORLD_PLACEMENT_H
 #define WORLD_PLACEMENT_H
 
+#include "world/bvh.h"
+
 #include <povtrace/exact.h>
 #include <povtrace/plugin.h>
 
+/* What the filter reads comes first. */
 typedef struct placement {
+    pov_vec3 anchor;                           /* world space, near the shape */
+    float per_half[3];           /* own space: the inverse of half a box around the anchor that holds the shape, and more */
+    uint8_t known;               /* PLACEMENT_* */
+    bool axes;                   /* the inverse has a diagonal only */
     pov_vec3 column[3], column_lo[3];          /* of the inverse, in two parts */
     pov_vec3 own_anchor, own_anchor_lo;        /* the anchor in the shape's own space */
-    pov_vec3 anchor;                           /* world space, near the shape */
-    float half[3];               /* own space, from the anchor to the sides of a box that holds the shape, and more */
-    bool axes;                   /* the inverse has a diagonal only */
-    uint8_t known;               /* PLACEMENT_* */
 } placement;
 
 /* What is known of the shape, so that rays can be filtered; it is in the range of filters then. */
@@ -23,8 +26,10 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
 /* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
 void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 
-/* As block_filter() of a block that holds the shape alone; nothing may be UNKNOWN. */
-uint32_t placement_filter(const placement *p, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
+/* Whether rays in a frame that holds the shape can be filtered, and as block_filter() of a block that holds it alone. */
+bool placement_fits(const placement *p, const bvh_frame *frame);
+uint32_t placement_filter(const placement *p, uint32_t owner, const bvh_frame *frame, const pov_rays *rays,
+                          uint64_t lanes, pov_meeting *out);
 
 /* The ray in the shape's own space. */
 void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own);

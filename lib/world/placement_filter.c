@@ -2,191 +2,243 @@
 #include "world/bits.h"
 #include "world/placement_parts.h"
 
-SIMD_INLINE double greater(double a, double b) { return a > b ? a : b; }
-SIMD_INLINE double most_of(double a, double b, double c) { return greater(a, greater(b, c)); }
-SIMD_INLINE double lesser(double a, double b) { return a < b ? a : b; }
+#include <string.h>
 
-/* The ray in the shape's own space, seen from the anchor, and what is lost there; all rounded. size: of the start seen
- * from the anchor, in the world. */
-typedef struct own_line { pov_vec3 at, way, lost; double size; } own_line;
+/* Rays go by eights, as floats in the frame that they stand in: docs/numerics.md has the bounds. */
+enum { EIGHT = 8 };
 
-SIMD_INLINE pov_vec3 apply(const placement *p, pov_vec3 v)
+SIMD_INLINE float greater(float a, float b) { return a > b ? a : b; }
+SIMD_INLINE float lesser(float a, float b) { return a < b ? a : b; }
+
+/* The bounds hold for one rounding as for two. */
+SIMD_INLINE float sum_of(float a, float b, float c)
 {
-    const pov_vec3 x = p->column[0], y = p->column[1], z = p->column[2];
-
-    return pov_vec3_of(x.x * v.x + y.x * v.y + z.x * v.z, x.y * v.x + y.y * v.y + z.y * v.z,
-                       x.z * v.x + y.z * v.y + z.z * v.z);
+#ifdef __FMA__
+    return fmaf(a, b, c);
+#else
+    return a * b + c;
+#endif
 }
 
-/* By row, the largest of the sizes. */
-SIMD_INLINE pov_vec3 largest_of_rows(const placement *p)
-{
-    const pov_vec3 x = p->column[0], y = p->column[1], z = p->column[2];
+typedef struct three { float x, y, z; } three;
 
-    return pov_vec3_of(most_of(fabs(x.x), fabs(y.x), fabs(z.x)), most_of(fabs(x.y), fabs(y.y), fabs(z.y)),
-                       most_of(fabs(x.z), fabs(y.z), fabs(z.z)));
+SIMD_INLINE float dot(three a, three b) { return sum_of(a.z, b.z, sum_of(a.y, b.y, a.x * b.x)); }
+
+/* ---- the placement in a frame ---- */
+
+/* By row the inverse, in units of the box, whose sides then are at one from the middle; what a ray is off by there, in
+ * units of 1 + S; and the anchor. Fours are vectors; the fourth of them is nothing. */
+typedef struct stand { float x[4], y[4], z[4], lost[4], anchor[3], most; } stand;
+
+SIMD_INLINE void scale_column(float *restrict to, const placement *p, size_t offset, const double *restrict by)
+{
+    const double *from = (const double *)(const void *)((const char *)p + offset);
+    int i;
+
+    for (i = 0; i < 4; i++)
+        to[i] = (float)(from[i] * by[i]);
 }
 
-static inline double sum_of_sizes(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
-
-SIMD_INLINE own_line line_of(const placement *p, pov_vec3 largest, pov_vec3 org, pov_vec3 org_lo, pov_vec3 dir)
+static inline void put_in_frame(stand *restrict s, const placement *p, const bvh_frame *f)
 {
-    const pov_vec3 from = pov_sub(org, p->anchor);
-    own_line l;
+    const double back = 1.0 / f->scale;
+    const pov_vec3 at = pov_scale(pov_sub(p->anchor, f->centre), f->scale);
+    static const double used[4] = { 1.0, 1.0, 1.0, 0.0 };
+    float per_half[4];
+    double per[4];
+    int i;
 
-    l.at = apply(p, pov_add(from, org_lo));
-    l.way = apply(p, dir);
-    l.size = sum_of_sizes(from) + sum_of_sizes(org_lo);
-    l.lost = pov_scale(largest, PLACEMENT_LOST * l.size);
+    memcpy(per_half, (const char *)p + offsetof(placement, per_half), sizeof per_half);
+    for (i = 0; i < 4; i++)
+        per[i] = (double)per_half[i] * (used[i] * back);
+    scale_column(s->x, p, offsetof(placement, column[0]), per);
+    scale_column(s->y, p, offsetof(placement, column[1]), per);
+    scale_column(s->z, p, offsetof(placement, column[2]), per);
+    for (i = 0; i < 4; i++)
+        s->lost[i] = PLACEMENT_LOST * (fabsf(s->x[i]) + fabsf(s->y[i]) + fabsf(s->z[i]));
+    s->anchor[0] = (float)at.x;
+    s->anchor[1] = (float)at.y;
+    s->anchor[2] = (float)at.z;
+    s->most = p->known == PLACEMENT_IS_BALL ? s->lost[0] + s->lost[1] + s->lost[2]
+                                            : greater(s->lost[0], greater(s->lost[1], s->lost[2]));
+}
+
+bool placement_fits(const placement *p, const bvh_frame *frame)
+{
+    stand s;
+
+    put_in_frame(&s, p, frame);
+    return p->known != PLACEMENT_UNKNOWN && s.most < (p->known == PLACEMENT_IS_BALL ? 1.0f : PLACEMENT_MOST);
+}
+
+/* ---- rays ---- */
+
+/* By lane, all bits or none; and as bits. */
+typedef struct conditions { int32_t lane[EIGHT]; } conditions;
+
+SIMD_INLINE uint32_t gather(const conditions *c)
+{
+#if defined(__AVX2__) && defined(__GNUC__)
+    typedef float floats __attribute__((vector_size(32)));
+    floats f;
+
+    memcpy(&f, c->lane, sizeof f);
+    return (uint32_t)__builtin_ia32_movmskps256(f);
+#else
+    uint32_t bits = 0, i;
+
+    for (i = 0; i < EIGHT; i++)
+        bits |= (uint32_t)c->lane[i] & 1u << i;
+    return bits;
+#endif
+}
+
+typedef struct answer { float lo[EIGHT], hi[EIGHT]; conditions maybe, surely, twice; } answer;
+
+/* Within the ray's interval, it is outside before `near` and after `far`, and inside from `last` to `first` if that is
+ * certain. */
+typedef struct reach { float near, last, first, far; int certain; } reach;
+
+/* A ray in the units of the box, and what 1 + S is of it. */
+typedef struct line { three at, way; float spread, smax; } line;
+
+SIMD_INLINE line line_of(const stand *s, const pov_rays *rays, size_t at)
+{
+    const three row[3] = { { s->x[0], s->y[0], s->z[0] },
+                           { s->x[1], s->y[1], s->z[1] },
+                           { s->x[2], s->y[2], s->z[2] } };
+    const three dir = { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] };
+    const three from = { rays->framed.org[0][at] - s->anchor[0], rays->framed.org[1][at] - s->anchor[1],
+                         rays->framed.org[2][at] - s->anchor[2] };
+    const line l = { { dot(row[0], from), dot(row[1], from), dot(row[2], from) },
+                     { dot(row[0], dir), dot(row[1], dir), dot(row[2], dir) },
+                     1.0f + rays->framed.size[at], rays->framed.smax[at] };
     return l;
 }
 
-/* Before `near` and after `far` the ray is outside, from `late` to `soon` it is inside; if that is certain. */
-typedef struct reach { double near, late, soon, far; int missed, certain; } reach;
-
-SIMD_INLINE void meet_axis(reach *r, double half, double at, double per, double lost, double most_lost)
+/* What is no number changes nothing. */
+SIMD_INLINE void meet_axis(reach *r, float middle, float size, float lost)
 {
-    const double middle = -at * per, size = fabs(per);
-    const double outer = (half + lost) * size, inner = (PLACEMENT_INNER * half - most_lost) * size;
+    const float outer = 1.0f + lost, inner = PLACEMENT_INNER - lost;
 
-    r->near = greater(middle - outer, r->near);
-    r->late = greater(middle - inner, r->late);
-    r->soon = lesser(middle + inner, r->soon);
-    r->far = lesser(middle + outer, r->far);
+    r->near = greater(sum_of(-outer, size, middle), r->near);
+    r->last = greater(sum_of(-inner, size, middle), r->last);
+    r->first = lesser(sum_of(inner, size, middle), r->first);
+    r->far = lesser(sum_of(outer, size, middle), r->far);
 }
 
-SIMD_INLINE reach meet_box(const placement *p, const own_line *l)
+/* A ray along a side has a middle without end, or none. */
+SIMD_INLINE reach meet_box(const stand *s, const line *l)
 {
-    const double x = 1.0 / l->way.x, y = 1.0 / l->way.y, z = 1.0 / l->way.z;
-    const double lost = most_of(l->lost.x, l->lost.y, l->lost.z);
-    reach r = { -HUGE_VAL, -HUGE_VAL, HUGE_VAL, HUGE_VAL, 0, 0 };
+    const float x = 1.0f / l->way.x, y = 1.0f / l->way.y, z = 1.0f / l->way.z;
+    const float to_x = -l->at.x * x, to_y = -l->at.y * y, to_z = -l->at.z * z;
+    reach r = { 0.0f, 0.0f, l->smax, l->smax, fabsf(to_x + to_y + to_z) < HUGE_VALF };
 
-    meet_axis(&r, (double)p->half[0], l->at.x, x, l->lost.x, lost);
-    meet_axis(&r, (double)p->half[1], l->at.y, y, l->lost.y, lost);
-    meet_axis(&r, (double)p->half[2], l->at.z, z, l->lost.z, lost);
-    r.missed = r.near > r.far;
-    /* None of them is without end, or no number. */
-    r.certain = (fabs(l->at.x * x) + fabs(l->at.y * y)) + (fabs(l->at.z * z) + fabs(x + y + z)) < HUGE_VAL;
+    meet_axis(&r, to_x, fabsf(x), s->lost[0] * l->spread);
+    meet_axis(&r, to_y, fabsf(y), s->lost[1] * l->spread);
+    meet_axis(&r, to_z, fabsf(z), s->lost[2] * l->spread);
     return r;
 }
 
-/* Where what is lost is as large as the ball, or squares of the direction leave the range, nothing is certain. A root
- * that is not there is no number, and not looked at. */
-SIMD_INLINE reach meet_ball(const placement *p, const own_line *l)
+/* A ray without the first root misses: `far` is no number then. */
+SIMD_INLINE reach meet_ball(const stand *s, const line *l)
 {
-    const double half = (double)p->half[0], lost = 2.0 * most_of(l->lost.x, l->lost.y, l->lost.z);
-    const double square = pov_dot(l->way, l->way);
-    const int sound = (int)(lost < 0.5 * half) & (int)(square > 1e-100) & (int)(square < 1e100);
-    const double blur = sound ? lost : HUGE_VAL;
-    const double outer = PLACEMENT_OUTER * half + blur, inner = PLACEMENT_INNER * half - blur;
-    const double per = 1.0 / square, middle = -pov_dot(l->at, l->way) * per;
-    const pov_vec3 nearest = pov_add(l->at, pov_scale(l->way, middle));
-    const double across = pov_dot(nearest, nearest);
-    const double to_outer = outer * outer - across, to_inner = inner * inner - across;
-    const double wide = sqrt(to_outer * per), deep = sqrt(to_inner * per);
-    reach r;
-
-    r.near = middle - wide;
-    r.late = middle - deep;
-    r.soon = middle + deep;
-    r.far = middle + wide;
-    r.missed = to_outer < 0.0;
-    r.certain = (inner > 0.0) & (to_inner > 0.0);
+    const float lost = s->most * l->spread, outer = PLACEMENT_OUTER + lost, inner = PLACEMENT_INNER - lost;
+    const float per = 1.0f / dot(l->way, l->way), middle = -dot(l->at, l->way) * per;
+    const three nearest = { sum_of(l->way.x, middle, l->at.x), sum_of(l->way.y, middle, l->at.y),
+                            sum_of(l->way.z, middle, l->at.z) };
+    const float across = dot(nearest, nearest);
+    const float to_outer = outer * outer - across, to_inner = inner * inner - across;
+    const float wide = sqrtf(to_outer * per), deep = sqrtf(to_inner * per);
+    const reach r = { middle - wide, middle - deep, middle + deep, lesser(l->smax, middle + wide), to_inner > 0.0f };
     return r;
 }
 
-/* What is asked of a reach. */
-SIMD_INLINE double later(double t) { return t + t * PLACEMENT_LATE; }
+typedef reach meeting(const stand *s, const line *l);
 
-SIMD_INLINE int is_missed(const reach *r, double tmax)
+SIMD_INLINE void meet_eight(const stand *s, meeting *meet, const pov_rays *rays, size_t from, answer *restrict out)
 {
-    return r->missed | (r->near > later(tmax)) | (r->far < 0.0);
-}
+    uint32_t i;
 
-SIMD_INLINE int is_entered(const reach *r, double tmax)
-{
-    return r->certain & (int)(r->near > 0.0) & (int)(r->late < r->soon) & (int)(later(r->late) < tmax);
-}
+    for (i = 0; i < EIGHT; i++) {
+        const line l = line_of(s, rays, from + i);
+        const reach r = meet(s, &l);
+        const float sure = l.smax * (1.0f - 16.0f * PLACEMENT_E) - 8.0f * PLACEMENT_E * l.spread;
+        const int known = r.certain & (int)(s->most * l.spread < PLACEMENT_UNSURE);
+        const int enters = known & (int)(r.near > 0.0f) & (int)(r.last < r.first);
 
-enum { TOGETHER = 4 };
-
-typedef struct masks { int64_t missed, surely, twice; double lo[TOGETHER], hi[TOGETHER]; } masks;
-
-SIMD_INLINE pov_vec3 lane_of(const double v[3][POV_RAYS_MAX], size_t i)
-{
-    return pov_vec3_of(v[0][i], v[1][i], v[2][i]);
-}
-
-typedef reach meeting(const placement *p, const own_line *l);
-
-SIMD_INLINE void meet_some(const placement *p, meeting *meet, pov_vec3 largest, const pov_rays *rays, size_t from,
-                           masks *restrict out)
-{
-    const int64_t bit[TOGETHER] = { 1, 2, 4, 8 };
-    int64_t missed = 0, surely = 0, twice = 0;
-    size_t i;
-
-    for (i = 0; i < TOGETHER; i++) {
-        const size_t at = from + i;
-        const pov_vec3 org = lane_of(rays->org, at), org_lo = lane_of(rays->org_lo, at), dir = lane_of(rays->dir, at);
-        const own_line l = line_of(p, largest, org, org_lo, dir);
-        const reach r = meet(p, &l);
-
-        missed |= is_missed(&r, rays->tmax[at]) ? bit[i] : 0;
-        surely |= is_entered(&r, rays->tmax[at]) ? bit[i] : 0;
-        twice |= later(r.far) < rays->tmax[at] ? bit[i] : 0;
         out->lo[i] = r.near;
-        out->hi[i] = r.late;
+        out->hi[i] = r.last;
+        out->maybe.lane[i] = -((int)(r.near <= r.far) & (int)(r.far >= 0.0f));
+        out->surely.lane[i] = -(enters & (int)(r.last < sure));
+        out->twice.lane[i] = -(enters & (int)(r.far < sure));
     }
-    out->missed = missed;
-    out->surely = p->known == PLACEMENT_IN_BOX ? 0 : surely;
-    out->twice = twice;
 }
 
-SIMD_INLINE uint32_t tell(const masks *m, uint32_t from, uint32_t lanes, pov_meeting *out, uint32_t n)
+/* Apart, for in the loop that calls them a placement's numbers would all be spread over lanes and put by beforehand. */
+SIMD_APART SIMD_CLONES static void meet_boxes(const stand *s, const pov_rays *rays, size_t from, answer *restrict out)
 {
-    for (lanes &= ~(uint32_t)m->missed; lanes; lanes &= lanes - 1, n++) {
-        const uint32_t i = first_of(lanes);
+    meet_eight(s, meet_box, rays, from, out);
+}
 
-        out[n].lo = m->lo[i];
-        out[n].hi = m->hi[i];
-        out[n].ray = (uint8_t)(from + i);
+SIMD_APART SIMD_CLONES static void meet_balls(const stand *s, const pov_rays *rays, size_t from, answer *restrict out)
+{
+    meet_eight(s, meet_ball, rays, from, out);
+}
+
+/* Those that go away from `owner`. */
+static inline uint32_t away_from(const uint32_t *away, uint32_t owner)
+{
+    conditions same;
+    uint32_t i;
+
+    for (i = 0; i < EIGHT; i++)
+        same.lane[i] = -(away[i] == owner);
+    return gather(&same);
+}
+
+static inline uint32_t tell(const answer *a, const pov_rays *rays, uint32_t from, uint32_t lanes, bool sure,
+                            pov_meeting *out, uint32_t n)
+{
+    const uint32_t surely = sure ? gather(&a->surely) : 0, twice = surely & gather(&a->twice);
+
+    for (lanes &= gather(&a->maybe); lanes; lanes &= lanes - 1, n++) {
+        const uint32_t i = first_of(lanes), at = from + i;
+        const double shift = rays->framed.shift[at], unit = rays->framed.unit[at];
+
+        out[n].lo = shift + (double)a->lo[i] * unit;
+        out[n].hi = shift + (double)a->hi[i] * unit;
+        out[n].ray = (uint8_t)at;
         out[n].lane = 0;
-        out[n].surely = m->surely >> i & 1;
-        out[n].twice = (m->surely & m->twice) >> i & 1;
+        out[n].surely = (surely >> i & 1) != 0;
+        out[n].twice = (twice >> i & 1) != 0;
     }
     return n;
 }
 
-/* Four after four, as far as there are any. */
-SIMD_INLINE uint32_t meet_many(const placement *p, meeting *meet, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+uint32_t placement_filter(const placement *p, uint32_t owner, const bvh_frame *frame, const pov_rays *rays,
+                          uint64_t lanes, pov_meeting *out)
 {
-    const pov_vec3 largest = largest_of_rows(p);
-    const uint32_t all = (1u << TOGETHER) - 1;
+    const uint8_t known = p->known;
     uint32_t n = 0;
-    masks m;
+    stand s;
+    answer a;
 
+    put_in_frame(&s, p, frame);
     while (lanes) {
-        const uint32_t from = first_of64(lanes) / TOGETHER * TOGETHER;
+        const uint32_t from = first_of64(lanes) / EIGHT * EIGHT;
+        uint32_t some = (uint32_t)(lanes >> from) & 255u;
 
-        meet_some(p, meet, largest, rays, from, &m);
-        n = tell(&m, from, (uint32_t)(lanes >> from) & all, out, n);
-        lanes &= ~((uint64_t)all << from);
+        lanes &= ~((uint64_t)255 << from);
+        if (known != PLACEMENT_IN_BOX)
+            some &= ~away_from(rays->away + from, owner);
+        if (!some)
+            continue;
+        if (known == PLACEMENT_IS_BALL)
+            meet_balls(&s, rays, from, &a);
+        else
+            meet_boxes(&s, rays, from, &a);
+        n = tell(&a, rays, from, some, known != PLACEMENT_IN_BOX, out, n);
     }
     return n;
-}
-
-SIMD_CLONES static uint32_t meet_boxes(const placement *p, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
-{
-    return meet_many(p, meet_box, rays, lanes, out);
-}
-
-SIMD_CLONES static uint32_t meet_balls(const placement *p, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
-{
-    return meet_many(p, meet_ball, rays, lanes, out);
-}
-
-uint32_t placement_filter(const placement *p, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
-{
-    return p->known == PLACEMENT_IS_BALL ? meet_balls(p, rays, lanes, out) : meet_boxes(p, rays, lanes, out);
 }

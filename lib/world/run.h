@@ -60,11 +60,12 @@ static inline const run *run_next(const run *r)
     return (const run *)(const void *)((const unsigned char *)r + run_bytes(r->shape, r->flags));
 }
 
-/* Of one that is RUN_PACKED. */
-static inline uint32_t run_filter(const run *r, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+/* Of one that is RUN_PACKED; frame: what the rays stand in. */
+static inline uint32_t run_filter(const run *r, const bvh_frame *frame, const pov_rays *rays, uint64_t lanes,
+                                  pov_meeting *out)
 {
     if (r->flags & RUN_PLACED)
-        return placement_filter(run_placement(r), rays, lanes, out);
+        return placement_filter(run_placement(r), r->object[0], frame, rays, lanes, out);
     return r->shape->block_filter(run_block(r), r->object, rays, lanes, out);
 }
 

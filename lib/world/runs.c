@@ -220,19 +220,30 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
 }
 
 /* What a run of a placed shape holds besides, and where it can be found. */
-static const void *place(runs *r, uint32_t part, uint32_t id, run *out)
+static const void *place(runs *r, uint32_t part, const bvh_frame *frame, uint32_t id, run *out)
 {
     unsigned char *start = (unsigned char *)out;
     placement *p = (placement *)(void *)(start + RUN_PLACE);
 
     flat_place(r->flat, id, map_of(r, part, id), p);
-    if (r->flat->use_blocks && p->known != PLACEMENT_UNKNOWN)
+    if (r->flat->use_blocks && frame && placement_fits(p, frame))
         out->flags |= RUN_PACKED;
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
     return r->flat->moved[id];
 }
 
-static void fill_run(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, run *out)
+static bool pack(const pov_shape_class *shape, const bvh_frame *in, const void *const *selves, uint32_t count, run *out)
+{
+    pov_frame frame = { { 0.0, 0.0, 0.0 }, 1.0 };
+
+    if (in) {
+        frame.centre = in->centre;
+        frame.scale = in->scale;
+    }
+    return shape->block_pack((unsigned char *)out + RUN_HEAD, in ? &frame : NULL, selves, count);
+}
+
+static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, run *out)
 {
     const flat *f = r->flat;
     uint32_t *at = &r->at[part * f->group_count + f->group[ids[0]]];
@@ -247,7 +258,7 @@ static void fill_run(runs *r, uint32_t part, const pov_frame *frame, const uint3
     out->flags = (uint8_t)(room_of(g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
     for (i = 0; i < count; i++) {
         const object *o = &m->objects.items[ids[i]];
-        selves[i] = g->placed ? place(r, part, ids[i], out) : settle(r, ids[i], (*at)++);
+        selves[i] = g->placed ? place(r, part, frame, ids[i], out) : settle(r, ids[i], (*at)++);
         out->object[i] = ids[i];
         out->casts |= (uint8_t)(!(o->flags & OBJECT_NO_SHADOW) << i);
         out->opaque |= (uint8_t)(!material_is_transparent(&m->materials.items[o->material]) << i);
@@ -255,11 +266,11 @@ static void fill_run(runs *r, uint32_t part, const pov_frame *frame, const uint3
     out->instances = selves[0];
     if (!g->placed)
         out->stride = g->stride;
-    if (g->packs && g->shape->block_pack((unsigned char *)out + RUN_HEAD, frame, selves, count))
+    if (g->packs && pack(g->shape, frame, selves, count, out))
         out->flags |= RUN_PACKED;
 }
 
-void runs_fill(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, void *at)
+void runs_fill(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
     const flat *f = r->flat;
     unsigned char *end = at;

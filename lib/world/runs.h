@@ -38,7 +38,7 @@ size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count);
 bool runs_allocate(runs *r);
 /* The same objects in the same order within each part, into `base`; memory need not be zeroed. frame: what they stand in,
  * or NULL. */
-void runs_fill(runs *r, uint32_t part, const pov_frame *frame, const uint32_t *ids, uint32_t count, void *at);
+void runs_fill(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
 /* Before the first fill of part `first`, if all parts from there on are of the flat's finite objects one after the other
  * and this is the model's last world: their transformations are put in the order in which they are wanted, so that
  * the model's can go before the leaves come, and they themselves bit by bit. */

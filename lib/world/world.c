@@ -145,18 +145,11 @@ static bool size_lists(layout *l, bool with_finite)
     return w->list_memory || l->first + second == 0;
 }
 
-static pov_frame frame_of(const bvh_frame *f)
-{
-    const pov_frame frame = { f->centre, f->scale };
-    return frame;
-}
-
 static void fill_lists(layout *l, bool with_finite)
 {
     const flat *f = l->runs.flat;
     world *w = l->world;
     unsigned char *second = w->list_memory + l->first;
-    pov_frame frame;
     const run *i;
 
     l->runs.base = w->list_memory;
@@ -167,8 +160,7 @@ static void fill_lists(layout *l, bool with_finite)
     }
     if (with_finite && f->finite_count > 0) {
         w->list_frame = bvh_frame_around(&f->bounds);
-        frame = frame_of(&w->list_frame);
-        runs_fill(&l->runs, LIST_PART, &frame, f->finite, f->finite_count, second);
+        runs_fill(&l->runs, LIST_PART, &w->list_frame, f->finite, f->finite_count, second);
         w->list = (const run *)(const void *)second;
         for (i = w->list; i; i = run_next(i))
             w->list_packed = w->list_packed || (i->flags & RUN_PACKED);
@@ -193,11 +185,9 @@ static bool leaf_allocate(void *user, const void *leaves)
     return runs_take_maps(&l->runs, TREE_PART);
 }
 
-static void leaf_fill(void *user, uint32_t part, const bvh_frame *in, const uint32_t *ids, uint32_t count, void *at)
+static void leaf_fill(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
-    const pov_frame frame = frame_of(in);
-
-    runs_fill(&((layout *)user)->runs, TREE_PART + part, &frame, ids, count, at);
+    runs_fill(&((layout *)user)->runs, TREE_PART + part, frame, ids, count, at);
 }
 
 static void leaves_filled(void *user, uint32_t part)

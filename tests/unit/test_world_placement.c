@@ -3,7 +3,10 @@
 #include "support/check.h"
 #include "support/shapes.h"
 
+#include "world/bvh_build.h"
+#include "world/bvh_walk.h"
 #include "world/placement.h"
+#include "world/side.h"
 
 #include <math.h>
 #include <string.h>
@@ -194,21 +197,33 @@ static void check_copies(const placement *p, const pov_ray *ray)
 }
 
 enum { RAYS = 4, APART = 19 };   /* how many go at a shape, and how many lanes lie between them */
+enum { NOT_LEFT = 1 };           /* an owner that no ray starts on */
 
-typedef struct tally { long hits, misses, filtered, sure, twice; } tally;
+typedef struct tally { long fits, hits, misses, filtered, sure, twice; } tally;
 
-static void put_ray(pov_rays *to, uint32_t i, const pov_ray *ray, double tmax)
+/* False: it passes the frame by. */
+static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_ray *ray, double tmax)
 {
-    to->org[0][i] = ray->org.x;
-    to->org[1][i] = ray->org.y;
-    to->org[2][i] = ray->org.z;
-    to->org_lo[0][i] = ray->org_lo.x;
-    to->org_lo[1][i] = ray->org_lo.y;
-    to->org_lo[2][i] = ray->org_lo.z;
-    to->dir[0][i] = ray->dir.x;
-    to->dir[1][i] = ray->dir.y;
-    to->dir[2][i] = ray->dir.z;
-    to->tmax[i] = tmax;
+    double length[POV_RAYS_MAX];
+    bvh_local l;
+
+    side_put(to, i, ray);
+    side_derive(to, i, tmax, length);
+    if (!bvh_enter(frame, ray, length[i], to->per_length[i], &l))
+        return false;
+    bvh_stand(to, i, &l, bvh_limit(l.scale, l.shift, tmax));
+    return true;
+}
+
+/* Up to 1e4 times as large as what it holds, which is anywhere in it. */
+static bvh_frame random_frame(test_random *r, const pov_box *around)
+{
+    const double size = pov_largest(pov_sub(around->hi, around->lo)) * (test_below(r, 2) ? power(r, -1.0, 4.0) : 0.0);
+    pov_box all;
+
+    all.lo = pov_sub(around->lo, pov_scale(pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5), size));
+    all.hi = pov_add(around->hi, pov_scale(pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5), size));
+    return bvh_frame_around(&all);
 }
 
 static bool is_not_before(double a, double b) { return a >= b - fabs(b) * 0x1p-46; }
@@ -240,29 +255,34 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     static pov_rays rays;
     uint32_t hits[RAYS], count, i;
     uint64_t lanes = 0;
+    bvh_frame frame;
     pov_box around;
     pov_affine map;
     placement p;
+    bool fits;
 
     assert_true(transform_compose(random_map(m, r), &map));
     placement_box(&map, &own, &around);
     placement_init(&p, &map, &own, &around, shape->flags);
     assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
+    frame = random_frame(r, &around);
+    fits = placement_fits(&p, &frame);
+    t->fits += fits;
     for (i = 0; i < RAYS; i++) {
         const pov_ray ray = random_ray(r, &map, &own);
         const double tmax = test_below(r, 2) ? HUGE_VAL : power(r, -3.0, 6.0);
 
         hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
         check_copies(&p, &ray);
-        put_ray(&rays, i * APART, &ray, tmax);
-        lanes |= (uint64_t)1 << i * APART;
+        if (put_ray(&rays, i * APART, &frame, &ray, tmax))
+            lanes |= (uint64_t)1 << i * APART;
     }
-    count = placement_filter(&p, &rays, lanes, met);
+    count = fits ? placement_filter(&p, NOT_LEFT, &frame, &rays, lanes, met) : 0;
     for (i = 0; i < count; i++) {
         assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
         of[met[i].ray / APART] = &met[i];
     }
-    for (i = 0; i < RAYS; i++)
+    for (i = 0; i < RAYS && fits; i++)
         check_answer(of[i], hits[i], at[i], t);
 }
 
@@ -280,7 +300,7 @@ static pov_box random_cube(test_random *r)
 static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random *r))
 {
     test_random r = { 17 };
-    tally t = { 0, 0, 0, 0, 0 };
+    tally t = { 0, 0, 0, 0, 0, 0 };
     int i, j;
 
     for (i = 0; i < MAPS; i += BATCH) {
@@ -290,8 +310,8 @@ static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random
             check_map(&m, &r, shape, own(&r), &t);
         model_free(&m);
     }
-    print_message("%s: hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.hits, t.misses,
-                  t.filtered, t.sure, t.twice);
+    print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.fits, t.hits,
+                  t.misses, t.filtered, t.sure, t.twice);
     return t;
 }
 
@@ -316,18 +336,56 @@ static void the_filter_is_right_of_balls(void **state)
     assert_true(t.sure > MAPS / 20 && t.twice > MAPS / 40);
 }
 
-/* A ray through the middle, which meets the ball twice. */
-static void check_range(const placement *p, const pov_box *own, const pov_ray *ray)
+static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
 {
+    const pov_box own = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
+    static pov_rays rays;
+    bvh_frame frame;
+    pov_meeting met;
+    pov_box around;
+    pov_affine map;
+    placement p;
+    pov_ray ray;
+    model m;
+
+    test_model_init(&m, NULL);
+    assert_true(transform_compose(test_transform(&m, NULL, TRANSFORM_ROTATE, 10.0, 20.0, 30.0), &map));
+    placement_box(&map, &own, &around);
+    placement_init(&p, &map, &own, &around, flags);
+    frame = bvh_frame_around(&around);
+    memset(&ray, 0, sizeof ray);
+    ray.dir.z = 1.0;
+    ray.left = left;
+    ray.left_mark.flags = mark;
+    assert_true(put_ray(&rays, 5, &frame, &ray, HUGE_VAL));
+    model_free(&m);
+    return placement_filter(&p, 7, &frame, &rays, 32, &met);
+}
+
+static void who_goes_away_from_a_box_or_ball_is_left_out(void **state)
+{
+    (void)state;
+    assert_int_equal(count_met(POV_SHAPE_BOX, 7, POV_MARK_AWAY), 0);
+    assert_int_equal(count_met(POV_SHAPE_BALL, 7, POV_MARK_AWAY), 0);
+    assert_int_equal(count_met(POV_SHAPE_BOX, 7, 0), 1);
+    assert_int_equal(count_met(POV_SHAPE_BOX, 8, POV_MARK_AWAY), 1);
+    /* It may be met again if it is not convex. */
+    assert_int_equal(count_met(0, 7, POV_MARK_AWAY), 1);
+}
+
+/* A ray through the middle, which meets the box twice. */
+static void check_range(const placement *p, const pov_box *own, const pov_box *around, const pov_ray *ray)
+{
+    const bvh_frame frame = bvh_frame_around(around);
     static pov_rays rays;
     pov_crossing at[2];
     pov_meeting met;
 
     assert_int_equal(find_hits(p, &brick, own, ray, HUGE_VAL, at), 2);
-    if (p->known == PLACEMENT_UNKNOWN)
+    if (!placement_fits(p, &frame))
         return;
-    put_ray(&rays, 0, ray, HUGE_VAL);
-    assert_int_equal(placement_filter(p, &rays, 1, &met), 1);
+    assert_true(put_ray(&rays, 0, &frame, ray, HUGE_VAL));
+    assert_int_equal(placement_filter(p, NOT_LEFT, &frame, &rays, 1, &met), 1);
 }
 
 /* Where squares and products would leave the range of double, there is no filter and no wrong answer. */
@@ -354,10 +412,10 @@ static void what_is_out_of_range_is_not_filtered(void **state)
         ray.org = pov_vec3_of(0.0, 0.0, -5.0 * sizes[i]);
         ray.dir = pov_vec3_of(0.0, 1e-3, 1.0);
         check_copies(&p, &ray);
-        check_range(&p, &own, &ray);
+        check_range(&p, &own, &around, &ray);
         ray.dir = pov_vec3_of(0.0, 1e-73, 1e-70);
         check_copies(&p, &ray);
-        check_range(&p, &own, &ray);
+        check_range(&p, &own, &around, &ray);
         placement_init(&p, &map, &own, NULL, POV_SHAPE_BALL);
         assert_int_equal(p.known, PLACEMENT_UNKNOWN);
         model_free(&m);
@@ -392,6 +450,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_filter_is_right_of_boxes),
         cmocka_unit_test(the_filter_is_right_of_balls),
+        cmocka_unit_test(who_goes_away_from_a_box_or_ball_is_left_out),
         cmocka_unit_test(what_is_out_of_range_is_not_filtered),
         cmocka_unit_test(the_next_double_is_that_of_nextafter),
     };
