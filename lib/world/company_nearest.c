@@ -116,11 +116,13 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
 
 /* Pairs of one class that may be asked together. */
 typedef struct pairs {
-    uint32_t count;
+    uint32_t count, placed;
     const void *selves[WORLD_MANY];
     const pov_ray *rays[WORLD_MANY];
     pov_hits *hits[WORLD_MANY];
-    pov_ray own[WORLD_MANY];     /* of placed ones */
+    const placement *places[WORLD_MANY];   /* of placed ones, with rays in the world and in their own spaces */
+    const pov_ray *from[WORLD_MANY];
+    pov_ray own[WORLD_MANY];
 } pairs;
 
 static inline void put_pair(pairs *some, const void *self, const placement *place, const pov_ray *ray, pov_hits *hits)
@@ -130,8 +132,9 @@ static inline void put_pair(pairs *some, const void *self, const placement *plac
     some->selves[n] = self;
     some->rays[n] = ray;
     if (place) {
-        placement_ray(place, ray, &some->own[n]);
-        some->rays[n] = &some->own[n];
+        some->places[some->placed] = place;
+        some->from[some->placed] = ray;
+        some->rays[n] = &some->own[some->placed++];
     }
     some->hits[n] = hits;
 }
@@ -140,6 +143,7 @@ static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t c
 {
     uint32_t decided = 0, i;
 
+    placement_rays(some->places, some->from, some->own, some->placed);
     for (i = 0; i < some->count; i++)
         decided -= some->hits[i]->decided;
     if (POV_SHAPE_HAS(shape, intersect_many))
@@ -157,7 +161,7 @@ static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t le
 {
     uint64_t rest, others = 0;
 
-    out->count = 0;
+    out->count = out->placed = 0;
     for (rest = left; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pending *p = &c->pending[i];
@@ -206,7 +210,7 @@ static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const
     uint64_t others = 0;
     pairs some;
 
-    some.count = 0;
+    some.count = some.placed = 0;
     for (; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = rays[i]->left;
         shape_place place;

@@ -68,7 +68,7 @@ static void set_inverse(placement *p, const pov_affine *map)
 }
 
 /* From the anchor to the further side of the own box, and some: what is flat stays within the range of floats. reach:
- * the edges of the box in the world. snug: set to false if the nearer side is not as far, as far as the filter cares. */
+ * the edges of the box in the world. snug: set to false if the nearer side is not as far, as the filter sees it. */
 static bool set_half(placement *p, int i, double lo, double hi, pov_vec3 reach, bool *snug)
 {
     const pov_two at = pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i));

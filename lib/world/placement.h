@@ -11,7 +11,7 @@
 /* What the filter reads comes first. */
 typedef struct placement {
     pov_vec3 anchor;                           /* world space, near the shape */
-    float per_half[3];           /* own space: the inverse of half a box around the anchor that holds the shape, and more */
+    float per_half[3];           /* the inverse of half a box in the shape's own space, around the anchor, that holds it */
     uint8_t known;               /* PLACEMENT_* */
     bool axes;                   /* the inverse has a diagonal only */
     pov_vec3 column[3], column_lo[3];          /* of the inverse, in two parts */
@@ -26,13 +26,15 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
 /* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
 void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 
-/* Whether rays in a frame that holds the shape can be filtered, and as block_filter() of a block that holds it alone. */
+/* Whether rays in a frame around the shape can be filtered, and as block_filter() of a block that holds it alone. */
 bool placement_fits(const placement *p, const bvh_frame *frame);
 uint32_t placement_filter(const placement *p, uint32_t owner, const bvh_frame *frame, const pov_rays *rays,
                           uint64_t lanes, pov_meeting *out);
 
 /* The ray in the shape's own space. */
 void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own);
+/* The same n times, to the bit. */
+void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *own, uint32_t n);
 
 /* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are. */
 void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,

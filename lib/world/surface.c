@@ -144,7 +144,8 @@ typedef struct normals {
     const pov_crossing *at[WORLD_MANY];
     pov_vec3 *out[WORLD_MANY];
     uint32_t count, placed;
-    const placement *place[WORLD_MANY];   /* of those in spaces of their own */
+    const placement *place[WORLD_MANY];   /* of those in spaces of their own, with rays in the world */
+    const pov_ray *from[WORLD_MANY];
     pov_vec3 *turned[WORLD_MANY];
     pov_ray own[WORLD_MANY];
 } normals;
@@ -156,17 +157,17 @@ static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, con
     const uint32_t n = some->placed++;
 
     some->place[n] = place;
+    some->from[n] = ray;
     some->turned[n] = &h->normal;
-    if (shape->flags & POV_SHAPE_FACES)
-        return ray;
-    placement_ray(place, ray, &some->own[n]);
-    return &some->own[n];
+    return shape->flags & POV_SHAPE_FACES ? ray : &some->own[n];
 }
 
 static void find_added(normals *some, const pov_shape_class *shape)
 {
     uint32_t i;
 
+    if (!(shape->flags & POV_SHAPE_FACES))
+        placement_rays(some->place, some->from, some->own, some->placed);
     if (POV_SHAPE_HAS(shape, normal_many))
         shape->normal_many(some->selves, some->rays, some->at, some->out, some->count);
     else

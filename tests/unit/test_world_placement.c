@@ -199,6 +199,21 @@ static void check_copies(const placement *p, const pov_ray *ray)
 enum { RAYS = 4, APART = 19 };   /* how many go at a shape, and how many lanes lie between them */
 enum { NOT_LEFT = 1 };           /* an owner that no ray starts on */
 
+/* Side by side as one by one. */
+static void check_together(const placement *p, const pov_ray *sent, uint32_t n)
+{
+    const placement *const places[RAYS] = { p, p, p, p };
+    const pov_ray *const rays[RAYS] = { &sent[0], &sent[1], &sent[2], &sent[3] };
+    pov_ray own[RAYS], one;
+    uint32_t i;
+
+    placement_rays(places, rays, own, n);
+    for (i = 0; i < n; i++) {
+        placement_ray(p, &sent[i], &one);
+        assert_true(is_same(&own[i], &one));
+    }
+}
+
 typedef struct tally { long fits, hits, misses, filtered, sure, twice; } tally;
 
 /* False: it passes the frame by. */
@@ -219,10 +234,12 @@ static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_
 static bvh_frame random_frame(test_random *r, const pov_box *around)
 {
     const double size = pov_largest(pov_sub(around->hi, around->lo)) * (test_below(r, 2) ? power(r, -1.0, 4.0) : 0.0);
+    const pov_vec3 before = pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5);
+    const pov_vec3 behind = pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5);
     pov_box all;
 
-    all.lo = pov_sub(around->lo, pov_scale(pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5), size));
-    all.hi = pov_add(around->hi, pov_scale(pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5), size));
+    all.lo = pov_sub(around->lo, pov_scale(before, size));
+    all.hi = pov_add(around->hi, pov_scale(behind, size));
     return bvh_frame_around(&all);
 }
 
@@ -250,6 +267,7 @@ static void check_answer(const pov_meeting *said, uint32_t hits, const pov_cross
 static void check_map(model *m, test_random *r, const pov_shape_class *shape, pov_box own, tally *t)
 {
     const pov_meeting *of[RAYS] = { NULL };
+    pov_ray sent[RAYS];
     pov_crossing at[RAYS][2];
     pov_meeting met[RAYS];
     static pov_rays rays;
@@ -274,9 +292,11 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
 
         hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
         check_copies(&p, &ray);
+        sent[i] = ray;
         if (put_ray(&rays, i * APART, &frame, &ray, tmax))
             lanes |= (uint64_t)1 << i * APART;
     }
+    check_together(&p, sent, 1 + test_below(r, RAYS));
     count = fits ? placement_filter(&p, NOT_LEFT, &frame, &rays, lanes, met) : 0;
     for (i = 0; i < count; i++) {
         assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
@@ -310,8 +330,8 @@ static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random
             check_map(&m, &r, shape, own(&r), &t);
         model_free(&m);
     }
-    print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.fits, t.hits,
-                  t.misses, t.filtered, t.sure, t.twice);
+    print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.fits,
+                  t.hits, t.misses, t.filtered, t.sure, t.twice);
     return t;
 }
 
