@@ -3,20 +3,25 @@
 
 #include <stdint.h>
 #include <sys/mman.h>
-#include <unistd.h>
 
-/* Less could not hold a page of the next size for certain. */
-#define LEAST ((size_t)4 << 20)
+/* The next size of pages where there are any. Blocks take whole ones: the part of the last that they have no use for is
+ * small beside them. */
+#define LARGE ((size_t)2 << 20)
+#define LEAST (2 * LARGE)
 
-void pages_expect(void *block, size_t bytes)
+void *pages_reserve(const env *e, size_t bytes)
 {
-#ifdef MADV_HUGEPAGE
-    const size_t page = (size_t)sysconf(_SC_PAGESIZE), before = (page - ((uintptr_t)block & (page - 1))) & (page - 1);
+    const size_t whole = bytes < LEAST || bytes > SIZE_MAX - LARGE ? bytes : (bytes + LARGE - 1) & ~(LARGE - 1);
+    void *block = env_reserve_aligned(e, whole, bytes < LEAST ? 64 : LARGE);
 
-    if (bytes >= LEAST)
-        madvise((char *)block + before, (bytes - before) & ~(page - 1), MADV_HUGEPAGE);
-#else
-    (void)block;
-    (void)bytes;
+#ifdef MADV_HUGEPAGE
+    if (block && bytes >= LEAST)
+        madvise(block, whole, MADV_HUGEPAGE);
 #endif
+    return block;
+}
+
+void pages_free(const env *e, void *block)
+{
+    env_free_aligned(e, block);
 }

@@ -1,11 +1,12 @@
-/* pages.h - what the system is told of large blocks of memory. */
+/* pages.h - large blocks of memory. */
 #ifndef BASE_PAGES_H
 #define BASE_PAGES_H
 
-#include <stddef.h>
+#include "base/env.h"
 
-/* A block that is about to be filled, and will be used all over. Systems that have larger pages may then take them,
- * which are fewer to fetch. What the block holds does not change. */
-void pages_expect(void *block, size_t bytes);
+/* A block that is about to be filled, and will be used all over; not zeroed. Systems that have larger pages then take
+ * them for a large one, which are fewer to fetch. Free it with pages_free() only. */
+void *pages_reserve(const env *e, size_t bytes);
+void pages_free(const env *e, void *block);
 
 #endif

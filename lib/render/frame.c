@@ -14,18 +14,16 @@ bool frame_make(frame *f, const env *e, const tiles *t, int first_step)
     for (f->passes = 1; first_step > 1; first_step /= 2)
         f->passes++;
     if (height <= SIZE_MAX / 16 / width)
-        f->pixels = env_resize(e, NULL, width * height, 4 * sizeof(float));
-    if (f->pixels) {
-        pages_expect(f->pixels, width * height * 4 * sizeof(float));
+        f->pixels = pages_reserve(e, width * height * 4 * sizeof(float));
+    if (f->pixels)
         f->done = env_alloc(e, t->count, 1);
-    }
     return f->done != NULL;
 }
 
 void frame_free(frame *f, const env *e)
 {
     env_free(e, f->done);
-    env_free(e, f->pixels);
+    pages_free(e, f->pixels);
     f->done = NULL;
     f->pixels = NULL;
 }
