@@ -192,25 +192,39 @@ SIMD_CLONES static bool is_within(const float *rgba, int pixels)
     return !outside;
 }
 
+/* A row in linear light: in `room`, where that is another. */
+static const float *linear_row(const encoding *e, const float *row, int width, float *room)
+{
+    if (e->decode == 1.0)
+        return row;
+    memcpy(room, row, 4 * sizeof *row * (size_t)width);
+    encoding_linear(e, room, width);
+    return room;
+}
+
+/* What was not counted is zero since cells_clear(). */
 void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
 {
     cell_range r = cells_of(tile);
-    float row[4 * TILE_EDGE_MAX];
-    group one = { .count = 1, .target = 1 };
+    float room[4 * TILE_EDGE_MAX];
 
-    for (int i = 0; i < GROUPS * r.columns * r.rows; i++)
-        row_of_groups(c, r, i / (GROUPS * r.columns))[i % (GROUPS * r.columns)] = one;
+    for (int row = 0; row < r.rows; row++)
+        for (int i = 0; i < GROUPS * r.columns; i++) {
+            group *first = &row_of_groups(c, r, row)[i];
+            first->count = first->target = 1;
+        }
     for (int y = 0; y < tile.height; y++) {
-        frame_pixels(f, tile.x, tile.y + y, tile.width, row);
+        const float *row = frame_pixels(f, tile.x, tile.y + y), *linear = linear_row(e, row, tile.width, room);
+
         for (int x = 0; c->halves && x < tile.width; x++)
             for (int i = 0; i < 6; i++)
                 row_of_halves(c, tile, y)[6 * x + i] = i < 3 ? (double)row[4 * x + i] : 0.0;
-        encoding_linear(e, row, tile.width);
         /* Without a reference that is all there is to ask. */
-        if (!c->reference && is_within(row, tile.width))
+        if (!c->reference && is_within(linear, tile.width))
             continue;
         for (int x = 0; x < tile.width; x++)
-            look_at_pixel(c, &c->groups[group_of(c->columns, tile.x + x, tile.y + y)], tile.x + x, tile.y + y, row + 4 * x);
+            look_at_pixel(c, &c->groups[group_of(c->columns, tile.x + x, tile.y + y)], tile.x + x, tile.y + y,
+                          linear + 4 * x);
     }
 }
 

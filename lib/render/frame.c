@@ -73,9 +73,9 @@ bool frame_has(const frame *f, size_t tile)
     return f->done[tile] == (1u << f->passes) - 1u;
 }
 
-void frame_pixels(const frame *f, int x, int y, int width, float *out)
+const float *frame_pixels(const frame *f, int x, int y)
 {
-    memcpy(out, pixel(f, x, y), 4 * sizeof *out * (size_t)width);
+    return pixel(f, x, y);
 }
 
 /* The step of the finest lattice all of whose passes are in; 0: none. */
@@ -98,7 +98,7 @@ int frame_row(const frame *f, size_t tile, int x, int y, int width, float *out)
         return f->tiles->edge;
     }
     if (step == 1) {
-        frame_pixels(f, x, y, width, out);
+        memcpy(out, pixel(f, x, y), 4 * sizeof *out * (size_t)width);
         return step;
     }
     y -= (y - r.y) % step;

@@ -25,8 +25,8 @@ void frame_put(frame *f, size_t tile, int pass, const float *pixels);
 /* Take in all pixels of a tile whose passes are all in. */
 void frame_replace(frame *f, size_t tile, const float *pixels);
 bool frame_has(const frame *f, size_t tile);
-/* A part of a row of which every pass is in. */
-void frame_pixels(const frame *f, int x, int y, int width, float *out);
+/* A row from here on, of which every pass is in. */
+const float *frame_pixels(const frame *f, int x, int y);
 /* What stands for a part of a row that lies in one tile: the pixels of the tile's finest whole lattice at or before it.
  * Returns the lattice's step: each of them stands for all columns to the next multiple of it, counted from the tile's
  * corner. Nothing is in yet: zeros, for the whole of the tile. */
