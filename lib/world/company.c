@@ -2,6 +2,8 @@
 
 #include "base/simd.h"
 
+#include <string.h>
+
 /* Lanes are gone through by eights. */
 static inline uint32_t width(uint32_t n) { return (n + 7) & ~7u; }
 
@@ -25,6 +27,13 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
     uint64_t alone = 0;
     uint32_t n = 0, i;
 
+    if ((which & (which + 1)) == 0) {
+        n = ~which ? first_of64(~which) : WORLD_MANY;
+        memcpy(c->rays, rays, n * sizeof *rays);
+        for (i = 0; i < n; i++)
+            c->of[i] = (uint8_t)i;
+        which = 0;
+    }
     for (; which; which &= which - 1, n++) {
         i = first_of64(which);
         c->rays[n] = rays[i];
