@@ -293,19 +293,16 @@ static uint64_t end_nearest(company *c)
 {
     uint64_t met = 0, rest;
 
-    for (rest = c->party.lanes; rest; rest &= rest - 1) {
+    for (rest = c->asked & c->party.lanes; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pov_hits *hits = &c->hits[i];
         hit *out = &c->out[c->of[i]];
 
-        out->object = POV_NOBODY;
-        out->company = 0;
-        if (!(c->asked & bit_of(i)))
-            continue;
         c->walker->decided += hits->decided;
         if (hits->count == 0)
             continue;
         out->object = out->crossing.owner;
+        out->company = 0;
         met |= bit_of(c->of[i]);
         expect_place(c->world, out->object);
         if (hits->crowded)

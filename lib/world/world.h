@@ -123,7 +123,8 @@ static inline void world_cross(pov_ray *ray, const hit *h, double cosine)
  * surface or enough black ones stand there. Objects of no_shadow do not count. */
 bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through);
 /* The same of up to WORLD_MANY rays in company, with their answers to the bit: those of rays that start and go alike
- * cost a fraction of single ones. out and through have room for n; bit i of what is returned is ray i's. */
+ * cost a fraction of single ones. out and through have room for n; bit i of what is returned is ray i's, and
+ * nothing is said in out of a ray that meets nothing. */
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
                                colour *through);
