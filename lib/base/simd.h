@@ -37,6 +37,15 @@
 #define SIMD_APART
 #endif
 
+/* A type or member that begins with a line of memory, so that no vector of it lies across two: that costs as much as two.
+ * Memory for it is to be had from env_alloc_aligned(). */
+enum { SIMD_LINE = 64 };
+#if defined(__GNUC__)
+#define SIMD_ALIGNED __attribute__((aligned(SIMD_LINE)))
+#else
+#define SIMD_ALIGNED
+#endif
+
 /* What will be read soon, where the processor cannot guess it. The address need not be one. */
 #if defined(__GNUC__)
 #define SIMD_EXPECT(address) __builtin_prefetch(address)

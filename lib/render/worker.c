@@ -43,7 +43,7 @@ typedef struct company {
     uint32_t count;
     raygen_places through;
     float *out[BATCH_MAX];
-    pov_ray rays[BATCH_MAX];
+    SIMD_ALIGNED pov_ray rays[BATCH_MAX];
 } company;
 
 static void trace_company(worker *w, const settings *s, company *c)

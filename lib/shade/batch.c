@@ -6,7 +6,7 @@
 
 static batch *make(const env *e)
 {
-    batch *b = env_alloc(e, 1, sizeof *b);
+    batch *b = env_alloc_aligned(e, sizeof *b, SIMD_LINE);
 
     for (uint32_t i = 0; b && i < BATCH_MAX; i++)
         b->rays[i] = &b->room[i];
@@ -48,11 +48,11 @@ void batch_free(pov_tracer *t)
 {
     batch_forget(t);
     env_free(t->env, t->waits.items);
-    env_free(t->env, t->now);
-    env_free(t->env, t->mirrored);
-    env_free(t->env, t->passed);
+    env_free_aligned(t->env, t->now);
+    env_free_aligned(t->env, t->mirrored);
+    env_free_aligned(t->env, t->passed);
     while (t->spare)
-        env_free(t->env, take_spare(t));
+        env_free_aligned(t->env, take_spare(t));
 }
 
 /* The transmitted paths wait, and others take their place. False: no memory. */

@@ -30,7 +30,7 @@ static void make_camera_paths(batch *b)
 
 pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_error *err)
 {
-    pov_tracer *t = env_alloc(m->env, 1, sizeof *t);
+    pov_tracer *t = env_alloc_aligned(m->env, sizeof *t, SIMD_LINE);
     pov_status status;
 
     if (!t)
@@ -62,7 +62,7 @@ void tracer_destroy(pov_tracer *t)
     env_free(e, t->media.items);
     env_free(e, t->start.items);
     env_free(e, t->spots.items);
-    env_free(e, t);
+    env_free_aligned(e, t);
 }
 
 pov_counts tracer_counts(const pov_tracer *t)

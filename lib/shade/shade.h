@@ -27,7 +27,7 @@ typedef struct batch {
     uint32_t count;
     path paths[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* of the paths: the caller's camera rays, or those in `room` */
-    pov_ray room[BATCH_MAX];
+    SIMD_ALIGNED pov_ray room[BATCH_MAX];
     struct batch *next;          /* of those that are spare */
 } batch;
 
@@ -54,7 +54,7 @@ typedef struct geometry {
 } geometry;
 
 /* How lit surfaces answer light, by lane: what plan_look says of them. */
-typedef struct finishes {
+typedef struct SIMD_ALIGNED finishes {
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], body[BATCH_MAX], phong[BATCH_MAX];
     double dull[BATCH_MAX];
     int64_t power[BATCH_MAX];
@@ -106,7 +106,7 @@ struct pov_tracer {
     bool camera_odd, camera_in_media;   /* its paths are not those of all lanes in turn; some hold media */
     batch *now, *mirrored, *passed;   /* being followed, and those that go on from it */
     batch *spare;
-    hit hits[BATCH_MAX];
+    SIMD_ALIGNED hit hits[BATCH_MAX];
     surface surfaces[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* theirs, in their order, and what these met */
     hit *met[BATCH_MAX];

@@ -9,6 +9,7 @@
 #ifndef WORLD_BVH_WALK_H
 #define WORLD_BVH_WALK_H
 
+#include "base/simd.h"
 #include "world/bvh.h"
 
 #include <povtrace/plugin.h>
@@ -46,7 +47,7 @@ typedef struct bvh_party {
     const pov_ray *const *rays;
     uint32_t count;
     uint64_t lanes;              /* those that walk */
-    pov_rays side;               /* the rays by component; lanes from count to the next multiple of eight hold the last */
+    SIMD_ALIGNED pov_rays side;  /* the rays by component; lanes from count to the next multiple of eight hold the last */
     const bvh_frame *in;         /* what they stand in */
     double length[BVH_COMPANY];  /* of directions */
     double limit[BVH_COMPANY];   /* as a walk's, by lane */

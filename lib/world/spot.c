@@ -213,7 +213,7 @@ void world_spot(const world *w, walker *k, const pov_ray *ray, const spot *from,
         insert(out, &next);
     }
     for (i = 0; i < out->count; i++) {
-        out->at[i].company = out->count > 1 ? out->count : 0;
+        out->at[i].company = (uint16_t)(out->count > 1 ? out->count : 0);
         out->above |= (uint32_t)out->at[i].entering << i;
         out->solid |= (uint32_t)is_solid(w, out->at[i].object) << i;
     }

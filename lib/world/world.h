@@ -5,6 +5,7 @@
 #ifndef WORLD_WORLD_H
 #define WORLD_WORLD_H
 
+#include "base/simd.h"
 #include "model/model.h"
 #include "world/plan.h"
 
@@ -47,15 +48,16 @@ void walker_take_classes(walker *k, class_counts *sum);
 /* True when memory ended in a query; what the query said is then worth nothing. Stays so. */
 bool walker_failed(const walker *k);
 
-/* A ray's meeting with an object. */
+/* A ray's meeting with an object: two lines of memory where it begins with one, and what is known at first in one of
+ * them. */
 typedef struct hit {
-    pov_crossing crossing;
-    uint32_t object;
     pov_vec3 point, point_lo;    /* world space, the sum of both */
     pov_vec3 normal;             /* unit, world space, out of the solid (inverse objects: into it) */
     bool entering;               /* the ray goes against that normal */
     bool outside;                /* the ray goes against the shape's own: it comes from where no convex shape is */
-    uint32_t company;            /* how many surfaces lie on each other here, this one among them; 0: it is alone */
+    uint16_t company;            /* how many surfaces lie on each other here, this one among them; 0: it is alone */
+    uint32_t object;
+    pov_crossing crossing;
 } hit;
 
 /* The nearest crossing in the open interval (0, tmax). Fills crossing, object and company only; false: none. Of several
@@ -66,7 +68,7 @@ void world_surface(const world *w, const pov_ray *ray, hit *h);
 
 /* Vectors by lane, so that loops over lanes become vectors of the processor. */
 enum { WORLD_MANY = 64 };
-typedef struct vec_lanes { double x[WORLD_MANY], y[WORLD_MANY], z[WORLD_MANY]; } vec_lanes;
+typedef struct SIMD_ALIGNED vec_lanes { double x[WORLD_MANY], y[WORLD_MANY], z[WORLD_MANY]; } vec_lanes;
 
 static inline pov_vec3 lanes_at(const vec_lanes *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
 static inline void lanes_put(vec_lanes *l, uint32_t i, pov_vec3 v)
