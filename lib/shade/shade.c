@@ -307,8 +307,10 @@ static void see_background(pov_tracer *t, const batch *b, uint64_t rays, colour 
         return;
     }
     seen = colour_add(seen, finite_colour(colour_mul(b->paths[0].factor.by, background)));
-    for (; rays; rays &= rays - 1)
-        out[b->paths[first_of64(rays)].lane] = seen;
+    for (; rays; rays &= rays - 1) {
+        const uint32_t i = first_of64(rays);
+        out[t->camera_odd ? b->paths[i].lane : i] = seen;
+    }
 }
 
 /* What the batch's rays meet: those surfaces of which more than their own glow is seen. */

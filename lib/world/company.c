@@ -7,23 +7,18 @@
 /* Lanes are gone through by eights. */
 static inline uint32_t width(uint32_t n) { return (n + 7) & ~7u; }
 
-/* True: all are in the range that filters are promised, or else `in` says which. */
-SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length,
-                               int64_t *restrict in)
+/* True: all are in the range that filters are promised. */
+SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length)
 {
     int64_t all = -1;
-    uint32_t i;
 
-    for (i = 0; i < n; i++) {
-        in[i] = side_derive(s, i, end, length);
-        all &= in[i];
-    }
+    for (uint32_t i = 0; i < n; i++)
+        all &= side_derive(s, i, end, length);
     return all != 0;
 }
 
 static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which, double end)
 {
-    int64_t in[WORLD_MANY];
     uint64_t alone = 0;
     uint32_t n = 0, i;
 
@@ -46,9 +41,9 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
         side_put_four(&c->party.side, i, c->rays + i);
     for (i = 0; i < width(n); i++)
         c->party.limit[i] = c->tmax;
-    if (!derive(&c->party.side, width(n), end, c->party.length, in))
+    if (!derive(&c->party.side, width(n), end, c->party.length))
         for (i = 0; i < n; i++)
-            alone |= in[i] ? 0 : bit_of(i);
+            alone |= side_derive(&c->party.side, i, end, c->party.length) ? 0 : bit_of(i);
     return alone;
 }
 
@@ -157,6 +152,8 @@ uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *
 
     if (n == 0)
         return 0;
+    for (uint32_t i = 0; i < n; i++)
+        through[i] = colour_of(1.0f, 1.0f, 1.0f);
     divide(w, rays, n, of);
     for (octant = 0; octant < 8; octant++)
         if (is_company(of[octant]))

@@ -52,6 +52,7 @@ uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, 
 /* The same of rays that go through the tree one by one; what is left to be asked at the end is asked together. */
 uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                                const exits *e, hit *out);
+/* Where light comes through unchanged nothing is said of it. */
 uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                        colour *through);
 

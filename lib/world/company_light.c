@@ -131,27 +131,27 @@ static void leave_tints(company *c)
         }
 }
 
-/* What is lit, as bits of the caller's. */
+/* What is not lit, as bits of the caller's: of lanes that nobody was asked for nothing is to be said but that. */
 static uint64_t end_lights(company *c, uint64_t ended, colour *through)
 {
-    uint64_t lit = 0, rest;
+    uint64_t dark = 0, rest;
 
-    for (rest = c->party.lanes; rest; rest &= rest - 1) {
+    for (rest = c->party.lanes & (c->asked | ended); rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const bool asked = c->asked & bit_of(i);
         pov_hits *tints = asked && !c->any_blocks ? &c->tints[i] : NULL;
 
         if (asked)
             c->walker->decided += decided_of(c, i);
-        lit |= (uint64_t)end_light(c->world, ended >> i & 1, tints, &through[c->of[i]]) << c->of[i];
+        dark |= (uint64_t)!end_light(c->world, ended >> i & 1, tints, &through[c->of[i]]) << c->of[i];
     }
-    return lit;
+    return dark;
 }
 
 uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                        colour *through)
 {
-    uint64_t lit = 0, ended = 0, all, alone;
+    uint64_t dark = 0, ended = 0, all, alone;
     company c;
 
     c.any_blocks = !w->plan.coloured_shadows;
@@ -163,7 +163,7 @@ uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, ui
         leave_tints(&c);
     for (; alone; alone &= alone - 1) {
         const uint32_t i = c.of[first_of64(alone)];
-        lit |= (uint64_t)world_light_path(w, k, rays[i], tmax, &through[i]) << i;
+        dark |= (uint64_t)!world_light_path(w, k, rays[i], tmax, &through[i]) << i;
     }
     if (w->infinite && all)
         ended |= meet_light(&c.party, w->infinite, all);
@@ -173,5 +173,5 @@ uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, ui
     if (w->has_tree && c.party.lanes)
         ended |= w->walks->any_together(&c.party);
     c.party.lanes = all;
-    return lit | end_lights(&c, ended, through);
+    return which & ~(dark | end_lights(&c, ended, through));
 }
