@@ -72,7 +72,8 @@ void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *
     row->ref_max = 0.0;
     for (size_t i = 0; i < c->count; i++) {
         const group *g = &c->groups[GROUPS * i];
-        size_t first = cells_pixels(c, GROUPS * i), second = cells_pixels(c, GROUPS * i + 1);
+        const pov_rect r = cells_rect(c, i);
+        const size_t second = (size_t)r.width * (size_t)r.height / 2, first = (size_t)r.width * (size_t)r.height - second;
 
         add_group(&sum, &g[0], first, row);
         add_group(&sum, &g[1], second, row);

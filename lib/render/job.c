@@ -172,6 +172,15 @@ static bool trace(pov_job *job, worker *w)
     return worker_trace(w, &job->settings);
 }
 
+/* What the thread has spent since it last looked: to ask the system takes a microsecond. */
+static double spend(worker *w)
+{
+    const double now = clock_thread_seconds(), spent = now - w->spent;
+
+    w->spent = now;
+    return spent;
+}
+
 /* Trace what was claimed, and hand it in unless the job has gone on without it. */
 static void work(pov_job *job, worker *w)
 {
@@ -179,7 +188,7 @@ static void work(pov_job *job, worker *w)
     pov_counts fresh = { 0 };
     class_counts classes = { 0 };
     bool whole = false, tell = false;
-    double began = clock_thread_seconds();
+    double spent;
 
     if (worker_prepare(w, job->model, job->world, ask_whether_to_give_up, &error) == POV_OK) {
         whole = trace(job, w);
@@ -188,9 +197,10 @@ static void work(pov_job *job, worker *w)
         if (w->tracer->failed)
             err_memory(&error);
     }
+    spent = spend(w);
     mutex_lock(&job->lock);
     if (w->claim.generation == job->generation)
-        job->cpu += clock_thread_seconds() - began;
+        job->cpu += spent;
     if (is_current(job, &w->claim)) {
         if (error.status < 0) {
             fail(job, &error);
@@ -264,6 +274,7 @@ static void *run(void *user)
     worker *w = user;
     pov_job *job = w->job;
 
+    spend(w);
     mutex_lock(&job->lock);
     while (!job->closing) {
         passes_expire(job);
@@ -340,8 +351,10 @@ pov_job_state job_step(pov_job *job)
     if (working)
         passes_claim(job, w);
     mutex_unlock(&job->lock);
-    if (working)
+    if (working) {
+        spend(w);
         work(job, w);
+    }
     if (w)
         give_back(job, w);
     mutex_lock(&job->lock);

@@ -29,6 +29,7 @@ typedef struct worker {
     refinement *refinement;      /* the job's to make and free; NULL when a pixel has one sample */
     meter *meter;                /* the job's to make and free; NULL: nobody asks */
     pov_counts counted;          /* of the tracer's, those that earlier tiles have accounted for */
+    double spent;                /* seconds of its thread that have been accounted for */
     struct worker *next_free;    /* in the job's list of those that nobody is using */
 } worker;
 
