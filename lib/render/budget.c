@@ -88,8 +88,8 @@ static double error_near(const cells *c, size_t number)
 
             if (pixels == 0)
                 continue;
-            square = c->groups[other].square * c->groups[other].count / ((double)pixels * c->groups[number].count);
-            contrast = cells_contrast(&c->groups[other], pixels);
+            square = c->shown[other].square * c->groups[other].count / ((double)pixels * c->groups[number].count);
+            contrast = cells_contrast(&c->shown[other], pixels);
             if (x == column && y == row) {
                 own = square;
                 own_contrast = contrast;
@@ -125,7 +125,7 @@ static outcome foresee(const cells *c, const double *worths, double threshold, u
     for (size_t i = 0; i < GROUPS * c->count; i++) {
         const group *at = &c->groups[i];
         uint32_t n = wanted(at, worths[i], threshold, least);
-        double square = at->square;
+        double square = c->shown[i].square;
 
         o.mean += (double)cells_pixels(c, i) * n;
         for (uint32_t k = at->count; k < n; k *= 2)

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-bool cells_make(cells *c, const env *e, int width, int height, bool sampling)
+bool cells_make(cells *c, const env *e, int width, int height, bool sampling, bool referring)
 {
     c->width = width;
     c->height = height;
@@ -14,9 +14,11 @@ bool cells_make(cells *c, const env *e, int width, int height, bool sampling)
     c->rows = (height - 1) / CELL_EDGE + 1;
     c->count = (size_t)c->columns * (size_t)c->rows;
     c->groups = env_alloc(e, c->count, GROUPS * sizeof *c->groups);
+    if (sampling || referring)
+        c->shown = env_alloc(e, c->count, GROUPS * sizeof *c->shown);
     if (sampling)
         c->halves = env_resize(e, NULL, (size_t)width * (size_t)height, 6 * sizeof *c->halves);
-    return c->groups && (c->halves || !sampling);
+    return c->groups && (c->shown || !(sampling || referring)) && (c->halves || !sampling);
 }
 
 bool cells_count_time(cells *c, const env *e)
@@ -28,6 +30,7 @@ bool cells_count_time(cells *c, const env *e)
 void cells_free(cells *c, const env *e)
 {
     env_free(e, c->groups);
+    env_free(e, c->shown);
     env_free(e, c->seconds);
     env_free(e, c->halves);
 }
@@ -35,6 +38,8 @@ void cells_free(cells *c, const env *e)
 void cells_clear(cells *c)
 {
     memset(c->groups, 0, c->count * GROUPS * sizeof *c->groups);
+    if (c->shown)
+        memset(c->shown, 0, c->count * GROUPS * sizeof *c->shown);
     if (c->seconds)
         memset(c->seconds, 0, c->count * sizeof *c->seconds);
 }
@@ -65,7 +70,7 @@ size_t cells_pixels(const cells *c, size_t number)
     return ((size_t)r.width * (size_t)r.height + 1 - number % GROUPS) / GROUPS;
 }
 
-double cells_contrast(const group *g, size_t pixels)
+double cells_contrast(const showing *g, size_t pixels)
 {
     double n = (double)pixels, mean_square = 0.0;
 
@@ -76,9 +81,10 @@ double cells_contrast(const group *g, size_t pixels)
 
 /* ---- a tile's part ---- */
 
-static group *row_of_groups(const cells *c, cell_range r, int row)
+/* The number of its first group. */
+static size_t row_of_groups(const cells *c, cell_range r, int row)
 {
-    return c->groups + GROUPS * ((size_t)(r.row + row) * (size_t)c->columns + (size_t)r.column);
+    return GROUPS * ((size_t)(r.row + row) * (size_t)c->columns + (size_t)r.column);
 }
 
 static double *row_of_halves(const cells *c, pov_rect tile, int y)
@@ -86,22 +92,30 @@ static double *row_of_halves(const cells *c, pov_rect tile, int y)
     return c->halves + 6 * ((size_t)(tile.y + y) * (size_t)c->width + (size_t)tile.x);
 }
 
-void cells_take(const cells *c, pov_rect tile, group *groups, double *halves)
+void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves)
 {
     cell_range r = cells_of(tile);
 
-    for (int row = 0; row < r.rows; row++)
-        memcpy(groups + GROUPS * row * r.columns, row_of_groups(c, r, row), GROUPS * (size_t)r.columns * sizeof *groups);
+    for (int row = 0; row < r.rows; row++) {
+        const size_t from = row_of_groups(c, r, row), to = GROUPS * (size_t)row * (size_t)r.columns;
+
+        memcpy(groups + to, c->groups + from, GROUPS * (size_t)r.columns * sizeof *groups);
+        memcpy(shown + to, c->shown + from, GROUPS * (size_t)r.columns * sizeof *shown);
+    }
     for (int y = 0; y < tile.height; y++)
         memcpy(halves + 6 * y * tile.width, row_of_halves(c, tile, y), 6 * sizeof *halves * (size_t)tile.width);
 }
 
-void cells_put(cells *c, pov_rect tile, const group *groups, const double *halves)
+void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves)
 {
     cell_range r = cells_of(tile);
 
-    for (int row = 0; row < r.rows; row++)
-        memcpy(row_of_groups(c, r, row), groups + GROUPS * row * r.columns, GROUPS * (size_t)r.columns * sizeof *groups);
+    for (int row = 0; row < r.rows; row++) {
+        const size_t to = row_of_groups(c, r, row), from = GROUPS * (size_t)row * (size_t)r.columns;
+
+        memcpy(c->groups + to, groups + from, GROUPS * (size_t)r.columns * sizeof *groups);
+        memcpy(c->shown + to, shown + from, GROUPS * (size_t)r.columns * sizeof *shown);
+    }
     for (int y = 0; y < tile.height; y++)
         memcpy(row_of_halves(c, tile, y), halves + 6 * y * tile.width, 6 * sizeof *halves * (size_t)tile.width);
 }
@@ -122,7 +136,7 @@ static float within(float v)
 }
 
 /* How far a pixel in linear light is from the reference. */
-static void hold_against(const cells *c, group *into, int x, int y, const float *rgba)
+static void hold_against(const cells *c, showing *into, int x, int y, const float *rgba)
 {
     const float *truth = c->reference + 4 * ((size_t)y * (size_t)c->width + (size_t)x);
     double square = 0.0;
@@ -136,19 +150,22 @@ static void hold_against(const cells *c, group *into, int x, int y, const float 
     into->off_square += square / 3.0;
 }
 
-static void look_at_pixel(const cells *c, group *into, int x, int y, const float *linear)
+static void show(const cells *c, showing *into, int x, int y, const float *linear)
 {
     for (int i = 0; i < 3; i++) {
         into->light[i] += (double)linear[i];
         into->light_square += (double)linear[i] * (double)linear[i] / 3.0;
     }
-    for (int i = 0; i < 3; i++)
-        if (linear[i] < 0.0f || linear[i] > 1.0f) {
-            into->clipped++;
-            break;
-        }
     if (c->reference)
         hold_against(c, into, x, y, linear);
+}
+
+static bool is_clipped(const float *linear)
+{
+    for (int i = 0; i < 3; i++)
+        if (linear[i] < 0.0f || linear[i] > 1.0f)
+            return true;
+    return false;
 }
 
 /* The variance of the mean of n samples of which one half has a and the other b is estimated without bias by
@@ -210,7 +227,7 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
 
     for (int row = 0; row < r.rows; row++)
         for (int i = 0; i < GROUPS * r.columns; i++) {
-            group *first = &row_of_groups(c, r, row)[i];
+            group *first = &c->groups[row_of_groups(c, r, row) + (size_t)i];
             first->count = first->target = 1;
         }
     for (int y = 0; y < tile.height; y++) {
@@ -222,27 +239,30 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
         /* Without a reference that is all there is to ask. */
         if (!c->reference && is_within(linear, tile.width))
             continue;
-        for (int x = 0; x < tile.width; x++)
-            look_at_pixel(c, &c->groups[group_of(c->columns, tile.x + x, tile.y + y)], tile.x + x, tile.y + y,
-                          linear + 4 * x);
+        for (int x = 0; x < tile.width; x++) {
+            const size_t into = group_of(c->columns, tile.x + x, tile.y + y);
+
+            c->groups[into].clipped += is_clipped(linear + 4 * x);
+            if (c->shown)
+                show(c, &c->shown[into], tile.x + x, tile.y + y, linear + 4 * x);
+        }
     }
 }
 
 /* A group whose count has grown is measured from its halves anew. */
-void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, const double *halves,
-                   float *pixels)
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
+                   const double *halves, float *pixels)
 {
     cell_range r = cells_of(tile);
 
-    for (int i = 0; i < GROUPS * r.columns * r.rows; i++) {
-        group fresh = { .count = groups[i].count, .target = groups[i].target };
-        groups[i] = fresh;
-    }
+    for (int i = 0; i < GROUPS * r.columns * r.rows; i++)
+        groups[i].clipped = 0;
+    memset(shown, 0, GROUPS * (size_t)r.columns * (size_t)r.rows * sizeof *shown);
     for (int y = 0; y < tile.height; y++)
         for (int x = 0; x < tile.width; x++) {
-            group *into = &groups[group_of(r.columns, x, y)];
+            const size_t into = group_of(r.columns, x, y);
             const double *h = halves + 6 * (y * tile.width + x);
-            double a = sample_half(into->count, 0), b = sample_half(into->count, 1), square = square_of_error(e, h, a, b);
+            double a = sample_half(groups[into].count, 0), b = sample_half(groups[into].count, 1), square = square_of_error(e, h, a, b);
             float *out = pixels + 4 * (y * tile.width + x), linear[4];
 
             for (int i = 0; i < 3; i++)
@@ -250,8 +270,9 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *grou
             out[3] = 1.0f;
             memcpy(linear, out, sizeof linear);
             encoding_linear(e, linear, 1);
-            into->square += square;
-            into->fourth += square * square;
-            look_at_pixel(c, into, tile.x + x, tile.y + y, linear);
+            shown[into].square += square;
+            shown[into].fourth += square * square;
+            groups[into].clipped += is_clipped(linear);
+            show(c, &shown[into], tile.x + x, tile.y + y, linear);
         }
 }

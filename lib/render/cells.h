@@ -16,15 +16,20 @@ enum { CELL_EDGE = 4, TILE_CELLS_MAX = (TILE_EDGE_MAX / CELL_EDGE) * (TILE_EDGE_
 typedef struct group {
     uint32_t count, target;      /* samples that each of its pixels has, and shall have after this pass */
     uint32_t clipped;            /* pixels outside 0 .. 1 in linear light */
-    double square, fourth;       /* sums over its pixels of the estimated squared error, and of that squared */
-    double light[3], light_square;   /* sums over its pixels of linear light, and of its mean square */
-    double off_square, off_max;  /* against the reference */
 } group;
+
+/* What a group shows: sums over its pixels. */
+typedef struct showing {
+    double square, fourth;       /* of the estimated squared error, and of that squared */
+    double light[3], light_square;   /* of linear light, and of its mean square */
+    double off_square, off_max;  /* against the reference */
+} showing;
 
 typedef struct cells {
     int width, height, columns, rows;
     size_t count;
     group *groups;               /* GROUPS of each cell, one after the other */
+    showing *shown;              /* the same; NULL when a pixel has one sample and is not held against anything */
     double *seconds;             /* of the processor, that each cell has taken; NULL: nobody asks */
     double *halves;              /* six a pixel: the sums of both; NULL when a pixel has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
@@ -34,8 +39,8 @@ typedef struct cells {
 /* Part of a picture in cells: what a tile covers. */
 typedef struct cell_range { int column, row, columns, rows; } cell_range;
 
-/* False: no memory. */
-bool cells_make(cells *c, const env *e, int width, int height, bool sampling);
+/* referring: there is to be a reference. False: no memory. */
+bool cells_make(cells *c, const env *e, int width, int height, bool sampling, bool referring);
 /* From now on what the cells take of the processor's time is added up. False: no memory. */
 bool cells_count_time(cells *c, const env *e);
 /* What a pass over a tile took, for each of the tile's cells. */
@@ -47,7 +52,7 @@ pov_rect cells_rect(const cells *c, size_t index);
 /* A corner cell may be so narrow that its second group has none. */
 size_t cells_pixels(const cells *c, size_t group);
 /* Variance of the light of the pixels of a group that has some. */
-double cells_contrast(const group *g, size_t pixels);
+double cells_contrast(const showing *g, size_t pixels);
 
 /* The group of a pixel of a tile among those of the tile, or of the picture among those of the picture. */
 static inline size_t group_of(int columns, int x, int y)
@@ -56,12 +61,12 @@ static inline size_t group_of(int columns, int x, int y)
 }
 
 /* Copy what a tile has out to buffers of its own, and back in. */
-void cells_take(const cells *c, pov_rect tile, group *groups, double *halves);
-void cells_put(cells *c, pov_rect tile, const group *groups, const double *halves);
+void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves);
+void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves);
 /* The first sample of each pixel of a tile is in: it becomes the first half's. */
 void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e);
 /* Make the tile's pixels of its halves, four channels each, and measure its cells. */
-void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, const double *halves,
-                   float *pixels);
+void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
+                   const double *halves, float *pixels);
 
 #endif

@@ -249,9 +249,9 @@ static void take_halves(pov_job *job, const unsigned char *halves, refinement *p
     for (size_t i = 0; i < job->tiles.count; i++) {
         pov_rect r = tiles_rect(&job->tiles, i);
 
-        cells_take(&job->cells, r, part->groups, part->halves);
-        cells_measure(&job->cells, r, &job->encoding, part->groups, part->halves, pixels);
-        cells_put(&job->cells, r, part->groups, part->halves);
+        cells_take(&job->cells, r, part->groups, part->shown, part->halves);
+        cells_measure(&job->cells, r, &job->encoding, part->groups, part->shown, part->halves, pixels);
+        cells_put(&job->cells, r, part->groups, part->shown, part->halves);
         job->frame.done[i] = (uint8_t)((1u << job->frame.passes) - 1u);
         frame_replace(&job->frame, i, pixels);
     }

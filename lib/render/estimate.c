@@ -50,15 +50,19 @@ static void add_group(sums *s, const group *g, size_t pixels, pov_pass *row)
 {
     if (pixels == 0)
         return;
-    s->square += g->square;
-    s->fourth += g->fourth;
-    s->off += g->off_square;
     s->samples += (double)pixels * g->count;
     s->known = s->known && g->count > 1;
     s->whole = s->whole && g->count > 0;
     row->clipped += g->clipped;
-    row->ref_max = fmax(row->ref_max, g->off_max);
     row->spp_max = (int)g->count > row->spp_max ? (int)g->count : row->spp_max;
+}
+
+static void add_shown(sums *s, const showing *g, pov_pass *row)
+{
+    s->square += g->square;
+    s->fourth += g->fourth;
+    s->off += g->off_square;
+    row->ref_max = fmax(row->ref_max, g->off_max);
 }
 
 void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *row)
@@ -77,7 +81,11 @@ void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *
 
         add_group(&sum, &g[0], first, row);
         add_group(&sum, &g[1], second, row);
-        scratch[i] = (g[0].square + g[1].square) / (double)(first + second);
+        if (!c->shown)
+            continue;
+        add_shown(&sum, &c->shown[GROUPS * i], row);
+        add_shown(&sum, &c->shown[GROUPS * i + 1], row);
+        scratch[i] = (c->shown[GROUPS * i].square + c->shown[GROUPS * i + 1].square) / (double)(first + second);
         row->unresolved += scratch[i] > limit * limit ? first + second : 0;
     }
     row->spp_mean = sum.samples / all;

@@ -14,7 +14,7 @@ static pov_status make_parts(pov_job *job, pov_error *err)
     if (!frame_make(&job->frame, job->env, &job->tiles, s->first_step) || !tiles_sort(&job->tiles, job->env))
         return err_set(err, POV_E_MEMORY, "no memory for a picture of %d x %d pixels", s->crop.width, s->crop.height);
     job->all_pixels = (size_t)s->crop.width * (size_t)s->crop.height;
-    if (!cells_make(&job->cells, job->env, s->crop.width, s->crop.height, s->sampling))
+    if (!cells_make(&job->cells, job->env, s->crop.width, s->crop.height, s->sampling, s->reference != NULL))
         return err_memory(err);
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;

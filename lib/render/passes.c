@@ -50,7 +50,7 @@ void passes_claim(pov_job *job, worker *w)
     c->tile = job->refining ? job->queue[number] : job->tiles.order[number % all];
     c->rect = tiles_rect(&job->tiles, c->tile);
     if (c->refining)
-        cells_take(&job->cells, c->rect, w->refinement->groups, w->refinement->halves);
+        cells_take(&job->cells, c->rect, w->refinement->groups, w->refinement->shown, w->refinement->halves);
     else
         c->lattice = frame_lattice(&job->frame, c->pass);
     passes_skip(job);
@@ -203,7 +203,7 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class
         cells_spend(&job->cells, c->rect, w->meter->spent);
     if (c->refining) {
         job->done_pixels += samples_more(job, c);
-        cells_put(&job->cells, c->rect, w->refinement->groups, w->refinement->halves);
+        cells_put(&job->cells, c->rect, w->refinement->groups, w->refinement->shown, w->refinement->halves);
         frame_replace(&job->frame, c->tile, w->pixels);
     } else {
         job->done_pixels += lattice_pixels(c->lattice, c->rect.width, c->rect.height);

@@ -107,6 +107,6 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     trace_company(w, s, &together);
     if (worker_is_given_up(w))
         return false;
-    cells_measure(c, w->claim.rect, e, r->groups, r->halves, w->pixels);
+    cells_measure(c, w->claim.rect, e, r->groups, r->shown, r->halves, w->pixels);
     return true;
 }

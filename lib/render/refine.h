@@ -9,6 +9,7 @@
 struct refinement {
     double *halves;
     group groups[GROUPS * TILE_CELLS_MAX];
+    showing shown[GROUPS * TILE_CELLS_MAX];
 };
 
 /* NULL: no memory. */

@@ -58,7 +58,6 @@ static pov_rect meet(pov_rect a, pov_rect b)
 static float map_value(const cells *c, int x, int y, pov_pixels format)
 {
     size_t number = group_of(c->columns, x, y), cell = number / GROUPS;
-    const group *both = &c->groups[GROUPS * cell];
     pov_rect r = cells_rect(c, cell);
     double pixels = (double)r.width * r.height;
 
@@ -66,7 +65,9 @@ static float map_value(const cells *c, int x, int y, pov_pixels format)
         return (float)c->groups[number].count;
     if (format == POV_PIXELS_TIME)
         return c->seconds ? (float)(c->seconds[cell] / pixels) : -1.0f;
-    return c->groups[number].count > 1 ? (float)sqrt((both[0].square + both[1].square) / pixels) : -1.0f;
+    if (c->groups[number].count < 2)
+        return -1.0f;
+    return (float)sqrt((c->shown[GROUPS * cell].square + c->shown[GROUPS * cell + 1].square) / pixels);
 }
 
 static void read_map(pov_job *job, pov_rect part, pov_pixels format, unsigned char *dst, size_t stride)
