@@ -143,18 +143,21 @@ static inline colour given_at(const sight *s, uint32_t i) { return colour_of(s->
  * nobody could guess. Returns how many the light is before. */
 static uint32_t aim(light_rays *l, const sight *s)
 {
-    uint32_t facing = 0, count = 0;
+    pov_ray *const room = l->room;
+    const size_t lit_count = l->lit_count;
+    uint32_t facing = 0;
+    size_t count = 0;
 
-    for (uint32_t k = 0; k < l->lit_count; k++) {
-        const uint8_t i = l->lit[k];
+    for (size_t k = 0; k < lit_count; k++) {
+        const size_t i = l->lit[k];
 
-        l->room[i].dir = lanes_at(&s->way, i);
-        l->rays[count] = &l->room[i];
-        l->of[count] = i;
+        room[i].dir = lanes_at(&s->way, (uint32_t)i);
+        l->rays[count] = &room[i];
+        l->of[count] = (uint8_t)i;
         facing += s->faces[i];
         count += s->gives[i];
     }
-    l->count = count;
+    l->count = (uint32_t)count;
     return facing;
 }
 
