@@ -5,6 +5,7 @@
 #include "base/clock.h"
 #include "base/file.h"
 #include "base/map.h"
+#include "base/pages.h"
 #include "base/str.h"
 #include "base/thread.h"
 #include "base/vec.h"
@@ -58,6 +59,26 @@ static void aligned_blocks_are_aligned_and_zero(void **state)
         env_free_aligned(&e, block);
     }
     env_free_aligned(&e, NULL);
+}
+
+static void large_blocks_are_there_to_their_last_byte(void **state)
+{
+    const size_t sizes[] = { 1, 4096, ((size_t)4 << 20) - 1, (size_t)4 << 20, ((size_t)4 << 20) + 1 };
+    env e = libc_env();
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        unsigned char *block = pages_reserve(&e, sizes[i]);
+
+        assert_non_null(block);
+        assert_int_equal((uintptr_t)block % 64, 0);
+        memset(block, 7, sizes[i]);
+        assert_int_equal(block[sizes[i] - 1], 7);
+        pages_free(&e, block);
+    }
+    pages_free(&e, NULL);
+    assert_null(pages_reserve(&e, SIZE_MAX));
 }
 
 static void arena_gives_aligned_zeroed_memory_of_any_size(void **state)
@@ -305,6 +326,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(allocation_whose_size_overflows_fails),
         cmocka_unit_test(aligned_blocks_are_aligned_and_zero),
+        cmocka_unit_test(large_blocks_are_there_to_their_last_byte),
         cmocka_unit_test(arena_gives_aligned_zeroed_memory_of_any_size),
         cmocka_unit_test(arena_says_when_memory_ends),
         cmocka_unit_test(vec_keeps_what_was_pushed),
