@@ -8,7 +8,7 @@
 #include <povtrace/exact.h>
 #include <povtrace/plugin.h>
 
-/* What the filter reads comes first. */
+/* What the filter reads comes first; vectors of four are read of all but the last. */
 typedef struct placement {
     pov_vec3 anchor;                           /* world space, near the shape */
     float per_half[3];           /* the inverse of half a box in the shape's own space, around the anchor, that holds it */

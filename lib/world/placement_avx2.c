@@ -15,6 +15,12 @@ TARGET static inline __m256d load(const pov_vec3 *v)
     return _mm256_loadu_pd(&v->x);
 }
 
+/* Of one that nothing stands behind. */
+TARGET static inline __m256d load_last(const pov_vec3 *v)
+{
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(&v->x)), _mm_load_sd(&v->z), 1);
+}
+
 TARGET static inline void store(pov_vec3 *out, __m256d v)
 {
     _mm_storeu_pd(&out->x, _mm256_castpd256_pd128(v));
@@ -102,7 +108,7 @@ TARGET static inline two4 start_of(const placement *p, const pov_ray *ray)
 
 TARGET void placement_ray_avx2(const placement *p, const pov_ray *ray, pov_ray *own)
 {
-    const two4 w = start_of(p, ray), anchor = { load(&p->own_anchor), load(&p->own_anchor_lo) };
+    const two4 w = start_of(p, ray), anchor = { load(&p->own_anchor), load_last(&p->own_anchor_lo) };
     two4 o, d;
 
     if (p->axes) {
