@@ -43,6 +43,8 @@ void placement_normal(const placement *p, const pov_shape_class *shape, const vo
                       const pov_crossing *at, pov_vec3 *out);
 /* From the shape's own space to the world. */
 void placement_turn_normal(const placement *p, pov_vec3 *normal);
+/* The same n times, to the bit. */
+void placement_turn_normals(const placement *const *p, pov_vec3 *const *normals, uint32_t n);
 bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo);
 

@@ -1,5 +1,5 @@
-/* Several rays, each with a placed shape: one alone waits for each of its sums, four side by side do not. Operations
- * and their order are placement.c's. */
+/* Several rays or normals, each with a placed shape: one alone waits for each of its sums, four side by side do not.
+ * Operations and their order are placement.c's. */
 #include "base/simd.h"
 #include "world/placement.h"
 
@@ -128,4 +128,76 @@ void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_r
             for (i = 0; i < some; i++)
                 placement_ray(p[i], rays[i], &own[i]);
     }
+}
+
+/* ---- normals ---- */
+
+/* What the squares of normals' lengths must be within, so that pov_unit() scales none of them. */
+#define LEAST_SQUARE 1e-238
+#define MOST_SQUARE 1e238
+
+/* With the squares of their lengths before they are of unit length. */
+typedef struct unit_lanes { double normal[3][LANES], square[LANES]; } unit_lanes;
+
+/* Normals stand where a ray's start would. */
+SIMD_INLINE double turn_axis(const pair_lanes *l, size_t lane, size_t i)
+{
+    const pov_two a = inverse(l, lane, 0, i), b = inverse(l, lane, 1, i), c = inverse(l, lane, 2, i);
+    const double *const x = l->ray[ORG], *const y = l->ray[ORG + 1], *const z = l->ray[ORG + 2];
+    const pov_two ab = pov_two_add(pov_two_mul_double(a, x[lane]), pov_two_mul_double(b, y[lane]));
+
+    return pov_two_add(ab, pov_two_mul_double(c, z[lane])).hi;
+}
+
+SIMD_CLONES static void find_units(const pair_lanes *restrict l, unit_lanes *restrict out)
+{
+    size_t i;
+
+    for (i = 0; i < LANES; i++) {
+        const pov_vec3 n = pov_vec3_of(turn_axis(l, i, 0), turn_axis(l, i, 1), turn_axis(l, i, 2));
+        const double square = pov_dot(n, n), length = sqrt(square);
+
+        out->normal[0][i] = n.x / length;
+        out->normal[1][i] = n.y / length;
+        out->normal[2][i] = n.z / length;
+        out->square[i] = square;
+    }
+}
+
+/* Up to four. */
+static void turn_some(const placement *const *p, pov_vec3 *const *normals, uint32_t n)
+{
+    const void *places[LANES];
+    pair_lanes lanes;
+    unit_lanes out;
+    uint32_t i;
+
+    for (i = 0; i < LANES; i++) {
+        const uint32_t j = i < n ? i : n - 1;
+
+        places[i] = p[j];
+        lanes.ray[ORG][i] = normals[j]->x;
+        lanes.ray[ORG + 1][i] = normals[j]->y;
+        lanes.ray[ORG + 2][i] = normals[j]->z;
+    }
+    for (i = COLUMN; i < OWN; i += 4)
+        take_block(lanes.place + i, places, offsetof(placement, column) + (i - COLUMN) * sizeof(double));
+    find_units(&lanes, &out);
+    for (i = 0; i < n; i++)
+        if (out.square[i] >= LEAST_SQUARE && out.square[i] <= MOST_SQUARE)
+            *normals[i] = pov_vec3_of(out.normal[0][i], out.normal[1][i], out.normal[2][i]);
+        else
+            placement_turn_normal(p[i], normals[i]);
+}
+
+void placement_turn_normals(const placement *const *p, pov_vec3 *const *normals, uint32_t n)
+{
+    uint32_t some;
+
+    for (; n > 1; n -= some, p += some, normals += some) {
+        some = n < LANES ? n : LANES;
+        turn_some(p, normals, some);
+    }
+    if (n > 0)
+        placement_turn_normal(p[0], normals[0]);
 }

@@ -173,8 +173,7 @@ static void find_added(normals *some, const pov_shape_class *shape)
     else
         for (i = 0; i < some->count; i++)
             shape->normal(some->selves[i], some->rays[i], some->at[i], some->out[i]);
-    for (i = 0; i < some->placed; i++)
-        placement_turn_normal(some->place[i], some->turned[i]);
+    placement_turn_normals(some->place, some->turned, some->placed);
 }
 
 /* Normals of the class of the first of `left`, together, stage after stage. Those of classes that know no better are

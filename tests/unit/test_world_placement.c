@@ -214,6 +214,24 @@ static void check_together(const placement *p, const pov_ray *sent, uint32_t n)
     }
 }
 
+/* Normals of shapes, of which some vanish and some are out of the range of squares, turned as one by one. */
+static void check_turned(const placement *p, test_random *r, uint32_t n)
+{
+    const placement *const places[RAYS] = { p, p, p, p };
+    pov_vec3 many[RAYS], one[RAYS];
+    pov_vec3 *const normals[RAYS] = { &many[0], &many[1], &many[2], &many[3] };
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        const double least = test_below(r, 4) ? -1.0 : test_below(r, 2) ? -300.0 : -500.0;
+
+        many[i] = one[i] = pov_scale(test_direction(r), power(r, least, -least));
+        placement_turn_normal(p, &one[i]);
+    }
+    placement_turn_normals(places, normals, n);
+    assert_memory_equal(many, one, n * sizeof *many);
+}
+
 typedef struct tally { long fits, hits, misses, filtered, sure, twice; } tally;
 
 /* False: it passes the frame by. */
@@ -297,6 +315,7 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
             lanes |= (uint64_t)1 << i * APART;
     }
     check_together(&p, sent, 1 + test_below(r, RAYS));
+    check_turned(&p, r, 1 + test_below(r, RAYS));
     count = fits ? placement_filter(&p, NOT_LEFT, &frame, &rays, lanes, met) : 0;
     for (i = 0; i < count; i++) {
         assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
