@@ -29,6 +29,48 @@ static void count_nearest(company *c, uint32_t i, const run *r, uint32_t lane)
     walker_count(c->walker, r, 1, c->hits[i].decided - before);
 }
 
+/* Pairs of one class that may be asked together. */
+typedef struct pairs {
+    uint32_t count, placed;
+    const void *selves[WORLD_MANY];
+    const pov_ray *rays[WORLD_MANY];
+    pov_hits *hits[WORLD_MANY];
+    const placement *places[WORLD_MANY];   /* of placed ones, with rays in the world and in their own spaces */
+    const pov_ray *from[WORLD_MANY];
+    pov_ray own[WORLD_MANY];
+} pairs;
+
+static inline void put_pair(pairs *some, const void *self, const placement *place, const pov_ray *ray, pov_hits *hits)
+{
+    const uint32_t n = some->count++;
+
+    some->selves[n] = self;
+    some->rays[n] = ray;
+    if (place) {
+        some->places[some->placed] = place;
+        some->from[some->placed] = ray;
+        some->rays[n] = &some->own[some->placed++];
+    }
+    some->hits[n] = hits;
+}
+
+static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some)
+{
+    uint32_t decided = 0, i;
+
+    placement_rays(some->places, some->from, some->own, some->placed);
+    for (i = 0; i < some->count; i++)
+        decided -= some->hits[i]->decided;
+    if (POV_SHAPE_HAS(shape, intersect_many))
+        shape->intersect_many(some->selves, some->rays, some->hits, some->count);
+    else
+        for (i = 0; i < some->count; i++)
+            shape->intersect(some->selves[i], some->rays[i], some->hits[i]);
+    for (i = 0; i < some->count; i++)
+        decided += some->hits[i]->decided;
+    walker_count_class(k, class_number, some->count, decided);
+}
+
 /* One that can be left out by now need not wait any more; if it cannot, it is asked before the next one waits. */
 static void put_off(company *c, const run *r, const pov_meeting *m)
 {
@@ -46,11 +88,25 @@ static void put_off(company *c, const run *r, const pov_meeting *m)
     SIMD_EXPECT(run_instance(r, m->lane));
 }
 
+/* What a filter leaves open of a run that holds one shape, so that no ray is there twice. */
+static void ask_open(company *c, const run *r, pairs *open, const uint8_t *lanes)
+{
+    uint32_t i;
+
+    ask_pairs(c->walker, r->shape, run_class(r), open);
+    for (i = 0; i < open->count; i++)
+        if (open->hits[i]->tmax < c->party.limit[lanes[i]])
+            lower(c, lanes[i], open->hits[i]->tmax);
+}
+
 static void filter_nearest(company *c, const run *r, uint64_t lanes)
 {
     const pov_meeting *m = c->met;
     uint32_t n = run_filter(r, c->party.in, &c->party.side, lanes, c->met);
+    uint8_t open_lanes[WORLD_MANY];
+    pairs open;
 
+    open.count = open.placed = 0;
     for (; n > 0; m++, n--) {
         const pov_ray *ray = c->rays[m->ray];
         const bool left = r->object[m->lane] == ray->left;
@@ -59,11 +115,18 @@ static void filter_nearest(company *c, const run *r, uint64_t lanes)
             (left && is_settled(r, m->lane, ray, c->party.side.away[m->ray])))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
-        if (m->surely && !left)
+        if (m->surely && !left) {
             put_off(c, r, m);
-        else
+        } else if (r->flags & RUN_PLACED) {
+            open_lanes[open.count] = (uint8_t)m->ray;
+            put_pair(&open, r->instances, run_placement(r), ray, nearest_hits(c, m->ray));
+            c->hits[m->ray].owner = r->object[0];
+        } else {
             count_nearest(c, m->ray, r, m->lane);
+        }
     }
+    if (open.count > 0)
+        ask_open(c, r, &open, open_lanes);
 }
 
 static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
@@ -112,48 +175,6 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
     if (q.walk.limit < party->limit[lane])
         lower(c, lane, q.walk.limit);
     return false;
-}
-
-/* Pairs of one class that may be asked together. */
-typedef struct pairs {
-    uint32_t count, placed;
-    const void *selves[WORLD_MANY];
-    const pov_ray *rays[WORLD_MANY];
-    pov_hits *hits[WORLD_MANY];
-    const placement *places[WORLD_MANY];   /* of placed ones, with rays in the world and in their own spaces */
-    const pov_ray *from[WORLD_MANY];
-    pov_ray own[WORLD_MANY];
-} pairs;
-
-static inline void put_pair(pairs *some, const void *self, const placement *place, const pov_ray *ray, pov_hits *hits)
-{
-    const uint32_t n = some->count++;
-
-    some->selves[n] = self;
-    some->rays[n] = ray;
-    if (place) {
-        some->places[some->placed] = place;
-        some->from[some->placed] = ray;
-        some->rays[n] = &some->own[some->placed++];
-    }
-    some->hits[n] = hits;
-}
-
-static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some)
-{
-    uint32_t decided = 0, i;
-
-    placement_rays(some->places, some->from, some->own, some->placed);
-    for (i = 0; i < some->count; i++)
-        decided -= some->hits[i]->decided;
-    if (POV_SHAPE_HAS(shape, intersect_many))
-        shape->intersect_many(some->selves, some->rays, some->hits, some->count);
-    else
-        for (i = 0; i < some->count; i++)
-            shape->intersect(some->selves[i], some->rays[i], some->hits[i]);
-    for (i = 0; i < some->count; i++)
-        decided += some->hits[i]->decided;
-    walker_count_class(k, class_number, some->count, decided);
 }
 
 /* Take those of `left` that are of a class; the others are left. */
