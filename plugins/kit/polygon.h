@@ -48,12 +48,14 @@ KIT_INLINE kit_root kit_polygon_distance(pov_vec3 n, const kit_ray *k, double sl
     return root;
 }
 
-/* One loop of three or four corners, then the first of them again. */
+enum { KIT_POLYGON_SIDES = 5 };
+
+/* One loop of three to five corners, then the first of them again. */
 static inline bool kit_polygon_is_small(const kit_polygon *s)
 {
     uint32_t i, loops = 0;
 
-    if (s->count > KIT_SIDES + 1)
+    if (s->count > KIT_POLYGON_SIDES + 1)
         return false;
     for (i = 0; i < s->count; i++)
         loops += s->corners[i].starts;

@@ -3,9 +3,9 @@
 #include "kit/polygon.h"
 
 /* Fewer than KIT_LANES: corners are many to copy, so places that hold nothing are dear. */
-enum { TOGETHER = 4, CORNERS = KIT_SIDES + 1 };
+enum { TOGETHER = 4, CORNERS = KIT_POLYGON_SIDES + 1 };
 
-/* Small polygons, each with its ray, and the ray's largest axis; a place after the last corner repeats it. */
+/* Small polygons, each with its ray, and the ray's largest axis; places after the last corner repeat it. */
 typedef struct polygon_lanes {
     kit_rays rays;
     kit_lane3 anchor, anchor_lo, normal, corner[CORNERS];
@@ -21,9 +21,8 @@ static inline void put_polygon(polygon_lanes *l, uint32_t i, const kit_polygon *
     kit_put(&l->normal, i, pov_two3_hi(s->normal));
     l->scale[i] = s->scale;
     l->away[i] = kit_polygon_away(ray->dir);
-    for (c = 0; c < CORNERS - 1; c++)
-        kit_put(&l->corner[c], i, s->corners[c].local);
-    kit_put(&l->corner[c], i, s->corners[s->count - 1].local);
+    for (c = 0; c < CORNERS; c++)
+        kit_put(&l->corner[c], i, s->corners[c < s->count ? c : s->count - 1].local);
 }
 
 /* As in a sight: across, up, away. */
@@ -71,13 +70,14 @@ static inline int surely_within(const polygon_lanes *l, uint32_t i, pov_vec3 w, 
     const double error = kit_polygon_blur(w), away = l->away[i];
     const ray_at at = { w, turn(d, away), error, away };
     const spot a = see(&l->corner[0], i, &at), b = see(&l->corner[1], i, &at), c = see(&l->corner[2], i, &at);
-    const spot e = see(&l->corner[3], i, &at), f = see(&l->corner[4], i, &at);
-    double certain = a.certain + b.certain + c.certain + e.certain + f.certain;
+    const spot e = see(&l->corner[3], i, &at), f = see(&l->corner[4], i, &at), g = see(&l->corner[5], i, &at);
+    double certain = a.certain + b.certain + c.certain + e.certain + f.certain + g.certain;
     const double one = pass(a, b, error, &certain), two = pass(b, c, error, &certain);
     const double three = pass(c, e, error, &certain), four = pass(e, f, error, &certain);
+    const double five = pass(f, g, error, &certain), turns = one + two + three + four + five;
 
-    /* One turn or three. */
-    return (int)(certain > 8.5) & (int)(fabs(fabs(one + two + three + four - 2.0) - 1.0) < 0.5);
+    /* Of at most four, one turn or three. */
+    return (int)(certain > 10.5) & (int)(fabs(fabs(turns - 2.0) - 1.0) < 0.5);
 }
 
 /* Where planes are met, in the units of a kit_ray, and what that may be off by; within: not zero where the figure

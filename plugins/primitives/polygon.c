@@ -415,7 +415,7 @@ static void describe(const kit_polygon *s, kit_flat *f)
     f->anchor = pov_two3_hi(s->anchor);
     f->normal = n;
     f->scale = s->scale;
-    if (kit_polygon_is_small(s)) {
+    if (s->count <= KIT_SIDES + 1 && kit_polygon_is_small(s)) {
         for (i = 0; i + 1 < s->count; i++)
             corners[i] = s->corners[i].local;
         if (kit_flat_outline(f, corners, s->count - 1))
