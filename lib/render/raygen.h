@@ -16,11 +16,19 @@ typedef struct raygen_places {
     double dx[RAYGEN_MANY], dy[RAYGEN_MANY];
 } raygen_places;
 
+/* The same on the screen, in widths to the right of its middle and heights above it. Pixels of a column share u, those of
+ * a row v. */
+typedef struct raygen_screen { double u[RAYGEN_MANY], v[RAYGEN_MANY]; } raygen_screen;
+
+/* From -1/2 to 1/2, symmetric to the bit about the middle. */
+static inline double raygen_u(int x, double dx, int width) { return (((double)x - 0.5 * width) + dx) / width; }
+static inline double raygen_v(int y, double dy, int height) { return -raygen_u(y, dy, height); }
+void raygen_place(const raygen_places *p, int width, int height, uint32_t n, raygen_screen *out);
+
 /* Rays that start at the camera and do not yet know where to. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
 /* Only the directions of rays that raygen_begin() made; n <= RAYGEN_MANY. True: all are directions for certain, neither
  * zero nor without end. */
-bool raygen_aim(const pov_camera *camera, int width, int height, const raygen_places *through, uint32_t n,
-                pov_ray *rays);
+bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 #endif

@@ -38,11 +38,13 @@ typedef struct company {
 static void trace_company(worker *w, const settings *s, company *c)
 {
     colour seen[BATCH_MAX];
+    raygen_screen through;
     bool sound;
 
     if (c->count == 0)
         return;
-    sound = raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
+    raygen_place(&c->through, s->width, s->height, c->count, &through);
+    sound = raygen_aim(&w->claim.camera, &through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, sound, seen);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {

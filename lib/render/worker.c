@@ -41,71 +41,86 @@ pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask
 /* Rays in company: those of the pixels of a block of the lattice. */
 typedef struct company {
     uint32_t count;
-    raygen_places through;
+    raygen_screen through;
     float *out[BATCH_MAX];
     SIMD_ALIGNED pov_ray rays[BATCH_MAX];
 } company;
 
-static void trace_company(worker *w, const settings *s, company *c)
+/* Where the middles of the tile's columns and rows of pixels lie on the screen. */
+typedef struct middles { double u[TILE_EDGE_MAX], v[TILE_EDGE_MAX]; } middles;
+
+/* A pixel's place in the whole picture counts: a crop's samples are the whole's. */
+static void find_middles(middles *m, const settings *s, pov_rect tile)
+{
+    for (int x = 0; x < tile.width; x++)
+        m->u[x] = raygen_u(s->crop.x + tile.x + x, 0.5, s->width);
+    for (int y = 0; y < tile.height; y++)
+        m->v[y] = raygen_v(s->crop.y + tile.y + y, 0.5, s->height);
+}
+
+static void trace_company(worker *w, company *c)
 {
     colour seen[BATCH_MAX];
-    bool sound;
+    const bool sound = raygen_aim(&w->claim.camera, &c->through, c->count, c->rays);
 
-    sound = raygen_aim(&w->claim.camera, s->width, s->height, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, sound, seen);
     for (uint32_t i = 0; i < c->count; i++) {
-        const colour at = seen[i];
-        float *out = c->out[i];
+        const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
 
-        out[0] = at.r;
-        out[1] = at.g;
-        out[2] = at.b;
-        out[3] = 1.0f;
+        memcpy(c->out[i], at, sizeof at);
     }
 }
 
-/* Where in their pixels the rays go through. A pixel's place in the whole picture counts: a crop's samples are the
- * whole's. The centres, where a pixel has one sample, are there already. */
-static void take_samples(company *c, const settings *s)
+/* Where in their pixels the rays go through, if that is not their middles. */
+static void take_samples(worker *w, company *c, const settings *s)
 {
-    raygen_places *p = &c->through;
+    const pov_rect tile = w->claim.rect;
+    raygen_places p;
 
-    for (uint32_t i = 0; s->sampling && i < c->count; i++) {
-        const sample at = sample_at(s->seed, p->x[i], p->y[i], 0, 0);
+    for (uint32_t i = 0; i < c->count; i++) {
+        const int at = (int)(c->out[i] - w->pixels) / 4;
+        sample in;
 
-        p->dx[i] = at.x;
-        p->dy[i] = at.y;
+        p.x[i] = s->crop.x + tile.x + at % tile.width;
+        p.y[i] = s->crop.y + tile.y + at / tile.width;
+        in = sample_at(s->seed, p.x[i], p.y[i], 0, 0);
+        p.dx[i] = in.x;
+        p.dy[i] = in.y;
     }
+    raygen_place(&p, s->width, s->height, c->count, &c->through);
 }
 
 /* The lattice's pixels of one row of the tile, from `left` on. */
-static void take_row(company *c, lattice l, pov_rect at, int left, int right, int y, float *row)
+static void take_row(company *c, const middles *m, lattice l, int left, int right, int y, float *row)
 {
     /* What a coarser pass has traced is left out: in its rows every other pixel, in those between none. */
     const bool between = l.finer && (y & l.step) == 0;
+    const int step = between ? 2 * l.step : l.step;
+    const double v = m->v[y];
     uint32_t n = c->count;
 
-    for (int x = between ? left + l.step : left; x < right; x += between ? 2 * l.step : l.step) {
-        c->through.x[n] = at.x + x;
-        c->through.y[n] = at.y + y;
-        c->out[n++] = row + 4 * x;
+    for (int x = between ? left + l.step : left; x < right; x += step, n++) {
+        c->through.u[n] = m->u[x];
+        c->through.v[n] = v;
+        c->out[n] = row + 4 * x;
     }
     c->count = n;
 }
 
 /* A block is a square of the lattice's pixels, (left, top) its corner in the tile. */
-static void trace_block(worker *w, company *together, const settings *s, int left, int top, int edge)
+static void trace_block(worker *w, company *together, const settings *s, const middles *m, int left, int top, int edge)
 {
-    const pov_rect tile = w->claim.rect, at = { s->crop.x + tile.x, s->crop.y + tile.y, tile.width, tile.height };
+    const pov_rect tile = w->claim.rect;
     const int right = left + edge < tile.width ? left + edge : tile.width;
     const lattice l = w->claim.lattice;
 
     together->count = 0;
     for (int y = top; y < tile.height && y < top + edge; y += l.step)
-        take_row(together, l, at, left, right, y, w->pixels + 4 * y * tile.width);
-    take_samples(together, s);
+        take_row(together, m, l, left, right, y, w->pixels + 4 * y * tile.width);
+    if (s->sampling)
+        take_samples(w, together, s);
     if (together->count > 0)
-        trace_company(w, s, together);
+        trace_company(w, together);
 }
 
 bool worker_trace(worker *w, const settings *s)
@@ -114,14 +129,14 @@ bool worker_trace(worker *w, const settings *s)
     const claim *c = &w->claim;
     int edge = BLOCK_EDGE * c->lattice.step;
     company together;
+    middles m;
 
     raygen_begin(&c->camera, together.rays, BATCH_MAX);
-    for (int i = 0; i < BATCH_MAX; i++)
-        together.through.dx[i] = together.through.dy[i] = 0.5;
+    find_middles(&m, s, c->rect);
     meter_begin(w->meter);
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += edge) {
-            trace_block(w, &together, s, x, y, edge);
+            trace_block(w, &together, s, &m, x, y, edge);
             meter_square(w->meter, c->rect, c->lattice, x, y, edge);
             if (worker_is_given_up(w))
                 return false;

@@ -62,6 +62,7 @@ static void many_rays_are_single_ones_to_the_bit(void **state)
     const pov_camera c = a_camera();
     pov_ray rays[RAYGEN_MANY];
     raygen_places places;
+    raygen_screen through;
     (void)state;
 
     for (int i = 0; i < RAYGEN_MANY; i++) {
@@ -73,7 +74,8 @@ static void many_rays_are_single_ones_to_the_bit(void **state)
         places.dy[i] = at.y;
     }
     raygen_begin(&c, rays, RAYGEN_MANY);
-    assert_true(raygen_aim(&c, 83, 211, &places, RAYGEN_MANY, rays));
+    raygen_place(&places, 83, 211, RAYGEN_MANY, &through);
+    assert_true(raygen_aim(&c, &through, RAYGEN_MANY, rays));
     for (int i = 0; i < RAYGEN_MANY; i++) {
         pov_ray one = raygen_ray(&c, 83, 211, places.x[i], places.y[i], places.dx[i], places.dy[i]);
 
