@@ -39,8 +39,9 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
     place(p, width, height, n, out);
 }
 
-/* Directions by lane, so that the loop becomes vectors. False: some direction may be none, or not a number. */
-SIMD_CLONES static bool aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, double (*out)[RAYGEN_MANY])
+/* By lane, so that the loop becomes vectors. False: some direction may be none, or not a number. */
+SIMD_CLONES static bool aim(const pov_camera *camera, const raygen_screen *restrict through, uint32_t n,
+                            vec_lanes *restrict out)
 {
     int sound = 1;
 
@@ -48,20 +49,13 @@ SIMD_CLONES static bool aim(const pov_camera *camera, const raygen_screen *throu
         pov_vec3 d = direction(camera, through->u[i], through->v[i]);
         const double size = fabs(d.x + d.y + d.z);
 
-        out[0][i] = d.x;
-        out[1][i] = d.y;
-        out[2][i] = d.z;
+        lanes_put(out, i, d);
         sound &= (size > 0.0) & (size <= DBL_MAX);
     }
     return sound;
 }
 
-bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
+bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, vec_lanes *out)
 {
-    double to[3][RAYGEN_MANY];
-    const bool sound = aim(camera, through, n, to);
-
-    for (uint32_t i = 0; i < n; i++)
-        rays[i].dir = pov_vec3_of(to[0][i], to[1][i], to[2][i]);
-    return sound;
+    return aim(camera, through, n, out);
 }

@@ -10,7 +10,7 @@
 pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y, double dx, double dy);
 
 /* The same of many rays at once: the places they go through, by lane. */
-enum { RAYGEN_MANY = 64 };
+enum { RAYGEN_MANY = WORLD_MANY };
 typedef struct raygen_places {
     int x[RAYGEN_MANY], y[RAYGEN_MANY];
     double dx[RAYGEN_MANY], dy[RAYGEN_MANY];
@@ -27,8 +27,7 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
 
 /* Rays that start at the camera and do not yet know where to. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
-/* Only the directions of rays that raygen_begin() made; n <= RAYGEN_MANY. True: all are directions for certain, neither
- * zero nor without end. */
-bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
+/* The directions of such rays; n <= RAYGEN_MANY. True: all are directions for certain, neither zero nor without end. */
+bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, vec_lanes *out);
 
 #endif

@@ -61,9 +61,10 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
 static void trace_company(worker *w, company *c)
 {
     colour seen[BATCH_MAX];
-    const bool sound = raygen_aim(&w->claim.camera, &c->through, c->count, c->rays);
+    vec_lanes ways;
+    const bool sound = raygen_aim(&w->claim.camera, &c->through, c->count, &ways);
 
-    tracer_colors(w->tracer, c->rays, c->count, sound, seen);
+    tracer_fan(w->tracer, c->rays, &ways, c->count, sound, seen);
     for (uint32_t i = 0; i < c->count; i++) {
         const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
 

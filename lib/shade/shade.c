@@ -322,7 +322,10 @@ static uint32_t meet(pov_tracer *t, const batch *b, colour *out)
 
     if (t->spots.count > 0 && any_on_spot(b))
         return meet_each(t, b, out);
-    met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
+    if (b == &t->camera && t->fan)
+        met = world_nearest_fan(t->world, t->walker, t->fan, t->ways, b->count, HUGE_VAL, t->hits);
+    else
+        met = world_nearest_many(t->world, t->walker, b->rays, b->count, HUGE_VAL, t->hits);
     see_background(t, b, ~met & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = met; rest; rest &= rest - 1) {
         place(t, s, b, first_of64(rest), n);
@@ -425,16 +428,34 @@ colour tracer_color(pov_tracer *t, const pov_ray *ray)
 {
     colour seen;
 
+    t->fan = NULL;
     trace(t, ray, 1, false, &seen);
     return seen;
 }
 
-/* Batches are no larger than the number of rays that may be sent between two questions whether to give up. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, bool sound, colour *out)
+/* Fewer than there are, for batches are no larger than the number of rays that may be sent between two questions whether
+ * to give up; or some that are none. */
+static void trace_some(pov_tracer *t, pov_ray *rays, const vec_lanes *ways, uint32_t n, bool sound, colour *out)
 {
-    for (size_t i = 0, some; i < n && !t->failed && !t->interrupt.given_up; i += some) {
-        some = t->interrupt.ask && t->interrupt.every < BATCH_MAX ? (size_t)t->interrupt.every : BATCH_MAX;
+    uint32_t i, some;
+
+    t->fan = NULL;
+    for (i = 0; i < n; i++)
+        rays[i].dir = lanes_at(ways, i);
+    for (i = 0; i < n && !t->failed && !t->interrupt.given_up; i += some) {
+        some = t->interrupt.ask && t->interrupt.every < BATCH_MAX ? (uint32_t)t->interrupt.every : BATCH_MAX;
         some = some < n - i ? some : n - i;
-        trace(t, rays + i, (uint32_t)some, sound, out + i);
+        trace(t, rays + i, some, sound, out + i);
+    }
+}
+
+void tracer_fan(pov_tracer *t, pov_ray *rays, const vec_lanes *ways, uint32_t n, bool sound, colour *out)
+{
+    if (!sound || !is_start(rays) || (t->interrupt.ask && (uint32_t)t->interrupt.every < n)) {
+        trace_some(t, rays, ways, n, sound, out);
+    } else if (!t->failed && !t->interrupt.given_up) {
+        t->fan = rays;
+        t->ways = ways;
+        trace(t, rays, n, true, out);
     }
 }

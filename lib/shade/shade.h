@@ -102,6 +102,8 @@ struct pov_tracer {
     bool start_known;
     wait_stack waits;            /* transmitted rays, at most one batch a level */
     spot_stack spots;            /* of paths and of surfaces, in their order */
+    pov_ray *fan;                /* the camera's rays, whose directions are in `ways`; NULL: they are in the rays */
+    const vec_lanes *ways;
     batch camera;                /* paths of camera rays; what is the same for all of them was set once */
     bool camera_odd, camera_in_media;   /* its paths are not those of all lanes in turn; some hold media */
     batch *now, *mirrored, *passed;   /* being followed, and those that go on from it */
@@ -119,9 +121,10 @@ void tracer_destroy(pov_tracer *t);
 
 /* What is seen along a camera ray. The tracer finds the media that hold its start. */
 colour tracer_color(pov_tracer *t, const pov_ray *ray);
-/* The same of many that start at one point, which cost less in company when neighbours in the list are neighbours in
- * the picture. sound: all have directions for certain, as raygen_aim() says. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, size_t n, bool sound, colour *out);
+/* The same of up to BATCH_MAX that start at one point, which cost less in company when neighbours in the list are
+ * neighbours in the picture. ways: their directions, by lane; the rays' own may be written. sound: all have directions for
+ * certain, as raygen_aim() says. */
+void tracer_fan(pov_tracer *t, pov_ray *rays, const vec_lanes *ways, uint32_t n, bool sound, colour *out);
 /* Counts since the tracer was made, those of its walker included. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* From now on ask while tracing whether to give up; after a yes t->interrupt.given_up holds, and what

@@ -17,9 +17,20 @@ SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, dou
     return all != 0;
 }
 
+/* Those that are out of that range. */
+static uint64_t derive_all(company *c, double end)
+{
+    const uint32_t n = c->party.count;
+    uint64_t alone = 0;
+
+    if (!derive(&c->party.side, width(n), end, c->party.length))
+        for (uint32_t i = 0; i < n; i++)
+            alone |= side_derive(&c->party.side, i, end, c->party.length) ? 0 : bit_of(i);
+    return alone;
+}
+
 static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which, double end)
 {
-    uint64_t alone = 0;
     uint32_t n = 0, i;
 
     if ((which & (which + 1)) == 0) {
@@ -41,14 +52,10 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
         side_put_four(&c->party.side, i, c->rays + i);
     for (i = 0; i < width(n); i++)
         c->party.limit[i] = c->tmax;
-    if (!derive(&c->party.side, width(n), end, c->party.length))
-        for (i = 0; i < n; i++)
-            alone |= side_derive(&c->party.side, i, end, c->party.length) ? 0 : bit_of(i);
-    return alone;
+    return derive_all(c, end);
 }
 
-uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                       double end)
+static void begin(company *c, const world *w, walker *k, double tmax)
 {
     c->party.tree = &w->tree;
     c->party.in = NULL;
@@ -58,7 +65,55 @@ uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *con
     c->walker = k;
     c->tmax = tmax;
     c->asked = c->waiting = 0;
+    c->fan = NULL;
+}
+
+uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                       double end)
+{
+    begin(c, w, k, tmax);
     return take_rays(c, rays, which, end);
+}
+
+static void fill(double *out, double x, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = x;
+}
+
+/* Lanes from n on hold the last ray. */
+static void copy(double *out, const double *in, uint32_t n)
+{
+    memcpy(out, in, n * sizeof *out);
+    fill(out + n, in[n - 1], width(n) - n);
+}
+
+uint64_t company_begin_fan(company *c, const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n,
+                           double tmax, double end)
+{
+    pov_rays *side = &c->party.side;
+    uint32_t i;
+
+    begin(c, w, k, tmax);
+    c->fan = rays;
+    c->ways = ways;
+    c->party.count = n;
+    for (i = 0; i < width(n); i++) {
+        c->rays[i] = &rays[i < n ? i : n - 1];
+        c->of[i] = (uint8_t)i;
+        side->away[i] = POV_NOBODY;
+    }
+    fill(side->org[0], rays->org.x, width(n));
+    fill(side->org[1], rays->org.y, width(n));
+    fill(side->org[2], rays->org.z, width(n));
+    fill(side->org_lo[0], rays->org_lo.x, width(n));
+    fill(side->org_lo[1], rays->org_lo.y, width(n));
+    fill(side->org_lo[2], rays->org_lo.z, width(n));
+    copy(side->dir[0], ways->x, n);
+    copy(side->dir[1], ways->y, n);
+    copy(side->dir[2], ways->z, n);
+    fill(c->party.limit, tmax, width(n));
+    return derive_all(c, end);
 }
 
 uint64_t company_stand_in_list(company *c, uint64_t lanes)
@@ -142,6 +197,41 @@ uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *ray
             apart |= lanes;
     }
     return apart ? met | company_nearest_apart(w, k, rays, apart, tmax, &e, out) : met;
+}
+
+/* 1: the sign is set in all; 0: in none; -1: some. */
+static int common_sign(const double *x, uint32_t n)
+{
+    int64_t any = 0, every = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        int64_t bits;
+
+        memcpy(&bits, &x[i], sizeof bits);
+        any |= bits;
+        every &= bits;
+    }
+    return every < 0 ? 1 : any < 0 ? -1 : 0;
+}
+
+static bool is_of_one(const vec_lanes *ways, uint32_t n)
+{
+    return common_sign(ways->x, n) >= 0 && common_sign(ways->y, n) >= 0 && common_sign(ways->z, n) >= 0;
+}
+
+uint64_t world_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
+                           hit *out)
+{
+    const pov_ray *each[WORLD_MANY];
+    uint32_t i;
+
+    if (w->has_tree && n >= COMPANY_LEAST && bvh_takes_fan(&w->tree, rays) && is_of_one(ways, n))
+        return company_nearest_fan(w, k, rays, ways, n, tmax, out);
+    for (i = 0; i < n; i++) {
+        rays[i].dir = lanes_at(ways, i);
+        each[i] = &rays[i];
+    }
+    return world_nearest_many(w, k, each, n, tmax, out);
 }
 
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,

@@ -6,6 +6,8 @@ static pov_hits *nearest_hits(company *c, uint32_t i)
 {
     if (!(c->asked & bit_of(i))) {
         c->asked |= bit_of(i);
+        if (c->fan)
+            c->fan[i].dir = lanes_at(c->ways, i);
         begin_hits(&c->hits[i], c->world, c->tmax, POV_WANT_NEAREST, &c->out[c->of[i]].crossing);
     }
     return &c->hits[i];
@@ -343,6 +345,7 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
     c.world = w;
     c.tmax = tmax;
     c.out = out;
+    c.fan = NULL;
     c.waiting = 0;
     for (; which; which &= which - 1, n++) {
         const uint32_t i = first_of64(which);
@@ -360,31 +363,54 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
     return end_nearest(&c);
 }
 
+/* What the tree and the lists say of a company that has begun; alone: of its lanes those that go alone. As bits of the
+ * caller's. */
+static uint64_t find_nearest(company *c, uint64_t alone, const exits *e)
+{
+    const world *w = c->world;
+    uint64_t met = 0;
+
+    c->party.lanes = all_of(c->party.count) & ~alone;
+    for (; alone; alone &= alone - 1) {
+        const uint32_t i = first_of64(alone), of = c->of[i];
+
+        if (c->fan)
+            c->fan[i].dir = lanes_at(c->ways, i);
+        met |= (uint64_t)world_nearest(w, c->walker, c->rays[i], c->tmax, &c->out[of]) << of;
+    }
+    if (!c->party.lanes)
+        return met;
+    if (e)
+        begin_from_exits(c, e);
+    if (w->infinite)
+        meet_nearest(&c->party, w->infinite, c->party.lanes);
+    if (w->list)
+        meet_nearest(&c->party, w->list, company_stand_in_list(c, c->party.lanes));
+    c->party.lowered = 0;
+    if (w->has_tree)
+        w->walks->nearest_together(&c->party);
+    settle(c);
+    return met | end_nearest(c);
+}
+
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                          const exits *e, hit *out)
 {
-    uint64_t met = 0, alone;
     company c;
 
     c.out = out;
     c.party.leaf = meet_nearest;
     c.party.alone = nearest_alone;
-    alone = company_begin(&c, w, k, rays, which, tmax, just_beyond(tmax));
-    c.party.lanes = all_of(c.party.count) & ~alone;
-    for (; alone; alone &= alone - 1) {
-        const uint32_t i = c.of[first_of64(alone)];
-        met |= (uint64_t)world_nearest(w, k, rays[i], tmax, &out[i]) << i;
-    }
-    if (!c.party.lanes)
-        return met;
-    begin_from_exits(&c, e);
-    if (w->infinite)
-        meet_nearest(&c.party, w->infinite, c.party.lanes);
-    if (w->list)
-        meet_nearest(&c.party, w->list, company_stand_in_list(&c, c.party.lanes));
-    c.party.lowered = 0;
-    if (w->has_tree)
-        w->walks->nearest_together(&c.party);
-    settle(&c);
-    return met | end_nearest(&c);
+    return find_nearest(&c, company_begin(&c, w, k, rays, which, tmax, just_beyond(tmax)), e);
+}
+
+uint64_t company_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
+                             hit *out)
+{
+    company c;
+
+    c.out = out;
+    c.party.leaf = meet_nearest;
+    c.party.alone = nearest_alone;
+    return find_nearest(&c, company_begin_fan(&c, w, k, rays, ways, n, tmax, just_beyond(tmax)), NULL);
 }

@@ -128,6 +128,10 @@ bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax
  * cost a fraction of single ones. out and through have room for n; bit i of what is returned is ray i's, and
  * nothing is said in out of a ray that meets nothing. */
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
+/* The same of rays that start at one point and on nothing. ways: their directions, by lane; those of the rays are only
+ * written where they are wanted, of all that meet anything among others. */
+uint64_t world_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
+                           hit *out);
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
                                colour *through);
 /* Is anything there at all, transparent or not? For pov_trace_blocked(). */

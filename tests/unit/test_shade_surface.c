@@ -389,6 +389,7 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
 {
     const double none[4][5] = { { 0, 0, 0, 0, 0 }, { 1, 0, 1, 0, 0 }, { 0, 0, 0, 0, 1 }, { 0, 0, 0, 0, 0 } };
     pov_ray rays[5];
+    vec_lanes ways;
     colour many[5];
     tiny s;
     (void)state;
@@ -399,11 +400,12 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
     tiny_build(&s);
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < 5; i++) {
-            const pov_ray ray = { .dir = { 0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0 }, .left = POV_NOBODY };
+            const pov_ray ray = { .left = POV_NOBODY };
 
             rays[i] = ray;
+            lanes_put(&ways, (uint32_t)i, pov_vec3_of(0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0));
         }
-        tracer_colors(s.tracer, rays, 5, false, many);
+        tracer_fan(s.tracer, rays, &ways, 5, false, many);
         for (int i = 0; i < 5; i++) {
             const colour one = tracer_color(s.tracer, &rays[i]);
 

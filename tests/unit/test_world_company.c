@@ -79,10 +79,9 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     return ray;
 }
 
-static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit *single)
+/* What many say, with the bits of those that meet anything, is what single ones say. */
+static int same_hits(subject *s, const pov_ray *const *rays, uint32_t n, uint64_t met, const hit *many, hit *single)
 {
-    hit many[WORLD_MANY];
-    uint64_t met = world_nearest_many(s->world, s->walker, rays, n, HUGE_VAL, many);
     int hits = 0;
     uint32_t i;
 
@@ -99,6 +98,39 @@ static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit 
         assert_int_equal(many[i].crossing.mark.part, single[i].crossing.mark.part);
     }
     return hits;
+}
+
+static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit *single)
+{
+    hit many[WORLD_MANY];
+    const uint64_t met = world_nearest_many(s->world, s->walker, rays, n, HUGE_VAL, many);
+
+    return same_hits(s, rays, n, met, many, single);
+}
+
+/* All from where the first starts; of those that meet nothing directions need not be written. */
+static void same_fan(subject *s, const pov_ray *rays, uint32_t n)
+{
+    const pov_vec3 none = { NAN, NAN, NAN };
+    pov_ray single[WORLD_MANY], fan[WORLD_MANY];
+    const pov_ray *each[WORLD_MANY];
+    hit many[WORLD_MANY], hits[WORLD_MANY];
+    vec_lanes ways;
+    uint64_t met;
+    uint32_t i;
+
+    memset(&ways, 0xff, sizeof ways);
+    for (i = 0; i < n; i++) {
+        single[i] = fan[i] = ray_of(rays->org, rays[i].dir);
+        fan[i].dir = none;
+        lanes_put(&ways, i, rays[i].dir);
+        each[i] = &single[i];
+    }
+    met = world_nearest_fan(s->world, s->walker, fan, &ways, n, HUGE_VAL, many);
+    same_hits(s, each, n, met, many, hits);
+    for (i = 0; i < n; i++)
+        if (met >> i & 1)
+            assert_memory_equal(&fan[i].dir, &rays[i].dir, sizeof fan[i].dir);
 }
 
 static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, double tmax)
@@ -185,6 +217,7 @@ static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 la
         all[i] = &rays[i];
     for (k = 0; k < 2; k++) {
         s->world->walks = walks[k];
+        same_fan(s, rays, n);
         met = same_nearest(s, all, n, hits);
         same_light(s, all, n, HUGE_VAL);
         same_surfaces(s, all, n, hits);
