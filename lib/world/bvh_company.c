@@ -132,6 +132,7 @@ static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t 
 
     for (; lanes; lanes &= lanes - 1) {
         i = first_of64(lanes);
+        bvh_write(party, i);
         if (!bvh_enter(&c->tree->frames[frame], party->rays[i], party->length[i], party->side.per_length[i], &l))
             continue;
         if (l.slack > BVH_SLACK) {

@@ -27,15 +27,6 @@ static inline uint32_t bvh_octant(const pov_ray *ray)
 #endif
 }
 
-/* May rays that start there be taken through the tree by what stands in the lanes alone? */
-static inline bool bvh_takes_fan(const bvh *tree, const pov_ray *ray)
-{
-    const bvh_frame *f = &tree->frames[0];
-    const pov_vec3 o = pov_scale(pov_sub(ray->org, f->centre), f->scale);
-
-    return tree->frame_count == 1 && f->scale > BVH_SMALL && f->scale < BVH_LARGE && pov_largest(o) < 0.99 * BVH_NEAR;
-}
-
 /* As bvh_walks. */
 uint64_t bvh_company_nearest_portable(bvh_party *party);
 uint64_t bvh_company_any_portable(bvh_party *party);

@@ -45,6 +45,9 @@ enum { BVH_COMPANY = POV_RAYS_MAX };
 typedef struct bvh_party {
     const bvh *tree;
     const pov_ray *const *rays;
+    pov_ray *written;            /* the rays, lane by lane, whose directions are only in `ways` until bvh_write() is called;
+                                  * NULL: they are complete */
+    const double *ways[3];
     uint32_t count;
     uint64_t lanes;              /* those that walk */
     SIMD_ALIGNED pov_rays side;  /* the rays by component; lanes from count to the next multiple of eight hold the last */
@@ -57,6 +60,13 @@ typedef struct bvh_party {
     /* Take one lane on alone from a reference in a frame. True: a leaf ended it. */
     bool (*alone)(struct bvh_party *party, uint32_t lane, uint32_t frame, uint32_t at);
 } bvh_party;
+
+/* Before anybody looks at a lane's ray. */
+static inline void bvh_write(const bvh_party *party, uint32_t lane)
+{
+    if (party->written)
+        party->written[lane].dir = pov_vec3_of(party->ways[0][lane], party->ways[1][lane], party->ways[2][lane]);
+}
 
 /* Visit the leaves that the ray may meet before the limit. True: a leaf ended it. Near ones first, or in any order. */
 typedef struct bvh_walks {

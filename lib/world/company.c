@@ -65,7 +65,7 @@ static void begin(company *c, const world *w, walker *k, double tmax)
     c->walker = k;
     c->tmax = tmax;
     c->asked = c->waiting = 0;
-    c->fan = NULL;
+    c->party.written = NULL;
 }
 
 uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
@@ -95,8 +95,10 @@ uint64_t company_begin_fan(company *c, const world *w, walker *k, pov_ray *rays,
     uint32_t i;
 
     begin(c, w, k, tmax);
-    c->fan = rays;
-    c->ways = ways;
+    c->party.written = rays;
+    c->party.ways[0] = ways->x;
+    c->party.ways[1] = ways->y;
+    c->party.ways[2] = ways->z;
     c->party.count = n;
     for (i = 0; i < width(n); i++) {
         c->rays[i] = &rays[i < n ? i : n - 1];
@@ -225,7 +227,7 @@ uint64_t world_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_l
     const pov_ray *each[WORLD_MANY];
     uint32_t i;
 
-    if (w->has_tree && n >= COMPANY_LEAST && bvh_takes_fan(&w->tree, rays) && is_of_one(ways, n))
+    if (w->has_tree && n >= COMPANY_LEAST && is_of_one(ways, n))
         return company_nearest_fan(w, k, rays, ways, n, tmax, out);
     for (i = 0; i < n; i++) {
         rays[i].dir = lanes_at(ways, i);

@@ -18,8 +18,6 @@ typedef struct company {
     uint64_t asked;              /* lanes whose hits have been begun */
     uint64_t waiting;            /* lanes that have a shape pending */
     hit *out;                    /* the caller's; NULL: light is asked for */
-    pov_ray *fan;                /* the rays, whose directions are only in `ways` as long as nothing is asked of them; or NULL */
-    const vec_lanes *ways;
     pending pending[WORLD_MANY];
     pov_hits hits[WORLD_MANY], tints[WORLD_MANY];
     pov_meeting met[POV_MEETINGS_MAX];
@@ -54,7 +52,7 @@ void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, u
 /* Those of the caller's rays that `which` names; bits of the answers are the caller's. */
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
                          const exits *e, hit *out);
-/* Of all n rays of a fan that the tree takes: bvh_takes_fan(). */
+/* Of all n rays of a fan of one octant, in a tree. */
 uint64_t company_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
                              hit *out);
 /* The same of rays that go through the tree one by one; what is left to be asked at the end is asked together. */

@@ -6,8 +6,7 @@ static pov_hits *nearest_hits(company *c, uint32_t i)
 {
     if (!(c->asked & bit_of(i))) {
         c->asked |= bit_of(i);
-        if (c->fan)
-            c->fan[i].dir = lanes_at(c->ways, i);
+        bvh_write(&c->party, i);
         begin_hits(&c->hits[i], c->world, c->tmax, POV_WANT_NEAREST, &c->out[c->of[i]].crossing);
     }
     return &c->hits[i];
@@ -345,7 +344,7 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
     c.world = w;
     c.tmax = tmax;
     c.out = out;
-    c.fan = NULL;
+    c.party.written = NULL;
     c.waiting = 0;
     for (; which; which &= which - 1, n++) {
         const uint32_t i = first_of64(which);
@@ -374,8 +373,7 @@ static uint64_t find_nearest(company *c, uint64_t alone, const exits *e)
     for (; alone; alone &= alone - 1) {
         const uint32_t i = first_of64(alone), of = c->of[i];
 
-        if (c->fan)
-            c->fan[i].dir = lanes_at(c->ways, i);
+        bvh_write(&c->party, i);
         met |= (uint64_t)world_nearest(w, c->walker, c->rays[i], c->tmax, &c->out[of]) << of;
     }
     if (!c->party.lanes)
