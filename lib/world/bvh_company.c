@@ -33,7 +33,8 @@ typedef struct company {
  * for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6 |o|. */
 #define COMPANY_SLACK 0x1p-21f
 
-typedef struct company_entry { uint64_t key, lanes; } company_entry;
+/* What is still to be visited, and by whom. Eight entries may be stored at once. */
+typedef struct company_stack { uint64_t key[BVH_STACK + BVH_WIDTH], lanes[BVH_STACK + BVH_WIDTH]; } company_stack;
 
 /* Up to four: to take each of them to all children costs less than to take all to each child. */
 static inline bool is_few(uint64_t lanes)
@@ -42,6 +43,14 @@ static inline bool is_few(uint64_t lanes)
     lanes &= lanes - 1;
     lanes &= lanes - 1;
     return (lanes & (lanes - 1)) == 0;
+}
+
+/* A bit for each eight lanes of which there is one, at the last of them. */
+static inline uint64_t eights_of(uint64_t lanes)
+{
+    const uint64_t low = 0x7f7f7f7f7f7f7f7fu;
+
+    return (((lanes & low) + low) | lanes) & ~low;
 }
 
 static void begin(company *c, bvh_party *party)
@@ -257,16 +266,16 @@ static inline uint32_t few_portable(const bvh_node *node, const company *c, uint
 }
 
 /* The lanes that may meet a child. */
-static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes)
+static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes,
+                                      uint64_t eights)
 {
     uint64_t meet = 0;
-    uint32_t i, j;
+    uint32_t j;
     int k;
 
-    for (i = 0; i < c->width; i += 8) {
+    for (; eights; eights &= eights - 1) {
+        const uint32_t i = first_of64(eights) & 56;
         float entry[8], leave[8];
-        if (!(lanes >> i & 255))
-            continue;
         for (j = 0; j < 8; j++) {
             entry[j] = 0.0f;
             leave[j] = c->limit[i + j];
@@ -313,14 +322,15 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #undef COMPANY_FEW
 #undef COMPANY_LANES
 #undef COMPANY_WITHIN
+#undef COMPANY_PUSH
 
 /* ---- for those with AVX2 ---- */
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
-#include <immintrin.h>
+#include "world/bvh_avx2.h"
 
-#define COMPANY_TARGET __attribute__((target("avx2,fma")))
+#define COMPANY_TARGET BVH_AVX2
 
 COMPANY_TARGET static inline void bounds_avx2(const company *c, int k, float lo[8], float hi[8], float first[8],
                                               float last[8])
@@ -353,14 +363,53 @@ COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const com
         __m256 r0 = _mm256_broadcast_ss(&a->inverse[0]), r1 = _mm256_broadcast_ss(&a->inverse[1]);
         __m256 x = _mm256_fmsub_ps(near, r0, _mm256_broadcast_ss(&a->near_offset[0]));
         __m256 y = _mm256_fmsub_ps(near, r1, _mm256_broadcast_ss(&a->near_offset[1]));
-        in = _mm256_max_ps(in, _mm256_min_ps(x, y));
+        in = later(in, sooner(x, y));
         x = _mm256_fmsub_ps(far, r0, _mm256_broadcast_ss(&a->far_offset[0]));
         y = _mm256_fmsub_ps(far, r1, _mm256_broadcast_ss(&a->far_offset[1]));
-        out = _mm256_min_ps(out, _mm256_max_ps(x, y));
+        out = sooner(out, later(x, y));
     }
     _mm256_storeu_ps(entry, in);
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
 }
+
+COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes,
+                                                 uint64_t eights)
+{
+    __m256 near[3], far[3];
+    uint64_t meet = 0;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        near[k] = _mm256_broadcast_ss(&node->bounds[c->axis[k].near_row][child]);
+        far[k] = _mm256_broadcast_ss(&node->bounds[c->axis[k].near_row ^ 1][child]);
+    }
+    for (; eights; eights &= eights - 1) {
+        const uint32_t i = first_of64(eights) & 56;
+        __m256 in = _mm256_setzero_ps(), out = _mm256_load_ps(c->limit + i);
+        for (k = 0; k < 3; k++) {
+            __m256 inverse = _mm256_load_ps(c->inverse[k] + i);
+            in = later(in, _mm256_fmsub_ps(near[k], inverse, _mm256_load_ps(c->near_offset[k] + i)));
+            out = sooner(out, _mm256_fmsub_ps(far[k], inverse, _mm256_load_ps(c->far_offset[k] + i)));
+        }
+        meet |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ)) << i;
+    }
+    return meet & lanes;
+}
+
+COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry, uint64_t lanes)
+{
+    __m256 at = _mm256_set1_ps(entry);
+    uint64_t in = 0;
+    uint32_t i;
+
+    for (i = 0; i < c->width; i += 8) {
+        __m256 within = _mm256_cmp_ps(at, _mm256_load_ps(c->limit + i), _CMP_LE_OQ);
+        in |= (uint64_t)(uint32_t)_mm256_movemask_ps(within) << i;
+    }
+    return in & lanes;
+}
+
+#ifndef __AVX512VL__
 
 /* Four comparisons' outcomes, for lanes of 64 bits. */
 COMPANY_TARGET static inline __m256i wide_avx2(__m128 met)
@@ -384,11 +433,11 @@ COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const compa
             __m256 near = _mm256_load_ps(node->bounds[c->axis[k].near_row]);
             __m256 far = _mm256_load_ps(node->bounds[c->axis[k].near_row ^ 1]);
             __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
-            in = _mm256_max_ps(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
-            out = _mm256_min_ps(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
+            in = later(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
+            out = sooner(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
         }
         met = _mm256_cmp_ps(in, out, _CMP_LE_OQ);
-        first = _mm256_blendv_ps(first, _mm256_min_ps(first, in), met);
+        first = _mm256_blendv_ps(first, sooner(first, in), met);
         any = _mm256_or_ps(any, met);
         low = _mm256_or_si256(low, _mm256_and_si256(bit, wide_avx2(_mm256_castps256_ps128(met))));
         high = _mm256_or_si256(high, _mm256_and_si256(bit, wide_avx2(_mm256_extractf128_ps(met, 1))));
@@ -399,44 +448,109 @@ COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const compa
     return (uint32_t)_mm256_movemask_ps(any);
 }
 
-COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes)
+#else
+
+/* Up to so many are always held against all children, one by one. */
+enum { COMPANY_FEW_LANES = 12 };
+
+/* As few_avx2, in registers. */
+COMPANY_TARGET static inline __m256 few_avx512(const bvh_node *node, const company *c, uint64_t lanes, __m512i *meets)
 {
-    __m256 near[3], far[3];
-    uint64_t meet = 0;
-    uint32_t i;
+    __m512i meet = _mm512_setzero_si512();
+    __m256 first = _mm256_set1_ps(HUGE_VALF), near[3], far[3];
     int k;
 
     for (k = 0; k < 3; k++) {
-        near[k] = _mm256_broadcast_ss(&node->bounds[c->axis[k].near_row][child]);
-        far[k] = _mm256_broadcast_ss(&node->bounds[c->axis[k].near_row ^ 1][child]);
+        near[k] = _mm256_load_ps(node->bounds[c->axis[k].near_row]);
+        far[k] = _mm256_load_ps(node->bounds[c->axis[k].near_row ^ 1]);
     }
-    for (i = 0; i < c->width; i += 8) {
-        __m256 in = _mm256_setzero_ps(), out;
-        if (!(lanes >> i & 255))
-            continue;
-        out = _mm256_load_ps(c->limit + i);
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t lane = first_of64(lanes);
+        __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]);
+        __mmask8 met;
+
         for (k = 0; k < 3; k++) {
-            __m256 inverse = _mm256_load_ps(c->inverse[k] + i);
-            in = _mm256_max_ps(in, _mm256_fmsub_ps(near[k], inverse, _mm256_load_ps(c->near_offset[k] + i)));
-            out = _mm256_min_ps(out, _mm256_fmsub_ps(far[k], inverse, _mm256_load_ps(c->far_offset[k] + i)));
+            __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
+            in = later(in, _mm256_fmsub_ps(near[k], r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
+            out = sooner(out, _mm256_fmsub_ps(far[k], r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
         }
-        meet |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ)) << i;
+        met = _mm256_cmp_ps_mask(in, out, _CMP_LE_OQ);
+        first = _mm256_mask_min_ps(first, met, first, in);
+        meet = _mm512_mask_or_epi64(meet, met, meet, _mm512_set1_epi64((long long)(lanes & -lanes)));
     }
-    return meet & lanes;
+    *meets = meet;
+    return first;
 }
 
-COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry, uint64_t lanes)
+/* Of all children, whom lanes meet and what they do not enter them before. */
+COMPANY_TARGET static inline __m256 meet_avx512(const bvh_node *node, const company *c, uint64_t lanes, __m512i *meets)
 {
-    __m256 at = _mm256_set1_ps(entry);
-    uint64_t in = 0;
-    uint32_t i;
+    const uint32_t count = (uint32_t)__builtin_popcountll(lanes);
+    bool few = count <= COMPANY_FEW_LANES;
+    float entry[BVH_WIDTH];
+    uint64_t eights = 0;
+    uint32_t mask = 0;
+    __m512i meet = _mm512_setzero_si512();
 
-    for (i = 0; i < c->width; i += 8) {
-        __m256 within = _mm256_cmp_ps(at, _mm256_load_ps(c->limit + i), _CMP_LE_OQ);
-        in |= (uint64_t)(uint32_t)_mm256_movemask_ps(within) << i;
+    if (!few) {
+        mask = group_avx2(node, c, entry);
+        eights = eights_of(lanes);
+        few = count <= (uint32_t)__builtin_popcountll(eights) * (uint32_t)__builtin_popcount(mask);
     }
-    return in & lanes;
+    if (few)
+        return few_avx512(node, c, lanes, meets);
+    for (; mask; mask &= mask - 1) {
+        uint64_t by = lanes_avx2(node, first_of(mask), c, lanes, eights);
+        meet = _mm512_mask_set1_epi64(meet, (__mmask8)(mask & -mask), (long long)by);
+    }
+    *meets = meet;
+    return _mm256_loadu_ps(entry);
 }
+
+/* The greatest first, by bitonic sorting: by stage, whom each is held against, and who keeps the greater. */
+COMPANY_TARGET static inline __m512i sort_avx512(__m512i v, uint32_t count)
+{
+#define STAGE(other, greater) v = _mm512_mask_max_epu64(_mm512_min_epu64(v, other), greater, v, other)
+    STAGE(_mm512_shuffle_epi32(v, _MM_PERM_BADC), 0x99);
+    STAGE(_mm512_permutex_epi64(v, 0x4e), 0xc3);
+    STAGE(_mm512_shuffle_epi32(v, _MM_PERM_BADC), 0xa5);
+    if (count > 4) {
+        STAGE(_mm512_shuffle_i64x2(v, v, 0x4e), 0x0f);
+        STAGE(_mm512_permutex_epi64(v, 0x4e), 0x33);
+        STAGE(_mm512_shuffle_epi32(v, _MM_PERM_BADC), 0x55);
+    }
+#undef STAGE
+    return v;
+}
+
+/* As push, without a branch for each child. Children are sorted by distance and place in the node. */
+COMPANY_TARGET static inline uint32_t push_avx512(const company *c, const bvh_node *node, uint64_t lanes, bool sorted,
+                                                  company_stack *stack, uint32_t top)
+{
+    const __m512i places = _mm512_set_epi64(7, 6, 5, 4, 3, 2, 1, 0);
+    __m512i keys = _mm512_cvtepu32_epi64(_mm256_load_si256((const __m256i *)(const void *)node->child)), meets;
+    const __m256 entry = meet_avx512(node, c, lanes, &meets);
+    const __m512i high = _mm512_slli_epi64(_mm512_cvtepu32_epi64(_mm256_castps_si256(entry)), 32);
+    const __mmask8 met = _mm512_test_epi64_mask(meets, meets);
+    const uint32_t count = (uint32_t)__builtin_popcount(met);
+
+    keys = _mm512_or_si512(high, keys);
+    if (sorted) {
+        /* Only the three lowest bits say where from. */
+        __m512i order = sort_avx512(_mm512_maskz_compress_epi64(met, _mm512_or_si512(high, places)), count);
+        keys = _mm512_permutexvar_epi64(order, keys);
+        meets = _mm512_permutexvar_epi64(order, meets);
+    } else {
+        keys = _mm512_maskz_compress_epi64(met, keys);
+        meets = _mm512_maskz_compress_epi64(met, meets);
+    }
+    _mm512_storeu_si512(stack->key + top, keys);
+    _mm512_storeu_si512(stack->lanes + top, meets);
+    return top + count;
+}
+#define COMPANY_PUSH push_avx512
+
+#endif
 
 #define COMPANY_NAME(name) name##_avx2
 #define COMPANY_BOUNDS bounds_avx2

@@ -1,6 +1,7 @@
 /* bvh_company_body.h - the walk in company, included by bvh_company.c once for each instruction set, with
  * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_BOUNDS (of all lanes, by
- * eight columns), and the tests COMPANY_GROUP, COMPANY_FEW, COMPANY_LANES and COMPANY_WITHIN. No guard, for that reason. */
+ * eight columns), the tests COMPANY_GROUP, COMPANY_FEW, COMPANY_LANES and COMPANY_WITHIN, and COMPANY_PUSH
+ * where there is a better one than what is here. No guard, for that reason. */
 
 /* What all rays share on one axis. */
 COMPANY_TARGET static inline void COMPANY_NAME(bound_axis)(company *c, int k)
@@ -129,35 +130,42 @@ COMPANY_TARGET static uint64_t COMPANY_NAME(enter)(company *c, uint32_t frame, u
     return in;
 }
 
+#ifndef COMPANY_PUSH
+#define COMPANY_PUSH COMPANY_NAME(push)
+
 /* Put the children that lanes meet on the stack, the nearest on top. */
 COMPANY_TARGET static inline uint32_t COMPANY_NAME(push)(const company *c, const bvh_node *node, uint64_t lanes,
-                                                         bool sorted, company_entry *stack, uint32_t top)
+                                                         bool sorted, company_stack *stack, uint32_t top)
 {
     float entry[BVH_WIDTH];
     uint64_t meets[BVH_WIDTH];
     bool few = is_few(lanes);
+    const uint64_t eights = eights_of(lanes);
     uint32_t mask = few ? COMPANY_FEW(node, c, lanes, entry, meets) : COMPANY_GROUP(node, c, entry), base = top;
 
     for (; mask; mask &= mask - 1) {
         uint32_t i = first_of(mask), at = top;
-        uint64_t meet = few ? meets[i] : COMPANY_LANES(node, i, c, lanes), key = key_of(entry[i], node->child[i]);
+        uint64_t meet = few ? meets[i] : COMPANY_LANES(node, i, c, lanes, eights), key = key_of(entry[i], node->child[i]);
 
         if (!meet)
             continue;
         top++;
         if (sorted)
-            for (; at > base && stack[at - 1].key < key; at--)
-                stack[at] = stack[at - 1];
-        stack[at].key = key;
-        stack[at].lanes = meet;
+            for (; at > base && stack->key[at - 1] < key; at--) {
+                stack->key[at] = stack->key[at - 1];
+                stack->lanes[at] = stack->lanes[at - 1];
+            }
+        stack->key[at] = key;
+        stack->lanes[at] = meet;
     }
     return top;
 }
+#endif
 
 COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_party *party, bool sorted)
 {
     company c;
-    company_entry stack[BVH_STACK];
+    company_stack stack;
     uint64_t lanes, blind;
     uint32_t top = 0, at = party->tree->frames[0].root;
 
@@ -169,12 +177,19 @@ COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_party *party, bool 
         if ((at & BVH_KIND) == BVH_RETURN) {
             COMPANY_NAME(enter_lanes)(&c, at & ~BVH_KIND, c.open, &blind);
         } else if ((at & BVH_KIND) == BVH_NODE) {
-            top = COMPANY_NAME(push)(&c, &c.tree->nodes[at], lanes, sorted, stack, top);
+            const uint32_t before = top;
+            top = COMPANY_PUSH(&c, &c.tree->nodes[at], lanes, sorted, &stack, top);
+            if (top > before) {
+                /* Whoever meets it does so within the limit. */
+                lanes = stack.lanes[--top];
+                at = (uint32_t)stack.key[top];
+                continue;
+            }
         } else if ((at & BVH_KIND) == BVH_LEAF) {
             visit(&c, lanes, at & ~BVH_KIND);
         } else {
-            stack[top].key = key_of(0.0f, BVH_RETURN | c.frame);
-            stack[top++].lanes = ~(uint64_t)0;
+            stack.key[top] = key_of(0.0f, BVH_RETURN | c.frame);
+            stack.lanes[top++] = ~(uint64_t)0;
             lanes = COMPANY_NAME(enter)(&c, at & ~BVH_KIND, lanes);
             at = c.tree->frames[at & ~BVH_KIND].root;
             if (lanes)
@@ -183,10 +198,10 @@ COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_party *party, bool 
         do {
             if (top == 0 || !c.open)
                 return c.ended;
-            lanes = stack[--top].lanes & c.open;
-            at = (uint32_t)stack[top].key;
+            lanes = stack.lanes[--top] & c.open;
+            at = (uint32_t)stack.key[top];
             if (sorted && (at & BVH_KIND) != BVH_RETURN)
-                lanes = COMPANY_WITHIN(&c, entry_of(stack[top].key), lanes);
+                lanes = COMPANY_WITHIN(&c, entry_of(stack.key[top]), lanes);
         } while (!lanes);
     }
 }
