@@ -79,10 +79,19 @@ static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable 
     return mask;
 }
 
+/* Put the met children on the stack, all but the last, which is given. */
+static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, uint64_t *stack, uint32_t *top)
+{
+    for (; mask & (mask - 1); mask &= mask - 1)
+        stack[(*top)++] = node->child[first_of(mask)];
+    return node->child[first_of(mask)];
+}
+
 #define WALK_LANES lanes_portable
 #define WALK_SPREAD spread_portable
 #define WALK_LIMIT limit_portable
 #define WALK_MEET meet_portable
+#define WALK_ANY any_portable
 #define WALK_NAME(name) name##_portable
 #define WALK_TARGET
 #include "world/bvh_walk_body.h"
@@ -90,6 +99,7 @@ static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable 
 #undef WALK_SPREAD
 #undef WALK_LIMIT
 #undef WALK_MEET
+#undef WALK_ANY
 #undef WALK_NAME
 #undef WALK_TARGET
 
@@ -98,9 +108,9 @@ const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_o
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
-#include <immintrin.h>
+#include "world/bvh_avx2.h"
 
-#define WALK_TARGET __attribute__((target("avx2,fma")))
+#define WALK_TARGET BVH_AVX2
 
 /* Each number of the ray in all lanes, and the rows of a node counted in bytes. */
 typedef struct lanes_avx2 {
@@ -157,15 +167,30 @@ WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const lanes_a
     __m256 x = _mm256_fmsub_ps(row_avx2(node, r->near_row[0]), r->inverse[0], r->near_offset[0]);
     __m256 y = _mm256_fmsub_ps(row_avx2(node, r->near_row[1]), r->inverse[1], r->near_offset[1]);
     __m256 z = _mm256_fmsub_ps(row_avx2(node, r->near_row[2]), r->inverse[2], r->near_offset[2]);
-    __m256 in = _mm256_max_ps(_mm256_max_ps(x, y), _mm256_max_ps(z, _mm256_setzero_ps())), out;
+    __m256 in = later(later(x, y), later(z, _mm256_setzero_ps())), out;
 
     x = _mm256_fmsub_ps(row_avx2(node, r->far_row[0]), r->inverse[0], r->far_offset[0]);
     y = _mm256_fmsub_ps(row_avx2(node, r->far_row[1]), r->inverse[1], r->far_offset[1]);
     z = _mm256_fmsub_ps(row_avx2(node, r->far_row[2]), r->inverse[2], r->far_offset[2]);
-    out = _mm256_min_ps(_mm256_min_ps(x, y), _mm256_min_ps(z, r->limit));
+    out = sooner(sooner(x, y), sooner(z, r->limit));
     _mm256_storeu_ps(entry, in);
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
 }
+
+#ifdef __AVX512VL__
+/* As WALK_ANY, whatever their number, without a branch. */
+WALK_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mask, uint64_t *stack, uint32_t *top)
+{
+    const __m512i child = _mm512_cvtepu32_epi64(_mm256_load_si256((const __m256i *)(const void *)node->child));
+
+    _mm512_storeu_si512(stack + *top, _mm512_maskz_compress_epi64((__mmask8)mask, child));
+    *top += (uint32_t)__builtin_popcount(mask) - 1;
+    return node->child[31 - __builtin_clz(mask)];
+}
+#define WALK_ANY any_avx512
+#else
+#define WALK_ANY any_portable
+#endif
 
 #define WALK_LANES lanes_avx2
 #define WALK_SPREAD spread_avx2

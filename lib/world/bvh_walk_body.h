@@ -1,6 +1,7 @@
 /* bvh_walk_body.h - the walk itself, included by bvh_walk.c once for each instruction set, with WALK_TARGET (the
  * function attribute), WALK_LANES (a ray as the node test wants it), WALK_SPREAD (makes it), WALK_LIMIT (lowers its
- * limit), WALK_MEET (the node test) and WALK_NAME (what makes names differ). No guard, for that reason. */
+ * limit), WALK_MEET (the node test), WALK_ANY (to put children on the stack in any order) and WALK_NAME (what makes
+ * names differ). No guard, for that reason. */
 
 /* Put the met children on the stack, the nearest on top, and say how high it is now. Exchanges sort the first four,
  * for they cost fewer wrongly guessed branches than a loop. */
@@ -53,12 +54,10 @@ WALK_TARGET static inline bool WALK_NAME(descend)(const bvh_node *nodes, const W
         uint32_t mask = WALK_MEET(node, ray, entry);
         if (!mask)
             return false;
-        if (mask & (mask - 1)) {
-            if (sorted)
-                *top = WALK_NAME(push)(node, mask, entry, stack, *top);
-            else
-                for (; mask; mask &= mask - 1)
-                    stack[(*top)++] = node->child[first_of(mask)];
+        if (!sorted) {
+            *at = WALK_ANY(node, mask, stack, top);
+        } else if (mask & (mask - 1)) {
+            *top = WALK_NAME(push)(node, mask, entry, stack, *top);
             *at = (uint32_t)stack[--*top];
         } else {
             *at = node->child[first_of(mask)];
@@ -87,7 +86,7 @@ WALK_TARGET static inline bool WALK_NAME(enter)(bvh_walk *w, uint32_t frame, bvh
 WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
 {
     const bvh *t = w->tree;
-    uint64_t stack[BVH_STACK];
+    uint64_t stack[BVH_STACK + BVH_WIDTH];
     uint32_t top = 0, frame = w->frame, at = w->at;
     WALK_LANES lanes;
     bvh_local local;
