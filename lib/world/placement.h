@@ -8,28 +8,39 @@
 #include <povtrace/exact.h>
 #include <povtrace/plugin.h>
 
-/* What the filter reads comes first; vectors of four are read of all but the last. */
+/* What is known of a shape, so that rays can be filtered; it is in the range of filters then. */
+enum { PLACEMENT_UNKNOWN, PLACEMENT_IN_BOX, PLACEMENT_IS_BOX, PLACEMENT_IS_BALL };
+
+/* A shape in a frame, as its filter sees it, in one line of memory: rows that take points seen from the anchor to a space
+ * where its box reaches from -1 to 1, or where it is the ball of radius one; and what a ray is off by there, in units of
+ * 1 + S, for a ball that of all rows together. */
+typedef struct stand {
+    float row[3][3], lost[3], anchor[3];
+    uint32_t known;              /* PLACEMENT_* */
+} stand;
+
+/* Vectors of four are read of all doubles but the last. */
 typedef struct placement {
     pov_vec3 anchor;                           /* world space, near the shape */
     float per_half[3];           /* the inverse of half a box in the shape's own space, around the anchor, that holds it */
     uint8_t known;               /* PLACEMENT_* */
     bool axes;                   /* the inverse has a diagonal only */
+    stand stand;                 /* in the frame of whoever holds it */
     pov_vec3 column[3], column_lo[3];          /* of the inverse, in two parts */
     pov_vec3 own_anchor, own_anchor_lo;        /* the anchor in the shape's own space */
 } placement;
-
-/* What is known of the shape, so that rays can be filtered; it is in the range of filters then. */
-enum { PLACEMENT_UNKNOWN, PLACEMENT_IN_BOX, PLACEMENT_IS_BOX, PLACEMENT_IS_BALL };
 
 /* The box around a transformed box, rounded outward. */
 void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
 /* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
 void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 
-/* Whether rays in a frame around the shape can be filtered, and as block_filter() of a block that holds it alone. */
-bool placement_fits(const placement *p, const bvh_frame *frame);
-uint32_t placement_filter(const placement *p, uint32_t owner, const bvh_frame *frame, const pov_rays *rays,
-                          uint64_t lanes, pov_meeting *out);
+/* Where it stands in a frame around it. False: rays there cannot be filtered. */
+bool placement_stand(const placement *p, const bvh_frame *frame, stand *out);
+/* The same of an ellipsoid, by its centre and the rows of pov_shape_class. */
+bool placement_stand_ellipsoid(const pov_ellipsoid *e, const bvh_frame *frame, stand *out);
+/* As block_filter() of a block that holds it alone. */
+uint32_t placement_filter(const stand *s, uint32_t owner, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
 
 /* The ray in the shape's own space. */
 void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own);

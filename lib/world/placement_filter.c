@@ -24,51 +24,50 @@ typedef struct three { float x, y, z; } three;
 
 SIMD_INLINE float dot(three a, three b) { return sum_of(a.z, b.z, sum_of(a.y, b.y, a.x * b.x)); }
 
-/* ---- the placement in a frame ---- */
+/* Of what is lost of any row, in units of 1 + S. */
+SIMD_INLINE float most_of(const stand *s) { return greater(s->lost[0], greater(s->lost[1], s->lost[2])); }
 
-/* By row the inverse, in units of the box, whose sides then are at one from the middle; what a ray is off by there, in
- * units of 1 + S; and the anchor. Fours are vectors; the fourth of them is nothing. */
-typedef struct stand { float x[4], y[4], z[4], lost[4], anchor[3], most; } stand;
+/* ---- in a frame ---- */
 
-SIMD_INLINE void scale_column(float *restrict to, const placement *p, size_t offset, const double *restrict by)
+/* anchor, row: in the frame. */
+static bool set_stand(stand *s, pov_vec3 anchor, const pov_vec3 row[3], uint32_t known)
 {
-    const double *from = (const double *)(const void *)((const char *)p + offset);
     int i;
 
-    for (i = 0; i < 4; i++)
-        to[i] = (float)(from[i] * by[i]);
+    s->known = known;
+    s->anchor[0] = (float)anchor.x;
+    s->anchor[1] = (float)anchor.y;
+    s->anchor[2] = (float)anchor.z;
+    for (i = 0; i < 3; i++) {
+        s->row[i][0] = (float)row[i].x;
+        s->row[i][1] = (float)row[i].y;
+        s->row[i][2] = (float)row[i].z;
+        s->lost[i] = PLACEMENT_LOST * (fabsf(s->row[i][0]) + fabsf(s->row[i][1]) + fabsf(s->row[i][2]));
+    }
+    if (known == PLACEMENT_IS_BALL)
+        s->lost[0] = s->lost[1] = s->lost[2] = s->lost[0] + s->lost[1] + s->lost[2];
+    return most_of(s) < (known == PLACEMENT_IS_BALL ? 1.0f : PLACEMENT_MOST);
 }
 
-static inline void put_in_frame(stand *restrict s, const placement *p, const bvh_frame *f)
+bool placement_stand(const placement *p, const bvh_frame *f, stand *out)
 {
     const double back = 1.0 / f->scale;
-    const pov_vec3 at = pov_scale(pov_sub(p->anchor, f->centre), f->scale);
-    static const double used[4] = { 1.0, 1.0, 1.0, 0.0 };
-    float per_half[4];
-    double per[4];
-    int i;
+    const pov_vec3 *c = p->column, x = { c[0].x, c[1].x, c[2].x }, y = { c[0].y, c[1].y, c[2].y };
+    const pov_vec3 z = { c[0].z, c[1].z, c[2].z };
+    const pov_vec3 row[3] = { pov_scale(x, (double)p->per_half[0] * back), pov_scale(y, (double)p->per_half[1] * back),
+                              pov_scale(z, (double)p->per_half[2] * back) };
 
-    memcpy(per_half, (const char *)p + offsetof(placement, per_half), sizeof per_half);
-    for (i = 0; i < 4; i++)
-        per[i] = (double)per_half[i] * (used[i] * back);
-    scale_column(s->x, p, offsetof(placement, column[0]), per);
-    scale_column(s->y, p, offsetof(placement, column[1]), per);
-    scale_column(s->z, p, offsetof(placement, column[2]), per);
-    for (i = 0; i < 4; i++)
-        s->lost[i] = PLACEMENT_LOST * (fabsf(s->x[i]) + fabsf(s->y[i]) + fabsf(s->z[i]));
-    s->anchor[0] = (float)at.x;
-    s->anchor[1] = (float)at.y;
-    s->anchor[2] = (float)at.z;
-    s->most = p->known == PLACEMENT_IS_BALL ? s->lost[0] + s->lost[1] + s->lost[2]
-                                            : greater(s->lost[0], greater(s->lost[1], s->lost[2]));
+    return p->known != PLACEMENT_UNKNOWN
+           && set_stand(out, pov_scale(pov_sub(p->anchor, f->centre), f->scale), row, p->known);
 }
 
-bool placement_fits(const placement *p, const bvh_frame *frame)
+bool placement_stand_ellipsoid(const pov_ellipsoid *e, const bvh_frame *f, stand *out)
 {
-    stand s;
+    const double back = 1.0 / f->scale;
+    const pov_vec3 row[3] = { pov_scale(e->row[0], back), pov_scale(e->row[1], back), pov_scale(e->row[2], back) };
+    const pov_vec3 centre = pov_add(pov_sub(e->centre, f->centre), e->centre_lo);
 
-    put_in_frame(&s, p, frame);
-    return p->known != PLACEMENT_UNKNOWN && s.most < (p->known == PLACEMENT_IS_BALL ? 1.0f : PLACEMENT_MOST);
+    return set_stand(out, pov_scale(centre, f->scale), row, PLACEMENT_IS_BALL);
 }
 
 /* ---- rays ---- */
@@ -104,9 +103,9 @@ typedef struct line { three at, way; float spread, smax; } line;
 
 SIMD_INLINE line line_of(const stand *s, const pov_rays *rays, size_t at)
 {
-    const three row[3] = { { s->x[0], s->y[0], s->z[0] },
-                           { s->x[1], s->y[1], s->z[1] },
-                           { s->x[2], s->y[2], s->z[2] } };
+    const three row[3] = { { s->row[0][0], s->row[0][1], s->row[0][2] },
+                           { s->row[1][0], s->row[1][1], s->row[1][2] },
+                           { s->row[2][0], s->row[2][1], s->row[2][2] } };
     const three dir = { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] };
     const three from = { rays->framed.org[0][at] - s->anchor[0], rays->framed.org[1][at] - s->anchor[1],
                          rays->framed.org[2][at] - s->anchor[2] };
@@ -143,7 +142,7 @@ SIMD_INLINE reach meet_box(const stand *s, const line *l)
 /* A ray without the first root misses: `far` is no number then. */
 SIMD_INLINE reach meet_ball(const stand *s, const line *l)
 {
-    const float lost = s->most * l->spread, outer = PLACEMENT_OUTER + lost, inner = PLACEMENT_INNER - lost;
+    const float lost = s->lost[0] * l->spread, outer = PLACEMENT_OUTER + lost, inner = PLACEMENT_INNER - lost;
     const float per = 1.0f / dot(l->way, l->way), middle = -dot(l->at, l->way) * per;
     const three nearest = { sum_of(l->way.x, middle, l->at.x), sum_of(l->way.y, middle, l->at.y),
                             sum_of(l->way.z, middle, l->at.z) };
@@ -164,7 +163,7 @@ SIMD_INLINE void meet_eight(const stand *s, meeting *meet, const pov_rays *rays,
         const line l = line_of(s, rays, from + i);
         const reach r = meet(s, &l);
         const float sure = l.smax * (1.0f - 16.0f * PLACEMENT_E) - 8.0f * PLACEMENT_E * l.spread;
-        const int known = r.certain & (int)(s->most * l.spread < PLACEMENT_UNSURE);
+        const int known = r.certain & (int)(most_of(s) * l.spread < PLACEMENT_UNSURE);
         const int enters = known & (int)(r.near > 0.0f) & (int)(r.last < r.first);
 
         out->lo[i] = r.near;
@@ -216,15 +215,12 @@ static inline uint32_t tell(const answer *a, const pov_rays *rays, uint32_t from
     return n;
 }
 
-uint32_t placement_filter(const placement *p, uint32_t owner, const bvh_frame *frame, const pov_rays *rays,
-                          uint64_t lanes, pov_meeting *out)
+uint32_t placement_filter(const stand *s, uint32_t owner, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
-    const uint8_t known = p->known;
+    const uint32_t known = s->known;
     uint32_t n = 0;
-    stand s;
     answer a;
 
-    put_in_frame(&s, p, frame);
     while (lanes) {
         const uint32_t from = first_of64(lanes) / EIGHT * EIGHT;
         uint32_t some = (uint32_t)(lanes >> from) & 255u;
@@ -235,9 +231,9 @@ uint32_t placement_filter(const placement *p, uint32_t owner, const bvh_frame *f
         if (!some)
             continue;
         if (known == PLACEMENT_IS_BALL)
-            meet_balls(&s, rays, from, &a);
+            meet_balls(s, rays, from, &a);
         else
-            meet_boxes(&s, rays, from, &a);
+            meet_boxes(s, rays, from, &a);
         n = tell(&a, rays, from, some, known != PLACEMENT_IN_BOX, out, n);
     }
     return n;

@@ -146,7 +146,7 @@ static void filter_nearest(query *q, const run *r)
     uint32_t n;
 
     q->rays.tmax[0] = just_beyond(q->walk.limit);
-    n = run_filter(r, q->walk.in, &q->rays, 1, met);
+    n = run_filter(r, &q->rays, 1, met);
     for (m = met; n > 0; m++, n--) {
         const bool left = r->object[m->lane] == ray->left;
 
@@ -300,7 +300,7 @@ static bool filter_shadow(query *q, const run *r)
     pov_meeting met[POV_BLOCK_MAX];
     uint32_t n, i, mask = 0;
 
-    n = run_filter(r, q->walk.in, &q->rays, 1, met);
+    n = run_filter(r, &q->rays, 1, met);
     for (i = 0; i < n; i++)
         if (is_blocked(r, &met[i], blocking, ray))
             return true;

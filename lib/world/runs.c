@@ -53,12 +53,14 @@ static void put_in_order(const flat *f, uint32_t *ids, uint32_t count)
         }
 }
 
-/* How many from the front make one run. Shapes with a placement stay where they are, so each makes its own. */
+/* How many from the front make one run. Shapes with a placement stay where they are, so each makes its own, as does what
+ * may stand alone. */
 static uint32_t run_length(const flat *f, const uint32_t *ids, uint32_t count)
 {
+    const shape_group *g = &f->groups[f->group[ids[0]]];
     uint32_t n = 1;
 
-    if (f->groups[f->group[ids[0]]].placed)
+    if (g->placed || (!g->packs && run_may_stand(g->shape)))
         return 1;
     while (n < count && n < RUN_WIDTH && f->group[ids[n]] == f->group[ids[0]])
         n++;
@@ -226,7 +228,7 @@ static const void *place(runs *r, uint32_t part, const bvh_frame *frame, uint32_
     placement *p = (placement *)(void *)(start + RUN_PLACE);
 
     flat_place(r->flat, id, map_of(r, part, id), p);
-    if (r->flat->use_blocks && frame && placement_fits(p, frame))
+    if (r->flat->use_blocks && frame && placement_stand(p, frame, &p->stand))
         out->flags |= RUN_PACKED;
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
     return r->flat->moved[id];
@@ -241,6 +243,15 @@ static bool pack(const pov_shape_class *shape, const bvh_frame *in, const void *
         frame.scale = in->scale;
     }
     return shape->block_pack((unsigned char *)out + RUN_HEAD, in ? &frame : NULL, selves, count);
+}
+
+/* An ellipsoid alone behind the head of its run. */
+static bool stand_alone(const runs *r, const bvh_frame *frame, const void *self, run *out)
+{
+    stand *s = (stand *)(void *)((unsigned char *)out + RUN_HEAD);
+    pov_ellipsoid e;
+
+    return r->flat->use_blocks && frame && out->shape->ellipsoid(self, &e) && placement_stand_ellipsoid(&e, frame, s);
 }
 
 static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, run *out)
@@ -267,6 +278,8 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
     if (!g->placed)
         out->stride = g->stride;
     if (g->packs && pack(g->shape, frame, selves, count, out))
+        out->flags |= RUN_PACKED;
+    if (!g->placed && !g->packs && run_may_stand(g->shape) && stand_alone(r, frame, selves[0], out))
         out->flags |= RUN_PACKED;
 }
 

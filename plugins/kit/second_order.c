@@ -224,7 +224,11 @@ static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square,
     return isfinite(*lo) && isfinite(*hi);
 }
 
-bool kit_second_order_bounds(const kit_second_order *s, pov_box *out)
+/* An ellipsoid: its centre seen from the anchor, the value there with its sign turned, the determinant, and minors. */
+typedef struct ellipsoid { pov_two3 centre; pov_two level, det, xx, yy, zz; } ellipsoid;
+
+/* False: it is none, or nearly none. */
+static bool find_ellipsoid(const kit_second_order *s, ellipsoid *out)
 {
     const pov_two *q = s->q, d = half(q[D]), e = half(q[E]), f = half(q[F]);
     const pov_two xx = minor(q[B], q[C], f, f), yy = minor(q[A], q[C], e, e), zz = minor(q[A], q[B], d, d);
@@ -242,10 +246,50 @@ bool kit_second_order_bounds(const kit_second_order *s, pov_box *out)
     level = pov_two_add(pov_two_add(pov_two_mul(x, g), pov_two_mul(y, h)), pov_two_mul(z, i));
     if (!(level.hi - q[J].hi > 0x1p-40 * (fabs(level.hi) + fabs(q[J].hi))))
         return false;
-    level = pov_two_div(pov_two_sub(level, q[J]), det);
-    return extent(s->anchor.x, s->scale, pov_two_neg(x), pov_two_mul(level, xx), &out->lo.x, &out->hi.x)
-           && extent(s->anchor.y, s->scale, pov_two_neg(y), pov_two_mul(level, yy), &out->lo.y, &out->hi.y)
-           && extent(s->anchor.z, s->scale, pov_two_neg(z), pov_two_mul(level, zz), &out->lo.z, &out->hi.z);
+    out->centre.x = pov_two_neg(x), out->centre.y = pov_two_neg(y), out->centre.z = pov_two_neg(z);
+    out->level = pov_two_sub(level, q[J]);
+    out->det = det;
+    out->xx = xx, out->yy = yy, out->zz = zz;
+    return true;
+}
+
+bool kit_second_order_bounds(const kit_second_order *s, pov_box *out)
+{
+    pov_two level;
+    ellipsoid e;
+
+    if (!find_ellipsoid(s, &e))
+        return false;
+    level = pov_two_div(e.level, e.det);
+    return extent(s->anchor.x, s->scale, e.centre.x, pov_two_mul(level, e.xx), &out->lo.x, &out->hi.x)
+           && extent(s->anchor.y, s->scale, e.centre.y, pov_two_mul(level, e.yy), &out->lo.y, &out->hi.y)
+           && extent(s->anchor.z, s->scale, e.centre.z, pov_two_mul(level, e.zz), &out->lo.z, &out->hi.z);
+}
+
+/* Cholesky's triangle, with the pivots as quotients of minors. Its square is off by less than 24 u in units of the roots of
+ * the diagonal; and since pivots are above 2^-12 of their entries, the least value of the form in these units is above
+ * 2^-26: so lengths are off by less than 2^-22. */
+bool kit_second_order_ellipsoid(const kit_second_order *s, pov_ellipsoid *out)
+{
+    const double *q = s->rough;
+    double factor, a, b, c, d, e, f;
+    pov_two x, y, z;
+    ellipsoid found;
+
+    if (!s->closed || !find_ellipsoid(s, &found))
+        return false;
+    a = sqrt(q[A]), b = sqrt(found.zz.hi / q[A]), c = sqrt(found.det.hi / found.zz.hi);
+    d = 0.5 * q[D] / a, e = 0.5 * q[E] / a, f = (0.5 * q[F] - d * e) / b;
+    factor = s->scale / sqrt(found.level.hi);
+    out->row[0] = pov_scale(pov_vec3_of(a, d, e), factor);
+    out->row[1] = pov_scale(pov_vec3_of(0.0, b, f), factor);
+    out->row[2] = pov_scale(pov_vec3_of(0.0, 0.0, c), factor);
+    x = pov_two_add(s->anchor.x, pov_two_scale(found.centre.x, 1.0 / s->scale));
+    y = pov_two_add(s->anchor.y, pov_two_scale(found.centre.y, 1.0 / s->scale));
+    z = pov_two_add(s->anchor.z, pov_two_scale(found.centre.z, 1.0 / s->scale));
+    out->centre = pov_vec3_of(x.hi, y.hi, z.hi);
+    out->centre_lo = pov_vec3_of(x.lo, y.lo, z.lo);
+    return true;
 }
 
 /* ---- maps ---- */

@@ -24,6 +24,8 @@ typedef struct kit_second_order {
 void kit_second_order_make(kit_second_order *s, const double coefficients[COEFFICIENTS]);
 /* A box around an ellipsoid. False: it is none, or nearly none. */
 bool kit_second_order_bounds(const kit_second_order *s, pov_box *out);
+/* The same of the class's member. */
+bool kit_second_order_ellipsoid(const kit_second_order *s, pov_ellipsoid *out);
 /* False: the map is too far from keeping angles, and s is as it was. */
 bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map);
 

@@ -43,8 +43,7 @@ static bool is_ellipsoid(const kit_second_order *s)
            && q[C] * minor + 2.0 * d * e * f - q[A] * f * f - q[B] * e * e > 0.0;
 }
 
-/* Ellipsoids stand in leaves of a tree, behind boxes that leave little to be told: among themselves they are asked
- * faster without a block. */
+/* Ellipsoids stand in leaves of a tree, where hosts look at them in their own way: among themselves they need no block. */
 bool kit_second_order_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     kit_second_order_block *b = block;

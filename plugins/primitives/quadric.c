@@ -27,6 +27,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 }
 
 static bool bounds(const void *self, pov_box *out) { return kit_second_order_bounds(self, out); }
+static bool ellipsoid(const void *self, pov_ellipsoid *out) { return kit_second_order_ellipsoid(self, out); }
 static bool absorb(void *self, const pov_affine *map) { return kit_second_order_absorb(self, map); }
 
 /* ---- in two parts ---- */
@@ -347,6 +348,7 @@ static const pov_shape_class quadric_class = {
     .block_filter = kit_second_order_filter,
     .intersect_many = intersect_many,
     .normal_many = normal_many,
+    .ellipsoid = ellipsoid,
 };
 
 static const pov_shape_class *const shapes[] = { &quadric_class, NULL };

@@ -94,6 +94,49 @@ static void crossings_lie_within_bounds(void **unused)
     each_ray(RAYS, lies_within);
 }
 
+/* Of the ball that an ellipsoid's rows make of it. */
+static bool lies_on_the_ball(const pov_ellipsoid *e, const pov_ray *ray, const pov_crossing *at)
+{
+    pov_vec3 p, low;
+
+    subject_point(ray, at->t, at->t_lo, &p, &low);
+    p = pov_add(pov_sub(p, e->centre), pov_sub(low, e->centre_lo));
+    p = pov_vec3_of(pov_dot(e->row[0], p), pov_dot(e->row[1], p), pov_dot(e->row[2], p));
+    return fabs(length_of(p) - 1.0) <= 0x1p-20;
+}
+
+static void an_ellipsoid_is_the_ball_of_its_rows(void **unused)
+{
+    int seen = 0, broken = 0, i, j;
+
+    (void)unused;
+    if (!HAS(ellipsoid))
+        skip();
+    for (i = 0; i < subject.count + subject.hard; i++) {
+        const thing *t = &subject.things[i];
+        pov_ray ray;
+        pov_ellipsoid e;
+
+        if (!subject.shape->ellipsoid(t->self, &e))
+            continue;
+        assert_true(t->finite);
+        /* From the middle, as spokes of a lattice go. */
+        memset(&ray, 0, sizeof ray);
+        ray.org = t->middle;
+        ray.left = POV_NOBODY;
+        for (j = 0; j < 729; j++) {
+            pov_crossing at[MOST];
+            uint32_t n;
+
+            ray.dir = pov_vec3_of(j % 9 - 3.9, j / 9 % 9 - 3.8, j / 81 - 4.1);
+            for (n = subject_ask(t->self, &ray, at); n > 0; n--, seen++)
+                broken += !lies_on_the_ball(&e, &ray, &at[n - 1]);
+        }
+    }
+    assert_true(seen > 0);
+    assert_int_equal(broken, 0);
+}
+
 static bool has_unit_normals(const thing *t, const pov_ray *ray)
 {
     pov_crossing at[MOST];
@@ -999,6 +1042,7 @@ static int check_file(const char *file)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_form_is_kept),
         cmocka_unit_test(crossings_lie_within_bounds),
+        cmocka_unit_test(an_ellipsoid_is_the_ball_of_its_rows),
         cmocka_unit_test(normals_are_unit),
         cmocka_unit_test(inside_flips_where_a_ray_crosses),
         cmocka_unit_test(nearest_is_the_first_of_all_and_any_is_as_nearest),

@@ -282,6 +282,22 @@ static void check_answer(const pov_meeting *said, uint32_t hits, const pov_cross
     t->twice += said->twice;
 }
 
+/* A ball under the map is the ellipsoid of these rows, and stands as that does. */
+static void check_ellipsoid(const placement *p, const bvh_frame *frame)
+{
+    const pov_vec3 *c = p->column;
+    const pov_ellipsoid e = { p->anchor, { 0.0, 0.0, 0.0 },
+                              { pov_scale(pov_vec3_of(c[0].x, c[1].x, c[2].x), (double)p->per_half[0]),
+                                pov_scale(pov_vec3_of(c[0].y, c[1].y, c[2].y), (double)p->per_half[1]),
+                                pov_scale(pov_vec3_of(c[0].z, c[1].z, c[2].z), (double)p->per_half[2]) } };
+    stand s;
+
+    if (p->known != PLACEMENT_IS_BALL)
+        return;
+    assert_true(placement_stand_ellipsoid(&e, frame, &s));
+    assert_memory_equal(&s, &p->stand, sizeof s);
+}
+
 static void check_map(model *m, test_random *r, const pov_shape_class *shape, pov_box own, tally *t)
 {
     const pov_meeting *of[RAYS] = { NULL };
@@ -302,8 +318,10 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     placement_init(&p, &map, &own, &around, shape->flags);
     assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
     frame = random_frame(r, &around);
-    fits = placement_fits(&p, &frame);
+    fits = placement_stand(&p, &frame, &p.stand);
     t->fits += fits;
+    if (fits)
+        check_ellipsoid(&p, &frame);
     for (i = 0; i < RAYS; i++) {
         const pov_ray ray = random_ray(r, &map, &own);
         const double tmax = test_below(r, 2) ? HUGE_VAL : power(r, -3.0, 6.0);
@@ -316,7 +334,7 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     }
     check_together(&p, sent, 1 + test_below(r, RAYS));
     check_turned(&p, r, 1 + test_below(r, RAYS));
-    count = fits ? placement_filter(&p, NOT_LEFT, &frame, &rays, lanes, met) : 0;
+    count = fits ? placement_filter(&p.stand, NOT_LEFT, &rays, lanes, met) : 0;
     for (i = 0; i < count; i++) {
         assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
         of[met[i].ray / APART] = &met[i];
@@ -398,7 +416,8 @@ static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
     ray.left_mark.flags = mark;
     assert_true(put_ray(&rays, 5, &frame, &ray, HUGE_VAL));
     model_free(&m);
-    return placement_filter(&p, 7, &frame, &rays, 32, &met);
+    assert_true(placement_stand(&p, &frame, &p.stand));
+    return placement_filter(&p.stand, 7, &rays, 32, &met);
 }
 
 static void who_goes_away_from_a_box_or_ball_is_left_out(void **state)
@@ -419,12 +438,13 @@ static void check_range(const placement *p, const pov_box *own, const pov_box *a
     static pov_rays rays;
     pov_crossing at[2];
     pov_meeting met;
+    stand where;
 
     assert_int_equal(find_hits(p, &brick, own, ray, HUGE_VAL, at), 2);
-    if (!placement_fits(p, &frame))
+    if (!placement_stand(p, &frame, &where))
         return;
     assert_true(put_ray(&rays, 0, &frame, ray, HUGE_VAL));
-    assert_int_equal(placement_filter(p, NOT_LEFT, &frame, &rays, 1, &met), 1);
+    assert_int_equal(placement_filter(&where, NOT_LEFT, &rays, 1, &met), 1);
 }
 
 /* Where squares and products would leave the range of double, there is no filter and no wrong answer. */

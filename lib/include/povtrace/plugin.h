@@ -187,6 +187,10 @@ enum {
     POV_SHAPE_FACES = 1u << 4    /* its sides are flat: normal() does not look at the ray */
 };
 
+/* An ellipsoid: its centre, in two parts, and rows of the map that takes points seen from there to the ball of radius one
+ * around zero. On the surface the length that comes of that is one within 2^-20. */
+typedef struct pov_ellipsoid { pov_vec3 centre, centre_lo, row[3]; } pov_ellipsoid;
+
 typedef struct pov_shape_class {
     uint32_t size, flags;
     const char *keyword;
@@ -232,6 +236,8 @@ typedef struct pov_shape_class {
     void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                         pov_vec3 *const *out, uint32_t n);
+    /* [load] Is it an ellipsoid, and bounded like one? Hosts may filter its rays by that where no block does. */
+    bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
 } pov_shape_class;
 
 /* Does a class reach as far as this member, and is it there? */
