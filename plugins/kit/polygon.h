@@ -11,12 +11,17 @@ typedef struct kit_corner {
     bool starts;           /* the first of a loop; no edge leads to it */
 } kit_corner;
 
+enum { KIT_POLYGON_SIDES = 5 };
+
+/* What rays ask for comes first; of a small one that is all. */
 typedef struct kit_polygon {
-    kit_corner *corners;       /* each loop ends with its first corner again */
-    uint32_t count;
     pov_two3 anchor, normal;   /* the plane; the normal's largest component is in [1, 2), or it is zero */
-    pov_vec3 unit;
     double scale;
+    pov_vec3 near[KIT_POLYGON_SIDES + 1];   /* of a small one the corners as `local`, the last of them again and again */
+    uint32_t count;
+    bool small;                /* one loop of three to five corners, then the first of them again */
+    kit_corner *corners;       /* each loop ends with its first corner again */
+    pov_vec3 unit;
     pov_box box;
 } kit_polygon;
 
@@ -46,20 +51,6 @@ KIT_INLINE kit_root kit_polygon_distance(pov_vec3 n, const kit_ray *k, double sl
     root.error = sound ? error : HUGE_VAL;
     root.part = root.flags = 0;
     return root;
-}
-
-enum { KIT_POLYGON_SIDES = 5 };
-
-/* One loop of three to five corners, then the first of them again. */
-static inline bool kit_polygon_is_small(const kit_polygon *s)
-{
-    uint32_t i, loops = 0;
-
-    if (s->count > KIT_POLYGON_SIDES + 1)
-        return false;
-    for (i = 0; i < s->count; i++)
-        loops += s->corners[i].starts;
-    return loops == 1;
 }
 
 /* The small ones in company, others by `one`. */

@@ -3,26 +3,22 @@
 #include "kit/polygon.h"
 
 /* Fewer than KIT_LANES: corners are many to copy, so places that hold nothing are dear. */
-enum { TOGETHER = 4, CORNERS = KIT_POLYGON_SIDES + 1 };
+enum { TOGETHER = 4 };
 
-/* Small polygons, each with its ray, and the ray's largest axis; places after the last corner repeat it. */
+/* A polygon's numbers, as they stand in it; whole fours of them. */
+#define NUMBER_OF(member) (offsetof(kit_polygon, member) / sizeof(double))
+enum { NUMBERS = (NUMBER_OF(count) + 3) / 4 * 4 };
+
+/* Small polygons, each with its ray, and the ray's largest axis. */
 typedef struct polygon_lanes {
     kit_rays rays;
-    kit_lane3 anchor, anchor_lo, normal, corner[CORNERS];
-    kit_lane scale, away;
+    double number[NUMBERS][TOGETHER];
+    kit_lane away;
 } polygon_lanes;
 
-static inline void put_polygon(polygon_lanes *l, uint32_t i, const kit_polygon *s, const pov_ray *ray)
+static inline pov_vec3 get_vector(const polygon_lanes *l, uint32_t i, size_t number, size_t apart)
 {
-    uint32_t c;
-
-    kit_put(&l->anchor, i, pov_two3_hi(s->anchor));
-    kit_put(&l->anchor_lo, i, pov_two3_lo(s->anchor));
-    kit_put(&l->normal, i, pov_two3_hi(s->normal));
-    l->scale[i] = s->scale;
-    l->away[i] = kit_polygon_away(ray->dir);
-    for (c = 0; c < CORNERS; c++)
-        kit_put(&l->corner[c], i, s->corners[c < s->count ? c : s->count - 1].local);
+    return pov_vec3_of(l->number[number][i], l->number[number + apart][i], l->number[number + 2 * apart][i]);
 }
 
 /* As in a sight: across, up, away. */
@@ -39,9 +35,10 @@ typedef struct ray_at { pov_vec3 w, d; double error, away; } ray_at;
 /* A corner in sight. above, certain: one or zero. Level with the ray it is not certain on which side it is. */
 typedef struct spot { double across, up, above, certain; } spot;
 
-static inline spot see(const kit_lane3 *c, uint32_t i, const ray_at *at)
+static inline spot see(const polygon_lanes *l, size_t corner, uint32_t i, const ray_at *at)
 {
-    const pov_vec3 v = turn(pov_sub(kit_get(c, i), at->w), at->away), d = at->d;
+    const pov_vec3 local = get_vector(l, i, NUMBER_OF(near) + 3 * corner, 1);
+    const pov_vec3 v = turn(pov_sub(local, at->w), at->away), d = at->d;
     spot p;
 
     p.across = v.x * d.z - v.z * d.x;
@@ -64,24 +61,24 @@ static inline double pass(spot a, spot b, double error, double *certain)
     return way * cross > 0.0 ? 1.0 : 0.0;
 }
 
-/* As is_within(), of one loop: is it certain that the ray is enclosed? */
-static inline int surely_within(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov_vec3 d)
+/* As is_within(), of one loop: one where it is certain that the ray is enclosed, minus one where it surely is not. */
+static inline double enclose(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov_vec3 d)
 {
     const double error = kit_polygon_blur(w), away = l->away[i];
     const ray_at at = { w, turn(d, away), error, away };
-    const spot a = see(&l->corner[0], i, &at), b = see(&l->corner[1], i, &at), c = see(&l->corner[2], i, &at);
-    const spot e = see(&l->corner[3], i, &at), f = see(&l->corner[4], i, &at), g = see(&l->corner[5], i, &at);
+    const spot a = see(l, 0, i, &at), b = see(l, 1, i, &at), c = see(l, 2, i, &at);
+    const spot e = see(l, 3, i, &at), f = see(l, 4, i, &at), g = see(l, 5, i, &at);
     double certain = a.certain + b.certain + c.certain + e.certain + f.certain + g.certain;
     const double one = pass(a, b, error, &certain), two = pass(b, c, error, &certain);
     const double three = pass(c, e, error, &certain), four = pass(e, f, error, &certain);
     const double five = pass(f, g, error, &certain), turns = one + two + three + four + five;
 
     /* Of at most four, one turn or three. */
-    return (int)(certain > 10.5) & (int)(fabs(fabs(turns - 2.0) - 1.0) < 0.5);
+    return certain > 10.5 ? (fabs(fabs(turns - 2.0) - 1.0) < 0.5 ? 1.0 : -1.0) : 0.0;
 }
 
-/* Where planes are met, in the units of a kit_ray, and what that may be off by; within: not zero where the figure
- * surely is. */
+/* Where planes are met, in the units of a kit_ray, and what that may be off by; within: as of
+ * enclose(). */
 typedef struct plane_lanes { kit_lane t, t_lo, error, unit, within; } plane_lanes;
 
 /* As its intersect() where nothing has to be decided. */
@@ -91,8 +88,9 @@ KIT_CLONES static void find_planes(const polygon_lanes *restrict l, plane_lanes 
 
     for (i = 0; i < TOGETHER; i++) {
         const pov_ray ray = kit_get_ray(&l->rays, i);
-        const pov_vec3 n = kit_get(&l->normal, i);
-        const kit_ray k = kit_enter(&ray, pov_two3_of(kit_get(&l->anchor, i), kit_get(&l->anchor_lo, i)), l->scale[i]);
+        const pov_vec3 n = get_vector(l, i, NUMBER_OF(normal), 2);
+        const pov_two3 anchor = pov_two3_of(get_vector(l, i, NUMBER_OF(anchor), 2), get_vector(l, i, NUMBER_OF(anchor) + 1, 2));
+        const kit_ray k = kit_enter(&ray, anchor, l->number[NUMBER_OF(scale)][i]);
         const double slope = pov_dot(n, k.d), first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
         const pov_vec3 w = kit_along(&k, first);
         const kit_root r = kit_polygon_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
@@ -101,19 +99,21 @@ KIT_CLONES static void find_planes(const polygon_lanes *restrict l, plane_lanes 
         out->t_lo[i] = r.t.lo;
         out->error[i] = r.error;
         out->unit[i] = k.unit;
-        out->within[i] = surely_within(l, i, w, k.d) ? 1.0 : 0.0;
+        out->within[i] = enclose(l, i, w, k.d);
     }
 }
 
-/* Whoever does not start on it, and surely goes through it. */
+/* Whoever does not start on it, and surely goes through it or past it, or has no business there. False: open. */
 static bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, pov_hits *h)
 {
     const kit_root r = { { p->t[i], p->t_lo[i] }, p->error[i], 0, 0 };
+    const kit_verdict verdict = kit_judge(&r, p->unit[i], KIT_FINE, h);
 
-    if (!(p->within[i] > 0.0) || h->always_exact || h->owner == ray->left
-        || kit_judge(&r, p->unit[i], KIT_FINE, h) != KIT_GOOD)
+    if (verdict == KIT_OUTSIDE)
+        return true;
+    if (p->within[i] == 0.0 || verdict == KIT_OPEN || h->always_exact || h->owner == ray->left)
         return false;
-    if (isfinite(r.t.hi))
+    if (p->within[i] > 0.0 && isfinite(r.t.hi))
         pov_cross(h, r.t.hi * p->unit[i], r.t.lo * p->unit[i], kit_mark(0, KIT_POLYGON_MARK));
     return true;
 }
@@ -121,15 +121,17 @@ static bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, p
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
                             void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
 {
+    const void *shapes[TOGETHER];
     polygon_lanes lanes;
     plane_lanes plane;
-    uint32_t i, j;
+    uint32_t i;
 
     kit_put_four_of(&lanes.rays, 0, rays, n);
     for (i = 0; i < TOGETHER; i++) {
-        j = kit_lane_of(i, n);
-        put_polygon(&lanes, i, selves[j], rays[j]);
+        shapes[i] = selves[kit_lane_of(i, n)];
+        lanes.away[i] = kit_polygon_away(rays[kit_lane_of(i, n)]->dir);
     }
+    kit_put_four_shapes(lanes.number[0], TOGETHER, NUMBERS, shapes);
     find_planes(&lanes, &plane);
     for (i = 0; i < n; i++)
         if (!report_plane(&plane, i, rays[i], hits[i]))
@@ -145,7 +147,7 @@ void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const 
     uint32_t i, count = 0;
 
     for (i = 0; i < n; i++) {
-        if (kit_polygon_is_small(selves[i])) {
+        if (((const kit_polygon *)selves[i])->small) {
             self[count] = selves[i];
             ray[count] = rays[i];
             hit[count++] = hits[i];

@@ -16,6 +16,7 @@ typedef struct reading {
     const pov_host *host;
     pov_reader *in;
     kit_polygon *shape;
+    uint32_t first;             /* room at first: no more than is likely, for a scene may say anything */
     uint32_t capacity, start;   /* start: where the loop at hand begins */
     bool open;                  /* a loop is begun and not yet closed */
 } reading;
@@ -25,7 +26,7 @@ static bool append(reading *r, pov_vec3 v, bool starts)
     kit_polygon *s = r->shape;
 
     if (s->count == r->capacity) {
-        const uint32_t capacity = r->capacity ? 2 * r->capacity : 16;
+        const uint32_t capacity = r->capacity ? 2 * r->capacity : r->first;
         kit_corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
 
         if (!bigger)
@@ -72,6 +73,7 @@ static bool read_corners(reading *r)
         r->host->fail(r->in, "a polygon needs a whole number of at least 3 points");
         return false;
     }
+    r->first = n < 64.0 ? (uint32_t)n + 1 : 64;
     for (i = 0; i < (uint32_t)n; i++) {
         r->host->accept(r->in, ",");
         if (!r->host->more(r->in)) {
@@ -154,6 +156,18 @@ static void scale_corners(kit_polygon *s)
         s->corners[i].local = pov_two3_hi(offset_of(s, &s->corners[i]));
 }
 
+/* Corners of a small one where rays find them first. */
+static void put_near(kit_polygon *s)
+{
+    uint32_t i, loops = 0;
+
+    for (i = 0; i < s->count; i++)
+        loops += s->corners[i].starts;
+    s->small = s->count <= KIT_POLYGON_SIDES + 1 && loops == 1;
+    for (i = 0; i <= KIT_POLYGON_SIDES && s->small; i++)
+        s->near[i] = s->corners[i < s->count ? i : s->count - 1].local;
+}
+
 /* The largest distance of a corner from the plane, in scaled lengths. */
 static double measure(const kit_polygon *s)
 {
@@ -171,7 +185,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     kit_polygon *s = self;
-    reading r = { host, in, s, 0, 0, false };
+    reading r = { host, in, s, 0, 0, 0, false };
     double largest, off, power;
 
     if (!read_corners(&r)) {
@@ -180,6 +194,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     }
     s->anchor = pov_two3_of(s->corners[0].world, zero);
     scale_corners(s);
+    put_near(s);
     largest = find_plane(s);
     if (!(largest > 0.0)) {
         host->warn(in, "the points of this polygon lie on a line: it is not seen");
@@ -269,9 +284,9 @@ static bool is_above(const sight *s, const kit_corner *c)
 
 /* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for
  * every polygon that has it. */
-static seen look(sight *s, const kit_corner *c)
+static seen look(sight *s, pov_vec3 local, const kit_corner *c)
 {
-    const double v[3] = { c->local.x - s->w[0], c->local.y - s->w[1], c->local.z - s->w[2] };
+    const double v[3] = { local.x - s->w[0], local.y - s->w[1], local.z - s->w[2] };
     seen p;
 
     p.across = v[s->across] * s->d[s->away] - v[s->away] * s->d[s->across];
@@ -338,9 +353,10 @@ static bool is_within(const kit_polygon *s, sight *view)
 
     for (i = 0; i < s->count; i++) {
         const kit_corner *c = &s->corners[i];
-        const seen here = look(view, c);
+        const seen here = look(view, s->small ? s->near[i] : c->local, c);
+        const bool starts = s->small ? i == 0 : c->starts;
 
-        if (!c->starts && here.above != before.above && is_right(view, c - 1, before, c, here))
+        if (!starts && here.above != before.above && is_right(view, c - 1, before, c, here))
             within = !within;
         before = here;
     }
@@ -415,7 +431,7 @@ static void describe(const kit_polygon *s, kit_flat *f)
     f->anchor = pov_two3_hi(s->anchor);
     f->normal = n;
     f->scale = s->scale;
-    if (s->count <= KIT_SIDES + 1 && kit_polygon_is_small(s)) {
+    if (s->count <= KIT_SIDES + 1 && s->small) {
         for (i = 0; i + 1 < s->count; i++)
             corners[i] = s->corners[i].local;
         if (kit_flat_outline(f, corners, s->count - 1))
