@@ -119,6 +119,7 @@ static void filter_nearest(company *c, const run *r, uint64_t lanes)
         if (m->surely && !left) {
             put_off(c, r, m);
         } else if (r->flags & RUN_PLACED) {
+            run_expect(r);
             open_lanes[open.count] = (uint8_t)m->ray;
             put_pair(&open, r->instances, run_placement(r), ray, nearest_hits(c, m->ray));
             c->hits[m->ray].owner = r->object[0];

@@ -2,6 +2,7 @@
 #ifndef WORLD_RUN_H
 #define WORLD_RUN_H
 
+#include "base/simd.h"
 #include "world/placement.h"
 
 enum { RUN_WIDTH = 8 };
@@ -76,11 +77,21 @@ static inline uint32_t run_filter(const run *r, const pov_rays *rays, uint64_t l
     return placement_filter(run_stand(r), r->object[0], rays, lanes, out);
 }
 
+/* The record of a placed shape, which its ray is taken to first. */
+static inline void run_expect(const run *r)
+{
+    SIMD_EXPECT(r->instances);
+    SIMD_EXPECT(r->instances + 64);
+    SIMD_EXPECT(r->instances + 128);
+    SIMD_EXPECT(r->instances + 192);
+}
+
 static inline void run_intersect(const run *r, uint32_t lane, const pov_ray *ray, pov_hits *hits)
 {
-    if (r->flags & RUN_PLACED)
+    if (r->flags & RUN_PLACED) {
+        run_expect(r);
         placement_intersect(run_placement(r), r->shape, r->instances, ray, hits);
-    else
+    } else
         r->shape->intersect(run_instance(r, lane), ray, hits);
 }
 
