@@ -67,7 +67,6 @@ static void begin(query *q, const world *w, walker *k, const pov_ray *ray, doubl
     q->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
     q->walk.limit = tmax;
     q->walk.framed = &q->rays;
-    q->walk.in = NULL;
     q->waiting = 0;
     side_put(&q->rays, 0, ray);
     q->in_range = side_derive(&q->rays, 0, tmax, &q->walk.length) != 0;
@@ -85,7 +84,6 @@ static bool stand_in_list(query *q, const world *w)
     if (!bvh_enter(&w->list_frame, q->walk.ray, q->walk.length, q->walk.per_length, &l))
         return false;
     bvh_stand(&q->rays, 0, &l, bvh_limit(l.scale, l.shift, q->walk.limit));
-    q->walk.in = &w->list_frame;
     return true;
 }
 
