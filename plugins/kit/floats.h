@@ -102,14 +102,15 @@ KIT_INLINE uint32_t kit_tell_chords(const kit_chords *c, const pov_rays *rays, u
 
     for (mask = c->maybe; mask; mask &= mask - 1, n++) {
         const uint32_t i = kit_first_lane(mask), at = of_rays ? ray + i : ray;
+        const uint32_t bit = mask & (0u - mask);
         const double shift = rays->framed.shift[at], unit = rays->framed.unit[at];
 
         out[n].lo = shift + (double)c->lo[i] * unit;
         out[n].hi = shift + (double)c->hi[i] * unit;
         out[n].ray = (uint8_t)at;
         out[n].lane = (uint8_t)(of_rays ? shape : i);
-        out[n].surely = c->surely >> i & 1;
-        out[n].twice = c->twice >> i & 1;
+        out[n].surely = (c->surely & bit) != 0;
+        out[n].twice = (c->twice & bit) != 0;
     }
     return n;
 }
