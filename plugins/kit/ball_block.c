@@ -6,6 +6,15 @@
  * being the sum of the sizes of its origin's coordinates: docs/numerics.md has the count. Radii that much smaller and
  * larger, and bounds that much wider, make the answer safe. */
 #define BLUR (24.0f * KIT_E)
+/* The same of the line of one ray of a company, and of what its others are apart from it. */
+#define BEAM_BLUR (32.0f * KIT_E)
+
+/* From so many rays on a company is looked at as a whole. Of fewer most are apart by so much that most spheres stay. */
+enum { BEAM_LEAST = 24 };
+/* Rays stand in the lanes where there are as many as this for each sphere that is left. */
+enum { BEAM_RAYS = 4 };
+/* The middle of a square of rays, by rows. */
+enum { BEAM_MIDDLE = 28 };
 
 static double place(pov_two c, double centre, double scale) { return (c.hi - centre + c.lo) * scale; }
 
@@ -27,101 +36,263 @@ bool kit_ball_pack(void *block, const pov_frame *frame, const void *const *selve
     return true;
 }
 
-/* The lanes whose spheres the line of a ray may come near to, how far it has gone there, and the square of how near. */
-static inline uint32_t near_lines(const kit_ball_block *s, const pov_rays *rays, uint32_t at, float blur,
-                                  float *restrict middle, float *restrict ww)
+/* One of the spheres, and a ray, in the frame. */
+typedef struct ball { kit_three centre; float radius; } ball;
+typedef struct line { kit_three org, dir; float blur; } line;
+
+KIT_INLINE ball ball_of(const kit_ball_block *s, size_t i)
 {
-    const float ox = rays->framed.org[0][at], oy = rays->framed.org[1][at], oz = rays->framed.org[2][at];
-    const float dx = rays->framed.dir[0][at], dy = rays->framed.dir[1][at], dz = rays->framed.dir[2][at];
-    kit_bits met;
-    uint32_t i;
+    const ball b = { { s->x[i], s->y[i], s->z[i] }, s->radius[i] };
 
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const float x = s->x[i] - ox, y = s->y[i] - oy, z = s->z[i] - oz, outer = s->radius[i] + blur;
-        const float m = kit_float_sum(z, dz, kit_float_sum(y, dy, x * dx));
-        const float wx = kit_float_sum(-m, dx, x), wy = kit_float_sum(-m, dy, y), wz = kit_float_sum(-m, dz, z);
-
-        middle[i] = m;
-        ww[i] = kit_float_sum(wz, wz, kit_float_sum(wy, wy, wx * wx));
-        met.lane[i] = -(ww[i] <= outer * outer * (1.0f + 8.0f * KIT_E));
-    }
-    return kit_gather_bits(&met);
+    return b;
 }
 
-/* Bounds along the ray on the chords that its line and the spheres share, as long as there is one: on where it comes in or,
- * where it starts within, leaves. */
-typedef struct chords {
-    float lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];
-    uint32_t maybe, surely, twice;   /* by lane, as of a meeting */
-} chords;
-
-static inline void bound_chords(const kit_ball_block *s, float blur, float smax, const float *restrict middle,
-                                const float *restrict ww, chords *restrict out)
+KIT_INLINE line line_of(const pov_rays *rays, size_t at)
 {
-    const float sure = smax * (1.0f - 16.0f * KIT_E) - blur;   /* no further away than tmax */
-    kit_bits maybe, surely, twice;
-    uint32_t i;
-
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const float outer = s->radius[i] + blur, inner = s->radius[i] - blur;
-        const float wide = sqrtf(outer * outer * (1.0f + 8.0f * KIT_E) - ww[i]) + blur;
-        const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * KIT_E) - ww[i]) - blur;
-        const float in = middle[i] - wide, surely_in = middle[i] - narrow;
-        const float out_from = middle[i] + narrow, out_to = middle[i] + wide;
-        const int known = (inner > 0.0f) & (narrow > 0.0f), within = known & (surely_in < 0.0f);
-        const float lo = within ? out_from : in, hi = within ? out_to : surely_in;
-
-        out->lo[i] = lo;
-        out->hi[i] = hi;
-        maybe.lane[i] = -((in <= smax) & (out_to >= 0.0f));
-        surely.lane[i] = -(known & (lo > 0.0f) & (hi < sure));
-        twice.lane[i] = -(known & (in > 0.0f) & (out_to < sure));
-    }
-    out->maybe = kit_gather_bits(&maybe);
-    out->surely = kit_gather_bits(&surely);
-    out->twice = kit_gather_bits(&twice);
+    const line l = { { rays->framed.org[0][at], rays->framed.org[1][at], rays->framed.org[2][at] },
+                     { rays->framed.dir[0][at], rays->framed.dir[1][at], rays->framed.dir[2][at] },
+                     BLUR * (1.0f + rays->framed.size[at]) };
+    return l;
 }
 
-static inline uint32_t tell(const chords *c, const pov_rays *rays, uint32_t at, pov_meeting *out, uint32_t n)
+/* Where a line is nearest to a centre: how far it has gone there, and the square of how near. */
+typedef struct nearest { float middle, ww; } nearest;
+
+KIT_INLINE nearest near_line(const ball *b, const line *l)
 {
-    const double shift = rays->framed.shift[at], unit = rays->framed.unit[at];
-    uint32_t mask;
+    const kit_three c = { b->centre.x - l->org.x, b->centre.y - l->org.y, b->centre.z - l->org.z };
+    const float m = kit_dot(c, l->dir);
+    const kit_three w = { kit_float_sum(-m, l->dir.x, c.x), kit_float_sum(-m, l->dir.y, c.y),
+                          kit_float_sum(-m, l->dir.z, c.z) };
+    const nearest n = { m, kit_dot(w, w) };
 
-    for (mask = c->maybe; mask; mask &= mask - 1, n++) {
-        const uint32_t i = kit_first_lane(mask);
-
-        out[n].lo = shift + (double)c->lo[i] * unit;
-        out[n].hi = shift + (double)c->hi[i] * unit;
-        out[n].ray = (uint8_t)at;
-        out[n].lane = (uint8_t)i;
-        out[n].surely = c->surely >> i & 1;
-        out[n].twice = c->twice >> i & 1;
-    }
     return n;
 }
 
-/* Static, since the names of clones would be seen from outside. Most blocks are passed by on every lane: that is found
- * out first. */
-KIT_CLONES static uint32_t filter(const kit_ball_block *s, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
-                                  pov_meeting *out)
+KIT_INLINE int is_near(float ww, float outer) { return ww <= outer * outer * (1.0f + 8.0f * KIT_E); }
+
+/* Bounds along the ray on the chord that its line and a sphere share, if there is one: on where it comes in or, where
+ * it starts within, leaves. */
+KIT_INLINE void bound_chord(float radius, float blur, float smax, float middle, float ww, uint32_t i,
+                            kit_chords *restrict out, kit_conditions *restrict say)
 {
+    const float sure = smax * (1.0f - 16.0f * KIT_E) - blur;   /* no further away than tmax */
+    const float outer = radius + blur, inner = radius - blur;
+    const float wide = sqrtf(outer * outer * (1.0f + 8.0f * KIT_E) - ww) + blur;
+    const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * KIT_E) - ww) - blur;
+    const float in = middle - wide, surely_in = middle - narrow;
+    const float out_from = middle + narrow, out_to = middle + wide;
+    const int known = (inner > 0.0f) & (narrow > 0.0f), within = known & (surely_in < 0.0f);
+    const float lo = within ? out_from : in, hi = within ? out_to : surely_in;
+
+    out->lo[i] = lo;
+    out->hi[i] = hi;
+    say->maybe.lane[i] = -((in <= smax) & (out_to >= 0.0f));
+    say->surely.lane[i] = -(known & (lo > 0.0f) & (hi < sure));
+    say->twice.lane[i] = -(known & (in > 0.0f) & (out_to < sure));
+}
+
+/* Most spheres are passed by on every lane: that is found out first. */
+KIT_INLINE void meet_balls(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
+{
+    const kit_ball_block *s = block;
+    const line l = line_of(rays, at);
+    const float smax = rays->framed.smax[at];
     float middle[POV_BLOCK_MAX], ww[POV_BLOCK_MAX];
+    kit_conditions say;
+    uint32_t i;
+
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const ball b = ball_of(s, i);
+        const nearest n = near_line(&b, &l);
+
+        middle[i] = n.middle;
+        ww[i] = n.ww;
+        say.maybe.lane[i] = -is_near(n.ww, b.radius + l.blur);
+    }
+    some &= kit_bits_of(&say.maybe, POV_BLOCK_MAX);
+    out->maybe = 0;
+    if (!some)
+        return;
+    for (i = 0; i < POV_BLOCK_MAX; i++)
+        bound_chord(s->radius[i], l.blur, smax, middle[i], ww[i], i, out, &say);
+    kit_gather(&say, POV_BLOCK_MAX, some, out);
+}
+
+KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                          kit_chords *restrict out)
+{
+    const ball b = ball_of(block, which);
+    float middle[KIT_FLOATS], ww[KIT_FLOATS];
+    kit_conditions say;
+    uint32_t i;
+
+    for (i = 0; i < KIT_FLOATS; i++) {
+        const line l = line_of(rays, from + i);
+        const nearest n = near_line(&b, &l);
+
+        middle[i] = n.middle;
+        ww[i] = n.ww;
+        say.maybe.lane[i] = -is_near(n.ww, b.radius + l.blur);
+    }
+    some &= kit_bits_of(&say.maybe, KIT_FLOATS);
+    out->maybe = 0;
+    if (!some)
+        return;
+    for (i = 0; i < KIT_FLOATS; i++)
+        bound_chord(b.radius, line_of(rays, from + i).blur, rays->framed.smax[from + i], middle[i], ww[i], i, out, &say);
+    kit_gather(&say, KIT_FLOATS, some, out);
+}
+
+/* How far rays are apart from one of them: squares of the distances of starts and directions, and the largest size. */
+typedef struct apart { float org, dir, size; } apart;
+
+KIT_INLINE apart apart_of(const pov_rays *rays, size_t at, uint32_t in, const line *from)
+{
+    const line l = line_of(rays, at);
+    const kit_three o = { l.org.x - from->org.x, l.org.y - from->org.y, l.org.z - from->org.z };
+    const kit_three d = { l.dir.x - from->dir.x, l.dir.y - from->dir.y, l.dir.z - from->dir.z };
+    const float oo = kit_dot(o, o), dd = kit_dot(d, d), size = rays->framed.size[at];
+    const apart a = { in ? oo : 0.0f, in ? dd : 0.0f, in ? size : 0.0f };
+
+    return a;
+}
+
+KIT_INLINE apart wider(apart a, apart b)
+{
+    const apart w = { kit_float_greater(a.org, b.org), kit_float_greater(a.dir, b.dir),
+                      kit_float_greater(a.size, b.size) };
+
+    return w;
+}
+
+KIT_INLINE void halve(const float *restrict v, float *restrict out, uint32_t n)
+{
+    uint32_t i;
+
+    for (i = 0; i < n; i++)
+        out[i] = kit_float_greater(v[i], v[i + n]);
+}
+
+KIT_INLINE float largest(const float *v)
+{
+    float eight[8], four[4];
+
+    if (KIT_FLOATS > 8) {
+        halve(v, eight, 8);
+        v = eight;
+    }
+    halve(v, four, 4);
+    return kit_float_greater(kit_float_greater(four[0], four[1]), kit_float_greater(four[2], four[3]));
+}
+
+/* Four lots of lanes at a time, so that what is found does not go through memory with each of them. */
+KIT_INLINE apart widest(const pov_rays *rays, uint64_t lanes, const line *from)
+{
+    float org[KIT_FLOATS] = { 0.0f }, dir[KIT_FLOATS] = { 0.0f }, size[KIT_FLOATS] = { 0.0f };
+    uint32_t first, i;
+    apart all;
+
+    for (first = 0; first < POV_RAYS_MAX; first += 4 * KIT_FLOATS) {
+        const uint32_t second = first + KIT_FLOATS, third = second + KIT_FLOATS, fourth = third + KIT_FLOATS;
+        const uint32_t in[4] = { (uint32_t)(lanes >> first), (uint32_t)(lanes >> second), (uint32_t)(lanes >> third),
+                                 (uint32_t)(lanes >> fourth) };
+
+        for (i = 0; i < KIT_FLOATS; i++) {
+            const apart before = { org[i], dir[i], size[i] };
+            const apart a = wider(apart_of(rays, first + i, in[0] >> i & 1, from),
+                                  apart_of(rays, second + i, in[1] >> i & 1, from));
+            const apart b = wider(apart_of(rays, third + i, in[2] >> i & 1, from),
+                                  apart_of(rays, fourth + i, in[3] >> i & 1, from));
+            const apart w = wider(wider(a, b), before);
+
+            org[i] = w.org;
+            dir[i] = w.dir;
+            size[i] = w.size;
+        }
+    }
+    all.org = largest(org);
+    all.dir = largest(dir);
+    all.size = largest(size);
+    return all;
+}
+
+/* The spheres that any ray of a company may come near to. Where a ray touches a sphere, s along it, that in the middle
+ * is no further than R = radius + org + s dir from the centre, and s no more than R beyond where that one is nearest:
+ * R (1 - dir) is no more than radius + org + dir times the way there. Where little is known all spheres are named. */
+KIT_INLINE uint32_t near_beam(const kit_ball_block *s, const pov_rays *rays, uint64_t lanes)
+{
+    const uint64_t later = lanes >> BEAM_MIDDLE << BEAM_MIDDLE;
+    const line l = line_of(rays, kit_first_lane64(later ? later : lanes));
+    const apart w = widest(rays, lanes, &l);
+    const float dir = sqrtf(w.dir) * (1.0f + 32.0f * KIT_E), keep = 1.0f - dir;
+    const float pad = sqrtf(w.org) + BEAM_BLUR * (1.0f + w.size);
+    kit_bits near;
+    uint32_t i;
+
+    if (!(dir < 0.5f))
+        return (1u << POV_BLOCK_MAX) - 1;
+    for (i = 0; i < POV_BLOCK_MAX; i++) {
+        const ball b = ball_of(s, i);
+        const nearest n = near_line(&b, &l);
+        const float outer = kit_float_sum(kit_float_greater(n.middle, 0.0f), dir, b.radius + pad);
+
+        near.lane[i] = -(is_near(n.ww * (keep * keep), outer) & (n.middle + outer + outer >= 0.0f));
+    }
+    return kit_gather_bits(&near);
+}
+
+KIT_INLINE uint32_t by_rays(const kit_ball_block *s, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                            pov_meeting *out)
+{
     uint32_t n = 0;
-    chords c;
+    kit_chords c;
 
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t at = kit_first_lane64(lanes);
-        const float blur = BLUR * (1.0f + rays->framed.size[at]);
 
-        const uint32_t near = near_lines(s, rays, at, blur, middle, ww) & ~kit_owned_by(owners, rays->away[at]);
-
-        if (!near)
-            continue;
-        bound_chords(s, blur, rays->framed.smax[at], middle, ww, &c);
-        c.maybe &= near;
-        n = tell(&c, rays, at, out, n);
+        meet_balls(s, rays, at, ~kit_owned_by(owners, rays->away[at]), &c);
+        n = kit_tell_chords(&c, rays, at, 0, false, out, n);
     }
     return n;
+}
+
+KIT_INLINE uint32_t by_balls(const kit_ball_block *s, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                             uint32_t near, pov_meeting *out)
+{
+    const uint64_t together = (UINT64_C(1) << KIT_FLOATS) - 1;
+    uint32_t n = 0, from;
+    kit_chords c;
+
+    for (; near; near &= near - 1) {
+        const uint32_t which = kit_first_lane(near);
+
+        for (from = 0; from < POV_RAYS_MAX; from += KIT_FLOATS) {
+            const uint32_t some = (uint32_t)(lanes >> from & together);
+            const uint32_t stay = some & ~kit_rays_of(rays->away + from, owners[which]);
+
+            if (!stay)
+                continue;
+            meet_rays(s, which, rays, from, stay, &c);
+            n = kit_tell_chords(&c, rays, from, which, true, out, n);
+        }
+    }
+    return n;
+}
+
+/* Static, since the names of clones would be seen from outside. */
+KIT_CLONES static uint32_t filter(const kit_ball_block *s, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                                  pov_meeting *out)
+{
+    const uint32_t count = kit_count(lanes);
+
+    if (count >= BEAM_LEAST) {
+        const uint32_t near = near_beam(s, rays, lanes);
+
+        if (kit_count(near) * BEAM_RAYS <= count)
+            return by_balls(s, owners, rays, lanes, near, out);
+    }
+    return by_rays(s, owners, rays, lanes, out);
 }
 
 uint32_t kit_ball_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)

@@ -121,6 +121,20 @@ static inline uint32_t kit_first_lane64(uint64_t mask)
 #endif
 }
 
+/* How many bits are set. */
+static inline uint32_t kit_count(uint64_t mask)
+{
+#ifdef __GNUC__
+    return (uint32_t)__builtin_popcountll(mask);
+#else
+    uint32_t n;
+
+    for (n = 0; mask; mask &= mask - 1)
+        n++;
+    return n;
+#endif
+}
+
 /* Puts what was answered of a ray after the n meetings that there are; gives how many there are then. */
 static inline uint32_t kit_tell(const kit_answer *a, uint32_t ray, pov_meeting *out, uint32_t n)
 {

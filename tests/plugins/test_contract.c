@@ -606,6 +606,103 @@ static bool put_in_frame(pov_rays *rays, uint32_t i, const pov_ray *ray, const p
     return true;
 }
 
+/* One that passes near the thing as another does, apart from it by parts of the thing's size. */
+static pov_ray beside(const thing *t, pov_ray ray, double org, double dir)
+{
+    const double length = length_of(ray.dir), way = length_of(pov_sub(t->middle, ray.org)) + t->size;
+    const pov_vec3 off = pov_scale(subject_direction(), t->size * dir * subject_uniform() / way);
+
+    ray.org = pov_add(ray.org, pov_scale(subject_direction(), t->size * org * subject_uniform()));
+    ray.dir = pov_scale(pov_unit(pov_add(pov_scale(ray.dir, 1.0 / length), off)), length);
+    return ray;
+}
+
+/* From near the start of another to a point of the ball around the thing. */
+static pov_ray aimed(const thing *t, pov_ray ray, double org)
+{
+    const pov_vec3 at = pov_add(t->middle, pov_scale(subject_direction(), 0.5 * t->size));
+
+    ray.org = pov_add(ray.org, pov_scale(subject_direction(), t->size * org * subject_uniform()));
+    ray.dir = pov_scale(pov_unit(pov_sub(at, ray.org)), length_of(ray.dir));
+    return ray;
+}
+
+/* A company, as it comes from a camera or a mirror: one ray and others beside it, or one that goes elsewhere. */
+static void company_rays(const thing *t, pov_ray *out)
+{
+    const bool alike = subject_uniform() < 0.3;
+    const double org = subject_uniform() < 0.5 ? 0.0 : pow(10.0, -8.0 * subject_uniform());
+    const double dir = alike ? 0.0 : pow(10.0, 1.0 - 8.0 * subject_uniform());
+    const pov_ray one = block_ray(t), past = beside(t, one, 0.0, 4.0);
+    const bool some = subject_uniform() < 0.5;
+    uint32_t i;
+
+    for (i = 0; i < POV_RAYS_MAX; i++)
+        out[i] = some ? beside(t, one, org, dir) : past;
+    if (!some)
+        out[(uint32_t)(POV_RAYS_MAX * subject_uniform())] = aimed(t, past, org);
+}
+
+static void block_rays(const thing *const *things, uint32_t n, pov_ray *out)
+{
+    uint32_t i;
+
+    if (subject_uniform() < 0.6) {
+        company_rays(things[(uint32_t)(n * subject_uniform())], out);
+        return;
+    }
+    for (i = 0; i < POV_RAYS_MAX; i++)
+        out[i] = block_ray(things[(uint32_t)(n * subject_uniform())]);
+}
+
+/* A ray that nothing is known of, as a world says it. */
+static void put_blind(pov_rays *rays, uint32_t i)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        rays->framed.org[k][i] = 0.0f;
+        rays->framed.dir[k][i] = 1.0f;
+    }
+    rays->framed.size[i] = rays->framed.smax[i] = HUGE_VALF;
+    rays->framed.shift[i] = 0.0;
+    rays->framed.unit[i] = 1.0;
+}
+
+/* What stands in a lane that nobody asks for: anything. */
+static void put_nothing(pov_rays *rays, uint32_t i)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        rays->framed.org[k][i] = NAN;
+        rays->framed.dir[k][i] = subject_uniform() < 0.5 ? NAN : HUGE_VALF;
+    }
+    rays->framed.size[i] = subject_uniform() < 0.5 ? NAN : HUGE_VALF;
+}
+
+/* Which of the rays are where filters want them. */
+static uint64_t put_rays(pov_rays *rays, const pov_ray *ray, const pov_frame *frame, const thing *const *things, uint32_t n)
+{
+    const double asked = subject_uniform() < 0.5 ? 0.95 : 0.6, blind = subject_uniform() < 0.2 ? 0.05 : 0.0;
+    uint64_t lanes = 0;
+    uint32_t i;
+
+    for (i = 0; i < POV_RAYS_MAX; i++) {
+        const double scale = things[(uint32_t)(n * subject_uniform())]->size / length_of(ray[i].dir);
+        const double tmax = subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform();
+
+        if (subject_uniform() < asked && put_in_range(rays, i, &ray[i], tmax)
+            && (frame->scale == 0.0 || put_in_frame(rays, i, &ray[i], frame)))
+            lanes |= (uint64_t)1 << i;
+        else
+            put_nothing(rays, i);
+        if (subject_uniform() < blind)
+            put_blind(rays, i);
+    }
+    return lanes;
+}
+
 /* Rays at some things; how many of the answers are wrong. */
 static int wrong_answers(const void *block, const pov_frame *frame, const thing *const *things, uint32_t n, int *seen)
 {
@@ -615,22 +712,19 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
     static const uint32_t owners[POV_BLOCK_MAX] = { 11, 12, 13, 14, 15, 16, 17, 18 };
     const bool convex = subject.shape->flags & POV_SHAPE_CONVEX;
     const pov_meeting *of[POV_RAYS_MAX][POV_BLOCK_MAX];
-    uint64_t lanes = 0;
+    uint64_t lanes;
     uint32_t count, i, k;
     int broken = 0;
 
-    for (i = 0; i < POV_RAYS_MAX; i++) {
-        const thing *t = things[(uint32_t)(n * subject_uniform())];
-        const double scale = t->size / length_of((ray[i] = block_ray(t)).dir);
-
-        if (put_in_range(&rays, i, &ray[i], subject_uniform() < 0.5 ? HUGE_VAL : 20.0 * scale * subject_uniform())
-            && (frame->scale == 0.0 || put_in_frame(&rays, i, &ray[i], frame)))
-            lanes |= (uint64_t)(subject_uniform() < 0.8) << i;
+    block_rays(things, n, ray);
+    lanes = put_rays(&rays, ray, frame, things, n);
+    for (i = 0; i < POV_RAYS_MAX; i++)
         rays.away[i] = subject_uniform() < 0.3 ? owners[(uint32_t)(n * subject_uniform())] : POV_NOBODY;
-    }
     /* Now and then one alone. */
     if (subject_uniform() < 0.3)
         lanes &= ~(lanes - 1);
+    if (!lanes)
+        return 0;
     memset(of, 0, sizeof of);
     count = subject.shape->block_filter(block, owners, &rays, lanes, met);
     for (i = 0; i < count; i++) {
