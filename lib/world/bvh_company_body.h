@@ -108,6 +108,7 @@ COMPANY_TARGET static uint64_t COMPANY_NAME(enter_lanes)(company *c, uint32_t fr
 
     *blind = 0;
     c->frame = frame;
+    c->party->in = &c->tree->frames[frame];
     if (!plain)
         lanes = enter_each(c, frame, lanes, blind);
     if (!lanes)

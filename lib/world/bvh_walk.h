@@ -32,6 +32,7 @@ typedef struct bvh_walk {
     const pov_ray *ray;
     double length, per_length;   /* of the ray's direction, and the inverse */
     pov_rays *framed;            /* whose first lane is to stand in the frame, for blocks; or NULL */
+    const bvh_frame *in;         /* what it stands in */
     uint32_t frame, at;          /* where it begins: a reference in a frame */
     double limit;                /* nothing beyond this t counts; leaves may lower it */
     /* What lies in a leaf. True: the walk may end. */
@@ -50,6 +51,7 @@ typedef struct bvh_party {
     uint32_t count;
     uint64_t lanes;              /* those that walk */
     SIMD_ALIGNED pov_rays side;  /* the rays by component; lanes from count to the next multiple of eight hold the last */
+    const bvh_frame *in;         /* what they stand in */
     double length[BVH_COMPANY];  /* of directions */
     double limit[BVH_COMPANY];   /* as a walk's, by lane */
     uint64_t lowered;            /* a leaf lowered the limit of these: whoever sees that takes the bits out */

@@ -78,6 +78,7 @@ WALK_TARGET static inline bool WALK_NAME(enter)(bvh_walk *w, uint32_t frame, bvh
     WALK_SPREAD(&l, *limit, lanes);
     if (w->framed)
         bvh_stand(w->framed, 0, &l, *limit);
+    w->in = &w->tree->frames[frame];
     *local = l;
     return true;
 }

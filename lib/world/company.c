@@ -58,6 +58,7 @@ static uint64_t take_rays(company *c, const pov_ray *const *rays, uint64_t which
 static void begin(company *c, const world *w, walker *k, double tmax)
 {
     c->party.tree = &w->tree;
+    c->party.in = NULL;
     c->party.rays = c->rays;
     c->party.lowered = 0;
     c->world = w;
@@ -125,6 +126,7 @@ uint64_t company_stand_in_list(company *c, uint64_t lanes)
 
     if (!c->world->list_packed)
         return lanes;
+    c->party.in = &c->world->list_frame;
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
 

@@ -60,7 +60,7 @@ static bool take_light(company *c, const run *r, const pov_meeting *m)
 
 static uint64_t filter_light(company *c, const run *r, uint64_t lanes)
 {
-    const uint32_t n = run_filter(r, &c->party.side, lanes, c->met);
+    const uint32_t n = run_filter(r, c->party.in, &c->party.side, lanes, c->met);
     const uint32_t blocking = c->any_blocks ? r->casts : r->casts & r->opaque;
     uint64_t ended = 0;
     uint32_t i;

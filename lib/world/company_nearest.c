@@ -103,7 +103,7 @@ static void ask_open(company *c, const run *r, pairs *open, const uint8_t *lanes
 static void filter_nearest(company *c, const run *r, uint64_t lanes)
 {
     const pov_meeting *m = c->met;
-    uint32_t n = run_filter(r, &c->party.side, lanes, c->met);
+    uint32_t n = run_filter(r, c->party.in, &c->party.side, lanes, c->met);
     uint8_t open_lanes[WORLD_MANY];
     pairs open;
 

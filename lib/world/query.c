@@ -67,6 +67,7 @@ static void begin(query *q, const world *w, walker *k, const pov_ray *ray, doubl
     q->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
     q->walk.limit = tmax;
     q->walk.framed = &q->rays;
+    q->walk.in = NULL;
     q->waiting = 0;
     side_put(&q->rays, 0, ray);
     q->in_range = side_derive(&q->rays, 0, tmax, &q->walk.length) != 0;
@@ -84,6 +85,7 @@ static bool stand_in_list(query *q, const world *w)
     if (!bvh_enter(&w->list_frame, q->walk.ray, q->walk.length, q->walk.per_length, &l))
         return false;
     bvh_stand(&q->rays, 0, &l, bvh_limit(l.scale, l.shift, q->walk.limit));
+    q->walk.in = &w->list_frame;
     return true;
 }
 
@@ -144,7 +146,7 @@ static void filter_nearest(query *q, const run *r)
     uint32_t n;
 
     q->rays.tmax[0] = just_beyond(q->walk.limit);
-    n = run_filter(r, &q->rays, 1, met);
+    n = run_filter(r, q->walk.in, &q->rays, 1, met);
     for (m = met; n > 0; m++, n--) {
         const bool left = r->object[m->lane] == ray->left;
 
@@ -298,7 +300,7 @@ static bool filter_shadow(query *q, const run *r)
     pov_meeting met[POV_BLOCK_MAX];
     uint32_t n, i, mask = 0;
 
-    n = run_filter(r, &q->rays, 1, met);
+    n = run_filter(r, q->walk.in, &q->rays, 1, met);
     for (i = 0; i < n; i++)
         if (is_blocked(r, &met[i], blocking, ray))
             return true;

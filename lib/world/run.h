@@ -9,7 +9,7 @@ enum { RUN_WIDTH = 8 };
 
 enum {
     RUN_PACKED = 1,              /* a filter: a block, or a stand of one shape, RUN_HEAD bytes behind the run's start */
-    RUN_ROOM = 2,                /* there is room for a block there, packed or not */
+    RUN_ROOM = 2,                /* there is room for a block there, packed or not; behind a placement, for its stand */
     RUN_MORE = 4,                /* another run follows */
     RUN_PLACED = 8,              /* one shape only, and its placement behind its object */
     RUN_CLASS_SHIFT = 4          /* the bits above are the number of the class: see class_counts */
@@ -44,8 +44,11 @@ static inline const placement *run_placement(const run *r)
     return (const placement *)(const void *)((const unsigned char *)r + RUN_PLACE);
 }
 
-/* Of one that has no room for a block: a placement has its stand in the same place. */
-static inline const stand *run_stand(const run *r) { return run_block(r); }
+/* Of one shape that shares no block. A placement that has no room for its stand makes it anew for each question. */
+static inline const stand *run_stand(const run *r)
+{
+    return (const stand *)(const void *)((const unsigned char *)r + (r->flags & RUN_PLACED ? RUN_PLACED_BYTES : RUN_HEAD));
+}
 
 /* Are shapes of a class that share no block to be looked at as ellipsoids? Each stands alone then. */
 static inline bool run_may_stand(const pov_shape_class *shape) { return POV_SHAPE_HAS(shape, ellipsoid); }
@@ -54,7 +57,7 @@ static inline bool run_may_stand(const pov_shape_class *shape) { return POV_SHAP
 static inline size_t run_bytes(const pov_shape_class *shape, unsigned flags)
 {
     if (flags & RUN_PLACED)
-        return RUN_PLACED_BYTES;
+        return RUN_PLACED_BYTES + (flags & RUN_ROOM ? sizeof(stand) : 0);
     if (flags & RUN_ROOM)
         return RUN_HEAD + (shape->block_size + 63) / 64 * 64;
     return RUN_HEAD + (run_may_stand(shape) ? sizeof(stand) : 0);
@@ -69,12 +72,19 @@ static inline const run *run_next(const run *r)
     return (const run *)(const void *)((const unsigned char *)r + run_bytes(r->shape, r->flags));
 }
 
-/* Of one that is RUN_PACKED. */
-static inline uint32_t run_filter(const run *r, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+/* Of one that is RUN_PACKED; frame: what the rays stand in. */
+static inline uint32_t run_filter(const run *r, const bvh_frame *frame, const pov_rays *rays, uint64_t lanes,
+                                  pov_meeting *out)
 {
-    if (r->flags & RUN_ROOM)
+    const unsigned kind = r->flags & (RUN_PLACED | RUN_ROOM);
+    stand s;
+
+    if (kind == RUN_ROOM)
         return r->shape->block_filter(run_block(r), r->object, rays, lanes, out);
-    return placement_filter(run_stand(r), r->object[0], rays, lanes, out);
+    if (kind != RUN_PLACED)
+        return placement_filter(run_stand(r), r->object[0], rays, lanes, out);
+    placement_stand(run_placement(r), frame, &s);
+    return placement_filter(&s, r->object[0], rays, lanes, out);
 }
 
 /* The record of a placed shape, which its ray is taken to first. */

@@ -67,9 +67,14 @@ static uint32_t run_length(const flat *f, const uint32_t *ids, uint32_t count)
     return n;
 }
 
-static unsigned room_of(const shape_group *g)
+/* What stands of placed shapes hold, a line of memory each, is too much where there are more of them. */
+enum { STANDS_MOST = 1 << 17 };
+
+static unsigned room_of(const flat *f, const shape_group *g)
 {
-    return g->placed ? RUN_PLACED : g->packs ? RUN_ROOM : 0;
+    if (g->placed)
+        return f->composed <= STANDS_MOST ? RUN_PLACED | RUN_ROOM : RUN_PLACED;
+    return g->packs ? RUN_ROOM : 0;
 }
 
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
@@ -84,7 +89,7 @@ size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
         const shape_group *g = &f->groups[f->group[ids[0]]];
         n = run_length(f, ids, count);
         r->at[part * f->group_count + f->group[ids[0]]] += n;
-        bytes += run_bytes(g->shape, room_of(g));
+        bytes += run_bytes(g->shape, room_of(f, g));
         if (g->placed && f->last)
             r->of[part].maps += f->maps[ids[0]];
     }
@@ -226,10 +231,14 @@ static const void *place(runs *r, uint32_t part, const bvh_frame *frame, uint32_
 {
     unsigned char *start = (unsigned char *)out;
     placement *p = (placement *)(void *)(start + RUN_PLACE);
+    stand s;
 
     flat_place(r->flat, id, map_of(r, part, id), p);
-    if (r->flat->use_blocks && frame && placement_stand(p, frame, &p->stand))
+    if (r->flat->use_blocks && frame && placement_stand(p, frame, &s)) {
         out->flags |= RUN_PACKED;
+        if (out->flags & RUN_ROOM)
+            memcpy(start + RUN_PLACED_BYTES, &s, sizeof s);
+    }
     r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
     return r->flat->moved[id];
 }
@@ -263,10 +272,10 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
     const void *selves[RUN_WIDTH] = { NULL };
     uint32_t i;
 
-    memset(out, 0, run_bytes(g->shape, room_of(g)));
+    memset(out, 0, run_bytes(g->shape, room_of(f, g)));
     out->shape = g->shape;
     out->count = (uint8_t)count;
-    out->flags = (uint8_t)(room_of(g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
+    out->flags = (uint8_t)(room_of(f, g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
     for (i = 0; i < count; i++) {
         const object *o = &m->objects.items[ids[i]];
         selves[i] = g->placed ? place(r, part, frame, ids[i], out) : settle(r, ids[i], (*at)++);

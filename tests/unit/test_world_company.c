@@ -378,6 +378,31 @@ static void absurd_rays_among_ordinary_ones(void **state)
     end(&s);
 }
 
+/* So many that what filters see of them is not kept. */
+static void more_placed_shapes_than_stands_are_kept_of(void **state)
+{
+    const test_brick brick = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
+    subject s;
+    int i, hits = 0;
+    (void)state;
+
+    begin(&s, 10);
+    add_things(&s, 200, 1.0, origin, true);
+    for (i = 0; i <= 1 << 17; i++) {
+        const pov_vec3 at = somewhere(&s, 1.0);
+        const transform *map = test_transform(&s.model, NULL, TRANSFORM_SCALE, 0.004, 0.005, 0.006);
+
+        map = test_transform(&s.model, map, TRANSFORM_ROTATE, 20.0, i % 90, 0.0);
+        map = test_transform(&s.model, map, TRANSFORM_TRANSLATE, at.x, at.y, at.z);
+        test_add(&s.model, &test_brick_class, &brick, map, 0, 0);
+    }
+    build(&s, POV_ACCEL_TREE);
+    for (i = 0; i < 20; i++)
+        hits += beam(&s, WORLD_MANY, pov_scale(test_direction(&s.random), 3.0), somewhere(&s, 0.5), 0.05, 1.0);
+    assert_true(hits > 1000);
+    end(&s);
+}
+
 static void a_company_that_meets_nothing(void **state)
 {
     subject s;
@@ -424,6 +449,7 @@ int main(void)
         cmocka_unit_test(rays_of_all_directions_at_once),
         cmocka_unit_test(rays_along_axes),
         cmocka_unit_test(absurd_rays_among_ordinary_ones),
+        cmocka_unit_test(more_placed_shapes_than_stands_are_kept_of),
         cmocka_unit_test(a_company_that_meets_nothing),
         cmocka_unit_test(lists_and_infinite_shapes),
     };

@@ -283,7 +283,7 @@ static void check_answer(const pov_meeting *said, uint32_t hits, const pov_cross
 }
 
 /* A ball under the map is the ellipsoid of these rows, and stands as that does. */
-static void check_ellipsoid(const placement *p, const bvh_frame *frame)
+static void check_ellipsoid(const placement *p, const bvh_frame *frame, const stand *stands)
 {
     const pov_vec3 *c = p->column;
     const pov_ellipsoid e = { p->anchor, { 0.0, 0.0, 0.0 },
@@ -295,7 +295,7 @@ static void check_ellipsoid(const placement *p, const bvh_frame *frame)
     if (p->known != PLACEMENT_IS_BALL)
         return;
     assert_true(placement_stand_ellipsoid(&e, frame, &s));
-    assert_memory_equal(&s, &p->stand, sizeof s);
+    assert_memory_equal(&s, stands, sizeof s);
 }
 
 static void check_map(model *m, test_random *r, const pov_shape_class *shape, pov_box own, tally *t)
@@ -311,6 +311,7 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     pov_box around;
     pov_affine map;
     placement p;
+    stand stands;
     bool fits;
 
     assert_true(transform_compose(random_map(m, r), &map));
@@ -318,10 +319,10 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     placement_init(&p, &map, &own, &around, shape->flags);
     assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
     frame = random_frame(r, &around);
-    fits = placement_stand(&p, &frame, &p.stand);
+    fits = placement_stand(&p, &frame, &stands);
     t->fits += fits;
     if (fits)
-        check_ellipsoid(&p, &frame);
+        check_ellipsoid(&p, &frame, &stands);
     for (i = 0; i < RAYS; i++) {
         const pov_ray ray = random_ray(r, &map, &own);
         const double tmax = test_below(r, 2) ? HUGE_VAL : power(r, -3.0, 6.0);
@@ -334,7 +335,7 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     }
     check_together(&p, sent, 1 + test_below(r, RAYS));
     check_turned(&p, r, 1 + test_below(r, RAYS));
-    count = fits ? placement_filter(&p.stand, NOT_LEFT, &rays, lanes, met) : 0;
+    count = fits ? placement_filter(&stands, NOT_LEFT, &rays, lanes, met) : 0;
     for (i = 0; i < count; i++) {
         assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
         of[met[i].ray / APART] = &met[i];
@@ -402,6 +403,7 @@ static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
     pov_box around;
     pov_affine map;
     placement p;
+    stand s;
     pov_ray ray;
     model m;
 
@@ -416,8 +418,8 @@ static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
     ray.left_mark.flags = mark;
     assert_true(put_ray(&rays, 5, &frame, &ray, HUGE_VAL));
     model_free(&m);
-    assert_true(placement_stand(&p, &frame, &p.stand));
-    return placement_filter(&p.stand, 7, &rays, 32, &met);
+    assert_true(placement_stand(&p, &frame, &s));
+    return placement_filter(&s, 7, &rays, 32, &met);
 }
 
 static void who_goes_away_from_a_box_or_ball_is_left_out(void **state)
