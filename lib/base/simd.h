@@ -17,10 +17,16 @@
 #define SIMD_ONE_CLONE 1
 #endif
 
+/* SIMD_APART: what must stay a call besides. Clones do anyway, and not every compiler takes both words. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(SIMD_ONE_CLONE)
 #define SIMD_CLONES __attribute__((target_clones("avx2", "default")))
+#define SIMD_APART
+#elif defined(__GNUC__)
+#define SIMD_CLONES
+#define SIMD_APART __attribute__((noinline))
 #else
 #define SIMD_CLONES
+#define SIMD_APART
 #endif
 
 /* What such a loop calls: it must not stay a call. */
@@ -28,13 +34,6 @@
 #define SIMD_INLINE __attribute__((always_inline)) static inline
 #else
 #define SIMD_INLINE static inline
-#endif
-
-/* What must stay one. */
-#if defined(__GNUC__)
-#define SIMD_APART __attribute__((noinline))
-#else
-#define SIMD_APART
 #endif
 
 /* A type or member that begins with a line of memory, so that no vector of it lies across two: that costs as much as two.

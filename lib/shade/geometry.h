@@ -17,7 +17,7 @@ static inline int64_t geometry_unit(double x, double y, double z, pov_vec3 *out)
     const double square = x * x + y * y + z * z, length = sqrt(square);
 
     *out = pov_vec3_of(x / length, y / length, z / length);
-    return (square >= 1e-239) & (square <= 1e239) ? -1 : 0;
+    return ((square >= 1e-239) & (square <= 1e239)) ? -1 : 0;
 }
 
 #endif

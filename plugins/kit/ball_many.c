@@ -10,6 +10,7 @@ typedef struct ball_lanes {
     kit_lane tmin;               /* who enters before that starts within */
 } ball_lanes;
 
+#ifndef KIT_TRANSPOSES
 static inline void put_ball(ball_lanes *l, uint32_t i, const kit_ball *s)
 {
     kit_put(&l->centre, i, pov_two3_hi(s->centre));
@@ -17,6 +18,7 @@ static inline void put_ball(ball_lanes *l, uint32_t i, const kit_ball *s)
     l->radius[i] = s->radius.hi;
     l->radius_lo[i] = s->radius.lo;
 }
+#endif
 
 /* Pairs into four lanes from i on. */
 KIT_INLINE void put_four(ball_lanes *l, uint32_t i, const void *const *selves, const pov_ray *const *rays, uint32_t n)
