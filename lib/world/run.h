@@ -101,8 +101,9 @@ static inline void run_intersect(const run *r, uint32_t lane, const pov_ray *ray
     if (r->flags & RUN_PLACED) {
         run_expect(r);
         placement_intersect(run_placement(r), r->shape, r->instances, ray, hits);
-    } else
+    } else {
         r->shape->intersect(run_instance(r, lane), ray, hits);
+    }
 }
 
 #endif
