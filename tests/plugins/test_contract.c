@@ -357,6 +357,14 @@ static pov_vec3 linear(const double m[3][4], pov_vec3 v)
                        m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z);
 }
 
+/* How far along a ray of unit direction the map's own rounding may move a crossing. One far out, of a ray nearly
+ * along an asymptote, is where a square term of the ray's equation, that the map leaves a rounding or so wrong,
+ * meets one of the first degree: it moves with the square of its distance. */
+static double may_move(const thing *t, double size, double reach)
+{
+    return 1e-6 * size + 64.0 * DBL_EPSILON * reach * (reach / t->size);
+}
+
 /* The mapped shape against the ray taken back: the same crossings but for what the map's own rounding
  * moves. */
 static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine *f, const pov_ray *ray)
@@ -382,9 +390,10 @@ static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine
         return subject_ask(t->self, &beside, own) != n || n + m <= 2;
     }
     for (i = 0; i < n; i++) {
+        const double speed = length_of(ray->dir);
         pov_vec3 a, b;
 
-        if (fabs(own[i].t - taken[i].t) * length_of(ray->dir) > 1e-6 * size)
+        if (fabs(own[i].t - taken[i].t) * speed > may_move(t, size, fabs(own[i].t) * speed))
             return false;
         subject.shape->normal(t->self, ray, &own[i], &a);
         subject.shape->normal(mapped, &there, &taken[i], &b);
