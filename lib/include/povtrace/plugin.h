@@ -217,9 +217,9 @@ typedef struct pov_shape_class {
     /* [load] [load] [render] Up to POV_BLOCK_MAX shapes of this class side by side in the plugin's own layout,
      * 64-byte aligned: a quick filter before intersect(), which the host asks for every lane still in question.
      * block_pack returns false to decline (values out of its range, or no gain); frame is NULL for shapes without bounds.
-     * block_filter looks from 0 to its tmax along each ray that `lanes` has a bit for, puts whom it may meet into out, in
-     * any order, no ray and lane twice, and gives how many. owners has room for POV_BLOCK_MAX; a convex shape may be left
-     * out of what a ray goes away from it meets. */
+     * block_filter looks from 0 to its tmax along each ray that `lanes` has a bit for, one at least, puts whom it may
+     * meet into out, in any order, no ray and lane twice, and gives how many. owners has room for POV_BLOCK_MAX; a convex
+     * shape may be left out of what a ray goes away from it meets. */
     size_t block_size;
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
     uint32_t (*block_filter)(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
