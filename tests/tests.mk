@@ -71,7 +71,9 @@ $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcar
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
 $(BUILD)/tests/plugins/test_parse: | $(PRIMITIVES)
-$(BUILD)/tests/plugins/test_contract: $(BUILD)/obj/tests/plugins/subject.o | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
+CONTRACT_SOURCES = $(wildcard tests/plugins/contract_*.c) tests/plugins/subject.c
+$(BUILD)/tests/plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/%.o)
+$(BUILD)/tests/plugins/test_contract: | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
 $(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)

@@ -70,6 +70,8 @@ static const struct hard { const char *keyword, *text; double x, y, z, half; } h
 
 static uint64_t state = 88172645463325252u;
 
+double subject_length(pov_vec3 a) { return sqrt(pov_dot(a, a)); }
+
 double subject_uniform(void)
 {
     state ^= state << 13;
@@ -207,6 +209,24 @@ pov_ray subject_ray(const thing *t)
     ray.dir = pov_scale(d, pow(10.0, 6.0 * subject_uniform() - 3.0));
     ray.left = POV_NOBODY;
     return ray;
+}
+
+void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
+{
+    int i, j, broken = 0;
+
+    for (i = 0; i < subject.count; i++) {
+        for (j = 0; j < rays; j++) {
+            const pov_ray ray = subject_ray(&subject.things[i]);
+
+            if (see(&subject.things[i], &ray))
+                continue;
+            if (broken++ < 4)
+                print_error("%s, shape %d: from <%a, %a, %a> along <%a, %a, %a>\n", subject.shape->keyword, i,
+                            ray.org.x, ray.org.y, ray.org.z, ray.dir.x, ray.dir.y, ray.dir.z);
+        }
+    }
+    assert_int_equal(broken, 0);
 }
 
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,

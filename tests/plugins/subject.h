@@ -4,7 +4,7 @@
 
 #include <povtrace/plugin.h>
 
-enum { OWNER = 3, MOST = 64, SHAPES = 40 };
+enum { OWNER = 3, MOST = 64, SHAPES = 40, RAYS = 20000 };
 
 typedef struct thing {
     void *self;
@@ -33,11 +33,14 @@ bool subject_set_up(const char *file);
 /* Memory for an instance; lives as long as the subject. */
 void *subject_memory(void);
 
+double subject_length(pov_vec3 a);
 double subject_uniform(void);        /* 0 <= x < 1 */
 pov_vec3 subject_direction(void);    /* unit, all directions alike */
 
 /* From somewhere, near or far, towards the thing or past it. */
 pov_ray subject_ray(const thing *t);
+/* Each of `rays` rays at every instance; `see` gives false where something is wrong. */
+void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray));
 /* Crossings in growing order; how many. */
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST]);

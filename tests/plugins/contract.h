@@ -1,0 +1,31 @@
+/* contract.h - the tests that every plugin takes, in the order in which they are run. What each file asks is said at
+ * its top. */
+#ifndef PLUGINS_CONTRACT_H
+#define PLUGINS_CONTRACT_H
+
+/* contract_rays.c */
+void crossings_lie_within_bounds(void **unused);
+void an_ellipsoid_is_the_ball_of_its_rows(void **unused);
+void normals_are_unit(void **unused);
+void inside_flips_where_a_ray_crosses(void **unused);
+void nearest_is_the_first_of_all_and_any_is_as_nearest(void **unused);
+void always_exact_finds_the_same(void **unused);
+void counting_finds_as_many(void **unused);
+void copies_behave_alike(void **unused);
+void an_absorbed_map_is_as_a_mapped_ray(void **unused);
+
+/* contract_blocks.c */
+void block_filters_never_exclude_a_crossing(void **unused);
+
+/* contract_many.c */
+void many_rays_get_the_answers_of_single_ones(void **unused);
+void many_normals_are_those_of_single_ones(void **unused);
+
+/* contract_leaving.c */
+void a_ray_that_leaves_never_meets_its_start(void **unused);
+void a_box_or_ball_fills_its_bounds(void **unused);
+void a_convex_shape_is_left_for_good(void **unused);
+void who_goes_into_a_closed_shape_comes_out_once(void **unused);
+void faces_have_the_same_normal_from_everywhere(void **unused);
+
+#endif

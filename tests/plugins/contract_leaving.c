@@ -1,0 +1,181 @@
+/* contract_leaving.c - what a plugin promises of rays that leave its shape, or go into it and out. */
+#include "plugins/contract.h"
+#include "plugins/subject.h"
+
+#include "support/check.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { SPAWNED = 120000 };
+
+/* A ray that starts on the surface does not meet its own start: no crossing lies nearer than a chord of
+ * that tilt can be. */
+static bool leaves_for_good(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), m, i, which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal;
+    pov_ray next;
+    double tilt;
+
+    if (n == 0)
+        return true;
+    memset(&next, 0, sizeof next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    next.dir = subject_direction();
+    tilt = pov_dot(next.dir, normal);
+    if (subject_uniform() < 0.5) {
+        const double less = pow(10.0, -4.0 * subject_uniform());
+
+        next.dir = pov_unit(pov_sub(next.dir, pov_scale(normal, tilt * (1.0 - less))));
+        tilt = pov_dot(next.dir, normal);
+    }
+    if (fabs(tilt) < 1e-6)
+        return true;
+    next.left = OWNER;
+    next.left_mark = at[which].mark;
+    m = subject_ask(t->self, &next, again);
+    for (i = 0; i < m; i++) {
+        /* At an edge or a rim another part is as near as one likes; the same part is not. */
+        if (again[i].t < 1e-9 * t->thickness && again[i].mark.part == at[which].mark.part)
+            return false;
+    }
+    return true;
+}
+
+void a_ray_that_leaves_never_meets_its_start(void **unused)
+{
+    (void)unused;
+    subject_each_ray(SPAWNED, leaves_for_good);
+}
+
+/* From each crossing outward, at all angles down to a hundred times what normals may be off by; to either side, where the
+ * crossing's mark says so. */
+static bool never_comes_back(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal, along;
+    pov_ray next;
+
+    if (n == 0)
+        return true;
+    memset(&next, 0, sizeof next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    if ((at[which].mark.flags & POV_MARK_AWAY) && subject_uniform() < 0.5)
+        normal = pov_scale(normal, -1.0);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    along = subject_direction();
+    along = pov_sub(along, pov_scale(normal, pov_dot(along, normal)));
+    next.dir = pov_unit(pov_add(pov_unit(along), pov_scale(normal, pow(10.0, 2.0 - 13.0 * subject_uniform()))));
+    if (!(pov_dot(next.dir, normal) > 0x1p-36))
+        return true;
+    next.left = OWNER;
+    next.left_mark = at[which].mark;
+    return subject_ask(t->self, &next, again) == 0;
+}
+
+void a_convex_shape_is_left_for_good(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & POV_SHAPE_CONVEX)
+        subject_each_ray(SPAWNED, never_comes_back);
+    else
+        skip();
+}
+
+/* From each crossing inward: out once, and then no more. */
+static bool comes_out_once(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    uint32_t n = subject_ask(t->self, ray, at), i, which = (uint32_t)(n * subject_uniform());
+    pov_vec3 normal;
+    pov_ray next;
+
+    for (i = 1; i < n; i++)
+        if ((at[i].mark.flags ^ at[0].mark.flags) & POV_MARK_CLOSED)
+            return false;
+    if (n == 0 || !(at[0].mark.flags & POV_MARK_CLOSED))
+        return true;
+    memset(&next, 0, sizeof next);
+    subject.shape->normal(t->self, ray, &at[which], &normal);
+    subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
+    next.dir = subject_direction();
+    if (pov_dot(next.dir, normal) > 0.0)
+        next.dir = pov_scale(next.dir, -1.0);
+    if (!(pov_dot(next.dir, normal) < -1e-6))
+        return true;
+    next.left = OWNER;
+    next.left_mark = at[which].mark;
+    next.left_mark.flags |= POV_MARK_INTO;
+    return subject_ask(t->self, &next, again) == 1 && again[0].mark.flags & POV_MARK_CLOSED;
+}
+
+void who_goes_into_a_closed_shape_comes_out_once(void **unused)
+{
+    (void)unused;
+    subject_each_ray(SPAWNED, comes_out_once);
+}
+
+static bool normals_need_no_ray(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+    const uint32_t n = subject_ask(t->self, ray, at);
+    pov_vec3 one, other;
+    pov_ray none;
+    uint32_t i;
+
+    memset(&none, 0, sizeof none);
+    for (i = 0; i < n; i++) {
+        subject.shape->normal(t->self, ray, &at[i], &one);
+        subject.shape->normal(t->self, &none, &at[i], &other);
+        if (memcmp(&one, &other, sizeof one) != 0)
+            return false;
+    }
+    return true;
+}
+
+void faces_have_the_same_normal_from_everywhere(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & POV_SHAPE_FACES)
+        subject_each_ray(RAYS, normals_need_no_ray);
+    else
+        skip();
+}
+
+static double between(double lo, double hi, double at)
+{
+    const double rounded = DBL_EPSILON * 8.0 * (fabs(lo) + fabs(hi)), half = 0.5 * (hi - lo) - rounded;
+
+    return 0.5 * (lo + hi) + at * fmax(half, 0.0);
+}
+
+/* Points just within the bounds, or the ball that touches them. */
+static bool fills_its_bounds(const thing *t, const pov_ray *ray)
+{
+    const double edge = 1.0 - 0x1p-40;
+    pov_vec3 at = pov_scale(subject_direction(), edge), zero = { 0.0, 0.0, 0.0 };
+    pov_box box;
+
+    (void)ray;
+    if (subject.shape->flags & POV_SHAPE_BOX)
+        at = pov_vec3_of(copysign(edge, at.x), copysign(edge, at.y), copysign(edge, at.z));
+    if (!subject.shape->bounds(t->self, &box))
+        return false;
+    at = pov_vec3_of(between(box.lo.x, box.hi.x, at.x), between(box.lo.y, box.hi.y, at.y),
+                     between(box.lo.z, box.hi.z, at.z));
+    return subject.shape->inside(t->self, at, zero);
+}
+
+void a_box_or_ball_fills_its_bounds(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & (POV_SHAPE_BOX | POV_SHAPE_BALL))
+        subject_each_ray(RAYS, fills_its_bounds);
+    else
+        skip();
+}

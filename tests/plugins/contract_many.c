@@ -1,0 +1,160 @@
+/* contract_many.c - many rays or crossings at once get the answers that each gets alone. */
+#include "plugins/contract.h"
+#include "plugins/subject.h"
+
+#include "support/check.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { COMPANY = 37 };
+
+/* To which side a ray goes from the crossing that it starts on, where that is no matter of rounding. */
+static void name_side(const thing *t, pov_ray *ray, const pov_crossing *from)
+{
+    pov_vec3 normal;
+    double rise;
+
+    subject.shape->normal(t->self, ray, from, &normal);
+    rise = pov_dot(normal, pov_unit(ray->dir));
+    if (fabs(rise) > 1e-6)
+        ray->left_mark.flags |= rise > 0.0 ? POV_MARK_AWAY : POV_MARK_INTO;
+}
+
+/* Rays of all kinds: from far and near, from the surface itself, with zeros of both signs, absurdly large and small. */
+static pov_ray any_ray(const thing *t)
+{
+    const double luck = subject_uniform();
+    pov_ray ray = subject_ray(t);
+    pov_crossing at[MOST];
+    const uint32_t n = subject_ask(t->self, &ray, at);
+
+    if (n > 0 && luck < 0.4) {
+        const uint32_t which = (uint32_t)(n * subject_uniform());
+
+        subject_point(&ray, at[which].t, at[which].t_lo, &ray.org, &ray.org_lo);
+        ray.dir = subject_direction();
+        ray.left = OWNER;
+        ray.left_mark = at[which].mark;
+        if (luck < 0.3)
+            name_side(t, &ray, &at[which]);
+    } else if (luck < 0.5) {
+        ray.dir.x = luck < 0.45 ? 0.0 : -0.0;
+    } else if (luck < 0.6) {
+        ray.dir = pov_scale(ray.dir, luck < 0.53 ? 1e-280 : luck < 0.56 ? 1e250 : 5e-324);
+    } else if (luck < 0.65) {
+        ray.org = pov_scale(ray.org, luck < 0.63 ? 1e180 : 1e-300);
+    }
+    return ray;
+}
+
+static pov_hits any_question(const thing *t, const pov_ray *ray, pov_crossing *at)
+{
+    const double scale = t->size / fmax(pov_largest(ray->dir), 1e-300);
+    pov_hits hits;
+
+    memset(&hits, 0, sizeof hits);
+    hits.want = subject_uniform() < 0.2 ? POV_WANT_ANY : POV_WANT_NEAREST;
+    hits.tmin = subject_uniform() < 0.8 ? 0.0 : scale * subject_uniform();
+    hits.tmax = subject_uniform() < 0.5 ? HUGE_VAL : hits.tmin + 20.0 * scale * subject_uniform();
+    hits.always_exact = subject_uniform() < 0.02;
+    hits.owner = OWNER;
+    hits.capacity = 1;
+    hits.at = at;
+    memset(at, 0, sizeof *at);
+    return hits;
+}
+
+static bool same_answer(const pov_hits *a, const pov_hits *b)
+{
+    return a->count == b->count && a->decided == b->decided && a->crowded == b->crowded
+           && memcmp(&a->tmax, &b->tmax, sizeof a->tmax) == 0
+           && (a->count == 0 || memcmp(a->at, b->at, sizeof *a->at) == 0);
+}
+
+/* Pairs of a thing and a ray, their questions, and what is there. */
+typedef struct company {
+    const void *selves[COMPANY];
+    const pov_ray *rays[COMPANY];
+    pov_ray ray[COMPANY];
+    pov_hits hits[2][COMPANY];
+    pov_crossing at[2][COMPANY];
+} company;
+
+static void gather(company *c, uint32_t n)
+{
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        const thing *t = &subject.things[(int)(subject.count * subject_uniform())];
+
+        c->selves[i] = t->self;
+        c->ray[i] = any_ray(t);
+        c->rays[i] = &c->ray[i];
+        c->hits[0][i] = c->hits[1][i] = any_question(t, &c->ray[i], &c->at[0][i]);
+        c->hits[1][i].at = &c->at[1][i];
+        c->at[1][i] = c->at[0][i];
+        subject.shape->intersect(t->self, &c->ray[i], &c->hits[0][i]);
+    }
+}
+
+void many_rays_get_the_answers_of_single_ones(void **unused)
+{
+    static company c;
+    int round, broken = 0;
+
+    (void)unused;
+    if (!HAS(intersect_many))
+        skip();
+    for (round = 0; round < 3000; round++) {
+        const uint32_t n = 1 + (uint32_t)(COMPANY * subject_uniform());
+        pov_hits *hits[COMPANY];
+        uint32_t i;
+
+        gather(&c, n);
+        for (i = 0; i < n; i++)
+            hits[i] = &c.hits[1][i];
+        subject.shape->intersect_many(c.selves, c.rays, hits, n);
+        for (i = 0; i < n; i++)
+            broken += !same_answer(&c.hits[0][i], &c.hits[1][i]);
+    }
+    assert_int_equal(broken, 0);
+}
+
+void many_normals_are_those_of_single_ones(void **unused)
+{
+    static company c;
+    int round, broken = 0, seen = 0;
+
+    (void)unused;
+    if (!HAS(normal_many))
+        skip();
+    for (round = 0; round < 3000; round++) {
+        const pov_crossing *at[COMPANY];
+        pov_vec3 normal[COMPANY], *out[COMPANY];
+        uint32_t i, n = 0;
+
+        gather(&c, COMPANY);
+        for (i = 0; i < COMPANY; i++) {
+            if (c.hits[0][i].count == 0)
+                continue;
+            c.selves[n] = c.selves[i];
+            c.rays[n] = c.rays[i];
+            at[n] = &c.at[0][i];
+            out[n] = &normal[n];
+            n++;
+        }
+        if (n == 0)
+            continue;
+        seen += (int)n;
+        subject.shape->normal_many(c.selves, c.rays, at, out, n);
+        for (i = 0; i < n; i++) {
+            pov_vec3 one;
+
+            subject.shape->normal(c.selves[i], c.rays[i], at[i], &one);
+            broken += memcmp(&one, &normal[i], sizeof one) != 0;
+        }
+    }
+    assert_true(seen > 1000);
+    assert_int_equal(broken, 0);
+}
