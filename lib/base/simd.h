@@ -45,7 +45,8 @@ enum { SIMD_LINE = 64 };
 #define SIMD_ALIGNED
 #endif
 
-/* What will be read soon, where the processor cannot guess it. The address need not be one. */
+/* What will be read soon, where the processor cannot guess it. The address need not be one. Compilers leave out calls of
+ * functions that do nothing else: such a function must be SIMD_INLINE. */
 #if defined(__GNUC__)
 #define SIMD_EXPECT(address) __builtin_prefetch(address)
 #else

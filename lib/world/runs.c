@@ -121,14 +121,14 @@ bool runs_allocate(runs *r)
 /* ---- transformations ---- */
 
 /* Objects of a leaf lie anywhere in the scene. Looking ahead by so many hides most of the way to memory. */
-enum { AHEAD = 8 };
+enum { AHEAD = 16 };
 
-/* Two lines of it: two or three transformations one behind the other. */
-static void expect_list(const transform *list)
+/* The last of its transformations and those written before it, which mostly lie before it. */
+SIMD_INLINE void expect_list(const transform *list)
 {
     if (list) {
-        SIMD_EXPECT(list);
-        SIMD_EXPECT((const unsigned char *)list + 64);
+        SIMD_EXPECT(list->v);
+        SIMD_EXPECT((const unsigned char *)list - 64);
     }
 }
 
@@ -143,8 +143,12 @@ static void take_part(void *user, uint32_t part, int hand)
     (void)hand;
     for (i = r->of[part].ids; i < r->of[part + 1].ids; i++) {
         const uint32_t id = f->finite[i];
-        if (i + 2 * AHEAD < f->finite_count)
-            SIMD_EXPECT(&all[f->finite[i + 2 * AHEAD]].map);
+        if (i + 2 * AHEAD < f->finite_count) {
+            const uint32_t next = f->finite[i + 2 * AHEAD];
+            SIMD_EXPECT(&all[next].map);
+            SIMD_EXPECT(&f->group[next]);
+            SIMD_EXPECT(&f->maps[next]);
+        }
         if (i + AHEAD < f->finite_count)
             expect_list(all[f->finite[i + AHEAD]].map);
         if (f->groups[f->group[id]].placed) {
@@ -292,6 +296,22 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
         out->flags |= RUN_PACKED;
 }
 
+/* What will soon be read of an object. */
+SIMD_INLINE void expect(const runs *r, const uint32_t *ids)
+{
+    const flat *f = r->flat;
+    uint32_t id;
+
+    if (r->mark != 0 || ids + AHEAD >= f->finite + f->finite_count)
+        return;
+    id = ids[AHEAD];
+    SIMD_EXPECT(&f->model->objects.items[id]);
+    SIMD_EXPECT(&f->group[id]);
+    SIMD_EXPECT(&r->slot[id]);
+    if (f->moved)
+        SIMD_EXPECT(&f->moved[id]);
+}
+
 void runs_fill(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
     const flat *f = r->flat;
@@ -301,6 +321,7 @@ void runs_fill(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *i
     for (; count > 0; ids += n, count -= n) {
         run *out = (run *)(void *)end;
         n = run_length(f, ids, count);
+        expect(r, ids + n);
         fill_run(r, part, frame, ids, n, out);
         if (n < count)
             out->flags |= RUN_MORE;
