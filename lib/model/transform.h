@@ -31,7 +31,7 @@ bool transform_compose(const transform *list, pov_affine *out);
 
 /* Many lists of the same kinds of transformations at once, with the bits that they would have alone: one waits for each
  * of its steps, several share the time. Bit i of what is returned: the i-th has an inverse. */
-enum { TRANSFORM_MANY = 4 };
+enum { TRANSFORM_MANY = 8 };
 bool transform_are_alike(const transform *a, const transform *b);
 unsigned transform_compose_many(const transform *const *lists, int n, pov_affine *out);
 

@@ -155,28 +155,54 @@ static const void *keep(maker *k, const object *o)
     return k->kept_instance;
 }
 
-/* The box of a placed shape in its own space and in the world. False: there is none. */
-static bool placed_box(const object *o, const void *instance, const pov_affine *map, pov_box *own, pov_box *around)
+/* The box of a placed shape in its own space. False: there is none, and *out holds zeros. */
+static bool own_box(const object *o, const void *instance, pov_box *out)
 {
-    if (!o->shape->bounds(instance, own) || !is_finite_box(own))
+    static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
+
+    if (o->shape->bounds(instance, out) && is_finite_box(out))
+        return true;
+    *out = none;
+    return false;
+}
+
+/* The same in the world. */
+static bool placed_box(const object *o, const void *instance, const pov_affine *map, pov_box *around)
+{
+    pov_box own;
+
+    if (!own_box(o, instance, &own))
         return false;
-    placement_box(map, own, around);
+    placement_box(map, &own, around);
     return is_finite_box(around);
 }
 
-void flat_place(const flat *f, uint32_t index, const pov_affine *map, placement *out)
+void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out)
 {
-    pov_box own, around;
-    bool finite = placed_box(&f->model->objects.items[index], f->moved[index], map, &own, &around);
+    pov_box own[PLACEMENT_MANY] = { { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } } }, around[PLACEMENT_MANY];
+    placement_wish wishes[PLACEMENT_MANY];
+    const pov_affine *each[PLACEMENT_MANY] = { NULL };
+    bool finite[PLACEMENT_MANY];
+    int i;
 
-    placement_init(out, map, &own, finite ? &around : NULL, f->model->objects.items[index].shape->flags);
+    for (i = 0; i < n; i++) {
+        finite[i] = own_box(&f->model->objects.items[ids[i]], f->moved[ids[i]], &own[i]);
+        each[i] = &maps[i];
+    }
+    placement_boxes(each, own, n, around);
+    for (i = 0; i < n; i++) {
+        const placement_wish w = { each[i], &own[i], finite[i] && is_finite_box(&around[i]) ? &around[i] : NULL,
+                                   f->model->objects.items[ids[i]].shape->flags };
+        wishes[i] = w;
+    }
+    placement_init_many(out, wishes, n);
 }
 
 /* Take the transformation into the shape, or leave the shape as it was written. */
 static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, bool *placed)
 {
     const void **instance = &k->f->moved[index];
-    pov_box own, *box = &k->f->boxes[index];
+    pov_box *box = &k->f->boxes[index];
     pov_status status = compose(k, o);
 
     if (status == POV_OK && o->shape->absorb)
@@ -190,7 +216,7 @@ static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, 
             return POV_E_MEMORY;
         k->part->composed++;
         k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
-        *finite = placed_box(o, *instance, &k->maps[k->now], &own, box);
+        *finite = placed_box(o, *instance, &k->maps[k->now], box);
     } else {
         k->part->absorbed++;
         *finite = o->shape->bounds(*instance, box) && is_finite_box(box);

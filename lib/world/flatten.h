@@ -49,9 +49,9 @@ typedef struct flat {
 pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err);
 /* The box of a finite object, as flatten() saw it. Any thread. */
 void flat_box(const flat *f, uint32_t index, pov_box *out);
-/* The placement of an object whose group is placed, by what was composed of its transformations. Made anew, so that it
- * is kept in one place only. Any thread. */
-void flat_place(const flat *f, uint32_t index, const pov_affine *map, placement *out);
+/* The placements of up to PLACEMENT_MANY objects whose groups are placed, by what was composed of their transformations.
+ * Made anew, so that they are kept in one place only. Any thread. */
+void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out);
 /* By object, 1: it lets light pass and nothing else comes near its box. NULL: nothing does, or there is too much to look
  * at. False: no memory. */
 bool flat_find_lonely(const flat *f, uint8_t **lonely);

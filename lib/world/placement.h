@@ -34,6 +34,16 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
 /* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
 void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 
+/* The same of up to PLACEMENT_MANY at once, to the bit: they cost little more than one. */
+enum { PLACEMENT_MANY = 8 };
+typedef struct placement_wish {
+    const pov_affine *map;
+    const pov_box *own, *around;
+    uint32_t flags;
+} placement_wish;
+void placement_boxes(const pov_affine *const *maps, const pov_box *own, int n, pov_box *out);
+void placement_init_many(placement *out, const placement_wish *wishes, int n);
+
 /* Where it stands in a frame around it. False: rays there cannot be filtered. */
 bool placement_stand(const placement *p, const bvh_frame *frame, stand *out);
 /* The same of an ellipsoid, by its centre and the rows of pov_shape_class. */

@@ -11,7 +11,7 @@ bool runs_init(runs *r, flat *f, uint32_t parts)
     r->flat = f;
     r->parts = parts;
     r->of = env_alloc(f->env, parts + 1u, sizeof *r->of);
-    r->ready = env_resize(f->env, NULL, parts, TRANSFORM_MANY * sizeof *r->ready);
+    r->ready = env_resize(f->env, NULL, parts, PLACEMENT_MANY * sizeof *r->ready);
     r->at = env_alloc(f->env, parts, f->group_count * sizeof *r->at);
     r->slot = env_alloc(f->env, f->model->objects.count, sizeof *r->slot);
     return r->of && r->ready && r->at && r->slot;
@@ -168,7 +168,7 @@ bool runs_take_maps(runs *r, uint32_t first)
         return true;
     for (part = 0; part <= r->parts; part++) {
         const runs_part mine = r->of[part];
-        const runs_part from = { ids, maps, maps, 0, 0 };
+        const runs_part from = { ids, ids, maps, maps, 0, 0 };
         r->of[part] = from;
         ids += part < first ? 0 : mine.ids;
         maps += part < first ? 0 : mine.maps;
@@ -194,21 +194,37 @@ void runs_filled(runs *r, uint32_t part)
         r->maps = rest;
 }
 
-/* What is composed of the transformations of a part's next placed shape. */
-static const pov_affine *map_of(runs *r, uint32_t part, uint32_t id)
+/* Of the part's next placed shapes, as many as the transformations that could be composed at once. */
+static void place_next(runs *r, uint32_t part)
 {
-    pov_affine *ready = r->ready + part * TRANSFORM_MANY;
+    const flat *f = r->flat;
     runs_part *p = &r->of[part];
+    pov_affine maps[TRANSFORM_MANY];
+    uint32_t ids[TRANSFORM_MANY];
+    const void *next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps, maps, &p->ready);
+    int n = 0;
+
+    for (; n < p->ready; p->next_id++)
+        if (f->groups[f->group[f->finite[p->next_id]]].placed)
+            ids[n++] = f->finite[p->next_id];
+    flat_place(f, ids, maps, n, r->ready + part * PLACEMENT_MANY);
+    p->next = (size_t)((const unsigned char *)next - r->maps);
+    p->used = 0;
+}
+
+static const placement *placement_of(runs *r, uint32_t part, uint32_t id)
+{
+    placement *ready = r->ready + part * PLACEMENT_MANY;
+    runs_part *p = &r->of[part];
+    pov_affine map;
 
     if (!r->maps) {
-        transform_compose(r->flat->model->objects.items[id].map, ready);   /* as it could before */
+        transform_compose(r->flat->model->objects.items[id].map, &map);   /* as it could before */
+        flat_place(r->flat, &id, &map, 1, ready);
         return ready;
     }
-    if (p->used == p->ready) {
-        const unsigned char *next = transform_compose_packed(r->maps + p->next, r->maps + p[1].maps, ready, &p->ready);
-        p->next = (size_t)(next - r->maps);
-        p->used = 0;
-    }
+    if (p->used == p->ready)
+        place_next(r, part);
     return &ready[p->used++];
 }
 
@@ -237,7 +253,7 @@ static const void *place(runs *r, uint32_t part, const bvh_frame *frame, uint32_
     placement *p = (placement *)(void *)(start + RUN_PLACE);
     stand s;
 
-    flat_place(r->flat, id, map_of(r, part, id), p);
+    *p = *placement_of(r, part, id);
     if (r->flat->use_blocks && frame && placement_stand(p, frame, &s)) {
         out->flags |= RUN_PACKED;
         if (out->flags & RUN_ROOM)

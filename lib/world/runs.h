@@ -7,10 +7,10 @@
 
 #include "world/flatten.h"
 
-/* Of a part: its objects and the transformations of its placed ones, among all; the next of these to be composed, and
- * of what was composed last how many there are and are used. */
+/* Of a part: its objects and the transformations of its placed ones, among all; the next of both to be looked at, and
+ * of what was placed last how many there are and are used. */
 typedef struct runs_part {
-    uint32_t ids;
+    uint32_t ids, next_id;
     size_t maps, next;
     int ready, used;
 } runs_part;
@@ -20,7 +20,7 @@ typedef struct runs {
     uint32_t parts;
     runs_part *of;               /* by part, and one behind the last */
     unsigned char *maps;         /* see runs_take_maps(); NULL: the model still has them */
-    pov_affine *ready;           /* by part TRANSFORM_MANY: composed before they are wanted, for many cost less at once */
+    placement *ready;            /* by part PLACEMENT_MANY: made before they are wanted, for many cost less at once */
     uint32_t *at;                /* by part and group: how many instances; then the place of the next */
     uint32_t *slot;              /* by object: its place in its group; of one that is placed, where its run is */
     const unsigned char *base;   /* what runs are being filled, and the bit that tells which */
