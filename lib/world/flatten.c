@@ -3,6 +3,7 @@
 #include "base/err.h"
 #include "base/vec.h"
 #include "world/bvh_build.h"
+#include "world/flat_maps.h"
 #include "world/world.h"
 
 #include <string.h>
@@ -48,11 +49,7 @@ typedef struct maker {
     size_t scratch_bytes;
     const object *kept_object;   /* whose instance was kept last */
     const void *kept_instance;
-    const object *end;           /* of the part */
-    const transform *lists[TRANSFORM_MANY];   /* what was composed last, with that of objects that follow */
-    int list_count, now;         /* which of them is meant; many objects in a row may share it */
-    unsigned good;               /* bit i: the i-th has an inverse */
-    pov_affine maps[TRANSFORM_MANY];
+    flat_maps maps;
 } maker;
 
 typedef struct room { unsigned char bytes[ROOM + INSTANCE_ALIGN]; } room;
@@ -95,25 +92,8 @@ static bool is_finite_box(const pov_box *b)
 
 /* ---- one object ---- */
 
-static pov_status compose(maker *k, const object *o)
-{
-    while (k->now < k->list_count && k->lists[k->now] != o->map)
-        k->now++;
-    if (k->now == k->list_count) {
-        k->now = k->list_count = 0;
-        for (; o < k->end && k->list_count < TRANSFORM_MANY && o->map; o++) {
-            if (k->list_count > 0 && !transform_are_alike(o->map, k->lists[0]))
-                break;
-            if (k->list_count == 0 || o->map != k->lists[k->list_count - 1])
-                k->lists[k->list_count++] = o->map;
-        }
-        k->good = transform_compose_many(k->lists, k->list_count, k->maps);
-    }
-    return k->good >> k->now & 1 ? POV_OK : POV_E_SYNTAX;
-}
-
 /* Let a copy take the transformation in: *out, or NULL if it cannot. */
-static pov_status absorb(maker *k, const object *o, const void **out)
+static pov_status absorb(maker *k, const object *o, const pov_affine *map, const void **out)
 {
     size_t bytes = o->shape->instance_size;
     room here;
@@ -123,7 +103,7 @@ static pov_status absorb(maker *k, const object *o, const void **out)
     if (!trial)
         return POV_E_MEMORY;
     flat_make(o, trial);
-    if (!o->shape->absorb(trial, &k->maps[k->now]))
+    if (!o->shape->absorb(trial, map))
         return POV_OK;
     if (bytes <= ROOM) {
         copy = arena_alloc(k->staging, bytes, INSTANCE_ALIGN);
@@ -166,17 +146,6 @@ static bool own_box(const object *o, const void *instance, pov_box *out)
     return false;
 }
 
-/* The same in the world. */
-static bool placed_box(const object *o, const void *instance, const pov_affine *map, pov_box *around)
-{
-    pov_box own;
-
-    if (!own_box(o, instance, &own))
-        return false;
-    placement_box(map, &own, around);
-    return is_finite_box(around);
-}
-
 void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out)
 {
     pov_box own[PLACEMENT_MANY] = { { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } } }, around[PLACEMENT_MANY];
@@ -198,29 +167,48 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
     placement_init_many(out, wishes, n);
 }
 
+/* The box of a placed shape in the world, a little wider where its map is roughly known. False: there is none. */
+static bool placed_box(maker *k, const object *o, const void *instance, bool roughly, pov_box *out)
+{
+    const pov_affine *map;
+    pov_box own;
+
+    if (!own_box(o, instance, &own))
+        return false;
+    if (roughly && flat_maps_box(&k->maps, &own, out))
+        return true;
+    map = flat_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
+    placement_box(map, &own, out);
+    return is_finite_box(out);
+}
+
 /* Take the transformation into the shape, or leave the shape as it was written. */
 static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, bool *placed)
 {
     const void **instance = &k->f->moved[index];
     pov_box *box = &k->f->boxes[index];
-    pov_status status = compose(k, o);
+    const bool roughly = flat_maps_look(&k->maps, o);
+    const pov_affine *map = roughly ? NULL : flat_maps_compose(&k->maps, o);
+    pov_status status = POV_OK;
 
-    if (status == POV_OK && o->shape->absorb)
-        status = absorb(k, o, instance);
+    if (!roughly && !map)
+        return POV_E_SYNTAX;
+    if (!roughly && o->shape->absorb)
+        status = absorb(k, o, map, instance);
     if (status < 0)
         return status;
     *placed = *instance == NULL;
-    if (*placed) {
-        *instance = keep(k, o);
-        if (!*instance)
-            return POV_E_MEMORY;
-        k->part->composed++;
-        k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
-        *finite = placed_box(o, *instance, &k->maps[k->now], box);
-    } else {
+    if (!*placed) {
         k->part->absorbed++;
         *finite = o->shape->bounds(*instance, box) && is_finite_box(box);
+        return POV_OK;
     }
+    *instance = keep(k, o);
+    if (!*instance)
+        return POV_E_MEMORY;
+    k->part->composed++;
+    k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
+    *finite = placed_box(k, o, *instance, roughly, box);
     return POV_OK;
 }
 
@@ -309,20 +297,22 @@ static pov_status flatten_one(maker *k, uint32_t index)
 static void flatten_part(void *user, uint32_t which, int hand)
 {
     survey *s = user;
-    uint32_t n = (uint32_t)s->f->model->objects.count, i = share_begin(n, s->part_count, which);
+    uint32_t n = (uint32_t)s->f->model->objects.count, begin = share_begin(n, s->part_count, which), i = begin;
     uint32_t end = share_begin(n, s->part_count, which + 1);
     part *p = &s->parts[which];
     maker k;
 
     memset(&k, 0, offsetof(maker, maps));
+    flat_maps_init(&k.maps);
     k.survey = s;
     k.f = s->f;
-    k.end = s->f->model->objects.items + end;
     k.part = p;
     k.staging = &s->f->staging[hand];
     k.kept = &s->f->kept[hand];
     p->clear = nothing;
     for (; i < end && p->status == POV_OK; i++) {
+        if (s->f->moved && (i - begin) % FLAT_WINDOW == 0)
+            flat_maps_open(&k.maps, &s->f->model->objects.items[i], end - i);
         p->status = flatten_one(&k, i);
         p->failed = i;
     }

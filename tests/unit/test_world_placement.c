@@ -394,6 +394,45 @@ static void the_filter_is_right_of_balls(void **state)
     assert_true(t.sure > MAPS / 20 && t.twice > MAPS / 40);
 }
 
+/* Of classes and boxes as they come, some without one. */
+static void placements_made_together_are_as_one_by_one(void **state)
+{
+    test_random r = { 23 };
+    int i, k;
+
+    (void)state;
+    for (i = 0; i < 500; i++) {
+        const int n = 1 + (int)test_below(&r, PLACEMENT_MANY);
+        pov_affine maps[PLACEMENT_MANY];
+        const pov_affine *each[PLACEMENT_MANY] = { NULL };
+        pov_box own[PLACEMENT_MANY], around[PLACEMENT_MANY], alone;
+        placement_wish wishes[PLACEMENT_MANY];
+        placement many[PLACEMENT_MANY], one;
+        model m;
+
+        test_model_init(&m, NULL);
+        for (k = 0; k < n; k++) {
+            assert_true(transform_compose(random_map(&m, &r), &maps[k]));
+            each[k] = &maps[k];
+            own[k] = test_below(&r, 2) ? random_box(&r) : random_cube(&r);
+        }
+        placement_boxes(each, own, n, around);
+        for (k = 0; k < n; k++) {
+            const placement_wish w = { each[k], &own[k], test_below(&r, 5) ? &around[k] : NULL,
+                                       test_below(&r, 2) ? POV_SHAPE_BOX : POV_SHAPE_BALL };
+            wishes[k] = w;
+            placement_box(each[k], &own[k], &alone);
+            assert_memory_equal(&alone, &around[k], sizeof alone);
+        }
+        placement_init_many(many, wishes, n);
+        for (k = 0; k < n; k++) {
+            placement_init(&one, wishes[k].map, wishes[k].own, wishes[k].around, wishes[k].flags);
+            assert_memory_equal(&one, &many[k], sizeof one);
+        }
+        model_free(&m);
+    }
+}
+
 static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
 {
     const pov_box own = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
@@ -509,6 +548,7 @@ static void the_next_double_is_that_of_nextafter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(placements_made_together_are_as_one_by_one),
         cmocka_unit_test(the_filter_is_right_of_boxes),
         cmocka_unit_test(the_filter_is_right_of_balls),
         cmocka_unit_test(who_goes_away_from_a_box_or_ball_is_left_out),
