@@ -12,69 +12,95 @@ enum { BINS = 16, PARTS = 32, PARTS_FROM = 1 << 16 };
 /* Centres that lie together within this have no order. */
 static const float least_width = 1e-30f;
 
-/* Four lanes, so that a box is two vectors; the fourth means nothing. */
-typedef struct bin { float lo[4], hi[4]; uint32_t count; } bin;
+/* A corner of a box, as a vector; the fourth lane means nothing, and is no number in a reference. Loops over the lanes
+ * were taken apart by gcc 12. */
+#if defined(__GNUC__)
+typedef float corner __attribute__((vector_size(16)));
+typedef float corner_anywhere __attribute__((vector_size(16), aligned(4), may_alias));
+typedef int32_t corner_mask __attribute__((vector_size(16)));
+#define LANE(c, k) ((c)[k])
+static inline corner corner_at(const void *at) { return *(const corner_anywhere *)at; }
+static inline corner sum_of(corner a, corner b) { return a + b; }
+static inline corner where(corner_mask m, corner a, corner b)
+{
+    return (corner)(((corner_mask)a & m) | ((corner_mask)b & ~m));
+}
+static inline corner lesser(corner a, corner b) { return where(a < b, a, b); }
+static inline corner greater(corner a, corner b) { return where(a > b, a, b); }
+#else
+typedef struct corner { float lane[4]; } corner;
+#define LANE(c, k) ((c).lane[k])
+static inline corner corner_at(const void *at)
+{
+    corner c;
 
-static void bin_clear(bin *b)
+    memcpy(&c, at, sizeof c);
+    return c;
+}
+static inline corner sum_of(corner a, corner b)
 {
     int k;
 
-    for (k = 0; k < 4; k++) {
-        b->lo[k] = FLT_MAX;
-        b->hi[k] = -FLT_MAX;
-    }
-    b->count = 0;
+    for (k = 0; k < 3; k++)
+        a.lane[k] += b.lane[k];
+    return a;
 }
-
-/* Copies first, so that the compiler sees that nothing overlaps. `lo` and `hi` are four floats each. */
-static inline void bin_add(bin *b, const void *lo, const void *hi, uint32_t count)
+static inline corner lesser(corner a, corner b)
 {
-    float a[4], c[4], x[4], y[4];
     int k;
 
-    memcpy(a, b->lo, sizeof a);
-    memcpy(c, b->hi, sizeof c);
-    memcpy(x, lo, sizeof x);
-    memcpy(y, hi, sizeof y);
-    for (k = 0; k < 4; k++)
-        a[k] = x[k] < a[k] ? x[k] : a[k];
-    for (k = 0; k < 4; k++)
-        c[k] = y[k] > c[k] ? y[k] : c[k];
-    memcpy(b->lo, a, sizeof a);
-    memcpy(b->hi, c, sizeof c);
-    b->count += count;
+    for (k = 0; k < 3; k++)
+        a.lane[k] = a.lane[k] < b.lane[k] ? a.lane[k] : b.lane[k];
+    return a;
 }
+static inline corner greater(corner a, corner b)
+{
+    int k;
 
-/* The corners of a reference's box as vectors; what is in their fourth lanes is no number. They are read from where
- * they stand: gcc 12, compiling for AVX2, spills a copy of both to a stack that it forgets to align. */
-static inline const void *lo_of(const bvh_ref *f) { return f; }
-static inline const void *hi_of(const bvh_ref *f) { return (const char *)f + offsetof(bvh_ref, hi); }
+    for (k = 0; k < 3; k++)
+        a.lane[k] = a.lane[k] > b.lane[k] ? a.lane[k] : b.lane[k];
+    return a;
+}
+#endif
+
+static inline corner lo_of(const bvh_ref *f) { return corner_at(f); }
+static inline corner hi_of(const bvh_ref *f) { return corner_at((const char *)f + offsetof(bvh_ref, hi)); }
+
+typedef struct box { corner lo, hi; } box;
+
+static const box no_box = { { FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX }, { -FLT_MAX, -FLT_MAX, -FLT_MAX, -FLT_MAX } };
+
+static inline box add(box b, corner lo, corner hi)
+{
+    const box sum = { lesser(lo, b.lo), greater(hi, b.hi) };
+
+    return sum;
+}
 
 /* Half the surface. */
-static float area_of(const float *lo, const float *hi)
+static inline float area_of(const box *b)
 {
-    float x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+    const float x = LANE(b->hi, 0) - LANE(b->lo, 0), y = LANE(b->hi, 1) - LANE(b->lo, 1);
+    const float z = LANE(b->hi, 2) - LANE(b->lo, 2);
+
     return x * y + y * z + z * x;
 }
 
-typedef struct extent { bin box, centres; } extent;
+/* Around boxes, and around twice their centres. */
+typedef struct extent { box all, centres; } extent;
 
 static void extend(extent *e, const bvh_ref *refs, uint32_t begin, uint32_t end)
 {
+    box all = no_box, centres = no_box;
     uint32_t i;
-    int k;
 
-    bin_clear(&e->box);
-    bin_clear(&e->centres);
     for (i = begin; i < end; i++) {
-        float c[4], hi[4];
-        bin_add(&e->box, lo_of(&refs[i]), hi_of(&refs[i]), 1);
-        memcpy(c, lo_of(&refs[i]), sizeof c);
-        memcpy(hi, hi_of(&refs[i]), sizeof hi);
-        for (k = 0; k < 4; k++)
-            c[k] += hi[k];
-        bin_add(&e->centres, c, c, 1);
+        const corner lo = lo_of(&refs[i]), hi = hi_of(&refs[i]), c = sum_of(lo, hi);
+        all = add(all, lo, hi);
+        centres = add(centres, c, c);
     }
+    e->all = all;
+    e->centres = centres;
 }
 
 typedef struct extent_work { const bvh_range *range; const bvh_ref *refs; extent parts[PARTS]; } extent_work;
@@ -102,8 +128,8 @@ static extent extent_of(const bvh_range *r, const bvh_ref *refs, int threads)
     w.refs = refs;
     share_work(threads, PARTS, extend_part, &w);
     for (all = w.parts[0], i = 1; i < PARTS; i++) {
-        bin_add(&all.box, w.parts[i].box.lo, w.parts[i].box.hi, w.parts[i].box.count);
-        bin_add(&all.centres, w.parts[i].centres.lo, w.parts[i].centres.hi, w.parts[i].centres.count);
+        all.all = add(all.all, w.parts[i].all.lo, w.parts[i].all.hi);
+        all.centres = add(all.centres, w.parts[i].centres.lo, w.parts[i].centres.hi);
     }
     return all;
 }
@@ -114,12 +140,12 @@ void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads)
     int k;
 
     for (k = 0; k < 3; k++) {
-        r->lo[k] = e.box.lo[k];
-        r->hi[k] = e.box.hi[k];
-        r->centre_lo[k] = e.centres.lo[k];
-        r->centre_hi[k] = e.centres.hi[k];
+        r->lo[k] = LANE(e.all.lo, k);
+        r->hi[k] = LANE(e.all.hi, k);
+        r->centre_lo[k] = LANE(e.centres.lo, k);
+        r->centre_hi[k] = LANE(e.centres.hi, k);
     }
-    r->area = area_of(r->lo, r->hi);
+    r->area = area_of(&e.all);
     r->is_leaf = false;
 }
 
@@ -139,38 +165,41 @@ static float cost_of(uint32_t n, bool count_blocks)
     return (float)(count_blocks ? (n + BVH_WIDTH - 1) / BVH_WIDTH : n);
 }
 
+/* Bins along an axis. */
+typedef struct bins { box at[BINS]; uint32_t count[BINS]; } bins;
+
 /* The best place between two bins of one axis. Most ranges are of few things, so that most bins hold nothing: they
  * cost as much as the one before, and are passed by. */
-static void weigh(const bin *bins, bool count_blocks, int axis, float base, float factor, cut *best)
+static void weigh(const bins *h, bool count_blocks, int axis, float base, float factor, cut *best)
 {
-    const bin *held[BINS];
     float right[BINS];
+    uint32_t held[BINS], count = 0;
     int n = 0, i;
-    bin sum;
+    box sum = no_box;
 
     for (i = 0; i < BINS; i++) {
-        held[n] = &bins[i];
-        n += bins[i].count > 0;
+        held[n] = (uint32_t)i;
+        n += h->count[i] > 0;
     }
-    bin_clear(&sum);
     for (i = n - 1; i > 0; i--) {
-        bin_add(&sum, held[i]->lo, held[i]->hi, held[i]->count);
-        right[i] = area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks);
+        sum = add(sum, h->at[held[i]].lo, h->at[held[i]].hi);
+        count += h->count[held[i]];
+        right[i] = area_of(&sum) * cost_of(count, count_blocks);
     }
-    bin_clear(&sum);
-    for (i = 1; i < n; i++) {
+    sum = no_box;
+    for (i = 1, count = 0; i < n; i++) {
         float cost;
-        bin_add(&sum, held[i - 1]->lo, held[i - 1]->hi, held[i - 1]->count);
-        cost = area_of(sum.lo, sum.hi) * cost_of(sum.count, count_blocks) + right[i];
+        sum = add(sum, h->at[held[i - 1]].lo, h->at[held[i - 1]].hi);
+        count += h->count[held[i - 1]];
+        cost = area_of(&sum) * cost_of(count, count_blocks) + right[i];
         if (cost < best->cost) {
-            cut found = { axis, (int)(held[i] - bins), base, factor, cost };
+            const cut found = { axis, (int)held[i], base, factor, cost };
             *best = found;
         }
     }
 }
 
-/* Bins along the three axes. */
-typedef struct histogram { bin at[3][BINS]; } histogram;
+typedef struct histogram { bins at[3]; } histogram;
 
 static void sort_into(histogram *h, const bvh_range *r, const float *factor, const bvh_ref *refs, uint32_t begin,
                       uint32_t end)
@@ -178,12 +207,17 @@ static void sort_into(histogram *h, const bvh_range *r, const float *factor, con
     uint32_t i;
     int k, j;
 
-    for (k = 0; k < 3; k++)
+    for (k = 0; k < 3; k++) {
         for (j = 0; j < BINS; j++)
-            bin_clear(&h->at[k][j]);
+            h->at[k].at[j] = no_box;
+        memset(h->at[k].count, 0, sizeof h->at[k].count);
+    }
     for (i = begin; i < end; i++)
-        for (k = 0; k < 3; k++)
-            bin_add(&h->at[k][bin_of(&refs[i], k, r->centre_lo[k], factor[k])], lo_of(&refs[i]), hi_of(&refs[i]), 1);
+        for (k = 0; k < 3; k++) {
+            const int at = bin_of(&refs[i], k, r->centre_lo[k], factor[k]);
+            h->at[k].at[at] = add(h->at[k].at[at], lo_of(&refs[i]), hi_of(&refs[i]));
+            h->at[k].count[at]++;
+        }
 }
 
 typedef struct histogram_work {
@@ -215,13 +249,16 @@ static void sort_together(histogram *all, const bvh_range *r, const float *facto
     *all = w.parts[0];
     for (i = 1; i < PARTS; i++)
         for (k = 0; k < 3; k++)
-            for (j = 0; j < BINS; j++)
-                bin_add(&all->at[k][j], w.parts[i].at[k][j].lo, w.parts[i].at[k][j].hi, w.parts[i].at[k][j].count);
+            for (j = 0; j < BINS; j++) {
+                const bins *more = &w.parts[i].at[k];
+                all->at[k].at[j] = add(all->at[k].at[j], more->at[j].lo, more->at[j].hi);
+                all->at[k].count[j] += more->count[j];
+            }
 }
 
 static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, int threads)
 {
-    histogram bins;
+    histogram h;
     float factor[3];
     cut best = { -1, 0, 0.0f, 0.0f, FLT_MAX };
     int k;
@@ -233,12 +270,12 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, 
         factor[k] = wide > least_width ? (float)BINS * 0.9999f / wide : 0.0f;
     }
     if (threads > 1 && bvh_range_count(r) >= PARTS_FROM)
-        sort_together(&bins, r, factor, refs, threads);
+        sort_together(&h, r, factor, refs, threads);
     else
-        sort_into(&bins, r, factor, refs, r->begin, r->end);
+        sort_into(&h, r, factor, refs, r->begin, r->end);
     for (k = 0; k < 3; k++)
         if (factor[k] > 0.0f)
-            weigh(bins.at[k], count_blocks, k, r->centre_lo[k], factor[k], &best);
+            weigh(&h.at[k], count_blocks, k, r->centre_lo[k], factor[k], &best);
     return best;
 }
 
