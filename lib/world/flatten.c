@@ -49,6 +49,9 @@ typedef struct maker {
     size_t scratch_bytes;
     const object *kept_object;   /* whose instance was kept last */
     const void *kept_instance;
+    const void *boxed;           /* the placed instance that was looked at last: its box in its own space, if it has one */
+    bool has_box;
+    pov_box own;
     flat_maps maps;
 } maker;
 
@@ -155,8 +158,15 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
     int i;
 
     for (i = 0; i < n; i++) {
-        finite[i] = own_box(&f->model->objects.items[ids[i]], f->moved[ids[i]], &own[i]);
+        const void *instance = f->moved[ids[i]];
+
         each[i] = &maps[i];
+        if (i > 0 && instance == f->moved[ids[i - 1]]) {   /* they were written alike */
+            own[i] = own[i - 1];
+            finite[i] = finite[i - 1];
+        } else {
+            finite[i] = own_box(&f->model->objects.items[ids[i]], instance, &own[i]);
+        }
     }
     placement_boxes(each, own, n, around);
     for (i = 0; i < n; i++) {
@@ -170,15 +180,14 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
 /* The box of a placed shape in the world, a little wider where its map is roughly known. False: there is none. */
 static bool placed_box(maker *k, const object *o, const void *instance, bool roughly, pov_box *out)
 {
-    const pov_affine *map;
-    pov_box own;
-
-    if (!own_box(o, instance, &own))
+    if (instance != k->boxed)
+        k->has_box = own_box(o, instance, &k->own);
+    k->boxed = instance;
+    if (!k->has_box)
         return false;
-    if (roughly && flat_maps_box(&k->maps, &own, out))
+    if (roughly && flat_maps_box(&k->maps, &k->own, out))
         return true;
-    map = flat_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
-    placement_box(map, &own, out);
+    placement_box(flat_maps_compose(&k->maps, o), &k->own, out);   /* it is moderate, or was composed before */
     return is_finite_box(out);
 }
 
