@@ -279,19 +279,58 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, 
     return best;
 }
 
+static inline void swap(bvh_ref *a, bvh_ref *b)
+{
+    const bvh_ref old = *a;
+
+    *a = *b;
+    *b = old;
+}
+
+/* Those on the wrong side of large ranges are found a block at a time, without a branch on what cannot be guessed. The
+ * swaps are those of going one by one. */
+static void partition_blocks(bvh_ref *refs, uint32_t *begin, uint32_t *end, const cut *c)
+{
+    enum { BLOCK = 64 };
+    uint8_t low[BLOCK], high[BLOCK];
+    uint32_t lows = 0, highs = 0, from_low = 0, from_high = 0, i, n;
+
+    while (*end - *begin > 2 * BLOCK) {
+        bvh_ref *left = refs + *begin, *right = refs + *end - 1;
+
+        if (lows == 0)
+            for (i = from_low = 0; i < BLOCK; i++) {
+                low[lows] = (uint8_t)i;
+                lows += bin_of(left + i, c->axis, c->base, c->factor) >= c->at;
+            }
+        if (highs == 0)
+            for (i = from_high = 0; i < BLOCK; i++) {
+                high[highs] = (uint8_t)i;
+                highs += bin_of(right - i, c->axis, c->base, c->factor) < c->at;
+            }
+        n = lows < highs ? lows : highs;
+        for (i = 0; i < n; i++)
+            swap(left + low[from_low + i], right - high[from_high + i]);
+        from_low += n;
+        from_high += n;
+        lows -= n;
+        highs -= n;
+        *begin += lows == 0 ? BLOCK : 0;
+        *end -= highs == 0 ? BLOCK : 0;
+    }
+}
+
 static uint32_t partition(bvh_ref *refs, uint32_t begin, uint32_t end, const cut *c)
 {
+    partition_blocks(refs, &begin, &end, c);
     for (;;) {
-        bvh_ref swap;
         while (begin < end && bin_of(&refs[begin], c->axis, c->base, c->factor) < c->at)
             begin++;
         while (begin < end && bin_of(&refs[end - 1], c->axis, c->base, c->factor) >= c->at)
             end--;
         if (begin >= end)
             return begin;
-        swap = refs[begin];
-        refs[begin] = refs[end - 1];
-        refs[end - 1] = swap;
+        swap(&refs[begin], &refs[end - 1]);
     }
 }
 
