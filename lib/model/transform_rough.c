@@ -5,6 +5,7 @@
 /* docs/numerics.md ("Boxes of placed shapes") derives these. */
 #define LOST_EACH 0x1p-46
 #define MODERATE 1e100
+#define NO_UNDERFLOW 0x1p-800   /* of a sum of squares, for those that count in it */
 enum { MOST_STEPS = 32, LANES = ROUGH_MANY };
 
 typedef double lanes[LANES];
@@ -183,7 +184,15 @@ unsigned transform_rough(const transform *const *lists, int n, rough_maps *out)
     return find_moderate(out, n);
 }
 
-bool transform_rough_box(const rough_maps *maps, int lane, const pov_box *box, pov_box *out)
+/* Half of how far a row takes what reaches so far along the axes: a box, or what is round within it. */
+static double half_of(pov_vec3 row, pov_vec3 r, bool round)
+{
+    const double x = row.x * r.x, y = row.y * r.y, z = row.z * r.z, square = x * x + y * y + z * z;
+
+    return round && square > NO_UNDERFLOW ? sqrt(square) : fabs(x) + fabs(y) + fabs(z);
+}
+
+bool transform_rough_box(const rough_maps *maps, int lane, const pov_box *box, bool round, pov_box *out)
 {
     const pov_vec3 c = pov_add(pov_scale(box->lo, 0.5), pov_scale(box->hi, 0.5));
     const pov_vec3 above = pov_sub(box->hi, c), below = pov_sub(c, box->lo);
@@ -195,9 +204,8 @@ bool transform_rough_box(const rough_maps *maps, int lane, const pov_box *box, p
     int i;
 
     for (i = 0; i < 3; i++) {
-        const double x = maps->m[i][0][lane], y = maps->m[i][1][lane], z = maps->m[i][2][lane];
-        const double middle = maps->moved[i][lane] + (x * c.x + y * c.y + z * c.z);
-        const double half = fabs(x) * r.x + fabs(y) * r.y + fabs(z) * r.z + lost;
+        const pov_vec3 row = { maps->m[i][0][lane], maps->m[i][1][lane], maps->m[i][2][lane] };
+        const double middle = maps->moved[i][lane] + pov_dot(row, c), half = half_of(row, r, round) + lost;
 
         lo[i] = middle - half;
         hi[i] = middle + half;

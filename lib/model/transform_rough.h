@@ -17,8 +17,8 @@ typedef struct rough_maps {
 
 /* Of lists of the same kinds. Bit i of what is returned: the i-th's numbers are moderate, so that it has an inverse. */
 unsigned transform_rough(const transform *const *lists, int n, rough_maps *out);
-/* A box that holds what becomes of a box. False: it is not moderate. */
-bool transform_rough_box(const rough_maps *maps, int lane, const pov_box *box, pov_box *out);
+/* A box that holds what becomes of a box, or of the ellipsoid that touches its sides. False: it is not moderate. */
+bool transform_rough_box(const rough_maps *maps, int lane, const pov_box *box, bool round, pov_box *out);
 
 /* For certain: a ball becomes none; a box with sides along the axes becomes none. */
 bool transform_is_uneven(const transform *list);

@@ -67,9 +67,9 @@ bool flat_maps_look(flat_maps *k, const object *o)
     return k->moderate >> k->rough_now & 1;
 }
 
-bool flat_maps_box(const flat_maps *k, const pov_box *own, pov_box *out)
+bool flat_maps_box(const flat_maps *k, const object *o, const pov_box *own, pov_box *out)
 {
-    return transform_rough_box(&k->rough_maps, k->rough_now, own, out);
+    return transform_rough_box(&k->rough_maps, k->rough_now, own, o->shape->flags & POV_SHAPE_BALL, out);
 }
 
 void flat_maps_open(flat_maps *k, const object *first, uint32_t n)

@@ -29,7 +29,7 @@ void flat_maps_open(flat_maps *k, const object *first, uint32_t n);
 const pov_affine *flat_maps_compose(flat_maps *k, const object *o);
 /* Is it known without, of an object with transformations, that it cannot absorb them, and roughly where it comes to? */
 bool flat_maps_look(flat_maps *k, const object *o);
-/* If so, a box around what comes of one. False: it is far from moderate. */
-bool flat_maps_box(const flat_maps *k, const pov_box *own, pov_box *out);
+/* If so, a box around what comes of its own. False: it is far from moderate. */
+bool flat_maps_box(const flat_maps *k, const object *o, const pov_box *own, pov_box *out);
 
 #endif

@@ -185,7 +185,7 @@ static bool placed_box(maker *k, const object *o, const void *instance, bool rou
     k->boxed = instance;
     if (!k->has_box)
         return false;
-    if (roughly && flat_maps_box(&k->maps, &k->own, out))
+    if (roughly && flat_maps_box(&k->maps, o, &k->own, out))
         return true;
     placement_box(flat_maps_compose(&k->maps, o), &k->own, out);   /* it is moderate, or was composed before */
     return is_finite_box(out);

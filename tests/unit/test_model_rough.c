@@ -84,7 +84,7 @@ static void rough_boxes_hold_the_true_ones(void **state)
 
             assert_true(transform_compose(lists[k], &map));
             placement_box(&map, &own, &around);
-            assert_true(transform_rough_box(&maps, k, &own, &rough));
+            assert_true(transform_rough_box(&maps, k, &own, false, &rough));
             assert_true(holds(&rough, &around));
             worst = fmax(worst, slack(&rough, &around, &maps, k, &own));
         }
@@ -92,6 +92,69 @@ static void rough_boxes_hold_the_true_ones(void **state)
     }
     print_message("widest by 2^%.1f of all sizes\n", log2(worst));
     assert_true(worst < ldexp(1.0, -41));
+}
+
+/* Points of an ellipsoid stay in its box, and come near to each of its sides. */
+static void round_boxes_hold_ellipsoids(void **state)
+{
+    test_random r = { 7 };
+    int i, j, k;
+
+    (void)state;
+    for (i = 0; i < 200; i++) {
+        const transform *list = NULL;
+        const pov_box own = random_box(&r);
+        const pov_vec3 c = pov_scale(pov_add(own.lo, own.hi), 0.5), half = pov_scale(pov_sub(own.hi, own.lo), 0.5);
+        double most = -HUGE_VAL;
+        rough_maps maps;
+        pov_affine map;
+        pov_box box, whole;
+        model m;
+
+        test_model_init(&m, NULL);
+        list = random_step(&m, &r, list, TRANSFORM_SCALE);
+        list = random_step(&m, &r, list, TRANSFORM_ROTATE);
+        list = random_step(&m, &r, list, TRANSFORM_TRANSLATE);
+        assert_int_equal(transform_rough(&list, 1, &maps), 1);
+        assert_true(transform_rough_box(&maps, 0, &own, true, &box));
+        assert_true(transform_rough_box(&maps, 0, &own, false, &whole));
+        assert_true(holds(&whole, &box));
+        assert_true(transform_compose(list, &map));
+        for (j = 0; j < 200; j++) {
+            const pov_vec3 way = test_direction(&r);
+            const pov_vec3 p = pov_add(c, pov_vec3_of(way.x * half.x, way.y * half.y, way.z * half.z));
+            const pov_vec3 at = pov_affine_point(&map, p);
+            const double reach = maps.away[0] + maps.size[0] * 3.0 * (pov_largest(own.lo) + pov_largest(own.hi));
+            const double on[3] = { at.x, at.y, at.z }, lo[3] = { box.lo.x, box.lo.y, box.lo.z };
+            const double hi[3] = { box.hi.x, box.hi.y, box.hi.z };
+
+            for (k = 0; k < 3; k++) {
+                const double error = 0x1p-48 * reach;   /* of the point itself */
+                assert_true(on[k] >= lo[k] - error && on[k] <= hi[k] + error);
+                most = fmax(most, hi[k] - lo[k] > 0x1p-30 * reach ? (on[k] - lo[k]) / (hi[k] - lo[k]) : -HUGE_VAL);
+            }
+        }
+        assert_true(most > 0.9 || most == -HUGE_VAL);
+        model_free(&m);
+    }
+}
+
+/* Too small for squares, they are as wide as boxes. */
+static void tiny_ellipsoids_have_boxes_too(void **state)
+{
+    const pov_box own = { { -1e-90, -1e-90, -1e-90 }, { 1e-90, 1e-90, 1e-90 } };
+    const transform *list;
+    rough_maps maps;
+    pov_box box;
+    model m;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    list = test_transform(&m, NULL, TRANSFORM_SCALE, 1e-90, 2e-90, 1e-90);
+    assert_int_equal(transform_rough(&list, 1, &maps), 1);
+    assert_true(transform_rough_box(&maps, 0, &own, true, &box));
+    assert_true(box.hi.x >= 1e-180 && box.hi.y >= 2e-180 && box.lo.z <= -1e-180);
+    model_free(&m);
 }
 
 static void what_is_not_moderate_is_not_known(void **state)
@@ -194,6 +257,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rough_boxes_hold_the_true_ones),
+        cmocka_unit_test(round_boxes_hold_ellipsoids),
+        cmocka_unit_test(tiny_ellipsoids_have_boxes_too),
         cmocka_unit_test(what_is_not_moderate_is_not_known),
         cmocka_unit_test(what_is_uneven_or_turned_is_so),
         cmocka_unit_test(what_may_cancel_is_not_told),
