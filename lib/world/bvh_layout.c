@@ -1,5 +1,6 @@
 #include "world/bvh_build.h"
 
+#include "base/pages.h"
 #include "base/share.h"
 
 #include <string.h>
@@ -63,8 +64,10 @@ static uint32_t put_node(layout *l, const bvh_draft_node *draft, uint32_t frame)
     bvh_node *node = &l->out->nodes[index];
     int i;
 
-    for (i = 0; i < BVH_WIDTH; i++)
+    for (i = 0; i < BVH_WIDTH; i++) {
         set_place(node, i, never_lo, never_hi);
+        node->child[i] = BVH_NODE;
+    }
     for (i = 0; i < draft->count; i++) {
         const bvh_draft_child *c = &draft->child[i];
         set_place(node, i, c->lo, c->hi);
@@ -97,7 +100,7 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, cons
     count(out, root, 0);
     if (out->node_count > most || out->frame_count > most || out->leaf_count > most)
         return false;
-    out->nodes = env_alloc_aligned(in->env, out->node_count * sizeof *out->nodes, BVH_UNIT);
+    out->nodes = pages_reserve(in->env, out->node_count * sizeof *out->nodes);
     out->frames = env_alloc(in->env, out->frame_count, sizeof *out->frames);
     *leaves = l.leaves = env_alloc(in->env, out->leaf_count + 1, sizeof *l.leaves);
     if (!out->nodes || !out->frames || !l.leaves)
@@ -210,7 +213,7 @@ bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves)
 
 void bvh_free(bvh *b, const env *e)
 {
-    env_free_aligned(e, b->nodes);
+    pages_free(e, b->nodes);
     env_free(e, b->frames);
     env_free_aligned(e, b->leaves);
     memset(b, 0, sizeof *b);

@@ -1,5 +1,6 @@
 #include "world/runs.h"
 
+#include "base/pages.h"
 #include "base/share.h"
 #include "base/simd.h"
 
@@ -111,7 +112,7 @@ bool runs_allocate(runs *r)
         }
         if (f->groups[g].placed)
             continue;
-        f->groups[g].instances = env_reserve_aligned(f->env, (size_t)all * f->groups[g].stride, 64);
+        f->groups[g].instances = pages_reserve(f->env, (size_t)all * f->groups[g].stride);
         if (!f->groups[g].instances)
             return false;
     }
