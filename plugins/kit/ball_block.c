@@ -2,7 +2,7 @@
 
 #include "kit/floats.h"
 
-/* Points of a ray near the spheres, the point that it is nearest to one among them, are off by less than 22 e (1 + S), S
+/* Points of a ray near the spheres, the point that it is nearest to one among them, are off by less than 23 e (1 + S), S
  * being the sum of the sizes of its origin's coordinates: docs/numerics.md has the count. Radii that much smaller and
  * larger, and bounds that much wider, make the answer safe. */
 #define BLUR (24.0f * KIT_E)
@@ -58,13 +58,13 @@ KIT_INLINE line line_of(const pov_rays *rays, size_t at)
 /* Where a line is nearest to a centre: how far it has gone there, and the square of how near. */
 typedef struct nearest { float middle, ww; } nearest;
 
+/* How near is the size of a product of vectors, which need not wait for how far. */
 KIT_INLINE nearest near_line(const ball *b, const line *l)
 {
     const kit_three c = { b->centre.x - l->org.x, b->centre.y - l->org.y, b->centre.z - l->org.z };
-    const float m = kit_dot(c, l->dir);
-    const kit_three w = { kit_float_sum(-m, l->dir.x, c.x), kit_float_sum(-m, l->dir.y, c.y),
-                          kit_float_sum(-m, l->dir.z, c.z) };
-    const nearest n = { m, kit_dot(w, w) };
+    const kit_three w = { kit_float_sum(-c.z, l->dir.y, c.y * l->dir.z), kit_float_sum(-c.x, l->dir.z, c.z * l->dir.x),
+                          kit_float_sum(-c.y, l->dir.x, c.x * l->dir.y) };
+    const nearest n = { kit_dot(c, l->dir), kit_dot(w, w) };
 
     return n;
 }
