@@ -181,6 +181,8 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
 /* The box of a placed shape in the world, a little wider where its map is roughly known. False: there is none. */
 static bool placed_box(maker *k, const object *o, const void *instance, bool roughly, pov_box *out)
 {
+    const pov_affine *map;
+
     if (instance != k->boxed)
         k->has_box = own_box(o, instance, &k->own);
     k->boxed = instance;
@@ -188,7 +190,10 @@ static bool placed_box(maker *k, const object *o, const void *instance, bool rou
         return false;
     if (roughly && flat_maps_box(&k->maps, o, &k->own, out))
         return true;
-    placement_box(flat_maps_compose(&k->maps, o), &k->own, out);   /* it is moderate, or was composed before */
+    map = flat_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
+    placement_box(map, &k->own, out);
+    if (o->shape->flags & POV_SHAPE_BALL)
+        placement_draw_in(map, &k->own, out);
     return is_finite_box(out);
 }
 

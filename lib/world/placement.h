@@ -31,6 +31,8 @@ typedef struct placement {
 
 /* The box around a transformed box, rounded outward. */
 void placement_box(const pov_affine *map, const pov_box *own, pov_box *out);
+/* The same of a ball: what placement_box() gave of the box that it touches is drawn in to the ball. */
+void placement_draw_in(const pov_affine *map, const pov_box *own, pov_box *around);
 /* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
 void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 

@@ -97,6 +97,34 @@ void placement_box(const pov_affine *map, const pov_box *own, pov_box *out)
     placement_boxes(&map, own, 1, out);
 }
 
+/* By how much a ball of that radius, or a larger one, falls short of the box around it on either side of an axis of the
+ * world: there it reaches as far as the row of the map is long, the box as far as the sum of sizes. Three sums and a root
+ * lose less than 11 u of that sum, the row's low parts with them; squares that underflow need a sum that is small. */
+static double falls_short(const double row[4], double radius)
+{
+    const double sum = fabs(row[0]) + fabs(row[1]) + fabs(row[2]);
+    const double length = sqrt(row[0] * row[0] + row[1] * row[1] + row[2] * row[2]);
+
+    return sum > 1e-140 ? fmax(radius * (sum - length - sum * 0x1p-49), 0.0) : 0.0;
+}
+
+static void draw_in(double *lo, double *hi, double by)
+{
+    *lo = fmax(*lo, -pov_next(-(*lo + by)));
+    *hi = fmin(*hi, pov_next(*hi - by));
+}
+
+void placement_draw_in(const pov_affine *map, const pov_box *own, pov_box *around)
+{
+    const pov_vec3 edge = pov_sub(own->hi, own->lo);
+    const double wide = PLACEMENT_ROUNDED * (pov_largest(own->lo) + pov_largest(own->hi));
+    const double radius = fmax(0.5 * fmin(edge.x, fmin(edge.y, edge.z)) - wide, 0.0);
+
+    draw_in(&around->lo.x, &around->hi.x, falls_short(map->m[0], radius));
+    draw_in(&around->lo.y, &around->hi.y, falls_short(map->m[1], radius));
+    draw_in(&around->lo.z, &around->hi.z, falls_short(map->m[2], radius));
+}
+
 /* ---- placements ---- */
 
 typedef struct making {

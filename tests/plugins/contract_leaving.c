@@ -171,6 +171,24 @@ static bool fills_its_bounds(const thing *t, const pov_ray *ray)
     return subject.shape->inside(t->self, at, zero);
 }
 
+/* And none of a ball is beyond: hosts may look for nothing in the corners of its bounds. */
+static bool lies_in_its_ball(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+    const double wide = pov_largest(t->box.lo) + pov_largest(t->box.hi);
+    const double radius = 0.5 * pov_largest(pov_sub(t->box.hi, t->box.lo)) + wide * 0x1p-48;
+    uint32_t n;
+
+    for (n = subject_ask(t->self, ray, at); n > 0; n--) {
+        pov_vec3 hi, lo;
+
+        subject_point(ray, at[n - 1].t, at[n - 1].t_lo, &hi, &lo);
+        if (!(subject_length(pov_sub(hi, t->middle)) <= radius + 4.0 * DBL_EPSILON * wide))
+            return false;
+    }
+    return true;
+}
+
 void a_box_or_ball_fills_its_bounds(void **unused)
 {
     (void)unused;
@@ -178,4 +196,6 @@ void a_box_or_ball_fills_its_bounds(void **unused)
         subject_each_ray(RAYS, fills_its_bounds);
     else
         skip();
+    if (subject.shape->flags & POV_SHAPE_BALL)
+        subject_each_ray(RAYS, lies_in_its_ball);
 }

@@ -1,6 +1,7 @@
 /* Rays of shapes in spaces of their own: the filter before them never says a wrong no or yes, for one ray as for many,
  * and every processor's copy gives the same bits. */
 #include "support/check.h"
+#include "support/maps.h"
 #include "support/shapes.h"
 
 #include "world/bvh_build.h"
@@ -102,47 +103,16 @@ static uint32_t find_hits(const placement *p, const pov_shape_class *shape, cons
     return hits.count;
 }
 
-/* ---- random maps, boxes and rays ---- */
-
-static double power(test_random *r, double lo, double hi)
-{
-    return pow(10.0, test_uniform(r, lo, hi));
-}
-
-static double either(test_random *r, double v)
-{
-    return test_below(r, 2) ? v : -v;
-}
-
-/* Scaled by factors that differ by up to 1e9, mirrored, turned, sometimes squeezed again; tiny or large, near or far. */
-static const transform *random_map(model *m, test_random *r)
-{
-    const double size = power(r, -12.0, 12.0), uneven = test_below(r, 3) ? 0.5 : 4.5;
-    const transform *map = test_transform(m, NULL, TRANSFORM_SCALE, either(r, size * power(r, -uneven, uneven)),
-                                          either(r, size * power(r, -uneven, uneven)),
-                                          either(r, size * power(r, -uneven, uneven)));
-
-    if (test_below(r, 4))
-        map = test_transform(m, map, TRANSFORM_ROTATE, test_uniform(r, 0.0, 360.0), test_uniform(r, 0.0, 360.0),
-                             test_uniform(r, 0.0, 360.0));
-    if (!test_below(r, 4))
-        map = test_transform(m, map, TRANSFORM_SCALE, power(r, -2.0, 2.0), power(r, -2.0, 2.0), power(r, -2.0, 2.0));
-    if (test_below(r, 4)) {
-        const double far = size * power(r, -3.0, 9.0);
-        const pov_vec3 way = test_direction(r);
-        map = test_transform(m, map, TRANSFORM_TRANSLATE, far * way.x, far * way.y, far * way.z);
-    }
-    return map;
-}
+/* ---- random boxes and rays ---- */
 
 static pov_box random_box(test_random *r)
 {
-    const double size = power(r, -2.0, 2.0);
+    const double size = test_power(r, -2.0, 2.0);
     const pov_vec3 far = pov_scale(test_direction(r), test_below(r, 2) ? 0.0 : 10.0 * size);
     pov_box b;
 
-    b.lo = pov_sub(far, pov_vec3_of(size, size * power(r, -2.0, 2.0), test_below(r, 8) ? size : 0.0));
-    b.hi = pov_add(far, pov_vec3_of(size, size * power(r, -2.0, 2.0), test_below(r, 8) ? size : 0.0));
+    b.lo = pov_sub(far, pov_vec3_of(size, size * test_power(r, -2.0, 2.0), test_below(r, 8) ? size : 0.0));
+    b.hi = pov_add(far, pov_vec3_of(size, size * test_power(r, -2.0, 2.0), test_below(r, 8) ? size : 0.0));
     return b;
 }
 
@@ -160,11 +130,11 @@ static pov_ray random_ray(test_random *r, const pov_affine *map, const pov_box *
     if (!test_below(r, 4))
         way = test_below(r, 2) ? pov_vec3_of(1.0, 0.0, 0.0) : pov_vec3_of(0.0, 0.0, -1.0);
     memset(&ray, 0, sizeof ray);
-    ray.dir = pov_scale(way, power(r, -3.0, 3.0));
+    ray.dir = pov_scale(way, test_power(r, -3.0, 3.0));
     ray.org = pov_sub(there, pov_scale(way, pov_largest(pov_sub(own->hi, own->lo)) * fabs(map->m[0][0]) *
-                                                power(r, -3.0, 6.0)));
+                                                test_power(r, -3.0, 6.0)));
     if (test_below(r, 2) && pov_largest(pov_sub(there, ray.org)) > 0.0)
-        ray.dir = pov_scale(pov_sub(there, ray.org), power(r, -3.0, 3.0));
+        ray.dir = pov_scale(pov_sub(there, ray.org), test_power(r, -3.0, 3.0));
     ray.org_lo = pov_scale(ray.org, test_uniform(r, -0x1p-54, 0x1p-54));
     ray.left = test_below(r, 2) ? POV_NOBODY : 0;
     return ray;
@@ -225,7 +195,7 @@ static void check_turned(const placement *p, test_random *r, uint32_t n)
     for (i = 0; i < n; i++) {
         const double least = test_below(r, 4) ? -1.0 : test_below(r, 2) ? -300.0 : -500.0;
 
-        many[i] = one[i] = pov_scale(test_direction(r), power(r, least, -least));
+        many[i] = one[i] = pov_scale(test_direction(r), test_power(r, least, -least));
         placement_turn_normal(p, &one[i]);
     }
     placement_turn_normals(places, normals, n);
@@ -251,7 +221,8 @@ static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_
 /* Up to 1e4 times as large as what it holds, which is anywhere in it. */
 static bvh_frame random_frame(test_random *r, const pov_box *around)
 {
-    const double size = pov_largest(pov_sub(around->hi, around->lo)) * (test_below(r, 2) ? power(r, -1.0, 4.0) : 0.0);
+    const double most = pov_largest(pov_sub(around->hi, around->lo));
+    const double size = most * (test_below(r, 2) ? test_power(r, -1.0, 4.0) : 0.0);
     const pov_vec3 before = pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5);
     const pov_vec3 behind = pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5);
     pov_box all;
@@ -308,24 +279,27 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     uint32_t hits[RAYS], count, i;
     uint64_t lanes = 0;
     bvh_frame frame;
-    pov_box around;
+    pov_box around, tree;
     pov_affine map;
     placement p;
     stand stands;
     bool fits;
 
-    assert_true(transform_compose(random_map(m, r), &map));
+    assert_true(transform_compose(test_random_map(m, r), &map));
     placement_box(&map, &own, &around);
     placement_init(&p, &map, &own, &around, shape->flags);
     assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
-    frame = random_frame(r, &around);
+    tree = around;
+    if (shape->flags & POV_SHAPE_BALL)
+        placement_draw_in(&map, &own, &tree);
+    frame = random_frame(r, &tree);
     fits = placement_stand(&p, &frame, &stands);
     t->fits += fits;
     if (fits)
         check_ellipsoid(&p, &frame, &stands);
     for (i = 0; i < RAYS; i++) {
         const pov_ray ray = random_ray(r, &map, &own);
-        const double tmax = test_below(r, 2) ? HUGE_VAL : power(r, -3.0, 6.0);
+        const double tmax = test_below(r, 2) ? HUGE_VAL : test_power(r, -3.0, 6.0);
 
         hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
         check_copies(&p, &ray);
@@ -342,17 +316,6 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
     }
     for (i = 0; i < RAYS && fits; i++)
         check_answer(of[i], hits[i], at[i], t);
-}
-
-static pov_box random_cube(test_random *r)
-{
-    const double size = power(r, -2.0, 2.0);
-    const pov_vec3 far = pov_scale(test_direction(r), test_below(r, 2) ? 0.0 : 10.0 * size);
-    pov_box b;
-
-    b.lo = pov_sub(far, pov_vec3_of(size, size, size));
-    b.hi = pov_add(far, pov_vec3_of(size, size, size));
-    return b;
 }
 
 static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random *r))
@@ -386,7 +349,7 @@ static void the_filter_is_right_of_boxes(void **state)
 
 static void the_filter_is_right_of_balls(void **state)
 {
-    const tally t = check_maps(&orb, random_cube);
+    const tally t = check_maps(&orb, test_random_cube);
 
     (void)state;
     assert_true(t.hits > MAPS / 10 && t.misses > MAPS / 2);
@@ -412,9 +375,9 @@ static void placements_made_together_are_as_one_by_one(void **state)
 
         test_model_init(&m, NULL);
         for (k = 0; k < n; k++) {
-            assert_true(transform_compose(random_map(&m, &r), &maps[k]));
+            assert_true(transform_compose(test_random_map(&m, &r), &maps[k]));
             each[k] = &maps[k];
-            own[k] = test_below(&r, 2) ? random_box(&r) : random_cube(&r);
+            own[k] = test_below(&r, 2) ? random_box(&r) : test_random_cube(&r);
         }
         placement_boxes(each, own, n, around);
         for (k = 0; k < n; k++) {
