@@ -22,7 +22,7 @@ static void complete(pov_tracer *t, uint32_t n)
         hits[count++] = t->met[i];
     }
     if (count > 0)
-        world_surface_many(t->world, rays, hits, count, &t->geometry.to);
+        world_surface_many(t->world, NULL, rays, hits, count, &t->geometry.to);
     for (i = 0; i < n; i++)
         world_approach(&t->geometry.to, i, t->rays[i], t->met[i]);
 }
@@ -60,7 +60,7 @@ void geometry_find(pov_tracer *t, uint32_t n)
     if (t->spots.count > 0)
         complete(t, n);
     else
-        world_surface_many(t->world, t->rays, t->met, n, &g->to);
+        world_surface_many(t->world, t->walker, t->rays, t->met, n, &g->to);
     if (!turn_plain(g, lanes_whole(n)))
         for (uint32_t i = 0; i < n; i++)
             turn(g, i, pov_unit(lanes_at(&g->to.way, i)));

@@ -32,34 +32,36 @@ static void count_nearest(company *c, uint32_t i, const run *r, uint32_t lane)
 
 /* Pairs of one class that may be asked together. */
 typedef struct pairs {
-    uint32_t count, placed;
+    uint32_t count;
     const void *selves[WORLD_MANY];
     const pov_ray *rays[WORLD_MANY];
     pov_hits *hits[WORLD_MANY];
-    const placement *places[WORLD_MANY];   /* of placed ones, with rays in the world and in their own spaces */
-    const pov_ray *from[WORLD_MANY];
-    pov_ray own[WORLD_MANY];
 } pairs;
 
-static inline void put_pair(pairs *some, const void *self, const placement *place, const pov_ray *ray, pov_hits *hits)
+static inline void put_pair(pairs *some, const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const uint32_t n = some->count++;
 
     some->selves[n] = self;
     some->rays[n] = ray;
-    if (place) {
-        some->places[some->placed] = place;
-        some->from[some->placed] = ray;
-        some->rays[n] = &some->own[some->placed++];
-    }
     some->hits[n] = hits;
+}
+
+/* The ray that a placed shape is asked with, which is found with the other places; it is kept for the normal. */
+static inline const pov_ray *own_ray(walker *k, places *some, const placement *at, const pov_ray *ray, uint32_t which,
+                                     uint32_t owner)
+{
+    pov_ray *own = &k->own.rays[which];
+
+    k->own.of[which] = owner;
+    places_put(some, at, ray, own);
+    return own;
 }
 
 static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some)
 {
     uint32_t decided = 0, i;
 
-    placement_rays(some->places, some->from, some->own, some->placed);
     for (i = 0; i < some->count; i++)
         decided -= some->hits[i]->decided;
     if (POV_SHAPE_HAS(shape, intersect_many))
@@ -90,10 +92,11 @@ static void put_off(company *c, const run *r, const pov_meeting *m)
 }
 
 /* What a filter leaves open of a run that holds one shape, so that no ray is there twice. */
-static void ask_open(company *c, const run *r, pairs *open, const uint8_t *lanes)
+static void ask_open(company *c, const run *r, pairs *open, const places *placed, const uint8_t *lanes)
 {
     uint32_t i;
 
+    places_find(placed);
     ask_pairs(c->walker, r->shape, run_class(r), open);
     for (i = 0; i < open->count; i++)
         if (open->hits[i]->tmax < c->party.limit[lanes[i]])
@@ -105,12 +108,13 @@ static void filter_nearest(company *c, const run *r, uint64_t lanes)
     const pov_meeting *m = c->met;
     uint32_t n = run_filter(r, c->party.in, &c->party.side, lanes, c->met);
     uint8_t open_lanes[WORLD_MANY];
+    places placed;
     pairs open;
 
-    open.count = open.placed = 0;
+    open.count = placed.count = 0;
     for (; n > 0; m++, n--) {
+        const bool left = r->object[m->lane] == c->rays[m->ray]->left;
         const pov_ray *ray = c->rays[m->ray];
-        const bool left = r->object[m->lane] == ray->left;
 
         if (is_beyond(m->lo, c->party.limit[m->ray]) ||
             (left && is_settled(r, m->lane, ray, c->party.side.away[m->ray])))
@@ -119,16 +123,19 @@ static void filter_nearest(company *c, const run *r, uint64_t lanes)
         if (m->surely && !left) {
             put_off(c, r, m);
         } else if (r->flags & RUN_PLACED) {
+            pov_hits *hits = nearest_hits(c, m->ray);
+
             run_expect(r);
             open_lanes[open.count] = (uint8_t)m->ray;
-            put_pair(&open, r->instances, run_placement(r), ray, nearest_hits(c, m->ray));
-            c->hits[m->ray].owner = r->object[0];
+            hits->owner = r->object[0];
+            ray = own_ray(c->walker, &placed, run_placement(r), ray, c->of[m->ray], hits->owner);
+            put_pair(&open, r->instances, ray, hits);
         } else {
             count_nearest(c, m->ray, r, m->lane);
         }
     }
     if (open.count > 0)
-        ask_open(c, r, &open, open_lanes);
+        ask_open(c, r, &open, &placed, open_lanes);
 }
 
 static uint64_t meet_nearest(bvh_party *party, const void *leaf, uint64_t lanes)
@@ -179,16 +186,16 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
     return false;
 }
 
-/* Take those of `left` that are of a class; the others are left. */
+/* Take those of `left` that are of a class, to whose spaces rays have been taken; the others are left. */
 static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t left, pairs *out)
 {
     uint64_t rest, others = 0;
 
-    out->count = out->placed = 0;
+    out->count = 0;
     for (rest = left; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pending *p = &c->pending[i];
-        const placement *place = p->run->flags & RUN_PLACED ? run_placement(p->run) : NULL;
+        const pov_ray *ray = p->run->flags & RUN_PLACED ? &c->walker->own.rays[c->of[i]] : c->rays[i];
         pov_hits *hits;
 
         if (p->run->shape != shape) {
@@ -197,7 +204,7 @@ static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t le
         }
         hits = nearest_hits(c, i);
         hits->owner = p->run->object[p->lane];
-        put_pair(out, run_instance(p->run, p->lane), place, c->rays[i], hits);
+        put_pair(out, run_instance(p->run, p->lane), ray, hits);
     }
     return others;
 }
@@ -206,14 +213,23 @@ static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t le
 static void settle(company *c)
 {
     uint64_t left = 0, rest;
+    places placed;
     pairs some;
-    uint32_t i;
 
+    placed.count = 0;
     for (rest = c->waiting; rest; rest &= rest - 1) {
-        i = first_of64(rest);
-        if (!is_beyond(c->pending[i].lo, c->party.limit[i]))
-            left |= bit_of(i);
+        const uint32_t i = first_of64(rest);
+        const run *r = c->pending[i].run;
+
+        if (is_beyond(c->pending[i].lo, c->party.limit[i]))
+            continue;
+        left |= bit_of(i);
+        if (!(r->flags & RUN_PLACED))
+            continue;
+        bvh_write(&c->party, i);
+        own_ray(c->walker, &placed, run_placement(r), c->rays[i], c->of[i], r->object[0]);
     }
+    places_find(&placed);
     while (left) {
         const run *r = c->pending[first_of64(left)].run;
 
@@ -231,11 +247,13 @@ static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const
 {
     const shape_group *first = group_of(w, rays[first_of64(left)]->left);
     uint64_t others = 0;
+    places placed;
     pairs some;
 
-    some.count = some.placed = 0;
+    some.count = placed.count = 0;
     for (; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = rays[i]->left;
+        const pov_ray *ray = rays[i];
         shape_place place;
 
         if (group_of(w, which)->shape != first->shape) {
@@ -244,8 +262,11 @@ static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const
         }
         place = world_place(w, which);
         e->hits[i].owner = which;
-        put_pair(&some, place.instance, place.placement, rays[i], &e->hits[i]);
+        if (place.placement)
+            ray = own_ray(k, &placed, place.placement, ray, i, which);
+        put_pair(&some, place.instance, ray, &e->hits[i]);
     }
+    places_find(&placed);
     ask_pairs(k, first->shape, first->class_number, &some);
     return others;
 }

@@ -49,13 +49,47 @@ struct world {
 /* For the crossings of one light path: with transparent shapes, and with one that blocks. */
 typedef struct tint_room { walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
 
+/* Rays in the spaces of placed shapes, by the caller's number, of the last question for what is nearest: `of` is whose
+ * space it is, POV_NOBODY where no ray was taken to any. first: the first of the caller's hits. */
+typedef struct own_rays { SIMD_ALIGNED pov_ray rays[WORLD_MANY]; uint32_t of[WORLD_MANY]; const hit *first; } own_rays;
+
 struct walker {
+    own_rays own;
     const env *env;
     tint_room rooms[WORLD_MANY];
     uint64_t decided;
     class_counts classes;
     bool failed;
 };
+
+static inline void own_begin(own_rays *own, uint32_t n, const hit *first)
+{
+    memset(own->of, 0xff, n * sizeof *own->of);
+    own->first = first;
+}
+
+/* Rays that are taken to placed shapes together. */
+typedef struct places {
+    uint32_t count;
+    const placement *at[WORLD_MANY];
+    const pov_ray *from[WORLD_MANY];
+    pov_ray *own[WORLD_MANY];
+} places;
+
+static inline void places_put(places *p, const placement *at, const pov_ray *from, pov_ray *own)
+{
+    const uint32_t n = p->count++;
+
+    p->at[n] = at;
+    p->from[n] = from;
+    p->own[n] = own;
+}
+
+static inline void places_find(const places *p)
+{
+    if (p->count > 0)
+        placement_rays(p->at, p->from, p->own, p->count);
+}
 
 /* Count questions to shapes of a run's class, and what was decided of them: once a run where that can be, for a shape's
  * quick answer takes hardly longer. */

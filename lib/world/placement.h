@@ -56,7 +56,7 @@ uint32_t placement_filter(const stand *s, uint32_t owner, const pov_rays *rays, 
 /* The ray in the shape's own space. */
 void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own);
 /* The same n times, to the bit. */
-void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *own, uint32_t n);
+void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n);
 
 /* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are. */
 void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,

@@ -81,7 +81,7 @@ static inline void give_block(double (*from)[LANES], pov_ray *const to[LANES], s
 }
 
 /* Up to four, none along the axes alone. */
-static void place_some(const placement *const *p, const pov_ray *const *rays, pov_ray *own, uint32_t n)
+static void place_some(const placement *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
     const void *places[LANES], *from[LANES];
     pov_ray *to[LANES], unused;
@@ -92,17 +92,17 @@ static void place_some(const placement *const *p, const pov_ray *const *rays, po
     for (i = 0; i < LANES; i++) {
         places[i] = p[i < n ? i : n - 1];
         from[i] = rays[i < n ? i : n - 1];
-        to[i] = i < n ? &own[i] : &unused;
+        to[i] = i < n ? own[i] : &unused;
     }
     take_pairs(&lanes, places, from);
     find_own(&lanes, &out);
     give_block(out.part, to, offsetof(pov_ray, org));
     give_block(out.part + 4, to, offsetof(pov_ray, org_lo.y));
     for (i = 0; i < n; i++) {
-        own[i].dir.z = out.part[8][i];
-        own[i].dir_lo = pov_vec3_of(out.part[9][i], out.part[10][i], out.part[11][i]);
-        own[i].left = rays[i]->left;
-        own[i].left_mark = rays[i]->left_mark;
+        own[i]->dir.z = out.part[8][i];
+        own[i]->dir_lo = pov_vec3_of(out.part[9][i], out.part[10][i], out.part[11][i]);
+        own[i]->left = rays[i]->left;
+        own[i]->left_mark = rays[i]->left_mark;
     }
 }
 
@@ -116,7 +116,7 @@ static bool any_axes(const placement *const *p, uint32_t n)
     return any;
 }
 
-void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *own, uint32_t n)
+void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
     uint32_t some, i;
 
@@ -126,7 +126,7 @@ void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_r
             place_some(p, rays, own, some);
         else
             for (i = 0; i < some; i++)
-                placement_ray(p[i], rays[i], &own[i]);
+                placement_ray(p[i], rays[i], own[i]);
     }
 }
 

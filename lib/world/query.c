@@ -11,7 +11,7 @@
 
 pov_status walker_create(walker **out, const world *w, pov_error *err)
 {
-    walker *k = env_alloc(w->env, 1, sizeof *k);
+    walker *k = env_alloc_aligned(w->env, sizeof *k, SIMD_LINE);
     int i;
 
     *out = k;
@@ -31,7 +31,7 @@ void walker_destroy(walker *k)
         return;
     for (i = 0; i < WORLD_MANY; i++)
         env_free(k->env, k->rooms[i].crossings);
-    env_free(k->env, k);
+    env_free_aligned(k->env, k);
 }
 
 uint64_t walker_decided(const walker *k)

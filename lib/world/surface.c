@@ -143,48 +143,58 @@ typedef struct normals {
     const pov_ray *rays[WORLD_MANY];
     const pov_crossing *at[WORLD_MANY];
     pov_vec3 *out[WORLD_MANY];
-    uint32_t count, placed;
-    const placement *place[WORLD_MANY];   /* of those in spaces of their own, with rays in the world */
-    const pov_ray *from[WORLD_MANY];
-    pov_vec3 *turned[WORLD_MANY];
+    uint32_t count, turned;
+    const placement *place[WORLD_MANY];   /* of those in spaces of their own */
+    pov_vec3 *turn[WORLD_MANY];
+    places placed;                        /* those whose rays nobody has taken there before */
     pov_ray own[WORLD_MANY];
 } normals;
 
-/* The ray that a class looks at for the normal of a placed shape. */
-static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, const placement *place, const pov_ray *ray,
-                                hit *h)
+static inline const pov_ray *known_ray(const walker *k, const hit *h)
 {
-    const uint32_t n = some->placed++;
+    const size_t i = k ? (size_t)(h - k->own.first) : 0;
+
+    return k && k->own.of[i] == h->object ? &k->own.rays[i] : NULL;
+}
+
+/* The ray that a class looks at for the normal of a placed shape. */
+static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, const placement *place, const walker *k,
+                                const pov_ray *ray, hit *h)
+{
+    const uint32_t n = some->turned++;
+    const pov_ray *known = shape->flags & POV_SHAPE_FACES ? ray : known_ray(k, h);
 
     some->place[n] = place;
-    some->from[n] = ray;
-    some->turned[n] = &h->normal;
-    return shape->flags & POV_SHAPE_FACES ? ray : &some->own[n];
+    some->turn[n] = &h->normal;
+    if (known)
+        return known;
+    places_put(&some->placed, place, ray, &some->own[n]);
+    return &some->own[n];
 }
 
 static void find_added(normals *some, const pov_shape_class *shape)
 {
     uint32_t i;
 
-    if (!(shape->flags & POV_SHAPE_FACES))
-        placement_rays(some->place, some->from, some->own, some->placed);
+    places_find(&some->placed);
     if (POV_SHAPE_HAS(shape, normal_many))
         shape->normal_many(some->selves, some->rays, some->at, some->out, some->count);
     else
         for (i = 0; i < some->count; i++)
             shape->normal(some->selves[i], some->rays[i], some->at[i], some->out[i]);
-    placement_turn_normals(some->place, some->turned, some->placed);
+    placement_turn_normals(some->place, some->turn, some->turned);
 }
 
 /* Normals of the class of the first of `left`, together, stage after stage. Those of classes that know no better are
  * asked for at once, where nothing is to be turned. The others are left. */
-static uint64_t find_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint64_t left)
+static uint64_t find_normals(const world *w, const walker *k, const pov_ray *const *rays, hit *const *hits,
+                             uint64_t left)
 {
     const pov_shape_class *shape = NULL;
     uint64_t others = 0;
     normals some;
 
-    for (some.count = some.placed = 0; left; left &= left - 1) {
+    for (some.count = some.turned = some.placed.count = 0; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
         const shape_group *g = &w->groups[w->group[which]];
 
@@ -202,7 +212,7 @@ static uint64_t find_normals(const world *w, const pov_ray *const *rays, hit *co
             const shape_place place = world_place(w, which);
 
             some.selves[n] = place.instance;
-            some.rays[n] = place_ray(&some, shape, place.placement, rays[i], hits[i]);
+            some.rays[n] = place_ray(&some, shape, place.placement, k, rays[i], hits[i]);
         } else {
             some.selves[n] = g->instances + (size_t)w->slot[which] * g->stride;
         }
@@ -215,7 +225,8 @@ static uint64_t find_normals(const world *w, const pov_ray *const *rays, hit *co
     return others;
 }
 
-void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out)
+void world_surface_many(const world *w, const walker *k, const pov_ray *const *rays, hit *const *hits, uint32_t n,
+                        approaches *out)
 {
     uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0;
     uint32_t i;
@@ -227,7 +238,7 @@ void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *
         put_points(out, i, rays[i], hits[i]);
     }
     while (left)
-        left = find_normals(w, rays, hits, left);
+        left = find_normals(w, k, rays, hits, left);
     for (i = 0; i < n; i++) {
         take_side(w, rays[i], hits[i]);
         put_normal(out, i, hits[i]);

@@ -88,8 +88,10 @@ typedef struct approaches {
 /* Of a hit that is filled. */
 void world_approach(approaches *out, uint32_t lane, const pov_ray *ray, const hit *h);
 /* Of up to WORLD_MANY rays with a hit each: what world_surface() fills, to the bit, and the approaches; many cost less
- * than as many alone. */
-void world_surface_many(const world *w, const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out);
+ * than as many alone. k: the walker that found the hits, and no others since, as world_nearest_many(), and so knows more
+ * of them; else NULL. */
+void world_surface_many(const world *w, const walker *k, const pov_ray *const *rays, hit *const *hits, uint32_t n,
+                        approaches *out);
 
 /* Some hundred times what normals may be off by. */
 #define WORLD_AWAY 0x1p-36

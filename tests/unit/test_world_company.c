@@ -100,14 +100,6 @@ static int same_hits(subject *s, const pov_ray *const *rays, uint32_t n, uint64_
     return hits;
 }
 
-static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit *single)
-{
-    hit many[WORLD_MANY];
-    const uint64_t met = world_nearest_many(s->world, s->walker, rays, n, HUGE_VAL, many);
-
-    return same_hits(s, rays, n, met, many, single);
-}
-
 /* All from where the first starts; of those that meet nothing directions need not be written. */
 static void same_fan(subject *s, const pov_ray *rays, uint32_t n)
 {
@@ -174,33 +166,42 @@ static void same_lane(const vec_lanes *l, uint32_t i, pov_vec3 v)
     assert_memory_equal(&there, &v, sizeof v);
 }
 
-static void same_surfaces(subject *s, const pov_ray *const *rays, uint32_t n, const hit *hits)
+/* As nearest hits that the walker has found just now, and as hits of which it knows nothing. */
+static void same_surfaces(subject *s, const walker *k, const pov_ray *const *rays, uint64_t met, hit *hits)
 {
-    const pov_ray *met[WORLD_MANY];
-    hit many[WORLD_MANY], *at[WORLD_MANY];
+    const pov_ray *from[WORLD_MANY];
+    hit *at[WORLD_MANY];
     approaches to;
-    uint32_t i, k = 0;
+    uint32_t n = 0, i;
 
+    for (i = 0; i < WORLD_MANY; i++)
+        if (met >> i & 1) {
+            at[n] = &hits[i];
+            from[n++] = rays[i];
+        }
+    world_surface_many(s->world, k, from, at, n, &to);
     for (i = 0; i < n; i++) {
-        if (hits[i].object == POV_NOBODY)
-            continue;
-        many[k] = hits[i];
-        at[k] = &many[k];
-        met[k++] = rays[i];
-    }
-    world_surface_many(s->world, met, at, k, &to);
-    for (i = 0; i < k; i++) {
-        hit single = many[i];
-        world_surface(s->world, met[i], &single);
-        assert_memory_equal(&many[i].point, &single.point, sizeof single.point);
-        assert_memory_equal(&many[i].point_lo, &single.point_lo, sizeof single.point_lo);
-        assert_memory_equal(&many[i].normal, &single.normal, sizeof single.normal);
-        assert_int_equal(many[i].entering, single.entering);
-        same_lane(&to.way, i, met[i]->dir);
+        hit single = *at[i];
+        world_surface(s->world, from[i], &single);
+        assert_memory_equal(&at[i]->point, &single.point, sizeof single.point);
+        assert_memory_equal(&at[i]->point_lo, &single.point_lo, sizeof single.point_lo);
+        assert_memory_equal(&at[i]->normal, &single.normal, sizeof single.normal);
+        assert_int_equal(at[i]->entering, single.entering);
+        same_lane(&to.way, i, from[i]->dir);
         same_lane(&to.point, i, single.point);
         same_lane(&to.point_lo, i, single.point_lo);
         same_lane(&to.normal, i, pov_scale(single.normal, single.entering ? 1.0 : -1.0));
     }
+}
+
+static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit *single)
+{
+    hit many[WORLD_MANY];
+    const uint64_t met = world_nearest_many(s->world, s->walker, rays, n, HUGE_VAL, many);
+
+    same_surfaces(s, s->walker, rays, met, many);
+    same_surfaces(s, NULL, rays, met, many);
+    return same_hits(s, rays, n, met, many, single);
 }
 
 /* The rays, and from what they meet those to a light, on each of this processor's walks. Gives the number of hits. */
@@ -220,7 +221,6 @@ static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 la
         same_fan(s, rays, n);
         met = same_nearest(s, all, n, hits);
         same_light(s, all, n, HUGE_VAL);
-        same_surfaces(s, all, n, hits);
         for (i = lit = 0; i < n; i++) {
             if (hits[i].object == POV_NOBODY)
                 continue;

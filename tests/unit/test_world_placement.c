@@ -175,9 +175,10 @@ static void check_together(const placement *p, const pov_ray *sent, uint32_t n)
     const placement *const places[RAYS] = { p, p, p, p };
     const pov_ray *const rays[RAYS] = { &sent[0], &sent[1], &sent[2], &sent[3] };
     pov_ray own[RAYS], one;
+    pov_ray *const to[RAYS] = { &own[0], &own[1], &own[2], &own[3] };
     uint32_t i;
 
-    placement_rays(places, rays, own, n);
+    placement_rays(places, rays, to, n);
     for (i = 0; i < n; i++) {
         placement_ray(p, &sent[i], &one);
         assert_true(is_same(&own[i], &one));
