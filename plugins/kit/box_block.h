@@ -5,8 +5,8 @@
 #include "kit/local.h"
 
 typedef struct kit_box_block {
-    uint32_t count;
     float plane[6][POV_BLOCK_MAX];   /* in the frame: lower and upper by axis */
+    uint32_t count;
 } kit_box_block;
 
 /* For n boxes, the planes of which are then put there. */

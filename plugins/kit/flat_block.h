@@ -26,10 +26,10 @@ void kit_flat_extend(kit_flat *f, pov_vec3 corner);
 
 /* In the frame; normals and sides of length one. */
 typedef struct kit_flat_block {
-    uint32_t count, sure;        /* sure: by bits */
     float anchor[3][POV_BLOCK_MAX], normal[3][POV_BLOCK_MAX], side[KIT_SIDES][3][POV_BLOCK_MAX];
     float offset[KIT_SIDES][POV_BLOCK_MAX];
     float rough[POV_BLOCK_MAX];  /* what the figure itself may be off by */
+    uint32_t count, sure;        /* sure: by bits */
 } kit_flat_block;
 
 /* False: out of range. */

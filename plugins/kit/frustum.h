@@ -37,11 +37,11 @@ bool kit_frustum_absorb(void *self, const pov_affine *map);
 
 /* In the frame, and the rows for points in it. Local coordinates are seen from the middle of the axis here. */
 typedef struct kit_frustum_block {
-    uint32_t count;
     float centre[3][POV_BLOCK_MAX], row[3][3][POV_BLOCK_MAX];
     float radius[POV_BLOCK_MAX], slope[POV_BLOCK_MAX], half[POV_BLOCK_MAX];   /* radius: in the middle; half of the height */
     float wide[POV_BLOCK_MAX], high[POV_BLOCK_MAX];   /* see frustum_bounds.h */
-    float closed[POV_BLOCK_MAX]; /* one, or zero: it has no caps */
+    float closed[POV_BLOCK_MAX]; /* without end, or zero: it has no caps */
+    uint32_t count;
 } kit_frustum_block;
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);

@@ -34,7 +34,7 @@ static void pack_lane(kit_frustum_block *b, const pov_frame *frame, uint32_t i, 
     b->half[i] = (float)(0.5 * s->height.hi);
     b->high[i] = (float)(LOST * fmin(sum[2], TOO_SMALL)) + 16.0f * KIT_E;
     b->wide[i] = (float)(LOST * fmin(1.5 * fmax(sum[0], sum[1]) + fabs(s->slope.hi) * sum[2], TOO_SMALL)) + 32.0f * KIT_E;
-    b->closed[i] = s->open ? 0.0f : 1.0f;
+    b->closed[i] = s->open ? 0.0f : HUGE_VALF;
 }
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
@@ -107,7 +107,7 @@ KIT_INLINE void bound(const kit_one *s, const kit_beam *ray, const lines *all, u
     out->hi[i] = late;
     say->maybe.lane[i] = -(blind | within);
     say->surely.lane[i] = -enters;
-    say->twice.lane[i] = -(enters & (int)(hi < ray->sure) & (int)(s->closed > 0.0f));
+    say->twice.lane[i] = -(enters & (int)(hi < kit_float_lesser(ray->sure, s->closed)));
 }
 
 KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
