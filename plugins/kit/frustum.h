@@ -35,13 +35,13 @@ bool kit_frustum_absorb(void *self, const pov_affine *map);
 
 /* ---- blocks ---- */
 
-/* In the frame, and the rows for points in it. Local coordinates are seen from the middle of the axis here. */
+/* The numbers of a kit_one by lane, or, of a shape alone in its block, one behind the other: two lines of memory then hold
+ * what a ray asks for, and not ten. Rows begin with whole vectors. */
+enum { KIT_FRUSTUM_NUMBERS = 18 };
+
 typedef struct kit_frustum_block {
-    float centre[3][POV_BLOCK_MAX], row[3][3][POV_BLOCK_MAX];
-    float radius[POV_BLOCK_MAX], slope[POV_BLOCK_MAX], half[POV_BLOCK_MAX];   /* radius: in the middle; half of the height */
-    float wide[POV_BLOCK_MAX], high[POV_BLOCK_MAX];   /* see frustum_bounds.h */
-    float closed[POV_BLOCK_MAX]; /* without end, or zero: it has no caps */
-    uint32_t count;
+    uint32_t count, unused[7];
+    float number[KIT_FRUSTUM_NUMBERS][POV_BLOCK_MAX];
 } kit_frustum_block;
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);

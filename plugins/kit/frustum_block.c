@@ -13,56 +13,85 @@ static double middle_of(pov_two anchor, pov_two axis, double centre, double scal
 #define TOO_SMALL 0x1p20
 
 /* A shape that is all too small for the frame is met by every ray that comes near. */
-static void pack_lane(kit_frustum_block *b, const pov_frame *frame, uint32_t i, const kit_frustum *s)
+static kit_one describe(const pov_frame *frame, const kit_frustum *s)
 {
     double sum[3];
+    kit_one one;
     int k;
 
-    b->centre[0][i] = (float)middle_of(s->anchor.x, s->axis.x, frame->centre.x, frame->scale);
-    b->centre[1][i] = (float)middle_of(s->anchor.y, s->axis.y, frame->centre.y, frame->scale);
-    b->centre[2][i] = (float)middle_of(s->anchor.z, s->axis.z, frame->centre.z, frame->scale);
+    one.centre.x = (float)middle_of(s->anchor.x, s->axis.x, frame->centre.x, frame->scale);
+    one.centre.y = (float)middle_of(s->anchor.y, s->axis.y, frame->centre.y, frame->scale);
+    one.centre.z = (float)middle_of(s->anchor.z, s->axis.z, frame->centre.z, frame->scale);
     for (k = 0; k < 3; k++) {
         const pov_vec3 row = pov_scale(pov_two3_hi(s->row[k]), s->scale / frame->scale);
 
         sum[k] = sum_of(row);
-        b->row[k][0][i] = sum[k] < TOO_SMALL ? (float)row.x : 0.0f;
-        b->row[k][1][i] = sum[k] < TOO_SMALL ? (float)row.y : 0.0f;
-        b->row[k][2][i] = sum[k] < TOO_SMALL ? (float)row.z : 0.0f;
+        one.row[k].x = sum[k] < TOO_SMALL ? (float)row.x : 0.0f;
+        one.row[k].y = sum[k] < TOO_SMALL ? (float)row.y : 0.0f;
+        one.row[k].z = sum[k] < TOO_SMALL ? (float)row.z : 0.0f;
     }
-    b->radius[i] = (float)(s->radius.hi + 0.5 * s->slope.hi * s->height.hi);
-    b->slope[i] = (float)s->slope.hi;
-    b->half[i] = (float)(0.5 * s->height.hi);
-    b->high[i] = (float)(LOST * fmin(sum[2], TOO_SMALL)) + 16.0f * KIT_E;
-    b->wide[i] = (float)(LOST * fmin(1.5 * fmax(sum[0], sum[1]) + fabs(s->slope.hi) * sum[2], TOO_SMALL)) + 32.0f * KIT_E;
-    b->closed[i] = s->open ? 0.0f : HUGE_VALF;
+    one.radius = (float)(s->radius.hi + 0.5 * s->slope.hi * s->height.hi);
+    one.slope = (float)s->slope.hi;
+    one.half = (float)(0.5 * s->height.hi);
+    one.high = (float)(LOST * fmin(sum[2], TOO_SMALL)) + 16.0f * KIT_E;
+    one.wide = (float)(LOST * fmin(1.5 * fmax(sum[0], sum[1]) + fabs(s->slope.hi) * sum[2], TOO_SMALL)) + 32.0f * KIT_E;
+    one.closed = s->open ? 0.0f : HUGE_VALF;
+    return one;
+}
+
+/* The next number of a shape is `step` further on: POV_BLOCK_MAX, or one if it is alone. */
+static void put_three(float *to, size_t step, kit_three v)
+{
+    to[0] = v.x;
+    to[step] = v.y;
+    to[2 * step] = v.z;
+}
+
+static void put_one(float *to, size_t step, const kit_one *s)
+{
+    const float rest[6] = { s->radius, s->slope, s->half, s->wide, s->high, s->closed };
+    uint32_t k;
+
+    put_three(to, step, s->centre);
+    for (k = 0; k < 3; k++)
+        put_three(to + (3 + 3 * k) * step, step, s->row[k]);
+    for (k = 0; k < 6; k++)
+        to[(12 + k) * step] = rest[k];
+}
+
+KIT_INLINE kit_three get_three(const float *at, size_t step)
+{
+    const kit_three v = { at[0], at[step], at[2 * step] };
+    return v;
+}
+
+KIT_INLINE kit_one get_one(const float *at, size_t step)
+{
+    const kit_one s = { get_three(at, step),
+                        { get_three(at + 3 * step, step), get_three(at + 6 * step, step), get_three(at + 9 * step, step) },
+                        at[12 * step], at[13 * step], at[14 * step], at[15 * step], at[16 * step], at[17 * step] };
+    return s;
 }
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
+    const size_t step = n > 1 ? POV_BLOCK_MAX : 1;
     kit_frustum_block *b = block;
     uint32_t i;
 
     if (!frame)
         return false;
     b->count = n;
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
+    for (i = 0; i < step; i++) {
         const kit_frustum *s = selves[i < n ? i : 0];
+        kit_one one;
 
         if (s->empty)
             return false;
-        pack_lane(b, frame, i, s);
+        one = describe(frame, s);
+        put_one(b->number[0] + i, step, &one);
     }
     return true;
-}
-
-KIT_INLINE kit_one one_of(const kit_frustum_block *b, uint32_t i)
-{
-    const kit_one s = { { b->centre[0][i], b->centre[1][i], b->centre[2][i] },
-                        { { b->row[0][0][i], b->row[0][1][i], b->row[0][2][i] },
-                          { b->row[1][0][i], b->row[1][1][i], b->row[1][2][i] },
-                          { b->row[2][0][i], b->row[2][1][i], b->row[2][2][i] } },
-                        b->radius[i], b->slope[i], b->half[i], b->wide[i], b->high[i], b->closed[i] };
-    return s;
 }
 
 /* What is kept of lines from one loop to the next. */
@@ -110,17 +139,19 @@ KIT_INLINE void bound(const kit_one *s, const kit_beam *ray, const lines *all, u
     say->twice.lane[i] = -(enters & (int)(hi < kit_float_lesser(ray->sure, s->closed)));
 }
 
-KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
-                          kit_chords *restrict out)
+/* Floats before the numbers of a block. */
+enum { HEAD = offsetof(kit_frustum_block, number) / sizeof(float) };
+
+/* Of some rays at one shape. */
+KIT_INLINE void meet_lanes(const kit_one *s, const pov_rays *rays, size_t from, uint32_t some, kit_chords *restrict out)
 {
-    const kit_one s = one_of(block, which);
     kit_conditions say;
     uint32_t i;
     lines l;
 
     for (i = 0; i < KIT_FLOATS; i++) {
         const kit_beam ray = kit_beam_of(rays, from + i);
-        say.maybe.lane[i] = find(&s, &ray, i, &l);
+        say.maybe.lane[i] = find(s, &ray, i, &l);
     }
     some &= kit_bits_of(&say.maybe, KIT_FLOATS);
     out->maybe = 0;
@@ -128,9 +159,17 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
         return;
     for (i = 0; i < KIT_FLOATS; i++) {
         const kit_beam ray = kit_beam_of(rays, from + i);
-        bound(&s, &ray, &l, i, out, &say);
+        bound(s, &ray, &l, i, out, &say);
     }
     kit_gather(&say, KIT_FLOATS, some, out);
+}
+
+KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                          kit_chords *restrict out)
+{
+    const kit_one s = get_one((const float *)block + HEAD + which, POV_BLOCK_MAX);
+
+    meet_lanes(&s, rays, from, some, out);
 }
 
 KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
@@ -141,7 +180,7 @@ KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, 
     lines l;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const kit_one s = one_of(block, i);
+        const kit_one s = get_one((const float *)block + HEAD + i, POV_BLOCK_MAX);
         say.maybe.lane[i] = find(&s, &ray, i, &l);
     }
     some &= kit_bits_of(&say.maybe, POV_BLOCK_MAX);
@@ -149,16 +188,44 @@ KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, 
     if (!some)
         return;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const kit_one s = one_of(block, i);
+        const kit_one s = get_one((const float *)block + HEAD + i, POV_BLOCK_MAX);
         bound(&s, &ray, &l, i, out, &say);
     }
     kit_gather(&say, POV_BLOCK_MAX, some, out);
+}
+
+/* The same of a shape that is alone. */
+KIT_INLINE void meet_rays_alone(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                                kit_chords *restrict out)
+{
+    const kit_one s = get_one((const float *)block + HEAD, 1);
+
+    (void)which;
+    meet_lanes(&s, rays, from, some, out);
+}
+
+KIT_INLINE void meet_alone(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
+{
+    const kit_one s = get_one((const float *)block + HEAD, 1);
+    const kit_beam ray = kit_beam_of(rays, at);
+    kit_conditions say;
+    lines l;
+
+    out->maybe = 0;
+    if (!find(&s, &ray, 0, &l))
+        return;
+    bound(&s, &ray, &l, 0, out, &say);
+    out->maybe = some & (uint32_t)say.maybe.lane[0];
+    out->surely = (uint32_t)say.surely.lane[0];
+    out->twice = (uint32_t)say.twice.lane[0];
 }
 
 /* Static, since the names of clones would be seen from outside. */
 KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {
+    if (b->count == 1)
+        return kit_filter_in_lanes(b, 1, owners, rays, lanes, meet_rays_alone, meet_alone, out);
     return kit_filter_in_lanes(b, b->count, owners, rays, lanes, meet_rays, meet_shapes, out);
 }
 
