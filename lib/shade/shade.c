@@ -39,6 +39,7 @@ pov_status tracer_create(pov_tracer **out, const model *m, const world *w, pov_e
     t->model = m;
     t->world = w;
     t->plan = world_plan(w);
+    t->things = world_things(w);
     make_camera_paths(&t->camera);
     geometry_begin(&t->geometry);
     status = batch_make(t) ? walker_create(&t->walker, w, err) : err_memory(err);
@@ -268,7 +269,7 @@ static inline bool is_kept(pov_tracer *t, surface *s, colour *out)
 
     if (s->at->company && !s->spot)
         find_spot(t, s, NULL);
-    s->look = look = &t->plan->looks[t->model->objects.items[s->at->object].material];
+    s->look = look = &t->plan->looks[t->things[s->at->object].material];
     if (!look->lit && t->plan->lighting)
         t->counts.shadow_idle += t->model->lights.count;
     s->lit = colour_of(0.0f, 0.0f, 0.0f);

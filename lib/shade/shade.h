@@ -92,6 +92,7 @@ struct pov_tracer {
     const model *model;
     const world *world;
     const plan *plan;
+    const world_thing *things;
     walker *walker;
     pov_counts counts;
     bool failed;                 /* memory ended; what was computed since is worth nothing */

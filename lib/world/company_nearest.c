@@ -240,7 +240,7 @@ static void settle(company *c)
 
 /* ---- exits ---- */
 
-static inline const shape_group *group_of(const world *w, uint32_t which) { return &w->groups[w->group[which]]; }
+static inline const shape_group *group_of(const world *w, uint32_t which) { return &w->groups[w->things[which].group]; }
 
 /* Ask those of `left` that start on a shape of the class of the first; the others are left. */
 static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const *rays, uint64_t left, exits *e)
@@ -324,14 +324,6 @@ static void begin_from_exits(company *c, const exits *e)
     }
 }
 
-/* What is looked at of an object that was met. */
-static inline void expect_place(const world *w, uint32_t which)
-{
-    SIMD_EXPECT(&w->model->objects.items[which]);
-    SIMD_EXPECT(&w->group[which]);
-    SIMD_EXPECT(&w->slot[which]);
-}
-
 /* What was met, as bits of the caller's. */
 static uint64_t end_nearest(company *c)
 {
@@ -348,7 +340,7 @@ static uint64_t end_nearest(company *c)
         out->object = out->crossing.owner;
         out->company = 0;
         met |= bit_of(c->of[i]);
-        expect_place(c->world, out->object);
+        SIMD_EXPECT(&c->world->things[out->object]);
         if (hits->crowded)
             spot_choose(c->world, c->walker, c->rays[i], NULL, out);
     }

@@ -23,8 +23,8 @@ struct world {
     const env *env;
     const model *model;
     plan plan;
-    uint16_t *group;             /* by object, as the next */
-    uint32_t *slot;              /* its place among the group's instances; where its run is, if it is placed */
+    world_thing *things;         /* slot: the place among the group's instances; where the run is, of what is placed.
+                                  * tints: it is transparent, and throws a shadow */
     shape_group *groups;
     size_t group_count;
     arena *kept;                 /* instances of shapes that are placed */
@@ -112,7 +112,7 @@ void crossings_sort(pov_crossing *at, uint32_t count);
 /* What the surface of one lets through. */
 static inline colour crossing_filter(const world *w, const pov_crossing *at)
 {
-    return w->plan.looks[w->model->objects.items[at->owner].material].filter.by;
+    return w->plan.looks[w->things[at->owner].material].filter.by;
 }
 /* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
 bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);
@@ -121,16 +121,17 @@ void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from
 
 static inline shape_place world_place(const world *w, uint32_t index)
 {
-    const shape_group *g = &w->groups[w->group[index]];
+    const world_thing *thing = &w->things[index];
+    const shape_group *g = &w->groups[thing->group];
     shape_place p = { NULL, NULL };
 
     if (g->placed) {
-        const unsigned char *base = w->slot[index] & RUNS_IN_LISTS ? w->list_memory : w->tree.leaves;
-        const run *r = (const run *)(const void *)(base + (size_t)(w->slot[index] & ~RUNS_IN_LISTS) * RUNS_LINE);
+        const unsigned char *base = thing->slot & RUNS_IN_LISTS ? w->list_memory : w->tree.leaves;
+        const run *r = (const run *)(const void *)(base + (size_t)(thing->slot & ~RUNS_IN_LISTS) * RUNS_LINE);
         p.instance = r->instances;
         p.placement = run_placement(r);
     } else {
-        p.instance = g->instances + (size_t)w->slot[index] * g->stride;
+        p.instance = g->instances + (size_t)thing->slot * g->stride;
     }
     return p;
 }

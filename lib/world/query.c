@@ -430,9 +430,8 @@ static inline bool is_out(double from, double way, double lo, double hi)
 bool light_comes_out(const world *w, const pov_ray *ray, double tmax)
 {
     const pov_vec3 way = pov_scale(ray->dir, tmax), lo = w->clear.lo, hi = w->clear.hi;
-    const object *o = &w->model->objects.items[ray->left];
 
-    if ((o->flags & OBJECT_NO_SHADOW) || !material_is_transparent(&w->model->materials.items[o->material]))
+    if (!w->things[ray->left].tints)
         return false;
     return is_out(ray->org.x, way.x, lo.x, hi.x) || is_out(ray->org.y, way.y, lo.y, hi.y) ||
            is_out(ray->org.z, way.z, lo.z, hi.z);

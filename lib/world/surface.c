@@ -23,20 +23,20 @@ static void find_point(const pov_ray *ray, hit *h)
 
 static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
 {
-    const object *o = &w->model->objects.items[h->object];
+    const pov_shape_class *shape = w->groups[w->things[h->object].group].shape;
     const shape_place place = world_place(w, h->object);
 
     if (place.placement)
-        placement_normal(place.placement, o->shape, place.instance, ray, &h->crossing, &h->normal);
+        placement_normal(place.placement, shape, place.instance, ray, &h->crossing, &h->normal);
     else
-        o->shape->normal(place.instance, ray, &h->crossing, &h->normal);
+        shape->normal(place.instance, ray, &h->crossing, &h->normal);
 }
 
 /* The shape's normal is the surface's, but that of inverse objects points inwards. */
 static inline void take_side(const world *w, const pov_ray *ray, hit *h)
 {
     h->entering = h->outside = pov_dot(h->normal, ray->dir) < 0.0;
-    if (w->model->objects.items[h->object].flags & OBJECT_INVERSE) {
+    if (w->things[h->object].inverse) {
         h->normal = pov_scale(h->normal, -1.0);
         h->entering = pov_dot(h->normal, ray->dir) < 0.0;
     }
@@ -196,7 +196,7 @@ static uint64_t find_normals(const world *w, const walker *k, const pov_ray *con
 
     for (some.count = some.turned = some.placed.count = 0; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
-        const shape_group *g = &w->groups[w->group[which]];
+        const shape_group *g = &w->groups[w->things[which].group];
 
         if (!g->placed && g->shape != shape && !POV_SHAPE_HAS(g->shape, normal_many)) {
             find_normal(w, rays[i], hits[i]);
@@ -214,7 +214,7 @@ static uint64_t find_normals(const world *w, const walker *k, const pov_ray *con
             some.selves[n] = place.instance;
             some.rays[n] = place_ray(&some, shape, place.placement, k, rays[i], hits[i]);
         } else {
-            some.selves[n] = g->instances + (size_t)w->slot[which] * g->stride;
+            some.selves[n] = g->instances + (size_t)w->things[which].slot * g->stride;
         }
         some.at[n] = &hits[i]->crossing;
         some.out[n] = &hits[i]->normal;

@@ -236,6 +236,26 @@ static bool make_list(layout *l)
     return true;
 }
 
+/* What rays look at of the objects. */
+static bool note_things(world *w, const flat *f, const uint32_t *slot)
+{
+    const size_t n = w->model->objects.count;
+    size_t i;
+
+    w->things = env_alloc(w->env, n, sizeof *w->things);
+    for (i = 0; w->things && i < n; i++) {
+        const object *o = &w->model->objects.items[i];
+        world_thing *thing = &w->things[i];
+
+        thing->slot = slot[i];
+        thing->material = o->material;
+        thing->group = f->group[i];
+        thing->inverse = (o->flags & OBJECT_INVERSE) != 0;
+        thing->tints = !(o->flags & OBJECT_NO_SHADOW) && material_is_transparent(&w->model->materials.items[o->material]);
+    }
+    return w->things != NULL;
+}
+
 static bool lay_out(world *w, flat *f, bool tree)
 {
     layout l;
@@ -243,11 +263,7 @@ static bool lay_out(world *w, flat *f, bool tree)
 
     l.world = w;
     done = runs_init(&l.runs, f, TREE_PART + (tree ? BVH_PARTS : 0)) && size_lists(&l, !tree) &&
-           (tree ? make_tree(&l) : make_list(&l));
-    if (done) {
-        w->slot = l.runs.slot;
-        l.runs.slot = NULL;
-    }
+           (tree ? make_tree(&l) : make_list(&l)) && note_things(w, f, l.runs.slot);
     runs_free(&l.runs);
     return done;
 }
@@ -272,11 +288,9 @@ static void take_over(world *w, flat *f)
 {
     w->groups = f->groups;
     w->group_count = f->group_count;
-    w->group = f->group;
     w->kept = f->kept;
     w->kept_count = f->threads;
     f->groups = NULL;
-    f->group = NULL;
     f->kept = NULL;
 }
 
@@ -338,8 +352,7 @@ void world_destroy(world *w)
     flat_free_arenas(w->env, w->kept, w->kept_count);
     bvh_free(&w->tree, w->env);
     env_free_aligned(w->env, w->list_memory);
-    env_free(w->env, w->group);
-    env_free(w->env, w->slot);
+    env_free(w->env, w->things);
     env_free(w->env, w->media);
     env_free(w->env, w->lonely);
     plan_free(&w->plan);
@@ -349,6 +362,11 @@ void world_destroy(world *w)
 const plan *world_plan(const world *w)
 {
     return &w->plan;
+}
+
+const world_thing *world_things(const world *w)
+{
+    return w->things;
 }
 
 bool world_bounds(const world *w, pov_box *out)
