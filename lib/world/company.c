@@ -187,7 +187,7 @@ uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *ray
 
     if (n == 0)
         return 0;
-    own_begin(&k->own, n, out);
+    own_begin(&k->own, out);
     company_find_exits(w, k, rays, n, tmax, out, &e);
     met = e.met;
     divide(w, rays, n, of);
@@ -229,7 +229,7 @@ uint64_t world_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_l
     uint32_t i;
 
     if (w->has_tree && n >= COMPANY_LEAST && is_of_one(ways, n)) {
-        own_begin(&k->own, n, out);
+        own_begin(&k->own, out);
         return company_nearest_fan(w, k, rays, ways, n, tmax, out);
     }
     for (i = 0; i < n; i++) {

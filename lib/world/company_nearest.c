@@ -54,6 +54,7 @@ static inline const pov_ray *own_ray(walker *k, places *some, const placement *a
     pov_ray *own = &k->own.rays[which];
 
     k->own.of[which] = owner;
+    k->own.known |= bit_of(which);
     places_put(some, at, ray, own);
     return own;
 }

@@ -49,9 +49,14 @@ struct world {
 /* For the crossings of one light path: with transparent shapes, and with one that blocks. */
 typedef struct tint_room { walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
 
-/* Rays in the spaces of placed shapes, by the caller's number, of the last question for what is nearest: `of` is whose
- * space it is, POV_NOBODY where no ray was taken to any. first: the first of the caller's hits. */
-typedef struct own_rays { SIMD_ALIGNED pov_ray rays[WORLD_MANY]; uint32_t of[WORLD_MANY]; const hit *first; } own_rays;
+/* Rays in the spaces of placed shapes, by the caller's number, of the last question for what is nearest: of those that
+ * are known, `of` is whose space it is. first: the first of the caller's hits. */
+typedef struct own_rays {
+    SIMD_ALIGNED pov_ray rays[WORLD_MANY];
+    uint32_t of[WORLD_MANY];
+    uint64_t known;
+    const hit *first;
+} own_rays;
 
 struct walker {
     own_rays own;
@@ -62,9 +67,9 @@ struct walker {
     bool failed;
 };
 
-static inline void own_begin(own_rays *own, uint32_t n, const hit *first)
+static inline void own_begin(own_rays *own, const hit *first)
 {
-    memset(own->of, 0xff, n * sizeof *own->of);
+    own->known = 0;
     own->first = first;
 }
 

@@ -154,7 +154,7 @@ static inline const pov_ray *known_ray(const walker *k, const hit *h)
 {
     const size_t i = k ? (size_t)(h - k->own.first) : 0;
 
-    return k && k->own.of[i] == h->object ? &k->own.rays[i] : NULL;
+    return k && (k->own.known >> i & 1) && k->own.of[i] == h->object ? &k->own.rays[i] : NULL;
 }
 
 /* The ray that a class looks at for the normal of a placed shape. */
