@@ -7,17 +7,18 @@ double test_power(test_random *r, double lo, double hi)
     return pow(10.0, test_uniform(r, lo, hi));
 }
 
-static double either(test_random *r, double v)
+double test_factor(test_random *r, double size, double uneven)
 {
+    const double v = size * test_power(r, -uneven, uneven);
+
     return test_below(r, 2) ? v : -v;
 }
 
 const transform *test_random_map(model *m, test_random *r)
 {
     const double size = test_power(r, -12.0, 12.0), uneven = test_below(r, 3) ? 0.5 : 4.5;
-    const transform *map = test_transform(m, NULL, TRANSFORM_SCALE, either(r, size * test_power(r, -uneven, uneven)),
-                                          either(r, size * test_power(r, -uneven, uneven)),
-                                          either(r, size * test_power(r, -uneven, uneven)));
+    const transform *map = test_transform(m, NULL, TRANSFORM_SCALE, test_factor(r, size, uneven),
+                                          test_factor(r, size, uneven), test_factor(r, size, uneven));
 
     if (test_below(r, 4))
         map = test_transform(m, map, TRANSFORM_ROTATE, test_uniform(r, 0.0, 360.0), test_uniform(r, 0.0, 360.0),

@@ -1,6 +1,6 @@
-/* model/transform_rough: boxes hold those of the composed maps, and what is said of shapes is so. */
+/* model/transform_rough: boxes, of balls too, hold those of the composed maps, and what is said of shapes is so. */
 #include "support/check.h"
-#include "support/shapes.h"
+#include "support/maps.h"
 
 #include "model/transform_rough.h"
 #include "world/placement.h"
@@ -10,34 +10,31 @@
 
 enum { BATCHES = 4000 };
 
-static double power(test_random *r, double lo, double hi) { return pow(10.0, test_uniform(r, lo, hi)); }
-static double either(test_random *r, double x) { return test_below(r, 2) ? x : -x; }
-
 /* An angle, now and then of whole quarters or of many turns. */
 static double angle(test_random *r)
 {
     if (!test_below(r, 4))
         return 90.0 * ((double)test_below(r, 12) - 6.0);
-    return test_uniform(r, -360.0, 360.0) * (test_below(r, 4) ? 1.0 : power(r, 0.0, 5.0));
+    return test_uniform(r, -360.0, 360.0) * (test_below(r, 4) ? 1.0 : test_power(r, 0.0, 5.0));
 }
 
 static const transform *random_step(model *m, test_random *r, const transform *before, transform_kind kind)
 {
-    const double size = power(r, -3.0, 3.0);
+    const double size = test_power(r, -3.0, 3.0);
 
     if (kind == TRANSFORM_ROTATE)
         return test_transform(m, before, kind, angle(r), angle(r), angle(r) + 1e-3);
-    return test_transform(m, before, kind, either(r, size * power(r, -2.0, 2.0)), either(r, size * power(r, -2.0, 2.0)),
-                          either(r, size * power(r, -2.0, 2.0)));
+    return test_transform(m, before, kind, test_factor(r, size, 2.0), test_factor(r, size, 2.0),
+                          test_factor(r, size, 2.0));
 }
 
 static pov_box random_box(test_random *r)
 {
-    const double size = power(r, -3.0, 3.0);
+    const double size = test_power(r, -3.0, 3.0);
     const pov_vec3 far = pov_scale(test_direction(r), test_below(r, 2) ? 0.0 : 100.0 * size);
     pov_box b;
 
-    b.lo = pov_sub(far, pov_vec3_of(size, size * power(r, -9.0, 0.0), size));
+    b.lo = pov_sub(far, pov_vec3_of(size, size * test_power(r, -9.0, 0.0), size));
     b.hi = pov_add(far, pov_vec3_of(size, size, size));
     return b;
 }
@@ -78,7 +75,7 @@ static void rough_boxes_hold_the_true_ones(void **state)
         }
         assert_int_equal(transform_rough(lists, n, &maps), (1 << n) - 1);
         for (k = 0; k < n; k++) {
-            const pov_box own = random_box(&r);
+            const pov_box own = random_box(&r), cube = test_random_cube(&r);
             pov_box rough, around;
             pov_affine map;
 
@@ -87,6 +84,11 @@ static void rough_boxes_hold_the_true_ones(void **state)
             assert_true(transform_rough_box(&maps, k, &own, false, &rough));
             assert_true(holds(&rough, &around));
             worst = fmax(worst, slack(&rough, &around, &maps, k, &own));
+            placement_box(&map, &cube, &around);
+            placement_draw_in(&map, &cube, &around);
+            assert_true(transform_rough_box(&maps, k, &cube, true, &rough));
+            assert_true(holds(&rough, &around));
+            worst = fmax(worst, slack(&rough, &around, &maps, k, &cube));
         }
         model_free(&m);
     }
