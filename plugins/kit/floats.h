@@ -54,17 +54,13 @@ typedef struct kit_chords { float lo[KIT_FLOATS], hi[KIT_FLOATS]; uint32_t maybe
 /* Comparisons' outcomes as of kit_bits, of as many lanes as are in use. */
 typedef struct kit_outcomes { int32_t lane[KIT_FLOATS]; } kit_outcomes;
 
-/* The bits of n lanes: those of a block, or KIT_FLOATS. */
+/* The bits of n lanes: those of a block, or KIT_FLOATS. Lanes are stored as vectors of 256 bits, and one of 512 would have
+ * to wait for two of them. */
 KIT_INLINE uint32_t kit_bits_of(const kit_outcomes *o, uint32_t n)
 {
-#ifdef __AVX512DQ__
-    if (n > POV_BLOCK_MAX) {
-        typedef int ints __attribute__((vector_size(64)));
-        ints v;
-
-        memcpy(&v, o->lane, sizeof v);
-        return __builtin_ia32_cvtd2mask512(v);
-    }
+#ifdef __AVX512F__
+    if (n > POV_BLOCK_MAX)
+        return kit_gather_lanes(o->lane) | kit_gather_lanes(o->lane + POV_BLOCK_MAX) << POV_BLOCK_MAX;
 #else
     (void)n;
 #endif
