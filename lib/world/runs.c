@@ -122,7 +122,7 @@ bool runs_allocate(runs *r)
 /* ---- transformations ---- */
 
 /* Objects of a leaf lie anywhere in the scene. Looking ahead by so many hides most of the way to memory. */
-enum { AHEAD = 16 };
+enum { AHEAD = 16, EXPECTED = 512 };
 
 /* The last of its transformations and those written before it, which mostly lie before it. */
 SIMD_INLINE void expect_list(const transform *list)
@@ -313,20 +313,33 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
         out->flags |= RUN_PACKED;
 }
 
+/* A shape as it will soon be read, from where it stands now. */
+SIMD_INLINE void expect_shape(const flat *f, uint32_t id)
+{
+    const object *o = &f->model->objects.items[id];
+    const unsigned char *from = f->moved && f->moved[id] ? f->moved[id] : o->instance;
+    const size_t bytes = o->shape->instance_size < EXPECTED ? o->shape->instance_size : EXPECTED;
+    size_t i;
+
+    for (i = 0; i < bytes; i += RUNS_LINE)
+        SIMD_EXPECT(from + i);
+}
+
 /* What will soon be read of an object. */
 SIMD_INLINE void expect(const runs *r, const uint32_t *ids)
 {
     const flat *f = r->flat;
     uint32_t id;
 
-    if (r->mark != 0 || ids + AHEAD >= f->finite + f->finite_count)
+    if (r->mark != 0 || ids + 2 * AHEAD >= f->finite + f->finite_count)
         return;
-    id = ids[AHEAD];
+    id = ids[2 * AHEAD];
     SIMD_EXPECT(&f->model->objects.items[id]);
     SIMD_EXPECT(&f->group[id]);
     SIMD_EXPECT(&r->slot[id]);
     if (f->moved)
         SIMD_EXPECT(&f->moved[id]);
+    expect_shape(f, ids[AHEAD]);
 }
 
 void runs_fill(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
