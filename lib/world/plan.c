@@ -299,22 +299,37 @@ static void sort_rows(plan_row *rows, size_t count)
     }
 }
 
+/* How many objects there are of each class, in the order in which the scene first names one. */
+typedef struct class_tally { const pov_shape_class *shape; size_t objects; } class_tally;
+typedef struct tally { class_tally *items; size_t count, capacity; } tally;
+
+static bool count_classes(const model *m, tally *t)
+{
+    size_t i, k;
+
+    for (i = 0; i < m->objects.count; i++) {
+        const class_tally one = { m->objects.items[i].shape, 1 };
+        for (k = 0; k < t->count && t->items[k].shape != one.shape; k++)
+            continue;
+        if (k < t->count)
+            t->items[k].objects++;
+        else if (!VEC_PUSH(m->env, t, one))
+            return false;
+    }
+    return true;
+}
+
 pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, pov_error *err)
 {
     plugin_rows r = { p, m, POV_OK, err };
-    const object_list *all = &m->objects;
-    const pov_shape_class *last = NULL;
-    size_t i, k, n;
+    tally t = { NULL, 0, 0 };
+    size_t i, n;
 
-    for (i = 0; r.status == POV_OK && i < all->count; i++) {
-        const pov_shape_class *shape = all->items[i].shape;
-        if (shape == last || has_row(p, shape->keyword))
-            continue;
-        last = shape;
-        for (k = i, n = 0; k < all->count; k++)
-            n += all->items[k].shape == shape;
-        r.status = add_plugin(&r, shape->keyword, n);
-    }
+    if (!count_classes(m, &t))
+        r.status = err_memory(err);
+    for (i = 0; r.status == POV_OK && i < t.count; i++)
+        r.status = add_plugin(&r, t.items[i].shape->keyword, t.items[i].objects);
+    env_free(m->env, t.items);
     n = p->rows.count;
     if (r.status == POV_OK && plugins)
         registry_each_keyword(plugins, "primitives", see_keyword, &r);
