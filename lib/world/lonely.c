@@ -10,11 +10,12 @@ static bool is_clear(const flat *f, uint32_t id)
     return material_is_transparent(&f->model->materials.items[f->model->objects.items[id].material]);
 }
 
-static uint32_t count_clear(const flat *f)
+/* Up to one more than that. */
+static uint32_t count_clear(const flat *f, uint32_t most)
 {
     uint32_t count = 0, i;
 
-    for (i = 0; i < f->finite_count; i++)
+    for (i = 0; i < f->finite_count && count <= most; i++)
         count += is_clear(f, f->finite[i]);
     return count;
 }
@@ -47,12 +48,12 @@ static bool is_lonely(const pov_box *boxes, uint32_t count, uint32_t which)
 
 bool flat_find_lonely(const flat *f, uint8_t **lonely)
 {
-    const uint32_t n = f->finite_count, clear = count_clear(f);
+    const uint32_t n = f->finite_count, most = n > 0 ? PAIRS_MAX / n : 0, clear = count_clear(f, most);
     pov_box *boxes;
     uint32_t i;
 
     *lonely = NULL;
-    if (clear == 0 || f->infinite_count > 0 || clear > PAIRS_MAX / n)
+    if (clear == 0 || f->infinite_count > 0 || clear > most)
         return true;
     boxes = env_resize(f->env, NULL, n, sizeof *boxes);
     *lonely = env_alloc(f->env, f->model->objects.count, sizeof **lonely);
