@@ -13,6 +13,8 @@ typedef struct medium {
     pov_box box;
 } medium;
 
+typedef struct medium_list { medium *items; size_t count, capacity; } medium_list;
+
 /* Where an object's shape is. */
 typedef struct shape_place {
     const void *instance;
@@ -42,8 +44,7 @@ struct world {
     uint8_t *lonely;             /* by object, 1: it is clear, and nothing else is in its box; NULL: nobody knows */
     bool has_bounds;
     uint32_t infinite_count;
-    medium *media;
-    size_t media_count;
+    medium_list media;           /* in the order of the scene */
 };
 
 /* For the crossings of one light path: with transparent shapes, and with one that blocks. */

@@ -267,12 +267,37 @@ static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 
     return inside != ((o->flags & OBJECT_INVERSE) != 0);
 }
 
+static double size_of(const medium *m)
+{
+    const pov_vec3 edges = pov_sub(m->box.hi, m->box.lo);
+
+    return m->boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
+}
+
+/* Of media that hold each other the inner one comes last: it is what a ray that starts there is in. */
+static bool comes_before(const medium *a, const medium *b)
+{
+    const double size_a = size_of(a), size_b = size_of(b);
+
+    return size_a != size_b ? size_a > size_b : a->object < b->object;
+}
+
+/* Few hold a point, if any: to look for each is less work than to have all in order. */
 void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object),
                     void *user)
 {
+    const medium *last = NULL, *next;
     size_t i;
 
-    for (i = 0; i < w->media_count; i++)
-        if (is_inside(w, &w->media[i], point, point_lo))
-            see(user, w->media[i].object);
+    do {
+        for (next = NULL, i = 0; i < w->media.count; i++) {
+            const medium *m = &w->media.items[i];
+
+            if ((!last || comes_before(last, m)) && (!next || comes_before(m, next)) && is_inside(w, m, point, point_lo))
+                next = m;
+        }
+        if (next)
+            see(user, next->object);
+        last = next;
+    } while (next);
 }

@@ -2,8 +2,8 @@
 #include "world/parts.h"
 
 #include "base/err.h"
+#include "base/vec.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Scenes of fewer objects are compiled by the calling thread alone. */
@@ -55,52 +55,25 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
 
 /* ---- media ---- */
 
-static double size_of(const medium *m)
-{
-    pov_vec3 edges = pov_sub(m->box.hi, m->box.lo);
-
-    return m->boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
-}
-
-/* Of media that hold each other the inner one comes last: it is what a ray that starts there is in. */
-static int compare_media(const void *left, const void *right)
-{
-    const medium *a = left, *b = right;
-    double size_a = size_of(a), size_b = size_of(b);
-
-    if (size_a != size_b)
-        return size_a > size_b ? -1 : 1;
-    return a->object < b->object ? -1 : 1;
-}
-
 static bool find_media(world *w, const flat *f)
 {
     const object_list *all = &w->model->objects;
-    size_t i, n = 0;
-    uint32_t k;
+    uint32_t i, k;
 
-    if (!w->plan.media_at_start)
-        return true;
-    for (i = 0; i < all->count; i++)
-        n += plan_is_medium(w->model, &all->items[i]);
-    w->media = env_alloc(w->env, n, sizeof *w->media);
-    if (!w->media)
-        return false;
-    for (i = 0; i < all->count; i++) {
-        medium m = { .object = (uint32_t)i };
-        if (plan_is_medium(w->model, &all->items[i]))
-            w->media[w->media_count++] = m;
-    }
     /* Both lists are in the order of the scene. An inverse solid's inside is all but its box. */
-    for (i = 0, k = 0; i < w->media_count; i++) {
-        while (k < f->finite_count && f->finite[k] < w->media[i].object)
+    for (i = 0, k = 0; w->plan.media_at_start && i < all->count; i++) {
+        medium m = { .object = i };
+
+        if (!plan_is_medium(w->model, &all->items[i]))
+            continue;
+        while (k < f->finite_count && f->finite[k] < i)
             k++;
-        w->media[i].boxed = k < f->finite_count && f->finite[k] == w->media[i].object &&
-                            !(all->items[w->media[i].object].flags & OBJECT_INVERSE);
-        if (w->media[i].boxed)
-            flat_box(f, w->media[i].object, &w->media[i].box);
+        m.boxed = k < f->finite_count && f->finite[k] == i && !(all->items[i].flags & OBJECT_INVERSE);
+        if (m.boxed)
+            flat_box(f, i, &m.box);
+        if (!VEC_PUSH(w->env, &w->media, m))
+            return false;
     }
-    qsort(w->media, w->media_count, sizeof *w->media, compare_media);
     return true;
 }
 
@@ -353,7 +326,7 @@ void world_destroy(world *w)
     bvh_free(&w->tree, w->env);
     env_free_aligned(w->env, w->list_memory);
     env_free(w->env, w->things);
-    env_free(w->env, w->media);
+    env_free(w->env, w->media.items);
     env_free(w->env, w->lonely);
     plan_free(&w->plan);
     env_free(w->env, w);
