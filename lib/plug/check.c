@@ -17,6 +17,8 @@ static const char *check_shape(const pov_shape_class *c)
         return "a shape class is a solid without inside";
     if (c->block_filter && (!c->block_pack || c->block_size == 0))
         return "a shape class has a block filter without block_pack or block_size";
+    if (REACHES(c, pov_shape_class, lone_block_size) && c->lone_block_size > c->block_size)
+        return "a shape class has a larger block for one shape than for several";
     if (c->prepare && (c->text_size == 0 || c->text_size > (1u << 20) || c->instance_size > POV_PREPARED_MAX))
         return "a shape class has prepare with an impossible size";
     return NULL;

@@ -53,13 +53,20 @@ static inline const stand *run_stand(const run *r)
 /* Are shapes of a class that share no block to be looked at as ellipsoids? Each stands alone then. */
 static inline bool run_may_stand(const pov_shape_class *shape) { return POV_SHAPE_HAS(shape, ellipsoid); }
 
-/* Bytes from a run to the next: blocks are rounded up to whole lines of memory. */
-static inline size_t run_bytes(const pov_shape_class *shape, unsigned flags)
+static inline size_t run_block_size(const pov_shape_class *shape, uint32_t count)
+{
+    const bool has_own = shape->size >= offsetof(pov_shape_class, lone_block_size) + sizeof shape->lone_block_size;
+
+    return count == 1 && has_own && shape->lone_block_size > 0 ? shape->lone_block_size : shape->block_size;
+}
+
+/* Bytes from a run of so many to the next: blocks are rounded up to whole lines of memory. */
+static inline size_t run_bytes(const pov_shape_class *shape, uint32_t count, unsigned flags)
 {
     if (flags & RUN_PLACED)
         return RUN_PLACED_BYTES + (flags & RUN_ROOM ? sizeof(stand) : 0);
     if (flags & RUN_ROOM)
-        return RUN_HEAD + (shape->block_size + 63) / 64 * 64;
+        return RUN_HEAD + (run_block_size(shape, count) + 63) / 64 * 64;
     return RUN_HEAD + (run_may_stand(shape) ? sizeof(stand) : 0);
 }
 
@@ -69,7 +76,7 @@ static inline const run *run_next(const run *r)
 {
     if (!(r->flags & RUN_MORE))
         return NULL;
-    return (const run *)(const void *)((const unsigned char *)r + run_bytes(r->shape, r->flags));
+    return (const run *)(const void *)((const unsigned char *)r + run_bytes(r->shape, r->count, r->flags));
 }
 
 /* Of one that is RUN_PACKED; frame: what the rays stand in. */

@@ -90,7 +90,7 @@ size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
         const shape_group *g = &f->groups[f->group[ids[0]]];
         n = run_length(f, ids, count);
         r->at[part * f->group_count + f->group[ids[0]]] += n;
-        bytes += run_bytes(g->shape, room_of(f, g));
+        bytes += run_bytes(g->shape, n, room_of(f, g));
         if (g->placed && f->last)
             r->of[part].maps += f->maps[ids[0]];
     }
@@ -293,7 +293,7 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
     const void *selves[RUN_WIDTH] = { NULL };
     uint32_t i;
 
-    memset(out, 0, run_bytes(g->shape, room_of(f, g)));
+    memset(out, 0, run_bytes(g->shape, count, room_of(f, g)));
     out->shape = g->shape;
     out->count = (uint8_t)count;
     out->flags = (uint8_t)(room_of(f, g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
@@ -355,6 +355,6 @@ void runs_fill(runs *r, uint32_t part, const bvh_frame *frame, const uint32_t *i
         fill_run(r, part, frame, ids, n, out);
         if (n < count)
             out->flags |= RUN_MORE;
-        end += run_bytes(out->shape, out->flags);
+        end += run_bytes(out->shape, out->count, out->flags);
     }
 }

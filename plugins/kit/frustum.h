@@ -44,6 +44,9 @@ typedef struct kit_frustum_block {
     float number[KIT_FRUSTUM_NUMBERS][POV_BLOCK_MAX];
 } kit_frustum_block;
 
+/* The numbers of one that is alone in its block stand one behind the other. */
+enum { KIT_FRUSTUM_ALONE = offsetof(kit_frustum_block, number) + KIT_FRUSTUM_NUMBERS * sizeof(float) };
+
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
 uint32_t kit_frustum_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                             pov_meeting *out);

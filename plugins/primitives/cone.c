@@ -41,6 +41,7 @@ static const pov_shape_class cone_class = {
     .inside = kit_frustum_inside,
     .absorb = kit_frustum_absorb,
     .block_size = sizeof(kit_frustum_block),
+    .lone_block_size = KIT_FRUSTUM_ALONE,
     .block_pack = kit_frustum_pack,
     .block_filter = kit_frustum_filter,
     .intersect_many = kit_frustum_intersect_many,

@@ -47,6 +47,35 @@ static bool frame_around(const thing *const *things, uint32_t n, pov_frame *out)
     return true;
 }
 
+static size_t lone_block_size(void)
+{
+    const pov_shape_class *s = subject.shape;
+    const bool has = s->size >= offsetof(pov_shape_class, lone_block_size) + sizeof s->lone_block_size;
+
+    return has && s->lone_block_size > 0 ? s->lone_block_size : s->block_size;
+}
+
+static bool is_filled(const unsigned char *from, const unsigned char *to, unsigned char with)
+{
+    for (; from < to; from++)
+        if (*from != with)
+            return false;
+    return true;
+}
+
+/* A block for one shape ends sooner: what is behind it is nobody's, and no number. */
+static bool pack(unsigned char *block, const pov_frame *frame, const void *const *selves, uint32_t n)
+{
+    unsigned char *end = block + subject.shape->block_size, *behind = n == 1 ? block + lone_block_size() : end;
+    bool takes;
+
+    memset(block, 0, subject.shape->block_size);
+    memset(behind, 0xff, (size_t)(end - behind));
+    takes = subject.shape->block_pack(block, frame, selves, n);
+    assert_true(is_filled(behind, end, 0xff));
+    return takes;
+}
+
 /* Up to POV_BLOCK_MAX of the subject's things in a block, or one of them as often, and the frame that they are in; its
  * scale is zero where there is none. 0: it declines them. */
 static uint32_t pack_some(void *block, const thing **things, pov_frame *frame)
@@ -65,7 +94,7 @@ static uint32_t pack_some(void *block, const thing **things, pov_frame *frame)
     framed = frame_around(things, n, frame);
     if (!framed)
         frame->scale = 0.0;
-    return subject.shape->block_pack(block, framed ? frame : NULL, selves, n) ? n : 0;
+    return pack(block, framed ? frame : NULL, selves, n) ? n : 0;
 }
 
 /* A ray along the surface of one, or off that by little: from the side of a crossing, across its normal. */

@@ -98,6 +98,10 @@ static void a_class_must_keep_the_contract(void **state)
     c.instance_size = 0;
     assert_string_equal(verdict(&c), "a shape class has an impossible instance size");
     c = good_class();
+    c.block_size = 64;
+    c.lone_block_size = 128;
+    assert_string_equal(verdict(&c), "a shape class has a larger block for one shape than for several");
+    c = good_class();
     c.prepare = prepare;
     assert_string_equal(verdict(&c), "a shape class has prepare with an impossible size");
 }

@@ -33,7 +33,7 @@ static void same_leaves(const bvh *a, const bvh *b)
         const run *x = (const run *)(const void *)(a->leaves + at), *y = (const run *)(const void *)(b->leaves + at);
         assert_int_equal(x->count, y->count);
         assert_memory_equal(x->object, y->object, x->count * sizeof x->object[0]);
-        at += run_bytes(x->shape, x->flags);
+        at += run_bytes(x->shape, x->count, x->flags);
     }
 }
 

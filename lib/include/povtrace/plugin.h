@@ -238,6 +238,8 @@ typedef struct pov_shape_class {
                         pov_vec3 *const *out, uint32_t n);
     /* [load] Is it an ellipsoid, and bounded like one? Hosts may filter its rays by that where no block does. */
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
+    /* Bytes of a block that one shape was packed in alone, if they are fewer than block_size; else 0. */
+    size_t lone_block_size;
 } pov_shape_class;
 
 /* Does a class reach as far as this member, and is it there? */
