@@ -1,7 +1,6 @@
 #include "world/flatten.h"
 
 #include "base/err.h"
-#include "base/pages.h"
 #include "base/vec.h"
 #include "world/bvh_build.h"
 #include "world/flat_maps.h"
@@ -525,7 +524,7 @@ void flat_free_groups(const env *e, shape_group *groups, size_t count)
     size_t i;
 
     for (i = 0; groups && i < count; i++)
-        pages_free(e, groups[i].instances);
+        env_free_aligned(e, groups[i].instances);
     env_free(e, groups);
 }
 

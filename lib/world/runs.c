@@ -112,7 +112,7 @@ bool runs_allocate(runs *r)
         }
         if (f->groups[g].placed)
             continue;
-        f->groups[g].instances = pages_reserve(f->env, (size_t)all * f->groups[g].stride);
+        f->groups[g].instances = env_reserve_aligned(f->env, (size_t)all * f->groups[g].stride, 64);
         if (!f->groups[g].instances)
             return false;
     }
