@@ -91,6 +91,18 @@ static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame)
     return BVH_FRAME | frame;
 }
 
+/* The first who writes to memory waits for the system to clear it, which all can do together. */
+static void touch_part(void *user, uint32_t part, int hand)
+{
+    const bvh *b = user;
+    const uint32_t n = (uint32_t)b->node_count;
+    uint32_t i;
+
+    (void)hand;
+    for (i = share_begin(n, BVH_PARTS, part); i < share_begin(n, BVH_PARTS, part + 1); i++)
+        b->nodes[i].child[0] = BVH_NODE;
+}
+
 bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves)
 {
     const size_t most = ~BVH_KIND;
@@ -105,6 +117,7 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, cons
     *leaves = l.leaves = env_alloc(in->env, out->leaf_count + 1, sizeof *l.leaves);
     if (!out->nodes || !out->frames || !l.leaves)
         return false;
+    share_work(in->threads, BVH_PARTS, touch_part, out);
     put(&l, root, 0);
     l.leaves[out->leaf_count].begin = in->count;
     return true;
