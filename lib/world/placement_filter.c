@@ -155,11 +155,12 @@ SIMD_INLINE reach meet_ball(const stand *s, const line *l)
 
 typedef reach meeting(const stand *s, const line *l);
 
-SIMD_INLINE void meet_eight(const stand *s, meeting *meet, const pov_rays *rays, size_t from, answer *restrict out)
+SIMD_INLINE void meet_lanes(const stand *s, meeting *meet, const pov_rays *rays, size_t from, uint32_t n,
+                            answer *restrict out)
 {
     uint32_t i;
 
-    for (i = 0; i < EIGHT; i++) {
+    for (i = 0; i < n; i++) {
         const line l = line_of(s, rays, from + i);
         const reach r = meet(s, &l);
         const float sure = l.smax * (1.0f - 16.0f * PLACEMENT_E) - 8.0f * PLACEMENT_E * l.spread;
@@ -177,12 +178,21 @@ SIMD_INLINE void meet_eight(const stand *s, meeting *meet, const pov_rays *rays,
 /* Apart, for in the loop that calls them a placement's numbers would all be spread over lanes and put by beforehand. */
 SIMD_APART SIMD_CLONES static void meet_boxes(const stand *s, const pov_rays *rays, size_t from, answer *restrict out)
 {
-    meet_eight(s, meet_box, rays, from, out);
+    meet_lanes(s, meet_box, rays, from, EIGHT, out);
 }
 
 SIMD_APART SIMD_CLONES static void meet_balls(const stand *s, const pov_rays *rays, size_t from, answer *restrict out)
 {
-    meet_eight(s, meet_ball, rays, from, out);
+    meet_lanes(s, meet_ball, rays, from, EIGHT, out);
+}
+
+/* One by itself: beside a ray that goes alone there may be anything, and products of what is all but zero are slow. */
+SIMD_APART static void meet_one(const stand *s, const pov_rays *rays, size_t at, answer *restrict out)
+{
+    if (s->known == PLACEMENT_IS_BALL)
+        meet_lanes(s, meet_ball, rays, at, 1, out);
+    else
+        meet_lanes(s, meet_box, rays, at, 1, out);
 }
 
 /* Those that go away from `owner`. */
@@ -196,12 +206,28 @@ static inline uint32_t away_from(const uint32_t *away, uint32_t owner)
     return gather(&same);
 }
 
-static inline uint32_t tell(const answer *a, const pov_rays *rays, uint32_t from, uint32_t lanes, bool sure,
-                            pov_meeting *out, uint32_t n)
-{
-    const uint32_t surely = sure ? gather(&a->surely) : 0, twice = surely & gather(&a->twice);
+/* What is said of lanes, as bits. */
+typedef struct said { uint32_t maybe, surely, twice; } said;
 
-    for (lanes &= gather(&a->maybe); lanes; lanes &= lanes - 1, n++) {
+static inline said said_of_eight(const answer *a, uint32_t lanes)
+{
+    const said r = { lanes & gather(&a->maybe), gather(&a->surely), gather(&a->twice) };
+    return r;
+}
+
+static inline said said_of_one(const answer *a)
+{
+    const said r = { a->maybe.lane[0] & 1u, a->surely.lane[0] & 1u, a->twice.lane[0] & 1u };
+    return r;
+}
+
+static inline uint32_t tell(const answer *a, const pov_rays *rays, uint32_t from, said what, bool sure, pov_meeting *out,
+                            uint32_t n)
+{
+    const uint32_t surely = sure ? what.surely : 0, twice = surely & what.twice;
+    uint32_t lanes;
+
+    for (lanes = what.maybe; lanes; lanes &= lanes - 1, n++) {
         const uint32_t i = first_of(lanes), at = from + i;
         const double shift = rays->framed.shift[at], unit = rays->framed.unit[at];
 
@@ -230,11 +256,18 @@ uint32_t placement_filter(const stand *s, uint32_t owner, const pov_rays *rays, 
             some &= ~away_from(rays->away + from, owner);
         if (!some)
             continue;
+        if (!(some & (some - 1))) {
+            const uint32_t at = from + first_of(some);
+
+            meet_one(s, rays, at, &a);
+            n = tell(&a, rays, at, said_of_one(&a), known != PLACEMENT_IN_BOX, out, n);
+            continue;
+        }
         if (known == PLACEMENT_IS_BALL)
             meet_balls(s, rays, from, &a);
         else
             meet_boxes(s, rays, from, &a);
-        n = tell(&a, rays, from, some, known != PLACEMENT_IN_BOX, out, n);
+        n = tell(&a, rays, from, said_of_eight(&a, some), known != PLACEMENT_IN_BOX, out, n);
     }
     return n;
 }
