@@ -53,6 +53,21 @@ static inline uint64_t eights_of(uint64_t lanes)
     return (((lanes & low) + low) | lanes) & ~low;
 }
 
+/* Filters may take sixteen at a time: places past the width hold nothing then that is slow to compute with, as denormal
+ * floats are. */
+static void clear_past(pov_rays *side, uint32_t width)
+{
+    const size_t bytes = 8 * sizeof(float);
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        memset(side->framed.org[k] + width, 0, bytes);
+        memset(side->framed.dir[k] + width, 0, bytes);
+    }
+    memset(side->framed.size + width, 0, bytes);
+    memset(side->framed.smax + width, 0, bytes);
+}
+
 static void begin(company *c, bvh_party *party)
 {
     c->tree = party->tree;
@@ -60,6 +75,8 @@ static void begin(company *c, bvh_party *party)
     c->open = party->lanes;
     c->ended = 0;
     c->width = (party->count + 7) & ~7u;
+    if (c->width & 8)
+        clear_past(&party->side, c->width);
     c->frame = 0;
 }
 
