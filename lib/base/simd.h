@@ -55,36 +55,29 @@ enum { SIMD_LINE = 64 };
 
 /* Four structures' doubles by place. Stored one by one they would be waited for when vectors of them are loaded. */
 #if defined(__AVX__) && defined(__GNUC__)
-typedef double simd_four __attribute__((vector_size(32)));
-typedef int64_t simd_places __attribute__((vector_size(32)));
-#ifdef __clang__
-#define SIMD_PICK(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
-#else
-#define SIMD_PICK(a, b, i, j, k, l) __builtin_shuffle(a, b, (simd_places){ i, j, k, l })
-#endif
+#include <immintrin.h>
 
-SIMD_INLINE simd_four simd_load_four(const void *from, size_t offset)
+/* Two doubles of each of two structures: on their way from memory halves come to their places at no cost. */
+SIMD_INLINE __m256d simd_load_pairs(const void *low, const void *high, size_t offset)
 {
-    simd_four v;
+    const double *const l = (const double *)(const void *)((const char *)low + offset);
+    const double *const h = (const double *)(const void *)((const char *)high + offset);
 
-    memcpy(&v, (const char *)from + offset, sizeof v);
-    return v;
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(l)), _mm_loadu_pd(h), 1);
 }
-
-SIMD_INLINE void simd_store_four(double *to, simd_four v) { memcpy(to, &v, sizeof v); }
 
 /* The four doubles at each of `from`: those that come first to `w`, and so on. */
 SIMD_INLINE void simd_transpose(const void *const from[4], size_t offset, double *w, double *x, double *y, double *z)
 {
-    const simd_four a = simd_load_four(from[0], offset), b = simd_load_four(from[1], offset);
-    const simd_four c = simd_load_four(from[2], offset), d = simd_load_four(from[3], offset);
-    const simd_four ab = SIMD_PICK(a, b, 0, 4, 2, 6), cd = SIMD_PICK(c, d, 0, 4, 2, 6);
-    const simd_four more_ab = SIMD_PICK(a, b, 1, 5, 3, 7), more_cd = SIMD_PICK(c, d, 1, 5, 3, 7);
+    const size_t behind = offset + 2 * sizeof(double);
+    const __m256d ac = simd_load_pairs(from[0], from[2], offset), bd = simd_load_pairs(from[1], from[3], offset);
+    const __m256d more_ac = simd_load_pairs(from[0], from[2], behind);
+    const __m256d more_bd = simd_load_pairs(from[1], from[3], behind);
 
-    simd_store_four(w, SIMD_PICK(ab, cd, 0, 1, 4, 5));
-    simd_store_four(x, SIMD_PICK(more_ab, more_cd, 0, 1, 4, 5));
-    simd_store_four(y, SIMD_PICK(ab, cd, 2, 3, 6, 7));
-    simd_store_four(z, SIMD_PICK(more_ab, more_cd, 2, 3, 6, 7));
+    _mm256_storeu_pd(w, _mm256_unpacklo_pd(ac, bd));
+    _mm256_storeu_pd(x, _mm256_unpackhi_pd(ac, bd));
+    _mm256_storeu_pd(y, _mm256_unpacklo_pd(more_ac, more_bd));
+    _mm256_storeu_pd(z, _mm256_unpackhi_pd(more_ac, more_bd));
 }
 #else
 SIMD_INLINE void simd_transpose(const void *const from[4], size_t offset, double *w, double *x, double *y, double *z)

@@ -36,37 +36,34 @@ static inline void kit_put_ray(kit_rays *l, uint32_t i, const pov_ray *ray)
 /* Four structures at once. Stored one by one their numbers would be waited for when vectors of them are loaded. */
 #if defined(__AVX__) && defined(__GNUC__)
 #define KIT_TRANSPOSES 1
-typedef double kit_four __attribute__((vector_size(32)));
-typedef int64_t kit_places __attribute__((vector_size(32)));
-#ifdef __clang__
-#define KIT_PICK(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
-#else
-#define KIT_PICK(a, b, i, j, k, l) __builtin_shuffle(a, b, (kit_places){ i, j, k, l })
-#endif
+#include <immintrin.h>
 
-static inline kit_four kit_load_four(const void *from, size_t offset)
+typedef __m256d kit_four;
+
+/* Two doubles of each of two structures: on their way from memory halves come to their places at no cost. */
+static inline kit_four kit_load_pairs(const void *low, const void *high, size_t offset)
 {
-    kit_four v;
+    const double *const l = (const double *)(const void *)((const char *)low + offset);
+    const double *const h = (const double *)(const void *)((const char *)high + offset);
 
-    memcpy(&v, (const char *)from + offset, sizeof v);
-    return v;
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(l)), _mm_loadu_pd(h), 1);
 }
 
 /* Of four doubles at an offset of each: those that come first in a row, then those that come second, and so on. */
 KIT_INLINE void kit_transpose(const void *const from[4], size_t offset, kit_four to[4])
 {
-    const kit_four a = kit_load_four(from[0], offset), b = kit_load_four(from[1], offset);
-    const kit_four c = kit_load_four(from[2], offset), d = kit_load_four(from[3], offset);
-    const kit_four ab = KIT_PICK(a, b, 0, 4, 2, 6), cd = KIT_PICK(c, d, 0, 4, 2, 6);
-    const kit_four more_ab = KIT_PICK(a, b, 1, 5, 3, 7), more_cd = KIT_PICK(c, d, 1, 5, 3, 7);
+    const size_t behind = offset + 2 * sizeof(double);
+    const kit_four ac = kit_load_pairs(from[0], from[2], offset), bd = kit_load_pairs(from[1], from[3], offset);
+    const kit_four more_ac = kit_load_pairs(from[0], from[2], behind);
+    const kit_four more_bd = kit_load_pairs(from[1], from[3], behind);
 
-    to[0] = KIT_PICK(ab, cd, 0, 1, 4, 5);
-    to[1] = KIT_PICK(more_ab, more_cd, 0, 1, 4, 5);
-    to[2] = KIT_PICK(ab, cd, 2, 3, 6, 7);
-    to[3] = KIT_PICK(more_ab, more_cd, 2, 3, 6, 7);
+    to[0] = _mm256_unpacklo_pd(ac, bd);
+    to[1] = _mm256_unpackhi_pd(ac, bd);
+    to[2] = _mm256_unpacklo_pd(more_ac, more_bd);
+    to[3] = _mm256_unpackhi_pd(more_ac, more_bd);
 }
 
-static inline void kit_store_four(double *lane, uint32_t i, kit_four v) { memcpy(lane + i, &v, sizeof v); }
+static inline void kit_store_four(double *lane, uint32_t i, kit_four v) { _mm256_storeu_pd(lane + i, v); }
 #endif
 
 /* Rays into four lanes from i on. */
