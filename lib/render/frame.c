@@ -1,6 +1,7 @@
 #include "render/frame.h"
 
 #include "base/pages.h"
+#include "base/simd.h"
 
 #include <string.h>
 
@@ -58,6 +59,16 @@ void frame_put(frame *f, size_t tile, int pass, const float *pixels)
                 if (lattice_has(l, x, y))
                     memcpy(pixel(f, r.x + x, r.y + y), pixels + 4 * (y * r.width + x), 4 * sizeof *pixels);
     f->done[tile] |= (uint8_t)(1u << pass);
+}
+
+void frame_expect(const frame *f, pov_rect part)
+{
+    for (int y = 0; y < part.height; y++) {
+        const float *row = pixel(f, part.x, part.y + y);
+
+        for (int i = 0; i < 4 * part.width; i += 16)
+            SIMD_EXPECT(row + i);
+    }
 }
 
 void frame_replace(frame *f, size_t tile, const float *pixels)

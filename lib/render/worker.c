@@ -1,5 +1,6 @@
 #include "render/worker.h"
 
+#include "render/job_state.h"
 #include "render/meter.h"
 #include "render/raygen.h"
 
@@ -115,8 +116,12 @@ static void trace_block(worker *w, company *together, const settings *s, const m
     const int right = left + edge < tile.width ? left + edge : tile.width;
     const lattice l = w->claim.lattice;
 
+    const int height = tile.height - top < edge ? tile.height - top : edge;
+    const pov_rect part = { tile.x + left, tile.y + top, right - left, height };
+
+    frame_expect(&w->job->frame, part);
     together->count = 0;
-    for (int y = top; y < tile.height && y < top + edge; y += l.step)
+    for (int y = top; y < top + height; y += l.step)
         take_row(together, m, l, left, right, y, w->pixels + 4 * y * tile.width);
     if (s->sampling)
         take_samples(w, together, s);
