@@ -215,17 +215,17 @@ KIT_CLONES static void find_normals(const ball_lanes *restrict l, kit_lane3 *res
 static void normals_of(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                        pov_vec3 *const *out, uint32_t n)
 {
+    const pov_crossing *some[KIT_LANES];
     ball_lanes lanes;
     kit_lane3 unit;
     kit_lane largest;
-    uint32_t i, j;
+    uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i += 4)
+    for (i = 0; i < KIT_LANES; i++)
+        some[i] = at[kit_lane_of(i, n)];
+    for (i = 0; i < KIT_LANES; i += 4) {
         put_four(&lanes, i, selves, rays, n);
-    for (i = 0; i < KIT_LANES; i++) {
-        j = kit_lane_of(i, n);
-        lanes.t[i] = at[j]->t;
-        lanes.t_lo[i] = at[j]->t_lo;
+        kit_put_four_crossings(lanes.t, lanes.t_lo, i, some + i);
     }
     find_normals(&lanes, &unit, largest);
     for (i = 0; i < n; i++)

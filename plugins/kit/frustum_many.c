@@ -11,7 +11,7 @@ KIT_CLONES static void find_normals(const frustum_lanes *restrict l, const doubl
         const pov_ray ray = kit_get_ray(&l->rays, i);
         const kit_frustum s = get_shape(l, i);
         const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
-        view v = view_of(&s, &k, kit_along_two_parts(&k, pov_two_of(t[i] / k.unit, t_lo[i] / k.unit)));
+        view v = view_of(&s, &k, kit_along_two_parts(&k, pov_two_of(t[i] * k.per_unit, t_lo[i] * k.per_unit)));
         const double step = side_step(&s, &v);
         pov_vec3 w;
         double length, largest;
@@ -37,15 +37,16 @@ static void normals_of(const void *const *selves, const pov_ray *const *rays, co
     kit_lane t, t_lo, good;
     const void *shapes[TOGETHER];
     const pov_ray *some[TOGETHER];
+    const pov_crossing *crossings[TOGETHER];
     uint32_t i, j;
 
     for (i = 0; i < TOGETHER; i++) {
         j = which[kit_lane_of(i, n)];
         shapes[i] = selves[j];
         some[i] = rays[j];
-        t[i] = at[j]->t;
-        t_lo[i] = at[j]->t_lo;
+        crossings[i] = at[j];
     }
+    kit_put_four_crossings(t, t_lo, 0, crossings);
     put_pairs(&lanes, shapes, some);
     find_normals(&lanes, t, t_lo, &unit, good);
     for (i = 0; i < TOGETHER && i < n; i++) {

@@ -125,6 +125,24 @@ KIT_INLINE void kit_put_four_shapes(double *rows, size_t width, uint32_t n, cons
 #endif
 }
 
+/* Where crossings are, into four lanes from i on. */
+KIT_INLINE void kit_put_four_crossings(double *t, double *t_lo, uint32_t i, const pov_crossing *const at[4])
+{
+#ifdef KIT_TRANSPOSES
+    const void *const from[4] = { at[0], at[1], at[2], at[3] };
+    kit_four v[4];
+
+    kit_transpose(from, offsetof(pov_crossing, t), v);
+    kit_store_four(t, i, v[0]);
+    kit_store_four(t_lo, i, v[1]);
+#else
+    for (uint32_t j = 0; j < 4; j++) {
+        t[i + j] = at[j]->t;
+        t_lo[i + j] = at[j]->t_lo;
+    }
+#endif
+}
+
 /* The ray of a lane, but for what it left. */
 static inline pov_ray kit_get_ray(const kit_rays *l, uint32_t i)
 {

@@ -32,8 +32,19 @@
 typedef struct kit_ray {
     pov_two3 f;            /* from the anchor to the origin */
     pov_vec3 d, d_lo;      /* the largest component of d is in [1, 2) */
-    double unit;           /* a distance here, times unit, is one along the ray */
+    double unit, per_unit; /* a distance here, times unit, is one along the ray; and the other way round */
 } kit_ray;
+
+/* Of a power of two between those that pov_inverse_power() gives: a division is ten times as long. */
+static inline double kit_inverse(double power)
+{
+    uint64_t bits;
+
+    memcpy(&bits, &power, sizeof bits);
+    bits = ((uint64_t)2046 << 52) - bits;
+    memcpy(&power, &bits, sizeof power);
+    return power;
+}
 
 static inline kit_ray kit_enter(const pov_ray *ray, pov_two3 anchor, double scale)
 {
@@ -45,7 +56,8 @@ static inline kit_ray kit_enter(const pov_ray *ray, pov_two3 anchor, double scal
     k.f.z = pov_two_scale(pov_two_offset(ray->org.z, ray->org_lo.z, anchor.z), scale);
     k.d = pov_scale(ray->dir, power);
     k.d_lo = pov_scale(ray->dir_lo, power);
-    k.unit = power / scale;
+    k.unit = power * kit_inverse(scale);
+    k.per_unit = scale * kit_inverse(power);
     return k;
 }
 
@@ -82,7 +94,7 @@ KIT_INLINE pov_two3 kit_along_two_parts(const kit_ray *k, pov_two t)
 /* The point of a crossing, seen from the anchor. */
 static inline pov_two3 kit_point(const kit_ray *k, const pov_crossing *at)
 {
-    return kit_along_two_parts(k, pov_two_of(at->t / k->unit, at->t_lo / k->unit));
+    return kit_along_two_parts(k, pov_two_of(at->t * k->per_unit, at->t_lo * k->per_unit));
 }
 
 /* point + point_lo - anchor, scaled. */

@@ -152,7 +152,7 @@ KIT_CLONES static void find_normals(const pair_lanes *restrict l, const double *
         const pov_ray ray = kit_get_ray(&l->rays, i);
         const kit_second_order s = get_shape(l, i);
         const kit_ray k = kit_enter(&ray, s.anchor, s.scale);
-        const pov_two3 p = kit_along_two_parts(&k, pov_two_of(t[i] / k.unit, t_lo[i] / k.unit));
+        const pov_two3 p = kit_along_two_parts(&k, pov_two_of(t[i] * k.per_unit, t_lo[i] * k.per_unit));
         const pov_two3 g = quick_half_gradient(s.q, p);
         const double step = step_to(&s, &k, p, g);
         const pov_vec3 w = gradient_beyond(&s, &k, g, step);
@@ -168,6 +168,7 @@ static void normals_of(const void *const *selves, const pov_ray *const *rays, co
 {
     const void *shapes[TOGETHER];
     const pov_ray *some[TOGETHER];
+    const pov_crossing *crossings[TOGETHER];
     kit_lane t, t_lo, good;
     pair_lanes lanes;
     kit_lane3 unit;
@@ -178,9 +179,9 @@ static void normals_of(const void *const *selves, const pov_ray *const *rays, co
 
         shapes[i] = selves[j];
         some[i] = rays[j];
-        t[i] = at[j]->t;
-        t_lo[i] = at[j]->t_lo;
+        crossings[i] = at[j];
     }
+    kit_put_four_crossings(t, t_lo, 0, crossings);
     kit_put_four_shapes(lanes.number[0], TOGETHER, NUMBERS, shapes);
     kit_put_four_rays(&lanes.rays, 0, some);
     find_normals(&lanes, t, t_lo, &unit, good);
