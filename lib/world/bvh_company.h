@@ -5,8 +5,10 @@
  * the least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What
  * floats lose there is at most 4 + 5 |o| in the units of bvh_walk.h: twice |b - o| for r, |b| for the product, |o|
  * twice for o and the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that
- * remain each is tested against eight rays at once, with the single ray's formula. What the group's test says for
- * the order of boxes is a hint; what a ray meets does not depend on it. */
+ * remain each is tested against eight rays at once, with the single ray's formula. With the other end of o, and the
+ * least of all limits, the same products say which boxes all rays surely meet, and these are not tested again; were that
+ * said of a ray that does not, it would be asked about a box too many. What the group's test says for the order of boxes
+ * is a hint; what a ray meets does not depend on it. */
 #ifndef WORLD_BVH_COMPANY_H
 #define WORLD_BVH_COMPANY_H
 

@@ -1,31 +1,12 @@
 /* bvh_company_body.h - the walk in company, included by bvh_company.c once for each instruction set, with
- * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_BOUNDS (of all lanes, by
- * eight columns), the tests COMPANY_GROUP, COMPANY_FEW, COMPANY_LANES and COMPANY_WITHIN, and COMPANY_PUSH
- * where there is a better one than what is here. No guard, for that reason. */
+ * COMPANY_TARGET (the function attribute), COMPANY_NAME (what makes names differ), COMPANY_BOUND_ALL (what all lanes
+ * share), the tests COMPANY_GROUP, COMPANY_FEW, COMPANY_LANES and COMPANY_WITHIN, COMPANY_LOWER (of limits that leaves
+ * lowered), and COMPANY_PUSH_FEW where there is a better one than what is here. No guard, for that reason. */
 
-/* What all rays share on one axis. */
-COMPANY_TARGET static inline void COMPANY_NAME(bound_axis)(company *c, int k)
+COMPANY_TARGET static inline void COMPANY_NAME(visit)(company *c, uint64_t lanes, uint32_t leaf)
 {
-    float lo[8], hi[8], first[8], last[8];
-    uint32_t i;
-
-    COMPANY_BOUNDS(c, k, lo, hi, first, last);
-    for (i = 1; i < 8; i++) {
-        lo[0] = lesser(lo[i], lo[0]);
-        hi[0] = greater(hi[i], hi[0]);
-        first[0] = lesser(first[i], first[0]);
-        last[0] = greater(last[i], last[0]);
-    }
-    bound(c, k, lo[0], hi[0], first[0], last[0]);
-}
-
-COMPANY_TARGET static inline void COMPANY_NAME(bound_all)(company *c)
-{
-    int k;
-
-    c->near = true;
-    for (k = 0; k < 3; k++)
-        COMPANY_NAME(bound_axis)(c, k);
+    end_lanes(c, c->party->leaf(c->party, c->tree->leaves + (size_t)leaf * BVH_UNIT, lanes));
+    COMPANY_LOWER(c);
 }
 
 /* One axis of all rays in the frame. */
@@ -56,26 +37,23 @@ COMPANY_TARGET static inline void COMPANY_NAME(place_axis)(company *c, double ce
 COMPANY_TARGET static inline void COMPANY_NAME(place_limits)(company *c, double scale)
 {
     pov_rays *side = &c->party->side;
-    const double *restrict limits = c->party->limit, *restrict lengths = c->party->length;
-    const double *restrict per_length = side->per_length;
+    const double *restrict lengths = c->party->length, *restrict per_length = side->per_length;
     const float *restrict x = side->framed.org[0], *restrict y = side->framed.org[1], *restrict z = side->framed.org[2];
     double *restrict scales = c->scale, *restrict shifts = side->framed.shift, *restrict units = side->framed.unit;
-    float *restrict out = c->limit, *restrict smax = side->framed.smax, *restrict size = side->framed.size;
+    float *restrict size = side->framed.size;
     const double back = 1.0 / scale;
     const uint32_t width = c->width;
     uint32_t i;
 
     for (i = 0; i < width; i++) {
-        const double own = scale * lengths[i];
-        const float limit = bvh_limit(own, 0.0, limits[i]);
-
-        scales[i] = own;
+        scales[i] = scale * lengths[i];
         shifts[i] = 0.0;
         units[i] = per_length[i] * back;
-        out[i] = limit;
-        smax[i] = limit;
         size[i] = fabsf(x[i]) + fabsf(y[i]) + fabsf(z[i]);
     }
+    c->least = HUGE_VALF;
+    c->party->lowered = c->open; /* all limits are new here */
+    COMPANY_LOWER(c);
 }
 
 /* All rays in the frame. False: they cannot be taken so simply. Their lengths are in the range of filters. */
@@ -85,7 +63,7 @@ COMPANY_TARGET static inline bool COMPANY_NAME(place)(company *c, const bvh_fram
     COMPANY_NAME(place_axis)(c, f->centre.y, f->scale, 1);
     COMPANY_NAME(place_axis)(c, f->centre.z, f->scale, 2);
     COMPANY_NAME(place_limits)(c, f->scale);
-    COMPANY_NAME(bound_all)(c);
+    COMPANY_BOUND_ALL(c);
     return c->near && f->scale > BVH_SMALL && f->scale < BVH_LARGE;
 }
 
@@ -115,7 +93,7 @@ COMPANY_TARGET static uint64_t COMPANY_NAME(enter_lanes)(company *c, uint32_t fr
         return 0;
     if (!plain || lanes != ~(uint64_t)0 >> (BVH_COMPANY - c->party->count)) {
         fill_others(c, lanes);
-        COMPANY_NAME(bound_all)(c);
+        COMPANY_BOUND_ALL(c);
     }
     return lanes;
 }
@@ -130,37 +108,52 @@ COMPANY_TARGET static uint64_t COMPANY_NAME(enter)(company *c, uint32_t frame, u
     return in;
 }
 
-#ifndef COMPANY_PUSH
-#define COMPANY_PUSH COMPANY_NAME(push)
+#ifndef COMPANY_PUSH_FEW
+#define COMPANY_PUSH_FEW COMPANY_NAME(push_few)
+
+/* As push, of a few lanes. */
+COMPANY_TARGET static inline uint32_t COMPANY_NAME(push_few)(const company *c, const bvh_node *node, uint64_t lanes,
+                                                             bool sorted, company_stack *stack, uint32_t top)
+{
+    float entry[BVH_WIDTH];
+    uint64_t meets[BVH_WIDTH];
+    uint32_t mask = COMPANY_FEW(node, c, lanes, entry, meets), base = top;
+
+    for (; mask; mask &= mask - 1, top++) {
+        const uint32_t i = first_of(mask);
+
+        put_in(stack, sorted ? base : top, top, entry[i], node->child[i], meets[i]);
+    }
+    return top;
+}
+#endif
 
 /* Put the children that lanes meet on the stack, the nearest on top. */
 COMPANY_TARGET static inline uint32_t COMPANY_NAME(push)(const company *c, const bvh_node *node, uint64_t lanes,
                                                          bool sorted, company_stack *stack, uint32_t top)
 {
+    const uint32_t base = top;
     float entry[BVH_WIDTH];
-    uint64_t meets[BVH_WIDTH];
-    bool few = is_few(lanes);
-    const uint64_t eights = eights_of(lanes);
-    uint32_t mask = few ? COMPANY_FEW(node, c, lanes, entry, meets) : COMPANY_GROUP(node, c, entry), base = top;
+    uint64_t eights;
+    uint32_t mask, all;
 
+    if (is_few(lanes))
+        return COMPANY_PUSH_FEW(c, node, lanes, sorted, stack, top);
+    mask = COMPANY_GROUP(node, c, entry, &all);
+    eights = eights_of(lanes);
+    if (are_less(lanes, eights, mask))
+        return COMPANY_PUSH_FEW(c, node, lanes, sorted, stack, top);
     for (; mask; mask &= mask - 1) {
-        uint32_t i = first_of(mask), at = top;
-        uint64_t meet = few ? meets[i] : COMPANY_LANES(node, i, c, lanes, eights), key = key_of(entry[i], node->child[i]);
+        const uint32_t i = first_of(mask);
+        const uint64_t meet = all >> i & 1 ? lanes : COMPANY_LANES(node, i, c, lanes, eights);
 
         if (!meet)
             continue;
+        put_in(stack, sorted ? base : top, top, entry[i], node->child[i], meet);
         top++;
-        if (sorted)
-            for (; at > base && stack->key[at - 1] < key; at--) {
-                stack->key[at] = stack->key[at - 1];
-                stack->lanes[at] = stack->lanes[at - 1];
-            }
-        stack->key[at] = key;
-        stack->lanes[at] = meet;
     }
     return top;
 }
-#endif
 
 COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_party *party, bool sorted)
 {
@@ -178,18 +171,17 @@ COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_party *party, bool 
             COMPANY_NAME(enter_lanes)(&c, at & ~BVH_KIND, c.open, &blind);
         } else if ((at & BVH_KIND) == BVH_NODE) {
             const uint32_t before = top;
-            top = COMPANY_PUSH(&c, &c.tree->nodes[at], lanes, sorted, &stack, top);
+            top = COMPANY_NAME(push)(&c, &c.tree->nodes[at], lanes, sorted, &stack, top);
             if (top > before) {
                 /* Whoever meets it does so within the limit. */
-                lanes = stack.lanes[--top];
-                at = (uint32_t)stack.key[top];
+                lanes = lanes_on(&stack, --top);
+                at = stack.at[top];
                 continue;
             }
         } else if ((at & BVH_KIND) == BVH_LEAF) {
-            visit(&c, lanes, at & ~BVH_KIND);
+            COMPANY_NAME(visit)(&c, lanes, at & ~BVH_KIND);
         } else {
-            stack.key[top] = key_of(0.0f, BVH_RETURN | c.frame);
-            stack.lanes[top++] = ~(uint64_t)0;
+            put_on(&stack, top++, 0.0f, BVH_RETURN | c.frame, ~(uint64_t)0);
             lanes = COMPANY_NAME(enter)(&c, at & ~BVH_KIND, lanes);
             at = c.tree->frames[at & ~BVH_KIND].root;
             if (lanes)
@@ -198,10 +190,10 @@ COMPANY_TARGET static inline uint64_t COMPANY_NAME(walk)(bvh_party *party, bool 
         do {
             if (top == 0 || !c.open)
                 return c.ended;
-            lanes = stack.lanes[--top] & c.open;
-            at = (uint32_t)stack.key[top];
+            lanes = lanes_on(&stack, --top) & c.open;
+            at = stack.at[top];
             if (sorted && (at & BVH_KIND) != BVH_RETURN)
-                lanes = COMPANY_WITHIN(&c, entry_of(stack.key[top]), lanes);
+                lanes = COMPANY_WITHIN(&c, stack.entry[top], lanes);
         } while (!lanes);
     }
 }
