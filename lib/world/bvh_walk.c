@@ -22,6 +22,21 @@ static inline void put_greater_first(uint64_t *a, uint64_t *b)
     *b = less;
 }
 
+/* What is still to be visited. Entries may be less than they are by a few units in the last place, and are there where
+ * walks go near ones first. Eight of each may be stored at once. */
+typedef struct walk_stack {
+    float entry[BVH_STACK + BVH_WIDTH];
+    uint32_t at[BVH_STACK + BVH_WIDTH];
+} walk_stack;
+
+static inline void put_on(walk_stack *s, uint32_t top, uint64_t key)
+{
+    s->entry[top] = entry_of(key);
+    s->at[top] = (uint32_t)key;
+}
+
+static inline uint64_t key_on(const walk_stack *s, uint32_t top) { return key_of(s->entry[top], s->at[top]); }
+
 /* What the node test wants of a ray. */
 typedef struct lanes_portable {
     float inverse[3], near_offset[3], far_offset[3], limit;
@@ -80,10 +95,10 @@ static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable 
 }
 
 /* Put the met children on the stack, all but the last, which is given. */
-static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, uint64_t *stack, uint32_t *top)
+static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, walk_stack *stack, uint32_t *top)
 {
     for (; mask & (mask - 1); mask &= mask - 1)
-        stack[(*top)++] = node->child[first_of(mask)];
+        stack->at[(*top)++] = node->child[first_of(mask)];
     return node->child[first_of(mask)];
 }
 
@@ -100,6 +115,7 @@ static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, uint64_
 #undef WALK_LIMIT
 #undef WALK_MEET
 #undef WALK_ANY
+#undef WALK_PUSH
 #undef WALK_NAME
 #undef WALK_TARGET
 
@@ -179,15 +195,29 @@ WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const lanes_a
 
 #ifdef __AVX512VL__
 /* As WALK_ANY, whatever their number, without a branch. */
-WALK_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mask, uint64_t *stack, uint32_t *top)
+WALK_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mask, walk_stack *stack, uint32_t *top)
 {
-    const __m512i child = _mm512_cvtepu32_epi64(_mm256_load_si256((const __m256i *)(const void *)node->child));
+    const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
 
-    _mm512_storeu_si512(stack + *top, _mm512_maskz_compress_epi64((__mmask8)mask, child));
+    store_avx512(stack->at + *top, _mm256_maskz_compress_epi32((__mmask8)mask, child));
     *top += (uint32_t)__builtin_popcount(mask) - 1;
     return node->child[31 - __builtin_clz(mask)];
 }
 #define WALK_ANY any_avx512
+
+/* As WALK_NAME(push), without a branch. */
+WALK_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t mask, const float *entry,
+                                               walk_stack *stack, uint32_t top)
+{
+    const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
+    const uint32_t count = (uint32_t)__builtin_popcount(mask);
+    const __m256i order = sort_avx512(place_avx512(_mm256_loadu_ps(entry), (__mmask8)mask), count);
+
+    _mm256_storeu_ps(stack->entry + top, _mm256_castsi256_ps(order));
+    store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
+    return top + count;
+}
+#define WALK_PUSH push_avx512
 #else
 #define WALK_ANY any_portable
 #endif

@@ -3,49 +3,53 @@
  * limit), WALK_MEET (the node test), WALK_ANY (to put children on the stack in any order) and WALK_NAME (what makes
  * names differ). No guard, for that reason. */
 
+#ifndef WALK_PUSH
+#define WALK_PUSH WALK_NAME(push)
 /* Put the met children on the stack, the nearest on top, and say how high it is now. Exchanges sort the first four,
  * for they cost fewer wrongly guessed branches than a loop. */
 WALK_TARGET static inline uint32_t WALK_NAME(push)(const bvh_node *node, uint32_t mask, const float *entry,
-                                                   uint64_t *stack, uint32_t top)
+                                                   walk_stack *stack, uint32_t top)
 {
     uint64_t a = take_key(node, &mask, entry), b = take_key(node, &mask, entry), c, d;
     uint32_t base = top, at;
 
     put_greater_first(&a, &b);
     if (!mask) {
-        stack[top++] = a;
-        stack[top++] = b;
+        put_on(stack, top++, a);
+        put_on(stack, top++, b);
         return top;
     }
     c = take_key(node, &mask, entry);
     put_greater_first(&b, &c);
     put_greater_first(&a, &b);
     if (!mask) {
-        stack[top++] = a;
-        stack[top++] = b;
-        stack[top++] = c;
+        put_on(stack, top++, a);
+        put_on(stack, top++, b);
+        put_on(stack, top++, c);
         return top;
     }
     d = take_key(node, &mask, entry);
     put_greater_first(&c, &d);
     put_greater_first(&b, &c);
     put_greater_first(&a, &b);
-    stack[top++] = a;
-    stack[top++] = b;
-    stack[top++] = c;
-    stack[top++] = d;
+    put_on(stack, top++, a);
+    put_on(stack, top++, b);
+    put_on(stack, top++, c);
+    put_on(stack, top++, d);
     while (mask) {
         a = take_key(node, &mask, entry);
-        for (at = top++; at > base && stack[at - 1] < a; at--)
-            stack[at] = stack[at - 1];
-        stack[at] = a;
+        for (at = top++; at > base && key_on(stack, at - 1) < a; at--)
+            put_on(stack, at, key_on(stack, at - 1));
+        put_on(stack, at, a);
     }
     return top;
 }
 
+#endif
+
 /* The node at `at` and what is nearest below it, until that is no node, or nothing (then: the top of the stack). */
 WALK_TARGET static inline bool WALK_NAME(descend)(const bvh_node *nodes, const WALK_LANES *ray, bool sorted,
-                                                  uint32_t *at, uint64_t *stack, uint32_t *top)
+                                                  uint32_t *at, walk_stack *stack, uint32_t *top)
 {
     float entry[BVH_WIDTH];
 
@@ -57,8 +61,8 @@ WALK_TARGET static inline bool WALK_NAME(descend)(const bvh_node *nodes, const W
         if (!sorted) {
             *at = WALK_ANY(node, mask, stack, top);
         } else if (mask & (mask - 1)) {
-            *top = WALK_NAME(push)(node, mask, entry, stack, *top);
-            *at = (uint32_t)stack[--*top];
+            *top = WALK_PUSH(node, mask, entry, stack, *top);
+            *at = stack->at[--*top];
         } else {
             *at = node->child[first_of(mask)];
         }
@@ -86,7 +90,7 @@ WALK_TARGET static inline bool WALK_NAME(enter)(bvh_walk *w, uint32_t frame, bvh
 WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
 {
     const bvh *t = w->tree;
-    uint64_t stack[BVH_STACK + BVH_WIDTH];
+    walk_stack stack;
     uint32_t top = 0, frame = w->frame, at = w->at;
     WALK_LANES lanes;
     bvh_local local;
@@ -96,7 +100,7 @@ WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
     if (!WALK_NAME(enter)(w, frame, &local, &lanes, &limit))
         return false;
     for (;;) {
-        if (WALK_NAME(descend)(t->nodes, &lanes, sorted, &at, stack, &top)) {
+        if (WALK_NAME(descend)(t->nodes, &lanes, sorted, &at, &stack, &top)) {
             uint32_t index = at & ~BVH_KIND;
             if ((at & BVH_KIND) == BVH_LEAF) {
                 before = w->limit;
@@ -113,7 +117,7 @@ WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
                 WALK_NAME(enter)(w, index, &local, &lanes, &limit);
                 frame = index;
             } else if (WALK_NAME(enter)(w, index, &local, &lanes, &limit)) {
-                stack[top++] = BVH_RETURN | frame;
+                put_on(&stack, top++, BVH_RETURN | frame);
                 frame = index;
                 at = t->frames[index].root;
                 continue;
@@ -123,8 +127,8 @@ WALK_TARGET static inline bool WALK_NAME(walk)(bvh_walk *w, bool sorted)
             if (top == 0)
                 return false;
             top--;
-        } while (entry_of(stack[top]) > limit);
-        at = (uint32_t)stack[top];
+        } while (sorted && stack.entry[top] > limit);
+        at = stack.at[top];
     }
 }
 
