@@ -33,6 +33,12 @@ BVH_AVX2 static inline __m256i place_avx512(__m256 entry, __mmask8 met)
     return _mm256_maskz_compress_epi32(met, _mm256_or_si256(rest, places));
 }
 
+/* What lies before each: entries without places, a little less than they were, so that nothing is passed by too soon. */
+BVH_AVX2 static inline __m256 entries_avx512(__m256i order)
+{
+    return _mm256_castsi256_ps(_mm256_andnot_si256(_mm256_set1_epi32(7), order));
+}
+
 /* The greatest first, by bitonic sorting: by stage, whom each is held against, and who keeps the greater. */
 BVH_AVX2 static inline __m256i sort_avx512(__m256i v, uint32_t count)
 {

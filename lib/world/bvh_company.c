@@ -280,13 +280,11 @@ static inline void bound_all_portable(company *c)
 static inline uint32_t group_portable(const bvh_node *node, const company *c, float entry[BVH_WIDTH], uint32_t *all)
 {
     float leave[BVH_WIDTH];
-    uint32_t mask = 0;
-
     const company_bounds *b = &c->bounds;
+    uint32_t mask = 0;
     int i, k;
 
     *all = 0;
-
     for (i = 0; i < BVH_WIDTH; i++) {
         entry[i] = 0.0f;
         leave[i] = HUGE_VALF;

@@ -229,7 +229,6 @@ COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const compa
 
 #else
 
-
 /* Whom each child is met by: the lower and the upper half of the lanes. */
 typedef struct company_meets { __m256i low, high; } company_meets;
 
@@ -280,7 +279,7 @@ COMPANY_TARGET static inline uint32_t push_few_avx512(const company *c, const bv
 
     if (sorted)
         order = sort_avx512(order, count);
-    _mm256_storeu_ps(stack->entry + top, _mm256_castsi256_ps(order));
+    _mm256_storeu_ps(stack->entry + top, entries_avx512(order));
     store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
     store_avx512(stack->low + top, _mm256_permutevar8x32_epi32(meets.low, order));
     store_avx512(stack->high + top, _mm256_permutevar8x32_epi32(meets.high, order));

@@ -213,7 +213,7 @@ WALK_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t ma
     const uint32_t count = (uint32_t)__builtin_popcount(mask);
     const __m256i order = sort_avx512(place_avx512(_mm256_loadu_ps(entry), (__mmask8)mask), count);
 
-    _mm256_storeu_ps(stack->entry + top, _mm256_castsi256_ps(order));
+    _mm256_storeu_ps(stack->entry + top, entries_avx512(order));
     store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
     return top + count;
 }
