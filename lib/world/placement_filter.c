@@ -221,8 +221,8 @@ static inline said said_of_one(const answer *a)
     return r;
 }
 
-static inline uint32_t tell(const answer *a, const pov_rays *rays, uint32_t from, said what, bool sure, pov_meeting *out,
-                            uint32_t n)
+static inline uint32_t tell(const answer *a, const pov_rays *rays, uint32_t from, said what, bool sure,
+                            pov_meeting *out, uint32_t n)
 {
     const uint32_t surely = sure ? what.surely : 0, twice = surely & what.twice;
     uint32_t lanes;
