@@ -86,27 +86,22 @@ static void normalise(kit_frustum *s)
     s->slender = largest_of(s->row[0]) > 4096.0 * largest_of(s->row[2]);
 }
 
-bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec3 top, double top_radius, bool open)
+void kit_frustum_prepare(void *self, const void *text)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    double power = pov_inverse_power(pov_largest(pov_sub(top, base)));
+    const kit_frustum_text *t = text;
+    const bool turned = t->top_radius < t->base_radius;   /* the narrower end comes first */
+    const pov_vec3 base = turned ? t->top : t->base, top = turned ? t->base : t->top;
+    const double base_radius = turned ? t->top_radius : t->base_radius;
+    const double top_radius = turned ? t->base_radius : t->top_radius;
+    const double power = pov_inverse_power(pov_largest(pov_sub(top, base)));
+    kit_frustum *s = self;
     pov_two3 axis, way;
     pov_two length;
 
-    if (top_radius < base_radius) {
-        const pov_vec3 end = base;
-        const double end_radius = base_radius;
-
-        base = top;
-        base_radius = top_radius;
-        top = end;
-        top_radius = end_radius;
-    }
     axis.x = pov_two_sum(top.x, -base.x);
     axis.y = pov_two_sum(top.y, -base.y);
     axis.z = pov_two_sum(top.z, -base.z);
-    if (!(largest_of(axis) > 0.0))
-        return false;
     way = measure(scaled(axis, power), &length);
     s->anchor = pov_two3_of(base, zero);
     s->axis = axis;
@@ -121,12 +116,11 @@ bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec
     s->radii[0] = base_radius;
     s->radii[1] = top_radius;
     s->length = s->height.hi;
-    s->open = open;
+    s->open = t->open;
     s->empty = !(base_radius > 0.0) && !(top_radius > 0.0);
     s->scale = 1.0;
     if (!s->empty)
         normalise(s);
-    return true;
 }
 
 /* The box of two discs (ellipses, if a map squeezed them), wider by what the roundings here can have lost. */

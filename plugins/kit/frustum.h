@@ -20,8 +20,14 @@ typedef struct kit_frustum {
     bool open, empty, slender;   /* slender: much longer than wide */
 } kit_frustum;
 
-/* False: base and top are the same point. */
-bool kit_frustum_make(kit_frustum *s, pov_vec3 base, double base_radius, pov_vec3 top, double top_radius, bool open);
+/* As it was written; the ends are two different points. */
+typedef struct kit_frustum_text {
+    pov_vec3 base, top;
+    double base_radius, top_radius;
+    bool open;
+} kit_frustum_text;
+
+void kit_frustum_prepare(void *self, const void *text);
 
 bool kit_frustum_bounds(const void *self, pov_box *out);
 void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits);

@@ -14,19 +14,16 @@ static double radius_from(const pov_host *host, pov_reader *in)
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    pov_vec3 base, top;
-    double base_radius, top_radius;
-    bool open;
+    kit_frustum_text *text = self;
 
-    host->vector(in, &base);
-    base_radius = radius_from(host, in);
+    host->vector(in, &text->base);
+    text->base_radius = radius_from(host, in);
     host->accept(in, ",");
-    host->vector(in, &top);
-    if (pov_largest(pov_sub(top, base)) == 0.0)
+    host->vector(in, &text->top);
+    if (pov_largest(pov_sub(text->top, text->base)) == 0.0)
         host->fail(in, "a cone needs two different ends");
-    top_radius = radius_from(host, in);
-    open = host->accept(in, "open");
-    kit_frustum_make(self, base, base_radius, top, top_radius, open);
+    text->top_radius = radius_from(host, in);
+    text->open = host->accept(in, "open");
 }
 
 static const pov_shape_class cone_class = {
@@ -44,6 +41,8 @@ static const pov_shape_class cone_class = {
     .lone_block_size = KIT_FRUSTUM_ALONE,
     .block_pack = kit_frustum_pack,
     .block_filter = kit_frustum_filter,
+    .text_size = sizeof(kit_frustum_text),
+    .prepare = kit_frustum_prepare,
     .intersect_many = kit_frustum_intersect_many,
     .normal_many = kit_frustum_normal_many,
 };

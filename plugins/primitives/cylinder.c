@@ -3,14 +3,13 @@
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    pov_vec3 base, top;
+    kit_frustum_text *text = self;
     double radius;
-    bool open;
 
-    host->vector(in, &base);
+    host->vector(in, &text->base);
     host->accept(in, ",");
-    host->vector(in, &top);
-    if (pov_largest(pov_sub(top, base)) == 0.0)
+    host->vector(in, &text->top);
+    if (pov_largest(pov_sub(text->top, text->base)) == 0.0)
         host->fail(in, "a cylinder needs two different ends");
     host->accept(in, ",");
     radius = host->number(in);
@@ -18,8 +17,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->warn(in, "a negative radius is taken as positive");
         radius = -radius;
     }
-    open = host->accept(in, "open");
-    kit_frustum_make(self, base, radius, top, radius, open);
+    text->base_radius = text->top_radius = radius;
+    text->open = host->accept(in, "open");
 }
 
 static const pov_shape_class cylinder_class = {
@@ -37,6 +36,8 @@ static const pov_shape_class cylinder_class = {
     .lone_block_size = KIT_FRUSTUM_ALONE,
     .block_pack = kit_frustum_pack,
     .block_filter = kit_frustum_filter,
+    .text_size = sizeof(kit_frustum_text),
+    .prepare = kit_frustum_prepare,
     .intersect_many = kit_frustum_intersect_many,
     .normal_many = kit_frustum_normal_many,
 };

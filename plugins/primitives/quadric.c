@@ -9,9 +9,11 @@
 
 typedef kit_second_order quadric;
 
+typedef struct quadric_text { double q[COEFFICIENTS]; } quadric_text;
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    double q[COEFFICIENTS];
+    double *q = ((quadric_text *)self)->q;
     pov_vec3 v;
     int i;
 
@@ -23,8 +25,9 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         q[3 * i + 2] = v.z;
     }
     q[J] = host->number(in);
-    kit_second_order_make(self, q);
 }
+
+static void prepare(void *self, const void *text) { kit_second_order_make(self, ((const quadric_text *)text)->q); }
 
 static bool bounds(const void *self, pov_box *out) { return kit_second_order_bounds(self, out); }
 static bool ellipsoid(const void *self, pov_ellipsoid *out) { return kit_second_order_ellipsoid(self, out); }
@@ -346,6 +349,8 @@ static const pov_shape_class quadric_class = {
     .block_size = sizeof(kit_second_order_block),
     .block_pack = kit_second_order_pack,
     .block_filter = kit_second_order_filter,
+    .text_size = sizeof(quadric_text),
+    .prepare = prepare,
     .intersect_many = intersect_many,
     .normal_many = normal_many,
     .ellipsoid = ellipsoid,
