@@ -29,8 +29,8 @@ struct pov_job {
     size_t all_pixels;
 
     /* The lock guards everything below: nothing of it is touched without, but the bodies of workers, which
-     * are those of whoever borrowed them, and the frame's address, which stays. Tracing holds no lock. Whoever waits for anything waits for
-     * `changed`: idle workers for work, others for news or the end. */
+     * are those of whoever borrowed them, and where the frame's pixels are, which stays. Tracing holds no lock.
+     * Whoever waits for anything waits for `changed`: idle workers for work, others for news or the end. */
     mutex lock;
     condition changed;
     pov_job_state state;
