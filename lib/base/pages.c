@@ -21,6 +21,18 @@ void *pages_reserve(const env *e, size_t bytes)
     return block;
 }
 
+void pages_expect(void *block, size_t bytes, size_t part, size_t parts)
+{
+#ifdef MADV_POPULATE_WRITE
+    const size_t pages = (bytes + LARGE - 1) / LARGE, first = pages * part / parts, end = pages * (part + 1) / parts;
+
+    if (bytes >= LEAST && end > first)
+        madvise((char *)block + first * LARGE, (end - first) * LARGE, MADV_POPULATE_WRITE);
+#else
+    (void)block, (void)bytes, (void)part, (void)parts;
+#endif
+}
+
 void pages_free(const env *e, void *block)
 {
     env_free_aligned(e, block);

@@ -61,6 +61,11 @@ void frame_put(frame *f, size_t tile, int pass, const float *pixels)
     f->done[tile] |= (uint8_t)(1u << pass);
 }
 
+void frame_touch(const frame *f, size_t part, size_t parts)
+{
+    pages_expect(f->pixels, 4 * sizeof *f->pixels * (size_t)f->tiles->width * (size_t)f->tiles->height, part, parts);
+}
+
 void frame_expect(const frame *f, pov_rect part)
 {
     for (int y = 0; y < part.height; y++) {

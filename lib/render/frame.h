@@ -22,6 +22,8 @@ void frame_clear(frame *f);
 lattice frame_lattice(const frame *f, int pass);
 /* Take in a pass of a tile; pixels are the tile's, row by row, of which those of the pass's lattice count. */
 void frame_put(frame *f, size_t tile, int pass, const float *pixels);
+/* Memory for one of `parts` parts of the picture is asked for from the system. Needs no lock. */
+void frame_touch(const frame *f, size_t part, size_t parts);
 /* Memory that will soon be written to is sent for. Needs no lock. */
 void frame_expect(const frame *f, pov_rect part);
 /* Take in all pixels of a tile whose passes are all in. */

@@ -275,6 +275,8 @@ static void *run(void *user)
     pov_job *job = w->job;
 
     spend(w);
+    /* Else it is asked for with the lock held, by the first tile in each part, and all others wait. */
+    frame_touch(&job->frame, w->number, (size_t)job->settings.threads);
     mutex_lock(&job->lock);
     while (!job->closing) {
         passes_expire(job);
@@ -299,6 +301,7 @@ static pov_status start_threads(pov_job *job, pov_error *err)
 
         if (!w)
             return err_memory(err);
+        w->number = (size_t)i;
         if (!thread_start(&job->threads[i], run, w)) {
             give_back(job, w);
             return i > 0 ? POV_OK : err_set(err, POV_E_MEMORY, "no thread could be started");

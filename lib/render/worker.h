@@ -23,6 +23,7 @@ typedef struct meter meter;             /* meter.h */
 
 typedef struct worker {
     pov_job *job;
+    size_t number;               /* of its thread */
     pov_tracer *tracer;          /* NULL until the first tile */
     claim claim;
     float *pixels;               /* of the tile, row by row */
