@@ -14,7 +14,7 @@ static size_t count_of(int width, int height, int edge)
 static int edge_of(int width, int height, int threads)
 {
     /* At the end the threads wait for the last tile: with this many it is a small part of each one's work. */
-    const size_t many_for_one = 256, too_many = 16384;
+    const size_t many_for_one = 128, too_many = 16384;
     int edge = 32;
 
     if (count_of(width, height, edge) / many_for_one < (size_t)threads)
