@@ -52,20 +52,21 @@ cell_range cells_of(pov_rect tile)
     return r;
 }
 
-pov_rect cells_rect(const cells *c, size_t index)
+pov_rect cells_rect(const cells *c, int column, int row)
 {
-    pov_rect r;
+    pov_rect r = { column * CELL_EDGE, row * CELL_EDGE, CELL_EDGE, CELL_EDGE };
 
-    r.x = (int)(index % (size_t)c->columns) * CELL_EDGE;
-    r.y = (int)(index / (size_t)c->columns) * CELL_EDGE;
-    r.width = c->width - r.x < CELL_EDGE ? c->width - r.x : CELL_EDGE;
-    r.height = c->height - r.y < CELL_EDGE ? c->height - r.y : CELL_EDGE;
+    if (c->width - r.x < CELL_EDGE)
+        r.width = c->width - r.x;
+    if (c->height - r.y < CELL_EDGE)
+        r.height = c->height - r.y;
     return r;
 }
 
 size_t cells_pixels(const cells *c, size_t number)
 {
-    pov_rect r = cells_rect(c, number / GROUPS);
+    const size_t cell = number / GROUPS;
+    const pov_rect r = cells_rect(c, (int)(cell % (size_t)c->columns), (int)(cell / (size_t)c->columns));
 
     return ((size_t)r.width * (size_t)r.height + 1 - number % GROUPS) / GROUPS;
 }

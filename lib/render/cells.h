@@ -48,7 +48,7 @@ void cells_spend(cells *c, pov_rect tile, const double *seconds);
 void cells_free(cells *c, const env *e);
 void cells_clear(cells *c);
 cell_range cells_of(pov_rect tile);
-pov_rect cells_rect(const cells *c, size_t index);
+pov_rect cells_rect(const cells *c, int column, int row);
 /* A corner cell may be so narrow that its second group has none. */
 size_t cells_pixels(const cells *c, size_t group);
 /* Variance of the light of the pixels of a group that has some. */

@@ -65,6 +65,22 @@ static void add_shown(sums *s, const showing *g, pov_pass *row)
     row->ref_max = fmax(row->ref_max, g->off_max);
 }
 
+static void add_cell(sums *s, const cells *c, int column, int line, double limit, double *scratch, pov_pass *row)
+{
+    const size_t i = (size_t)line * (size_t)c->columns + (size_t)column, first = GROUPS * i;
+    const pov_rect r = cells_rect(c, column, line);
+    const size_t pixels = (size_t)r.width * (size_t)r.height, second = pixels / 2;
+
+    add_group(s, &c->groups[first], pixels - second, row);
+    add_group(s, &c->groups[first + 1], second, row);
+    if (!c->shown)
+        return;
+    add_shown(s, &c->shown[first], row);
+    add_shown(s, &c->shown[first + 1], row);
+    scratch[i] = (c->shown[first].square + c->shown[first + 1].square) / (double)pixels;
+    row->unresolved += scratch[i] > limit * limit ? pixels : 0;
+}
+
 void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *row)
 {
     const double eye_sees = 1.0 / 255.0;
@@ -74,20 +90,9 @@ void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *
     row->unresolved = row->clipped = 0;
     row->spp_max = 0;
     row->ref_max = 0.0;
-    for (size_t i = 0; i < c->count; i++) {
-        const group *g = &c->groups[GROUPS * i];
-        const pov_rect r = cells_rect(c, i);
-        const size_t second = (size_t)r.width * (size_t)r.height / 2, first = (size_t)r.width * (size_t)r.height - second;
-
-        add_group(&sum, &g[0], first, row);
-        add_group(&sum, &g[1], second, row);
-        if (!c->shown)
-            continue;
-        add_shown(&sum, &c->shown[GROUPS * i], row);
-        add_shown(&sum, &c->shown[GROUPS * i + 1], row);
-        scratch[i] = (c->shown[GROUPS * i].square + c->shown[GROUPS * i + 1].square) / (double)(first + second);
-        row->unresolved += scratch[i] > limit * limit ? first + second : 0;
-    }
+    for (int y = 0; y < c->rows; y++)
+        for (int x = 0; x < c->columns; x++)
+            add_cell(&sum, c, x, y, limit, scratch, row);
     row->spp_mean = sum.samples / all;
     row->est_rmse = row->est_ci95_lo = row->est_ci95_hi = row->est_p99_tile = -1.0;
     if (sum.known) {

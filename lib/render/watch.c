@@ -58,7 +58,7 @@ static pov_rect meet(pov_rect a, pov_rect b)
 static float map_value(const cells *c, int x, int y, pov_pixels format)
 {
     size_t number = group_of(c->columns, x, y), cell = number / GROUPS;
-    pov_rect r = cells_rect(c, cell);
+    pov_rect r = cells_rect(c, x / CELL_EDGE, y / CELL_EDGE);
     double pixels = (double)r.width * r.height;
 
     if (format == POV_PIXELS_SAMPLES)
