@@ -70,7 +70,6 @@ typedef struct bvh_input {
     /* Things of one group share leaves when the group packs; the others stand alone. By id, and by group. */
     const uint16_t *group;
     const bool *packs;
-    bool all_pack;
     int threads;
     bvh_leaves leaves;
 } bvh_input;

@@ -67,7 +67,7 @@ static void cut(const builder *b, const bvh_range *r, bool halve, int threads, b
     if (halve)
         bvh_halve(&whole, b->refs, x, y);
     else
-        bvh_split(&whole, b->refs, b->in->all_pack, threads, x, y);
+        bvh_split(&whole, b->refs, threads, x, y);
     x->is_leaf = is_leaf(b, x);
     y->is_leaf = is_leaf(b, y);
 }
@@ -292,8 +292,10 @@ static void name_part(void *user, uint32_t part, int unused)
 
     (void)unused;
     for (i = begin; i < end; i++) {
-        b->refs[i].id = b->in->ids[i];
-        b->refs[i].unused = 0;
+        const uint32_t id = b->in->ids[i];
+
+        b->refs[i].id = id;
+        b->refs[i].places = b->in->packs[b->in->group[id]] ? 1 : BVH_WIDTH;
     }
     bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
 }

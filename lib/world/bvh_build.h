@@ -11,7 +11,7 @@ typedef struct bvh_ref {
     float lo[3];
     uint32_t id;
     float hi[3];
-    uint32_t unused;
+    uint32_t places;             /* of BVH_WIDTH in a leaf: all, if it stands alone */
 } bvh_ref;
 
 /* refs[begin..end) with the box around them and the box around twice their centres. */
@@ -56,7 +56,7 @@ int bvh_children_of(const bvh_twig *twigs, uint32_t which, uint32_t out[BVH_WIDT
 /* threads: who may help, with the same result for any number. */
 void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads);
 /* Cut in two where the surface area heuristic says, or in halves where it says nothing. Reorders refs. */
-void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, int threads, bvh_range *a, bvh_range *b);
+void bvh_split(const bvh_range *r, bvh_ref *refs, int threads, bvh_range *a, bvh_range *b);
 /* Cut in two of equal count, in the order in which they stand. */
 void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range *b);
 

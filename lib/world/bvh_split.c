@@ -165,18 +165,15 @@ static inline int bin_of(const bvh_ref *f, int axis, float base, float factor)
     return (int)((f->lo[axis] + f->hi[axis] - base) * factor);
 }
 
-/* What asking n things costs: packed ones are asked eight at once. */
-static float cost_of(uint32_t n, bool count_blocks)
-{
-    return (float)(count_blocks ? (n + BVH_WIDTH - 1) / BVH_WIDTH : n);
-}
+/* What asking things costs that take so many places: the blocks that they fill. */
+static float cost_of(uint32_t places) { return (float)((places + BVH_WIDTH - 1) / BVH_WIDTH); }
 
-/* Bins along an axis. */
+/* Bins along an axis; count: places. */
 typedef struct bins { box at[BINS]; uint32_t count[BINS]; } bins;
 
 /* The best place between two bins of one axis. Most ranges are of few things, so that most bins hold nothing: they
  * cost as much as the one before, and are passed by. */
-static void weigh(const bins *h, bool count_blocks, int axis, float base, float factor, cut *best)
+static void weigh(const bins *h, int axis, float base, float factor, cut *best)
 {
     float right[BINS];
     uint32_t held[BINS], count = 0;
@@ -190,14 +187,14 @@ static void weigh(const bins *h, bool count_blocks, int axis, float base, float 
     for (i = n - 1; i > 0; i--) {
         sum = add(sum, h->at[held[i]].lo, h->at[held[i]].hi);
         count += h->count[held[i]];
-        right[i] = area_of(&sum) * cost_of(count, count_blocks);
+        right[i] = area_of(&sum) * cost_of(count);
     }
     sum = no_box;
     for (i = 1, count = 0; i < n; i++) {
         float cost;
         sum = add(sum, h->at[held[i - 1]].lo, h->at[held[i - 1]].hi);
         count += h->count[held[i - 1]];
-        cost = area_of(&sum) * cost_of(count, count_blocks) + right[i];
+        cost = area_of(&sum) * cost_of(count) + right[i];
         if (cost < best->cost) {
             const cut found = { axis, (int)held[i], base, factor, cost };
             *best = found;
@@ -222,7 +219,7 @@ static void sort_into(histogram *h, const bvh_range *r, const float *factor, con
         for (k = 0; k < 3; k++) {
             const int at = bin_of(&refs[i], k, r->centre_lo[k], factor[k]);
             h->at[k].at[at] = add(h->at[k].at[at], lo_of(&refs[i]), hi_of(&refs[i]));
-            h->at[k].count[at]++;
+            h->at[k].count[at] += refs[i].places;
         }
 }
 
@@ -262,7 +259,7 @@ static void sort_together(histogram *all, const bvh_range *r, const float *facto
             }
 }
 
-static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, int threads)
+static cut find_cut(const bvh_range *r, const bvh_ref *refs, int threads)
 {
     histogram h;
     float factor[3];
@@ -281,7 +278,7 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, bool count_blocks, 
         sort_into(&h, r, factor, refs, r->begin, r->end);
     for (k = 0; k < 3; k++)
         if (factor[k] > 0.0f)
-            weigh(&h.at[k], count_blocks, k, r->centre_lo[k], factor[k], &best);
+            weigh(&h.at[k], k, r->centre_lo[k], factor[k], &best);
     return best;
 }
 
@@ -373,7 +370,7 @@ static void part_two(const bvh_range *r, bvh_ref *refs, bvh_range *a, bvh_range 
     bvh_halve(r, refs, a, b);
 }
 
-void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, int threads, bvh_range *a, bvh_range *b)
+void bvh_split(const bvh_range *r, bvh_ref *refs, int threads, bvh_range *a, bvh_range *b)
 {
     cut best;
 
@@ -381,7 +378,7 @@ void bvh_split(const bvh_range *r, bvh_ref *refs, bool count_blocks, int threads
         part_two(r, refs, a, b);
         return;
     }
-    best = find_cut(r, refs, count_blocks, threads);
+    best = find_cut(r, refs, threads);
     if (best.axis < 0)
         bvh_halve(r, refs, a, b);
     else

@@ -22,7 +22,7 @@ static const double largest_coordinate = 1e150;
 typedef struct part {
     pov_status status;
     uint32_t failed;             /* the first object that has no inverse */
-    uint32_t finite, infinite, alone;
+    uint32_t finite, infinite;
     pov_box bounds, clear;
     size_t absorbed, composed, packed;
 } part;
@@ -294,7 +294,6 @@ static pov_status flatten_one(maker *k, uint32_t index)
         status = try_block(k, shape, instance, finite ? box : NULL, &packs);
     f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
     k->part->packed += packs;
-    k->part->alone += finite && !packs;
     if (finite && k->part->finite++ == 0)
         k->part->bounds = *box;
     else if (finite)
@@ -404,7 +403,6 @@ static pov_status add_up(survey *s, pov_error *err)
         join(&f->clear, &p->clear);
         f->finite_count += p->finite;
         f->infinite_count += p->infinite;
-        f->alone_count += p->alone;
         f->absorbed += p->absorbed;
         f->composed += p->composed;
         f->packed += p->packed;
@@ -445,7 +443,7 @@ static bool make_groups(survey *s)
             const pov_shape_class *shape = s->classes.items[old / KINDS];
             shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, number_of(f, shape), 0,
                                   stride_of(shape), NULL };
-            f->packs[f->group_count] = fresh.packs;
+            f->packs[f->group_count] = fresh.packs && (shape->flags & POV_SHAPE_TOGETHER);
             f->groups[f->group_count] = fresh;
             name[old] = (uint16_t)++f->group_count;
         }

@@ -35,11 +35,10 @@ typedef struct flat {
     uint16_t *group;
     uint32_t *maps;              /* bytes that the transformations of those that are placed take in a row; as moved */
     shape_group *groups;
-    bool *packs;                 /* by group, as the tree wants it */
+    bool *packs;                 /* by group: do its shapes share leaves of the tree? */
     size_t group_count;
     uint32_t *finite, *infinite; /* objects, in the order of the scene */
     uint32_t finite_count, infinite_count;
-    uint32_t alone_count;        /* finite ones that no block takes */
     pov_box bounds;              /* around the finite ones, if there are any */
     pov_box clear;               /* around those that light passes; the other way round if there are none */
     size_t absorbed, composed, packed;

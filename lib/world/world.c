@@ -192,7 +192,6 @@ static bool make_tree(layout *l)
         .count = f->finite_count,
         .group = f->group,
         .packs = f->packs,
-        .all_pack = f->alone_count == 0,
         .threads = f->threads,
         .leaves = { leaf_size, leaf_allocate, leaf_fill, leaves_filled, l },
     };

@@ -78,7 +78,7 @@ static bool absorb(void *self, const pov_affine *map)
 
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL | POV_SHAPE_TOGETHER,
     .keyword = "sphere",
     .instance_size = sizeof(kit_ball),
     .parse = parse,

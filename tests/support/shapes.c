@@ -217,7 +217,7 @@ static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov
 
 const pov_shape_class test_ball_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_TOGETHER,
     .keyword = "ball",
     .instance_size = sizeof(test_ball),
     .bounds = ball_bounds,

@@ -184,7 +184,8 @@ enum {
      * last place of the coordinates. Hosts that know better may look for more than bounds say. */
     POV_SHAPE_BOX = 1u << 2,
     POV_SHAPE_BALL = 1u << 3,
-    POV_SHAPE_FACES = 1u << 4    /* its sides are flat: normal() does not look at the ray */
+    POV_SHAPE_FACES = 1u << 4,   /* its sides are flat: normal() does not look at the ray */
+    POV_SHAPE_TOGETHER = 1u << 5 /* block_filter takes as long for one shape of a block as for all: it should be full */
 };
 
 /* An ellipsoid: its centre, in two parts, and rows of the map that takes points seen from there to the ball of radius one
