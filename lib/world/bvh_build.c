@@ -11,6 +11,9 @@ enum { HALVE_FROM = 40 };
 /* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
 static const float frame_part = 0x1p-10f;
 enum { FRAME_LEAST = 16 };
+/* Twigs of trees of more leaves than that stay where they are: what is spared of each ray is less there, and not worth
+ * a third of the time that cuts take. */
+enum { IMPROVE_MOST = 1 << 18 };
 /* Parts of fewer things than this are not worth a thread's while. */
 enum { JOB_LEAST = 4096, THREADS_FROM = 20000, PARTS = 64 };
 
@@ -28,6 +31,7 @@ typedef struct builder {
     int threads;
     bvh_ref *refs;
     const bvh_frame *frame;      /* the whole scene's */
+    bool improves;
     mutex lock;                  /* guards what follows, while threads work */
     condition changed;
     struct { job *items; size_t count, capacity; } jobs;
@@ -183,9 +187,11 @@ static uint32_t grow_twigs(const builder *b, const job *j, bvh_twig *twigs)
         t->is_end = t->range.is_leaf || (i > 0 && wants_frame(j, &t->range));
         if (t->is_end)
             continue;
-        t->left = count;
+        t->half[0] = count;
+        t->half[1] = count + 1;
         cut(b, &t->range, t->depth >= HALVE_FROM, 1, &twigs[count].range, &twigs[count + 1].range);
         twigs[count].depth = twigs[count + 1].depth = t->depth + 1;
+        twigs[count].above = twigs[count + 1].above = i;
         count += 2;
     }
     return count;
@@ -213,13 +219,23 @@ static bool collapse(hand *h, const job *j, const bvh_twig *twigs, uint32_t whic
 static bool grow_small(hand *h, const job *j)
 {
     const env *e = h->builder->in->env;
-    bvh_twig *twigs = env_resize(e, NULL, 2 * (size_t)bvh_range_count(&j->range), sizeof *twigs);
-    bool done = twigs != NULL;
+    const size_t most = 2 * (size_t)bvh_range_count(&j->range);
+    bvh_twig *twigs = env_resize(e, NULL, most, sizeof *twigs);
+    uint32_t *order = env_resize(e, NULL, most, sizeof *order), count;
+    bool done = twigs && order;
 
     if (done) {
-        bvh_weigh_twigs(twigs, grow_twigs(h->builder, j, twigs));
+        count = grow_twigs(h->builder, j, twigs);
+        if (h->builder->improves)
+            bvh_improve_twigs(twigs, count);
+        if (bvh_order_twigs(twigs, order) > HALVE_FROM) {
+            count = grow_twigs(h->builder, j, twigs);   /* boxes in boxes can become a chain */
+            bvh_order_twigs(twigs, order);
+        }
+        bvh_weigh_twigs(twigs, order, count);
         done = collapse(h, j, twigs, 0);
     }
+    env_free(e, order);
     env_free(e, twigs);
     return done;
 }
@@ -300,6 +316,17 @@ static void name_part(void *user, uint32_t part, int unused)
     bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
 }
 
+/* Are there few enough leaves, if all are as full as they can be? */
+static bool wants_improving(const builder *b)
+{
+    uint64_t places = 0;
+    uint32_t i;
+
+    for (i = 0; i < b->in->count; i++)
+        places += b->refs[i].places;
+    return places <= (uint64_t)BVH_WIDTH * IMPROVE_MOST;
+}
+
 /* The draft of the whole tree. */
 static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
 {
@@ -317,6 +344,7 @@ static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
     all.scale = frame->scale;
     all.range.end = b->in->count;
     share_work(b->threads, PARTS, name_part, b);
+    b->improves = wants_improving(b);
     bvh_range_measure(&all.range, b->refs, b->threads);
     all.range.is_leaf = is_leaf(b, &all.range);
     if (all.range.is_leaf)

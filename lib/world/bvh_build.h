@@ -37,19 +37,23 @@ typedef struct bvh_draft_node {
 
 static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }
 
-/* What a binary tree is made of on the way to one of wide nodes. */
+/* What a binary tree is made of on the way to one of wide nodes. The first is the root. */
 typedef struct bvh_twig {
-    bvh_range range;
-    uint32_t left;               /* its first half, the other one behind it */
+    bvh_range range;             /* begin, end: of an end, or as it was cut */
+    uint32_t half[2], above;
     int depth;                   /* of the tree, were it a node */
     bool is_end;                 /* not divided here */
     uint8_t to_left[BVH_WIDTH];
     float cost[BVH_WIDTH];       /* of at most 1 to 8 nodes side by side for all below: their surfaces' sum */
 } bvh_twig;
 
+/* Move those that stand where they make boxes large. Nobody keeps depths then. */
+void bvh_improve_twigs(bvh_twig *twigs, uint32_t count);
+/* From the root down, and how deep that is. */
+int bvh_order_twigs(bvh_twig *twigs, uint32_t *order);
 /* Find what nodes cost least (Ylitie, Karras, Laine 2017: Efficient incoherent ray traversal on GPUs through compressed
- * wide BVHs); halves stand behind what they are halves of. */
-void bvh_weigh_twigs(bvh_twig *twigs, uint32_t count);
+ * wide BVHs). */
+void bvh_weigh_twigs(bvh_twig *twigs, const uint32_t *order, uint32_t count);
 /* The children of the node that twig `which` becomes, which is no end. */
 int bvh_children_of(const bvh_twig *twigs, uint32_t which, uint32_t out[BVH_WIDTH]);
 

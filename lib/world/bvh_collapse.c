@@ -4,7 +4,7 @@
  * of them the first half gets. */
 static float share_out(const bvh_twig *twigs, const bvh_twig *t, int roots, uint8_t *to_left)
 {
-    const bvh_twig *a = &twigs[t->left], *b = &twigs[t->left + 1];
+    const bvh_twig *a = &twigs[t->half[0]], *b = &twigs[t->half[1]];
     float least = HUGE_VALF;
     int i;
 
@@ -41,10 +41,26 @@ static void weigh(const bvh_twig *twigs, bvh_twig *t)
     }
 }
 
-void bvh_weigh_twigs(bvh_twig *twigs, uint32_t count)
+int bvh_order_twigs(bvh_twig *twigs, uint32_t *order)
+{
+    uint32_t n = 1, i, k;
+
+    order[0] = 0;
+    for (i = 0; i < n; i++) {
+        const bvh_twig *t = &twigs[order[i]];
+
+        for (k = 0; !t->is_end && k < 2; k++) {
+            twigs[t->half[k]].depth = t->depth + 1;
+            order[n++] = t->half[k];
+        }
+    }
+    return twigs[order[n - 1]].depth;
+}
+
+void bvh_weigh_twigs(bvh_twig *twigs, const uint32_t *order, uint32_t count)
 {
     while (count-- > 0)
-        weigh(twigs, &twigs[count]);
+        weigh(twigs, &twigs[order[count]]);
 }
 
 static int collect(const bvh_twig *twigs, uint32_t which, int roots, uint32_t *out)
@@ -57,8 +73,8 @@ static int collect(const bvh_twig *twigs, uint32_t which, int roots, uint32_t *o
         *out = which;
         return 1;
     }
-    n = collect(twigs, t->left, first, out);
-    return n + collect(twigs, t->left + 1, roots - first, out + n);
+    n = collect(twigs, t->half[0], first, out);
+    return n + collect(twigs, t->half[1], roots - first, out + n);
 }
 
 int bvh_children_of(const bvh_twig *twigs, uint32_t which, uint32_t out[BVH_WIDTH])

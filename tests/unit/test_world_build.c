@@ -145,6 +145,32 @@ static void every_object_is_in_one_leaf_within_its_boxes(void **state)
     model_free(&m);
 }
 
+/* Each would best stand beside all that it holds, in a tree as deep as they are many. */
+static void balls_in_balls_are_no_chain(void **state)
+{
+    static census c;
+    double radius = 1.0;
+    model m;
+    world *w;
+    int i;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    memset(&c, 0, sizeof c);
+    for (i = 0; i < 1000; i++, radius *= 1.004) {
+        test_ball ball = { { 0.004 * radius, 0.0, 0.0 }, radius };
+        test_add(&m, &test_plain_ball_class, &ball, NULL, 0, 0);
+        assert_true(test_ball_class.bounds(&ball, &c.boxes[i]));
+    }
+    w = make(&m, POV_ACCEL_TREE, 1);
+    c.world = w;
+    visit(&c, w->tree.frames[0].root, 0, NULL, 0, NULL, 0);
+    for (i = 0; i < 1000; i++)
+        assert_int_equal(c.seen[i], 1);
+    world_destroy(w);
+    model_free(&m);
+}
+
 static void instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory(void **state)
 {
     test_random r = { 3 };
@@ -388,6 +414,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_threads_builds_the_same_tree),
         cmocka_unit_test(every_object_is_in_one_leaf_within_its_boxes),
+        cmocka_unit_test(balls_in_balls_are_no_chain),
         cmocka_unit_test(instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory),
         cmocka_unit_test(instances_are_prepared_alone_absorbed_and_placed),
         cmocka_unit_test(the_last_world_of_a_model_is_like_any_other_and_takes_its_transformations),

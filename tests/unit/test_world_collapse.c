@@ -20,12 +20,22 @@ static uint32_t plant(test_random *r, bvh_twig *twigs, uint32_t ends)
             which = (uint32_t)test_uniform(r, 0.0, (double)count);
         while (which >= count || !twigs[which].is_end);
         twigs[which].is_end = false;
-        twigs[which].left = count;
+        twigs[which].half[0] = count;
+        twigs[which].half[1] = count + 1;
+        twigs[count].above = twigs[count + 1].above = which;
         twigs[count].is_end = twigs[count + 1].is_end = true;
         twigs[count].range.area = twigs[which].range.area * (float)test_uniform(r, 0.1, 1.0);
         twigs[count + 1].range.area = twigs[which].range.area * (float)test_uniform(r, 0.1, 1.0);
     }
     return count;
+}
+
+static void weigh(bvh_twig *twigs, uint32_t count)
+{
+    uint32_t order[TWIGS];
+
+    bvh_order_twigs(twigs, order);
+    bvh_weigh_twigs(twigs, order, count);
 }
 
 static float least_of_all(const bvh_twig *twigs, uint32_t which);
@@ -44,8 +54,8 @@ static float least_with(const bvh_twig *twigs, const uint32_t *children, int n, 
         if (twigs[children[i]].is_end)
             continue;
         memcpy(more, children, sizeof more);
-        more[i] = twigs[children[i]].left;
-        more[n] = twigs[children[i]].left + 1;
+        more[i] = twigs[children[i]].half[0];
+        more[n] = twigs[children[i]].half[1];
         other = least_with(twigs, more, n + 1, i);
         least = other < least ? other : least;
     }
@@ -55,7 +65,7 @@ static float least_with(const bvh_twig *twigs, const uint32_t *children, int n, 
 static float least_of_all(const bvh_twig *twigs, uint32_t which)
 {
     const bvh_twig *t = &twigs[which];
-    const uint32_t halves[BVH_WIDTH] = { t->left, t->left + 1 };
+    const uint32_t halves[BVH_WIDTH] = { t->half[0], t->half[1] };
 
     return t->is_end ? 0.0f : t->range.area + least_with(twigs, halves, 2, 0);
 }
@@ -90,7 +100,7 @@ static void nodes_cost_the_least_that_they_can(void **state)
         uint32_t met = 0;
         float least, chosen;
 
-        bvh_weigh_twigs(twigs, count);
+        weigh(twigs, count);
         chosen = cost_of_chosen(twigs, 0, &met);
         least = least_of_all(twigs, 0);
         assert_int_equal(met, ends);
@@ -107,8 +117,65 @@ static void up_to_eight_ends_are_one_node(void **state)
 
     (void)state;
     for (ends = 2; ends <= BVH_WIDTH; ends++) {
-        bvh_weigh_twigs(twigs, plant(&r, twigs, ends));
+        weigh(twigs, plant(&r, twigs, ends));
         assert_int_equal(bvh_children_of(twigs, 0, children), ends);
+    }
+}
+
+/* Ends get boxes anywhere, and what holds them is measured. */
+static float measure(test_random *r, bvh_twig *twigs, uint32_t count)
+{
+    float sum = 0.0f;
+    int k;
+
+    while (count-- > 0) {
+        bvh_range *all = &twigs[count].range;
+        const uint32_t *half = twigs[count].half;
+
+        for (k = 0; k < 3 && twigs[count].is_end; k++) {
+            all->lo[k] = (float)test_uniform(r, -1.0, 0.9);
+            all->hi[k] = all->lo[k] + (float)test_uniform(r, 0.0, 0.1);
+        }
+        for (k = 0; k < 3 && !twigs[count].is_end; k++) {
+            all->lo[k] = fminf(twigs[half[0]].range.lo[k], twigs[half[1]].range.lo[k]);
+            all->hi[k] = fmaxf(twigs[half[0]].range.hi[k], twigs[half[1]].range.hi[k]);
+        }
+        all->area = (all->hi[0] - all->lo[0]) * (all->hi[1] - all->lo[1]) +
+                    (all->hi[1] - all->lo[1]) * (all->hi[2] - all->lo[2]) +
+                    (all->hi[2] - all->lo[2]) * (all->hi[0] - all->lo[0]);
+        sum += twigs[count].is_end ? 0.0f : all->area;
+    }
+    return sum;
+}
+
+static void improving_keeps_all_ends_and_makes_boxes_smaller(void **state)
+{
+    test_random r = { 7 };
+    bvh_twig twigs[TWIGS];
+    uint32_t order[TWIGS];
+    int round, k;
+
+    (void)state;
+    for (round = 0; round < 200; round++) {
+        const uint32_t ends = 2 + (uint32_t)round % (ENDS - 1), count = plant(&r, twigs, ends);
+        const float before = measure(&r, twigs, count);
+        uint32_t met = 0, i;
+        float after = 0.0f;
+
+        bvh_improve_twigs(twigs, count);
+        bvh_order_twigs(twigs, order);
+        for (i = 0; i < count; i++) {
+            const bvh_twig *t = &twigs[order[i]], *above = &twigs[t->above];
+
+            met += t->is_end;
+            after += t->is_end ? 0.0f : t->range.area;
+            assert_true(i == 0 || above->half[0] == order[i] || above->half[1] == order[i]);
+            for (k = 0; k < 3; k++)
+                assert_true(above->range.lo[k] <= t->range.lo[k] && above->range.hi[k] >= t->range.hi[k]);
+        }
+        assert_int_equal(met, ends);
+        assert_true(after <= before * 1.0001f);
+        assert_true(ends < 8 || after < before);
     }
 }
 
@@ -117,6 +184,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nodes_cost_the_least_that_they_can),
         cmocka_unit_test(up_to_eight_ends_are_one_node),
+        cmocka_unit_test(improving_keeps_all_ends_and_makes_boxes_smaller),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
