@@ -1,11 +1,11 @@
 #include "world/bvh_corner.h"
 
 /* Twigs are taken out, one after the other, and put where they add least to the surfaces of those above them (Bittner,
- * Hapala, Havran 2013: Fast insertion-based optimization of bounding volume hierarchies). Cuts that part by centres leave
- * what is large among what is small, deep in the tree. */
+ * Hapala, Havran 2013: Fast insertion-based optimization of bounding volume hierarchies). Cuts that part by centres
+ * leave what is large among what is small, deep in the tree. */
 
-/* More rounds find little. Some 20 twigs are looked at for a place, and where all lies in all others no more than LOOKS.
- * As many wait as there are levels, unless the tree is a chain. */
+/* More rounds find little. Some 20 twigs are looked at for a place, and no more than LOOKS where boxes lie in boxes. As
+ * many wait as there are levels, unless the tree is a chain. */
 enum { ROUNDS = 2, LOOKS = 200, WAITING_MOST = 64 };
 
 static inline box box_of(const bvh_twig *t)

@@ -6,11 +6,19 @@
 
 void kit_box_begin(kit_box_block *b, uint32_t n)
 {
-    memset(b, 0, sizeof *b);
+    memset(b, 0, n > 1 ? sizeof *b : KIT_BOX_ALONE);
     b->count = n;
 }
 
-void kit_box_put(kit_box_block *b, uint32_t lane, uint32_t p, double plane) { b->plane[p][lane] = (float)plane; }
+/* The next plane of a box is `step` further on. */
+KIT_INLINE size_t step_of(const kit_box_block *b) { return b->count > 1 ? POV_BLOCK_MAX : 1; }
+
+void kit_box_put(kit_box_block *b, uint32_t lane, uint32_t p, double plane)
+{
+    float *first = b->plane[0];
+
+    first[p * step_of(b) + lane] = (float)plane;
+}
 
 /* Along an axis a plane at p is met at p * inverse + start, which is off by less than pad. */
 typedef struct axis { float inverse, start, pad; } axis;
@@ -42,9 +50,11 @@ KIT_INLINE line line_of(const pov_rays *rays, size_t at)
 
 typedef struct planes { float lower[3], upper[3]; } planes;
 
-KIT_INLINE planes planes_of(const kit_box_block *b, uint32_t i)
+KIT_INLINE planes planes_of(const void *block, uint32_t i, size_t step)
 {
-    const planes p = { { b->plane[0][i], b->plane[2][i], b->plane[4][i] }, { b->plane[1][i], b->plane[3][i], b->plane[5][i] } };
+    const float *at = (const float *)block + offsetof(kit_box_block, plane) / sizeof(float) + i;
+    const planes p = { { at[0], at[2 * step], at[4 * step] }, { at[step], at[3 * step], at[5 * step] } };
+
     return p;
 }
 
@@ -80,18 +90,24 @@ KIT_INLINE void meet(const planes *p, const line *l, uint32_t i, kit_chords *res
     say->twice.lane[i] = -(enters & (int)(s.far < l->sure));
 }
 
-KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
-                          kit_chords *restrict out)
+KIT_INLINE void meet_lanes(const planes *p, const pov_rays *rays, size_t from, uint32_t some, kit_chords *restrict out)
 {
-    const planes p = planes_of(block, which);
     kit_conditions say;
     uint32_t i;
 
     for (i = 0; i < KIT_FLOATS; i++) {
         const line l = line_of(rays, from + i);
-        meet(&p, &l, i, out, &say);
+        meet(p, &l, i, out, &say);
     }
     kit_gather(&say, KIT_FLOATS, some, out);
+}
+
+KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                          kit_chords *restrict out)
+{
+    const planes p = planes_of(block, which, POV_BLOCK_MAX);
+
+    meet_lanes(&p, rays, from, some, out);
 }
 
 KIT_INLINE void meet_boxes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
@@ -101,16 +117,39 @@ KIT_INLINE void meet_boxes(const void *block, const pov_rays *rays, size_t at, u
     uint32_t i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const planes p = planes_of(block, i);
+        const planes p = planes_of(block, i, POV_BLOCK_MAX);
         meet(&p, &l, i, out, &say);
     }
     kit_gather(&say, POV_BLOCK_MAX, some, out);
+}
+
+/* The same of a box that is alone. */
+KIT_INLINE void meet_rays_alone(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                                kit_chords *restrict out)
+{
+    const planes p = planes_of(block, which, 1);
+
+    meet_lanes(&p, rays, from, some, out);
+}
+
+KIT_INLINE void meet_alone(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
+{
+    const line l = line_of(rays, at);
+    const planes p = planes_of(block, 0, 1);
+    kit_conditions say;
+
+    meet(&p, &l, 0, out, &say);
+    out->maybe = some & (uint32_t)say.maybe.lane[0];
+    out->surely = (uint32_t)say.surely.lane[0];
+    out->twice = (uint32_t)say.twice.lane[0];
 }
 
 /* Static, since the names of clones would be seen from outside. */
 KIT_CLONES static uint32_t filter(const kit_box_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {
+    if (b->count == 1)
+        return kit_filter_in_lanes(b, 1, owners, rays, lanes, meet_rays_alone, meet_alone, out);
     return kit_filter_in_lanes(b, b->count, owners, rays, lanes, meet_rays, meet_boxes, out);
 }
 

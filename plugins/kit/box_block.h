@@ -4,10 +4,16 @@
 
 #include "kit/local.h"
 
+#include <stddef.h>
+
+/* Planes in the frame, lower and upper by axis, by lane, or, of a box alone in its block, one behind the other. Rows
+ * begin with whole vectors. */
 typedef struct kit_box_block {
-    float plane[6][POV_BLOCK_MAX];   /* in the frame: lower and upper by axis */
-    uint32_t count;
+    uint32_t count, unused[7];
+    float plane[6][POV_BLOCK_MAX];
 } kit_box_block;
+
+enum { KIT_BOX_ALONE = offsetof(kit_box_block, plane) + 6 * sizeof(float) };
 
 /* For n boxes, the planes of which are then put there. */
 void kit_box_begin(kit_box_block *b, uint32_t n);

@@ -73,58 +73,86 @@ void kit_flat_extend(kit_flat *f, pov_vec3 corner)
 
 /* ---- blocks ---- */
 
-static void put(float to[3][POV_BLOCK_MAX], uint32_t i, pov_vec3 v)
+typedef struct figure { kit_three anchor, normal, side[KIT_SIDES]; float offset[KIT_SIDES], rough; } figure;
+
+static kit_three three_of(pov_vec3 v)
 {
-    to[0][i] = (float)v.x;
-    to[1][i] = (float)v.y;
-    to[2][i] = (float)v.z;
+    const kit_three r = { (float)v.x, (float)v.y, (float)v.z };
+    return r;
 }
 
 /* A corner may lie 111 u off the plane, of the sum of sizes of the furthest point: seen along a ray an edge is off by that
  * over the plane's slope, and by 111 times that at the far end of the figure. The anchor's low part is less. */
-static void pack_lane(kit_flat_block *b, const pov_frame *frame, uint32_t i, const kit_flat *f)
+static figure describe(const pov_frame *frame, const kit_flat *f)
 {
     const double reach = kit_sum_of_components(f->anchor) + 8.0 / f->scale;
+    figure out;
     uint32_t k;
 
-    put(b->anchor, i, pov_scale(pov_sub(f->anchor, frame->centre), frame->scale));
-    put(b->normal, i, pov_unit(f->normal));
+    out.anchor = three_of(pov_scale(pov_sub(f->anchor, frame->centre), frame->scale));
+    out.normal = three_of(pov_unit(f->normal));
     for (k = 0; k < KIT_SIDES; k++) {
-        put(b->side[k], i, f->side[k]);
-        b->offset[k][i] = (float)(f->offset[k] / f->scale * frame->scale);
+        out.side[k] = three_of(f->side[k]);
+        out.offset[k] = (float)(f->offset[k] / f->scale * frame->scale);
     }
-    b->rough[i] = (float)(16384.0 * KIT_U * reach * frame->scale);
+    out.rough = (float)(16384.0 * KIT_U * reach * frame->scale);
+    return out;
+}
+
+/* The next number of a figure is `step` further on: POV_BLOCK_MAX, or one if it is alone. */
+static void put_three(float *to, size_t step, kit_three v)
+{
+    to[0] = v.x;
+    to[step] = v.y;
+    to[2 * step] = v.z;
+}
+
+static void put(float *to, size_t step, const figure *f)
+{
+    uint32_t k;
+
+    put_three(to, step, f->anchor);
+    put_three(to + 3 * step, step, f->normal);
+    for (k = 0; k < KIT_SIDES; k++) {
+        put_three(to + (6 + 3 * k) * step, step, f->side[k]);
+        to[(6 + 3 * KIT_SIDES + k) * step] = f->offset[k];
+    }
+    to[(KIT_FLAT_NUMBERS - 1) * step] = f->rough;
+}
+
+KIT_INLINE kit_three get_three(const float *at, size_t step)
+{
+    const kit_three v = { at[0], at[step], at[2 * step] };
+    return v;
+}
+
+KIT_INLINE figure figure_of(const void *block, uint32_t i, size_t step)
+{
+    const float *at = (const float *)block + offsetof(kit_flat_block, number) / sizeof(float) + i;
+    const float *offset = at + (6 + 3 * KIT_SIDES) * step;
+    const figure f = { get_three(at, step), get_three(at + 3 * step, step),
+                       { get_three(at + 6 * step, step), get_three(at + 9 * step, step), get_three(at + 12 * step, step),
+                         get_three(at + 15 * step, step) },
+                       { offset[0], offset[step], offset[2 * step], offset[3 * step] }, offset[4 * step] };
+    return f;
 }
 
 bool kit_flat_pack(kit_flat_block *b, const pov_frame *frame, const kit_flat *figures, uint32_t n)
 {
+    const size_t step = n > 1 ? POV_BLOCK_MAX : 1;
     uint32_t i;
 
     if (!frame)
         return false;
     b->count = n;
     b->sure = 0;
-    for (i = 0; i < POV_BLOCK_MAX; i++) {
-        pack_lane(b, frame, i, &figures[i < n ? i : 0]);
+    for (i = 0; i < step; i++) {
+        const figure f = describe(frame, &figures[i < n ? i : 0]);
+
+        put(b->number[0] + i, step, &f);
         b->sure |= (uint32_t)(i < n && figures[i].sure) << i;
     }
     return true;
-}
-
-typedef struct figure { kit_three anchor, normal, side[KIT_SIDES]; float offset[KIT_SIDES], rough; } figure;
-
-KIT_INLINE kit_three three_of(const float v[3][POV_BLOCK_MAX], uint32_t i)
-{
-    const kit_three r = { v[0][i], v[1][i], v[2][i] };
-    return r;
-}
-
-KIT_INLINE figure figure_of(const kit_flat_block *b, uint32_t i)
-{
-    const figure f = { three_of(b->anchor, i), three_of(b->normal, i),
-                       { three_of(b->side[0], i), three_of(b->side[1], i), three_of(b->side[2], i), three_of(b->side[3], i) },
-                       { b->offset[0][i], b->offset[1][i], b->offset[2][i], b->offset[3][i] }, b->rough[i] };
-    return f;
 }
 
 /* With S the sum of the sizes of the origin's coordinates, and n and d of length one: the distance to the plane is off by
@@ -148,21 +176,27 @@ KIT_INLINE void meet(const figure *f, const kit_beam *l, uint32_t i, kit_chords 
     say->surely.lane[i] = -((int)(least > doubt) & (int)(lo > 0.0f) & (int)(hi < l->sure) & (int)(pad < 0x1p-4f));
 }
 
-KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
-                          kit_chords *restrict out)
+KIT_INLINE void meet_lanes(const figure *f, bool sure, const pov_rays *rays, size_t from, uint32_t some,
+                           kit_chords *restrict out)
 {
-    const kit_flat_block *b = block;
-    const figure f = figure_of(b, which);
     kit_conditions say = { .twice = { { 0 } } };
     uint32_t i;
 
     for (i = 0; i < KIT_FLOATS; i++) {
         const kit_beam l = kit_beam_of(rays, from + i);
-        meet(&f, &l, i, out, &say);
+        meet(f, &l, i, out, &say);
     }
     kit_gather(&say, KIT_FLOATS, some, out);
-    if (!(b->sure >> which & 1))
+    if (!sure)
         out->surely = 0;
+}
+
+KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                          kit_chords *restrict out)
+{
+    const figure f = figure_of(block, which, POV_BLOCK_MAX);
+
+    meet_lanes(&f, ((const kit_flat_block *)block)->sure >> which & 1, rays, from, some, out);
 }
 
 KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
@@ -173,17 +207,40 @@ KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at,
     uint32_t i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        const figure f = figure_of(b, i);
+        const figure f = figure_of(block, i, POV_BLOCK_MAX);
         meet(&f, &l, i, out, &say);
     }
     kit_gather(&say, POV_BLOCK_MAX, some, out);
     out->surely &= b->sure;
 }
 
+/* The same of a figure that is alone. */
+KIT_INLINE void meet_rays_alone(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
+                                kit_chords *restrict out)
+{
+    const figure f = figure_of(block, which, 1);
+
+    meet_lanes(&f, ((const kit_flat_block *)block)->sure, rays, from, some, out);
+}
+
+KIT_INLINE void meet_alone(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
+{
+    const figure f = figure_of(block, 0, 1);
+    const kit_beam l = kit_beam_of(rays, at);
+    kit_conditions say;
+
+    meet(&f, &l, 0, out, &say);
+    out->maybe = some & (uint32_t)say.maybe.lane[0];
+    out->surely = ((const kit_flat_block *)block)->sure & (uint32_t)say.surely.lane[0];
+    out->twice = 0;
+}
+
 /* Static, since the names of clones would be seen from outside. */
 KIT_CLONES static uint32_t filter(const kit_flat_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {
+    if (b->count == 1)
+        return kit_filter_in_lanes(b, 1, owners, rays, lanes, meet_rays_alone, meet_alone, out);
     return kit_filter_in_lanes(b, b->count, owners, rays, lanes, meet_rays, meet_figures, out);
 }
 

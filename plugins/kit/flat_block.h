@@ -5,6 +5,8 @@
 
 #include "kit/local.h"
 
+#include <stddef.h>
+
 enum { KIT_SIDES = 4 };
 
 /* Lengths are scaled and seen from the anchor; corners are below 2. The figure lies where all of side . p >= offset;
@@ -24,13 +26,16 @@ bool kit_flat_outline(kit_flat *f, const pov_vec3 *corner, uint32_t n);
 void kit_flat_begin(kit_flat *f, pov_vec3 corner, pov_vec3 way);
 void kit_flat_extend(kit_flat *f, pov_vec3 corner);
 
-/* In the frame; normals and sides of length one. */
+/* Anchor, normal, sides, their offsets, and what the figure itself may be off by: in the frame, with normals and sides
+ * of length one. By lane, or, of a figure alone in its block, one behind the other. Rows begin with whole vectors. */
+enum { KIT_FLAT_NUMBERS = 3 + 3 + 3 * KIT_SIDES + KIT_SIDES + 1 };
+
 typedef struct kit_flat_block {
-    float anchor[3][POV_BLOCK_MAX], normal[3][POV_BLOCK_MAX], side[KIT_SIDES][3][POV_BLOCK_MAX];
-    float offset[KIT_SIDES][POV_BLOCK_MAX];
-    float rough[POV_BLOCK_MAX];  /* what the figure itself may be off by */
-    uint32_t count, sure;        /* sure: by bits */
+    uint32_t count, sure, unused[6];   /* sure: by bits */
+    float number[KIT_FLAT_NUMBERS][POV_BLOCK_MAX];
 } kit_flat_block;
+
+enum { KIT_FLAT_ALONE = offsetof(kit_flat_block, number) + KIT_FLAT_NUMBERS * sizeof(float) };
 
 /* False: out of range. */
 bool kit_flat_pack(kit_flat_block *b, const pov_frame *frame, const kit_flat *figures, uint32_t n);

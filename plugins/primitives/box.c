@@ -408,6 +408,7 @@ static const pov_shape_class box_class = {
     .inside = inside,
     .absorb = absorb,
     .block_size = sizeof(kit_box_block),
+    .lone_block_size = KIT_BOX_ALONE,
     .block_pack = block_pack,
     .block_filter = kit_box_filter,
     .intersect_many = intersect_many,

@@ -467,6 +467,7 @@ static const pov_shape_class polygon_class = {
     .intersect = intersect,
     .normal = normal,
     .block_size = sizeof(kit_flat_block),
+    .lone_block_size = KIT_FLAT_ALONE,
     .block_pack = block_pack,
     .block_filter = kit_flat_filter,
     .intersect_many = intersect_many,
