@@ -420,4 +420,8 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 #define COMPANY_LOWER lower_avx2
 #include "world/bvh_company_body.h"
 
+#ifdef __AVX512VL__
+#include "world/bvh_turns.h"
+#endif
+
 #endif

@@ -35,6 +35,8 @@ uint64_t bvh_company_any_portable(bvh_party *party);
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 uint64_t bvh_company_nearest_avx2(bvh_party *party);
 uint64_t bvh_company_any_avx2(bvh_party *party);
+uint64_t bvh_turns_nearest(bvh_party *party);   /* AVX-512 */
+uint64_t bvh_turns_any(bvh_party *party);
 #endif
 
 #endif

@@ -120,7 +120,7 @@ static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, walk_st
 #undef WALK_TARGET
 
 const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_order_portable,
-                                       bvh_company_nearest_portable, bvh_company_any_portable };
+                                       bvh_company_nearest_portable, bvh_company_any_portable, NULL, NULL };
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
@@ -204,6 +204,7 @@ WALK_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mas
     return node->child[31 - __builtin_clz(mask)];
 }
 #define WALK_ANY any_avx512
+#define TURNS bvh_turns_nearest, bvh_turns_any
 
 /* As WALK_NAME(push), without a branch. */
 WALK_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t mask, const float *entry,
@@ -220,6 +221,7 @@ WALK_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t ma
 #define WALK_PUSH push_avx512
 #else
 #define WALK_ANY any_portable
+#define TURNS NULL, NULL
 #endif
 
 #define WALK_LANES lanes_avx2
@@ -230,7 +232,7 @@ WALK_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t ma
 #include "world/bvh_walk_body.h"
 
 const bvh_walks bvh_walks_avx2 = { "AVX2", nearest_first_avx2, any_order_avx2, bvh_company_nearest_avx2,
-                                   bvh_company_any_avx2 };
+                                   bvh_company_any_avx2, TURNS };
 
 const bvh_walks *bvh_walks_best(void)
 {

@@ -68,14 +68,17 @@ static inline void bvh_write(const bvh_party *party, uint32_t lane)
         party->written[lane].dir = pov_vec3_of(party->ways[0][lane], party->ways[1][lane], party->ways[2][lane]);
 }
 
+/* From the root. Bit i: a leaf ended lane i. */
+typedef uint64_t bvh_travel(bvh_party *party);
+
 /* Visit the leaves that the ray may meet before the limit. True: a leaf ended it. Near ones first, or in any order. */
 typedef struct bvh_walks {
     const char *name;
     bool (*nearest_first)(bvh_walk *walk);
     bool (*any_order)(bvh_walk *walk);
-    /* From the root, together. Bit i: a leaf ended lane i. */
-    uint64_t (*nearest_together)(bvh_party *party);
-    uint64_t (*any_together)(bvh_party *party);
+    bvh_travel *nearest_together, *any_together;
+    /* Each by itself, of any octant, in a tree of one frame. NULL: that is no better than one after the other. */
+    bvh_travel *nearest_by_turns, *any_by_turns;
 } bvh_walks;
 
 /* The best that this processor can do; `portable` is what every processor can. */

@@ -140,8 +140,8 @@ uint64_t company_stand_in_list(company *c, uint64_t lanes)
 
 /* ---- who goes with whom ---- */
 
-/* Fewer rays of one octant are better off alone. */
-enum { COMPANY_LEAST = 8 };
+/* Fewer rays of one octant are better off alone, and fewer of any one after the other. */
+enum { COMPANY_LEAST = 8, TURNS_LEAST = 5 };
 
 static bool are_of_one(const pov_ray *const *rays, uint32_t n, uint32_t *octant)
 {
@@ -169,14 +169,20 @@ static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint6
             of[bvh_octant(rays[i])] |= bit_of(i);
 }
 
-/* Are there COMPANY_LEAST? */
-static inline bool is_company(uint64_t lanes)
+/* Are there so many? */
+static inline bool are_at_least(uint64_t lanes, uint32_t least)
 {
     uint32_t n;
 
-    for (n = 1; n < COMPANY_LEAST; n++)
+    for (n = 1; n < least; n++)
         lanes &= lanes - 1;
     return lanes != 0;
+}
+
+/* Should those that have no company go by turns? */
+static inline bool take_turns(const world *w, uint64_t lanes)
+{
+    return are_at_least(lanes, TURNS_LEAST) && w->has_tree && w->tree.frame_count == 1 && w->walks->nearest_by_turns;
 }
 
 uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)
@@ -194,11 +200,13 @@ uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *ray
     for (octant = 0; octant < 8; octant++) {
         const uint64_t lanes = of[octant] & ~e.met;
 
-        if (is_company(lanes))
-            met |= company_nearest(w, k, rays, lanes, tmax, &e, out);
+        if (are_at_least(lanes, COMPANY_LEAST))
+            met |= company_nearest(w, k, rays, lanes, tmax, &e, w->walks->nearest_together, out);
         else
             apart |= lanes;
     }
+    if (take_turns(w, apart))
+        return met | company_nearest(w, k, rays, apart, tmax, &e, w->walks->nearest_by_turns, out);
     return apart ? met | company_nearest_apart(w, k, rays, apart, tmax, &e, out) : met;
 }
 
@@ -242,7 +250,7 @@ uint64_t world_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_l
 uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
                                colour *through)
 {
-    uint64_t of[8], lit = 0;
+    uint64_t of[8], lit = 0, apart = 0;
     uint32_t octant;
 
     if (n == 0)
@@ -251,12 +259,15 @@ uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *
         through[i] = colour_of(1.0f, 1.0f, 1.0f);
     divide(w, rays, n, of);
     for (octant = 0; octant < 8; octant++)
-        if (is_company(of[octant]))
-            lit |= company_light(w, k, rays, of[octant], tmax, through);
+        if (are_at_least(of[octant], COMPANY_LEAST))
+            lit |= company_light(w, k, rays, of[octant], tmax, w->walks->any_together, through);
         else
-            for (; of[octant]; of[octant] &= of[octant] - 1) {
-                const uint32_t i = first_of64(of[octant]);
-                lit |= (uint64_t)world_light_path(w, k, rays[i], tmax, &through[i]) << i;
-            }
+            apart |= of[octant];
+    if (take_turns(w, apart))
+        return lit | company_light(w, k, rays, apart, tmax, w->walks->any_by_turns, through);
+    for (; apart; apart &= apart - 1) {
+        const uint32_t i = first_of64(apart);
+        lit |= (uint64_t)world_light_path(w, k, rays[i], tmax, &through[i]) << i;
+    }
     return lit;
 }

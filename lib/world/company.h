@@ -49,9 +49,10 @@ typedef struct exits { uint64_t known, met; pov_hits hits[WORLD_MANY]; } exits;
 void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
                         exits *e);
 
-/* Those of the caller's rays that `which` names; bits of the answers are the caller's. */
+/* Those of the caller's rays that `which` names; bits of the answers are the caller's. travel: how they go through the
+ * tree. */
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                         const exits *e, hit *out);
+                         const exits *e, bvh_travel *travel, hit *out);
 /* Of all n rays of a fan of one octant, in a tree. */
 uint64_t company_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
                              hit *out);
@@ -60,6 +61,6 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
                                const exits *e, hit *out);
 /* Where light comes through unchanged nothing is said of it. */
 uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                       colour *through);
+                       bvh_travel *travel, colour *through);
 
 #endif

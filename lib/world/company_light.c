@@ -149,7 +149,7 @@ static uint64_t end_lights(company *c, uint64_t ended, colour *through)
 }
 
 uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                       colour *through)
+                       bvh_travel *travel, colour *through)
 {
     uint64_t dark = 0, ended = 0, all, alone;
     company c;
@@ -171,7 +171,7 @@ uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, ui
         ended |= meet_light(&c.party, w->list, company_stand_in_list(&c, all & ~ended));
     c.party.lanes = all & ~ended;
     if (w->has_tree && c.party.lanes)
-        ended |= w->walks->any_together(&c.party);
+        ended |= travel(&c.party);
     c.party.lanes = all;
     return which & ~(dark | end_lights(&c, ended, through));
 }

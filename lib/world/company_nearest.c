@@ -379,7 +379,7 @@ uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *
 
 /* What the tree and the lists say of a company that has begun; alone: of its lanes those that go alone. As bits of the
  * caller's. */
-static uint64_t find_nearest(company *c, uint64_t alone, const exits *e)
+static uint64_t find_nearest(company *c, uint64_t alone, const exits *e, bvh_travel *travel)
 {
     const world *w = c->world;
     uint64_t met = 0;
@@ -401,20 +401,20 @@ static uint64_t find_nearest(company *c, uint64_t alone, const exits *e)
         meet_nearest(&c->party, w->list, company_stand_in_list(c, c->party.lanes));
     c->party.lowered = 0;
     if (w->has_tree)
-        w->walks->nearest_together(&c->party);
+        travel(&c->party);
     settle(c);
     return met | end_nearest(c);
 }
 
 uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                         const exits *e, hit *out)
+                         const exits *e, bvh_travel *travel, hit *out)
 {
     company c;
 
     c.out = out;
     c.party.leaf = meet_nearest;
     c.party.alone = nearest_alone;
-    return find_nearest(&c, company_begin(&c, w, k, rays, which, tmax, just_beyond(tmax)), e);
+    return find_nearest(&c, company_begin(&c, w, k, rays, which, tmax, just_beyond(tmax)), e, travel);
 }
 
 uint64_t company_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
@@ -425,5 +425,6 @@ uint64_t company_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec
     c.out = out;
     c.party.leaf = meet_nearest;
     c.party.alone = nearest_alone;
-    return find_nearest(&c, company_begin_fan(&c, w, k, rays, ways, n, tmax, just_beyond(tmax)), NULL);
+    return find_nearest(&c, company_begin_fan(&c, w, k, rays, ways, n, tmax, just_beyond(tmax)), NULL,
+                        w->walks->nearest_together);
 }
