@@ -59,13 +59,16 @@ static inline const pov_ray *own_ray(walker *k, places *some, const placement *a
     return own;
 }
 
-static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some)
+/* crossed: all of them surely are. */
+static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some, bool crossed)
 {
     uint32_t decided = 0, i;
 
     for (i = 0; i < some->count; i++)
         decided -= some->hits[i]->decided;
-    if (POV_SHAPE_HAS(shape, intersect_many))
+    if (crossed && POV_SHAPE_HAS(shape, cross_many))
+        shape->cross_many(some->selves, some->rays, some->hits, some->count);
+    else if (POV_SHAPE_HAS(shape, intersect_many))
         shape->intersect_many(some->selves, some->rays, some->hits, some->count);
     else
         for (i = 0; i < some->count; i++)
@@ -98,7 +101,7 @@ static void ask_open(company *c, const run *r, pairs *open, const places *placed
     uint32_t i;
 
     places_find(placed);
-    ask_pairs(c->walker, r->shape, run_class(r), open);
+    ask_pairs(c->walker, r->shape, run_class(r), open, false);
     for (i = 0; i < open->count; i++)
         if (open->hits[i]->tmax < c->party.limit[lanes[i]])
             lower(c, lanes[i], open->hits[i]->tmax);
@@ -235,7 +238,7 @@ static void settle(company *c)
         const run *r = c->pending[first_of64(left)].run;
 
         left = take_class(c, r->shape, left, &some);
-        ask_pairs(c->walker, r->shape, run_class(r), &some);
+        ask_pairs(c->walker, r->shape, run_class(r), &some, true);
     }
 }
 
@@ -268,7 +271,7 @@ static uint64_t find_class_exits(const world *w, walker *k, const pov_ray *const
         put_pair(&some, place.instance, ray, &e->hits[i]);
     }
     places_find(&placed);
-    ask_pairs(k, first->shape, first->class_number, &some);
+    ask_pairs(k, first->shape, first->class_number, &some, false);
     return others;
 }
 

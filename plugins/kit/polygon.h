@@ -56,5 +56,8 @@ KIT_INLINE kit_root kit_polygon_distance(pov_vec3 n, const kit_ray *k, double sl
 /* The small ones in company, others by `one`. */
 void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
                                 uint32_t n, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits));
+/* Of any, where rays surely cross them. */
+void kit_polygon_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
+                            void (*one)(const void *self, const pov_ray *ray, pov_hits *hits));
 
 #endif

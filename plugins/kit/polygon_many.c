@@ -7,7 +7,7 @@ enum { TOGETHER = 4 };
 
 /* A polygon's numbers, as they stand in it; whole fours of them. */
 #define NUMBER_OF(member) (offsetof(kit_polygon, member) / sizeof(double))
-enum { NUMBERS = (NUMBER_OF(count) + 3) / 4 * 4 };
+enum { NUMBERS = (NUMBER_OF(count) + 3) / 4 * 4, PLANE_NUMBERS = (NUMBER_OF(near) + 3) / 4 * 4 };
 
 /* Small polygons, each with its ray, and the ray's largest axis. */
 typedef struct polygon_lanes {
@@ -81,25 +81,47 @@ static inline double enclose(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov
  * enclose(). */
 typedef struct plane_lanes { kit_lane t, t_lo, error, unit, within; } plane_lanes;
 
-/* As its intersect() where nothing has to be decided. */
+/* As its intersect() where nothing has to be decided, up to the question whether the point is within. */
+KIT_INLINE kit_ray find_plane(const polygon_lanes *l, uint32_t i, plane_lanes *out, pov_vec3 *w)
+{
+    const pov_ray ray = kit_get_ray(&l->rays, i);
+    const pov_vec3 n = get_vector(l, i, NUMBER_OF(normal), 2);
+    const pov_two3 anchor = pov_two3_of(get_vector(l, i, NUMBER_OF(anchor), 2), get_vector(l, i, NUMBER_OF(anchor) + 1, 2));
+    const kit_ray k = kit_enter(&ray, anchor, l->number[NUMBER_OF(scale)][i]);
+    const double slope = pov_dot(n, k.d), first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
+    kit_root r;
+
+    *w = kit_along(&k, first);
+    r = kit_polygon_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, *w);
+    out->t[i] = r.t.hi;
+    out->t_lo[i] = r.t.lo;
+    out->error[i] = r.error;
+    out->unit[i] = k.unit;
+    return k;
+}
+
 KIT_CLONES static void find_planes(const polygon_lanes *restrict l, plane_lanes *restrict out)
 {
     uint32_t i;
 
     for (i = 0; i < TOGETHER; i++) {
-        const pov_ray ray = kit_get_ray(&l->rays, i);
-        const pov_vec3 n = get_vector(l, i, NUMBER_OF(normal), 2);
-        const pov_two3 anchor = pov_two3_of(get_vector(l, i, NUMBER_OF(anchor), 2), get_vector(l, i, NUMBER_OF(anchor) + 1, 2));
-        const kit_ray k = kit_enter(&ray, anchor, l->number[NUMBER_OF(scale)][i]);
-        const double slope = pov_dot(n, k.d), first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
-        const pov_vec3 w = kit_along(&k, first);
-        const kit_root r = kit_polygon_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
+        pov_vec3 w;
+        const kit_ray k = find_plane(l, i, out, &w);
 
-        out->t[i] = r.t.hi;
-        out->t_lo[i] = r.t.lo;
-        out->error[i] = r.error;
-        out->unit[i] = k.unit;
         out->within[i] = enclose(l, i, w, k.d);
+    }
+}
+
+/* Of polygons that are surely crossed. */
+KIT_CLONES static void find_crossed(const polygon_lanes *restrict l, plane_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < TOGETHER; i++) {
+        pov_vec3 w;
+
+        find_plane(l, i, out, &w);
+        out->within[i] = 1.0;
     }
 }
 
@@ -161,4 +183,26 @@ void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const 
     }
     if (count)
         one(self[0], ray[0], hit[0]);
+}
+
+/* Corners are not looked at, so polygons may have any number of them. */
+void kit_polygon_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
+                            void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+{
+    uint32_t first, i;
+
+    for (first = 0; first < n; first += TOGETHER) {
+        const void *shapes[TOGETHER];
+        polygon_lanes lanes;
+        plane_lanes plane;
+
+        kit_put_four_of(&lanes.rays, 0, rays + first, n - first);
+        for (i = 0; i < TOGETHER; i++)
+            shapes[i] = selves[first + kit_lane_of(i, n - first)];
+        kit_put_four_shapes(lanes.number[0], TOGETHER, PLANE_NUMBERS, shapes);
+        find_crossed(&lanes, &plane);
+        for (i = first; i < n && i < first + TOGETHER; i++)
+            if (!report_plane(&plane, i - first, rays[i], hits[i]))
+                one(selves[i], rays[i], hits[i]);
+    }
 }

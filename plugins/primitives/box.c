@@ -308,6 +308,33 @@ static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o
 /* As compare() says it without a closer look. */
 static inline int is_apart(double a, double b) { return fabs(a - b) > 8.0 * KIT_U * (fabs(a) + fabs(b)); }
 
+/* The first of an axis's planes. */
+static inline crossed enter_axis(const box_lanes *l, uint32_t i, int axis, double o, double o_lo, double d, double d_lo)
+{
+    const int backward = d < 0.0;
+    crossed c = { 0.0, l->plane[4 * axis][i], l->plane[4 * axis + 1][i], o, o_lo, d, d_lo, 2.0 * axis };
+
+    c.plane = backward ? l->plane[4 * axis + 2][i] : c.plane;
+    c.plane_lo = backward ? l->plane[4 * axis + 3][i] : c.plane_lo;
+    c.part = backward ? 2.0 * axis + 1.0 : c.part;
+    c.t = ((c.plane - o) + (c.plane_lo - o_lo)) / d;
+    return c;
+}
+
+/* As report(). */
+static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int certain, double power)
+{
+    const pov_two distance = pov_two_neg(pov_two_offset(end->o, end->o_lo, pov_two_of(end->plane, end->plane_lo)));
+    const double t = distance.hi / end->d;
+    const pov_two p = pov_two_product(t, end->d);
+    const double rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * end->d_lo);
+    const pov_two sum = pov_fast_two_sum(t, rest / end->d);
+
+    out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) ? sum.hi * power : NAN;
+    out->t_lo[i] = sum.lo * power;
+    out->part[i] = end->part;
+}
+
 /* As begin(), find() and report() for one end. A direction without a component along some axis makes distances without
  * end, and these are not certain. */
 KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restrict out)
@@ -319,8 +346,7 @@ KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restric
         const double power = pov_inverse_power(pov_largest(ray.dir));
         const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
         crossed x, y, z, xy, end;
-        double far_x, far_y, far_z, far_xy, far, t, rest;
-        pov_two distance, p, sum;
+        double far_x, far_y, far_z, far_xy, far;
         int certain;
 
         cross_axis(l, i, 0, ray.org.x, ray.org_lo.x, d.x, d_lo.x, &x, &far_x);
@@ -332,14 +358,39 @@ KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restric
         far = kit_lesser(far_z, far_xy);
         certain = is_apart(y.t, x.t) & is_apart(z.t, xy.t) & is_apart(far_y, far_x) & is_apart(far_z, far_xy) &
                   ((int)(l->way[i] < 0.0) | (is_apart(end.t, far) & (int)(end.t < far)));
-        distance = pov_two_neg(pov_two_offset(end.o, end.o_lo, pov_two_of(end.plane, end.plane_lo)));
-        t = distance.hi / end.d;
-        p = pov_two_product(t, end.d);
-        rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * end.d_lo);
-        sum = pov_fast_two_sum(t, rest / end.d);
-        out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) ? sum.hi * power : NAN;
-        out->t_lo[i] = sum.lo * power;
-        out->part[i] = end.part;
+        put_end(out, i, &end, certain, power);
+    }
+}
+
+/* As above where rays surely enter: which plane is the last of the three that are met first. */
+KIT_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < KIT_LANES; i++) {
+        const pov_ray ray = kit_get_ray(&l->rays, i);
+        const double power = pov_inverse_power(pov_largest(ray.dir));
+        const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
+        const crossed x = enter_axis(l, i, 0, ray.org.x, ray.org_lo.x, d.x, d_lo.x);
+        const crossed y = enter_axis(l, i, 1, ray.org.y, ray.org_lo.y, d.y, d_lo.y);
+        const crossed z = enter_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z);
+        const crossed xy = choose(y.t > x.t, y, x), end = choose(z.t > xy.t, z, xy);
+
+        put_end(out, i, &end, is_apart(y.t, x.t) & is_apart(z.t, xy.t), power);
+    }
+}
+
+/* Of n pairs, past whose end the last stands again. */
+KIT_INLINE void put_pairs(box_lanes *l, const void *const *selves, const pov_ray *const *rays, uint32_t n)
+{
+    const void *shapes[KIT_LANES];
+    uint32_t i;
+
+    for (i = 0; i < KIT_LANES; i++)
+        shapes[i] = selves[kit_lane_of(i, n)];
+    for (i = 0; i < KIT_LANES; i += 4) {
+        kit_put_four_of(&l->rays, i, rays, n);
+        kit_put_four_shapes(l->plane[0] + i, KIT_LANES, 12, shapes + i);
     }
 }
 
@@ -348,20 +399,12 @@ KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restric
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     end_lanes end;
-    const void *shapes[KIT_LANES];
     box_lanes lanes;
     uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i++) {
-        const uint32_t j = kit_lane_of(i, n);
-
-        shapes[i] = selves[j];
-        lanes.way[i] = kit_is_inward(rays[j], hits[j]) ? -1.0 : 1.0;
-    }
-    for (i = 0; i < KIT_LANES; i += 4) {
-        kit_put_four_of(&lanes.rays, i, rays, n);
-        kit_put_four_shapes(lanes.plane[0] + i, KIT_LANES, 12, shapes + i);
-    }
+    for (i = 0; i < KIT_LANES; i++)
+        lanes.way[i] = kit_is_inward(rays[kit_lane_of(i, n)], hits[kit_lane_of(i, n)]) ? -1.0 : 1.0;
+    put_pairs(&lanes, selves, rays, n);
     find_ends(&lanes, &end);
     for (i = 0; i < n; i++) {
         pov_hits *h = hits[i];
@@ -374,9 +417,29 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
     }
 }
 
+static void cross_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    end_lanes end;
+    box_lanes lanes;
+    uint32_t i;
+
+    put_pairs(&lanes, selves, rays, n);
+    find_entries(&lanes, &end);
+    for (i = 0; i < n; i++)
+        if (end.t[i] > hits[i]->tmin && !hits[i]->always_exact)
+            pov_cross(hits[i], end.t[i], end.t_lo[i], kit_mark((uint32_t)end.part[i], mark_of(selves[i])));
+        else
+            intersect(selves[i], rays[i], hits[i]);
+}
+
 static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     kit_intersect_pairs(selves, rays, hits, n, intersect_lanes, intersect);
+}
+
+static void cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    kit_intersect_pairs(selves, rays, hits, n, cross_lanes, intersect);
 }
 
 static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
@@ -412,6 +475,7 @@ static const pov_shape_class box_class = {
     .block_pack = block_pack,
     .block_filter = kit_box_filter,
     .intersect_many = intersect_many,
+    .cross_many = cross_many,
 };
 
 static const pov_shape_class *const shapes[] = { &box_class, NULL };

@@ -420,6 +420,11 @@ static void intersect_many(const void *const *selves, const pov_ray *const *rays
     kit_polygon_intersect_many(selves, rays, hits, n, intersect);
 }
 
+static void cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    kit_polygon_cross_many(selves, rays, hits, n, intersect);
+}
+
 /* ---- blocks ---- */
 
 static void describe(const kit_polygon *s, kit_flat *f)
@@ -471,6 +476,7 @@ static const pov_shape_class polygon_class = {
     .block_pack = block_pack,
     .block_filter = kit_flat_filter,
     .intersect_many = intersect_many,
+    .cross_many = cross_many,
 };
 
 static const pov_shape_class *const shapes[] = { &polygon_class, NULL };

@@ -51,6 +51,7 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_shape_class, intersect_many, 112);
     AT(pov_shape_class, normal_many, 120);
     AT(pov_shape_class, ellipsoid, 128);
+    AT(pov_shape_class, cross_many, 144);
     AT(pov_ellipsoid, row, 48);
     AT(pov_rays, inverse, 4608);
     AT(pov_rays, tmax, 6144);

@@ -312,6 +312,55 @@ static uint64_t put_rays(pov_rays *rays, const pov_ray *ray, const pov_frame *fr
     return lanes;
 }
 
+static pov_hits ask_nearest(double tmax, pov_crossing *at)
+{
+    pov_hits hits;
+
+    memset(&hits, 0, sizeof hits);
+    memset(at, 0, sizeof *at);
+    hits.tmax = tmax;
+    hits.want = POV_WANT_NEAREST;
+    hits.owner = OWNER;
+    hits.capacity = 1;
+    hits.at = at;
+    return hits;
+}
+
+static bool is_alike(const pov_hits *a, const pov_hits *b)
+{
+    return a->count == b->count && a->count == 1 && a->at->t == b->at->t && a->at->t_lo == b->at->t_lo
+           && a->at->mark.part == b->at->mark.part && a->tmax == b->tmax;
+}
+
+/* Whom rays surely cross, all at once; how many get another answer than alone. */
+static int wrong_crossings(const pov_meeting *met, uint32_t count, const thing *const *things, const pov_ray *ray,
+                           const double *tmax)
+{
+    static const void *selves[POV_MEETINGS_MAX];
+    static const pov_ray *rays[POV_MEETINGS_MAX];
+    static pov_hits hits[2][POV_MEETINGS_MAX], *asked[POV_MEETINGS_MAX];
+    static pov_crossing at[2][POV_MEETINGS_MAX];
+    uint32_t n = 0, i;
+    int wrong = 0;
+
+    for (i = 0; i < count; i++) {
+        if (!met[i].surely)
+            continue;
+        selves[n] = things[met[i].lane]->self;
+        rays[n] = &ray[met[i].ray];
+        hits[0][n] = ask_nearest(tmax[met[i].ray], &at[0][n]);
+        hits[1][n] = ask_nearest(tmax[met[i].ray], &at[1][n]);
+        asked[n] = &hits[1][n];
+        subject.shape->intersect(selves[n], rays[n], &hits[0][n]);
+        n++;
+    }
+    if (n > 0)
+        subject.shape->cross_many(selves, rays, asked, n);
+    for (i = 0; i < n; i++)
+        wrong += !is_alike(&hits[0][i], &hits[1][i]);
+    return wrong;
+}
+
 /* Rays at some things; how many of the answers are wrong. */
 static int wrong_answers(const void *block, const pov_frame *frame, const thing *const *things, uint32_t n, int *seen)
 {
@@ -342,6 +391,8 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
         of[met[i].ray][met[i].lane] = &met[i];
         *seen += met[i].surely;
     }
+    if (HAS(cross_many))
+        broken += wrong_crossings(met, count, things, ray, rays.tmax);
     for (i = 0; i < POV_RAYS_MAX; i++)
         for (k = 0; (lanes >> i & 1) && k < n; k++)
             if ((of[i][k] || !convex || rays.away[i] != owners[k])
