@@ -96,8 +96,8 @@ static void refuse(pov_reader *in, const symbol *word)
     report_misplaced(in, "an object or a setting", &g);
 }
 
-/* The class of the word that is next; NULL: none, and the reader has failed. */
-static const pov_shape_class *find_shape(pov_reader *in)
+/* The word that is next, which names a class; NULL: none does, and the reader has failed. */
+static symbol *find_shape(pov_reader *in)
 {
     symbol *word = in->token.symbol;
     pov_error error;
@@ -109,12 +109,12 @@ static const pov_shape_class *find_shape(pov_reader *in)
         return NULL;
     }
     if (word->shape)
-        return word->shape;
+        return word;
     if (registry_shape(in->plugins, word->name, &word->shape, &error) < 0)
         report_pass_on(in, &in->token.at, &error);
     else if (!word->shape)
         refuse(in, word);
-    return word->shape;
+    return word->shape ? word : NULL;
 }
 
 /* An opaque layer hides what is below it; one that can be seen through does not. */
@@ -138,27 +138,28 @@ static size_t text_size(const pov_shape_class *shape)
     return shape->prepare ? shape->text_size : shape->instance_size;
 }
 
-/* Many a scene is of one shape in many places: what was written as it was the last time is kept once. */
-static void share_text(pov_reader *in, object *o)
+/* Many a scene is of a few shapes in many places: what was written as it was the last time that its word stood there is
+ * kept once. */
+static void share_text(pov_reader *in, symbol *word, object *o)
 {
-    const object_list *all = &in->model->objects;
-    const object *last = all->count > 0 ? &all->items[all->count - 1] : NULL;
-    size_t bytes = text_size(o->shape);
+    const size_t bytes = text_size(o->shape);
 
-    if (last && last->shape == o->shape && memcmp(last->instance, o->instance, bytes) == 0 &&
+    if (word->last && memcmp(word->last, o->instance, bytes) == 0 &&
         arena_give_back(&in->model->memory, o->instance, bytes))
-        o->instance = last->instance;
+        o->instance = word->last;
+    word->last = o->instance;
 }
 
 void parse_object(pov_reader *in)
 {
+    symbol *word = find_shape(in);
     object o;
     object_text text;
     block b;
 
-    o.shape = find_shape(in);
-    if (!o.shape)
+    if (!word)
         return;
+    o.shape = word->shape;
     o.line = (uint32_t)in->token.at.line;
     o.column = (uint32_t)in->token.at.column;
     memset(&text, 0, sizeof text);
@@ -170,7 +171,7 @@ void parse_object(pov_reader *in)
     if (o.instance)
         o.shape->parse(o.instance, &host_functions, in);
     if (!in->failed)
-        share_text(in, &o);
+        share_text(in, word, &o);
     items_close(in, &b, &modifiers, &text);
     check_layers(in, &text.surface);
     add_object(in, &o, &text);

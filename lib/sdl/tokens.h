@@ -80,6 +80,7 @@ typedef struct symbol {
     word_id id;                  /* WORD_OTHER: none of TOKEN_WORDS */
     uint32_t flags;              /* TRAIT_* above */
     const pov_shape_class *shape;   /* NULL: not asked for yet, or none */
+    void *last;                  /* what was written last of the shape; NULL: nothing yet */
 } symbol;
 
 /* A mark's kind is its character. */

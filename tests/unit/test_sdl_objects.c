@@ -65,6 +65,21 @@ static void an_object_knows_where_it_stands(void **state)
     reading_end(&r);
 }
 
+static void shapes_written_as_the_last_of_their_word_share_what_was_written(void **state)
+{
+    const object *o;
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 } box { 0, 1 } sphere { 0, 1 translate 1 } sphere { 0, 2 } box { 0, 1 } sphere { 0, 1 }");
+    o = r.model.objects.items;
+    assert_ptr_equal(o[2].instance, o[0].instance);
+    assert_ptr_equal(o[4].instance, o[1].instance);
+    assert_true(o[3].instance != o[0].instance && o[5].instance != o[3].instance);
+    assert_true(reading_shape(&r, 5)->numbers[0] == 1.0 && reading_shape(&r, 3)->numbers[0] == 2.0);
+    reading_end(&r);
+}
+
 static void an_instance_is_aligned_for_vector_registers(void **state)
 {
     reading r;
@@ -298,6 +313,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_primitive_gets_its_numbers),
         cmocka_unit_test(an_object_knows_where_it_stands),
+        cmocka_unit_test(shapes_written_as_the_last_of_their_word_share_what_was_written),
         cmocka_unit_test(an_instance_is_aligned_for_vector_registers),
         cmocka_unit_test(a_plugins_warning_has_the_place_of_the_value),
         cmocka_unit_test(equal_warnings_by_the_thousand_are_only_counted),
