@@ -20,9 +20,10 @@ typedef struct kit_polygon {
     pov_vec3 near[KIT_POLYGON_SIDES + 1];   /* of a small one the corners as `local`, the last of them again and again */
     uint32_t count;
     bool small;                /* one loop of three to five corners, then the first of them again */
-    kit_corner *corners;       /* each loop ends with its first corner again */
+    const kit_corner *corners; /* of one that is not small; each loop ends with its first corner again */
     pov_vec3 unit;
     pov_box box;
+    pov_vec3 world[KIT_POLYGON_SIDES + 1];   /* of a small one the corners as they were written */
 } kit_polygon;
 
 /* Whoever leaves a plane, to either side, goes away from it. */

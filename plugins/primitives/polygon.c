@@ -10,40 +10,46 @@
 
 static bool same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
+/* What is written of a small one are its corners; a larger one is made at once, and stays. */
+enum { FEW = KIT_POLYGON_SIDES + 1 };
+typedef struct polygon_text {
+    const kit_polygon *large;   /* NULL: it is small */
+    uint32_t count;
+    pov_vec3 corner[FEW];
+} polygon_text;
+
 /* ---- reading ---- */
 
 typedef struct reading {
     const pov_host *host;
     pov_reader *in;
-    kit_polygon *shape;
-    uint32_t first;             /* room at first: no more than is likely, for a scene may say anything */
-    uint32_t capacity, start;   /* start: where the loop at hand begins */
+    kit_corner few[FEW];
+    kit_corner *corners;        /* these few, or the host's */
+    uint32_t likely;            /* room for more: no more than is likely, for a scene may say anything */
+    uint32_t count, capacity, start;   /* start: where the loop at hand begins */
     bool open;                  /* a loop is begun and not yet closed */
 } reading;
 
 static bool append(reading *r, pov_vec3 v, bool starts)
 {
-    kit_polygon *s = r->shape;
-
-    if (s->count == r->capacity) {
-        const uint32_t capacity = r->capacity ? 2 * r->capacity : r->first;
+    if (r->count == r->capacity) {
+        const uint32_t twice = 2 * r->capacity, capacity = twice > r->likely ? twice : r->likely;
         kit_corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
 
         if (!bigger)
             return false;
-        if (s->count)
-            memcpy(bigger, s->corners, s->count * sizeof *bigger);
-        s->corners = bigger;
+        memcpy(bigger, r->corners, r->count * sizeof *bigger);
+        r->corners = bigger;
         r->capacity = capacity;
     }
-    s->corners[s->count].world = v;
-    s->corners[s->count++].starts = starts;
+    r->corners[r->count].world = v;
+    r->corners[r->count++].starts = starts;
     return true;
 }
 
 static bool close_loop(reading *r)
 {
-    if (r->shape->count - r->start < 3) {
+    if (r->count - r->start < 3) {
         r->host->fail(r->in, "a loop of a polygon needs at least 3 points");
         return false;
     }
@@ -54,11 +60,11 @@ static bool close_loop(reading *r)
 static bool take(reading *r, pov_vec3 v)
 {
     if (!r->open) {
-        r->start = r->shape->count;
+        r->start = r->count;
         r->open = true;
         return append(r, v, true);
     }
-    if (!same(v, r->shape->corners[r->start].world))
+    if (!same(v, r->corners[r->start].world))
         return append(r, v, false);
     return close_loop(r) && append(r, v, false);
 }
@@ -73,7 +79,7 @@ static bool read_corners(reading *r)
         r->host->fail(r->in, "a polygon needs a whole number of at least 3 points");
         return false;
     }
-    r->first = n < 64.0 ? (uint32_t)n + 1 : 64;
+    r->likely = n < 64.0 ? (uint32_t)n + 1 : 64;
     for (i = 0; i < (uint32_t)n; i++) {
         r->host->accept(r->in, ",");
         if (!r->host->more(r->in)) {
@@ -87,7 +93,7 @@ static bool read_corners(reading *r)
     }
     if (r->open) {
         r->host->warn(r->in, "a polygon's last loop is not closed; its first point is added");
-        v = r->shape->corners[r->start].world;
+        v = r->corners[r->start].world;
         return close_loop(r) && append(r, v, false);
     }
     return true;
@@ -104,19 +110,19 @@ static pov_two3 offset_of(const kit_polygon *s, const kit_corner *c)
 
 /* The plane goes through the first corner, the one farthest from it, and the one farthest from the line of
  * these two. (The area vector would not do: a bow tie's is zero.) Returns the size of their cross product. */
-static double find_plane(kit_polygon *s)
+static double find_plane(kit_polygon *s, const kit_corner *corners)
 {
-    const kit_corner *far = s->corners;
+    const kit_corner *far = corners;
     pov_two3 across;
     double largest = 0.0;
     uint32_t i;
 
     for (i = 0; i < s->count; i++)
-        if (pov_dot(s->corners[i].local, s->corners[i].local) > pov_dot(far->local, far->local))
-            far = &s->corners[i];
+        if (pov_dot(corners[i].local, corners[i].local) > pov_dot(far->local, far->local))
+            far = &corners[i];
     across = offset_of(s, far);
     for (i = 0; i < s->count; i++) {
-        const pov_two3 cross = pov_two3_cross(across, offset_of(s, &s->corners[i]));
+        const pov_two3 cross = pov_two3_cross(across, offset_of(s, &corners[i]));
 
         if (pov_largest(pov_two3_hi(cross)) > largest) {
             largest = pov_largest(pov_two3_hi(cross));
@@ -137,39 +143,39 @@ static double tolerance(const kit_polygon *s)
     return 32.0 * KIT_U * coordinate;
 }
 
-static void scale_corners(kit_polygon *s)
+static void scale_corners(kit_polygon *s, kit_corner *corners)
 {
     double size = 0.0;
     uint32_t i;
 
     s->scale = 1.0;
-    s->box.lo = s->box.hi = s->corners[0].world;
+    s->box.lo = s->box.hi = corners[0].world;
     for (i = 0; i < s->count; i++) {
-        const pov_vec3 v = s->corners[i].world;
+        const pov_vec3 v = corners[i].world;
 
-        size = fmax(size, pov_largest(pov_two3_hi(offset_of(s, &s->corners[i]))));
+        size = fmax(size, pov_largest(pov_two3_hi(offset_of(s, &corners[i]))));
         s->box.lo = pov_vec3_of(fmin(s->box.lo.x, v.x), fmin(s->box.lo.y, v.y), fmin(s->box.lo.z, v.z));
         s->box.hi = pov_vec3_of(fmax(s->box.hi.x, v.x), fmax(s->box.hi.y, v.y), fmax(s->box.hi.z, v.z));
     }
     s->scale = pov_inverse_power(size);
     for (i = 0; i < s->count; i++)
-        s->corners[i].local = pov_two3_hi(offset_of(s, &s->corners[i]));
+        corners[i].local = pov_two3_hi(offset_of(s, &corners[i]));
 }
 
 /* Corners of a small one where rays find them first. */
-static void put_near(kit_polygon *s)
+static void put_near(kit_polygon *s, const kit_corner *corners)
 {
-    uint32_t i, loops = 0;
+    uint32_t i;
 
-    for (i = 0; i < s->count; i++)
-        loops += s->corners[i].starts;
-    s->small = s->count <= KIT_POLYGON_SIDES + 1 && loops == 1;
-    for (i = 0; i <= KIT_POLYGON_SIDES && s->small; i++)
-        s->near[i] = s->corners[i < s->count ? i : s->count - 1].local;
+    s->small = true;
+    for (i = 0; i < FEW; i++) {
+        s->near[i] = corners[i < s->count ? i : s->count - 1].local;
+        s->world[i] = corners[i < s->count ? i : s->count - 1].world;
+    }
 }
 
 /* The largest distance of a corner from the plane, in scaled lengths. */
-static double measure(const kit_polygon *s)
+static double measure(const kit_polygon *s, const kit_corner *corners)
 {
     const pov_vec3 normal = pov_two3_hi(s->normal);
     const double length = sqrt(pov_dot(normal, normal));
@@ -177,41 +183,101 @@ static double measure(const kit_polygon *s)
     uint32_t i;
 
     for (i = 0; i < s->count; i++)
-        largest = fmax(largest, fabs(pov_two3_dot(s->normal, offset_of(s, &s->corners[i])).hi) / length);
+        largest = fmax(largest, fabs(pov_two3_dot(s->normal, offset_of(s, &corners[i])).hi) / length);
     return largest;
 }
 
-static void parse(void *self, const pov_host *host, pov_reader *in)
+/* Of corners everything but what widens it: returns what find_plane() does. Two loops have more than a few corners. */
+static double take_corners(kit_polygon *s, kit_corner *corners, uint32_t count)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    kit_polygon *s = self;
-    reading r = { host, in, s, 0, 0, 0, false };
-    double largest, off, power;
 
-    if (!read_corners(&r)) {
-        s->count = 0;
-        return;
-    }
-    s->anchor = pov_two3_of(s->corners[0].world, zero);
-    scale_corners(s);
-    put_near(s);
-    largest = find_plane(s);
-    if (!(largest > 0.0)) {
-        host->warn(in, "the points of this polygon lie on a line: it is not seen");
-        return;
-    }
-    off = measure(s);
-    if (!(off <= tolerance(s)))
-        host->fail(in, "the points of this polygon do not lie in a plane: one is %g of its size off",
-                   off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale);
-    power = pov_inverse_power(largest);
+    s->count = count;
+    s->anchor = pov_two3_of(corners[0].world, zero);
+    scale_corners(s, corners);
+    if (count <= FEW)
+        put_near(s, corners);
+    else
+        s->corners = corners;
+    return find_plane(s, corners);
+}
+
+/* largest: the size of the normal so far; off: of a corner from the plane. */
+static void settle(kit_polygon *s, double largest, double off)
+{
+    const double power = pov_inverse_power(largest), wider = off * (4.0 / s->scale);
+
     s->normal.x = pov_two_scale(s->normal.x, power);
     s->normal.y = pov_two_scale(s->normal.y, power);
     s->normal.z = pov_two_scale(s->normal.z, power);
     s->unit = pov_unit(pov_two3_hi(s->normal));
-    off *= 4.0 / s->scale;
-    s->box.lo = pov_sub(s->box.lo, pov_vec3_of(off, off, off));
-    s->box.hi = pov_add(s->box.hi, pov_vec3_of(off, off, off));
+    s->box.lo = pov_sub(s->box.lo, pov_vec3_of(wider, wider, wider));
+    s->box.hi = pov_add(s->box.hi, pov_vec3_of(wider, wider, wider));
+}
+
+/* Corners do not lie in a plane, or on a line? Then whoever wrote them hears of it. */
+static void look_at(reading *r, kit_polygon *s)
+{
+    const double largest = take_corners(s, r->corners, r->count);
+    double off;
+
+    if (!(largest > 0.0)) {
+        r->host->warn(r->in, "the points of this polygon lie on a line: it is not seen");
+        return;
+    }
+    off = measure(s, r->corners);
+    if (!(off <= tolerance(s)))
+        r->host->fail(r->in, "the points of this polygon do not lie in a plane: one is %g of its size off",
+                      off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale);
+    settle(s, largest, off);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    polygon_text *text = self;
+    kit_polygon *large, s;
+    reading r;
+    uint32_t i;
+
+    memset(&r, 0, sizeof r);
+    memset(&s, 0, sizeof s);
+    r.host = host;
+    r.in = in;
+    r.corners = r.few;
+    r.capacity = FEW;
+    if (!read_corners(&r))
+        return;
+    look_at(&r, &s);
+    text->count = r.count;
+    for (i = 0; i < r.count && s.small; i++)
+        text->corner[i] = r.corners[i].world;
+    if (s.small)
+        return;
+    large = host->alloc(in, sizeof *large);
+    if (large)
+        *large = s;
+    text->large = large;
+}
+
+static void prepare(void *self, const void *text)
+{
+    const polygon_text *t = text;
+    kit_corner few[FEW];
+    kit_polygon *s = self;
+    double largest;
+    uint32_t i;
+
+    if (t->large)
+        *s = *t->large;
+    if (t->large || t->count == 0 || t->count > FEW)
+        return;
+    for (i = 0; i < t->count; i++) {
+        few[i].world = t->corner[i];
+        few[i].starts = i == 0;
+    }
+    largest = take_corners(s, few, t->count);
+    if (largest > 0.0)
+        settle(s, largest, measure(s, few));
 }
 
 static bool bounds(const void *self, pov_box *out)
@@ -270,12 +336,12 @@ static void add_terms(kit_expansion *e, const sight *s, const double *v, int i, 
     }
 }
 
-static bool is_above(const sight *s, const kit_corner *c)
+static bool is_above(const sight *s, const pov_vec3 *corner)
 {
     kit_expansion e;
     double v[3];
 
-    set3(v, c->world);
+    set3(v, *corner);
     kit_expansion_clear(&e);
     add_terms(&e, s, v, s->up, s->away, 1.0);
     add_terms(&e, s, v, s->away, s->up, -1.0);
@@ -284,7 +350,7 @@ static bool is_above(const sight *s, const kit_corner *c)
 
 /* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for
  * every polygon that has it. */
-static seen look(sight *s, pov_vec3 local, const kit_corner *c)
+static seen look(sight *s, pov_vec3 local, const pov_vec3 *corner)
 {
     const double v[3] = { local.x - s->w[0], local.y - s->w[1], local.z - s->w[2] };
     seen p;
@@ -294,20 +360,20 @@ static seen look(sight *s, pov_vec3 local, const kit_corner *c)
     p.above = p.up > 0.0;
     if (s->exact || !(fabs(p.up) > s->error)) {
         s->decided = true;
-        p.above = is_above(s, c);
+        p.above = is_above(s, corner);
     }
     return p;
 }
 
 /* The sign of d . ((a - o) x (b - o)). */
-static int orientation(const sight *s, const kit_corner *a, const kit_corner *b)
+static int orientation(const sight *s, const pov_vec3 *a, const pov_vec3 *b)
 {
     double p[3], q[3];
     kit_expansion e;
     int i, m, n, l;
 
-    set3(p, a->world);
-    set3(q, b->world);
+    set3(p, *a);
+    set3(q, *b);
     kit_expansion_clear(&e);
     for (i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -329,7 +395,7 @@ static int orientation(const sight *s, const kit_corner *a, const kit_corner *b)
 
 /* An edge that goes from one side of the level to the other: does it pass the ray on the right, or through
  * it? Edges are asked upward, so that both polygons of a shared edge ask the same. */
-static bool is_right(sight *s, const kit_corner *a, seen pa, const kit_corner *b, seen pb)
+static bool is_right(sight *s, const pov_vec3 *a, seen pa, const pov_vec3 *b, seen pb)
 {
     const double cross = pa.across * pb.up - pb.across * pa.up;
     const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error) +
@@ -345,20 +411,24 @@ static bool is_right(sight *s, const kit_corner *a, seen pa, const kit_corner *b
     return pb.above ? sign >= 0 : sign <= 0;
 }
 
+static pov_vec3 local_of(const kit_polygon *s, uint32_t i) { return s->small ? s->near[i] : s->corners[i].local; }
+
 static bool is_within(const kit_polygon *s, sight *view)
 {
     bool within = false;
     seen before = { 0.0, 0.0, 0 };
+    const pov_vec3 *last = NULL;
     uint32_t i;
 
     for (i = 0; i < s->count; i++) {
-        const kit_corner *c = &s->corners[i];
-        const seen here = look(view, s->small ? s->near[i] : c->local, c);
-        const bool starts = s->small ? i == 0 : c->starts;
+        const pov_vec3 *corner = s->small ? &s->world[i] : &s->corners[i].world;
+        const seen here = look(view, local_of(s, i), corner);
+        const bool starts = s->small ? i == 0 : s->corners[i].starts;
 
-        if (!starts && here.above != before.above && is_right(view, c - 1, before, c, here))
+        if (!starts && here.above != before.above && is_right(view, last, before, corner, here))
             within = !within;
         before = here;
+        last = corner;
     }
     return within;
 }
@@ -438,13 +508,13 @@ static void describe(const kit_polygon *s, kit_flat *f)
     f->scale = s->scale;
     if (s->count <= KIT_SIDES + 1 && s->small) {
         for (i = 0; i + 1 < s->count; i++)
-            corners[i] = s->corners[i].local;
+            corners[i] = s->near[i];
         if (kit_flat_outline(f, corners, s->count - 1))
             return;
     }
-    kit_flat_begin(f, s->corners[0].local, pov_vec3_of(fabs(n.x) < fabs(n.y), fabs(n.x) >= fabs(n.y), 0.0));
+    kit_flat_begin(f, local_of(s, 0), pov_vec3_of(fabs(n.x) < fabs(n.y), fabs(n.x) >= fabs(n.y), 0.0));
     for (i = 1; i < s->count; i++)
-        kit_flat_extend(f, s->corners[i].local);
+        kit_flat_extend(f, local_of(s, i));
 }
 
 static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
@@ -475,6 +545,8 @@ static const pov_shape_class polygon_class = {
     .lone_block_size = KIT_FLAT_ALONE,
     .block_pack = block_pack,
     .block_filter = kit_flat_filter,
+    .text_size = sizeof(polygon_text),
+    .prepare = prepare,
     .intersect_many = intersect_many,
     .cross_many = cross_many,
 };
