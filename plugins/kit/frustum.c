@@ -110,12 +110,9 @@ void kit_frustum_prepare(void *self, const void *text)
     s->slope = pov_two_div(pov_two_sum(top_radius, -base_radius), s->height);
     s->row[2] = way;
     make_frame(way, &s->row[0], &s->row[1]);
-    s->column[0] = pov_two3_hi(s->row[0]);
-    s->column[1] = pov_two3_hi(s->row[1]);
-    s->column[2] = pov_two3_hi(s->row[2]);
-    s->radii[0] = base_radius;
-    s->radii[1] = top_radius;
-    s->length = s->height.hi;
+    s->of.written.radii[0] = base_radius;
+    s->of.written.radii[1] = top_radius;
+    s->of.written.length = s->height.hi;
     s->open = t->open;
     s->empty = !(base_radius > 0.0) && !(top_radius > 0.0);
     s->scale = 1.0;
@@ -123,8 +120,17 @@ void kit_frustum_prepare(void *self, const void *text)
         normalise(s);
 }
 
+/* Of a shape that has absorbed nothing: a row as it was before normalise(), of length one, so that its largest entry is
+ * above one half and at most one. The map back has the rows for columns then. */
+static pov_two3 unit_row(pov_two3 row)
+{
+    const double largest = largest_of(row), power = pov_inverse_power(largest);
+
+    return scaled(row, largest * power == 1.0 ? power : 0.5 * power);
+}
+
 /* The box of two discs (ellipses, if a map squeezed them), wider by what the roundings here can have lost. */
-static void extend(const kit_frustum *s, double anchor, double x, double y, double z, double *lo, double *hi)
+static void extend(const kit_frustum_size *s, double anchor, double x, double y, double z, double *lo, double *hi)
 {
     const double across = sqrt(x * x + y * y), shift = z * s->length;
     const double slack = 32.0 * KIT_U * (across * fmax(s->radii[0], s->radii[1]) + fabs(shift));
@@ -135,14 +141,30 @@ static void extend(const kit_frustum *s, double anchor, double x, double y, doub
     *hi = kit_above(anchor + kit_above(high + slack));
 }
 
+/* c: columns of the map back, not scaled. */
+static pov_box box_of(const kit_frustum_size *s, pov_two3 anchor, const pov_vec3 c[3])
+{
+    pov_box box;
+
+    extend(s, anchor.x.hi, c[0].x, c[1].x, c[2].x, &box.lo.x, &box.hi.x);
+    extend(s, anchor.y.hi, c[0].y, c[1].y, c[2].y, &box.lo.y, &box.hi.y);
+    extend(s, anchor.z.hi, c[0].z, c[1].z, c[2].z, &box.lo.z, &box.hi.z);
+    return box;
+}
+
 bool kit_frustum_bounds(const void *self, pov_box *out)
 {
     const kit_frustum *s = self;
-    const pov_vec3 *c = s->column;
+    pov_vec3 columns[3];
+    int i;
 
-    extend(s, s->anchor.x.hi, c[0].x, c[1].x, c[2].x, &out->lo.x, &out->hi.x);
-    extend(s, s->anchor.y.hi, c[0].y, c[1].y, c[2].y, &out->lo.y, &out->hi.y);
-    extend(s, s->anchor.z.hi, c[0].z, c[1].z, c[2].z, &out->lo.z, &out->hi.z);
+    if (s->moved) {
+        *out = s->of.box;
+        return true;
+    }
+    for (i = 0; i < 3; i++)
+        columns[i] = pov_two3_hi(unit_row(s->row[i]));
+    *out = box_of(&s->of.written, s->anchor, columns);
     return true;
 }
 
@@ -151,7 +173,9 @@ bool kit_frustum_bounds(const void *self, pov_box *out)
 bool kit_frustum_absorb(void *self, const pov_affine *map)
 {
     kit_frustum *s = self;
+    const kit_frustum_size written = s->of.written;
     pov_two3 inverse[3], columns[3], rows[3];
+    pov_vec3 back[3];
     int axis[3], i;
 
     if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
@@ -165,14 +189,14 @@ bool kit_frustum_absorb(void *self, const pov_affine *map)
     s->axis = times_vector(rows, s->axis);
     for (i = 0; i < 3; i++) {
         const pov_two3 row = s->row[i];
-        /* Before a map columns are rows but for a power of two, and rows have two parts. */
-        const pov_two3 column = scaled(row, pov_largest(s->column[i]) / largest_of(row));
 
         s->row[i].x = pov_two3_dot(row, columns[0]);
         s->row[i].y = pov_two3_dot(row, columns[1]);
         s->row[i].z = pov_two3_dot(row, columns[2]);
-        s->column[i] = pov_two3_hi(times_vector(rows, column));
+        back[i] = pov_two3_hi(times_vector(rows, unit_row(row)));
     }
+    s->of.box = box_of(&written, s->anchor, back);
+    s->moved = true;
     if (!s->empty)
         normalise(s);
     return true;

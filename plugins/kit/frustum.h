@@ -9,15 +9,18 @@
  * + slope z)^2 with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and
  * 1 the side, entered and left by the ray, 2 the cap at z = 0, 3 that at the height. The anchor is the
  * narrower end: near a cone's apex nothing cancels then. */
+typedef struct kit_frustum_size { double radii[2], length; } kit_frustum_size;
+
 typedef struct kit_frustum {
-    pov_two3 anchor, axis;       /* axis: from there to the other end */
+    pov_two3 anchor;
     pov_two3 row[3];             /* for points scaled by `scale` */
     double loss[3];              /* roundings that a row's product with a rounded point passes through */
     pov_two radius, slope, height;
     double scale;
-    pov_vec3 column[3];          /* the map back, not scaled, for bounds */
-    double radii[2], length;     /* as they were written */
     bool open, empty, slender;   /* slender: much longer than wide */
+    bool moved;                  /* it has absorbed a map, and its box is known: rows tell no more what was written */
+    pov_two3 axis;               /* from the anchor to the other end */
+    union { kit_frustum_size written; pov_box box; } of;
 } kit_frustum;
 
 /* As it was written; the ends are two different points. */

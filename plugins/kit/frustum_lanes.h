@@ -8,9 +8,9 @@
 /* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
 enum { TOGETHER = 4 };
 
-/* A shape's numbers, as they stand in it, up to what rays do not need. */
+/* A shape's numbers, as they stand in it, up to what rays do not need; whole fours of them. */
 #define NUMBER_OF(member) (offsetof(kit_frustum, member) / sizeof(double))
-enum { NUMBERS = NUMBER_OF(column) };
+enum { NUMBERS = (NUMBER_OF(open) + 3) / 4 * 4 };
 
 typedef struct frustum_lanes {
     kit_rays rays;
@@ -33,7 +33,7 @@ static inline pov_two3 get_two3(const frustum_lanes *l, uint32_t i, size_t numbe
     return two3_of(get_two(l, i, number), get_two(l, i, number + 2), get_two(l, i, number + 4));
 }
 
-/* The shape of a lane, but for what stands behind its numbers, and its axis. */
+/* The shape of a lane, but for what stands behind its numbers. */
 static inline kit_frustum get_shape(const frustum_lanes *l, uint32_t i)
 {
     kit_frustum s;

@@ -89,18 +89,24 @@ static int length_exponent(int second, int first, int constant)
     return first > -100000 && constant > -100000 ? constant - first : 0;
 }
 
-static void prepare(kit_second_order *s)
+/* By what power of two a coefficient is multiplied. */
+static int power_of(const kit_second_order *s, int i)
+{
+    return (i < G ? 2 * s->length : i < J ? s->length : 0) - s->largest;
+}
+
+/* raw: coefficients about the anchor, as they are. */
+static void prepare(kit_second_order *s, const pov_two *raw)
 {
     pov_box box;
-    int second = exponent_of(s->raw + A, 6), first = exponent_of(s->raw + G, 3), constant = exponent_of(s->raw + J, 1);
-    int length = length_exponent(second, first, constant), largest, i;
+    int second = exponent_of(raw + A, 6), first = exponent_of(raw + G, 3), constant = exponent_of(raw + J, 1);
+    int length = length_exponent(second, first, constant), i;
 
     length = length > 900 ? 900 : length < -900 ? -900 : length;
-    largest = larger(larger(second + 2 * length, first + length), constant);
+    s->length = length;
+    s->largest = larger(larger(second + 2 * length, first + length), constant);
     for (i = 0; i < COEFFICIENTS; i++) {
-        const int power = (i < G ? 2 * length : i < J ? length : 0) - largest;
-
-        s->q[i] = pov_two_of(ldexp(s->raw[i].hi, power), ldexp(s->raw[i].lo, power));
+        s->q[i] = pov_two_of(ldexp(raw[i].hi, power_of(s, i)), ldexp(raw[i].lo, power_of(s, i)));
         s->rough[i] = s->q[i].hi;
         s->size[i] = fabs(s->q[i].hi);
     }
@@ -163,15 +169,15 @@ static pov_two exact_sum(double (*term)[3], int n)
 
 /* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor
  * near the centre, without any error on the way, they do not. */
-static void settle(kit_second_order *s)
+static void settle(kit_second_order *s, pov_two *raw)
 {
-    const pov_vec3 c = near_centre(s->raw), zero = { 0.0, 0.0, 0.0 };
+    const pov_vec3 c = near_centre(raw), zero = { 0.0, 0.0, 0.0 };
     double q[COEFFICIENTS];
     pov_two level;
     int i;
 
     for (i = 0; i < COEFFICIENTS; i++)
-        q[i] = s->raw[i].hi;
+        q[i] = raw[i].hi;
     {
         double x[4][3] = {{2.0 * q[A], c.x, 1.0}, {q[D], c.y, 1.0}, {q[E], c.z, 1.0}, {q[G], 1.0, 1.0}};
         double y[4][3] = {{2.0 * q[B], c.y, 1.0}, {q[D], c.x, 1.0}, {q[F], c.z, 1.0}, {q[H], 1.0, 1.0}};
@@ -183,10 +189,10 @@ static void settle(kit_second_order *s)
         level = exact_sum(all, 10);
         if (!(fabs(level.hi) < fabs(q[J])))
             return;
-        s->raw[G] = exact_sum(x, 4);
-        s->raw[H] = exact_sum(y, 4);
-        s->raw[I] = exact_sum(z, 4);
-        s->raw[J] = level;
+        raw[G] = exact_sum(x, 4);
+        raw[H] = exact_sum(y, 4);
+        raw[I] = exact_sum(z, 4);
+        raw[J] = level;
     }
     s->anchor = pov_two3_of(c, zero);
 }
@@ -194,13 +200,14 @@ static void settle(kit_second_order *s)
 void kit_second_order_make(kit_second_order *s, const double coefficients[COEFFICIENTS])
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    pov_two raw[COEFFICIENTS];
     int i;
 
     s->anchor = pov_two3_of(zero, zero);
     for (i = 0; i < COEFFICIENTS; i++)
-        s->raw[i] = pov_two_of(coefficients[i], 0.0);
-    settle(s);
-    prepare(s);
+        raw[i] = pov_two_of(coefficients[i], 0.0);
+    settle(s, raw);
+    prepare(s, raw);
 }
 
 /* ---- bounds, of ellipsoids ---- */
@@ -310,7 +317,7 @@ bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map)
 {
     static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };
     pov_two3 rows[3], columns[3], linear;
-    pov_two raw[COEFFICIENTS];
+    pov_two old[COEFFICIENTS], raw[COEFFICIENTS];
     int axis[3], i;
 
     if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
@@ -318,20 +325,21 @@ bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map)
     kit_inverse_linear(map, rows);
     for (i = 0; i < 3; i++)
         columns[i] = column(rows, i);
-    linear.x = s->raw[G], linear.y = s->raw[H], linear.z = s->raw[I];
+    for (i = 0; i < COEFFICIENTS; i++)
+        old[i] = pov_two_of(ldexp(s->q[i].hi, -power_of(s, i)), ldexp(s->q[i].lo, -power_of(s, i)));
+    linear.x = old[G], linear.y = old[H], linear.z = old[I];
     for (i = 0; i < 6; i++) {
-        const pov_two3 product = kit_half_gradient(s->raw, columns[column_of[i]], false);
+        const pov_two3 product = kit_half_gradient(old, columns[column_of[i]], false);
         raw[i] = pov_two_scale(pov_two3_dot(columns[row_of[i]], product), i < D ? 1.0 : 2.0);
     }
     for (i = 0; i < 3; i++)
         raw[G + i] = pov_two3_dot(columns[i], linear);
-    raw[J] = s->raw[J];
+    raw[J] = old[J];
     for (i = 0; i < COEFFICIENTS; i++) {
         if (!isfinite(raw[i].hi) || !isfinite(raw[i].lo))
             return false;
     }
     s->anchor = kit_map_point(map, s->anchor);
-    memcpy(s->raw, raw, sizeof raw);
-    prepare(s);
+    prepare(s, raw);
     return true;
 }

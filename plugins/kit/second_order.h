@@ -9,15 +9,15 @@ enum { A, B, C, D, E, F, G, H, I, J, COEFFICIENTS };
 
 typedef struct kit_second_order {
     pov_two3 anchor;
-    /* Made from raw: for lengths times scale, multiplied so that the largest is of the order of one. */
+    /* For lengths times scale, multiplied by a power of two so that the largest is of the order of one. */
     pov_two q[COEFFICIENTS];
     double sum2, sum1;             /* of the sizes of second order, and of the first */
     double scale;
-    pov_two raw[COEFFICIENTS];     /* about the anchor */
     double rough[COEFFICIENTS], size[COEFFICIENTS];   /* of q */
     bool flat;                     /* nothing of the second order: a plane */
     bool sizeless;                 /* nothing else: a cone, the same at every scale */
     bool closed;                   /* an ellipsoid for certain */
+    int length, largest;           /* the exponents of an inverse of scale, and of what was divided by */
 } kit_second_order;
 
 /* From coefficients about the origin, as they were written. */

@@ -8,7 +8,7 @@ enum { TOGETHER = 4 };
 
 /* A shape's numbers, as they stand in it, up to what rays do not need; whole fours of them. */
 #define NUMBER_OF(member) (offsetof(kit_second_order, member) / sizeof(double))
-enum { NUMBERS = (NUMBER_OF(raw) + 3) / 4 * 4 };
+enum { NUMBERS = (NUMBER_OF(rough) + 3) / 4 * 4 };
 
 typedef struct pair_lanes {
     kit_rays rays;
