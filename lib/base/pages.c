@@ -4,18 +4,17 @@
 #include <stdint.h>
 #include <sys/mman.h>
 
-/* The next size of pages where there are any. Blocks take whole ones: the part of the last that they have no use for is
- * small beside them. */
-#define LARGE ((size_t)2 << 20)
-#define LEAST (2 * LARGE)
+/* Blocks take whole large pages: the part of the last that they have no use for is small beside them. */
+#define LEAST (2 * PAGES_LARGE)
 
 void *pages_reserve(const env *e, size_t bytes)
 {
-    const size_t whole = bytes < LEAST || bytes > SIZE_MAX - LARGE ? bytes : (bytes + LARGE - 1) & ~(LARGE - 1);
-    void *block = env_reserve_aligned(e, whole, bytes < LEAST ? 64 : LARGE);
+    const bool large = bytes >= LEAST && bytes <= SIZE_MAX - PAGES_LARGE;
+    const size_t whole = large ? (bytes + PAGES_LARGE - 1) & ~(PAGES_LARGE - 1) : bytes;
+    void *block = env_reserve_aligned(e, whole, large ? PAGES_LARGE : 64);
 
 #ifdef MADV_HUGEPAGE
-    if (block && bytes >= LEAST)
+    if (block && large)
         madvise(block, whole, MADV_HUGEPAGE);
 #endif
     return block;
@@ -24,10 +23,10 @@ void *pages_reserve(const env *e, size_t bytes)
 void pages_expect(void *block, size_t bytes, size_t part, size_t parts)
 {
 #ifdef MADV_POPULATE_WRITE
-    const size_t pages = (bytes + LARGE - 1) / LARGE, first = pages * part / parts, end = pages * (part + 1) / parts;
+    const size_t pages = (bytes + PAGES_LARGE - 1) / PAGES_LARGE, first = pages * part / parts, end = pages * (part + 1) / parts;
 
     if (bytes >= LEAST && end > first)
-        madvise((char *)block + first * LARGE, (end - first) * LARGE, MADV_POPULATE_WRITE);
+        madvise((char *)block + first * PAGES_LARGE, (end - first) * PAGES_LARGE, MADV_POPULATE_WRITE);
 #else
     (void)block, (void)bytes, (void)part, (void)parts;
 #endif

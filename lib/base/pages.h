@@ -4,6 +4,9 @@
 
 #include "base/env.h"
 
+/* What large pages hold where there are any, and what large blocks begin at a multiple of. */
+#define PAGES_LARGE ((size_t)2 << 20)
+
 /* A block that is about to be filled, and will be used all over; not zeroed. Systems that have larger pages then take
  * them for a large one, which are fewer to fetch. Free it with pages_free() only. */
 void *pages_reserve(const env *e, size_t bytes);

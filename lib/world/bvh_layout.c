@@ -91,15 +91,15 @@ static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame)
     return BVH_FRAME | frame;
 }
 
-/* The first who writes to memory waits for the system to clear it, which all can do together. */
+/* The first who writes to memory waits for the system to clear it, which all can do together, each a large page of his own:
+ * of two who come to the same one both clear it. */
 static void touch_part(void *user, uint32_t part, int hand)
 {
     const bvh *b = user;
-    const uint32_t n = (uint32_t)b->node_count;
-    uint32_t i;
+    size_t i = (part * PAGES_LARGE + sizeof *b->nodes - 1) / sizeof *b->nodes;
 
     (void)hand;
-    for (i = share_begin(n, BVH_PARTS, part); i < share_begin(n, BVH_PARTS, part + 1); i++)
+    for (; i < b->node_count && i * sizeof *b->nodes < (part + 1) * PAGES_LARGE; i++)
         b->nodes[i].child[0] = BVH_NODE;
 }
 
@@ -114,10 +114,10 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, cons
         return false;
     out->nodes = pages_reserve(in->env, out->node_count * sizeof *out->nodes);
     out->frames = env_alloc(in->env, out->frame_count, sizeof *out->frames);
-    *leaves = l.leaves = env_alloc(in->env, out->leaf_count + 1, sizeof *l.leaves);
+    *leaves = l.leaves = env_resize(in->env, NULL, out->leaf_count + 1, sizeof *l.leaves);
     if (!out->nodes || !out->frames || !l.leaves)
         return false;
-    share_work(in->threads, BVH_PARTS, touch_part, out);
+    share_work(in->threads, (uint32_t)(out->node_count * sizeof *out->nodes / PAGES_LARGE) + 1, touch_part, out);
     put(&l, root, 0);
     l.leaves[out->leaf_count].begin = in->count;
     return true;
@@ -186,6 +186,18 @@ static void point(uint32_t *reference, const bvh_leaf *leaves)
         *reference = BVH_LEAF | leaves[*reference & ~BVH_KIND].at;
 }
 
+static void point_part(void *user, uint32_t part, int hand)
+{
+    const leaf_work *w = user;
+    const uint32_t n = (uint32_t)w->tree->node_count;
+    uint32_t i, k;
+
+    (void)hand;
+    for (i = share_begin(n, BVH_PARTS, part); i < share_begin(n, BVH_PARTS, part + 1); i++)
+        for (k = 0; k < BVH_WIDTH; k++)
+            point(&w->tree->nodes[i].child[k], w->leaves);
+}
+
 /* Parts are filled from the last to the first, and leaves that are filled need no place in the list. */
 static void fill(leaf_work *w, bvh_leaf **leaves)
 {
@@ -207,7 +219,6 @@ bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves)
 {
     leaf_work w = { out, in, *leaves, 0 };
     size_t i;
-    int k;
 
     share_work(in->threads, BVH_PARTS, size_part, &w);
     if (!add_up(out, *leaves))
@@ -215,9 +226,7 @@ bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves)
     out->leaves = env_reserve_aligned(in->env, out->leaf_bytes, BVH_UNIT);
     if (!out->leaves || !in->leaves.allocate(in->leaves.user, out->leaves))
         return false;
-    for (i = 0; i < out->node_count; i++)
-        for (k = 0; k < BVH_WIDTH; k++)
-            point(&out->nodes[i].child[k], *leaves);
+    share_work(in->threads, BVH_PARTS, point_part, &w);
     for (i = 0; i < out->frame_count; i++)
         point(&out->frames[i].root, *leaves);
     fill(&w, leaves);
