@@ -42,40 +42,48 @@ typedef struct survey {
     size_t glossy, metallic, mirrors, transparent, bending, media;
 } survey;
 
+static bool is_solid(const object *o) { return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside; }
+
 bool plan_is_medium(const model *m, const object *o)
 {
-    return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside &&
-           material_is_transparent(&m->materials.items[o->material]);
+    return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);
 }
 
-static void see_object(survey *s, const object *o, const material *m)
+/* Of n objects that are alike in what counts. */
+static void see_objects(survey *s, const material *m, bool casts, bool solid, size_t n)
 {
-    bool transparent = material_is_transparent(m), casts = !(o->flags & OBJECT_NO_SHADOW);
-    bool glossy = m->phong != 0.0f;
+    bool transparent = material_is_transparent(m), glossy = m->phong != 0.0f;
 
-    s->answering += glossy || (m->diffuse != 0.0f && !colour_is_black(m->pigment));
-    s->casting += casts;
-    s->tinting += casts && transparent;
-    s->glossy += glossy;
-    s->metallic += glossy && m->metallic != 0.0f;
-    s->mirrors += !colour_is_black(m->reflection);
-    s->transparent += transparent;
-    s->bending += transparent && m->has_interior && m->ior != 1.0;
+    s->answering += glossy || (m->diffuse != 0.0f && !colour_is_black(m->pigment)) ? n : 0;
+    s->casting += casts ? n : 0;
+    s->tinting += casts && transparent ? n : 0;
+    s->glossy += glossy ? n : 0;
+    s->metallic += glossy && m->metallic != 0.0f ? n : 0;
+    s->mirrors += !colour_is_black(m->reflection) ? n : 0;
+    s->transparent += transparent ? n : 0;
+    s->bending += transparent && m->has_interior && m->ior != 1.0 ? n : 0;
+    s->media += transparent && solid ? n : 0;
 }
 
-static survey look(const model *m)
+/* Many objects are of few materials: they are counted first. False: no memory. */
+static bool look(const model *m, survey *s)
 {
-    survey s;
-    size_t i;
+    enum { CASTS = 1, SOLID = 2, KINDS = 4 };
+    size_t *counts = env_alloc(m->env, m->materials.count * KINDS, sizeof *counts), i;
+    bool done;
 
-    memset(&s, 0, sizeof s);
+    memset(s, 0, sizeof *s);
     for (i = 0; i < m->lights.count; i++)
-        s.shining += !colour_is_black(m->lights.items[i].color);
-    for (i = 0; i < m->objects.count; i++) {
-        see_object(&s, &m->objects.items[i], &m->materials.items[m->objects.items[i].material]);
-        s.media += plan_is_medium(m, &m->objects.items[i]);
+        s->shining += !colour_is_black(m->lights.items[i].color);
+    for (i = 0; counts && i < m->objects.count; i++) {
+        const object *o = &m->objects.items[i];
+        counts[(size_t)o->material * KINDS + (o->flags & OBJECT_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
     }
-    return s;
+    for (i = 0; counts && i < m->materials.count * KINDS; i++)
+        see_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);
+    done = counts != NULL;
+    env_free(m->env, counts);
+    return done;
 }
 
 /* ---- needs ---- */
@@ -230,11 +238,13 @@ static pov_status make_looks(plan *p, const model *m, pov_error *err)
 
 pov_status plan_make(plan *p, const model *m, pov_error *err)
 {
-    survey s = look(m);
+    survey s;
     pov_status status;
 
     memset(p, 0, sizeof *p);
     arena_init(&p->memory, m->env);
+    if (!look(m, &s))
+        return err_memory(err);
     decide(p, &s);
     status = make_looks(p, m, err);
     if (status == POV_OK)
