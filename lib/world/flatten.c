@@ -11,6 +11,7 @@
 /* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on
  * the stack; a larger class's copy is made where it would stay. */
 enum { INSTANCE_ALIGN = 32, ROOM = POV_PREPARED_MAX, MOST_CLASSES = 0x7fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
+enum { MADE = 16 };              /* classes whose last instances are remembered */
 /* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones are marked until the
  * lists are made. */
 enum { ALONE, PACKS, PLACED, KINDS, INFINITE = 0x8000 };
@@ -37,6 +38,14 @@ typedef struct survey {
     bool use_blocks;
 } survey;
 
+/* An instance that was made of what was written last of a class. */
+typedef struct made {
+    const pov_shape_class *shape;
+    const void *text;
+    void *instance;
+    bool kept;                   /* somebody points to it */
+} made;
+
 /* Works on one part. */
 typedef struct maker {
     const survey *survey;
@@ -47,8 +56,7 @@ typedef struct maker {
     const pov_shape_class *scratch_shape;
     void *scratch;               /* a block of that class, in memory for the largest so far */
     size_t scratch_bytes;
-    const object *kept_object;   /* whose instance was kept last */
-    const void *kept_instance;
+    made made[MADE];             /* by class */
     const void *boxed;           /* the placed instance that was looked at last: its box in its own space, if it has one */
     bool has_box;
     pov_box own;
@@ -72,15 +80,6 @@ void flat_make(const object *o, void *instance)
     }
 }
 
-/* An instance to look at: the model's own where that is one, else one made in the room. */
-static const void *look_at(const object *o, room *r)
-{
-    if (!o->shape->prepare)
-        return o->instance;
-    flat_make(o, aligned(r));
-    return aligned(r);
-}
-
 static uint32_t stride_of(const pov_shape_class *shape)
 {
     size_t bytes = shape->instance_size > 0 ? shape->instance_size : 1;
@@ -95,21 +94,55 @@ static bool is_finite_box(const pov_box *b)
 
 /* ---- one object ---- */
 
+static size_t find_class(maker *k, const pov_shape_class *shape)
+{
+    const class_list *all = &k->survey->classes;
+
+    if (all->items[k->class_index] != shape)
+        for (k->class_index = 0; all->items[k->class_index] != shape; k->class_index++)
+            continue;
+    return k->class_index;
+}
+
+/* An object's instance as it was written: the model's own where that is one, else one that serves for all of the class that
+ * follow and were written alike. It is kept from when somebody wants that. NULL: no memory. */
+static const void *make(maker *k, const object *o, bool keep)
+{
+    made *m = &k->made[find_class(k, o->shape) % MADE];
+
+    if (!o->shape->prepare)
+        return o->instance;
+    if (m->shape != o->shape || m->text != o->instance) {
+        if (m->shape != o->shape || m->kept)
+            m->instance = arena_alloc(k->kept, o->shape->instance_size, INSTANCE_ALIGN);
+        if (!m->instance)
+            return NULL;
+        flat_make(o, m->instance);
+        m->shape = o->shape;
+        m->text = o->instance;
+        m->kept = false;
+    }
+    m->kept = m->kept || keep;
+    return m->instance;
+}
+
 /* Let a copy take the transformation in: *out, or NULL if it cannot. */
 static pov_status absorb(maker *k, const object *o, const pov_affine *map, const void **out)
 {
     size_t bytes = o->shape->instance_size;
+    arena *home = flat_stays(k->f, o->shape) ? k->kept : k->staging;
+    const void *written = make(k, o, false);
     room here;
-    void *trial = bytes <= ROOM ? aligned(&here) : arena_alloc(k->staging, bytes, INSTANCE_ALIGN), *copy = trial;
+    void *trial = bytes <= ROOM ? aligned(&here) : arena_alloc(home, bytes, INSTANCE_ALIGN), *copy = trial;
 
     *out = NULL;
-    if (!trial)
+    if (!written || !trial)
         return POV_E_MEMORY;
-    flat_make(o, trial);
+    memcpy(trial, written, bytes);
     if (!o->shape->absorb(trial, map))
         return POV_OK;
     if (bytes <= ROOM) {
-        copy = arena_alloc(k->staging, bytes, INSTANCE_ALIGN);
+        copy = arena_alloc(home, bytes, INSTANCE_ALIGN);
         if (!copy)
             return POV_E_MEMORY;
         memcpy(copy, trial, bytes);
@@ -118,36 +151,18 @@ static pov_status absorb(maker *k, const object *o, const pov_affine *map, const
     return POV_OK;
 }
 
-/* The instance of a shape that is placed: the model's own, or one that is kept; the same for shapes in a row that were
- * written alike. NULL: no memory. */
-static const void *keep(maker *k, const object *o)
-{
-    const object *last = k->kept_object;
-
-    if (!o->shape->prepare)
-        return o->instance;
-    if (!last || last->shape != o->shape ||
-        (last->instance != o->instance && memcmp(last->instance, o->instance, o->shape->text_size) != 0)) {
-        void *made = arena_alloc(k->kept, o->shape->instance_size, INSTANCE_ALIGN);
-        if (!made)
-            return NULL;
-        flat_make(o, made);
-        k->kept_object = o;
-        k->kept_instance = made;
-    }
-    return k->kept_instance;
-}
-
 /* The box of a placed shape in its own space. False: there is none, and *out holds zeros. */
-static bool own_box(const object *o, const void *instance, pov_box *out)
+static bool own_box(const pov_shape_class *shape, const void *instance, pov_box *out)
 {
     static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
 
-    if (o->shape->bounds(instance, out) && is_finite_box(out))
+    if (shape->bounds(instance, out) && is_finite_box(out))
         return true;
     *out = none;
     return false;
 }
+
+static const pov_shape_class *shape_of(const flat *f, uint32_t id) { return f->groups[f->group[id]].shape; }
 
 void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out)
 {
@@ -165,13 +180,13 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
             own[i] = own[i - 1];
             finite[i] = finite[i - 1];
         } else {
-            finite[i] = own_box(&f->model->objects.items[ids[i]], instance, &own[i]);
+            finite[i] = own_box(shape_of(f, ids[i]), instance, &own[i]);
         }
     }
     placement_boxes(each, own, n, around);
     for (i = 0; i < n; i++) {
         const placement_wish w = { each[i], &own[i], finite[i] && is_finite_box(&around[i]) ? &around[i] : NULL,
-                                   f->model->objects.items[ids[i]].shape->flags };
+                                   shape_of(f, ids[i])->flags };
         wishes[i] = w;
     }
     placement_init_many(out, wishes, n);
@@ -183,7 +198,7 @@ static bool placed_box(maker *k, const object *o, const void *instance, bool rou
     const pov_affine *map;
 
     if (instance != k->boxed)
-        k->has_box = own_box(o, instance, &k->own);
+        k->has_box = own_box(o->shape, instance, &k->own);
     k->boxed = instance;
     if (!k->has_box)
         return false;
@@ -205,6 +220,7 @@ static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, 
     const pov_affine *map = roughly ? NULL : flat_maps_compose(&k->maps, o);
     pov_status status = POV_OK;
 
+    *instance = NULL;
     if (!roughly && !map)
         return POV_E_SYNTAX;
     if (!roughly && o->shape->absorb)
@@ -217,7 +233,7 @@ static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, 
         *finite = o->shape->bounds(*instance, box) && is_finite_box(box);
         return POV_OK;
     }
-    *instance = keep(k, o);
+    *instance = make(k, o, true);
     if (!*instance)
         return POV_E_MEMORY;
     k->part->composed++;
@@ -250,23 +266,32 @@ static pov_status try_block(maker *k, const pov_shape_class *shape, const void *
     return POV_OK;
 }
 
+/* Boxes hold no NaN, so that fmin() and fmax() would only be calls. */
+static double lesser(double a, double b) { return a < b ? a : b; }
+static double greater(double a, double b) { return a > b ? a : b; }
+
 static void join(pov_box *all, const pov_box *b)
 {
-    all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
-    all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
+    all->lo = pov_vec3_of(lesser(all->lo.x, b->lo.x), lesser(all->lo.y, b->lo.y), lesser(all->lo.z, b->lo.z));
+    all->hi = pov_vec3_of(greater(all->hi.x, b->hi.x), greater(all->hi.y, b->hi.y), greater(all->hi.z, b->hi.z));
 }
 
 static const pov_box everything = { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
 static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
-static size_t find_class(maker *k, const pov_shape_class *shape)
+/* What rays will look at of an object, but for where it is. */
+static void note(maker *k, const object *o, uint32_t index, const pov_box *box)
 {
-    const class_list *all = &k->survey->classes;
+    world_thing *thing = &k->f->things[index];
+    const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
+    const bool casts = !(o->flags & OBJECT_NO_SHADOW);
 
-    if (all->items[k->class_index] != shape)
-        for (k->class_index = 0; all->items[k->class_index] != shape; k->class_index++)
-            continue;
-    return k->class_index;
+    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE);
+    thing->material = o->material;
+    thing->inverse = (o->flags & OBJECT_INVERSE) != 0;
+    thing->tints = casts && clear;
+    if (clear)
+        join(&k->part->clear, box);
 }
 
 static pov_status flatten_one(maker *k, uint32_t index)
@@ -278,7 +303,6 @@ static pov_status flatten_one(maker *k, uint32_t index)
     bool finite, packs = false, placed = false;
     pov_status status = POV_OK;
     pov_box own, *box = &own;
-    room here;
 
     if (o->map) {
         status = move(k, o, index, &finite, &placed);
@@ -287,7 +311,11 @@ static pov_status flatten_one(maker *k, uint32_t index)
         box = &f->boxes[index];
         instance = f->moved[index];
     } else {
-        instance = look_at(o, &here);
+        instance = make(k, o, false);
+        if (!instance)
+            return POV_E_MEMORY;
+        if (f->moved)
+            f->moved[index] = NULL;
         finite = shape->bounds(instance, box) && is_finite_box(box);
     }
     if (k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
@@ -298,8 +326,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
         k->part->bounds = *box;
     else if (finite)
         join(&k->part->bounds, box);
-    if (material_is_transparent(&f->model->materials.items[o->material]))
-        join(&k->part->clear, finite ? box : &everything);
+    note(k, o, index, finite ? box : &everything);
     if (!finite) {
         f->group[index] |= INFINITE;
         k->part->infinite++;
@@ -363,6 +390,7 @@ static arena *make_arenas(const env *e, int count)
     return arenas;
 }
 
+/* What is by object is not zeroed: the system clears memory for who comes there first, which threads can do together. */
 static bool allocate(survey *s, bool any_map)
 {
     flat *f = s->f;
@@ -372,13 +400,15 @@ static bool allocate(survey *s, bool any_map)
     s->parts = env_alloc(f->env, s->part_count, sizeof *s->parts);
     f->staging = make_arenas(f->env, f->threads);
     f->kept = make_arenas(f->env, f->threads);
-    f->group = env_alloc(f->env, n, sizeof *f->group);
+    f->group = env_resize(f->env, NULL, n + 1, sizeof *f->group);
+    f->things = env_resize(f->env, NULL, n + 1, sizeof *f->things);
     if (any_map) {
-        f->moved = env_alloc(f->env, n, sizeof *f->moved);
-        f->boxes = env_alloc(f->env, n, sizeof *f->boxes);
-        f->maps = env_alloc(f->env, n, sizeof *f->maps);
+        f->moved = env_resize(f->env, NULL, n, sizeof *f->moved);
+        f->boxes = env_resize(f->env, NULL, n, sizeof *f->boxes);
+        f->maps = env_resize(f->env, NULL, n, sizeof *f->maps);
     }
-    return s->parts && f->staging && f->kept && f->group && (!any_map || (f->moved && f->boxes && f->maps));
+    return s->parts && f->staging && f->kept && f->group && f->things &&
+           (!any_map || (f->moved && f->boxes && f->maps));
 }
 
 /* The parts' counts together, or the first part's failure. */
@@ -435,8 +465,8 @@ static bool make_groups(survey *s)
 
     f->groups = env_alloc(f->env, most, sizeof *f->groups);
     f->packs = env_alloc(f->env, most, sizeof *f->packs);
-    f->finite = env_alloc(f->env, f->finite_count, sizeof *f->finite);
-    f->infinite = env_alloc(f->env, f->infinite_count, sizeof *f->infinite);
+    f->finite = env_resize(f->env, NULL, f->finite_count + 1u, sizeof *f->finite);
+    f->infinite = env_resize(f->env, NULL, f->infinite_count + 1u, sizeof *f->infinite);
     for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && i < n; i++) {
         unsigned mark = f->group[i], old = mark & ~(unsigned)INFINITE;
         if (!name[old]) {
@@ -468,6 +498,7 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
+    f->large_stay = m->objects.count > FLAT_MANY;
     f->threads = threads;
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);
@@ -487,10 +518,14 @@ void flat_box(const flat *f, uint32_t index, pov_box *out)
     const object *o = &f->model->objects.items[index];
     room here;
 
-    if (f->moved && f->moved[index])
+    if (f->moved && f->moved[index]) {
         *out = f->boxes[index];
-    else
-        o->shape->bounds(look_at(o, &here), out);
+    } else if (o->shape->prepare) {
+        flat_make(o, aligned(&here));
+        o->shape->bounds(aligned(&here), out);
+    } else {
+        o->shape->bounds(o->instance, out);
+    }
 }
 
 void flat_drop_boxes(flat *f)
@@ -535,6 +570,7 @@ void flat_free(flat *f)
     env_free(f->env, f->boxes);
     env_free(f->env, f->maps);
     env_free(f->env, f->group);
+    env_free(f->env, f->things);
     env_free(f->env, f->packs);
     env_free(f->env, f->finite);
     env_free(f->env, f->infinite);

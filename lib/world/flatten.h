@@ -7,6 +7,7 @@
 #include "base/share.h"
 #include "model/model.h"
 #include "world/run.h"
+#include "world/world.h"
 
 /* Shapes of one class that are stored and asked alike. */
 typedef struct shape_group {
@@ -21,18 +22,22 @@ typedef struct shape_group {
 /* Make an object's instance of what was written, in instance_size bytes. */
 void flat_make(const object *o, void *instance);
 
+enum { FLAT_CASTS = 1, FLAT_OPAQUE = 2, FLAT_LARGE = 256, FLAT_MANY = 1 << 17 };
+
 /* What is known of a model's objects while the world is built. Arrays are by object. */
 typedef struct flat {
     const env *env;
     const model *model;
     model *last;                 /* the same, if no other world is to come of it; NULL: it must stay as it is */
     bool use_blocks;
+    bool large_stay;             /* see flat_stays() */
     int threads;
     arena *staging;              /* by thread: copies that have absorbed a transformation, until runs take them */
-    arena *kept;                 /* by thread: instances of shapes that are placed, which runs point to */
+    arena *kept;                 /* by thread: instances of shapes that are placed, and of others that stay */
     const void **moved;          /* instances of those with a transformation; NULL: no object has one */
     pov_box *boxes;              /* the same, of finite ones */
     uint16_t *group;
+    world_thing *things;         /* in slot first FLAT_CASTS and FLAT_OPAQUE, until runs tell slot and group */
     uint32_t *maps;              /* bytes that the transformations of those that are placed take in a row; as moved */
     shape_group *groups;
     bool *packs;                 /* by group: do its shapes share leaves of the tree? */
@@ -43,6 +48,13 @@ typedef struct flat {
     pov_box clear;               /* around those that light passes; the other way round if there are none */
     size_t absorbed, composed, packed;
 } flat;
+
+/* Do instances of a class that have absorbed a transformation stay where they were made, unless they share a run? Then they
+ * are not copied, but lie in the order of the scene: of few objects rays lose more than is saved. */
+static inline bool flat_stays(const flat *f, const pov_shape_class *shape)
+{
+    return f->large_stay && shape->instance_size >= FLAT_LARGE;
+}
 
 /* use_blocks: whether shapes may share blocks. What flat_free() frees is there after a failure too. */
 pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err);

@@ -25,11 +25,10 @@ struct world {
     const env *env;
     const model *model;
     plan plan;
-    world_thing *things;         /* slot: the place among the group's instances; where the run is, of what is placed.
-                                  * tints: it is transparent, and throws a shadow */
+    world_thing *things;         /* slot: see RUNS_ALONE; tints: it is transparent, and throws a shadow */
     shape_group *groups;
     size_t group_count;
-    arena *kept;                 /* instances of shapes that are placed */
+    arena *kept;                 /* instances of shapes that are placed, and of others that stay where they were made */
     int kept_count;
     unsigned char *list_memory;
     const run *infinite;         /* asked for every ray; NULL: none */
@@ -128,15 +127,16 @@ void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from
 static inline shape_place world_place(const world *w, uint32_t index)
 {
     const world_thing *thing = &w->things[index];
-    const shape_group *g = &w->groups[thing->group];
     shape_place p = { NULL, NULL };
 
-    if (g->placed) {
+    if (thing->slot & RUNS_ALONE) {
         const unsigned char *base = thing->slot & RUNS_IN_LISTS ? w->list_memory : w->tree.leaves;
-        const run *r = (const run *)(const void *)(base + (size_t)(thing->slot & ~RUNS_IN_LISTS) * RUNS_LINE);
+        const size_t line = thing->slot & ~(RUNS_IN_LISTS | RUNS_ALONE);
+        const run *r = (const run *)(const void *)(base + line * RUNS_LINE);
         p.instance = r->instances;
-        p.placement = run_placement(r);
+        p.placement = r->flags & RUN_PLACED ? run_placement(r) : NULL;
     } else {
+        const shape_group *g = &w->groups[thing->group];
         p.instance = g->instances + (size_t)thing->slot * g->stride;
     }
     return p;

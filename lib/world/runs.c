@@ -14,8 +14,7 @@ bool runs_init(runs *r, flat *f, uint32_t parts)
     r->of = env_alloc(f->env, parts + 1u, sizeof *r->of);
     r->ready = env_resize(f->env, NULL, parts, PLACEMENT_MANY * sizeof *r->ready);
     r->at = env_alloc(f->env, parts, f->group_count * sizeof *r->at);
-    r->slot = env_alloc(f->env, f->model->objects.count, sizeof *r->slot);
-    return r->of && r->ready && r->at && r->slot;
+    return r->of && r->ready && r->at;
 }
 
 void runs_free(runs *r)
@@ -24,12 +23,14 @@ void runs_free(runs *r)
     env_free(r->flat->env, r->maps);
     env_free(r->flat->env, r->ready);
     env_free(r->flat->env, r->at);
-    env_free(r->flat->env, r->slot);
     r->of = NULL;
     r->maps = NULL;
     r->ready = NULL;
-    r->at = r->slot = NULL;
+    r->at = NULL;
 }
+
+/* Objects of a leaf lie anywhere in the scene. Looking ahead by so many hides most of the way to memory. */
+enum { AHEAD = 16, EXPECTED = 512 };
 
 /* ---- sizes ---- */
 
@@ -78,18 +79,37 @@ static unsigned room_of(const flat *f, const shape_group *g)
     return g->packs ? RUN_ROOM : 0;
 }
 
+/* Is the instance of a run's only shape where it will be? */
+static bool is_settled(const flat *f, uint32_t id, uint32_t count)
+{
+    return count == 1 && f->moved && f->moved[id] && flat_stays(f, f->groups[f->group[id]].shape);
+}
+
+/* What the size of what comes soon depends on. */
+SIMD_INLINE void expect_size(const flat *f, const uint32_t *ids)
+{
+    if (!f->moved || ids + AHEAD >= f->finite + f->finite_count)
+        return;
+    SIMD_EXPECT(&f->group[ids[AHEAD]]);
+    SIMD_EXPECT(&f->moved[ids[AHEAD]]);
+    SIMD_EXPECT(&f->maps[ids[AHEAD]]);
+}
+
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
 {
     const flat *f = r->flat;
     size_t bytes = 0;
     uint32_t n;
 
+    if (part > 0)
+        expect_size(f, ids);
     put_in_order(f, ids, count);
     r->of[part].ids += count;
     for (; count > 0; ids += n, count -= n) {
         const shape_group *g = &f->groups[f->group[ids[0]]];
         n = run_length(f, ids, count);
-        r->at[part * f->group_count + f->group[ids[0]]] += n;
+        if (!is_settled(f, ids[0], n))
+            r->at[part * f->group_count + f->group[ids[0]]] += n;
         bytes += run_bytes(g->shape, n, room_of(f, g));
         if (g->placed && f->last)
             r->of[part].maps += f->maps[ids[0]];
@@ -110,6 +130,8 @@ bool runs_allocate(runs *r)
             *at = all;
             all += n;
         }
+        if (all > RUNS_ALONE)
+            return false;
         if (f->groups[g].placed)
             continue;
         f->groups[g].instances = env_reserve_aligned(f->env, (size_t)all * f->groups[g].stride, 64);
@@ -120,9 +142,6 @@ bool runs_allocate(runs *r)
 }
 
 /* ---- transformations ---- */
-
-/* Objects of a leaf lie anywhere in the scene. Looking ahead by so many hides most of the way to memory. */
-enum { AHEAD = 16, EXPECTED = 512 };
 
 /* The last of its transformations and those written before it, which mostly lie before it. */
 SIMD_INLINE void expect_list(const transform *list)
@@ -235,16 +254,23 @@ static const placement *placement_of(runs *r, uint32_t part, uint32_t id)
 static const void *settle(runs *r, uint32_t id, uint32_t slot)
 {
     const flat *f = r->flat;
-    const object *o = &f->model->objects.items[id];
     const shape_group *g = &f->groups[f->group[id]];
     unsigned char *instance = g->instances + (size_t)slot * g->stride;
 
     if (f->moved && f->moved[id])
         memcpy(instance, f->moved[id], g->shape->instance_size);
     else
-        flat_make(o, instance);
-    r->slot[id] = slot;
+        flat_make(&f->model->objects.items[id], instance);
+    f->things[id].slot = slot;
     return instance;
+}
+
+/* Where the run of one whose instance is not among its group's stands. */
+static void note_run(runs *r, uint32_t id, const run *out)
+{
+    const size_t line = (size_t)((const unsigned char *)out - r->base) / RUNS_LINE;
+
+    r->flat->things[id].slot = (uint32_t)line | RUNS_ALONE | r->mark;
 }
 
 /* What a run of a placed shape holds besides, and where it can be found. */
@@ -260,7 +286,7 @@ static const void *place(runs *r, uint32_t part, const bvh_frame *frame, uint32_
         if (out->flags & RUN_ROOM)
             memcpy(start + RUN_PLACED_BYTES, &s, sizeof s);
     }
-    r->slot[id] = (uint32_t)((size_t)(start - r->base) / RUNS_LINE) | r->mark;
+    note_run(r, id, out);
     return r->flat->moved[id];
 }
 
@@ -288,7 +314,6 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
 {
     const flat *f = r->flat;
     uint32_t *at = &r->at[part * f->group_count + f->group[ids[0]]];
-    const model *m = f->model;
     const shape_group *g = &f->groups[f->group[ids[0]]];
     const void *selves[RUN_WIDTH] = { NULL };
     uint32_t i;
@@ -298,11 +323,20 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
     out->count = (uint8_t)count;
     out->flags = (uint8_t)(room_of(f, g) | (unsigned)g->class_number << RUN_CLASS_SHIFT);
     for (i = 0; i < count; i++) {
-        const object *o = &m->objects.items[ids[i]];
-        selves[i] = g->placed ? place(r, part, frame, ids[i], out) : settle(r, ids[i], (*at)++);
+        world_thing *thing = &f->things[ids[i]];
+
         out->object[i] = ids[i];
-        out->casts |= (uint8_t)(!(o->flags & OBJECT_NO_SHADOW) << i);
-        out->opaque |= (uint8_t)(!material_is_transparent(&m->materials.items[o->material]) << i);
+        out->casts |= (uint8_t)((thing->slot & FLAT_CASTS ? 1u : 0u) << i);
+        out->opaque |= (uint8_t)((thing->slot & FLAT_OPAQUE ? 1u : 0u) << i);
+        thing->group = f->group[ids[i]];
+        if (g->placed) {
+            selves[i] = place(r, part, frame, ids[i], out);
+        } else if (is_settled(f, ids[i], count)) {
+            note_run(r, ids[i], out);
+            selves[i] = f->moved[ids[i]];
+        } else {
+            selves[i] = settle(r, ids[i], (*at)++);
+        }
     }
     out->instances = selves[0];
     if (!g->placed)
@@ -316,16 +350,18 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
 /* A shape as it will soon be read, from where it stands now. */
 SIMD_INLINE void expect_shape(const flat *f, uint32_t id)
 {
-    const object *o = &f->model->objects.items[id];
-    const unsigned char *from = f->moved && f->moved[id] ? f->moved[id] : o->instance;
-    const size_t bytes = o->shape->instance_size < EXPECTED ? o->shape->instance_size : EXPECTED;
+    const pov_shape_class *shape = f->groups[f->group[id]].shape;
+    const unsigned char *moved = f->moved ? f->moved[id] : NULL;
+    const unsigned char *from = moved ? moved : f->model->objects.items[id].instance;
+    const size_t all = moved || !shape->prepare ? shape->instance_size : shape->text_size;
+    const size_t bytes = all < EXPECTED ? all : EXPECTED;
     size_t i;
 
     for (i = 0; i < bytes; i += RUNS_LINE)
         SIMD_EXPECT(from + i);
 }
 
-/* What will soon be read of an object. */
+/* What will soon be read of an object: of one that stays as it was written, where that is. */
 SIMD_INLINE void expect(const runs *r, const uint32_t *ids)
 {
     const flat *f = r->flat;
@@ -334,11 +370,12 @@ SIMD_INLINE void expect(const runs *r, const uint32_t *ids)
     if (r->mark != 0 || ids + 2 * AHEAD >= f->finite + f->finite_count)
         return;
     id = ids[2 * AHEAD];
-    SIMD_EXPECT(&f->model->objects.items[id]);
     SIMD_EXPECT(&f->group[id]);
-    SIMD_EXPECT(&r->slot[id]);
+    SIMD_EXPECT(&f->things[id]);
     if (f->moved)
         SIMD_EXPECT(&f->moved[id]);
+    else
+        SIMD_EXPECT(&f->model->objects.items[id]);
     expect_shape(f, ids[AHEAD]);
 }
 

@@ -22,17 +22,19 @@ typedef struct runs {
     unsigned char *maps;         /* see runs_take_maps(); NULL: the model still has them */
     placement *ready;            /* by part PLACEMENT_MANY: made before they are wanted, for many cost less at once */
     uint32_t *at;                /* by part and group: how many instances; then the place of the next */
-    uint32_t *slot;              /* by object: its place in its group; of one that is placed, where its run is */
     const unsigned char *base;   /* what runs are being filled, and the bit that tells which */
     uint32_t mark;
 } runs;
 
-/* Where the run of a placed shape is: in lines of memory, from the start of the leaves or, with this bit, the lists. */
+/* The slot of a shape that is placed, or whose instance stays where it was made: where its run is, in lines of memory from
+ * the start of the leaves or, with the other bit, of the lists. Else its place among its group's instances. */
+#define RUNS_ALONE 0x40000000u
 #define RUNS_IN_LISTS 0x80000000u
 enum { RUNS_LINE = 64 };
 
 bool runs_init(runs *r, flat *f, uint32_t parts);
-/* How many bytes the runs of these objects take. ids are put in order. */
+/* How many bytes the runs of these objects take. ids are put in order. Parts but the first are of the flat's finite objects,
+ * one after the other. */
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count);
 /* When all sizes have been asked: room for the instances. */
 bool runs_allocate(runs *r);

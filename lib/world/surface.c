@@ -197,6 +197,7 @@ static uint64_t find_normals(const world *w, const walker *k, const pov_ray *con
     for (some.count = some.turned = some.placed.count = 0; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
         const shape_group *g = &w->groups[w->things[which].group];
+        shape_place place;
 
         if (!g->placed && g->shape != shape && !POV_SHAPE_HAS(g->shape, normal_many)) {
             find_normal(w, rays[i], hits[i]);
@@ -207,15 +208,11 @@ static uint64_t find_normals(const world *w, const walker *k, const pov_ray *con
             continue;
         }
         shape = g->shape;
+        place = world_place(w, which);
+        some.selves[n] = place.instance;
         some.rays[n] = rays[i];
-        if (g->placed) {
-            const shape_place place = world_place(w, which);
-
-            some.selves[n] = place.instance;
+        if (place.placement)
             some.rays[n] = place_ray(&some, shape, place.placement, k, rays[i], hits[i]);
-        } else {
-            some.selves[n] = g->instances + (size_t)w->things[which].slot * g->stride;
-        }
         some.at[n] = &hits[i]->crossing;
         some.out[n] = &hits[i]->normal;
         some.count++;

@@ -2,6 +2,7 @@
 #include "world/parts.h"
 
 #include "base/err.h"
+#include "base/share.h"
 #include "base/vec.h"
 
 #include <string.h>
@@ -208,26 +209,6 @@ static bool make_list(layout *l)
     return true;
 }
 
-/* What rays look at of the objects. */
-static bool note_things(world *w, const flat *f, const uint32_t *slot)
-{
-    const size_t n = w->model->objects.count;
-    size_t i;
-
-    w->things = env_alloc(w->env, n, sizeof *w->things);
-    for (i = 0; w->things && i < n; i++) {
-        const object *o = &w->model->objects.items[i];
-        world_thing *thing = &w->things[i];
-
-        thing->slot = slot[i];
-        thing->material = o->material;
-        thing->group = f->group[i];
-        thing->inverse = (o->flags & OBJECT_INVERSE) != 0;
-        thing->tints = !(o->flags & OBJECT_NO_SHADOW) && material_is_transparent(&w->model->materials.items[o->material]);
-    }
-    return w->things != NULL;
-}
-
 static bool lay_out(world *w, flat *f, bool tree)
 {
     layout l;
@@ -235,7 +216,7 @@ static bool lay_out(world *w, flat *f, bool tree)
 
     l.world = w;
     done = runs_init(&l.runs, f, TREE_PART + (tree ? BVH_PARTS : 0)) && size_lists(&l, !tree) &&
-           (tree ? make_tree(&l) : make_list(&l)) && note_things(w, f, l.runs.slot);
+           (tree ? make_tree(&l) : make_list(&l));
     runs_free(&l.runs);
     return done;
 }
@@ -262,8 +243,10 @@ static void take_over(world *w, flat *f)
     w->group_count = f->group_count;
     w->kept = f->kept;
     w->kept_count = f->threads;
+    w->things = f->things;
     f->groups = NULL;
     f->kept = NULL;
+    f->things = NULL;
 }
 
 static pov_status build(world *w, const world_options *options, pov_error *err)

@@ -4,6 +4,7 @@
 
 #include "world/parts.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static world *make(const model *m, pov_accel accel, int threads)
@@ -224,6 +225,42 @@ static void instances_are_prepared_alone_absorbed_and_placed(void **state)
     model_free(&m);
 }
 
+/* Balls of the one class share leaves, those of the other stand alone. */
+static void large_shapes_that_absorb_are_found_among_very_many(void **state)
+{
+    typedef struct large_ball { test_ball ball; unsigned char more[FLAT_LARGE]; } large_ball;
+    large_ball shape = { { { 0.0, 0.0, 0.0 }, 1e-3 }, { 0 } };
+    pov_shape_class classes[2] = { test_ball_class, test_ball_class };
+    pov_vec3 *at = malloc((FLAT_MANY + 1) * sizeof *at);
+    uint32_t i, stay[2] = { 0, 0 };
+    test_random r = { 5 };
+    model m;
+    world *w;
+
+    (void)state;
+    assert_non_null(at);
+    test_model_init(&m, NULL);
+    classes[0].instance_size = classes[1].instance_size = sizeof shape;
+    classes[1].block_size = 0;
+    for (i = 0; i <= FLAT_MANY; i++) {
+        at[i] = pov_add(somewhere(&r, 1.0), pov_vec3_of(i % 2 ? 0.0 : 4.0, 0.0, 0.0));
+        test_add(&m, &classes[i % 2], &shape,
+                 test_transform(&m, NULL, TRANSFORM_TRANSLATE, at[i].x, at[i].y, at[i].z), 0, 0);
+    }
+    w = make(&m, POV_ACCEL_TREE, 2);
+    for (i = 0; i <= FLAT_MANY; i++) {
+        const shape_place place = world_place(w, i);
+
+        assert_memory_equal(&((const large_ball *)place.instance)->ball.centre, &at[i], sizeof at[i]);
+        assert_null(place.placement);
+        stay[i % 2] += w->things[i].slot >= RUNS_ALONE;
+    }
+    assert_true(stay[0] < FLAT_MANY / 4 && stay[1] == FLAT_MANY / 2);
+    world_destroy(w);
+    model_free(&m);
+    free(at);
+}
+
 /* Every third ball is stretched, some grounds are turned, and one in ten transformations is a matrix. */
 static void scatter(model *m, int count)
 {
@@ -417,6 +454,7 @@ int main(void)
         cmocka_unit_test(balls_in_balls_are_no_chain),
         cmocka_unit_test(instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory),
         cmocka_unit_test(instances_are_prepared_alone_absorbed_and_placed),
+        cmocka_unit_test(large_shapes_that_absorb_are_found_among_very_many),
         cmocka_unit_test(the_last_world_of_a_model_is_like_any_other_and_takes_its_transformations),
         cmocka_unit_test(bounds_are_those_of_the_finite_objects),
         cmocka_unit_test(a_plain_scene_leaves_out_what_it_does_not_need),
