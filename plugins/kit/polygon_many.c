@@ -126,7 +126,7 @@ KIT_CLONES static void find_crossed(const polygon_lanes *restrict l, plane_lanes
 }
 
 /* Whoever does not start on it, and surely goes through it or past it, or has no business there. False: open. */
-static bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, pov_hits *h)
+KIT_INLINE bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, pov_hits *h)
 {
     const kit_root r = { { p->t[i], p->t_lo[i] }, p->error[i], 0, 0 };
     const kit_verdict verdict = kit_judge(&r, p->unit[i], KIT_FINE, h);
