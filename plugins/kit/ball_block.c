@@ -69,7 +69,15 @@ KIT_INLINE nearest near_line(const ball *b, const line *l)
     return n;
 }
 
-KIT_INLINE int is_near(float ww, float outer) { return ww <= outer * outer * (1.0f + 8.0f * KIT_E); }
+KIT_INLINE float square_of(float outer) { return outer * outer * (1.0f + 8.0f * KIT_E); }
+
+/* May a line touch a sphere, and not before its start? How near it comes is known last, and is held against one limit. */
+KIT_INLINE int may_touch(const ball *b, const line *l, const nearest *n)
+{
+    const float outer = b->radius + l->blur;
+
+    return n->ww <= (n->middle >= -outer ? square_of(outer) : 0.0f);
+}
 
 /* Bounds along the ray on the chord that its line and a sphere share, if there is one: on where it comes in or, where
  * it starts within, leaves. */
@@ -78,7 +86,7 @@ KIT_INLINE void bound_chord(float radius, float blur, float smax, float middle, 
 {
     const float sure = smax * (1.0f - 16.0f * KIT_E) - blur;   /* no further away than tmax */
     const float outer = radius + blur, inner = radius - blur;
-    const float wide = sqrtf(outer * outer * (1.0f + 8.0f * KIT_E) - ww) + blur;
+    const float wide = sqrtf(square_of(outer) - ww) + blur;
     const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * KIT_E) - ww) - blur;
     const float in = middle - wide, surely_in = middle - narrow;
     const float out_from = middle + narrow, out_to = middle + wide;
@@ -108,7 +116,7 @@ KIT_INLINE void meet_balls(const void *block, const pov_rays *rays, size_t at, u
 
         middle[i] = n.middle;
         ww[i] = n.ww;
-        say.maybe.lane[i] = -is_near(n.ww, b.radius + l.blur);
+        say.maybe.lane[i] = -may_touch(&b, &l, &n);
     }
     some &= kit_bits_of(&say.maybe, POV_BLOCK_MAX);
     out->maybe = 0;
@@ -133,7 +141,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
 
         middle[i] = n.middle;
         ww[i] = n.ww;
-        say.maybe.lane[i] = -is_near(n.ww, b.radius + l.blur);
+        say.maybe.lane[i] = -may_touch(&b, &l, &n);
     }
     some &= kit_bits_of(&say.maybe, KIT_FLOATS);
     out->maybe = 0;
@@ -237,7 +245,7 @@ KIT_INLINE uint32_t near_beam(const kit_ball_block *s, const pov_rays *rays, uin
         const nearest n = near_line(&b, &l);
         const float outer = kit_float_sum(kit_float_greater(n.middle, 0.0f), dir, b.radius + pad);
 
-        near.lane[i] = -(is_near(n.ww * (keep * keep), outer) & (n.middle + outer + outer >= 0.0f));
+        near.lane[i] = -((n.ww * (keep * keep) <= square_of(outer)) & (n.middle + outer + outer >= 0.0f));
     }
     return kit_gather_bits(&near);
 }
