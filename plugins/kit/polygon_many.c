@@ -86,7 +86,8 @@ KIT_INLINE kit_ray find_plane(const polygon_lanes *l, uint32_t i, plane_lanes *o
 {
     const pov_ray ray = kit_get_ray(&l->rays, i);
     const pov_vec3 n = get_vector(l, i, NUMBER_OF(normal), 2);
-    const pov_two3 anchor = pov_two3_of(get_vector(l, i, NUMBER_OF(anchor), 2), get_vector(l, i, NUMBER_OF(anchor) + 1, 2));
+    const pov_two3 anchor = pov_two3_of(get_vector(l, i, NUMBER_OF(anchor), 2),
+                                        get_vector(l, i, NUMBER_OF(anchor) + 1, 2));
     const kit_ray k = kit_enter(&ray, anchor, l->number[NUMBER_OF(scale)][i]);
     const double slope = pov_dot(n, k.d), first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
     kit_root r;

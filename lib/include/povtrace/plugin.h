@@ -241,8 +241,8 @@ typedef struct pov_shape_class {
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
     /* Bytes of a block that one shape was packed in alone, if they are fewer than block_size; else 0. */
     size_t lone_block_size;
-    /* [render] As intersect_many() finds the nearest crossing, of pairs that a filter calls surely crossed: whether there is
-     * one need not be asked. No ray starts on its shape. */
+    /* [render] As intersect_many() finds the nearest crossing, of pairs that a filter calls surely crossed: whether
+     * there is one need not be asked. No ray starts on its shape. */
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
 } pov_shape_class;
 
