@@ -26,6 +26,7 @@ static void begin(asking *a, const world *w, walker *k, const spot *from, const 
     memset(a, 0, sizeof *a);
     a->walker = k;
     a->walk.tree = &w->tree;
+    a->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
     a->walk.ray = ray;
     a->walk.limit = tmax;
     a->walk.length = sqrt(pov_dot(ray->dir, ray->dir));
