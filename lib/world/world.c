@@ -49,9 +49,8 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
                         (size_t)f->finite_count, t->node_count, t->leaf_count, t->depth, t->frame_count,
                         1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->walks->name);
     return plan_add(&w->plan, err, false, "tree", "left out", "%s",
-                    accel == POV_ACCEL_NONE    ? "asked for none: every ray asks every object"
-                    : f->finite_count == 0 ? "no object has a finite box"
-                                               : "so few objects are asked one after the other");
+                    accel == POV_ACCEL_NONE ? "asked for none: every ray asks every object"
+                                            : "no object has a finite box");
 }
 
 /* ---- media ---- */
@@ -79,24 +78,6 @@ static bool find_media(world *w, const flat *f)
 }
 
 /* ---- lists and the tree ---- */
-
-/* Nanoseconds, measured with spheres: asking a packed run, asking a shape alone, and what a ray spends on a tree of one
- * node and what it meets there. Up to three runs or one shape alone are a list. */
-enum { RUN_COST = 13, ALONE_COST = 30, TREE_COST = 40 };
-
-static bool is_tiny(const flat *f)
-{
-    uint32_t in_group[8] = { 0 }, cost = 0;
-    uint32_t i;
-
-    if (f->finite_count > 3 * RUN_WIDTH || f->group_count > 8)
-        return false;
-    for (i = 0; i < f->finite_count; i++)
-        in_group[f->group[f->finite[i]]]++;
-    for (i = 0; i < f->group_count; i++)
-        cost += f->groups[i].packs ? RUN_COST * ((in_group[i] + RUN_WIDTH - 1) / RUN_WIDTH) : ALONE_COST * in_group[i];
-    return cost <= TREE_COST;
-}
 
 /* The lists are the first part of the runs, the tree's parts follow. */
 enum { LIST_PART, TREE_PART };
@@ -225,7 +206,7 @@ static bool lay_out(world *w, flat *f, bool tree)
 
 static pov_status compile(world *w, flat *f, const world_options *options, pov_error *err)
 {
-    bool tree = options->accel != POV_ACCEL_NONE && f->finite_count > 0 && !is_tiny(f);
+    bool tree = options->accel != POV_ACCEL_NONE && f->finite_count > 0;
 
     w->infinite_count = f->infinite_count;
     w->has_bounds = f->finite_count > 0;

@@ -373,14 +373,14 @@ static void a_plain_scene_leaves_out_what_it_does_not_need(void **state)
     (void)state;
     test_model_init(&m, NULL);
     test_add_ball(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
-    w = make(&m, POV_ACCEL_TREE, 1);
+    w = make(&m, POV_ACCEL_NONE, 1);
     p = world_plan(w);
     assert_false(p->lighting || p->shadows || p->coloured_shadows || p->highlights || p->metallic || p->reflection ||
                  p->transmission || p->refraction || p->media_at_start);
     row_is(w, "shadow rays", false, "left out", "no light shines");
     row_is(w, "reflection", false, "left out", "no surface has reflection");
     row_is(w, "transformations", false, "left out", "no object has one");
-    row_is(w, "tree", false, "left out", "so few objects are asked one after the other");
+    row_is(w, "tree", false, "left out", "asked for none: every ray asks every object");
     row_is(w, "plugin ball", true, "loaded", "objects: 1");
     row_is(w, "dialect", true, "povray", "a test");
     world_destroy(w);

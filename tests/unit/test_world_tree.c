@@ -336,7 +336,7 @@ static void points_alone_make_a_tree(void **state)
     model_free(&m);
 }
 
-static void few_objects_need_no_tree(void **state)
+static void a_tree_may_be_of_one_object_but_not_of_none(void **state)
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), pov_vec3_of(0.0, 0.0, 1.0));
     test_random r = { 36 };
@@ -351,10 +351,11 @@ static void few_objects_need_no_tree(void **state)
     make_pair(&p, &m);
     assert_false(same_answers(&p, &ray, HUGE_VAL, &h));
     assert_false(world_bounds(p.tree, &box));
+    assert_false(p.tree->has_tree);
     free_pair(&p);
     test_add_ball(&m, origin, 1.0, 0);
     make_pair(&p, &m);
-    assert_false(p.tree->has_tree);
+    assert_true(p.tree->has_tree);
     assert_true(same_answers(&p, &ray, HUGE_VAL, &h));
     same_number(h.crossing.t, 4.0);
     trace(&p, &r, 500, 1.0, origin);
@@ -482,7 +483,7 @@ int main(void)
         cmocka_unit_test(objects_all_alike_are_the_same_and_the_first_wins),
         cmocka_unit_test(degenerate_boxes_are_the_same),
         cmocka_unit_test(points_alone_make_a_tree),
-        cmocka_unit_test(few_objects_need_no_tree),
+        cmocka_unit_test(a_tree_may_be_of_one_object_but_not_of_none),
         cmocka_unit_test(infinite_objects_are_asked_apart),
         cmocka_unit_test(infinite_objects_share_blocks),
         cmocka_unit_test(of_equal_distances_the_earlier_object_wins),
