@@ -74,7 +74,7 @@ static seat find_seat(const bvh_twig *twigs, uint32_t which)
 
     for (i = 0; !left->is_end && i < 2; i++)
         look_below(&s, twigs, left->half[i], left->range.area);
-    for (i = t->above; i != 0 && s.looks > 0; i = twigs[i].above) {
+    for (i = t->above; i != 0 && s.looks > 0; i = twigs[i].above, s.looks--) {
         const uint32_t other = other_half(twigs, i);
         const box more = box_of(&twigs[other]);
 
