@@ -51,7 +51,8 @@ typedef struct bvh {
 enum { BVH_PARTS = 512 };
 
 typedef struct bvh_leaves {
-    size_t (*size)(void *user, uint32_t part, uint32_t *ids, uint32_t count);
+    /* Of the first `count` of the `rest` that are left of the part; nobody else looks at these meanwhile. */
+    size_t (*size)(void *user, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest);
     bool (*allocate)(void *user, const void *leaves);   /* what is to be filled */
     void (*fill)(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
     void (*filled)(void *user, uint32_t part);   /* that part and all behind it */

@@ -139,12 +139,14 @@ static void size_part(void *user, uint32_t part, int hand)
 {
     const leaf_work *w = user;
     const bvh_leaves *ask = &w->in->leaves;
-    uint32_t n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_PARTS, part);
+    const uint32_t n = (uint32_t)w->tree->leaf_count, last = share_begin(n, BVH_PARTS, part + 1);
+    uint32_t i;
 
     (void)hand;
-    for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
+    for (i = share_begin(n, BVH_PARTS, part); i < last; i++) {
         bvh_leaf *leaf = &w->leaves[i];
-        size_t bytes = ask->size(ask->user, part, w->in->ids + leaf->begin, leaf[1].begin - leaf->begin);
+        size_t bytes = ask->size(ask->user, part, w->in->ids + leaf->begin, leaf[1].begin - leaf->begin,
+                                 w->leaves[last].begin - leaf->begin);
         leaf->at = (uint32_t)((bytes + BVH_UNIT - 1) / BVH_UNIT);
     }
 }

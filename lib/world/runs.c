@@ -86,23 +86,22 @@ static bool is_settled(const flat *f, uint32_t id, uint32_t count)
 }
 
 /* What the size of what comes soon depends on. */
-SIMD_INLINE void expect_size(const flat *f, const uint32_t *ids)
+SIMD_INLINE void expect_size(const flat *f, const uint32_t *ids, uint32_t rest)
 {
-    if (!f->moved || ids + AHEAD >= f->finite + f->finite_count)
+    if (!f->moved || rest <= AHEAD)
         return;
     SIMD_EXPECT(&f->group[ids[AHEAD]]);
     SIMD_EXPECT(&f->moved[ids[AHEAD]]);
     SIMD_EXPECT(&f->maps[ids[AHEAD]]);
 }
 
-size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count)
+size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest)
 {
     const flat *f = r->flat;
     size_t bytes = 0;
     uint32_t n;
 
-    if (part > 0)
-        expect_size(f, ids);
+    expect_size(f, ids, rest);
     put_in_order(f, ids, count);
     r->of[part].ids += count;
     for (; count > 0; ids += n, count -= n) {

@@ -34,8 +34,8 @@ enum { RUNS_LINE = 64 };
 
 bool runs_init(runs *r, flat *f, uint32_t parts);
 /* How many bytes the runs of these objects take. ids are put in order. Parts but the first are of the flat's finite objects,
- * one after the other. */
-size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count);
+ * one after the other. rest: so many ids may be read ahead. */
+size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest);
 /* When all sizes have been asked: room for the instances. */
 bool runs_allocate(runs *r);
 /* The same objects in the same order within each part, into `base`; memory need not be zeroed. frame: what they stand in,

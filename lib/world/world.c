@@ -92,9 +92,9 @@ static bool size_lists(layout *l, bool with_finite)
 {
     const flat *f = l->runs.flat;
     world *w = l->world;
-    size_t second = with_finite ? runs_size(&l->runs, LIST_PART, f->finite, f->finite_count) : 0;
+    size_t second = with_finite ? runs_size(&l->runs, LIST_PART, f->finite, f->finite_count, 0) : 0;
 
-    l->first = runs_size(&l->runs, LIST_PART, f->infinite, f->infinite_count);
+    l->first = runs_size(&l->runs, LIST_PART, f->infinite, f->infinite_count, 0);
     if (l->first + second > 0)
         w->list_memory = env_reserve_aligned(w->env, l->first + second, 64);
     return w->list_memory || l->first + second == 0;
@@ -122,9 +122,9 @@ static void fill_lists(layout *l, bool with_finite)
     }
 }
 
-static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count)
+static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest)
 {
-    return runs_size(&((layout *)user)->runs, TREE_PART + part, ids, count);
+    return runs_size(&((layout *)user)->runs, TREE_PART + part, ids, count, rest);
 }
 
 /* Lists are filled first: the transformations of what is in them may go now. */
