@@ -126,7 +126,7 @@ static pov_two3 unit_row(pov_two3 row)
 {
     const double largest = largest_of(row), power = pov_inverse_power(largest);
 
-    return scaled(row, largest * power == 1.0 ? power : 0.5 * power);
+    return scaled(row, largest * power < 1.125 ? power : 0.5 * power);   /* no unit vector's is between 0.5 and 0.57 */
 }
 
 /* The box of two discs (ellipses, if a map squeezed them), wider by what the roundings here can have lost. */

@@ -105,10 +105,12 @@ static void prepare(kit_second_order *s, const pov_two *raw)
     length = length > 900 ? 900 : length < -900 ? -900 : length;
     s->length = length;
     s->largest = larger(larger(second + 2 * length, first + length), constant);
+    s->whole = true;
     for (i = 0; i < COEFFICIENTS; i++) {
         s->q[i] = pov_two_of(ldexp(raw[i].hi, power_of(s, i)), ldexp(raw[i].lo, power_of(s, i)));
         s->rough[i] = s->q[i].hi;
         s->size[i] = fabs(s->q[i].hi);
+        s->whole = s->whole && (raw[i].hi == 0.0 || s->size[i] > 0x1p-900);
     }
     s->sum2 = s->size[A] + s->size[B] + s->size[C] + s->size[D] + s->size[E] + s->size[F];
     s->sum1 = s->size[G] + s->size[H] + s->size[I];
@@ -320,7 +322,7 @@ bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map)
     pov_two old[COEFFICIENTS], raw[COEFFICIENTS];
     int axis[3], i;
 
-    if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
+    if (!s->whole || (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis)))
         return false;
     kit_inverse_linear(map, rows);
     for (i = 0; i < 3; i++)

@@ -17,6 +17,7 @@ typedef struct kit_second_order {
     bool flat;                     /* nothing of the second order: a plane */
     bool sizeless;                 /* nothing else: a cone, the same at every scale */
     bool closed;                   /* an ellipsoid for certain */
+    bool whole;                    /* no coefficient is so small beside the others that q has lost some of it */
     int length, largest;           /* the exponents of an inverse of scale, and of what was divided by */
 } kit_second_order;
 
