@@ -17,7 +17,7 @@ static double ior_of(const model *m, uint32_t which)
 
 void media_cross(const media_stack *stack, media_span in, const model *m, uint32_t which, media_crossing *out)
 {
-    const uint32_t *list = stack->items + in.first;
+    const uint32_t *list = in.count > 0 ? stack->items + in.first : NULL;
     size_t index = 0;
 
     while (index < in.count && list[index] != which)

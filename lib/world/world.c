@@ -104,7 +104,6 @@ static void fill_lists(layout *l, bool with_finite)
 {
     const flat *f = l->runs.flat;
     world *w = l->world;
-    unsigned char *second = w->list_memory + l->first;
     const run *i;
 
     l->runs.base = w->list_memory;
@@ -114,6 +113,8 @@ static void fill_lists(layout *l, bool with_finite)
         w->infinite = (const run *)(const void *)w->list_memory;
     }
     if (with_finite && f->finite_count > 0) {
+        unsigned char *second = w->list_memory + l->first;
+
         w->list_frame = bvh_frame_around(&f->bounds);
         runs_fill(&l->runs, LIST_PART, &w->list_frame, f->finite, f->finite_count, second);
         w->list = (const run *)(const void *)second;

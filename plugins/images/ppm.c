@@ -66,13 +66,13 @@ static void skip(source *from)
 /* A whole number; 0: there is none, or one that no picture has. */
 static int read_number(source *from)
 {
-    const int most = 1 << 28;
-    int value = 0;
+    const unsigned most = 1u << 28;
+    unsigned value = 0;
 
     skip(from);
     for (; from->at < from->end && *from->at >= '0' && *from->at <= '9' && value <= most; from->at++)
-        value = 10 * value + (*from->at - '0');
-    return value <= most ? value : 0;
+        value = 10 * value + (unsigned)(*from->at - '0');
+    return value <= most ? (int)value : 0;
 }
 
 /* The file's largest value becomes the largest of 8 or 16 bits. False: a sample is larger than that. */
