@@ -2,7 +2,7 @@
 #ifndef RENDER_RAYGEN_H
 #define RENDER_RAYGEN_H
 
-#include "world/world.h"
+#include "world/surface.h"
 
 /* The ray of a camera through pixel (x, y) of a picture, row 0 at the top; (dx, dy) is the place within the
  * pixel, from its top left corner: (1/2, 1/2) is the centre. The direction is as long as it comes, for

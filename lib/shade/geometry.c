@@ -60,7 +60,7 @@ void geometry_find(pov_tracer *t, uint32_t n)
     if (t->spots.count > 0)
         complete(t, n);
     else
-        world_surface_many(t->world, t->walker, t->rays, t->met, n, &g->to);
+        world_surface_many(t->world, walker_own(t->walker), t->rays, t->met, n, &g->to);
     if (!turn_plain(g, lanes_whole(n)))
         for (uint32_t i = 0; i < n; i++)
             turn(g, i, pov_unit(lanes_at(&g->to.way, i)));

@@ -1,9 +1,9 @@
 #include "shade/light.h"
 
+#include "base/bits.h"
 #include "base/simd.h"
 #include "shade/geometry.h"
 #include "shade/pigment.h"
-#include "world/bits.h"
 
 #include <povtrace/exact.h>
 

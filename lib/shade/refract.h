@@ -2,7 +2,7 @@
 #ifndef SHADE_REFRACT_H
 #define SHADE_REFRACT_H
 
-#include "world/world.h"
+#include "world/surface.h"
 
 /* Lists of media by object index, one behind the other: a ray's list is a span of it, the one entered last at
  * its end. Lists are made and dropped in the order of a stack. */

@@ -1,5 +1,6 @@
 #include "shade/shade.h"
 
+#include "base/bits.h"
 #include "base/clock.h"
 #include "base/err.h"
 #include "base/simd.h"
@@ -8,7 +9,6 @@
 #include "shade/geometry.h"
 #include "shade/light.h"
 #include "shade/surface.h"
-#include "world/bits.h"
 
 #include <float.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 #ifndef SHADE_SHADE_H
 #define SHADE_SHADE_H
 
+#include "query/query.h"
 #include "shade/refract.h"
-#include "world/world.h"
 
 #include <povtrace/render.h>
 #include <povtrace/trace.h>

@@ -1,10 +1,10 @@
-/* parts.h - what a world is made of, for the files of this room. */
+/* parts.h - what a world is made of, for the files of this room and of query. */
 #ifndef WORLD_PARTS_H
 #define WORLD_PARTS_H
 
-#include "world/bvh_company.h"
-#include "world/runs.h"
-#include "world/world.h"
+#include "bvh/traverse.h"
+#include "world/leaf_layout.h"
+#include "world/surface.h"
 
 /* A solid with an interior. */
 typedef struct medium {
@@ -46,25 +46,13 @@ struct world {
     medium_list media;           /* in the order of the scene */
 };
 
-/* For the crossings of one light path: with transparent shapes, and with one that blocks. */
-typedef struct tint_room { walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
-
 /* Rays in the spaces of placed shapes, by the caller's number, of the last question for what is nearest: of those that
  * are known, `of` is whose space it is. first: the first of the caller's hits. */
-typedef struct own_rays {
+struct own_rays {
     SIMD_ALIGNED pov_ray rays[WORLD_MANY];
     uint32_t of[WORLD_MANY];
     uint64_t known;
     const hit *first;
-} own_rays;
-
-struct walker {
-    own_rays own;
-    const env *env;
-    tint_room rooms[WORLD_MANY];
-    uint64_t decided;
-    class_counts classes;
-    bool failed;
 };
 
 static inline void own_begin(own_rays *own, const hit *first)
@@ -95,34 +83,6 @@ static inline void places_find(const places *p)
     if (p->count > 0)
         placement_rays(p->at, p->from, p->own, p->count);
 }
-
-/* Count questions to shapes of a run's class, and what was decided of them: once a run where that can be, for a shape's
- * quick answer takes hardly longer. */
-static inline void walker_count_class(walker *k, uint32_t number, uint32_t asked, uint32_t decided)
-{
-    k->classes.of[number].asked += asked;
-    if (decided)
-        k->classes.of[number].decided += decided;
-}
-
-static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_t decided)
-{
-    walker_count_class(k, run_class(r), asked, decided);
-}
-
-/* For a query that wants all: more room. hits->user is the tint_room. */
-bool crossings_grow(pov_hits *hits);
-/* From near to far. */
-void crossings_sort(pov_crossing *at, uint32_t count);
-/* What the surface of one lets through. */
-static inline colour crossing_filter(const world *w, const pov_crossing *at)
-{
-    return w->plan.looks[w->things[at->owner].material].filter.by;
-}
-/* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
-bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);
-/* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
-void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
 
 static inline shape_place world_place(const world *w, uint32_t index)
 {

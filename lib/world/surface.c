@@ -1,5 +1,5 @@
+#include "base/bits.h"
 #include "base/simd.h"
-#include "world/bits.h"
 #include "world/parts.h"
 
 /* ---- what world_nearest() leaves open ---- */
@@ -150,19 +150,19 @@ typedef struct normals {
     pov_ray own[WORLD_MANY];
 } normals;
 
-static inline const pov_ray *known_ray(const walker *k, const hit *h)
+static inline const pov_ray *known_ray(const own_rays *from, const hit *h)
 {
-    const size_t i = k ? (size_t)(h - k->own.first) : 0;
+    const size_t i = from ? (size_t)(h - from->first) : 0;
 
-    return k && (k->own.known >> i & 1) && k->own.of[i] == h->object ? &k->own.rays[i] : NULL;
+    return from && (from->known >> i & 1) && from->of[i] == h->object ? &from->rays[i] : NULL;
 }
 
 /* The ray that a class looks at for the normal of a placed shape. */
-static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, const placement *place, const walker *k,
+static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, const placement *place, const own_rays *from,
                                 const pov_ray *ray, hit *h)
 {
     const uint32_t n = some->turned++;
-    const pov_ray *known = shape->flags & POV_SHAPE_FACES ? ray : known_ray(k, h);
+    const pov_ray *known = shape->flags & POV_SHAPE_FACES ? ray : known_ray(from, h);
 
     some->place[n] = place;
     some->turn[n] = &h->normal;
@@ -187,7 +187,7 @@ static void find_added(normals *some, const pov_shape_class *shape)
 
 /* Normals of the class of the first of `left`, together, stage after stage. Those of classes that know no better are
  * asked for at once, where nothing is to be turned. The others are left. */
-static uint64_t find_normals(const world *w, const walker *k, const pov_ray *const *rays, hit *const *hits,
+static uint64_t find_normals(const world *w, const own_rays *from, const pov_ray *const *rays, hit *const *hits,
                              uint64_t left)
 {
     const pov_shape_class *shape = NULL;
@@ -212,7 +212,7 @@ static uint64_t find_normals(const world *w, const walker *k, const pov_ray *con
         some.selves[n] = place.instance;
         some.rays[n] = rays[i];
         if (place.placement)
-            some.rays[n] = place_ray(&some, shape, place.placement, k, rays[i], hits[i]);
+            some.rays[n] = place_ray(&some, shape, place.placement, from, rays[i], hits[i]);
         some.at[n] = &hits[i]->crossing;
         some.out[n] = &hits[i]->normal;
         some.count++;
@@ -222,7 +222,7 @@ static uint64_t find_normals(const world *w, const walker *k, const pov_ray *con
     return others;
 }
 
-void world_surface_many(const world *w, const walker *k, const pov_ray *const *rays, hit *const *hits, uint32_t n,
+void world_surface_many(const world *w, const own_rays *from, const pov_ray *const *rays, hit *const *hits, uint32_t n,
                         approaches *out)
 {
     uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0;
@@ -235,7 +235,7 @@ void world_surface_many(const world *w, const walker *k, const pov_ray *const *r
         put_points(out, i, rays[i], hits[i]);
     }
     while (left)
-        left = find_normals(w, k, rays, hits, left);
+        left = find_normals(w, from, rays, hits, left);
     for (i = 0; i < n; i++) {
         take_side(w, rays[i], hits[i]);
         put_normal(out, i, hits[i]);

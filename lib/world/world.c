@@ -1,4 +1,4 @@
-#include "world/bvh_build.h"
+#include "bvh/build.h"
 #include "world/parts.h"
 
 #include "base/err.h"

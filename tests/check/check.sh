@@ -61,17 +61,19 @@ room() {
     report "$1 includes only what its room may"
 }
 public='<povtrace/[a-z]+\.h>'
-# All but the contract, which only plug, sdl, world and api see.
+# All but the contract, which only plug, sdl, bvh, world, query and api see.
 plain='<povtrace/(povtrace|base|math|exact|scene|trace|render|image|plot)\.h>'
 room lib/include "$public"
 room lib/base "\"base/[a-z_]+\.h\"|<povtrace/(base|math|exact)\.h>"
 room lib/model "\"(model|base)/[a-z_]+\.h\"|$plain"
 room lib/plug "\"(plug|base)/[a-z_]+\.h\"|$public"
 room lib/sdl "\"(sdl|model|plug|base)/[a-z_]+\.h\"|$public"
-room lib/world "\"(world|model|plug|base)/[a-z_0-9]+\.h\"|$public"
-room lib/shade "\"(shade|world|model|base)/[a-z_]+\.h\"|$plain"
-room lib/render "\"(render|shade|world|model|base)/[a-z_]+\.h\"|$plain"
-room lib/api "\"(api|render|shade|world|sdl|plug|model|base)/[a-z_]+\.h\"|$public"
+room lib/bvh "\"(bvh|base)/[a-z_0-9]+\.h\"|$public"
+room lib/world "\"(world|bvh|model|plug|base)/[a-z_0-9]+\.h\"|$public"
+room lib/query "\"(query|world|bvh|model|base)/[a-z_0-9]+\.h\"|$public"
+room lib/shade "\"(shade|query|world|model|base)/[a-z_]+\.h\"|$plain"
+room lib/render "\"(render|shade|query|world|model|base)/[a-z_]+\.h\"|$plain"
+room lib/api "\"(api|render|shade|query|world|sdl|plug|model|base)/[a-z_]+\.h\"|$public"
 room plugins/primitives "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact)\.h>"
 room plugins/images "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
 room plugins/plots "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image|plot)\.h>"

@@ -3,7 +3,7 @@
 #define SUPPORT_SHAPES_H
 
 #include "model/model.h"
-#include "world/world.h"
+#include "query/query.h"
 
 #include <povtrace/plugin.h>
 

@@ -3,7 +3,7 @@
 #include "support/maps.h"
 
 #include "model/transform_rough.h"
-#include "world/placement.h"
+#include "world/instance.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,0 +1,417 @@
+#include "bvh/build.h"
+
+#include "base/share.h"
+#include "base/thread.h"
+#include "base/vec.h"
+
+#include <string.h>
+
+/* From this depth on the tree is halved by count, so that log8(2^32) < 12 more steps end it: BVH_DEPTH is enough. */
+enum { HALVE_FROM = 40 };
+/* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
+static const float frame_part = 0x1p-10f;
+enum { FRAME_LEAST = 16 };
+/* Twigs of trees of more leaves than that stay where they are: what is spared of each ray is less there, and not worth
+ * a third of the time that cuts take. */
+enum { IMPROVE_MOST = 1 << 18 };
+/* Parts of fewer things than this are not worth a thread's while. */
+enum { JOB_LEAST = 4096, THREADS_FROM = 20000, PARTS = 64 };
+
+/* A part of the tree that is to grow, perhaps by whoever comes first. */
+typedef struct job {
+    bvh_draft_child *child;
+    bvh_range range;             /* in its own frame where it has one */
+    double scale;                /* of that frame */
+    int depth;
+    bool is_fine;                /* no frame would be finer */
+} job;
+
+typedef struct builder {
+    const bvh_input *in;
+    int threads;
+    bvh_ref *refs;
+    const bvh_frame *frame;      /* the whole scene's */
+    bool improves;
+    mutex lock;                  /* guards what follows, while threads work */
+    condition changed;
+    struct { job *items; size_t count, capacity; } jobs;
+    int at_work;                 /* hands whose job may lead to others */
+    bool failed;
+} builder;
+
+/* One thread's part in it. */
+typedef struct hand {
+    builder *builder;
+    arena memory;
+} hand;
+
+/* One thing, or what one block can hold. Leaves that ask two blocks, or more things than one that stand alone, were
+ * measured to cost more than the nodes that tell them apart. */
+static bool is_leaf(const builder *b, const bvh_range *r)
+{
+    uint32_t i;
+    uint16_t group;
+
+    if (bvh_range_count(r) == 1)
+        return true;
+    if (bvh_range_count(r) > BVH_WIDTH)
+        return false;
+    group = b->in->group[b->refs[r->begin].id];
+    for (i = r->begin + 1; i < r->end; i++)
+        if (b->in->group[b->refs[i].id] != group)
+            return false;
+    return b->in->packs[group];
+}
+
+/* threads: who has nothing else to do. */
+static void cut(const builder *b, const bvh_range *r, bool halve, int threads, bvh_range *x, bvh_range *y)
+{
+    bvh_range whole = *r;
+
+    if (halve)
+        bvh_halve(&whole, b->refs, x, y);
+    else
+        bvh_split(&whole, b->refs, threads, x, y);
+    x->is_leaf = is_leaf(b, x);
+    y->is_leaf = is_leaf(b, y);
+}
+
+/* Which of the parts to cut next: the one most often met, or at great depth the one of most things; -1: none. */
+static int next_to_cut(const bvh_range *parts, int n, bool halve)
+{
+    float most = -1.0f;
+    int i, best = -1;
+
+    for (i = 0; i < n; i++) {
+        float size = halve ? (float)bvh_range_count(&parts[i]) : parts[i].area;
+        if (!parts[i].is_leaf && size > most) {
+            most = size;
+            best = i;
+        }
+    }
+    return best;
+}
+
+static bool grow_child(hand *h, const job *j);
+
+/* A node whose children are still to be set. */
+static bvh_draft_node *make_node(hand *h, const job *j, int n)
+{
+    bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node + (size_t)n * sizeof *node->child, 8);
+
+    if (node)
+        node->count = n;
+    j->child->node = node;
+    return node;
+}
+
+/* One of its children, which is to grow. */
+static job set_child(const job *above, bvh_draft_child *c, const bvh_range *r)
+{
+    const job below = { c, *r, above->scale, above->depth + 1, above->is_fine };
+
+    memcpy(c->lo, r->lo, sizeof c->lo);
+    memcpy(c->hi, r->hi, sizeof c->hi);
+    c->begin = r->begin;
+    c->count = bvh_range_count(r);
+    return below;
+}
+
+/* The things of a range become a node. */
+static bool grow_node(hand *h, const job *j)
+{
+    bvh_range parts[BVH_WIDTH];
+    bool halve = j->depth >= HALVE_FROM;
+    int n = 1, best, i, threads = j->depth == 0 ? h->builder->threads : 1;
+    bvh_draft_node *node;
+
+    parts[0] = j->range;
+    while (n < BVH_WIDTH && (best = next_to_cut(parts, n, halve)) >= 0) {
+        cut(h->builder, &parts[best], halve, threads, &parts[best], &parts[n]);
+        n++;
+    }
+    node = make_node(h, j, n);
+    for (i = 0; node && i < n; i++) {
+        const job below = set_child(j, &node->child[i], &parts[i]);
+        if (!grow_child(h, &below))
+            return false;
+    }
+    return node != NULL;
+}
+
+static bool wants_frame(const job *j, const bvh_range *r)
+{
+    int k;
+
+    if (j->is_fine)
+        return false;
+    for (k = 0; k < 3; k++)
+        if (r->hi[k] - r->lo[k] > frame_part)
+            return false;
+    return bvh_range_count(r) >= FRAME_LEAST && j->depth < HALVE_FROM;
+}
+
+/* Boxes within a few rounding errors of the world's own numbers gain nothing from a finer frame, and get none. */
+static bool set_frame(hand *h, job *j)
+{
+    const bvh_input *in = h->builder->in;
+    bvh_range *r = &j->range;
+    pov_box all = bvh_box_around(in, h->builder->refs, r->begin, r->end);
+    bvh_frame frame = bvh_frame_around(&all);
+
+    j->is_fine = frame.scale * (double)frame_part < 0.25 * j->scale;
+    if (j->is_fine)
+        return true;
+    j->child->frame = arena_alloc(&h->memory, sizeof frame, 8);
+    if (!j->child->frame)
+        return false;
+    *j->child->frame = frame;
+    j->scale = frame.scale;
+    bvh_frame_convert(&frame, in, h->builder->refs, r->begin, r->end);
+    bvh_range_measure(r, h->builder->refs, 1);
+    return true;
+}
+
+static bool grow(hand *h, const job *j);
+
+/* Cut a range in two, and those again, down to leaves and to what wants a frame of its own. The number of twigs. */
+static uint32_t grow_twigs(const builder *b, const job *j, bvh_twig *twigs)
+{
+    uint32_t count = 1, i;
+
+    twigs[0].range = j->range;
+    twigs[0].depth = j->depth;
+    for (i = 0; i < count; i++) {
+        bvh_twig *t = &twigs[i];
+
+        t->is_end = t->range.is_leaf || (i > 0 && wants_frame(j, &t->range));
+        if (t->is_end)
+            continue;
+        t->half[0] = count;
+        t->half[1] = count + 1;
+        cut(b, &t->range, t->depth >= HALVE_FROM, 1, &twigs[count].range, &twigs[count + 1].range);
+        twigs[count].depth = twigs[count + 1].depth = t->depth + 1;
+        twigs[count].above = twigs[count + 1].above = i;
+        count += 2;
+    }
+    return count;
+}
+
+/* A twig becomes a node, and those below it. */
+static bool collapse(hand *h, const job *j, const bvh_twig *twigs, uint32_t which)
+{
+    uint32_t children[BVH_WIDTH];
+    const int n = bvh_children_of(twigs, which, children);
+    bvh_draft_node *node = make_node(h, j, n);
+    int i;
+
+    for (i = 0; node && i < n; i++) {
+        const bvh_twig *t = &twigs[children[i]];
+        const job below = set_child(j, &node->child[i], &t->range);
+
+        if (!(t->is_end ? t->range.is_leaf || grow(h, &below) : collapse(h, &below, twigs, children[i])))
+            return false;
+    }
+    return node != NULL;
+}
+
+/* The things of a range become as few nodes, met as rarely, as can be. */
+static bool grow_small(hand *h, const job *j)
+{
+    const env *e = h->builder->in->env;
+    const size_t most = 2 * (size_t)bvh_range_count(&j->range);
+    bvh_twig *twigs = env_resize(e, NULL, most, sizeof *twigs);
+    uint32_t *order = env_resize(e, NULL, most, sizeof *order), count;
+    bool done = twigs && order;
+
+    if (done) {
+        count = grow_twigs(h->builder, j, twigs);
+        if (h->builder->improves)
+            bvh_improve_twigs(twigs, count);
+        if (bvh_order_twigs(twigs, order) > HALVE_FROM) {
+            count = grow_twigs(h->builder, j, twigs);   /* boxes in boxes can become a chain */
+            bvh_order_twigs(twigs, order);
+        }
+        bvh_weigh_twigs(twigs, order, count);
+        done = collapse(h, j, twigs, 0);
+    }
+    env_free(e, order);
+    env_free(e, twigs);
+    return done;
+}
+
+static bool grow(hand *h, const job *j)
+{
+    job own = *j;
+
+    if (wants_frame(&own, &own.range) && !set_frame(h, &own))
+        return false;
+    if (bvh_range_count(&own.range) < JOB_LEAST && own.depth < HALVE_FROM)
+        return grow_small(h, &own);
+    return grow_node(h, &own);
+}
+
+/* ---- by several threads ---- */
+
+static bool leave_to_others(hand *h, const job *j)
+{
+    builder *b = h->builder;
+    bool done;
+
+    mutex_lock(&b->lock);
+    done = VEC_PUSH(b->in->env, &b->jobs, *j);
+    condition_wake_all(&b->changed);
+    mutex_unlock(&b->lock);
+    return done;
+}
+
+static bool grow_child(hand *h, const job *j)
+{
+    if (j->range.is_leaf)
+        return true;
+    if (h->builder->threads > 1 && bvh_range_count(&j->range) >= JOB_LEAST)
+        return leave_to_others(h, j);
+    return grow(h, j);
+}
+
+/* Take jobs until there are none and nobody is left who could bring one. */
+static void work(void *user, uint32_t which, int unused)
+{
+    hand *h = (hand *)user + which;
+    builder *b = h->builder;
+
+    (void)unused;
+    mutex_lock(&b->lock);
+    while (!b->failed && (b->jobs.count > 0 || b->at_work > 0)) {
+        bool done;
+        job mine;
+        if (b->jobs.count == 0) {
+            condition_wait(&b->changed, &b->lock);
+            continue;
+        }
+        mine = b->jobs.items[--b->jobs.count];
+        b->at_work++;
+        mutex_unlock(&b->lock);
+        done = grow(h, &mine);
+        mutex_lock(&b->lock);
+        b->at_work--;
+        b->failed = b->failed || !done;
+        condition_wake_all(&b->changed);
+    }
+    mutex_unlock(&b->lock);
+}
+
+static void name_part(void *user, uint32_t part, int unused)
+{
+    const builder *b = user;
+    uint32_t begin = share_begin(b->in->count, PARTS, part), end = share_begin(b->in->count, PARTS, part + 1), i;
+
+    (void)unused;
+    for (i = begin; i < end; i++) {
+        const uint32_t id = b->in->ids[i];
+
+        b->refs[i].id = id;
+        b->refs[i].places = b->in->packs[b->in->group[id]] ? 1 : BVH_WIDTH;
+    }
+    bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
+}
+
+/* Are there few enough leaves, if all are as full as they can be? */
+static bool wants_improving(const builder *b)
+{
+    uint64_t places = 0;
+    uint32_t i;
+
+    for (i = 0; i < b->in->count; i++)
+        places += b->refs[i].places;
+    return places <= (uint64_t)BVH_WIDTH * IMPROVE_MOST;
+}
+
+/* The draft of the whole tree. */
+static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
+{
+    bvh_frame *frame = arena_alloc(&hands[0].memory, sizeof *frame, 8);
+    job all;
+    bool done;
+
+    if (!frame)
+        return false;
+    *frame = bvh_frame_around(&b->in->bounds);
+    b->frame = root->frame = frame;
+    root->count = b->in->count;
+    memset(&all, 0, sizeof all);
+    all.child = root;
+    all.scale = frame->scale;
+    all.range.end = b->in->count;
+    share_work(b->threads, PARTS, name_part, b);
+    b->improves = wants_improving(b);
+    bvh_range_measure(&all.range, b->refs, b->threads);
+    all.range.is_leaf = is_leaf(b, &all.range);
+    if (all.range.is_leaf)
+        return true;
+    done = grow(&hands[0], &all);
+    if (done && b->threads > 1) {
+        share_work(b->threads, (uint32_t)b->threads, work, hands);
+        done = !b->failed;
+    }
+    return done;
+}
+
+static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
+{
+    int n = b->threads, i;
+    hand *hands = env_alloc(b->in->env, (size_t)n, sizeof *hands);
+    bvh_draft_child root;
+    bool done;
+
+    if (!hands)
+        return false;
+    memset(&root, 0, sizeof root);
+    for (i = 0; i < n; i++) {
+        hands[i].builder = b;
+        arena_init(&hands[i].memory, b->in->env);
+    }
+    done = grow_all(b, &root, hands);
+    if (done && b->in->drop)
+        b->in->drop(b->in->box_user);
+    done = done && bvh_layout(out, b->in, &root, b->refs, leaves);
+    for (i = 0; i < n; i++)
+        arena_free(&hands[i].memory);
+    env_free(b->in->env, hands);
+    return done;
+}
+
+/* The nodes and the order of the leaves; what served to find them is given back. */
+static bool build_nodes(bvh *out, const bvh_input *in, bvh_leaf **leaves)
+{
+    builder b;
+    bool done = false;
+
+    memset(&b, 0, sizeof b);
+    b.in = in;
+    b.threads = in->count < THREADS_FROM ? 1 : in->threads;
+    b.refs = env_reserve_aligned(in->env, in->count * sizeof *b.refs, 64);
+    if (b.refs && mutex_init(&b.lock)) {
+        if (condition_init(&b.changed)) {
+            done = draft_and_lay_out(out, &b, leaves);
+            condition_destroy(&b.changed);
+        }
+        mutex_destroy(&b.lock);
+    }
+    env_free(in->env, b.jobs.items);
+    env_free_aligned(in->env, b.refs);
+    return done;
+}
+
+bool bvh_build(bvh *out, const bvh_input *in)
+{
+    bvh_leaf *leaves = NULL;
+    bool done;
+
+    memset(out, 0, sizeof *out);
+    done = build_nodes(out, in, &leaves) && bvh_place_leaves(out, in, &leaves);
+    env_free(in->env, leaves);
+    if (!done)
+        bvh_free(out, in->env);
+    return done;
+}

@@ -1,0 +1,87 @@
+/* corner.h - boxes by their corners, as vectors, for the steps of a build. */
+#ifndef BVH_CORNER_H
+#define BVH_CORNER_H
+
+#include "bvh/build.h"
+
+#include <float.h>
+#include <string.h>
+
+/* A corner of a box, as a vector; the fourth lane means nothing, and is no number in a reference. Loops over the lanes
+ * were taken apart by gcc 12. */
+#if defined(__GNUC__)
+typedef float corner __attribute__((vector_size(16)));
+typedef float corner_anywhere __attribute__((vector_size(16), aligned(4), may_alias));
+typedef int32_t corner_mask __attribute__((vector_size(16)));
+#define LANE(c, k) ((c)[k])
+static inline corner corner_at(const void *at) { return *(const corner_anywhere *)at; }
+static inline corner sum_of(corner a, corner b) { return a + b; }
+static inline corner where(corner_mask m, corner a, corner b)
+{
+    return (corner)(((corner_mask)a & m) | ((corner_mask)b & ~m));
+}
+#if defined(__SSE__)
+/* gcc 12 makes four instructions of the others. */
+static inline corner lesser(corner a, corner b) { return __builtin_ia32_minps(a, b); }
+static inline corner greater(corner a, corner b) { return __builtin_ia32_maxps(a, b); }
+#else
+static inline corner lesser(corner a, corner b) { return where(a < b, a, b); }
+static inline corner greater(corner a, corner b) { return where(a > b, a, b); }
+#endif
+#else
+typedef struct corner { float lane[4]; } corner;
+#define LANE(c, k) ((c).lane[k])
+static inline corner corner_at(const void *at)
+{
+    corner c;
+
+    memcpy(&c, at, sizeof c);
+    return c;
+}
+static inline corner sum_of(corner a, corner b)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        a.lane[k] += b.lane[k];
+    return a;
+}
+static inline corner lesser(corner a, corner b)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        a.lane[k] = a.lane[k] < b.lane[k] ? a.lane[k] : b.lane[k];
+    return a;
+}
+static inline corner greater(corner a, corner b)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        a.lane[k] = a.lane[k] > b.lane[k] ? a.lane[k] : b.lane[k];
+    return a;
+}
+#endif
+
+typedef struct box { corner lo, hi; } box;
+
+static const box no_box = { { FLT_MAX, FLT_MAX, FLT_MAX, FLT_MAX }, { -FLT_MAX, -FLT_MAX, -FLT_MAX, -FLT_MAX } };
+
+static inline box add(box b, corner lo, corner hi)
+{
+    const box sum = { lesser(lo, b.lo), greater(hi, b.hi) };
+
+    return sum;
+}
+
+/* Half the surface. */
+static inline float area_of(const box *b)
+{
+    const float x = LANE(b->hi, 0) - LANE(b->lo, 0), y = LANE(b->hi, 1) - LANE(b->lo, 1);
+    const float z = LANE(b->hi, 2) - LANE(b->lo, 2);
+
+    return x * y + y * z + z * x;
+}
+
+#endif

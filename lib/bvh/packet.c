@@ -1,0 +1,427 @@
+#include "bvh/packet.h"
+
+#include "base/bits.h"
+
+#include <string.h>
+
+/* What all rays of a company share, by axis: ends of the interval of 1/d, and by end the offsets. The fourth goes for
+ * nothing. */
+typedef struct company_bounds { float inverse[2][4], near_offset[2][4], far_offset[2][4]; } company_bounds;
+
+/* Arrays by lane; eight lanes are loaded at once. */
+#ifdef __GNUC__
+#define COMPANY_ALIGNED __attribute__((aligned(64)))
+#else
+#define COMPANY_ALIGNED
+#endif
+
+typedef struct company {
+    float inverse[3][BVH_COMPANY], near_offset[3][BVH_COMPANY], far_offset[3][BVH_COMPANY], limit[BVH_COMPANY];
+    double scale[BVH_COMPANY];
+    company_bounds bounds;
+    uint32_t near_row[4];        /* rows of a node's bounds: where rays enter; row ^ 1 is where they leave */
+    float least;                 /* no limit is less */
+    bool near;                   /* all origins are near the frame */
+    const bvh *tree;
+    bvh_party *party;
+    uint64_t open, ended;        /* lanes that still walk; those that a leaf ended */
+    uint32_t width;              /* lanes, a multiple of eight */
+    uint32_t frame;
+} COMPANY_ALIGNED company;
+
+/* Of rays that are taken into a frame in floats. In the units of traverse.h: twice |b - o| for 1/d, of a rounded d; |b|
+ * for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6 |o|. */
+#define COMPANY_SLACK 0x1p-21f
+
+/* What is still to be visited, and by whom: the lower and the upper half of the lanes. Entries may be less than they
+ * are by a few units in the last place. Eight of each may be stored at once. */
+typedef struct company_stack {
+    float entry[BVH_STACK + BVH_WIDTH];
+    uint32_t at[BVH_STACK + BVH_WIDTH], low[BVH_STACK + BVH_WIDTH], high[BVH_STACK + BVH_WIDTH];
+} company_stack;
+
+static inline void put_on(company_stack *s, uint32_t top, float entry, uint32_t at, uint64_t lanes)
+{
+    s->entry[top] = entry;
+    s->at[top] = at;
+    s->low[top] = (uint32_t)lanes;
+    s->high[top] = (uint32_t)(lanes >> 32);
+}
+
+static inline uint64_t lanes_on(const company_stack *s, uint32_t top)
+{
+    return (uint64_t)s->high[top] << 32 | s->low[top];
+}
+
+/* Above those from base on that are nearer. */
+static inline void put_in(company_stack *s, uint32_t base, uint32_t top, float entry, uint32_t at, uint64_t lanes)
+{
+    for (; top > base && s->entry[top - 1] < entry; top--)
+        put_on(s, top, s->entry[top - 1], s->at[top - 1], lanes_on(s, top - 1));
+    put_on(s, top, entry, at, lanes);
+}
+
+#if defined(__AVX512VL__) && defined(__GNUC__)
+
+/* Up to so many lanes go one by one against all children. */
+enum { COMPANY_FEW_LANES = 12 };
+
+static inline bool is_few(uint64_t lanes) { return __builtin_popcountll(lanes) <= COMPANY_FEW_LANES; }
+
+/* Are these less than what is to be held against children, eight at a time? */
+static inline bool are_less(uint64_t lanes, uint64_t eights, uint32_t children)
+{
+    return __builtin_popcountll(lanes) <= __builtin_popcountll(eights) * __builtin_popcount(children);
+}
+
+#else
+
+/* Up to four: to take each of them to all children costs less than to take all to each child. */
+static inline bool is_few(uint64_t lanes)
+{
+    lanes &= lanes - 1;
+    lanes &= lanes - 1;
+    lanes &= lanes - 1;
+    return (lanes & (lanes - 1)) == 0;
+}
+
+static inline bool are_less(uint64_t lanes, uint64_t eights, uint32_t children)
+{
+    (void)lanes, (void)eights, (void)children;
+    return false;
+}
+
+#endif
+
+/* A bit for each eight lanes of which there is one, at the last of them. */
+static inline uint64_t eights_of(uint64_t lanes)
+{
+    const uint64_t low = 0x7f7f7f7f7f7f7f7fu;
+
+    return (((lanes & low) + low) | lanes) & ~low;
+}
+
+/* Filters may take sixteen at a time: places past the width hold nothing then that is slow to compute with, as denormal
+ * floats are. */
+static void clear_past(pov_rays *side, uint32_t width)
+{
+    const size_t bytes = 8 * sizeof(float);
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        memset(side->framed.org[k] + width, 0, bytes);
+        memset(side->framed.dir[k] + width, 0, bytes);
+    }
+    memset(side->framed.size + width, 0, bytes);
+    memset(side->framed.smax + width, 0, bytes);
+}
+
+static void begin(company *c, bvh_party *party)
+{
+    c->tree = party->tree;
+    c->party = party;
+    c->open = party->lanes;
+    c->ended = 0;
+    c->width = (party->count + 7) & ~7u;
+    if (c->width & 8)
+        clear_past(&party->side, c->width);
+    c->frame = 0;
+}
+
+static inline void end_lanes(company *c, uint64_t lanes)
+{
+    c->open &= ~lanes;
+    c->ended |= lanes;
+}
+
+static inline void lower_limit(company *c, uint32_t i)
+{
+    pov_rays *side = &c->party->side;
+
+    c->limit[i] = side->framed.smax[i] = bvh_limit(c->scale[i], side->framed.shift[i], c->party->limit[i]);
+    c->least = c->limit[i] < c->least ? c->limit[i] : c->least;
+}
+
+static inline void lower_limits(company *c)
+{
+    uint64_t lanes = c->party->lowered & c->open;
+
+    for (; lanes; lanes &= lanes - 1)
+        lower_limit(c, first_of64(lanes));
+    c->party->lowered = 0;
+}
+
+/* The lane of one axis. */
+static inline void put_axis(company *c, uint32_t i, int k, double o, double d)
+{
+    const double a = fabs(d), inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
+    const double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
+
+    c->inverse[k][i] = (float)inverse;
+    c->near_offset[k][i] = (float)(o * inverse + slack);
+    c->far_offset[k][i] = (float)(o * inverse - slack);
+}
+
+static inline void put_lane(company *c, uint32_t i, const bvh_local *l)
+{
+    put_axis(c, i, 0, l->org.x, l->dir.x);
+    put_axis(c, i, 1, l->org.y, l->dir.y);
+    put_axis(c, i, 2, l->org.z, l->dir.z);
+    c->scale[i] = l->scale;
+    bvh_stand(&c->party->side, i, l, 0.0f);
+}
+
+/* The places of lanes that are not in the frame hold one that is, so that bounds are not widened, and a limit that
+ * nothing is within. */
+static void fill_others(company *c, uint64_t in)
+{
+    const uint32_t some = first_of64(in);
+    pov_rays *side = &c->party->side;
+    uint32_t i;
+    int k;
+
+    for (i = 0; i < c->width; i++) {
+        if (in >> i & 1)
+            continue;
+        for (k = 0; k < 3; k++) {
+            c->inverse[k][i] = c->inverse[k][some];
+            side->framed.org[k][i] = side->framed.org[k][some];
+        }
+        c->limit[i] = -1.0f;
+    }
+}
+
+/* Lanes that are in the frame. */
+static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
+{
+    const bvh_party *party = c->party;
+    uint64_t in = 0;
+    bvh_local l;
+    uint32_t i;
+
+    for (; lanes; lanes &= lanes - 1) {
+        i = first_of64(lanes);
+        bvh_write(party, i);
+        if (!bvh_enter(&c->tree->frames[frame], party->rays[i], party->length[i], party->side.per_length[i], &l))
+            continue;
+        if (l.slack > BVH_SLACK) {
+            *blind |= (uint64_t)1 << i;
+            continue;
+        }
+        put_lane(c, i, &l);
+        lower_limit(c, i);
+        in |= (uint64_t)1 << i;
+    }
+    return in;
+}
+
+/* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
+static inline void bound(company *c, int k, float lo, float hi, float first, float last)
+{
+    company_bounds *b = &c->bounds;
+    bool backward = lo < 0.0f;
+    double near = (double)(backward ? first : last), far = (double)(backward ? last : first);
+    double size = fabs(near) > fabs(far) ? fabs(near) : fabs(far), slack = 2.0 * BVH_SLACK * (1.0 + size);
+    int end;
+
+    c->near = c->near && size <= BVH_NEAR;
+    c->near_row[k] = 2u * (uint32_t)k + backward;
+    b->inverse[0][k] = lo;
+    b->inverse[1][k] = hi;
+    for (end = 0; end < 2; end++) {
+        double r = (double)b->inverse[end][k];
+        b->near_offset[end][k] = (float)(near * r + fabs(r) * slack);
+        b->far_offset[end][k] = (float)(far * r - fabs(r) * slack);
+    }
+}
+
+static inline float greater(float a, float b) { return a > b ? a : b; }
+static inline float lesser(float a, float b) { return a < b ? a : b; }
+
+/* ---- for every processor ---- */
+
+/* Of 1/d and o on one axis, by eight columns. Lanes that take no part hold another's values. */
+static inline void bound_axis(company *c, int k)
+{
+    const float *inverse = c->inverse[k], *o = c->party->side.framed.org[k];
+    float lo[8], hi[8], first[8], last[8];
+    uint32_t i, j;
+
+    for (j = 0; j < 8; j++) {
+        lo[j] = hi[j] = inverse[j];
+        first[j] = last[j] = o[j];
+    }
+    for (i = 8; i < c->width; i += 8)
+        for (j = 0; j < 8; j++) {
+            lo[j] = lesser(inverse[i + j], lo[j]);
+            hi[j] = greater(inverse[i + j], hi[j]);
+            first[j] = lesser(o[i + j], first[j]);
+            last[j] = greater(o[i + j], last[j]);
+        }
+    for (j = 1; j < 8; j++) {
+        lo[0] = lesser(lo[j], lo[0]);
+        hi[0] = greater(hi[j], hi[0]);
+        first[0] = lesser(first[j], first[0]);
+        last[0] = greater(last[j], last[0]);
+    }
+    bound(c, k, lo[0], hi[0], first[0], last[0]);
+}
+
+static inline void bound_all_portable(company *c)
+{
+    int k;
+
+    c->near = true;
+    for (k = 0; k < 3; k++)
+        bound_axis(c, k);
+}
+
+/* Boxes that any lane may meet, and what no lane enters them before. */
+static inline uint32_t group_portable(const bvh_node *node, const company *c, float entry[BVH_WIDTH], uint32_t *all)
+{
+    float leave[BVH_WIDTH];
+    const company_bounds *b = &c->bounds;
+    uint32_t mask = 0;
+    int i, k;
+
+    *all = 0;
+    for (i = 0; i < BVH_WIDTH; i++) {
+        entry[i] = 0.0f;
+        leave[i] = HUGE_VALF;
+    }
+    for (k = 0; k < 3; k++) {
+        const float *near = node->bounds[c->near_row[k]], *far = node->bounds[c->near_row[k] ^ 1];
+        for (i = 0; i < BVH_WIDTH; i++) {
+            float x = near[i] * b->inverse[0][k] - b->near_offset[0][k];
+            float y = near[i] * b->inverse[1][k] - b->near_offset[1][k];
+            entry[i] = greater(entry[i], lesser(x, y));
+        }
+        for (i = 0; i < BVH_WIDTH; i++) {
+            float x = far[i] * b->inverse[0][k] - b->far_offset[0][k];
+            float y = far[i] * b->inverse[1][k] - b->far_offset[1][k];
+            leave[i] = lesser(leave[i], greater(x, y));
+        }
+    }
+    for (i = 0; i < BVH_WIDTH; i++)
+        mask |= (uint32_t)(entry[i] <= leave[i]) << i;
+    return mask;
+}
+
+/* Boxes that any of a few lanes may meet, by child which of them, and where the first of these enters it. */
+static inline uint32_t few_portable(const bvh_node *node, const company *c, uint64_t lanes, float entry[BVH_WIDTH],
+                                    uint64_t meet[BVH_WIDTH])
+{
+    uint32_t mask = 0;
+    int i, k;
+
+    for (i = 0; i < BVH_WIDTH; i++) {
+        entry[i] = HUGE_VALF;
+        meet[i] = 0;
+    }
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t lane = first_of64(lanes);
+        float in[BVH_WIDTH], out[BVH_WIDTH];
+
+        for (i = 0; i < BVH_WIDTH; i++) {
+            in[i] = 0.0f;
+            out[i] = c->limit[lane];
+        }
+        for (k = 0; k < 3; k++) {
+            const float *near = node->bounds[c->near_row[k]], *far = node->bounds[c->near_row[k] ^ 1];
+            const float r = c->inverse[k][lane], first = c->near_offset[k][lane], last = c->far_offset[k][lane];
+            for (i = 0; i < BVH_WIDTH; i++)
+                in[i] = greater(in[i], near[i] * r - first);
+            for (i = 0; i < BVH_WIDTH; i++)
+                out[i] = lesser(out[i], far[i] * r - last);
+        }
+        for (i = 0; i < BVH_WIDTH; i++)
+            if (in[i] <= out[i]) {
+                entry[i] = lesser(entry[i], in[i]);
+                meet[i] |= (uint64_t)1 << lane;
+                mask |= 1u << i;
+            }
+    }
+    return mask;
+}
+
+/* The lanes that may meet a child. */
+static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes,
+                                      uint64_t eights)
+{
+    uint64_t meet = 0;
+    uint32_t j;
+    int k;
+
+    for (; eights; eights &= eights - 1) {
+        const uint32_t i = first_of64(eights) & 56;
+        float entry[8], leave[8];
+        for (j = 0; j < 8; j++) {
+            entry[j] = 0.0f;
+            leave[j] = c->limit[i + j];
+        }
+        for (k = 0; k < 3; k++) {
+            uint32_t row = c->near_row[k];
+            float near = node->bounds[row][child], far = node->bounds[row ^ 1][child];
+            for (j = 0; j < 8; j++) {
+                float x = near * c->inverse[k][i + j] - c->near_offset[k][i + j];
+                float y = far * c->inverse[k][i + j] - c->far_offset[k][i + j];
+                entry[j] = greater(entry[j], x);
+                leave[j] = lesser(leave[j], y);
+            }
+        }
+        for (j = 0; j < 8; j++)
+            meet |= (uint64_t)(entry[j] <= leave[j]) << (i + j);
+    }
+    return meet & lanes;
+}
+
+/* The lanes whose limit is not before an entry. */
+static inline uint64_t within_portable(const company *c, float entry, uint64_t lanes)
+{
+    uint64_t in = 0;
+    uint32_t i;
+
+    for (i = 0; i < c->width; i++)
+        in |= (uint64_t)(entry <= c->limit[i]) << i;
+    return in & lanes;
+}
+
+#define COMPANY_TARGET
+#define COMPANY_NAME(name) name##_portable
+#define COMPANY_BOUND_ALL bound_all_portable
+#define COMPANY_GROUP group_portable
+#define COMPANY_FEW few_portable
+#define COMPANY_LANES lanes_portable
+#define COMPANY_WITHIN within_portable
+#define COMPANY_LOWER lower_limits
+#include "bvh/packet_body.h"
+#undef COMPANY_TARGET
+#undef COMPANY_NAME
+#undef COMPANY_BOUND_ALL
+#undef COMPANY_GROUP
+#undef COMPANY_FEW
+#undef COMPANY_LANES
+#undef COMPANY_WITHIN
+#undef COMPANY_LOWER
+#undef COMPANY_PUSH_FEW
+
+/* ---- for those with AVX2 ---- */
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
+
+#include "bvh/packet_avx2.h"
+
+#define COMPANY_NAME(name) name##_avx2
+#define COMPANY_BOUND_ALL bound_all_avx2
+#define COMPANY_GROUP group_avx2
+#define COMPANY_FEW few_avx2
+#define COMPANY_LANES lanes_avx2
+#define COMPANY_WITHIN within_avx2
+#define COMPANY_LOWER lower_avx2
+#include "bvh/packet_body.h"
+
+#ifdef __AVX512VL__
+#include "bvh/interleaved.h"
+#endif
+
+#endif

@@ -1,0 +1,290 @@
+/* packet_avx2.h - the tests of packet.c for processors with AVX2, and what those with AVX-512 have in place
+ * of some of them. No guard: it is included there, once. */
+
+#include "bvh/avx2.h"
+
+#define COMPANY_TARGET BVH_AVX2
+
+/* The least of each of three, side by side. */
+COMPANY_TARGET static inline __m128 least_of_avx2(const __m256 v[3])
+{
+    __m128 x = _mm_min_ps(_mm256_castps256_ps128(v[0]), _mm256_extractf128_ps(v[0], 1));
+    __m128 y = _mm_min_ps(_mm256_castps256_ps128(v[1]), _mm256_extractf128_ps(v[1], 1));
+    __m128 z = _mm_min_ps(_mm256_castps256_ps128(v[2]), _mm256_extractf128_ps(v[2], 1));
+
+    x = _mm_min_ps(_mm_unpacklo_ps(x, y), _mm_unpackhi_ps(x, y));
+    z = _mm_min_ps(_mm_unpacklo_ps(z, z), _mm_unpackhi_ps(z, z));
+    return _mm_min_ps(_mm_movelh_ps(x, z), _mm_movehl_ps(z, x));
+}
+
+COMPANY_TARGET static inline __m128 greatest_of_avx2(const __m256 v[3])
+{
+    __m128 x = _mm_max_ps(_mm256_castps256_ps128(v[0]), _mm256_extractf128_ps(v[0], 1));
+    __m128 y = _mm_max_ps(_mm256_castps256_ps128(v[1]), _mm256_extractf128_ps(v[1], 1));
+    __m128 z = _mm_max_ps(_mm256_castps256_ps128(v[2]), _mm256_extractf128_ps(v[2], 1));
+
+    x = _mm_max_ps(_mm_unpacklo_ps(x, y), _mm_unpackhi_ps(x, y));
+    z = _mm_max_ps(_mm_unpacklo_ps(z, z), _mm_unpackhi_ps(z, z));
+    return _mm_max_ps(_mm_movelh_ps(x, z), _mm_movehl_ps(z, x));
+}
+
+/* As bound, of all axes. */
+COMPANY_TARGET static inline void bound_avx2(company *c, __m128 lo, __m128 hi, __m128 first, __m128 last)
+{
+    company_bounds *b = &c->bounds;
+    const __m256d sign = _mm256_set1_pd(-0.0), per_size = _mm256_set1_pd(2.0 * BVH_SLACK);
+    const __m256d near = _mm256_cvtps_pd(_mm_blendv_ps(last, first, lo));
+    const __m256d far = _mm256_cvtps_pd(_mm_blendv_ps(first, last, lo));
+    const __m256d size = _mm256_max_pd(_mm256_andnot_pd(sign, near), _mm256_andnot_pd(sign, far));
+    const __m256d slack = _mm256_mul_pd(per_size, _mm256_add_pd(_mm256_set1_pd(1.0), size));
+    const __m128i backward = _mm_srli_epi32(_mm_castps_si128(lo), 31);
+    int end;
+
+    c->near = _mm256_movemask_pd(_mm256_cmp_pd(size, _mm256_set1_pd(BVH_NEAR), _CMP_LE_OQ)) == 15;
+    _mm_storeu_si128((__m128i *)(void *)c->near_row, _mm_add_epi32(_mm_set_epi32(4, 4, 2, 0), backward));
+    _mm_storeu_ps(b->inverse[0], lo);
+    _mm_storeu_ps(b->inverse[1], hi);
+    for (end = 0; end < 2; end++) {
+        const __m256d r = _mm256_cvtps_pd(end ? hi : lo), by = _mm256_mul_pd(_mm256_andnot_pd(sign, r), slack);
+
+        _mm_storeu_ps(b->near_offset[end], _mm256_cvtpd_ps(_mm256_add_pd(_mm256_mul_pd(near, r), by)));
+        _mm_storeu_ps(b->far_offset[end], _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_mul_pd(far, r), by)));
+    }
+}
+
+COMPANY_TARGET static inline void bound_all_avx2(company *c)
+{
+    __m256 less[3], more[3], low[3], high[3];
+    uint32_t i;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        const float *org = c->party->side.framed.org[k];
+
+        less[k] = more[k] = _mm256_load_ps(c->inverse[k]);
+        low[k] = high[k] = _mm256_loadu_ps(org);
+        for (i = 8; i < c->width; i += 8) {
+            __m256 inverse = _mm256_load_ps(c->inverse[k] + i), o = _mm256_loadu_ps(org + i);
+
+            less[k] = _mm256_min_ps(inverse, less[k]);
+            more[k] = _mm256_max_ps(inverse, more[k]);
+            low[k] = _mm256_min_ps(o, low[k]);
+            high[k] = _mm256_max_ps(o, high[k]);
+        }
+    }
+    bound_avx2(c, least_of_avx2(less), greatest_of_avx2(more), least_of_avx2(low), greatest_of_avx2(high));
+}
+
+/* near * r - offset by axis, at both ends. */
+COMPANY_TARGET static inline void ends_avx2(__m256 plane, const float r[2][4], const float offset[2][4], int k,
+                                            __m256 *x, __m256 *y)
+{
+    *x = _mm256_fmsub_ps(plane, _mm256_broadcast_ss(&r[0][k]), _mm256_broadcast_ss(&offset[0][k]));
+    *y = _mm256_fmsub_ps(plane, _mm256_broadcast_ss(&r[1][k]), _mm256_broadcast_ss(&offset[1][k]));
+}
+
+COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const company *c, float entry[BVH_WIDTH],
+                                                 uint32_t *all)
+{
+    const company_bounds *b = &c->bounds;
+    __m256 in = _mm256_setzero_ps(), out = _mm256_set1_ps(HUGE_VALF), x, y;
+    __m256 last_in = in, first_out = _mm256_broadcast_ss(&c->least);
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        const __m256 near = _mm256_load_ps(node->bounds[c->near_row[k]]);
+        const __m256 far = _mm256_load_ps(node->bounds[c->near_row[k] ^ 1]);
+
+        ends_avx2(near, b->inverse, b->near_offset, k, &x, &y);
+        in = later(in, sooner(x, y));
+        ends_avx2(far, b->inverse, b->far_offset, k, &x, &y);
+        out = sooner(out, later(x, y));
+        ends_avx2(near, b->inverse, b->far_offset, k, &x, &y);
+        last_in = later(last_in, later(x, y));
+        ends_avx2(far, b->inverse, b->near_offset, k, &x, &y);
+        first_out = sooner(first_out, sooner(x, y));
+    }
+    _mm256_storeu_ps(entry, in);
+    *all = (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(last_in, first_out, _CMP_LE_OQ));
+    return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
+}
+
+COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes,
+                                                 uint64_t eights)
+{
+    __m256 near[3], far[3];
+    uint64_t meet = 0;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        near[k] = _mm256_broadcast_ss(&node->bounds[c->near_row[k]][child]);
+        far[k] = _mm256_broadcast_ss(&node->bounds[c->near_row[k] ^ 1][child]);
+    }
+    for (; eights; eights &= eights - 1) {
+        const uint32_t i = first_of64(eights) & 56;
+        __m256 in = _mm256_setzero_ps(), out = _mm256_load_ps(c->limit + i);
+        for (k = 0; k < 3; k++) {
+            __m256 inverse = _mm256_load_ps(c->inverse[k] + i);
+            in = later(in, _mm256_fmsub_ps(near[k], inverse, _mm256_load_ps(c->near_offset[k] + i)));
+            out = sooner(out, _mm256_fmsub_ps(far[k], inverse, _mm256_load_ps(c->far_offset[k] + i)));
+        }
+        meet |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ)) << i;
+    }
+    return meet & lanes;
+}
+
+COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry, uint64_t lanes)
+{
+    __m256 at = _mm256_set1_ps(entry);
+    uint64_t in = 0;
+    uint32_t i;
+
+    for (i = 0; i < c->width; i += 8) {
+        __m256 within = _mm256_cmp_ps(at, _mm256_load_ps(c->limit + i), _CMP_LE_OQ);
+        in |= (uint64_t)(uint32_t)_mm256_movemask_ps(within) << i;
+    }
+    return in & lanes;
+}
+
+/* As bvh_limit. */
+COMPANY_TARGET static inline __m128 four_limits_avx2(const company *c, uint32_t i)
+{
+    const __m256d scale = _mm256_loadu_pd(c->scale + i), shift = _mm256_loadu_pd(c->party->side.framed.shift + i);
+    const __m256d limit = _mm256_loadu_pd(c->party->limit + i), sign = _mm256_set1_pd(-0.0);
+    const __m256d all = _mm256_add_pd(_mm256_andnot_pd(sign, limit), _mm256_andnot_pd(sign, shift));
+    __m256d u = _mm256_mul_pd(_mm256_sub_pd(limit, shift), scale);
+
+    u = _mm256_add_pd(u, _mm256_mul_pd(_mm256_mul_pd(all, scale), _mm256_set1_pd(0x1p-46)));
+    u = _mm256_add_pd(u, _mm256_mul_pd(_mm256_andnot_pd(sign, u), _mm256_set1_pd(0x1p-22)));
+    u = _mm256_blendv_pd(_mm256_set1_pd(HUGE_VAL), u, _mm256_cmp_pd(u, _mm256_set1_pd(1e38), _CMP_LT_OQ));
+    return _mm256_cvtpd_ps(u);
+}
+
+/* As lower_limits, by eights: most are lowered together. */
+COMPANY_TARGET static inline void lower_avx2(company *c)
+{
+    const __m256i bits = _mm256_set_epi32(128, 64, 32, 16, 8, 4, 2, 1);
+    const uint64_t lanes = c->party->lowered & c->open;
+    __m256 least = _mm256_set1_ps(c->least);
+    uint64_t eights;
+    __m128 low;
+
+    c->party->lowered = 0;
+    if (!lanes)
+        return;
+    for (eights = eights_of(lanes); eights; eights &= eights - 1) {
+        const uint32_t i = first_of64(eights) & 56;
+        const __m256i in = _mm256_and_si256(bits, _mm256_set1_epi32((int)(lanes >> i)));
+        const __m256 which = _mm256_castsi256_ps(_mm256_cmpeq_epi32(in, bits)), old = _mm256_load_ps(c->limit + i);
+        __m256 limit = _mm256_set_m128(four_limits_avx2(c, i + 4), four_limits_avx2(c, i));
+
+        limit = _mm256_blendv_ps(old, limit, which);
+        least = _mm256_min_ps(least, _mm256_blendv_ps(least, limit, which));
+        _mm256_store_ps(c->limit + i, limit);
+        _mm256_storeu_ps(c->party->side.framed.smax + i, limit);
+    }
+    low = _mm_min_ps(_mm256_castps256_ps128(least), _mm256_extractf128_ps(least, 1));
+    low = _mm_min_ps(low, _mm_movehl_ps(low, low));
+    c->least = _mm_cvtss_f32(_mm_min_ss(low, _mm_movehdup_ps(low)));
+}
+
+#ifndef __AVX512VL__
+
+/* Four comparisons' outcomes, for lanes of 64 bits. */
+COMPANY_TARGET static inline __m256i wide_avx2(__m128 met)
+{
+    return _mm256_cvtepi32_epi64(_mm_castps_si128(met));
+}
+
+COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const company *c, uint64_t lanes,
+                                               float entry[BVH_WIDTH], uint64_t meet[BVH_WIDTH])
+{
+    __m256i low = _mm256_setzero_si256(), high = low;
+    __m256 first = _mm256_set1_ps(HUGE_VALF), any = _mm256_setzero_ps();
+    int k;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t lane = first_of64(lanes);
+        const __m256i bit = _mm256_set1_epi64x((long long)((uint64_t)1 << lane));
+        __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]), met;
+
+        for (k = 0; k < 3; k++) {
+            __m256 near = _mm256_load_ps(node->bounds[c->near_row[k]]);
+            __m256 far = _mm256_load_ps(node->bounds[c->near_row[k] ^ 1]);
+            __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
+            in = later(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
+            out = sooner(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
+        }
+        met = _mm256_cmp_ps(in, out, _CMP_LE_OQ);
+        first = _mm256_blendv_ps(first, sooner(first, in), met);
+        any = _mm256_or_ps(any, met);
+        low = _mm256_or_si256(low, _mm256_and_si256(bit, wide_avx2(_mm256_castps256_ps128(met))));
+        high = _mm256_or_si256(high, _mm256_and_si256(bit, wide_avx2(_mm256_extractf128_ps(met, 1))));
+    }
+    _mm256_storeu_ps(entry, first);
+    _mm256_storeu_si256((__m256i *)(void *)meet, low);
+    _mm256_storeu_si256((__m256i *)(void *)(meet + 4), high);
+    return (uint32_t)_mm256_movemask_ps(any);
+}
+
+#else
+
+/* Whom each child is met by: the lower and the upper half of the lanes. */
+typedef struct company_meets { __m256i low, high; } company_meets;
+
+/* As few_avx2, in registers. */
+COMPANY_TARGET static inline __m256 few_avx512(const bvh_node *node, const company *c, uint64_t lanes,
+                                               company_meets *meets)
+{
+    __m256i low = _mm256_setzero_si256(), high = low;
+    __m256 first = _mm256_set1_ps(HUGE_VALF), near[3], far[3];
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        near[k] = _mm256_load_ps(node->bounds[c->near_row[k]]);
+        far[k] = _mm256_load_ps(node->bounds[c->near_row[k] ^ 1]);
+    }
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t lane = first_of64(lanes);
+        const uint64_t bit = lanes & -lanes;
+        __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]);
+        __mmask8 met;
+
+        for (k = 0; k < 3; k++) {
+            __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
+            in = later(in, _mm256_fmsub_ps(near[k], r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
+            out = sooner(out, _mm256_fmsub_ps(far[k], r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
+        }
+        met = _mm256_cmp_ps_mask(in, out, _CMP_LE_OQ);
+        first = _mm256_mask_min_ps(first, met, first, in);
+        low = _mm256_mask_or_epi32(low, met, low, _mm256_set1_epi32((int)(uint32_t)bit));
+        high = _mm256_mask_or_epi32(high, met, high, _mm256_set1_epi32((int)(uint32_t)(bit >> 32)));
+    }
+    meets->low = low;
+    meets->high = high;
+    return first;
+}
+
+/* As push_few, without a branch for each child. */
+COMPANY_TARGET static inline uint32_t push_few_avx512(const company *c, const bvh_node *node, uint64_t lanes,
+                                                      bool sorted, company_stack *stack, uint32_t top)
+{
+    const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
+    company_meets meets;
+    const __m256 entry = few_avx512(node, c, lanes, &meets);
+    const __m256i any = _mm256_or_si256(meets.low, meets.high);
+    const __mmask8 met = _mm256_test_epi32_mask(any, any);
+    const uint32_t count = (uint32_t)__builtin_popcount(met);
+    __m256i order = place_avx512(entry, met);
+
+    if (sorted)
+        order = sort_avx512(order, count);
+    _mm256_storeu_ps(stack->entry + top, entries_avx512(order));
+    store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
+    store_avx512(stack->low + top, _mm256_permutevar8x32_epi32(meets.low, order));
+    store_avx512(stack->high + top, _mm256_permutevar8x32_epi32(meets.high, order));
+    return top + count;
+}
+#define COMPANY_PUSH_FEW push_few_avx512
+
+#endif

@@ -1,0 +1,57 @@
+#include "query/context.h"
+
+#include "base/err.h"
+#include "base/simd.h"
+
+#include <string.h>
+
+pov_status walker_create(walker **out, const world *w, pov_error *err)
+{
+    walker *k = env_alloc_aligned(w->env, sizeof *k, SIMD_LINE);
+    int i;
+
+    *out = k;
+    if (!k)
+        return err_memory(err);
+    k->env = w->env;
+    for (i = 0; i < WORLD_MANY; i++)
+        k->rooms[i].walker = k;
+    return POV_OK;
+}
+
+void walker_destroy(walker *k)
+{
+    int i;
+
+    if (!k)
+        return;
+    for (i = 0; i < WORLD_MANY; i++)
+        env_free(k->env, k->rooms[i].crossings);
+    env_free_aligned(k->env, k);
+}
+
+uint64_t walker_decided(const walker *k)
+{
+    return k->decided;
+}
+
+void walker_take_classes(walker *k, class_counts *sum)
+{
+    uint32_t i;
+
+    for (i = 0; i < WORLD_CLASSES; i++) {
+        sum->of[i].asked += k->classes.of[i].asked;
+        sum->of[i].decided += k->classes.of[i].decided;
+    }
+    memset(&k->classes, 0, sizeof k->classes);
+}
+
+bool walker_failed(const walker *k)
+{
+    return k->failed;
+}
+
+const own_rays *walker_own(const walker *k)
+{
+    return &k->own;
+}

@@ -1,0 +1,48 @@
+/* context.h - one thread's memory for queries, and what all queries do with it. */
+#ifndef QUERY_CONTEXT_H
+#define QUERY_CONTEXT_H
+
+#include "query/query.h"
+#include "world/parts.h"
+
+/* For the crossings of one light path: with transparent shapes, and with one that blocks. */
+typedef struct tint_room { walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
+
+struct walker {
+    own_rays own;
+    const env *env;
+    tint_room rooms[WORLD_MANY];
+    uint64_t decided;
+    class_counts classes;
+    bool failed;
+};
+
+/* Count questions to shapes of a run's class, and what was decided of them: once a run where that can be, for a shape's
+ * quick answer takes hardly longer. */
+static inline void walker_count_class(walker *k, uint32_t number, uint32_t asked, uint32_t decided)
+{
+    k->classes.of[number].asked += asked;
+    if (decided)
+        k->classes.of[number].decided += decided;
+}
+
+static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_t decided)
+{
+    walker_count_class(k, run_class(r), asked, decided);
+}
+
+/* For a query that wants all: more room. hits->user is the tint_room. */
+bool crossings_grow(pov_hits *hits);
+/* From near to far. */
+void crossings_sort(pov_crossing *at, uint32_t count);
+/* What the surface of one lets through. */
+static inline colour crossing_filter(const world *w, const pov_crossing *at)
+{
+    return w->plan.looks[w->things[at->owner].material].filter.by;
+}
+/* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
+bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);
+/* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
+void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
+
+#endif

@@ -1,0 +1,578 @@
+#include "world/compile.h"
+
+#include "base/err.h"
+#include "base/vec.h"
+#include "bvh/build.h"
+#include "world/compile_maps.h"
+#include "world/world.h"
+
+#include <string.h>
+
+/* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on
+ * the stack; a larger class's copy is made where it would stay. */
+enum { INSTANCE_ALIGN = 32, ROOM = POV_PREPARED_MAX, MOST_CLASSES = 0x7fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
+enum { MADE = 16 };              /* classes whose last instances are remembered */
+/* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones are marked until the
+ * lists are made. */
+enum { ALONE, PACKS, PLACED, KINDS, INFINITE = 0x8000 };
+/* Beyond this, squares of lengths come near the end of the range of double: such an object is asked apart. */
+static const double largest_coordinate = 1e150;
+
+/* ---- parts of the scene, for one thread each ---- */
+
+typedef struct part {
+    pov_status status;
+    uint32_t failed;             /* the first object that has no inverse */
+    uint32_t finite, infinite;
+    pov_box bounds, clear;
+    size_t absorbed, composed, packed;
+} part;
+
+typedef struct class_list { const pov_shape_class **items; size_t count, capacity; } class_list;
+
+typedef struct survey {
+    flat *f;
+    class_list classes;
+    part *parts;
+    uint32_t part_count;
+    bool use_blocks;
+} survey;
+
+/* An instance that was made of what was written last of a class. */
+typedef struct made {
+    const pov_shape_class *shape;
+    const void *text;
+    void *instance;
+    bool kept;                   /* somebody points to it */
+} made;
+
+/* Works on one part. */
+typedef struct maker {
+    const survey *survey;
+    flat *f;
+    part *part;
+    arena *staging, *kept;
+    size_t class_index;
+    const pov_shape_class *scratch_shape;
+    void *scratch;               /* a block of that class, in memory for the largest so far */
+    size_t scratch_bytes;
+    made made[MADE];             /* by class */
+    const void *boxed;           /* the placed instance that was looked at last: its box in its own space, if it has one */
+    bool has_box;
+    pov_box own;
+    flat_maps maps;
+} maker;
+
+typedef struct room { unsigned char bytes[ROOM + INSTANCE_ALIGN]; } room;
+
+static void *aligned(room *r)
+{
+    return r->bytes + (-(uintptr_t)r->bytes & (INSTANCE_ALIGN - 1));
+}
+
+void flat_make(const object *o, void *instance)
+{
+    if (o->shape->prepare) {
+        memset(instance, 0, o->shape->instance_size);
+        o->shape->prepare(instance, o->instance);
+    } else {
+        memcpy(instance, o->instance, o->shape->instance_size);
+    }
+}
+
+static uint32_t stride_of(const pov_shape_class *shape)
+{
+    size_t bytes = shape->instance_size > 0 ? shape->instance_size : 1;
+    return (uint32_t)((bytes + INSTANCE_ALIGN - 1) / INSTANCE_ALIGN * INSTANCE_ALIGN);
+}
+
+static bool is_finite_box(const pov_box *b)
+{
+    return b->lo.x <= b->hi.x && b->lo.y <= b->hi.y && b->lo.z <= b->hi.z &&
+           pov_largest(b->lo) <= largest_coordinate && pov_largest(b->hi) <= largest_coordinate;
+}
+
+/* ---- one object ---- */
+
+static size_t find_class(maker *k, const pov_shape_class *shape)
+{
+    const class_list *all = &k->survey->classes;
+
+    if (all->items[k->class_index] != shape)
+        for (k->class_index = 0; all->items[k->class_index] != shape; k->class_index++)
+            continue;
+    return k->class_index;
+}
+
+/* An object's instance as it was written: the model's own where that is one, else one that serves for all of the class that
+ * follow and were written alike. It is kept from when somebody wants that. NULL: no memory. */
+static const void *make(maker *k, const object *o, bool keep)
+{
+    made *m = &k->made[find_class(k, o->shape) % MADE];
+
+    if (!o->shape->prepare)
+        return o->instance;
+    if (m->shape != o->shape || m->text != o->instance) {
+        if (m->shape != o->shape || m->kept)
+            m->instance = arena_alloc(k->kept, o->shape->instance_size, INSTANCE_ALIGN);
+        if (!m->instance)
+            return NULL;
+        flat_make(o, m->instance);
+        m->shape = o->shape;
+        m->text = o->instance;
+        m->kept = false;
+    }
+    m->kept = m->kept || keep;
+    return m->instance;
+}
+
+/* Let a copy take the transformation in: *out, or NULL if it cannot. */
+static pov_status absorb(maker *k, const object *o, const pov_affine *map, const void **out)
+{
+    size_t bytes = o->shape->instance_size;
+    arena *home = flat_stays(k->f, o->shape) ? k->kept : k->staging;
+    const void *written = make(k, o, false);
+    room here;
+    void *trial = bytes <= ROOM ? aligned(&here) : arena_alloc(home, bytes, INSTANCE_ALIGN), *copy = trial;
+
+    *out = NULL;
+    if (!written || !trial)
+        return POV_E_MEMORY;
+    memcpy(trial, written, bytes);
+    if (!o->shape->absorb(trial, map))
+        return POV_OK;
+    if (bytes <= ROOM) {
+        copy = arena_alloc(home, bytes, INSTANCE_ALIGN);
+        if (!copy)
+            return POV_E_MEMORY;
+        memcpy(copy, trial, bytes);
+    }
+    *out = copy;
+    return POV_OK;
+}
+
+/* The box of a placed shape in its own space. False: there is none, and *out holds zeros. */
+static bool own_box(const pov_shape_class *shape, const void *instance, pov_box *out)
+{
+    static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
+
+    if (shape->bounds(instance, out) && is_finite_box(out))
+        return true;
+    *out = none;
+    return false;
+}
+
+static const pov_shape_class *shape_of(const flat *f, uint32_t id) { return f->groups[f->group[id]].shape; }
+
+void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out)
+{
+    pov_box own[PLACEMENT_MANY] = { { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } } }, around[PLACEMENT_MANY];
+    placement_wish wishes[PLACEMENT_MANY];
+    const pov_affine *each[PLACEMENT_MANY] = { NULL };
+    bool finite[PLACEMENT_MANY];
+    int i;
+
+    for (i = 0; i < n; i++) {
+        const void *instance = f->moved[ids[i]];
+
+        each[i] = &maps[i];
+        if (i > 0 && instance == f->moved[ids[i - 1]]) {   /* they were written alike */
+            own[i] = own[i - 1];
+            finite[i] = finite[i - 1];
+        } else {
+            finite[i] = own_box(shape_of(f, ids[i]), instance, &own[i]);
+        }
+    }
+    placement_boxes(each, own, n, around);
+    for (i = 0; i < n; i++) {
+        const placement_wish w = { each[i], &own[i], finite[i] && is_finite_box(&around[i]) ? &around[i] : NULL,
+                                   shape_of(f, ids[i])->flags };
+        wishes[i] = w;
+    }
+    placement_init_many(out, wishes, n);
+}
+
+/* The box of a placed shape in the world, a little wider where its map is roughly known. False: there is none. */
+static bool placed_box(maker *k, const object *o, const void *instance, bool roughly, pov_box *out)
+{
+    const pov_affine *map;
+
+    if (instance != k->boxed)
+        k->has_box = own_box(o->shape, instance, &k->own);
+    k->boxed = instance;
+    if (!k->has_box)
+        return false;
+    if (roughly && flat_maps_box(&k->maps, o, &k->own, out))
+        return true;
+    map = flat_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
+    placement_box(map, &k->own, out);
+    if (o->shape->flags & POV_SHAPE_BALL)
+        placement_draw_in(map, &k->own, out);
+    return is_finite_box(out);
+}
+
+/* Take the transformation into the shape, or leave the shape as it was written. */
+static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, bool *placed)
+{
+    const void **instance = &k->f->moved[index];
+    pov_box *box = &k->f->boxes[index];
+    const bool roughly = flat_maps_look(&k->maps, o);
+    const pov_affine *map = roughly ? NULL : flat_maps_compose(&k->maps, o);
+    pov_status status = POV_OK;
+
+    *instance = NULL;
+    if (!roughly && !map)
+        return POV_E_SYNTAX;
+    if (!roughly && o->shape->absorb)
+        status = absorb(k, o, map, instance);
+    if (status < 0)
+        return status;
+    *placed = *instance == NULL;
+    if (!*placed) {
+        k->part->absorbed++;
+        *finite = o->shape->bounds(*instance, box) && is_finite_box(box);
+        return POV_OK;
+    }
+    *instance = make(k, o, true);
+    if (!*instance)
+        return POV_E_MEMORY;
+    k->part->composed++;
+    k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
+    *finite = placed_box(k, o, *instance, roughly, box);
+    return POV_OK;
+}
+
+/* Would a block take this shape? Tried with it alone, in scratch memory, and a frame around its box, if it has one. */
+static pov_status try_block(maker *k, const pov_shape_class *shape, const void *instance, const pov_box *box, bool *takes)
+{
+    bvh_frame around;
+    pov_frame frame;
+
+    if (shape->block_size > k->scratch_bytes) {
+        k->scratch = arena_alloc(k->staging, shape->block_size, 64);
+        if (!k->scratch)
+            return POV_E_MEMORY;
+        k->scratch_bytes = shape->block_size;
+    }
+    if (shape != k->scratch_shape)
+        memset(k->scratch, 0, shape->block_size);
+    k->scratch_shape = shape;
+    if (box) {
+        around = bvh_frame_around(box);
+        frame.centre = around.centre;
+        frame.scale = around.scale;
+    }
+    *takes = shape->block_pack(k->scratch, box ? &frame : NULL, &instance, 1);
+    return POV_OK;
+}
+
+/* Boxes hold no NaN, so that fmin() and fmax() would only be calls. */
+static double lesser(double a, double b) { return a < b ? a : b; }
+static double greater(double a, double b) { return a > b ? a : b; }
+
+static void join(pov_box *all, const pov_box *b)
+{
+    all->lo = pov_vec3_of(lesser(all->lo.x, b->lo.x), lesser(all->lo.y, b->lo.y), lesser(all->lo.z, b->lo.z));
+    all->hi = pov_vec3_of(greater(all->hi.x, b->hi.x), greater(all->hi.y, b->hi.y), greater(all->hi.z, b->hi.z));
+}
+
+static const pov_box everything = { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
+
+/* What rays will look at of an object, but for where it is. */
+static void note(maker *k, const object *o, uint32_t index, const pov_box *box)
+{
+    world_thing *thing = &k->f->things[index];
+    const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
+    const bool casts = !(o->flags & OBJECT_NO_SHADOW);
+
+    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE);
+    thing->material = o->material;
+    thing->inverse = (o->flags & OBJECT_INVERSE) != 0;
+    thing->tints = casts && clear;
+    if (clear)
+        join(&k->part->clear, box);
+}
+
+static pov_status flatten_one(maker *k, uint32_t index)
+{
+    flat *f = k->f;
+    const object *o = &f->model->objects.items[index];
+    const pov_shape_class *shape = o->shape;
+    const void *instance;
+    bool finite, packs = false, placed = false;
+    pov_status status = POV_OK;
+    pov_box own, *box = &own;
+
+    if (o->map) {
+        status = move(k, o, index, &finite, &placed);
+        if (status < 0)
+            return status;
+        box = &f->boxes[index];
+        instance = f->moved[index];
+    } else {
+        instance = make(k, o, false);
+        if (!instance)
+            return POV_E_MEMORY;
+        if (f->moved)
+            f->moved[index] = NULL;
+        finite = shape->bounds(instance, box) && is_finite_box(box);
+    }
+    if (k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
+        status = try_block(k, shape, instance, finite ? box : NULL, &packs);
+    f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
+    k->part->packed += packs;
+    if (finite && k->part->finite++ == 0)
+        k->part->bounds = *box;
+    else if (finite)
+        join(&k->part->bounds, box);
+    note(k, o, index, finite ? box : &everything);
+    if (!finite) {
+        f->group[index] |= INFINITE;
+        k->part->infinite++;
+    }
+    return status;
+}
+
+static void flatten_part(void *user, uint32_t which, int hand)
+{
+    survey *s = user;
+    uint32_t n = (uint32_t)s->f->model->objects.count, begin = share_begin(n, s->part_count, which), i = begin;
+    uint32_t end = share_begin(n, s->part_count, which + 1);
+    part *p = &s->parts[which];
+    maker k;
+
+    memset(&k, 0, offsetof(maker, maps));
+    flat_maps_init(&k.maps);
+    k.survey = s;
+    k.f = s->f;
+    k.part = p;
+    k.staging = &s->f->staging[hand];
+    k.kept = &s->f->kept[hand];
+    p->clear = nothing;
+    for (; i < end && p->status == POV_OK; i++) {
+        if (s->f->moved && (i - begin) % FLAT_WINDOW == 0)
+            flat_maps_open(&k.maps, &s->f->model->objects.items[i], end - i);
+        p->status = flatten_one(&k, i);
+        p->failed = i;
+    }
+}
+
+/* ---- all of them ---- */
+
+static bool find_classes(survey *s, bool *any_map)
+{
+    const object_list *all = &s->f->model->objects;
+    const pov_shape_class *last = NULL;
+    size_t i, k;
+
+    *any_map = false;
+    for (i = 0; i < all->count; i++) {
+        *any_map = *any_map || all->items[i].map;
+        if (all->items[i].shape == last)
+            continue;
+        last = all->items[i].shape;
+        for (k = 0; k < s->classes.count && s->classes.items[k] != last; k++)
+            continue;
+        if (k == s->classes.count && (k == MOST_CLASSES || !VEC_PUSH(s->f->env, &s->classes, last)))
+            return false;
+    }
+    return true;
+}
+
+static arena *make_arenas(const env *e, int count)
+{
+    arena *arenas = env_alloc(e, (size_t)count, sizeof *arenas);
+    int i;
+
+    for (i = 0; arenas && i < count; i++)
+        arena_init(&arenas[i], e);
+    return arenas;
+}
+
+/* What is by object is not zeroed: the system clears memory for who comes there first, which threads can do together. */
+static bool allocate(survey *s, bool any_map)
+{
+    flat *f = s->f;
+    size_t n = f->model->objects.count;
+
+    s->part_count = (uint32_t)(n / PART_LEAST < 1 ? 1 : n / PART_LEAST > PARTS_MOST ? PARTS_MOST : n / PART_LEAST);
+    s->parts = env_alloc(f->env, s->part_count, sizeof *s->parts);
+    f->staging = make_arenas(f->env, f->threads);
+    f->kept = make_arenas(f->env, f->threads);
+    f->group = env_resize(f->env, NULL, n + 1, sizeof *f->group);
+    f->things = env_resize(f->env, NULL, n + 1, sizeof *f->things);
+    if (any_map) {
+        f->moved = env_resize(f->env, NULL, n, sizeof *f->moved);
+        f->boxes = env_resize(f->env, NULL, n, sizeof *f->boxes);
+        f->maps = env_resize(f->env, NULL, n, sizeof *f->maps);
+    }
+    return s->parts && f->staging && f->kept && f->group && f->things &&
+           (!any_map || (f->moved && f->boxes && f->maps));
+}
+
+/* The parts' counts together, or the first part's failure. */
+static pov_status add_up(survey *s, pov_error *err)
+{
+    flat *f = s->f;
+    uint32_t i;
+
+    f->clear = nothing;
+    for (i = 0; i < s->part_count; i++) {
+        const part *p = &s->parts[i];
+        const object *o = &f->model->objects.items[p->failed];
+        if (p->status == POV_E_MEMORY)
+            return err_memory(err);
+        if (p->status < 0)
+            return err_set(err, p->status, "the transformation of the %s in line %u has no inverse", o->shape->keyword,
+                           (unsigned)o->line);
+        if (p->finite > 0 && f->finite_count == 0)
+            f->bounds = p->bounds;
+        else if (p->finite > 0)
+            join(&f->bounds, &p->bounds);
+        join(&f->clear, &p->clear);
+        f->finite_count += p->finite;
+        f->infinite_count += p->infinite;
+        f->absorbed += p->absorbed;
+        f->composed += p->composed;
+        f->packed += p->packed;
+    }
+    return POV_OK;
+}
+
+/* Classes are numbered as the scene first names them; the last number is that of all for which there is no other. */
+static uint8_t number_of(const flat *f, const pov_shape_class *shape)
+{
+    uint8_t next = 0;
+    size_t i;
+
+    for (i = 0; i < f->group_count; i++) {
+        if (f->groups[i].shape == shape)
+            return f->groups[i].class_number;
+        if (f->groups[i].class_number >= next)
+            next = (uint8_t)(f->groups[i].class_number + 1);
+    }
+    return next < WORLD_CLASSES ? next : WORLD_CLASSES - 1;
+}
+
+/* The groups that have members, in the order in which the scene first names one. */
+static bool make_groups(survey *s)
+{
+    flat *f = s->f;
+    size_t n = f->model->objects.count, most = KINDS * s->classes.count, i;
+    uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not met yet */
+    uint32_t finite = 0, infinite = 0;
+
+    f->groups = env_alloc(f->env, most, sizeof *f->groups);
+    f->packs = env_alloc(f->env, most, sizeof *f->packs);
+    f->finite = env_resize(f->env, NULL, f->finite_count + 1u, sizeof *f->finite);
+    f->infinite = env_resize(f->env, NULL, f->infinite_count + 1u, sizeof *f->infinite);
+    for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && i < n; i++) {
+        unsigned mark = f->group[i], old = mark & ~(unsigned)INFINITE;
+        if (!name[old]) {
+            const pov_shape_class *shape = s->classes.items[old / KINDS];
+            shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, number_of(f, shape), 0,
+                                  stride_of(shape), NULL };
+            f->packs[f->group_count] = fresh.packs && (shape->flags & POV_SHAPE_TOGETHER);
+            f->groups[f->group_count] = fresh;
+            name[old] = (uint16_t)++f->group_count;
+        }
+        f->group[i] = (uint16_t)(name[old] - 1);
+        f->groups[f->group[i]].count++;
+        if (mark & INFINITE)
+            f->infinite[infinite++] = (uint32_t)i;
+        else
+            f->finite[finite++] = (uint32_t)i;
+    }
+    env_free(f->env, name);
+    return f->groups && f->packs && f->finite && f->infinite && i == n;
+}
+
+pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err)
+{
+    survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
+    pov_status status = POV_OK;
+    bool any_map;
+
+    memset(f, 0, sizeof *f);
+    f->env = m->env;
+    f->model = m;
+    f->use_blocks = use_blocks;
+    f->large_stay = m->objects.count > FLAT_MANY;
+    f->threads = threads;
+    if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
+        status = err_memory(err);
+    if (status == POV_OK) {
+        share_work(threads, s.part_count, flatten_part, &s);
+        status = add_up(&s, err);
+    }
+    if (status == POV_OK && !make_groups(&s))
+        status = err_memory(err);
+    env_free(f->env, s.classes.items);
+    env_free(f->env, s.parts);
+    return status;
+}
+
+void flat_box(const flat *f, uint32_t index, pov_box *out)
+{
+    const object *o = &f->model->objects.items[index];
+    room here;
+
+    if (f->moved && f->moved[index]) {
+        *out = f->boxes[index];
+    } else if (o->shape->prepare) {
+        flat_make(o, aligned(&here));
+        o->shape->bounds(aligned(&here), out);
+    } else {
+        o->shape->bounds(o->instance, out);
+    }
+}
+
+void flat_drop_boxes(flat *f)
+{
+    env_free(f->env, f->boxes);
+    f->boxes = NULL;
+}
+
+void flat_drop_maps(flat *f)
+{
+    if (f->last)
+        model_drop_maps(f->last);
+    f->last = NULL;
+    env_free(f->env, f->maps);
+    f->maps = NULL;
+}
+
+void flat_free_arenas(const env *e, arena *arenas, int count)
+{
+    int i;
+
+    for (i = 0; arenas && i < count; i++)
+        arena_free(&arenas[i]);
+    env_free(e, arenas);
+}
+
+void flat_free_groups(const env *e, shape_group *groups, size_t count)
+{
+    size_t i;
+
+    for (i = 0; groups && i < count; i++)
+        env_free_aligned(e, groups[i].instances);
+    env_free(e, groups);
+}
+
+void flat_free(flat *f)
+{
+    flat_free_arenas(f->env, f->staging, f->threads);
+    flat_free_arenas(f->env, f->kept, f->threads);
+    flat_free_groups(f->env, f->groups, f->group_count);
+    env_free(f->env, f->moved);
+    env_free(f->env, f->boxes);
+    env_free(f->env, f->maps);
+    env_free(f->env, f->group);
+    env_free(f->env, f->things);
+    env_free(f->env, f->packs);
+    env_free(f->env, f->finite);
+    env_free(f->env, f->infinite);
+    memset(f, 0, sizeof *f);
+}

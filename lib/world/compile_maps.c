@@ -1,0 +1,84 @@
+#include "world/compile_maps.h"
+
+#include <povtrace/plugin.h>
+
+#include <stddef.h>
+#include <string.h>
+
+void flat_maps_init(flat_maps *k)
+{
+    memset(k, 0, offsetof(flat_maps, rough_maps));
+}
+
+/* What a class says of its shapes tells of some transformations, even before they are composed, that none is left when
+ * they are taken in. */
+static bool is_rigid(const object *o)
+{
+    if (!o->map)
+        return false;
+    return !o->shape->absorb || (o->shape->flags & POV_SHAPE_BALL && transform_is_uneven(o->map)) ||
+           (o->shape->flags & POV_SHAPE_BOX && transform_is_turned(o->map));
+}
+
+static bool is_marked(const flat_maps *k, const object *o)
+{
+    return k->rigid >> (o - k->window) & 1;
+}
+
+/* What follows an object in the window, up to whose transformations are of other kinds, and is as rigid. */
+static int gather(const flat_maps *k, const object *o, const transform **lists, int most)
+{
+    const bool rigid = is_marked(k, o);
+    int n = 0;
+
+    for (; o < k->end && n < most; o++) {
+        if (!o->map || is_marked(k, o) != rigid || (n > 0 && o->map == lists[n - 1]))
+            continue;
+        if (n > 0 && !transform_are_alike(o->map, lists[0]))
+            break;
+        lists[n++] = o->map;
+    }
+    return n;
+}
+
+const pov_affine *flat_maps_compose(flat_maps *k, const object *o)
+{
+    while (k->now < k->list_count && k->lists[k->now] != o->map)
+        k->now++;
+    if (k->now == k->list_count) {
+        k->now = 0;
+        k->list_count = gather(k, o, k->lists, TRANSFORM_MANY);
+        k->good = transform_compose_many(k->lists, k->list_count, k->maps);
+    }
+    return k->good >> k->now & 1 ? &k->maps[k->now] : NULL;
+}
+
+bool flat_maps_look(flat_maps *k, const object *o)
+{
+    if (!is_marked(k, o))
+        return false;
+    while (k->rough_now < k->rough_count && k->rough[k->rough_now] != o->map)
+        k->rough_now++;
+    if (k->rough_now == k->rough_count) {
+        k->rough_now = 0;
+        k->rough_count = gather(k, o, k->rough, ROUGH_MANY);
+        k->moderate = transform_rough(k->rough, k->rough_count, &k->rough_maps);
+    }
+    return k->moderate >> k->rough_now & 1;
+}
+
+bool flat_maps_box(const flat_maps *k, const object *o, const pov_box *own, pov_box *out)
+{
+    return transform_rough_box(&k->rough_maps, k->rough_now, own, o->shape->flags & POV_SHAPE_BALL, out);
+}
+
+void flat_maps_open(flat_maps *k, const object *first, uint32_t n)
+{
+    uint32_t i;
+
+    k->window = first;
+    k->end = first + (n < FLAT_WINDOW ? n : FLAT_WINDOW);
+    k->rigid = 0;
+    for (i = 0; first + i < k->end; i++)
+        k->rigid |= (uint32_t)is_rigid(&first[i]) << i;
+}

@@ -1,0 +1,125 @@
+#include "world/instance_parts.h"
+
+#include <string.h>
+
+static inline double part(pov_vec3 v, int i)
+{
+    return i == 0 ? v.x : i == 1 ? v.y : v.z;
+}
+
+static inline pov_two inverse(const placement *p, int i, int j)
+{
+    return pov_two_of(part(p->column[j], i), part(p->column_lo[j], i));
+}
+
+static inline pov_two apply_row(const placement *p, int i, const pov_two v[3])
+{
+    if (p->axes)
+        return pov_two_mul(inverse(p, i, i), v[i]);
+    return pov_two_add(pov_two_add(pov_two_mul(inverse(p, i, 0), v[0]), pov_two_mul(inverse(p, i, 1), v[1])),
+                       pov_two_mul(inverse(p, i, 2), v[2]));
+}
+
+/* ---- rays ---- */
+
+/* From the anchor to a point, all parts of it. */
+static inline pov_two from_anchor(double at, double at_lo, double anchor)
+{
+    return pov_two_add_double(pov_two_sum(at, -anchor), at_lo);
+}
+
+/* A component of the direction, in two parts: the ray in the shape's space then is the world's but for errors of the
+ * order of 2^-100, from however far it comes. */
+static inline pov_two turned(const placement *p, int i, pov_vec3 d)
+{
+    pov_two sum;
+
+    if (p->axes)
+        return pov_two_mul_double(inverse(p, i, i), part(d, i));
+    sum = pov_two_add(pov_two_mul_double(inverse(p, i, 0), d.x), pov_two_mul_double(inverse(p, i, 1), d.y));
+    return pov_two_add(sum, pov_two_mul_double(inverse(p, i, 2), d.z));
+}
+
+/* A point of the world, in two parts, in the shape's own space. */
+static inline void own_point(const placement *p, pov_vec3 at, pov_vec3 at_lo, pov_two out[3])
+{
+    pov_two w[3];
+    int i;
+
+    w[0] = from_anchor(at.x, at_lo.x, p->anchor.x);
+    w[1] = from_anchor(at.y, at_lo.y, p->anchor.y);
+    w[2] = from_anchor(at.z, at_lo.z, p->anchor.z);
+    for (i = 0; i < 3; i++)
+        out[i] = pov_two_add(apply_row(p, i, w), pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i)));
+}
+
+void placement_ray_portable(const placement *p, const pov_ray *ray, pov_ray *own)
+{
+    pov_two o[3], d[3];
+    int i;
+
+    own_point(p, ray->org, ray->org_lo, o);
+    for (i = 0; i < 3; i++)
+        d[i] = turned(p, i, ray->dir);
+    own->org = pov_vec3_of(o[0].hi, o[1].hi, o[2].hi);
+    own->org_lo = pov_vec3_of(o[0].lo, o[1].lo, o[2].lo);
+    own->dir = pov_vec3_of(d[0].hi, d[1].hi, d[2].hi);
+    own->dir_lo = pov_vec3_of(d[0].lo, d[1].lo, d[2].lo);
+    own->left = ray->left;
+    own->left_mark = ray->left_mark;
+}
+
+void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own)
+{
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        placement_ray_avx2(p, ray, own);
+        return;
+    }
+#endif
+    placement_ray_portable(p, ray, own);
+}
+
+/* ---- what rays are answered ---- */
+
+void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+                         pov_hits *hits)
+{
+    pov_ray own;
+
+    placement_ray(p, ray, &own);
+    shape->intersect(self, &own, hits);
+}
+
+void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+                      const pov_crossing *at, pov_vec3 *out)
+{
+    pov_ray own;
+
+    placement_ray(p, ray, &own);
+    shape->normal(self, &own, at, out);
+    placement_turn_normal(p, out);
+}
+
+/* Normals go by the transpose of the inverse. */
+void placement_turn_normal(const placement *p, pov_vec3 *normal)
+{
+    double n[3];
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        pov_two sum = pov_two_add(pov_two_mul_double(inverse(p, 0, i), normal->x),
+                                  pov_two_mul_double(inverse(p, 1, i), normal->y));
+        n[i] = pov_two_add(sum, pov_two_mul_double(inverse(p, 2, i), normal->z)).hi;
+    }
+    *normal = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
+}
+
+bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
+                      pov_vec3 point_lo)
+{
+    pov_two o[3];
+
+    own_point(p, point, point_lo, o);
+    return shape->inside(self, pov_vec3_of(o[0].hi, o[1].hi, o[2].hi), pov_vec3_of(o[0].lo, o[1].lo, o[2].lo));
+}

@@ -1,0 +1,523 @@
+/* Rays of shapes in spaces of their own: the filter before them never says a wrong no or yes, for one ray as for many,
+ * and every processor's copy gives the same bits. */
+#include "support/check.h"
+#include "support/maps.h"
+#include "support/shapes.h"
+
+#include "bvh/build.h"
+#include "bvh/traverse.h"
+#include "query/ray_soa.h"
+#include "world/instance.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MAPS = 100000, BATCH = 1000 };
+
+/* ---- a box that is crossed in two-part arithmetic, with its sides ---- */
+
+typedef struct span { pov_two in, out; bool empty; } span;
+
+static void meet_slab(span *s, pov_two o, pov_two d, double lo, double hi)
+{
+    pov_two a, b;
+
+    if (d.hi == 0.0) {
+        s->empty = s->empty || pov_two_less(o, pov_two_of(lo, 0.0)) || pov_two_less(pov_two_of(hi, 0.0), o);
+        return;
+    }
+    a = pov_two_div(pov_two_sub(pov_two_of(d.hi > 0.0 ? lo : hi, 0.0), o), d);
+    b = pov_two_div(pov_two_sub(pov_two_of(d.hi > 0.0 ? hi : lo, 0.0), o), d);
+    if (pov_two_less(s->in, a))
+        s->in = a;
+    if (pov_two_less(b, s->out))
+        s->out = b;
+}
+
+static void intersect_brick(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const pov_box *b = self;
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    span s = { { -HUGE_VAL, 0.0 }, { HUGE_VAL, 0.0 }, false };
+
+    meet_slab(&s, pov_two_of(ray->org.x, ray->org_lo.x), pov_two_of(ray->dir.x, ray->dir_lo.x), b->lo.x, b->hi.x);
+    meet_slab(&s, pov_two_of(ray->org.y, ray->org_lo.y), pov_two_of(ray->dir.y, ray->dir_lo.y), b->lo.y, b->hi.y);
+    meet_slab(&s, pov_two_of(ray->org.z, ray->org_lo.z), pov_two_of(ray->dir.z, ray->dir_lo.z), b->lo.z, b->hi.z);
+    if (s.empty || pov_two_less(s.out, s.in))
+        return;
+    if (pov_cross(hits, s.in.hi, s.in.lo, mark))
+        pov_cross(hits, s.out.hi, s.out.lo, mark);
+}
+
+static const pov_shape_class brick = { .size = sizeof brick, .keyword = "brick", .instance_size = sizeof(pov_box),
+                                       .flags = POV_SHAPE_BOX, .intersect = intersect_brick };
+
+/* ---- and the ball in a box, about its point nearest to the centre ---- */
+
+static pov_two3 from_centre(const pov_box *b, const pov_ray *ray)
+{
+    pov_two3 w;
+
+    w.x = pov_two_add_double(pov_two_of(ray->org.x, ray->org_lo.x), -0.5 * (b->lo.x + b->hi.x));
+    w.y = pov_two_add_double(pov_two_of(ray->org.y, ray->org_lo.y), -0.5 * (b->lo.y + b->hi.y));
+    w.z = pov_two_add_double(pov_two_of(ray->org.z, ray->org_lo.z), -0.5 * (b->lo.z + b->hi.z));
+    return w;
+}
+
+static void intersect_orb(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const pov_box *b = self;
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    const double radius = 0.5 * (b->hi.x - b->lo.x);
+    const pov_two3 d = pov_two3_of(ray->dir, ray->dir_lo), f = from_centre(b, ray);
+    const pov_two a = pov_two3_dot(d, d), middle = pov_two_neg(pov_two_div(pov_two3_dot(f, d), a));
+    pov_two3 w;
+    pov_two square, half;
+
+    w.x = pov_two_add(f.x, pov_two_mul(middle, d.x));
+    w.y = pov_two_add(f.y, pov_two_mul(middle, d.y));
+    w.z = pov_two_add(f.z, pov_two_mul(middle, d.z));
+    square = pov_two_sub(pov_two_product(radius, radius), pov_two3_dot(w, w));
+    if (!(square.hi >= 0.0))
+        return;
+    half = pov_two_sqrt(pov_two_div(square, a));
+    if (pov_cross(hits, pov_two_sub(middle, half).hi, 0.0, mark))
+        pov_cross(hits, pov_two_add(middle, half).hi, 0.0, mark);
+}
+
+static const pov_shape_class orb = { .size = sizeof orb, .keyword = "orb", .instance_size = sizeof(pov_box),
+                                     .flags = POV_SHAPE_BALL, .intersect = intersect_orb };
+
+static uint32_t find_hits(const placement *p, const pov_shape_class *shape, const pov_box *own, const pov_ray *ray,
+                          double tmax, pov_crossing at[2])
+{
+    pov_hits hits;
+
+    memset(&hits, 0, sizeof hits);
+    hits.tmax = tmax;
+    hits.want = POV_WANT_ALL;
+    hits.always_exact = true;
+    hits.capacity = 2;
+    hits.at = at;
+    placement_intersect(p, shape, own, ray, &hits);
+    return hits.count;
+}
+
+/* ---- random boxes and rays ---- */
+
+static pov_box random_box(test_random *r)
+{
+    const double size = test_power(r, -2.0, 2.0);
+    const pov_vec3 far = pov_scale(test_direction(r), test_below(r, 2) ? 0.0 : 10.0 * size);
+    pov_box b;
+
+    b.lo = pov_sub(far, pov_vec3_of(size, size * test_power(r, -2.0, 2.0), test_below(r, 8) ? size : 0.0));
+    b.hi = pov_add(far, pov_vec3_of(size, size * test_power(r, -2.0, 2.0), test_below(r, 8) ? size : 0.0));
+    return b;
+}
+
+/* Towards an edge of the box, a place on a side of it, or near it. */
+static pov_ray random_ray(test_random *r, const pov_affine *map, const pov_box *own)
+{
+    const double u[3] = { 0.0, 1.0, test_uniform(r, -0.25, 1.25) };
+    const double x = u[test_below(r, 3)], y = u[test_below(r, 3)], z = u[test_below(r, 3)];
+    const pov_vec3 at = pov_vec3_of(own->lo.x + x * (own->hi.x - own->lo.x), own->lo.y + y * (own->hi.y - own->lo.y),
+                                    own->lo.z + z * (own->hi.z - own->lo.z));
+    pov_vec3 there, low, way = test_direction(r);
+    pov_ray ray;
+
+    transform_point(map, at, &there, &low);
+    if (!test_below(r, 4))
+        way = test_below(r, 2) ? pov_vec3_of(1.0, 0.0, 0.0) : pov_vec3_of(0.0, 0.0, -1.0);
+    memset(&ray, 0, sizeof ray);
+    ray.dir = pov_scale(way, test_power(r, -3.0, 3.0));
+    ray.org = pov_sub(there, pov_scale(way, pov_largest(pov_sub(own->hi, own->lo)) * fabs(map->m[0][0]) *
+                                                test_power(r, -3.0, 6.0)));
+    if (test_below(r, 2) && pov_largest(pov_sub(there, ray.org)) > 0.0)
+        ray.dir = pov_scale(pov_sub(there, ray.org), test_power(r, -3.0, 3.0));
+    ray.org_lo = pov_scale(ray.org, test_uniform(r, -0x1p-54, 0x1p-54));
+    ray.left = test_below(r, 2) ? POV_NOBODY : 0;
+    return ray;
+}
+
+/* ---- tests ---- */
+
+static bool is_same(const pov_ray *a, const pov_ray *b)
+{
+    return memcmp(&a->org, &b->org, sizeof a->org) == 0 && memcmp(&a->org_lo, &b->org_lo, sizeof a->org_lo) == 0 &&
+           memcmp(&a->dir, &b->dir, sizeof a->dir) == 0 && memcmp(&a->dir_lo, &b->dir_lo, sizeof a->dir_lo) == 0 &&
+           a->left == b->left && memcmp(&a->left_mark, &b->left_mark, sizeof a->left_mark) == 0;
+}
+
+static void check_copies(const placement *p, const pov_ray *ray)
+{
+#if defined(__x86_64__) && defined(__GNUC__)
+    pov_ray a, b;
+
+    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+        return;
+    placement_ray_portable(p, ray, &a);
+    placement_ray_avx2(p, ray, &b);
+    assert_true(is_same(&a, &b));
+#else
+    (void)p;
+    (void)ray;
+    (void)is_same;
+#endif
+}
+
+enum { RAYS = 4, APART = 19 };   /* how many go at a shape, and how many lanes lie between them */
+enum { NOT_LEFT = 1 };           /* an owner that no ray starts on */
+
+/* Side by side as one by one. */
+static void check_together(const placement *p, const pov_ray *sent, uint32_t n)
+{
+    const placement *const places[RAYS] = { p, p, p, p };
+    const pov_ray *const rays[RAYS] = { &sent[0], &sent[1], &sent[2], &sent[3] };
+    pov_ray own[RAYS], one;
+    pov_ray *const to[RAYS] = { &own[0], &own[1], &own[2], &own[3] };
+    uint32_t i;
+
+    placement_rays(places, rays, to, n);
+    for (i = 0; i < n; i++) {
+        placement_ray(p, &sent[i], &one);
+        assert_true(is_same(&own[i], &one));
+    }
+}
+
+/* Normals of shapes, of which some vanish and some are out of the range of squares, turned as one by one. */
+static void check_turned(const placement *p, test_random *r, uint32_t n)
+{
+    const placement *const places[RAYS] = { p, p, p, p };
+    pov_vec3 many[RAYS], one[RAYS];
+    pov_vec3 *const normals[RAYS] = { &many[0], &many[1], &many[2], &many[3] };
+    uint32_t i;
+
+    for (i = 0; i < n; i++) {
+        const double least = test_below(r, 4) ? -1.0 : test_below(r, 2) ? -300.0 : -500.0;
+
+        many[i] = one[i] = pov_scale(test_direction(r), test_power(r, least, -least));
+        placement_turn_normal(p, &one[i]);
+    }
+    placement_turn_normals(places, normals, n);
+    assert_memory_equal(many, one, n * sizeof *many);
+}
+
+typedef struct tally { long fits, hits, misses, filtered, sure, twice; } tally;
+
+/* False: it passes the frame by. */
+static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_ray *ray, double tmax)
+{
+    double length[POV_RAYS_MAX];
+    bvh_local l;
+
+    side_put(to, i, ray);
+    side_derive(to, i, tmax, length);
+    if (!bvh_enter(frame, ray, length[i], to->per_length[i], &l))
+        return false;
+    bvh_stand(to, i, &l, bvh_limit(l.scale, l.shift, tmax));
+    return true;
+}
+
+/* Up to 1e4 times as large as what it holds, which is anywhere in it. */
+static bvh_frame random_frame(test_random *r, const pov_box *around)
+{
+    const double most = pov_largest(pov_sub(around->hi, around->lo));
+    const double size = most * (test_below(r, 2) ? test_power(r, -1.0, 4.0) : 0.0);
+    const pov_vec3 before = pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5);
+    const pov_vec3 behind = pov_vec3_of(test_uniform(r, 0.0, 1.0), test_uniform(r, 0.0, 1.0), 0.5);
+    pov_box all;
+
+    all.lo = pov_sub(around->lo, pov_scale(before, size));
+    all.hi = pov_add(around->hi, pov_scale(behind, size));
+    return bvh_frame_around(&all);
+}
+
+static bool is_not_before(double a, double b) { return a >= b - fabs(b) * 0x1p-46; }
+
+/* What is said of one ray, held against the truth; NULL: nothing. */
+static void check_answer(const pov_meeting *said, uint32_t hits, const pov_crossing at[2], tally *t)
+{
+    assert_true(said || hits == 0);
+    t->hits += hits > 0;
+    t->misses += hits == 0;
+    t->filtered += !said;
+    if (!said)
+        return;
+    assert_true(hits > 0 || !said->surely);
+    assert_true(hits == 2 || !said->twice);
+    if (hits > 0)
+        assert_true(is_not_before(at[0].t, said->lo));
+    if (said->surely)
+        assert_true(is_not_before(said->hi, at[0].t));
+    t->sure += said->surely;
+    t->twice += said->twice;
+}
+
+/* A ball under the map is the ellipsoid of these rows, and stands as that does. */
+static void check_ellipsoid(const placement *p, const bvh_frame *frame, const stand *stands)
+{
+    const pov_vec3 *c = p->column;
+    const pov_ellipsoid e = { p->anchor, { 0.0, 0.0, 0.0 },
+                              { pov_scale(pov_vec3_of(c[0].x, c[1].x, c[2].x), (double)p->per_half[0]),
+                                pov_scale(pov_vec3_of(c[0].y, c[1].y, c[2].y), (double)p->per_half[1]),
+                                pov_scale(pov_vec3_of(c[0].z, c[1].z, c[2].z), (double)p->per_half[2]) } };
+    stand s;
+
+    if (p->known != PLACEMENT_IS_BALL)
+        return;
+    assert_true(placement_stand_ellipsoid(&e, frame, &s));
+    assert_memory_equal(&s, stands, sizeof s);
+}
+
+static void check_map(model *m, test_random *r, const pov_shape_class *shape, pov_box own, tally *t)
+{
+    const pov_meeting *of[RAYS] = { NULL };
+    pov_ray sent[RAYS];
+    pov_crossing at[RAYS][2];
+    pov_meeting met[RAYS];
+    static pov_rays rays;
+    uint32_t hits[RAYS], count, i;
+    uint64_t lanes = 0;
+    bvh_frame frame;
+    pov_box around, tree;
+    pov_affine map;
+    placement p;
+    stand stands;
+    bool fits;
+
+    assert_true(transform_compose(test_random_map(m, r), &map));
+    placement_box(&map, &own, &around);
+    placement_init(&p, &map, &own, &around, shape->flags);
+    assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
+    tree = around;
+    if (shape->flags & POV_SHAPE_BALL)
+        placement_draw_in(&map, &own, &tree);
+    frame = random_frame(r, &tree);
+    fits = placement_stand(&p, &frame, &stands);
+    t->fits += fits;
+    if (fits)
+        check_ellipsoid(&p, &frame, &stands);
+    for (i = 0; i < RAYS; i++) {
+        const pov_ray ray = random_ray(r, &map, &own);
+        const double tmax = test_below(r, 2) ? HUGE_VAL : test_power(r, -3.0, 6.0);
+
+        hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
+        check_copies(&p, &ray);
+        sent[i] = ray;
+        if (put_ray(&rays, i * APART, &frame, &ray, tmax))
+            lanes |= (uint64_t)1 << i * APART;
+    }
+    check_together(&p, sent, 1 + test_below(r, RAYS));
+    check_turned(&p, r, 1 + test_below(r, RAYS));
+    count = fits ? placement_filter(&stands, NOT_LEFT, &rays, lanes, met) : 0;
+    for (i = 0; i < count; i++) {
+        assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
+        of[met[i].ray / APART] = &met[i];
+    }
+    for (i = 0; i < RAYS && fits; i++)
+        check_answer(of[i], hits[i], at[i], t);
+}
+
+static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random *r))
+{
+    test_random r = { 17 };
+    tally t = { 0, 0, 0, 0, 0, 0 };
+    int i, j;
+
+    for (i = 0; i < MAPS; i += BATCH) {
+        model m;
+        test_model_init(&m, NULL);
+        for (j = 0; j < BATCH; j++)
+            check_map(&m, &r, shape, own(&r), &t);
+        model_free(&m);
+    }
+    print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.fits,
+                  t.hits, t.misses, t.filtered, t.sure, t.twice);
+    return t;
+}
+
+static void the_filter_is_right_of_boxes(void **state)
+{
+    const tally t = check_maps(&brick, random_box);
+
+    (void)state;
+    /* It is of use: many rays of either kind, and most that miss are told, though they aim at edges. */
+    assert_true(t.hits > MAPS && t.misses > MAPS / 2);
+    assert_true((double)t.filtered > 0.5 * (double)t.misses);
+    assert_true(t.sure > MAPS / 10 && t.twice > MAPS / 20);
+}
+
+static void the_filter_is_right_of_balls(void **state)
+{
+    const tally t = check_maps(&orb, test_random_cube);
+
+    (void)state;
+    assert_true(t.hits > MAPS / 10 && t.misses > MAPS / 2);
+    assert_true((double)t.filtered > 0.5 * (double)t.misses);
+    assert_true(t.sure > MAPS / 20 && t.twice > MAPS / 40);
+}
+
+/* Of classes and boxes as they come, some without one. */
+static void placements_made_together_are_as_one_by_one(void **state)
+{
+    test_random r = { 23 };
+    int i, k;
+
+    (void)state;
+    for (i = 0; i < 500; i++) {
+        const int n = 1 + (int)test_below(&r, PLACEMENT_MANY);
+        pov_affine maps[PLACEMENT_MANY];
+        const pov_affine *each[PLACEMENT_MANY] = { NULL };
+        pov_box own[PLACEMENT_MANY], around[PLACEMENT_MANY], alone;
+        placement_wish wishes[PLACEMENT_MANY];
+        placement many[PLACEMENT_MANY], one;
+        model m;
+
+        test_model_init(&m, NULL);
+        for (k = 0; k < n; k++) {
+            assert_true(transform_compose(test_random_map(&m, &r), &maps[k]));
+            each[k] = &maps[k];
+            own[k] = test_below(&r, 2) ? random_box(&r) : test_random_cube(&r);
+        }
+        placement_boxes(each, own, n, around);
+        for (k = 0; k < n; k++) {
+            const placement_wish w = { each[k], &own[k], test_below(&r, 5) ? &around[k] : NULL,
+                                       test_below(&r, 2) ? POV_SHAPE_BOX : POV_SHAPE_BALL };
+            wishes[k] = w;
+            placement_box(each[k], &own[k], &alone);
+            assert_memory_equal(&alone, &around[k], sizeof alone);
+        }
+        placement_init_many(many, wishes, n);
+        for (k = 0; k < n; k++) {
+            placement_init(&one, wishes[k].map, wishes[k].own, wishes[k].around, wishes[k].flags);
+            assert_memory_equal(&one, &many[k], sizeof one);
+        }
+        model_free(&m);
+    }
+}
+
+static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
+{
+    const pov_box own = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
+    static pov_rays rays;
+    bvh_frame frame;
+    pov_meeting met;
+    pov_box around;
+    pov_affine map;
+    placement p;
+    stand s;
+    pov_ray ray;
+    model m;
+
+    test_model_init(&m, NULL);
+    assert_true(transform_compose(test_transform(&m, NULL, TRANSFORM_ROTATE, 10.0, 20.0, 30.0), &map));
+    placement_box(&map, &own, &around);
+    placement_init(&p, &map, &own, &around, flags);
+    frame = bvh_frame_around(&around);
+    memset(&ray, 0, sizeof ray);
+    ray.dir.z = 1.0;
+    ray.left = left;
+    ray.left_mark.flags = mark;
+    assert_true(put_ray(&rays, 5, &frame, &ray, HUGE_VAL));
+    model_free(&m);
+    assert_true(placement_stand(&p, &frame, &s));
+    return placement_filter(&s, 7, &rays, 32, &met);
+}
+
+static void who_goes_away_from_a_box_or_ball_is_left_out(void **state)
+{
+    (void)state;
+    assert_int_equal(count_met(POV_SHAPE_BOX, 7, POV_MARK_AWAY), 0);
+    assert_int_equal(count_met(POV_SHAPE_BALL, 7, POV_MARK_AWAY), 0);
+    assert_int_equal(count_met(POV_SHAPE_BOX, 7, 0), 1);
+    assert_int_equal(count_met(POV_SHAPE_BOX, 8, POV_MARK_AWAY), 1);
+    /* It may be met again if it is not convex. */
+    assert_int_equal(count_met(0, 7, POV_MARK_AWAY), 1);
+}
+
+/* A ray through the middle, which meets the box twice. */
+static void check_range(const placement *p, const pov_box *own, const pov_box *around, const pov_ray *ray)
+{
+    const bvh_frame frame = bvh_frame_around(around);
+    static pov_rays rays;
+    pov_crossing at[2];
+    pov_meeting met;
+    stand where;
+
+    assert_int_equal(find_hits(p, &brick, own, ray, HUGE_VAL, at), 2);
+    if (!placement_stand(p, &frame, &where))
+        return;
+    assert_true(put_ray(&rays, 0, &frame, ray, HUGE_VAL));
+    assert_int_equal(placement_filter(&where, NOT_LEFT, &rays, 1, &met), 1);
+}
+
+/* Where squares and products would leave the range of double, there is no filter and no wrong answer. */
+static void what_is_out_of_range_is_not_filtered(void **state)
+{
+    static const double sizes[] = { 1e-140, 1e-101, 1e-35, 1e35, 1e101, 1e140 };
+    const pov_box own = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        pov_box around;
+        pov_affine map;
+        placement p;
+        model m;
+        pov_ray ray;
+
+        test_model_init(&m, NULL);
+        assert_true(transform_compose(test_transform(&m, NULL, TRANSFORM_SCALE, sizes[i], 2.0 * sizes[i], sizes[i]),
+                                      &map));
+        placement_box(&map, &own, &around);
+        placement_init(&p, &map, &own, &around, POV_SHAPE_BALL);
+        memset(&ray, 0, sizeof ray);
+        ray.org = pov_vec3_of(0.0, 0.0, -5.0 * sizes[i]);
+        ray.dir = pov_vec3_of(0.0, 1e-3, 1.0);
+        check_copies(&p, &ray);
+        check_range(&p, &own, &around, &ray);
+        ray.dir = pov_vec3_of(0.0, 1e-73, 1e-70);
+        check_copies(&p, &ray);
+        check_range(&p, &own, &around, &ray);
+        placement_init(&p, &map, &own, NULL, POV_SHAPE_BALL);
+        assert_int_equal(p.known, PLACEMENT_UNKNOWN);
+        model_free(&m);
+    }
+}
+
+/* ---- bounds ---- */
+
+static void next_is_nextafter(double x)
+{
+    const double mine = pov_next(x), theirs = nextafter(x, HUGE_VAL);
+
+    assert_int_equal(memcmp(&mine, &theirs, sizeof mine), 0);
+}
+
+static void the_next_double_is_that_of_nextafter(void **state)
+{
+    const double at[] = { 0.0, 5e-324, 2.2250738585072014e-308, 0x1p-1022, 1.0, 0x1.fffffffffffffp0, 1e300,
+                          1.7976931348623157e308, HUGE_VAL };
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof at / sizeof at[0]; i++) {
+        next_is_nextafter(at[i]);
+        next_is_nextafter(-at[i]);
+    }
+    assert_true(isnan(pov_next(NAN)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(placements_made_together_are_as_one_by_one),
+        cmocka_unit_test(the_filter_is_right_of_boxes),
+        cmocka_unit_test(the_filter_is_right_of_balls),
+        cmocka_unit_test(who_goes_away_from_a_box_or_ball_is_left_out),
+        cmocka_unit_test(what_is_out_of_range_is_not_filtered),
+        cmocka_unit_test(the_next_double_is_that_of_nextafter),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
