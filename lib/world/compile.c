@@ -420,12 +420,15 @@ static pov_status add_up(survey *s, pov_error *err)
     f->clear = nothing;
     for (i = 0; i < s->part_count; i++) {
         const part *p = &s->parts[i];
-        const object *o = &f->model->objects.items[p->failed];
+
         if (p->status == POV_E_MEMORY)
             return err_memory(err);
-        if (p->status < 0)
+        if (p->status < 0) {
+            const object *o = &f->model->objects.items[p->failed];
+
             return err_set(err, p->status, "the transformation of the %s in line %u has no inverse", o->shape->keyword,
                            (unsigned)o->line);
+        }
         if (p->finite > 0 && f->finite_count == 0)
             f->bounds = p->bounds;
         else if (p->finite > 0)

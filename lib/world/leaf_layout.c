@@ -92,7 +92,8 @@ SIMD_INLINE void expect_size(const flat *f, const uint32_t *ids, uint32_t rest)
         return;
     SIMD_EXPECT(&f->group[ids[AHEAD]]);
     SIMD_EXPECT(&f->moved[ids[AHEAD]]);
-    SIMD_EXPECT(&f->maps[ids[AHEAD]]);
+    if (f->maps)
+        SIMD_EXPECT(&f->maps[ids[AHEAD]]);
 }
 
 size_t runs_size(runs *r, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest)
