@@ -179,7 +179,7 @@ static void same_surfaces(subject *s, const walker *k, const pov_ray *const *ray
             at[n] = &hits[i];
             from[n++] = rays[i];
         }
-    world_surface_many(s->world, k, from, at, n, &to);
+    world_surface_many(s->world, k ? walker_own(k) : NULL, from, at, n, &to);
     for (i = 0; i < n; i++) {
         hit single = *at[i];
         world_surface(s->world, from[i], &single);

@@ -4,7 +4,7 @@
 #include "support/near.h"
 #include "support/shapes.h"
 
-#include "world/parts.h"
+#include "query/context.h"
 
 #include <string.h>
 
