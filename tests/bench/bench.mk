@@ -37,7 +37,7 @@ bench-threads: all $(TAILS)
 	$(PYTHON) tests/bench/threads.py --povc $(POVC) --tails $(TAILS) --work $(BUILD)/bench $(BENCH_FLAGS)
 bench-scale: all
 	$(PYTHON) tests/bench/scale.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
-# Instructions by parts of the program, under callgrind; then all tables of docs/performance.md from what was measured.
+# Instructions by parts of the program, under callgrind; then all tables of docs/performance.md and docs/notes from what was measured.
 bench-where: all
 	$(PYTHON) tests/bench/where.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
 bench-docs:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Puts what the bench measured into the tables of docs/performance.md, between their marks.
+"""Fill the tables of docs/performance.md and of the notebook behind it from what the bench measured.
 
 A table stands between `<!-- bench:NAME -->` and `<!-- end -->`; each NAME comes from its CSV in the bench's folder. Where
 there is none, the table stays as it is.
@@ -21,7 +21,7 @@ PARTS = ('tree', 'filters', 'shapes', 'placements', 'normals', 'shading', 'pictu
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--work', default='build/bench', help='where the CSV files are')
-    parser.add_argument('--docs', default='docs/performance.md')
+    parser.add_argument('--docs', nargs='+', default=['docs/performance.md', 'docs/notes/where-time-goes.md'])
     return parser.parse_args()
 
 
@@ -92,11 +92,11 @@ def scale(rows):
                    f'{float(row["parse_mb_per_s"]):.0f}', f'{float(row["build_1_s"]):.3f}',
                    f'{float(row["build_all_s"]):.3f}', f'{float(row["memory_mb"]):.0f}',
                    f'{float(row["bytes_per_object"]):.0f}', f'{float(row["ns_per_ray"]):.0f}')
-                  for row in rows if float(row['objects']) >= 1e4])
+                  for row in rows if float(row['objects']) >= 1e5])
 
 
 def where(rows):
-    return table(('scene', 'all', 'tree and walks', 'block filters', 'exact shapes', 'placements', 'normals', 'shading',
+    return table(('scene', 'all', 'tree and traversal', 'block filters', 'exact shapes', 'instances', 'normals', 'shading',
                   'picture', 'near misses', 'far misses', 'branches missed'),
                  [(row['scene'], f'{float(row["all"]):.0f}', *(f'{float(row[part]):.0f}' for part in PARTS),
                    *(f'{float(row[miss]):.1f}' for miss in ('near_misses', 'far_misses', 'branch_misses')))
@@ -120,8 +120,7 @@ def conditions(path):
 
 def main():
     options = arguments()
-    docs = Path(options.docs)
-    text = docs.read_text()
+    pages = {path: path.read_text() for path in map(Path, options.docs)}
     for name, (source, make) in TABLES.items():
         path = Path(options.work) / source
         if not path.exists():
@@ -130,10 +129,14 @@ def main():
         with open(path) as file:
             lines = make(list(csv.DictReader(file))) + ['', conditions(path)]
         mark = f'<!-- bench:{name} -->'
-        text, found = re.subn(f'({mark}\n).*?(<!-- end -->)', lambda m: m[1] + '\n'.join(lines) + '\n' + m[2], text,
-                              flags=re.S)
-        print(f'{name}: {"filled from " + str(path) if found else "no mark " + mark + " in " + options.docs}')
-    docs.write_text(text)
+        filled = 0
+        for page, text in pages.items():
+            pages[page], found = re.subn(f'({mark}\n).*?(<!-- end -->)', lambda m: m[1] + '\n'.join(lines) + '\n' + m[2],
+                                         text, flags=re.S)
+            filled += found
+        print(f'{name}: {"filled from " + str(path) if filled else "no mark " + mark + " in " + " ".join(options.docs)}')
+    for page, text in pages.items():
+        page.write_text(text)
 
 
 if __name__ == '__main__':
