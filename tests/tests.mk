@@ -76,6 +76,7 @@ $(BUILD)/tests/plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/%.o)
 $(BUILD)/tests/plugins/test_contract: | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
+$(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)
 $(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 # The pure pieces of povc are tested with the program's own objects.
 $(BUILD)/obj/tests/cli/%.o: LIB_FLAGS += -Icli
