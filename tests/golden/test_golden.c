@@ -183,7 +183,7 @@ static void a_wrong_highlight_is_noticed(void **state)
     (void)state;
     assert_false(is_noticed("test-phong", "phong_size 5 ", "phong_size 5.0 "));
     assert_true(is_noticed("test-phong", "phong_size 5 ", "phong_size 6 "));
-    assert_true(is_noticed("test-phong", "phong_size 200", "phong_size 190"));
+    assert_true(is_noticed("test-phong", "phong_size 200", "phong_size 180"));
     assert_true(is_noticed("test-phong", "phong 0.7", "phong 0.6"));
 }
 
