@@ -84,14 +84,14 @@ $(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o
 
-# Scripts are run like programs; they find what was built in $BUILD_DIR and the compiler in $CC.
-TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/install/run.sh))
+# Scripts are run like programs, and first, for some take longest; they find what was built in $BUILD_DIR and the compiler in $CC.
+TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/install/run.sh)) tests/runner/run.sh
 
 .PHONY: test tests
 tests: all $(TEST_PROGRAMS)
 test: deps
 	$(MAKE) tests
-	BUILD_DIR='$(abspath $(BUILD))' CC='$(CC)' CXX='$(CXX)' tests/run.sh $(TEST_PROGRAMS) $(TEST_SCRIPTS)
+	BUILD_DIR='$(abspath $(BUILD))' CC='$(CC)' CXX='$(CXX)' tests/run.sh $(TEST_SCRIPTS) $(TEST_PROGRAMS)
 
 # The same tests under the sanitizers, each in a build of its own. POVTRACE_STORM=60 in the environment has jobs restarted,
 # paused, resized and cancelled at random moments for a minute.
