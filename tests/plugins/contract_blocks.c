@@ -409,7 +409,7 @@ void block_filters_never_exclude_a_crossing(void **unused)
 
     (void)unused;
     if (!HAS(block_pack))
-        skip();
+        subject_skip("has no block_pack");
     block = fake_reader_memory(subject.in, subject.shape->block_size);
     for (round = 0; round < 6000; round++) {
         const thing *things[POV_BLOCK_MAX];

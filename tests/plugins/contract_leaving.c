@@ -84,7 +84,7 @@ void a_convex_shape_is_left_for_good(void **unused)
     if (subject.shape->flags & POV_SHAPE_CONVEX)
         subject_each_ray(SPAWNED, never_comes_back);
     else
-        skip();
+        subject_skip("is not a POV_SHAPE_CONVEX");
 }
 
 /* From each crossing inward: out once, and then no more. */
@@ -144,7 +144,7 @@ void faces_have_the_same_normal_from_everywhere(void **unused)
     if (subject.shape->flags & POV_SHAPE_FACES)
         subject_each_ray(RAYS, normals_need_no_ray);
     else
-        skip();
+        subject_skip("is not a POV_SHAPE_FACES");
 }
 
 static double between(double lo, double hi, double at)
@@ -195,7 +195,7 @@ void a_box_or_ball_fills_its_bounds(void **unused)
     if (subject.shape->flags & (POV_SHAPE_BOX | POV_SHAPE_BALL))
         subject_each_ray(RAYS, fills_its_bounds);
     else
-        skip();
+        subject_skip("is neither a POV_SHAPE_BOX nor a POV_SHAPE_BALL");
     if (subject.shape->flags & POV_SHAPE_BALL)
         subject_each_ray(RAYS, lies_in_its_ball);
 }

@@ -105,7 +105,7 @@ void many_rays_get_the_answers_of_single_ones(void **unused)
 
     (void)unused;
     if (!HAS(intersect_many))
-        skip();
+        subject_skip("has no intersect_many");
     for (round = 0; round < 3000; round++) {
         const uint32_t n = 1 + (uint32_t)(COMPANY * subject_uniform());
         pov_hits *hits[COMPANY];
@@ -128,7 +128,7 @@ void many_normals_are_those_of_single_ones(void **unused)
 
     (void)unused;
     if (!HAS(normal_many))
-        skip();
+        subject_skip("has no normal_many");
     for (round = 0; round < 3000; round++) {
         const pov_crossing *at[COMPANY];
         pov_vec3 normal[COMPANY], *out[COMPANY];

@@ -62,7 +62,7 @@ void an_ellipsoid_is_the_ball_of_its_rows(void **unused)
 
     (void)unused;
     if (!HAS(ellipsoid))
-        skip();
+        subject_skip("has no ellipsoid");
     for (i = 0; i < subject.count + subject.hard; i++) {
         const thing *t = &subject.things[i];
         pov_ray ray;
@@ -156,7 +156,7 @@ void inside_flips_where_a_ray_crosses(void **unused)
     if (subject.shape->flags & POV_SHAPE_SOLID)
         subject_each_ray(RAYS, flips_at_crossings);
     else
-        skip();
+        subject_skip("is not a POV_SHAPE_SOLID");
 }
 
 static bool same_crossing(const pov_crossing *a, const pov_crossing *b)
@@ -364,7 +364,7 @@ void an_absorbed_map_is_as_a_mapped_ray(void **unused)
 
     (void)unused;
     if (!HAS(absorb))
-        skip();
+        subject_skip("has no absorb");
     for (i = 0; i < subject.count; i++) {
         const thing *t = &subject.things[i];
 

@@ -229,6 +229,12 @@ void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
     assert_int_equal(broken, 0);
 }
 
+void subject_skip(const char *why)
+{
+    print_message("%s %s", subject.shape->keyword, why);
+    skip();
+}
+
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST])
 {

@@ -41,6 +41,8 @@ pov_vec3 subject_direction(void);    /* unit, all directions alike */
 pov_ray subject_ray(const thing *t);
 /* Each of `rays` rays at every instance; `see` gives false where something is wrong. */
 void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray));
+/* Skips the test: what the shape lacks or is not, after its keyword. */
+void subject_skip(const char *why);
 /* Crossings in growing order; how many. */
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST]);

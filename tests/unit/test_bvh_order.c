@@ -34,8 +34,10 @@ static void what_lies_before_a_child_is_never_more_than_it_is(void **state)
     int round;
 
     (void)state;
-    if (!__builtin_cpu_supports("avx512vl") || !__builtin_cpu_supports("avx512dq"))
+    if (!__builtin_cpu_supports("avx512vl") || !__builtin_cpu_supports("avx512dq")) {
+        print_message("this processor has no AVX-512VL and DQ");
         skip();
+    }
     for (round = 0; round < 20000; round++) {
         float entry[8], before[8];
         uint32_t place[8], met = (uint32_t)round & 255, seen = 0, count, i;
@@ -57,6 +59,7 @@ static void what_lies_before_a_child_is_never_more_than_it_is(void **state)
     }
 #else
     (void)state;
+    print_message("this compiler cannot build for AVX-512");
     skip();
 #endif
 }
