@@ -1,0 +1,33 @@
+/* sincos.h - sine and cosine in double-double, several angles side by side. */
+#ifndef MODEL_SINCOS_H
+#define MODEL_SINCOS_H
+
+#include <povtrace/exact.h>
+
+/* Numbers on which the same is done, eight in plain loops, which compilers take as vectors. Four and four are of two
+ * kinds; the last of each four means nothing, or little. */
+enum { TWO_LANES = 8, TWO_HALF = TWO_LANES / 2 };
+typedef struct two_lanes { double hi[TWO_LANES], lo[TWO_LANES]; } two_lanes;
+
+static inline pov_two two_lane(const two_lanes *l, int k)
+{
+    return pov_two_of(l->hi[k], l->lo[k]);
+}
+
+static inline void two_set_lane(two_lanes *l, int k, pov_two to)
+{
+    l->hi[k] = to.hi;
+    l->lo[k] = to.lo;
+}
+
+/* Of three angles each: x is what remains of a quarter turn, in radians. */
+enum { SINCOS_ANGLES = 3, SINCOS_MANY = 8 };
+typedef struct sincos_turns {
+    pov_two x[SINCOS_ANGLES], sine[SINCOS_ANGLES], cosine[SINCOS_ANGLES];
+    int quarter[SINCOS_ANGLES];
+} sincos_turns;
+
+/* n of SINCOS_MANY at most, by their angles in degrees; relative errors below 2^-98. */
+void sincos_many(sincos_turns *t, const double *const *degrees, int n);
+
+#endif
