@@ -134,16 +134,16 @@ void pov_scene_get_camera(const pov_scene *scene, pov_camera *out)
 
 size_t pov_scene_object_count(const pov_scene *scene)
 {
-    return scene->model.objects.count;
+    return scene->model.leaves.count;
 }
 
 bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **keyword, int *line, int *column)
 {
-    const struct object *o;
+    const struct leaf_node *o;
 
-    if (index >= scene->model.objects.count)
+    if (index >= scene->model.leaves.count)
         return false;
-    o = &scene->model.objects.items[index];
+    o = &scene->model.leaves.items[index];
     if (keyword)
         *keyword = o->shape->keyword;
     if (line)
@@ -168,7 +168,7 @@ void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
     info.transfer = m->gamma.transfer;
     info.parse_seconds = scene->parse_seconds;
     info.build_seconds = scene->build_seconds;
-    info.objects = m->objects.count;
+    info.objects = m->leaves.count;
     info.infinite_objects = world_infinite_count(scene->world);
     info.lights = m->lights.count;
     info.materials = m->materials.count;

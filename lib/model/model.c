@@ -12,7 +12,7 @@ void model_init(model *m, const env *e)
 
 void model_free(model *m)
 {
-    env_free(m->env, m->objects.items);
+    env_free(m->env, m->leaves.items);
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
     arena_free(&m->memory);
@@ -23,7 +23,7 @@ void model_drop_maps(model *m)
 {
     size_t i;
 
-    for (i = 0; i < m->objects.count; i++)
-        m->objects.items[i].map = NULL;
+    for (i = 0; i < m->leaves.count; i++)
+        m->leaves.items[i].map = NULL;
     arena_free(&m->maps);
 }

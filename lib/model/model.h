@@ -6,11 +6,11 @@
 #include "base/arena.h"
 #include "model/light.h"
 #include "model/material.h"
-#include "model/object.h"
+#include "model/node.h"
 
 #include <povtrace/scene.h>
 
-typedef struct object_list { object *items; size_t count, capacity; } object_list;
+typedef struct leaf_list { leaf_node *items; size_t count, capacity; } leaf_list;
 typedef struct material_list { material *items; size_t count, capacity; } material_list;
 typedef struct light_list { light *items; size_t count, capacity; } light_list;
 
@@ -24,7 +24,7 @@ typedef struct model {
     arena memory;                /* of instances and texts */
     arena maps;                  /* of transformations, which model_drop_maps() takes away before the rest */
     const env *env;
-    object_list objects;         /* in the order of the text: an object's index is its name everywhere */
+    leaf_list leaves;            /* in the order of the text: an object's index is its name everywhere */
     material_list materials;
     light_list lights;
     pov_camera camera;

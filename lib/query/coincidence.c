@@ -120,7 +120,7 @@ bool world_nearest_from(const world *w, walker *k, const spot *from, const pov_r
 
 static bool is_solid(const world *w, uint32_t which)
 {
-    return (w->model->objects.items[which].shape->flags & POV_SHAPE_SOLID) != 0;
+    return (w->model->leaves.items[which].shape->flags & POV_SHAPE_SOLID) != 0;
 }
 
 static bool is_crossed(const spot *s, uint32_t which, double rise)
@@ -240,10 +240,10 @@ static bool leave_spot(const world *w, const spot *from, pov_vec3 dir, colour *t
     const model *m = w->model;
 
     for (uint32_t i = 0; i < from->count; i++) {
-        const object *o = &m->objects.items[from->at[i].object];
+        const leaf_node *o = &m->leaves.items[from->at[i].object];
         const material *surface = &m->materials.items[o->material];
 
-        if ((o->flags & OBJECT_NO_SHADOW) || !is_crossed(from, i, pov_dot(from->at[i].normal, dir)))
+        if ((o->flags & LEAF_NO_SHADOW) || !is_crossed(from, i, pov_dot(from->at[i].normal, dir)))
             continue;
         if (!material_is_transparent(surface))
             return false;

@@ -52,9 +52,9 @@ static void read_flag(pov_reader *in, void *self, word_id word)
 
     (void)in;
     if (word == WORD_INVERSE)
-        o->flags ^= OBJECT_INVERSE;
+        o->flags ^= LEAF_INVERSE;
     else
-        o->flags |= word == WORD_NO_SHADOW ? OBJECT_NO_SHADOW : OBJECT_HOLLOW;
+        o->flags |= word == WORD_NO_SHADOW ? LEAF_NO_SHADOW : LEAF_HOLLOW;
 }
 
 static const item modifier_items[] = {
@@ -124,12 +124,12 @@ static void check_layers(pov_reader *in, const surface_text *s)
         unsupported_form(in, &s->layer, "a transparent texture upon another");
 }
 
-static void add_object(pov_reader *in, object *o, const object_text *text)
+static void add_object(pov_reader *in, leaf_node *o, const object_text *text)
 {
     o->map = text->map;
     o->flags = text->flags;
     o->material = materials_index(in, &text->surface.material);
-    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->objects, *o))
+    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->leaves, *o))
         report_memory(in);
 }
 
@@ -140,7 +140,7 @@ static size_t text_size(const pov_shape_class *shape)
 
 /* Many a scene is of a few shapes in many places: what was written as it was the last time that its word stood there is
  * kept once. */
-static void share_text(pov_reader *in, symbol *word, object *o)
+static void share_text(pov_reader *in, symbol *word, leaf_node *o)
 {
     const size_t bytes = text_size(o->shape);
 
@@ -153,7 +153,7 @@ static void share_text(pov_reader *in, symbol *word, object *o)
 void parse_object(pov_reader *in)
 {
     symbol *word = find_shape(in);
-    object o;
+    leaf_node o;
     object_text text;
     block b;
 

@@ -10,7 +10,7 @@
  * too. */
 static double ior_of(const model *m, uint32_t which)
 {
-    double ior = m->materials.items[m->objects.items[which].material].ior;
+    double ior = m->materials.items[m->leaves.items[which].material].ior;
 
     return ior > 0.0 && ior <= 1e100 ? ior : 1.0;
 }

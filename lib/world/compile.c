@@ -70,7 +70,7 @@ static void *aligned(room *r)
     return r->bytes + (-(uintptr_t)r->bytes & (INSTANCE_ALIGN - 1));
 }
 
-void flat_make(const object *o, void *instance)
+void flat_make(const leaf_node *o, void *instance)
 {
     if (o->shape->prepare) {
         memset(instance, 0, o->shape->instance_size);
@@ -106,7 +106,7 @@ static size_t find_class(maker *k, const pov_shape_class *shape)
 
 /* An object's instance as it was written: the model's own where that is one, else one that serves for all of the class that
  * follow and were written alike. It is kept from when somebody wants that. NULL: no memory. */
-static const void *make(maker *k, const object *o, bool keep)
+static const void *make(maker *k, const leaf_node *o, bool keep)
 {
     made *m = &k->made[find_class(k, o->shape) % MADE];
 
@@ -127,7 +127,7 @@ static const void *make(maker *k, const object *o, bool keep)
 }
 
 /* Let a copy take the transformation in: *out, or NULL if it cannot. */
-static pov_status absorb(maker *k, const object *o, const pov_affine *map, const void **out)
+static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, const void **out)
 {
     size_t bytes = o->shape->instance_size;
     arena *home = flat_stays(k->f, o->shape) ? k->kept : k->staging;
@@ -193,7 +193,7 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
 }
 
 /* The box of a placed shape in the world, a little wider where its map is roughly known. False: there is none. */
-static bool placed_box(maker *k, const object *o, const void *instance, bool roughly, pov_box *out)
+static bool placed_box(maker *k, const leaf_node *o, const void *instance, bool roughly, pov_box *out)
 {
     const pov_affine *map;
 
@@ -212,7 +212,7 @@ static bool placed_box(maker *k, const object *o, const void *instance, bool rou
 }
 
 /* Take the transformation into the shape, or leave the shape as it was written. */
-static pov_status move(maker *k, const object *o, uint32_t index, bool *finite, bool *placed)
+static pov_status move(maker *k, const leaf_node *o, uint32_t index, bool *finite, bool *placed)
 {
     const void **instance = &k->f->moved[index];
     pov_box *box = &k->f->boxes[index];
@@ -280,15 +280,15 @@ static const pov_box everything = { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, { HUGE_
 static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
 /* What rays will look at of an object, but for where it is. */
-static void note(maker *k, const object *o, uint32_t index, const pov_box *box)
+static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *box)
 {
     world_thing *thing = &k->f->things[index];
     const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
-    const bool casts = !(o->flags & OBJECT_NO_SHADOW);
+    const bool casts = !(o->flags & LEAF_NO_SHADOW);
 
     thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE);
     thing->material = o->material;
-    thing->inverse = (o->flags & OBJECT_INVERSE) != 0;
+    thing->inverse = (o->flags & LEAF_INVERSE) != 0;
     thing->tints = casts && clear;
     if (clear)
         join(&k->part->clear, box);
@@ -297,7 +297,7 @@ static void note(maker *k, const object *o, uint32_t index, const pov_box *box)
 static pov_status flatten_one(maker *k, uint32_t index)
 {
     flat *f = k->f;
-    const object *o = &f->model->objects.items[index];
+    const leaf_node *o = &f->model->leaves.items[index];
     const pov_shape_class *shape = o->shape;
     const void *instance;
     bool finite, packs = false, placed = false;
@@ -337,7 +337,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
 static void flatten_part(void *user, uint32_t which, int hand)
 {
     survey *s = user;
-    uint32_t n = (uint32_t)s->f->model->objects.count, begin = share_begin(n, s->part_count, which), i = begin;
+    uint32_t n = (uint32_t)s->f->model->leaves.count, begin = share_begin(n, s->part_count, which), i = begin;
     uint32_t end = share_begin(n, s->part_count, which + 1);
     part *p = &s->parts[which];
     maker k;
@@ -352,7 +352,7 @@ static void flatten_part(void *user, uint32_t which, int hand)
     p->clear = nothing;
     for (; i < end && p->status == POV_OK; i++) {
         if (s->f->moved && (i - begin) % FLAT_WINDOW == 0)
-            flat_maps_open(&k.maps, &s->f->model->objects.items[i], end - i);
+            flat_maps_open(&k.maps, &s->f->model->leaves.items[i], end - i);
         p->status = flatten_one(&k, i);
         p->failed = i;
     }
@@ -362,7 +362,7 @@ static void flatten_part(void *user, uint32_t which, int hand)
 
 static bool find_classes(survey *s, bool *any_map)
 {
-    const object_list *all = &s->f->model->objects;
+    const leaf_list *all = &s->f->model->leaves;
     const pov_shape_class *last = NULL;
     size_t i, k;
 
@@ -394,7 +394,7 @@ static arena *make_arenas(const env *e, int count)
 static bool allocate(survey *s, bool any_map)
 {
     flat *f = s->f;
-    size_t n = f->model->objects.count;
+    size_t n = f->model->leaves.count;
 
     s->part_count = (uint32_t)(n / PART_LEAST < 1 ? 1 : n / PART_LEAST > PARTS_MOST ? PARTS_MOST : n / PART_LEAST);
     s->parts = env_alloc(f->env, s->part_count, sizeof *s->parts);
@@ -424,7 +424,7 @@ static pov_status add_up(survey *s, pov_error *err)
         if (p->status == POV_E_MEMORY)
             return err_memory(err);
         if (p->status < 0) {
-            const object *o = &f->model->objects.items[p->failed];
+            const leaf_node *o = &f->model->leaves.items[p->failed];
 
             return err_set(err, p->status, "the transformation of the %s in line %u has no inverse", o->shape->keyword,
                            (unsigned)o->line);
@@ -462,7 +462,7 @@ static uint8_t number_of(const flat *f, const pov_shape_class *shape)
 static bool make_groups(survey *s)
 {
     flat *f = s->f;
-    size_t n = f->model->objects.count, most = KINDS * s->classes.count, i;
+    size_t n = f->model->leaves.count, most = KINDS * s->classes.count, i;
     uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not met yet */
     uint32_t finite = 0, infinite = 0;
 
@@ -501,7 +501,7 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
-    f->large_stay = m->objects.count > FLAT_MANY;
+    f->large_stay = m->leaves.count > FLAT_MANY;
     f->threads = threads;
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);
@@ -518,7 +518,7 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
 
 void flat_box(const flat *f, uint32_t index, pov_box *out)
 {
-    const object *o = &f->model->objects.items[index];
+    const leaf_node *o = &f->model->leaves.items[index];
     room here;
 
     if (f->moved && f->moved[index]) {

@@ -20,7 +20,7 @@ typedef struct shape_group {
 } shape_group;
 
 /* Make an object's instance of what was written, in instance_size bytes. */
-void flat_make(const object *o, void *instance);
+void flat_make(const leaf_node *o, void *instance);
 
 enum { FLAT_CASTS = 1, FLAT_OPAQUE = 2, FLAT_LARGE = 256, FLAT_MANY = 1 << 17 };
 

@@ -12,7 +12,7 @@ void flat_maps_init(flat_maps *k)
 
 /* What a class says of its shapes tells of some transformations, even before they are composed, that none is left when
  * they are taken in. */
-static bool is_rigid(const object *o)
+static bool is_rigid(const leaf_node *o)
 {
     if (!o->map)
         return false;
@@ -20,13 +20,13 @@ static bool is_rigid(const object *o)
            (o->shape->flags & POV_SHAPE_BOX && transform_is_turned(o->map));
 }
 
-static bool is_marked(const flat_maps *k, const object *o)
+static bool is_marked(const flat_maps *k, const leaf_node *o)
 {
     return k->rigid >> (o - k->window) & 1;
 }
 
 /* What follows an object in the window, up to whose transformations are of other kinds, and is as rigid. */
-static int gather(const flat_maps *k, const object *o, const transform **lists, int most)
+static int gather(const flat_maps *k, const leaf_node *o, const transform **lists, int most)
 {
     const bool rigid = is_marked(k, o);
     int n = 0;
@@ -41,7 +41,7 @@ static int gather(const flat_maps *k, const object *o, const transform **lists, 
     return n;
 }
 
-const pov_affine *flat_maps_compose(flat_maps *k, const object *o)
+const pov_affine *flat_maps_compose(flat_maps *k, const leaf_node *o)
 {
     while (k->now < k->list_count && k->lists[k->now] != o->map)
         k->now++;
@@ -53,7 +53,7 @@ const pov_affine *flat_maps_compose(flat_maps *k, const object *o)
     return k->good >> k->now & 1 ? &k->maps[k->now] : NULL;
 }
 
-bool flat_maps_look(flat_maps *k, const object *o)
+bool flat_maps_look(flat_maps *k, const leaf_node *o)
 {
     if (!is_marked(k, o))
         return false;
@@ -67,12 +67,12 @@ bool flat_maps_look(flat_maps *k, const object *o)
     return k->moderate >> k->rough_now & 1;
 }
 
-bool flat_maps_box(const flat_maps *k, const object *o, const pov_box *own, pov_box *out)
+bool flat_maps_box(const flat_maps *k, const leaf_node *o, const pov_box *own, pov_box *out)
 {
     return transform_rough_box(&k->rough_maps, k->rough_now, own, o->shape->flags & POV_SHAPE_BALL, out);
 }
 
-void flat_maps_open(flat_maps *k, const object *first, uint32_t n)
+void flat_maps_open(flat_maps *k, const leaf_node *first, uint32_t n)
 {
     uint32_t i;
 

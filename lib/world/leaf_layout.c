@@ -156,7 +156,7 @@ static void take_part(void *user, uint32_t part, int hand)
 {
     const runs *r = user;
     const flat *f = r->flat;
-    const object *all = f->model->objects.items;
+    const leaf_node *all = f->model->leaves.items;
     size_t at = r->of[part].maps;
     uint32_t i;
 
@@ -239,7 +239,7 @@ static const placement *placement_of(runs *r, uint32_t part, uint32_t id)
     pov_affine map;
 
     if (!r->maps) {
-        transform_compose(r->flat->model->objects.items[id].map, &map);   /* as it could before */
+        transform_compose(r->flat->model->leaves.items[id].map, &map);   /* as it could before */
         flat_place(r->flat, &id, &map, 1, ready);
         return ready;
     }
@@ -260,7 +260,7 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
     if (f->moved && f->moved[id])
         memcpy(instance, f->moved[id], g->shape->instance_size);
     else
-        flat_make(&f->model->objects.items[id], instance);
+        flat_make(&f->model->leaves.items[id], instance);
     f->things[id].slot = slot;
     return instance;
 }
@@ -352,7 +352,7 @@ SIMD_INLINE void expect_shape(const flat *f, uint32_t id)
 {
     const pov_shape_class *shape = f->groups[f->group[id]].shape;
     const unsigned char *moved = f->moved ? f->moved[id] : NULL;
-    const unsigned char *from = moved ? moved : f->model->objects.items[id].instance;
+    const unsigned char *from = moved ? moved : f->model->leaves.items[id].instance;
     const size_t all = moved || !shape->prepare ? shape->instance_size : shape->text_size;
     const size_t bytes = all < EXPECTED ? all : EXPECTED;
     size_t i;
@@ -375,7 +375,7 @@ SIMD_INLINE void expect(const runs *r, const uint32_t *ids)
     if (f->moved)
         SIMD_EXPECT(&f->moved[id]);
     else
-        SIMD_EXPECT(&f->model->objects.items[id]);
+        SIMD_EXPECT(&f->model->leaves.items[id]);
     expect_shape(f, ids[AHEAD]);
 }
 

@@ -42,9 +42,9 @@ typedef struct survey {
     size_t glossy, metallic, mirrors, transparent, bending, media;
 } survey;
 
-static bool is_solid(const object *o) { return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside; }
+static bool is_solid(const leaf_node *o) { return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside; }
 
-bool plan_is_medium(const model *m, const object *o)
+bool plan_is_medium(const model *m, const leaf_node *o)
 {
     return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);
 }
@@ -75,9 +75,9 @@ static bool look(const model *m, survey *s)
     memset(s, 0, sizeof *s);
     for (i = 0; i < m->lights.count; i++)
         s->shining += !colour_is_black(m->lights.items[i].color);
-    for (i = 0; counts && i < m->objects.count; i++) {
-        const object *o = &m->objects.items[i];
-        counts[(size_t)o->material * KINDS + (o->flags & OBJECT_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
+    for (i = 0; counts && i < m->leaves.count; i++) {
+        const leaf_node *o = &m->leaves.items[i];
+        counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
     }
     for (i = 0; counts && i < m->materials.count * KINDS; i++)
         see_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);
@@ -317,8 +317,8 @@ static bool count_classes(const model *m, tally *t)
 {
     size_t i, k;
 
-    for (i = 0; i < m->objects.count; i++) {
-        const class_tally one = { m->objects.items[i].shape, 1 };
+    for (i = 0; i < m->leaves.count; i++) {
+        const class_tally one = { m->leaves.items[i].shape, 1 };
         for (k = 0; k < t->count && t->items[k].shape != one.shape; k++)
             continue;
         if (k < t->count)

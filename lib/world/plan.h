@@ -49,6 +49,6 @@ pov_status plan_add(plan *p, pov_error *err, bool used, const char *subject, con
 pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, pov_error *err);
 void plan_free(plan *p);
 /* Can rays be in it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
-bool plan_is_medium(const model *m, const object *o);
+bool plan_is_medium(const model *m, const leaf_node *o);
 
 #endif

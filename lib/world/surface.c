@@ -251,7 +251,7 @@ static bool is_within(const pov_box *b, pov_vec3 p)
 
 static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 point_lo)
 {
-    const object *o = &w->model->objects.items[m->object];
+    const leaf_node *o = &w->model->leaves.items[m->object];
     const shape_place place = world_place(w, m->object);
     bool inside;
 
@@ -261,7 +261,7 @@ static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 
         inside = placement_inside(place.placement, o->shape, place.instance, point, point_lo);
     else
         inside = o->shape->inside(place.instance, point, point_lo);
-    return inside != ((o->flags & OBJECT_INVERSE) != 0);
+    return inside != ((o->flags & LEAF_INVERSE) != 0);
 }
 
 static double size_of(const medium *m)

@@ -28,7 +28,7 @@ static pov_status explain_objects(world *w, const flat *f, pov_error *err)
                           f->absorbed, f->composed);
     if (status == POV_OK && f->packed > 0)
         status = plan_add(p, err, true, "blocks", "packed", "shapes filtered up to eight at once: %zu of %zu",
-                          f->packed, w->model->objects.count);
+                          f->packed, w->model->leaves.count);
     else if (status == POV_OK)
         status = plan_add(p, err, false, "blocks", "left out", "no shape takes part in them");
     if (status == POV_OK && f->infinite_count > 0)
@@ -57,7 +57,7 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
 
 static bool find_media(world *w, const flat *f)
 {
-    const object_list *all = &w->model->objects;
+    const leaf_list *all = &w->model->leaves;
     uint32_t i, k;
 
     /* Both lists are in the order of the scene. An inverse solid's inside is all but its box. */
@@ -68,7 +68,7 @@ static bool find_media(world *w, const flat *f)
             continue;
         while (k < f->finite_count && f->finite[k] < i)
             k++;
-        m.boxed = k < f->finite_count && f->finite[k] == i && !(all->items[i].flags & OBJECT_INVERSE);
+        m.boxed = k < f->finite_count && f->finite[k] == i && !(all->items[i].flags & LEAF_INVERSE);
         if (m.boxed)
             flat_box(f, i, &m.box);
         if (!VEC_PUSH(w->env, &w->media, m))
@@ -234,7 +234,7 @@ static void take_over(world *w, flat *f)
 static pov_status build(world *w, const world_options *options, pov_error *err)
 {
     bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
-    int threads = w->model->objects.count < THREADS_FROM ? 1 : share_threads(options->threads);
+    int threads = w->model->leaves.count < THREADS_FROM ? 1 : share_threads(options->threads);
     pov_status status = plan_make(&w->plan, w->model, err);
     flat f;
 
@@ -264,8 +264,8 @@ pov_status world_create(world **out, const model *m, const world_options *option
     pov_status status;
 
     *out = NULL;
-    if (m->objects.count > POV_NOBODY - 1u)
-        return err_set(err, POV_E_UNSUPPORTED, "%zu objects are more than this version can hold", m->objects.count);
+    if (m->leaves.count > POV_NOBODY - 1u)
+        return err_set(err, POV_E_UNSUPPORTED, "%zu objects are more than this version can hold", m->leaves.count);
     w = env_alloc(m->env, 1, sizeof *w);
     if (!w)
         return err_memory(err);

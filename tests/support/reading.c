@@ -188,5 +188,5 @@ void reading_end(reading *r)
 
 const test_shape *reading_shape(const reading *r, size_t index)
 {
-    return r->model.objects.items[index].instance;
+    return r->model.leaves.items[index].instance;
 }

@@ -484,7 +484,7 @@ void test_add_light(model *m, float brightness)
 uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,
                   uint32_t flags)
 {
-    object o;
+    leaf_node o;
 
     memset(&o, 0, sizeof o);
     o.shape = shape;
@@ -494,8 +494,8 @@ uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, 
     o.map = map;
     o.material = surface;
     o.flags = flags;
-    assert_true(VEC_PUSH(m->env, &m->objects, o));
-    return (uint32_t)m->objects.count - 1;
+    assert_true(VEC_PUSH(m->env, &m->leaves, o));
+    return (uint32_t)m->leaves.count - 1;
 }
 
 uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface)

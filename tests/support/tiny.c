@@ -144,13 +144,13 @@ material tiny_glass(double ior)
 
 void tiny_add(tiny *s, const pov_shape_class *shape, const void *instance, material m)
 {
-    object o = { .shape = shape, .material = (uint32_t)s->model.materials.count, .line = 1, .column = 1 };
+    leaf_node o = { .shape = shape, .material = (uint32_t)s->model.materials.count, .line = 1, .column = 1 };
 
     o.instance = arena_alloc(&s->model.memory, shape->instance_size, 32);
     assert_non_null(o.instance);
     memcpy(o.instance, instance, shape->instance_size);
     assert_true(VEC_PUSH(&s->env, &s->model.materials, m));
-    assert_true(VEC_PUSH(&s->env, &s->model.objects, o));
+    assert_true(VEC_PUSH(&s->env, &s->model.leaves, o));
 }
 
 void tiny_sphere(tiny *s, double x, double y, double z, double radius, material m)

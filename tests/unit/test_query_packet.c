@@ -52,7 +52,7 @@ static void add_things(subject *s, int n, double scale, pov_vec3 offset, bool co
         double size = 0.1 * scale * test_uniform(&s->random, 0.2, 1.0);
         test_ball ball = { c, size };
         test_brick brick = { c, pov_add(c, pov_vec3_of(size, 0.2 * size, 2.0 * size)) };
-        uint32_t surface = coloured && i % 3 == 0 ? glass : 0, flags = i % 11 == 0 ? OBJECT_NO_SHADOW : i % 7 == 0 ? OBJECT_INVERSE : 0;
+        uint32_t surface = coloured && i % 3 == 0 ? glass : 0, flags = i % 11 == 0 ? LEAF_NO_SHADOW : i % 7 == 0 ? LEAF_INVERSE : 0;
         const transform *map = NULL;
         if (i % 5 == 0)
             test_add(&s->model, &test_brick_class, &brick, NULL, surface, flags);

@@ -114,7 +114,7 @@ static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **sta
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, OBJECT_NO_SHADOW);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_NO_SHADOW);
     w = make(&m, POV_ACCEL_TREE);
     k = walk_in(w);
     assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
@@ -350,7 +350,7 @@ static void an_inverse_object_turns_its_normal(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, OBJECT_INVERSE);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_INVERSE);
     h = nearest_of(&m, &ray, &found);
     assert_true(found);
     assert_near(h.normal.z, 1.0, 0.0);
@@ -382,8 +382,8 @@ static void the_media_of_a_point_come_with_the_inner_ones_last(void **state)
     test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 2.0, 3.0, 4.0), glass, 0);
     test_add(&m, &test_ball_class, &away, NULL, glass, 0);
     test_add(&m, &test_ground_class, &ground, NULL, glass, 0);
-    test_add(&m, &test_ball_class, &away, NULL, glass, OBJECT_INVERSE);
-    test_add(&m, &test_ball_class, &ball, NULL, glass, OBJECT_INVERSE);
+    test_add(&m, &test_ball_class, &away, NULL, glass, LEAF_INVERSE);
+    test_add(&m, &test_ball_class, &ball, NULL, glass, LEAF_INVERSE);
     w = make(&m, POV_ACCEL_TREE);
     world_media_at(w, origin, origin, see, &s);
     assert_int_equal(s.count, 3);

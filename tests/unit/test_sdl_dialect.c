@@ -34,7 +34,7 @@ static void a_text_of_the_base_language_is_course(void **state)
     assert_int_equal(r.model.dialect, POV_DIALECT_COURSE);
     assert_string_equal(r.model.dialect_reason,
                         "no \"#version\", and every word is one of the base language");
-    assert_int_equal(r.model.objects.count, 6);
+    assert_int_equal(r.model.leaves.count, 6);
     reading_end(&r);
 }
 

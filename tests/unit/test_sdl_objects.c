@@ -15,14 +15,14 @@ static void read_text(reading *r, const char *text)
 
 static const material *material_of(const reading *r, size_t index)
 {
-    return &r->model.materials.items[r->model.objects.items[index].material];
+    return &r->model.materials.items[r->model.leaves.items[index].material];
 }
 
 static pov_vec3 mapped(const reading *r, size_t index, double x, double y, double z)
 {
     pov_affine map;
 
-    assert_true(transform_compose(r->model.objects.items[index].map, &map));
+    assert_true(transform_compose(r->model.leaves.items[index].map, &map));
     return pov_affine_point(&map, pov_vec3_of(x, y, z));
 }
 
@@ -42,8 +42,8 @@ static void every_primitive_gets_its_numbers(void **state)
     read_text(&r, "sphere { <1, 2, 3>, 4 }\n  box { 1, 2 } cone { 1, 2, 3, 4 open } cone { 1, 2, 3, 4 }\n"
                   "cylinder { 1, 2, 3 open } quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, 10 }\n"
                   "polygon { 4, <0, 0>, <1, 0>, <1, 1>, <0, 0> } blob7 { power 3 (4) }");
-    assert_int_equal(r.model.objects.count, 8);
-    assert_string_equal(r.model.objects.items[5].shape->keyword, "quadric");
+    assert_int_equal(r.model.leaves.count, 8);
+    assert_string_equal(r.model.leaves.items[5].shape->keyword, "quadric");
     assert_true(reading_shape(&r, 0)->numbers[0] == 4.0 && reading_shape(&r, 1)->vectors[1].y == 2.0);
     assert_true(reading_shape(&r, 2)->open && !reading_shape(&r, 3)->open && reading_shape(&r, 4)->open);
     assert_true(reading_shape(&r, 5)->vectors[2].z == 9.0 && reading_shape(&r, 5)->numbers[0] == 10.0);
@@ -58,21 +58,21 @@ static void an_object_knows_where_it_stands(void **state)
 
     (void)state;
     read_text(&r, "sphere { 0, 1 }\r\n\t/* \n */ box { 0, 1 }");
-    assert_int_equal(r.model.objects.items[0].line, 1);
-    assert_int_equal(r.model.objects.items[0].column, 1);
-    assert_int_equal(r.model.objects.items[1].line, 3);
-    assert_int_equal(r.model.objects.items[1].column, 5);
+    assert_int_equal(r.model.leaves.items[0].line, 1);
+    assert_int_equal(r.model.leaves.items[0].column, 1);
+    assert_int_equal(r.model.leaves.items[1].line, 3);
+    assert_int_equal(r.model.leaves.items[1].column, 5);
     reading_end(&r);
 }
 
 static void shapes_written_as_the_last_of_their_word_share_what_was_written(void **state)
 {
-    const object *o;
+    const leaf_node *o;
     reading r;
 
     (void)state;
     read_text(&r, "sphere { 0, 1 } box { 0, 1 } sphere { 0, 1 translate 1 } sphere { 0, 2 } box { 0, 1 } sphere { 0, 1 }");
-    o = r.model.objects.items;
+    o = r.model.leaves.items;
     assert_ptr_equal(o[2].instance, o[0].instance);
     assert_ptr_equal(o[4].instance, o[1].instance);
     assert_true(o[3].instance != o[0].instance && o[5].instance != o[3].instance);
@@ -171,7 +171,7 @@ static void a_scale_of_zero_counts_as_one_with_a_warning(void **state)
     (void)state;
     read_text(&r, "sphere { 0, 1 scale <2, 0, -1> } sphere { 0, 1 scale 0 }");
     assert_point(mapped(&r, 0, 1, 1, 1), 2, 1, -1);
-    assert_null(r.model.objects.items[1].map);
+    assert_null(r.model.leaves.items[1].map);
     assert_int_equal(r.model.warnings, 2);
     assert_int_equal(r.notes[0].column, 21);
     reading_end(&r);
@@ -185,8 +185,8 @@ static void what_moves_nothing_is_no_transformation(void **state)
     read_text(&r,
               "sphere { 0, 1 translate 0 scale 1 rotate <0, 360, -720> matrix <1,0,0,0,1,0,0,0,1,0,0,0> }\n"
               "sphere { 0, 1 translate 1 rotate 0 }");
-    assert_null(r.model.objects.items[0].map);
-    assert_null(r.model.objects.items[1].map->before);
+    assert_null(r.model.leaves.items[0].map);
+    assert_null(r.model.leaves.items[1].map->before);
     reading_end(&r);
 }
 
@@ -256,9 +256,9 @@ static void flags_are_kept_and_inverse_undoes_itself(void **state)
 
     (void)state;
     read_text(&r, "sphere { 0, 1 no_shadow inverse hollow } sphere { 0, 1 inverse inverse } sphere { 0, 1 }");
-    assert_int_equal(r.model.objects.items[0].flags, OBJECT_NO_SHADOW | OBJECT_INVERSE | OBJECT_HOLLOW);
-    assert_int_equal(r.model.objects.items[1].flags, 0);
-    assert_int_equal(r.model.objects.items[2].flags, 0);
+    assert_int_equal(r.model.leaves.items[0].flags, LEAF_NO_SHADOW | LEAF_INVERSE | LEAF_HOLLOW);
+    assert_int_equal(r.model.leaves.items[1].flags, 0);
+    assert_int_equal(r.model.leaves.items[2].flags, 0);
     reading_end(&r);
 }
 

@@ -64,7 +64,7 @@ static void the_whole_scene_is_read(void **state)
     reading_begin(&r, scene);
     if (r.status != POV_OK)
         fail_msg("%d:%d %s", r.error.line, r.error.column, r.error.message);
-    assert_int_equal(r.model.objects.count, 7);
+    assert_int_equal(r.model.leaves.count, 7);
     assert_int_equal(r.model.lights.count, 1);
     assert_int_equal(r.model.warnings, 0);
     reading_end(&r);

@@ -226,7 +226,7 @@ static double ior_at(const tiny *s, const inside *in, int back)
 {
     if (in->count < back)
         return 1.0;
-    return s->model.materials.items[s->model.objects.items[in->list[in->count - back]].material].ior;
+    return s->model.materials.items[s->model.leaves.items[in->list[in->count - back]].material].ior;
 }
 
 /* Cross a surface by the rule of the language, on a copy of the list. */
@@ -261,7 +261,7 @@ static double recursive(tiny *s, pov_ray ray, inside in, int level)
     if (!world_nearest(s->world, s->tracer->walker, &ray, HUGE_VAL, &h))
         return s->model.background.r;
     world_surface(s->world, &ray, &h);
-    m = &s->model.materials.items[s->model.objects.items[h.object].material];
+    m = &s->model.materials.items[s->model.leaves.items[h.object].material];
     n = h.entering ? h.normal : pov_scale(h.normal, -1.0);
     cosine = -pov_dot(n, d);
     on = ray;

@@ -112,7 +112,7 @@ static void refract_ends_at_the_critical_angle(void **state)
 
 /* ---- media ---- */
 
-typedef struct glasses { env env; model model; material materials[4]; object objects[4]; media_stack stack; } glasses;
+typedef struct glasses { env env; model model; material materials[4]; leaf_node objects[4]; media_stack stack; } glasses;
 
 static void setup(glasses *g)
 {
@@ -126,7 +126,7 @@ static void setup(glasses *g)
         g->objects[i].material = i;
     }
     g->model.materials.items = g->materials;
-    g->model.objects.items = g->objects;
+    g->model.leaves.items = g->objects;
 }
 
 static media_crossing cross(glasses *g, media_span *in, uint32_t which)

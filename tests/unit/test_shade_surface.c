@@ -334,7 +334,7 @@ static void directions_may_be_as_short_or_long_as_numbers_go(void **state)
     m.reflection = colour_of(0.5f, 0.5f, 0.5f);
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_plane(&s, 0, 0.6, -0.8, 5, m);
-    s.model.objects.items[1].flags |= OBJECT_NO_SHADOW;
+    s.model.leaves.items[1].flags |= LEAF_NO_SHADOW;
     tiny_light(&s, 1, 2, 0, 1.0f, 1.0f, 1.0f);
     tiny_light(&s, 0x1p900, 0, -0x1p900, 0.0f, 0.25f, 0.0f);
     tiny_build(&s);

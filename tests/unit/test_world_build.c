@@ -300,14 +300,14 @@ static void the_last_world_of_a_model_is_like_any_other_and_takes_its_transforma
         count = i % 2 ? 20000 : 3000;
         scatter(&m, count);
         assert_int_equal(world_create(&any, &m, &options, &err), POV_OK);
-        assert_non_null(m.objects.items[0].map);
+        assert_non_null(m.leaves.items[0].map);
         options.last = &m;
         assert_int_equal(world_create(&last, &m, &options, &err), POV_OK);
         if (i % 2)
             same_leaves(&any->tree, &last->tree);
         for (k = 0; k < count; k++) {
             shape_place a = world_place(any, (uint32_t)k), b = world_place(last, (uint32_t)k);
-            assert_null(m.objects.items[k].map);
+            assert_null(m.leaves.items[k].map);
             assert_int_equal(a.placement != NULL, b.placement != NULL);
             if (a.placement)
                 assert_memory_equal(a.placement, b.placement, sizeof *a.placement);
@@ -433,7 +433,7 @@ static void a_black_light_and_a_scene_without_shadows_send_no_shadow_rays(void *
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, OBJECT_NO_SHADOW);
+    test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_NO_SHADOW);
     test_add_light(&m, 0.0f);
     w = make(&m, POV_ACCEL_TREE, 1);
     assert_false(world_plan(w)->lighting);

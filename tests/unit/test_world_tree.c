@@ -148,7 +148,7 @@ static void add_mixture(model *m, test_random *r, int n, double scale, pov_vec3 
         pov_vec3 c = pov_add(offset, somewhere(r, scale));
         test_ball ball = { c, scale * size * test_uniform(r, 0.2, 1.0) };
         test_brick brick = {c, pov_add(c, pov_scale(pov_vec3_of(1.0, test_uniform(r, 0.1, 2.0), 0.5), scale * size))};
-        uint32_t surface = test_below(r, 3) == 0 ? glass : 0, flags = test_below(r, 8) == 0 ? OBJECT_NO_SHADOW : 0;
+        uint32_t surface = test_below(r, 3) == 0 ? glass : 0, flags = test_below(r, 8) == 0 ? LEAF_NO_SHADOW : 0;
         const transform *map = NULL;
         switch (test_below(r, 6)) {
         case 0:
@@ -160,7 +160,7 @@ static void add_mixture(model *m, test_random *r, int n, double scale, pov_vec3 
             map = test_transform(m, map, TRANSFORM_SCALE, scale * size, 0.5 * scale * size, 2.0 * scale * size);
             map = test_transform(m, map, TRANSFORM_ROTATE, 10.0, 50.0, 70.0);
             map = test_transform(m, map, TRANSFORM_TRANSLATE, c.x, c.y, c.z);
-            test_add(m, &test_ball_class, &ball, map, surface, flags | OBJECT_INVERSE);
+            test_add(m, &test_ball_class, &ball, map, surface, flags | LEAF_INVERSE);
             break;
         case 2:
             test_add(m, &test_plain_ball_class, &ball, NULL, surface, flags);
@@ -375,7 +375,7 @@ static void infinite_objects_are_asked_apart(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 3; i++)
-        test_add(&m, &test_ground_class, &ground[i], NULL, 0, i == 2 ? OBJECT_NO_SHADOW : 0);
+        test_add(&m, &test_ground_class, &ground[i], NULL, 0, i == 2 ? LEAF_NO_SHADOW : 0);
     make_pair(&p, &m);
     assert_int_equal(world_infinite_count(p.tree), 3);
     assert_true(trace(&p, &r, 500, 1.0, origin) > 100);
@@ -401,7 +401,7 @@ static void infinite_objects_share_blocks(void **state)
     test_add_light(&m, 1.0f);
     for (k = 0; k < 21; k++) {
         test_ball ball = { somewhere(&r, 1.0), test_uniform(&r, 0.05, 0.3) };
-        test_add(&m, &test_loose_ball_class, &ball, NULL, 0, k % 5 == 4 ? OBJECT_NO_SHADOW : 0);
+        test_add(&m, &test_loose_ball_class, &ball, NULL, 0, k % 5 == 4 ? LEAF_NO_SHADOW : 0);
     }
     add_mixture(&m, &r, 100, 1.0, origin, 0.1);
     make_pair(&p, &m);
