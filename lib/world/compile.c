@@ -286,7 +286,7 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
     const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
     const bool casts = !(o->flags & LEAF_NO_SHADOW);
 
-    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE);
+    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE) | FLAT_PLAIN;
     thing->material = o->material;
     thing->inverse = (o->flags & LEAF_INVERSE) != 0;
     thing->tints = casts && clear;

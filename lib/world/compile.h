@@ -22,7 +22,7 @@ typedef struct shape_group {
 /* Make an object's instance of what was written, in instance_size bytes. */
 void flat_make(const leaf_node *o, void *instance);
 
-enum { FLAT_CASTS = 1, FLAT_OPAQUE = 2, FLAT_LARGE = 256, FLAT_MANY = 1 << 17 };
+enum { FLAT_CASTS = 1, FLAT_OPAQUE = 2, FLAT_PLAIN = 4, FLAT_LARGE = 256, FLAT_MANY = 1 << 17 };
 
 /* What is known of a model's objects while the world is built. Arrays are by object. */
 typedef struct flat {
@@ -37,7 +37,7 @@ typedef struct flat {
     const void **moved;          /* instances of those with a transformation; NULL: no object has one */
     pov_box *boxes;              /* the same, of finite ones */
     uint16_t *group;
-    world_thing *things;         /* in slot first FLAT_CASTS and FLAT_OPAQUE, until runs tell slot and group */
+    world_thing *things;         /* in slot first FLAT_CASTS to FLAT_PLAIN, until runs tell slot and group */
     uint32_t *maps;              /* bytes that the transformations of those that are placed take in a row; as moved */
     shape_group *groups;
     bool *packs;                 /* by group: do its shapes share leaves of the tree? */

@@ -25,6 +25,7 @@ typedef struct placement {
     float per_half[3];           /* the inverse of half a box in the shape's own space, around the anchor, that holds it */
     uint8_t known;               /* PLACEMENT_* */
     bool axes;                   /* the inverse has a diagonal only */
+    uint8_t reserved;            /* the batch's: see leaf_batch.h */
     pov_vec3 column[3], column_lo[3];          /* of the inverse, in two parts */
     pov_vec3 own_anchor, own_anchor_lo;        /* the anchor in the shape's own space */
 } placement;

@@ -22,10 +22,17 @@ typedef struct run {
     uint8_t casts, opaque;            /* by lane: throws a shadow; lets nothing through */
     uint32_t object[RUN_WIDTH];
     uint32_t stride;
+    uint8_t unused[6];
+    uint8_t plain;                    /* by lane: what its marks say of the shape holds of the object: it looks the same
+                                       * everywhere, is no member of a group, not clipped, and absorbs nothing inside.
+                                       * Of an instance this byte is one that its transform leaves free */
 } run;
 
 /* Bytes before a block, before a placement, and of a run with a placement: what follows begins a line of memory. */
 enum { RUN_HEAD = 64, RUN_PLACE = 24, RUN_PLACED_BYTES = (RUN_PLACE + sizeof(placement) + 63) / 64 * 64 };
+
+/* One byte for both kinds of batches, else this divides by zero. */
+enum { RUN_PLAIN_AGREES = 1 / (offsetof(run, plain) == RUN_PLACE + offsetof(placement, reserved)) };
 
 /* The lanes that hold a shape; a filter that declines answers for all there could be. */
 static inline uint32_t run_lanes(const run *r) { return (1u << r->count) - 1; }

@@ -316,6 +316,7 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
     uint32_t *at = &r->at[part * f->group_count + f->group[ids[0]]];
     const shape_group *g = &f->groups[f->group[ids[0]]];
     const void *selves[RUN_WIDTH] = { NULL };
+    uint8_t plain = 0;
     uint32_t i;
 
     memset(out, 0, run_bytes(g->shape, count, room_of(f, g)));
@@ -328,6 +329,7 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
         out->object[i] = ids[i];
         out->casts |= (uint8_t)((thing->slot & FLAT_CASTS ? 1u : 0u) << i);
         out->opaque |= (uint8_t)((thing->slot & FLAT_OPAQUE ? 1u : 0u) << i);
+        plain |= (uint8_t)((thing->slot & FLAT_PLAIN ? 1u : 0u) << i);
         thing->group = f->group[ids[i]];
         if (g->placed) {
             selves[i] = place(r, part, frame, ids[i], out);
@@ -339,6 +341,7 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
         }
     }
     out->instances = selves[0];
+    out->plain = plain;          /* now: it lies among the bytes of an instance's transform */
     if (!g->placed)
         out->stride = g->stride;
     if (g->packs && pack(g->shape, frame, selves, count, out))
