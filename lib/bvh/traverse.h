@@ -12,7 +12,7 @@
 #include "base/simd.h"
 #include "bvh/bvh.h"
 
-#include <povtrace/plugin.h>
+#include <povtrace/shape_fast.h>
 
 #include <string.h>
 

@@ -6,12 +6,12 @@
 
 #include <stdint.h>
 
-struct pov_shape_class;
+struct shape_class;
 
 enum { LEAF_NO_SHADOW = 1, LEAF_INVERSE = 2, LEAF_HOLLOW = 4 };
 
 typedef struct leaf_node {
-    const struct pov_shape_class *shape;
+    const struct shape_class *shape;
     void *instance;              /* as parse left it, aligned to 32, in the model's memory; not prepared. Objects written
                                   * alike, with none of the class between them that is not, share it */
     const transform *map;        /* NULL: none */

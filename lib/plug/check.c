@@ -1,28 +1,12 @@
 #include "plug/check.h"
 
-/* Members that abi 1 has from its start: a plugin whose struct is shorter was not built from this contract. */
-#define REACHES(ptr, type, last) ((ptr)->size >= offsetof(type, last) + sizeof((ptr)->last))
+#include "plug/shape_class.h"
 
-static const char *check_shape(const pov_shape_class *c)
-{
-    if (!REACHES(c, pov_shape_class, prepare))
-        return "a shape class is shorter than the contract's first version";
-    if (!c->keyword || !c->keyword[0])
-        return "a shape class has no keyword";
-    if (c->instance_size == 0 || c->instance_size > (1u << 20))
-        return "a shape class has an impossible instance size";
-    if (!c->parse || !c->bounds || !c->intersect || !c->normal)
-        return "a shape class lacks parse, bounds, intersect or normal";
-    if ((c->flags & POV_SHAPE_SOLID) && !c->inside)
-        return "a shape class is a solid without inside";
-    if (c->block_filter && (!c->block_pack || c->block_size == 0))
-        return "a shape class has a block filter without block_pack or block_size";
-    if (REACHES(c, pov_shape_class, lone_block_size) && c->lone_block_size > c->block_size)
-        return "a shape class has a larger block for one shape than for several";
-    if (c->prepare && (c->text_size == 0 || c->text_size > (1u << 20) || c->instance_size > POV_PREPARED_MAX))
-        return "a shape class has prepare with an impossible size";
-    return NULL;
-}
+#include <povtrace/image.h>
+#include <povtrace/plot.h>
+
+/* Members that abi 3 has from its start: a plugin whose struct is shorter was not built from this contract. */
+#define REACHES(ptr, type, last) ((ptr)->size >= offsetof(type, last) + sizeof((ptr)->last))
 
 static const char *check_image(const pov_image_format *f)
 {
@@ -42,11 +26,6 @@ static const char *check_plot(const pov_plot_format *f)
     return NULL;
 }
 
-const pov_plot_format *const *check_plots(const pov_plugin *plugin)
-{
-    return REACHES(plugin, pov_plugin, plots) ? plugin->plots : NULL;
-}
-
 const char *check_plugin(const pov_plugin *plugin)
 {
     const char *wrong = NULL;
@@ -54,15 +33,15 @@ const char *check_plugin(const pov_plugin *plugin)
 
     if (plugin->abi != POV_PLUGIN_ABI)
         return "it was built for another version of the plugin contract";
-    if (!REACHES(plugin, pov_plugin, images) || !plugin->name || !plugin->version)
+    if (!REACHES(plugin, pov_plugin, plots) || !plugin->name || !plugin->version)
         return "its description is incomplete";
-    if (!plugin->shapes && !plugin->images && !check_plots(plugin))
+    if (!plugin->shapes && !plugin->images && !plugin->plots)
         return "it offers nothing";
     for (i = 0; !wrong && plugin->shapes && plugin->shapes[i]; i++)
-        wrong = check_shape(plugin->shapes[i]);
+        wrong = shape_class_check(plugin->shapes[i]);
     for (i = 0; !wrong && plugin->images && plugin->images[i]; i++)
         wrong = check_image(plugin->images[i]);
-    for (i = 0; !wrong && check_plots(plugin) && check_plots(plugin)[i]; i++)
-        wrong = check_plot(check_plots(plugin)[i]);
+    for (i = 0; !wrong && plugin->plots && plugin->plots[i]; i++)
+        wrong = check_plot(plugin->plots[i]);
     return wrong;
 }

@@ -6,7 +6,5 @@
 
 /* NULL when it does, else what is wrong, in words for a message. */
 const char *check_plugin(const pov_plugin *plugin);
-/* Its list of plots, or NULL: an older plugin has no such member. */
-const pov_plot_format *const *check_plots(const pov_plugin *plugin);
 
 #endif

@@ -19,6 +19,7 @@ typedef struct loaded {
     void *handle;                /* NULL for a plugin that the program brought */
     char *path;
     const pov_plugin *plugin;
+    shape_class *shapes;         /* its shapes, complete; NULL: it has none */
 } loaded;
 
 struct registry {
@@ -83,6 +84,7 @@ static void unload(registry *r, loaded *l)
 {
     if (l->handle)
         dl_close(l->handle);
+    env_free(r->env, l->shapes);
     env_free(r->env, l->path);
 }
 
@@ -114,27 +116,42 @@ static bool put(map *m, const char *name, const void *value)
     return map_put(m, name, both.plain);
 }
 
-static pov_status enter(registry *r, loaded l, pov_error *err)
+static bool complete_shapes(registry *r, loaded *l)
 {
-    const pov_plugin *p = l.plugin;
+    const pov_plugin *p = l->plugin;
+    size_t n = 0, i;
+
+    while (p->shapes && p->shapes[n])
+        n++;
+    l->shapes = n > 0 ? env_alloc(r->env, n, sizeof *l->shapes) : NULL;
+    for (i = 0; l->shapes && i < n; i++)
+        shape_class_fill(&l->shapes[i], p->shapes[i]);
+    return l->shapes || n == 0;
+}
+
+static pov_status enter(registry *r, loaded *l, pov_error *err)
+{
+    const pov_plugin *p = l->plugin;
     size_t i;
 
+    if (!complete_shapes(r, l))
+        return err_memory(err);
     for (i = 0; p->shapes && p->shapes[i]; i++)
-        if (!put(&r->shapes, p->shapes[i]->keyword, p->shapes[i]))
+        if (!put(&r->shapes, p->shapes[i]->keyword, &l->shapes[i]))
             return err_memory(err);
     for (i = 0; p->images && p->images[i]; i++)
         if (!put(&r->images, p->images[i]->ending, p->images[i]))
             return err_memory(err);
-    for (i = 0; check_plots(p) && check_plots(p)[i]; i++)
-        if (!put(&r->plots, check_plots(p)[i]->ending, check_plots(p)[i]))
+    for (i = 0; p->plots && p->plots[i]; i++)
+        if (!put(&r->plots, p->plots[i]->ending, p->plots[i]))
             return err_memory(err);
     return POV_OK;
 }
 
 /* A half-entered plugin must not be found again. Replacing a value takes no memory. */
-static void withdraw(registry *r, loaded l)
+static void withdraw(registry *r, const loaded *l)
 {
-    const pov_plugin *p = l.plugin;
+    const pov_plugin *p = l->plugin;
     size_t i;
 
     for (i = 0; p->shapes && p->shapes[i]; i++)
@@ -143,32 +160,32 @@ static void withdraw(registry *r, loaded l)
     for (i = 0; p->images && p->images[i]; i++)
         if (map_get(&r->images, p->images[i]->ending))
             put(&r->images, p->images[i]->ending, NULL);
-    for (i = 0; check_plots(p) && check_plots(p)[i]; i++)
-        if (map_get(&r->plots, check_plots(p)[i]->ending))
-            put(&r->plots, check_plots(p)[i]->ending, NULL);
+    for (i = 0; p->plots && p->plots[i]; i++)
+        if (map_get(&r->plots, p->plots[i]->ending))
+            put(&r->plots, p->plots[i]->ending, NULL);
 }
 
-static pov_status add(registry *r, loaded l, pov_error *err)
+static pov_status add(registry *r, loaded *l, pov_error *err)
 {
-    const char *wrong = check_plugin(l.plugin);
+    const char *wrong = check_plugin(l->plugin);
 
-    if (wrong && l.path)
-        return err_file(err, POV_E_PLUGIN, l.path, "cannot use this plugin: %s", wrong);
+    if (wrong && l->path)
+        return err_file(err, POV_E_PLUGIN, l->path, "cannot use this plugin: %s", wrong);
     if (wrong)
         return err_set(err, POV_E_PLUGIN, "cannot use this plugin: %s", wrong);
-    if (!vec_reserve(r->env, (void **)&r->plugins.items, &r->plugins.capacity, r->plugins.count, sizeof l))
+    if (!vec_reserve(r->env, (void **)&r->plugins.items, &r->plugins.capacity, r->plugins.count, sizeof *l))
         return err_memory(err);
     if (enter(r, l, err) < 0) {
         withdraw(r, l);
         return POV_E_MEMORY;
     }
-    r->plugins.items[r->plugins.count++] = l;
+    r->plugins.items[r->plugins.count++] = *l;
     return POV_OK;
 }
 
 static pov_status load(registry *r, const char *path, pov_error *err)
 {
-    loaded l = { NULL, NULL, NULL };
+    loaded l = { NULL, NULL, NULL, NULL };
     char why[256];
     pov_status status;
 
@@ -181,7 +198,7 @@ static pov_status load(registry *r, const char *path, pov_error *err)
         status = err_file(err, POV_E_PLUGIN, path, "cannot load this plugin: %s", why);
     } else {
         l.plugin = dl_data(l.handle, POV_PLUGIN_SYMBOL);
-        status = l.plugin ? add(r, l, err)
+        status = l.plugin ? add(r, &l, err)
                           : err_file(err, POV_E_PLUGIN, path, "cannot use this plugin: it has no symbol %s",
                                      POV_PLUGIN_SYMBOL);
     }
@@ -192,13 +209,15 @@ static pov_status load(registry *r, const char *path, pov_error *err)
 
 pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err)
 {
-    loaded l = { NULL, NULL, plugin };
+    loaded l = { NULL, NULL, plugin, NULL };
     pov_status status;
 
     if (!plugin)
         return err_set(err, POV_E_ARGUMENT, "no plugin was given");
     mutex_lock(&r->lock);
-    status = add(r, l, err);
+    status = add(r, &l, err);
+    if (status < 0)
+        env_free(r->env, l.shapes);
     mutex_unlock(&r->lock);
     return status;
 }
@@ -275,7 +294,7 @@ static pov_status look_up(registry *r, map *m, const char *kind, const char *fil
     return status;
 }
 
-pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err)
+pov_status registry_shape(registry *r, const char *keyword, const shape_class **out, pov_error *err)
 {
     const void *found;
     pov_status status = look_up(r, &r->shapes, shape_folder, keyword, keyword, &found, err);

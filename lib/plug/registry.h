@@ -3,8 +3,10 @@
 #define PLUG_REGISTRY_H
 
 #include "base/env.h"
+#include "plug/shape_class.h"
 
-#include <povtrace/plugin.h>
+#include <povtrace/image.h>
+#include <povtrace/plot.h>
 
 typedef struct registry registry;
 
@@ -19,7 +21,7 @@ pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err);
 /* The class of a keyword. *out is NULL and the status POV_OK when there is no such plugin anywhere. A plugin that is
  * there and cannot be used is POV_E_PLUGIN, with the path and the reason. Only words of a-z, 0-9 and _ are looked
  * for. */
-pov_status registry_shape(registry *r, const char *keyword, const pov_shape_class **out, pov_error *err);
+pov_status registry_shape(registry *r, const char *keyword, const shape_class **out, pov_error *err);
 pov_status registry_plot(registry *r, const char *ending, const pov_plot_format **out, pov_error *err);
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err);
 

@@ -60,15 +60,15 @@ static inline const pov_ray *own_ray(walker *k, places *some, const placement *a
 }
 
 /* crossed: all of them surely are. */
-static inline void ask_pairs(walker *k, const pov_shape_class *shape, uint32_t class_number, pairs *some, bool crossed)
+static inline void ask_pairs(walker *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed)
 {
     uint32_t decided = 0, i;
 
     for (i = 0; i < some->count; i++)
         decided -= some->hits[i]->decided;
-    if (crossed && POV_SHAPE_HAS(shape, cross_many))
+    if (crossed && shape->cross_many != NULL)
         shape->cross_many(some->selves, some->rays, some->hits, some->count);
-    else if (POV_SHAPE_HAS(shape, intersect_many))
+    else if (shape->intersect_many != NULL)
         shape->intersect_many(some->selves, some->rays, some->hits, some->count);
     else
         for (i = 0; i < some->count; i++)
@@ -191,7 +191,7 @@ static bool nearest_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint3
 }
 
 /* Take those of `left` that are of a class, to whose spaces rays have been taken; the others are left. */
-static uint64_t take_class(company *c, const pov_shape_class *shape, uint64_t left, pairs *out)
+static uint64_t take_class(company *c, const shape_class *shape, uint64_t left, pairs *out)
 {
     uint64_t rest, others = 0;
 

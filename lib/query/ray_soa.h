@@ -4,7 +4,7 @@
 
 #include "base/simd.h"
 
-#include <povtrace/plugin.h>
+#include <povtrace/shape_fast.h>
 
 static inline uint32_t side_away(const pov_ray *ray)
 {

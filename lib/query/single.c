@@ -176,7 +176,7 @@ bool query_settle_but_one(query *q, pending *one)
 
         if (is_beyond(p->lo, q->walk.limit))
             continue;
-        if (left || !POV_SHAPE_HAS(p->run->shape, intersect_many)) {
+        if (left || !p->run->shape->intersect_many) {
             count_nearest(q, p->run, p->lane);
         } else {
             *one = *p;

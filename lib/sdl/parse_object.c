@@ -133,16 +133,16 @@ static void add_object(pov_reader *in, leaf_node *o, const object_text *text)
         report_memory(in);
 }
 
-static size_t text_size(const pov_shape_class *shape)
+static size_t parsed_size(const shape_class *shape)
 {
-    return shape->prepare ? shape->text_size : shape->instance_size;
+    return shape->prepare ? shape->parsed_size : shape->instance_size;
 }
 
 /* Many a scene is of a few shapes in many places: what was written as it was the last time that its word stood there is
  * kept once. */
 static void share_text(pov_reader *in, symbol *word, leaf_node *o)
 {
-    const size_t bytes = text_size(o->shape);
+    const size_t bytes = parsed_size(o->shape);
 
     if (word->last && memcmp(word->last, o->instance, bytes) == 0 &&
         arena_give_back(&in->model->memory, o->instance, bytes))
@@ -167,7 +167,7 @@ void parse_object(pov_reader *in)
     in->value = in->token.at;
     state_advance(in);
     items_open(in, &b);
-    o.instance = state_alloc(in, text_size(o.shape), 32);
+    o.instance = state_alloc(in, parsed_size(o.shape), 32);
     if (o.instance)
         o.shape->parse(o.instance, &host_functions, in);
     if (!in->failed)

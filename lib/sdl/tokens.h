@@ -2,9 +2,8 @@
 #ifndef SDL_TOKENS_H
 #define SDL_TOKENS_H
 
+#include "plug/shape_class.h"
 #include "sdl/source.h"
-
-#include <povtrace/plugin.h>
 
 /* What is known of a word beforehand. */
 enum {
@@ -79,7 +78,7 @@ typedef struct symbol {
     uint32_t length, hash;
     word_id id;                  /* WORD_OTHER: none of TOKEN_WORDS */
     uint32_t flags;              /* TRAIT_* above */
-    const pov_shape_class *shape;   /* NULL: not asked for yet, or none */
+    const shape_class *shape;   /* NULL: not asked for yet, or none */
     void *last;                  /* what was written last of the shape; NULL: nothing yet */
 } symbol;
 

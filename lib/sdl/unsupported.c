@@ -8,7 +8,7 @@
 /* A plugin may have brought the feature in the meantime. A broken one is no news here. */
 static bool has_plugin(pov_reader *in, const symbol *word)
 {
-    const pov_shape_class *shape = NULL;
+    const shape_class *shape = NULL;
     pov_error error;
 
     return registry_shape(in->plugins, word->name, &shape, &error) == POV_OK && shape;

@@ -28,7 +28,7 @@ typedef struct part {
     size_t absorbed, composed, packed;
 } part;
 
-typedef struct class_list { const pov_shape_class **items; size_t count, capacity; } class_list;
+typedef struct class_list { const shape_class **items; size_t count, capacity; } class_list;
 
 typedef struct survey {
     flat *f;
@@ -40,7 +40,7 @@ typedef struct survey {
 
 /* An instance that was made of what was written last of a class. */
 typedef struct made {
-    const pov_shape_class *shape;
+    const shape_class *shape;
     const void *text;
     void *instance;
     bool kept;                   /* somebody points to it */
@@ -53,7 +53,7 @@ typedef struct maker {
     part *part;
     arena *staging, *kept;
     size_t class_index;
-    const pov_shape_class *scratch_shape;
+    const shape_class *scratch_shape;
     void *scratch;               /* a block of that class, in memory for the largest so far */
     size_t scratch_bytes;
     made made[MADE];             /* by class */
@@ -80,7 +80,7 @@ void flat_make(const leaf_node *o, void *instance)
     }
 }
 
-static uint32_t stride_of(const pov_shape_class *shape)
+static uint32_t stride_of(const shape_class *shape)
 {
     size_t bytes = shape->instance_size > 0 ? shape->instance_size : 1;
     return (uint32_t)((bytes + INSTANCE_ALIGN - 1) / INSTANCE_ALIGN * INSTANCE_ALIGN);
@@ -94,7 +94,7 @@ static bool is_finite_box(const pov_box *b)
 
 /* ---- one object ---- */
 
-static size_t find_class(maker *k, const pov_shape_class *shape)
+static size_t find_class(maker *k, const shape_class *shape)
 {
     const class_list *all = &k->survey->classes;
 
@@ -152,7 +152,7 @@ static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, co
 }
 
 /* The box of a placed shape in its own space. False: there is none, and *out holds zeros. */
-static bool own_box(const pov_shape_class *shape, const void *instance, pov_box *out)
+static bool own_box(const shape_class *shape, const void *instance, pov_box *out)
 {
     static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
 
@@ -162,7 +162,7 @@ static bool own_box(const pov_shape_class *shape, const void *instance, pov_box 
     return false;
 }
 
-static const pov_shape_class *shape_of(const flat *f, uint32_t id) { return f->groups[f->group[id]].shape; }
+static const shape_class *shape_of(const flat *f, uint32_t id) { return f->groups[f->group[id]].shape; }
 
 void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out)
 {
@@ -243,7 +243,7 @@ static pov_status move(maker *k, const leaf_node *o, uint32_t index, bool *finit
 }
 
 /* Would a block take this shape? Tried with it alone, in scratch memory, and a frame around its box, if it has one. */
-static pov_status try_block(maker *k, const pov_shape_class *shape, const void *instance, const pov_box *box, bool *takes)
+static pov_status try_block(maker *k, const shape_class *shape, const void *instance, const pov_box *box, bool *takes)
 {
     bvh_frame around;
     pov_frame frame;
@@ -298,7 +298,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
 {
     flat *f = k->f;
     const leaf_node *o = &f->model->leaves.items[index];
-    const pov_shape_class *shape = o->shape;
+    const shape_class *shape = o->shape;
     const void *instance;
     bool finite, packs = false, placed = false;
     pov_status status = POV_OK;
@@ -363,7 +363,7 @@ static void flatten_part(void *user, uint32_t which, int hand)
 static bool find_classes(survey *s, bool *any_map)
 {
     const leaf_list *all = &s->f->model->leaves;
-    const pov_shape_class *last = NULL;
+    const shape_class *last = NULL;
     size_t i, k;
 
     *any_map = false;
@@ -444,7 +444,7 @@ static pov_status add_up(survey *s, pov_error *err)
 }
 
 /* Classes are numbered as the scene first names them; the last number is that of all for which there is no other. */
-static uint8_t number_of(const flat *f, const pov_shape_class *shape)
+static uint8_t number_of(const flat *f, const shape_class *shape)
 {
     uint8_t next = 0;
     size_t i;
@@ -473,10 +473,10 @@ static bool make_groups(survey *s)
     for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && i < n; i++) {
         unsigned mark = f->group[i], old = mark & ~(unsigned)INFINITE;
         if (!name[old]) {
-            const pov_shape_class *shape = s->classes.items[old / KINDS];
+            const shape_class *shape = s->classes.items[old / KINDS];
             shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, number_of(f, shape), 0,
                                   stride_of(shape), NULL };
-            f->packs[f->group_count] = fresh.packs && (shape->flags & POV_SHAPE_TOGETHER);
+            f->packs[f->group_count] = fresh.packs && shape->full_leaves;
             f->groups[f->group_count] = fresh;
             name[old] = (uint16_t)++f->group_count;
         }

@@ -11,7 +11,7 @@
 
 /* Shapes of one class that are stored and asked alike. */
 typedef struct shape_group {
-    const pov_shape_class *shape;
+    const shape_class *shape;
     bool placed, packs;
     uint8_t class_number;        /* in class_counts */
     uint32_t count;
@@ -51,7 +51,7 @@ typedef struct flat {
 
 /* Do instances of a class that have absorbed a transformation stay where they were made, unless they share a run? Then they
  * are not copied, but lie in the order of the scene: of few objects rays lose more than is saved. */
-static inline bool flat_stays(const flat *f, const pov_shape_class *shape)
+static inline bool flat_stays(const flat *f, const shape_class *shape)
 {
     return f->large_stay && shape->instance_size >= FLAT_LARGE;
 }

@@ -1,6 +1,6 @@
 #include "world/compile_maps.h"
 
-#include <povtrace/plugin.h>
+#include "plug/shape_class.h"
 
 #include <stddef.h>
 #include <string.h>

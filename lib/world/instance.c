@@ -82,7 +82,7 @@ void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own)
 
 /* ---- what rays are answered ---- */
 
-void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+void placement_intersect(const placement *p, const shape_class *shape, const void *self, const pov_ray *ray,
                          pov_hits *hits)
 {
     pov_ray own;
@@ -91,7 +91,7 @@ void placement_intersect(const placement *p, const pov_shape_class *shape, const
     shape->intersect(self, &own, hits);
 }
 
-void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+void placement_normal(const placement *p, const shape_class *shape, const void *self, const pov_ray *ray,
                       const pov_crossing *at, pov_vec3 *out)
 {
     pov_ray own;
@@ -115,7 +115,7 @@ void placement_turn_normal(const placement *p, pov_vec3 *normal)
     *normal = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
 }
 
-bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
+bool placement_inside(const placement *p, const shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo)
 {
     pov_two o[3];

@@ -4,9 +4,9 @@
 #define WORLD_INSTANCE_H
 
 #include "bvh/bvh.h"
+#include "plug/shape_class.h"
 
 #include <povtrace/exact.h>
-#include <povtrace/plugin.h>
 
 /* What is known of a shape, so that rays can be filtered; it is in the range of filters then. */
 enum { PLACEMENT_UNKNOWN, PLACEMENT_IN_BOX, PLACEMENT_IS_BOX, PLACEMENT_IS_BALL };
@@ -49,7 +49,7 @@ void placement_init_many(placement *out, const placement_wish *wishes, int n);
 
 /* Where it stands in a frame around it. False: rays there cannot be filtered. */
 bool placement_stand(const placement *p, const bvh_frame *frame, stand *out);
-/* The same of an ellipsoid, by its centre and the rows of pov_shape_class. */
+/* The same of an ellipsoid, by its centre and the rows of shape_class. */
 bool placement_stand_ellipsoid(const pov_ellipsoid *e, const bvh_frame *frame, stand *out);
 /* As block_filter() of a block that holds it alone. */
 uint32_t placement_filter(const stand *s, uint32_t owner, const pov_rays *rays, uint64_t lanes, pov_meeting *out);
@@ -60,15 +60,15 @@ void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own);
 void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n);
 
 /* As the class's own calls, for a ray in the world (its dir_lo is zero). Distances along the ray stay what they are. */
-void placement_intersect(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+void placement_intersect(const placement *p, const shape_class *shape, const void *self, const pov_ray *ray,
                          pov_hits *hits);
-void placement_normal(const placement *p, const pov_shape_class *shape, const void *self, const pov_ray *ray,
+void placement_normal(const placement *p, const shape_class *shape, const void *self, const pov_ray *ray,
                       const pov_crossing *at, pov_vec3 *out);
 /* From the shape's own space to the world. */
 void placement_turn_normal(const placement *p, pov_vec3 *normal);
 /* The same n times, to the bit. */
 void placement_turn_normals(const placement *const *p, pov_vec3 *const *normals, uint32_t n);
-bool placement_inside(const placement *p, const pov_shape_class *shape, const void *self, pov_vec3 point,
+bool placement_inside(const placement *p, const shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo);
 
 /* placement_ray() as processors do it, each in its own way, the same bits in each. */

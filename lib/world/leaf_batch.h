@@ -16,7 +16,7 @@ enum {
 };
 
 typedef struct run {
-    const pov_shape_class *shape;
+    const shape_class *shape;
     const unsigned char *instances;   /* of the first, the others `stride` bytes apart */
     uint8_t count, flags;             /* RUN_* */
     uint8_t casts, opaque;            /* by lane: throws a shadow; lets nothing through */
@@ -58,17 +58,15 @@ static inline const stand *run_stand(const run *r)
 }
 
 /* Are shapes of a class that share no block to be looked at as ellipsoids? Each stands alone then. */
-static inline bool run_may_stand(const pov_shape_class *shape) { return POV_SHAPE_HAS(shape, ellipsoid); }
+static inline bool run_may_stand(const shape_class *shape) { return shape->ellipsoid != NULL; }
 
-static inline size_t run_block_size(const pov_shape_class *shape, uint32_t count)
+static inline size_t run_block_size(const shape_class *shape, uint32_t count)
 {
-    const bool has_own = shape->size >= offsetof(pov_shape_class, lone_block_size) + sizeof shape->lone_block_size;
-
-    return count == 1 && has_own && shape->lone_block_size > 0 ? shape->lone_block_size : shape->block_size;
+    return count == 1 && shape->single_block_size > 0 ? shape->single_block_size : shape->block_size;
 }
 
 /* Bytes from a run of so many to the next: blocks are rounded up to whole lines of memory. */
-static inline size_t run_bytes(const pov_shape_class *shape, uint32_t count, unsigned flags)
+static inline size_t run_bytes(const shape_class *shape, uint32_t count, unsigned flags)
 {
     if (flags & RUN_PLACED)
         return RUN_PLACED_BYTES + (flags & RUN_ROOM ? sizeof(stand) : 0);

@@ -290,7 +290,7 @@ static const void *place(runs *r, uint32_t part, const bvh_frame *frame, uint32_
     return r->flat->moved[id];
 }
 
-static bool pack(const pov_shape_class *shape, const bvh_frame *in, const void *const *selves, uint32_t count, run *out)
+static bool pack(const shape_class *shape, const bvh_frame *in, const void *const *selves, uint32_t count, run *out)
 {
     pov_frame frame = { { 0.0, 0.0, 0.0 }, 1.0 };
 
@@ -353,10 +353,10 @@ static void fill_run(runs *r, uint32_t part, const bvh_frame *frame, const uint3
 /* A shape as it will soon be read, from where it stands now. */
 SIMD_INLINE void expect_shape(const flat *f, uint32_t id)
 {
-    const pov_shape_class *shape = f->groups[f->group[id]].shape;
+    const shape_class *shape = f->groups[f->group[id]].shape;
     const unsigned char *moved = f->moved ? f->moved[id] : NULL;
     const unsigned char *from = moved ? moved : f->model->leaves.items[id].instance;
-    const size_t all = moved || !shape->prepare ? shape->instance_size : shape->text_size;
+    const size_t all = moved || !shape->prepare ? shape->instance_size : shape->parsed_size;
     const size_t bytes = all < EXPECTED ? all : EXPECTED;
     size_t i;
 

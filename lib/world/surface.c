@@ -23,7 +23,7 @@ static void find_point(const pov_ray *ray, hit *h)
 
 static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
 {
-    const pov_shape_class *shape = w->groups[w->things[h->object].group].shape;
+    const shape_class *shape = w->groups[w->things[h->object].group].shape;
     const shape_place place = world_place(w, h->object);
 
     if (place.placement)
@@ -158,7 +158,7 @@ static inline const pov_ray *known_ray(const own_rays *from, const hit *h)
 }
 
 /* The ray that a class looks at for the normal of a placed shape. */
-static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, const placement *place, const own_rays *from,
+static const pov_ray *place_ray(normals *some, const shape_class *shape, const placement *place, const own_rays *from,
                                 const pov_ray *ray, hit *h)
 {
     const uint32_t n = some->turned++;
@@ -172,12 +172,12 @@ static const pov_ray *place_ray(normals *some, const pov_shape_class *shape, con
     return &some->own[n];
 }
 
-static void find_added(normals *some, const pov_shape_class *shape)
+static void find_added(normals *some, const shape_class *shape)
 {
     uint32_t i;
 
     places_find(&some->placed);
-    if (POV_SHAPE_HAS(shape, normal_many))
+    if (shape->normal_many != NULL)
         shape->normal_many(some->selves, some->rays, some->at, some->out, some->count);
     else
         for (i = 0; i < some->count; i++)
@@ -190,7 +190,7 @@ static void find_added(normals *some, const pov_shape_class *shape)
 static uint64_t find_normals(const world *w, const own_rays *from, const pov_ray *const *rays, hit *const *hits,
                              uint64_t left)
 {
-    const pov_shape_class *shape = NULL;
+    const shape_class *shape = NULL;
     uint64_t others = 0;
     normals some;
 
@@ -199,7 +199,7 @@ static uint64_t find_normals(const world *w, const own_rays *from, const pov_ray
         const shape_group *g = &w->groups[w->things[which].group];
         shape_place place;
 
-        if (!g->placed && g->shape != shape && !POV_SHAPE_HAS(g->shape, normal_many)) {
+        if (!g->placed && g->shape != shape && !g->shape->normal_many) {
             find_normal(w, rays[i], hits[i]);
             continue;
         }

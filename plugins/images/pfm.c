@@ -1,4 +1,5 @@
 /* pfm.c - portable float maps: linear floats as they are, three to a pixel, the bottom row first. */
+#include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
 #include <stdio.h>

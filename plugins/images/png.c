@@ -3,6 +3,7 @@
  * A picture encoded with the sRGB curve says so in an sRGB chunk. One whose values are stored as they are
  * carries no statement about gamma: the course's rule is that the stored number is what is shown, and a gAMA
  * chunk of 1.0 would make viewers brighten it. */
+#include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
 #include <png.h>

@@ -1,4 +1,5 @@
 /* ppm.c - portable pixel maps (P6), 8 or 16 bits a channel, the high byte first. */
+#include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
 #include <stdio.h>

@@ -5,7 +5,9 @@
 #define KIT_LOCAL_H
 
 #include <povtrace/exact.h>
-#include <povtrace/plugin.h>
+#include <povtrace/shape_fast.h>
+
+#include <string.h>
 
 /* What stands in a loop over lanes: with a call in it the loop would not become vectors. */
 #if defined(__GNUC__)
@@ -13,6 +15,9 @@
 #else
 #define KIT_INLINE static inline
 #endif
+
+/* Does a host ask a class for the fast extension that this code has? */
+static inline bool kit_is_fast(const char *name) { return strcmp(name, POV_SHAPE_FAST) == 0; }
 
 /* Half a unit in the last place of one: the relative error of a rounding. */
 #define KIT_U 0x1p-53

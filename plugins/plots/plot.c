@@ -2,6 +2,7 @@
  *
  * Curves are told apart by colour, by mark and by dash, so that a print in grey and an eye that does not see red from
  * green tell them too. The colours are those of Okabe and Ito: Color universal design, 2008. */
+#include <povtrace/plot.h>
 #include <povtrace/plugin.h>
 
 #include <cairo-svg.h>

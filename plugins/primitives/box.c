@@ -459,6 +459,18 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
     return true;
 }
 
+static const pov_shape_fast box_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(kit_box_block),
+    .single_block_size = KIT_BOX_ALONE,
+    .block_pack = block_pack,
+    .block_filter = kit_box_filter,
+    .intersect_many = intersect_many,
+    .cross_many = cross_many,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &box_fast : NULL; }
+
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX | POV_SHAPE_FACES,
@@ -470,12 +482,7 @@ static const pov_shape_class box_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
-    .block_size = sizeof(kit_box_block),
-    .lone_block_size = KIT_BOX_ALONE,
-    .block_pack = block_pack,
-    .block_filter = kit_box_filter,
-    .intersect_many = intersect_many,
-    .cross_many = cross_many,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &box_class, NULL };

@@ -26,6 +26,18 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     text->open = host->accept(in, "open");
 }
 
+static const pov_shape_fast cone_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(kit_frustum_block),
+    .single_block_size = KIT_FRUSTUM_ALONE,
+    .block_pack = kit_frustum_pack,
+    .block_filter = kit_frustum_filter,
+    .intersect_many = kit_frustum_intersect_many,
+    .normal_many = kit_frustum_normal_many,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &cone_fast : NULL; }
+
 static const pov_shape_class cone_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
@@ -37,14 +49,9 @@ static const pov_shape_class cone_class = {
     .normal = kit_frustum_normal,
     .inside = kit_frustum_inside,
     .absorb = kit_frustum_absorb,
-    .block_size = sizeof(kit_frustum_block),
-    .lone_block_size = KIT_FRUSTUM_ALONE,
-    .block_pack = kit_frustum_pack,
-    .block_filter = kit_frustum_filter,
-    .text_size = sizeof(kit_frustum_text),
+    .parsed_size = sizeof(kit_frustum_text),
     .prepare = kit_frustum_prepare,
-    .intersect_many = kit_frustum_intersect_many,
-    .normal_many = kit_frustum_normal_many,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &cone_class, NULL };

@@ -532,6 +532,18 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
     return kit_flat_pack(block, frame, figures, n);
 }
 
+static const pov_shape_fast polygon_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(kit_flat_block),
+    .single_block_size = KIT_FLAT_ALONE,
+    .block_pack = block_pack,
+    .block_filter = kit_flat_filter,
+    .intersect_many = intersect_many,
+    .cross_many = cross_many,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &polygon_fast : NULL; }
+
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_CONVEX | POV_SHAPE_FACES,
@@ -541,14 +553,9 @@ static const pov_shape_class polygon_class = {
     .bounds = bounds,
     .intersect = intersect,
     .normal = normal,
-    .block_size = sizeof(kit_flat_block),
-    .lone_block_size = KIT_FLAT_ALONE,
-    .block_pack = block_pack,
-    .block_filter = kit_flat_filter,
-    .text_size = sizeof(polygon_text),
+    .parsed_size = sizeof(polygon_text),
     .prepare = prepare,
-    .intersect_many = intersect_many,
-    .cross_many = cross_many,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &polygon_class, NULL };

@@ -335,6 +335,18 @@ static void normal_many(const void *const *selves, const pov_ray *const *rays, c
     kit_second_order_normal_many(selves, rays, at, out, n, normal);
 }
 
+static const pov_shape_fast quadric_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(kit_second_order_block),
+    .block_pack = kit_second_order_pack,
+    .block_filter = kit_second_order_filter,
+    .intersect_many = intersect_many,
+    .normal_many = normal_many,
+    .ellipsoid = ellipsoid,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &quadric_fast : NULL; }
+
 static const pov_shape_class quadric_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,
@@ -346,14 +358,9 @@ static const pov_shape_class quadric_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
-    .block_size = sizeof(kit_second_order_block),
-    .block_pack = kit_second_order_pack,
-    .block_filter = kit_second_order_filter,
-    .text_size = sizeof(quadric_text),
+    .parsed_size = sizeof(quadric_text),
     .prepare = prepare,
-    .intersect_many = intersect_many,
-    .normal_many = normal_many,
-    .ellipsoid = ellipsoid,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &quadric_class, NULL };

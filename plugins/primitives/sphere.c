@@ -76,9 +76,21 @@ static bool absorb(void *self, const pov_affine *map)
     return true;
 }
 
+static const pov_shape_fast sphere_fast = {
+    .size = sizeof(pov_shape_fast),
+    .full_leaves = true,
+    .block_size = sizeof(kit_ball_block),
+    .block_pack = kit_ball_pack,
+    .block_filter = kit_ball_filter,
+    .intersect_many = kit_ball_intersect_many,
+    .normal_many = kit_ball_normal_many,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &sphere_fast : NULL; }
+
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL | POV_SHAPE_TOGETHER,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL,
     .keyword = "sphere",
     .instance_size = sizeof(kit_ball),
     .parse = parse,
@@ -87,13 +99,9 @@ static const pov_shape_class sphere_class = {
     .normal = kit_ball_normal,
     .inside = inside,
     .absorb = absorb,
-    .block_size = sizeof(kit_ball_block),
-    .block_pack = kit_ball_pack,
-    .block_filter = kit_ball_filter,
-    .text_size = sizeof(sphere_text),
+    .parsed_size = sizeof(sphere_text),
     .prepare = prepare,
-    .intersect_many = kit_ball_intersect_many,
-    .normal_many = kit_ball_normal_many,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &sphere_class, NULL };

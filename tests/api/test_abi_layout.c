@@ -2,7 +2,7 @@
  * On a machine with 64-bit pointers. */
 #include "support/check.h"
 
-#include <povtrace/plugin.h>
+#include <povtrace/shape_fast.h>
 #include <povtrace/povtrace.h>
 
 #define AT(type, member, offset) assert_int_equal(offsetof(type, member), offset)

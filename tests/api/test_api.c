@@ -2,7 +2,7 @@
 #include "support/check.h"
 #include "support/scenes.h"
 
-#include <povtrace/plugin.h>
+#include <povtrace/shape.h>
 
 #include <math.h>
 #include <pthread.h>

@@ -34,7 +34,7 @@ plugins_of_another_contract_are_refused() {
     small_scene
     copy_plugins
     build_plugin path/primitives/sphere.so <<'END'
-#include <povtrace/plugin.h>
+#include <povtrace/shape.h>
 static const pov_shape_class *const shapes[] = { NULL };
 POV_PLUGIN(sphere) = { .abi = POV_PLUGIN_ABI + 1, .size = sizeof(pov_plugin), .name = "sphere", .version = "9",
                        .shapes = shapes };

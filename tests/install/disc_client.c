@@ -1,5 +1,5 @@
 /* disc_client.c - the disc plugin built out of tree, compiled into a program and given to a context. */
-#include <povtrace/plugin.h>
+#include <povtrace/shape.h>
 #include <povtrace/povtrace.h>
 
 #include <stdio.h>

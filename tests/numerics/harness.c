@@ -18,7 +18,7 @@ typedef struct list { double *values; long count, capacity; } list;
 /* A method at work. */
 typedef struct contender {
     const method *how;
-    const pov_shape_class *shape[KINDS];
+    const shape_class *shape[KINDS];
     score *score;
     list ulps, times;
     char *memory;               /* one batch of instances side by side */
@@ -182,7 +182,7 @@ static bool scales(const contender *c, const probe *p)
 {
     const int k = (int)(80.0 * families_uniform()) - 40;
     const double power = ldexp(1.0, k);
-    const pov_shape_class *shape = c->shape[p->kind];
+    const shape_class *shape = c->shape[p->kind];
     pov_reader *in = fake_reader_create();
     void *self = fake_reader_memory(in, shape->instance_size);
     const subject larger = { shape, self, c->how->always_exact };
@@ -326,7 +326,7 @@ static double time_round(const harness *h, const contender *c)
     int i;
 
     for (i = 0; i < h->made; i++) {
-        const pov_shape_class *shape = c->shape[h->probes[i].kind];
+        const shape_class *shape = c->shape[h->probes[i].kind];
         pov_crossing at;
         pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_NEAREST, c->how->always_exact, false, OWNER, 0, 1, 0, &at, NULL, NULL, false };
 

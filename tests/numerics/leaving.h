@@ -8,7 +8,7 @@ enum { CROSSINGS_MAX = 8, OWNER = 7 };
 
 /* An instance, and how it is asked. */
 typedef struct subject {
-    const pov_shape_class *shape;
+    const shape_class *shape;
     const void *self;
     bool always_exact;
 } subject;

@@ -21,7 +21,7 @@ static void feed_vector(pov_reader *in, const double *v)
     fake_reader_word(in, ">");
 }
 
-bool probe_make(const probe *p, const pov_shape_class *shape, pov_reader *in, void *self)
+bool probe_make(const probe *p, const shape_class *shape, pov_reader *in, void *self)
 {
     const char *form = forms[p->kind];
     int at = 0;

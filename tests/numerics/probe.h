@@ -4,7 +4,7 @@
 
 #include "numerics/real.h"
 
-#include <povtrace/plugin.h>
+#include "plug/shape_class.h"
 
 enum { PROBE_NUMBERS = 64, PROBE_CROSSINGS = 4 };
 
@@ -40,7 +40,7 @@ void probe_exact_line(const probe *p, real3 org, real3 dir, exact_answer *out);
 
 const char *probe_keyword(kind k);
 /* The shape, parsed by its plugin into memory of the class's size. */
-bool probe_make(const probe *p, const pov_shape_class *shape, pov_reader *in, void *self);
+bool probe_make(const probe *p, const shape_class *shape, pov_reader *in, void *self);
 
 /* All lengths times a power of two. */
 void probe_scale(probe *p, double power);

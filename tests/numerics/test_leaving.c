@@ -116,7 +116,7 @@ static void leave_probe(const subject *s, const probe *p, tally *out)
     }
 }
 
-static tally leave_family(const pov_shape_class *shape, kind k, const family *f)
+static tally leave_family(const shape_class *shape, kind k, const family *f)
 {
     tally out = { 0, 0, 0, 0 };
     long probes = 0;
@@ -151,7 +151,7 @@ static void no_ray_meets_the_point_that_it_leaves(void **state)
 
     (void)state;
     for (k = 0; k < KINDS; k++) {
-        const pov_shape_class *shape = fake_reader_shape(probe_keyword((kind)k));
+        const shape_class *shape = fake_reader_shape(probe_keyword((kind)k));
         tally sum = { 0, 0, 0, 0 };
 
         assert_non_null(shape);

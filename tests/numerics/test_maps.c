@@ -223,7 +223,7 @@ static double normal_off(const exact_map *f, const exact_crossing *e, pov_vec3 f
                      fabs(found.z - real_double(real_div(r[2], length)))));
 }
 
-static bool agrees(const pov_shape_class *shape, const void *self, const exact_map *f, const pov_ray *ray,
+static bool agrees(const shape_class *shape, const void *self, const exact_map *f, const pov_ray *ray,
                    const probe *p, const exact_answer *e, double limit)
 {
     pov_crossing at[8];
@@ -260,7 +260,7 @@ static bool agrees(const pov_shape_class *shape, const void *self, const exact_m
 /* How many of the probes of a family a kind gets wrong once mapped. */
 static long count_wrong(kind k, const family *source, long *taken)
 {
-    const pov_shape_class *shape = fake_reader_shape(probe_keyword(k));
+    const shape_class *shape = fake_reader_shape(probe_keyword(k));
     pov_reader *in = fake_reader_create();
     void *self = fake_reader_memory(in, shape->instance_size);
     long i, wrong = 0;
@@ -336,7 +336,7 @@ static void a_box_holds_what_was_made_small_and_moved(void **unused)
     (void)unused;
     for (i = 0; i < 2; i++)
         for (j = 0; j < 40; j++) {
-            const pov_shape_class *shape = fake_reader_shape(i == 0 ? "cylinder" : "cone");
+            const shape_class *shape = fake_reader_shape(i == 0 ? "cylinder" : "cone");
             void *self = fake_reader_memory(in, shape->instance_size);
             const double scale = (1.0 + 0.025 * j) / 1073741824.0, far = 1e6 / (1.0 + j);
             pov_affine map;

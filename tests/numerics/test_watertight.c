@@ -32,7 +32,7 @@ typedef struct fan {
     void *triangle[MOST];
 } fan;
 
-static void make_fan(fan *f, const pov_shape_class *shape, pov_reader *in)
+static void make_fan(fan *f, const shape_class *shape, pov_reader *in)
 {
     const double place = U() < 0.3 ? 1e6 : 2.0, bend = U() < 0.5 ? 0.0 : 0.05;
     const pov_vec3 axis = families_direction();
@@ -76,7 +76,7 @@ static pov_vec3 target_in(const fan *f)
     return pov_add(pov_add(f->middle, pov_scale(spoke, along)), pov_scale(families_direction(), beside));
 }
 
-static int count_hits(const fan *f, const pov_shape_class *shape, const pov_ray *ray, bool always_exact)
+static int count_hits(const fan *f, const shape_class *shape, const pov_ray *ray, bool always_exact)
 {
     int i, hits_found = 0;
 
@@ -121,7 +121,7 @@ static bool aims_well(const pov_ray *ray, pov_vec3 target)
 
 static void a_ray_at_a_shared_edge_or_corner_meets_exactly_one(void **state)
 {
-    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const shape_class *shape = fake_reader_shape("polygon");
     long done = 0, wrong = 0;
 
     (void)state;
@@ -158,7 +158,7 @@ static void a_ray_at_a_shared_edge_or_corner_meets_exactly_one(void **state)
 enum { GRID = 4 };
 
 /* A unit square of whole corners; from (i, j, 0) along two of the axes. */
-static void *make_square(const pov_shape_class *shape, pov_reader *in, pov_vec3 corner, pov_vec3 e, pov_vec3 g)
+static void *make_square(const shape_class *shape, pov_reader *in, pov_vec3 corner, pov_vec3 e, pov_vec3 g)
 {
     fake_reader_clear(in);
     fake_reader_number(in, 5.0);
@@ -182,7 +182,7 @@ static pov_ray exact_ray(double x, double y, int number)
     return ray;
 }
 
-static int hits_of(const pov_shape_class *shape, void *const *squares, int count, const pov_ray *ray)
+static int hits_of(const shape_class *shape, void *const *squares, int count, const pov_ray *ray)
 {
     int i, found = 0;
 
@@ -198,7 +198,7 @@ static int hits_of(const pov_shape_class *shape, void *const *squares, int count
 
 static void a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them(void **state)
 {
-    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const shape_class *shape = fake_reader_shape("polygon");
     const pov_vec3 e = { 1.0, 0.0, 0.0 }, g = { 0.0, 1.0, 0.0 };
     pov_reader *in = fake_reader_create();
     void *squares[GRID * GRID];
@@ -222,7 +222,7 @@ static void a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them(void **st
 /* Seen from where both polygons of an edge lie to the same side of it, as at the ridge of a roof: both or none. */
 static void a_ray_exactly_on_the_outline_of_a_fold_meets_both_or_none(void **state)
 {
-    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const shape_class *shape = fake_reader_shape("polygon");
     const pov_vec3 corner = { 0.0, 0.0, 0.0 }, edge = { 0.0, 4.0, 0.0 };
     pov_reader *in = fake_reader_create();
     void *fold[2];

@@ -47,12 +47,11 @@ static bool frame_around(const thing *const *things, uint32_t n, pov_frame *out)
     return true;
 }
 
-static size_t lone_block_size(void)
+static size_t single_block_size(void)
 {
-    const pov_shape_class *s = subject.shape;
-    const bool has = s->size >= offsetof(pov_shape_class, lone_block_size) + sizeof s->lone_block_size;
+    const shape_class *s = subject.shape;
 
-    return has && s->lone_block_size > 0 ? s->lone_block_size : s->block_size;
+    return s->single_block_size > 0 ? s->single_block_size : s->block_size;
 }
 
 static bool is_filled(const unsigned char *from, const unsigned char *to, unsigned char with)
@@ -66,7 +65,7 @@ static bool is_filled(const unsigned char *from, const unsigned char *to, unsign
 /* A block for one shape ends sooner: what is behind it is nobody's, and no number. */
 static bool pack(unsigned char *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
-    unsigned char *end = block + subject.shape->block_size, *behind = n == 1 ? block + lone_block_size() : end;
+    unsigned char *end = block + subject.shape->block_size, *behind = n == 1 ? block + single_block_size() : end;
     bool takes;
 
     memset(block, 0, subject.shape->block_size);

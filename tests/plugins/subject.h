@@ -2,7 +2,7 @@
 #ifndef PLUGINS_SUBJECT_H
 #define PLUGINS_SUBJECT_H
 
-#include <povtrace/plugin.h>
+#include "plug/shape_class.h"
 
 enum { OWNER = 3, MOST = 64, SHAPES = 40, RAYS = 20000 };
 
@@ -17,7 +17,7 @@ typedef struct thing {
 /* What is under test: a class and instances of it. */
 typedef struct plugin_subject {
     char file[1024];
-    const pov_shape_class *shape;
+    const shape_class *shape;
     pov_reader *in;
     thing things[SHAPES];
     int count, hard;         /* how many; and how many more for block filters only */
@@ -26,7 +26,7 @@ typedef struct plugin_subject {
 extern plugin_subject subject;
 
 /* Does the class reach as far as this member, and is it there? */
-#define HAS(member) POV_SHAPE_HAS(subject.shape, member)
+#define HAS(member) (subject.shape)->member != NULL
 
 /* Load a file and make instances of its first shape. False: there are none. */
 bool subject_set_up(const char *file);

@@ -1,4 +1,5 @@
 /* test_images.c - each image format plugin, asked as the library asks it. */
+#include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
 #include <dlfcn.h>

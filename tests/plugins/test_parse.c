@@ -12,7 +12,7 @@ static void hold(const wanted *table, size_t count)
     size_t i;
 
     for (i = 0; i < count; i++) {
-        const pov_shape_class *shape = fake_reader_shape(table[i].keyword);
+        const shape_class *shape = fake_reader_shape(table[i].keyword);
         pov_reader *in = fake_reader_create();
         void *self;
 
@@ -75,7 +75,7 @@ static void what_makes_no_shape_is_refused(void **state)
 /* A figure that was turned in space and rounded to doubles is as flat as a figure can be. */
 static void a_polygon_may_be_off_its_plane_by_rounding(void **state)
 {
-    const pov_shape_class *shape = fake_reader_shape("polygon");
+    const shape_class *shape = fake_reader_shape("polygon");
     const double places[] = { 0.0, 1.0, 1e3, 1e6, 1e9 };
     pov_reader *in = fake_reader_create();
     size_t p;

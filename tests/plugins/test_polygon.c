@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-static const pov_shape_class *polygon;
+static const shape_class *polygon;
 
 /* Whether a ray along z through (x, y) meets the polygon of the text, at z = 0. */
 static bool covers(const void *self, double x, double y)

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-static const pov_shape_class *quadric;
+static const shape_class *quadric;
 
 /* Squeezed along y, what of y was next to nothing counts as much as the rest: who absorbs the map must have kept it. */
 static void test_what_a_map_makes_large_is_kept(void **state)

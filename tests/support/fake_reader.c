@@ -186,13 +186,15 @@ static bool host_more(pov_reader *in)
 
 /* ---- instances ---- */
 
-bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *self)
+enum { LOADED_MAX = 32 };        /* plugins that one test program loads */
+
+bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self)
 {
     static const pov_host host = { POV_PLUGIN_ABI, sizeof(pov_host), host_alloc, host_number, host_vector,
                                    host_accept,    host_expect,      host_more,  host_fail,   host_warn };
 
-    const bool is_prepared = POV_HAS(shape, pov_shape_class, prepare) && shape->prepare;
-    void *text = is_prepared ? fake_reader_memory(in, shape->text_size) : self;
+    const bool is_prepared = shape->prepare != NULL;
+    void *text = is_prepared ? fake_reader_memory(in, shape->parsed_size) : self;
 
     memset(self, 0, shape->instance_size);
     in->at = 0;
@@ -204,7 +206,7 @@ bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *
     return !in->failed;
 }
 
-void *fake_reader_parse(pov_reader *in, const pov_shape_class *shape)
+void *fake_reader_parse(pov_reader *in, const shape_class *shape)
 {
     void *self = fake_reader_memory(in, shape->instance_size);
 
@@ -214,17 +216,29 @@ void *fake_reader_parse(pov_reader *in, const pov_shape_class *shape)
 const char *fake_reader_message(const pov_reader *in) { return in->message; }
 int fake_reader_warnings(const pov_reader *in) { return in->warnings; }
 
-const pov_shape_class *fake_reader_load(const char *path)
+const shape_class *fake_reader_load(const char *path)
 {
+    static shape_class loaded[LOADED_MAX];
+    static const pov_shape_class *from[LOADED_MAX];
     void *file = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     const pov_plugin *plugin = file ? dlsym(file, POV_PLUGIN_SYMBOL) : NULL;
+    const pov_shape_class *shape = plugin && plugin->shapes ? plugin->shapes[0] : NULL;
+    int i;
 
     if (!plugin)
         fprintf(stderr, "%s\n", dlerror());
-    return plugin && plugin->shapes ? plugin->shapes[0] : NULL;
+    for (i = 0; shape && i < LOADED_MAX; i++) {
+        if (from[i] == shape)
+            return &loaded[i];
+        if (!from[i]) {
+            shape_class_fill(&loaded[i], from[i] = shape);
+            return &loaded[i];
+        }
+    }
+    return NULL;
 }
 
-const pov_shape_class *fake_reader_shape(const char *keyword)
+const shape_class *fake_reader_shape(const char *keyword)
 {
     char path[1024];
 

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_FAKE_READER_H
 #define SUPPORT_FAKE_READER_H
 
-#include <povtrace/plugin.h>
+#include "plug/shape_class.h"
 
 /* Every reader and instance made is freed by fake_reader_destroy(). */
 pov_reader *fake_reader_create(void);
@@ -19,16 +19,16 @@ void fake_reader_text(pov_reader *in, const char *text);
 void *fake_reader_memory(pov_reader *in, size_t bytes);
 
 /* An instance parsed from what was fed, or NULL when that failed or left something over. */
-void *fake_reader_parse(pov_reader *in, const pov_shape_class *shape);
+void *fake_reader_parse(pov_reader *in, const shape_class *shape);
 /* The same into memory of the caller's, of the class's size. */
-bool fake_reader_parse_into(pov_reader *in, const pov_shape_class *shape, void *self);
+bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self);
 const char *fake_reader_message(const pov_reader *in);   /* of the first failure; "" for none */
 int fake_reader_warnings(const pov_reader *in);
 
 /* The first shape of a plugin file; the file stays loaded. NULL, and a line on standard error, if it
  * cannot be had. */
-const pov_shape_class *fake_reader_load(const char *path);
+const shape_class *fake_reader_load(const char *path);
 /* The shape of the build's own plugin. */
-const pov_shape_class *fake_reader_shape(const char *keyword);
+const shape_class *fake_reader_shape(const char *keyword);
 
 #endif

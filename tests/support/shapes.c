@@ -215,8 +215,7 @@ static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov
     return n;
 }
 
-const pov_shape_class test_ball_class = {
-    .size = sizeof(pov_shape_class),
+const shape_class test_ball_class = { 
     .flags = POV_SHAPE_SOLID | POV_SHAPE_TOGETHER,
     .keyword = "ball",
     .instance_size = sizeof(test_ball),
@@ -239,8 +238,7 @@ static bool no_bounds(const void *self, pov_box *out)
     return false;
 }
 
-const pov_shape_class test_loose_ball_class = {
-    .size = sizeof(pov_shape_class),
+const shape_class test_loose_ball_class = { 
     .flags = POV_SHAPE_SOLID,
     .keyword = "loose_ball",
     .instance_size = sizeof(test_ball),
@@ -253,8 +251,7 @@ const pov_shape_class test_loose_ball_class = {
     .block_filter = ball_filter,
 };
 
-const pov_shape_class test_plain_ball_class = {
-    .size = sizeof(pov_shape_class),
+const shape_class test_plain_ball_class = { 
     .flags = POV_SHAPE_SOLID,
     .keyword = "plain_ball",
     .instance_size = sizeof(test_ball),
@@ -345,8 +342,7 @@ static bool brick_inside(const void *self, pov_vec3 p, pov_vec3 lo)
            (p.y - b->hi.y) + lo.y < 0.0 && (p.z - b->lo.z) + lo.z > 0.0 && (p.z - b->hi.z) + lo.z < 0.0;
 }
 
-const pov_shape_class test_brick_class = {
-    .size = sizeof(pov_shape_class),
+const shape_class test_brick_class = { 
     .flags = POV_SHAPE_SOLID,
     .keyword = "brick",
     .instance_size = sizeof(test_brick),
@@ -389,8 +385,7 @@ static bool ground_inside(const void *self, pov_vec3 p, pov_vec3 lo)
     return (p.y - g->height) + lo.y < 0.0;
 }
 
-const pov_shape_class test_ground_class = {
-    .size = sizeof(pov_shape_class),
+const shape_class test_ground_class = { 
     .flags = POV_SHAPE_SOLID,
     .keyword = "ground",
     .instance_size = sizeof(test_ground),
@@ -481,7 +476,7 @@ void test_add_light(model *m, float brightness)
     assert_true(VEC_PUSH(m->env, &m->lights, lamp));
 }
 
-uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,
+uint32_t test_add(model *m, const shape_class *shape, const void *instance, const transform *map, uint32_t surface,
                   uint32_t flags)
 {
     leaf_node o;

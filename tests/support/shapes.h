@@ -5,17 +5,17 @@
 #include "model/model.h"
 #include "query/query.h"
 
-#include <povtrace/plugin.h>
+#include "plug/shape_class.h"
 
 typedef struct test_ball { pov_vec3 centre; double radius; } test_ball;
 typedef struct test_brick { pov_vec3 lo, hi; } test_brick;
 typedef struct test_ground { double height; } test_ground;
 
-extern const pov_shape_class test_ball_class;       /* blocks, absorbs similar maps */
-extern const pov_shape_class test_loose_ball_class; /* blocks, but no box: as if infinite */
-extern const pov_shape_class test_plain_ball_class; /* neither */
-extern const pov_shape_class test_brick_class;      /* no blocks; absorbs moves */
-extern const pov_shape_class test_ground_class;     /* y < height, infinite */
+extern const shape_class test_ball_class;       /* blocks, absorbs similar maps */
+extern const shape_class test_loose_ball_class; /* blocks, but no box: as if infinite */
+extern const shape_class test_plain_ball_class; /* neither */
+extern const shape_class test_brick_class;      /* no blocks; absorbs moves */
+extern const shape_class test_ground_class;     /* y < height, infinite */
 
 /* Numbers that are the same on every machine. */
 typedef struct test_random { uint64_t state; } test_random;
@@ -30,7 +30,7 @@ void test_leave(pov_ray *ray, const hit *h);
 void test_model_init(model *m, const env *e);
 /* Each asserts that memory sufficed, and gives the index. */
 uint32_t test_add_material(model *m, colour pigment, float filter, float transmit, bool has_interior);
-uint32_t test_add(model *m, const pov_shape_class *shape, const void *instance, const transform *map, uint32_t surface,
+uint32_t test_add(model *m, const shape_class *shape, const void *instance, const transform *map, uint32_t surface,
                   uint32_t flags);
 void test_add_light(model *m, float brightness);
 uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface);

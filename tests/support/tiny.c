@@ -54,8 +54,7 @@ static bool ball_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     return pov_dot(o, o) < b->radius * b->radius;
 }
 
-static const pov_shape_class ball_class = {
-    .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = "ball", .instance_size = sizeof(ball),
+static const shape_class ball_class = {  .flags = POV_SHAPE_SOLID, .keyword = "ball", .instance_size = sizeof(ball),
     .bounds = ball_bounds, .intersect = ball_intersect, .normal = ball_normal, .inside = ball_inside,
 };
 
@@ -82,8 +81,7 @@ static void wall_normal(const void *self, const pov_ray *ray, const pov_crossing
     *out = ((const wall *)self)->normal;
 }
 
-static const pov_shape_class wall_class = {
-    .size = sizeof(pov_shape_class), .keyword = "wall", .instance_size = sizeof(wall),
+static const shape_class wall_class = {  .keyword = "wall", .instance_size = sizeof(wall),
     .bounds = wall_bounds, .intersect = wall_intersect, .normal = wall_normal,
 };
 
@@ -142,7 +140,7 @@ material tiny_glass(double ior)
     return m;
 }
 
-void tiny_add(tiny *s, const pov_shape_class *shape, const void *instance, material m)
+void tiny_add(tiny *s, const shape_class *shape, const void *instance, material m)
 {
     leaf_node o = { .shape = shape, .material = (uint32_t)s->model.materials.count, .line = 1, .column = 1 };
 

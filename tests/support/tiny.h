@@ -21,7 +21,7 @@ void tiny_sphere(tiny *s, double x, double y, double z, double radius, material 
 /* The points p with p.n = d, n of unit length; seen from both sides, with no inside. */
 void tiny_plane(tiny *s, double x, double y, double z, double d, material m);
 /* An object of any class. */
-void tiny_add(tiny *s, const pov_shape_class *shape, const void *instance, material m);
+void tiny_add(tiny *s, const shape_class *shape, const void *instance, material m);
 void tiny_light(tiny *s, double x, double y, double z, float r, float g, float b);
 /* Compile it: after the last object. */
 void tiny_build(tiny *s);

@@ -202,7 +202,7 @@ static void prepare_twice_as_large(void *self, const void *text)
 
 static void instances_are_prepared_alone_absorbed_and_placed(void **state)
 {
-    pov_shape_class small = test_ball_class;
+    shape_class small = test_ball_class;
     test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
     const test_ball *made[3];
     model m;
@@ -210,7 +210,7 @@ static void instances_are_prepared_alone_absorbed_and_placed(void **state)
     int i;
 
     (void)state;
-    small.text_size = sizeof ball;
+    small.parsed_size = sizeof ball;
     small.prepare = prepare_twice_as_large;
     test_model_init(&m, NULL);
     test_add(&m, &small, &ball, NULL, 0, 0);
@@ -230,7 +230,7 @@ static void large_shapes_that_absorb_are_found_among_very_many(void **state)
 {
     typedef struct large_ball { test_ball ball; unsigned char more[FLAT_LARGE]; } large_ball;
     large_ball shape = { { { 0.0, 0.0, 0.0 }, 1e-3 }, { 0 } };
-    pov_shape_class classes[2] = { test_ball_class, test_ball_class };
+    shape_class classes[2] = { test_ball_class, test_ball_class };
     pov_vec3 *at = malloc((FLAT_MANY + 1) * sizeof *at);
     uint32_t i, stay[2] = { 0, 0 };
     test_random r = { 5 };

@@ -49,7 +49,7 @@ static void intersect_brick(const void *self, const pov_ray *ray, pov_hits *hits
         pov_cross(hits, s.out.hi, s.out.lo, mark);
 }
 
-static const pov_shape_class brick = { .size = sizeof brick, .keyword = "brick", .instance_size = sizeof(pov_box),
+static const shape_class brick = { .size = sizeof brick, .keyword = "brick", .instance_size = sizeof(pov_box),
                                        .flags = POV_SHAPE_BOX, .intersect = intersect_brick };
 
 /* ---- and the ball in a box, about its point nearest to the centre ---- */
@@ -85,10 +85,10 @@ static void intersect_orb(const void *self, const pov_ray *ray, pov_hits *hits)
         pov_cross(hits, pov_two_add(middle, half).hi, 0.0, mark);
 }
 
-static const pov_shape_class orb = { .size = sizeof orb, .keyword = "orb", .instance_size = sizeof(pov_box),
+static const shape_class orb = { .size = sizeof orb, .keyword = "orb", .instance_size = sizeof(pov_box),
                                      .flags = POV_SHAPE_BALL, .intersect = intersect_orb };
 
-static uint32_t find_hits(const placement *p, const pov_shape_class *shape, const pov_box *own, const pov_ray *ray,
+static uint32_t find_hits(const placement *p, const shape_class *shape, const pov_box *own, const pov_ray *ray,
                           double tmax, pov_crossing at[2])
 {
     pov_hits hits;
@@ -270,7 +270,7 @@ static void check_ellipsoid(const placement *p, const bvh_frame *frame, const st
     assert_memory_equal(&s, stands, sizeof s);
 }
 
-static void check_map(model *m, test_random *r, const pov_shape_class *shape, pov_box own, tally *t)
+static void check_map(model *m, test_random *r, const shape_class *shape, pov_box own, tally *t)
 {
     const pov_meeting *of[RAYS] = { NULL };
     pov_ray sent[RAYS];
@@ -319,7 +319,7 @@ static void check_map(model *m, test_random *r, const pov_shape_class *shape, po
         check_answer(of[i], hits[i], at[i], t);
 }
 
-static tally check_maps(const pov_shape_class *shape, pov_box (*own)(test_random *r))
+static tally check_maps(const shape_class *shape, pov_box (*own)(test_random *r))
 {
     test_random r = { 17 };
     tally t = { 0, 0, 0, 0, 0, 0 };

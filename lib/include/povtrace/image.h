@@ -39,4 +39,28 @@ POV_API void pov_image_free(struct pov_context *context, pov_bitmap *bitmap);
 POV_API pov_status pov_image_check(struct pov_context *context, const char *path, const pov_image_options *options,
                                    pov_error *err);
 
+/* ---- a format, for plugins: see plugin.h --------------------------------- */
+
+typedef struct pov_image {
+    size_t size;
+    int width, height, bits;       /* three channels of 8 or 16 bits (native order), or of 32: float */
+    pov_transfer transfer;         /* how the integers were encoded */
+    size_t stride;                 /* bytes from row to row, top row first */
+    const void *pixels;
+} pov_image;
+
+/* Whoever reads says what there is, and gets room for height rows of stride bytes; NULL: there is none. */
+typedef struct pov_image_target { void *user; void *(*begin)(void *user, const pov_image *about); } pov_image_target;
+
+enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2 };
+
+typedef struct pov_image_format {
+    uint32_t size, depths;         /* the POV_IMAGE_* it can hold; the lowest set bit is the usual one */
+    const char *ending;            /* "png" */
+    /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
+    const char *(*write)(const pov_image *image, const pov_output *output);
+    /* Any thread. The bytes of a whole file to pixels; may be NULL. NULL when all went well, else what is wrong. */
+    const char *(*read)(const void *bytes, size_t count, const pov_image_target *target);
+} pov_image_format;
+
 #endif

@@ -39,4 +39,13 @@ POV_API pov_status pov_plot_put(struct pov_context *context, const char *ending,
 /* Is there a plugin for it? Loads it; so that a program may ask before it works. */
 POV_API pov_status pov_plot_check(struct pov_context *context, const char *ending, pov_error *err);
 
+/* ---- a format, for plugins: see plugin.h --------------------------------- */
+
+typedef struct pov_plot_format {
+    uint32_t size;
+    const char *ending;          /* "svg" */
+    /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
+    const char *(*draw)(const pov_plot *plot, const pov_output *output);
+} pov_plot_format;
+
 #endif

@@ -8,7 +8,7 @@
 #define METHODS_NUMBER_H
 
 #include <povtrace/exact.h>
-#include <povtrace/plugin.h>
+#include <povtrace/shape_fast.h>
 
 #define SHADOW_EPSILON 1e-6
 

@@ -4,7 +4,7 @@
  * in two parts throughout: the shortest way to a right answer. A filter in double in front of it would
  * make it faster. */
 #include <povtrace/exact.h>
-#include <povtrace/plugin.h>
+#include <povtrace/shape.h>
 
 typedef struct disc {
     pov_vec3 centre, normal;       /* normal: unit */

@@ -102,6 +102,15 @@ static bool absorb(void *self, const pov_affine *map)
 
 METHODS_LANES(bounds)
 
+static const pov_shape_fast box_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(lane_boxes),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &box_fast : NULL; }
+
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,
@@ -113,9 +122,7 @@ static const pov_shape_class box_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
-    .block_size = sizeof(lane_boxes),
-    .block_pack = block_pack,
-    .block_filter = block_filter,
+    .extension = extension,
 };
 
 METHODS_PLUGIN(box, box_class);

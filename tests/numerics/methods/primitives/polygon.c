@@ -120,6 +120,15 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 
 METHODS_LANES(bounds)
 
+static const pov_shape_fast polygon_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(lane_boxes),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &polygon_fast : NULL; }
+
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
     .keyword = "polygon",
@@ -128,9 +137,7 @@ static const pov_shape_class polygon_class = {
     .bounds = bounds,
     .intersect = intersect,
     .normal = normal,
-    .block_size = sizeof(lane_boxes),
-    .block_pack = block_pack,
-    .block_filter = block_filter,
+    .extension = extension,
 };
 
 METHODS_PLUGIN(polygon, polygon_class);

@@ -113,6 +113,15 @@ static bool absorb(void *self, const pov_affine *map)
 
 METHODS_LANES(bounds)
 
+static const pov_shape_fast quadric_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(lane_boxes),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &quadric_fast : NULL; }
+
 static const pov_shape_class quadric_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,
@@ -124,9 +133,7 @@ static const pov_shape_class quadric_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
-    .block_size = sizeof(lane_boxes),
-    .block_pack = block_pack,
-    .block_filter = block_filter,
+    .extension = extension,
 };
 
 METHODS_PLUGIN(quadric, quadric_class);

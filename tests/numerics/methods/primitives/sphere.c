@@ -129,6 +129,15 @@ KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owner
     return n;
 }
 
+static const pov_shape_fast sphere_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(sphere_block),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const void *extension(const char *name) { return kit_is_fast(name) ? &sphere_fast : NULL; }
+
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID,
@@ -140,9 +149,7 @@ static const pov_shape_class sphere_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
-    .block_size = sizeof(sphere_block),
-    .block_pack = block_pack,
-    .block_filter = block_filter,
+    .extension = extension,
 };
 
 METHODS_PLUGIN(sphere, sphere_class);

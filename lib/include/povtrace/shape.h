@@ -1,0 +1,166 @@
+/* povtrace/shape.h - what a primitive is: how it is read, where it is, what rays meet of it.
+ *
+ * This is all that a new primitive needs. One that is to be as fast as the built-in ones adds shape_fast.h. */
+#ifndef POVTRACE_SHAPE_H
+#define POVTRACE_SHAPE_H
+
+#include <povtrace/plugin.h>
+
+#define POV_NOBODY 0xffffffffu
+#define POV_PREPARED_MAX 1024u
+
+/* ---- rays and crossings ------------------------------------------------ */
+
+/* What names a crossing of a shape again: which part of it (face, cap, root), and what normal() wants to know. */
+typedef struct pov_mark { uint32_t part, flags; double u, v; } pov_mark;
+#define POV_MARK_DECIDED 0x80000000u   /* in flags: double left the crossing open, two-part arithmetic decided */
+/* In a ray's left_mark: it goes outward, at an angle that is no matter of rounding. In a mark that a shape reports: whoever
+ * leaves it there, to either side and at any angle, never comes back. */
+#define POV_MARK_AWAY 0x40000000u
+#define POV_MARK_INTO 0x20000000u      /* in a ray's left_mark: it goes inward, as surely */
+#define POV_MARK_CLOSED 0x10000000u    /* in flags: of a shape that is bounded, convex and without gaps */
+
+/* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
+ * object far from the origin is exact enough to be told from its surface. */
+typedef struct pov_ray {
+    pov_vec3 org, org_lo, dir;   /* dir need not be unit */
+    uint32_t left;               /* the owner whose surface the ray starts on, or POV_NOBODY */
+    pov_mark left_mark;          /* the mark of that crossing: intersect() leaves out that root by name */
+    pov_vec3 dir_lo;             /* the direction is dir + dir_lo: zero, but where a map was applied to a ray */
+} pov_ray;
+
+/* A crossing lies at the unevaluated sum t + t_lo. */
+typedef struct pov_crossing {
+    double t, t_lo;
+    uint32_t owner;          /* stamped by pov_cross() */
+    pov_mark mark;
+} pov_crossing;
+
+typedef enum pov_want { POV_WANT_NEAREST, POV_WANT_ANY, POV_WANT_ALL } pov_want;
+
+/* Where intersect() reports. tmin is fixed; tmax closes in as hits are found. */
+typedef struct pov_hits {
+    double tmin, tmax;             /* open interval */
+    pov_want want;
+    bool always_exact;             /* use two-part arithmetic throughout, whatever the filter says */
+    bool count_only;               /* ALL: t may be off, as long as what is reported lies in the interval for certain */
+    uint32_t owner;                /* whom the host asks: compare with ray->left */
+    uint32_t count, capacity;
+    uint32_t decided;              /* add one for each crossing or miss that two-part arithmetic had to decide */
+    pov_crossing *at;              /* one slot, or `capacity` of them for POV_WANT_ALL */
+    bool (*grow)(struct pov_hits *hits);
+    void *user;                    /* the host's */
+    bool crowded;                  /* NEAREST: another owner's crossing is as near, as far as doubles tell */
+    void *scratch;                 /* working memory, if the class asks for it */
+} pov_hits;
+
+/* Distances that differ by less than this part of them may be the same: twice what crossings may be off by, and some. */
+#define POV_NEAR (1.0 / 70368744177664.0)   /* 2^-46 */
+
+/* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that
+ * the answer does not depend on the order of asking. (The host looks again at what is as near: docs/numerics.md.) */
+static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
+{
+    if (h->count == 0)
+        return t < h->tmax;
+    if (t != h->at->t)
+        return t < h->at->t;
+    if (t_lo != h->at->t_lo)
+        return t_lo < h->at->t_lo;
+    return h->owner < h->at->owner;
+}
+
+/* Take note of one that is about as near as the nearest so far, and of the first that is clearly nearer. */
+static inline void pov_note_company(pov_hits *h, double t)
+{
+    if (fabs(t - h->at->t) <= POV_NEAR * fabs(t))
+        h->crowded = h->crowded || h->owner != h->at->owner;
+    else if (t < h->at->t)
+        h->crowded = false;
+}
+
+/* Report a crossing. False: nothing more is wanted, return at once. */
+static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
+{
+    pov_crossing *c = h->at;
+
+    if (!(t > h->tmin || (t == h->tmin && t_lo > 0.0)))
+        return true;
+    if (h->want == POV_WANT_ALL) {
+        if (!(t < h->tmax))
+            return true;
+        if (h->count == h->capacity && !h->grow(h))
+            return false;
+        c = &h->at[h->count++];
+    } else {
+        if (h->count)
+            pov_note_company(h, t);
+        if (!pov_is_nearer(h, t, t_lo))
+            return true;
+        h->count = 1;
+        h->tmax = t + POV_NEAR * fabs(t);   /* open for company */
+    }
+    c->t = t;
+    c->t_lo = t_lo;
+    c->owner = h->owner;
+    c->mark = mark;
+    return h->want != POV_WANT_ANY;
+}
+
+/* ---- a primitive --------------------------------------------------------
+ *
+ * Order of calls: parse, prepare, absorb at most once, bounds, then only [render].
+ * An instance is plain bytes: the host copies it with memcpy for every use of a
+ * #declared object. So it has no destructor, memory it points to comes from
+ * host->alloc and is never written after parse, and absorb changes only the
+ * instance's own bytes. */
+
+enum {
+    POV_SHAPE_SOLID = 1u << 0,   /* inside() means something: it may hold a medium and take part in CSG */
+    POV_SHAPE_CONVEX = 1u << 1,  /* a ray that leaves it outward never meets it again: it lies on one side of each tangent plane */
+    /* It fills its bounds, or is the ball within them, but for what rounding them outward adds: up to eight units in the
+     * last place of the coordinates. Hosts that know better may look for more than bounds say. */
+    POV_SHAPE_BOX = 1u << 2,
+    POV_SHAPE_BALL = 1u << 3,
+    POV_SHAPE_FACES = 1u << 4    /* its sides are flat: normal() does not look at the ray */
+};
+
+typedef struct pov_shape_class {
+    uint32_t size, flags;
+    const char *keyword;
+    size_t instance_size;    /* the host reserves it: zeroed, aligned to 32 bytes */
+
+    /* [load] Read what stands between the braces, up to the first object
+     * modifier. The host eats the keyword, both braces and the modifiers. */
+    void (*parse)(void *self, const pov_host *host, pov_reader *in);
+    /* [load] A box that holds every point of the shape, rounded outward. False: no finite box. */
+    bool (*bounds)(const void *self, pov_box *out);
+    /* [render] Report every crossing of the open interval, in any order, but for the one that the ray starts on. */
+    void (*intersect)(const void *self, const pov_ray *ray, pov_hits *hits);
+    /* [render] Unit normal, pointing out of a solid. Only for hits that count. The point is found
+     * again from the ray, re-centred on the shape: a rounded world point would be too coarse far out. */
+    void (*normal)(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+
+    /* Any of these may be NULL or zero. */
+
+    /* [render] Needed for POV_SHAPE_SOLID. The point is the sum of both parts. */
+    bool (*inside)(const void *self, pov_vec3 point, pov_vec3 point_lo);
+    /* [load] Take the transform into the shape itself, as exactly as a fresh shape would be, or return false and
+     * leave it be. */
+    bool (*absorb)(void *self, const pov_affine *map);
+    /* [load] For classes whose instance is larger than what was written: parse gets parsed_size zeroed bytes in its
+     * place, and prepare makes of them an instance of at most POV_PREPARED_MAX bytes, which comes zeroed. It is
+     * called again, from several threads, wherever the host would have to keep one. */
+    size_t parsed_size;
+    void (*prepare)(void *self, const void *parsed);
+    /* [render] Surface coordinates, 0 to 1 as a rule, of a point on the surface in the space that the shape was written
+     * in. */
+    void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
+    /* [load] Bytes of working memory that intersect() wants of hits->scratch, aligned to 64. */
+    size_t (*scratch)(const void *self);
+    /* Any thread. An extension by its name, or NULL: shape_fast.h has one. It stays as long as the plugin is loaded. */
+    const void *(*extension)(const char *name);
+    /* abi 3 began with these. */
+} pov_shape_class;
+
+#endif

@@ -1,0 +1,42 @@
+/* shape_class.h - a primitive as the host holds it: its class and its fast extension, complete.
+ *
+ * A plugin may have been built when the structs were shorter; what it does not have is NULL or zero here, so that nobody
+ * else asks for sizes. shape.h and shape_fast.h say what the members are. */
+#ifndef PLUG_SHAPE_CLASS_H
+#define PLUG_SHAPE_CLASS_H
+
+#include <povtrace/shape_fast.h>
+
+typedef struct shape_class {
+    uint32_t flags;
+    bool full_leaves;
+    const char *keyword;
+    size_t instance_size;
+    void (*parse)(void *self, const pov_host *host, pov_reader *in);
+    bool (*bounds)(const void *self, pov_box *out);
+    void (*intersect)(const void *self, const pov_ray *ray, pov_hits *hits);
+    void (*normal)(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+    bool (*inside)(const void *self, pov_vec3 point, pov_vec3 point_lo);
+    bool (*absorb)(void *self, const pov_affine *map);
+    size_t parsed_size;
+    void (*prepare)(void *self, const void *parsed);
+    void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
+    size_t (*scratch)(const void *self);
+
+    size_t block_size, single_block_size;
+    bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
+    uint32_t (*block_filter)(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                             pov_meeting *out);
+    void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+    void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                        pov_vec3 *const *out, uint32_t n);
+    void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+    bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
+} shape_class;
+
+/* Complete a class that shape_class_check() found well. */
+void shape_class_fill(shape_class *out, const pov_shape_class *from);
+/* NULL when the class keeps the form of the contract, else what is wrong, in words for a message. */
+const char *shape_class_check(const pov_shape_class *c);
+
+#endif
