@@ -74,10 +74,10 @@ room lib/query "\"(query|world|bvh|model|base)/[a-z_0-9]+\.h\"|$public"
 room lib/shade "\"(shade|query|world|model|base)/[a-z_]+\.h\"|$plain"
 room lib/render "\"(render|shade|query|world|model|base)/[a-z_]+\.h\"|$plain"
 room lib/api "\"(api|render|shade|query|world|sdl|plug|model|base)/[a-z_]+\.h\"|$public"
-room plugins/primitives "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact)\.h>"
+room plugins/primitives "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
 room plugins/images "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
 room plugins/plots "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image|plot)\.h>"
-room plugins/kit "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact)\.h>"
+room plugins/kit "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
 room cli "\"[a-z_]+\.h\"|$plain"
 room viewer "\"[a-z_]+\.h\"|$plain"
 
@@ -142,10 +142,10 @@ for header in lib/include/povtrace/*.h; do
 done
 report "every public header compiles alone, in C99 and in C++11"
 
-# exact.h is arithmetic written out, not calls to be learnt.
-lines=$(ls lib/include/povtrace/*.h | grep -v /exact.h | xargs cat | wc -l)
+# exact.h is arithmetic written out, not calls to be learnt; shape_fast.h is for those who know the traversal.
+lines=$(ls lib/include/povtrace/*.h | grep -v -e /exact.h -e /shape_fast.h | xargs cat | wc -l)
 [ "$lines" -lt 800 ] || echo "$lines lines" > "$work/found"
-report "all public headers but exact.h together stay under 800 lines"
+report "all public headers but exact.h and shape_fast.h together stay under 800 lines"
 
 # ---- what was built ----
 

@@ -25,8 +25,8 @@ typedef struct plugin_subject {
 
 extern plugin_subject subject;
 
-/* Does the class reach as far as this member, and is it there? */
-#define HAS(member) (subject.shape)->member != NULL
+/* Does the class have this member? */
+#define HAS(member) (subject.shape->member != NULL)
 
 /* Load a file and make instances of its first shape. False: there are none. */
 bool subject_set_up(const char *file);

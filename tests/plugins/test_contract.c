@@ -23,7 +23,6 @@ static void the_form_is_kept(void **unused)
     const char *name = strrchr(subject.file, '/');
 
     (void)unused;
-    assert_true(s->size >= offsetof(shape_class, inside));
     assert_non_null(s->keyword);
     assert_true(s->instance_size > 0 && s->parse && s->bounds && s->intersect && s->normal);
     assert_true(!(s->flags & POV_SHAPE_SOLID) || HAS(inside));

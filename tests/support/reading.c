@@ -1,5 +1,7 @@
 #include "support/reading.h"
 
+#include <povtrace/shape.h>
+
 #include <string.h>
 
 /* ---- shapes that keep their numbers and are never hit ---- */
@@ -122,7 +124,8 @@ static void parse_blob7(void *self, const pov_host *host, pov_reader *in)
 }
 
 #define CLASS(word) \
-    static const shape_class word##_class = { \  \
+    static const pov_shape_class word##_class = { \
+        .size = sizeof(pov_shape_class), \
         .keyword = #word, \
         .instance_size = sizeof(test_shape), \
         .parse = parse_##word, \
@@ -139,7 +142,7 @@ CLASS(quadric)
 CLASS(polygon)
 CLASS(blob7)
 
-static const shape_class *const shapes[] = { &sphere_class,  &box_class,     &cone_class,  &cylinder_class,
+static const pov_shape_class *const shapes[] = { &sphere_class,  &box_class,     &cone_class,  &cylinder_class,
                                                  &quadric_class, &polygon_class, &blob7_class, NULL };
 
 const pov_plugin reading_plugin = {

@@ -215,8 +215,9 @@ static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov
     return n;
 }
 
-const shape_class test_ball_class = { 
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_TOGETHER,
+const shape_class test_ball_class = {
+    .flags = POV_SHAPE_SOLID,
+    .full_leaves = true,
     .keyword = "ball",
     .instance_size = sizeof(test_ball),
     .bounds = ball_bounds,
@@ -238,7 +239,7 @@ static bool no_bounds(const void *self, pov_box *out)
     return false;
 }
 
-const shape_class test_loose_ball_class = { 
+const shape_class test_loose_ball_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "loose_ball",
     .instance_size = sizeof(test_ball),
@@ -251,7 +252,7 @@ const shape_class test_loose_ball_class = {
     .block_filter = ball_filter,
 };
 
-const shape_class test_plain_ball_class = { 
+const shape_class test_plain_ball_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "plain_ball",
     .instance_size = sizeof(test_ball),
@@ -342,7 +343,7 @@ static bool brick_inside(const void *self, pov_vec3 p, pov_vec3 lo)
            (p.y - b->hi.y) + lo.y < 0.0 && (p.z - b->lo.z) + lo.z > 0.0 && (p.z - b->hi.z) + lo.z < 0.0;
 }
 
-const shape_class test_brick_class = { 
+const shape_class test_brick_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "brick",
     .instance_size = sizeof(test_brick),
@@ -385,7 +386,7 @@ static bool ground_inside(const void *self, pov_vec3 p, pov_vec3 lo)
     return (p.y - g->height) + lo.y < 0.0;
 }
 
-const shape_class test_ground_class = { 
+const shape_class test_ground_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "ground",
     .instance_size = sizeof(test_ground),

@@ -390,7 +390,7 @@ static bool unbounded(const void *self, pov_box *out)
 /* More than are told apart. */
 static void coincident_surfaces_cannot_hold_a_ray_for_ever(void **state)
 {
-    const shape_class sticky = { .size = sizeof sticky, .keyword = "sticky", .instance_size = 1,
+    const shape_class sticky = { .keyword = "sticky", .instance_size = 1,
                                      .bounds = unbounded, .intersect = stick, .normal = point_back };
     tiny s;
     (void)state;

@@ -49,7 +49,7 @@ static void intersect_brick(const void *self, const pov_ray *ray, pov_hits *hits
         pov_cross(hits, s.out.hi, s.out.lo, mark);
 }
 
-static const shape_class brick = { .size = sizeof brick, .keyword = "brick", .instance_size = sizeof(pov_box),
+static const shape_class brick = { .keyword = "brick", .instance_size = sizeof(pov_box),
                                        .flags = POV_SHAPE_BOX, .intersect = intersect_brick };
 
 /* ---- and the ball in a box, about its point nearest to the centre ---- */
@@ -85,7 +85,7 @@ static void intersect_orb(const void *self, const pov_ray *ray, pov_hits *hits)
         pov_cross(hits, pov_two_add(middle, half).hi, 0.0, mark);
 }
 
-static const shape_class orb = { .size = sizeof orb, .keyword = "orb", .instance_size = sizeof(pov_box),
+static const shape_class orb = { .keyword = "orb", .instance_size = sizeof(pov_box),
                                      .flags = POV_SHAPE_BALL, .intersect = intersect_orb };
 
 static uint32_t find_hits(const placement *p, const shape_class *shape, const pov_box *own, const pov_ray *ray,

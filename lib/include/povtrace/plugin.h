@@ -19,20 +19,10 @@
 struct pov_shape_class;
 struct pov_image_format;
 struct pov_plot_format;
-struct pov_hits;
-struct pov_ray;
 
 /* ---- what the host offers while a scene loads --------------------------- */
 
 typedef struct pov_reader pov_reader;
-
-/* A bounding volume hierarchy over the parts of one shape: made while the scene loads, traversed by rays. */
-typedef struct pov_hierarchy {
-    /* [render] Calls see() for each part whose box the ray may meet in the open interval of hits, near ones first as a
-     * rule; hits->tmax may close in meanwhile. False: see() said false, which ends it. The ray is in the shape's space. */
-    bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
-                  bool (*see)(void *user, uint32_t part), void *user);
-} pov_hierarchy;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives
  * false, more() gives false and warn() says nothing, so a parse function needs no checks. */
@@ -46,17 +36,6 @@ typedef struct pov_host {
     bool (*more)(pov_reader *in);                      /* does a value come next? */
     void (*fail)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);   /* at the last value read */
     void (*warn)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);
-    /* A vector of n components, 2 to 5; a number stands for n equal ones. */
-    void (*vector_of)(pov_reader *in, double *out, int n);
-    void (*color)(pov_reader *in, float rgbft[5]);     /* red, green, blue, filter, transmit; linear as written */
-    bool (*boolean)(pov_reader *in);                   /* on, off, yes, no, true, false, or a number */
-    const char *(*string)(pov_reader *in);             /* ends with a zero byte, lives as long as the scene; "" after an error */
-    /* The bytes of a file that the scene names, found as the scene's includes are and under the same restrictions. They
-     * live as long as the scene. NULL after an error, which this call reports where there is no such file. */
-    const void *(*file)(pov_reader *in, const char *name, size_t *bytes);
-    /* A hierarchy over n boxes, finite and not empty; parts are counted as the boxes. It lives as long as the scene.
-     * NULL after an error. */
-    const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
     /* abi 3 began with these. */
 } pov_host;
 

@@ -51,7 +51,6 @@ typedef struct pov_hits {
     bool (*grow)(struct pov_hits *hits);
     void *user;                    /* the host's */
     bool crowded;                  /* NEAREST: another owner's crossing is as near, as far as doubles tell */
-    void *scratch;                 /* working memory, if the class asks for it */
 } pov_hits;
 
 /* Distances that differ by less than this part of them may be the same: twice what crossings may be off by, and some. */
@@ -153,11 +152,6 @@ typedef struct pov_shape_class {
      * called again, from several threads, wherever the host would have to keep one. */
     size_t parsed_size;
     void (*prepare)(void *self, const void *parsed);
-    /* [render] Surface coordinates, 0 to 1 as a rule, of a point on the surface in the space that the shape was written
-     * in. */
-    void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
-    /* [load] Bytes of working memory that intersect() wants of hits->scratch, aligned to 64. */
-    size_t (*scratch)(const void *self);
     /* Any thread. An extension by its name, or NULL: shape_fast.h has one. It stays as long as the plugin is loaded. */
     const void *(*extension)(const char *name);
     /* abi 3 began with these. */
