@@ -60,7 +60,7 @@ room() {
     done
     report "$1 includes only what its room may"
 }
-public='<povtrace/[a-z]+\.h>'
+public='<povtrace/[a-z_]+\.h>'
 # All but the contract, which only plug, sdl, bvh, world, query and api see.
 plain='<povtrace/(povtrace|base|math|exact|scene|trace|render|image|plot)\.h>'
 room lib/include "$public"
