@@ -1,8 +1,8 @@
 /* disc { <centre>, <normal>, radius [, hole] }: a flat ring, without a hole if none is given.
  *
- * A whole primitive against the installed headers alone; docs/plugins.md walks through it. It calculates
- * in two parts throughout: the shortest way to a right answer. A filter in double in front of it would
- * make it faster. */
+ * A whole primitive against the installed headers alone; docs/plugins.md explains it part by part. It
+ * calculates in double-double throughout, the shortest way to a right answer. A filter in plain double in
+ * front of that would make it faster. */
 #include <povtrace/exact.h>
 #include <povtrace/shape.h>
 
@@ -11,7 +11,7 @@ typedef struct disc {
     double radius, hole;
     double scale;                  /* a power of two: times this, the radius is in [1, 2) */
     pov_two outer, inner;          /* the squares of the scaled radii */
-    pov_two3 across;               /* as it was written, times a power of two: its rounding would move the plane */
+    pov_two3 across;               /* the normal as written, times a power of two: rounding it would move the plane */
 } disc;
 
 /* ---- loading ---- */
@@ -44,8 +44,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     d->inner = pov_two_product(d->hole * d->scale, d->hole * d->scale);
 }
 
-/* The disc reaches radius times the sine of its normal's angle along each axis; what the few roundings
- * here can lose is far below the last factor. */
+/* Half the extent along an axis: the radius times the sine of the normal's angle to it. The last factor is
+ * far larger than what the few roundings here can lose. */
 static double reach(double radius, double a, double b)
 {
     return radius * sqrt(a * a + b * b) * (1.0 + 0x1p-48);
@@ -65,7 +65,7 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- rays ---- */
 
-/* One coordinate of the ray's origin, seen from the centre. */
+/* One coordinate of the ray's origin relative to the centre, scaled. */
 static pov_two offset(const disc *d, double org, double org_lo, double centre)
 {
     return pov_two_scale(pov_two_offset(org, org_lo, pov_two_of(centre, 0.0)), d->scale);
@@ -91,13 +91,13 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     pov_two3 from, point;
     pov_two t, rest, square;
 
-    /* It is flat: who left it never meets it again. */
+    /* The disc is flat: a ray that starts on it never meets it again. */
     if (ray->left == hits->owner || slope.hi == 0.0)
         return;
     from.x = offset(d, ray->org.x, ray->org_lo.x, d->centre.x);
     from.y = offset(d, ray->org.y, ray->org_lo.y, d->centre.y);
     from.z = offset(d, ray->org.z, ray->org_lo.z, d->centre.z);
-    /* To the plane in one division; then, seen from there, what is missing. */
+    /* One division leads near the plane; solved again about that point, the equation gives what is missing. */
     t = pov_two_of(-pov_two3_dot(d->across, from).hi / slope.hi, 0.0);
     point = along(from, t.hi, dir);
     rest = pov_two_neg(pov_two_div(pov_two3_dot(d->across, point), slope));
