@@ -4,7 +4,7 @@
 #define WORLD_COMPILE_MAPS_H
 
 #include "model/node.h"
-#include "model/transform_rough.h"
+#include "world/transform_rough.h"
 
 /* Objects are looked at in windows, a bit each. */
 enum { FLAT_WINDOW = 32 };

@@ -1,8 +1,8 @@
-/* model/transform_rough: boxes, of balls too, hold those of the composed maps, and what is said of shapes is so. */
+/* world/transform_rough: boxes, of balls too, hold those of the composed maps, and what is said of shapes is so. */
 #include "support/check.h"
 #include "support/maps.h"
 
-#include "model/transform_rough.h"
+#include "world/transform_rough.h"
 #include "world/instance.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "model/transform_rough.h"
+#include "world/transform_rough.h"
 
 #include "base/simd.h"
 

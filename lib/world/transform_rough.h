@@ -1,7 +1,7 @@
 /* transform_rough.h - what is known of transformations before they are composed, in plain doubles with a bound on what
  * these lose: enough for the boxes of a tree. */
-#ifndef MODEL_TRANSFORM_ROUGH_H
-#define MODEL_TRANSFORM_ROUGH_H
+#ifndef WORLD_TRANSFORM_ROUGH_H
+#define WORLD_TRANSFORM_ROUGH_H
 
 #include "model/transform.h"
 
