@@ -20,6 +20,7 @@ struct pov_scene {
     pov_context *context;
     model model;
     world *world;
+    plan plugins;                /* only its rows */
     double parse_seconds, build_seconds;
 };
 

@@ -1,4 +1,5 @@
 #include "api/adapt.h"
+#include "api/explain.h"
 #include "api/handles.h"
 #include "base/clock.h"
 #include "base/file.h"
@@ -10,11 +11,12 @@
 
 static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *err)
 {
-    world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, scene->context->plugins,
-                              &scene->model };
+    world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, &scene->model };
     double start = clock_seconds();
     pov_status status = world_create(&scene->world, &scene->model, &options, err);
 
+    if (status == POV_OK)
+        status = explain_plugins(&scene->plugins, &scene->model, scene->context->plugins, err);
     scene->build_seconds = clock_seconds() - start;
     return status;
 }
@@ -39,6 +41,7 @@ static pov_status create(pov_scene **out, pov_context *context, pov_error *err)
     context_retain(context);
     scene->context = context;
     model_init(&scene->model, &context->env);
+    arena_init(&scene->plugins.memory, &context->env);
     *out = scene;
     return POV_OK;
 }
@@ -119,6 +122,7 @@ void pov_scene_destroy(pov_scene *scene)
     if (!scene)
         return;
     context = scene->context;
+    plan_free(&scene->plugins);
     world_destroy(scene->world);
     model_free(&scene->model);
     env_free(&context->env, scene);
@@ -182,6 +186,10 @@ bool pov_scene_get_plan(const pov_scene *scene, size_t index, pov_plan_row *out)
     const plan_row_list *rows = &world_plan(scene->world)->rows;
     pov_plan_row row = POV_INIT(row);
 
+    if (index >= rows->count) {
+        index -= rows->count;
+        rows = &scene->plugins.rows;
+    }
     if (index >= rows->count)
         return false;
     row.used = rows->items[index].used;

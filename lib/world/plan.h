@@ -3,7 +3,6 @@
 #define WORLD_PLAN_H
 
 #include "model/model.h"
-#include "plug/registry.h"
 
 typedef struct plan_row { bool used; const char *subject, *state, *reason; } plan_row;
 typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
@@ -45,8 +44,6 @@ pov_status plan_make(plan *p, const model *m, pov_error *err);
 /* A row; subject and state are static text, the reason is formatted and copied. */
 pov_status plan_add(plan *p, pov_error *err, bool used, const char *subject, const char *state, const char *reason, ...)
     POV_PRINTF(6, 7);
-/* Rows on the primitives' plugins: which the scene uses, and which of `plugins` (NULL: none) it had no need of. */
-pov_status plan_add_plugins(plan *p, const model *m, const registry *plugins, pov_error *err);
 void plan_free(plan *p);
 /* Can rays be in it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
 bool plan_is_medium(const model *m, const leaf_node *o);

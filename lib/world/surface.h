@@ -5,6 +5,8 @@
 #include "base/simd.h"
 #include "world/world.h"
 
+#include <povtrace/shape.h>
+
 /* A ray's meeting with an object: two lines of memory where it begins with one, and what is known at first in one of
  * them. */
 typedef struct hit {

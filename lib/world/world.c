@@ -238,8 +238,6 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     pov_status status = plan_make(&w->plan, w->model, err);
     flat f;
 
-    if (status == POV_OK)
-        status = plan_add_plugins(&w->plan, w->model, options->plugins, err);
     if (status < 0)
         return status;
     status = flatten(&f, w->model, use_blocks, threads, err);

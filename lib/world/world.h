@@ -13,7 +13,6 @@ typedef struct world_options {
     pov_accel accel;
     int threads;                 /* for building; 0: one a core */
     bool always_exact;           /* two-part arithmetic for every intersection, and no filters before it */
-    const registry *plugins;     /* for the plan's rows on plugins that were not needed; may be NULL */
     model *last;                 /* the model itself, if no other world is to come of it: its transformations go as soon
                                   * as shapes have their places, a quarter of a large scene's memory; else NULL */
 } world_options;
