@@ -13,14 +13,22 @@ typedef struct plugin_rows {
     pov_error *err;
 } plugin_rows;
 
-static pov_status add_plugin(plugin_rows *r, const char *keyword, size_t objects)
+static pov_status add_plugin(plugin_rows *r, const char *keyword, bool used, const char *reason)
 {
     char subject[96];
 
     snprintf(subject, sizeof subject, "plugin %s", keyword);
-    if (objects > 0)
-        return plan_add(r->plan, r->err, true, subject, "loaded", "objects: %zu", objects);
-    return plan_add(r->plan, r->err, false, subject, "not loaded", "the scene does not name it");
+    return plan_add(r->plan, r->err, used, subject, used ? "loaded" : "not loaded", "%s", reason);
+}
+
+static pov_status add_class(plugin_rows *r, const shape_class *shape, size_t objects)
+{
+    const bool certified = shape->flags & POV_SHAPE_CERTIFIED;
+    char reason[96];
+
+    snprintf(reason, sizeof reason, "objects: %zu%s", objects,
+             certified ? "" : "; its distances are not certified: as right as its own arithmetic");
+    return add_plugin(r, shape->keyword, true, reason);
 }
 
 static bool has_row(const plan *p, const char *keyword)
@@ -38,7 +46,7 @@ static void see_keyword(void *user, const char *keyword)
     plugin_rows *r = user;
 
     if (r->status == POV_OK && !has_row(r->plan, keyword))
-        r->status = add_plugin(r, keyword, 0);
+        r->status = add_plugin(r, keyword, false, "the scene does not name it");
 }
 
 /* A folder lists its files in any order. */
@@ -83,7 +91,7 @@ pov_status explain_plugins(plan *p, const model *m, const registry *plugins, pov
     if (!count_classes(m, &t))
         r.status = err_memory(err);
     for (i = 0; r.status == POV_OK && i < t.count; i++)
-        r.status = add_plugin(&r, t.items[i].shape->keyword, t.items[i].objects);
+        r.status = add_class(&r, t.items[i].shape, t.items[i].objects);
     env_free(m->env, t.items);
     n = p->rows.count;
     if (r.status == POV_OK && plugins)

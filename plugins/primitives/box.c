@@ -473,7 +473,7 @@ static const void *extension(const char *name) { return kit_is_fast(name) ? &box
 
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX | POV_SHAPE_FACES,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX | POV_SHAPE_FACES | POV_SHAPE_CERTIFIED,
     .keyword = "box",
     .instance_size = sizeof(box),
     .parse = parse,

@@ -35,7 +35,7 @@ static const void *extension(const char *name) { return kit_is_fast(name) ? &cyl
 
 static const pov_shape_class cylinder_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_CERTIFIED,
     .keyword = "cylinder",
     .instance_size = sizeof(kit_frustum),
     .parse = parse,

@@ -546,7 +546,7 @@ static const void *extension(const char *name) { return kit_is_fast(name) ? &pol
 
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_CONVEX | POV_SHAPE_FACES,
+    .flags = POV_SHAPE_CONVEX | POV_SHAPE_FACES | POV_SHAPE_CERTIFIED,
     .keyword = "polygon",
     .instance_size = sizeof(kit_polygon),
     .parse = parse,

@@ -349,7 +349,7 @@ static const void *extension(const char *name) { return kit_is_fast(name) ? &qua
 
 static const pov_shape_class quadric_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CERTIFIED,
     .keyword = "quadric",
     .instance_size = sizeof(quadric),
     .parse = parse,

@@ -90,7 +90,7 @@ static const void *extension(const char *name) { return kit_is_fast(name) ? &sph
 
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL | POV_SHAPE_CERTIFIED,
     .keyword = "sphere",
     .instance_size = sizeof(kit_ball),
     .parse = parse,

@@ -37,7 +37,7 @@ reports_explain_without_sizes_and_without_rendering() {
     grep -qE '^\+ ' out
     grep -qE '^- ' out
     [ "$(ls)" = "$(printf 'err\nout\nsmall.pov')" ]
-    grep -qE '^\+ plugin sphere +loaded' out
+    grep -qE '^\+ plugin sphere +loaded +objects: [0-9]+$' out
     says_not out "plugin png"
     expect 0 "$povc" small.pov 8 8 a.png --explain
     grep -qE '^\+ plugin png +loaded' out

@@ -3,6 +3,7 @@
 #ifndef SUPPORT_TINY_H
 #define SUPPORT_TINY_H
 
+#include "plug/shape_class.h"
 #include "shade/shade.h"
 
 typedef struct tiny { env env; model model; world *world; pov_tracer *tracer; } tiny;

@@ -381,7 +381,6 @@ static void a_plain_scene_leaves_out_what_it_does_not_need(void **state)
     row_is(w, "reflection", false, "left out", "no surface has reflection");
     row_is(w, "transformations", false, "left out", "no object has one");
     row_is(w, "tree", false, "left out", "asked for none: every ray asks every object");
-    row_is(w, "plugin ball", true, "loaded", "objects: 1");
     row_is(w, "dialect", true, "povray", "a test");
     world_destroy(w);
     model_free(&m);

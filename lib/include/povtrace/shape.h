@@ -121,7 +121,10 @@ enum {
      * last place of the coordinates. Hosts that know better may look for more than bounds say. */
     POV_SHAPE_BOX = 1u << 2,
     POV_SHAPE_BALL = 1u << 3,
-    POV_SHAPE_FACES = 1u << 4    /* its sides are flat: normal() does not look at the ray */
+    POV_SHAPE_FACES = 1u << 4,   /* its sides are flat: normal() does not look at the ray */
+    /* No hit or miss is misjudged, and each distance t + t_lo is off by at most 32 units in the last place of t, from
+     * however far and at whatever scale (docs/numerics.md). The contract's tests hold the class to it. */
+    POV_SHAPE_CERTIFIED = 1u << 5
 };
 
 typedef struct pov_shape_class {
