@@ -81,6 +81,13 @@ room plugins/kit "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|
 room cli "\"[a-z_]+\.h\"|$plain"
 room viewer "\"[a-z_]+\.h\"|$plain"
 
+# The table of rooms in docs/internals.md has a row for each folder, and no other.
+sed -n '/^| room |/,/^$/s/^| *\(`[^|]*`\) *|.*/\1/p' docs/internals.md | tr -d '` ' | tr ',' '\n' | LC_ALL=C sort > "$work/rows"
+git ls-files 2>/dev/null | sed -nE 's#^(lib/include/povtrace|(lib|plugins)/[a-z]+|cli|viewer|tests|scenes)/.*#\1#p' |
+    grep -vx lib/include | LC_ALL=C sort -u > "$work/folders"
+[ ! -s "$work/folders" ] || diff "$work/rows" "$work/folders" | sed -n 's/^</no such folder:/p; s/^>/no row:/p' > "$work/found"
+report "the table of rooms in docs/internals.md names the folders there are"
+
 for file in $(sources lib plugins cli viewer tests); do
     grep -nE '^[[:space:]]*#[[:space:]]*include[^"<]*"[^"]*\.\./' "$file" | sed "s|^|$file:|" >> "$work/found"
 done
