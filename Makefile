@@ -18,28 +18,38 @@ WIDE     ?= $(if $(SANITIZE),,$(shell for w in x86-64-v3 x86-64-v4; do \
                $(CC) -march=$$w -dM -E -x c /dev/null 2>/dev/null | grep -q __gnu_linux__ && echo $$w; done))
 WIDE     := $(WIDE)
 
+# A line for each file that is made; V=1 shows the commands.
+V        ?=
+SILENT   := $(findstring s,$(firstword -$(MAKEFLAGS)))
+# A job for each core, unless -j says otherwise; one after the other where a goal makes or removes what others read.
+ifeq ($(MAKELEVEL),0)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+ifneq ($(and $(filter clean deps test demo asan tsan,$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
+.NOTPARALLEL:
+endif
+endif
+
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wpointer-arith \
            -Wwrite-strings -Wvla -Wundef $(WERROR)
 # Contraction would make the bits of a result depend on the machine. Nobody reads floating-point traps or errno, and
 # loops over lanes become vectors only without them.
 CFLAGS  ?= -g
 BASE_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(OPTIMISE) -ffp-contract=off -fno-math-errno -fno-trapping-math -fPIC \
-             -ffunction-sections -fvisibility=hidden -MMD -MP $(WARNINGS) $(MARCH) $(CFLAGS) $(SANITIZE)
-LIB_FLAGS  = $(BASE_FLAGS) -Ilib/include -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"'
-USER_FLAGS = $(BASE_FLAGS) -Ilib/include
+             -ffunction-sections -fvisibility=hidden -MMD -MP $(WARNINGS) $(CFLAGS) $(SANITIZE) -Ilib/include
 LINK_FLAGS = $(LDFLAGS) $(SANITIZE) $(OPTIMISE)
 SYSTEM_LIBS = -lm -ldl -lpthread
 
-LIB_SOURCES    = $(sort $(wildcard lib/*/*.c))
-LIB_OBJECTS    = $(LIB_SOURCES:%.c=$(BUILD)/obj/%.o)
-KIT_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard plugins/kit/*.c)))
-KIT            = $(BUILD)/obj/plugins/kit.a
-PRIMITIVES     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/primitives/*.c)))
-IMAGES         = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/images/*.c)))
-# Plots need cairo; without it all else is built.
-PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(BUILD)/lib/povtrace/plots/plot.so)
-PLUGINS        = $(PRIMITIVES) $(IMAGES) $(PLOTS)
+LIB_SOURCES   := $(sort $(wildcard lib/*/*.c))
+KIT_SOURCES   := $(sort $(wildcard plugins/kit/*.c))
 CLI_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard cli/*.c)))
+# What a folder's plugins are called where they are built.
+plugins_of     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/$(1)/*.c)))
+PRIMITIVES     = $(call plugins_of,primitives)
+# Pictures in PNG need libpng, plots need cairo; without them all else is built.
+HAS_PNG       := $(shell $(PKG_CONFIG) --exists libpng && echo yes)
+IMAGES         = $(filter-out $(if $(HAS_PNG),,%/png.so),$(call plugins_of,images))
+PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(call plugins_of,plots))
+PLUGINS        = $(PRIMITIVES) $(IMAGES) $(PLOTS)
 SHARED         = $(BUILD)/lib/libpovtrace.so.$(VERSION)
 STATIC         = $(BUILD)/lib/libpovtrace.a
 POVC           = $(BUILD)/bin/povc
@@ -47,102 +57,88 @@ POVC           = $(BUILD)/bin/povc
 WIDE_SHARED    = $(WIDE:%=$(BUILD)/lib/glibc-hwcaps/%/libpovtrace.so.$(VERSION))
 WIDE_PLUGINS   = $(foreach w,$(WIDE),$(PRIMITIVES:$(BUILD)/lib/povtrace/primitives/%=$(BUILD)/lib/povtrace/primitives/$(w)/%))
 
-.PHONY: all
-all: $(SHARED) $(STATIC) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC)
+# What povc needs to run; all is that and the static library.
+.PHONY: all runtime
+all: runtime $(STATIC)
+runtime: $(SHARED) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC)
+ifeq ($(HAS_PNG),)
+runtime: no-png
+.PHONY: no-png
+no-png:
+	@echo "pictures in PNG were left out: pkg-config does not find libpng"
+endif
 
-# ---- the library ----
+# ---- how things are made: rooms have ROOM_FLAGS, some plugins PLUGIN_LIBS, programs PROGRAM_LIBS ----
 
-$(BUILD)/obj/lib/%.o: lib/%.c
-	@mkdir -p $(@D)
-	$(CC) $(LIB_FLAGS) -c $< -o $@
+# What a recipe begins with; $(1): the word, $(2): what it is for.
+say     = $(if $(filter-out 0,$(V)),,@$(if $(SILENT),,echo $(1) $(2) &&)) mkdir -p $(@D) &&
+COMPILE = $(call say,CC,$< $(COPY)) $(CC) $(BASE_FLAGS) $(COPY_FLAGS) $(ROOM_FLAGS) -c $< -o $@
+ARCHIVE = $(call say,AR,$@) rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+LINK_SHARED = $(call say,LINK,$@) $(CC) -shared -Wl,-soname,libpovtrace.so.$(SOVERSION) \
+              -Wl,--version-script,lib/api/libpovtrace.map -Wl,--no-undefined $(LINK_FLAGS) $(filter %.o,$^) $(SYSTEM_LIBS) -o $@ && \
+              ln -sf $(@F) $(@D)/libpovtrace.so.$(SOVERSION) && ln -sf libpovtrace.so.$(SOVERSION) $(@D)/libpovtrace.so
+LINK_PLUGIN = $(call say,LINK,$@) $(CC) -shared -Wl,--no-undefined -Wl,--gc-sections -Wl,--as-needed $(LINK_FLAGS) $^ \
+              $(PLUGIN_LIBS) -lm -o $@
+# $(1): where the program finds the shared library.
+LINK_PROGRAM = $(call say,LINK,$@) $(CC) $(LINK_FLAGS) $(filter %.o,$^) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(1)' \
+              $(PROGRAM_LIBS) -lm -o $@
 
-$(STATIC): $(LIB_OBJECTS)
-	@mkdir -p $(@D)
-	rm -f $@
-	ar rcs $@ $^
-
-LINK_SHARED = $(CC) -shared -Wl,-soname,libpovtrace.so.$(SOVERSION) -Wl,--version-script,lib/api/libpovtrace.map \
-              -Wl,--no-undefined $(LINK_FLAGS) $(filter %.o,$^) $(SYSTEM_LIBS) -o $@
-
-$(SHARED): $(LIB_OBJECTS) lib/api/libpovtrace.map
-	@mkdir -p $(@D)
-	$(LINK_SHARED)
-	ln -sf $(@F) $(@D)/libpovtrace.so.$(SOVERSION)
-	ln -sf libpovtrace.so.$(SOVERSION) $(@D)/libpovtrace.so
-
-# ---- plugins: a file each, linked against nothing of povtrace ----
-
-$(BUILD)/obj/plugins/%.o: plugins/%.c
-	@mkdir -p $(@D)
-	$(CC) $(USER_FLAGS) -Iplugins -c $< -o $@
-
-$(BUILD)/obj/plugins/images/png.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
-$(BUILD)/lib/povtrace/images/png.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs libpng)
-
-$(BUILD)/obj/plugins/plots/plot.o: USER_FLAGS += $(shell $(PKG_CONFIG) --cflags cairo)
-# Cairo and what it stands on keep caches for ever: unloaded and loaded again, they would leak them each time.
-$(BUILD)/lib/povtrace/plots/plot.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs cairo) -Wl,-z,nodelete
-
-$(KIT): $(KIT_OBJECTS)
-	rm -f $@
-	ar rcs $@ $^
-
-LINK_PLUGIN = $(CC) -shared -Wl,--no-undefined -Wl,--gc-sections -Wl,--as-needed $(LINK_FLAGS) $^ $(PLUGIN_LIBS) -lm -o $@
-
-$(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(KIT)
-	@mkdir -p $(@D)
-	$(LINK_PLUGIN)
-
-# ---- the same for wider processors ----
+# ---- the library and the primitives, a copy for each kind of processor ----
 
 # Sums and products of 512 bits, however few, lower the clock of Intel's servers by 8 %, which is more than they spare.
 WIDE_FLAGS_x86-64-v4 = -mprefer-vector-width=256
 
-# $(1): the processors.
-define WIDE_RULES
-$(BUILD)/obj/$(1)/%.o: MARCH = -march=$(1) $(WIDE_FLAGS_$(1)) -DPOV_WIDE='"$(1)"'
+# $(1): the copy's folder below obj, with its slash: none for the baseline.
+define COPY_RULES
+$(BUILD)/obj/$(1)%.o: COPY = $(1:/=)
+$(BUILD)/obj/$(1)%.o: COPY_FLAGS = $(if $(1),-march=$(1:/=) $(WIDE_FLAGS_$(1:/=)) -DPOV_WIDE='"$(1:/=)"')
+$(BUILD)/obj/$(1)lib/%.o: ROOM_FLAGS = -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"'
+$(BUILD)/obj/$(1)plugins/%.o: ROOM_FLAGS = -Iplugins
+$(BUILD)/obj/$(1)%.o: %.c
+	$$(COMPILE)
 
-$(BUILD)/obj/$(1)/lib/%.o: lib/%.c
-	@mkdir -p $$(@D)
-	$$(CC) $$(LIB_FLAGS) -c $$< -o $$@
-
-$(BUILD)/lib/glibc-hwcaps/$(1)/libpovtrace.so.$(VERSION): $(LIB_SOURCES:%.c=$(BUILD)/obj/$(1)/%.o) lib/api/libpovtrace.map
-	@mkdir -p $$(@D)
+$(BUILD)/lib/$(if $(1),glibc-hwcaps/)$(1)libpovtrace.so.$(VERSION): $(LIB_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) lib/api/libpovtrace.map
 	$$(LINK_SHARED)
-	ln -sf $$(@F) $$(@D)/libpovtrace.so.$(SOVERSION)
+$(BUILD)/lib/$(1)libpovtrace.a: $(LIB_SOURCES:%.c=$(BUILD)/obj/$(1)%.o)
+	$$(ARCHIVE)
 
-$(BUILD)/obj/$(1)/plugins/%.o: plugins/%.c
-	@mkdir -p $$(@D)
-	$$(CC) $$(USER_FLAGS) -Iplugins -c $$< -o $$@
-
-$(BUILD)/obj/$(1)/plugins/kit.a: $(KIT_OBJECTS:$(BUILD)/obj/%=$(BUILD)/obj/$(1)/%)
-	rm -f $$@
-	ar rcs $$@ $$^
-
-$(BUILD)/lib/povtrace/primitives/$(1)/%.so: $(BUILD)/obj/$(1)/plugins/primitives/%.o $(BUILD)/obj/$(1)/plugins/kit.a
-	@mkdir -p $$(@D)
+# Plugins are a file each, linked against nothing of povtrace.
+$(BUILD)/obj/$(1)plugins/kit.a: $(KIT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o)
+	$$(ARCHIVE)
+$(BUILD)/lib/povtrace/primitives/$(1)%.so: $(BUILD)/obj/$(1)plugins/primitives/%.o $(BUILD)/obj/$(1)plugins/kit.a
 	$$(LINK_PLUGIN)
 endef
-$(foreach w,$(WIDE),$(eval $(call WIDE_RULES,$(w))))
+# The baseline's folder is none.
+$(eval $(call COPY_RULES,))
+$(foreach w,$(WIDE),$(eval $(call COPY_RULES,$(w)/)))
+
+# ---- the other plugins ----
+
+$(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(BUILD)/obj/plugins/kit.a
+	$(LINK_PLUGIN)
+
+$(BUILD)/obj/plugins/images/png.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
+$(BUILD)/lib/povtrace/images/png.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs libpng)
+
+$(BUILD)/obj/plugins/plots/plot.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags cairo)
+# Cairo and what it stands on keep caches for ever: unloaded and loaded again, they would leak them each time.
+$(BUILD)/lib/povtrace/plots/plot.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs cairo) -Wl,-z,nodelete
 
 # The loader would take what an earlier make left.
 STALE := $(filter-out $(WIDE),$(notdir $(wildcard $(BUILD)/lib/glibc-hwcaps/*)))
 ifneq ($(STALE),)
 .PHONY: narrow
-all: narrow
+runtime: narrow
 narrow:
 	rm -rf $(STALE:%=$(BUILD)/lib/glibc-hwcaps/%) $(STALE:%=$(BUILD)/lib/povtrace/primitives/%)
 endif
 
-# ---- programs ----
+# ---- programs: what takes time is in the library, and gcc 12 fails on one of cli's files for aarch64 at -O3 ----
 
-$(BUILD)/obj/cli/%.o: cli/%.c
-	@mkdir -p $(@D)
-	$(CC) $(USER_FLAGS) -Icli -c $< -o $@
-
+$(BUILD)/obj/cli/%.o $(BUILD)/obj/viewer/%.o: OPTIMISE = -O2
+$(BUILD)/obj/cli/%.o: ROOM_FLAGS = -Icli
 $(POVC): $(CLI_OBJECTS) $(SHARED) | $(WIDE_SHARED) $(WIDE_PLUGINS)
-	@mkdir -p $(@D)
-	$(CC) $(LINK_FLAGS) $(CLI_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -lm -o $@
+	$(call LINK_PROGRAM,$$ORIGIN/../lib)
 
 # Objects are kept, also those that only a chain of rules made.
 .SECONDARY:

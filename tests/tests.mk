@@ -1,23 +1,25 @@
 # Tests: every tests/<room>/test_*.c is a cmocka program linked with the static library.
 TEST_SOURCES  = $(filter-out $(TESTS_LEFT_OUT),$(sort $(wildcard tests/*/test_*.c)))
+SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))
 TEST_PROGRAMS = $(TEST_SOURCES:%.c=$(BUILD)/%)
-SUPPORT_OBJECTS = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard tests/support/*.c)))
-# Where tests find what was built, and the tree's scenes.
-TEST_PATHS = -DTEST_BUILD='"$(abspath $(BUILD))"' -DTEST_ROOT='"$(CURDIR)"'
 
-$(BUILD)/obj/tests/%.o: tests/%.c
-	@mkdir -p $(@D)
-	$(CC) $(LIB_FLAGS) -Itests $(TEST_PATHS) -c $< -o $@
+CONTRACT_SOURCES = $(wildcard tests/plugins/contract_*.c) tests/plugins/subject.c
 
-$(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT_OBJECTS) $(STATIC)
-	@mkdir -p $(@D)
-	$(CC) $(LINK_FLAGS) $(filter %.o,$^) $(STATIC) -lcmocka $(TEST_LIBS) $(SYSTEM_LIBS) -o $@
+# $(1): the copy's folder, as in COPY_RULES. Tests find in TEST_BUILD what was built, in TEST_ROOT the tree's scenes.
+define TEST_RULES
+$(BUILD)/obj/$(1)tests/%.o: ROOM_FLAGS = -Ilib -Itests -DTEST_BUILD='"$(abspath $(BUILD))"' -DTEST_ROOT='"$(CURDIR)"'
+$(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) $(BUILD)/lib/$(1)libpovtrace.a
+	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
-$(BUILD)/tests/numerics/%: TEST_LIBS = -lmpfr -lgmp
-PROBE_OBJECTS = $(addprefix $(BUILD)/obj/tests/numerics/,real.o probe.o exact.o families.o)
-$(BUILD)/tests/numerics/test_primitives: $(PROBE_OBJECTS) $(addprefix $(BUILD)/obj/tests/numerics/,leaving.o harness.o) | $(PRIMITIVES)
-$(BUILD)/tests/numerics/test_leaving: $(PROBE_OBJECTS) $(BUILD)/obj/tests/numerics/leaving.o | $(PRIMITIVES)
-$(BUILD)/tests/numerics/test_maps $(BUILD)/tests/numerics/test_watertight: $(PROBE_OBJECTS) | $(PRIMITIVES)
+$(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight): \
+    $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact families) | $(PRIMITIVES)
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving): $(BUILD)/obj/$(1)tests/numerics/leaving.o
+$(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o
+$(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
+endef
+$(eval $(call TEST_RULES,))
+
 # What we compare with: each method a folder of plugins, built from one source a primitive; for wider processors too.
 METHOD_FLAGS_textbook =
 METHOD_FLAGS_qform = -DRECENTRED
@@ -29,10 +31,10 @@ METHODS = $(foreach m,textbook qform twofold,$(METHOD_NAMES:%=$(BUILD)/tests/num
 define METHOD_RULE
 $(BUILD)/tests/numerics/$1/primitives$2/%.so: tests/numerics/methods/primitives/%.c $(wildcard tests/numerics/methods/*.h) $3
 	@mkdir -p $$(@D)
-	$(CC) $(filter-out -MMD -MP,$(USER_FLAGS)) $(if $2,-march=$(2:/%=%)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
+	$(CC) $(filter-out -MMD -MP,$(BASE_FLAGS)) $(if $2,-march=$(2:/%=%)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
 	    -Wl,--gc-sections $(LINK_FLAGS) $$< $3 -lm -o $$@
 endef
-$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(KIT))))
+$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(BUILD)/obj/plugins/kit.a)))
 $(foreach w,$(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,/$w,$(BUILD)/obj/$w/plugins/kit.a))))
 .PHONY: accuracy-methods
 accuracy-methods: $(METHODS)
@@ -71,15 +73,12 @@ $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcar
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
 $(BUILD)/tests/plugins/test_parse: | $(PRIMITIVES)
-CONTRACT_SOURCES = $(wildcard tests/plugins/contract_*.c) tests/plugins/subject.c
-$(BUILD)/tests/plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/%.o)
-$(BUILD)/tests/plugins/test_contract: | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
 $(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)
-$(BUILD)/obj/tests/plugins/test_images.o: LIB_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
+$(BUILD)/obj/tests/plugins/test_images.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 # The pure pieces of povc are tested with the program's own objects.
-$(BUILD)/obj/tests/cli/%.o: LIB_FLAGS += -Icli
+$(BUILD)/obj/tests/cli/%.o: ROOM_FLAGS += -Icli
 $(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o

@@ -6,11 +6,8 @@ VIEWER_OBJECTS  = $(VIEWER_SOURCES:%.c=$(BUILD)/obj/%.o)
 VIEWER_PURE_TESTS = tests/viewer/test_orbit.c tests/viewer/test_app.c tests/viewer/test_args.c
 POVVIEW         = $(BUILD)/bin/povview
 
-$(BUILD)/obj/viewer/%.o: viewer/%.c
-	@mkdir -p $(@D)
-	$(CC) $(USER_FLAGS) $(VIEWER_FLAGS) -Iviewer -c $< -o $@
-
-$(BUILD)/obj/tests/viewer/%.o: LIB_FLAGS += $(VIEWER_FLAGS) -Iviewer
+$(BUILD)/obj/viewer/%.o: ROOM_FLAGS = $(VIEWER_FLAGS) -Iviewer
+$(BUILD)/obj/tests/viewer/%.o: ROOM_FLAGS += $(VIEWER_FLAGS) -Iviewer
 VIEWER_PURE = $(patsubst %,$(BUILD)/obj/viewer/%.o,orbit app args script camera_text)
 $(VIEWER_PURE_TESTS:%.c=$(BUILD)/%): $(VIEWER_PURE)
 
@@ -22,12 +19,11 @@ ifeq ($(shell $(PKG_CONFIG) --exists $(VIEWER_PACKAGES) && echo yes),yes)
 VIEWER_FLAGS := $(shell $(PKG_CONFIG) --cflags $(VIEWER_PACKAGES))
 VIEWER_LIBS  := $(shell $(PKG_CONFIG) --libs glfw3 cairo)
 
-all: $(POVVIEW)
+runtime: $(POVVIEW)
 
+$(POVVIEW): PROGRAM_LIBS = $(VIEWER_LIBS) $(SYSTEM_LIBS)
 $(POVVIEW): $(VIEWER_OBJECTS) $(SHARED)
-	@mkdir -p $(@D)
-	$(CC) $(LINK_FLAGS) $(VIEWER_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' $(VIEWER_LIBS) \
-	    $(SYSTEM_LIBS) -o $@
+	$(call LINK_PROGRAM,$$ORIGIN/../lib)
 
 $(BUILD)/tests/viewer/test_shot: $(filter-out $(BUILD)/obj/viewer/main.o,$(VIEWER_OBJECTS))
 $(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
@@ -60,7 +56,7 @@ else
 
 TESTS_LEFT_OUT += $(filter-out $(VIEWER_PURE_TESTS),$(wildcard tests/viewer/test_*.c))
 
-all: no-viewer
+runtime: no-viewer
 .PHONY: no-viewer
 no-viewer:
 	@echo "povview was left out: pkg-config does not find all of $(VIEWER_PACKAGES)"

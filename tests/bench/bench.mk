@@ -32,7 +32,7 @@ bench-whole: all
 TAILS = $(BUILD)/bench/tails
 $(TAILS): tests/bench/tails.c $(SHARED)
 	@mkdir -p $(@D)
-	$(CC) $(USER_FLAGS) $(LINK_FLAGS) $< -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -o $@
+	$(CC) $(BASE_FLAGS) $(LINK_FLAGS) $< -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -o $@
 bench-threads: all $(TAILS)
 	$(PYTHON) tests/bench/threads.py --povc $(POVC) --tails $(TAILS) --work $(BUILD)/bench $(BENCH_FLAGS)
 bench-scale: all
