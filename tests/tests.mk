@@ -1,13 +1,18 @@
 # Tests: every tests/<room>/test_*.c is a cmocka program linked with the static library.
 TEST_SOURCES  = $(filter-out $(TESTS_LEFT_OUT),$(sort $(wildcard tests/*/test_*.c)))
 SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))
-TEST_PROGRAMS = $(TEST_SOURCES:%.c=$(BUILD)/%)
+# Tests of what is compiled otherwise for wider processors, once more with each copy of the library and the primitives.
+COPY_TESTS    = $(filter-out %_build.c %_rough.c,$(wildcard $(patsubst %,tests/unit/test_%_*.c,model bvh world query shade texture light))) \
+                $(wildcard tests/limits/test_*.c) tests/api/test_pictures.c tests/plugins/test_contract.c \
+                $(patsubst %,tests/numerics/test_%.c,primitives leaving)
+TEST_PROGRAMS = $(TEST_SOURCES:%.c=$(BUILD)/%) $(foreach w,$(WIDE),$(COPY_TESTS:tests/%.c=$(BUILD)/tests/$w/%))
 
 CONTRACT_SOURCES = $(wildcard tests/plugins/contract_*.c) tests/plugins/subject.c
 
 # $(1): the copy's folder, as in COPY_RULES. Tests find in TEST_BUILD what was built, in TEST_ROOT the tree's scenes.
 define TEST_RULES
-$(BUILD)/obj/$(1)tests/%.o: ROOM_FLAGS = -Ilib -Itests -DTEST_BUILD='"$(abspath $(BUILD))"' -DTEST_ROOT='"$(CURDIR)"'
+$(BUILD)/obj/$(1)tests/%.o: ROOM_FLAGS = -Ilib -Itests -DTEST_BUILD='"$(abspath $(BUILD))"' -DTEST_ROOT='"$(CURDIR)"' \
+    -DTEST_COPY='"$(1)"'
 $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) $(BUILD)/lib/$(1)libpovtrace.a
 	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
@@ -19,6 +24,7 @@ $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/har
 $(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
 endef
 $(eval $(call TEST_RULES,))
+$(foreach w,$(WIDE),$(eval $(call TEST_RULES,$w/)))
 
 # What we compare with: each method a folder of plugins, built from one source a primitive; for wider processors too.
 METHOD_FLAGS_textbook =

@@ -77,15 +77,6 @@ wide_plugins_are_no_need() {
     done
 }
 
-wide_plugins_hold_to_the_contract() {
-    needs_wide
-    contract=$BUILD_DIR/tests/plugins/test_contract
-    [ -x "$contract" ] || skip "test_contract is not built"
-    for copy in $copies; do
-        "$contract" "$BUILD_DIR/lib/povtrace/primitives/$copy"
-    done
-}
-
 # `make bench-bits` does so with larger pictures, more threads and a build of portable C alone.
 wide_and_narrow_trees_and_lists_draw_the_benchs_scenes_alike() {
     expect 0 "$PYTHON" "$root/tests/bench/bits.py" --povc "$povc" --work bits --size 40x30 --threads 1 3

@@ -144,8 +144,8 @@ static void a_narrow_view_from_afar_is_as_good_as_any(void **state)
     free(near);
 }
 
-#define TEXT TEST_BUILD "/tests/limits/test_scale.pov"
-#define IMAGE TEST_BUILD "/tests/limits/test_scale.pfm"
+#define TEXT TEST_BUILD "/tests/" TEST_COPY "limits/test_scale.pov"
+#define IMAGE TEST_BUILD "/tests/" TEST_COPY "limits/test_scale.pfm"
 
 /* What povc makes of a text: three floats a pixel, the lowest row first. */
 static void draw_by_povc(const char *text, float *pixels)

@@ -20,8 +20,8 @@ enum { SEED = 20240607, OURS = 2, METHODS = 5 };
 
 /* Ours first. What the others are: tests/numerics/methods. */
 static const method methods[METHODS] = {
-    { "certified", "lib/povtrace/primitives", false, false },
-    { "max", "lib/povtrace/primitives", true, false },
+    { "certified", "lib/povtrace/primitives/" TEST_COPY, false, false },
+    { "max", "lib/povtrace/primitives/" TEST_COPY, true, false },
     { "textbook", "tests/numerics/textbook/primitives", false, true },
     { "q-form", "tests/numerics/qform/primitives", false, true },
     { "double-double", "tests/numerics/twofold/primitives", false, true },

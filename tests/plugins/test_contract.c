@@ -8,6 +8,7 @@
 
 #include "support/check.h"
 #include "support/fake_reader.h"
+#include "support/scenes.h"
 
 #include <dirent.h>
 #include <math.h>
@@ -136,7 +137,7 @@ int main(int argc, char **argv)
     int i, failed = 0;
 
     if (argc < 2)
-        return check_folder(TEST_BUILD "/lib/povtrace/primitives")
+        return check_folder(TEST_PRIMITIVES)
                + check_folder(TEST_BUILD "/tests/plugins/out_of_tree");
     for (i = 1; i < argc; i++)
         failed += check_folder(argv[i]);

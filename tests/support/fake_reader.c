@@ -1,5 +1,7 @@
 #include "support/fake_reader.h"
 
+#include "support/scenes.h"
+
 #include <ctype.h>
 #include <dlfcn.h>
 #include <stdarg.h>
@@ -242,6 +244,6 @@ const shape_class *fake_reader_shape(const char *keyword)
 {
     char path[1024];
 
-    snprintf(path, sizeof path, "%s/lib/povtrace/primitives/%s.so", TEST_BUILD, keyword);
+    snprintf(path, sizeof path, "%s/%s.so", TEST_PRIMITIVES, keyword);
     return fake_reader_load(path);
 }
