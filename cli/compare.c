@@ -159,7 +159,7 @@ static pov_status draw_file(pov_context *context, const run *runs, size_t count,
     if (fclose(to) != 0 && status == POV_OK)
         status = save_fail(err, POV_E_MEMORY, path, "out of memory for the plot");
     if (status == POV_OK)
-        status = save_bytes(path, bytes, length, err);
+        status = pov_file_write(context, path, bytes, length, err);
     free(bytes);
     return status;
 }

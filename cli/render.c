@@ -40,7 +40,10 @@ pov_status render_check_output(pov_context *context, const args *a, pov_error *e
 {
     static const char terminal[] = "standard output is a terminal, no place for a picture; pipe it on";
     pov_image_options options = image_options(a);
-    pov_status status = pov_image_check(context, a->output, &options, err);
+    pov_status status = save_check_names(a, err);
+
+    if (status == POV_OK)
+        status = pov_image_check(context, a->output, &options, err);
 
     if (status == POV_OK && a->report)
         status = report_check(context, a, err);
@@ -48,7 +51,7 @@ pov_status render_check_output(pov_context *context, const args *a, pov_error *e
         return status;
     if (strcmp(a->output, "-") == 0)
         return isatty(STDOUT_FILENO) ? save_fail(err, POV_E_ARGUMENT, "", terminal) : POV_OK;
-    return save_check(a->output, err);
+    return POV_OK;
 }
 
 /* ---- the work ---- */
@@ -228,6 +231,10 @@ static pov_status trace(render *r, pov_error *err)
         return pov_job_get_error(r->job, err);
     if (state == POV_JOB_CANCELLED || r->progress.stop == POV_STOP_TIME)
         partial_save(&kept);
+    if (state == POV_JOB_CANCELLED && !save_is_awaited(r->args->output)) {
+        messages_say(r->messages, "interrupted: nobody reads %s, so the picture is not written", r->args->output);
+        return POV_OK;
+    }
     status = write_picture(r, err);
     if (status == POV_OK && state == POV_JOB_DONE && r->progress.stop != POV_STOP_TIME)
         partial_forget(&kept);

@@ -37,7 +37,7 @@ pov_status report_check(pov_context *context, const args *a, pov_error *err)
 
     if (!ending)
         return save_fail(err, POV_E_ARGUMENT, a->report, endings);
-    status = save_check(a->report, err);
+    status = pov_file_check(context, a->report, err);
     if (status == POV_OK && (f == FORM_PLOT || f == FORM_HTML))
         status = pov_plot_check(context, f == FORM_PLOT ? ending : "svg", err);
     return status;
@@ -166,7 +166,7 @@ pov_status report_write(report *r, pov_error *err)
     if (fclose(to) != 0 && status == POV_OK)
         status = save_fail(err, POV_E_MEMORY, r->args->report, "out of memory for the report");
     if (status == POV_OK)
-        status = save_bytes(r->args->report, text, length, err);
+        status = pov_file_write(r->context, r->args->report, text, length, err);
     free(text);
     free(r->rows);
     r->rows = NULL;

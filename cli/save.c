@@ -1,6 +1,8 @@
+#define _XOPEN_SOURCE 700   /* realpath */
 #include "save.h"
 
-#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,102 +18,99 @@ pov_status save_fail(pov_error *err, pov_status status, const char *file, const 
     return status;
 }
 
-static pov_status cannot_write(pov_error *err, const char *path, int why)
-{
-    char text[256];
+/* A file that the run writes or reads, and what for. */
+typedef struct named { const char *path, *what; bool written; } named;
 
-    snprintf(text, sizeof text, "cannot write: %s", strerror(why));
-    return save_fail(err, POV_E_IO, path, text);
-}
+enum { NAMES_MAX = 4 + ARGS_AOVS };
 
-/* The file is made beside its name and renamed, so it is the folder that must let us write. */
-static pov_status check_folder(const char *path, pov_error *err)
+/* The path in full: of a file that is not there yet its folder's, and its name. False: there is no such folder. */
+static bool full_path(const char *path, char out[PATH_MAX + NAME_MAX + 2])
 {
     const char *slash = strrchr(path, '/');
-    char folder[4096];
-    size_t length = !slash ? 1 : slash == path ? 1 : (size_t)(slash - path);
+    char folder[PATH_MAX];
 
-    if (length >= sizeof folder)
-        return cannot_write(err, path, ENAMETOOLONG);
-    memcpy(folder, slash ? path : ".", length);
-    folder[length] = '\0';
-    return access(folder, W_OK | X_OK) == 0 ? POV_OK : cannot_write(err, path, errno);
+    if (realpath(path, out))
+        return true;
+    if (snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".") >= PATH_MAX ||
+        !realpath(folder, out))
+        return false;
+    snprintf(out + strlen(out), NAME_MAX + 2, "/%s", slash ? slash + 1 : path);
+    return true;
 }
 
-pov_status save_check(const char *path, pov_error *err)
+/* Devices and pipes take what comes, and nothing in them is replaced. */
+static bool is_replaced(const char *path)
 {
     struct stat about;
 
-    if (strcmp(path, "-") == 0)
-        return POV_OK;
-    if (stat(path, &about) != 0 || S_ISREG(about.st_mode))
-        return check_folder(path, err);
-    return S_ISDIR(about.st_mode) ? cannot_write(err, path, EISDIR) : POV_OK;
+    return strcmp(path, "-") != 0 && (stat(path, &about) != 0 || S_ISREG(about.st_mode));
 }
 
-static bool put_all(FILE *to, const void *bytes, size_t count)
+static bool is_same_file(const char *a, const char *b)
 {
-    bool put = fwrite(bytes, 1, count, to) == count && fflush(to) == 0;
+    char full_a[PATH_MAX + NAME_MAX + 2], full_b[PATH_MAX + NAME_MAX + 2];
+    struct stat about_a, about_b;
 
-    return put;
+    if (!is_replaced(a) || !is_replaced(b))
+        return false;
+    if (stat(a, &about_a) == 0 && stat(b, &about_b) == 0)
+        return about_a.st_dev == about_b.st_dev && about_a.st_ino == about_b.st_ino;
+    return full_path(a, full_a) && full_path(b, full_b) && strcmp(full_a, full_b) == 0;
 }
 
-/* Into a stranger's pipe or device as it is; there is nothing to rename. */
-static pov_status save_through(const char *path, const void *bytes, size_t count, pov_error *err)
+static void put_name(named *names, int *n, const char *path, const char *what, bool written)
 {
-    FILE *to = strcmp(path, "-") == 0 ? stdout : fopen(path, "wb");
-    bool put;
-
-    if (!to)
-        return cannot_write(err, path, errno);
-    put = put_all(to, bytes, count);
-    if (to != stdout)
-        put = fclose(to) == 0 && put;
-    return put ? POV_OK : cannot_write(err, path, errno);
-}
-
-/* New files have the rights that any new file would have. */
-static void give_rights(int descriptor)
-{
-    mode_t mask = umask(0);
-
-    umask(mask);
-    if (fchmod(descriptor, 0666 & ~mask) != 0)
+    if (!path)
         return;
+    names[*n].path = path;
+    names[*n].what = what;
+    names[(*n)++].written = written;
 }
 
-static pov_status save_beside(const char *path, char *beside, const void *bytes, size_t count, pov_error *err)
+static int list_names(const args *a, const char *checkpoint, named names[NAMES_MAX])
 {
-    int descriptor = mkstemp(beside), why;
-    FILE *to = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
-    bool put;
+    static const char *const maps[ARGS_AOVS] = { "--aov certainty", "--aov normal", "--aov depth", "--aov time" };
+    int n = 0;
 
-    if (!to) {
-        why = errno;
-        if (descriptor >= 0) {
-            close(descriptor);
-            unlink(beside);
-        }
-        return cannot_write(err, path, why);
-    }
-    give_rights(descriptor);
-    put = put_all(to, bytes, count);
-    put = fclose(to) == 0 && put;
-    if (put && rename(beside, path) == 0)
-        return POV_OK;
-    why = errno;
-    unlink(beside);
-    return cannot_write(err, path, why);
+    put_name(names, &n, a->scene, "the scene", false);
+    put_name(names, &n, a->reference, "--reference", false);
+    put_name(names, &n, a->output, "the picture", true);
+    put_name(names, &n, a->report, "--report", true);
+    for (int i = 0; i < ARGS_AOVS; i++)
+        put_name(names, &n, a->aov[i], maps[i], true);
+    if (checkpoint[0])
+        put_name(names, &n, checkpoint, "the checkpoint", true);
+    return n;
 }
 
-pov_status save_bytes(const char *path, const void *bytes, size_t count, pov_error *err)
+pov_status save_check_names(const args *a, pov_error *err)
+{
+    char checkpoint[PATH_MAX] = "", text[256];
+    named names[NAMES_MAX + 1];
+    int n;
+
+    if (a->resume || a->partial_every > 0.0)
+        snprintf(checkpoint, sizeof checkpoint, "%s.checkpoint", a->output);
+    n = list_names(a, checkpoint, names);
+    for (int i = 0; i < n; i++)
+        for (int j = i + 1; j < n; j++) {
+            if (!names[j].written || !is_same_file(names[i].path, names[j].path))
+                continue;
+            snprintf(text, sizeof text, "%s and %s are the same file: nothing is rendered", names[i].what, names[j].what);
+            return save_fail(err, POV_E_ARGUMENT, names[j].path, text);
+        }
+    return POV_OK;
+}
+
+bool save_is_awaited(const char *path)
 {
     struct stat about;
-    char beside[4096];
+    int descriptor;
 
-    if (strcmp(path, "-") == 0 || (stat(path, &about) == 0 && !S_ISREG(about.st_mode)))
-        return save_through(path, bytes, count, err);
-    if ((size_t)snprintf(beside, sizeof beside, "%s.XXXXXX", path) >= sizeof beside)
-        return cannot_write(err, path, ENAMETOOLONG);
-    return save_beside(path, beside, bytes, count, err);
+    if (strcmp(path, "-") == 0 || stat(path, &about) != 0 || !S_ISFIFO(about.st_mode))
+        return true;
+    descriptor = open(path, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0)
+        close(descriptor);
+    return descriptor >= 0;
 }

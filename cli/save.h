@@ -1,13 +1,13 @@
-/* save.h - a file of a program's own, written whole or not at all. */
+/* save.h - what files a run writes: none twice, and none that it reads. */
 #ifndef CLI_SAVE_H
 #define CLI_SAVE_H
 
-#include <povtrace/base.h>
+#include "args.h"
 
-/* Beside the path and renamed over it; "-" is standard output. */
-pov_status save_bytes(const char *path, const void *bytes, size_t count, pov_error *err);
-/* Can a file be made there, as far as that can be told? */
-pov_status save_check(const char *path, pov_error *err);
+/* Are the files that the run writes apart from each other, and from those that it reads? Before any of them is opened. */
+pov_status save_check_names(const args *a, pov_error *err);
+/* False: a pipe by name that nobody reads; to open it would be to wait. */
+bool save_is_awaited(const char *path);
 
 /* Fill err and return its status: cli's way to say what went wrong with a file ("" for none). */
 pov_status save_fail(pov_error *err, pov_status status, const char *file, const char *message);

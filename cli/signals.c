@@ -31,11 +31,11 @@ static void watch(int signal, void (*handler)(int), int flags)
 
 void signals_watch(void)
 {
-    /* One-shot handlers: the system's own answer to the second such signal is to end the program. Calls that
-     * were interrupted go on, as a half-written picture helps nobody. */
-    watch(SIGINT, on_end, (int)SA_RESETHAND | SA_RESTART);
-    watch(SIGTERM, on_end, (int)SA_RESETHAND | SA_RESTART);
-    watch(SIGHUP, on_end, (int)SA_RESETHAND | SA_RESTART);
+    /* One-shot handlers: the system's own answer to the second such signal is to end the program. Calls are not begun
+     * again, for open() would wait for a pipe's reader for ever; reading and writing go on by themselves. */
+    watch(SIGINT, on_end, (int)SA_RESETHAND);
+    watch(SIGTERM, on_end, (int)SA_RESETHAND);
+    watch(SIGHUP, on_end, (int)SA_RESETHAND);
     watch(SIGUSR1, on_write, SA_RESTART);
 }
 

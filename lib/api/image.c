@@ -79,7 +79,9 @@ pov_status pov_image_check(pov_context *context, const char *path, const pov_ima
     const pov_image_format *format;
     pov_image_options o;
 
-    return prepare(context, path, options, &o, &format, err);
+    pov_status status = prepare(context, path, options, &o, &format, err);
+
+    return status < 0 ? status : file_writer_try(&context->env, path, err);
 }
 
 /* ---- the pixels ---- */
@@ -150,8 +152,8 @@ static pov_status write_image(pov_context *context, place to, int width, int hei
 
     if (status < 0)
         return status;
-    if (!rgba || width <= 0 || height <= 0 || stride / (4 * sizeof *rgba) < (size_t)width)
-        return err_set(err, POV_E_ARGUMENT, "an image needs pixels, a size and a stride of whole rows");
+    if (!rgba || width <= 0 || height <= 0 || stride / (4 * sizeof *rgba) < (size_t)width || stride % sizeof *rgba != 0)
+        return err_set(err, POV_E_ARGUMENT, "an image needs pixels, a size and a stride of whole rows of floats");
     image.width = width;
     image.height = height;
     image.bits = depth_for(format, o.bits);
@@ -179,7 +181,7 @@ pov_status pov_image_put(pov_context *context, const pov_output *output, int wid
 {
     place to = { "", output };
 
-    if (!output)
+    if (!output || !output->put)
         return err_set(err, POV_E_ARGUMENT, "no output was given");
     return write_image(context, to, width, height, rgba, stride, options, err);
 }

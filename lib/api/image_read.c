@@ -97,6 +97,8 @@ pov_status pov_image_read(pov_context *context, const char *path, pov_bitmap *ou
 
     if (!context || !path || !out)
         return err_set(err, POV_E_ARGUMENT, "to read an image takes a context, a path and a place for it");
+    if (!POV_HAS(out, pov_bitmap, rgba))
+        return err_set(err, POV_E_ARGUMENT, "the bitmap has no size: initialise it with POV_INIT");
     status = image_find_format(context, path, &none, &format, err);
     if (status < 0)
         return status;

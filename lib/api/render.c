@@ -2,6 +2,14 @@
 #include "api/handles.h"
 #include "render/job.h"
 
+static bool is_finite(pov_vec3 v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
+static bool is_direction(pov_vec3 v) { return is_finite(v) && pov_largest(v) > 0.0; }
+
+static bool is_camera(const pov_camera *c)
+{
+    return is_finite(c->location) && is_direction(c->direction) && is_direction(c->right) && is_direction(c->up);
+}
+
 /* The scene's camera, or the program's, which may be of another size. */
 static pov_status take_camera(pov_render_desc *d, pov_camera *copy, pov_error *err)
 {
@@ -11,6 +19,9 @@ static pov_status take_camera(pov_render_desc *d, pov_camera *copy, pov_error *e
         return POV_OK;
     status = adapt_in(copy, sizeof *copy, d->camera, "the camera", err);
     d->camera = copy;
+    if (status == POV_OK && !is_camera(copy))
+        return err_set(err, POV_E_ARGUMENT, "the camera's location must be finite, and its direction, right and up finite "
+                                            "and not zero");
     return status;
 }
 
@@ -37,53 +48,61 @@ void pov_job_destroy(pov_job *job)
 
 pov_status pov_job_start(pov_job *job, pov_error *err)
 {
+    if (!job)
+        return err_set(err, POV_E_ARGUMENT, "no job was given");
     return job_start(job, err);
 }
 
 pov_job_state pov_job_step(pov_job *job)
 {
-    return job_step(job);
+    return job ? job_step(job) : POV_JOB_FAILED;
 }
 
 pov_job_state pov_job_wait(pov_job *job, double seconds)
 {
-    return job_wait(job, seconds);
+    return job ? job_wait(job, seconds) : POV_JOB_FAILED;
 }
 
 bool pov_job_take(pov_job *job, pov_rect *changed)
 {
-    return job_take(job, changed);
+    return job && changed && job_take(job, changed);
 }
 
 void pov_job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride)
 {
-    job_read(job, rect, format, dst, stride);
+    if (job && dst)
+        job_read(job, rect, format, dst, stride);
 }
 
 void pov_job_restart(pov_job *job, const pov_camera *camera)
 {
     pov_camera ours;
 
-    /* What says no size is no camera, and must not be read as one. */
+    /* What says no size, or does not look anywhere, is no camera. */
     if (camera)
-        camera = adapt_in(&ours, sizeof ours, camera, "the camera", NULL) == POV_OK ? &ours : NULL;
-    job_restart(job, camera);
+        camera = adapt_in(&ours, sizeof ours, camera, "the camera", NULL) == POV_OK && is_camera(&ours) ? &ours : NULL;
+    if (job)
+        job_restart(job, camera);
 }
 
 void pov_job_pause(pov_job *job, bool paused)
 {
-    job_pause(job, paused);
+    if (job)
+        job_pause(job, paused);
 }
 
 void pov_job_cancel(pov_job *job)
 {
-    job_cancel(job);
+    if (job)
+        job_cancel(job);
 }
 
 void pov_job_get_progress(pov_job *job, pov_progress *out)
 {
     pov_progress ours = POV_INIT(ours);
 
+    if (!job || !out)
+        return;
     job_get_progress(job, &ours);
     adapt_out(out, &ours, sizeof ours);
 }
@@ -106,7 +125,7 @@ bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out)
 {
     pov_pass ours = POV_INIT(ours);
 
-    if (!job_get_pass(job, index, &ours))
+    if (!job || !out || !job_get_pass(job, index, &ours))
         return false;
     adapt_out(out, &ours, sizeof ours);
     return true;
@@ -116,7 +135,7 @@ bool pov_job_get_class(pov_job *job, size_t index, pov_class_counts *out)
 {
     pov_class_counts ours = POV_INIT(ours);
 
-    if (!job_get_class(job, index, &ours))
+    if (!job || !out || !job_get_class(job, index, &ours))
         return false;
     adapt_out(out, &ours, sizeof ours);
     return true;
@@ -124,5 +143,7 @@ bool pov_job_get_class(pov_job *job, size_t index, pov_class_counts *out)
 
 pov_status pov_job_get_error(pov_job *job, pov_error *err)
 {
+    if (!job)
+        return err_set(err, POV_E_ARGUMENT, "no job was given");
     return job_get_error(job, err);
 }

@@ -133,19 +133,20 @@ void pov_scene_destroy(pov_scene *scene)
 
 void pov_scene_get_camera(const pov_scene *scene, pov_camera *out)
 {
-    adapt_out(out, &scene->model.camera, sizeof scene->model.camera);
+    if (scene && out)
+        adapt_out(out, &scene->model.camera, sizeof scene->model.camera);
 }
 
 size_t pov_scene_object_count(const pov_scene *scene)
 {
-    return scene->model.leaves.count;
+    return !scene ? 0 : scene->model.leaves.count;
 }
 
 bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **keyword, int *line, int *column)
 {
     const struct leaf_node *o;
 
-    if (index >= scene->model.leaves.count)
+    if (!scene || index >= scene->model.leaves.count)
         return false;
     o = &scene->model.leaves.items[index];
     if (keyword)
@@ -159,14 +160,17 @@ bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **key
 
 bool pov_scene_get_bounds(const pov_scene *scene, pov_box *out)
 {
-    return world_bounds(scene->world, out);
+    return scene && out && world_bounds(scene->world, out);
 }
 
 void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
 {
-    const model *m = &scene->model;
+    const model *m;
     pov_scene_info info = POV_INIT(info);
 
+    if (!scene || !out)
+        return;
+    m = &scene->model;
     info.dialect = m->dialect;
     info.dialect_reason = m->dialect_reason;
     info.transfer = m->gamma.transfer;
@@ -183,9 +187,12 @@ void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
 
 bool pov_scene_get_plan(const pov_scene *scene, size_t index, pov_plan_row *out)
 {
-    const plan_row_list *rows = &world_plan(scene->world)->rows;
+    const plan_row_list *rows;
     pov_plan_row row = POV_INIT(row);
 
+    if (!scene || !out)
+        return false;
+    rows = &world_plan(scene->world)->rows;
     if (index >= rows->count) {
         index -= rows->count;
         rows = &scene->plugins.rows;

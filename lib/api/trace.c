@@ -52,11 +52,14 @@ static pov_hit hit_of(const hit *h, double distance)
  * it is looked at or not as the tree has it. */
 bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 {
-    const uint64_t before = walker_decided(tracer->walker);
     pov_ray ray = ray_of(org, dir);
     pov_hit found = POV_INIT(found);
+    uint64_t before;
     hit h;
 
+    if (!tracer)
+        return false;
+    before = walker_decided(tracer->walker);
     if (!is_ray(org, dir) || !world_nearest(tracer->world, tracer->walker, &ray, INFINITY, &h)) {
         found.certain = walker_decided(tracer->walker) == before;
         if (out)
@@ -150,7 +153,7 @@ size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see
 {
     passage p = { .tracer = tracer, .ray = ray_of(org, dir) };
     size_t count = 0;
-    bool goes_on = is_ray(org, dir);
+    bool goes_on = tracer && see && is_ray(org, dir);
     hit h;
 
     while (goes_on && next_surface(&p, &h)) {
@@ -166,7 +169,7 @@ bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to)
 {
     pov_ray ray = ray_of(from, pov_sub(to, from));
 
-    return is_ray(from, ray.dir) && world_blocked(tracer->world, tracer->walker, &ray, 1.0);
+    return tracer && is_ray(from, ray.dir) && world_blocked(tracer->world, tracer->walker, &ray, 1.0);
 }
 
 pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err)
@@ -174,6 +177,8 @@ pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float
     pov_ray ray = ray_of(org, dir);
     colour c;
 
+    if (!tracer || !rgba)
+        return err_set(err, POV_E_ARGUMENT, "a colour takes a tracer and a place");
     if (!is_ray(org, dir))
         return err_set(err, POV_E_ARGUMENT, "a ray needs a finite start and a direction");
     c = tracer_color(tracer, &ray);

@@ -8,10 +8,11 @@
  * counted. env_free() them. */
 pov_status file_read(const env *e, const char *path, char **bytes, size_t *count, pov_error *err);
 
-/* Writing beside the target and renaming over it: commit or discard ends it. "-" goes to standard output. */
+/* Writing beside the target and renaming over it: commit or discard ends it. A symbolic link is followed: what it points
+ * to is replaced. "-", /dev/stdout and the like, devices and pipes are written to as they are. */
 typedef struct file_writer {
     const env *env;
-    char *path, *temporary;      /* temporary is NULL for standard output and for targets that are no regular file */
+    char *path, *temporary;      /* path: what links lead to; temporary is NULL where nothing is replaced */
     int descriptor;
     int error;                   /* errno of the first failure */
     size_t used;
@@ -23,6 +24,8 @@ pov_status file_writer_open(file_writer *w, const env *e, const char *path, pov_
 bool file_writer_put(file_writer *w, const void *bytes, size_t count);
 pov_status file_writer_commit(file_writer *w, pov_error *err);
 void file_writer_discard(file_writer *w);
+/* Could the path be written to? Tries all that open and commit need of the folder and of the names, and leaves nothing. */
+pov_status file_writer_try(const env *e, const char *path, pov_error *err);
 
 /* Call see(user, name) for every entry of a folder; nothing when there is no such folder. */
 void file_list(const char *folder, void (*see)(void *user, const char *name), void *user);

@@ -121,3 +121,94 @@ output_keeps_the_permissions_of_the_file_it_replaces() {
     expect 0 "$povc" small.pov 4 4 out.png
     [ "$(ls -l out.png | cut -c 1-10)" = "-rw-r-----" ]
 }
+
+# F1 of the review: a link stays, and what it points to is replaced.
+output_follows_symbolic_links() {
+    small_scene
+    mkdir far
+    echo old > far/target.ppm
+    ln -s far/target.ppm link.ppm
+    ln -s link.ppm second.ppm
+    ln -s far/new.ppm dangling.ppm
+    expect 0 "$povc" small.pov 9 7 plain.ppm
+    expect 0 "$povc" small.pov 9 7 second.ppm
+    [ -L second.ppm ] && [ -L link.ppm ]
+    same far/target.ppm plain.ppm
+    expect 0 "$povc" small.pov 9 7 dangling.ppm
+    [ -L dangling.ppm ]
+    same far/new.ppm plain.ppm
+    ln -s loop.ppm loop.ppm
+    expect 1 "$povc" small.pov 9 7 loop.ppm
+    says err "cannot write"
+}
+
+# F1: as root the whole system's /dev/stdout was replaced by a picture.
+output_to_what_stands_for_a_descriptor_goes_there() {
+    small_scene
+    expect 0 "$povc" small.pov 9 7 plain.ppm
+    before=$(ls -l /dev/stdout)
+    "$povc" small.pov 9 7 /dev/stdout --format ppm > redirected.ppm 2> err
+    same plain.ppm redirected.ppm
+    [ "$(ls -l /dev/stdout)" = "$before" ]
+    "$povc" small.pov 9 7 /dev/fd/5 --format ppm 5> five.ppm 2> err
+    same plain.ppm five.ppm
+    "$povc" small.pov 9 7 /dev/stdout --format ppm 2> err | cat > piped.ppm
+    same plain.ppm piped.ppm
+}
+
+# F1: checkpoints too.
+output_checkpoints_follow_links() {
+    small_scene
+    echo precious > precious
+    ln -s precious out.pfm.checkpoint
+    expect 1 "$povc" small.pov 9 7 out.pfm --resume
+    [ "$(cat precious)" = precious ]
+    [ -L out.pfm.checkpoint ]
+}
+
+# F4: the only signal is often the last one.
+output_to_a_pipe_that_nobody_reads_ends_with_one_signal() {
+    small_scene
+    mkfifo pipe.ppm
+    expect 143 timeout -k 20 --preserve-status 1 "$povc" small.pov 9 7 pipe.ppm
+}
+
+# F7: the name is tried before the work begins.
+output_names_of_any_length_that_the_folder_takes_are_written() {
+    small_scene
+    long=$(printf 'a%.0s' $(seq 1 251)).ppm
+    expect 0 "$povc" small.pov 9 7 "$long"
+    [ -s "$long" ]
+    expect 1 "$povc" small.pov 900 700 "a$long" --stats
+    says err "File name too long"
+    [ ! -s out ] || fail "it was rendered first"
+    expect 1 "$povc" small.pov 9 7 nowhere/out.ppm
+    says err "nowhere/out.ppm: error: cannot write"
+}
+
+# F14 of the review, defect 2 of users.md.
+output_names_must_differ() {
+    small_scene
+    cp small.pov scene.ppm
+    expect 2 "$povc" small.pov 9 7 o.png --report o.png
+    says err "the picture and --report are the same file"
+    expect 2 "$povc" small.pov 9 7 o.png --aov depth ./o.png
+    says err "the picture and --aov depth are the same file"
+    expect 2 "$povc" scene.ppm 9 7 scene.ppm
+    says err "the scene and the picture are the same file"
+    cmp scene.ppm small.pov
+    [ ! -e o.png ]
+    expect 0 "$povc" small.pov 9 7 /dev/null --format png --aov depth o.pfm
+}
+
+# F15: what killed processes have left is removed by the next one that writes there, when it is old.
+output_sweeps_what_dead_processes_left() {
+    small_scene
+    sleep 0 & dead=$!
+    wait "$dead"
+    touch -d '2 hours ago' "o.png.$dead-0.part" "o.png.$$-0.part" "p.png.$dead-0.part"
+    touch "o.png.$dead-1.part"
+    expect 0 "$povc" small.pov 9 7 o.png
+    [ ! -e "o.png.$dead-0.part" ]
+    [ -e "o.png.$dead-1.part" ] && [ -e "o.png.$$-0.part" ] && [ -e "p.png.$dead-0.part" ]
+}

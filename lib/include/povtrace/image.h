@@ -35,9 +35,16 @@ typedef struct pov_bitmap { size_t size; int width, height, bits; float *rgba; }
 POV_API pov_status pov_image_read(struct pov_context *context, const char *path, pov_bitmap *out, pov_error *err);
 POV_API void pov_image_free(struct pov_context *context, pov_bitmap *bitmap);
 
-/* Is there a plugin for this path's ending? Loads it; so that a program may ask before it renders. */
+/* Is there a plugin for this path's ending, and can a file of that name be written? So that a program may ask before it
+ * renders. Loads the plugin, and leaves no file. */
 POV_API pov_status pov_image_check(struct pov_context *context, const char *path, const pov_image_options *options,
                                    pov_error *err);
+
+/* Bytes to a file as an image is written: whole or not at all, links followed, "-", devices and pipes written to as they
+ * are. And whether that could be done, which leaves nothing behind. */
+POV_API pov_status pov_file_write(struct pov_context *context, const char *path, const void *bytes, size_t count,
+                                  pov_error *err);
+POV_API pov_status pov_file_check(struct pov_context *context, const char *path, pov_error *err);
 
 /* ---- a format, for plugins: see plugin.h --------------------------------- */
 
