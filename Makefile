@@ -21,9 +21,11 @@ WIDE     := $(WIDE)
 # A line for each file that is made; V=1 shows the commands.
 V        ?=
 SILENT   := $(findstring s,$(firstword -$(MAKEFLAGS)))
-# A job for each core, unless -j says otherwise; one after the other where a goal makes or removes what others read.
+# A job for each core, unless -j says otherwise, here or in the environment; one after the other where a goal makes or removes what others read.
 ifeq ($(MAKELEVEL),0)
+ifeq ($(filter -j% j%,$(shell echo "$$MAKEFLAGS")),)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+endif
 ifneq ($(and $(filter clean deps test demo asan tsan,$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
@@ -254,6 +256,7 @@ help:
 	@echo "make test       run every test"
 	@echo "make check      hold the tree to its rules: rooms, exports, headers alone, no absolute epsilons"
 	@echo "make asan tsan  run the tests under the sanitizers"
+	@echo "make aarch64    build for aarch64 with Debian's cross compiler; hold its pictures, by qemu, against this machine's"
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
 	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
 	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; bench-counts: its instructions a ray, bench-whole:"
@@ -263,7 +266,7 @@ help:
 	@echo "make clean      remove $(BUILD)/"
 	@echo
 	@echo "BUILD=, CC=, CFLAGS=, OPTIMISE=, SANITIZE=, PREFIX=, LIBDIR= are as usual; WIDE= leaves out the builds"
-	@echo "of the library and the primitives for x86-64-v3 and x86-64-v4 processors."
+	@echo "of the library and the primitives for x86-64-v3 and x86-64-v4 processors; V=1 shows the commands."
 
 clean:
 	rm -rf $(BUILD)

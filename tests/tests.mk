@@ -98,6 +98,19 @@ test: deps
 	$(MAKE) tests
 	BUILD_DIR='$(abspath $(BUILD))' CC='$(CC)' CXX='$(CXX)' tests/run.sh $(TEST_SCRIPTS) $(TEST_PROGRAMS)
 
+# Another architecture: by a cross compiler, without a warning, and run by qemu. Whatever else pkg-config finds for it is
+# built as well. Part of `make test` where there is a compiler.
+AARCH64 = aarch64-linux-gnu
+.PHONY: aarch64 build-aarch64
+build-aarch64:
+	$(MAKE) --no-print-directory BUILD=$(BUILD)-aarch64 CC=$(AARCH64)-gcc AR=$(AARCH64)-ar WIDE= WERROR=-Werror \
+	    PKG_CONFIG=$(or $(shell command -v $(AARCH64)-pkg-config),false) runtime
+aarch64: all build-aarch64
+	BUILD_DIR='$(abspath $(BUILD))' tests/run.sh tests/aarch64/run.sh
+ifneq ($(shell command -v $(AARCH64)-gcc),)
+tests: build-aarch64
+endif
+
 # The same tests under the sanitizers, each in a build of its own. POVTRACE_STORM=60 in the environment has jobs restarted,
 # paused, resized and cancelled at random moments for a minute.
 SANITIZED_TESTS = $(filter-out tests/numerics/%,$(TEST_SOURCES))

@@ -186,13 +186,13 @@ deps_installs_what_is_missing_and_nothing_else() {
 [ "$2" != libpng ] || grep -q libpng-dev calls 2> /dev/null
 END
     chmod +x tools/*
-    PATH=$PWD/tools:$PATH CC=sh CXX=sh PYTHON=sh PKG_CONFIG=pkg-config expect 0 "$root/.ci/deps" test
+    PATH=$PWD/tools:$PATH CI= CC=sh CXX=sh PYTHON=sh PKG_CONFIG=pkg-config expect 0 "$root/.ci/deps" test
     says out "libpng-dev"
     says calls "libpng-dev"
     says_not calls "cmocka"
     rm calls
     printf '#!/bin/sh\nexit 0\n' > tools/pkg-config
-    PATH=$PWD/tools:$PATH CC=sh CXX=sh PYTHON=sh PKG_CONFIG=pkg-config expect 0 "$root/.ci/deps" test
+    PATH=$PWD/tools:$PATH CI= CC=sh CXX=sh PYTHON=sh PKG_CONFIG=pkg-config expect 0 "$root/.ci/deps" test
     [ ! -e calls ]
     [ ! -s out ]
 }
