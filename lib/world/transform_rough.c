@@ -2,7 +2,7 @@
 
 #include "base/simd.h"
 
-/* docs/numerics.md ("Boxes of placed shapes") derives these. */
+/* docs/numerics.md ("Bounding boxes of instances") derives these. */
 #define LOST_EACH 0x1p-46
 #define MODERATE 1e100
 #define NO_UNDERFLOW 0x1p-800   /* of a sum of squares, for those that count in it */

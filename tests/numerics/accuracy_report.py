@@ -56,8 +56,8 @@ def share(part, whole):
 
 
 def product_table(rows):
-    yield ('| | rays | misjudged | self-hits, leaks | median ulp | p99 | max | normal, rad | decided in two parts, of '
-           'torture | ns at distance 1000 | at 1 |')
+    yield ('| | rays | misjudged | self-hits, leaks | median ulp | p99 | max | normal, rad | escalated, of torture '
+           '| ns at distance 1000 | at 1 |')
     yield '|' + '---|' * 11
     for kind in KINDS:
         mine = chosen(rows, kind=kind, method='certified')
