@@ -6,7 +6,7 @@
 #include "base/thread.h"
 #include "model/model.h"
 #include "plug/registry.h"
-#include "world/world.h"
+#include "shade/shading.h"
 
 /* Lives until destroyed and until its last scene is gone: scenes run code of its plugins. */
 struct pov_context {
@@ -21,6 +21,7 @@ struct pov_scene {
     model model;
     world *world;
     plan plugins;                /* only its rows */
+    shading *shading;
     double parse_seconds, build_seconds;
 };
 

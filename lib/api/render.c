@@ -38,7 +38,7 @@ pov_status pov_job_create(pov_job **out, const pov_scene *scene, const pov_rende
     status = adapt_in(&d, sizeof d, desc, "the render description", err);
     if (status == POV_OK)
         status = take_camera(&d, &camera, err);
-    return status < 0 ? status : job_create(out, &scene->model, scene->world, &d, err);
+    return status < 0 ? status : job_create(out, scene->shading, &d, err);
 }
 
 void pov_job_destroy(pov_job *job)

@@ -17,6 +17,8 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
 
     if (status == POV_OK)
         status = explain_plugins(&scene->plugins, &scene->model, scene->context->plugins, err);
+    if (status == POV_OK)
+        status = shading_create(&scene->shading, &scene->model, scene->world, err);
     scene->build_seconds = clock_seconds() - start;
     return status;
 }
@@ -123,6 +125,7 @@ void pov_scene_destroy(pov_scene *scene)
         return;
     context = scene->context;
     plan_free(&scene->plugins);
+    shading_destroy(scene->shading);
     world_destroy(scene->world);
     model_free(&scene->model);
     env_free(&context->env, scene);

@@ -1,6 +1,6 @@
 #include "api/adapt.h"
 #include "api/handles.h"
-#include "shade/shade.h"
+#include "shade/tracer.h"
 
 pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err)
 {
@@ -8,7 +8,7 @@ pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error
         *out = NULL;
     if (!out || !scene)
         return err_set(err, POV_E_ARGUMENT, "a tracer needs a place and a scene");
-    return tracer_create(out, &scene->model, scene->world, err);
+    return tracer_create(out, scene->shading, err);
 }
 
 void pov_tracer_destroy(pov_tracer *tracer)
@@ -59,14 +59,14 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 
     if (!tracer)
         return false;
-    before = walker_decided(tracer->walker);
-    if (!is_ray(org, dir) || !world_nearest(tracer->world, tracer->walker, &ray, INFINITY, &h)) {
-        found.certain = walker_decided(tracer->walker) == before;
+    before = walker_decided(tracer->context.walker);
+    if (!is_ray(org, dir) || !world_nearest(tracer->context.scene->world, tracer->context.walker, &ray, INFINITY, &h)) {
+        found.certain = walker_decided(tracer->context.walker) == before;
         if (out)
             adapt_out(out, &found, sizeof found);
         return false;
     }
-    world_surface(tracer->world, &ray, &h);
+    world_surface(tracer->context.scene->world, &ray, &h);
     found = hit_of(&h, h.crossing.t);
     if (out)
         adapt_out(out, &found, sizeof found);
@@ -105,8 +105,8 @@ static bool next_of_spot(passage *p, hit *h)
 
 static bool next_ahead(passage *p, hit *h)
 {
-    const world *w = p->tracer->world;
-    walker *k = p->tracer->walker;
+    const world *w = p->tracer->context.scene->world;
+    walker *k = p->tracer->context.walker;
     const bool stands = p->on.count > 0;
     spot on;
 
@@ -128,7 +128,7 @@ static bool next_surface(passage *p, hit *h)
     const pov_vec3 from = p->ray.org;
     bool met = (p->on.count > 0 && next_of_spot(p, h)) || next_ahead(p, h);
 
-    if (!met || walker_failed(p->tracer->walker))
+    if (!met || walker_failed(p->tracer->context.walker))
         return false;
     if (p->on.count > 0)
         cross_spot(p, h);
@@ -169,7 +169,7 @@ bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to)
 {
     pov_ray ray = ray_of(from, pov_sub(to, from));
 
-    return tracer && is_ray(from, ray.dir) && world_blocked(tracer->world, tracer->walker, &ray, 1.0);
+    return tracer && is_ray(from, ray.dir) && world_blocked(tracer->context.scene->world, tracer->context.walker, &ray, 1.0);
 }
 
 pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err)
@@ -186,5 +186,5 @@ pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float
     rgba[1] = c.g;
     rgba[2] = c.b;
     rgba[3] = 1.0f;
-    return tracer->failed || walker_failed(tracer->walker) ? err_memory(err) : POV_OK;
+    return tracer->context.failed || walker_failed(tracer->context.walker) ? err_memory(err) : POV_OK;
 }

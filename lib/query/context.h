@@ -38,7 +38,7 @@ void crossings_sort(pov_crossing *at, uint32_t count);
 /* What the surface of one lets through. */
 static inline colour crossing_filter(const world *w, const pov_crossing *at)
 {
-    return w->plan.looks[w->things[at->owner].material].filter.by;
+    return material_filter(&w->model->materials.items[w->things[at->owner].material]);
 }
 /* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
 bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);

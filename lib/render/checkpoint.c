@@ -46,10 +46,10 @@ static void identify(const pov_job *job, identity *id)
              POVTRACE_VERSION_PATCH);
     id->order = 0x01020304;
     id->format = FORMAT;
-    id->scene = job->model->identity;
-    id->dialect = (int32_t)job->model->dialect;
-    id->depth = job->model->max_trace_level;
-    id->exact = world_is_exact(job->world);
+    id->scene = job->scene->model->identity;
+    id->dialect = (int32_t)job->scene->model->dialect;
+    id->depth = job->scene->model->max_trace_level;
+    id->exact = world_is_exact(job->scene->world);
     id->width = s->width;
     id->height = s->height;
     id->crop[0] = c.x;

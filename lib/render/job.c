@@ -56,16 +56,16 @@ static void free_parts(pov_job *job)
     env_free(job->env, job);
 }
 
-pov_status job_create(pov_job **out, const model *m, const world *w, const pov_render_desc *desc, pov_error *err)
+pov_status job_create(pov_job **out, const shading *scene, const pov_render_desc *desc, pov_error *err)
 {
+    const model *m = scene->model;
     pov_job *job = env_alloc(m->env, 1, sizeof *job);
     pov_status status;
 
     if (!job)
         return err_memory(err);
     job->env = m->env;
-    job->model = m;
-    job->world = w;
+    job->scene = scene;
     job->camera = desc->camera ? *desc->camera : m->camera;
     encoding_make(&job->encoding, &m->gamma);
     status = settings_make(&job->settings, desc, err);
@@ -190,11 +190,11 @@ static void work(pov_job *job, worker *w)
     bool whole = false, tell = false;
     double spent;
 
-    if (worker_prepare(w, job->model, job->world, ask_whether_to_give_up, &error) == POV_OK) {
+    if (worker_prepare(w, job->scene, ask_whether_to_give_up, &error) == POV_OK) {
         whole = trace(job, w);
         fresh = worker_count(w);
-        walker_take_classes(w->tracer->walker, &classes);
-        if (w->tracer->failed)
+        walker_take_classes(w->tracer->context.walker, &classes);
+        if (w->tracer->context.failed)
             err_memory(&error);
     }
     spent = spend(w);

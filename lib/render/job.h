@@ -2,10 +2,10 @@
 #ifndef RENDER_JOB_H
 #define RENDER_JOB_H
 
-#include "shade/shade.h"
+#include "shade/tracer.h"
 
 /* The public calls of povtrace/render.h are made of these; see there. */
-pov_status job_create(pov_job **out, const model *m, const world *w, const pov_render_desc *desc, pov_error *err);
+pov_status job_create(pov_job **out, const shading *scene, const pov_render_desc *desc, pov_error *err);
 void job_destroy(pov_job *job);
 pov_status job_start(pov_job *job, pov_error *err);
 pov_job_state job_step(pov_job *job);

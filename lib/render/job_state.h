@@ -21,8 +21,7 @@ typedef struct lattice_pass {
  * the worker claims a tile, traces it and commits it. */
 struct pov_job {
     const env *env;
-    const model *model;
-    const world *world;
+    const shading *scene;
     settings settings;
     tiles tiles;
     encoding encoding;

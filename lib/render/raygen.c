@@ -55,7 +55,13 @@ SIMD_CLONES static bool aim(const pov_camera *camera, const raygen_screen *restr
     return sound;
 }
 
-bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, vec_lanes *out)
+unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return aim(camera, through, n, out);
+    const pov_vec3 from = camera->location;
+    vec_lanes directions;
+    const bool sound = aim(camera, through, n, &directions);
+
+    for (uint32_t i = 0; i < n; i++)
+        rays[i].dir = lanes_at(&directions, i);
+    return TRACER_ONE_START | (sound && isfinite(from.x + from.y + from.z) ? TRACER_SOUND : 0);
 }

@@ -2,7 +2,7 @@
 #ifndef RENDER_RAYGEN_H
 #define RENDER_RAYGEN_H
 
-#include "world/surface.h"
+#include "shade/tracer.h"
 
 /* The ray of a camera through pixel (x, y) of a picture, row 0 at the top; (dx, dy) is the place within the
  * pixel, from its top left corner: (1/2, 1/2) is the centre. The direction is as long as it comes, for
@@ -27,7 +27,7 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
 
 /* Rays that start at the camera and do not yet know where to. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
-/* The directions of such rays; n <= RAYGEN_MANY. True: all are directions for certain, neither zero nor without end. */
-bool raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, vec_lanes *out);
+/* The directions of such rays; n <= RAYGEN_MANY. Returns what is known of them: TRACER_SOUND and the like. */
+unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 #endif

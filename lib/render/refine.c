@@ -39,14 +39,13 @@ static void trace_company(worker *w, const settings *s, company *c)
 {
     colour seen[BATCH_MAX];
     raygen_screen through;
-    vec_lanes ways;
-    bool sound;
+    unsigned known;
 
     if (c->count == 0)
         return;
     raygen_place(&c->through, s->width, s->height, c->count, &through);
-    sound = raygen_aim(&w->claim.camera, &through, c->count, &ways);
-    tracer_fan(w->tracer, c->rays, &ways, c->count, sound, seen);
+    known = raygen_aim(&w->claim.camera, &through, c->count, c->rays);
+    tracer_colors(w->tracer, c->rays, c->count, known, seen);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {
         /* Sums in double of floats are exact as long as their exponents are near: a constant stays itself. */

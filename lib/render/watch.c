@@ -230,7 +230,7 @@ bool job_get_pass(pov_job *job, size_t index, pov_pass *out)
 
 bool job_get_class(pov_job *job, size_t index, pov_class_counts *out)
 {
-    out->keyword = index < WORLD_CLASSES ? world_class(job->world, index) : NULL;
+    out->keyword = index < WORLD_CLASSES ? world_class(job->scene->world, index) : NULL;
     if (!out->keyword)
         return false;
     mutex_lock(&job->lock);

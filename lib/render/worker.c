@@ -20,17 +20,17 @@ void worker_free(worker *w, const env *e)
     env_free(e, w->pixels);
 }
 
-pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask)(void *worker), pov_error *err)
+pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *worker), pov_error *err)
 {
     pov_counts none = { 0 };
     pov_status status;
 
-    if (w->tracer && w->tracer->failed) {
+    if (w->tracer && w->tracer->context.failed) {
         tracer_destroy(w->tracer);
         w->tracer = NULL;
     }
     if (!w->tracer) {
-        status = tracer_create(&w->tracer, m, of, err);
+        status = tracer_create(&w->tracer, scene, err);
         if (status < 0)
             return status;
         w->counted = none;
@@ -62,10 +62,9 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
 static void trace_company(worker *w, company *c)
 {
     colour seen[BATCH_MAX];
-    vec_lanes ways;
-    const bool sound = raygen_aim(&w->claim.camera, &c->through, c->count, &ways);
+    const unsigned known = raygen_aim(&w->claim.camera, &c->through, c->count, c->rays);
 
-    tracer_fan(w->tracer, c->rays, &ways, c->count, sound, seen);
+    tracer_colors(w->tracer, c->rays, c->count, known, seen);
     for (uint32_t i = 0; i < c->count; i++) {
         const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
 
@@ -152,7 +151,7 @@ bool worker_trace(worker *w, const settings *s)
 
 bool worker_is_given_up(const worker *w)
 {
-    return w->tracer->failed || w->tracer->interrupt.given_up;
+    return w->tracer->context.failed || w->tracer->context.interrupt.given_up;
 }
 
 /* Counts are added member by member, so that one added to the struct is a line here too. */

@@ -5,7 +5,7 @@
 #include "render/sample.h"
 #include "render/settings.h"
 #include "render/tiles.h"
-#include "shade/shade.h"
+#include "shade/tracer.h"
 
 /* What a worker has taken upon itself: a pass over a tile, as the job was at that moment. */
 typedef struct claim {
@@ -38,7 +38,7 @@ typedef struct worker {
 bool worker_make(worker *w, pov_job *job, const env *e, int tile_edge);
 void worker_free(worker *w, const env *e);
 /* Make the tracer if there is none that works; `ask` is asked while tracing whether the claim still holds. */
-pov_status worker_prepare(worker *w, const model *m, const world *of, bool (*ask)(void *worker), pov_error *err);
+pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *worker), pov_error *err);
 /* Trace one sample of each pixel of the claimed lattice. False: it was given up. Memory that ended shows in
  * tracer->failed. */
 bool worker_trace(worker *w, const settings *s);

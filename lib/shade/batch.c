@@ -8,110 +8,118 @@ static batch *make(const env *e)
 {
     batch *b = env_alloc_aligned(e, sizeof *b, SIMD_LINE);
 
-    for (uint32_t i = 0; b && i < BATCH_MAX; i++)
-        b->rays[i] = &b->room[i];
+    if (!b)
+        return NULL;
+    b->camera = false;
+    for (uint32_t i = 0; i < BATCH_MAX; i++)
+        b->rays[i] = &b->own[i];
     return b;
 }
 
-static batch *take_spare(pov_tracer *t)
+static batch *take_spare(batch_queue *q, const env *e)
 {
-    batch *b = t->spare;
+    batch *b = q->spare;
 
     if (!b)
-        return make(t->env);
-    t->spare = b->next;
+        return make(e);
+    q->spare = b->next;
     return b;
 }
 
-static void give_spare(pov_tracer *t, batch *b)
+static void give_spare(batch_queue *q, batch *b)
 {
-    b->next = t->spare;
-    t->spare = b;
+    b->next = q->spare;
+    q->spare = b;
 }
 
-bool batch_make(pov_tracer *t)
+bool batch_make(batch_queue *q, const env *e)
 {
-    t->now = take_spare(t);
-    t->mirrored = take_spare(t);
-    t->passed = take_spare(t);
-    return t->now && t->mirrored && t->passed;
+    q->now = take_spare(q, e);
+    q->reflected = take_spare(q, e);
+    q->transmitted = take_spare(q, e);
+    return q->now && q->reflected && q->transmitted;
 }
 
-void batch_forget(pov_tracer *t)
+static void forget(batch_queue *q)
 {
-    while (t->waits.count > 0)
-        give_spare(t, t->waits.items[--t->waits.count].paths);
-    t->media.count = t->spots.count = 0;
+    while (q->waits.count > 0)
+        give_spare(q, q->waits.items[--q->waits.count].paths);
 }
 
-void batch_free(pov_tracer *t)
+void batch_forget(batch_queue *q, shade_context *c)
 {
-    batch_forget(t);
-    env_free(t->env, t->waits.items);
-    env_free_aligned(t->env, t->now);
-    env_free_aligned(t->env, t->mirrored);
-    env_free_aligned(t->env, t->passed);
-    while (t->spare)
-        env_free_aligned(t->env, take_spare(t));
+    forget(q);
+    c->dielectrics.count = c->spots.count = 0;
+}
+
+void batch_free(batch_queue *q, const env *e)
+{
+    forget(q);
+    env_free(e, q->waits.items);
+    env_free_aligned(e, q->now);
+    env_free_aligned(e, q->reflected);
+    env_free_aligned(e, q->transmitted);
+    while (q->spare)
+        env_free_aligned(e, take_spare(q, e));
 }
 
 /* The transmitted paths wait, and others take their place. False: no memory. */
-static bool put_aside(pov_tracer *t)
+static bool put_aside(batch_queue *q, const shade_context *c)
 {
-    const wait w = { t->passed, t->media.count, t->spots.count };
-    batch *empty = take_spare(t);
+    const wait w = { q->transmitted, c->dielectrics.count, c->spots.count };
+    batch *empty = take_spare(q, c->env);
 
     if (!empty)
         return false;
-    if (!VEC_PUSH(t->env, &t->waits, w)) {
-        give_spare(t, empty);
+    if (!VEC_PUSH(c->env, &q->waits, w)) {
+        give_spare(q, empty);
         return false;
     }
-    t->passed = empty;
+    q->transmitted = empty;
     return true;
 }
 
 /* Those that came last go on. */
-static void take_up(pov_tracer *t)
+static void take_up(batch_queue *q, shade_context *c)
 {
-    const wait w = t->waits.items[--t->waits.count];
+    const wait w = q->waits.items[--q->waits.count];
 
-    give_spare(t, t->now);
-    t->now = w.paths;
-    t->media.count = w.media;
-    t->spots.count = w.spots;
+    give_spare(q, q->now);
+    q->now = w.paths;
+    c->dielectrics.count = w.dielectrics;
+    c->spots.count = w.spots;
 }
 
 /* ---- what paths carry with them ---- */
 
 /* Of a batch whose lists all lie behind those of the batches that wait, or all before their end. */
-static void settle_media(pov_tracer *t)
+static void compact_dielectrics(batch_queue *q, shade_context *c)
 {
-    batch *b = t->now;
-    size_t floor = t->waits.count > 0 ? t->waits.items[t->waits.count - 1].media : 0;
+    batch *b = q->now;
+    size_t floor = q->waits.count > 0 ? q->waits.items[q->waits.count - 1].dielectrics : 0;
 
-    t->media.count = floor;
+    c->dielectrics.count = floor;
     for (uint32_t i = 0; i < b->count; i++) {
-        media_span *in = &b->paths[i].media;
+        dielectric_span *in = &b->paths[i].inside;
         if (in->count > 0 && in->first >= floor)
-            media_settle(&t->media, in, t->media.count);
+            dielectric_compact(&c->dielectrics, in, c->dielectrics.count);
     }
 }
 
 /* The same of the spots. */
-static void settle_spots(pov_tracer *t)
+static void compact_spots(batch_queue *q, shade_context *c)
 {
-    const size_t floor = t->waits.count > 0 ? t->waits.items[t->waits.count - 1].spots : 0;
+    const size_t floor = q->waits.count > 0 ? q->waits.items[q->waits.count - 1].spots : 0;
 
-    t->spots.count = floor;
-    for (uint32_t i = 0; i < t->now->count; i++) {
-        path *p = &t->now->paths[i];
+    c->spots.count = floor;
+    for (uint32_t i = 0; i < q->now->count; i++) {
+        path *p = &q->now->paths[i];
 
         if (p->spot <= floor)
             continue;
-        if (p->spot - 1 != t->spots.count)
-            t->spots.items[t->spots.count] = t->spots.items[p->spot - 1];
-        p->spot = (uint32_t)++t->spots.count;
+        if (p->spot - 1 != c->spots.count)
+            c->spots.items[c->spots.count] = c->spots.items[p->spot - 1];
+        p->spot = (uint32_t)++c->spots.count;
     }
 }
 
@@ -127,23 +135,23 @@ static void change(batch **a, batch **b)
 
 /* The paths to be followed next. The mirrored go first and their transmitted sisters wait: mirrored ones are always a
  * level deeper, so no more batches wait than there are levels. */
-bool batch_next(pov_tracer *t)
+bool batch_next(batch_queue *q, shade_context *c)
 {
-    if (t->mirrored->count > 0 && t->passed->count > 0 && !put_aside(t)) {
-        t->failed = true;
+    if (q->reflected->count > 0 && q->transmitted->count > 0 && !put_aside(q, c)) {
+        c->failed = true;
         return false;
     }
-    if (t->mirrored->count > 0)
-        change(&t->now, &t->mirrored);
-    else if (t->passed->count > 0)
-        change(&t->now, &t->passed);
-    else if (t->waits.count > 0)
-        take_up(t);
+    if (q->reflected->count > 0)
+        change(&q->now, &q->reflected);
+    else if (q->transmitted->count > 0)
+        change(&q->now, &q->transmitted);
+    else if (q->waits.count > 0)
+        take_up(q, c);
     else
         return false;
-    if (t->plan->refraction)
-        settle_media(t);
-    if (t->spots.count > 0)
-        settle_spots(t);
+    if (c->scene->plan->refraction)
+        compact_dielectrics(q, c);
+    if (c->spots.count > 0)
+        compact_spots(q, c);
     return true;
 }

@@ -2,15 +2,26 @@
 #ifndef SHADE_BATCH_H
 #define SHADE_BATCH_H
 
-#include "shade/shade.h"
+#include "shade/context.h"
+#include "shade/path.h"
 
-/* t->now, t->mirrored and t->passed, empty. False: no memory. */
-bool batch_make(pov_tracer *t);
-/* Nothing waits any more, and no path has media or spots. */
-void batch_forget(pov_tracer *t);
+/* A batch that waits, and how many dielectrics and spots there are behind it; the last of them on top. */
+typedef struct wait { batch *paths; size_t dielectrics, spots; } wait;
+typedef struct wait_stack { wait *items; size_t count, capacity; } wait_stack;
+
+typedef struct batch_queue {
+    batch *now, *reflected, *transmitted;   /* being followed, and those that go on from it */
+    batch *spare;
+    wait_stack waits;            /* transmitted rays, at most one batch a level */
+} batch_queue;
+
+/* now, reflected and transmitted, empty. False: no memory. */
+bool batch_make(batch_queue *q, const env *e);
+/* Nothing waits any more, and no path is in a dielectric or on coincident surfaces. */
+void batch_forget(batch_queue *q, shade_context *c);
 /* All there are. */
-void batch_free(pov_tracer *t);
-/* Of t->mirrored, t->passed and those that wait, the next batch into t->now. False: none, or t->failed. */
-bool batch_next(pov_tracer *t);
+void batch_free(batch_queue *q, const env *e);
+/* Of q->reflected, q->transmitted and those that wait, the next batch into q->now. False: none, or c->failed. */
+bool batch_next(batch_queue *q, shade_context *c);
 
 #endif

@@ -1,13 +1,25 @@
-/* geometry.h - directions at surfaces, many at once. */
+/* geometry.h - directions at surfaces, by lane. */
 #ifndef SHADE_GEOMETRY_H
 #define SHADE_GEOMETRY_H
 
-#include "shade/shade.h"
+#include "world/surface.h"
+
+/* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past
+ * the end is of earlier surfaces, and nobody looks at it. */
+static inline uint32_t lanes_whole(uint32_t n) { return (n + 3) & ~3u; }
+
+/* How surfaces lie towards the rays that hit them. */
+typedef struct geometry {
+    approaches to;
+    vec_lanes view;              /* the direction, unit */
+    vec_lanes mirrored;          /* view, mirrored; unit */
+    double cosine[WORLD_MANY];   /* between normal and the direction back, >= 0 */
+} geometry;
 
 /* Of no surfaces yet: lanes hold what is computed with like any other. */
 void geometry_begin(geometry *g);
-/* From t->surfaces to t->geometry; of surfaces that lie on no others the hits are completed first. */
-void geometry_find(pov_tracer *t, uint32_t n);
+/* What n rays and normals make of view, mirrored direction and cosine. */
+void geometry_turn(geometry *g, uint32_t n);
 
 /* The unit vector along one whose squares stay within double's range; it is pov_unit()'s to the bit. 0 and not -1: it
  * is one of the others, and what was put out is worth nothing. (An integer as wide as a double makes the shortest

@@ -1,176 +1,177 @@
 #include "shade/surface.h"
 
-/* More surfaces on one spot than are told apart can hand a ray back and forth there: straight on does not count for the
- * depth. After this many crossings without a move the ray is cut off as too deep. */
-enum { STANDING_MAX = 1000 };
+#include "base/bits.h"
+#include "base/vec.h"
+#include "shade/accumulate.h"
 
-static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
+/* ---- coincident surfaces ---- */
 
-/* ---- the rays that go on ---- */
-
-/* What cuts rays off, and how many it did. */
-typedef struct limits { int level; float weight; uint64_t cut_depth, cut_weight; } limits;
-
-/* Is a path that goes on from p with this factor followed? The depth is asked first, so that a ray is counted once. */
-static inline bool goes_on(limits *l, const path *p, const coefficient *factor, bool deeper)
+/* The surface lies on others. */
+static void stand_on(shade_context *c, surface *s, const spot *on)
 {
-    if (deeper && p->level >= l->level) {
-        l->cut_depth++;
-        return false;
+    if (!VEC_PUSH(c->env, &c->spots, *on)) {
+        c->failed = true;
+        return;
     }
-    if (!(factor->weight >= l->weight)) {
-        l->cut_weight++;
-        return false;
+    s->spot = (uint32_t)c->spots.count;
+    s->above = on->above;
+    s->on = 0;
+    while (s->on + 1 < on->count && on->at[s->on].object != s->at->object)
+        s->on++;
+}
+
+static void find_spot(shade_context *c, surface *s, const spot *from)
+{
+    spot on;
+
+    world_spot(c->scene->world, c->walker, s->ray, from, s->at, &on);
+    stand_on(c, s, &on);
+}
+
+/* A path that starts on coincident surfaces hits what it crosses before it has gone anywhere, or else what comes next. */
+static bool hit_from_spot(shade_context *c, surface *s)
+{
+    const path *p = s->from;
+    spot from = c->spots.items[p->spot - 1];
+    uint32_t which;
+
+    from.above = p->above;
+    which = spot_crossed(&from, s->ray->dir);
+    if (which < from.count) {
+        *s->at = from.at[which];
+        s->at->entering = pov_dot(s->at->normal, s->ray->dir) < 0.0;
+        stand_on(c, s, &from);
+        return true;
     }
+    if (!world_nearest_from(c->scene->world, c->walker, &from, s->ray, HUGE_VAL, s->at))
+        return false;
+    if (s->at->company)
+        find_spot(c, s, &from);
     return true;
 }
 
-/* Begin the path that goes on from the surface, by a direction without a low part. What its ray leaves is still to be
- * named, and the path to be counted. */
-static inline path *leave(batch *b, const surface *s, pov_vec3 direction, coefficient factor, bool deeper)
+static bool hit_single(shade_context *c, surface *s)
 {
-    const path *p = s->from;
-    path *next = &b->paths[b->count];
-    pov_ray *ray = &b->room[b->count];
-
-    ray->org = s->at->point;
-    ray->org_lo = s->at->point_lo;
-    ray->dir = direction;
-    next->factor = factor;
-    next->level = p->level + deeper;
-    next->lane = p->lane;
-    next->spot = s->spot;
-    next->above = s->above;
-    next->media = p->media;
-    next->standing = 0;
-    return next;
+    return s->from->spot ? hit_from_spot(c, s)
+                         : world_nearest(c->scene->world, c->walker, s->ray, HUGE_VAL, s->at);
 }
 
-/* To the surface's other side, where other surfaces may begin, at this cosine to the normal there. NULL: the path is
- * cut off. */
-static path *leave_across(batch *b, limits *l, const surface *s, pov_vec3 direction, double cosine, bool deeper)
+static bool any_on_spot(const batch *b)
 {
-    const coefficient factor = coefficient_mul(s->from->factor, s->look->filter);
-    path *next;
-
-    if (!goes_on(l, s->from, &factor, deeper))
-        return NULL;
-    next = leave(b, s, direction, factor, deeper);
-    world_cross(&b->room[b->count], s->at, cosine);
-    next->above ^= 1u << s->on;
-    return next;
+    for (uint32_t i = 0; i < b->count; i++)
+        if (b->paths[i].spot)
+            return true;
+    return false;
 }
 
-/* Back to the side that the ray came from. */
-static inline void reflect(pov_tracer *t, limits *l, uint32_t lane, const coefficient *by)
-{
-    const surface *s = &t->surfaces[lane];
-    const coefficient factor = coefficient_mul(s->from->factor, *by);
-    batch *b = t->mirrored;
+/* ---- what rays hit ---- */
 
-    if (!goes_on(l, s->from, &factor, true))
-        return;
-    leave(b, s, lanes_at(&t->geometry.mirrored, lane), factor, true);
-    world_leave(&b->room[b->count++], s->at, t->geometry.cosine[lane]);
+/* Ray i's surface, which is to be the n-th. */
+static inline void place(surfaces *s, const batch *b, uint32_t i, uint32_t n)
+{
+    surface *at = &s->at[n];
+
+    at->from = &b->paths[i];
+    at->ray = b->rays[i];
+    at->at = &s->hits[i];
+    at->spot = 0;
+    s->rays[n] = at->ray;
+    s->met[n] = at->at;
 }
 
-/* Straight on, whatever lies on both sides. NULL: the path is cut off. */
-static path *pass(pov_tracer *t, limits *l, uint32_t lane)
+/* Is more to be seen of what was hit than what it emits? */
+static inline bool is_kept(shade_context *c, surface *s, colour *out)
 {
-    const surface *s = &t->surfaces[lane];
-    const pov_vec3 from = s->ray->org, to = s->at->point;
-    path *out = leave_across(t->passed, l, s, s->ray->dir, t->geometry.cosine[lane], false);
+    const shading *scene = c->scene;
+    const appearance *a;
 
-    if (!out)
-        return NULL;
-    if (from.x == to.x && from.y == to.y && from.z == to.z)
-        out->standing = s->from->standing + 1;
-    if (out->standing > STANDING_MAX) {
-        l->cut_depth++;
-        return NULL;
+    if (s->at->company && !s->spot)
+        find_spot(c, s, NULL);
+    s->appearance = a = shading_constant(scene, s->at->object);
+    if (!a->lit && scene->plan->lighting)
+        c->counts.shadow_idle += scene->model->lights.count;
+    s->lit = colour_of(0.0f, 0.0f, 0.0f);
+    if (a->lit || a->reflective || a->transmissive)
+        return true;
+    accumulate(s->from, a->emitted, out);
+    return false;
+}
+
+/* Rays some of which start on coincident surfaces. */
+static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour *out)
+{
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < b->count; i++) {
+        place(s, b, i, n);
+        if (hit_single(c, &s->at[n]))
+            n += is_kept(c, &s->at[n], out);
+        else
+            accumulate(&b->paths[i], c->scene->model->background, out);
     }
-    return out;
+    return n;
 }
 
-/* The mirrored ray of an ordinary surface. */
-static inline void mirror(pov_tracer *t, limits *l, uint32_t lane)
+/* Of the rays that hit nothing. The camera's all see the same, and are the first to add what they see. */
+static void add_background(const shade_context *c, const batch *b, uint64_t rays, colour *out)
 {
-    const plan_look *look = t->surfaces[lane].look;
+    const colour background = c->scene->model->background;
+    colour seen = colour_of(0.0f, 0.0f, 0.0f);
 
-    if (look->mirrors)
-        reflect(t, l, lane, &look->mirror);
+    if (!b->camera) {
+        for (; rays; rays &= rays - 1)
+            accumulate(&b->paths[first_of64(rays)], background, out);
+        return;
+    }
+    seen = colour_add(seen, accumulate_finite(colour_mul(b->paths[0].factor.by, background)));
+    for (; rays; rays &= rays - 1)
+        out[b->paths[first_of64(rays)].lane] = seen;
 }
 
-/* What rays that are bent cross, and where they go on. */
-typedef struct passages { media_crossing crossing[BATCH_MAX]; bends to; } passages;
-
-static void find_passages(const pov_tracer *t, passages *p, uint32_t n)
+void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
-    const geometry *g = &t->geometry;
-    bool any = false;
+    uint64_t found, rest;
+    uint32_t n = 0;
 
-    for (uint32_t i = 0; i < lanes_whole(n); i++)
-        p->to.before[i] = p->to.after[i] = 1.0;
-    for (uint32_t i = 0; i < n; i++) {
-        const surface *s = &t->surfaces[i];
+    if (c->spots.count > 0 && any_on_spot(b)) {
+        s->count = find_each(c, s, b, out);
+        return;
+    }
+    found = world_nearest_many(c->scene->world, c->walker, b->rays, b->count, HUGE_VAL, s->hits);
+    add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
+    for (rest = found; rest; rest &= rest - 1) {
+        place(s, b, first_of64(rest), n);
+        n += is_kept(c, &s->at[n], out);
+    }
+    s->count = n;
+}
 
-        if (!s->look->passes)
+/* ---- points and normals ---- */
+
+/* Where some coincide with others: of these, points and normals are known. */
+static void complete_some(const shade_context *c, surfaces *s)
+{
+    const pov_ray *rays[BATCH_MAX];
+    hit *hits[BATCH_MAX];
+    uint32_t count = 0, i;
+
+    for (i = 0; i < s->count; i++) {
+        if (s->at[i].spot)
             continue;
-        media_cross(&t->media, s->from->media, t->model, s->at->object, &p->crossing[i]);
-        p->to.before[i] = p->crossing[i].before;
-        p->to.after[i] = p->crossing[i].after;
-        any = true;
+        rays[count] = s->rays[i];
+        hits[count++] = s->met[i];
     }
-    if (any)
-        refract_many(&p->to, &g->view, &g->to.normal, g->cosine, n);
+    if (count > 0)
+        world_surface_many(c->scene->world, NULL, rays, hits, count, &s->geometry.to);
+    for (i = 0; i < s->count; i++)
+        world_approach(&s->geometry.to, i, s->rays[i], s->met[i]);
 }
 
-/* Both rays that can go on from a surface between two media. The list of media goes on with the transmitted
- * ray; a mirrored one stays in what it was in. */
-static void part(pov_tracer *t, limits *l, const passages *p, uint32_t lane)
+void surfaces_complete(shade_context *c, surfaces *s)
 {
-    const surface *s = &t->surfaces[lane];
-    const media_crossing *c = &p->crossing[lane];
-    const uint32_t before = t->mirrored->count;
-    path *out;
-
-    if (c->before == c->after) {
-        out = pass(t, l, lane);
-    } else if (p->to.squared_cosine[lane] > 0.0) {
-        const pov_vec3 way = lanes_at(&p->to.way, lane);
-
-        out = leave_across(t->passed, l, s, way, -pov_dot(way, lanes_at(&t->geometry.to.normal, lane)), true);
-    } else {
-        reflect(t, l, lane, &whole);
-        t->counts.inner_reflections += t->mirrored->count - before;
-        return;
-    }
-    mirror(t, l, lane);
-    if (out && !media_pass(&t->media, t->env, &out->media, c))
-        t->failed = true;
-    t->passed->count += out != NULL;
-}
-
-void surface_branch(pov_tracer *t, uint32_t n)
-{
-    limits l = { t->model->max_trace_level, (float)t->model->adc_bailout, 0, 0 };
-    passages p;
-
-    if (t->plan->refraction)
-        find_passages(t, &p, n);
-    for (uint32_t i = 0; i < n; i++) {
-        const surface *s = &t->surfaces[i];
-
-        if (s->look->passes && t->plan->refraction) {
-            part(t, &l, &p, i);
-        } else {
-            mirror(t, &l, i);
-            if (s->look->passes)
-                t->passed->count += pass(t, &l, i) != NULL;
-        }
-    }
-    t->counts.cut_depth += l.cut_depth;
-    t->counts.cut_weight += l.cut_weight;
-    t->counts.reflected += t->mirrored->count;
-    t->counts.transmitted += t->passed->count;
+    if (c->spots.count > 0)
+        complete_some(c, s);
+    else
+        world_surface_many(c->scene->world, walker_own(c->walker), s->rays, s->met, s->count, &s->geometry.to);
+    geometry_turn(&s->geometry, s->count);
 }

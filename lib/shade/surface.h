@@ -1,10 +1,34 @@
-/* surface.h - the rays that go on from surfaces. */
+/* surface.h - the surfaces that a batch's rays hit. */
 #ifndef SHADE_SURFACE_H
 #define SHADE_SURFACE_H
 
-#include "shade/shade.h"
+#include "shade/context.h"
+#include "shade/geometry.h"
+#include "shade/path.h"
 
-/* The rays that go on from t->surfaces, whose geometry is known: into t->mirrored and t->passed, which are empty. */
-void surface_branch(pov_tracer *t, uint32_t n);
+/* A hit, seen from the ray's start. */
+typedef struct surface {
+    const path *from;
+    const pov_ray *ray;          /* the path's */
+    hit *at;
+    const appearance *appearance;
+    uint32_t spot, above, on;    /* it coincides with others: as in a path; which of them it is */
+    colour lit;                  /* what it sends along the ray of what the lights send it */
+} surface;
+
+typedef struct surfaces {
+    SIMD_ALIGNED hit hits[BATCH_MAX];   /* by ray of the batch */
+    uint32_t count;
+    surface at[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];   /* theirs, in their order, and what these hit */
+    hit *met[BATCH_MAX];
+    geometry geometry;           /* theirs, in their order */
+} surfaces;
+
+/* The surfaces that the batch's rays hit and of which more is seen than their emission. That, and the background where
+ * rays hit nothing, is added to out. */
+void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out);
+/* Points, normals and directions there. */
+void surfaces_complete(shade_context *c, surfaces *s);
 
 #endif

@@ -164,79 +164,6 @@ static pov_status explain_surfaces(plan *p, const survey *s, pov_error *err)
     return status;
 }
 
-/* The part of ambient and diffuse light that a surface which lets light through still gives. Negative where filter
- * and transmit are more than 1 together, as in POV-Ray. */
-static float opacity_of(const model *m, const material *of)
-{
-    float filter = of->filter;
-
-    if (m->opacity_uses_filter_colour)
-        filter *= fmaxf(of->pigment.r, fmaxf(of->pigment.g, of->pigment.b));
-    return 1.0f - filter - of->transmit;
-}
-
-static bool is_share(float x) { return x >= 0.0f && x <= 1.0f; }
-
-/* A sum of PLAN_VISIBLE or more stays itself when less than half of 2^-32 is added to it, the distance of floats just below.
- * The highlight is phong gloss^size times at most 1; solved for gloss with one more factor of 2 for all roundings. */
-static double dull_of(const material *of)
-{
-    const float largest_size = 0x1p20f;
-    const colour c = of->pigment;
-
-    if (!(of->phong > 0.0f && of->phong_size > 0.0f && of->phong_size < largest_size))
-        return 0.0;
-    if (of->metallic != 0.0f && !(is_share(of->metallic) && is_share(c.r) && is_share(c.g) && is_share(c.b)))
-        return 0.0;
-    return pow(0x1p-34 / (double)of->phong, 1.0 / (double)of->phong_size);
-}
-
-static uint32_t power_of(const material *of)
-{
-    const float size = of->phong_size;
-
-    return size >= 1.0f && size <= (float)PLAN_POWER_MAX && size == floorf(size) ? (uint32_t)size : 0;
-}
-
-static float phong_of(const plan *p, const material *of)
-{
-    const uint32_t power = power_of(of);
-
-    if (!p->highlights || of->phong == 0.0f)
-        return 0.0f;
-    return power > 0 && power <= PLAN_POWER_EASY && of->metallic == 0.0f ? of->phong : NAN;
-}
-
-static plan_look look_of(const plan *p, const model *m, const material *of)
-{
-    const float opacity = opacity_of(m, of);
-    plan_look l;
-
-    l.lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
-    l.mirrors = p->reflection && !colour_is_black(of->reflection);
-    l.passes = p->transmission && material_is_transparent(of);
-    l.phong = phong_of(p, of);
-    l.dull = l.phong == 0.0f ? 0.0 : dull_of(of);
-    l.power = power_of(of);
-    l.pigment = of->pigment;
-    l.body = opacity * of->diffuse;
-    l.glow = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
-    l.mirror = coefficient_of(of->reflection);
-    l.filter = coefficient_of(material_filter(of));
-    l.material = of;
-    return l;
-}
-
-static pov_status make_looks(plan *p, const model *m, pov_error *err)
-{
-    p->looks = arena_alloc(&p->memory, m->materials.count * sizeof *p->looks, sizeof(double));
-    if (!p->looks)
-        return err_memory(err);
-    for (size_t i = 0; i < m->materials.count; i++)
-        p->looks[i] = look_of(p, m, &m->materials.items[i]);
-    return POV_OK;
-}
-
 pov_status plan_make(plan *p, const model *m, pov_error *err)
 {
     survey s;
@@ -247,9 +174,7 @@ pov_status plan_make(plan *p, const model *m, pov_error *err)
     if (!look(m, &s))
         return err_memory(err);
     decide(p, &s);
-    status = make_looks(p, m, err);
-    if (status == POV_OK)
-        status = plan_add(p, err, true, "dialect", m->dialect == POV_DIALECT_COURSE ? "course" : "povray", "%s",
+    status = plan_add(p, err, true, "dialect", m->dialect == POV_DIALECT_COURSE ? "course" : "povray", "%s",
                           m->dialect_reason ? m->dialect_reason : "asked for");
     if (status == POV_OK)
         status = explain_light(p, &s, err);

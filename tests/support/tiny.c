@@ -105,6 +105,7 @@ void tiny_begin(tiny *s, const pov_allocator *memory)
 void tiny_end(tiny *s)
 {
     tracer_destroy(s->tracer);
+    shading_destroy(s->shading);
     world_destroy(s->world);
     model_free(&s->model);
 }
@@ -177,7 +178,8 @@ void tiny_build(tiny *s)
     world_options options = { .threads = 1 };
 
     assert_int_equal(world_create(&s->world, &s->model, &options, NULL), POV_OK);
-    assert_int_equal(tracer_create(&s->tracer, &s->model, s->world, NULL), POV_OK);
+    assert_int_equal(shading_create(&s->shading, &s->model, s->world, NULL), POV_OK);
+    assert_int_equal(tracer_create(&s->tracer, s->shading, NULL), POV_OK);
 }
 
 colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z)
@@ -185,7 +187,7 @@ colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z)
     pov_ray ray = { .org = from, .dir = { x, y, z }, .left = POV_NOBODY };
     colour c = tracer_color(s->tracer, &ray);
 
-    assert_false(s->tracer->failed);
+    assert_false(s->tracer->context.failed);
     return c;
 }
 

@@ -4,9 +4,9 @@
 #define SUPPORT_TINY_H
 
 #include "plug/shape_class.h"
-#include "shade/shade.h"
+#include "shade/tracer.h"
 
-typedef struct tiny { env env; model model; world *world; pov_tracer *tracer; } tiny;
+typedef struct tiny { env env; model model; world *world; shading *shading; pov_tracer *tracer; } tiny;
 
 /* Five levels, black background, white ambient light, no gamma, a camera at 0 that looks along z; and no
  * objects. */

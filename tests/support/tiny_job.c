@@ -59,7 +59,7 @@ pov_job *tiny_job(const tiny *s, const pov_render_desc *desc)
 {
     pov_job *job = NULL;
 
-    assert_int_equal(job_create(&job, &s->model, s->world, desc, NULL), POV_OK);
+    assert_int_equal(job_create(&job, s->shading, desc, NULL), POV_OK);
     return job;
 }
 

@@ -394,7 +394,7 @@ static void refuse(const tiny *s, pov_render_desc d, pov_status wanted)
     pov_error err = { 0 };
     pov_job *job = NULL;
 
-    assert_int_equal(job_create(&job, &s->model, s->world, &d, &err), wanted);
+    assert_int_equal(job_create(&job, s->shading, &d, &err), wanted);
     assert_null(job);
     assert_int_equal(err.status, wanted);
     assert_true(err.message[0] != '\0');
@@ -480,7 +480,7 @@ static bool survives(long n, bool by_steps)
     memory.fail_at = memory.calls + n;
     d.threads = 2;
     d.time_map = 1;
-    status = job_create(&job, &s.model, s.world, &d, &err);
+    status = job_create(&job, s.shading, &d, &err);
     if (status == POV_OK && !by_steps)
         status = job_start(job, &err);
     if (status == POV_OK) {

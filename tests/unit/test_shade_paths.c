@@ -25,7 +25,7 @@ static void a_mirror_shows_what_is_before_it(void **state)
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 1, 0, 1), 0.5, 0.25, 0.5, 1e-6);
     assert_colour(tiny_see(&s, origin, -1, 0, 1), 0.0, 0.0, 0.125, 1e-6);
-    assert_int_equal(s.tracer->counts.reflected, 2);
+    assert_int_equal(s.tracer->context.counts.reflected, 2);
     tiny_end(&s);
 }
 
@@ -58,7 +58,7 @@ static void straight_on_does_not_count_for_the_depth(void **state)
         tiny_plane(&s, 0, 0, 1, 5 + i, tiny_glass(i % 2 ? 1.0 : 0.0));
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 0.2, 0, 1), 1.0, 1.0, 1.0, 0.0);
-    assert_int_equal(s.tracer->counts.transmitted, 40);
+    assert_int_equal(s.tracer->context.counts.transmitted, 40);
     tiny_end(&s);
 }
 
@@ -79,8 +79,8 @@ static void two_mirrors_give_as_many_pictures_as_there_are_levels(void **state)
         tiny_plane(&s, 0, 0, 1, -5, mirror);
         tiny_build(&s);
         assert_near(tiny_see(&s, origin, 0, 0, 1).r, 0.0625 * n, 1e-6);
-        assert_int_equal(s.tracer->counts.reflected, n - 1);
-        assert_int_equal(s.tracer->counts.cut_depth, 1);
+        assert_int_equal(s.tracer->context.counts.reflected, n - 1);
+        assert_int_equal(s.tracer->context.counts.cut_depth, 1);
         tiny_end(&s);
     }
 }
@@ -99,8 +99,8 @@ static void a_ray_is_cut_off_below_the_bailout_and_not_at_it(void **state)
     tiny_plane(&s, 0, 0, 1, -5, mirror);
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 0, 0, 1), 1.75, 1.125 + 0.125 * 0.125, 1.0, 1e-6);
-    assert_int_equal(s.tracer->counts.cut_weight, 1);
-    assert_int_equal(s.tracer->counts.cut_depth, 0);
+    assert_int_equal(s.tracer->context.counts.cut_weight, 1);
+    assert_int_equal(s.tracer->context.counts.cut_depth, 0);
     tiny_end(&s);
 }
 
@@ -122,7 +122,7 @@ static void a_ray_may_split_at_every_level(void **state)
     tiny_plane(&s, 0, 0, 1, -6, tiny_glow(0.0f, 1.0f, 0.0f));
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 0, 0, 1), 2.0 / 3.0, 1.0 / 3.0, 0.0, 1e-6);
-    assert_int_equal(s.tracer->waits.count, 0);
+    assert_int_equal(s.tracer->queue.waits.count, 0);
     tiny_end(&s);
 }
 
@@ -151,7 +151,7 @@ static void a_ball_of_glass_bends_a_ray_twice(void **state)
     put_target(&s, place, -2.0 * (in - r));
     tiny_build(&s);
     assert_colour(tiny_see(&s, pov_vec3_of(-5, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
-    assert_int_equal(s.tracer->counts.transmitted, 2);
+    assert_int_equal(s.tracer->context.counts.transmitted, 2);
     tiny_end(&s);
 }
 
@@ -211,9 +211,9 @@ static void total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_ow
     tiny_sphere(&s, 0, 0, 0, 1, glass);
     tiny_build(&s);
     assert_colour(tiny_see(&s, pov_vec3_of(0, 0.8, 0), 1, 0, 0), 0.7, 0.7, 0.7, 1e-6);
-    assert_int_equal(s.tracer->counts.inner_reflections, 6);
-    assert_int_equal(s.tracer->counts.reflected, 6);
-    assert_int_equal(s.tracer->counts.transmitted, 0);
+    assert_int_equal(s.tracer->context.counts.inner_reflections, 6);
+    assert_int_equal(s.tracer->context.counts.reflected, 6);
+    assert_int_equal(s.tracer->context.counts.transmitted, 0);
     tiny_end(&s);
 }
 
@@ -258,7 +258,7 @@ static double recursive(tiny *s, pov_ray ray, inside in, int level)
     pov_ray on;
     hit h;
 
-    if (!world_nearest(s->world, s->tracer->walker, &ray, HUGE_VAL, &h))
+    if (!world_nearest(s->world, s->tracer->context.walker, &ray, HUGE_VAL, &h))
         return s->model.background.r;
     world_surface(s->world, &ray, &h);
     m = &s->model.materials.items[s->model.leaves.items[h.object].material];
@@ -400,7 +400,7 @@ static void coincident_surfaces_cannot_hold_a_ray_for_ever(void **state)
         tiny_add(&s, &sticky, "", tiny_glass(1.0));
     tiny_build(&s);
     tiny_see(&s, pov_vec3_of(1, 1, 1), 0, 0, 1);
-    assert_int_equal(s.tracer->counts.cut_depth, 1);
+    assert_int_equal(s.tracer->context.counts.cut_depth, 1);
     tiny_end(&s);
 }
 

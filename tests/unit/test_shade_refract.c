@@ -1,6 +1,7 @@
-/* Snell's law without cancellation, and the list of media that a ray is in. */
+/* Snell's law without cancellation, and the list of dielectrics that a ray is in. */
 #include "support/near.h"
 
+#include "shade/dielectric.h"
 #include "shade/refract.h"
 
 #include <string.h>
@@ -69,7 +70,7 @@ static void assert_bent_alike(const double *iors, uint32_t count, uint32_t n)
 {
     vec_lanes view, normal;
     double cosines[WORLD_MANY];
-    bends b;
+    refraction_lanes b;
 
     for (uint32_t i = 0; i < WORLD_MANY; i++) {
         const double angle = 1.57 / WORLD_MANY * i;
@@ -79,9 +80,9 @@ static void assert_bent_alike(const double *iors, uint32_t count, uint32_t n)
         b.before[i] = iors[i % count];
         b.after[i] = iors[i / count % count];
     }
-    refract_many(&b, &view, &normal, cosines, n);
+    refract_lanes(&b, &view, &normal, cosines, n);
     for (uint32_t i = 0; i < n; i++) {
-        pov_vec3 one, way = lanes_at(&b.way, i);
+        pov_vec3 one, way = lanes_at(&b.dir, i);
         assert_int_equal(refract(lanes_at(&view, i), lanes_at(&normal, i), cosines[i], b.before[i], b.after[i], &one),
                          b.squared_cosine[i] > 0.0);
         assert_memory_equal(&way, &one, sizeof one);
@@ -112,7 +113,7 @@ static void refract_ends_at_the_critical_angle(void **state)
 
 /* ---- media ---- */
 
-typedef struct glasses { env env; model model; material materials[4]; leaf_node objects[4]; media_stack stack; } glasses;
+typedef struct glasses { env env; model model; material materials[4]; leaf_node objects[4]; dielectric_stack stack; } glasses;
 
 static void setup(glasses *g)
 {
@@ -129,16 +130,16 @@ static void setup(glasses *g)
     g->model.leaves.items = g->objects;
 }
 
-static media_crossing cross(glasses *g, media_span *in, uint32_t which)
+static dielectric_crossing cross(glasses *g, dielectric_span *in, uint32_t which)
 {
-    media_crossing c;
+    dielectric_crossing c;
 
-    media_cross(&g->stack, *in, &g->model, which, &c);
-    assert_true(media_pass(&g->stack, &g->env, in, &c));
+    dielectric_cross(&g->stack, *in, &g->model, which, &c);
+    assert_true(dielectric_pass(&g->stack, &g->env, in, &c));
     return c;
 }
 
-static void assert_crossing(media_crossing c, double before, double after)
+static void assert_crossing(dielectric_crossing c, double before, double after)
 {
     assert_near(c.before, before, 0.0);
     assert_near(c.after, after, 0.0);
@@ -147,7 +148,7 @@ static void assert_crossing(media_crossing c, double before, double after)
 static void the_medium_is_the_one_entered_last(void **state)
 {
     glasses g;
-    media_span in = { 0, 0 };
+    dielectric_span in = { 0, 0 };
     (void)state;
     setup(&g);
 
@@ -162,7 +163,7 @@ static void the_medium_is_the_one_entered_last(void **state)
 static void leaving_a_medium_that_is_not_the_last_bends_nothing(void **state)
 {
     glasses g;
-    media_span in = { 0, 0 };
+    dielectric_span in = { 0, 0 };
     (void)state;
     setup(&g);
 
@@ -178,7 +179,7 @@ static void leaving_a_medium_that_is_not_the_last_bends_nothing(void **state)
 static void an_ior_of_zero_counts_as_one(void **state)
 {
     glasses g;
-    media_span in = { 0, 0 };
+    dielectric_span in = { 0, 0 };
     (void)state;
     setup(&g);
 
@@ -190,7 +191,7 @@ static void an_ior_of_zero_counts_as_one(void **state)
 static void a_kept_list_stays_as_it_was(void **state)
 {
     glasses g;
-    media_span in = { 0, 0 }, kept;
+    dielectric_span in = { 0, 0 }, kept;
     (void)state;
     setup(&g);
 
@@ -202,7 +203,7 @@ static void a_kept_list_stays_as_it_was(void **state)
     assert_int_equal(in.count, 2);
     assert_int_equal(g.stack.items[in.first], 0);
     assert_int_equal(g.stack.items[in.first + 1], 1);
-    media_settle(&g.stack, &in, 0);
+    dielectric_compact(&g.stack, &in, 0);
     assert_int_equal(g.stack.count, 2);
     assert_int_equal(g.stack.items[1], 1);
     env_free(&g.env, g.stack.items);

@@ -1,5 +1,5 @@
 /* The lighting formula, term by term. */
-#include "shade/pigment.h"
+#include "shade/highlight.h"
 #include "support/near.h"
 #include "support/tiny.h"
 
@@ -99,7 +99,7 @@ static void the_normal_is_turned_towards_the_eye(void **state)
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.0, 0.0, 0.0, 0.0);
     assert_colour(tiny_see(&s, pov_vec3_of(0, 0, 12), 0, 0, -1), 0.6, 0.6, 0.6, 1e-6);
-    assert_int_equal(s.tracer->counts.shadow_behind, 1);
+    assert_int_equal(s.tracer->context.counts.shadow_behind, 1);
     tiny_end(&s);
 }
 
@@ -170,14 +170,14 @@ static void a_highlight_is_left_out_only_where_no_float_can_hold_it(void **state
             tiny_plane(&s, 0, 0, 1, 5, m);
             tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
             tiny_build(&s);
-            dull = world_plan(s.world)->looks[0].dull;
+            dull = s.shading->appearances[0].highlight_cutoff;
             assert_true(dull > 0.0 && dull * dull != dull);
             for (double gloss = dull; gloss > 0.9 * dull; gloss -= 0.01 * dull) {
                 const float strength = m.phong * (float)pow(gloss, m.phong_size);
 
-                assert_true(PLAN_VISIBLE + strength == PLAN_VISIBLE && -PLAN_VISIBLE + strength == -PLAN_VISIBLE);
+                assert_true(APPEARANCE_VISIBLE + strength == APPEARANCE_VISIBLE && -APPEARANCE_VISIBLE + strength == -APPEARANCE_VISIBLE);
             }
-            assert_true(PLAN_VISIBLE + m.phong * (float)pow(dull * pow(16.0, 1.0 / m.phong_size), m.phong_size) > PLAN_VISIBLE);
+            assert_true(APPEARANCE_VISIBLE + m.phong * (float)pow(dull * pow(16.0, 1.0 / m.phong_size), m.phong_size) > APPEARANCE_VISIBLE);
             tiny_end(&s);
         }
 }
@@ -199,28 +199,28 @@ static void highlights_that_grow_away_from_the_light_are_never_left_out(void **s
     tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
     for (int i = 0; i < 3; i++)
-        assert_near(world_plan(s.world)->looks[i].dull, 0.0, 0.0);
+        assert_near(s.shading->appearances[i].highlight_cutoff, 0.0, 0.0);
     tiny_end(&s);
 }
 
 /* Also next to where a float ends and the next begins, and where the power is too small for any. */
 static void the_power_of_a_highlight_is_that_of_pow(void **state)
 {
-    static const int sizes[] = { 1, 2, 7, 40, 100, 500, PLAN_POWER_MAX };
+    static const int sizes[] = { 1, 2, 7, 40, 100, 500, APPEARANCE_POWER_MAX };
     (void)state;
 
     for (size_t i = 0; i < 7; i++) {
         const material m = { .phong_size = (float)sizes[i] };
-        const plan_look look = { .power = (uint32_t)sizes[i], .material = &m };
+        const appearance look = { .power = (uint32_t)sizes[i], .material = &m };
 
         for (int j = 1; j < 20000; j++) {
             const float end = (float)j / 20000 + 0x1p-26f;
             const double edge = pow(0.5 * ((double)end + (double)nextafterf(end, 1.0f)), 1.0 / sizes[i]);
 
-            assert_true(pigment_power(j / 19000.0, &look) == (float)pow(j / 19000.0, sizes[i]));
-            assert_true(pigment_power(edge, &look) == (float)pow(edge, sizes[i]));
+            assert_true(highlight_power(j / 19000.0, &look) == (float)pow(j / 19000.0, sizes[i]));
+            assert_true(highlight_power(edge, &look) == (float)pow(edge, sizes[i]));
         }
-        assert_true(pigment_power(1e-200, &look) == (float)pow(1e-200, sizes[i]));
+        assert_true(highlight_power(1e-200, &look) == (float)pow(1e-200, sizes[i]));
     }
 }
 
@@ -272,7 +272,7 @@ static void an_opaque_ball_throws_a_shadow_and_a_coloured_one_tints_it(void **st
     tiny_build(&s);
     assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.36 * 3.0 / sqrt(89.0), 0.1225 * 3.0 / sqrt(89.0),
                   0.01 * 3.0 / sqrt(89.0), 1e-6);
-    assert_int_equal(s.tracer->counts.shadow, 2);
+    assert_int_equal(s.tracer->context.counts.shadow, 2);
     tiny_end(&s);
 }
 
@@ -291,11 +291,11 @@ static void rays_that_would_add_nothing_are_not_sent_but_counted(void **state)
     tiny_light(&s, 0, 1, -9, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
     tiny_see(&s, origin, 0, 0, 1);
-    assert_int_equal(s.tracer->counts.shadow_idle, 3);
+    assert_int_equal(s.tracer->context.counts.shadow_idle, 3);
     tiny_see(&s, origin, 0, 0, -1);
-    assert_int_equal(s.tracer->counts.shadow_idle, 4);
-    assert_int_equal(s.tracer->counts.shadow_behind, 1);
-    assert_int_equal(s.tracer->counts.shadow, 1);
+    assert_int_equal(s.tracer->context.counts.shadow_idle, 4);
+    assert_int_equal(s.tracer->context.counts.shadow_behind, 1);
+    assert_int_equal(s.tracer->context.counts.shadow, 1);
     tiny_end(&s);
 }
 
@@ -380,7 +380,7 @@ static void a_ray_that_is_none_sees_the_background(void **state)
     assert_colour(tiny_see(&s, origin, 0, 0, 0), 0.25, 0.5, 1.0, 0.0);
     assert_colour(tiny_see(&s, origin, 0, NAN, 1), 0.25, 0.5, 1.0, 0.0);
     assert_colour(tiny_see(&s, pov_vec3_of(0, HUGE_VAL, 0), 0, 0, 1), 0.25, 0.5, 1.0, 0.0);
-    assert_int_equal(s.tracer->counts.camera, 0);
+    assert_int_equal(s.tracer->context.counts.camera, 0);
     tiny_end(&s);
 }
 
@@ -389,7 +389,6 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
 {
     const double none[4][5] = { { 0, 0, 0, 0, 0 }, { 1, 0, 1, 0, 0 }, { 0, 0, 0, 0, 1 }, { 0, 0, 0, 0, 0 } };
     pov_ray rays[5];
-    vec_lanes ways;
     colour many[5];
     tiny s;
     (void)state;
@@ -403,9 +402,9 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
             const pov_ray ray = { .left = POV_NOBODY };
 
             rays[i] = ray;
-            lanes_put(&ways, (uint32_t)i, pov_vec3_of(0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0));
+            rays[i].dir = pov_vec3_of(0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0);
         }
-        tracer_fan(s.tracer, rays, &ways, 5, false, many);
+        tracer_colors(s.tracer, rays, 5, 0, many);
         for (int i = 0; i < 5; i++) {
             const colour one = tracer_color(s.tracer, &rays[i]);
 

@@ -1,4 +1,4 @@
-#include "shade/pigment.h"
+#include "shade/highlight.h"
 
 /* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of
  * 90 degrees. */
@@ -10,9 +10,9 @@ static double fresnel(double cosine)
     return fmin(1.0, fmax(0.0, 0.014567225 / (x * x) - 0.011612903));
 }
 
-colour pigment_metal(const model *m, const material *of, double cosine)
+colour highlight_metal(const model *m, const appearance *of, double cosine)
 {
-    float metallic = of->metallic;
+    float metallic = of->material->metallic;
     colour c = of->pigment;
 
     if (m->fresnel_metallic)

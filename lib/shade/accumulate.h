@@ -1,0 +1,31 @@
+/* accumulate.h - adding up what paths see. */
+#ifndef SHADE_ACCUMULATE_H
+#define SHADE_ACCUMULATE_H
+
+#include "shade/path.h"
+
+#include <float.h>
+
+/* Overflow of absurd colours ends here: NaN becomes 0, the infinite the largest number. */
+static inline float accumulate_float(float x)
+{
+    if (x >= -FLT_MAX && x <= FLT_MAX)
+        return x;
+    return isnan(x) ? 0.0f : copysignf(FLT_MAX, x);
+}
+
+/* A sum with anything in it that is no finite number is none either. */
+static inline colour accumulate_finite(colour c)
+{
+    if (isfinite(c.r + c.g + c.b))
+        return c;
+    return colour_of(accumulate_float(c.r), accumulate_float(c.g), accumulate_float(c.b));
+}
+
+/* What the path brings to its camera ray. */
+static inline void accumulate(const path *p, colour seen, colour *out)
+{
+    out[p->lane] = colour_add(out[p->lane], accumulate_finite(colour_mul(p->factor.by, seen)));
+}
+
+#endif

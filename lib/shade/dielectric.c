@@ -1,0 +1,99 @@
+#include "shade/dielectric.h"
+
+#include "base/vec.h"
+
+#include <string.h>
+
+/* A surface without an interior bounds a dielectric of ior 1: a bubble. An ior that is no positive number is that
+ * too. */
+static double ior_of(const model *m, uint32_t which)
+{
+    double ior = m->materials.items[m->leaves.items[which].material].ior;
+
+    return ior > 0.0 && ior <= 1e100 ? ior : 1.0;
+}
+
+void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which, dielectric_crossing *out)
+{
+    const uint32_t *list = in.count > 0 ? stack->items + in.first : NULL;
+    size_t index = 0;
+
+    while (index < in.count && list[index] != which)
+        index++;
+    out->object = which;
+    out->index = index;
+    out->before = out->after = in.count > 0 ? ior_of(m, list[in.count - 1]) : 1.0;
+    if (index == in.count)
+        out->after = ior_of(m, which);
+    else if (index == in.count - 1)
+        out->after = index > 0 ? ior_of(m, list[index - 1]) : 1.0;
+}
+
+bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which)
+{
+    return VEC_PUSH(e, stack, which);
+}
+
+bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c)
+{
+    dielectric_span out = { stack->count, 0 };
+
+    for (size_t i = 0; i < in->count; i++)
+        if (i != c->index && !dielectric_push(stack, e, stack->items[in->first + i]))
+            return false;
+    if (c->index == in->count && !dielectric_push(stack, e, c->object))
+        return false;
+    out.count = stack->count - out.first;
+    *in = out;
+    return true;
+}
+
+void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor)
+{
+    if (span->count > 0)
+        memmove(stack->items + floor, stack->items + span->first, span->count * sizeof *stack->items);
+    span->first = floor;
+    stack->count = floor + span->count;
+}
+
+/* ---- where camera rays start ---- */
+
+static inline bool is_same(pov_vec3 a, pov_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+typedef struct finding { dielectric_stack *found; const env *env; bool failed; } finding;
+
+static void add_found(void *user, uint32_t which)
+{
+    finding *f = user;
+
+    if (!dielectric_push(f->found, f->env, which))
+        f->failed = true;
+}
+
+bool dielectric_find(dielectric_start *s, const env *e, const world *w, const pov_ray *ray)
+{
+    finding f = { &s->found, e, false };
+
+    if (s->known && is_same(s->org, ray->org) && is_same(s->org_lo, ray->org_lo))
+        return true;
+    s->found.count = 0;
+    world_media_at(w, ray->org, ray->org_lo, add_found, &f);
+    s->org = ray->org;
+    s->org_lo = ray->org_lo;
+    s->known = true;
+    return !f.failed;
+}
+
+bool dielectric_begin(dielectric_stack *stack, const env *e, const dielectric_start *from, dielectric_span *out)
+{
+    out->first = stack->count;
+    out->count = 0;
+    for (size_t i = 0; i < from->found.count; i++)
+        if (!dielectric_push(stack, e, from->found.items[i]))
+            return false;
+    out->count = stack->count - out->first;
+    return true;
+}

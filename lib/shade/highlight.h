@@ -1,0 +1,51 @@
+/* highlight.h - the strength and the colour of highlights. */
+#ifndef SHADE_HIGHLIGHT_H
+#define SHADE_HIGHLIGHT_H
+
+#include "shade/appearance.h"
+
+/* A product of n factors is off by less than n 2^-53 of it, and pow() by less than 2^-52; so it lies between these, and
+ * where they are the same float, that is the one. What lies below double's range on the way is no float either. */
+static inline float highlight_lo(double product) { return (float)(product * (1.0 - 0x1p-42)); }
+static inline float highlight_hi(double product) { return (float)(product * (1.0 + 0x1p-42)); }
+
+/* cosine^phong_size, rounded to float as pow()'s would be. */
+static inline float highlight_power(double cosine, const appearance *of)
+{
+    double product = 1.0, square = cosine;
+
+    for (uint32_t n = of->power; n; n >>= 1, square *= square)
+        if (n & 1)
+            product *= square;
+    if (of->power && highlight_lo(product) == highlight_hi(product))
+        return highlight_lo(product);
+    return (float)pow(cosine, of->material->phong_size);
+}
+
+/* That product for a power of up to APPEARANCE_POWER_LANES, without loops and branches: for many side by side. */
+static inline double highlight_factor(double square, int64_t bit) { return bit ? square : 1.0; }
+
+static inline double highlight_product(double cosine, int64_t power)
+{
+    const double of2 = cosine * cosine, of4 = of2 * of2, of8 = of4 * of4, of16 = of8 * of8, of32 = of16 * of16;
+    const double of64 = of32 * of32;
+    double product = highlight_factor(cosine, power & 1);
+
+    product *= highlight_factor(of2, power & 2);
+    product *= highlight_factor(of4, power & 4);
+    product *= highlight_factor(of8, power & 8);
+    product *= highlight_factor(of16, power & 16);
+    product *= highlight_factor(of32, power & 32);
+    product *= highlight_factor(of64, power & 64);
+    return product * highlight_factor(of64 * of64, power & 128);
+}
+
+/* What a highlight is multiplied by; cosine is the one between normal and light. Of a metal: */
+colour highlight_metal(const model *m, const appearance *of, double cosine);
+/* Of any material: */
+static inline colour highlight_colour(const model *m, const appearance *of, double cosine)
+{
+    return of->material->metallic == 0.0f ? colour_of(1.0f, 1.0f, 1.0f) : highlight_metal(m, of, cosine);
+}
+
+#endif

@@ -1,0 +1,199 @@
+#include "shade/scatter.h"
+
+#include "shade/refract.h"
+
+/* More surfaces in one place than are told apart can hand a ray back and forth there: straight on does not count for the
+ * depth. After this many crossings without a move the ray is cut off as too deep. */
+enum { ZERO_STEPS_MAX = 1000 };
+
+static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
+
+/* ---- the rays that go on ---- */
+
+/* What cuts rays off, and how many it did. */
+typedef struct limits { int level; float weight; uint64_t cut_depth, cut_weight; } limits;
+
+/* Is a path that goes on from p with this factor followed? The depth is asked first, so that a ray is counted once. */
+static inline bool passes_cutoff(limits *l, const path *p, const coefficient *factor, bool deeper)
+{
+    if (deeper && p->level >= l->level) {
+        l->cut_depth++;
+        return false;
+    }
+    if (!(factor->weight >= l->weight)) {
+        l->cut_weight++;
+        return false;
+    }
+    return true;
+}
+
+/* Begin the path that goes on from the surface, by a direction without a low part. What its ray leaves is still to be
+ * named, and the path to be counted. */
+static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coefficient factor, bool deeper)
+{
+    const path *p = s->from;
+    path *next = &b->paths[b->count];
+    pov_ray *ray = &b->own[b->count];
+
+    ray->org = s->at->point;
+    ray->org_lo = s->at->point_lo;
+    ray->dir = direction;
+    next->factor = factor;
+    next->level = p->level + deeper;
+    next->lane = p->lane;
+    next->spot = s->spot;
+    next->above = s->above;
+    next->inside = p->inside;
+    next->zero_steps = 0;
+    return next;
+}
+
+/* To the surface's other side, where other surfaces may begin, at this cosine to the normal there. NULL: the path is
+ * cut off. */
+static path *spawn_across(batch *b, limits *l, const surface *s, pov_vec3 direction, double cosine, bool deeper)
+{
+    const coefficient factor = coefficient_mul(s->from->factor, s->appearance->filter);
+    path *next;
+
+    if (!passes_cutoff(l, s->from, &factor, deeper))
+        return NULL;
+    next = spawn(b, s, direction, factor, deeper);
+    world_cross(&b->own[b->count], s->at, cosine);
+    next->above ^= 1u << s->on;
+    return next;
+}
+
+/* Rays that go on from a batch's surfaces: where from, where to, and what cuts them off. */
+typedef struct scattering {
+    shade_context *context;
+    const surfaces *on;
+    batch *reflected, *transmitted;
+    limits limits;
+} scattering;
+
+/* Back to the side that the ray came from. */
+static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
+{
+    const surface *s = &to->on->at[lane];
+    const geometry *g = &to->on->geometry;
+    const coefficient factor = coefficient_mul(s->from->factor, *by);
+    batch *b = to->reflected;
+
+    if (!passes_cutoff(&to->limits, s->from, &factor, true))
+        return;
+    spawn(b, s, lanes_at(&g->mirrored, lane), factor, true);
+    world_leave(&b->own[b->count++], s->at, g->cosine[lane]);
+}
+
+/* Straight on, whatever lies on both sides. NULL: the path is cut off. */
+static path *transmit(scattering *to, uint32_t lane)
+{
+    const surface *s = &to->on->at[lane];
+    const pov_vec3 from = s->ray->org, point = s->at->point;
+    path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, to->on->geometry.cosine[lane], false);
+
+    if (!out)
+        return NULL;
+    if (from.x == point.x && from.y == point.y && from.z == point.z)
+        out->zero_steps = s->from->zero_steps + 1;
+    if (out->zero_steps > ZERO_STEPS_MAX) {
+        to->limits.cut_depth++;
+        return NULL;
+    }
+    return out;
+}
+
+/* The reflected ray of an ordinary surface. */
+static inline void reflect_some(scattering *to, uint32_t lane)
+{
+    const appearance *a = to->on->at[lane].appearance;
+
+    if (a->reflective)
+        reflect(to, lane, &a->reflection);
+}
+
+/* The interfaces that refracted rays cross, and where they go on. */
+typedef struct interfaces { dielectric_crossing crossing[BATCH_MAX]; refraction_lanes to; } interfaces;
+
+static void find_interfaces(const scattering *to, interfaces *p)
+{
+    const shade_context *c = to->context;
+    const geometry *g = &to->on->geometry;
+    const uint32_t n = to->on->count;
+    bool any = false;
+
+    for (uint32_t i = 0; i < lanes_whole(n); i++)
+        p->to.before[i] = p->to.after[i] = 1.0;
+    for (uint32_t i = 0; i < n; i++) {
+        const surface *s = &to->on->at[i];
+
+        if (!s->appearance->transmissive)
+            continue;
+        dielectric_cross(&c->dielectrics, s->from->inside, c->scene->model, s->at->object, &p->crossing[i]);
+        p->to.before[i] = p->crossing[i].before;
+        p->to.after[i] = p->crossing[i].after;
+        any = true;
+    }
+    if (any)
+        refract_lanes(&p->to, &g->view, &g->to.normal, g->cosine, n);
+}
+
+/* Both rays that can go on from an interface. The list of dielectrics goes on with the transmitted ray; a reflected one
+ * stays in what it was in. */
+static void split(scattering *to, const interfaces *p, uint32_t lane)
+{
+    shade_context *c = to->context;
+    const surface *s = &to->on->at[lane];
+    const dielectric_crossing *crossing = &p->crossing[lane];
+    const uint32_t before = to->reflected->count;
+    path *out;
+
+    if (crossing->before == crossing->after) {
+        out = transmit(to, lane);
+    } else if (p->to.squared_cosine[lane] > 0.0) {
+        const pov_vec3 dir = lanes_at(&p->to.dir, lane);
+
+        out = spawn_across(to->transmitted, &to->limits, s, dir, -pov_dot(dir, lanes_at(&to->on->geometry.to.normal, lane)),
+                           true);
+    } else {
+        reflect(to, lane, &whole);
+        c->counts.inner_reflections += to->reflected->count - before;
+        return;
+    }
+    reflect_some(to, lane);
+    if (out && !dielectric_pass(&c->dielectrics, c->env, &out->inside, crossing))
+        c->failed = true;
+    to->transmitted->count += out != NULL;
+}
+
+static void scatter_lanes(scattering *to, bool refraction)
+{
+    interfaces p;
+
+    if (refraction)
+        find_interfaces(to, &p);
+    for (uint32_t i = 0; i < to->on->count; i++) {
+        const appearance *a = to->on->at[i].appearance;
+
+        if (a->transmissive && refraction) {
+            split(to, &p, i);
+        } else {
+            reflect_some(to, i);
+            if (a->transmissive)
+                to->transmitted->count += transmit(to, i) != NULL;
+        }
+    }
+}
+
+void scatter(shade_context *c, const surfaces *on, batch *reflected, batch *transmitted)
+{
+    const model *m = c->scene->model;
+    scattering to = { c, on, reflected, transmitted, { m->max_trace_level, (float)m->adc_bailout, 0, 0 } };
+
+    reflected->count = transmitted->count = 0;
+    scatter_lanes(&to, c->scene->plan->refraction);
+    c->counts.cut_depth += to.limits.cut_depth;
+    c->counts.cut_weight += to.limits.cut_weight;
+    c->counts.reflected += reflected->count;
+    c->counts.transmitted += transmitted->count;
+}

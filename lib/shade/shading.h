@@ -1,0 +1,27 @@
+/* shading.h - a scene compiled for shading: beside the world, what its surfaces look like. */
+#ifndef SHADE_SHADING_H
+#define SHADE_SHADING_H
+
+#include "shade/appearance.h"
+#include "world/world.h"
+
+/* Never changes once it is made: many threads read one. */
+typedef struct shading {
+    const model *model;
+    const world *world;
+    const plan *plan;
+    const world_thing *things;
+    appearance *appearances;     /* one a material */
+} shading;
+
+/* The model and the world must outlive it. */
+pov_status shading_create(shading **out, const model *m, const world *w, pov_error *err);
+void shading_destroy(shading *s);
+
+/* What the object looks like: for objects whose texture is constant. */
+static inline const appearance *shading_constant(const shading *s, uint32_t which)
+{
+    return &s->appearances[s->things[which].material];
+}
+
+#endif

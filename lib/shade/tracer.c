@@ -1,0 +1,216 @@
+#include "shade/tracer.h"
+
+#include "base/err.h"
+#include "base/simd.h"
+#include "shade/accumulate.h"
+#include "shade/scatter.h"
+
+static void make_camera_paths(batch *b)
+{
+    const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1 };
+
+    for (uint32_t i = 0; i < BATCH_MAX; i++) {
+        b->paths[i] = fresh;
+        b->paths[i].lane = i;
+    }
+}
+
+pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
+{
+    const env *e = scene->model->env;
+    pov_tracer *t = env_alloc_aligned(e, sizeof *t, SIMD_LINE);
+    pov_status status;
+
+    if (!t)
+        return err_memory(err);
+    t->context.env = e;
+    t->context.scene = scene;
+    t->camera.camera = true;
+    make_camera_paths(&t->camera);
+    geometry_begin(&t->surfaces.geometry);
+    status = batch_make(&t->queue, e) ? walker_create(&t->context.walker, scene->world, err) : err_memory(err);
+    if (status < 0) {
+        tracer_destroy(t);
+        return status;
+    }
+    *out = t;
+    return POV_OK;
+}
+
+void tracer_destroy(pov_tracer *t)
+{
+    const env *e;
+
+    if (!t)
+        return;
+    e = t->context.env;
+    walker_destroy(t->context.walker);
+    batch_free(&t->queue, e);
+    env_free(e, t->context.dielectrics.items);
+    env_free(e, t->context.spots.items);
+    env_free(e, t->start.found.items);
+    env_free_aligned(e, t);
+}
+
+pov_counts tracer_counts(const pov_tracer *t)
+{
+    pov_counts c = t->context.counts;
+
+    c.decided = walker_decided(t->context.walker);
+    return c;
+}
+
+void tracer_set_interrupt(pov_tracer *t, bool (*ask)(void *user), void *user)
+{
+    interrupt_set(&t->context.interrupt, ask, user);
+}
+
+/* Follow the paths of one batch to where they end, and see which go on. */
+static void shade_batch(pov_tracer *t, const batch *b, colour *out)
+{
+    shade_context *c = &t->context;
+    surfaces *s = &t->surfaces;
+
+    surfaces_find(c, s, b, out);
+    surfaces_complete(c, s);
+    t->lighting.own = t->queue.reflected->own;
+    light_gather(&t->lighting, c, s);
+    for (uint32_t i = 0; i < s->count; i++)
+        accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, s->at[i].lit), out);
+    scatter(c, s, t->queue.reflected, t->queue.transmitted);
+    c->failed = c->failed || walker_failed(c->walker);
+}
+
+/* ---- camera rays ---- */
+
+/* Rays of cameras that do not exist have no direction, or are not numbers. */
+static bool is_start(pov_vec3 org) { return isfinite(org.x + org.y + org.z); }
+
+static bool is_direction(pov_vec3 dir) { return isfinite(dir.x + dir.y + dir.z) && pov_largest(dir) > 0.0; }
+
+static bool is_ray(const pov_ray *ray) { return is_start(ray->org) && is_direction(ray->dir); }
+
+static bool are_rays(const pov_ray *rays, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++)
+        if (!is_ray(&rays[i]))
+            return false;
+    return true;
+}
+
+/* The dielectrics of the camera's paths, each with a list of its own. */
+static void begin_inside(pov_tracer *t, bool one_start)
+{
+    shade_context *c = &t->context;
+    batch *b = &t->camera;
+    bool done = dielectric_find(&t->start, c->env, c->scene->world, b->rays[0]);
+
+    if (done && one_start && t->start.found.count == 0 && !t->camera_inside)
+        return;
+    t->camera_inside = false;
+    for (uint32_t i = 0; done && i < b->count; i++) {
+        done = (one_start || dielectric_find(&t->start, c->env, c->scene->world, b->rays[i])) &&
+               dielectric_begin(&c->dielectrics, c->env, &t->start, &b->paths[i].inside);
+        t->camera_inside |= b->paths[i].inside.count > 0;
+    }
+    c->failed = c->failed || !done;
+}
+
+/* Bit i: ray i is one, and its path begins. */
+static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
+{
+    uint64_t are_rays = 0;
+
+    b->count = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        if (!is_ray(&rays[i]))
+            continue;
+        b->paths[b->count].lane = i;
+        b->rays[b->count++] = &rays[i];
+        are_rays |= (uint64_t)1 << i;
+    }
+    return are_rays;
+}
+
+/* The same; as a rule all are, and paths have their lanes from one time to the next. */
+static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known)
+{
+    shade_context *c = &t->context;
+    batch *b = &t->camera;
+    uint64_t begun = ~(uint64_t)0;
+
+    if (t->camera_odd)
+        make_camera_paths(b);
+    t->camera_odd = !(known & TRACER_SOUND || are_rays(rays, n));
+    b->count = n;
+    for (uint32_t i = 0; i < n; i++)
+        b->rays[i] = &rays[i];
+    if (t->camera_odd)
+        begun = begin_some(b, rays, n);
+    if (c->scene->plan->media_at_start && b->count > 0)
+        begin_inside(t, known & TRACER_ONE_START);
+    c->counts.camera += b->count;
+    return begun;
+}
+
+SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
+{
+    int out = 0;
+
+    for (uint32_t i = 0; i < n; i++)
+        out |= !(fabsf(x[i]) <= FLT_MAX);
+    return !out;
+}
+
+static void follow(pov_tracer *t, colour *out)
+{
+    shade_context *c = &t->context;
+    const batch *b = &t->camera;
+
+    for (shade_batch(t, b, out); !c->failed && !interrupt_is_due(&c->interrupt, b->count); b = t->queue.now) {
+        if (!batch_next(&t->queue, c))
+            return;
+        shade_batch(t, t->queue.now, out);
+    }
+}
+
+/* Up to BATCH_MAX rays. */
+static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out)
+{
+    uint64_t begun;
+    uint32_t i;
+
+    batch_forget(&t->queue, &t->context);
+    begun = begin(t, rays, n, known);
+    for (i = 0; i < n; i++)
+        out[i] = colour_of(0.0f, 0.0f, 0.0f);
+    if (t->camera.count > 0)
+        follow(t, out);
+    if (!are_finite(&out->r, 3 * n))
+        for (i = 0; i < n; i++)
+            out[i] = accumulate_finite(out[i]);
+    for (i = 0; t->camera_odd && i < n; i++)
+        if (!(begun >> i & 1))
+            out[i] = t->context.scene->model->background;
+}
+
+colour tracer_color(pov_tracer *t, const pov_ray *ray)
+{
+    colour seen;
+
+    trace(t, ray, 1, 0, &seen);
+    return seen;
+}
+
+/* Batches are no larger than the number of rays that may be sent between two questions whether to give up. */
+void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out)
+{
+    const interrupt *ask = &t->context.interrupt;
+    uint32_t i, some;
+
+    for (i = 0; i < n && !t->context.failed && !ask->given_up; i += some) {
+        some = ask->ask && ask->every < BATCH_MAX ? (uint32_t)ask->every : BATCH_MAX;
+        some = some < n - i ? some : n - i;
+        trace(t, rays + i, some, known, out + i);
+    }
+}
