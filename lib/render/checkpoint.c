@@ -5,7 +5,9 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/vec.h"
+#include "render/sample.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -215,6 +217,55 @@ static pov_status check_whole(const pov_job *job, const char *file, const char *
     return POV_OK;
 }
 
+/* The hash keeps chance out, not people who make their own: what the bytes say must be possible too. */
+static bool are_groups_possible(const pov_job *job, const unsigned char *at, bool refining)
+{
+    for (size_t i = 0; i < GROUPS * job->cells.count; i++, at += 8) {
+        uint32_t count, target;
+
+        memcpy(&count, at, 4);
+        memcpy(&target, at + 4, 4);
+        if (count > target || target > SAMPLES_MAX || (refining && count < 1))
+            return false;
+    }
+    return true;
+}
+
+static bool are_halves_possible(const pov_job *job, const unsigned char *at)
+{
+    double sum;
+
+    for (size_t i = 0; i < 6 * pixel_count(job); i++) {
+        memcpy(&sum, at + i * sizeof sum, sizeof sum);
+        if (!isfinite(sum))
+            return false;
+    }
+    return true;
+}
+
+static bool are_lattices_possible(const pov_job *job, const unsigned char *bits)
+{
+    for (size_t i = 0; i < square_count(job); i++)
+        if (bits[i] >> job->frame.passes)
+            return false;
+    return true;
+}
+
+static pov_status check_possible(const pov_job *job, const char *file, const char *bytes, pov_error *err)
+{
+    const unsigned char *at = (const unsigned char *)bytes + sizeof(identity) + sizeof(state);
+    bool possible;
+    state s;
+
+    memcpy(&s, bytes + sizeof(identity), sizeof s);
+    at += s.rows * sizeof(pov_pass);
+    possible = s.elapsed >= 0.0 && isfinite(s.elapsed) && s.cpu >= 0.0 && isfinite(s.cpu) &&
+               are_groups_possible(job, at, s.refining);
+    at += 8 * GROUPS * job->cells.count;
+    possible = possible && (s.refining ? are_halves_possible(job, at) : are_lattices_possible(job, at));
+    return possible ? POV_OK : err_file(err, POV_E_IO, file, "this checkpoint holds numbers that no render leaves");
+}
+
 /* From the bits of squares to those of tiles: a tile has what all of its squares have. Its first samples are dealt to
  * the cells anew. */
 static void take_lattices(pov_job *job, const unsigned char *bits)
@@ -322,6 +373,8 @@ pov_status job_load(pov_job *job, const char *file, pov_error *err)
         status = check(job, file, bytes, count, err);
     if (status == POV_OK)
         status = check_whole(job, file, bytes, count, err);
+    if (status == POV_OK)
+        status = check_possible(job, file, bytes, err);
     if (status == POV_OK)
         status = take(job, (const unsigned char *)bytes, err);
     mutex_unlock(&job->lock);

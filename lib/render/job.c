@@ -113,6 +113,7 @@ void job_begin(pov_job *job)
     job->state = POV_JOB_RUNNING;
     job->started = clock_seconds() - job->earlier;
     job->ended = 0.0;
+    passes_resume(job);
 }
 
 void job_end(pov_job *job, pov_job_state state)

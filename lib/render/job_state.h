@@ -76,6 +76,8 @@ void passes_begin(pov_job *job);
 void passes_claim(pov_job *job, worker *w);
 /* Go past what a checkpoint brought. */
 void passes_skip(pov_job *job);
+/* A checkpoint may have brought all that its pass was to do: go on to the next one, or to the end. */
+void passes_resume(pov_job *job);
 /* Begin the pass that the cells' targets ask for. */
 void passes_queue(pov_job *job);
 /* A tile is whole and current; the last one of a pass ends it: what the next one does is decided by what is in, so

@@ -164,6 +164,12 @@ static void end_pass(pov_job *job)
     condition_wake_all(&job->changed);
 }
 
+void passes_resume(pov_job *job)
+{
+    if (job->committed == job->due)
+        end_pass(job);
+}
+
 /* ---- commit ---- */
 
 static bool mark_dirty(pov_job *job, size_t tile)
