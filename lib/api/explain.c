@@ -96,6 +96,7 @@ pov_status explain_plugins(plan *p, const model *m, const registry *plugins, pov
     n = p->rows.count;
     if (r.status == POV_OK && plugins)
         registry_each_keyword(plugins, "primitives", see_keyword, &r);
-    sort_rows(p->rows.items + n, p->rows.count - n);
+    if (p->rows.count > n)
+        sort_rows(p->rows.items + n, p->rows.count - n);
     return r.status;
 }
