@@ -15,7 +15,7 @@ static float *picture(pov_context *context, const char *path, pov_accuracy accur
     pov_progress progress = POV_INIT(progress);
     pov_rect all = { 0, 0, WIDTH, HEIGHT };
     float *pixels = calloc(WIDTH * HEIGHT, 4 * sizeof *pixels);
-    pov_job *job;
+    pov_job *job = NULL;
     pov_error err;
 
     assert_non_null(pixels);
