@@ -26,7 +26,7 @@ ifeq ($(MAKELEVEL),0)
 ifeq ($(filter -j% j%,$(shell echo "$$MAKEFLAGS")),)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
-ifneq ($(and $(filter clean deps test demo asan tsan,$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
+ifneq ($(and $(filter clean deps test demo asan tsan ubsan,$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 .NOTPARALLEL:
 endif
 endif
@@ -69,6 +69,10 @@ runtime: no-png
 no-png:
 	@echo "pictures in PNG were left out: pkg-config does not find libpng"
 endif
+
+.PHONY: dev
+dev:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)-dev WIDE= OPTIMISE=-O2 runtime
 
 # ---- how things are made: rooms have ROOM_FLAGS, some plugins PLUGIN_LIBS, programs PROGRAM_LIBS ----
 
@@ -252,10 +256,11 @@ check: $(SHARED) $(PLUGINS)
 
 help:
 	@echo "make            build the library, the plugins and povc into $(BUILD)/"
+	@echo "make dev        build povc and what it loads into $(BUILD)-dev/, one copy at -O2: for edit and try"
 	@echo "make demo       render a scene of the gallery and say where the picture is"
 	@echo "make test       run every test"
 	@echo "make check      hold the tree to its rules: rooms, exports, headers alone, no absolute epsilons"
-	@echo "make asan tsan  run the tests under the sanitizers"
+	@echo "make asan tsan  run the tests under the sanitizers; asan under clang's as well, where it is: make ubsan"
 	@echo "make aarch64    build for aarch64 with Debian's cross compiler; hold its pictures, by qemu, against this machine's"
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
 	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
@@ -269,6 +274,6 @@ help:
 	@echo "of the library and the primitives for x86-64-v3 and x86-64-v4 processors; V=1 shows the commands."
 
 clean:
-	rm -rf $(BUILD)
+	rm -rf $(BUILD) $(BUILD)-dev $(BUILD)-aarch64
 
 -include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)
