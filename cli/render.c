@@ -175,6 +175,17 @@ static void say_partial(const render *r)
                  strcmp(r->args->output, "-") == 0 ? "standard output" : r->args->output, percent);
 }
 
+/* Where the band of the last pass ends. */
+static double last_band(pov_job *job)
+{
+    pov_pass row = POV_INIT(row);
+    double end = 1.0;
+
+    for (size_t i = 0; pov_job_get_pass(job, i, &row); i++)
+        end = row.est_ci95_hi;
+    return end;
+}
+
 /* What ended the refinement, when there was a choice. */
 static void say_end(render *r)
 {
@@ -191,7 +202,10 @@ static void say_end(render *r)
         messages_say(r->messages, "the time limit ended it: %s holds %s %% of the picture", a->output, percent);
         return;
     }
-    if (p->est_rmse >= 0.0)
+    if (p->est_rmse == 0.0)
+        snprintf(reached, sizeof reached, ", all samples alike; not excluded: a feature of less than %.3g of 4 x 4 pixels",
+                 last_band(r->job));
+    else if (p->est_rmse > 0.0)
         snprintf(reached, sizeof reached, ", estimated error %.3g", p->est_rmse);
     messages_say(r->messages, "%s ended it after %.2f s: %.1f samples a pixel%s%s",
                  p->stop == POV_STOP_ERROR ? "the error asked for" : p->stop == POV_STOP_TIME ? "the time limit" : "the number of samples",

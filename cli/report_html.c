@@ -250,6 +250,9 @@ static void put_bias(const report *r, FILE *to)
             "<tr><td>clamping to 0 &hellip; 1</td><td class=\"n\">%llu pixels</td>"
             "<td>clipped where the picture is stored in integers; PFM keeps them</td></tr></table>\n",
             (unsigned long long)c->cut_depth, (unsigned long long)c->cut_weight, (unsigned long long)clipped);
+    if (r->count > 0 && r->rows[r->count - 1].est_rmse == 0.0)
+        fprintf(to, "<p>All samples of each pixel are alike. So many do not exclude a feature that covers less than %.3g of "
+                "a cell of 4 &times; 4 pixels; that is where the band ends.</p>\n", r->rows[r->count - 1].est_ci95_hi);
 }
 
 static void put_plan(const report *r, FILE *to)

@@ -37,14 +37,23 @@ static double select_kth(double *v, size_t n, size_t k)
  * the band above zero. */
 static void band(pov_pass *row, double square, double fourth)
 {
-    double spread = square > 0.0 ? 1.96 * sqrt(2.0 * fourth) / square : 0.0;
+    double spread = 1.96 * sqrt(2.0 * fourth) / square;
 
     row->est_ci95_lo = row->est_rmse * exp(-0.5 * spread);
     row->est_ci95_hi = row->est_rmse * exp(0.5 * spread);
 }
 
-/* What is summed over the groups. */
-typedef struct sums { double square, fourth, off, samples; bool known, whole; } sums;
+/* What is summed over the groups. fewest: samples in the cell that has the fewest. */
+typedef struct sums { double square, fourth, off, samples, fewest; bool known, whole; } sums;
+
+/* While all halves agree to the bit their difference tells nothing. A feature that covers the part p of a cell is missed
+ * by n samples with (1 - p)^n, so with n equal samples one of p < 3/n is not excluded in 95 of 100 cases (the rule of
+ * three); a difference of one in light then makes an error of 3/n. */
+static void band_of_nothing(pov_pass *row, double fewest)
+{
+    row->est_ci95_lo = 0.0;
+    row->est_ci95_hi = fmin(3.0 / fewest, 1.0);
+}
 
 static void add_group(sums *s, const group *g, size_t pixels, pov_pass *row)
 {
@@ -73,6 +82,7 @@ static void add_cell(sums *s, const cells *c, int column, int line, double limit
 
     add_group(s, &c->groups[first], pixels - second, row);
     add_group(s, &c->groups[first + 1], second, row);
+    s->fewest = fmin(s->fewest, (double)(pixels - second) * c->groups[first].count + (double)second * c->groups[first + 1].count);
     if (!c->shown)
         return;
     add_shown(s, &c->shown[first], row);
@@ -85,7 +95,7 @@ void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *
 {
     const double eye_sees = 1.0 / 255.0;
     double limit = s->target_error > 0.0 ? s->target_error : eye_sees, all = (double)c->width * (double)c->height;
-    sums sum = { .known = true, .whole = true };
+    sums sum = { .fewest = HUGE_VAL, .known = true, .whole = true };
 
     row->unresolved = row->clipped = 0;
     row->spp_max = 0;
@@ -97,7 +107,10 @@ void estimate_row(const cells *c, const settings *s, double *scratch, pov_pass *
     row->est_rmse = row->est_ci95_lo = row->est_ci95_hi = row->est_p99_tile = -1.0;
     if (sum.known) {
         row->est_rmse = sqrt(sum.square / all);
-        band(row, sum.square, sum.fourth);
+        if (sum.square > 0.0)
+            band(row, sum.square, sum.fourth);
+        else
+            band_of_nothing(row, sum.fewest);
         row->est_p99_tile = sqrt(select_kth(scratch, c->count, (c->count - 1) * 99 / 100));
     }
     row->ref_rmse = c->reference && sum.whole ? sqrt(sum.off / all) : -1.0;

@@ -110,11 +110,14 @@ static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
             job_fail_memory(job);
 }
 
+/* An estimate of zero is none: then the end of its band counts. */
+static double error_shown(const pov_pass *now) { return now->est_rmse == 0.0 ? now->est_ci95_hi : now->est_rmse; }
+
 static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
 {
     const settings *s = &job->settings;
 
-    if (s->target_error > 0.0 && now->est_rmse >= 0.0 && now->est_rmse <= s->target_error &&
+    if (s->target_error > 0.0 && now->est_rmse >= 0.0 && error_shown(now) <= s->target_error &&
         now->spp_mean >= BUDGET_LEAST)
         return POV_STOP_ERROR;
     return now->spp_mean >= s->samples ? POV_STOP_SAMPLES : POV_STOP_NONE;

@@ -186,3 +186,18 @@ refine_compares_reports_in_one_plot() {
     expect 2 "$povc" --compare uniform.csv
     expect 2 "$povc" --compare uniform.csv both.txt
 }
+
+# Finding N4 of the review: a spot that 1 of 10 000 samples of its pixel meets ended with "estimated error 0" at 8 samples.
+refine_does_not_call_unseen_what_so_few_samples_may_miss() {
+    cat > spot.pov <<'END'
+#version 3.7;
+global_settings { assumed_gamma 1 ambient_light rgb 1 }
+camera { location <0,0,-10> direction <0,0,10> right <8,0,0> up <0,6,0> }
+sphere { <.7,.55,0>, .0007 pigment { rgb 1 } finish { ambient 10000 diffuse 0 } }
+END
+    expect 0 "$povc" spot.pov 64 48 spot.pfm --error 0.02 --report spot.csv
+    between 9 "$(field spot.csv spp_mean)" 60000
+    between 0.001 "$(field spot.csv est_ci95_hi)" 0.02
+    says_not err "estimated error 0"
+    says err "not excluded: a feature of less than"
+}

@@ -56,6 +56,31 @@ static void a_constant_stays_itself_to_the_bit(void **state)
     tiny_end(&s);
 }
 
+/* Finding N4 of the review: where nothing differs nothing is known but how many samples were alike. */
+static void equal_samples_leave_a_band_and_do_not_end_at_once(void **state)
+{
+    pov_render_desc d = refining(0, POV_SAMPLING_ADAPTIVE);
+    pov_pass row;
+    pov_job *job;
+    tiny s;
+    (void)state;
+
+    tiny_begin(&s, NULL);
+    s.model.background = colour_of(0.5f, 0.5f, 0.5f);
+    tiny_build(&s);
+    for (int way = 0; way < 2; way++) {
+        d.sampling = way == 0 ? POV_SAMPLING_UNIFORM : POV_SAMPLING_ADAPTIVE;
+        d.target_error = 0.01;
+        job = run(&s, &d);
+        row = last_row(job);
+        assert_true(row.est_rmse == 0.0 && row.est_ci95_lo == 0.0);
+        assert_true(row.est_ci95_hi > 0.0 && row.est_ci95_hi <= 0.01);
+        assert_near(row.est_ci95_hi, 3.0 / (16.0 * row.spp_mean), 1e-12);
+        job_destroy(job);
+    }
+    tiny_end(&s);
+}
+
 typedef struct tally { double log_ratio; int rows, covered; } tally;
 
 static void hold_to_truth(const tiny *s, const pov_render_desc *d, tally *sum)
@@ -372,6 +397,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_constant_stays_itself_to_the_bit),
+        cmocka_unit_test(equal_samples_leave_a_band_and_do_not_end_at_once),
         cmocka_unit_test(the_estimate_is_near_the_true_error),
         cmocka_unit_test(an_asked_error_is_reached_and_not_by_far),
         cmocka_unit_test(no_pass_is_a_crumb),

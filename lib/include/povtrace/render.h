@@ -76,7 +76,9 @@ typedef struct pov_pass {
     pov_counts counts;
     /* The rms error of the picture in linear light as the difference of two independent halves of the samples shows
      * it, the band that holds the true one in 95 of 100 cases, and of the cells' own the one that 99 of 100 are below.
-     * What is cut off (counts.cut_depth, cut_weight) they cannot see. Below zero: not known. */
+     * What is cut off (counts.cut_depth, cut_weight) they cannot see. Below zero: not known. Where all samples agree to
+     * the bit est_rmse is 0, and the band ends at what so many equal samples do not exclude: a feature that covers less
+     * of a cell than that. */
     double est_rmse, est_ci95_lo, est_ci95_hi, est_p99_tile;
     double ref_rmse, ref_max;     /* against the reference; below zero: there is none */
     uint64_t unresolved;          /* pixels of cells whose own error is above the target, or 1/255 without one; tells
