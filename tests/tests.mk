@@ -7,6 +7,7 @@ COPY_TESTS    = $(filter-out %_build.c %_rough.c,$(wildcard $(patsubst %,tests/u
                 $(patsubst %,tests/numerics/test_%.c,primitives leaving)
 TEST_PROGRAMS = $(TEST_SOURCES:%.c=$(BUILD)/%) $(foreach w,$(WIDE),$(COPY_TESTS:tests/%.c=$(BUILD)/tests/$w/%))
 
+OUT_OF_TREE = $(addprefix $(BUILD)/tests/plugins/out_of_tree/,disc.so torus.so)
 CONTRACT_SOURCES = $(wildcard tests/plugins/contract_*.c) tests/plugins/subject.c
 
 # $(1): the copy's folder, as in COPY_RULES. Tests find in TEST_BUILD what was built, in TEST_ROOT the tree's scenes.
@@ -21,7 +22,7 @@ $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight
     $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact families) | $(PRIMITIVES)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving): $(BUILD)/obj/$(1)tests/numerics/leaving.o
 $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o
-$(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(BUILD)/tests/plugins/out_of_tree/disc.so
+$(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(OUT_OF_TREE)
 endef
 $(eval $(call TEST_RULES,))
 $(foreach w,$(WIDE),$(eval $(call TEST_RULES,$w/)))
@@ -79,6 +80,17 @@ $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcar
 	@mkdir -p $(@D)
 	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
 $(BUILD)/tests/plugins/test_parse: | $(PRIMITIVES)
+# The same two with the claim to be certified: right, in plain double, and with every distance off by 1e-9.
+CLAIM = $(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include -Itests $(SANITIZE)
+CLAIM_off = -DERROR=1e-9
+$(BUILD)/tests/plugins/claims/%/torus.so: tests/plugins/out_of_tree/torus.c $(wildcard lib/include/povtrace/*.h)
+	@mkdir -p $(@D)
+	$(CLAIM) -DFLAGS='(POV_SHAPE_SOLID | POV_SHAPE_CERTIFIED)' $(CLAIM_$*) $< -lm -o $@
+$(BUILD)/tests/plugins/claims/%/disc.so: tests/plugins/claims/disc.c tests/plugins/out_of_tree/disc.c $(wildcard lib/include/povtrace/*.h)
+	@mkdir -p $(@D)
+	$(CLAIM) $(CLAIM_$*) $< -lm -o $@
+$(BUILD)/tests/plugins/test_claims: | $(BUILD)/tests/plugins/test_contract \
+    $(addprefix $(BUILD)/tests/plugins/claims/,naive/torus.so off/torus.so right/disc.so off/disc.so)
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
 $(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)

@@ -14,6 +14,11 @@ void counting_finds_as_many(void **unused);
 void copies_behave_alike(void **unused);
 void an_absorbed_map_is_as_a_mapped_ray(void **unused);
 
+/* contract_certified.c */
+void a_certified_distance_is_where_inside_changes(void **unused);
+void a_certified_distance_is_the_same_from_the_other_side(void **unused);
+void a_certified_flat_surface_is_flat(void **unused);
+
 /* contract_blocks.c */
 void block_filters_never_exclude_a_crossing(void **unused);
 

@@ -396,8 +396,10 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
         for (k = 0; (lanes >> i & 1) && k < n; k++)
             if ((of[i][k] || !convex || rays.away[i] != owners[k])
                 && !is_right(of[i][k], things[k], &ray[i], rays.tmax[i]) && broken++ < 2)
-                print_error("%s: from <%a, %a, %a> along <%a, %a, %a> to %a\n", subject.shape->keyword, ray[i].org.x,
-                            ray[i].org.y, ray[i].org.z, ray[i].dir.x, ray[i].dir.y, ray[i].dir.z, rays.tmax[i]);
+                print_error("%s { %s }\n    from <%.17g, %.17g, %.17g> along <%.17g, %.17g, %.17g> to %.17g: %s\n",
+                            subject.shape->keyword, things[k]->text, ray[i].org.x, ray[i].org.y, ray[i].org.z,
+                            ray[i].dir.x, ray[i].dir.y, ray[i].dir.z, rays.tmax[i],
+                            of[i][k] ? "the filter's bounds are wrong" : "the filter leaves a crossing out");
     return broken;
 }
 

@@ -5,6 +5,7 @@
 
 #include <povtrace/exact.h>
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -42,6 +43,9 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "polygon", "5, <0, 0, 0>, <1, 1, 1>, <1, 1, 0>, <0, 0, 1>, <0, 0, 0>" },
     { "polygon", "6, <-0.7, -0.7, 0>, <0.7, -0.7, 0>, <0.9, 0.3, 0>, <0, 0.9, 0>, <-0.9, 0.3, 0>, <-0.7, -0.7, 0>" },
     { "polygon", "6, <0, 1, 0>, <0.6, -0.8, 0>, <-1, 0.3, 0>, <1, 0.3, 0>, <-0.6, -0.8, 0>, <0, 1, 0>" },
+    { "torus", "1, 0.25" },
+    { "torus", "3, 1.5" },
+    { "torus", "0.5, 0.01" },
     { "disc", "<0, 0, 0>, <0, 1, 0>, 1" },
     { "disc", "<1, 2, 3>, <1, -1, 2>, 2, 0.5" },
 };
@@ -113,6 +117,7 @@ static void take(void *self)
     thing *t = &subject.things[subject.count++];
 
     t->self = self;
+    fake_reader_print(subject.in, t->text, sizeof t->text);
     t->finite = subject.shape->bounds(self, &t->box);
     look_about(t, pov_vec3_of(0.0, 0.0, 0.0), 2.0);
 }
@@ -211,22 +216,41 @@ pov_ray subject_ray(const thing *t)
     return ray;
 }
 
-void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
+void subject_sides(const char *format, ...)
+{
+    va_list values;
+
+    va_start(values, format);
+    vsnprintf(subject.sides, sizeof subject.sides, format, values);
+    va_end(values);
+}
+
+static void print_broken(const thing *t, const pov_ray *ray)
+{
+    print_error("%s { %s }\n    from <%.17g, %.17g, %.17g> along <%.17g, %.17g, %.17g>%s%s\n", subject.shape->keyword,
+                t->text, ray->org.x, ray->org.y, ray->org.z, ray->dir.x, ray->dir.y, ray->dir.z,
+                subject.sides[0] ? ": " : "", subject.sides);
+}
+
+void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*see)(const thing *t, const pov_ray *ray))
 {
     int i, j, broken = 0;
 
     for (i = 0; i < subject.count; i++) {
         for (j = 0; j < rays; j++) {
-            const pov_ray ray = subject_ray(&subject.things[i]);
+            const pov_ray ray = make(&subject.things[i]);
 
-            if (see(&subject.things[i], &ray))
-                continue;
-            if (broken++ < 4)
-                print_error("%s, shape %d: from <%a, %a, %a> along <%a, %a, %a>\n", subject.shape->keyword, i,
-                            ray.org.x, ray.org.y, ray.org.z, ray.dir.x, ray.dir.y, ray.dir.z);
+            subject.sides[0] = '\0';
+            if (!see(&subject.things[i], &ray) && broken++ < 4)
+                print_broken(&subject.things[i], &ray);
         }
     }
     assert_int_equal(broken, 0);
+}
+
+void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
+{
+    subject_each(rays, subject_ray, see);
 }
 
 void subject_skip(const char *why)

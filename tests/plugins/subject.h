@@ -8,6 +8,7 @@ enum { OWNER = 3, MOST = 64, SHAPES = 40, RAYS = 20000 };
 
 typedef struct thing {
     void *self;
+    char text[2048];         /* what stands between its braces */
     pov_box box;
     bool finite;
     double size, thickness;  /* the longest and the shortest side of the box that has a length */
@@ -21,9 +22,13 @@ typedef struct plugin_subject {
     pov_reader *in;
     thing things[SHAPES];
     int count, hard;         /* how many; and how many more for block filters only */
+    char sides[256];         /* of the comparison that went wrong last; "" where the test says none */
 } plugin_subject;
 
 extern plugin_subject subject;
+
+/* Both sides of a comparison that went wrong, for subject_each_ray() to print with the shape and the ray. */
+void subject_sides(const char *format, ...) POV_PRINTF(1, 2);
 
 /* Does the class have this member? */
 #define HAS(member) (subject.shape->member != NULL)
@@ -39,7 +44,10 @@ pov_vec3 subject_direction(void);    /* unit, all directions alike */
 
 /* From somewhere, near or far, towards the thing or past it. */
 pov_ray subject_ray(const thing *t);
-/* Each of `rays` rays at every instance; `see` gives false where something is wrong. */
+/* Each of `rays` rays, as `make` gives them, at every instance; `see` gives false where something is wrong: then the
+ * shape's text and the ray are printed. */
+void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*see)(const thing *t, const pov_ray *ray));
+/* Of subject_ray()'s. */
 void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray));
 /* Skips the test: what the shape lacks or is not, after its keyword. */
 void subject_skip(const char *why);

@@ -92,6 +92,22 @@ void fake_reader_text(pov_reader *in, const char *text)
     }
 }
 
+void fake_reader_print(const pov_reader *in, char *out, size_t size)
+{
+    size_t used = 0;
+    bool close = true;
+
+    out[0] = '\0';
+    for (size_t i = 0; i < in->count && used < size; i++) {
+        const token *t = &in->tokens[i];
+        const char *gap = close || t->word[0] == ',' || t->word[0] == '>' ? "" : " ";
+
+        used += (size_t)(t->is_number ? snprintf(out + used, size - used, "%s%.17g", gap, t->value)
+                                      : snprintf(out + used, size - used, "%s%s", gap, t->word));
+        close = t->word[0] == '<';
+    }
+}
+
 /* ---- the host ---- */
 
 static void complain(pov_reader *in, const char *format, va_list values)

@@ -15,6 +15,9 @@ void fake_reader_word(pov_reader *in, const char *word);
 /* Numbers, words and marks as in a scene; anything else becomes a word that nobody expects. */
 void fake_reader_text(pov_reader *in, const char *text);
 
+/* What was fed, as text that fake_reader_text() takes; cut off where it is longer. */
+void fake_reader_print(const pov_reader *in, char *out, size_t size);
+
 /* Zeroed memory, aligned to 64 bytes, freed with the reader. */
 void *fake_reader_memory(pov_reader *in, size_t bytes);
 

@@ -122,8 +122,9 @@ enum {
     POV_SHAPE_BOX = 1u << 2,
     POV_SHAPE_BALL = 1u << 3,
     POV_SHAPE_FACES = 1u << 4,   /* its sides are flat: normal() does not look at the ray */
-    /* No hit or miss is misjudged, and each distance t + t_lo is off by at most 32 units in the last place of t, from
-     * however far and at whatever scale (docs/numerics.md). The contract's tests hold the class to it. */
+    /* No hit or miss is misjudged, and each distance t + t_lo is off by at most 32 units in the last place of t, the
+     * point there by 2^-42 of the shape's size, from however far and at whatever scale (docs/numerics.md). The
+     * contract's tests hold the class to it. */
     POV_SHAPE_CERTIFIED = 1u << 5
 };
 
