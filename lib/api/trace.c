@@ -43,6 +43,7 @@ static pov_hit hit_of(const hit *h, double distance)
     found.distance = distance;
     found.point = h->point;
     found.normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
+    found.shading_normal = found.normal;
     found.object = h->object;
     found.certain = (h->crossing.mark.flags & POV_MARK_DECIDED) == 0;
     return found;

@@ -23,6 +23,7 @@ static void add_light(pov_reader *in, const light_text *text, const place *at)
 
     if (in->failed)
         return;
+    l.type = LIGHT_POINT;
     l.color = text->colour;
     l.position = text->position;
     l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);

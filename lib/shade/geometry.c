@@ -2,14 +2,15 @@
 
 void geometry_begin(geometry *g)
 {
+    g->shading = &g->to.normal;
     for (uint32_t i = 0; i < WORLD_MANY; i++)
-        g->to.way.x[i] = g->to.normal.x[i] = 1.0;
+        g->to.way.x[i] = g->to.normal.x[i] = g->bent.x[i] = 1.0;
 }
 
 /* What the surface's side and the unit direction make of lane i. */
-static inline void turn(geometry *g, uint32_t i, pov_vec3 view)
+static inline void turn(geometry *g, const vec_lanes *shading, uint32_t i, pov_vec3 view)
 {
-    const pov_vec3 normal = lanes_at(&g->to.normal, i);
+    const pov_vec3 normal = lanes_at(shading, i);
     double cosine = -pov_dot(normal, view);
 
     cosine = cosine > 0.0 ? cosine : 0.0;
@@ -19,7 +20,7 @@ static inline void turn(geometry *g, uint32_t i, pov_vec3 view)
 }
 
 /* False: some direction is so short or long that its square is none. */
-SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n)
+static inline bool turn_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
 {
     int64_t plain = -1;
 
@@ -27,14 +28,34 @@ SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n)
         pov_vec3 view;
 
         plain &= geometry_unit(g->to.way.x[i], g->to.way.y[i], g->to.way.z[i], &view);
-        turn(g, i, view);
+        turn(g, shading, i, view);
     }
     return plain != 0;
 }
 
+SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n) { return turn_lanes(g, &g->to.normal, n); }
+
+SIMD_CLONES static bool turn_bent(geometry *g, uint32_t n) { return turn_lanes(g, &g->bent, n); }
+
+/* A mirrored ray that would go into the surface is mirrored at the surface itself. */
+static void mend(geometry *g, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const pov_vec3 mirrored = lanes_at(&g->mirrored, i), normal = lanes_at(&g->to.normal, i);
+        const double out = pov_dot(mirrored, normal);
+
+        if (out < 0.0)
+            lanes_put(&g->mirrored, i, pov_sub(mirrored, pov_scale(normal, 2.0 * out)));
+    }
+}
+
 void geometry_turn(geometry *g, uint32_t n)
 {
-    if (!turn_plain(g, lanes_whole(n)))
+    const bool bent = geometry_is_bent(g);
+
+    if (!(bent ? turn_bent(g, lanes_whole(n)) : turn_plain(g, lanes_whole(n))))
         for (uint32_t i = 0; i < n; i++)
-            turn(g, i, pov_unit(lanes_at(&g->to.way, i)));
+            turn(g, g->shading, i, pov_unit(lanes_at(&g->to.way, i)));
+    if (bent)
+        mend(g, n);
 }

@@ -8,17 +8,24 @@
  * the end is of earlier surfaces, and nobody looks at it. */
 static inline uint32_t lanes_whole(uint32_t n) { return (n + 3) & ~3u; }
 
-/* How surfaces lie towards the rays that hit them. */
+/* How surfaces lie towards the rays that hit them. Light is computed with the shading normals; to which side of a surface
+ * a ray goes is decided by the geometric ones. */
 typedef struct geometry {
-    approaches to;
+    approaches to;               /* its normals are the geometric ones */
+    const vec_lanes *shading;    /* the shading normals, unit, turned towards the ray's start: those of `to` unless they
+                                  * differ for some surface */
+    vec_lanes bent;              /* memory for shading normals that differ */
     vec_lanes view;              /* the direction, unit */
     vec_lanes mirrored;          /* view, mirrored; unit */
-    double cosine[WORLD_MANY];   /* between normal and the direction back, >= 0 */
+    double cosine[WORLD_MANY];   /* between shading normal and the direction back, >= 0 */
 } geometry;
+
+/* Do the two kinds of normals differ? */
+static inline bool geometry_is_bent(const geometry *g) { return g->shading != &g->to.normal; }
 
 /* Of no surfaces yet: lanes hold what is computed with like any other. */
 void geometry_begin(geometry *g);
-/* What n rays and normals make of view, mirrored direction and cosine. */
+/* What n rays and shading normals make of view, mirrored direction and cosine. */
 void geometry_turn(geometry *g, uint32_t n);
 
 /* The unit vector along one whose squares stay within double's range; it is pov_unit()'s to the bit. 0 and not -1: it

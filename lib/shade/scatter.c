@@ -71,6 +71,12 @@ typedef struct scattering {
     limits limits;
 } scattering;
 
+/* Between the view, or the mirrored direction, and the geometric normal: to which side a ray leaves. */
+static inline double cosine_of(const geometry *g, uint32_t lane, const vec_lanes *dir)
+{
+    return geometry_is_bent(g) ? fabs(pov_dot(lanes_at(&g->to.normal, lane), lanes_at(dir, lane))) : g->cosine[lane];
+}
+
 /* Back to the side that the ray came from. */
 static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
 {
@@ -82,7 +88,7 @@ static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
     if (!passes_cutoff(&to->limits, s->from, &factor, true))
         return;
     spawn(b, s, lanes_at(&g->mirrored, lane), factor, true);
-    world_leave(&b->own[b->count++], s->at, g->cosine[lane]);
+    world_leave(&b->own[b->count++], s->at, cosine_of(g, lane, &g->mirrored));
 }
 
 /* Straight on, whatever lies on both sides. NULL: the path is cut off. */
@@ -90,7 +96,8 @@ static path *transmit(scattering *to, uint32_t lane)
 {
     const surface *s = &to->on->at[lane];
     const pov_vec3 from = s->ray->org, point = s->at->point;
-    path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, to->on->geometry.cosine[lane], false);
+    const geometry *g = &to->on->geometry;
+    path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, cosine_of(g, lane, &g->view), false);
 
     if (!out)
         return NULL;
@@ -135,7 +142,7 @@ static void find_interfaces(const scattering *to, interfaces *p)
         any = true;
     }
     if (any)
-        refract_lanes(&p->to, &g->view, &g->to.normal, g->cosine, n);
+        refract_lanes(&p->to, &g->view, g->shading, g->cosine, n);
 }
 
 /* Both rays that can go on from an interface. The list of dielectrics goes on with the transmitted ray; a reflected one

@@ -2,6 +2,25 @@
 
 #include "base/err.h"
 
+static bool make_appearances(shading *s, const model *m)
+{
+    s->appearances = env_alloc(m->env, m->materials.count, sizeof *s->appearances);
+    for (size_t i = 0; s->appearances && i < m->materials.count; i++)
+        appearance_make(&s->appearances[i], s->plan, m, &m->materials.items[i]);
+    return s->appearances || m->materials.count == 0;
+}
+
+static bool make_lights(shading *s, const model *m)
+{
+    s->light_count = m->lights.count;
+    s->lights = env_alloc(m->env, s->light_count, sizeof *s->lights);
+    for (size_t i = 0; s->lights && i < s->light_count; i++) {
+        s->lights[i].light = &m->lights.items[i];
+        s->lights[i].class = light_class_of(s->lights[i].light);
+    }
+    return s->lights || s->light_count == 0;
+}
+
 pov_status shading_create(shading **out, const model *m, const world *w, pov_error *err)
 {
     shading *s = env_alloc(m->env, 1, sizeof *s);
@@ -12,13 +31,10 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->world = w;
     s->plan = world_plan(w);
     s->things = world_things(w);
-    s->appearances = env_alloc(m->env, m->materials.count, sizeof *s->appearances);
-    if (!s->appearances && m->materials.count > 0) {
+    if (!make_appearances(s, m) || !make_lights(s, m)) {
         shading_destroy(s);
         return err_memory(err);
     }
-    for (size_t i = 0; i < m->materials.count; i++)
-        appearance_make(&s->appearances[i], s->plan, m, &m->materials.items[i]);
     *out = s;
     return POV_OK;
 }
@@ -28,5 +44,6 @@ void shading_destroy(shading *s)
     if (!s)
         return;
     env_free(s->model->env, s->appearances);
+    env_free(s->model->env, s->lights);
     env_free(s->model->env, s);
 }

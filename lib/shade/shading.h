@@ -2,8 +2,11 @@
 #ifndef SHADE_SHADING_H
 #define SHADE_SHADING_H
 
+#include "light/light.h"
 #include "shade/appearance.h"
 #include "world/world.h"
+
+typedef struct scene_light { const light_class *class; const light *light; } scene_light;
 
 /* Never changes once it is made: many threads read one. */
 typedef struct shading {
@@ -12,6 +15,8 @@ typedef struct shading {
     const plan *plan;
     const world_thing *things;
     appearance *appearances;     /* one a material */
+    scene_light *lights;
+    size_t light_count;
 } shading;
 
 /* The model and the world must outlive it. */

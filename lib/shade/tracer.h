@@ -3,7 +3,7 @@
 #define SHADE_TRACER_H
 
 #include "shade/batch.h"
-#include "shade/light.h"
+#include "shade/lighting.h"
 
 /* One thread's tracer: the public opaque type. */
 struct pov_tracer {

@@ -21,6 +21,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_scene_info, max_trace_level, 88);
     AT(pov_plan_row, reason, 32);
     AT(pov_hit, certain, 68);
+    AT(pov_hit, shading_normal, 72);
     AT(pov_render_desc, wake_user, 64);
     AT(pov_render_desc, seed, 104);
     AT(pov_render_desc, time_map, 112);

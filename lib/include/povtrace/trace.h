@@ -13,6 +13,7 @@ typedef struct pov_hit {
     pov_vec3 point, normal;      /* world space; normal is unit and faces the ray */
     uint32_t object;             /* 0 .. pov_scene_object_count() - 1 */
     bool certain;                /* double precision decided; false: two-part arithmetic had to */
+    pov_vec3 shading_normal;     /* the one that light is computed with: `normal` where the surface's texture does not bend it */
 } pov_hit;
 
 POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err);

@@ -1,6 +1,6 @@
-/* light.h - what the lights do to surfaces. */
-#ifndef SHADE_LIGHT_H
-#define SHADE_LIGHT_H
+/* lighting.h - what the lights do to surfaces. */
+#ifndef SHADE_LIGHTING_H
+#define SHADE_LIGHTING_H
 
 #include "shade/surface.h"
 
