@@ -237,19 +237,25 @@ uninstall:
 deps:
 	@CC='$(CC)' CXX='$(CXX)' PYTHON='$(PYTHON)' PKG_CONFIG='$(PKG_CONFIG)' .ci/deps test
 
-DEMO      ?= sphereflake
+DEMO      ?= pool
 DEMO_SIZE ?= 800 600
+DEMO_SCENE = scenes/gallery/$(DEMO).pov
+DEMO_VIEW  = $(BUILD)/bin/povview $(DEMO_SCENE)
 
+# Make is called anew for what is built to be decided by what was installed.
 demo:
 	@CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' .ci/deps build
 	@$(MAKE) --no-print-directory all
 	@mkdir -p $(BUILD)/demo
-	$(POVC) scenes/gallery/$(DEMO).pov $(DEMO_SIZE) $(BUILD)/demo/$(DEMO).png --spp 4
+	$(POVC) $(DEMO_SCENE) $(DEMO_SIZE) $(BUILD)/demo/$(DEMO).png --spp 9
 	@echo
 	@echo "The picture is in $(BUILD)/demo/$(DEMO).png. What to try next:"
-	@echo "  make demo DEMO=NAME      for another scene of scenes/gallery: $(notdir $(basename $(wildcard scenes/gallery/*.pov)))"
-	@echo "  $(POVC) SCENE.pov 1024 768 OUT.png       for a scene of your own; $(POVC) --help says more"
-	@echo "  $(POVC) --explain scenes/gallery/$(DEMO).pov    for what the scene needs and what was left out"
+	@if [ ! -x $(BUILD)/bin/povview ]; then :; elif [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
+	    echo "  $(DEMO_VIEW)    to walk about in it; H shows the keys"; else \
+	    echo "  $(DEMO_VIEW) 800 600 --shot $(BUILD)/demo/window.png    for what the viewer's window shows; there is no display here"; fi
+	@echo "  make demo DEMO=NAME    for another scene of scenes/gallery: $(notdir $(basename $(wildcard scenes/gallery/*.pov)))"
+	@echo "  $(POVC) SCENE.pov 1024 768 OUT.png    for a scene of your own; $(POVC) --help says more"
+	@echo "  $(POVC) --explain $(DEMO_SCENE)    for what the scene needs and what was left out"
 
 check: $(SHARED) $(PLUGINS)
 	@BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' tests/check/check.sh
@@ -257,7 +263,7 @@ check: $(SHARED) $(PLUGINS)
 help:
 	@echo "make            build the library, the plugins and povc into $(BUILD)/"
 	@echo "make dev        build povc and what it loads into $(BUILD)-dev/, one copy at -O2: for edit and try"
-	@echo "make demo       render a scene of the gallery and say where the picture is"
+	@echo "make demo       install what is missing, build, render a scene of the gallery and say what to try next"
 	@echo "make test       run every test"
 	@echo "make check      hold the tree to its rules: rooms, exports, headers alone, no absolute epsilons"
 	@echo "make asan tsan  run the tests under the sanitizers; asan under clang's as well, where it is: make ubsan"
