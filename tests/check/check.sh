@@ -61,20 +61,22 @@ room() {
     report "$1 includes only what its room may"
 }
 public='<povtrace/[a-z_]+\.h>'
-# All but the contract, which only plug, sdl, bvh, world, query and api see.
+# All but the contract of plugins.
 plain='<povtrace/(povtrace|base|math|exact|scene|trace|render|image|plot)\.h>'
 room lib/include "$public"
-room lib/base "\"base/[a-z_]+\.h\"|<povtrace/(base|math|exact)\.h>"
-room lib/model "\"(model|base)/[a-z_]+\.h\"|$plain"
-room lib/plug "\"(plug|base)/[a-z_]+\.h\"|$public"
-room lib/sdl "\"(sdl|model|plug|base)/[a-z_]+\.h\"|$public"
-room lib/bvh "\"(bvh|base)/[a-z_0-9]+\.h\"|$public"
-room lib/world "\"(world|bvh|model|plug|base)/[a-z_0-9]+\.h\"|$public"
-room lib/query "\"(query|world|bvh|model|base)/[a-z_0-9]+\.h\"|$public"
-room lib/light "\"(light|world|model|base)/[a-z_]+\.h\"|$plain"
-room lib/shade "\"(shade|light|query|world|model|base)/[a-z_]+\.h\"|$plain"
-room lib/render "\"(render|shade|light|query|world|model|base)/[a-z_]+\.h\"|$plain"
-room lib/api "\"(api|render|shade|light|query|world|sdl|plug|model|base)/[a-z_]+\.h\"|$public"
+# The rooms of lib, by the table of docs/internals.md: a room includes itself and the rooms of its row. The contract of
+# plugins is for those whose row names one of its headers.
+sed -n '/^| room |/,/^$/s/^| *`lib\/\([a-z]*\)` *|.*| *\([^|]*\) *|$/\1 \2/p' docs/internals.md > "$work/rooms"
+while read -r name may; do
+    rooms=$(echo "$may" | tr ',' '\n' | sed -n 's/^ *\([a-z]*\) *$/|\1/p' | tr -d '\n')
+    headers=$plain
+    case $name,$may in
+    base,*) headers='<povtrace/(base|math|exact)\.h>' ;;
+    *"every room") rooms='|[a-z]+' headers=$public ;;
+    *.h*) headers=$public ;;
+    esac
+    room "lib/$name" "\"($name$rooms)/[a-z_0-9]+\.h\"|$headers"
+done < "$work/rooms"
 room plugins/primitives "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
 room plugins/images "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
 room plugins/plots "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image|plot)\.h>"
