@@ -1,5 +1,6 @@
 #include "api/adapt.h"
 #include "api/handles.h"
+#include "query/passage.h"
 #include "shade/tracer.h"
 
 pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err)
@@ -49,6 +50,11 @@ static pov_hit hit_of(const hit *h, double distance)
     return found;
 }
 
+static bool nearest(const pov_tracer *tracer, const pov_ray *ray, hit *h)
+{
+    return query_nearest(tracer->context.scene->world, tracer->context.walker, &ray, 1, INFINITY, h) != 0;
+}
+
 /* A miss is certain if no object on the way had to be decided; of a hit its own crossing counts, for what lies behind
  * it is looked at or not as the tree has it. */
 bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
@@ -61,7 +67,7 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
     if (!tracer)
         return false;
     before = walker_decided(tracer->context.walker);
-    if (!is_ray(org, dir) || !world_nearest(tracer->context.scene->world, tracer->context.walker, &ray, INFINITY, &h)) {
+    if (!is_ray(org, dir) || !nearest(tracer, &ray, &h)) {
         found.certain = walker_decided(tracer->context.walker) == before;
         if (out)
             adapt_out(out, &found, sizeof found);
@@ -72,73 +78,6 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
     if (out)
         adapt_out(out, &found, sizeof found);
     return true;
-}
-
-/* A ray that goes straight on through all that it meets, and the surfaces on each other that it stands on, if any. */
-typedef struct passage {
-    pov_tracer *tracer;
-    pov_ray ray;
-    spot on;
-    int standing;                /* crossings in a row that did not move it */
-} passage;
-
-/* The spot's surface that a direction meets first is crossed; the others of it come next. */
-static void cross_spot(passage *p, const hit *h)
-{
-    uint32_t which = 0;
-
-    while (which + 1 < p->on.count && p->on.at[which].object != h->object)
-        which++;
-    spot_pass(&p->on, which);
-}
-
-/* What lies on the spot and is still to be crossed. */
-static bool next_of_spot(passage *p, hit *h)
-{
-    const uint32_t which = spot_crossed(&p->on, p->ray.dir);
-
-    if (which >= p->on.count)
-        return false;
-    *h = p->on.at[which];
-    h->entering = pov_dot(h->normal, p->ray.dir) < 0.0;
-    return true;
-}
-
-static bool next_ahead(passage *p, hit *h)
-{
-    const world *w = p->tracer->context.scene->world;
-    walker *k = p->tracer->context.walker;
-    const bool stands = p->on.count > 0;
-    spot on;
-
-    if (!(stands ? world_nearest_from(w, k, &p->on, &p->ray, INFINITY, h) : world_nearest(w, k, &p->ray, INFINITY, h)))
-        return false;
-    if (h->company)
-        world_spot(w, k, &p->ray, stands ? &p->on : NULL, h, &on);
-    else
-        on.count = 0;
-    p->on = on;
-    world_surface(w, &p->ray, h);
-    return true;
-}
-
-static bool next_surface(passage *p, hit *h)
-{
-    /* As for transmitted rays: more surfaces on one spot than are told apart could hand a ray back and forth. */
-    enum { STANDING_MAX = 1000 };
-    const pov_vec3 from = p->ray.org;
-    bool met = (p->on.count > 0 && next_of_spot(p, h)) || next_ahead(p, h);
-
-    if (!met || walker_failed(p->tracer->context.walker))
-        return false;
-    if (p->on.count > 0)
-        cross_spot(p, h);
-    p->ray.org = h->point;
-    p->ray.org_lo = h->point_lo;
-    p->ray.left = h->object;
-    p->ray.left_mark = h->crossing.mark;
-    p->standing = from.x == h->point.x && from.y == h->point.y && from.z == h->point.z ? p->standing + 1 : 0;
-    return p->standing <= STANDING_MAX;
 }
 
 /* From the ray's start, in lengths of its direction. */
@@ -152,12 +91,16 @@ static double distance_to(const hit *h, pov_vec3 org, pov_vec3 dir)
 size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see)(void *user, const pov_hit *hit),
                       void *user)
 {
-    passage p = { .tracer = tracer, .ray = ray_of(org, dir) };
+    passage p = { .ray = ray_of(org, dir) };
     size_t count = 0;
     bool goes_on = tracer && see && is_ray(org, dir);
     hit h;
 
-    while (goes_on && next_surface(&p, &h)) {
+    if (goes_on) {
+        p.world = tracer->context.scene->world;
+        p.walker = tracer->context.walker;
+    }
+    while (goes_on && passage_next(&p, &h)) {
         const pov_hit found = hit_of(&h, count == 0 ? h.crossing.t : distance_to(&h, org, dir));
 
         count++;
@@ -170,7 +113,7 @@ bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to)
 {
     pov_ray ray = ray_of(from, pov_sub(to, from));
 
-    return tracer && is_ray(from, ray.dir) && world_blocked(tracer->context.scene->world, tracer->context.walker, &ray, 1.0);
+    return tracer && is_ray(from, ray.dir) && query_blocked(tracer->context.scene->world, tracer->context.walker, &ray, 1.0);
 }
 
 pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err)

@@ -25,7 +25,7 @@ BVH_AVX2 static inline __m256 later(__m256 a, __m256 b)
 
 /* To put met children in order without a branch for each: their entries side by side, the place in the node in the
  * three lowest bits. Vectors keep to 256 bits: while wider ones are under way, Intel's processors do fewer of these. */
-BVH_AVX2 static inline __m256i place_avx512(__m256 entry, __mmask8 met)
+BVH_AVX2 static inline __m256i slot_entries_avx512(__m256 entry, __mmask8 met)
 {
     const __m256i places = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
     const __m256i rest = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(entry));

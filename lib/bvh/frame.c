@@ -1,4 +1,9 @@
 #include "bvh/build.h"
+#include "bvh/traverse.h"
+
+#include <povtrace/exact.h>
+
+/* ---- frames for a build ---- */
 
 /* Rounded down: the margin is more than the rounding of the subtraction before and the conversion after it. */
 static inline float round_down(double x)
@@ -63,4 +68,71 @@ void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *ref
         f->hi[1] = round_up((b.hi.y - c.y) * s);
         f->hi[2] = round_up((b.hi.z - c.z) * s);
     }
+}
+
+/* ---- rays that come into a frame from far away, or with odd numbers ---- */
+
+/* Numbers too large or too small for anything else: with so much slack every box is met. */
+static bool enter_blindly(bvh_local *l)
+{
+    l->org = pov_vec3_of(0.0, 0.0, 0.0);
+    l->dir = pov_vec3_of(1.0, 1.0, 1.0);
+    l->scale = HUGE_VAL;         /* of any limit makes none */
+    l->shift = 0.0;
+    l->slack = 1e30;
+    return true;
+}
+
+/* Where the ray is at t, in the frame: exact but for one rounding, however far it starts. */
+static pov_vec3 point_at(const bvh_frame *f, const pov_ray *ray, double t)
+{
+    pov_two x = pov_recentre(ray->org.x, ray->org_lo.x, f->centre.x, t, ray->dir.x);
+    pov_two y = pov_recentre(ray->org.y, ray->org_lo.y, f->centre.y, t, ray->dir.y);
+    pov_two z = pov_recentre(ray->org.z, ray->org_lo.z, f->centre.z, t, ray->dir.z);
+
+    return pov_scale(pov_vec3_of(x.hi, y.hi, z.hi), f->scale);
+}
+
+/* Move the start to just before the cube. */
+static bool bring_near(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
+{
+    pov_vec3 o = l->org, d = l->dir, at;
+    double dd = pov_dot(d, d), length = sqrt(dd), along = -pov_dot(o, d) / dd, back;
+
+    if (!(fabs(along) < 1e200))
+        return enter_blindly(l);
+    /* The cube reaches to sqrt(3). From more than BVH_NEAR away it is ahead, or it is missed. */
+    if (along <= 0.0)
+        return false;
+    /* Before the nearest point to the centre by 4, and by what the rounding of t may bring. */
+    back = (4.0 + pov_largest(o) * 0x1p-48) / length;
+    l->shift = (along - back) / l->scale;
+    at = point_at(f, ray, l->shift);
+    if (!(pov_largest(at) < 1e30) || !(fabs(l->shift) < 1e290))
+        return enter_blindly(l);
+    l->org = at;
+    /* The cube's sphere has the square of its radius at 3; the subtraction loses some 2^-51 of its terms. */
+    along = pov_dot(at, d) / length;
+    return pov_dot(at, at) - along * along <= 4.0 + pov_dot(at, at) * 0x1p-33;
+}
+
+/* A direction too long or too short to be squared, and its unit vector. */
+static bool measure(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
+{
+    const double m = pov_largest(ray->dir);
+    const pov_vec3 d = pov_vec3_of(ray->dir.x / m, ray->dir.y / m, ray->dir.z / m);
+    const double length = sqrt(pov_dot(d, d));
+
+    l->dir = pov_vec3_of(d.x / length, d.y / length, d.z / length);
+    l->scale = f->scale * m * length;
+    return l->scale > 1e-300 && l->scale < 1e300;
+}
+
+bool bvh_enter_far(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
+{
+    if (!measure(f, ray, l))
+        return enter_blindly(l);
+    if (pov_largest(l->org) <= BVH_NEAR)
+        return true;
+    return bring_near(f, ray, l);
 }

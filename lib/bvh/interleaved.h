@@ -1,30 +1,30 @@
-/* interleaved.h - rays that go through a tree each by itself, by turns: while one waits for what its node says, others go
- * on. What is met comes on the stack without a branch, for branches of several rays in turn cannot be guessed. No guard:
- * packet.c includes it, once. */
+/* interleaved.h - rays that go through a tree each by itself, interleaved: while one waits for its node, others go on.
+ * Children that are hit come on the stack without a branch, for branches of several rays in turn cannot be predicted. No
+ * guard: packet.c includes it, once. */
 
 /* So many at a time. */
-enum { TURNS = 16 };
+enum { INTERLEAVED = 16 };
 
 /* A ray on its way: where rows of bounds are, in bytes, and what is still to be visited. Below that are eight entries
  * that nothing lies before, the last of them the end. */
-typedef struct turn {
+typedef struct interleaved_ray {
     float inverse[3], near_offset[3], far_offset[3], limit;
     uint32_t near_row[3], far_row[3];
     uint32_t at, lane, top;
     float entry[BVH_STACK + 2 * BVH_WIDTH];
     uint32_t child[BVH_STACK + 2 * BVH_WIDTH];
-} turn;
+} interleaved_ray;
 
 /* All of them, and the lanes that are still to begin; bits of those that are at a node, and at a leaf or the end. */
-typedef struct turns {
-    turn of[TURNS];
+typedef struct interleaved {
+    interleaved_ray of[INTERLEAVED];
     uint64_t later;
     uint32_t at_node, at_leaf;
-} turns;
+} interleaved;
 
-static inline bool is_at_node(const turn *t) { return (t->at & BVH_KIND) == BVH_NODE; }
+static inline bool is_at_node(const interleaved_ray *t) { return (t->at & BVH_KIND) == BVH_NODE; }
 
-BVH_AVX2 static inline void begin_turn(const company *c, uint32_t lane, turn *t)
+BVH_AVX2 static inline void begin_ray(const packet_state *c, uint32_t lane, interleaved_ray *t)
 {
     int k;
 
@@ -44,11 +44,11 @@ BVH_AVX2 static inline void begin_turn(const company *c, uint32_t lane, turn *t)
 }
 
 /* Let the next lane begin here, if there is one. */
-BVH_AVX2 static inline void begin_next(const company *c, turns *all, turn *t)
+BVH_AVX2 static inline void begin_next(const packet_state *c, interleaved *all, interleaved_ray *t)
 {
     if (!all->later)
         return;
-    begin_turn(c, first_of64(all->later), t);
+    begin_ray(c, first_of64(all->later), t);
     all->later &= all->later - 1;
 }
 
@@ -60,8 +60,8 @@ BVH_AVX2 static inline __m256 planes(const bvh_node *node, uint32_t row, const f
     return _mm256_fmsub_ps(_mm256_load_ps(bounds), _mm256_broadcast_ss(inverse), _mm256_broadcast_ss(offset));
 }
 
-/* As meet_avx2. */
-BVH_AVX2 static inline __mmask8 meet_avx512(const bvh_node *node, const turn *t, __m256 *entry)
+/* As hit_mask_avx2. */
+BVH_AVX2 static inline __mmask8 hit_mask_avx512(const bvh_node *node, const interleaved_ray *t, __m256 *entry)
 {
     const __m256 x = planes(node, t->near_row[0], &t->inverse[0], &t->near_offset[0]);
     const __m256 y = planes(node, t->near_row[1], &t->inverse[1], &t->near_offset[1]);
@@ -76,16 +76,16 @@ BVH_AVX2 static inline __mmask8 meet_avx512(const bvh_node *node, const turn *t,
 }
 
 /* Put the met children of the node that it is at on the stack, and go to what is on top then. */
-BVH_AVX2 static inline void take_turn(const bvh_node *nodes, turn *t, bool sorted)
+BVH_AVX2 static inline void step_ray(const bvh_node *nodes, interleaved_ray *t, bool sorted)
 {
     const bvh_node *node = &nodes[t->at];
     const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
     __m256 entry;
-    const __mmask8 met = meet_avx512(node, t, &entry);
+    const __mmask8 met = hit_mask_avx512(node, t, &entry);
     const uint32_t count = (uint32_t)__builtin_popcount(met);
 
     if (sorted) {
-        const __m256i order = sort_avx512(place_avx512(entry, met), count);
+        const __m256i order = sort_avx512(slot_entries_avx512(entry, met), count);
 
         _mm256_storeu_ps(t->entry + t->top, entries_avx512(order));
         store_avx512(t->child + t->top, _mm256_permutevar8x32_epi32(child, order));
@@ -97,7 +97,7 @@ BVH_AVX2 static inline void take_turn(const bvh_node *nodes, turn *t, bool sorte
 }
 
 /* All that are at nodes, until none is. */
-BVH_AVX2 static inline void take_turns(const bvh_node *nodes, turns *all, bool sorted)
+BVH_AVX2 static inline void step_rays(const bvh_node *nodes, interleaved *all, bool sorted)
 {
     while (all->at_node) {
         uint32_t node = 0, rest;
@@ -105,7 +105,7 @@ BVH_AVX2 static inline void take_turns(const bvh_node *nodes, turns *all, bool s
         for (rest = all->at_node; rest; rest &= rest - 1) {
             const uint32_t which = first_of(rest);
 
-            take_turn(nodes, &all->of[which], sorted);
+            step_ray(nodes, &all->of[which], sorted);
             node |= (uint32_t)is_at_node(&all->of[which]) << which;
         }
         all->at_leaf |= all->at_node & ~node;
@@ -114,7 +114,7 @@ BVH_AVX2 static inline void take_turns(const bvh_node *nodes, turns *all, bool s
 }
 
 /* Go to the topmost that is within the limit. */
-BVH_AVX2 static inline void go_on(turn *t, bool sorted)
+BVH_AVX2 static inline void go_on(interleaved_ray *t, bool sorted)
 {
     const __m256 limit = _mm256_broadcast_ss(&t->limit);
     uint32_t within = 0;
@@ -125,18 +125,18 @@ BVH_AVX2 static inline void go_on(turn *t, bool sorted)
     t->at = t->child[t->top];
 }
 
-static inline const unsigned char *leaf_at(const company *c, const turn *t)
+static inline const unsigned char *leaf_at(const packet_state *c, const interleaved_ray *t)
 {
     return c->tree->leaves + (size_t)(t->at & ~BVH_KIND) * BVH_UNIT;
 }
 
-BVH_AVX2 static inline void ask_leaf(company *c, turn *t, bool sorted)
+BVH_AVX2 static inline void ask_leaf(packet_state *c, interleaved_ray *t, bool sorted)
 {
     const uint64_t lane = (uint64_t)1 << t->lane;
 
-    end_lanes(c, c->party->leaf(c->party, leaf_at(c, t), lane));
-    if (c->party->lowered) {
-        c->party->lowered = 0;
+    end_lanes(c, c->traversal->leaf(c->traversal, leaf_at(c, t), lane));
+    if (c->traversal->lowered) {
+        c->traversal->lowered = 0;
         lower_limit(c, t->lane);
         t->limit = c->limit[t->lane];
     }
@@ -146,7 +146,7 @@ BVH_AVX2 static inline void ask_leaf(company *c, turn *t, bool sorted)
 }
 
 /* All that are at leaves, which are sent for first, or at the end; then they are at what comes next. */
-BVH_AVX2 static inline void ask_leaves(company *c, turns *all, bool sorted)
+BVH_AVX2 static inline void ask_leaves(packet_state *c, interleaved *all, bool sorted)
 {
     uint32_t node = 0, end = 0, rest;
 
@@ -158,7 +158,7 @@ BVH_AVX2 static inline void ask_leaves(company *c, turns *all, bool sorted)
     }
     for (rest = all->at_leaf; rest; rest &= rest - 1) {
         const uint32_t which = first_of(rest);
-        turn *t = &all->of[which];
+        interleaved_ray *t = &all->of[which];
 
         if (t->at != BVH_RETURN)
             ask_leaf(c, t, sorted);
@@ -171,15 +171,15 @@ BVH_AVX2 static inline void ask_leaves(company *c, turns *all, bool sorted)
     all->at_leaf &= ~(node | end);
 }
 
-BVH_AVX2 static inline uint64_t walk_by_turns(bvh_party *party, bool sorted)
+BVH_AVX2 static inline uint64_t traverse_interleaved(bvh_traversal *traversal, bool sorted)
 {
-    company c;
-    turns all;
+    packet_state c;
+    interleaved all;
     uint32_t i;
 
-    begin(&c, party);
+    begin(&c, traversal);
     all.later = enter_avx2(&c, 0, c.open) & c.open;
-    for (i = 0; i < TURNS && all.later; i++)
+    for (i = 0; i < INTERLEAVED && all.later; i++)
         begin_next(&c, &all, &all.of[i]);
     all.at_leaf = ~(~0u << i);
     all.at_node = 0;
@@ -188,18 +188,18 @@ BVH_AVX2 static inline uint64_t walk_by_turns(bvh_party *party, bool sorted)
         all.at_leaf = 0;
     }
     while (all.at_node | all.at_leaf) {
-        take_turns(c.tree->nodes, &all, sorted);
+        step_rays(c.tree->nodes, &all, sorted);
         ask_leaves(&c, &all, sorted);
     }
     return c.ended;
 }
 
-uint64_t bvh_turns_nearest(bvh_party *party)
+uint64_t bvh_nearest_interleaved(bvh_traversal *traversal)
 {
-    return walk_by_turns(party, true);
+    return traverse_interleaved(traversal, true);
 }
 
-uint64_t bvh_turns_any(bvh_party *party)
+uint64_t bvh_any_interleaved(bvh_traversal *traversal)
 {
-    return walk_by_turns(party, false);
+    return traverse_interleaved(traversal, false);
 }

@@ -1,46 +1,56 @@
-#include "bvh/packet.h"
-
+/* Many rays through a tree at once.
+ *
+ * Rays that start and go alike meet nearly the same boxes. So all of them together are tested against the eight
+ * children of a node first: over the intervals that their 1/d and o lie in, a plane at b is met no earlier than
+ * the least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What
+ * floats lose there is at most 4 + 5 |o| in the units of traverse.h: twice |b - o| for r, |b| for the product, |o|
+ * twice for o and the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that
+ * remain each is tested against eight rays at once, with the single ray's formula. With the other end of o, and the
+ * least of all limits, the same products say which boxes all rays surely meet, and these are not tested again; were that
+ * said of a ray that does not, it would be asked about a box too many. What the group's test says for the order of boxes
+ * is a hint; what a ray meets does not depend on it. */
 #include "base/bits.h"
+#include "bvh/traverse.h"
 
 #include <string.h>
 
-/* What all rays of a company share, by axis: ends of the interval of 1/d, and by end the offsets. The fourth goes for
+/* What all rays of a packet share, by axis: ends of the interval of 1/d, and by end the offsets. The fourth goes for
  * nothing. */
-typedef struct company_bounds { float inverse[2][4], near_offset[2][4], far_offset[2][4]; } company_bounds;
+typedef struct packet_bounds { float inverse[2][4], near_offset[2][4], far_offset[2][4]; } packet_bounds;
 
 /* Arrays by lane; eight lanes are loaded at once. */
 #ifdef __GNUC__
-#define COMPANY_ALIGNED __attribute__((aligned(64)))
+#define PACKET_ALIGNED __attribute__((aligned(64)))
 #else
-#define COMPANY_ALIGNED
+#define PACKET_ALIGNED
 #endif
 
-typedef struct company {
-    float inverse[3][BVH_COMPANY], near_offset[3][BVH_COMPANY], far_offset[3][BVH_COMPANY], limit[BVH_COMPANY];
-    double scale[BVH_COMPANY];
-    company_bounds bounds;
+typedef struct packet_state {
+    float inverse[3][BVH_LANES], near_offset[3][BVH_LANES], far_offset[3][BVH_LANES], limit[BVH_LANES];
+    double scale[BVH_LANES];
+    packet_bounds bounds;
     uint32_t near_row[4];        /* rows of a node's bounds: where rays enter; row ^ 1 is where they leave */
     float least;                 /* no limit is less */
     bool near;                   /* all origins are near the frame */
     const bvh *tree;
-    bvh_party *party;
-    uint64_t open, ended;        /* lanes that still walk; those that a leaf ended */
+    bvh_traversal *traversal;
+    uint64_t open, ended;        /* lanes that are still under way; those that a leaf ended */
     uint32_t width;              /* lanes, a multiple of eight */
     uint32_t frame;
-} COMPANY_ALIGNED company;
+} PACKET_ALIGNED packet_state;
 
 /* Of rays that are taken into a frame in floats. In the units of traverse.h: twice |b - o| for 1/d, of a rounded d; |b|
  * for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6 |o|. */
-#define COMPANY_SLACK 0x1p-21f
+#define PACKET_SLACK 0x1p-21f
 
 /* What is still to be visited, and by whom: the lower and the upper half of the lanes. Entries may be less than they
  * are by a few units in the last place. Eight of each may be stored at once. */
-typedef struct company_stack {
+typedef struct packet_stack {
     float entry[BVH_STACK + BVH_WIDTH];
     uint32_t at[BVH_STACK + BVH_WIDTH], low[BVH_STACK + BVH_WIDTH], high[BVH_STACK + BVH_WIDTH];
-} company_stack;
+} packet_stack;
 
-static inline void put_on(company_stack *s, uint32_t top, float entry, uint32_t at, uint64_t lanes)
+static inline void push_entry(packet_stack *s, uint32_t top, float entry, uint32_t at, uint64_t lanes)
 {
     s->entry[top] = entry;
     s->at[top] = at;
@@ -48,25 +58,25 @@ static inline void put_on(company_stack *s, uint32_t top, float entry, uint32_t 
     s->high[top] = (uint32_t)(lanes >> 32);
 }
 
-static inline uint64_t lanes_on(const company_stack *s, uint32_t top)
+static inline uint64_t lanes_on(const packet_stack *s, uint32_t top)
 {
     return (uint64_t)s->high[top] << 32 | s->low[top];
 }
 
 /* Above those from base on that are nearer. */
-static inline void put_in(company_stack *s, uint32_t base, uint32_t top, float entry, uint32_t at, uint64_t lanes)
+static inline void insert_entry(packet_stack *s, uint32_t base, uint32_t top, float entry, uint32_t at, uint64_t lanes)
 {
     for (; top > base && s->entry[top - 1] < entry; top--)
-        put_on(s, top, s->entry[top - 1], s->at[top - 1], lanes_on(s, top - 1));
-    put_on(s, top, entry, at, lanes);
+        push_entry(s, top, s->entry[top - 1], s->at[top - 1], lanes_on(s, top - 1));
+    push_entry(s, top, entry, at, lanes);
 }
 
 #if defined(__AVX512VL__) && defined(__GNUC__)
 
 /* Up to so many lanes go one by one against all children. */
-enum { COMPANY_FEW_LANES = 12 };
+enum { PACKET_FEW_LANES = 12 };
 
-static inline bool is_few(uint64_t lanes) { return __builtin_popcountll(lanes) <= COMPANY_FEW_LANES; }
+static inline bool is_few(uint64_t lanes) { return __builtin_popcountll(lanes) <= PACKET_FEW_LANES; }
 
 /* Are these less than what is to be held against children, eight at a time? */
 static inline bool are_less(uint64_t lanes, uint64_t eights, uint32_t children)
@@ -103,56 +113,56 @@ static inline uint64_t eights_of(uint64_t lanes)
 
 /* Filters may take sixteen at a time: places past the width hold nothing then that is slow to compute with, as denormal
  * floats are. */
-static void clear_past(pov_rays *side, uint32_t width)
+static void clear_past(pov_rays *soa, uint32_t width)
 {
     const size_t bytes = 8 * sizeof(float);
     int k;
 
     for (k = 0; k < 3; k++) {
-        memset(side->framed.org[k] + width, 0, bytes);
-        memset(side->framed.dir[k] + width, 0, bytes);
+        memset(soa->framed.org[k] + width, 0, bytes);
+        memset(soa->framed.dir[k] + width, 0, bytes);
     }
-    memset(side->framed.size + width, 0, bytes);
-    memset(side->framed.smax + width, 0, bytes);
+    memset(soa->framed.size + width, 0, bytes);
+    memset(soa->framed.smax + width, 0, bytes);
 }
 
-static void begin(company *c, bvh_party *party)
+static void begin(packet_state *c, bvh_traversal *traversal)
 {
-    c->tree = party->tree;
-    c->party = party;
-    c->open = party->lanes;
+    c->tree = traversal->tree;
+    c->traversal = traversal;
+    c->open = traversal->lanes;
     c->ended = 0;
-    c->width = (party->count + 7) & ~7u;
+    c->width = (traversal->count + 7) & ~7u;
     if (c->width & 8)
-        clear_past(&party->side, c->width);
+        clear_past(&traversal->soa, c->width);
     c->frame = 0;
 }
 
-static inline void end_lanes(company *c, uint64_t lanes)
+static inline void end_lanes(packet_state *c, uint64_t lanes)
 {
     c->open &= ~lanes;
     c->ended |= lanes;
 }
 
-static inline void lower_limit(company *c, uint32_t i)
+static inline void lower_limit(packet_state *c, uint32_t i)
 {
-    pov_rays *side = &c->party->side;
+    pov_rays *soa = &c->traversal->soa;
 
-    c->limit[i] = side->framed.smax[i] = bvh_limit(c->scale[i], side->framed.shift[i], c->party->limit[i]);
+    c->limit[i] = soa->framed.smax[i] = bvh_limit(c->scale[i], soa->framed.shift[i], c->traversal->limit[i]);
     c->least = c->limit[i] < c->least ? c->limit[i] : c->least;
 }
 
-static inline void lower_limits(company *c)
+static inline void lower_limits(packet_state *c)
 {
-    uint64_t lanes = c->party->lowered & c->open;
+    uint64_t lanes = c->traversal->lowered & c->open;
 
     for (; lanes; lanes &= lanes - 1)
         lower_limit(c, first_of64(lanes));
-    c->party->lowered = 0;
+    c->traversal->lowered = 0;
 }
 
 /* The lane of one axis. */
-static inline void put_axis(company *c, uint32_t i, int k, double o, double d)
+static inline void put_axis(packet_state *c, uint32_t i, int k, double o, double d)
 {
     const double a = fabs(d), inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
     const double slack = fabs(inverse) * (1.0 + fabs(o)) * BVH_SLACK;
@@ -162,21 +172,21 @@ static inline void put_axis(company *c, uint32_t i, int k, double o, double d)
     c->far_offset[k][i] = (float)(o * inverse - slack);
 }
 
-static inline void put_lane(company *c, uint32_t i, const bvh_local *l)
+static inline void put_lane(packet_state *c, uint32_t i, const bvh_local *l)
 {
     put_axis(c, i, 0, l->org.x, l->dir.x);
     put_axis(c, i, 1, l->org.y, l->dir.y);
     put_axis(c, i, 2, l->org.z, l->dir.z);
     c->scale[i] = l->scale;
-    bvh_stand(&c->party->side, i, l, 0.0f);
+    bvh_to_frame(&c->traversal->soa, i, l, 0.0f);
 }
 
 /* The places of lanes that are not in the frame hold one that is, so that bounds are not widened, and a limit that
  * nothing is within. */
-static void fill_others(company *c, uint64_t in)
+static void fill_others(packet_state *c, uint64_t in)
 {
     const uint32_t some = first_of64(in);
-    pov_rays *side = &c->party->side;
+    pov_rays *soa = &c->traversal->soa;
     uint32_t i;
     int k;
 
@@ -185,24 +195,23 @@ static void fill_others(company *c, uint64_t in)
             continue;
         for (k = 0; k < 3; k++) {
             c->inverse[k][i] = c->inverse[k][some];
-            side->framed.org[k][i] = side->framed.org[k][some];
+            soa->framed.org[k][i] = soa->framed.org[k][some];
         }
         c->limit[i] = -1.0f;
     }
 }
 
 /* Lanes that are in the frame. */
-static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
+static uint64_t enter_each(packet_state *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
 {
-    const bvh_party *party = c->party;
+    const bvh_traversal *traversal = c->traversal;
     uint64_t in = 0;
     bvh_local l;
     uint32_t i;
 
     for (; lanes; lanes &= lanes - 1) {
         i = first_of64(lanes);
-        bvh_write(party, i);
-        if (!bvh_enter(&c->tree->frames[frame], party->rays[i], party->length[i], party->side.per_length[i], &l))
+        if (!bvh_enter(&c->tree->frames[frame], traversal->rays[i], traversal->length[i], traversal->soa.per_length[i], &l))
             continue;
         if (l.slack > BVH_SLACK) {
             *blind |= (uint64_t)1 << i;
@@ -215,10 +224,23 @@ static uint64_t enter_each(company *c, uint32_t frame, uint64_t lanes, uint64_t 
     return in;
 }
 
-/* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
-static inline void bound(company *c, int k, float lo, float hi, float first, float last)
+/* Lanes go on alone from a reference in the frame. */
+static void go_single(packet_state *c, uint64_t lanes, uint32_t at)
 {
-    company_bounds *b = &c->bounds;
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
+
+        if (bvh_go_single(c->traversal, i, c->frame, at))
+            end_lanes(c, (uint64_t)1 << i);
+    }
+    c->traversal->in = &c->tree->frames[c->frame];
+    lower_limits(c);
+}
+
+/* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
+static inline void bound(packet_state *c, int k, float lo, float hi, float first, float last)
+{
+    packet_bounds *b = &c->bounds;
     bool backward = lo < 0.0f;
     double near = (double)(backward ? first : last), far = (double)(backward ? last : first);
     double size = fabs(near) > fabs(far) ? fabs(near) : fabs(far), slack = 2.0 * BVH_SLACK * (1.0 + size);
@@ -241,9 +263,9 @@ static inline float lesser(float a, float b) { return a < b ? a : b; }
 /* ---- for every processor ---- */
 
 /* Of 1/d and o on one axis, by eight columns. Lanes that take no part hold another's values. */
-static inline void bound_axis(company *c, int k)
+static inline void bound_axis(packet_state *c, int k)
 {
-    const float *inverse = c->inverse[k], *o = c->party->side.framed.org[k];
+    const float *inverse = c->inverse[k], *o = c->traversal->soa.framed.org[k];
     float lo[8], hi[8], first[8], last[8];
     uint32_t i, j;
 
@@ -267,7 +289,7 @@ static inline void bound_axis(company *c, int k)
     bound(c, k, lo[0], hi[0], first[0], last[0]);
 }
 
-static inline void bound_all_portable(company *c)
+static inline void bound_all_portable(packet_state *c)
 {
     int k;
 
@@ -277,10 +299,10 @@ static inline void bound_all_portable(company *c)
 }
 
 /* Boxes that any lane may meet, and what no lane enters them before. */
-static inline uint32_t group_portable(const bvh_node *node, const company *c, float entry[BVH_WIDTH], uint32_t *all)
+static inline uint32_t group_portable(const bvh_node *node, const packet_state *c, float entry[BVH_WIDTH], uint32_t *all)
 {
     float leave[BVH_WIDTH];
-    const company_bounds *b = &c->bounds;
+    const packet_bounds *b = &c->bounds;
     uint32_t mask = 0;
     int i, k;
 
@@ -308,7 +330,7 @@ static inline uint32_t group_portable(const bvh_node *node, const company *c, fl
 }
 
 /* Boxes that any of a few lanes may meet, by child which of them, and where the first of these enters it. */
-static inline uint32_t few_portable(const bvh_node *node, const company *c, uint64_t lanes, float entry[BVH_WIDTH],
+static inline uint32_t few_portable(const bvh_node *node, const packet_state *c, uint64_t lanes, float entry[BVH_WIDTH],
                                     uint64_t meet[BVH_WIDTH])
 {
     uint32_t mask = 0;
@@ -345,7 +367,7 @@ static inline uint32_t few_portable(const bvh_node *node, const company *c, uint
 }
 
 /* The lanes that may meet a child. */
-static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes,
+static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const packet_state *c, uint64_t lanes,
                                       uint64_t eights)
 {
     uint64_t meet = 0;
@@ -376,7 +398,7 @@ static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, cons
 }
 
 /* The lanes whose limit is not before an entry. */
-static inline uint64_t within_portable(const company *c, float entry, uint64_t lanes)
+static inline uint64_t within_portable(const packet_state *c, float entry, uint64_t lanes)
 {
     uint64_t in = 0;
     uint32_t i;
@@ -386,24 +408,24 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
     return in & lanes;
 }
 
-#define COMPANY_TARGET
-#define COMPANY_NAME(name) name##_portable
-#define COMPANY_BOUND_ALL bound_all_portable
-#define COMPANY_GROUP group_portable
-#define COMPANY_FEW few_portable
-#define COMPANY_LANES lanes_portable
-#define COMPANY_WITHIN within_portable
-#define COMPANY_LOWER lower_limits
+#define PACKET_TARGET
+#define PACKET_NAME(name) name##_portable
+#define PACKET_BOUND_ALL bound_all_portable
+#define PACKET_GROUP group_portable
+#define PACKET_FEW few_portable
+#define PACKET_LANES lanes_portable
+#define PACKET_WITHIN within_portable
+#define PACKET_LOWER lower_limits
 #include "bvh/packet_body.h"
-#undef COMPANY_TARGET
-#undef COMPANY_NAME
-#undef COMPANY_BOUND_ALL
-#undef COMPANY_GROUP
-#undef COMPANY_FEW
-#undef COMPANY_LANES
-#undef COMPANY_WITHIN
-#undef COMPANY_LOWER
-#undef COMPANY_PUSH_FEW
+#undef PACKET_TARGET
+#undef PACKET_NAME
+#undef PACKET_BOUND_ALL
+#undef PACKET_GROUP
+#undef PACKET_FEW
+#undef PACKET_LANES
+#undef PACKET_WITHIN
+#undef PACKET_LOWER
+#undef PACKET_PUSH_FEW
 
 /* ---- for those with AVX2 ---- */
 
@@ -411,13 +433,13 @@ static inline uint64_t within_portable(const company *c, float entry, uint64_t l
 
 #include "bvh/packet_avx2.h"
 
-#define COMPANY_NAME(name) name##_avx2
-#define COMPANY_BOUND_ALL bound_all_avx2
-#define COMPANY_GROUP group_avx2
-#define COMPANY_FEW few_avx2
-#define COMPANY_LANES lanes_avx2
-#define COMPANY_WITHIN within_avx2
-#define COMPANY_LOWER lower_avx2
+#define PACKET_NAME(name) name##_avx2
+#define PACKET_BOUND_ALL bound_all_avx2
+#define PACKET_GROUP group_avx2
+#define PACKET_FEW few_avx2
+#define PACKET_LANES lanes_avx2
+#define PACKET_WITHIN within_avx2
+#define PACKET_LOWER lower_avx2
 #include "bvh/packet_body.h"
 
 #ifdef __AVX512VL__

@@ -3,10 +3,10 @@
 
 #include "bvh/avx2.h"
 
-#define COMPANY_TARGET BVH_AVX2
+#define PACKET_TARGET BVH_AVX2
 
 /* The least of each of three, side by side. */
-COMPANY_TARGET static inline __m128 least_of_avx2(const __m256 v[3])
+PACKET_TARGET static inline __m128 least_of_avx2(const __m256 v[3])
 {
     __m128 x = _mm_min_ps(_mm256_castps256_ps128(v[0]), _mm256_extractf128_ps(v[0], 1));
     __m128 y = _mm_min_ps(_mm256_castps256_ps128(v[1]), _mm256_extractf128_ps(v[1], 1));
@@ -17,7 +17,7 @@ COMPANY_TARGET static inline __m128 least_of_avx2(const __m256 v[3])
     return _mm_min_ps(_mm_movelh_ps(x, z), _mm_movehl_ps(z, x));
 }
 
-COMPANY_TARGET static inline __m128 greatest_of_avx2(const __m256 v[3])
+PACKET_TARGET static inline __m128 greatest_of_avx2(const __m256 v[3])
 {
     __m128 x = _mm_max_ps(_mm256_castps256_ps128(v[0]), _mm256_extractf128_ps(v[0], 1));
     __m128 y = _mm_max_ps(_mm256_castps256_ps128(v[1]), _mm256_extractf128_ps(v[1], 1));
@@ -29,9 +29,9 @@ COMPANY_TARGET static inline __m128 greatest_of_avx2(const __m256 v[3])
 }
 
 /* As bound, of all axes. */
-COMPANY_TARGET static inline void bound_avx2(company *c, __m128 lo, __m128 hi, __m128 first, __m128 last)
+PACKET_TARGET static inline void bound_avx2(packet_state *c, __m128 lo, __m128 hi, __m128 first, __m128 last)
 {
-    company_bounds *b = &c->bounds;
+    packet_bounds *b = &c->bounds;
     const __m256d sign = _mm256_set1_pd(-0.0), per_size = _mm256_set1_pd(2.0 * BVH_SLACK);
     const __m256d near = _mm256_cvtps_pd(_mm_blendv_ps(last, first, lo));
     const __m256d far = _mm256_cvtps_pd(_mm_blendv_ps(first, last, lo));
@@ -52,14 +52,14 @@ COMPANY_TARGET static inline void bound_avx2(company *c, __m128 lo, __m128 hi, _
     }
 }
 
-COMPANY_TARGET static inline void bound_all_avx2(company *c)
+PACKET_TARGET static inline void bound_all_avx2(packet_state *c)
 {
     __m256 less[3], more[3], low[3], high[3];
     uint32_t i;
     int k;
 
     for (k = 0; k < 3; k++) {
-        const float *org = c->party->side.framed.org[k];
+        const float *org = c->traversal->soa.framed.org[k];
 
         less[k] = more[k] = _mm256_load_ps(c->inverse[k]);
         low[k] = high[k] = _mm256_loadu_ps(org);
@@ -76,17 +76,17 @@ COMPANY_TARGET static inline void bound_all_avx2(company *c)
 }
 
 /* near * r - offset by axis, at both ends. */
-COMPANY_TARGET static inline void ends_avx2(__m256 plane, const float r[2][4], const float offset[2][4], int k,
+PACKET_TARGET static inline void ends_avx2(__m256 plane, const float r[2][4], const float offset[2][4], int k,
                                             __m256 *x, __m256 *y)
 {
     *x = _mm256_fmsub_ps(plane, _mm256_broadcast_ss(&r[0][k]), _mm256_broadcast_ss(&offset[0][k]));
     *y = _mm256_fmsub_ps(plane, _mm256_broadcast_ss(&r[1][k]), _mm256_broadcast_ss(&offset[1][k]));
 }
 
-COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const company *c, float entry[BVH_WIDTH],
+PACKET_TARGET static inline uint32_t group_avx2(const bvh_node *node, const packet_state *c, float entry[BVH_WIDTH],
                                                  uint32_t *all)
 {
-    const company_bounds *b = &c->bounds;
+    const packet_bounds *b = &c->bounds;
     __m256 in = _mm256_setzero_ps(), out = _mm256_set1_ps(HUGE_VALF), x, y;
     __m256 last_in = in, first_out = _mm256_broadcast_ss(&c->least);
     int k;
@@ -109,7 +109,7 @@ COMPANY_TARGET static inline uint32_t group_avx2(const bvh_node *node, const com
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ));
 }
 
-COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const company *c, uint64_t lanes,
+PACKET_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t child, const packet_state *c, uint64_t lanes,
                                                  uint64_t eights)
 {
     __m256 near[3], far[3];
@@ -133,7 +133,7 @@ COMPANY_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t 
     return meet & lanes;
 }
 
-COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry, uint64_t lanes)
+PACKET_TARGET static inline uint64_t within_avx2(const packet_state *c, float entry, uint64_t lanes)
 {
     __m256 at = _mm256_set1_ps(entry);
     uint64_t in = 0;
@@ -147,10 +147,10 @@ COMPANY_TARGET static inline uint64_t within_avx2(const company *c, float entry,
 }
 
 /* As bvh_limit. */
-COMPANY_TARGET static inline __m128 four_limits_avx2(const company *c, uint32_t i)
+PACKET_TARGET static inline __m128 four_limits_avx2(const packet_state *c, uint32_t i)
 {
-    const __m256d scale = _mm256_loadu_pd(c->scale + i), shift = _mm256_loadu_pd(c->party->side.framed.shift + i);
-    const __m256d limit = _mm256_loadu_pd(c->party->limit + i), sign = _mm256_set1_pd(-0.0);
+    const __m256d scale = _mm256_loadu_pd(c->scale + i), shift = _mm256_loadu_pd(c->traversal->soa.framed.shift + i);
+    const __m256d limit = _mm256_loadu_pd(c->traversal->limit + i), sign = _mm256_set1_pd(-0.0);
     const __m256d all = _mm256_add_pd(_mm256_andnot_pd(sign, limit), _mm256_andnot_pd(sign, shift));
     __m256d u = _mm256_mul_pd(_mm256_sub_pd(limit, shift), scale);
 
@@ -161,15 +161,15 @@ COMPANY_TARGET static inline __m128 four_limits_avx2(const company *c, uint32_t 
 }
 
 /* As lower_limits, by eights: most are lowered together. */
-COMPANY_TARGET static inline void lower_avx2(company *c)
+PACKET_TARGET static inline void lower_avx2(packet_state *c)
 {
     const __m256i bits = _mm256_set_epi32(128, 64, 32, 16, 8, 4, 2, 1);
-    const uint64_t lanes = c->party->lowered & c->open;
+    const uint64_t lanes = c->traversal->lowered & c->open;
     __m256 least = _mm256_set1_ps(c->least);
     uint64_t eights;
     __m128 low;
 
-    c->party->lowered = 0;
+    c->traversal->lowered = 0;
     if (!lanes)
         return;
     for (eights = eights_of(lanes); eights; eights &= eights - 1) {
@@ -181,7 +181,7 @@ COMPANY_TARGET static inline void lower_avx2(company *c)
         limit = _mm256_blendv_ps(old, limit, which);
         least = _mm256_min_ps(least, _mm256_blendv_ps(least, limit, which));
         _mm256_store_ps(c->limit + i, limit);
-        _mm256_storeu_ps(c->party->side.framed.smax + i, limit);
+        _mm256_storeu_ps(c->traversal->soa.framed.smax + i, limit);
     }
     low = _mm_min_ps(_mm256_castps256_ps128(least), _mm256_extractf128_ps(least, 1));
     low = _mm_min_ps(low, _mm_movehl_ps(low, low));
@@ -191,12 +191,12 @@ COMPANY_TARGET static inline void lower_avx2(company *c)
 #ifndef __AVX512VL__
 
 /* Four comparisons' outcomes, for lanes of 64 bits. */
-COMPANY_TARGET static inline __m256i wide_avx2(__m128 met)
+PACKET_TARGET static inline __m256i wide_avx2(__m128 met)
 {
     return _mm256_cvtepi32_epi64(_mm_castps_si128(met));
 }
 
-COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const company *c, uint64_t lanes,
+PACKET_TARGET static inline uint32_t few_avx2(const bvh_node *node, const packet_state *c, uint64_t lanes,
                                                float entry[BVH_WIDTH], uint64_t meet[BVH_WIDTH])
 {
     __m256i low = _mm256_setzero_si256(), high = low;
@@ -230,11 +230,11 @@ COMPANY_TARGET static inline uint32_t few_avx2(const bvh_node *node, const compa
 #else
 
 /* Whom each child is met by: the lower and the upper half of the lanes. */
-typedef struct company_meets { __m256i low, high; } company_meets;
+typedef struct packet_masks { __m256i low, high; } packet_masks;
 
 /* As few_avx2, in registers. */
-COMPANY_TARGET static inline __m256 few_avx512(const bvh_node *node, const company *c, uint64_t lanes,
-                                               company_meets *meets)
+PACKET_TARGET static inline __m256 few_avx512(const bvh_node *node, const packet_state *c, uint64_t lanes,
+                                               packet_masks *meets)
 {
     __m256i low = _mm256_setzero_si256(), high = low;
     __m256 first = _mm256_set1_ps(HUGE_VALF), near[3], far[3];
@@ -266,16 +266,16 @@ COMPANY_TARGET static inline __m256 few_avx512(const bvh_node *node, const compa
 }
 
 /* As push_few, without a branch for each child. */
-COMPANY_TARGET static inline uint32_t push_few_avx512(const company *c, const bvh_node *node, uint64_t lanes,
-                                                      bool sorted, company_stack *stack, uint32_t top)
+PACKET_TARGET static inline uint32_t push_few_avx512(const packet_state *c, const bvh_node *node, uint64_t lanes,
+                                                      bool sorted, packet_stack *stack, uint32_t top)
 {
     const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
-    company_meets meets;
+    packet_masks meets;
     const __m256 entry = few_avx512(node, c, lanes, &meets);
     const __m256i any = _mm256_or_si256(meets.low, meets.high);
     const __mmask8 met = _mm256_test_epi32_mask(any, any);
     const uint32_t count = (uint32_t)__builtin_popcount(met);
-    __m256i order = place_avx512(entry, met);
+    __m256i order = slot_entries_avx512(entry, met);
 
     if (sorted)
         order = sort_avx512(order, count);
@@ -285,6 +285,6 @@ COMPANY_TARGET static inline uint32_t push_few_avx512(const company *c, const bv
     store_avx512(stack->high + top, _mm256_permutevar8x32_epi32(meets.high, order));
     return top + count;
 }
-#define COMPANY_PUSH_FEW push_few_avx512
+#define PACKET_PUSH_FEW push_few_avx512
 
 #endif

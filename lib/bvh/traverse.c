@@ -1,4 +1,4 @@
-#include "bvh/packet.h"
+#include "bvh/traverse.h"
 
 #include "base/bits.h"
 
@@ -23,19 +23,19 @@ static inline void put_greater_first(uint64_t *a, uint64_t *b)
 }
 
 /* What is still to be visited. Entries may be less than they are by a few units in the last place, and are there where
- * walks go near ones first. Eight of each may be stored at once. */
-typedef struct walk_stack {
+ * traversals go near ones first. Eight of each may be stored at once. */
+typedef struct traverse_stack {
     float entry[BVH_STACK + BVH_WIDTH];
     uint32_t at[BVH_STACK + BVH_WIDTH];
-} walk_stack;
+} traverse_stack;
 
-static inline void put_on(walk_stack *s, uint32_t top, uint64_t key)
+static inline void push_entry(traverse_stack *s, uint32_t top, uint64_t key)
 {
     s->entry[top] = entry_of(key);
     s->at[top] = (uint32_t)key;
 }
 
-static inline uint64_t key_on(const walk_stack *s, uint32_t top) { return key_of(s->entry[top], s->at[top]); }
+static inline uint64_t key_on(const traverse_stack *s, uint32_t top) { return key_of(s->entry[top], s->at[top]); }
 
 /* What the node test wants of a ray. */
 typedef struct lanes_portable {
@@ -68,7 +68,7 @@ static inline void limit_portable(lanes_portable *lanes, float limit)
 }
 
 /* The boxes of a node that the ray may meet, and where it enters them. */
-static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable *s, float entry[BVH_WIDTH])
+static inline uint32_t hit_mask_portable(const bvh_node *node, const lanes_portable *s, float entry[BVH_WIDTH])
 {
     const float *nx = node->bounds[s->near_row[0]], *fx = node->bounds[s->near_row[0] ^ 1];
     const float *ny = node->bounds[s->near_row[1]], *fy = node->bounds[s->near_row[1] ^ 1];
@@ -95,38 +95,43 @@ static inline uint32_t meet_portable(const bvh_node *node, const lanes_portable 
 }
 
 /* Put the met children on the stack, all but the last, which is given. */
-static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, walk_stack *stack, uint32_t *top)
+static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
 {
     for (; mask & (mask - 1); mask &= mask - 1)
         stack->at[(*top)++] = node->child[first_of(mask)];
     return node->child[first_of(mask)];
 }
 
-#define WALK_LANES lanes_portable
-#define WALK_SPREAD spread_portable
-#define WALK_LIMIT limit_portable
-#define WALK_MEET meet_portable
-#define WALK_ANY any_portable
-#define WALK_NAME(name) name##_portable
-#define WALK_TARGET
+#define TRAVERSE_LANES lanes_portable
+#define TRAVERSE_SPREAD spread_portable
+#define TRAVERSE_LIMIT limit_portable
+#define TRAVERSE_HIT hit_mask_portable
+#define TRAVERSE_ANY any_portable
+#define TRAVERSE_NAME(name) name##_portable
+#define TRAVERSE_TARGET
 #include "bvh/traverse_body.h"
-#undef WALK_LANES
-#undef WALK_SPREAD
-#undef WALK_LIMIT
-#undef WALK_MEET
-#undef WALK_ANY
-#undef WALK_PUSH
-#undef WALK_NAME
-#undef WALK_TARGET
+#undef TRAVERSE_LANES
+#undef TRAVERSE_SPREAD
+#undef TRAVERSE_LIMIT
+#undef TRAVERSE_HIT
+#undef TRAVERSE_ANY
+#undef TRAVERSE_PUSH
+#undef TRAVERSE_NAME
+#undef TRAVERSE_TARGET
 
-const bvh_walks bvh_walks_portable = { "portable", nearest_first_portable, any_order_portable,
-                                       bvh_company_nearest_portable, bvh_company_any_portable, NULL, NULL };
+const bvh_kernels bvh_kernels_portable = { "portable", bvh_nearest_packet_portable, bvh_any_packet_portable,
+                                           nearest_single_portable, any_single_portable, NULL, NULL };
+
+bool bvh_go_single(bvh_traversal *traversal, uint32_t lane, uint32_t frame, uint32_t at)
+{
+    return traverse_portable(traversal, lane, frame, at, true);
+}
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
 
 #include "bvh/avx2.h"
 
-#define WALK_TARGET BVH_AVX2
+#define TRAVERSE_TARGET BVH_AVX2
 
 /* Each number of the ray in all lanes, and the rows of a node counted in bytes. */
 typedef struct lanes_avx2 {
@@ -134,7 +139,7 @@ typedef struct lanes_avx2 {
     size_t near_row[3], far_row[3];
 } lanes_avx2;
 
-WALK_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128 inverse, __m128 near, __m128 far,
+TRAVERSE_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128 inverse, __m128 near, __m128 far,
                                                 int backward)
 {
     lanes->inverse[k] = _mm256_broadcastss_ps(inverse);
@@ -144,7 +149,7 @@ WALK_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __m128
     lanes->far_row[k] = lanes->near_row[k] ^ sizeof(float[BVH_WIDTH]);
 }
 
-WALK_TARGET static inline void spread_avx2(const bvh_local *l, float limit, lanes_avx2 *lanes)
+TRAVERSE_TARGET static inline void spread_avx2(const bvh_local *l, float limit, lanes_avx2 *lanes)
 {
     /* The fourth lane goes for nothing. */
     __m256d o = _mm256_set_pd(l->org.z, l->org.z, l->org.y, l->org.x);
@@ -167,18 +172,18 @@ WALK_TARGET static inline void spread_avx2(const bvh_local *l, float limit, lane
     lanes->limit = _mm256_set1_ps(limit);
 }
 
-WALK_TARGET static inline void limit_avx2(lanes_avx2 *lanes, float limit)
+TRAVERSE_TARGET static inline void limit_avx2(lanes_avx2 *lanes, float limit)
 {
     lanes->limit = _mm256_set1_ps(limit);
 }
 
-WALK_TARGET static inline __m256 row_avx2(const bvh_node *node, size_t row)
+TRAVERSE_TARGET static inline __m256 row_avx2(const bvh_node *node, size_t row)
 {
     return _mm256_load_ps((const float *)(const void *)((const char *)node + row));
 }
 
 /* A fused product and difference round less often, so that the slack in the offsets covers them too. */
-WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const lanes_avx2 *r, float entry[BVH_WIDTH])
+TRAVERSE_TARGET static inline uint32_t hit_mask_avx2(const bvh_node *node, const lanes_avx2 *r, float entry[BVH_WIDTH])
 {
     __m256 x = _mm256_fmsub_ps(row_avx2(node, r->near_row[0]), r->inverse[0], r->near_offset[0]);
     __m256 y = _mm256_fmsub_ps(row_avx2(node, r->near_row[1]), r->inverse[1], r->near_offset[1]);
@@ -194,8 +199,8 @@ WALK_TARGET static inline uint32_t meet_avx2(const bvh_node *node, const lanes_a
 }
 
 #ifdef __AVX512VL__
-/* As WALK_ANY, whatever their number, without a branch. */
-WALK_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mask, walk_stack *stack, uint32_t *top)
+/* As TRAVERSE_ANY, whatever their number, without a branch. */
+TRAVERSE_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
 {
     const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
 
@@ -203,47 +208,47 @@ WALK_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mas
     *top += (uint32_t)__builtin_popcount(mask) - 1;
     return node->child[31 - __builtin_clz(mask)];
 }
-#define WALK_ANY any_avx512
-#define TURNS bvh_turns_nearest, bvh_turns_any
+#define TRAVERSE_ANY any_avx512
+#define INTERLEAVED bvh_nearest_interleaved, bvh_any_interleaved
 
-/* As WALK_NAME(push), without a branch. */
-WALK_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t mask, const float *entry,
-                                               walk_stack *stack, uint32_t top)
+/* As TRAVERSE_NAME(push), without a branch. */
+TRAVERSE_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t mask, const float *entry,
+                                               traverse_stack *stack, uint32_t top)
 {
     const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
     const uint32_t count = (uint32_t)__builtin_popcount(mask);
-    const __m256i order = sort_avx512(place_avx512(_mm256_loadu_ps(entry), (__mmask8)mask), count);
+    const __m256i order = sort_avx512(slot_entries_avx512(_mm256_loadu_ps(entry), (__mmask8)mask), count);
 
     _mm256_storeu_ps(stack->entry + top, entries_avx512(order));
     store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
     return top + count;
 }
-#define WALK_PUSH push_avx512
+#define TRAVERSE_PUSH push_avx512
 #else
-#define WALK_ANY any_portable
-#define TURNS NULL, NULL
+#define TRAVERSE_ANY any_portable
+#define INTERLEAVED NULL, NULL
 #endif
 
-#define WALK_LANES lanes_avx2
-#define WALK_SPREAD spread_avx2
-#define WALK_LIMIT limit_avx2
-#define WALK_MEET meet_avx2
-#define WALK_NAME(name) name##_avx2
+#define TRAVERSE_LANES lanes_avx2
+#define TRAVERSE_SPREAD spread_avx2
+#define TRAVERSE_LIMIT limit_avx2
+#define TRAVERSE_HIT hit_mask_avx2
+#define TRAVERSE_NAME(name) name##_avx2
 #include "bvh/traverse_body.h"
 
-const bvh_walks bvh_walks_avx2 = { "AVX2", nearest_first_avx2, any_order_avx2, bvh_company_nearest_avx2,
-                                   bvh_company_any_avx2, TURNS };
+const bvh_kernels bvh_kernels_avx2 = { "AVX2", bvh_nearest_packet_avx2, bvh_any_packet_avx2,
+                                       nearest_single_avx2, any_single_avx2, INTERLEAVED };
 
-const bvh_walks *bvh_walks_best(void)
+const bvh_kernels *bvh_kernels_best(void)
 {
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &bvh_walks_avx2 : &bvh_walks_portable;
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? &bvh_kernels_avx2 : &bvh_kernels_portable;
 }
 
 #else
 
-const bvh_walks *bvh_walks_best(void)
+const bvh_kernels *bvh_kernels_best(void)
 {
-    return &bvh_walks_portable;
+    return &bvh_kernels_portable;
 }
 
 #endif

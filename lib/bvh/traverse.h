@@ -1,4 +1,4 @@
-/* traverse.h - one ray through a tree.
+/* traverse.h - rays through a tree.
  *
  * In a frame the ray is p(u) = o + u d with o near the cube -1..1, d a unit vector, and u = (t - shift) * scale >= 0
  * within it. A slab's planes are met at u = b * inverse - offset. What floats lose there is, in units of |inverse| * 2^-24: |b| for the
@@ -26,67 +26,63 @@ typedef struct bvh_local {
 #define BVH_SLACK 0x1p-22
 #define BVH_LEAST 1e-18
 
-/* A walk under way; queries put their own members behind it. */
-typedef struct bvh_walk {
-    const bvh *tree;
-    const pov_ray *ray;
-    double length, per_length;   /* of the ray's direction, and the inverse */
-    pov_rays *framed;            /* whose first lane is to stand in the frame, for blocks; or NULL */
-    const bvh_frame *in;         /* what it stands in */
-    uint32_t frame, at;          /* where it begins: a reference in a frame */
-    double limit;                /* nothing beyond this t counts; leaves may lower it */
-    /* What lies in a leaf. True: the walk may end. */
-    bool (*leaf)(struct bvh_walk *walk, const void *leaf);
-} bvh_walk;
+enum { BVH_LANES = POV_RAYS_MAX };
 
-enum { BVH_COMPANY = POV_RAYS_MAX };
-
-/* Walks under way together, of rays whose directions have the same signs; queries put their own members behind it. */
-typedef struct bvh_party {
+/* A traversal under way of up to BVH_LANES rays; queries put their own members behind it. */
+typedef struct bvh_traversal {
     const bvh *tree;
     const pov_ray *const *rays;
-    pov_ray *written;            /* the rays, lane by lane, whose directions are only in `ways` until bvh_write() is called;
-                                  * NULL: they are complete */
-    const double *ways[3];
     uint32_t count;
-    uint64_t lanes;              /* those that walk */
-    SIMD_ALIGNED pov_rays side;  /* the rays by component; lanes from count to the next multiple of eight hold the last */
-    const bvh_frame *in;         /* what they stand in */
-    double length[BVH_COMPANY];  /* of directions */
-    double limit[BVH_COMPANY];   /* as a walk's, by lane */
+    uint64_t lanes;              /* those that take part */
+    SIMD_ALIGNED pov_rays soa;   /* the rays by component; lanes from count to the next multiple of eight hold the last */
+    const bvh_frame *in;         /* the frame that they are in */
+    double length[BVH_LANES];    /* of directions */
+    double limit[BVH_LANES];     /* nothing beyond this t counts; leaves may lower it */
     uint64_t lowered;            /* a leaf lowered the limit of these: whoever sees that takes the bits out */
     /* What lies in a leaf, for some lanes. Gives those that may end. */
-    uint64_t (*leaf)(struct bvh_party *party, const void *leaf, uint64_t lanes);
-    /* Take one lane on alone from a reference in a frame. True: a leaf ended it. */
-    bool (*alone)(struct bvh_party *party, uint32_t lane, uint32_t frame, uint32_t at);
-} bvh_party;
+    uint64_t (*leaf)(struct bvh_traversal *traversal, const void *leaf, uint64_t lanes);
+} bvh_traversal;
 
-/* Before anybody looks at a lane's ray. */
-static inline void bvh_write(const bvh_party *party, uint32_t lane)
-{
-    if (party->written)
-        party->written[lane].dir = pov_vec3_of(party->ways[0][lane], party->ways[1][lane], party->ways[2][lane]);
-}
+/* Visit the leaves that each of the lanes may meet before its limit. Bit i: a leaf ended lane i. */
+typedef uint64_t bvh_traverse_fn(bvh_traversal *traversal);
 
-/* From the root. Bit i: a leaf ended lane i. */
-typedef uint64_t bvh_travel(bvh_party *party);
-
-/* Visit the leaves that the ray may meet before the limit. True: a leaf ended it. Near ones first, or in any order. */
-typedef struct bvh_walks {
+/* How rays go through a tree, near leaves first, or in any order. */
+typedef struct bvh_kernels {
     const char *name;
-    bool (*nearest_first)(bvh_walk *walk);
-    bool (*any_order)(bvh_walk *walk);
-    bvh_travel *nearest_together, *any_together;
-    /* Each by itself, of any octant, in a tree of one frame. NULL: that is no better than one after the other. */
-    bvh_travel *nearest_by_turns, *any_by_turns;
-} bvh_walks;
+    bvh_traverse_fn *nearest_packet, *any_packet;            /* together, those of one octant */
+    bvh_traverse_fn *nearest_single, *any_single;            /* one after the other */
+    /* By turns, in a tree of one frame: while one waits for memory others go on. NULL: that is no better. */
+    bvh_traverse_fn *nearest_interleaved, *any_interleaved;
+} bvh_kernels;
 
 /* The best that this processor can do; `portable` is what every processor can. */
-const bvh_walks *bvh_walks_best(void);
-extern const bvh_walks bvh_walks_portable;
+const bvh_kernels *bvh_kernels_best(void);
+extern const bvh_kernels bvh_kernels_portable;
+
+bvh_traverse_fn bvh_nearest_packet_portable, bvh_any_packet_portable;
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
-extern const bvh_walks bvh_walks_avx2;   /* only where the processor has AVX2 */
+extern const bvh_kernels bvh_kernels_avx2;   /* only where the processor has AVX2 */
+bvh_traverse_fn bvh_nearest_packet_avx2, bvh_any_packet_avx2;
+bvh_traverse_fn bvh_nearest_interleaved, bvh_any_interleaved;   /* AVX-512 */
 #endif
+
+/* One lane alone from a reference in a frame, whatever numbers its ray has. True: a leaf ended it. */
+bool bvh_go_single(bvh_traversal *traversal, uint32_t lane, uint32_t frame, uint32_t at);
+
+/* Directions of one packet have the same signs. */
+static inline uint32_t bvh_octant(const pov_ray *ray)
+{
+#if defined(__AVX__) && defined(__GNUC__)
+    /* Behind the direction stand eight bytes more of the ray. */
+    typedef double doubles __attribute__((vector_size(32)));
+    doubles d;
+
+    memcpy(&d, (const char *)ray + offsetof(pov_ray, dir), sizeof d);
+    return (uint32_t)__builtin_ia32_movmskpd256(d) & 7;
+#else
+    return (signbit(ray->dir.x) ? 1u : 0u) | (signbit(ray->dir.y) ? 2u : 0u) | (signbit(ray->dir.z) ? 4u : 0u);
+#endif
+}
 
 /* A ray that starts further away than BVH_NEAR half-sizes of the frame is brought near. False: it passes by. */
 #define BVH_NEAR 8.0
@@ -116,7 +112,7 @@ static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double 
 }
 
 /* What blocks are told of a ray in a frame. */
-static inline void bvh_stand(pov_rays *rays, uint32_t lane, const bvh_local *l, float limit)
+static inline void bvh_to_frame(pov_rays *rays, uint32_t lane, const bvh_local *l, float limit)
 {
     const bool blind = l->slack > BVH_SLACK;
     const float x = (float)l->org.x, y = (float)l->org.y, z = (float)l->org.z;

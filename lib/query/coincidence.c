@@ -1,4 +1,4 @@
-#include "query/context.h"
+#include "query/packet.h"
 
 #include <string.h>
 
@@ -9,111 +9,74 @@ static const double same_place = 0x1p-92;
 /* Around a distance that double found, all that may be as near in truth: wider than POV_NEAR. */
 static const double around = 0x1p-45;
 
-/* ---- a query that leaves several surfaces by name ---- */
+/* ---- a query that leaves several surfaces by name ----
+ *
+ * A packet of one lane without filters, with two-part arithmetic throughout: slower than the usual ones. */
 
-/* Slower than the usual ones: no filters, and two-part arithmetic. */
-typedef struct asking {
-    bvh_walk walk;               /* first: leaves are handed this */
-    walker *walker;
-    pov_ray ray;                 /* the walk's, with the name of what is left changing from object to object */
-    const spot *from;            /* NULL: the ray's own name holds for all */
-    pov_hits hits, tints;        /* tints: of transparent shapes, where `light` is asked for */
-    bool light, any_blocks;
-} asking;
-
-static void begin(asking *a, const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax)
-{
-    memset(a, 0, sizeof *a);
-    a->walker = k;
-    a->walk.tree = &w->tree;
-    a->walk.at = w->has_tree ? w->tree.frames[0].root : 0;
-    a->walk.ray = ray;
-    a->walk.limit = tmax;
-    a->walk.length = sqrt(pov_dot(ray->dir, ray->dir));
-    a->walk.per_length = 1.0 / a->walk.length;
-    a->ray = *ray;
-    a->from = from;
-    a->hits.tmax = tmax;
-    a->hits.always_exact = true;
-    a->hits.owner = POV_NOBODY;
-    a->hits.user = &k->rooms[0];
-    a->hits.capacity = k->rooms[0].capacity;
-    a->hits.at = k->rooms[0].crossings;
-    a->hits.grow = crossings_grow;
-    a->hits.want = POV_WANT_ALL;
-}
-
-static void name(asking *a, uint32_t owner)
+void packet_name(packet *p, uint32_t owner)
 {
     uint32_t i;
 
-    if (!a->from)
+    p->named.left = POV_NOBODY;
+    for (i = 0; i < p->from->count; i++)
+        if (p->from->at[i].object == owner) {
+            p->named.left = owner;
+            p->named.left_mark = p->from->at[i].crossing.mark;
+        }
+}
+
+/* from: NULL: the ray's own name holds for all. */
+static void begin(packet *p, const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax)
+{
+    packet_begin(p, w, k, &ray, 1, tmax, tmax);
+    p->traversal.soa.away[0] = POV_NOBODY;
+    p->exact = 1;
+    p->from = from;
+    if (!from)
         return;
-    a->ray.left = POV_NOBODY;
-    for (i = 0; i < a->from->count; i++)
-        if (a->from->at[i].object == owner) {
-            a->ray.left = owner;
-            a->ray.left_mark = a->from->at[i].crossing.mark;
-        }
+    p->named = *ray;
+    p->rays[0] = &p->named;
 }
 
-static void ask(asking *a, const run *r, uint32_t lane, pov_hits *hits)
+bool query_nearest_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax, hit *out)
 {
-    const uint32_t before = hits->decided;
+    pov_hits *hits;
+    packet p;
 
-    hits->owner = r->object[lane];
-    name(a, hits->owner);
-    run_intersect(r, lane, &a->ray, hits);
-    walker_count(a->walker, r, 1, hits->decided - before);
-}
-
-static bool meet(bvh_walk *walk, const void *leaf)
-{
-    asking *a = (asking *)(void *)walk;
-    const run *r;
-    uint32_t lane;
-
-    for (r = leaf; r; r = run_next(r))
-        for (lane = 0; lane < r->count; lane++) {
-            const bool blocks = a->any_blocks || (r->opaque >> lane & 1);
-
-            if (a->light && !(r->casts >> lane & 1))
-                continue;
-            ask(a, r, lane, a->light && !blocks ? &a->tints : &a->hits);
-            if (a->light && a->hits.count > 0)
-                return true;
-            if (a->hits.want == POV_WANT_NEAREST && a->hits.tmax < a->walk.limit)
-                a->walk.limit = a->hits.tmax;
-        }
-    return false;
-}
-
-/* Adds to the walker's count what was decided. True: the light is blocked. */
-static bool go(asking *a, const world *w, walker *k)
-{
-    bool ended;
-
-    a->walk.leaf = meet;
-    ended = (w->infinite && meet(&a->walk, w->infinite)) || (w->list && meet(&a->walk, w->list)) ||
-            (w->has_tree && (a->light ? w->walks->any_order(&a->walk) : w->walks->nearest_first(&a->walk)));
-    k->decided += a->hits.decided + a->tints.decided;
-    return ended;
-}
-
-bool world_nearest_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax, hit *out)
-{
-    asking a;
-
-    begin(&a, w, k, from, ray, tmax);
-    a.hits.want = POV_WANT_NEAREST;
-    a.hits.capacity = 1;
-    a.hits.at = &out->crossing;
-    go(&a, w, k);
-    out->object = a.hits.count ? out->crossing.owner : POV_NOBODY;
+    begin(&p, w, k, from, ray, tmax);
+    p.out = out;
+    p.asked = 1;
+    hits = &p.hits[0];
+    packet_begin_hits(&p, 0, hits, POV_WANT_NEAREST, &out->crossing);
+    hits->always_exact = true;
+    packet_nearest(&p, w->kernels->nearest_single);
+    k->decided += hits->decided;
+    out->object = hits->count ? out->crossing.owner : POV_NOBODY;
     out->company = 0;
-    if (a.hits.crowded)
+    if (hits->crowded)
         spot_choose(w, k, ray, from, out);
-    return a.hits.count > 0;
+    return hits->count > 0;
+}
+
+/* All crossings about as far as t, from near to far, in the context's memory. Gives how many. */
+static uint32_t find_near(const world *w, walker *k, const spot *from, const pov_ray *ray, double t,
+                          pov_crossing **crossings)
+{
+    pov_hits *hits;
+    packet p;
+
+    begin(&p, w, k, from, ray, t + around * fabs(t));
+    p.asked = 1;
+    hits = &p.hits[0];
+    packet_begin_hits(&p, 0, hits, POV_WANT_ALL, k->rooms[0].crossings);
+    hits->tmin = t - around * fabs(t);
+    hits->always_exact = true;
+    hits->capacity = k->rooms[0].capacity;
+    hits->grow = crossings_grow;
+    packet_nearest(&p, w->kernels->nearest_single);
+    k->decided += hits->decided;
+    *crossings = hits->at;
+    return k->failed ? 0 : hits->count;
 }
 
 /* ---- which surfaces share a place ---- */
@@ -189,24 +152,32 @@ static void insert(spot *s, const hit *h)
     s->count++;
 }
 
+/* What decides between equals only has to be the same for the tree and the list. */
+static bool is_nearer(const pov_crossing *a, const pov_crossing *b)
+{
+    if (a->t != b->t)
+        return a->t < b->t;
+    if (a->t_lo != b->t_lo)
+        return a->t_lo < b->t_lo;
+    return a->owner < b->owner;
+}
+
 void world_spot(const world *w, walker *k, const pov_ray *ray, const spot *from, const hit *h, spot *out)
 {
-    const double t = h->crossing.t, size = size_of(w, ray, t);
+    const double size = size_of(w, ray, h->crossing.t);
+    pov_crossing *at;
+    const uint32_t count = find_near(w, k, from, ray, h->crossing.t, &at);
     hit first, next;
-    asking a;
     uint32_t i;
 
-    begin(&a, w, k, from, ray, t + around * fabs(t));
-    a.hits.tmin = t - around * fabs(t);
-    go(&a, w, k);
     out->count = out->above = out->solid = 0;
-    if (k->failed || a.hits.count == 0)
+    if (count == 0)
         return;
-    crossings_sort(a.hits.at, a.hits.count);
-    look(w, ray, &a.hits.at[0], &first);
+    crossings_sort(at, count, is_nearer);
+    look(w, ray, &at[0], &first);
     insert(out, &first);
-    for (i = 1; i < a.hits.count; i++) {
-        look(w, ray, &a.hits.at[i], &next);
+    for (i = 1; i < count; i++) {
+        look(w, ray, &at[i], &next);
         if (!shares_place(ray, &first, &next, size))
             continue;
         next.point = first.point;
@@ -234,42 +205,37 @@ void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from
 
 /* ---- light ---- */
 
-/* What is crossed at once. False: nothing is left of the light. */
-static bool leave_spot(const world *w, const spot *from, pov_vec3 dir, colour *through)
+/* The transparent surfaces that are crossed at once. False: one is crossed that blocks. */
+static bool leave(const world *w, const spot *from, pov_vec3 dir, uint32_t *crossed)
 {
     const model *m = w->model;
 
+    *crossed = 0;
     for (uint32_t i = 0; i < from->count; i++) {
         const leaf_node *o = &m->leaves.items[from->at[i].object];
-        const material *surface = &m->materials.items[o->material];
 
         if ((o->flags & LEAF_NO_SHADOW) || !is_crossed(from, i, pov_dot(from->at[i].normal, dir)))
             continue;
-        if (!material_is_transparent(surface))
+        if (!material_is_transparent(&m->materials.items[o->material]))
             return false;
-        *through = colour_mul(*through, material_filter(surface));
+        *crossed |= 1u << i;
     }
-    return !colour_is_black(*through);
+    return true;
 }
 
-bool world_light_path_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax,
-                           colour *through)
+bool query_occlusion_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax,
+                          occlusion *out, uint32_t *crossed)
 {
-    pov_crossing at;
-    asking a;
-    bool open;
+    packet p;
 
-    *through = colour_of(1.0f, 1.0f, 1.0f);
-    begin(&a, w, k, from, ray, tmax);
-    a.tints = a.hits;
-    a.light = true;
-    a.any_blocks = !w->plan.coloured_shadows;
-    a.hits.want = POV_WANT_ANY;
-    a.hits.capacity = 1;
-    a.hits.at = &at;
-    open = leave_spot(w, from, ray->dir, through) && !go(&a, w, k) &&
-           (a.tints.count == 0 || crossings_multiply(w, a.tints.at, a.tints.count, through));
-    if (!open)
-        *through = colour_of(0.0f, 0.0f, 0.0f);
-    return open;
+    out->crossed = 0;
+    if (!leave(w, from, ray->dir, crossed))
+        return false;
+    begin(&p, w, k, from, ray, tmax);
+    p.any_blocks = !w->plan.coloured_shadows;
+    packet_begin_light(&p, 0);
+    p.hits[0].always_exact = true;
+    if (!p.any_blocks)
+        p.filter_hits[0].always_exact = true;
+    return !packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out);
 }

@@ -31,17 +31,28 @@ static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_
     walker_count_class(k, run_class(r), asked, decided);
 }
 
-/* For a query that wants all: more room. hits->user is the tint_room. */
-bool crossings_grow(pov_hits *hits);
-/* From near to far. */
-void crossings_sort(pov_crossing *at, uint32_t count);
-/* What the surface of one lets through. */
-static inline colour crossing_filter(const world *w, const pov_crossing *at)
+/* hits->user is the room, which begins with the walker: shapes of the host's own look for their memory there. */
+static inline void hits_begin(pov_hits *hits, const world *w, tint_room *room, double tmax, pov_want want,
+                              pov_crossing *at)
 {
-    return material_filter(&w->model->materials.items[w->things[at->owner].material]);
+    hits->tmin = 0.0;
+    hits->tmax = tmax;
+    hits->want = want;
+    hits->always_exact = w->always_exact;
+    hits->count_only = false;
+    hits->owner = POV_NOBODY;
+    hits->count = 0;
+    hits->capacity = 1;
+    hits->decided = 0;
+    hits->at = at;
+    hits->grow = NULL;
+    hits->user = room;
+    hits->crowded = false;
 }
-/* Takes `through` through the surfaces of all of them, and puts them in an order of its own. False: nothing is left. */
-bool crossings_multiply(const world *w, pov_crossing *at, uint32_t count, colour *through);
+
+/* For a query that wants all: more room. */
+bool crossings_grow(pov_hits *hits);
+void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b));
 /* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
 void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
 

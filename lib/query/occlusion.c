@@ -1,177 +1,230 @@
+#include "query/clear_solid.h"
 #include "query/packet.h"
 
-static void begin_light(company *c, uint32_t i)
-{
-    tint_room *room = &c->walker->rooms[c->of[i]];
+#include "base/vec.h"
 
-    if (c->asked & bit_of(i))
+/* ---- leaves ---- */
+
+void packet_begin_light(packet *p, uint32_t i)
+{
+    tint_room *room = &p->context->rooms[p->of[i]];
+
+    if (p->asked & bit_of(i))
         return;
-    c->asked |= bit_of(i);
-    begin_hits(&c->hits[i], c->world, c->tmax, POV_WANT_ANY, &room->blocking);
-    if (!c->any_blocks)
-        begin_tints(&c->tints[i], c->world, c->tmax, room);
+    p->asked |= bit_of(i);
+    packet_begin_hits(p, i, &p->hits[i], POV_WANT_ANY, &room->blocking);
+    if (p->any_blocks)
+        return;
+    packet_begin_hits(p, i, &p->filter_hits[i], POV_WANT_ALL, room->crossings);
+    p->filter_hits[i].count_only = !p->world->located;
+    p->filter_hits[i].capacity = room->capacity;
+    p->filter_hits[i].grow = crossings_grow;
 }
 
 /* True: the path ends here. */
-static bool ask_light(company *c, uint32_t i, const run *r, uint32_t lane)
+static bool ask(packet *p, uint32_t i, const run *r, uint32_t lane)
 {
-    const bool blocks = c->any_blocks || (r->opaque >> lane & 1);
-    pov_hits *hits = blocks ? &c->hits[i] : &c->tints[i];
+    const bool blocks = p->any_blocks || (r->opaque >> lane & 1);
+    pov_hits *hits = blocks ? &p->hits[i] : &p->filter_hits[i];
 
-    hits->owner = r->object[lane];
-    run_intersect(r, lane, c->rays[i], hits);
+    packet_intersect(p, i, r, lane, hits);
     return blocks && hits->count > 0;
 }
 
-static inline uint32_t decided_of(const company *c, uint32_t i)
+static inline uint32_t decided_of(const packet *p, uint32_t i)
 {
-    return c->hits[i].decided + (c->any_blocks ? 0 : c->tints[i].decided);
+    return p->hits[i].decided + (p->any_blocks ? 0 : p->filter_hits[i].decided);
 }
 
-static bool ask_lights(company *c, uint32_t i, const run *r, uint32_t mask)
+static bool ask_some(packet *p, uint32_t i, const run *r, uint32_t mask)
 {
     uint32_t asked = 0, before;
     bool ended = false;
 
     if (!mask)
         return false;
-    begin_light(c, i);
-    before = decided_of(c, i);
+    packet_begin_light(p, i);
+    before = decided_of(p, i);
     for (; mask && !ended; mask &= mask - 1, asked++)
-        ended = ask_light(c, i, r, first_of(mask));
-    walker_count(c->walker, r, asked, decided_of(c, i) - before);
+        ended = ask(p, i, r, first_of(mask));
+    walker_count(p->context, r, asked, decided_of(p, i) - before);
     return ended;
 }
 
-/* One of a block's that nobody knows enough of. True: the path ends here. */
-static bool take_light(company *c, const run *r, const pov_meeting *m)
+/* Does it block light for certain? The filter knows nothing of the root that a ray leaves. */
+static inline bool is_blocked(const run *r, const pov_meeting *m, uint32_t blocking, const pov_ray *ray)
 {
-    const pov_ray *ray = c->rays[m->ray];
-
-    if (!(r->casts >> m->lane & 1) || is_settled(r, m->lane, ray, c->party.side.away[m->ray]))
-        return false;
-    if (!c->any_blocks) {
-        begin_light(c, m->ray);
-        if (passes_through(r, m, ray, &c->tints[m->ray]))
-            return false;
-    }
-    return ask_lights(c, m->ray, r, 1u << m->lane);
+    return m->surely && (blocking >> m->lane & 1) && r->object[m->lane] != ray->left;
 }
 
-static uint64_t filter_light(company *c, const run *r, uint64_t lanes)
+/* One of a block's that nobody knows enough of. True: the path ends here. */
+static bool take(packet *p, const run *r, const pov_meeting *m)
 {
-    const uint32_t n = run_filter(r, c->party.in, &c->party.side, lanes, c->met);
-    const uint32_t blocking = c->any_blocks ? r->casts : r->casts & r->opaque;
+    const pov_ray *ray = p->rays[m->ray];
+
+    if (!(r->casts >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.away[m->ray]))
+        return false;
+    if (!p->any_blocks) {
+        packet_begin_light(p, m->ray);
+        if (clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]))
+            return false;
+    }
+    return ask_some(p, m->ray, r, 1u << m->lane);
+}
+
+static uint64_t filter(packet *p, const run *r, uint64_t lanes)
+{
+    const pov_meeting *const m = p->candidates;
+    const uint32_t n = run_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
+    const uint32_t blocking = r->casts & r->plain & (p->any_blocks ? ~0u : r->opaque);
     uint64_t ended = 0;
     uint32_t i;
 
     for (i = 0; i < n; i++)
-        ended |= (uint64_t)is_blocked(r, &c->met[i], blocking, c->rays[c->met[i].ray]) << c->met[i].ray;
+        ended |= (uint64_t)is_blocked(r, &m[i], blocking, p->rays[m[i].ray]) << m[i].ray;
     for (i = 0; i < n; i++)
-        if (!(ended >> c->met[i].ray & 1))
-            ended |= (uint64_t)take_light(c, r, &c->met[i]) << c->met[i].ray;
+        if (!(ended >> m[i].ray & 1))
+            ended |= (uint64_t)take(p, r, &m[i]) << m[i].ray;
     return ended;
 }
 
-static uint64_t meet_light(bvh_party *party, const void *leaf, uint64_t lanes)
+static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint64_t lanes)
 {
-    company *c = (company *)(void *)party;
-    uint64_t ended = 0, rest;
+    packet *p = (packet *)(void *)traversal;
+    uint64_t ended = 0;
     const run *r;
 
     for (r = leaf; r && lanes; r = run_next(r)) {
+        uint64_t exact;
+
         if (r->casts == 0)
             continue;
-        if (r->flags & RUN_PACKED) {
-            ended |= filter_light(c, r, lanes);
-        } else {
-            for (rest = lanes; rest; rest &= rest - 1) {
-                const uint32_t i = first_of64(rest);
-                if (ask_lights(c, i, r, r->casts & ~left_behind(r, c->rays[i], party->side.away[i])))
-                    ended |= bit_of(i);
-            }
+        exact = exact_of(p, r, lanes);
+        if (lanes & ~exact)
+            ended |= filter(p, r, lanes & ~exact);
+        for (; exact; exact &= exact - 1) {
+            const uint32_t i = first_of64(exact);
+
+            if (ask_some(p, i, r, r->casts & ~excluded_of(p, i, r)))
+                ended |= bit_of(i);
         }
         lanes &= ~ended;
     }
     return ended;
 }
 
-static bool light_alone(bvh_party *party, uint32_t lane, uint32_t frame, uint32_t at)
+uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse)
 {
-    company *c = (company *)(void *)party;
-    query q;
-    bool ended;
-
-    begin_light(c, lane);
-    q.walker = c->walker;
-    q.walk.tree = party->tree;
-    q.walk.frame = frame;
-    q.walk.at = at;
-    q.walk.limit = c->tmax;
-    q.any_blocks = c->any_blocks;
-    q.hits = c->hits[lane];
-    q.tints = c->tints[lane];
-    query_go_on(&q, c->rays[lane], party->side.away[lane], party->length[lane], party->side.per_length[lane]);
-    ended = query_go_on_light(&q, c->world);
-    c->hits[lane] = q.hits;
-    c->tints[lane] = q.tints;
-    return ended;
+    p->traversal.leaf = leaf_occlusion;
+    return packet_traverse(p, traverse, false);
 }
 
-/* Note what light comes out of before it meets anything else. */
-static void leave_tints(company *c)
-{
-    uint32_t i;
+/* ---- crossings ---- */
 
-    for (i = 0; i < c->party.count; i++)
-        if (goes_in(c->rays[i]) && light_comes_out(c->world, c->rays[i], c->tmax)) {
-            begin_light(c, i);
-            note_tint(&c->tints[i], c->rays[i]->left);
-            c->party.side.away[i] = c->rays[i]->left;
+bool crossings_grow(pov_hits *hits)
+{
+    tint_room *room = hits->user;
+    size_t capacity = room->capacity;
+
+    if (capacity > UINT32_MAX / 2 ||
+        !vec_reserve(room->walker->env, (void **)&room->crossings, &capacity, hits->count, sizeof *room->crossings)) {
+        room->walker->failed = true;
+        return false;
+    }
+    room->capacity = hits->capacity = (uint32_t)capacity;
+    hits->at = room->crossings;
+    return true;
+}
+
+/* Shell's sort: in place, and fast for the few there are. */
+void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b))
+{
+    uint32_t gap, i, j;
+
+    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
+        ;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < count; i++) {
+            const pov_crossing c = at[i];
+
+            for (j = i; j >= gap && is_before(&c, &at[j - gap]); j -= gap)
+                at[j] = at[j - gap];
+            at[j] = c;
         }
 }
 
-/* What is not lit, as bits of the caller's: of lanes that nobody was asked for nothing is to be said but that. */
-static uint64_t end_lights(company *c, uint64_t ended, colour *through)
+static bool is_before(const pov_crossing *a, const pov_crossing *b)
+{
+    return a->owner != b->owner ? a->owner < b->owner : a->t < b->t;
+}
+
+uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 {
     uint64_t dark = 0, rest;
 
-    for (rest = c->party.lanes & (c->asked | ended); rest; rest &= rest - 1) {
-        const uint32_t i = first_of64(rest);
-        const bool asked = c->asked & bit_of(i);
-        pov_hits *tints = asked && !c->any_blocks ? &c->tints[i] : NULL;
+    for (rest = p->asked | blocked; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest), of = p->of[i];
+        const bool is_asked = p->asked >> i & 1;
+        const pov_hits *hits = &p->filter_hits[i];
 
-        if (asked)
-            c->walker->decided += decided_of(c, i);
-        dark |= (uint64_t)!end_light(c->world, ended >> i & 1, tints, &through[c->of[i]]) << c->of[i];
+        if (is_asked)
+            p->context->decided += decided_of(p, i);
+        if (blocked >> i & 1) {
+            dark |= bit_of(of);
+        } else if (is_asked && !p->any_blocks && hits->count > 0) {
+            if (hits->count > 1)
+                crossings_sort(hits->at, hits->count, is_before);
+            out->crossed |= bit_of(of);
+            out->at[of] = hits->at;
+            out->count[of] = hits->count;
+        }
     }
     return dark;
 }
 
-uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                       bvh_travel *travel, colour *through)
-{
-    uint64_t dark = 0, ended = 0, all, alone;
-    company c;
+/* ---- the queries ---- */
 
-    c.any_blocks = !w->plan.coloured_shadows;
-    c.party.leaf = meet_light;
-    c.party.alone = light_alone;
-    alone = company_begin(&c, w, k, rays, which, tmax, tmax);
-    all = all_of(c.party.count) & ~alone;
-    if (!c.any_blocks && any_goes_in(c.rays, c.party.count))
-        leave_tints(&c);
-    for (; alone; alone &= alone - 1) {
-        const uint32_t i = c.of[first_of64(alone)];
-        dark |= (uint64_t)!world_light_path(w, k, rays[i], tmax, &through[i]) << i;
+/* Note what light comes out of before it hits anything else. */
+static void note_exits(packet *p)
+{
+    uint32_t i;
+
+    for (i = 0; i < p->traversal.count; i++)
+        if (clear_solid_light_exits(p->world, p->rays[i], p->tmax)) {
+            packet_begin_light(p, i);
+            clear_solid_note(&p->filter_hits[i], p->rays[i]->left);
+            p->traversal.soa.away[i] = p->rays[i]->left;
+        }
+}
+
+uint64_t query_occlusion(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
+                         occlusion *out)
+{
+    packet_group groups[PACKET_GROUPS];
+    uint64_t dark = 0;
+    uint32_t count, i;
+    packet p;
+
+    out->crossed = 0;
+    if (n == 0)
+        return 0;
+    count = packet_divide(w, rays, n, all_of(n), false, groups);
+    for (i = 0; i < count; i++) {
+        packet_begin(&p, w, k, rays, groups[i].lanes, tmax, tmax);
+        p.any_blocks = !w->plan.coloured_shadows;
+        if (!p.any_blocks && clear_solid_any_enters(p.rays, p.traversal.count))
+            note_exits(&p);
+        dark |= packet_end_light(&p, packet_occlusion(&p, groups[i].traverse), out);
     }
-    if (w->infinite && all)
-        ended |= meet_light(&c.party, w->infinite, all);
-    if (w->list && all & ~ended)
-        ended |= meet_light(&c.party, w->list, company_stand_in_list(&c, all & ~ended));
-    c.party.lanes = all & ~ended;
-    if (w->has_tree && c.party.lanes)
-        ended |= travel(&c.party);
-    c.party.lanes = all;
-    return which & ~(dark | end_lights(&c, ended, through));
+    return all_of(n) & ~dark;
+}
+
+bool query_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
+{
+    occlusion none;
+    packet p;
+
+    packet_begin(&p, w, k, &ray, 1, tmax, tmax);
+    p.any_blocks = true;
+    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &none) != 0;
 }

@@ -1,66 +1,156 @@
-/* packet.h - queries of rays that go together: what they share, for those that ask what is nearest and those that ask
- * for light. */
+/* packet.h - queries under way of 1 to 64 rays: the only engine. A single ray is a packet of one lane. */
 #ifndef QUERY_PACKET_H
 #define QUERY_PACKET_H
 
 #include "base/bits.h"
-#include "query/single.h"
+#include "query/context.h"
+#include "query/ray_soa.h"
 
-/* Queries of rays that go together. Most rays never come to need hits of their own, so these are begun when they do. */
-typedef struct company {
-    bvh_party party;             /* first: leaves are handed this */
+/* A shape that a lane certainly hits, at lo or later; which hit is the nearest of all is found later. */
+typedef struct deferred { const run *run; uint32_t lane; double lo; } deferred;
+
+/* Most rays never come to need hits of their own, so these are begun when they do. */
+typedef struct packet {
+    bvh_traversal traversal;     /* first: leaves are handed this */
     const world *world;
-    walker *walker;
+    walker *context;
     const pov_ray *rays[WORLD_MANY];
     uint8_t of[WORLD_MANY];      /* by lane: which of the caller's it is */
     double tmax;
-    bool any_blocks;             /* transparent or not */
+    uint64_t exact;              /* lanes that no filter may be asked for */
     uint64_t asked;              /* lanes whose hits have been begun */
-    uint64_t waiting;            /* lanes that have a shape pending */
-    hit *out;                    /* the caller's; NULL: light is asked for */
-    pending pending[WORLD_MANY];
-    pov_hits hits[WORLD_MANY], tints[WORLD_MANY];
-    pov_meeting met[POV_MEETINGS_MAX];
-} company;
+    const spot *from;            /* what the only ray starts on, or NULL; it is `named` then */
+    pov_ray named;
+    hit *out;                    /* the caller's, where the nearest is asked for */
+    uint64_t waiting;            /* lanes that have deferred a shape */
+    bool any_blocks;             /* light is asked for: shapes block, transparent or not */
+    deferred deferred[WORLD_MANY];
+    pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: of transparent shapes on a path of light */
+    pov_meeting candidates[POV_MEETINGS_MAX];
+} packet;
 
 static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
 static inline uint64_t all_of(uint32_t n) { return ~(uint64_t)0 >> (WORLD_MANY - n); }
 
-static inline void lower(company *c, uint32_t i, double limit)
+/* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
+static inline double just_beyond(double limit)
 {
-    c->party.limit[i] = limit;
-    c->party.side.tmax[i] = just_beyond(limit);
-    c->party.lowered |= bit_of(i);
+    return limit + limit * 0x1p-52 + 0x1p-1074;
 }
 
-/* Take those of `which`; filters are to look up to `end`. Lanes that hold a ray out of range are told: they are to go
- * alone. */
-uint64_t company_begin(company *c, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                       double end);
-/* The same of all n rays of a fan. */
-uint64_t company_begin_fan(company *c, const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n,
-                           double tmax, double end);
-/* Those of some lanes that the world's list may be met by; its blocks are told of them. */
-uint64_t company_stand_in_list(company *c, uint64_t lanes);
+/* Whether something at lo or later can be left out: a reported distance may be off by some units in its last place. */
+static inline bool is_beyond(double lo, double limit)
+{
+    return lo > limit + limit * 0x1p-46;
+}
 
-/* Where rays that go into a closed shape come out of it, as bits and places of the caller's: all of them are asked
- * together, before anything else, and end there at the latest. `met`: those that end there, for nothing else is near. */
-typedef struct exits { uint64_t known, met; pov_hits hits[WORLD_MANY]; } exits;
-void company_find_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
-                        exits *e);
+static inline void lower(packet *p, uint32_t i, double limit)
+{
+    p->traversal.limit[i] = limit;
+    p->traversal.soa.tmax[i] = just_beyond(limit);
+    p->traversal.lowered |= bit_of(i);
+}
 
-/* Those of the caller's rays that `which` names; bits of the answers are the caller's. travel: how they go through the
- * tree. */
-uint64_t company_nearest(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                         const exits *e, bvh_travel *travel, hit *out);
-/* Of all n rays of a fan of one octant, in a tree. */
-uint64_t company_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
-                             hit *out);
-/* The same of rays that go through the tree one by one; what is left to be asked at the end is asked together. */
-uint64_t company_nearest_apart(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                               const exits *e, hit *out);
-/* Where light comes through unchanged nothing is said of it. */
-uint64_t company_light(const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
-                       bvh_travel *travel, colour *through);
+/* ---- lanes and shapes ---- */
+
+/* The convex shape that a ray left outward cannot be hit, and the exit of the closed one that it went into is known. away:
+ * which it is. */
+static inline bool is_excluded(const run *r, uint32_t lane, const pov_ray *ray, uint32_t away)
+{
+    return r->object[lane] == away && (r->plain >> lane & 1) &&
+           ((r->shape->flags & POV_SHAPE_CONVEX) || (ray->left_mark.flags & POV_MARK_CLOSED));
+}
+
+static inline uint32_t excluded_of(const packet *p, uint32_t i, const run *r)
+{
+    const uint32_t away = p->traversal.soa.away[i];
+    uint32_t lane;
+
+    for (lane = 0; away != POV_NOBODY && lane < r->count; lane++)
+        if (is_excluded(r, lane, p->rays[i], away))
+            return 1u << lane;
+    return 0;
+}
+
+/* Lanes that are not filtered: all, where a ray starts on the only shape. A filter would say "perhaps"; the shape knows the
+ * rest by name. */
+static inline uint64_t exact_of(const packet *p, const run *r, uint64_t lanes)
+{
+    const bool left = r->count == 1 && (lanes & (lanes - 1)) == 0 && p->rays[first_of64(lanes)]->left == r->object[0];
+
+    return !(r->flags & RUN_PACKED) || left ? lanes : lanes & p->exact;
+}
+
+/* How the surfaces of `from` are named when their owners are asked: each by its own mark, others not at all. */
+void packet_name(packet *p, uint32_t owner);
+
+static inline void packet_intersect(packet *p, uint32_t i, const run *r, uint32_t lane, pov_hits *hits)
+{
+    hits->owner = r->object[lane];
+    if (p->from)
+        packet_name(p, hits->owner);
+    run_intersect(r, lane, p->rays[i], hits);
+}
+
+static inline void packet_begin_hits(const packet *p, uint32_t i, pov_hits *hits, pov_want want, pov_crossing *at)
+{
+    hits_begin(hits, p->world, &p->context->rooms[p->of[i]], p->tmax, want, at);
+}
+
+/* ---- a query ---- */
+
+/* Rays that go alike: through the tree together, interleaved or one after the other. */
+typedef struct packet_group { uint64_t lanes; bvh_traverse_fn *traverse; } packet_group;
+enum { PACKET_GROUPS = 9 };
+/* Those of the first n rays that `which` names, each in one group. Gives how many there are. */
+uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t which, bool nearest,
+                       packet_group groups[PACKET_GROUPS]);
+
+/* Take the rays that `which` names; filters are to look up to `end`. */
+void packet_begin(packet *p, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+                  double end);
+/* Through the lists and the tree. Gives the lanes that a leaf ended. */
+uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest);
+/* The nearest hits of all lanes, but for what their distances have in common with others'. */
+void packet_nearest(packet *p, bvh_traverse_fn *traverse);
+/* Lanes whose light is blocked. */
+uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse);
+void packet_begin_light(packet *p, uint32_t i);
+/* Hand out the crossings of lanes that are not blocked. Gives those that are, as bits of the caller's. */
+uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out);
+
+/* ---- shapes and rays that are asked side by side ---- */
+
+/* Pairs of one class. */
+typedef struct pairs {
+    uint32_t count;
+    const void *selves[WORLD_MANY];
+    const pov_ray *rays[WORLD_MANY];
+    pov_hits *hits[WORLD_MANY];
+} pairs;
+
+static inline void pairs_put(pairs *some, const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const uint32_t n = some->count++;
+
+    some->selves[n] = self;
+    some->rays[n] = ray;
+    some->hits[n] = hits;
+}
+
+/* crossed: all of them certainly are. */
+void pairs_ask(walker *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed);
+
+/* The ray that an instance is asked with, which is found with the others of `some`; it is kept for the normal. */
+static inline const pov_ray *own_ray(walker *k, places *some, const placement *at, const pov_ray *ray, uint32_t which,
+                                     uint32_t owner)
+{
+    pov_ray *own = &k->own.rays[which];
+
+    k->own.of[which] = owner;
+    k->own.known |= bit_of(which);
+    places_put(some, at, ray, own);
+    return own;
+}
 
 #endif

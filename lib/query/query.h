@@ -17,28 +17,30 @@ void walker_take_classes(walker *k, class_counts *sum);
 /* True when memory ended in a query; what the query said is then worth nothing. Stays so. */
 bool walker_failed(const walker *k);
 
-/* What the last world_nearest_many() knows of the hits that it found, and no later query. */
+/* What the last query_nearest() knows of the hits that it found, and no later query. */
 const own_rays *walker_own(const walker *k);
 
-/* The nearest crossing in the open interval (0, tmax). Fills crossing, object and company only; false: none. Of several
- * in one place it is the one that the ray crosses first: spot_crossed(). */
-bool world_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
-/* What is left of light on the open segment org .. org + tmax dir: white when nothing stands there, the product of
- * what transparent surfaces let through, crossing by crossing from near to far. False: nothing is left, an opaque
- * surface or enough black ones stand there. Objects of no_shadow do not count. */
-bool world_light_path(const world *w, walker *k, const pov_ray *ray, double tmax, colour *through);
-/* The same of up to WORLD_MANY rays in company, with their answers to the bit: those of rays that start and go alike
- * cost a fraction of single ones. out and through have room for n; bit i of what is returned is ray i's, and
- * nothing is said in out of a ray that meets nothing. */
-uint64_t world_nearest_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
-/* The same of rays that start at one point and on nothing. ways: their directions, by lane; those of the rays are only
- * written where they are wanted, of all that meet anything among others. */
-uint64_t world_nearest_fan(const world *w, walker *k, pov_ray *rays, const vec_lanes *ways, uint32_t n, double tmax,
-                           hit *out);
-uint64_t world_light_path_many(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
-                               colour *through);
+/* Of up to WORLD_MANY rays the nearest crossing in the open interval (0, tmax). Rays that start and go alike cost a
+ * fraction of single ones, and each gets the answer that it would get alone. Fills crossing, object and company only;
+ * bit i of what is returned is ray i's, and nothing is said in out of a ray that hits nothing. Of several crossings in
+ * one place it is the one that the ray crosses first: spot_crossed(). */
+uint64_t query_nearest(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out);
+
+/* What light crosses: of the rays that `crossed` has a bit for their crossings of transparent surfaces, those of one
+ * object from near to far, and earlier objects first. They are the walker's, until its next query. Distances are
+ * to be relied on for objects that are not plain. */
+typedef struct occlusion {
+    uint64_t crossed;
+    const pov_crossing *at[WORLD_MANY];
+    uint32_t count[WORLD_MANY];
+} occlusion;
+
+/* On the open segments org .. org + tmax dir: bit i: nothing opaque stands on the way of ray i. Objects of no_shadow do
+ * not count. */
+uint64_t query_occlusion(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
+                         occlusion *out);
 /* Is anything there at all, transparent or not? For pov_trace_blocked(). */
-bool world_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
+bool query_blocked(const world *w, walker *k, const pov_ray *ray, double tmax);
 
 /* ---- surfaces that lie on each other ----
  *
@@ -56,17 +58,17 @@ typedef struct spot {
     hit at[SPOT_MAX];            /* by object */
 } spot;
 
-/* What lies where world_nearest() or world_nearest_from() found company; sides are the ray's own. `from`: what the ray
+/* What lies where query_nearest() or query_nearest_from() found company; sides are the ray's own. `from`: what the ray
  * started on, or NULL. */
 void world_spot(const world *w, walker *k, const pov_ray *ray, const spot *from, const hit *h, spot *out);
 /* The first surface that a ray of this direction crosses at once, or the spot's count. */
 uint32_t spot_crossed(const spot *s, pov_vec3 dir);
 /* It is crossed: the ray is on its other side. */
 static inline void spot_pass(spot *s, uint32_t which) { s->above ^= 1u << which; }
-/* As world_nearest() and world_light_path(), for a ray that starts on the spot. What it crosses at once comes first for
- * light; world_nearest_from() leaves it to spot_crossed(). */
-bool world_nearest_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax, hit *out);
-bool world_light_path_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax,
-                           colour *through);
+/* As query_nearest() and query_occlusion(), for one ray that starts on the spot. What it crosses at once is left to
+ * spot_crossed() by the one; the other gives bits of the spot's surfaces, all of them transparent, which come first. */
+bool query_nearest_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax, hit *out);
+bool query_occlusion_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax,
+                          occlusion *out, uint32_t *crossed);
 
 #endif

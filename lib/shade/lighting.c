@@ -3,6 +3,7 @@
 #include "base/bits.h"
 #include "base/simd.h"
 #include "shade/highlight.h"
+#include "shade/transmittance.h"
 
 /* How surfaces see one sample of a light source, by lane. */
 typedef struct light_sample {
@@ -163,14 +164,13 @@ static bool any_on_spot(const lighting *l)
 static uint64_t trace_each(const lighting *l, double tmax, colour *through)
 {
     const shade_context *c = l->context;
-    const world *w = c->scene->world;
     uint64_t lit = 0;
 
     for (uint32_t i = 0; i < l->count; i++) {
         const uint32_t at = l->on->at[l->of[i]].spot;
-        const bool is_lit =
-            at ? world_light_path_from(w, c->walker, &c->spots.items[at - 1], l->rays[i], tmax, &through[i])
-               : world_light_path(w, c->walker, l->rays[i], tmax, &through[i]);
+        const bool is_lit = at ? transmittance_from(c, &c->spots.items[at - 1], l->rays[i], tmax, &through[i])
+                               : transmittance_find(c, &l->rays[i], 1, tmax, &through[i]) != 0;
+
         lit |= (uint64_t)is_lit << i;
     }
     return lit;
@@ -184,7 +184,7 @@ static uint64_t trace(const lighting *l, double tmax, colour *through)
     c->counts.shadow += l->count;
     if (c->spots.count > 0 && any_on_spot(l))
         return trace_each(l, tmax, through);
-    return world_light_path_many(c->scene->world, c->walker, l->rays, l->count, tmax, through);
+    return transmittance_find(c, l->rays, l->count, tmax, through);
 }
 
 /* The surfaces that the rays start on, at these cosines. NULL: at none so small that it matters. */

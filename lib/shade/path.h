@@ -15,7 +15,7 @@ typedef struct path {
     uint32_t spot, above;        /* it starts on coincident surfaces: those of context->spots, counted from 1, and its
                                   * sides of them; spot 0: it does not */
     dielectric_span inside;      /* the dielectrics that it is in */
-    int zero_steps;              /* crossings in a row that did not move the ray: see scatter.c */
+    int zero_steps;              /* crossings in a row that did not move the ray: see query/passage.h */
 } path;
 
 /* A packet of paths: of neighbouring camera rays the same way on, at most one of each, ordered by lane. So what a camera

@@ -1,10 +1,7 @@
 #include "shade/scatter.h"
 
+#include "query/passage.h"
 #include "shade/refract.h"
-
-/* More surfaces in one place than are told apart can hand a ray back and forth there: straight on does not count for the
- * depth. After this many crossings without a move the ray is cut off as too deep. */
-enum { ZERO_STEPS_MAX = 1000 };
 
 static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
 
@@ -95,15 +92,13 @@ static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
 static path *transmit(scattering *to, uint32_t lane)
 {
     const surface *s = &to->on->at[lane];
-    const pov_vec3 from = s->ray->org, point = s->at->point;
     const geometry *g = &to->on->geometry;
     path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, cosine_of(g, lane, &g->view), false);
 
     if (!out)
         return NULL;
-    if (from.x == point.x && from.y == point.y && from.z == point.z)
-        out->zero_steps = s->from->zero_steps + 1;
-    if (out->zero_steps > ZERO_STEPS_MAX) {
+    out->zero_steps = passage_zero_steps(s->from->zero_steps, s->ray->org, s->at->point);
+    if (out->zero_steps > PASSAGE_ZERO_STEPS_MAX) {
         to->limits.cut_depth++;
         return NULL;
     }

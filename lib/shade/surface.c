@@ -2,6 +2,7 @@
 
 #include "base/bits.h"
 #include "base/vec.h"
+#include "query/passage.h"
 #include "shade/accumulate.h"
 
 /* ---- coincident surfaces ---- */
@@ -15,45 +16,32 @@ static void stand_on(shade_context *c, surface *s, const spot *on)
     }
     s->spot = (uint32_t)c->spots.count;
     s->above = on->above;
-    s->on = 0;
-    while (s->on + 1 < on->count && on->at[s->on].object != s->at->object)
-        s->on++;
+    s->on = passage_which(on, s->at->object);
 }
 
-static void find_spot(shade_context *c, surface *s, const spot *from)
+static void find_spot(shade_context *c, surface *s)
 {
     spot on;
 
-    world_spot(c->scene->world, c->walker, s->ray, from, s->at, &on);
+    world_spot(c->scene->world, c->walker, s->ray, NULL, s->at, &on);
     stand_on(c, s, &on);
 }
 
 /* A path that starts on coincident surfaces hits what it crosses before it has gone anywhere, or else what comes next. */
-static bool hit_from_spot(shade_context *c, surface *s)
-{
-    const path *p = s->from;
-    spot from = c->spots.items[p->spot - 1];
-    uint32_t which;
-
-    from.above = p->above;
-    which = spot_crossed(&from, s->ray->dir);
-    if (which < from.count) {
-        *s->at = from.at[which];
-        s->at->entering = pov_dot(s->at->normal, s->ray->dir) < 0.0;
-        stand_on(c, s, &from);
-        return true;
-    }
-    if (!world_nearest_from(c->scene->world, c->walker, &from, s->ray, HUGE_VAL, s->at))
-        return false;
-    if (s->at->company)
-        find_spot(c, s, &from);
-    return true;
-}
-
 static bool hit_single(shade_context *c, surface *s)
 {
-    return s->from->spot ? hit_from_spot(c, s)
-                         : world_nearest(c->scene->world, c->walker, s->ray, HUGE_VAL, s->at);
+    const path *p = s->from;
+    spot from, on;
+
+    if (p->spot) {
+        from = c->spots.items[p->spot - 1];
+        from.above = p->above;
+    }
+    if (!passage_step(c->scene->world, c->walker, s->ray, p->spot ? &from : NULL, s->at, &on))
+        return false;
+    if (on.count > 0)
+        stand_on(c, s, &on);
+    return true;
 }
 
 static bool any_on_spot(const batch *b)
@@ -86,7 +74,7 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     const appearance *a;
 
     if (s->at->company && !s->spot)
-        find_spot(c, s, NULL);
+        find_spot(c, s);
     s->appearance = a = shading_constant(scene, s->at->object);
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
@@ -137,7 +125,7 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
         s->count = find_each(c, s, b, out);
         return;
     }
-    found = world_nearest_many(c->scene->world, c->walker, b->rays, b->count, HUGE_VAL, s->hits);
+    found = query_nearest(c->scene->world, c->walker, b->rays, b->count, HUGE_VAL, s->hits);
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = found; rest; rest &= rest - 1) {
         place(s, b, first_of64(rest), n);

@@ -284,12 +284,13 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
 {
     world_thing *thing = &k->f->things[index];
     const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
-    const bool casts = !(o->flags & LEAF_NO_SHADOW);
+    const bool casts = !(o->flags & LEAF_NO_SHADOW), plain = true;
 
-    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE) | FLAT_PLAIN;
+    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE) | (plain ? FLAT_PLAIN : 0);
     thing->material = o->material;
     thing->inverse = (o->flags & LEAF_INVERSE) != 0;
     thing->tints = casts && clear;
+    thing->plain = plain;
     if (clear)
         join(&k->part->clear, box);
 }

@@ -37,8 +37,9 @@ struct world {
     bool list_packed;            /* some of it stands in blocks, and these in the frame */
     bvh tree;
     bool has_tree;
-    const bvh_walks *walks;
+    const bvh_kernels *kernels;
     bool always_exact;
+    bool located;                /* distances of crossings count for light: a transparent object is not plain */
     pov_box bounds, clear;       /* clear: around what light passes */
     uint8_t *lonely;             /* by object, 1: it is clear, and nothing else is in its box; NULL: nobody knows */
     bool has_bounds;

@@ -47,7 +47,7 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
         return plan_add(&w->plan, err, true, "tree", "built",
                         "%zu objects: nodes %zu, leaves %zu, depth %d, frames %zu, %.1f kB; %s",
                         (size_t)f->finite_count, t->node_count, t->leaf_count, t->depth, t->frame_count,
-                        1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->walks->name);
+                        1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->kernels->name);
     return plan_add(&w->plan, err, false, "tree", "left out", "%s",
                     accel == POV_ACCEL_NONE ? "asked for none: every ray asks every object"
                                             : "no object has a finite box");
@@ -205,6 +205,17 @@ static bool lay_out(world *w, flat *f, bool tree)
 
 /* ---- all of it ---- */
 
+/* Does what light loses depend on where it crosses something? */
+static bool is_located(const world *w, const flat *f)
+{
+    uint32_t i;
+
+    for (i = 0; w->plan.coloured_shadows && i < w->model->leaves.count; i++)
+        if (f->things[i].tints && !f->things[i].plain)
+            return true;
+    return false;
+}
+
 static pov_status compile(world *w, flat *f, const world_options *options, pov_error *err)
 {
     bool tree = options->accel != POV_ACCEL_NONE && f->finite_count > 0;
@@ -213,6 +224,7 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
     w->has_bounds = f->finite_count > 0;
     w->bounds = f->bounds;
     w->clear = f->clear;
+    w->located = is_located(w, f);
     if (!find_media(w, f) || (w->plan.transmission && !flat_find_lonely(f, &w->lonely)) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
@@ -270,7 +282,7 @@ pov_status world_create(world **out, const model *m, const world_options *option
     w->env = m->env;
     w->model = m;
     w->always_exact = options->always_exact;
-    w->walks = bvh_walks_best();
+    w->kernels = bvh_kernels_best();
     status = build(w, options, err);
     if (status < 0)
         world_destroy(w);

@@ -25,7 +25,7 @@ const plan *world_plan(const world *w);
 bool world_bounds(const world *w, pov_box *out);
 /* What is looked at of each object that is met, by object: in one line of memory, and in few pages. slot, group: the
  * world's own affair. */
-typedef struct world_thing { uint32_t slot, material; uint16_t group; bool inverse, tints; } world_thing;
+typedef struct world_thing { uint32_t slot, material; uint16_t group; bool inverse : 1, tints : 1, plain : 1; } world_thing;
 const world_thing *world_things(const world *w);
 /* Objects without a finite box, which every ray is asked for. */
 size_t world_infinite_count(const world *w);

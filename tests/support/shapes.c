@@ -443,6 +443,27 @@ void test_leave(pov_ray *ray, const hit *h)
         world_cross(ray, h, fabs(rise));
 }
 
+bool test_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out)
+{
+    const bool found = query_nearest(w, k, &ray, 1, tmax, out) != 0;
+
+    if (!found)
+        out->object = POV_NOBODY;
+    return found;
+}
+
+bool test_light(const world *w, walker *k, const pov_ray *ray, double tmax, uint32_t owners[TEST_CROSSINGS],
+                uint32_t *count)
+{
+    occlusion found;
+    const bool open = query_occlusion(w, k, &ray, 1, tmax, &found) != 0;
+
+    *count = found.crossed ? found.count[0] : 0;
+    for (uint32_t i = 0; i < TEST_CROSSINGS; i++)
+        owners[i] = i < *count ? found.at[0][i].owner : POV_NOBODY;
+    return open;
+}
+
 void test_model_init(model *m, const env *e)
 {
     env_init(&malloc_env, NULL, NULL, NULL);

@@ -26,6 +26,13 @@ pov_vec3 test_direction(test_random *r);
 /* Name what a ray leaves that starts where h is: it goes to either side. */
 void test_leave(pov_ray *ray, const hit *h);
 
+/* The nearest hit of one ray. */
+bool test_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
+/* Is light not blocked? count: how many transparent surfaces it crosses; of the first TEST_CROSSINGS, whose they are. */
+enum { TEST_CROSSINGS = 64 };
+bool test_light(const world *w, walker *k, const pov_ray *ray, double tmax, uint32_t owners[TEST_CROSSINGS],
+                uint32_t *count);
+
 /* A model of one opaque white material (index 0). NULL env: malloc. */
 void test_model_init(model *m, const env *e);
 /* Each asserts that memory sufficed, and gives the index. */

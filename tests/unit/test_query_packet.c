@@ -1,4 +1,4 @@
-/* Rays in company get the answers of single rays to the bit, whatever they are and wherever they go. */
+/* Rays that go together get the answers of single rays to the bit, whatever they are and wherever they go. */
 #include "support/check.h"
 #include "support/shapes.h"
 
@@ -87,7 +87,7 @@ static int same_hits(subject *s, const pov_ray *const *rays, uint32_t n, uint64_
 
     assert_true(n == WORLD_MANY || met >> n == 0);
     for (i = 0; i < n; i++) {
-        bool found = world_nearest(s->world, s->walker, rays[i], HUGE_VAL, &single[i]);
+        bool found = test_nearest(s->world, s->walker, rays[i], HUGE_VAL, &single[i]);
         assert_int_equal(met >> i & 1, found);
         if (!found)
             continue;
@@ -100,41 +100,23 @@ static int same_hits(subject *s, const pov_ray *const *rays, uint32_t n, uint64_
     return hits;
 }
 
-/* All from where the first starts; of those that meet nothing directions need not be written. */
-static void same_fan(subject *s, const pov_ray *rays, uint32_t n)
-{
-    const pov_vec3 none = { NAN, NAN, NAN };
-    pov_ray single[WORLD_MANY], fan[WORLD_MANY];
-    const pov_ray *each[WORLD_MANY];
-    hit many[WORLD_MANY], hits[WORLD_MANY];
-    vec_lanes ways;
-    uint64_t met;
-    uint32_t i;
-
-    memset(&ways, 0xff, sizeof ways);
-    for (i = 0; i < n; i++) {
-        single[i] = fan[i] = ray_of(rays->org, rays[i].dir);
-        fan[i].dir = none;
-        lanes_put(&ways, i, rays[i].dir);
-        each[i] = &single[i];
-    }
-    met = world_nearest_fan(s->world, s->walker, fan, &ways, n, HUGE_VAL, many);
-    same_hits(s, each, n, met, many, hits);
-    for (i = 0; i < n; i++)
-        if (met >> i & 1)
-            assert_memory_equal(&fan[i].dir, &rays[i].dir, sizeof fan[i].dir);
-}
-
 static void same_light(subject *s, const pov_ray *const *rays, uint32_t n, double tmax)
 {
-    colour many[WORLD_MANY], single;
-    uint64_t lit = world_light_path_many(s->world, s->walker, rays, n, tmax, many);
-    uint32_t i;
+    uint32_t many[WORLD_MANY][TEST_CROSSINGS], counts[WORLD_MANY], single[TEST_CROSSINGS], count, i, k;
+    occlusion found;
+    const uint64_t open = query_occlusion(s->world, s->walker, rays, n, tmax, &found);
 
-    assert_true(n == WORLD_MANY || lit >> n == 0);
+    assert_true(n == WORLD_MANY || open >> n == 0);
+    assert_true((found.crossed & ~open) == 0);
     for (i = 0; i < n; i++) {
-        assert_int_equal(lit >> i & 1, world_light_path(s->world, s->walker, rays[i], tmax, &single));
-        assert_memory_equal(&many[i], &single, sizeof single);
+        counts[i] = found.crossed >> i & 1 ? found.count[i] : 0;
+        for (k = 0; k < counts[i] && k < TEST_CROSSINGS; k++)
+            many[i][k] = found.at[i][k].owner;
+    }
+    for (i = 0; i < n; i++) {
+        assert_int_equal(open >> i & 1, test_light(s->world, s->walker, rays[i], tmax, single, &count));
+        assert_int_equal(counts[i], count);
+        assert_memory_equal(many[i], single, (count < TEST_CROSSINGS ? count : TEST_CROSSINGS) * sizeof *single);
     }
 }
 
@@ -145,15 +127,16 @@ static void same_unnamed(subject *s, const pov_ray *const *rays, uint32_t n)
 
     for (i = 0; i < n; i++) {
         pov_ray plain = *rays[i];
-        colour with, without;
+        uint32_t with[TEST_CROSSINGS], without[TEST_CROSSINGS], with_count, without_count;
         hit a, b;
 
         plain.left_mark.flags = 0;
-        assert_int_equal(world_light_path(s->world, s->walker, rays[i], 1.0, &with),
-                         world_light_path(s->world, s->walker, &plain, 1.0, &without));
-        assert_memory_equal(&with, &without, sizeof with);
-        assert_int_equal(world_nearest(s->world, s->walker, rays[i], HUGE_VAL, &a),
-                         world_nearest(s->world, s->walker, &plain, HUGE_VAL, &b));
+        assert_int_equal(test_light(s->world, s->walker, rays[i], 1.0, with, &with_count),
+                         test_light(s->world, s->walker, &plain, 1.0, without, &without_count));
+        assert_int_equal(with_count, without_count);
+        assert_memory_equal(with, without, sizeof with);
+        assert_int_equal(test_nearest(s->world, s->walker, rays[i], HUGE_VAL, &a),
+                         test_nearest(s->world, s->walker, &plain, HUGE_VAL, &b));
         assert_int_equal(a.object, b.object);
         assert_true(a.object == POV_NOBODY || (a.crossing.t == b.crossing.t && a.crossing.t_lo == b.crossing.t_lo));
     }
@@ -197,17 +180,17 @@ static void same_surfaces(subject *s, const walker *k, const pov_ray *const *ray
 static int same_nearest(subject *s, const pov_ray *const *rays, uint32_t n, hit *single)
 {
     hit many[WORLD_MANY];
-    const uint64_t met = world_nearest_many(s->world, s->walker, rays, n, HUGE_VAL, many);
+    const uint64_t met = query_nearest(s->world, s->walker, rays, n, HUGE_VAL, many);
 
     same_surfaces(s, s->walker, rays, met, many);
     same_surfaces(s, NULL, rays, met, many);
     return same_hits(s, rays, n, met, many, single);
 }
 
-/* The rays, and from what they meet those to a light, on each of this processor's walks. Gives the number of hits. */
+/* The rays, and from what they meet those to a light, by each of this processor's kernels. Gives the number of hits. */
 static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 lamp)
 {
-    const bvh_walks *walks[2] = { bvh_walks_best(), &bvh_walks_portable };
+    const bvh_kernels *kernels[2] = { bvh_kernels_best(), &bvh_kernels_portable };
     const pov_ray *all[WORLD_MANY], *lights[WORLD_MANY];
     pov_ray shadows[WORLD_MANY];
     hit hits[WORLD_MANY];
@@ -217,8 +200,7 @@ static int same_company(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 la
     for (i = 0; i < n; i++)
         all[i] = &rays[i];
     for (k = 0; k < 2; k++) {
-        s->world->walks = walks[k];
-        same_fan(s, rays, n);
+        s->world->kernels = kernels[k];
         met = same_nearest(s, all, n, hits);
         same_light(s, all, n, HUGE_VAL);
         for (i = lit = 0; i < n; i++) {

@@ -255,10 +255,11 @@ static double recursive(tiny *s, pov_ray ray, inside in, int level)
     double before, after, sum, cosine;
     pov_vec3 d = pov_unit(ray.dir), n, out;
     inside next;
+    const pov_ray *rays = &ray;
     pov_ray on;
     hit h;
 
-    if (!world_nearest(s->world, s->tracer->context.walker, &ray, HUGE_VAL, &h))
+    if (!query_nearest(s->world, s->tracer->context.walker, &rays, 1, HUGE_VAL, &h))
         return s->model.background.r;
     world_surface(s->world, &ray, &h);
     m = &s->model.materials.items[s->model.leaves.items[h.object].material];

@@ -215,7 +215,7 @@ static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_
     side_derive(to, i, tmax, length);
     if (!bvh_enter(frame, ray, length[i], to->per_length[i], &l))
         return false;
-    bvh_stand(to, i, &l, bvh_limit(l.scale, l.shift, tmax));
+    bvh_to_frame(to, i, &l, bvh_limit(l.scale, l.shift, tmax));
     return true;
 }
 

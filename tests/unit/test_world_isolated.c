@@ -107,7 +107,7 @@ static void go_in(subject *s, uint32_t seed, pov_ray *rays)
         hit h;
 
         ray.org = pov_vec3_of(-20.0 * way.x, -20.0 * way.y, -20.0 * way.z);
-        if (!world_nearest(s->world, s->walker, &ray, HUGE_VAL, &h))
+        if (!test_nearest(s->world, s->walker, &ray, HUGE_VAL, &h))
             continue;
         world_surface(s->world, &ray, &h);
         rays[n] = ray;
@@ -154,13 +154,13 @@ static void rays_within(int others, bool lonely)
     for (i = 0; i < WORLD_MANY; i++)
         all[i] = &rays[i];
     count_asked(&s);
-    met = world_nearest_many(s.world, s.walker, all, WORLD_MANY, HUGE_VAL, many);
+    met = query_nearest(s.world, s.walker, all, WORLD_MANY, HUGE_VAL, many);
     asked = count_asked(&s);
     assert_true(lonely ? asked == WORLD_MANY : asked > WORLD_MANY);   /* each of itself; and more */
     for (i = 0; i < WORLD_MANY; i++) {
         hit single;
 
-        assert_int_equal(met >> i & 1, world_nearest(s.world, s.walker, all[i], HUGE_VAL, &single));
+        assert_int_equal(met >> i & 1, test_nearest(s.world, s.walker, all[i], HUGE_VAL, &single));
         if (!(met >> i & 1))
             continue;
         assert_int_equal(many[i].object, single.object);

@@ -45,14 +45,15 @@ static void same_point(pov_vec3 a, pov_vec3 b)
 static bool same_answers(pair *p, const pov_ray *ray, double tmax, hit *out)
 {
     hit a, b;
-    colour x, y;
-    bool found = world_nearest(p->tree, p->on_tree, ray, tmax, &a);
+    uint32_t x[TEST_CROSSINGS], y[TEST_CROSSINGS], x_count, y_count;
+    bool found = test_nearest(p->tree, p->on_tree, ray, tmax, &a);
 
-    assert_int_equal(found, world_nearest(p->list, p->on_list, ray, tmax, &b));
-    assert_int_equal(world_blocked(p->tree, p->on_tree, ray, tmax), world_blocked(p->list, p->on_list, ray, tmax));
-    assert_int_equal(world_light_path(p->tree, p->on_tree, ray, tmax, &x),
-                     world_light_path(p->list, p->on_list, ray, tmax, &y));
-    assert_memory_equal(&x, &y, sizeof x);
+    assert_int_equal(found, test_nearest(p->list, p->on_list, ray, tmax, &b));
+    assert_int_equal(query_blocked(p->tree, p->on_tree, ray, tmax), query_blocked(p->list, p->on_list, ray, tmax));
+    assert_int_equal(test_light(p->tree, p->on_tree, ray, tmax, x, &x_count),
+                     test_light(p->list, p->on_list, ray, tmax, y, &y_count));
+    assert_int_equal(x_count, y_count);
+    assert_memory_equal(x, y, sizeof x);
     if (!found)
         return false;
     assert_int_equal(a.object, b.object);
@@ -189,7 +190,7 @@ static void mixture_is_the_same(int n, int rays, double scale, pov_vec3 offset, 
     assert_true(p.tree->has_tree);
     hits = trace(&p, &r, rays, scale, offset);
     assert_true(hits > rays / 8);
-    p.tree->walks = &bvh_walks_portable;
+    p.tree->kernels = &bvh_kernels_portable;
     trace(&p, &r, rays / 4, scale, offset);
     free_pair(&p);
     model_free(&m);

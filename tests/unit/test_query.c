@@ -1,4 +1,4 @@
-/* What rays are told: light through colours, shapes in spaces of their own, media, memory that ends. */
+/* What rays are told: what light crosses, shapes in spaces of their own, media, memory that ends. */
 #include "support/check.h"
 #include "support/failing.h"
 #include "support/near.h"
@@ -42,16 +42,47 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
 
 static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
 
-/* ---- light paths ---- */
+/* ---- light ---- */
 
-/* What six surfaces leave of each component is the product of six numbers as they are, rounded to a float once. */
-static void light_loses_to_rounding_once_a_path(void **state)
+/* Where a definite pair is noted, and where crossings are asked for one by one. */
+static void light_crosses_transparent_surfaces_in_the_order_of_objects(void **state)
 {
-    static const colour tint[3] = { { 0.9f, 0.3f, 0.7f }, { 0.11f, 0.77f, 0.31f }, { 0.59f, 0.83f, 0.97f } };
-    const colour white = { 1.0f, 1.0f, 1.0f };
+    const uint32_t owners[6] = { 0, 0, 1, 1, 2, 2 };
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
-    long double r = 1.0L, g = 1.0L, b = 1.0L;
-    colour through;
+    uint32_t found[TEST_CROSSINGS], count, i;
+    model m;
+    world *w;
+    walker *k;
+
+    (void)state;
+    test_model_init(&m, NULL);
+    test_add_light(&m, 1.0f);
+    for (i = 0; i < 3; i++) {
+        const test_ball ball = { pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 8.0 - 3.0 * i), 1.0 };
+        const uint32_t glass = test_add_material(&m, colour_of(1, 1, 1), 0.7f, 0.2f, false);
+
+        test_add(&m, i == 1 ? &test_plain_ball_class : &test_ball_class, &ball, NULL, glass, 0);
+    }
+    w = make(&m, POV_ACCEL_TREE);
+    k = walk_in(w);
+    assert_true(test_light(w, k, &ray, HUGE_VAL, found, &count));
+    assert_int_equal(count, 6);
+    assert_memory_equal(found, owners, sizeof owners);
+    assert_true(test_light(w, k, &ray, 3.0, found, &count));
+    assert_int_equal(count, 1);
+    assert_true(test_light(w, k, &ray, 1.5, found, &count));
+    assert_int_equal(count, 0);
+    walker_destroy(k);
+    world_destroy(w);
+    model_free(&m);
+}
+
+/* Of objects that are not plain shading is told where they are crossed; nothing is taken from a filter's word. */
+static void crossings_of_objects_that_are_not_plain_are_located(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    const pov_ray *rays = &ray;
+    occlusion found;
     model m;
     world *w;
     walker *k;
@@ -61,28 +92,37 @@ static void light_loses_to_rounding_once_a_path(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 3; i++)
-        test_add_ball(&m, pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 5.0 + 3.0 * i), 1.0,
-                      test_add_material(&m, tint[i], 0.7f, 0.2f, false));
+        test_add_ball(&m, pov_vec3_of(0.0, 0.0, 4.0 + 3.0 * i), 1.0,
+                      test_add_material(&m, colour_of(1, 1, 1), 0.7f, 0.2f, false));
     w = make(&m, POV_ACCEL_TREE);
     k = walk_in(w);
-    for (i = 0; i < 6; i++) {
-        r *= (long double)(tint[i % 3].r * 0.7f + 0.2f);
-        g *= (long double)(tint[i % 3].g * 0.7f + 0.2f);
-        b *= (long double)(tint[i % 3].b * 0.7f + 0.2f);
+    assert_false(w->located);
+    w->located = true;
+    for (i = 0; i < w->tree.leaf_bytes;) {
+        run *r = (run *)(void *)(w->tree.leaves + i);
+
+        assert_int_equal(r->plain, run_lanes(r));
+        r->plain = 0;
+        i += (uint32_t)run_bytes(r->shape, r->count, r->flags);
     }
-    assert_true(world_light_path(w, k, &ray, HUGE_VAL, &through));
-    assert_true(through.r == (float)r && through.g == (float)g && through.b == (float)b);
-    assert_true(world_light_path(w, k, &ray, 1.5, &through));
-    assert_memory_equal(&through, &white, sizeof white);
+    for (i = 0; i < 3; i++)
+        w->things[i].plain = false;
+    assert_int_equal(query_occlusion(w, k, &rays, 1, HUGE_VAL, &found), 1);
+    assert_int_equal(found.crossed, 1);
+    assert_int_equal(found.count[0], 6);
+    for (i = 0; i < 6; i++) {
+        assert_int_equal(found.at[0][i].owner, i / 2);
+        assert_near(found.at[0][i].t, 4.0 + 3.0 * (i / 2) + 2.0 * (i % 2), 1e-14);
+    }
     walker_destroy(k);
     world_destroy(w);
     model_free(&m);
 }
 
-static void an_opaque_object_behind_glass_ends_a_light_path(void **state)
+static void an_opaque_object_behind_glass_blocks_light(void **state)
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
-    colour through;
+    uint32_t found[TEST_CROSSINGS], count;
     model m;
     world *w;
     walker *k;
@@ -94,9 +134,9 @@ static void an_opaque_object_behind_glass_ends_a_light_path(void **state)
     test_add_ball(&m, pov_vec3_of(0.0, 0.0, 9.0), 1.0, 0);
     w = make(&m, POV_ACCEL_TREE);
     k = walk_in(w);
-    assert_true(world_light_path(w, k, &ray, 8.0, &through));
-    assert_false(world_light_path(w, k, &ray, 20.0, &through));
-    assert_true(colour_is_black(through));
+    assert_true(test_light(w, k, &ray, 8.0, found, &count));
+    assert_false(test_light(w, k, &ray, 20.0, found, &count));
+    assert_true(query_blocked(w, k, &ray, 8.0));
     walker_destroy(k);
     world_destroy(w);
     model_free(&m);
@@ -106,7 +146,7 @@ static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **sta
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
-    colour through;
+    uint32_t found[TEST_CROSSINGS], count;
     model m;
     world *w;
     walker *k;
@@ -117,64 +157,9 @@ static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **sta
     test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_NO_SHADOW);
     w = make(&m, POV_ACCEL_TREE);
     k = walk_in(w);
-    assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
-    assert_true(world_light_path(w, k, &ray, HUGE_VAL, &through));
-    assert_false(world_blocked(w, k, &ray, HUGE_VAL));
-    walker_destroy(k);
-    world_destroy(w);
-    model_free(&m);
-}
-
-/* Many more crossings than a walker begins with. */
-static void a_light_path_may_cross_any_number_of_surfaces(void **state)
-{
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
-    const colour tint = { 0.999f, 0.9985f, 0.998f };
-    long double red = 1.0L, green = 1.0L, blue = 1.0L;
-    test_random r = { 7 };
-    uint32_t glass, i;
-    colour through;
-    model m;
-    world *w;
-    walker *k;
-
-    (void)state;
-    test_model_init(&m, NULL);
-    test_add_light(&m, 1.0f);
-    glass = test_add_material(&m, tint, 1.0f, 0.0f, false);
-    for (i = 0; i < 1000; i++) {
-        test_add_ball(&m, pov_vec3_of(0.0, 0.0, 10.0 + test_uniform(&r, 0.0, 1000.0)), 0.5, glass);
-        red *= (long double)tint.r * (long double)tint.r;
-        green *= (long double)tint.g * (long double)tint.g;
-        blue *= (long double)tint.b * (long double)tint.b;
-    }
-    w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
-    assert_true(world_light_path(w, k, &ray, HUGE_VAL, &through));
-    assert_true(through.r == (float)red && through.g == (float)green && through.b == (float)blue);
-    assert_int_equal(k->rooms[0].capacity >= 2000, 1);
-    assert_false(walker_failed(k));
-    walker_destroy(k);
-    world_destroy(w);
-    model_free(&m);
-}
-
-static void light_through_black_glass_is_gone(void **state)
-{
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
-    colour through;
-    model m;
-    world *w;
-    walker *k;
-
-    (void)state;
-    test_model_init(&m, NULL);
-    test_add_light(&m, 1.0f);
-    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 2.0), 1.0, test_add_material(&m, colour_of(0, 0, 0), 1.0f, 0.0f, false));
-    w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
-    assert_false(world_light_path(w, k, &ray, HUGE_VAL, &through));
-    assert_true(world_blocked(w, k, &ray, HUGE_VAL));
+    assert_true(test_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_true(test_light(w, k, &ray, HUGE_VAL, found, &count));
+    assert_false(query_blocked(w, k, &ray, HUGE_VAL));
     walker_destroy(k);
     world_destroy(w);
     model_free(&m);
@@ -195,20 +180,20 @@ static void a_ray_that_leaves_a_ball_meets_its_other_side_only(void **state)
     test_add_ball(&m, origin, 1.0, test_add_material(&m, colour_of(1, 1, 1), 0.5f, 0.0f, false));
     w = make(&m, POV_ACCEL_TREE);
     k = walk_in(w);
-    assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_true(test_nearest(w, k, &ray, HUGE_VAL, &h));
     world_surface(w, &ray, &h);
     assert_true(h.entering);
     ray.org = h.point;
     ray.org_lo = h.point_lo;
     ray.left = h.object;
     ray.left_mark = h.crossing.mark;
-    assert_true(world_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_true(test_nearest(w, k, &ray, HUGE_VAL, &h));
     assert_near(h.crossing.t, 2.0, 0.0);
     world_surface(w, &ray, &h);
     assert_false(h.entering);
     ray.dir.z = -1.0;
-    assert_false(world_nearest(w, k, &ray, HUGE_VAL, &h));
-    assert_false(world_blocked(w, k, &ray, HUGE_VAL));
+    assert_false(test_nearest(w, k, &ray, HUGE_VAL, &h));
+    assert_false(query_blocked(w, k, &ray, HUGE_VAL));
     walker_destroy(k);
     world_destroy(w);
     model_free(&m);
@@ -223,7 +208,7 @@ static hit nearest_of(const model *m, const pov_ray *ray, bool *found)
     hit h;
 
     memset(&h, 0, sizeof h);
-    *found = world_nearest(w, k, ray, HUGE_VAL, &h);
+    *found = test_nearest(w, k, ray, HUGE_VAL, &h);
     if (*found)
         world_surface(w, ray, &h);
     walker_destroy(k);
@@ -424,7 +409,7 @@ static void memory_may_end_anywhere(void **state)
         pov_allocator hooks;
         world *w = NULL;
         walker *k = NULL;
-        colour through;
+        uint32_t found[TEST_CROSSINGS], count;
         pov_error err;
         model m;
         env e;
@@ -442,7 +427,7 @@ static void memory_may_end_anywhere(void **state)
         } else if (walker_create(&k, w, &err) < 0) {
             assert_int_equal(err.status, POV_E_MEMORY);
         } else {
-            world_light_path(w, k, &ray, HUGE_VAL, &through);
+            test_light(w, k, &ray, HUGE_VAL, found, &count);
             enough = !walker_failed(k);
             crossings = (long)k->rooms[0].capacity;
         }
@@ -476,11 +461,10 @@ static void a_transformation_without_an_inverse_is_an_error(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(light_loses_to_rounding_once_a_path),
-        cmocka_unit_test(an_opaque_object_behind_glass_ends_a_light_path),
+        cmocka_unit_test(light_crosses_transparent_surfaces_in_the_order_of_objects),
+        cmocka_unit_test(crossings_of_objects_that_are_not_plain_are_located),
+        cmocka_unit_test(an_opaque_object_behind_glass_blocks_light),
         cmocka_unit_test(what_throws_no_shadow_is_passed_by_light_but_not_by_sight),
-        cmocka_unit_test(a_light_path_may_cross_any_number_of_surfaces),
-        cmocka_unit_test(light_through_black_glass_is_gone),
         cmocka_unit_test(a_ray_that_leaves_a_ball_meets_its_other_side_only),
         cmocka_unit_test(a_placed_ball_matches_a_plain_one_however_far),
         cmocka_unit_test(a_stretched_and_turned_ball_is_an_ellipsoid),

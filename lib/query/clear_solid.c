@@ -1,0 +1,109 @@
+#include "query/clear_solid.h"
+
+#include "query/packet.h"
+
+/* ---- exits ---- */
+
+bool clear_solid_any_enters(const pov_ray *const *rays, uint32_t n)
+{
+    uint32_t flags = 0, i;
+
+    for (i = 0; i < n; i++)
+        flags |= rays[i]->left_mark.flags;
+    return flags & POV_MARK_INTO;
+}
+
+/* Does a ray start on a closed solid and go into it? */
+static inline bool enters(const world *w, const pov_ray *ray)
+{
+    const uint32_t both = POV_MARK_INTO | POV_MARK_CLOSED;
+
+    return (ray->left_mark.flags & both) == both && w->things[ray->left].plain;
+}
+
+static inline const shape_group *group_of(const world *w, uint32_t which) { return &w->groups[w->things[which].group]; }
+
+/* Ask those of `left` that start on a shape of the class of the first; the others are left. */
+static uint64_t ask_class(const world *w, walker *k, const pov_ray *const *rays, uint64_t left, exits *e)
+{
+    const shape_group *first = group_of(w, rays[first_of64(left)]->left);
+    uint64_t others = 0;
+    places placed;
+    pairs some;
+
+    some.count = placed.count = 0;
+    for (; left; left &= left - 1) {
+        const uint32_t i = first_of64(left), which = rays[i]->left;
+        const pov_ray *ray = rays[i];
+        shape_place place;
+
+        if (group_of(w, which)->shape != first->shape) {
+            others |= bit_of(i);
+            continue;
+        }
+        place = world_place(w, which);
+        e->hits[i].owner = which;
+        if (place.placement)
+            ray = own_ray(k, &placed, place.placement, ray, i, which);
+        pairs_put(&some, place.instance, ray, &e->hits[i]);
+    }
+    places_find(&placed);
+    pairs_ask(k, first->shape, first->class_number, &some, false);
+    return others;
+}
+
+/* Nothing else can be hit in a solid that stands alone. */
+static void end_isolated(const world *w, walker *k, const pov_ray *const *rays, hit *out, exits *e)
+{
+    uint64_t rest;
+
+    for (rest = e->known; w->lonely && rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        if (e->hits[i].count == 0 || !w->lonely[rays[i]->left])
+            continue;
+        k->decided += e->hits[i].decided;
+        out[i].object = rays[i]->left;
+        out[i].company = 0;
+        e->met |= bit_of(i);
+    }
+}
+
+void clear_solid_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
+                       exits *e)
+{
+    uint64_t left;
+    uint32_t i;
+
+    e->known = e->met = 0;
+    if (!w->plan.transmission || !clear_solid_any_enters(rays, n))
+        return;
+    for (i = 0; i < n; i++)
+        if (enters(w, rays[i])) {
+            e->known |= bit_of(i);
+            hits_begin(&e->hits[i], w, &k->rooms[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
+        }
+    for (left = e->known; left;)
+        left = ask_class(w, k, rays, left, e);
+    end_isolated(w, k, rays, out, e);
+}
+
+/* ---- light ---- */
+
+/* Does a way end beyond an interval, by more than ends and bounds are rounded? */
+static inline bool is_out(double from, double way, double lo, double hi)
+{
+    const double slack = 0x1p-40 * (fabs(from) + fabs(way)), end = from + way;
+
+    return end + slack < lo || end - slack > hi;
+}
+
+bool clear_solid_light_exits(const world *w, const pov_ray *ray, double tmax)
+{
+    const pov_vec3 way = pov_scale(ray->dir, tmax), lo = w->clear.lo, hi = w->clear.hi;
+
+    if (!enters(w, ray) || !w->things[ray->left].tints)
+        return false;
+    return is_out(ray->org.x, way.x, lo.x, hi.x) || is_out(ray->org.y, way.y, lo.y, hi.y) ||
+           is_out(ray->org.z, way.z, lo.z, hi.z);
+}
