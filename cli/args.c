@@ -407,6 +407,7 @@ args_verdict args_parse(args *a, int argc, char **argv)
     int option;
 
     memset(a, 0, sizeof *a);
+    a->preview = -1;
     optind = 0;      /* glibc begins anew at 0 */
     opterr = 0;
     while ((option = getopt_long(argc, argv, ":t:qvh", long_options, NULL)) != -1) {

@@ -23,7 +23,8 @@ typedef struct args {
     const char *output;          /* NULL: nothing is rendered */
     int width, height;           /* of the whole picture */
     pov_rect crop;               /* width 0: all of it */
-    int threads, samples, max_depth, bits, preview;   /* 0: the library's default */
+    int threads, samples, max_depth, bits;   /* 0: the library's default */
+    int preview;                 /* edge of a pixel of the first pass, 0: none; below zero: as the limits need it */
     args_transfer transfer;
     int seed;
     double partial_every;        /* seconds between checkpoints; 0: none */

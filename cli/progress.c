@@ -9,6 +9,9 @@
 /* Seconds of the job. A bar that would be gone at once is not drawn at all. */
 static const double first_bar = 0.3, every_bar = 0.1, every_line = 10.0, every_json = 0.5;
 
+/* A terminal so narrow that no bar has room gets the numbers, as many as fit. */
+enum { BAR_LEAST = 4 };
+
 void progress_init(progress *p, const args *a)
 {
     memset(p, 0, sizeof *p);
@@ -58,14 +61,6 @@ uint64_t progress_rays(const pov_counts *c)
     return c->camera + c->shadow + c->reflected + c->transmitted;
 }
 
-/* Seconds until the end if the rest goes as what is done did; below zero: nobody knows yet. */
-static double remaining(const pov_progress *now)
-{
-    if (!(now->fraction > 0.0 && now->seconds > 0.0))
-        return -1.0;
-    return now->seconds * (1.0 - now->fraction) / now->fraction;
-}
-
 static int screen_columns(void)
 {
     struct winsize size;
@@ -81,8 +76,8 @@ static void draw_bar(const pov_progress *now)
     int width, room, full;
 
     progress_percent(now->fraction, percent, sizeof percent);
-    if (remaining(now) >= 0.0)
-        progress_duration(remaining(now), left, sizeof left);
+    if (now->seconds_left >= 0.0)
+        progress_duration(now->seconds_left, left, sizeof left);
     if (now->est_rmse >= 0.0 && now->spp_mean > 1.0)
         snprintf(quality, sizeof quality, "  %.0f spp  error %.2g", now->spp_mean, now->est_rmse);
     width = snprintf(text, sizeof text, " %5s %%%s  %.1f M rays/s%s%s", percent, quality,
@@ -93,18 +88,22 @@ static void draw_bar(const pov_progress *now)
     full = (int)(now->fraction * room);
     memset(bar, ' ', sizeof bar);
     memset(bar, '#', (size_t)(full < 0 ? 0 : full > room ? room : full));
-    fprintf(stderr, "\r[%.*s]%s\033[K", room, bar, text);
+    if (room >= BAR_LEAST)
+        fprintf(stderr, "\r[%.*s]%s\033[K", room, bar, text);
+    else
+        fprintf(stderr, "\r%.*s\033[K", screen_columns() - 1, text + 1);
     fflush(stderr);
 }
 
 static void write_line(const pov_progress *now)
 {
-    char percent[16], spent[32], left[32];
+    char percent[16], spent[32], left[32] = "";
 
     progress_percent(now->fraction, percent, sizeof percent);
     progress_duration(now->seconds, spent, sizeof spent);
-    progress_duration(remaining(now), left, sizeof left);
-    fprintf(stderr, "povc: %s %% after %s, about %s to go\n", percent, spent, left);
+    if (now->seconds_left >= 0.0)
+        progress_duration(now->seconds_left, left, sizeof left);
+    fprintf(stderr, "povc: %s %% after %s%s%s%s\n", percent, spent, left[0] ? ", about " : "", left, left[0] ? " to go" : "");
 }
 
 static void write_json(const pov_progress *now)
@@ -120,8 +119,8 @@ static void write_json(const pov_progress *now)
         fprintf(stderr, ",\"spp\":%.6g", now->spp_mean);
     if (now->spp_mean > 0.0 && now->est_rmse >= 0.0)
         fprintf(stderr, ",\"error\":%.6g", now->est_rmse);
-    if (remaining(now) >= 0.0)
-        fprintf(stderr, ",\"eta\":%.3f", remaining(now));
+    if (now->seconds_left >= 0.0)
+        fprintf(stderr, ",\"eta\":%.3f", now->seconds_left);
     fprintf(stderr, "}\n");
     fflush(stderr);
 }

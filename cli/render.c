@@ -13,6 +13,8 @@
 
 /* Longest time in seconds that a signal waits to be seen. */
 static const double patience = 0.05;
+/* Edge of a pixel of the first pass where a limit of time asks for one. */
+enum { COARSEST = 16 };
 
 static double now_seconds(void)
 {
@@ -70,6 +72,9 @@ static pov_status read_reference(render *r, pov_error *err)
     return save_fail(err, POV_E_ARGUMENT, r->args->reference, text);
 }
 
+/* The same for all runs that may share a checkpoint. */
+static bool may_end_early(const args *a) { return a->time > 0.0 || a->partial_every > 0.0 || a->resume; }
+
 static pov_status prepare(render *r, pov_error *err)
 {
     const args *a = r->args;
@@ -85,7 +90,8 @@ static pov_status prepare(render *r, pov_error *err)
     desc.width = a->width;
     desc.height = a->height;
     desc.crop = a->crop;
-    desc.preview = a->preview;
+    /* A limit may come before the first pass has ended: a coarse picture of all is better than part of a fine one. */
+    desc.preview = a->preview >= 0 ? a->preview : may_end_early(a) ? COARSEST : 0;
     desc.threads = a->threads;
     desc.samples = a->samples;
     desc.seed = (uint32_t)a->seed;
@@ -168,11 +174,21 @@ static pov_job_state watch(render *r, progress *shown, partial *kept)
 
 static void say_partial(const render *r)
 {
-    char percent[16];
+    const pov_progress *p = &r->progress;
+    const char *name = strcmp(r->args->output, "-") == 0 ? "standard output" : r->args->output;
+    char percent[16], error[40] = "";
 
-    progress_percent(r->progress.fraction, percent, sizeof percent);
-    messages_say(r->messages, "interrupted: %s holds %s %% of the picture",
-                 strcmp(r->args->output, "-") == 0 ? "standard output" : r->args->output, percent);
+    if (p->spp_mean < 1.0) {
+        progress_percent(p->spp_mean > p->fraction ? p->spp_mean : p->fraction, percent, sizeof percent);
+        messages_say(r->messages, "interrupted: %s holds %s %% of the picture", name, percent);
+        return;
+    }
+    if (p->est_rmse > 0.0)
+        snprintf(error, sizeof error, ", estimated error %.2g", p->est_rmse);
+    if (r->args->samples > 0)
+        messages_say(r->messages, "interrupted: %s holds %.3g of %d samples a pixel%s", name, p->spp_mean, r->args->samples, error);
+    else
+        messages_say(r->messages, "interrupted: %s holds %.3g samples a pixel%s", name, p->spp_mean, error);
 }
 
 /* Where the band of the last pass ends. */

@@ -44,7 +44,7 @@ static const char *const help[] = {
     "                           double where it is certain, or two doubles throughout\n"
     "      --partial-every S    write the picture so far, and a checkpoint beside it, each S seconds\n"
     "      --resume             go on from that checkpoint, and keep one\n"
-    "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none)\n"
+    "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none, with --time 16)\n"
     "\n",
     "Messages\n"
     "      --report FILE        error against run time: .csv, .json, .html, .svg or .png\n"

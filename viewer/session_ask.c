@@ -111,8 +111,8 @@ static void describe(const session *s, const char *name, const pov_progress *p, 
     }
     if (s->app->paused)
         snprintf(rest, sizeof rest, ", paused");
-    else if (p->fraction > 0.0 && s->worked > 0.5)
-        snprintf(rest, sizeof rest, ", %.0f s left", s->worked * (1.0 - p->fraction) / p->fraction + 0.5);
+    else if (p->seconds_left >= 1.0)
+        snprintf(rest, sizeof rest, ", %.0f s left", p->seconds_left);
     snprintf(out, size, "%.100s: %d %%%s%s", name, (int)(100.0 * p->fraction), quality, rest);
 }
 

@@ -89,6 +89,8 @@ void passes_stop(pov_job *job, pov_stop why);
 bool passes_expire(pov_job *job);
 /* Of the work until the nearest end that is asked for, as far as can be told. */
 double passes_fraction(const pov_job *job);
+/* Seconds of wall time until that end; below zero while nobody can tell. */
+double passes_left(const pov_job *job);
 
 /* The clock starts. The lock is held. */
 void job_begin(pov_job *job);

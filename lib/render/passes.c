@@ -246,26 +246,79 @@ void passes_stop(pov_job *job, pov_stop why)
 bool passes_expire(pov_job *job)
 {
     if (job->state != POV_JOB_RUNNING || !(job->settings.time_limit > 0.0) ||
-        clock_seconds() - job->started < job->settings.time_limit)
+        clock_seconds() - job->started < job->earlier + job->settings.time_limit)
         return false;
     passes_stop(job, POV_STOP_TIME);
     job_end(job, POV_JOB_DONE);
     return true;
 }
 
+/* ---- how long it will take ---- */
+
+static bool shows_error(const pov_pass *row) { return row->est_rmse > 0.0 && row->wall_s > 0.0; }
+
+/* Seconds from the start until the error asked for, on the line through the logarithms of time and error of the last
+ * pass and of the latest one of half its time or less. Below zero: no two passes know their error yet. */
+static double time_of_error(const pov_job *job)
+{
+    const double least_slope = -2.0, most_slope = -0.25;
+    const pov_pass *last = NULL, *first = NULL;
+
+    for (size_t i = job->rows.count; i-- > 0 && !(first && first->wall_s <= 0.5 * last->wall_s);) {
+        const pov_pass *row = &job->rows.items[i];
+
+        if (!shows_error(row))
+            break;
+        if (!last)
+            last = row;
+        else if (row->wall_s < last->wall_s)
+            first = row;
+    }
+    if (!first)
+        return -1.0;
+    return last->wall_s * pow(job->settings.target_error / last->est_rmse,
+                              1.0 / fmin(most_slope, fmax(least_slope, log(last->est_rmse / first->est_rmse) /
+                                                                           log(last->wall_s / first->wall_s))));
+}
+
+/* Seconds from the start until all samples are in, at the pace so far. Below zero: too few are. */
+static double time_of_samples(const pov_job *job, double now)
+{
+    const double all = (double)job->all_pixels * job->settings.samples, few = 0.02;
+    const double done = (double)job->done_pixels / (job->settings.sampling ? (double)job->all_pixels : all);
+
+    return done < (job->settings.sampling ? 1.0 : few) ? -1.0 : now * all / (double)job->done_pixels;
+}
+
+double passes_left(const pov_job *job)
+{
+    const settings *s = &job->settings;
+    const double now = clock_seconds() - job->started;
+    double until;
+
+    if (job->state != POV_JOB_RUNNING)
+        return job->state == POV_JOB_DONE ? 0.0 : -1.0;
+    until = s->target_error > 0.0 ? time_of_error(job) : time_of_samples(job, now);
+    if (s->target_error > 0.0 && until >= 0.0)
+        until = fmin(until, fmax(time_of_samples(job, now), now));
+    if (s->time_limit > 0.0 && (until >= 0.0 || !(s->target_error > 0.0)))
+        until = until < 0.0 ? job->earlier + s->time_limit : fmin(until, job->earlier + s->time_limit);
+    return until < 0.0 ? -1.0 : fmax(until - now, 0.0);
+}
+
 double passes_fraction(const pov_job *job)
 {
     const settings *s = &job->settings;
-    double done = (double)job->done_pixels / ((double)job->all_pixels * s->samples), most = 0.999;
-    const pov_pass *last = job->rows.count > 0 ? &job->rows.items[job->rows.count - 1] : NULL;
+    const double done = (double)job->done_pixels / ((double)job->all_pixels * s->samples), most = 0.999;
+    double now, left;
 
     if (!s->sampling)
         return done;
-    if (job->state == POV_JOB_DONE && (last || job->stop != POV_STOP_TIME) && job->done_pixels >= job->all_pixels)
+    if (job->state == POV_JOB_DONE && (job->rows.count > 0 || job->stop != POV_STOP_TIME) && job->done_pixels >= job->all_pixels)
         return 1.0;
-    if (last && last->est_rmse > 0.0 && s->target_error > 0.0)
-        done = fmax(done, s->target_error * s->target_error / (last->est_rmse * last->est_rmse));
-    if (s->time_limit > 0.0 && job->started > 0.0)
-        done = fmax(done, (clock_seconds() - job->started) / s->time_limit);
-    return fmin(done, most);
+    if (job->state != POV_JOB_RUNNING || passes_left(job) < 0.0)
+        return fmin(done, most);
+    now = clock_seconds() - job->started;
+    left = passes_left(job);
+    return now + left > 0.0 ? fmin(now / (now + left), most) : 0.0;
 }

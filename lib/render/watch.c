@@ -204,6 +204,7 @@ void job_get_progress(pov_job *job, pov_progress *out)
     mutex_lock(&job->lock);
     count_passes(job, out);
     out->fraction = passes_fraction(job);
+    out->seconds_left = passes_left(job);
     last = job->rows.count > 0 ? &job->rows.items[job->rows.count - 1] : NULL;
     out->spp_mean = last ? last->spp_mean : 0.0;
     out->est_rmse = last ? last->est_rmse : -1.0;

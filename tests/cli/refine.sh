@@ -201,3 +201,41 @@ END
     says_not err "estimated error 0"
     says err "not excluded: a feature of less than"
 }
+
+# Defect 1 of the first hour: the picture was black but for the tiles that were done.
+refine_shows_the_whole_view_however_short_the_time() {
+    rich_scene
+    expect 3 "$povc" rich.pov 1920 1080 out.ppm --time 0.3
+    says err "the time limit ended it"
+    "$PYTHON" - out.ppm <<'END'
+import sys
+data = open(sys.argv[1], 'rb').read()
+pixels = data[data.index(b'255\n') + 4:]
+rows = [pixels[3 * 1920 * y:3 * 1920 * (y + 1)] for y in range(0, 1080, 60)]
+dark = sum(1 for row in rows for x in range(0, 1920, 60) if row[3 * x:3 * x + 3] == b'\0\0\0')
+assert dark < 0.6 * len(rows) * 32, dark
+END
+}
+
+# Defect 23: the second run is as long as it was asked to be.
+refine_counts_the_time_of_a_resumed_run_from_its_own_start() {
+    rich_scene
+    expect 3 "$povc" rich.pov 320 240 out.pfm --spp 4000 --partial-every 0.2 --time 0.6
+    expect 3 "$povc" rich.pov 320 240 out.pfm --spp 4000 --resume --time 0.4 --report out.csv
+    between 0.95 "$(field out.csv wall_s)" 3
+}
+
+# Defect 3: no guess before two passes know their error, and a fair one later.
+refine_tells_the_time_left_only_when_passes_show_it() {
+    rich_scene
+    expect 0 "$povc" rich.pov 320 240 out.pfm --error 0.0015 --progress json
+    "$PYTHON" - err <<'END'
+import json, sys
+lines = [json.loads(line) for line in open(sys.argv[1]) if line.startswith('{')]
+end = lines[-1]['seconds']
+for line in lines:
+    assert 'eta' not in line or 'error' in line, line
+    if 'eta' in line and 0.2 * end < line['seconds'] < 0.6 * end:
+        assert end / 4 < line['seconds'] + line['eta'] < 4 * end, (line, end)
+END
+}

@@ -32,10 +32,12 @@ signals_usr1_writes_the_picture_so_far_and_goes_on() {
 
 signals_the_second_one_ends_at_once() {
     rich_scene
-    # Nobody reads the pipe, so saving the picture never ends.
-    mkfifo out.png
+    # Somebody has the pipe open and does not read, so saving the picture never ends.
+    mkfifo out.pfm
+    sleep 20 < out.pfm & reader=$!
     # shellcheck disable=SC2086
-    "$PYTHON" "$drive" wait:0.4 INT wait:0.5 running INT -- "$povc" rich.pov 640 480 out.png $endless > status
+    "$PYTHON" "$drive" wait:0.4 INT wait:0.5 running INT -- "$povc" rich.pov 640 480 out.pfm $endless > status
+    kill "$reader"
     [ "$(cat status)" -eq 130 ]
 }
 

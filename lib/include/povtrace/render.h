@@ -27,7 +27,7 @@ typedef struct pov_render_desc {
     void *wake_user;
     pov_sampling sampling;        /* samples alike for all pixels, or more of them where the error is */
     double target_error;          /* add samples until the estimated rms error, in linear light, is this; 0: none */
-    double time_limit;            /* or until so many seconds have passed since the start; 0: none */
+    double time_limit;            /* or until so many seconds have passed since the start, or since pov_job_load(); 0: none */
     const float *reference;       /* of the crop, linear, four channels a pixel: each pass is held against it. Kept
                                      by the caller while the job lives; or NULL */
     uint32_t seed;                /* another one, other places for all samples but a single one */
@@ -64,6 +64,7 @@ typedef struct pov_progress {
     pov_counts counts;            /* of the tiles done so far */
     double spp_mean, est_rmse;    /* at the last pass's end; est_rmse is below zero while it is not known */
     pov_stop stop;
+    double seconds_left;          /* until the nearest end that is asked for, by the passes so far; below zero: not known */
 } pov_progress;
 
 /* The picture at the end of a pass: a row of the report of error against run time. docs/report.md has more. */
