@@ -102,7 +102,7 @@ $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o
 
 # Scripts are run like programs, and first, for some take longest; they find what was built in $BUILD_DIR and the compiler in $CC.
-TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/docs/examples.py tests/install/run.sh)) tests/runner/run.sh
+TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/docs/examples.py tests/docs/links.py tests/install/run.sh)) tests/runner/run.sh
 
 .PHONY: test tests
 tests: all $(TEST_PROGRAMS)

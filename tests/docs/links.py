@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Check that what the documentation points to exists: links.py [PAGE ...].
+
+* A link to a file or an anchor of the tree.
+* A path in backticks or plain text, such as `bvh/reinsert.c` or docs/numerics.md: it is looked for beside the page, in the
+  tree's root, in lib and in plugins. Files that are yet to be written are named in sections that begin with "Where growth".
+* A target of make, such as `make bench`.
+
+Ends with "N passed, N failed".
+"""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PLACES = (ROOT, ROOT / 'lib', ROOT / 'plugins', ROOT / 'lib/include')
+LINK = re.compile(r'\]\(([^)\s]+)\)')
+PATH = re.compile(r'(?<![\w/.<-])((?:\w[\w-]*/)+[\w-]+\.(?:c|h|py|sh|md|txt|mk))\b')
+TARGET = re.compile(r'`make ([a-z][a-z0-9-]*)')
+
+
+def pages():
+    return [ROOT / 'README.md', *sorted((ROOT / 'docs').rglob('*.md')), ROOT / 'scenes/README.md',
+            *sorted((ROOT / 'tests').rglob('README.md'))]
+
+
+def anchors(page):
+    """What GitHub makes of the headings."""
+    heads = re.findall(r'^#+ (.*)$', page.read_text(), re.M)
+    return {re.sub(r'[^\w -]', '', head.lower()).replace(' ', '-') for head in heads}
+
+
+def prose(page):
+    text = re.sub(r'^```.*?^```$', '', page.read_text(), flags=re.M | re.S)
+    text = re.sub(r'<!-- example: .*?-->', '', text, flags=re.S)
+    return re.sub(r'^## Where growth.*?(?=^## |\Z)', '', text, flags=re.M | re.S)
+
+
+def dead_link(page, link):
+    path, _, anchor = link.partition('#')
+    target = (page.parent / path).resolve() if path else page
+    return not target.exists() or bool(anchor) and anchor not in anchors(target)
+
+
+def targets_of_make():
+    done = subprocess.run(['make', '-pnq', '-C', str(ROOT), 'help'], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    return set(re.findall(r'^([a-z][a-z0-9-]*):', done.stdout, re.M))
+
+
+def wrong(page, targets):
+    text = prose(page)
+    for link in LINK.findall(text):
+        if not link.startswith(('http:', 'https:')) and dead_link(page, link):
+            yield f'the link {link} leads nowhere'
+    for path in PATH.findall(text):
+        if not any((place / path).exists() for place in (page.parent, *PLACES)):
+            yield f'there is no {path}'
+    for target in TARGET.findall(text):
+        if target not in targets:
+            yield f'there is no target {target} for make'
+
+
+def main():
+    targets = targets_of_make()
+    passed = failed = 0
+    for page in [Path(name).resolve() for name in sys.argv[1:]] or pages():
+        found = list(wrong(page, targets))
+        print(f'{"not ok" if found else "ok"} {page.relative_to(ROOT)}', *found, sep='\n    ')
+        passed, failed = passed + (not found), failed + bool(found)
+    print(f'{passed} passed, {failed} failed')
+    return failed > 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
