@@ -15,13 +15,14 @@ from pathlib import Path
 
 # How many times as long as ours each of the others is to take.
 ASKED = {'POV-Ray': 5.0, 'Tachyon': 1.8, 'Embree': 1.35, 'Embree x8': 1.15, 'Embree x16': 1.15}
+PAGES = ('docs/performance.md', 'docs/notes/where-time-goes.md')
 PARTS = ('tree', 'filters', 'shapes', 'placements', 'normals', 'shading', 'picture')
 
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--work', default='build/bench', help='where the CSV files are')
-    parser.add_argument('--docs', nargs='+', default=['docs/performance.md', 'docs/notes/where-time-goes.md'])
+    parser.add_argument('--docs', nargs='+', default=PAGES)
     return parser.parse_args()
 
 

@@ -5,13 +5,17 @@
 * A path in backticks or plain text, such as `bvh/reinsert.c` or docs/numerics.md: it is looked for beside the page, in the
   tree's root, in lib and in plugins. Files that are yet to be written are named in sections that begin with "Where growth".
 * A target of make, such as `make bench`.
+* The marks between which scripts write their tables: one pair for each table.
 
 Ends with "N passed, N failed".
 """
+import importlib.util
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+sys.dont_write_bytecode = True
 
 ROOT = Path(__file__).resolve().parents[2]
 PLACES = (ROOT, ROOT / 'lib', ROOT / 'plugins', ROOT / 'lib/include')
@@ -61,14 +65,37 @@ def wrong(page, targets):
             yield f'there is no target {target} for make'
 
 
+def module(path):
+    spec = importlib.util.spec_from_file_location(Path(path).stem, ROOT / path)
+    found = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(found)
+    return found
+
+
+def wrong_marks():
+    """Tables that a script would not find, or would find twice."""
+    bench = ''.join((ROOT / page).read_text() for page in module('tests/bench/tables.py').PAGES)
+    for name in module('tests/bench/tables.py').TABLES:
+        if len(re.findall(f'<!-- bench:{name} -->\n.*?<!-- end -->', bench, re.S)) != 1:
+            yield f'tests/bench/tables.py has not one place for its table {name}'
+    numerics = (ROOT / 'docs/numerics.md').read_text()
+    for script in ('tests/numerics/accuracy_report.py', 'tests/numerics/cost.py'):
+        if any(numerics.count(mark) != 1 for mark in module(script).MARKS):
+            yield f'{script} has not one place for its table in docs/numerics.md'
+
+
+def report(name, found):
+    print(f'{"not ok" if found else "ok"} {name}', *found, sep='\n    ')
+    return bool(found)
+
+
 def main():
     targets = targets_of_make()
-    passed = failed = 0
-    for page in [Path(name).resolve() for name in sys.argv[1:]] or pages():
-        found = list(wrong(page, targets))
-        print(f'{"not ok" if found else "ok"} {page.relative_to(ROOT)}', *found, sep='\n    ')
-        passed, failed = passed + (not found), failed + bool(found)
-    print(f'{passed} passed, {failed} failed')
+    chosen = [Path(name).resolve() for name in sys.argv[1:]] or pages()
+    results = [report(page.relative_to(ROOT), list(wrong(page, targets))) for page in chosen]
+    results.append(report('tables that scripts write', list(wrong_marks())))
+    failed = sum(results)
+    print(f'{len(results) - failed} passed, {failed} failed')
     return failed > 0
 
 
