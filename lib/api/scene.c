@@ -142,22 +142,25 @@ void pov_scene_get_camera(const pov_scene *scene, pov_camera *out)
 
 size_t pov_scene_object_count(const pov_scene *scene)
 {
-    return !scene ? 0 : scene->model.leaves.count;
+    return !scene ? 0 : model_object_count(&scene->model);
 }
 
 bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **keyword, int *line, int *column)
 {
-    const struct leaf_node *o;
+    const struct solid_node *solid;
+    const struct leaf_node *leaf;
+    uint32_t first;
 
-    if (!scene || index >= scene->model.leaves.count)
+    if (!scene || index >= model_object_count(&scene->model))
         return false;
-    o = &scene->model.leaves.items[index];
+    solid = model_object(&scene->model, (uint32_t)index, &first);
+    leaf = &scene->model.leaves.items[first];
     if (keyword)
-        *keyword = o->shape->keyword;
+        *keyword = solid ? model_op_keyword(solid->op) : leaf->shape->keyword;
     if (line)
-        *line = (int)o->line;
+        *line = (int)(solid ? solid->line : leaf->line);
     if (column)
-        *column = (int)o->column;
+        *column = (int)(solid ? solid->column : leaf->column);
     return true;
 }
 
@@ -179,7 +182,7 @@ void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
     info.transfer = m->gamma.transfer;
     info.parse_seconds = scene->parse_seconds;
     info.build_seconds = scene->build_seconds;
-    info.objects = m->leaves.count;
+    info.objects = model_object_count(m);
     info.infinite_objects = world_infinite_count(scene->world);
     info.lights = m->lights.count;
     info.materials = m->materials.count;

@@ -37,7 +37,7 @@ static bool is_ray(pov_vec3 org, pov_vec3 dir)
     return pov_largest(pov_unit(dir)) > 0.0 && isfinite(org.x) && isfinite(org.y) && isfinite(org.z);
 }
 
-static pov_hit hit_of(const hit *h, double distance)
+static pov_hit hit_of(const model *m, const hit *h, double distance)
 {
     pov_hit found = POV_INIT(found);
 
@@ -45,7 +45,7 @@ static pov_hit hit_of(const hit *h, double distance)
     found.point = h->point;
     found.normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     found.shading_normal = found.normal;
-    found.object = h->object;
+    found.object = model_object_of(m, h->object);
     found.certain = (h->crossing.mark.flags & POV_MARK_DECIDED) == 0;
     return found;
 }
@@ -74,7 +74,7 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
         return false;
     }
     world_surface(tracer->context.scene->world, &ray, &h);
-    found = hit_of(&h, h.crossing.t);
+    found = hit_of(tracer->context.scene->model, &h, h.crossing.t);
     if (out)
         adapt_out(out, &found, sizeof found);
     return true;
@@ -101,7 +101,8 @@ size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see
         p.walker = tracer->context.walker;
     }
     while (goes_on && passage_next(&p, &h)) {
-        const pov_hit found = hit_of(&h, count == 0 ? h.crossing.t : distance_to(&h, org, dir));
+        const pov_hit found =
+            hit_of(tracer->context.scene->model, &h, count == 0 ? h.crossing.t : distance_to(&h, org, dir));
 
         count++;
         goes_on = see(user, &found);

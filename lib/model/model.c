@@ -13,6 +13,10 @@ void model_init(model *m, const env *e)
 void model_free(model *m)
 {
     env_free(m->env, m->leaves.items);
+    env_free(m->env, m->groups.items);
+    env_free(m->env, m->children.items);
+    env_free(m->env, m->trees.items);
+    env_free(m->env, m->solids.items);
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
     arena_free(&m->memory);

@@ -10,6 +10,9 @@
 
 #include <povtrace/scene.h>
 
+typedef struct group_list { group_node *items; size_t count, capacity; } group_list;
+typedef struct solid_list { solid_node *items; size_t count, capacity; } solid_list;
+typedef struct node_list { node_ref *items; size_t count, capacity; } node_list;
 typedef struct leaf_list { leaf_node *items; size_t count, capacity; } leaf_list;
 typedef struct material_list { material *items; size_t count, capacity; } material_list;
 typedef struct light_list { light *items; size_t count, capacity; } light_list;
@@ -24,7 +27,11 @@ typedef struct model {
     arena memory;                /* of instances and texts */
     arena maps;                  /* of transformations, which model_drop_maps() takes away before the rest */
     const env *env;
-    leaf_list leaves;            /* in the order of the text: an object's index is its name everywhere */
+    leaf_list leaves;            /* in the order of the text: a leaf's index is its name everywhere */
+    group_list groups;
+    node_list children;          /* of the groups, side by side */
+    node_list trees;             /* groups that rays meet as one: no union, unless inverse or of what is in a tree */
+    solid_list solids;           /* in the order of the text; leaves of none are objects by themselves */
     material_list materials;
     light_list lights;
     pov_camera camera;
@@ -42,6 +49,22 @@ typedef struct model {
 
 void model_init(model *m, const env *e);
 void model_free(model *m);
+/* What is added comes in the order of the text. A leaf alone is an object. False: no memory. */
+bool model_add_leaf(model *m, const leaf_node *leaf);
+/* A group of children that have been added, and nothing after them. Of one child that is the child, and of none there is
+ * none. shape: what is given of it but for its leaves and children. */
+bool model_add_group(model *m, const group_node *shape, const node_ref *children, size_t count, node_ref *out);
+/* A tree of nodes is complete: unions that nothing stands above dissolve into their children, which are objects by
+ * themselves; united: they share a medium, and are one. */
+bool model_add_tree(model *m, node_ref root, bool united);
+
+/* Objects of the scene: solids, and leaves that belong to none. */
+size_t model_object_count(const model *m);
+/* The object that a leaf belongs to, and the solid that an object is; NULL: it is the leaf that is put out. */
+uint32_t model_object_of(const model *m, uint32_t leaf);
+const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf);
+const char *model_op_keyword(node_op op);
+
 /* Objects have no transformations any more. */
 void model_drop_maps(model *m);
 

@@ -1,4 +1,7 @@
-/* node.h - what a scene is made of: leaves, each one shape in its own space. */
+/* node.h - what a scene is made of: leaves, each one shape in its own space, and groups of them.
+ *
+ * Most scenes are leaves only, and each is an object of its own. A group is a solid made of its children. Leaves that stand
+ * under one group follow each other, in the order of the text. */
 #ifndef MODEL_NODE_H
 #define MODEL_NODE_H
 
@@ -19,5 +22,28 @@ typedef struct leaf_node {
     uint32_t flags;              /* LEAF_* */
     uint32_t line, column;       /* of its keyword, 1-based */
 } leaf_node;
+
+/* A leaf by its index, or a group by its index and this bit. */
+typedef uint32_t node_ref;
+#define NODE_GROUP 0x80000000u
+
+typedef enum node_op { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENCE } node_op;
+
+/* A difference is its first child without the others. */
+typedef struct group_node {
+    node_op op;
+    bool inverse;                /* all of space but what it holds */
+    uint32_t child, child_count; /* the first among the model's children */
+    uint32_t leaf, leaf_count;   /* all leaves under it */
+    uint32_t line, column;       /* of its keyword, 1-based */
+} group_node;
+
+/* An object of several leaves, which hold one medium: that of the first one's material. */
+typedef struct solid_node {
+    node_op op;
+    uint32_t leaf, leaf_count;
+    uint32_t object;             /* its place among the objects of the scene */
+    uint32_t line, column;
+} solid_node;
 
 #endif

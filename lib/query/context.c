@@ -14,9 +14,15 @@ pov_status walker_create(walker **out, const world *w, pov_error *err)
     if (!k)
         return err_memory(err);
     k->env = w->env;
-    for (i = 0; i < WORLD_MANY; i++)
+    for (i = 0; i < WORLD_MANY; i++) {
+        k->rooms[i].csg = &k->csg;
         k->rooms[i].walker = k;
-    return POV_OK;
+    }
+    if (csg_scratch_init(&k->csg, world_trees(w), w->env))
+        return POV_OK;
+    walker_destroy(k);
+    *out = NULL;
+    return err_memory(err);
 }
 
 void walker_destroy(walker *k)
@@ -27,6 +33,7 @@ void walker_destroy(walker *k)
         return;
     for (i = 0; i < WORLD_MANY; i++)
         env_free(k->env, k->rooms[i].crossings);
+    csg_scratch_free(&k->csg);
     env_free_aligned(k->env, k);
 }
 
@@ -48,7 +55,7 @@ void walker_take_classes(walker *k, class_counts *sum)
 
 bool walker_failed(const walker *k)
 {
-    return k->failed;
+    return k->failed || k->csg.failed;
 }
 
 const own_rays *walker_own(const walker *k)

@@ -6,7 +6,7 @@
 #include "world/parts.h"
 
 /* For the crossings of one light path: with transparent shapes, and with one that blocks. */
-typedef struct tint_room { walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
+typedef struct tint_room { csg_scratch *csg; walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
 
 struct walker {
     own_rays own;
@@ -14,6 +14,7 @@ struct walker {
     tint_room rooms[WORLD_MANY];
     uint64_t decided;
     class_counts classes;
+    csg_scratch csg;
     bool failed;
 };
 
@@ -31,7 +32,7 @@ static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_
     walker_count_class(k, run_class(r), asked, decided);
 }
 
-/* hits->user is the room, which begins with the walker: shapes of the host's own look for their memory there. */
+/* hits->user is the room: trees of shapes look for their memory there. */
 static inline void hits_begin(pov_hits *hits, const world *w, tint_room *room, double tmax, pov_want want,
                               pov_crossing *at)
 {

@@ -29,6 +29,14 @@ void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const m
         out->after = index > 0 ? ior_of(m, list[index - 1]) : 1.0;
 }
 
+void dielectric_stay(dielectric_crossing *c, dielectric_span in, bool entering)
+{
+    if (entering == (c->index == in.count))
+        return;
+    c->after = c->before;
+    c->index = SIZE_MAX;
+}
+
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which)
 {
     return VEC_PUSH(e, stack, which);
@@ -69,6 +77,9 @@ static void add_found(void *user, uint32_t which)
 {
     finding *f = user;
 
+    for (size_t i = 0; i < f->found->count; i++)
+        if (f->found->items[i] == which)
+            return;   /* it lies in several shapes of one solid */
     if (!dielectric_push(f->found, f->env, which))
         f->failed = true;
 }

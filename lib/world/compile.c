@@ -10,11 +10,11 @@
 
 /* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on
  * the stack; a larger class's copy is made where it would stay. */
-enum { INSTANCE_ALIGN = 32, ROOM = POV_PREPARED_MAX, MOST_CLASSES = 0x7fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
+enum { INSTANCE_ALIGN = 32, ROOM = POV_PREPARED_MAX, MOST_CLASSES = 0x3fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
 enum { MADE = 16 };              /* classes whose last instances are remembered */
-/* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones are marked until the
- * lists are made. */
-enum { ALONE, PACKS, PLACED, KINDS, INFINITE = 0x8000 };
+/* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones and members of trees are
+ * marked until the lists are made. */
+enum { ALONE, PACKS, PLACED, KINDS, INFINITE = FLAT_INFINITE, MEMBER = FLAT_MEMBER };
 /* Beyond this, squares of lengths come near the end of the range of double: such an object is asked apart. */
 static const double largest_coordinate = 1e150;
 
@@ -284,14 +284,16 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
 {
     world_thing *thing = &k->f->things[index];
     const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
-    const bool casts = !(o->flags & LEAF_NO_SHADOW), plain = true;
+    const bool casts = !(o->flags & LEAF_NO_SHADOW), member = k->f->is_member && k->f->is_member[index];
+    const bool plain = !member;
 
     thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE) | (plain ? FLAT_PLAIN : 0);
     thing->material = o->material;
     thing->inverse = (o->flags & LEAF_INVERSE) != 0;
+    thing->member = member;
     thing->tints = casts && clear;
     thing->plain = plain;
-    if (clear)
+    if (clear && !member)
         join(&k->part->clear, box);
 }
 
@@ -301,6 +303,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
     const leaf_node *o = &f->model->leaves.items[index];
     const shape_class *shape = o->shape;
     const void *instance;
+    const bool member = f->is_member && f->is_member[index];
     bool finite, packs = false, placed = false;
     pov_status status = POV_OK;
     pov_box own, *box = &own;
@@ -319,19 +322,22 @@ static pov_status flatten_one(maker *k, uint32_t index)
             f->moved[index] = NULL;
         finite = shape->bounds(instance, box) && is_finite_box(box);
     }
-    if (k->survey->use_blocks && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
+    if (k->survey->use_blocks && !member && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
         status = try_block(k, shape, instance, finite ? box : NULL, &packs);
     f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
     k->part->packed += packs;
+    note(k, o, index, finite ? box : &everything);
+    if (!finite)
+        f->group[index] |= INFINITE;
+    if (member) {
+        f->group[index] |= MEMBER;
+        return status;
+    }
     if (finite && k->part->finite++ == 0)
         k->part->bounds = *box;
     else if (finite)
         join(&k->part->bounds, box);
-    note(k, o, index, finite ? box : &everything);
-    if (!finite) {
-        f->group[index] |= INFINITE;
-        k->part->infinite++;
-    }
+    k->part->infinite += !finite;
     return status;
 }
 
@@ -378,7 +384,7 @@ static bool find_classes(survey *s, bool *any_map)
         if (k == s->classes.count && (k == MOST_CLASSES || !VEC_PUSH(s->f->env, &s->classes, last)))
             return false;
     }
-    return true;
+    return s->f->model->trees.count == 0 || VEC_PUSH(s->f->env, &s->classes, &csg_class);   /* the last */
 }
 
 static arena *make_arenas(const env *e, int count)
@@ -395,9 +401,10 @@ static arena *make_arenas(const env *e, int count)
 static bool allocate(survey *s, bool any_map)
 {
     flat *f = s->f;
-    size_t n = f->model->leaves.count;
+    const size_t leaves = f->model->leaves.count, n = flat_count(f);
 
-    s->part_count = (uint32_t)(n / PART_LEAST < 1 ? 1 : n / PART_LEAST > PARTS_MOST ? PARTS_MOST : n / PART_LEAST);
+    s->part_count = (uint32_t)(leaves / PART_LEAST < 1 ? 1 : leaves / PART_LEAST > PARTS_MOST ? PARTS_MOST
+                                                                            : leaves / PART_LEAST);
     s->parts = env_alloc(f->env, s->part_count, sizeof *s->parts);
     f->staging = make_arenas(f->env, f->threads);
     f->kept = make_arenas(f->env, f->threads);
@@ -408,8 +415,24 @@ static bool allocate(survey *s, bool any_map)
         f->boxes = env_resize(f->env, NULL, n, sizeof *f->boxes);
         f->maps = env_resize(f->env, NULL, n, sizeof *f->maps);
     }
-    return s->parts && f->staging && f->kept && f->group && f->things &&
+    if (n > leaves)
+        f->is_member = env_alloc(f->env, leaves, sizeof *f->is_member);
+    return s->parts && f->staging && f->kept && f->group && f->things && (f->is_member || n == leaves) &&
            (!any_map || (f->moved && f->boxes && f->maps));
+}
+
+void flat_take(flat *f, uint32_t index, const pov_box *box)
+{
+    if (!box) {
+        f->group[index] |= INFINITE;
+        f->infinite_count++;
+    } else {
+        if (f->finite_count++ == 0)
+            f->bounds = *box;
+        join(&f->bounds, box);
+    }
+    if (!(f->things[index].slot & FLAT_OPAQUE))
+        join(&f->clear, box ? box : &everything);
 }
 
 /* The parts' counts together, or the first part's failure. */
@@ -463,16 +486,18 @@ static uint8_t number_of(const flat *f, const shape_class *shape)
 static bool make_groups(survey *s)
 {
     flat *f = s->f;
-    size_t n = f->model->leaves.count, most = KINDS * s->classes.count, i;
+    size_t n = flat_count(f), most = KINDS * s->classes.count, i;
     uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not met yet */
-    uint32_t finite = 0, infinite = 0;
+    uint32_t finite = 0, infinite = 0, members = 0;
 
     f->groups = env_alloc(f->env, most, sizeof *f->groups);
     f->packs = env_alloc(f->env, most, sizeof *f->packs);
     f->finite = env_resize(f->env, NULL, f->finite_count + 1u, sizeof *f->finite);
     f->infinite = env_resize(f->env, NULL, f->infinite_count + 1u, sizeof *f->infinite);
-    for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && i < n; i++) {
-        unsigned mark = f->group[i], old = mark & ~(unsigned)INFINITE;
+    f->member_count = (uint32_t)n - f->finite_count - f->infinite_count;
+    f->members = env_resize(f->env, NULL, f->member_count + 1u, sizeof *f->members);
+    for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && f->members && i < n; i++) {
+        unsigned mark = f->group[i], old = mark & ~(unsigned)(INFINITE | MEMBER);
         if (!name[old]) {
             const shape_class *shape = s->classes.items[old / KINDS];
             shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, number_of(f, shape), 0,
@@ -483,13 +508,26 @@ static bool make_groups(survey *s)
         }
         f->group[i] = (uint16_t)(name[old] - 1);
         f->groups[f->group[i]].count++;
-        if (mark & INFINITE)
+        if (mark & MEMBER)
+            f->members[members++] = (uint32_t)i;
+        else if (mark & INFINITE)
             f->infinite[infinite++] = (uint32_t)i;
         else
             f->finite[finite++] = (uint32_t)i;
     }
     env_free(f->env, name);
-    return f->groups && f->packs && f->finite && f->infinite && i == n;
+    return f->groups && f->packs && f->finite && f->infinite && f->members && i == n;
+}
+
+static void mark_members(flat *f)
+{
+    const model *m = f->model;
+
+    for (size_t i = 0; i < m->trees.count; i++) {
+        const group_node *g = &m->groups.items[m->trees.items[i] & ~NODE_GROUP];
+
+        memset(f->is_member + g->leaf, 1, g->leaf_count);
+    }
 }
 
 pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err)
@@ -507,10 +545,11 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);
     if (status == POV_OK) {
+        mark_members(f);
         share_work(threads, s.part_count, flatten_part, &s);
         status = add_up(&s, err);
     }
-    if (status == POV_OK && !make_groups(&s))
+    if (status == POV_OK && !(flat_add_trees(f, (uint16_t)(KINDS * (s.classes.count - 1))) && make_groups(&s)))
         status = err_memory(err);
     env_free(f->env, s.classes.items);
     env_free(f->env, s.parts);
@@ -519,7 +558,7 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
 
 void flat_box(const flat *f, uint32_t index, pov_box *out)
 {
-    const leaf_node *o = &f->model->leaves.items[index];
+    const leaf_node *o = flat_leaf(f, index);
     room here;
 
     if (f->moved && f->moved[index]) {
@@ -578,5 +617,10 @@ void flat_free(flat *f)
     env_free(f->env, f->packs);
     env_free(f->env, f->finite);
     env_free(f->env, f->infinite);
+    env_free(f->env, f->members);
+    env_free(f->env, f->is_member);
+    csg_free(&f->trees, f->env);
+    env_free(f->env, f->roots);
+    env_free(f->env, f->tree_leaves);
     memset(f, 0, sizeof *f);
 }

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/share.h"
 #include "model/model.h"
+#include "world/csg.h"
 #include "world/leaf_batch.h"
 #include "world/world.h"
 
@@ -22,9 +23,10 @@ typedef struct shape_group {
 /* Make an object's instance of what was written, in instance_size bytes. */
 void flat_make(const leaf_node *o, void *instance);
 
-enum { FLAT_CASTS = 1, FLAT_OPAQUE = 2, FLAT_PLAIN = 4, FLAT_LARGE = 256, FLAT_MANY = 1 << 17 };
+enum { FLAT_CASTS = 1, FLAT_OPAQUE = 2, FLAT_PLAIN = 4, FLAT_INFINITE = 0x8000, FLAT_MEMBER = 0x4000, FLAT_LARGE = 256, FLAT_MANY = 1 << 17 };
 
-/* What is known of a model's objects while the world is built. Arrays are by object. */
+/* What is known of a model's objects while the world is built. Arrays are by object: by leaf, and behind the leaves by
+ * tree. A leaf of a tree is a member: it is laid out as others are, but no ray is handed it. */
 typedef struct flat {
     const env *env;
     const model *model;
@@ -42,8 +44,12 @@ typedef struct flat {
     shape_group *groups;
     bool *packs;                 /* by group: do its shapes share leaves of the tree? */
     size_t group_count;
-    uint32_t *finite, *infinite; /* objects, in the order of the scene */
-    uint32_t finite_count, infinite_count;
+    uint32_t *finite, *infinite, *members;   /* objects, in the order of the scene, trees behind leaves */
+    uint32_t finite_count, infinite_count, member_count;
+    uint8_t *is_member;          /* by leaf; NULL: there is no tree */
+    csg_list trees;
+    csg_root *roots;             /* by tree: what an object's instance is to others */
+    leaf_node *tree_leaves;      /* by tree: as objects are told of */
     pov_box bounds;              /* around the finite ones, if there are any */
     pov_box clear;               /* around those that light passes; the other way round if there are none */
     size_t absorbed, composed, packed;
@@ -58,6 +64,18 @@ static inline bool flat_stays(const flat *f, const shape_class *shape)
 
 /* use_blocks: whether shapes may share blocks. What flat_free() frees is there after a failure too. */
 pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err);
+/* How many there are, trees included, and what is told of one. */
+static inline uint32_t flat_count(const flat *f) { return (uint32_t)(f->model->leaves.count + f->model->trees.count); }
+static inline const leaf_node *flat_leaf(const flat *f, uint32_t index)
+{
+    const size_t n = f->model->leaves.count;
+
+    return index < n ? &f->model->leaves.items[index] : &f->tree_leaves[index - n];
+}
+/* For this room, once all leaves are known: the trees behind them, of a class by that mark. */
+bool flat_add_trees(flat *f, uint16_t mark);
+/* For this room: a further object of that box, NULL: without. */
+void flat_take(flat *f, uint32_t index, const pov_box *box);
 /* The box of a finite object, as flatten() saw it. Any thread. */
 void flat_box(const flat *f, uint32_t index, pov_box *out);
 /* The placements of up to PLACEMENT_MANY objects whose groups are placed, by what was composed of their transformations.

@@ -7,7 +7,7 @@ static const double margin = 0x1p-20;
 
 static bool is_clear(const flat *f, uint32_t id)
 {
-    return material_is_transparent(&f->model->materials.items[f->model->leaves.items[id].material]);
+    return (f->things[id].slot & FLAT_PLAIN) && !(f->things[id].slot & FLAT_OPAQUE);
 }
 
 /* Up to one more than that. */
@@ -56,7 +56,7 @@ bool flat_find_lonely(const flat *f, uint8_t **lonely)
     if (clear == 0 || f->infinite_count > 0 || clear > most)
         return true;
     boxes = env_resize(f->env, NULL, n, sizeof *boxes);
-    *lonely = env_alloc(f->env, f->model->leaves.count, sizeof **lonely);
+    *lonely = env_alloc(f->env, flat_count(f), sizeof **lonely);
     for (i = 0; boxes && i < n; i++)
         flat_box(f, f->finite[i], &boxes[i]);
     for (i = 0; boxes && *lonely && i < n; i++)

@@ -156,7 +156,6 @@ static void take_part(void *user, uint32_t part, int hand)
 {
     const runs *r = user;
     const flat *f = r->flat;
-    const leaf_node *all = f->model->leaves.items;
     size_t at = r->of[part].maps;
     uint32_t i;
 
@@ -165,14 +164,14 @@ static void take_part(void *user, uint32_t part, int hand)
         const uint32_t id = f->finite[i];
         if (i + 2 * AHEAD < f->finite_count) {
             const uint32_t next = f->finite[i + 2 * AHEAD];
-            SIMD_EXPECT(&all[next].map);
+            SIMD_EXPECT(&flat_leaf(f, next)->map);
             SIMD_EXPECT(&f->group[next]);
             SIMD_EXPECT(&f->maps[next]);
         }
         if (i + AHEAD < f->finite_count)
-            expect_list(all[f->finite[i + AHEAD]].map);
+            expect_list(flat_leaf(f, f->finite[i + AHEAD])->map);
         if (f->groups[f->group[id]].placed) {
-            transform_pack(all[id].map, r->maps + at);
+            transform_pack(flat_leaf(f, id)->map, r->maps + at);
             at += f->maps[id];
         }
     }
@@ -239,7 +238,7 @@ static const placement *placement_of(runs *r, uint32_t part, uint32_t id)
     pov_affine map;
 
     if (!r->maps) {
-        transform_compose(r->flat->model->leaves.items[id].map, &map);   /* as it could before */
+        transform_compose(flat_leaf(r->flat, id)->map, &map);   /* as it could before */
         flat_place(r->flat, &id, &map, 1, ready);
         return ready;
     }
@@ -260,7 +259,7 @@ static const void *settle(runs *r, uint32_t id, uint32_t slot)
     if (f->moved && f->moved[id])
         memcpy(instance, f->moved[id], g->shape->instance_size);
     else
-        flat_make(&f->model->leaves.items[id], instance);
+        flat_make(flat_leaf(f, id), instance);
     f->things[id].slot = slot;
     return instance;
 }
@@ -355,7 +354,7 @@ SIMD_INLINE void expect_shape(const flat *f, uint32_t id)
 {
     const shape_class *shape = f->groups[f->group[id]].shape;
     const unsigned char *moved = f->moved ? f->moved[id] : NULL;
-    const unsigned char *from = moved ? moved : f->model->leaves.items[id].instance;
+    const unsigned char *from = moved ? moved : flat_leaf(f, id)->instance;
     const size_t all = moved || !shape->prepare ? shape->instance_size : shape->parsed_size;
     const size_t bytes = all < EXPECTED ? all : EXPECTED;
     size_t i;
@@ -378,7 +377,7 @@ SIMD_INLINE void expect(const runs *r, const uint32_t *ids)
     if (f->moved)
         SIMD_EXPECT(&f->moved[id]);
     else
-        SIMD_EXPECT(&f->model->leaves.items[id]);
+        SIMD_EXPECT(flat_leaf(f, id));
     expect_shape(f, ids[AHEAD]);
 }
 

@@ -3,11 +3,13 @@
 #define WORLD_PARTS_H
 
 #include "bvh/traverse.h"
+#include "world/csg.h"
 #include "world/leaf_layout.h"
 #include "world/surface.h"
 
-/* A solid with an interior. */
+/* A solid with an interior, or one of those that it is a union of. */
 typedef struct medium {
+    uint32_t solid;              /* see world_solid() */
     uint32_t object;
     bool boxed;                  /* only points in the box are inside */
     pov_box box;
@@ -44,7 +46,10 @@ struct world {
     uint8_t *lonely;             /* by object, 1: it is clear, and nothing else is in its box; NULL: nobody knows */
     bool has_bounds;
     uint32_t infinite_count;
-    medium_list media;           /* in the order of the scene */
+    medium_list media;           /* leaves in the order of the scene, then trees */
+    csg_list trees;              /* objects behind the leaves */
+    csg_root *roots;             /* theirs */
+    uint32_t *solids;            /* by leaf; NULL: each is one by itself */
 };
 
 /* Rays in the spaces of placed shapes, by the caller's number, of the last question for what is nearest: of those that

@@ -40,6 +40,8 @@ static inline void take_side(const world *w, const pov_ray *ray, hit *h)
         h->normal = pov_scale(h->normal, -1.0);
         h->entering = pov_dot(h->normal, ray->dir) < 0.0;
     }
+    if (w->things[h->object].member)   /* its tree knows better than a rounded normal */
+        h->entering = (h->crossing.mark.flags & CSG_MARK_ENTERS) != 0;
 }
 
 void world_surface(const world *w, const pov_ray *ray, hit *h)
@@ -251,12 +253,17 @@ static bool is_within(const pov_box *b, pov_vec3 p)
 
 static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 point_lo)
 {
-    const leaf_node *o = &w->model->leaves.items[m->object];
-    const shape_place place = world_place(w, m->object);
+    const uint32_t leaves = (uint32_t)w->model->leaves.count;
+    const leaf_node *o;
+    shape_place place;
     bool inside;
 
     if (m->boxed && !is_within(&m->box, point))
         return false;
+    if (m->object >= leaves)
+        return csg_inside(&w->roots[m->object - leaves], point, point_lo);
+    o = &w->model->leaves.items[m->object];
+    place = world_place(w, m->object);
     if (place.placement)
         inside = placement_inside(place.placement, o->shape, place.instance, point, point_lo);
     else
@@ -294,7 +301,7 @@ void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*se
                 next = m;
         }
         if (next)
-            see(user, next->object);
+            see(user, next->solid);
         last = next;
     } while (next);
 }

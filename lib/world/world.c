@@ -55,26 +55,70 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
 
 /* ---- media ---- */
 
+/* Of a tree its first leaf that can hold a medium, if there is one; of a leaf the leaf. */
+static uint32_t medium_leaf(const world *w, const flat *f, uint32_t object)
+{
+    const uint32_t leaves = (uint32_t)w->model->leaves.count;
+    const csg_tree *t = object < leaves ? NULL : &f->trees.items[object - leaves];
+    const uint32_t first = t ? t->members[0].leaf : object, end = t ? first + t->member_count : first + 1;
+
+    for (uint32_t i = first; i < end; i++)
+        if (plan_is_medium(w->model, &w->model->leaves.items[i]) && (t || !f->is_member || !f->is_member[i]))
+            return i;
+    return POV_NOBODY;
+}
+
 static bool find_media(world *w, const flat *f)
 {
-    const leaf_list *all = &w->model->leaves;
     uint32_t i, k;
 
-    /* Both lists are in the order of the scene. An inverse solid's inside is all but its box. */
-    for (i = 0, k = 0; w->plan.media_at_start && i < all->count; i++) {
+    /* Both lists are in the order of the objects. An inverse solid's inside is all but its box. */
+    for (i = 0, k = 0; w->plan.media_at_start && i < flat_count(f); i++) {
+        const uint32_t leaf = medium_leaf(w, f, i);
         medium m = { .object = i };
 
-        if (!plan_is_medium(w->model, &all->items[i]))
+        if (leaf == POV_NOBODY)
             continue;
         while (k < f->finite_count && f->finite[k] < i)
             k++;
-        m.boxed = k < f->finite_count && f->finite[k] == i && !(all->items[i].flags & LEAF_INVERSE);
+        m.solid = world_solid(w, leaf);
+        m.boxed = k < f->finite_count && f->finite[k] == i && !(flat_leaf(f, i)->flags & LEAF_INVERSE);
         if (m.boxed)
             flat_box(f, i, &m.box);
         if (!VEC_PUSH(w->env, &w->media, m))
             return false;
     }
     return true;
+}
+
+/* By leaf the first leaf of its solid. */
+static bool find_solids(world *w)
+{
+    const model *m = w->model;
+    uint32_t i;
+
+    if (m->solids.count == 0)
+        return true;
+    w->solids = env_resize(w->env, NULL, m->leaves.count, sizeof *w->solids);
+    for (i = 0; w->solids && i < m->leaves.count; i++)
+        w->solids[i] = i;
+    for (i = 0; w->solids && i < m->solids.count; i++)
+        for (uint32_t k = 0; k < m->solids.items[i].leaf_count; k++)
+            w->solids[m->solids.items[i].leaf + k] = m->solids.items[i].leaf;
+    return w->solids != NULL;
+}
+
+/* Members are where their batches say. */
+static void bind_trees(world *w)
+{
+    for (uint32_t i = 0; i < w->trees.count; i++)
+        for (uint32_t k = 0; k < w->trees.items[i].member_count; k++) {
+            csg_member *m = &w->trees.items[i].members[k];
+            const shape_place place = world_place(w, m->leaf);
+
+            m->instance = place.instance;
+            m->placement = place.placement;
+        }
 }
 
 /* ---- lists and the tree ---- */
@@ -85,25 +129,28 @@ enum { LIST_PART, TREE_PART };
 typedef struct layout {
     world *world;
     runs runs;
-    size_t first;                /* bytes of the list of infinite objects */
+    size_t first, second;        /* bytes of the lists of infinite objects, and of finite ones; members follow */
 } layout;
 
 static bool size_lists(layout *l, bool with_finite)
 {
     const flat *f = l->runs.flat;
     world *w = l->world;
-    size_t second = with_finite ? runs_size(&l->runs, LIST_PART, f->finite, f->finite_count, 0) : 0;
+    size_t all;
 
+    l->second = with_finite ? runs_size(&l->runs, LIST_PART, f->finite, f->finite_count, 0) : 0;
     l->first = runs_size(&l->runs, LIST_PART, f->infinite, f->infinite_count, 0);
-    if (l->first + second > 0)
-        w->list_memory = env_reserve_aligned(w->env, l->first + second, 64);
-    return w->list_memory || l->first + second == 0;
+    all = l->first + l->second + runs_size(&l->runs, LIST_PART, f->members, f->member_count, 0);
+    if (all > 0)
+        w->list_memory = env_reserve_aligned(w->env, all, 64);
+    return w->list_memory || all == 0;
 }
 
 static void fill_lists(layout *l, bool with_finite)
 {
     const flat *f = l->runs.flat;
     world *w = l->world;
+    unsigned char *second = l->first > 0 ? w->list_memory + l->first : w->list_memory;
     const run *i;
 
     l->runs.base = w->list_memory;
@@ -112,9 +159,9 @@ static void fill_lists(layout *l, bool with_finite)
         runs_fill(&l->runs, LIST_PART, NULL, f->infinite, f->infinite_count, w->list_memory);
         w->infinite = (const run *)(const void *)w->list_memory;
     }
+    if (f->member_count > 0)
+        runs_fill(&l->runs, LIST_PART, NULL, f->members, f->member_count, second + l->second);
     if (with_finite && f->finite_count > 0) {
-        unsigned char *second = w->list_memory + l->first;
-
         w->list_frame = bvh_frame_around(&f->bounds);
         runs_fill(&l->runs, LIST_PART, &w->list_frame, f->finite, f->finite_count, second);
         w->list = (const run *)(const void *)second;
@@ -211,7 +258,7 @@ static bool is_located(const world *w, const flat *f)
     uint32_t i;
 
     for (i = 0; w->plan.coloured_shadows && i < w->model->leaves.count; i++)
-        if (f->things[i].tints && !f->things[i].plain)
+        if (f->things[i].tints && !f->things[i].plain && !f->things[i].member)
             return true;
     return false;
 }
@@ -225,7 +272,8 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
     w->bounds = f->bounds;
     w->clear = f->clear;
     w->located = is_located(w, f);
-    if (!find_media(w, f) || (w->plan.transmission && !flat_find_lonely(f, &w->lonely)) || !lay_out(w, f, tree))
+    if (!find_solids(w) || !find_media(w, f) || (w->plan.transmission && !flat_find_lonely(f, &w->lonely)) ||
+        !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
 }
@@ -238,9 +286,14 @@ static void take_over(world *w, flat *f)
     w->kept = f->kept;
     w->kept_count = f->threads;
     w->things = f->things;
+    w->trees = f->trees;
+    w->roots = f->roots;
     f->groups = NULL;
     f->kept = NULL;
     f->things = NULL;
+    f->trees.items = NULL;
+    f->trees.count = 0;
+    f->roots = NULL;
 }
 
 static pov_status build(world *w, const world_options *options, pov_error *err)
@@ -263,6 +316,8 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     if (status == POV_OK)
         status = explain_tree(w, &f, options->accel, err);
     take_over(w, &f);
+    if (status == POV_OK)
+        bind_trees(w);
     flat_drop_maps(&f);
     flat_free(&f);
     return status;
@@ -302,6 +357,9 @@ void world_destroy(world *w)
     env_free(w->env, w->things);
     env_free(w->env, w->media.items);
     env_free(w->env, w->lonely);
+    csg_free(&w->trees, w->env);
+    env_free(w->env, w->roots);
+    env_free(w->env, w->solids);
     plan_free(&w->plan);
     env_free(w->env, w);
 }
@@ -309,6 +367,24 @@ void world_destroy(world *w)
 const plan *world_plan(const world *w)
 {
     return &w->plan;
+}
+
+uint32_t world_solid(const world *w, uint32_t leaf)
+{
+    return w->solids ? w->solids[leaf] : leaf;
+}
+
+bool world_is_united(const world *w, uint32_t leaf)
+{
+    const model *m = w->model;
+    const uint32_t solid = world_solid(w, leaf);
+
+    return w->solids && ((solid + 1 < m->leaves.count && w->solids[solid + 1] == solid) || w->things[leaf].member);
+}
+
+const csg_list *world_trees(const world *w)
+{
+    return &w->trees;
 }
 
 const world_thing *world_things(const world *w)

@@ -25,7 +25,11 @@ const plan *world_plan(const world *w);
 bool world_bounds(const world *w, pov_box *out);
 /* What is looked at of each object that is met, by object: in one line of memory, and in few pages. slot, group: the
  * world's own affair. */
-typedef struct world_thing { uint32_t slot, material; uint16_t group; bool inverse : 1, tints : 1, plain : 1; } world_thing;
+typedef struct world_thing {
+    uint32_t slot, material;
+    uint16_t group;
+    bool inverse : 1, tints : 1, plain : 1, member : 1;
+} world_thing;
 const world_thing *world_things(const world *w);
 /* Objects without a finite box, which every ray is asked for. */
 size_t world_infinite_count(const world *w);
@@ -39,9 +43,17 @@ typedef struct class_counts { struct { uint64_t asked, decided; } of[WORLD_CLASS
 /* The keyword of a class by its number; NULL past the last. */
 const char *world_class(const world *w, size_t number);
 
+/* What an object of the scene is to those that ask for its medium: the first of its leaves. Of an object that is one leaf
+ * it is the leaf. */
+uint32_t world_solid(const world *w, uint32_t leaf);
+/* Is the object more than one leaf? Then a ray may enter it while it is inside. */
+bool world_is_united(const world *w, uint32_t leaf);
+/* Shapes that rays meet as one; csg.h. */
+const struct csg_list *world_trees(const world *w);
+
 /* The media (transparent solids) that a point lies in, the largest first. Calls see for each. Only of use where the
  * plan has media_at_start. */
-void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object),
+void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t solid),
                     void *user);
 
 #endif

@@ -1,0 +1,130 @@
+#include "base/vec.h"
+#include "model/model.h"
+
+/* ---- adding ---- */
+
+bool model_add_leaf(model *m, const leaf_node *leaf)
+{
+    return VEC_PUSH(m->env, &m->leaves, *leaf);
+}
+
+static void invert(model *m, node_ref node)
+{
+    if (node & NODE_GROUP)
+        m->groups.items[node & ~NODE_GROUP].inverse ^= true;
+    else
+        m->leaves.items[node].flags ^= LEAF_INVERSE;
+}
+
+static uint32_t first_leaf(const model *m, node_ref node)
+{
+    return node & NODE_GROUP ? m->groups.items[node & ~NODE_GROUP].leaf : node;
+}
+
+bool model_add_group(model *m, const group_node *shape, const node_ref *children, size_t count, node_ref *out)
+{
+    group_node g = *shape;
+
+    if (count == 1) {
+        *out = children[0];
+        if (g.inverse)
+            invert(m, *out);
+        return true;
+    }
+    g.child = (uint32_t)m->children.count;
+    g.child_count = (uint32_t)count;
+    g.leaf = first_leaf(m, children[0]);
+    g.leaf_count = (uint32_t)m->leaves.count - g.leaf;
+    for (size_t i = 0; i < count; i++)
+        if (!VEC_PUSH(m->env, &m->children, children[i]))
+            return false;
+    *out = (node_ref)m->groups.count | NODE_GROUP;
+    return VEC_PUSH(m->env, &m->groups, g);
+}
+
+/* Solids come in the order of their leaves, so that each knows how many objects stand before it. */
+static bool add_solid(model *m, const group_node *g)
+{
+    const solid_node *last = m->solids.count > 0 ? &m->solids.items[m->solids.count - 1] : NULL;
+    const solid_node fresh = { g->op, g->leaf, g->leaf_count,
+                               last ? last->object + 1 + g->leaf - (last->leaf + last->leaf_count) : g->leaf,
+                               g->line, g->column };
+
+    return VEC_PUSH(m->env, &m->solids, fresh);
+}
+
+/* alone: what rays meet is an object by itself. */
+static bool add_pieces(model *m, node_ref node, bool alone)
+{
+    group_node g;
+
+    if (!(node & NODE_GROUP))
+        return true;
+    g = m->groups.items[node & ~NODE_GROUP];
+    if (g.op != NODE_UNION || g.inverse)
+        return VEC_PUSH(m->env, &m->trees, node) && (!alone || add_solid(m, &g));
+    for (uint32_t i = 0; i < g.child_count; i++)
+        if (!add_pieces(m, m->children.items[g.child + i], alone))
+            return false;
+    return true;
+}
+
+bool model_add_tree(model *m, node_ref root, bool united)
+{
+    const group_node *g = root & NODE_GROUP ? &m->groups.items[root & ~NODE_GROUP] : NULL;
+
+    united = united && g && g->op == NODE_UNION && !g->inverse;
+    return add_pieces(m, root, !united) && (!united || add_solid(m, &m->groups.items[root & ~NODE_GROUP]));
+}
+
+/* ---- objects ---- */
+
+size_t model_object_count(const model *m)
+{
+    const solid_node *last = m->solids.count > 0 ? &m->solids.items[m->solids.count - 1] : NULL;
+
+    return last ? last->object + 1 + m->leaves.count - (last->leaf + last->leaf_count) : m->leaves.count;
+}
+
+/* The last of the solids up to a leaf, or up to an object; NULL: there is none. */
+static const solid_node *last_solid(const model *m, uint32_t leaf, uint32_t object)
+{
+    size_t low = 0, high = m->solids.count;
+
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+
+        if (m->solids.items[middle].leaf <= leaf && m->solids.items[middle].object <= object)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low > 0 ? &m->solids.items[low - 1] : NULL;
+}
+
+uint32_t model_object_of(const model *m, uint32_t leaf)
+{
+    const solid_node *s = last_solid(m, leaf, UINT32_MAX);
+
+    if (!s)
+        return leaf;
+    return leaf < s->leaf + s->leaf_count ? s->object : s->object + 1 + leaf - (s->leaf + s->leaf_count);
+}
+
+const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf)
+{
+    const solid_node *s = last_solid(m, UINT32_MAX, object);
+
+    *leaf = s ? s->leaf + s->leaf_count + object - s->object - 1 : object;
+    if (!s || s->object != object)
+        return NULL;
+    *leaf = s->leaf;
+    return s;
+}
+
+const char *model_op_keyword(node_op op)
+{
+    static const char *const words[] = { "union", "merge", "intersection", "difference" };
+
+    return words[op];
+}

@@ -1,0 +1,292 @@
+/* Trees of shapes while the world is built, and what is asked of them but for rays. */
+#include "world/csg.h"
+
+#include <string.h>
+
+int32_t csg_value(const csg_node *n, const csg_state *s)
+{
+    int32_t value = s->sum;
+
+    if (n->op == NODE_MERGE)
+        value = s->sum > 0;
+    else if (n->op == NODE_INTERSECTION)
+        value = s->zeros > 0 ? 0 : 1 + s->sum - (int32_t)n->child_count;
+    if (n->twice)
+        return value > 0;
+    return n->inverse ? value == 0 : value;
+}
+
+/* ---- the nodes ---- */
+
+typedef struct making { const model *model; csg_tree *tree; } making;
+
+static const group_node *group_at(const model *m, node_ref node) { return &m->groups.items[node & ~NODE_GROUP]; }
+
+/* complement: a difference takes it away. */
+static node_ref add_node(making *k, node_ref node, uint32_t parent, bool complement, bool turned);
+
+static node_ref add_member(making *k, uint32_t leaf, uint32_t node, bool complement, bool turned)
+{
+    const leaf_node *o = &k->model->leaves.items[leaf];
+    const uint32_t which = leaf - k->tree->members[0].leaf;
+    csg_member *m = &k->tree->members[which];
+
+    m->shape = o->shape;
+    m->leaf = leaf;
+    m->node = node;
+    m->inverse = complement != ((o->flags & LEAF_INVERSE) != 0);
+    m->turned = turned != m->inverse;
+    return which;
+}
+
+static node_ref add_group(making *k, const group_node *g, uint32_t parent, bool complement, bool turned)
+{
+    const uint32_t which = k->tree->node_count++;
+    csg_node *n = &k->tree->nodes[which];
+
+    n->op = g->op == NODE_DIFFERENCE ? NODE_INTERSECTION : g->op;
+    n->inverse = complement != g->inverse;
+    n->twice = complement && g->inverse;
+    n->parent = parent;
+    n->child = k->tree->child_count;
+    n->child_count = g->child_count;
+    k->tree->child_count += g->child_count;
+    turned = turned != n->inverse;
+    for (uint32_t i = 0; i < g->child_count; i++) {
+        const node_ref child = k->model->children.items[g->child + i];
+
+        k->tree->children[n->child + i] = add_node(k, child, which, g->op == NODE_DIFFERENCE && i > 0, turned);
+    }
+    return which | NODE_GROUP;
+}
+
+static node_ref add_node(making *k, node_ref node, uint32_t parent, bool complement, bool turned)
+{
+    return node & NODE_GROUP ? add_group(k, group_at(k->model, node), parent, complement, turned)
+                             : add_member(k, node, parent, complement, turned);
+}
+
+/* ---- values where no member is entered ---- */
+
+static int32_t rest(const csg_tree *t, node_ref node)
+{
+    const csg_node *n;
+    csg_state *s;
+
+    if (!(node & NODE_GROUP))
+        return t->members[node].inverse;
+    n = &t->nodes[node & ~NODE_GROUP];
+    s = &t->outside[node & ~NODE_GROUP];
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        const int32_t value = rest(t, t->children[n->child + i]);
+
+        s->sum += value;
+        s->zeros += value == 0;
+    }
+    return s->value = csg_value(n, s);
+}
+
+/* ---- boxes ---- */
+
+static void join(pov_box *a, const pov_box *b)
+{
+    a->lo = pov_vec3_of(fmin(a->lo.x, b->lo.x), fmin(a->lo.y, b->lo.y), fmin(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z));
+}
+
+static void cut(pov_box *a, const pov_box *b)
+{
+    a->lo = pov_vec3_of(fmax(a->lo.x, b->lo.x), fmax(a->lo.y, b->lo.y), fmax(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(fmin(a->hi.x, b->hi.x), fmin(a->hi.y, b->hi.y), fmin(a->hi.z, b->hi.z));
+}
+
+static bool is_empty(const pov_box *b) { return b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z; }
+
+static bool box_of(const csg_tree *t, node_ref node, pov_box *out);
+
+static bool box_of_all(const csg_tree *t, const csg_node *n, pov_box *out)
+{
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        pov_box b;
+
+        if (!box_of(t, t->children[n->child + i], &b))
+            return false;
+        if (i == 0)
+            *out = b;
+        else
+            join(out, &b);
+    }
+    return true;
+}
+
+static bool box_of_common(const csg_tree *t, const csg_node *n, pov_box *out)
+{
+    bool boxed = false;
+
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        pov_box b;
+
+        if (!box_of(t, t->children[n->child + i], &b))
+            continue;
+        if (boxed)
+            cut(out, &b);
+        else
+            *out = b;
+        boxed = true;
+    }
+    return boxed;
+}
+
+/* False: it may reach without end. */
+static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
+{
+    const csg_node *n;
+
+    if (!(node & NODE_GROUP)) {
+        *out = t->members[node].box;
+        return t->members[node].boxed && !t->members[node].inverse;
+    }
+    n = &t->nodes[node & ~NODE_GROUP];
+    if (n->inverse)
+        return false;
+    return n->op == NODE_INTERSECTION ? box_of_common(t, n, out) : box_of_all(t, n, out);
+}
+
+/* What lies beyond the tree's box is not looked for. */
+static void find_boxes(csg_tree *t, csg_extent_of *extent, const void *user)
+{
+    csg_extent e;
+    uint32_t i;
+
+    for (i = 0; i < t->member_count; i++) {
+        extent(user, t->members[i].leaf, &e);
+        t->members[i].boxed = e.boxed;
+        t->members[i].box = e.box;
+        if (e.boxed)
+            t->size = fmax(t->size, fmax(pov_largest(e.box.lo), pov_largest(e.box.hi)));
+    }
+    t->boxed = box_of(t, NODE_GROUP, &t->box);
+    t->empty = t->boxed && is_empty(&t->box);
+    for (i = 0; t->boxed && i < t->member_count; i++)
+        if (t->members[i].boxed) {
+            cut(&t->members[i].box, &t->box);
+            t->members[i].absent = is_empty(&t->members[i].box);
+        }
+}
+
+/* ---- trees ---- */
+
+static void count_nodes(const model *m, node_ref node, uint32_t *nodes, uint32_t *children)
+{
+    const group_node *g;
+
+    if (!(node & NODE_GROUP))
+        return;
+    g = group_at(m, node);
+    *nodes += 1;
+    *children += g->child_count;
+    for (uint32_t i = 0; i < g->child_count; i++)
+        count_nodes(m, m->children.items[g->child + i], nodes, children);
+}
+
+static bool make_tree(csg_tree *t, const model *m, node_ref root)
+{
+    const group_node *g = group_at(m, root);
+    uint32_t nodes = 0, children = 0;
+    making k = { m, t };
+
+    count_nodes(m, root, &nodes, &children);
+    t->member_count = g->leaf_count;
+    t->members = env_alloc(m->env, g->leaf_count, sizeof *t->members);
+    t->nodes = env_alloc(m->env, nodes, sizeof *t->nodes);
+    t->outside = env_alloc(m->env, nodes, sizeof *t->outside);
+    t->children = env_alloc(m->env, children, sizeof *t->children);
+    if (!t->members || !t->nodes || !t->outside || !t->children)
+        return false;
+    t->members[0].leaf = g->leaf;
+    add_node(&k, root, 0, false, false);
+    rest(t, NODE_GROUP);
+    return true;
+}
+
+bool csg_make(csg_list *out, const model *m, csg_extent_of *extent, const void *user)
+{
+    out->count = 0;
+    out->items = m->trees.count > 0 ? env_alloc(m->env, m->trees.count, sizeof *out->items) : NULL;
+    if (!out->items)
+        return m->trees.count == 0;
+    for (; out->count < m->trees.count; out->count++) {
+        csg_tree *t = &out->items[out->count];
+
+        if (!make_tree(t, m, m->trees.items[out->count])) {
+            out->count++;
+            return false;
+        }
+        find_boxes(t, extent, user);
+    }
+    return true;
+}
+
+void csg_free(csg_list *all, const env *e)
+{
+    for (uint32_t i = 0; i < all->count; i++) {
+        env_free(e, all->items[i].members);
+        env_free(e, all->items[i].nodes);
+        env_free(e, all->items[i].outside);
+        env_free(e, all->items[i].children);
+    }
+    env_free(e, all->items);
+    all->items = NULL;
+    all->count = 0;
+}
+
+/* ---- where a point lies ---- */
+
+static bool is_inside(const csg_member *m, pov_vec3 point, pov_vec3 point_lo)
+{
+    if (m->absent || !m->shape->inside)
+        return false;
+    return m->placement ? placement_inside(m->placement, m->shape, m->instance, point, point_lo)
+                        : m->shape->inside(m->instance, point, point_lo);
+}
+
+static int32_t value_at(const csg_tree *t, node_ref node, pov_vec3 point, pov_vec3 point_lo)
+{
+    csg_state s = { 0, 0, 0 };
+    const csg_node *n;
+
+    if (!(node & NODE_GROUP))
+        return is_inside(&t->members[node], point, point_lo) != t->members[node].inverse;
+    n = &t->nodes[node & ~NODE_GROUP];
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        const int32_t value = value_at(t, t->children[n->child + i], point, point_lo);
+
+        s.sum += value;
+        s.zeros += value == 0;
+    }
+    return csg_value(n, &s);
+}
+
+bool csg_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    return value_at(((const csg_root *)self)->tree, NODE_GROUP, point, point_lo) != 0;
+}
+
+/* ---- the class ---- */
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const csg_tree *t = ((const csg_root *)self)->tree;
+
+    *out = t->box;
+    return t->boxed;
+}
+
+const shape_class csg_class = {
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "csg",
+    .instance_size = sizeof(csg_root),
+    .bounds = bounds,
+    .intersect = csg_intersect,
+    .inside = csg_inside,
+};

@@ -1,0 +1,372 @@
+/* A ray's walk through a tree of shapes: all crossings of its members, from near to far, and where they change its value.
+ *
+ * docs/numerics.md ("Solids made of others") has the rules and derives the constants. */
+#include "base/simd.h"
+#include "base/vec.h"
+#include "world/csg.h"
+
+#include <string.h>
+
+/* Crossings share a place where their distances differ by no more than double-double can be off. */
+static const double same_place = 0x1p-92;
+/* Distances that doubles found are told apart by more than that part of them; else all are found again in double-double. */
+static const double apart = 0x1p-42;
+/* Boxes are met by doubles: their slabs are off by a few roundings of the coordinates. */
+static const double box_slack = 0x1p-48;
+
+typedef struct csg_walk {
+    const csg_tree *tree;
+    const pov_ray *ray;
+    csg_scratch *scratch;
+    pov_hits found;              /* the members' crossings */
+    bool unsure;                 /* doubles do not tell them apart */
+    double way, size;            /* largest component of the direction; and of the coordinates that take part */
+} csg_walk;
+
+/* ---- memory ---- */
+
+static bool grow(pov_hits *hits)
+{
+    csg_scratch *s = ((const csg_user *)hits->user)->scratch;
+    size_t capacity = s->capacity;
+
+    if (capacity > UINT32_MAX / 2 ||
+        !vec_reserve(s->env, (void **)&s->crossings, &capacity, hits->count, sizeof *s->crossings)) {
+        s->failed = true;
+        return false;
+    }
+    s->capacity = hits->capacity = (uint32_t)capacity;
+    hits->at = s->crossings;
+    return true;
+}
+
+bool csg_scratch_init(csg_scratch *s, const csg_list *all, const env *e)
+{
+    uint32_t nodes = 0, members = 0;
+
+    for (uint32_t i = 0; i < all->count; i++) {
+        nodes = all->items[i].node_count > nodes ? all->items[i].node_count : nodes;
+        members = all->items[i].member_count > members ? all->items[i].member_count : members;
+    }
+    s->env = e;
+    if (all->count == 0)
+        return true;
+    s->states = env_alloc(e, nodes, sizeof *s->states);
+    s->inside = env_alloc(e, members, sizeof *s->inside);
+    return s->states && s->inside;
+}
+
+void csg_scratch_free(csg_scratch *s)
+{
+    env_free(s->env, s->crossings);
+    env_free(s->env, s->states);
+    env_free(s->env, s->inside);
+}
+
+/* ---- values ---- */
+
+/* A member is entered or left: so do the nodes above it change, up to the first whose value stays. */
+static void toggle(csg_walk *w, uint32_t member)
+{
+    const csg_member *m = &w->tree->members[member];
+    csg_state *states = w->scratch->states;
+    uint32_t node = m->node;
+    int32_t now = (w->scratch->inside[member] ^= 1) != m->inverse, before = !now;
+
+    for (;;) {
+        const csg_node *n = &w->tree->nodes[node];
+        csg_state *s = &states[node];
+
+        s->sum += now - before;
+        s->zeros += (now == 0) - (before == 0);
+        before = s->value;
+        now = s->value = csg_value(n, s);
+        if (now == before || node == 0)
+            return;
+        node = n->parent;
+    }
+}
+
+/* ---- boxes ---- */
+
+static bool narrow(double o, double d, double lo, double hi, double *enter, double *leave)
+{
+    const double slack = box_slack * (fabs(o) + fabs(lo) + fabs(hi));
+    double a = lo - slack - o, b = hi + slack - o;
+
+    if (d == 0.0)
+        return a <= 0.0 && b >= 0.0;
+    a /= d;
+    b /= d;
+    *enter = fmax(*enter, fmin(a, b) * (1.0 - 0x1p-50));
+    *leave = fmin(*leave, fmax(a, b) * (1.0 + 0x1p-50));
+    return *enter <= *leave;
+}
+
+/* May the ray meet what is in the box before tmax? */
+static bool meets(const pov_ray *r, const pov_box *b, double tmax)
+{
+    double enter = 0.0, leave = tmax;
+
+    return narrow(r->org.x, r->dir.x, b->lo.x, b->hi.x, &enter, &leave) &&
+           narrow(r->org.y, r->dir.y, b->lo.y, b->hi.y, &enter, &leave) &&
+           narrow(r->org.z, r->dir.z, b->lo.z, b->hi.z, &enter, &leave);
+}
+
+/* ---- members ---- */
+
+static const csg_member *member_of(const csg_walk *w, const pov_crossing *at)
+{
+    return &w->tree->members[at->owner - w->tree->members[0].leaf];
+}
+
+/* Between the ray and the surface, times the length of the direction. */
+static double cosine_at(const csg_walk *w, const pov_crossing *at)
+{
+    const csg_member *m = member_of(w, at);
+    pov_vec3 normal;
+
+    if (m->placement)
+        placement_normal(m->placement, m->shape, m->instance, w->ray, at, &normal);
+    else
+        m->shape->normal(m->instance, w->ray, at, &normal);
+    return fabs(pov_dot(normal, w->ray->dir));
+}
+
+/* A surface that the ray starts on, though it is not the one that it has left by name, lies behind it. */
+static bool is_behind(csg_walk *w, const pov_crossing *at)
+{
+    if (!(at->t * w->way <= apart * w->size))
+        return false;
+    if (!w->found.always_exact) {
+        w->unsure = true;
+        return false;
+    }
+    return at->t * cosine_at(w, at) <= same_place * w->size;
+}
+
+static void drop_behind(csg_walk *w, uint32_t first)
+{
+    pov_hits *found = &w->found;
+    uint32_t kept = first;
+
+    for (uint32_t i = first; i < found->count; i++)
+        if (!is_behind(w, &found->at[i]))
+            found->at[kept++] = found->at[i];
+    found->count = kept;
+}
+
+static pov_two along(double o, double o_lo, double t, double d, double d_lo)
+{
+    return pov_two_along(pov_two_sum(o, o_lo), t, d, d_lo);
+}
+
+static pov_two3 point_at(const pov_ray *r, double t)
+{
+    pov_two3 p;
+
+    p.x = along(r->org.x, r->org_lo.x, t, r->dir.x, r->dir_lo.x);
+    p.y = along(r->org.y, r->org_lo.y, t, r->dir.y, r->dir_lo.y);
+    p.z = along(r->org.z, r->org_lo.z, t, r->dir.z, r->dir_lo.z);
+    return p;
+}
+
+/* Is the ray in an endless member at last? Seen from well behind its last crossing. */
+static bool ends_inside(const csg_walk *w, const csg_member *m, uint32_t first)
+{
+    double t = w->way > 0.0 ? w->size / w->way : 1.0;
+    pov_two3 p;
+
+    for (uint32_t i = first; i < w->found.count; i++)
+        t = fmax(t, w->found.at[i].t);
+    p = point_at(w->ray, 2.0 * t);
+    return m->placement ? placement_inside(m->placement, m->shape, m->instance, pov_two3_hi(p), pov_two3_lo(p))
+                        : m->shape->inside(m->instance, pov_two3_hi(p), pov_two3_lo(p));
+}
+
+/* All crossings of a member ahead; by their number it is known whether the ray starts inside it. */
+static void ask(csg_walk *w, uint32_t member)
+{
+    const csg_member *m = &w->tree->members[member];
+    const uint32_t first = w->found.count;
+    bool inside;
+
+    if (m->absent || (m->boxed && !meets(w->ray, &m->box, HUGE_VAL)))
+        return;
+    w->found.owner = m->leaf;
+    if (m->placement)
+        placement_intersect(m->placement, m->shape, m->instance, w->ray, &w->found);
+    else
+        m->shape->intersect(m->instance, w->ray, &w->found);
+    drop_behind(w, first);
+    inside = (w->found.count - first) & 1;
+    if (!m->boxed && m->shape->inside)
+        inside = inside != ends_inside(w, m, first);
+    if (inside)
+        toggle(w, member);
+}
+
+/* ---- places ---- */
+
+static bool comes_before(const pov_crossing *a, const pov_crossing *b)
+{
+    if (a->t != b->t)
+        return a->t < b->t;
+    if (a->t_lo != b->t_lo)
+        return a->t_lo < b->t_lo;
+    return a->owner < b->owner;
+}
+
+static void sort(pov_crossing *at, uint32_t count)
+{
+    uint32_t gap, i, j;
+
+    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
+        continue;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < count; i++) {
+            const pov_crossing c = at[i];
+
+            for (j = i; j >= gap && comes_before(&c, &at[j - gap]); j -= gap)
+                at[j] = at[j - gap];
+            at[j] = c;
+        }
+}
+
+static bool shares_place(const csg_walk *w, const pov_crossing *first, const pov_crossing *next)
+{
+    const double between = (next->t - first->t) + (next->t_lo - first->t_lo);
+    double a, b;
+
+    if (between > apart * fabs(first->t))
+        return false;
+    a = cosine_at(w, first);
+    b = cosine_at(w, next);
+    return !(between * a * b > same_place * (w->size + fabs(first->t) * w->way) * (a + b));
+}
+
+static uint32_t end_of_place(const csg_walk *w, uint32_t first)
+{
+    const pov_crossing *at = w->found.at;
+    uint32_t end = first + 1;
+
+    while (end < w->found.count && shares_place(w, &at[first], &at[end]))
+        end++;
+    return end;
+}
+
+/* Is the member of a crossing entered or left in its place on the whole? */
+static bool is_changed(const csg_walk *w, uint32_t which, uint32_t first, uint32_t end)
+{
+    const pov_crossing *at = w->found.at;
+    uint32_t times = 0;
+
+    for (uint32_t i = first; i < end; i++)
+        times += at[i].owner == at[which].owner;
+    return times & 1;
+}
+
+/* Of those in a place the one whose surface it is: of the members that are entered or left as the solid is, the earliest
+ * in the text. */
+static const pov_crossing *owner_of(const csg_walk *w, uint32_t first, uint32_t end, bool enters)
+{
+    const pov_crossing *at = w->found.at, *best = NULL;
+
+    for (uint32_t i = first; i < end; i++) {
+        const csg_member *m = member_of(w, &at[i]);
+        const bool entered = w->scratch->inside[m - w->tree->members];
+
+        if ((entered != m->turned) == enters && (!best || at[i].owner < best->owner) && is_changed(w, i, first, end))
+            best = &at[i];
+    }
+    return best ? best : &at[first];
+}
+
+static bool report(const pov_crossing *at, bool enters, pov_hits *hits)
+{
+    const uint32_t owner = hits->owner;
+    pov_mark mark = at->mark;
+    bool more;
+
+    mark.flags &= ~(POV_MARK_AWAY | POV_MARK_INTO | POV_MARK_CLOSED);   /* they tell of the member */
+    mark.flags |= enters ? CSG_MARK_ENTERS : 0;
+    hits->owner = at->owner;
+    more = pov_cross(hits, at->t, at->t_lo, mark);
+    hits->owner = owner;
+    return more;
+}
+
+/* ---- walks ---- */
+
+static void begin(csg_walk *w, bool exact)
+{
+    const csg_tree *t = w->tree;
+    csg_scratch *s = w->scratch;
+
+    memset(&w->found, 0, sizeof w->found);
+    w->found.tmax = HUGE_VAL;
+    w->found.want = POV_WANT_ALL;
+    w->found.always_exact = exact;
+    w->found.at = s->crossings;
+    w->found.capacity = s->capacity;
+    w->found.grow = grow;
+    w->unsure = false;
+    memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
+    memset(s->inside, 0, t->member_count);
+}
+
+/* Every crossing ahead, in order. False: doubles are not enough. */
+static bool find(csg_walk *w, const pov_hits *hits, bool exact)
+{
+    begin(w, exact);
+    w->found.user = hits->user;
+    for (uint32_t i = 0; i < w->tree->member_count && !w->scratch->failed; i++) {
+        ask(w, i);
+        if (w->unsure && !exact)
+            return false;
+    }
+    sort(w->found.at, w->found.count);
+    for (uint32_t i = 1; i < w->found.count && !exact; i++)
+        if (w->found.at[i].t - w->found.at[i - 1].t <= 2.0 * apart * fabs(w->found.at[i].t))
+            return false;
+    return true;
+}
+
+/* Report where the tree's value changes. */
+static void walk(csg_walk *w, pov_hits *hits)
+{
+    const csg_state *root = &w->scratch->states[0];
+    const pov_crossing *at;
+    uint32_t first, end;
+
+    for (first = 0; first < w->found.count && !(w->found.at[first].t > hits->tmax); first = end) {
+        const int32_t before = root->value;
+
+        end = end_of_place(w, first);
+        for (uint32_t i = first; i < end; i++)
+            toggle(w, w->found.at[i].owner - w->tree->members[0].leaf);
+        if (root->value == before)
+            continue;
+        at = owner_of(w, first, end, root->value > before);
+        if (!report(at, root->value > before, hits) || (hits->want == POV_WANT_NEAREST && at->t > hits->tmin))
+            return;
+    }
+}
+
+void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    csg_walk w = { .tree = ((const csg_root *)self)->tree, .ray = ray };
+    bool exact = hits->always_exact;
+
+    if (w.tree->boxed && !meets(ray, &w.tree->box, hits->tmax))
+        return;
+    w.scratch = ((const csg_user *)hits->user)->scratch;
+    w.way = pov_largest(ray->dir);
+    w.size = pov_largest(ray->org) + w.tree->size;
+    if (!find(&w, hits, exact)) {
+        hits->decided++;
+        find(&w, hits, true);
+    }
+    if (!w.scratch->failed)
+        walk(&w, hits);
+}

@@ -1,0 +1,608 @@
+/* world/csg and csg_walk: solids made of others, met as one object: where they begin and end, whose surface that is, and what
+ * happens where surfaces of members lie on each other. */
+#include "support/check.h"
+#include "support/shapes.h"
+
+#include "query/context.h"
+
+#include <povtrace/exact.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- making and asking ---- */
+
+static node_ref group(model *m, node_op op, bool inverse, const node_ref *children, size_t count)
+{
+    const group_node shape = { .op = op, .inverse = inverse, .line = 1, .column = 1 };
+    node_ref out;
+
+    assert_true(model_add_group(m, &shape, children, count, &out));
+    return out;
+}
+
+static node_ref pair(model *m, node_op op, node_ref a, node_ref b)
+{
+    const node_ref both[] = { a, b };
+
+    return group(m, op, false, both, 2);
+}
+
+static node_ref ball(model *m, double x, double y, double z, double radius)
+{
+    return test_add_ball(m, pov_vec3_of(x, y, z), radius, 0);
+}
+
+static node_ref brick(model *m, pov_vec3 lo, pov_vec3 hi)
+{
+    const test_brick b = { lo, hi };
+
+    return test_add(m, &test_brick_class, &b, NULL, 0, 0);
+}
+
+typedef struct scene { model model; world *world; walker *walker; } scene;
+
+static void begin(scene *s)
+{
+    test_model_init(&s->model, NULL);
+}
+
+static void compile(scene *s, pov_accel accel)
+{
+    world_options options = { .accel = accel, .threads = 1 };
+
+    assert_int_equal(world_create(&s->world, &s->model, &options, NULL), POV_OK);
+    assert_int_equal(walker_create(&s->walker, s->world, NULL), POV_OK);
+}
+
+static void finish(scene *s)
+{
+    walker_destroy(s->walker);
+    world_destroy(s->world);
+}
+
+static void end(scene *s)
+{
+    finish(s);
+    model_free(&s->model);
+}
+
+static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
+{
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.org = org;
+    ray.dir = dir;
+    ray.left = POV_NOBODY;
+    return ray;
+}
+
+/* The next surface on the way, on which the ray then stands. */
+static bool next(const scene *s, pov_ray *ray, hit *h)
+{
+    const pov_ray *one = ray;
+
+    if (!query_nearest(s->world, s->walker, &one, 1, HUGE_VAL, h))
+        return false;
+    world_surface(s->world, ray, h);
+    ray->org = h->point;
+    ray->org_lo = h->point_lo;
+    world_cross(ray, h, fabs(pov_dot(h->normal, ray->dir)));
+    return true;
+}
+
+static void check_normal(const hit *h, double x, double y, double z)
+{
+    assert_true(fabs(h->normal.x - x) <= 1e-12 && fabs(h->normal.y - y) <= 1e-12 && fabs(h->normal.z - z) <= 1e-12);
+}
+
+static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
+
+/* ---- what is there ---- */
+
+/* The ball of radius 2 about 0 without the ball of radius 1 about (0, 0, -1.5): along z from -0.5 to 2. */
+static void a_ball_without_a_ball_begins_at_the_hollow(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
+    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+
+    assert_true(next(&s, &ray, &h));
+    assert_int_equal(h.object, 1);
+    assert_true(h.crossing.t == 4.5 && h.point.z == -0.5 && h.entering);
+    check_normal(&h, 0.0, 0.0, -1.0);
+    assert_true(next(&s, &ray, &h));
+    assert_int_equal(h.object, 0);
+    assert_true(h.point.z == 2.0 && !h.entering);
+    check_normal(&h, 0.0, 0.0, 1.0);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
+/* Off the axis: where the hollow's sphere x^2 + (z + 1.5)^2 = 1 is left at x = 0.6 stands z = -0.7. */
+static void its_hollow_looks_into_it(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.6, 0.0, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
+    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_NONE);
+    assert_true(next(&s, &ray, &h));
+    assert_true(fabs(h.point.z + 0.7) <= 1e-15);
+    check_normal(&h, -0.6, 0.0, -0.8);
+    end(&s);
+}
+
+static void an_intersection_is_what_both_hold(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
+    ball(&s.model, 0.0, 0.0, 1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_INTERSECTION, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(next(&s, &ray, &h) && h.object == 1 && h.point.z == 0.5 && h.entering);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 1.0 && !h.entering);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
+static void a_merge_has_no_inner_faces(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
+    ball(&s.model, 0.0, 0.0, 1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_MERGE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == -1.0);
+    assert_true(next(&s, &ray, &h) && h.object == 1 && h.point.z == 2.5);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
+/* A union that nothing stands above is its members, whose inner faces are there. */
+static void a_union_dissolves(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    scene s;
+    hit h;
+    uint32_t count = 0;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
+    ball(&s.model, 0.0, 0.0, 1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_UNION, 0, 1), true));
+    assert_int_equal(s.model.trees.count, 0);
+    compile(&s, POV_ACCEL_TREE);
+    while (next(&s, &ray, &h))
+        count++;
+    assert_int_equal(count, 4);
+    assert_int_equal(world_solid(s.world, 1), 0);
+    end(&s);
+}
+
+/* ---- surfaces of members that lie on each other ---- */
+
+static uint32_t count_ahead(const scene *s, pov_vec3 org, pov_vec3 dir)
+{
+    pov_ray ray = ray_of(org, dir);
+    uint32_t count = 0;
+    hit h;
+
+    while (count < 100 && next(s, &ray, &h))
+        count++;
+    return count;
+}
+
+static void a_cutter_that_ends_on_the_faces_leaves_no_film(void **state)
+{
+    scene s;
+
+    (void)state;
+    begin(&s);
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
+    brick(&s.model, pov_vec3_of(-0.5, -0.5, -1.0), pov_vec3_of(0.5, 0.5, 1.0));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_int_equal(count_ahead(&s, pov_vec3_of(0.1, 0.2, -5.0), ahead), 0);
+    assert_int_equal(count_ahead(&s, pov_vec3_of(0.1, 0.2, -5.0), pov_vec3_of(0.01, 0.02, 1.0)), 0);
+    assert_int_equal(count_ahead(&s, pov_vec3_of(0.7, 0.2, -5.0), ahead), 2);
+    end(&s);
+}
+
+static void what_is_taken_from_itself_is_gone(void **state)
+{
+    scene s;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
+    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_int_equal(count_ahead(&s, pov_vec3_of(0.3, 0.2, -5.0), ahead), 0);
+    end(&s);
+}
+
+/* A brick that only touches the other takes nothing away, not even its face's name. */
+static void what_only_touches_changes_nothing(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, 0.0), pov_vec3_of(1.0, 1.0, 1.0));
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 0.0));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 0.0);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 1.0);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
+static void a_shared_face_is_the_first_members(void **state)
+{
+    static const node_op ops[] = { NODE_MERGE, NODE_INTERSECTION };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+        scene s;
+        hit h;
+
+        begin(&s);
+        brick(&s.model, pov_vec3_of(-1.0, -1.0, 0.0), pov_vec3_of(1.0, 1.0, 1.0));
+        brick(&s.model, pov_vec3_of(-0.5, -1.0, 0.0), pov_vec3_of(2.0, 1.0, 2.0));
+        assert_true(model_add_tree(&s.model, pair(&s.model, ops[i], 0, 1), false));
+        compile(&s, POV_ACCEL_TREE);
+        assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 0.0);
+        assert_true(next(&s, &ray, &h) && h.point.z == (i == 0 ? 2.0 : 1.0));
+        assert_false(next(&s, &ray, &h));
+        end(&s);
+    }
+}
+
+/* ---- below a height, in double-double and without end ---- */
+
+static void below_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const test_ground *g = self;
+    const pov_two above = pov_two_add_double(pov_two_sum(g->height, -ray->org.y), -ray->org_lo.y);
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    pov_two t;
+
+    if (ray->dir.y == 0.0 || ray->left == hits->owner)
+        return;
+    t = pov_two_div(above, pov_two_of(ray->dir.y, 0.0));
+    pov_cross(hits, t.hi, t.lo, mark);
+}
+
+static shape_class below_class(void)
+{
+    shape_class c = test_ground_class;
+
+    c.intersect = below_intersect;
+    return c;
+}
+
+/* ---- any tree, against what its members say of points ---- */
+
+enum { LEAVES_MAX = 12, CROSSINGS_MAX = 64 };
+
+static node_ref random_leaf(model *m, const shape_class *below, test_random *r)
+{
+    /* On a grid of quarters, so that members share faces and centres. */
+    const double x = 0.25 * (double)test_below(r, 9) - 1.0, y = 0.25 * (double)test_below(r, 9) - 1.0;
+    const double z = 0.25 * (double)test_below(r, 9) - 1.0, size = 0.25 * (double)(1 + test_below(r, 5));
+    const test_ground ground = { y };
+    const uint32_t kind = test_below(r, 8);
+
+    if (kind == 0)
+        return test_add(m, below, &ground, NULL, 0, 0);
+    if (kind < 4)
+        return test_add(m, &test_ball_class, &(test_ball){ { x, y, z }, size }, NULL, 0,
+                        kind == 3 && test_below(r, 4) == 0 ? LEAF_INVERSE : 0);
+    return brick(m, pov_vec3_of(x, y, z), pov_vec3_of(x + size, y + 0.5, z + 0.75));
+}
+
+static node_ref random_tree(model *m, const shape_class *below, test_random *r, int depth)
+{
+    node_ref children[3];
+    const uint32_t n = 2 + test_below(r, 2);
+
+    if (depth == 0 || m->leaves.count >= LEAVES_MAX)
+        return random_leaf(m, below, r);
+    for (uint32_t i = 0; i < n; i++)
+        children[i] = random_tree(m, below, r, depth - 1);
+    return group(m, (node_op)test_below(r, 4), test_below(r, 8) == 0, children, n);
+}
+
+/* Written down once more, from the rules. */
+static int value_at(const model *m, node_ref node, pov_vec3 p)
+{
+    const pov_vec3 none = { 0.0, 0.0, 0.0 };
+    const group_node *g;
+    int sum = 0, zeros = 0, value;
+
+    if (!(node & NODE_GROUP)) {
+        const leaf_node *o = &m->leaves.items[node];
+        return o->shape->inside(o->instance, p, none) != ((o->flags & LEAF_INVERSE) != 0);
+    }
+    g = &m->groups.items[node & ~NODE_GROUP];
+    for (uint32_t i = 0; i < g->child_count; i++) {
+        value = value_at(m, m->children.items[g->child + i], p);
+        if (g->op == NODE_DIFFERENCE && i > 0)
+            value = value == 0;
+        sum += value;
+        zeros += value == 0;
+    }
+    value = g->op == NODE_UNION ? sum : g->op == NODE_MERGE ? sum > 0 : zeros ? 0 : 1 + sum - (int)g->child_count;
+    return g->inverse ? value == 0 : value;
+}
+
+static int compare(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* Where all members are crossed, in order; what is within 1e-9 of another counts once. */
+static uint32_t cross_members(const model *m, const pov_ray *ray, double *t)
+{
+    pov_crossing at[4];
+    uint32_t n = 0, kept = 0;
+
+    for (uint32_t i = 0; i < m->leaves.count; i++) {
+        pov_hits hits;
+
+        memset(&hits, 0, sizeof hits);
+        hits.tmax = HUGE_VAL;
+        hits.want = POV_WANT_ALL;
+        hits.at = at;
+        hits.capacity = 4;
+        hits.owner = i;
+        hits.always_exact = true;
+        m->leaves.items[i].shape->intersect(m->leaves.items[i].instance, ray, &hits);
+        for (uint32_t k = 0; k < hits.count; k++)
+            t[n++] = at[k].t;
+    }
+    qsort(t, n, sizeof *t, compare);
+    for (uint32_t i = 0; i < n; i++)
+        if (kept == 0 || t[i] - t[kept - 1] > 1e-9)
+            t[kept++] = t[i];
+    return kept;
+}
+
+static pov_vec3 point_at(const pov_ray *ray, double t) { return pov_add(ray->org, pov_scale(ray->dir, t)); }
+
+/* Of a ray that is nowhere near an edge: surfaces where the value changes between the middles of the way. */
+static uint32_t expect(const model *m, node_ref root, const pov_ray *ray, double *out, int *values)
+{
+    double t[CROSSINGS_MAX];
+    uint32_t n = cross_members(m, ray, t), count = 0;
+    int before = value_at(m, root, ray->org), after;
+
+    values[0] = before;
+    for (uint32_t i = 0; i < n; i++) {
+        after = value_at(m, root, point_at(ray, i + 1 < n ? 0.5 * (t[i] + t[i + 1]) : t[i] + 100.0));
+        if (after != before) {
+            out[count++] = t[i];
+            values[count] = after;
+        }
+        before = after;
+    }
+    return count;
+}
+
+/* How many surfaces there are. */
+static uint32_t check_ray(const scene *s, node_ref root, pov_ray ray)
+{
+    double t[CROSSINGS_MAX], gone;
+    int values[CROSSINGS_MAX + 1];
+    const uint32_t n = expect(&s->model, root, &ray, t, values);
+    const pov_vec3 org = ray.org;
+    hit h;
+
+    for (uint32_t i = 0; i < n; i++) {
+        assert_true(next(s, &ray, &h));
+        gone = pov_dot(pov_sub(h.point, org), ray.dir) / pov_dot(ray.dir, ray.dir);
+        assert_true(fabs(gone - t[i]) <= 1e-9);
+        assert_int_equal(h.entering, values[i + 1] > values[i]);
+        assert_int_equal(h.entering, pov_dot(h.normal, ray.dir) < 0.0);
+    }
+    assert_false(next(s, &ray, &h));
+    return n;
+}
+
+static void random_trees_are_what_their_members_say_of_points(void **state)
+{
+    const shape_class below = below_class();
+    test_random r = { 7 };
+    uint32_t surfaces = 0;
+
+    (void)state;
+    for (int round = 0; round < 4000; round++) {
+        node_ref root;
+        scene s;
+
+        begin(&s);
+        root = random_tree(&s.model, &below, &r, 1 + (int)test_below(&r, 3));
+        assert_true(model_add_tree(&s.model, root, false));
+        if (s.model.trees.count != 1 || s.model.trees.items[0] != root) {
+            model_free(&s.model);   /* a union of others, whose faces are all there */
+            continue;
+        }
+        compile(&s, round % 2 ? POV_ACCEL_TREE : POV_ACCEL_NONE);
+        for (int i = 0; i < 40; i++) {
+            const pov_vec3 org = { test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0) };
+
+            surfaces += check_ray(&s, root, ray_of(org, test_direction(&r)));
+        }
+        end(&s);
+    }
+    assert_true(surfaces > 10000);
+}
+
+/* What the contract asks of a primitive holds of a tree too: by the number of crossings ahead it is known whether a point is
+ * inside. (Of those that are no union at the root, where a surface may lie inside.) */
+static void crossings_ahead_tell_what_is_inside(void **state)
+{
+    test_random r = { 11 };
+    uint32_t inside = 0;
+
+    (void)state;
+    for (int round = 0; round < 200; round++) {
+        const node_ref leaves[3] = { 0, 1, 2 };
+        csg_root root;
+        scene s;
+
+        begin(&s);
+        for (int i = 0; i < 3; i++)
+            ball(&s.model, test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0),
+                 test_uniform(&r, 0.3, 1.5));
+        assert_true(model_add_tree(&s.model, group(&s.model, (node_op)(1 + round % 3), false, leaves, 3), false));
+        compile(&s, POV_ACCEL_TREE);
+        root.tree = &world_trees(s.world)->items[0];
+        for (int i = 0; i < 40; i++) {
+            const pov_vec3 none = { 0.0, 0.0, 0.0 };
+            const pov_ray ray = ray_of(pov_vec3_of(test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
+                                                   test_uniform(&r, -1.5, 1.5)), test_direction(&r));
+            pov_crossing at[16];
+            pov_hits hits;
+
+            memset(&hits, 0, sizeof hits);
+            hits.tmax = HUGE_VAL;
+            hits.want = POV_WANT_ALL;
+            hits.at = at;
+            hits.capacity = 16;
+            hits.user = &s.walker->rooms[0];
+            csg_class.intersect(&root, &ray, &hits);
+            assert_int_equal(hits.count & 1, csg_class.inside(&root, ray.org, none));
+            inside += hits.count & 1;
+        }
+        end(&s);
+    }
+    assert_true(inside > 300);
+}
+
+/* ---- what light and media know of it ---- */
+
+/* Light passes the surfaces that are there, each by its leaf: the near one of what was cut out, the far one of the rest. */
+static void light_crosses_the_surfaces_that_are_there(void **state)
+{
+    const pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead), *one = &ray;
+    occlusion out;
+    uint32_t glass;
+    scene s;
+
+    (void)state;
+    begin(&s);
+    glass = test_add_material(&s.model, colour_of(0.0f, 0.5f, 0.0f), 1.0f, 0.0f, false);
+    test_add_light(&s.model, 1.0f);
+    test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, 0.0), 2.0, glass);
+    test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, -1.5), 1.0, glass);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 10.0, &out), 1);
+    assert_int_equal(out.crossed, 1);
+    assert_int_equal(out.count[0], 2);
+    assert_int_equal(out.at[0][0].owner + out.at[0][1].owner, 1);
+    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.25, &out), 1);
+    assert_int_equal(out.crossed, 0);   /* it ends in the hollow */
+    end(&s);
+}
+
+/* An opaque member ends light, but only where its surface is there. */
+static void light_ends_at_what_is_opaque(void **state)
+{
+    const pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead), *one = &ray;
+    occlusion out;
+    scene s;
+
+    (void)state;
+    begin(&s);
+    test_add_light(&s.model, 1.0f);
+    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
+    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    compile(&s, POV_ACCEL_TREE);
+    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.25, &out), 1);
+    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.75, &out), 0);
+    end(&s);
+}
+
+static void its_leaves_are_one_object(void **state)
+{
+    const solid_node *solid;
+    uint32_t leaf;
+    scene s;
+
+    (void)state;
+    begin(&s);
+    ball(&s.model, 5.0, 0.0, 0.0, 1.0);
+    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
+    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 1, 2), false));
+    ball(&s.model, -5.0, 0.0, 0.0, 1.0);
+    compile(&s, POV_ACCEL_TREE);
+    assert_int_equal(model_object_count(&s.model), 3);
+    assert_int_equal(model_object_of(&s.model, 0), 0);
+    assert_int_equal(model_object_of(&s.model, 2), 1);
+    assert_int_equal(model_object_of(&s.model, 3), 2);
+    solid = model_object(&s.model, 1, &leaf);
+    assert_non_null(solid);
+    assert_int_equal(solid->op, NODE_DIFFERENCE);
+    assert_null(model_object(&s.model, 2, &leaf));
+    assert_int_equal(leaf, 3);
+    assert_int_equal(world_solid(s.world, 2), 1);
+    assert_int_equal(world_solid(s.world, 3), 3);
+    end(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ball_without_a_ball_begins_at_the_hollow),
+        cmocka_unit_test(its_hollow_looks_into_it),
+        cmocka_unit_test(an_intersection_is_what_both_hold),
+        cmocka_unit_test(a_merge_has_no_inner_faces),
+        cmocka_unit_test(a_union_dissolves),
+        cmocka_unit_test(a_cutter_that_ends_on_the_faces_leaves_no_film),
+        cmocka_unit_test(what_is_taken_from_itself_is_gone),
+        cmocka_unit_test(what_only_touches_changes_nothing),
+        cmocka_unit_test(a_shared_face_is_the_first_members),
+        cmocka_unit_test(random_trees_are_what_their_members_say_of_points),
+        cmocka_unit_test(crossings_ahead_tell_what_is_inside),
+        cmocka_unit_test(light_crosses_the_surfaces_that_are_there),
+        cmocka_unit_test(light_ends_at_what_is_opaque),
+        cmocka_unit_test(its_leaves_are_one_object),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
