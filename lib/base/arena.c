@@ -52,7 +52,8 @@ static struct arena_block *add_block(arena *a, size_t bytes, size_t align)
     b->used = sizeof *b;
     b->size = size;
     if (a->blocks && size > a->next_bytes) {
-        /* An oversized block goes behind the current one, whose room is not lost. */
+        /* A block larger than usual goes behind the current one, so that the rest of the current block is still
+         * used. */
         b->next = a->blocks->next;
         a->blocks->next = b;
     } else {

@@ -7,14 +7,14 @@
 typedef struct arena {
     const env *env;
     struct arena_block *blocks;
-    size_t next_bytes;           /* of the next block: they double, so that small scenes stay small */
+    size_t next_bytes;           /* size of the next block: sizes double, so that small scenes stay small */
 } arena;
 
 void arena_init(arena *a, const env *e);
 void arena_free(arena *a);
 /* Zeroed; align is a power of two of at most 64. NULL when memory ends. */
 void *arena_alloc(arena *a, size_t bytes, size_t align);
-/* What was allocated last goes back. False: it was not the last, and stays. */
+/* Give back the last allocation. False: this was not the last one, and it stays. */
 bool arena_give_back(arena *a, void *block, size_t bytes);
 /* A copy of the first `length` bytes with an end mark. */
 char *arena_text(arena *a, const char *text, size_t length);

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* The lowest bit that is set; some must be. */
+/* Index of the lowest set bit; the mask must not be zero. */
 static inline uint32_t first_of(uint32_t mask)
 {
 #ifdef __GNUC__

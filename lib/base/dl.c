@@ -33,8 +33,8 @@ static bool is_cut_short(int file, const ElfW(Ehdr) *head, size_t size)
     return false;
 }
 
-/* The system's loader maps a file without asking whether it is all there, and the process is killed when it
- * touches what is missing. What is no object file of this machine at all the loader refuses by itself. */
+/* The system's loader maps a file without checking its length, and the process is killed when it touches a missing
+ * page. Files that are no object files of this machine at all are refused by the loader itself. */
 static bool is_whole(const char *path)
 {
     int file = open(path, O_RDONLY | O_CLOEXEC);
@@ -95,7 +95,7 @@ const char *dl_wide(void)
 }
 #endif
 
-/* Where does the name of the folder end without the place that the loader keeps for wide copies? */
+/* Length of the folder's name without the suffix that the loader uses for wide copies. */
 static size_t without_wide(const char *folder, size_t n)
 {
     char tail[64];

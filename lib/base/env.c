@@ -54,7 +54,7 @@ void *env_resize(const env *e, void *block, size_t count, size_t bytes)
     return e->allocator.resize(e->allocator.user, block, count * bytes);
 }
 
-/* The address that the allocator gave stands in the word before the aligned block. */
+/* The word before the aligned block holds the address that the allocator returned. */
 void *env_reserve_aligned(const env *e, size_t bytes, size_t align)
 {
     unsigned char *raw, *block;

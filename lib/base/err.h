@@ -1,4 +1,5 @@
-/* err.h - filling a caller's pov_error. Each returns the status it was given, so that a failure is one line. */
+/* err.h - filling a caller's pov_error. Each function returns the status that it was given, so that a failure is one
+ * line. */
 #ifndef BASE_ERR_H
 #define BASE_ERR_H
 
@@ -8,7 +9,7 @@
 
 pov_status err_set(pov_error *err, pov_status status, const char *format, ...) POV_PRINTF(3, 4);
 pov_status err_setv(pov_error *err, pov_status status, const char *format, va_list args);
-/* The file that a failed operation was about goes into err->file. */
+/* Store the file of the failed operation in err->file. */
 pov_status err_file(pov_error *err, pov_status status, const char *file, const char *format, ...) POV_PRINTF(4, 5);
 pov_status err_memory(pov_error *err);
 

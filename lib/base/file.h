@@ -4,15 +4,15 @@
 
 #include "base/env.h"
 
-/* The bytes of a regular file, of a pipe, or of standard input for "-", with a zero byte behind them that is not
- * counted. env_free() them. */
+/* Read a regular file, a pipe, or standard input for "-". A zero byte that is not counted follows the data. env_free()
+ * it. */
 pov_status file_read(const env *e, const char *path, char **bytes, size_t *count, pov_error *err);
 
-/* Writing beside the target and renaming over it: commit or discard ends it. A symbolic link is followed: what it points
- * to is replaced. "-", /dev/stdout and the like, devices and pipes are written to as they are. */
+/* Write beside the target, then rename over it: commit or discard ends the writing. A symbolic link is followed, and
+ * the file it points to is replaced. "-", /dev/stdout and the like, devices and pipes are written to directly. */
 typedef struct file_writer {
     const env *env;
-    char *path, *temporary;      /* path: what links lead to; temporary is NULL where nothing is replaced */
+    char *path, *temporary;      /* path: the target of links; temporary is NULL where nothing is replaced */
     int descriptor;
     int error;                   /* errno of the first failure */
     size_t used;
@@ -24,10 +24,11 @@ pov_status file_writer_open(file_writer *w, const env *e, const char *path, pov_
 bool file_writer_put(file_writer *w, const void *bytes, size_t count);
 pov_status file_writer_commit(file_writer *w, pov_error *err);
 void file_writer_discard(file_writer *w);
-/* Could the path be written to? Tries all that open and commit need of the folder and of the names, and leaves nothing. */
+/* Could the path be written to? Tries everything that open and commit need of the folder and of the names, and leaves
+ * no file behind. */
 pov_status file_writer_try(const env *e, const char *path, pov_error *err);
 
-/* Call see(user, name) for every entry of a folder; nothing when there is no such folder. */
+/* Call see(user, name) for each entry of a folder; no call when there is no such folder. */
 void file_list(const char *folder, void (*see)(void *user, const char *name), void *user);
 bool file_exists(const char *path);
 

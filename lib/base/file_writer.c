@@ -16,13 +16,13 @@
 #include <unistd.h>
 
 enum { LINKS_MOST = 40, NAMES_MOST = 1000 };
-/* Seconds after which a temporary file of a process that is gone is taken for lost. Another machine's processes, which
- * cannot be asked for, write theirs in less. */
+/* A temporary file of a process that is gone counts as lost after so many seconds. Processes of other machines cannot
+ * be looked up, but finish their files sooner. */
 enum { LOST_AFTER = 3600 };
 
 /* ---- where a path leads ---- */
 
-/* The descriptor that a name such as /dev/stdout or /dev/fd/3 stands for, or -1. */
+/* Descriptor that a name such as /dev/stdout or /dev/fd/3 stands for, or -1. */
 static int standing_for(const char *path)
 {
     static const char *const folders[] = { "/dev/fd/", "/proc/self/fd/" };
@@ -44,7 +44,7 @@ static int standing_for(const char *path)
     return -1;
 }
 
-/* What a link in place of `path` says, as a path of its own. False: errno. */
+/* Target of a link at `path`, as a path of its own. False: errno. */
 static bool read_link(char path[PATH_MAX])
 {
     char to[PATH_MAX], *slash = strrchr(path, '/');
@@ -64,7 +64,8 @@ static bool read_link(char path[PATH_MAX])
     return true;
 }
 
-/* Follow links to where a file is or would be. *descriptor: what stands for it, or -1. False: errno. */
+/* Follow links to the place of a file that exists or will be made. *descriptor: the descriptor that the name stands
+ * for, or -1. False: errno. */
 static bool resolve(const char *path, char out[PATH_MAX], int *descriptor)
 {
     struct stat about;
@@ -95,7 +96,7 @@ static size_t folder_length(const char *path)
     return slash ? (size_t)(slash - path) + 1 : 0;
 }
 
-/* The temporary file's name holds as much of the target's as there is room for. */
+/* The temporary file's name holds as much of the target's as fits. */
 static void name_beside(const char *path, int attempt, char *out, size_t size)
 {
     const size_t folder = folder_length(path);
@@ -104,7 +105,7 @@ static void name_beside(const char *path, int attempt, char *out, size_t size)
     snprintf(out, size, "%.*s%.*s.%ld-%d.part", (int)folder, path, room, path + folder, (long)getpid(), attempt);
 }
 
-/* Is it NAME.PID-N.part, of a process that is no more, and old? */
+/* Is it NAME.PID-N.part, old, and of a process that no longer exists? */
 static bool is_lost(const char *folder, const char *entry, const char *name)
 {
     const size_t n = strlen(name) < 200 ? strlen(name) : 200;
@@ -122,7 +123,7 @@ static bool is_lost(const char *folder, const char *entry, const char *name)
     return S_ISREG(about.st_mode) && difftime(time(NULL), about.st_mtime) > LOST_AFTER;
 }
 
-/* Remove what processes that were killed have left of this target. */
+/* Remove the temporary files that killed processes have left for this target. */
 static void sweep(const char *path)
 {
     const size_t n = folder_length(path);
@@ -140,7 +141,7 @@ static void sweep(const char *path)
         closedir(d);
 }
 
-/* Create a file beside the target, under a name that nothing has; with the old file's mode, if there is one. */
+/* Create a file beside the target under an unused name, with the old file's mode if there is one. */
 static bool open_beside(file_writer *w, const struct stat *old)
 {
     const size_t size = strlen(w->path) + 48;
@@ -312,8 +313,8 @@ static void close_writer(file_writer *w)
     w->descriptor = -1;
 }
 
-/* So that after a power cut the name is the old file's or the whole new one's. Where a file system knows no such thing
- * there is nothing more to do. */
+/* After a power cut the name must stand for the old file or for the whole new one. Some file systems cannot promise
+ * that; then nothing more can be done. */
 static void sync_descriptor(file_writer *w, int descriptor)
 {
     if (fsync(descriptor) < 0 && errno != EINVAL && errno != ENOTSUP && errno != EINTR && w->error == 0)

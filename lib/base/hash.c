@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-/* The step of FNV-1a, by words of eight bytes and with the high half brought down, as a product only moves up. */
+/* One step of FNV-1a on words of eight bytes. The high half is folded down, because a product only moves bits
+ * upward. */
 static uint64_t step(uint64_t hash, uint64_t word)
 {
     hash = (hash ^ word) * 0x9fb21c651e98df25u;

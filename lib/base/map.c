@@ -29,7 +29,7 @@ static size_t hash(const char *name)
     return h;
 }
 
-/* The slot that holds the name, or the empty one where it belongs. The capacity is a power of two, never full. */
+/* Slot that holds the name, or the empty slot for it. The capacity is a power of two, and one slot is always empty. */
 static map_entry *find(const map *m, const char *name)
 {
     size_t i = hash(name) & (m->capacity - 1);

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <sys/mman.h>
 
-/* Blocks take whole large pages: the part of the last that they have no use for is small beside them. */
+/* Blocks are rounded up to whole large pages: the unused rest of the last page is small beside them. */
 #define LEAST (2 * PAGES_LARGE)
 
 void *pages_reserve(const env *e, size_t bytes)

@@ -4,14 +4,14 @@
 
 #include "base/env.h"
 
-/* What large pages hold where there are any, and what large blocks begin at a multiple of. */
+/* Size of a large page where the system has them, and alignment of large blocks. */
 #define PAGES_LARGE ((size_t)2 << 20)
 
-/* A block that is about to be filled, and will be used all over; not zeroed. Systems that have larger pages then take
- * them for a large one, which are fewer to fetch. Free it with pages_free() only. */
+/* A block that will be filled and used as a whole; not zeroed. Systems with larger pages then use one large page in
+ * place of many small ones, which need fewer page faults. Free it with pages_free() only. */
 void *pages_reserve(const env *e, size_t bytes);
-/* Part `part` of `parts` of such a block is asked for from the system now and not when it is first written to; what is
- * in it stays. Parts may be asked for at the same time. */
+/* Ask the system now for the memory of part `part` of `parts` of such a block, and not at the first write; its contents
+ * stay. Several threads may ask for parts at the same time. */
 void pages_expect(void *block, size_t bytes, size_t part, size_t parts);
 void pages_free(const env *e, void *block);
 

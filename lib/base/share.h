@@ -1,4 +1,4 @@
-/* share.h - work in numbered parts, done by several threads at once. */
+/* share.h - work in numbered slices, done by several threads at once. */
 #ifndef BASE_SHARE_H
 #define BASE_SHARE_H
 
@@ -8,9 +8,10 @@
 enum { SHARE_MAX = 64 };         /* more threads than this are never used */
 
 /* Call part(user, i, hand) once for each i below count, in any order, on up to `threads` threads, the caller's among
- * them. Calls of equal hand, a number below threads, never overlap. Fewer threads do it all when no more will start. */
+ * them. `hand` is the number of the thread, below `threads`: calls with the same number never overlap. If fewer threads
+ * can be started, they do all of the work. */
 void share_work(int threads, uint32_t count, void (*part)(void *user, uint32_t i, int hand), void *user);
-/* Threads to use: `wanted`, or one a core where that is 0. */
+/* Number of threads to use: `wanted`, or one for each core if that is 0. */
 int share_threads(int wanted);
 
 /* Where the i-th of `parts` nearly equal parts of n begins; it ends where the next begins. */

@@ -6,18 +6,19 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Sanitizers cannot run in the resolvers that pick a clone. */
+/* Sanitizers cannot run in the resolvers that choose a clone. */
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(undefined_behavior_sanitizer)
 #define SIMD_ONE_CLONE 1
 #endif
 #endif
-/* What is compiled for AVX2 as a whole needs no clone for it, and POV_PORTABLE asks for plain C alone. */
+/* Code that is compiled for AVX2 as a whole needs no clone for it, and POV_PORTABLE asks for plain C only. */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__AVX2__) || defined(POV_PORTABLE)
 #define SIMD_ONE_CLONE 1
 #endif
 
-/* SIMD_APART: what must stay a call besides. Clones do anyway, and not every compiler takes both words. */
+/* SIMD_APART: a function that must not be inlined either. Clones never are, and not every compiler accepts both
+ * attributes. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(SIMD_ONE_CLONE)
 #define SIMD_CLONES __attribute__((target_clones("avx2", "default")))
 #define SIMD_APART
@@ -29,15 +30,15 @@
 #define SIMD_APART
 #endif
 
-/* What such a loop calls: it must not stay a call. */
+/* A function that such a loop calls: it must be inlined. */
 #if defined(__GNUC__)
 #define SIMD_INLINE __attribute__((always_inline)) static inline
 #else
 #define SIMD_INLINE static inline
 #endif
 
-/* A type or member that begins with a line of memory, so that no vector of it lies across two: that costs as much as two.
- * Memory for it is to be had from env_alloc_aligned(). */
+/* A type or member that begins at a cache line, so that no vector load crosses two lines: that costs as much as two
+ * loads. Allocate it with env_alloc_aligned(). */
 enum { SIMD_LINE = 64 };
 #if defined(__GNUC__)
 #define SIMD_ALIGNED __attribute__((aligned(SIMD_LINE)))
@@ -45,19 +46,20 @@ enum { SIMD_LINE = 64 };
 #define SIMD_ALIGNED
 #endif
 
-/* What will be read soon, where the processor cannot guess it. The address need not be one. Compilers leave out calls of
- * functions that do nothing else: such a function must be SIMD_INLINE. */
+/* Prefetch memory that will be read soon, where the processor cannot predict it. The address may be invalid. Compilers
+ * drop calls of functions that do nothing but prefetch: such a function must be SIMD_INLINE. */
 #if defined(__GNUC__)
 #define SIMD_EXPECT(address) __builtin_prefetch(address)
 #else
 #define SIMD_EXPECT(address) ((void)(address))
 #endif
 
-/* Four structures' doubles by place. Stored one by one they would be waited for when vectors of them are loaded. */
+/* Transpose doubles of four structures. Stored one by one, they would stall the vector loads that follow (no store
+ * forwarding). */
 #if defined(__AVX__) && defined(__GNUC__)
 #include <immintrin.h>
 
-/* Two doubles of each of two structures: on their way from memory halves come to their places at no cost. */
+/* Two doubles of each of two structures: the load inserts the upper half at no cost. */
 SIMD_INLINE __m256d simd_load_pairs(const void *low, const void *high, size_t offset)
 {
     const double *const l = (const double *)(const void *)((const char *)low + offset);
@@ -66,7 +68,7 @@ SIMD_INLINE __m256d simd_load_pairs(const void *low, const void *high, size_t of
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(l)), _mm_loadu_pd(h), 1);
 }
 
-/* The four doubles at each of `from`: those that come first to `w`, and so on. */
+/* Four doubles from each of `from`: the first ones to `w`, the second ones to `x`, and so on. */
 SIMD_INLINE void simd_transpose(const void *const from[4], size_t offset, double *w, double *x, double *y, double *z)
 {
     const size_t behind = offset + 2 * sizeof(double);

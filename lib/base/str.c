@@ -44,7 +44,7 @@ void str_nearer(const char *word, const char *candidate, const char **best, int 
     if (m > LONGEST || n > LONGEST)
         return;
     distance = edits(word, m, candidate, n);
-    /* One edit in three letters is a slip; more is another word. */
+    /* One edit in three letters is a typing error; more makes another word. */
     if (3 * (size_t)distance > (m > n ? m : n) || (*best && distance >= *best_edits))
         return;
     *best = candidate;

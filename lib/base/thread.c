@@ -32,8 +32,8 @@ int thread_cores(void)
     return n > 0 ? (int)n : 1;
 }
 
-/* What a mutex guards takes about a microsecond, and to be put to sleep and woken takes some fifty: where the system has
- * mutexes that look a few times more before they sleep, ours are such. */
+/* Critical sections take about a microsecond, putting a thread to sleep and waking it some fifty. Where the system
+ * offers mutexes that spin a little before they sleep, these are used. */
 bool mutex_init(mutex *m)
 {
 #ifdef PTHREAD_ADAPTIVE_MUTEX_INITIALIZER_NP

@@ -1,4 +1,4 @@
-/* thread.h - threads, one mutex, one condition; nothing more is needed. */
+/* thread.h - threads, a mutex, a condition variable. */
 #ifndef BASE_THREAD_H
 #define BASE_THREAD_H
 
@@ -19,11 +19,11 @@ void mutex_destroy(mutex *m);
 void mutex_lock(mutex *m);
 void mutex_unlock(mutex *m);
 
-/* Waits by the monotonic clock. */
+/* Its timed wait uses the monotonic clock. */
 bool condition_init(condition *c);
 void condition_destroy(condition *c);
 void condition_wait(condition *c, mutex *m);
-/* Until woken or clock_seconds() reaches `until`; false: the time came. */
+/* Wait until woken or until clock_seconds() reaches `until`; false: the time was reached. */
 bool condition_wait_until(condition *c, mutex *m, double until);
 void condition_wake_all(condition *c);
 

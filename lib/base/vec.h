@@ -4,7 +4,7 @@
 
 #include "base/env.h"
 
-/* Make room for one more element behind `count` of them. False: no memory, nothing changed. */
+/* Reserve memory for one more element behind `count` of them. False: no memory, nothing changed. */
 bool vec_reserve(const env *e, void **items, size_t *capacity, size_t count, size_t bytes);
 
 /* Append a value to an array that has `items`, `count` and `capacity` members: VEC_PUSH(env, list, value). */

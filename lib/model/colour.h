@@ -11,19 +11,19 @@ static inline colour colour_of(float r, float g, float b) { colour c = { r, g, b
 static inline colour colour_add(colour a, colour b) { return colour_of(a.r + b.r, a.g + b.g, a.b + b.b); }
 static inline colour colour_mul(colour a, colour b) { return colour_of(a.r * b.r, a.g * b.g, a.b * b.b); }
 static inline colour colour_scale(colour a, float s) { return colour_of(a.r * s, a.g * s, a.b * s); }
-/* One comparison: a sum of sizes is zero where all are. */
+/* One comparison: the sum of absolute values is zero only if all are. */
 static inline bool colour_is_black(colour a) { return fabsf(a.r) + fabsf(a.g) + fabsf(a.b) == 0.0f; }
 /* The largest absolute component. */
 static inline float colour_weight(colour a)
 {
-    /* Comparisons, for fmaxf() is a call. */
+    /* Plain comparisons: fmaxf() would be a call. */
     float r = fabsf(a.r), g = fabsf(a.g), b = fabsf(a.b);
 
     g = g > b ? g : b;
     return r > g ? r : g;
 }
 
-/* What light is multiplied by on its way, and the weight of that, or the product of such weights. */
+/* Factor that light is multiplied by on its path, with its weight; or a product of such factors. */
 typedef struct coefficient { colour by; float weight; } coefficient;
 
 static inline coefficient coefficient_of(colour c) { coefficient k = { c, colour_weight(c) }; return k; }

@@ -6,7 +6,7 @@
 
 #include <povtrace/math.h>
 
-/* POINT: the same in all directions, and does not fade. */
+/* POINT: emits alike in all directions, and does not fade. */
 typedef enum light_type { LIGHT_POINT, LIGHT_TYPES } light_type;
 
 typedef struct light {

@@ -20,7 +20,7 @@ bool material_equal(const material *a, const material *b);
 
 static inline bool material_is_transparent(const material *m) { return m->filter != 0.0f || m->transmit != 0.0f; }
 
-/* What light that passes the surface is multiplied by. */
+/* Factor of light that passes the surface. */
 static inline colour material_filter(const material *m)
 {
     colour c = colour_scale(m->pigment, m->filter);

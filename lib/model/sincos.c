@@ -4,8 +4,8 @@
 
 #include <string.h>
 
-/* What x^2 is multiplied by in the Taylor series of sin(x) / x, for the first four lanes, and of cos(x), for the
- * others: 1/n! with its sign. */
+/* Coefficients of x^2 in the Taylor series of sin(x) / x, for the first four lanes, and of cos(x), for the others: 1/n!
+ * with its sign. */
 #define FOUR(x) x, x, x, x
 #define TERM(sine, sine_lo, cosine, cosine_lo) { { FOUR(sine), FOUR(cosine) }, { FOUR(sine_lo), FOUR(cosine_lo) } }
 enum { TERMS = 15 };
@@ -27,9 +27,9 @@ static const two_lanes terms[TERMS] = {
     TERM(1.1309962886447716e-31, 1.0498015412959506e-47, 3.279889237069838e-30, 1.5117542744029879e-46)
 };
 
-/* The sums without their first terms, which are 1, so that the caller can add that exactly. |x| <= pi/4: the 15 terms
- * reach (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that the rounding of doubles does
- * no harm there. Each step waits for the one before, so n sums side by side cost little more than one. */
+/* The sums without their first terms, which are 1, so that the caller can add 1 exactly. |x| <= pi/4: the 15 terms
+ * reach (pi/4)^28/28! < 2^-105. From the tenth on a term is below 2^-58 of the sum, so that rounding to double is
+ * harmless there. Each step waits for the one before, so n sums side by side cost little more than one. */
 static void series(const two_lanes *restrict x2, two_lanes *restrict sum, int n)
 {
     int i, k, m;

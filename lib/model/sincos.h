@@ -4,8 +4,8 @@
 
 #include <povtrace/exact.h>
 
-/* Numbers on which the same is done, eight in plain loops, which compilers take as vectors. Four and four are of two
- * kinds; the last of each four means nothing, or little. */
+/* Lanes of numbers for plain loops over eight, which compilers turn into vectors: two groups of four. The last lane of
+ * each group means little or nothing. */
 enum { TWO_LANES = 8, TWO_HALF = TWO_LANES / 2 };
 typedef struct two_lanes { double hi[TWO_LANES], lo[TWO_LANES]; } two_lanes;
 

@@ -50,12 +50,12 @@ const transform *transform_append(arena *memory, const transform *before, transf
 
 /* ---- composition ---- */
 
-/* An affine map p -> m p, the last column moves. */
+/* An affine map p -> m p; the last column is the translation. */
 typedef struct rows { pov_two at[3][4]; } rows;
 
-/* The map is built from the last written transformation to the first: each joins it on the right, and its inverse
- * joins the inverse on the left. So a column of the map has the fate of that row of the inverse. Only what a
- * transformation changes is touched, so that zeros stay exact. */
+/* The map is built from the last written transformation to the first: each is multiplied on the right, and its inverse
+ * on the left of the inverse. So a column of the map is treated like the same row of the inverse. Only entries that a
+ * transformation changes are computed, so that zeros stay exact. */
 typedef struct composition {
     two_lanes axis[3];           /* the map's column, then the inverse's row */
     two_lanes moved;             /* the map's last column */
@@ -140,8 +140,8 @@ static rows written(const double *v)
     return r;
 }
 
-/* The inverse of any matrix: cofactors over the determinant, after scaling rows by powers of two so that stiff ones
- * (a row of 1e9 beside one of 1e-9) neither overflow nor lose the small products. False: singular. */
+/* The inverse of any matrix: cofactors over the determinant, after scaling rows by powers of two. So stiff matrices (a
+ * row of 1e9 beside one of 1e-9) neither overflow nor lose the small products. False: singular. */
 static bool invert(const rows *m, rows *out)
 {
     rows a = *m;
@@ -215,7 +215,7 @@ static bool multiply(composition *c, const double *v)
     return true;
 }
 
-/* One transformation more for each of n. The bits of those that have no inverse are returned. */
+/* Append one transformation to each of n. Returns the bits of those that have no inverse. */
 static unsigned join(composition *c, transform_kind kind, const double *const *v, int n)
 {
     unsigned flat = 0;
@@ -255,7 +255,7 @@ static void store(const composition *c, pov_affine *out)
         }
 }
 
-/* Zero times anything else is no zero. */
+/* Zero times infinity or NaN is not zero. */
 static bool is_finite(const pov_affine *map)
 {
     double sum[4] = { 0.0 };
@@ -267,7 +267,7 @@ static bool is_finite(const pov_affine *map)
     return sum[0] + sum[1] + sum[2] + sum[3] == 0.0;
 }
 
-/* All of them to be stored; those that are fit for use. */
+/* Store all of them; returns the bits of usable ones. */
 static unsigned store_all(const composition *c, unsigned flat, pov_affine *out, int n)
 {
     unsigned good = 0;
@@ -347,7 +347,7 @@ void transform_pack(const transform *list, void *at)
     }
 }
 
-/* The end of a list; NULL: it is not like the other. */
+/* The end of a list; NULL: it is of another kind than the other list. */
 static const packed *end_if_alike(const packed *p, const packed *other)
 {
     while (p->kind == other->kind && p->more == other->more) {

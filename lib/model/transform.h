@@ -14,30 +14,30 @@ typedef enum transform_kind {
 } transform_kind;
 
 typedef struct transform {
-    const struct transform *before;   /* what is applied first; NULL: nothing */
+    const struct transform *before;   /* the transformation applied before this one; NULL: none */
     transform_kind kind;
-    double v[];                       /* x, y, z; or the 12 numbers of matrix <...> in the order of the text */
+    double v[];                       /* x, y, z; or the 12 numbers of matrix <...> in the text's order */
 } transform;
 
 /* Translate 0, scale 1, whole turns, the identity matrix. */
 bool transform_changes_nothing(transform_kind kind, const double *numbers);
-/* `before` with one more behind it; numbers is 3 long, or 12 for a matrix. NULL: no memory. Scale factors are not
- * zero. A transformation that changes nothing gives `before` itself, which may be NULL too. */
+/* `before` followed by one more transformation; numbers has 3 elements, or 12 for a matrix. NULL: no memory. Scale
+ * factors are not zero. A transformation that changes nothing returns `before` itself, which may be NULL too. */
 const transform *transform_append(arena *memory, const transform *before, transform_kind kind, const double *numbers);
 
 /* Compose. The entries of out->m are within 2^-100 of the exact ones relative to the largest partial products;
  * rotations by multiples of 90 degrees are exact. False: the matrix has no inverse. list may be NULL (identity). */
 bool transform_compose(const transform *list, pov_affine *out);
 
-/* Many lists of the same kinds of transformations at once, with the bits that they would have alone: one waits for each
- * of its steps, several share the time. Bit i of what is returned: the i-th has an inverse. */
+/* Compose several lists of the same kinds of transformations at once, bit for bit as if alone: each step waits for the
+ * one before, and several lists share that time. Bit i of the result: the i-th has an inverse. */
 enum { TRANSFORM_MANY = 8 };
 bool transform_are_alike(const transform *a, const transform *b);
 unsigned transform_compose_many(const transform *const *lists, int n, pov_affine *out);
 
-/* Lists one behind the other, to be composed in that order: what one takes, in bytes, a multiple of 8; writing it;
- * composing as many before `end` as are alike, TRANSFORM_MANY at most, which gives the start of the next. They have
- * inverses, as was seen before. */
+/* Packed lists, one behind the other, composed in that order: the bytes of one list, a multiple of 8; packing one; and
+ * composing as many lists of the same kinds as stand before `end`, at most TRANSFORM_MANY. The last call returns the
+ * start of the next list. All of them have inverses, as was checked before. */
 size_t transform_packed_bytes(const transform *list);
 void transform_pack(const transform *list, void *at);
 const void *transform_compose_packed(const void *at, const void *end, pov_affine *out, int *count);

@@ -16,7 +16,7 @@
 #include <string.h>
 
 typedef struct loaded {
-    void *handle;                /* NULL for a plugin that the program brought */
+    void *handle;                /* NULL for a plugin that the program added */
     char *path;
     const pov_plugin *plugin;
     shape_class *shapes;         /* its shapes, complete; NULL: it has none */
@@ -107,7 +107,7 @@ void registry_destroy(registry *r)
 
 /* ---- adding; the lock is held ---- */
 
-/* The tables keep what they have no wish to change as void *; the classes stay const behind it. */
+/* The tables hold void *; the classes behind it stay const. */
 static bool put(map *m, const char *name, const void *value)
 {
     union { const void *constant; void *plain; } both;
@@ -148,7 +148,7 @@ static pov_status enter(registry *r, loaded *l, pov_error *err)
     return POV_OK;
 }
 
-/* A half-entered plugin must not be found again. Replacing a value takes no memory. */
+/* A plugin that was entered in part must not be found again. Replacing a value takes no memory. */
 static void withdraw(registry *r, const loaded *l)
 {
     const pov_plugin *p = l->plugin;
@@ -271,7 +271,7 @@ static pov_status find(registry *r, const char *kind, const char *name, char pat
     return POV_OK;
 }
 
-/* `name` is looked up in the map; the file it is in, if need be, is called `file`. */
+/* Look `name` up in the map; else load it from the file called `file`. */
 static pov_status look_up(registry *r, map *m, const char *kind, const char *file, const char *name, const void **out,
                           pov_error *err)
 {
@@ -312,7 +312,7 @@ pov_status registry_image(registry *r, const char *ending, const pov_image_forma
     return status;
 }
 
-/* One plugin has all formats, for what draws one draws the others too. */
+/* One plugin draws all formats: a library that draws one draws the others too. */
 pov_status registry_plot(registry *r, const char *ending, const pov_plot_format **out, pov_error *err)
 {
     const void *found;

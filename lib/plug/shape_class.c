@@ -7,7 +7,7 @@
 
 enum { INSTANCE_MOST = 1 << 20 };
 
-/* What both sides know of a struct; the rest is zero. */
+/* Copy the members that both sides know; the rest is zero. */
 static void copy_known(void *out, size_t out_size, const void *from, size_t from_size)
 {
     memset(out, 0, out_size);

@@ -1,7 +1,7 @@
 /* shape_class.h - a primitive as the host holds it: its class and its fast extension, complete.
  *
- * A plugin may have been built when the structs were shorter; what it does not have is NULL or zero here, so that nobody
- * else asks for sizes. shape.h and shape_fast.h say what the members are. */
+ * A plugin may have been built when the structs were shorter. Members that it lacks are NULL or zero here, so that no
+ * other file checks sizes. shape.h and shape_fast.h describe the members. */
 #ifndef PLUG_SHAPE_CLASS_H
 #define PLUG_SHAPE_CLASS_H
 
@@ -32,9 +32,9 @@ typedef struct shape_class {
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
 } shape_class;
 
-/* Complete a class that shape_class_check() found well. */
+/* Complete a class that shape_class_check() has accepted. */
 void shape_class_fill(shape_class *out, const pov_shape_class *from);
-/* NULL when the class keeps the form of the contract, else what is wrong, in words for a message. */
+/* NULL when the class keeps the form of the contract, else a message that says what is wrong. */
 const char *shape_class_check(const pov_shape_class *c);
 
 #endif
