@@ -4,7 +4,7 @@
 
 #include "base/bits.h"
 #include "query/context.h"
-#include "query/ray_soa.h"
+#include "bvh/ray_soa.h"
 
 /* A shape that a lane certainly hits, at lo or later; which hit is the nearest of all is found later. */
 typedef struct deferred { const run *run; uint32_t lane; double lo; } deferred;

@@ -6,7 +6,7 @@
 
 #include "bvh/build.h"
 #include "bvh/traverse.h"
-#include "query/ray_soa.h"
+#include "bvh/ray_soa.h"
 #include "world/instance.h"
 
 #include <math.h>

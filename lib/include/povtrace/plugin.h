@@ -19,10 +19,20 @@
 struct pov_shape_class;
 struct pov_image_format;
 struct pov_plot_format;
+struct pov_hits;
+struct pov_ray;
 
 /* ---- what the host offers while a scene loads --------------------------- */
 
 typedef struct pov_reader pov_reader;
+
+/* A bounding volume hierarchy over the parts of one shape: made while the scene loads, traversed by rays. */
+typedef struct pov_hierarchy {
+    /* [render] Calls see() for each part whose box the ray may meet from 0 to hits->tmax, near ones first as a rule;
+     * hits->tmax may close in meanwhile. False: see() said false, which ends it. The ray is in the space of the boxes. */
+    bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
+                  bool (*see)(void *user, uint32_t part), void *user);
+} pov_hierarchy;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives
  * false, more() gives false and warn() says nothing, so a parse function needs no checks. */

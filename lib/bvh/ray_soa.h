@@ -1,6 +1,6 @@
 /* ray_soa.h - rays side by side, as filters want them. */
-#ifndef QUERY_RAY_SOA_H
-#define QUERY_RAY_SOA_H
+#ifndef BVH_RAY_SOA_H
+#define BVH_RAY_SOA_H
 
 #include "base/simd.h"
 

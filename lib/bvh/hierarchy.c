@@ -1,0 +1,170 @@
+#include "bvh/hierarchy.h"
+
+#include "bvh/ray_soa.h"
+#include "bvh/traverse.h"
+
+/* A leaf: up to BVH_WIDTH parts in one unit of leaf memory. */
+typedef struct leaf { uint32_t count, part[BVH_WIDTH]; } leaf;
+
+struct hierarchy {
+    pov_hierarchy service;       /* first: plugins hand it back */
+    const env *env;
+    const bvh_kernels *kernels;
+    bvh tree;
+};
+
+/* ---- building ---- */
+
+static void box_of(void *user, uint32_t id, pov_box *out)
+{
+    const pov_box *boxes = user;
+
+    *out = boxes[id];
+}
+
+static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest)
+{
+    (void)user;
+    (void)part;
+    (void)ids;
+    (void)count;
+    (void)rest;
+    return sizeof(leaf);
+}
+
+static bool allocated(void *user, const void *leaves)
+{
+    (void)user;
+    (void)leaves;
+    return true;
+}
+
+static void fill_leaf(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
+{
+    leaf *l = at;
+
+    (void)user;
+    (void)part;
+    (void)frame;
+    l->count = count;
+    memcpy(l->part, ids, count * sizeof *ids);
+}
+
+static void filled(void *user, uint32_t part)
+{
+    (void)user;
+    (void)part;
+}
+
+static pov_box around(const pov_box *boxes, uint32_t n)
+{
+    pov_box all = boxes[0];
+    uint32_t i;
+
+    for (i = 1; i < n; i++) {
+        const pov_vec3 lo = boxes[i].lo, hi = boxes[i].hi;
+
+        all.lo = pov_vec3_of(fmin(all.lo.x, lo.x), fmin(all.lo.y, lo.y), fmin(all.lo.z, lo.z));
+        all.hi = pov_vec3_of(fmax(all.hi.x, hi.x), fmax(all.hi.y, hi.y), fmax(all.hi.z, hi.z));
+    }
+    return all;
+}
+
+static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
+{
+    const bool packs = true;
+    uint32_t *ids = env_resize(h->env, NULL, n, sizeof *ids), i;
+    uint16_t *group = env_alloc(h->env, n, sizeof *group);   /* one for all */
+    bvh_input in = { .env = h->env, .box = box_of, .box_user = boxes, .bounds = around(boxes, n), .ids = ids, .count = n,
+                     .group = group, .packs = &packs, .threads = 1,
+                     .leaves = { leaf_size, allocated, fill_leaf, filled, NULL } };
+    bool built;
+
+    for (i = 0; ids && i < n; i++)
+        ids[i] = i;
+    built = ids && group && bvh_build(&h->tree, &in);
+    env_free(h->env, ids);
+    env_free(h->env, group);
+    return built;
+}
+
+/* ---- rays ---- */
+
+/* One ray's way through it. */
+typedef struct visit {
+    bvh_traversal traversal;     /* first: leaves are handed this */
+    const pov_hits *hits;
+    bool (*see)(void *user, uint32_t part);
+    void *user;
+} visit;
+
+static uint64_t see_leaf(bvh_traversal *traversal, const void *at, uint64_t lanes)
+{
+    visit *v = (visit *)(void *)traversal;
+    const leaf *l = at;
+    uint32_t i;
+
+    for (i = 0; i < l->count; i++)
+        if (!v->see(v->user, l->part[i]))
+            return lanes;
+    if (v->hits->tmax < traversal->limit[0]) {
+        traversal->limit[0] = v->hits->tmax;
+        traversal->lowered = lanes;
+    }
+    return 0;
+}
+
+static bool visit_parts(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
+                        bool (*see)(void *user, uint32_t part), void *user)
+{
+    const hierarchy *h = (const hierarchy *)(const void *)self;
+    visit v;
+
+    v.traversal.tree = &h->tree;
+    v.traversal.rays = &ray;
+    v.traversal.count = 1;
+    v.traversal.lanes = 1;
+    v.traversal.in = NULL;
+    v.traversal.limit[0] = hits->tmax;
+    v.traversal.lowered = 0;
+    v.traversal.leaf = see_leaf;
+    side_put(&v.traversal.soa, 0, ray);
+    side_derive(&v.traversal.soa, 0, hits->tmax, v.traversal.length);
+    v.hits = hits;
+    v.see = see;
+    v.user = user;
+    return h->kernels->nearest_single(&v.traversal) == 0;
+}
+
+/* ---- the whole ---- */
+
+hierarchy *hierarchy_create(const env *e, const pov_box *boxes, uint32_t n)
+{
+    hierarchy *h = env_alloc(e, 1, sizeof *h);
+    pov_box *copy = env_resize(e, NULL, n, sizeof *copy);
+    bool built = false;
+
+    if (h)
+        h->env = e;
+    if (h && copy) {
+        memcpy(copy, boxes, n * sizeof *copy);
+        h->service.visit = visit_parts;
+        h->kernels = bvh_kernels_best();
+        built = build(h, copy, n);
+    }
+    env_free(e, copy);
+    if (built)
+        return h;
+    hierarchy_destroy(h);
+    return NULL;
+}
+
+void hierarchy_destroy(hierarchy *h)
+{
+    if (!h)
+        return;
+    bvh_free(&h->tree, h->env);
+    env_free(h->env, h);
+}
+
+const pov_hierarchy *hierarchy_service(const hierarchy *h) { return &h->service; }
