@@ -4,11 +4,11 @@
 
 #include <math.h>
 
-/* A pass adds half of what is there. No cell stays behind the mean by more than LAG: what all samples of a cell have
- * missed is looked for all the same. */
+/* A pass adds half of the present samples. No cell falls behind the mean by more than LAG, so that features missed by
+ * all samples of a cell are still found. */
 enum { LAG = 8 };
 
-/* The error aimed at, in parts of the one that was asked for: to be just below it is not to need another pass. */
+/* The error aimed at, as a fraction of the requested one: a result just below it needs no further pass. */
 static const double aim = 0.985;
 
 static uint32_t even_above(double n)
@@ -70,10 +70,10 @@ static bool next_uniform(cells *c, const settings *s, const pov_pass *now)
 
 static const double falls_by = 0.36, far_above = 5.0;
 
-/* The mean squared error of a pixel of the other group of the cell, as it would be with this group's count. What the few
- * differences of one group say of that is mostly chance. So a quarter is its own, a quarter the neighbourhood's, for an
- * edge goes on next door, and a half is the neighbourhood's by the group's share of its contrast, for errors are where
- * pixels differ. */
+/* The mean squared error of a pixel of the other group of the cell, with this group's sample count. The few differences
+ * of one group are mostly chance. So a quarter of the estimate is its own; a quarter is the neighbourhood's, because
+ * edges continue in the next cell; and a half is the neighbourhood's, weighted by the group's share of its contrast,
+ * because errors are where pixels differ. */
 static double error_near(const cells *c, size_t number)
 {
     int column = (int)(number / GROUPS % (size_t)c->columns), row = (int)(number / GROUPS / (size_t)c->columns);
@@ -116,7 +116,7 @@ static uint32_t wanted(const group *at, double worth, double threshold, uint32_t
 
 typedef struct outcome { double mean, square; } outcome;
 
-/* What the picture would be with this threshold. */
+/* Predict the picture's error and cost for this threshold. */
 static outcome foresee(const cells *c, const double *worths, double threshold, uint32_t least)
 {
     double all = (double)c->width * (double)c->height;
@@ -137,11 +137,12 @@ static outcome foresee(const cells *c, const double *worths, double threshold, u
     return o;
 }
 
-/* What a pass goes for: this mean, or less, but not below `fewest`, where that is enough for the error asked for
+/* The mean count that a pass aims at: this or less, but not below `fewest`, where that suffices for the requested error
  * (`square`; 0: none). */
 typedef struct goal { double mean, fewest, square; } goal;
 
-/* A pass adds a sixteenth at least, for each has its cost; and the error asked for ends nothing before BUDGET_LEAST. */
+/* A pass adds at least a sixteenth, because each pass has a cost of its own; and no pass ends for the requested error
+ * before BUDGET_LEAST. */
 static goal goal_of(const settings *s, const pov_pass *now)
 {
     double mean = fmin(1.5 * now->spp_mean, s->samples), error = aim * s->target_error;
@@ -150,7 +151,7 @@ static goal goal_of(const settings *s, const pov_pass *now)
     return (goal){ mean, fmin(mean, fewest), error * error };
 }
 
-/* The highest threshold that is enough; or zero, for all. */
+/* The highest sufficient threshold; or zero, for all groups. */
 static double find_threshold(const cells *c, const double *worths, const goal *g, uint32_t least)
 {
     enum { HALVINGS = 40 };
@@ -159,7 +160,7 @@ static double find_threshold(const cells *c, const double *worths, const goal *g
     for (size_t i = 0; i < GROUPS * c->count; i++)
         high = fmax(high, worths[i]);
     for (int i = 0; i < HALVINGS; i++) {
-        /* Worths span many decades: the geometric mean, once there is one. */
+        /* Benefits span many decades: bisect by the geometric mean, once there is one. */
         double middle = low > 0.0 ? sqrt(low * high) : high / 1024.0;
         outcome o = foresee(c, worths, middle, least);
 

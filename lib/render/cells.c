@@ -82,7 +82,7 @@ double cells_contrast(const showing *g, size_t pixels)
 
 /* ---- a tile's part ---- */
 
-/* The number of its first group. */
+/* Index of the first group of a cell. */
 static size_t row_of_groups(const cells *c, cell_range r, int row)
 {
     return GROUPS * ((size_t)(r.row + row) * (size_t)c->columns + (size_t)r.column);
@@ -136,7 +136,7 @@ static float within(float v)
     return v < 0.0f ? 0.0f : v > 1.0f ? 1.0f : v;
 }
 
-/* How far a pixel in linear light is from the reference. */
+/* Difference between a pixel in linear light and the reference. */
 static void hold_against(const cells *c, showing *into, int x, int y, const float *rgba)
 {
     const float *truth = c->reference + 4 * ((size_t)y * (size_t)c->width + (size_t)x);
@@ -200,7 +200,7 @@ static double square_of_error(const encoding *e, const double *halves, double a,
     return square / 3.0 * (a * b / ((a + b) * (a + b)));
 }
 
-/* Does nothing of a row lie outside 0 .. 1? */
+/* Are all values of a row within 0 .. 1? */
 SIMD_CLONES static bool is_within(const float *rgba, int pixels)
 {
     int outside = 0;
@@ -210,7 +210,7 @@ SIMD_CLONES static bool is_within(const float *rgba, int pixels)
     return !outside;
 }
 
-/* A row in linear light: in `room`, where that is another. */
+/* A row in linear light: the row itself, or a copy in `room`. */
 static const float *linear_row(const encoding *e, const float *row, int width, float *room)
 {
     if (e->decode == 1.0)
@@ -220,7 +220,7 @@ static const float *linear_row(const encoding *e, const float *row, int width, f
     return room;
 }
 
-/* What was not counted is zero since cells_clear(). */
+/* Counts that were not added are zero since cells_clear(). */
 void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
 {
     cell_range r = cells_of(tile);
@@ -237,7 +237,7 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
         for (int x = 0; c->halves && x < tile.width; x++)
             for (int i = 0; i < 6; i++)
                 row_of_halves(c, tile, y)[6 * x + i] = i < 3 ? (double)row[4 * x + i] : 0.0;
-        /* Without a reference that is all there is to ask. */
+        /* Without a reference there is no more to compute. */
         if (!c->reference && is_within(linear, tile.width))
             continue;
         for (int x = 0; x < tile.width; x++) {
@@ -250,7 +250,7 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
     }
 }
 
-/* A group whose count has grown is measured from its halves anew. */
+/* A group whose count has grown is measured again from its halves. */
 void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
                    const double *halves, float *pixels)
 {

@@ -1,16 +1,17 @@
-/* cells.h - a picture whose pixels take many samples: the sums of both halves, and what they say of the error, in
- * squares small enough to follow the picture and large enough for the mean of their pixels to be honest. */
+/* cells.h - error estimates of a picture with many samples a pixel: the sums of both halves of the samples, and the
+ * error that they show, in square cells small enough to follow the picture and large enough for a reliable mean. */
 #ifndef RENDER_CELLS_H
 #define RENDER_CELLS_H
 
 #include "render/frame.h"
 
-/* The pixels of a cell are two groups, as the black and the white fields of a board. What one group has shown decides how
- * many samples the other gets: a pixel that looks right by chance does not thereby get fewer samples, so neither the
- * picture nor the estimate leans towards what happened to be seen. */
+/* The pixels of a cell form two groups, like the black and the white fields of a chess board. The measurements of one
+ * group decide the number of samples of the other: a pixel that looks right by chance does not get fewer samples for
+ * that, so neither the picture nor the estimate is biased. */
 enum { GROUPS = 2 };
 
-/* Cells do not follow the tiles, whose size depends on the number of threads: what is decided by cells does not. */
+/* Cells do not follow the tiles, because tile sizes depend on the number of threads and decisions made by cells must
+ * not. */
 enum { CELL_EDGE = 4, TILE_CELLS_MAX = (TILE_EDGE_MAX / CELL_EDGE) * (TILE_EDGE_MAX / CELL_EDGE) };
 
 typedef struct group {
@@ -18,7 +19,7 @@ typedef struct group {
     uint32_t clipped;            /* pixels outside 0 .. 1 in linear light */
 } group;
 
-/* What a group shows: sums over its pixels. */
+/* Measurements of a group: sums over its pixels. */
 typedef struct showing {
     double square, fourth;       /* of the estimated squared error, and of that squared */
     double light[3], light_square;   /* of linear light, and of its mean square */
@@ -29,8 +30,8 @@ typedef struct cells {
     int width, height, columns, rows;
     size_t count;
     group *groups;               /* GROUPS of each cell, one after the other */
-    showing *shown;              /* the same; NULL when a pixel has one sample and is not held against anything */
-    double *seconds;             /* of the processor, that each cell has taken; NULL: nobody asks */
+    showing *shown;              /* the same; NULL when a pixel has one sample and there is no reference */
+    double *seconds;             /* processor seconds of each cell; NULL: not measured */
     double *halves;              /* six a pixel: the sums of both; NULL when a pixel has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
     bool reference_clipped;      /* it holds nothing outside 0 .. 1 */
@@ -39,11 +40,11 @@ typedef struct cells {
 /* Part of a picture in cells: what a tile covers. */
 typedef struct cell_range { int column, row, columns, rows; } cell_range;
 
-/* referring: there is to be a reference. False: no memory. */
+/* referring: a reference will be given. False: no memory. */
 bool cells_make(cells *c, const env *e, int width, int height, bool sampling, bool referring);
-/* From now on what the cells take of the processor's time is added up. False: no memory. */
+/* Measure the processor time of the cells from now on. False: no memory. */
 bool cells_count_time(cells *c, const env *e);
-/* What a pass over a tile took, for each of the tile's cells. */
+/* Add the time of a pass over a tile to each of the tile's cells. */
 void cells_spend(cells *c, pov_rect tile, const double *seconds);
 void cells_free(cells *c, const env *e);
 void cells_clear(cells *c);
@@ -54,18 +55,18 @@ size_t cells_pixels(const cells *c, size_t group);
 /* Variance of the light of the pixels of a group that has some. */
 double cells_contrast(const showing *g, size_t pixels);
 
-/* The group of a pixel of a tile among those of the tile, or of the picture among those of the picture. */
+/* Index of a pixel's group among those of the tile, or among those of the picture. */
 static inline size_t group_of(int columns, int x, int y)
 {
     return GROUPS * ((size_t)(y / CELL_EDGE) * (size_t)columns + (size_t)(x / CELL_EDGE)) + (size_t)((x ^ y) & 1);
 }
 
-/* Copy what a tile has out to buffers of its own, and back in. */
+/* Copy the data of a tile out to buffers of its own, and back in. */
 void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves);
 void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves);
-/* The first sample of each pixel of a tile is in: it becomes the first half's. */
+/* The first sample of each pixel of a tile is complete: it becomes the first half's. */
 void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e);
-/* Make the tile's pixels of its halves, four channels each, and measure its cells. */
+/* Compute the tile's pixels from its halves, four channels each, and measure its cells. */
 void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
                    const double *halves, float *pixels);
 

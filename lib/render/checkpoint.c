@@ -11,13 +11,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A checkpoint is a memory image for the machine and the version that wrote it: both are checked, and so is every
- * byte. In order: identity, state, rows, counts and targets of the groups, then while lattices are traced which of
- * their passes each square has and the pixels, and afterwards the halves; last the hash of all that. */
+/* A checkpoint is a memory image for the machine and the version that wrote it: both are checked, and so is every byte.
+ * In order: identity, state, rows, counts and targets of the groups. Then, while lattices are traced, the finished
+ * passes of each square and the pixels; afterwards the halves. The last part is the hash of all that. */
 
 enum { FORMAT = 3, SQUARE = TILE_EDGE_MIN };
 
-/* What must be the same to go on. Written over zeros, so that padding is the same too. */
+/* Values that must match to continue. Written over zeros, so that padding matches too. */
 typedef struct identity {
     char magic[16], version[16];
     uint32_t order, format;
@@ -201,7 +201,7 @@ static pov_status check(const pov_job *job, const char *file, const char *bytes,
     return POV_OK;
 }
 
-/* Is every byte there, and as it was written? */
+/* Is the file complete and unchanged? */
 static pov_status check_whole(const pov_job *job, const char *file, const char *bytes, size_t count, pov_error *err)
 {
     uint64_t hash;
@@ -217,7 +217,7 @@ static pov_status check_whole(const pov_job *job, const char *file, const char *
     return POV_OK;
 }
 
-/* The hash keeps chance out, not people who make their own: what the bytes say must be possible too. */
+/* The hash detects accidents, not forgers: impossible values must be refused too. */
 static bool are_groups_possible(const pov_job *job, const unsigned char *at, bool refining)
 {
     for (size_t i = 0; i < GROUPS * job->cells.count; i++, at += 8) {
@@ -266,8 +266,8 @@ static pov_status check_possible(const pov_job *job, const char *file, const cha
     return possible ? POV_OK : err_file(err, POV_E_IO, file, "this checkpoint holds numbers that no render leaves");
 }
 
-/* From the bits of squares to those of tiles: a tile has what all of its squares have. Its first samples are dealt to
- * the cells anew. */
+/* Convert the passes of squares to those of tiles: a tile has the passes that all of its squares have. Its first
+ * samples are counted in the cells again. */
 static void take_lattices(pov_job *job, const unsigned char *bits)
 {
     size_t tiles_count = job->tiles.count;
@@ -323,7 +323,7 @@ static bool take_rows(pov_job *job, const unsigned char *at, size_t count)
     return true;
 }
 
-/* All of it is right: take it. The lock is held. */
+/* The contents are valid: take them. The lock is held. */
 static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
 {
     refinement *part = refinement_make(job->env, job->tiles.edge);

@@ -36,7 +36,7 @@ void encoder_init(encoder *e, int bits, pov_transfer transfer)
         fill_tables(e);
 }
 
-/* How many of the 255 thresholds the value reaches. A cell holds one of them or two. */
+/* Number of the 255 thresholds that the value reaches. A cell of the table holds one or two of them. */
 static unsigned char stored_8(const encoder *e, float v)
 {
     int code;
@@ -60,7 +60,7 @@ static uint16_t stored_16(const encoder *e, float v)
     return (uint16_t)(65535.0 * x + 0.5);
 }
 
-/* A value that is no number is no light. */
+/* NaN counts as no light. */
 static void store_floats(const float *rgba, size_t pixels, int channels, float *out)
 {
     for (size_t i = 0; i < pixels; i++, rgba += 4, out += channels) {

@@ -6,8 +6,8 @@
 
 enum { ENCODER_CELLS = 4096 };
 
-/* For 8 bits: above[i] is the linear value from which on i + 1 is stored, so that a search replaces the curve, and
- * least[i] is what is stored at i / ENCODER_CELLS, where the search begins. */
+/* For 8 bits: i + 1 is stored for linear values from above[i] on, so that a search replaces the curve. least[i] is the
+ * byte at i / ENCODER_CELLS, where the search begins. */
 typedef struct encoder {
     int bits;
     pov_transfer transfer;
@@ -17,8 +17,7 @@ typedef struct encoder {
 
 /* bits: 8 or 16 (native order): round(max * clamp(curve(value))); 32: the float as it is. */
 void encoder_init(encoder *e, int bits, pov_transfer transfer);
-/* One row of float RGBA pixels to `channels` (3, or 4 with an alpha of full) values each. A value that is no
- * number is stored as 0. */
+/* Convert one row of float RGBA pixels to `channels` values each (3, or 4 with full alpha). NaN is stored as 0. */
 void encoder_row(const encoder *e, const float *rgba, int width, int channels, void *out);
 
 /* The sRGB curve of IEC 61966-2-1 and its inverse, 0..1 to 0..1. */

@@ -22,7 +22,7 @@ static double select_kth(double *v, size_t n, size_t k)
             v[i++] = v[j];
             v[j--] = swapped;
         }
-        /* All up to j are no larger, all from j + 1 on no smaller. */
+        /* Elements up to j are no larger, elements from j + 1 on no smaller. */
         if (k <= j)
             to = j;
         else
@@ -43,12 +43,12 @@ static void band(pov_pass *row, double square, double fourth)
     row->est_ci95_hi = row->est_rmse * exp(0.5 * spread);
 }
 
-/* What is summed over the groups. fewest: samples in the cell that has the fewest. */
+/* Sums over the groups. fewest: samples in the cell that has the fewest. */
 typedef struct sums { double square, fourth, off, samples, fewest; bool known, whole; } sums;
 
-/* While all halves agree to the bit their difference tells nothing. A feature that covers the part p of a cell is missed
- * by n samples with (1 - p)^n, so with n equal samples one of p < 3/n is not excluded in 95 of 100 cases (the rule of
- * three); a difference of one in light then makes an error of 3/n. */
+/* While all halves are bit-identical, their difference tells nothing. A feature that covers the fraction p of a cell is
+ * missed by n samples with probability (1 - p)^n. So with n equal samples a feature of p < 3/n is not excluded in 95 of
+ * 100 cases (the rule of three); a difference of one in light then makes an error of 3/n. */
 static void band_of_nothing(pov_pass *row, double fewest)
 {
     row->est_ci95_lo = 0.0;

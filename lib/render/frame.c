@@ -129,7 +129,7 @@ void encoding_make(encoding *e, const gamma *g)
     encoder_init(&e->display, 8, g->transfer);
 }
 
-/* Linear light is value ^ decode; what is darker than black keeps its sign. */
+/* Linear light is value ^ decode; negative values keep their sign. */
 static float linear_of(const encoding *e, float value)
 {
     return (float)(value < 0.0f ? -pow(-value, e->decode) : pow(value, e->decode));

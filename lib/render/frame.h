@@ -1,4 +1,4 @@
-/* frame.h - the pixels of a job, and how they look while some are missing. */
+/* frame.h - the pixels of a job, and their preview while some are missing. */
 #ifndef RENDER_FRAME_H
 #define RENDER_FRAME_H
 
@@ -11,8 +11,8 @@ enum { LATTICES_MAX = 5 };       /* steps 16, 8, 4, 2, 1 */
 typedef struct frame {
     const tiles *tiles;
     int first_step, passes;      /* the coarsest lattice; 1 + log2 of it */
-    float *pixels;               /* red, green, blue, alpha as computed; only what `done` vouches for */
-    uint8_t *done;               /* for each tile a bit for each pass that is in */
+    float *pixels;               /* red, green, blue, alpha as computed; valid where `done` says so */
+    uint8_t *done;               /* for each tile one bit for each finished pass */
 } frame;
 
 /* False: no memory. The tiles must outlive the frame. */
@@ -20,29 +20,29 @@ bool frame_make(frame *f, const env *e, const tiles *t, int first_step);
 void frame_free(frame *f, const env *e);
 void frame_clear(frame *f);
 lattice frame_lattice(const frame *f, int pass);
-/* Take in a pass of a tile; pixels are the tile's, row by row, of which those of the pass's lattice count. */
+/* Store a pass of a tile; pixels are the tile's, row by row, of which the pixels of the pass's lattice are valid. */
 void frame_put(frame *f, size_t tile, int pass, const float *pixels);
-/* Memory for one of `parts` parts of the picture is asked for from the system. Needs no lock. */
+/* Ask the system for the memory of one of `parts` parts of the picture. Needs no lock. */
 void frame_touch(const frame *f, size_t part, size_t parts);
-/* Memory that will soon be written to is sent for. Needs no lock. */
+/* Prefetch memory that will soon be written to. Needs no lock. */
 void frame_expect(const frame *f, pov_rect part);
-/* Take in all pixels of a tile whose passes are all in. */
+/* Store all pixels of a tile whose passes are finished. */
 void frame_replace(frame *f, size_t tile, const float *pixels);
 bool frame_has(const frame *f, size_t tile);
-/* A row from here on, of which every pass is in. */
+/* The row from here on; all passes of it are finished. */
 const float *frame_pixels(const frame *f, int x, int y);
-/* What stands for a part of a row that lies in one tile: the pixels of the tile's finest whole lattice at or before it.
- * Returns the lattice's step: each of them stands for all columns to the next multiple of it, counted from the tile's
- * corner. Nothing is in yet: zeros, for the whole of the tile. */
+/* Preview of a part of a row within one tile: the pixels of the tile's finest complete lattice at or before it. Returns
+ * the lattice's step: each pixel stands for all columns up to the next multiple of the step, counted from the tile's
+ * corner. No lattice is complete: zeros, for the width of the tile. */
 int frame_row(const frame *f, size_t tile, int x, int y, int width, float *out);
 
-/* From values as computed to what is read: linear light, and bytes as the scene asks. */
+/* From computed values to the formats that programs read: linear light, and bytes as the scene asks. */
 typedef struct encoding { double decode; encoder display; } encoding;
 
 void encoding_make(encoding *e, const gamma *g);
 /* In place. */
 void encoding_linear(const encoding *e, float *rgba, int count);
-/* The row is used up. Alpha is full, but for pixels of which nothing is known yet. */
+/* The row is overwritten. Alpha is full, but for pixels of which nothing is known yet. */
 void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count);
 
 #endif

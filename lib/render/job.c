@@ -131,7 +131,7 @@ static bool has_work(const pov_job *job)
            job->claimed < job->due;
 }
 
-/* Does what a worker is tracing still count? The lock is held. */
+/* Is a worker's tile still needed? The lock is held. */
 static bool is_current(const pov_job *job, const claim *c)
 {
     return c->generation == job->generation && job->state == POV_JOB_RUNNING && !job->closing;
@@ -173,7 +173,7 @@ static bool trace(pov_job *job, worker *w)
     return worker_trace(w, &job->settings);
 }
 
-/* What the thread has spent since it last looked: to ask the system takes a microsecond. */
+/* Processor time since the last call: asking the system takes a microsecond. */
 static double spend(worker *w)
 {
     const double now = clock_thread_seconds(), spent = now - w->spent;
@@ -182,7 +182,7 @@ static double spend(worker *w)
     return spent;
 }
 
-/* Trace what was claimed, and hand it in unless the job has gone on without it. */
+/* Trace the claimed tile, and commit it unless the job was restarted meanwhile. */
 static void work(pov_job *job, worker *w)
 {
     pov_error error = { 0 };
@@ -230,7 +230,7 @@ static bool make_worker(pov_job *job, worker *w)
     return (w->refinement || !job->settings.sampling) && (w->meter || !job->settings.time_map);
 }
 
-/* A worker that nobody is using, or a new one. NULL: no memory. */
+/* An idle worker, or a new one. NULL: no memory. */
 static worker *borrow(pov_job *job)
 {
     worker *w, **grown;
@@ -269,14 +269,14 @@ static void give_back(pov_job *job, worker *w)
     mutex_unlock(&job->lock);
 }
 
-/* A thread goes on to the end of the job's life: a restart may come at any time. */
+/* A thread lives as long as the job: a restart may come at any time. */
 static void *run(void *user)
 {
     worker *w = user;
     pov_job *job = w->job;
 
     spend(w);
-    /* Else it is asked for with the lock held, by the first tile in each part, and all others wait. */
+    /* Otherwise the first tile in each part would ask for it with the lock held, and all other threads would wait. */
     frame_touch(&job->frame, w->number, (size_t)job->settings.threads);
     mutex_lock(&job->lock);
     while (!job->closing) {
@@ -294,7 +294,7 @@ static void *run(void *user)
     return NULL;
 }
 
-/* Start as many threads as are to be had; one at least, else it failed. */
+/* Start as many threads as possible; the start failed if there is none. */
 static pov_status start_threads(pov_job *job, pov_error *err)
 {
     for (int i = 0; i < job->settings.threads; i++) {

@@ -1,10 +1,10 @@
-/* job.h - a picture in the making: tiles in passes, claimed, traced and committed. The public type's inside. */
+/* job.h - rendering a picture: tiles in passes, claimed, traced and committed. The inside of the public type. */
 #ifndef RENDER_JOB_H
 #define RENDER_JOB_H
 
 #include "shade/tracer.h"
 
-/* The public calls of povtrace/render.h are made of these; see there. */
+/* The public calls of povtrace/render.h call these; see there. */
 pov_status job_create(pov_job **out, const shading *scene, const pov_render_desc *desc, pov_error *err);
 void job_destroy(pov_job *job);
 pov_status job_start(pov_job *job, pov_error *err);

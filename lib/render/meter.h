@@ -1,4 +1,4 @@
-/* meter.h - what the cells of a tile take of the processor's time, where somebody asks for it. */
+/* meter.h - processor time of the cells of a tile, where it is asked for. */
 #ifndef RENDER_METER_H
 #define RENDER_METER_H
 
@@ -10,12 +10,13 @@ struct meter {
     double spent[TILE_CELLS_MAX];      /* seconds, by the claimed tile's cells */
 };
 
-/* Each takes NULL, for nobody asks: then no clock is read. */
+/* Each accepts NULL: then no clock is read. */
 /* A tile has been claimed. */
 void meter_begin(meter *m);
-/* The time since the last reading went into these cells of the tile, alike; one may be there many times. */
+/* Add the time since the last reading to these cells of the tile, in equal shares; a cell may be listed several
+ * times. */
 void meter_cells(meter *m, const int *of, uint32_t count);
-/* It went into the pixels of a lattice within a square of the tile, alike. */
+/* Add it to the pixels of a lattice within a square of the tile, in equal shares. */
 void meter_square(meter *m, pov_rect tile, lattice l, int left, int top, int edge);
 
 #endif

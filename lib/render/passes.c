@@ -70,7 +70,7 @@ static pov_pass begin_row(const pov_job *job)
     return row;
 }
 
-/* The row of the picture as it is. */
+/* The row of the present picture. */
 static bool note(pov_job *job)
 {
     pov_pass row = begin_row(job);
@@ -81,7 +81,7 @@ static bool note(pov_job *job)
     return VEC_PUSH(job->env, &job->rows, row);
 }
 
-/* The row of a coarse picture: nothing is known of its error. */
+/* The row of a coarse picture: its error is unknown. */
 static bool note_lattice(pov_job *job, int pass)
 {
     pov_pass row = begin_row(job);
@@ -99,7 +99,8 @@ static bool note_lattice(pov_job *job, int pass)
     return VEC_PUSH(job->env, &job->rows, row);
 }
 
-/* A tile of a pass of first samples is in. The last of these passes ends like those of more samples, in end_pass(). */
+/* A tile of a pass of first samples is committed. The last of these passes ends like those of more samples, in
+ * end_pass(). */
 static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
 {
     job->lattices[pass].tiles++;
@@ -110,7 +111,7 @@ static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
             job_fail_memory(job);
 }
 
-/* An estimate of zero is none: then the end of its band counts. */
+/* An estimate of zero is no estimate: then the upper end of its band is used. */
 static double error_shown(const pov_pass *now) { return now->est_rmse == 0.0 ? now->est_ci95_hi : now->est_rmse; }
 
 static pov_stop reason_to_end(const pov_job *job, const pov_pass *now)
@@ -183,7 +184,7 @@ static bool mark_dirty(pov_job *job, size_t tile)
     return job->dirty_count++ == 0;
 }
 
-/* Before the claimed groups are put in place of the old ones. */
+/* Called before the claimed groups replace the old ones. */
 static size_t samples_more(const pov_job *job, const claim *c)
 {
     cell_range r = cells_of(c->rect);
@@ -238,7 +239,7 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class
 void passes_stop(pov_job *job, pov_stop why)
 {
     job->stop = why;
-    /* Without memory for it the last row is missing; the picture is not. */
+    /* Without memory only the last row is missing, not the picture. */
     if (job->state == POV_JOB_RUNNING && (job->committed > 0 || job->rows.count == 0))
         job->last_is_partial = note(job);
 }

@@ -39,7 +39,7 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
     place(p, width, height, n, out);
 }
 
-/* By lane, so that the loop becomes vectors. False: some direction may be none, or not a number. */
+/* By lane, so that the loop is vectorised. False: some direction may be zero or not a number. */
 SIMD_CLONES static bool aim(const pov_camera *camera, const raygen_screen *restrict through, uint32_t n,
                             vec_lanes *restrict out)
 {

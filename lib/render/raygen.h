@@ -4,20 +4,20 @@
 
 #include "shade/tracer.h"
 
-/* The ray of a camera through pixel (x, y) of a picture, row 0 at the top; (dx, dy) is the place within the
- * pixel, from its top left corner: (1/2, 1/2) is the centre. The direction is as long as it comes, for
- * rounding it to a unit vector would only add an error. */
+/* The ray of a camera through pixel (x, y) of a picture, row 0 at the top. (dx, dy) is the position within the pixel,
+ * from its top left corner: (1/2, 1/2) is the centre. The direction is not normalised: rounding it to a unit vector
+ * would only add an error. */
 pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y, double dx, double dy);
 
-/* The same of many rays at once: the places they go through, by lane. */
+/* Many rays at once: their positions in the picture, by lane. */
 enum { RAYGEN_MANY = WORLD_MANY };
 typedef struct raygen_places {
     int x[RAYGEN_MANY], y[RAYGEN_MANY];
     double dx[RAYGEN_MANY], dy[RAYGEN_MANY];
 } raygen_places;
 
-/* The same on the screen, in widths to the right of its middle and heights above it. Pixels of a column share u, those of
- * a row v. */
+/* The same positions on the screen, in widths to the right of its centre and heights above it. Pixels of a column share
+ * u, those of a row v. */
 typedef struct raygen_screen { double u[RAYGEN_MANY], v[RAYGEN_MANY]; } raygen_screen;
 
 /* From -1/2 to 1/2, symmetric to the bit about the middle. */
@@ -25,9 +25,9 @@ static inline double raygen_u(int x, double dx, int width) { return (((double)x 
 static inline double raygen_v(int y, double dy, int height) { return -raygen_u(y, dy, height); }
 void raygen_place(const raygen_places *p, int width, int height, uint32_t n, raygen_screen *out);
 
-/* Rays that start at the camera and do not yet know where to. */
+/* Rays that start at the camera, without directions. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
-/* The directions of such rays; n <= RAYGEN_MANY. Returns what is known of them: TRACER_SOUND and the like. */
+/* Set the directions of such rays; n <= RAYGEN_MANY. Returns their known properties: TRACER_SOUND and the like. */
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 #endif

@@ -26,12 +26,12 @@ void refinement_free(refinement *r, const env *e)
     env_free(e, r);
 }
 
-/* Rays in company, on their way from group to group: neighbours whose samples are few fill one together. */
+/* A packet of rays that is filled group by group: neighbouring groups with few samples share one. */
 typedef struct company {
     uint32_t count;
     raygen_places through;
-    double *sums[BATCH_MAX];     /* the half of the pixel that it goes to */
-    int cells[BATCH_MAX];        /* that of the tile which it is in */
+    double *sums[BATCH_MAX];     /* the half of the pixel that the ray's colour is added to */
+    int cells[BATCH_MAX];        /* cell of the ray, within the tile */
     pov_ray rays[BATCH_MAX];
 } company;
 
@@ -48,7 +48,7 @@ static void trace_company(worker *w, const settings *s, company *c)
     tracer_colors(w->tracer, c->rays, c->count, known, seen);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {
-        /* Sums in double of floats are exact as long as their exponents are near: a constant stays itself. */
+        /* Sums of floats in double are exact as long as the exponents are near: a constant stays constant. */
         c->sums[i][0] += (double)seen[i].r;
         c->sums[i][1] += (double)seen[i].g;
         c->sums[i][2] += (double)seen[i].b;
@@ -75,7 +75,7 @@ static void add_sample(worker *w, const settings *s, company *c, int cell, int x
         trace_company(w, s, c);
 }
 
-/* The next samples of all pixels of a group. False: it was given up. */
+/* Take the next samples of all pixels of a group. False: given up. */
 static bool refine_group(worker *w, const settings *s, cell_range range, int number, company *c)
 {
     group *g = &w->refinement->groups[number];

@@ -17,9 +17,9 @@ static uint64_t mixed(uint64_t v)
     return v ^ v >> 31;
 }
 
-/* Owen's scrambling of a fraction whose digits stand mirrored: each digit is turned or not by a hash of those before
- * it. The hash is that of Laine and Karras: Stratified sampling for stochastic transparency, EGSR 2011; that it makes
- * an Owen scrambling of a mirrored number is Burley's: Practical hash-based Owen scrambling, JCGT 9(4), 2020. */
+/* Owen scrambling of a fraction with mirrored digits: each digit is flipped or not by a hash of the digits before it.
+ * The hash is that of Laine and Karras: Stratified sampling for stochastic transparency, EGSR 2011. Burley showed that
+ * it makes an Owen scrambling of a mirrored number: Practical hash-based Owen scrambling, JCGT 9(4), 2020. */
 static uint32_t scrambled(uint32_t v, uint32_t seed)
 {
     v += seed;

@@ -1,4 +1,4 @@
-/* sample.h - the places within a pixel that are looked through. */
+/* sample.h - sample positions within a pixel. */
 #ifndef RENDER_SAMPLE_H
 #define RENDER_SAMPLE_H
 
@@ -8,16 +8,16 @@ typedef struct sample { double x, y; } sample;
 
 enum { SAMPLES_MAX = 1 << 16 };
 
-/* The index-th place of a pixel's `half` (0 or 1) under a seed, from its top left corner, within 0 .. 1. A place depends on
- * nothing but these numbers, so that samples may be taken by any thread, in any order, and again.
+/* The index-th position of a pixel's `half` (0 or 1) for a seed, from the pixel's top left corner, within 0 .. 1. A
+ * position depends on these numbers only, so that samples may be taken by any thread, in any order, and again.
  *
- * Each half is Sobol's (0,2)-sequence, scrambled anew for each pixel and each half: 2^k samples of a half from 0 on
- * have one in each of 2^k cells, whatever their shape, and every place is as likely as any other. So the mean of a
- * half is right on average, the halves are independent of each other and of those of all other pixels, and what
- * they differ by tells how far their mean is from the truth. */
+ * Each half is Sobol's (0,2)-sequence, scrambled separately for each pixel and each half: 2^k samples of a half from 0
+ * on have one in each of 2^k cells of any elementary shape, and every position is equally likely. So the mean of a half
+ * is unbiased, the halves are independent of each other and of those of all other pixels, and their difference
+ * estimates the error of their mean. */
 sample sample_at(uint32_t seed, int x, int y, int half, uint32_t index);
 
-/* Samples are dealt to the halves in turn: how many of `count` the first and the second has. */
+/* Samples alternate between the halves: the counts of the first and of the second half for `count` samples. */
 static inline uint32_t sample_half(uint32_t count, int half)
 {
     return half == 0 ? count - count / 2 : count / 2;

@@ -1,4 +1,4 @@
-/* settings.h - what a job is asked to do, checked and with the defaults filled in. */
+/* settings.h - the settings of a job, checked and with defaults filled in. */
 #ifndef RENDER_SETTINGS_H
 #define RENDER_SETTINGS_H
 
@@ -6,12 +6,12 @@
 
 typedef struct settings {
     int width, height;           /* of the whole picture */
-    pov_rect crop;               /* the part that is traced, within it */
+    pov_rect crop;               /* the traced part of it */
     int first_step;              /* edge of a pixel of the first pass; 1: there is one pass */
     int threads;
-    int samples;                 /* of a pixel, on average: the most */
+    int samples;                 /* samples a pixel, on average: the maximum */
     uint32_t seed;
-    bool sampling, adaptive;     /* more than one sample a pixel; more of them where the error is */
+    bool sampling, adaptive;     /* more than one sample a pixel; more samples where the error is */
     double target_error, time_limit;   /* 0: none */
     const float *reference;      /* the caller's; or NULL */
     bool time_map;               /* see pov_render_desc */

@@ -13,7 +13,7 @@ static size_t count_of(int width, int height, int edge)
 
 static int edge_of(int width, int height, int threads)
 {
-    /* At the end the threads wait for the last tile: with this many it is a small part of each one's work. */
+    /* At the end all threads wait for the last tile: with this many tiles it is a small part of each thread's work. */
     const size_t many_for_one = 128, too_many = 16384;
     int edge = 32;
 
@@ -24,7 +24,8 @@ static int edge_of(int width, int height, int threads)
     return edge;
 }
 
-/* How far a tile is from the middle, in tiles: the longer of both ways, doubled. A ring has one number. */
+/* Distance of a tile from the centre in tiles: the maximum over both axes, doubled. Tiles of a ring share one
+ * number. */
 static int ring_of(const tiles *t, uint32_t index)
 {
     int x = (int)(index % (uint32_t)t->columns), y = (int)(index / (uint32_t)t->columns);
@@ -46,7 +47,7 @@ void tiles_make(tiles *t, int width, int height, int threads)
     t->order = NULL;
 }
 
-/* By rings, by counting; within a ring the tiles keep the order of the rows. */
+/* Counting sort by rings; within a ring the tiles keep the order of the rows. */
 bool tiles_sort(tiles *t, const env *e)
 {
     size_t rings = (size_t)(t->columns > t->rows ? t->columns : t->rows) + 1;

@@ -13,10 +13,11 @@ typedef struct tiles {
     int width, height;           /* of the picture, pixels */
     int edge, columns, rows;
     size_t count;
-    uint32_t *order;             /* from the middle of the picture outwards; by tiles_sort() */
+    uint32_t *order;             /* from the centre of the picture outwards; by tiles_sort() */
 } tiles;
 
-/* Small enough that `threads` of them have even work to the end, and not too many to hand out. */
+/* Choose tiles small enough that `threads` threads have even work to the end, and few enough to be cheap to hand
+ * out. */
 void tiles_make(tiles *t, int width, int height, int threads);
 /* False: no memory. */
 bool tiles_sort(tiles *t, const env *e);
@@ -24,8 +25,8 @@ void tiles_free(tiles *t, const env *e);
 /* The last column and row may be narrower. */
 pov_rect tiles_rect(const tiles *t, size_t index);
 
-/* One pass over a tile: pixels at multiples of `step` from its corner, without those of multiples of 2 step
- * when a coarser pass has been there. */
+/* One pass over a tile: pixels at multiples of `step` from its corner, without multiples of 2 step when a coarser pass
+ * has traced those. */
 typedef struct lattice { int step; bool finer; } lattice;
 
 static inline bool lattice_has(lattice l, int x, int y)

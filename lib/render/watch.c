@@ -54,7 +54,7 @@ static pov_rect meet(pov_rect a, pov_rect b)
     return r;
 }
 
-/* What a map of the cells has for a pixel. The lock is held. */
+/* Value of a pixel in a map of the cells. The lock is held. */
 static float map_value(const cells *c, int x, int y, pov_pixels format)
 {
     size_t number = group_of(c->columns, x, y), cell = number / GROUPS;
@@ -83,8 +83,8 @@ static void read_map(pov_job *job, pov_rect part, pov_pixels format, unsigned ch
     }
 }
 
-/* Convert what stands for a row, and give it to all columns that it stands for; `offset` is the first one's place in
- * the tile. */
+/* Convert the pixels that stand for a row, and copy each to all columns that it stands for; `offset` is the first
+ * column's position in the tile. */
 static void put_row(const pov_job *job, pov_pixels format, float *row, int offset, int step, int width, unsigned char *to)
 {
     int count = (offset + width - 1) / step - offset / step + 1;
@@ -101,8 +101,8 @@ static void put_row(const pov_job *job, pov_pixels format, float *row, int offse
     }
 }
 
-/* Copy what a rectangle has of one tile. The lock is held for a row at a time: to convert takes longer than
- * to copy. While a tile is coarse the rows between its lattice's are copies of the one above. */
+/* Copy the intersection of a rectangle and a tile. The lock is held for a row at a time: converting takes longer than
+ * copying. While a tile is coarse, rows between the lattice's rows are copies of the row above. */
 static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels format, unsigned char *dst, size_t stride)
 {
     pov_rect all = tiles_rect(&job->tiles, tile), part = meet(all, rect);
@@ -129,7 +129,7 @@ static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels forma
     }
 }
 
-/* What of the rectangle lies outside the picture is not written. */
+/* Pixels outside the picture are not written. */
 void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride)
 {
     const tiles *t = &job->tiles;
@@ -182,7 +182,7 @@ void job_cancel(pov_job *job)
     mutex_unlock(&job->lock);
 }
 
-/* Passes of more samples are not counted before they come. The lock is held. */
+/* Passes of more samples are not counted in advance. The lock is held. */
 static void count_passes(const pov_job *job, pov_progress *out)
 {
     int lattices = job->frame.passes, pass = (int)(job->claimed / job->tiles.count) + 1;

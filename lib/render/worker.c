@@ -39,7 +39,7 @@ pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *wor
     return POV_OK;
 }
 
-/* Rays in company: those of the pixels of a block of the lattice. */
+/* A packet of rays: those of the pixels of a block of the lattice. */
 typedef struct company {
     uint32_t count;
     raygen_screen through;
@@ -47,10 +47,10 @@ typedef struct company {
     SIMD_ALIGNED pov_ray rays[BATCH_MAX];
 } company;
 
-/* Where the middles of the tile's columns and rows of pixels lie on the screen. */
+/* Screen coordinates of the centres of the tile's columns and rows of pixels. */
 typedef struct middles { double u[TILE_EDGE_MAX], v[TILE_EDGE_MAX]; } middles;
 
-/* A pixel's place in the whole picture counts: a crop's samples are the whole's. */
+/* Coordinates are those of the whole picture: a crop has the samples of the whole. */
 static void find_middles(middles *m, const settings *s, pov_rect tile)
 {
     for (int x = 0; x < tile.width; x++)
@@ -72,7 +72,7 @@ static void trace_company(worker *w, company *c)
     }
 }
 
-/* Where in their pixels the rays go through, if that is not their middles. */
+/* Positions of the rays within their pixels, if those are not the centres. */
 static void take_samples(worker *w, company *c, const settings *s)
 {
     const pov_rect tile = w->claim.rect;
@@ -94,7 +94,8 @@ static void take_samples(worker *w, company *c, const settings *s)
 /* The lattice's pixels of one row of the tile, from `left` on. */
 static void take_row(company *c, const middles *m, lattice l, int left, int right, int y, float *row)
 {
-    /* What a coarser pass has traced is left out: in its rows every other pixel, in those between none. */
+    /* Pixels that a coarser pass has traced are left out: every other pixel of its rows, and no pixel of the rows
+     * between. */
     const bool between = l.finer && (y & l.step) == 0;
     const int step = between ? 2 * l.step : l.step;
     const double v = m->v[y];
@@ -154,7 +155,7 @@ bool worker_is_given_up(const worker *w)
     return w->tracer->context.failed || w->tracer->context.interrupt.given_up;
 }
 
-/* Counts are added member by member, so that one added to the struct is a line here too. */
+/* Counts are added member by member: a member added to the struct must be added here. */
 static void add(pov_counts *sum, const pov_counts *more, uint64_t sign)
 {
     sum->camera += sign * more->camera;

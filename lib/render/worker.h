@@ -1,4 +1,4 @@
-/* worker.h - one thread's part in a job: a tracer, and the tile that it is at. */
+/* worker.h - one thread's part in a job: a tracer, and the claimed tile. */
 #ifndef RENDER_WORKER_H
 #define RENDER_WORKER_H
 
@@ -7,9 +7,9 @@
 #include "render/tiles.h"
 #include "shade/tracer.h"
 
-/* What a worker has taken upon itself: a pass over a tile, as the job was at that moment. */
+/* The work that a worker has claimed: a pass over a tile, with the job's settings at that moment. */
 typedef struct claim {
-    uint64_t generation;         /* counts the job's restarts: a tile of an older one is dropped */
+    uint64_t generation;         /* number of the job's restarts: a tile from before a restart is dropped */
     pov_camera camera;
     size_t tile;
     int pass;
@@ -29,21 +29,20 @@ typedef struct worker {
     float *pixels;               /* of the tile, row by row */
     refinement *refinement;      /* the job's to make and free; NULL when a pixel has one sample */
     meter *meter;                /* the job's to make and free; NULL: nobody asks */
-    pov_counts counted;          /* of the tracer's, those that earlier tiles have accounted for */
-    double spent;                /* seconds of its thread that have been accounted for */
-    struct worker *next_free;    /* in the job's list of those that nobody is using */
+    pov_counts counted;          /* counts of the tracer that earlier tiles have already added */
+    double spent;                /* seconds of its thread that were already added */
+    struct worker *next_free;    /* next in the job's list of idle workers */
 } worker;
 
 /* False: no memory. */
 bool worker_make(worker *w, pov_job *job, const env *e, int tile_edge);
 void worker_free(worker *w, const env *e);
-/* Make the tracer if there is none that works; `ask` is asked while tracing whether the claim still holds. */
+/* Make the tracer if there is no working one; `ask` is called while tracing: is the claim still valid? */
 pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *worker), pov_error *err);
-/* Trace one sample of each pixel of the claimed lattice. False: it was given up. Memory that ended shows in
- * tracer->failed. */
+/* Trace one sample of each pixel of the claimed lattice. False: given up. tracer->failed tells that memory ended. */
 bool worker_trace(worker *w, const settings *s);
 bool worker_is_given_up(const worker *w);
-/* The rays since the last call. */
+/* Counts of rays since the last call. */
 pov_counts worker_count(worker *w);
 
 void counts_add(pov_counts *sum, const pov_counts *more);
