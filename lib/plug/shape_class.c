@@ -52,6 +52,8 @@ void shape_class_fill(shape_class *out, const pov_shape_class *from)
     out->absorb = c.absorb;
     out->parsed_size = c.parsed_size;
     out->prepare = c.prepare;
+    out->uv = c.uv;
+    out->scratch = c.scratch;
     if (fast_of(&c))
         fill_fast(out, fast_of(&c));
 }

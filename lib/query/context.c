@@ -18,7 +18,9 @@ pov_status walker_create(walker **out, const world *w, pov_error *err)
         k->rooms[i].csg = &k->csg;
         k->rooms[i].walker = k;
     }
-    if (csg_scratch_init(&k->csg, world_trees(w), w->env))
+    if (w->scratch_bytes > 0)
+        k->scratch = env_alloc_aligned(w->env, w->scratch_bytes, SIMD_LINE);
+    if (csg_scratch_init(&k->csg, world_trees(w), w->env) && (k->scratch || w->scratch_bytes == 0))
         return POV_OK;
     walker_destroy(k);
     *out = NULL;
@@ -34,6 +36,7 @@ void walker_destroy(walker *k)
     for (i = 0; i < WORLD_MANY; i++)
         env_free(k->env, k->rooms[i].crossings);
     csg_scratch_free(&k->csg);
+    env_free_aligned(k->env, k->scratch);
     env_free_aligned(k->env, k);
 }
 

@@ -15,6 +15,7 @@ struct walker {
     uint64_t decided;
     class_counts classes;
     csg_scratch csg;
+    void *scratch;               /* of shapes; NULL: none asks for it */
     bool failed;
 };
 
@@ -49,6 +50,7 @@ static inline void hits_begin(pov_hits *hits, const world *w, tint_room *room, d
     hits->grow = NULL;
     hits->user = room;
     hits->crowded = false;
+    hits->scratch = room->walker->scratch;
 }
 
 /* For a query that wants all: more room. */

@@ -25,7 +25,7 @@ typedef struct part {
     uint32_t failed;             /* the first object that has no inverse */
     uint32_t finite, infinite;
     pov_box bounds, clear;
-    size_t absorbed, composed, packed;
+    size_t absorbed, composed, packed, scratch;
 } part;
 
 typedef struct class_list { const shape_class **items; size_t count, capacity; } class_list;
@@ -297,6 +297,8 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
         join(&k->part->clear, box);
 }
 
+static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
+
 static pov_status flatten_one(maker *k, uint32_t index)
 {
     flat *f = k->f;
@@ -326,6 +328,7 @@ static pov_status flatten_one(maker *k, uint32_t index)
         status = try_block(k, shape, instance, finite ? box : NULL, &packs);
     f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
     k->part->packed += packs;
+    k->part->scratch = larger(k->part->scratch, shape->scratch ? shape->scratch(instance) : 0);
     note(k, o, index, finite ? box : &everything);
     if (!finite)
         f->group[index] |= INFINITE;
@@ -463,6 +466,7 @@ static pov_status add_up(survey *s, pov_error *err)
         f->absorbed += p->absorbed;
         f->composed += p->composed;
         f->packed += p->packed;
+        f->scratch = larger(f->scratch, p->scratch);
     }
     return POV_OK;
 }

@@ -53,6 +53,7 @@ typedef struct flat {
     pov_box bounds;              /* around the finite ones, if there are any */
     pov_box clear;               /* around those that light passes; the other way round if there are none */
     size_t absorbed, composed, packed;
+    size_t scratch;              /* the most working memory that a shape asks for */
 } flat;
 
 /* Do instances of a class that have absorbed a transformation stay where they were made, unless they share a run? Then they

@@ -320,6 +320,7 @@ static bool find(csg_walk *w, const pov_hits *hits, bool exact)
 {
     begin(w, exact);
     w->found.user = hits->user;
+    w->found.scratch = hits->scratch;
     for (uint32_t i = 0; i < w->tree->member_count && !w->scratch->failed; i++) {
         ask(w, i);
         if (w->unsure && !exact)

@@ -41,6 +41,7 @@ struct world {
     bool has_tree;
     const bvh_kernels *kernels;
     bool always_exact;
+    size_t scratch_bytes;        /* of a thread's working memory for shapes */
     bool located;                /* distances of crossings count for light: a transparent object is not plain */
     pov_box bounds, clear;       /* clear: around what light passes */
     uint8_t *lonely;             /* by object, 1: it is clear, and nothing else is in its box; NULL: nobody knows */

@@ -269,6 +269,7 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
 
     w->infinite_count = f->infinite_count;
     w->has_bounds = f->finite_count > 0;
+    w->scratch_bytes = f->scratch;
     w->bounds = f->bounds;
     w->clear = f->clear;
     w->located = is_located(w, f);

@@ -44,10 +44,11 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_crossing, mark, 24);
     AT(pov_hits, at, 40);
     AT(pov_hits, user, 56);
+    AT(pov_hits, scratch, 72);
     AT(pov_host, warn, 64);
     AT(pov_shape_class, intersect, 40);
     AT(pov_shape_class, prepare, 80);
-    AT(pov_shape_class, extension, 88);
+    AT(pov_shape_class, extension, 104);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_image_format, read, 24);

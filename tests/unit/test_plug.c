@@ -131,7 +131,7 @@ static void a_class_is_completed_with_its_extension_and_with_nothing_unknown(voi
     memset(&out, 0xff, sizeof out);
     shape_class_fill(&out, &longer.known);
     assert_true(out.normal == normal && out.full_leaves && out.block_size == 64);
-    assert_true(!out.prepare && !out.block_filter && !out.ellipsoid);
+    assert_true(!out.prepare && !out.uv && !out.scratch && !out.block_filter && !out.ellipsoid);
     longer.known.extension = NULL;
     shape_class_fill(&out, &longer.known);
     assert_true(!out.full_leaves && out.block_size == 0);

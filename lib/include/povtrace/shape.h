@@ -51,6 +51,7 @@ typedef struct pov_hits {
     bool (*grow)(struct pov_hits *hits);
     void *user;                    /* the host's */
     bool crowded;                  /* NEAREST: another owner's crossing is as near, as far as doubles tell */
+    void *scratch;                 /* working memory of this thread, as much as the class's scratch() asks for */
 } pov_hits;
 
 /* Distances that differ by less than this part of them may be the same: twice what crossings may be off by, and some. */
@@ -156,6 +157,11 @@ typedef struct pov_shape_class {
      * called again, from several threads, wherever the host would have to keep one. */
     size_t parsed_size;
     void (*prepare)(void *self, const void *parsed);
+    /* [render] Surface coordinates, 0 to 1 as a rule, of a point on the surface in the space in which the shape was
+     * written; mark is the crossing's. */
+    void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
+    /* [load] Bytes that intersect() wants in hits->scratch, aligned to 64; what they hold at first is not defined. */
+    size_t (*scratch)(const void *self);
     /* Any thread. An extension by its name, or NULL: shape_fast.h has one. It stays as long as the plugin is loaded. */
     const void *(*extension)(const char *name);
     /* abi 3 began with these. */
