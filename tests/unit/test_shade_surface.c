@@ -303,7 +303,7 @@ static void rays_that_would_add_nothing_are_not_sent_but_counted(void **state)
 static void a_light_may_be_very_near_or_very_far(void **state)
 {
     const double place = 1e9;
-    light near = { { place, 0.0, 5.0 - 1e-12 }, { 0.0, 0.0, 0.0 }, { 1.0f, 0.0f, 0.0f } };
+    light near = { .position = { place, 0.0, 5.0 - 1e-12 }, .color = { 1.0f, 0.0f, 0.0f } };
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
