@@ -2,8 +2,8 @@
 #ifndef LIGHT_LIGHT_H
 #define LIGHT_LIGHT_H
 
+#include "base/lanes.h"
 #include "model/light.h"
-#include "world/surface.h"
 
 /* Light from one sample of a source, by lane. What stands between a point and point + tmax dir throws a shadow there. */
 typedef struct light_lanes {
@@ -11,7 +11,7 @@ typedef struct light_lanes {
     double tmax;
     bool uniform;                /* the incident light is `color` in all lanes; red, green and blue are not filled */
     colour color;
-    float red[WORLD_MANY], green[WORLD_MANY], blue[WORLD_MANY];
+    float red[LANES_MAX], green[LANES_MAX], blue[LANES_MAX];
 } light_lanes;
 
 /* A point lies at the sum of point and point_lo. Lanes past n, up to whole vectors of the processor, may be read and

@@ -49,7 +49,7 @@ static uint32_t samples(const light *l)
 static void sample(const light *l, uint32_t k, const light_points *at, light_lanes *out)
 {
     const pov_vec3 lo = l->position_lo;
-    const uint32_t whole = (at->n + 3) & ~3u;
+    const uint32_t whole = lanes_whole(at->n);
 
     (void)k;
     if (lo.x != 0.0 || lo.y != 0.0 || lo.z != 0.0)

@@ -2,9 +2,11 @@
 #ifndef MODEL_MATERIAL_H
 #define MODEL_MATERIAL_H
 
-#include "model/colour.h"
+#include "model/pattern.h"
 
 typedef struct material {
+    const pattern *pattern;      /* the pigment varies; NULL: it is constant. Where it varies, the next three are the
+                                  * largest that each component can be: what is zero there is zero everywhere */
     colour pigment;
     float filter, transmit;
     colour ambient;              /* finish */
@@ -17,15 +19,19 @@ typedef struct material {
 /* The defaults of the language: black, ambient 0.1, diffuse 0.6, phong_size 40, ior 1, all else 0. */
 void material_init(material *m);
 bool material_equal(const material *a, const material *b);
+void material_set_pattern(material *m, const pattern *p);
 
 static inline bool material_is_transparent(const material *m) { return m->filter != 0.0f || m->transmit != 0.0f; }
 
 /* Factor of light that passes the surface. */
+static inline colour material_filter_of(colour c, float filter, float transmit)
+{
+    return colour_add(colour_scale(c, filter), colour_of(transmit, transmit, transmit));
+}
+
 static inline colour material_filter(const material *m)
 {
-    colour c = colour_scale(m->pigment, m->filter);
-
-    return colour_add(c, colour_of(m->transmit, m->transmit, m->transmit));
+    return material_filter_of(m->pigment, m->filter, m->transmit);
 }
 
 #endif

@@ -1,5 +1,7 @@
 #include "model/model.h"
 
+#include "base/vec.h"
+
 #include <string.h>
 
 void model_init(model *m, const env *e)
@@ -19,6 +21,8 @@ void model_free(model *m)
     env_free(m->env, m->solids.items);
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
+    map_table_free(&m->kept_maps, m->env);
+    env_free(m->env, m->texture_maps.items);
     arena_free(&m->memory);
     arena_free(&m->maps);
 }
@@ -30,4 +34,16 @@ void model_drop_maps(model *m)
     for (i = 0; i < m->leaves.count; i++)
         m->leaves.items[i].map = NULL;
     arena_free(&m->maps);
+}
+
+bool model_set_texture_map(model *m, const pov_affine *map)
+{
+    const uint32_t number = map_table_add(&m->kept_maps, m->env, map), none = 0;
+
+    if (number == 0)
+        return false;
+    while (m->texture_maps.count + 1 < m->leaves.count)
+        if (!VEC_PUSH(m->env, &m->texture_maps, none))
+            return false;
+    return VEC_PUSH(m->env, &m->texture_maps, number);
 }

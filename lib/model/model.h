@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "model/light.h"
+#include "model/map_table.h"
 #include "model/material.h"
 #include "model/node.h"
 
@@ -16,6 +17,7 @@ typedef struct node_list { node_ref *items; size_t count, capacity; } node_list;
 typedef struct leaf_list { leaf_node *items; size_t count, capacity; } leaf_list;
 typedef struct material_list { material *items; size_t count, capacity; } material_list;
 typedef struct light_list { light *items; size_t count, capacity; } light_list;
+typedef struct map_numbers { uint32_t *items; size_t count, capacity; } map_numbers;
 
 /* How computed values become linear light, and how that is stored. */
 typedef struct gamma {
@@ -34,6 +36,9 @@ typedef struct model {
     solid_list solids;           /* in the order of the text; leaves of none are objects by themselves */
     material_list materials;
     light_list lights;
+    map_table kept_maps;         /* of textures */
+    map_numbers texture_maps;    /* by leaf: the number of the map of the transformations behind its texture; leaves past
+                                  * the end have none */
     pov_camera camera;
     colour ambient_light, background;
     double adc_bailout;
@@ -64,6 +69,14 @@ size_t model_object_count(const model *m);
 uint32_t model_object_of(const model *m, uint32_t leaf);
 const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf);
 const char *model_op_keyword(node_op op);
+
+/* The map of the last leaf's texture. False: no memory. */
+bool model_set_texture_map(model *m, const pov_affine *map);
+/* NULL: the texture is in the world's space. */
+static inline const inverse_map *model_texture_map(const model *m, uint32_t leaf)
+{
+    return leaf < m->texture_maps.count ? map_table_at(&m->kept_maps, m->texture_maps.items[leaf]) : NULL;
+}
 
 /* Objects have no transformations any more. */
 void model_drop_maps(model *m);

@@ -2,12 +2,12 @@
 
 /* The part of ambient and diffuse light that a surface which lets light through still gives. Negative where filter
  * and transmit are more than 1 together, as in POV-Ray. */
-static float opacity_of(const model *m, const material *of)
+static float opacity_of(const model *m, const pigment *of)
 {
     float filter = of->filter;
 
     if (m->opacity_uses_filter_colour)
-        filter *= fmaxf(of->pigment.r, fmaxf(of->pigment.g, of->pigment.b));
+        filter *= fmaxf(of->color.r, fmaxf(of->color.g, of->color.b));
     return 1.0f - filter - of->transmit;
 }
 
@@ -16,10 +16,9 @@ static bool is_share(float x) { return x >= 0.0f && x <= 1.0f; }
 /* A sum of APPEARANCE_VISIBLE or more stays itself when less than half of 2^-32 is added to it, the distance of floats just
  * below. The highlight is phong cosine^size times at most 1; solved for the cosine with one more factor of 2 for all
  * roundings. */
-static double cutoff_of(const material *of)
+static double cutoff_of(const material *of, colour c)
 {
     const float largest_size = 0x1p20f;
-    const colour c = of->pigment;
 
     if (!(of->phong > 0.0f && of->phong_size > 0.0f && of->phong_size < largest_size))
         return 0.0;
@@ -44,20 +43,39 @@ static float phong_of(const plan *p, const material *of)
     return power > 0 && power <= APPEARANCE_POWER_LANES && of->metallic == 0.0f ? of->phong : NAN;
 }
 
+/* What depends on the pigment. */
+static void paint(appearance *out, const plan *p, const model *m, const pigment *at)
+{
+    const material *of = out->material;
+    const float opacity = opacity_of(m, at);
+
+    out->transmissive = p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
+    out->pigment = at->color;
+    out->diffuse_weight = opacity * of->diffuse;
+    out->emitted = colour_mul(colour_scale(colour_mul(of->ambient, at->color), opacity), m->ambient_light);
+    out->filter = coefficient_of(material_filter_of(at->color, at->filter, at->transmit));
+}
+
 void appearance_make(appearance *out, const plan *p, const model *m, const material *of)
 {
-    const float opacity = opacity_of(m, of);
+    const pigment at = { of->pigment, of->filter, of->transmit };
 
+    out->material = of;
+    out->varies = of->pattern != NULL;
     out->lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
     out->reflective = p->reflection && !colour_is_black(of->reflection);
-    out->transmissive = p->transmission && material_is_transparent(of);
     out->phong = phong_of(p, of);
-    out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(of);
+    out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(of, of->pigment);
     out->power = power_of(of);
-    out->pigment = of->pigment;
-    out->diffuse_weight = opacity * of->diffuse;
-    out->emitted = colour_mul(colour_scale(colour_mul(of->ambient, of->pigment), opacity), m->ambient_light);
     out->reflection = coefficient_of(of->reflection);
-    out->filter = coefficient_of(material_filter(of));
-    out->material = of;
+    paint(out, p, m, &at);
+}
+
+void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at)
+{
+    *out = *of;
+    paint(out, p, m, at);
+    /* Only of metals the colour of the highlight, and so its cut-off, is the pigment's. */
+    if (of->phong != 0.0f && of->material->metallic != 0.0f)
+        out->highlight_cutoff = cutoff_of(of->material, at->color);
 }

@@ -1,5 +1,5 @@
 /* appearance.h - what a surface looks like at a point, as the lights and the rays that go on need it. Of a constant texture
- * it is computed once a material, before the first ray. */
+ * it is computed once a material, before the first ray; of one that varies, for each surface. */
 #ifndef SHADE_APPEARANCE_H
 #define SHADE_APPEARANCE_H
 
@@ -11,6 +11,8 @@
 enum { APPEARANCE_POWER_LANES = 255, APPEARANCE_POWER_MAX = 1024 };
 
 typedef struct appearance {
+    bool varies;                 /* the texture does: what follows is of the material as far as it is constant, and true
+                                  * of lit, reflective and transmissive if it may be so anywhere */
     bool lit;                    /* lights change something about it */
     bool reflective, transmissive;   /* rays go on from it */
     double highlight_cutoff;     /* a specular cosine of no more than that adds nothing to a float of APPEARANCE_VISIBLE
@@ -27,5 +29,7 @@ typedef struct appearance {
 
 /* The appearance of a material in this scene. */
 void appearance_make(appearance *out, const plan *p, const model *m, const material *of);
+/* The same where the texture varies, from the material's and the pigment at a point. */
+void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at);
 
 #endif

@@ -4,10 +4,6 @@
 
 #include "world/surface.h"
 
-/* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past
- * the end is of earlier surfaces, and nobody looks at it. */
-static inline uint32_t lanes_whole(uint32_t n) { return (n + 3) & ~3u; }
-
 /* How surfaces lie towards the rays that hit them. Light is computed with the shading normals; to which side of a surface
  * a ray goes is decided by the geometric ones. */
 typedef struct geometry {

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "query/passage.h"
 #include "shade/accumulate.h"
+#include "shade/paint.h"
 
 /* ---- coincident surfaces ---- */
 
@@ -79,7 +80,7 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
     s->lit = colour_of(0.0f, 0.0f, 0.0f);
-    if (a->lit || a->reflective || a->transmissive)
+    if (a->lit || a->reflective || a->transmissive || a->varies)
         return true;
     accumulate(s->from, a->emitted, out);
     return false;
@@ -161,5 +162,7 @@ void surfaces_complete(shade_context *c, surfaces *s)
         complete_some(c, s);
     else
         world_surface_many(c->scene->world, walker_own(c->walker), s->rays, s->met, s->count, &s->geometry.to);
+    if (c->scene->plan->textures)
+        paint_surfaces(c->scene, s);
     geometry_turn(&s->geometry, s->count);
 }

@@ -23,12 +23,13 @@ typedef struct surfaces {
     const pov_ray *rays[BATCH_MAX];   /* theirs, in their order, and what these hit */
     hit *met[BATCH_MAX];
     geometry geometry;           /* theirs, in their order */
+    appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
 } surfaces;
 
 /* The surfaces that the batch's rays hit and of which more is seen than their emission. That, and the background where
  * rays hit nothing, is added to out. */
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out);
-/* Points, normals and directions there. */
+/* Points, normals and directions there, and what the surfaces look like where that varies. */
 void surfaces_complete(shade_context *c, surfaces *s);
 
 #endif

@@ -283,9 +283,10 @@ static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, 
 static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *box)
 {
     world_thing *thing = &k->f->things[index];
-    const bool clear = material_is_transparent(&k->f->model->materials.items[o->material]);
+    const material *of = &k->f->model->materials.items[o->material];
+    const bool clear = material_is_transparent(of);
     const bool casts = !(o->flags & LEAF_NO_SHADOW), member = k->f->is_member && k->f->is_member[index];
-    const bool plain = !member;
+    const bool plain = !member && !(clear && of->pattern);
 
     thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE) | (plain ? FLAT_PLAIN : 0);
     thing->material = o->material;

@@ -40,7 +40,7 @@ typedef struct survey {
     size_t shining;              /* lights that are not black */
     size_t answering;            /* objects that light changes */
     size_t casting, tinting;     /* objects that throw a shadow; transparent ones of them */
-    size_t glossy, metallic, mirrors, transparent, bending, media;
+    size_t glossy, metallic, varying, mirrors, transparent, bending, media;
 } survey;
 
 static bool is_solid(const leaf_node *o) { return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside; }
@@ -60,6 +60,7 @@ static void see_objects(survey *s, const material *m, bool casts, bool solid, si
     s->tinting += casts && transparent ? n : 0;
     s->glossy += glossy ? n : 0;
     s->metallic += glossy && m->metallic != 0.0f ? n : 0;
+    s->varying += m->pattern ? n : 0;
     s->mirrors += !colour_is_black(m->reflection) ? n : 0;
     s->transparent += transparent ? n : 0;
     s->bending += transparent && m->has_interior && m->ior != 1.0 ? n : 0;
@@ -96,6 +97,7 @@ static void decide(plan *p, const survey *s)
     p->coloured_shadows = p->shadows && s->tinting > 0;
     p->highlights = p->lighting && s->glossy > 0;
     p->metallic = p->lighting && s->metallic > 0;
+    p->textures = s->varying > 0;
     p->reflection = s->mirrors > 0;
     p->transmission = s->transparent > 0;
     p->refraction = s->bending > 0;
@@ -148,6 +150,9 @@ static pov_status explain_surfaces(plan *p, const survey *s, pov_error *err)
     if (status == POV_OK)
         status = explain_kind(p, p->metallic, "metallic", "computed", "with metallic highlights", s->metallic,
                               s->metallic > 0 ? no_light(s) : "no surface has a metallic highlight", err);
+    if (status == POV_OK)
+        status = explain_kind(p, p->textures, "textures", "evaluated", "whose texture varies", s->varying,
+                              "every texture is constant", err);
     if (status == POV_OK)
         status = explain_kind(p, p->reflection, "reflection", "followed", "with reflection", s->mirrors,
                               "no surface has reflection", err);

@@ -12,6 +12,7 @@ typedef struct plan {
     bool shadows;                /* ... and some object throws one */
     bool coloured_shadows;       /* ... and some of those is transparent */
     bool highlights, metallic;
+    bool textures;               /* some texture varies from point to point */
     bool reflection;
     bool transmission;           /* some surface lets rays through */
     bool refraction;             /* ... into a medium of ior other than 1 */

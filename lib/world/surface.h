@@ -2,7 +2,7 @@
 #ifndef WORLD_SURFACE_H
 #define WORLD_SURFACE_H
 
-#include "base/simd.h"
+#include "base/lanes.h"
 #include "world/world.h"
 
 #include <povtrace/shape.h>
@@ -22,17 +22,7 @@ typedef struct hit {
 /* Fill the rest of what world_nearest() found. */
 void world_surface(const world *w, const pov_ray *ray, hit *h);
 
-/* Vectors by lane, so that loops over lanes become vectors of the processor. */
-enum { WORLD_MANY = 64 };
-typedef struct SIMD_ALIGNED vec_lanes { double x[WORLD_MANY], y[WORLD_MANY], z[WORLD_MANY]; } vec_lanes;
-
-static inline pov_vec3 lanes_at(const vec_lanes *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
-static inline void lanes_put(vec_lanes *l, uint32_t i, pov_vec3 v)
-{
-    l->x[i] = v.x;
-    l->y[i] = v.y;
-    l->z[i] = v.z;
-}
+enum { WORLD_MANY = LANES_MAX };
 
 /* How rays come to surfaces, by lane. */
 typedef struct approaches {

@@ -474,12 +474,12 @@ void test_model_init(model *m, const env *e)
     test_add_material(m, colour_of(1.0f, 1.0f, 1.0f), 0.0f, 0.0f, false);
 }
 
-uint32_t test_add_material(model *m, colour pigment, float filter, float transmit, bool has_interior)
+uint32_t test_add_material(model *m, colour c, float filter, float transmit, bool has_interior)
 {
     material s;
 
     material_init(&s);
-    s.pigment = pigment;
+    s.pigment = c;
     s.filter = filter;
     s.transmit = transmit;
     s.has_interior = has_interior;

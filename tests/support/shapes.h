@@ -36,7 +36,7 @@ bool test_light(const world *w, walker *k, const pov_ray *ray, double tmax, uint
 /* A model of one opaque white material (index 0). NULL env: malloc. */
 void test_model_init(model *m, const env *e);
 /* Each asserts that memory sufficed, and gives the index. */
-uint32_t test_add_material(model *m, colour pigment, float filter, float transmit, bool has_interior);
+uint32_t test_add_material(model *m, colour c, float filter, float transmit, bool has_interior);
 uint32_t test_add(model *m, const shape_class *shape, const void *instance, const transform *map, uint32_t surface,
                   uint32_t flags);
 void test_add_light(model *m, float brightness);

@@ -18,7 +18,7 @@ static void sample_two(const light *l, uint32_t k, const light_points *at, light
 
     out->tmax = 1.0;
     out->uniform = false;
-    for (uint32_t i = 0; i < (at->n + 3u) / 4u * 4u; i++) {
+    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
         const pov_vec3 to = pov_add(l->position, pov_vec3_of(side, 0.0, 0.0));
 
         lanes_put(&out->dir, i, pov_sub(to, lanes_at(at->point, i)));

@@ -1,0 +1,58 @@
+#include "shade/paint.h"
+
+#include "base/bits.h"
+#include "texture/texture.h"
+
+/* The surfaces of one material, by lane of the texture. */
+typedef struct group { uint32_t count; uint8_t lane[BATCH_MAX]; texture_points points; } group;
+
+static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane)
+{
+    const approaches *to = &s->geometry.to;
+
+    g->lane[g->count] = (uint8_t)lane;
+    texture_point(model_texture_map(scene->model, s->at[lane].at->object), lanes_at(&to->point, lane),
+                  lanes_at(&to->point_lo, lane), g->count++, &g->points);
+}
+
+static void paint(const shading *scene, surfaces *s, const group *g, const appearance *of)
+{
+    texture_sample samples[BATCH_MAX];
+
+    texture_eval(scene->model, of->material, &g->points, g->count, samples);
+    for (uint32_t i = 0; i < g->count; i++) {
+        appearance *out = &s->varying[g->lane[i]];
+
+        appearance_paint(out, scene->plan, scene->model, of, &samples[i].pigment);
+        s->at[g->lane[i]].appearance = out;
+    }
+}
+
+/* Bit i: the texture of surface i varies. */
+static uint64_t varying(const surfaces *s)
+{
+    uint64_t lanes = 0;
+
+    for (uint32_t i = 0; i < s->count; i++)
+        lanes |= (uint64_t)s->at[i].appearance->varies << i;
+    return lanes;
+}
+
+void paint_surfaces(const shading *scene, surfaces *s)
+{
+    for (uint64_t rest = varying(s); rest;) {
+        const appearance *of = s->at[first_of64(rest)].appearance;
+        group g;
+
+        g.count = 0;
+        for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
+            const uint32_t i = first_of64(lanes);
+
+            if (s->at[i].appearance != of)
+                continue;
+            add(&g, scene, s, i);
+            rest &= ~((uint64_t)1 << i);
+        }
+        paint(scene, s, &g, of);
+    }
+}
