@@ -90,10 +90,12 @@ void clear_solid_exits(const world *w, walker *k, const pov_ray *const *rays, ui
 
 /* ---- light ---- */
 
-/* Does a way end beyond an interval, by more than ends and bounds are rounded? */
+/* Does a way end beyond an interval? With u = 2^-53, the end is off by u |from| for the start's lower part, u |way| for
+ * its product, and u (|from| + |way|) for their sum; the slack's own sum rounds by as much once more. Bounds are rounded
+ * outward. That makes 3 u (|from| + |way|) at most. */
 static inline bool is_out(double from, double way, double lo, double hi)
 {
-    const double slack = 0x1p-40 * (fabs(from) + fabs(way)), end = from + way;
+    const double slack = 0x1p-51 * (fabs(from) + fabs(way)), end = from + way;
 
     return end + slack < lo || end - slack > hi;
 }

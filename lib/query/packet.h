@@ -32,16 +32,21 @@ typedef struct packet {
 static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
 static inline uint64_t all_of(uint32_t n) { return ~(uint64_t)0 >> (WORLD_MANY - n); }
 
-/* A filter's interval is open, and a crossing at the limit may still win by its lower part or its owner. */
+/* What may tie with the nearest must be asked. A limit is at least the true distance of the nearest crossing, and a filter's
+ * bounds are for true distances. Reported ones are off by 32 units in the last place, 2^-47 of them, and tie within
+ * POV_NEAR, 2^-46: two that tie differ by less than 2 * 2^-47 + 2^-46 = 2^-45 in truth, but for products of these and
+ * the rounding here. */
+#define PACKET_TIE 0x1p-44
+
 static inline double just_beyond(double limit)
 {
-    return limit + limit * 0x1p-52 + 0x1p-1074;
+    return limit + limit * PACKET_TIE + 0x1p-1074;
 }
 
-/* Whether something at lo or later can be left out: a reported distance may be off by some units in its last place. */
+/* Whether something at lo or later can be left out. */
 static inline bool is_beyond(double lo, double limit)
 {
-    return lo > limit + limit * 0x1p-46;
+    return lo > just_beyond(limit);
 }
 
 static inline void lower(packet *p, uint32_t i, double limit)
