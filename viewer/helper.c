@@ -1,5 +1,7 @@
 #include "helper.h"
 
+#include <povtrace/image.h>
+
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>

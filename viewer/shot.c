@@ -2,6 +2,8 @@
 #include "say.h"
 #include "script.h"
 
+#include <povtrace/image.h>
+
 #include <stdio.h>
 #include <stdlib.h>
 

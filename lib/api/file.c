@@ -2,6 +2,8 @@
 #include "base/err.h"
 #include "base/file.h"
 
+#include <povtrace/image.h>
+
 static pov_status write_all(file_writer *w, const env *e, const char *path, const void *bytes, size_t count, pov_error *err)
 {
     pov_status status = file_writer_open(w, e, path, err);

@@ -1,6 +1,8 @@
 #include "api/adapt.h"
 #include "api/handles.h"
 
+#include <povtrace/plot.h>
+
 static pov_status find(pov_context *context, const char *ending, const pov_plot_format **out, pov_error *err)
 {
     pov_status status;

@@ -10,6 +10,9 @@
 #include "base/vec.h"
 #include "plug/check.h"
 
+#include <povtrace/image.h>
+#include <povtrace/plot.h>
+
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,9 +5,6 @@
 #include "base/env.h"
 #include "plug/shape_class.h"
 
-#include <povtrace/image.h>
-#include <povtrace/plot.h>
-
 typedef struct registry registry;
 
 /* path: folders, colon separated, each with primitives/ and images/ in it; NULL: the environment's, else povtrace/
@@ -21,8 +18,8 @@ pov_status registry_add(registry *r, const pov_plugin *plugin, pov_error *err);
 /* The class of a keyword. *out is NULL and the status POV_OK when no folder has such a plugin. A plugin that exists and
  * cannot be used is POV_E_PLUGIN, with the path and the reason. Only words of a-z, 0-9 and _ are searched for. */
 pov_status registry_shape(registry *r, const char *keyword, const shape_class **out, pov_error *err);
-pov_status registry_plot(registry *r, const char *ending, const pov_plot_format **out, pov_error *err);
-pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err);
+pov_status registry_plot(registry *r, const char *ending, const struct pov_plot_format **out, pov_error *err);
+pov_status registry_image(registry *r, const char *ending, const struct pov_image_format **out, pov_error *err);
 
 /* For messages: the searched folders, colon separated; and the keywords that could be loaded (kind: "primitives" or
  * "images"). */

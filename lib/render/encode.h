@@ -2,7 +2,7 @@
 #ifndef RENDER_ENCODE_H
 #define RENDER_ENCODE_H
 
-#include <povtrace/image.h>
+#include <povtrace/base.h>
 
 enum { ENCODER_CELLS = 4096 };
 

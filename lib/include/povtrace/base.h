@@ -78,4 +78,7 @@ typedef void pov_log_fn(void *user, pov_log_level level, const pov_error *note);
 #define POV_HAS(ptr, type, member) \
     ((ptr)->size >= offsetof(type, member) + sizeof((ptr)->member))
 
+/* How linear values become integers: stored as they are, or with the sRGB curve. */
+typedef enum pov_transfer { POV_TRANSFER_LINEAR, POV_TRANSFER_SRGB } pov_transfer;
+
 #endif

@@ -8,9 +8,6 @@
 
 struct pov_context;
 
-/* How linear values become integers: stored as they are, or with the sRGB curve. */
-typedef enum pov_transfer { POV_TRANSFER_LINEAR, POV_TRANSFER_SRGB } pov_transfer;
-
 typedef struct pov_image_options {
     size_t size;
     int bits;                /* a channel: 8 or 16; 0: what is usual for the format */

@@ -3,7 +3,6 @@
 #define POVTRACE_SCENE_H
 
 #include <povtrace/base.h>
-#include <povtrace/image.h>
 #include <povtrace/math.h>
 
 typedef struct pov_context pov_context;
