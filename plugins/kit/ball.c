@@ -1,10 +1,10 @@
 #include "kit/ball.h"
 
-/* Roots that are wanted, as bits. A ray that left the sphere started on one of its two roots: going
- * outward on the far one, going inward on the near one. */
+/* Wanted roots, as bits. A ray that left the sphere started on one of its two roots: on the far one if it goes outward,
+ * on the near one if it goes inward. */
 enum { NEAR_ROOT = 1, FAR_ROOT = 2 };
 
-/* Two-part arithmetic from the start. */
+/* Double-double arithmetic from the start. */
 static void decide(pov_two square, const kit_ray *k, bool leaving, pov_hits *hits)
 {
     pov_two3 d = kit_direction(k), w;
@@ -49,7 +49,7 @@ static bool quick(pov_two square, const kit_ray *k, bool leaving, pov_hits *hits
     if (leaving) {
         if (!(fabs(fd) > 8.0 * KIT_U * kit_sum_of_sizes(f, k->d)))
             return false;
-        /* Outward, the other root is behind. */
+        /* A ray that goes outward has the other root behind its start. */
         if (fd > 0.0 && hits->tmin >= 0.0)
             return true;
     }

@@ -7,13 +7,13 @@
 
 #include "kit/report.h"
 
-/* A line of memory: what intersect() wants besides is made from these two as fast as it is fetched. */
+/* One cache line: all other numbers of intersect() are computed from these two as fast as they could be loaded. */
 typedef struct kit_ball {
     pov_two3 centre;
     pov_two radius;
 } kit_ball;
 
-/* Lengths times this, a power of two, bring the radius into [1, 2). */
+/* Power of two that scales the radius into [1, 2). */
 static inline double kit_ball_scale(const kit_ball *s) { return pov_inverse_power(s->radius.hi); }
 
 /* The square of the scaled radius. */
@@ -34,9 +34,9 @@ KIT_INLINE kit_residual kit_ball_residual(pov_two square, const kit_ray *k, pov_
     return r;
 }
 
-/* The chord that a sphere cuts out of a ray, in double: its middle, and the middle's remaining distance b; the
- * discriminant with a bound on its error; and, where that is above zero for certain, its root and a bound on the error
- * of both ends. */
+/* The chord of a ray in a sphere, in double: its midpoint, and the remaining distance b to the midpoint; the
+ * discriminant with an error bound; and, where the discriminant is certainly positive, its root and an error bound of
+ * both ends. */
 typedef struct kit_chord { double middle, inverse, b, d, d_error, root, error; } kit_chord;
 
 static inline kit_chord kit_find_chord(pov_two square, const kit_ray *k)
@@ -62,7 +62,7 @@ static inline kit_chord kit_find_chord(pov_two square, const kit_ray *k)
     return h;
 }
 
-/* Are there two ends for certain? */
+/* Does the ray certainly cross the sphere? */
 static inline bool kit_is_cut(const kit_chord *h) { return h->d > 16.0 * h->d_error; }
 
 static inline kit_root kit_near_end(const kit_chord *h)
@@ -77,7 +77,7 @@ static inline kit_root kit_far_end(const kit_chord *h)
     return r;
 }
 
-/* Re-centring to one part is exact enough. */
+/* Is re-centring to one double exact enough? */
 static inline bool kit_ball_is_near(const kit_ray *k) { return pov_largest(pov_two3_hi(k->f)) < KIT_FAR; }
 
 /* From the centre to the crossing, scaled. */
@@ -88,7 +88,7 @@ static inline pov_vec3 kit_ball_offset(const kit_ball *s, const pov_ray *ray, co
     return pov_two3_hi(kit_point(&k, at));
 }
 
-/* Shapes' functions of the contract; selves are kit_balls. */
+/* The contract's functions; selves are kit_balls. */
 void kit_ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 void kit_ball_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 void kit_ball_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);

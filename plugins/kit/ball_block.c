@@ -2,18 +2,19 @@
 
 #include "kit/floats.h"
 
-/* Points of a ray near the spheres, the point that it is nearest to one among them, are off by less than 23 e (1 + S), S
- * being the sum of the sizes of its origin's coordinates: docs/numerics.md has the count. Radii that much smaller and
- * larger, and bounds that much wider, make the answer safe. */
+/* Error bound. Points of a ray near the spheres, the point closest to a sphere included, are off by less than 23 e (1 +
+ * S), S being the sum of the sizes of its origin's coordinates: docs/numerics.md has the count. Enlarging and shrinking
+ * radii, and widening bounds by that much makes the result safe. */
 #define BLUR (24.0f * KIT_E)
-/* The same of the line of one ray of a company, and of what its others are apart from it. */
+/* The same bound for the line of one ray of a packet, and for the differences of the other rays from it. */
 #define BEAM_BLUR (32.0f * KIT_E)
 
-/* From so many rays on a company is looked at as a whole. Of fewer most are apart by so much that most spheres stay. */
+/* Packets of this many rays or more are tested as a whole first. Rays of smaller packets mostly differ too much to
+ * exclude spheres. */
 enum { BEAM_LEAST = 24 };
-/* Rays stand in the lanes where there are as many as this for each sphere that is left. */
+/* Rays take the lanes when there are at least this many for each remaining sphere. */
 enum { BEAM_RAYS = 4 };
-/* The middle of a square of rays, by rows. */
+/* The centre of a square of rays, by rows. */
 enum { BEAM_MIDDLE = 28 };
 
 static double place(pov_two c, double centre, double scale) { return (c.hi - centre + c.lo) * scale; }
@@ -36,7 +37,7 @@ bool kit_ball_pack(void *block, const pov_frame *frame, const void *const *selve
     return true;
 }
 
-/* One of the spheres, and a ray, in the frame. */
+/* A sphere of the block, and a ray, in the frame. */
 typedef struct ball { kit_three centre; float radius; } ball;
 typedef struct line { kit_three org, dir; float blur; } line;
 
@@ -55,10 +56,10 @@ KIT_INLINE line line_of(const pov_rays *rays, size_t at)
     return l;
 }
 
-/* Where a line is nearest to a centre: how far it has gone there, and the square of how near. */
+/* The point of a line closest to a centre: its distance along the line, and the squared distance to the centre. */
 typedef struct nearest { float middle, ww; } nearest;
 
-/* How near is the size of a product of vectors, which need not wait for how far. */
+/* The distance to the centre is the length of a cross product, which does not wait for the distance along the line. */
 KIT_INLINE nearest near_line(const ball *b, const line *l)
 {
     const kit_three c = { b->centre.x - l->org.x, b->centre.y - l->org.y, b->centre.z - l->org.z };
@@ -71,7 +72,8 @@ KIT_INLINE nearest near_line(const ball *b, const line *l)
 
 KIT_INLINE float square_of(float outer) { return outer * outer * (1.0f + 8.0f * KIT_E); }
 
-/* May a line touch a sphere, and not before its start? How near it comes is known last, and is held against one limit. */
+/* May a line touch a sphere, and not before its start? The distance to the centre is known last, and is compared with
+ * one limit. */
 KIT_INLINE int may_touch(const ball *b, const line *l, const nearest *n)
 {
     const float outer = b->radius + l->blur;
@@ -79,12 +81,12 @@ KIT_INLINE int may_touch(const ball *b, const line *l, const nearest *n)
     return n->ww <= (n->middle >= -outer ? square_of(outer) : 0.0f);
 }
 
-/* Bounds along the ray on the chord that its line and a sphere share, if there is one: on where it comes in or, where
- * it starts within, leaves. */
+/* Bounds along the ray on the chord of its line in a sphere, if there is one: on the entry, or on the exit if it starts
+ * inside. */
 KIT_INLINE void bound_chord(float radius, float blur, float smax, float middle, float ww, uint32_t i,
                             kit_chords *restrict out, kit_conditions *restrict say)
 {
-    const float sure = smax * (1.0f - 16.0f * KIT_E) - blur;   /* no further away than tmax */
+    const float sure = smax * (1.0f - 16.0f * KIT_E) - blur;   /* not beyond tmax */
     const float outer = radius + blur, inner = radius - blur;
     const float wide = sqrtf(square_of(outer) - ww) + blur;
     const float narrow = sqrtf(inner * inner * (1.0f - 8.0f * KIT_E) - ww) - blur;
@@ -100,7 +102,7 @@ KIT_INLINE void bound_chord(float radius, float blur, float smax, float middle, 
     say->twice.lane[i] = -(known & (in > 0.0f) & (out_to < sure));
 }
 
-/* Most spheres are passed by on every lane: that is found out first. */
+/* Most spheres are missed by all lanes: test that first. */
 KIT_INLINE void meet_balls(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out)
 {
     const kit_ball_block *s = block;
@@ -152,7 +154,7 @@ KIT_INLINE void meet_rays(const void *block, uint32_t which, const pov_rays *ray
     kit_gather(&say, KIT_FLOATS, some, out);
 }
 
-/* How far rays are apart from one of them: squares of the distances of starts and directions, and the largest size. */
+/* Differences of rays from one of them: squared distances of origins and directions, and the largest size. */
 typedef struct apart { float org, dir, size; } apart;
 
 KIT_INLINE apart apart_of(const pov_rays *rays, size_t at, uint32_t in, const line *from)
@@ -194,7 +196,7 @@ KIT_INLINE float largest(const float *v)
     return kit_float_greater(kit_float_greater(four[0], four[1]), kit_float_greater(four[2], four[3]));
 }
 
-/* Four lots of lanes at a time, so that what is found does not go through memory with each of them. */
+/* Four vectors of lanes at a time, so that the results stay in registers. */
 KIT_INLINE apart widest(const pov_rays *rays, uint64_t lanes, const line *from)
 {
     float org[KIT_FLOATS] = { 0.0f }, dir[KIT_FLOATS] = { 0.0f }, size[KIT_FLOATS] = { 0.0f };
@@ -225,9 +227,10 @@ KIT_INLINE apart widest(const pov_rays *rays, uint64_t lanes, const line *from)
     return all;
 }
 
-/* The spheres that any ray of a company may come near to. Where a ray touches a sphere, s along it, that in the middle
- * is no further than R = radius + org + s dir from the centre, and s no more than R beyond where that one is nearest:
- * R (1 - dir) is no more than radius + org + dir times the way there. Where little is known all spheres are named. */
+/* The spheres that any ray of a packet may come near to. Suppose a ray touches a sphere at s. Then the middle ray at s
+ * is no further than R = radius + org + s dir from the centre, and s is at most R beyond the middle ray's point closest
+ * to the centre. So R (1 - dir) is at most radius + org + dir times the distance to that point. Where little is known
+ * all spheres are returned. */
 KIT_INLINE uint32_t near_beam(const kit_ball_block *s, const pov_rays *rays, uint64_t lanes)
 {
     const uint64_t later = lanes >> BEAM_MIDDLE << BEAM_MIDDLE;
@@ -288,7 +291,7 @@ KIT_INLINE uint32_t by_balls(const kit_ball_block *s, const uint32_t *owners, co
     return n;
 }
 
-/* Static, since the names of clones would be seen from outside. */
+/* Static, because the names of clones would be exported. */
 KIT_CLONES static uint32_t filter(const kit_ball_block *s, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {

@@ -1,13 +1,13 @@
-/* Spheres, each with its ray, side by side. */
+/* Pairs of a sphere and a ray, side by side. */
 #include "kit/ball.h"
 #include "kit/lanes.h"
 
-/* Spheres, each with its ray and, for its normal, a crossing. */
+/* Pairs of a sphere and a ray, with a crossing each for the normal. */
 typedef struct ball_lanes {
     kit_rays rays;
     kit_lane3 centre, centre_lo;
     kit_lane radius, radius_lo, t, t_lo;
-    kit_lane tmin;               /* who enters before that starts within */
+    kit_lane tmin;               /* a ray that enters before that starts inside */
 } ball_lanes;
 
 #ifndef KIT_TRANSPOSES
@@ -20,7 +20,7 @@ static inline void put_ball(ball_lanes *l, uint32_t i, const kit_ball *s)
 }
 #endif
 
-/* Pairs into four lanes from i on. */
+/* Load pairs into four lanes from i on. */
 KIT_INLINE void put_four(ball_lanes *l, uint32_t i, const void *const *selves, const pov_ray *const *rays, uint32_t n)
 {
     const void *balls[4];
@@ -57,13 +57,13 @@ static inline kit_ball get_ball(const ball_lanes *l, uint32_t i)
     return s;
 }
 
-/* Where rays come in, or, of those that start within, where they leave: that end of the chord in the shape's units,
- * what it may be off by, and half the chord; then bounds on the distance, and the distance. */
+/* Entry of each ray, or its exit if it starts inside: that end of the chord in the shape's units, its error bound, and
+ * half the chord; then bounds on the distance, and the distance. */
 typedef struct end_lanes {
     kit_lane root, root_lo, error, apart;
     kit_lane lo, hi, t, t_lo;
     int64_t part[KIT_LANES];
-    int64_t good[KIT_LANES];     /* is it found well enough? */
+    int64_t good[KIT_LANES];     /* is it accurate enough? */
 } end_lanes;
 
 static inline void put_end(end_lanes *restrict out, uint32_t i, const kit_root *r, double unit, int good)
@@ -100,7 +100,7 @@ KIT_CLONES static void find_ends(const ball_lanes *restrict l, end_lanes *restri
     }
 }
 
-/* The step that kit_report() takes where double was not fine enough. */
+/* The refinement step of kit_report(), where double was not accurate enough. */
 KIT_CLONES static void refine_ends(const ball_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
@@ -122,15 +122,15 @@ KIT_CLONES static void refine_ends(const ball_lanes *restrict l, end_lanes *rest
     }
 }
 
-/* Whoever does not leave the sphere, or goes into it, and comes to this end of the chord within the interval for
- * certain. */
+/* Report rays that do not leave the sphere, or go into it, and whose end of the chord is definitely within the
+ * interval. */
 static inline bool is_answered(const end_lanes *e, uint32_t i, const pov_ray *ray, const pov_hits *h)
 {
     return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && h->want != POV_WANT_ALL
            && !h->always_exact && (h->owner != ray->left || kit_is_inward(ray, h));
 }
 
-/* Of these lanes, bit by bit; those that are still to be asked are returned. */
+/* Report these lanes; returns the lanes that are still to be intersected. */
 static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
 {
     uint32_t left = 0;
@@ -146,7 +146,7 @@ static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const pov_ray *c
     return left;
 }
 
-/* Those whom a step would help: to look for any crossing none is needed. */
+/* Lanes that a refinement step would settle: a search for any crossing needs none. */
 static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
 {
     uint32_t worth = 0;
@@ -191,7 +191,7 @@ void kit_ball_intersect_many(const void *const *selves, const pov_ray *const *ra
     kit_intersect_pairs(selves, rays, hits, n, intersect_lanes, kit_ball_intersect);
 }
 
-/* Normals, and how large they were before they were unit: pov_unit() scales the very large and the very small. */
+/* Normals, and their lengths before normalisation: pov_unit() scales the very large and the very small. */
 KIT_CLONES static void find_normals(const ball_lanes *restrict l, kit_lane3 *restrict out, double *restrict largest)
 {
     uint32_t i;

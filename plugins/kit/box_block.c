@@ -10,7 +10,7 @@ void kit_box_begin(kit_box_block *b, uint32_t n)
     b->count = n;
 }
 
-/* The next plane of a box is `step` further on. */
+/* Consecutive planes of a box are `step` floats apart. */
 KIT_INLINE size_t step_of(const kit_box_block *b) { return b->count > 1 ? POV_BLOCK_MAX : 1; }
 
 void kit_box_put(kit_box_block *b, uint32_t lane, uint32_t p, double plane)
@@ -20,15 +20,15 @@ void kit_box_put(kit_box_block *b, uint32_t lane, uint32_t p, double plane)
     first[p * step_of(b) + lane] = (float)plane;
 }
 
-/* Along an axis a plane at p is met at p * inverse + start, which is off by less than pad. */
+/* Along an axis a plane at p is crossed at p * inverse + start, with an error below pad. */
 typedef struct axis { float inverse, start, pad; } axis;
 typedef struct line { axis x, y, z; float smax, sure; } line;
 
-/* A ray no faster than that along an axis stays between two planes, or beside them, as far as floats tell. */
+/* A ray slower than this along an axis stays between two planes, or beside them, as far as floats can tell. */
 #define SLOWEST 0x1p-30f
 
-/* Planes are off by less than 8 e (1 + S), S being the sum of the sizes of the origin's coordinates, with all that is
- * lost in the distances to them: docs/numerics.md has the count. */
+/* Planes are off by less than 8 e (1 + S), S being the sum of the sizes of the origin's coordinates, with all errors of
+ * the distances to them: docs/numerics.md has the count. */
 #define BLUR (8.0f * KIT_E)
 
 KIT_INLINE axis axis_of(float o, float d, float blur)
@@ -58,7 +58,7 @@ KIT_INLINE planes planes_of(const void *block, uint32_t i, size_t step)
     return p;
 }
 
-/* For certain a ray is outside before `near` and after `far`, and inside from `last` to `first`. */
+/* The ray is definitely outside before `near` and after `far`, and definitely inside from `last` to `first`. */
 typedef struct span { float near, last, first, far; } span;
 
 KIT_INLINE span meet_axis(const axis *a, float lower, float upper)
@@ -123,7 +123,7 @@ KIT_INLINE void meet_boxes(const void *block, const pov_rays *rays, size_t at, u
     kit_gather(&say, POV_BLOCK_MAX, some, out);
 }
 
-/* The same of a box that is alone. */
+/* The same for a block of a single box. */
 KIT_INLINE void meet_rays_alone(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
                                 kit_chords *restrict out)
 {
@@ -144,7 +144,7 @@ KIT_INLINE void meet_alone(const void *block, const pov_rays *rays, size_t at, u
     out->twice = (uint32_t)say.twice.lane[0];
 }
 
-/* Static, since the names of clones would be seen from outside. */
+/* Static, because the names of clones would be exported. */
 KIT_CLONES static uint32_t filter(const kit_box_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {

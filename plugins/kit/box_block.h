@@ -1,4 +1,5 @@
-/* box_block.h - up to eight boxes along the axes at once, in floats: which of them a ray may meet, which surely, where. */
+/* box_block.h - filters up to eight axis-aligned boxes at once, in floats: possible and definite hits, with bounds on
+ * their distances. */
 #ifndef KIT_BOX_BLOCK_H
 #define KIT_BOX_BLOCK_H
 
@@ -6,8 +7,8 @@
 
 #include <stddef.h>
 
-/* Planes in the frame, lower and upper by axis, by lane, or, of a box alone in its block, one behind the other. Rows
- * begin with whole vectors. */
+/* Planes in the frame, lower and upper by axis. Stored by lane, or one behind the other for a block of a single box.
+ * Rows begin with whole vectors. */
 typedef struct kit_box_block {
     uint32_t count, unused[7];
     float plane[6][POV_BLOCK_MAX];
@@ -15,7 +16,7 @@ typedef struct kit_box_block {
 
 enum { KIT_BOX_ALONE = offsetof(kit_box_block, plane) + 6 * sizeof(float) };
 
-/* For n boxes, the planes of which are then put there. */
+/* Prepare a block for n boxes, whose planes are stored afterwards. */
 void kit_box_begin(kit_box_block *b, uint32_t n);
 void kit_box_put(kit_box_block *b, uint32_t lane, uint32_t plane, double at);
 uint32_t kit_box_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out);

@@ -2,13 +2,13 @@
 
 #include "kit/floats.h"
 
-/* Edges are no shorter, and no corner is nearer to the line of an edge it is not on: then an edge's line is known all
- * over the figure to what 128 roundings of a corner make. */
+/* Minimum length of an edge, and minimum distance of a corner from the line of an edge that it is not on. Then an
+ * edge's line is known all over the figure to 128 roundings of a corner. */
 static const double shortest = 0.125;
 
 static double length(pov_vec3 a) { return sqrt(pov_dot(a, a)); }
 
-/* Across the way in the plane, to the left seen from where the normal points. */
+/* Perpendicular to a direction in the plane, to the left seen from the normal's tip. */
 static pov_vec3 across(pov_vec3 normal, pov_vec3 way)
 {
     const pov_vec3 side = pov_cross_product(normal, way);
@@ -16,7 +16,8 @@ static pov_vec3 across(pov_vec3 normal, pov_vec3 way)
     return pov_scale(side, 1.0 / length(side));
 }
 
-/* Are the other corners on the inner side of all edges, if that is the left one (way = 1) or the right one? */
+/* Are the other corners on the inner side of all edges, if that is the left one (way = 1) or the right one (way =
+ * -1)? */
 static bool is_around(const pov_vec3 normal, const pov_vec3 *corner, uint32_t n, double way)
 {
     uint32_t i, j;
@@ -81,8 +82,8 @@ static kit_three three_of(pov_vec3 v)
     return r;
 }
 
-/* A corner may lie 111 u off the plane, of the sum of sizes of the furthest point: seen along a ray an edge is off by that
- * over the plane's slope, and by 111 times that at the far end of the figure. The anchor's low part is less. */
+/* A corner may lie off the plane by 111 u of the sum of sizes of the furthest point. Seen along a ray, an edge is off
+ * by that over the plane's slope, and by 111 times that at the far end of the figure. The anchor's low part is less. */
 static figure describe(const pov_frame *frame, const kit_flat *f)
 {
     const double reach = kit_sum_of_components(f->anchor) + 8.0 / f->scale;
@@ -99,7 +100,7 @@ static figure describe(const pov_frame *frame, const kit_flat *f)
     return out;
 }
 
-/* The next number of a figure is `step` further on: POV_BLOCK_MAX, or one if it is alone. */
+/* Consecutive numbers of a figure are `step` floats apart: POV_BLOCK_MAX, or one for a block of a single figure. */
 static void put_three(float *to, size_t step, kit_three v)
 {
     to[0] = v.x;
@@ -155,8 +156,9 @@ bool kit_flat_pack(kit_flat_block *b, const pov_frame *frame, const kit_flat *fi
     return true;
 }
 
-/* With S the sum of the sizes of the origin's coordinates, and n and d of length one: the distance to the plane is off by
- * less than 32 e (1 + S) / |n . d|, and a point there, as its sides see it, by as much and 64 e (1 + S). */
+/* Let S be the sum of the sizes of the origin's coordinates, and n and d of length one. The distance to the plane is
+ * off by less than 32 e (1 + S) / |n . d|. A point there is off by as much and 64 e (1 + S) in its distance to a
+ * side. */
 KIT_INLINE void meet(const figure *f, const kit_beam *l, uint32_t i, kit_chords *restrict out, kit_conditions *restrict say)
 {
     const kit_three from = { l->org.x - f->anchor.x, l->org.y - f->anchor.y, l->org.z - f->anchor.z };
@@ -214,7 +216,7 @@ KIT_INLINE void meet_figures(const void *block, const pov_rays *rays, size_t at,
     out->surely &= b->sure;
 }
 
-/* The same of a figure that is alone. */
+/* The same for a block of a single figure. */
 KIT_INLINE void meet_rays_alone(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
                                 kit_chords *restrict out)
 {
@@ -235,7 +237,7 @@ KIT_INLINE void meet_alone(const void *block, const pov_rays *rays, size_t at, u
     out->twice = 0;
 }
 
-/* Static, since the names of clones would be seen from outside. */
+/* Static, because the names of clones would be exported. */
 KIT_CLONES static uint32_t filter(const kit_flat_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {

@@ -1,5 +1,5 @@
-/* flat_block.h - up to eight flat figures at once, in floats: which of them a ray may meet, which surely, and
- * where. */
+/* flat_block.h - filters up to eight planar figures at once, in floats: possible and definite hits, with bounds on
+ * their distances. */
 #ifndef KIT_FLAT_BLOCK_H
 #define KIT_FLAT_BLOCK_H
 
@@ -9,8 +9,8 @@
 
 enum { KIT_SIDES = 4 };
 
-/* Lengths are scaled and seen from the anchor; corners are below 2. The figure lies where all of side . p >= offset;
- * `sure` if it is just that. Sides are unit vectors within the plane. */
+/* Lengths are scaled and relative to the anchor; corners are below 2. The figure lies within all half planes side . p
+ * >= offset; `sure` if it is exactly their intersection. Sides are unit vectors within the plane. */
 typedef struct kit_flat {
     pov_vec3 anchor, normal;     /* the normal's largest component is in [1, 2) */
     double scale;
@@ -19,15 +19,16 @@ typedef struct kit_flat {
     bool sure;
 } kit_flat;
 
-/* Three or four corners of a convex figure with no short edge: false if that is not what they are. */
+/* Three or four corners of a convex figure without short edges; false if they are not that. */
 bool kit_flat_outline(kit_flat *f, const pov_vec3 *corner, uint32_t n);
 
-/* A rectangle around any figure: begun with one of its corners and a way in the plane, and extended by the others. */
+/* A rectangle around any figure: begun with one corner and a direction in the plane, and extended by the other
+ * corners. */
 void kit_flat_begin(kit_flat *f, pov_vec3 corner, pov_vec3 way);
 void kit_flat_extend(kit_flat *f, pov_vec3 corner);
 
-/* Anchor, normal, sides, their offsets, and what the figure itself may be off by: in the frame, with normals and sides
- * of length one. By lane, or, of a figure alone in its block, one behind the other. Rows begin with whole vectors. */
+/* Anchor, normal, sides, their offsets, and the figure's own error: in the frame, with unit normals and sides. Stored
+ * by lane, or one behind the other for a block of a single figure. Rows begin with whole vectors. */
 enum { KIT_FLAT_NUMBERS = 3 + 3 + 3 * KIT_SIDES + KIT_SIDES + 1 };
 
 typedef struct kit_flat_block {

@@ -1,11 +1,11 @@
-/* floats.h - what block filters in floats share: lanes of the shapes of a block that one ray is asked of, or of rays that
- * are asked of one shape. */
+/* floats.h - shared parts of block filters in floats. Lanes are the shapes of a block for one ray, or rays for one
+ * shape. */
 #ifndef KIT_FLOATS_H
 #define KIT_FLOATS_H
 
 #include "kit/simd.h"
 
-/* Rays that are taken together: as many as a vector of the processor holds, and no fewer than a block holds shapes. */
+/* Rays of one vector: as many as a vector of the processor holds, and no fewer than a block holds shapes. */
 #ifdef __AVX512F__
 enum { KIT_FLOATS = 16 };
 #else
@@ -15,7 +15,7 @@ enum { KIT_FLOATS = 8 };
 /* Half a unit in the last place of a float of one. */
 #define KIT_E 0x1p-24f
 
-/* As those for doubles. */
+/* As the functions for doubles. */
 static inline float kit_float_greater(float a, float b) { return a > b ? a : b; }
 static inline float kit_float_lesser(float a, float b) { return a < b ? a : b; }
 static inline float kit_float_sum(float a, float b, float c)
@@ -34,8 +34,8 @@ KIT_INLINE float kit_dot(kit_three a, kit_three b)
     return kit_float_sum(a.z, b.z, kit_float_sum(a.y, b.y, a.x * b.x));
 }
 
-/* A ray in the frame. Where nothing is known of it the size is so large that all doubts cover the frame. What it passes
- * before `sure` is no further away than its tmax for certain. */
+/* A ray in the frame. Where nothing is known of it, the size is so large that error bounds cover the frame. Points
+ * before `sure` are certainly not beyond tmax. */
 typedef struct kit_beam { kit_three org, dir; float size, smax, sure; } kit_beam;
 
 KIT_INLINE kit_beam kit_beam_of(const pov_rays *rays, size_t at)
@@ -48,14 +48,14 @@ KIT_INLINE kit_beam kit_beam_of(const pov_rays *rays, size_t at)
     return r;
 }
 
-/* What is found, by lane: as of meetings, but for the bounds, which are lengths in the frame. */
+/* Results by lane: as candidates, but with bounds as lengths in the frame. */
 typedef struct kit_chords { float lo[KIT_FLOATS], hi[KIT_FLOATS]; uint32_t maybe, surely, twice; } kit_chords;
 
-/* Comparisons' outcomes as of kit_bits, of as many lanes as are in use. */
+/* Masks of comparisons as in kit_bits, for as many lanes as are in use. */
 typedef struct kit_outcomes { int32_t lane[KIT_FLOATS]; } kit_outcomes;
 
-/* The bits of n lanes: those of a block, or KIT_FLOATS. Lanes are stored as vectors of 256 bits, and one of 512 would have
- * to wait for two of them. */
+/* The bits of n lanes: those of a block, or KIT_FLOATS. Lanes are stored as vectors of 256 bits; a load of 512 bits
+ * would stall on two stores. */
 KIT_INLINE uint32_t kit_bits_of(const kit_outcomes *o, uint32_t n)
 {
 #ifdef __AVX512F__
@@ -67,10 +67,10 @@ KIT_INLINE uint32_t kit_bits_of(const kit_outcomes *o, uint32_t n)
     return kit_gather_lanes(o->lane);
 }
 
-/* The same of bounds, before conditions are bits. */
+/* Conditions of chords, before they are packed into bits. */
 typedef struct kit_conditions { kit_outcomes maybe, surely, twice; } kit_conditions;
 
-/* Of n lanes; maybe: those of `some`. */
+/* Pack n lanes; maybe: only those of `some`. */
 KIT_INLINE void kit_gather(const kit_conditions *c, uint32_t n, uint32_t some, kit_chords *out)
 {
     out->maybe = some & kit_bits_of(&c->maybe, n);
@@ -78,7 +78,7 @@ KIT_INLINE void kit_gather(const kit_conditions *c, uint32_t n, uint32_t some, k
     out->twice = kit_bits_of(&c->twice, n);
 }
 
-/* The lanes of KIT_FLOATS that are whose. */
+/* The lanes of KIT_FLOATS whose owner is `whose`. */
 KIT_INLINE uint32_t kit_rays_of(const uint32_t *owners, uint32_t whose)
 {
     kit_outcomes same;
@@ -89,8 +89,8 @@ KIT_INLINE uint32_t kit_rays_of(const uint32_t *owners, uint32_t whose)
     return kit_bits_of(&same, KIT_FLOATS);
 }
 
-/* Puts a meeting of each lane of `maybe` after the n that there are; gives how many there are then. Lanes are rays, from
- * `ray` on, at one shape, or shapes, from the first on, at one ray. */
+/* Append a candidate for each lane of `maybe` to the n candidates of `out`; returns their new number. Lanes are rays,
+ * from `ray` on, at one shape; or shapes, from the first on, at one ray. */
 KIT_INLINE uint32_t kit_tell_chords(const kit_chords *c, const pov_rays *rays, uint32_t ray, uint32_t shape, bool of_rays,
                                     pov_meeting *out, uint32_t n)
 {
@@ -119,12 +119,13 @@ static inline bool kit_are_more(uint32_t bits, uint32_t n)
     return bits != 0;
 }
 
-/* Of `some`: KIT_FLOATS rays, from `from` on, at one shape of a block; one ray at all of its shapes. */
+/* Test `some` of KIT_FLOATS rays, from `from` on, against one shape of a block; or one ray against all of its
+ * shapes. */
 typedef void kit_meet_rays(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
                            kit_chords *restrict out);
 typedef void kit_meet_shapes(const void *block, const pov_rays *rays, size_t at, uint32_t some, kit_chords *restrict out);
 
-/* A filter. Rays and shapes of which there are more stand in the lanes. */
+/* The filter. Lanes are rays or shapes, whichever are more. */
 KIT_INLINE uint32_t kit_filter_in_lanes(const void *block, uint32_t count, const uint32_t *owners, const pov_rays *rays,
                                          uint64_t lanes, kit_meet_rays *meet_rays, kit_meet_shapes *meet_shapes,
                                          pov_meeting *out)

@@ -15,7 +15,7 @@ static pov_two3 unit(pov_two3 a, pov_two *length)
     return r;
 }
 
-/* Unit vectors across an axis: exact where the axis is one of the coordinates'. */
+/* Unit vectors perpendicular to an axis: exact if it is a coordinate axis. */
 static void make_frame(pov_two3 axis, pov_two3 *across, pov_two3 *over)
 {
     const pov_vec3 size = pov_vec3_of(fabs(axis.x.hi), fabs(axis.y.hi), fabs(axis.z.hi));
@@ -33,7 +33,7 @@ static void make_frame(pov_two3 axis, pov_two3 *across, pov_two3 *over)
     *over = pov_two3_cross(axis, *across);
 }
 
-/* Length and direction of an axis; along a coordinate axis both are exact. */
+/* Length and direction of an axis; exact if it is a coordinate axis. */
 static pov_two3 measure(pov_two3 axis, pov_two *length)
 {
     const pov_two zero = { 0.0, 0.0 };
@@ -53,7 +53,7 @@ static pov_two3 measure(pov_two3 axis, pov_two *length)
 
 static double largest_of(pov_two3 a) { return pov_largest(pov_two3_hi(a)); }
 
-/* Along a coordinate axis, and a power of two long: products with it are exact. */
+/* Axis along a coordinate axis, with a power of two for its length: products with it are exact. */
 static bool is_axial(pov_two3 row)
 {
     const double largest = largest_of(row);
@@ -62,7 +62,7 @@ static bool is_axial(pov_two3 row)
            && row.z.lo == 0.0 && largest * pov_inverse_power(largest) == 1.0;
 }
 
-/* Bring everything to the order of one by powers of two: radii, height, and the rows for scaled points. */
+/* Scale by powers of two to the order of one: radii, height, and the rows for scaled points. */
 static void normalise(kit_frustum *s)
 {
     double largest_radius = fmax(s->radius.hi, pov_two_add(s->radius, pov_two_mul(s->slope, s->height)).hi);
@@ -76,7 +76,7 @@ static void normalise(kit_frustum *s)
     s->row[1] = scaled(s->row[1], across);
     s->row[2] = scaled(s->row[2], along);
     largest = fmax(largest_of(s->row[0]), fmax(largest_of(s->row[1]), largest_of(s->row[2])));
-    /* The rows lose a power of two, the points will gain it. */
+    /* The rows are divided by a power of two that points will be multiplied by. */
     largest = pov_inverse_power(largest);
     for (i = 0; i < 3; i++)
         s->row[i] = scaled(s->row[i], largest);
@@ -120,16 +120,17 @@ void kit_frustum_prepare(void *self, const void *text)
         normalise(s);
 }
 
-/* Of a shape that has absorbed nothing: a row as it was before normalise(), of length one, so that its largest entry is
- * above one half and at most one. The map back has the rows for columns then. */
+/* For a shape that has absorbed no map: a row as before normalise(), of length one, so that its largest entry is above
+ * one half and at most one. The columns of the inverse are the rows then. */
 static pov_two3 unit_row(pov_two3 row)
 {
     const double largest = largest_of(row), power = pov_inverse_power(largest);
 
-    return scaled(row, largest * power < 1.125 ? power : 0.5 * power);   /* no unit vector's is between 0.5 and 0.57 */
+    return scaled(row, largest * power < 1.125 ? power : 0.5 * power);   /* no unit vector has its largest component
+                                                                          * between 0.5 and 0.57 */
 }
 
-/* The box of two discs (ellipses, if a map squeezed them), wider by what the roundings here can have lost. */
+/* The box of two discs (ellipses, if a map squeezed them), widened by all roundings here. */
 static void extend(const kit_frustum_size *s, double anchor, double x, double y, double z, double *lo, double *hi)
 {
     const double across = sqrt(x * x + y * y), shift = z * s->length;
@@ -141,7 +142,7 @@ static void extend(const kit_frustum_size *s, double anchor, double x, double y,
     *hi = kit_above(anchor + kit_above(high + slack));
 }
 
-/* c: columns of the map back, not scaled. */
+/* c: columns of the inverse map, not scaled. */
 static pov_box box_of(const kit_frustum_size *s, pov_two3 anchor, const pov_vec3 c[3])
 {
     pov_box box;
@@ -168,8 +169,8 @@ bool kit_frustum_bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* The new rows are the old ones times the inverse map. An affine map of any shape can be taken in; one
- * that is far from keeping angles would cost precision in the products, unless it is axial. */
+/* The new rows are the old ones times the inverse map. Any affine map could be absorbed. One that changes angles much
+ * would lose precision in the products, unless it is axial. */
 bool kit_frustum_absorb(void *self, const pov_affine *map)
 {
     kit_frustum *s = self;
@@ -214,8 +215,9 @@ kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w
     return r;
 }
 
-/* The crossing's point in local coordinates, and the radius there; on the side it is brought onto the surface, because
- * near an apex the distance alone is not fine enough for a normal. A point that is off by much is left where it is. */
+/* The crossing's point in local coordinates, and the radius there. On the side it is moved onto the surface by a Newton
+ * step, because near an apex the distance alone is too inaccurate for a normal. A point that is off by much is not
+ * moved. */
 static view surface_point(const kit_frustum *s, const kit_ray *k, const pov_crossing *at)
 {
     view v = view_of(s, k, kit_point(k, at));

@@ -1,29 +1,29 @@
-/* frustum.h - cylinders and cones, capped or open, round or squeezed by a map: one mathematics for both
- * keywords. */
+/* frustum.h - cylinders and cones, capped or open, round or squeezed by a map: one implementation for both keywords. */
 #ifndef KIT_FRUSTUM_H
 #define KIT_FRUSTUM_H
 
 #include "kit/report.h"
 
-/* A point's local coordinates are the rows times (point - anchor). There the shape is x^2 + y^2 <= (radius
- * + slope z)^2 with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and
- * 1 the side, entered and left by the ray, 2 the cap at z = 0, 3 that at the height. The anchor is the
- * narrower end: near a cone's apex nothing cancels then. */
+/* A point's local coordinates are the rows times (point - anchor). In these the shape is x^2 + y^2 <= (radius + slope
+ * z)^2 with 0 <= z <= height; the larger radius and the height are in [1, 2). A mark's part: 0 and 1 for the ray's
+ * entry and exit through the side, 2 for the cap at z = 0, 3 for the cap at the height. The anchor is the narrower end:
+ * near a cone's apex nothing cancels then. */
 typedef struct kit_frustum_size { double radii[2], length; } kit_frustum_size;
 
 typedef struct kit_frustum {
     pov_two3 anchor;
     pov_two3 row[3];             /* for points scaled by `scale` */
-    double loss[3];              /* roundings that a row's product with a rounded point passes through */
+    double loss[3];              /* number of roundings in the product of a row and a rounded point */
     pov_two radius, slope, height;
     double scale;
     bool open, empty, slender;   /* slender: much longer than wide */
-    bool moved;                  /* it has absorbed a map, and its box is known: rows tell no more what was written */
+    bool moved;                  /* it has absorbed a map, and its box is known: the rows no longer tell the written
+                                  * shape */
     pov_two3 axis;               /* from the anchor to the other end */
     union { kit_frustum_size written; pov_box box; } of;
 } kit_frustum;
 
-/* As it was written; the ends are two different points. */
+/* As written; the ends are two different points. */
 typedef struct kit_frustum_text {
     pov_vec3 base, top;
     double base_radius, top_radius;
@@ -44,8 +44,8 @@ bool kit_frustum_absorb(void *self, const pov_affine *map);
 
 /* ---- blocks ---- */
 
-/* The numbers of a kit_one by lane, or, of a shape alone in its block, one behind the other: two lines of memory then hold
- * what a ray asks for, and not ten. Rows begin with whole vectors. */
+/* The numbers of a kit_one by lane; or one behind the other for a block of a single shape: a ray then reads two cache
+ * lines, and not ten. Rows begin with whole vectors. */
 enum { KIT_FRUSTUM_NUMBERS = 18 };
 
 typedef struct kit_frustum_block {
@@ -53,7 +53,7 @@ typedef struct kit_frustum_block {
     float number[KIT_FRUSTUM_NUMBERS][POV_BLOCK_MAX];
 } kit_frustum_block;
 
-/* The numbers of one that is alone in its block stand one behind the other. */
+/* Size of a block of a single shape, whose numbers stand one behind the other. */
 enum { KIT_FRUSTUM_ALONE = offsetof(kit_frustum_block, number) + KIT_FRUSTUM_NUMBERS * sizeof(float) };
 
 bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);

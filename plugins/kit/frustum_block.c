@@ -1,4 +1,5 @@
-/* Up to eight cylinders or cones at once, in floats: which of them a ray may meet, which surely, and where. */
+/* Filters up to eight cylinders or cones at once, in floats: possible and definite hits, with bounds on their
+ * distances. */
 #include "kit/frustum_bounds.h"
 
 static double sum_of(pov_vec3 a) { return kit_sum_of_components(a); }
@@ -8,11 +9,11 @@ static double middle_of(pov_two anchor, pov_two axis, double centre, double scal
     return (anchor.hi - centre + anchor.lo + 0.5 * axis.hi) * scale;
 }
 
-/* Times the entries of a row. */
+/* Factor of the entries of a row. */
 #define LOST (12.0 * (double)KIT_E)
 #define TOO_SMALL 0x1p20
 
-/* A shape that is all too small for the frame is met by every ray that comes near. */
+/* A shape that is too small for the frame is a possible hit of every ray that comes near. */
 static kit_one describe(const pov_frame *frame, const kit_frustum *s)
 {
     double sum[3];
@@ -39,7 +40,7 @@ static kit_one describe(const pov_frame *frame, const kit_frustum *s)
     return one;
 }
 
-/* The next number of a shape is `step` further on: POV_BLOCK_MAX, or one if it is alone. */
+/* Consecutive numbers of a shape are `step` floats apart: POV_BLOCK_MAX, or one for a block of a single shape. */
 static void put_three(float *to, size_t step, kit_three v)
 {
     to[0] = v.x;
@@ -94,13 +95,13 @@ bool kit_frustum_pack(void *block, const pov_frame *frame, const void *const *se
     return true;
 }
 
-/* What is kept of lines from one loop to the next. */
+/* Numbers of lines that one loop leaves for the next. */
 typedef struct lines {
     float x[KIT_FLOATS], y[KIT_FLOATS], z[KIT_FLOATS], dx[KIT_FLOATS], dy[KIT_FLOATS], dz[KIT_FLOATS];
     float middle[KIT_FLOATS], discriminant[KIT_FLOATS];
 } lines;
 
-/* Does a line not miss for certain? */
+/* Does a line possibly hit? */
 KIT_INLINE int32_t find(const kit_one *s, const kit_beam *ray, uint32_t i, lines *restrict out)
 {
     const kit_line l = kit_find_line(s, ray);
@@ -116,7 +117,7 @@ KIT_INLINE int32_t find(const kit_one *s, const kit_beam *ray, uint32_t i, lines
     return -!kit_line_misses(s, ray, &l);
 }
 
-/* An open one has to be entered by its side. */
+/* An open shape can be entered through its side only. */
 KIT_INLINE void bound(const kit_one *s, const kit_beam *ray, const lines *all, uint32_t i, kit_chords *restrict out,
                       kit_conditions *restrict say)
 {
@@ -142,7 +143,7 @@ KIT_INLINE void bound(const kit_one *s, const kit_beam *ray, const lines *all, u
 /* Floats before the numbers of a block. */
 enum { HEAD = offsetof(kit_frustum_block, number) / sizeof(float) };
 
-/* Of some rays at one shape. */
+/* Some rays at one shape. */
 KIT_INLINE void meet_lanes(const kit_one *s, const pov_rays *rays, size_t from, uint32_t some, kit_chords *restrict out)
 {
     kit_conditions say;
@@ -194,7 +195,7 @@ KIT_INLINE void meet_shapes(const void *block, const pov_rays *rays, size_t at, 
     kit_gather(&say, POV_BLOCK_MAX, some, out);
 }
 
-/* The same of a shape that is alone. */
+/* The same for a block of a single shape. */
 KIT_INLINE void meet_rays_alone(const void *block, uint32_t which, const pov_rays *rays, size_t from, uint32_t some,
                                 kit_chords *restrict out)
 {
@@ -220,7 +221,7 @@ KIT_INLINE void meet_alone(const void *block, const pov_rays *rays, size_t at, u
     out->twice = (uint32_t)say.twice.lane[0];
 }
 
-/* Static, since the names of clones would be seen from outside. */
+/* Static, because the names of clones would be exported. */
 KIT_CLONES static uint32_t filter(const kit_frustum_block *b, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                                   pov_meeting *out)
 {

@@ -1,10 +1,11 @@
-/* frustum_bounds.h - a ray and a cylinder or cone of a block, in floats: does its line surely miss, and bounds on where it
- * enters and leaves. Everything stands in loops over lanes, of shapes or of rays, so it has no branches.
+/* frustum_bounds.h - a ray and a cylinder or cone of a block, in floats: whether its line definitely misses, and bounds
+ * on its entry and exit. All functions stand in loops over lanes, of shapes or of rays, so they have no branches.
  *
- * The ray is taken in local coordinates, seen from the middle of the axis, about its point nearest to that, which is
- * `middle` away from its start; near the shape all is as large as one there. Its points near the shape are off by less
- * than 12 e N (S + 2 + |middle|) in a coordinate, N being the sum of the entries of that one's row: docs/numerics.md has
- * the count. A radius that much larger or smaller, and ends that much further apart or nearer, make the bounds safe. */
+ * The ray is transformed to local coordinates, relative to the centre of the axis. Its parameter is measured from its
+ * point closest to the centre, which is `middle` away from its start; near the shape all numbers are of the order of
+ * one there. Points of the ray near the shape are off by less than 12 e N (S + 2 + |middle|) in a coordinate, N being
+ * the sum of the entries of that coordinate's row: docs/numerics.md has the count. Enlarging and shrinking the radius,
+ * and moving the ends by that much makes the bounds safe. */
 #ifndef KIT_FRUSTUM_BOUNDS_H
 #define KIT_FRUSTUM_BOUNDS_H
 
@@ -14,8 +15,8 @@
 /* A shape of a block. */
 typedef struct kit_one { kit_three centre, row[3]; float radius, slope, half, wide, high, closed; } kit_one;
 
-/* Beyond this, in local coordinates, radius and ends are not known well enough to say that a ray enters; nor, beyond one,
- * to say anything. */
+/* With a larger error in local coordinates, radius and ends are too uncertain for a definite hit; above one, for any
+ * statement. */
 #define KIT_BLURRED 0x1p-4f
 
 KIT_INLINE kit_three kit_turned(const kit_one *s, kit_three v)
@@ -24,11 +25,11 @@ KIT_INLINE kit_three kit_turned(const kit_one *s, kit_three v)
     return r;
 }
 
-/* A ray in local coordinates about its point at `middle`, and what the discriminant of the side is there with the larger
+/* A ray in local coordinates about its point at `middle`, and the discriminant of the side there with the larger
  * radius. */
 typedef struct kit_line { kit_three p, d; float middle, discriminant; } kit_line;
 
-/* What radius and ends may be off by. */
+/* Errors of radius and ends. */
 KIT_INLINE float kit_widening(const kit_one *s, const kit_beam *ray, float middle)
 {
     return s->wide * (ray->size + 2.0f + fabsf(middle));
@@ -39,7 +40,7 @@ KIT_INLINE float kit_heightening(const kit_one *s, const kit_beam *ray, float mi
     return s->high * (ray->size + 2.0f + fabsf(middle));
 }
 
-/* The discriminant of a line with a side that has this radius at its point. */
+/* Discriminant of a line and a side of this radius at the line's point. */
 KIT_INLINE float kit_discriminant(const kit_line *l, float r, float grow)
 {
     const float p = kit_float_sum(r, l->d.x, -(grow * l->p.x)), q = kit_float_sum(r, l->d.y, -(grow * l->p.y));
@@ -63,7 +64,7 @@ KIT_INLINE kit_line kit_find_line(const kit_one *s, const kit_beam *ray)
     return l;
 }
 
-/* How fast the side and the ray part at most; and what the roundings of a discriminant come to. */
+/* Largest rate of change between the side and the ray; and the rounding errors of a discriminant. */
 KIT_INLINE float kit_speed(const kit_one *s, const kit_line *l)
 {
     return fabsf(l->d.x) + fabsf(l->d.y) + fabsf(s->slope * l->d.z);
@@ -76,19 +77,20 @@ KIT_INLINE float kit_blur(const kit_one *s, const kit_beam *ray, float middle)
     return kit_float_greater(kit_widening(s, ray, middle), kit_heightening(s, ray, middle));
 }
 
-/* The line's nearest point lies no further out than the shape's corners, of which the square is then below 14. */
+/* The line's closest point is no further from the axis than the shape's corners, whose squared distance is then below
+ * 14. */
 KIT_INLINE int kit_line_misses(const kit_one *s, const kit_beam *ray, const kit_line *l)
 {
     return ((int)(l->discriminant < -kit_doubt(kit_speed(s, l))) | (int)(kit_dot(l->p, l->p) > 16.0f))
            & (int)(kit_blur(s, ray, l->middle) < 1.0f);
 }
 
-/* Bounds on where a ray enters and leaves something: before `lo` and after `hi` it is outside, from `late` to `soon` it
- * is inside. */
+/* Bounds on the entry and the exit of a ray: before `lo` and after `hi` it is outside, from `late` to `soon` it is
+ * inside. */
 typedef struct kit_reach { float lo, late, soon, hi; } kit_reach;
 
-/* The side. With a coefficient a of one sign or the other the roots are (-b -+ sqrt D) / a. Where a is all but zero, or
- * below zero and the ray comes near to the apex, nothing is said. */
+/* The side. Its roots are (-b -+ sqrt D) / a, for either sign of a. Where a is nearly zero, or negative and the ray
+ * comes near the apex, the result is unknown. */
 KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_beam *ray, const kit_line *l)
 {
     const float wide = kit_widening(s, ray, l->middle), r = kit_float_sum(s->slope, l->p.z, s->radius), grow = s->slope * l->d.z;
@@ -98,9 +100,11 @@ KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_beam *ray, const kit_l
     const float more = a > 0.0f ? doubt : -doubt, apart = l->discriminant + more;
     const float within = kit_discriminant(l, r - wide, grow) - more;
     const float large = sqrtf(kit_float_greater(apart, 0.0f)), small = sqrtf(kit_float_greater(within, 0.0f));
-    /* Of b 50 e g, of a 4 e g^2, of quotient and root 3 e; both parts of the numerator together are below 31 g. */
+    /* Errors: 50 e g of b, 4 e g^2 of a, 3 e of quotient and root; both terms of the numerator together are below 31
+     * g. */
     const float gain = speed * inverse, slack = 512.0f * KIT_E * speed * gain * gain + 2.0f * KIT_E * fabsf(l->middle);
-    /* By their signs: is anything known, is there an entry, an exit? Conditions joined in other ways stop compilers. */
+    /* The signs tell: is anything known, is there an entry, an exit? (Compilers do not vectorise other ways to combine
+     * these conditions.) */
     const float known = kit_float_lesser(fabsf(a) - kit_float_sum(0x1p-8f * speed, speed, 1e-36f),
                                          kit_float_greater(a, l->discriminant - doubt));
     const float sure = kit_float_lesser(known, within);
@@ -118,8 +122,8 @@ KIT_INLINE kit_reach kit_side(const kit_one *s, const kit_beam *ray, const kit_l
     return out;
 }
 
-/* Between the ends. The inner one stays so far from an apex that the smaller radius there is above zero for certain. Along
- * the ends a slope too small to matter stands for none. */
+/* The slab between the ends. The inner end stays so far from an apex that the smaller radius there is certainly
+ * positive. A slope along the axis that is too small to matter counts as none. */
 KIT_INLINE kit_reach kit_slab(const kit_one *s, const kit_beam *ray, const kit_line *l)
 {
     const float high = kit_heightening(s, ray, l->middle), z = l->p.z;

@@ -19,8 +19,8 @@ static pov_two exact_offset(double o, double o_lo, pov_two anchor, double t, dou
     return kit_expansion_two(&e);
 }
 
-/* The ray's point at t. On a slender shape even two parts of a length would leave little of a width, so
- * there the part along the axis is taken away first, without any error. */
+/* The ray's point at t. On a slender shape even a double-double length would leave few bits of a width, so the
+ * component along the axis is subtracted first, without any error. */
 static pov_two3 local_along(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, double t)
 {
     pov_two3 w = kit_along_two(k, t), p;
@@ -37,15 +37,15 @@ static pov_two3 local_along(const kit_frustum *s, const kit_ray *k, const pov_ra
     return p;
 }
 
-/* Where the ray is within something convex: from lo to hi, either of which may be endless. */
+/* The interval of the ray within something convex: from lo to hi, either of which may be infinite. */
 typedef struct span {
     bool empty, from_ever, for_ever;
     pov_two lo, hi;
     uint32_t lo_part, hi_part;
 } span;
 
-/* A ray nearly along the side moves hardly at all across it, so much less at times that squares underflow:
- * it is followed faster by `power`. */
+/* A ray nearly parallel to the side changes its distance so slowly that squares may underflow: its direction is scaled
+ * by `power`. */
 static double quicken(pov_two3 *d, pov_two *grow)
 {
     const double power = pov_inverse_power(pov_largest(pov_vec3_of(d->x.hi, d->y.hi, grow->hi)));
@@ -79,7 +79,7 @@ static span side_span(const kit_frustum *s, pov_two3 w, pov_two3 d)
     root = pov_two_sqrt(discriminant);
     sum = b.hi < 0.0 ? pov_two_sub(root, b) : pov_two_neg(pov_two_add(b, root));
     if (a.hi > 0.0 && sum2(r, a, pov_two_neg(grow), b).hi < 0.0)
-        return out;     /* the other half of a double cone */
+        return out;     /* the other half of the double cone */
     out.empty = false;
     first = second = sum.hi == 0.0 ? sum : pov_two_div(c, sum);
     if (a.hi != 0.0 && sum.hi != 0.0)
@@ -127,7 +127,7 @@ static span slab_span(const kit_frustum *s, pov_two z, pov_two dz)
     return out;
 }
 
-/* Capped: where side and slab are both around the ray. */
+/* Capped: the intersection of the intervals of side and slab. */
 static span meet(span a, span b)
 {
     if (a.empty || b.empty) {
@@ -166,7 +166,7 @@ static leaving leaving_of(const kit_frustum *s, const kit_ray *k, pov_two3 d, ui
     return outward < 0.0 ? INWARD : OUTWARD;
 }
 
-/* How much further along the ray a root lies that is much nearer to the apex than w is; 0 for none. */
+/* Additional distance to a root that is much nearer to the apex than w is; 0 for none. */
 static double to_apex(const kit_frustum *s, const span *side, pov_two3 w, pov_two3 d)
 {
     const double r = s->radius.hi + s->slope.hi * w.z.hi, grow = s->slope.hi * d.z.hi;
@@ -187,7 +187,8 @@ void kit_frustum_decide(const kit_frustum *s, const kit_ray *k, const pov_ray *r
     bool in, out;
 
     hits->decided++;
-    /* Close to the apex everything is small; seen from further off it would be small differences. */
+    /* Recompute close to the apex, where all numbers are small; seen from further off they would be small
+     * differences. */
     further = to_apex(s, &side, w, d);
     if (further != 0.0 && s->slope.hi != 0.0) {
         middle += further;

@@ -1,5 +1,5 @@
-/* Where several rays enter cylinders or cones, each one of its own, or come out of those that they start on, side by
- * side. */
+/* Entries of several rays into cylinders or cones, each into one of its own, or exits from those that they start on,
+ * side by side. */
 #include "kit/frustum_lanes.h"
 
 static inline bounded choose(int first, bounded a, bounded b)
@@ -7,13 +7,13 @@ static inline bounded choose(int first, bounded a, bounded b)
     return bounded_of(first ? a.v : b.v, first ? a.e : b.e);
 }
 
-/* Both are known well enough to say which is smaller. */
+/* Are both accurate enough to tell which is smaller? */
 static inline int is_apart(bounded a, bounded b) { return fabs(a.v - b.v) > 2.0 * (a.e + b.e); }
 
-/* Where a line goes into something and out of it, and whether that is certain. */
+/* Entry and exit of a line, and whether they are certain. */
 typedef struct chord { bounded lo, hi; double apart; int certain; } chord;
 
-/* As rough_side() where the side is a closed curve to the ray, and is cut. */
+/* As rough_side(), if the side is a closed curve for the ray, and is crossed. */
 static inline chord cut_side(const kit_frustum *s, const rough *g)
 {
     const rough_equation e = equation_of(g);
@@ -33,7 +33,7 @@ static inline chord cut_side(const kit_frustum *s, const rough *g)
     return c;
 }
 
-/* As rough_slab() of a ray that goes through both ends. */
+/* As rough_slab(), for a ray that goes through both ends. */
 static inline chord cut_slab(const kit_frustum *s, const rough *g)
 {
     const bounded base = bounded_of(-g->z.v, g->z.e), top = plus(bounded_of(s->height.hi, KIT_U), base);
@@ -47,9 +47,9 @@ static inline chord cut_slab(const kit_frustum *s, const rough *g)
     return c;
 }
 
-/* Where rays come in, or out, in the shape's units, what that may be off by, and half the distance of the side's
- * roots; then bounds on the distance, the distance, and which part is met; good: not zero where it is found well
- * enough, unsure: where a step of Newton's may yet find it so. */
+/* Entry or exit of each ray: the root in the shape's units, its error bound, and half the distance between the side's
+ * roots; then bounds on the distance, the distance, and the feature. good: not zero where it is accurate enough;
+ * unsure: where a Newton step may make it so. */
 typedef struct end_lanes {
     kit_lane root, root_lo, error, apart, fine;
     kit_lane lo, hi, t, t_lo, part, good, unsure;
@@ -66,7 +66,7 @@ KIT_INLINE void put_end(end_lanes *restrict out, uint32_t i, const kit_root *r, 
     out->good[i] = good ? 1.0 : 0.0;
 }
 
-/* As kit_frustum_intersect() of one that has its ends, and that the ray does not leave, or goes into. */
+/* As kit_frustum_intersect() for a capped shape that the ray does not leave, or that it enters. */
 KIT_CLONES static void find_ends(const frustum_lanes *restrict l, const double *restrict inward,
                                  end_lanes *restrict out)
 {
@@ -110,7 +110,7 @@ KIT_CLONES static void find_ends(const frustum_lanes *restrict l, const double *
     }
 }
 
-/* The step that kit_report() takes where double was not fine enough. */
+/* The refinement step of kit_report(), where double was not accurate enough. */
 KIT_CLONES static void refine_ends(const frustum_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
@@ -144,7 +144,7 @@ static inline bool is_answered(const end_lanes *e, uint32_t i, const kit_frustum
            && h->want != POV_WANT_ALL && !h->always_exact && (h->owner != ray->left || kit_is_inward(ray, h));
 }
 
-/* Of these lanes, bit by bit; those that are still to be asked are returned. */
+/* Report these lanes; returns the lanes that are still to be intersected. */
 static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const void *const *selves, const pov_ray *const *rays,
                             pov_hits *const *hits)
 {
@@ -161,7 +161,7 @@ static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const void *cons
     return left;
 }
 
-/* Those whom a step would help: to look for any crossing none is needed. */
+/* Lanes that a refinement step would settle: a search for any crossing needs none. */
 static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const void *const *selves, const pov_ray *const *rays,
                              pov_hits *const *hits)
 {

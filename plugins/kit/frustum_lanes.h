@@ -1,14 +1,14 @@
-/* frustum_lanes.h - several cylinders or cones side by side, each with a ray. */
+/* frustum_lanes.h - several pairs of a cylinder or cone and a ray, side by side. */
 #ifndef KIT_FRUSTUM_LANES_H
 #define KIT_FRUSTUM_LANES_H
 
 #include "kit/frustum_rough.h"
 #include "kit/lanes.h"
 
-/* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
+/* Fewer lanes than KIT_LANES: a shape has many numbers to copy, so unused lanes cost much. */
 enum { TOGETHER = 4 };
 
-/* A shape's numbers, as they stand in it, up to what rays do not need; whole fours of them. */
+/* Number of doubles at the start of a shape that rays need, rounded up to a multiple of four. */
 #define NUMBER_OF(member) (offsetof(kit_frustum, member) / sizeof(double))
 enum { NUMBERS = (NUMBER_OF(open) + 3) / 4 * 4 };
 
@@ -33,7 +33,7 @@ static inline pov_two3 get_two3(const frustum_lanes *l, uint32_t i, size_t numbe
     return two3_of(get_two(l, i, number), get_two(l, i, number + 2), get_two(l, i, number + 4));
 }
 
-/* The shape of a lane, but for what stands behind its numbers. */
+/* The shape of a lane, without the members behind its numbers. */
 static inline kit_frustum get_shape(const frustum_lanes *l, uint32_t i)
 {
     kit_frustum s;

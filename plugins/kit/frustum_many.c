@@ -1,7 +1,8 @@
 /* The normals of several cylinders or cones side by side. */
 #include "kit/frustum_lanes.h"
 
-/* As kit_frustum_normal(). good: not zero where that takes its usual way, and pov_unit() neither scales. */
+/* As kit_frustum_normal(). good: not zero where the usual path of that function applies, and pov_unit() does not
+ * scale. */
 KIT_CLONES static void find_normals(const frustum_lanes *restrict l, const double *restrict t,
                                     const double *restrict t_lo, kit_lane3 *restrict out, double *restrict good)
 {
@@ -28,7 +29,7 @@ KIT_CLONES static void find_normals(const frustum_lanes *restrict l, const doubl
     }
 }
 
-/* The places of `which` are sides. */
+/* Lanes of `which` hold sides. */
 static void normals_of(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                        pov_vec3 *const *out, const uint32_t *which, uint32_t n)
 {

@@ -1,4 +1,4 @@
-/* frustum_parts.h - what the files of the frustum share with each other and with nobody else. */
+/* frustum_parts.h - declarations for the files of cylinders and cones only. */
 #ifndef KIT_FRUSTUM_PARTS_H
 #define KIT_FRUSTUM_PARTS_H
 
@@ -8,7 +8,7 @@ enum { SIDE_IN = 0, SIDE_OUT = 1, CAP_BASE = 2, CAP_TOP = 3 };
 
 static inline uint32_t frustum_mark(const kit_frustum *s) { return s->open ? 0 : POV_MARK_CLOSED; }
 
-/* Which crossings a ray that left the shape may still report. */
+/* Crossings that a ray which left the shape may still report. */
 typedef enum leaving { NOT_LEAVING, INWARD, OUTWARD } leaving;
 
 static inline pov_two3 scaled(pov_two3 a, double power)
@@ -96,7 +96,7 @@ static inline pov_two3 two3_of(pov_two a, pov_two b, pov_two c)
     return v;
 }
 
-/* Of the side, not yet unit. */
+/* Normal of the side, not normalised. */
 static inline pov_vec3 side_normal(const kit_frustum *s, const view *v)
 {
     const pov_two3 *row = s->row, n = two3_of(v->p.x, v->p.y, pov_two_neg(pov_two_mul(s->slope, v->r)));
@@ -106,8 +106,8 @@ static inline pov_vec3 side_normal(const kit_frustum *s, const view *v)
                        kit_quick_dot(n, two3_of(row[0].z, row[1].z, row[2].z)).hi);
 }
 
-/* The local coordinates are sums of three products with entries below 2, so within 2^-97 of |w|; they and the radius
- * are below 8 wherever it matters. */
+/* The local coordinates are sums of three products with entries below 2, so within 2^-97 of |w|. They and the radius
+ * are below 8 wherever that matters. */
 static inline double frustum_value_error(pov_two3 w) { return 0x1p-91 * (1.0 + pov_largest(pov_two3_hi(w))); }
 
 /* Rows and direction are below 2: no component of d is off by more than this. */
@@ -142,7 +142,7 @@ static inline kit_residual cap_residual(const kit_frustum *s, const view *v, int
 /* The equation of the side, or of a cap's plane, at a point. */
 kit_residual kit_frustum_residual(const void *self, const kit_ray *k, pov_two3 w, uint32_t part);
 
-/* Two-part arithmetic from the start, about the ray's point at `middle`. */
+/* Double-double arithmetic from the start, about the ray's point at `middle`. */
 void kit_frustum_decide(const kit_frustum *s, const kit_ray *k, const pov_ray *ray, double middle, pov_hits *hits);
 
 #endif

@@ -72,7 +72,7 @@ static bool rough_slab(const kit_frustum *s, const rough *g, rough_span *out)
     return true;
 }
 
-/* Is a before b? False in *certain when that cannot be told. */
+/* Is a before b? Sets *certain to false when that is unknown. */
 static inline bool is_before(bounded a, bounded b, bool *certain)
 {
     if (!(fabs(a.v - b.v) > 2.0 * (a.e + b.e)))
@@ -107,7 +107,7 @@ static bool rough_within(const rough_span *slab, bounded t, bool *certain)
            (slab->for_ever || !is_before(slab->hi, t, certain));
 }
 
-/* f: where the ray starts. */
+/* f: the ray's start. */
 static leaving rough_leaving(const kit_frustum *s, pov_vec3 f, const rough *g, uint32_t part, bool *certain)
 {
     const bounded x = row_times(s, 0, f, 0.0), y = row_times(s, 1, f, 0.0);
@@ -159,8 +159,8 @@ static bool quick(const kit_frustum *s, const kit_ray *k, const rough *g, leavin
     return kit_report(roots, n, fmin(KIT_FINE / speed, KIT_APART * side.apart), &equation, hits);
 }
 
-/* Who goes into a capped one comes out once, and no further on than its diameter, which is below sqrt(20): for whoever
- * counts that is enough. */
+/* A ray that enters a capped shape leaves it once, within its diameter, which is below sqrt(20): that suffices for
+ * counting. */
 static bool comes_out(const kit_frustum *s, const rough *g, double unit, pov_hits *hits)
 {
     const double beyond = 8.0 * unit / (fabs(g->dx.v) + fabs(g->dy.v) + fabs(g->dz.v));
@@ -186,7 +186,7 @@ void kit_frustum_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     middle = find_middle(s, &k, &g);
     if (ray->left == hits->owner) {
         way = rough_leaving(s, f, &g, ray->left_mark.part, &certain);
-        /* With its caps it is convex: from there on all of it is behind. */
+        /* A capped shape is convex: all of it is behind a ray that goes outward. */
         if (certain && way == OUTWARD && !s->open && hits->tmin >= 0.0)
             return;
         if (certain && way == INWARD && hits->count_only && comes_out(s, &g, k.unit, hits))

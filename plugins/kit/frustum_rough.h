@@ -1,4 +1,4 @@
-/* frustum_rough.h - double precision with a running bound on every error: what one ray and several share. */
+/* frustum_rough.h - double precision with running error bounds: shared by single rays and lanes of rays. */
 #ifndef KIT_FRUSTUM_ROUGH_H
 #define KIT_FRUSTUM_ROUGH_H
 
@@ -9,8 +9,8 @@ typedef struct bounded { double v, e; } bounded;   /* the exact value is within 
 
 KIT_INLINE bounded bounded_of(double v, double e) { bounded b; b.v = v; b.e = e; return b; }
 
-/* A row times a vector that is off by a rounding of each component, and of `slack` more: six roundings in all, or one if
- * the row is a coordinate axis. */
+/* A row times a vector with errors of one rounding of each component, and of `slack` more: six roundings in all, or one
+ * if the row is a coordinate axis. */
 KIT_INLINE bounded row_times(const kit_frustum *s, int i, pov_vec3 w, double slack)
 {
     const pov_two3 *row = &s->row[i];
@@ -44,13 +44,12 @@ KIT_INLINE bounded over(bounded a, bounded b)
     return bounded_of(v, (a.e + fabs(v) * b.e) / (fabs(b.v) - b.e) + KIT_U * fabs(v));
 }
 
-/* The sign is certain: not even a bound twice as wide could turn it, which also pays for the bound's own
- * roundings. */
+/* Is the sign certain, even with twice the bound? The factor covers the bound's own roundings. */
 KIT_INLINE bool is_certain(bounded a) { return fabs(a.v) > 2.0 * a.e; }
 
 typedef struct rough { bounded x, y, z, dx, dy, dz, r, grow; } rough;
 
-/* Two components across the axis: what either is off by at most, the larger of their sizes, and the sum. */
+/* Two components perpendicular to the axis: the larger error, the larger size, and the sum of sizes. */
 typedef struct rough_pair { double off, most, size; } rough_pair;
 
 KIT_INLINE rough_pair pair_of(bounded a, bounded b)
@@ -63,13 +62,13 @@ KIT_INLINE rough_pair pair_of(bounded a, bounded b)
     return p;
 }
 
-/* What a product, a square, and the sum of two squares are off by for their factors. */
+/* Errors of a product, a square, and the sum of two squares, from those of the factors. */
 KIT_INLINE double off_by(double a, double a_off, double b, double b_off) { return a * b_off + a_off * (b + b_off); }
 KIT_INLINE double off_by_square(double a, double off) { return off * (2.0 * a + off); }
 KIT_INLINE double off_by_squares(rough_pair a) { return 2.0 * a.off * (a.size + a.off); }
 
-/* The equation of the side along the ray, a t^2 + 2 b t + c, and its discriminant p^2 + q^2 - m^2. The same rules as above,
- * once for what is alike. */
+/* The equation of the side along the ray, a t^2 + 2 b t + c, and its discriminant p^2 + q^2 - m^2. Error rules as
+ * above, with common terms factored out. */
 typedef struct rough_equation { bounded a, b, c, discriminant; } rough_equation;
 
 KIT_INLINE rough_equation equation_of(const rough *g)
@@ -80,7 +79,7 @@ KIT_INLINE rough_equation equation_of(const rough *g)
     const rough_pair out = pair_of(g->x, g->y), way = pair_of(g->dx, g->dy);
     const double pq_off = off_by(far, g->r.e, way.most, way.off) + off_by(steep, g->grow.e, out.most, out.off)
                           + 2.0 * u * (far * way.most + steep * out.most);
-    /* Of m, and of x dx + y dy. */
+    /* Errors of m, and of x dx + y dy. */
     const double m_off = out.size * way.off + out.off * (way.size + 2.0 * way.off) + 3.0 * u * out.size * way.most;
     const rough_pair pq = { pq_off, 0.0, fabs(p) + fabs(q) };
     rough_equation e;
@@ -106,7 +105,7 @@ KIT_INLINE kit_root root_of(double middle, bounded t, uint32_t part, uint32_t fl
 /* The slope, rounded. */
 KIT_INLINE bounded slope_of(const kit_frustum *s) { return bounded_of(s->slope.hi, KIT_U * fabs(s->slope.hi)); }
 
-/* A ray at its closest approach to the middle of the axis, in local lengths. Any point near the shape would do. */
+/* A ray at its closest approach to the centre of the axis, in local lengths. Any point near the shape would do. */
 KIT_INLINE double find_middle(const kit_frustum *s, const kit_ray *k, rough *g)
 {
     const pov_vec3 f = pov_two3_hi(k->f);

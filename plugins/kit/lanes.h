@@ -1,12 +1,12 @@
-/* lanes.h - several rays side by side, each at a shape of its own. What is asked of many pairs at once is the same
- * arithmetic as for one, inlined into a plain loop over lanes that the compiler turns into vector code: so it gives the
- * same bits. What a lane cannot decide goes to the function for one pair. */
+/* lanes.h - several pairs of a ray and a shape side by side. The arithmetic for one pair is inlined into a plain loop
+ * over lanes that the compiler turns into vector code: so the bits are the same. A lane that is not certain is left to
+ * the function for one pair. */
 #ifndef KIT_LANES_H
 #define KIT_LANES_H
 
 #include "kit/simd.h"
 
-/* Lanes that hold nothing cost as much as others: fewer pairs than the least are better off alone. */
+/* Unused lanes cost as much as others: fewer pairs than this minimum are cheaper one by one. */
 enum { KIT_LANES = 8, KIT_LEAST = 3 };
 
 typedef double kit_lane[KIT_LANES];
@@ -22,7 +22,7 @@ static inline void kit_put(kit_lane3 *l, uint32_t i, pov_vec3 v)
 
 static inline pov_vec3 kit_get(const kit_lane3 *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
 
-/* Of n pairs, the one that a lane holds: lanes past the end hold the last one again. */
+/* Index of the pair in a lane: lanes past the end hold the last pair again. */
 static inline uint32_t kit_lane_of(uint32_t i, uint32_t n) { return i < n ? i : n - 1; }
 
 static inline void kit_put_ray(kit_rays *l, uint32_t i, const pov_ray *ray)
@@ -33,14 +33,14 @@ static inline void kit_put_ray(kit_rays *l, uint32_t i, const pov_ray *ray)
     kit_put(&l->dir_lo, i, ray->dir_lo);
 }
 
-/* Four structures at once. Stored one by one their numbers would be waited for when vectors of them are loaded. */
+/* Four structures at once. Numbers stored one by one would stall the vector loads that follow. */
 #if defined(__AVX__) && defined(__GNUC__)
 #define KIT_TRANSPOSES 1
 #include <immintrin.h>
 
 typedef __m256d kit_four;
 
-/* Two doubles of each of two structures: on their way from memory halves come to their places at no cost. */
+/* Two doubles of each of two structures: the load inserts the upper half at no cost. */
 static inline kit_four kit_load_pairs(const void *low, const void *high, size_t offset)
 {
     const double *const l = (const double *)(const void *)((const char *)low + offset);
@@ -49,7 +49,7 @@ static inline kit_four kit_load_pairs(const void *low, const void *high, size_t 
     return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(l)), _mm_loadu_pd(h), 1);
 }
 
-/* Of four doubles at an offset of each: those that come first in a row, then those that come second, and so on. */
+/* Transpose four doubles at an offset of each structure. */
 KIT_INLINE void kit_transpose(const void *const from[4], size_t offset, kit_four to[4])
 {
     const size_t behind = offset + 2 * sizeof(double);
@@ -66,7 +66,7 @@ KIT_INLINE void kit_transpose(const void *const from[4], size_t offset, kit_four
 static inline void kit_store_four(double *lane, uint32_t i, kit_four v) { _mm256_storeu_pd(lane + i, v); }
 #endif
 
-/* Rays into four lanes from i on. */
+/* Load rays into four lanes from i on. */
 KIT_INLINE void kit_put_four_rays(kit_rays *l, uint32_t i, const pov_ray *const rays[4])
 {
     uint32_t j;
@@ -96,7 +96,7 @@ KIT_INLINE void kit_put_four_rays(kit_rays *l, uint32_t i, const pov_ray *const 
 #endif
 }
 
-/* The rays of n pairs into four lanes from i on. */
+/* Load the rays of n pairs into four lanes from i on. */
 KIT_INLINE void kit_put_four_of(kit_rays *l, uint32_t i, const pov_ray *const *rays, uint32_t n)
 {
     const pov_ray *const some[4] = { rays[kit_lane_of(i, n)], rays[kit_lane_of(i + 1, n)], rays[kit_lane_of(i + 2, n)],
@@ -105,8 +105,8 @@ KIT_INLINE void kit_put_four_of(kit_rays *l, uint32_t i, const pov_ray *const *r
     kit_put_four_rays(l, i, some);
 }
 
-/* The first n doubles of four shapes, n being a multiple of four: the k-th of shape j comes to place j of row k, and
- * rows are `width` long. */
+/* Load the first n doubles of four shapes, n being a multiple of four: the k-th double of shape j is stored at position
+ * j of row k, and rows have `width` elements. */
 KIT_INLINE void kit_put_four_shapes(double *rows, size_t width, uint32_t n, const void *const shapes[4])
 {
     uint32_t k, j;
@@ -125,7 +125,7 @@ KIT_INLINE void kit_put_four_shapes(double *rows, size_t width, uint32_t n, cons
 #endif
 }
 
-/* Where crossings are, into four lanes from i on. */
+/* Load the distances of crossings into four lanes from i on. */
 KIT_INLINE void kit_put_four_crossings(double *t, double *t_lo, uint32_t i, const pov_crossing *const at[4])
 {
 #ifdef KIT_TRANSPOSES
@@ -143,7 +143,7 @@ KIT_INLINE void kit_put_four_crossings(double *t, double *t_lo, uint32_t i, cons
 #endif
 }
 
-/* The ray of a lane, but for what it left. */
+/* The ray of a lane, without its origin surface. */
 static inline pov_ray kit_get_ray(const kit_rays *l, uint32_t i)
 {
     pov_ray ray;
@@ -155,7 +155,7 @@ static inline pov_ray kit_get_ray(const kit_rays *l, uint32_t i)
     return ray;
 }
 
-/* intersect_many() of a class: eight pairs at a time as long as that pays, and what is left one by one. */
+/* intersect_many() of a class: eight pairs at a time as long as that pays, the rest one by one. */
 KIT_INLINE void kit_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
                                     uint32_t n,
                                     void (*eight)(const void *const *selves, const pov_ray *const *rays,

@@ -1,6 +1,6 @@
-/* local.h - a ray taken to a shape: moved by the shape's anchor, and scaled so that shape and direction
- * are of the order of one. The scales are powers of two, so nothing is rounded but the sum of the low
- * parts, squares neither overflow nor underflow, and a scene scaled by a power of two gives the same bits. */
+/* local.h - a ray in a shape's local space: moved by the shape's anchor, and scaled so that shape and direction are of
+ * the order of one. The scales are powers of two. So only the sum of the low parts is rounded, squares neither overflow
+ * nor underflow, and a scene scaled by a power of two gives the same bits. */
 #ifndef KIT_LOCAL_H
 #define KIT_LOCAL_H
 
@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-/* What stands in a loop over lanes: with a call in it the loop would not become vectors. */
+/* A function that is called in loops over lanes: it must be inlined, or the loop is not vectorised. */
 #if defined(__GNUC__)
 #define KIT_INLINE __attribute__((always_inline)) static inline
 #else
@@ -21,26 +21,25 @@ static inline bool kit_is_fast(const char *name) { return strcmp(name, POV_SHAPE
 
 /* Half a unit in the last place of one: the relative error of a rounding. */
 #define KIT_U 0x1p-53
-/* From origins further off than this many sizes of the shape, re-centring to one part is no longer an
- * error far below that of a rounding (2^-102 of the distance against 2^-53 of the size), and two parts
- * have to serve. */
+/* For origins further away than this many sizes of the shape, re-centring to one double is no longer far more accurate
+ * than a rounding (2^-102 of the distance against 2^-53 of the size), and double-double is used. */
 #define KIT_FAR 0x1p44
 
-/* Second-order coefficients below this, of shapes and directions of the order of one, come from products
- * that may have underflowed; error bounds know nothing of that. */
+/* Second-order coefficients below this, for shapes and directions of the order of one, come from products that may have
+ * underflowed, which error bounds do not cover. */
 #define KIT_TINY 0x1p-600
 
-/* A direction's largest component is below 2, so it is shorter than sqrt(12) = 1 / 0.288: a point is off by at most a
- * given length if the distance along the ray is off by at most this part of it. */
+/* A direction's largest component is below 2, so it is shorter than sqrt(12) = 1 / 0.288: a point is accurate to a
+ * given length if the distance along the ray is accurate to this fraction of it. */
 #define KIT_SLOWEST 0.28
 
 typedef struct kit_ray {
     pov_two3 f;            /* from the anchor to the origin */
     pov_vec3 d, d_lo;      /* the largest component of d is in [1, 2) */
-    double unit, per_unit; /* a distance here, times unit, is one along the ray; and the other way round */
+    double unit, per_unit; /* a local distance times unit is a distance along the ray, and conversely */
 } kit_ray;
 
-/* Of a power of two between those that pov_inverse_power() gives: a division is ten times as long. */
+/* Inverse of a power of two in the range of pov_inverse_power(): a division takes ten times as long. */
 static inline double kit_inverse(double power)
 {
     uint64_t bits;
@@ -72,7 +71,7 @@ static inline pov_vec3 kit_along(const kit_ray *k, double t)
                        pov_along(k->f.z, t, k->d.z, k->d_lo.z));
 }
 
-/* Re-centring loses 10 u^2 of the distance besides the rounding of each component: as if the components were larger by
+/* Re-centring loses 10 u^2 of the distance besides the rounding of each component: equivalent to components larger by
  * this much. */
 static inline double kit_far_slack(const kit_ray *k) { return 10.0 * KIT_U * pov_largest(pov_two3_hi(k->f)); }
 
@@ -96,7 +95,7 @@ KIT_INLINE pov_two3 kit_along_two_parts(const kit_ray *k, pov_two t)
     return w;
 }
 
-/* The point of a crossing, seen from the anchor. */
+/* The point of a crossing, relative to the anchor. */
 static inline pov_two3 kit_point(const kit_ray *k, const pov_crossing *at)
 {
     return kit_along_two_parts(k, pov_two_of(at->t * k->per_unit, at->t_lo * k->per_unit));
@@ -120,8 +119,8 @@ static inline double kit_sum_of_sizes(pov_vec3 a, pov_vec3 b)
     return fabs(a.x * b.x) + fabs(a.y * b.y) + fabs(a.z * b.z);
 }
 
-/* a . b with the products and sums of high parts without error, and all that is small summed in double: it is below 5 u
- * of the sum of the terms' sizes, so what six roundings lose of it is below 2^-100 of that sum. */
+/* a . b with exact products and sums of high parts, and a double sum of all small terms. That sum is below 5 u of the
+ * sum of the terms' sizes, so its six roundings lose less than 2^-100 of the latter. */
 static inline pov_two kit_quick_dot(pov_two3 a, pov_two3 b)
 {
     const pov_two x = pov_two_product(a.x.hi, b.x.hi), y = pov_two_product(a.y.hi, b.y.hi);

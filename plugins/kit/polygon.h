@@ -1,4 +1,4 @@
-/* polygon.h - a flat figure, and what is reckoned of it alike for one ray and for many. */
+/* polygon.h - a planar polygon, and computations shared by one ray and many. */
 #ifndef KIT_POLYGON_H
 #define KIT_POLYGON_H
 
@@ -6,27 +6,27 @@
 #include "kit/report.h"
 
 typedef struct kit_corner {
-    pov_vec3 world;        /* as it was written */
-    pov_vec3 local;        /* from the anchor, scaled, rounded */
-    bool starts;           /* the first of a loop; no edge leads to it */
+    pov_vec3 world;        /* as written */
+    pov_vec3 local;        /* relative to the anchor, scaled, rounded */
+    bool starts;           /* the first corner of a loop; no edge leads to it */
 } kit_corner;
 
 enum { KIT_POLYGON_SIDES = 5 };
 
-/* What rays ask for comes first; of a small one that is all. */
+/* Members that rays need come first; a small polygon has no others. */
 typedef struct kit_polygon {
     pov_two3 anchor, normal;   /* the plane; the normal's largest component is in [1, 2), or it is zero */
     double scale;
-    pov_vec3 near[KIT_POLYGON_SIDES + 1];   /* of a small one the corners as `local`, the last of them again and again */
+    pov_vec3 near[KIT_POLYGON_SIDES + 1];   /* small: the corners as in `local`, the last one repeated */
     uint32_t count;
     bool small;                /* one loop of three to five corners, then the first of them again */
-    const kit_corner *corners; /* of one that is not small; each loop ends with its first corner again */
+    const kit_corner *corners; /* not small: each loop ends with its first corner again */
     pov_vec3 unit;
     pov_box box;
-    pov_vec3 world[KIT_POLYGON_SIDES + 1];   /* of a small one the corners as they were written */
+    pov_vec3 world[KIT_POLYGON_SIDES + 1];   /* small: the corners as written */
 } kit_polygon;
 
-/* Whoever leaves a plane, to either side, goes away from it. */
+/* A ray that leaves a plane, to either side, never hits it again. */
 #define KIT_POLYGON_MARK POV_MARK_AWAY
 
 /* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded difference:
@@ -39,7 +39,7 @@ static inline int kit_polygon_away(pov_vec3 d)
     return fabs(d.x) > fabs(d.y) ? (fabs(d.x) > fabs(d.z) ? 0 : 2) : fabs(d.y) > fabs(d.z) ? 1 : 2;
 }
 
-/* The distance to the plane: a first quotient, and what is missing there. */
+/* The distance to the plane: a first quotient, and its correction. */
 KIT_INLINE kit_root kit_polygon_distance(pov_vec3 n, const kit_ray *k, double slope, double slope_error, double first,
                                    pov_vec3 w)
 {
@@ -54,10 +54,10 @@ KIT_INLINE kit_root kit_polygon_distance(pov_vec3 n, const kit_ray *k, double sl
     return root;
 }
 
-/* The small ones in company, others by `one`. */
+/* Small polygons in lanes, others by `one`. */
 void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
                                 uint32_t n, void (*one)(const void *self, const pov_ray *ray, pov_hits *hits));
-/* Of any, where rays surely cross them. */
+/* Any polygons, for definite hits. */
 void kit_polygon_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
                             void (*one)(const void *self, const pov_ray *ray, pov_hits *hits));
 

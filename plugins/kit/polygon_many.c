@@ -1,15 +1,15 @@
-/* Small polygons, each with its ray, side by side. */
+/* Pairs of a small polygon and a ray, side by side. */
 #include "kit/lanes.h"
 #include "kit/polygon.h"
 
-/* Fewer than KIT_LANES: corners are many to copy, so places that hold nothing are dear. */
+/* Fewer lanes than KIT_LANES: a polygon has many corners to copy, so unused lanes cost much. */
 enum { TOGETHER = 4 };
 
-/* A polygon's numbers, as they stand in it; whole fours of them. */
+/* Number of doubles at the start of a polygon, in whole fours. */
 #define NUMBER_OF(member) (offsetof(kit_polygon, member) / sizeof(double))
 enum { NUMBERS = (NUMBER_OF(count) + 3) / 4 * 4, PLANE_NUMBERS = (NUMBER_OF(near) + 3) / 4 * 4 };
 
-/* Small polygons, each with its ray, and the ray's largest axis. */
+/* Pairs of a small polygon and a ray, with the ray's largest axis. */
 typedef struct polygon_lanes {
     kit_rays rays;
     double number[NUMBERS][TOGETHER];
@@ -21,7 +21,7 @@ static inline pov_vec3 get_vector(const polygon_lanes *l, uint32_t i, size_t num
     return pov_vec3_of(l->number[number][i], l->number[number + apart][i], l->number[number + 2 * apart][i]);
 }
 
-/* As in a sight: across, up, away. */
+/* Permute a vector to the ray's view: across, up, away. */
 static inline pov_vec3 turn(pov_vec3 v, double away)
 {
     const double across = away < 0.5 ? v.y : away < 1.5 ? v.z : v.x, up = away < 0.5 ? v.z : away < 1.5 ? v.x : v.y;
@@ -29,10 +29,11 @@ static inline pov_vec3 turn(pov_vec3 v, double away)
     return pov_vec3_of(across, up, away < 0.5 ? v.x : away < 1.5 ? v.y : v.z);
 }
 
-/* The ray's point near the polygon, its direction as in a sight, and what a coordinate there may be off by. */
+/* The ray's point near the polygon, its permuted direction, and the error of a coordinate. */
 typedef struct ray_at { pov_vec3 w, d; double error, away; } ray_at;
 
-/* A corner in sight. above, certain: one or zero. Level with the ray it is not certain on which side it is. */
+/* A corner in the ray's view. above, certain: one or zero. A corner on the ray's level is not certainly above or
+ * below. */
 typedef struct spot { double across, up, above, certain; } spot;
 
 static inline spot see(const polygon_lanes *l, size_t corner, uint32_t i, const ray_at *at)
@@ -49,7 +50,7 @@ static inline spot see(const polygon_lanes *l, size_t corner, uint32_t i, const 
 }
 
 /* As is_right() of the primitive, one or zero: does an edge pass the ray on the right, to the other side of the level?
- * Adds one to `certain` if that is. */
+ * Adds one to `certain` if the result is certain. */
 static inline double pass(spot a, spot b, double error, double *certain)
 {
     const double cross = a.across * b.up - b.across * a.up, way = b.above - a.above;
@@ -61,7 +62,7 @@ static inline double pass(spot a, spot b, double error, double *certain)
     return way * cross > 0.0 ? 1.0 : 0.0;
 }
 
-/* As is_within(), of one loop: one where it is certain that the ray is enclosed, minus one where it surely is not. */
+/* Point-in-loop test: +1 definitely inside, -1 definitely outside, 0 undecided. */
 static inline double enclose(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov_vec3 d)
 {
     const double error = kit_polygon_blur(w), away = l->away[i];
@@ -73,15 +74,14 @@ static inline double enclose(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov
     const double three = pass(c, e, error, &certain), four = pass(e, f, error, &certain);
     const double five = pass(f, g, error, &certain), turns = one + two + three + four + five;
 
-    /* Of at most four, one turn or three. */
+    /* At most four edges pass; inside if one or three do. */
     return certain > 10.5 ? (fabs(fabs(turns - 2.0) - 1.0) < 0.5 ? 1.0 : -1.0) : 0.0;
 }
 
-/* Where planes are met, in the units of a kit_ray, and what that may be off by; within: as of
- * enclose(). */
+/* Distances to planes, in the units of a kit_ray, and their errors; within: the result of enclose(). */
 typedef struct plane_lanes { kit_lane t, t_lo, error, unit, within; } plane_lanes;
 
-/* As its intersect() where nothing has to be decided, up to the question whether the point is within. */
+/* As intersect() without escalation, except for the test whether the point is inside. */
 KIT_INLINE kit_ray find_plane(const polygon_lanes *l, uint32_t i, plane_lanes *out, pov_vec3 *w)
 {
     const pov_ray ray = kit_get_ray(&l->rays, i);
@@ -113,7 +113,7 @@ KIT_CLONES static void find_planes(const polygon_lanes *restrict l, plane_lanes 
     }
 }
 
-/* Of polygons that are surely crossed. */
+/* For definite hits. */
 KIT_CLONES static void find_crossed(const polygon_lanes *restrict l, plane_lanes *restrict out)
 {
     uint32_t i;
@@ -126,7 +126,8 @@ KIT_CLONES static void find_crossed(const polygon_lanes *restrict l, plane_lanes
     }
 }
 
-/* Whoever does not start on it, and surely goes through it or past it, or has no business there. False: open. */
+/* Report a ray that does not start on the polygon, and definitely hits or misses it, or is out of its interval. False:
+ * undecided. */
 KIT_INLINE bool report_plane(const plane_lanes *p, uint32_t i, const pov_ray *ray, pov_hits *h)
 {
     const kit_root r = { { p->t[i], p->t_lo[i] }, p->error[i], 0, 0 };
@@ -186,7 +187,7 @@ void kit_polygon_intersect_many(const void *const *selves, const pov_ray *const 
         one(self[0], ray[0], hit[0]);
 }
 
-/* Corners are not looked at, so polygons may have any number of them. */
+/* Corners are not used, so polygons may have any number of them. */
 void kit_polygon_cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n,
                             void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
 {

@@ -1,5 +1,4 @@
-/* report.h - crossings from a kernel to the host's sink: those that double precision has found well
- * enough. */
+/* report.h - reports a kernel's crossings to the host's sink, if double precision was accurate enough. */
 #ifndef KIT_REPORT_H
 #define KIT_REPORT_H
 
@@ -7,21 +6,21 @@
 
 /* A crossing may be off by this many half units in its last place: 12 units at most, whatever the binade. */
 #define KIT_ULPS 12.0
-/* And by this part of the shape's size, so that its point and normal are good to 1e-13 too. */
+/* And by this fraction of the shape's size, so that its point and normal are accurate to 1e-13 too. */
 #define KIT_FINE 0x1p-44
 
-/* Where normals are found by a step of Newton's from the crossing, this part of the distance between two roots: the step
- * squares it. */
+/* Largest error that a Newton step from the crossing may start with, as a fraction of the distance between two roots:
+ * the step squares it. */
 #define KIT_APART 0x1p-24
 
 typedef struct kit_root {
     pov_two t;              /* in the units of a kit_ray */
-    double error;           /* no less than the error of t */
+    double error;           /* upper bound of the error of t */
     uint32_t part, flags;
 } kit_root;
 
-/* What makes a crossing finer that is there for certain: its equation's value at a point of the ray, from two-part
- * arithmetic, and half its slope there, in double; with bounds on their errors. */
+/* Input of a refinement step: the equation's value at a point of the ray, in double-double, and half its slope there,
+ * in double; with error bounds. */
 typedef struct kit_residual { double value, error, half_slope, slope_error; } kit_residual;
 
 typedef struct kit_equation {
@@ -39,36 +38,36 @@ static inline pov_mark kit_mark(uint32_t part, uint32_t flags)
     return mark;
 }
 
-/* Does a ray start on the shape and go into it for certain? */
+/* Does a ray start on the shape and definitely go into it? */
 static inline bool kit_is_inward(const pov_ray *ray, const pov_hits *hits)
 {
     return ray->left == hits->owner && (ray->left_mark.flags & POV_MARK_INTO);
 }
 
-/* What a root may be off by, once t and unit have been multiplied. */
+/* Error bound of a root, including the product of t and unit. */
 static inline double kit_slack(const kit_root *r) { return r->error + 2.0 * KIT_U * fabs(r->t.hi); }
 
-/* Is it good enough? `fine` is the largest error that the shape's size allows. */
+/* Is it accurate enough? `fine` is the largest error that the shape's size allows. */
 static inline bool kit_is_fine(const kit_root *r, double fine)
 {
     return r->error <= KIT_ULPS * KIT_U * fabs(r->t.hi) && r->error <= fine;
 }
 
-/* Not a number anywhere gives KIT_OPEN. */
+/* NaN anywhere gives KIT_OPEN. */
 static inline kit_verdict kit_judge(const kit_root *r, double unit, double fine, const pov_hits *hits)
 {
     double slack = kit_slack(r);
 
     if ((r->t.hi + slack) * unit < hits->tmin || (r->t.hi - slack) * unit > hits->tmax)
         return KIT_OUTSIDE;
-    /* Who asks for any crossing, or how many there are, wants to know only that it is there. */
+    /* A query for any crossing, or for their number, needs existence only. */
     if ((hits->want == POV_WANT_ANY || hits->count_only) && (r->t.hi - slack) * unit > hits->tmin && (r->t.hi + slack) * unit < hits->tmax)
         return KIT_GOOD;
     return kit_is_fine(r, fine) ? KIT_GOOD : KIT_OPEN;
 }
 
-/* A step of Newton's, and what the root may be off by then: the step squares the error over the distance of the roots;
- * what remains are the residual's own errors and the rounding of the step. */
+/* A Newton step, and the root's error afterwards: the squared error over the distance of the roots, plus the residual's
+ * own errors and the rounding of the step. */
 static inline double kit_root_step(const kit_residual *r) { return -0.5 * r->value / r->half_slope; }
 
 static inline double kit_root_step_error(const kit_residual *r, double step, double apart)
@@ -97,7 +96,7 @@ static inline bool kit_refine(kit_root *r, const kit_equation *e)
     return true;
 }
 
-/* Report up to two crossings, the nearer first. False: two-part arithmetic must decide, and nothing was
+/* Report up to two crossings, the nearer first. False: double-double arithmetic must decide, and nothing was
  * reported. */
 static inline bool kit_report(kit_root *roots, uint32_t n, double fine, const kit_equation *e, pov_hits *hits)
 {
@@ -126,7 +125,7 @@ static inline bool kit_report(kit_root *roots, uint32_t n, double fine, const ki
     return true;
 }
 
-/* What two-part arithmetic found. */
+/* Report a result of double-double arithmetic. */
 static inline bool kit_report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part, uint32_t flags)
 {
     return pov_cross(hits, t.hi * unit, t.lo * unit, kit_mark(part, flags | POV_MARK_DECIDED));

@@ -22,7 +22,7 @@ pov_two3 kit_half_gradient(const pov_two *q, pov_two3 p, bool linear)
     return g;
 }
 
-/* The value at a point whose half gradient is known: p . (g + half the linear terms) + J. */
+/* The value at a point with a known half gradient: p . (g + half the linear terms) + J. */
 pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 g)
 {
     g.x = pov_two_add(g.x, half(q[G]));
@@ -31,7 +31,7 @@ pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 g)
     return pov_two_add(pov_two3_dot(p, g), q[J]);
 }
 
-/* Adds q a b, each in two parts. */
+/* Adds q a b, each in double-double. */
 static void add_term(kit_expansion *e, pov_two q, pov_two a, pov_two b)
 {
     const double part[3][2] = { { q.hi, q.lo }, { a.hi, a.lo }, { b.hi, b.lo } };
@@ -78,7 +78,7 @@ static int exponent_of(const pov_two *q, int n)
 
 static int larger(int a, int b) { return a > b ? a : b; }
 
-/* Rounded down, so that a whole change of lengths is a whole change of the exponent. */
+/* Rounded down, so that scaling lengths by a power of two changes the exponent by a whole number. */
 static int half_of(int a) { return a >= 0 ? a / 2 : -((1 - a) / 2); }
 
 /* The length at which terms of different order are of the same size. */
@@ -89,7 +89,7 @@ static int length_exponent(int second, int first, int constant)
     return first > -100000 && constant > -100000 ? constant - first : 0;
 }
 
-/* By what power of two a coefficient is multiplied. */
+/* Exponent of the power of two that a coefficient is multiplied by. */
 static int power_of(const kit_second_order *s, int i)
 {
     return (i < G ? 2 * s->length : i < J ? s->length : 0) - s->largest;
@@ -122,8 +122,8 @@ static void prepare(kit_second_order *s, const pov_two *raw)
 
 /* ---- the anchor ---- */
 
-/* Near the centre, if there is one: each axis' own extremum of what is left of the equation when the
- * others stand. */
+/* Near the centre, if there is one: the extremum along each axis of what remains of the equation with the other
+ * coordinates fixed. */
 static pov_vec3 near_centre(const pov_two *q)
 {
     double m[3][4] = { { q[A].hi, 0.5 * q[D].hi, 0.5 * q[E].hi, -0.5 * q[G].hi },
@@ -157,7 +157,7 @@ static pov_vec3 near_centre(const pov_two *q)
     return pov_vec3_of(x[0], x[1], x[2]);
 }
 
-/* The sum of n products of up to three factors each, rounded once into two parts. */
+/* The sum of n products of up to three factors each, rounded once to double-double. */
 static pov_two exact_sum(double (*term)[3], int n)
 {
     kit_expansion e;
@@ -169,8 +169,8 @@ static pov_two exact_sum(double (*term)[3], int n)
     return kit_expansion_two(&e);
 }
 
-/* Written out about a far centre, the terms cancel to almost nothing at the surface. Taken about an anchor
- * near the centre, without any error on the way, they do not. */
+/* Expanded about a far centre, the terms cancel to almost nothing at the surface. Expanded exactly about an anchor near
+ * the centre, they do not. */
 static void settle(kit_second_order *s, pov_two *raw)
 {
     const pov_vec3 c = near_centre(raw), zero = { 0.0, 0.0, 0.0 };
@@ -224,8 +224,8 @@ static bool is_clear(pov_two pivot, pov_two entry) { return pivot.hi > 0x1p-12 *
 
 static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square, double *lo, double *hi)
 {
-    /* Pivots that lost at most 12 bits leave 2^-60 of relative error at most; a millionth is far more than
-     * enough. */
+    /* Pivots that lost at most 12 bits have relative errors of at most 2^-60; the margin of a millionth is far more
+     * than enough. */
     const double radius = sqrt(square.hi) * (1.0 + 0x1p-20) / scale, centre = anchor.hi + middle.hi / scale;
 
     *lo = kit_below(centre - radius - 8.0 * KIT_U * (fabs(anchor.hi) + fabs(middle.hi / scale)));
@@ -233,10 +233,10 @@ static bool extent(pov_two anchor, double scale, pov_two middle, pov_two square,
     return isfinite(*lo) && isfinite(*hi);
 }
 
-/* An ellipsoid: its centre seen from the anchor, the value there with its sign turned, the determinant, and minors. */
+/* An ellipsoid: its centre relative to the anchor, the negated value there, the determinant, and minors. */
 typedef struct ellipsoid { pov_two3 centre; pov_two level, det, xx, yy, zz; } ellipsoid;
 
-/* False: it is none, or nearly none. */
+/* False: not an ellipsoid, or nearly degenerate. */
 static bool find_ellipsoid(const kit_second_order *s, ellipsoid *out)
 {
     const pov_two *q = s->q, d = half(q[D]), e = half(q[E]), f = half(q[F]);
@@ -251,7 +251,7 @@ static bool find_ellipsoid(const kit_second_order *s, ellipsoid *out)
     x = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xx, g), pov_two_mul(xy, h)), pov_two_mul(xz, i)), det);
     y = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xy, g), pov_two_mul(yy, h)), pov_two_mul(yz, i)), det);
     z = pov_two_div(pov_two_add(pov_two_add(pov_two_mul(xz, g), pov_two_mul(yz, h)), pov_two_mul(zz, i)), det);
-    /* The value at the centre, with its sign turned. */
+    /* The negated value at the centre. */
     level = pov_two_add(pov_two_add(pov_two_mul(x, g), pov_two_mul(y, h)), pov_two_mul(z, i));
     if (!(level.hi - q[J].hi > 0x1p-40 * (fabs(level.hi) + fabs(q[J].hi))))
         return false;
@@ -275,9 +275,9 @@ bool kit_second_order_bounds(const kit_second_order *s, pov_box *out)
            && extent(s->anchor.z, s->scale, e.centre.z, pov_two_mul(level, e.zz), &out->lo.z, &out->hi.z);
 }
 
-/* Cholesky's triangle, with the pivots as quotients of minors. Its square is off by less than 24 u in units of the roots of
- * the diagonal; and since pivots are above 2^-12 of their entries, the least value of the form in these units is above
- * 2^-26: so lengths are off by less than 2^-22. */
+/* The Cholesky factor, with the pivots as quotients of minors. Its square is off by less than 24 u in units of the
+ * roots of the diagonal. Pivots are above 2^-12 of their entries, so the least value of the form in these units is
+ * above 2^-26, and lengths are off by less than 2^-22. */
 bool kit_second_order_ellipsoid(const kit_second_order *s, pov_ellipsoid *out)
 {
     const double *q = s->rough;
@@ -313,8 +313,8 @@ static pov_two3 column(const pov_two3 rows[3], int i)
     return c;
 }
 
-/* The matrix becomes the inverse's transpose times it times the inverse. Maps far from keeping angles
- * would cost precision in these products, unless they are axial. */
+/* The new matrix is the inverse's transpose times the matrix times the inverse. Maps that change angles much would lose
+ * precision in these products, unless they are axial. */
 bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map)
 {
     static const int row_of[6] = { 0, 1, 2, 0, 0, 1 }, column_of[6] = { 0, 1, 2, 1, 2, 2 };

@@ -1,4 +1,4 @@
-/* second_order.h - the ten coefficients of a surface of the second order, about an anchor, in two parts. */
+/* second_order.h - the ten coefficients of a quadric surface, about an anchor, in double-double. */
 #ifndef KIT_SECOND_ORDER_H
 #define KIT_SECOND_ORDER_H
 
@@ -11,33 +11,33 @@ typedef struct kit_second_order {
     pov_two3 anchor;
     /* For lengths times scale, multiplied by a power of two so that the largest is of the order of one. */
     pov_two q[COEFFICIENTS];
-    double sum2, sum1;             /* of the sizes of second order, and of the first */
+    double sum2, sum1;             /* sums of sizes, of second and of first order */
     double scale;
     double rough[COEFFICIENTS], size[COEFFICIENTS];   /* of q */
-    bool flat;                     /* nothing of the second order: a plane */
-    bool sizeless;                 /* nothing else: a cone, the same at every scale */
-    bool closed;                   /* an ellipsoid for certain */
-    bool whole;                    /* no coefficient is so small beside the others that q has lost some of it */
-    int length, largest;           /* the exponents of an inverse of scale, and of what was divided by */
+    bool flat;                     /* no second-order terms: a plane */
+    bool sizeless;                 /* only second-order terms: a cone, the same at every scale */
+    bool closed;                   /* definitely an ellipsoid */
+    bool whole;                    /* no coefficient is so small beside the others that q lost bits of it */
+    int length, largest;           /* exponents of the inverse of scale, and of the divisor */
 } kit_second_order;
 
-/* From coefficients about the origin, as they were written. */
+/* From coefficients about the origin, as written. */
 void kit_second_order_make(kit_second_order *s, const double coefficients[COEFFICIENTS]);
-/* A box around an ellipsoid. False: it is none, or nearly none. */
+/* A box around an ellipsoid. False: not an ellipsoid, or nearly degenerate. */
 bool kit_second_order_bounds(const kit_second_order *s, pov_box *out);
 /* The same of the class's member. */
 bool kit_second_order_ellipsoid(const kit_second_order *s, pov_ellipsoid *out);
-/* False: the map is too far from keeping angles, and s is as it was. */
+/* False: the map changes angles too much, and s is unchanged. */
 bool kit_second_order_absorb(kit_second_order *s, const pov_affine *map);
 
-/* With one set of coefficients: half the gradient; and without the linear terms the matrix times p. */
+/* For one set of coefficients: half the gradient; and without the linear terms the matrix times p. */
 pov_two3 kit_half_gradient(const pov_two *q, pov_two3 p, bool linear);
-/* The value at a point whose half gradient is known. */
+/* The value at a point with a known half gradient. */
 pov_two kit_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
-/* The value at a point, without any error but that of rounding once. */
+/* The value at a point, rounded once. */
 pov_two kit_exact_value(const pov_two *q, pov_two3 p);
 
-/* Many at once; `one` is asked for those that the quick way leaves open. */
+/* Many pairs at once; `one` intersects those that double precision leaves open. */
 typedef void kit_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 typedef void kit_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 void kit_second_order_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,

@@ -1,5 +1,6 @@
-/* Along a ray that starts p from the anchor, with direction d, the equation is a t^2 + 2 b t + c. All three are taken at
- * the ray's own start, and their errors from sums of sizes: docs/numerics.md derives the bounds. */
+/* Along a ray that starts p from the anchor, with direction d, the equation is a t^2 + 2 b t + c. All three
+ * coefficients are taken at the ray's own start, and their errors from sums of sizes: docs/numerics.md derives the
+ * bounds. */
 #include "kit/second_order_block.h"
 
 #include "kit/simd.h"
@@ -34,7 +35,7 @@ static bool put(kit_second_order_block *b, uint32_t lane, const kit_second_order
     return true;
 }
 
-/* Is it one, with a box? Nothing but time hangs on it, so the signs need no certainty. */
+/* Is it an ellipsoid, with a box? Only speed depends on it, so the signs need no certainty. */
 static bool is_ellipsoid(const kit_second_order *s)
 {
     const double *q = s->rough, d = 0.5 * q[D], e = 0.5 * q[E], f = 0.5 * q[F], minor = q[A] * q[B] - d * d;
@@ -43,7 +44,7 @@ static bool is_ellipsoid(const kit_second_order *s)
            && q[C] * minor + 2.0 * d * e * f - q[A] * f * f - q[B] * e * e > 0.0;
 }
 
-/* Ellipsoids stand in leaves of a tree, where hosts look at them in their own way: among themselves they need no block. */
+/* Hosts filter ellipsoids in leaves of a tree by themselves: blocks of ellipsoids need no filter here. */
 bool kit_second_order_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     kit_second_order_block *b = block;
@@ -68,14 +69,13 @@ bool kit_second_order_pack(void *block, const pov_frame *frame, const void *cons
 
 /* ---- asking ---- */
 
-/* A ray, and the largest components of its start, or more, and of its direction. */
+/* A ray, and upper bounds of the largest components of its start and of its direction. */
 typedef struct line { pov_vec3 o, d; double far, speed, tmax; } line;
 
-/* Lengths of the order of the squares of coefficients must not overflow, nor what is left of them after the bounds'
- * smallness vanish. */
+/* Squares of coefficients must not overflow, nor may the differences from the error bounds underflow. */
 static inline bool is_ordinary(double far, double speed) { return far < 1e60 && speed > 1e-80 && speed < 1e80; }
 
-/* By lane: coefficients, with their signs turned where b is negative; the discriminant; and a bound on each one's error. */
+/* By lane: coefficients, negated where b is negative; the discriminant; and an error bound of each. */
 typedef struct found {
     double a[POV_BLOCK_MAX], b[POV_BLOCK_MAX], c[POV_BLOCK_MAX], d[POV_BLOCK_MAX];
     double a_error[POV_BLOCK_MAX], b_error[POV_BLOCK_MAX], c_error[POV_BLOCK_MAX], d_error[POV_BLOCK_MAX];
@@ -86,8 +86,8 @@ static inline double three(double a, double b, double c, double x, double y, dou
     return kit_sum_of(c, z, kit_sum_of(b, y, kit_sum_of(a, x, more)));
 }
 
-/* The lanes that are not missed for certain: whose discriminant may be positive, and whose coefficients are not all of
- * one sign, which leaves no positive root. */
+/* Lanes that are not definite misses: their discriminant may be positive, and their coefficients are not all of one
+ * sign, which excludes positive roots. */
 static inline uint32_t find(const kit_second_order_block *s, const line *l, uint32_t n, found *restrict f)
 {
     const double dx = l->d.x, dy = l->d.y, dz = l->d.z, square = l->speed * l->speed;
@@ -132,7 +132,7 @@ static inline bounds near_root(double c, double error, double least, double most
     return r;
 }
 
-/* -m / a where that may be positive; a wide interval if the sign of a is in doubt, and nowhere if there is no a. */
+/* -m / a where that may be positive; a wide interval if the sign of a is uncertain, and an empty one if a is zero. */
 static inline bounds other_root(double a, double error, double least, double most)
 {
     bounds r = { HUGE_VAL, HUGE_VAL };
@@ -147,7 +147,7 @@ static inline bounds other_root(double a, double error, double least, double mos
 static inline bool may_be_within(bounds r, double end) { return !(r.lo > end || r.hi < 0.0); }
 static inline bool is_within(bounds r, const line *l) { return r.lo > 0.0 && r.hi < l->tmax; }
 
-/* With m = |b| + the discriminant's root, the roots are -c / m and -m / a, all signs being those for a positive b. */
+/* Let m = |b| + the discriminant's root. The roots are -c / m and -m / a, with all signs as for a positive b. */
 static inline void bound_lane(const found *f, uint32_t i, const line *l, kit_answer *out)
 {
     const double end = kit_lesser(l->tmax, DBL_MAX), root_most = sqrt(f->d[i] + f->d_error[i]);
@@ -178,7 +178,7 @@ static inline void bound_lane(const found *f, uint32_t i, const line *l, kit_ans
 
 /* ---- planes ---- */
 
-/* A plane has but the root -c / 2 b, which is sure where the sign of b is: nowhere else are there bounds on it. */
+/* A plane has one root, -c / 2 b, which is certain where the sign of b is: only there it has bounds. */
 typedef struct plane { pov_vec3 anchor, half; double c, reach, half1, sum0; } plane;
 
 static inline plane plane_of(const kit_second_order_block *s, uint32_t i)
@@ -296,7 +296,7 @@ static inline void answer(const kit_second_order_block *s, const line *l, kit_an
         bound_lane(&f, kit_first_lane(met), l, out);
 }
 
-/* Static, since the names of clones would be seen from outside. */
+/* Static, because the names of clones would be exported. */
 KIT_CLONES static uint32_t filter(const kit_second_order_block *s, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
 {
     uint32_t n = 0;

@@ -1,12 +1,12 @@
-/* Several surfaces of the second order side by side, each with a ray: where rays enter, or come out of what they
- * start on, and normals. */
+/* Several pairs of a quadric surface and a ray, side by side: entries, or exits from the surface that a ray starts on,
+ * and normals. */
 #include "kit/lanes.h"
 #include "kit/second_order_rough.h"
 
-/* Fewer than KIT_LANES: the numbers of a shape are many to copy, so places that hold nothing are dear. */
+/* Fewer lanes than KIT_LANES: a shape has many numbers to copy, so unused lanes cost much. */
 enum { TOGETHER = 4 };
 
-/* A shape's numbers, as they stand in it, up to what rays do not need; whole fours of them. */
+/* Number of doubles at the start of a shape that rays need, rounded up to a multiple of four. */
 #define NUMBER_OF(member) (offsetof(kit_second_order, member) / sizeof(double))
 enum { NUMBERS = (NUMBER_OF(rough) + 3) / 4 * 4 };
 
@@ -27,7 +27,7 @@ KIT_INLINE void get_coefficient(const pair_lanes *l, uint32_t i, int which, kit_
     s->size[which] = fabs(s->q[which].hi);
 }
 
-/* Without a loop: within one it would not become vectors. */
+/* Unrolled by hand: a loop here would keep the outer loop from being vectorised. */
 KIT_INLINE kit_second_order get_shape(const pair_lanes *l, uint32_t i)
 {
     kit_second_order s;
@@ -51,11 +51,11 @@ KIT_INLINE kit_second_order get_shape(const pair_lanes *l, uint32_t i)
     return s;
 }
 
-/* Bounds on the distance, the distance, and whether it is found well enough. */
+/* Bounds on the distance, the distance, and whether it is accurate enough. */
 typedef struct end_lanes { kit_lane lo, hi, t, t_lo, good; } end_lanes;
 
-/* As the quick way at the ray's origin, of a shape whose second order is positive along the ray, for the nearer
- * crossing, or for the further one of a ray that starts on the nearer. Nearly every one needs the step. */
+/* As the double-precision path at the ray's origin, for a shape whose second order is positive along the ray: the
+ * nearer crossing, or the further one for a ray that starts on the nearer. Nearly all need the refinement step. */
 KIT_CLONES static void find_ends(const pair_lanes *restrict l, const double *restrict inward, end_lanes *restrict out)
 {
     uint32_t i;
@@ -142,7 +142,7 @@ void kit_second_order_intersect_many(const void *const *selves, const pov_ray *c
 
 /* ---- normals ---- */
 
-/* good: not zero where the step is taken, and pov_unit() does not scale. */
+/* good: not zero where the refinement step applies, and pov_unit() does not scale. */
 KIT_CLONES static void find_normals(const pair_lanes *restrict l, const double *restrict t, const double *restrict t_lo,
                                     kit_lane3 *restrict out, double *restrict good)
 {

@@ -1,12 +1,12 @@
-/* second_order_rough.h - surfaces of the second order along a ray, in double with bounds on the errors, and the step
- * that makes a crossing finer: what one ray and several share. */
+/* second_order_rough.h - quadric surfaces along a ray, in double with error bounds, and the refinement step of a
+ * crossing: shared by single rays and lanes of rays. */
 #ifndef KIT_SECOND_ORDER_ROUGH_H
 #define KIT_SECOND_ORDER_ROUGH_H
 
 #include "kit/report.h"
 #include "kit/second_order.h"
 
-/* A crossing's part: where the ray comes to negative values, and where it leaves them. */
+/* Feature of a crossing: the ray enters negative values, or leaves them. */
 enum { ENTERING = 0, EXITING = 1 };
 
 static inline uint32_t second_order_mark(const kit_second_order *s) { return s->closed ? POV_MARK_CLOSED : 0; }
@@ -15,7 +15,7 @@ static inline uint32_t second_order_mark(const kit_second_order *s) { return s->
 
 static inline pov_two half(pov_two a) { return pov_two_scale(a, 0.5); }
 
-/* Off by less than 3 u^2 of both sizes. */
+/* Error below 3 u^2 of both sizes. */
 KIT_INLINE pov_two quick_sum(pov_two a, pov_two b)
 {
     const pov_two s = pov_two_sum(a.hi, b.hi);
@@ -45,8 +45,8 @@ KIT_INLINE pov_two quick_value(const pov_two *q, pov_two3 p, pov_two3 g)
 
 /* ---- along a ray ---- */
 
-/* Coefficients along the ray through w with direction d, from `q`: second order, first and value. With the
- * sizes of coefficients and components in place of themselves the sums of the sizes of all terms. */
+/* Coefficients along the ray through w with direction d, from `q`: second order, first order and value. With the sizes
+ * of coefficients and components in their place: the sums of the sizes of all terms. */
 KIT_INLINE double along_second(const double *q, pov_vec3 d)
 {
     return d.x * (q[A] * d.x + q[D] * d.y + q[E] * d.z) + d.y * (q[B] * d.y + q[F] * d.z) + q[C] * d.z * d.z;
@@ -65,7 +65,7 @@ KIT_INLINE double along_value(const double *q, pov_vec3 w)
            + w.z * (q[C] * w.z + q[I]) + q[J];
 }
 
-/* Absolute values, and on each a slack. */
+/* Absolute values, each with a slack. */
 static inline pov_vec3 sizes(pov_vec3 a, double slack)
 {
     return pov_vec3_of(fabs(a.x) + slack, fabs(a.y) + slack, fabs(a.z) + slack);
@@ -98,13 +98,13 @@ KIT_INLINE double discriminant_error(const along *r)
            fabs(r->c) * r->a_error + 3.0 * KIT_U * (r->b * r->b + fabs(r->a * r->c));
 }
 
-/* There are two roots for certain, and well enough known. */
+/* There are definitely two roots, and both are accurate enough. */
 static inline int is_cut(const along *r, double d, double d_error)
 {
     return (int)(d > 16.0 * d_error) & (int)(fabs(r->a) > 1024.0 * r->a_error) & (int)(fabs(r->a) > KIT_TINY);
 }
 
-/* Of both roots; of one of them what its own size adds. */
+/* Common error of both roots; and the part that depends on the size of one. */
 KIT_INLINE double roots_error(const along *r, double root, double d_error)
 {
     return (r->b_error + 0.52 * d_error / root + KIT_U * (root + fabs(r->b))) / (0.9 * fabs(r->a));
@@ -129,9 +129,9 @@ KIT_INLINE kit_residual second_order_residual(const kit_second_order *s, const k
 
 /* ---- normals ---- */
 
-/* At the point of a crossing, brought onto the surface by a step of Newton's along the ray: where that curves much,
- * the distance alone is not fine enough for a normal. Longer steps than this are not taken: a ray that only touches
- * the surface has none, nor has a point that is off by much. */
+/* At the point of a crossing, moved onto the surface by a Newton step along the ray: on strongly curved surfaces the
+ * distance alone is too inaccurate for a normal. Steps longer than this limit are not taken: a ray that only touches
+ * the surface has none, and a point that is off by much is not moved. */
 #define SECOND_ORDER_STEP 0x1p-30
 
 KIT_INLINE double step_to(const kit_second_order *s, const kit_ray *k, pov_two3 p, pov_two3 g)
@@ -139,7 +139,7 @@ KIT_INLINE double step_to(const kit_second_order *s, const kit_ray *k, pov_two3 
     return -0.5 * quick_value(s->q, p, g).hi / pov_dot(pov_two3_hi(g), k->d);
 }
 
-/* The gradient moves with the point by the matrix times the direction; that is so small that plain double is enough. */
+/* The gradient changes by the matrix times the step; that is so small that plain double is enough. */
 KIT_INLINE pov_vec3 gradient_beyond(const kit_second_order *s, const kit_ray *k, pov_two3 g, double step)
 {
     const double *q = s->rough;

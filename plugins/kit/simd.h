@@ -1,6 +1,5 @@
-/* simd.h - what block filters share. A filter is a plain loop over POV_BLOCK_MAX lanes, compiled for
- * several instruction sets; the loader picks one. None of them contracts products and sums, so all give
- * the same bits. */
+/* simd.h - shared parts of block filters. A filter is a plain loop over POV_BLOCK_MAX lanes, compiled for several
+ * instruction sets; the loader picks one. None of them contracts products and sums, so all give the same bits. */
 #ifndef KIT_SIMD_H
 #define KIT_SIMD_H
 
@@ -8,7 +7,7 @@
 
 #include <string.h>
 
-/* Sanitizers cannot run in the resolvers that pick a clone, and what is built for wide processors needs none. */
+/* Sanitizers cannot run in the resolvers that choose a clone, and code built for wide processors needs none. */
 #if defined(__AVX2__)
 #define KIT_ONE_CLONE 1
 #endif
@@ -17,7 +16,7 @@
 #define KIT_ONE_CLONE 1
 #endif
 #endif
-/* What is compiled for AVX2 as a whole needs no clone for it, and POV_PORTABLE asks for plain C alone. */
+/* Code that is compiled for AVX2 as a whole needs no clone for it, and POV_PORTABLE asks for plain C only. */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__AVX2__) || defined(POV_PORTABLE)
 #define KIT_ONE_CLONE 1
 #endif
@@ -30,7 +29,7 @@
 
 static inline double kit_sum_of_components(pov_vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z); }
 
-/* A ray of a filter's. */
+/* Origin and direction of a ray in lane `at`. */
 static inline pov_vec3 kit_origin(const pov_rays *rays, uint32_t at)
 {
     return pov_vec3_of(rays->org[0][at], rays->org[1][at], rays->org[2][at]);
@@ -41,14 +40,14 @@ static inline pov_vec3 kit_way(const pov_rays *rays, uint32_t at)
     return pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
 }
 
-/* What a block says of one ray: lanes that may be crossed, that surely are, and that surely are just twice, and bounds on
- * the nearest crossing of each lane of `maybe`; hi counts for lanes of `surely` only. */
+/* Results of a block for one ray: lanes of possible hits, of definite hits, and of definite pairs; and bounds on the
+ * nearest crossing of each lane of `maybe`. hi is valid for lanes of `surely` only. */
 typedef struct kit_answer {
     uint32_t maybe, surely, twice;
     double lo[POV_BLOCK_MAX], hi[POV_BLOCK_MAX];
 } kit_answer;
 
-/* Every lane that holds something is in question. */
+/* All used lanes are possible hits. */
 static inline void kit_decline(uint32_t lanes, kit_answer *out)
 {
     uint32_t i;
@@ -61,11 +60,11 @@ static inline void kit_decline(uint32_t lanes, kit_answer *out)
     out->surely = out->twice = 0;
 }
 
-/* One instruction each; of what is not a number the second. */
+/* One instruction each; if an operand is NaN, the second one. */
 static inline double kit_greater(double a, double b) { return a > b ? a : b; }
 static inline double kit_lesser(double a, double b) { return a < b ? a : b; }
 
-/* A comparison's outcome by lane, all bits or none, and one bit for each of these. */
+/* Results of a comparison by lane, all bits or none; and packed, one bit for each. */
 typedef struct kit_bits { int32_t lane[POV_BLOCK_MAX]; } kit_bits;
 
 static inline uint32_t kit_gather_lanes(const int32_t *lanes)
@@ -87,7 +86,7 @@ static inline uint32_t kit_gather_lanes(const int32_t *lanes)
 
 static inline uint32_t kit_gather_bits(const kit_bits *b) { return kit_gather_lanes(b->lane); }
 
-/* The lanes that are whose, as bits. */
+/* Lanes whose owner is `whose`, as bits. */
 static inline uint32_t kit_owned_by(const uint32_t *owners, uint32_t whose)
 {
     kit_bits same;
@@ -98,7 +97,7 @@ static inline uint32_t kit_owned_by(const uint32_t *owners, uint32_t whose)
     return kit_gather_bits(&same);
 }
 
-/* The lowest bit that is set; some must be. */
+/* Index of the lowest set bit; the mask must not be zero. */
 static inline uint32_t kit_first_lane(uint32_t mask)
 {
 #ifdef __GNUC__
@@ -121,7 +120,7 @@ static inline uint32_t kit_first_lane64(uint64_t mask)
 #endif
 }
 
-/* How many bits are set. */
+/* Number of set bits. */
 static inline uint32_t kit_count(uint64_t mask)
 {
 #ifdef __GNUC__
@@ -135,7 +134,7 @@ static inline uint32_t kit_count(uint64_t mask)
 #endif
 }
 
-/* Puts what was answered of a ray after the n meetings that there are; gives how many there are then. */
+/* Append a ray's results to the n candidates of `out`; returns their new number. */
 static inline uint32_t kit_tell(const kit_answer *a, uint32_t ray, pov_meeting *out, uint32_t n)
 {
     uint32_t mask;
