@@ -17,10 +17,10 @@ typedef struct maps {
     float *pixels[ARGS_AOVS];    /* four channels each; NULL: not asked for */
 } maps;
 
-/* One thread's share: each n-th row. */
+/* Work of one thread: each n-th row. */
 typedef struct share { const maps *maps; int first; pov_tracer *tracer; } share;
 
-/* The map of time is the job's own; all others are of what a ray meets. */
+/* The map of time is the job's; all others are of hits. */
 static bool wants_rays(const args *a)
 {
     for (int i = 0; i < ARGS_AOVS; i++)
@@ -57,7 +57,7 @@ static int threads_of(const args *a)
 
 /* ---- tracing ---- */
 
-/* The place of a pixel's centre in -1/2 .. 1/2: the very rays that the picture's single samples are. */
+/* The screen position of a pixel's centre in -1/2 .. 1/2: the same rays as the picture's single samples. */
 static double centred(int pixel, int size)
 {
     return ((double)pixel - 0.5 * size + 0.5) / size;
@@ -114,7 +114,7 @@ static void *work(void *user)
     return NULL;
 }
 
-/* A thread that cannot be had leaves its share to this one. */
+/* If a thread cannot be started, this one does its work. */
 static pov_status trace(const maps *m, pov_error *err)
 {
     share shares[THREADS_MAX];
@@ -151,7 +151,7 @@ static bool holds_floats(const char *path)
     return dot && (strcmp(dot, ".pfm") == 0 || strcmp(dot, ".PFM") == 0);
 }
 
-/* Microseconds; or parts of the largest, where a file of integers would clip them. */
+/* Microseconds; or fractions of the maximum, where a file of integers would clip them. */
 static void map_time(const maps *m, pov_job *job)
 {
     const size_t count = (size_t)m->rect.width * (size_t)m->rect.height;
@@ -164,7 +164,7 @@ static void map_time(const maps *m, pov_job *job)
         most = fmax(most, (double)to[i]);
     if (!holds_floats(m->args->aov[ARGS_AOV_TIME]))
         scale = most > 0.0 ? 1.0 / most : 0.0;
-    /* From the last on, for what was read stands where the first ones go. */
+    /* From the last element on, because the results overwrite the first ones. */
     for (size_t i = count; i-- > 0;) {
         const double value = scale * (double)to[i];
         put(to + 4 * i, value, value, value);

@@ -120,7 +120,7 @@ static bool read_word(args *a, const char *what, const char *text, const char *c
     return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
 }
 
-/* One of a few numbers, which end with -1. */
+/* One of a list of numbers that ends with -1. */
 static bool read_choice(args *a, const char *what, const char *text, const int *choices, const char *list,
                         int *out)
 {
@@ -135,7 +135,7 @@ static bool read_choice(args *a, const char *what, const char *text, const int *
     return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
 }
 
-/* A decimal number above zero. strtod() alone would take blanks, signs, hexadecimals, "inf" and "nan" too. */
+/* A positive decimal number. strtod() alone would accept blanks, signs, hexadecimals, "inf" and "nan" too. */
 static bool read_positive(args *a, const char *what, const char *text, double *out)
 {
     char *end = NULL;
@@ -148,7 +148,7 @@ static bool read_positive(args *a, const char *what, const char *text, double *o
     return true;
 }
 
-/* x0,y0,x1,y1: the first pixel, and the one behind the last. That they lie in the picture is seen later. */
+/* x0,y0,x1,y1: the first pixel, and the one behind the last. Whether they lie in the picture is checked later. */
 static bool read_crop(args *a, const char *text)
 {
     int corner[4];
@@ -292,7 +292,7 @@ static bool read_option(args *a, int option, const char *text)
     }
 }
 
-/* The one option of two words: the map, and its file, which getopt_long has yet to come to. */
+/* The only option with two arguments: the map, and its file, which getopt_long has not reached yet. */
 static bool read_aov(args *a, const char *text, int argc, char **argv)
 {
     int word = 0;
@@ -305,7 +305,7 @@ static bool read_aov(args *a, const char *text, int argc, char **argv)
     return true;
 }
 
-/* How many letters must change, come or go to make one word of the other. */
+/* Edit distance of two words. */
 static size_t distance(const char *a, const char *b)
 {
     size_t row[32], width = strlen(b);
@@ -351,8 +351,8 @@ static bool refuse_unknown(args *a, const char *word)
     return refuse(a, "there is no option \"--%s\"", name);
 }
 
-/* getopt_long has met something it does not know (optopt 0 or a letter), or a value for an option that takes
- * none (optopt is that option). */
+/* getopt_long has found something unknown (optopt 0 or a letter), or a value for an option that takes none (optopt is
+ * that option). */
 static bool refuse_option(args *a, char **argv)
 {
     char letter[3] = { '-', (char)optopt, '\0' };

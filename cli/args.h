@@ -1,4 +1,4 @@
-/* args.h - povc's command line. Reading it touches nothing but its own struct, so that it can be tested. */
+/* args.h - povc's command line. Parsing changes nothing but its own struct, so that it can be tested. */
 #ifndef CLI_ARGS_H
 #define CLI_ARGS_H
 
@@ -12,7 +12,7 @@ typedef enum args_progress {
     ARGS_PROGRESS_NONE
 } args_progress;
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
-/* Maps besides the picture: of what the camera rays meet, and of the time that the pixels take. */
+/* Maps besides the picture: of the camera rays' hits, and of the pixels' time. */
 typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOV_TIME, ARGS_AOVS } args_aov;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 
@@ -29,16 +29,16 @@ typedef struct args {
     int seed;
     double partial_every;        /* seconds between checkpoints; 0: none */
     bool resume;
-    double error, time;          /* ends of refinement; 0: none */
+    double error, time;          /* limits that end refinement; 0: none */
     args_sampling sampling;
     const char *format;          /* an image ending, or NULL: by the output's name */
     pov_dialect dialect;
     pov_accel accel;
     pov_accuracy accuracy;
-    const char *aov[ARGS_AOVS];  /* where each map goes; NULL: it is not made */
+    const char *aov[ARGS_AOVS];  /* output file of each map; NULL: none */
     const char *plugin_path;     /* or NULL */
     const char *report, *reference;   /* files, or NULL */
-    char **compared;             /* of --compare: reports, and the plot to be drawn of them; or NULL */
+    char **compared;             /* of --compare: reports, and the plot to draw; or NULL */
     int compared_count;
     bool compare;
     bool explain, check, stats, quiet, verbose;

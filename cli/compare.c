@@ -18,7 +18,7 @@ typedef struct run {
 
 /* ---- reading ---- */
 
-/* Where a comma separated line has a word; -1: nowhere. */
+/* Column of a word in a comma separated line; -1: missing. */
 static int column_of(const char *line, const char *word)
 {
     size_t length = strlen(word);
@@ -32,7 +32,7 @@ static int column_of(const char *line, const char *word)
     return -1;
 }
 
-/* NaN: nothing stands there. */
+/* NaN: the field is empty. */
 static double number_at(const char *line, int column)
 {
     char *end;

@@ -4,7 +4,7 @@
 
 #include "args.h"
 
-/* Of the reports in a->compared, all but the last of which are .csv; the last is the plot to be written. */
+/* Compare the reports in a->compared: all but the last are .csv files; the last is the plot to write. */
 pov_status compare_run(const args *a, pov_error *err);
 
 #endif

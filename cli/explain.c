@@ -65,7 +65,7 @@ static void print_library(FILE *to, widths w)
               wide ? "this processor can run the wider of the copies" : "the copy that any processor can run");
 }
 
-/* What is used stands before what was left out. */
+/* Used parts come before parts that were left out. */
 void explain_print(FILE *to, pov_context *context, const pov_scene *scene)
 {
     widths w = measure(scene);

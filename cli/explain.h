@@ -1,4 +1,4 @@
-/* explain.h - what was compiled for a scene, and what was left out, as a table. */
+/* explain.h - prints the parts compiled for a scene, and the parts left out, as a table. */
 #ifndef CLI_EXPLAIN_H
 #define CLI_EXPLAIN_H
 
@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-/* The scene's plan, and the plugins that are in use for something else than the scene. */
+/* The scene's plan, and the plugins that other parts of the program use. */
 void explain_print(FILE *to, pov_context *context, const pov_scene *scene);
 
 #endif

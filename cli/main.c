@@ -101,7 +101,7 @@ static pov_status run(const args *a, messages *m, bool *short_of, pov_error *err
     return status;
 }
 
-/* A report that could not be written is an error like any other: a full disk behind "povc --stats > file". */
+/* A failed write of a report is an error like any other: a full disk behind "povc --stats > file". */
 static int finish(const messages *m, int code)
 {
     pov_error err = { 0 };

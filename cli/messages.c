@@ -37,7 +37,7 @@ void messages_init(messages *m, const args *a)
                (a->color == ARGS_COLOR_AUTO && !(no_color && *no_color) && messages_on_terminal());
 }
 
-/* The line, a caret under what is meant, and the word that was probably meant under the caret. */
+/* The line, a caret under the position, and below it the word that was probably meant. */
 static void show_excerpt(const messages *m, const pov_error *note)
 {
     char line[TEXT_SIZE], indent[TEXT_SIZE];
@@ -50,7 +50,7 @@ static void show_excerpt(const messages *m, const pov_error *note)
         fprintf(stderr, "      | %sdid you mean \"%s\"?\n", indent, note->hint);
 }
 
-/* Scene text that came through a pipe has no name; what has no place is said by the program itself. */
+/* Scene text from a pipe has no name; a message without a position is the program's own. */
 static const char *name_of(const pov_error *note)
 {
     if (note->line > 0 && strcmp(note->file, "-") == 0)

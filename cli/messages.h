@@ -1,4 +1,4 @@
-/* messages.h - what povc says on standard error about a scene, and about itself. */
+/* messages.h - messages on standard error, about a scene and about povc itself. */
 #ifndef CLI_MESSAGES_H
 #define CLI_MESSAGES_H
 

@@ -6,10 +6,10 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-/* Seconds of the job. A bar that would be gone at once is not drawn at all. */
+/* Seconds of the job. A bar that would disappear at once is not drawn. */
 static const double first_bar = 0.3, every_bar = 0.1, every_line = 10.0, every_json = 0.5;
 
-/* A terminal so narrow that no bar has room gets the numbers, as many as fit. */
+/* A terminal too narrow for a bar gets the numbers, as many as fit. */
 enum { BAR_LEAST = 4 };
 
 void progress_init(progress *p, const args *a)

@@ -1,4 +1,4 @@
-/* progress.h - how far the picture is, on standard error. */
+/* progress.h - the progress of the picture, on standard error. */
 #ifndef CLI_PROGRESS_H
 #define CLI_PROGRESS_H
 
@@ -6,16 +6,16 @@
 
 typedef struct progress {
     args_progress mode;          /* never AUTO */
-    bool lines;                  /* a line now and then instead of a bar */
+    bool lines;                  /* a line from time to time instead of a bar */
     bool drawn;                  /* a bar stands on the screen */
     double shown;                /* seconds of the job when it was last shown */
 } progress;
 
 void progress_init(progress *p, const args *a);
-/* Is it time to show again, `seconds` after the job's start? Asking the job costs, so only then. */
+/* Is the display due again, `seconds` after the job's start? Querying the job costs time, so it is done only then. */
 bool progress_due(const progress *p, double seconds);
 void progress_show(progress *p, const pov_progress *now);
-/* The last state, and the bar is gone from the screen. */
+/* Show the last state, and remove the bar from the screen. */
 void progress_end(progress *p, const pov_progress *now);
 
 /* "42.3": rounded down, and 100 only at the end. */

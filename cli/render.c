@@ -11,9 +11,9 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Longest time in seconds that a signal waits to be seen. */
+/* Longest delay of a signal in seconds. */
 static const double patience = 0.05;
-/* Edge of a pixel of the first pass where a limit of time asks for one. */
+/* Edge of a pixel of the first pass if a limit of time asks for one. */
 enum { COARSEST = 16 };
 
 static double now_seconds(void)
@@ -90,7 +90,8 @@ static pov_status prepare(render *r, pov_error *err)
     desc.width = a->width;
     desc.height = a->height;
     desc.crop = a->crop;
-    /* A limit may come before the first pass has ended: a coarse picture of all is better than part of a fine one. */
+    /* A limit may be reached before the first pass has ended: a coarse picture of everything is better than part of a
+     * fine one. */
     desc.preview = a->preview >= 0 ? a->preview : may_end_early(a) ? COARSEST : 0;
     desc.threads = a->threads;
     desc.samples = a->samples;
@@ -98,7 +99,7 @@ static pov_status prepare(render *r, pov_error *err)
     desc.time_map = a->aov[ARGS_AOV_TIME] != NULL;
     desc.target_error = a->error;
     desc.time_limit = a->time;
-    /* To reach an error soonest is to look where it is; who asks for a number of samples gets them everywhere. */
+    /* Adaptive sampling reaches an error soonest; a given number of samples is uniform. */
     if (a->sampling == ARGS_SAMPLING_ADAPTIVE || (a->sampling == ARGS_SAMPLING_AUTO && (a->error > 0.0 || a->time > 0.0)))
         desc.sampling = POV_SAMPLING_ADAPTIVE;
     if (a->reference && read_reference(r, err) < 0)
@@ -125,7 +126,7 @@ static pov_status write_picture(render *r, pov_error *err)
     return status;
 }
 
-/* SIGUSR1: a picture that cannot be written now is no reason to end; the last one may do better. */
+/* SIGUSR1: a failure to write the picture does not end the render; the last write may succeed. */
 static void write_now(render *r)
 {
     pov_error err = { 0 };
@@ -138,7 +139,7 @@ static void write_now(render *r)
         messages_say(r->messages, "%s now holds the picture so far", r->args->output);
 }
 
-/* The checkpoint first: a picture that is newer than it would be lost. */
+/* The checkpoint comes first: a picture newer than it would be lost. */
 static void write_partial(render *r, partial *kept)
 {
     pov_error err = { 0 };
@@ -154,7 +155,7 @@ static pov_job_state watch(render *r, progress *shown, partial *kept)
     pov_progress now = POV_INIT(now);
 
     for (;;) {
-        /* What has changed is not taken, so nothing but the first tile and the end is news: tiles wake nobody. */
+        /* Changed tiles are not taken, so only the first tile and the end are news: tiles do not wake this thread. */
         pov_job_state state = pov_job_wait(r->job, patience);
 
         if (state != POV_JOB_RUNNING)
@@ -191,7 +192,7 @@ static void say_partial(const render *r)
         messages_say(r->messages, "interrupted: %s holds %.3g samples a pixel%s", name, p->spp_mean, error);
 }
 
-/* Where the band of the last pass ends. */
+/* Upper end of the last pass's confidence band. */
 static double last_band(pov_job *job)
 {
     pov_pass row = POV_INIT(row);

@@ -16,13 +16,13 @@ typedef struct render {
     pov_progress progress;       /* at the end */
     double write_seconds;        /* of the last picture written */
     pov_bitmap reference;        /* what --reference names */
-    bool short_of;               /* a budget ended it before what was asked for was reached */
+    bool short_of;               /* a budget ended it before the requested error or count was reached */
 } render;
 
-/* Can the output be written, as far as that can be told before the work? */
+/* Can the output be written, as far as this is known before the work? */
 pov_status render_check_output(pov_context *context, const args *a, pov_error *err);
-/* Trace and write. A signal that asks for the end cancels the rest, and what is there is written.
- * Call render_free() whatever comes of it. */
+/* Trace and write. A signal for an early end cancels the rest, and the present picture is written. Call render_free()
+ * whatever the result. */
 pov_status render_run(render *r, const args *a, const messages *m, pov_context *context,
                       const pov_scene *scene, pov_error *err);
 void render_free(render *r);

@@ -12,7 +12,7 @@ static const struct { const char *ending; form form; } forms[] = {
     { "csv", FORM_CSV }, { "json", FORM_JSON }, { "html", FORM_HTML }, { "svg", FORM_PLOT }, { "png", FORM_PLOT },
 };
 
-/* The ending of the path's name, small letters; empty when it is none of ours. */
+/* The ending of the path's name, in lower case; empty when it is not one of a report. */
 static const char *find_form(const char *path, form *out)
 {
     const char *dot = strrchr(path, '.');

@@ -1,4 +1,4 @@
-/* report.h - error against run time: a row a pass, as a table, a plot, or a page that has all. */
+/* report.h - error against run time: one row a pass, as a table, a plot, or a page with everything. */
 #ifndef CLI_REPORT_H
 #define CLI_REPORT_H
 
@@ -17,22 +17,22 @@ typedef struct report {
     double write_seconds;
     const float *pixels;         /* the picture, linear, four channels */
     int width, height;           /* of it */
-    pov_image_options options;   /* that it was written with */
+    pov_image_options options;   /* encoding of the file */
     pov_pass *rows;
     size_t count;
 } report;
 
-/* Can it be written, as far as that can be told before the work? Finds what draws plots, where one is asked for. */
+/* Can it be written, as far as this is known before the work? Finds the plugin for plots, if one is needed. */
 pov_status report_check(pov_context *context, const args *a, pov_error *err);
 /* `r` has all but the rows. */
 pov_status report_write(report *r, pov_error *err);
 
 /* ---- for the files that write one form each ---- */
 
-/* What follows from a row and the one before it (NULL: none). Below zero, and NaN for the slope: not known. */
+/* Values derived from a row and the one before it (NULL: none). Below zero, and NaN for the slope: not known. */
 typedef struct report_figures { double est_over_true, efficiency, slope; } report_figures;
 report_figures report_figures_of(const pov_pass *row, const pov_pass *before);
-/* What ended the job, in words. */
+/* The end of the job in words. */
 const char *report_stop(const report *r);
 
 void report_put_csv(const report *r, FILE *to);

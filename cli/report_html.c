@@ -43,7 +43,7 @@ static void put_base64(FILE *to, const unsigned char *bytes, size_t count)
 
 /* ---- pictures inside the page ---- */
 
-/* `kind` is the image's class in the page, `what` is said where it cannot be seen. */
+/* `kind` is the image's class in the page, `what` is its alternative text. */
 static pov_status put_image(const report *r, FILE *to, const float *rgba, pov_transfer transfer, const char *kind,
                             const char *what, pov_error *err)
 {
@@ -93,15 +93,15 @@ static pov_status put_curve(const report *r, FILE *to, pov_error *err)
     return status;
 }
 
-/* How a value that is not there looks. */
+/* Text of a missing value. */
 static const float blank = 1.0f;
 
-/* Dark blue to yellow, lighter all the way: for eyes of every kind, and in grey. */
+/* Dark blue to yellow with increasing lightness: readable with colour blindness, and in grey. */
 static const float ramp[5][3] = {
     { 0.00f, 0.13f, 0.30f }, { 0.26f, 0.30f, 0.42f }, { 0.48f, 0.48f, 0.47f }, { 0.74f, 0.68f, 0.41f }, { 1.00f, 0.92f, 0.28f },
 };
 
-typedef struct span { double low, high; } span;   /* of what a map shows, both above zero */
+typedef struct span { double low, high; } span;   /* range of a map, both above zero */
 
 /* Two decades below the largest value, or from the smallest one on. */
 static span span_of(const float *map, size_t count)
@@ -119,7 +119,7 @@ static span span_of(const float *map, size_t count)
     return s;
 }
 
-/* Values below zero are none. */
+/* Negative values mean none. */
 static void colour_of(float value, span s, float *rgba)
 {
     double part = value > 0.0f ? log((double)value / s.low) / fmax(log(s.high / s.low), 1e-300) : 0.0;
@@ -131,7 +131,7 @@ static void colour_of(float value, span s, float *rgba)
     rgba[3] = 1.0f;
 }
 
-/* `but` is said behind the unit: what else there is in the map. */
+/* `but` follows the unit: other contents of the map. */
 static void put_scale(FILE *to, span s, const char *unit, const char *but)
 {
     if (s.low < s.high) {
@@ -369,7 +369,7 @@ static pov_status put_pictures(const report *r, FILE *to, pov_error *err)
     fputs("</figure>\n", to);
     if (status == POV_OK && shows_error(r))
         status = put_map(r, to, POV_PIXELS_ERROR, "estimated rms error, by cells of 4 &times; 4 pixels", "linear light", err);
-    /* A map of one sample everywhere tells nothing, but one that shows what is missing does. */
+    /* A map with one sample everywhere is omitted, unless it shows that pixels are missing. */
     if (status == POV_OK && r->count > 0 && r->rows[r->count - 1].spp_mean != 1.0)
         status = put_map(r, to, POV_PIXELS_SAMPLES, "samples a pixel", "samples", err);
     fputs("</div>\n<h2>Error against run time</h2>\n", to);

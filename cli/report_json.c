@@ -16,7 +16,7 @@ static void put_string(FILE *to, const char *text)
     fputc('"', to);
 }
 
-/* JSON has no NaN: what is not known is null. */
+/* JSON has no NaN: unknown values are null. */
 static void put_number(FILE *to, const char *name, double value, bool known)
 {
     if (known && isfinite(value))

@@ -8,7 +8,7 @@
 
 enum { WIDTH = 820, HEIGHT = 540, HEIGHT_OF_SECOND = 200 };
 
-/* A column of the rows each; what is not known is NaN, which no plot shows. */
+/* Columns of the rows; unknown values are NaN, which plots omit. */
 typedef struct columns { double *wall, *cpu, *estimate, *low, *high, *truth, *ratio, *all; } columns;
 
 static bool make_columns(columns *c, const report *r)

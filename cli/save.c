@@ -18,12 +18,12 @@ pov_status save_fail(pov_error *err, pov_status status, const char *file, const 
     return status;
 }
 
-/* A file that the run writes or reads, and what for. */
+/* A file that the run writes or reads, and its purpose. */
 typedef struct named { const char *path, *what; bool written; } named;
 
 enum { NAMES_MAX = 4 + ARGS_AOVS };
 
-/* The path in full: of a file that is not there yet its folder's, and its name. False: there is no such folder. */
+/* The full path; for a missing file that of its folder, and its name. False: no such folder. */
 static bool full_path(const char *path, char out[PATH_MAX + NAME_MAX + 2])
 {
     const char *slash = strrchr(path, '/');
@@ -38,7 +38,7 @@ static bool full_path(const char *path, char out[PATH_MAX + NAME_MAX + 2])
     return true;
 }
 
-/* Devices and pipes take what comes, and nothing in them is replaced. */
+/* Devices and pipes accept everything, and nothing in them is replaced. */
 static bool is_replaced(const char *path)
 {
     struct stat about;

@@ -31,8 +31,8 @@ static void watch(int signal, void (*handler)(int), int flags)
 
 void signals_watch(void)
 {
-    /* One-shot handlers: the system's own answer to the second such signal is to end the program. Calls are not begun
-     * again, for open() would wait for a pipe's reader for ever; reading and writing go on by themselves. */
+    /* One-shot handlers: the system's default action for the second such signal ends the program. Calls are not
+     * restarted, because open() would wait for a pipe's reader for ever; reading and writing continue by themselves. */
     watch(SIGINT, on_end, (int)SA_RESETHAND);
     watch(SIGTERM, on_end, (int)SA_RESETHAND);
     watch(SIGHUP, on_end, (int)SA_RESETHAND);

@@ -13,7 +13,7 @@ static void seconds(FILE *to, const char *name, double value)
     fprintf(to, "%s: %.6f s\n", name, value);
 }
 
-/* What Linux says of this program alone: its other count begins with the size of whoever started it. 0: unknown. */
+/* Linux's count for this program alone: the general count begins with the size of the parent process. 0: unknown. */
 static uint64_t high_water(void)
 {
     FILE *status = fopen("/proc/self/status", "r");
@@ -28,7 +28,7 @@ static uint64_t high_water(void)
     return kib;
 }
 
-/* Kernels count in KiB, but for that of macOS, which counts in bytes. */
+/* Kernels count in KiB, except macOS, which counts in bytes. */
 static void print_memory(FILE *to)
 {
     struct rusage usage;
@@ -86,7 +86,7 @@ static void print_counts(FILE *to, const pov_counts *c)
     count(to, "decided", c->decided, "intersections");
 }
 
-/* What each class of primitives was asked, and what two-part arithmetic had to decide of it. */
+/* Queries of each class of primitives, and those that two-part arithmetic had to decide. */
 static void print_classes(FILE *to, pov_job *job)
 {
     pov_class_counts c = POV_INIT(c);

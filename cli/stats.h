@@ -1,4 +1,4 @@
-/* stats.h - what a run took and did: one "name: value unit" a line. */
+/* stats.h - costs and counts of a run: one "name: value unit" a line. */
 #ifndef CLI_STATS_H
 #define CLI_STATS_H
 

@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* The next character; *length is its bytes. A byte that does not belong is one character of value 0. */
+/* The next character; *length is its number of bytes. An invalid byte is one character of value 0. */
 static uint32_t next_character(const char *text, int *length)
 {
     const unsigned char *s = (const unsigned char *)text;

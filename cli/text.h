@@ -1,10 +1,10 @@
-/* text.h - a line of scene text, shown so that a mark stands under the right place. */
+/* text.h - a line of scene text, printed so that a mark stands under the right position. */
 #ifndef CLI_TEXT_H
 #define CLI_TEXT_H
 
 #include <stddef.h>
 
-/* The line fit for a terminal: control characters and bytes that are no UTF-8 become '?', tabs stay. */
+/* The line made safe for a terminal: control characters and invalid UTF-8 become '?', tabs stay. */
 void text_printable(const char *line, char *out, size_t size);
 /* White space as wide as the first `bytes` bytes of the line: tabs for tabs, none for a combining mark, two
  * blanks for a character of double width. */

@@ -1,4 +1,4 @@
-/* usage.h - what povc says of itself when asked. */
+/* usage.h - povc's help and version. */
 #ifndef CLI_USAGE_H
 #define CLI_USAGE_H
 

@@ -14,8 +14,8 @@ static bool is_little_endian(void)
     return first == 1;
 }
 
-/* The sign of the third number names the byte order of the floats; below zero is little-endian. What the
- * machine has is written, so that a row is put without a copy. */
+/* The sign of the third number names the byte order of the floats; negative is little-endian. The machine's order is
+ * written, so that a row is written without a copy. */
 static const char *write_pfm(const pov_image *image, const pov_output *output)
 {
     char header[64];
@@ -32,7 +32,7 @@ static const char *write_pfm(const pov_image *image, const pov_output *output)
     return NULL;
 }
 
-/* A whole number above zero after white space; 0: there is none. `at` moves behind it. */
+/* A positive whole number after white space; 0: none. `at` moves behind it. */
 static int read_number(const char **at, const char *end)
 {
     int value = 0;
@@ -44,7 +44,7 @@ static int read_number(const char **at, const char *end)
     return value;
 }
 
-/* Of the scale only the sign counts: the byte order. One white space ends the line. */
+/* Only the sign of the scale matters: the byte order. One white space ends the line. */
 static bool read_order(const char **at, const char *end, bool *little)
 {
     while (*at < end && **at == '\n')

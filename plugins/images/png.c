@@ -1,8 +1,8 @@
 /* png.c - PNG by libpng, 8 or 16 bits a channel, row by row.
  *
- * A picture encoded with the sRGB curve says so in an sRGB chunk. One whose values are stored as they are
- * carries no statement about gamma: the course's rule is that the stored number is what is shown, and a gAMA
- * chunk of 1.0 would make viewers brighten it. */
+ * A picture encoded with the sRGB curve says so in an sRGB chunk. A picture of unencoded values has no statement about
+ * gamma: by the course's rule the stored number is shown as it is, and a gAMA chunk of 1.0 would make viewers brighten
+ * it. */
 #include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
@@ -10,7 +10,7 @@
 #include <setjmp.h>
 #include <string.h>
 
-/* With one filter for all rows a third of the time of libpng's own choice; figures are in docs/cli.md. */
+/* One filter for all rows takes a third of the time of libpng's own choice; docs/cli.md has figures. */
 enum { COMPRESSION_LEVEL = 3 };
 
 typedef struct sink {
@@ -34,7 +34,7 @@ static void flush_nothing(png_structp png)
     (void)png;
 }
 
-/* libpng's text may lie on its stack, so it is not handed on. */
+/* libpng's text may be on its stack, so it is not passed on. */
 static void on_error(png_structp png, png_const_charp text)
 {
     sink *to = png_get_error_ptr(png);
@@ -58,7 +58,7 @@ static bool is_little_endian(void)
     return *(const unsigned char *)&one == 1;
 }
 
-/* All that may jump: nothing here owns anything. */
+/* Contains all calls that may longjmp: no local here owns memory. */
 static void put_picture(png_structp png, png_infop info, const pov_image *image)
 {
     png_set_compression_level(png, COMPRESSION_LEVEL);
@@ -131,7 +131,7 @@ static void on_read_error(png_structp png, png_const_charp text)
     png_longjmp(png, 1);
 }
 
-/* Whatever it holds becomes red, green and blue of 8 or 16 bits. */
+/* Convert any format to red, green and blue of 8 or 16 bits. */
 static void ask_for_rgb(png_structp png, png_infop info)
 {
     png_set_expand(png);
@@ -143,7 +143,7 @@ static void ask_for_rgb(png_structp png, png_infop info)
     png_read_update_info(png, info);
 }
 
-/* A file that says nothing stores the values as they are, as write_png() does. */
+/* A file without a statement stores unencoded values, as write_png() writes them. */
 static pov_transfer transfer_of(png_structp png, png_infop info)
 {
     const double srgb_about = 0.45455, near = 0.005;
@@ -157,7 +157,7 @@ static pov_transfer transfer_of(png_structp png, png_infop info)
     return POV_TRANSFER_LINEAR;
 }
 
-/* All that may jump. */
+/* Contains all calls that may longjmp. */
 static void get_picture(png_structp png, png_infop info, source *from)
 {
     int passes;

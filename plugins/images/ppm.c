@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* 16-bit samples turned byte by byte, whatever order the machine has. */
+/* Write 16-bit samples byte by byte, whatever the machine's order. */
 static bool put_samples16(const pov_output *output, const uint16_t *samples, size_t count)
 {
     unsigned char bytes[4096];
@@ -52,7 +52,7 @@ static bool is_space(int c)
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/* White space, and comments to the end of their line. */
+/* Skip white space, and comments to the end of their line. */
 static void skip(source *from)
 {
     while (from->at < from->end && (is_space(*from->at) || *from->at == '#')) {
@@ -64,7 +64,7 @@ static void skip(source *from)
     }
 }
 
-/* A whole number; 0: there is none, or one that no picture has. */
+/* A whole number; 0: none, or too large for any picture. */
 static int read_number(source *from)
 {
     const unsigned most = 1u << 28;
@@ -76,7 +76,7 @@ static int read_number(source *from)
     return value <= most ? (int)value : 0;
 }
 
-/* The file's largest value becomes the largest of 8 or 16 bits. False: a sample is larger than that. */
+/* Scale the file's largest value to the largest of 8 or 16 bits. False: a sample exceeds it. */
 static bool read_row(const unsigned char *from, size_t samples, unsigned most, int bits, void *to)
 {
     const unsigned full = bits == 8 ? 255u : 65535u;
@@ -105,7 +105,7 @@ static const char *read_header(source *from, pov_image *about, int *most)
     about->width = read_number(from);
     about->height = read_number(from);
     *most = read_number(from);
-    /* One white space ends the header: what follows may look like more of it. */
+    /* One white space ends the header: the data may begin with bytes that look like white space. */
     if (from->at == from->end)
         return "it is cut off in its header";
     if (about->width < 1 || about->height < 1 || *most < 1 || *most > 65535 || !is_space(*from->at++))
@@ -113,7 +113,7 @@ static const char *read_header(source *from, pov_image *about, int *most)
     return NULL;
 }
 
-/* It says nothing of its encoding: the values are as they are, as write_ppm() stores linear ones. */
+/* The format does not state its encoding: values are taken as linear, as write_ppm() stores them. */
 static const char *read_ppm(const void *bytes, size_t count, const pov_image_target *target)
 {
     source from = { bytes, (const unsigned char *)bytes + count };

@@ -1,7 +1,7 @@
 /* plot.c - curves by cairo, to SVG and PNG.
  *
- * Curves are told apart by colour, by mark and by dash, so that a print in grey and an eye that does not see red from
- * green tell them too. The colours are those of Okabe and Ito: Color universal design, 2008. */
+ * Curves differ in colour, mark and dash, so that they can be told apart in grey prints and by eyes that do not
+ * distinguish red from green. The colours are those of Okabe and Ito: Color universal design, 2008. */
 #include <povtrace/plot.h>
 #include <povtrace/plugin.h>
 
@@ -19,7 +19,7 @@ static const colour curve_colours[] = {
 enum { COLOURS = sizeof curve_colours / sizeof curve_colours[0], MARKS = 5, TICKS_MAX = 64, DECADES_MAX = 8 };
 static const colour ink = { 0.13, 0.13, 0.13 }, pale = { 0.87, 0.87, 0.87 }, paler = { 0.945, 0.945, 0.945 },
                     level_colour = { 0.35, 0.35, 0.35 };
-/* Where the guide begins, in parts of the first point. */
+/* Begin of the guide line, as a fraction of the first point. */
 static const double guide_above = 1.3;
 static const double text_size = 12.0, small_size = 11.0, title_size = 15.0;
 
@@ -107,7 +107,7 @@ static double down(const frame *f, double y)
 
 typedef struct tick { double value; bool named; } tick;
 
-/* 1, 2, 5 times a power of ten, so that about `wanted` fit. */
+/* Step of 1, 2 or 5 times a power of ten, so that about `wanted` steps fit. */
 static double even_step(double span, int wanted)
 {
     double rough = span / wanted, power = pow(10.0, floor(log10(rough))), part = rough / power;
@@ -127,7 +127,7 @@ static int even_ticks(const scale *s, int wanted, tick *out)
     return count;
 }
 
-/* All of 1 ... 9 in each decade; named are those for which there is room. */
+/* Ticks at 1 ... 9 in each decade; labels where they fit. */
 static int decade_ticks(const scale *s, tick *out)
 {
     double span = s->high - s->low;
@@ -333,7 +333,7 @@ static void draw_curve(const frame *f, const pov_series *s, size_t index)
 
 /* ---- levels, guide, legend ---- */
 
-/* Text on the grid, with the paper's colour behind it. */
+/* Text over the grid, with the paper's colour behind it. */
 static void put_note(const frame *f, double x, double y, double part, const char *text)
 {
     double width;
@@ -367,7 +367,7 @@ static void draw_level(const frame *f, const pov_level *l)
         put_note(f, f->left + 6.0, down(f, l->at) - 5.0, 0.0, l->name);
 }
 
-/* From above the first point of the first curve on: a curve that is steeper does not meet it. */
+/* Begins above the first point of the first curve: a steeper curve does not cross it. */
 static void draw_guide(const frame *f)
 {
     const pov_series *s = f->panel->series;

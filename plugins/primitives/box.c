@@ -1,8 +1,7 @@
 /* box { <corner>, <opposite corner> }
  *
- * Three slabs. Which plane is met first is a comparison of quotients; when they are too near to each other
- * for doubles, their cross products are compared without any error. The box is closed: edges and corners
- * belong to it. */
+ * Three slabs. The order of planes along the ray is a comparison of quotients; where they are too close for doubles,
+ * their cross products are compared exactly. The box is closed: edges and corners belong to it. */
 #include "kit/affine.h"
 #include "kit/expansion.h"
 #include "kit/box_block.h"
@@ -15,13 +14,13 @@ typedef struct box {
     pov_two plane[6];      /* plane[2 * axis] is the lower one, and so is a mark's part */
 } box;
 
-/* What one question of a ray needs. */
+/* State of one ray query. */
 typedef struct slabs {
     const box *shape;
     double o[3], o_lo[3], d[3], d_lo[3];   /* the direction's largest component is in [1, 2) */
-    double unit;           /* a distance here, times unit, is one along the ray */
-    double t[6];           /* within 6 u of the exact quotients: a difference that its low parts change much is exact */
-    double slack;          /* as large as all such errors of two of them; infinite for always_exact */
+    double unit;           /* a local distance times unit is a distance along the ray */
+    double t[6];           /* within 6 u of the exact quotients: a difference that low parts change much is exact */
+    double slack;          /* bound of the errors of two of them; infinite for always_exact */
     bool decided;
 } slabs;
 
@@ -85,7 +84,7 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
     }
 }
 
-/* Adds the product of the distance to a plane and the direction along another axis, times `factor`. */
+/* Adds `factor` times the product of the distance to a plane and the direction along another axis. */
 static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, double factor)
 {
     const double distance[4] = { s->shape->plane[plane].hi, s->shape->plane[plane].lo, -s->o[plane / 2],
@@ -98,14 +97,13 @@ static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, d
     }
 }
 
-/* Negative, zero or positive as the ray meets plane p before, with or after plane q. Neither is parallel
- * to it. */
+/* Negative, zero or positive if the ray crosses plane p before, with or after plane q. Neither is parallel to it. */
 static int compare(slabs *s, int p, int q)
 {
     double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q])), power;
     kit_expansion e;
 
-    /* Of a finite and an endless distance, no slack need be asked for. */
+    /* A finite and an infinite distance need no slack. */
     if (difference > slack || difference == HUGE_VAL)
         return 1;
     if (difference < -slack || difference == -HUGE_VAL)
@@ -141,7 +139,7 @@ static bool find(slabs *s, int *entry, int *exit)
     return *entry >= 0;
 }
 
-/* One that is as flat as a plane somewhere is left where it is entered. */
+/* A box without extent along an axis is left where it is entered. */
 static inline uint32_t mark_of(const box *b)
 {
     const pov_two *p = b->plane;
@@ -149,7 +147,7 @@ static inline uint32_t mark_of(const box *b)
     return p[0].hi < p[1].hi && p[2].hi < p[3].hi && p[4].hi < p[5].hi ? POV_MARK_CLOSED : 0;
 }
 
-/* The quotient in two parts: what the first division leaves is divided again. */
+/* The quotient in double-double: the remainder of the first division is divided again. */
 static bool report(const slabs *s, pov_hits *hits, int plane)
 {
     const double d = s->d[plane / 2];
@@ -172,8 +170,8 @@ static inline bool goes_inward(pov_vec3 d, int face)
     return face % 2 ? away < 0.0 : away > 0.0;
 }
 
-/* A ray that left a face going inward has entered already, whatever rounding says of an edge nearby; going
- * outward or along the face it has the exit behind it. */
+/* A ray that left a face inward has entered already, whatever rounding says of an edge nearby; one that goes outward or
+ * along the face has its exit behind it. */
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const int left = ray->left == hits->owner ? (int)(ray->left_mark.part % 6) : -1;
@@ -231,7 +229,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
            && is_between(point.z, point_lo.z, b->plane + 4);
 }
 
-/* Moves, stretches along the axes and quarter turns keep a box a box. */
+/* Translations, scalings along the axes and quarter turns keep a box a box. */
 static bool absorb(void *self, const pov_affine *map)
 {
     box *b = self;
@@ -254,18 +252,17 @@ static bool absorb(void *self, const pov_affine *map)
 
 /* ---- many at once ---- */
 
-/* Boxes, each with its ray. */
+/* Pairs of a box and a ray. */
 typedef struct box_lanes {
     kit_rays rays;
-    kit_lane plane[12];          /* both parts of the first, and so on */
+    kit_lane plane[12];          /* both parts of the first plane, and so on */
     kit_lane way;                /* 1 for the entry, -1 for the exit */
 } box_lanes;
 
-/* Where rays enter, or where those that start on the box and go into it leave. No number where a comparison is not
- * certain. */
+/* Entry of each ray, or its exit if it starts on the box and goes into it. NaN where a comparison is uncertain. */
 typedef struct end_lanes { kit_lane t, t_lo, part; } end_lanes;
 
-/* A plane, and what the ray is along its axis; t as that of slabs. */
+/* A plane, and the ray's components along its axis; t as that of slabs. */
 typedef struct crossed { double t, plane, plane_lo, o, o_lo, d, d_lo, part; } crossed;
 
 static inline crossed choose(int first, crossed a, crossed b)
@@ -283,8 +280,8 @@ static inline crossed choose(int first, crossed a, crossed b)
     return c;
 }
 
-/* The planes of an axis, in the order that the ray meets them, or the other way round for its exit: then distances have
- * their signs turned, so that what is sought is the largest of the near ones again. */
+/* The planes of an axis in the order in which the ray crosses them. For its exit the order is reversed and distances
+ * are negated, so that the result is again the largest of the near ones. */
 static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o, double o_lo, double d, double d_lo,
                               crossed *near, double *far)
 {
@@ -305,7 +302,7 @@ static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o
     *far = backward ? at : beyond;
 }
 
-/* As compare() says it without a closer look. */
+/* As compare() without escalation. */
 static inline int is_apart(double a, double b) { return fabs(a - b) > 8.0 * KIT_U * (fabs(a) + fabs(b)); }
 
 /* The first of an axis's planes. */
@@ -321,7 +318,7 @@ static inline crossed enter_axis(const box_lanes *l, uint32_t i, int axis, doubl
     return c;
 }
 
-/* As report(). */
+/* As report(), for a lane. */
 static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int certain, double power)
 {
     const pov_two distance = pov_two_neg(pov_two_offset(end->o, end->o_lo, pov_two_of(end->plane, end->plane_lo)));
@@ -335,8 +332,8 @@ static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int c
     out->part[i] = end->part;
 }
 
-/* As begin(), find() and report() for one end. A direction without a component along some axis makes distances without
- * end, and these are not certain. */
+/* As begin(), find() and report() for one end. A direction without a component along some axis gives infinite
+ * distances, which are not certain. */
 KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
@@ -362,7 +359,7 @@ KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restric
     }
 }
 
-/* As above where rays surely enter: which plane is the last of the three that are met first. */
+/* As above for definite hits: which plane is the last of the three near ones. */
 KIT_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
@@ -380,7 +377,7 @@ KIT_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *rest
     }
 }
 
-/* Of n pairs, past whose end the last stands again. */
+/* Load n pairs; lanes past the end hold the last one again. */
 KIT_INLINE void put_pairs(box_lanes *l, const void *const *selves, const pov_ray *const *rays, uint32_t n)
 {
     const void *shapes[KIT_LANES];
@@ -394,8 +391,8 @@ KIT_INLINE void put_pairs(box_lanes *l, const void *const *selves, const pov_ray
     }
 }
 
-/* Whoever does not leave the box, and enters it for certain, has his answer: what leaves it is further off. So has
- * who goes into it from where he starts. */
+/* A ray that does not leave the box and definitely enters it needs no more: its exit is further away. The same holds
+ * for a ray that goes inward from its start. */
 static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
     end_lanes end;

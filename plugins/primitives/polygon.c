@@ -1,19 +1,18 @@
-/* polygon { n, <v1>, ..., <vn> }: a flat figure under the even-odd rule. The first point of a loop again
- * closes it, and what follows starts another.
+/* polygon { n, <v1>, ..., <vn> }: a planar figure under the even-odd rule. Repeating the first point of a loop closes
+ * it, and the next point starts another loop.
  *
- * Which side of an edge a ray passes depends on nothing but the ray and the edge, and is decided without
- * any error where doubles leave it open. So polygons that share an edge leave no gap and no overlap along
- * it. */
+ * The side of an edge on which a ray passes depends on the ray and the edge only, and is decided exactly where doubles
+ * leave it open. So polygons that share an edge leave no gap and no overlap along it. */
 #include "kit/expansion.h"
 #include "kit/flat_block.h"
 #include "kit/polygon.h"
 
 static bool same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-/* What is written of a small one are its corners; a larger one is made at once, and stays. */
+/* The parsed form of a small polygon are its corners; a larger one is made at once, and stays. */
 enum { FEW = KIT_POLYGON_SIDES + 1 };
 typedef struct polygon_text {
-    const kit_polygon *large;   /* NULL: it is small */
+    const kit_polygon *large;   /* NULL: the polygon is small */
     uint32_t count;
     pov_vec3 corner[FEW];
 } polygon_text;
@@ -24,10 +23,10 @@ typedef struct reading {
     const pov_host *host;
     pov_reader *in;
     kit_corner few[FEW];
-    kit_corner *corners;        /* these few, or the host's */
-    uint32_t likely;            /* room for more: no more than is likely, for a scene may say anything */
-    uint32_t count, capacity, start;   /* start: where the loop at hand begins */
-    bool open;                  /* a loop is begun and not yet closed */
+    kit_corner *corners;        /* this array, or the host's memory */
+    uint32_t likely;            /* memory for more, but not more than is plausible: a scene may give any number */
+    uint32_t count, capacity, start;   /* start: begin of the current loop */
+    bool open;                  /* a loop is open */
 } reading;
 
 static bool append(reading *r, pov_vec3 v, bool starts)
@@ -108,8 +107,8 @@ static pov_two3 offset_of(const kit_polygon *s, const kit_corner *c)
     return kit_offset(c->world, zero, s->anchor, s->scale);
 }
 
-/* The plane goes through the first corner, the one farthest from it, and the one farthest from the line of
- * these two. (The area vector would not do: a bow tie's is zero.) Returns the size of their cross product. */
+/* The plane goes through the first corner, the corner farthest from it, and the corner farthest from the line of these
+ * two. (The area vector would not do: that of a bow tie is zero.) Returns the length of their cross product. */
 static double find_plane(kit_polygon *s, const kit_corner *corners)
 {
     const kit_corner *far = corners;
@@ -132,10 +131,10 @@ static double find_plane(kit_polygon *s, const kit_corner *corners)
     return largest;
 }
 
-/* How far a corner may lie off the plane when each coordinate was rounded once, which moves a corner by at
- * most sqrt(3) roundings. Seen from the first corner it is a b + c, with b and c the two others of the
- * plane and |a| <= 2, |c| <= 1 in their units by their choice; with the first corner's own share that
- * makes 8 such moves, and as much again is margin. */
+/* Tolerance of a corner's distance from the plane if each coordinate was rounded once, which moves a corner by at most
+ * sqrt(3) roundings. Relative to the first corner it is a b + c, with b and c the two others of the plane and |a| <= 2,
+ * |c| <= 1 in their units by their choice. With the first corner's own error that makes 8 such moves; as much again is
+ * margin. */
 static double tolerance(const kit_polygon *s)
 {
     const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
@@ -162,7 +161,7 @@ static void scale_corners(kit_polygon *s, kit_corner *corners)
         corners[i].local = pov_two3_hi(offset_of(s, &corners[i]));
 }
 
-/* Corners of a small one where rays find them first. */
+/* Copies the corners of a small polygon to where rays read them first. */
 static void put_near(kit_polygon *s, const kit_corner *corners)
 {
     uint32_t i;
@@ -187,7 +186,8 @@ static double measure(const kit_polygon *s, const kit_corner *corners)
     return largest;
 }
 
-/* Of corners everything but what widens it: returns what find_plane() does. Two loops have more than a few corners. */
+/* Computes all but the error margin from the corners: returns the result of find_plane(). Two loops have more than a
+ * few corners. */
 static double take_corners(kit_polygon *s, kit_corner *corners, uint32_t count)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -202,7 +202,7 @@ static double take_corners(kit_polygon *s, kit_corner *corners, uint32_t count)
     return find_plane(s, corners);
 }
 
-/* largest: the size of the normal so far; off: of a corner from the plane. */
+/* largest: the length of the normal so far; off: the largest distance of a corner from the plane. */
 static void settle(kit_polygon *s, double largest, double off)
 {
     const double power = pov_inverse_power(largest), wider = off * (4.0 / s->scale);
@@ -215,7 +215,7 @@ static void settle(kit_polygon *s, double largest, double off)
     s->box.hi = pov_add(s->box.hi, pov_vec3_of(wider, wider, wider));
 }
 
-/* Corners do not lie in a plane, or on a line? Then whoever wrote them hears of it. */
+/* Warn of corners that do not lie in a plane, or that lie on a line. */
 static void look_at(reading *r, kit_polygon *s)
 {
     const double largest = take_corners(s, r->corners, r->count);
@@ -290,14 +290,14 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- which side of an edge ---- */
 
-/* A ray looked at along itself: its largest axis points away, across and up are the two others. Only the
- * ray decides what they are. */
+/* View along a ray: its largest axis points away, across and up are the two others. The view depends on the ray
+ * only. */
 typedef struct sight {
     const pov_ray *ray;
     int across, up, away;
     double o[3], o_lo[3], d[3], d_lo[3];   /* the direction is scaled */
     double w[3];           /* a point of the ray near the polygon, seen from the anchor */
-    double error;          /* of a coordinate in sight */
+    double error;          /* error of a coordinate in the view */
     bool exact, decided;
 } sight;
 
@@ -348,8 +348,8 @@ static bool is_above(const sight *s, const pov_vec3 *corner)
     return kit_expansion_sign(&e) > 0;
 }
 
-/* Where a corner is in sight, the ray being the origin. A corner level with the ray is below: the same for
- * every polygon that has it. */
+/* A corner in the view, with the ray at the origin. A corner level with the ray counts as below: the same for every
+ * polygon that has it. */
 static seen look(sight *s, pov_vec3 local, const pov_vec3 *corner)
 {
     const double v[3] = { local.x - s->w[0], local.y - s->w[1], local.z - s->w[2] };
@@ -393,8 +393,8 @@ static int orientation(const sight *s, const pov_vec3 *a, const pov_vec3 *b)
     return kit_expansion_sign(&e);
 }
 
-/* An edge that goes from one side of the level to the other: does it pass the ray on the right, or through
- * it? Edges are asked upward, so that both polygons of a shared edge ask the same. */
+/* Does an edge that crosses the ray's level pass the ray on the right, or through it? Edges are tested upward, so that
+ * both polygons of a shared edge compute the same. */
 static bool is_right(sight *s, const pov_vec3 *a, seen pa, const pov_vec3 *b, seen pb)
 {
     const double cross = pa.across * pb.up - pb.across * pa.up;

@@ -1,9 +1,9 @@
-/* quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }: A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z +
- * J = 0, inside where it is not positive.
+/* quadric { <A,B,C>, <D,E,F>, <G,H,I>, J }: A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J = 0,
+ * inside where it is not positive.
  *
- * Along a ray this is a t^2 + 2 b t + c. Where the ray's origin is too far for that, it is taken about the ray's own
- * vertex, where b is nearly zero and the discriminant has nothing to cancel; the coefficients have two parts, so that
- * maps can be absorbed. */
+ * Along a ray this is a t^2 + 2 b t + c. Where the ray's origin is too far for that, the equation is taken about the
+ * ray's own vertex, where b is nearly zero and the discriminant does not cancel. The coefficients are double-double, so
+ * that maps can be absorbed. */
 #include "kit/second_order_block.h"
 #include "kit/second_order_rough.h"
 
@@ -40,11 +40,11 @@ static bool report_decided(pov_hits *hits, pov_two t, double unit, uint32_t part
     return !isfinite(t.hi) || kit_report_decided(hits, t, unit, part, flags);
 }
 
-/* Which crossings are wanted. A ray that left the surface started on one of the two: where it goes to
- * larger values, on the exit, else on the entry. */
+/* Wanted crossings. A ray that left the surface started on one of the two: on the exit if it goes to larger values,
+ * else on the entry. */
 enum { WANT_ENTRY = 1, WANT_EXIT = 2 };
 
-/* a . b for both taken `power` times; a zero stays one. */
+/* a . b with both scaled by `power`; a zero stays zero. */
 static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
 {
     const pov_two zero = { 0.0, 0.0 };
@@ -55,9 +55,9 @@ static pov_two quick_square(pov_two3 a, pov_two3 b, double power)
     return pov_two_add(pov_two_add(x, y), z);
 }
 
-/* Where to take the equation: at the ray's vertex, where the discriminant does not cancel; but if that is
- * out of all proportion to where the ray passes the anchor, as with a ray almost along the axis of a
- * paraboloid, then there. */
+/* The point where the equation is taken: the ray's vertex, where the discriminant does not cancel. If the vertex is
+ * much further away than the ray's closest approach to the anchor, as for a ray almost along the axis of a paraboloid,
+ * then the closest approach. */
 static double middle_of(const quadric *s, const kit_ray *k)
 {
     const pov_two3 d = kit_direction(k);
@@ -69,8 +69,8 @@ static double middle_of(const quadric *s, const kit_ray *k)
     return fabs(vertex - nearest) < 1024.0 * pov_largest(w) ? vertex : nearest;
 }
 
-/* A root so near to the ray's origin that the way from `middle` is nearly all of it: -c / (b + or - root),
- * with the value c at the origin itself. */
+/* A root so near to the ray's origin that the distance from `middle` nearly cancels: -c / (b + or - root), with the
+ * value c at the origin itself. */
 static pov_two near_origin(const quadric *s, const kit_ray *k, pov_two root)
 {
     const pov_two c = kit_exact_value(s->q, k->f), b = pov_two3_dot(kit_direction(k), kit_half_gradient(s->q, k->f, true));
@@ -78,7 +78,7 @@ static pov_two near_origin(const quadric *s, const kit_ray *k, pov_two root)
     return pov_two_neg(pov_two_div(c, b.hi < 0.0 ? pov_two_sub(b, root) : pov_two_add(b, root)));
 }
 
-/* A root seen from `middle`, seen from the origin. */
+/* Convert a root from `middle` to the origin. */
 static pov_two from_origin(const quadric *s, const kit_ray *k, double middle, pov_two t, pov_two root)
 {
     const pov_two sum = pov_two_add_double(t, middle);
@@ -86,16 +86,16 @@ static pov_two from_origin(const quadric *s, const kit_ray *k, double middle, po
     return fabs(sum.hi) < 0x1p-24 * fabs(middle) ? near_origin(s, k, root) : sum;
 }
 
-/* Both roots, as distances from `middle`, and half their distance times the second-order coefficient. */
+/* Both roots, as distances from `middle`, and half of their distance times the second-order coefficient. */
 typedef struct solution { pov_two entry, exit, root; } solution;
 
-/* False: the ray misses. A root that is not there is infinite. */
+/* False: the ray misses. A missing root is infinite. */
 static bool solve(const quadric *s, const kit_ray *k, double middle, solution *out)
 {
     const pov_two3 d = kit_direction(k), w = kit_along_two(k, middle), g = kit_half_gradient(s->q, w, true);
     const pov_two3 turn = kit_half_gradient(s->q, d, false);
-    /* A ray along a surface that is straight that way hardly moves across it, so little at times that squares
-     * underflow: it is followed faster by `power`. */
+    /* A ray along a straight line of the surface changes its distance so slowly that squares may underflow: its
+     * direction is scaled by `power`. */
     const double power = pov_inverse_power(fmax(pov_largest(pov_two3_hi(turn)), fabs(pov_two3_dot(d, g).hi)));
     const pov_two a = quick_square(d, turn, power), b = pov_two_scale(pov_two3_dot(d, g), power);
     const pov_two c = kit_value(s->q, w, g);
@@ -119,7 +119,7 @@ static bool solve(const quadric *s, const kit_ray *k, double middle, solution *o
     return true;
 }
 
-/* How much further along the ray a root lies that is much nearer to the anchor than w is; 0 for none. */
+/* Additional distance to a root that is much nearer to the anchor than w is; 0 for none. */
 static double to_anchor(const kit_ray *k, double middle, const solution *roots)
 {
     const double here = pov_largest(kit_along(k, middle));
@@ -143,7 +143,8 @@ static void decide(const quadric *s, const kit_ray *k, bool leaving, pov_hits *h
     }
     if (!solve(s, k, middle, &roots))
         return;
-    /* Near the apex of a cone everything is small; seen from further off it would be small differences. */
+    /* Recompute near the apex of a cone, where all numbers are small; seen from further off they would be small
+     * differences. */
     further = to_anchor(k, middle, &roots);
     middle += further;
     if (further != 0.0 && !solve(s, k, middle, &roots))
@@ -190,7 +191,7 @@ static kit_residual residual(const void *self, const kit_ray *k, pov_two3 w, uin
     return second_order_residual(self, k, w);
 }
 
-/* No second order: a plane. Its value at the origin and its slope in two parts give the crossing as exactly. */
+/* No second order: a plane. Its value at the origin and its slope in double-double give the crossing as exactly. */
 static bool quick_plane(const quadric *s, const kit_ray *k, pov_hits *hits)
 {
     const pov_two3 n = { s->q[G], s->q[H], s->q[I] };
@@ -241,8 +242,8 @@ static bool quick_curved(const quadric *s, const kit_ray *k, const along *r, dou
     return kit_report(roots, n, fmin(KIT_FINE * KIT_SLOWEST * size, KIT_APART * equation.apart), &equation, hits);
 }
 
-/* Coefficients of one sign have no positive root. Where one root is the start, which is left out, the other has the sign of
- * -b / a, whatever is left of c there. */
+/* Coefficients of one sign have no positive root. If one root is the start, which is left out, the other has the sign
+ * of -b / a, whatever remains of c there. */
 static bool is_behind(const along *r, bool leaving, double tmin)
 {
     const double sign = r->b > 0.0 ? 1.0 : -1.0;
@@ -283,7 +284,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const bool leaving = ray->left == hits->owner;
     kit_ray k;
 
-    /* A plane is not met again. */
+    /* A plane is not hit again. */
     if (leaving && s->flat)
         return;
     k = kit_enter(ray, s->anchor, s->scale);

@@ -16,7 +16,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     if (host->more(in)) {
         radius = host->number(in);
     } else if (centre.x != centre.y || centre.y != centre.z) {
-        radius = host->number(in);   /* fails: what was read is a centre */
+        radius = host->number(in);   /* fails: the value read last is the centre */
     } else {
         host->warn(in, "a sphere without a centre stands about the origin");
         radius = centre.x;
