@@ -56,3 +56,14 @@ void paint_surfaces(const shading *scene, surfaces *s)
         paint(scene, s, &g, of);
     }
 }
+
+colour paint_filter(const shading *scene, const hit *h)
+{
+    const material *of = shading_constant(scene, h->object)->material;
+    texture_points points;
+    texture_sample s;
+
+    texture_point(model_texture_map(scene->model, h->object), h->point, h->point_lo, 0, &points);
+    texture_eval(scene->model, of, &points, 1, &s);
+    return material_filter_of(s.pigment.color, s.pigment.filter, s.pigment.transmit);
+}

@@ -1,15 +1,39 @@
 #include "shade/transmittance.h"
 
 #include "base/bits.h"
+#include "shade/paint.h"
 
-/* Where on its way light crosses a constant filter does not matter to what is left of it. The product is rounded once, and
+/* What a surface lets through where the ray crosses it. Of one whose texture varies the point is found as for a hit. */
+static colour filter_at(const shading *scene, const pov_ray *ray, const pov_crossing *at)
+{
+    const appearance *a = shading_constant(scene, at->owner);
+    hit h;
+
+    if (!a->varies)
+        return a->filter.by;
+    h.object = at->owner;
+    h.crossing = *at;
+    world_surface(scene->world, ray, &h);
+    return paint_filter(scene, &h);
+}
+
+/* The same where it is known. */
+static colour filter_of(const shading *scene, const hit *h)
+{
+    const appearance *a = shading_constant(scene, h->object);
+
+    return a->varies ? paint_filter(scene, h) : a->filter.by;
+}
+
+/* Where on its way light crosses filters does not matter to what is left of it. The product is rounded once, and
  * its order is that of the objects: it is the same for the tree and the list. False: nothing is left. */
-static bool multiply(const shading *scene, const pov_crossing *at, uint32_t count, colour *through)
+static bool multiply(const shading *scene, const pov_ray *ray, const pov_crossing *at, uint32_t count,
+                     colour *through)
 {
     double r = (double)through->r, g = (double)through->g, b = (double)through->b;
 
     for (uint32_t i = 0; i < count; i++) {
-        const colour filter = shading_constant(scene, at[i].owner)->filter.by;
+        const colour filter = filter_at(scene, ray, &at[i]);
 
         r *= (double)filter.r;
         g *= (double)filter.g;
@@ -30,7 +54,7 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     for (rest = found.crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (!multiply(c->scene, found.at[i], found.count[i], &through[i]))
+        if (!multiply(c->scene, rays[i], found.at[i], found.count[i], &through[i]))
             lit &= ~((uint64_t)1 << i);
     }
     return lit;
@@ -45,7 +69,7 @@ bool transmittance_from(const shade_context *c, const spot *from, const pov_ray 
     if (!query_occlusion_from(c->scene->world, c->walker, from, ray, tmax, &found, &crossed))
         return false;
     for (; crossed; crossed &= crossed - 1)
-        *through = colour_mul(*through, shading_constant(c->scene, from->at[first_of(crossed)].object)->filter.by);
+        *through = colour_mul(*through, filter_of(c->scene, &from->at[first_of(crossed)]));
     return !colour_is_black(*through) &&
-           (!found.crossed || multiply(c->scene, found.at[0], found.count[0], through));
+           (!found.crossed || multiply(c->scene, ray, found.at[0], found.count[0], through));
 }

@@ -258,7 +258,7 @@ static bool is_located(const world *w, const flat *f)
     uint32_t i;
 
     for (i = 0; w->plan.coloured_shadows && i < w->model->leaves.count; i++)
-        if (f->things[i].tints && !f->things[i].plain && !f->things[i].member)
+        if (f->things[i].tints && w->model->materials.items[f->things[i].material].pattern)
             return true;
     return false;
 }

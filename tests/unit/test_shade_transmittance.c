@@ -4,6 +4,7 @@
 
 #include "query/context.h"
 #include "shade/transmittance.h"
+#include "texture/pattern.h"
 
 #include <string.h>
 
@@ -117,12 +118,97 @@ static void light_through_black_glass_is_gone(void **state)
     end(&s);
 }
 
+/* ---- patterned glass ---- */
+
+static const pigment panes[4] = { { { 1.0f, 0.5f, 0.25f }, 1.0f, 0.0f }, { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.75f },
+                                  { { 0.5f, 0.5f, 0.0f }, 0.5f, 0.25f }, { { 0.25f, 0.5f, 1.0f }, 0.25f, 0.5f } };
+
+static uint32_t add_panes(model *m, pattern *memory)
+{
+    const uint32_t number = test_add_material(m, colour_of(0, 0, 0), 0.0f, 0.0f, false);
+
+    memory->class = pattern_find("square");
+    memory->count = 4;
+    memory->list = panes;
+    material_set_pattern(&m->materials.items[number], memory);
+    return number;
+}
+
+/* The pane of the point in the pattern's space; -1: it is too near to another for this test to tell, or there is no point. */
+static int pane_at(double x, double z)
+{
+    if (!(fabs(x - nearbyint(x)) > 1e-9 && fabs(z - nearbyint(z)) > 1e-9))
+        return -1;
+    return (int)floor(x) & 1 ? 3 - ((int)floor(z) & 1) : (int)floor(z) & 1;
+}
+
+/* Where the ray enters or leaves the ball about z = 5 of radius 3, from its centre. */
+static pov_vec3 crossing_at(const pov_ray *ray, double sign)
+{
+    const pov_vec3 o = pov_sub(ray->org, pov_vec3_of(0, 0, 5)), d = ray->dir;
+    const double a = pov_dot(d, d), b = pov_dot(o, d), root = sqrt(b * b - a * (pov_dot(o, o) - 9.0));
+
+    return pov_add(o, pov_scale(d, (-b + sign * root) / a));
+}
+
+/* A ball of coloured panes is moved to z = 5 and turned by 90 degrees after its texture was written. What light loses is
+ * the product of the panes at the two points where it crosses the ball; alone and in packets. */
+static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(void **state)
+{
+    const pov_affine turned = { .inv = { { 0, 1, 0, 0 }, { -1, 0, 0, 0 }, { 0, 0, 1, -5 } } };
+    enum { ROUNDS = 200 };
+    test_random r = { 11 };
+    pattern memory = { 0 };
+    uint32_t seen = 0;
+    subject s;
+    (void)state;
+
+    begin(&s);
+    test_add_ball(&s.model, pov_vec3_of(0, 0, 5), 3.0, add_panes(&s.model, &memory));
+    assert_true(model_set_texture_map(&s.model, &turned));
+    build(&s);
+    for (int round = 0; round < ROUNDS; round++) {
+        colour through[WORLD_MANY], single;
+        pov_ray rays[WORLD_MANY];
+        const pov_ray *of[WORLD_MANY];
+        uint64_t lit;
+
+        memset(rays, 0, sizeof rays);
+        for (uint32_t i = 0; i < WORLD_MANY; i++) {
+            rays[i].org = pov_vec3_of(test_uniform(&r, -2, 2), test_uniform(&r, -2, 2), -1.0);
+            rays[i].dir = pov_vec3_of(test_uniform(&r, -2, 2), test_uniform(&r, -2, 2), 12.0);
+            rays[i].left = POV_NOBODY;
+            of[i] = &rays[i];
+        }
+        lit = transmittance_find(&s.context, of, WORLD_MANY, 1.0, through);
+        for (uint32_t i = 0; i < WORLD_MANY; i++) {
+            const pov_vec3 in = crossing_at(of[i], -1.0), out = crossing_at(of[i], 1.0);
+            const int a = pane_at(in.y, in.z), b = pane_at(out.y, out.z);
+            const pigment *p = &panes[a < 0 ? 0 : a], *q = &panes[b < 0 ? 0 : b];
+            const bool is_lit = transmittance_find(&s.context, &of[i], 1, 1.0, &single) != 0;
+
+            assert_int_equal(is_lit, lit >> i & 1);
+            assert_memory_equal(&single, &through[i], sizeof single);
+            if (a < 0 || b < 0)
+                continue;
+            seen |= 1u << (4 * a + b);
+            assert_true(is_lit);
+            assert_true(fabs(single.r - (p->color.r * p->filter + p->transmit) * (q->color.r * q->filter + q->transmit)) < 1e-6);
+            assert_true(fabs(single.g - (p->color.g * p->filter + p->transmit) * (q->color.g * q->filter + q->transmit)) < 1e-6);
+            assert_true(fabs(single.b - (p->color.b * p->filter + p->transmit) * (q->color.b * q->filter + q->transmit)) < 1e-6);
+        }
+    }
+    assert_int_equal(seen, 0xffff);
+    end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_loses_to_rounding_once_a_path),
         cmocka_unit_test(light_may_cross_any_number_of_surfaces),
         cmocka_unit_test(light_through_black_glass_is_gone),
+        cmocka_unit_test(light_through_patterned_glass_takes_the_colours_of_where_it_crosses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
