@@ -60,8 +60,8 @@ bool model_add_leaf(model *m, const leaf_node *leaf);
  * none. shape: what is given of it but for its leaves and children. */
 bool model_add_group(model *m, const group_node *shape, const node_ref *children, size_t count, node_ref *out);
 /* A tree of nodes is complete: unions that nothing stands above dissolve into their children, which are objects by
- * themselves; united: they share a medium, and are one. */
-bool model_add_tree(model *m, node_ref root, bool united);
+ * themselves, unless they are united. */
+bool model_add_tree(model *m, node_ref root);
 
 /* Objects of the scene: solids, and leaves that belong to none. */
 size_t model_object_count(const model *m);

@@ -53,7 +53,7 @@ static bool add_solid(model *m, const group_node *g)
     return VEC_PUSH(m->env, &m->solids, fresh);
 }
 
-/* alone: what rays meet is an object by itself. */
+/* alone: none of the unions above is one object. */
 static bool add_pieces(model *m, node_ref node, bool alone)
 {
     group_node g;
@@ -63,18 +63,17 @@ static bool add_pieces(model *m, node_ref node, bool alone)
     g = m->groups.items[node & ~NODE_GROUP];
     if (g.op != NODE_UNION || g.inverse)
         return VEC_PUSH(m->env, &m->trees, node) && (!alone || add_solid(m, &g));
+    if (alone && g.united && !add_solid(m, &g))
+        return false;
     for (uint32_t i = 0; i < g.child_count; i++)
-        if (!add_pieces(m, m->children.items[g.child + i], alone))
+        if (!add_pieces(m, m->children.items[g.child + i], alone && !g.united))
             return false;
     return true;
 }
 
-bool model_add_tree(model *m, node_ref root, bool united)
+bool model_add_tree(model *m, node_ref root)
 {
-    const group_node *g = root & NODE_GROUP ? &m->groups.items[root & ~NODE_GROUP] : NULL;
-
-    united = united && g && g->op == NODE_UNION && !g->inverse;
-    return add_pieces(m, root, !united) && (!united || add_solid(m, &m->groups.items[root & ~NODE_GROUP]));
+    return add_pieces(m, root, true);
 }
 
 /* ---- objects ---- */

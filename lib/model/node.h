@@ -33,6 +33,7 @@ typedef enum node_op { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENC
 typedef struct group_node {
     node_op op;
     bool inverse;                /* all of space but what it holds */
+    bool united;                 /* of a union: its children share one medium, and are one object */
     uint32_t child, child_count; /* the first among the model's children */
     uint32_t leaf, leaf_count;   /* all leaves under it */
     uint32_t line, column;       /* of its keyword, 1-based */

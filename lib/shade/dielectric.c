@@ -29,14 +29,6 @@ void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const m
         out->after = index > 0 ? ior_of(m, list[index - 1]) : 1.0;
 }
 
-void dielectric_stay(dielectric_crossing *c, dielectric_span in, bool entering)
-{
-    if (entering == (c->index == in.count))
-        return;
-    c->after = c->before;
-    c->index = SIZE_MAX;
-}
-
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which)
 {
     return VEC_PUSH(e, stack, which);

@@ -23,9 +23,6 @@ typedef struct dielectric_crossing {
  * other is entered; to leave one that is not the last changes nothing but the list. */
 void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which,
                       dielectric_crossing *out);
-/* A solid of several shapes may be entered by a ray that is in it already, and left by one that is not: then the crossing
- * changes nothing. */
-void dielectric_stay(dielectric_crossing *c, dielectric_span in, bool entering);
 /* The list of the ray behind the crossing: a new one at the top. False: no memory. */
 bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
 /* Drop everything above `floor` but the span, which moves down onto it. */

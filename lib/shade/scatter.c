@@ -133,8 +133,6 @@ static void find_interfaces(const scattering *to, interfaces *p)
             continue;
         dielectric_cross(&c->dielectrics, s->from->inside, c->scene->model, world_solid(c->scene->world, s->at->object),
                          &p->crossing[i]);
-        if (world_is_united(c->scene->world, s->at->object))
-            dielectric_stay(&p->crossing[i], s->from->inside, s->at->entering);
         p->to.before[i] = p->crossing[i].before;
         p->to.after[i] = p->crossing[i].after;
         any = true;

@@ -375,14 +375,6 @@ uint32_t world_solid(const world *w, uint32_t leaf)
     return w->solids ? w->solids[leaf] : leaf;
 }
 
-bool world_is_united(const world *w, uint32_t leaf)
-{
-    const model *m = w->model;
-    const uint32_t solid = world_solid(w, leaf);
-
-    return w->solids && ((solid + 1 < m->leaves.count && w->solids[solid + 1] == solid) || w->things[leaf].member);
-}
-
 const csg_list *world_trees(const world *w)
 {
     return &w->trees;

@@ -46,8 +46,6 @@ const char *world_class(const world *w, size_t number);
 /* What an object of the scene is to those that ask for its medium: the first of its leaves. Of an object that is one leaf
  * it is the leaf. */
 uint32_t world_solid(const world *w, uint32_t leaf);
-/* Is the object more than one leaf? Then a ray may enter it while it is inside. */
-bool world_is_united(const world *w, uint32_t leaf);
 /* Shapes that rays meet as one; csg.h. */
 const struct csg_list *world_trees(const world *w);
 

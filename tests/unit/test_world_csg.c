@@ -14,7 +14,7 @@
 
 static node_ref group(model *m, node_op op, bool inverse, const node_ref *children, size_t count)
 {
-    const group_node shape = { .op = op, .inverse = inverse, .line = 1, .column = 1 };
+    const group_node shape = { .op = op, .inverse = inverse, .united = op == NODE_UNION, .line = 1, .column = 1 };
     node_ref out;
 
     assert_true(model_add_group(m, &shape, children, count, &out));
@@ -112,7 +112,7 @@ static void a_ball_without_a_ball_begins_at_the_hollow(void **state)
     begin(&s);
     ball(&s.model, 0.0, 0.0, 0.0, 2.0);
     ball(&s.model, 0.0, 0.0, -1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
 
     assert_true(next(&s, &ray, &h));
@@ -138,7 +138,7 @@ static void its_hollow_looks_into_it(void **state)
     begin(&s);
     ball(&s.model, 0.0, 0.0, 0.0, 2.0);
     ball(&s.model, 0.0, 0.0, -1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_NONE);
     assert_true(next(&s, &ray, &h));
     assert_true(fabs(h.point.z + 0.7) <= 1e-15);
@@ -156,7 +156,7 @@ static void an_intersection_is_what_both_hold(void **state)
     begin(&s);
     ball(&s.model, 0.0, 0.0, 0.0, 1.0);
     ball(&s.model, 0.0, 0.0, 1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_INTERSECTION, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_INTERSECTION, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_true(next(&s, &ray, &h) && h.object == 1 && h.point.z == 0.5 && h.entering);
     assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 1.0 && !h.entering);
@@ -174,7 +174,7 @@ static void a_merge_has_no_inner_faces(void **state)
     begin(&s);
     ball(&s.model, 0.0, 0.0, 0.0, 1.0);
     ball(&s.model, 0.0, 0.0, 1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_MERGE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_MERGE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == -1.0);
     assert_true(next(&s, &ray, &h) && h.object == 1 && h.point.z == 2.5);
@@ -194,7 +194,7 @@ static void a_union_dissolves(void **state)
     begin(&s);
     ball(&s.model, 0.0, 0.0, 0.0, 1.0);
     ball(&s.model, 0.0, 0.0, 1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_UNION, 0, 1), true));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_UNION, 0, 1)));
     assert_int_equal(s.model.trees.count, 0);
     compile(&s, POV_ACCEL_TREE);
     while (next(&s, &ray, &h))
@@ -225,7 +225,7 @@ static void a_cutter_that_ends_on_the_faces_leaves_no_film(void **state)
     begin(&s);
     brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
     brick(&s.model, pov_vec3_of(-0.5, -0.5, -1.0), pov_vec3_of(0.5, 0.5, 1.0));
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(count_ahead(&s, pov_vec3_of(0.1, 0.2, -5.0), ahead), 0);
     assert_int_equal(count_ahead(&s, pov_vec3_of(0.1, 0.2, -5.0), pov_vec3_of(0.01, 0.02, 1.0)), 0);
@@ -241,7 +241,7 @@ static void what_is_taken_from_itself_is_gone(void **state)
     begin(&s);
     ball(&s.model, 0.0, 0.0, 0.0, 1.0);
     ball(&s.model, 0.0, 0.0, 0.0, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(count_ahead(&s, pov_vec3_of(0.3, 0.2, -5.0), ahead), 0);
     end(&s);
@@ -258,7 +258,7 @@ static void what_only_touches_changes_nothing(void **state)
     begin(&s);
     brick(&s.model, pov_vec3_of(-1.0, -1.0, 0.0), pov_vec3_of(1.0, 1.0, 1.0));
     brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 0.0));
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 0.0);
     assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 1.0);
@@ -279,7 +279,7 @@ static void a_shared_face_is_the_first_members(void **state)
         begin(&s);
         brick(&s.model, pov_vec3_of(-1.0, -1.0, 0.0), pov_vec3_of(1.0, 1.0, 1.0));
         brick(&s.model, pov_vec3_of(-0.5, -1.0, 0.0), pov_vec3_of(2.0, 1.0, 2.0));
-        assert_true(model_add_tree(&s.model, pair(&s.model, ops[i], 0, 1), false));
+        assert_true(model_add_tree(&s.model, pair(&s.model, ops[i], 0, 1)));
         compile(&s, POV_ACCEL_TREE);
         assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 0.0);
         assert_true(next(&s, &ray, &h) && h.point.z == (i == 0 ? 2.0 : 1.0));
@@ -454,7 +454,7 @@ static void random_trees_are_what_their_members_say_of_points(void **state)
 
         begin(&s);
         root = random_tree(&s.model, &below, &r, 1 + (int)test_below(&r, 3));
-        assert_true(model_add_tree(&s.model, root, false));
+        assert_true(model_add_tree(&s.model, root));
         if (s.model.trees.count != 1 || s.model.trees.items[0] != root) {
             model_free(&s.model);   /* a union of others, whose faces are all there */
             continue;
@@ -487,7 +487,7 @@ static void crossings_ahead_tell_what_is_inside(void **state)
         for (int i = 0; i < 3; i++)
             ball(&s.model, test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0),
                  test_uniform(&r, 0.3, 1.5));
-        assert_true(model_add_tree(&s.model, group(&s.model, (node_op)(1 + round % 3), false, leaves, 3), false));
+        assert_true(model_add_tree(&s.model, group(&s.model, (node_op)(1 + round % 3), false, leaves, 3)));
         compile(&s, POV_ACCEL_TREE);
         root.tree = &world_trees(s.world)->items[0];
         for (int i = 0; i < 40; i++) {
@@ -528,7 +528,7 @@ static void light_crosses_the_surfaces_that_are_there(void **state)
     test_add_light(&s.model, 1.0f);
     test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, 0.0), 2.0, glass);
     test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, -1.5), 1.0, glass);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 10.0, &out), 1);
     assert_int_equal(out.crossed, 1);
@@ -551,7 +551,7 @@ static void light_ends_at_what_is_opaque(void **state)
     test_add_light(&s.model, 1.0f);
     ball(&s.model, 0.0, 0.0, 0.0, 2.0);
     ball(&s.model, 0.0, 0.0, -1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.25, &out), 1);
     assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.75, &out), 0);
@@ -569,7 +569,7 @@ static void its_leaves_are_one_object(void **state)
     ball(&s.model, 5.0, 0.0, 0.0, 1.0);
     ball(&s.model, 0.0, 0.0, 0.0, 2.0);
     ball(&s.model, 0.0, 0.0, -1.5, 1.0);
-    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 1, 2), false));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 1, 2)));
     ball(&s.model, -5.0, 0.0, 0.0, 1.0);
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(model_object_count(&s.model), 3);
