@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of these keys each has a bit in `flying`, in this order. */
+/* Each of these keys has a bit in `flying`, in this order. */
 static const char flight_keys[] = "WASDQE";
-/* A slow scene is begun anew after this time even if its first picture is not whole: 20 times a second and some. */
+/* A slow scene is restarted after this time even if its first picture is not complete: about 20 times a second. */
 static const double RESTART_SECONDS = 0.045;
 static const double FLIGHT_SECONDS = 1.0 / 60.0;
 static const double NOTE_SECONDS = 2.0;
@@ -27,8 +27,8 @@ void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
     a->orders = APP_DRAW;
 }
 
-/* The shape of picture that a camera is meant for. Where the window's is as good as that, or was asked for, it is the
- * window's, and the picture to the bit what povc makes of this size. */
+/* The aspect ratio that a camera is meant for. If the window's differs little, or was requested, it is the window's,
+ * and the picture is bit-identical to povc's at this size. */
 static double shape_of(const app *a, const pov_camera *c)
 {
     const double as_good = 0.01;
@@ -124,7 +124,7 @@ static void toggle(app *a, bool *what)
     a->orders |= APP_DRAW;
 }
 
-/* Commands that need no scene. True: it was one. */
+/* Commands that need no scene. True: the key was one of them. */
 static bool take_general(app *a, int code)
 {
     switch (code) {
@@ -175,8 +175,8 @@ static double held(const app *a, char plus, char minus)
     return sum;
 }
 
-/* A fifth of the scene in a second, or where the camera looks at something near, the way there; Shift is four times
- * as fast. By the clock, so that a slow scene does not slow it. */
+/* Speed: a fifth of the scene in a second, or the distance to what the camera looks at if that is near; Shift is four
+ * times as fast. Measured by the clock, so that slow scenes do not slow the flight. */
 static void fly(app *a, double now)
 {
     pov_vec3 ahead = a->orbit.camera.direction;
@@ -264,7 +264,7 @@ static void take_size(app *a, double width, double height, double scale)
 {
     a->scale = scale > 0.0 ? scale : 1.0;
     a->orders |= APP_DRAW;
-    /* A window that is put away has no size; what it had stays. */
+    /* A minimised window has no size; the old one is kept. */
     if (width < 1.0 || height < 1.0 || (a->width == (int)width && a->height == (int)height))
         return;
     a->width = (int)width;

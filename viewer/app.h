@@ -1,16 +1,16 @@
-/* app.h - what the viewer is doing: events go in, orders come out. No window, no OpenGL, no thread; the only thing it
- * asks of a scene is how far away something is. Places are in pixels of the framebuffer, from its upper left corner. */
+/* app.h - the viewer's state: events go in, orders come out. No window, no OpenGL, no thread; the only query to a scene
+ * is a distance. Positions are in pixels of the framebuffer, from its upper left corner. */
 #ifndef VIEWER_APP_H
 #define VIEWER_APP_H
 
 #include "orbit.h"
 
-/* Keys are known by the ASCII of the capital that is printed on them, others by these. */
+/* Keys with a printed capital are named by its ASCII code, others by these. */
 enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_SHIFT };
 enum { APP_LEFT, APP_RIGHT, APP_MIDDLE, APP_BUTTONS };
 
 typedef enum app_event_kind {
-    APP_CHARACTER,           /* code: what was typed, whatever keys that took */
+    APP_CHARACTER,           /* code: the typed character, whatever keys it took */
     APP_KEY,                 /* code, down */
     APP_BUTTON,              /* code, down */
     APP_POINTER,             /* x, y */
@@ -22,10 +22,10 @@ typedef enum app_event_kind {
 
 typedef struct app_event { app_event_kind kind; int code; bool down; double x, y, scale; } app_event;
 
-/* What is to be done outside, as a set of bits. */
+/* Orders to the session, as a set of bits. */
 enum {
-    APP_DRAW = 1,            /* what is seen has changed */
-    APP_RESTART = 2,         /* begin anew with app_camera() */
+    APP_DRAW = 1,            /* the view has changed */
+    APP_RESTART = 2,         /* restart with app_camera() */
     APP_RESIZE = 4,          /* the same, with a picture of another size */
     APP_RELOAD = 8,
     APP_PRINT = 16,          /* the camera, to standard output */
@@ -41,13 +41,13 @@ typedef enum app_view {
 } app_view;
 typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY } app_drag;
 
-/* How far along orbit_ray(x, y) something is, in lengths of that ray; not positive: nothing. */
+/* Distance to a surface along orbit_ray(x, y), in lengths of that ray; not positive: none. */
 typedef double app_probe(void *user, double x, double y);
 
 typedef struct app {
     orbit orbit;
     bool has_scene;
-    bool sized;              /* the user has said how large the picture is: it is shaped as povc would shape it */
+    bool sized;              /* the user has set the size of the picture: it has povc's aspect ratio */
     double size;             /* of the scene, for the speed of flight */
     int width, height;
     double scale;            /* of text, for displays with small pixels */
@@ -56,11 +56,11 @@ typedef struct app {
     int drag_button;
     bool shift;
     unsigned flying;         /* a bit for each of the keys WASDQE that is held */
-    double flown;            /* the time up to which flight has been accounted for */
+    double flown;            /* time up to which flight was computed */
     app_view view;
     int exposure;            /* in half stops */
     bool paused, help, inspect, curve;
-    bool moved, resized;     /* the job does not know yet */
+    bool moved, resized;     /* the job has not been told yet */
     double restarted;
     unsigned orders;
     char note[160];          /* a word to the user, until */
@@ -70,18 +70,18 @@ typedef struct app {
 } app;
 
 void app_init(app *a, int width, int height, app_probe *probe, void *probe_user);
-/* There is a scene, or another: its camera, its size. */
+/* A scene was loaded: its camera, its size. */
 void app_set_scene(app *a, const pov_camera *camera, double reach, double size);
 void app_take(app *a, const app_event *event, double now);
-/* Fly on to now, and say what is to be done. While the camera moves the picture is begun anew each time that its
- * first coarse one is there, and at least 20 times a second. */
+/* Advance the flight to the present time, and return the orders. While the camera moves, the picture is restarted
+ * whenever its first coarse pass is complete, and at least 20 times a second. */
 unsigned app_update(app *a, double now, bool coarse_is_there);
-/* After how many seconds app_update() has something to do by itself; less than 0: never. */
+/* Seconds until app_update() has work without an event; less than 0: never. */
 double app_patience(const app *a, double now);
 void app_say(app *a, double now, const char *format, ...) POV_PRINTF(3, 4);
 pov_camera app_camera(const app *a);
 const char *app_view_name(app_view view);
-/* By how much light is multiplied before it is shown. */
+/* Factor of light before display. */
 double app_gain(const app *a);
 
 #endif

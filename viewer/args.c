@@ -135,7 +135,7 @@ static bool check_together(args *a)
     return true;
 }
 
-/* A window goes on until the eye sees no difference; what is made for a file or measured is the first whole picture. */
+/* A window refines until the eye sees no difference; a file or a measurement takes the first complete picture. */
 static void fill_in(args *a)
 {
     const int plenty = 1024;
@@ -149,7 +149,7 @@ static void fill_in(args *a)
     a->error = a->shot || a->bench ? 0.0 : unseen;
 }
 
-/* getopt_long has met something that it does not know, or an option whose value is missing or too much. */
+/* getopt_long has found an unknown option, or one whose value is missing or not allowed. */
 static bool refuse_option(args *a, int verdict, char **argv)
 {
     if (verdict == ':')

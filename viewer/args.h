@@ -11,11 +11,11 @@ typedef struct args {
     int width, height;           /* 0: not said */
     const char *shot;            /* draw without a display, to this file */
     int frames;                  /* passes that a shot waits for; 0: all */
-    const char *keys;            /* what is done in a shot; "" for nothing */
+    const char *keys;            /* keys of a shot; "" for none */
     bool bench;
     int threads, max_depth;
-    int samples;                 /* a pixel, on average and at most */
-    double error;                /* no more samples from here on; 0: there is no such limit */
+    int samples;                 /* samples a pixel, on average and at most */
+    double error;                /* error that ends sampling; 0: no such limit */
     pov_dialect dialect;
     const char *plugin_path;
     char problem[256];           /* after ARGS_WRONG */

@@ -5,14 +5,14 @@
 
 enum { USUAL_WIDTH = 1024, USUAL_HEIGHT = 768 };
 
-/* How long a drag is measured, and how long a whole picture is waited for, in seconds. */
+/* Duration of a measured drag, and the time limit of a whole picture, in seconds. */
 static const double DRAG_SECONDS = 3.0, PICTURE_SECONDS = 10.0;
 /* Events come from a mouse this often. */
 static const double MOUSE_SECONDS = 0.008;
 
 typedef struct figures { double load, preview, picture, restarts, frames, longest, work; bool whole; } figures;
 
-/* Step until the scene is there; from then on count until each of its tiles has been drawn. */
+/* Step until the scene is loaded; then count until all of its tiles have been drawn. */
 static bool measure_first(viewer *v, figures *f)
 {
     double loaded = 0.0;
@@ -34,7 +34,7 @@ static bool measure_first(viewer *v, figures *f)
     return true;
 }
 
-/* The pointer goes round a circle with the left button held. */
+/* Move the pointer in a circle with the left button held. */
 static bool measure_drag(viewer *v, figures *f)
 {
     app_event button = { APP_BUTTON, APP_LEFT, true, 0.0, 0.0, 1.0 };

@@ -23,7 +23,7 @@ static void widen(int *first, int *last, double value)
     *last = above > *last ? above : *last;
 }
 
-/* When there are more passes than places the last ones share the last place: the newest counts. */
+/* With more passes than columns the last ones share a column: the newest counts. */
 static void collect(curve *c, const session *s)
 {
     pov_pass row = POV_INIT(row);
@@ -110,7 +110,7 @@ static void band(cairo_t *c, const curve *v)
     cairo_fill(c);
 }
 
-/* Where samples alike for all pixels would lead from the first row: error as one over the root of time. */
+/* Prediction for uniform sampling from the first row: the error falls with the square root of time. */
 static void guide(cairo_t *c, const curve *v)
 {
     const double dash[2] = { 5.0, 4.0 };

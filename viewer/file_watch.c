@@ -3,7 +3,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* A change is looked at again sooner than there is another look without one. */
+/* After a change the next check comes sooner. */
 static const double LOOK_SECONDS = 0.25, SECOND_LOOK_SECONDS = 0.05;
 
 static file_stamp look(const char *path)
@@ -46,7 +46,7 @@ bool file_watch_changed(file_watch *w, double now)
     found = look(w->path);
     steady = is_same(&found, &w->seen);
     w->seen = found;
-    /* An editor that puts a new file in the place of the old one leaves nothing there for a moment. */
+    /* An editor that replaces a file leaves no file for a moment. */
     if (!found.exists || is_same(&found, &w->loaded)) {
         w->next = now + LOOK_SECONDS;
         return false;

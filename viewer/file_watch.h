@@ -1,4 +1,4 @@
-/* file_watch.h - has a file been written again? */
+/* file_watch.h - notices changes of a file. */
 #ifndef VIEWER_FILE_WATCH_H
 #define VIEWER_FILE_WATCH_H
 
@@ -9,16 +9,16 @@ typedef struct file_stamp { bool exists; struct timespec time; long long size; u
 
 typedef struct file_watch {
     const char *path;            /* NULL: nothing is watched */
-    file_stamp loaded, seen;     /* what was read last, and what stood there at the last look */
+    file_stamp loaded, seen;     /* state when the file was last read, and state at the last check */
     double next;
 } file_watch;
 
-/* Watch a path, from what stands there now; "-" is not watched. The path is kept, not copied. */
+/* Watch a path, starting with its present state; "-" is not watched. The path is kept, not copied. */
 void file_watch_begin(file_watch *w, const char *path, double now);
-/* Looks four times a second. True, once: the file is another, and has not changed between two looks, so that whoever
- * writes it has most likely finished. */
+/* Checks four times a second. True, once: the file has changed, and then not between two checks, so that its writer has
+ * most likely finished. */
 bool file_watch_changed(file_watch *w, double now);
-/* Seconds to the next look; less than 0: there is none. */
+/* Seconds to the next check; less than 0: none. */
 double file_watch_patience(const file_watch *w, double now);
 
 #endif

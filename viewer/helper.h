@@ -1,5 +1,5 @@
-/* helper.h - a thread for what takes long, so that the window's never waits: reading scenes, writing pictures, and
- * taking apart what is no longer needed. Tasks are done in the order in which they come. */
+/* helper.h - a thread for slow tasks, so that the window's never waits: loading scenes, writing pictures, and freeing
+ * unused objects. Tasks are done in order. */
 #ifndef VIEWER_HELPER_H
 #define VIEWER_HELPER_H
 
@@ -20,7 +20,7 @@ typedef struct helper_picture {
     pov_transfer transfer;
 } helper_picture;
 
-/* What hangs together and goes together; any of them may be NULL. */
+/* Objects that are freed together; any of them may be NULL. */
 typedef struct helper_waste { pov_job *job; maps *maps; pov_tracer *tracer; pov_scene *scene; } helper_waste;
 
 typedef struct helper_result {
@@ -34,15 +34,15 @@ typedef struct helper_result {
 
 pov_status helper_start(helper **out, pov_context *context, const pov_load_desc *desc, void (*wake)(void *),
                         void *wake_user, pov_error *err);
-/* Does what has been asked for, then ends. NULL is allowed. */
+/* Finishes all tasks, then ends. NULL is allowed. */
 void helper_stop(helper *h);
 bool helper_load(helper *h, const char *path);
 bool helper_save(helper *h, const char *path, const helper_picture *picture);
-/* Where memory ends even for this, it is done on this thread. */
+/* Without memory for a task it is done on this thread. */
 void helper_dispose(helper *h, const helper_waste *waste);
 /* The next result, or false; never waits for the thread's work. */
 bool helper_take(helper *h, helper_result *out);
-/* Is there nothing to do and nothing to take? */
+/* Are there no tasks and no results? */
 bool helper_is_idle(helper *h);
 
 #endif

@@ -4,12 +4,12 @@
 #include <string.h>
 #include <time.h>
 
-/* Pixels are brought into the picture for no longer than this between two looks at the events. */
+/* Longest time of copying pixels between two checks for events. */
 static const double PIXEL_SECONDS = 0.008;
-/* No display shows more pictures than this, and those that nobody sees cost the threads that trace their time. */
+/* No display shows more pictures a second, and drawing unseen ones takes time from the tracing threads. */
 static const double FRAME_SECONDS = 1.0 / 60.0;
-/* A picture begun anew is first drawn when its coarse one is whole, for what is drawn before that makes it wait. A slow
- * one is drawn in parts, this often. */
+/* After a restart the first picture is drawn when its coarse pass is complete, because earlier drawing delays it. A
+ * slow picture is drawn in parts, this often. */
 static const double PART_SECONDS = 0.045;
 
 static double seconds_of(clockid_t clock)
@@ -51,7 +51,7 @@ static void draw(viewer *v)
     v->drawn = viewer_now(v);
     v->behind = false;
     v->surface->get_size(v->surface, &width, &height, &scale);
-    /* A window that is put away has no size. */
+    /* A minimised window has no size. */
     if (width < 1 || height < 1)
         return;
     present_draw(v->present, width, height);
@@ -81,7 +81,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
     s->sink = take_event;
     s->sink_user = v;
     status = present_create(&v->present, s, err);
-    /* Drivers make room for the picture and compile what draws it when it is first drawn: now, that nothing is seen yet. */
+    /* Drivers allocate memory and compile shaders at the first draw: do it now, while nothing is shown. */
     if (status == POV_OK) {
         present_nothing(v->present, width, height);
         present_draw(v->present, width, height);
@@ -94,7 +94,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
     return status;
 }
 
-/* The threads poke the surface, so that they end before it does; what they still do need not be watched. */
+/* Threads wake the surface, so they must end before it; their remaining results are not needed. */
 void viewer_close(viewer *v)
 {
     v->surface->sink = NULL;
@@ -116,7 +116,7 @@ static void show_title(viewer *v)
     v->surface->set_title(v->surface, title);
 }
 
-/* When to draw what there is to draw. */
+/* Time of the next drawing. */
 static double due(const viewer *v)
 {
     double since = session_coarse_since(v->session);
@@ -138,7 +138,7 @@ bool viewer_step(viewer *v)
     unsigned orders = session_update(v->session, viewer_now(v), in_hurry ? PIXEL_SECONDS : 1e9);
     bool changed = overlay_update(&v->overlay, &v->app, v->session, v->present);
 
-    /* A restart by itself changes nothing that is seen. */
+    /* A restart alone changes nothing visible. */
     v->behind = v->behind || (orders & ~(unsigned)APP_RESTART) || changed;
     if (in_hurry ? viewer_now(v) >= due(v) : viewer_is_behind(v))
         draw(v);

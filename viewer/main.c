@@ -1,4 +1,4 @@
-/* povview - watch a scene become a picture. */
+/* povview - an interactive progressive renderer. */
 #include "loop.h"
 #include "say.h"
 

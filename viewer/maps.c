@@ -57,7 +57,7 @@ static void trace(maps *m, const maps_request *r, int x, int y, uint8_t *rgba)
     maps_color(r, found ? &hit : NULL, rgba);
 }
 
-/* One row of pixels `step` apart; those that the coarser pass has are left as they are. */
+/* One row of pixels `step` apart; pixels of the coarser pass are left unchanged. */
 static void trace_row(maps *m, const maps_request *r, int y, int step, uint8_t *row)
 {
     bool has_coarser = step < COARSEST && y % (2 * step) == 0;
@@ -67,7 +67,7 @@ static void trace_row(maps *m, const maps_request *r, int y, int step, uint8_t *
             trace(m, r, x, y, row + 4 * x);
 }
 
-/* Spread a row of pixels over the squares that they stand for. The lock is held. */
+/* Copy each pixel of a row to the square that it stands for. The lock is held. */
 static void put_row(maps *m, int y, int step, const uint8_t *row)
 {
     size_t width = (size_t)m->request.width;
@@ -82,14 +82,14 @@ static void put_row(maps *m, int y, int step, const uint8_t *row)
             continue;
         memcpy(to + 4 * x, row + 4 * from, 4);
     }
-    /* In a row with a coarser one its pixels keep their lower half: rows below come with their own pass. */
+    /* In a row of the coarser pass its pixels keep their lower half: rows below come with their own pass. */
     for (int below = y + 1; below < bottom; below++)
         memcpy(m->pixels + 4 * width * (size_t)below, to, 4 * width);
     m->first = y < m->first ? y : m->first;
     m->last = bottom - 1 > m->last ? bottom - 1 : m->last;
 }
 
-/* The request as it is now, traced; given up when another comes. */
+/* Trace the present request; given up when another comes. */
 static void work(maps *m, const maps_request *r, unsigned generation, uint8_t *row)
 {
     for (int step = COARSEST; step >= 1; step /= 2) {

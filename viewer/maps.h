@@ -1,4 +1,4 @@
-/* maps.h - what the surfaces seen are like, as colours, traced on a thread of their own from coarse to fine. */
+/* maps.h - maps of visible surfaces as colours, traced on a thread of their own from coarse to fine. */
 #ifndef VIEWER_MAPS_H
 #define VIEWER_MAPS_H
 
@@ -15,20 +15,20 @@ typedef struct maps_request {
 
 typedef struct maps maps;
 
-/* The scene must outlive it. `wake` is called from the thread when there is something to take where there was nothing. */
+/* The scene must outlive it. `wake` is called from the thread when there are changes where there were none. */
 pov_status maps_create(maps **out, const pov_scene *scene, void (*wake)(void *), void *wake_user, pov_error *err);
 void maps_destroy(maps *m);
-/* Drop what there is and begin with this. */
+/* Drop all results and begin with this request. */
 void maps_begin(maps *m, const maps_request *request);
 void maps_stop(maps *m);
-/* Copy the rows that have changed into a picture of the size asked for, red, green, blue and alpha in bytes, and say
- * which. False: none. */
+/* Copy the changed rows into a picture of the requested size, red, green, blue and alpha in bytes, and return them.
+ * False: none. */
 bool maps_take(maps *m, uint8_t *pixels, int *first, int *last);
 bool maps_is_done(maps *m);
 
-/* The colour of a hit, and of NULL for none. Normals' -1 .. 1 become 0 .. 255, world x red, y green, z blue; depth is
- * white near, black far, as 1 / (1 + (depth / middle)^3). What
- * double precision decided is blue, what it left to two-part numbers is orange. */
+/* The colour of a hit, or of none (NULL). Normals -1 .. 1 become 0 .. 255, world x red, y green, z blue. Depth is white
+ * near, black far, as 1 / (1 + (depth / middle)^3). Certainty is blue where double precision sufficed, orange where
+ * two-part numbers were needed. */
 void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba);
 
 #endif

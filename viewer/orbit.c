@@ -1,7 +1,7 @@
 #include "orbit.h"
 
 static const double PI = 3.14159265358979323846;
-/* The camera tips no nearer to straight up or down than this, in radians, so that up stays up. */
+/* The camera stays at least this far from straight up and down, in radians, so that up stays up. */
 static const double STEEPEST = 0.01;
 
 /* ---- vectors ---- */
@@ -18,7 +18,8 @@ static pov_vec3 with_length(pov_vec3 v, double wanted)
     return pov_scale(pov_unit(v), wanted);
 }
 
-/* Rodrigues' formula about a unit axis; from z to x for y up. The length is kept, so that many turns do not wear it. */
+/* Rodrigues' rotation about a unit axis; with y up from z to x. The length is restored, so that many rotations do not
+ * change it. */
 static pov_vec3 turned(pov_vec3 v, pov_vec3 axis, double angle)
 {
     double c = cos(angle), s = sin(angle);
@@ -37,8 +38,8 @@ static void turn_frame(orbit *o, pov_vec3 axis, double angle)
 
 /* ---- what is up ---- */
 
-/* A camera without roll holds `right` square to the vertical. Of the axes that are, y is taken unless the picture
- * hardly points there, else the one that the picture points to most; a rolled camera has its own up. */
+/* A camera without roll has `right` perpendicular to the vertical. Of the possible axes y is chosen unless the
+ * picture's up hardly points there, else the axis closest to it; a rolled camera has its own up. */
 static pov_vec3 find_sky(const pov_camera *c)
 {
     const double square = 1e-6, hardly = 0.1;
@@ -62,7 +63,7 @@ static double find_mirror(const pov_camera *c)
     return pov_dot(pov_cross_product(c->up, c->direction), c->right) < 0.0 ? -1.0 : 1.0;
 }
 
-/* The horizontal that the camera tips about, from up towards ahead. */
+/* The horizontal axis of tilting, from up towards ahead. */
 static pov_vec3 tilt_axis(const orbit *o)
 {
     pov_vec3 side = pov_cross_product(o->sky, o->camera.direction);
@@ -136,7 +137,7 @@ void orbit_set_reach(orbit *o, double reach)
 
 /* ---- how it moves ---- */
 
-/* How much further the camera may tip: its angle from the sky stays within the limits, or comes no further out. */
+/* Limit a tilt: the camera's angle from the sky stays within the limits, or does not go further out. */
 static double allowed_tilt(const orbit *o, double angle)
 {
     pov_vec3 ahead = pov_unit(o->camera.direction);
@@ -148,7 +149,7 @@ static double allowed_tilt(const orbit *o, double angle)
     return angle > up_most ? angle : up_most < 0.0 ? up_most : 0.0;
 }
 
-/* Turn by `yaw` about the sky and by `tilt` downwards; positive yaw turns the view to the picture's right. */
+/* Rotate by `yaw` about the sky and by `tilt` downwards; positive yaw turns the view to the picture's right. */
 static void turn_view(orbit *o, double yaw, double tilt)
 {
     turn_frame(o, tilt_axis(o), allowed_tilt(o, tilt));
@@ -202,7 +203,7 @@ void orbit_fly(orbit *o, double right, double up, double ahead)
     o->moved = true;
 }
 
-/* The axes that front, right and top mean: z is ahead where y is up, y where z is. */
+/* The axes of front, right and top: z is ahead where y is up, y where z is. */
 static void find_axes(const orbit *o, pov_vec3 *ahead, pov_vec3 *side)
 {
     pov_vec3 z = pov_vec3_of(0, 0, 1), y = pov_vec3_of(0, 1, 0);

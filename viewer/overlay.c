@@ -8,7 +8,7 @@
 
 enum { MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
 
-/* Free room at the window's edges, in units of the scale. */
+/* Margin at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
 
 static const char help[] =
@@ -85,7 +85,7 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
     add(out, size, "|pixel\t%d, %d\n", p->x, p->y);
 }
 
-/* Beside the pointer, on the side where there is room. */
+/* Position beside the pointer, on the side where the panel fits. */
 static void place_by_pointer(const app *a, const panel *p, int *x, int *y)
 {
     int gap = (int)(EDGE * a->scale);
@@ -119,7 +119,7 @@ static void place(const app *a, int index, const panel *p, int *x, int *y)
     *y = *y > 0 ? *y : 0;
 }
 
-/* What the colours of a view mean. */
+/* Legend of a view's colours. */
 static const char *caption(app_view view)
 {
     static const char *const captions[APP_VIEWS] = {

@@ -1,4 +1,4 @@
-/* overlay.h - what stands over the picture: the message, the inspector, a word in passing, the help. */
+/* overlay.h - the panels over the picture: the message, the inspector, a brief notice, the help. */
 #ifndef VIEWER_OVERLAY_H
 #define VIEWER_OVERLAY_H
 
@@ -8,7 +8,7 @@
 
 typedef struct overlay { panel panels[PRESENT_PANELS]; int x[PRESENT_PANELS], y[PRESENT_PANELS]; } overlay;
 
-/* Bring the panels up to date and hand what has changed to the presenter. True: something has. */
+/* Update the panels and pass changed ones to the presenter. True: some have changed. */
 bool overlay_update(overlay *o, const app *a, session *s, present *p);
 void overlay_free(overlay *o);
 

@@ -10,20 +10,20 @@ enum { LINE_SIZE = 640 };
 /* In units of the scale. */
 static const double FONT_SIZE = 13.0, LINE_HEIGHT = 18.0, MARGIN = 12.0, GAP = 18.0, RADIUS = 6.0;
 
-/* Drawing goes through the text twice with the same steps: first to measure, then with a place to draw on. */
+/* Drawing passes over the text twice with the same steps: first to measure, then with a surface to draw on. */
 typedef struct pen {
     cairo_t *c;
     bool drawing;
     double scale, most;          /* the widest a line may be */
     double column;               /* where second columns begin */
     double y, widest;
-    char above[LINE_SIZE];       /* the line of a file that a caret is for, from the byte that is shown first */
+    char above[LINE_SIZE];       /* the line of a file that a caret belongs to, from the first shown byte */
     size_t skipped;
 } pen;
 
 /* ---- text ---- */
 
-/* Bytes of the UTF-8 character that stands here, 0 where none does. */
+/* Bytes of the UTF-8 character at this position, 0 if there is none. */
 static size_t character(const unsigned char *s)
 {
     size_t bytes = s[0] < 0x80 ? 1 : s[0] >= 0xc2 && s[0] < 0xe0 ? 2 : (s[0] & 0xf0) == 0xe0 ? 3
@@ -38,7 +38,8 @@ static size_t character(const unsigned char *s)
     return bytes;
 }
 
-/* The text that cairo may be given: as many bytes, but that what is none becomes "?" and what is not seen a blank. */
+/* The text in a form that cairo accepts, with the same number of bytes: invalid ones become "?" and invisible ones
+ * blanks. */
 static void clean(char *text)
 {
     unsigned char *s = (unsigned char *)text;
@@ -98,7 +99,7 @@ static void title(pen *p, const char *text, bool warns)
     next_line(p);
 }
 
-/* As many words as fit on each line; one that is too long by itself is broken nowhere. */
+/* As many words as fit on each line; a single word that is too long is not broken. */
 static void words(pen *p, const char *text)
 {
     char line[LINE_SIZE];
@@ -150,7 +151,7 @@ static void columns(pen *p, char *text)
     next_line(p);
 }
 
-/* A line of a file; where it is too wide the part about the caret, whose place the line below tells. */
+/* A line of a file; if it is too wide, the part around the caret, whose position the next line gives. */
 static void excerpt(pen *p, const char *text, const char *below)
 {
     size_t caret = below[0] == '^' ? (size_t)atoi(below + 1) : 0, length = strlen(text);
@@ -184,13 +185,13 @@ static void caret(pen *p, const char *number)
     bytes = bytes > p->skipped ? bytes - p->skipped : 0;
     snprintf(before, sizeof before, "%.*s", (int)bytes, p->above);
     choose(p, false, true);
-    /* Close under its line. */
+    /* Directly below its line. */
     p->y -= 3.0 * p->scale;
     put(p, width_of(p, before), "^", 0.55, 0.95, 0.55);
     next_line(p);
 }
 
-/* Go through all lines once. */
+/* Pass over all lines once. */
 static void write_all(pen *p, const char *content)
 {
     char line[LINE_SIZE];
@@ -236,14 +237,14 @@ static void measure(pen *p, const char *content)
     cairo_surface_t *none = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 1, 1);
 
     p->c = cairo_create(none);
-    /* Once for the place of the second column, once with it. */
+    /* Once for the position of the second column, once with it. */
     for (int i = 0; i < 2; i++)
         write_all(p, content);
     cairo_destroy(p->c);
     cairo_surface_destroy(none);
 }
 
-/* The drawing is finished; one that failed is shown as nothing. */
+/* Finish the drawing; a failed one is empty. */
 static void keep(panel *p, cairo_t *c, cairo_surface_t *surface)
 {
     bool failed = cairo_status(c) != CAIRO_STATUS_SUCCESS;
@@ -275,7 +276,7 @@ static void draw_text(panel *p, pen *with, const char *content)
     keep(p, with->c, surface);
 }
 
-/* Is this another content than what is shown? Then that is gone, and the new one's name kept. */
+/* Does the content differ from the shown one? Then the latter is dropped, and the new name stored. */
 static bool begin(panel *p, const char *content, double scale, int most_width)
 {
     if (content[0] == '\0' && !p->content)

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 
-/* Tiles lie on a grid of this or of a multiple; rows are read again by as many. */
+/* Tile corners are multiples of this; rows are read again in blocks of as many. */
 enum { CELL = 8, STRIP = 32, PART = 32 };
 
 static double clock_seconds(void)
@@ -104,7 +104,7 @@ bool picture_is_covered(const picture *p)
     return p->covered == (size_t)p->width * (size_t)p->height;
 }
 
-/* Tiles that are not there yet read as nothing, and what was shown in their place stays. */
+/* Tiles not traced yet read as empty, and the old pixels in their place stay. */
 static void keep_what_is_there(uint8_t *to, const uint8_t *fresh, int count)
 {
     for (int i = 0; i < count; i++)
@@ -112,7 +112,7 @@ static void keep_what_is_there(uint8_t *to, const uint8_t *fresh, int count)
             memcpy(to + 4 * i, fresh + 4 * i, 4);
 }
 
-/* Where a value lies on its way from dark to bright; what is not known is below. */
+/* Position of a value between dark and bright; unknown values are below. */
 static double brightness(picture_kind kind, float value)
 {
     double t;
@@ -137,7 +137,7 @@ static void read_map(picture *p, pov_job *job, pov_rect r, uint8_t *fresh)
         ramp_color(brightness(p->kind, values[i]), fresh + 4 * i);
 }
 
-/* A part no wider or higher than PART. */
+/* A rectangle no wider or higher than PART. */
 static void read_part(picture *p, pov_job *job, pov_rect r)
 {
     float linear[4 * PART * PART];

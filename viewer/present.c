@@ -60,7 +60,7 @@ void present_destroy(present *p)
     free(p);
 }
 
-/* Give a texture its pixels: rows of one of the same size, or all. */
+/* Upload pixels to a texture: rows of one of the same size, or all. */
 static void load(const gl *g, image *i, const void *pixels, int width, int height, int first, int last, GLenum format,
                  GLenum type)
 {
@@ -129,7 +129,7 @@ void present_draw(present *p, int width, int height)
     g->matrix_mode(GL_MODELVIEW);
     g->load_identity();
     g->enable(GL_TEXTURE_2D);
-    /* The picture covers all; what of it is not there yet is black. */
+    /* The picture covers everything; missing pixels are black. */
     draw(g, &p->picture, 0.0f, 0.0f, (float)width, (float)height);
     g->enable(GL_BLEND);
     for (int i = 0; i < PRESENT_PANELS; i++) {

@@ -1,4 +1,4 @@
-/* present.h - the picture and the panels over it, to the surface, by OpenGL. */
+/* present.h - draws the picture and the panels over it to the surface, by OpenGL. */
 #ifndef VIEWER_PRESENT_H
 #define VIEWER_PRESENT_H
 
@@ -13,16 +13,16 @@ typedef struct present present;
 
 pov_status present_create(present **out, surface *s, pov_error *err);
 void present_destroy(present *p);
-/* An empty picture of this size, so that the display has room for one before there is a first. False: no memory. */
+/* Allocate an empty picture of this size in advance. False: no memory. */
 bool present_nothing(present *p, int width, int height);
-/* Rows `first` to `last` of the picture have changed: bytes red, green, blue and alpha. A picture of another size is
- * taken whole. */
+/* Upload rows `first` to `last` of the picture: bytes red, green, blue and alpha. A picture of another size is uploaded
+ * completely. */
 void present_picture(present *p, const uint8_t *pixels, int width, int height, int first, int last);
-/* What the index-th panel shows from now on; NULL pixels: nothing. */
+/* Set the image of the index-th panel; NULL pixels: none. */
 void present_set_panel(present *p, int index, const present_panel *panel);
-/* Draw it all into a surface of this size, the picture stretched to it. */
+/* Draw everything into a surface of this size, with the picture stretched to it. */
 void present_draw(present *p, int width, int height);
-/* Red, green, blue and alpha of what was drawn, upper row first. */
+/* Red, green, blue and alpha of the drawn surface, upper row first. */
 void present_read(present *p, int width, int height, uint8_t *out);
 
 #endif

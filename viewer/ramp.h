@@ -1,10 +1,10 @@
-/* ramp.h - numbers as colours that get brighter all the way, so that they can be told apart in print and by everybody. */
+/* ramp.h - numbers as colours of increasing lightness, distinguishable in print and with colour blindness. */
 #ifndef VIEWER_RAMP_H
 #define VIEWER_RAMP_H
 
 #include <stdint.h>
 
-/* 0 is dark, 1 is bright, what is beyond is the end; below 0 is not known, and grey. Bytes red, green, blue, alpha. */
+/* 0 is dark, 1 is bright, values beyond are clamped; below 0 is unknown, and grey. Bytes red, green, blue, alpha. */
 void ramp_color(double t, uint8_t *rgba);
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-/* What scene text has of controls would reach the terminal as commands. */
+/* Control characters in scene text would reach the terminal as commands. */
 static void make_printable(char *text)
 {
     for (; *text; text++)

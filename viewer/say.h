@@ -4,7 +4,8 @@
 
 #include <povtrace/base.h>
 
-/* "file:line:column: kind: message", or "povview: kind: message" where no file is meant, to standard error. Any thread. */
+/* Print "file:line:column: kind: message", or "povview: kind: message" without a file, to standard error. Any
+ * thread. */
 void say(const char *kind, const pov_error *err);
 
 #endif

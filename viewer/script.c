@@ -27,7 +27,7 @@ static const verb *find_verb(const char *name, size_t length)
     return NULL;
 }
 
-/* A number of plain size, and the comma behind it if another is to come. */
+/* A number of ordinary size, and the comma behind it if another follows. */
 static bool read_number(const char **at, double *out, bool comma)
 {
     const double most = 1e6;

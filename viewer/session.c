@@ -83,7 +83,7 @@ static void draw_map(session *s)
 
 typedef struct start { pov_job *job; pov_status status; pov_error error; } start;
 
-/* Threads have the priority of the one that starts them, where each has its own: on Linux. */
+/* Threads inherit the priority of the thread that starts them, where threads have priorities of their own: on Linux. */
 static void *start_politely(void *user)
 {
     start *s = user;
@@ -95,7 +95,7 @@ static void *start_politely(void *user)
     return NULL;
 }
 
-/* With threads that let the window's pass, and those that it draws by. */
+/* Tracing threads yield to the window's thread and to those of the driver. */
 static pov_status start_job(pov_job *job, pov_error *err)
 {
     start s = { job, POV_OK, { 0 } };
@@ -108,7 +108,7 @@ static pov_status start_job(pov_job *job, pov_error *err)
     return s.status;
 }
 
-/* A job of the window's size, in the place of the one before, if there was any. */
+/* Create a job of the window's size, replacing the old one, if any. */
 static void make_job(session *s)
 {
     pov_render_desc d = POV_INIT(d);
@@ -169,7 +169,7 @@ static void restart(session *s, bool resize)
 
 /* ---- scenes ---- */
 
-/* How large the scene is, and how far ahead its middle lies where the camera looks at nothing. */
+/* Size of the scene, and the distance to its centre if the camera looks at nothing. */
 static double measure(const pov_scene *scene, const pov_camera *c, double *reach)
 {
     double along = pov_dot(c->direction, c->direction), size;
@@ -230,7 +230,7 @@ void session_load(session *s, const char *path)
 
 /* ---- files ---- */
 
-/* The scene's name without folder and ending, a number that is free, .png; in the working folder. */
+/* File name: the scene's name without folder and ending, an unused number, .png; in the working folder. */
 static bool free_name(session *s, char *out, size_t size)
 {
     const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;

@@ -58,7 +58,7 @@ bool session_get_pass(const session *s, size_t index, pov_pass *out)
     return s->job && pov_job_get_pass(s->job, index, out);
 }
 
-/* Not even a ray through millions of objects makes the window wait. */
+/* A limit of surfaces: not even a ray through millions of objects may delay the window. */
 static bool is_worth_more(void *user, const pov_hit *hit)
 {
     const size_t most = 1000;
@@ -98,7 +98,7 @@ bool session_inspect(session *s, session_place *out)
     return true;
 }
 
-/* What has been done, what is left of it. Per cent are never rounded up to 100. */
+/* Progress and remaining time. Percentages are never rounded up to 100. */
 static void describe(const session *s, const char *name, const pov_progress *p, char *out, size_t size)
 {
     char quality[80] = "", rest[40] = "";

@@ -9,7 +9,7 @@
 
 enum { USUAL_WIDTH = 1024, USUAL_HEIGHT = 768 };
 
-/* The clock of a shot moves by this with each thing that is done, so that nothing waits for it or depends on it. */
+/* The clock of a shot advances by this with each step, so that nothing waits for it or depends on it. */
 static const double TICK_SECONDS = 10.0;
 
 static void tick(viewer *v)
@@ -38,7 +38,7 @@ static void send(viewer *v, app_event_kind kind, int code, bool down, double x, 
     app_take(&v->app, &event, v->fixed_clock);
 }
 
-/* From the middle, with a button held, and back to where the pointer was. */
+/* Drag from the centre, and move the pointer back. */
 static void drag(viewer *v, int button, double x, double y)
 {
     double old_x = v->app.x, old_y = v->app.y, left = 0.5 * v->app.width, top = 0.5 * v->app.height;
@@ -66,7 +66,7 @@ static void play(viewer *v, const script_step *step)
 {
     switch (step->kind) {
     case SCRIPT_CHARACTER:
-        /* What is saved is whole. */
+        /* Pictures are saved when they are complete. */
         if (step->code == 's' || step->code == 'S')
             shot_settle(v);
         send(v, APP_CHARACTER, step->code, true, 0.0, 0.0);
@@ -80,7 +80,7 @@ static void play(viewer *v, const script_step *step)
     case SCRIPT_FLY: fly(v, step->word, step->x); break;
     case SCRIPT_SIZE: surface_osmesa_resize(v->surface, (int)step->x, (int)step->y); break;
     case SCRIPT_LOAD:
-        /* The picture of the scene before is what a message would stand over. */
+        /* The picture of the previous scene would stand under a message. */
         shot_settle(v);
         session_load(v->session, step->word);
         shot_settle(v);

@@ -30,7 +30,7 @@ static int key_code(int key)
     case GLFW_KEY_F1: return APP_KEY_F1;
     case GLFW_KEY_F5: return APP_KEY_F5;
     case GLFW_KEY_LEFT_SHIFT: case GLFW_KEY_RIGHT_SHIFT: return APP_KEY_SHIFT;
-    /* By their place on the keyboard, for they steer; GLFW's names are the ASCII of the American layout. */
+    /* Keys by position, because they steer; GLFW's names are the ASCII codes of the American layout. */
     case GLFW_KEY_W: case GLFW_KEY_A: case GLFW_KEY_S: case GLFW_KEY_D: case GLFW_KEY_Q: case GLFW_KEY_E: return key;
     default: return 0;
     }
@@ -65,7 +65,7 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     deliver(window, event);
 }
 
-/* The pointer is told in units of the window, which are larger than pixels on some displays. */
+/* The pointer is in units of the window, which are larger than pixels on some displays. */
 static void on_pointer(GLFWwindow *window, double x, double y)
 {
     app_event event = { APP_POINTER, 0, false, x, y, 0.0 };

@@ -9,8 +9,8 @@
 #include <string.h>
 #include <time.h>
 
-/* The library is fetched when it is asked for, and its names stay its own: a window draws by libGL, which exports the
- * same ones. It is never let go, for it leaves threads and work for the process's end behind. */
+/* The library is loaded at first use with local names: a window draws by libGL, which exports the same ones. It is
+ * never unloaded, because it leaves threads and exit handlers. */
 typedef struct library {
     void *handle;
     OSMesaContext (*create)(const int *attributes, OSMesaContext share);
@@ -76,7 +76,7 @@ static void post(void *user)
     pthread_mutex_unlock(&m->lock);
 }
 
-/* What was ordered is drawn when it can be seen, and this is when. */
+/* Orders are drawn when the picture is shown, which is now. */
 static void swap(surface *s)
 {
     ((memory_surface *)s)->mesa.finish();
@@ -105,7 +105,7 @@ static void close_memory(surface *s)
     free(m);
 }
 
-/* C99 has no cast from a data pointer to a function's; POSIX has both of one size. */
+/* C99 has no cast from a data pointer to a function pointer; in POSIX both have one size. */
 static bool fetch(library *l, const char *name, void *out)
 {
     void *found = dlsym(l->handle, name);

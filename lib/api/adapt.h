@@ -4,10 +4,10 @@
 
 #include "base/err.h"
 
-/* Copy a caller's desc into ours, which is zeroed and of `size` bytes; what theirs lacks stays zero. The first member
- * of both is size_t size. A NULL desc is all defaults. */
+/* Copy a caller's desc into ours, which is zeroed and of `size` bytes; members that the caller's lacks stay zero. The
+ * first member of both is size_t size. A NULL desc means all defaults. */
 pov_status adapt_in(void *ours, size_t size, const void *theirs, const char *what, pov_error *err);
-/* Copy ours into a struct that the caller receives, as much as it has room for; its size member stays. */
+/* Copy ours into a struct that the caller receives, as much as fits; its size member stays. */
 void adapt_out(void *theirs, const void *ours, size_t size);
 
 #endif

@@ -62,7 +62,7 @@ static void sort_rows(plan_row *rows, size_t count)
     }
 }
 
-/* How many objects there are of each class, in the order in which the scene first names one. */
+/* The number of objects of each class, in the order in which the scene first names them. */
 typedef struct class_tally { const shape_class *shape; size_t objects; } class_tally;
 typedef struct tally { class_tally *items; size_t count, capacity; } tally;
 

@@ -1,4 +1,4 @@
-/* explain.h - what is told of a scene besides what its world was compiled of. */
+/* explain.h - rows of --explain about parts outside the compiled world. */
 #ifndef API_EXPLAIN_H
 #define API_EXPLAIN_H
 
@@ -6,7 +6,7 @@
 #include "plug/registry.h"
 #include "world/plan.h"
 
-/* Rows on the primitives' plugins: which the scene uses, and which it had no need of. */
+/* Rows on the primitives' plugins: those that the scene uses, and those that it does not need. */
 pov_status explain_plugins(plan *p, const model *m, const registry *plugins, pov_error *err);
 
 #endif

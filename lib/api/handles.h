@@ -1,4 +1,4 @@
-/* handles.h - the inside of the public handles that belong to no other room. */
+/* handles.h - public handles that belong to no other room. */
 #ifndef API_HANDLES_H
 #define API_HANDLES_H
 
@@ -8,12 +8,12 @@
 #include "plug/registry.h"
 #include "shade/shading.h"
 
-/* Lives until destroyed and until its last scene is gone: scenes run code of its plugins. */
+/* Lives until it is destroyed and its last scene is gone: scenes run code of its plugins. */
 struct pov_context {
     env env;
     registry *plugins;
     mutex lock;                  /* guards users */
-    int users;                   /* the program, and each scene */
+    int users;                   /* references: the program, and each scene */
 };
 
 struct pov_scene {

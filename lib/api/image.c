@@ -10,7 +10,7 @@
 
 /* ---- the format ---- */
 
-/* The ending of the path's last part, small letters; empty when it has none. */
+/* The ending of the path's last component, in lower case; empty when it has none. */
 static void ending_of(const char *path, char *out, size_t size)
 {
     const char *name = strrchr(path, '/'), *dot = strrchr(name ? name + 1 : path, '.');
@@ -41,7 +41,7 @@ pov_status image_find_format(pov_context *context, const char *path, const pov_i
     return status;
 }
 
-/* Bits a channel: what was asked, or the lowest the format has. 0: the format cannot. */
+/* Bits a channel: as asked, or the lowest of the format. 0: not supported. */
 static int depth_for(const pov_image_format *f, int asked)
 {
     if (asked == 0)
@@ -50,7 +50,7 @@ static int depth_for(const pov_image_format *f, int asked)
         return 8;
     if (asked == 16 && f->depths & POV_IMAGE_16)
         return 16;
-    /* A format of floats holds more than was asked. */
+    /* A format of floats holds more than any requested depth. */
     return (asked == 8 || asked == 16) && f->depths == POV_IMAGE_FLOAT ? 32 : 0;
 }
 
@@ -91,7 +91,7 @@ static bool put(void *user, const void *bytes, size_t count)
     return file_writer_put(user, bytes, count);
 }
 
-/* To a file, or to the program's own output. */
+/* Write to a file, or to the program's own output. */
 typedef struct place { const char *path; const pov_output *output; } place;
 
 static pov_status write_file(pov_context *context, const char *path, const pov_image_format *format,
@@ -118,7 +118,7 @@ static pov_status write_file(pov_context *context, const char *path, const pov_i
     return status;
 }
 
-/* Three channels a pixel, rows without gaps; NULL: no memory. */
+/* Pack three channels a pixel, rows without gaps; NULL: no memory. */
 static void *pack(const env *e, const pov_image *image, const float *rgba, size_t stride)
 {
     unsigned char *packed = env_resize(e, NULL, (size_t)image->height, image->stride);

@@ -1,4 +1,4 @@
-/* image.h - which plugin an image file wants. */
+/* image.h - the plugin of an image file. */
 #ifndef API_IMAGE_H
 #define API_IMAGE_H
 

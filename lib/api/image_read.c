@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* What a plugin read, before it is unpacked. */
+/* The pixels that a plugin read, before they are unpacked. */
 typedef struct received { const env *env; pov_image about; void *pixels; } received;
 
 static bool is_possible(const pov_image *about)

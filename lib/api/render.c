@@ -10,7 +10,7 @@ static bool is_camera(const pov_camera *c)
     return is_finite(c->location) && is_direction(c->direction) && is_direction(c->right) && is_direction(c->up);
 }
 
-/* The scene's camera, or the program's, which may be of another size. */
+/* The scene's camera, or the program's, whose struct may have another size. */
 static pov_status take_camera(pov_render_desc *d, pov_camera *copy, pov_error *err)
 {
     pov_status status;
@@ -78,7 +78,7 @@ void pov_job_restart(pov_job *job, const pov_camera *camera)
 {
     pov_camera ours;
 
-    /* What says no size, or does not look anywhere, is no camera. */
+    /* Without a size or a direction it is no camera. */
     if (camera)
         camera = adapt_in(&ours, sizeof ours, camera, "the camera", NULL) == POV_OK && is_camera(&ours) ? &ours : NULL;
     if (job)

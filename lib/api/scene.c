@@ -67,7 +67,7 @@ static pov_status check(pov_scene **out, pov_context *context, const void *text,
     return POV_OK;
 }
 
-/* What was read becomes a world; a scene that failed is no more. */
+/* Compile the model to a world; a scene that failed is freed. */
 static pov_status finish(pov_scene **out, pov_scene *scene, const pov_load_desc *d, pov_status status, pov_error *err)
 {
     if (status == POV_OK)
@@ -95,7 +95,7 @@ pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char
         return status;
     status = file_read(&context->env, path, &text, &length, err);
     if (status == POV_OK) {
-        /* The text goes before the world comes: they need not find room at the same time. */
+        /* The text is freed before the world is made: both need not be in memory at once. */
         status = read_text(scene, text, length, path, &d, err);
         env_free(&context->env, text);
     }

@@ -31,7 +31,7 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     return ray;
 }
 
-/* Could a ray of these be traced at all? A direction of zero or of no number meets nothing. */
+/* Are the ray's numbers valid? A direction of zero or NaN hits nothing. */
 static bool is_ray(pov_vec3 org, pov_vec3 dir)
 {
     return pov_largest(pov_unit(dir)) > 0.0 && isfinite(org.x) && isfinite(org.y) && isfinite(org.z);
@@ -55,8 +55,8 @@ static bool nearest(const pov_tracer *tracer, const pov_ray *ray, hit *h)
     return query_nearest(tracer->context.scene->world, tracer->context.walker, &ray, 1, INFINITY, h) != 0;
 }
 
-/* A miss is certain if no object on the way had to be decided; of a hit its own crossing counts, for what lies behind
- * it is looked at or not as the tree has it. */
+/* A miss is certain if no object on the way was escalated. For a hit only its own crossing counts, because the tree
+ * decides which objects behind it are tested. */
 bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 {
     pov_ray ray = ray_of(org, dir);
@@ -80,7 +80,7 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
     return true;
 }
 
-/* From the ray's start, in lengths of its direction. */
+/* Distance from the ray's start, in lengths of its direction. */
 static double distance_to(const hit *h, pov_vec3 org, pov_vec3 dir)
 {
     const pov_vec3 way = pov_add(pov_sub(h->point, org), h->point_lo), unit = pov_unit(dir);

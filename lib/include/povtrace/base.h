@@ -1,5 +1,5 @@
-/* povtrace/base.h - what every other header needs: export marks, version,
- * status codes, messages, and the two hooks (memory, log) a program may supply. */
+/* povtrace/base.h - shared by all other headers: export marks, version, status codes, messages, and the two hooks
+ * (memory, log) that a program may supply. */
 #ifndef POVTRACE_BASE_H
 #define POVTRACE_BASE_H
 
@@ -28,8 +28,8 @@
 
 /* Version of the library this program runs against. Any thread. */
 POV_API void pov_version(int *major, int *minor, int *patch);
-/* The processors that this copy of the library was compiled for: "baseline", or "x86-64-v3" or "x86-64-v4" where the
- * system's loader found that one to fit. All give the same bits. Any thread. */
+/* The processors that this copy of the library was compiled for: "baseline", or "x86-64-v3" or "x86-64-v4" if the
+ * system's loader chose that copy. All give the same bits. Any thread. */
 POV_API const char *pov_built_for(void);
 
 /* Zero is success; every failure is negative. */
@@ -47,12 +47,12 @@ typedef enum pov_status {
 /* A short name such as "syntax"; never NULL. Any thread. */
 POV_API const char *pov_status_name(pov_status status);
 
-/* What went wrong, or what a log message is about, with its place. Calls fill the
- * caller's pov_error only when they fail; NULL is allowed wherever one is taken. */
+/* An error or a log message, with its place. Calls fill the caller's pov_error only when they fail; NULL is allowed
+ * wherever one is taken. */
 typedef struct pov_error {
     pov_status status;
-    int line, column;       /* 1-based, the column in bytes; 0 where there is no place to name */
-    int caret;              /* offset into excerpt of what is meant */
+    int line, column;       /* 1-based, the column in bytes; 0: no place */
+    int caret;              /* offset of the error into the excerpt */
     char file[256];
     char message[512];      /* one line, no newline at its end */
     char excerpt[256];      /* the line of scene text, or the part of it around the caret; may be empty */
@@ -74,11 +74,11 @@ typedef void pov_log_fn(void *user, pov_log_level level, const pov_error *note);
  * means "the default". (C++: value-initialise, then set size.) */
 #define POV_INIT(var) { .size = sizeof(var) }
 
-/* Does the other side's struct reach as far as this member? */
+/* Does the other side's struct contain this member? */
 #define POV_HAS(ptr, type, member) \
     ((ptr)->size >= offsetof(type, member) + sizeof((ptr)->member))
 
-/* How linear values become integers: stored as they are, or with the sRGB curve. */
+/* Encoding of linear values as integers: as they are, or by the sRGB curve. */
 typedef enum pov_transfer { POV_TRANSFER_LINEAR, POV_TRANSFER_SRGB } pov_transfer;
 
 #endif

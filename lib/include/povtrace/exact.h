@@ -1,11 +1,11 @@
-/* povtrace/exact.h - numbers in two parts. Header only, for plugins and library alike.
+/* povtrace/exact.h - double-double numbers. Header only, for plugins and library alike.
  *
- * A two-part number is the unevaluated sum hi + lo of doubles with |lo| <= ulp(hi)/2, about 106 bits.
- * The error-free transformations are Knuth's TwoSum, Dekker's FastTwoSum and Veltkamp's and Dekker's
- * TwoProduct; the arithmetic on two parts and its bounds are those of Joldes, Muller and Popescu, "Tight and
- * rigorous error bounds for basic building blocks of double-word arithmetic" (ACM TOMS 44, 2017).
- * Compile with -ffp-contract=off and without -ffast-math: both destroy what these functions are for.
- * Neither overflow nor underflow is caught here; TwoProduct is exact for products within 1e-290 .. 1e300. */
+ * A double-double number is the unevaluated sum hi + lo of doubles with |lo| <= ulp(hi)/2, about 106 bits. The
+ * error-free transformations are Knuth's TwoSum, Dekker's FastTwoSum and Veltkamp's and Dekker's TwoProduct. The
+ * arithmetic and its bounds are those of Joldes, Muller and Popescu, "Tight and rigorous error bounds for basic
+ * building blocks of double-word arithmetic" (ACM TOMS 44, 2017). Compile with -ffp-contract=off and without
+ * -ffast-math: both destroy what these functions are for. Neither overflow nor underflow is caught here; TwoProduct is
+ * exact for products within 1e-290 .. 1e300. */
 #ifndef POVTRACE_EXACT_H
 #define POVTRACE_EXACT_H
 
@@ -91,7 +91,7 @@ static inline pov_two pov_two_div(pov_two a, pov_two b)
     return pov_fast_two_sum(q, r.hi / b.hi);
 }
 
-/* Of a negative number: zero. Relative error below 4 u^2. */
+/* The root of a negative number is zero. Relative error below 4 u^2. */
 static inline pov_two pov_two_sqrt(pov_two a)
 {
     double s;
@@ -127,22 +127,22 @@ static inline pov_two3 pov_two3_cross(pov_two3 a, pov_two3 b)
     return r;
 }
 
-/* Re-centring, one coordinate: (o + o_lo - anchor) + t d in two parts. Its error is of the order u^2 of the terms,
- * so that what remains near the anchor is exact enough however far the ray starts. */
+/* Re-centring of one coordinate: (o + o_lo - anchor) + t d in double-double. The error is of the order u^2 of the
+ * terms, so that the result near the anchor is accurate however far the ray starts. */
 static inline pov_two pov_recentre(double o, double o_lo, double anchor, double t, double d)
 {
     pov_two f = pov_two_add_double(pov_two_sum(o, -anchor), o_lo);
     return pov_two_add(f, pov_two_product(t, d));
 }
 
-/* The anchor's place seen from o + o_lo, turned round: o + o_lo - anchor. Exact but for the sum of the low parts. */
+/* Offset from the anchor: o + o_lo - anchor. Exact except for the sum of the low parts. */
 static inline pov_two pov_two_offset(double o, double o_lo, pov_two anchor)
 {
     pov_two s = pov_two_sum(o, -anchor.hi);
     return pov_two_sum(s.hi, s.lo + (o_lo - anchor.lo));
 }
 
-/* f + t (d + d_lo) in two parts, d_lo being the low part of d. */
+/* f + t (d + d_lo) in double-double, d_lo being the low part of d. */
 static inline pov_two pov_two_along(pov_two f, double t, double d, double d_lo)
 {
     pov_two p = pov_two_product(t, d);
@@ -156,8 +156,8 @@ static inline double pov_along(pov_two f, double t, double d, double d_lo)
     return s.hi + (s.lo + (f.lo + (p.lo + t * d_lo)));
 }
 
-/* The power of two that brings x into [1, 2); of zero and denormals the largest one there is. The sign of x counts
- * for nothing. Multiplying by it is exact. */
+/* The power of two that scales x into [1, 2); for zero and denormals the largest power of two. The sign of x is
+ * ignored. Multiplying by it is exact. */
 static inline double pov_inverse_power(double x)
 {
     uint64_t bits, exponent;

@@ -1,6 +1,5 @@
-/* povtrace/image.h - pixels to a file. The format follows from the name's
- * ending; each format is a plugin in images/, loaded when first asked
- * for, so a program that writes no PNG never loads libpng. */
+/* povtrace/image.h - writing and reading image files. The format follows from the name's ending. Each format is a
+ * plugin in images/, loaded at first use, so a program that writes no PNG never loads libpng. */
 #ifndef POVTRACE_IMAGE_H
 #define POVTRACE_IMAGE_H
 
@@ -10,12 +9,12 @@ struct pov_context;
 
 typedef struct pov_image_options {
     size_t size;
-    int bits;                /* a channel: 8 or 16; 0: what is usual for the format */
+    int bits;                /* bits a channel: 8 or 16; 0: the format's usual depth */
     pov_transfer transfer;   /* pov_scene_info names the scene's; formats of floats ignore it */
-    const char *format;      /* the ending to go by when the path does not show it, as for "-"; NULL: by the path */
+    const char *format;      /* ending that names the format if the path does not, as for "-"; NULL: by the path */
 } pov_image_options;
 
-/* Where bytes go: put says false when it took no more. */
+/* Receives bytes: put returns false when it accepts no more. */
 typedef struct pov_output { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;
 
 /* Linear float RGBA rows, top row first, stride in bytes; alpha is not stored. Written beside the target and renamed
@@ -26,19 +25,19 @@ POV_API pov_status pov_image_write(struct pov_context *context, const char *path
 POV_API pov_status pov_image_put(struct pov_context *context, const pov_output *output, int width, int height,
                                  const float *rgba, size_t stride, const pov_image_options *options, pov_error *err);
 
-/* An image as it was read: linear light, four channels, top row first, no gaps; bits as in the file, 32: floats. */
+/* An image read from a file: linear light, four channels, top row first, no gaps; bits as in the file, 32: floats. */
 typedef struct pov_bitmap { size_t size; int width, height, bits; float *rgba; } pov_bitmap;
-/* What the file says of its encoding counts; pov_image_free() takes the pixels back. */
+/* The encoding that the file states is undone; pov_image_free() frees the pixels. */
 POV_API pov_status pov_image_read(struct pov_context *context, const char *path, pov_bitmap *out, pov_error *err);
 POV_API void pov_image_free(struct pov_context *context, pov_bitmap *bitmap);
 
-/* Is there a plugin for this path's ending, and can a file of that name be written? So that a program may ask before it
+/* Is there a plugin for this path's ending, and can a file of that name be written? A program may ask before it
  * renders. Loads the plugin, and leaves no file. */
 POV_API pov_status pov_image_check(struct pov_context *context, const char *path, const pov_image_options *options,
                                    pov_error *err);
 
-/* Bytes to a file as an image is written: whole or not at all, links followed, "-", devices and pipes written to as they
- * are. And whether that could be done, which leaves nothing behind. */
+/* Write bytes to a file like an image: all or nothing, links are followed, "-", devices and pipes are written to
+ * directly. And: could they be written? That leaves no file behind. */
 POV_API pov_status pov_file_write(struct pov_context *context, const char *path, const void *bytes, size_t count,
                                   pov_error *err);
 POV_API pov_status pov_file_check(struct pov_context *context, const char *path, pov_error *err);
@@ -53,17 +52,17 @@ typedef struct pov_image {
     const void *pixels;
 } pov_image;
 
-/* Whoever reads says what there is, and gets room for height rows of stride bytes; NULL: there is none. */
+/* The reader describes the image, and receives memory for height rows of stride bytes; NULL: no memory. */
 typedef struct pov_image_target { void *user; void *(*begin)(void *user, const pov_image *about); } pov_image_target;
 
 enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2 };
 
 typedef struct pov_image_format {
-    uint32_t size, depths;         /* the POV_IMAGE_* it can hold; the lowest set bit is the usual one */
+    uint32_t size, depths;         /* supported POV_IMAGE_*; the lowest set bit is the usual depth */
     const char *ending;            /* "png" */
     /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
     const char *(*write)(const pov_image *image, const pov_output *output);
-    /* Any thread. The bytes of a whole file to pixels; may be NULL. NULL when all went well, else what is wrong. */
+    /* Any thread. Decode the bytes of a whole file; may be NULL. Returns NULL on success, else what is wrong. */
     const char *(*read)(const void *bytes, size_t count, const pov_image_target *target);
 } pov_image_format;
 

@@ -1,11 +1,11 @@
-/* povtrace/plot.h - curves in panels, to a file or a program's own output. Each format is a plugin in plots/,
- * loaded when first asked for, so a program that draws none never loads what draws. */
+/* povtrace/plot.h - curves in panels, to a file or a program's own output. Each format is a plugin in plots/, loaded at
+ * first use, so a program without plots never loads a drawing library. */
 #ifndef POVTRACE_PLOT_H
 #define POVTRACE_PLOT_H
 
 #include <povtrace/image.h>
 
-/* Texts are UTF-8. Values that an axis cannot show are left out: on a logarithmic one, those not above 0. */
+/* Texts are UTF-8. Values that an axis cannot show are left out: on a logarithmic axis, those not above 0. */
 typedef struct pov_axis { const char *title; bool logarithmic; double least, most; } pov_axis;   /* 0, 0: as the data */
 /* A curve with a mark at each point, and a band around it; thin: a line without marks. */
 typedef struct pov_series {
@@ -21,7 +21,8 @@ typedef struct pov_panel {
     const pov_series *series;
     const pov_level *levels;
     size_t series_count, level_count;
-    const char *guide;           /* NULL, or the name of a line of `slope` (of the logarithms) above the first curve */
+    const char *guide;           /* NULL, or the name of a guide line of `slope` (of the logarithms) above the first
+                                  * curve */
     double slope;
     double share;                /* of the height */
 } pov_panel;
@@ -36,7 +37,7 @@ typedef struct pov_plot {
 /* The ending names the format: "svg" or "png". */
 POV_API pov_status pov_plot_put(struct pov_context *context, const char *ending, const pov_plot *plot,
                                 const pov_output *output, pov_error *err);
-/* Is there a plugin for it? Loads it; so that a program may ask before it works. */
+/* Is there a plugin for the ending? Loads it. A program may ask before it works. */
 POV_API pov_status pov_plot_check(struct pov_context *context, const char *ending, pov_error *err);
 
 /* ---- a format, for plugins: see plugin.h --------------------------------- */

@@ -18,27 +18,28 @@ typedef struct pov_context_desc {
     const char *plugin_path;
 } pov_context_desc;
 
-/* desc may be NULL. Any thread may load scenes in a context at any time; destroy comes last of all calls on it.
- * Scenes keep what they need alive, so a context may be destroyed before its scenes. */
+/* desc may be NULL. Any thread may load scenes in a context at any time; destroy must be the last call on it. Scenes
+ * keep the resources they need, so a context may be destroyed before its scenes. */
 POV_API pov_status pov_context_create(pov_context **out, const pov_context_desc *desc, pov_error *err);
 POV_API void pov_context_destroy(pov_context *context);
-/* Make a plugin linked into the program known; it wins over a file of the same keyword. The program keeps it alive. */
+/* Register a plugin that is linked into the program; it takes precedence over a file of the same keyword. The program
+ * keeps it alive. */
 POV_API pov_status pov_context_add_plugin(pov_context *context, const struct pov_plugin *plugin, pov_error *err);
 /* The name and the file ("" for an added one) of the index-th plugin in use, or false past the last. */
 POV_API bool pov_context_get_plugin(pov_context *context, size_t index, const char **name, const char **path);
 
 typedef enum pov_dialect { POV_DIALECT_AUTO, POV_DIALECT_COURSE, POV_DIALECT_POVRAY } pov_dialect;
 typedef enum pov_accel { POV_ACCEL_TREE, POV_ACCEL_NONE } pov_accel;
-/* CERTIFIED: in double, with a bound on its error, and in two parts where that leaves an answer open. MAX: in two
- * parts throughout. */
+/* CERTIFIED: in double with an error bound, and in double-double where the bound leaves the result open. MAX: always in
+ * double-double. */
 typedef enum pov_accuracy { POV_ACCURACY_CERTIFIED, POV_ACCURACY_MAX } pov_accuracy;
 
 typedef struct pov_load_desc {
     size_t size;
     pov_dialect dialect;         /* AUTO: the text decides */
-    pov_accel accel;             /* NONE: every ray asks every object; the picture is the same to the bit */
-    int max_trace_level;         /* 0: what the scene says, else this */
-    int threads;                 /* for building; 0: one a core */
+    pov_accel accel;             /* NONE: every ray tests every object; the pictures are bit-identical */
+    int max_trace_level;         /* 0: the scene's; else this */
+    int threads;                 /* for building; 0: one for each core */
     pov_accuracy accuracy;
 } pov_load_desc;
 
@@ -46,7 +47,7 @@ typedef struct pov_load_desc {
  * threads may read it. */
 POV_API pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char *path,
                                        const pov_load_desc *desc, pov_error *err);
-/* `name` stands in messages for the file's name; text needs no end mark. */
+/* `name` replaces the file's name in messages; text needs no terminating zero. */
 POV_API pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length,
                                        const char *name, const pov_load_desc *desc, pov_error *err);
 POV_API void pov_scene_destroy(pov_scene *scene);
@@ -57,7 +58,7 @@ typedef struct pov_camera {
 } pov_camera;
 
 POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
-/* Turn the camera from where it is towards target, keeping its angles; sky is what shall point up in the picture. */
+/* Aim the camera from location at target, keeping its angles; sky points up in the picture. */
 POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky,
                                       pov_error *err);
 POV_API size_t pov_scene_object_count(const pov_scene *scene);
@@ -69,8 +70,8 @@ POV_API bool pov_scene_get_bounds(const pov_scene *scene, pov_box *out);
 typedef struct pov_scene_info {
     size_t size;
     pov_dialect dialect;
-    const char *dialect_reason;        /* the word that decided, or why; the scene's, as long as it lives */
-    pov_transfer transfer;             /* what the scene asks for when its picture is stored in integers */
+    const char *dialect_reason;        /* the word that decided, or the reason; valid while the scene lives */
+    pov_transfer transfer;             /* the scene's encoding for pictures stored as integers */
     double parse_seconds, build_seconds;
     size_t objects, infinite_objects, lights, materials, warnings;
     int max_trace_level;
@@ -78,7 +79,7 @@ typedef struct pov_scene_info {
 
 POV_API void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out);
 
-/* One row of what was compiled for this scene, or left out of it, and why. */
+/* One row on a part that was compiled for this scene or left out, with the reason. */
 typedef struct pov_plan_row { size_t size; bool used; const char *subject, *state, *reason; } pov_plan_row;
 POV_API bool pov_scene_get_plan(const pov_scene *scene, size_t index, pov_plan_row *out);
 

@@ -12,21 +12,21 @@ typedef struct pov_hit {
     double distance;             /* in lengths of dir */
     pov_vec3 point, normal;      /* world space; normal is unit and faces the ray */
     uint32_t object;             /* 0 .. pov_scene_object_count() - 1 */
-    bool certain;                /* double precision decided; false: two-part arithmetic had to */
-    pov_vec3 shading_normal;     /* the one that light is computed with: `normal` where the surface's texture does not bend it */
+    bool certain;                /* double precision decided; false: two-part arithmetic was needed */
+    pov_vec3 shading_normal;     /* the shading normal: differs from `normal` where a texture perturbs it */
 } pov_hit;
 
 POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err);
 POV_API void pov_tracer_destroy(pov_tracer *tracer);
-/* The nearest object in the open ray, dir of any length but zero. False: none, and only `certain` means anything. */
+/* The nearest hit of the open ray, dir of any length but zero. False: no hit, and only `certain` is valid. */
 POV_API bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
-/* Every surface on the way, from near to far; through transparent and opaque ones the ray goes on straight. `see` is
- * called for each and returns false to end it. Returns how many were seen; *out of pov_trace_hit() is the first. */
+/* All hits from near to far: the ray goes straight on through transparent and opaque surfaces. Calls `see` for each
+ * hit, which returns false to stop. Returns the number of calls; the first hit is that of pov_trace_hit(). */
 POV_API size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see)(void *user, const pov_hit *hit),
                               void *user);
-/* Does anything stand strictly between the two points? Transparent objects count, no_shadow ones do not. */
+/* Is there a surface strictly between the two points? Transparent objects count, no_shadow objects do not. */
 POV_API bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to);
-/* What is seen along the ray: linear red, green, blue, and 1. Fails only when memory ends. */
+/* The colour seen along the ray: linear red, green, blue, and 1. Fails only when memory ends. */
 POV_API pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err);
 
 #endif
