@@ -1,3 +1,6 @@
+/* realpath() is XSI's. */
+#define _XOPEN_SOURCE 700
+
 #include "base/file.h"
 
 #include "base/err.h"
@@ -5,6 +8,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -88,4 +92,22 @@ void file_list(const char *folder, void (*see)(void *user, const char *name), vo
 bool file_exists(const char *path)
 {
     return access(path, F_OK) == 0;
+}
+
+bool file_is_link(const char *path)
+{
+    struct stat about;
+
+    return lstat(path, &about) == 0 && S_ISLNK(about.st_mode);
+}
+
+bool file_resolve(const char *path, char *out, size_t size)
+{
+    char *real = realpath(path, NULL);
+    bool fits = real && strlen(real) < size;
+
+    if (fits)
+        strcpy(out, real);
+    free(real);
+    return fits;
 }
