@@ -90,17 +90,21 @@ void messages_log(void *user, pov_log_level level, const pov_error *note)
 {
     messages *m = user;
 
+    if (level == POV_LOG_SCENE) {
+        fputs(note->message, stderr);
+        return;
+    }
     if (level == POV_LOG_WARN) {
         flockfile(stderr);
         m->warnings++;
         funlockfile(stderr);
     }
-    if (m->quiet || (level != POV_LOG_WARN && !m->verbose))
+    if (m->quiet || (level != POV_LOG_WARN && level != POV_LOG_STACK && !m->verbose))
         return;
     if (level == POV_LOG_WARN)
         show(m, STYLE_WARNING, "warning", note);
     else
-        show(m, STYLE_NOTE, level == POV_LOG_INFO ? "note" : "debug", note);
+        show(m, STYLE_NOTE, level != POV_LOG_DEBUG ? "note" : "debug", note);
 }
 
 void messages_say(const messages *m, const char *format, ...)

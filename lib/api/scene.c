@@ -26,9 +26,14 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
 static pov_status read_text(pov_scene *scene, const char *text, size_t length, const char *name,
                             const pov_load_desc *d, pov_error *err)
 {
-    reader_options options = { d->dialect, d->max_trace_level };
+    static const reader_options defaults;
+    reader_options options = defaults;
     double start = clock_seconds();
-    pov_status status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
+    pov_status status;
+
+    options.dialect = d->dialect;
+    options.max_trace_level = d->max_trace_level;
+    status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
 
     scene->parse_seconds = clock_seconds() - start;
     return status;

@@ -23,7 +23,7 @@ static void vector(pov_reader *in, pov_vec3 *out)
     *out = value_vector(in);
 }
 
-static bool is_mark(const char *word)
+static bool is_punct(const char *word)
 {
     return word[0] != '\0' && word[1] == '\0' && !strchr("abcdefghijklmnopqrstuvwxyz_", word[0]);
 }
@@ -32,10 +32,9 @@ static bool is_next(const pov_reader *in, const char *word)
 {
     const token *t = &in->token;
 
-    if (is_mark(word))
+    if (is_punct(word))
         return t->kind == (unsigned char)word[0];
-    return t->kind == TOKEN_WORD && strncmp(t->at.start, word, t->at.length) == 0 &&
-           word[t->at.length] == '\0';
+    return t->kind == TOKEN_WORD && strcmp(t->symbol->name, word) == 0;
 }
 
 static bool accept(pov_reader *in, const char *word)
@@ -44,7 +43,7 @@ static bool accept(pov_reader *in, const char *word)
         state_advance(in);
         return true;
     }
-    if (in->token.kind == TOKEN_WORD && in->tried_count < TRIED_MAX && !is_mark(word))
+    if (in->token.kind == TOKEN_WORD && in->tried_count < TRIED_MAX && !is_punct(word))
         str_copy(in->tried[in->tried_count++], TRIED_LENGTH, word);
     return false;
 }

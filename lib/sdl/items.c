@@ -1,6 +1,7 @@
 #include "sdl/items.h"
 
 #include "sdl/report.h"
+#include "sdl/unsupported.h"
 
 #include <stdio.h>
 
@@ -8,29 +9,58 @@ void items_open(pov_reader *in, block *b)
 {
     b->keyword = in->last;
     b->brace = in->token.at;
-    state_expect(in, '{');
     b->outer = in->block;
-    in->block = b;
+    if (in->token.kind == '{')
+        in->block = b;
+    state_open(in, '{');
+}
+
+static bool is_listed(const keyword_id *list, keyword_id keyword)
+{
+    for (; list && *list != KEYWORD_OTHER; list++)
+        if (*list == keyword)
+            return true;
+    return false;
+}
+
+static bool take_name(pov_reader *in, const item_list *list, void *self)
+{
+    const value *slot = scope_value(in->token.symbol);
+    value v;
+
+    if (!slot || !list->take || slot->kind != list->takes)
+        return false;
+    v = *slot;                   /* a part of the scene, which stays */
+    in->value = in->token.at;
+    state_advance(in);
+    list->take(in, self, &v);
+    return true;
 }
 
 bool items_try(pov_reader *in, const item_list *list, void *self)
 {
-    word_id word = state_word(in);
+    keyword_id keyword = state_keyword(in);
     size_t i;
 
-    if (word == WORD_OTHER)
-        return false;
+    if (keyword == KEYWORD_OTHER)
+        return in->token.kind == TOKEN_WORD && take_name(in, list, self);
     for (i = 0; i < list->count; i++) {
-        if (list->items[i].word == word) {
+        if (list->items[i].keyword == keyword) {
             state_advance(in);
-            list->items[i].read(in, self, word);
+            list->items[i].read(in, self, keyword);
             return true;
         }
     }
-    return false;
+    if (is_listed(list->quiet, keyword) || is_listed(list->quiet_too, keyword))
+        unsupported_skip_item(in);
+    else if (is_listed(list->coming, keyword))
+        unsupported_item(in);
+    else
+        return false;
+    return true;
 }
 
-static void refuse(pov_reader *in, const item_list *list)
+void items_refuse(pov_reader *in, const item_list *list)
 {
     char wanted[128];
     guess g;
@@ -38,18 +68,23 @@ static void refuse(pov_reader *in, const item_list *list)
 
     report_guess_start(&g, in);
     for (i = 0; i < list->count; i++)
-        report_guess_try(&g, token_word_name(list->items[i].word));
+        report_guess_try(&g, token_keyword_name(list->items[i].keyword));
     snprintf(wanted, sizeof wanted, "%s or \"}\"", list->wanted);
     report_misplaced(in, wanted, &g);
 }
 
+void items_until(pov_reader *in, int end, const item_list *list, void *self)
+{
+    while (!in->failed && in->token.kind != end)
+        if (!items_try(in, list, self))
+            items_refuse(in, list);
+}
+
 void items_close(pov_reader *in, block *b, const item_list *list, void *self)
 {
-    while (!in->failed && in->token.kind != '}')
-        if (!items_try(in, list, self))
-            refuse(in, list);
+    items_until(in, '}', list, self);
     in->block = b->outer;
-    state_accept(in, '}');
+    state_close(in, '}');
 }
 
 void items_block(pov_reader *in, const item_list *list, void *self)

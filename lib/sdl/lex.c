@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-enum { ODD, BLANK, LINE, DIGIT, LETTER, MARK, QUOTE };
+enum { ODD, BLANK, LINE, DIGIT, LETTER, PUNCT, QUOTE };
 
 /* One class a byte, so that each byte is looked at once. ODD: has no business outside of comments and
  * strings. */
@@ -12,19 +12,19 @@ static const unsigned char class_of[256] = {
     ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    /* 00 */
     ODD,    BLANK,  LINE,   BLANK,  BLANK,  LINE,   ODD,    ODD,    /* 08: tab, line feed, vt, ff, return */
     ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    /* 10 */
-    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    ODD,    /* 18 */
-    BLANK,  MARK,   QUOTE,  MARK,   ODD,    ODD,    MARK,   ODD,    /* 20:   ! " # $ % & ' */
-    MARK,   MARK,   MARK,   MARK,   MARK,   MARK,   MARK,   MARK,   /* 28: ( ) * + , - . / */
+    ODD,    ODD,    BLANK,  ODD,    ODD,    ODD,    ODD,    ODD,    /* 18: the end of a text in CP/M */
+    BLANK,  PUNCT,   QUOTE,  PUNCT,   ODD,    ODD,    PUNCT,   ODD,    /* 20:   ! " # $ % & ' */
+    PUNCT,   PUNCT,   PUNCT,   PUNCT,   PUNCT,   PUNCT,   PUNCT,   PUNCT,   /* 28: ( ) * + , - . / */
     DIGIT,  DIGIT,  DIGIT,  DIGIT,  DIGIT,  DIGIT,  DIGIT,  DIGIT,  /* 30 */
-    DIGIT,  DIGIT,  MARK,   MARK,   MARK,   MARK,   MARK,   MARK,   /* 38: 8 9 : ; < = > ? */
+    DIGIT,  DIGIT,  PUNCT,   PUNCT,   PUNCT,   PUNCT,   PUNCT,   PUNCT,   /* 38: 8 9 : ; < = > ? */
     ODD,    LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, /* 40 */
     LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, /* 48 */
     LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, /* 50 */
-    LETTER, LETTER, LETTER, MARK,   ODD,    MARK,   ODD,    LETTER, /* 58: X Y Z [ \ ] ^ _ */
+    LETTER, LETTER, LETTER, PUNCT,   ODD,    PUNCT,   ODD,    LETTER, /* 58: X Y Z [ \ ] ^ _ */
     ODD,    LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, /* 60 */
     LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, /* 68 */
     LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, LETTER, /* 70 */
-    LETTER, LETTER, LETTER, MARK,   MARK,   MARK,   ODD,    ODD,    /* 78: x y z { | } ~ */
+    LETTER, LETTER, LETTER, PUNCT,   PUNCT,   PUNCT,   ODD,    ODD,    /* 78: x y z { | } ~ */
 };
 
 static int class_at(const char *at)
@@ -120,7 +120,7 @@ static void finish(source *s, token *t, int kind, const char *after)
     s->at = after;
 }
 
-static void lex_word(const lex *l, source *s, token *t)
+static void lex_word(symbols *words, source *s, token *t)
 {
     const char *at = s->at;
     uint32_t hash = SYMBOLS_HASH_START;
@@ -128,7 +128,11 @@ static void lex_word(const lex *l, source *s, token *t)
     while (at < s->end && (class_at(at) == LETTER || class_at(at) == DIGIT))
         hash = symbols_hash(hash, (unsigned char)*at++);
     finish(s, t, TOKEN_WORD, at);
-    t->symbol = symbols_find(l->words, t->at.start, t->at.length, hash);
+    t->symbol = symbols_find(words, t->at.start, t->at.length, hash);
+    if (!t->symbol)
+        t->symbol = symbols_add(words, t->at.start, t->at.length, hash);
+    if (!t->symbol)
+        t->kind = TOKEN_BAD;     /* without a fault: memory */
 }
 
 static void lex_number(source *s, token *t)
@@ -142,9 +146,8 @@ static void lex_number(source *s, token *t)
         t->fault = "is too small for a double and counts as 0";
         break;
     case NUMBER_HUGE:
-        t->fault = "is too large a number";
-        finish(s, t, TOKEN_BAD, after);
-        return;
+        t->fault = "is too large for a double and counts as infinite";
+        break;
     case NUMBER_MALFORMED:
         t->fault = "is not a number";
         finish(s, t, TOKEN_BAD, after);
@@ -153,19 +156,32 @@ static void lex_number(source *s, token *t)
     finish(s, t, TOKEN_NUMBER, after);
 }
 
-/* A backslash keeps the next byte from ending the string. */
+/* A backslash keeps the next byte from ending the string, which may go over several lines. */
 static void lex_string(source *s, token *t)
 {
-    const char *at = s->at + 1;
+    const char *at = s->at + 1, *begin = s->at, *line_end = NULL;
 
-    while (at < s->end && *at != '"' && class_at(at) != LINE)
-        at += *at == '\\' && at + 1 < s->end && class_at(at + 1) != LINE ? 2 : 1;
-    if (at < s->end && *at == '"') {
-        finish(s, t, TOKEN_STRING, at + 1);
+    for (; at < s->end && *at != '"'; at++) {
+        if (class_at(at) == LINE && !line_end)
+            line_end = at;
+        if (*at == '\\' && at + 1 < s->end)
+            at++;
+    }
+    if (at == s->end) {
+        t->fault = "the string that begins here has no end";
+        finish(s, t, TOKEN_BAD, line_end ? line_end : at);
+        s->at = s->end;
         return;
     }
-    t->fault = "the string that begins here does not end on its line";
-    finish(s, t, TOKEN_BAD, at);
+    for (s->at = line_end ? line_end : at; s->at < at;) {
+        if (class_at(s->at) == LINE)
+            take_line_end(s);
+        else
+            s->at++;
+    }
+    t->kind = TOKEN_STRING;
+    t->at.length = (uint32_t)(at + 1 - begin);
+    s->at = at + 1;
 }
 
 /* A whole character of UTF-8 is one stretch, so that a message can show it. */
@@ -180,36 +196,35 @@ static void lex_odd(source *s, token *t)
     finish(s, t, TOKEN_BAD, after);
 }
 
-static void lex_end(lex *l, token *t)
+static void lex_punct(source *s, token *t)
 {
-    place_here(&t->at, l->sources.top);
-    t->kind = TOKEN_END;
+    const char *at = s->at;
+
+    if (at + 1 < s->end && at[1] == '=' && (*at == '<' || *at == '>' || *at == '!'))
+        finish(s, t, *at == '<' ? TOKEN_AT_MOST : *at == '>' ? TOKEN_AT_LEAST : TOKEN_UNEQUAL, at + 2);
+    else
+        finish(s, t, (unsigned char)*at, at + 1);
 }
 
-void lex_next(lex *l, token *t)
+void lex_next(symbols *words, source *s, token *t)
 {
-    source *s;
-
     t->symbol = NULL;
     t->number = 0.0;
     t->fault = NULL;
-    do {
-        s = l->sources.top;
-        if (!skip_blanks(s, &t->at)) {
-            t->kind = TOKEN_BAD;
-            t->at.length = 2;
-            t->fault = "the comment that begins here has no end";
-            return;
-        }
-    } while (s->at == s->end && source_pop(&l->sources));
-    if (s->at == s->end) {
-        lex_end(l, t);
+    if (!skip_blanks(s, &t->at)) {
+        t->kind = TOKEN_BAD;
+        t->at.length = 2;
+        t->fault = "the comment that begins here has no end";
         return;
     }
     place_here(&t->at, s);
+    if (s->at == s->end) {
+        t->kind = TOKEN_END;
+        return;
+    }
     switch (class_at(s->at)) {
     case LETTER:
-        lex_word(l, s, t);
+        lex_word(words, s, t);
         break;
     case DIGIT:
         lex_number(s, t);
@@ -217,13 +232,76 @@ void lex_next(lex *l, token *t)
     case QUOTE:
         lex_string(s, t);
         break;
-    case MARK:
+    case PUNCT:
         if (*s->at == '.' && s->at + 1 < s->end && class_at(s->at + 1) == DIGIT)
             lex_number(s, t);
         else
-            finish(s, t, (unsigned char)*s->at, s->at + 1);
+            lex_punct(s, t);
         break;
     default:
         lex_odd(s, t);
     }
+}
+
+/* ---- what stands between quotes ---- */
+
+static size_t put_utf8(char *out, unsigned code)
+{
+    if (code < 0x80) {
+        out[0] = (char)code;
+        return 1;
+    }
+    if (code < 0x800) {
+        out[0] = (char)(0xC0 | code >> 6);
+        out[1] = (char)(0x80 | (code & 0x3F));
+        return 2;
+    }
+    out[0] = (char)(0xE0 | code >> 12);
+    out[1] = (char)(0x80 | (code >> 6 & 0x3F));
+    out[2] = (char)(0x80 | (code & 0x3F));
+    return 3;
+}
+
+static bool read_hex(const char *at, const char *end, unsigned *code)
+{
+    static const char digits[] = "0123456789abcdef";
+    int i;
+
+    *code = 0;
+    for (i = 0; i < 4; i++, at++) {
+        const char *digit = at < end ? strchr(digits, *at | 0x20) : NULL;
+
+        if (!digit || *at < '0')
+            return false;
+        *code = *code * 16 + (unsigned)(digit - digits);
+    }
+    return true;
+}
+
+size_t lex_unescape(const place *string, char *out, const char **bad)
+{
+    static const char names[] = "abfnrtv\\\"'", values[] = "\a\b\f\n\r\t\v\\\"'";
+    const char *at = string->start + 1, *end = string->start + string->length - 1, *name;
+    size_t n = 0;
+    unsigned code;
+
+    *bad = NULL;
+    while (at < end) {
+        if (*at != '\\') {
+            out[n++] = *at++;
+            continue;
+        }
+        name = at + 1 < end && at[1] ? strchr(names, at[1]) : NULL;
+        if (name) {
+            out[n++] = values[name - names];
+            at += 2;
+        } else if (at + 1 < end && at[1] == 'u' && read_hex(at + 2, end, &code)) {
+            n += put_utf8(out + n, code);
+            at += 6;
+        } else {
+            *bad = at;
+            return n;
+        }
+    }
+    return n;
 }

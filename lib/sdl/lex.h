@@ -4,13 +4,11 @@
 
 #include "sdl/symbols.h"
 
-typedef struct lex {
-    source_stack sources;
-    const symbols *words;
-} lex;
-
-/* The next token; at the end of the last text TOKEN_END, as often as asked. After TOKEN_BAD the lexer stands
- * behind the stretch of text that is wrong. */
-void lex_next(lex *l, token *out);
+/* The next token of a text; at its end TOKEN_END, as often as asked. After TOKEN_BAD the text stands behind
+ * the stretch that is wrong. Words that are new become symbols. */
+void lex_next(symbols *words, source *s, token *out);
+/* The bytes between the quotes of a string token: as written, and with escapes resolved into `out`, which has
+ * room for the token's length. *bad: an escape that there is none of, or NULL. Returns the length. */
+size_t lex_unescape(const place *string, char *out, const char **bad);
 
 #endif

@@ -5,12 +5,12 @@
 
 #include <string.h>
 
-static uint32_t mix(uint32_t hash, float value)
+static uint32_t mix(uint32_t hash, float number)
 {
     uint32_t bits;
 
-    value += 0.0f;               /* -0 equals 0 */
-    memcpy(&bits, &value, sizeof bits);
+    number += 0.0f;               /* -0 equals 0 */
+    memcpy(&bits, &number, sizeof bits);
     return (hash ^ bits) * 0x9E3779B1u + (hash >> 15);
 }
 

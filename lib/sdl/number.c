@@ -36,7 +36,7 @@ static bool is_digit(char c)
 
 static bool goes_on(char c)
 {
-    return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.';
+    return is_digit(c) || c == '.';
 }
 
 static const char *read_digits(const char *at, const char *end, parts *p)
@@ -54,7 +54,7 @@ static const char *read_digits(const char *at, const char *end, parts *p)
     return at;
 }
 
-/* From the e on. NULL: no digit follows it. */
+/* From the e on. Where no digit follows it the exponent is 0. */
 static const char *read_exponent(const char *at, const char *end, parts *p)
 {
     bool negative = false;
@@ -62,8 +62,6 @@ static const char *read_exponent(const char *at, const char *end, parts *p)
     at++;
     if (at < end && (*at == '+' || *at == '-'))
         negative = *at++ == '-';
-    if (at == end || !is_digit(*at))
-        return NULL;
     for (; at < end && is_digit(*at); at++)
         if (p->exponent < EXPONENT_LIMIT)
             p->exponent = 10 * p->exponent + (*at - '0');
@@ -145,7 +143,7 @@ static number_state malformed(const char *at, const char *end, const char **afte
 number_state number_read(const char *at, const char *end, const char **after, double *out)
 {
     parts p = { at, at, 0, 0, 0, 0 };
-    const char *begin = at, *point;
+    const char *point;
 
     *out = 0.0;
     at = read_digits(at, end, &p);
@@ -157,8 +155,8 @@ number_state number_read(const char *at, const char *end, const char **after, do
     p.last = at;
     if (at < end && (*at == 'e' || *at == 'E'))
         at = read_exponent(at, end, &p);
-    if (!at || (at < end && goes_on(*at)))
-        return malformed(at ? at : begin, end, after);
+    if (at < end && *at == '.')
+        return malformed(at, end, after);
     *after = at;
     if (p.digits == 0)
         return NUMBER_FINE;

@@ -4,7 +4,7 @@
 
 typedef enum number_state {
     NUMBER_FINE,
-    NUMBER_MALFORMED,            /* as in 1.2.3, 1e, 2x */
+    NUMBER_MALFORMED,            /* as in 1.2.3 */
     NUMBER_HUGE,                 /* beyond the largest double */
     NUMBER_TINY                  /* not zero in the text, but rounds to zero */
 } number_state;

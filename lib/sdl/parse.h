@@ -1,5 +1,6 @@
 /* parse.h - who reads which part of a scene. Each is called when its word has been taken, and takes what
- * belongs to it: straight-line code, for errors stick in the reader. */
+ * belongs to it: straight-line code, for errors stick in the reader. Parts are returned as values; statements add them
+ * to the model. */
 #ifndef SDL_PARSE_H
 #define SDL_PARSE_H
 
@@ -9,37 +10,74 @@
 #include <float.h>
 #include <math.h>
 
-/* What is read of one object, from its braces. */
-typedef struct surface_text {
+/* What is read of one object's surface and interior. */
+typedef struct surface_parsed {
     material material;
     bool has_look;               /* a pigment, finish or texture was given */
     place layer;                 /* a texture upon another look; source NULL: none */
-} surface_text;
+} surface_parsed;
+
+/* MISSING: a kind of object that is not drawn yet. */
+typedef enum object_kind { OBJECT_LEAF, OBJECT_UNION, OBJECT_LIGHT, OBJECT_MISSING } object_kind;
+
+/* An object with all that its block says; as the value of a name it is never written again. */
+typedef struct object_parsed {
+    object_kind kind;
+    leaf_node leaf;              /* its map and flags are those below */
+    light light;                 /* before its map */
+    surface_parsed surface;
+    const transform *map;
+    uint32_t flags;
+    struct object_parsed *first, *next;   /* members of a union, in their order */
+} object_parsed;
 
 /* The whole text, statement by statement. */
 void parse_scene(pov_reader *in);
 /* Is one of the words that a statement begins with meant? */
 void parse_scene_guess(guess *g);
+/* A statement that a name can be given to, if one is next: texture { }, sphere { } ... */
+bool parse_value(pov_reader *in, value *out);
+/* Part of the scene's memory as a value. */
+value parse_part(pov_reader *in, value_kind kind, const void *part, size_t bytes);
+
 /* The next token is a word that is no other statement. */
 void parse_object(pov_reader *in);
-void parse_camera(pov_reader *in, void *self, word_id word);
-void parse_light(pov_reader *in, void *self, word_id word);
-void parse_global_settings(pov_reader *in, void *self, word_id word);
-void parse_background(pov_reader *in, void *self, word_id word);
+/* An object is next: a statement, or the name of one. False: none is. */
+bool parse_object_try(pov_reader *in, object_parsed *out);
+bool parse_object_follows(const pov_reader *in);
+void parse_light(pov_reader *in, object_parsed *out);
+void parse_camera(pov_reader *in, camera_parsed *out);
+void parse_global_settings(pov_reader *in, void *self, keyword_id keyword);
+void parse_background(pov_reader *in, void *self, keyword_id keyword);
+/* Directives: #default, and settings that old scenes have at the top level. */
+void parse_default(pov_reader *in, const place *at);
+void parse_old_setting(pov_reader *in, const place *at);
 
-/* translate, rotate, scale, matrix: one more behind the list. */
-void parse_transform(pov_reader *in, const transform **list, word_id word);
+/* translate, rotate, scale, matrix, transform: more behind the list. */
+void parse_transform(pov_reader *in, const transform **list, keyword_id keyword);
+value parse_transform_value(pov_reader *in);
+/* One list behind another. */
+void parse_append_transforms(pov_reader *in, const transform **list, const transform *more);
+/* The words of transformations in a table of items. */
+#define PARSE_MOVES(read) \
+    { KEYWORD_TRANSLATE, read }, { KEYWORD_ROTATE, read }, { KEYWORD_SCALE, read }, { KEYWORD_MATRIX, read }, \
+    { KEYWORD_TRANSFORM, read }
 
-void parse_pigment(pov_reader *in, surface_text *s);
-void parse_finish(pov_reader *in, surface_text *s);
-void parse_texture(pov_reader *in, surface_text *s);
-void parse_interior(pov_reader *in, surface_text *s);
+void parse_pigment(pov_reader *in, surface_parsed *s);
+void parse_finish(pov_reader *in, surface_parsed *s);
+void parse_texture(pov_reader *in, surface_parsed *s);
+void parse_interior(pov_reader *in, surface_parsed *s);
+void parse_material(pov_reader *in, surface_parsed *s);
+/* As if nothing but the defaults had been given. */
+void parse_surface_begin(const pov_reader *in, surface_parsed *s);
+/* A block of entries `[ value what ]`: the kind of map is that of its word; the first colour is left in s. */
+void parse_map(pov_reader *in, surface_parsed *s, keyword_id keyword);
 
 /* When all has been read and the dialect is known. */
 void parse_camera_finish(pov_reader *in);
 void parse_settings_finish(pov_reader *in);
 
-void parse_camera_defaults(camera_text *c);
+void parse_camera_defaults(camera_parsed *c);
 
 /* Neither beyond what a double holds nor NaN. */
 static inline bool parse_is_finite(pov_vec3 v)

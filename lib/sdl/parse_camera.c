@@ -6,89 +6,99 @@
 
 /* ---- as written ---- */
 
-void parse_camera_defaults(camera_text *c)
+void parse_camera_defaults(camera_parsed *c)
 {
-    static const camera_text none;
+    static const camera_parsed none;
 
     *c = none;
     c->direction = pov_vec3_of(0.0, 0.0, 1.0);
     c->up = c->sky = pov_vec3_of(0.0, 1.0, 0.0);
 }
 
-static void read_location(pov_reader *in, void *self, word_id word)
+static void read_location(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)word;
-    ((camera_text *)self)->location = value_vector(in);
+    (void)keyword;
+    ((camera_parsed *)self)->location = value_vector(in);
 }
 
-static void read_look_at(pov_reader *in, void *self, word_id word)
+static void read_look_at(pov_reader *in, void *self, keyword_id keyword)
 {
-    camera_text *c = self;
+    camera_parsed *c = self;
 
-    (void)word;
+    (void)keyword;
     c->look_at = value_vector(in);
     c->look_at_place = in->value;
     c->has_look_at = true;
 }
 
-static void read_angle(pov_reader *in, void *self, word_id word)
+static void read_angle(pov_reader *in, void *self, keyword_id keyword)
 {
     double angle = value_number(in);
 
-    (void)word;
+    (void)keyword;
     if (!in->failed && !(angle > 0.0 && angle < 180.0))
         report_fail(in, &in->value, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
-    ((camera_text *)self)->angle = angle;
+    ((camera_parsed *)self)->angle = angle;
 }
 
-static void read_axis(pov_reader *in, void *self, word_id word)
+static void read_axis(pov_reader *in, void *self, keyword_id keyword)
 {
-    camera_text *c = self;
+    camera_parsed *c = self;
     pov_vec3 axis = value_vector(in);
 
-    if (pov_largest(axis) == 0.0 && word != WORD_SKY)
-        report_fail(in, &in->value, POV_E_SYNTAX, "\"%s\" must not be zero", token_word_name(word));
-    if (word == WORD_RIGHT)
+    if (pov_largest(axis) == 0.0 && keyword != KEYWORD_SKY)
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"%s\" must not be zero", token_keyword_name(keyword));
+    if (keyword == KEYWORD_RIGHT)
         c->right = axis;
-    else if (word == WORD_UP)
+    else if (keyword == KEYWORD_UP)
         c->up = axis;
-    else if (word == WORD_SKY)
+    else if (keyword == KEYWORD_SKY)
         c->sky = axis;
     else
         c->direction = axis;
 }
 
-static void move_camera(pov_reader *in, void *self, word_id word)
+static void move_camera(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_transform(in, &((camera_text *)self)->map, word);
+    parse_transform(in, &((camera_parsed *)self)->map, keyword);
 }
 
-void parse_camera(pov_reader *in, void *self, word_id word)
+/* The values of these words are read for their own sake. */
+static const keyword_id coming[] = {
+    KEYWORD_PERSPECTIVE, KEYWORD_ORTHOGRAPHIC, KEYWORD_FISHEYE, KEYWORD_ULTRA_WIDE_ANGLE, KEYWORD_OMNIMAX,
+    KEYWORD_PANORAMIC, KEYWORD_CYLINDER, KEYWORD_SPHERICAL, KEYWORD_MESH_CAMERA, KEYWORD_APERTURE, KEYWORD_BLUR_SAMPLES,
+    KEYWORD_FOCAL_POINT, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE, KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER,
+};
+
+static void take_camera(pov_reader *in, void *self, const value *v)
+{
+    camera_parsed *c = self;
+    const place at = c->at;
+
+    (void)in;
+    *c = *(const camera_parsed *)v->as.part;
+    c->at = at;
+}
+
+void parse_camera(pov_reader *in, camera_parsed *c)
 {
     static const item items[] = {
-        { WORD_LOCATION, read_location }, { WORD_LOOK_AT, read_look_at }, { WORD_ANGLE, read_angle },
-        { WORD_RIGHT, read_axis },        { WORD_UP, read_axis },         { WORD_SKY, read_axis },
-        { WORD_DIRECTION, read_axis },    { WORD_TRANSLATE, move_camera }, { WORD_ROTATE, move_camera },
-        { WORD_SCALE, move_camera },      { WORD_MATRIX, move_camera },
+        { KEYWORD_LOCATION, read_location }, { KEYWORD_LOOK_AT, read_look_at }, { KEYWORD_ANGLE, read_angle },
+        { KEYWORD_RIGHT, read_axis },        { KEYWORD_UP, read_axis },         { KEYWORD_SKY, read_axis },
+        { KEYWORD_DIRECTION, read_axis },    PARSE_MOVES(move_camera),
     };
-    static const item_list list = ITEM_LIST("an item of the camera", items);
-    camera_text c;
+    static const item_list list = { "an item of the camera", ITEMS(items), NULL, NULL, coming, VALUE_CAMERA, take_camera };
 
-    (void)self;
-    (void)word;
-    if (in->camera.at.source)
-        report_warn(in, &in->last, "there was a camera before; the last one counts");
-    parse_camera_defaults(&c);
-    c.at = in->last;
-    items_block(in, &list, &c);
-    if (!in->failed && c.has_look_at && pov_largest(pov_sub(c.look_at, c.location)) == 0.0)
-        report_fail(in, &c.look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
-    in->camera = c;
+    parse_camera_defaults(c);
+    c->at = in->last;
+    items_block(in, &list, c);
+    if (!in->failed && c->has_look_at && pov_largest(pov_sub(c->look_at, c->location)) == 0.0)
+        report_fail(in, &c->look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
 }
 
 /* ---- the frame ---- */
 
-typedef struct frame { pov_vec3 d, r, u; } frame;
+typedef struct camera_frame { pov_vec3 d, r, u; } camera_frame;
 
 static double length(pov_vec3 v)
 {
@@ -113,7 +123,7 @@ static pov_vec3 upright(pov_vec3 a, pov_vec3 b)
 }
 
 /* From location towards look_at, however far apart they are. */
-static pov_vec3 towards(const camera_text *c)
+static pov_vec3 towards(const camera_parsed *c)
 {
     pov_vec3 whole = pov_sub(c->look_at, c->location);
 
@@ -123,11 +133,11 @@ static pov_vec3 towards(const camera_text *c)
 }
 
 /* `up` is the vertical; where it lies along the view x takes its place, and y where x does too. */
-static frame course_frame(const camera_text *c)
+static camera_frame course_frame(const camera_parsed *c)
 {
     pov_vec3 view = c->has_look_at ? towards(c) : pov_unit(c->direction);
     pov_vec3 side = upright(pov_unit(c->up), view);
-    frame f;
+    camera_frame f;
 
     if (pov_largest(side) == 0.0)
         side = upright(pov_vec3_of(1.0, 0.0, 0.0), view);
@@ -143,9 +153,9 @@ static frame course_frame(const camera_text *c)
 /* With a look_at `sky` is the vertical, and of direction, right and up only the lengths count, and whether
  * the three are left- or right-handed. Where sky lies along the view, right's own direction takes the place of
  * the side. Without a look_at all three stay as written. */
-static frame povray_frame(const camera_text *c)
+static camera_frame povray_frame(const camera_parsed *c)
 {
-    frame f = { c->direction, c->right, c->up };
+    camera_frame f = { c->direction, c->right, c->up };
     pov_vec3 view, side, side_as_written;
     bool is_mirrored;
 
@@ -178,7 +188,7 @@ static bool is_usable(const pov_camera *c)
            pov_largest(c->up) > 0.0;
 }
 
-static void move(pov_reader *in, const camera_text *c, pov_camera *out)
+static void move(pov_reader *in, const camera_parsed *c, pov_camera *out)
 {
     pov_affine map;
     pov_vec3 rest;
@@ -199,9 +209,9 @@ void parse_camera_finish(pov_reader *in)
 {
     const double pi = 3.14159265358979323846;
     bool is_povray = in->model->dialect == POV_DIALECT_POVRAY;
-    camera_text c = in->camera;
+    camera_parsed c = in->camera;
     pov_camera *out = &in->model->camera;
-    frame f;
+    camera_frame f;
 
     if (pov_largest(c.right) == 0.0)
         c.right = pov_vec3_of(is_povray ? 1.33 : 1.33333, 0.0, 0.0);

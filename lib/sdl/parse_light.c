@@ -2,63 +2,36 @@
 #include "sdl/report.h"
 #include "sdl/value.h"
 
-#include "base/vec.h"
-
-typedef struct light_text {
-    pov_vec3 position;
-    colour colour;
-    const transform *map;
-} light_text;
-
-static void move_light(pov_reader *in, void *self, word_id word)
+static void move_light(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_transform(in, &((light_text *)self)->map, word);
+    parse_transform(in, &((object_parsed *)self)->map, keyword);
 }
 
-static void add_light(pov_reader *in, const light_text *text, const place *at)
-{
-    light l;
-    pov_affine map;
-    bool is_fine;
-
-    if (in->failed)
-        return;
-    l.type = LIGHT_POINT;
-    l.color = text->colour;
-    l.position = text->position;
-    l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    is_fine = !text->map || transform_compose(text->map, &map);
-    if (text->map && is_fine)
-        transform_point(&map, text->position, &l.position, &l.position_lo);
-    if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo))
-        report_fail(in, at, POV_E_SYNTAX, "the light is moved beyond what a double holds");
-    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->lights, l))
-        report_memory(in);
-}
+static const keyword_id coming[] = {
+    KEYWORD_SPOTLIGHT, KEYWORD_SHADOWLESS, KEYWORD_CYLINDER, KEYWORD_PARALLEL, KEYWORD_POINT_AT, KEYWORD_RADIUS,
+    KEYWORD_FALLOFF, KEYWORD_TIGHTNESS, KEYWORD_AREA_LIGHT, KEYWORD_ADAPTIVE, KEYWORD_AREA_ILLUMINATION, KEYWORD_JITTER,
+    KEYWORD_CIRCULAR, KEYWORD_ORIENT, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_LOOKS_LIKE,
+    KEYWORD_PROJECTED_THROUGH, KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_PHOTONS, KEYWORD_OTHER,
+};
 
 /* The colour stands behind the position, as in POV-Ray. */
-void parse_light(pov_reader *in, void *self, word_id word)
+void parse_light(pov_reader *in, object_parsed *out)
 {
-    static const item items[] = {
-        { WORD_TRANSLATE, move_light },
-        { WORD_ROTATE, move_light },
-        { WORD_SCALE, move_light },
-        { WORD_MATRIX, move_light },
-    };
-    static const item_list list = ITEM_LIST("a transformation", items);
-    light_text text = { { 0.0, 0.0, 0.0 }, { 0.0f, 0.0f, 0.0f }, NULL };
+    static const item items[] = { PARSE_MOVES(move_light) };
+    static const item_list list = { "a transformation", ITEMS(items), NULL, NULL, coming, VALUE_NOTHING, NULL };
     place at = in->last;
     block b;
 
-    (void)self;
-    (void)word;
+    out->kind = OBJECT_LIGHT;
+    out->light.type = LIGHT_POINT;
+    out->leaf.line = (uint32_t)at.line;
+    out->leaf.column = (uint32_t)at.column;
     items_open(in, &b);
-    text.position = value_vector(in);
+    out->light.position = value_vector(in);
     state_accept(in, ',');
     if (value_colour_follows(in, true))
-        text.colour = value_colour(in, true).colour;
+        out->light.color = value_colour(in, true).colour;
     else if (in->token.kind == '}')
         report_warn(in, &at, "a light without a colour is black");
-    items_close(in, &b, &list, &text);
-    add_light(in, &text, &at);
+    items_close(in, &b, &list, out);
 }

@@ -1,70 +1,100 @@
-#include "sdl/parse.h"
+#include "sdl/parse_pattern.h"
 
 #include "base/vec.h"
+#include "sdl/expression.h"
 #include "sdl/host.h"
 #include "sdl/materials.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
+#include "sdl/value.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* ---- modifiers ---- */
 
-typedef struct object_text {
-    surface_text surface;
-    const transform *map;
-    uint32_t flags;
-} object_text;
-
-static void read_pigment(pov_reader *in, void *self, word_id word)
+static void read_pigment(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)word;
-    parse_pigment(in, &((object_text *)self)->surface);
+    (void)keyword;
+    parse_pigment(in, &((object_parsed *)self)->surface);
 }
 
-static void read_finish(pov_reader *in, void *self, word_id word)
+static void read_finish(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)word;
-    parse_finish(in, &((object_text *)self)->surface);
+    (void)keyword;
+    parse_finish(in, &((object_parsed *)self)->surface);
 }
 
-static void read_texture(pov_reader *in, void *self, word_id word)
+static void read_texture(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)word;
-    parse_texture(in, &((object_text *)self)->surface);
+    (void)keyword;
+    parse_texture(in, &((object_parsed *)self)->surface);
 }
 
-static void read_interior(pov_reader *in, void *self, word_id word)
+static void read_normal(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)word;
-    parse_interior(in, &((object_text *)self)->surface);
+    unsupported_note(in, &in->last, keyword, "\"normal\"");
+    parse_normal(in, &((object_parsed *)self)->surface);
 }
 
-static void move_object(pov_reader *in, void *self, word_id word)
+static void read_interior(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_transform(in, &((object_text *)self)->map, word);
+    (void)keyword;
+    parse_interior(in, &((object_parsed *)self)->surface);
 }
 
-/* `inverse` twice is the shape as it was. */
-static void read_flag(pov_reader *in, void *self, word_id word)
+static void read_material(pov_reader *in, void *self, keyword_id keyword)
 {
-    object_text *o = self;
+    (void)keyword;
+    parse_material(in, &((object_parsed *)self)->surface);
+}
 
-    (void)in;
-    if (word == WORD_INVERSE)
+static void move_object(pov_reader *in, void *self, keyword_id keyword)
+{
+    parse_transform(in, &((object_parsed *)self)->map, keyword);
+}
+
+/* `inverse` twice is the shape as it was; `hollow` may say whether. */
+static void read_flag(pov_reader *in, void *self, keyword_id keyword)
+{
+    object_parsed *o = self;
+
+    if (keyword == KEYWORD_INVERSE)
         o->flags ^= LEAF_INVERSE;
+    else if (keyword == KEYWORD_NO_SHADOW)
+        o->flags |= LEAF_NO_SHADOW;
+    else if (value_optional(in, 1.0) != 0.0)
+        o->flags |= LEAF_HOLLOW;
     else
-        o->flags |= word == WORD_NO_SHADOW ? LEAF_NO_SHADOW : LEAF_HOLLOW;
+        o->flags &= ~(uint32_t)LEAF_HOLLOW;
+}
+
+/* Old scenes have a colour right in the object. */
+static void skip_colour(pov_reader *in, void *self, keyword_id keyword)
+{
+    double unused[5];
+
+    (void)self;
+    report_warn(in, &in->last, "\"%s\" has no effect outside of a pigment", token_keyword_name(keyword));
+    value_colour_components(in, true, unused);
 }
 
 static const item modifier_items[] = {
-    { WORD_PIGMENT, read_pigment },   { WORD_FINISH, read_finish },   { WORD_TRANSLATE, move_object },
-    { WORD_ROTATE, move_object },     { WORD_SCALE, move_object },    { WORD_TEXTURE, read_texture },
-    { WORD_INTERIOR, read_interior }, { WORD_MATRIX, move_object },   { WORD_NO_SHADOW, read_flag },
-    { WORD_INVERSE, read_flag },      { WORD_HOLLOW, read_flag },
+    { KEYWORD_PIGMENT, read_pigment },   { KEYWORD_FINISH, read_finish },     { KEYWORD_TEXTURE, read_texture },
+    PARSE_MOVES(move_object),            { KEYWORD_INTERIOR, read_interior }, { KEYWORD_NO_SHADOW, read_flag },
+    { KEYWORD_INVERSE, read_flag },      { KEYWORD_HOLLOW, read_flag },       { KEYWORD_NORMAL, read_normal },
+    { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
+    { KEYWORD_RGB, skip_colour },
 };
 
-static const item_list modifiers = ITEM_LIST("an object modifier", modifier_items);
+static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BOUNDED_BY, KEYWORD_SPLIT_UNION,
+                                    KEYWORD_DOUBLE_ILLUMINATE, KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
+                                    KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_CLIPPED_BY, KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
+                                     KEYWORD_UV_MAPPING, KEYWORD_INTERIOR_TEXTURE, KEYWORD_CUTAWAY_TEXTURES,
+                                     KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
+static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
+                                     NULL };
 
 /* ---- the shape ---- */
 
@@ -73,64 +103,41 @@ static void guess_keyword(void *user, const char *keyword)
     report_guess_try(user, keyword);
 }
 
-/* No plugin offers the word: then it is to come, or missing, or a slip. */
+/* No plugin offers the word: then it is missing, or a slip. */
 static void refuse(pov_reader *in, const symbol *word)
 {
     guess g;
-    size_t i;
-    const char *name;
-    word_id id;
-    uint32_t flags;
+    int i;
 
-    if (word->flags & TRAIT_SHAPE) {
+    if (word->flags & KEYWORD_FLAG_SHAPE) {
         report_fail(in, &in->token.at, POV_E_PLUGIN, "no plugin for \"%s\" in %s", word->name,
                     registry_path(in->plugins));
         return;
     }
     report_guess_start(&g, in);
-    for (i = 0; (name = token_word(i, &id, &flags)) != NULL; i++)
-        if (flags & TRAIT_SHAPE)
-            report_guess_try(&g, name);
+    for (i = KEYWORD_OTHER + 1; i < KEYWORDS; i++)
+        if (token_keyword_flags((keyword_id)i) & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING))
+            report_guess_try(&g, token_keyword_name((keyword_id)i));
     parse_scene_guess(&g);
     registry_each_keyword(in->plugins, "primitives", guess_keyword, &g);
     report_misplaced(in, "an object or a setting", &g);
 }
 
-/* The word that is next, which names a class; NULL: none does, and the reader has failed. */
-static symbol *find_shape(pov_reader *in)
+/* The class that the word names, or NULL. */
+static const shape_class *find_shape(pov_reader *in, symbol *word)
 {
-    symbol *word = in->token.symbol;
     pov_error error;
 
-    if (!word)
-        word = symbols_add(&in->words, &in->model->memory, in->token.at.start, in->token.at.length);
-    if (!word) {
-        report_memory(in);
-        return NULL;
-    }
-    if (word->shape)
-        return word;
-    if (registry_shape(in->plugins, word->name, &word->shape, &error) < 0)
+    if (!word->shape && registry_shape(in->plugins, word->name, &word->shape, &error) < 0)
         report_pass_on(in, &in->token.at, &error);
-    else if (!word->shape)
-        refuse(in, word);
-    return word->shape ? word : NULL;
+    return word->shape;
 }
 
 /* An opaque layer hides what is below it; one that can be seen through does not. */
-static void check_layers(pov_reader *in, const surface_text *s)
+static void check_layers(pov_reader *in, const surface_parsed *s)
 {
     if (s->layer.source && material_is_transparent(&s->material))
-        unsupported_form(in, &s->layer, "a transparent texture upon another");
-}
-
-static void add_object(pov_reader *in, leaf_node *o, const object_text *text)
-{
-    o->map = text->map;
-    o->flags = text->flags;
-    o->material = materials_index(in, &text->surface.material);
-    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->leaves, *o))
-        report_memory(in);
+        unsupported_note(in, &s->layer, KEYWORD_TEXTURE, "a transparent texture upon another");
 }
 
 static size_t parsed_size(const shape_class *shape)
@@ -140,7 +147,7 @@ static size_t parsed_size(const shape_class *shape)
 
 /* Many a scene is of a few shapes in many places: what was written as it was the last time that its word stood there is
  * kept once. */
-static void share_text(pov_reader *in, symbol *word, leaf_node *o)
+static void share_parsed(pov_reader *in, symbol *word, leaf_node *o)
 {
     const size_t bytes = parsed_size(o->shape);
 
@@ -150,29 +157,272 @@ static void share_text(pov_reader *in, symbol *word, leaf_node *o)
     word->last = o->instance;
 }
 
-void parse_object(pov_reader *in)
+static const object_parsed *named_object(const pov_reader *in)
 {
-    symbol *word = find_shape(in);
-    leaf_node o;
-    object_text text;
+    const value *slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+
+    if (!slot)
+        return NULL;
+    if (slot->kind == VALUE_OBJECT)
+        return slot->as.part;
+    return NULL;
+}
+
+/* The name of an object, or of an element of an array of them, is next. */
+static void take_named(pov_reader *in, object_parsed *o)
+{
+    value v = expression_read(in);
+
+    if (!in->failed && v.kind == VALUE_OBJECT)
+        *o = *(const object_parsed *)v.as.part;
+    else if (!in->failed)
+        report_fail(in, &in->value, POV_E_SYNTAX, "expected an object, found %s", value_name(&v));
+    o->next = NULL;
+    if (value_is_shared(&v))
+        value_drop(&in->heap, &v);
+}
+
+static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
+{
     block b;
 
-    if (!word)
-        return;
-    o.shape = word->shape;
-    o.line = (uint32_t)in->token.at.line;
-    o.column = (uint32_t)in->token.at.column;
-    memset(&text, 0, sizeof text);
-    material_init(&text.surface.material);
+    o->kind = OBJECT_LEAF;
+    o->leaf.shape = word->shape;
     in->value = in->token.at;
     state_advance(in);
     items_open(in, &b);
-    o.instance = state_alloc(in, parsed_size(o.shape), 32);
-    if (o.instance)
-        o.shape->parse(o.instance, &host_functions, in);
+    if (named_object(in)) {      /* any object's word may stand before the block of a name */
+        take_named(in, o);
+        items_close(in, &b, &modifiers, o);
+        return;
+    }
+    o->leaf.instance = state_alloc(in, parsed_size(word->shape), 32);
+    if (o->leaf.instance)
+        word->shape->parse(o->leaf.instance, &host_functions, in);
     if (!in->failed)
-        share_text(in, word, &o);
-    items_close(in, &b, &modifiers, &text);
-    check_layers(in, &text.surface);
-    add_object(in, &o, &text);
+        share_parsed(in, word, &o->leaf);
+    items_close(in, &b, &modifiers, o);
+}
+
+/* ---- other objects ---- */
+
+static object_parsed *keep(pov_reader *in, const object_parsed *o)
+{
+    object_parsed *kept = state_alloc(in, sizeof *kept, 32);
+
+    if (kept)
+        *kept = *o;
+    return kept;
+}
+
+static void read_members(pov_reader *in, object_parsed *o)
+{
+    object_parsed **end = &o->first, member;
+
+    while (!in->failed && parse_object_try(in, &member)) {
+        *end = keep(in, &member);
+        if (*end)
+            end = &(*end)->next;
+    }
+}
+
+static void read_union(pov_reader *in, object_parsed *o)
+{
+    const place at = in->token.at;
+    block b;
+
+    o->kind = OBJECT_UNION;
+    state_advance(in);
+    items_open(in, &b);
+    read_members(in, o);
+    if (!in->failed && !o->first)
+        report_warn(in, &at, "there is nothing in this union");
+    items_close(in, &b, &modifiers, o);
+}
+
+/* A group of a kind that is not drawn: what it holds is read all the same. */
+static void read_group(pov_reader *in, object_parsed *o)
+{
+    char what[REPORT_QUOTE + 2];
+
+    snprintf(what, sizeof what, "\"%s\"", in->token.symbol->name);
+    unsupported_note(in, &in->token.at, in->token.symbol->id, what);
+    read_union(in, o);
+    o->kind = OBJECT_MISSING;
+}
+
+/* What its block says is not looked into. */
+static void read_missing(pov_reader *in, object_parsed *o)
+{
+    char what[REPORT_QUOTE + 2];
+
+    o->kind = OBJECT_MISSING;
+    snprintf(what, sizeof what, "\"%s\"", in->token.symbol->name);
+    unsupported_note(in, &in->token.at, in->token.symbol->id, what);
+    state_advance(in);
+    unsupported_skip_block(in);
+}
+
+static bool is_array_of_objects(const pov_reader *in)
+{
+    const value *slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+
+    return slot && slot->kind == VALUE_ARRAY && value_array(slot)->kind != VALUE_NUMBER &&
+           value_array(slot)->kind != VALUE_VECTOR;
+}
+
+/* `object { S ... }`, or any object's word before such a block. */
+static void read_wrapped(pov_reader *in, object_parsed *o)
+{
+    object_parsed inner;
+    block b;
+
+    state_advance(in);
+    items_open(in, &b);
+    if (parse_object_try(in, &inner)) {
+        const uint32_t line = o->leaf.line, column = o->leaf.column;
+
+        *o = inner;
+        o->leaf.line = line;
+        o->leaf.column = column;
+    } else {
+        report_expected(in, "an object");
+    }
+    items_close(in, &b, &modifiers, o);
+}
+
+bool parse_object_follows(const pov_reader *in)
+{
+    const symbol *word = in->token.symbol;
+
+    if (in->token.kind != TOKEN_WORD)
+        return false;
+    switch (word->id) {
+    case KEYWORD_OBJECT: case KEYWORD_UNION: case KEYWORD_COMPOSITE: case KEYWORD_MERGE: case KEYWORD_INTERSECTION:
+    case KEYWORD_DIFFERENCE: case KEYWORD_LIGHT_SOURCE: case KEYWORD_LIGHT_GROUP:
+        return true;
+    default:
+        return (word->flags & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING)) || word->shape || named_object(in) ||
+               is_array_of_objects(in);
+    }
+}
+
+static void begin(pov_reader *in, object_parsed *o)
+{
+    memset(o, 0, sizeof *o);
+    parse_surface_begin(in, &o->surface);
+    o->leaf.line = (uint32_t)in->token.at.line;
+    o->leaf.column = (uint32_t)in->token.at.column;
+}
+
+bool parse_object_try(pov_reader *in, object_parsed *o)
+{
+    symbol *word = in->token.symbol;
+
+    begin(in, o);
+    if (in->token.kind != TOKEN_WORD)
+        return false;
+    switch (word->id) {
+    case KEYWORD_OBJECT:
+        read_wrapped(in, o);
+        break;
+    case KEYWORD_UNION: case KEYWORD_COMPOSITE:
+        read_union(in, o);
+        break;
+    case KEYWORD_MERGE: case KEYWORD_INTERSECTION: case KEYWORD_DIFFERENCE: case KEYWORD_LIGHT_GROUP:
+        read_group(in, o);
+        break;
+    case KEYWORD_LIGHT_SOURCE:
+        state_advance(in);
+        parse_light(in, o);
+        break;
+    default:
+        if (word->binding && parse_object_follows(in))
+            take_named(in, o);
+        else if (word->binding || (word->id != KEYWORD_OTHER && !(word->flags & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING))))
+            return false;
+        else if (find_shape(in, word))
+            read_leaf(in, word, o);
+        else if (word->flags & KEYWORD_FLAG_COMING)
+            read_missing(in, o);
+        else
+            return false;
+    }
+    check_layers(in, &o->surface);
+    return !in->failed;
+}
+
+/* ---- into the model ---- */
+
+/* What an object has from the unions around it. */
+typedef struct around { const surface_parsed *surface; const transform *map; uint32_t flags; } around;
+
+static void add_leaf(pov_reader *in, const object_parsed *o, const transform *map, const around *a)
+{
+    const surface_parsed *look = o->surface.has_look || !a->surface ? &o->surface : a->surface;
+    material m = look->material;
+    leaf_node leaf = o->leaf;
+
+    if (look != &o->surface && o->surface.material.has_interior) {
+        m.has_interior = true;
+        m.ior = o->surface.material.ior;
+    }
+    leaf.map = map;
+    leaf.flags = (o->flags & ~(uint32_t)LEAF_INVERSE) | (a->flags & ~(uint32_t)LEAF_INVERSE) |
+                 ((o->flags ^ a->flags) & LEAF_INVERSE);
+    leaf.material = materials_index(in, &m);
+    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->leaves, leaf))
+        report_memory(in);
+}
+
+static void add_light(pov_reader *in, const object_parsed *o, const transform *map)
+{
+    pov_affine m;
+    light l = o->light;
+    bool is_fine = !map || transform_compose(map, &m);
+
+    l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
+    if (map && is_fine)
+        transform_point(&m, o->light.position, &l.position, &l.position_lo);
+    if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
+        place at = in->object;
+
+        report_fail(in, &at, POV_E_SYNTAX, "the light is moved beyond what a double holds");
+    }
+    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->lights, l))
+        report_memory(in);
+}
+
+static void add(pov_reader *in, const object_parsed *o, const around *a)
+{
+    const transform *map = o->map;
+    const object_parsed *member;
+    around inner;
+
+    if (in->failed || o->kind == OBJECT_MISSING)
+        return;
+    parse_append_transforms(in, &map, a->map);
+    if (o->kind == OBJECT_LEAF) {
+        add_leaf(in, o, map, a);
+    } else if (o->kind == OBJECT_LIGHT) {
+        add_light(in, o, map);
+    } else {
+        inner.surface = o->surface.has_look || o->surface.material.has_interior || !a->surface ? &o->surface : a->surface;
+        inner.map = map;
+        inner.flags = o->flags ^ a->flags;
+        for (member = o->first; member; member = member->next)
+            add(in, member, &inner);
+    }
+}
+
+void parse_object(pov_reader *in)
+{
+    static const around nothing = { NULL, NULL, 0 };
+    object_parsed o;
+
+    in->object = in->token.at;
+    if (parse_object_try(in, &o))
+        add(in, &o, &nothing);
+    else if (!in->failed)
+        refuse(in, in->token.symbol);
 }

@@ -1,32 +1,53 @@
 #include "sdl/parse.h"
+#include "sdl/directive.h"
 #include "sdl/report.h"
 
+static void read_camera(pov_reader *in, void *self, keyword_id keyword)
+{
+    const place at = in->last;
+
+    (void)self;
+    (void)keyword;
+    if (in->camera.at.source)
+        report_warn(in, &at, "there was a camera before; the last one counts");
+    parse_camera(in, &in->camera);
+}
+
 static const item statement_items[] = {
-    { WORD_CAMERA, parse_camera },
-    { WORD_LIGHT_SOURCE, parse_light },
-    { WORD_GLOBAL_SETTINGS, parse_global_settings },
-    { WORD_BACKGROUND, parse_background },
+    { KEYWORD_CAMERA, read_camera },
+    { KEYWORD_GLOBAL_SETTINGS, parse_global_settings },
+    { KEYWORD_BACKGROUND, parse_background },
 };
 
-static const item_list statements = ITEM_LIST("an object or a setting", statement_items);
+static const keyword_id coming[] = {
+    KEYWORD_FOG, KEYWORD_RAINBOW, KEYWORD_SKY_SPHERE, KEYWORD_MEDIA, KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_OTHER,
+};
+
+static const item_list statements = { "an object or a setting", ITEMS(statement_items), NULL, NULL, coming,
+                                      VALUE_NOTHING, NULL };
 
 void parse_scene_guess(guess *g)
 {
     size_t i;
 
     for (i = 0; i < statements.count; i++)
-        report_guess_try(g, token_word_name(statements.items[i].word));
+        report_guess_try(g, token_keyword_name(statements.items[i].keyword));
+    report_guess_try(g, "light_source");
 }
 
 /* A word that is no statement names an object, if a plugin knows it. */
 void parse_scene(pov_reader *in)
 {
     while (!in->failed && !state_at_end(in)) {
-        if (items_try(in, &statements, NULL))
+        if (items_try(in, &statements, NULL) || directive_run_bare(in))
             continue;
-        if (in->token.kind == TOKEN_WORD)
+        if (in->token.kind == TOKEN_WORD) {
             parse_object(in);
-        else
+        } else if (in->token.kind == ';') {
+            report_warn(in, &in->token.at, "a \";\" that nothing needs");
+            state_advance(in);
+        } else {
             report_expected(in, statements.wanted);
+        }
     }
 }

@@ -5,20 +5,20 @@
 /* More levels than this are a slip, and each tracer keeps room for all of them. */
 static const double most_levels = 65535.0;
 
-static void read_ambient_light(pov_reader *in, void *self, word_id word)
+static void read_ambient_light(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)self;
-    (void)word;
+    (void)keyword;
     in->model->ambient_light = value_colour(in, true).colour;
     in->settings.has_ambient_light = true;
 }
 
-static void read_max_trace_level(pov_reader *in, void *self, word_id word)
+static void read_max_trace_level(pov_reader *in, void *self, keyword_id keyword)
 {
     double level = value_number(in);
 
     (void)self;
-    (void)word;
+    (void)keyword;
     if (level < 0.0 || level > most_levels) {
         report_fail(in, &in->value, POV_E_SYNTAX, "\"max_trace_level\" must lie in 0 to %.0f", most_levels);
         return;
@@ -28,54 +28,69 @@ static void read_max_trace_level(pov_reader *in, void *self, word_id word)
     in->model->max_trace_level = (int)level;
 }
 
-static void read_adc_bailout(pov_reader *in, void *self, word_id word)
+static void read_adc_bailout(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)self;
-    (void)word;
+    (void)keyword;
     in->model->adc_bailout = value_number(in);
 }
 
-static void read_assumed_gamma(pov_reader *in, void *self, word_id word)
+static void read_assumed_gamma(pov_reader *in, void *self, keyword_id keyword)
 {
-    double number = value_number(in);
+    double number = state_accept_keyword(in, KEYWORD_SRGB) ? 2.2 : value_number(in);
 
     (void)self;
-    (void)word;
+    (void)keyword;
     if (!in->failed && number <= 0.0)
         report_fail(in, &in->value, POV_E_SYNTAX, "\"assumed_gamma\" must be above 0");
-    in->settings.assumed_gamma = number;
+    if (in->settings.assumed_gamma > 0.0)
+        report_warn(in, &in->value, "the \"assumed_gamma\" that was given first stays");
+    else
+        in->settings.assumed_gamma = number;
 }
 
-void parse_global_settings(pov_reader *in, void *self, word_id word)
+static const keyword_id quiet[] = { KEYWORD_CHARSET, KEYWORD_NOISE_GENERATOR, KEYWORD_NUMBER_OF_WAVES, KEYWORD_ASCII,
+    KEYWORD_UTF8, KEYWORD_SYS, KEYWORD_MAX_INTERSECTIONS, KEYWORD_HF_GRAY_16, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_SUBSURFACE, KEYWORD_MM_PER_UNIT,
+    KEYWORD_IRID_WAVELENGTH, KEYWORD_OTHER };
+
+void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
 {
     static const item items[] = {
-        { WORD_AMBIENT_LIGHT, read_ambient_light },
-        { WORD_MAX_TRACE_LEVEL, read_max_trace_level },
-        { WORD_ADC_BAILOUT, read_adc_bailout },
-        { WORD_ASSUMED_GAMMA, read_assumed_gamma },
+        { KEYWORD_AMBIENT_LIGHT, read_ambient_light },
+        { KEYWORD_MAX_TRACE_LEVEL, read_max_trace_level },
+        { KEYWORD_ADC_BAILOUT, read_adc_bailout },
+        { KEYWORD_ASSUMED_GAMMA, read_assumed_gamma },
     };
-    static const item_list list = ITEM_LIST("a setting", items);
+    static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 
     (void)self;
-    (void)word;
+    (void)keyword;
     items_block(in, &list, NULL);
 }
 
 /* What a background lets through is black. */
-void parse_background(pov_reader *in, void *self, word_id word)
+void parse_background(pov_reader *in, void *self, keyword_id keyword)
 {
-    static const item_list list = { "a colour", NULL, 0 };
+    static const item_list list = { "a colour", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
     block b;
     paint p;
 
     (void)self;
-    (void)word;
+    (void)keyword;
     items_open(in, &b);
     if (in->token.kind != '}') {
         p = value_colour(in, true);
         in->model->background = colour_scale(p.colour, 1.0f - p.transmit);
     }
     items_close(in, &b, &list, NULL);
+}
+
+void parse_old_setting(pov_reader *in, const place *at)
+{
+    (void)at;
+    state_advance(in);
+    read_max_trace_level(in, NULL, KEYWORD_MAX_TRACE_LEVEL);
 }
 
 static void finish_gamma(pov_reader *in, bool is_new)

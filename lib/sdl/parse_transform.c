@@ -36,35 +36,165 @@ static void append_matrix(pov_reader *in, const transform **list)
     double m[VALUE_LIST_MAX];
     const transform *alone = NULL;
     pov_affine map;
-    bool is_list = in->token.kind == '<';
 
-    value_list(in, "a matrix", 12, 12, m);
-    if (!is_list)
-        report_fail(in, &in->value, POV_E_SYNTAX, "expected \"<\" and 12 numbers for a matrix");
+    value_list(in, "\"<\" and 12 numbers for a matrix", 12, 12, m);
     append(in, &alone, TRANSFORM_MATRIX, m);
     if (!in->failed && !transform_compose(alone, &map))
         report_fail(in, &in->value, POV_E_SYNTAX, "the matrix has no inverse");
     append(in, list, TRANSFORM_MATRIX, m);
 }
 
-void parse_transform(pov_reader *in, const transform **list, word_id word)
+static void append_vector(pov_reader *in, const transform **list, keyword_id keyword)
 {
-    pov_vec3 vector;
+    pov_vec3 vector = value_vector(in);
     double v[3];
 
-    if (word == WORD_MATRIX) {
-        append_matrix(in, list);
-        return;
-    }
-    vector = value_vector(in);
     v[0] = vector.x;
     v[1] = vector.y;
     v[2] = vector.z;
-    if (word == WORD_SCALE && !in->failed)
+    if (keyword == KEYWORD_SCALE && !in->failed)
         mend_scale(in, v);
     append(in, list,
-           word == WORD_SCALE    ? TRANSFORM_SCALE
-           : word == WORD_ROTATE ? TRANSFORM_ROTATE
-                                 : TRANSFORM_TRANSLATE,
+           keyword == KEYWORD_SCALE    ? TRANSFORM_SCALE
+           : keyword == KEYWORD_ROTATE ? TRANSFORM_ROTATE
+                                       : TRANSFORM_TRANSLATE,
            v);
+}
+
+/* ---- lists of them ---- */
+
+static const transform **gather(pov_reader *in, const transform *list, size_t *count)
+{
+    const transform *t, **all;
+    size_t n = 0;
+
+    for (t = list; t; t = t->before)
+        n++;
+    all = env_alloc(in->model->env, n + 1, sizeof *all);
+    if (!all)
+        report_memory(in);
+    *count = all ? n : 0;
+    for (t = list; t && all; t = t->before)
+        all[--n] = t;
+    return all;
+}
+
+void parse_append_transforms(pov_reader *in, const transform **list, const transform *more)
+{
+    const transform **all;
+    size_t i, count;
+
+    if (!*list || !more) {
+        *list = more ? more : *list;
+        return;
+    }
+    all = gather(in, more, &count);
+    for (i = 0; i < count; i++)
+        append(in, list, all[i]->kind, all[i]->v);
+    env_free(in->model->env, all);
+}
+
+static void invert_matrix(pov_reader *in, const transform **list, const transform *t)
+{
+    const transform *alone = NULL;
+    pov_affine map;
+    double m[12];
+    int i;
+
+    append(in, &alone, TRANSFORM_MATRIX, t->v);
+    if (in->failed || !transform_compose(alone, &map))
+        return;
+    for (i = 0; i < 12; i++)
+        m[i] = map.inv[i % 3][i / 3];
+    append(in, list, TRANSFORM_MATRIX, m);
+}
+
+static void invert_rotation(pov_reader *in, const transform **list, const double *v)
+{
+    int i, j;
+
+    for (i = 2; i >= 0; i--) {
+        double degrees[3];
+
+        for (j = 0; j < 3; j++)
+            degrees[j] = j == i ? -v[j] : 0.0;
+        append(in, list, TRANSFORM_ROTATE, degrees);
+    }
+}
+
+static void invert_one(pov_reader *in, const transform **list, const transform *t)
+{
+    double v[3];
+    int i;
+
+    for (i = 0; i < 3 && t->kind != TRANSFORM_MATRIX; i++)
+        v[i] = t->kind == TRANSFORM_SCALE ? 1.0 / t->v[i] : -t->v[i];
+    if (t->kind == TRANSFORM_MATRIX)
+        invert_matrix(in, list, t);
+    else if (t->kind == TRANSFORM_ROTATE)
+        invert_rotation(in, list, t->v);
+    else
+        append(in, list, t->kind, v);
+}
+
+/* The last is undone first. */
+static const transform *invert(pov_reader *in, const transform *list)
+{
+    const transform *inverse = NULL;
+
+    for (; list; list = list->before)
+        invert_one(in, &inverse, list);
+    return inverse;
+}
+
+/* ---- transform { } ---- */
+
+typedef struct transform_parsed { const transform *map; bool is_inverse; } transform_parsed;
+
+static void read_move(pov_reader *in, void *self, keyword_id keyword)
+{
+    parse_transform(in, &((transform_parsed *)self)->map, keyword);
+}
+
+static void read_inverse(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)in;
+    (void)keyword;
+    ((transform_parsed *)self)->is_inverse = true;
+}
+
+static void take_transform(pov_reader *in, void *self, const value *v)
+{
+    parse_append_transforms(in, &((transform_parsed *)self)->map, v->as.part);
+}
+
+static const transform *read_block(pov_reader *in)
+{
+    static const item items[] = { PARSE_MOVES(read_move), { KEYWORD_INVERSE, read_inverse } };
+    static const item_list list = { "a transformation", ITEMS(items), NULL, NULL, NULL, VALUE_TRANSFORM, take_transform };
+    transform_parsed t = { NULL, false };
+    const value *slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+
+    if (slot && slot->kind == VALUE_TRANSFORM) {
+        t.map = slot->as.part;
+        state_advance(in);
+        return t.map;
+    }
+    items_block(in, &list, &t);
+    return t.is_inverse ? invert(in, t.map) : t.map;
+}
+
+value parse_transform_value(pov_reader *in)
+{
+    return value_of_part(VALUE_TRANSFORM, read_block(in));
+}
+
+void parse_transform(pov_reader *in, const transform **list, keyword_id keyword)
+{
+    if (keyword == KEYWORD_TRANSFORM)
+        parse_append_transforms(in, list, read_block(in));
+    else if (keyword == KEYWORD_MATRIX)
+        append_matrix(in, list);
+    else
+        append_vector(in, list, keyword);
 }

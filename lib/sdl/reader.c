@@ -1,8 +1,15 @@
 #include "sdl/reader.h"
 
 #include "base/str.h"
+#include "base/vec.h"
+#include "sdl/directive.h"
+#include "sdl/frame.h"
+#include "sdl/intrinsic.h"
+#include "sdl/macro.h"
 #include "sdl/parse.h"
 #include "sdl/report.h"
+#include "sdl/text.h"
+#include "sdl/text_file.h"
 
 #include <string.h>
 
@@ -22,7 +29,7 @@ static bool is_utf16(const unsigned char *t, size_t length)
 static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 {
     const char *zero = memchr(text, '\0', length < LOOK_AT ? length : LOOK_AT), *at;
-    place here = { in->lex.sources.top, in->lex.sources.top->text, 0, 1, 1 };
+    place here = { in->top->text, in->top->text->text, 0, 1, 1 };
 
     if (is_utf16((const unsigned char *)text, length)) {
         report_fail(in, &here, POV_E_SYNTAX, "this text is in UTF-16; save it as UTF-8");
@@ -41,25 +48,128 @@ static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 
 /* ---- start and end ---- */
 
+static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 33 };
+
+static void choose_limits(reader_limits *l, const reader_options *options)
+{
+    *l = default_limits;
+    if (!options)
+        return;
+    if (options->limits.depth)
+        l->depth = options->limits.depth;
+    if (options->limits.array)
+        l->array = options->limits.array;
+    if (options->limits.string)
+        l->string = options->limits.string;
+    if (options->limits.turns)
+        l->turns = options->limits.turns;
+}
+
+/* What a shared item refers to is let go of. */
+static void drop_shared(value_heap *heap, shared *dropped)
+{
+    size_t i;
+
+    if (dropped->kind == VALUE_ARRAY) {
+        for (i = 0; i < ((array *)dropped)->count; i++)
+            value_drop(heap, &((array *)dropped)->items[i]);
+    } else if (dropped->kind == VALUE_MACRO) {
+        macro *m = (macro *)dropped;
+
+        if (m->tokens)
+            token_buffer_release(m->buffers, m->tokens);
+    } else if (dropped->kind == VALUE_NOTHING) {
+        binding *b = (binding *)dropped;
+
+        value_drop(heap, &b->own);
+        if (b->lender)
+            value_unshare(heap, b->lender);
+    }
+}
+
 static bool start(pov_reader *in, model *m, registry *plugins, const reader_options *options)
 {
     memset(in, 0, sizeof *in);
     in->model = m;
     in->plugins = plugins;
+    in->options = options;
+    in->wanted = "a value";
     in->wanted_dialect = options ? options->dialect : POV_DIALECT_AUTO;
+    choose_limits(&in->limits, options);
     parse_camera_defaults(&in->camera);
     m->adc_bailout = 1.0 / 255.0;
     m->max_trace_level = 5;
-    source_init(&in->lex.sources, m->env);
-    in->lex.words = &in->words;
-    return symbols_init(&in->words, m->env);
+    source_init(&in->sources, m->env);
+    in->buffers.env = m->env;
+    in->heap.env = m->env;
+    in->heap.drop = drop_shared;
+    if (!symbols_init(&in->words, m->env))
+        return false;
+    intrinsic_init(&in->words);
+    directive_init(&in->words);
+    return scope_push(in);
 }
 
 static void free_reader(pov_reader *in)
 {
-    source_free(&in->lex.sources);
+    const env *e = in->model->env;
+
+    text_file_free_all(in);
+    value_free_all(&in->heap);
+    token_buffer_free_all(&in->buffers);
+    source_free(&in->sources);
     symbols_free(&in->words);
-    env_free(in->model->env, in->material_slots);
+    env_free(e, in->frames.items);
+    env_free(e, in->conditions.items);
+    env_free(e, in->scopes.items);
+    env_free(e, in->arguments.items);
+    env_free(e, in->randoms.items);
+    env_free(e, in->material_slots);
+}
+
+/* ---- names that are there from the beginning ---- */
+
+static void declare(pov_reader *in, const char *name, value v)
+{
+    uint32_t hash = SYMBOLS_HASH_START, length = 0;
+    symbol *word;
+
+    for (; name[length]; length++)
+        hash = symbols_hash(hash, (unsigned char)name[length]);
+    word = symbols_add(&in->words, name, length, hash);
+    if (word)
+        scope_declare(in, word, v);
+    else
+        report_memory(in);
+}
+
+static void declare_name(pov_reader *in, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    string *s = text_copy(in, name, strlen(name));
+    value v = value_of_number(0.0);
+
+    if (!s)
+        return;
+    v.kind = VALUE_STRING;
+    v.as.shared = &s->head;
+    declare(in, "input_file_name", v);
+}
+
+static void declare_names(pov_reader *in, const char *path)
+{
+    static const reader_options none;
+    const reader_options *o = in->options ? in->options : &none;
+
+    declare(in, "image_width", value_of_number(o->width > 0 ? o->width : 320));
+    declare(in, "image_height", value_of_number(o->height > 0 ? o->height : 240));
+    declare(in, "frame_number", value_of_number(o->frames.frame));
+    declare(in, "initial_frame", value_of_number(o->frames.first));
+    declare(in, "final_frame", value_of_number(o->frames.last));
+    declare(in, "initial_clock", value_of_number(o->frames.first_clock));
+    declare(in, "final_clock", value_of_number(o->frames.last_clock));
+    declare(in, "clock_delta", value_of_number(o->frames.delta));
+    declare_name(in, path);
 }
 
 static void decide_dialect(pov_reader *in)
@@ -85,15 +195,27 @@ static void decide_dialect(pov_reader *in)
 
 static void read(pov_reader *in, const char *text, size_t length, const char *name)
 {
-    if (!source_push(&in->lex.sources, text, length, name)) {
+    source *s = source_add(&in->sources, text, length, name);
+    surface_parsed defaults;
+
+    if (!s) {
         report_memory(in);
         return;
     }
+    memset(&defaults, 0, sizeof defaults);
+    material_init(&defaults.material);
+    in->defaults = &defaults;
+    if (!frame_push_text(in, FRAME_SCENE, s))
+        return;
     refuse_other_files(in, text, length);
+    declare_names(in, name);
     state_advance(in);
     if (!in->failed && state_at_end(in) && !in->povray_word.source)
         report_fail(in, &in->token.at, POV_E_SYNTAX, "there is nothing in this text");
     parse_scene(in);
+    if (!in->failed && in->conditions.count > 0)
+        report_fail(in, &in->conditions.items[in->conditions.count - 1].at, POV_E_SYNTAX,
+                    "there is no \"#end\" for this");
     if (!in->failed)
         decide_dialect(in);
     if (!in->failed)
@@ -119,7 +241,7 @@ pov_status reader_read(model *m, registry *plugins, const char *text, size_t len
         if (err)
             *err = in.error;
     }
-    m->identity = in.lex.sources.hash;
+    m->identity = in.sources.hash;
     free_reader(&in);
     return status;
 }

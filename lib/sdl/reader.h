@@ -5,9 +5,29 @@
 #include "model/model.h"
 #include "plug/registry.h"
 
+/* No honest scene meets them; 0 stands for the default. */
+typedef struct reader_limits {
+    size_t depth;                /* macros and include files within each other */
+    size_t array, string;        /* elements, bytes */
+    uint64_t turns;              /* of loops */
+} reader_limits;
+
+/* Which picture of an animation is read. */
+typedef struct reader_frames {
+    bool has_clock;
+    double clock, first_clock, last_clock, delta;
+    int frame, first, last;      /* 0: one picture */
+} reader_frames;
+
 typedef struct reader_options {
     pov_dialect dialect;         /* AUTO: the text decides */
     int max_trace_level;         /* 0: what the scene says */
+    bool strict;                 /* what is not supported yet is an error */
+    int width, height;           /* of the picture; 0: not known */
+    const char *library_path;    /* folders of include files, colon separated, or NULL */
+    const char *write_path;      /* below this folder the scene may write files; NULL: nowhere */
+    reader_limits limits;
+    reader_frames frames;
 } reader_options;
 
 /* Reads the whole text into m, which model_init() made ready. On failure m may hold a part; model_free() it.

@@ -2,7 +2,6 @@
 
 #include "base/err.h"
 #include "base/str.h"
-#include "sdl/unsupported.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -10,6 +9,7 @@
 enum {
     QUOTE_MAX = 40,              /* bytes of text in a message */
     BEFORE_CARET = 120,          /* bytes of a long line shown before what is meant */
+    STACK_SHOWN = 20,            /* macros and include files around an error */
     WARNINGS_SHOWN = 100         /* a million equal slips are no news */
 };
 
@@ -114,9 +114,31 @@ static void fill_message(pov_error *e, pov_status status, const char *format, va
 
 /* ---- errors ---- */
 
+/* Which macros and include files it happened in, innermost first. */
+static void tell_stack(pov_reader *in)
+{
+    size_t i, told = 0;
+
+    for (i = in->frames.count; i-- > 0 && told < STACK_SHOWN;) {
+        const frame *f = &in->frames.items[i];
+        pov_error note;
+
+        if (f->kind != FRAME_MACRO && f->kind != FRAME_INCLUDE)
+            continue;
+        memset(&note, 0, sizeof note);
+        snprintf(note.message, sizeof note.message, f->kind == FRAME_MACRO ? "in the macro \"%.64s\", called here"
+                                                                           : "in the file that is included here",
+                 f->kind == FRAME_MACRO ? f->name->name : "");
+        fill_place(&note, &f->call);
+        env_log(in->model->env, POV_LOG_STACK, &note);
+        told++;
+    }
+}
+
 static void stop(pov_reader *in)
 {
     in->failed = true;
+    tell_stack(in);
     in->token.kind = TOKEN_END;
     in->token.symbol = NULL;
     in->token.number = 0.0;
@@ -163,7 +185,7 @@ static place next_place(const pov_reader *in)
 {
     place at = in->token.at;
 
-    if (in->token.kind == TOKEN_END && in->last.source == at.source && in->last.source) {
+    if ((in->token.kind == TOKEN_END || in->token.kind == TOKEN_LEAVE) && in->last.source == at.source && in->last.source) {
         at = in->last;
         at.start += at.length;
         at.column += (int)at.length;
@@ -176,7 +198,9 @@ static void describe_next(const pov_reader *in, char *out, size_t size)
 {
     char text[REPORT_QUOTE], keyword[REPORT_QUOTE];
 
-    if (in->token.kind != TOKEN_END) {
+    if (in->token.kind == TOKEN_LEAVE) {
+        str_copy(out, size, in->top->kind == FRAME_MACRO ? "the end of the macro" : "the end of the included file");
+    } else if (in->token.kind != TOKEN_END) {
         report_quote(&in->token.at, text);
         snprintf(out, size, in->token.kind == TOKEN_STRING ? "the string %s" : "\"%s\"", text);
     } else if (in->block) {
@@ -195,10 +219,6 @@ void report_expected(pov_reader *in, const char *wanted)
 
     if (in->failed)
         return;
-    if (in->token.symbol && (in->token.symbol->flags & TRAIT_LATER)) {
-        unsupported_word(in);
-        return;
-    }
     at = next_place(in);
     describe_next(in, found, sizeof found);
     if (in->last.source) {
@@ -241,13 +261,18 @@ void report_warn(pov_reader *in, const place *at, const char *format, ...)
     va_end(args);
 }
 
-void report_note(pov_reader *in, const place *at, const char *format, ...)
+/* In pieces that a note has room for. */
+void report_text(pov_reader *in, const char *text, size_t length)
 {
-    va_list args;
+    pov_error note;
+    size_t n;
 
-    va_start(args, format);
-    log_note(in, at, format, args);
-    va_end(args);
+    for (; length > 0; text += n, length -= n) {
+        memset(&note, 0, sizeof note);
+        n = length < sizeof note.message ? length : sizeof note.message - 1;
+        memcpy(note.message, text, n);
+        env_log(in->model->env, POV_LOG_SCENE, &note);
+    }
 }
 
 /* ---- guesses ---- */
@@ -275,6 +300,23 @@ void report_guess_try(guess *g, const char *candidate)
         str_copy(g->best, sizeof g->best, best);
 }
 
+void report_undeclared(pov_reader *in)
+{
+    char name[REPORT_QUOTE];
+    guess g;
+    size_t i;
+
+    if (in->failed)
+        return;
+    report_quote(&in->token.at, name);
+    report_guess_start(&g, in);
+    for (i = 0; i < in->words.capacity; i++)
+        if (in->words.slots[i] && (in->words.slots[i]->binding || in->words.slots[i]->intrinsic))
+            report_guess_try(&g, in->words.slots[i]->name);
+    report_fail(in, &in->token.at, POV_E_SYNTAX, "\"%s\" is not declared", name);
+    str_copy(in->error.hint, sizeof in->error.hint, g.best);
+}
+
 void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
 {
     char word[REPORT_QUOTE], where[REPORT_QUOTE + 16] = "";
@@ -282,7 +324,7 @@ void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
 
     if (in->failed)
         return;
-    if (in->token.kind != TOKEN_WORD || (in->token.symbol && (in->token.symbol->flags & TRAIT_LATER))) {
+    if (in->token.kind != TOKEN_WORD) {
         report_expected(in, wanted);
         return;
     }
@@ -293,7 +335,7 @@ void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
         report_quote(&in->block->keyword, keyword);
         snprintf(where, sizeof where, " in \"%s\"", keyword);
     }
-    if (state_word(in) != WORD_OTHER) {
+    if (state_keyword(in) != KEYWORD_OTHER) {
         report_fail(in, &at, POV_E_SYNTAX, "\"%s\" does not belong %s", word,
                     where[0] ? where + 1 : "at the top level");
         return;

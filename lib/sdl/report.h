@@ -24,8 +24,8 @@ void report_warnv(pov_reader *in, const place *at, const char *format, va_list a
 
 /* The stretch of text as it may stand in a message: shortened, without what is not printable. */
 void report_quote(const place *at, char out[REPORT_QUOTE]);
-/* As report_warn for a note that is not counted among the scene's warnings. */
-void report_note(pov_reader *in, const place *at, const char *format, ...) POV_PRINTF(3, 4);
+/* What the scene itself says, as it stands. */
+void report_text(pov_reader *in, const char *text, size_t length);
 
 /* ---- the word that was probably meant ---- */
 
@@ -37,6 +37,8 @@ typedef struct guess {
 /* Of the word that is next; candidates that a plugin asked for are tried first. */
 void report_guess_start(guess *g, const pov_reader *in);
 void report_guess_try(guess *g, const char *candidate);
+/* The next token is a name that has no value. */
+void report_undeclared(pov_reader *in);
 /* The next token is no word that may stand here. */
 void report_misplaced(pov_reader *in, const char *wanted, const guess *g);
 

@@ -4,32 +4,32 @@
 
 #include <string.h>
 
-void source_init(source_stack *s, const env *e)
+void source_init(source_list *s, const env *e)
 {
     s->env = e;
-    s->top = NULL;
     s->all = NULL;
     s->hash = 0;
 }
 
-void source_free(source_stack *s)
+void source_free(source_list *s)
 {
     source *text, *older;
 
     for (text = s->all; text; text = older) {
         older = text->older;
+        env_free(s->env, text->owned);
         env_free(s->env, text);
     }
     source_init(s, s->env);
 }
 
-bool source_push(source_stack *s, const char *text, size_t length, const char *name)
+source *source_add(source_list *s, const char *text, size_t length, const char *name)
 {
     static const char mark[] = "\xEF\xBB\xBF";
     source *added = env_alloc(s->env, 1, sizeof *added);
 
     if (!added)
-        return false;
+        return NULL;
     added->name = name;
     added->text = text;
     added->end = text + length;
@@ -38,18 +38,8 @@ bool source_push(source_stack *s, const char *text, size_t length, const char *n
     added->at = added->text;
     added->line_start = added->text;
     added->line = 1;
-    added->below = s->top;
     added->older = s->all;
-    s->top = added;
     s->all = added;
     s->hash = hash_bytes(s->hash, text, length);
-    return true;
-}
-
-bool source_pop(source_stack *s)
-{
-    if (!s->top || !s->top->below)
-        return false;
-    s->top = s->top->below;
-    return true;
+    return added;
 }

@@ -1,25 +1,24 @@
-/* source.h - the texts that are being read: a stack, so that a text may stop for another and go on behind it.
- * */
+/* source.h - the texts that are read: what places in messages point into. */
 #ifndef SDL_SOURCE_H
 #define SDL_SOURCE_H
 
 #include "base/env.h"
 
 typedef struct source {
-    struct source *below;        /* the text that goes on where this one ends */
-    struct source *older;        /* every text ever pushed, for freeing: places in messages point into them */
-    const char *name;            /* the caller's, as the text is; both outlive the stack */
+    struct source *older;        /* every text of a reader, for freeing */
+    const char *name;
     const char *text, *end;
     const char *at;              /* the next byte */
     const char *line_start;
     int line;
+    char *owned;                 /* text and name of an included file; NULL: the caller's, which outlive the reader */
 } source;
 
-typedef struct source_stack {
+typedef struct source_list {
     const env *env;
-    source *top, *all;
-    uint64_t hash;               /* of all texts pushed so far */
-} source_stack;
+    source *all;
+    uint64_t hash;               /* of all texts so far */
+} source_list;
 
 /* A stretch of text: what messages point at. */
 typedef struct place {
@@ -29,11 +28,9 @@ typedef struct place {
     int line, column;            /* 1-based, the column in bytes */
 } place;
 
-void source_init(source_stack *s, const env *e);
-void source_free(source_stack *s);
-/* Begin to read another text; a byte-order mark of UTF-8 is skipped. False: no memory. */
-bool source_push(source_stack *s, const char *text, size_t length, const char *name);
-/* Go on with the text below. False: there is none, the stack stays. */
-bool source_pop(source_stack *s);
+void source_init(source_list *s, const env *e);
+void source_free(source_list *s);
+/* Another text, to be read from its beginning; a byte-order mark of UTF-8 is skipped. NULL: no memory. */
+source *source_add(source_list *s, const char *text, size_t length, const char *name);
 
 #endif

@@ -45,40 +45,40 @@ static void put(symbols *s, symbol *word)
     s->count++;
 }
 
+static void fill(symbol *word, const char *name, keyword_id id)
+{
+    word->name = name;
+    word->length = (uint32_t)strlen(name);
+    word->hash = hash_of(name, word->length);
+    word->id = id;
+    word->flags = token_keyword_flags(id);
+    word->directive = -1;
+}
+
 bool symbols_init(symbols *s, const env *e)
 {
-    size_t i, count = 0, capacity = 64;
-    const char *name;
-    word_id id;
-    uint32_t flags;
+    size_t i, capacity = 64;
 
     memset(s, 0, sizeof *s);
     s->env = e;
-    while (token_word(count, &id, &flags))
-        count++;
-    while (capacity < 2 * count + 64)
+    arena_init(&s->memory, e);
+    while (capacity < 2 * KEYWORDS + 64)
         capacity *= 2;
-    s->words = env_alloc(e, count, sizeof *s->words);
-    if (!s->words || !grow(s, capacity))
+    s->keywords = env_alloc(e, KEYWORDS, sizeof *s->keywords);
+    if (!s->keywords || !grow(s, capacity))
         return false;
-    for (i = 0; i < count; i++) {
-        symbol *word = &s->words[i];
-
-        name = token_word(i, &id, &flags);
-        word->name = name;
-        word->length = (uint32_t)strlen(name);
-        word->hash = hash_of(name, word->length);
-        word->id = id;
-        word->flags = flags;
-        put(s, word);
+    for (i = KEYWORD_OTHER + 1; i < KEYWORDS; i++) {
+        fill(&s->keywords[i], token_keyword_name((keyword_id)i), (keyword_id)i);
+        put(s, &s->keywords[i]);
     }
     return true;
 }
 
 void symbols_free(symbols *s)
 {
-    env_free(s->env, s->words);
+    env_free(s->env, s->keywords);
     env_free(s->env, s->slots);
+    arena_free(&s->memory);
 }
 
 symbol *symbols_find(const symbols *s, const char *text, uint32_t length, uint32_t hash)
@@ -86,23 +86,30 @@ symbol *symbols_find(const symbols *s, const char *text, uint32_t length, uint32
     return *slot_of(s, text, length, hash);
 }
 
-symbol *symbols_add(symbols *s, arena *memory, const char *text, uint32_t length)
+symbol *symbols_named(const symbols *s, const char *name)
 {
-    uint32_t hash = hash_of(text, length);
+    uint32_t length = (uint32_t)strlen(name);
+
+    return symbols_find(s, name, length, hash_of(name, length));
+}
+
+symbol *symbols_add(symbols *s, const char *text, uint32_t length, uint32_t hash)
+{
     symbol *word = symbols_find(s, text, length, hash);
 
     if (word)
         return word;
     if (2 * (s->count + 1) > s->capacity && !grow(s, 2 * s->capacity))
         return NULL;
-    word = arena_alloc(memory, sizeof *word, sizeof(void *));
+    word = arena_alloc(&s->memory, sizeof *word, sizeof(void *));
     if (!word)
         return NULL;
-    word->name = arena_text(memory, text, length);
+    word->name = arena_text(&s->memory, text, length);
     if (!word->name)
         return NULL;
     word->length = length;
     word->hash = hash;
+    word->directive = -1;
     put(s, word);
     return word;
 }

@@ -7,7 +7,8 @@
 
 typedef struct symbols {
     const env *env;
-    symbol *words;               /* those of the language, in one piece */
+    arena memory;                /* of words that texts brought */
+    symbol *keywords;            /* those of the language, in one piece, by identifier */
     symbol **slots;              /* open addressing; capacity is a power of two, at most half full */
     size_t count, capacity;
 } symbols;
@@ -25,7 +26,9 @@ bool symbols_init(symbols *s, const env *e);
 void symbols_free(symbols *s);
 /* NULL: never met. */
 symbol *symbols_find(const symbols *s, const char *text, uint32_t length, uint32_t hash);
-/* The symbol of a word, made in `memory` if it was never met. NULL: no memory. */
-symbol *symbols_add(symbols *s, arena *memory, const char *text, uint32_t length);
+/* The same for a word with an end mark. */
+symbol *symbols_named(const symbols *s, const char *name);
+/* The symbol of a word, made if it was never met. NULL: no memory. */
+symbol *symbols_add(symbols *s, const char *text, uint32_t length, uint32_t hash);
 
 #endif

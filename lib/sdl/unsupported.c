@@ -1,88 +1,110 @@
 #include "sdl/unsupported.h"
 
-#include "sdl/directive.h"
+#include "sdl/expression.h"
 #include "sdl/report.h"
 
 #include <stdio.h>
 
-/* A plugin may have brought the feature in the meantime. A broken one is no news here. */
-static bool has_plugin(pov_reader *in, const symbol *word)
+void unsupported_note(pov_reader *in, const place *at, keyword_id keyword, const char *what)
 {
-    const shape_class *shape = NULL;
-    pov_error error;
+    symbol *word = &in->words.keywords[keyword];
+    const bool is_strict = in->options && in->options->strict;
 
-    return registry_shape(in->plugins, word->name, &shape, &error) == POV_OK && shape;
-}
-
-static void name_word(pov_reader *in, const token *t)
-{
-    symbol *word = t->symbol;
-
-    if (!word || !(word->flags & TRAIT_LATER) || (word->flags & TRAIT_NAMED))
+    if (in->failed || (word->flags & KEYWORD_FLAG_NAMED))
         return;
-    word->flags |= TRAIT_NAMED;
-    if (!has_plugin(in, word))
-        report_note(in, &t->at, "\"%s\" is not supported yet", word->name);
+    word->flags |= KEYWORD_FLAG_NAMED;
+    if (is_strict)
+        report_fail(in, at, POV_E_UNSUPPORTED, "%s is not supported yet", what);
+    else
+        report_warn(in, at, "%s is not supported yet and is left out", what);
 }
 
-static void name_directive(pov_reader *in, const token *mark, const token *word, uint32_t *named)
+/* What stands there may draw random numbers, or set a normal: that is done. */
+static bool has_effects(const pov_reader *in)
 {
-    int index = directive_index(word);
-
-    if (index < 0 || (*named & (1u << index)) || directive_is_supported(index))
-        return;
-    *named |= 1u << index;
-    report_note(in, &mark->at, "\"#%s\" is not supported yet", directive_name(index));
-}
-
-/* Tokens only: what they mean together is unknown from here on. A fault in the text ends it quietly. */
-static void name_the_rest(pov_reader *in, uint32_t named)
-{
-    token t = in->token, mark;
-
-    while (t.kind != TOKEN_END && t.kind != TOKEN_BAD) {
-        mark = t;
-        if (t.kind == TOKEN_WORD)
-            name_word(in, &t);
-        lex_next(&in->lex, &t);
-        if (mark.kind == '#' && t.kind == TOKEN_WORD) {
-            name_directive(in, &mark, &t, &named);
-            lex_next(&in->lex, &t);
-        }
+    switch (state_keyword(in)) {
+    case KEYWORD_RAND: case KEYWORD_SEED: case KEYWORD_TRACE:
+        return true;
+    default:
+        return false;
     }
 }
 
-/* The token that the reader stands at is lost when it fails, so the rest is named first; the error follows as
- * what the call returns. */
-static void refuse(pov_reader *in, const place *at, const char *what, uint32_t named)
+static void skip_token(pov_reader *in)
 {
-    const place here = *at;
+    value v;
 
-    if (in->failed)
+    if (has_effects(in)) {
+        v = expression_read(in);
+        value_drop(&in->heap, &v);
+    } else {
+        state_advance(in);
+    }
+}
+
+void unsupported_skip_rest(pov_reader *in)
+{
+    int depth = 0;
+
+    while (!in->failed && !state_at_end(in) && (depth > 0 || in->token.kind != '}')) {
+        if (in->token.kind == '{')
+            depth++;
+        else if (in->token.kind == '}')
+            depth--;
+        skip_token(in);
+    }
+}
+
+void unsupported_skip_block(pov_reader *in)
+{
+    block b;
+
+    b.keyword = in->last;
+    b.brace = in->token.at;
+    b.outer = in->block;
+    in->block = &b;
+    state_open(in, '{');
+    unsupported_skip_rest(in);
+    state_close(in, '}');
+    in->block = b.outer;
+}
+
+static bool is_value(const pov_reader *in)
+{
+    return value_colour_follows(in, true) || in->token.kind == TOKEN_STRING || in->token.kind == '(';
+}
+
+static void skip_value(pov_reader *in)
+{
+    double numbers[5];
+    value v;
+
+    if (value_colour_follows(in, false)) {
+        value_colour_components(in, true, numbers);
         return;
-    name_the_rest(in, named);
-    report_fail(in, &here, POV_E_UNSUPPORTED, "%s is not supported yet", what);
+    }
+    v = expression_read(in);
+    value_drop(&in->heap, &v);
 }
 
-void unsupported_form(pov_reader *in, const place *at, const char *what)
+void unsupported_skip_item(pov_reader *in)
 {
-    refuse(in, at, what, 0);
+    in->nesting++;
+    state_advance(in);
+    while (!in->failed && is_value(in)) {
+        skip_value(in);
+        state_accept(in, ',');
+    }
+    in->nesting--;
+    if (in->token.kind == '{')
+        unsupported_skip_block(in);
 }
 
-void unsupported_word(pov_reader *in)
+void unsupported_item(pov_reader *in)
 {
     char what[REPORT_QUOTE + 2];
 
     snprintf(what, sizeof what, "\"%s\"", in->token.symbol->name);
-    in->token.symbol->flags |= TRAIT_NAMED;
-    refuse(in, &in->token.at, what, 0);
-}
-
-void unsupported_directive(pov_reader *in, const place *mark, int index)
-{
-    char what[REPORT_QUOTE + 3];
-
-    snprintf(what, sizeof what, "\"#%s\"", directive_name(index));
-    in->token.symbol = NULL;     /* behind a '#' the word means the directive alone */
-    refuse(in, mark, what, 1u << index);
+    unsupported_note(in, &in->token.at, in->token.symbol->id, what);
+    unsupported_skip_item(in);
 }

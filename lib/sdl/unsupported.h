@@ -1,15 +1,20 @@
-/* unsupported.h - what is right in POV-Ray's language and not here yet. */
+/* unsupported.h - what is right in POV-Ray's language and not drawn here yet: it is read, named once with its place,
+ * and left out. */
 #ifndef SDL_UNSUPPORTED_H
 #define SDL_UNSUPPORTED_H
 
 #include "sdl/state.h"
 
-/* Fail with POV_E_UNSUPPORTED: `WHAT is not supported yet`. The rest of the text is looked through, and each
- * other missing feature that its words stand for is logged once, with its first place. */
-void unsupported_form(pov_reader *in, const place *at, const char *what);
-/* The same for the word that is next, one of a feature to come. */
-void unsupported_word(pov_reader *in);
-/* For the directive of that index, whose # is given and whose name is next. */
-void unsupported_directive(pov_reader *in, const place *mark, int index);
+/* `WHAT is not supported yet`, once for each keyword; an error where the program asked for that. */
+void unsupported_note(pov_reader *in, const place *at, keyword_id keyword, const char *what);
+/* The word that is next: note it, then it, its values and its block are left out. */
+void unsupported_item(pov_reader *in);
+/* The same without a note. */
+void unsupported_skip_item(pov_reader *in);
+/* A '{' is next: what stands up to its '}' is left out, which is taken. Directives in it are carried out, macros called,
+ * random numbers drawn. */
+void unsupported_skip_block(pov_reader *in);
+/* The same from within a block, up to its '}', which is next then. */
+void unsupported_skip_rest(pov_reader *in);
 
 #endif

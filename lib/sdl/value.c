@@ -1,135 +1,91 @@
 #include "sdl/value.h"
 
-#include "sdl/report.h"
-#include "sdl/unsupported.h"
+#include "base/env.h"
 
-#include <float.h>
-#include <stdio.h>
-
-static bool is_sign(int kind)
+void *value_share(value_heap *heap, value_kind kind, size_t bytes)
 {
-    return kind == '+' || kind == '-';
+    shared *item = env_alloc(heap->env, 1, bytes);
+
+    if (!item)
+        return NULL;
+    item->kind = kind;
+    item->uses = 1;
+    item->next = heap->first;
+    if (item->next)
+        item->next->previous = item;
+    heap->first = item;
+    return item;
 }
 
-bool value_follows(const pov_reader *in)
+void value_unshare(value_heap *heap, shared *item)
 {
-    return in->token.kind == TOKEN_NUMBER || in->token.kind == '<' || is_sign(in->token.kind);
-}
-
-static bool is_operator(int kind)
-{
-    return is_sign(kind) || kind == '*' || kind == '/' || kind == '.';
-}
-
-/* Behind a value an operator would go on with it: "1 -2" is one number in this language, not two. */
-static void refuse_operator(pov_reader *in)
-{
-    char mark[REPORT_QUOTE], what[REPORT_QUOTE + 64];
-    place at = in->token.at;
-
-    if (!is_operator(in->token.kind))
+    if (--item->uses > 0)
         return;
-    report_quote(&at, mark);
-    snprintf(what, sizeof what,
-             is_sign(in->token.kind) ? "the operator \"%s\" (a \",\" before it begins a new value)"
-                                     : "the operator \"%s\"", mark);
-    unsupported_form(in, &at, what);
-}
-
-static void expected_value(pov_reader *in, const char *wanted)
-{
-    if (in->token.kind == '(')
-        unsupported_form(in, &in->token.at, "an expression");
+    heap->drop(heap, item);
+    if (item->previous)
+        item->previous->next = item->next;
     else
-        report_expected(in, wanted);
+        heap->first = item->next;
+    if (item->next)
+        item->next->previous = item->previous;
+    env_free(heap->env, item);
 }
 
-/* Signs and digits; the token is a sign or a number. */
-static double signed_number(pov_reader *in, const char *wanted)
+void value_free_all(value_heap *heap)
 {
-    bool negative = false, has_sign = is_sign(in->token.kind);
-    double number;
+    shared *item, *next;
 
-    for (; is_sign(in->token.kind); state_advance(in))
-        negative ^= in->token.kind == '-';
-    if (in->token.kind != TOKEN_NUMBER) {
-        if (has_sign && in->token.kind == '<')
-            unsupported_form(in, &in->token.at, "a sign before a vector");
-        else
-            expected_value(in, wanted);
-        return 0.0;
+    for (item = heap->first; item; item = next) {
+        next = item->next;
+        env_free(heap->env, item);
     }
-    number = in->token.number;
-    state_advance(in);
-    refuse_operator(in);
-    if (in->failed)
-        return 0.0;
-    return negative ? -number : number;
+    heap->first = NULL;
 }
 
-static double component(pov_reader *in)
+value value_of_number(double number)
 {
-    return signed_number(in, "a number");
+    value v = { VALUE_NUMBER, false, 1, { { number, 0.0, 0.0, 0.0, 0.0 } } };
+
+    return v;
 }
 
-double value_number(pov_reader *in)
+value value_of_vector(pov_vec3 vector)
 {
-    if (in->failed)
-        return 0.0;
-    in->value = in->token.at;
-    return signed_number(in, "a number");
+    value v = { VALUE_VECTOR, false, 3, { { vector.x, vector.y, vector.z, 0.0, 0.0 } } };
+
+    return v;
 }
 
-float value_float(pov_reader *in)
+value value_of_part(value_kind kind, const void *part)
 {
-    double number = value_number(in);
+    value v;
 
-    if (number > FLT_MAX || number < -FLT_MAX) {
-        report_fail(in, &in->value, POV_E_SYNTAX, "a number beyond %g has no use here", (double)FLT_MAX);
-        return 0.0f;
-    }
-    return (float)number;
+    v.kind = kind;
+    v.is_colour = false;
+    v.size = 0;
+    v.as.part = part;
+    return v;
 }
 
-static int angle_list(pov_reader *in, int least, int most, double *out)
+const char *value_kind_name(value_kind kind)
 {
-    int count = 0;
+    static const char *const names[VALUE_KINDS] = {
+        "nothing",      "a number",     "a vector",      "a string",     "an array",      "a macro",
+        "a function",   "a spline",     "a file",        "a transform",  "an object",     "a texture",
+        "a pigment",    "a normal",     "a finish",      "a material",   "an interior",   "a media",
+        "a density",    "a camera",     "a light",       "a sky_sphere", "a fog",         "a rainbow",
+        "a color_map",  "a pigment_map", "a normal_map", "a texture_map", "a slope_map",  "a density_map",
+    };
 
-    state_advance(in);
-    do {
-        out[count++] = component(in);
-        state_accept(in, ',');
-    } while (count < most && !in->failed && (count < least || in->token.kind != '>'));
-    state_expect(in, '>');
-    refuse_operator(in);
-    return count;
+    return names[kind];
 }
 
-int value_list(pov_reader *in, const char *wanted, int least, int most, double *out)
+const char *value_name(const value *v)
 {
-    int i, count = 0;
-
-    for (i = 0; i < most; i++)
-        out[i] = 0.0;
-    if (in->failed)
-        return 0;
-    in->value = in->token.at;
-    if (in->token.kind == '<') {
-        count = angle_list(in, least, most, out);
-    } else {
-        out[0] = signed_number(in, wanted);
-        count = 1;
-    }
-    for (i = 0; i < most && in->failed; i++)
-        out[i] = 0.0;
-    return in->failed ? 0 : count;
+    return v->is_colour && v->kind == VALUE_VECTOR ? "a colour" : value_kind_name(v->kind);
 }
 
-pov_vec3 value_vector(pov_reader *in)
+bool value_is_alike(const value *a, const value *b)
 {
-    double v[VALUE_LIST_MAX];
-    bool is_list = in->token.kind == '<';
-
-    value_list(in, "a vector", 2, 3, v);
-    return is_list ? pov_vec3_of(v[0], v[1], v[2]) : pov_vec3_of(v[0], v[0], v[0]);
+    return a->kind == b->kind && (a->kind != VALUE_VECTOR || a->size == b->size);
 }

@@ -1,5 +1,7 @@
-#include "sdl/report.h"
 #include "sdl/value.h"
+
+#include "sdl/expression.h"
+#include "sdl/report.h"
 
 #include <float.h>
 #include <math.h>
@@ -9,106 +11,182 @@ enum { RED, GREEN, BLUE, FILTER, TRANSMIT, CHANNELS };
 /* What a colour's word says of the numbers behind it: how many a lone number stands for, and which channel
  * the fourth number is. Any of them takes up to five numbers. */
 typedef struct form {
-    word_id word;
+    keyword_id keyword;
     int channels, fourth;
+    bool is_encoded;             /* by the curve of sRGB */
 } form;
 
 static const form forms[] = {
-    { WORD_RGB, 3, FILTER },
-    { WORD_RGBF, 4, FILTER },
-    { WORD_RGBT, 4, TRANSMIT },
-    { WORD_RGBFT, 5, FILTER },
+    { KEYWORD_RGB, 3, FILTER, false },   { KEYWORD_RGBF, 4, FILTER, false },   { KEYWORD_RGBT, 4, TRANSMIT, false },
+    { KEYWORD_RGBFT, 5, FILTER, false }, { KEYWORD_SRGB, 3, FILTER, true },    { KEYWORD_SRGBF, 4, FILTER, true },
+    { KEYWORD_SRGBT, 4, TRANSMIT, true }, { KEYWORD_SRGBFT, 5, FILTER, true },
 };
-static const form plain = { WORD_COLOR, 5, FILTER };
+static const form plain = { KEYWORD_COLOR, 5, FILTER, false };
 
-static const form *form_of(word_id word)
+static const form *form_of(keyword_id keyword)
 {
     size_t i;
 
     for (i = 0; i < sizeof forms / sizeof forms[0]; i++)
-        if (forms[i].word == word)
+        if (forms[i].keyword == keyword)
             return &forms[i];
     return NULL;
 }
 
-static int channel_of(word_id word)
+static int channel_of(keyword_id keyword)
 {
-    switch (word) {
-    case WORD_RED:
+    switch (keyword) {
+    case KEYWORD_RED:
         return RED;
-    case WORD_GREEN:
+    case KEYWORD_GREEN:
         return GREEN;
-    case WORD_BLUE:
+    case KEYWORD_BLUE:
         return BLUE;
-    case WORD_FILTER:
+    case KEYWORD_FILTER: case KEYWORD_ALPHA:
         return FILTER;
-    case WORD_TRANSMIT:
+    case KEYWORD_TRANSMIT:
         return TRANSMIT;
     default:
         return -1;
     }
 }
 
-bool value_colour_follows(const pov_reader *in, bool bare)
+static bool is_colour_value(const value *v)
 {
-    return (in->token.symbol && (in->token.symbol->flags & TRAIT_PAINT)) || (bare && value_follows(in));
+    if (v->kind == VALUE_ARRAY)
+        return value_array(v)->kind == VALUE_VECTOR && value_array(v)->size == 5;
+    return v->kind == VALUE_VECTOR && v->size == 5;
 }
 
-static void read_numbers(pov_reader *in, const form *f, float out[CHANNELS])
+bool value_colour_follows(const pov_reader *in, bool bare)
 {
-    const int most = f->fourth == TRANSMIT ? 4 : 5;
-    double v[VALUE_LIST_MAX];
-    bool is_list = in->token.kind == '<';
-    int i, count = value_list(in, "a colour", 1, most, v);
+    const symbol *word = in->token.symbol;
 
-    if (count > f->channels && is_list)
-        report_warn(in, &in->value, "more numbers than \"%s\" says: the fourth is filter, the fifth transmit",
-                    token_word_name(f->word));
-    if (!is_list)
-        for (i = 1; i < f->channels; i++)
-            v[i] = v[0];
-    for (i = 0; i < most && !in->failed; i++) {
-        if (fabs(v[i]) > FLT_MAX)
-            report_fail(in, &in->value, POV_E_SYNTAX, "a number beyond %g has no use in a colour",
-                        (double)FLT_MAX);
-        out[i < 3 ? i : i == 3 ? f->fourth : TRANSMIT] = (float)v[i];
+    if (word && ((word->flags & KEYWORD_FLAG_PAINT) || (word->binding && is_colour_value(word->binding->slot))))
+        return true;
+    return bare && value_follows(in);
+}
+
+/* As many as were given, a number counting as `alone` of them. */
+static int read_components(pov_reader *in, bool bare, double out[CHANNELS], const place *at)
+{
+    value v = value_read(in, "a colour");
+    int i;
+
+    in->value = *at;
+    if (!in->failed && v.kind != VALUE_VECTOR && v.kind != VALUE_NUMBER)
+        report_fail(in, at, POV_E_SYNTAX, "expected a colour, found %s", value_name(&v));
+    if (!in->failed && !bare && v.size != 5)
+        report_fail(in, at, POV_E_SYNTAX, "expected a colour, found %s; \"color\" before it makes it one",
+                    value_name(&v));
+    for (i = 0; i < CHANNELS; i++)
+        out[i] = in->failed ? 0.0 : i < v.size ? v.as.v[i] : 0.0;
+    if (value_is_shared(&v))
+        value_drop(&in->heap, &v);
+    return v.kind == VALUE_VECTOR ? v.size : 1;
+}
+
+/* A lone number fills the channels of the form; the fourth component is what the form says. */
+static void spread(const form *f, int count, const double v[CHANNELS], double out[CHANNELS])
+{
+    int i;
+
+    for (i = 0; i < 3; i++)
+        out[i] = v[count == 1 ? 0 : i];
+    if (count == 1) {
+        out[f->fourth] = f->channels > 3 ? v[0] : 0.0;
+        if (f->channels == 5)
+            out[FILTER] = out[TRANSMIT] = v[0];
+    } else if (f->fourth == TRANSMIT) {
+        out[TRANSMIT] = v[3];
+    } else {
+        out[FILTER] = v[3];
+        out[TRANSMIT] = v[4];
     }
+}
+
+/* The curve of sRGB, straight below zero, by its power above one. */
+static double decode(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
+static void read_form(pov_reader *in, const form *f, bool bare, double out[CHANNELS])
+{
+    const place at = in->token.at;
+    double v[CHANNELS];
+    int i, count = read_components(in, bare, v, &at);
+
+    if (count > f->channels)
+        report_warn(in, &at, "more numbers than \"%s\" says: the fourth is filter, the fifth transmit",
+                    token_keyword_name(f->keyword));
+    spread(f, count, v, out);
+    for (i = 0; i < 3 && f->is_encoded; i++)
+        out[i] = decode(out[i]);
 }
 
 /* `red 1 green .5 ...`, alone or behind other forms, where they replace single channels. */
-static void read_channels(pov_reader *in, float out[CHANNELS])
+static void read_channels(pov_reader *in, double out[CHANNELS])
 {
     int channel;
 
-    while ((channel = channel_of(state_word(in))) >= 0 && !in->failed) {
+    while ((channel = channel_of(state_keyword(in))) >= 0 && !in->failed) {
+        if (state_keyword(in) == KEYWORD_ALPHA)
+            report_warn(in, &in->token.at, "\"alpha\" is taken for \"filter\"");
         state_advance(in);
-        out[channel] = value_float(in);
+        out[channel] = expression_number(in);
     }
+}
+
+static void check_range(pov_reader *in, const place *at, const double out[CHANNELS])
+{
+    int i;
+
+    for (i = 0; i < CHANNELS && !in->failed; i++)
+        if (!(fabs(out[i]) <= FLT_MAX))
+            report_fail(in, at, POV_E_SYNTAX, "a number beyond %g has no use in a colour", (double)FLT_MAX);
+}
+
+void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
+{
+    place at;
+    const form *f;
+    int i;
+
+    for (i = 0; i < CHANNELS; i++)
+        out[i] = 0.0;
+    state_settle(in);
+    if (state_keyword(in) == KEYWORD_COLOR || state_keyword(in) == KEYWORD_COLOUR) {
+        state_advance(in);
+        state_settle(in);
+        bare = true;
+    }
+    at = in->token.at;
+    f = form_of(state_keyword(in));
+    if (f) {
+        state_advance(in);
+        at = in->token.at;
+        read_form(in, f, true, out);
+    } else if (channel_of(state_keyword(in)) < 0) {
+        if (value_colour_follows(in, bare))
+            read_form(in, &plain, bare, out);
+        else
+            report_expected(in, "a colour");
+    }
+    read_channels(in, out);
+    check_range(in, &at, out);
+    for (i = 0; i < CHANNELS && in->failed; i++)
+        out[i] = 0.0;
 }
 
 paint value_colour(pov_reader *in, bool bare)
 {
-    float c[CHANNELS] = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-    const form *f;
+    double c[CHANNELS];
     paint result;
 
-    if (state_word(in) == WORD_COLOR || state_word(in) == WORD_COLOUR) {
-        state_advance(in);
-        bare = true;
-    }
-    f = form_of(state_word(in));
-    if (f) {
-        state_advance(in);
-        read_numbers(in, f, c);
-    } else if (channel_of(state_word(in)) < 0) {
-        if (bare && value_follows(in))
-            read_numbers(in, &plain, c);
-        else
-            report_expected(in, "a colour");
-    }
-    read_channels(in, c);
-    result.colour = colour_of(c[RED], c[GREEN], c[BLUE]);
-    result.filter = c[FILTER];
-    result.transmit = c[TRANSMIT];
+    value_colour_components(in, bare, c);
+    result.colour = colour_of((float)c[RED], (float)c[GREEN], (float)c[BLUE]);
+    result.filter = (float)c[FILTER];
+    result.transmit = (float)c[TRANSMIT];
     return result;
 }

@@ -7,7 +7,7 @@
 
 static pov_camera read_camera(const char *text, pov_dialect dialect)
 {
-    reader_options options = {dialect, 0};
+    reader_options options = { .dialect = dialect, .max_trace_level = 0 };
     reading r;
     pov_camera camera;
 

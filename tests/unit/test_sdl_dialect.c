@@ -6,7 +6,7 @@
 
 static void read_as(reading *r, const char *text, pov_dialect dialect)
 {
-    reader_options options = {dialect, 0};
+    reader_options options = { .dialect = dialect, .max_trace_level = 0 };
 
     reading_begin_bytes(r, text, strlen(text), &options, NULL);
     if (r->status != POV_OK)
@@ -169,7 +169,7 @@ static void settings_have_their_defaults(void **state)
 
 static void the_caller_wins_over_max_trace_level(void **state)
 {
-    reader_options options = {POV_DIALECT_AUTO, 12};
+    reader_options options = { .dialect = POV_DIALECT_AUTO, .max_trace_level = 12 };
     const char *text = "global_settings { max_trace_level 3 }";
     reading r;
 

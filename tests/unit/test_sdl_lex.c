@@ -9,7 +9,8 @@
 typedef struct lexing {
     env env;
     symbols words;
-    lex lex;
+    source_list sources;
+    source *text;
 } lexing;
 
 static int set_up(void **state)
@@ -18,8 +19,7 @@ static int set_up(void **state)
 
     env_init(&l.env, NULL, NULL, NULL);
     assert_true(symbols_init(&l.words, &l.env));
-    source_init(&l.lex.sources, &l.env);
-    l.lex.words = &l.words;
+    source_init(&l.sources, &l.env);
     *state = &l;
     return 0;
 }
@@ -28,7 +28,7 @@ static int tear_down(void **state)
 {
     lexing *l = *state;
 
-    source_free(&l->lex.sources);
+    source_free(&l->sources);
     symbols_free(&l->words);
     return 0;
 }
@@ -37,7 +37,8 @@ static lexing *begin(void **state, const char *text)
 {
     lexing *l = *state;
 
-    assert_true(source_push(&l->lex.sources, text, strlen(text), "scene.pov"));
+    l->text = source_add(&l->sources, text, strlen(text), "scene.pov");
+    assert_non_null(l->text);
     return l;
 }
 
@@ -45,7 +46,7 @@ static token next(lexing *l)
 {
     token t;
 
-    lex_next(&l->lex, &t);
+    lex_next(&l->words, l->text, &t);
     return t;
 }
 
@@ -84,10 +85,10 @@ static void lex_knows_the_words_of_the_language(void **state)
 {
     lexing *l = begin(state, "camera sphere_ torus _x1");
 
-    assert_int_equal(next(l).symbol->id, WORD_CAMERA);
-    assert_null(next(l).symbol);
-    assert_int_equal(next(l).symbol->flags, TRAIT_LATER);
-    assert_null(next(l).symbol);
+    assert_int_equal(next(l).symbol->id, KEYWORD_CAMERA);
+    assert_int_equal(next(l).symbol->id, KEYWORD_OTHER);
+    assert_int_equal(next(l).symbol->flags, KEYWORD_FLAG_COMING);
+    assert_string_equal(next(l).symbol->name, "_x1");
 }
 
 static void lex_counts_every_kind_of_line_end_once(void **state)
@@ -135,7 +136,7 @@ static void lex_marks_what_is_wrong_and_goes_on(void **state)
     assert_next(l, TOKEN_BAD, "\xC3\xA9", 1, 9);
     assert_next(l, TOKEN_BAD, "\xE9", 1, 12);
     assert_next(l, TOKEN_BAD, "\"a", 1, 14);
-    assert_next(l, TOKEN_WORD, "b", 2, 1);
+    assert_int_equal(next(l).kind, TOKEN_END);
 }
 
 static void lex_tells_where_an_endless_comment_begins(void **state)
@@ -147,18 +148,38 @@ static void lex_tells_where_an_endless_comment_begins(void **state)
     assert_next(l, TOKEN_END, "", 2, 14);
 }
 
-static void lex_goes_on_with_the_text_below(void **state)
+static void lex_ends_each_line_of_a_long_string_once(void **state)
 {
-    lexing *l = begin(state, "a\n b");
-    token t;
+    lexing *l = begin(state, "\"a\r\n\\\"b\n\" c");
 
-    next(l);
-    assert_true(source_push(&l->lex.sources, "x /* c */", 9, "other.inc"));
+    assert_next(l, TOKEN_STRING, "\"a\r\n\\\"b\n\"", 1, 1);
+    assert_next(l, TOKEN_WORD, "c", 3, 3);
+}
+
+static void lex_joins_the_two_characters_of_a_comparison(void **state)
+{
+    lexing *l = begin(state, "<=>=!=< =");
+
+    assert_next(l, TOKEN_AT_MOST, "<=", 1, 1);
+    assert_next(l, TOKEN_AT_LEAST, ">=", 1, 3);
+    assert_next(l, TOKEN_UNEQUAL, "!=", 1, 5);
+    assert_next(l, '<', "<", 1, 7);
+    assert_next(l, '=', "=", 1, 9);
+}
+
+static void lex_resolves_escapes(void **state)
+{
+    lexing *l = begin(state, "\"\\n\\u00e9\\u20AC\\\"\" \"a\\q\"");
+    const char *bad;
+    char out[32];
+    token t = next(l);
+
+    assert_int_equal(lex_unescape(&t.at, out, &bad), 7);
+    assert_memory_equal(out, "\n\xC3\xA9\xE2\x82\xAC\"", 7);
+    assert_null(bad);
     t = next(l);
-    assert_string_equal(t.at.source->name, "other.inc");
-    assert_int_equal(t.at.line, 1);
-    assert_next(l, TOKEN_WORD, "b", 2, 2);
-    assert_next(l, TOKEN_END, "", 2, 3);
+    lex_unescape(&t.at, out, &bad);
+    assert_ptr_equal(bad, t.at.start + 2);
 }
 
 static void lex_needs_no_end_mark(void **state)
@@ -173,11 +194,12 @@ static void lex_needs_no_end_mark(void **state)
             char *exact = malloc(length ? length : 1);
 
             memcpy(exact, texts[i], length);
-            assert_true(source_push(&l->lex.sources, exact, length, "scene.pov"));
+            l->text = source_add(&l->sources, exact, length, "scene.pov");
+            assert_non_null(l->text);
             while (next(l).kind != TOKEN_END)
                 continue;
             free(exact);
-            source_free(&l->lex.sources);
+            source_free(&l->sources);
         }
 }
 
@@ -192,7 +214,9 @@ int main(void)
         cmocka_unit_test_setup_teardown(lex_keeps_a_quoted_quote_in_its_string, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_marks_what_is_wrong_and_goes_on, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_tells_where_an_endless_comment_begins, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(lex_goes_on_with_the_text_below, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lex_ends_each_line_of_a_long_string_once, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lex_joins_the_two_characters_of_a_comparison, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(lex_resolves_escapes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(lex_needs_no_end_mark, set_up, tear_down),
     };
 

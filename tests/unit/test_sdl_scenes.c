@@ -38,16 +38,17 @@ static pov_status read_first(bench *b, const char *name, const char *text, size_
 
 static int count_tokens(bench *b, const char *text, size_t length)
 {
-    lex l;
+    source_list sources;
+    source *s;
     token t;
     int count = 0;
 
-    source_init(&l.sources, &b->env);
-    l.words = &b->words;
-    assert_true(source_push(&l.sources, text, length, ""));
-    for (lex_next(&l, &t); t.kind != TOKEN_END; lex_next(&l, &t))
+    source_init(&sources, &b->env);
+    s = source_add(&sources, text, length, "");
+    assert_non_null(s);
+    for (lex_next(&b->words, s, &t); t.kind != TOKEN_END; lex_next(&b->words, s, &t))
         count++;
-    source_free(&l.sources);
+    source_free(&sources);
     return count;
 }
 
@@ -56,13 +57,14 @@ static void cut_everywhere(bench *b, const char *name, const char *text, size_t 
     const int tokens = count_tokens(b, text, length), step = tokens / CUTS + 1;
     int index = 0, depth = 0;
     pov_error error;
-    lex l;
+    source_list sources;
+    source *s;
     token t;
 
-    source_init(&l.sources, &b->env);
-    l.words = &b->words;
-    assert_true(source_push(&l.sources, text, length, name));
-    for (lex_next(&l, &t); t.kind != TOKEN_END; lex_next(&l, &t), index++) {
+    source_init(&sources, &b->env);
+    s = source_add(&sources, text, length, name);
+    assert_non_null(s);
+    for (lex_next(&b->words, s, &t); t.kind != TOKEN_END; lex_next(&b->words, s, &t), index++) {
         if (index % step == 0) {
             pov_status status = read_first(b, name, text, (size_t)(t.at.start - text), &error);
 
@@ -74,7 +76,7 @@ static void cut_everywhere(bench *b, const char *name, const char *text, size_t 
         }
         depth += t.kind == '{' ? 1 : t.kind == '}' ? -1 : 0;
     }
-    source_free(&l.sources);
+    source_free(&sources);
 }
 
 static void see(void *user, const char *name)
@@ -126,7 +128,7 @@ static void real_shapes_refuse_what_is_missing(void **state)
         const char *text, *message;
     } cases[] = {
         { "sphere { <1, 2, 3> }", "expected a number after \">\", found \"}\"" },
-        { "sphere { <0, 0, 0>, <1, 1, 1> }", "expected a number after \",\", found \"<\"" },
+        { "sphere { <0, 0, 0>, <1, 1, 1> }", "expected a number, found a vector" },
         { "polygon { 1e9, <0, 0, 0> }", "expected a vector after \">\", found \"}\"" },
         { "cone { 0, 1, 2 }", "expected a number after \"2\", found \"}\"" },
         { "quadric { 1, 2, 3 }", "expected a number after \"3\", found \"}\"" },

@@ -100,16 +100,17 @@ static void a_scene_cut_at_any_token_says_what_is_missing_and_where(void **state
     int depth = 0, line = 1, column = 1;
     env e;
     symbols words;
-    lex l;
+    source_list sources;
+    source *s;
     token t;
 
     (void)state;
     env_init(&e, NULL, NULL, NULL);
     assert_true(symbols_init(&words, &e));
-    source_init(&l.sources, &e);
-    l.words = &words;
-    assert_true(source_push(&l.sources, scene, sizeof scene - 1, "scene.pov"));
-    for (lex_next(&l, &t); t.kind != TOKEN_END; lex_next(&l, &t)) {
+    source_init(&sources, &e);
+    s = source_add(&sources, scene, sizeof scene - 1, "scene.pov");
+    assert_non_null(s);
+    for (lex_next(&words, s, &t); t.kind != TOKEN_END; lex_next(&words, s, &t)) {
         reading r;
         bool read = try_first((size_t)(t.at.start - scene), &r);
 
@@ -125,7 +126,7 @@ static void a_scene_cut_at_any_token_says_what_is_missing_and_where(void **state
         line = t.at.line;
         column = t.at.column + (int)t.at.length;
     }
-    source_free(&l.sources);
+    source_free(&sources);
     symbols_free(&words);
 }
 

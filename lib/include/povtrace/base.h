@@ -65,7 +65,9 @@ typedef struct pov_allocator {
     void *user;
 } pov_allocator;
 
-typedef enum pov_log_level { POV_LOG_DEBUG, POV_LOG_INFO, POV_LOG_WARN } pov_log_level;
+/* SCENE: text that the scene itself writes, without a line's end of its own. STACK: where an error, which follows, was
+ * called from. */
+typedef enum pov_log_level { POV_LOG_DEBUG, POV_LOG_INFO, POV_LOG_WARN, POV_LOG_SCENE, POV_LOG_STACK } pov_log_level;
 /* The note is valid during the call only; its status is POV_OK. Any thread that calls the library. */
 typedef void pov_log_fn(void *user, pov_log_level level, const pov_error *note);
 

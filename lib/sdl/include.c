@@ -1,0 +1,217 @@
+#include "sdl/include.h"
+
+#include "base/file.h"
+#include "sdl/directive.h"
+#include "sdl/expression.h"
+#include "sdl/frame.h"
+#include "sdl/report.h"
+#include "sdl/text.h"
+#include "sdl/text_file.h"
+
+#include <string.h>
+
+/* Where packages of POV-Ray put its include files. */
+static const char *const installed[] = {
+    "/usr/local/share/povray-3.7/include", "/usr/share/povray-3.7/include", "/usr/local/share/povray/include",
+    "/usr/share/povray/include", "/opt/homebrew/share/povray-3.7/include",
+};
+enum { INSTALLED = sizeof installed / sizeof installed[0] };
+
+/* ---- folders ---- */
+
+typedef struct folder { const char *path; size_t length; } folder;
+
+static folder folder_of(const char *file)
+{
+    const char *slash = strrchr(file, '/');
+    folder f = { file, slash ? (size_t)(slash - file) : 0 };
+
+    if (slash == file)
+        f.length = 1;
+    return f;
+}
+
+static const char *text_name(const pov_reader *in)
+{
+    return in->token.at.source ? in->token.at.source->name : "";
+}
+
+static const char *scene_name(const pov_reader *in)
+{
+    return in->frames.items[0].text->name;
+}
+
+/* The index-th folder to look in. False: past the last. */
+static bool folder_at(const pov_reader *in, int index, folder *out)
+{
+    const char *list = in->options && in->options->library_path ? in->options->library_path : "";
+    int i;
+
+    if (index < 3) {
+        *out = folder_of(index == 0 ? scene_name(in) : index == 1 ? text_name(in) : "");
+        return true;
+    }
+    for (i = 3; *list; i++) {
+        out->path = list;
+        out->length = strcspn(list, ":");
+        if (i == index)
+            return true;
+        list += out->length + (list[out->length] == ':');
+    }
+    if (index - i >= INSTALLED)
+        return false;
+    out->path = installed[index - i];
+    out->length = strlen(out->path);
+    return true;
+}
+
+static bool join(const folder *f, const char *name, const char *ending, char out[INCLUDE_PATH_MAX])
+{
+    const size_t length = strlen(name), more = strlen(ending);
+    size_t n = 0;
+
+    if (f->length + 1 + length + more >= INCLUDE_PATH_MAX)
+        return false;
+    if (f->length > 0 && name[0] != '/') {
+        memcpy(out, f->path, f->length);
+        out[f->length] = '/';
+        n = f->length + 1;
+    }
+    memcpy(out + n, name, length);
+    memcpy(out + n + length, ending, more + 1);
+    return true;
+}
+
+/* ---- no way out of them ---- */
+
+static bool is_below(const char *path, const folder *f)
+{
+    char root[INCLUDE_PATH_MAX], name[INCLUDE_PATH_MAX];
+    size_t n;
+
+    memcpy(name, f->path, f->length);
+    name[f->length] = '\0';
+    if (!file_resolve(f->length > 0 ? name : ".", root, sizeof root))
+        return false;
+    n = strlen(root);
+    return strncmp(path, root, n) == 0 && (path[n] == '/' || root[n - 1] == '/');
+}
+
+/* With links and `..` resolved the file lies below one of the folders. */
+static bool is_open_to_scenes(const pov_reader *in, const char *path)
+{
+    char real[INCLUDE_PATH_MAX];
+    folder f;
+    int i;
+
+    if (!file_resolve(path, real, sizeof real))
+        return false;
+    for (i = 0; folder_at(in, i, &f); i++)
+        if (i != 1 && is_below(real, &f))
+            return true;
+    return false;
+}
+
+bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX])
+{
+    static const char *const endings[] = { "", ".inc", ".INC" };
+    folder f;
+    int i, e;
+
+    if (name->length == 0 || strlen(name->text) != name->length)
+        return false;
+    for (e = 0; e < 3; e++)
+        for (i = 0; folder_at(in, i, &f); i++)
+            if (join(&f, name->text, endings[e], path) && file_exists(path) && is_open_to_scenes(in, path))
+                return true;
+    return false;
+}
+
+bool include_exists(pov_reader *in, const string *name)
+{
+    char path[INCLUDE_PATH_MAX];
+
+    return text_file_kept(in, name) || include_find(in, name, path);
+}
+
+/* ---- #include ---- */
+
+static source *add_text(pov_reader *in, char *text, size_t length, const char *name)
+{
+    char *owned = env_resize(in->model->env, text, length + strlen(name) + 2, 1);
+    source *s;
+
+    if (!owned) {
+        env_free(in->model->env, text);
+        report_memory(in);
+        return NULL;
+    }
+    strcpy(owned + length + 1, name);
+    s = source_add(&in->sources, owned, length, owned + length + 1);
+    if (!s) {
+        env_free(in->model->env, owned);
+        report_memory(in);
+        return NULL;
+    }
+    s->owned = owned;
+    return s;
+}
+
+static bool has_installed(void)
+{
+    int i;
+
+    for (i = 0; i < INSTALLED; i++)
+        if (file_exists(installed[i]))
+            return true;
+    return false;
+}
+
+/* What the scene wrote itself counts before what is on the disk. */
+static source *open_text(pov_reader *in, const string *name)
+{
+    char path[INCLUDE_PATH_MAX], *text;
+    size_t length;
+    pov_error error;
+
+    text = text_file_copy(in, name, &length);
+    if (text || in->failed)
+        return text ? add_text(in, text, length, name->text) : NULL;
+    if (!include_find(in, name, path)) {
+        report_fail(in, &in->value, POV_E_IO, "there is no file \"%s\" in the folders that scenes are read from%s",
+                    name->text, has_installed() ? "" : "; POV-Ray's own come with the package povray-includes");
+        return NULL;
+    }
+    if (file_read(in->model->env, path, &text, &length, &error) < 0) {
+        report_pass_on(in, &in->value, &error);
+        return NULL;
+    }
+    return add_text(in, text, length, path);
+}
+
+void include_run(pov_reader *in, const place *at)
+{
+    bool is_literal;
+    source *text = NULL;
+    string *name;
+
+    directive_step(in);
+    state_settle(in);
+    in->value = in->token.at;
+    is_literal = in->token.kind == TOKEN_STRING;
+    name = expression_to_string(in, is_literal ? text_raw(in) : expression_read(in));
+    if (name && in->scopes.count > in->limits.depth)
+        report_fail(in, at, POV_E_SYNTAX, "more than %zu macros and include files within each other",
+                    in->limits.depth);
+    if (name && !in->failed)
+        text = open_text(in, name);
+    if (name)
+        value_unshare(&in->heap, &name->head);
+    if (!text || !scope_push(in))
+        return;
+    if (!is_literal)
+        frame_save(in);
+    if (frame_push_text(in, FRAME_INCLUDE, text))
+        in->top->call = *at;
+    directive_step(in);
+}

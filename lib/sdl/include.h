@@ -1,0 +1,15 @@
+/* include.h - #include, and where files of the scene are looked for. */
+#ifndef SDL_INCLUDE_H
+#define SDL_INCLUDE_H
+
+#include "sdl/state.h"
+
+enum { INCLUDE_PATH_MAX = 4096 };
+
+void include_run(pov_reader *in, const place *at);
+/* A file that the scene names, to be read: below the folder of the scene, that of the text that names it, the current
+ * one, those that were given, or POV-Ray's own, in that order. False: there is none. */
+bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX]);
+bool include_exists(pov_reader *in, const string *name);
+
+#endif

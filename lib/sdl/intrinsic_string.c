@@ -1,0 +1,288 @@
+#include "sdl/intrinsic.h"
+
+#include "sdl/expression.h"
+#include "sdl/include.h"
+#include "sdl/report.h"
+#include "sdl/text.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { NUMBER_ROOM = 512, DIGITS_MAX = 300, LAST_CHARACTER = 65535 };
+
+static void comma(pov_reader *in)
+{
+    state_accept(in, ',');
+}
+
+/* The caller lets go of it. NULL: the reader has failed. */
+static string *read_string(pov_reader *in)
+{
+    return expression_to_string(in, expression_read(in));
+}
+
+static string *only_string(pov_reader *in)
+{
+    string *s;
+
+    state_open(in, '(');
+    s = read_string(in);
+    state_close(in, ')');
+    return s;
+}
+
+static void give(pov_reader *in, value *out, string *s)
+{
+    if (!s)
+        return;
+    out->kind = VALUE_STRING;
+    out->as.shared = &s->head;
+    (void)in;
+}
+
+static void let_go(pov_reader *in, string *s)
+{
+    if (s)
+        value_unshare(&in->heap, &s->head);
+}
+
+/* ---- numbers of strings ---- */
+
+static void read_strlen(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *s = only_string(in);
+
+    (void)row;
+    out->as.v[0] = s ? (double)text_characters(s) : 0.0;
+    let_go(in, s);
+}
+
+static void read_asc(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *s = only_string(in);
+    int bytes;
+
+    (void)row;
+    out->as.v[0] = s ? (double)text_character(s->text, &bytes) : 0.0;
+    let_go(in, s);
+}
+
+static void read_val(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *s = only_string(in);
+
+    (void)row;
+    out->as.v[0] = s ? strtod(s->text, NULL) : 0.0;
+    let_go(in, s);
+}
+
+static void read_strcmp(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *a, *b;
+
+    (void)row;
+    state_open(in, '(');
+    a = read_string(in);
+    comma(in);
+    b = read_string(in);
+    state_close(in, ')');
+    out->as.v[0] = a && b ? text_compare(a, b) : 0.0;
+    let_go(in, a);
+    let_go(in, b);
+}
+
+static void read_file_exists(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *s = only_string(in);
+
+    (void)row;
+    out->as.v[0] = s && include_exists(in, s);
+    let_go(in, s);
+}
+
+/* ---- strings ---- */
+
+static void read_str(pov_reader *in, const intrinsic *row, value *out)
+{
+    char room[NUMBER_ROOM];
+    int32_t width, digits;
+    double number;
+    int n;
+
+    (void)row;
+    state_open(in, '(');
+    number = expression_number(in);
+    comma(in);
+    width = expression_integer(expression_number(in));
+    comma(in);
+    digits = expression_integer(expression_number(in));
+    state_close(in, ')');
+    if (!in->failed && (width < -DIGITS_MAX || width > DIGITS_MAX || digits > DIGITS_MAX)) {
+        report_fail(in, &in->value, POV_E_SYNTAX, "a number is not written in more than %d characters", DIGITS_MAX);
+        return;
+    }
+    n = text_number(room, sizeof room, number, width, digits);
+    give(in, out, text_copy(in, room, (size_t)n));
+}
+
+typedef struct builder { char *items; size_t count, capacity; } builder;
+
+static bool add(pov_reader *in, builder *b, const char *text, size_t length)
+{
+    while (b->capacity - b->count < length) {
+        size_t capacity = 2 * b->capacity + length;
+        char *items = env_resize(in->model->env, b->items, capacity, 1);
+
+        if (!items) {
+            report_memory(in);
+            return false;
+        }
+        b->items = items;
+        b->capacity = capacity;
+    }
+    if (length > 0)
+        memcpy(b->items + b->count, text, length);
+    b->count += length;
+    return true;
+}
+
+static void finish(pov_reader *in, builder *b, value *out)
+{
+    give(in, out, text_copy(in, b->items, b->count));
+    env_free(in->model->env, b->items);
+}
+
+static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
+{
+    builder b = { NULL, 0, 0 };
+    char room[NUMBER_ROOM];
+    int32_t size, width, digits;
+    string *between;
+    value v;
+    int i, n;
+
+    (void)row;
+    state_open(in, '(');
+    size = expression_integer(expression_number(in));
+    comma(in);
+    v = expression_read(in);
+    comma(in);
+    between = read_string(in);
+    comma(in);
+    width = expression_integer(expression_number(in));
+    comma(in);
+    digits = expression_integer(expression_number(in));
+    state_close(in, ')');
+    if (!in->failed && v.kind != VALUE_NUMBER && v.kind != VALUE_VECTOR)
+        report_fail(in, &in->value, POV_E_SYNTAX, "expected a vector, found %s", value_name(&v));
+    if (!in->failed && (width < -DIGITS_MAX || width > DIGITS_MAX || digits > DIGITS_MAX))
+        report_fail(in, &in->value, POV_E_SYNTAX, "a number is not written in more than %d characters", DIGITS_MAX);
+    size = size < 2 ? 2 : size > 5 ? 5 : size;
+    for (i = 0; i < size && !in->failed; i++) {
+        n = text_number(room, sizeof room, v.as.v[i], width, digits);
+        if (i > 0)
+            add(in, &b, between->text, between->length);
+        add(in, &b, room, (size_t)n);
+    }
+    if (value_is_shared(&v))
+        value_drop(&in->heap, &v);
+    let_go(in, between);
+    finish(in, &b, out);
+}
+
+static void read_concat(pov_reader *in, const intrinsic *row, value *out)
+{
+    builder b = { NULL, 0, 0 };
+    string *s;
+
+    (void)row;
+    state_open(in, '(');
+    do {
+        s = read_string(in);
+        if (s)
+            add(in, &b, s->text, s->length);
+        let_go(in, s);
+    } while (state_accept(in, ',') && !in->failed);
+    state_close(in, ')');
+    finish(in, &b, out);
+}
+
+static void read_chr(pov_reader *in, const intrinsic *row, value *out)
+{
+    char room[4];
+    int32_t code;
+
+    (void)row;
+    state_open(in, '(');
+    code = expression_integer(expression_full_number(in));
+    state_close(in, ')');
+    if (!in->failed && (code < 0 || code > LAST_CHARACTER))
+        report_fail(in, &in->value, POV_E_SYNTAX, "a character has a number from 0 to %d", LAST_CHARACTER);
+    else
+        give(in, out, text_copy(in, room, text_put_character(room, (unsigned)code)));
+}
+
+/* The byte at which a character starts. */
+static size_t byte_of(const string *s, int32_t character)
+{
+    size_t at = 0;
+    int bytes;
+
+    for (; character > 0 && at < s->length; character--, at += (size_t)bytes)
+        text_character(s->text + at, &bytes);
+    return at;
+}
+
+static void read_substr(pov_reader *in, const intrinsic *row, value *out)
+{
+    int32_t start, length;
+    size_t first, last;
+    string *s;
+
+    (void)row;
+    state_open(in, '(');
+    s = read_string(in);
+    comma(in);
+    start = expression_integer(expression_number(in));
+    comma(in);
+    length = expression_integer(expression_number(in));
+    state_close(in, ')');
+    if (s && !in->failed &&
+        (start < 0 || length < 0 || (double)start + (double)length - 1.0 > (double)text_characters(s)))
+        report_fail(in, &in->value, POV_E_SYNTAX, "the string has only %zu characters", text_characters(s));
+    if (s && !in->failed) {
+        first = byte_of(s, start - 1);
+        last = start == 0 ? 0 : byte_of(s, start - 1 + length);
+        give(in, out, text_copy(in, s->text + first, last - first));
+    }
+    let_go(in, s);
+}
+
+static void read_case(pov_reader *in, const intrinsic *row, value *out)
+{
+    string *s = only_string(in), *copy = s ? text_copy(in, s->text, s->length) : NULL;
+    const char first = row->v[0] != 0.0 ? 'a' : 'A';
+    size_t i;
+
+    for (i = 0; copy && i < copy->length; i++)
+        if (copy->text[i] >= first && copy->text[i] <= first + 25)
+            copy->text[i] ^= 0x20;
+    let_go(in, s);
+    give(in, out, copy);
+}
+
+#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
+
+static const intrinsic rows[] = {
+    READ("strlen", read_strlen), READ("asc", read_asc), READ("val", read_val), READ("strcmp", read_strcmp),
+    READ("file_exists", read_file_exists), READ("str", read_str), READ("vstr", read_vstr),
+    READ("concat", read_concat), READ("chr", read_chr), READ("substr", read_substr),
+    { "strupr", read_case, NULL, NULL, { 1.0 }, 0 }, { "strlwr", read_case, NULL, NULL, { 0.0 }, 0 },
+};
+
+intrinsic_list intrinsic_string_rows(void)
+{
+    intrinsic_list list = { rows, sizeof rows / sizeof rows[0] };
+
+    return list;
+}

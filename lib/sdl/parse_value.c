@@ -1,0 +1,146 @@
+#include "sdl/parse_pattern.h"
+
+#include "sdl/array.h"
+#include "sdl/function.h"
+#include "sdl/spline.h"
+#include "sdl/unsupported.h"
+
+#include <string.h>
+
+value parse_part(pov_reader *in, value_kind kind, const void *part, size_t bytes)
+{
+    void *copy = state_alloc(in, bytes, 16);
+
+    if (copy)
+        memcpy(copy, part, bytes);
+    return value_of_part(kind, copy);
+}
+
+static value surface_value(pov_reader *in, value_kind kind, void (*read)(pov_reader *, surface_parsed *))
+{
+    surface_parsed s;
+
+    parse_surface_begin(in, &s);
+    read(in, &s);
+    if (kind == VALUE_TEXTURE || kind == VALUE_MATERIAL)
+        return parse_part(in, kind, &s, sizeof s);
+    return parse_part(in, kind, &s.material, sizeof s.material);
+}
+
+static value map_value(pov_reader *in, value_kind kind, keyword_id keyword)
+{
+    surface_parsed s;
+
+    parse_surface_begin(in, &s);
+    parse_map(in, &s, keyword);
+    return parse_part(in, kind, &s, sizeof s);
+}
+
+/* Of what is not drawn yet only the kind is kept. */
+static value coming_value(pov_reader *in, value_kind kind, keyword_id keyword)
+{
+    char what[64] = "\"";
+
+    strcat(strcat(what, token_keyword_name(keyword)), "\"");
+    unsupported_note(in, &in->last, keyword, what);
+    unsupported_skip_block(in);
+    return value_of_part(kind, NULL);
+}
+
+static value camera_value(pov_reader *in)
+{
+    camera_parsed c;
+
+    parse_camera(in, &c);
+    return parse_part(in, VALUE_CAMERA, &c, sizeof c);
+}
+
+static value object_value(pov_reader *in)
+{
+    object_parsed o;
+
+    parse_object_try(in, &o);
+    return parse_part(in, VALUE_OBJECT, &o, sizeof o);
+}
+
+static value read_keyword(pov_reader *in, keyword_id keyword)
+{
+    switch (keyword) {
+    case KEYWORD_ARRAY:
+        return array_read(in);
+    case KEYWORD_FUNCTION:
+        return function_read(in);
+    case KEYWORD_SPLINE:
+        return spline_read(in);
+    case KEYWORD_TRANSFORM:
+        return parse_transform_value(in);
+    case KEYWORD_TEXTURE:
+        return surface_value(in, VALUE_TEXTURE, parse_texture);
+    case KEYWORD_PIGMENT:
+        return surface_value(in, VALUE_PIGMENT, parse_pigment);
+    case KEYWORD_NORMAL:
+        return surface_value(in, VALUE_NORMAL, parse_normal);
+    case KEYWORD_FINISH:
+        return surface_value(in, VALUE_FINISH, parse_finish);
+    case KEYWORD_MATERIAL:
+        return surface_value(in, VALUE_MATERIAL, parse_material);
+    case KEYWORD_INTERIOR:
+        return surface_value(in, VALUE_INTERIOR, parse_interior);
+    case KEYWORD_DENSITY:
+        return surface_value(in, VALUE_DENSITY, parse_density);
+    case KEYWORD_CAMERA:
+        return camera_value(in);
+    case KEYWORD_MEDIA:
+        return coming_value(in, VALUE_MEDIA, keyword);
+    case KEYWORD_SKY_SPHERE:
+        return coming_value(in, VALUE_SKY_SPHERE, keyword);
+    case KEYWORD_FOG:
+        return coming_value(in, VALUE_FOG, keyword);
+    case KEYWORD_RAINBOW:
+        return coming_value(in, VALUE_RAINBOW, keyword);
+    case KEYWORD_COLOR_MAP:
+    case KEYWORD_COLOUR_MAP:
+        return map_value(in, VALUE_COLOUR_MAP, keyword);
+    case KEYWORD_PIGMENT_MAP:
+        return map_value(in, VALUE_PIGMENT_MAP, keyword);
+    case KEYWORD_NORMAL_MAP:
+        return map_value(in, VALUE_NORMAL_MAP, keyword);
+    case KEYWORD_TEXTURE_MAP:
+        return map_value(in, VALUE_TEXTURE_MAP, keyword);
+    case KEYWORD_SLOPE_MAP:
+        return map_value(in, VALUE_SLOPE_MAP, keyword);
+    case KEYWORD_DENSITY_MAP:
+        return map_value(in, VALUE_DENSITY_MAP, keyword);
+    default:
+        return value_of_part(VALUE_NOTHING, NULL);
+    }
+}
+
+static bool begins_value(keyword_id keyword)
+{
+    switch (keyword) {
+    case KEYWORD_ARRAY: case KEYWORD_FUNCTION: case KEYWORD_SPLINE: case KEYWORD_TRANSFORM: case KEYWORD_TEXTURE:
+    case KEYWORD_PIGMENT: case KEYWORD_NORMAL: case KEYWORD_FINISH: case KEYWORD_MATERIAL: case KEYWORD_INTERIOR:
+    case KEYWORD_DENSITY: case KEYWORD_CAMERA: case KEYWORD_MEDIA: case KEYWORD_SKY_SPHERE: case KEYWORD_FOG:
+    case KEYWORD_RAINBOW: case KEYWORD_COLOR_MAP: case KEYWORD_COLOUR_MAP: case KEYWORD_PIGMENT_MAP:
+    case KEYWORD_NORMAL_MAP: case KEYWORD_TEXTURE_MAP: case KEYWORD_SLOPE_MAP: case KEYWORD_DENSITY_MAP:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool parse_value(pov_reader *in, value *out)
+{
+    const keyword_id keyword = state_keyword(in);
+
+    if (begins_value(keyword)) {
+        state_advance(in);
+        *out = read_keyword(in, keyword);
+        return true;
+    }
+    if (!parse_object_follows(in))
+        return false;
+    *out = object_value(in);
+    return true;
+}

@@ -1,0 +1,203 @@
+#include "sdl/text.h"
+
+#include "sdl/report.h"
+
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+string *text_create(pov_reader *in, size_t length)
+{
+    string *s = NULL;
+
+    if (in->failed)
+        return NULL;
+    if (length > in->limits.string)
+        report_fail(in, &in->value, POV_E_SYNTAX, "a string of more than %zu bytes", in->limits.string);
+    else
+        s = value_share(&in->heap, VALUE_STRING, sizeof *s + length + 1);
+    if (!s)
+        report_memory(in);
+    else
+        s->length = length;
+    return s;
+}
+
+string *text_copy(pov_reader *in, const char *text, size_t length)
+{
+    string *s = text_create(in, length);
+
+    if (s)
+        memcpy(s->text, text, length);
+    return s;
+}
+
+static value value_of(pov_reader *in, string *s)
+{
+    value v = value_of_number(0.0);
+
+    if (s && !in->failed) {
+        v.kind = VALUE_STRING;
+        v.as.shared = &s->head;
+    }
+    return v;
+}
+
+/* ---- UTF-8 ---- */
+
+unsigned text_character(const char *at, int *bytes)
+{
+    const unsigned char *c = (const unsigned char *)at;
+
+    *bytes = 1;
+    if (c[0] < 0xC2 || c[0] > 0xF4 || (c[1] & 0xC0) != 0x80)
+        return c[0];
+    *bytes = 2;
+    if (c[0] < 0xE0)
+        return (unsigned)(c[0] & 0x1F) << 6 | (c[1] & 0x3F);
+    if ((c[2] & 0xC0) != 0x80)
+        return *bytes = 1, c[0];
+    *bytes = 3;
+    if (c[0] < 0xF0)
+        return (unsigned)(c[0] & 0x0F) << 12 | (unsigned)(c[1] & 0x3F) << 6 | (c[2] & 0x3F);
+    if ((c[3] & 0xC0) != 0x80)
+        return *bytes = 1, c[0];
+    *bytes = 4;
+    return (unsigned)(c[0] & 0x07) << 18 | (unsigned)(c[1] & 0x3F) << 12 | (unsigned)(c[2] & 0x3F) << 6 | (c[3] & 0x3F);
+}
+
+size_t text_put_character(char out[4], unsigned code)
+{
+    if (code < 0x80) {
+        out[0] = (char)code;
+        return 1;
+    }
+    if (code < 0x800) {
+        out[0] = (char)(0xC0 | code >> 6);
+        out[1] = (char)(0x80 | (code & 0x3F));
+        return 2;
+    }
+    out[0] = (char)(0xE0 | code >> 12);
+    out[1] = (char)(0x80 | (code >> 6 & 0x3F));
+    out[2] = (char)(0x80 | (code & 0x3F));
+    return 3;
+}
+
+size_t text_characters(const string *s)
+{
+    size_t i = 0, n = 0;
+    int bytes;
+
+    for (; i < s->length; i += (size_t)bytes, n++)
+        text_character(s->text + i, &bytes);
+    return n;
+}
+
+int text_compare(const string *a, const string *b)
+{
+    size_t i = 0;
+    int bytes;
+
+    while (i < a->length && i < b->length && a->text[i] == b->text[i])
+        i++;
+    while (i > 0 && ((unsigned char)a->text[i] & 0xC0) == 0x80)
+        i--;
+    return (int)text_character(a->text + i, &bytes) - (int)text_character(b->text + i, &bytes);
+}
+
+/* ---- literals ---- */
+
+static bool is_utf8(const char *text, size_t length)
+{
+    size_t i;
+    int bytes = 1;
+
+    for (i = 0; i < length; i += (size_t)bytes) {
+        text_character(text + i, &bytes);
+        if (bytes == 1 && (unsigned char)text[i] >= 0x80)
+            return false;
+    }
+    return true;
+}
+
+static string *from_latin1(pov_reader *in, const char *text, size_t length)
+{
+    string *s = text_create(in, 2 * length);
+    size_t i, n = 0;
+
+    for (i = 0; s && i < length; i++)
+        n += text_put_character(s->text + n, (unsigned char)text[i]);
+    if (s)
+        s->length = n;
+    return s;
+}
+
+static string *decode(pov_reader *in, string *s)
+{
+    string *decoded;
+
+    if (!s || is_utf8(s->text, s->length))
+        return s;
+    decoded = from_latin1(in, s->text, s->length);
+    value_unshare(&in->heap, &s->head);
+    return decoded;
+}
+
+value text_literal(pov_reader *in)
+{
+    string *s = text_create(in, in->token.at.length);
+    const char *bad = NULL;
+
+    if (s) {
+        s->length = lex_unescape(&in->token.at, s->text, &bad);
+        s->text[s->length] = '\0';
+    }
+    if (bad) {
+        place at = in->token.at;
+
+        at.column += (int)(bad - at.start);
+        at.start = bad;
+        at.length = 2;
+        report_fail(in, &at, POV_E_SYNTAX, "there is no such escape in strings");
+        value_unshare(&in->heap, &s->head);
+        s = NULL;
+    }
+    return value_of(in, decode(in, s));
+}
+
+value text_raw(pov_reader *in)
+{
+    return value_of(in, decode(in, text_copy(in, in->token.at.start + 1, in->token.at.length - 2)));
+}
+
+/* ---- numbers ---- */
+
+/* The locale's decimal point becomes a point. */
+static int mend_point(char *out, int n)
+{
+    const char *point = localeconv()->decimal_point;
+    char *at = point[0] != '.' && point[0] != '\0' ? strstr(out, point) : NULL;
+
+    if (!at)
+        return n;
+    memmove(at + 1, at + strlen(point), strlen(at + strlen(point)) + 1);
+    at[0] = '.';
+    return n - ((int)strlen(point) - 1);
+}
+
+int text_number(char *out, size_t size, double number, int width, int digits)
+{
+    const bool is_short = fabs(number) < 1e131 || isinf(number) || isnan(number);
+
+    if (digits < 0)
+        digits = 6;
+    if (width < 0)
+        return mend_point(out, snprintf(out, size, is_short ? "%0*.*f" : "%0*.*g", -width, digits, number));
+    return mend_point(out, snprintf(out, size, is_short ? "%*.*f" : "%*.*g", width, digits, number));
+}
+
+int text_general(char *out, size_t size, double number)
+{
+    return mend_point(out, snprintf(out, size, "%g", number));
+}

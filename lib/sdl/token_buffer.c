@@ -1,0 +1,44 @@
+#include "sdl/token_buffer.h"
+
+#include "base/vec.h"
+
+token_buffer *token_buffer_create(token_buffer_list *list)
+{
+    token_buffer *b = env_alloc(list->env, 1, sizeof *b);
+
+    if (!b)
+        return NULL;
+    b->uses = 1;
+    b->next = list->first;
+    if (b->next)
+        b->next->previous = b;
+    list->first = b;
+    return b;
+}
+
+bool token_buffer_add(token_buffer_list *list, token_buffer *b, const token *t)
+{
+    return VEC_PUSH(list->env, b, *t);
+}
+
+void token_buffer_release(token_buffer_list *list, token_buffer *b)
+{
+    if (--b->uses > 0)
+        return;
+    if (b->previous)
+        b->previous->next = b->next;
+    else
+        list->first = b->next;
+    if (b->next)
+        b->next->previous = b->previous;
+    env_free(list->env, b->items);
+    env_free(list->env, b);
+}
+
+void token_buffer_free_all(token_buffer_list *list)
+{
+    while (list->first) {
+        list->first->uses = 1;
+        token_buffer_release(list, list->first);
+    }
+}

@@ -1,0 +1,220 @@
+/* sdl: names, expressions, directives, macros, as they come out of a scene. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* The radii of all spheres that a text leaves behind. */
+static void assert_radii(const char *text, int count, const double *radii)
+{
+    reading r;
+    int i;
+
+    reading_begin(&r, text);
+    if (r.status != POV_OK)
+        fail_msg("%s\n%d:%d %s", text, r.error.line, r.error.column, r.error.message);
+    if (r.model.leaves.count != (size_t)count)
+        fail_msg("%s\n%zu objects, not %d", text, r.model.leaves.count, count);
+    for (i = 0; i < count; i++)
+        if (reading_shape(&r, (size_t)i)->numbers[0] != radii[i])
+            fail_msg("%s\nobject %d: %.17g, not %.17g", text, i, reading_shape(&r, (size_t)i)->numbers[0], radii[i]);
+    reading_end(&r);
+}
+
+static void assert_radius(const char *text, double radius)
+{
+    assert_radii(text, 1, &radius);
+}
+
+typedef struct expression_case { const char *text; double value; } expression_case;
+
+static const expression_case expressions[] = {
+    { "1+2*3", 7 }, { "(1+2)*3", 9 }, { "2*-3+10", 4 }, { "--1", 1 }, { "-!0", -1 }, { "!-1", 0 }, { "!!5", 1 },
+    { "6/2/3", 1 }, { "7-2-1", 4 }, { "(2 = 1 < 3)", 1 }, { "(1 | 1 & 0)", 0 }, { "(0 ? 1 : 0 ? 2 : 3)", 3 },
+    { "(1e-10 ? 1 : 2)", 2 }, { "(1.1e-10 ? 1 : 2)", 1 }, { "(1e-10 = 0)", 1 }, { "(1 <= 1)", 1 }, { "(1 != 1)", 0 },
+    { "(\"b\" > \"a\")", 1 }, { "(\"ab\" = \"ab\")", 1 }, { "x.x", 1 }, { "<1,2,3>.y", 2 }, { "(2*y+z).y", 2 },
+    { "vlength(<3,4>)", 5 }, { "vdot(<1,2,3>, 2)", 12 }, { "vcross(x, y).z", 1 }, { "vrotate(x, 90*z).y", 1 },
+    { "vaxis_rotate(x, 2*z, 90).y", 1 }, { "max(1, 3, 2)", 3 }, { "min(2)", 2 }, { "select(-1, 5, 6)", 5 },
+    { "select(0, 5, 6)", 6 }, { "select(0, 5, 6, 7)", 6 }, { "select(1e-11, 5, 6, 7)", 7 }, { "int(-1.9)", -1 },
+    { "div(7.9, 2.9)", 2 }, { "mod(-5.5, 2)", -1.5 }, { "bitwise_xor(1, 3, 7)", 5 }, { "bitwise_or(-1, 255)", -1 },
+    { "strlen(\"a\\u00e9b\")", 3 }, { "asc(\"\\u20ac\")", 8364 }, { "strcmp(\"a\", \"z\")", -25 },
+    { "strcmp(\"a\", \"ab\")", -98 }, { "val(\"3abc\")", 3 }, { "strlen(concat(\"a\", str(-5, -4, 0)))", 5 },
+    { "val(substr(\"12345\", 2, 3))", 234 }, { "asc(strupr(\"z\"))", 90 }, { "strlen(vstr(3, 1, \", \", 0, 1))", 13 },
+    { "int(floor(-1.5))", -2 }, { "defined(Nobody)", 0 }, { "atan2(0, 1)", 0 }, { "pow(2, 10)", 1024 },
+    { "version", 3.7 }, { "(true & yes & on)", 1 },
+};
+
+static void expressions_have_their_values(void **state)
+{
+    char text[200];
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof expressions / sizeof expressions[0]; i++) {
+        snprintf(text, sizeof text, "sphere { 0, %s }", expressions[i].text);
+        assert_radius(text, expressions[i].value);
+    }
+}
+
+static void names_stand_where_values_are_read(void **state)
+{
+    (void)state;
+    assert_radius("#declare R = 2; #declare C = <R, R, R>; sphere { C - R, R * 2 }", 4);
+    assert_radius("#declare P = rgb <1, .5, 0>; sphere { 0, 1 pigment { P * .5 transmit .5 } }", 1);
+    assert_radius("#declare S = sphere { 0, 3 } object { S }", 3);
+    assert_radius("#declare T = texture { pigment { rgb 1 } } sphere { 0, 3 texture { T } }", 3);
+}
+
+static void the_operators_of_a_pigment_reach_the_model(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "#declare C = rgbt <1, .5, .25, .5>; sphere { 0, 1 pigment { C * .5 } }");
+    assert_int_equal(r.status, POV_OK);
+    assert_true(r.model.materials.items[0].pigment.r == 0.5f);
+    assert_true(r.model.materials.items[0].transmit == 0.25f);
+    reading_end(&r);
+}
+
+static void loops_turn_as_often_as_they_should(void **state)
+{
+    static const double three[] = { 1, 2, 3 }, four[] = { 0, 0.25, 0.5, 0.75 }, down[] = { 5, 3, 1 };
+
+    (void)state;
+    assert_radii("#for (I, 1, 3) sphere { 0, I } #end", 3, three);
+    assert_radii("#declare I = 0; #while (I < 1) sphere { 0, I } #declare I = I + .25; #end", 4, four);
+    assert_radii("#for (I, 5, 1, -2) sphere { 0, I } #end", 3, down);
+    assert_radii("#for (I, 1, 9) #if (I > 3) #break #end sphere { 0, I } #end", 3, three);
+    assert_radii("#for (I, 1, 2-1e-9) #for (J, 1, 3) sphere { 0, J } #end #end", 3, three);
+    assert_radius("#for (I, 1, 3) #end sphere { 0, I }", 4);
+}
+
+static void branches_are_chosen(void **state)
+{
+    static const double two[] = { 2, 3 };
+
+    (void)state;
+    assert_radius("#if (0) nonsense ( } #if (x #end #else sphere { 0, 1 } #end", 1);
+    assert_radius("#if (0) #elseif (1) sphere { 0, 2 } #else sphere { 0, 3 } #end", 2);
+    assert_radius("#ifdef (A) sphere { 0, 1 } #else sphere { 0, 2 } #end", 2);
+    assert_radius("#ifndef (A) sphere { 0, 1 } #end", 1);
+    assert_radii("#switch (2) #case (1) sphere { 0, 1 } #case (2) sphere { 0, 2 } #range (5, 6) sphere { 0, 3 } #break"
+                 " #else sphere { 0, 4 } #end", 2, two);
+    assert_radius("sphere { 0, #if (1) 5 #else 6 #end }", 5);
+    assert_radius("#declare A = #if (1) 5 #else 6 #end; sphere { 0, A }", 5);
+}
+
+static void macros_give_and_take(void **state)
+{
+    (void)state;
+    assert_radius("#macro Add(A, B) A + B #end sphere { 0, 2*Add(1, 2) }", 4);
+    assert_radius("#macro Set(A) #declare A = 7; #end #declare R = 1; Set(R) sphere { 0, R }", 7);
+    assert_radius("#macro Set(A) #declare A = 7; #end #declare R = 1; Set((R)) sphere { 0, R }", 1);
+    assert_radius("#macro Open() sphere { 0, #end Open() 3 }", 3);
+    assert_radius("#macro Fib(N) #if (N < 2) N #else (Fib(N-1) + Fib(N-2)) #end #end sphere { 0, Fib(10) }", 55);
+    assert_radius("#macro M() 1 #break 2 #end sphere { 0, M() }", 1);
+    assert_radius("#macro Set(A) #local A = 4; #end #declare B = array[2] { 1, 2 }; Set(B[1]) sphere { 0, B[1] }", 4);
+    assert_radius("#declare A = array[1] { 5 }; #macro M() A[0] #end #declare Q = M(); sphere { 0, Q }", 5);
+}
+
+static void scopes_end_with_their_macro(void **state)
+{
+    static const double radii[] = { 5, 6, 1 };
+
+    (void)state;
+    assert_radii("#declare A = 1; #macro M() #local A = 5; sphere { 0, A } #declare A = 6; sphere { 0, A } #end"
+                 " M() sphere { 0, A }", 3, radii);
+    assert_radius("#macro In() #declare L = L + 1; #end #macro Out() #local L = 1; In() sphere { 0, L } #end Out()", 2);
+    assert_radius("#declare A = 3; #undef A #declare A = 4; sphere { 0, A }", 4);
+}
+
+static void arrays_are_copied_and_shared(void **state)
+{
+    (void)state;
+    assert_radius("#declare A = array[2] { 1, 2 }; #declare B = A; #declare B[0] = 9; sphere { 0, A[0] }", 1);
+    assert_radius("#declare A = array[2][2] { { 1, 2 }, { 3, 4 }, }; sphere { 0, A[1][0] }", 3);
+    assert_radius("#declare A = array[1] { sphere { 0, 8 } }; object { A[0] }", 8);
+    assert_radius("#declare A = array[4] { 0, 1, 2, 3 }; sphere { 0, A[1 - 1e-10] }", 1);
+}
+
+static void a_loop_that_does_not_end_is_stopped(void **state)
+{
+    static const char text[] = "\n#while (1) #end";
+    reader_options options = { .limits = { .turns = 1000 } };
+    reading r;
+
+    (void)state;
+    reading_begin_bytes(&r, text, sizeof text - 1, &options, NULL);
+    assert_int_equal(r.status, POV_E_SYNTAX);
+    assert_string_equal(r.error.message, "more than 1000 turns of loops");
+    assert_int_equal(r.error.line, 2);
+    reading_end(&r);
+}
+
+static void a_thousand_macros_run_within_each_other(void **state)
+{
+    (void)state;
+    assert_radius("#macro Deep(N) #if (N = 0) 0 #else (1 + Deep(N - 1)) #end #end sphere { 0, Deep(1000) }", 1000);
+}
+
+static void errors_in_macros_tell_who_called(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "#macro In()\n oops #end\n#macro Out() In() #end\nsphere { 0, 1 Out() }");
+    assert_int_equal(r.status, POV_E_SYNTAX);
+    assert_int_equal(r.error.line, 2);
+    assert_int_equal(r.note_count, 2);
+    assert_string_equal(r.notes[0].message, "in the macro \"In\", called here");
+    assert_int_equal(r.notes[0].line, 3);
+    assert_string_equal(r.notes[1].message, "in the macro \"Out\", called here");
+    assert_int_equal(r.notes[1].line, 4);
+    reading_end(&r);
+}
+
+static void unions_hand_down_what_their_members_lack(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "union { sphere { 0, 1 } sphere { 0, 2 pigment { rgb 1 } translate x }"
+                      " pigment { rgb .5 } translate 2*y no_shadow }");
+    assert_int_equal(r.status, POV_OK);
+    assert_int_equal(r.model.leaves.count, 2);
+    assert_true(r.model.materials.items[r.model.leaves.items[0].material].pigment.r == 0.5f);
+    assert_true(r.model.materials.items[r.model.leaves.items[1].material].pigment.r == 1.0f);
+    assert_true(r.model.leaves.items[1].map->v[1] == 2.0 && r.model.leaves.items[1].map->before->v[0] == 1.0);
+    assert_int_equal(r.model.leaves.items[1].flags, LEAF_NO_SHADOW);
+    reading_end(&r);
+}
+
+static void what_a_scene_writes_it_can_read_again(void **state)
+{
+    (void)state;
+    assert_radius("#fopen F \"t.txt\" write #write (F, 2*2, \",\", <1,2,3>, \",\\\"s\\\"\") #fclose F"
+                  " #fopen G \"t.txt\" read #read (G, A, B, C) sphere { 0, A + B.z + strlen(C) }", 8);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(expressions_have_their_values),
+        cmocka_unit_test(names_stand_where_values_are_read),
+        cmocka_unit_test(the_operators_of_a_pigment_reach_the_model),
+        cmocka_unit_test(loops_turn_as_often_as_they_should),
+        cmocka_unit_test(branches_are_chosen),
+        cmocka_unit_test(macros_give_and_take),
+        cmocka_unit_test(scopes_end_with_their_macro),
+        cmocka_unit_test(arrays_are_copied_and_shared),
+        cmocka_unit_test(a_loop_that_does_not_end_is_stopped),
+        cmocka_unit_test(a_thousand_macros_run_within_each_other),
+        cmocka_unit_test(errors_in_macros_tell_who_called),
+        cmocka_unit_test(unions_hand_down_what_their_members_lack),
+        cmocka_unit_test(what_a_scene_writes_it_can_read_again),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
