@@ -34,12 +34,16 @@ void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, ui
     lanes_put(&out->at_lo, lane, pov_two3_lo(p));
 }
 
-/* The points in the pattern's own space, rounded once. */
+/* The points in the pattern's own space, rounded once. There is at least one: a loop that tests first would have the
+ * compiler warn of unset lanes where it makes no clones. */
 SIMD_CLONES static void find_own(const inverse_map *restrict map, const texture_points *restrict p, uint32_t n,
                                  vec_lanes *restrict out)
 {
-    for (uint32_t i = 0; i < n; i++)
+    uint32_t i = 0;
+
+    do
         lanes_put(out, i, pov_two3_hi(to_space(map, pov_two3_of(lanes_at(&p->at, i), lanes_at(&p->at_lo, i)))));
+    while (++i < n);
 }
 
 /* A value beyond the list, which no pattern gives of numbers, is its end. */
