@@ -63,11 +63,11 @@ static double centred(int pixel, int size)
     return ((double)pixel - 0.5 * size + 0.5) / size;
 }
 
-static pov_vec3 direction_at(const maps *m, int x, int y)
+static bool ray_at(const maps *m, int x, int y, pov_vec3 *org, pov_vec3 *dir)
 {
     const double u = centred(m->rect.x + x, m->args->width), v = -centred(m->rect.y + y, m->args->height);
 
-    return pov_add(m->camera.direction, pov_add(pov_scale(m->camera.right, u), pov_scale(m->camera.up, v)));
+    return pov_camera_ray(&m->camera, u, v, org, dir);
 }
 
 static void put(float *to, double r, double g, double b)
@@ -88,9 +88,9 @@ static double length(pov_vec3 v)
 static void map_pixel(const maps *m, pov_tracer *tracer, int x, int y)
 {
     const size_t at = 4 * ((size_t)y * (size_t)m->rect.width + (size_t)x);
-    const pov_vec3 d = direction_at(m, x, y);
     pov_hit h = POV_INIT(h);
-    const bool met = pov_trace_hit(tracer, m->camera.location, d, &h);
+    pov_vec3 org, d;
+    const bool met = ray_at(m, x, y, &org, &d) && pov_trace_hit(tracer, org, d, &h);
 
     if (m->pixels[ARGS_AOV_CERTAINTY])
         put(m->pixels[ARGS_AOV_CERTAINTY] + at, !h.certain, met && h.certain, 0.0);

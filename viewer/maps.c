@@ -50,9 +50,9 @@ void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba)
 static void trace(maps *m, const maps_request *r, int x, int y, uint8_t *rgba)
 {
     double u = (x + 0.5) / r->width - 0.5, v = 0.5 - (y + 0.5) / r->height;
-    pov_vec3 across = pov_add(pov_scale(r->camera.right, u), pov_scale(r->camera.up, v));
     pov_hit hit = POV_INIT(hit);
-    bool found = pov_trace_hit(m->tracer, r->camera.location, pov_add(r->camera.direction, across), &hit);
+    pov_vec3 org, dir;
+    bool found = pov_camera_ray(&r->camera, u, v, &org, &dir) && pov_trace_hit(m->tracer, org, dir, &hit);
 
     maps_color(r, found ? &hit : NULL, rgba);
 }

@@ -24,8 +24,10 @@ static double probe(void *user, double x, double y)
     session *s = user;
     pov_camera camera = app_camera(s->app);
     pov_hit hit = POV_INIT(hit);
+    pov_vec3 org, dir;
 
-    if (!s->tracer || !pov_trace_hit(s->tracer, camera.location, orbit_ray(&s->app->orbit, x, y), &hit))
+    if (!s->tracer || !pov_camera_ray(&camera, x - 0.5, 0.5 - y, &org, &dir) ||
+        !pov_trace_hit(s->tracer, org, dir, &hit))
         return 0.0;
     return hit.distance;
 }

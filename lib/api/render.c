@@ -7,7 +7,8 @@ static bool is_direction(pov_vec3 v) { return is_finite(v) && pov_largest(v) > 0
 
 static bool is_camera(const pov_camera *c)
 {
-    return is_finite(c->location) && is_direction(c->direction) && is_direction(c->right) && is_direction(c->up);
+    return is_finite(c->location) && is_direction(c->direction) && is_direction(c->right) && is_direction(c->up) &&
+           (unsigned)c->type < POV_CAMERA_TYPES;
 }
 
 /* The scene's camera, or the program's, whose struct may have another size. */
@@ -20,8 +21,8 @@ static pov_status take_camera(pov_render_desc *d, pov_camera *copy, pov_error *e
     status = adapt_in(copy, sizeof *copy, d->camera, "the camera", err);
     d->camera = copy;
     if (status == POV_OK && !is_camera(copy))
-        return err_set(err, POV_E_ARGUMENT, "the camera's location must be finite, and its direction, right and up finite "
-                                            "and not zero");
+        return err_set(err, POV_E_ARGUMENT, "the camera's location must be finite, its direction, right and up finite and "
+                                            "not zero, and its type a known one");
     return status;
 }
 

@@ -3,6 +3,7 @@
 #include "api/handles.h"
 #include "base/clock.h"
 #include "base/file.h"
+#include "render/raygen.h"
 #include "sdl/reader.h"
 
 #include <povtrace/math.h>
@@ -225,6 +226,22 @@ static double length(pov_vec3 v)
     double m = pov_largest(v);
 
     return m > 0.0 ? m * sqrt(pov_dot(pov_scale(v, 1.0 / m), pov_scale(v, 1.0 / m))) : 0.0;
+}
+
+bool pov_camera_ray(const pov_camera *camera, double u, double v, pov_vec3 *org, pov_vec3 *dir)
+{
+    const raygen_screen through = { { u }, { v } };
+    pov_camera ours;
+    pov_ray ray;
+
+    if (!org || !dir || !camera || adapt_in(&ours, sizeof ours, camera, "the camera", NULL) < 0 ||
+        (unsigned)ours.type >= POV_CAMERA_TYPES)
+        return false;
+    raygen_begin(&ours, &ray, 1);
+    raygen_aim(&ours, &through, 1, &ray);
+    *org = ray.org;
+    *dir = ray.dir;
+    return isfinite(ray.org.x + ray.org.y + ray.org.z) && pov_largest(pov_unit(ray.dir)) > 0.0;
 }
 
 pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky, pov_error *err)

@@ -15,14 +15,14 @@
  * In order: identity, state, rows, counts and targets of the groups. Then, while lattices are traced, the finished
  * passes of each square and the pixels; afterwards the halves. The last part is the hash of all that. */
 
-enum { FORMAT = 3, SQUARE = TILE_EDGE_MIN };
+enum { FORMAT = 4, SQUARE = TILE_EDGE_MIN };
 
 /* Values that must match to continue. Written over zeros, so that padding matches too. */
 typedef struct identity {
     char magic[16], version[16];
     uint32_t order, format;
     uint64_t scene;
-    int32_t dialect, depth, exact;
+    int32_t dialect, depth, exact, camera_type;
     int32_t width, height, crop[4], first_step, samples, adaptive, cell_edge;
     uint32_t seed;
     double target_error, camera[12];
@@ -64,6 +64,7 @@ static void identify(const pov_job *job, identity *id)
     id->cell_edge = CELL_EDGE;
     id->seed = s->seed;
     id->target_error = s->target_error;
+    id->camera_type = (int32_t)job->camera.type;
     memcpy(id->camera, vectors, sizeof id->camera);
 }
 

@@ -2,7 +2,7 @@
 #ifndef RENDER_RAYGEN_H
 #define RENDER_RAYGEN_H
 
-#include "shade/tracer.h"
+#include "world/surface.h"
 
 /* The ray of a camera through pixel (x, y) of a picture, row 0 at the top. (dx, dy) is the position within the pixel,
  * from its top left corner: (1/2, 1/2) is the centre. The direction is not normalised: rounding it to a unit vector
@@ -27,7 +27,8 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
 
 /* Rays that start at the camera, without directions. */
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
-/* Set the directions of such rays; n <= RAYGEN_MANY. Returns their known properties: TRACER_SOUND and the like. */
+/* Set the starts and directions of such rays, as the camera's type has them; n <= RAYGEN_MANY. Returns their known properties, as tracer_colors()
+ * takes them. */
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 #endif

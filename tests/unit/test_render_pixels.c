@@ -5,6 +5,7 @@
 #include "render/raygen.h"
 #include "render/sample.h"
 #include "render/tiles.h"
+#include "shade/tracer.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -57,13 +58,29 @@ static void rays_are_symmetric_to_the_bit(void **state)
     }
 }
 
-static void many_rays_are_single_ones_to_the_bit(void **state)
+static void orthographic_rays_are_parallel(void **state)
 {
-    const pov_camera c = a_camera();
+    pov_camera c = a_camera();
+    pov_ray first, last;
+    (void)state;
+
+    c.type = POV_CAMERA_ORTHOGRAPHIC;
+    first = raygen_ray(&c, 4, 3, 0, 0, 0.5, 0.5);
+    last = raygen_ray(&c, 4, 3, 3, 2, 0.5, 0.5);
+    assert_memory_equal(&first.dir, &c.direction, sizeof first.dir);
+    assert_memory_equal(&last.dir, &c.direction, sizeof last.dir);
+    assert_near(first.org.x, 1.0 + 2.0 * (0.5 / 4 - 0.5), 1e-15);
+    assert_near(first.org.y, 2.0 + 1.5 * (0.5 - 0.5 / 3), 1e-15);
+    assert_near(last.org.x, 1.0 - 2.0 * (0.5 / 4 - 0.5), 1e-15);
+    assert_near(last.org.z, 3.0, 0.0);
+    assert_int_equal(last.left, POV_NOBODY);
+}
+
+static void assert_many_are_single(const pov_camera *c, unsigned known)
+{
     pov_ray rays[RAYGEN_MANY];
     raygen_places places;
     raygen_screen through;
-    (void)state;
 
     for (int i = 0; i < RAYGEN_MANY; i++) {
         sample at = sample_at(7, i, 3 * i, i & 1, (uint32_t)i);
@@ -73,11 +90,11 @@ static void many_rays_are_single_ones_to_the_bit(void **state)
         places.dx[i] = at.x;
         places.dy[i] = at.y;
     }
-    raygen_begin(&c, rays, RAYGEN_MANY);
+    raygen_begin(c, rays, RAYGEN_MANY);
     raygen_place(&places, 83, 211, RAYGEN_MANY, &through);
-    assert_int_equal(raygen_aim(&c, &through, RAYGEN_MANY, rays), TRACER_SOUND | TRACER_ONE_START);
+    assert_int_equal(raygen_aim(c, &through, RAYGEN_MANY, rays), known);
     for (int i = 0; i < RAYGEN_MANY; i++) {
-        pov_ray one = raygen_ray(&c, 83, 211, places.x[i], places.y[i], places.dx[i], places.dy[i]);
+        pov_ray one = raygen_ray(c, 83, 211, places.x[i], places.y[i], places.dx[i], places.dy[i]);
 
         assert_memory_equal(&one.org, &rays[i].org, sizeof one.org);
         assert_memory_equal(&one.org_lo, &rays[i].org_lo, sizeof one.org_lo);
@@ -85,6 +102,18 @@ static void many_rays_are_single_ones_to_the_bit(void **state)
         assert_memory_equal(&one.dir_lo, &rays[i].dir_lo, sizeof one.dir_lo);
         assert_int_equal(rays[i].left, POV_NOBODY);
     }
+}
+
+static void many_rays_are_single_ones_to_the_bit(void **state)
+{
+    pov_camera c = a_camera();
+    (void)state;
+
+    assert_many_are_single(&c, TRACER_SOUND | TRACER_ONE_START);
+    c.type = POV_CAMERA_ORTHOGRAPHIC;
+    assert_many_are_single(&c, TRACER_SOUND);
+    c.location.x = HUGE_VAL;
+    assert_many_are_single(&c, 0);
 }
 
 /* ---- samples ---- */
@@ -362,6 +391,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_goes_through_the_centre_of_its_pixel),
         cmocka_unit_test(rays_are_symmetric_to_the_bit),
+        cmocka_unit_test(orthographic_rays_are_parallel),
         cmocka_unit_test(many_rays_are_single_ones_to_the_bit),
         cmocka_unit_test(samples_of_a_half_spread_evenly),
         cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),

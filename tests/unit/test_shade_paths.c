@@ -405,6 +405,38 @@ static void coincident_surfaces_cannot_hold_a_ray_for_ever(void **state)
     tiny_end(&s);
 }
 
+/* Each camera ray has the dielectrics around its own start, whatever its neighbours have. */
+static void rays_that_start_in_different_places_know_what_they_are_in(void **state)
+{
+    pov_ray rays[BATCH_MAX];
+    colour many[BATCH_MAX];
+    tiny s;
+    (void)state;
+    tiny_begin(&s, NULL);
+
+    s.model.background = colour_of(1.0f, 1.0f, 1.0f);
+    tiny_sphere(&s, 0, 0, 0, 4, tiny_glass(1.5));
+    tiny_sphere(&s, 1, 0, 0, 2, tiny_glass(1.2));
+    for (int i = 0; i < 40; i++)
+        tiny_sphere(&s, i - 20.0, 0, 9, 0.3, tiny_glow(0.025f * (float)i, 0.5f, 0.0f));
+    tiny_build(&s);
+    assert_true(world_plan(s.world)->media_at_start);
+    for (int i = 0; i < BATCH_MAX; i++) {
+        const pov_ray ray = { .org = { 0.2 * i - 6.4, 0, 0 }, .dir = { 0.1, 0, 1 }, .left = POV_NOBODY };
+
+        rays[i] = ray;
+    }
+    for (int round = 0; round < 2; round++) {
+        tracer_colors(s.tracer, rays, BATCH_MAX, TRACER_SOUND, many);
+        for (int i = 0; i < BATCH_MAX; i++) {
+            const colour one = tracer_color(s.tracer, &rays[i]);
+
+            assert_memory_equal(&many[i], &one, sizeof one);
+        }
+    }
+    tiny_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -420,6 +452,7 @@ int main(void)
         cmocka_unit_test(total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_own),
         cmocka_unit_test(the_list_of_rays_gives_what_recursion_gives),
         cmocka_unit_test(a_power_of_two_in_size_changes_no_bit),
+        cmocka_unit_test(rays_that_start_in_different_places_know_what_they_are_in),
         cmocka_unit_test(coincident_surfaces_cannot_hold_a_ray_for_ever),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,12 +52,19 @@ POV_API pov_status pov_scene_load_text(pov_scene **out, pov_context *context, co
                                        const char *name, const pov_load_desc *desc, pov_error *err);
 POV_API void pov_scene_destroy(pov_scene *scene);
 
+/* (u, v) is a position on the screen, each from -1/2 to 1/2. PERSPECTIVE: rays start at location, with the direction
+ * direction + u right + v up. ORTHOGRAPHIC: they start at location + u right + v up, all with the same direction. */
+typedef enum pov_camera_type { POV_CAMERA_PERSPECTIVE, POV_CAMERA_ORTHOGRAPHIC, POV_CAMERA_TYPES } pov_camera_type;
+
 typedef struct pov_camera {
     size_t size;
-    pov_vec3 location, direction, right, up;   /* direction + u right + v up looks through (u, v) in -1/2 .. 1/2 */
+    pov_vec3 location, direction, right, up;
+    pov_camera_type type;
 } pov_camera;
 
 POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
+/* The ray through a position on the screen. False: there is none. */
+POV_API bool pov_camera_ray(const pov_camera *camera, double u, double v, pov_vec3 *org, pov_vec3 *dir);
 /* Aim the camera from location at target, keeping its angles; sky points up in the picture. */
 POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky,
                                       pov_error *err);
