@@ -86,94 +86,6 @@ static int32_t rest(const csg_tree *t, node_ref node)
     return s->value = csg_value(n, s);
 }
 
-/* ---- boxes ---- */
-
-static void join(pov_box *a, const pov_box *b)
-{
-    a->lo = pov_vec3_of(fmin(a->lo.x, b->lo.x), fmin(a->lo.y, b->lo.y), fmin(a->lo.z, b->lo.z));
-    a->hi = pov_vec3_of(fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z));
-}
-
-static void cut(pov_box *a, const pov_box *b)
-{
-    a->lo = pov_vec3_of(fmax(a->lo.x, b->lo.x), fmax(a->lo.y, b->lo.y), fmax(a->lo.z, b->lo.z));
-    a->hi = pov_vec3_of(fmin(a->hi.x, b->hi.x), fmin(a->hi.y, b->hi.y), fmin(a->hi.z, b->hi.z));
-}
-
-static bool is_empty(const pov_box *b) { return b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z; }
-
-static bool box_of(const csg_tree *t, node_ref node, pov_box *out);
-
-static bool box_of_all(const csg_tree *t, const csg_node *n, pov_box *out)
-{
-    for (uint32_t i = 0; i < n->child_count; i++) {
-        pov_box b;
-
-        if (!box_of(t, t->children[n->child + i], &b))
-            return false;
-        if (i == 0)
-            *out = b;
-        else
-            join(out, &b);
-    }
-    return true;
-}
-
-static bool box_of_common(const csg_tree *t, const csg_node *n, pov_box *out)
-{
-    bool boxed = false;
-
-    for (uint32_t i = 0; i < n->child_count; i++) {
-        pov_box b;
-
-        if (!box_of(t, t->children[n->child + i], &b))
-            continue;
-        if (boxed)
-            cut(out, &b);
-        else
-            *out = b;
-        boxed = true;
-    }
-    return boxed;
-}
-
-/* False: it may reach without end. */
-static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
-{
-    const csg_node *n;
-
-    if (!(node & NODE_GROUP)) {
-        *out = t->members[node].box;
-        return t->members[node].boxed && !t->members[node].inverse;
-    }
-    n = &t->nodes[node & ~NODE_GROUP];
-    if (n->inverse)
-        return false;
-    return n->op == NODE_INTERSECTION ? box_of_common(t, n, out) : box_of_all(t, n, out);
-}
-
-/* What lies beyond the tree's box is not looked for. */
-static void find_boxes(csg_tree *t, csg_extent_of *extent, const void *user)
-{
-    csg_extent e;
-    uint32_t i;
-
-    for (i = 0; i < t->member_count; i++) {
-        extent(user, t->members[i].leaf, &e);
-        t->members[i].boxed = e.boxed;
-        t->members[i].box = e.box;
-        if (e.boxed)
-            t->size = fmax(t->size, fmax(pov_largest(e.box.lo), pov_largest(e.box.hi)));
-    }
-    t->boxed = box_of(t, NODE_GROUP, &t->box);
-    t->empty = t->boxed && is_empty(&t->box);
-    for (i = 0; t->boxed && i < t->member_count; i++)
-        if (t->members[i].boxed) {
-            cut(&t->members[i].box, &t->box);
-            t->members[i].absent = is_empty(&t->members[i].box);
-        }
-}
-
 /* ---- trees ---- */
 
 static void count_nodes(const model *m, node_ref node, uint32_t *nodes, uint32_t *children)
@@ -222,7 +134,10 @@ bool csg_make(csg_list *out, const model *m, csg_extent_of *extent, const void *
             out->count++;
             return false;
         }
-        find_boxes(t, extent, user);
+        if (!csg_find_bounds(t, m->env, extent, user)) {
+            out->count++;
+            return false;
+        }
     }
     return true;
 }
@@ -234,6 +149,8 @@ void csg_free(csg_list *all, const env *e)
         env_free(e, all->items[i].nodes);
         env_free(e, all->items[i].outside);
         env_free(e, all->items[i].children);
+        env_free(e, all->items[i].bounds);
+        env_free(e, all->items[i].endless);
     }
     env_free(e, all->items);
     all->items = NULL;

@@ -37,12 +37,17 @@ typedef struct csg_member {
     pov_box box;
 } csg_member;
 
+/* Around some members: around one of them, or the next of these around one half and `other` around the other. */
+typedef struct csg_bound { pov_box box; uint32_t member, other; } csg_bound;
+
 typedef struct csg_tree {
     csg_member *members;         /* in the order of the text: their leaves follow each other */
     csg_node *nodes;             /* the first is the root */
     csg_state *outside;          /* by node, where no member is entered */
     node_ref *children;
-    uint32_t member_count, node_count, child_count;
+    csg_bound *bounds;           /* around the members that have an end; the first around all */
+    uint32_t *endless;           /* members without */
+    uint32_t member_count, node_count, child_count, bounds_count, endless_count;
     bool boxed, empty;           /* boxed: it has an end; empty: its members hold nothing together */
     double size;                 /* the largest coordinate of the boxes */
     pov_box box;
@@ -59,9 +64,13 @@ extern const shape_class csg_class;
 typedef struct csg_extent { bool boxed; pov_box box; } csg_extent;
 typedef void csg_extent_of(const void *user, uint32_t leaf, csg_extent *out);
 
+/* For csg_make(): boxes of the members, which may be moved, and of the tree. */
+bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const void *user);
 /* The trees of a model; false: no memory. csg_free() frees what is there in any case. */
 bool csg_make(csg_list *out, const model *m, csg_extent_of *extent, const void *user);
 void csg_free(csg_list *all, const env *e);
+
+typedef struct csg_near { double t; uint32_t bound; } csg_near;
 
 /* One thread's memory for walks. What hits->user points to begins with a pointer to it. */
 typedef struct csg_scratch {
@@ -69,7 +78,9 @@ typedef struct csg_scratch {
     pov_crossing *crossings;
     uint32_t capacity;
     csg_state *states;           /* by node */
-    uint8_t *inside;             /* by member */
+    uint8_t *inside;             /* by member; zero between walks */
+    uint32_t *asked;             /* members whose crossings were asked for */
+    csg_near *near;              /* bounds still to be opened, the nearest first: a heap */
     bool failed;                 /* memory ended; stays so */
 } csg_scratch;
 typedef struct csg_user { csg_scratch *scratch; } csg_user;

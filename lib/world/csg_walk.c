@@ -19,6 +19,8 @@ typedef struct csg_walk {
     const pov_ray *ray;
     csg_scratch *scratch;
     pov_hits found;              /* the members' crossings */
+    uint32_t applied;            /* so many of them, from the front, are behind; the others are in order */
+    uint32_t asked_count, near_count;
     bool unsure;                 /* doubles do not tell them apart */
     double way, size;            /* largest component of the direction; and of the coordinates that take part */
 } csg_walk;
@@ -53,7 +55,9 @@ bool csg_scratch_init(csg_scratch *s, const csg_list *all, const env *e)
         return true;
     s->states = env_alloc(e, nodes, sizeof *s->states);
     s->inside = env_alloc(e, members, sizeof *s->inside);
-    return s->states && s->inside;
+    s->asked = env_alloc(e, members, sizeof *s->asked);
+    s->near = env_alloc(e, 2 * (size_t)members, sizeof *s->near);
+    return s->states && s->inside && s->asked && s->near;
 }
 
 void csg_scratch_free(csg_scratch *s)
@@ -61,6 +65,8 @@ void csg_scratch_free(csg_scratch *s)
     env_free(s->env, s->crossings);
     env_free(s->env, s->states);
     env_free(s->env, s->inside);
+    env_free(s->env, s->asked);
+    env_free(s->env, s->near);
 }
 
 /* ---- values ---- */
@@ -103,14 +109,46 @@ static bool narrow(double o, double d, double lo, double hi, double *enter, doub
     return *enter <= *leave;
 }
 
-/* May the ray meet what is in the box before tmax? */
-static bool meets(const pov_ray *r, const pov_box *b, double tmax)
+/* May the ray meet what is in the box before tmax, and from where on? */
+static bool meets(const pov_ray *r, const pov_box *b, double tmax, double *enter)
 {
-    double enter = 0.0, leave = tmax;
+    double leave = tmax;
 
-    return narrow(r->org.x, r->dir.x, b->lo.x, b->hi.x, &enter, &leave) &&
-           narrow(r->org.y, r->dir.y, b->lo.y, b->hi.y, &enter, &leave) &&
-           narrow(r->org.z, r->dir.z, b->lo.z, b->hi.z, &enter, &leave);
+    *enter = 0.0;
+    return narrow(r->org.x, r->dir.x, b->lo.x, b->hi.x, enter, &leave) &&
+           narrow(r->org.y, r->dir.y, b->lo.y, b->hi.y, enter, &leave) &&
+           narrow(r->org.z, r->dir.z, b->lo.z, b->hi.z, enter, &leave);
+}
+
+static void push(csg_walk *w, uint32_t bound)
+{
+    csg_near *near = w->scratch->near;
+    uint32_t i = w->near_count;
+    double t;
+
+    if (!meets(w->ray, &w->tree->bounds[bound].box, HUGE_VAL, &t))
+        return;
+    for (w->near_count++; i > 0 && t < near[(i - 1) / 2].t; i = (i - 1) / 2)
+        near[i] = near[(i - 1) / 2];
+    near[i].t = t;
+    near[i].bound = bound;
+}
+
+static uint32_t pop(csg_walk *w)
+{
+    csg_near *near = w->scratch->near;
+    const uint32_t bound = near[0].bound, n = --w->near_count;
+    const csg_near last = near[n];
+    uint32_t i = 0, child;
+
+    for (; (child = 2 * i + 1) < n; i = child) {
+        child += child + 1 < n && near[child + 1].t < near[child].t;
+        if (!(near[child].t < last.t))
+            break;
+        near[i] = near[child];
+    }
+    near[i] = last;
+    return bound;
 }
 
 /* ---- members ---- */
@@ -184,6 +222,29 @@ static bool ends_inside(const csg_walk *w, const csg_member *m, uint32_t first)
                         : m->shape->inside(m->instance, pov_two3_hi(p), pov_two3_lo(p));
 }
 
+static bool comes_before(const pov_crossing *a, const pov_crossing *b)
+{
+    if (a->t != b->t)
+        return a->t < b->t;
+    if (a->t_lo != b->t_lo)
+        return a->t_lo < b->t_lo;
+    return a->owner < b->owner;
+}
+
+/* The crossings from `first` on among those that are still ahead. */
+static void put_in_order(csg_walk *w, uint32_t first)
+{
+    pov_crossing *at = w->found.at;
+
+    for (uint32_t i = first, j; i < w->found.count; i++) {
+        const pov_crossing c = at[i];
+
+        for (j = i; j > w->applied && comes_before(&c, &at[j - 1]); j--)
+            at[j] = at[j - 1];
+        at[j] = c;
+    }
+}
+
 /* All crossings of a member ahead; by their number it is known whether the ray starts inside it. */
 static void ask(csg_walk *w, uint32_t member)
 {
@@ -191,8 +252,7 @@ static void ask(csg_walk *w, uint32_t member)
     const uint32_t first = w->found.count;
     bool inside;
 
-    if (m->absent || (m->boxed && !meets(w->ray, &m->box, HUGE_VAL)))
-        return;
+    w->scratch->asked[w->asked_count++] = member;
     w->found.owner = m->leaf;
     if (m->placement)
         placement_intersect(m->placement, m->shape, m->instance, w->ray, &w->found);
@@ -204,34 +264,10 @@ static void ask(csg_walk *w, uint32_t member)
         inside = inside != ends_inside(w, m, first);
     if (inside)
         toggle(w, member);
+    put_in_order(w, first);
 }
 
 /* ---- places ---- */
-
-static bool comes_before(const pov_crossing *a, const pov_crossing *b)
-{
-    if (a->t != b->t)
-        return a->t < b->t;
-    if (a->t_lo != b->t_lo)
-        return a->t_lo < b->t_lo;
-    return a->owner < b->owner;
-}
-
-static void sort(pov_crossing *at, uint32_t count)
-{
-    uint32_t gap, i, j;
-
-    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
-        continue;
-    for (; gap > 0; gap /= 3)
-        for (i = gap; i < count; i++) {
-            const pov_crossing c = at[i];
-
-            for (j = i; j >= gap && comes_before(&c, &at[j - gap]); j -= gap)
-                at[j] = at[j - gap];
-            at[j] = c;
-        }
-}
 
 static bool shares_place(const csg_walk *w, const pov_crossing *first, const pov_crossing *next)
 {
@@ -298,7 +334,7 @@ static bool report(const pov_crossing *at, bool enters, pov_hits *hits)
 
 /* ---- walks ---- */
 
-static void begin(csg_walk *w, bool exact)
+static void begin(csg_walk *w, void *user, bool exact)
 {
     const csg_tree *t = w->tree;
     csg_scratch *s = w->scratch;
@@ -310,64 +346,100 @@ static void begin(csg_walk *w, bool exact)
     w->found.at = s->crossings;
     w->found.capacity = s->capacity;
     w->found.grow = grow;
+    w->found.user = user;
+    w->applied = w->asked_count = w->near_count = 0;
     w->unsure = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
-    memset(s->inside, 0, t->member_count);
+    for (uint32_t i = 0; i < t->endless_count; i++)
+        ask(w, t->endless[i]);
+    if (t->bounds_count > 0)
+        push(w, 0);
 }
 
-/* Every crossing ahead, in order. False: doubles are not enough. */
-static bool find(csg_walk *w, const pov_hits *hits, bool exact)
+static void end(csg_walk *w)
 {
-    begin(w, exact);
-    w->found.user = hits->user;
-    w->found.scratch = hits->scratch;
-    for (uint32_t i = 0; i < w->tree->member_count && !w->scratch->failed; i++) {
-        ask(w, i);
-        if (w->unsure && !exact)
-            return false;
-    }
-    sort(w->found.at, w->found.count);
-    for (uint32_t i = 1; i < w->found.count && !exact; i++)
-        if (w->found.at[i].t - w->found.at[i - 1].t <= 2.0 * apart * fabs(w->found.at[i].t))
-            return false;
-    return true;
+    for (uint32_t i = 0; i < w->asked_count; i++)
+        w->scratch->inside[w->scratch->asked[i]] = 0;
 }
 
-/* Report where the tree's value changes. */
-static void walk(csg_walk *w, pov_hits *hits)
+/* Open bounds until the next crossing lies before all that are left. */
+static void look_ahead(csg_walk *w)
+{
+    while (w->near_count > 0) {
+        const csg_bound *b;
+        uint32_t which;
+
+        if (w->applied < w->found.count && w->found.at[w->applied].t * (1.0 + 0x1p-40) < w->scratch->near[0].t)
+            return;
+        which = pop(w);
+        b = &w->tree->bounds[which];
+        if (b->other == 0) {
+            ask(w, b->member);
+        } else {
+            push(w, which + 1);
+            push(w, b->other);
+        }
+    }
+}
+
+/* Are the next two crossings too near for doubles? */
+static bool is_close(const csg_walk *w)
+{
+    const pov_crossing *at = w->found.at;
+    const uint32_t i = w->applied + 1;
+
+    return !w->found.always_exact && i < w->found.count && at[i].t - at[i - 1].t <= apart * fabs(at[i].t);
+}
+
+/* Apply the next place, and report it if the tree's value changes there. False: nothing more is wanted. */
+static bool pass_place(csg_walk *w, pov_hits *hits)
 {
     const csg_state *root = &w->scratch->states[0];
+    const uint32_t first = w->applied;
+    const int32_t before = root->value;
     const pov_crossing *at;
-    uint32_t first, end;
 
-    for (first = 0; first < w->found.count && !(w->found.at[first].t > hits->tmax); first = end) {
-        const int32_t before = root->value;
+    w->applied = end_of_place(w, first);
+    for (uint32_t i = first; i < w->applied; i++)
+        toggle(w, w->found.at[i].owner - w->tree->members[0].leaf);
+    if (root->value == before)
+        return true;
+    at = owner_of(w, first, w->applied, root->value > before);
+    return report(at, root->value > before, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
+}
 
-        end = end_of_place(w, first);
-        for (uint32_t i = first; i < end; i++)
-            toggle(w, w->found.at[i].owner - w->tree->members[0].leaf);
-        if (root->value == before)
-            continue;
-        at = owner_of(w, first, end, root->value > before);
-        if (!report(at, root->value > before, hits) || (hits->want == POV_WANT_NEAREST && at->t > hits->tmin))
-            return;
+/* False: doubles were not enough. What was reported until then is right. */
+static bool walk(csg_walk *w, pov_hits *hits, bool exact)
+{
+    bool enough = true;
+
+    begin(w, hits->user, exact);
+    for (;;) {
+        look_ahead(w);
+        enough = !(w->unsure || is_close(w));
+        if (!enough || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > hits->tmax ||
+            !pass_place(w, hits))
+            break;
     }
+    end(w);
+    return enough;
 }
 
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     csg_walk w = { .tree = ((const csg_root *)self)->tree, .ray = ray };
-    bool exact = hits->always_exact;
+    const uint32_t count = hits->count;
+    double enter;
 
-    if (w.tree->boxed && !meets(ray, &w.tree->box, hits->tmax))
+    if (w.tree->boxed && !meets(ray, &w.tree->box, hits->tmax, &enter))
         return;
     w.scratch = ((const csg_user *)hits->user)->scratch;
     w.way = pov_largest(ray->dir);
     w.size = pov_largest(ray->org) + w.tree->size;
-    if (!find(&w, hits, exact)) {
-        hits->decided++;
-        find(&w, hits, true);
-    }
-    if (!w.scratch->failed)
-        walk(&w, hits);
+    if (walk(&w, hits, hits->always_exact))
+        return;
+    if (hits->want == POV_WANT_ALL)
+        hits->count = count;   /* the walk begins again */
+    hits->decided++;
+    walk(&w, hits, true);
 }

@@ -313,7 +313,7 @@ static shape_class below_class(void)
 
 /* ---- any tree, against what its members say of points ---- */
 
-enum { LEAVES_MAX = 12, CROSSINGS_MAX = 64 };
+enum { LEAVES_MAX = 12, CROSSINGS_MAX = 1024, HOLLOWS = 300 };
 
 static node_ref random_leaf(model *m, const shape_class *below, test_random *r)
 {
@@ -470,6 +470,33 @@ static void random_trees_are_what_their_members_say_of_points(void **state)
     assert_true(surfaces > 10000);
 }
 
+/* Members are looked for by their boxes, the nearest first. */
+static void many_hollows_are_all_found(void **state)
+{
+    test_random r = { 5 };
+    node_ref members[HOLLOWS + 1];
+    uint32_t surfaces = 0;
+    node_ref root;
+    scene s;
+
+    (void)state;
+    begin(&s);
+    members[0] = brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
+    for (int i = 1; i <= HOLLOWS; i++)
+        members[i] = ball(&s.model, test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
+                          test_uniform(&r, 0.02, 0.2));
+    root = group(&s.model, NODE_DIFFERENCE, false, members, HOLLOWS + 1);
+    assert_true(model_add_tree(&s.model, root));
+    compile(&s, POV_ACCEL_TREE);
+    for (int i = 0; i < 1000; i++) {
+        const pov_vec3 org = { test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0) };
+
+        surfaces += check_ray(&s, root, ray_of(org, test_direction(&r)));
+    }
+    assert_true(surfaces > 2000);
+    end(&s);
+}
+
 /* What the contract asks of a primitive holds of a tree too: by the number of crossings ahead it is known whether a point is
  * inside. (Of those that are no union at the root, where a surface may lie inside.) */
 static void crossings_ahead_tell_what_is_inside(void **state)
@@ -599,6 +626,7 @@ int main(void)
         cmocka_unit_test(what_only_touches_changes_nothing),
         cmocka_unit_test(a_shared_face_is_the_first_members),
         cmocka_unit_test(random_trees_are_what_their_members_say_of_points),
+        cmocka_unit_test(many_hollows_are_all_found),
         cmocka_unit_test(crossings_ahead_tell_what_is_inside),
         cmocka_unit_test(light_crosses_the_surfaces_that_are_there),
         cmocka_unit_test(light_ends_at_what_is_opaque),

@@ -1,0 +1,161 @@
+/* Where trees of shapes and their members are: boxes, and a hierarchy of them over the members. */
+#include "world/csg.h"
+
+/* ---- boxes ---- */
+
+static void join(pov_box *a, const pov_box *b)
+{
+    a->lo = pov_vec3_of(fmin(a->lo.x, b->lo.x), fmin(a->lo.y, b->lo.y), fmin(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z));
+}
+
+static void cut(pov_box *a, const pov_box *b)
+{
+    a->lo = pov_vec3_of(fmax(a->lo.x, b->lo.x), fmax(a->lo.y, b->lo.y), fmax(a->lo.z, b->lo.z));
+    a->hi = pov_vec3_of(fmin(a->hi.x, b->hi.x), fmin(a->hi.y, b->hi.y), fmin(a->hi.z, b->hi.z));
+}
+
+static bool is_empty(const pov_box *b) { return b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z; }
+
+static bool box_of(const csg_tree *t, node_ref node, pov_box *out);
+
+static bool box_of_all(const csg_tree *t, const csg_node *n, pov_box *out)
+{
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        pov_box b;
+
+        if (!box_of(t, t->children[n->child + i], &b))
+            return false;
+        if (i == 0)
+            *out = b;
+        else
+            join(out, &b);
+    }
+    return true;
+}
+
+static bool box_of_common(const csg_tree *t, const csg_node *n, pov_box *out)
+{
+    bool boxed = false;
+
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        pov_box b;
+
+        if (!box_of(t, t->children[n->child + i], &b))
+            continue;
+        if (boxed)
+            cut(out, &b);
+        else
+            *out = b;
+        boxed = true;
+    }
+    return boxed;
+}
+
+/* False: it may reach without end. */
+static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
+{
+    const csg_node *n;
+
+    if (!(node & NODE_GROUP)) {
+        *out = t->members[node].box;
+        return t->members[node].boxed && !t->members[node].inverse;
+    }
+    n = &t->nodes[node & ~NODE_GROUP];
+    if (n->inverse)
+        return false;
+    return n->op == NODE_INTERSECTION ? box_of_common(t, n, out) : box_of_all(t, n, out);
+}
+
+/* What lies beyond the tree's box is not looked for. */
+static void find_boxes(csg_tree *t, csg_extent_of *extent, const void *user)
+{
+    csg_extent e;
+    uint32_t i;
+
+    for (i = 0; i < t->member_count; i++) {
+        extent(user, t->members[i].leaf, &e);
+        t->members[i].boxed = e.boxed;
+        t->members[i].box = e.box;
+        if (e.boxed)
+            t->size = fmax(t->size, fmax(pov_largest(e.box.lo), pov_largest(e.box.hi)));
+    }
+    t->boxed = box_of(t, NODE_GROUP, &t->box);
+    t->empty = t->boxed && is_empty(&t->box);
+    for (i = 0; t->boxed && i < t->member_count; i++)
+        if (t->members[i].boxed) {
+            cut(&t->members[i].box, &t->box);
+            t->members[i].absent = is_empty(&t->members[i].box);
+        }
+}
+
+/* ---- the hierarchy ---- */
+
+static double centre_of(const pov_box *b, int axis)
+{
+    return axis == 0 ? b->lo.x + b->hi.x : axis == 1 ? b->lo.y + b->hi.y : b->lo.z + b->hi.z;
+}
+
+/* In the order of their centres along an axis. */
+static void sort(const csg_tree *t, uint32_t *ids, uint32_t count, int axis)
+{
+    uint32_t gap, i, j;
+
+    for (gap = 1; gap < count / 3; gap = 3 * gap + 1)
+        continue;
+    for (; gap > 0; gap /= 3)
+        for (i = gap; i < count; i++) {
+            const uint32_t id = ids[i];
+            const double centre = centre_of(&t->members[id].box, axis);
+
+            for (j = i; j >= gap && centre < centre_of(&t->members[ids[j - gap]].box, axis); j -= gap)
+                ids[j] = ids[j - gap];
+            ids[j] = id;
+        }
+}
+
+static int longest_axis(const pov_box *b)
+{
+    const pov_vec3 e = pov_sub(b->hi, b->lo);
+
+    return e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+}
+
+/* Halves of equal count, along the longest edge. */
+static uint32_t split(csg_tree *t, uint32_t *ids, uint32_t count)
+{
+    const uint32_t at = t->bounds_count++;
+    csg_bound *b = &t->bounds[at];
+
+    b->box = t->members[ids[0]].box;
+    b->member = ids[0];
+    b->other = 0;
+    if (count == 1)
+        return at;
+    for (uint32_t i = 1; i < count; i++)
+        join(&b->box, &t->members[ids[i]].box);
+    sort(t, ids, count, longest_axis(&b->box));
+    split(t, ids, count / 2);
+    b->other = split(t, ids + count / 2, count - count / 2);
+    return at;
+}
+
+bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const void *user)
+{
+    uint32_t *ids = env_resize(e, NULL, t->member_count, sizeof *ids), count = 0;
+
+    find_boxes(t, extent, user);
+    t->bounds = env_resize(e, NULL, 2 * (size_t)t->member_count, sizeof *t->bounds);
+    t->endless = env_resize(e, NULL, t->member_count, sizeof *t->endless);
+    if (ids && t->bounds && t->endless)
+        for (uint32_t i = 0; i < t->member_count; i++) {
+            if (!t->members[i].boxed)
+                t->endless[t->endless_count++] = i;
+            else if (!t->members[i].absent)
+                ids[count++] = i;
+        }
+    if (count > 0)
+        split(t, ids, count);
+    env_free(e, ids);
+    return ids && t->bounds && t->endless;
+}
