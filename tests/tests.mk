@@ -37,8 +37,7 @@ METHODS = $(foreach m,textbook qform twofold,$(METHOD_NAMES:%=$(BUILD)/tests/num
 # The method, a folder's ending, and the kit to go with it.
 define METHOD_RULE
 $(BUILD)/tests/numerics/$1/primitives$2/%.so: tests/numerics/methods/primitives/%.c $(wildcard tests/numerics/methods/*.h) $3
-	@mkdir -p $$(@D)
-	$(CC) $(filter-out -MMD -MP,$(BASE_FLAGS)) $(if $2,-march=$(2:/%=%)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
+	$$(call say,CC,$$@) $(CC) $(filter-out -MMD -MP,$(BASE_FLAGS)) $(if $2,-march=$(2:/%=%)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
 	    -Wl,--gc-sections $(LINK_FLAGS) $$< $3 -lm -o $$@
 endef
 $(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(BUILD)/obj/plugins/kit.a)))
@@ -62,8 +61,7 @@ accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight t
 # The tables of docs/numerics.md and its plots, from the table that was measured last. Plots need cairo.
 .PHONY: accuracy-report accuracy-cost
 $(BUILD)/tests/numerics/accuracy_plot: tests/numerics/accuracy_plot.c
-	@mkdir -p $(@D)
-	$(CC) $(BASE_FLAGS) $$($(PKG_CONFIG) --cflags cairo) $< $$($(PKG_CONFIG) --libs cairo) -lm -o $@
+	$(call say,CC,$@) $(CC) $(BASE_FLAGS) $$($(PKG_CONFIG) --cflags cairo) $< $$($(PKG_CONFIG) --libs cairo) -lm -o $@
 accuracy-report: $(BUILD)/tests/numerics/accuracy_plot
 	$(PYTHON) tests/numerics/accuracy_report.py $(BUILD)/accuracy.csv docs/numerics.md docs/images $<
 
@@ -77,18 +75,15 @@ accuracy-cost: all $(METHODS)
 
 # A plugin as a stranger would build it, held to the contract with our own.
 $(BUILD)/tests/plugins/out_of_tree/%.so: tests/plugins/out_of_tree/%.c $(wildcard lib/include/povtrace/*.h)
-	@mkdir -p $(@D)
-	$(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
+	$(call say,CC,$@) $(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include $(SANITIZE) $< -lm -o $@
 $(BUILD)/tests/plugins/test_parse: | $(PRIMITIVES)
 # The same two with the claim to be certified: right, in plain double, and with every distance off by 1e-9.
 CLAIM = $(CC) -std=c99 -Wall -Wextra -O2 -ffp-contract=off -shared -fPIC -Ilib/include -Itests $(SANITIZE)
 CLAIM_off = -DERROR=1e-9
 $(BUILD)/tests/plugins/claims/%/torus.so: tests/plugins/out_of_tree/torus.c $(wildcard lib/include/povtrace/*.h)
-	@mkdir -p $(@D)
-	$(CLAIM) -DFLAGS='(POV_SHAPE_SOLID | POV_SHAPE_CERTIFIED)' $(CLAIM_$*) $< -lm -o $@
+	$(call say,CC,$@) $(CLAIM) -DFLAGS='(POV_SHAPE_SOLID | POV_SHAPE_CERTIFIED)' $(CLAIM_$*) $< -lm -o $@
 $(BUILD)/tests/plugins/claims/%/disc.so: tests/plugins/claims/disc.c tests/plugins/out_of_tree/disc.c $(wildcard lib/include/povtrace/*.h)
-	@mkdir -p $(@D)
-	$(CLAIM) $(CLAIM_$*) $< -lm -o $@
+	$(call say,CC,$@) $(CLAIM) $(CLAIM_$*) $< -lm -o $@
 $(BUILD)/tests/plugins/test_claims: | $(BUILD)/tests/plugins/test_contract \
     $(addprefix $(BUILD)/tests/plugins/claims/,naive/torus.so off/torus.so right/disc.so off/disc.so)
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng

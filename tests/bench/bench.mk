@@ -5,8 +5,7 @@ EMBREE_FLAGS = -std=c++17 -O3 -march=native -Wall -Wextra -Wshadow
 BENCH_FLAGS ?=
 
 $(EMBREE_BENCH): tests/bench/embree_spheres.cpp tests/bench/embree_scene.hpp
-	@mkdir -p $(@D)
-	$(CXX) $(EMBREE_FLAGS) $< -lembree3 -o $@
+	$(call say,CXX,$@) $(CXX) $(EMBREE_FLAGS) $< -lembree3 -o $@
 
 .PHONY: bench bench-quick bench-counts bench-whole bench-threads bench-scale bench-where bench-bits bench-docs embree-bench
 # Embree's program is built only for the bench, and only where Embree is.
@@ -31,8 +30,7 @@ bench-whole: all
 	$(PYTHON) tests/bench/whole.py --povc $(POVC) --work $(BUILD)/bench $(BENCH_FLAGS)
 TAILS = $(BUILD)/bench/tails
 $(TAILS): tests/bench/tails.c $(SHARED)
-	@mkdir -p $(@D)
-	$(CC) $(BASE_FLAGS) $(LINK_FLAGS) $< -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -o $@
+	$(call say,CC,$@) $(CC) $(BASE_FLAGS) $(LINK_FLAGS) $< -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$$ORIGIN/../lib' -o $@
 bench-threads: all $(TAILS)
 	$(PYTHON) tests/bench/threads.py --povc $(POVC) --tails $(TAILS) --work $(BUILD)/bench $(BENCH_FLAGS)
 bench-scale: all

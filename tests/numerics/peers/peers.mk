@@ -2,8 +2,7 @@
 EMBREE_MASK = $(BUILD)/peers/embree_mask
 
 $(EMBREE_MASK): tests/numerics/peers/embree_mask.cpp
-	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -O2 -Wall -Wextra -Wshadow $< -lembree3 -o $@
+	$(call say,CXX,$@) $(CXX) -std=c++17 -O2 -Wall -Wextra -Wshadow $< -lembree3 -o $@
 
 .PHONY: peers embree-mask
 embree-mask:
