@@ -23,6 +23,7 @@ typedef struct args {
     const char *output;          /* NULL: nothing is rendered */
     int width, height;           /* of the whole picture */
     pov_rect crop;               /* width 0: all of it */
+    bool in_whole;               /* the part is written in its place in a black picture, as POV-Ray does */
     int threads, samples, max_depth, bits;   /* 0: the library's default */
     int preview;                 /* edge of a pixel of the first pass, 0: none; below zero: as the limits need it */
     args_transfer transfer;

@@ -112,6 +112,32 @@ static pov_status prepare(render *r, pov_error *err)
     return pov_job_create(&r->job, r->scene, &desc, err);
 }
 
+/* The part in its place; NULL: no memory. */
+static float *put_in_whole(const render *r)
+{
+    const args *a = r->args;
+    float *whole = calloc((size_t)a->width * (size_t)a->height, 4 * sizeof *whole);
+
+    for (int y = 0; whole && y < r->height; y++)
+        memcpy(whole + 4 * ((size_t)(a->crop.y + y) * (size_t)a->width + (size_t)a->crop.x),
+               r->pixels + 4 * (size_t)y * (size_t)r->width, 4 * sizeof *whole * (size_t)r->width);
+    return whole;
+}
+
+static pov_status write_whole(render *r, pov_error *err)
+{
+    const args *a = r->args;
+    float *whole = put_in_whole(r);
+    pov_status status;
+
+    if (!whole)
+        return save_fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");
+    status = pov_image_write(r->context, a->output, a->width, a->height, whole, 4 * sizeof *whole * (size_t)a->width,
+                             &r->options, err);
+    free(whole);
+    return status;
+}
+
 static pov_status write_picture(render *r, pov_error *err)
 {
     size_t stride = 4 * sizeof(float) * (size_t)r->width;
@@ -120,8 +146,10 @@ static pov_status write_picture(render *r, pov_error *err)
     pov_status status;
 
     pov_job_read(r->job, all, POV_PIXELS_LINEAR_FLOAT, r->pixels, stride);
-    status = pov_image_write(r->context, r->args->output, r->width, r->height, r->pixels, stride, &r->options,
-                             err);
+    if (r->args->in_whole && r->args->crop.width > 0)
+        status = write_whole(r, err);
+    else
+        status = pov_image_write(r->context, r->args->output, r->width, r->height, r->pixels, stride, &r->options, err);
     r->write_seconds = now_seconds() - start;
     return status;
 }

@@ -95,6 +95,7 @@ $(BUILD)/obj/tests/cli/%.o: ROOM_FLAGS += -Icli
 $(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o
+$(BUILD)/tests/cli/test_povray: $(BUILD)/obj/cli/povray.o $(BUILD)/obj/cli/povray_frame.o
 
 # Scripts are run like programs, and first, for some take longest; they find what was built in $BUILD_DIR and the compiler in $CC.
 TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/docs/examples.py tests/docs/links.py tests/install/run.sh)) tests/runner/run.sh

@@ -1,0 +1,97 @@
+#include "run.h"
+#include "aov.h"
+#include "compare.h"
+#include "explain.h"
+#include "render.h"
+#include "signals.h"
+#include "stats.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Reports go to standard output, unless the picture goes there. */
+static FILE *report_stream(const args *a)
+{
+    return a->output && strcmp(a->output, "-") == 0 && !a->check ? stderr : stdout;
+}
+
+static pov_status load(pov_scene **scene, pov_context *context, const args *a, pov_error *err)
+{
+    pov_load_desc desc = POV_INIT(desc);
+
+    desc.dialect = a->dialect;
+    desc.accel = a->accel;
+    desc.accuracy = a->accuracy;
+    desc.max_trace_level = a->max_depth;
+    desc.threads = a->threads;
+    return pov_scene_load_file(scene, context, a->scene, &desc, err);
+}
+
+static void say_checked(const args *a, const messages *m, const pov_scene *scene)
+{
+    pov_scene_info info = POV_INIT(info);
+
+    if (a->quiet)
+        return;
+    pov_scene_get_info(scene, &info);
+    printf("%s: no errors, %u warning%s; %llu object%s, %llu light%s, %s dialect\n", a->scene, m->warnings,
+           m->warnings == 1 ? "" : "s", (unsigned long long)info.objects, info.objects == 1 ? "" : "s",
+           (unsigned long long)info.lights, info.lights == 1 ? "" : "s",
+           info.dialect == POV_DIALECT_COURSE ? "course" : "povray");
+}
+
+static pov_status render_and_report(const args *a, const messages *m, pov_context *context,
+                                    const pov_scene *scene, bool *short_of, pov_error *err)
+{
+    bool rendered = a->output && !a->check;
+    stats s = { a, context, scene, NULL, NULL, 0.0, m->warnings };
+    pov_status status = POV_OK;
+    render r;
+
+    if (rendered) {
+        status = render_run(&r, a, m, context, scene, err);
+        s.progress = &r.progress;
+        s.job = r.job;
+        s.write_seconds = r.write_seconds;
+    }
+    if (status == POV_OK && a->stats)
+        stats_print(report_stream(a), &s);
+    if (status == POV_OK && rendered && !signals_end_asked())
+        status = aov_write(context, scene, r.job, a, err);
+    if (rendered) {
+        *short_of = r.short_of;
+        render_free(&r);
+    }
+    return status;
+}
+
+pov_status run_scene(const args *a, messages *m, bool *short_of, pov_error *err)
+{
+    pov_context_desc desc = POV_INIT(desc);
+    pov_context *context = NULL;
+    pov_scene *scene = NULL;
+    pov_status status;
+
+    if (a->compared)
+        return compare_run(a, err);
+    desc.log = messages_log;
+    desc.log_user = m;
+    desc.plugin_path = a->plugin_path;
+    status = pov_context_create(&context, &desc, err);
+    if (status == POV_OK && a->output && !a->check)
+        status = render_check_output(context, a, err);
+    if (status == POV_OK && a->output && !a->check)
+        status = aov_check(context, a, err);
+    if (status == POV_OK)
+        status = load(&scene, context, a, err);
+    if (status == POV_OK) {
+        if (a->check)
+            say_checked(a, m, scene);
+        if (a->explain)
+            explain_print(report_stream(a), context, scene);
+        status = render_and_report(a, m, context, scene, short_of, err);
+    }
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return status;
+}
