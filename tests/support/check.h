@@ -1,4 +1,4 @@
-/* check.h - cmocka, with what it wants included before it. */
+/* check.h - cmocka, with the headers that it needs included before it. */
 #ifndef SUPPORT_CHECK_H
 #define SUPPORT_CHECK_H
 

@@ -1,4 +1,4 @@
-/* failing.h - an allocator that counts, fails when told to, and knows what has not been given back. */
+/* failing.h - an allocator that counts, fails on request, and finds leaks. */
 #ifndef SUPPORT_FAILING_H
 #define SUPPORT_FAILING_H
 
@@ -9,8 +9,8 @@
 typedef struct failing {
     pthread_mutex_t lock;        /* guards all below */
     long calls;                  /* allocations asked for so far */
-    long fail_at;                /* the number of the call that fails, and all after it; 0: none */
-    long blocks;                 /* not given back */
+    long fail_at;                /* number of the first call that fails; all later calls fail too; 0: none */
+    long blocks;                 /* allocations not freed */
 } failing;
 
 void failing_init(failing *f, long fail_at);

@@ -25,7 +25,7 @@ static void put(writing *w, const char *text, size_t count)
     w->text[w->count] = '\0';
 }
 
-/* The mark that begins behind '@'; where it ends. */
+/* Parse the mark behind '@'; returns its end. */
 static const char *put_mark(writing *w, const char *mark, const limits_frame *f)
 {
     const double move[3] = { f->move.x, f->move.y, f->move.z };

@@ -111,7 +111,7 @@ static void parse_polygon(void *self, const pov_host *host, pov_reader *in)
     s->count = (int)n;
 }
 
-/* Uses what the others don't: expect, and words between values. */
+/* Uses host calls that the others don't: expect, and words between values. */
 static void parse_blob7(void *self, const pov_host *host, pov_reader *in)
 {
     test_shape *s = self;

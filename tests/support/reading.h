@@ -1,4 +1,4 @@
-/* reading.h - read a scene text with shapes of the tests' own, and keep what came of it. */
+/* reading.h - reads a scene text with shapes of the tests' own, and keeps the results. */
 #ifndef SUPPORT_READING_H
 #define SUPPORT_READING_H
 
@@ -12,16 +12,16 @@ typedef struct reading {
     model model;
     pov_status status;
     pov_error error;
-    pov_error notes[READING_NOTES];      /* what was logged */
+    pov_error notes[READING_NOTES];      /* logged messages */
     int note_count;
 } reading;
 
-/* The six primitives of the base language and a `blob7`, which the language does not know. */
+/* The six primitives of the base language, and a `blob7` that is not in the language. */
 typedef struct test_shape {
     double numbers[12];
     pov_vec3 vectors[3];
     bool open;
-    int count;                   /* of a polygon's points */
+    int count;                   /* sums of a polygon's points */
     pov_vec3 *points;
 } test_shape;
 

@@ -25,7 +25,7 @@ char **scenes_list(const char *folder)
     assert_non_null(d);
     while ((entry = readdir(d)) != NULL) {
         size_t length = strlen(entry->d_name);
-        /* *.povray.pov is the same scene in another dialect's words, for the comparison. */
+        /* *.povray.pov is the same scene in the other dialect, for the comparison. */
         if (length < 5 || strcmp(entry->d_name + length - 4, ".pov") != 0 || strstr(entry->d_name, ".povray."))
             continue;
         list[n] = malloc(strlen(path) + length + 2);

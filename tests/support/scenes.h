@@ -1,4 +1,4 @@
-/* scenes.h - the tree's scenes, and rendering one through the public calls. */
+/* scenes.h - the tree's scenes, and rendering them through the public calls. */
 #ifndef SUPPORT_SCENES_H
 #define SUPPORT_SCENES_H
 
@@ -12,7 +12,7 @@
 char **scenes_list(const char *folder);
 void scenes_free(char **list);
 
-/* A context that finds the built plugins and says nothing. */
+/* A context that finds the built plugins and logs nothing. */
 pov_context *scenes_context(void);
 /* The whole picture, linear float RGBA; the caller frees it. Fails the test on any error. */
 float *scenes_render(const pov_scene *scene, const pov_render_desc *desc);

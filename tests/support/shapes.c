@@ -43,7 +43,7 @@ static pov_two3 scaled(pov_two3 v, double s)
     return v;
 }
 
-/* The power of two that brings x near 1. */
+/* The power of two that scales x near 1. */
 static double unscale(double x)
 {
     int e;
@@ -52,7 +52,7 @@ static double unscale(double x)
     return ldexp(1.0, -e);
 }
 
-/* Everything in two parts, in units of the radius and of the direction's length. Of a ray that leaves the ball the
+/* All in double-double, in units of the radius and of the direction's length. For a ray that leaves the sphere, the
  * root nearer to its start is left out. */
 static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
@@ -127,7 +127,7 @@ static bool ball_inside(const void *self, pov_vec3 p, pov_vec3 lo)
     return pov_two_less(pov_two3_dot(w, w), pov_two_product(b->radius, b->radius));
 }
 
-/* Only a move, or a scaling by the same number along each axis. */
+/* Translation, or scaling by the same factor along each axis. */
 static bool ball_absorb(void *self, const pov_affine *map)
 {
     test_ball *b = self;
@@ -152,7 +152,7 @@ static bool ball_absorb(void *self, const pov_affine *map)
 
 typedef struct ball_block { uint32_t count; test_ball ball[POV_BLOCK_MAX]; } ball_block;
 
-/* Very large balls are declined, so that a class with and without blocks at once is tested too. */
+/* Very large spheres are declined, so that one class with and without blocks is tested too. */
 static bool ball_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
     ball_block *b = block;
@@ -168,7 +168,7 @@ static bool ball_pack(void *block, const pov_frame *frame, const void *const *se
     return true;
 }
 
-/* In doubles, with wide bounds. False: it is clearly missed. */
+/* In doubles, with wide bounds. False: definite miss. */
 static bool meet_ball(const test_ball *ball, pov_vec3 org, pov_vec3 dir, double tmax, pov_meeting *out)
 {
     const double length = sqrt(pov_dot(dir, dir));
@@ -273,7 +273,7 @@ static bool brick_bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* Narrow the interval to the slab; false: it is missed. In two parts, so that far rays miss and hit as they should. */
+/* Clip the interval to the slab; false: miss. In double-double, so that far rays hit and miss correctly. */
 static bool slab(double o, double o_lo, double d, double lo, double hi, int axis, pov_two t[2], int face[2])
 {
     pov_two to_lo = pov_two_add_double(pov_two_sum(lo, -o), -o_lo),

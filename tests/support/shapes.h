@@ -17,7 +17,7 @@ extern const shape_class test_plain_ball_class; /* neither */
 extern const shape_class test_brick_class;      /* no blocks; absorbs moves */
 extern const shape_class test_ground_class;     /* y < height, infinite */
 
-/* Numbers that are the same on every machine. */
+/* Random numbers that are the same on every machine. */
 typedef struct test_random { uint64_t state; } test_random;
 double test_uniform(test_random *r, double lo, double hi);
 uint32_t test_below(test_random *r, uint32_t n);

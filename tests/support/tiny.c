@@ -20,7 +20,7 @@ static bool ball_bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* The root that a ray starts on is the one nearer to its start. */
+/* A ray starts on the root nearer to its start. */
 static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const ball *s = self;
