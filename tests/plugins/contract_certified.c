@@ -89,27 +89,53 @@ static bool is_alone(const pov_crossing *at, uint32_t n, uint32_t i, double gap)
     return (i == 0 || at[i].t - at[i - 1].t > gap) && (i + 1 == n || at[i + 1].t - at[i].t > gap);
 }
 
-static bool changes_where_reported(const thing *t, const pov_ray *ray)
+static bool changes_where_reported(const thing *t, const pov_ray *ray, const pov_crossing *at, uint32_t n)
 {
-    pov_crossing at[MOST];
-    uint32_t n = subject_ask(t->self, ray, at), i;
+    uint32_t i;
 
     for (i = 0; i < n; i++) {
         const double most = allowed(t, ray, at[i].t);
 
         if (!is_alone(at, n, i, 4.0 * most) || changes_within(t, ray, &at[i], most))
             continue;
-        subject_sides("crossing reported at %.17g + %.3g, inside() changes %.3g after it; %.3g allowed", at[i].t,
-                      at[i].t_lo, change_near(t, ray, &at[i], most), most);
+        subject_sides("%scrossing reported at %.17g + %.3g, inside() changes %.3g after it; %.3g allowed",
+                      ray->left == OWNER ? "a ray that leaves one of its crossings: " : "", at[i].t, at[i].t_lo,
+                      change_near(t, ray, &at[i], most), most);
         return false;
     }
     return true;
 }
 
+/* To any side from one of the crossings, which is left by its name. */
+static pov_ray leaving(const pov_ray *ray, const pov_crossing *at)
+{
+    pov_ray next = *ray;
+
+    subject_point(ray, at->t, at->t_lo, &next.org, &next.org_lo);
+    next.dir = subject_direction();
+    next.left = OWNER;
+    next.left_mark = at->mark;
+    return next;
+}
+
+static bool changes_at_crossings(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST], again[MOST];
+    const uint32_t n = subject_ask(t->self, ray, at);
+    pov_ray next;
+
+    if (!changes_where_reported(t, ray, at, n))
+        return false;
+    if (n == 0)
+        return true;
+    next = leaving(ray, &at[(uint32_t)(n * subject_uniform())]);
+    return changes_where_reported(t, &next, again, subject_ask(t->self, &next, again));
+}
+
 void a_certified_distance_is_where_inside_changes(void **unused)
 {
     (void)unused;
-    ask_of_certified(subject.shape->flags & POV_SHAPE_SOLID, "is not solid", changes_where_reported);
+    ask_of_certified(subject.shape->flags & POV_SHAPE_SOLID, "is not solid", changes_at_crossings);
 }
 
 /* ---- any shape ---- */
