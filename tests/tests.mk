@@ -145,6 +145,11 @@ compare: all
 	$(PYTHON) tests/compare/test_harness.py
 	$(PYTHON) tests/compare/compare.py --povc $(POVC)
 
+# Mistakes made on purpose in a copy of the tree, each of which a test must notice; some ten minutes.
+.PHONY: mutate
+mutate:
+	$(PYTHON) tests/mutate/mutate.py --build $(BUILD)
+
 # What povc says of its error against references of 65 536 samples a pixel, which take over an hour the first time.
 VALIDATE_FLAGS ?=
 .PHONY: validate-error

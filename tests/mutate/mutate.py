@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""Proves that tests fail: each mutation below makes one mistake in a copy of the tree, which some test must notice.
+
+    python3 tests/mutate/mutate.py [--build build] [--only WORD]
+
+Each is a piece of text that stands exactly once in lib/ and plugins/, and what takes its place; one that is not found is
+an error, so that the list is kept up to date. The copy is built at -O1, for the baseline processor, and tested until a
+test fails. The table says which. Exit status 1: a mutation survived, or could not be made."""
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# What goes wrong, the text, what takes its place, and, where the quickest tests would not notice, who should first.
+MUTATIONS = [
+    ('slab test: slack / 2^8', 'BVH_SLACK 0x1p-22', 'BVH_SLACK 0x1p-30', ''),
+    ('side of a leaving ray: limit / 2^8', 'WORLD_AWAY 0x1p-36', 'WORLD_AWAY 0x1p-44', ''),
+    ('end of a light path: slack / 2^8', 'slack = 0x1p-51', 'slack = 0x1p-59', ''),
+    ('limit of the nearest: tie / 2^8', 'PACKET_TIE 0x1p-44', 'PACKET_TIE 0x1p-52', ''),
+    ('highlight: exponent one too large', 'double product = 1.0, square = cosine;',
+     'double product = cosine, square = cosine;', ''),
+    ('highlight: a power of eight for one of four', '(of4, power & 4)', '(of8, power & 4)', ''),
+    ('colours: red and blue change places', 'return colour_of(a.r * s, a.g * s, a.b * s);',
+     'return colour_of(a.b * s, a.g * s, a.r * s);', ''),
+    ('filtered light: green not multiplied', 'g *= (double)filter.g;', '', ''),
+    ('opacity: weighs the wrong way', 'return 1.0f - filter - of->transmit;', 'return filter + of->transmit;', ''),
+    ('nested dielectrics: left to the outermost', 'ior_of(m, list[index - 1])', 'ior_of(m, list[0])', ''),
+    ('refraction: relative index upside down', 'steep = 0.5, eta = before / after;',
+     'steep = 0.5, eta = after / before;', ''),
+    ('depth: one level more than allowed', 'if (deeper && p->level >= l->level)', 'if (deeper && p->level > l->level)',
+     'unit/test_shade_paths'),
+    ('coincident surfaces: the later wins', 's->at[at - 1].object > h->object', 's->at[at - 1].object < h->object',
+     'limits/test_coincident'),
+    ('isolated solids: no margin', 'margin = 0x1p-20;', 'margin = 0.0;', 'unit/test_world_isolated'),
+    ('filter of instances: bound / 48', '(48.0f *', '(1.0f *', 'unit/test_world_instance'),
+    ('reports: distances 100 times less exact', '#define KIT_ULPS 12.0', '#define KIT_ULPS 1200.0',
+     'plugins/test_contract'),
+    ('reports: the step of Newton goes the other way', 'return -0.5 * r->value / r->half_slope;',
+     'return 0.5 * r->value / r->half_slope;', 'plugins/test_contract'),
+]
+
+# In this order, but for who should notice first. The contract takes longest.
+TESTS = ['unit/test_query_guards', 'golden/test_golden', 'unit/test_shade_*', 'unit/test_query*', 'unit/test_world_*',
+         'limits/test_*', 'plugins/test_contract']
+LIMIT = 120
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--build', default='build', help='the copy goes into its folder "mutate"')
+    parser.add_argument('--only', default='', help='mutations whose name has this word in it')
+    parser.add_argument('--jobs', default=str(os.cpu_count() or 1), help='of make')
+    return parser.parse_args()
+
+
+class Broken(Exception):
+    """The copy cannot be built, or its tests fail before anything is changed."""
+
+
+class Copy:
+    """The tree once more, to be changed, built and tested."""
+
+    def __init__(self, folder, jobs):
+        self.tree, self.jobs = folder, jobs
+        skip = shutil.ignore_patterns('.git', 'build', 'build-*')
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(ROOT, folder, ignore=skip, symlinks=True)
+        self.tests = [str(path.relative_to(folder / 'tests').with_suffix('')) for pattern in TESTS
+                      for path in sorted((folder / 'tests').glob(pattern + '.c'))]
+        self.tests = list(dict.fromkeys(self.tests))
+
+    def sources(self):
+        return [path for room in ('lib', 'plugins') for path in sorted((self.tree / room).rglob('*.[ch]'))]
+
+    def build(self):
+        """None, or what the compiler said."""
+        ccache = ['CC=ccache ' + os.environ.get('CC', 'cc')] if shutil.which('ccache') else []
+        command = ['make', '-s', '-j' + self.jobs, 'WIDE=', 'OPTIMISE=-O1', 'CFLAGS=', 'BUILD=build', *ccache, 'build/bin/povc',
+                   *('build/tests/' + test for test in self.tests)]
+        environment = {key: value for key, value in os.environ.items() if key not in ('MAKEFLAGS', 'MAKELEVEL', 'MFLAGS')}
+        environment.update(CCACHE_BASEDIR=str(self.tree), CCACHE_NOHASHDIR='1')
+        made = subprocess.run(command, cwd=self.tree, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              errors='replace')
+        return None if made.returncode == 0 else made.stdout
+
+    def failure(self, first=''):
+        """The first test that fails, or None."""
+        for test in sorted(self.tests, key=lambda name: name != first):
+            said = run_test(self.tree / 'build/tests' / test)
+            if said is not None:
+                named = re.findall(r'^\[  FAILED  \] ([a-z]\w*)$', said, re.M)
+                return test + (': ' + named[0] if named else ': ' + said.splitlines()[-1] if said else ': crashed')
+        return None
+
+
+def run_test(program):
+    """None if it passes, else what it said."""
+    try:
+        done = subprocess.run([program], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors='replace', timeout=LIMIT)
+    except subprocess.TimeoutExpired:
+        return f'no end after {LIMIT} s'
+    return None if done.returncode == 0 else done.stdout
+
+
+def place_of(copy, text):
+    """The only file that the text stands in, or why there is none."""
+    found = [path for path in copy.sources() for _ in range(path.read_text(errors='replace').count(text))]
+    if len(found) != 1:
+        return None, f'{"not found" if not found else f"found {len(found)} times"}: {text}'
+    return found[0], ''
+
+
+def verdict_on(copy, mutation):
+    """Killed or not, and by which test or why not."""
+    _, text, instead, first = mutation
+    path, wrong = place_of(copy, text)
+    if not path:
+        return 'ERROR', wrong
+    original = path.read_text()
+    path.write_text(original.replace(text, instead))
+    try:
+        said = copy.build()
+        killer = None if said else copy.failure(first)
+    finally:
+        path.write_text(original)
+    if said:
+        return 'ERROR', 'does not compile: ' + next((line for line in said.splitlines() if 'error' in line), said[-200:])
+    return ('killed', killer) if killer else ('SURVIVED', '')
+
+
+def prepare(copy):
+    said = copy.build()
+    if said:
+        raise Broken('the copy cannot be built:\n' + said[-2000:])
+    failed = copy.failure()
+    if failed:
+        raise Broken('a test fails before anything is changed: ' + failed)
+
+
+def main():
+    options = arguments()
+    copy = Copy((ROOT / options.build / 'mutate').resolve(), options.jobs)
+    chosen = [mutation for mutation in MUTATIONS if options.only in mutation[0]]
+    started = time.monotonic()
+    try:
+        prepare(copy)
+    except Broken as error:
+        sys.exit(f'mutate: {error}')
+    width = max(len(mutation[0]) for mutation in chosen)
+    killed = 0
+    for mutation in chosen:
+        verdict, by = verdict_on(copy, mutation)
+        killed += verdict == 'killed'
+        print(f'{mutation[0]:<{width}}  {verdict:<8}  {by}'.rstrip(), flush=True)
+    print(f'{killed} of {len(chosen)} mutations killed, in {time.monotonic() - started:.0f} s')
+    return 0 if killed == len(chosen) else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())
