@@ -17,18 +17,19 @@ typedef struct surface_parsed {
     place layer;                 /* a texture upon another look; source NULL: none */
 } surface_parsed;
 
-/* MISSING: a kind of object that is not drawn yet. */
-typedef enum object_kind { OBJECT_LEAF, OBJECT_UNION, OBJECT_LIGHT, OBJECT_MISSING } object_kind;
+/* GROUP: made of others. MISSING: a kind of object that is not drawn yet. */
+typedef enum object_kind { OBJECT_LEAF, OBJECT_GROUP, OBJECT_LIGHT, OBJECT_MISSING } object_kind;
 
 /* An object with all that its block says; as the value of a name it is never written again. */
 typedef struct object_parsed {
     object_kind kind;
+    node_op op;                  /* of a group */
     leaf_node leaf;              /* its map and flags are those below */
     light light;                 /* before its map */
     surface_parsed surface;
     const transform *map;
     uint32_t flags;
-    struct object_parsed *first, *next;   /* members of a union, in their order */
+    struct object_parsed *first, *next;   /* members of a group, in their order */
 } object_parsed;
 
 /* The whole text, statement by statement. */
@@ -45,6 +46,8 @@ void parse_object(pov_reader *in);
 /* An object is next: a statement, or the name of one. False: none is. */
 bool parse_object_try(pov_reader *in, object_parsed *out);
 bool parse_object_follows(const pov_reader *in);
+/* What was read of a whole object becomes part of the model. */
+void parse_add_object(pov_reader *in, const object_parsed *o);
 void parse_light(pov_reader *in, object_parsed *out);
 void parse_camera(pov_reader *in, camera_parsed *out);
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword);

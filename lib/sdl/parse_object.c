@@ -1,9 +1,7 @@
 #include "sdl/parse_pattern.h"
 
-#include "base/vec.h"
 #include "sdl/expression.h"
 #include "sdl/host.h"
-#include "sdl/materials.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -226,28 +224,27 @@ static void read_members(pov_reader *in, object_parsed *o)
     }
 }
 
-static void read_union(pov_reader *in, object_parsed *o)
+static void read_group(pov_reader *in, node_op op, object_parsed *o)
 {
     const place at = in->token.at;
     block b;
 
-    o->kind = OBJECT_UNION;
+    o->kind = OBJECT_GROUP;
+    o->op = op;
     state_advance(in);
     items_open(in, &b);
     read_members(in, o);
-    if (!in->failed && !o->first)
-        report_warn(in, &at, "there is nothing in this union");
+    if (!in->failed && !(o->first && o->first->next))
+        report_warn(in, &at, o->first ? "there is only one object in this %s" : "there is nothing in this %s",
+                    model_op_keyword(op));
     items_close(in, &b, &modifiers, o);
 }
 
 /* A group of a kind that is not drawn: what it holds is read all the same. */
-static void read_group(pov_reader *in, object_parsed *o)
+static void read_light_group(pov_reader *in, object_parsed *o)
 {
-    char what[REPORT_QUOTE + 2];
-
-    snprintf(what, sizeof what, "\"%s\"", in->token.symbol->name);
-    unsupported_note(in, &in->token.at, in->token.symbol->id, what);
-    read_union(in, o);
+    unsupported_note(in, &in->token.at, in->token.symbol->id, "\"light_group\"");
+    read_group(in, NODE_UNION, o);
     o->kind = OBJECT_MISSING;
 }
 
@@ -327,10 +324,19 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
         read_wrapped(in, o);
         break;
     case KEYWORD_UNION: case KEYWORD_COMPOSITE:
-        read_union(in, o);
+        read_group(in, NODE_UNION, o);
         break;
-    case KEYWORD_MERGE: case KEYWORD_INTERSECTION: case KEYWORD_DIFFERENCE: case KEYWORD_LIGHT_GROUP:
-        read_group(in, o);
+    case KEYWORD_MERGE:
+        read_group(in, NODE_MERGE, o);
+        break;
+    case KEYWORD_INTERSECTION:
+        read_group(in, NODE_INTERSECTION, o);
+        break;
+    case KEYWORD_DIFFERENCE:
+        read_group(in, NODE_DIFFERENCE, o);
+        break;
+    case KEYWORD_LIGHT_GROUP:
+        read_light_group(in, o);
         break;
     case KEYWORD_LIGHT_SOURCE:
         state_advance(in);
@@ -352,77 +358,15 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
     return !in->failed;
 }
 
-/* ---- into the model ---- */
-
-/* What an object has from the unions around it. */
-typedef struct around { const surface_parsed *surface; const transform *map; uint32_t flags; } around;
-
-static void add_leaf(pov_reader *in, const object_parsed *o, const transform *map, const around *a)
-{
-    const surface_parsed *look = o->surface.has_look || !a->surface ? &o->surface : a->surface;
-    material m = look->material;
-    leaf_node leaf = o->leaf;
-
-    if (look != &o->surface && o->surface.material.has_interior) {
-        m.has_interior = true;
-        m.ior = o->surface.material.ior;
-    }
-    leaf.map = map;
-    leaf.flags = (o->flags & ~(uint32_t)LEAF_INVERSE) | (a->flags & ~(uint32_t)LEAF_INVERSE) |
-                 ((o->flags ^ a->flags) & LEAF_INVERSE);
-    leaf.material = materials_index(in, &m);
-    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->leaves, leaf))
-        report_memory(in);
-}
-
-static void add_light(pov_reader *in, const object_parsed *o, const transform *map)
-{
-    pov_affine m;
-    light l = o->light;
-    bool is_fine = !map || transform_compose(map, &m);
-
-    l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
-    if (map && is_fine)
-        transform_point(&m, o->light.position, &l.position, &l.position_lo);
-    if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
-        place at = in->object;
-
-        report_fail(in, &at, POV_E_SYNTAX, "the light is moved beyond what a double holds");
-    }
-    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->lights, l))
-        report_memory(in);
-}
-
-static void add(pov_reader *in, const object_parsed *o, const around *a)
-{
-    const transform *map = o->map;
-    const object_parsed *member;
-    around inner;
-
-    if (in->failed || o->kind == OBJECT_MISSING)
-        return;
-    parse_append_transforms(in, &map, a->map);
-    if (o->kind == OBJECT_LEAF) {
-        add_leaf(in, o, map, a);
-    } else if (o->kind == OBJECT_LIGHT) {
-        add_light(in, o, map);
-    } else {
-        inner.surface = o->surface.has_look || o->surface.material.has_interior || !a->surface ? &o->surface : a->surface;
-        inner.map = map;
-        inner.flags = o->flags ^ a->flags;
-        for (member = o->first; member; member = member->next)
-            add(in, member, &inner);
-    }
-}
+/* ---- a statement ---- */
 
 void parse_object(pov_reader *in)
 {
-    static const around nothing = { NULL, NULL, 0 };
     object_parsed o;
 
     in->object = in->token.at;
     if (parse_object_try(in, &o))
-        add(in, &o, &nothing);
+        parse_add_object(in, &o);
     else if (!in->failed)
         refuse(in, in->token.symbol);
 }

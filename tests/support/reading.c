@@ -20,6 +20,14 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     (void)hits;
 }
 
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    (void)self;
+    (void)point;
+    (void)point_lo;
+    return false;
+}
+
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     (void)self;
@@ -123,24 +131,26 @@ static void parse_blob7(void *self, const pov_host *host, pov_reader *in)
     host->expect(in, ")");
 }
 
-#define CLASS(word) \
+#define CLASS(word, what) \
     static const pov_shape_class word##_class = { \
         .size = sizeof(pov_shape_class), \
+        .flags = what, \
         .keyword = #word, \
         .instance_size = sizeof(test_shape), \
         .parse = parse_##word, \
         .bounds = bounds, \
         .intersect = intersect, \
         .normal = normal, \
+        .inside = inside, \
     };
 
-CLASS(sphere)
-CLASS(box)
-CLASS(cone)
-CLASS(cylinder)
-CLASS(quadric)
-CLASS(polygon)
-CLASS(blob7)
+CLASS(sphere, POV_SHAPE_SOLID)
+CLASS(box, POV_SHAPE_SOLID)
+CLASS(cone, POV_SHAPE_SOLID)
+CLASS(cylinder, POV_SHAPE_SOLID)
+CLASS(quadric, POV_SHAPE_SOLID)
+CLASS(polygon, 0)
+CLASS(blob7, POV_SHAPE_SOLID)
 
 static const pov_shape_class *const shapes[] = { &sphere_class,  &box_class,     &cone_class,  &cylinder_class,
                                                  &quadric_class, &polygon_class, &blob7_class, NULL };

@@ -1,0 +1,158 @@
+/* Objects become part of the model, each member with what it has from the objects around it: a texture and an interior
+ * where it has none, flags, and transformations behind its own. */
+#include "base/vec.h"
+#include "sdl/materials.h"
+#include "sdl/parse.h"
+#include "sdl/unsupported.h"
+
+#include <povtrace/shape.h>
+
+#include <stdio.h>
+
+/* A group that is being added, and those around it. */
+typedef struct around {
+    const struct around *outer;
+    const object_parsed *group;
+    bool in_tree;                /* rays meet it as one: it is no union that dissolves */
+} around;
+
+/* Its own texture and interior, or each from the nearest group around it that has one. */
+static material find_material(const object_parsed *o, const around *a)
+{
+    material found = o->surface.material;
+    bool has_look = o->surface.has_look, has_interior = found.has_interior;
+
+    for (; a && !(has_look && has_interior); a = a->outer) {
+        const surface_parsed *s = &a->group->surface;
+
+        if (!has_look && s->has_look) {
+            const material own = found;
+
+            found = s->material;
+            found.has_interior = own.has_interior;
+            found.ior = own.ior;
+            has_look = true;
+        }
+        if (!has_interior && s->material.has_interior) {
+            found.has_interior = has_interior = true;
+            found.ior = s->material.ior;
+        }
+    }
+    return found;
+}
+
+static const transform *find_map(pov_reader *in, const object_parsed *o, const around *a)
+{
+    const transform *map = o->map;
+
+    for (; a; a = a->outer)
+        parse_append_transforms(in, &map, a->group->map);
+    return map;
+}
+
+static uint32_t find_flags(const object_parsed *o, const around *a)
+{
+    uint32_t flags = o->flags;
+
+    for (; a; a = a->outer)
+        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW);
+    return flags;
+}
+
+/* What has no inside cannot be cut, and cuts nothing. */
+static bool is_fit(pov_reader *in, const object_parsed *o, const around *a)
+{
+    char what[96];
+
+    if (!a || !a->in_tree || (o->leaf.shape->flags & POV_SHAPE_SOLID))
+        return true;
+    snprintf(what, sizeof what, "\"%s\" in a \"%s\"", o->leaf.shape->keyword, model_op_keyword(a->group->op));
+    unsupported_note(in, &in->object, a->group->op == NODE_MERGE ? KEYWORD_MERGE : KEYWORD_DIFFERENCE, what);
+    return false;
+}
+
+static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+{
+    const material m = find_material(o, a);
+    leaf_node leaf = o->leaf;
+
+    if (!is_fit(in, o, a))
+        return false;
+    leaf.map = find_map(in, o, a);
+    leaf.flags = find_flags(o, a);
+    leaf.material = materials_index(in, &m);
+    *out = (node_ref)in->model->leaves.count;
+    if (!in->failed && !model_add_leaf(in->model, &leaf))
+        report_memory(in);
+    return !in->failed;
+}
+
+static void add_light(pov_reader *in, const object_parsed *o, const around *a)
+{
+    const transform *map = find_map(in, o, a);
+    pov_affine m;
+    light l = o->light;
+    bool is_fine = !map || transform_compose(map, &m);
+
+    l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
+    if (map && is_fine)
+        transform_point(&m, o->light.position, &l.position, &l.position_lo);
+    if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
+        place at = in->object;
+
+        report_fail(in, &at, POV_E_SYNTAX, "the light is moved beyond what a double holds");
+    }
+    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->lights, l))
+        report_memory(in);
+}
+
+/* False: there is nothing for its group to hold, or the reader has failed. */
+static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out);
+
+static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+{
+    const bool inverse = (o->flags & LEAF_INVERSE) != 0;
+    const around here = { a, o, (a && a->in_tree) || o->op != NODE_UNION || inverse };
+    const group_node shape = { .op = o->op, .inverse = inverse, .united = o->surface.material.has_interior,
+                               .line = o->leaf.line, .column = o->leaf.column };
+    struct { node_ref *items; size_t count, capacity; } children = { NULL, 0, 0 };
+    node_ref child;
+
+    for (const object_parsed *member = o->first; member && !in->failed; member = member->next) {
+        const bool added = add(in, member, &here, &child);
+
+        if (added && !VEC_PUSH(in->model->env, &children, child))
+            report_memory(in);
+        if (!added && o->op == NODE_DIFFERENCE && member == o->first)
+            break;   /* of nothing nothing can be cut */
+    }
+    if (!in->failed && children.count > 0 &&
+        !model_add_group(in->model, &shape, children.items, children.count, out))
+        report_memory(in);
+    env_free(in->model->env, children.items);
+    return !in->failed && children.count > 0;
+}
+
+static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+{
+    switch (o->kind) {
+    case OBJECT_LEAF:
+        return add_leaf(in, o, a, out);
+    case OBJECT_GROUP:
+        return add_group(in, o, a, out);
+    case OBJECT_LIGHT:
+        add_light(in, o, a);
+        return false;
+    case OBJECT_MISSING:
+        break;
+    }
+    return false;
+}
+
+void parse_add_object(pov_reader *in, const object_parsed *o)
+{
+    node_ref root;
+
+    if (add(in, o, NULL, &root) && !model_add_tree(in->model, root))
+        report_memory(in);
+}

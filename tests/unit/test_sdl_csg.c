@@ -1,0 +1,168 @@
+/* sdl/parse_csg: objects made of others, and what holds for their members. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include <math.h>
+
+static void read_text(reading *r, const char *text)
+{
+    reading_begin(r, text);
+    if (r->status != POV_OK)
+        fail_msg("%s: %d:%d %s", text, r->error.line, r->error.column, r->error.message);
+}
+
+static const material *material_of(const reading *r, size_t leaf)
+{
+    return &r->model.materials.items[r->model.leaves.items[leaf].material];
+}
+
+static void a_difference_is_one_object_of_its_leaves(void **state)
+{
+    const group_node *g;
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 9 }\n difference { sphere { 0, 1 } sphere { 1, 1 } box { 0, 1 } }\n sphere { 0, 9 }");
+    assert_int_equal(r.model.leaves.count, 5);
+    assert_int_equal(model_object_count(&r.model), 3);
+    assert_int_equal(r.model.trees.count, 1);
+    g = &r.model.groups.items[r.model.trees.items[0] & ~NODE_GROUP];
+    assert_int_equal(g->op, NODE_DIFFERENCE);
+    assert_int_equal(g->leaf, 1);
+    assert_int_equal(g->leaf_count, 3);
+    assert_int_equal(g->line, 2);
+    assert_int_equal(g->column, 2);
+    reading_end(&r);
+}
+
+static void unions_dissolve_unless_they_stand_in_another(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "union { sphere { 0, 1 } union { sphere { 1, 1 } merge { sphere { 2, 1 } box { 0, 1 } } } }\n"
+                  "intersection { union { sphere { 0, 1 } sphere { 1, 1 } } box { 0, 1 } }");
+    assert_int_equal(r.model.trees.count, 2);
+    assert_int_equal(model_object_count(&r.model), 4);
+    reading_end(&r);
+}
+
+static void a_union_with_an_interior_is_one_object(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "union { sphere { 0, 1 } sphere { 1, 1 } interior { ior 1.5 } }");
+    assert_int_equal(r.model.trees.count, 0);
+    assert_int_equal(model_object_count(&r.model), 1);
+    assert_true(material_of(&r, 0)->ior == 1.5 && material_of(&r, 1)->ior == 1.5);
+    reading_end(&r);
+}
+
+static void a_member_takes_what_it_lacks_from_the_nearest_group(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "union {\n"
+                  "  sphere { 0, 1 }\n"
+                  "  merge { sphere { 0, 1 pigment { rgb 3 } } box { 0, 1 } pigment { rgb 2 } }\n"
+                  "  difference { sphere { 0, 1 } box { 0, 1 interior { ior 1.1 } } }\n"
+                  "  pigment { rgb 1 } interior { ior 1.5 } }\n");
+    assert_true(material_of(&r, 0)->pigment.r == 1.0f);
+    assert_true(material_of(&r, 1)->pigment.r == 3.0f);
+    assert_true(material_of(&r, 2)->pigment.r == 2.0f && material_of(&r, 2)->ior == 1.5);
+    assert_true(material_of(&r, 3)->pigment.r == 1.0f);
+    assert_true(material_of(&r, 4)->pigment.r == 1.0f && material_of(&r, 4)->ior == 1.1);
+    reading_end(&r);
+}
+
+/* First the member's own, then those of each group from the inner to the outer. */
+static void transformations_of_groups_follow_their_members(void **state)
+{
+    pov_affine map;
+    reading r;
+
+    (void)state;
+    read_text(&r, "union { merge { sphere { 0, 1 translate <1, 0, 0> } sphere { 0, 1 } scale 2 translate <0, 1, 0> }\n"
+                  "  box { 0, 1 } rotate <0, 0, 90> translate <5, 0, 0> }");
+    assert_true(transform_compose(r.model.leaves.items[0].map, &map));
+    assert_true(map.m[0][3] == 4.0 && map.m[1][3] == 2.0);   /* (1, 0) to (2, 1), turned to (-1, 2), moved */
+    assert_true(map.m[1][0] == 2.0 && map.m[0][1] == -2.0);
+    assert_true(transform_compose(r.model.leaves.items[2].map, &map));
+    assert_true(map.m[0][3] == 5.0 && map.m[1][3] == 0.0);
+    reading_end(&r);
+}
+
+static void flags_of_groups_hold_where_they_belong(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "difference { sphere { 0, 1 } box { 0, 1 inverse } no_shadow inverse }\n"
+                  "union { sphere { 0, 1 inverse } inverse }");
+    assert_int_equal(r.model.leaves.items[0].flags, LEAF_NO_SHADOW);
+    assert_int_equal(r.model.leaves.items[1].flags, LEAF_NO_SHADOW | LEAF_INVERSE);
+    assert_true(r.model.groups.items[0].inverse);
+    assert_int_equal(r.model.leaves.items[2].flags, 0);   /* of one member it is that member */
+    reading_end(&r);
+}
+
+static void a_group_of_nothing_is_nothing(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "union { }\n difference { sphere { 0, 1 } union { merge { } } }");
+    assert_int_equal(r.model.leaves.count, 1);
+    assert_int_equal(r.model.groups.count, 0);
+    reading_end(&r);
+}
+
+static void what_has_no_inside_cannot_be_cut(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "union { polygon { 3, 0, 1, <0, 1, 0> } sphere { 0, 1 } }\n"
+                      "difference { sphere { 0, 1 } polygon { 3, 0, 1, <0, 1, 0> } }\n"
+                      "difference { polygon { 3, 0, 1, <0, 1, 0> } sphere { 0, 1 } }");
+    assert_int_equal(r.status, POV_OK);
+    assert_int_equal(r.note_count, 1);
+    assert_int_equal(r.notes[0].line, 2);
+    assert_string_equal(r.notes[0].message, "\"polygon\" in a \"difference\" is not supported yet and is left out");
+    assert_int_equal(r.model.leaves.count, 3);   /* of nothing nothing is cut */
+    reading_end(&r);
+}
+
+static void what_is_no_object_is_refused(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "union { sphere { 0, 1 } 5 }");
+    assert_int_equal(r.status, POV_E_SYNTAX);
+    assert_int_equal(r.error.column, 25);
+    reading_end(&r);
+    reading_begin(&r, "union { sphere { 0, 1 } sphere { 1, 1 } pigmnt { rgb 1 } }");
+    assert_true(r.status < 0);
+    assert_int_equal(r.error.column, 41);
+    reading_end(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_difference_is_one_object_of_its_leaves),
+        cmocka_unit_test(unions_dissolve_unless_they_stand_in_another),
+        cmocka_unit_test(a_union_with_an_interior_is_one_object),
+        cmocka_unit_test(a_member_takes_what_it_lacks_from_the_nearest_group),
+        cmocka_unit_test(transformations_of_groups_follow_their_members),
+        cmocka_unit_test(flags_of_groups_hold_where_they_belong),
+        cmocka_unit_test(a_group_of_nothing_is_nothing),
+        cmocka_unit_test(what_has_no_inside_cannot_be_cut),
+        cmocka_unit_test(what_is_no_object_is_refused),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
