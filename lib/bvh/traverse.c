@@ -37,6 +37,53 @@ static inline void push_entry(traverse_stack *s, uint32_t top, uint64_t key)
 
 static inline uint64_t key_on(const traverse_stack *s, uint32_t top) { return key_of(s->entry[top], s->at[top]); }
 
+/* Put the met children on the stack, the nearest on top, and say how high it is now. Exchanges sort the first four,
+ * for they cost fewer wrongly guessed branches than a loop. */
+static inline uint32_t push(const bvh_node *node, uint32_t mask, const float *entry, traverse_stack *stack, uint32_t top)
+{
+    uint64_t a = take_key(node, &mask, entry), b = take_key(node, &mask, entry), c, d;
+    uint32_t base = top, at;
+
+    put_greater_first(&a, &b);
+    if (!mask) {
+        push_entry(stack, top++, a);
+        push_entry(stack, top++, b);
+        return top;
+    }
+    c = take_key(node, &mask, entry);
+    put_greater_first(&b, &c);
+    put_greater_first(&a, &b);
+    if (!mask) {
+        push_entry(stack, top++, a);
+        push_entry(stack, top++, b);
+        push_entry(stack, top++, c);
+        return top;
+    }
+    d = take_key(node, &mask, entry);
+    put_greater_first(&c, &d);
+    put_greater_first(&b, &c);
+    put_greater_first(&a, &b);
+    push_entry(stack, top++, a);
+    push_entry(stack, top++, b);
+    push_entry(stack, top++, c);
+    push_entry(stack, top++, d);
+    while (mask) {
+        a = take_key(node, &mask, entry);
+        for (at = top++; at > base && key_on(stack, at - 1) < a; at--)
+            push_entry(stack, at, key_on(stack, at - 1));
+        push_entry(stack, at, a);
+    }
+    return top;
+}
+
+/* Put the met children on the stack, all but the last, which is given. */
+static inline uint32_t push_any(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
+{
+    for (; mask & (mask - 1); mask &= mask - 1)
+        stack->at[(*top)++] = node->child[first_of(mask)];
+    return node->child[first_of(mask)];
+}
+
 /* What the node test wants of a ray. */
 typedef struct lanes_portable {
     float inverse[3], near_offset[3], far_offset[3], limit;
@@ -94,19 +141,10 @@ static inline uint32_t hit_mask_portable(const bvh_node *node, const lanes_porta
     return mask;
 }
 
-/* Put the met children on the stack, all but the last, which is given. */
-static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
-{
-    for (; mask & (mask - 1); mask &= mask - 1)
-        stack->at[(*top)++] = node->child[first_of(mask)];
-    return node->child[first_of(mask)];
-}
-
 #define TRAVERSE_LANES lanes_portable
 #define TRAVERSE_SPREAD spread_portable
 #define TRAVERSE_LIMIT limit_portable
 #define TRAVERSE_HIT hit_mask_portable
-#define TRAVERSE_ANY any_portable
 #define TRAVERSE_NAME(name) name##_portable
 #define TRAVERSE_TARGET
 #include "bvh/traverse_body.h"
@@ -114,8 +152,6 @@ static inline uint32_t any_portable(const bvh_node *node, uint32_t mask, travers
 #undef TRAVERSE_SPREAD
 #undef TRAVERSE_LIMIT
 #undef TRAVERSE_HIT
-#undef TRAVERSE_ANY
-#undef TRAVERSE_PUSH
 #undef TRAVERSE_NAME
 #undef TRAVERSE_TARGET
 
@@ -199,33 +235,8 @@ TRAVERSE_TARGET static inline uint32_t hit_mask_avx2(const bvh_node *node, const
 }
 
 #ifdef __AVX512VL__
-/* As TRAVERSE_ANY, whatever their number, without a branch. */
-TRAVERSE_TARGET static inline uint32_t any_avx512(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
-{
-    const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
-
-    store_avx512(stack->at + *top, _mm256_maskz_compress_epi32((__mmask8)mask, child));
-    *top += (uint32_t)__builtin_popcount(mask) - 1;
-    return node->child[31 - __builtin_clz(mask)];
-}
-#define TRAVERSE_ANY any_avx512
 #define INTERLEAVED bvh_nearest_interleaved, bvh_any_interleaved
-
-/* As TRAVERSE_NAME(push), without a branch. */
-TRAVERSE_TARGET static inline uint32_t push_avx512(const bvh_node *node, uint32_t mask, const float *entry,
-                                               traverse_stack *stack, uint32_t top)
-{
-    const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
-    const uint32_t count = (uint32_t)__builtin_popcount(mask);
-    const __m256i order = sort_avx512(slot_entries_avx512(_mm256_loadu_ps(entry), (__mmask8)mask), count);
-
-    _mm256_storeu_ps(stack->entry + top, entries_avx512(order));
-    store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
-    return top + count;
-}
-#define TRAVERSE_PUSH push_avx512
 #else
-#define TRAVERSE_ANY any_portable
 #define INTERLEAVED NULL, NULL
 #endif
 

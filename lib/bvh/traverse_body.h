@@ -1,51 +1,7 @@
-/* traverse_body.h - the traversal of one ray, included by traverse.c once for each instruction set, with TRAVERSE_TARGET (the
- * function attribute), TRAVERSE_LANES (a ray as the node test wants it), TRAVERSE_SPREAD (makes it), TRAVERSE_LIMIT (lowers its
- * limit), TRAVERSE_HIT (the node test), TRAVERSE_ANY (to put children on the stack in any order) and TRAVERSE_NAME (what makes
- * names differ). No guard, for that reason. */
-
-#ifndef TRAVERSE_PUSH
-#define TRAVERSE_PUSH TRAVERSE_NAME(push)
-/* Put the met children on the stack, the nearest on top, and say how high it is now. Exchanges sort the first four,
- * for they cost fewer wrongly guessed branches than a loop. */
-TRAVERSE_TARGET static inline uint32_t TRAVERSE_NAME(push)(const bvh_node *node, uint32_t mask, const float *entry,
-                                                   traverse_stack *stack, uint32_t top)
-{
-    uint64_t a = take_key(node, &mask, entry), b = take_key(node, &mask, entry), c, d;
-    uint32_t base = top, at;
-
-    put_greater_first(&a, &b);
-    if (!mask) {
-        push_entry(stack, top++, a);
-        push_entry(stack, top++, b);
-        return top;
-    }
-    c = take_key(node, &mask, entry);
-    put_greater_first(&b, &c);
-    put_greater_first(&a, &b);
-    if (!mask) {
-        push_entry(stack, top++, a);
-        push_entry(stack, top++, b);
-        push_entry(stack, top++, c);
-        return top;
-    }
-    d = take_key(node, &mask, entry);
-    put_greater_first(&c, &d);
-    put_greater_first(&b, &c);
-    put_greater_first(&a, &b);
-    push_entry(stack, top++, a);
-    push_entry(stack, top++, b);
-    push_entry(stack, top++, c);
-    push_entry(stack, top++, d);
-    while (mask) {
-        a = take_key(node, &mask, entry);
-        for (at = top++; at > base && key_on(stack, at - 1) < a; at--)
-            push_entry(stack, at, key_on(stack, at - 1));
-        push_entry(stack, at, a);
-    }
-    return top;
-}
-
-#endif
+/* traverse_body.h - the traversal of one ray, included by traverse.c once for each instruction set, with TRAVERSE_TARGET
+ * (the function attribute), TRAVERSE_LANES (a ray as the node test wants it), TRAVERSE_SPREAD (makes it), TRAVERSE_LIMIT
+ * (lowers its limit), TRAVERSE_HIT (the node test) and TRAVERSE_NAME (what makes names differ). No guard, for that
+ * reason. */
 
 /* The node at `at` and what is nearest below it, until that is no node, or nothing (then: the top of the stack). */
 TRAVERSE_TARGET static inline bool TRAVERSE_NAME(descend)(const bvh_node *nodes, const TRAVERSE_LANES *ray, bool sorted,
@@ -59,9 +15,9 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(descend)(const bvh_node *nodes,
         if (!mask)
             return false;
         if (!sorted) {
-            *at = TRAVERSE_ANY(node, mask, stack, top);
+            *at = push_any(node, mask, stack, top);
         } else if (mask & (mask - 1)) {
-            *top = TRAVERSE_PUSH(node, mask, entry, stack, *top);
+            *top = push(node, mask, entry, stack, *top);
             *at = stack->at[--*top];
         } else {
             *at = node->child[first_of(mask)];
