@@ -1,4 +1,4 @@
-#include "world/instance_parts.h"
+#include "world/instance.h"
 
 #include <string.h>
 
@@ -53,7 +53,7 @@ static inline void own_point(const placement *p, pov_vec3 at, pov_vec3 at_lo, po
         out[i] = pov_two_add(apply_row(p, i, w), pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i)));
 }
 
-void placement_ray_portable(const placement *p, const pov_ray *ray, pov_ray *own)
+void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own)
 {
     pov_two o[3], d[3];
     int i;
@@ -67,17 +67,6 @@ void placement_ray_portable(const placement *p, const pov_ray *ray, pov_ray *own
     own->dir_lo = pov_vec3_of(d[0].lo, d[1].lo, d[2].lo);
     own->left = ray->left;
     own->left_mark = ray->left_mark;
-}
-
-void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own)
-{
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        placement_ray_avx2(p, ray, own);
-        return;
-    }
-#endif
-    placement_ray_portable(p, ray, own);
 }
 
 /* ---- what rays are answered ---- */

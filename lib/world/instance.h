@@ -71,12 +71,20 @@ void placement_turn_normals(const placement *const *p, pov_vec3 *const *normals,
 bool placement_inside(const placement *p, const shape_class *shape, const void *self, pov_vec3 point,
                       pov_vec3 point_lo);
 
-/* placement_ray() as processors do it, each in its own way, the same bits in each. */
-typedef void placement_code(const placement *p, const pov_ray *ray, pov_ray *own);
+/* Numbers of the filter before an instance: docs/numerics.md ("Block filters") derives them. */
+#define PLACEMENT_LEAST 1e-30
+#define PLACEMENT_LARGE 1e30       /* no half is larger: its inverse is a float */
+#define PLACEMENT_SMALL 1e-20      /* nor smaller, of what is more than in its box */
+#define PLACEMENT_FLAT 0x1p-24     /* no half is less of the sum of sizes of its row, for points of the box */
+#define PLACEMENT_RANGE 1e100
+#define PLACEMENT_ROUNDED 0x1p-48  /* of their coordinates bounds may be too wide */
 
-placement_code placement_ray_portable;
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(POV_PORTABLE)
-placement_code placement_ray_avx2;   /* only where the processor has AVX2 and fma */
-#endif
+#define PLACEMENT_E 0x1p-24f
+#define PLACEMENT_LOST (48.0f * PLACEMENT_E)
+#define PLACEMENT_MOST 0x1p20f     /* of what is lost; else no float would hold what comes of it */
+#define PLACEMENT_UNSURE 0x1p-4f   /* with more lost than that nothing is certain */
+#define PLACEMENT_SNUG (1.0 - 0x1p-18)
+#define PLACEMENT_OUTER (1.0f + 0x1p-17f)   /* of a ball, whose centre is as far from the anchor as its sides tell */
+#define PLACEMENT_INNER (1.0f - 0x1p-16f)
 
 #endif

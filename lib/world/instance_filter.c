@@ -1,6 +1,6 @@
 #include "base/bits.h"
 #include "base/simd.h"
-#include "world/instance_parts.h"
+#include "world/instance.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Placements are made several at once: one alone waits for each of its sums, eight side by side do not. */
 #include "base/simd.h"
-#include "world/instance_parts.h"
+#include "world/instance.h"
 
 #include <string.h>
 

@@ -149,23 +149,6 @@ static bool is_same(const pov_ray *a, const pov_ray *b)
            a->left == b->left && memcmp(&a->left_mark, &b->left_mark, sizeof a->left_mark) == 0;
 }
 
-static void check_copies(const placement *p, const pov_ray *ray)
-{
-#if defined(__x86_64__) && defined(__GNUC__)
-    pov_ray a, b;
-
-    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
-        return;
-    placement_ray_portable(p, ray, &a);
-    placement_ray_avx2(p, ray, &b);
-    assert_true(is_same(&a, &b));
-#else
-    (void)p;
-    (void)ray;
-    (void)is_same;
-#endif
-}
-
 enum { RAYS = 4, APART = 19 };   /* how many go at a shape, and how many lanes lie between them */
 enum { NOT_LEFT = 1 };           /* an owner that no ray starts on */
 
@@ -303,7 +286,6 @@ static void check_map(model *m, test_random *r, const shape_class *shape, pov_bo
         const double tmax = test_below(r, 2) ? HUGE_VAL : test_power(r, -3.0, 6.0);
 
         hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
-        check_copies(&p, &ray);
         sent[i] = ray;
         if (put_ray(&rays, i * APART, &frame, &ray, tmax))
             lanes |= (uint64_t)1 << i * APART;
@@ -475,10 +457,8 @@ static void what_is_out_of_range_is_not_filtered(void **state)
         memset(&ray, 0, sizeof ray);
         ray.org = pov_vec3_of(0.0, 0.0, -5.0 * sizes[i]);
         ray.dir = pov_vec3_of(0.0, 1e-3, 1.0);
-        check_copies(&p, &ray);
         check_range(&p, &own, &around, &ray);
         ray.dir = pov_vec3_of(0.0, 1e-73, 1e-70);
-        check_copies(&p, &ray);
         check_range(&p, &own, &around, &ray);
         placement_init(&p, &map, &own, NULL, POV_SHAPE_BALL);
         assert_int_equal(p.known, PLACEMENT_UNKNOWN);
