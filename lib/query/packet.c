@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-/* Lanes are gone through by eights. */
-static inline uint32_t width(uint32_t n) { return (n + 7) & ~7u; }
+/* Lanes are gone through by eights; so few that none can go together, by four. */
+static inline uint32_t width(uint32_t n) { return n <= 4 ? 4 : (n + 7) & ~7u; }
 
 /* True: all are in the range that filters are promised. */
 SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, double *restrict length)
@@ -69,28 +69,6 @@ void packet_begin(packet *p, const world *w, walker *k, const pov_ray *const *ra
     p->exact = derive_all(&p->traversal, end);
 }
 
-/* Those of some lanes that may hit the world's list, whose blocks are told of them. */
-static uint64_t enter_list(packet *p, uint64_t lanes)
-{
-    bvh_traversal *t = &p->traversal;
-    const bvh_frame *frame = &p->world->list_frame;
-    uint64_t in = 0;
-    bvh_local l;
-
-    if (!p->world->list_packed)
-        return lanes;
-    t->in = frame;
-    for (; lanes; lanes &= lanes - 1) {
-        const uint32_t i = first_of64(lanes);
-
-        if (!bvh_enter(frame, p->rays[i], t->length[i], t->soa.per_length[i], &l))
-            continue;
-        bvh_to_frame(&t->soa, i, &l, bvh_limit(l.scale, l.shift, t->limit[i]));
-        in |= bit_of(i);
-    }
-    return in;
-}
-
 uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
 {
     const world *w = p->world;
@@ -101,7 +79,7 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
     if (w->infinite)
         ended = t->leaf(t, w->infinite, all);
     if (w->list && all & ~ended)
-        ended |= t->leaf(t, w->list, enter_list(p, all & ~ended));
+        ended |= t->leaf(t, w->list, all & ~ended);
     t->lowered = 0;
     t->lanes = all & ~ended & ~p->exact;
     if (w->has_tree && t->lanes)
@@ -162,8 +140,11 @@ uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, u
     uint64_t of[8], rest = 0;
     uint32_t count = 0, octant;
 
-    divide(w, rays, n, of);
-    for (octant = 0; octant < 8; octant++)
+    if (n < PACKET_LEAST)
+        rest = which;
+    else
+        divide(w, rays, n, of);
+    for (octant = 0; n >= PACKET_LEAST && octant < 8; octant++)
         if (are_at_least(of[octant] & which, PACKET_LEAST)) {
             groups[count].lanes = of[octant] & which;
             groups[count++].traverse = nearest ? by->nearest_packet : by->any_packet;

@@ -35,8 +35,6 @@ struct world {
     unsigned char *list_memory;
     const run *infinite;         /* asked for every ray; NULL: none */
     const run *list;             /* the finite ones when there is no tree; NULL: none */
-    bvh_frame list_frame;
-    bool list_packed;            /* some of it stands in blocks, and these in the frame */
     bvh tree;
     bool has_tree;
     const bvh_kernels *kernels;

@@ -151,7 +151,6 @@ static void fill_lists(layout *l, bool with_finite)
     const flat *f = l->runs.flat;
     world *w = l->world;
     unsigned char *second = l->first > 0 ? w->list_memory + l->first : w->list_memory;
-    const run *i;
 
     l->runs.base = w->list_memory;
     l->runs.mark = RUNS_IN_LISTS;
@@ -162,11 +161,8 @@ static void fill_lists(layout *l, bool with_finite)
     if (f->member_count > 0)
         runs_fill(&l->runs, LIST_PART, NULL, f->members, f->member_count, second + l->second);
     if (with_finite && f->finite_count > 0) {
-        w->list_frame = bvh_frame_around(&f->bounds);
-        runs_fill(&l->runs, LIST_PART, &w->list_frame, f->finite, f->finite_count, second);
+        runs_fill(&l->runs, LIST_PART, NULL, f->finite, f->finite_count, second);
         w->list = (const run *)(const void *)second;
-        for (i = w->list; i; i = run_next(i))
-            w->list_packed = w->list_packed || (i->flags & RUN_PACKED);
     }
 }
 
