@@ -9,8 +9,6 @@ void packet_begin_light(packet *p, uint32_t i)
 {
     tint_room *room = &p->context->rooms[p->of[i]];
 
-    if (p->asked & bit_of(i))
-        return;
     p->asked |= bit_of(i);
     packet_begin_hits(p, i, &p->hits[i], POV_WANT_ANY, &room->blocking);
     if (p->any_blocks)
@@ -19,6 +17,12 @@ void packet_begin_light(packet *p, uint32_t i)
     p->filter_hits[i].count_only = !p->world->located;
     p->filter_hits[i].capacity = room->capacity;
     p->filter_hits[i].grow = crossings_grow;
+}
+
+static inline void begin_light(packet *p, uint32_t i)
+{
+    if (!(p->asked & bit_of(i)))
+        packet_begin_light(p, i);
 }
 
 /* True: the path ends here. */
@@ -43,7 +47,7 @@ static bool ask_some(packet *p, uint32_t i, const run *r, uint32_t mask)
 
     if (!mask)
         return false;
-    packet_begin_light(p, i);
+    begin_light(p, i);
     before = decided_of(p, i);
     for (; mask && !ended; mask &= mask - 1, asked++)
         ended = ask(p, i, r, first_of(mask));
@@ -65,7 +69,7 @@ static bool take(packet *p, const run *r, const pov_meeting *m)
     if (!(r->casts >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.away[m->ray]))
         return false;
     if (!p->any_blocks) {
-        packet_begin_light(p, m->ray);
+        begin_light(p, m->ray);
         if (clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]))
             return false;
     }
@@ -153,9 +157,20 @@ void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const po
         }
 }
 
-static bool is_before(const pov_crossing *a, const pov_crossing *b)
+static inline bool is_before(const pov_crossing *a, const pov_crossing *b)
 {
     return a->owner != b->owner ? a->owner < b->owner : a->t < b->t;
+}
+
+/* As they mostly are. */
+static inline bool are_in_order(const pov_crossing *at, uint32_t count)
+{
+    uint32_t i;
+
+    for (i = 1; i < count; i++)
+        if (is_before(&at[i], &at[i - 1]))
+            return false;
+    return true;
 }
 
 uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
@@ -172,7 +187,7 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
         if (blocked >> i & 1) {
             dark |= bit_of(of);
         } else if (is_asked && !p->any_blocks && hits->count > 0) {
-            if (hits->count > 1)
+            if (!are_in_order(hits->at, hits->count))
                 crossings_sort(hits->at, hits->count, is_before);
             out->crossed |= bit_of(of);
             out->at[of] = hits->at;
