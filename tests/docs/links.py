@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Check that what the documentation points to exists: links.py [PAGE ...].
+"""Check that what the documentation points to exists, and that its tables are whole: links.py [PAGE ...].
 
 * A link to a file or an anchor of the tree.
 * A path in backticks or plain text, such as `bvh/reinsert.c` or docs/numerics.md: it is looked for beside the page, in the
   tree's root, in lib and in plugins. Files that are yet to be written are named in sections that begin with "Where growth".
 * A target of make, such as `make bench`.
+* A table has a head.
 * The marks between which scripts write their tables: one pair for each table.
 
 Ends with "N passed, N failed".
@@ -54,6 +55,8 @@ def targets_of_make():
 
 def wrong(page, targets):
     text = prose(page)
+    for row in re.findall(r'\n\n(\|[^\n]*)\n(?!\|---)', text):
+        yield f'a table begins without a head: {row}'
     for link in LINK.findall(text):
         if not link.startswith(('http:', 'https:')) and dead_link(page, link):
             yield f'the link {link} leads nowhere'
