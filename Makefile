@@ -13,7 +13,7 @@ SANITIZE ?=
 WERROR   ?=
 PKG_CONFIG ?= pkg-config
 # The library and the primitives are built once more for these processors, beside the baseline; the system's loader
-# picks, and the pictures are the same to the bit. WIDE= leaves that out.
+# picks, and the pictures are the same bit for bit. WIDE= leaves that out.
 WIDE     ?= $(if $(SANITIZE),,$(shell for w in x86-64-v3 x86-64-v4; do \
                $(CC) -march=$$w -dM -E -x c /dev/null 2>/dev/null | grep -q __gnu_linux__ && echo $$w; done))
 WIDE     := $(WIDE)
@@ -42,7 +42,7 @@ LINK_FLAGS = $(LDFLAGS) $(SANITIZE) $(OPTIMISE)
 SYSTEM_LIBS = -lm -ldl -lpthread
 
 LIB_SOURCES   := $(sort $(wildcard lib/*/*.c))
-KIT_SOURCES   := $(sort $(wildcard plugins/kit/*.c))
+COMMON_SOURCES   := $(sort $(wildcard plugins/common/*.c))
 CLI_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard cli/*.c)))
 # What a folder's plugins are called where they are built.
 plugins_of     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/$(1)/*.c)))
@@ -109,9 +109,9 @@ $(BUILD)/lib/$(1)libpovtrace.a: $(LIB_SOURCES:%.c=$(BUILD)/obj/$(1)%.o)
 	$$(ARCHIVE)
 
 # Plugins are a file each, linked against nothing of povtrace.
-$(BUILD)/obj/$(1)plugins/kit.a: $(KIT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o)
+$(BUILD)/obj/$(1)plugins/common.a: $(COMMON_SOURCES:%.c=$(BUILD)/obj/$(1)%.o)
 	$$(ARCHIVE)
-$(BUILD)/lib/povtrace/primitives/$(1)%.so: $(BUILD)/obj/$(1)plugins/primitives/%.o $(BUILD)/obj/$(1)plugins/kit.a
+$(BUILD)/lib/povtrace/primitives/$(1)%.so: $(BUILD)/obj/$(1)plugins/primitives/%.o $(BUILD)/obj/$(1)plugins/common.a
 	$$(LINK_PLUGIN)
 endef
 # The baseline's folder is none.
@@ -120,7 +120,7 @@ $(foreach w,$(WIDE),$(eval $(call COPY_RULES,$(w)/)))
 
 # ---- the other plugins ----
 
-$(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(BUILD)/obj/plugins/kit.a
+$(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(BUILD)/obj/plugins/common.a
 	$(LINK_PLUGIN)
 
 $(BUILD)/obj/plugins/images/png.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
@@ -272,7 +272,7 @@ help:
 	@echo "make mutate     make a dozen mistakes in a copy of the tree, one by one: a test must notice each"
 	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
 	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; bench-counts: its instructions a ray, bench-whole:"
-	@echo "                whole processes, bench-threads, bench-scale: threads and objects, bench-bits: the same to the bit"
+	@echo "                whole processes, bench-threads, bench-scale: threads and objects, bench-bits: the same bit for bit"
 	@echo "make deps       install what is missing to build and test, by the system's package manager"
 	@echo "make install    to PREFIX ($(PREFIX)), below DESTDIR if given; make uninstall takes it away again"
 	@echo "make clean      remove $(BUILD)/"

@@ -1,4 +1,4 @@
-/* run.h - one scene: read it, and do with it what the command line asks for. */
+/* leaf_batch.h - one scene: read it, and do with it what the command line asks for. */
 #ifndef CLI_RUN_H
 #define CLI_RUN_H
 

@@ -83,10 +83,10 @@ static void print_counts(FILE *to, const pov_counts *c)
     count(to, "cut_by_depth", c->cut_depth, "rays");
     count(to, "cut_by_weight", c->cut_weight, "rays");
     count(to, "inner_reflections", c->inner_reflections, "rays");
-    count(to, "decided", c->decided, "intersections");
+    count(to, "escalated", c->escalated, "intersections");
 }
 
-/* Queries of each class of primitives, and those that two-part arithmetic had to decide. */
+/* Queries of each class of primitives, and those that double-double arithmetic had to decide. */
 static void print_classes(FILE *to, pov_job *job)
 {
     pov_class_counts c = POV_INIT(c);
@@ -95,8 +95,8 @@ static void print_classes(FILE *to, pov_job *job)
     for (size_t i = 0; pov_job_get_class(job, i, &c); i++) {
         snprintf(name, sizeof name, "%s_asked", c.keyword);
         count(to, name, c.asked, "intersections");
-        snprintf(name, sizeof name, "%s_decided", c.keyword);
-        count(to, name, c.decided, "intersections");
+        snprintf(name, sizeof name, "%s_escalated", c.keyword);
+        count(to, name, c.escalated, "intersections");
     }
 }
 

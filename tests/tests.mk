@@ -30,7 +30,7 @@ $(foreach w,$(WIDE),$(eval $(call TEST_RULES,$w/)))
 # What we compare with: each method a folder of plugins, built from one source a primitive; for wider processors too.
 METHOD_FLAGS_textbook =
 METHOD_FLAGS_qform = -DRECENTRED
-METHOD_FLAGS_twofold = -DTWO_PARTS
+METHOD_FLAGS_twofold = -DDOUBLE_DOUBLE
 METHOD_SOURCES = $(sort $(wildcard tests/numerics/methods/primitives/*.c))
 METHOD_NAMES = $(foreach w,primitives $(WIDE:%=primitives/%),$(METHOD_SOURCES:tests/numerics/methods/primitives/%.c=$w/%.so))
 METHODS = $(foreach m,textbook qform twofold,$(METHOD_NAMES:%=$(BUILD)/tests/numerics/$m/%))
@@ -40,8 +40,8 @@ $(BUILD)/tests/numerics/$1/primitives$2/%.so: tests/numerics/methods/primitives/
 	$$(call say,CC,$$@) $(CC) $(filter-out -MMD -MP,$(BASE_FLAGS)) $(if $2,-march=$(2:/%=%)) $(METHOD_FLAGS_$1) -Iplugins -Itests -shared \
 	    -Wl,--gc-sections $(LINK_FLAGS) $$< $3 -lm -o $$@
 endef
-$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(BUILD)/obj/plugins/kit.a)))
-$(foreach w,$(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,/$w,$(BUILD)/obj/$w/plugins/kit.a))))
+$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,,$(BUILD)/obj/plugins/common.a)))
+$(foreach w,$(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE,$m,/$w,$(BUILD)/obj/$w/plugins/common.a))))
 .PHONY: accuracy-methods
 accuracy-methods: $(METHODS)
 

@@ -28,7 +28,7 @@ bool maps_is_done(maps *m);
 
 /* The colour of a hit, or of none (NULL). Normals -1 .. 1 become 0 .. 255, world x red, y green, z blue. Depth is white
  * near, black far, as 1 / (1 + (depth / middle)^3). Certainty is blue where double precision sufficed, orange where
- * two-part numbers were needed. */
+ * double-double numbers were needed. */
 void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba);
 
 #endif

@@ -70,7 +70,7 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
         add(out, size, "|normal\t%.4f, %.4f, %.4f\n", p->normal.x, p->normal.y, p->normal.z);
         add(out, size, "|distance\t%.8g\n", p->distance);
         add(out, size, "|hits\t%zu on the way\n", p->hits);
-        add(out, size, "|decided by\t%s\n", p->certain ? "double" : "two-part numbers");
+        add(out, size, "|computed in\t%s\n", p->certain ? "double" : "double-double");
     }
     if (p->color[3] > 0.0f)
         add(out, size, "|color\t%.4f, %.4f, %.4f\n", (double)p->color[0], (double)p->color[1], (double)p->color[2]);
@@ -126,7 +126,7 @@ static const char *caption(app_view view)
         "", "#normal\n red x, green y, blue z: -1 dark, 1 bright\n", "#depth\n white near, black far\n",
         "#samples\n dark 1, bright 1024\n", "#time\n dark a microsecond of the processor a pixel, bright 10 ms\n",
         "#error\n dark 0.0001, bright 0.1, grey not known\n",
-        "#certainty\n blue: decided in double; orange: by two-part numbers\n",
+        "#certainty\n blue: double decides; orange: double-double needed\n",
     };
 
     return captions[view];

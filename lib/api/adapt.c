@@ -19,12 +19,12 @@ pov_status adapt_in(void *ours, size_t size, const void *theirs, const char *wha
 
 void adapt_out(void *theirs, const void *ours, size_t size)
 {
-    size_t room;
+    size_t buffer;
 
-    memcpy(&room, theirs, sizeof room);
-    if (room > size)
-        memset((unsigned char *)theirs + size, 0, room - size);
-    if (room > sizeof room)
-        memcpy((unsigned char *)theirs + sizeof room, (const unsigned char *)ours + sizeof room,
-               (room < size ? room : size) - sizeof room);
+    memcpy(&buffer, theirs, sizeof buffer);
+    if (buffer > size)
+        memset((unsigned char *)theirs + size, 0, buffer - size);
+    if (buffer > sizeof buffer)
+        memcpy((unsigned char *)theirs + sizeof buffer, (const unsigned char *)ours + sizeof buffer,
+               (buffer < size ? buffer : size) - sizeof buffer);
 }

@@ -41,7 +41,7 @@ static bool has_row(const plan *p, const char *keyword)
     return false;
 }
 
-static void see_keyword(void *user, const char *keyword)
+static void visit_keyword(void *user, const char *keyword)
 {
     plugin_rows *r = user;
 
@@ -95,7 +95,7 @@ pov_status explain_plugins(plan *p, const model *m, const registry *plugins, pov
     env_free(m->env, t.items);
     n = p->rows.count;
     if (r.status == POV_OK && plugins)
-        registry_each_keyword(plugins, "primitives", see_keyword, &r);
+        registry_each_keyword(plugins, "primitives", visit_keyword, &r);
     if (p->rows.count > n)
         sort_rows(p->rows.items + n, p->rows.count - n);
     return r.status;

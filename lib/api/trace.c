@@ -26,8 +26,8 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     ray.org_lo = pov_vec3_of(0.0, 0.0, 0.0);
     ray.dir = dir;
     ray.dir_lo = ray.org_lo;
-    ray.left = POV_NOBODY;
-    ray.left_mark = no_mark;
+    ray.origin_surface = POV_NO_OWNER;
+    ray.origin_mark = no_mark;
     return ray;
 }
 
@@ -46,13 +46,13 @@ static pov_hit hit_of(const model *m, const hit *h, double distance)
     found.normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     found.shading_normal = found.normal;
     found.object = model_object_of(m, h->object);
-    found.certain = (h->crossing.mark.flags & POV_MARK_DECIDED) == 0;
+    found.certain = (h->crossing.mark.flags & POV_MARK_ESCALATED) == 0;
     return found;
 }
 
 static bool nearest(const pov_tracer *tracer, const pov_ray *ray, hit *h)
 {
-    return query_nearest(tracer->context.scene->world, tracer->context.walker, &ray, 1, INFINITY, h) != 0;
+    return query_nearest(tracer->context.scene->world, tracer->context.context, &ray, 1, INFINITY, h) != 0;
 }
 
 /* A miss is certain if no object on the way was escalated. For a hit only its own crossing counts, because the tree
@@ -66,9 +66,9 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 
     if (!tracer)
         return false;
-    before = walker_decided(tracer->context.walker);
+    before = query_context_escalated(tracer->context.context);
     if (!is_ray(org, dir) || !nearest(tracer, &ray, &h)) {
-        found.certain = walker_decided(tracer->context.walker) == before;
+        found.certain = query_context_escalated(tracer->context.context) == before;
         if (out)
             adapt_out(out, &found, sizeof found);
         return false;
@@ -83,29 +83,29 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 /* Distance from the ray's start, in lengths of its direction. */
 static double distance_to(const hit *h, pov_vec3 org, pov_vec3 dir)
 {
-    const pov_vec3 way = pov_add(pov_sub(h->point, org), h->point_lo), unit = pov_unit(dir);
+    const pov_vec3 along = pov_add(pov_sub(h->point, org), h->point_lo), unit = pov_unit(dir);
 
-    return pov_dot(way, unit) / pov_dot(dir, unit);
+    return pov_dot(along, unit) / pov_dot(dir, unit);
 }
 
-size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see)(void *user, const pov_hit *hit),
+size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*visit)(void *user, const pov_hit *hit),
                       void *user)
 {
     passage p = { .ray = ray_of(org, dir) };
     size_t count = 0;
-    bool goes_on = tracer && see && is_ray(org, dir);
+    bool passes_cutoff = tracer && visit && is_ray(org, dir);
     hit h;
 
-    if (goes_on) {
+    if (passes_cutoff) {
         p.world = tracer->context.scene->world;
-        p.walker = tracer->context.walker;
+        p.context = tracer->context.context;
     }
-    while (goes_on && passage_next(&p, &h)) {
+    while (passes_cutoff && passage_next(&p, &h)) {
         const pov_hit found =
             hit_of(tracer->context.scene->model, &h, count == 0 ? h.crossing.t : distance_to(&h, org, dir));
 
         count++;
-        goes_on = see(user, &found);
+        passes_cutoff = visit(user, &found);
     }
     return count;
 }
@@ -114,7 +114,8 @@ bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to)
 {
     pov_ray ray = ray_of(from, pov_sub(to, from));
 
-    return tracer && is_ray(from, ray.dir) && query_blocked(tracer->context.scene->world, tracer->context.walker, &ray, 1.0);
+    return tracer && is_ray(from, ray.dir) &&
+        query_blocked(tracer->context.scene->world, tracer->context.context, &ray, 1.0);
 }
 
 pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err)
@@ -131,5 +132,5 @@ pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float
     rgba[1] = c.g;
     rgba[2] = c.b;
     rgba[3] = 1.0f;
-    return tracer->context.failed || walker_failed(tracer->context.walker) ? err_memory(err) : POV_OK;
+    return tracer->context.failed || query_context_failed(tracer->context.context) ? err_memory(err) : POV_OK;
 }

@@ -77,7 +77,7 @@ pov_status file_read(const env *e, const char *path, char **bytes, size_t *count
 
 /* ---- folders ---- */
 
-void file_list(const char *folder, void (*see)(void *user, const char *name), void *user)
+void file_list(const char *folder, void (*visit)(void *user, const char *name), void *user)
 {
     DIR *d = opendir(folder);
     struct dirent *entry;
@@ -85,7 +85,7 @@ void file_list(const char *folder, void (*see)(void *user, const char *name), vo
     if (!d)
         return;
     while ((entry = readdir(d)) != NULL)
-        see(user, entry->d_name);
+        visit(user, entry->d_name);
     closedir(d);
 }
 

@@ -29,7 +29,7 @@ void file_writer_discard(file_writer *w);
 pov_status file_writer_try(const env *e, const char *path, pov_error *err);
 
 /* Call see(user, name) for each entry of a folder; no call when there is no such folder. */
-void file_list(const char *folder, void (*see)(void *user, const char *name), void *user);
+void file_list(const char *folder, void (*visit)(void *user, const char *name), void *user);
 bool file_exists(const char *path);
 bool file_is_link(const char *path);
 /* The path without links, `.` and `..`. False: there is nothing there, or it is longer than `size`. */

@@ -100,9 +100,9 @@ static size_t folder_length(const char *path)
 static void name_beside(const char *path, int attempt, char *out, size_t size)
 {
     const size_t folder = folder_length(path);
-    const int room = 200;
+    const int buffer = 200;
 
-    snprintf(out, size, "%.*s%.*s.%ld-%d.part", (int)folder, path, room, path + folder, (long)getpid(), attempt);
+    snprintf(out, size, "%.*s%.*s.%ld-%d.part", (int)folder, path, buffer, path + folder, (long)getpid(), attempt);
 }
 
 /* Is it NAME.PID-N.part, old, and of a process that no longer exists? */

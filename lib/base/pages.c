@@ -20,15 +20,16 @@ void *pages_reserve(const env *e, size_t bytes)
     return block;
 }
 
-void pages_expect(void *block, size_t bytes, size_t part, size_t parts)
+void pages_prefetch(void *block, size_t bytes, size_t slice, size_t slices)
 {
 #ifdef MADV_POPULATE_WRITE
-    const size_t pages = (bytes + PAGES_LARGE - 1) / PAGES_LARGE, first = pages * part / parts, end = pages * (part + 1) / parts;
+    const size_t pages = (bytes + PAGES_LARGE - 1) / PAGES_LARGE, first = pages * slice / slices,
+        end = pages * (slice + 1) / slices;
 
     if (bytes >= LEAST && end > first)
         madvise((char *)block + first * PAGES_LARGE, (end - first) * PAGES_LARGE, MADV_POPULATE_WRITE);
 #else
-    (void)block, (void)bytes, (void)part, (void)parts;
+    (void)block, (void)bytes, (void)slice, (void)slices;
 #endif
 }
 

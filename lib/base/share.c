@@ -3,14 +3,14 @@
 #include "base/thread.h"
 
 typedef struct work {
-    void (*part)(void *user, uint32_t i, int hand);
+    void (*slice)(void *user, uint32_t i, int worker);
     void *user;
     uint32_t count;
     mutex lock;                  /* guards next */
     uint32_t next;
 } work;
 
-typedef struct worker { work *work; int hand; } worker;
+typedef struct worker { work *work; int worker; } worker;
 
 static void *run(void *user)
 {
@@ -24,7 +24,7 @@ static void *run(void *user)
         mutex_unlock(&w->lock);
         if (mine == w->count)
             return NULL;
-        w->part(w->user, mine, k->hand);
+        w->slice(w->user, mine, k->worker);
     }
 }
 
@@ -34,9 +34,9 @@ int share_threads(int wanted)
     return n < SHARE_MAX ? n : SHARE_MAX;
 }
 
-void share_work(int threads, uint32_t count, void (*part)(void *user, uint32_t i, int hand), void *user)
+void share_work(int threads, uint32_t count, void (*slice)(void *user, uint32_t i, int worker), void *user)
 {
-    work w = { .part = part, .user = user, .count = count };
+    work w = { .slice = slice, .user = user, .count = count };
     worker workers[SHARE_MAX];
     thread started[SHARE_MAX];
     int i, n = 0;
@@ -46,12 +46,12 @@ void share_work(int threads, uint32_t count, void (*part)(void *user, uint32_t i
         threads = (int)count;
     if (threads <= 1 || !mutex_init(&w.lock)) {
         for (k = 0; k < count; k++)
-            part(user, k, 0);
+            slice(user, k, 0);
         return;
     }
     for (i = 0; i < threads; i++) {
         workers[i].work = &w;
-        workers[i].hand = i;
+        workers[i].worker = i;
     }
     while (n < threads - 1 && thread_start(&started[n], run, &workers[n + 1]))
         n++;

@@ -17,17 +17,17 @@
 #define SIMD_ONE_CLONE 1
 #endif
 
-/* SIMD_APART: a function that must not be inlined either. Clones never are, and not every compiler accepts both
+/* SIMD_NOINLINE: a function that must not be inlined either. Clones never are, and not every compiler accepts both
  * attributes. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(SIMD_ONE_CLONE)
 #define SIMD_CLONES __attribute__((target_clones("avx2", "default")))
-#define SIMD_APART
+#define SIMD_NOINLINE
 #elif defined(__GNUC__)
 #define SIMD_CLONES
-#define SIMD_APART __attribute__((noinline))
+#define SIMD_NOINLINE __attribute__((noinline))
 #else
 #define SIMD_CLONES
-#define SIMD_APART
+#define SIMD_NOINLINE
 #endif
 
 /* A function that such a loop calls: it must be inlined. */
@@ -49,9 +49,9 @@ enum { SIMD_LINE = 64 };
 /* Prefetch memory that will be read soon, where the processor cannot predict it. The address may be invalid. Compilers
  * drop calls of functions that do nothing but prefetch: such a function must be SIMD_INLINE. */
 #if defined(__GNUC__)
-#define SIMD_EXPECT(address) __builtin_prefetch(address)
+#define SIMD_PREFETCH(address) __builtin_prefetch(address)
 #else
-#define SIMD_EXPECT(address) ((void)(address))
+#define SIMD_PREFETCH(address) ((void)(address))
 #endif
 
 /* Transpose doubles of four structures. Stored one by one, they would stall the vector loads that follow (no store

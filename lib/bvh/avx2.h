@@ -1,4 +1,4 @@
-/* avx2.h - distances along rays, for the walks that are compiled for AVX2.
+/* avx2.h - distances along rays, for the traversals that are compiled for AVX2.
  *
  * As whole numbers, the bits of floats that are not negative have the order of the floats, and all others are less than
  * zero. Entries are the greatest of some distances and zero, so that whole numbers give the same. Exits are the least:
@@ -25,12 +25,12 @@ BVH_AVX2 static inline __m256 later(__m256 a, __m256 b)
 
 /* To put met children in order without a branch for each: their entries side by side, the place in the node in the
  * three lowest bits. Vectors keep to 256 bits: while wider ones are under way, Intel's processors do fewer of these. */
-BVH_AVX2 static inline __m256i slot_entries_avx512(__m256 entry, __mmask8 met)
+BVH_AVX2 static inline __m256i slot_entries_avx512(__m256 entry, __mmask8 hit)
 {
-    const __m256i places = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
+    const __m256i slots = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
     const __m256i rest = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(entry));
 
-    return _mm256_maskz_compress_epi32(met, _mm256_or_si256(rest, places));
+    return _mm256_maskz_compress_epi32(hit, _mm256_or_si256(rest, slots));
 }
 
 /* What lies before each: entries without places, a little less than they were, so that nothing is passed by too soon. */

@@ -9,13 +9,13 @@
 /* From this depth on the tree is halved by count, so that log8(2^32) < 12 more steps end it: BVH_DEPTH is enough. */
 enum { HALVE_FROM = 40 };
 /* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
-static const float frame_part = 0x1p-10f;
+static const float frame_fraction = 0x1p-10f;
 enum { FRAME_LEAST = 16 };
-/* Twigs of trees of more leaves than that stay where they are: what is spared of each ray is less there, and not worth
- * a third of the time that cuts take. */
-enum { IMPROVE_MOST = 1 << 18 };
+/* Build nodes of trees of more leaves than that stay where they are: what is spared of each ray is less there, and not
+ * worth a third of the time that cuts take. */
+enum { REINSERT_MOST = 1 << 18 };
 /* Parts of fewer things than this are not worth a thread's while. */
-enum { JOB_LEAST = 4096, THREADS_FROM = 20000, PARTS = 64 };
+enum { JOB_LEAST = 4096, THREADS_FROM = 20000, SLICES = 64 };
 
 /* A part of the tree that is to grow, perhaps by whoever comes first. */
 typedef struct job {
@@ -31,7 +31,7 @@ typedef struct builder {
     int threads;
     bvh_ref *refs;
     const bvh_frame *frame;      /* the whole scene's */
-    bool improves;
+    bool reinserts;
     mutex lock;                  /* guards what follows, while threads work */
     condition changed;
     struct { job *items; size_t count, capacity; } jobs;
@@ -40,10 +40,10 @@ typedef struct builder {
 } builder;
 
 /* One thread's part in it. */
-typedef struct hand {
+typedef struct worker {
     builder *builder;
     arena memory;
-} hand;
+} worker;
 
 /* One thing, or what one block can hold. Leaves that ask two blocks, or more things than one that stand alone, were
  * measured to cost more than the nodes that tell them apart. */
@@ -60,7 +60,7 @@ static bool is_leaf(const builder *b, const bvh_range *r)
     for (i = r->begin + 1; i < r->end; i++)
         if (b->in->group[b->refs[i].id] != group)
             return false;
-    return b->in->packs[group];
+    return b->in->shares_leaf[group];
 }
 
 /* threads: who has nothing else to do. */
@@ -77,14 +77,14 @@ static void cut(const builder *b, const bvh_range *r, bool halve, int threads, b
 }
 
 /* Which of the parts to cut next: the one most often met, or at great depth the one of most things; -1: none. */
-static int next_to_cut(const bvh_range *parts, int n, bool halve)
+static int next_to_cut(const bvh_range *slices, int n, bool halve)
 {
     float most = -1.0f;
     int i, best = -1;
 
     for (i = 0; i < n; i++) {
-        float size = halve ? (float)bvh_range_count(&parts[i]) : parts[i].area;
-        if (!parts[i].is_leaf && size > most) {
+        float size = halve ? (float)bvh_range_count(&slices[i]) : slices[i].area;
+        if (!slices[i].is_leaf && size > most) {
             most = size;
             best = i;
         }
@@ -92,10 +92,10 @@ static int next_to_cut(const bvh_range *parts, int n, bool halve)
     return best;
 }
 
-static bool grow_child(hand *h, const job *j);
+static bool grow_child(worker *h, const job *j);
 
 /* A node whose children are still to be set. */
-static bvh_draft_node *make_node(hand *h, const job *j, int n)
+static bvh_draft_node *make_node(worker *h, const job *j, int n)
 {
     bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node + (size_t)n * sizeof *node->child, 8);
 
@@ -118,21 +118,21 @@ static job set_child(const job *above, bvh_draft_child *c, const bvh_range *r)
 }
 
 /* The things of a range become a node. */
-static bool grow_node(hand *h, const job *j)
+static bool grow_node(worker *h, const job *j)
 {
-    bvh_range parts[BVH_WIDTH];
+    bvh_range slices[BVH_WIDTH];
     bool halve = j->depth >= HALVE_FROM;
     int n = 1, best, i, threads = j->depth == 0 ? h->builder->threads : 1;
     bvh_draft_node *node;
 
-    parts[0] = j->range;
-    while (n < BVH_WIDTH && (best = next_to_cut(parts, n, halve)) >= 0) {
-        cut(h->builder, &parts[best], halve, threads, &parts[best], &parts[n]);
+    slices[0] = j->range;
+    while (n < BVH_WIDTH && (best = next_to_cut(slices, n, halve)) >= 0) {
+        cut(h->builder, &slices[best], halve, threads, &slices[best], &slices[n]);
         n++;
     }
     node = make_node(h, j, n);
     for (i = 0; node && i < n; i++) {
-        const job below = set_child(j, &node->child[i], &parts[i]);
+        const job below = set_child(j, &node->child[i], &slices[i]);
         if (!grow_child(h, &below))
             return false;
     }
@@ -146,20 +146,20 @@ static bool wants_frame(const job *j, const bvh_range *r)
     if (j->is_fine)
         return false;
     for (k = 0; k < 3; k++)
-        if (r->hi[k] - r->lo[k] > frame_part)
+        if (r->hi[k] - r->lo[k] > frame_fraction)
             return false;
     return bvh_range_count(r) >= FRAME_LEAST && j->depth < HALVE_FROM;
 }
 
 /* Boxes within a few rounding errors of the world's own numbers gain nothing from a finer frame, and get none. */
-static bool set_frame(hand *h, job *j)
+static bool set_frame(worker *h, job *j)
 {
     const bvh_input *in = h->builder->in;
     bvh_range *r = &j->range;
     pov_box all = bvh_box_around(in, h->builder->refs, r->begin, r->end);
     bvh_frame frame = bvh_frame_around(&all);
 
-    j->is_fine = frame.scale * (double)frame_part < 0.25 * j->scale;
+    j->is_fine = frame.scale * (double)frame_fraction < 0.25 * j->scale;
     if (j->is_fine)
         return true;
     j->child->frame = arena_alloc(&h->memory, sizeof frame, 8);
@@ -172,75 +172,76 @@ static bool set_frame(hand *h, job *j)
     return true;
 }
 
-static bool grow(hand *h, const job *j);
+static bool grow(worker *h, const job *j);
 
-/* Cut a range in two, and those again, down to leaves and to what wants a frame of its own. The number of twigs. */
-static uint32_t grow_twigs(const builder *b, const job *j, bvh_twig *twigs)
+/* Cut a range in two, and those again, down to leaves and to what wants a frame of its own. The number of build
+ * nodes. */
+static uint32_t grow_nodes(const builder *b, const job *j, bvh_build_node *nodes)
 {
     uint32_t count = 1, i;
 
-    twigs[0].range = j->range;
-    twigs[0].depth = j->depth;
+    nodes[0].range = j->range;
+    nodes[0].depth = j->depth;
     for (i = 0; i < count; i++) {
-        bvh_twig *t = &twigs[i];
+        bvh_build_node *t = &nodes[i];
 
         t->is_end = t->range.is_leaf || (i > 0 && wants_frame(j, &t->range));
         if (t->is_end)
             continue;
         t->half[0] = count;
         t->half[1] = count + 1;
-        cut(b, &t->range, t->depth >= HALVE_FROM, 1, &twigs[count].range, &twigs[count + 1].range);
-        twigs[count].depth = twigs[count + 1].depth = t->depth + 1;
-        twigs[count].above = twigs[count + 1].above = i;
+        cut(b, &t->range, t->depth >= HALVE_FROM, 1, &nodes[count].range, &nodes[count + 1].range);
+        nodes[count].depth = nodes[count + 1].depth = t->depth + 1;
+        nodes[count].above = nodes[count + 1].above = i;
         count += 2;
     }
     return count;
 }
 
-/* A twig becomes a node, and those below it. */
-static bool collapse(hand *h, const job *j, const bvh_twig *twigs, uint32_t which)
+/* A build node becomes a node, and those below it. */
+static bool collapse(worker *h, const job *j, const bvh_build_node *nodes, uint32_t which)
 {
     uint32_t children[BVH_WIDTH];
-    const int n = bvh_children_of(twigs, which, children);
+    const int n = bvh_children_of(nodes, which, children);
     bvh_draft_node *node = make_node(h, j, n);
     int i;
 
     for (i = 0; node && i < n; i++) {
-        const bvh_twig *t = &twigs[children[i]];
+        const bvh_build_node *t = &nodes[children[i]];
         const job below = set_child(j, &node->child[i], &t->range);
 
-        if (!(t->is_end ? t->range.is_leaf || grow(h, &below) : collapse(h, &below, twigs, children[i])))
+        if (!(t->is_end ? t->range.is_leaf || grow(h, &below) : collapse(h, &below, nodes, children[i])))
             return false;
     }
     return node != NULL;
 }
 
 /* The things of a range become as few nodes, met as rarely, as can be. */
-static bool grow_small(hand *h, const job *j)
+static bool grow_small(worker *h, const job *j)
 {
     const env *e = h->builder->in->env;
     const size_t most = 2 * (size_t)bvh_range_count(&j->range);
-    bvh_twig *twigs = env_resize(e, NULL, most, sizeof *twigs);
+    bvh_build_node *nodes = env_resize(e, NULL, most, sizeof *nodes);
     uint32_t *order = env_resize(e, NULL, most, sizeof *order), count;
-    bool done = twigs && order;
+    bool done = nodes && order;
 
     if (done) {
-        count = grow_twigs(h->builder, j, twigs);
-        if (h->builder->improves)
-            bvh_improve_twigs(twigs, count);
-        if (bvh_order_twigs(twigs, order) > HALVE_FROM) {
-            count = grow_twigs(h->builder, j, twigs);   /* boxes in boxes can become a chain */
-            bvh_order_twigs(twigs, order);
+        count = grow_nodes(h->builder, j, nodes);
+        if (h->builder->reinserts)
+            bvh_reinsert(nodes, count);
+        if (bvh_order_nodes(nodes, order) > HALVE_FROM) {
+            count = grow_nodes(h->builder, j, nodes);   /* boxes in boxes can become a chain */
+            bvh_order_nodes(nodes, order);
         }
-        bvh_weigh_twigs(twigs, order, count);
-        done = collapse(h, j, twigs, 0);
+        bvh_weigh_nodes(nodes, order, count);
+        done = collapse(h, j, nodes, 0);
     }
     env_free(e, order);
-    env_free(e, twigs);
+    env_free(e, nodes);
     return done;
 }
 
-static bool grow(hand *h, const job *j)
+static bool grow(worker *h, const job *j)
 {
     job own = *j;
 
@@ -253,7 +254,7 @@ static bool grow(hand *h, const job *j)
 
 /* ---- by several threads ---- */
 
-static bool leave_to_others(hand *h, const job *j)
+static bool leave_to_others(worker *h, const job *j)
 {
     builder *b = h->builder;
     bool done;
@@ -265,7 +266,7 @@ static bool leave_to_others(hand *h, const job *j)
     return done;
 }
 
-static bool grow_child(hand *h, const job *j)
+static bool grow_child(worker *h, const job *j)
 {
     if (j->range.is_leaf)
         return true;
@@ -277,7 +278,7 @@ static bool grow_child(hand *h, const job *j)
 /* Take jobs until there are none and nobody is left who could bring one. */
 static void work(void *user, uint32_t which, int unused)
 {
-    hand *h = (hand *)user + which;
+    worker *h = (worker *)user + which;
     builder *b = h->builder;
 
     (void)unused;
@@ -301,36 +302,36 @@ static void work(void *user, uint32_t which, int unused)
     mutex_unlock(&b->lock);
 }
 
-static void name_part(void *user, uint32_t part, int unused)
+static void name_slice(void *user, uint32_t slice, int unused)
 {
     const builder *b = user;
-    uint32_t begin = share_begin(b->in->count, PARTS, part), end = share_begin(b->in->count, PARTS, part + 1), i;
+    uint32_t begin = share_begin(b->in->count, SLICES, slice), end = share_begin(b->in->count, SLICES, slice + 1), i;
 
     (void)unused;
     for (i = begin; i < end; i++) {
         const uint32_t id = b->in->ids[i];
 
         b->refs[i].id = id;
-        b->refs[i].places = b->in->packs[b->in->group[id]] ? 1 : BVH_WIDTH;
+        b->refs[i].slots = b->in->shares_leaf[b->in->group[id]] ? 1 : BVH_WIDTH;
     }
     bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
 }
 
 /* Are there few enough leaves, if all are as full as they can be? */
-static bool wants_improving(const builder *b)
+static bool wants_reinsertion(const builder *b)
 {
-    uint64_t places = 0;
+    uint64_t slots = 0;
     uint32_t i;
 
     for (i = 0; i < b->in->count; i++)
-        places += b->refs[i].places;
-    return places <= (uint64_t)BVH_WIDTH * IMPROVE_MOST;
+        slots += b->refs[i].slots;
+    return slots <= (uint64_t)BVH_WIDTH * REINSERT_MOST;
 }
 
 /* The draft of the whole tree. */
-static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
+static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
 {
-    bvh_frame *frame = arena_alloc(&hands[0].memory, sizeof *frame, 8);
+    bvh_frame *frame = arena_alloc(&workers[0].memory, sizeof *frame, 8);
     job all;
     bool done;
 
@@ -343,15 +344,15 @@ static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
     all.child = root;
     all.scale = frame->scale;
     all.range.end = b->in->count;
-    share_work(b->threads, PARTS, name_part, b);
-    b->improves = wants_improving(b);
+    share_work(b->threads, SLICES, name_slice, b);
+    b->reinserts = wants_reinsertion(b);
     bvh_range_measure(&all.range, b->refs, b->threads);
     all.range.is_leaf = is_leaf(b, &all.range);
     if (all.range.is_leaf)
         return true;
-    done = grow(&hands[0], &all);
+    done = grow(&workers[0], &all);
     if (done && b->threads > 1) {
-        share_work(b->threads, (uint32_t)b->threads, work, hands);
+        share_work(b->threads, (uint32_t)b->threads, work, workers);
         done = !b->failed;
     }
     return done;
@@ -360,24 +361,24 @@ static bool grow_all(builder *b, bvh_draft_child *root, hand *hands)
 static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
 {
     int n = b->threads, i;
-    hand *hands = env_alloc(b->in->env, (size_t)n, sizeof *hands);
+    worker *workers = env_alloc(b->in->env, (size_t)n, sizeof *workers);
     bvh_draft_child root;
     bool done;
 
-    if (!hands)
+    if (!workers)
         return false;
     memset(&root, 0, sizeof root);
     for (i = 0; i < n; i++) {
-        hands[i].builder = b;
-        arena_init(&hands[i].memory, b->in->env);
+        workers[i].builder = b;
+        arena_init(&workers[i].memory, b->in->env);
     }
-    done = grow_all(b, &root, hands);
+    done = grow_all(b, &root, workers);
     if (done && b->in->drop)
         b->in->drop(b->in->box_user);
     done = done && bvh_layout(out, b->in, &root, b->refs, leaves);
     for (i = 0; i < n; i++)
-        arena_free(&hands[i].memory);
-    env_free(b->in->env, hands);
+        arena_free(&workers[i].memory);
+    env_free(b->in->env, workers);
     return done;
 }
 
@@ -409,7 +410,7 @@ bool bvh_build(bvh *out, const bvh_input *in)
     bool done;
 
     memset(out, 0, sizeof *out);
-    done = build_nodes(out, in, &leaves) && bvh_place_leaves(out, in, &leaves);
+    done = build_nodes(out, in, &leaves) && bvh_fill_leaves(out, in, &leaves);
     env_free(in->env, leaves);
     if (!done)
         bvh_free(out, in->env);

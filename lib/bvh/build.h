@@ -11,7 +11,7 @@ typedef struct bvh_ref {
     float lo[3];
     uint32_t id;
     float hi[3];
-    uint32_t places;             /* of BVH_WIDTH in a leaf: all, if it stands alone */
+    uint32_t slots;              /* of BVH_WIDTH in a leaf: all, if it stands alone */
 } bvh_ref;
 
 /* refs[begin..end) with the box around them and the box around twice their centres. */
@@ -38,24 +38,24 @@ typedef struct bvh_draft_node {
 static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }
 
 /* What a binary tree is made of on the way to one of wide nodes. The first is the root. */
-typedef struct bvh_twig {
+typedef struct bvh_build_node {
     bvh_range range;             /* begin, end: of an end, or as it was cut */
     uint32_t half[2], above;
     int depth;                   /* of the tree, were it a node */
     bool is_end;                 /* not divided here */
     uint8_t to_left[BVH_WIDTH];
     float cost[BVH_WIDTH];       /* of at most 1 to 8 nodes side by side for all below: their surfaces' sum */
-} bvh_twig;
+} bvh_build_node;
 
 /* Move those that stand where they make boxes large. Nobody keeps depths then. */
-void bvh_improve_twigs(bvh_twig *twigs, uint32_t count);
+void bvh_reinsert(bvh_build_node *nodes, uint32_t count);
 /* From the root down, and how deep that is. */
-int bvh_order_twigs(bvh_twig *twigs, uint32_t *order);
+int bvh_order_nodes(bvh_build_node *nodes, uint32_t *order);
 /* Find what nodes cost least (Ylitie, Karras, Laine 2017: Efficient incoherent ray traversal on GPUs through compressed
  * wide BVHs). */
-void bvh_weigh_twigs(bvh_twig *twigs, const uint32_t *order, uint32_t count);
-/* The children of the node that twig `which` becomes, which is no end. */
-int bvh_children_of(const bvh_twig *twigs, uint32_t which, uint32_t out[BVH_WIDTH]);
+void bvh_weigh_nodes(bvh_build_node *nodes, const uint32_t *order, uint32_t count);
+/* The children of the node that build node `which` becomes, which is no end. */
+int bvh_children_of(const bvh_build_node *nodes, uint32_t which, uint32_t out[BVH_WIDTH]);
 
 /* threads: who may help, with the same result for any number. */
 void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads);
@@ -79,6 +79,6 @@ typedef struct bvh_leaf { uint32_t begin, at, frame; } bvh_leaf;
  * the order of the leaves. One leaf more marks their end. */
 bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves);
 /* Size, place and fill them. The list of leaves is cut as they are filled. */
-bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves);
+bool bvh_fill_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves);
 
 #endif

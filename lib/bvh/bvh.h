@@ -17,11 +17,11 @@ enum { BVH_WIDTH = 8 };
 #define BVH_NODE 0x00000000u
 #define BVH_LEAF 0x40000000u
 #define BVH_FRAME 0x80000000u
-#define BVH_RETURN 0xc0000000u   /* on a walk's stack only: back to that frame */
+#define BVH_RETURN 0xc0000000u   /* on a traversal's stack only: back to that frame */
 enum { BVH_UNIT = 64 };          /* bytes; leaves start at multiples of it */
 
-/* No path from the root is longer, so that a walk's stack has a size: each step down leaves at most seven others and
- * one return behind. */
+/* No path from the root is longer, so that a traversal's stack has a size: each step down leaves at most seven
+ * others and one return behind. */
 enum { BVH_DEPTH = 56, BVH_STACK = BVH_DEPTH * BVH_WIDTH };
 
 /* Rows of bounds: x low, x high, y low, y high, z low, z high. An empty place has low = +inf, high = -inf. */
@@ -48,14 +48,14 @@ typedef struct bvh {
  * filled: calls for leaves of one part come one at a time and in the same order both times, those of different parts
  * from several threads. Leaves hold up to BVH_WIDTH things; size may reorder ids, and fill sees them so. Parts are
  * filled from the last to the first, and now and then `filled` is told how far that is. */
-enum { BVH_PARTS = 512 };
+enum { BVH_SLICES = 512 };
 
 typedef struct bvh_leaves {
     /* Of the first `count` of the `rest` that are left of the part; nobody else looks at these meanwhile. */
-    size_t (*size)(void *user, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest);
+    size_t (*size)(void *user, uint32_t slice, uint32_t *ids, uint32_t count, uint32_t rest);
     bool (*allocate)(void *user, const void *leaves);   /* what is to be filled */
-    void (*fill)(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
-    void (*filled)(void *user, uint32_t part);   /* that part and all behind it */
+    void (*fill)(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
+    void (*filled)(void *user, uint32_t slice);  /* that part and all behind it */
     void *user;
 } bvh_leaves;
 
@@ -70,7 +70,7 @@ typedef struct bvh_input {
     uint32_t count;
     /* Things of one group share leaves when the group packs; the others stand alone. By id, and by group. */
     const uint16_t *group;
-    const bool *packs;
+    const bool *shares_leaf;
     int threads;
     bvh_leaves leaves;
 } bvh_input;

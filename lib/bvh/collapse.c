@@ -1,10 +1,10 @@
 #include "bvh/build.h"
 
-/* The least cost of up to `roots` nodes that hold all that lies below a twig, from what its halves cost; to_left: how many
- * of them the first half gets. */
-static float share_out(const bvh_twig *twigs, const bvh_twig *t, int roots, uint8_t *to_left)
+/* The least cost of up to `roots` nodes that hold all that lies below a build node, from what its halves cost; to_left:
+ * how many of them the first half gets. */
+static float share_out(const bvh_build_node *nodes, const bvh_build_node *t, int roots, uint8_t *to_left)
 {
-    const bvh_twig *a = &twigs[t->half[0]], *b = &twigs[t->half[1]];
+    const bvh_build_node *a = &nodes[t->half[0]], *b = &nodes[t->half[1]];
     float least = HUGE_VALF;
     int i;
 
@@ -20,7 +20,7 @@ static float share_out(const bvh_twig *twigs, const bvh_twig *t, int roots, uint
 }
 
 /* Rays meet a box as often as its surface says, and each node costs the same to look at. */
-static void weigh(const bvh_twig *twigs, bvh_twig *t)
+static void weigh(const bvh_build_node *nodes, bvh_build_node *t)
 {
     int roots;
 
@@ -30,10 +30,10 @@ static void weigh(const bvh_twig *twigs, bvh_twig *t)
     }
     if (t->is_end)
         return;
-    t->cost[BVH_WIDTH - 1] = share_out(twigs, t, BVH_WIDTH, &t->to_left[BVH_WIDTH - 1]);
+    t->cost[BVH_WIDTH - 1] = share_out(nodes, t, BVH_WIDTH, &t->to_left[BVH_WIDTH - 1]);
     t->cost[0] = t->range.area + t->cost[BVH_WIDTH - 1];
     for (roots = 2; roots < BVH_WIDTH; roots++) {
-        t->cost[roots - 1] = share_out(twigs, t, roots, &t->to_left[roots - 1]);
+        t->cost[roots - 1] = share_out(nodes, t, roots, &t->to_left[roots - 1]);
         if (t->cost[roots - 1] >= t->cost[0]) {
             t->cost[roots - 1] = t->cost[0];
             t->to_left[roots - 1] = 0;
@@ -41,31 +41,31 @@ static void weigh(const bvh_twig *twigs, bvh_twig *t)
     }
 }
 
-int bvh_order_twigs(bvh_twig *twigs, uint32_t *order)
+int bvh_order_nodes(bvh_build_node *nodes, uint32_t *order)
 {
     uint32_t n = 1, i, k;
 
     order[0] = 0;
     for (i = 0; i < n; i++) {
-        const bvh_twig *t = &twigs[order[i]];
+        const bvh_build_node *t = &nodes[order[i]];
 
         for (k = 0; !t->is_end && k < 2; k++) {
-            twigs[t->half[k]].depth = t->depth + 1;
+            nodes[t->half[k]].depth = t->depth + 1;
             order[n++] = t->half[k];
         }
     }
-    return twigs[order[n - 1]].depth;
+    return nodes[order[n - 1]].depth;
 }
 
-void bvh_weigh_twigs(bvh_twig *twigs, const uint32_t *order, uint32_t count)
+void bvh_weigh_nodes(bvh_build_node *nodes, const uint32_t *order, uint32_t count)
 {
     while (count-- > 0)
-        weigh(twigs, &twigs[order[count]]);
+        weigh(nodes, &nodes[order[count]]);
 }
 
-static int collect(const bvh_twig *twigs, uint32_t which, int roots, uint32_t *out)
+static int collect(const bvh_build_node *nodes, uint32_t which, int roots, uint32_t *out)
 {
-    const bvh_twig *t = &twigs[which];
+    const bvh_build_node *t = &nodes[which];
     const int first = t->to_left[roots - 1];
     int n;
 
@@ -73,11 +73,11 @@ static int collect(const bvh_twig *twigs, uint32_t which, int roots, uint32_t *o
         *out = which;
         return 1;
     }
-    n = collect(twigs, t->half[0], first, out);
-    return n + collect(twigs, t->half[1], roots - first, out + n);
+    n = collect(nodes, t->half[0], first, out);
+    return n + collect(nodes, t->half[1], roots - first, out + n);
 }
 
-int bvh_children_of(const bvh_twig *twigs, uint32_t which, uint32_t out[BVH_WIDTH])
+int bvh_children_of(const bvh_build_node *nodes, uint32_t which, uint32_t out[BVH_WIDTH])
 {
-    return collect(twigs, which, BVH_WIDTH, out);
+    return collect(nodes, which, BVH_WIDTH, out);
 }

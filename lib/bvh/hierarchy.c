@@ -4,7 +4,7 @@
 #include "bvh/traverse.h"
 
 /* A leaf: up to BVH_WIDTH parts in one unit of leaf memory. */
-typedef struct leaf { uint32_t count, part[BVH_WIDTH]; } leaf;
+typedef struct leaf { uint32_t count, item[BVH_WIDTH]; } leaf;
 
 struct hierarchy {
     pov_hierarchy service;       /* first: plugins hand it back */
@@ -22,10 +22,10 @@ static void box_of(void *user, uint32_t id, pov_box *out)
     *out = boxes[id];
 }
 
-static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest)
+static size_t leaf_size(void *user, uint32_t slice, uint32_t *ids, uint32_t count, uint32_t rest)
 {
     (void)user;
-    (void)part;
+    (void)slice;
     (void)ids;
     (void)count;
     (void)rest;
@@ -39,21 +39,21 @@ static bool allocated(void *user, const void *leaves)
     return true;
 }
 
-static void fill_leaf(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
+static void fill_leaf(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
     leaf *l = at;
 
     (void)user;
-    (void)part;
+    (void)slice;
     (void)frame;
     l->count = count;
-    memcpy(l->part, ids, count * sizeof *ids);
+    memcpy(l->item, ids, count * sizeof *ids);
 }
 
-static void filled(void *user, uint32_t part)
+static void filled(void *user, uint32_t slice)
 {
     (void)user;
-    (void)part;
+    (void)slice;
 }
 
 static pov_box around(const pov_box *boxes, uint32_t n)
@@ -72,11 +72,11 @@ static pov_box around(const pov_box *boxes, uint32_t n)
 
 static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
 {
-    const bool packs = true;
+    const bool shares_leaf = true;
     uint32_t *ids = env_resize(h->env, NULL, n, sizeof *ids), i;
     uint16_t *group = env_alloc(h->env, n, sizeof *group);   /* one for all */
     bvh_input in = { .env = h->env, .box = box_of, .box_user = boxes, .bounds = around(boxes, n), .ids = ids, .count = n,
-                     .group = group, .packs = &packs, .threads = 1,
+                     .group = group, .shares_leaf = &shares_leaf, .threads = 1,
                      .leaves = { leaf_size, allocated, fill_leaf, filled, NULL } };
     bool built;
 
@@ -94,18 +94,18 @@ static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
 typedef struct visit {
     bvh_traversal traversal;     /* first: leaves are handed this */
     const pov_hits *hits;
-    bool (*see)(void *user, uint32_t part);
+    bool (*visit_item)(void *user, uint32_t item);
     void *user;
 } visit;
 
-static uint64_t see_leaf(bvh_traversal *traversal, const void *at, uint64_t lanes)
+static uint64_t visit_leaf(bvh_traversal *traversal, const void *at, uint64_t lanes)
 {
     visit *v = (visit *)(void *)traversal;
     const leaf *l = at;
     uint32_t i;
 
     for (i = 0; i < l->count; i++)
-        if (!v->see(v->user, l->part[i]))
+        if (!v->visit_item(v->user, l->item[i]))
             return lanes;
     if (v->hits->tmax < traversal->limit[0]) {
         traversal->limit[0] = v->hits->tmax;
@@ -114,8 +114,8 @@ static uint64_t see_leaf(bvh_traversal *traversal, const void *at, uint64_t lane
     return 0;
 }
 
-static bool visit_parts(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
-                        bool (*see)(void *user, uint32_t part), void *user)
+static bool visit_items(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
+                        bool (*visit_item)(void *user, uint32_t item), void *user)
 {
     const hierarchy *h = (const hierarchy *)(const void *)self;
     visit v;
@@ -127,11 +127,11 @@ static bool visit_parts(const pov_hierarchy *self, const pov_ray *ray, const pov
     v.traversal.in = NULL;
     v.traversal.limit[0] = hits->tmax;
     v.traversal.lowered = 0;
-    v.traversal.leaf = see_leaf;
-    side_put(&v.traversal.soa, 0, ray);
-    side_derive(&v.traversal.soa, 0, hits->tmax, v.traversal.length);
+    v.traversal.leaf = visit_leaf;
+    ray_soa_put(&v.traversal.soa, 0, ray);
+    ray_soa_derive(&v.traversal.soa, 0, hits->tmax, v.traversal.length);
     v.hits = hits;
-    v.see = see;
+    v.visit_item = visit_item;
     v.user = user;
     return h->kernels->nearest_single(&v.traversal) == 0;
 }
@@ -148,7 +148,7 @@ hierarchy *hierarchy_create(const env *e, const pov_box *boxes, uint32_t n)
         h->env = e;
     if (h && copy) {
         memcpy(copy, boxes, n * sizeof *copy);
-        h->service.visit = visit_parts;
+        h->service.visit = visit_items;
         h->kernels = bvh_kernels_best();
         built = build(h, copy, n);
     }

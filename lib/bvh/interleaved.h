@@ -81,16 +81,16 @@ BVH_AVX2 static inline void step_ray(const bvh_node *nodes, interleaved_ray *t, 
     const bvh_node *node = &nodes[t->at];
     const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
     __m256 entry;
-    const __mmask8 met = hit_mask_avx512(node, t, &entry);
-    const uint32_t count = (uint32_t)__builtin_popcount(met);
+    const __mmask8 hit = hit_mask_avx512(node, t, &entry);
+    const uint32_t count = (uint32_t)__builtin_popcount(hit);
 
     if (sorted) {
-        const __m256i order = sort_avx512(slot_entries_avx512(entry, met), count);
+        const __m256i order = sort_avx512(slot_entries_avx512(entry, hit), count);
 
         _mm256_storeu_ps(t->entry + t->top, entries_avx512(order));
         store_avx512(t->child + t->top, _mm256_permutevar8x32_epi32(child, order));
     } else {
-        store_avx512(t->child + t->top, _mm256_maskz_compress_epi32(met, child));
+        store_avx512(t->child + t->top, _mm256_maskz_compress_epi32(hit, child));
     }
     t->top += count - 1;
     t->at = t->child[t->top];
@@ -145,7 +145,7 @@ BVH_AVX2 static inline void ask_leaf(packet_state *c, interleaved_ray *t, bool s
         t->at = BVH_RETURN;
 }
 
-/* All that are at leaves, which are sent for first, or at the end; then they are at what comes next. */
+/* All that are at leaves, which are prefetched first, or at the end; then they are at what comes next. */
 BVH_AVX2 static inline void ask_leaves(packet_state *c, interleaved *all, bool sorted)
 {
     uint32_t node = 0, end = 0, rest;
@@ -153,8 +153,8 @@ BVH_AVX2 static inline void ask_leaves(packet_state *c, interleaved *all, bool s
     for (rest = all->at_leaf; rest; rest &= rest - 1) {
         const unsigned char *leaf = leaf_at(c, &all->of[first_of(rest)]);
 
-        SIMD_EXPECT(leaf);
-        SIMD_EXPECT(leaf + BVH_UNIT);
+        SIMD_PREFETCH(leaf);
+        SIMD_PREFETCH(leaf + BVH_UNIT);
     }
     for (rest = all->at_leaf; rest; rest &= rest - 1) {
         const uint32_t which = first_of(rest);

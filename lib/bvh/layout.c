@@ -12,8 +12,8 @@ typedef struct layout {
     bvh_leaf *leaves;
     const bvh_ref *refs;
     uint32_t *ids;
-    size_t nodes, frames, placed_leaves;   /* given out so far */
-    uint32_t placed_ids;
+    size_t nodes, frames, laid_leaves;     /* given out so far */
+    uint32_t laid_ids;
 } layout;
 
 static void count(bvh *out, const bvh_draft_child *c, int depth)
@@ -34,19 +34,19 @@ static void count(bvh *out, const bvh_draft_child *c, int depth)
 
 static uint32_t put_leaf(layout *l, const bvh_draft_child *c, uint32_t frame)
 {
-    uint32_t index = (uint32_t)l->placed_leaves++, i;
+    uint32_t index = (uint32_t)l->laid_leaves++, i;
 
-    l->leaves[index].begin = l->placed_ids;
+    l->leaves[index].begin = l->laid_ids;
     l->leaves[index].frame = frame;
     for (i = 0; i < c->count; i++)
-        l->ids[l->placed_ids++] = l->refs[c->begin + i].id;
+        l->ids[l->laid_ids++] = l->refs[c->begin + i].id;
     return BVH_LEAF | index;
 }
 
 /* What stands in a frame. */
 static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame);
 
-static void set_place(bvh_node *node, int i, const float *lo, const float *hi)
+static void set_slot(bvh_node *node, int i, const float *lo, const float *hi)
 {
     int k;
 
@@ -65,12 +65,12 @@ static uint32_t put_node(layout *l, const bvh_draft_node *draft, uint32_t frame)
     int i;
 
     for (i = 0; i < BVH_WIDTH; i++) {
-        set_place(node, i, never_lo, never_hi);
+        set_slot(node, i, never_lo, never_hi);
         node->child[i] = BVH_NODE;
     }
     for (i = 0; i < draft->count; i++) {
         const bvh_draft_child *c = &draft->child[i];
-        set_place(node, i, c->lo, c->hi);
+        set_slot(node, i, c->lo, c->hi);
         node->child[i] = put(l, c, frame);
     }
     return BVH_NODE | index;
@@ -93,13 +93,13 @@ static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame)
 
 /* The first who writes to memory waits for the system to clear it, which all can do together, each a large page of his own:
  * of two who come to the same one both clear it. */
-static void touch_part(void *user, uint32_t part, int hand)
+static void touch_slice(void *user, uint32_t slice, int worker)
 {
     const bvh *b = user;
-    size_t i = (part * PAGES_LARGE + sizeof *b->nodes - 1) / sizeof *b->nodes;
+    size_t i = (slice * PAGES_LARGE + sizeof *b->nodes - 1) / sizeof *b->nodes;
 
-    (void)hand;
-    for (; i < b->node_count && i * sizeof *b->nodes < (part + 1) * PAGES_LARGE; i++)
+    (void)worker;
+    for (; i < b->node_count && i * sizeof *b->nodes < (slice + 1) * PAGES_LARGE; i++)
         b->nodes[i].child[0] = BVH_NODE;
 }
 
@@ -117,7 +117,7 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, cons
     *leaves = l.leaves = env_resize(in->env, NULL, out->leaf_count + 1, sizeof *l.leaves);
     if (!out->nodes || !out->frames || !l.leaves)
         return false;
-    share_work(in->threads, (uint32_t)(out->node_count * sizeof *out->nodes / PAGES_LARGE) + 1, touch_part, out);
+    share_work(in->threads, (uint32_t)(out->node_count * sizeof *out->nodes / PAGES_LARGE) + 1, touch_slice, out);
     put(&l, root, 0);
     l.leaves[out->leaf_count].begin = in->count;
     return true;
@@ -126,7 +126,7 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, cons
 /* ---- leaves ---- */
 
 /* Parts are filled in so many rounds. */
-enum { ROUNDS = 16, ROUND = BVH_PARTS / ROUNDS };
+enum { ROUNDS = 16, ROUND = BVH_SLICES / ROUNDS };
 
 typedef struct leaf_work {
     const bvh *tree;
@@ -135,33 +135,33 @@ typedef struct leaf_work {
     uint32_t first;              /* part of this round */
 } leaf_work;
 
-static void size_part(void *user, uint32_t part, int hand)
+static void size_slice(void *user, uint32_t slice, int worker)
 {
     const leaf_work *w = user;
     const bvh_leaves *ask = &w->in->leaves;
-    const uint32_t n = (uint32_t)w->tree->leaf_count, last = share_begin(n, BVH_PARTS, part + 1);
+    const uint32_t n = (uint32_t)w->tree->leaf_count, last = share_begin(n, BVH_SLICES, slice + 1);
     uint32_t i;
 
-    (void)hand;
-    for (i = share_begin(n, BVH_PARTS, part); i < last; i++) {
+    (void)worker;
+    for (i = share_begin(n, BVH_SLICES, slice); i < last; i++) {
         bvh_leaf *leaf = &w->leaves[i];
-        size_t bytes = ask->size(ask->user, part, w->in->ids + leaf->begin, leaf[1].begin - leaf->begin,
+        size_t bytes = ask->size(ask->user, slice, w->in->ids + leaf->begin, leaf[1].begin - leaf->begin,
                                  w->leaves[last].begin - leaf->begin);
         leaf->at = (uint32_t)((bytes + BVH_UNIT - 1) / BVH_UNIT);
     }
 }
 
-static void fill_part(void *user, uint32_t which, int hand)
+static void fill_slice(void *user, uint32_t which, int worker)
 {
     const leaf_work *w = user;
     const bvh_leaves *ask = &w->in->leaves;
-    uint32_t part = w->first + which, n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_PARTS, part);
+    uint32_t slice = w->first + which, n = (uint32_t)w->tree->leaf_count, i = share_begin(n, BVH_SLICES, slice);
 
-    (void)hand;
-    for (; i < share_begin(n, BVH_PARTS, part + 1); i++) {
+    (void)worker;
+    for (; i < share_begin(n, BVH_SLICES, slice + 1); i++) {
         const bvh_leaf *leaf = &w->leaves[i];
-        ask->fill(ask->user, part, &w->tree->frames[leaf->frame], w->in->ids + leaf->begin, leaf[1].begin - leaf->begin,
-                  w->tree->leaves + (size_t)leaf->at * BVH_UNIT);
+        ask->fill(ask->user, slice, &w->tree->frames[leaf->frame], w->in->ids + leaf->begin,
+                  leaf[1].begin - leaf->begin, w->tree->leaves + (size_t)leaf->at * BVH_UNIT);
     }
 }
 
@@ -188,14 +188,14 @@ static void point(uint32_t *reference, const bvh_leaf *leaves)
         *reference = BVH_LEAF | leaves[*reference & ~BVH_KIND].at;
 }
 
-static void point_part(void *user, uint32_t part, int hand)
+static void point_slice(void *user, uint32_t slice, int worker)
 {
     const leaf_work *w = user;
     const uint32_t n = (uint32_t)w->tree->node_count;
     uint32_t i, k;
 
-    (void)hand;
-    for (i = share_begin(n, BVH_PARTS, part); i < share_begin(n, BVH_PARTS, part + 1); i++)
+    (void)worker;
+    for (i = share_begin(n, BVH_SLICES, slice); i < share_begin(n, BVH_SLICES, slice + 1); i++)
         for (k = 0; k < BVH_WIDTH; k++)
             point(&w->tree->nodes[i].child[k], w->leaves);
 }
@@ -206,29 +206,29 @@ static void fill(leaf_work *w, bvh_leaf **leaves)
     const bvh_input *in = w->in;
     bvh_leaf *rest;
 
-    for (w->first = BVH_PARTS; w->first > 0;) {
+    for (w->first = BVH_SLICES; w->first > 0;) {
         w->first -= ROUND;
-        share_work(in->threads, ROUND, fill_part, w);
+        share_work(in->threads, ROUND, fill_slice, w);
         in->leaves.filled(in->leaves.user, w->first);
-        rest = env_resize(in->env, *leaves, share_begin((uint32_t)w->tree->leaf_count, BVH_PARTS, w->first) + 1u,
+        rest = env_resize(in->env, *leaves, share_begin((uint32_t)w->tree->leaf_count, BVH_SLICES, w->first) + 1u,
                           sizeof *rest);
         if (rest)
             *leaves = w->leaves = rest;
     }
 }
 
-bool bvh_place_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves)
+bool bvh_fill_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves)
 {
     leaf_work w = { out, in, *leaves, 0 };
     size_t i;
 
-    share_work(in->threads, BVH_PARTS, size_part, &w);
+    share_work(in->threads, BVH_SLICES, size_slice, &w);
     if (!add_up(out, *leaves))
         return false;
     out->leaves = env_reserve_aligned(in->env, out->leaf_bytes, BVH_UNIT);
     if (!out->leaves || !in->leaves.allocate(in->leaves.user, out->leaves))
         return false;
-    share_work(in->threads, BVH_PARTS, point_part, &w);
+    share_work(in->threads, BVH_SLICES, point_slice, &w);
     for (i = 0; i < out->frame_count; i++)
         point(&out->frames[i].root, *leaves);
     fill(&w, leaves);

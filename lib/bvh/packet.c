@@ -1,14 +1,14 @@
 /* Many rays through a tree at once.
  *
  * Rays that start and go alike meet nearly the same boxes. So all of them together are tested against the eight
- * children of a node first: over the intervals that their 1/d and o lie in, a plane at b is met no earlier than
- * the least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What
- * floats lose there is at most 4 + 5 |o| in the units of traverse.h: twice |b - o| for r, |b| for the product, |o|
- * twice for o and the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that
- * remain each is tested against eight rays at once, with the single ray's formula. With the other end of o, and the
- * least of all limits, the same products say which boxes all rays surely meet, and these are not tested again; were that
- * said of a ray that does not, it would be asked about a box too many. What the group's test says for the order of boxes
- * is a hint; what a ray meets does not depend on it. */
+ * children of a node first: over the intervals that their 1/d and o lie in, a plane at b is met no earlier than the
+ * least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What floats lose
+ * there is at most 4 + 5 |o| in the units of traverse.h: twice |b - o| for r, |b| for the product, |o| twice for o and
+ * the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that remain each is
+ * tested against eight rays at once, with the single ray's formula. With the other end of o, and the least of all
+ * limits, the same products say which boxes all rays definitely meet, and these are not tested again; were that said of
+ * a ray that does not, it would be asked about a box too many. What the group's test says for the order of boxes is a
+ * hint; what a ray meets does not depend on it. */
 #include "base/bits.h"
 #include "bvh/traverse.h"
 
@@ -113,17 +113,17 @@ static inline uint64_t eights_of(uint64_t lanes)
 
 /* Filters may take sixteen at a time: places past the width hold nothing then that is slow to compute with, as denormal
  * floats are. */
-static void clear_past(pov_rays *soa, uint32_t width)
+static void zero_past(pov_rays *soa, uint32_t width)
 {
     const size_t bytes = 8 * sizeof(float);
     int k;
 
     for (k = 0; k < 3; k++) {
-        memset(soa->framed.org[k] + width, 0, bytes);
-        memset(soa->framed.dir[k] + width, 0, bytes);
+        memset(soa->local.org[k] + width, 0, bytes);
+        memset(soa->local.dir[k] + width, 0, bytes);
     }
-    memset(soa->framed.size + width, 0, bytes);
-    memset(soa->framed.smax + width, 0, bytes);
+    memset(soa->local.size + width, 0, bytes);
+    memset(soa->local.smax + width, 0, bytes);
 }
 
 static void begin(packet_state *c, bvh_traversal *traversal)
@@ -134,7 +134,7 @@ static void begin(packet_state *c, bvh_traversal *traversal)
     c->ended = 0;
     c->width = (traversal->count + 7) & ~7u;
     if (c->width & 8)
-        clear_past(&traversal->soa, c->width);
+        zero_past(&traversal->soa, c->width);
     c->frame = 0;
 }
 
@@ -148,7 +148,7 @@ static inline void lower_limit(packet_state *c, uint32_t i)
 {
     pov_rays *soa = &c->traversal->soa;
 
-    c->limit[i] = soa->framed.smax[i] = bvh_limit(c->scale[i], soa->framed.shift[i], c->traversal->limit[i]);
+    c->limit[i] = soa->local.smax[i] = bvh_limit(c->scale[i], soa->local.shift[i], c->traversal->limit[i]);
     c->least = c->limit[i] < c->least ? c->limit[i] : c->least;
 }
 
@@ -195,7 +195,7 @@ static void fill_others(packet_state *c, uint64_t in)
             continue;
         for (k = 0; k < 3; k++) {
             c->inverse[k][i] = c->inverse[k][some];
-            soa->framed.org[k][i] = soa->framed.org[k][some];
+            soa->local.org[k][i] = soa->local.org[k][some];
         }
         c->limit[i] = -1.0f;
     }
@@ -265,7 +265,7 @@ static inline float lesser(float a, float b) { return a < b ? a : b; }
 /* Of 1/d and o on one axis, by eight columns. Lanes that take no part hold another's values. */
 static inline void bound_axis(packet_state *c, int k)
 {
-    const float *inverse = c->inverse[k], *o = c->traversal->soa.framed.org[k];
+    const float *inverse = c->inverse[k], *o = c->traversal->soa.local.org[k];
     float lo[8], hi[8], first[8], last[8];
     uint32_t i, j;
 
@@ -331,14 +331,14 @@ static inline uint32_t group_portable(const bvh_node *node, const packet_state *
 
 /* Boxes that any of a few lanes may meet, by child which of them, and where the first of these enters it. */
 static inline uint32_t few_portable(const bvh_node *node, const packet_state *c, uint64_t lanes, float entry[BVH_WIDTH],
-                                    uint64_t meet[BVH_WIDTH])
+                                    uint64_t hit_mask[BVH_WIDTH])
 {
     uint32_t mask = 0;
     int i, k;
 
     for (i = 0; i < BVH_WIDTH; i++) {
         entry[i] = HUGE_VALF;
-        meet[i] = 0;
+        hit_mask[i] = 0;
     }
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t lane = first_of64(lanes);
@@ -359,7 +359,7 @@ static inline uint32_t few_portable(const bvh_node *node, const packet_state *c,
         for (i = 0; i < BVH_WIDTH; i++)
             if (in[i] <= out[i]) {
                 entry[i] = lesser(entry[i], in[i]);
-                meet[i] |= (uint64_t)1 << lane;
+                hit_mask[i] |= (uint64_t)1 << lane;
                 mask |= 1u << i;
             }
     }
@@ -370,7 +370,7 @@ static inline uint32_t few_portable(const bvh_node *node, const packet_state *c,
 static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const packet_state *c, uint64_t lanes,
                                       uint64_t eights)
 {
-    uint64_t meet = 0;
+    uint64_t hit_mask = 0;
     uint32_t j;
     int k;
 
@@ -392,9 +392,9 @@ static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, cons
             }
         }
         for (j = 0; j < 8; j++)
-            meet |= (uint64_t)(entry[j] <= leave[j]) << (i + j);
+            hit_mask |= (uint64_t)(entry[j] <= leave[j]) << (i + j);
     }
-    return meet & lanes;
+    return hit_mask & lanes;
 }
 
 /* The lanes whose limit is not before an entry. */

@@ -59,7 +59,7 @@ PACKET_TARGET static inline void bound_all_avx2(packet_state *c)
     int k;
 
     for (k = 0; k < 3; k++) {
-        const float *org = c->traversal->soa.framed.org[k];
+        const float *org = c->traversal->soa.local.org[k];
 
         less[k] = more[k] = _mm256_load_ps(c->inverse[k]);
         low[k] = high[k] = _mm256_loadu_ps(org);
@@ -113,7 +113,7 @@ PACKET_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t c
                                                  uint64_t eights)
 {
     __m256 near[3], far[3];
-    uint64_t meet = 0;
+    uint64_t hit_mask = 0;
     int k;
 
     for (k = 0; k < 3; k++) {
@@ -128,9 +128,9 @@ PACKET_TARGET static inline uint64_t lanes_avx2(const bvh_node *node, uint32_t c
             in = later(in, _mm256_fmsub_ps(near[k], inverse, _mm256_load_ps(c->near_offset[k] + i)));
             out = sooner(out, _mm256_fmsub_ps(far[k], inverse, _mm256_load_ps(c->far_offset[k] + i)));
         }
-        meet |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ)) << i;
+        hit_mask |= (uint64_t)(uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(in, out, _CMP_LE_OQ)) << i;
     }
-    return meet & lanes;
+    return hit_mask & lanes;
 }
 
 PACKET_TARGET static inline uint64_t within_avx2(const packet_state *c, float entry, uint64_t lanes)
@@ -149,7 +149,7 @@ PACKET_TARGET static inline uint64_t within_avx2(const packet_state *c, float en
 /* As bvh_limit. */
 PACKET_TARGET static inline __m128 four_limits_avx2(const packet_state *c, uint32_t i)
 {
-    const __m256d scale = _mm256_loadu_pd(c->scale + i), shift = _mm256_loadu_pd(c->traversal->soa.framed.shift + i);
+    const __m256d scale = _mm256_loadu_pd(c->scale + i), shift = _mm256_loadu_pd(c->traversal->soa.local.shift + i);
     const __m256d limit = _mm256_loadu_pd(c->traversal->limit + i), sign = _mm256_set1_pd(-0.0);
     const __m256d all = _mm256_add_pd(_mm256_andnot_pd(sign, limit), _mm256_andnot_pd(sign, shift));
     __m256d u = _mm256_mul_pd(_mm256_sub_pd(limit, shift), scale);
@@ -160,7 +160,7 @@ PACKET_TARGET static inline __m128 four_limits_avx2(const packet_state *c, uint3
     return _mm256_cvtpd_ps(u);
 }
 
-/* As lower_limits, by eights: most are lowered together. */
+/* As lower_limits, in groups of eight: most are lowered together. */
 PACKET_TARGET static inline void lower_avx2(packet_state *c)
 {
     const __m256i bits = _mm256_set_epi32(128, 64, 32, 16, 8, 4, 2, 1);
@@ -181,7 +181,7 @@ PACKET_TARGET static inline void lower_avx2(packet_state *c)
         limit = _mm256_blendv_ps(old, limit, which);
         least = _mm256_min_ps(least, _mm256_blendv_ps(least, limit, which));
         _mm256_store_ps(c->limit + i, limit);
-        _mm256_storeu_ps(c->traversal->soa.framed.smax + i, limit);
+        _mm256_storeu_ps(c->traversal->soa.local.smax + i, limit);
     }
     low = _mm_min_ps(_mm256_castps256_ps128(least), _mm256_extractf128_ps(least, 1));
     low = _mm_min_ps(low, _mm_movehl_ps(low, low));
@@ -191,13 +191,13 @@ PACKET_TARGET static inline void lower_avx2(packet_state *c)
 #ifndef __AVX512VL__
 
 /* Four comparisons' outcomes, for lanes of 64 bits. */
-PACKET_TARGET static inline __m256i wide_avx2(__m128 met)
+PACKET_TARGET static inline __m256i wide_avx2(__m128 hit)
 {
-    return _mm256_cvtepi32_epi64(_mm_castps_si128(met));
+    return _mm256_cvtepi32_epi64(_mm_castps_si128(hit));
 }
 
 PACKET_TARGET static inline uint32_t few_avx2(const bvh_node *node, const packet_state *c, uint64_t lanes,
-                                               float entry[BVH_WIDTH], uint64_t meet[BVH_WIDTH])
+                                               float entry[BVH_WIDTH], uint64_t hit_mask[BVH_WIDTH])
 {
     __m256i low = _mm256_setzero_si256(), high = low;
     __m256 first = _mm256_set1_ps(HUGE_VALF), any = _mm256_setzero_ps();
@@ -206,7 +206,7 @@ PACKET_TARGET static inline uint32_t few_avx2(const bvh_node *node, const packet
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t lane = first_of64(lanes);
         const __m256i bit = _mm256_set1_epi64x((long long)((uint64_t)1 << lane));
-        __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]), met;
+        __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]), hit;
 
         for (k = 0; k < 3; k++) {
             __m256 near = _mm256_load_ps(node->bounds[c->near_row[k]]);
@@ -215,15 +215,15 @@ PACKET_TARGET static inline uint32_t few_avx2(const bvh_node *node, const packet
             in = later(in, _mm256_fmsub_ps(near, r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
             out = sooner(out, _mm256_fmsub_ps(far, r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
         }
-        met = _mm256_cmp_ps(in, out, _CMP_LE_OQ);
-        first = _mm256_blendv_ps(first, sooner(first, in), met);
-        any = _mm256_or_ps(any, met);
-        low = _mm256_or_si256(low, _mm256_and_si256(bit, wide_avx2(_mm256_castps256_ps128(met))));
-        high = _mm256_or_si256(high, _mm256_and_si256(bit, wide_avx2(_mm256_extractf128_ps(met, 1))));
+        hit = _mm256_cmp_ps(in, out, _CMP_LE_OQ);
+        first = _mm256_blendv_ps(first, sooner(first, in), hit);
+        any = _mm256_or_ps(any, hit);
+        low = _mm256_or_si256(low, _mm256_and_si256(bit, wide_avx2(_mm256_castps256_ps128(hit))));
+        high = _mm256_or_si256(high, _mm256_and_si256(bit, wide_avx2(_mm256_extractf128_ps(hit, 1))));
     }
     _mm256_storeu_ps(entry, first);
-    _mm256_storeu_si256((__m256i *)(void *)meet, low);
-    _mm256_storeu_si256((__m256i *)(void *)(meet + 4), high);
+    _mm256_storeu_si256((__m256i *)(void *)hit_mask, low);
+    _mm256_storeu_si256((__m256i *)(void *)(hit_mask + 4), high);
     return (uint32_t)_mm256_movemask_ps(any);
 }
 
@@ -234,7 +234,7 @@ typedef struct packet_masks { __m256i low, high; } packet_masks;
 
 /* As few_avx2, in registers. */
 PACKET_TARGET static inline __m256 few_avx512(const bvh_node *node, const packet_state *c, uint64_t lanes,
-                                               packet_masks *meets)
+                                               packet_masks *hit_masks)
 {
     __m256i low = _mm256_setzero_si256(), high = low;
     __m256 first = _mm256_set1_ps(HUGE_VALF), near[3], far[3];
@@ -248,20 +248,20 @@ PACKET_TARGET static inline __m256 few_avx512(const bvh_node *node, const packet
         const uint32_t lane = first_of64(lanes);
         const uint64_t bit = lanes & -lanes;
         __m256 in = _mm256_setzero_ps(), out = _mm256_broadcast_ss(&c->limit[lane]);
-        __mmask8 met;
+        __mmask8 hit;
 
         for (k = 0; k < 3; k++) {
             __m256 r = _mm256_broadcast_ss(&c->inverse[k][lane]);
             in = later(in, _mm256_fmsub_ps(near[k], r, _mm256_broadcast_ss(&c->near_offset[k][lane])));
             out = sooner(out, _mm256_fmsub_ps(far[k], r, _mm256_broadcast_ss(&c->far_offset[k][lane])));
         }
-        met = _mm256_cmp_ps_mask(in, out, _CMP_LE_OQ);
-        first = _mm256_mask_min_ps(first, met, first, in);
-        low = _mm256_mask_or_epi32(low, met, low, _mm256_set1_epi32((int)(uint32_t)bit));
-        high = _mm256_mask_or_epi32(high, met, high, _mm256_set1_epi32((int)(uint32_t)(bit >> 32)));
+        hit = _mm256_cmp_ps_mask(in, out, _CMP_LE_OQ);
+        first = _mm256_mask_min_ps(first, hit, first, in);
+        low = _mm256_mask_or_epi32(low, hit, low, _mm256_set1_epi32((int)(uint32_t)bit));
+        high = _mm256_mask_or_epi32(high, hit, high, _mm256_set1_epi32((int)(uint32_t)(bit >> 32)));
     }
-    meets->low = low;
-    meets->high = high;
+    hit_masks->low = low;
+    hit_masks->high = high;
     return first;
 }
 
@@ -270,19 +270,19 @@ PACKET_TARGET static inline uint32_t push_few_avx512(const packet_state *c, cons
                                                       bool sorted, packet_stack *stack, uint32_t top)
 {
     const __m256i child = _mm256_load_si256((const __m256i *)(const void *)node->child);
-    packet_masks meets;
-    const __m256 entry = few_avx512(node, c, lanes, &meets);
-    const __m256i any = _mm256_or_si256(meets.low, meets.high);
-    const __mmask8 met = _mm256_test_epi32_mask(any, any);
-    const uint32_t count = (uint32_t)__builtin_popcount(met);
-    __m256i order = slot_entries_avx512(entry, met);
+    packet_masks hit_masks;
+    const __m256 entry = few_avx512(node, c, lanes, &hit_masks);
+    const __m256i any = _mm256_or_si256(hit_masks.low, hit_masks.high);
+    const __mmask8 hit = _mm256_test_epi32_mask(any, any);
+    const uint32_t count = (uint32_t)__builtin_popcount(hit);
+    __m256i order = slot_entries_avx512(entry, hit);
 
     if (sorted)
         order = sort_avx512(order, count);
     _mm256_storeu_ps(stack->entry + top, entries_avx512(order));
     store_avx512(stack->at + top, _mm256_permutevar8x32_epi32(child, order));
-    store_avx512(stack->low + top, _mm256_permutevar8x32_epi32(meets.low, order));
-    store_avx512(stack->high + top, _mm256_permutevar8x32_epi32(meets.high, order));
+    store_avx512(stack->low + top, _mm256_permutevar8x32_epi32(hit_masks.low, order));
+    store_avx512(stack->high + top, _mm256_permutevar8x32_epi32(hit_masks.high, order));
     return top + count;
 }
 #define PACKET_PUSH_FEW push_few_avx512

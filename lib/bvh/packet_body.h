@@ -16,7 +16,7 @@ PACKET_TARGET static inline void PACKET_NAME(enter_axis)(packet_state *c, double
     const double *restrict org = soa->org[k], *restrict org_lo = soa->org_lo[k], *restrict dir = soa->dir[k];
     const double *restrict per_length = soa->per_length;
     float *restrict inverses = c->inverse[k], *restrict near = c->near_offset[k], *restrict far = c->far_offset[k];
-    float *restrict org_out = soa->framed.org[k], *restrict dir_out = soa->framed.dir[k];
+    float *restrict org_out = soa->local.org[k], *restrict dir_out = soa->local.dir[k];
     const float least = (float)BVH_LEAST;
     const uint32_t width = c->width;
     uint32_t i;
@@ -38,9 +38,9 @@ PACKET_TARGET static inline void PACKET_NAME(enter_limits)(packet_state *c, doub
 {
     pov_rays *soa = &c->traversal->soa;
     const double *restrict lengths = c->traversal->length, *restrict per_length = soa->per_length;
-    const float *restrict x = soa->framed.org[0], *restrict y = soa->framed.org[1], *restrict z = soa->framed.org[2];
-    double *restrict scales = c->scale, *restrict shifts = soa->framed.shift, *restrict units = soa->framed.unit;
-    float *restrict size = soa->framed.size;
+    const float *restrict x = soa->local.org[0], *restrict y = soa->local.org[1], *restrict z = soa->local.org[2];
+    double *restrict scales = c->scale, *restrict shifts = soa->local.shift, *restrict units = soa->local.unit;
+    float *restrict size = soa->local.size;
     const double back = 1.0 / scale;
     const uint32_t width = c->width;
     uint32_t i;
@@ -104,13 +104,13 @@ PACKET_TARGET static inline uint32_t PACKET_NAME(push_few)(const packet_state *c
                                                              bool sorted, packet_stack *stack, uint32_t top)
 {
     float entry[BVH_WIDTH];
-    uint64_t meets[BVH_WIDTH];
-    uint32_t mask = PACKET_FEW(node, c, lanes, entry, meets), base = top;
+    uint64_t hit_masks[BVH_WIDTH];
+    uint32_t mask = PACKET_FEW(node, c, lanes, entry, hit_masks), base = top;
 
     for (; mask; mask &= mask - 1, top++) {
         const uint32_t i = first_of(mask);
 
-        insert_entry(stack, sorted ? base : top, top, entry[i], node->child[i], meets[i]);
+        insert_entry(stack, sorted ? base : top, top, entry[i], node->child[i], hit_masks[i]);
     }
     return top;
 }
@@ -133,11 +133,11 @@ PACKET_TARGET static inline uint32_t PACKET_NAME(push)(const packet_state *c, co
         return PACKET_PUSH_FEW(c, node, lanes, sorted, stack, top);
     for (; mask; mask &= mask - 1) {
         const uint32_t i = first_of(mask);
-        const uint64_t meet = all >> i & 1 ? lanes : PACKET_LANES(node, i, c, lanes, eights);
+        const uint64_t hit_mask = all >> i & 1 ? lanes : PACKET_LANES(node, i, c, lanes, eights);
 
-        if (!meet)
+        if (!hit_mask)
             continue;
-        insert_entry(stack, sorted ? base : top, top, entry[i], node->child[i], meet);
+        insert_entry(stack, sorted ? base : top, top, entry[i], node->child[i], hit_mask);
         top++;
     }
     return top;

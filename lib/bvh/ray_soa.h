@@ -6,12 +6,12 @@
 
 #include <povtrace/shape_fast.h>
 
-static inline uint32_t side_away(const pov_ray *ray)
+static inline uint32_t ray_soa_excluded(const pov_ray *ray)
 {
-    return ray->left_mark.flags & POV_MARK_AWAY ? ray->left : POV_NOBODY;
+    return ray->origin_mark.flags & POV_MARK_OUTWARD ? ray->origin_surface : POV_NO_OWNER;
 }
 
-static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
+static inline void ray_soa_put(pov_rays *s, uint32_t i, const pov_ray *ray)
 {
     s->org[0][i] = ray->org.x;
     s->org[1][i] = ray->org.y;
@@ -22,11 +22,11 @@ static inline void side_put(pov_rays *s, uint32_t i, const pov_ray *ray)
     s->dir[0][i] = ray->dir.x;
     s->dir[1][i] = ray->dir.y;
     s->dir[2][i] = ray->dir.z;
-    s->away[i] = side_away(ray);
+    s->excluded[i] = ray_soa_excluded(ray);
 }
 
 /* Four rays, from lane i on. */
-static inline void side_put_four(pov_rays *s, uint32_t i, const pov_ray *const rays[4])
+static inline void ray_soa_put_four(pov_rays *s, uint32_t i, const pov_ray *const rays[4])
 {
     const void *const from[4] = { rays[0], rays[1], rays[2], rays[3] };
     double other[3][4];
@@ -36,11 +36,11 @@ static inline void side_put_four(pov_rays *s, uint32_t i, const pov_ray *const r
     simd_transpose(from, offsetof(pov_ray, org_lo.y), s->org_lo[1] + i, s->org_lo[2] + i, s->dir[0] + i, s->dir[1] + i);
     simd_transpose(from, offsetof(pov_ray, dir.z), s->dir[2] + i, other[0], other[1], other[2]);
     for (j = 0; j < 4; j++)
-        s->away[i + j] = side_away(rays[j]);
+        s->excluded[i + j] = ray_soa_excluded(rays[j]);
 }
 
 /* -1 or 0, as wide as a double, as loops over lanes like it best. */
-static inline int64_t side_is_in(double x, double least, double most)
+static inline int64_t ray_soa_is_in(double x, double least, double most)
 {
     const double size = fabs(x);
 
@@ -49,7 +49,7 @@ static inline int64_t side_is_in(double x, double least, double most)
 
 /* What follows from a ray, with the length of its direction. 0 where the ray is out of the range that filters are
  * promised, else -1. */
-static inline int64_t side_derive(pov_rays *restrict s, uint32_t i, double tmax, double *restrict length)
+static inline int64_t ray_soa_derive(pov_rays *restrict s, uint32_t i, double tmax, double *restrict length)
 {
     const double x = s->dir[0][i], y = s->dir[1][i], z = s->dir[2][i], square = x * x + y * y + z * z;
 
@@ -58,7 +58,7 @@ static inline int64_t side_derive(pov_rays *restrict s, uint32_t i, double tmax,
     length[i] = square * s->per_length[i];
     s->size[i] = fabs(s->org[0][i]) + fabs(s->org[1][i]) + fabs(s->org[2][i]);
     s->tmax[i] = tmax;
-    return side_is_in(x, 1e-80, 1e80) & side_is_in(y, 1e-80, 1e80) & side_is_in(z, 1e-80, 1e80) &
+    return ray_soa_is_in(x, 1e-80, 1e80) & ray_soa_is_in(y, 1e-80, 1e80) & ray_soa_is_in(z, 1e-80, 1e80) &
            (s->size[i] <= 1e100 ? -1 : 0) & (square > 0.0 ? -1 : 0);
 }
 

@@ -7,7 +7,7 @@
 
 /* A range of many references is looked through in parts. Smallest and largest values and counts do not depend on how
  * they are put together. */
-enum { BINS = 16, PARTS = 32, PARTS_FROM = 1 << 16 };
+enum { BINS = 16, SLICES = 32, SLICES_FROM = 1 << 16 };
 /* Centres that lie together within this have no order. */
 static const float least_width = 1e-30f;
 
@@ -31,15 +31,15 @@ static void extend(extent *e, const bvh_ref *refs, uint32_t begin, uint32_t end)
     e->centres = centres;
 }
 
-typedef struct extent_work { const bvh_range *range; const bvh_ref *refs; extent parts[PARTS]; } extent_work;
+typedef struct extent_work { const bvh_range *range; const bvh_ref *refs; extent slices[SLICES]; } extent_work;
 
-static void extend_part(void *user, uint32_t i, int hand)
+static void extend_slice(void *user, uint32_t i, int worker)
 {
     extent_work *w = user;
     uint32_t n = bvh_range_count(w->range), begin = w->range->begin;
 
-    (void)hand;
-    extend(&w->parts[i], w->refs, begin + share_begin(n, PARTS, i), begin + share_begin(n, PARTS, i + 1));
+    (void)worker;
+    extend(&w->slices[i], w->refs, begin + share_begin(n, SLICES, i), begin + share_begin(n, SLICES, i + 1));
 }
 
 static extent extent_of(const bvh_range *r, const bvh_ref *refs, int threads)
@@ -48,16 +48,16 @@ static extent extent_of(const bvh_range *r, const bvh_ref *refs, int threads)
     extent all;
     int i;
 
-    if (threads <= 1 || bvh_range_count(r) < PARTS_FROM) {
+    if (threads <= 1 || bvh_range_count(r) < SLICES_FROM) {
         extend(&all, refs, r->begin, r->end);
         return all;
     }
     w.range = r;
     w.refs = refs;
-    share_work(threads, PARTS, extend_part, &w);
-    for (all = w.parts[0], i = 1; i < PARTS; i++) {
-        all.all = add(all.all, w.parts[i].all.lo, w.parts[i].all.hi);
-        all.centres = add(all.centres, w.parts[i].centres.lo, w.parts[i].centres.hi);
+    share_work(threads, SLICES, extend_slice, &w);
+    for (all = w.slices[0], i = 1; i < SLICES; i++) {
+        all.all = add(all.all, w.slices[i].all.lo, w.slices[i].all.hi);
+        all.centres = add(all.centres, w.slices[i].centres.lo, w.slices[i].centres.hi);
     }
     return all;
 }
@@ -88,7 +88,7 @@ static inline int bin_of(const bvh_ref *f, int axis, float base, float factor)
 }
 
 /* What asking things costs that take so many places: the blocks that they fill. */
-static float cost_of(uint32_t places) { return (float)((places + BVH_WIDTH - 1) / BVH_WIDTH); }
+static float cost_of(uint32_t slots) { return (float)((slots + BVH_WIDTH - 1) / BVH_WIDTH); }
 
 /* Bins along an axis; count: places. */
 typedef struct bins { box at[BINS]; uint32_t count[BINS]; } bins;
@@ -141,7 +141,7 @@ static void sort_into(histogram *h, const bvh_range *r, const float *factor, con
         for (k = 0; k < 3; k++) {
             const int at = bin_of(&refs[i], k, r->centre_lo[k], factor[k]);
             h->at[k].at[at] = add(h->at[k].at[at], lo_of(&refs[i]), hi_of(&refs[i]));
-            h->at[k].count[at] += refs[i].places;
+            h->at[k].count[at] += refs[i].slots;
         }
 }
 
@@ -149,17 +149,17 @@ typedef struct histogram_work {
     const bvh_range *range;
     const bvh_ref *refs;
     const float *factor;
-    histogram parts[PARTS];
+    histogram slices[SLICES];
 } histogram_work;
 
-static void sort_part(void *user, uint32_t i, int hand)
+static void sort_slice(void *user, uint32_t i, int worker)
 {
     histogram_work *w = user;
     uint32_t n = bvh_range_count(w->range), begin = w->range->begin;
 
-    (void)hand;
-    sort_into(&w->parts[i], w->range, w->factor, w->refs, begin + share_begin(n, PARTS, i),
-              begin + share_begin(n, PARTS, i + 1));
+    (void)worker;
+    sort_into(&w->slices[i], w->range, w->factor, w->refs, begin + share_begin(n, SLICES, i),
+              begin + share_begin(n, SLICES, i + 1));
 }
 
 static void sort_together(histogram *all, const bvh_range *r, const float *factor, const bvh_ref *refs, int threads)
@@ -170,12 +170,12 @@ static void sort_together(histogram *all, const bvh_range *r, const float *facto
     w.range = r;
     w.refs = refs;
     w.factor = factor;
-    share_work(threads, PARTS, sort_part, &w);
-    *all = w.parts[0];
-    for (i = 1; i < PARTS; i++)
+    share_work(threads, SLICES, sort_slice, &w);
+    *all = w.slices[0];
+    for (i = 1; i < SLICES; i++)
         for (k = 0; k < 3; k++)
             for (j = 0; j < BINS; j++) {
-                const bins *more = &w.parts[i].at[k];
+                const bins *more = &w.slices[i].at[k];
                 all->at[k].at[j] = add(all->at[k].at[j], more->at[j].lo, more->at[j].hi);
                 all->at[k].count[j] += more->count[j];
             }
@@ -194,7 +194,7 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, int threads)
          * the same, or nearly so against the frame, all fall into the first, and nothing separates there. */
         factor[k] = wide > least_width ? (float)BINS * 0.9999f / wide : 0.0f;
     }
-    if (threads > 1 && bvh_range_count(r) >= PARTS_FROM)
+    if (threads > 1 && bvh_range_count(r) >= SLICES_FROM)
         sort_together(&h, r, factor, refs, threads);
     else
         sort_into(&h, r, factor, refs, r->begin, r->end);
@@ -278,7 +278,7 @@ void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range 
 
 /* Two things, as every third cut is of: one or the other way round costs the same, so the first axis decides on which
  * their centres are not the same. */
-static void part_two(const bvh_range *r, bvh_ref *refs, bvh_range *a, bvh_range *b)
+static void split_two(const bvh_range *r, bvh_ref *refs, bvh_range *a, bvh_range *b)
 {
     bvh_ref *first = &refs[r->begin], swap = *first;
     int k = 0;
@@ -297,7 +297,7 @@ void bvh_split(const bvh_range *r, bvh_ref *refs, int threads, bvh_range *a, bvh
     cut best;
 
     if (bvh_range_count(r) == 2) {
-        part_two(r, refs, a, b);
+        split_two(r, refs, a, b);
         return;
     }
     best = find_cut(r, refs, threads);

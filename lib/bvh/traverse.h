@@ -89,7 +89,7 @@ static inline uint32_t bvh_octant(const pov_ray *ray)
 /* Directions of a length between these are taken as they are. */
 #define BVH_SHORT 0x1p-300
 #define BVH_LONG 0x1p300
-/* Frames of a scale between these are met by such directions without more ado. */
+/* Frames of a scale between these are met by such directions directly. */
 #define BVH_SMALL 0x1p-600
 #define BVH_LARGE 0x1p600
 bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
@@ -118,16 +118,16 @@ static inline void bvh_to_frame(pov_rays *rays, uint32_t lane, const bvh_local *
     const float x = (float)l->org.x, y = (float)l->org.y, z = (float)l->org.z;
     const float far = (float)(fabs(l->shift) * l->scale * 0x1p-22);
 
-    rays->framed.org[0][lane] = x;
-    rays->framed.org[1][lane] = y;
-    rays->framed.org[2][lane] = z;
-    rays->framed.dir[0][lane] = (float)l->dir.x;
-    rays->framed.dir[1][lane] = (float)l->dir.y;
-    rays->framed.dir[2][lane] = (float)l->dir.z;
-    rays->framed.size[lane] = blind ? HUGE_VALF : fabsf(x) + fabsf(y) + fabsf(z) + far;
-    rays->framed.smax[lane] = limit;
-    rays->framed.shift[lane] = l->shift;
-    rays->framed.unit[lane] = blind ? 1.0 : 1.0 / l->scale;
+    rays->local.org[0][lane] = x;
+    rays->local.org[1][lane] = y;
+    rays->local.org[2][lane] = z;
+    rays->local.dir[0][lane] = (float)l->dir.x;
+    rays->local.dir[1][lane] = (float)l->dir.y;
+    rays->local.dir[2][lane] = (float)l->dir.z;
+    rays->local.size[lane] = blind ? HUGE_VALF : fabsf(x) + fabsf(y) + fabsf(z) + far;
+    rays->local.smax[lane] = limit;
+    rays->local.shift[lane] = l->shift;
+    rays->local.unit[lane] = blind ? 1.0 : 1.0 / l->scale;
 }
 
 /* What the entries of a stack are: the entry's distance, a float that is not negative and so sorts as its bits do,

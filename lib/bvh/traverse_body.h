@@ -67,7 +67,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(traverse)(bvh_traversal *of, ui
                 if (of->limit[lane] < before) {
                     limit = bvh_limit(local.scale, local.shift, of->limit[lane]);
                     TRAVERSE_LIMIT(&spread, limit);
-                    of->soa.framed.smax[lane] = limit;
+                    of->soa.local.smax[lane] = limit;
                 }
             } else if ((at & BVH_KIND) == BVH_RETURN) {
                 /* It was entered before, so that it is not passed by now. */

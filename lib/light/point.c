@@ -8,12 +8,12 @@
  * Of a light without a low part less is left to do for the same bits. */
 static inline double towards(double l, double l_lo, double p, double p_lo, bool low)
 {
-    pov_two way;
+    pov_two dir;
 
     if (low)
         return pov_two_sub(pov_two_of(l, l_lo), pov_two_of(p, p_lo)).hi;
-    way = pov_two_sum(l, -p);
-    return way.hi + (way.lo + (0.0 - p_lo));
+    dir = pov_two_sum(l, -p);
+    return dir.hi + (dir.lo + (0.0 - p_lo));
 }
 
 static inline void aim_all(const light *restrict l, const vec_lanes *restrict point, const vec_lanes *restrict point_lo,

@@ -12,7 +12,7 @@ typedef struct material {
     colour ambient;              /* finish */
     float diffuse, phong, phong_size, metallic;
     colour reflection;
-    bool has_interior;           /* an interior { } was given: the solid is a medium */
+    bool has_interior;           /* an interior { } was given: the solid is a dielectric */
     double ior;
 } material;
 

@@ -33,13 +33,13 @@ typedef enum node_op { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENC
 typedef struct group_node {
     node_op op;
     bool inverse;                /* all of space but what it holds */
-    bool united;                 /* of a union: its children share one medium, and are one object */
+    bool united;                 /* of a union: its children share one dielectric, and are one object */
     uint32_t child, child_count; /* the first among the model's children */
     uint32_t leaf, leaf_count;   /* all leaves under it */
     uint32_t line, column;       /* of its keyword, 1-based */
 } group_node;
 
-/* An object of several leaves, which hold one medium: that of the first one's material. */
+/* An object of several leaves, which hold one dielectric: that of the first one's material. */
 typedef struct solid_node {
     node_op op;
     uint32_t leaf, leaf_count;

@@ -53,7 +53,7 @@ static void series(const two_lanes *restrict x2, two_lanes *restrict sum, int n)
 
 static void reduce(sincos_turns *t, const double *degrees, two_lanes *x2)
 {
-    /* pi/180 in two parts. fmod and the subtraction of a multiple of 90 are exact, so that the reduction is. */
+    /* pi/180 in double-double. fmod and the subtraction of a multiple of 90 are exact, so that the reduction is. */
     const pov_two degree = { 0.017453292519943295, 2.9486522708701687e-19 };
     int k;
 

@@ -104,7 +104,7 @@ static void scale(composition *c, const double *v)
 }
 
 /* x cos + y sin, y cos - x sin. */
-static void turn_pair(two_lanes *restrict x, two_lanes *restrict y, pov_two s, pov_two c)
+static void rotate_pair(two_lanes *restrict x, two_lanes *restrict y, pov_two s, pov_two c)
 {
     int i;
 
@@ -125,7 +125,7 @@ static void rotate(composition *c, const double *const *degrees, int n)
     for (axis = 2; axis >= 0; axis--)
         for (m = 0; m < n; m++)
             if (degrees[m][axis] != 0.0)
-                turn_pair(&c[m].axis[(axis + 1) % 3], &c[m].axis[(axis + 2) % 3], t[m].sine[axis], t[m].cosine[axis]);
+                rotate_pair(&c[m].axis[(axis + 1) % 3], &c[m].axis[(axis + 2) % 3], t[m].sine[axis], t[m].cosine[axis]);
 }
 
 /* matrix <...> multiplies row vectors, so it stands transposed here. */

@@ -1,7 +1,7 @@
 /* transform.h - transformations as the text has them, and their composition.
  *
  * A list from the last written back to the first: prefixes are shared, and nothing is rounded before the whole list
- * is composed, in two-part arithmetic, into one map and its inverse. */
+ * is composed, in double-double arithmetic, into one map and its inverse. */
 #ifndef MODEL_TRANSFORM_H
 #define MODEL_TRANSFORM_H
 
@@ -45,7 +45,7 @@ const void *transform_compose_packed(const void *at, const void *end, pov_affine
 /* The point, mapped and rounded once into two parts. */
 void transform_point(const pov_affine *map, pov_vec3 p, pov_vec3 *hi, pov_vec3 *lo);
 
-/* Sine and cosine of an angle in degrees, each in two parts: s[2], c[2], relative error below 2^-98. */
+/* Sine and cosine of an angle in degrees, each in double-double: s[2], c[2], relative error below 2^-98. */
 void transform_sincos(double degrees, double *s, double *c);
 
 #endif

@@ -333,11 +333,11 @@ const char *registry_path(const registry *r)
 }
 
 typedef struct sieve {
-    void (*see)(void *user, const char *keyword);
+    void (*visit)(void *user, const char *keyword);
     void *user;
 } sieve;
 
-static void see_file(void *user, const char *name)
+static void visit_file(void *user, const char *name)
 {
     const sieve *s = user;
     size_t n = strlen(name);
@@ -347,19 +347,19 @@ static void see_file(void *user, const char *name)
         return;
     memcpy(keyword, name, n - 3);
     keyword[n - 3] = '\0';
-    s->see(s->user, keyword);
+    s->visit(s->user, keyword);
 }
 
-void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword),
+void registry_each_keyword(const registry *r, const char *kind, void (*visit)(void *user, const char *keyword),
                            void *user)
 {
     char folder[PATH_MAX], path[PATH_MAX + 32];
     const char *rest = r->path;
-    sieve s = { see, user };
+    sieve s = { visit, user };
 
     while ((rest = next_folder(rest, folder, sizeof folder)) != NULL) {
         snprintf(path, sizeof path, "%s/%s", folder, kind);
-        file_list(path, see_file, &s);
+        file_list(path, visit_file, &s);
     }
 }
 

@@ -24,7 +24,7 @@ pov_status registry_image(registry *r, const char *ending, const struct pov_imag
 /* For messages: the searched folders, colon separated; and the keywords that could be loaded (kind: "primitives" or
  * "images"). */
 const char *registry_path(const registry *r);
-void registry_each_keyword(const registry *r, const char *kind, void (*see)(void *user, const char *keyword),
+void registry_each_keyword(const registry *r, const char *kind, void (*visit)(void *user, const char *keyword),
                            void *user);
 
 /* The index-th plugin in use. */

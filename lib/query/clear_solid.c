@@ -9,79 +9,82 @@ bool clear_solid_any_enters(const pov_ray *const *rays, uint32_t n)
     uint32_t flags = 0, i;
 
     for (i = 0; i < n; i++)
-        flags |= rays[i]->left_mark.flags;
-    return flags & POV_MARK_INTO;
+        flags |= rays[i]->origin_mark.flags;
+    return flags & POV_MARK_INWARD;
 }
 
 /* Does a ray start on a closed solid and go into it? */
 static inline bool enters(const world *w, const pov_ray *ray)
 {
-    const uint32_t both = POV_MARK_INTO | POV_MARK_CLOSED;
+    const uint32_t both = POV_MARK_INWARD | POV_MARK_CLOSED;
 
-    return (ray->left_mark.flags & both) == both && w->things[ray->left].plain;
+    return (ray->origin_mark.flags & both) == both && w->objects_info[ray->origin_surface].plain;
 }
 
-static inline const shape_group *group_of(const world *w, uint32_t which) { return &w->groups[w->things[which].group]; }
+static inline const shape_group *group_of(const world *w, uint32_t which)
+{
+    return &w->groups[w->objects_info[which].group];
+}
 
 /* Ask those of `left` that start on a shape of the class of the first; the others are left. */
-static uint64_t ask_class(const world *w, walker *k, const pov_ray *const *rays, uint64_t left, exits *e)
+static uint64_t ask_class(const world *w, query_context *k, const pov_ray *const *rays, uint64_t left, exit_hits *e)
 {
-    const shape_group *first = group_of(w, rays[first_of64(left)]->left);
+    const shape_group *first = group_of(w, rays[first_of64(left)]->origin_surface);
     uint64_t others = 0;
-    places placed;
+    xform_batch instanced;
     pairs some;
 
-    some.count = placed.count = 0;
+    some.count = instanced.count = 0;
     for (; left; left &= left - 1) {
-        const uint32_t i = first_of64(left), which = rays[i]->left;
+        const uint32_t i = first_of64(left), which = rays[i]->origin_surface;
         const pov_ray *ray = rays[i];
-        shape_place place;
+        shape_ref ref;
 
         if (group_of(w, which)->shape != first->shape) {
             others |= bit_of(i);
             continue;
         }
-        place = world_place(w, which);
+        ref = world_shape(w, which);
         e->hits[i].owner = which;
-        if (place.placement)
-            ray = own_ray(k, &placed, place.placement, ray, i, which);
-        pairs_put(&some, place.instance, ray, &e->hits[i]);
+        if (ref.xform)
+            ray = own_ray(k, &instanced, ref.xform, ray, i, which);
+        pairs_put(&some, ref.instance, ray, &e->hits[i]);
     }
-    places_find(&placed);
+    xform_batch_apply(&instanced);
     pairs_ask(k, first->shape, first->class_number, &some, false);
     return others;
 }
 
 /* Nothing else can be hit in a solid that stands alone. */
-static void end_isolated(const world *w, walker *k, const pov_ray *const *rays, hit *out, exits *e)
+static void end_isolated(const world *w, query_context *k, const pov_ray *const *rays, hit *out, exit_hits *e)
 {
     uint64_t rest;
 
-    for (rest = e->known; w->lonely && rest; rest &= rest - 1) {
+    for (rest = e->known; w->isolated && rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (e->hits[i].count == 0 || !w->lonely[rays[i]->left])
+        if (e->hits[i].count == 0 || !w->isolated[rays[i]->origin_surface])
             continue;
-        k->decided += e->hits[i].decided;
-        out[i].object = rays[i]->left;
-        out[i].company = 0;
-        e->met |= bit_of(i);
+        k->escalated += e->hits[i].escalated;
+        out[i].object = rays[i]->origin_surface;
+        out[i].coincident = 0;
+        e->found |= bit_of(i);
     }
 }
 
-void clear_solid_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
-                       exits *e)
+void clear_solid_exits(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
+                       exit_hits *e)
 {
     uint64_t left;
     uint32_t i;
 
-    e->known = e->met = 0;
+    e->known = e->found = 0;
     if (!w->plan.transmission || !clear_solid_any_enters(rays, n))
         return;
     for (i = 0; i < n; i++)
         if (enters(w, rays[i])) {
             e->known |= bit_of(i);
-            hits_begin(&e->hits[i], w, &k->rooms[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
+            hits_begin(&e->hits[i], w, &k->hit_buffers[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
         }
     for (left = e->known; left;)
         left = ask_class(w, k, rays, left, e);
@@ -93,19 +96,19 @@ void clear_solid_exits(const world *w, walker *k, const pov_ray *const *rays, ui
 /* Does a way end beyond an interval? With u = 2^-53, the end is off by u |from| for the start's lower part, u |way| for
  * its product, and u (|from| + |way|) for their sum; the slack's own sum rounds by as much once more. Bounds are rounded
  * outward. That makes 3 u (|from| + |way|) at most. */
-static inline bool is_out(double from, double way, double lo, double hi)
+static inline bool is_out(double from, double dir, double lo, double hi)
 {
-    const double slack = 0x1p-51 * (fabs(from) + fabs(way)), end = from + way;
+    const double slack = 0x1p-51 * (fabs(from) + fabs(dir)), end = from + dir;
 
     return end + slack < lo || end - slack > hi;
 }
 
 bool clear_solid_light_exits(const world *w, const pov_ray *ray, double tmax)
 {
-    const pov_vec3 way = pov_scale(ray->dir, tmax), lo = w->clear.lo, hi = w->clear.hi;
+    const pov_vec3 dir = pov_scale(ray->dir, tmax), lo = w->transparent.lo, hi = w->transparent.hi;
 
-    if (!enters(w, ray) || !w->things[ray->left].tints)
+    if (!enters(w, ray) || !w->objects_info[ray->origin_surface].filters)
         return false;
-    return is_out(ray->org.x, way.x, lo.x, hi.x) || is_out(ray->org.y, way.y, lo.y, hi.y) ||
-           is_out(ray->org.z, way.z, lo.z, hi.z);
+    return is_out(ray->org.x, dir.x, lo.x, hi.x) || is_out(ray->org.y, dir.y, lo.y, hi.y) ||
+           is_out(ray->org.z, dir.z, lo.z, hi.z);
 }

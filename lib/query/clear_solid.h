@@ -6,10 +6,11 @@
 #include "query/context.h"
 
 /* Where rays that go into a closed solid come out of it, as bits and places of the caller's: all of them are asked
- * together, before anything else, and end there at the latest. `met`: those that end there, for nothing else is near. */
-typedef struct exits { uint64_t known, met; pov_hits hits[WORLD_MANY]; } exits;
-void clear_solid_exits(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
-                       exits *e);
+ * together, before anything else, and end there at the latest. `found`: those that end there, for nothing else is
+ * near. */
+typedef struct exit_hits { uint64_t known, found; pov_hits hits[WORLD_MANY]; } exit_hits;
+void clear_solid_exits(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out,
+                       exit_hits *e);
 
 /* May any of these rays go into the closed solid that it starts on? */
 bool clear_solid_any_enters(const pov_ray *const *rays, uint32_t n);
@@ -26,9 +27,9 @@ static inline bool clear_solid_note(pov_hits *hits, uint32_t owner)
 }
 
 /* Those that light certainly enters and leaves on its way are noted as hit twice, and are not asked. */
-static inline bool clear_solid_passes(const run *r, const pov_meeting *m, const pov_ray *ray, pov_hits *hits)
+static inline bool clear_solid_passes(const leaf_batch *r, const pov_candidate *m, const pov_ray *ray, pov_hits *hits)
 {
-    if (!m->twice || !(r->plain & ~r->opaque & 1u << m->lane) || r->object[m->lane] == ray->left)
+    if (!m->definite_pair || !(r->plain & ~r->opaque & 1u << m->lane) || r->object[m->lane] == ray->origin_surface)
         return false;
     if (clear_solid_note(hits, r->object[m->lane]))
         clear_solid_note(hits, r->object[m->lane]);

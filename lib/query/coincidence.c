@@ -2,34 +2,35 @@
 
 #include <string.h>
 
-/* Two crossings lie in one place when their distances differ by no more than two-part arithmetic can be off: some 2^-98
- * of the lengths that take part, over the cosine between ray and surface; with margin. Gaps that doubles can hold are
- * wider: half a unit in the last place of a coordinate is 2^-54 of it. */
-static const double same_place = 0x1p-92;
-/* Around a distance that double found, all that may be as near in truth: wider than POV_NEAR. */
+/* Two crossings lie in one place when their distances differ by no more than double-double arithmetic can be off: some
+ * 2^-98 of the lengths that take part, over the cosine between ray and surface; with margin. Gaps that doubles can hold
+ * are wider: half a unit in the last place of a coordinate is 2^-54 of it. */
+static const double same_point = 0x1p-92;
+/* Around a distance that double found, all that may be as near in truth: wider than POV_COINCIDENT. */
 static const double around = 0x1p-45;
 
 /* ---- a query that leaves several surfaces by name ----
  *
- * A packet of one lane without filters, with two-part arithmetic throughout: slower than the usual ones. */
+ * A packet of one lane without filters, with double-double arithmetic throughout: slower than the usual ones. */
 
 void packet_name(packet *p, uint32_t owner)
 {
     uint32_t i;
 
-    p->named.left = POV_NOBODY;
+    p->named.origin_surface = POV_NO_OWNER;
     for (i = 0; i < p->from->count; i++)
         if (p->from->at[i].object == owner) {
-            p->named.left = owner;
-            p->named.left_mark = p->from->at[i].crossing.mark;
+            p->named.origin_surface = owner;
+            p->named.origin_mark = p->from->at[i].crossing.mark;
         }
 }
 
 /* from: NULL: the ray's own name holds for all. */
-static void begin(packet *p, const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax)
+static void begin(packet *p, const world *w, query_context *k, const coincident_set *from, const pov_ray *ray,
+                  double tmax)
 {
     packet_begin(p, w, k, &ray, 1, tmax, tmax);
-    p->traversal.soa.away[0] = POV_NOBODY;
+    p->traversal.soa.excluded[0] = POV_NO_OWNER;
     p->exact = 1;
     p->from = from;
     if (!from)
@@ -38,7 +39,8 @@ static void begin(packet *p, const world *w, walker *k, const spot *from, const 
     p->rays[0] = &p->named;
 }
 
-bool query_nearest_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax, hit *out)
+bool query_nearest_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
+                        hit *out)
 {
     pov_hits *hits;
     packet p;
@@ -50,16 +52,16 @@ bool query_nearest_from(const world *w, walker *k, const spot *from, const pov_r
     packet_begin_hits(&p, 0, hits, POV_WANT_NEAREST, &out->crossing);
     hits->always_exact = true;
     packet_nearest(&p, w->kernels->nearest_single);
-    k->decided += hits->decided;
-    out->object = hits->count ? out->crossing.owner : POV_NOBODY;
-    out->company = 0;
-    if (hits->crowded)
-        spot_choose(w, k, ray, from, out);
+    k->escalated += hits->escalated;
+    out->object = hits->count ? out->crossing.owner : POV_NO_OWNER;
+    out->coincident = 0;
+    if (hits->tied)
+        coincidence_resolve(w, k, ray, from, out);
     return hits->count > 0;
 }
 
 /* All crossings about as far as t, from near to far, in the context's memory. Gives how many. */
-static uint32_t find_near(const world *w, walker *k, const spot *from, const pov_ray *ray, double t,
+static uint32_t find_near(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double t,
                           pov_crossing **crossings)
 {
     pov_hits *hits;
@@ -68,13 +70,13 @@ static uint32_t find_near(const world *w, walker *k, const spot *from, const pov
     begin(&p, w, k, from, ray, t + around * fabs(t));
     p.asked = 1;
     hits = &p.hits[0];
-    packet_begin_hits(&p, 0, hits, POV_WANT_ALL, k->rooms[0].crossings);
+    packet_begin_hits(&p, 0, hits, POV_WANT_ALL, k->hit_buffers[0].crossings);
     hits->tmin = t - around * fabs(t);
     hits->always_exact = true;
-    hits->capacity = k->rooms[0].capacity;
+    hits->capacity = k->hit_buffers[0].capacity;
     hits->grow = crossings_grow;
     packet_nearest(&p, w->kernels->nearest_single);
-    k->decided += hits->decided;
+    k->escalated += hits->escalated;
     *crossings = hits->at;
     return k->failed ? 0 : hits->count;
 }
@@ -86,12 +88,12 @@ static bool is_solid(const world *w, uint32_t which)
     return (w->model->leaves.items[which].shape->flags & POV_SHAPE_SOLID) != 0;
 }
 
-static bool is_crossed(const spot *s, uint32_t which, double rise)
+static bool is_crossed(const coincident_set *s, uint32_t which, double rise)
 {
     return s->above >> which & 1 ? rise < 0.0 : rise > 0.0;
 }
 
-uint32_t spot_crossed(const spot *s, pov_vec3 dir)
+uint32_t coincidence_crossed(const coincident_set *s, pov_vec3 dir)
 {
     uint32_t i, left = s->count;
 
@@ -118,23 +120,23 @@ static double size_of(const world *w, const pov_ray *ray, double t)
 }
 
 /* The surface of a crossing. */
-static void look(const world *w, const pov_ray *ray, const pov_crossing *at, hit *h)
+static void complete_hit(const world *w, const pov_ray *ray, const pov_crossing *at, hit *h)
 {
     h->crossing = *at;
     h->object = at->owner;
     world_surface(w, ray, h);
 }
 
-static bool shares_place(const pov_ray *ray, const hit *first, const hit *h, double size)
+static bool shares_point(const pov_ray *ray, const hit *first, const hit *h, double size)
 {
-    const double apart = (h->crossing.t - first->crossing.t) + (h->crossing.t_lo - first->crossing.t_lo);
+    const double gap = (h->crossing.t - first->crossing.t) + (h->crossing.t_lo - first->crossing.t_lo);
     const double a = fabs(pov_dot(first->normal, ray->dir)), b = fabs(pov_dot(h->normal, ray->dir));
 
-    return !(apart * a * b > same_place * size * (a + b));
+    return !(gap * a * b > same_point * size * (a + b));
 }
 
 /* A further one, kept in the order of objects. Of an object that is crossed twice here, at an edge, the way in counts. */
-static void insert(spot *s, const hit *h)
+static void insert(coincident_set *s, const hit *h)
 {
     uint32_t at = s->count;
 
@@ -144,7 +146,7 @@ static void insert(spot *s, const hit *h)
                 s->at[i] = *h;
             return;
         }
-    if (s->count == SPOT_MAX)
+    if (s->count == COINCIDENT_MAX)
         return;
     for (; at > 0 && s->at[at - 1].object > h->object; at--)
         s->at[at] = s->at[at - 1];
@@ -162,7 +164,8 @@ static bool is_nearer(const pov_crossing *a, const pov_crossing *b)
     return a->owner < b->owner;
 }
 
-void world_spot(const world *w, walker *k, const pov_ray *ray, const spot *from, const hit *h, spot *out)
+void world_coincident(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, const hit *h,
+                      coincident_set *out)
 {
     const double size = size_of(w, ray, h->crossing.t);
     pov_crossing *at;
@@ -174,39 +177,39 @@ void world_spot(const world *w, walker *k, const pov_ray *ray, const spot *from,
     if (count == 0)
         return;
     crossings_sort(at, count, is_nearer);
-    look(w, ray, &at[0], &first);
+    complete_hit(w, ray, &at[0], &first);
     insert(out, &first);
     for (i = 1; i < count; i++) {
-        look(w, ray, &at[i], &next);
-        if (!shares_place(ray, &first, &next, size))
+        complete_hit(w, ray, &at[i], &next);
+        if (!shares_point(ray, &first, &next, size))
             continue;
         next.point = first.point;
         next.point_lo = first.point_lo;
         insert(out, &next);
     }
     for (i = 0; i < out->count; i++) {
-        out->at[i].company = (uint16_t)(out->count > 1 ? out->count : 0);
+        out->at[i].coincident = (uint16_t)(out->count > 1 ? out->count : 0);
         out->above |= (uint32_t)out->at[i].entering << i;
         out->solid |= (uint32_t)is_solid(w, out->at[i].object) << i;
     }
 }
 
-void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out)
+void coincidence_resolve(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *out)
 {
-    spot s;
+    coincident_set s;
     uint32_t which;
 
-    world_spot(w, k, ray, from, out, &s);
+    world_coincident(w, k, ray, from, out, &s);
     if (s.count == 0)
         return;
-    which = spot_crossed(&s, ray->dir);
+    which = coincidence_crossed(&s, ray->dir);
     *out = s.at[which < s.count ? which : 0];
 }
 
 /* ---- light ---- */
 
 /* The transparent surfaces that are crossed at once. False: one is crossed that blocks. */
-static bool leave(const world *w, const spot *from, pov_vec3 dir, uint32_t *crossed)
+static bool leave(const world *w, const coincident_set *from, pov_vec3 dir, uint32_t *crossed)
 {
     const model *m = w->model;
 
@@ -223,7 +226,7 @@ static bool leave(const world *w, const spot *from, pov_vec3 dir, uint32_t *cros
     return true;
 }
 
-bool query_occlusion_from(const world *w, walker *k, const spot *from, const pov_ray *ray, double tmax,
+bool query_occlusion_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
                           occlusion *out, uint32_t *crossed)
 {
     packet p;

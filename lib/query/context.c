@@ -5,9 +5,9 @@
 
 #include <string.h>
 
-pov_status walker_create(walker **out, const world *w, pov_error *err)
+pov_status query_context_create(query_context **out, const world *w, pov_error *err)
 {
-    walker *k = env_alloc_aligned(w->env, sizeof *k, SIMD_LINE);
+    query_context *k = env_alloc_aligned(w->env, sizeof *k, SIMD_LINE);
     int i;
 
     *out = k;
@@ -15,53 +15,53 @@ pov_status walker_create(walker **out, const world *w, pov_error *err)
         return err_memory(err);
     k->env = w->env;
     for (i = 0; i < WORLD_MANY; i++) {
-        k->rooms[i].csg = &k->csg;
-        k->rooms[i].walker = k;
+        k->hit_buffers[i].csg = &k->csg;
+        k->hit_buffers[i].context = k;
     }
     if (w->scratch_bytes > 0)
         k->scratch = env_alloc_aligned(w->env, w->scratch_bytes, SIMD_LINE);
     if (csg_scratch_init(&k->csg, world_trees(w), w->env) && (k->scratch || w->scratch_bytes == 0))
         return POV_OK;
-    walker_destroy(k);
+    query_context_destroy(k);
     *out = NULL;
     return err_memory(err);
 }
 
-void walker_destroy(walker *k)
+void query_context_destroy(query_context *k)
 {
     int i;
 
     if (!k)
         return;
     for (i = 0; i < WORLD_MANY; i++)
-        env_free(k->env, k->rooms[i].crossings);
+        env_free(k->env, k->hit_buffers[i].crossings);
     csg_scratch_free(&k->csg);
     env_free_aligned(k->env, k->scratch);
     env_free_aligned(k->env, k);
 }
 
-uint64_t walker_decided(const walker *k)
+uint64_t query_context_escalated(const query_context *k)
 {
-    return k->decided;
+    return k->escalated;
 }
 
-void walker_take_classes(walker *k, class_counts *sum)
+void query_context_take_classes(query_context *k, class_counts *sum)
 {
     uint32_t i;
 
     for (i = 0; i < WORLD_CLASSES; i++) {
         sum->of[i].asked += k->classes.of[i].asked;
-        sum->of[i].decided += k->classes.of[i].decided;
+        sum->of[i].escalated += k->classes.of[i].escalated;
     }
     memset(&k->classes, 0, sizeof k->classes);
 }
 
-bool walker_failed(const walker *k)
+bool query_context_failed(const query_context *k)
 {
     return k->failed || k->csg.failed;
 }
 
-const own_rays *walker_own(const walker *k)
+const object_space_rays *query_context_own(const query_context *k)
 {
     return &k->own;
 }

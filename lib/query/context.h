@@ -3,38 +3,38 @@
 #define QUERY_CONTEXT_H
 
 #include "query/query.h"
-#include "world/parts.h"
+#include "world/internal.h"
 
 /* For the crossings of one light path: with transparent shapes, and with one that blocks. */
-typedef struct tint_room { csg_scratch *csg; walker *walker; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } tint_room;
+typedef struct hit_buffer { csg_scratch *csg; query_context *context; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } hit_buffer;
 
-struct walker {
-    own_rays own;
+struct query_context {
+    object_space_rays own;
     const env *env;
-    tint_room rooms[WORLD_MANY];
-    uint64_t decided;
+    hit_buffer hit_buffers[WORLD_MANY];
+    uint64_t escalated;
     class_counts classes;
     csg_scratch csg;
     void *scratch;               /* of shapes; NULL: none asks for it */
     bool failed;
 };
 
-/* Count questions to shapes of a run's class, and what was decided of them: once a run where that can be, for a shape's
- * quick answer takes hardly longer. */
-static inline void walker_count_class(walker *k, uint32_t number, uint32_t asked, uint32_t decided)
+/* Count questions to shapes of a leaf batch's class, and what was decided of them: once a leaf batch where that can be,
+ * for a shape's quick answer takes hardly longer. */
+static inline void query_context_count_class(query_context *k, uint32_t number, uint32_t asked, uint32_t escalated)
 {
     k->classes.of[number].asked += asked;
-    if (decided)
-        k->classes.of[number].decided += decided;
+    if (escalated)
+        k->classes.of[number].escalated += escalated;
 }
 
-static inline void walker_count(walker *k, const run *r, uint32_t asked, uint32_t decided)
+static inline void query_context_count(query_context *k, const leaf_batch *r, uint32_t asked, uint32_t escalated)
 {
-    walker_count_class(k, run_class(r), asked, decided);
+    query_context_count_class(k, leaf_batch_class(r), asked, escalated);
 }
 
 /* hits->user is the room: trees of shapes look for their memory there. */
-static inline void hits_begin(pov_hits *hits, const world *w, tint_room *room, double tmax, pov_want want,
+static inline void hits_begin(pov_hits *hits, const world *w, hit_buffer *buffer, double tmax, pov_want want,
                               pov_crossing *at)
 {
     hits->tmin = 0.0;
@@ -42,21 +42,22 @@ static inline void hits_begin(pov_hits *hits, const world *w, tint_room *room, d
     hits->want = want;
     hits->always_exact = w->always_exact;
     hits->count_only = false;
-    hits->owner = POV_NOBODY;
+    hits->owner = POV_NO_OWNER;
     hits->count = 0;
     hits->capacity = 1;
-    hits->decided = 0;
+    hits->escalated = 0;
     hits->at = at;
     hits->grow = NULL;
-    hits->user = room;
-    hits->crowded = false;
-    hits->scratch = room->walker->scratch;
+    hits->user = buffer;
+    hits->tied = false;
+    hits->scratch = buffer->context->scratch;
 }
 
 /* For a query that wants all: more room. */
 bool crossings_grow(pov_hits *hits);
 void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b));
-/* The crossing in out has company as far as doubles tell: find out in two parts, and put the one there that counts. */
-void spot_choose(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *out);
+/* The crossing in out has coincident surfaces as far as doubles tell: find out in double-double, and put the one there
+ * that counts. */
+void coincidence_resolve(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *out);
 
 #endif

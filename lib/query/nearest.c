@@ -12,7 +12,7 @@ static pov_hits *hits_of(packet *p, uint32_t i)
     return &p->hits[i];
 }
 
-static void ask(packet *p, uint32_t i, const run *r, uint32_t lane)
+static void ask(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane)
 {
     pov_hits *hits = hits_of(p, i);
 
@@ -21,102 +21,102 @@ static void ask(packet *p, uint32_t i, const run *r, uint32_t lane)
         lower(p, i, hits->tmax);
 }
 
-static void ask_one(packet *p, uint32_t i, const run *r, uint32_t lane)
+static void ask_one(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane)
 {
-    const uint32_t before = hits_of(p, i)->decided;
+    const uint32_t before = hits_of(p, i)->escalated;
 
     ask(p, i, r, lane);
-    walker_count(p->context, r, 1, p->hits[i].decided - before);
+    query_context_count(p->context, r, 1, p->hits[i].escalated - before);
 }
 
 /* One that can be left out by now need not wait any more; if it cannot, it is asked before the next one waits. */
-static void defer(packet *p, const run *r, const pov_meeting *m)
+static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const uint32_t i = m->ray;
     deferred *d = &p->deferred[i];
 
     if (m->hi < p->traversal.limit[i])
         lower(p, i, m->hi);
-    if ((p->waiting & bit_of(i)) && !is_beyond(d->lo, p->traversal.limit[i]))
-        ask_one(p, i, d->run, d->lane);
-    d->run = r;
+    if ((p->deferred_lanes & bit_of(i)) && !is_beyond(d->lo, p->traversal.limit[i]))
+        ask_one(p, i, d->batch, d->lane);
+    d->batch = r;
     d->lane = m->lane;
     d->lo = m->lo;
-    p->waiting |= bit_of(i);
-    SIMD_EXPECT(run_instance(r, m->lane));
+    p->deferred_lanes |= bit_of(i);
+    SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
 }
 
 /* What a filter leaves open of a batch that holds one shape, so that no ray is there twice. */
-static void ask_open(packet *p, const run *r, pairs *open, const places *placed, const uint8_t *lanes)
+static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_batch *instanced, const uint8_t *lanes)
 {
     uint32_t i;
 
-    places_find(placed);
-    pairs_ask(p->context, r->shape, run_class(r), open, false);
+    xform_batch_apply(instanced);
+    pairs_ask(p->context, r->shape, leaf_batch_class(r), open, false);
     for (i = 0; i < open->count; i++)
         if (open->hits[i]->tmax < p->traversal.limit[lanes[i]])
             lower(p, lanes[i], open->hits[i]->tmax);
 }
 
-static void filter(packet *p, const run *r, uint64_t lanes)
+static void filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
-    const pov_meeting *m = p->candidates;
-    uint32_t n = run_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
+    const pov_candidate *m = p->candidates;
+    uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
     uint8_t open_lanes[WORLD_MANY];
-    places placed;
+    xform_batch instanced;
     pairs open;
 
-    open.count = placed.count = 0;
+    open.count = instanced.count = 0;
     for (; n > 0; m++, n--) {
         const pov_ray *ray = p->rays[m->ray];
-        const bool left = r->object[m->lane] == ray->left;
+        const bool left = r->object[m->lane] == ray->origin_surface;
 
         if (is_beyond(m->lo, p->traversal.limit[m->ray]) ||
-            (left && is_excluded(r, m->lane, ray, p->traversal.soa.away[m->ray])))
+            (left && is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray])))
             continue;
         /* The filter knows nothing of the root that a ray leaves. */
-        if (m->surely && !left && (r->plain >> m->lane & 1)) {
+        if (m->definite && !left && (r->plain >> m->lane & 1)) {
             defer(p, r, m);
-        } else if (r->flags & RUN_PLACED) {
+        } else if (r->flags & LEAF_INSTANCED) {
             pov_hits *hits = hits_of(p, m->ray);
 
-            run_expect(r);
+            leaf_batch_prefetch(r);
             open_lanes[open.count] = (uint8_t)m->ray;
             hits->owner = r->object[0];
-            ray = own_ray(p->context, &placed, run_placement(r), ray, p->of[m->ray], hits->owner);
+            ray = own_ray(p->context, &instanced, leaf_batch_xform(r), ray, p->of[m->ray], hits->owner);
             pairs_put(&open, r->instances, ray, hits);
         } else {
             ask_one(p, m->ray, r, m->lane);
         }
     }
     if (open.count > 0)
-        ask_open(p, r, &open, &placed, open_lanes);
+        ask_open(p, r, &open, &instanced, open_lanes);
 }
 
-static void ask_all(packet *p, const run *r, uint64_t lanes)
+static void ask_all(packet *p, const leaf_batch *r, uint64_t lanes)
 {
-    uint32_t asked = 0, decided = 0;
+    uint32_t asked = 0, escalated = 0;
 
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
-        uint32_t mask = run_lanes(r) & ~excluded_of(p, i, r);
+        uint32_t mask = leaf_batch_lanes(r) & ~excluded_of(p, i, r);
 
         if (!mask)
             continue;
-        decided -= hits_of(p, i)->decided;
+        escalated -= hits_of(p, i)->escalated;
         for (; mask; mask &= mask - 1, asked++)
             ask(p, i, r, first_of(mask));
-        decided += p->hits[i].decided;
+        escalated += p->hits[i].escalated;
     }
-    walker_count(p->context, r, asked, decided);
+    query_context_count(p->context, r, asked, escalated);
 }
 
 static uint64_t leaf_nearest(bvh_traversal *traversal, const void *leaf, uint64_t lanes)
 {
     packet *p = (packet *)(void *)traversal;
-    const run *r;
+    const leaf_batch *r;
 
-    for (r = leaf; r; r = run_next(r)) {
+    for (r = leaf; r; r = leaf_batch_next(r)) {
         const uint64_t exact = exact_of(p, r, lanes);
 
         if (lanes & ~exact)
@@ -138,16 +138,16 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
     for (rest = left; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const deferred *d = &p->deferred[i];
-        const pov_ray *ray = d->run->flags & RUN_PLACED ? &p->context->own.rays[p->of[i]] : p->rays[i];
+        const pov_ray *ray = d->batch->flags & LEAF_INSTANCED ? &p->context->own.rays[p->of[i]] : p->rays[i];
         pov_hits *hits;
 
-        if (d->run->shape != shape) {
+        if (d->batch->shape != shape) {
             others |= bit_of(i);
             continue;
         }
         hits = hits_of(p, i);
-        hits->owner = d->run->object[d->lane];
-        pairs_put(out, run_instance(d->run, d->lane), ray, hits);
+        hits->owner = d->batch->object[d->lane];
+        pairs_put(out, leaf_batch_instance(d->batch, d->lane), ray, hits);
     }
     return others;
 }
@@ -156,26 +156,26 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
 static void resolve_deferred(packet *p)
 {
     uint64_t left = 0, rest;
-    places placed;
+    xform_batch instanced;
     pairs some;
 
-    placed.count = 0;
-    for (rest = p->waiting; rest; rest &= rest - 1) {
+    instanced.count = 0;
+    for (rest = p->deferred_lanes; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
-        const run *r = p->deferred[i].run;
+        const leaf_batch *r = p->deferred[i].batch;
 
         if (is_beyond(p->deferred[i].lo, p->traversal.limit[i]))
             continue;
         left |= bit_of(i);
-        if (r->flags & RUN_PLACED)
-            own_ray(p->context, &placed, run_placement(r), p->rays[i], p->of[i], r->object[0]);
+        if (r->flags & LEAF_INSTANCED)
+            own_ray(p->context, &instanced, leaf_batch_xform(r), p->rays[i], p->of[i], r->object[0]);
     }
-    places_find(&placed);
+    xform_batch_apply(&instanced);
     while (left) {
-        const run *r = p->deferred[first_of64(left)].run;
+        const leaf_batch *r = p->deferred[first_of64(left)].batch;
 
         left = take_class(p, r->shape, left, &some);
-        pairs_ask(p->context, r->shape, run_class(r), &some, true);
+        pairs_ask(p->context, r->shape, leaf_batch_class(r), &some, true);
     }
 }
 
@@ -188,7 +188,7 @@ void packet_nearest(packet *p, bvh_traverse_fn *traverse)
 
 /* ---- the query ---- */
 
-static void begin_from_exits(packet *p, const exits *e)
+static void begin_from_exit_hits(packet *p, const exit_hits *e)
 {
     uint32_t i;
 
@@ -199,7 +199,7 @@ static void begin_from_exits(packet *p, const exits *e)
             continue;
         p->asked |= bit_of(i);
         p->hits[i] = *known;
-        p->traversal.soa.away[i] = p->rays[i]->left;
+        p->traversal.soa.excluded[i] = p->rays[i]->origin_surface;
         if (known->tmax < p->traversal.limit[i])
             lower(p, i, known->tmax);
     }
@@ -208,46 +208,46 @@ static void begin_from_exits(packet *p, const exits *e)
 /* What was hit, as bits of the caller's. */
 static uint64_t end_nearest(packet *p)
 {
-    uint64_t met = 0, rest;
+    uint64_t found = 0, rest;
 
     for (rest = p->asked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
         const pov_hits *hits = &p->hits[i];
         hit *out = &p->out[p->of[i]];
 
-        p->context->decided += hits->decided;
+        p->context->escalated += hits->escalated;
         if (hits->count == 0)
             continue;
         out->object = out->crossing.owner;
-        out->company = 0;
-        met |= bit_of(p->of[i]);
-        SIMD_EXPECT(&p->world->things[out->object]);
-        if (hits->crowded)
-            spot_choose(p->world, p->context, p->rays[i], NULL, out);
+        out->coincident = 0;
+        found |= bit_of(p->of[i]);
+        SIMD_PREFETCH(&p->world->objects_info[out->object]);
+        if (hits->tied)
+            coincidence_resolve(p->world, p->context, p->rays[i], NULL, out);
     }
-    return met;
+    return found;
 }
 
-uint64_t query_nearest(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)
+uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax, hit *out)
 {
     packet_group groups[PACKET_GROUPS];
-    uint64_t met;
+    uint64_t found;
     uint32_t count, i;
     packet p;
-    exits e;
+    exit_hits e;
 
     if (n == 0)
         return 0;
     own_begin(&k->own, out);
     clear_solid_exits(w, k, rays, n, tmax, out, &e);
-    met = e.met;
-    count = packet_divide(w, rays, n, all_of(n) & ~e.met, true, groups);
+    found = e.found;
+    count = packet_divide(w, rays, n, all_of(n) & ~e.found, true, groups);
     for (i = 0; i < count; i++) {
         packet_begin(&p, w, k, rays, groups[i].lanes, tmax, just_beyond(tmax));
         p.out = out;
-        begin_from_exits(&p, &e);
+        begin_from_exit_hits(&p, &e);
         packet_nearest(&p, groups[i].traverse);
-        met |= end_nearest(&p);
+        found |= end_nearest(&p);
     }
-    return met;
+    return found;
 }

@@ -7,15 +7,15 @@
 
 void packet_begin_light(packet *p, uint32_t i)
 {
-    tint_room *room = &p->context->rooms[p->of[i]];
+    hit_buffer *buffer = &p->context->hit_buffers[p->of[i]];
 
     p->asked |= bit_of(i);
-    packet_begin_hits(p, i, &p->hits[i], POV_WANT_ANY, &room->blocking);
+    packet_begin_hits(p, i, &p->hits[i], POV_WANT_ANY, &buffer->blocking);
     if (p->any_blocks)
         return;
-    packet_begin_hits(p, i, &p->filter_hits[i], POV_WANT_ALL, room->crossings);
+    packet_begin_hits(p, i, &p->filter_hits[i], POV_WANT_ALL, buffer->crossings);
     p->filter_hits[i].count_only = !p->world->located;
-    p->filter_hits[i].capacity = room->capacity;
+    p->filter_hits[i].capacity = buffer->capacity;
     p->filter_hits[i].grow = crossings_grow;
 }
 
@@ -26,7 +26,7 @@ static inline void begin_light(packet *p, uint32_t i)
 }
 
 /* True: the path ends here. */
-static bool ask(packet *p, uint32_t i, const run *r, uint32_t lane)
+static bool ask(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane)
 {
     const bool blocks = p->any_blocks || (r->opaque >> lane & 1);
     pov_hits *hits = blocks ? &p->hits[i] : &p->filter_hits[i];
@@ -35,12 +35,12 @@ static bool ask(packet *p, uint32_t i, const run *r, uint32_t lane)
     return blocks && hits->count > 0;
 }
 
-static inline uint32_t decided_of(const packet *p, uint32_t i)
+static inline uint32_t escalated_of(const packet *p, uint32_t i)
 {
-    return p->hits[i].decided + (p->any_blocks ? 0 : p->filter_hits[i].decided);
+    return p->hits[i].escalated + (p->any_blocks ? 0 : p->filter_hits[i].escalated);
 }
 
-static bool ask_some(packet *p, uint32_t i, const run *r, uint32_t mask)
+static bool ask_some(packet *p, uint32_t i, const leaf_batch *r, uint32_t mask)
 {
     uint32_t asked = 0, before;
     bool ended = false;
@@ -48,25 +48,25 @@ static bool ask_some(packet *p, uint32_t i, const run *r, uint32_t mask)
     if (!mask)
         return false;
     begin_light(p, i);
-    before = decided_of(p, i);
+    before = escalated_of(p, i);
     for (; mask && !ended; mask &= mask - 1, asked++)
         ended = ask(p, i, r, first_of(mask));
-    walker_count(p->context, r, asked, decided_of(p, i) - before);
+    query_context_count(p->context, r, asked, escalated_of(p, i) - before);
     return ended;
 }
 
 /* Does it block light for certain? The filter knows nothing of the root that a ray leaves. */
-static inline bool is_blocked(const run *r, const pov_meeting *m, uint32_t blocking, const pov_ray *ray)
+static inline bool is_blocked(const leaf_batch *r, const pov_candidate *m, uint32_t blocking, const pov_ray *ray)
 {
-    return m->surely && (blocking >> m->lane & 1) && r->object[m->lane] != ray->left;
+    return m->definite && (blocking >> m->lane & 1) && r->object[m->lane] != ray->origin_surface;
 }
 
 /* One of a block's that nobody knows enough of. True: the path ends here. */
-static bool take(packet *p, const run *r, const pov_meeting *m)
+static bool take(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const pov_ray *ray = p->rays[m->ray];
 
-    if (!(r->casts >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.away[m->ray]))
+    if (!(r->casts >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
         return false;
     if (!p->any_blocks) {
         begin_light(p, m->ray);
@@ -76,10 +76,10 @@ static bool take(packet *p, const run *r, const pov_meeting *m)
     return ask_some(p, m->ray, r, 1u << m->lane);
 }
 
-static uint64_t filter(packet *p, const run *r, uint64_t lanes)
+static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 {
-    const pov_meeting *const m = p->candidates;
-    const uint32_t n = run_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
+    const pov_candidate *const m = p->candidates;
+    const uint32_t n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, lanes, p->candidates);
     const uint32_t blocking = r->casts & r->plain & (p->any_blocks ? ~0u : r->opaque);
     uint64_t ended = 0;
     uint32_t i;
@@ -96,9 +96,9 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
 {
     packet *p = (packet *)(void *)traversal;
     uint64_t ended = 0;
-    const run *r;
+    const leaf_batch *r;
 
-    for (r = leaf; r && lanes; r = run_next(r)) {
+    for (r = leaf; r && lanes; r = leaf_batch_next(r)) {
         uint64_t exact;
 
         if (r->casts == 0)
@@ -127,16 +127,17 @@ uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse)
 
 bool crossings_grow(pov_hits *hits)
 {
-    tint_room *room = hits->user;
-    size_t capacity = room->capacity;
+    hit_buffer *buffer = hits->user;
+    size_t capacity = buffer->capacity;
 
     if (capacity > UINT32_MAX / 2 ||
-        !vec_reserve(room->walker->env, (void **)&room->crossings, &capacity, hits->count, sizeof *room->crossings)) {
-        room->walker->failed = true;
+        !vec_reserve(buffer->context->env, (void **)&buffer->crossings, &capacity, hits->count,
+                     sizeof *buffer->crossings)) {
+        buffer->context->failed = true;
         return false;
     }
-    room->capacity = hits->capacity = (uint32_t)capacity;
-    hits->at = room->crossings;
+    buffer->capacity = hits->capacity = (uint32_t)capacity;
+    hits->at = buffer->crossings;
     return true;
 }
 
@@ -183,7 +184,7 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
         const pov_hits *hits = &p->filter_hits[i];
 
         if (is_asked)
-            p->context->decided += decided_of(p, i);
+            p->context->escalated += escalated_of(p, i);
         if (blocked >> i & 1) {
             dark |= bit_of(of);
         } else if (is_asked && !p->any_blocks && hits->count > 0) {
@@ -207,12 +208,12 @@ static void note_exits(packet *p)
     for (i = 0; i < p->traversal.count; i++)
         if (clear_solid_light_exits(p->world, p->rays[i], p->tmax)) {
             packet_begin_light(p, i);
-            clear_solid_note(&p->filter_hits[i], p->rays[i]->left);
-            p->traversal.soa.away[i] = p->rays[i]->left;
+            clear_solid_note(&p->filter_hits[i], p->rays[i]->origin_surface);
+            p->traversal.soa.excluded[i] = p->rays[i]->origin_surface;
         }
 }
 
-uint64_t query_occlusion(const world *w, walker *k, const pov_ray *const *rays, uint32_t n, double tmax,
+uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax,
                          occlusion *out)
 {
     packet_group groups[PACKET_GROUPS];
@@ -234,7 +235,7 @@ uint64_t query_occlusion(const world *w, walker *k, const pov_ray *const *rays, 
     return all_of(n) & ~dark;
 }
 
-bool query_blocked(const world *w, walker *k, const pov_ray *ray, double tmax)
+bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax)
 {
     occlusion none;
     packet p;

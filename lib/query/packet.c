@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Lanes are gone through by eights; so few that none can go together, by four. */
+/* Lanes are gone through in groups of eight; so few that none can go together, by four. */
 static inline uint32_t width(uint32_t n) { return n <= 4 ? 4 : (n + 7) & ~7u; }
 
 /* True: all are in the range that filters are promised. */
@@ -11,7 +11,7 @@ SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, dou
     int64_t all = -1;
 
     for (uint32_t i = 0; i < n; i++)
-        all &= side_derive(s, i, end, length);
+        all &= ray_soa_derive(s, i, end, length);
     return all != 0;
 }
 
@@ -22,7 +22,7 @@ static uint64_t derive_all(bvh_traversal *t, double end)
 
     if (!derive(&t->soa, width(t->count), end, t->length))
         for (uint32_t i = 0; i < t->count; i++)
-            odd |= side_derive(&t->soa, i, end, t->length) ? 0 : bit_of(i);
+            odd |= ray_soa_derive(&t->soa, i, end, t->length) ? 0 : bit_of(i);
     return odd;
 }
 
@@ -46,14 +46,14 @@ static void take_rays(packet *p, const pov_ray *const *rays, uint64_t which)
     for (i = n; i < width(n); i++)
         p->rays[i] = p->rays[n - 1];
     for (i = 0; i < width(n); i += 4)
-        side_put_four(&t->soa, i, p->rays + i);
+        ray_soa_put_four(&t->soa, i, p->rays + i);
     for (i = 0; i < width(n); i++)
         t->limit[i] = p->tmax;
     t->count = n;
     t->lanes = all_of(n);
 }
 
-void packet_begin(packet *p, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
                   double end)
 {
     p->traversal.tree = &w->tree;
@@ -63,7 +63,7 @@ void packet_begin(packet *p, const world *w, walker *k, const pov_ray *const *ra
     p->world = w;
     p->context = k;
     p->tmax = tmax;
-    p->asked = p->waiting = 0;
+    p->asked = p->deferred_lanes = 0;
     p->from = NULL;
     take_rays(p, rays, which);
     p->exact = derive_all(&p->traversal, end);
@@ -162,12 +162,12 @@ uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, u
 
 /* ---- shapes and rays that are asked side by side ---- */
 
-void pairs_ask(walker *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed)
+void pairs_ask(query_context *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed)
 {
-    uint32_t decided = 0, i;
+    uint32_t escalated = 0, i;
 
     for (i = 0; i < some->count; i++)
-        decided -= some->hits[i]->decided;
+        escalated -= some->hits[i]->escalated;
     if (crossed && shape->cross_many != NULL)
         shape->cross_many(some->selves, some->rays, some->hits, some->count);
     else if (shape->intersect_many != NULL)
@@ -176,6 +176,6 @@ void pairs_ask(walker *k, const shape_class *shape, uint32_t class_number, pairs
         for (i = 0; i < some->count; i++)
             shape->intersect(some->selves[i], some->rays[i], some->hits[i]);
     for (i = 0; i < some->count; i++)
-        decided += some->hits[i]->decided;
-    walker_count_class(k, class_number, some->count, decided);
+        escalated += some->hits[i]->escalated;
+    query_context_count_class(k, class_number, some->count, escalated);
 }

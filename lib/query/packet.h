@@ -7,35 +7,35 @@
 #include "bvh/ray_soa.h"
 
 /* A shape that a lane certainly hits, at lo or later; which hit is the nearest of all is found later. */
-typedef struct deferred { const run *run; uint32_t lane; double lo; } deferred;
+typedef struct deferred { const leaf_batch *batch; uint32_t lane; double lo; } deferred;
 
 /* Most rays never come to need hits of their own, so these are begun when they do. */
 typedef struct packet {
     bvh_traversal traversal;     /* first: leaves are handed this */
     const world *world;
-    walker *context;
+    query_context *context;
     const pov_ray *rays[WORLD_MANY];
     uint8_t of[WORLD_MANY];      /* by lane: which of the caller's it is */
     double tmax;
     uint64_t exact;              /* lanes that no filter may be asked for */
     uint64_t asked;              /* lanes whose hits have been begun */
-    const spot *from;            /* what the only ray starts on, or NULL; it is `named` then */
+    const coincident_set *from;  /* what the only ray starts on, or NULL; it is `named` then */
     pov_ray named;
     hit *out;                    /* the caller's, where the nearest is asked for */
-    uint64_t waiting;            /* lanes that have deferred a shape */
+    uint64_t deferred_lanes;     /* lanes that have deferred a shape */
     bool any_blocks;             /* light is asked for: shapes block, transparent or not */
     deferred deferred[WORLD_MANY];
     pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: of transparent shapes on a path of light */
-    pov_meeting candidates[POV_MEETINGS_MAX];
+    pov_candidate candidates[POV_CANDIDATES_MAX];
 } packet;
 
 static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
 static inline uint64_t all_of(uint32_t n) { return ~(uint64_t)0 >> (WORLD_MANY - n); }
 
-/* What may tie with the nearest must be asked. A limit is at least the true distance of the nearest crossing, and a filter's
- * bounds are for true distances. Reported ones are off by 32 units in the last place, 2^-47 of them, and tie within
- * POV_NEAR, 2^-46: two that tie differ by less than 2 * 2^-47 + 2^-46 = 2^-45 in truth, but for products of these and
- * the rounding here. */
+/* What may tie with the nearest must be asked. A limit is at least the true distance of the nearest crossing, and a
+ * filter's bounds are for true distances. Reported ones are off by 32 units in the last place, 2^-47 of them, and tie
+ * within POV_COINCIDENT, 2^-46: two that tie differ by less than 2 * 2^-47 + 2^-46 = 2^-45 in truth, but for products
+ * of these and the rounding here. */
 #define PACKET_TIE 0x1p-44
 
 static inline double just_beyond(double limit)
@@ -58,48 +58,49 @@ static inline void lower(packet *p, uint32_t i, double limit)
 
 /* ---- lanes and shapes ---- */
 
-/* The convex shape that a ray left outward cannot be hit, and the exit of the closed one that it went into is known. away:
- * which it is. */
-static inline bool is_excluded(const run *r, uint32_t lane, const pov_ray *ray, uint32_t away)
+/* The convex shape that a ray left outward cannot be hit, and the exit of the closed one that it went into is known.
+ * excluded: which it is. */
+static inline bool is_excluded(const leaf_batch *r, uint32_t lane, const pov_ray *ray, uint32_t excluded)
 {
-    return r->object[lane] == away && (r->plain >> lane & 1) &&
-           ((r->shape->flags & POV_SHAPE_CONVEX) || (ray->left_mark.flags & POV_MARK_CLOSED));
+    return r->object[lane] == excluded && (r->plain >> lane & 1) &&
+           ((r->shape->flags & POV_SHAPE_CONVEX) || (ray->origin_mark.flags & POV_MARK_CLOSED));
 }
 
-static inline uint32_t excluded_of(const packet *p, uint32_t i, const run *r)
+static inline uint32_t excluded_of(const packet *p, uint32_t i, const leaf_batch *r)
 {
-    const uint32_t away = p->traversal.soa.away[i];
+    const uint32_t excluded = p->traversal.soa.excluded[i];
     uint32_t lane;
 
-    for (lane = 0; away != POV_NOBODY && lane < r->count; lane++)
-        if (is_excluded(r, lane, p->rays[i], away))
+    for (lane = 0; excluded != POV_NO_OWNER && lane < r->count; lane++)
+        if (is_excluded(r, lane, p->rays[i], excluded))
             return 1u << lane;
     return 0;
 }
 
 /* Lanes that are not filtered: all, where a ray starts on the only shape. A filter would say "perhaps"; the shape knows the
  * rest by name. */
-static inline uint64_t exact_of(const packet *p, const run *r, uint64_t lanes)
+static inline uint64_t exact_of(const packet *p, const leaf_batch *r, uint64_t lanes)
 {
-    const bool left = r->count == 1 && (lanes & (lanes - 1)) == 0 && p->rays[first_of64(lanes)]->left == r->object[0];
+    const bool left = r->count == 1 && (lanes & (lanes - 1)) == 0 &&
+        p->rays[first_of64(lanes)]->origin_surface == r->object[0];
 
-    return !(r->flags & RUN_PACKED) || left ? lanes : lanes & p->exact;
+    return !(r->flags & LEAF_PACKED) || left ? lanes : lanes & p->exact;
 }
 
 /* How the surfaces of `from` are named when their owners are asked: each by its own mark, others not at all. */
 void packet_name(packet *p, uint32_t owner);
 
-static inline void packet_intersect(packet *p, uint32_t i, const run *r, uint32_t lane, pov_hits *hits)
+static inline void packet_intersect(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane, pov_hits *hits)
 {
     hits->owner = r->object[lane];
     if (p->from)
         packet_name(p, hits->owner);
-    run_intersect(r, lane, p->rays[i], hits);
+    leaf_batch_intersect(r, lane, p->rays[i], hits);
 }
 
 static inline void packet_begin_hits(const packet *p, uint32_t i, pov_hits *hits, pov_want want, pov_crossing *at)
 {
-    hits_begin(hits, p->world, &p->context->rooms[p->of[i]], p->tmax, want, at);
+    hits_begin(hits, p->world, &p->context->hit_buffers[p->of[i]], p->tmax, want, at);
 }
 
 /* ---- a query ---- */
@@ -112,7 +113,7 @@ uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, u
                        packet_group groups[PACKET_GROUPS]);
 
 /* Take the rays that `which` names; filters are to look up to `end`. */
-void packet_begin(packet *p, const world *w, walker *k, const pov_ray *const *rays, uint64_t which, double tmax,
+void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
                   double end);
 /* Through the lists and the tree. Gives the lanes that a leaf ended. */
 uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest);
@@ -144,17 +145,17 @@ static inline void pairs_put(pairs *some, const void *self, const pov_ray *ray, 
 }
 
 /* crossed: all of them certainly are. */
-void pairs_ask(walker *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed);
+void pairs_ask(query_context *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed);
 
 /* The ray that an instance is asked with, which is found with the others of `some`; it is kept for the normal. */
-static inline const pov_ray *own_ray(walker *k, places *some, const placement *at, const pov_ray *ray, uint32_t which,
-                                     uint32_t owner)
+static inline const pov_ray *own_ray(query_context *k, xform_batch *some, const instance_xform *at, const pov_ray *ray,
+                                     uint32_t which, uint32_t owner)
 {
     pov_ray *own = &k->own.rays[which];
 
     k->own.of[which] = owner;
     k->own.known |= bit_of(which);
-    places_put(some, at, ray, own);
+    xform_batch_add(some, at, ray, own);
     return own;
 }
 

@@ -1,8 +1,9 @@
 #include "query/passage.h"
 
-bool passage_step(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *h, spot *on)
+bool passage_step(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *h,
+                  coincident_set *on)
 {
-    const uint32_t which = from ? spot_crossed(from, ray->dir) : 0;
+    const uint32_t which = from ? coincidence_crossed(from, ray->dir) : 0;
 
     on->count = 0;
     if (from && which < from->count) {
@@ -13,12 +14,12 @@ bool passage_step(const world *w, walker *k, const pov_ray *ray, const spot *fro
     }
     if (!(from ? query_nearest_from(w, k, from, ray, HUGE_VAL, h) : query_nearest(w, k, &ray, 1, HUGE_VAL, h) != 0))
         return false;
-    if (h->company)
-        world_spot(w, k, ray, from, h, on);
+    if (h->coincident)
+        world_coincident(w, k, ray, from, h, on);
     return true;
 }
 
-uint32_t passage_which(const spot *on, uint32_t object)
+uint32_t passage_which(const coincident_set *on, uint32_t object)
 {
     uint32_t which = 0;
 
@@ -30,20 +31,20 @@ uint32_t passage_which(const spot *on, uint32_t object)
 bool passage_next(passage *p, hit *h)
 {
     const pov_vec3 from = p->ray.org;
-    spot on;
+    coincident_set on;
 
-    if (!passage_step(p->world, p->walker, &p->ray, p->on.count > 0 ? &p->on : NULL, h, &on) ||
-        walker_failed(p->walker))
+    if (!passage_step(p->world, p->context, &p->ray, p->on.count > 0 ? &p->on : NULL, h, &on) ||
+        query_context_failed(p->context))
         return false;
     if (on.count == 0)
         world_surface(p->world, &p->ray, h);
     else
-        spot_pass(&on, passage_which(&on, h->object));
+        coincidence_pass(&on, passage_which(&on, h->object));
     p->on = on;
     p->ray.org = h->point;
     p->ray.org_lo = h->point_lo;
-    p->ray.left = h->object;
-    p->ray.left_mark = h->crossing.mark;
+    p->ray.origin_surface = h->object;
+    p->ray.origin_mark = h->crossing.mark;
     p->zero_steps = passage_zero_steps(p->zero_steps, from, h->point);
     return p->zero_steps <= PASSAGE_ZERO_STEPS_MAX;
 }

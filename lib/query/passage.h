@@ -11,9 +11,10 @@ enum { PASSAGE_ZERO_STEPS_MAX = 1000 };
 /* What a ray meets next: one of the surfaces `from` that it starts on, which it crosses at once, or else what comes next;
  * NULL: it starts on none. on: the surfaces that lie there, if there are several, else its count is 0. False: nothing. The
  * hit's point and normal are only known where there are several. */
-bool passage_step(const world *w, walker *k, const pov_ray *ray, const spot *from, hit *h, spot *on);
+bool passage_step(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *h,
+                  coincident_set *on);
 /* Which of the surfaces is the object's. */
-uint32_t passage_which(const spot *on, uint32_t object);
+uint32_t passage_which(const coincident_set *on, uint32_t object);
 /* How many crossings in a row did not move the ray. */
 static inline int passage_zero_steps(int before, pov_vec3 from, pov_vec3 to)
 {
@@ -23,9 +24,9 @@ static inline int passage_zero_steps(int before, pov_vec3 from, pov_vec3 to)
 /* A ray under way, and the surfaces that it stands on, if there are several. */
 typedef struct passage {
     const world *world;
-    walker *walker;
+    query_context *context;
     pov_ray ray;
-    spot on;
+    coincident_set on;
     int zero_steps;
 } passage;
 

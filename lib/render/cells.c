@@ -210,21 +210,21 @@ SIMD_CLONES static bool is_within(const float *rgba, int pixels)
     return !outside;
 }
 
-/* A row in linear light: the row itself, or a copy in `room`. */
-static const float *linear_row(const encoding *e, const float *row, int width, float *room)
+/* A row in linear light: the row itself, or a copy in `buffer`. */
+static const float *linear_row(const encoding *e, const float *row, int width, float *buffer)
 {
     if (e->decode == 1.0)
         return row;
-    memcpy(room, row, 4 * sizeof *row * (size_t)width);
-    encoding_linear(e, room, width);
-    return room;
+    memcpy(buffer, row, 4 * sizeof *row * (size_t)width);
+    encoding_linear(e, buffer, width);
+    return buffer;
 }
 
 /* Counts that were not added are zero since cells_clear(). */
-void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
+void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *e)
 {
     cell_range r = cells_of(tile);
-    float room[4 * TILE_EDGE_MAX];
+    float buffer[4 * TILE_EDGE_MAX];
 
     for (int row = 0; row < r.rows; row++)
         for (int i = 0; i < GROUPS * r.columns; i++) {
@@ -232,7 +232,7 @@ void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e)
             first->count = first->target = 1;
         }
     for (int y = 0; y < tile.height; y++) {
-        const float *row = frame_pixels(f, tile.x, tile.y + y), *linear = linear_row(e, row, tile.width, room);
+        const float *row = framebuffer_pixels(f, tile.x, tile.y + y), *linear = linear_row(e, row, tile.width, buffer);
 
         for (int x = 0; c->halves && x < tile.width; x++)
             for (int i = 0; i < 6; i++)

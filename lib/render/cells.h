@@ -3,7 +3,7 @@
 #ifndef RENDER_CELLS_H
 #define RENDER_CELLS_H
 
-#include "render/frame.h"
+#include "render/framebuffer.h"
 
 /* The pixels of a cell form two groups, like the black and the white fields of a chess board. The measurements of one
  * group decide the number of samples of the other: a pixel that looks right by chance does not get fewer samples for
@@ -65,7 +65,7 @@ static inline size_t group_of(int columns, int x, int y)
 void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves);
 void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves);
 /* The first sample of each pixel of a tile is complete: it becomes the first half's. */
-void cells_first(cells *c, pov_rect tile, const frame *f, const encoding *e);
+void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *e);
 /* Compute the tile's pixels from its halves, four channels each, and measure its cells. */
 void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *groups, showing *shown,
                    const double *halves, float *pixels);

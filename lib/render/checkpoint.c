@@ -144,8 +144,8 @@ static void image(const pov_job *job, unsigned char *to)
         return;
     }
     for (size_t i = 0; i < square_count(job); i++)
-        *to++ = job->frame.done[tile_of_square(job, i)];
-    put(to, job->frame.pixels, 4 * sizeof(float) * pixel_count(job));
+        *to++ = job->framebuffer.done[tile_of_square(job, i)];
+    put(to, job->framebuffer.pixels, 4 * sizeof(float) * pixel_count(job));
 }
 
 pov_status job_save(pov_job *job, const char *file, pov_error *err)
@@ -247,7 +247,7 @@ static bool are_halves_possible(const pov_job *job, const unsigned char *at)
 static bool are_lattices_possible(const pov_job *job, const unsigned char *bits)
 {
     for (size_t i = 0; i < square_count(job); i++)
-        if (bits[i] >> job->frame.passes)
+        if (bits[i] >> job->framebuffer.passes)
             return false;
     return true;
 }
@@ -273,24 +273,24 @@ static void take_lattices(pov_job *job, const unsigned char *bits)
 {
     size_t tiles_count = job->tiles.count;
 
-    memset(job->frame.done, 0xff, tiles_count);
+    memset(job->framebuffer.done, 0xff, tiles_count);
     for (size_t i = 0; i < square_count(job); i++)
-        job->frame.done[tile_of_square(job, i)] &= bits[i];
-    memcpy(job->frame.pixels, bits + square_count(job), 4 * sizeof(float) * pixel_count(job));
+        job->framebuffer.done[tile_of_square(job, i)] &= bits[i];
+    memcpy(job->framebuffer.pixels, bits + square_count(job), 4 * sizeof(float) * pixel_count(job));
     cells_clear(&job->cells);
     for (size_t i = 0; i < tiles_count; i++) {
         pov_rect r = tiles_rect(&job->tiles, i);
 
-        for (int pass = 0; pass < job->frame.passes; pass++)
-            if (job->frame.done[i] >> pass & 1u) {
+        for (int pass = 0; pass < job->framebuffer.passes; pass++)
+            if (job->framebuffer.done[i] >> pass & 1u) {
                 job->committed++;
                 job->lattices[pass].tiles++;
-                job->done_pixels += lattice_pixels(frame_lattice(&job->frame, pass), r.width, r.height);
+                job->done_pixels += lattice_pixels(framebuffer_lattice(&job->framebuffer, pass), r.width, r.height);
             }
-        if (frame_has(&job->frame, i))
-            cells_first(&job->cells, r, &job->frame, &job->encoding);
+        if (framebuffer_has(&job->framebuffer, i))
+            cells_first(&job->cells, r, &job->framebuffer, &job->encoding);
     }
-    while (job->lattices_ended + 1 < job->frame.passes && job->lattices[job->lattices_ended].tiles == tiles_count)
+    while (job->lattices_ended + 1 < job->framebuffer.passes && job->lattices[job->lattices_ended].tiles == tiles_count)
         job->lattices_ended++;
     passes_skip(job);
 }
@@ -304,8 +304,8 @@ static void take_halves(pov_job *job, const unsigned char *halves, refinement *p
         cells_take(&job->cells, r, part->groups, part->shown, part->halves);
         cells_measure(&job->cells, r, &job->encoding, part->groups, part->shown, part->halves, pixels);
         cells_put(&job->cells, r, part->groups, part->shown, part->halves);
-        job->frame.done[i] = (uint8_t)((1u << job->frame.passes) - 1u);
-        frame_replace(&job->frame, i, pixels);
+        job->framebuffer.done[i] = (uint8_t)((1u << job->framebuffer.passes) - 1u);
+        framebuffer_replace(&job->framebuffer, i, pixels);
     }
     for (size_t i = 0; i < GROUPS * job->cells.count; i++)
         job->done_pixels += cells_pixels(&job->cells, i) * job->cells.groups[i].count;

@@ -11,8 +11,10 @@ static pov_status make_parts(pov_job *job, pov_error *err)
     const settings *s = &job->settings;
 
     tiles_make(&job->tiles, s->crop.width, s->crop.height, s->threads);
-    if (!frame_make(&job->frame, job->env, &job->tiles, s->first_step) || !tiles_sort(&job->tiles, job->env))
-        return err_set(err, POV_E_MEMORY, "no memory for a picture of %d x %d pixels", s->crop.width, s->crop.height);
+    if (!framebuffer_make(&job->framebuffer, job->env, &job->tiles, s->first_step) ||
+        !tiles_sort(&job->tiles, job->env)) return err_set(err, POV_E_MEMORY,
+                                                           "no memory for a picture of %d x %d pixels", s->crop.width,
+                                                               s->crop.height);
     job->all_pixels = (size_t)s->crop.width * (size_t)s->crop.height;
     if (!cells_make(&job->cells, job->env, s->crop.width, s->crop.height, s->sampling, s->reference != NULL))
         return err_memory(err);
@@ -51,7 +53,7 @@ static void free_parts(pov_job *job)
     env_free(job->env, job->scratch);
     env_free(job->env, job->queue);
     env_free(job->env, job->rows.items);
-    frame_free(&job->frame, job->env);
+    framebuffer_free(&job->framebuffer, job->env);
     tiles_free(&job->tiles, job->env);
     env_free(job->env, job);
 }
@@ -194,7 +196,7 @@ static void work(pov_job *job, worker *w)
     if (worker_prepare(w, job->scene, ask_whether_to_give_up, &error) == POV_OK) {
         whole = trace(job, w);
         fresh = worker_count(w);
-        walker_take_classes(w->tracer->context.walker, &classes);
+        query_context_take_classes(w->tracer->context.context, &classes);
         if (w->tracer->context.failed)
             err_memory(&error);
     }
@@ -277,7 +279,7 @@ static void *run(void *user)
 
     spend(w);
     /* Otherwise the first tile in each part would ask for it with the lock held, and all other threads would wait. */
-    frame_touch(&job->frame, w->number, (size_t)job->settings.threads);
+    framebuffer_touch(&job->framebuffer, w->number, (size_t)job->settings.threads);
     mutex_lock(&job->lock);
     while (!job->closing) {
         passes_expire(job);

@@ -3,7 +3,7 @@
 #define RENDER_JOB_STATE_H
 
 #include "base/thread.h"
-#include "render/frame.h"
+#include "render/framebuffer.h"
 #include "render/job.h"
 #include "render/refine.h"
 #include "render/settings.h"
@@ -35,7 +35,7 @@ struct pov_job {
     bool closing, paused;
     uint64_t generation;
     pov_camera camera;
-    frame frame;
+    framebuffer framebuffer;
     cells cells;
     double *scratch;             /* one number for each group of a cell */
     uint32_t *queue;             /* tiles in which the current pass of more samples has work */

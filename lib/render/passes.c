@@ -13,7 +13,7 @@ void passes_begin(pov_job *job)
 {
     pov_counts none = { 0 };
 
-    job->due = job->tiles.count * (size_t)job->frame.passes;
+    job->due = job->tiles.count * (size_t)job->framebuffer.passes;
     job->earlier = 0.0;
     job->claimed = job->committed = 0;
     job->done_pixels = 0;
@@ -34,7 +34,7 @@ void passes_skip(pov_job *job)
     size_t all = job->tiles.count;
 
     while (!job->refining && job->claimed < job->due &&
-           (job->frame.done[job->tiles.order[job->claimed % all]] >> job->claimed / all & 1u))
+           (job->framebuffer.done[job->tiles.order[job->claimed % all]] >> job->claimed / all & 1u))
         job->claimed++;
 }
 
@@ -46,13 +46,13 @@ void passes_claim(pov_job *job, worker *w)
     c->generation = job->generation;
     c->camera = job->camera;
     c->refining = job->refining;
-    c->pass = job->refining ? job->frame.passes : (int)(number / all);
+    c->pass = job->refining ? job->framebuffer.passes : (int)(number / all);
     c->tile = job->refining ? job->queue[number] : job->tiles.order[number % all];
     c->rect = tiles_rect(&job->tiles, c->tile);
     if (c->refining)
         cells_take(&job->cells, c->rect, w->refinement->groups, w->refinement->shown, w->refinement->halves);
     else
-        c->lattice = frame_lattice(&job->frame, c->pass);
+        c->lattice = framebuffer_lattice(&job->framebuffer, c->pass);
     passes_skip(job);
 }
 
@@ -91,7 +91,7 @@ static bool note_lattice(pov_job *job, int pass)
     row.counts = none;
     for (int i = 0; i <= pass; i++) {
         counts_add(&row.counts, &job->lattices[i].counts);
-        pixels += lattice_pixels(frame_lattice(&job->frame, i), job->tiles.width, job->tiles.height);
+        pixels += lattice_pixels(framebuffer_lattice(&job->framebuffer, i), job->tiles.width, job->tiles.height);
     }
     row.spp_mean = (double)pixels / (double)job->all_pixels;
     row.spp_max = 1;
@@ -105,7 +105,7 @@ static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
 {
     job->lattices[pass].tiles++;
     counts_add(&job->lattices[pass].counts, fresh);
-    while (job->lattices_ended + 1 < job->frame.passes &&
+    while (job->lattices_ended + 1 < job->framebuffer.passes &&
            job->lattices[job->lattices_ended].tiles == job->tiles.count)
         if (!note_lattice(job, job->lattices_ended++))
             job_fail_memory(job);
@@ -207,19 +207,19 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class
     counts_add(&job->counts, fresh);
     for (int i = 0; i < WORLD_CLASSES; i++) {
         job->classes.of[i].asked += classes->of[i].asked;
-        job->classes.of[i].decided += classes->of[i].decided;
+        job->classes.of[i].escalated += classes->of[i].escalated;
     }
     if (w->meter)
         cells_spend(&job->cells, c->rect, w->meter->spent);
     if (c->refining) {
         job->done_pixels += samples_more(job, c);
         cells_put(&job->cells, c->rect, w->refinement->groups, w->refinement->shown, w->refinement->halves);
-        frame_replace(&job->frame, c->tile, w->pixels);
+        framebuffer_replace(&job->framebuffer, c->tile, w->pixels);
     } else {
         job->done_pixels += lattice_pixels(c->lattice, c->rect.width, c->rect.height);
-        frame_put(&job->frame, c->tile, c->pass, w->pixels);
-        if (frame_has(&job->frame, c->tile))
-            cells_first(&job->cells, c->rect, &job->frame, &job->encoding);
+        framebuffer_put(&job->framebuffer, c->tile, c->pass, w->pixels);
+        if (framebuffer_has(&job->framebuffer, c->tile))
+            cells_first(&job->cells, c->rect, &job->framebuffer, &job->encoding);
         count_lattice(job, c->pass, fresh);
     }
     if (++job->committed == job->due) {

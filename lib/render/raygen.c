@@ -15,7 +15,7 @@ pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y
 
 void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n)
 {
-    const pov_ray ray = { .org = camera->location, .left = POV_NOBODY };
+    const pov_ray ray = { .org = camera->location, .origin_surface = POV_NO_OWNER };
 
     for (uint32_t i = 0; i < n; i++)
         rays[i] = ray;

@@ -20,7 +20,7 @@ typedef struct raygen_places {
  * u, those of a row v. */
 typedef struct raygen_screen { double u[RAYGEN_MANY], v[RAYGEN_MANY]; } raygen_screen;
 
-/* From -1/2 to 1/2, symmetric to the bit about the middle. */
+/* From -1/2 to 1/2, symmetric bit for bit about the middle. */
 static inline double raygen_u(int x, double dx, int width) { return (((double)x - 0.5 * width) + dx) / width; }
 static inline double raygen_v(int y, double dy, int height) { return -raygen_u(y, dy, height); }
 void raygen_place(const raygen_places *p, int width, int height, uint32_t n, raygen_screen *out);

@@ -27,15 +27,15 @@ void refinement_free(refinement *r, const env *e)
 }
 
 /* A packet of rays that is filled group by group: neighbouring groups with few samples share one. */
-typedef struct company {
+typedef struct packet {
     uint32_t count;
     raygen_places through;
     double *sums[BATCH_MAX];     /* the half of the pixel that the ray's colour is added to */
     int cells[BATCH_MAX];        /* cell of the ray, within the tile */
     pov_ray rays[BATCH_MAX];
-} company;
+} packet;
 
-static void trace_company(worker *w, const settings *s, company *c)
+static void trace_packet(worker *w, const settings *s, packet *c)
 {
     colour seen[BATCH_MAX];
     raygen_screen through;
@@ -57,7 +57,7 @@ static void trace_company(worker *w, const settings *s, company *c)
 }
 
 /* The k-th sample of a pixel of a cell of the claimed tile. */
-static void add_sample(worker *w, const settings *s, company *c, int cell, int x, int y, uint32_t k)
+static void add_sample(worker *w, const settings *s, packet *c, int cell, int x, int y, uint32_t k)
 {
     const pov_rect tile = w->claim.rect;
     const int px = s->crop.x + tile.x + x, py = s->crop.y + tile.y + y;
@@ -72,11 +72,11 @@ static void add_sample(worker *w, const settings *s, company *c, int cell, int x
     c->sums[n] = w->refinement->halves + 6 * (y * tile.width + x) + 3 * (k & 1u);
     c->cells[n] = cell;
     if (c->count == BATCH_MAX)
-        trace_company(w, s, c);
+        trace_packet(w, s, c);
 }
 
 /* Take the next samples of all pixels of a group. False: given up. */
-static bool refine_group(worker *w, const settings *s, cell_range range, int number, company *c)
+static bool refine_group(worker *w, const settings *s, cell_range range, int number, packet *c)
 {
     group *g = &w->refinement->groups[number];
     pov_rect tile = w->claim.rect;
@@ -98,7 +98,7 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
 {
     cell_range range = cells_of(w->claim.rect);
     refinement *r = w->refinement;
-    company together;
+    packet together;
 
     meter_begin(w->meter);
     together.count = 0;
@@ -106,7 +106,7 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
         if (!refine_group(w, s, range, i, &together))
             return false;
-    trace_company(w, s, &together);
+    trace_packet(w, s, &together);
     if (worker_is_given_up(w))
         return false;
     cells_measure(c, w->claim.rect, e, r->groups, r->shown, r->halves, w->pixels);

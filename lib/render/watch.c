@@ -119,7 +119,7 @@ static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels forma
         int step;
 
         mutex_lock(&job->lock);
-        step = frame_row(&job->frame, tile, part.x, part.y + y, part.width, row);
+        step = framebuffer_row(&job->framebuffer, tile, part.x, part.y + y, part.width, row);
         mutex_unlock(&job->lock);
         if (step == above && (part.y + y - all.y) % step != 0)
             memcpy(dst, dst - stride, pixel_bytes * (size_t)part.width);
@@ -151,7 +151,7 @@ void job_restart(pov_job *job, const pov_camera *camera)
     job->generation++;
     if (camera)
         job->camera = *camera;
-    frame_clear(&job->frame);
+    framebuffer_clear(&job->framebuffer);
     memset(job->dirty, 0, job->tiles.count * sizeof *job->dirty);
     job->dirty_count = 0;
     passes_begin(job);
@@ -185,7 +185,7 @@ void job_cancel(pov_job *job)
 /* Passes of more samples are not counted in advance. The lock is held. */
 static void count_passes(const pov_job *job, pov_progress *out)
 {
-    int lattices = job->frame.passes, pass = (int)(job->claimed / job->tiles.count) + 1;
+    int lattices = job->framebuffer.passes, pass = (int)(job->claimed / job->tiles.count) + 1;
 
     out->passes = lattices;
     out->pass = pass < lattices ? pass : lattices;
@@ -236,7 +236,7 @@ bool job_get_class(pov_job *job, size_t index, pov_class_counts *out)
         return false;
     mutex_lock(&job->lock);
     out->asked = job->classes.of[index].asked;
-    out->decided = job->classes.of[index].decided;
+    out->escalated = job->classes.of[index].escalated;
     mutex_unlock(&job->lock);
     return true;
 }

@@ -40,12 +40,12 @@ pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *wor
 }
 
 /* A packet of rays: those of the pixels of a block of the lattice. */
-typedef struct company {
+typedef struct packet {
     uint32_t count;
     raygen_screen through;
     float *out[BATCH_MAX];
     SIMD_ALIGNED pov_ray rays[BATCH_MAX];
-} company;
+} packet;
 
 /* Screen coordinates of the centres of the tile's columns and rows of pixels. */
 typedef struct middles { double u[TILE_EDGE_MAX], v[TILE_EDGE_MAX]; } middles;
@@ -59,7 +59,7 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
         m->v[y] = raygen_v(s->crop.y + tile.y + y, 0.5, s->height);
 }
 
-static void trace_company(worker *w, company *c)
+static void trace_packet(worker *w, packet *c)
 {
     colour seen[BATCH_MAX];
     const unsigned known = raygen_aim(&w->claim.camera, &c->through, c->count, c->rays);
@@ -73,7 +73,7 @@ static void trace_company(worker *w, company *c)
 }
 
 /* Positions of the rays within their pixels, if those are not the centres. */
-static void take_samples(worker *w, company *c, const settings *s)
+static void take_samples(worker *w, packet *c, const settings *s)
 {
     const pov_rect tile = w->claim.rect;
     raygen_places p;
@@ -92,7 +92,7 @@ static void take_samples(worker *w, company *c, const settings *s)
 }
 
 /* The lattice's pixels of one row of the tile, from `left` on. */
-static void take_row(company *c, const middles *m, lattice l, int left, int right, int y, float *row)
+static void take_row(packet *c, const middles *m, lattice l, int left, int right, int y, float *row)
 {
     /* Pixels that a coarser pass has traced are left out: every other pixel of its rows, and no pixel of the rows
      * between. */
@@ -110,7 +110,7 @@ static void take_row(company *c, const middles *m, lattice l, int left, int righ
 }
 
 /* A block is a square of the lattice's pixels, (left, top) its corner in the tile. */
-static void trace_block(worker *w, company *together, const settings *s, const middles *m, int left, int top, int edge)
+static void trace_block(worker *w, packet *together, const settings *s, const middles *m, int left, int top, int edge)
 {
     const pov_rect tile = w->claim.rect;
     const int right = left + edge < tile.width ? left + edge : tile.width;
@@ -119,14 +119,14 @@ static void trace_block(worker *w, company *together, const settings *s, const m
     const int height = tile.height - top < edge ? tile.height - top : edge;
     const pov_rect part = { tile.x + left, tile.y + top, right - left, height };
 
-    frame_expect(&w->job->frame, part);
+    framebuffer_prefetch(&w->job->framebuffer, part);
     together->count = 0;
     for (int y = top; y < top + height; y += l.step)
         take_row(together, m, l, left, right, y, w->pixels + 4 * y * tile.width);
     if (s->sampling)
         take_samples(w, together, s);
     if (together->count > 0)
-        trace_company(w, together);
+        trace_packet(w, together);
 }
 
 bool worker_trace(worker *w, const settings *s)
@@ -134,7 +134,7 @@ bool worker_trace(worker *w, const settings *s)
     enum { BLOCK_EDGE = 8 };     /* squared, no more than BATCH_MAX */
     const claim *c = &w->claim;
     int edge = BLOCK_EDGE * c->lattice.step;
-    company together;
+    packet together;
     middles m;
 
     raygen_begin(&c->camera, together.rays, BATCH_MAX);
@@ -167,7 +167,7 @@ static void add(pov_counts *sum, const pov_counts *more, uint64_t sign)
     sum->cut_depth += sign * more->cut_depth;
     sum->cut_weight += sign * more->cut_weight;
     sum->inner_reflections += sign * more->inner_reflections;
-    sum->decided += sign * more->decided;
+    sum->escalated += sign * more->escalated;
 }
 
 void counts_add(pov_counts *sum, const pov_counts *more)

@@ -97,7 +97,7 @@ static double read_long(const parts *p)
     return strtod(text, NULL);
 }
 
-/* Mantissa and power as two-part numbers. The quotient or product is within 2^-102 of the true value; unless
+/* Mantissa and power as double-double numbers. The quotient or product is within 2^-102 of the true value; unless
  * that is so near the middle of two doubles, its rounding is the right one. */
 static bool read_two_part(uint64_t mantissa, long exponent, double *out)
 {

@@ -49,7 +49,7 @@ static void forget(batch_queue *q)
 void batch_forget(batch_queue *q, shade_context *c)
 {
     forget(q);
-    c->dielectrics.count = c->spots.count = 0;
+    c->dielectrics.count = c->coincident_sets.count = 0;
 }
 
 void batch_free(batch_queue *q, const env *e)
@@ -66,7 +66,7 @@ void batch_free(batch_queue *q, const env *e)
 /* The transmitted paths wait, and others take their place. False: no memory. */
 static bool put_aside(batch_queue *q, const shade_context *c)
 {
-    const wait w = { q->transmitted, c->dielectrics.count, c->spots.count };
+    const wait w = { q->transmitted, c->dielectrics.count, c->coincident_sets.count };
     batch *empty = take_spare(q, c->env);
 
     if (!empty)
@@ -87,7 +87,7 @@ static void take_up(batch_queue *q, shade_context *c)
     give_spare(q, q->now);
     q->now = w.paths;
     c->dielectrics.count = w.dielectrics;
-    c->spots.count = w.spots;
+    c->coincident_sets.count = w.coincident_sets;
 }
 
 /* ---- what paths carry with them ---- */
@@ -106,20 +106,20 @@ static void compact_dielectrics(batch_queue *q, shade_context *c)
     }
 }
 
-/* The same of the spots. */
-static void compact_spots(batch_queue *q, shade_context *c)
+/* The same of the coincident sets. */
+static void compact_coincident_sets(batch_queue *q, shade_context *c)
 {
-    const size_t floor = q->waits.count > 0 ? q->waits.items[q->waits.count - 1].spots : 0;
+    const size_t floor = q->waits.count > 0 ? q->waits.items[q->waits.count - 1].coincident_sets : 0;
 
-    c->spots.count = floor;
+    c->coincident_sets.count = floor;
     for (uint32_t i = 0; i < q->now->count; i++) {
         path *p = &q->now->paths[i];
 
-        if (p->spot <= floor)
+        if (p->coincident <= floor)
             continue;
-        if (p->spot - 1 != c->spots.count)
-            c->spots.items[c->spots.count] = c->spots.items[p->spot - 1];
-        p->spot = (uint32_t)++c->spots.count;
+        if (p->coincident - 1 != c->coincident_sets.count)
+            c->coincident_sets.items[c->coincident_sets.count] = c->coincident_sets.items[p->coincident - 1];
+        p->coincident = (uint32_t)++c->coincident_sets.count;
     }
 }
 
@@ -151,7 +151,7 @@ bool batch_next(batch_queue *q, shade_context *c)
         return false;
     if (c->scene->plan->refraction)
         compact_dielectrics(q, c);
-    if (c->spots.count > 0)
-        compact_spots(q, c);
+    if (c->coincident_sets.count > 0)
+        compact_coincident_sets(q, c);
     return true;
 }

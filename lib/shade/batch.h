@@ -5,8 +5,8 @@
 #include "shade/context.h"
 #include "shade/path.h"
 
-/* A batch that waits, and how many dielectrics and spots there are behind it; the last of them on top. */
-typedef struct wait { batch *paths; size_t dielectrics, spots; } wait;
+/* A batch that waits, and how many dielectrics and coincident sets there are behind it; the last of them on top. */
+typedef struct wait { batch *paths; size_t dielectrics, coincident_sets; } wait;
 typedef struct wait_stack { wait *items; size_t count, capacity; } wait_stack;
 
 typedef struct batch_queue {

@@ -9,17 +9,17 @@
 
 #include <povtrace/render.h>
 
-typedef struct spot_stack { spot *items; size_t count, capacity; } spot_stack;
+typedef struct coincident_stack { coincident_set *items; size_t count, capacity; } coincident_stack;
 
 typedef struct shade_context {
     const env *env;
     const shading *scene;
-    walker *walker;
+    query_context *context;
     pov_counts counts;
     interrupt interrupt;
     bool failed;                 /* memory ended; what was computed since is worth nothing */
     dielectric_stack dielectrics;   /* of the paths being followed and of those that wait */
-    spot_stack spots;            /* of paths and of surfaces, in their order */
+    coincident_stack coincident_sets;   /* of paths and of surfaces, in their order */
 } shade_context;
 
 #endif

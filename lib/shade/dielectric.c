@@ -83,7 +83,7 @@ bool dielectric_find(dielectric_start *s, const env *e, const world *w, const po
     if (s->known && is_same(s->org, ray->org) && is_same(s->org_lo, ray->org_lo))
         return true;
     s->found.count = 0;
-    world_media_at(w, ray->org, ray->org_lo, add_found, &f);
+    world_dielectrics_at(w, ray->org, ray->org_lo, add_found, &f);
     s->org = ray->org;
     s->org_lo = ray->org_lo;
     s->known = true;

@@ -4,18 +4,18 @@ void geometry_begin(geometry *g)
 {
     g->shading = &g->to.normal;
     for (uint32_t i = 0; i < WORLD_MANY; i++)
-        g->to.way.x[i] = g->to.normal.x[i] = g->bent.x[i] = 1.0;
+        g->to.dir.x[i] = g->to.normal.x[i] = g->bent.x[i] = 1.0;
 }
 
 /* What the surface's side and the unit direction make of lane i. */
-static inline void turn(geometry *g, const vec_lanes *shading, uint32_t i, pov_vec3 view)
+static inline void set_lane(geometry *g, const vec_lanes *shading, uint32_t i, pov_vec3 view)
 {
     const pov_vec3 normal = lanes_at(shading, i);
     double cosine = -pov_dot(normal, view);
 
     cosine = cosine > 0.0 ? cosine : 0.0;
     lanes_put(&g->view, i, view);
-    lanes_put(&g->mirrored, i, pov_add(view, pov_scale(normal, 2.0 * cosine)));
+    lanes_put(&g->reflected, i, pov_add(view, pov_scale(normal, 2.0 * cosine)));
     g->cosine[i] = cosine;
 }
 
@@ -27,13 +27,13 @@ static inline bool turn_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
     for (uint32_t i = 0; i < n; i++) {
         pov_vec3 view;
 
-        plain &= geometry_unit(g->to.way.x[i], g->to.way.y[i], g->to.way.z[i], &view);
-        turn(g, shading, i, view);
+        plain &= geometry_unit(g->to.dir.x[i], g->to.dir.y[i], g->to.dir.z[i], &view);
+        set_lane(g, shading, i, view);
     }
     return plain != 0;
 }
 
-SIMD_CLONES static bool turn_plain(geometry *g, uint32_t n) { return turn_lanes(g, &g->to.normal, n); }
+SIMD_CLONES static bool set_lanes(geometry *g, uint32_t n) { return turn_lanes(g, &g->to.normal, n); }
 
 SIMD_CLONES static bool turn_bent(geometry *g, uint32_t n) { return turn_lanes(g, &g->bent, n); }
 
@@ -41,11 +41,11 @@ SIMD_CLONES static bool turn_bent(geometry *g, uint32_t n) { return turn_lanes(g
 static void mend(geometry *g, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const pov_vec3 mirrored = lanes_at(&g->mirrored, i), normal = lanes_at(&g->to.normal, i);
-        const double out = pov_dot(mirrored, normal);
+        const pov_vec3 reflected = lanes_at(&g->reflected, i), normal = lanes_at(&g->to.normal, i);
+        const double out = pov_dot(reflected, normal);
 
         if (out < 0.0)
-            lanes_put(&g->mirrored, i, pov_sub(mirrored, pov_scale(normal, 2.0 * out)));
+            lanes_put(&g->reflected, i, pov_sub(reflected, pov_scale(normal, 2.0 * out)));
     }
 }
 
@@ -53,9 +53,9 @@ void geometry_turn(geometry *g, uint32_t n)
 {
     const bool bent = geometry_is_bent(g);
 
-    if (!(bent ? turn_bent(g, lanes_whole(n)) : turn_plain(g, lanes_whole(n))))
+    if (!(bent ? turn_bent(g, lanes_whole(n)) : set_lanes(g, lanes_whole(n))))
         for (uint32_t i = 0; i < n; i++)
-            turn(g, g->shading, i, pov_unit(lanes_at(&g->to.way, i)));
+            set_lane(g, g->shading, i, pov_unit(lanes_at(&g->to.dir, i)));
     if (bent)
         mend(g, n);
 }

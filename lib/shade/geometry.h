@@ -7,12 +7,12 @@
 /* How surfaces lie towards the rays that hit them. Light is computed with the shading normals; to which side of a surface
  * a ray goes is decided by the geometric ones. */
 typedef struct geometry {
-    approaches to;               /* its normals are the geometric ones */
+    incidence to;                /* its normals are the geometric ones */
     const vec_lanes *shading;    /* the shading normals, unit, turned towards the ray's start: those of `to` unless they
                                   * differ for some surface */
     vec_lanes bent;              /* memory for shading normals that differ */
     vec_lanes view;              /* the direction, unit */
-    vec_lanes mirrored;          /* view, mirrored; unit */
+    vec_lanes reflected;         /* view, mirrored; unit */
     double cosine[WORLD_MANY];   /* between shading normal and the direction back, >= 0 */
 } geometry;
 
@@ -24,7 +24,7 @@ void geometry_begin(geometry *g);
 /* What n rays and shading normals make of view, mirrored direction and cosine. */
 void geometry_turn(geometry *g, uint32_t n);
 
-/* The unit vector along one whose squares stay within double's range; it is pov_unit()'s to the bit. 0 and not -1: it
+/* The unit vector along one whose squares stay within double's range; it is pov_unit()'s bit for bit. 0 and not -1: it
  * is one of the others, and what was put out is worth nothing. (An integer as wide as a double makes the shortest
  * loops.) */
 static inline int64_t geometry_unit(double x, double y, double z, pov_vec3 *out)

@@ -17,11 +17,11 @@ typedef struct light_sample {
 static inline void set_cosines(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
 {
     s->cosine[i] = pov_dot(lanes_at(normal, i), unit);
-    s->specular_cos[i] = pov_dot(lanes_at(&g->mirrored, i), unit);
+    s->specular_cos[i] = pov_dot(lanes_at(&g->reflected, i), unit);
 }
 
 /* What the directions are besides: one is so short or long that its square is none; a cosine is too small for
- * world_leave(). */
+ * world_origin_reflect(). */
 enum { ODD_DIR = 1, GRAZING = 2 };
 
 SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *restrict g, const vec_lanes *restrict normal,
@@ -34,12 +34,12 @@ SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *rest
 
         plain &= geometry_unit(dir->x[i], dir->y[i], dir->z[i], &unit);
         set_cosines(s, g, normal, i, unit);
-        steep &= fabs(s->cosine[i]) > WORLD_AWAY ? -1 : 0;
+        steep &= fabs(s->cosine[i]) > WORLD_GRAZING ? -1 : 0;
     }
     return (plain ? 0 : ODD_DIR) | (steep ? 0 : GRAZING);
 }
 
-/* True: there may be a cosine too small for world_leave(). */
+/* True: there may be a cosine too small for world_origin_reflect(). */
 static bool find_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint32_t n)
 {
     const int found = find_plain(s, g, g->shading, dir, n);
@@ -61,7 +61,7 @@ static colour brdf(const model *m, const appearance *of, double cosine, double s
 
 static inline float lesser(float a, float b) { return a < b ? a : b; }
 
-/* What of the light's colour all send on, to the bit as above where there is a highlight. One that is lost in the sum
+/* What of the light's colour all send on, bit for bit as above where there is a highlight. One that is lost in the sum
  * is none: all components of that are then as large as APPEARANCE_VISIBLE. It is not computed either, for floats below the
  * range of normal ones take a processor a hundred times as long. False: some are odd. */
 static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
@@ -72,8 +72,8 @@ static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict
 
     for (uint32_t i = 0; i < n; i++) {
         const double cosine = s->cosine[i], specular_cos = s->specular_cos[i];
-        const float part = f->diffuse_weight[i] * (float)cosine;
-        const float red = f->red[i] * part, green = f->green[i] * part, blue = f->blue[i] * part;
+        const float slice = f->diffuse_weight[i] * (float)cosine;
+        const float red = f->red[i] * slice, green = f->green[i] * slice, blue = f->blue[i] * slice;
         const float least = lesser(fabsf(red), lesser(fabsf(green), fabsf(blue)));
         const bool shines = (cosine > 0.0) & (specular_cos > 0.0) & !((specular_cos <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
         const double product = highlight_product(shines ? specular_cos : 0.0, f->power[i]);
@@ -128,7 +128,10 @@ static void brdf_all(const lighting *l, light_sample *s, const light_lanes *in, 
     }
 }
 
-static inline colour given_at(const light_sample *s, uint32_t i) { return colour_of(s->red[i], s->green[i], s->blue[i]); }
+static inline colour contribution_at(const light_sample *s, uint32_t i)
+{
+    return colour_of(s->red[i], s->green[i], s->blue[i]);
+}
 
 /* The rays from lit surfaces that the light is before and that send anything on. Nothing is decided by branches, which
  * nobody could guess. Returns how many the light is before. */
@@ -152,10 +155,10 @@ static uint32_t aim(lighting *l, const light_sample *s, const vec_lanes *dir)
     return front;
 }
 
-static bool any_on_spot(const lighting *l)
+static bool any_coincident(const lighting *l)
 {
     for (uint32_t i = 0; i < l->count; i++)
-        if (l->on->at[l->of[i]].spot)
+        if (l->on->at[l->of[i]].coincident)
             return true;
     return false;
 }
@@ -167,8 +170,8 @@ static uint64_t trace_each(const lighting *l, double tmax, colour *through)
     uint64_t lit = 0;
 
     for (uint32_t i = 0; i < l->count; i++) {
-        const uint32_t at = l->on->at[l->of[i]].spot;
-        const bool is_lit = at ? transmittance_from(c, &c->spots.items[at - 1], l->rays[i], tmax, &through[i])
+        const uint32_t at = l->on->at[l->of[i]].coincident;
+        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], tmax, &through[i])
                                : transmittance_find(c, &l->rays[i], 1, tmax, &through[i]) != 0;
 
         lit |= (uint64_t)is_lit << i;
@@ -182,7 +185,7 @@ static uint64_t trace(const lighting *l, double tmax, colour *through)
     shade_context *c = l->context;
 
     c->counts.shadow += l->count;
-    if (c->spots.count > 0 && any_on_spot(l))
+    if (c->coincident_sets.count > 0 && any_coincident(l))
         return trace_each(l, tmax, through);
     return transmittance_find(c, l->rays, l->count, tmax, through);
 }
@@ -193,7 +196,7 @@ static void name_origins(lighting *l, const double *cosines)
     for (uint32_t k = 0; k < l->lit_count; k++) {
         const uint32_t i = l->lit[k];
 
-        world_leave(&l->own[i], l->on->at[i].at, cosines ? cosines[i] : 1.0);
+        world_origin_reflect(&l->own[i], l->on->at[i].at, cosines ? cosines[i] : 1.0);
     }
 }
 
@@ -205,9 +208,9 @@ static void name_sides(lighting *l, const vec_lanes *dir)
         const double cosine = pov_dot(lanes_at(&l->on->geometry.to.normal, i), pov_unit(lanes_at(dir, i)));
 
         if (cosine < 0.0)
-            world_cross(&l->own[i], l->on->at[i].at, -cosine);
+            world_origin_transmit(&l->own[i], l->on->at[i].at, -cosine);
         else
-            world_leave(&l->own[i], l->on->at[i].at, cosine);
+            world_origin_reflect(&l->own[i], l->on->at[i].at, cosine);
     }
 }
 
@@ -249,13 +252,13 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
 
     if (!l->context->scene->plan->shadows)
         for (uint32_t i = 0; i < l->count; i++)
-            add_light(&l->on->at[l->of[i]], given_at(s, l->of[i]));
+            add_light(&l->on->at[l->of[i]], contribution_at(s, l->of[i]));
     else
         for (uint64_t lit = samples == 1 ? trace(l, tmax, through) : trace_samples(l, from, samples, through); lit;
              lit &= lit - 1) {
             const uint32_t i = first_of64(lit);
 
-            add_light(&l->on->at[l->of[i]], colour_mul(given_at(s, l->of[i]), through[i]));
+            add_light(&l->on->at[l->of[i]], colour_mul(contribution_at(s, l->of[i]), through[i]));
         }
 }
 
@@ -285,7 +288,7 @@ static void add_light_source(lighting *l, const scene_light *from)
         add_visible(l, from, &s, in.tmax);
     if (named)
         name_origins(l, NULL);
-    c->failed = c->failed || walker_failed(c->walker);
+    c->failed = c->failed || query_context_failed(c->context);
 }
 
 static inline void set_finish(finishes *f, uint32_t i, const appearance *a)
@@ -316,7 +319,7 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
         set_finish(&l->finishes, i, s->appearance);
         ray->org = s->at->point;
         ray->org_lo = s->at->point_lo;
-        world_leave(ray, s->at, 1.0);
+        world_origin_reflect(ray, s->at, 1.0);
     }
     l->lit_count = count;
 }

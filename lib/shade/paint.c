@@ -8,7 +8,7 @@ typedef struct group { uint32_t count; uint8_t lane[BATCH_MAX]; texture_points p
 
 static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane)
 {
-    const approaches *to = &s->geometry.to;
+    const incidence *to = &s->geometry.to;
 
     g->lane[g->count] = (uint8_t)lane;
     texture_point(model_texture_map(scene->model, s->at[lane].at->object), lanes_at(&to->point, lane),

@@ -12,8 +12,8 @@ typedef struct path {
     coefficient factor;          /* the product of the coefficients on the way here, and of their weights */
     int level;                   /* 1: the camera ray */
     uint32_t lane;               /* whose camera ray it comes from */
-    uint32_t spot, above;        /* it starts on coincident surfaces: those of context->spots, counted from 1, and its
-                                  * sides of them; spot 0: it does not */
+    uint32_t coincident, above;  /* it starts on coincident surfaces: those of context->coincident_sets, counted from 1,
+                                  * and its sides of them; coincident set 0: it does not */
     dielectric_span inside;      /* the dielectrics that it is in */
     int zero_steps;              /* crossings in a row that did not move the ray: see query/passage.h */
 } path;

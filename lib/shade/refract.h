@@ -8,7 +8,7 @@
  * (>= 0). False: total internal reflection. */
 bool refract(pov_vec3 view, pov_vec3 normal, double cosine, double before, double after, pov_vec3 *out);
 
-/* The same by lane, to the bit. */
+/* The same by lane, bit for bit. */
 typedef struct refraction_lanes {
     double before[WORLD_MANY], after[WORLD_MANY];   /* also of lanes that fill the last four */
     double squared_cosine[WORLD_MANY];              /* of the direction behind the surface; 0 or less: there is none */

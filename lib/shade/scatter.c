@@ -38,7 +38,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     next->factor = factor;
     next->level = p->level + deeper;
     next->lane = p->lane;
-    next->spot = s->spot;
+    next->coincident = s->coincident;
     next->above = s->above;
     next->inside = p->inside;
     next->zero_steps = 0;
@@ -55,7 +55,7 @@ static path *spawn_across(batch *b, limits *l, const surface *s, pov_vec3 direct
     if (!passes_cutoff(l, s->from, &factor, deeper))
         return NULL;
     next = spawn(b, s, direction, factor, deeper);
-    world_cross(&b->own[b->count], s->at, cosine);
+    world_origin_transmit(&b->own[b->count], s->at, cosine);
     next->above ^= 1u << s->on;
     return next;
 }
@@ -84,8 +84,8 @@ static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
 
     if (!passes_cutoff(&to->limits, s->from, &factor, true))
         return;
-    spawn(b, s, lanes_at(&g->mirrored, lane), factor, true);
-    world_leave(&b->own[b->count++], s->at, cosine_of(g, lane, &g->mirrored));
+    spawn(b, s, lanes_at(&g->reflected, lane), factor, true);
+    world_origin_reflect(&b->own[b->count++], s->at, cosine_of(g, lane, &g->reflected));
 }
 
 /* Straight on, whatever lies on both sides. NULL: the path is cut off. */

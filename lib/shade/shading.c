@@ -30,7 +30,7 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->model = m;
     s->world = w;
     s->plan = world_plan(w);
-    s->things = world_things(w);
+    s->objects_info = world_object_info(w);
     if (!make_appearances(s, m) || !make_lights(s, m)) {
         shading_destroy(s);
         return err_memory(err);

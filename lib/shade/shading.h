@@ -13,7 +13,7 @@ typedef struct shading {
     const model *model;
     const world *world;
     const plan *plan;
-    const world_thing *things;
+    const object_info *objects_info;
     appearance *appearances;     /* one a material */
     scene_light *lights;
     size_t light_count;
@@ -26,7 +26,7 @@ void shading_destroy(shading *s);
 /* What the object looks like: for objects whose texture is constant. */
 static inline const appearance *shading_constant(const shading *s, uint32_t which)
 {
-    return &s->appearances[s->things[which].material];
+    return &s->appearances[s->objects_info[which].material];
 }
 
 #endif

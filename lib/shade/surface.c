@@ -9,46 +9,46 @@
 /* ---- coincident surfaces ---- */
 
 /* The surface lies on others. */
-static void stand_on(shade_context *c, surface *s, const spot *on)
+static void set_coincident(shade_context *c, surface *s, const coincident_set *on)
 {
-    if (!VEC_PUSH(c->env, &c->spots, *on)) {
+    if (!VEC_PUSH(c->env, &c->coincident_sets, *on)) {
         c->failed = true;
         return;
     }
-    s->spot = (uint32_t)c->spots.count;
+    s->coincident = (uint32_t)c->coincident_sets.count;
     s->above = on->above;
     s->on = passage_which(on, s->at->object);
 }
 
-static void find_spot(shade_context *c, surface *s)
+static void find_coincident(shade_context *c, surface *s)
 {
-    spot on;
+    coincident_set on;
 
-    world_spot(c->scene->world, c->walker, s->ray, NULL, s->at, &on);
-    stand_on(c, s, &on);
+    world_coincident(c->scene->world, c->context, s->ray, NULL, s->at, &on);
+    set_coincident(c, s, &on);
 }
 
 /* A path that starts on coincident surfaces hits what it crosses before it has gone anywhere, or else what comes next. */
 static bool hit_single(shade_context *c, surface *s)
 {
     const path *p = s->from;
-    spot from, on;
+    coincident_set from, on;
 
-    if (p->spot) {
-        from = c->spots.items[p->spot - 1];
+    if (p->coincident) {
+        from = c->coincident_sets.items[p->coincident - 1];
         from.above = p->above;
     }
-    if (!passage_step(c->scene->world, c->walker, s->ray, p->spot ? &from : NULL, s->at, &on))
+    if (!passage_step(c->scene->world, c->context, s->ray, p->coincident ? &from : NULL, s->at, &on))
         return false;
     if (on.count > 0)
-        stand_on(c, s, &on);
+        set_coincident(c, s, &on);
     return true;
 }
 
-static bool any_on_spot(const batch *b)
+static bool any_coincident(const batch *b)
 {
     for (uint32_t i = 0; i < b->count; i++)
-        if (b->paths[i].spot)
+        if (b->paths[i].coincident)
             return true;
     return false;
 }
@@ -63,9 +63,9 @@ static inline void place(surfaces *s, const batch *b, uint32_t i, uint32_t n)
     at->from = &b->paths[i];
     at->ray = b->rays[i];
     at->at = &s->hits[i];
-    at->spot = 0;
+    at->coincident = 0;
     s->rays[n] = at->ray;
-    s->met[n] = at->at;
+    s->found[n] = at->at;
 }
 
 /* Is more to be seen of what was hit than what it emits? */
@@ -74,8 +74,8 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     const shading *scene = c->scene;
     const appearance *a;
 
-    if (s->at->company && !s->spot)
-        find_spot(c, s);
+    if (s->at->coincident && !s->coincident)
+        find_coincident(c, s);
     s->appearance = a = shading_constant(scene, s->at->object);
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
@@ -122,11 +122,11 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     uint64_t found, rest;
     uint32_t n = 0;
 
-    if (c->spots.count > 0 && any_on_spot(b)) {
+    if (c->coincident_sets.count > 0 && any_coincident(b)) {
         s->count = find_each(c, s, b, out);
         return;
     }
-    found = query_nearest(c->scene->world, c->walker, b->rays, b->count, HUGE_VAL, s->hits);
+    found = query_nearest(c->scene->world, c->context, b->rays, b->count, HUGE_VAL, s->hits);
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = found; rest; rest &= rest - 1) {
         place(s, b, first_of64(rest), n);
@@ -145,23 +145,24 @@ static void complete_some(const shade_context *c, surfaces *s)
     uint32_t count = 0, i;
 
     for (i = 0; i < s->count; i++) {
-        if (s->at[i].spot)
+        if (s->at[i].coincident)
             continue;
         rays[count] = s->rays[i];
-        hits[count++] = s->met[i];
+        hits[count++] = s->found[i];
     }
     if (count > 0)
         world_surface_many(c->scene->world, NULL, rays, hits, count, &s->geometry.to);
     for (i = 0; i < s->count; i++)
-        world_approach(&s->geometry.to, i, s->rays[i], s->met[i]);
+        world_incidence(&s->geometry.to, i, s->rays[i], s->found[i]);
 }
 
 void surfaces_complete(shade_context *c, surfaces *s)
 {
-    if (c->spots.count > 0)
+    if (c->coincident_sets.count > 0)
         complete_some(c, s);
     else
-        world_surface_many(c->scene->world, walker_own(c->walker), s->rays, s->met, s->count, &s->geometry.to);
+        world_surface_many(c->scene->world, query_context_own(c->context), s->rays, s->found, s->count,
+                           &s->geometry.to);
     if (c->scene->plan->textures)
         paint_surfaces(c->scene, s);
     geometry_turn(&s->geometry, s->count);

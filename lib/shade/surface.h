@@ -12,7 +12,7 @@ typedef struct surface {
     const pov_ray *ray;          /* the path's */
     hit *at;
     const appearance *appearance;
-    uint32_t spot, above, on;    /* it coincides with others: as in a path; which of them it is */
+    uint32_t coincident, above, on;   /* it coincides with others: as in a path; which of them it is */
     colour lit;                  /* what it sends along the ray of what the lights send it */
 } surface;
 
@@ -21,7 +21,7 @@ typedef struct surfaces {
     uint32_t count;
     surface at[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* theirs, in their order, and what these hit */
-    hit *met[BATCH_MAX];
+    hit *found[BATCH_MAX];
     geometry geometry;           /* theirs, in their order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
 } surfaces;

@@ -28,7 +28,7 @@ pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
     t->camera.camera = true;
     make_camera_paths(&t->camera);
     geometry_begin(&t->surfaces.geometry);
-    status = batch_make(&t->queue, e) ? walker_create(&t->context.walker, scene->world, err) : err_memory(err);
+    status = batch_make(&t->queue, e) ? query_context_create(&t->context.context, scene->world, err) : err_memory(err);
     if (status < 0) {
         tracer_destroy(t);
         return status;
@@ -44,10 +44,10 @@ void tracer_destroy(pov_tracer *t)
     if (!t)
         return;
     e = t->context.env;
-    walker_destroy(t->context.walker);
+    query_context_destroy(t->context.context);
     batch_free(&t->queue, e);
     env_free(e, t->context.dielectrics.items);
-    env_free(e, t->context.spots.items);
+    env_free(e, t->context.coincident_sets.items);
     env_free(e, t->start.found.items);
     env_free_aligned(e, t);
 }
@@ -56,7 +56,7 @@ pov_counts tracer_counts(const pov_tracer *t)
 {
     pov_counts c = t->context.counts;
 
-    c.decided = walker_decided(t->context.walker);
+    c.escalated = query_context_escalated(t->context.context);
     return c;
 }
 
@@ -78,7 +78,7 @@ static void shade_batch(pov_tracer *t, const batch *b, colour *out)
     for (uint32_t i = 0; i < s->count; i++)
         accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, s->at[i].lit), out);
     scatter(c, s, t->queue.reflected, t->queue.transmitted);
-    c->failed = c->failed || walker_failed(c->walker);
+    c->failed = c->failed || query_context_failed(c->context);
 }
 
 /* ---- camera rays ---- */
@@ -147,7 +147,7 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         b->rays[i] = &rays[i];
     if (t->camera_odd)
         begun = begin_some(b, rays, n);
-    if (c->scene->plan->media_at_start && b->count > 0)
+    if (c->scene->plan->dielectrics_at_start && b->count > 0)
         begin_inside(t, known & TRACER_ONE_START);
     c->counts.camera += b->count;
     return begun;

@@ -47,7 +47,7 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
                             colour *through)
 {
     occlusion found;
-    uint64_t lit = query_occlusion(c->scene->world, c->walker, rays, n, tmax, &found), rest;
+    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, tmax, &found), rest;
 
     for (uint32_t i = 0; i < n; i++)
         through[i] = colour_of(1.0f, 1.0f, 1.0f);
@@ -60,13 +60,14 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     return lit;
 }
 
-bool transmittance_from(const shade_context *c, const spot *from, const pov_ray *ray, double tmax, colour *through)
+bool transmittance_from(const shade_context *c, const coincident_set *from, const pov_ray *ray, double tmax,
+                        colour *through)
 {
     occlusion found;
     uint32_t crossed;
 
     *through = colour_of(1.0f, 1.0f, 1.0f);
-    if (!query_occlusion_from(c->scene->world, c->walker, from, ray, tmax, &found, &crossed))
+    if (!query_occlusion_from(c->scene->world, c->context, from, ray, tmax, &found, &crossed))
         return false;
     for (; crossed; crossed &= crossed - 1)
         *through = colour_mul(*through, filter_of(c->scene, &from->at[first_of(crossed)]));

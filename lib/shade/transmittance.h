@@ -9,6 +9,7 @@
 uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, uint32_t n, double tmax,
                             colour *through);
 /* The same of a ray that starts on coincident surfaces. */
-bool transmittance_from(const shade_context *c, const spot *from, const pov_ray *ray, double tmax, colour *through);
+bool transmittance_from(const shade_context *c, const coincident_set *from, const pov_ray *ray, double tmax,
+                        colour *through);
 
 #endif

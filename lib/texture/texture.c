@@ -4,7 +4,7 @@
 
 #include <povtrace/exact.h>
 
-/* One coordinate: a row of the map times (x, y, z, 1), in two parts. */
+/* One coordinate: a row of the map times (x, y, z, 1), in double-double. */
 static inline pov_two along(const inverse_map *map, int row, pov_two3 p)
 {
     const double *hi = map->inv[row], *lo = map->inv_lo[row];

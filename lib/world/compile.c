@@ -10,31 +10,32 @@
 
 /* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on
  * the stack; a larger class's copy is made where it would stay. */
-enum { INSTANCE_ALIGN = 32, ROOM = POV_PREPARED_MAX, MOST_CLASSES = 0x3fff / 3, PART_LEAST = 2048, PARTS_MOST = 256 };
+enum { INSTANCE_ALIGN = 32, SCRATCH = POV_PREPARED_MAX, MOST_CLASSES = 0x3fff / 3, SLICE_LEAST = 2048,
+       SLICES_MOST = 256 };
 enum { MADE = 16 };              /* classes whose last instances are remembered */
 /* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones and members of trees are
  * marked until the lists are made. */
-enum { ALONE, PACKS, PLACED, KINDS, INFINITE = FLAT_INFINITE, MEMBER = FLAT_MEMBER };
+enum { SINGLE, SHARES_LEAF, INSTANCED, KINDS, INFINITE = COMPILE_INFINITE, MEMBER = COMPILE_MEMBER };
 /* Beyond this, squares of lengths come near the end of the range of double: such an object is asked apart. */
 static const double largest_coordinate = 1e150;
 
 /* ---- parts of the scene, for one thread each ---- */
 
-typedef struct part {
+typedef struct slice {
     pov_status status;
     uint32_t failed;             /* the first object that has no inverse */
     uint32_t finite, infinite;
-    pov_box bounds, clear;
+    pov_box bounds, transparent;
     size_t absorbed, composed, packed, scratch;
-} part;
+} slice;
 
 typedef struct class_list { const shape_class **items; size_t count, capacity; } class_list;
 
 typedef struct survey {
-    flat *f;
+    compile_state *f;
     class_list classes;
-    part *parts;
-    uint32_t part_count;
+    slice *slices;
+    uint32_t slice_count;
     bool use_blocks;
 } survey;
 
@@ -43,15 +44,15 @@ typedef struct made {
     const shape_class *shape;
     const void *text;
     void *instance;
-    bool kept;                   /* somebody points to it */
+    bool pinned;                   /* somebody points to it */
 } made;
 
 /* Works on one part. */
 typedef struct maker {
     const survey *survey;
-    flat *f;
-    part *part;
-    arena *staging, *kept;
+    compile_state *f;
+    slice *slice;
+    arena *staged, *resident;
     size_t class_index;
     const shape_class *scratch_shape;
     void *scratch;               /* a block of that class, in memory for the largest so far */
@@ -60,17 +61,17 @@ typedef struct maker {
     const void *boxed;           /* the placed instance that was looked at last: its box in its own space, if it has one */
     bool has_box;
     pov_box own;
-    flat_maps maps;
+    compile_maps maps;
 } maker;
 
-typedef struct room { unsigned char bytes[ROOM + INSTANCE_ALIGN]; } room;
+typedef struct scratch_buffer { unsigned char bytes[SCRATCH + INSTANCE_ALIGN]; } scratch_buffer;
 
-static void *aligned(room *r)
+static void *aligned(scratch_buffer *r)
 {
     return r->bytes + (-(uintptr_t)r->bytes & (INSTANCE_ALIGN - 1));
 }
 
-void flat_make(const leaf_node *o, void *instance)
+void compile_make(const leaf_node *o, void *instance)
 {
     if (o->shape->prepare) {
         memset(instance, 0, o->shape->instance_size);
@@ -106,23 +107,23 @@ static size_t find_class(maker *k, const shape_class *shape)
 
 /* An object's instance as it was written: the model's own where that is one, else one that serves for all of the class that
  * follow and were written alike. It is kept from when somebody wants that. NULL: no memory. */
-static const void *make(maker *k, const leaf_node *o, bool keep)
+static const void *make(maker *k, const leaf_node *o, bool pin)
 {
     made *m = &k->made[find_class(k, o->shape) % MADE];
 
     if (!o->shape->prepare)
         return o->instance;
     if (m->shape != o->shape || m->text != o->instance) {
-        if (m->shape != o->shape || m->kept)
-            m->instance = arena_alloc(k->kept, o->shape->instance_size, INSTANCE_ALIGN);
+        if (m->shape != o->shape || m->pinned)
+            m->instance = arena_alloc(k->resident, o->shape->instance_size, INSTANCE_ALIGN);
         if (!m->instance)
             return NULL;
-        flat_make(o, m->instance);
+        compile_make(o, m->instance);
         m->shape = o->shape;
         m->text = o->instance;
-        m->kept = false;
+        m->pinned = false;
     }
-    m->kept = m->kept || keep;
+    m->pinned = m->pinned || pin;
     return m->instance;
 }
 
@@ -130,10 +131,10 @@ static const void *make(maker *k, const leaf_node *o, bool keep)
 static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, const void **out)
 {
     size_t bytes = o->shape->instance_size;
-    arena *home = flat_stays(k->f, o->shape) ? k->kept : k->staging;
+    arena *home = compile_is_resident(k->f, o->shape) ? k->resident : k->staged;
     const void *written = make(k, o, false);
-    room here;
-    void *trial = bytes <= ROOM ? aligned(&here) : arena_alloc(home, bytes, INSTANCE_ALIGN), *copy = trial;
+    scratch_buffer here;
+    void *trial = bytes <= SCRATCH ? aligned(&here) : arena_alloc(home, bytes, INSTANCE_ALIGN), *copy = trial;
 
     *out = NULL;
     if (!written || !trial)
@@ -141,7 +142,7 @@ static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, co
     memcpy(trial, written, bytes);
     if (!o->shape->absorb(trial, map))
         return POV_OK;
-    if (bytes <= ROOM) {
+    if (bytes <= SCRATCH) {
         copy = arena_alloc(home, bytes, INSTANCE_ALIGN);
         if (!copy)
             return POV_E_MEMORY;
@@ -151,7 +152,7 @@ static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, co
     return POV_OK;
 }
 
-/* The box of a placed shape in its own space. False: there is none, and *out holds zeros. */
+/* The box of an instanced shape in its own space. False: there is none, and *out holds zeros. */
 static bool own_box(const shape_class *shape, const void *instance, pov_box *out)
 {
     static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
@@ -162,14 +163,14 @@ static bool own_box(const shape_class *shape, const void *instance, pov_box *out
     return false;
 }
 
-static const shape_class *shape_of(const flat *f, uint32_t id) { return f->groups[f->group[id]].shape; }
+static const shape_class *shape_of(const compile_state *f, uint32_t id) { return f->groups[f->group[id]].shape; }
 
-void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int n, placement *out)
+void compile_instances(const compile_state *f, const uint32_t *ids, const pov_affine *maps, int n, instance_xform *out)
 {
-    pov_box own[PLACEMENT_MANY] = { { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } } }, around[PLACEMENT_MANY];
-    placement_wish wishes[PLACEMENT_MANY];
-    const pov_affine *each[PLACEMENT_MANY] = { NULL };
-    bool finite[PLACEMENT_MANY];
+    pov_box own[INSTANCE_MANY] = { { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } } }, around[INSTANCE_MANY];
+    instance_desc wishes[INSTANCE_MANY];
+    const pov_affine *each[INSTANCE_MANY] = { NULL };
+    bool finite[INSTANCE_MANY];
     int i;
 
     for (i = 0; i < n; i++) {
@@ -183,17 +184,18 @@ void flat_place(const flat *f, const uint32_t *ids, const pov_affine *maps, int 
             finite[i] = own_box(shape_of(f, ids[i]), instance, &own[i]);
         }
     }
-    placement_boxes(each, own, n, around);
+    instance_boxes(each, own, n, around);
     for (i = 0; i < n; i++) {
-        const placement_wish w = { each[i], &own[i], finite[i] && is_finite_box(&around[i]) ? &around[i] : NULL,
+        const instance_desc w = { each[i], &own[i], finite[i] && is_finite_box(&around[i]) ? &around[i] : NULL,
                                    shape_of(f, ids[i])->flags };
         wishes[i] = w;
     }
-    placement_init_many(out, wishes, n);
+    instance_init_many(out, wishes, n);
 }
 
-/* The box of a placed shape in the world, a little wider where its map is roughly known. False: there is none. */
-static bool placed_box(maker *k, const leaf_node *o, const void *instance, bool roughly, pov_box *out)
+/* The box of an instanced shape in the world, a little wider where its map is approximately known. False: there
+ * is none. */
+static bool instance_world_box(maker *k, const leaf_node *o, const void *instance, bool roughly, pov_box *out)
 {
     const pov_affine *map;
 
@@ -202,22 +204,22 @@ static bool placed_box(maker *k, const leaf_node *o, const void *instance, bool 
     k->boxed = instance;
     if (!k->has_box)
         return false;
-    if (roughly && flat_maps_box(&k->maps, o, &k->own, out))
+    if (roughly && compile_maps_box(&k->maps, o, &k->own, out))
         return true;
-    map = flat_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
-    placement_box(map, &k->own, out);
-    if (o->shape->flags & POV_SHAPE_BALL)
-        placement_draw_in(map, &k->own, out);
+    map = compile_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
+    instance_box(map, &k->own, out);
+    if (o->shape->flags & POV_SHAPE_SPHERE)
+        instance_shrink_box(map, &k->own, out);
     return is_finite_box(out);
 }
 
 /* Take the transformation into the shape, or leave the shape as it was written. */
-static pov_status move(maker *k, const leaf_node *o, uint32_t index, bool *finite, bool *placed)
+static pov_status transform_shape(maker *k, const leaf_node *o, uint32_t index, bool *finite, bool *instanced)
 {
     const void **instance = &k->f->moved[index];
     pov_box *box = &k->f->boxes[index];
-    const bool roughly = flat_maps_look(&k->maps, o);
-    const pov_affine *map = roughly ? NULL : flat_maps_compose(&k->maps, o);
+    const bool roughly = compile_maps_is_approx(&k->maps, o);
+    const pov_affine *map = roughly ? NULL : compile_maps_compose(&k->maps, o);
     pov_status status = POV_OK;
 
     *instance = NULL;
@@ -227,18 +229,18 @@ static pov_status move(maker *k, const leaf_node *o, uint32_t index, bool *finit
         status = absorb(k, o, map, instance);
     if (status < 0)
         return status;
-    *placed = *instance == NULL;
-    if (!*placed) {
-        k->part->absorbed++;
+    *instanced = *instance == NULL;
+    if (!*instanced) {
+        k->slice->absorbed++;
         *finite = o->shape->bounds(*instance, box) && is_finite_box(box);
         return POV_OK;
     }
     *instance = make(k, o, true);
     if (!*instance)
         return POV_E_MEMORY;
-    k->part->composed++;
+    k->slice->composed++;
     k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
-    *finite = placed_box(k, o, *instance, roughly, box);
+    *finite = instance_world_box(k, o, *instance, roughly, box);
     return POV_OK;
 }
 
@@ -249,7 +251,7 @@ static pov_status try_block(maker *k, const shape_class *shape, const void *inst
     pov_frame frame;
 
     if (shape->block_size > k->scratch_bytes) {
-        k->scratch = arena_alloc(k->staging, shape->block_size, 64);
+        k->scratch = arena_alloc(k->staged, shape->block_size, 64);
         if (!k->scratch)
             return POV_E_MEMORY;
         k->scratch_bytes = shape->block_size;
@@ -282,37 +284,37 @@ static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, 
 /* What rays will look at of an object, but for where it is. */
 static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *box)
 {
-    world_thing *thing = &k->f->things[index];
+    object_info *info = &k->f->objects_info[index];
     const material *of = &k->f->model->materials.items[o->material];
-    const bool clear = material_is_transparent(of);
+    const bool transparent = material_is_transparent(of);
     const bool casts = !(o->flags & LEAF_NO_SHADOW), member = k->f->is_member && k->f->is_member[index];
-    const bool plain = !member && !(clear && of->pattern);
+    const bool plain = !member && !(transparent && of->pattern);
 
-    thing->slot = (casts ? FLAT_CASTS : 0) | (clear ? 0 : FLAT_OPAQUE) | (plain ? FLAT_PLAIN : 0);
-    thing->material = o->material;
-    thing->inverse = (o->flags & LEAF_INVERSE) != 0;
-    thing->member = member;
-    thing->tints = casts && clear;
-    thing->plain = plain;
-    if (clear && !member)
-        join(&k->part->clear, box);
+    info->slot = (casts ? COMPILE_CASTS : 0) | (transparent ? 0 : COMPILE_OPAQUE) | (plain ? COMPILE_PLAIN : 0);
+    info->material = o->material;
+    info->inverse = (o->flags & LEAF_INVERSE) != 0;
+    info->member = member;
+    info->filters = casts && transparent;
+    info->plain = plain;
+    if (transparent && !member)
+        join(&k->slice->transparent, box);
 }
 
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
-static pov_status flatten_one(maker *k, uint32_t index)
+static pov_status compile_one(maker *k, uint32_t index)
 {
-    flat *f = k->f;
+    compile_state *f = k->f;
     const leaf_node *o = &f->model->leaves.items[index];
     const shape_class *shape = o->shape;
     const void *instance;
     const bool member = f->is_member && f->is_member[index];
-    bool finite, packs = false, placed = false;
+    bool finite, shares_leaf = false, instanced = false;
     pov_status status = POV_OK;
     pov_box own, *box = &own;
 
     if (o->map) {
-        status = move(k, o, index, &finite, &placed);
+        status = transform_shape(k, o, index, &finite, &instanced);
         if (status < 0)
             return status;
         box = &f->boxes[index];
@@ -325,11 +327,12 @@ static pov_status flatten_one(maker *k, uint32_t index)
             f->moved[index] = NULL;
         finite = shape->bounds(instance, box) && is_finite_box(box);
     }
-    if (k->survey->use_blocks && !member && !placed && shape->block_size > 0 && shape->block_pack && shape->block_filter)
-        status = try_block(k, shape, instance, finite ? box : NULL, &packs);
-    f->group[index] = (uint16_t)(KINDS * find_class(k, shape) + (placed ? PLACED : packs ? PACKS : ALONE));
-    k->part->packed += packs;
-    k->part->scratch = larger(k->part->scratch, shape->scratch ? shape->scratch(instance) : 0);
+    if (k->survey->use_blocks && !member && !instanced && shape->block_size > 0 && shape->block_pack &&
+        shape->block_filter) status = try_block(k, shape, instance, finite ? box : NULL, &shares_leaf);
+    f->group[index] = (uint16_t)(KINDS * find_class(k, shape)
+                                 + (instanced ? INSTANCED : shares_leaf ? SHARES_LEAF : SINGLE));
+    k->slice->packed += shares_leaf;
+    k->slice->scratch = larger(k->slice->scratch, shape->scratch ? shape->scratch(instance) : 0);
     note(k, o, index, finite ? box : &everything);
     if (!finite)
         f->group[index] |= INFINITE;
@@ -337,34 +340,34 @@ static pov_status flatten_one(maker *k, uint32_t index)
         f->group[index] |= MEMBER;
         return status;
     }
-    if (finite && k->part->finite++ == 0)
-        k->part->bounds = *box;
+    if (finite && k->slice->finite++ == 0)
+        k->slice->bounds = *box;
     else if (finite)
-        join(&k->part->bounds, box);
-    k->part->infinite += !finite;
+        join(&k->slice->bounds, box);
+    k->slice->infinite += !finite;
     return status;
 }
 
-static void flatten_part(void *user, uint32_t which, int hand)
+static void compile_slice(void *user, uint32_t which, int worker)
 {
     survey *s = user;
-    uint32_t n = (uint32_t)s->f->model->leaves.count, begin = share_begin(n, s->part_count, which), i = begin;
-    uint32_t end = share_begin(n, s->part_count, which + 1);
-    part *p = &s->parts[which];
+    uint32_t n = (uint32_t)s->f->model->leaves.count, begin = share_begin(n, s->slice_count, which), i = begin;
+    uint32_t end = share_begin(n, s->slice_count, which + 1);
+    slice *p = &s->slices[which];
     maker k;
 
     memset(&k, 0, offsetof(maker, maps));
-    flat_maps_init(&k.maps);
+    compile_maps_init(&k.maps);
     k.survey = s;
     k.f = s->f;
-    k.part = p;
-    k.staging = &s->f->staging[hand];
-    k.kept = &s->f->kept[hand];
-    p->clear = nothing;
+    k.slice = p;
+    k.staged = &s->f->staged[worker];
+    k.resident = &s->f->resident[worker];
+    p->transparent = nothing;
     for (; i < end && p->status == POV_OK; i++) {
-        if (s->f->moved && (i - begin) % FLAT_WINDOW == 0)
-            flat_maps_open(&k.maps, &s->f->model->leaves.items[i], end - i);
-        p->status = flatten_one(&k, i);
+        if (s->f->moved && (i - begin) % COMPILE_WINDOW == 0)
+            compile_maps_open(&k.maps, &s->f->model->leaves.items[i], end - i);
+        p->status = compile_one(&k, i);
         p->failed = i;
     }
 }
@@ -404,16 +407,16 @@ static arena *make_arenas(const env *e, int count)
 /* What is by object is not zeroed: the system clears memory for who comes there first, which threads can do together. */
 static bool allocate(survey *s, bool any_map)
 {
-    flat *f = s->f;
-    const size_t leaves = f->model->leaves.count, n = flat_count(f);
+    compile_state *f = s->f;
+    const size_t leaves = f->model->leaves.count, n = compile_count(f);
 
-    s->part_count = (uint32_t)(leaves / PART_LEAST < 1 ? 1 : leaves / PART_LEAST > PARTS_MOST ? PARTS_MOST
-                                                                            : leaves / PART_LEAST);
-    s->parts = env_alloc(f->env, s->part_count, sizeof *s->parts);
-    f->staging = make_arenas(f->env, f->threads);
-    f->kept = make_arenas(f->env, f->threads);
+    s->slice_count = (uint32_t)(leaves / SLICE_LEAST < 1 ? 1 : leaves / SLICE_LEAST > SLICES_MOST ? SLICES_MOST
+                                                                            : leaves / SLICE_LEAST);
+    s->slices = env_alloc(f->env, s->slice_count, sizeof *s->slices);
+    f->staged = make_arenas(f->env, f->threads);
+    f->resident = make_arenas(f->env, f->threads);
     f->group = env_resize(f->env, NULL, n + 1, sizeof *f->group);
-    f->things = env_resize(f->env, NULL, n + 1, sizeof *f->things);
+    f->objects_info = env_resize(f->env, NULL, n + 1, sizeof *f->objects_info);
     if (any_map) {
         f->moved = env_resize(f->env, NULL, n, sizeof *f->moved);
         f->boxes = env_resize(f->env, NULL, n, sizeof *f->boxes);
@@ -421,11 +424,11 @@ static bool allocate(survey *s, bool any_map)
     }
     if (n > leaves)
         f->is_member = env_alloc(f->env, leaves, sizeof *f->is_member);
-    return s->parts && f->staging && f->kept && f->group && f->things && (f->is_member || n == leaves) &&
+    return s->slices && f->staged && f->resident && f->group && f->objects_info && (f->is_member || n == leaves) &&
            (!any_map || (f->moved && f->boxes && f->maps));
 }
 
-void flat_take(flat *f, uint32_t index, const pov_box *box)
+void compile_take(compile_state *f, uint32_t index, const pov_box *box)
 {
     if (!box) {
         f->group[index] |= INFINITE;
@@ -435,19 +438,19 @@ void flat_take(flat *f, uint32_t index, const pov_box *box)
             f->bounds = *box;
         join(&f->bounds, box);
     }
-    if (!(f->things[index].slot & FLAT_OPAQUE))
-        join(&f->clear, box ? box : &everything);
+    if (!(f->objects_info[index].slot & COMPILE_OPAQUE))
+        join(&f->transparent, box ? box : &everything);
 }
 
 /* The parts' counts together, or the first part's failure. */
 static pov_status add_up(survey *s, pov_error *err)
 {
-    flat *f = s->f;
+    compile_state *f = s->f;
     uint32_t i;
 
-    f->clear = nothing;
-    for (i = 0; i < s->part_count; i++) {
-        const part *p = &s->parts[i];
+    f->transparent = nothing;
+    for (i = 0; i < s->slice_count; i++) {
+        const slice *p = &s->slices[i];
 
         if (p->status == POV_E_MEMORY)
             return err_memory(err);
@@ -461,7 +464,7 @@ static pov_status add_up(survey *s, pov_error *err)
             f->bounds = p->bounds;
         else if (p->finite > 0)
             join(&f->bounds, &p->bounds);
-        join(&f->clear, &p->clear);
+        join(&f->transparent, &p->transparent);
         f->finite_count += p->finite;
         f->infinite_count += p->infinite;
         f->absorbed += p->absorbed;
@@ -473,7 +476,7 @@ static pov_status add_up(survey *s, pov_error *err)
 }
 
 /* Classes are numbered as the scene first names them; the last number is that of all for which there is no other. */
-static uint8_t number_of(const flat *f, const shape_class *shape)
+static uint8_t number_of(const compile_state *f, const shape_class *shape)
 {
     uint8_t next = 0;
     size_t i;
@@ -490,24 +493,24 @@ static uint8_t number_of(const flat *f, const shape_class *shape)
 /* The groups that have members, in the order in which the scene first names one. */
 static bool make_groups(survey *s)
 {
-    flat *f = s->f;
-    size_t n = flat_count(f), most = KINDS * s->classes.count, i;
+    compile_state *f = s->f;
+    size_t n = compile_count(f), most = KINDS * s->classes.count, i;
     uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not met yet */
     uint32_t finite = 0, infinite = 0, members = 0;
 
     f->groups = env_alloc(f->env, most, sizeof *f->groups);
-    f->packs = env_alloc(f->env, most, sizeof *f->packs);
+    f->shares_leaf = env_alloc(f->env, most, sizeof *f->shares_leaf);
     f->finite = env_resize(f->env, NULL, f->finite_count + 1u, sizeof *f->finite);
     f->infinite = env_resize(f->env, NULL, f->infinite_count + 1u, sizeof *f->infinite);
     f->member_count = (uint32_t)n - f->finite_count - f->infinite_count;
     f->members = env_resize(f->env, NULL, f->member_count + 1u, sizeof *f->members);
-    for (i = 0; name && f->groups && f->packs && f->finite && f->infinite && f->members && i < n; i++) {
+    for (i = 0; name && f->groups && f->shares_leaf && f->finite && f->infinite && f->members && i < n; i++) {
         unsigned mark = f->group[i], old = mark & ~(unsigned)(INFINITE | MEMBER);
         if (!name[old]) {
             const shape_class *shape = s->classes.items[old / KINDS];
-            shape_group fresh = { shape, old % KINDS == PLACED, old % KINDS == PACKS, number_of(f, shape), 0,
+            shape_group fresh = { shape, old % KINDS == INSTANCED, old % KINDS == SHARES_LEAF, number_of(f, shape), 0,
                                   stride_of(shape), NULL };
-            f->packs[f->group_count] = fresh.packs && shape->full_leaves;
+            f->shares_leaf[f->group_count] = fresh.shares_leaf && shape->full_leaves;
             f->groups[f->group_count] = fresh;
             name[old] = (uint16_t)++f->group_count;
         }
@@ -521,10 +524,10 @@ static bool make_groups(survey *s)
             f->finite[finite++] = (uint32_t)i;
     }
     env_free(f->env, name);
-    return f->groups && f->packs && f->finite && f->infinite && f->members && i == n;
+    return f->groups && f->shares_leaf && f->finite && f->infinite && f->members && i == n;
 }
 
-static void mark_members(flat *f)
+static void mark_members(compile_state *f)
 {
     const model *m = f->model;
 
@@ -535,7 +538,7 @@ static void mark_members(flat *f)
     }
 }
 
-pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_error *err)
+pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, int threads, pov_error *err)
 {
     survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
     pov_status status = POV_OK;
@@ -545,44 +548,44 @@ pov_status flatten(flat *f, const model *m, bool use_blocks, int threads, pov_er
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
-    f->large_stay = m->leaves.count > FLAT_MANY;
+    f->large_resident = m->leaves.count > COMPILE_MANY;
     f->threads = threads;
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);
     if (status == POV_OK) {
         mark_members(f);
-        share_work(threads, s.part_count, flatten_part, &s);
+        share_work(threads, s.slice_count, compile_slice, &s);
         status = add_up(&s, err);
     }
-    if (status == POV_OK && !(flat_add_trees(f, (uint16_t)(KINDS * (s.classes.count - 1))) && make_groups(&s)))
+    if (status == POV_OK && !(compile_add_trees(f, (uint16_t)(KINDS * (s.classes.count - 1))) && make_groups(&s)))
         status = err_memory(err);
     env_free(f->env, s.classes.items);
-    env_free(f->env, s.parts);
+    env_free(f->env, s.slices);
     return status;
 }
 
-void flat_box(const flat *f, uint32_t index, pov_box *out)
+void compile_box(const compile_state *f, uint32_t index, pov_box *out)
 {
-    const leaf_node *o = flat_leaf(f, index);
-    room here;
+    const leaf_node *o = compile_leaf(f, index);
+    scratch_buffer here;
 
     if (f->moved && f->moved[index]) {
         *out = f->boxes[index];
     } else if (o->shape->prepare) {
-        flat_make(o, aligned(&here));
+        compile_make(o, aligned(&here));
         o->shape->bounds(aligned(&here), out);
     } else {
         o->shape->bounds(o->instance, out);
     }
 }
 
-void flat_drop_boxes(flat *f)
+void compile_drop_boxes(compile_state *f)
 {
     env_free(f->env, f->boxes);
     f->boxes = NULL;
 }
 
-void flat_drop_maps(flat *f)
+void compile_drop_maps(compile_state *f)
 {
     if (f->last)
         model_drop_maps(f->last);
@@ -591,7 +594,7 @@ void flat_drop_maps(flat *f)
     f->maps = NULL;
 }
 
-void flat_free_arenas(const env *e, arena *arenas, int count)
+void compile_free_arenas(const env *e, arena *arenas, int count)
 {
     int i;
 
@@ -600,7 +603,7 @@ void flat_free_arenas(const env *e, arena *arenas, int count)
     env_free(e, arenas);
 }
 
-void flat_free_groups(const env *e, shape_group *groups, size_t count)
+void compile_free_groups(const env *e, shape_group *groups, size_t count)
 {
     size_t i;
 
@@ -609,17 +612,17 @@ void flat_free_groups(const env *e, shape_group *groups, size_t count)
     env_free(e, groups);
 }
 
-void flat_free(flat *f)
+void compile_free(compile_state *f)
 {
-    flat_free_arenas(f->env, f->staging, f->threads);
-    flat_free_arenas(f->env, f->kept, f->threads);
-    flat_free_groups(f->env, f->groups, f->group_count);
+    compile_free_arenas(f->env, f->staged, f->threads);
+    compile_free_arenas(f->env, f->resident, f->threads);
+    compile_free_groups(f->env, f->groups, f->group_count);
     env_free(f->env, f->moved);
     env_free(f->env, f->boxes);
     env_free(f->env, f->maps);
     env_free(f->env, f->group);
-    env_free(f->env, f->things);
-    env_free(f->env, f->packs);
+    env_free(f->env, f->objects_info);
+    env_free(f->env, f->shares_leaf);
     env_free(f->env, f->finite);
     env_free(f->env, f->infinite);
     env_free(f->env, f->members);

@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <string.h>
 
-void flat_maps_init(flat_maps *k)
+void compile_maps_init(compile_maps *k)
 {
-    memset(k, 0, offsetof(flat_maps, rough_maps));
+    memset(k, 0, offsetof(compile_maps, approx_maps));
 }
 
 /* What a class says of its shapes tells of some transformations, even before they are composed, that none is left when
@@ -16,17 +16,17 @@ static bool is_rigid(const leaf_node *o)
 {
     if (!o->map)
         return false;
-    return !o->shape->absorb || (o->shape->flags & POV_SHAPE_BALL && transform_is_uneven(o->map)) ||
+    return !o->shape->absorb || (o->shape->flags & POV_SHAPE_SPHERE && transform_is_uneven(o->map)) ||
            (o->shape->flags & POV_SHAPE_BOX && transform_is_turned(o->map));
 }
 
-static bool is_marked(const flat_maps *k, const leaf_node *o)
+static bool is_marked(const compile_maps *k, const leaf_node *o)
 {
     return k->rigid >> (o - k->window) & 1;
 }
 
 /* What follows an object in the window, up to whose transformations are of other kinds, and is as rigid. */
-static int gather(const flat_maps *k, const leaf_node *o, const transform **lists, int most)
+static int gather(const compile_maps *k, const leaf_node *o, const transform **lists, int most)
 {
     const bool rigid = is_marked(k, o);
     int n = 0;
@@ -41,7 +41,7 @@ static int gather(const flat_maps *k, const leaf_node *o, const transform **list
     return n;
 }
 
-const pov_affine *flat_maps_compose(flat_maps *k, const leaf_node *o)
+const pov_affine *compile_maps_compose(compile_maps *k, const leaf_node *o)
 {
     while (k->now < k->list_count && k->lists[k->now] != o->map)
         k->now++;
@@ -53,31 +53,31 @@ const pov_affine *flat_maps_compose(flat_maps *k, const leaf_node *o)
     return k->good >> k->now & 1 ? &k->maps[k->now] : NULL;
 }
 
-bool flat_maps_look(flat_maps *k, const leaf_node *o)
+bool compile_maps_is_approx(compile_maps *k, const leaf_node *o)
 {
     if (!is_marked(k, o))
         return false;
-    while (k->rough_now < k->rough_count && k->rough[k->rough_now] != o->map)
-        k->rough_now++;
-    if (k->rough_now == k->rough_count) {
-        k->rough_now = 0;
-        k->rough_count = gather(k, o, k->rough, ROUGH_MANY);
-        k->moderate = transform_rough(k->rough, k->rough_count, &k->rough_maps);
+    while (k->approx_now < k->approx_count && k->approx[k->approx_now] != o->map)
+        k->approx_now++;
+    if (k->approx_now == k->approx_count) {
+        k->approx_now = 0;
+        k->approx_count = gather(k, o, k->approx, APPROX_MANY);
+        k->moderate = transform_approx(k->approx, k->approx_count, &k->approx_maps);
     }
-    return k->moderate >> k->rough_now & 1;
+    return k->moderate >> k->approx_now & 1;
 }
 
-bool flat_maps_box(const flat_maps *k, const leaf_node *o, const pov_box *own, pov_box *out)
+bool compile_maps_box(const compile_maps *k, const leaf_node *o, const pov_box *own, pov_box *out)
 {
-    return transform_rough_box(&k->rough_maps, k->rough_now, own, o->shape->flags & POV_SHAPE_BALL, out);
+    return transform_approx_box(&k->approx_maps, k->approx_now, own, o->shape->flags & POV_SHAPE_SPHERE, out);
 }
 
-void flat_maps_open(flat_maps *k, const leaf_node *first, uint32_t n)
+void compile_maps_open(compile_maps *k, const leaf_node *first, uint32_t n)
 {
     uint32_t i;
 
     k->window = first;
-    k->end = first + (n < FLAT_WINDOW ? n : FLAT_WINDOW);
+    k->end = first + (n < COMPILE_WINDOW ? n : COMPILE_WINDOW);
     k->rigid = 0;
     for (i = 0; first + i < k->end; i++)
         k->rigid |= (uint32_t)is_rigid(&first[i]) << i;

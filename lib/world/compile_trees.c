@@ -3,51 +3,51 @@
 
 static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
 {
-    const flat *f = user;
+    const compile_state *f = user;
 
-    out->boxed = !(f->group[leaf] & FLAT_INFINITE);
+    out->boxed = !(f->group[leaf] & COMPILE_INFINITE);
     if (out->boxed)
-        flat_box(f, leaf, &out->box);
+        compile_box(f, leaf, &out->box);
 }
 
 /* A tree casts a shadow where a member does, and light ends at it where all are opaque. Normals of members that are taken
  * away point into these. */
-static unsigned see_members(flat *f, const csg_tree *t)
+static unsigned note_members(compile_state *f, const csg_tree *t)
 {
-    unsigned opaque = FLAT_OPAQUE, casts = 0;
+    unsigned opaque = COMPILE_OPAQUE, casts = 0;
 
     for (uint32_t i = 0; i < t->member_count; i++) {
-        world_thing *thing = &f->things[t->members[i].leaf];
+        object_info *info = &f->objects_info[t->members[i].leaf];
 
-        opaque &= thing->slot;
-        casts |= thing->slot & FLAT_CASTS;
-        thing->inverse = t->members[i].turned;
+        opaque &= info->slot;
+        casts |= info->slot & COMPILE_CASTS;
+        info->inverse = t->members[i].turned;
     }
     return opaque | casts;
 }
 
-static void add_tree(flat *f, uint32_t which, uint16_t mark)
+static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
 {
     const csg_tree *t = &f->trees.items[which];
     const leaf_node *first = &f->model->leaves.items[t->members[0].leaf];
     const uint32_t index = (uint32_t)f->model->leaves.count + which;
-    const world_thing thing = { .slot = see_members(f, t), .material = first->material };
+    const object_info info = { .slot = note_members(f, t), .material = first->material };
     const leaf_node leaf = { .shape = &csg_class, .instance = &f->roots[which], .material = first->material,
                              .line = first->line, .column = first->column };
 
     f->roots[which].tree = t;
     f->tree_leaves[which] = leaf;
-    f->things[index] = thing;
+    f->objects_info[index] = info;
     f->group[index] = mark;
     if (f->moved)
         f->moved[index] = NULL;
     if (t->empty)
-        f->group[index] |= FLAT_MEMBER;   /* no ray need be handed it */
+        f->group[index] |= COMPILE_MEMBER;   /* no ray need be handed it */
     else
-        flat_take(f, index, t->boxed ? &t->box : NULL);
+        compile_take(f, index, t->boxed ? &t->box : NULL);
 }
 
-bool flat_add_trees(flat *f, uint16_t mark)
+bool compile_add_trees(compile_state *f, uint16_t mark)
 {
     const model *m = f->model;
 

@@ -11,7 +11,7 @@ int32_t csg_value(const csg_node *n, const csg_state *s)
         value = s->sum > 0;
     else if (n->op == NODE_INTERSECTION)
         value = s->zeros > 0 ? 0 : 1 + s->sum - (int32_t)n->child_count;
-    if (n->twice)
+    if (n->definite_pair)
         return value > 0;
     return n->inverse ? value == 0 : value;
 }
@@ -46,7 +46,7 @@ static node_ref add_group(making *k, const group_node *g, uint32_t parent, bool 
 
     n->op = g->op == NODE_DIFFERENCE ? NODE_INTERSECTION : g->op;
     n->inverse = complement != g->inverse;
-    n->twice = complement && g->inverse;
+    n->definite_pair = complement && g->inverse;
     n->parent = parent;
     n->child = k->tree->child_count;
     n->child_count = g->child_count;
@@ -163,8 +163,8 @@ static bool is_inside(const csg_member *m, pov_vec3 point, pov_vec3 point_lo)
 {
     if (m->absent || !m->shape->inside)
         return false;
-    return m->placement ? placement_inside(m->placement, m->shape, m->instance, point, point_lo)
-                        : m->shape->inside(m->instance, point, point_lo);
+    return m->xform ? instance_inside(m->xform, m->shape, m->instance, point, point_lo)
+                    : m->shape->inside(m->instance, point, point_lo);
 }
 
 static int32_t value_at(const csg_tree *t, node_ref node, pov_vec3 point, pov_vec3 point_lo)

@@ -20,7 +20,7 @@ typedef struct csg_state { int32_t zeros, sum, value; } csg_state;
 typedef struct csg_node {
     node_op op;                  /* a difference has become an intersection */
     bool inverse;
-    bool twice;                  /* inverse two times: as it was, but for values above 1 */
+    bool definite_pair;          /* inverse two times: as it was, but for values above 1 */
     uint32_t parent;             /* of the root its own index, 0 */
     uint32_t child, child_count; /* among the tree's children, each a member or, with NODE_GROUP, a node */
 } csg_node;
@@ -28,7 +28,7 @@ typedef struct csg_node {
 typedef struct csg_member {
     const shape_class *shape;
     const void *instance;
-    const placement *placement;  /* NULL: own space is the world */
+    const instance_xform *xform; /* NULL: own space is the world */
     uint32_t leaf, node;         /* its index in the model; the node that it is a child of */
     bool inverse;                /* the node takes its complement */
     bool turned;                 /* where it is left the solid is entered, where it is the only one that counts */

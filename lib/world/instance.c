@@ -2,17 +2,17 @@
 
 #include <string.h>
 
-static inline double part(pov_vec3 v, int i)
+static inline double component(pov_vec3 v, int i)
 {
     return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
 
-static inline pov_two inverse(const placement *p, int i, int j)
+static inline pov_two inverse(const instance_xform *p, int i, int j)
 {
-    return pov_two_of(part(p->column[j], i), part(p->column_lo[j], i));
+    return pov_two_of(component(p->column[j], i), component(p->column_lo[j], i));
 }
 
-static inline pov_two apply_row(const placement *p, int i, const pov_two v[3])
+static inline pov_two apply_row(const instance_xform *p, int i, const pov_two v[3])
 {
     if (p->axes)
         return pov_two_mul(inverse(p, i, i), v[i]);
@@ -28,20 +28,20 @@ static inline pov_two from_anchor(double at, double at_lo, double anchor)
     return pov_two_add_double(pov_two_sum(at, -anchor), at_lo);
 }
 
-/* A component of the direction, in two parts: the ray in the shape's space then is the world's but for errors of the
- * order of 2^-100, from however far it comes. */
-static inline pov_two turned(const placement *p, int i, pov_vec3 d)
+/* A component of the direction, in double-double: the ray in the shape's space then is the world's but for errors of
+ * the order of 2^-100, from however far it comes. */
+static inline pov_two rotated(const instance_xform *p, int i, pov_vec3 d)
 {
     pov_two sum;
 
     if (p->axes)
-        return pov_two_mul_double(inverse(p, i, i), part(d, i));
+        return pov_two_mul_double(inverse(p, i, i), component(d, i));
     sum = pov_two_add(pov_two_mul_double(inverse(p, i, 0), d.x), pov_two_mul_double(inverse(p, i, 1), d.y));
     return pov_two_add(sum, pov_two_mul_double(inverse(p, i, 2), d.z));
 }
 
-/* A point of the world, in two parts, in the shape's own space. */
-static inline void own_point(const placement *p, pov_vec3 at, pov_vec3 at_lo, pov_two out[3])
+/* A point of the world, in double-double, in the shape's own space. */
+static inline void own_point(const instance_xform *p, pov_vec3 at, pov_vec3 at_lo, pov_two out[3])
 {
     pov_two w[3];
     int i;
@@ -50,48 +50,49 @@ static inline void own_point(const placement *p, pov_vec3 at, pov_vec3 at_lo, po
     w[1] = from_anchor(at.y, at_lo.y, p->anchor.y);
     w[2] = from_anchor(at.z, at_lo.z, p->anchor.z);
     for (i = 0; i < 3; i++)
-        out[i] = pov_two_add(apply_row(p, i, w), pov_two_of(part(p->own_anchor, i), part(p->own_anchor_lo, i)));
+        out[i] = pov_two_add(apply_row(p, i, w),
+                             pov_two_of(component(p->own_anchor, i), component(p->own_anchor_lo, i)));
 }
 
-void placement_ray(const placement *p, const pov_ray *ray, pov_ray *own)
+void instance_ray(const instance_xform *p, const pov_ray *ray, pov_ray *own)
 {
     pov_two o[3], d[3];
     int i;
 
     own_point(p, ray->org, ray->org_lo, o);
     for (i = 0; i < 3; i++)
-        d[i] = turned(p, i, ray->dir);
+        d[i] = rotated(p, i, ray->dir);
     own->org = pov_vec3_of(o[0].hi, o[1].hi, o[2].hi);
     own->org_lo = pov_vec3_of(o[0].lo, o[1].lo, o[2].lo);
     own->dir = pov_vec3_of(d[0].hi, d[1].hi, d[2].hi);
     own->dir_lo = pov_vec3_of(d[0].lo, d[1].lo, d[2].lo);
-    own->left = ray->left;
-    own->left_mark = ray->left_mark;
+    own->origin_surface = ray->origin_surface;
+    own->origin_mark = ray->origin_mark;
 }
 
 /* ---- what rays are answered ---- */
 
-void placement_intersect(const placement *p, const shape_class *shape, const void *self, const pov_ray *ray,
-                         pov_hits *hits)
+void instance_intersect(const instance_xform *p, const shape_class *shape, const void *self, const pov_ray *ray,
+                        pov_hits *hits)
 {
     pov_ray own;
 
-    placement_ray(p, ray, &own);
+    instance_ray(p, ray, &own);
     shape->intersect(self, &own, hits);
 }
 
-void placement_normal(const placement *p, const shape_class *shape, const void *self, const pov_ray *ray,
-                      const pov_crossing *at, pov_vec3 *out)
+void instance_normal(const instance_xform *p, const shape_class *shape, const void *self, const pov_ray *ray,
+                     const pov_crossing *at, pov_vec3 *out)
 {
     pov_ray own;
 
-    placement_ray(p, ray, &own);
+    instance_ray(p, ray, &own);
     shape->normal(self, &own, at, out);
-    placement_turn_normal(p, out);
+    instance_world_normal(p, out);
 }
 
 /* Normals go by the transpose of the inverse. */
-void placement_turn_normal(const placement *p, pov_vec3 *normal)
+void instance_world_normal(const instance_xform *p, pov_vec3 *normal)
 {
     double n[3];
     int i;
@@ -104,8 +105,8 @@ void placement_turn_normal(const placement *p, pov_vec3 *normal)
     *normal = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
 }
 
-bool placement_inside(const placement *p, const shape_class *shape, const void *self, pov_vec3 point,
-                      pov_vec3 point_lo)
+bool instance_inside(const instance_xform *p, const shape_class *shape, const void *self, pov_vec3 point,
+                     pov_vec3 point_lo)
 {
     pov_two o[3];
 

@@ -1,30 +1,31 @@
-/* Several rays or normals, each with a placed shape: one alone waits for each of its sums, four side by side do not.
- * Operations and their order are instance.c's. */
+/* Several rays or normals, each with an instanced shape: one alone waits for each of its sums, four side by side do
+ * not. Operations and their order are instance.c's. */
 #include "base/simd.h"
 #include "world/instance.h"
 
 enum { LANES = 4 };
 
-/* Where a placement's doubles from the anchor on are, of which the fourth is none, and a ray's, with three others. */
-enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, PARTS = 12 };
+/* Where a instance transform's doubles from the anchor on are, of which the fourth is none, and a ray's, with three
+ * others. */
+enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, COMPONENTS = 12 };
 
-typedef struct pair_lanes { double place[NUMBERS][LANES], ray[PARTS][LANES]; } pair_lanes;
+typedef struct pair_lanes { double xform[NUMBERS][LANES], ray[COMPONENTS][LANES]; } pair_lanes;
 
 /* As pov_ray begins; and the lower part of the direction. */
-typedef struct own_lanes { double part[PARTS][LANES]; } own_lanes;
+typedef struct own_lanes { double component[COMPONENTS][LANES]; } own_lanes;
 
 static inline void take_block(double (*to)[LANES], const void *const from[LANES], size_t offset)
 {
     simd_transpose(from, offset, to[0], to[1], to[2], to[3]);
 }
 
-static inline void take_pairs(pair_lanes *l, const void *const places[LANES], const void *const rays[LANES])
+static inline void take_pairs(pair_lanes *l, const void *const xforms[LANES], const void *const rays[LANES])
 {
     size_t i;
 
-    take_block(l->place, places, offsetof(placement, anchor));
+    take_block(l->xform, xforms, offsetof(instance_xform, anchor));
     for (i = COLUMN; i < NUMBERS; i += 4)
-        take_block(l->place + i, places, offsetof(placement, column) + (i - COLUMN) * sizeof(double));
+        take_block(l->xform + i, xforms, offsetof(instance_xform, column) + (i - COLUMN) * sizeof(double));
     take_block(l->ray, rays, offsetof(pov_ray, org));
     take_block(l->ray + 4, rays, offsetof(pov_ray, org_lo.y));
     take_block(l->ray + 8, rays, offsetof(pov_ray, dir.z));
@@ -32,28 +33,28 @@ static inline void take_pairs(pair_lanes *l, const void *const places[LANES], co
 
 SIMD_INLINE pov_two inverse(const pair_lanes *l, size_t lane, size_t i, size_t j)
 {
-    return pov_two_of(l->place[COLUMN + 3 * j + i][lane], l->place[COLUMN_LO + 3 * j + i][lane]);
+    return pov_two_of(l->xform[COLUMN + 3 * j + i][lane], l->xform[COLUMN_LO + 3 * j + i][lane]);
 }
 
 /* From the anchor to the start. */
 SIMD_INLINE pov_two start(const pair_lanes *l, size_t lane, size_t j)
 {
-    return pov_two_add_double(pov_two_sum(l->ray[ORG + j][lane], -l->place[j][lane]), l->ray[ORG_LO + j][lane]);
+    return pov_two_add_double(pov_two_sum(l->ray[ORG + j][lane], -l->xform[j][lane]), l->ray[ORG_LO + j][lane]);
 }
 
 SIMD_INLINE void put_axis(const pair_lanes *l, size_t lane, size_t i, pov_two x, pov_two y, pov_two z, own_lanes *out)
 {
     const pov_two a = inverse(l, lane, i, 0), b = inverse(l, lane, i, 1), c = inverse(l, lane, i, 2);
     const pov_two at = pov_two_add(pov_two_add(pov_two_mul(a, x), pov_two_mul(b, y)), pov_two_mul(c, z));
-    const pov_two o = pov_two_add(at, pov_two_of(l->place[OWN + i][lane], l->place[OWN_LO + i][lane]));
+    const pov_two o = pov_two_add(at, pov_two_of(l->xform[OWN + i][lane], l->xform[OWN_LO + i][lane]));
     const double *const to_x = l->ray[DIR], *const to_y = l->ray[DIR + 1], *const to_z = l->ray[DIR + 2];
     const pov_two ab = pov_two_add(pov_two_mul_double(a, to_x[lane]), pov_two_mul_double(b, to_y[lane]));
     const pov_two d = pov_two_add(ab, pov_two_mul_double(c, to_z[lane]));
 
-    out->part[i][lane] = o.hi;
-    out->part[3 + i][lane] = o.lo;
-    out->part[6 + i][lane] = d.hi;
-    out->part[9 + i][lane] = d.lo;
+    out->component[i][lane] = o.hi;
+    out->component[3 + i][lane] = o.lo;
+    out->component[6 + i][lane] = d.hi;
+    out->component[9 + i][lane] = d.lo;
 }
 
 SIMD_CLONES static void find_own(const pair_lanes *restrict l, own_lanes *restrict out)
@@ -81,32 +82,32 @@ static inline void give_block(double (*from)[LANES], pov_ray *const to[LANES], s
 }
 
 /* Up to four, none along the axes alone. */
-static void place_some(const placement *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
+static void rays_some(const instance_xform *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
-    const void *places[LANES], *from[LANES];
+    const void *xforms[LANES], *from[LANES];
     pov_ray *to[LANES], unused;
     pair_lanes lanes;
     own_lanes out;
     uint32_t i;
 
     for (i = 0; i < LANES; i++) {
-        places[i] = p[i < n ? i : n - 1];
+        xforms[i] = p[i < n ? i : n - 1];
         from[i] = rays[i < n ? i : n - 1];
         to[i] = i < n ? own[i] : &unused;
     }
-    take_pairs(&lanes, places, from);
+    take_pairs(&lanes, xforms, from);
     find_own(&lanes, &out);
-    give_block(out.part, to, offsetof(pov_ray, org));
-    give_block(out.part + 4, to, offsetof(pov_ray, org_lo.y));
+    give_block(out.component, to, offsetof(pov_ray, org));
+    give_block(out.component + 4, to, offsetof(pov_ray, org_lo.y));
     for (i = 0; i < n; i++) {
-        own[i]->dir.z = out.part[8][i];
-        own[i]->dir_lo = pov_vec3_of(out.part[9][i], out.part[10][i], out.part[11][i]);
-        own[i]->left = rays[i]->left;
-        own[i]->left_mark = rays[i]->left_mark;
+        own[i]->dir.z = out.component[8][i];
+        own[i]->dir_lo = pov_vec3_of(out.component[9][i], out.component[10][i], out.component[11][i]);
+        own[i]->origin_surface = rays[i]->origin_surface;
+        own[i]->origin_mark = rays[i]->origin_mark;
     }
 }
 
-static bool any_axes(const placement *const *p, uint32_t n)
+static bool any_axes(const instance_xform *const *p, uint32_t n)
 {
     bool any = false;
     uint32_t i;
@@ -116,17 +117,17 @@ static bool any_axes(const placement *const *p, uint32_t n)
     return any;
 }
 
-void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
+void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
     uint32_t some, i;
 
     for (; n > 0; n -= some, p += some, rays += some, own += some) {
         some = n < LANES ? n : LANES;
         if (some > 1 && !any_axes(p, some))
-            place_some(p, rays, own, some);
+            rays_some(p, rays, own, some);
         else
             for (i = 0; i < some; i++)
-                placement_ray(p[i], rays[i], own[i]);
+                instance_ray(p[i], rays[i], own[i]);
     }
 }
 
@@ -140,7 +141,7 @@ void placement_rays(const placement *const *p, const pov_ray *const *rays, pov_r
 typedef struct unit_lanes { double normal[3][LANES], square[LANES]; } unit_lanes;
 
 /* Normals stand where a ray's start would. */
-SIMD_INLINE double turn_axis(const pair_lanes *l, size_t lane, size_t i)
+SIMD_INLINE double rotate_axis(const pair_lanes *l, size_t lane, size_t i)
 {
     const pov_two a = inverse(l, lane, 0, i), b = inverse(l, lane, 1, i), c = inverse(l, lane, 2, i);
     const double *const x = l->ray[ORG], *const y = l->ray[ORG + 1], *const z = l->ray[ORG + 2];
@@ -154,7 +155,7 @@ SIMD_CLONES static void find_units(const pair_lanes *restrict l, unit_lanes *res
     size_t i;
 
     for (i = 0; i < LANES; i++) {
-        const pov_vec3 n = pov_vec3_of(turn_axis(l, i, 0), turn_axis(l, i, 1), turn_axis(l, i, 2));
+        const pov_vec3 n = pov_vec3_of(rotate_axis(l, i, 0), rotate_axis(l, i, 1), rotate_axis(l, i, 2));
         const double square = pov_dot(n, n), length = sqrt(square);
 
         out->normal[0][i] = n.x / length;
@@ -165,9 +166,9 @@ SIMD_CLONES static void find_units(const pair_lanes *restrict l, unit_lanes *res
 }
 
 /* Up to four. */
-static void turn_some(const placement *const *p, pov_vec3 *const *normals, uint32_t n)
+static void rotate_some(const instance_xform *const *p, pov_vec3 *const *normals, uint32_t n)
 {
-    const void *places[LANES];
+    const void *xforms[LANES];
     pair_lanes lanes;
     unit_lanes out;
     uint32_t i;
@@ -175,29 +176,29 @@ static void turn_some(const placement *const *p, pov_vec3 *const *normals, uint3
     for (i = 0; i < LANES; i++) {
         const uint32_t j = i < n ? i : n - 1;
 
-        places[i] = p[j];
+        xforms[i] = p[j];
         lanes.ray[ORG][i] = normals[j]->x;
         lanes.ray[ORG + 1][i] = normals[j]->y;
         lanes.ray[ORG + 2][i] = normals[j]->z;
     }
     for (i = COLUMN; i < OWN; i += 4)
-        take_block(lanes.place + i, places, offsetof(placement, column) + (i - COLUMN) * sizeof(double));
+        take_block(lanes.xform + i, xforms, offsetof(instance_xform, column) + (i - COLUMN) * sizeof(double));
     find_units(&lanes, &out);
     for (i = 0; i < n; i++)
         if (out.square[i] >= LEAST_SQUARE && out.square[i] <= MOST_SQUARE)
             *normals[i] = pov_vec3_of(out.normal[0][i], out.normal[1][i], out.normal[2][i]);
         else
-            placement_turn_normal(p[i], normals[i]);
+            instance_world_normal(p[i], normals[i]);
 }
 
-void placement_turn_normals(const placement *const *p, pov_vec3 *const *normals, uint32_t n)
+void instance_world_normals(const instance_xform *const *p, pov_vec3 *const *normals, uint32_t n)
 {
     uint32_t some;
 
     for (; n > 1; n -= some, p += some, normals += some) {
         some = n < LANES ? n : LANES;
-        turn_some(p, normals, some);
+        rotate_some(p, normals, some);
     }
     if (n > 0)
-        placement_turn_normal(p[0], normals[0]);
+        instance_world_normal(p[0], normals[0]);
 }

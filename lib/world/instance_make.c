@@ -1,10 +1,10 @@
-/* Placements are made several at once: one alone waits for each of its sums, eight side by side do not. */
+/* Instance transforms are made several at once: one alone waits for each of its sums, eight side by side do not. */
 #include "base/simd.h"
 #include "world/instance.h"
 
 #include <string.h>
 
-enum { LANES = PLACEMENT_MANY, HALF = LANES / 2 };
+enum { LANES = INSTANCE_MANY, HALF = LANES / 2 };
 
 typedef double lanes[LANES];
 typedef struct two_lanes { lanes hi, lo; } two_lanes;
@@ -45,9 +45,9 @@ static void put_box(lanes lo[3], lanes hi[3], int k, const pov_box *box)
 
 /* ---- boxes ---- */
 
-/* One bound of a row's sum of intervals, the lower one for a side of -1, the upper one for 1: the terms' two-part sum,
- * moved outward by more than its error (relative to the terms, 2^-96 is many times what the additions lose) and rounded
- * outward. near, far: the corners of the box, far the one on that side. */
+/* One bound of a row's sum of intervals, the lower one for a side of -1, the upper one for 1: the terms' double-double
+ * sum, moved outward by more than its error (relative to the terms, 2^-96 is many times what the additions lose) and
+ * rounded outward. near, far: the corners of the box, far the one on that side. */
 SIMD_INLINE double bound(const row_lanes *row, const lanes near[3], const lanes far[3], double side, int k)
 {
     pov_two sum = entry(row, 3, k);
@@ -73,7 +73,7 @@ static void bounds_of(const row_lanes *restrict row, const lanes near[3], const 
         out[k] = bound(row, near, far, side, k);
 }
 
-void placement_boxes(const pov_affine *const *maps, const pov_box *own, int n, pov_box *out)
+void instance_boxes(const pov_affine *const *maps, const pov_box *own, int n, pov_box *out)
 {
     row_lanes rows[3];
     lanes lo[3], hi[3], around_lo[3], around_hi[3];
@@ -92,14 +92,15 @@ void placement_boxes(const pov_affine *const *maps, const pov_box *own, int n, p
     }
 }
 
-void placement_box(const pov_affine *map, const pov_box *own, pov_box *out)
+void instance_box(const pov_affine *map, const pov_box *own, pov_box *out)
 {
-    placement_boxes(&map, own, 1, out);
+    instance_boxes(&map, own, 1, out);
 }
 
-/* By how much a ball of that radius, or a larger one, falls short of the box around it on either side of an axis of the
- * world: there it reaches as far as the row of the map is long, the box as far as the sum of sizes. Three sums and a root
- * lose less than 11 u of that sum, the row's low parts with them; squares that underflow need a sum that is small. */
+/* By how much a sphere of that radius, or a larger one, falls short of the box around it on either side of an axis of
+ * the world: there it reaches as far as the row of the map is long, the box as far as the sum of sizes. Three sums and
+ * a root lose less than 11 u of that sum, the row's low parts with them; squares that underflow need a sum that is
+ * small. */
 static double falls_short(const double row[4], double radius)
 {
     const double sum = fabs(row[0]) + fabs(row[1]) + fabs(row[2]);
@@ -114,10 +115,10 @@ static void draw_in(double *lo, double *hi, double by)
     *hi = fmin(*hi, pov_next(*hi - by));
 }
 
-void placement_draw_in(const pov_affine *map, const pov_box *own, pov_box *around)
+void instance_shrink_box(const pov_affine *map, const pov_box *own, pov_box *around)
 {
     const pov_vec3 edge = pov_sub(own->hi, own->lo);
-    const double wide = PLACEMENT_ROUNDED * (pov_largest(own->lo) + pov_largest(own->hi));
+    const double wide = INSTANCE_ROUNDED * (pov_largest(own->lo) + pov_largest(own->hi));
     const double radius = fmax(0.5 * fmin(edge.x, fmin(edge.y, edge.z)) - wide, 0.0);
 
     draw_in(&around->lo.x, &around->hi.x, falls_short(map->m[0], radius));
@@ -125,26 +126,26 @@ void placement_draw_in(const pov_affine *map, const pov_box *own, pov_box *aroun
     draw_in(&around->lo.z, &around->hi.z, falls_short(map->m[2], radius));
 }
 
-/* ---- placements ---- */
+/* ---- instance transforms ---- */
 
 typedef struct making {
     row_lanes inverse[3];
     two_lanes move[3];           /* of the map */
     lanes lo[3], hi[3];          /* own box */
     lanes reach[3];              /* edges of the one in the world */
-    lanes anchor[3], turns;      /* turns: not zero, the inverse has more than a diagonal */
+    lanes anchor[3], off_diagonal;   /* off_diagonal: not zero, the inverse has more than a diagonal */
     two_lanes own_anchor[3];
     lanes per_half[3], known, snug;   /* known: not zero, there are halves; snug: the box reaches as far on either side */
 } making;
 
-static void take(making *m, const placement_wish *wishes, int n)
+static void take(making *m, const instance_desc *wishes, int n)
 {
     static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
     const pov_affine *maps[LANES];
     int i, k;
 
     for (k = 0; k < LANES; k++) {
-        const placement_wish *w = &wishes[k < n ? k : 0];
+        const instance_desc *w = &wishes[k < n ? k : 0];
         const pov_affine *map = maps[k] = w->map;
         const pov_box *around = w->around;
         pov_vec3 anchor = pov_vec3_of(map->m[0][3], map->m[1][3], map->m[2][3]), reach = none.lo;
@@ -163,18 +164,19 @@ static void take(making *m, const placement_wish *wishes, int n)
     take_rows(maps, LANES, offsetof(pov_affine, inv), offsetof(pov_affine, inv_lo), m->inverse);
 }
 
-static void find_turns(const making *restrict m, double *restrict turns)
+static void find_off_diagonal(const making *restrict m, double *restrict off_diagonal)
 {
     const row_lanes *a = &m->inverse[0], *b = &m->inverse[1], *c = &m->inverse[2];
     int k;
 
     for (k = 0; k < LANES; k++)
-        turns[k] = fabs(a->hi[1][k]) + fabs(a->hi[2][k]) + fabs(b->hi[0][k]) + fabs(b->hi[2][k]) + fabs(c->hi[0][k]) +
-                   fabs(c->hi[1][k]);
+        off_diagonal[k] = fabs(a->hi[1][k]) + fabs(a->hi[2][k]) + fabs(b->hi[0][k]) + fabs(b->hi[2][k])
+            + fabs(c->hi[0][k]) +
+                          fabs(c->hi[1][k]);
 }
 
-static void turn_back(const row_lanes *restrict row, const two_lanes *restrict moved, const double *restrict turns, int i,
-                      two_lanes *restrict out)
+static void rotate_back(const row_lanes *restrict row, const two_lanes *restrict moved,
+                        const double *restrict off_diagonal, int i, two_lanes *restrict out)
 {
     int k;
 
@@ -183,10 +185,10 @@ static void turn_back(const row_lanes *restrict row, const two_lanes *restrict m
         const pov_two y = pov_two_mul(entry(row, 1, k), lane_of(&moved[1], k));
         const pov_two z = pov_two_mul(entry(row, 2, k), lane_of(&moved[2], k));
         const pov_two all = pov_two_add(pov_two_add(x, y), z);
-        const pov_two alone = pov_two_mul(entry(row, i, k), lane_of(&moved[i], k));
+        const pov_two single = pov_two_mul(entry(row, i, k), lane_of(&moved[i], k));
 
-        out->hi[k] = turns[k] != 0.0 ? all.hi : alone.hi;
-        out->lo[k] = turns[k] != 0.0 ? all.lo : alone.lo;
+        out->hi[k] = off_diagonal[k] != 0.0 ? all.hi : single.hi;
+        out->lo[k] = off_diagonal[k] != 0.0 ? all.lo : single.lo;
     }
 }
 
@@ -203,7 +205,7 @@ static void find_own_anchor(making *m)
             moved[i].lo[k] = d.lo;
         }
     for (i = 0; i < 3; i++)
-        turn_back(&m->inverse[i], moved, m->turns, i, &m->own_anchor[i]);
+        rotate_back(&m->inverse[i], moved, m->off_diagonal, i, &m->own_anchor[i]);
 }
 
 /* As fmin() and fmax(). */
@@ -222,29 +224,29 @@ static void find_half(const making *restrict m, int i, double *restrict per_half
         const pov_two at = lane_of(&m->own_anchor[i], k);
         const double lo = m->lo[i][k], hi = m->hi[i][k];
         const double above = pov_two_sub(pov_two_of(hi, 0.0), at).hi, below = pov_two_sub(at, pov_two_of(lo, 0.0)).hi;
-        const double least = lesser(above, below) - PLACEMENT_ROUNDED * (fabs(lo) + fabs(hi));
+        const double least = lesser(above, below) - INSTANCE_ROUNDED * (fabs(lo) + fabs(hi));
         const double across = fabs(row->hi[0][k]) * m->reach[0][k] + fabs(row->hi[1][k]) * m->reach[1][k] +
                               fabs(row->hi[2][k]) * m->reach[2][k];
-        const double half = greater(greater(above, below) + PLACEMENT_LEAST, PLACEMENT_FLAT * across);
+        const double half = greater(greater(above, below) + INSTANCE_LEAST, INSTANCE_THIN * across);
         const double inverse = (double)(float)((1.0 - 0x1p-20) / half);
         const pov_vec3 column = { m->inverse[0].hi[i][k], m->inverse[1].hi[i][k], m->inverse[2].hi[i][k] };
 
         per_half[k] = inverse;
-        snug[k] = half > PLACEMENT_SMALL && least * inverse >= PLACEMENT_SNUG ? snug[k] : 0.0;
-        known[k] = half < PLACEMENT_LARGE && pov_largest(column) < PLACEMENT_RANGE ? known[k] : 0.0;
+        snug[k] = half > INSTANCE_SMALL && least * inverse >= INSTANCE_SNUG ? snug[k] : 0.0;
+        known[k] = half < INSTANCE_LARGE && pov_largest(column) < INSTANCE_RANGE ? known[k] : 0.0;
     }
 }
 
 static uint8_t what_is_known(const making *m, int k, uint32_t flags)
 {
     if (m->known[k] == 0.0)
-        return PLACEMENT_UNKNOWN;
-    if (!(flags & (POV_SHAPE_BOX | POV_SHAPE_BALL)) || m->snug[k] == 0.0)
-        return PLACEMENT_IN_BOX;
-    return flags & POV_SHAPE_BOX ? PLACEMENT_IS_BOX : PLACEMENT_IS_BALL;
+        return INSTANCE_UNKNOWN;
+    if (!(flags & (POV_SHAPE_BOX | POV_SHAPE_SPHERE)) || m->snug[k] == 0.0)
+        return INSTANCE_IN_BOX;
+    return flags & POV_SHAPE_BOX ? INSTANCE_IS_BOX : INSTANCE_IS_SPHERE;
 }
 
-static void put(const making *m, int k, const placement_wish *w, placement *out)
+static void put(const making *m, int k, const instance_desc *w, instance_xform *out)
 {
     const pov_affine *map = w->map;
     const two_lanes *own = m->own_anchor;
@@ -259,23 +261,23 @@ static void put(const making *m, int k, const placement_wish *w, placement *out)
     out->own_anchor = pov_vec3_of(own[0].hi[k], own[1].hi[k], own[2].hi[k]);
     out->own_anchor_lo = pov_vec3_of(own[0].lo[k], own[1].lo[k], own[2].lo[k]);
     out->known = what_is_known(m, k, w->flags);
-    out->axes = m->turns[k] == 0.0;
+    out->axes = m->off_diagonal[k] == 0.0;
 }
 
-void placement_init_many(placement *out, const placement_wish *wishes, int n)
+void instance_init_many(instance_xform *out, const instance_desc *wishes, int n)
 {
     making m;
     int i, k;
 
     take(&m, wishes, n);
-    find_turns(&m, m.turns);
+    find_off_diagonal(&m, m.off_diagonal);
     find_own_anchor(&m);
     for (k = 0; k < LANES; k++) {
         const bool finite = wishes[k < n ? k : 0].around != NULL;
 
         m.snug[k] = 1.0;
-        m.known[k] = finite && m.reach[0][k] < PLACEMENT_RANGE && m.reach[1][k] < PLACEMENT_RANGE &&
-                     m.reach[2][k] < PLACEMENT_RANGE;
+        m.known[k] = finite && m.reach[0][k] < INSTANCE_RANGE && m.reach[1][k] < INSTANCE_RANGE &&
+                     m.reach[2][k] < INSTANCE_RANGE;
     }
     for (i = 0; i < 3; i++)
         find_half(&m, i, m.per_half[i], m.snug, m.known);
@@ -284,9 +286,9 @@ void placement_init_many(placement *out, const placement_wish *wishes, int n)
         put(&m, k, &wishes[k], &out[k]);
 }
 
-void placement_init(placement *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags)
+void instance_init(instance_xform *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags)
 {
-    const placement_wish wish = { map, own, around, flags };
+    const instance_desc wish = { map, own, around, flags };
 
-    placement_init_many(p, &wish, 1);
+    instance_init_many(p, &wish, 1);
 }

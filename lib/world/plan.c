@@ -37,38 +37,38 @@ void plan_free(plan *p)
 /* ---- what there is in the model ---- */
 
 typedef struct survey {
-    size_t shining;              /* lights that are not black */
-    size_t answering;            /* objects that light changes */
-    size_t casting, tinting;     /* objects that throw a shadow; transparent ones of them */
-    size_t glossy, metallic, varying, mirrors, transparent, bending, media;
+    size_t emitting;             /* lights that are not black */
+    size_t lit;                  /* objects that light changes */
+    size_t casting, filtering;   /* objects that throw a shadow; transparent ones of them */
+    size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics;
 } survey;
 
 static bool is_solid(const leaf_node *o) { return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside; }
 
-bool plan_is_medium(const model *m, const leaf_node *o)
+bool plan_is_dielectric(const model *m, const leaf_node *o)
 {
     return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);
 }
 
 /* Of n objects that are alike in what counts. */
-static void see_objects(survey *s, const material *m, bool casts, bool solid, size_t n)
+static void count_objects(survey *s, const material *m, bool casts, bool solid, size_t n)
 {
     bool transparent = material_is_transparent(m), glossy = m->phong != 0.0f;
 
-    s->answering += glossy || (m->diffuse != 0.0f && !colour_is_black(m->pigment)) ? n : 0;
+    s->lit += glossy || (m->diffuse != 0.0f && !colour_is_black(m->pigment)) ? n : 0;
     s->casting += casts ? n : 0;
-    s->tinting += casts && transparent ? n : 0;
+    s->filtering += casts && transparent ? n : 0;
     s->glossy += glossy ? n : 0;
     s->metallic += glossy && m->metallic != 0.0f ? n : 0;
     s->varying += m->pattern ? n : 0;
-    s->mirrors += !colour_is_black(m->reflection) ? n : 0;
+    s->reflective += !colour_is_black(m->reflection) ? n : 0;
     s->transparent += transparent ? n : 0;
-    s->bending += transparent && m->has_interior && m->ior != 1.0 ? n : 0;
-    s->media += transparent && solid ? n : 0;
+    s->refracting += transparent && m->has_interior && m->ior != 1.0 ? n : 0;
+    s->dielectrics += transparent && solid ? n : 0;
 }
 
 /* Many objects are of few materials: they are counted first. False: no memory. */
-static bool look(const model *m, survey *s)
+static bool survey_model(const model *m, survey *s)
 {
     enum { CASTS = 1, SOLID = 2, KINDS = 4 };
     size_t *counts = env_alloc(m->env, m->materials.count * KINDS, sizeof *counts), i;
@@ -76,13 +76,13 @@ static bool look(const model *m, survey *s)
 
     memset(s, 0, sizeof *s);
     for (i = 0; i < m->lights.count; i++)
-        s->shining += !colour_is_black(m->lights.items[i].color);
+        s->emitting += !colour_is_black(m->lights.items[i].color);
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
         counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
     }
     for (i = 0; counts && i < m->materials.count * KINDS; i++)
-        see_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);
+        count_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);
     done = counts != NULL;
     env_free(m->env, counts);
     return done;
@@ -90,23 +90,23 @@ static bool look(const model *m, survey *s)
 
 /* ---- needs ---- */
 
-static void decide(plan *p, const survey *s)
+static void derive_needs(plan *p, const survey *s)
 {
-    p->lighting = s->shining > 0 && s->answering > 0;
+    p->lighting = s->emitting > 0 && s->lit > 0;
     p->shadows = p->lighting && s->casting > 0;
-    p->coloured_shadows = p->shadows && s->tinting > 0;
+    p->coloured_shadows = p->shadows && s->filtering > 0;
     p->highlights = p->lighting && s->glossy > 0;
     p->metallic = p->lighting && s->metallic > 0;
     p->textures = s->varying > 0;
-    p->reflection = s->mirrors > 0;
+    p->reflection = s->reflective > 0;
     p->transmission = s->transparent > 0;
-    p->refraction = s->bending > 0;
-    p->media_at_start = p->refraction && s->media > 0;
+    p->refraction = s->refracting > 0;
+    p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
 }
 
 static const char *no_light(const survey *s)
 {
-    return s->shining == 0 ? "no light shines" : "no surface answers light";
+    return s->emitting == 0 ? "no light emits" : "no surface has a diffuse colour or a highlight";
 }
 
 static pov_status explain_light(plan *p, const survey *s, pov_error *err)
@@ -114,8 +114,8 @@ static pov_status explain_light(plan *p, const survey *s, pov_error *err)
     pov_status status;
 
     if (p->lighting)
-        status = plan_add(p, err, true, "lighting", "computed", "lights that shine: %zu; objects that answer: %zu",
-                          s->shining, s->answering);
+        status = plan_add(p, err, true, "lighting", "computed", "lights that emit: %zu; objects with diffuse or highlights: %zu",
+                          s->emitting, s->lit);
     else
         status = plan_add(p, err, false, "lighting", "left out", "%s", no_light(s));
     if (status == POV_OK && p->shadows)
@@ -125,10 +125,10 @@ static pov_status explain_light(plan *p, const survey *s, pov_error *err)
                           p->lighting ? "every object is no_shadow" : no_light(s));
     if (status == POV_OK && p->coloured_shadows)
         status = plan_add(p, err, true, "coloured shadows", "collected", "transparent objects that throw a shadow: %zu",
-                          s->tinting);
+                          s->filtering);
     else if (status == POV_OK)
         status = plan_add(p, err, false, "coloured shadows", "left out", "%s",
-                          p->shadows ? "nothing that throws a shadow is transparent: the first object met ends it"
+                          p->shadows ? "nothing that throws a shadow is transparent: the first object hit ends it"
                                      : "no shadow rays are sent");
     return status;
 }
@@ -154,18 +154,18 @@ static pov_status explain_surfaces(plan *p, const survey *s, pov_error *err)
         status = explain_kind(p, p->textures, "textures", "evaluated", "whose texture varies", s->varying,
                               "every texture is constant", err);
     if (status == POV_OK)
-        status = explain_kind(p, p->reflection, "reflection", "followed", "with reflection", s->mirrors,
+        status = explain_kind(p, p->reflection, "reflection", "followed", "with reflection", s->reflective,
                               "no surface has reflection", err);
     if (status == POV_OK)
         status = explain_kind(p, p->transmission, "transparency", "followed", "that let light through", s->transparent,
                               "no surface lets light through", err);
     if (status == POV_OK)
-        status = explain_kind(p, p->refraction, "refraction", "computed", "that bend light", s->bending,
+        status = explain_kind(p, p->refraction, "refraction", "computed", "that refract light", s->refracting,
                               p->transmission ? "no transparent surface has an interior of ior other than 1"
                                               : "no surface lets light through", err);
     if (status == POV_OK)
-        status = explain_kind(p, p->media_at_start, "media at the camera", "looked up", "that may hold it", s->media,
-                              "nothing bends light", err);
+        status = explain_kind(p, p->dielectrics_at_start, "dielectrics at the camera", "looked up", "that may hold it",
+                              s->dielectrics, "nothing refracts light", err);
     return status;
 }
 
@@ -176,9 +176,9 @@ pov_status plan_make(plan *p, const model *m, pov_error *err)
 
     memset(p, 0, sizeof *p);
     arena_init(&p->memory, m->env);
-    if (!look(m, &s))
+    if (!survey_model(m, &s))
         return err_memory(err);
-    decide(p, &s);
+    derive_needs(p, &s);
     status = plan_add(p, err, true, "dialect", m->dialect == POV_DIALECT_COURSE ? "course" : "povray", "%s",
                           m->dialect_reason ? m->dialect_reason : "asked for");
     if (status == POV_OK)

@@ -15,8 +15,8 @@ typedef struct plan {
     bool textures;               /* some texture varies from point to point */
     bool reflection;
     bool transmission;           /* some surface lets rays through */
-    bool refraction;             /* ... into a medium of ior other than 1 */
-    bool media_at_start;         /* some medium could hold the camera: asked once a picture */
+    bool refraction;             /* ... into a dielectric of ior other than 1 */
+    bool dielectrics_at_start;   /* some dielectric could hold the camera: asked once a picture */
     plan_row_list rows;          /* for people */
     arena memory;                /* of the rows' texts */
 } plan;
@@ -28,6 +28,6 @@ pov_status plan_add(plan *p, pov_error *err, bool used, const char *subject, con
     POV_PRINTF(6, 7);
 void plan_free(plan *p);
 /* Can rays be in it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
-bool plan_is_medium(const model *m, const leaf_node *o);
+bool plan_is_dielectric(const model *m, const leaf_node *o);
 
 #endif

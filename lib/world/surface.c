@@ -1,6 +1,6 @@
 #include "base/bits.h"
 #include "base/simd.h"
-#include "world/parts.h"
+#include "world/internal.h"
 
 /* ---- what world_nearest() leaves open ---- */
 
@@ -23,24 +23,24 @@ static void find_point(const pov_ray *ray, hit *h)
 
 static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
 {
-    const shape_class *shape = w->groups[w->things[h->object].group].shape;
-    const shape_place place = world_place(w, h->object);
+    const shape_class *shape = w->groups[w->objects_info[h->object].group].shape;
+    const shape_ref ref = world_shape(w, h->object);
 
-    if (place.placement)
-        placement_normal(place.placement, shape, place.instance, ray, &h->crossing, &h->normal);
+    if (ref.xform)
+        instance_normal(ref.xform, shape, ref.instance, ray, &h->crossing, &h->normal);
     else
-        shape->normal(place.instance, ray, &h->crossing, &h->normal);
+        shape->normal(ref.instance, ray, &h->crossing, &h->normal);
 }
 
 /* The shape's normal is the surface's, but that of inverse objects points inwards. */
-static inline void take_side(const world *w, const pov_ray *ray, hit *h)
+static inline void set_entering(const world *w, const pov_ray *ray, hit *h)
 {
     h->entering = h->outside = pov_dot(h->normal, ray->dir) < 0.0;
-    if (w->things[h->object].inverse) {
+    if (w->objects_info[h->object].inverse) {
         h->normal = pov_scale(h->normal, -1.0);
         h->entering = pov_dot(h->normal, ray->dir) < 0.0;
     }
-    if (w->things[h->object].member)   /* its tree knows better than a rounded normal */
+    if (w->objects_info[h->object].member)   /* its tree knows better than a rounded normal */
         h->entering = (h->crossing.mark.flags & CSG_MARK_ENTERS) != 0;
 }
 
@@ -48,24 +48,24 @@ void world_surface(const world *w, const pov_ray *ray, hit *h)
 {
     find_point(ray, h);
     find_normal(w, ray, h);
-    take_side(w, ray, h);
+    set_entering(w, ray, h);
 }
 
 /* ---- of many ---- */
 
-static inline void put_points(approaches *out, uint32_t i, const pov_ray *ray, const hit *h)
+static inline void put_points(incidence *out, uint32_t i, const pov_ray *ray, const hit *h)
 {
-    lanes_put(&out->way, i, ray->dir);
+    lanes_put(&out->dir, i, ray->dir);
     lanes_put(&out->point, i, h->point);
     lanes_put(&out->point_lo, i, h->point_lo);
 }
 
-static inline void put_normal(approaches *out, uint32_t i, const hit *h)
+static inline void put_normal(incidence *out, uint32_t i, const hit *h)
 {
     lanes_put(&out->normal, i, pov_scale(h->normal, h->entering ? 1.0 : -1.0));
 }
 
-void world_approach(approaches *out, uint32_t lane, const pov_ray *ray, const hit *h)
+void world_incidence(incidence *out, uint32_t lane, const pov_ray *ray, const hit *h)
 {
     put_points(out, lane, ray, h);
     put_normal(out, lane, h);
@@ -89,27 +89,27 @@ static inline void find_axis(const start_lanes *l, int axis, const double *d, do
 }
 
 /* The points of the lanes from `first` on, whose ways are there. */
-SIMD_CLONES static void find_lanes(const start_lanes *restrict l, approaches *restrict out, uint32_t first)
+SIMD_CLONES static void find_lanes(const start_lanes *restrict l, incidence *restrict out, uint32_t first)
 {
-    find_axis(l, 0, out->way.x + first, out->point.x + first, out->point_lo.x + first);
-    find_axis(l, 1, out->way.y + first, out->point.y + first, out->point_lo.y + first);
-    find_axis(l, 2, out->way.z + first, out->point.z + first, out->point_lo.z + first);
+    find_axis(l, 0, out->dir.x + first, out->point.x + first, out->point_lo.x + first);
+    find_axis(l, 1, out->dir.y + first, out->point.y + first, out->point_lo.y + first);
+    find_axis(l, 2, out->dir.z + first, out->point.z + first, out->point_lo.z + first);
 }
 
 /* Four rays and what they meet. */
-static inline void put_lanes(start_lanes *l, approaches *out, uint32_t first, const void *const rays[LANES],
+static inline void put_lanes(start_lanes *l, incidence *out, uint32_t first, const void *const rays[LANES],
                              const void *const hits[LANES])
 {
     double other[LANES], more[LANES], most[LANES];
 
     simd_transpose(rays, offsetof(pov_ray, org), l->org[0], l->org[1], l->org[2], l->org_lo[0]);
-    simd_transpose(rays, offsetof(pov_ray, org_lo.y), l->org_lo[1], l->org_lo[2], out->way.x + first,
-                   out->way.y + first);
-    simd_transpose(rays, offsetof(pov_ray, dir.z), out->way.z + first, other, more, most);
+    simd_transpose(rays, offsetof(pov_ray, org_lo.y), l->org_lo[1], l->org_lo[2], out->dir.x + first,
+                   out->dir.y + first);
+    simd_transpose(rays, offsetof(pov_ray, dir.z), out->dir.z + first, other, more, most);
     simd_transpose(hits, offsetof(hit, crossing), l->t, l->t_lo, other, more);
 }
 
-static inline void take_points(const approaches *a, uint32_t first, hit *const h[LANES])
+static inline void take_points(const incidence *a, uint32_t first, hit *const h[LANES])
 {
     const double *const z = a->point.z + first, *const x_lo = a->point_lo.x + first;
     const void *const from[] = { a->point.x + first, a->point.y + first, z, x_lo };
@@ -120,7 +120,7 @@ static inline void take_points(const approaches *a, uint32_t first, hit *const h
 }
 
 /* Past the end the last stands again. */
-static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n, approaches *out)
+static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n, incidence *out)
 {
     for (uint32_t first = 0; first < n; first += LANES) {
         const void *r[LANES], *h[LANES];
@@ -145,32 +145,32 @@ typedef struct normals {
     const pov_ray *rays[WORLD_MANY];
     const pov_crossing *at[WORLD_MANY];
     pov_vec3 *out[WORLD_MANY];
-    uint32_t count, turned;
-    const placement *place[WORLD_MANY];   /* of those in spaces of their own */
-    pov_vec3 *turn[WORLD_MANY];
-    places placed;                        /* those whose rays nobody has taken there before */
+    uint32_t count, instanced_count;
+    const instance_xform *ref[WORLD_MANY];   /* of those in spaces of their own */
+    pov_vec3 *instanced_normals[WORLD_MANY];
+    xform_batch batch;                    /* those whose rays nobody has taken there before */
     pov_ray own[WORLD_MANY];
 } normals;
 
-static inline const pov_ray *known_ray(const own_rays *from, const hit *h)
+static inline const pov_ray *known_ray(const object_space_rays *from, const hit *h)
 {
     const size_t i = from ? (size_t)(h - from->first) : 0;
 
     return from && (from->known >> i & 1) && from->of[i] == h->object ? &from->rays[i] : NULL;
 }
 
-/* The ray that a class looks at for the normal of a placed shape. */
-static const pov_ray *place_ray(normals *some, const shape_class *shape, const placement *place, const own_rays *from,
-                                const pov_ray *ray, hit *h)
+/* The ray that a class looks at for the normal of an instanced shape. */
+static const pov_ray *xform_ray(normals *some, const shape_class *shape, const instance_xform *ref,
+                                const object_space_rays *from, const pov_ray *ray, hit *h)
 {
-    const uint32_t n = some->turned++;
-    const pov_ray *known = shape->flags & POV_SHAPE_FACES ? ray : known_ray(from, h);
+    const uint32_t n = some->instanced_count++;
+    const pov_ray *known = shape->flags & POV_SHAPE_FACETED ? ray : known_ray(from, h);
 
-    some->place[n] = place;
-    some->turn[n] = &h->normal;
+    some->ref[n] = ref;
+    some->instanced_normals[n] = &h->normal;
     if (known)
         return known;
-    places_put(&some->placed, place, ray, &some->own[n]);
+    xform_batch_add(&some->batch, ref, ray, &some->own[n]);
     return &some->own[n];
 }
 
@@ -178,30 +178,30 @@ static void find_added(normals *some, const shape_class *shape)
 {
     uint32_t i;
 
-    places_find(&some->placed);
+    xform_batch_apply(&some->batch);
     if (shape->normal_many != NULL)
         shape->normal_many(some->selves, some->rays, some->at, some->out, some->count);
     else
         for (i = 0; i < some->count; i++)
             shape->normal(some->selves[i], some->rays[i], some->at[i], some->out[i]);
-    placement_turn_normals(some->place, some->turn, some->turned);
+    instance_world_normals(some->ref, some->instanced_normals, some->instanced_count);
 }
 
 /* Normals of the class of the first of `left`, together, stage after stage. Those of classes that know no better are
  * asked for at once, where nothing is to be turned. The others are left. */
-static uint64_t find_normals(const world *w, const own_rays *from, const pov_ray *const *rays, hit *const *hits,
-                             uint64_t left)
+static uint64_t find_normals(const world *w, const object_space_rays *from, const pov_ray *const *rays,
+                             hit *const *hits, uint64_t left)
 {
     const shape_class *shape = NULL;
     uint64_t others = 0;
     normals some;
 
-    for (some.count = some.turned = some.placed.count = 0; left; left &= left - 1) {
+    for (some.count = some.instanced_count = some.batch.count = 0; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
-        const shape_group *g = &w->groups[w->things[which].group];
-        shape_place place;
+        const shape_group *g = &w->groups[w->objects_info[which].group];
+        shape_ref ref;
 
-        if (!g->placed && g->shape != shape && !g->shape->normal_many) {
+        if (!g->instanced && g->shape != shape && !g->shape->normal_many) {
             find_normal(w, rays[i], hits[i]);
             continue;
         }
@@ -210,11 +210,11 @@ static uint64_t find_normals(const world *w, const own_rays *from, const pov_ray
             continue;
         }
         shape = g->shape;
-        place = world_place(w, which);
-        some.selves[n] = place.instance;
+        ref = world_shape(w, which);
+        some.selves[n] = ref.instance;
         some.rays[n] = rays[i];
-        if (place.placement)
-            some.rays[n] = place_ray(&some, shape, place.placement, from, rays[i], hits[i]);
+        if (ref.xform)
+            some.rays[n] = xform_ray(&some, shape, ref.xform, from, rays[i], hits[i]);
         some.at[n] = &hits[i]->crossing;
         some.out[n] = &hits[i]->normal;
         some.count++;
@@ -224,8 +224,8 @@ static uint64_t find_normals(const world *w, const own_rays *from, const pov_ray
     return others;
 }
 
-void world_surface_many(const world *w, const own_rays *from, const pov_ray *const *rays, hit *const *hits, uint32_t n,
-                        approaches *out)
+void world_surface_many(const world *w, const object_space_rays *from, const pov_ray *const *rays, hit *const *hits,
+                        uint32_t n, incidence *out)
 {
     uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0;
     uint32_t i;
@@ -239,23 +239,23 @@ void world_surface_many(const world *w, const own_rays *from, const pov_ray *con
     while (left)
         left = find_normals(w, from, rays, hits, left);
     for (i = 0; i < n; i++) {
-        take_side(w, rays[i], hits[i]);
+        set_entering(w, rays[i], hits[i]);
         put_normal(out, i, hits[i]);
     }
 }
 
-/* ---- media ---- */
+/* ---- dielectrics ---- */
 
 static bool is_within(const pov_box *b, pov_vec3 p)
 {
     return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y && p.z >= b->lo.z && p.z <= b->hi.z;
 }
 
-static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 point_lo)
+static bool is_inside(const world *w, const dielectric *m, pov_vec3 point, pov_vec3 point_lo)
 {
     const uint32_t leaves = (uint32_t)w->model->leaves.count;
     const leaf_node *o;
-    shape_place place;
+    shape_ref ref;
     bool inside;
 
     if (m->boxed && !is_within(&m->box, point))
@@ -263,23 +263,23 @@ static bool is_inside(const world *w, const medium *m, pov_vec3 point, pov_vec3 
     if (m->object >= leaves)
         return csg_inside(&w->roots[m->object - leaves], point, point_lo);
     o = &w->model->leaves.items[m->object];
-    place = world_place(w, m->object);
-    if (place.placement)
-        inside = placement_inside(place.placement, o->shape, place.instance, point, point_lo);
+    ref = world_shape(w, m->object);
+    if (ref.xform)
+        inside = instance_inside(ref.xform, o->shape, ref.instance, point, point_lo);
     else
-        inside = o->shape->inside(place.instance, point, point_lo);
+        inside = o->shape->inside(ref.instance, point, point_lo);
     return inside != ((o->flags & LEAF_INVERSE) != 0);
 }
 
-static double size_of(const medium *m)
+static double size_of(const dielectric *m)
 {
     const pov_vec3 edges = pov_sub(m->box.hi, m->box.lo);
 
     return m->boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
 }
 
-/* Of media that hold each other the inner one comes last: it is what a ray that starts there is in. */
-static bool comes_before(const medium *a, const medium *b)
+/* Of dielectrics that hold each other the inner one comes last: it is what a ray that starts there is in. */
+static bool comes_before(const dielectric *a, const dielectric *b)
 {
     const double size_a = size_of(a), size_b = size_of(b);
 
@@ -287,21 +287,21 @@ static bool comes_before(const medium *a, const medium *b)
 }
 
 /* Few hold a point, if any: to look for each is less work than to have all in order. */
-void world_media_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*see)(void *user, uint32_t object),
-                    void *user)
+void world_dielectrics_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*visit)(void *user, uint32_t object),
+                          void *user)
 {
-    const medium *last = NULL, *next;
+    const dielectric *last = NULL, *next;
     size_t i;
 
     do {
-        for (next = NULL, i = 0; i < w->media.count; i++) {
-            const medium *m = &w->media.items[i];
+        for (next = NULL, i = 0; i < w->dielectrics.count; i++) {
+            const dielectric *m = &w->dielectrics.items[i];
 
             if ((!last || comes_before(last, m)) && (!next || comes_before(m, next)) && is_inside(w, m, point, point_lo))
                 next = m;
         }
         if (next)
-            see(user, next->solid);
+            visit(user, next->solid);
         last = next;
     } while (next);
 }

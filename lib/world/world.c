@@ -1,5 +1,5 @@
 #include "bvh/build.h"
-#include "world/parts.h"
+#include "world/internal.h"
 
 #include "base/err.h"
 #include "base/share.h"
@@ -12,7 +12,7 @@ enum { THREADS_FROM = 10000 };
 
 /* ---- the plan's rows on objects and trees ---- */
 
-static pov_status explain_objects(world *w, const flat *f, pov_error *err)
+static pov_status explain_objects(world *w, const compile_state *f, pov_error *err)
 {
     plan *p = &w->plan;
     pov_status status;
@@ -20,11 +20,11 @@ static pov_status explain_objects(world *w, const flat *f, pov_error *err)
     if (f->absorbed + f->composed == 0)
         status = plan_add(p, err, false, "transformations", "left out", "no object has one");
     else if (f->composed == 0)
-        status = plan_add(p, err, true, "transformations", "absorbed", "taken into the shapes themselves: %zu",
+        status = plan_add(p, err, true, "transformations", "absorbed", "applied to the shapes themselves: %zu",
                           f->absorbed);
     else
         status = plan_add(p, err, true, "transformations", f->absorbed ? "some absorbed" : "composed",
-                          "taken into the shapes themselves: %zu; rays taken into the shape's own space: %zu",
+                          "applied to the shapes themselves: %zu; rays transformed to object space: %zu",
                           f->absorbed, f->composed);
     if (status == POV_OK && f->packed > 0)
         status = plan_add(p, err, true, "blocks", "packed", "shapes filtered up to eight at once: %zu of %zu",
@@ -32,14 +32,14 @@ static pov_status explain_objects(world *w, const flat *f, pov_error *err)
     else if (status == POV_OK)
         status = plan_add(p, err, false, "blocks", "left out", "no shape takes part in them");
     if (status == POV_OK && f->infinite_count > 0)
-        status = plan_add(p, err, true, "infinite objects", "asked apart",
-                          "without a finite box, asked for every ray: %zu", (size_t)f->infinite_count);
+        status = plan_add(p, err, true, "infinite objects", "tested separately",
+                          "without a finite box, tested for every ray: %zu", (size_t)f->infinite_count);
     else if (status == POV_OK)
         status = plan_add(p, err, false, "infinite objects", "left out", "every object has a finite box");
     return status;
 }
 
-static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_error *err)
+static pov_status explain_tree(world *w, const compile_state *f, pov_accel accel, pov_error *err)
 {
     const bvh *t = &w->tree;
 
@@ -49,43 +49,43 @@ static pov_status explain_tree(world *w, const flat *f, pov_accel accel, pov_err
                         (size_t)f->finite_count, t->node_count, t->leaf_count, t->depth, t->frame_count,
                         1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->kernels->name);
     return plan_add(&w->plan, err, false, "tree", "left out", "%s",
-                    accel == POV_ACCEL_NONE ? "asked for none: every ray asks every object"
+                    accel == POV_ACCEL_NONE ? "asked for none: every ray tests every object"
                                             : "no object has a finite box");
 }
 
-/* ---- media ---- */
+/* ---- dielectrics ---- */
 
-/* Of a tree its first leaf that can hold a medium, if there is one; of a leaf the leaf. */
-static uint32_t medium_leaf(const world *w, const flat *f, uint32_t object)
+/* Of a tree its first leaf that can hold a dielectric, if there is one; of a leaf the leaf. */
+static uint32_t dielectric_leaf(const world *w, const compile_state *f, uint32_t object)
 {
     const uint32_t leaves = (uint32_t)w->model->leaves.count;
     const csg_tree *t = object < leaves ? NULL : &f->trees.items[object - leaves];
     const uint32_t first = t ? t->members[0].leaf : object, end = t ? first + t->member_count : first + 1;
 
     for (uint32_t i = first; i < end; i++)
-        if (plan_is_medium(w->model, &w->model->leaves.items[i]) && (t || !f->is_member || !f->is_member[i]))
+        if (plan_is_dielectric(w->model, &w->model->leaves.items[i]) && (t || !f->is_member || !f->is_member[i]))
             return i;
-    return POV_NOBODY;
+    return POV_NO_OWNER;
 }
 
-static bool find_media(world *w, const flat *f)
+static bool find_dielectrics(world *w, const compile_state *f)
 {
     uint32_t i, k;
 
     /* Both lists are in the order of the objects. An inverse solid's inside is all but its box. */
-    for (i = 0, k = 0; w->plan.media_at_start && i < flat_count(f); i++) {
-        const uint32_t leaf = medium_leaf(w, f, i);
-        medium m = { .object = i };
+    for (i = 0, k = 0; w->plan.dielectrics_at_start && i < compile_count(f); i++) {
+        const uint32_t leaf = dielectric_leaf(w, f, i);
+        dielectric m = { .object = i };
 
-        if (leaf == POV_NOBODY)
+        if (leaf == POV_NO_OWNER)
             continue;
         while (k < f->finite_count && f->finite[k] < i)
             k++;
         m.solid = world_solid(w, leaf);
-        m.boxed = k < f->finite_count && f->finite[k] == i && !(flat_leaf(f, i)->flags & LEAF_INVERSE);
+        m.boxed = k < f->finite_count && f->finite[k] == i && !(compile_leaf(f, i)->flags & LEAF_INVERSE);
         if (m.boxed)
-            flat_box(f, i, &m.box);
-        if (!VEC_PUSH(w->env, &w->media, m))
+            compile_box(f, i, &m.box);
+        if (!VEC_PUSH(w->env, &w->dielectrics, m))
             return false;
     }
     return true;
@@ -114,33 +114,33 @@ static void bind_trees(world *w)
     for (uint32_t i = 0; i < w->trees.count; i++)
         for (uint32_t k = 0; k < w->trees.items[i].member_count; k++) {
             csg_member *m = &w->trees.items[i].members[k];
-            const shape_place place = world_place(w, m->leaf);
+            const shape_ref ref = world_shape(w, m->leaf);
 
-            m->instance = place.instance;
-            m->placement = place.placement;
+            m->instance = ref.instance;
+            m->xform = ref.xform;
         }
 }
 
 /* ---- lists and the tree ---- */
 
-/* The lists are the first part of the runs, the tree's parts follow. */
-enum { LIST_PART, TREE_PART };
+/* The lists are the first part of the leaf batches, the tree's parts follow. */
+enum { LIST_SLICE, TREE_SLICE };
 
 typedef struct layout {
     world *world;
-    runs runs;
+    leaf_layout batches;
     size_t first, second;        /* bytes of the lists of infinite objects, and of finite ones; members follow */
 } layout;
 
 static bool size_lists(layout *l, bool with_finite)
 {
-    const flat *f = l->runs.flat;
+    const compile_state *f = l->batches.state;
     world *w = l->world;
     size_t all;
 
-    l->second = with_finite ? runs_size(&l->runs, LIST_PART, f->finite, f->finite_count, 0) : 0;
-    l->first = runs_size(&l->runs, LIST_PART, f->infinite, f->infinite_count, 0);
-    all = l->first + l->second + runs_size(&l->runs, LIST_PART, f->members, f->member_count, 0);
+    l->second = with_finite ? leaf_layout_size(&l->batches, LIST_SLICE, f->finite, f->finite_count, 0) : 0;
+    l->first = leaf_layout_size(&l->batches, LIST_SLICE, f->infinite, f->infinite_count, 0);
+    all = l->first + l->second + leaf_layout_size(&l->batches, LIST_SLICE, f->members, f->member_count, 0);
     if (all > 0)
         w->list_memory = env_reserve_aligned(w->env, all, 64);
     return w->list_memory || all == 0;
@@ -148,27 +148,27 @@ static bool size_lists(layout *l, bool with_finite)
 
 static void fill_lists(layout *l, bool with_finite)
 {
-    const flat *f = l->runs.flat;
+    const compile_state *f = l->batches.state;
     world *w = l->world;
     unsigned char *second = l->first > 0 ? w->list_memory + l->first : w->list_memory;
 
-    l->runs.base = w->list_memory;
-    l->runs.mark = RUNS_IN_LISTS;
+    l->batches.base = w->list_memory;
+    l->batches.mark = LEAF_IN_LISTS;
     if (f->infinite_count > 0) {
-        runs_fill(&l->runs, LIST_PART, NULL, f->infinite, f->infinite_count, w->list_memory);
-        w->infinite = (const run *)(const void *)w->list_memory;
+        leaf_layout_fill(&l->batches, LIST_SLICE, NULL, f->infinite, f->infinite_count, w->list_memory);
+        w->infinite = (const leaf_batch *)(const void *)w->list_memory;
     }
     if (f->member_count > 0)
-        runs_fill(&l->runs, LIST_PART, NULL, f->members, f->member_count, second + l->second);
+        leaf_layout_fill(&l->batches, LIST_SLICE, NULL, f->members, f->member_count, second + l->second);
     if (with_finite && f->finite_count > 0) {
-        runs_fill(&l->runs, LIST_PART, NULL, f->finite, f->finite_count, second);
-        w->list = (const run *)(const void *)second;
+        leaf_layout_fill(&l->batches, LIST_SLICE, NULL, f->finite, f->finite_count, second);
+        w->list = (const leaf_batch *)(const void *)second;
     }
 }
 
-static size_t leaf_size(void *user, uint32_t part, uint32_t *ids, uint32_t count, uint32_t rest)
+static size_t leaf_size(void *user, uint32_t slice, uint32_t *ids, uint32_t count, uint32_t rest)
 {
-    return runs_size(&((layout *)user)->runs, TREE_PART + part, ids, count, rest);
+    return leaf_layout_size(&((layout *)user)->batches, TREE_SLICE + slice, ids, count, rest);
 }
 
 /* Lists are filled first: the transformations of what is in them may go now. */
@@ -176,37 +176,37 @@ static bool leaf_allocate(void *user, const void *leaves)
 {
     layout *l = user;
 
-    if (!runs_allocate(&l->runs))
+    if (!leaf_layout_allocate(&l->batches))
         return false;
     fill_lists(l, false);
-    l->runs.base = leaves;
-    l->runs.mark = 0;
-    return runs_take_maps(&l->runs, TREE_PART);
+    l->batches.base = leaves;
+    l->batches.mark = 0;
+    return leaf_layout_take_maps(&l->batches, TREE_SLICE);
 }
 
-static void leaf_fill(void *user, uint32_t part, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
+static void leaf_fill(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
-    runs_fill(&((layout *)user)->runs, TREE_PART + part, frame, ids, count, at);
+    leaf_layout_fill(&((layout *)user)->batches, TREE_SLICE + slice, frame, ids, count, at);
 }
 
-static void leaves_filled(void *user, uint32_t part)
+static void leaves_filled(void *user, uint32_t slice)
 {
-    runs_filled(&((layout *)user)->runs, TREE_PART + part);
+    leaf_layout_filled(&((layout *)user)->batches, TREE_SLICE + slice);
 }
 
 static void box_of(void *user, uint32_t id, pov_box *out)
 {
-    flat_box(user, id, out);
+    compile_box(user, id, out);
 }
 
 static void drop_boxes(void *user)
 {
-    flat_drop_boxes(user);
+    compile_drop_boxes(user);
 }
 
 static bool make_tree(layout *l)
 {
-    flat *f = l->runs.flat;
+    compile_state *f = l->batches.state;
     world *w = l->world;
     bvh_input in = {
         .env = w->env,
@@ -217,7 +217,7 @@ static bool make_tree(layout *l)
         .ids = f->finite,
         .count = f->finite_count,
         .group = f->group,
-        .packs = f->packs,
+        .shares_leaf = f->shares_leaf,
         .threads = f->threads,
         .leaves = { leaf_size, leaf_allocate, leaf_fill, leaves_filled, l },
     };
@@ -228,38 +228,38 @@ static bool make_tree(layout *l)
 
 static bool make_list(layout *l)
 {
-    if (!runs_allocate(&l->runs))
+    if (!leaf_layout_allocate(&l->batches))
         return false;
     fill_lists(l, true);
     return true;
 }
 
-static bool lay_out(world *w, flat *f, bool tree)
+static bool lay_out(world *w, compile_state *f, bool tree)
 {
     layout l;
     bool done;
 
     l.world = w;
-    done = runs_init(&l.runs, f, TREE_PART + (tree ? BVH_PARTS : 0)) && size_lists(&l, !tree) &&
+    done = leaf_layout_init(&l.batches, f, TREE_SLICE + (tree ? BVH_SLICES : 0)) && size_lists(&l, !tree) &&
            (tree ? make_tree(&l) : make_list(&l));
-    runs_free(&l.runs);
+    leaf_layout_free(&l.batches);
     return done;
 }
 
 /* ---- all of it ---- */
 
 /* Does what light loses depend on where it crosses something? */
-static bool is_located(const world *w, const flat *f)
+static bool is_located(const world *w, const compile_state *f)
 {
     uint32_t i;
 
     for (i = 0; w->plan.coloured_shadows && i < w->model->leaves.count; i++)
-        if (f->things[i].tints && w->model->materials.items[f->things[i].material].pattern)
+        if (f->objects_info[i].filters && w->model->materials.items[f->objects_info[i].material].pattern)
             return true;
     return false;
 }
 
-static pov_status compile(world *w, flat *f, const world_options *options, pov_error *err)
+static pov_status compile(world *w, compile_state *f, const world_options *options, pov_error *err)
 {
     bool tree = options->accel != POV_ACCEL_NONE && f->finite_count > 0;
 
@@ -267,27 +267,27 @@ static pov_status compile(world *w, flat *f, const world_options *options, pov_e
     w->has_bounds = f->finite_count > 0;
     w->scratch_bytes = f->scratch;
     w->bounds = f->bounds;
-    w->clear = f->clear;
+    w->transparent = f->transparent;
     w->located = is_located(w, f);
-    if (!find_solids(w) || !find_media(w, f) || (w->plan.transmission && !flat_find_lonely(f, &w->lonely)) ||
-        !lay_out(w, f, tree))
+    if (!find_solids(w) || !find_dielectrics(w, f) ||
+        (w->plan.transmission && !compile_find_isolated(f, &w->isolated)) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
 }
 
 /* What rays need stays with the world, the rest goes. */
-static void take_over(world *w, flat *f)
+static void take_over(world *w, compile_state *f)
 {
     w->groups = f->groups;
     w->group_count = f->group_count;
-    w->kept = f->kept;
-    w->kept_count = f->threads;
-    w->things = f->things;
+    w->resident = f->resident;
+    w->resident_count = f->threads;
+    w->objects_info = f->objects_info;
     w->trees = f->trees;
     w->roots = f->roots;
     f->groups = NULL;
-    f->kept = NULL;
-    f->things = NULL;
+    f->resident = NULL;
+    f->objects_info = NULL;
     f->trees.items = NULL;
     f->trees.count = 0;
     f->roots = NULL;
@@ -298,14 +298,14 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
     int threads = w->model->leaves.count < THREADS_FROM ? 1 : share_threads(options->threads);
     pov_status status = plan_make(&w->plan, w->model, err);
-    flat f;
+    compile_state f;
 
     if (status < 0)
         return status;
-    status = flatten(&f, w->model, use_blocks, threads, err);
+    status = compile_objects(&f, w->model, use_blocks, threads, err);
     f.last = options->last;
     if (status == POV_OK && f.composed == 0)
-        flat_drop_maps(&f);
+        compile_drop_maps(&f);
     if (status == POV_OK)
         status = compile(w, &f, options, err);
     if (status == POV_OK)
@@ -315,8 +315,8 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     take_over(w, &f);
     if (status == POV_OK)
         bind_trees(w);
-    flat_drop_maps(&f);
-    flat_free(&f);
+    compile_drop_maps(&f);
+    compile_free(&f);
     return status;
 }
 
@@ -326,7 +326,7 @@ pov_status world_create(world **out, const model *m, const world_options *option
     pov_status status;
 
     *out = NULL;
-    if (m->leaves.count > POV_NOBODY - 1u)
+    if (m->leaves.count > POV_NO_OWNER - 1u)
         return err_set(err, POV_E_UNSUPPORTED, "%zu objects are more than this version can hold", m->leaves.count);
     w = env_alloc(m->env, 1, sizeof *w);
     if (!w)
@@ -347,13 +347,13 @@ void world_destroy(world *w)
 {
     if (!w)
         return;
-    flat_free_groups(w->env, w->groups, w->group_count);
-    flat_free_arenas(w->env, w->kept, w->kept_count);
+    compile_free_groups(w->env, w->groups, w->group_count);
+    compile_free_arenas(w->env, w->resident, w->resident_count);
     bvh_free(&w->tree, w->env);
     env_free_aligned(w->env, w->list_memory);
-    env_free(w->env, w->things);
-    env_free(w->env, w->media.items);
-    env_free(w->env, w->lonely);
+    env_free(w->env, w->objects_info);
+    env_free(w->env, w->dielectrics.items);
+    env_free(w->env, w->isolated);
     csg_free(&w->trees, w->env);
     env_free(w->env, w->roots);
     env_free(w->env, w->solids);
@@ -376,9 +376,9 @@ const csg_list *world_trees(const world *w)
     return &w->trees;
 }
 
-const world_thing *world_things(const world *w)
+const object_info *world_object_info(const world *w)
 {
-    return w->things;
+    return w->objects_info;
 }
 
 bool world_bounds(const world *w, pov_box *out)

@@ -21,7 +21,7 @@ static const colour ink = { 0.13, 0.13, 0.13 }, pale = { 0.87, 0.87, 0.87 }, pal
                     level_colour = { 0.35, 0.35, 0.35 };
 /* Begin of the guide line, as a fraction of the first point. */
 static const double guide_above = 1.3;
-static const double text_size = 12.0, small_size = 11.0, title_size = 15.0;
+static const double parsed_size = 12.0, small_size = 11.0, title_size = 15.0;
 
 /* An axis as it is drawn: positions are logarithms where the axis is logarithmic. */
 typedef struct scale { bool logarithmic; double low, high; } scale;
@@ -219,7 +219,7 @@ static void name_ticks(const frame *f, const tick *ticks, int count, bool vertic
 
 static void name_axes(const frame *f)
 {
-    set_text(f->to, text_size, false);
+    set_text(f->to, parsed_size, false);
     set_colour(f->to, ink, 1.0);
     if (f->panel->x.title)
         put_text(f->to, f->left + 0.5 * f->width, f->top + f->height + 37.0, 0.5, f->panel->x.title);
@@ -405,7 +405,7 @@ static void draw_legend(const frame *f)
     double width = 0.0, x, y;
     size_t named = 0;
 
-    set_text(f->to, text_size, false);
+    set_text(f->to, parsed_size, false);
     for (size_t i = 0; i < f->panel->series_count; i++)
         if (f->panel->series[i].name) {
             width = fmax(width, text_width(f->to, f->panel->series[i].name));
@@ -431,7 +431,7 @@ static void draw_legend(const frame *f)
         if (!s->thin)
             draw_mark(f->to, (int)(i % MARKS), x + 0.5 * swatch + 1.0, y + 12.0);
         set_colour(f->to, ink, 1.0);
-        put_text(f->to, x + swatch + 8.0, y + 12.0 + 0.35 * text_size, 0.0, s->name);
+        put_text(f->to, x + swatch + 8.0, y + 12.0 + 0.35 * parsed_size, 0.0, s->name);
         y += line;
     }
 }
@@ -469,7 +469,7 @@ static void draw_all(cairo_t *to, const pov_plot *plot)
     set_text(to, title_size, true);
     if (plot->title)
         put_text(to, left, 24.0, 0.0, plot->title);
-    set_text(to, text_size, false);
+    set_text(to, parsed_size, false);
     if (plot->note)
         put_text(to, left, 43.0, 0.0, plot->note);
     for (size_t i = 0; i < plot->panel_count; i++)

@@ -2,11 +2,11 @@
  *
  * Three slabs. The order of planes along the ray is a comparison of quotients; where they are too close for doubles,
  * their cross products are compared exactly. The box is closed: edges and corners belong to it. */
-#include "kit/affine.h"
-#include "kit/expansion.h"
-#include "kit/box_block.h"
-#include "kit/lanes.h"
-#include "kit/report.h"
+#include "common/affine.h"
+#include "common/expansion.h"
+#include "common/box_block.h"
+#include "common/lanes.h"
+#include "common/report.h"
 
 #include <float.h>
 
@@ -21,7 +21,7 @@ typedef struct slabs {
     double unit;           /* a local distance times unit is a distance along the ray */
     double t[6];           /* within 6 u of the exact quotients: a difference that low parts change much is exact */
     double slack;          /* bound of the errors of two of them; infinite for always_exact */
-    bool decided;
+    bool escalated;
 } slabs;
 
 static void set_plane(pov_two plane[6], int axis, double a, double b)
@@ -51,8 +51,8 @@ static bool bounds(const void *self, pov_box *out)
     int i;
 
     for (i = 0; i < 3; i++) {
-        *lo[i] = p[2 * i].lo < 0.0 ? kit_below(p[2 * i].hi) : p[2 * i].hi;
-        *hi[i] = p[2 * i + 1].lo > 0.0 ? kit_above(p[2 * i + 1].hi) : p[2 * i + 1].hi;
+        *lo[i] = p[2 * i].lo < 0.0 ? common_below(p[2 * i].hi) : p[2 * i].hi;
+        *hi[i] = p[2 * i + 1].lo > 0.0 ? common_above(p[2 * i + 1].hi) : p[2 * i + 1].hi;
     }
     return true;
 }
@@ -75,8 +75,8 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
     s->d[0] = d.x, s->d[1] = d.y, s->d[2] = d.z;
     s->d_lo[0] = d_lo.x, s->d_lo[1] = d_lo.y, s->d_lo[2] = d_lo.z;
     s->unit = power;
-    s->slack = always_exact ? HUGE_VAL : 8.0 * KIT_U;
-    s->decided = false;
+    s->slack = always_exact ? HUGE_VAL : 8.0 * COMMON_U;
+    s->escalated = false;
     for (i = 0; i < 6; i++) {
         const pov_two plane = shape->plane[i];
 
@@ -85,15 +85,15 @@ static void begin(slabs *s, const box *shape, const pov_ray *ray, bool always_ex
 }
 
 /* Adds `factor` times the product of the distance to a plane and the direction along another axis. */
-static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, double factor)
+static void add_product(common_expansion *e, const slabs *s, int plane, int axis, double factor)
 {
     const double distance[4] = { s->shape->plane[plane].hi, s->shape->plane[plane].lo, -s->o[plane / 2],
                                  -s->o_lo[plane / 2] };
     int i;
 
     for (i = 0; i < 4; i++) {
-        kit_expansion_add_product(e, distance[i], factor * s->d[axis]);
-        kit_expansion_add_product(e, distance[i], factor * s->d_lo[axis]);
+        common_expansion_add_product(e, distance[i], factor * s->d[axis]);
+        common_expansion_add_product(e, distance[i], factor * s->d_lo[axis]);
     }
 }
 
@@ -101,19 +101,19 @@ static void add_product(kit_expansion *e, const slabs *s, int plane, int axis, d
 static int compare(slabs *s, int p, int q)
 {
     double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q])), power;
-    kit_expansion e;
+    common_expansion e;
 
     /* A finite and an infinite distance need no slack. */
     if (difference > slack || difference == HUGE_VAL)
         return 1;
     if (difference < -slack || difference == -HUGE_VAL)
         return -1;
-    s->decided = true;
+    s->escalated = true;
     power = pov_inverse_power(fmax(fabs(s->d[p / 2]), fabs(s->d[q / 2])));
-    kit_expansion_clear(&e);
+    common_expansion_clear(&e);
     add_product(&e, s, p, q / 2, power);
     add_product(&e, s, q, p / 2, -power);
-    return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -kit_expansion_sign(&e) : kit_expansion_sign(&e);
+    return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -common_expansion_sign(&e) : common_expansion_sign(&e);
 }
 
 /* The planes where the ray enters and leaves all three slabs, -1 for none. False: it is beside one of
@@ -160,21 +160,21 @@ static bool report(const slabs *s, pov_hits *hits, int plane)
     if (!isfinite(sum.lo))
         sum = pov_two_of(t, 0.0);
     return pov_cross(hits, sum.hi * s->unit, sum.lo * s->unit,
-                     kit_mark((uint32_t)plane, mark_of(s->shape) | (s->decided ? POV_MARK_DECIDED : 0)));
+                     common_mark((uint32_t)plane, mark_of(s->shape) | (s->escalated ? POV_MARK_ESCALATED : 0)));
 }
 
 static inline bool goes_inward(pov_vec3 d, int face)
 {
-    const double away = face < 2 ? d.x : face < 4 ? d.y : d.z;
+    const double slope = face < 2 ? d.x : face < 4 ? d.y : d.z;
 
-    return face % 2 ? away < 0.0 : away > 0.0;
+    return face % 2 ? slope < 0.0 : slope > 0.0;
 }
 
 /* A ray that left a face inward has entered already, whatever rounding says of an edge nearby; one that goes outward or
  * along the face has its exit behind it. */
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    const int left = ray->left == hits->owner ? (int)(ray->left_mark.part % 6) : -1;
+    const int left = ray->origin_surface == hits->owner ? (int)(ray->origin_mark.feature % 6) : -1;
     bool entered = false, gone = false;
     int entry, exit;
     slabs s;
@@ -191,10 +191,10 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     if (!find(&s, &entry, &exit))
         return;
     if (left < 0 && compare(&s, entry, exit) > 0) {
-        hits->decided += s.decided;
+        hits->escalated += s.escalated;
         return;
     }
-    hits->decided += s.decided;
+    hits->escalated += s.escalated;
     if (!entered && !report(&s, hits, entry))
         return;
     if (!gone)
@@ -203,17 +203,17 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const double way = at->mark.part % 2 ? 1.0 : -1.0;
+    const double sign = at->mark.feature % 2 ? 1.0 : -1.0;
 
     (void)self;
     (void)ray;
     *out = pov_vec3_of(0.0, 0.0, 0.0);
-    if (at->mark.part < 2)
-        out->x = way;
-    else if (at->mark.part < 4)
-        out->y = way;
+    if (at->mark.feature < 2)
+        out->x = sign;
+    else if (at->mark.feature < 4)
+        out->y = sign;
     else
-        out->z = way;
+        out->z = sign;
 }
 
 static bool is_between(double p, double p_lo, const pov_two plane[2])
@@ -236,14 +236,14 @@ static bool absorb(void *self, const pov_affine *map)
     pov_two plane[6];
     int axis[3], i, j;
 
-    if (!kit_is_axial(map, axis))
+    if (!common_is_axial(map, axis))
         return false;
     for (i = 0; i < 3; i++) {
-        const pov_two stretch = kit_entry(map, i, axis[i]);
+        const pov_two stretch = common_entry(map, i, axis[i]);
 
         for (j = 0; j < 2; j++) {
             const int to = 2 * i + (stretch.hi < 0.0 ? 1 - j : j);
-            plane[to] = pov_two_add(pov_two_mul(stretch, b->plane[2 * axis[i] + j]), kit_entry(map, i, 3));
+            plane[to] = pov_two_add(pov_two_mul(stretch, b->plane[2 * axis[i] + j]), common_entry(map, i, 3));
         }
     }
     memcpy(b->plane, plane, sizeof plane);
@@ -254,16 +254,16 @@ static bool absorb(void *self, const pov_affine *map)
 
 /* Pairs of a box and a ray. */
 typedef struct box_lanes {
-    kit_rays rays;
-    kit_lane plane[12];          /* both parts of the first plane, and so on */
-    kit_lane way;                /* 1 for the entry, -1 for the exit */
+    common_rays rays;
+    common_lane plane[12];       /* both parts of the first plane, and so on */
+    common_lane sign;            /* 1 for the entry, -1 for the exit */
 } box_lanes;
 
 /* Entry of each ray, or its exit if it starts on the box and goes into it. NaN where a comparison is uncertain. */
-typedef struct end_lanes { kit_lane t, t_lo, part; } end_lanes;
+typedef struct end_lanes { common_lane t, t_lo, feature; } end_lanes;
 
 /* A plane, and the ray's components along its axis; t as that of slabs. */
-typedef struct crossed { double t, plane, plane_lo, o, o_lo, d, d_lo, part; } crossed;
+typedef struct crossed { double t, plane, plane_lo, o, o_lo, d, d_lo, feature; } crossed;
 
 static inline crossed choose(int first, crossed a, crossed b)
 {
@@ -276,7 +276,7 @@ static inline crossed choose(int first, crossed a, crossed b)
     c.o_lo = first ? a.o_lo : b.o_lo;
     c.d = first ? a.d : b.d;
     c.d_lo = first ? a.d_lo : b.d_lo;
-    c.part = first ? a.part : b.part;
+    c.feature = first ? a.feature : b.feature;
     return c;
 }
 
@@ -287,14 +287,15 @@ static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o
 {
     const double lower = l->plane[4 * axis][i], lower_lo = l->plane[4 * axis + 1][i];
     const double upper = l->plane[4 * axis + 2][i], upper_lo = l->plane[4 * axis + 3][i];
-    const double way = l->way[i];
-    const double at = ((lower - o) + (lower_lo - o_lo)) / d * way, beyond = ((upper - o) + (upper_lo - o_lo)) / d * way;
-    const int backward = d * way < 0.0;
+    const double sign = l->sign[i];
+    const double at = ((lower - o) + (lower_lo - o_lo)) / d * sign,
+        beyond = ((upper - o) + (upper_lo - o_lo)) / d * sign;
+    const int backward = d * sign < 0.0;
 
     near->t = backward ? beyond : at;
     near->plane = backward ? upper : lower;
     near->plane_lo = backward ? upper_lo : lower_lo;
-    near->part = backward ? 2.0 * axis + 1.0 : 2.0 * axis;
+    near->feature = backward ? 2.0 * axis + 1.0 : 2.0 * axis;
     near->o = o;
     near->o_lo = o_lo;
     near->d = d;
@@ -303,7 +304,7 @@ static inline void cross_axis(const box_lanes *l, uint32_t i, int axis, double o
 }
 
 /* As compare() without escalation. */
-static inline int is_apart(double a, double b) { return fabs(a - b) > 8.0 * KIT_U * (fabs(a) + fabs(b)); }
+static inline int is_disjoint(double a, double b) { return fabs(a - b) > 8.0 * COMMON_U * (fabs(a) + fabs(b)); }
 
 /* The first of an axis's planes. */
 static inline crossed enter_axis(const box_lanes *l, uint32_t i, int axis, double o, double o_lo, double d, double d_lo)
@@ -313,7 +314,7 @@ static inline crossed enter_axis(const box_lanes *l, uint32_t i, int axis, doubl
 
     c.plane = backward ? l->plane[4 * axis + 2][i] : c.plane;
     c.plane_lo = backward ? l->plane[4 * axis + 3][i] : c.plane_lo;
-    c.part = backward ? 2.0 * axis + 1.0 : c.part;
+    c.feature = backward ? 2.0 * axis + 1.0 : c.feature;
     c.t = ((c.plane - o) + (c.plane_lo - o_lo)) / d;
     return c;
 }
@@ -329,17 +330,17 @@ static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int c
 
     out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) ? sum.hi * power : NAN;
     out->t_lo[i] = sum.lo * power;
-    out->part[i] = end->part;
+    out->feature[i] = end->feature;
 }
 
 /* As begin(), find() and report() for one end. A direction without a component along some axis gives infinite
  * distances, which are not certain. */
-KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restrict out)
+COMMON_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i++) {
-        const pov_ray ray = kit_get_ray(&l->rays, i);
+    for (i = 0; i < COMMON_LANES; i++) {
+        const pov_ray ray = common_get_ray(&l->rays, i);
         const double power = pov_inverse_power(pov_largest(ray.dir));
         const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
         crossed x, y, z, xy, end;
@@ -350,22 +351,23 @@ KIT_CLONES static void find_ends(const box_lanes *restrict l, end_lanes *restric
         cross_axis(l, i, 1, ray.org.y, ray.org_lo.y, d.y, d_lo.y, &y, &far_y);
         cross_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z, &z, &far_z);
         xy = choose(y.t > x.t, y, x);
-        far_xy = kit_lesser(far_y, far_x);
+        far_xy = common_lesser(far_y, far_x);
         end = choose(z.t > xy.t, z, xy);
-        far = kit_lesser(far_z, far_xy);
-        certain = is_apart(y.t, x.t) & is_apart(z.t, xy.t) & is_apart(far_y, far_x) & is_apart(far_z, far_xy) &
-                  ((int)(l->way[i] < 0.0) | (is_apart(end.t, far) & (int)(end.t < far)));
+        far = common_lesser(far_z, far_xy);
+        certain = is_disjoint(y.t, x.t) & is_disjoint(z.t, xy.t) & is_disjoint(far_y, far_x)
+            & is_disjoint(far_z, far_xy) &
+                  ((int)(l->sign[i] < 0.0) | (is_disjoint(end.t, far) & (int)(end.t < far)));
         put_end(out, i, &end, certain, power);
     }
 }
 
 /* As above for definite hits: which plane is the last of the three near ones. */
-KIT_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *restrict out)
+COMMON_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *restrict out)
 {
     uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i++) {
-        const pov_ray ray = kit_get_ray(&l->rays, i);
+    for (i = 0; i < COMMON_LANES; i++) {
+        const pov_ray ray = common_get_ray(&l->rays, i);
         const double power = pov_inverse_power(pov_largest(ray.dir));
         const pov_vec3 d = pov_scale(ray.dir, power), d_lo = pov_scale(ray.dir_lo, power);
         const crossed x = enter_axis(l, i, 0, ray.org.x, ray.org_lo.x, d.x, d_lo.x);
@@ -373,21 +375,21 @@ KIT_CLONES static void find_entries(const box_lanes *restrict l, end_lanes *rest
         const crossed z = enter_axis(l, i, 2, ray.org.z, ray.org_lo.z, d.z, d_lo.z);
         const crossed xy = choose(y.t > x.t, y, x), end = choose(z.t > xy.t, z, xy);
 
-        put_end(out, i, &end, is_apart(y.t, x.t) & is_apart(z.t, xy.t), power);
+        put_end(out, i, &end, is_disjoint(y.t, x.t) & is_disjoint(z.t, xy.t), power);
     }
 }
 
 /* Load n pairs; lanes past the end hold the last one again. */
-KIT_INLINE void put_pairs(box_lanes *l, const void *const *selves, const pov_ray *const *rays, uint32_t n)
+COMMON_INLINE void put_pairs(box_lanes *l, const void *const *selves, const pov_ray *const *rays, uint32_t n)
 {
-    const void *shapes[KIT_LANES];
+    const void *shapes[COMMON_LANES];
     uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i++)
-        shapes[i] = selves[kit_lane_of(i, n)];
-    for (i = 0; i < KIT_LANES; i += 4) {
-        kit_put_four_of(&l->rays, i, rays, n);
-        kit_put_four_shapes(l->plane[0] + i, KIT_LANES, 12, shapes + i);
+    for (i = 0; i < COMMON_LANES; i++)
+        shapes[i] = selves[common_lane_of(i, n)];
+    for (i = 0; i < COMMON_LANES; i += 4) {
+        common_put_four_of(&l->rays, i, rays, n);
+        common_put_four_shapes(l->plane[0] + i, COMMON_LANES, 12, shapes + i);
     }
 }
 
@@ -399,16 +401,16 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
     box_lanes lanes;
     uint32_t i;
 
-    for (i = 0; i < KIT_LANES; i++)
-        lanes.way[i] = kit_is_inward(rays[kit_lane_of(i, n)], hits[kit_lane_of(i, n)]) ? -1.0 : 1.0;
+    for (i = 0; i < COMMON_LANES; i++)
+        lanes.sign[i] = common_is_inward(rays[common_lane_of(i, n)], hits[common_lane_of(i, n)]) ? -1.0 : 1.0;
     put_pairs(&lanes, selves, rays, n);
     find_ends(&lanes, &end);
     for (i = 0; i < n; i++) {
         pov_hits *h = hits[i];
 
         if (end.t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact &&
-            (h->owner != rays[i]->left || lanes.way[i] < 0.0))
-            pov_cross(h, end.t[i], end.t_lo[i], kit_mark((uint32_t)end.part[i], mark_of(selves[i])));
+            (h->owner != rays[i]->origin_surface || lanes.sign[i] < 0.0))
+            pov_cross(h, end.t[i], end.t_lo[i], common_mark((uint32_t)end.feature[i], mark_of(selves[i])));
         else
             intersect(selves[i], rays[i], h);
     }
@@ -424,19 +426,19 @@ static void cross_lanes(const void *const *selves, const pov_ray *const *rays, p
     find_entries(&lanes, &end);
     for (i = 0; i < n; i++)
         if (end.t[i] > hits[i]->tmin && !hits[i]->always_exact)
-            pov_cross(hits[i], end.t[i], end.t_lo[i], kit_mark((uint32_t)end.part[i], mark_of(selves[i])));
+            pov_cross(hits[i], end.t[i], end.t_lo[i], common_mark((uint32_t)end.feature[i], mark_of(selves[i])));
         else
             intersect(selves[i], rays[i], hits[i]);
 }
 
 static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    kit_intersect_pairs(selves, rays, hits, n, intersect_lanes, intersect);
+    common_intersect_pairs(selves, rays, hits, n, intersect_lanes, intersect);
 }
 
 static void cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    kit_intersect_pairs(selves, rays, hits, n, cross_lanes, intersect);
+    common_intersect_pairs(selves, rays, hits, n, cross_lanes, intersect);
 }
 
 static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
@@ -445,32 +447,32 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
 
     if (!frame)
         return false;
-    kit_box_begin(block, n);
+    common_box_begin(block, n);
     for (i = 0; i < n; i++)
         for (p = 0; p < 6; p++) {
             const pov_two plane = ((const box *)selves[i])->plane[p];
             const double centre = p < 2 ? frame->centre.x : p < 4 ? frame->centre.y : frame->centre.z;
 
-            kit_box_put(block, i, p, (plane.hi - centre + plane.lo) * frame->scale);
+            common_box_put(block, i, p, (plane.hi - centre + plane.lo) * frame->scale);
         }
     return true;
 }
 
 static const pov_shape_fast box_fast = {
     .size = sizeof(pov_shape_fast),
-    .block_size = sizeof(kit_box_block),
-    .single_block_size = KIT_BOX_ALONE,
+    .block_size = sizeof(common_box_block),
+    .single_block_size = COMMON_BOX_SINGLE,
     .block_pack = block_pack,
-    .block_filter = kit_box_filter,
+    .block_filter = common_box_filter,
     .intersect_many = intersect_many,
     .cross_many = cross_many,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &box_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &box_fast : NULL; }
 
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX | POV_SHAPE_FACES | POV_SHAPE_CERTIFIED,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BOX | POV_SHAPE_FACETED | POV_SHAPE_CERTIFIED,
     .keyword = "box",
     .instance_size = sizeof(box),
     .parse = parse,

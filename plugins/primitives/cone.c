@@ -1,5 +1,5 @@
 /* cone { <base>, base radius, <top>, top radius [open] } */
-#include "kit/frustum.h"
+#include "common/cone.h"
 
 static double radius_from(const pov_host *host, pov_reader *in)
 {
@@ -14,43 +14,43 @@ static double radius_from(const pov_host *host, pov_reader *in)
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    kit_frustum_text *text = self;
+    common_cone_parsed *parsed = self;
 
-    host->vector(in, &text->base);
-    text->base_radius = radius_from(host, in);
+    host->vector(in, &parsed->base);
+    parsed->base_radius = radius_from(host, in);
     host->accept(in, ",");
-    host->vector(in, &text->top);
-    if (pov_largest(pov_sub(text->top, text->base)) == 0.0)
+    host->vector(in, &parsed->top);
+    if (pov_largest(pov_sub(parsed->top, parsed->base)) == 0.0)
         host->fail(in, "a cone needs two different ends");
-    text->top_radius = radius_from(host, in);
-    text->open = host->accept(in, "open");
+    parsed->top_radius = radius_from(host, in);
+    parsed->open = host->accept(in, "open");
 }
 
 static const pov_shape_fast cone_fast = {
     .size = sizeof(pov_shape_fast),
-    .block_size = sizeof(kit_frustum_block),
-    .single_block_size = KIT_FRUSTUM_ALONE,
-    .block_pack = kit_frustum_pack,
-    .block_filter = kit_frustum_filter,
-    .intersect_many = kit_frustum_intersect_many,
-    .normal_many = kit_frustum_normal_many,
+    .block_size = sizeof(common_cone_block),
+    .single_block_size = COMMON_CONE_SINGLE,
+    .block_pack = common_cone_pack,
+    .block_filter = common_cone_filter,
+    .intersect_many = common_cone_intersect_many,
+    .normal_many = common_cone_normal_many,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &cone_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &cone_fast : NULL; }
 
 static const pov_shape_class cone_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_CERTIFIED,
     .keyword = "cone",
-    .instance_size = sizeof(kit_frustum),
+    .instance_size = sizeof(common_cone),
     .parse = parse,
-    .bounds = kit_frustum_bounds,
-    .intersect = kit_frustum_intersect,
-    .normal = kit_frustum_normal,
-    .inside = kit_frustum_inside,
-    .absorb = kit_frustum_absorb,
-    .parsed_size = sizeof(kit_frustum_text),
-    .prepare = kit_frustum_prepare,
+    .bounds = common_cone_bounds,
+    .intersect = common_cone_intersect,
+    .normal = common_cone_normal,
+    .inside = common_cone_inside,
+    .absorb = common_cone_absorb,
+    .parsed_size = sizeof(common_cone_parsed),
+    .prepare = common_cone_prepare,
     .extension = extension,
 };
 

@@ -1,15 +1,15 @@
 /* cylinder { <base>, <top>, radius [open] } */
-#include "kit/frustum.h"
+#include "common/cone.h"
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    kit_frustum_text *text = self;
+    common_cone_parsed *parsed = self;
     double radius;
 
-    host->vector(in, &text->base);
+    host->vector(in, &parsed->base);
     host->accept(in, ",");
-    host->vector(in, &text->top);
-    if (pov_largest(pov_sub(text->top, text->base)) == 0.0)
+    host->vector(in, &parsed->top);
+    if (pov_largest(pov_sub(parsed->top, parsed->base)) == 0.0)
         host->fail(in, "a cylinder needs two different ends");
     host->accept(in, ",");
     radius = host->number(in);
@@ -17,35 +17,35 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->warn(in, "a negative radius is taken as positive");
         radius = -radius;
     }
-    text->base_radius = text->top_radius = radius;
-    text->open = host->accept(in, "open");
+    parsed->base_radius = parsed->top_radius = radius;
+    parsed->open = host->accept(in, "open");
 }
 
 static const pov_shape_fast cylinder_fast = {
     .size = sizeof(pov_shape_fast),
-    .block_size = sizeof(kit_frustum_block),
-    .single_block_size = KIT_FRUSTUM_ALONE,
-    .block_pack = kit_frustum_pack,
-    .block_filter = kit_frustum_filter,
-    .intersect_many = kit_frustum_intersect_many,
-    .normal_many = kit_frustum_normal_many,
+    .block_size = sizeof(common_cone_block),
+    .single_block_size = COMMON_CONE_SINGLE,
+    .block_pack = common_cone_pack,
+    .block_filter = common_cone_filter,
+    .intersect_many = common_cone_intersect_many,
+    .normal_many = common_cone_normal_many,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &cylinder_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &cylinder_fast : NULL; }
 
 static const pov_shape_class cylinder_class = {
     .size = sizeof(pov_shape_class),
     .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_CERTIFIED,
     .keyword = "cylinder",
-    .instance_size = sizeof(kit_frustum),
+    .instance_size = sizeof(common_cone),
     .parse = parse,
-    .bounds = kit_frustum_bounds,
-    .intersect = kit_frustum_intersect,
-    .normal = kit_frustum_normal,
-    .inside = kit_frustum_inside,
-    .absorb = kit_frustum_absorb,
-    .parsed_size = sizeof(kit_frustum_text),
-    .prepare = kit_frustum_prepare,
+    .bounds = common_cone_bounds,
+    .intersect = common_cone_intersect,
+    .normal = common_cone_normal,
+    .inside = common_cone_inside,
+    .absorb = common_cone_absorb,
+    .parsed_size = sizeof(common_cone_parsed),
+    .prepare = common_cone_prepare,
     .extension = extension,
 };
 

@@ -3,27 +3,27 @@
  *
  * The side of an edge on which a ray passes depends on the ray and the edge only, and is decided exactly where doubles
  * leave it open. So polygons that share an edge leave no gap and no overlap along it. */
-#include "kit/expansion.h"
-#include "kit/flat_block.h"
-#include "kit/polygon.h"
+#include "common/expansion.h"
+#include "common/planar_block.h"
+#include "common/polygon.h"
 
 static bool same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 /* The parsed form of a small polygon are its corners; a larger one is made at once, and stays. */
-enum { FEW = KIT_POLYGON_SIDES + 1 };
-typedef struct polygon_text {
-    const kit_polygon *large;   /* NULL: the polygon is small */
+enum { FEW = COMMON_POLYGON_SIDES + 1 };
+typedef struct polygon_parsed {
+    const common_polygon *large;   /* NULL: the polygon is small */
     uint32_t count;
     pov_vec3 corner[FEW];
-} polygon_text;
+} polygon_parsed;
 
 /* ---- reading ---- */
 
 typedef struct reading {
     const pov_host *host;
     pov_reader *in;
-    kit_corner few[FEW];
-    kit_corner *corners;        /* this array, or the host's memory */
+    common_corner few[FEW];
+    common_corner *corners;     /* this array, or the host's memory */
     uint32_t likely;            /* memory for more, but not more than is plausible: a scene may give any number */
     uint32_t count, capacity, start;   /* start: begin of the current loop */
     bool open;                  /* a loop is open */
@@ -32,8 +32,8 @@ typedef struct reading {
 static bool append(reading *r, pov_vec3 v, bool starts)
 {
     if (r->count == r->capacity) {
-        const uint32_t twice = 2 * r->capacity, capacity = twice > r->likely ? twice : r->likely;
-        kit_corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
+        const uint32_t twice_area = 2 * r->capacity, capacity = twice_area > r->likely ? twice_area : r->likely;
+        common_corner *bigger = r->host->alloc(r->in, capacity * sizeof *bigger);
 
         if (!bigger)
             return false;
@@ -100,18 +100,18 @@ static bool read_corners(reading *r)
 
 /* ---- the plane ---- */
 
-static pov_two3 offset_of(const kit_polygon *s, const kit_corner *c)
+static pov_two3 offset_of(const common_polygon *s, const common_corner *c)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
 
-    return kit_offset(c->world, zero, s->anchor, s->scale);
+    return common_offset(c->world, zero, s->anchor, s->scale);
 }
 
 /* The plane goes through the first corner, the corner farthest from it, and the corner farthest from the line of these
  * two. (The area vector would not do: that of a bow tie is zero.) Returns the length of their cross product. */
-static double find_plane(kit_polygon *s, const kit_corner *corners)
+static double find_plane(common_polygon *s, const common_corner *corners)
 {
-    const kit_corner *far = corners;
+    const common_corner *far = corners;
     pov_two3 across;
     double largest = 0.0;
     uint32_t i;
@@ -135,14 +135,14 @@ static double find_plane(kit_polygon *s, const kit_corner *corners)
  * sqrt(3) roundings. Relative to the first corner it is a b + c, with b and c the two others of the plane and |a| <= 2,
  * |c| <= 1 in their units by their choice. With the first corner's own error that makes 8 such moves; as much again is
  * margin. */
-static double tolerance(const kit_polygon *s)
+static double tolerance(const common_polygon *s)
 {
     const double coordinate = fmax(fmax(pov_largest(s->box.lo), pov_largest(s->box.hi)) * s->scale, 1.0);
 
-    return 32.0 * KIT_U * coordinate;
+    return 32.0 * COMMON_U * coordinate;
 }
 
-static void scale_corners(kit_polygon *s, kit_corner *corners)
+static void scale_corners(common_polygon *s, common_corner *corners)
 {
     double size = 0.0;
     uint32_t i;
@@ -162,7 +162,7 @@ static void scale_corners(kit_polygon *s, kit_corner *corners)
 }
 
 /* Copies the corners of a small polygon to where rays read them first. */
-static void put_near(kit_polygon *s, const kit_corner *corners)
+static void put_near(common_polygon *s, const common_corner *corners)
 {
     uint32_t i;
 
@@ -174,7 +174,7 @@ static void put_near(kit_polygon *s, const kit_corner *corners)
 }
 
 /* The largest distance of a corner from the plane, in scaled lengths. */
-static double measure(const kit_polygon *s, const kit_corner *corners)
+static double measure(const common_polygon *s, const common_corner *corners)
 {
     const pov_vec3 normal = pov_two3_hi(s->normal);
     const double length = sqrt(pov_dot(normal, normal));
@@ -188,7 +188,7 @@ static double measure(const kit_polygon *s, const kit_corner *corners)
 
 /* Computes all but the error margin from the corners: returns the result of find_plane(). Two loops have more than a
  * few corners. */
-static double take_corners(kit_polygon *s, kit_corner *corners, uint32_t count)
+static double take_corners(common_polygon *s, common_corner *corners, uint32_t count)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
 
@@ -203,7 +203,7 @@ static double take_corners(kit_polygon *s, kit_corner *corners, uint32_t count)
 }
 
 /* largest: the length of the normal so far; off: the largest distance of a corner from the plane. */
-static void settle(kit_polygon *s, double largest, double off)
+static void choose_anchor(common_polygon *s, double largest, double off)
 {
     const double power = pov_inverse_power(largest), wider = off * (4.0 / s->scale);
 
@@ -216,7 +216,7 @@ static void settle(kit_polygon *s, double largest, double off)
 }
 
 /* Warn of corners that do not lie in a plane, or that lie on a line. */
-static void look_at(reading *r, kit_polygon *s)
+static void project_at(reading *r, common_polygon *s)
 {
     const double largest = take_corners(s, r->corners, r->count);
     double off;
@@ -229,13 +229,13 @@ static void look_at(reading *r, kit_polygon *s)
     if (!(off <= tolerance(s)))
         r->host->fail(r->in, "the points of this polygon do not lie in a plane: one is %g of its size off",
                       off / pov_largest(pov_sub(s->box.hi, s->box.lo)) / s->scale);
-    settle(s, largest, off);
+    choose_anchor(s, largest, off);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
-    polygon_text *text = self;
-    kit_polygon *large, s;
+    polygon_parsed *parsed = self;
+    common_polygon *large, s;
     reading r;
     uint32_t i;
 
@@ -247,23 +247,23 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     r.capacity = FEW;
     if (!read_corners(&r))
         return;
-    look_at(&r, &s);
-    text->count = r.count;
+    project_at(&r, &s);
+    parsed->count = r.count;
     for (i = 0; i < r.count && s.small; i++)
-        text->corner[i] = r.corners[i].world;
+        parsed->corner[i] = r.corners[i].world;
     if (s.small)
         return;
     large = host->alloc(in, sizeof *large);
     if (large)
         *large = s;
-    text->large = large;
+    parsed->large = large;
 }
 
-static void prepare(void *self, const void *text)
+static void prepare(void *self, const void *parsed)
 {
-    const polygon_text *t = text;
-    kit_corner few[FEW];
-    kit_polygon *s = self;
+    const polygon_parsed *t = parsed;
+    common_corner few[FEW];
+    common_polygon *s = self;
     double largest;
     uint32_t i;
 
@@ -277,12 +277,12 @@ static void prepare(void *self, const void *text)
     }
     largest = take_corners(s, few, t->count);
     if (largest > 0.0)
-        settle(s, largest, measure(s, few));
+        choose_anchor(s, largest, measure(s, few));
 }
 
 static bool bounds(const void *self, pov_box *out)
 {
-    const kit_polygon *s = self;
+    const common_polygon *s = self;
 
     *out = s->box;
     return true;
@@ -292,89 +292,89 @@ static bool bounds(const void *self, pov_box *out)
 
 /* View along a ray: its largest axis points away, across and up are the two others. The view depends on the ray
  * only. */
-typedef struct sight {
+typedef struct projection {
     const pov_ray *ray;
-    int across, up, away;
+    int across, up, forward;
     double o[3], o_lo[3], d[3], d_lo[3];   /* the direction is scaled */
     double w[3];           /* a point of the ray near the polygon, seen from the anchor */
     double error;          /* error of a coordinate in the view */
-    bool exact, decided;
-} sight;
+    bool exact, escalated;
+} projection;
 
 static void set3(double *to, pov_vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
 
-static sight sight_along(const pov_ray *ray, const kit_ray *k, pov_vec3 w, bool always_exact)
+static projection projection_along(const pov_ray *ray, const common_ray *k, pov_vec3 w, bool always_exact)
 {
-    sight s;
+    projection s;
 
-    s.away = kit_polygon_away(k->d);
-    s.across = (s.away + 1) % 3;
-    s.up = (s.away + 2) % 3;
+    s.forward = common_polygon_forward(k->d);
+    s.across = (s.forward + 1) % 3;
+    s.up = (s.forward + 2) % 3;
     s.ray = ray;
     set3(s.o, ray->org);
     set3(s.o_lo, ray->org_lo);
     set3(s.d, k->d);
     set3(s.d_lo, k->d_lo);
     set3(s.w, w);
-    s.error = kit_polygon_blur(w);
-    s.exact = always_exact || !(pov_largest(pov_two3_hi(k->f)) < KIT_FAR);
-    s.decided = false;
+    s.error = common_polygon_blur(w);
+    s.exact = always_exact || !(pov_largest(pov_two3_hi(k->f)) < COMMON_FAR);
+    s.escalated = false;
     return s;
 }
 
 typedef struct seen { double across, up; int above; } seen;
 
 /* Adds sign (v - o) d for one coordinate of the corner and one of the direction. */
-static void add_terms(kit_expansion *e, const sight *s, const double *v, int i, int j, double sign)
+static void add_terms(common_expansion *e, const projection *s, const double *v, int i, int j, double sign)
 {
     const double from[3] = { v[i], -s->o[i], -s->o_lo[i] };
     int n;
 
     for (n = 0; n < 3; n++) {
-        kit_expansion_add_product(e, from[n], sign * s->d[j]);
-        kit_expansion_add_product(e, from[n], sign * s->d_lo[j]);
+        common_expansion_add_product(e, from[n], sign * s->d[j]);
+        common_expansion_add_product(e, from[n], sign * s->d_lo[j]);
     }
 }
 
-static bool is_above(const sight *s, const pov_vec3 *corner)
+static bool is_above(const projection *s, const pov_vec3 *corner)
 {
-    kit_expansion e;
+    common_expansion e;
     double v[3];
 
     set3(v, *corner);
-    kit_expansion_clear(&e);
-    add_terms(&e, s, v, s->up, s->away, 1.0);
-    add_terms(&e, s, v, s->away, s->up, -1.0);
-    return kit_expansion_sign(&e) > 0;
+    common_expansion_clear(&e);
+    add_terms(&e, s, v, s->up, s->forward, 1.0);
+    add_terms(&e, s, v, s->forward, s->up, -1.0);
+    return common_expansion_sign(&e) > 0;
 }
 
 /* A corner in the view, with the ray at the origin. A corner level with the ray counts as below: the same for every
  * polygon that has it. */
-static seen look(sight *s, pov_vec3 local, const pov_vec3 *corner)
+static seen project(projection *s, pov_vec3 local, const pov_vec3 *corner)
 {
     const double v[3] = { local.x - s->w[0], local.y - s->w[1], local.z - s->w[2] };
     seen p;
 
-    p.across = v[s->across] * s->d[s->away] - v[s->away] * s->d[s->across];
-    p.up = v[s->up] * s->d[s->away] - v[s->away] * s->d[s->up];
+    p.across = v[s->across] * s->d[s->forward] - v[s->forward] * s->d[s->across];
+    p.up = v[s->up] * s->d[s->forward] - v[s->forward] * s->d[s->up];
     p.above = p.up > 0.0;
     if (s->exact || !(fabs(p.up) > s->error)) {
-        s->decided = true;
+        s->escalated = true;
         p.above = is_above(s, corner);
     }
     return p;
 }
 
 /* The sign of d . ((a - o) x (b - o)). */
-static int orientation(const sight *s, const pov_vec3 *a, const pov_vec3 *b)
+static int orientation(const projection *s, const pov_vec3 *a, const pov_vec3 *b)
 {
     double p[3], q[3];
-    kit_expansion e;
+    common_expansion e;
     int i, m, n, l;
 
     set3(p, *a);
     set3(q, *b);
-    kit_expansion_clear(&e);
+    common_expansion_clear(&e);
     for (i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const double pj[3] = { p[j], -s->o[j], -s->o_lo[j] }, pk[3] = { p[k], -s->o[k], -s->o_lo[k] };
@@ -384,36 +384,36 @@ static int orientation(const sight *s, const pov_vec3 *a, const pov_vec3 *b)
         for (l = 0; l < 2; l++) {
             for (m = 0; m < 3; m++) {
                 for (n = 0; n < 3; n++) {
-                    kit_expansion_add_product3(&e, pj[m], qk[n], d[l]);
-                    kit_expansion_add_product3(&e, pk[m], qj[n], -d[l]);
+                    common_expansion_add_product3(&e, pj[m], qk[n], d[l]);
+                    common_expansion_add_product3(&e, pk[m], qj[n], -d[l]);
                 }
             }
         }
     }
-    return kit_expansion_sign(&e);
+    return common_expansion_sign(&e);
 }
 
 /* Does an edge that crosses the ray's level pass the ray on the right, or through it? Edges are tested upward, so that
  * both polygons of a shared edge compute the same. */
-static bool is_right(sight *s, const pov_vec3 *a, seen pa, const pov_vec3 *b, seen pb)
+static bool is_right(projection *s, const pov_vec3 *a, seen pa, const pov_vec3 *b, seen pb)
 {
     const double cross = pa.across * pb.up - pb.across * pa.up;
     const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error) +
-                         4.0 * KIT_U * (fabs(pa.across * pb.up) + fabs(pb.across * pa.up));
+                         4.0 * COMMON_U * (fabs(pa.across * pb.up) + fabs(pb.across * pa.up));
     int sign;
 
     if (!s->exact && fabs(cross) > error)
         return (cross > 0.0) == (pb.above > pa.above);
-    s->decided = true;
+    s->escalated = true;
     sign = orientation(s, a, b);
-    if (s->d[s->away] < 0.0)
+    if (s->d[s->forward] < 0.0)
         sign = -sign;
     return pb.above ? sign >= 0 : sign <= 0;
 }
 
-static pov_vec3 local_of(const kit_polygon *s, uint32_t i) { return s->small ? s->near[i] : s->corners[i].local; }
+static pov_vec3 local_of(const common_polygon *s, uint32_t i) { return s->small ? s->near[i] : s->corners[i].local; }
 
-static bool is_within(const kit_polygon *s, sight *view)
+static bool is_within(const common_polygon *s, projection *view)
 {
     bool within = false;
     seen before = { 0.0, 0.0, 0 };
@@ -422,7 +422,7 @@ static bool is_within(const kit_polygon *s, sight *view)
 
     for (i = 0; i < s->count; i++) {
         const pov_vec3 *corner = s->small ? &s->world[i] : &s->corners[i].world;
-        const seen here = look(view, local_of(s, i), corner);
+        const seen here = project(view, local_of(s, i), corner);
         const bool starts = s->small ? i == 0 : s->corners[i].starts;
 
         if (!starts && here.above != before.above && is_right(view, last, before, corner, here))
@@ -435,10 +435,10 @@ static bool is_within(const kit_polygon *s, sight *view)
 
 /* ---- rays ---- */
 
-static pov_two decide_distance(const kit_polygon *s, const kit_ray *k, double first)
+static pov_two escalate_distance(const common_polygon *s, const common_ray *k, double first)
 {
-    const pov_two slope = pov_two3_dot(s->normal, kit_direction(k));
-    const pov_two height = pov_two3_dot(s->normal, isfinite(first) ? kit_along_two(k, first) : k->f);
+    const pov_two slope = pov_two3_dot(s->normal, common_direction(k));
+    const pov_two height = pov_two3_dot(s->normal, isfinite(first) ? common_along_two(k, first) : k->f);
     const pov_two t = pov_two_neg(pov_two_div(height, slope));
 
     return isfinite(first) ? pov_two_add_double(t, first) : t;
@@ -446,114 +446,114 @@ static pov_two decide_distance(const kit_polygon *s, const kit_ray *k, double fi
 
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    const kit_polygon *s = self;
-    kit_ray k;
+    const common_polygon *s = self;
+    common_ray k;
     pov_vec3 n, w;
     double slope, first;
-    kit_verdict verdict;
-    kit_root root;
-    sight view;
+    common_verdict verdict;
+    common_root root;
+    projection view;
 
-    if (s->count == 0 || ray->left == hits->owner)
+    if (s->count == 0 || ray->origin_surface == hits->owner)
         return;
-    k = kit_enter(ray, s->anchor, s->scale);
+    k = common_enter(ray, s->anchor, s->scale);
     n = pov_two3_hi(s->normal);
     slope = pov_dot(n, k.d);
     first = -pov_dot(n, pov_two3_hi(k.f)) / slope;
-    w = kit_along(&k, first);
-    root = kit_polygon_distance(n, &k, slope, 6.0 * KIT_U * kit_sum_of_sizes(n, k.d), first, w);
-    verdict = kit_judge(&root, k.unit, KIT_FINE, hits);
-    if (verdict == KIT_OUTSIDE)
+    w = common_along(&k, first);
+    root = common_polygon_distance(n, &k, slope, 6.0 * COMMON_U * common_sum_of_sizes(n, k.d), first, w);
+    verdict = common_judge(&root, k.unit, COMMON_FINE, hits);
+    if (verdict == COMMON_OUTSIDE)
         return;
-    view = sight_along(ray, &k, w, hits->always_exact);
+    view = projection_along(ray, &k, w, hits->always_exact);
     if (is_within(s, &view)) {
-        if (verdict == KIT_OPEN || hits->always_exact) {
-            view.decided = true;
-            root.t = decide_distance(s, &k, first);
+        if (verdict == COMMON_OPEN || hits->always_exact) {
+            view.escalated = true;
+            root.t = escalate_distance(s, &k, first);
         }
         if (isfinite(root.t.hi))
             pov_cross(hits, root.t.hi * k.unit, root.t.lo * k.unit,
-                      kit_mark(0, view.decided ? KIT_POLYGON_MARK | POV_MARK_DECIDED : KIT_POLYGON_MARK));
+                      common_mark(0, view.escalated ? COMMON_POLYGON_MARK | POV_MARK_ESCALATED : COMMON_POLYGON_MARK));
     }
-    hits->decided += view.decided;
+    hits->escalated += view.escalated;
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     (void)ray;
     (void)at;
-    *out = ((const kit_polygon *)self)->unit;
+    *out = ((const common_polygon *)self)->unit;
 }
 
 static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    kit_polygon_intersect_many(selves, rays, hits, n, intersect);
+    common_polygon_intersect_many(selves, rays, hits, n, intersect);
 }
 
 static void cross_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
 {
-    kit_polygon_cross_many(selves, rays, hits, n, intersect);
+    common_polygon_cross_many(selves, rays, hits, n, intersect);
 }
 
 /* ---- blocks ---- */
 
-static void describe(const kit_polygon *s, kit_flat *f)
+static void describe(const common_polygon *s, common_planar *f)
 {
     const pov_vec3 n = pov_two3_hi(s->normal);
-    pov_vec3 corners[KIT_SIDES];
+    pov_vec3 corners[COMMON_SIDES];
     uint32_t i;
 
     f->anchor = pov_two3_hi(s->anchor);
     f->normal = n;
     f->scale = s->scale;
-    if (s->count <= KIT_SIDES + 1 && s->small) {
+    if (s->count <= COMMON_SIDES + 1 && s->small) {
         for (i = 0; i + 1 < s->count; i++)
             corners[i] = s->near[i];
-        if (kit_flat_outline(f, corners, s->count - 1))
+        if (common_planar_outline(f, corners, s->count - 1))
             return;
     }
-    kit_flat_begin(f, local_of(s, 0), pov_vec3_of(fabs(n.x) < fabs(n.y), fabs(n.x) >= fabs(n.y), 0.0));
+    common_planar_begin(f, local_of(s, 0), pov_vec3_of(fabs(n.x) < fabs(n.y), fabs(n.x) >= fabs(n.y), 0.0));
     for (i = 1; i < s->count; i++)
-        kit_flat_extend(f, local_of(s, i));
+        common_planar_extend(f, local_of(s, i));
 }
 
 static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
-    kit_flat figures[POV_BLOCK_MAX];
+    common_planar figures[POV_BLOCK_MAX];
     uint32_t i;
 
     for (i = 0; i < n; i++) {
-        const kit_polygon *s = selves[i];
+        const common_polygon *s = selves[i];
 
         if (s->count == 0 || !(pov_largest(pov_two3_hi(s->normal)) > 0.0))
             return false;
         describe(s, &figures[i]);
     }
-    return kit_flat_pack(block, frame, figures, n);
+    return common_planar_pack(block, frame, figures, n);
 }
 
 static const pov_shape_fast polygon_fast = {
     .size = sizeof(pov_shape_fast),
-    .block_size = sizeof(kit_flat_block),
-    .single_block_size = KIT_FLAT_ALONE,
+    .block_size = sizeof(common_planar_block),
+    .single_block_size = COMMON_PLANAR_SINGLE,
     .block_pack = block_pack,
-    .block_filter = kit_flat_filter,
+    .block_filter = common_planar_filter,
     .intersect_many = intersect_many,
     .cross_many = cross_many,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &polygon_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &polygon_fast : NULL; }
 
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_CONVEX | POV_SHAPE_FACES | POV_SHAPE_CERTIFIED,
+    .flags = POV_SHAPE_CONVEX | POV_SHAPE_FACETED | POV_SHAPE_CERTIFIED,
     .keyword = "polygon",
-    .instance_size = sizeof(kit_polygon),
+    .instance_size = sizeof(common_polygon),
     .parse = parse,
     .bounds = bounds,
     .intersect = intersect,
     .normal = normal,
-    .parsed_size = sizeof(polygon_text),
+    .parsed_size = sizeof(polygon_parsed),
     .prepare = prepare,
     .extension = extension,
 };

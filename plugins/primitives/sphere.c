@@ -1,13 +1,13 @@
 /* sphere { <centre>, radius } */
-#include "kit/affine.h"
-#include "kit/ball_block.h"
+#include "common/affine.h"
+#include "common/sphere_block.h"
 
-typedef struct sphere_text { pov_vec3 centre; double radius; } sphere_text;
+typedef struct sphere_parsed { pov_vec3 centre; double radius; } sphere_parsed;
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    sphere_text *text = self;
+    sphere_parsed *parsed = self;
     pov_vec3 centre;
     double radius;
 
@@ -26,29 +26,29 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->warn(in, "a negative radius is taken as positive");
         radius = -radius;
     }
-    text->centre = centre;
-    text->radius = radius;
+    parsed->centre = centre;
+    parsed->radius = radius;
 }
 
 static void prepare(void *self, const void *written)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
-    const sphere_text *text = written;
-    kit_ball *s = self;
+    const sphere_parsed *parsed = written;
+    common_sphere *s = self;
 
-    s->centre = pov_two3_of(text->centre, zero);
-    s->radius = pov_two_of(text->radius, 0.0);
+    s->centre = pov_two3_of(parsed->centre, zero);
+    s->radius = pov_two_of(parsed->radius, 0.0);
 }
 
 static void interval(pov_two centre, pov_two radius, double *lo, double *hi)
 {
-    *lo = kit_below(pov_two_sub(centre, radius).hi);
-    *hi = kit_above(pov_two_add(centre, radius).hi);
+    *lo = common_below(pov_two_sub(centre, radius).hi);
+    *hi = common_above(pov_two_add(centre, radius).hi);
 }
 
 static bool bounds(const void *self, pov_box *out)
 {
-    const kit_ball *s = self;
+    const common_sphere *s = self;
 
     interval(s->centre.x, s->radius, &out->lo.x, &out->hi.x);
     interval(s->centre.y, s->radius, &out->lo.y, &out->hi.y);
@@ -58,20 +58,20 @@ static bool bounds(const void *self, pov_box *out)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
-    const kit_ball *s = self;
-    pov_two3 w = kit_offset(point, point_lo, s->centre, kit_ball_scale(s));
+    const common_sphere *s = self;
+    pov_two3 w = common_offset(point, point_lo, s->centre, common_sphere_scale(s));
 
-    return pov_two_less(pov_two3_dot(w, w), kit_ball_square(s));
+    return pov_two_less(pov_two3_dot(w, w), common_sphere_square(s));
 }
 
 static bool absorb(void *self, const pov_affine *map)
 {
-    kit_ball *s = self;
+    common_sphere *s = self;
     pov_two factor;
 
-    if (!kit_is_similarity(map, &factor))
+    if (!common_is_similarity(map, &factor))
         return false;
-    s->centre = kit_map_point(map, s->centre);
+    s->centre = common_map_point(map, s->centre);
     s->radius = pov_two_mul(s->radius, factor);
     return true;
 }
@@ -79,27 +79,27 @@ static bool absorb(void *self, const pov_affine *map)
 static const pov_shape_fast sphere_fast = {
     .size = sizeof(pov_shape_fast),
     .full_leaves = true,
-    .block_size = sizeof(kit_ball_block),
-    .block_pack = kit_ball_pack,
-    .block_filter = kit_ball_filter,
-    .intersect_many = kit_ball_intersect_many,
-    .normal_many = kit_ball_normal_many,
+    .block_size = sizeof(common_sphere_block),
+    .block_pack = common_sphere_pack,
+    .block_filter = common_sphere_filter,
+    .intersect_many = common_sphere_intersect_many,
+    .normal_many = common_sphere_normal_many,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &sphere_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &sphere_fast : NULL; }
 
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_BALL | POV_SHAPE_CERTIFIED,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_SPHERE | POV_SHAPE_CERTIFIED,
     .keyword = "sphere",
-    .instance_size = sizeof(kit_ball),
+    .instance_size = sizeof(common_sphere),
     .parse = parse,
     .bounds = bounds,
-    .intersect = kit_ball_intersect,
-    .normal = kit_ball_normal,
+    .intersect = common_sphere_intersect,
+    .normal = common_sphere_normal,
     .inside = inside,
     .absorb = absorb,
-    .parsed_size = sizeof(sphere_text),
+    .parsed_size = sizeof(sphere_parsed),
     .prepare = prepare,
     .extension = extension,
 };

@@ -30,7 +30,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_progress, stop, 136);
     AT(pov_pass, counts, 48);
     AT(pov_pass, clipped, 184);
-    AT(pov_class_counts, decided, 24);
+    AT(pov_class_counts, escalated, 24);
     AT(pov_bitmap, rgba, 24);
     AT(pov_panel, share, 112);
     AT(pov_plot, panel_count, 40);
@@ -40,8 +40,8 @@ static void program_structs_stay_where_they_are(void **state)
 static void plugin_structs_stay_where_they_are(void **state)
 {
     (void)state;
-    AT(pov_ray, left, 72);
-    AT(pov_ray, left_mark, 80);
+    AT(pov_ray, origin_surface, 72);
+    AT(pov_ray, origin_mark, 80);
     AT(pov_crossing, mark, 24);
     AT(pov_hits, at, 40);
     AT(pov_hits, user, 56);
@@ -62,15 +62,15 @@ static void plugin_structs_stay_where_they_are(void **state)
 static void the_fast_extension_stays_as_its_name_says(void **state)
 {
     (void)state;
-    AT(pov_meeting, ray, 16);
-    AT(pov_meeting, twice, 19);
+    AT(pov_candidate, ray, 16);
+    AT(pov_candidate, definite_pair, 19);
     AT(pov_shape_fast, block_filter, 32);
     AT(pov_shape_fast, ellipsoid, 64);
     AT(pov_ellipsoid, row, 48);
     AT(pov_rays, inverse, 4608);
     AT(pov_rays, tmax, 6144);
-    AT(pov_rays, framed.size, 8448);
-    AT(pov_rays, framed.unit, 9472);
+    AT(pov_rays, local.size, 8448);
+    AT(pov_rays, local.unit, 9472);
     assert_string_equal(POV_SHAPE_FAST, "povtrace.shape_fast.1");
 }
 

@@ -134,7 +134,7 @@ static void structs_of_other_sizes_are_adapted(void **state)
 
 /* ---- single rays ---- */
 
-static void rays_meet_what_stands_there(void **state)
+static void rays_hit_what_is_there(void **state)
 {
     pov_context *context = scenes_context();
     pov_scene *scene = scenes_text(context, ball);
@@ -246,7 +246,7 @@ static void thin_and_far_surfaces_are_all_seen(void **state)
     pov_context_destroy(context);
 }
 
-/* Past the ball of radius 1 by the last bit of 1, along its edge, and within it by half of that. */
+/* Past the sphere of radius 1 by the last bit of 1, along its edge, and within it by half of that. */
 static void a_miss_says_whether_it_was_certain(void **state)
 {
     pov_context *context = scenes_context();
@@ -409,7 +409,7 @@ int main(void)
         cmocka_unit_test(a_plugin_of_another_contract_is_refused),
         cmocka_unit_test(missing_arguments_are_errors_and_not_crashes),
         cmocka_unit_test(structs_of_other_sizes_are_adapted),
-        cmocka_unit_test(rays_meet_what_stands_there),
+        cmocka_unit_test(rays_hit_what_is_there),
         cmocka_unit_test(every_surface_on_the_way_is_seen),
         cmocka_unit_test(thin_and_far_surfaces_are_all_seen),
         cmocka_unit_test(a_miss_says_whether_it_was_certain),

@@ -147,15 +147,15 @@ static void ppm_takes_comments_any_largest_value_and_what_follows(void **state)
     assert_ppm_reads(odd, sizeof odd - 1, 16, 0.0f, 16384.0f / 65535.0f, 1.0f);
 }
 
-static void assert_ppm_wrong(const char *text, const char *part)
+static void assert_ppm_wrong(const char *text, const char *feature)
 {
     pov_error err = { 0 };
     float rgba[4];
     int bits;
 
     assert_int_equal(read_ppm(text, strlen(text), rgba, &bits, &err), POV_E_IO);
-    if (!strstr(err.message, part))
-        fail_msg("\"%s\" does not say \"%s\"", err.message, part);
+    if (!strstr(err.message, feature))
+        fail_msg("\"%s\" does not say \"%s\"", err.message, feature);
 }
 
 static void a_wrong_ppm_is_told_apart(void **state)

@@ -85,7 +85,7 @@ static void a_crop_is_the_part_of_the_whole(void **state)
                                             "sphere { <0,0,0>, 1 pigment { color red 1 } finish { reflection .3 } }"
                                             "box { <-9,-2,-9>, <9,-1,9> pigment { color green 1 } }");
     pov_render_desc d = desc_of(2, 8);
-    float *whole = scenes_render(scene, &d), *part;
+    float *whole = scenes_render(scene, &d), *feature;
     int y;
 
     (void)state;
@@ -93,10 +93,10 @@ static void a_crop_is_the_part_of_the_whole(void **state)
     d.crop.y = 7;
     d.crop.width = 33;
     d.crop.height = 29;
-    part = scenes_render(scene, &d);
+    feature = scenes_render(scene, &d);
     for (y = 0; y < 29; y++)
-        assert_memory_equal(part + 33 * 4 * y, whole + 4 * (WIDTH * (7 + y) + 13), 33 * 4 * sizeof *part);
-    free(part);
+        assert_memory_equal(feature + 33 * 4 * y, whole + 4 * (WIDTH * (7 + y) + 13), 33 * 4 * sizeof *feature);
+    free(feature);
     free(whole);
     pov_scene_destroy(scene);
     pov_context_destroy(context);

@@ -41,7 +41,7 @@ bench-where: all
 bench-docs:
 	$(PYTHON) tests/bench/tables.py --work $(BUILD)/bench
 
-# Small pictures of the bench's scenes, the same to the bit by every instruction set, tree and list, 1 to 8 threads. The
+# Small pictures of the bench's scenes, the same bit for bit by every instruction set, tree and list, 1 to 8 threads. The
 # copy of portable C alone is built for this.
 PORTABLE = $(BUILD)/portable
 bench-bits: all

@@ -39,7 +39,7 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<Sphere> spheres;
     std::vector<Look> looks;
-    std::vector<uint16_t> look_of;    // a number for each sphere
+    std::vector<uint16_t> compile_material;    // a number for each sphere
 };
 
 class Reader {
@@ -136,7 +136,7 @@ inline void read_sphere(Reader &in, Scene &scene)
     for (std::string word = in.word(); word != "}" && !word.empty(); word = in.word())
         each_item(in, [&](const std::string &inner) { read_look(in, inner, look); });
     scene.spheres.push_back({ centre.x, centre.y, centre.z, radius });
-    scene.look_of.push_back(number_look(scene, look));
+    scene.compile_material.push_back(number_look(scene, look));
 }
 
 inline void read_light(Reader &in, Scene &scene)

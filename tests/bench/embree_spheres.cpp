@@ -131,7 +131,8 @@ private:
         if (dot(normal, path.direction) > 0)
             normal = normal * -1.0f;
         Vec mirrored = path.direction - normal * (2.0f * dot(normal, path.direction));
-        return { path.start + path.direction * distance, normal, mirrored, &scene.looks[scene.look_of[which]] };
+        return { path.start + path.direction * distance, normal, mirrored,
+                 &scene.looks[scene.compile_material[which]] };
     }
 
     // Whether a light stands before the surface, its direction and distance.

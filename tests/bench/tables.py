@@ -16,7 +16,7 @@ from pathlib import Path
 # How many times as long as ours each of the others is to take.
 ASKED = {'POV-Ray': 5.0, 'Tachyon': 1.8, 'Embree': 1.35, 'Embree x8': 1.15, 'Embree x16': 1.15}
 PAGES = ('docs/performance.md', 'docs/notes/where-time-goes.md')
-PARTS = ('tree', 'filters', 'shapes', 'placements', 'normals', 'shading', 'picture')
+PARTS = ('tree', 'filters', 'shapes', 'instances', 'normals', 'shading', 'picture')
 
 
 def arguments():

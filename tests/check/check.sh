@@ -77,10 +77,10 @@ while read -r name may; do
     esac
     room "lib/$name" "\"($name$rooms)/[a-z_0-9]+\.h\"|$headers"
 done < "$work/rooms"
-room plugins/primitives "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
-room plugins/images "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
-room plugins/plots "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image|plot)\.h>"
-room plugins/kit "\"kit/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
+room plugins/primitives "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
+room plugins/images "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
+room plugins/plots "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image|plot)\.h>"
+room plugins/common "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
 room cli "\"[a-z_]+\.h\"|$plain"
 room viewer "\"[a-z_]+\.h\"|$plain"
 

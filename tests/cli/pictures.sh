@@ -81,20 +81,20 @@ END
 pictures_of_two_parts_throughout_are_the_same_but_for_roundings() {
     rich_scene
     expect 0 "$povc" rich.pov 61 47 certified.pfm --stats
-    [ "$(sed -n 's/^decided: \([0-9]*\) intersections/\1/p' out)" -lt 3000 ]
+    [ "$(sed -n 's/^escalated: \([0-9]*\) intersections/\1/p' out)" -lt 3000 ]
     expect 0 "$povc" rich.pov 61 47 max.pfm --accuracy max --stats
-    [ "$(sed -n 's/^decided: \([0-9]*\) intersections/\1/p' out)" -gt 3000 ]
+    [ "$(sed -n 's/^escalated: \([0-9]*\) intersections/\1/p' out)" -gt 3000 ]
     "$PYTHON" "$pixels" near certified.pfm max.pfm 1e-4 2
 }
 
-pictures_say_of_each_primitive_what_was_asked_and_decided() {
+pictures_say_of_each_primitive_what_was_asked_and_escalated() {
     for accuracy in certified max; do
         expect 0 "$povc" "$root/scenes/gallery/machine.pov" 40 30 out.pfm --accuracy "$accuracy" --stats
         awk '/_asked:/ { asked = $2; classes++ } /_decided:/ { if ($2 > asked) exit 1; sum += $2; all += asked }
             /^decided:/ { decided = $2 } /^rays_camera:/ { rays = $2 }
             END { exit !(classes == 5 && sum == decided && all > rays / 2) }' out
     done
-    [ "$(sed -n 's/^sphere_asked: //p' out)" = "$(sed -n 's/^sphere_decided: //p' out)" ]
+    [ "$(sed -n 's/^sphere_asked: //p' out)" = "$(sed -n 's/^sphere_escalated: //p' out)" ]
 }
 
 pictures_come_with_maps_of_what_is_met() {

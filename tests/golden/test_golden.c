@@ -187,7 +187,7 @@ static void a_wrong_highlight_is_noticed(void **state)
     assert_true(is_noticed("test-phong", "phong 0.7", "phong 0.6"));
 }
 
-static void a_wrong_medium_is_noticed(void **state)
+static void a_wrong_dielectric_is_noticed(void **state)
 {
     (void)state;
     assert_true(is_noticed("test-overlapping_media", "ior 1.2", "ior 1.25"));
@@ -215,7 +215,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_as_povray_draws_them),
         cmocka_unit_test(a_wrong_highlight_is_noticed),
-        cmocka_unit_test(a_wrong_medium_is_noticed),
+        cmocka_unit_test(a_wrong_dielectric_is_noticed),
         cmocka_unit_test(swapped_channels_are_noticed),
     };
 

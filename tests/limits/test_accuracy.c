@@ -7,7 +7,7 @@
 
 enum { WIDTH = 64, HEIGHT = 48 };
 
-static float *picture(pov_context *context, const char *path, pov_accuracy accuracy, uint64_t *decided)
+static float *picture(pov_context *context, const char *path, pov_accuracy accuracy, uint64_t *escalated)
 {
     pov_load_desc load = POV_INIT(load);
     pov_render_desc d = POV_INIT(d);
@@ -30,7 +30,7 @@ static float *picture(pov_context *context, const char *path, pov_accuracy accur
         continue;
     pov_job_read(job, all, POV_PIXELS_LINEAR_FLOAT, pixels, WIDTH * 4 * sizeof *pixels);
     pov_job_get_progress(job, &progress);
-    *decided += progress.counts.decided;
+    *escalated += progress.counts.escalated;
     pov_job_destroy(job);
     pov_scene_destroy(scene);
     return pixels;
@@ -57,7 +57,7 @@ static void hold(const char *folder)
         free(b);
     }
     assert_int_equal(broken, 0);
-    /* Both did what they say: all was decided in two parts, or next to nothing. */
+    /* Both did what they say: all was decided in double-double, or next to nothing. */
     assert_true(max > 100000);
     assert_true(certified < max / 20);
     scenes_free(list);

@@ -1,5 +1,5 @@
 /* test_acne.c - a convex solid, lit from beside the camera, casts no shadow on what the camera sees of it. So its
- * picture is to the bit the one in which it casts none at all, wherever it stands and however large it is. */
+ * picture is bit for bit the one in which it casts none at all, wherever it stands and however large it is. */
 #include "support/check.h"
 #include "support/limits.h"
 #include "support/scenes.h"

@@ -36,16 +36,16 @@ static const char head[] =
     "sphere { <2,1.5,5>, 1 pigment { color rgb <0,1,0> } finish { ambient 1 diffuse 0 } }\n";
 
 /* One or two shapes, each with what follows it. */
-static float *picture(void *context, const char *one, const char *look_one, const char *two, const char *look_two,
+static float *picture(void *context, const char *one, const char *sample_one, const char *two, const char *sample_two,
                       const char *turn)
 {
     char text[4096];
     int n = sprintf(text, "%s", head);
 
     if (one)
-        n += sprintf(text + n, "%s %s %s }\n", one, look_one, turn);
+        n += sprintf(text + n, "%s %s %s }\n", one, sample_one, turn);
     if (two)
-        sprintf(text + n, "%s %s %s }\n", two, look_two, turn);
+        sprintf(text + n, "%s %s %s }\n", two, sample_two, turn);
     return limits_picture(context, text, &limits_home, WIDTH, HEIGHT);
 }
 
@@ -93,17 +93,17 @@ static void what_lies_on_its_like_does_not_show(void **state)
     for (int i = 0; i < PAIRS; i++)
         for (int k = 0; k < TURNS * 2; k++) {
             const char *whole = strstr(pairs[i].two, "quadric { <1,0,1>") ? pairs[i].two : pairs[i].one;
-            const char *look = looks[k % 2];
-            float *alone = picture(*state, whole, look, NULL, NULL, turns[k / 2]);
-            float *first = picture(*state, pairs[i].one, look, pairs[i].two, look, turns[k / 2]);
-            float *second = picture(*state, pairs[i].two, look, pairs[i].one, look, turns[k / 2]);
-            const long off = limits_count(alone, first, WIDTH, HEIGHT, 1e-4f) +
-                             limits_count(alone, second, WIDTH, HEIGHT, 1e-4f);
+            const char *sample = looks[k % 2];
+            float *single = picture(*state, whole, sample, NULL, NULL, turns[k / 2]);
+            float *first = picture(*state, pairs[i].one, sample, pairs[i].two, sample, turns[k / 2]);
+            float *second = picture(*state, pairs[i].two, sample, pairs[i].one, sample, turns[k / 2]);
+            const long off = limits_count(single, first, WIDTH, HEIGHT, 1e-4f) +
+                             limits_count(single, second, WIDTH, HEIGHT, 1e-4f);
 
             if (off)
                 print_error("%s on %s, %s: %ld pixels differ\n", pairs[i].two, pairs[i].one, turns[k / 2], off);
             broken += off;
-            free(alone);
+            free(single);
             free(first);
             free(second);
         }
@@ -121,14 +121,14 @@ static void the_earlier_of_two_is_seen(void **state)
     for (size_t i = 0; i < sizeof covered / sizeof *covered; i++)
         for (int k = 0; k < TURNS; k++) {
             const pair *p = &pairs[covered[i]];
-            float *alone = picture(*state, p->one, red, NULL, NULL, turns[k]);
+            float *single = picture(*state, p->one, red, NULL, NULL, turns[k]);
             float *both = picture(*state, p->one, red, p->two, green, turns[k]);
-            const long off = limits_count(alone, both, WIDTH, HEIGHT, 1e-4f);
+            const long off = limits_count(single, both, WIDTH, HEIGHT, 1e-4f);
 
             if (off)
                 print_error("%s over %s, %s: %ld pixels differ\n", p->one, p->two, turns[k], off);
             broken += off;
-            free(alone);
+            free(single);
             free(both);
         }
     assert_int_equal(broken, 0);
@@ -162,8 +162,8 @@ static void glass_against_glass_is_one_glass(void **state)
         }
 }
 
-/* The same glass twice in one place: one of the squared filter. (Where glass mirrors from within, which a ball never does
- * to what comes from outside, the outer of both does, and the inner one is passed twice more.) */
+/* The same glass twice in one place: one of the squared filter. (Where glass mirrors from within, which a sphere never
+ * does to what comes from outside, the outer of both does, and the inner one is passed twice more.) */
 static void glass_in_glass_counts_twice(void **state)
 {
     static const char *const solids[] = { "sphere { <0.2,0,0>, 1.25 interior { ior 1.25 }", "box { <-1,-1,-1>, <1,1,1>",
@@ -182,19 +182,19 @@ static void glass_in_glass_counts_twice(void **state)
         }
 }
 
-/* A pane that lies on an opaque block tints what is seen and lit through it by its outer face alone, each way: the ray
- * enters the block before it leaves the pane. */
-static void a_pane_on_a_block_tints_it(void **state)
+/* A pane that lies on an opaque block filters what is seen and lit through it by its outer face alone, each way: the
+ * ray enters the block before it leaves the pane. */
+static void a_pane_on_a_block_filters_its_light(void **state)
 {
     const char *block = "box { <-9,-9,0>, <9,9,1>", *pane = "box { <-8,-8,-0.25>, <8,8,0>";
     const char *matt = "pigment { color rgb 1 } finish { ambient 0 diffuse 1 }";
-    const char *tint = "pigment { color rgbf <1,1,1,0.5> } finish { ambient 0 diffuse 0 }";
+    const char *filter = "pigment { color rgbf <1,1,1,0.5> } finish { ambient 0 diffuse 0 }";
     static const char *const still[] = { "", "rotate <10,20,30>", "rotate <-20,-10,45>" };
 
     for (int k = 0; k < 3; k++) {
         float *bare = picture(*state, block, matt, NULL, NULL, still[k]);
-        float *there = picture(*state, block, matt, pane, tint, still[k]);
-        float *back = picture(*state, pane, tint, block, matt, still[k]);
+        float *there = picture(*state, block, matt, pane, filter, still[k]);
+        float *back = picture(*state, pane, filter, block, matt, still[k]);
         long off = 0, lit = 0;
 
         for (long i = 0; i < WIDTH * HEIGHT; i++) {
@@ -258,7 +258,7 @@ static void the_edges_of_a_room_do_not_leak(void **state)
                                         : pov_vec3_of(a, b, along);
         float c[4];
 
-        limits_see(scene, eye, pov_sub(to, eye), c);
+        limits_trace(scene, eye, pov_sub(to, eye), c);
         leaks += c[0] != 0.0f || c[1] != 0.0f || c[2] != 0.0f;
     }
     pov_scene_destroy(scene);
@@ -307,7 +307,7 @@ int main(void)
         cmocka_unit_test(the_earlier_of_two_is_seen),
         cmocka_unit_test(glass_against_glass_is_one_glass),
         cmocka_unit_test(glass_in_glass_counts_twice),
-        cmocka_unit_test(a_pane_on_a_block_tints_it),
+        cmocka_unit_test(a_pane_on_a_block_filters_its_light),
         cmocka_unit_test(a_silvered_plate_is_a_mirror),
         cmocka_unit_test(the_edges_of_a_room_do_not_leak),
         cmocka_unit_test(the_rule_asks_neither_tree_nor_threads),

@@ -49,7 +49,7 @@ static void hold_corridor(void *context, const char *mirrors, double slope, doub
 
     put_targets(text + n, end, y + (green ? 0.0 : 2.0 * wide), wide);
     scene = limits_scene(context, text, &limits_home, NULL);
-    limits_see(scene, pov_vec3_of(0.0, from, 0.0), pov_vec3_of(1.0, slope, 0.0), c);
+    limits_trace(scene, pov_vec3_of(0.0, from, 0.0), pov_vec3_of(1.0, slope, 0.0), c);
     if (c[1] != (green ? 1.0f : 0.0f) || c[0] != (green ? 0.0f : 1.0f))
         print_error("slope %g, %g wide: %g %g %g\n", slope, wide, (double)c[0], (double)c[1], (double)c[2]);
     assert_true(c[1] == (green ? 1.0f : 0.0f) && c[0] == (green ? 0.0f : 1.0f) && c[2] == 0.0f);
@@ -80,22 +80,22 @@ static void two_hundred_bounces_end_where_they_should(void **state)
 
 /* ---- a mirrored room ---- */
 
-typedef struct way { int bounces; bool found, close; } way;
+typedef struct unfolding { int bounces; bool found, close; } unfolding;
 
-/* The unit cube from 0 to 1, all mirrors, a ball of radius r at c. Unfolded, the ray is straight and the ball stands
- * mirrored in every cell, the first one maybe behind. Too close a pass for this arithmetic is `close`. */
-static way unfold(pov_vec3 o, pov_vec3 d, pov_vec3 c, double r, int most)
+/* The unit cube from 0 to 1, all mirrors, a sphere of radius r at c. Unfolded, the ray is straight and the sphere
+ * stands mirrored in every cell, the first one maybe behind. Too close a pass for this arithmetic is `close`. */
+static unfolding unfold(pov_vec3 o, pov_vec3 d, pov_vec3 c, double r, int most)
 {
-    const double from[3] = { o.x, o.y, o.z }, dir[3] = { d.x, d.y, d.z }, ball[3] = { c.x, c.y, c.z };
+    const double from[3] = { o.x, o.y, o.z }, dir[3] = { d.x, d.y, d.z }, sphere[3] = { c.x, c.y, c.z };
     int cell[3] = { 0, 0, 0 };
-    way w = { 0, false, false };
+    unfolding w = { 0, false, false };
 
     for (; w.bounces <= most; w.bounces++) {
         double a = 0.0, b = 0.0, q = 0.0, next = HUGE_VAL, second = HUGE_VAL;
         int axis = 0;
 
         for (int i = 0; i < 3; i++) {
-            const double centre = cell[i] + ((cell[i] & 1) ? 1.0 - ball[i] : ball[i]);
+            const double centre = cell[i] + ((cell[i] & 1) ? 1.0 - sphere[i] : sphere[i]);
             const double wall = dir[i] > 0.0 ? cell[i] + 1.0 : cell[i], t = (wall - from[i]) / dir[i];
 
             a += dir[i] * dir[i];
@@ -138,7 +138,8 @@ static void a_mirrored_room_counts_its_bounces(void **state)
         "polygon { 4, <0,0,0>, <0,1,0>, <0,1,1>, <0,0,1> finish { ambient 0 diffuse 0 reflection 0.995 } }\n"
         "polygon { 4, <1,0,0>, <1,1,0>, <1,1,1>, <1,0,1> finish { ambient 0 diffuse 0 reflection 0.995 } }\n",
     };
-    const char *ball = "sphere { <0.5625,0.4375,0.65625>, 0.0625 pigment { color rgb 1 } finish { ambient 1 diffuse 0 } }\n";
+    const char *sphere =
+        "sphere { <0.5625,0.4375,0.65625>, 0.0625 pigment { color rgb 1 } finish { ambient 1 diffuse 0 } }\n";
     const pov_vec3 eye = { 0.25, 0.3125, 0.1875 }, centre = { 0.5625, 0.4375, 0.65625 };
     uint64_t seed = 1;
     int found = 0, longest = 0, tried;
@@ -147,16 +148,16 @@ static void a_mirrored_room_counts_its_bounces(void **state)
         char text[2048];
         pov_scene *scene;
 
-        sprintf(text, "%s%s%s", head, rooms[m], ball);
+        sprintf(text, "%s%s%s", head, rooms[m], sphere);
         scene = limits_scene(*state, text, &limits_home, NULL);
         for (tried = 0; tried < 3000; tried++) {
             const pov_vec3 d = { uniform(&seed) - 0.5, uniform(&seed) - 0.5, uniform(&seed) - 0.5 };
-            const way w = unfold(eye, d, centre, 0.0625, 240);
+            const unfolding w = unfold(eye, d, centre, 0.0625, 240);
             float c[4], wanted = (float)pow(0.995, w.bounces);
 
             if (w.close || w.bounces > 200)
                 continue;
-            limits_see(scene, eye, d, c);
+            limits_trace(scene, eye, d, c);
             if (!(fabsf(c[0] - wanted) < 1e-4f * wanted))
                 print_error("%a %a %a: %d bounces, seen %g\n", d.x, d.y, d.z, w.bounces, (double)c[0]);
             assert_true(fabsf(c[0] - wanted) < 1e-4f * wanted);
@@ -189,14 +190,14 @@ static void hold_slab(void *context, const char *slab, double slope, const char 
 
     put_targets(text + n, 4.0, y + (green ? 0.0 : 2.0 * wide), wide);
     scene = limits_scene(context, text, &limits_home, NULL);
-    limits_see(scene, pov_vec3_of(0.0, 0.0, 0.0), pov_vec3_of(1.0, slope, 0.0), c);
+    limits_trace(scene, pov_vec3_of(0.0, 0.0, 0.0), pov_vec3_of(1.0, slope, 0.0), c);
     if (c[1] != (green ? 1.0f : 0.0f))
         print_error("%s, ior %s, slope %g: %g %g %g\n", slab, n_text, slope, (double)c[0], (double)c[1], (double)c[2]);
     assert_true(c[1] == (green ? 1.0f : 0.0f));
     pov_scene_destroy(scene);
 }
 
-static void any_index_bends_as_snell_says(void **state)
+static void any_index_refracts_as_snell_says(void **state)
 {
     static const char *const slabs[] = {
         "box { <1,-8,-8>, <2,8,8>",
@@ -219,7 +220,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_hundred_bounces_end_where_they_should),
         cmocka_unit_test(a_mirrored_room_counts_its_bounces),
-        cmocka_unit_test(any_index_bends_as_snell_says),
+        cmocka_unit_test(any_index_refracts_as_snell_says),
     };
     return cmocka_run_group_tests(tests, begin, end);
 }

@@ -34,7 +34,7 @@ static const char *const slabs[] = {
     "cone { <0,0,%.17g>, 8, <0,0,%.17g>, 7",
 };
 
-static float *look_through(void *context, const char *slab, double from, double to, const char *surface)
+static float *sample_through(void *context, const char *slab, double from, double to, const char *surface)
 {
     char solid[256], text[1024];
 
@@ -61,7 +61,7 @@ static void both_faces_of_a_transparent_slab_count(void **state)
         for (int k = 0; k < THICKNESSES; k++)
             for (int i = 0; i < 4; i++) {
                 const double at = i / 2 ? 1.0 : 0.0;
-                float *seen = look_through(*state, slabs[s], at, at + thicknesses[k], surfaces[i % 2]);
+                float *seen = sample_through(*state, slabs[s], at, at + thicknesses[k], surfaces[i % 2]);
                 const long right = limits_count_colour(seen, WIDTH, HEIGHT, wanted, 1e-6f);
 
                 if (right != WIDTH * HEIGHT)
@@ -80,8 +80,8 @@ static void no_light_comes_through_an_opaque_slab(void **state)
     for (int s = 0; s < 3; s++)
         for (int k = 0; k < THICKNESSES; k++)
             for (int i = 0; i < 2; i++) {
-                float *seen = look_through(*state, slabs[s], i, i + thicknesses[k],
-                                           "pigment { color rgb 1 } finish { ambient 0 diffuse 1 phong 1 reflection 0 }");
+                float *seen = sample_through(*state, slabs[s], i, i + thicknesses[k],
+                                             "pigment { color rgb 1 } finish { ambient 0 diffuse 1 phong 1 reflection 0 }");
                 assert_int_equal(limits_count_colour(seen, WIDTH, HEIGHT, black, 0.0f), WIDTH * HEIGHT);
                 free(seen);
             }
@@ -133,7 +133,7 @@ static void see_gap(void *context, const char *floor, const char *occluder, doub
         const bool covered = fabs(x) < 1.0 && fabs(z) < 1.0;
         float c[4];
 
-        limits_see(scene, pov_vec3_of(x, 0.5 * h, z), pov_vec3_of(0.3, -1.0, 0.2), c);
+        limits_trace(scene, pov_vec3_of(x, 0.5 * h, z), pov_vec3_of(0.3, -1.0, 0.2), c);
         if (covered)
             assert_true(c[0] == 0.0f);
         else
@@ -164,7 +164,7 @@ static void a_contact_shadow_has_no_gap(void **state)
 }
 
 /* From afar, through a pane that lies h above the floor: seen and lit through all of its faces. */
-static long tint(void *context, const char *floor, const char *pane, double h, float factor)
+static long filter(void *context, const char *floor, const char *pane, double h, float factor)
 {
     char text[1024], with[1536], above[256];
     const double low = 1.0 + h, high = low + h;
@@ -189,7 +189,7 @@ static long tint(void *context, const char *floor, const char *pane, double h, f
     return off;
 }
 
-static void a_pane_above_a_floor_tints_it_twice(void **state)
+static void a_pane_above_a_floor_filters_its_light_twice(void **state)
 {
     static const char *const floors[] = {
         "box { <-50,0,-50>, <50,1,50>",
@@ -208,7 +208,7 @@ static void a_pane_above_a_floor_tints_it_twice(void **state)
     for (size_t f = 0; f < sizeof floors / sizeof *floors; f++)
         for (size_t p = 0; p < sizeof panes / sizeof *panes; p++)
             for (int k = 0; k < THICKNESSES; k++)
-                broken += tint(*state, floors[f], panes[p].text, thicknesses[k], panes[p].factor);
+                broken += filter(*state, floors[f], panes[p].text, thicknesses[k], panes[p].factor);
     assert_int_equal(broken, 0);
 }
 
@@ -252,7 +252,7 @@ int main(void)
         cmocka_unit_test(no_light_comes_through_an_opaque_slab),
         cmocka_unit_test(sheets_a_few_units_apart_keep_their_order),
         cmocka_unit_test(a_contact_shadow_has_no_gap),
-        cmocka_unit_test(a_pane_above_a_floor_tints_it_twice),
+        cmocka_unit_test(a_pane_above_a_floor_filters_its_light_twice),
         cmocka_unit_test(a_pebble_lies_on_a_planet),
     };
     return cmocka_run_group_tests(tests, begin, end);

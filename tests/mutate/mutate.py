@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # What goes wrong, the text, what takes its place, and, where the quickest tests would not notice, who should first.
 MUTATIONS = [
     ('slab test: slack / 2^8', 'BVH_SLACK 0x1p-22', 'BVH_SLACK 0x1p-30', ''),
-    ('side of a leaving ray: limit / 2^8', 'WORLD_AWAY 0x1p-36', 'WORLD_AWAY 0x1p-44', ''),
+    ('side of a leaving ray: limit / 2^8', 'WORLD_GRAZING 0x1p-36', 'WORLD_GRAZING 0x1p-44', ''),
     ('end of a light path: slack / 2^8', 'slack = 0x1p-51', 'slack = 0x1p-59', ''),
     ('limit of the nearest: tie / 2^8', 'PACKET_TIE 0x1p-44', 'PACKET_TIE 0x1p-52', ''),
     ('highlight: exponent one too large', 'double product = 1.0, square = cosine;',
@@ -39,7 +39,7 @@ MUTATIONS = [
      'limits/test_coincident'),
     ('isolated solids: no margin', 'margin = 0x1p-20;', 'margin = 0.0;', 'unit/test_world_isolated'),
     ('filter of instances: bound / 48', '(48.0f *', '(1.0f *', 'unit/test_world_instance'),
-    ('reports: distances 100 times less exact', '#define KIT_ULPS 12.0', '#define KIT_ULPS 1200.0',
+    ('reports: distances 100 times less exact', '#define COMMON_ULPS 12.0', '#define COMMON_ULPS 1200.0',
      'plugins/test_contract'),
     ('reports: the step of Newton goes the other way', 'return -0.5 * r->value / r->half_slope;',
      'return 0.5 * r->value / r->half_slope;', 'plugins/test_contract'),

@@ -5,20 +5,20 @@ typedef struct line { real3 o, d; } line;
 
 static real3 point(const double *v) { return real3_of(real_of(v[0]), real_of(v[1]), real_of(v[2])); }
 
-static real3 two_parts(pov_vec3 hi, pov_vec3 lo)
+static real3 in_dd(pov_vec3 hi, pov_vec3 lo)
 {
     return real3_of(real_of2(hi.x, lo.x), real_of2(hi.y, lo.y), real_of2(hi.z, lo.z));
 }
 
-static void add(exact_answer *out, real t, uint32_t part, real3 normal, double room)
+static void add(exact_result *out, real t, uint32_t feature, real3 normal, double clearance)
 {
     const real length = real_sqrt(real3_dot(normal, normal));
     exact_crossing c, *at = out->at;
     int i = out->count;
 
     c.t = t;
-    c.part = part;
-    c.room = room;
+    c.feature = feature;
+    c.clearance = clearance;
     c.normal[0] = real_double(real_div(normal.x, length));
     c.normal[1] = real_double(real_div(normal.y, length));
     c.normal[2] = real_double(real_div(normal.z, length));
@@ -29,7 +29,7 @@ static void add(exact_answer *out, real t, uint32_t part, real3 normal, double r
 }
 
 /* Roots of a t^2 + 2 b t + c: entering where the value falls. Gives how many. */
-static int roots(real a, real b, real c, real t[2], uint32_t part[2])
+static int roots(real a, real b, real c, real t[2], uint32_t feature[2])
 {
     const real discriminant = real_sub(real_mul(b, b), real_mul(a, c));
     const bool rises = real_sign(b) > 0;
@@ -39,8 +39,8 @@ static int roots(real a, real b, real c, real t[2], uint32_t part[2])
         return 0;
     /* Neither root is a difference: 512 bits are not enough for roots 1e200 apart. */
     sum = rises ? real_neg(real_add(b, real_sqrt(discriminant))) : real_sub(real_sqrt(discriminant), b);
-    part[0] = rises;
-    part[1] = !rises;
+    feature[0] = rises;
+    feature[1] = !rises;
     t[0] = t[1] = sum;
     if (real_sign(sum) != 0)
         t[0] = real_div(c, sum);
@@ -50,27 +50,27 @@ static int roots(real a, real b, real c, real t[2], uint32_t part[2])
     return 2;
 }
 
-static void sphere(const probe *p, line l, exact_answer *out)
+static void sphere(const probe *p, line l, exact_result *out)
 {
     const real3 f = real3_sub(l.o, point(p->number));
     const real r = real_of(p->number[3]);
-    uint32_t part[2];
+    uint32_t feature[2];
     real t[2];
-    int n = roots(real3_dot(l.d, l.d), real3_dot(f, l.d), real_sub(real3_dot(f, f), real_mul(r, r)), t, part), i;
+    int n = roots(real3_dot(l.d, l.d), real3_dot(f, l.d), real_sub(real3_dot(f, f), real_mul(r, r)), t, feature), i;
 
     for (i = 0; i < n; i++)
-        add(out, t[i], part[i], real3_add(f, real3_scale(l.d, t[i])), HUGE_VAL);
+        add(out, t[i], feature[i], real3_add(f, real3_scale(l.d, t[i])), HUGE_VAL);
 }
 
 static real component(real3 v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
 
-static real3 axis_vector(int part)
+static real3 axis_vector(int feature)
 {
-    const real zero = real_of(0.0), one = real_of(part % 2 ? 1.0 : -1.0);
-    return real3_of(part / 2 == 0 ? one : zero, part / 2 == 1 ? one : zero, part / 2 == 2 ? one : zero);
+    const real zero = real_of(0.0), one = real_of(feature % 2 ? 1.0 : -1.0);
+    return real3_of(feature / 2 == 0 ? one : zero, feature / 2 == 1 ? one : zero, feature / 2 == 2 ? one : zero);
 }
 
-static void box(const probe *p, line l, exact_answer *out)
+static void box(const probe *p, line l, exact_result *out)
 {
     int entry = -1, leave = -1, i;
     real first = NULL, last = NULL;
@@ -105,18 +105,18 @@ static void box(const probe *p, line l, exact_answer *out)
 }
 
 /* Roots on the infinite double cone that lie between the ends, and caps within their radius. */
-static void frustum(const probe *p, line l, const double *base, double r0, const double *top, double r1,
-                    exact_answer *out)
+static void cone(const probe *p, line l, const double *base, double r0, const double *top, double r1,
+                 exact_result *out)
 {
     const real3 a = real3_sub(point(top), point(base)), f = real3_sub(l.o, point(base));
     const real m = real3_dot(a, a), y = real_div(real3_dot(f, a), m), e = real_div(real3_dot(l.d, a), m);
     const real k = real_sub(real_of(r1), real_of(r0)), r = real_add(real_of(r0), real_mul(k, y)), s = real_mul(k, e);
     const real3 w = real3_sub(f, real3_scale(a, y)), v = real3_sub(l.d, real3_scale(a, e));
     const real one = real_of(1.0);
-    uint32_t part[2];
+    uint32_t feature[2];
     real t[2];
     int n = roots(real_sub(real3_dot(v, v), real_mul(s, s)), real_sub(real3_dot(w, v), real_mul(r, s)),
-                  real_sub(real3_dot(w, w), real_mul(r, r)), t, part), i;
+                  real_sub(real3_dot(w, w), real_mul(r, r)), t, feature), i;
 
     for (i = 0; i < n; i++) {
         const real height = real_add(y, real_mul(t[i], e)), radius = real_add(r, real_mul(t[i], s));
@@ -125,7 +125,7 @@ static void frustum(const probe *p, line l, const double *base, double r0, const
             const real3 normal =
                 real3_sub(real3_add(w, real3_scale(v, t[i])), real3_scale(a, real_div(real_mul(k, radius), m)));
 
-            add(out, t[i], part[i], normal, fabs(real_double(radius)));
+            add(out, t[i], feature[i], normal, fabs(real_double(radius)));
         }
     }
     for (i = 0; i < 2 && !p->open && real_sign(e) != 0; i++) {
@@ -149,7 +149,7 @@ static real3 gradient(const double *q, real3 p, bool linear)
                                  real_add(real_mul(e, p.x), real_mul(f, p.y))));
 }
 
-static void quadric(const probe *p, line l, exact_answer *out)
+static void quadric(const probe *p, line l, exact_result *out)
 {
     const double *q = p->number;
     const real half = real_of(0.5);
@@ -158,21 +158,21 @@ static void quadric(const probe *p, line l, exact_answer *out)
     const real b = real_mul(half, real3_dot(l.d, gradient(q, l.o, true)));
     const real c = real_add(real_mul(half, real3_dot(l.o, real3_add(gradient(q, l.o, true), linear))), real_of(q[9]));
     double curvature = 0.0;
-    uint32_t part[2];
+    uint32_t feature[2];
     real t[2];
-    int n = roots(a, b, c, t, part), i;
+    int n = roots(a, b, c, t, feature), i;
 
     for (i = 0; i < 6; i++)
         curvature = fmax(curvature, fabs(q[i]));
     for (i = 0; i < n; i++) {
         const real3 g = gradient(q, real3_add(l.o, real3_scale(l.d, t[i])), true);
 
-        add(out, t[i], part[i], g, real_double(real_sqrt(real3_dot(g, g))) / (2.0 * curvature));
+        add(out, t[i], feature[i], g, real_double(real_sqrt(real3_dot(g, g))) / (2.0 * curvature));
     }
 }
 
 /* The axis that the ray goes along most. */
-static int away_of(const probe *p)
+static int forward_of(const probe *p)
 {
     const pov_vec3 d = p->ray.dir;
 
@@ -182,12 +182,12 @@ static int away_of(const probe *p)
 /* In the ray's own view, the other two axes over that one. */
 static void view(const probe *p, line l, const double *v, real *across, real *up)
 {
-    const int away = away_of(p);
+    const int forward = forward_of(p);
     const real3 w = real3_sub(point(v), l.o);
-    const real depth = real_div(component(w, away), component(l.d, away));
+    const real depth = real_div(component(w, forward), component(l.d, forward));
 
-    *across = real_sub(component(w, (away + 1) % 3), real_mul(depth, component(l.d, (away + 1) % 3)));
-    *up = real_sub(component(w, (away + 2) % 3), real_mul(depth, component(l.d, (away + 2) % 3)));
+    *across = real_sub(component(w, (forward + 1) % 3), real_mul(depth, component(l.d, (forward + 1) % 3)));
+    *up = real_sub(component(w, (forward + 2) % 3), real_mul(depth, component(l.d, (forward + 2) % 3)));
 }
 
 /* Even-odd: edges that pass the ray to the right, of those that cross its level. The up coordinate divides
@@ -198,7 +198,7 @@ static bool polygon_within(const probe *p, line l)
     const double *v = p->number + 1, *start = v;
     real across[2] = { NULL, NULL }, up[2] = { NULL, NULL };
     const double d[3] = { p->ray.dir.x, p->ray.dir.y, p->ray.dir.z };
-    const int flip = d[away_of(p)] < 0.0 ? -1 : 1;
+    const int flip = d[forward_of(p)] < 0.0 ? -1 : 1;
     bool within = false;
     int i;
 
@@ -251,7 +251,7 @@ static real3 polygon_normal(const probe *p)
     return best;
 }
 
-static void polygon(const probe *p, line l, exact_answer *out)
+static void polygon(const probe *p, line l, exact_result *out)
 {
     const real3 n = polygon_normal(p);
     const real slope = real3_dot(n, l.d);
@@ -260,7 +260,7 @@ static void polygon(const probe *p, line l, exact_answer *out)
         add(out, real_div(real3_dot(n, real3_sub(point(p->number + 1), l.o)), slope), 0, n, HUGE_VAL);
 }
 
-static void answer(const probe *p, line l, exact_answer *out)
+static void result(const probe *p, line l, exact_result *out)
 {
     const double *n = p->number;
 
@@ -270,25 +270,25 @@ static void answer(const probe *p, line l, exact_answer *out)
     else if (p->kind == BOX)
         box(p, l, out);
     else if (p->kind == CONE && n[7] < n[3])
-        frustum(p, l, n + 4, n[7], n, n[3], out);
+        cone(p, l, n + 4, n[7], n, n[3], out);
     else if (p->kind == CONE)
-        frustum(p, l, n, n[3], n + 4, n[7], out);
+        cone(p, l, n, n[3], n + 4, n[7], out);
     else if (p->kind == CYLINDER)
-        frustum(p, l, n, n[6], n + 3, n[6], out);
+        cone(p, l, n, n[6], n + 3, n[6], out);
     else if (p->kind == QUADRIC)
         quadric(p, l, out);
     else
         polygon(p, l, out);
 }
 
-void probe_exact(const probe *p, exact_answer *out)
+void probe_exact(const probe *p, exact_result *out)
 {
-    const line l = { two_parts(p->ray.org, p->ray.org_lo), two_parts(p->ray.dir, p->ray.dir_lo) };
-    answer(p, l, out);
+    const line l = { in_dd(p->ray.org, p->ray.org_lo), in_dd(p->ray.dir, p->ray.dir_lo) };
+    result(p, l, out);
 }
 
-void probe_exact_line(const probe *p, real3 org, real3 dir, exact_answer *out)
+void probe_exact_line(const probe *p, real3 org, real3 dir, exact_result *out)
 {
     const line l = { org, dir };
-    answer(p, l, out);
+    result(p, l, out);
 }

@@ -46,7 +46,7 @@ static pov_vec3 get(const probe *p, int at)
     return pov_vec3_of(p->number[at], p->number[at + 1], p->number[at + 2]);
 }
 
-static void make_frustum(probe *p, double size, pov_vec3 place, double ratio)
+static void make_cone(probe *p, double size, pov_vec3 place, double ratio)
 {
     pov_vec3 axis = U() < 0.3 ? pov_vec3_of(0.0, either(1.0), 0.0) : families_direction();
     pov_vec3 top = pov_add(place, pov_scale(axis, size * between(0.3, 2.0)));
@@ -142,7 +142,7 @@ static void make_shape(probe *p, double size, pov_vec3 place)
     } else if (p->kind == POLYGON) {
         make_polygon(p, size, place);
     } else {
-        make_frustum(p, size, place, U() < 0.2 ? 0.0 : between(0.0, 2.0));
+        make_cone(p, size, place, U() < 0.2 ? 0.0 : between(0.0, 2.0));
     }
 }
 
@@ -161,7 +161,7 @@ static void point_on_box(const probe *p, pov_vec3 *at, pov_vec3 *normal)
     *normal = pov_vec3_of(n[0], n[1], n[2]);
 }
 
-static void point_on_frustum(const probe *p, pov_vec3 *at, pov_vec3 *normal)
+static void point_on_cone(const probe *p, pov_vec3 *at, pov_vec3 *normal)
 {
     const int top = p->kind == CONE ? 4 : 3;
     const double r0 = p->number[p->kind == CONE ? 3 : 6], r1 = p->number[p->kind == CONE ? 7 : 6], y = U();
@@ -226,7 +226,7 @@ static void point_on(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *nor
     } else if (p->kind == POLYGON) {
         point_on_polygon(p, at, normal);
     } else {
-        point_on_frustum(p, at, normal);
+        point_on_cone(p, at, normal);
     }
 }
 
@@ -237,7 +237,7 @@ static void ray_of(probe *p, pov_vec3 org, pov_vec3 dir)
     memset(&p->ray, 0, sizeof p->ray);
     p->ray.org = org;
     p->ray.dir = dir;
-    p->ray.left = POV_NOBODY;
+    p->ray.origin_surface = POV_NO_OWNER;
 }
 
 /* From a distance towards a point; the direction is what the rounded origin makes it. */
@@ -344,8 +344,8 @@ static void axis_parallel(probe *p, double parameter)
     ray_of(p, pov_vec3_of(o[0], o[1], o[2]), pov_vec3_of(d[0], d[1], d[2]));
 }
 
-/* Origins and directions in two parts, as maps and secondary rays make them. */
-static void two_parts(probe *p, double parameter)
+/* Origins and directions in double-double, as maps and secondary rays make them. */
+static void in_dd(probe *p, double parameter)
 {
     const double f = 0x1p-54 * parameter;
 
@@ -364,7 +364,7 @@ static void near_parallel(probe *p, double parameter)
     pov_vec3 at, normal, axis;
 
     make_shape(p, 1.0, place);
-    point_on_frustum(p, &at, &normal);
+    point_on_cone(p, &at, &normal);
     axis = pov_unit(pov_sub(get(p, p->kind == CONE ? 4 : 3), get(p, 0)));
     if (U() < 0.7)
         axis = pov_unit(pov_sub(axis, pov_scale(normal, pov_dot(axis, normal))));
@@ -378,7 +378,7 @@ static void near_cylinder(probe *p, double parameter)
     const pov_vec3 place = small_place(1.0);
 
     p->size = 1.0;
-    make_frustum(p, 1.0, place, 1.0 + parameter);
+    make_cone(p, 1.0, place, 1.0 + parameter);
     ray_from(p, target_near(p, place), families_direction(), log_between(0.0, 2.0));
 }
 
@@ -391,7 +391,7 @@ static void rims(probe *p, double parameter)
     double r;
 
     p->size = 1.0;
-    make_frustum(p, 1.0, place, U() < 0.5 ? 0.0 : between(0.2, 2.0));
+    make_cone(p, 1.0, place, U() < 0.5 ? 0.0 : between(0.2, 2.0));
     axis = pov_sub(get(p, p->kind == CONE ? 4 : 3), get(p, 0));
     r = p->number[p->kind == CONE ? 3 : 6];
     target = get(p, 0);
@@ -418,7 +418,7 @@ static void needles(probe *p, double parameter)
     if (p->kind == CONE)
         p->number[7] = r * U();
     p->count = p->kind == CONE ? 8 : 7;
-    point_on_frustum(p, &at, &normal);
+    point_on_cone(p, &at, &normal);
     ray_from(p, pov_add(at, pov_scale(families_direction(), p->size * U())), families_direction(),
              log_between(0.0, 3.0));
 }
@@ -542,7 +542,7 @@ static void torture(probe *p, double parameter)
 }
 
 enum {
-    FLAT_SIDES = 1u << BOX, AXIAL = 1u << CONE | 1u << CYLINDER, SECOND = 1u << QUADRIC,
+    PLANAR_SIDES = 1u << BOX, AXIAL = 1u << CONE | 1u << CYLINDER, SECOND = 1u << QUADRIC,
     FLAT = 1u << POLYGON, ALL = (1u << KINDS) - 1
 };
 
@@ -566,7 +566,7 @@ const family families[] = {
     { "dir_length", -280.0, ALL, of_length },
     { "dir_length", 280.0, ALL, of_length },
     { "axis_parallel", 0.0, ALL, axis_parallel },
-    { "two_parts", 1.0, ALL, two_parts },
+    { "two_parts", 1.0, ALL, in_dd },
     { "near_parallel", -10.0, AXIAL, near_parallel },
     { "near_cylinder", 1e-3, 1u << CONE, near_cylinder },
     { "near_cylinder", 1e-9, 1u << CONE, near_cylinder },
@@ -575,9 +575,9 @@ const family families[] = {
     { "needle", 1e3, AXIAL, needles },
     { "needle", 1e9, AXIAL, needles },
     { "needle", 1e-9, AXIAL, needles },
-    { "thin", 1e-6, FLAT_SIDES, thin_boxes },
-    { "thin", 1e-15, FLAT_SIDES, thin_boxes },
-    { "edges", -15.0, FLAT_SIDES, box_edges },
+    { "thin", 1e-6, PLANAR_SIDES, thin_boxes },
+    { "thin", 1e-15, PLANAR_SIDES, thin_boxes },
+    { "edges", -15.0, PLANAR_SIDES, box_edges },
     { "edges", -15.0, FLAT, polygon_edges },
     { "sliver", 1e-6, FLAT, slivers },
     { "sliver", 1e-12, FLAT, slivers },

@@ -143,8 +143,8 @@ static void compare_normal(harness *h, contender *c, const probe *p, int slot, c
     if (p->kind == POLYGON && n.x * e->normal[0] + n.y * e->normal[1] + n.z * e->normal[2] < 0.0)
         n = pov_scale(n, -1.0);
     turn = fmax(fabs(n.x - e->normal[0]), fmax(fabs(n.y - e->normal[1]), fabs(n.z - e->normal[2])));
-    /* So near to an apex not even a distance in two parts tells where around it: any normal will do. */
-    if (isnan(e->normal[0]) || e->room < 1e-15 * p->size)
+    /* So near to an apex not even a distance in double-double tells where around it: any normal will do. */
+    if (isnan(e->normal[0]) || e->clearance < 1e-15 * p->size)
         turn = 0.0;
     if (!(turn <= 1e-13))
         complain(h, c, p, "normal");
@@ -163,7 +163,7 @@ static void compare_one(harness *h, contender *c, const probe *p, int slot, cons
     score *s = c->score;
 
     s->crossings++;
-    if (e->part != at->mark.part) {
+    if (e->feature != at->mark.feature) {
         s->part_false++;
         complain(h, c, p, "wrong part");
     }
@@ -187,12 +187,12 @@ static bool scales(const contender *c, const probe *p)
     void *self = fake_reader_memory(in, shape->instance_size);
     const subject larger = { shape, self, c->how->always_exact };
     pov_crossing there[CROSSINGS_MAX];
-    uint32_t m = 0, decided, i;
+    uint32_t m = 0, escalated, i;
     probe q = *p;
 
     probe_scale(&q, power);
     if (probe_make(&q, shape, in, self))
-        m = subject_ask(&larger, &q.ray, there, &decided);
+        m = subject_ask(&larger, &q.ray, there, &escalated);
     fake_reader_destroy(in);
     for (i = 0; i < c->found; i++) {
         /* Low parts that would be denormal are rounded, and distances can leave the range of doubles. */
@@ -213,10 +213,10 @@ static void judge_more(harness *h, contender *c, const probe *p, int slot)
 {
     subject s = subject_of(h, c, p->kind, slot);
     pov_crossing at[CROSSINGS_MAX];
-    uint32_t decided;
+    uint32_t escalated;
 
     s.always_exact = true;
-    if (c->score->rays % 8 == 0 && subject_ask(&s, &p->ray, at, &decided) != c->found) {
+    if (c->score->rays % 8 == 0 && subject_ask(&s, &p->ray, at, &escalated) != c->found) {
         c->score->exact_differs++;
         complain(h, c, p, "always_exact differs");
     }
@@ -226,14 +226,14 @@ static void judge_more(harness *h, contender *c, const probe *p, int slot)
     }
 }
 
-static void judge_one(harness *h, contender *c, const probe *p, int slot, const exact_answer *e)
+static void judge_one(harness *h, contender *c, const probe *p, int slot, const exact_result *e)
 {
     const subject s = subject_of(h, c, p->kind, slot);
-    uint32_t decided, i;
+    uint32_t escalated, i;
 
     c->score->rays++;
-    c->found = subject_ask(&s, &p->ray, c->at, &decided);
-    c->score->decided += decided > 0;
+    c->found = subject_ask(&s, &p->ray, c->at, &escalated);
+    c->score->escalated += escalated > 0;
     if (c->found != (uint32_t)e->count) {
         c->score->miss_false += c->found < (uint32_t)e->count;
         c->score->hit_false += c->found > (uint32_t)e->count;
@@ -266,18 +266,18 @@ static void spawn(harness *h, const probe *p, int slot, uint32_t i, uint32_t fou
         q.ray = leaving_ray(&p->ray, &c->at[i], direction);
         if (c->how->rival) {
             pov_crossing at[CROSSINGS_MAX];
-            uint32_t decided, n = subject_ask(&s, &q.ray, at, &decided);
+            uint32_t escalated, n = subject_ask(&s, &q.ray, at, &escalated);
 
-            verdict = n == (uint32_t)expected ? LEFT_WELL : n > (uint32_t)expected ? MET_ITSELF : LEAKED;
+            verdict = n == (uint32_t)expected ? LEFT_WELL : n > (uint32_t)expected ? HIT_ITSELF : LEAKED;
         } else {
             verdict = leaving_judge(&s, &q, &c->at[i], c->at[i].t * speed, normal, &expected);
         }
         if (j == 0 && verdict == NOT_JUDGED)
             return;
         c->score->spawned += verdict != NOT_JUDGED;
-        c->score->selfhit += verdict == MET_ITSELF;
+        c->score->selfhit += verdict == HIT_ITSELF;
         c->score->leak += verdict == LEAKED || verdict == MISPLACED;
-        if (verdict == MET_ITSELF)
+        if (verdict == HIT_ITSELF)
             complain(h, c, p, "met itself after");
         else if (verdict == LEAKED || verdict == MISPLACED)
             complain(h, c, p, verdict == LEAKED ? "leaked after" : "other side misplaced after");
@@ -289,7 +289,7 @@ static void spawn(harness *h, const probe *p, int slot, uint32_t i, uint32_t fou
 static void judge(harness *h, const probe *p, int slot)
 {
     contender *ours = &h->contenders[0];
-    exact_answer e;
+    exact_result e;
     int i;
 
     real_reset();

@@ -9,7 +9,7 @@ typedef struct score {
     long crossings;
     long miss_false, hit_false;     /* crossings said not to be there that are, and the other way round */
     long part_false;                /* found, under a wrong name */
-    long decided;                   /* rays that two-part arithmetic decided */
+    long escalated;                 /* rays that double-double arithmetic decided */
     long spawned, selfhit, leak;    /* rays that left the surface; met it again; lost the other side */
     long exact_differs;             /* always_exact found another number of crossings */
     long scale_differs;             /* scaled by a power of two, the bits were others */

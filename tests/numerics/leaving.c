@@ -6,13 +6,13 @@
 
 #include <string.h>
 
-uint32_t subject_ask(const subject *s, const pov_ray *ray, pov_crossing at[CROSSINGS_MAX], uint32_t *decided)
+uint32_t subject_ask(const subject *s, const pov_ray *ray, pov_crossing at[CROSSINGS_MAX], uint32_t *escalated)
 {
     pov_hits hits = { 0.0, HUGE_VAL, POV_WANT_ALL, s->always_exact, false, OWNER, 0, CROSSINGS_MAX, 0, at, NULL, NULL, false, NULL };
     uint32_t i, j;
 
     s->shape->intersect(s->self, ray, &hits);
-    *decided = hits.decided;
+    *escalated = hits.escalated;
     for (i = 1; i < hits.count; i++) {
         const pov_crossing c = at[i];
 
@@ -38,7 +38,7 @@ double probe_ulps_off(real exact, double t)
 
 double probe_speed(const probe *p) { return pov_dot(pov_unit(p->ray.dir), p->ray.dir); }
 
-bool probe_keep_positive(exact_answer *e, const probe *p)
+bool probe_keep_positive(exact_result *e, const probe *p)
 {
     const double speed = probe_speed(p);
     int i, n = 0;
@@ -85,14 +85,14 @@ pov_ray leaving_ray(const pov_ray *ray, const pov_crossing *c, pov_vec3 directio
     r.org = pov_vec3_of(x.hi, y.hi, z.hi);
     r.org_lo = pov_vec3_of(x.lo, y.lo, z.lo);
     r.dir = direction;
-    r.left = OWNER;
-    r.left_mark = c->mark;
+    r.origin_surface = OWNER;
+    r.origin_mark = c->mark;
     return r;
 }
 
 /* ---- the exact answer ---- */
 
-static void take_out(exact_answer *e, int i)
+static void take_out(exact_result *e, int i)
 {
     for (; i + 1 < e->count; i++)
         e->at[i] = e->at[i + 1];
@@ -100,7 +100,7 @@ static void take_out(exact_answer *e, int i)
 }
 
 /* Take the root that the ray starts on out of the exact answer. False: it cannot be told from another. */
-static bool take_out_start(exact_answer *e, kind k, uint32_t part, double size)
+static bool take_out_start(exact_result *e, kind k, uint32_t feature, double size)
 {
     double nearest = HUGE_VAL, second = HUGE_VAL;
     int i, start = 0;
@@ -108,7 +108,7 @@ static bool take_out_start(exact_answer *e, kind k, uint32_t part, double size)
     /* The planes of a box have names, however near they are to each other; but of one without any thickness nobody
      * can tell whether the start was rounded to the other side. */
     for (i = 0; i < e->count && k == BOX; i++) {
-        if (e->at[i].part == part && fabs(real_double(e->at[i].t)) < 1e-24 * size) {
+        if (e->at[i].feature == feature && fabs(real_double(e->at[i].t)) < 1e-24 * size) {
             take_out(e, i);
             return e->count == 0 || fabs(real_double(e->at[0].t)) > 1e-24 * size;
         }
@@ -136,32 +136,32 @@ static bool take_out_start(exact_answer *e, kind k, uint32_t part, double size)
 
 /* The start of a ray lies off the surface by what distances may be off by, 2^-44 sizes (kit/report.h). From within that of
  * a rim the ray may pass through the corner or miss it: it goes no deeper there than the start may be off. */
-static bool cuts_a_corner(const pov_crossing *met, const pov_crossing *left, double slope, double size)
+static bool cuts_a_corner(const pov_crossing *hit, const pov_crossing *left, double slope, double size)
 {
-    return met->mark.part != left->mark.part && met->t * slope < 0x1p-43 * size;
+    return hit->mark.feature != left->mark.feature && hit->t * slope < 0x1p-43 * size;
 }
 
-leaving_verdict leaving_judge(const subject *s, const probe *q, const pov_crossing *c, double way, pov_vec3 normal,
+leaving_verdict leaving_judge(const subject *s, const probe *q, const pov_crossing *c, double dir, pov_vec3 normal,
                               int *expected)
 {
-    exact_answer e;
+    exact_result e;
     pov_crossing at[CROSSINGS_MAX];
-    uint32_t n, decided;
+    uint32_t n, escalated;
     int i;
 
     probe_exact(q, &e);
     if (q->kind == POLYGON)
         e.count = 0;
-    else if (!take_out_start(&e, q->kind, c->mark.part, q->size))
+    else if (!take_out_start(&e, q->kind, c->mark.feature, q->size))
         return NOT_JUDGED;
-    if (!probe_keep_positive(&e, q) || way > 1e15 * q->size)
+    if (!probe_keep_positive(&e, q) || dir > 1e15 * q->size)
         return NOT_JUDGED;
     *expected = e.count;
-    n = subject_ask(s, &q->ray, at, &decided);
+    n = subject_ask(s, &q->ray, at, &escalated);
     if (n == 1 && e.count == 0 && cuts_a_corner(&at[0], c, fabs(pov_dot(normal, q->ray.dir)), q->size))
         return NOT_JUDGED;
     if (n != (uint32_t)e.count)
-        return n > (uint32_t)e.count ? MET_ITSELF : LEAKED;
+        return n > (uint32_t)e.count ? HIT_ITSELF : LEAKED;
     /* A chord along the surface is as long as the square root of what two parts lose: nobody could tell its last
      * bits. */
     if (fabs(pov_dot(normal, q->ray.dir)) < 1e-7)

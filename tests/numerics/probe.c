@@ -123,6 +123,6 @@ bool probe_read(probe *p, const char *line)
     p->ray.org_lo = take3(&line, &good);
     p->ray.dir = take3(&line, &good);
     p->ray.dir_lo = take3(&line, &good);
-    p->ray.left = POV_NOBODY;
+    p->ray.origin_surface = POV_NO_OWNER;
     return good;
 }

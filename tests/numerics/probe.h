@@ -23,20 +23,20 @@ typedef struct probe {
 
 typedef struct exact_crossing {
     real t;
-    uint32_t part;
+    uint32_t feature;
     double normal[3];
-    double room;            /* to where the surface has no normal: about the way to a cone's apex */
+    double clearance;       /* to where the surface has no normal: about the way to a cone's apex */
 } exact_crossing;
 
-typedef struct exact_answer {
+typedef struct exact_result {
     int count;
     exact_crossing at[PROBE_CROSSINGS];   /* on the whole line, in growing order */
-} exact_answer;
+} exact_result;
 
 /* The exact answer, in 512 bits, on the same doubles. Uses numbers of the pool. */
-void probe_exact(const probe *p, exact_answer *out);
+void probe_exact(const probe *p, exact_result *out);
 /* The same with a ray that no doubles could hold. Not for polygons. */
-void probe_exact_line(const probe *p, real3 org, real3 dir, exact_answer *out);
+void probe_exact_line(const probe *p, real3 org, real3 dir, exact_result *out);
 
 const char *probe_keyword(kind k);
 /* The shape, parsed by its plugin into memory of the class's size. */

@@ -57,10 +57,10 @@ static void complain(const probe *q, leaving_verdict verdict, const pov_crossing
     uint32_t i;
 
     probe_write(q, line, sizeof line);
-    print_error("%s: %s\n    left part %u, %d expected", verdict == MET_ITSELF ? "met itself" : "leaked", line,
-                q->ray.left_mark.part, expected);
+    print_error("%s: %s\n    left part %u, %d expected", verdict == HIT_ITSELF ? "met itself" : "leaked", line,
+                q->ray.origin_mark.feature, expected);
     for (i = 0; i < n; i++)
-        print_error(", part %u at %.17g", at[i].mark.part, at[i].t);
+        print_error(", part %u at %.17g", at[i].mark.feature, at[i].t);
     print_error("\n");
 }
 
@@ -68,19 +68,19 @@ static void leave_once(const subject *s, const probe *p, const pov_crossing *c, 
 {
     leaving_verdict verdict = LEFT_WELL;
     pov_crossing at[CROSSINGS_MAX];
-    uint32_t n, decided;
+    uint32_t n, escalated;
     int expected = 0;
     probe q = *p;
 
     q.ray = leaving_ray(&p->ray, c, leaving_direction(normal));
-    n = subject_ask(s, &q.ray, at, &decided);
+    n = subject_ask(s, &q.ray, at, &escalated);
     if (!is_plainly_well(&q, pov_dot(normal, q.ray.dir), at, n)) {
         real_reset();
         out->judged++;
         verdict = leaving_judge(s, &q, c, c->t * probe_speed(p), normal, &expected);
     }
     out->spawned += verdict != NOT_JUDGED;
-    out->selfhit += verdict == MET_ITSELF;
+    out->selfhit += verdict == HIT_ITSELF;
     out->leak += verdict == LEAKED || verdict == MISPLACED;
     if (verdict != LEFT_WELL && verdict != NOT_JUDGED && out->selfhit + out->leak <= 8)
         complain(&q, verdict, at, n, expected);
@@ -89,9 +89,9 @@ static void leave_once(const subject *s, const probe *p, const pov_crossing *c, 
 /* Crossings that are as good as one at a rim, or beyond all reason, are no start; but the planes of boxes have names. */
 static bool is_a_start(const probe *p, const pov_crossing *at, uint32_t n, uint32_t i)
 {
-    const double speed = probe_speed(p), way = at[i].t * speed;
+    const double speed = probe_speed(p), dir = at[i].t * speed;
 
-    if (!(way < 1e15 * p->size) || at[i].t < 1e-290 || at[i].t > 1e290)
+    if (!(dir < 1e15 * p->size) || at[i].t < 1e-290 || at[i].t > 1e290)
         return false;
     if (p->kind == BOX)
         return true;
@@ -102,7 +102,7 @@ static bool is_a_start(const probe *p, const pov_crossing *at, uint32_t n, uint3
 static void leave_probe(const subject *s, const probe *p, tally *out)
 {
     pov_crossing at[CROSSINGS_MAX];
-    uint32_t decided, i, n = subject_ask(s, &p->ray, at, &decided);
+    uint32_t escalated, i, n = subject_ask(s, &p->ray, at, &escalated);
     int j;
 
     for (i = 0; i < n; i++) {
@@ -142,7 +142,7 @@ static tally leave_family(const shape_class *shape, kind k, const family *f)
     return out;
 }
 
-static void no_ray_meets_the_point_that_it_leaves(void **state)
+static void no_ray_hits_the_point_that_it_leaves(void **state)
 {
     tally all = { 0, 0, 0, 0 };
     const family *f;
@@ -180,7 +180,7 @@ static void no_ray_meets_the_point_that_it_leaves(void **state)
 
 int main(int argc, char **argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(no_ray_meets_the_point_that_it_leaves) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(no_ray_hits_the_point_that_it_leaves) };
 
     if (argc > 1)
         rays_wanted = strtol(argv[1], NULL, 10);

@@ -15,7 +15,7 @@ static long rays = 4000;
 
 #define U families_uniform
 
-/* ---- maps, in full and in two parts ---- */
+/* ---- maps, in full and in double-double ---- */
 
 typedef struct exact_map { real m[3][4], inverse[3][3]; } exact_map;
 
@@ -152,7 +152,7 @@ static real3 whole(pov_vec3 hi, pov_vec3 lo)
 
 /* ---- asking ---- */
 
-/* The ray in the world, in two parts; and that very ray back in the shape's space, exactly. */
+/* The ray in the world, in double-double; and that very ray back in the shape's space, exactly. */
 static pov_ray world_ray(const exact_map *f, const pov_ray *own, real3 *org, real3 *dir)
 {
     exact_map copy = *f;
@@ -180,7 +180,7 @@ static bool is_on_face(const probe *p, const exact_crossing *e)
     return p->kind == BOX && fabs(real_double(e->t)) * rise_of(p, e) < finest(p);
 }
 
-static bool in_range(const exact_answer *e, const probe *p)
+static bool in_range(const exact_result *e, const probe *p)
 {
     int i;
 
@@ -224,7 +224,7 @@ static double normal_off(const exact_map *f, const exact_crossing *e, pov_vec3 f
 }
 
 static bool agrees(const shape_class *shape, const void *self, const exact_map *f, const pov_ray *ray,
-                   const probe *p, const exact_answer *e, double limit)
+                   const probe *p, const exact_result *e, double limit)
 {
     pov_crossing at[8];
     pov_hits hits = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .capacity = 8, .at = at };
@@ -251,7 +251,7 @@ static bool agrees(const shape_class *shape, const void *self, const exact_map *
             return false;
         shape->normal(self, ray, &at[i++], &normal);
         /* Two parts of a coordinate 1e9 sizes away are not fine enough for the neighbourhood of an apex. */
-        if (e->at[j].room > 1e-6 * p->size && !(normal_off(f, &e->at[j], normal) <= 1e-13))
+        if (e->at[j].clearance > 1e-6 * p->size && !(normal_off(f, &e->at[j], normal) <= 1e-13))
             return false;
     }
     return true;
@@ -267,7 +267,7 @@ static long count_wrong(kind k, const family *source, long *taken)
 
     for (i = 0; i < rays; i++) {
         exact_map f;
-        exact_answer e;
+        exact_result e;
         pov_affine map;
         pov_ray ray;
         real3 org, dir;

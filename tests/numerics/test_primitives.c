@@ -44,7 +44,7 @@ static void write_row(kind k, const family *f, const method *m, const score *s)
 
     fprintf(table, "%s,%s,%g,%s,%s,%ld,%.1f,%.1f,%.3f,%.3f,%.4g,%.3g,%ld,%ld,0,%.3f,%ld,%ld,%d,\"%s\"\n",
             probe_keyword(k), f->name, f->parameter, m->name, isa(), s->rays, s->ns_median, s->ns_iqr, s->ulp_median,
-            s->ulp_p99, s->ulp_max, s->normal_max, s->miss_false, s->hit_false, 100.0 * (double)s->decided / n,
+            s->ulp_p99, s->ulp_max, s->normal_max, s->miss_false, s->hit_false, 100.0 * (double)s->escalated / n,
             s->selfhit, s->leak, SEED, s->worst);
     fflush(table);
 }

@@ -194,7 +194,7 @@ static double worst_of(double hi[3][4], double lo[3][4], big_map *exact)
     return worst;
 }
 
-static void composed_maps_are_exact_to_two_parts(void **state)
+static void composed_maps_are_exact_to_double_double(void **state)
 {
     env e;
     arena memory;
@@ -278,7 +278,7 @@ static void the_inverse_undoes_stiff_maps(void **state)
 
 static void a_matrix_composes_like_what_it_spells(void **state)
 {
-    static const double quarter[3] = { 0, 0, 90 }, move[3] = { 1e9, -3, 0.1 }, twice[3] = { 2, 2, 2 };
+    static const double quarter[3] = { 0, 0, 90 }, move[3] = { 1e9, -3, 0.1 }, definite_pair[3] = { 2, 2, 2 };
     static const double same[12] = { 0, 2, 0, -2, 0, 0, 0, 0, 2, 1e9, -3, 0.1 };
     env e;
     arena memory;
@@ -289,7 +289,7 @@ static void a_matrix_composes_like_what_it_spells(void **state)
     env_init(&e, NULL, NULL, NULL);
     arena_init(&memory, &e);
     list = transform_append(&memory, NULL, TRANSFORM_ROTATE, quarter);
-    list = transform_append(&memory, list, TRANSFORM_SCALE, twice);
+    list = transform_append(&memory, list, TRANSFORM_SCALE, definite_pair);
     list = transform_append(&memory, list, TRANSFORM_TRANSLATE, move);
     assert_true(transform_compose(list, &a));
     assert_true(transform_compose(transform_append(&memory, NULL, TRANSFORM_MATRIX, same), &b));
@@ -333,7 +333,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sine_and_cosine_are_right_to_98_bits),
-        cmocka_unit_test(composed_maps_are_exact_to_two_parts),
+        cmocka_unit_test(composed_maps_are_exact_to_double_double),
         cmocka_unit_test(the_inverse_undoes_stiff_maps),
         cmocka_unit_test(a_matrix_composes_like_what_it_spells),
         cmocka_unit_test(what_changes_nothing_is_not_kept),

@@ -106,7 +106,7 @@ static pov_ray ray_at(const fan *f, pov_vec3 target)
     ray.dir = d;
     if (U() < 0.5)
         ray.dir = pov_sub(target, ray.org);
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
@@ -119,7 +119,7 @@ static bool aims_well(const pov_ray *ray, pov_vec3 target)
     return pov_largest(pov_sub(to, pov_scale(ray->dir, t))) < 0.02;
 }
 
-static void a_ray_at_a_shared_edge_or_corner_meets_exactly_one(void **state)
+static void a_ray_at_a_shared_edge_or_corner_hits_exactly_one(void **state)
 {
     const shape_class *shape = fake_reader_shape("polygon");
     long done = 0, wrong = 0;
@@ -178,7 +178,7 @@ static pov_ray exact_ray(double x, double y, int number)
     memset(&ray, 0, sizeof ray);
     ray.dir = pov_vec3_of((number % 5 - 2) * 0.25, (number / 5 % 5 - 2) * 0.25, number / 25 % 2 ? 1.0 : -1.0);
     ray.org = pov_sub(pov_vec3_of(x, y, 0.0), pov_scale(ray.dir, 4.0));
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
@@ -196,7 +196,7 @@ static int hits_of(const shape_class *shape, void *const *squares, int count, co
     return found;
 }
 
-static void a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them(void **state)
+static void a_ray_exactly_on_an_edge_of_two_polygons_hits_one_of_them(void **state)
 {
     const shape_class *shape = fake_reader_shape("polygon");
     const pov_vec3 e = { 1.0, 0.0, 0.0 }, g = { 0.0, 1.0, 0.0 };
@@ -220,7 +220,7 @@ static void a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them(void **st
 }
 
 /* Seen from where both polygons of an edge lie to the same side of it, as at the ridge of a roof: both or none. */
-static void a_ray_exactly_on_the_outline_of_a_fold_meets_both_or_none(void **state)
+static void a_ray_exactly_on_the_outline_of_a_fold_hits_both_or_none(void **state)
 {
     const shape_class *shape = fake_reader_shape("polygon");
     const pov_vec3 corner = { 0.0, 0.0, 0.0 }, edge = { 0.0, 4.0, 0.0 };
@@ -244,9 +244,9 @@ static void a_ray_exactly_on_the_outline_of_a_fold_meets_both_or_none(void **sta
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_ray_at_a_shared_edge_or_corner_meets_exactly_one),
-        cmocka_unit_test(a_ray_exactly_on_an_edge_of_two_polygons_meets_one_of_them),
-        cmocka_unit_test(a_ray_exactly_on_the_outline_of_a_fold_meets_both_or_none),
+        cmocka_unit_test(a_ray_at_a_shared_edge_or_corner_hits_exactly_one),
+        cmocka_unit_test(a_ray_exactly_on_an_edge_of_two_polygons_hits_one_of_them),
+        cmocka_unit_test(a_ray_exactly_on_the_outline_of_a_fold_hits_both_or_none),
     };
 
     if (argc > 1)

@@ -5,7 +5,7 @@
 
 /* contract_rays.c */
 void crossings_lie_within_bounds(void **unused);
-void an_ellipsoid_is_the_ball_of_its_rows(void **unused);
+void an_ellipsoid_is_the_sphere_of_its_rows(void **unused);
 void normals_are_unit(void **unused);
 void inside_flips_where_a_ray_crosses(void **unused);
 void nearest_is_the_first_of_all_and_any_is_as_nearest(void **unused);
@@ -17,18 +17,18 @@ void an_absorbed_map_is_as_a_mapped_ray(void **unused);
 /* contract_certified.c */
 void a_certified_distance_is_where_inside_changes(void **unused);
 void a_certified_distance_is_the_same_from_the_other_side(void **unused);
-void a_certified_flat_surface_is_flat(void **unused);
+void a_certified_planar_surface_is_planar(void **unused);
 
 /* contract_blocks.c */
 void block_filters_never_exclude_a_crossing(void **unused);
 
 /* contract_many.c */
-void many_rays_get_the_answers_of_single_ones(void **unused);
+void many_rays_get_the_results_of_single_ones(void **unused);
 void many_normals_are_those_of_single_ones(void **unused);
 
 /* contract_leaving.c */
-void a_ray_that_leaves_never_meets_its_start(void **unused);
-void a_box_or_ball_fills_its_bounds(void **unused);
+void a_ray_that_leaves_never_hits_its_start(void **unused);
+void a_box_or_sphere_fills_its_bounds(void **unused);
 void a_convex_shape_is_left_for_good(void **unused);
 void who_goes_into_a_closed_shape_comes_out_once(void **unused);
 void faces_have_the_same_normal_from_everywhere(void **unused);

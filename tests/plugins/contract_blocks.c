@@ -11,20 +11,20 @@
 #include <string.h>
 
 /* What a filter says of one ray and one thing is right; m is NULL where it says nothing. */
-static bool is_right(const pov_meeting *m, const thing *t, const pov_ray *ray, double tmax)
+static bool is_right(const pov_candidate *m, const thing *t, const pov_ray *ray, double tmax)
 {
     pov_crossing at[MOST];
     const uint32_t found = subject_ask_in(t->self, ray, POV_WANT_NEAREST, 0.0, tmax, true, at);
 
     if (!m)
         return !found;
-    if (m->twice && !m->surely)
+    if (m->definite_pair && !m->definite)
         return false;
     if (found && at[0].t < m->lo)
         return false;
-    if (m->surely && (!found || at[0].t > m->hi))
+    if (m->definite && (!found || at[0].t > m->hi))
         return false;
-    return !m->twice || subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, tmax, true, at) == 2;
+    return !m->definite_pair || subject_ask_in(t->self, ray, POV_WANT_ALL, 0.0, tmax, true, at) == 2;
 }
 
 /* Around all of them, as a world's are: half of what is in it is below one. False: they have no box. */
@@ -82,7 +82,7 @@ static uint32_t pack_some(void *block, const thing **things, pov_frame *frame)
     const uint32_t n = 1 + (uint32_t)(POV_BLOCK_MAX * subject_uniform());
     const bool alike = subject_uniform() < 0.4;
     const void *selves[POV_BLOCK_MAX];
-    bool framed;
+    bool local;
     uint32_t i;
 
     for (i = 0; i < n; i++) {
@@ -90,10 +90,10 @@ static uint32_t pack_some(void *block, const thing **things, pov_frame *frame)
                                    : &subject.things[(int)((subject.count + subject.hard) * subject_uniform())];
         selves[i] = things[i]->self;
     }
-    framed = frame_around(things, n, frame);
-    if (!framed)
+    local = frame_around(things, n, frame);
+    if (!local)
         frame->scale = 0.0;
-    return pack(block, framed ? frame : NULL, selves, n) ? n : 0;
+    return pack(block, local ? frame : NULL, selves, n) ? n : 0;
 }
 
 /* A ray along the surface of one, or off that by little: from the side of a crossing, across its normal. */
@@ -116,7 +116,7 @@ static pov_ray grazing_ray(const thing *t, pov_ray ray)
     return ray;
 }
 
-/* One that starts on the surface, in two parts. */
+/* One that starts on the surface, in double-double. */
 static pov_ray starting_ray(const thing *t, pov_ray ray)
 {
     pov_crossing at[MOST];
@@ -205,12 +205,12 @@ static bool put_in_frame(pov_rays *rays, uint32_t i, const pov_ray *ray, const p
             return false;
     }
     smax = (rays->tmax[i] - shift) * scale;
-    rays->framed.org[0][i] = (float)o.x, rays->framed.org[1][i] = (float)o.y, rays->framed.org[2][i] = (float)o.z;
-    rays->framed.dir[0][i] = (float)d.x, rays->framed.dir[1][i] = (float)d.y, rays->framed.dir[2][i] = (float)d.z;
-    rays->framed.size[i] = (float)(fabs(o.x) + fabs(o.y) + fabs(o.z) + fabs(shift) * scale * 0x1p-22);
-    rays->framed.smax[i] = (float)fmin(smax + fabs(smax) * 0x1p-22 + fabs(shift) * scale * 0x1p-46, 1e38);
-    rays->framed.shift[i] = shift;
-    rays->framed.unit[i] = 1.0 / scale;
+    rays->local.org[0][i] = (float)o.x, rays->local.org[1][i] = (float)o.y, rays->local.org[2][i] = (float)o.z;
+    rays->local.dir[0][i] = (float)d.x, rays->local.dir[1][i] = (float)d.y, rays->local.dir[2][i] = (float)d.z;
+    rays->local.size[i] = (float)(fabs(o.x) + fabs(o.y) + fabs(o.z) + fabs(shift) * scale * 0x1p-22);
+    rays->local.smax[i] = (float)fmin(smax + fabs(smax) * 0x1p-22 + fabs(shift) * scale * 0x1p-46, 1e38);
+    rays->local.shift[i] = shift;
+    rays->local.unit[i] = 1.0 / scale;
     return true;
 }
 
@@ -225,7 +225,7 @@ static pov_ray beside(const thing *t, pov_ray ray, double org, double dir)
     return ray;
 }
 
-/* From near the start of another to a point of the ball around the thing. */
+/* From near the start of another to a point of the sphere around the thing. */
 static pov_ray aimed(const thing *t, pov_ray ray, double org)
 {
     const pov_vec3 at = pov_add(t->middle, pov_scale(subject_direction(), 0.5 * t->size));
@@ -235,8 +235,8 @@ static pov_ray aimed(const thing *t, pov_ray ray, double org)
     return ray;
 }
 
-/* A company, as it comes from a camera or a mirror: one ray and others beside it, or one that goes elsewhere. */
-static void company_rays(const thing *t, pov_ray *out)
+/* A packet, as it comes from a camera or a mirror: one ray and others beside it, or one that goes elsewhere. */
+static void packet_rays(const thing *t, pov_ray *out)
 {
     const bool alike = subject_uniform() < 0.3;
     const double org = subject_uniform() < 0.5 ? 0.0 : pow(10.0, -8.0 * subject_uniform());
@@ -256,7 +256,7 @@ static void block_rays(const thing *const *things, uint32_t n, pov_ray *out)
     uint32_t i;
 
     if (subject_uniform() < 0.6) {
-        company_rays(things[(uint32_t)(n * subject_uniform())], out);
+        packet_rays(things[(uint32_t)(n * subject_uniform())], out);
         return;
     }
     for (i = 0; i < POV_RAYS_MAX; i++)
@@ -269,12 +269,12 @@ static void put_blind(pov_rays *rays, uint32_t i)
     int k;
 
     for (k = 0; k < 3; k++) {
-        rays->framed.org[k][i] = 0.0f;
-        rays->framed.dir[k][i] = 1.0f;
+        rays->local.org[k][i] = 0.0f;
+        rays->local.dir[k][i] = 1.0f;
     }
-    rays->framed.size[i] = rays->framed.smax[i] = HUGE_VALF;
-    rays->framed.shift[i] = 0.0;
-    rays->framed.unit[i] = 1.0;
+    rays->local.size[i] = rays->local.smax[i] = HUGE_VALF;
+    rays->local.shift[i] = 0.0;
+    rays->local.unit[i] = 1.0;
 }
 
 /* What stands in a lane that nobody asks for: anything. */
@@ -283,10 +283,10 @@ static void put_nothing(pov_rays *rays, uint32_t i)
     int k;
 
     for (k = 0; k < 3; k++) {
-        rays->framed.org[k][i] = NAN;
-        rays->framed.dir[k][i] = subject_uniform() < 0.5 ? NAN : HUGE_VALF;
+        rays->local.org[k][i] = NAN;
+        rays->local.dir[k][i] = subject_uniform() < 0.5 ? NAN : HUGE_VALF;
     }
-    rays->framed.size[i] = subject_uniform() < 0.5 ? NAN : HUGE_VALF;
+    rays->local.size[i] = subject_uniform() < 0.5 ? NAN : HUGE_VALF;
 }
 
 /* Which of the rays are where filters want them. */
@@ -328,27 +328,27 @@ static pov_hits ask_nearest(double tmax, pov_crossing *at)
 static bool is_alike(const pov_hits *a, const pov_hits *b)
 {
     return a->count == b->count && a->count == 1 && a->at->t == b->at->t && a->at->t_lo == b->at->t_lo
-           && a->at->mark.part == b->at->mark.part && a->tmax == b->tmax;
+           && a->at->mark.feature == b->at->mark.feature && a->tmax == b->tmax;
 }
 
-/* Whom rays surely cross, all at once; how many get another answer than alone. */
-static int wrong_crossings(const pov_meeting *met, uint32_t count, const thing *const *things, const pov_ray *ray,
-                           const double *tmax)
+/* Whom rays definitely cross, all at once; how many get another answer than alone. */
+static int wrong_crossings(const pov_candidate *candidates, uint32_t count, const thing *const *things,
+                           const pov_ray *ray, const double *tmax)
 {
-    static const void *selves[POV_MEETINGS_MAX];
-    static const pov_ray *rays[POV_MEETINGS_MAX];
-    static pov_hits hits[2][POV_MEETINGS_MAX], *asked[POV_MEETINGS_MAX];
-    static pov_crossing at[2][POV_MEETINGS_MAX];
+    static const void *selves[POV_CANDIDATES_MAX];
+    static const pov_ray *rays[POV_CANDIDATES_MAX];
+    static pov_hits hits[2][POV_CANDIDATES_MAX], *asked[POV_CANDIDATES_MAX];
+    static pov_crossing at[2][POV_CANDIDATES_MAX];
     uint32_t n = 0, i;
     int wrong = 0;
 
     for (i = 0; i < count; i++) {
-        if (!met[i].surely)
+        if (!candidates[i].definite)
             continue;
-        selves[n] = things[met[i].lane]->self;
-        rays[n] = &ray[met[i].ray];
-        hits[0][n] = ask_nearest(tmax[met[i].ray], &at[0][n]);
-        hits[1][n] = ask_nearest(tmax[met[i].ray], &at[1][n]);
+        selves[n] = things[candidates[i].lane]->self;
+        rays[n] = &ray[candidates[i].ray];
+        hits[0][n] = ask_nearest(tmax[candidates[i].ray], &at[0][n]);
+        hits[1][n] = ask_nearest(tmax[candidates[i].ray], &at[1][n]);
         asked[n] = &hits[1][n];
         subject.shape->intersect(selves[n], rays[n], &hits[0][n]);
         n++;
@@ -365,10 +365,10 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
 {
     static pov_rays rays;
     static pov_ray ray[POV_RAYS_MAX];
-    static pov_meeting met[POV_MEETINGS_MAX];
+    static pov_candidate candidates[POV_CANDIDATES_MAX];
     static const uint32_t owners[POV_BLOCK_MAX] = { 11, 12, 13, 14, 15, 16, 17, 18 };
     const bool convex = subject.shape->flags & POV_SHAPE_CONVEX;
-    const pov_meeting *of[POV_RAYS_MAX][POV_BLOCK_MAX];
+    const pov_candidate *of[POV_RAYS_MAX][POV_BLOCK_MAX];
     uint64_t lanes;
     uint32_t count, i, k;
     int broken = 0;
@@ -376,25 +376,25 @@ static int wrong_answers(const void *block, const pov_frame *frame, const thing 
     block_rays(things, n, ray);
     lanes = put_rays(&rays, ray, frame, things, n);
     for (i = 0; i < POV_RAYS_MAX; i++)
-        rays.away[i] = subject_uniform() < 0.3 ? owners[(uint32_t)(n * subject_uniform())] : POV_NOBODY;
+        rays.excluded[i] = subject_uniform() < 0.3 ? owners[(uint32_t)(n * subject_uniform())] : POV_NO_OWNER;
     /* Now and then one alone. */
     if (subject_uniform() < 0.3)
         lanes &= ~(lanes - 1);
     if (!lanes)
         return 0;
     memset(of, 0, sizeof of);
-    count = subject.shape->block_filter(block, owners, &rays, lanes, met);
+    count = subject.shape->block_filter(block, owners, &rays, lanes, candidates);
     for (i = 0; i < count; i++) {
-        if (met[i].ray >= POV_RAYS_MAX || !(lanes >> met[i].ray & 1) || met[i].lane >= n || of[met[i].ray][met[i].lane])
-            return 1;
-        of[met[i].ray][met[i].lane] = &met[i];
-        *seen += met[i].surely;
+        if (candidates[i].ray >= POV_RAYS_MAX || !(lanes >> candidates[i].ray & 1) || candidates[i].lane >= n ||
+            of[candidates[i].ray][candidates[i].lane]) return 1;
+        of[candidates[i].ray][candidates[i].lane] = &candidates[i];
+        *seen += candidates[i].definite;
     }
     if (HAS(cross_many))
-        broken += wrong_crossings(met, count, things, ray, rays.tmax);
+        broken += wrong_crossings(candidates, count, things, ray, rays.tmax);
     for (i = 0; i < POV_RAYS_MAX; i++)
         for (k = 0; (lanes >> i & 1) && k < n; k++)
-            if ((of[i][k] || !convex || rays.away[i] != owners[k])
+            if ((of[i][k] || !convex || rays.excluded[i] != owners[k])
                 && !is_right(of[i][k], things[k], &ray[i], rays.tmax[i]) && broken++ < 2)
                 print_error("%s { %s }\n    from <%.17g, %.17g, %.17g> along <%.17g, %.17g, %.17g> to %.17g: %s\n",
                             subject.shape->keyword, things[k]->text, ray[i].org.x, ray[i].org.y, ray[i].org.z,

@@ -36,13 +36,13 @@ static pov_ray near_or_far(const thing *t)
     return ray;
 }
 
-static void ask_of_certified(bool asked, const char *why, bool (*see)(const thing *t, const pov_ray *ray))
+static void ask_of_certified(bool asked, const char *why, bool (*visit)(const thing *t, const pov_ray *ray))
 {
     if (!(subject.shape->flags & POV_SHAPE_CERTIFIED))
         subject_skip("is not certified");
     if (!asked)
         subject_skip(why);
-    subject_each(RAYS, near_or_far, see);
+    subject_each(RAYS, near_or_far, visit);
 }
 
 /* ---- solids ---- */
@@ -84,7 +84,7 @@ static double change_near(const thing *t, const pov_ray *ray, const pov_crossing
     return 0.5 * (lo + hi);
 }
 
-static bool is_alone(const pov_crossing *at, uint32_t n, uint32_t i, double gap)
+static bool is_single(const pov_crossing *at, uint32_t n, uint32_t i, double gap)
 {
     return (i == 0 || at[i].t - at[i - 1].t > gap) && (i + 1 == n || at[i + 1].t - at[i].t > gap);
 }
@@ -96,10 +96,11 @@ static bool changes_where_reported(const thing *t, const pov_ray *ray, const pov
     for (i = 0; i < n; i++) {
         const double most = allowed(t, ray, at[i].t);
 
-        if (!is_alone(at, n, i, 4.0 * most) || changes_within(t, ray, &at[i], most))
+        if (!is_single(at, n, i, 4.0 * most) || changes_within(t, ray, &at[i], most))
             continue;
         subject_sides("%scrossing reported at %.17g + %.3g, inside() changes %.3g after it; %.3g allowed",
-                      ray->left == OWNER ? "a ray that leaves one of its crossings: " : "", at[i].t, at[i].t_lo,
+                      ray->origin_surface == OWNER ? "a ray that leaves one of its crossings: " : "", at[i].t,
+                          at[i].t_lo,
                       change_near(t, ray, &at[i], most), most);
         return false;
     }
@@ -113,8 +114,8 @@ static pov_ray leaving(const pov_ray *ray, const pov_crossing *at)
 
     subject_point(ray, at->t, at->t_lo, &next.org, &next.org_lo);
     next.dir = subject_direction();
-    next.left = OWNER;
-    next.left_mark = at->mark;
+    next.origin_surface = OWNER;
+    next.origin_mark = at->mark;
     return next;
 }
 
@@ -216,7 +217,7 @@ static bool lies_in_one_plane(const thing *t, const pov_ray *ray)
     double height, most;
 
     if (subject_ask(t->self, ray, at) != 1 || subject_ask(t->self, &other, there) != 1
-        || at->mark.part != there->mark.part)
+        || at->mark.feature != there->mark.feature)
         return true;
     subject.shape->normal(t->self, ray, at, &normal);
     way = way_between(ray, at, &other, there);
@@ -230,11 +231,11 @@ static bool lies_in_one_plane(const thing *t, const pov_ray *ray)
     return false;
 }
 
-void a_certified_flat_surface_is_flat(void **unused)
+void a_certified_planar_surface_is_planar(void **unused)
 {
     const uint32_t flags = subject.shape->flags;
 
     (void)unused;
-    ask_of_certified((flags & POV_SHAPE_FACES) && !(flags & POV_SHAPE_SOLID), "is not a flat surface",
+    ask_of_certified((flags & POV_SHAPE_FACETED) && !(flags & POV_SHAPE_SOLID), "is not a flat surface",
                      lies_in_one_plane);
 }

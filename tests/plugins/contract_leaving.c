@@ -35,18 +35,18 @@ static bool leaves_for_good(const thing *t, const pov_ray *ray)
     }
     if (fabs(tilt) < 1e-6)
         return true;
-    next.left = OWNER;
-    next.left_mark = at[which].mark;
+    next.origin_surface = OWNER;
+    next.origin_mark = at[which].mark;
     m = subject_ask(t->self, &next, again);
     for (i = 0; i < m; i++) {
         /* At an edge or a rim another part is as near as one likes; the same part is not. */
-        if (again[i].t < 1e-9 * t->thickness && again[i].mark.part == at[which].mark.part)
+        if (again[i].t < 1e-9 * t->thickness && again[i].mark.feature == at[which].mark.feature)
             return false;
     }
     return true;
 }
 
-void a_ray_that_leaves_never_meets_its_start(void **unused)
+void a_ray_that_leaves_never_hits_its_start(void **unused)
 {
     (void)unused;
     subject_each_ray(SPAWNED, leaves_for_good);
@@ -65,7 +65,7 @@ static bool never_comes_back(const thing *t, const pov_ray *ray)
         return true;
     memset(&next, 0, sizeof next);
     subject.shape->normal(t->self, ray, &at[which], &normal);
-    if ((at[which].mark.flags & POV_MARK_AWAY) && subject_uniform() < 0.5)
+    if ((at[which].mark.flags & POV_MARK_OUTWARD) && subject_uniform() < 0.5)
         normal = pov_scale(normal, -1.0);
     subject_point(ray, at[which].t, at[which].t_lo, &next.org, &next.org_lo);
     along = subject_direction();
@@ -73,8 +73,8 @@ static bool never_comes_back(const thing *t, const pov_ray *ray)
     next.dir = pov_unit(pov_add(pov_unit(along), pov_scale(normal, pow(10.0, 2.0 - 13.0 * subject_uniform()))));
     if (!(pov_dot(next.dir, normal) > 0x1p-36))
         return true;
-    next.left = OWNER;
-    next.left_mark = at[which].mark;
+    next.origin_surface = OWNER;
+    next.origin_mark = at[which].mark;
     return subject_ask(t->self, &next, again) == 0;
 }
 
@@ -108,9 +108,9 @@ static bool comes_out_once(const thing *t, const pov_ray *ray)
         next.dir = pov_scale(next.dir, -1.0);
     if (!(pov_dot(next.dir, normal) < -1e-6))
         return true;
-    next.left = OWNER;
-    next.left_mark = at[which].mark;
-    next.left_mark.flags |= POV_MARK_INTO;
+    next.origin_surface = OWNER;
+    next.origin_mark = at[which].mark;
+    next.origin_mark.flags |= POV_MARK_INWARD;
     return subject_ask(t->self, &next, again) == 1 && again[0].mark.flags & POV_MARK_CLOSED;
 }
 
@@ -141,7 +141,7 @@ static bool normals_need_no_ray(const thing *t, const pov_ray *ray)
 void faces_have_the_same_normal_from_everywhere(void **unused)
 {
     (void)unused;
-    if (subject.shape->flags & POV_SHAPE_FACES)
+    if (subject.shape->flags & POV_SHAPE_FACETED)
         subject_each_ray(RAYS, normals_need_no_ray);
     else
         subject_skip("is not a POV_SHAPE_FACES");
@@ -154,7 +154,7 @@ static double between(double lo, double hi, double at)
     return 0.5 * (lo + hi) + at * fmax(half, 0.0);
 }
 
-/* Points just within the bounds, or the ball that touches them. */
+/* Points just within the bounds, or the sphere that touches them. */
 static bool fills_its_bounds(const thing *t, const pov_ray *ray)
 {
     const double edge = 1.0 - 0x1p-40;
@@ -171,8 +171,8 @@ static bool fills_its_bounds(const thing *t, const pov_ray *ray)
     return subject.shape->inside(t->self, at, zero);
 }
 
-/* And none of a ball is beyond: hosts may look for nothing in the corners of its bounds. */
-static bool lies_in_its_ball(const thing *t, const pov_ray *ray)
+/* And none of a sphere is beyond: hosts may look for nothing in the corners of its bounds. */
+static bool lies_in_its_sphere(const thing *t, const pov_ray *ray)
 {
     pov_crossing at[MOST];
     const double wide = pov_largest(t->box.lo) + pov_largest(t->box.hi);
@@ -189,13 +189,13 @@ static bool lies_in_its_ball(const thing *t, const pov_ray *ray)
     return true;
 }
 
-void a_box_or_ball_fills_its_bounds(void **unused)
+void a_box_or_sphere_fills_its_bounds(void **unused)
 {
     (void)unused;
-    if (subject.shape->flags & (POV_SHAPE_BOX | POV_SHAPE_BALL))
+    if (subject.shape->flags & (POV_SHAPE_BOX | POV_SHAPE_SPHERE))
         subject_each_ray(RAYS, fills_its_bounds);
     else
         subject_skip("is neither a POV_SHAPE_BOX nor a POV_SHAPE_BALL");
-    if (subject.shape->flags & POV_SHAPE_BALL)
-        subject_each_ray(RAYS, lies_in_its_ball);
+    if (subject.shape->flags & POV_SHAPE_SPHERE)
+        subject_each_ray(RAYS, lies_in_its_sphere);
 }

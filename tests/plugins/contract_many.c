@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { COMPANY = 37 };
+enum { PACKET = 37 };
 
 /* To which side a ray goes from the crossing that it starts on, where that is no matter of rounding. */
 static void name_side(const thing *t, pov_ray *ray, const pov_crossing *from)
@@ -18,7 +18,7 @@ static void name_side(const thing *t, pov_ray *ray, const pov_crossing *from)
     subject.shape->normal(t->self, ray, from, &normal);
     rise = pov_dot(normal, pov_unit(ray->dir));
     if (fabs(rise) > 1e-6)
-        ray->left_mark.flags |= rise > 0.0 ? POV_MARK_AWAY : POV_MARK_INTO;
+        ray->origin_mark.flags |= rise > 0.0 ? POV_MARK_OUTWARD : POV_MARK_INWARD;
 }
 
 /* Rays of all kinds: from far and near, from the surface itself, with zeros of both signs, absurdly large and small. */
@@ -34,8 +34,8 @@ static pov_ray any_ray(const thing *t)
 
         subject_point(&ray, at[which].t, at[which].t_lo, &ray.org, &ray.org_lo);
         ray.dir = subject_direction();
-        ray.left = OWNER;
-        ray.left_mark = at[which].mark;
+        ray.origin_surface = OWNER;
+        ray.origin_mark = at[which].mark;
         if (luck < 0.3)
             name_side(t, &ray, &at[which]);
     } else if (luck < 0.5) {
@@ -65,23 +65,23 @@ static pov_hits any_question(const thing *t, const pov_ray *ray, pov_crossing *a
     return hits;
 }
 
-static bool same_answer(const pov_hits *a, const pov_hits *b)
+static bool same_result(const pov_hits *a, const pov_hits *b)
 {
-    return a->count == b->count && a->decided == b->decided && a->crowded == b->crowded
+    return a->count == b->count && a->escalated == b->escalated && a->tied == b->tied
            && memcmp(&a->tmax, &b->tmax, sizeof a->tmax) == 0
            && (a->count == 0 || memcmp(a->at, b->at, sizeof *a->at) == 0);
 }
 
 /* Pairs of a thing and a ray, their questions, and what is there. */
-typedef struct company {
-    const void *selves[COMPANY];
-    const pov_ray *rays[COMPANY];
-    pov_ray ray[COMPANY];
-    pov_hits hits[2][COMPANY];
-    pov_crossing at[2][COMPANY];
-} company;
+typedef struct packet {
+    const void *selves[PACKET];
+    const pov_ray *rays[PACKET];
+    pov_ray ray[PACKET];
+    pov_hits hits[2][PACKET];
+    pov_crossing at[2][PACKET];
+} packet;
 
-static void gather(company *c, uint32_t n)
+static void gather(packet *c, uint32_t n)
 {
     uint32_t i;
 
@@ -98,17 +98,17 @@ static void gather(company *c, uint32_t n)
     }
 }
 
-void many_rays_get_the_answers_of_single_ones(void **unused)
+void many_rays_get_the_results_of_single_ones(void **unused)
 {
-    static company c;
+    static packet c;
     int round, broken = 0;
 
     (void)unused;
     if (!HAS(intersect_many))
         subject_skip("has no intersect_many");
     for (round = 0; round < 3000; round++) {
-        const uint32_t n = 1 + (uint32_t)(COMPANY * subject_uniform());
-        pov_hits *hits[COMPANY];
+        const uint32_t n = 1 + (uint32_t)(PACKET * subject_uniform());
+        pov_hits *hits[PACKET];
         uint32_t i;
 
         gather(&c, n);
@@ -116,26 +116,26 @@ void many_rays_get_the_answers_of_single_ones(void **unused)
             hits[i] = &c.hits[1][i];
         subject.shape->intersect_many(c.selves, c.rays, hits, n);
         for (i = 0; i < n; i++)
-            broken += !same_answer(&c.hits[0][i], &c.hits[1][i]);
+            broken += !same_result(&c.hits[0][i], &c.hits[1][i]);
     }
     assert_int_equal(broken, 0);
 }
 
 void many_normals_are_those_of_single_ones(void **unused)
 {
-    static company c;
+    static packet c;
     int round, broken = 0, seen = 0;
 
     (void)unused;
     if (!HAS(normal_many))
         subject_skip("has no normal_many");
     for (round = 0; round < 3000; round++) {
-        const pov_crossing *at[COMPANY];
-        pov_vec3 normal[COMPANY], *out[COMPANY];
+        const pov_crossing *at[PACKET];
+        pov_vec3 normal[PACKET], *out[PACKET];
         uint32_t i, n = 0;
 
-        gather(&c, COMPANY);
-        for (i = 0; i < COMPANY; i++) {
+        gather(&c, PACKET);
+        for (i = 0; i < PACKET; i++) {
             if (c.hits[0][i].count == 0)
                 continue;
             c.selves[n] = c.selves[i];

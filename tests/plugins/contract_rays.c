@@ -45,8 +45,8 @@ void crossings_lie_within_bounds(void **unused)
     subject_each_ray(RAYS, lies_within);
 }
 
-/* Of the ball that an ellipsoid's rows make of it. */
-static bool lies_on_the_ball(const pov_ellipsoid *e, const pov_ray *ray, const pov_crossing *at)
+/* Of the sphere that an ellipsoid's rows make of it. */
+static bool lies_on_the_sphere(const pov_ellipsoid *e, const pov_ray *ray, const pov_crossing *at)
 {
     pov_vec3 p, low;
 
@@ -56,7 +56,7 @@ static bool lies_on_the_ball(const pov_ellipsoid *e, const pov_ray *ray, const p
     return fabs(subject_length(p) - 1.0) <= 0x1p-20;
 }
 
-void an_ellipsoid_is_the_ball_of_its_rows(void **unused)
+void an_ellipsoid_is_the_sphere_of_its_rows(void **unused)
 {
     int seen = 0, broken = 0, i, j;
 
@@ -74,14 +74,14 @@ void an_ellipsoid_is_the_ball_of_its_rows(void **unused)
         /* From the middle, as spokes of a lattice go. */
         memset(&ray, 0, sizeof ray);
         ray.org = t->middle;
-        ray.left = POV_NOBODY;
+        ray.origin_surface = POV_NO_OWNER;
         for (j = 0; j < 729; j++) {
             pov_crossing at[MOST];
             uint32_t n;
 
             ray.dir = pov_vec3_of(j % 9 - 3.9, j / 9 % 9 - 3.8, j / 81 - 4.1);
             for (n = subject_ask(t->self, &ray, at); n > 0; n--, seen++)
-                broken += !lies_on_the_ball(&e, &ray, &at[n - 1]);
+                broken += !lies_on_the_sphere(&e, &ray, &at[n - 1]);
         }
     }
     assert_true(seen > 0);
@@ -161,11 +161,11 @@ void inside_flips_where_a_ray_crosses(void **unused)
 
 static bool same_crossing(const pov_crossing *a, const pov_crossing *b)
 {
-    return a->t == b->t && a->t_lo == b->t_lo && a->mark.part == b->mark.part;
+    return a->t == b->t && a->t_lo == b->t_lo && a->mark.feature == b->mark.feature;
 }
 
 /* In any interval the nearest is the first of all, and ANY finds something exactly when there is
- * something. What double precision decides for one question may be decided in two parts for another, so
+ * something. What double precision decides for one question may be decided in double-double for another, so
  * the distances may differ by that. */
 static bool agrees(const thing *t, const pov_ray *ray)
 {
@@ -243,8 +243,8 @@ static bool counts_the_same(const thing *t, const pov_ray *ray)
     n = (uint32_t)(n * subject_uniform());
     subject_point(ray, at[n].t, at[n].t_lo, &next.org, &next.org_lo);
     next.dir = pov_scale(subject_direction(), subject_length(ray->dir));
-    next.left = OWNER;
-    next.left_mark = at[n].mark;
+    next.origin_surface = OWNER;
+    next.origin_mark = at[n].mark;
     n = subject_ask_in(t->self, &next, POV_WANT_ALL, 0.0, tmax, true, at);
     /* Nearer to a rim than starts are exact either is right. */
     return count_only(t, &next, tmax) == n || (n > 0 && at[0].t < 1e-9 * t->thickness / subject_length(ray->dir));
@@ -335,8 +335,8 @@ static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine
         const pov_ray beside = {pov_add(ray->org, pov_scale(subject_direction(), 1e-9 * size)),
                                 ray->org_lo,
                                 ray->dir,
-                                POV_NOBODY,
-                                ray->left_mark,
+                                POV_NO_OWNER,
+                                ray->origin_mark,
                                 ray->dir_lo};
         return subject_ask(t->self, &beside, own) != n || n + m <= 2;
     }
@@ -352,7 +352,7 @@ static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine
         b = pov_unit(pov_vec3_of(f->m[0][0] * b.x + f->m[1][0] * b.y + f->m[2][0] * b.z,
                                  f->m[0][1] * b.x + f->m[1][1] * b.y + f->m[2][1] * b.z,
                                  f->m[0][2] * b.x + f->m[1][2] * b.y + f->m[2][2] * b.z));
-        if (subject_length(pov_sub(a, b)) > 1e-4 && own[i].mark.part == taken[i].mark.part)
+        if (subject_length(pov_sub(a, b)) > 1e-4 && own[i].mark.feature == taken[i].mark.feature)
             return false;
     }
     return true;

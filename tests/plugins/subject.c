@@ -98,7 +98,7 @@ void *subject_memory(void)
 
 static double shorter(double a, double b) { return b > 0.0 && b < a ? b : a; }
 
-static void look_about(thing *t, pov_vec3 middle, double half)
+static void aim_about(thing *t, pov_vec3 middle, double half)
 {
     pov_vec3 side;
 
@@ -119,7 +119,7 @@ static void take(void *self)
     t->self = self;
     fake_reader_print(subject.in, t->text, sizeof t->text);
     t->finite = subject.shape->bounds(self, &t->box);
-    look_about(t, pov_vec3_of(0.0, 0.0, 0.0), 2.0);
+    aim_about(t, pov_vec3_of(0.0, 0.0, 0.0), 2.0);
 }
 
 static void read_in(const char *text)
@@ -145,7 +145,7 @@ static void read_hard(void)
         if (strcmp(h->keyword, subject.shape->keyword) != 0)
             continue;
         read_in(h->text);
-        look_about(&subject.things[subject.count - 1], pov_vec3_of(h->x, h->y, h->z), h->half);
+        aim_about(&subject.things[subject.count - 1], pov_vec3_of(h->x, h->y, h->z), h->half);
     }
     subject.hard = subject.count - count;
     subject.count = count;
@@ -212,7 +212,7 @@ pov_ray subject_ray(const thing *t)
     memset(&ray, 0, sizeof ray);
     ray.org = pov_sub(target, pov_scale(d, t->size * pow(10.0, 4.0 * subject_uniform() - 1.0)));
     ray.dir = pov_scale(d, pow(10.0, 6.0 * subject_uniform() - 3.0));
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
@@ -232,7 +232,7 @@ static void print_broken(const thing *t, const pov_ray *ray)
                 subject.sides[0] ? ": " : "", subject.sides);
 }
 
-void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*see)(const thing *t, const pov_ray *ray))
+void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*visit)(const thing *t, const pov_ray *ray))
 {
     int i, j, broken = 0;
 
@@ -241,16 +241,16 @@ void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*see)(const t
             const pov_ray ray = make(&subject.things[i]);
 
             subject.sides[0] = '\0';
-            if (!see(&subject.things[i], &ray) && broken++ < 4)
+            if (!visit(&subject.things[i], &ray) && broken++ < 4)
                 print_broken(&subject.things[i], &ray);
         }
     }
     assert_int_equal(broken, 0);
 }
 
-void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray))
+void subject_each_ray(int rays, bool (*visit)(const thing *t, const pov_ray *ray))
 {
-    subject_each(rays, subject_ray, see);
+    subject_each(rays, subject_ray, visit);
 }
 
 void subject_skip(const char *why)

@@ -44,18 +44,18 @@ pov_vec3 subject_direction(void);    /* unit, all directions alike */
 
 /* From somewhere, near or far, towards the thing or past it. */
 pov_ray subject_ray(const thing *t);
-/* Each of `rays` rays, as `make` gives them, at every instance; `see` gives false where something is wrong: then the
+/* Each of `rays` rays, as `make` gives them, at every instance; `visit` gives false where something is wrong: then the
  * shape's text and the ray are printed. */
-void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*see)(const thing *t, const pov_ray *ray));
+void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*visit)(const thing *t, const pov_ray *ray));
 /* Of subject_ray()'s. */
-void subject_each_ray(int rays, bool (*see)(const thing *t, const pov_ray *ray));
+void subject_each_ray(int rays, bool (*visit)(const thing *t, const pov_ray *ray));
 /* Skips the test: what the shape lacks or is not, after its keyword. */
 void subject_skip(const char *why);
 /* Crossings in growing order; how many. */
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST]);
 uint32_t subject_ask(const void *self, const pov_ray *ray, pov_crossing at[MOST]);
-/* The point at t, in two parts. */
+/* The point at t, in double-double. */
 void subject_point(const pov_ray *ray, double t, double t_lo, pov_vec3 *hi, pov_vec3 *lo);
 
 #endif

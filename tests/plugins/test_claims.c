@@ -59,7 +59,8 @@ static void a_surface_off_by_a_billionth_is_caught(void **state)
     (void)state;
     assert_caught("off/disc.so", "a_certified_distance_is_the_same_from_the_other_side", "disc { <0, 0, 0>, <0, 1, 0>, 1 }",
                   " back are ");
-    assert_caught("off/disc.so", "a_certified_flat_surface_is_flat", "disc { <0, 0, 0>, <0, 1, 0>, 1 }", " off one plane");
+    assert_caught("off/disc.so", "a_certified_planar_surface_is_planar", "disc { <0, 0, 0>, <0, 1, 0>, 1 }",
+                  " off one plane");
 }
 
 static void a_claim_that_holds_is_let_pass(void **state)

@@ -15,7 +15,7 @@ static bool covers(const void *self, double x, double y)
 
     ray.org = pov_vec3_of(x, y, -5.0);
     ray.dir = pov_vec3_of(0.0, 0.0, 1.0);
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     hits.tmax = HUGE_VAL;
     hits.want = POV_WANT_NEAREST;
     hits.at = &at;

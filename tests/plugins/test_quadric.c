@@ -25,7 +25,7 @@ static void test_what_a_map_makes_large_is_kept(void **state)
     if (quadric->absorb(self, &map)) {
         ray.org = pov_vec3_of(0.0, -5.0, 0.0);
         ray.dir = pov_vec3_of(0.0, 1.0, 0.0);
-        ray.left = POV_NOBODY;
+        ray.origin_surface = POV_NO_OWNER;
         hits.tmax = HUGE_VAL;
         hits.want = POV_WANT_NEAREST;
         hits.at = &at;

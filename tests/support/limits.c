@@ -120,7 +120,7 @@ long limits_count_colour(const float *a, int width, int height, const float colo
     return n;
 }
 
-void limits_see(const pov_scene *scene, pov_vec3 from, pov_vec3 direction, float rgba[4])
+void limits_trace(const pov_scene *scene, pov_vec3 from, pov_vec3 direction, float rgba[4])
 {
     pov_tracer *tracer;
     pov_error err;

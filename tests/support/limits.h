@@ -24,7 +24,7 @@ long limits_count(const float *a, const float *b, int width, int height, float t
 long limits_count_colour(const float *a, int width, int height, const float colour[3], float tolerance);
 
 /* Colour seen along a ray. */
-void limits_see(const pov_scene *scene, pov_vec3 from, pov_vec3 direction, float rgba[4]);
+void limits_trace(const pov_scene *scene, pov_vec3 from, pov_vec3 direction, float rgba[4]);
 
 /* Every primitive, two lights, shadows, a mirror, glass, transformations. Coordinates are multiples of 1/64 below 64,
  * so that moves by whole numbers below 2^46 are exact. */

@@ -28,8 +28,8 @@ const transform *test_random_map(model *m, test_random *r)
                              test_power(r, -2.0, 2.0));
     if (test_below(r, 4)) {
         const double far = size * test_power(r, -3.0, 9.0);
-        const pov_vec3 way = test_direction(r);
-        map = test_transform(m, map, TRANSFORM_TRANSLATE, far * way.x, far * way.y, far * way.z);
+        const pov_vec3 dir = test_direction(r);
+        map = test_transform(m, map, TRANSFORM_TRANSLATE, far * dir.x, far * dir.y, far * dir.z);
     }
     return map;
 }

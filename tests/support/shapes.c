@@ -8,11 +8,11 @@
 
 #include <string.h>
 
-/* ---- balls ---- */
+/* ---- spheres ---- */
 
-static bool ball_bounds(const void *self, pov_box *out)
+static bool sphere_bounds(const void *self, pov_box *out)
 {
-    const test_ball *b = self;
+    const test_sphere_shape *b = self;
     double r = b->radius;
 
     out->lo = pov_vec3_of(nextafter(b->centre.x - r, -HUGE_VAL), nextafter(b->centre.y - r, -HUGE_VAL),
@@ -22,7 +22,7 @@ static bool ball_bounds(const void *self, pov_box *out)
     return true;
 }
 
-static pov_two3 ball_centred(const test_ball *b, const pov_ray *ray, double t)
+static pov_two3 sphere_centred(const test_sphere_shape *b, const pov_ray *ray, double t)
 {
     pov_two3 w;
 
@@ -54,9 +54,9 @@ static double unscale(double x)
 
 /* All in double-double, in units of the radius and of the direction's length. For a ray that leaves the sphere, the
  * root nearer to its start is left out. */
-static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void sphere_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    const test_ball *b = self;
+    const test_sphere_shape *b = self;
     double size = pov_largest(ray->dir), by = unscale(b->radius > 0.0 ? b->radius : 1.0), faster = unscale(size), tc;
     pov_vec3 unit = pov_scale(ray->dir, 1.0 / size);
     pov_two3 w, d = scaled(pov_two3_of(ray->dir, ray->dir_lo), faster);
@@ -67,7 +67,7 @@ static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     tc = -pov_dot(pov_sub(ray->org, b->centre), unit) / pov_dot(unit, unit) / size;
     if (!(fabs(tc) < 1e250))
         return;
-    w = scaled(ball_centred(b, ray, tc), by);
+    w = scaled(sphere_centred(b, ray, tc), by);
     if (!(pov_largest(pov_two3_hi(w)) < 1e50))
         return;
     a = pov_two3_dot(d, d);
@@ -81,44 +81,45 @@ static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     t[1] = pov_two_div(pov_two_sub(root, h), a);
     for (i = 0; i < 2; i++)
         t[i] = pov_two_add_double(pov_two_of(t[i].hi / by * faster, t[i].lo / by * faster), tc);
-    if (ray->left == hits->owner)
+    if (ray->origin_surface == hits->owner)
         left = fabs(t[1].hi) < fabs(t[0].hi);
     for (i = 0; i < 2; i++) {
-        mark.part = (uint32_t)i;
+        mark.feature = (uint32_t)i;
         if (i != left && !pov_cross(hits, t[i].hi, t[i].lo, mark))
             return;
     }
 }
 
-static void ball_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void sphere_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const test_ball *b = self;
-    pov_two3 w = ball_centred(b, ray, at->t);
+    const test_sphere_shape *b = self;
+    pov_two3 w = sphere_centred(b, ray, at->t);
 
     *out = pov_unit(
         pov_vec3_of(w.x.hi + at->t_lo * ray->dir.x, w.y.hi + at->t_lo * ray->dir.y, w.z.hi + at->t_lo * ray->dir.z));
 }
 
-static void ball_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+static void sphere_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                  uint32_t n)
 {
     uint32_t i;
 
     for (i = 0; i < n; i++)
-        ball_intersect(selves[i], rays[i], hits[i]);
+        sphere_intersect(selves[i], rays[i], hits[i]);
 }
 
-static void ball_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
-                             pov_vec3 *const *out, uint32_t n)
+static void sphere_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                               pov_vec3 *const *out, uint32_t n)
 {
     uint32_t i;
 
     for (i = 0; i < n; i++)
-        ball_normal(selves[i], rays[i], at[i], out[i]);
+        sphere_normal(selves[i], rays[i], at[i], out[i]);
 }
 
-static bool ball_inside(const void *self, pov_vec3 p, pov_vec3 lo)
+static bool sphere_inside(const void *self, pov_vec3 p, pov_vec3 lo)
 {
-    const test_ball *b = self;
+    const test_sphere_shape *b = self;
     pov_two3 w;
 
     w.x = pov_two_add_double(pov_two_sum(p.x, -b->centre.x), lo.x);
@@ -128,9 +129,9 @@ static bool ball_inside(const void *self, pov_vec3 p, pov_vec3 lo)
 }
 
 /* Translation, or scaling by the same factor along each axis. */
-static bool ball_absorb(void *self, const pov_affine *map)
+static bool sphere_absorb(void *self, const pov_affine *map)
 {
-    test_ball *b = self;
+    test_sphere_shape *b = self;
     double s = map->m[0][0];
     pov_two p[3];
     int i, j;
@@ -150,55 +151,56 @@ static bool ball_absorb(void *self, const pov_affine *map)
     return true;
 }
 
-typedef struct ball_block { uint32_t count; test_ball ball[POV_BLOCK_MAX]; } ball_block;
+typedef struct sphere_block { uint32_t count; test_sphere_shape sphere[POV_BLOCK_MAX]; } sphere_block;
 
 /* Very large spheres are declined, so that one class with and without blocks is tested too. */
-static bool ball_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
+static bool sphere_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)
 {
-    ball_block *b = block;
+    sphere_block *b = block;
     uint32_t i;
 
     (void)frame;
     b->count = n;
     for (i = 0; i < n; i++) {
-        b->ball[i] = *(const test_ball *)selves[i];
-        if (b->ball[i].radius > 1e20)
+        b->sphere[i] = *(const test_sphere_shape *)selves[i];
+        if (b->sphere[i].radius > 1e20)
             return false;
     }
     return true;
 }
 
 /* In doubles, with wide bounds. False: definite miss. */
-static bool meet_ball(const test_ball *ball, pov_vec3 org, pov_vec3 dir, double tmax, pov_meeting *out)
+static bool test_sphere(const test_sphere_shape *sphere, pov_vec3 org, pov_vec3 dir, double tmax, pov_candidate *out)
 {
     const double length = sqrt(pov_dot(dir, dir));
-    pov_vec3 f = pov_sub(ball->centre, org), w;
+    pov_vec3 f = pov_sub(sphere->centre, org), w;
     double along = pov_dot(f, dir) / length, error, depth, half;
 
     w = pov_sub(f, pov_scale(dir, along / length));
-    error = 1e-12 * (fabs(along) + pov_largest(f) + ball->radius) + 1e-15 * pov_largest(org);
-    depth = (ball->radius + error) * (ball->radius + error) - pov_dot(w, w);
-    out->surely = out->twice = false;
+    error = 1e-12 * (fabs(along) + pov_largest(f) + sphere->radius) + 1e-15 * pov_largest(org);
+    depth = (sphere->radius + error) * (sphere->radius + error) - pov_dot(w, w);
+    out->definite = out->definite_pair = false;
     out->lo = 0.0;
     if (!(along < 1e150 && along > -1e150 && length > 1e-150 && length < 1e150))
         return true;
-    if (depth < -error * error || along + ball->radius + error < 0.0 ||
-        along - ball->radius - error > tmax * length)
+    if (depth < -error * error || along + sphere->radius + error < 0.0 ||
+        along - sphere->radius - error > tmax * length)
         return false;
     half = sqrt(fmax(depth, 0.0));
     out->lo = (along - half - error) / length;
-    depth = (ball->radius - error) * (ball->radius - error) - pov_dot(w, w);
-    if (depth <= 0.0 || ball->radius <= error)
+    depth = (sphere->radius - error) * (sphere->radius - error) - pov_dot(w, w);
+    if (depth <= 0.0 || sphere->radius <= error)
         return true;
     out->hi = (along - sqrt(depth) + error) / length;
-    out->surely = out->lo > 0.0 && out->hi < tmax;
-    out->twice = out->surely && (along + half + error) / length < tmax;
+    out->definite = out->lo > 0.0 && out->hi < tmax;
+    out->definite_pair = out->definite && (along + half + error) / length < tmax;
     return true;
 }
 
-static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+static uint32_t sphere_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
+                              pov_candidate *out)
 {
-    const ball_block *b = block;
+    const sphere_block *b = block;
     uint32_t n = 0, at, i;
 
     (void)owners;
@@ -207,7 +209,7 @@ static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov
         const pov_vec3 dir = pov_vec3_of(rays->dir[0][at], rays->dir[1][at], rays->dir[2][at]);
 
         for (i = 0; (lanes >> at & 1) && i < b->count; i++)
-            if (meet_ball(&b->ball[i], org, dir, rays->tmax[at], &out[n])) {
+            if (test_sphere(&b->sphere[i], org, dir, rays->tmax[at], &out[n])) {
                 out[n].ray = (uint8_t)at;
                 out[n++].lane = (uint8_t)i;
             }
@@ -215,21 +217,21 @@ static uint32_t ball_filter(const void *block, const uint32_t *owners, const pov
     return n;
 }
 
-const shape_class test_ball_class = {
+const shape_class test_sphere_class = {
     .flags = POV_SHAPE_SOLID,
     .full_leaves = true,
     .keyword = "ball",
-    .instance_size = sizeof(test_ball),
-    .bounds = ball_bounds,
-    .intersect = ball_intersect,
-    .normal = ball_normal,
-    .inside = ball_inside,
-    .absorb = ball_absorb,
-    .block_size = sizeof(ball_block),
-    .block_pack = ball_pack,
-    .block_filter = ball_filter,
-    .intersect_many = ball_intersect_many,
-    .normal_many = ball_normal_many,
+    .instance_size = sizeof(test_sphere_shape),
+    .bounds = sphere_bounds,
+    .intersect = sphere_intersect,
+    .normal = sphere_normal,
+    .inside = sphere_inside,
+    .absorb = sphere_absorb,
+    .block_size = sizeof(sphere_block),
+    .block_pack = sphere_pack,
+    .block_filter = sphere_filter,
+    .intersect_many = sphere_intersect_many,
+    .normal_many = sphere_normal_many,
 };
 
 static bool no_bounds(const void *self, pov_box *out)
@@ -239,27 +241,27 @@ static bool no_bounds(const void *self, pov_box *out)
     return false;
 }
 
-const shape_class test_loose_ball_class = {
+const shape_class test_loose_sphere_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "loose_ball",
-    .instance_size = sizeof(test_ball),
+    .instance_size = sizeof(test_sphere_shape),
     .bounds = no_bounds,
-    .intersect = ball_intersect,
-    .normal = ball_normal,
-    .inside = ball_inside,
-    .block_size = sizeof(ball_block),
-    .block_pack = ball_pack,
-    .block_filter = ball_filter,
+    .intersect = sphere_intersect,
+    .normal = sphere_normal,
+    .inside = sphere_inside,
+    .block_size = sizeof(sphere_block),
+    .block_pack = sphere_pack,
+    .block_filter = sphere_filter,
 };
 
-const shape_class test_plain_ball_class = {
+const shape_class test_plain_sphere_class = {
     .flags = POV_SHAPE_SOLID,
     .keyword = "plain_ball",
-    .instance_size = sizeof(test_ball),
-    .bounds = ball_bounds,
-    .intersect = ball_intersect,
-    .normal = ball_normal,
-    .inside = ball_inside,
+    .instance_size = sizeof(test_sphere_shape),
+    .bounds = sphere_bounds,
+    .intersect = sphere_intersect,
+    .normal = sphere_normal,
+    .inside = sphere_inside,
 };
 
 /* ---- bricks ---- */
@@ -313,10 +315,10 @@ static void brick_intersect(const void *self, const pov_ray *ray, pov_hits *hits
         !slab(ray->org.y, ray->org_lo.y, d.y, b->lo.y, b->hi.y, 1, t, face) ||
         !slab(ray->org.z, ray->org_lo.z, d.z, b->lo.z, b->hi.z, 2, t, face))
         return;
-    if (ray->left == hits->owner)
+    if (ray->origin_surface == hits->owner)
         left = fabs(t[1].hi) < fabs(t[0].hi);
     for (i = 0; i < 2; i++) {
-        mark.part = (uint32_t)face[i];
+        mark.feature = (uint32_t)face[i];
         if (i != left && !pov_cross(hits, t[i].hi * by, t[i].lo * by, mark))
             return;
     }
@@ -326,7 +328,7 @@ static void brick_normal(const void *self, const pov_ray *ray, const pov_crossin
 {
     const test_brick *b = self;
     double p[3], lo[3] = {b->lo.x, b->lo.y, b->lo.z}, hi[3] = {b->hi.x, b->hi.y, b->hi.z}, n[3] = {0.0, 0.0, 0.0};
-    uint32_t axis = at->mark.part;
+    uint32_t axis = at->mark.feature;
 
     p[0] = ray->org.x + at->t * ray->dir.x;
     p[1] = ray->org.y + at->t * ray->dir.y;
@@ -367,7 +369,7 @@ static void ground_intersect(const void *self, const pov_ray *ray, pov_hits *hit
     const test_ground *g = self;
     pov_mark mark = { 0, 0, 0.0, 0.0 };
 
-    if (ray->dir.y != 0.0 && ray->left != hits->owner)
+    if (ray->dir.y != 0.0 && ray->origin_surface != hits->owner)
         pov_cross(hits, ((g->height - ray->org.y) - ray->org_lo.y) / ray->dir.y, 0.0, mark);
 }
 
@@ -438,21 +440,21 @@ void test_leave(pov_ray *ray, const hit *h)
     const double rise = pov_dot(pov_unit(ray->dir), h->normal);
 
     if ((rise > 0.0) == h->entering)
-        world_leave(ray, h, fabs(rise));
+        world_origin_reflect(ray, h, fabs(rise));
     else
-        world_cross(ray, h, fabs(rise));
+        world_origin_transmit(ray, h, fabs(rise));
 }
 
-bool test_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out)
+bool test_nearest(const world *w, query_context *k, const pov_ray *ray, double tmax, hit *out)
 {
     const bool found = query_nearest(w, k, &ray, 1, tmax, out) != 0;
 
     if (!found)
-        out->object = POV_NOBODY;
+        out->object = POV_NO_OWNER;
     return found;
 }
 
-bool test_light(const world *w, walker *k, const pov_ray *ray, double tmax, uint32_t owners[TEST_CROSSINGS],
+bool test_light(const world *w, query_context *k, const pov_ray *ray, double tmax, uint32_t owners[TEST_CROSSINGS],
                 uint32_t *count)
 {
     occlusion found;
@@ -460,7 +462,7 @@ bool test_light(const world *w, walker *k, const pov_ray *ray, double tmax, uint
 
     *count = found.crossed ? found.count[0] : 0;
     for (uint32_t i = 0; i < TEST_CROSSINGS; i++)
-        owners[i] = i < *count ? found.at[0][i].owner : POV_NOBODY;
+        owners[i] = i < *count ? found.at[0][i].owner : POV_NO_OWNER;
     return open;
 }
 
@@ -515,10 +517,10 @@ uint32_t test_add(model *m, const shape_class *shape, const void *instance, cons
     return (uint32_t)m->leaves.count - 1;
 }
 
-uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface)
+uint32_t test_add_sphere(model *m, pov_vec3 centre, double radius, uint32_t surface)
 {
-    test_ball b = { centre, radius };
-    return test_add(m, &test_ball_class, &b, NULL, surface, 0);
+    test_sphere_shape b = { centre, radius };
+    return test_add(m, &test_sphere_class, &b, NULL, surface, 0);
 }
 
 const transform *test_transform(model *m, const transform *before, transform_kind kind, double x, double y, double z)

@@ -7,13 +7,13 @@
 
 #include "plug/shape_class.h"
 
-typedef struct test_ball { pov_vec3 centre; double radius; } test_ball;
+typedef struct test_sphere_shape { pov_vec3 centre; double radius; } test_sphere_shape;
 typedef struct test_brick { pov_vec3 lo, hi; } test_brick;
 typedef struct test_ground { double height; } test_ground;
 
-extern const shape_class test_ball_class;       /* blocks, absorbs similar maps */
-extern const shape_class test_loose_ball_class; /* blocks, but no box: as if infinite */
-extern const shape_class test_plain_ball_class; /* neither */
+extern const shape_class test_sphere_class;     /* blocks, absorbs similar maps */
+extern const shape_class test_loose_sphere_class; /* blocks, but no box: as if infinite */
+extern const shape_class test_plain_sphere_class; /* neither */
 extern const shape_class test_brick_class;      /* no blocks; absorbs moves */
 extern const shape_class test_ground_class;     /* y < height, infinite */
 
@@ -27,10 +27,10 @@ pov_vec3 test_direction(test_random *r);
 void test_leave(pov_ray *ray, const hit *h);
 
 /* The nearest hit of one ray. */
-bool test_nearest(const world *w, walker *k, const pov_ray *ray, double tmax, hit *out);
+bool test_nearest(const world *w, query_context *k, const pov_ray *ray, double tmax, hit *out);
 /* Is light not blocked? count: how many transparent surfaces it crosses; of the first TEST_CROSSINGS, whose they are. */
 enum { TEST_CROSSINGS = 64 };
-bool test_light(const world *w, walker *k, const pov_ray *ray, double tmax, uint32_t owners[TEST_CROSSINGS],
+bool test_light(const world *w, query_context *k, const pov_ray *ray, double tmax, uint32_t owners[TEST_CROSSINGS],
                 uint32_t *count);
 
 /* A model of one opaque white material (index 0). NULL env: malloc. */
@@ -40,7 +40,7 @@ uint32_t test_add_material(model *m, colour c, float filter, float transmit, boo
 uint32_t test_add(model *m, const shape_class *shape, const void *instance, const transform *map, uint32_t surface,
                   uint32_t flags);
 void test_add_light(model *m, float brightness);
-uint32_t test_add_ball(model *m, pov_vec3 centre, double radius, uint32_t surface);
+uint32_t test_add_sphere(model *m, pov_vec3 centre, double radius, uint32_t surface);
 const transform *test_transform(model *m, const transform *before, transform_kind kind, double x, double y, double z);
 
 #endif

@@ -5,14 +5,14 @@
 
 #include <string.h>
 
-typedef struct ball { pov_vec3 centre; double radius; } ball;
+typedef struct sphere { pov_vec3 centre; double radius; } sphere;
 typedef struct wall { pov_vec3 normal; double d; } wall;
 
 static const pov_mark no_mark;
 
-static bool ball_bounds(const void *self, pov_box *out)
+static bool sphere_bounds(const void *self, pov_box *out)
 {
-    const ball *b = self;
+    const sphere *b = self;
     double r = b->radius * 1.0000001;
 
     out->lo = pov_sub(b->centre, pov_vec3_of(r, r, r));
@@ -21,13 +21,13 @@ static bool ball_bounds(const void *self, pov_box *out)
 }
 
 /* A ray starts on the root nearer to its start. */
-static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void sphere_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    const ball *s = self;
+    const sphere *s = self;
     pov_vec3 o = pov_add(pov_sub(ray->org, s->centre), ray->org_lo);
     double a = pov_dot(ray->dir, ray->dir), b = pov_dot(o, ray->dir), c = pov_dot(o, o) - s->radius * s->radius;
     double root = b * b - a * c, near, far;
-    bool left = ray->left == hits->owner;
+    bool left = ray->origin_surface == hits->owner;
 
     if (root < 0.0)
         return;
@@ -39,23 +39,23 @@ static void ball_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         pov_cross(hits, far, 0.0, no_mark);
 }
 
-static void ball_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static void sphere_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const ball *b = self;
+    const sphere *b = self;
 
     *out = pov_unit(pov_sub(pov_add(ray->org, pov_scale(ray->dir, at->t)), b->centre));
 }
 
-static bool ball_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+static bool sphere_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
-    const ball *b = self;
+    const sphere *b = self;
     pov_vec3 o = pov_add(pov_sub(point, b->centre), point_lo);
 
     return pov_dot(o, o) < b->radius * b->radius;
 }
 
-static const shape_class ball_class = {  .flags = POV_SHAPE_SOLID, .keyword = "ball", .instance_size = sizeof(ball),
-    .bounds = ball_bounds, .intersect = ball_intersect, .normal = ball_normal, .inside = ball_inside,
+static const shape_class sphere_class = {  .flags = POV_SHAPE_SOLID, .keyword = "ball", .instance_size = sizeof(sphere),
+    .bounds = sphere_bounds, .intersect = sphere_intersect, .normal = sphere_normal, .inside = sphere_inside,
 };
 
 static bool wall_bounds(const void *self, pov_box *out)
@@ -70,7 +70,7 @@ static void wall_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const wall *w = self;
     double along = pov_dot(w->normal, ray->dir);
 
-    if (along != 0.0 && ray->left != hits->owner)
+    if (along != 0.0 && ray->origin_surface != hits->owner)
         pov_cross(hits, (w->d - pov_dot(w->normal, ray->org)) / along, 0.0, no_mark);
 }
 
@@ -120,7 +120,7 @@ material tiny_matt(void)
     return m;
 }
 
-material tiny_glow(float r, float g, float b)
+material tiny_emitted(float r, float g, float b)
 {
     material m = tiny_matt();
 
@@ -154,9 +154,9 @@ void tiny_add(tiny *s, const shape_class *shape, const void *instance, material 
 
 void tiny_sphere(tiny *s, double x, double y, double z, double radius, material m)
 {
-    ball b = { { x, y, z }, radius };
+    sphere b = { { x, y, z }, radius };
 
-    tiny_add(s, &ball_class, &b, m);
+    tiny_add(s, &sphere_class, &b, m);
 }
 
 void tiny_plane(tiny *s, double x, double y, double z, double d, material m)
@@ -182,9 +182,9 @@ void tiny_build(tiny *s)
     assert_int_equal(tracer_create(&s->tracer, s->shading, NULL), POV_OK);
 }
 
-colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z)
+colour tiny_trace(tiny *s, pov_vec3 from, double x, double y, double z)
 {
-    pov_ray ray = { .org = from, .dir = { x, y, z }, .left = POV_NOBODY };
+    pov_ray ray = { .org = from, .dir = { x, y, z }, .origin_surface = POV_NO_OWNER };
     colour c = tracer_color(s->tracer, &ray);
 
     assert_false(s->tracer->context.failed);

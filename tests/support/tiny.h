@@ -11,7 +11,7 @@ typedef struct tiny { env env; model model; world *world; shading *shading; pov_
 void tiny_begin(tiny *s, const pov_allocator *memory);
 void tiny_end(tiny *s);
 /* The language's default material of this colour, with ambient light only. */
-material tiny_glow(float r, float g, float b);
+material tiny_emitted(float r, float g, float b);
 /* The default material, white, without ambient light. */
 material tiny_matt(void);
 /* A material that only transmits. */
@@ -25,7 +25,7 @@ void tiny_light(tiny *s, double x, double y, double z, float r, float g, float b
 /* Compile it: after the last object. */
 void tiny_build(tiny *s);
 /* Colour seen from a point in a direction. */
-colour tiny_see(tiny *s, pov_vec3 from, double x, double y, double z);
+colour tiny_trace(tiny *s, pov_vec3 from, double x, double y, double z);
 void assert_colour(colour c, double r, double g, double b, double tolerance);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "render/job.h"
 
-/* A floor, a mirror ball, a glass ball, a matt one, two lights. */
+/* A floor, a mirror sphere, a glass sphere, a matt one, two lights. */
 void tiny_room(tiny *s, const pov_allocator *memory);
 /* Half-mirrors that split rays without end: a pixel takes longer than any test waits. */
 void tiny_endless(tiny *s);

@@ -19,7 +19,7 @@ static void assert_reason(const shape_class *shape, const char *reason)
     plan p;
 
     test_model_init(&m, NULL);
-    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
+    test_add_sphere(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
     m.leaves.items[0].shape = shape;
     assert_int_equal(plan_make(&p, &m, &err), POV_OK);
     assert_int_equal(explain_plugins(&p, &m, NULL, &err), POV_OK);
@@ -31,12 +31,12 @@ static void assert_reason(const shape_class *shape, const char *reason)
 
 static void a_class_that_is_not_certified_is_named(void **state)
 {
-    shape_class certified = test_ball_class;
+    shape_class certified = test_sphere_class;
 
     (void)state;
     certified.flags |= POV_SHAPE_CERTIFIED;
     assert_reason(&certified, "objects: 1");
-    assert_reason(&test_ball_class, "objects: 1; its distances are not certified: as right as its own arithmetic");
+    assert_reason(&test_sphere_class, "objects: 1; its distances are not certified: as right as its own arithmetic");
 }
 
 int main(void)

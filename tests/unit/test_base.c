@@ -75,7 +75,7 @@ static void large_blocks_are_there_to_their_last_byte(void **state)
         assert_int_equal((uintptr_t)block % 64, 0);
         memset(block, 7, sizes[i]);
         for (size_t part = 0; part < 3; part++)
-            pages_expect(block, sizes[i], part, 3);
+            pages_prefetch(block, sizes[i], part, 3);
         assert_int_equal(block[0], 7);
         assert_memory_equal(block, block + 1, sizes[i] - 1);
         pages_free(&e, block);

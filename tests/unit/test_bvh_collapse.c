@@ -6,144 +6,144 @@
 
 #include <string.h>
 
-enum { ENDS = 14, TWIGS = 2 * ENDS - 1 };
+enum { ENDS = 14, NODES = 2 * ENDS - 1 };
 
-/* A tree of so many ends, of any shape: whichever twig comes next is divided. */
-static uint32_t plant(test_random *r, bvh_twig *twigs, uint32_t ends)
+/* A tree of so many ends, of any shape: whichever build node comes next is divided. */
+static uint32_t plant(test_random *r, bvh_build_node *nodes, uint32_t ends)
 {
     uint32_t count = 1, which;
 
-    memset(twigs, 0, TWIGS * sizeof *twigs);
-    twigs[0].is_end = true;
-    for (twigs[0].range.area = 1.0f; count < 2 * ends - 1; count += 2) {
+    memset(nodes, 0, NODES * sizeof *nodes);
+    nodes[0].is_end = true;
+    for (nodes[0].range.area = 1.0f; count < 2 * ends - 1; count += 2) {
         do
             which = (uint32_t)test_uniform(r, 0.0, (double)count);
-        while (which >= count || !twigs[which].is_end);
-        twigs[which].is_end = false;
-        twigs[which].half[0] = count;
-        twigs[which].half[1] = count + 1;
-        twigs[count].above = twigs[count + 1].above = which;
-        twigs[count].is_end = twigs[count + 1].is_end = true;
-        twigs[count].range.area = twigs[which].range.area * (float)test_uniform(r, 0.1, 1.0);
-        twigs[count + 1].range.area = twigs[which].range.area * (float)test_uniform(r, 0.1, 1.0);
+        while (which >= count || !nodes[which].is_end);
+        nodes[which].is_end = false;
+        nodes[which].half[0] = count;
+        nodes[which].half[1] = count + 1;
+        nodes[count].above = nodes[count + 1].above = which;
+        nodes[count].is_end = nodes[count + 1].is_end = true;
+        nodes[count].range.area = nodes[which].range.area * (float)test_uniform(r, 0.1, 1.0);
+        nodes[count + 1].range.area = nodes[which].range.area * (float)test_uniform(r, 0.1, 1.0);
     }
     return count;
 }
 
-static void weigh(bvh_twig *twigs, uint32_t count)
+static void weigh(bvh_build_node *nodes, uint32_t count)
 {
-    uint32_t order[TWIGS];
+    uint32_t order[NODES];
 
-    bvh_order_twigs(twigs, order);
-    bvh_weigh_twigs(twigs, order, count);
+    bvh_order_nodes(nodes, order);
+    bvh_weigh_nodes(nodes, order, count);
 }
 
-static float least_of_all(const bvh_twig *twigs, uint32_t which);
+static float least_of_all(const bvh_build_node *nodes, uint32_t which);
 
 /* The least that a node costs with these children, or with any of them from `first` on divided further. */
-static float least_with(const bvh_twig *twigs, const uint32_t *children, int n, int first)
+static float least_with(const bvh_build_node *nodes, const uint32_t *children, int n, int first)
 {
     float least = 0.0f, other;
     int i;
 
     for (i = 0; i < n; i++)
-        least += least_of_all(twigs, children[i]);
+        least += least_of_all(nodes, children[i]);
     for (i = first; i < n && n < BVH_WIDTH; i++) {
         uint32_t more[BVH_WIDTH];
 
-        if (twigs[children[i]].is_end)
+        if (nodes[children[i]].is_end)
             continue;
         memcpy(more, children, sizeof more);
-        more[i] = twigs[children[i]].half[0];
-        more[n] = twigs[children[i]].half[1];
-        other = least_with(twigs, more, n + 1, i);
+        more[i] = nodes[children[i]].half[0];
+        more[n] = nodes[children[i]].half[1];
+        other = least_with(nodes, more, n + 1, i);
         least = other < least ? other : least;
     }
     return least;
 }
 
-static float least_of_all(const bvh_twig *twigs, uint32_t which)
+static float least_of_all(const bvh_build_node *nodes, uint32_t which)
 {
-    const bvh_twig *t = &twigs[which];
+    const bvh_build_node *t = &nodes[which];
     const uint32_t halves[BVH_WIDTH] = { t->half[0], t->half[1] };
 
-    return t->is_end ? 0.0f : t->range.area + least_with(twigs, halves, 2, 0);
+    return t->is_end ? 0.0f : t->range.area + least_with(nodes, halves, 2, 0);
 }
 
 /* What the nodes cost that were chosen; their ends are counted. */
-static float cost_of_chosen(const bvh_twig *twigs, uint32_t which, uint32_t *ends)
+static float cost_of_chosen(const bvh_build_node *nodes, uint32_t which, uint32_t *ends)
 {
     uint32_t children[BVH_WIDTH];
-    float sum = twigs[which].range.area;
+    float sum = nodes[which].range.area;
     int n, i;
 
-    if (twigs[which].is_end) {
+    if (nodes[which].is_end) {
         ++*ends;
         return 0.0f;
     }
-    n = bvh_children_of(twigs, which, children);
+    n = bvh_children_of(nodes, which, children);
     assert_in_range(n, 2, BVH_WIDTH);
     for (i = 0; i < n; i++)
-        sum += cost_of_chosen(twigs, children[i], ends);
+        sum += cost_of_chosen(nodes, children[i], ends);
     return sum;
 }
 
 static void nodes_cost_the_least_that_they_can(void **state)
 {
     test_random r = { 5 };
-    bvh_twig twigs[TWIGS];
+    bvh_build_node nodes[NODES];
     int round;
 
     (void)state;
     for (round = 0; round < 200; round++) {
-        const uint32_t ends = 2 + (uint32_t)round % (ENDS - 1), count = plant(&r, twigs, ends);
-        uint32_t met = 0;
+        const uint32_t ends = 2 + (uint32_t)round % (ENDS - 1), count = plant(&r, nodes, ends);
+        uint32_t candidates = 0;
         float least, chosen;
 
-        weigh(twigs, count);
-        chosen = cost_of_chosen(twigs, 0, &met);
-        least = least_of_all(twigs, 0);
-        assert_int_equal(met, ends);
+        weigh(nodes, count);
+        chosen = cost_of_chosen(nodes, 0, &candidates);
+        least = least_of_all(nodes, 0);
+        assert_int_equal(candidates, ends);
         assert_true(fabsf(chosen - least) <= 1e-5f * least);
-        assert_true(fabsf(chosen - twigs[0].cost[0]) <= 1e-5f * least);
+        assert_true(fabsf(chosen - nodes[0].cost[0]) <= 1e-5f * least);
     }
 }
 
 static void up_to_eight_ends_are_one_node(void **state)
 {
     test_random r = { 6 };
-    bvh_twig twigs[TWIGS];
+    bvh_build_node nodes[NODES];
     uint32_t children[BVH_WIDTH], ends;
 
     (void)state;
     for (ends = 2; ends <= BVH_WIDTH; ends++) {
-        weigh(twigs, plant(&r, twigs, ends));
-        assert_int_equal(bvh_children_of(twigs, 0, children), ends);
+        weigh(nodes, plant(&r, nodes, ends));
+        assert_int_equal(bvh_children_of(nodes, 0, children), ends);
     }
 }
 
 /* Ends get boxes anywhere, and what holds them is measured. */
-static float measure(test_random *r, bvh_twig *twigs, uint32_t count)
+static float measure(test_random *r, bvh_build_node *nodes, uint32_t count)
 {
     float sum = 0.0f;
     int k;
 
     while (count-- > 0) {
-        bvh_range *all = &twigs[count].range;
-        const uint32_t *half = twigs[count].half;
+        bvh_range *all = &nodes[count].range;
+        const uint32_t *half = nodes[count].half;
 
-        for (k = 0; k < 3 && twigs[count].is_end; k++) {
+        for (k = 0; k < 3 && nodes[count].is_end; k++) {
             all->lo[k] = (float)test_uniform(r, -1.0, 0.9);
             all->hi[k] = all->lo[k] + (float)test_uniform(r, 0.0, 0.1);
         }
-        for (k = 0; k < 3 && !twigs[count].is_end; k++) {
-            all->lo[k] = fminf(twigs[half[0]].range.lo[k], twigs[half[1]].range.lo[k]);
-            all->hi[k] = fmaxf(twigs[half[0]].range.hi[k], twigs[half[1]].range.hi[k]);
+        for (k = 0; k < 3 && !nodes[count].is_end; k++) {
+            all->lo[k] = fminf(nodes[half[0]].range.lo[k], nodes[half[1]].range.lo[k]);
+            all->hi[k] = fmaxf(nodes[half[0]].range.hi[k], nodes[half[1]].range.hi[k]);
         }
         all->area = (all->hi[0] - all->lo[0]) * (all->hi[1] - all->lo[1]) +
                     (all->hi[1] - all->lo[1]) * (all->hi[2] - all->lo[2]) +
                     (all->hi[2] - all->lo[2]) * (all->hi[0] - all->lo[0]);
-        sum += twigs[count].is_end ? 0.0f : all->area;
+        sum += nodes[count].is_end ? 0.0f : all->area;
     }
     return sum;
 }
@@ -151,29 +151,29 @@ static float measure(test_random *r, bvh_twig *twigs, uint32_t count)
 static void improving_keeps_all_ends_and_makes_boxes_smaller(void **state)
 {
     test_random r = { 7 };
-    bvh_twig twigs[TWIGS];
-    uint32_t order[TWIGS];
+    bvh_build_node nodes[NODES];
+    uint32_t order[NODES];
     int round, k;
 
     (void)state;
     for (round = 0; round < 200; round++) {
-        const uint32_t ends = 2 + (uint32_t)round % (ENDS - 1), count = plant(&r, twigs, ends);
-        const float before = measure(&r, twigs, count);
-        uint32_t met = 0, i;
+        const uint32_t ends = 2 + (uint32_t)round % (ENDS - 1), count = plant(&r, nodes, ends);
+        const float before = measure(&r, nodes, count);
+        uint32_t candidates = 0, i;
         float after = 0.0f;
 
-        bvh_improve_twigs(twigs, count);
-        bvh_order_twigs(twigs, order);
+        bvh_reinsert(nodes, count);
+        bvh_order_nodes(nodes, order);
         for (i = 0; i < count; i++) {
-            const bvh_twig *t = &twigs[order[i]], *above = &twigs[t->above];
+            const bvh_build_node *t = &nodes[order[i]], *above = &nodes[t->above];
 
-            met += t->is_end;
+            candidates += t->is_end;
             after += t->is_end ? 0.0f : t->range.area;
             assert_true(i == 0 || above->half[0] == order[i] || above->half[1] == order[i]);
             for (k = 0; k < 3; k++)
                 assert_true(above->range.lo[k] <= t->range.lo[k] && above->range.hi[k] >= t->range.hi[k]);
         }
-        assert_int_equal(met, ends);
+        assert_int_equal(candidates, ends);
         assert_true(after <= before * 1.0001f);
         assert_true(ends < 8 || after < before);
     }

@@ -46,7 +46,7 @@ static void make(fixture *f, const env *e, test_random *r, uint32_t count)
 
 static pov_ray ray_from(pov_vec3 org, pov_vec3 dir)
 {
-    const pov_ray ray = { .org = org, .dir = dir, .left = POV_NOBODY };
+    const pov_ray ray = { .org = org, .dir = dir, .origin_surface = POV_NO_OWNER };
 
     return ray;
 }
@@ -67,14 +67,14 @@ static bool meets(const pov_box *b, const pov_ray *ray, double tmax)
     return from <= to;
 }
 
-typedef struct seen { uint8_t part[PARTS]; uint32_t count, most; pov_hits *hits; double closes_to; } seen;
+typedef struct seen { uint8_t item[PARTS]; uint32_t count, most; pov_hits *hits; double closes_to; } seen;
 
-static bool see(void *user, uint32_t part)
+static bool visit_item(void *user, uint32_t item)
 {
     seen *s = user;
 
-    assert_int_equal(s->part[part], 0);
-    s->part[part] = 1;
+    assert_int_equal(s->item[item], 0);
+    s->item[item] = 1;
     if (s->hits && s->closes_to < s->hits->tmax)
         s->hits->tmax = s->closes_to;
     return ++s->count < s->most;
@@ -105,9 +105,9 @@ static void no_part_that_a_ray_meets_is_left_out(void **state)
             pov_hits hits = { .tmax = uniform(&r) < 0.5 ? HUGE_VAL : 2.0 / pov_largest(ray.dir) };
             seen s = { .most = PARTS + 1 };
 
-            assert_true(h->visit(h, &ray, &hits, see, &s));
+            assert_true(h->visit(h, &ray, &hits, visit_item, &s));
             for (uint32_t k = 0; k < f.count; k++)
-                assert_true(s.part[k] || !meets(&f.boxes[k], &ray, hits.tmax));
+                assert_true(s.item[k] || !meets(&f.boxes[k], &ray, hits.tmax));
             all += f.count;
             visited += s.count;
         }
@@ -132,12 +132,12 @@ static void it_ends_where_it_is_told_to(void **state)
         seen one = { .most = 1 }, all = { .most = PARTS + 1 };
         seen near = { .most = PARTS + 1, .hits = &closing, .closes_to = 0.5 };
 
-        h->visit(h, &ray, &hits, see, &all);
+        h->visit(h, &ray, &hits, visit_item, &all);
         if (all.count == 0)
             continue;
-        assert_false(h->visit(h, &ray, &hits, see, &one));
+        assert_false(h->visit(h, &ray, &hits, visit_item, &one));
         assert_int_equal(one.count, 1);
-        h->visit(h, &ray, &closing, see, &near);
+        h->visit(h, &ray, &closing, visit_item, &near);
         ended++;
         shortened += near.count;
         whole += all.count;

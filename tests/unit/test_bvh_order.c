@@ -11,10 +11,11 @@
 #include "bvh/avx2.h"
 
 /* Gives how many were met; their places in the node, and what lies before each, greatest first. */
-__attribute__((noinline)) static uint32_t in_order(const float entry[8], uint32_t met, uint32_t place[8], float before[8])
+__attribute__((noinline)) static uint32_t in_order(const float entry[8], uint32_t candidates, uint32_t place[8],
+                                                   float before[8])
 {
-    const uint32_t count = (uint32_t)__builtin_popcount(met);
-    const __m256i order = sort_avx512(place_avx512(_mm256_loadu_ps(entry), (__mmask8)met), count);
+    const uint32_t count = (uint32_t)__builtin_popcount(candidates);
+    const __m256i order = sort_avx512(slot_entries_avx512(_mm256_loadu_ps(entry), (__mmask8)candidates), count);
     uint32_t i;
 
     store_avx512(place, order);
@@ -26,7 +27,8 @@ __attribute__((noinline)) static uint32_t in_order(const float entry[8], uint32_
 #pragma GCC pop_options
 #endif
 
-/* Walks hold what lies before a child against limits: were it more than it is, a child that is met could be passed by. */
+/* Traversals hold what lies before a child against limits: were it more than it is, a child that is met could be passed
+ * by. */
 static void what_lies_before_a_child_is_never_more_than_it_is(void **state)
 {
 #ifdef HAS_VECTORS
@@ -40,14 +42,14 @@ static void what_lies_before_a_child_is_never_more_than_it_is(void **state)
     }
     for (round = 0; round < 20000; round++) {
         float entry[8], before[8];
-        uint32_t place[8], met = (uint32_t)round & 255, seen = 0, count, i;
+        uint32_t place[8], candidates = (uint32_t)round & 255, seen = 0, count, i;
 
         for (i = 0; i < 8; i++) {
             const uint32_t bits = (uint32_t)((seed = seed * 6364136223846793005u + 1442695040888963407u) >> 34);
             const uint32_t near = round % 3 == 0 ? 0x3f800000u + (bits & 31) : bits % 0x7f800000u;
             memcpy(&entry[i], &near, sizeof near);
         }
-        count = in_order(entry, met, place, before);
+        count = in_order(entry, candidates, place, before);
         for (i = 0; i < count; i++) {
             const float own = entry[place[i]];
             assert_true(before[i] <= own);
@@ -55,7 +57,7 @@ static void what_lies_before_a_child_is_never_more_than_it_is(void **state)
             assert_true(i == 0 || before[i - 1] >= before[i]);
             seen |= 1u << place[i];
         }
-        assert_int_equal(seen, met);
+        assert_int_equal(seen, candidates);
     }
 #else
     (void)state;

@@ -1,4 +1,4 @@
-/* What rays are told: what light crosses, shapes in spaces of their own, media, memory that ends. */
+/* What rays are told: what light crosses, shapes in spaces of their own, dielectrics, memory that ends. */
 #include "support/check.h"
 #include "support/failing.h"
 #include "support/near.h"
@@ -20,12 +20,12 @@ static world *make(const model *m, pov_accel accel)
     return w;
 }
 
-static walker *walk_in(const world *w)
+static query_context *traversal_in(const world *w)
 {
     pov_error err;
-    walker *k;
+    query_context *k;
 
-    assert_int_equal(walker_create(&k, w, &err), POV_OK);
+    assert_int_equal(query_context_create(&k, w, &err), POV_OK);
     return k;
 }
 
@@ -36,7 +36,7 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     memset(&ray, 0, sizeof ray);
     ray.org = org;
     ray.dir = dir;
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
@@ -52,19 +52,19 @@ static void light_crosses_transparent_surfaces_in_the_order_of_objects(void **st
     uint32_t found[TEST_CROSSINGS], count, i;
     model m;
     world *w;
-    walker *k;
+    query_context *k;
 
     (void)state;
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 3; i++) {
-        const test_ball ball = { pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 8.0 - 3.0 * i), 1.0 };
+        const test_sphere_shape sphere = { pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 8.0 - 3.0 * i), 1.0 };
         const uint32_t glass = test_add_material(&m, colour_of(1, 1, 1), 0.7f, 0.2f, false);
 
-        test_add(&m, i == 1 ? &test_plain_ball_class : &test_ball_class, &ball, NULL, glass, 0);
+        test_add(&m, i == 1 ? &test_plain_sphere_class : &test_sphere_class, &sphere, NULL, glass, 0);
     }
     w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
+    k = traversal_in(w);
     assert_true(test_light(w, k, &ray, HUGE_VAL, found, &count));
     assert_int_equal(count, 6);
     assert_memory_equal(found, owners, sizeof owners);
@@ -72,7 +72,7 @@ static void light_crosses_transparent_surfaces_in_the_order_of_objects(void **st
     assert_int_equal(count, 1);
     assert_true(test_light(w, k, &ray, 1.5, found, &count));
     assert_int_equal(count, 0);
-    walker_destroy(k);
+    query_context_destroy(k);
     world_destroy(w);
     model_free(&m);
 }
@@ -85,28 +85,28 @@ static void crossings_of_objects_that_are_not_plain_are_located(void **state)
     occlusion found;
     model m;
     world *w;
-    walker *k;
+    query_context *k;
     uint32_t i;
 
     (void)state;
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 3; i++)
-        test_add_ball(&m, pov_vec3_of(0.0, 0.0, 4.0 + 3.0 * i), 1.0,
-                      test_add_material(&m, colour_of(1, 1, 1), 0.7f, 0.2f, false));
+        test_add_sphere(&m, pov_vec3_of(0.0, 0.0, 4.0 + 3.0 * i), 1.0,
+                        test_add_material(&m, colour_of(1, 1, 1), 0.7f, 0.2f, false));
     w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
+    k = traversal_in(w);
     assert_false(w->located);
     w->located = true;
     for (i = 0; i < w->tree.leaf_bytes;) {
-        run *r = (run *)(void *)(w->tree.leaves + i);
+        leaf_batch *r = (leaf_batch *)(void *)(w->tree.leaves + i);
 
-        assert_int_equal(r->plain, run_lanes(r));
+        assert_int_equal(r->plain, leaf_batch_lanes(r));
         r->plain = 0;
-        i += (uint32_t)run_bytes(r->shape, r->count, r->flags);
+        i += (uint32_t)leaf_batch_bytes(r->shape, r->count, r->flags);
     }
     for (i = 0; i < 3; i++)
-        w->things[i].plain = false;
+        w->objects_info[i].plain = false;
     assert_int_equal(query_occlusion(w, k, &rays, 1, HUGE_VAL, &found), 1);
     assert_int_equal(found.crossed, 1);
     assert_int_equal(found.count[0], 6);
@@ -114,7 +114,7 @@ static void crossings_of_objects_that_are_not_plain_are_located(void **state)
         assert_int_equal(found.at[0][i].owner, i / 2);
         assert_near(found.at[0][i].t, 4.0 + 3.0 * (i / 2) + 2.0 * (i % 2), 1e-14);
     }
-    walker_destroy(k);
+    query_context_destroy(k);
     world_destroy(w);
     model_free(&m);
 }
@@ -125,19 +125,19 @@ static void an_opaque_object_behind_glass_blocks_light(void **state)
     uint32_t found[TEST_CROSSINGS], count;
     model m;
     world *w;
-    walker *k;
+    query_context *k;
 
     (void)state;
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
-    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 2.0), 1.0, test_add_material(&m, colour_of(1, 1, 1), 1.0f, 0.0f, false));
-    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 9.0), 1.0, 0);
+    test_add_sphere(&m, pov_vec3_of(0.0, 0.0, 2.0), 1.0, test_add_material(&m, colour_of(1, 1, 1), 1.0f, 0.0f, false));
+    test_add_sphere(&m, pov_vec3_of(0.0, 0.0, 9.0), 1.0, 0);
     w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
+    k = traversal_in(w);
     assert_true(test_light(w, k, &ray, 8.0, found, &count));
     assert_false(test_light(w, k, &ray, 20.0, found, &count));
     assert_true(query_blocked(w, k, &ray, 8.0));
-    walker_destroy(k);
+    query_context_destroy(k);
     world_destroy(w);
     model_free(&m);
 }
@@ -145,48 +145,48 @@ static void an_opaque_object_behind_glass_blocks_light(void **state)
 static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **state)
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     uint32_t found[TEST_CROSSINGS], count;
     model m;
     world *w;
-    walker *k;
+    query_context *k;
     hit h;
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_NO_SHADOW);
+    test_add(&m, &test_sphere_class, &sphere, NULL, 0, LEAF_NO_SHADOW);
     w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
+    k = traversal_in(w);
     assert_true(test_nearest(w, k, &ray, HUGE_VAL, &h));
     assert_true(test_light(w, k, &ray, HUGE_VAL, found, &count));
     assert_false(query_blocked(w, k, &ray, HUGE_VAL));
-    walker_destroy(k);
+    query_context_destroy(k);
     world_destroy(w);
     model_free(&m);
 }
 
 /* ---- leaving ---- */
 
-static void a_ray_that_leaves_a_ball_meets_its_other_side_only(void **state)
+static void a_ray_that_leaves_a_sphere_hits_its_other_side_only(void **state)
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     model m;
     world *w;
-    walker *k;
+    query_context *k;
     hit h;
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add_ball(&m, origin, 1.0, test_add_material(&m, colour_of(1, 1, 1), 0.5f, 0.0f, false));
+    test_add_sphere(&m, origin, 1.0, test_add_material(&m, colour_of(1, 1, 1), 0.5f, 0.0f, false));
     w = make(&m, POV_ACCEL_TREE);
-    k = walk_in(w);
+    k = traversal_in(w);
     assert_true(test_nearest(w, k, &ray, HUGE_VAL, &h));
     world_surface(w, &ray, &h);
     assert_true(h.entering);
     ray.org = h.point;
     ray.org_lo = h.point_lo;
-    ray.left = h.object;
-    ray.left_mark = h.crossing.mark;
+    ray.origin_surface = h.object;
+    ray.origin_mark = h.crossing.mark;
     assert_true(test_nearest(w, k, &ray, HUGE_VAL, &h));
     assert_near(h.crossing.t, 2.0, 0.0);
     world_surface(w, &ray, &h);
@@ -194,7 +194,7 @@ static void a_ray_that_leaves_a_ball_meets_its_other_side_only(void **state)
     ray.dir.z = -1.0;
     assert_false(test_nearest(w, k, &ray, HUGE_VAL, &h));
     assert_false(query_blocked(w, k, &ray, HUGE_VAL));
-    walker_destroy(k);
+    query_context_destroy(k);
     world_destroy(w);
     model_free(&m);
 }
@@ -204,35 +204,35 @@ static void a_ray_that_leaves_a_ball_meets_its_other_side_only(void **state)
 static hit nearest_of(const model *m, const pov_ray *ray, bool *found)
 {
     world *w = make(m, POV_ACCEL_TREE);
-    walker *k = walk_in(w);
+    query_context *k = traversal_in(w);
     hit h;
 
     memset(&h, 0, sizeof h);
     *found = test_nearest(w, k, ray, HUGE_VAL, &h);
     if (*found)
         world_surface(w, ray, &h);
-    walker_destroy(k);
+    query_context_destroy(k);
     world_destroy(w);
     return h;
 }
 
-/* The same ball once as it is and once made of a unit ball by scale and translate. */
-static void placed_matches_plain(double radius, pov_vec3 centre, double distance, test_random *r)
+/* The same sphere once as it is and once made of a unit sphere by scale and translate. */
+static void instance_matches_plain(double radius, pov_vec3 centre, double distance, test_random *r)
 {
-    test_ball plain = { centre, radius }, unit = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape plain = { centre, radius }, unit = { { 0.0, 0.0, 0.0 }, 1.0 };
     model a, b;
     int i;
 
     test_model_init(&a, NULL);
     test_model_init(&b, NULL);
-    test_add(&a, &test_plain_ball_class, &plain, NULL, 0, 0);
-    test_add(&b, &test_plain_ball_class, &unit,
+    test_add(&a, &test_plain_sphere_class, &plain, NULL, 0, 0);
+    test_add(&b, &test_plain_sphere_class, &unit,
              test_transform(&b, test_transform(&b, NULL, TRANSFORM_SCALE, radius, radius, radius), TRANSFORM_TRANSLATE,
                             centre.x, centre.y, centre.z),
              0, 0);
     for (i = 0; i < 50; i++) {
-        pov_vec3 way = pov_unit(test_direction(r));
-        pov_ray ray = ray_of(pov_add(centre, pov_scale(way, -distance)), pov_scale(way, test_uniform(r, 0.1, 3.0)));
+        pov_vec3 dir = pov_unit(test_direction(r));
+        pov_ray ray = ray_of(pov_add(centre, pov_scale(dir, -distance)), pov_scale(dir, test_uniform(r, 0.1, 3.0)));
         bool x, y;
         hit g, h;
         ray.org = pov_add(ray.org, pov_scale(test_direction(r), 0.9 * radius));
@@ -248,7 +248,7 @@ static void placed_matches_plain(double radius, pov_vec3 centre, double distance
     model_free(&b);
 }
 
-static void a_placed_ball_matches_a_plain_one_however_far(void **state)
+static void an_instance_of_a_sphere_matches_a_plain_one_however_far(void **state)
 {
     static const double far[] = { 2.0, 1e3, 1e6, 1e9, 1e12 };
     test_random r = { 5 };
@@ -256,17 +256,17 @@ static void a_placed_ball_matches_a_plain_one_however_far(void **state)
 
     (void)state;
     for (i = 0; i < 5; i++) {
-        placed_matches_plain(1.0, origin, far[i], &r);
-        placed_matches_plain(1.0, pov_vec3_of(1e9, -2e9, 3e9), far[i], &r);
-        placed_matches_plain(1e-12, origin, 1e-12 * far[i], &r);
-        placed_matches_plain(1e100, pov_vec3_of(1e103, 0.0, 0.0), 1e100 * far[i], &r);
+        instance_matches_plain(1.0, origin, far[i], &r);
+        instance_matches_plain(1.0, pov_vec3_of(1e9, -2e9, 3e9), far[i], &r);
+        instance_matches_plain(1e-12, origin, 1e-12 * far[i], &r);
+        instance_matches_plain(1e100, pov_vec3_of(1e103, 0.0, 0.0), 1e100 * far[i], &r);
     }
 }
 
 /* An ellipsoid from its equation: |S^-1 p| = 1. */
-static void a_stretched_and_turned_ball_is_an_ellipsoid(void **state)
+static void a_stretched_and_turned_sphere_is_an_ellipsoid(void **state)
 {
-    test_ball unit = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape unit = { { 0.0, 0.0, 0.0 }, 1.0 };
     pov_ray ray = ray_of(pov_vec3_of(7.0, 3.0, -50.0), ahead);
     const transform *map;
     model m;
@@ -278,7 +278,7 @@ static void a_stretched_and_turned_ball_is_an_ellipsoid(void **state)
     map = test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 4.0);
     map = test_transform(&m, map, TRANSFORM_ROTATE, 0.0, 90.0, 0.0);   /* +z goes to +x */
     map = test_transform(&m, map, TRANSFORM_TRANSLATE, 5.0, 2.0, 3.0);
-    test_add(&m, &test_plain_ball_class, &unit, map, 0, 0);
+    test_add(&m, &test_plain_sphere_class, &unit, map, 0, 0);
     h = nearest_of(&m, &ray, &found);
     assert_true(found);
     /* (2/4)^2 + (1/2)^2 + z^2 = 1, seen from -50, about z = 3. */
@@ -292,7 +292,7 @@ static void a_stretched_and_turned_ball_is_an_ellipsoid(void **state)
 }
 
 /* Each corner of a turned box lies in the box that the tree is given. */
-static void a_box_around_a_placed_shape_holds_all_of_it(void **state)
+static void a_box_around_an_instance_holds_all_of_it(void **state)
 {
     test_random r = { 6 };
     int i, k;
@@ -309,7 +309,7 @@ static void a_box_around_a_placed_shape_holds_all_of_it(void **state)
             transform_compose(test_transform(&m, test_transform(&m, NULL, TRANSFORM_ROTATE, i, 2.0 * i, 3.0 * i + 1.0),
                                              TRANSFORM_TRANSLATE, far, -far, 0.1),
                               &map));
-        placement_box(&map, &own, &around);
+        instance_box(&map, &own, &around);
         for (k = 0; k < 8; k++) {
             pov_vec3 hi, lo,
                 p = pov_vec3_of(k & 1 ? own.lo.x : own.hi.x, k & 2 ? own.lo.y : own.hi.y, k & 4 ? own.lo.z : own.hi.z);
@@ -323,11 +323,11 @@ static void a_box_around_a_placed_shape_holds_all_of_it(void **state)
     }
 }
 
-/* ---- inverse objects and media ---- */
+/* ---- inverse objects and dielectrics ---- */
 
 static void an_inverse_object_turns_its_normal(void **state)
 {
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     model m;
     hit h;
@@ -335,7 +335,7 @@ static void an_inverse_object_turns_its_normal(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_INVERSE);
+    test_add(&m, &test_sphere_class, &sphere, NULL, 0, LEAF_INVERSE);
     h = nearest_of(&m, &ray, &found);
     assert_true(found);
     assert_near(h.normal.z, 1.0, 0.0);
@@ -351,9 +351,9 @@ static void see(void *user, uint32_t medium_object)
     s->object[s->count++] = medium_object;
 }
 
-static void the_media_of_a_point_come_with_the_inner_ones_last(void **state)
+static void the_dielectrics_of_a_point_come_with_the_inner_ones_last(void **state)
 {
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 }, away = { { 9.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 }, excluded = { { 9.0, 0.0, 0.0 }, 1.0 };
     test_ground ground = { 0.5 };
     seen s = { { 0 }, 0 };
     uint32_t glass;
@@ -363,14 +363,14 @@ static void the_media_of_a_point_come_with_the_inner_ones_last(void **state)
     (void)state;
     test_model_init(&m, NULL);
     glass = test_add_material(&m, colour_of(1, 1, 1), 1.0f, 0.0f, true);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, 0);
-    test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 2.0, 3.0, 4.0), glass, 0);
-    test_add(&m, &test_ball_class, &away, NULL, glass, 0);
+    test_add(&m, &test_sphere_class, &sphere, NULL, 0, 0);
+    test_add(&m, &test_sphere_class, &sphere, test_transform(&m, NULL, TRANSFORM_SCALE, 2.0, 3.0, 4.0), glass, 0);
+    test_add(&m, &test_sphere_class, &excluded, NULL, glass, 0);
     test_add(&m, &test_ground_class, &ground, NULL, glass, 0);
-    test_add(&m, &test_ball_class, &away, NULL, glass, LEAF_INVERSE);
-    test_add(&m, &test_ball_class, &ball, NULL, glass, LEAF_INVERSE);
+    test_add(&m, &test_sphere_class, &excluded, NULL, glass, LEAF_INVERSE);
+    test_add(&m, &test_sphere_class, &sphere, NULL, glass, LEAF_INVERSE);
     w = make(&m, POV_ACCEL_TREE);
-    world_media_at(w, origin, origin, see, &s);
+    world_dielectrics_at(w, origin, origin, see, &s);
     assert_int_equal(s.count, 3);
     assert_int_equal(s.object[0], 3);
     assert_int_equal(s.object[1], 4);
@@ -389,9 +389,9 @@ static void fill(model *m)
 
     test_add_light(m, 1.0f);
     for (i = 0; i < 60; i++) {
-        test_ball ball = { test_direction(&r), 0.3 };
+        test_sphere_shape sphere = { test_direction(&r), 0.3 };
         const transform *map = i % 3 ? NULL : test_transform(m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 1.0);
-        test_add(m, i % 2 ? &test_ball_class : &test_plain_ball_class, &ball, map, glass, 0);
+        test_add(m, i % 2 ? &test_sphere_class : &test_plain_sphere_class, &sphere, map, glass, 0);
     }
 }
 
@@ -408,7 +408,7 @@ static void memory_may_end_anywhere(void **state)
         failing counter;
         pov_allocator hooks;
         world *w = NULL;
-        walker *k = NULL;
+        query_context *k = NULL;
         uint32_t found[TEST_CROSSINGS], count;
         pov_error err;
         model m;
@@ -424,14 +424,14 @@ static void memory_may_end_anywhere(void **state)
         if (world_create(&w, &m, &options, &err) < 0) {
             assert_int_equal(err.status, POV_E_MEMORY);
             assert_null(w);
-        } else if (walker_create(&k, w, &err) < 0) {
+        } else if (query_context_create(&k, w, &err) < 0) {
             assert_int_equal(err.status, POV_E_MEMORY);
         } else {
             test_light(w, k, &ray, HUGE_VAL, found, &count);
-            enough = !walker_failed(k);
-            crossings = (long)k->rooms[0].capacity;
+            enough = !query_context_failed(k);
+            crossings = (long)k->hit_buffers[0].capacity;
         }
-        walker_destroy(k);
+        query_context_destroy(k);
         world_destroy(w);
         model_free(&m);
         assert_int_equal(counter.blocks, 0);
@@ -443,16 +443,16 @@ static void memory_may_end_anywhere(void **state)
 
 static void a_transformation_without_an_inverse_is_an_error(void **state)
 {
-    static const double flat_matrix[12] = { 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0 };
+    static const double compile_matrix[12] = { 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0 };
     world_options options = { .accel = POV_ACCEL_TREE, .threads = 1 };
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     pov_error err;
     world *w;
     model m;
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, transform_append(&m.maps, NULL, TRANSFORM_MATRIX, flat_matrix), 0, 0);
+    test_add(&m, &test_sphere_class, &sphere, transform_append(&m.maps, NULL, TRANSFORM_MATRIX, compile_matrix), 0, 0);
     assert_int_equal(world_create(&w, &m, &options, &err), POV_E_SYNTAX);
     assert_null(w);
     model_free(&m);
@@ -465,12 +465,12 @@ int main(void)
         cmocka_unit_test(crossings_of_objects_that_are_not_plain_are_located),
         cmocka_unit_test(an_opaque_object_behind_glass_blocks_light),
         cmocka_unit_test(what_throws_no_shadow_is_passed_by_light_but_not_by_sight),
-        cmocka_unit_test(a_ray_that_leaves_a_ball_meets_its_other_side_only),
-        cmocka_unit_test(a_placed_ball_matches_a_plain_one_however_far),
-        cmocka_unit_test(a_stretched_and_turned_ball_is_an_ellipsoid),
-        cmocka_unit_test(a_box_around_a_placed_shape_holds_all_of_it),
+        cmocka_unit_test(a_ray_that_leaves_a_sphere_hits_its_other_side_only),
+        cmocka_unit_test(an_instance_of_a_sphere_matches_a_plain_one_however_far),
+        cmocka_unit_test(a_stretched_and_turned_sphere_is_an_ellipsoid),
+        cmocka_unit_test(a_box_around_an_instance_holds_all_of_it),
         cmocka_unit_test(an_inverse_object_turns_its_normal),
-        cmocka_unit_test(the_media_of_a_point_come_with_the_inner_ones_last),
+        cmocka_unit_test(the_dielectrics_of_a_point_come_with_the_inner_ones_last),
         cmocka_unit_test(memory_may_end_anywhere),
         cmocka_unit_test(a_transformation_without_an_inverse_is_an_error),
     };

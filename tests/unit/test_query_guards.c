@@ -11,7 +11,7 @@ enum { ROUNDS = 400 };
 
 /* ---- one world ---- */
 
-typedef struct scene { model model; world *world; walker *walker; } scene;
+typedef struct scene { model model; world *world; query_context *context; } scene;
 
 static void begin(scene *s)
 {
@@ -25,12 +25,12 @@ static void build(scene *s, pov_accel accel)
     pov_error err;
 
     assert_int_equal(world_create(&s->world, &s->model, &options, &err), POV_OK);
-    assert_int_equal(walker_create(&s->walker, s->world, &err), POV_OK);
+    assert_int_equal(query_context_create(&s->context, s->world, &err), POV_OK);
 }
 
 static void end(scene *s)
 {
-    walker_destroy(s->walker);
+    query_context_destroy(s->context);
     world_destroy(s->world);
     model_free(&s->model);
 }
@@ -42,13 +42,13 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     memset(&ray, 0, sizeof ray);
     ray.org = org;
     ray.dir = dir;
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
 static bool nearest(const scene *s, const pov_ray *ray, hit *out)
 {
-    return query_nearest(s->world, s->walker, &ray, 1, HUGE_VAL, out) != 0;
+    return query_nearest(s->world, s->context, &ray, 1, HUGE_VAL, out) != 0;
 }
 
 /* ---- the slack of the slab test ----
@@ -72,23 +72,23 @@ static pov_ray ray_past_an_edge(test_random *r)
 {
     const uint32_t first = test_below(r, 3), second = (first + 1 + test_below(r, 2)) % 3, third = 3 - first - second;
     const double in = side(r), out = side(r), far = test_uniform(r, 3.0, 7.0);
-    double at[3], way[3];
+    double at[3], dir[3];
 
     at[first] = in * (small - depth);
     at[second] = out * (small - depth);
     at[third] = test_uniform(r, -0.5, 0.5) * small;
-    way[first] = -in * test_uniform(r, 0.2, 1.0);
-    way[second] = out * test_uniform(r, 0.2, 1.0);
-    way[third] = test_uniform(r, -1.0, 1.0);
-    return ray_of(pov_vec3_of(at[0] - far * way[0], at[1] - far * way[1], at[2] - far * way[2]),
-                  pov_vec3_of(way[0], way[1], way[2]));
+    dir[first] = -in * test_uniform(r, 0.2, 1.0);
+    dir[second] = out * test_uniform(r, 0.2, 1.0);
+    dir[third] = test_uniform(r, -1.0, 1.0);
+    return ray_of(pov_vec3_of(at[0] - far * dir[0], at[1] - far * dir[1], at[2] - far * dir[2]),
+                  pov_vec3_of(dir[0], dir[1], dir[2]));
 }
 
 static void an_edge_that_a_ray_just_cuts_is_hit(void **state)
 {
     test_random r = { 11 };
     scene s;
-    int alone = 0, together = 0;
+    int single = 0, together = 0;
 
     (void)state;
     begin(&s);
@@ -100,19 +100,19 @@ static void an_edge_that_a_ray_just_cuts_is_hit(void **state)
         pov_ray rays[WORLD_MANY];
         const pov_ray *many[WORLD_MANY];
         hit hits[WORLD_MANY];
-        uint64_t met;
+        uint64_t candidates;
 
         for (int i = 0; i < WORLD_MANY; i++) {
             rays[i] = ray_past_an_edge(&r);
             many[i] = &rays[i];
         }
-        met = query_nearest(s.world, s.walker, many, WORLD_MANY, HUGE_VAL, hits);
+        candidates = query_nearest(s.world, s.context, many, WORLD_MANY, HUGE_VAL, hits);
         for (int i = 0; i < WORLD_MANY; i++) {
-            together += !(met >> i & 1) || hits[i].object != 0;
-            alone += !nearest(&s, &rays[i], &hits[i]) || hits[i].object != 0;
+            together += !(candidates >> i & 1) || hits[i].object != 0;
+            single += !nearest(&s, &rays[i], &hits[i]) || hits[i].object != 0;
         }
     }
-    assert_int_equal(alone, 0);
+    assert_int_equal(single, 0);
     assert_int_equal(together, 0);
     end(&s);
 }
@@ -126,21 +126,21 @@ static const double normal_error = 1e-13;
 
 static void tilted_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    test_ball_class.normal(self, ray, at, out);
+    test_sphere_class.normal(self, ray, at, out);
     out->x += normal_error;
 }
 
 static void a_ray_that_goes_in_by_less_than_normals_are_off_comes_out(void **state)
 {
-    const test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    const test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     const pov_ray down = ray_of(pov_vec3_of(0.0, 5.0, 0.0), pov_vec3_of(0.0, -1.0, 0.0));
-    shape_class tilted = test_plain_ball_class;
+    shape_class tilted = test_plain_sphere_class;
     scene s;
 
     (void)state;
     tilted.normal = tilted_normal;
     begin(&s);
-    test_add(&s.model, &tilted, &ball, NULL, 0, 0);
+    test_add(&s.model, &tilted, &sphere, NULL, 0, 0);
     build(&s, POV_ACCEL_TREE);
     for (int i = 1; i < 10; i++) {
         const double inward = 0.1 * i * normal_error;
@@ -185,14 +185,14 @@ static pov_ray ray_within(const scene *s, test_random *r)
 static void a_light_just_within_glass_is_not_behind_it(void **state)
 {
     const test_brick brick = { { -1.0, -1.0, -1.0 }, { face, 1.0, 1.0 } };
-    const colour tint = { 1.0f, 0.5f, 0.25f };
+    const colour filter = { 1.0f, 0.5f, 0.25f };
     test_random r = { 5 };
     int wrong = 0;
     scene s;
 
     (void)state;
     begin(&s);
-    test_add(&s.model, &test_brick_class, &brick, NULL, test_add_material(&s.model, tint, 0.9f, 0.0f, true), 0);
+    test_add(&s.model, &test_brick_class, &brick, NULL, test_add_material(&s.model, filter, 0.9f, 0.0f, true), 0);
     build(&s, POV_ACCEL_TREE);
     for (int round = 0; round < 10 * ROUNDS; round++) {
         const pov_ray ray = ray_within(&s, &r), *one = &ray;
@@ -200,11 +200,11 @@ static void a_light_just_within_glass_is_not_behind_it(void **state)
         double before;
         hit h;
 
-        if (!(ray.left_mark.flags & POV_MARK_INTO))
+        if (!(ray.origin_mark.flags & POV_MARK_INWARD))
             continue;
         assert_true(nearest(&s, &ray, &h));
         before = h.crossing.t_lo > 0.0 ? h.crossing.t : nextafter(h.crossing.t, 0.0);
-        assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, before, &o), 1);
+        assert_int_equal(query_occlusion(s.world, s.context, &one, 1, before, &o), 1);
         wrong += (int)(o.crossed & 1);
     }
     assert_int_equal(wrong, 0);
@@ -234,10 +234,10 @@ static bool wall_bounds(const void *self, pov_box *out)
 static void wall_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const wall *of = self;
-    const pov_mark mark = { 0, POV_MARK_AWAY, 0.0, 0.0 };
+    const pov_mark mark = { 0, POV_MARK_OUTWARD, 0.0, 0.0 };
     const double t = distance_to(of, ray->org.z, ray->dir.z);
 
-    if (ray->left != hits->owner)
+    if (ray->origin_surface != hits->owner)
         pov_cross(hits, hits->always_exact ? t : t + of->late * t, 0.0, mark);
 }
 
@@ -264,7 +264,7 @@ static bool wall_pack(void *block, const pov_frame *frame, const void *const *se
 
 /* Bounds as narrow as they can be. */
 static uint32_t wall_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
-                            pov_meeting *out)
+                            pov_candidate *out)
 {
     const wall_block *b = block;
     uint32_t n = 0;
@@ -273,7 +273,7 @@ static uint32_t wall_filter(const void *block, const uint32_t *owners, const pov
     for (uint32_t ray = 0; ray < POV_RAYS_MAX; ray++)
         for (uint32_t i = 0; (lanes >> ray & 1) && i < b->count; i++) {
             const double t = distance_to(&b->at[i], rays->org[2][ray], rays->dir[2][ray]);
-            const pov_meeting m = { t, t, (uint8_t)ray, (uint8_t)i, true, false };
+            const pov_candidate m = { t, t, (uint8_t)ray, (uint8_t)i, true, false };
 
             if (t > 0.0 && t < rays->tmax[ray])
                 out[n++] = m;
@@ -293,7 +293,7 @@ static const shape_class wall_class = {
 };
 
 /* Quick distances are off by 60 units of 2^-53 towards each other, of the 64 allowed; 228 apart in truth, they are 108
- * apart as reported: nearer than POV_NEAR, which is 128. */
+ * apart as reported: nearer than POV_COINCIDENT, which is 128. */
 static void assert_tie(const shape_class *shape, bool nearer_first, pov_accel accel)
 {
     const wall near = { 1.0, 60.0 * 0x1p-53 }, far = { 1.0 + 228.0 * 0x1p-53, -60.0 * 0x1p-53 };
@@ -308,7 +308,7 @@ static void assert_tie(const shape_class *shape, bool nearer_first, pov_accel ac
     assert_true(nearest(&s, &ray, &h));
     assert_int_equal(h.object, nearer_first ? 0 : 1);
     assert_true(h.crossing.t == near.z);
-    assert_int_equal(query_nearest(s.world, s.walker, many, 2, HUGE_VAL, hits), 3);
+    assert_int_equal(query_nearest(s.world, s.context, many, 2, HUGE_VAL, hits), 3);
     assert_true(hits[0].crossing.t == near.z && hits[1].crossing.t == near.z);
     end(&s);
 }

@@ -1,7 +1,7 @@
 /* From pixels to rays, samples within them, tiles around them, and the frame that holds them. */
 #include "support/near.h"
 
-#include "render/frame.h"
+#include "render/framebuffer.h"
 #include "render/raygen.h"
 #include "render/sample.h"
 #include "render/tiles.h"
@@ -41,7 +41,7 @@ static void a_ray_goes_through_the_centre_of_its_pixel(void **state)
     assert_near(ray.dir.x, 2.0 * (0.5 / 4 - 0.5), 1e-15);
     assert_near(ray.dir.y, 1.5 * (0.5 - 0.5 / 3), 1e-15);
     assert_near(ray.dir.z, 1.0, 0.0);
-    assert_int_equal(ray.left, POV_NOBODY);
+    assert_int_equal(ray.origin_surface, POV_NO_OWNER);
     assert_near(ray.org_lo.x + ray.dir_lo.x, 0.0, 0.0);
 }
 
@@ -73,7 +73,7 @@ static void orthographic_rays_are_parallel(void **state)
     assert_near(first.org.y, 2.0 + 1.5 * (0.5 - 0.5 / 3), 1e-15);
     assert_near(last.org.x, 1.0 - 2.0 * (0.5 / 4 - 0.5), 1e-15);
     assert_near(last.org.z, 3.0, 0.0);
-    assert_int_equal(last.left, POV_NOBODY);
+    assert_int_equal(last.origin_surface, POV_NO_OWNER);
 }
 
 static void assert_many_are_single(const pov_camera *c, unsigned known)
@@ -100,7 +100,7 @@ static void assert_many_are_single(const pov_camera *c, unsigned known)
         assert_memory_equal(&one.org_lo, &rays[i].org_lo, sizeof one.org_lo);
         assert_memory_equal(&one.dir, &rays[i].dir, sizeof one.dir);
         assert_memory_equal(&one.dir_lo, &rays[i].dir_lo, sizeof one.dir_lo);
-        assert_int_equal(rays[i].left, POV_NOBODY);
+        assert_int_equal(rays[i].origin_surface, POV_NO_OWNER);
     }
 }
 
@@ -238,7 +238,7 @@ static void passes_have_every_pixel_of_a_tile_once(void **state)
 
 /* ---- the frame ---- */
 
-typedef struct board { env env; tiles tiles; frame frame; float *pixels; } board;
+typedef struct board { env env; tiles tiles; framebuffer framebuffer; float *pixels; } board;
 
 /* A picture of 32 x 16 in two tiles of 16, coarsest pixel 4. */
 static void setup(board *b)
@@ -246,13 +246,13 @@ static void setup(board *b)
     b->env = libc_env();
     tiles_make(&b->tiles, 32, 16, 1);
     assert_int_equal(b->tiles.edge, 16);
-    assert_true(frame_make(&b->frame, &b->env, &b->tiles, 4));
+    assert_true(framebuffer_make(&b->framebuffer, &b->env, &b->tiles, 4));
     b->pixels = calloc(16 * 16 * 4, sizeof *b->pixels);
 }
 
 static void teardown(board *b)
 {
-    frame_free(&b->frame, &b->env);
+    framebuffer_free(&b->framebuffer, &b->env);
     tiles_free(&b->tiles, &b->env);
     free(b->pixels);
 }
@@ -267,7 +267,7 @@ static float read_at(const board *b, int x, int y)
 {
     float rgba[4];
 
-    frame_row(&b->frame, (size_t)(x / 16), x, y, 1, rgba);
+    framebuffer_row(&b->framebuffer, (size_t)(x / 16), x, y, 1, rgba);
     return rgba[0];
 }
 
@@ -279,13 +279,13 @@ static void a_missing_pixel_shows_its_nearest_coarser_one(void **state)
 
     for (int i = 0; i < 16 * 16; i++)
         b.pixels[4 * i] = (float)i;
-    frame_put(&b.frame, 1, 0, b.pixels);
+    framebuffer_put(&b.framebuffer, 1, 0, b.pixels);
     assert_near(read_at(&b, 3, 3), 0.0, 0.0);
     assert_near(read_at(&b, 16 + 3, 3), 0.0, 0.0);
     assert_near(read_at(&b, 16 + 5, 11), 8 * 16 + 4, 0.0);
-    frame_put(&b.frame, 1, 1, b.pixels);
+    framebuffer_put(&b.framebuffer, 1, 1, b.pixels);
     assert_near(read_at(&b, 16 + 7, 11), 10 * 16 + 6, 0.0);
-    frame_put(&b.frame, 1, 2, b.pixels);
+    framebuffer_put(&b.framebuffer, 1, 2, b.pixels);
     assert_near(read_at(&b, 16 + 7, 11), 11 * 16 + 7, 0.0);
     teardown(&b);
 }
@@ -298,27 +298,27 @@ static void a_finer_pass_shows_only_when_the_coarser_ones_are_in(void **state)
     setup(&b);
 
     fill(&b, 1.0f);
-    frame_put(&b.frame, 0, 0, b.pixels);
+    framebuffer_put(&b.framebuffer, 0, 0, b.pixels);
     fill(&b, 3.0f);
-    frame_put(&b.frame, 0, 2, b.pixels);
+    framebuffer_put(&b.framebuffer, 0, 2, b.pixels);
     assert_near(read_at(&b, 1, 1), 1.0, 0.0);
     fill(&b, 2.0f);
-    frame_put(&b.frame, 0, 1, b.pixels);
+    framebuffer_put(&b.framebuffer, 0, 1, b.pixels);
     assert_near(read_at(&b, 1, 1), 3.0, 0.0);
     assert_near(read_at(&b, 2, 2), 2.0, 0.0);
     assert_near(read_at(&b, 4, 4), 1.0, 0.0);
     teardown(&b);
 }
 
-static void a_cleared_frame_shows_nothing(void **state)
+static void a_cleared_framebuffer_shows_nothing(void **state)
 {
     board b;
     (void)state;
     setup(&b);
 
     fill(&b, 1.0f);
-    frame_put(&b.frame, 0, 0, b.pixels);
-    frame_clear(&b.frame);
+    framebuffer_put(&b.framebuffer, 0, 0, b.pixels);
+    framebuffer_clear(&b.framebuffer);
     assert_near(read_at(&b, 0, 0), 0.0, 0.0);
     teardown(&b);
 }
@@ -400,7 +400,7 @@ int main(void)
         cmocka_unit_test(passes_have_every_pixel_of_a_tile_once),
         cmocka_unit_test(a_missing_pixel_shows_its_nearest_coarser_one),
         cmocka_unit_test(a_finer_pass_shows_only_when_the_coarser_ones_are_in),
-        cmocka_unit_test(a_cleared_frame_shows_nothing),
+        cmocka_unit_test(a_cleared_framebuffer_shows_nothing),
         cmocka_unit_test(display_bytes_are_rounded_on_the_scene_s_curve),
         cmocka_unit_test(linear_values_are_decoded_and_unclamped),
         cmocka_unit_test(what_is_not_known_yet_is_transparent),

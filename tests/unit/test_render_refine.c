@@ -180,7 +180,7 @@ static void hairlines(tiny *s)
     tiny_begin(s, NULL);
     s->model.background = colour_of(0.0f, 0.0f, 0.0f);
     for (int i = 0; i < 400; i++)
-        tiny_sphere(s, -0.4 + 0.002 * i, 0.1 + 0.0005 * i, 1.0, 0.00065, tiny_glow(5.0f, 5.0f, 5.0f));
+        tiny_sphere(s, -0.4 + 0.002 * i, 0.1 + 0.0005 * i, 1.0, 0.00065, tiny_emitted(5.0f, 5.0f, 5.0f));
     tiny_build(s);
 }
 

@@ -192,7 +192,7 @@ static void what_moves_nothing_is_no_transformation(void **state)
 
 /* ---- looks ---- */
 
-static void looks_have_their_defaults(void **state)
+static void textures_have_their_defaults(void **state)
 {
     reading r;
     const material *m;
@@ -322,7 +322,7 @@ int main(void)
         cmocka_unit_test(a_matrix_is_read_row_by_row_as_in_povray),
         cmocka_unit_test(a_scale_of_zero_counts_as_one_with_a_warning),
         cmocka_unit_test(what_moves_nothing_is_no_transformation),
-        cmocka_unit_test(looks_have_their_defaults),
+        cmocka_unit_test(textures_have_their_defaults),
         cmocka_unit_test(modifiers_stand_in_any_order_and_number),
         cmocka_unit_test(a_texture_begins_anew_and_what_follows_changes_it),
         cmocka_unit_test(an_opaque_layer_hides_the_one_below),

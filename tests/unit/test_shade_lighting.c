@@ -46,7 +46,7 @@ static colour see_two(double screen_x, colour through)
     tiny_light(&s, 0, 0, 1, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
     s.shading->lights[0].class = &two_samples;
-    seen = tiny_see(&s, pov_vec3_of(0, 3, 2), 0, -1, 1);
+    seen = tiny_trace(&s, pov_vec3_of(0, 3, 2), 0, -1, 1);
     tiny_end(&s);
     return seen;
 }
@@ -59,7 +59,7 @@ static void what_a_surface_sees_of_a_light_is_the_mean_over_its_samples(void **s
     assert_colour(see_two(100.0, colour_of(0, 0, 0)), lit, 0.0, 0.25 * lit, 1e-6);
     assert_colour(see_two(-0.5, colour_of(0, 0, 0)), 0.5 * lit, 0.0, 0.125 * lit, 1e-6);
     assert_colour(see_two(0.5, colour_of(0, 0, 0)), 0.5 * lit, 0.0, 0.125 * lit, 1e-6);
-    /* A ball is crossed twice. */
+    /* A sphere is crossed twice. */
     assert_colour(see_two(0.5, colour_of(0.5f, 0, 1)), 0.5 * lit * 1.25, 0.0, 0.25 * lit, 1e-6);
 }
 
@@ -88,7 +88,7 @@ static colour light_bent(tiny *s, pov_ray *ray, pov_vec3 n)
 
 static void diffuse_light_goes_by_the_shading_normal(void **state)
 {
-    pov_ray ray = { .org = { 0, 0, 0 }, .dir = { 0, 0, 1 }, .left = POV_NOBODY };
+    pov_ray ray = { .org = { 0, 0, 0 }, .dir = { 0, 0, 1 }, .origin_surface = POV_NO_OWNER };
     tiny s;
     (void)state;
 
@@ -104,7 +104,7 @@ static void diffuse_light_goes_by_the_shading_normal(void **state)
 /* Behind the surface and before the shading normal: a flat surface is lit, a solid one throws its own shadow. */
 static void light_from_behind_the_surface_is_told_by_the_geometric_normal(void **state)
 {
-    pov_ray ray = { .org = { 0, 0, 0 }, .dir = { 0, 0, 1 }, .left = POV_NOBODY };
+    pov_ray ray = { .org = { 0, 0, 0 }, .dir = { 0, 0, 1 }, .origin_surface = POV_NO_OWNER };
     const pov_vec3 bent = { 0.8, 0, -0.6 };
     tiny s;
     (void)state;
@@ -127,7 +127,7 @@ static void light_from_behind_the_surface_is_told_by_the_geometric_normal(void *
 /* By the bent normal alone the ray would go on into the ground, and be said to have left it upwards. */
 static void a_mirrored_ray_stays_before_the_surface(void **state)
 {
-    pov_ray ray = { .org = { -1, 0, 4 }, .dir = { 1, 0, 1 }, .left = POV_NOBODY };
+    pov_ray ray = { .org = { -1, 0, 4 }, .dir = { 1, 0, 1 }, .origin_surface = POV_NO_OWNER };
     material mirror = tiny_matt();
     pov_tracer *t;
     pov_vec3 d;

@@ -21,10 +21,10 @@ static void a_mirror_shows_what_is_before_it(void **state)
     mirror.reflection = colour_of(0.5f, 0.25f, 1.0f);
     s.model.background = colour_of(0.0f, 0.0f, 0.125f);
     tiny_plane(&s, 0, 0, 1, 5, mirror);
-    tiny_sphere(&s, 10, 0, 0, 1, tiny_glow(1.0f, 1.0f, 0.5f));
+    tiny_sphere(&s, 10, 0, 0, 1, tiny_emitted(1.0f, 1.0f, 0.5f));
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 1, 0, 1), 0.5, 0.25, 0.5, 1e-6);
-    assert_colour(tiny_see(&s, origin, -1, 0, 1), 0.0, 0.0, 0.125, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 1, 0, 1), 0.5, 0.25, 0.5, 1e-6);
+    assert_colour(tiny_trace(&s, origin, -1, 0, 1), 0.0, 0.0, 0.125, 1e-6);
     assert_int_equal(s.tracer->context.counts.reflected, 2);
     tiny_end(&s);
 }
@@ -42,7 +42,7 @@ static void a_filter_multiplies_by_its_colour_and_what_it_transmits(void **state
     s.model.background = colour_of(1.0f, 1.0f, 1.0f);
     tiny_plane(&s, 0, 0, 1, 5, glass);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 1, 0, 1), 0.75, 0.5, 0.25, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 1, 0, 1), 0.75, 0.5, 0.25, 1e-6);
     tiny_end(&s);
 }
 
@@ -57,7 +57,7 @@ static void straight_on_does_not_count_for_the_depth(void **state)
     for (int i = 0; i < 40; i++)
         tiny_plane(&s, 0, 0, 1, 5 + i, tiny_glass(i % 2 ? 1.0 : 0.0));
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0.2, 0, 1), 1.0, 1.0, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, origin, 0.2, 0, 1), 1.0, 1.0, 1.0, 0.0);
     assert_int_equal(s.tracer->context.counts.transmitted, 40);
     tiny_end(&s);
 }
@@ -69,7 +69,7 @@ static void two_mirrors_give_as_many_pictures_as_there_are_levels(void **state)
 
     for (int i = 0; i < 6; i++) {
         int n = levels[i] > 0 ? levels[i] : 1;
-        material mirror = tiny_glow(0.0625f, 0.0625f, 0.0625f);
+        material mirror = tiny_emitted(0.0625f, 0.0625f, 0.0625f);
         tiny s;
 
         tiny_begin(&s, NULL);
@@ -78,7 +78,7 @@ static void two_mirrors_give_as_many_pictures_as_there_are_levels(void **state)
         tiny_plane(&s, 0, 0, 1, 5, mirror);
         tiny_plane(&s, 0, 0, 1, -5, mirror);
         tiny_build(&s);
-        assert_near(tiny_see(&s, origin, 0, 0, 1).r, 0.0625 * n, 1e-6);
+        assert_near(tiny_trace(&s, origin, 0, 0, 1).r, 0.0625 * n, 1e-6);
         assert_int_equal(s.tracer->context.counts.reflected, n - 1);
         assert_int_equal(s.tracer->context.counts.cut_depth, 1);
         tiny_end(&s);
@@ -87,7 +87,7 @@ static void two_mirrors_give_as_many_pictures_as_there_are_levels(void **state)
 
 static void a_ray_is_cut_off_below_the_bailout_and_not_at_it(void **state)
 {
-    material mirror = tiny_glow(1.0f, 1.0f, 1.0f);
+    material mirror = tiny_emitted(1.0f, 1.0f, 1.0f);
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
@@ -98,7 +98,7 @@ static void a_ray_is_cut_off_below_the_bailout_and_not_at_it(void **state)
     tiny_plane(&s, 0, 0, 1, 5, mirror);
     tiny_plane(&s, 0, 0, 1, -5, mirror);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 1.75, 1.125 + 0.125 * 0.125, 1.0, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 1.75, 1.125 + 0.125 * 0.125, 1.0, 1e-6);
     assert_int_equal(s.tracer->context.counts.cut_weight, 1);
     assert_int_equal(s.tracer->context.counts.cut_depth, 0);
     tiny_end(&s);
@@ -118,10 +118,10 @@ static void a_ray_may_split_at_every_level(void **state)
     s.model.adc_bailout = 0.0;
     tiny_plane(&s, 0, 0, 1, 5, half);
     tiny_plane(&s, 0, 0, 1, -5, half);
-    tiny_plane(&s, 0, 0, 1, 6, tiny_glow(1.0f, 0.0f, 0.0f));
-    tiny_plane(&s, 0, 0, 1, -6, tiny_glow(0.0f, 1.0f, 0.0f));
+    tiny_plane(&s, 0, 0, 1, 6, tiny_emitted(1.0f, 0.0f, 0.0f));
+    tiny_plane(&s, 0, 0, 1, -6, tiny_emitted(0.0f, 1.0f, 0.0f));
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 2.0 / 3.0, 1.0 / 3.0, 0.0, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 2.0 / 3.0, 1.0 / 3.0, 0.0, 1e-6);
     assert_int_equal(s.tracer->queue.waits.count, 0);
     tiny_end(&s);
 }
@@ -131,16 +131,16 @@ static pov_vec3 turned(double angle)
     return pov_vec3_of(cos(angle), sin(angle), 0.0);
 }
 
-/* A small glowing ball on a ray from a point of the unit circle (at `place`) in the direction `heading`. */
+/* A small glowing sphere on a ray from a point of the unit circle (at `place`) in the direction `heading`. */
 static void put_target(tiny *s, double place, double heading)
 {
     pov_vec3 p = pov_add(turned(place), pov_scale(turned(heading), 10.0));
 
-    tiny_sphere(s, p.x, p.y, p.z, 1e-6, tiny_glow(1.0f, 1.0f, 1.0f));
+    tiny_sphere(s, p.x, p.y, p.z, 1e-6, tiny_emitted(1.0f, 1.0f, 1.0f));
 }
 
 /* Along x at height 1/2: in at 30 degrees, bent to r, out again after turning by 2 (30 degrees - r). */
-static void a_ball_of_glass_bends_a_ray_twice(void **state)
+static void a_sphere_of_glass_refracts_a_ray_twice(void **state)
 {
     double in = asin(0.5), r = asin(0.5 / 1.5), place = 3.14159265358979 - in - (3.14159265358979 - 2.0 * r);
     tiny s;
@@ -150,12 +150,12 @@ static void a_ball_of_glass_bends_a_ray_twice(void **state)
     tiny_sphere(&s, 0, 0, 0, 1, tiny_glass(1.5));
     put_target(&s, place, -2.0 * (in - r));
     tiny_build(&s);
-    assert_colour(tiny_see(&s, pov_vec3_of(-5, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, pov_vec3_of(-5, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
     assert_int_equal(s.tracer->context.counts.transmitted, 2);
     tiny_end(&s);
 }
 
-static void an_eye_in_glass_sees_it_bend_on_the_way_out(void **state)
+static void an_eye_in_glass_sees_refraction_on_the_way_out(void **state)
 {
     double in = asin(0.5), out = asin(0.75);
     tiny s;
@@ -165,13 +165,13 @@ static void an_eye_in_glass_sees_it_bend_on_the_way_out(void **state)
     tiny_sphere(&s, 0, 0, 0, 1, tiny_glass(1.5));
     put_target(&s, in, in - out);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, pov_vec3_of(0, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
-    assert_colour(tiny_see(&s, pov_vec3_of(0.1, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, pov_vec3_of(0, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, pov_vec3_of(0.1, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
     tiny_end(&s);
 }
 
 /* The bubble is a hole in the glass, whichever the text names first: out of it at 30 degrees into ior 1.5, a
- * wall of which hides the sky but is no medium. */
+ * wall of which hides the sky but is no dielectric. */
 static void an_eye_in_a_bubble_in_glass_is_in_the_bubble(void **state)
 {
     double in = asin(0.5), r = asin(0.5 / 1.5);
@@ -191,7 +191,7 @@ static void an_eye_in_a_bubble_in_glass_is_in_the_bubble(void **state)
         tiny_sphere(&s, 0, 0, 0, 100, tiny_matt());
         put_target(&s, in, in - r);
         tiny_build(&s);
-        assert_colour(tiny_see(&s, pov_vec3_of(0, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
+        assert_colour(tiny_trace(&s, pov_vec3_of(0, 0.5, 0), 1, 0, 0), 1.0, 1.0, 1.0, 0.0);
         tiny_end(&s);
     }
 }
@@ -210,7 +210,7 @@ static void total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_ow
     s.model.max_trace_level = 7;
     tiny_sphere(&s, 0, 0, 0, 1, glass);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, pov_vec3_of(0, 0.8, 0), 1, 0, 0), 0.7, 0.7, 0.7, 1e-6);
+    assert_colour(tiny_trace(&s, pov_vec3_of(0, 0.8, 0), 1, 0, 0), 0.7, 0.7, 0.7, 1e-6);
     assert_int_equal(s.tracer->context.counts.inner_reflections, 6);
     assert_int_equal(s.tracer->context.counts.reflected, 6);
     assert_int_equal(s.tracer->context.counts.transmitted, 0);
@@ -259,7 +259,7 @@ static double recursive(tiny *s, pov_ray ray, inside in, int level)
     pov_ray on;
     hit h;
 
-    if (!query_nearest(s->world, s->tracer->context.walker, &rays, 1, HUGE_VAL, &h))
+    if (!query_nearest(s->world, s->tracer->context.context, &rays, 1, HUGE_VAL, &h))
         return s->model.background.r;
     world_surface(s->world, &ray, &h);
     m = &s->model.materials.items[s->model.leaves.items[h.object].material];
@@ -268,8 +268,8 @@ static double recursive(tiny *s, pov_ray ray, inside in, int level)
     on = ray;
     on.org = h.point;
     on.org_lo = h.point_lo;
-    on.left = h.object;
-    on.left_mark = h.crossing.mark;
+    on.origin_surface = h.object;
+    on.origin_mark = h.crossing.mark;
     next = crossed(s, in, h.object, &before, &after);
     sum = 0.125 * (1.0 - m->transmit);
     if (before == after || refract(d, n, cosine, before, after, &out)) {
@@ -289,7 +289,7 @@ static double random_unit(uint64_t *seed)
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-static void add_random_ball(tiny *s, uint64_t *seed)
+static void add_random_sphere(tiny *s, uint64_t *seed)
 {
     static const double iors[] = { 1.0, 1.3, 1.3, 1.6 };
     material m = tiny_glass(iors[(int)(4.0 * random_unit(seed))]);
@@ -313,14 +313,14 @@ static void the_list_of_rays_gives_what_recursion_gives(void **state)
         s.model.adc_bailout = 0.0;
         s.model.background = colour_of(1.0f, 0.0f, 0.0f);
         for (int i = 0; i < BALLS; i++)
-            add_random_ball(&s, &seed);
+            add_random_sphere(&s, &seed);
         tiny_build(&s);
         for (int i = 0; i < 40; i++) {
             inside none = { { 0 }, 0 };
-            pov_ray ray = { .org = { 5.0, 5.0, 5.0 }, .left = POV_NOBODY };
+            pov_ray ray = { .org = { 5.0, 5.0, 5.0 }, .origin_surface = POV_NO_OWNER };
 
             ray.dir = pov_sub(pov_vec3_of(random_unit(&seed), random_unit(&seed), random_unit(&seed)), ray.org);
-            assert_near(tiny_see(&s, ray.org, ray.dir.x, ray.dir.y, ray.dir.z).r, recursive(&s, ray, none, 1), 1e-5);
+            assert_near(tiny_trace(&s, ray.org, ray.dir.x, ray.dir.y, ray.dir.z).r, recursive(&s, ray, none, 1), 1e-5);
         }
         tiny_end(&s);
     }
@@ -344,7 +344,7 @@ static colour see_scaled(double scale, double x, double y)
     tiny_sphere(&s, scale, 0.125 * scale, 3 * scale, 0.5 * scale, tiny_glass(1.25));
     tiny_light(&s, 3 * scale, 5 * scale, -2 * scale, 1.0f, 0.75f, 0.5f);
     tiny_build(&s);
-    c = tiny_see(&s, origin, x, y, 1);
+    c = tiny_trace(&s, origin, x, y, 1);
     tiny_end(&s);
     return c;
 }
@@ -370,7 +370,7 @@ static void stick(const void *self, const pov_ray *ray, pov_hits *hits)
     const pov_mark no_mark = { 0, 0, 0.0, 0.0 };
     (void)self;
 
-    if (ray->left != hits->owner)
+    if (ray->origin_surface != hits->owner)
         pov_cross(hits, 1e-300, 0.0, no_mark);
 }
 
@@ -397,10 +397,10 @@ static void coincident_surfaces_cannot_hold_a_ray_for_ever(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    for (int i = 0; i < SPOT_MAX + 2; i++)
+    for (int i = 0; i < COINCIDENT_MAX + 2; i++)
         tiny_add(&s, &sticky, "", tiny_glass(1.0));
     tiny_build(&s);
-    tiny_see(&s, pov_vec3_of(1, 1, 1), 0, 0, 1);
+    tiny_trace(&s, pov_vec3_of(1, 1, 1), 0, 0, 1);
     assert_int_equal(s.tracer->context.counts.cut_depth, 1);
     tiny_end(&s);
 }
@@ -418,11 +418,11 @@ static void rays_that_start_in_different_places_know_what_they_are_in(void **sta
     tiny_sphere(&s, 0, 0, 0, 4, tiny_glass(1.5));
     tiny_sphere(&s, 1, 0, 0, 2, tiny_glass(1.2));
     for (int i = 0; i < 40; i++)
-        tiny_sphere(&s, i - 20.0, 0, 9, 0.3, tiny_glow(0.025f * (float)i, 0.5f, 0.0f));
+        tiny_sphere(&s, i - 20.0, 0, 9, 0.3, tiny_emitted(0.025f * (float)i, 0.5f, 0.0f));
     tiny_build(&s);
-    assert_true(world_plan(s.world)->media_at_start);
+    assert_true(world_plan(s.world)->dielectrics_at_start);
     for (int i = 0; i < BATCH_MAX; i++) {
-        const pov_ray ray = { .org = { 0.2 * i - 6.4, 0, 0 }, .dir = { 0.1, 0, 1 }, .left = POV_NOBODY };
+        const pov_ray ray = { .org = { 0.2 * i - 6.4, 0, 0 }, .dir = { 0.1, 0, 1 }, .origin_surface = POV_NO_OWNER };
 
         rays[i] = ray;
     }
@@ -446,8 +446,8 @@ int main(void)
         cmocka_unit_test(two_mirrors_give_as_many_pictures_as_there_are_levels),
         cmocka_unit_test(a_ray_is_cut_off_below_the_bailout_and_not_at_it),
         cmocka_unit_test(a_ray_may_split_at_every_level),
-        cmocka_unit_test(a_ball_of_glass_bends_a_ray_twice),
-        cmocka_unit_test(an_eye_in_glass_sees_it_bend_on_the_way_out),
+        cmocka_unit_test(a_sphere_of_glass_refracts_a_ray_twice),
+        cmocka_unit_test(an_eye_in_glass_sees_refraction_on_the_way_out),
         cmocka_unit_test(an_eye_in_a_bubble_in_glass_is_in_the_bubble),
         cmocka_unit_test(total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_own),
         cmocka_unit_test(the_list_of_rays_gives_what_recursion_gives),

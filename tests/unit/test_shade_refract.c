@@ -12,7 +12,7 @@ static pov_vec3 coming_at(double angle)
     return pov_vec3_of(sin(angle), -cos(angle), 0.0);
 }
 
-static bool bend_at(double angle, double before, double after, pov_vec3 *out)
+static bool refract_at(double angle, double before, double after, pov_vec3 *out)
 {
     return refract(coming_at(angle), pov_vec3_of(0.0, 1.0, 0.0), cos(angle), before, after, out);
 }
@@ -29,7 +29,7 @@ static void refract_obeys_snell_at_all_angles(void **state)
                 double sine = iors[a] / iors[b] * sin(angle);
                 if (fabs(sine - 1.0) < 1e-3)
                     continue;
-                assert_int_equal(bend_at(angle, iors[a], iors[b], &out), sine < 1.0);
+                assert_int_equal(refract_at(angle, iors[a], iors[b], &out), sine < 1.0);
                 if (sine > 1.0)
                     continue;
                 assert_near(out.x, sine, 4e-15);
@@ -39,13 +39,13 @@ static void refract_obeys_snell_at_all_angles(void **state)
 }
 
 /* sin b = sin a / (1 + d) turns the ray by d tan a, to the first order in d. */
-static void refract_bends_by_what_an_ior_of_one_and_1e_11_asks(void **state)
+static void refract_follows_an_ior_of_one_and_1e_11(void **state)
 {
     const double ior = 1.0 + 1e-11, d = ior - 1.0, angle = 0.7;
     pov_vec3 out, view = coming_at(angle);
     (void)state;
 
-    assert_true(bend_at(angle, 1.0, ior, &out));
+    assert_true(refract_at(angle, 1.0, ior, &out));
     assert_near((view.x - out.x) / (d * sin(angle)), 1.0, 3e-5);
     assert_near((view.y - out.y) / (d * sin(angle) * tan(angle)), 1.0, 3e-5);
 }
@@ -65,7 +65,7 @@ static void refract_leaves_on_the_other_side_also_when_grazing(void **state)
     }
 }
 
-/* Lane i of n: what surfaces of these media on both sides make of a ray at an angle of its own. */
+/* Lane i of n: what surfaces of these dielectrics on both sides make of a ray at an angle of its own. */
 static void assert_bent_alike(const double *iors, uint32_t count, uint32_t n)
 {
     vec_lanes view, normal;
@@ -82,14 +82,14 @@ static void assert_bent_alike(const double *iors, uint32_t count, uint32_t n)
     }
     refract_lanes(&b, &view, &normal, cosines, n);
     for (uint32_t i = 0; i < n; i++) {
-        pov_vec3 one, way = lanes_at(&b.dir, i);
+        pov_vec3 one, dir = lanes_at(&b.dir, i);
         assert_int_equal(refract(lanes_at(&view, i), lanes_at(&normal, i), cosines[i], b.before[i], b.after[i], &one),
                          b.squared_cosine[i] > 0.0);
-        assert_memory_equal(&way, &one, sizeof one);
+        assert_memory_equal(&dir, &one, sizeof one);
     }
 }
 
-static void refract_many_bends_as_refract_to_the_bit(void **state)
+static void refract_many_gives_the_bits_of_refract(void **state)
 {
     static const double iors[] = { 1.0, 1.5, 1.0 + 1e-15, 2.4 }, odd[] = { 1.0, 1e100, 1e-100 };
     (void)state;
@@ -106,12 +106,12 @@ static void refract_ends_at_the_critical_angle(void **state)
     pov_vec3 out;
     (void)state;
 
-    assert_true(bend_at(critical - 1e-12, 1.5, 1.0, &out));
+    assert_true(refract_at(critical - 1e-12, 1.5, 1.0, &out));
     assert_true(out.y < 0.0 && out.y > -1e-5);
-    assert_false(bend_at(critical + 1e-12, 1.5, 1.0, &out));
+    assert_false(refract_at(critical + 1e-12, 1.5, 1.0, &out));
 }
 
-/* ---- media ---- */
+/* ---- dielectrics ---- */
 
 typedef struct glasses { env env; model model; material materials[4]; leaf_node objects[4]; dielectric_stack stack; } glasses;
 
@@ -145,7 +145,7 @@ static void assert_crossing(dielectric_crossing c, double before, double after)
     assert_near(c.after, after, 0.0);
 }
 
-static void the_medium_is_the_one_entered_last(void **state)
+static void the_dielectric_is_the_one_entered_last(void **state)
 {
     glasses g;
     dielectric_span in = { 0, 0 };
@@ -160,7 +160,7 @@ static void the_medium_is_the_one_entered_last(void **state)
     env_free(&g.env, g.stack.items);
 }
 
-static void leaving_a_medium_that_is_not_the_last_bends_nothing(void **state)
+static void leaving_a_dielectric_that_is_not_the_last_refracts_nothing(void **state)
 {
     glasses g;
     dielectric_span in = { 0, 0 };
@@ -191,15 +191,15 @@ static void an_ior_of_zero_counts_as_one(void **state)
 static void a_kept_list_stays_as_it_was(void **state)
 {
     glasses g;
-    dielectric_span in = { 0, 0 }, kept;
+    dielectric_span in = { 0, 0 }, resident;
     (void)state;
     setup(&g);
 
     cross(&g, &in, 0);
-    kept = in;
+    resident = in;
     cross(&g, &in, 1);
-    assert_int_equal(kept.count, 1);
-    assert_int_equal(g.stack.items[kept.first], 0);
+    assert_int_equal(resident.count, 1);
+    assert_int_equal(g.stack.items[resident.first], 0);
     assert_int_equal(in.count, 2);
     assert_int_equal(g.stack.items[in.first], 0);
     assert_int_equal(g.stack.items[in.first + 1], 1);
@@ -213,12 +213,12 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(refract_obeys_snell_at_all_angles),
-        cmocka_unit_test(refract_bends_by_what_an_ior_of_one_and_1e_11_asks),
+        cmocka_unit_test(refract_follows_an_ior_of_one_and_1e_11),
         cmocka_unit_test(refract_leaves_on_the_other_side_also_when_grazing),
-        cmocka_unit_test(refract_many_bends_as_refract_to_the_bit),
+        cmocka_unit_test(refract_many_gives_the_bits_of_refract),
         cmocka_unit_test(refract_ends_at_the_critical_angle),
-        cmocka_unit_test(the_medium_is_the_one_entered_last),
-        cmocka_unit_test(leaving_a_medium_that_is_not_the_last_bends_nothing),
+        cmocka_unit_test(the_dielectric_is_the_one_entered_last),
+        cmocka_unit_test(leaving_a_dielectric_that_is_not_the_last_refracts_nothing),
         cmocka_unit_test(an_ior_of_zero_counts_as_one),
         cmocka_unit_test(a_kept_list_stays_as_it_was),
     };

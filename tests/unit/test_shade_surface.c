@@ -9,7 +9,7 @@ static const pov_vec3 origin = { 0.0, 0.0, 0.0 };
 
 static void ambient_is_the_product_of_four_factors(void **state)
 {
-    material m = tiny_glow(0.5f, 1.0f, 0.25f);
+    material m = tiny_emitted(0.5f, 1.0f, 0.25f);
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
@@ -20,13 +20,13 @@ static void ambient_is_the_product_of_four_factors(void **state)
     s.model.ambient_light = colour_of(1.0f, 2.0f, 4.0f);
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.5 * 0.1 * 0.5, 0.5 * 0.2 * 2.0, 0.5 * 0.4 * 4.0 * 0.25, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 0.5 * 0.1 * 0.5, 0.5 * 0.2 * 2.0, 0.5 * 0.4 * 4.0 * 0.25, 1e-6);
     tiny_end(&s);
 }
 
 static void opacity_may_weigh_the_filter_by_its_colour(void **state)
 {
-    material m = tiny_glow(0.5f, 0.25f, 0.0f);
+    material m = tiny_emitted(0.5f, 0.25f, 0.0f);
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
@@ -36,13 +36,13 @@ static void opacity_may_weigh_the_filter_by_its_colour(void **state)
     s.model.opacity_uses_filter_colour = true;
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.6 * 0.5, 0.6 * 0.25, 0.0, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 0.6 * 0.5, 0.6 * 0.25, 0.0, 1e-6);
     tiny_end(&s);
 }
 
 static void more_filter_and_transmit_than_one_takes_light_away(void **state)
 {
-    material m = tiny_glow(0.5f, 0.5f, 0.5f);
+    material m = tiny_emitted(0.5f, 0.5f, 0.5f);
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
@@ -51,7 +51,7 @@ static void more_filter_and_transmit_than_one_takes_light_away(void **state)
     m.transmit = 0.9f;
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), -0.8 * 0.5, -0.8 * 0.5, -0.8 * 0.5, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), -0.8 * 0.5, -0.8 * 0.5, -0.8 * 0.5, 1e-6);
     tiny_end(&s);
 }
 
@@ -68,7 +68,7 @@ static void diffuse_light_goes_by_the_cosine(void **state)
     tiny_light(&s, 3, 0, 1, 1.0f, 1.0f, 0.5f);
     tiny_light(&s, 0, 0, 4, 0.0f, 0.5f, 0.0f);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 7), 0.6 * 0.8, 0.3 * 0.8 + 0.3 * 0.5, 0.0, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 7), 0.6 * 0.8, 0.3 * 0.8 + 0.3 * 0.5, 0.0, 1e-6);
     tiny_end(&s);
 }
 
@@ -84,7 +84,7 @@ static void what_lets_light_through_gives_less_diffuse_light(void **state)
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_light(&s, 0, 0, 1, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.15, 0.15, 0.15, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 0.15, 0.15, 0.15, 1e-6);
     tiny_end(&s);
 }
 
@@ -97,8 +97,8 @@ static void the_normal_is_turned_towards_the_eye(void **state)
     tiny_plane(&s, 0, 0, 1, 5, tiny_matt());
     tiny_light(&s, 0, 0, 9, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.0, 0.0, 0.0, 0.0);
-    assert_colour(tiny_see(&s, pov_vec3_of(0, 0, 12), 0, 0, -1), 0.6, 0.6, 0.6, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 0.0, 0.0, 0.0, 0.0);
+    assert_colour(tiny_trace(&s, pov_vec3_of(0, 0, 12), 0, 0, -1), 0.6, 0.6, 0.6, 1e-6);
     assert_int_equal(s.tracer->context.counts.shadow_behind, 1);
     tiny_end(&s);
 }
@@ -113,7 +113,7 @@ static void see_highlight(tiny *s, material m, colour wanted)
     tiny_plane(s, 0, 0, 1, 5, m);
     tiny_light(s, 2, 0, 3, 1.0f, 1.0f, 0.5f);
     tiny_build(s);
-    assert_colour(tiny_see(s, origin, 0, 0, 1), wanted.r, wanted.g, wanted.b, 1e-6);
+    assert_colour(tiny_trace(s, origin, 0, 0, 1), wanted.r, wanted.g, wanted.b, 1e-6);
     tiny_end(s);
 }
 
@@ -161,7 +161,7 @@ static void a_highlight_is_left_out_only_where_no_float_can_hold_it(void **state
     for (size_t i = 0; i < 6; i++)
         for (size_t j = 0; j < 4; j++) {
             material m = tiny_matt();
-            double dull;
+            double highlight_cutoff;
             tiny s;
 
             m.phong = strengths[j];
@@ -170,14 +170,16 @@ static void a_highlight_is_left_out_only_where_no_float_can_hold_it(void **state
             tiny_plane(&s, 0, 0, 1, 5, m);
             tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
             tiny_build(&s);
-            dull = s.shading->appearances[0].highlight_cutoff;
-            assert_true(dull > 0.0 && dull * dull != dull);
-            for (double gloss = dull; gloss > 0.9 * dull; gloss -= 0.01 * dull) {
-                const float strength = m.phong * (float)pow(gloss, m.phong_size);
+            highlight_cutoff = s.shading->appearances[0].highlight_cutoff;
+            assert_true(highlight_cutoff > 0.0 && highlight_cutoff * highlight_cutoff != highlight_cutoff);
+            for (double specular_cos = highlight_cutoff; specular_cos > 0.9 * highlight_cutoff;
+                 specular_cos -= 0.01 * highlight_cutoff) {
+                const float strength = m.phong * (float)pow(specular_cos, m.phong_size);
 
                 assert_true(APPEARANCE_VISIBLE + strength == APPEARANCE_VISIBLE && -APPEARANCE_VISIBLE + strength == -APPEARANCE_VISIBLE);
             }
-            assert_true(APPEARANCE_VISIBLE + m.phong * (float)pow(dull * pow(16.0, 1.0 / m.phong_size), m.phong_size) > APPEARANCE_VISIBLE);
+            assert_true(APPEARANCE_VISIBLE + m.phong * (float)pow(highlight_cutoff * pow(16.0, 1.0 / m.phong_size),
+                                                                  m.phong_size) > APPEARANCE_VISIBLE);
             tiny_end(&s);
         }
 }
@@ -211,16 +213,16 @@ static void the_power_of_a_highlight_is_that_of_pow(void **state)
 
     for (size_t i = 0; i < 7; i++) {
         const material m = { .phong_size = (float)sizes[i] };
-        const appearance look = { .power = (uint32_t)sizes[i], .material = &m };
+        const appearance compiled = { .power = (uint32_t)sizes[i], .material = &m };
 
         for (int j = 1; j < 20000; j++) {
             const float end = (float)j / 20000 + 0x1p-26f;
             const double edge = pow(0.5 * ((double)end + (double)nextafterf(end, 1.0f)), 1.0 / sizes[i]);
 
-            assert_true(highlight_power(j / 19000.0, &look) == (float)pow(j / 19000.0, sizes[i]));
-            assert_true(highlight_power(edge, &look) == (float)pow(edge, sizes[i]));
+            assert_true(highlight_power(j / 19000.0, &compiled) == (float)pow(j / 19000.0, sizes[i]));
+            assert_true(highlight_power(edge, &compiled) == (float)pow(edge, sizes[i]));
         }
-        assert_true(highlight_power(1e-200, &look) == (float)pow(1e-200, sizes[i]));
+        assert_true(highlight_power(1e-200, &compiled) == (float)pow(1e-200, sizes[i]));
     }
 }
 
@@ -237,13 +239,13 @@ static void a_phong_size_of_zero_is_a_highlight_all_over(void **state)
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_light(&s, 20, 0, 3, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.5, 0.5, 0.5, 1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 0.5, 0.5, 0.5, 1e-6);
     tiny_end(&s);
 }
 
 /* ---- shadows ---- */
 
-static void an_opaque_ball_throws_a_shadow_and_a_coloured_one_tints_it(void **state)
+static void an_opaque_sphere_throws_a_shadow_and_a_coloured_one_filters_it(void **state)
 {
     material glass = tiny_glass(1.0);
     tiny s;
@@ -259,8 +261,8 @@ static void an_opaque_ball_throws_a_shadow_and_a_coloured_one_tints_it(void **st
     tiny_light(&s, 8, 0, 0, 1.0f, 1.0f, 1.0f);
     tiny_light(&s, -8, 0, 0, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 1.2 * 5.0 / sqrt(89.0), 1.2 * 5.0 / sqrt(89.0), 1.2 * 5.0 / sqrt(89.0),
-                  1e-6);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 1.2 * 5.0 / sqrt(89.0), 1.2 * 5.0 / sqrt(89.0),
+                  1.2 * 5.0 / sqrt(89.0), 1e-6);
     tiny_end(&s);
 
     tiny_begin(&s, NULL);
@@ -270,7 +272,7 @@ static void an_opaque_ball_throws_a_shadow_and_a_coloured_one_tints_it(void **st
     tiny_light(&s, 8, 0, 0, 1.0f, 1.0f, 1.0f);
     tiny_light(&s, -8, 0, 0, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 1), 0.36 * 3.0 / sqrt(89.0), 0.1225 * 3.0 / sqrt(89.0),
+    assert_colour(tiny_trace(&s, origin, 0, 0, 1), 0.36 * 3.0 / sqrt(89.0), 0.1225 * 3.0 / sqrt(89.0),
                   0.01 * 3.0 / sqrt(89.0), 1e-6);
     assert_int_equal(s.tracer->context.counts.shadow, 2);
     tiny_end(&s);
@@ -290,9 +292,9 @@ static void rays_that_would_add_nothing_are_not_sent_but_counted(void **state)
     tiny_light(&s, 0, 1, 0, 0.0f, 0.0f, 0.0f);
     tiny_light(&s, 0, 1, -9, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
-    tiny_see(&s, origin, 0, 0, 1);
+    tiny_trace(&s, origin, 0, 0, 1);
     assert_int_equal(s.tracer->context.counts.shadow_idle, 3);
-    tiny_see(&s, origin, 0, 0, -1);
+    tiny_trace(&s, origin, 0, 0, -1);
     assert_int_equal(s.tracer->context.counts.shadow_idle, 4);
     assert_int_equal(s.tracer->context.counts.shadow_behind, 1);
     assert_int_equal(s.tracer->context.counts.shadow, 1);
@@ -314,7 +316,7 @@ static void a_light_may_be_very_near_or_very_far(void **state)
     tiny_light(&s, 0, 0, 0, 0.0f, 0.0f, 0.0f);
     s.model.lights.items[1] = near;
     tiny_build(&s);
-    assert_colour(tiny_see(&s, pov_vec3_of(place, 0, 0), 0, 0, 1), 0.6, 0.6 * sqrt(0.5), 0.0, 1e-6);
+    assert_colour(tiny_trace(&s, pov_vec3_of(place, 0, 0), 0, 0, 1), 0.6, 0.6 * sqrt(0.5), 0.0, 1e-6);
     tiny_end(&s);
 }
 
@@ -338,10 +340,10 @@ static void directions_may_be_as_short_or_long_as_numbers_go(void **state)
     tiny_light(&s, 1, 2, 0, 1.0f, 1.0f, 1.0f);
     tiny_light(&s, 0x1p900, 0, -0x1p900, 0.0f, 0.25f, 0.0f);
     tiny_build(&s);
-    usual = tiny_see(&s, origin, 0.25, 0.125, 1.0);
+    usual = tiny_trace(&s, origin, 0.25, 0.125, 1.0);
     assert_true(usual.r > 0.1f && usual.g > usual.r);
     for (int i = 0; i < 4; i++) {
-        colour c = tiny_see(&s, origin, 0.25 * lengths[i], 0.125 * lengths[i], lengths[i]);
+        colour c = tiny_trace(&s, origin, 0.25 * lengths[i], 0.125 * lengths[i], lengths[i]);
 
         assert_colour(c, usual.r, usual.g, usual.b, 0.0);
     }
@@ -363,7 +365,7 @@ static void colours_beyond_all_measure_stay_numbers(void **state)
     tiny_plane(&s, 0, 0, 1, -5, m);
     tiny_light(&s, 0, 0, 0, 1e38f, -1e38f, 1e38f);
     tiny_build(&s);
-    c = tiny_see(&s, origin, 0, 0, 1);
+    c = tiny_trace(&s, origin, 0, 0, 1);
     assert_true(isfinite(c.r) && isfinite(c.g) && isfinite(c.b));
     tiny_end(&s);
 }
@@ -375,11 +377,11 @@ static void a_ray_that_is_none_sees_the_background(void **state)
     tiny_begin(&s, NULL);
 
     s.model.background = colour_of(0.25f, 0.5f, 1.0f);
-    tiny_plane(&s, 0, 0, 1, 5, tiny_glow(1.0f, 1.0f, 1.0f));
+    tiny_plane(&s, 0, 0, 1, 5, tiny_emitted(1.0f, 1.0f, 1.0f));
     tiny_build(&s);
-    assert_colour(tiny_see(&s, origin, 0, 0, 0), 0.25, 0.5, 1.0, 0.0);
-    assert_colour(tiny_see(&s, origin, 0, NAN, 1), 0.25, 0.5, 1.0, 0.0);
-    assert_colour(tiny_see(&s, pov_vec3_of(0, HUGE_VAL, 0), 0, 0, 1), 0.25, 0.5, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, origin, 0, 0, 0), 0.25, 0.5, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, origin, 0, NAN, 1), 0.25, 0.5, 1.0, 0.0);
+    assert_colour(tiny_trace(&s, pov_vec3_of(0, HUGE_VAL, 0), 0, 0, 1), 0.25, 0.5, 1.0, 0.0);
     assert_int_equal(s.tracer->context.counts.camera, 0);
     tiny_end(&s);
 }
@@ -395,11 +397,11 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
     tiny_begin(&s, NULL);
 
     s.model.background = colour_of(0.25f, 0.5f, 1.0f);
-    tiny_plane(&s, 0, 1, 0, 1, tiny_glow(1.0f, 0.5f, 0.0f));
+    tiny_plane(&s, 0, 1, 0, 1, tiny_emitted(1.0f, 0.5f, 0.0f));
     tiny_build(&s);
     for (int k = 0; k < 4; k++) {
         for (int i = 0; i < 5; i++) {
-            const pov_ray ray = { .left = POV_NOBODY };
+            const pov_ray ray = { .origin_surface = POV_NO_OWNER };
 
             rays[i] = ray;
             rays[i].dir = pov_vec3_of(0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0);
@@ -431,7 +433,7 @@ int main(void)
         cmocka_unit_test(highlights_that_grow_away_from_the_light_are_never_left_out),
         cmocka_unit_test(the_power_of_a_highlight_is_that_of_pow),
         cmocka_unit_test(a_phong_size_of_zero_is_a_highlight_all_over),
-        cmocka_unit_test(an_opaque_ball_throws_a_shadow_and_a_coloured_one_tints_it),
+        cmocka_unit_test(an_opaque_sphere_throws_a_shadow_and_a_coloured_one_filters_it),
         cmocka_unit_test(rays_that_would_add_nothing_are_not_sent_but_counted),
         cmocka_unit_test(a_light_may_be_very_near_or_very_far),
         cmocka_unit_test(directions_may_be_as_short_or_long_as_numbers_go),

@@ -25,12 +25,12 @@ static void build(subject *s)
     assert_int_equal(shading_create(&s->shading, &s->model, s->world, NULL), POV_OK);
     s->context.env = s->model.env;
     s->context.scene = s->shading;
-    assert_int_equal(walker_create(&s->context.walker, s->world, NULL), POV_OK);
+    assert_int_equal(query_context_create(&s->context.context, s->world, NULL), POV_OK);
 }
 
 static void end(subject *s)
 {
-    walker_destroy(s->context.walker);
+    query_context_destroy(s->context.context);
     shading_destroy(s->shading);
     world_destroy(s->world);
     model_free(&s->model);
@@ -45,14 +45,14 @@ static bool light_to(subject *s, double z, colour *through)
     memset(&ray, 0, sizeof ray);
     ray.org.z = -1.0;
     ray.dir.z = z + 1.0;
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return transmittance_find(&s->context, &rays, 1, 1.0, through) != 0;
 }
 
 /* What six surfaces leave of each component is the product of six numbers as they are, rounded to a float once. */
 static void light_loses_to_rounding_once_a_path(void **state)
 {
-    static const colour tint[3] = { { 0.9f, 0.3f, 0.7f }, { 0.11f, 0.77f, 0.31f }, { 0.59f, 0.83f, 0.97f } };
+    static const colour filter[3] = { { 0.9f, 0.3f, 0.7f }, { 0.11f, 0.77f, 0.31f }, { 0.59f, 0.83f, 0.97f } };
     const colour white = { 1.0f, 1.0f, 1.0f };
     long double r = 1.0L, g = 1.0L, b = 1.0L;
     colour through;
@@ -61,13 +61,13 @@ static void light_loses_to_rounding_once_a_path(void **state)
 
     begin(&s);
     for (int i = 0; i < 3; i++)
-        test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 5.0 + 3.0 * i), 1.0,
-                      test_add_material(&s.model, tint[i], 0.7f, 0.2f, false));
+        test_add_sphere(&s.model, pov_vec3_of(0.0, 0.0, i == 2 ? 2.0 : 5.0 + 3.0 * i), 1.0,
+                        test_add_material(&s.model, filter[i], 0.7f, 0.2f, false));
     build(&s);
     for (int i = 0; i < 6; i++) {
-        r *= (long double)(tint[i % 3].r * 0.7f + 0.2f);
-        g *= (long double)(tint[i % 3].g * 0.7f + 0.2f);
-        b *= (long double)(tint[i % 3].b * 0.7f + 0.2f);
+        r *= (long double)(filter[i % 3].r * 0.7f + 0.2f);
+        g *= (long double)(filter[i % 3].g * 0.7f + 0.2f);
+        b *= (long double)(filter[i % 3].b * 0.7f + 0.2f);
     }
     assert_true(light_to(&s, 100.0, &through));
     assert_true(through.r == (float)r && through.g == (float)g && through.b == (float)b);
@@ -76,10 +76,10 @@ static void light_loses_to_rounding_once_a_path(void **state)
     end(&s);
 }
 
-/* Many more crossings than a walker begins with. */
+/* Many more crossings than a query context begins with. */
 static void light_may_cross_any_number_of_surfaces(void **state)
 {
-    const colour tint = { 0.999f, 0.9985f, 0.998f };
+    const colour filter = { 0.999f, 0.9985f, 0.998f };
     long double red = 1.0L, green = 1.0L, blue = 1.0L;
     test_random r = { 7 };
     colour through;
@@ -88,18 +88,18 @@ static void light_may_cross_any_number_of_surfaces(void **state)
     (void)state;
 
     begin(&s);
-    glass = test_add_material(&s.model, tint, 1.0f, 0.0f, false);
+    glass = test_add_material(&s.model, filter, 1.0f, 0.0f, false);
     for (int i = 0; i < 1000; i++) {
-        test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, 10.0 + test_uniform(&r, 0.0, 1000.0)), 0.5, glass);
-        red *= (long double)tint.r * (long double)tint.r;
-        green *= (long double)tint.g * (long double)tint.g;
-        blue *= (long double)tint.b * (long double)tint.b;
+        test_add_sphere(&s.model, pov_vec3_of(0.0, 0.0, 10.0 + test_uniform(&r, 0.0, 1000.0)), 0.5, glass);
+        red *= (long double)filter.r * (long double)filter.r;
+        green *= (long double)filter.g * (long double)filter.g;
+        blue *= (long double)filter.b * (long double)filter.b;
     }
     build(&s);
     assert_true(light_to(&s, 2000.0, &through));
     assert_true(through.r == (float)red && through.g == (float)green && through.b == (float)blue);
-    assert_true(s.context.walker->rooms[0].capacity >= 2000);
-    assert_false(walker_failed(s.context.walker));
+    assert_true(s.context.context->hit_buffers[0].capacity >= 2000);
+    assert_false(query_context_failed(s.context.context));
     end(&s);
 }
 
@@ -110,8 +110,8 @@ static void light_through_black_glass_is_gone(void **state)
     (void)state;
 
     begin(&s);
-    test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, 2.0), 1.0,
-                  test_add_material(&s.model, colour_of(0, 0, 0), 1.0f, 0.0f, false));
+    test_add_sphere(&s.model, pov_vec3_of(0.0, 0.0, 2.0), 1.0,
+                    test_add_material(&s.model, colour_of(0, 0, 0), 1.0f, 0.0f, false));
     build(&s);
     assert_false(light_to(&s, 100.0, &through));
     assert_true(light_to(&s, 0.5, &through));
@@ -142,7 +142,7 @@ static int pane_at(double x, double z)
     return (int)floor(x) & 1 ? 3 - ((int)floor(z) & 1) : (int)floor(z) & 1;
 }
 
-/* Where the ray enters or leaves the ball about z = 5 of radius 3, from its centre. */
+/* Where the ray enters or leaves the sphere about z = 5 of radius 3, from its centre. */
 static pov_vec3 crossing_at(const pov_ray *ray, double sign)
 {
     const pov_vec3 o = pov_sub(ray->org, pov_vec3_of(0, 0, 5)), d = ray->dir;
@@ -151,8 +151,8 @@ static pov_vec3 crossing_at(const pov_ray *ray, double sign)
     return pov_add(o, pov_scale(d, (-b + sign * root) / a));
 }
 
-/* A ball of coloured panes is moved to z = 5 and turned by 90 degrees after its texture was written. What light loses is
- * the product of the panes at the two points where it crosses the ball; alone and in packets. */
+/* A sphere of coloured panes is moved to z = 5 and turned by 90 degrees after its texture was written. What light loses
+ * is the product of the panes at the two points where it crosses the sphere; alone and in packets. */
 static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(void **state)
 {
     const pov_affine turned = { .inv = { { 0, 1, 0, 0 }, { -1, 0, 0, 0 }, { 0, 0, 1, -5 } } };
@@ -164,7 +164,7 @@ static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(
     (void)state;
 
     begin(&s);
-    test_add_ball(&s.model, pov_vec3_of(0, 0, 5), 3.0, add_panes(&s.model, &memory));
+    test_add_sphere(&s.model, pov_vec3_of(0, 0, 5), 3.0, add_panes(&s.model, &memory));
     assert_true(model_set_texture_map(&s.model, &turned));
     build(&s);
     for (int round = 0; round < ROUNDS; round++) {
@@ -177,7 +177,7 @@ static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(
         for (uint32_t i = 0; i < WORLD_MANY; i++) {
             rays[i].org = pov_vec3_of(test_uniform(&r, -2, 2), test_uniform(&r, -2, 2), -1.0);
             rays[i].dir = pov_vec3_of(test_uniform(&r, -2, 2), test_uniform(&r, -2, 2), 12.0);
-            rays[i].left = POV_NOBODY;
+            rays[i].origin_surface = POV_NO_OWNER;
             of[i] = &rays[i];
         }
         lit = transmittance_find(&s.context, of, WORLD_MANY, 1.0, through);

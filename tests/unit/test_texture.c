@@ -137,7 +137,7 @@ static pigment pigment_of(float r, float g, float b, float filter, float transmi
 static material squares(const pigment *list, pattern *memory)
 {
     const pattern p = { .class = pattern_find("square"), .count = 4, .list = list };
-    material m = tiny_glow(0.0f, 0.0f, 0.0f);
+    material m = tiny_emitted(0.0f, 0.0f, 0.0f);
 
     *memory = p;
     material_set_pattern(&m, memory);
@@ -157,11 +157,11 @@ static void a_surface_shows_the_pigment_of_each_point(void **state)
     tiny_plane(&s, 0, 1, 0, -1, squares(list, &p));
     tiny_build(&s);
     assert_true(world_plan(s.world)->textures);
-    assert_colour(tiny_see(&s, zero, 0.5, -1, 0.5), 1.0, 0.0, 0.0, 0.0);
-    assert_colour(tiny_see(&s, zero, 0.5, -1, 1.5), 0.0, 1.0, 0.0, 0.0);
+    assert_colour(tiny_trace(&s, zero, 0.5, -1, 0.5), 1.0, 0.0, 0.0, 0.0);
+    assert_colour(tiny_trace(&s, zero, 0.5, -1, 1.5), 0.0, 1.0, 0.0, 0.0);
     /* Half of its own colour, and half of the background through its colour. */
-    assert_colour(tiny_see(&s, zero, 1.5, -1, 1.5), 0.25 + 0.0625, 0.5 + 0.125, 0.5 + 0.125, 1e-7);
-    assert_colour(tiny_see(&s, zero, 1.5, -1, 0.5), 0.1875, 0.1875, 0.1875, 1e-7);
+    assert_colour(tiny_trace(&s, zero, 1.5, -1, 1.5), 0.25 + 0.0625, 0.5 + 0.125, 0.5 + 0.125, 1e-7);
+    assert_colour(tiny_trace(&s, zero, 1.5, -1, 0.5), 0.1875, 0.1875, 0.1875, 1e-7);
     /* The opaque ones sent no ray on. */
     assert_int_equal(s.tracer->context.counts.transmitted, 2);
     tiny_end(&s);
@@ -186,7 +186,7 @@ static void a_batch_of_several_textures_is_evaluated_as_single_rays_are(void **s
     tiny_light(&s, 0, 10, 0, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
     for (uint32_t i = 0; i < BATCH_MAX; i++) {
-        const pov_ray ray = { .dir = { i % 8 - 3.5, -2.0, i / 8 - 3.5 }, .left = POV_NOBODY };
+        const pov_ray ray = { .dir = { i % 8 - 3.5, -2.0, i / 8 - 3.5 }, .origin_surface = POV_NO_OWNER };
 
         rays[i] = ray;
     }

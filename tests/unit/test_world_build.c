@@ -2,7 +2,7 @@
 #include "support/check.h"
 #include "support/shapes.h"
 
-#include "world/parts.h"
+#include "world/internal.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -31,10 +31,11 @@ static void same_leaves(const bvh *a, const bvh *b)
 
     assert_int_equal(a->leaf_bytes, b->leaf_bytes);
     while (at < a->leaf_bytes) {
-        const run *x = (const run *)(const void *)(a->leaves + at), *y = (const run *)(const void *)(b->leaves + at);
+        const leaf_batch *x = (const leaf_batch *)(const void *)(a->leaves + at),
+            *y = (const leaf_batch *)(const void *)(b->leaves + at);
         assert_int_equal(x->count, y->count);
         assert_memory_equal(x->object, y->object, x->count * sizeof x->object[0]);
-        at += run_bytes(x->shape, x->count, x->flags);
+        at += leaf_batch_bytes(x->shape, x->count, x->flags);
     }
 }
 
@@ -61,7 +62,7 @@ static void any_number_of_threads_builds_the_same_tree(void **state)
     test_model_init(&m, NULL);
     for (i = 0; i < 60000; i++) {
         double size = i % 10 == 0 ? 1e-4 : 1.0;   /* a dense heart in a wide cloud */
-        test_add_ball(&m, somewhere(&r, size), 0.01 * size, 0);
+        test_add_sphere(&m, somewhere(&r, size), 0.01 * size, 0);
     }
     one = make(&m, POV_ACCEL_TREE, 1);
     assert_true(one->tree.frame_count > 1);
@@ -97,7 +98,7 @@ static void visit(census *c, uint32_t at, uint32_t frame, const bvh_node *above,
                   const bvh_frame *above_frame, int depth)
 {
     const bvh *t = &c->world->tree;
-    const run *r;
+    const leaf_batch *r;
     uint32_t i;
     int k;
 
@@ -112,11 +113,12 @@ static void visit(census *c, uint32_t at, uint32_t frame, const bvh_node *above,
                 visit(c, t->nodes[at].child[k], frame, &t->nodes[at], k, &t->frames[frame], depth + 1);
         return;
     default:
-        for (r = (const run *)(const void *)(t->leaves + (size_t)(at & ~BVH_KIND) * BVH_UNIT); r; r = run_next(r))
+        for (r = (const leaf_batch *)(const void *)(t->leaves + (size_t)(at & ~BVH_KIND) * BVH_UNIT); r;
+             r = leaf_batch_next(r))
             for (i = 0; i < r->count; i++) {
                 c->seen[r->object[i]]++;
                 assert_true(is_around(above_frame, above, place, &c->boxes[r->object[i]]));
-                assert_ptr_equal(world_place(c->world, r->object[i]).instance, run_instance(r, i));
+                assert_ptr_equal(world_shape(c->world, r->object[i]).instance, leaf_batch_instance(r, i));
             }
     }
 }
@@ -133,9 +135,9 @@ static void every_object_is_in_one_leaf_within_its_boxes(void **state)
     test_model_init(&m, NULL);
     for (i = 0; i < 4000; i++) {
         double size = i % 3 == 0 ? 1e-7 : i % 3 == 1 ? 1.0 : 1e6;
-        test_ball ball = { somewhere(&r, size), 0.01 * size };
-        test_add(&m, i % 5 ? &test_ball_class : &test_plain_ball_class, &ball, NULL, 0, 0);
-        assert_true(test_ball_class.bounds(&ball, &c.boxes[i]));
+        test_sphere_shape sphere = { somewhere(&r, size), 0.01 * size };
+        test_add(&m, i % 5 ? &test_sphere_class : &test_plain_sphere_class, &sphere, NULL, 0, 0);
+        assert_true(test_sphere_class.bounds(&sphere, &c.boxes[i]));
     }
     w = make(&m, POV_ACCEL_TREE, 1);
     c.world = w;
@@ -147,7 +149,7 @@ static void every_object_is_in_one_leaf_within_its_boxes(void **state)
 }
 
 /* Each would best stand beside all that it holds, in a tree as deep as they are many. */
-static void balls_in_balls_are_no_chain(void **state)
+static void spheres_in_spheres_are_no_chain(void **state)
 {
     static census c;
     double radius = 1.0;
@@ -159,9 +161,9 @@ static void balls_in_balls_are_no_chain(void **state)
     test_model_init(&m, NULL);
     memset(&c, 0, sizeof c);
     for (i = 0; i < 1000; i++, radius *= 1.004) {
-        test_ball ball = { { 0.004 * radius, 0.0, 0.0 }, radius };
-        test_add(&m, &test_plain_ball_class, &ball, NULL, 0, 0);
-        assert_true(test_ball_class.bounds(&ball, &c.boxes[i]));
+        test_sphere_shape sphere = { { 0.004 * radius, 0.0, 0.0 }, radius };
+        test_add(&m, &test_plain_sphere_class, &sphere, NULL, 0, 0);
+        assert_true(test_sphere_class.bounds(&sphere, &c.boxes[i]));
     }
     w = make(&m, POV_ACCEL_TREE, 1);
     c.world = w;
@@ -182,10 +184,10 @@ static void instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_mem
     (void)state;
     test_model_init(&m, NULL);
     for (i = 0; i < 500; i++)
-        test_add_ball(&m, somewhere(&r, 1.0), 0.05, 0);
+        test_add_sphere(&m, somewhere(&r, 1.0), 0.05, 0);
     w = make(&m, POV_ACCEL_TREE, 1);
     for (i = 0; i < 500; i++)
-        assert_int_equal((uintptr_t)world_place(w, (uint32_t)i).instance % 32, 0);
+        assert_int_equal((uintptr_t)world_shape(w, (uint32_t)i).instance % 32, 0);
     assert_int_equal(w->group_count, 1);
     assert_int_equal(w->groups[0].count, 500);
     world_destroy(w);
@@ -194,44 +196,44 @@ static void instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_mem
 
 static void prepare_twice_as_large(void *self, const void *text)
 {
-    test_ball *ball = self;
+    test_sphere_shape *sphere = self;
 
-    memcpy(ball, text, sizeof *ball);
-    ball->radius *= 2.0;
+    memcpy(sphere, text, sizeof *sphere);
+    sphere->radius *= 2.0;
 }
 
-static void instances_are_prepared_alone_absorbed_and_placed(void **state)
+static void instances_are_prepared_alone_absorbed_and_transformed(void **state)
 {
-    shape_class small = test_ball_class;
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
-    const test_ball *made[3];
+    shape_class small = test_sphere_class;
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
+    const test_sphere_shape *made[3];
     model m;
     world *w;
     int i;
 
     (void)state;
-    small.parsed_size = sizeof ball;
+    small.parsed_size = sizeof sphere;
     small.prepare = prepare_twice_as_large;
     test_model_init(&m, NULL);
-    test_add(&m, &small, &ball, NULL, 0, 0);
-    test_add(&m, &small, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 3.0, 3.0, 3.0), 0, 0);
-    test_add(&m, &small, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
+    test_add(&m, &small, &sphere, NULL, 0, 0);
+    test_add(&m, &small, &sphere, test_transform(&m, NULL, TRANSFORM_SCALE, 3.0, 3.0, 3.0), 0, 0);
+    test_add(&m, &small, &sphere, test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
     w = make(&m, POV_ACCEL_TREE, 1);
     for (i = 0; i < 3; i++)
-        made[i] = world_place(w, (uint32_t)i).instance;
+        made[i] = world_shape(w, (uint32_t)i).instance;
     assert_true(made[0]->radius == 2.0 && made[1]->radius == 6.0 && made[2]->radius == 2.0);
-    assert_non_null(world_place(w, 2).placement);
+    assert_non_null(world_shape(w, 2).xform);
     world_destroy(w);
     model_free(&m);
 }
 
-/* Balls of the one class share leaves, those of the other stand alone. */
+/* Spheres of the one class share leaves, those of the other stand alone. */
 static void large_shapes_that_absorb_are_found_among_very_many(void **state)
 {
-    typedef struct large_ball { test_ball ball; unsigned char more[FLAT_LARGE]; } large_ball;
-    large_ball shape = { { { 0.0, 0.0, 0.0 }, 1e-3 }, { 0 } };
-    shape_class classes[2] = { test_ball_class, test_ball_class };
-    pov_vec3 *at = malloc((FLAT_MANY + 1) * sizeof *at);
+    typedef struct large_sphere { test_sphere_shape sphere; unsigned char more[COMPILE_LARGE]; } large_sphere;
+    large_sphere shape = { { { 0.0, 0.0, 0.0 }, 1e-3 }, { 0 } };
+    shape_class classes[2] = { test_sphere_class, test_sphere_class };
+    pov_vec3 *at = malloc((COMPILE_MANY + 1) * sizeof *at);
     uint32_t i, stay[2] = { 0, 0 };
     test_random r = { 5 };
     model m;
@@ -242,26 +244,26 @@ static void large_shapes_that_absorb_are_found_among_very_many(void **state)
     test_model_init(&m, NULL);
     classes[0].instance_size = classes[1].instance_size = sizeof shape;
     classes[1].block_size = 0;
-    for (i = 0; i <= FLAT_MANY; i++) {
+    for (i = 0; i <= COMPILE_MANY; i++) {
         at[i] = pov_add(somewhere(&r, 1.0), pov_vec3_of(i % 2 ? 0.0 : 4.0, 0.0, 0.0));
         test_add(&m, &classes[i % 2], &shape,
                  test_transform(&m, NULL, TRANSFORM_TRANSLATE, at[i].x, at[i].y, at[i].z), 0, 0);
     }
     w = make(&m, POV_ACCEL_TREE, 2);
-    for (i = 0; i <= FLAT_MANY; i++) {
-        const shape_place place = world_place(w, i);
+    for (i = 0; i <= COMPILE_MANY; i++) {
+        const shape_ref place = world_shape(w, i);
 
-        assert_memory_equal(&((const large_ball *)place.instance)->ball.centre, &at[i], sizeof at[i]);
-        assert_null(place.placement);
-        stay[i % 2] += w->things[i].slot >= RUNS_ALONE;
+        assert_memory_equal(&((const large_sphere *)place.instance)->sphere.centre, &at[i], sizeof at[i]);
+        assert_null(place.xform);
+        stay[i % 2] += w->objects_info[i].slot >= LEAF_SINGLE;
     }
-    assert_true(stay[0] < FLAT_MANY / 4 && stay[1] == FLAT_MANY / 2);
+    assert_true(stay[0] < COMPILE_MANY / 4 && stay[1] == COMPILE_MANY / 2);
     world_destroy(w);
     model_free(&m);
     free(at);
 }
 
-/* Every third ball is stretched, some grounds are turned, and one in ten transformations is a matrix. */
+/* Every third sphere is stretched, some grounds are turned, and one in ten transformations is a matrix. */
 static void scatter(model *m, int count)
 {
     const double matrix[12] = { 1.0, 0.25, 0.0, 0.0, 1.0, 0.5, 0.125, 0.0, 1.0, 3.0, 4.0, 5.0 };
@@ -270,7 +272,7 @@ static void scatter(model *m, int count)
     int i;
 
     for (i = 0; i < count; i++) {
-        test_ball ball = { somewhere(&r, 10.0), 0.01 };
+        test_sphere_shape sphere = { somewhere(&r, 10.0), 0.01 };
         const transform *map = NULL;
         pov_vec3 v = somewhere(&r, 1.0);
         if (i % 3 == 0)
@@ -280,7 +282,7 @@ static void scatter(model *m, int count)
         if (i % 2000 == 0)
             test_add(m, &test_ground_class, &ground, map, 0, 0);
         else
-            test_add(m, i % 2 ? &test_ball_class : &test_plain_ball_class, &ball, map, 0, 0);
+            test_add(m, i % 2 ? &test_sphere_class : &test_plain_sphere_class, &sphere, map, 0, 0);
     }
 }
 
@@ -306,11 +308,11 @@ static void the_last_world_of_a_model_is_like_any_other_and_takes_its_transforma
         if (i % 2)
             same_leaves(&any->tree, &last->tree);
         for (k = 0; k < count; k++) {
-            shape_place a = world_place(any, (uint32_t)k), b = world_place(last, (uint32_t)k);
+            shape_ref a = world_shape(any, (uint32_t)k), b = world_shape(last, (uint32_t)k);
             assert_null(m.leaves.items[k].map);
-            assert_int_equal(a.placement != NULL, b.placement != NULL);
-            if (a.placement)
-                assert_memory_equal(a.placement, b.placement, sizeof *a.placement);
+            assert_int_equal(a.xform != NULL, b.xform != NULL);
+            if (a.xform)
+                assert_memory_equal(a.xform, b.xform, sizeof *a.xform);
         }
         world_destroy(any);
         world_destroy(last);
@@ -331,8 +333,8 @@ static void bounds_are_those_of_the_finite_objects(void **state)
     w = make(&m, POV_ACCEL_TREE, 1);
     assert_false(world_bounds(w, &box));
     world_destroy(w);
-    test_add_ball(&m, pov_vec3_of(1.0, 2.0, 3.0), 1.0, 0);
-    test_add_ball(&m, pov_vec3_of(-1.0, 2.0, 3.0), 0.5, 0);
+    test_add_sphere(&m, pov_vec3_of(1.0, 2.0, 3.0), 1.0, 0);
+    test_add_sphere(&m, pov_vec3_of(-1.0, 2.0, 3.0), 0.5, 0);
     w = make(&m, POV_ACCEL_TREE, 1);
     assert_true(world_bounds(w, &box));
     assert_true(box.lo.x <= -1.5 && box.lo.x > -1.5000001 && box.hi.x >= 2.0 && box.hi.x < 2.0000001);
@@ -372,15 +374,15 @@ static void a_plain_scene_leaves_out_what_it_does_not_need(void **state)
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add_ball(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
+    test_add_sphere(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
     w = make(&m, POV_ACCEL_NONE, 1);
     p = world_plan(w);
     assert_false(p->lighting || p->shadows || p->coloured_shadows || p->highlights || p->metallic || p->reflection ||
-                 p->transmission || p->refraction || p->media_at_start);
-    row_is(w, "shadow rays", false, "left out", "no light shines");
+                 p->transmission || p->refraction || p->dielectrics_at_start);
+    row_is(w, "shadow rays", false, "left out", "no light emits");
     row_is(w, "reflection", false, "left out", "no surface has reflection");
     row_is(w, "transformations", false, "left out", "no object has one");
-    row_is(w, "tree", false, "left out", "asked for none: every ray asks every object");
+    row_is(w, "tree", false, "left out", "asked for none: every ray tests every object");
     row_is(w, "dialect", true, "povray", "a test");
     world_destroy(w);
     model_free(&m);
@@ -389,7 +391,7 @@ static void a_plain_scene_leaves_out_what_it_does_not_need(void **state)
 static void a_rich_scene_needs_all_of_it(void **state)
 {
     test_random r = { 4 };
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     uint32_t glass;
     model m;
     world *w;
@@ -404,35 +406,35 @@ static void a_rich_scene_needs_all_of_it(void **state)
     m.materials.items[glass].reflection = colour_of(0.1f, 0.1f, 0.1f);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 30; i++)
-        test_add_ball(&m, somewhere(&r, 3.0), 0.3, 0);
-    test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_TRANSLATE, 1.0, 2.0, 3.0), glass, 0);
-    test_add(&m, &test_ball_class, &ball, test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
+        test_add_sphere(&m, somewhere(&r, 3.0), 0.3, 0);
+    test_add(&m, &test_sphere_class, &sphere, test_transform(&m, NULL, TRANSFORM_TRANSLATE, 1.0, 2.0, 3.0), glass, 0);
+    test_add(&m, &test_sphere_class, &sphere, test_transform(&m, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
     w = make(&m, POV_ACCEL_TREE, 1);
     p = world_plan(w);
     assert_true(p->lighting && p->shadows && p->coloured_shadows && p->highlights && p->metallic && p->reflection &&
-                p->transmission && p->refraction && p->media_at_start);
+                p->transmission && p->refraction && p->dielectrics_at_start);
     row_is(w, "shadow rays", true, "sent", "objects that throw a shadow: 32");
-    row_is(w, "refraction", true, "computed", "objects that bend light: 1");
+    row_is(w, "refraction", true, "computed", "objects that refract light: 1");
     row_is(w, "transformations", true, "some absorbed",
-           "taken into the shapes themselves: 1; rays taken into the shape's own space: 1");
+           "applied to the shapes themselves: 1; rays transformed to object space: 1");
     row_is(w, "blocks", true, "packed", "shapes filtered up to eight at once: 31 of 32");
     assert_true(row_on(w, "tree")->used);
     world_destroy(w);
     w = make(&m, POV_ACCEL_NONE, 1);
-    row_is(w, "tree", false, "left out", "asked for none: every ray asks every object");
+    row_is(w, "tree", false, "left out", "asked for none: every ray tests every object");
     world_destroy(w);
     model_free(&m);
 }
 
 static void a_black_light_and_a_scene_without_shadows_send_no_shadow_rays(void **state)
 {
-    test_ball ball = { { 0.0, 0.0, 0.0 }, 1.0 };
+    test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     model m;
     world *w;
 
     (void)state;
     test_model_init(&m, NULL);
-    test_add(&m, &test_ball_class, &ball, NULL, 0, LEAF_NO_SHADOW);
+    test_add(&m, &test_sphere_class, &sphere, NULL, 0, LEAF_NO_SHADOW);
     test_add_light(&m, 0.0f);
     w = make(&m, POV_ACCEL_TREE, 1);
     assert_false(world_plan(w)->lighting);
@@ -450,9 +452,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(any_number_of_threads_builds_the_same_tree),
         cmocka_unit_test(every_object_is_in_one_leaf_within_its_boxes),
-        cmocka_unit_test(balls_in_balls_are_no_chain),
+        cmocka_unit_test(spheres_in_spheres_are_no_chain),
         cmocka_unit_test(instances_are_aligned_and_neighbours_in_a_leaf_are_neighbours_in_memory),
-        cmocka_unit_test(instances_are_prepared_alone_absorbed_and_placed),
+        cmocka_unit_test(instances_are_prepared_alone_absorbed_and_transformed),
         cmocka_unit_test(large_shapes_that_absorb_are_found_among_very_many),
         cmocka_unit_test(the_last_world_of_a_model_is_like_any_other_and_takes_its_transformations),
         cmocka_unit_test(bounds_are_those_of_the_finite_objects),

@@ -1,5 +1,5 @@
-/* world/csg and csg_walk: solids made of others, met as one object: where they begin and end, whose surface that is, and what
- * happens where surfaces of members lie on each other. */
+/* world/csg and csg_traversal: solids made of others, met as one object: where they begin and end, whose surface that
+ * is, and what happens where surfaces of members lie on each other. */
 #include "support/check.h"
 #include "support/shapes.h"
 
@@ -28,9 +28,9 @@ static node_ref pair(model *m, node_op op, node_ref a, node_ref b)
     return group(m, op, false, both, 2);
 }
 
-static node_ref ball(model *m, double x, double y, double z, double radius)
+static node_ref sphere(model *m, double x, double y, double z, double radius)
 {
-    return test_add_ball(m, pov_vec3_of(x, y, z), radius, 0);
+    return test_add_sphere(m, pov_vec3_of(x, y, z), radius, 0);
 }
 
 static node_ref brick(model *m, pov_vec3 lo, pov_vec3 hi)
@@ -40,7 +40,7 @@ static node_ref brick(model *m, pov_vec3 lo, pov_vec3 hi)
     return test_add(m, &test_brick_class, &b, NULL, 0, 0);
 }
 
-typedef struct scene { model model; world *world; walker *walker; } scene;
+typedef struct scene { model model; world *world; query_context *context; } scene;
 
 static void begin(scene *s)
 {
@@ -52,12 +52,12 @@ static void compile(scene *s, pov_accel accel)
     world_options options = { .accel = accel, .threads = 1 };
 
     assert_int_equal(world_create(&s->world, &s->model, &options, NULL), POV_OK);
-    assert_int_equal(walker_create(&s->walker, s->world, NULL), POV_OK);
+    assert_int_equal(query_context_create(&s->context, s->world, NULL), POV_OK);
 }
 
 static void finish(scene *s)
 {
-    walker_destroy(s->walker);
+    query_context_destroy(s->context);
     world_destroy(s->world);
 }
 
@@ -74,7 +74,7 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     memset(&ray, 0, sizeof ray);
     ray.org = org;
     ray.dir = dir;
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
@@ -83,12 +83,12 @@ static bool next(const scene *s, pov_ray *ray, hit *h)
 {
     const pov_ray *one = ray;
 
-    if (!query_nearest(s->world, s->walker, &one, 1, HUGE_VAL, h))
+    if (!query_nearest(s->world, s->context, &one, 1, HUGE_VAL, h))
         return false;
     world_surface(s->world, ray, h);
     ray->org = h->point;
     ray->org_lo = h->point_lo;
-    world_cross(ray, h, fabs(pov_dot(h->normal, ray->dir)));
+    world_origin_transmit(ray, h, fabs(pov_dot(h->normal, ray->dir)));
     return true;
 }
 
@@ -101,8 +101,8 @@ static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
 
 /* ---- what is there ---- */
 
-/* The ball of radius 2 about 0 without the ball of radius 1 about (0, 0, -1.5): along z from -0.5 to 2. */
-static void a_ball_without_a_ball_begins_at_the_hollow(void **state)
+/* The sphere of radius 2 about 0 without the sphere of radius 1 about (0, 0, -1.5): along z from -0.5 to 2. */
+static void a_sphere_without_a_sphere_begins_at_the_hollow(void **state)
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     scene s;
@@ -110,8 +110,8 @@ static void a_ball_without_a_ball_begins_at_the_hollow(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
-    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 2.0);
+    sphere(&s.model, 0.0, 0.0, -1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
 
@@ -136,8 +136,8 @@ static void its_hollow_looks_into_it(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
-    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 2.0);
+    sphere(&s.model, 0.0, 0.0, -1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_NONE);
     assert_true(next(&s, &ray, &h));
@@ -154,8 +154,8 @@ static void an_intersection_is_what_both_hold(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
-    ball(&s.model, 0.0, 0.0, 1.5, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, 0.0, 0.0, 1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_INTERSECTION, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_true(next(&s, &ray, &h) && h.object == 1 && h.point.z == 0.5 && h.entering);
@@ -172,8 +172,8 @@ static void a_merge_has_no_inner_faces(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
-    ball(&s.model, 0.0, 0.0, 1.5, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, 0.0, 0.0, 1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_MERGE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == -1.0);
@@ -192,8 +192,8 @@ static void a_union_dissolves(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
-    ball(&s.model, 0.0, 0.0, 1.5, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, 0.0, 0.0, 1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_UNION, 0, 1)));
     assert_int_equal(s.model.trees.count, 0);
     compile(&s, POV_ACCEL_TREE);
@@ -239,8 +239,8 @@ static void what_is_taken_from_itself_is_gone(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
-    ball(&s.model, 0.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(count_ahead(&s, pov_vec3_of(0.3, 0.2, -5.0), ahead), 0);
@@ -297,7 +297,7 @@ static void below_intersect(const void *self, const pov_ray *ray, pov_hits *hits
     const pov_mark mark = { 0, 0, 0.0, 0.0 };
     pov_two t;
 
-    if (ray->dir.y == 0.0 || ray->left == hits->owner)
+    if (ray->dir.y == 0.0 || ray->origin_surface == hits->owner)
         return;
     t = pov_two_div(above, pov_two_of(ray->dir.y, 0.0));
     pov_cross(hits, t.hi, t.lo, mark);
@@ -326,7 +326,7 @@ static node_ref random_leaf(model *m, const shape_class *below, test_random *r)
     if (kind == 0)
         return test_add(m, below, &ground, NULL, 0, 0);
     if (kind < 4)
-        return test_add(m, &test_ball_class, &(test_ball){ { x, y, z }, size }, NULL, 0,
+        return test_add(m, &test_sphere_class, &(test_sphere_shape){ { x, y, z }, size }, NULL, 0,
                         kind == 3 && test_below(r, 4) == 0 ? LEAF_INVERSE : 0);
     return brick(m, pov_vec3_of(x, y, z), pov_vec3_of(x + size, y + 0.5, z + 0.75));
 }
@@ -377,7 +377,7 @@ static int compare(const void *a, const void *b)
 static uint32_t cross_members(const model *m, const pov_ray *ray, double *t)
 {
     pov_crossing at[4];
-    uint32_t n = 0, kept = 0;
+    uint32_t n = 0, resident = 0;
 
     for (uint32_t i = 0; i < m->leaves.count; i++) {
         pov_hits hits;
@@ -395,9 +395,9 @@ static uint32_t cross_members(const model *m, const pov_ray *ray, double *t)
     }
     qsort(t, n, sizeof *t, compare);
     for (uint32_t i = 0; i < n; i++)
-        if (kept == 0 || t[i] - t[kept - 1] > 1e-9)
-            t[kept++] = t[i];
-    return kept;
+        if (resident == 0 || t[i] - t[resident - 1] > 1e-9)
+            t[resident++] = t[i];
+    return resident;
 }
 
 static pov_vec3 point_at(const pov_ray *ray, double t) { return pov_add(ray->org, pov_scale(ray->dir, t)); }
@@ -483,8 +483,8 @@ static void many_hollows_are_all_found(void **state)
     begin(&s);
     members[0] = brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
     for (int i = 1; i <= HOLLOWS; i++)
-        members[i] = ball(&s.model, test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
-                          test_uniform(&r, 0.02, 0.2));
+        members[i] = sphere(&s.model, test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
+                            test_uniform(&r, -1.5, 1.5), test_uniform(&r, 0.02, 0.2));
     root = group(&s.model, NODE_DIFFERENCE, false, members, HOLLOWS + 1);
     assert_true(model_add_tree(&s.model, root));
     compile(&s, POV_ACCEL_TREE);
@@ -512,8 +512,8 @@ static void crossings_ahead_tell_what_is_inside(void **state)
 
         begin(&s);
         for (int i = 0; i < 3; i++)
-            ball(&s.model, test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0),
-                 test_uniform(&r, 0.3, 1.5));
+            sphere(&s.model, test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0), test_uniform(&r, -1.0, 1.0),
+                   test_uniform(&r, 0.3, 1.5));
         assert_true(model_add_tree(&s.model, group(&s.model, (node_op)(1 + round % 3), false, leaves, 3)));
         compile(&s, POV_ACCEL_TREE);
         root.tree = &world_trees(s.world)->items[0];
@@ -529,7 +529,7 @@ static void crossings_ahead_tell_what_is_inside(void **state)
             hits.want = POV_WANT_ALL;
             hits.at = at;
             hits.capacity = 16;
-            hits.user = &s.walker->rooms[0];
+            hits.user = &s.context->hit_buffers[0];
             csg_class.intersect(&root, &ray, &hits);
             assert_int_equal(hits.count & 1, csg_class.inside(&root, ray.org, none));
             inside += hits.count & 1;
@@ -553,15 +553,15 @@ static void light_crosses_the_surfaces_that_are_there(void **state)
     begin(&s);
     glass = test_add_material(&s.model, colour_of(0.0f, 0.5f, 0.0f), 1.0f, 0.0f, false);
     test_add_light(&s.model, 1.0f);
-    test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, 0.0), 2.0, glass);
-    test_add_ball(&s.model, pov_vec3_of(0.0, 0.0, -1.5), 1.0, glass);
+    test_add_sphere(&s.model, pov_vec3_of(0.0, 0.0, 0.0), 2.0, glass);
+    test_add_sphere(&s.model, pov_vec3_of(0.0, 0.0, -1.5), 1.0, glass);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
-    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 10.0, &out), 1);
+    assert_int_equal(query_occlusion(s.world, s.context, &one, 1, 10.0, &out), 1);
     assert_int_equal(out.crossed, 1);
     assert_int_equal(out.count[0], 2);
     assert_int_equal(out.at[0][0].owner + out.at[0][1].owner, 1);
-    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.25, &out), 1);
+    assert_int_equal(query_occlusion(s.world, s.context, &one, 1, 4.25, &out), 1);
     assert_int_equal(out.crossed, 0);   /* it ends in the hollow */
     end(&s);
 }
@@ -576,12 +576,12 @@ static void light_ends_at_what_is_opaque(void **state)
     (void)state;
     begin(&s);
     test_add_light(&s.model, 1.0f);
-    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
-    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 2.0);
+    sphere(&s.model, 0.0, 0.0, -1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
     compile(&s, POV_ACCEL_TREE);
-    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.25, &out), 1);
-    assert_int_equal(query_occlusion(s.world, s.walker, &one, 1, 4.75, &out), 0);
+    assert_int_equal(query_occlusion(s.world, s.context, &one, 1, 4.25, &out), 1);
+    assert_int_equal(query_occlusion(s.world, s.context, &one, 1, 4.75, &out), 0);
     end(&s);
 }
 
@@ -593,11 +593,11 @@ static void its_leaves_are_one_object(void **state)
 
     (void)state;
     begin(&s);
-    ball(&s.model, 5.0, 0.0, 0.0, 1.0);
-    ball(&s.model, 0.0, 0.0, 0.0, 2.0);
-    ball(&s.model, 0.0, 0.0, -1.5, 1.0);
+    sphere(&s.model, 5.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, 0.0, 0.0, 0.0, 2.0);
+    sphere(&s.model, 0.0, 0.0, -1.5, 1.0);
     assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 1, 2)));
-    ball(&s.model, -5.0, 0.0, 0.0, 1.0);
+    sphere(&s.model, -5.0, 0.0, 0.0, 1.0);
     compile(&s, POV_ACCEL_TREE);
     assert_int_equal(model_object_count(&s.model), 3);
     assert_int_equal(model_object_of(&s.model, 0), 0);
@@ -616,7 +616,7 @@ static void its_leaves_are_one_object(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_ball_without_a_ball_begins_at_the_hollow),
+        cmocka_unit_test(a_sphere_without_a_sphere_begins_at_the_hollow),
         cmocka_unit_test(its_hollow_looks_into_it),
         cmocka_unit_test(an_intersection_is_what_both_hold),
         cmocka_unit_test(a_merge_has_no_inner_faces),

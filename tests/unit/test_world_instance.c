@@ -14,11 +14,11 @@
 
 enum { MAPS = 100000, BATCH = 1000 };
 
-/* ---- a box that is crossed in two-part arithmetic, with its sides ---- */
+/* ---- a box that is crossed in double-double arithmetic, with its sides ---- */
 
 typedef struct span { pov_two in, out; bool empty; } span;
 
-static void meet_slab(span *s, pov_two o, pov_two d, double lo, double hi)
+static void clip_slab(span *s, pov_two o, pov_two d, double lo, double hi)
 {
     pov_two a, b;
 
@@ -40,9 +40,9 @@ static void intersect_brick(const void *self, const pov_ray *ray, pov_hits *hits
     const pov_mark mark = { 0, 0, 0.0, 0.0 };
     span s = { { -HUGE_VAL, 0.0 }, { HUGE_VAL, 0.0 }, false };
 
-    meet_slab(&s, pov_two_of(ray->org.x, ray->org_lo.x), pov_two_of(ray->dir.x, ray->dir_lo.x), b->lo.x, b->hi.x);
-    meet_slab(&s, pov_two_of(ray->org.y, ray->org_lo.y), pov_two_of(ray->dir.y, ray->dir_lo.y), b->lo.y, b->hi.y);
-    meet_slab(&s, pov_two_of(ray->org.z, ray->org_lo.z), pov_two_of(ray->dir.z, ray->dir_lo.z), b->lo.z, b->hi.z);
+    clip_slab(&s, pov_two_of(ray->org.x, ray->org_lo.x), pov_two_of(ray->dir.x, ray->dir_lo.x), b->lo.x, b->hi.x);
+    clip_slab(&s, pov_two_of(ray->org.y, ray->org_lo.y), pov_two_of(ray->dir.y, ray->dir_lo.y), b->lo.y, b->hi.y);
+    clip_slab(&s, pov_two_of(ray->org.z, ray->org_lo.z), pov_two_of(ray->dir.z, ray->dir_lo.z), b->lo.z, b->hi.z);
     if (s.empty || pov_two_less(s.out, s.in))
         return;
     if (pov_cross(hits, s.in.hi, s.in.lo, mark))
@@ -52,7 +52,7 @@ static void intersect_brick(const void *self, const pov_ray *ray, pov_hits *hits
 static const shape_class brick = { .keyword = "brick", .instance_size = sizeof(pov_box),
                                        .flags = POV_SHAPE_BOX, .intersect = intersect_brick };
 
-/* ---- and the ball in a box, about its point nearest to the centre ---- */
+/* ---- and the sphere in a box, about its point nearest to the centre ---- */
 
 static pov_two3 from_centre(const pov_box *b, const pov_ray *ray)
 {
@@ -86,9 +86,9 @@ static void intersect_orb(const void *self, const pov_ray *ray, pov_hits *hits)
 }
 
 static const shape_class orb = { .keyword = "orb", .instance_size = sizeof(pov_box),
-                                     .flags = POV_SHAPE_BALL, .intersect = intersect_orb };
+                                     .flags = POV_SHAPE_SPHERE, .intersect = intersect_orb };
 
-static uint32_t find_hits(const placement *p, const shape_class *shape, const pov_box *own, const pov_ray *ray,
+static uint32_t find_hits(const instance_xform *p, const shape_class *shape, const pov_box *own, const pov_ray *ray,
                           double tmax, pov_crossing at[2])
 {
     pov_hits hits;
@@ -99,7 +99,7 @@ static uint32_t find_hits(const placement *p, const shape_class *shape, const po
     hits.always_exact = true;
     hits.capacity = 2;
     hits.at = at;
-    placement_intersect(p, shape, own, ray, &hits);
+    instance_intersect(p, shape, own, ray, &hits);
     return hits.count;
 }
 
@@ -123,20 +123,20 @@ static pov_ray random_ray(test_random *r, const pov_affine *map, const pov_box *
     const double x = u[test_below(r, 3)], y = u[test_below(r, 3)], z = u[test_below(r, 3)];
     const pov_vec3 at = pov_vec3_of(own->lo.x + x * (own->hi.x - own->lo.x), own->lo.y + y * (own->hi.y - own->lo.y),
                                     own->lo.z + z * (own->hi.z - own->lo.z));
-    pov_vec3 there, low, way = test_direction(r);
+    pov_vec3 there, low, dir = test_direction(r);
     pov_ray ray;
 
     transform_point(map, at, &there, &low);
     if (!test_below(r, 4))
-        way = test_below(r, 2) ? pov_vec3_of(1.0, 0.0, 0.0) : pov_vec3_of(0.0, 0.0, -1.0);
+        dir = test_below(r, 2) ? pov_vec3_of(1.0, 0.0, 0.0) : pov_vec3_of(0.0, 0.0, -1.0);
     memset(&ray, 0, sizeof ray);
-    ray.dir = pov_scale(way, test_power(r, -3.0, 3.0));
-    ray.org = pov_sub(there, pov_scale(way, pov_largest(pov_sub(own->hi, own->lo)) * fabs(map->m[0][0]) *
+    ray.dir = pov_scale(dir, test_power(r, -3.0, 3.0));
+    ray.org = pov_sub(there, pov_scale(dir, pov_largest(pov_sub(own->hi, own->lo)) * fabs(map->m[0][0]) *
                                                 test_power(r, -3.0, 6.0)));
     if (test_below(r, 2) && pov_largest(pov_sub(there, ray.org)) > 0.0)
         ray.dir = pov_scale(pov_sub(there, ray.org), test_power(r, -3.0, 3.0));
     ray.org_lo = pov_scale(ray.org, test_uniform(r, -0x1p-54, 0x1p-54));
-    ray.left = test_below(r, 2) ? POV_NOBODY : 0;
+    ray.origin_surface = test_below(r, 2) ? POV_NO_OWNER : 0;
     return ray;
 }
 
@@ -146,32 +146,33 @@ static bool is_same(const pov_ray *a, const pov_ray *b)
 {
     return memcmp(&a->org, &b->org, sizeof a->org) == 0 && memcmp(&a->org_lo, &b->org_lo, sizeof a->org_lo) == 0 &&
            memcmp(&a->dir, &b->dir, sizeof a->dir) == 0 && memcmp(&a->dir_lo, &b->dir_lo, sizeof a->dir_lo) == 0 &&
-           a->left == b->left && memcmp(&a->left_mark, &b->left_mark, sizeof a->left_mark) == 0;
+           a->origin_surface == b->origin_surface &&
+               memcmp(&a->origin_mark, &b->origin_mark, sizeof a->origin_mark) == 0;
 }
 
-enum { RAYS = 4, APART = 19 };   /* how many go at a shape, and how many lanes lie between them */
-enum { NOT_LEFT = 1 };           /* an owner that no ray starts on */
+enum { RAYS = 4, SEPARATION = 19 };   /* how many go at a shape, and how many lanes lie between them */
+enum { NO_ORIGIN = 1 };          /* an owner that no ray starts on */
 
 /* Side by side as one by one. */
-static void check_together(const placement *p, const pov_ray *sent, uint32_t n)
+static void check_together(const instance_xform *p, const pov_ray *sent, uint32_t n)
 {
-    const placement *const places[RAYS] = { p, p, p, p };
+    const instance_xform *const xforms[RAYS] = { p, p, p, p };
     const pov_ray *const rays[RAYS] = { &sent[0], &sent[1], &sent[2], &sent[3] };
     pov_ray own[RAYS], one;
     pov_ray *const to[RAYS] = { &own[0], &own[1], &own[2], &own[3] };
     uint32_t i;
 
-    placement_rays(places, rays, to, n);
+    instance_rays(xforms, rays, to, n);
     for (i = 0; i < n; i++) {
-        placement_ray(p, &sent[i], &one);
+        instance_ray(p, &sent[i], &one);
         assert_true(is_same(&own[i], &one));
     }
 }
 
 /* Normals of shapes, of which some vanish and some are out of the range of squares, turned as one by one. */
-static void check_turned(const placement *p, test_random *r, uint32_t n)
+static void check_turned(const instance_xform *p, test_random *r, uint32_t n)
 {
-    const placement *const places[RAYS] = { p, p, p, p };
+    const instance_xform *const xforms[RAYS] = { p, p, p, p };
     pov_vec3 many[RAYS], one[RAYS];
     pov_vec3 *const normals[RAYS] = { &many[0], &many[1], &many[2], &many[3] };
     uint32_t i;
@@ -180,13 +181,13 @@ static void check_turned(const placement *p, test_random *r, uint32_t n)
         const double least = test_below(r, 4) ? -1.0 : test_below(r, 2) ? -300.0 : -500.0;
 
         many[i] = one[i] = pov_scale(test_direction(r), test_power(r, least, -least));
-        placement_turn_normal(p, &one[i]);
+        instance_world_normal(p, &one[i]);
     }
-    placement_turn_normals(places, normals, n);
+    instance_world_normals(xforms, normals, n);
     assert_memory_equal(many, one, n * sizeof *many);
 }
 
-typedef struct tally { long fits, hits, misses, filtered, sure, twice; } tally;
+typedef struct tally { long fits, hits, misses, filtered, sure, definite_pair; } tally;
 
 /* False: it passes the frame by. */
 static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_ray *ray, double tmax)
@@ -194,8 +195,8 @@ static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_
     double length[POV_RAYS_MAX];
     bvh_local l;
 
-    side_put(to, i, ray);
-    side_derive(to, i, tmax, length);
+    ray_soa_put(to, i, ray);
+    ray_soa_derive(to, i, tmax, length);
     if (!bvh_enter(frame, ray, length[i], to->per_length[i], &l))
         return false;
     bvh_to_frame(to, i, &l, bvh_limit(l.scale, l.shift, tmax));
@@ -219,7 +220,7 @@ static bvh_frame random_frame(test_random *r, const pov_box *around)
 static bool is_not_before(double a, double b) { return a >= b - fabs(b) * 0x1p-46; }
 
 /* What is said of one ray, held against the truth; NULL: nothing. */
-static void check_answer(const pov_meeting *said, uint32_t hits, const pov_crossing at[2], tally *t)
+static void check_candidates(const pov_candidate *said, uint32_t hits, const pov_crossing at[2], tally *t)
 {
     assert_true(said || hits == 0);
     t->hits += hits > 0;
@@ -227,78 +228,78 @@ static void check_answer(const pov_meeting *said, uint32_t hits, const pov_cross
     t->filtered += !said;
     if (!said)
         return;
-    assert_true(hits > 0 || !said->surely);
-    assert_true(hits == 2 || !said->twice);
+    assert_true(hits > 0 || !said->definite);
+    assert_true(hits == 2 || !said->definite_pair);
     if (hits > 0)
         assert_true(is_not_before(at[0].t, said->lo));
-    if (said->surely)
+    if (said->definite)
         assert_true(is_not_before(said->hi, at[0].t));
-    t->sure += said->surely;
-    t->twice += said->twice;
+    t->sure += said->definite;
+    t->definite_pair += said->definite_pair;
 }
 
-/* A ball under the map is the ellipsoid of these rows, and stands as that does. */
-static void check_ellipsoid(const placement *p, const bvh_frame *frame, const stand *stands)
+/* A sphere under the map is the ellipsoid of these rows, and stands as that does. */
+static void check_ellipsoid(const instance_xform *p, const bvh_frame *frame, const instance_filter *filters)
 {
     const pov_vec3 *c = p->column;
     const pov_ellipsoid e = { p->anchor, { 0.0, 0.0, 0.0 },
                               { pov_scale(pov_vec3_of(c[0].x, c[1].x, c[2].x), (double)p->per_half[0]),
                                 pov_scale(pov_vec3_of(c[0].y, c[1].y, c[2].y), (double)p->per_half[1]),
                                 pov_scale(pov_vec3_of(c[0].z, c[1].z, c[2].z), (double)p->per_half[2]) } };
-    stand s;
+    instance_filter s;
 
-    if (p->known != PLACEMENT_IS_BALL)
+    if (p->known != INSTANCE_IS_SPHERE)
         return;
-    assert_true(placement_stand_ellipsoid(&e, frame, &s));
-    assert_memory_equal(&s, stands, sizeof s);
+    assert_true(instance_filter_make_ellipsoid(&e, frame, &s));
+    assert_memory_equal(&s, filters, sizeof s);
 }
 
 static void check_map(model *m, test_random *r, const shape_class *shape, pov_box own, tally *t)
 {
-    const pov_meeting *of[RAYS] = { NULL };
+    const pov_candidate *of[RAYS] = { NULL };
     pov_ray sent[RAYS];
     pov_crossing at[RAYS][2];
-    pov_meeting met[RAYS];
+    pov_candidate candidates[RAYS];
     static pov_rays rays;
     uint32_t hits[RAYS], count, i;
     uint64_t lanes = 0;
     bvh_frame frame;
     pov_box around, tree;
     pov_affine map;
-    placement p;
-    stand stands;
+    instance_xform p;
+    instance_filter filters;
     bool fits;
 
     assert_true(transform_compose(test_random_map(m, r), &map));
-    placement_box(&map, &own, &around);
-    placement_init(&p, &map, &own, &around, shape->flags);
-    assert_int_not_equal(p.known, PLACEMENT_UNKNOWN);
+    instance_box(&map, &own, &around);
+    instance_init(&p, &map, &own, &around, shape->flags);
+    assert_int_not_equal(p.known, INSTANCE_UNKNOWN);
     tree = around;
-    if (shape->flags & POV_SHAPE_BALL)
-        placement_draw_in(&map, &own, &tree);
+    if (shape->flags & POV_SHAPE_SPHERE)
+        instance_shrink_box(&map, &own, &tree);
     frame = random_frame(r, &tree);
-    fits = placement_stand(&p, &frame, &stands);
+    fits = instance_filter_make(&p, &frame, &filters);
     t->fits += fits;
     if (fits)
-        check_ellipsoid(&p, &frame, &stands);
+        check_ellipsoid(&p, &frame, &filters);
     for (i = 0; i < RAYS; i++) {
         const pov_ray ray = random_ray(r, &map, &own);
         const double tmax = test_below(r, 2) ? HUGE_VAL : test_power(r, -3.0, 6.0);
 
         hits[i] = find_hits(&p, shape, &own, &ray, tmax, at[i]);
         sent[i] = ray;
-        if (put_ray(&rays, i * APART, &frame, &ray, tmax))
-            lanes |= (uint64_t)1 << i * APART;
+        if (put_ray(&rays, i * SEPARATION, &frame, &ray, tmax))
+            lanes |= (uint64_t)1 << i * SEPARATION;
     }
     check_together(&p, sent, 1 + test_below(r, RAYS));
     check_turned(&p, r, 1 + test_below(r, RAYS));
-    count = fits ? placement_filter(&stands, NOT_LEFT, &rays, lanes, met) : 0;
+    count = fits ? instance_filter_rays(&filters, NO_ORIGIN, &rays, lanes, candidates) : 0;
     for (i = 0; i < count; i++) {
-        assert_true((lanes >> met[i].ray & 1) && met[i].lane == 0 && !of[met[i].ray / APART]);
-        of[met[i].ray / APART] = &met[i];
+        assert_true((lanes >> candidates[i].ray & 1) && candidates[i].lane == 0 && !of[candidates[i].ray / SEPARATION]);
+        of[candidates[i].ray / SEPARATION] = &candidates[i];
     }
     for (i = 0; i < RAYS && fits; i++)
-        check_answer(of[i], hits[i], at[i], t);
+        check_candidates(of[i], hits[i], at[i], t);
 }
 
 static tally check_maps(const shape_class *shape, pov_box (*own)(test_random *r))
@@ -315,7 +316,7 @@ static tally check_maps(const shape_class *shape, pov_box (*own)(test_random *r)
         model_free(&m);
     }
     print_message("%s: fits %ld, hits %ld, misses %ld, filtered %ld, sure %ld, twice %ld\n", shape->keyword, t.fits,
-                  t.hits, t.misses, t.filtered, t.sure, t.twice);
+                  t.hits, t.misses, t.filtered, t.sure, t.definite_pair);
     return t;
 }
 
@@ -327,33 +328,33 @@ static void the_filter_is_right_of_boxes(void **state)
     /* It is of use: many rays of either kind, and most that miss are told, though they aim at edges. */
     assert_true(t.hits > MAPS && t.misses > MAPS / 2);
     assert_true((double)t.filtered > 0.5 * (double)t.misses);
-    assert_true(t.sure > MAPS / 10 && t.twice > MAPS / 20);
+    assert_true(t.sure > MAPS / 10 && t.definite_pair > MAPS / 20);
 }
 
-static void the_filter_is_right_of_balls(void **state)
+static void the_filter_is_right_of_spheres(void **state)
 {
     const tally t = check_maps(&orb, test_random_cube);
 
     (void)state;
     assert_true(t.hits > MAPS / 10 && t.misses > MAPS / 2);
     assert_true((double)t.filtered > 0.5 * (double)t.misses);
-    assert_true(t.sure > MAPS / 20 && t.twice > MAPS / 40);
+    assert_true(t.sure > MAPS / 20 && t.definite_pair > MAPS / 40);
 }
 
 /* Of classes and boxes as they come, some without one. */
-static void placements_made_together_are_as_one_by_one(void **state)
+static void instances_made_together_are_as_one_by_one(void **state)
 {
     test_random r = { 23 };
     int i, k;
 
     (void)state;
     for (i = 0; i < 500; i++) {
-        const int n = 1 + (int)test_below(&r, PLACEMENT_MANY);
-        pov_affine maps[PLACEMENT_MANY];
-        const pov_affine *each[PLACEMENT_MANY] = { NULL };
-        pov_box own[PLACEMENT_MANY], around[PLACEMENT_MANY], alone;
-        placement_wish wishes[PLACEMENT_MANY];
-        placement many[PLACEMENT_MANY], one;
+        const int n = 1 + (int)test_below(&r, INSTANCE_MANY);
+        pov_affine maps[INSTANCE_MANY];
+        const pov_affine *each[INSTANCE_MANY] = { NULL };
+        pov_box own[INSTANCE_MANY], around[INSTANCE_MANY], single;
+        instance_desc wishes[INSTANCE_MANY];
+        instance_xform many[INSTANCE_MANY], one;
         model m;
 
         test_model_init(&m, NULL);
@@ -362,76 +363,76 @@ static void placements_made_together_are_as_one_by_one(void **state)
             each[k] = &maps[k];
             own[k] = test_below(&r, 2) ? random_box(&r) : test_random_cube(&r);
         }
-        placement_boxes(each, own, n, around);
+        instance_boxes(each, own, n, around);
         for (k = 0; k < n; k++) {
-            const placement_wish w = { each[k], &own[k], test_below(&r, 5) ? &around[k] : NULL,
-                                       test_below(&r, 2) ? POV_SHAPE_BOX : POV_SHAPE_BALL };
+            const instance_desc w = { each[k], &own[k], test_below(&r, 5) ? &around[k] : NULL,
+                                       test_below(&r, 2) ? POV_SHAPE_BOX : POV_SHAPE_SPHERE };
             wishes[k] = w;
-            placement_box(each[k], &own[k], &alone);
-            assert_memory_equal(&alone, &around[k], sizeof alone);
+            instance_box(each[k], &own[k], &single);
+            assert_memory_equal(&single, &around[k], sizeof single);
         }
-        placement_init_many(many, wishes, n);
+        instance_init_many(many, wishes, n);
         for (k = 0; k < n; k++) {
-            placement_init(&one, wishes[k].map, wishes[k].own, wishes[k].around, wishes[k].flags);
+            instance_init(&one, wishes[k].map, wishes[k].own, wishes[k].around, wishes[k].flags);
             assert_memory_equal(&one, &many[k], sizeof one);
         }
         model_free(&m);
     }
 }
 
-static uint32_t count_met(uint32_t flags, uint32_t left, uint32_t mark)
+static uint32_t count_candidates(uint32_t flags, uint32_t left, uint32_t mark)
 {
     const pov_box own = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
     static pov_rays rays;
     bvh_frame frame;
-    pov_meeting met;
+    pov_candidate candidates;
     pov_box around;
     pov_affine map;
-    placement p;
-    stand s;
+    instance_xform p;
+    instance_filter s;
     pov_ray ray;
     model m;
 
     test_model_init(&m, NULL);
     assert_true(transform_compose(test_transform(&m, NULL, TRANSFORM_ROTATE, 10.0, 20.0, 30.0), &map));
-    placement_box(&map, &own, &around);
-    placement_init(&p, &map, &own, &around, flags);
+    instance_box(&map, &own, &around);
+    instance_init(&p, &map, &own, &around, flags);
     frame = bvh_frame_around(&around);
     memset(&ray, 0, sizeof ray);
     ray.dir.z = 1.0;
-    ray.left = left;
-    ray.left_mark.flags = mark;
+    ray.origin_surface = left;
+    ray.origin_mark.flags = mark;
     assert_true(put_ray(&rays, 5, &frame, &ray, HUGE_VAL));
     model_free(&m);
-    assert_true(placement_stand(&p, &frame, &s));
-    return placement_filter(&s, 7, &rays, 32, &met);
+    assert_true(instance_filter_make(&p, &frame, &s));
+    return instance_filter_rays(&s, 7, &rays, 32, &candidates);
 }
 
-static void who_goes_away_from_a_box_or_ball_is_left_out(void **state)
+static void rays_that_go_outward_from_a_box_or_sphere_are_excluded(void **state)
 {
     (void)state;
-    assert_int_equal(count_met(POV_SHAPE_BOX, 7, POV_MARK_AWAY), 0);
-    assert_int_equal(count_met(POV_SHAPE_BALL, 7, POV_MARK_AWAY), 0);
-    assert_int_equal(count_met(POV_SHAPE_BOX, 7, 0), 1);
-    assert_int_equal(count_met(POV_SHAPE_BOX, 8, POV_MARK_AWAY), 1);
+    assert_int_equal(count_candidates(POV_SHAPE_BOX, 7, POV_MARK_OUTWARD), 0);
+    assert_int_equal(count_candidates(POV_SHAPE_SPHERE, 7, POV_MARK_OUTWARD), 0);
+    assert_int_equal(count_candidates(POV_SHAPE_BOX, 7, 0), 1);
+    assert_int_equal(count_candidates(POV_SHAPE_BOX, 8, POV_MARK_OUTWARD), 1);
     /* It may be met again if it is not convex. */
-    assert_int_equal(count_met(0, 7, POV_MARK_AWAY), 1);
+    assert_int_equal(count_candidates(0, 7, POV_MARK_OUTWARD), 1);
 }
 
 /* A ray through the middle, which meets the box twice. */
-static void check_range(const placement *p, const pov_box *own, const pov_box *around, const pov_ray *ray)
+static void check_range(const instance_xform *p, const pov_box *own, const pov_box *around, const pov_ray *ray)
 {
     const bvh_frame frame = bvh_frame_around(around);
     static pov_rays rays;
     pov_crossing at[2];
-    pov_meeting met;
-    stand where;
+    pov_candidate candidates;
+    instance_filter where;
 
     assert_int_equal(find_hits(p, &brick, own, ray, HUGE_VAL, at), 2);
-    if (!placement_stand(p, &frame, &where))
+    if (!instance_filter_make(p, &frame, &where))
         return;
     assert_true(put_ray(&rays, 0, &frame, ray, HUGE_VAL));
-    assert_int_equal(placement_filter(&where, NOT_LEFT, &rays, 1, &met), 1);
+    assert_int_equal(instance_filter_rays(&where, NO_ORIGIN, &rays, 1, &candidates), 1);
 }
 
 /* Where squares and products would leave the range of double, there is no filter and no wrong answer. */
@@ -445,23 +446,23 @@ static void what_is_out_of_range_is_not_filtered(void **state)
     for (i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         pov_box around;
         pov_affine map;
-        placement p;
+        instance_xform p;
         model m;
         pov_ray ray;
 
         test_model_init(&m, NULL);
         assert_true(transform_compose(test_transform(&m, NULL, TRANSFORM_SCALE, sizes[i], 2.0 * sizes[i], sizes[i]),
                                       &map));
-        placement_box(&map, &own, &around);
-        placement_init(&p, &map, &own, &around, POV_SHAPE_BALL);
+        instance_box(&map, &own, &around);
+        instance_init(&p, &map, &own, &around, POV_SHAPE_SPHERE);
         memset(&ray, 0, sizeof ray);
         ray.org = pov_vec3_of(0.0, 0.0, -5.0 * sizes[i]);
         ray.dir = pov_vec3_of(0.0, 1e-3, 1.0);
         check_range(&p, &own, &around, &ray);
         ray.dir = pov_vec3_of(0.0, 1e-73, 1e-70);
         check_range(&p, &own, &around, &ray);
-        placement_init(&p, &map, &own, NULL, POV_SHAPE_BALL);
-        assert_int_equal(p.known, PLACEMENT_UNKNOWN);
+        instance_init(&p, &map, &own, NULL, POV_SHAPE_SPHERE);
+        assert_int_equal(p.known, INSTANCE_UNKNOWN);
         model_free(&m);
     }
 }
@@ -492,10 +493,10 @@ static void the_next_double_is_that_of_nextafter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(placements_made_together_are_as_one_by_one),
+        cmocka_unit_test(instances_made_together_are_as_one_by_one),
         cmocka_unit_test(the_filter_is_right_of_boxes),
-        cmocka_unit_test(the_filter_is_right_of_balls),
-        cmocka_unit_test(who_goes_away_from_a_box_or_ball_is_left_out),
+        cmocka_unit_test(the_filter_is_right_of_spheres),
+        cmocka_unit_test(rays_that_go_outward_from_a_box_or_sphere_are_excluded),
         cmocka_unit_test(what_is_out_of_range_is_not_filtered),
         cmocka_unit_test(the_next_double_is_that_of_nextafter),
     };

@@ -1,4 +1,4 @@
-/* The box that the world has around a ball in a space of its own: what is drawn in, and where it ends. */
+/* The box that the world has around a sphere in a space of its own: what is drawn in, and where it ends. */
 #include "support/check.h"
 #include "support/maps.h"
 
@@ -11,24 +11,24 @@
 
 enum { MAPS = 100000, BATCH = 1000 };
 
-/* Where the largest ball about the middle of the box ends on that side of axis i: its centre taken to the world, and on
- * by the radius times the length of the map's row. */
+/* Where the largest sphere about the middle of the box ends on that side of axis i: its centre taken to the world, and
+ * on by the radius times the length of the map's row. */
 static pov_two ends(const pov_affine *map, const pov_box *own, int i, double side)
 {
     const double lo[3] = { own->lo.x, own->lo.y, own->lo.z }, hi[3] = { own->hi.x, own->hi.y, own->hi.z };
-    pov_two twice = pov_two_of(2.0 * map->m[i][3], 2.0 * map->m_lo[i][3]), square = pov_two_of(0.0, 0.0);
+    pov_two definite_pair = pov_two_of(2.0 * map->m[i][3], 2.0 * map->m_lo[i][3]), square = pov_two_of(0.0, 0.0);
     pov_two edge = pov_two_of(HUGE_VAL, 0.0);
     int j;
 
     for (j = 0; j < 3; j++) {
         const pov_two m = pov_two_of(map->m[i][j], map->m_lo[i][j]), e = pov_two_sum(hi[j], -lo[j]);
 
-        twice = pov_two_add(twice, pov_two_mul(m, pov_two_sum(hi[j], lo[j])));
+        definite_pair = pov_two_add(definite_pair, pov_two_mul(m, pov_two_sum(hi[j], lo[j])));
         square = pov_two_add(square, pov_two_mul(m, m));
         edge = pov_two_less(e, edge) ? e : edge;
     }
-    twice = pov_two_add(twice, pov_two_scale(pov_two_mul(pov_two_sqrt(square), edge), side));
-    return pov_two_scale(twice, 0.5);
+    definite_pair = pov_two_add(definite_pair, pov_two_scale(pov_two_mul(pov_two_sqrt(square), edge), side));
+    return pov_two_scale(definite_pair, 0.5);
 }
 
 /* No end is left out, and none is left further than by roundings of the numbers that it comes of. */
@@ -41,7 +41,7 @@ static void check_side(const pov_affine *map, const pov_box *own, int i, double 
     assert_true(off <= 0x1p-46 * size * (pov_largest(own->lo) + pov_largest(own->hi)) + 0x1p-50 * fabs(drawn));
 }
 
-/* Bounds of a ball may be wider than it is by eight units in the last place, here on one side. */
+/* Bounds of a sphere may be wider than it is by eight units in the last place, here on one side. */
 static pov_box widened(pov_box b, bool above)
 {
     int i;
@@ -60,9 +60,9 @@ static void check_drawn(const pov_affine *map, const pov_box *own, bool above)
     const pov_box bounds = widened(*own, above);
     pov_box wide, drawn;
 
-    placement_box(map, &bounds, &wide);
+    instance_box(map, &bounds, &wide);
     drawn = wide;
-    placement_draw_in(map, &bounds, &drawn);
+    instance_shrink_box(map, &bounds, &drawn);
     check_side(map, own, 0, -1.0, drawn.lo.x, wide.lo.x);
     check_side(map, own, 0, 1.0, drawn.hi.x, wide.hi.x);
     check_side(map, own, 1, -1.0, drawn.lo.y, wide.lo.y);
@@ -71,7 +71,7 @@ static void check_drawn(const pov_affine *map, const pov_box *own, bool above)
     check_side(map, own, 2, 1.0, drawn.hi.z, wide.hi.z);
 }
 
-static void the_box_of_a_mapped_ball_ends_where_it_does(void **state)
+static void the_box_of_a_mapped_sphere_ends_where_it_does(void **state)
 {
     test_random r = { 17 };
     pov_affine map;
@@ -83,8 +83,8 @@ static void the_box_of_a_mapped_ball_ends_where_it_does(void **state)
 
         test_model_init(&m, NULL);
         for (j = 0; j < BATCH; j++) {
-            const pov_vec3 way = pov_scale(test_direction(&r), test_power(&r, -2.0, 6.0));
-            const pov_box cube = test_random_cube(&r), own = { pov_add(cube.lo, way), pov_add(cube.hi, way) };
+            const pov_vec3 dir = pov_scale(test_direction(&r), test_power(&r, -2.0, 6.0));
+            const pov_box cube = test_random_cube(&r), own = { pov_add(cube.lo, dir), pov_add(cube.hi, dir) };
 
             assert_true(transform_compose(test_random_map(&m, &r), &map));
             check_drawn(&map, &own, test_below(&r, 2));
@@ -103,7 +103,7 @@ static void scale_rows(pov_affine *map, double by)
 }
 
 /* A size that is a power of two changes nothing else, until squares overflow or vanish; there nothing is drawn in. */
-static void balls_of_any_size_keep_within_their_boxes(void **state)
+static void spheres_of_any_size_keep_within_their_boxes(void **state)
 {
     static const int powers[] = { -900, -600, -480, -400, -100, 100, 400, 600, 900 };
     const pov_box own = { { -1.0, 0.0, 1.0 }, { 1.0, 2.0, 3.0 } };
@@ -121,12 +121,12 @@ static void balls_of_any_size_keep_within_their_boxes(void **state)
         pov_affine map = first;
         pov_box one, wide, drawn;
 
-        placement_box(&map, &own, &one);
-        placement_draw_in(&map, &own, &one);
+        instance_box(&map, &own, &one);
+        instance_shrink_box(&map, &own, &one);
         scale_rows(&map, size);
-        placement_box(&map, &own, &wide);
+        instance_box(&map, &own, &wide);
         drawn = wide;
-        placement_draw_in(&map, &own, &drawn);
+        instance_shrink_box(&map, &own, &drawn);
         assert_true(drawn.lo.x == (far ? wide.lo.x : one.lo.x * size));
         assert_true(drawn.hi.y == (far ? wide.hi.y : one.hi.y * size));
         assert_true(far || drawn.hi.y - drawn.lo.y < 0.8 * (wide.hi.y - wide.lo.y));
@@ -137,8 +137,8 @@ static void balls_of_any_size_keep_within_their_boxes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_box_of_a_mapped_ball_ends_where_it_does),
-        cmocka_unit_test(balls_of_any_size_keep_within_their_boxes),
+        cmocka_unit_test(the_box_of_a_mapped_sphere_ends_where_it_does),
+        cmocka_unit_test(spheres_of_any_size_keep_within_their_boxes),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

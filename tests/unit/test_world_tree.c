@@ -1,14 +1,14 @@
-/* The tree gives the list's answers to the bit, whatever the scene. */
+/* The tree gives the list's answers bit for bit, whatever the scene. */
 #include "support/check.h"
 #include "support/shapes.h"
 
-#include "world/parts.h"
+#include "world/internal.h"
 
 #include <string.h>
 
 /* ---- two worlds of one model ---- */
 
-typedef struct pair { world *tree, *list; walker *on_tree, *on_list; } pair;
+typedef struct pair { world *tree, *list; query_context *on_tree, *on_list; } pair;
 
 static void make_pair(pair *p, const model *m)
 {
@@ -17,14 +17,14 @@ static void make_pair(pair *p, const model *m)
 
     assert_int_equal(world_create(&p->tree, m, &with, &err), POV_OK);
     assert_int_equal(world_create(&p->list, m, &without, &err), POV_OK);
-    assert_int_equal(walker_create(&p->on_tree, p->tree, &err), POV_OK);
-    assert_int_equal(walker_create(&p->on_list, p->list, &err), POV_OK);
+    assert_int_equal(query_context_create(&p->on_tree, p->tree, &err), POV_OK);
+    assert_int_equal(query_context_create(&p->on_list, p->list, &err), POV_OK);
 }
 
 static void free_pair(pair *p)
 {
-    walker_destroy(p->on_tree);
-    walker_destroy(p->on_list);
+    query_context_destroy(p->on_tree);
+    query_context_destroy(p->on_list);
     world_destroy(p->tree);
     world_destroy(p->list);
 }
@@ -59,7 +59,7 @@ static bool same_answers(pair *p, const pov_ray *ray, double tmax, hit *out)
     assert_int_equal(a.object, b.object);
     same_number(a.crossing.t, b.crossing.t);
     same_number(a.crossing.t_lo, b.crossing.t_lo);
-    assert_int_equal(a.crossing.mark.part, b.crossing.mark.part);
+    assert_int_equal(a.crossing.mark.feature, b.crossing.mark.feature);
     world_surface(p->tree, ray, &a);
     world_surface(p->list, ray, &b);
     same_point(a.point, b.point);
@@ -105,7 +105,7 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     memset(&ray, 0, sizeof ray);
     ray.org = org;
     ray.dir = dir;
-    ray.left = POV_NOBODY;
+    ray.origin_surface = POV_NO_OWNER;
     return ray;
 }
 
@@ -115,8 +115,8 @@ static int trace(pair *p, test_random *r, int rays, double scale, pov_vec3 offse
     int i, hits = 0;
 
     for (i = 0; i < rays; i++) {
-        static const double way[4] = { 1.0, 3.0, 50.0, 1e7 };
-        pov_vec3 o = pov_scale(test_direction(r), scale * way[i % 4]), d = test_direction(r);
+        static const double dir[4] = { 1.0, 3.0, 50.0, 1e7 };
+        pov_vec3 o = pov_scale(test_direction(r), scale * dir[i % 4]), d = test_direction(r);
         pov_vec3 target = pov_scale(test_direction(r), scale);
         if (i % 4 > 0)
             d = pov_sub(target, o);
@@ -139,7 +139,7 @@ static pov_vec3 somewhere(test_random *r, double size)
     return pov_vec3_of(test_uniform(r, -size, size), test_uniform(r, -size, size), test_uniform(r, -size, size));
 }
 
-/* Balls, bricks, placed and absorbed, opaque and coloured, throwing shadows or not; some exactly alike. */
+/* Spheres, bricks, placed and absorbed, opaque and coloured, throwing shadows or not; some exactly alike. */
 static void add_mixture(model *m, test_random *r, int n, double scale, pov_vec3 offset, double size)
 {
     uint32_t glass = test_add_material(m, colour_of(0.9f, 0.5f, 0.2f), 0.8f, 0.1f, true);
@@ -147,7 +147,7 @@ static void add_mixture(model *m, test_random *r, int n, double scale, pov_vec3 
 
     for (i = 0; i < n; i++) {
         pov_vec3 c = pov_add(offset, somewhere(r, scale));
-        test_ball ball = { c, scale * size * test_uniform(r, 0.2, 1.0) };
+        test_sphere_shape sphere = { c, scale * size * test_uniform(r, 0.2, 1.0) };
         test_brick brick = {c, pov_add(c, pov_scale(pov_vec3_of(1.0, test_uniform(r, 0.1, 2.0), 0.5), scale * size))};
         uint32_t surface = test_below(r, 3) == 0 ? glass : 0, flags = test_below(r, 8) == 0 ? LEAF_NO_SHADOW : 0;
         const transform *map = NULL;
@@ -156,22 +156,22 @@ static void add_mixture(model *m, test_random *r, int n, double scale, pov_vec3 
             test_add(m, &test_brick_class, &brick, NULL, surface, flags);
             break;
         case 1:
-            ball.centre = pov_vec3_of(0.25, 0.0, 0.0);
-            ball.radius = 1.0;
+            sphere.centre = pov_vec3_of(0.25, 0.0, 0.0);
+            sphere.radius = 1.0;
             map = test_transform(m, map, TRANSFORM_SCALE, scale * size, 0.5 * scale * size, 2.0 * scale * size);
             map = test_transform(m, map, TRANSFORM_ROTATE, 10.0, 50.0, 70.0);
             map = test_transform(m, map, TRANSFORM_TRANSLATE, c.x, c.y, c.z);
-            test_add(m, &test_ball_class, &ball, map, surface, flags | LEAF_INVERSE);
+            test_add(m, &test_sphere_class, &sphere, map, surface, flags | LEAF_INVERSE);
             break;
         case 2:
-            test_add(m, &test_plain_ball_class, &ball, NULL, surface, flags);
+            test_add(m, &test_plain_sphere_class, &sphere, NULL, surface, flags);
             break;
         case 3:
-            test_add(m, &test_ball_class, &ball, NULL, 0, flags);
-            test_add(m, &test_ball_class, &ball, NULL, glass, flags);
+            test_add(m, &test_sphere_class, &sphere, NULL, 0, flags);
+            test_add(m, &test_sphere_class, &sphere, NULL, glass, flags);
             break;
         default:
-            test_add(m, &test_ball_class, &ball, NULL, surface, flags);
+            test_add(m, &test_sphere_class, &sphere, NULL, surface, flags);
         }
     }
 }
@@ -262,7 +262,7 @@ static void a_long_thin_scene_is_the_same(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 400; i++, x *= 1.9)
-        test_add_ball(&m, pov_vec3_of(x, 0.0, 0.0), 0.4 * x, 0);
+        test_add_sphere(&m, pov_vec3_of(x, 0.0, 0.0), 0.4 * x, 0);
     make_pair(&p, &m);
     assert_true(p.tree->tree.depth < BVH_DEPTH);
     for (x = 1e-50; x < 1e50; x *= 1e10)
@@ -284,7 +284,7 @@ static void objects_all_alike_are_the_same_and_the_first_wins(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 1000; i++)
-        test_add_ball(&m, pov_vec3_of(0.5, 0.5, 0.5), 1.0, 0);
+        test_add_sphere(&m, pov_vec3_of(0.5, 0.5, 0.5), 1.0, 0);
     make_pair(&p, &m);
     assert_true(p.tree->tree.depth < 8);
     assert_true(same_answers(&p, &ray, HUGE_VAL, &h));
@@ -308,11 +308,11 @@ static void degenerate_boxes_are_the_same(void **state)
     for (i = 0; i < 200; i++) {
         pov_vec3 c = somewhere(&r, 1.0);
         test_brick slab = { c, pov_add(c, pov_vec3_of(0.3, i % 2 ? 0.0 : 0.2, 0.0)) };
-        test_ball point = { c, 0.0 };
+        test_sphere_shape point = { c, 0.0 };
         test_add(&m, &test_brick_class, &slab, NULL, 0, 0);
-        test_add(&m, &test_ball_class, &point, NULL, 0, 0);
+        test_add(&m, &test_sphere_class, &point, NULL, 0, 0);
     }
-    test_add_ball(&m, origin, 0.1, 0);
+    test_add_sphere(&m, origin, 0.1, 0);
     make_pair(&p, &m);
     trace(&p, &r, 2000, 1.0, origin);
     free_pair(&p);
@@ -330,7 +330,7 @@ static void points_alone_make_a_tree(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 100; i++)
-        test_add_ball(&m, pov_vec3_of(3.0, 3.0, 3.0), 0.0, 0);
+        test_add_sphere(&m, pov_vec3_of(3.0, 3.0, 3.0), 0.0, 0);
     make_pair(&p, &m);
     trace(&p, &r, 200, 4.0, origin);
     free_pair(&p);
@@ -354,7 +354,7 @@ static void a_tree_may_be_of_one_object_but_not_of_none(void **state)
     assert_false(world_bounds(p.tree, &box));
     assert_false(p.tree->has_tree);
     free_pair(&p);
-    test_add_ball(&m, origin, 1.0, 0);
+    test_add_sphere(&m, origin, 1.0, 0);
     make_pair(&p, &m);
     assert_true(p.tree->has_tree);
     assert_true(same_answers(&p, &ray, HUGE_VAL, &h));
@@ -364,7 +364,7 @@ static void a_tree_may_be_of_one_object_but_not_of_none(void **state)
     model_free(&m);
 }
 
-static void infinite_objects_are_asked_apart(void **state)
+static void infinite_objects_are_tested_separately(void **state)
 {
     test_random r = { 37 };
     test_ground ground[3] = { { -1.0 }, { -1.5 }, { -1.0 } };
@@ -401,16 +401,16 @@ static void infinite_objects_share_blocks(void **state)
     test_model_init(&m, NULL);
     test_add_light(&m, 1.0f);
     for (k = 0; k < 21; k++) {
-        test_ball ball = { somewhere(&r, 1.0), test_uniform(&r, 0.05, 0.3) };
-        test_add(&m, &test_loose_ball_class, &ball, NULL, 0, k % 5 == 4 ? LEAF_NO_SHADOW : 0);
+        test_sphere_shape sphere = { somewhere(&r, 1.0), test_uniform(&r, 0.05, 0.3) };
+        test_add(&m, &test_loose_sphere_class, &sphere, NULL, 0, k % 5 == 4 ? LEAF_NO_SHADOW : 0);
     }
     add_mixture(&m, &r, 100, 1.0, origin, 0.1);
     make_pair(&p, &m);
     assert_int_equal(world_infinite_count(p.tree), 21);
     assert_true(p.tree->has_tree);
     for (i = 0; i < p.tree->group_count; i++)
-        if (p.tree->groups[i].shape == &test_loose_ball_class)
-            assert_true(p.tree->groups[i].packs);
+        if (p.tree->groups[i].shape == &test_loose_sphere_class)
+            assert_true(p.tree->groups[i].shares_leaf);
     assert_true(trace(&p, &r, 1500, 1.0, origin) > 500);
     free_pair(&p);
     model_free(&m);
@@ -462,10 +462,10 @@ static void rays_of_every_length_and_distance_are_the_same(void **state)
     for (i = 0; i < 7; i++)
         for (k = 0; k < 7; k++)
             for (n = 0; n < 15; n++) {
-                pov_vec3 way = pov_unit(test_direction(&r)),
-                         o = pov_add(pov_scale(way, -distances[k]), somewhere(&r, 1.0));
+                pov_vec3 dir = pov_unit(test_direction(&r)),
+                         o = pov_add(pov_scale(dir, -distances[k]), somewhere(&r, 1.0));
                 hit h;
-                pov_ray ray = ray_of(o, pov_scale(way, lengths[i]));
+                pov_ray ray = ray_of(o, pov_scale(dir, lengths[i]));
                 same_answers(&p, &ray, HUGE_VAL, &h);
                 same_answers(&p, &ray, distances[k] / lengths[i], &h);
             }
@@ -485,7 +485,7 @@ int main(void)
         cmocka_unit_test(degenerate_boxes_are_the_same),
         cmocka_unit_test(points_alone_make_a_tree),
         cmocka_unit_test(a_tree_may_be_of_one_object_but_not_of_none),
-        cmocka_unit_test(infinite_objects_are_asked_apart),
+        cmocka_unit_test(infinite_objects_are_tested_separately),
         cmocka_unit_test(infinite_objects_share_blocks),
         cmocka_unit_test(of_equal_distances_the_earlier_object_wins),
         cmocka_unit_test(rays_of_every_length_and_distance_are_the_same),

@@ -13,7 +13,7 @@
 
 enum { WIDTH = 320, HEIGHT = 240 };
 
-/* A red ball before a black ground; at the camera's height, lit from behind it. */
+/* A red sphere before a black ground; at the camera's height, lit from behind it. */
 static const char good[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
                            "camera { location <0, 0, -5> look_at 0 }\n"
                            "light_source { <0, 0, -50> rgb 1 }\n"
@@ -279,7 +279,7 @@ static void shot_shows_normals_and_depth(void **state)
     const uint8_t *p = see(s, "<tab>");
 
     (void)state;
-    /* The ball's nearest point looks along -z, its left side along -x. */
+    /* The sphere's nearest point looks along -z, its left side along -x. */
     assert_color(at(p, WIDTH / 2, HEIGHT / 2), 128, 128, 0, 3);
     assert_true(at(p, WIDTH / 2 - 40, HEIGHT / 2)[0] < 60);
     assert_color(at(p, 5, 5), 0, 0, 0, 0);
@@ -305,12 +305,12 @@ static void shot_shows_where_the_samples_and_the_error_are(void **state)
     int most = 0;
 
     (void)state;
-    /* The ball's edge, right of the middle by a fifth of the height and some, against the ground below. */
+    /* The sphere's edge, right of the middle by a fifth of the height and some, against the ground below. */
     assert_int_equal(s->v.app.view, APP_SAMPLES);
     assert_true(brightness(at(p, 160 + 48, 120)) > brightness(at(p, 40, 200)) + 50);
     p = see(s, "<tab><tab>");
     assert_int_equal(s->v.app.view, APP_ERROR);
-    /* Below the legend: of the cells at the ball's edge some differ from what half of the samples say, some by chance
+    /* Below the legend: of the cells at the sphere's edge some differ from what half of the samples say, some by chance
      * do not. */
     for (int i = WIDTH * 90; i < WIDTH * HEIGHT; i++)
         most = brightness(at(p, i % WIDTH, i / WIDTH)) > most ? brightness(at(p, i % WIDTH, i / WIDTH)) : most;
@@ -332,7 +332,7 @@ static double brightness_of(const uint8_t *pixels, int left, int top)
     return sum / (EDGE * EDGE);
 }
 
-/* Pixels of a ball with light and shadow take more of the processor than those of nothing. */
+/* Pixels of a sphere with light and shadow take more of the processor than those of nothing. */
 static void shot_shows_where_the_time_went(void **state)
 {
     stage *s = begin_with(good, 0, 16);
@@ -398,7 +398,7 @@ static void shot_drag_shows_another_side(void **state)
     uint8_t *before = copy(see(s, ""));
 
     (void)state;
-    /* The light stays where it is, so the ball's shadow side comes round; the ball keeps its place. */
+    /* The light stays where it is, so the sphere's shadow side comes round; the sphere keeps its place. */
     assert_true(differences(see(s, "<drag 80,0>"), before) > 1000);
     assert_int_equal(differences(see(s, "<enter>"), before), 0);
     free(before);
@@ -414,7 +414,7 @@ static void shot_takes_another_size(void **state)
     see(s, "");
     p = see(s, "<size 200,240>");
     assert_int_equal(s->v.app.width, 200);
-    /* As high as before, and round still: the ball's edge is as far from the middle across as down. */
+    /* As high as before, and round still: the sphere's edge is as far from the middle across as down. */
     for (int r = 1; r < 90; r++)
         assert_true(abs(p[4 * (120 * 200 + 100 + r)] - p[4 * ((120 + r) * 200 + 100)]) < 60);
     assert_true(p[4 * (120 * 200 + 100)] > 100);

@@ -28,10 +28,11 @@ typedef struct pov_reader pov_reader;
 
 /* A bounding volume hierarchy over the parts of one shape: made while the scene loads, traversed by rays. */
 typedef struct pov_hierarchy {
-    /* [render] Calls see() for each part whose box the ray may meet from 0 to hits->tmax, near ones first as a rule;
-     * hits->tmax may close in meanwhile. False: see() said false, which ends it. The ray is in the space of the boxes. */
+    /* [render] Calls visit() for each part whose box the ray may meet from 0 to hits->tmax, near ones first as a rule;
+     * hits->tmax may close in meanwhile. False: visit() said false, which ends it. The ray is in the space of the
+     * boxes. */
     bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
-                  bool (*see)(void *user, uint32_t part), void *user);
+                  bool (*visit)(void *user, uint32_t item), void *user);
 } pov_hierarchy;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives
@@ -41,8 +42,8 @@ typedef struct pov_host {
     void *(*alloc)(pov_reader *in, size_t bytes);   /* zeroed, lives as long as the scene; NULL after an error */
     double (*number)(pov_reader *in);
     void (*vector)(pov_reader *in, pov_vec3 *out);
-    bool (*accept)(pov_reader *in, const char *word);  /* a keyword or a punctuation mark */
-    void (*expect)(pov_reader *in, const char *word);
+    bool (*accept)(pov_reader *in, const char *keyword);  /* a keyword or a punctuation mark */
+    void (*expect)(pov_reader *in, const char *keyword);
     bool (*more)(pov_reader *in);                      /* does a value come next? */
     void (*fail)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);   /* at the last value read */
     void (*warn)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);

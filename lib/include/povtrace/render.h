@@ -54,7 +54,7 @@ typedef struct pov_counts {
     uint64_t shadow_behind, shadow_idle;  /* not sent: light behind the surface; light or surface that adds nothing */
     uint64_t cut_depth, cut_weight;       /* not sent: max_trace_level, adc_bailout; each adds black */
     uint64_t inner_reflections;           /* total internal reflections among the reflected */
-    uint64_t decided;                     /* intersections that double precision left open */
+    uint64_t escalated;                   /* intersections that double precision left open */
 } pov_counts;
 
 typedef struct pov_progress {
@@ -92,7 +92,7 @@ typedef struct pov_pass {
 typedef struct pov_class_counts {
     size_t size;
     const char *keyword;          /* valid while the scene lives */
-    uint64_t asked, decided;      /* intersections; those decided by two-part arithmetic */
+    uint64_t asked, escalated;    /* intersections; those decided by double-double arithmetic */
 } pov_class_counts;
 
 /* desc is copied; the scene must outlive the job. */

@@ -6,26 +6,26 @@
 
 #include <povtrace/plugin.h>
 
-#define POV_NOBODY 0xffffffffu
+#define POV_NO_OWNER 0xffffffffu
 #define POV_PREPARED_MAX 1024u
 
 /* ---- rays and crossings ------------------------------------------------ */
 
 /* What names a crossing of a shape again: which part of it (face, cap, root), and what normal() wants to know. */
-typedef struct pov_mark { uint32_t part, flags; double u, v; } pov_mark;
-#define POV_MARK_DECIDED 0x80000000u   /* in flags: double left the crossing open, two-part arithmetic decided */
-/* In a ray's left_mark: it goes outward, at an angle that is no matter of rounding. In a mark that a shape reports: whoever
- * leaves it there, to either side and at any angle, never comes back. */
-#define POV_MARK_AWAY 0x40000000u
-#define POV_MARK_INTO 0x20000000u      /* in a ray's left_mark: it goes inward, as surely */
+typedef struct pov_mark { uint32_t feature, flags; double u, v; } pov_mark;
+#define POV_MARK_ESCALATED 0x80000000u /* in flags: double left the crossing open, double-double arithmetic decided */
+/* In a ray's origin_mark: it goes outward, at an angle that is no matter of rounding. In a mark that a shape reports:
+ * whoever leaves it there, to either side and at any angle, never comes back. */
+#define POV_MARK_OUTWARD 0x40000000u
+#define POV_MARK_INWARD 0x20000000u    /* in a ray's origin_mark: it goes inward, as definitely */
 #define POV_MARK_CLOSED 0x10000000u    /* in flags: of a shape that is bounded, convex and without gaps */
 
 /* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
  * object far from the origin is exact enough to be told from its surface. */
 typedef struct pov_ray {
     pov_vec3 org, org_lo, dir;   /* dir need not be unit */
-    uint32_t left;               /* the owner whose surface the ray starts on, or POV_NOBODY */
-    pov_mark left_mark;          /* the mark of that crossing: intersect() leaves out that root by name */
+    uint32_t origin_surface;     /* the owner whose surface the ray starts on, or POV_NO_OWNER */
+    pov_mark origin_mark;        /* the mark of that crossing: intersect() leaves out that root by name */
     pov_vec3 dir_lo;             /* the direction is dir + dir_lo: zero, but where a map was applied to a ray */
 } pov_ray;
 
@@ -42,20 +42,20 @@ typedef enum pov_want { POV_WANT_NEAREST, POV_WANT_ANY, POV_WANT_ALL } pov_want;
 typedef struct pov_hits {
     double tmin, tmax;             /* open interval */
     pov_want want;
-    bool always_exact;             /* use two-part arithmetic throughout, whatever the filter says */
+    bool always_exact;             /* use double-double arithmetic throughout, whatever the filter says */
     bool count_only;               /* ALL: t may be off, as long as what is reported lies in the interval for certain */
-    uint32_t owner;                /* whom the host asks: compare with ray->left */
+    uint32_t owner;                /* whom the host asks: compare with ray->origin_surface */
     uint32_t count, capacity;
-    uint32_t decided;              /* add one for each crossing or miss that two-part arithmetic had to decide */
+    uint32_t escalated;            /* add one for each crossing or miss that double-double arithmetic had to decide */
     pov_crossing *at;              /* one slot, or `capacity` of them for POV_WANT_ALL */
     bool (*grow)(struct pov_hits *hits);
     void *user;                    /* the host's */
-    bool crowded;                  /* NEAREST: another owner's crossing is as near, as far as doubles tell */
+    bool tied;                     /* NEAREST: another owner's crossing is as near, as far as doubles tell */
     void *scratch;                 /* working memory of this thread, as much as the class's scratch() asks for */
 } pov_hits;
 
 /* Distances that differ by less than this part of them may be the same: twice what crossings may be off by, and some. */
-#define POV_NEAR (1.0 / 70368744177664.0)   /* 2^-46 */
+#define POV_COINCIDENT (1.0 / 70368744177664.0)   /* 2^-46 */
 
 /* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that
  * the answer does not depend on the order of asking. (The host looks again at what is as near: docs/numerics.md.) */
@@ -71,12 +71,12 @@ static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
 }
 
 /* Take note of one that is about as near as the nearest so far, and of the first that is clearly nearer. */
-static inline void pov_note_company(pov_hits *h, double t)
+static inline void pov_note_coincident(pov_hits *h, double t)
 {
-    if (fabs(t - h->at->t) <= POV_NEAR * fabs(t))
-        h->crowded = h->crowded || h->owner != h->at->owner;
+    if (fabs(t - h->at->t) <= POV_COINCIDENT * fabs(t))
+        h->tied = h->tied || h->owner != h->at->owner;
     else if (t < h->at->t)
-        h->crowded = false;
+        h->tied = false;
 }
 
 /* Report a crossing. False: nothing more is wanted, return at once. */
@@ -94,11 +94,11 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
         c = &h->at[h->count++];
     } else {
         if (h->count)
-            pov_note_company(h, t);
+            pov_note_coincident(h, t);
         if (!pov_is_nearer(h, t, t_lo))
             return true;
         h->count = 1;
-        h->tmax = t + POV_NEAR * fabs(t);   /* open for company */
+        h->tmax = t + POV_COINCIDENT * fabs(t);   /* open for coincident ones */
     }
     c->t = t;
     c->t_lo = t_lo;
@@ -116,13 +116,13 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
  * instance's own bytes. */
 
 enum {
-    POV_SHAPE_SOLID = 1u << 0,   /* inside() means something: it may hold a medium and take part in CSG */
+    POV_SHAPE_SOLID = 1u << 0,   /* inside() means something: it may hold a dielectric and take part in CSG */
     POV_SHAPE_CONVEX = 1u << 1,  /* a ray that leaves it outward never meets it again: it lies on one side of each tangent plane */
-    /* It fills its bounds, or is the ball within them, but for what rounding them outward adds: up to eight units in the
-     * last place of the coordinates. Hosts that know better may look for more than bounds say. */
+    /* It fills its bounds, or is the sphere within them, but for what rounding them outward adds: up to eight units in
+     * the last place of the coordinates. Hosts that know better may look for more than bounds say. */
     POV_SHAPE_BOX = 1u << 2,
-    POV_SHAPE_BALL = 1u << 3,
-    POV_SHAPE_FACES = 1u << 4,   /* its sides are flat: normal() does not look at the ray */
+    POV_SHAPE_SPHERE = 1u << 3,
+    POV_SHAPE_FACETED = 1u << 4, /* its sides are flat: normal() does not look at the ray */
     /* No hit or miss is misjudged, and each distance t + t_lo is off by at most 32 units in the last place of t, the
      * point there by 2^-42 of the shape's size, from however far and at whatever scale (docs/numerics.md). The
      * contract's tests hold the class to it. */

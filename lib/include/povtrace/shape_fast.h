@@ -1,7 +1,7 @@
 /* povtrace/shape_fast.h - a primitive's fast extension: packets of rays and blocks of shapes.
  *
  * Unstable: it follows the renderer's own layout, and its name changes with each version. A host that does not know the
- * name does without; every answer must be the same to the bit either way. A class hands it out by its extension(). */
+ * name does without; every answer must be the same bit for bit either way. A class hands it out by its extension(). */
 #ifndef POVTRACE_SHAPE_FAST_H
 #define POVTRACE_SHAPE_FAST_H
 
@@ -23,7 +23,7 @@ typedef struct pov_rays {
     double per_length[POV_RAYS_MAX];   /* its root: the t of a length of one */
     double size[POV_RAYS_MAX];         /* |org.x| + |org.y| + |org.z| */
     double tmax[POV_RAYS_MAX];
-    uint32_t away[POV_RAYS_MAX];       /* whom the ray need not be asked of (POV_MARK_AWAY), or POV_NOBODY */
+    uint32_t excluded[POV_RAYS_MAX];   /* whom the ray need not be asked of (POV_MARK_OUTWARD), or POV_NO_OWNER */
     /* The same in the frame of the block, rounded to floats; the point s along dir is at t = shift + s * unit. */
     struct {
         float org[3][POV_RAYS_MAX];
@@ -31,21 +31,21 @@ typedef struct pov_rays {
         float size[POV_RAYS_MAX];      /* |org.x| + |org.y| + |org.z| + 2^-22 |shift| / unit; without end: nothing is known */
         float smax[POV_RAYS_MAX];      /* of tmax, rounded up by less than 2^-21 of it and 2^-44 |shift| / unit */
         double shift[POV_RAYS_MAX], unit[POV_RAYS_MAX];
-    } framed;
+    } local;
 } pov_rays;
 
 /* A shape of a block that a ray may cross within its interval, with bounds on its nearest crossing there. Bounds may be
  * wide; they must never be wrong. Of the root that a ray leaves a block knows nothing. */
-typedef struct pov_meeting {
-    double lo, hi;               /* hi counts only where it is surely crossed */
+typedef struct pov_candidate {
+    double lo, hi;               /* hi counts only where it is definitely crossed */
     uint8_t ray, lane;           /* lanes of the rays, and of the block */
-    bool surely;                 /* it is crossed for certain, */
-    bool twice;                  /* and just twice */
-} pov_meeting;
-#define POV_MEETINGS_MAX (POV_RAYS_MAX * POV_BLOCK_MAX)
+    bool definite;               /* it is crossed for certain, */
+    bool definite_pair;          /* and just twice */
+} pov_candidate;
+#define POV_CANDIDATES_MAX (POV_RAYS_MAX * POV_BLOCK_MAX)
 
-/* An ellipsoid: its centre, in two parts, and rows of the map that takes points seen from there to the ball of radius one
- * around zero. On the surface the length that comes of that is one within 2^-20. */
+/* An ellipsoid: its centre, in double-double, and rows of the map that takes points seen from there to the sphere of
+ * radius one around zero. On the surface the length that comes of that is one within 2^-20. */
 typedef struct pov_ellipsoid { pov_vec3 centre, centre_lo, row[3]; } pov_ellipsoid;
 
 typedef struct pov_shape_fast {
@@ -63,13 +63,13 @@ typedef struct pov_shape_fast {
      * shape may be left out of the candidates of a ray that leaves it outward. */
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
     uint32_t (*block_filter)(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
-                             pov_meeting *out);
-    /* [render] As n calls of intersect(), and of normal(), to the bit: pair i is shape i with ray i. For packets,
+                             pov_candidate *out);
+    /* [render] As n calls of intersect(), and of normal(), bit for bit: pair i is shape i with ray i. For packets,
      * where several side by side cost less than as many alone; n is at least one. */
     void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                         pov_vec3 *const *out, uint32_t n);
-    /* [render] As intersect_many() finds the nearest crossing, of pairs that a filter calls surely crossed: whether
+    /* [render] As intersect_many() finds the nearest crossing, of pairs that a filter calls definitely crossed: whether
      * there is one need not be asked. No ray starts on its shape. */
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     /* [load] Is it an ellipsoid, and bounded like one? Hosts may filter its rays by that where no block does. */

@@ -12,7 +12,7 @@ typedef struct pov_hit {
     double distance;             /* in lengths of dir */
     pov_vec3 point, normal;      /* world space; normal is unit and faces the ray */
     uint32_t object;             /* 0 .. pov_scene_object_count() - 1 */
-    bool certain;                /* double precision decided; false: two-part arithmetic was needed */
+    bool certain;                /* double precision decided; false: double-double arithmetic was needed */
     pov_vec3 shading_normal;     /* the shading normal: differs from `normal` where a texture perturbs it */
 } pov_hit;
 
@@ -20,10 +20,10 @@ POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, p
 POV_API void pov_tracer_destroy(pov_tracer *tracer);
 /* The nearest hit of the open ray, dir of any length but zero. False: no hit, and only `certain` is valid. */
 POV_API bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
-/* All hits from near to far: the ray goes straight on through transparent and opaque surfaces. Calls `see` for each
+/* All hits from near to far: the ray goes straight on through transparent and opaque surfaces. Calls `visit` for each
  * hit, which returns false to stop. Returns the number of calls; the first hit is that of pov_trace_hit(). */
-POV_API size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*see)(void *user, const pov_hit *hit),
-                              void *user);
+POV_API size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir,
+                              bool (*visit)(void *user, const pov_hit *hit), void *user);
 /* Is there a surface strictly between the two points? Transparent objects count, no_shadow objects do not. */
 POV_API bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to);
 /* The colour seen along the ray: linear red, green, blue, and 1. Fails only when memory ends. */

@@ -2,7 +2,7 @@
 #ifndef METHODS_LANES_H
 #define METHODS_LANES_H
 
-#include "kit/simd.h"
+#include "common/simd.h"
 
 typedef struct lane_boxes { double lo[3][POV_BLOCK_MAX], hi[3][POV_BLOCK_MAX]; int64_t lanes; } lane_boxes;
 
@@ -23,13 +23,13 @@ static inline bool lanes_pack(lane_boxes *b, bool (*bounds)(const void *, pov_bo
 }
 
 /* Widened by a few roundings, as any tree's boxes are. */
-static inline void lanes_answer(const lane_boxes *b, const pov_rays *rays, uint32_t at, kit_answer *out)
+static inline void lanes_result(const lane_boxes *b, const pov_rays *rays, uint32_t at, common_result *out)
 {
     const double o[3] = { rays->org[0][at], rays->org[1][at], rays->org[2][at] };
     const double d[3] = { rays->dir[0][at], rays->dir[1][at], rays->dir[2][at] }, tmax = rays->tmax[at];
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     double far[POV_BLOCK_MAX], inverse[3], pad[3];
-    int64_t met = 0;
+    int64_t hit = 0;
     uint32_t i;
     int axis;
 
@@ -55,19 +55,19 @@ static inline void lanes_answer(const lane_boxes *b, const pov_rays *rays, uint3
         }
     }
     for (i = 0; i < POV_BLOCK_MAX; i++)
-        met |= out->lo[i] <= far[i] * (1.0 + 1e-15) ? bit[i] : 0;
-    out->maybe = (uint32_t)(met & b->lanes);
-    out->surely = out->twice = 0;
+        hit |= out->lo[i] <= far[i] * (1.0 + 1e-15) ? bit[i] : 0;
+    out->maybe = (uint32_t)(hit & b->lanes);
+    out->definite = out->definite_pair = 0;
 }
 
-static inline uint32_t lanes_filter(const lane_boxes *b, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+static inline uint32_t lanes_filter(const lane_boxes *b, const pov_rays *rays, uint64_t lanes, pov_candidate *out)
 {
     uint32_t n = 0;
-    kit_answer a;
+    common_result a;
 
     for (; lanes; lanes &= lanes - 1) {
-        lanes_answer(b, rays, kit_first_lane64(lanes), &a);
-        n = kit_tell(&a, kit_first_lane64(lanes), out, n);
+        lanes_result(b, rays, common_first_lane64(lanes), &a);
+        n = common_candidates(&a, common_first_lane64(lanes), out, n);
     }
     return n;
 }
@@ -79,7 +79,7 @@ static inline uint32_t lanes_filter(const lane_boxes *b, const pov_rays *rays, u
         (void)frame;                                                                                                  \
         return lanes_pack(block, bounds, selves, n);                                                                  \
     }                                                                                                                 \
-    KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out) \
+    COMMON_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_candidate *out) \
     {                                                                                                                 \
         return lanes_filter(block, rays, lanes, out);                                                                 \
     }

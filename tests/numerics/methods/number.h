@@ -1,9 +1,9 @@
 /* number.h - what the kernels to compare with reckon in, and how they solve a quadratic equation.
  *
  * One source for each primitive, three methods: the textbook's, in plain double about the world's origin (no macro);
- * RECENTRED: in plain double, but about the ray's point of closest approach, and with the stable root first; TWO_PARTS:
- * the textbook's formulas in two-part arithmetic throughout. None has an error bound. Where textbooks leave out what lies
- * nearer than an epsilon, these do for rays that left the shape itself. */
+ * RECENTRED: in plain double, but about the ray's point of closest approach, and with the stable root first;
+ * DOUBLE_DOUBLE: the textbook's formulas in double-double arithmetic throughout. None has an error bound. Where
+ * textbooks leave out what lies nearer than an epsilon, these do for rays that left the shape itself. */
 #ifndef METHODS_NUMBER_H
 #define METHODS_NUMBER_H
 
@@ -12,7 +12,7 @@
 
 #define SHADOW_EPSILON 1e-6
 
-#ifdef TWO_PARTS
+#ifdef DOUBLE_DOUBLE
 typedef pov_two num;
 static inline num num_of(double a) { return pov_two_of(a, 0.0); }
 static inline num num_of2(double a, double a_lo) { return pov_two_sum(a, a_lo); }
@@ -55,7 +55,7 @@ static inline num3 num3_of(pov_vec3 a, pov_vec3 a_lo)
     return r;
 }
 
-static inline num3 num3_flat(pov_vec3 a) { return num3_of(a, pov_vec3_of(0.0, 0.0, 0.0)); }
+static inline num3 num3_planar(pov_vec3 a) { return num3_of(a, pov_vec3_of(0.0, 0.0, 0.0)); }
 static inline pov_vec3 num3_double(num3 a) { return pov_vec3_of(num_double(a.x), num_double(a.y), num_double(a.z)); }
 
 static inline num3 num3_add(num3 a, num3 b)
@@ -143,14 +143,14 @@ static inline unsigned solve(num a, num b, num c, num root[2])
 }
 
 /* False: enough. */
-static inline bool report(pov_hits *hits, const pov_ray *ray, const line *l, num t, uint32_t part)
+static inline bool report(pov_hits *hits, const pov_ray *ray, const line *l, num t, uint32_t feature)
 {
-    const num way = num_add(t, l->middle);
-    pov_mark mark = { part, 0, 0.0, 0.0 };
+    const num dir = num_add(t, l->middle);
+    pov_mark mark = { feature, 0, 0.0, 0.0 };
 
-    if (ray->left == hits->owner && num_double(way) < SHADOW_EPSILON)
+    if (ray->origin_surface == hits->owner && num_double(dir) < SHADOW_EPSILON)
         return true;
-    return pov_cross(hits, num_double(way), num_rest(way), mark);
+    return pov_cross(hits, num_double(dir), num_rest(dir), mark);
 }
 
 /* The point of a crossing, seen from the anchor: textbooks take it from the world's. */

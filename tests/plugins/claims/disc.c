@@ -8,5 +8,5 @@
 
 #define pov_cross(hits, t, t_lo, mark) \
     pov_cross(hits, (t) + (ERROR) / sqrt(pov_dot(ray->dir, ray->dir)), t_lo, mark)
-#define keyword flags = POV_SHAPE_FACES | POV_SHAPE_CERTIFIED, .keyword
+#define keyword flags = POV_SHAPE_FACETED | POV_SHAPE_CERTIFIED, .keyword
 #include "plugins/out_of_tree/disc.c"

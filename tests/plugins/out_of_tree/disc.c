@@ -92,7 +92,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     pov_two t, rest, square;
 
     /* The disc is flat: a ray that starts on it never meets it again. */
-    if (ray->left == hits->owner || slope.hi == 0.0)
+    if (ray->origin_surface == hits->owner || slope.hi == 0.0)
         return;
     from.x = offset(d, ray->org.x, ray->org_lo.x, d->centre.x);
     from.y = offset(d, ray->org.y, ray->org_lo.y, d->centre.y);

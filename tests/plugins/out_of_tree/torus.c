@@ -114,7 +114,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     int i, left = -1;
 
     /* The crossing that a ray starts on is the root that is nearest to its start. */
-    for (i = 0; i < count && ray->left == hits->owner; i++)
+    for (i = 0; i < count && ray->origin_surface == hits->owner; i++)
         if (left < 0 || fabs(roots[i] + nearest) < fabs(roots[left] + nearest))
             left = i;
     for (i = 0; i < count; i++)

@@ -1,6 +1,6 @@
 #include "numerics/methods/number.h"
 
-#include "kit/affine.h"
+#include "common/affine.h"
 #include "numerics/methods/lanes.h"
 
 typedef struct box { double plane[6]; } box;   /* plane[2 * axis] is the lower one, and so is a mark's part */
@@ -36,7 +36,7 @@ static bool bounds(const void *self, pov_box *out)
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const box *b = self;
-    const line l = line_from(ray, num3_flat(pov_vec3_of(b->plane[0], b->plane[2], b->plane[4])));
+    const line l = line_from(ray, num3_planar(pov_vec3_of(b->plane[0], b->plane[2], b->plane[4])));
     const num from[3] = { l.from.x, l.from.y, l.from.z }, dir[3] = { l.dir.x, l.dir.y, l.dir.z };
     num first = num_of(-1.7e308), last = num_of(1.7e308);
     uint32_t entry = 0, exit = 0, i;
@@ -68,12 +68,12 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const double way = at->mark.part % 2 ? 1.0 : -1.0;
-    const uint32_t axis = at->mark.part / 2;
+    const double dir = at->mark.feature % 2 ? 1.0 : -1.0;
+    const uint32_t axis = at->mark.feature / 2;
 
     (void)self;
     (void)ray;
-    *out = pov_vec3_of(axis == 0 ? way : 0.0, axis == 1 ? way : 0.0, axis == 2 ? way : 0.0);
+    *out = pov_vec3_of(axis == 0 ? dir : 0.0, axis == 1 ? dir : 0.0, axis == 2 ? dir : 0.0);
 }
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
@@ -90,7 +90,7 @@ static bool absorb(void *self, const pov_affine *map)
     double plane[6];
     int axis[3], i;
 
-    if (!kit_is_axial(map, axis))
+    if (!common_is_axial(map, axis))
         return false;
     for (i = 0; i < 3; i++)
         set_plane(plane, i, map->m[i][axis[i]] * b->plane[2 * axis[i]] + map->m[i][3],
@@ -109,7 +109,7 @@ static const pov_shape_fast box_fast = {
     .block_filter = block_filter,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &box_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &box_fast : NULL; }
 
 static const pov_shape_class box_class = {
     .size = sizeof(pov_shape_class),

@@ -1,4 +1,4 @@
-#include "numerics/methods/frustum.h"
+#include "numerics/methods/cone.h"
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
@@ -12,7 +12,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     host->vector(in, &top);
     host->accept(in, ",");
     top_radius = fabs(host->number(in));
-    frustum_make(self, base, base_radius, top, top_radius, host->accept(in, "open"));
+    cone_make(self, base, base_radius, top, top_radius, host->accept(in, "open"));
 }
 
-FRUSTUM_CLASS(cone);
+CONE_CLASS(cone);

@@ -40,8 +40,9 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         far = pov_dot(v, v) > pov_dot(w, w) ? i : far;
     }
     for (i = 0; i < s->count; i++) {
-        const num3 first = num3_flat(s->corners[0].at);
-        const num3 cross = num3_cross(num3_sub(num3_flat(s->corners[far].at), first), num3_sub(num3_flat(s->corners[i].at), first));
+        const num3 first = num3_planar(s->corners[0].at);
+        const num3 cross = num3_cross(num3_sub(num3_planar(s->corners[far].at), first),
+                                      num3_sub(num3_planar(s->corners[i].at), first));
         const double size = pov_largest(num3_double(cross));
 
         if (size > most) {
@@ -75,15 +76,16 @@ static num component(num3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.
 static bool is_within(const polygon *s, num3 p)
 {
     const pov_vec3 n = num3_double(s->normal);
-    const int away = fabs(n.x) > fabs(n.y) ? (fabs(n.x) > fabs(n.z) ? 0 : 2) : fabs(n.y) > fabs(n.z) ? 1 : 2;
-    const int u = (away + 1) % 3, v = (away + 2) % 3;
-    const num3 origin = num3_flat(s->corners[0].at);
+    const int forward = fabs(n.x) > fabs(n.y) ? (fabs(n.x) > fabs(n.z) ? 0 : 2) : fabs(n.y) > fabs(n.z) ? 1 : 2;
+    const int u = (forward + 1) % 3, v = (forward + 2) % 3;
+    const num3 origin = num3_planar(s->corners[0].at);
     const num pu = component(p, u), pv = component(p, v);
     bool within = false;
     uint32_t i;
 
     for (i = 1; i < s->count; i++) {
-        const num3 a = num3_sub(num3_flat(s->corners[i - 1].at), origin), b = num3_sub(num3_flat(s->corners[i].at), origin);
+        const num3 a = num3_sub(num3_planar(s->corners[i - 1].at), origin),
+            b = num3_sub(num3_planar(s->corners[i].at), origin);
         const num au = component(a, u), av = component(a, v), bu = component(b, u), bv = component(b, v);
 
         if (s->corners[i].starts || num_less(pv, av) == num_less(pv, bv))
@@ -102,7 +104,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
     if (s->count == 0)
         return;
-    l = line_from(ray, num3_flat(s->corners[0].at));
+    l = line_from(ray, num3_planar(s->corners[0].at));
     slope = num3_dot(s->normal, l.dir);
     if (num_double(slope) == 0.0)
         return;
@@ -127,7 +129,7 @@ static const pov_shape_fast polygon_fast = {
     .block_filter = block_filter,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &polygon_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &polygon_fast : NULL; }
 
 static const pov_shape_class polygon_class = {
     .size = sizeof(pov_shape_class),

@@ -1,7 +1,7 @@
 #include "numerics/methods/number.h"
 
-#include "kit/affine.h"
-#include "kit/second_order.h"
+#include "common/affine.h"
+#include "common/quadric.h"
 #include "numerics/methods/lanes.h"
 
 typedef struct quadric { double q[COEFFICIENTS]; } quadric;
@@ -22,10 +22,10 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 
 static bool bounds(const void *self, pov_box *out)
 {
-    kit_second_order s;
+    common_quadric s;
 
-    kit_second_order_make(&s, ((const quadric *)self)->q);
-    return kit_second_order_bounds(&s, out);
+    common_quadric_make(&s, ((const quadric *)self)->q);
+    return common_quadric_bounds(&s, out);
 }
 
 /* Half the gradient, or without its constant part the matrix times p. */
@@ -71,7 +71,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    const num3 p = point_of(ray, at, num3_flat(pov_vec3_of(0.0, 0.0, 0.0)));
+    const num3 p = point_of(ray, at, num3_planar(pov_vec3_of(0.0, 0.0, 0.0)));
 
     *out = pov_unit(num3_double(half_gradient(((const quadric *)self)->q, p, 1.0)));
     if (!(pov_largest(*out) > 0.0))
@@ -89,7 +89,7 @@ static bool absorb(void *self, const pov_affine *map)
     double *q = ((quadric *)self)->q, m[4][4], n[4][4], w[4][4];
     int axis[3], i, j, k;
 
-    if (!(kit_condition(map) < 1024.0) && !kit_is_axial(map, axis))
+    if (!(common_condition(map) < 1024.0) && !common_is_axial(map, axis))
         return false;
     for (i = 0; i < 4; i++) {
         for (j = 0; j < 4; j++)
@@ -120,7 +120,7 @@ static const pov_shape_fast quadric_fast = {
     .block_filter = block_filter,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &quadric_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &quadric_fast : NULL; }
 
 static const pov_shape_class quadric_class = {
     .size = sizeof(pov_shape_class),

@@ -1,7 +1,7 @@
 #include "numerics/methods/number.h"
 
-#include "kit/affine.h"
-#include "kit/simd.h"
+#include "common/affine.h"
+#include "common/simd.h"
 
 typedef struct sphere { pov_vec3 centre; double radius; } sphere;
 
@@ -27,7 +27,7 @@ static bool bounds(const void *self, pov_box *out)
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const sphere *s = self;
-    const line l = line_from(ray, num3_flat(s->centre));
+    const line l = line_from(ray, num3_planar(s->centre));
     const num r = num_of(s->radius);
     num root[2];
     const unsigned n = solve(num3_dot(l.dir, l.dir), num3_dot(l.from, l.dir),
@@ -39,7 +39,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
-    *out = pov_unit(num3_double(point_of(ray, at, num3_flat(((const sphere *)self)->centre))));
+    *out = pov_unit(num3_double(point_of(ray, at, num3_planar(((const sphere *)self)->centre))));
 }
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
@@ -55,7 +55,7 @@ static bool absorb(void *self, const pov_affine *map)
     sphere *s = self;
     pov_two factor;
 
-    if (!kit_is_similarity(map, &factor))
+    if (!common_is_similarity(map, &factor))
         return false;
     s->centre = pov_affine_point(map, s->centre);
     s->radius *= factor.hi;
@@ -84,13 +84,13 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
     return true;
 }
 
-static inline void answer(const sphere_block *s, const pov_rays *rays, uint32_t at, kit_answer *out)
+static inline void result(const sphere_block *s, const pov_rays *rays, uint32_t at, common_result *out)
 {
-    const pov_vec3 o = kit_origin(rays, at), d = kit_way(rays, at);
+    const pov_vec3 o = common_origin(rays, at), d = common_dir(rays, at);
     const double a = pov_dot(d, d), inverse = 1.0 / a, tmax = rays->tmax[at];
     const int64_t bit[POV_BLOCK_MAX] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     double square[POV_BLOCK_MAX], b[POV_BLOCK_MAX];
-    int64_t met = 0;
+    int64_t hit = 0;
     uint32_t i;
 
     for (i = 0; i < POV_BLOCK_MAX; i++) {
@@ -98,13 +98,13 @@ static inline void answer(const sphere_block *s, const pov_rays *rays, uint32_t 
 
         b[i] = x * d.x + y * d.y + z * d.z;
         square[i] = b[i] * b[i] - a * (x * x + y * y + z * z - s->rr[i]);
-        met |= square[i] >= 0.0 ? bit[i] : 0;
+        hit |= square[i] >= 0.0 ? bit[i] : 0;
     }
-    out->maybe = out->surely = out->twice = 0;
-    for (met &= s->lanes; met; met &= met - 1) {
+    out->maybe = out->definite = out->definite_pair = 0;
+    for (hit &= s->lanes; hit; hit &= hit - 1) {
         double root, far;
 
-        i = kit_first_lane((uint32_t)met);
+        i = common_first_lane((uint32_t)hit);
         root = sqrt(square[i]);
         out->lo[i] = (-b[i] - root) * inverse;
         far = (-b[i] + root) * inverse;
@@ -113,18 +113,19 @@ static inline void answer(const sphere_block *s, const pov_rays *rays, uint32_t 
             continue;
         out->maybe |= 1u << i;
         if (out->lo[i] > 0.0 && out->lo[i] < tmax)
-            out->surely |= 1u << i;
+            out->definite |= 1u << i;
     }
 }
 
-KIT_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_meeting *out)
+COMMON_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays,
+                                           uint64_t lanes, pov_candidate *out)
 {
     uint32_t n = 0;
-    kit_answer a;
+    common_result a;
 
     for (; lanes; lanes &= lanes - 1) {
-        answer(block, rays, kit_first_lane64(lanes), &a);
-        n = kit_tell(&a, kit_first_lane64(lanes), out, n);
+        result(block, rays, common_first_lane64(lanes), &a);
+        n = common_candidates(&a, common_first_lane64(lanes), out, n);
     }
     return n;
 }
@@ -136,7 +137,7 @@ static const pov_shape_fast sphere_fast = {
     .block_filter = block_filter,
 };
 
-static const void *extension(const char *name) { return kit_is_fast(name) ? &sphere_fast : NULL; }
+static const void *extension(const char *name) { return common_is_fast(name) ? &sphere_fast : NULL; }
 
 static const pov_shape_class sphere_class = {
     .size = sizeof(pov_shape_class),

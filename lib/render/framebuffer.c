@@ -1,0 +1,153 @@
+#include "render/framebuffer.h"
+
+#include "base/pages.h"
+#include "base/simd.h"
+
+#include <string.h>
+
+bool framebuffer_make(framebuffer *f, const env *e, const tiles *t, int first_step)
+{
+    size_t width = (size_t)t->width, height = (size_t)t->height;
+
+    memset(f, 0, sizeof *f);
+    f->tiles = t;
+    f->first_step = first_step;
+    for (f->passes = 1; first_step > 1; first_step /= 2)
+        f->passes++;
+    if (height <= SIZE_MAX / 16 / width)
+        f->pixels = pages_reserve(e, width * height * 4 * sizeof(float));
+    if (f->pixels)
+        f->done = env_alloc(e, t->count, 1);
+    return f->done != NULL;
+}
+
+void framebuffer_free(framebuffer *f, const env *e)
+{
+    env_free(e, f->done);
+    pages_free(e, f->pixels);
+    f->done = NULL;
+    f->pixels = NULL;
+}
+
+void framebuffer_clear(framebuffer *f)
+{
+    memset(f->done, 0, f->tiles->count);
+}
+
+lattice framebuffer_lattice(const framebuffer *f, int pass)
+{
+    lattice l = { f->first_step >> pass, pass > 0 };
+
+    return l;
+}
+
+static float *pixel(const framebuffer *f, int x, int y)
+{
+    return f->pixels + 4 * ((size_t)y * (size_t)f->tiles->width + (size_t)x);
+}
+
+void framebuffer_put(framebuffer *f, size_t tile, int pass, const float *pixels)
+{
+    pov_rect r = tiles_rect(f->tiles, tile);
+    lattice l = framebuffer_lattice(f, pass);
+
+    if (l.step == 1 && !l.finer)
+        framebuffer_replace(f, tile, pixels);
+    else
+        for (int y = 0; y < r.height; y += l.step)
+            for (int x = 0; x < r.width; x += l.step)
+                if (lattice_has(l, x, y))
+                    memcpy(pixel(f, r.x + x, r.y + y), pixels + 4 * (y * r.width + x), 4 * sizeof *pixels);
+    f->done[tile] |= (uint8_t)(1u << pass);
+}
+
+void framebuffer_touch(const framebuffer *f, size_t part, size_t parts)
+{
+    pages_prefetch(f->pixels, 4 * sizeof *f->pixels * (size_t)f->tiles->width * (size_t)f->tiles->height, part, parts);
+}
+
+void framebuffer_prefetch(const framebuffer *f, pov_rect part)
+{
+    for (int y = 0; y < part.height; y++) {
+        const float *row = pixel(f, part.x, part.y + y);
+
+        for (int i = 0; i < 4 * part.width; i += 16)
+            SIMD_PREFETCH(row + i);
+    }
+}
+
+void framebuffer_replace(framebuffer *f, size_t tile, const float *pixels)
+{
+    pov_rect r = tiles_rect(f->tiles, tile);
+
+    for (int y = 0; y < r.height; y++)
+        memcpy(pixel(f, r.x, r.y + y), pixels + 4 * y * r.width, 4 * sizeof *pixels * (size_t)r.width);
+}
+
+bool framebuffer_has(const framebuffer *f, size_t tile)
+{
+    return f->done[tile] == (1u << f->passes) - 1u;
+}
+
+const float *framebuffer_pixels(const framebuffer *f, int x, int y)
+{
+    return pixel(f, x, y);
+}
+
+/* The step of the finest lattice all of whose passes are in; 0: none. */
+static int whole_step(const framebuffer *f, size_t tile)
+{
+    int step = 0;
+
+    for (int pass = 0; pass < f->passes && (f->done[tile] >> pass & 1u); pass++)
+        step = f->first_step >> pass;
+    return step;
+}
+
+int framebuffer_row(const framebuffer *f, size_t tile, int x, int y, int width, float *out)
+{
+    pov_rect r = tiles_rect(f->tiles, tile);
+    int step = whole_step(f, tile);
+
+    if (step == 0) {
+        memset(out, 0, 4 * sizeof *out);
+        return f->tiles->edge;
+    }
+    if (step == 1) {
+        memcpy(out, pixel(f, x, y), 4 * sizeof *out * (size_t)width);
+        return step;
+    }
+    y -= (y - r.y) % step;
+    for (int at = x - (x - r.x) % step; at < x + width; at += step, out += 4)
+        memcpy(out, pixel(f, at, y), 4 * sizeof *out);
+    return step;
+}
+
+void encoding_make(encoding *e, const gamma *g)
+{
+    e->decode = g->decode;
+    encoder_init(&e->display, 8, g->transfer);
+}
+
+/* Linear light is value ^ decode; negative values keep their sign. */
+static float linear_of(const encoding *e, float value)
+{
+    return (float)(value < 0.0f ? -pow(-value, e->decode) : pow(value, e->decode));
+}
+
+void encoding_linear(const encoding *e, float *rgba, int count)
+{
+    if (e->decode == 1.0)
+        return;
+    for (int i = 0; i < 4 * count; i++)
+        if (i % 4 != 3)
+            rgba[i] = linear_of(e, rgba[i]);
+}
+
+void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count)
+{
+    encoding_linear(e, rgba, count);
+    encoder_row(&e->display, rgba, count, 4, out);
+    for (int i = 3; i < 4 * count; i += 4)
+        out[i] = rgba[i] > 0.0f ? 255 : 0;
+}

@@ -1,0 +1,176 @@
+/* lanes.h - several pairs of a ray and a shape side by side. The arithmetic for one pair is inlined into a plain loop
+ * over lanes that the compiler turns into vector code: so the bits are the same. A lane that is not certain is left to
+ * the function for one pair. */
+#ifndef COMMON_LANES_H
+#define COMMON_LANES_H
+
+#include "common/simd.h"
+
+/* Unused lanes cost as much as others: fewer pairs than this minimum are cheaper one by one. */
+enum { COMMON_LANES = 8, COMMON_LEAST = 3 };
+
+typedef double common_lane[COMMON_LANES];
+typedef struct common_lane3 { common_lane x, y, z; } common_lane3;
+typedef struct common_rays { common_lane3 org, org_lo, dir, dir_lo; } common_rays;
+
+static inline void common_put(common_lane3 *l, uint32_t i, pov_vec3 v)
+{
+    l->x[i] = v.x;
+    l->y[i] = v.y;
+    l->z[i] = v.z;
+}
+
+static inline pov_vec3 common_get(const common_lane3 *l, uint32_t i) { return pov_vec3_of(l->x[i], l->y[i], l->z[i]); }
+
+/* Index of the pair in a lane: lanes past the end hold the last pair again. */
+static inline uint32_t common_lane_of(uint32_t i, uint32_t n) { return i < n ? i : n - 1; }
+
+static inline void common_put_ray(common_rays *l, uint32_t i, const pov_ray *ray)
+{
+    common_put(&l->org, i, ray->org);
+    common_put(&l->org_lo, i, ray->org_lo);
+    common_put(&l->dir, i, ray->dir);
+    common_put(&l->dir_lo, i, ray->dir_lo);
+}
+
+/* Four structures at once. Numbers stored one by one would stall the vector loads that follow. */
+#if defined(__AVX__) && defined(__GNUC__)
+#define COMMON_TRANSPOSES 1
+#include <immintrin.h>
+
+typedef __m256d common_four;
+
+/* Two doubles of each of two structures: the load inserts the upper half at no cost. */
+static inline common_four common_load_pairs(const void *low, const void *high, size_t offset)
+{
+    const double *const l = (const double *)(const void *)((const char *)low + offset);
+    const double *const h = (const double *)(const void *)((const char *)high + offset);
+
+    return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(l)), _mm_loadu_pd(h), 1);
+}
+
+/* Transpose four doubles at an offset of each structure. */
+COMMON_INLINE void common_transpose(const void *const from[4], size_t offset, common_four to[4])
+{
+    const size_t behind = offset + 2 * sizeof(double);
+    const common_four ac = common_load_pairs(from[0], from[2], offset),
+        bd = common_load_pairs(from[1], from[3], offset);
+    const common_four more_ac = common_load_pairs(from[0], from[2], behind);
+    const common_four more_bd = common_load_pairs(from[1], from[3], behind);
+
+    to[0] = _mm256_unpacklo_pd(ac, bd);
+    to[1] = _mm256_unpackhi_pd(ac, bd);
+    to[2] = _mm256_unpacklo_pd(more_ac, more_bd);
+    to[3] = _mm256_unpackhi_pd(more_ac, more_bd);
+}
+
+static inline void common_store_four(double *lane, uint32_t i, common_four v) { _mm256_storeu_pd(lane + i, v); }
+#endif
+
+/* Load rays into four lanes from i on. */
+COMMON_INLINE void common_put_four_rays(common_rays *l, uint32_t i, const pov_ray *const rays[4])
+{
+    uint32_t j;
+#ifdef COMMON_TRANSPOSES
+    const void *const from[4] = { rays[0], rays[1], rays[2], rays[3] };
+    common_four v[4];
+
+    common_transpose(from, offsetof(pov_ray, org), v);
+    common_store_four(l->org.x, i, v[0]);
+    common_store_four(l->org.y, i, v[1]);
+    common_store_four(l->org.z, i, v[2]);
+    common_store_four(l->org_lo.x, i, v[3]);
+    common_transpose(from, offsetof(pov_ray, org_lo) + sizeof(double), v);
+    common_store_four(l->org_lo.y, i, v[0]);
+    common_store_four(l->org_lo.z, i, v[1]);
+    common_store_four(l->dir.x, i, v[2]);
+    common_store_four(l->dir.y, i, v[3]);
+    common_transpose(from, offsetof(pov_ray, dir_lo) - sizeof(double), v);
+    common_store_four(l->dir_lo.x, i, v[1]);
+    common_store_four(l->dir_lo.y, i, v[2]);
+    common_store_four(l->dir_lo.z, i, v[3]);
+    for (j = 0; j < 4; j++)
+        l->dir.z[i + j] = rays[j]->dir.z;
+#else
+    for (j = 0; j < 4; j++)
+        common_put_ray(l, i + j, rays[j]);
+#endif
+}
+
+/* Load the rays of n pairs into four lanes from i on. */
+COMMON_INLINE void common_put_four_of(common_rays *l, uint32_t i, const pov_ray *const *rays, uint32_t n)
+{
+    const pov_ray *const some[4] = { rays[common_lane_of(i, n)], rays[common_lane_of(i + 1, n)],
+                                     rays[common_lane_of(i + 2, n)], rays[common_lane_of(i + 3, n)] };
+
+    common_put_four_rays(l, i, some);
+}
+
+/* Load the first n doubles of four shapes, n being a multiple of four: the k-th double of shape j is stored at position
+ * j of row k, and rows have `width` elements. */
+COMMON_INLINE void common_put_four_shapes(double *rows, size_t width, uint32_t n, const void *const shapes[4])
+{
+    uint32_t k, j;
+#ifdef COMMON_TRANSPOSES
+    common_four v[4];
+
+    for (k = 0; k < n; k += 4) {
+        common_transpose(shapes, k * sizeof(double), v);
+        for (j = 0; j < 4; j++)
+            common_store_four(rows + (k + j) * width, 0, v[j]);
+    }
+#else
+    for (j = 0; j < 4; j++)
+        for (k = 0; k < n; k++)
+            memcpy(&rows[k * width + j], (const char *)shapes[j] + k * sizeof(double), sizeof(double));
+#endif
+}
+
+/* Load the distances of crossings into four lanes from i on. */
+COMMON_INLINE void common_put_four_crossings(double *t, double *t_lo, uint32_t i, const pov_crossing *const at[4])
+{
+#ifdef COMMON_TRANSPOSES
+    const void *const from[4] = { at[0], at[1], at[2], at[3] };
+    common_four v[4];
+
+    common_transpose(from, offsetof(pov_crossing, t), v);
+    common_store_four(t, i, v[0]);
+    common_store_four(t_lo, i, v[1]);
+#else
+    for (uint32_t j = 0; j < 4; j++) {
+        t[i + j] = at[j]->t;
+        t_lo[i + j] = at[j]->t_lo;
+    }
+#endif
+}
+
+/* The ray of a lane, without its origin surface. */
+static inline pov_ray common_get_ray(const common_rays *l, uint32_t i)
+{
+    pov_ray ray;
+
+    ray.org = common_get(&l->org, i);
+    ray.org_lo = common_get(&l->org_lo, i);
+    ray.dir = common_get(&l->dir, i);
+    ray.dir_lo = common_get(&l->dir_lo, i);
+    return ray;
+}
+
+/* intersect_many() of a class: eight pairs at a time as long as that pays, the rest one by one. */
+COMMON_INLINE void common_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                          uint32_t n,
+                                          void (*eight)(const void *const *selves, const pov_ray *const *rays,
+                                                        pov_hits *const *hits, uint32_t n),
+                                          void (*one)(const void *self, const pov_ray *ray, pov_hits *hits))
+{
+    uint32_t i;
+
+    for (; n >= COMMON_LEAST; n -= i, selves += i, rays += i, hits += i) {
+        i = n < COMMON_LANES ? n : COMMON_LANES;
+        eight(selves, rays, hits, i);
+    }
+    for (i = 0; i < n; i++)
+        one(selves[i], rays[i], hits[i]);
+}
+
+#endif

@@ -1,0 +1,252 @@
+/* Pairs of a sphere and a ray, side by side. */
+#include "common/sphere.h"
+#include "common/lanes.h"
+
+/* Pairs of a sphere and a ray, with a crossing each for the normal. */
+typedef struct sphere_lanes {
+    common_rays rays;
+    common_lane3 centre, centre_lo;
+    common_lane radius, radius_lo, t, t_lo;
+    common_lane tmin;            /* a ray that enters before that starts inside */
+} sphere_lanes;
+
+#ifndef COMMON_TRANSPOSES
+static inline void put_sphere(sphere_lanes *l, uint32_t i, const common_sphere *s)
+{
+    common_put(&l->centre, i, pov_two3_hi(s->centre));
+    common_put(&l->centre_lo, i, pov_two3_lo(s->centre));
+    l->radius[i] = s->radius.hi;
+    l->radius_lo[i] = s->radius.lo;
+}
+#endif
+
+/* Load pairs into four lanes from i on. */
+COMMON_INLINE void put_four(sphere_lanes *l, uint32_t i, const void *const *selves, const pov_ray *const *rays,
+                            uint32_t n)
+{
+    const void *spheres[4];
+    uint32_t j;
+
+    for (j = 0; j < 4; j++)
+        spheres[j] = selves[common_lane_of(i + j, n)];
+    common_put_four_of(&l->rays, i, rays, n);
+#ifdef COMMON_TRANSPOSES
+    common_four v[4];
+
+    common_transpose(spheres, 0, v);
+    common_store_four(l->centre.x, i, v[0]);
+    common_store_four(l->centre_lo.x, i, v[1]);
+    common_store_four(l->centre.y, i, v[2]);
+    common_store_four(l->centre_lo.y, i, v[3]);
+    common_transpose(spheres, 4 * sizeof(double), v);
+    common_store_four(l->centre.z, i, v[0]);
+    common_store_four(l->centre_lo.z, i, v[1]);
+    common_store_four(l->radius, i, v[2]);
+    common_store_four(l->radius_lo, i, v[3]);
+#else
+    for (j = 0; j < 4; j++)
+        put_sphere(l, i + j, spheres[j]);
+#endif
+}
+
+static inline common_sphere get_sphere(const sphere_lanes *l, uint32_t i)
+{
+    common_sphere s;
+
+    s.centre = pov_two3_of(common_get(&l->centre, i), common_get(&l->centre_lo, i));
+    s.radius = pov_two_of(l->radius[i], l->radius_lo[i]);
+    return s;
+}
+
+/* Entry of each ray, or its exit if it starts inside: that end of the chord in the shape's units, its error bound, and
+ * half the chord; then bounds on the distance, and the distance. */
+typedef struct end_lanes {
+    common_lane root, root_lo, error, separation;
+    common_lane lo, hi, t, t_lo;
+    int64_t feature[COMMON_LANES];
+    int64_t good[COMMON_LANES];  /* is it accurate enough? */
+} end_lanes;
+
+static inline void put_end(end_lanes *restrict out, uint32_t i, const common_root *r, double unit, int good)
+{
+    const double slack = common_slack(r);
+
+    out->lo[i] = (r->t.hi - slack) * unit;
+    out->hi[i] = (r->t.hi + slack) * unit;
+    out->t[i] = r->t.hi * unit;
+    out->t_lo[i] = r->t.lo * unit;
+    out->good[i] = good & (int)common_is_fine(r, COMMON_FINE * COMMON_SLOWEST);
+}
+
+COMMON_CLONES static void find_ends(const sphere_lanes *restrict l, end_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i++) {
+        const common_sphere s = get_sphere(l, i);
+        const pov_ray ray = common_get_ray(&l->rays, i);
+        const common_ray k = common_enter(&ray, s.centre, common_sphere_scale(&s));
+        const common_chord h = common_find_chord(common_sphere_square(&s), &k);
+        const common_root near = common_near_end(&h), far = common_far_end(&h);
+        const int within = (near.t.hi + common_slack(&near)) * k.unit < l->tmin[i];
+        const common_root r = { { within ? far.t.hi : near.t.hi, within ? far.t.lo : near.t.lo }, h.error, 0, 0 };
+        const int sound = (int)common_sphere_is_near(&k) & (int)common_is_cut(&h);
+
+        out->root[i] = r.t.hi;
+        out->root_lo[i] = r.t.lo;
+        out->error[i] = sound ? r.error : NAN;
+        out->separation[i] = h.root * h.inverse;
+        out->feature[i] = within;
+        put_end(out, i, &r, k.unit, sound);
+    }
+}
+
+/* The refinement step of common_report(), where double was not accurate enough. */
+COMMON_CLONES static void refine_ends(const sphere_lanes *restrict l, end_lanes *restrict out)
+{
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i++) {
+        const common_sphere s = get_sphere(l, i);
+        const pov_ray ray = common_get_ray(&l->rays, i);
+        const common_ray k = common_enter(&ray, s.centre, common_sphere_scale(&s));
+        const double error = out->error[i], separation = out->separation[i];
+        common_root r = { { out->root[i], out->root_lo[i] }, 0.0, 0, 0 };
+        const common_residual f = common_sphere_residual(common_sphere_square(&s), &k, common_along_dd(&k, r.t));
+        const double step = common_root_step(&f);
+        const int good = (int)(error <= COMMON_SEPARATION * separation) & (int)(fabs(step) <= 2.0 * error)
+                         & (int)(fabs(r.t.hi) > error);
+
+        r.error = common_root_step_error(&f, step, separation);
+        r.t = pov_two_add_double(r.t, step);
+        put_end(out, i, &r, k.unit, good);
+    }
+}
+
+/* Report rays that do not leave the sphere, or go into it, and whose end of the chord is definitely within the
+ * interval. */
+static inline bool is_answered(const end_lanes *e, uint32_t i, const pov_ray *ray, const pov_hits *h)
+{
+    return e->lo[i] <= h->tmax && e->hi[i] >= h->tmin && e->t[i] > h->tmin && h->want != POV_WANT_ALL
+           && !h->always_exact && (h->owner != ray->origin_surface || common_is_inward(ray, h));
+}
+
+/* Report these lanes; returns the lanes that are still to be intersected. */
+static uint32_t report_ends(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
+{
+    uint32_t left = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = common_first_lane(lanes);
+
+        if (e->good[i] && is_answered(e, i, rays[i], hits[i]))
+            pov_cross(hits[i], e->t[i], e->t_lo[i], common_mark((uint32_t)e->feature[i], POV_MARK_CLOSED));
+        else
+            left |= 1u << i;
+    }
+    return left;
+}
+
+/* Lanes that a refinement step would settle: a search for any crossing needs none. */
+static uint32_t worth_a_step(const end_lanes *e, uint32_t lanes, const pov_ray *const *rays, pov_hits *const *hits)
+{
+    uint32_t worth = 0;
+
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = common_first_lane(lanes);
+
+        if (!e->good[i] && hits[i]->want != POV_WANT_ANY && is_answered(e, i, rays[i], hits[i]))
+            worth |= 1u << i;
+    }
+    return worth;
+}
+
+static void intersect_lanes(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    sphere_lanes lanes;
+    end_lanes end;
+    uint32_t i, left, worth;
+
+    for (i = 0; i < COMMON_LANES; i += 4)
+        put_four(&lanes, i, selves, rays, n);
+    for (i = 0; i < COMMON_LANES; i++) {
+        const uint32_t j = common_lane_of(i, n);
+
+        lanes.tmin[i] = common_is_inward(rays[j], hits[j]) ? HUGE_VAL : hits[j]->tmin;
+    }
+    find_ends(&lanes, &end);
+    left = report_ends(&end, (1u << n) - 1, rays, hits);
+    worth = worth_a_step(&end, left, rays, hits);
+    if (worth) {
+        refine_ends(&lanes, &end);
+        left = (left & ~worth) | report_ends(&end, worth, rays, hits);
+    }
+    for (; left; left &= left - 1) {
+        i = common_first_lane(left);
+        common_sphere_intersect(selves[i], rays[i], hits[i]);
+    }
+}
+
+void common_sphere_intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                  uint32_t n)
+{
+    common_intersect_pairs(selves, rays, hits, n, intersect_lanes, common_sphere_intersect);
+}
+
+/* Normals, and their lengths before normalisation: pov_unit() scales the very large and the very small. */
+COMMON_CLONES static void find_normals(const sphere_lanes *restrict l, common_lane3 *restrict out,
+                                       double *restrict largest)
+{
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i++) {
+        common_sphere s = get_sphere(l, i);
+        pov_ray ray = common_get_ray(&l->rays, i);
+        pov_crossing at;
+        pov_vec3 w;
+        double length;
+
+        at.t = l->t[i];
+        at.t_lo = l->t_lo[i];
+        w = common_sphere_offset(&s, &ray, &at);
+        length = sqrt(pov_dot(w, w));
+        largest[i] = pov_largest(w);
+        common_put(out, i, pov_vec3_of(w.x / length, w.y / length, w.z / length));
+    }
+}
+
+static void normals_of(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                       pov_vec3 *const *out, uint32_t n)
+{
+    const pov_crossing *some[COMMON_LANES];
+    sphere_lanes lanes;
+    common_lane3 unit;
+    common_lane largest;
+    uint32_t i;
+
+    for (i = 0; i < COMMON_LANES; i++)
+        some[i] = at[common_lane_of(i, n)];
+    for (i = 0; i < COMMON_LANES; i += 4) {
+        put_four(&lanes, i, selves, rays, n);
+        common_put_four_crossings(lanes.t, lanes.t_lo, i, some + i);
+    }
+    find_normals(&lanes, &unit, largest);
+    for (i = 0; i < n; i++)
+        if (largest[i] > 1e-100 && largest[i] < 1e100)
+            *out[i] = common_get(&unit, i);
+        else
+            common_sphere_normal(selves[i], rays[i], at[i], out[i]);
+}
+
+void common_sphere_normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                        pov_vec3 *const *out, uint32_t n)
+{
+    uint32_t i;
+
+    for (; n >= COMMON_LEAST; n -= i, selves += i, rays += i, at += i, out += i) {
+        i = n < COMMON_LANES ? n : COMMON_LANES;
+        normals_of(selves, rays, at, out, i);
+    }
+    for (i = 0; i < n; i++)
+        common_sphere_normal(selves[i], rays[i], at[i], out[i]);
+}
