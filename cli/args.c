@@ -18,7 +18,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -51,6 +51,11 @@ static const struct option long_options[] = {
     { "report", required_argument, NULL, OPTION_REPORT },
     { "reference", required_argument, NULL, OPTION_REFERENCE },
     { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
+    { "declare", required_argument, NULL, 'D' },
+    { "library-path", required_argument, NULL, 'L' },
+    { "strict", no_argument, NULL, OPTION_STRICT },
+    { "allow-write", required_argument, NULL, OPTION_ALLOW_WRITE },
+    { "limit", required_argument, NULL, OPTION_LIMIT },
     { "help", no_argument, NULL, OPTION_HELP },
     { "version", no_argument, NULL, OPTION_VERSION },
     { NULL, 0, NULL, 0 },
@@ -240,6 +245,55 @@ static bool read_option_number(args *a, int option, const char *text)
     }
 }
 
+static bool put(args *a, const char *option, const char *text, const char **list, int *count)
+{
+    if (*count == ARGS_LIST)
+        return refuse(a, "%s is given more than %d times", option, ARGS_LIST);
+    list[(*count)++] = text;
+    return true;
+}
+
+/* NAME=N */
+static bool read_limit(args *a, const char *text)
+{
+    static const char *const names[] = { "depth", "array", "string", "turns" };
+    const char *equals = strchr(text, '=');
+    char *end = NULL;
+    const double value = equals ? strtod(equals + 1, &end) : 0.0;
+
+    for (size_t i = 0; equals && i < sizeof names / sizeof names[0]; i++) {
+        if (strncmp(text, names[i], (size_t)(equals - text)) != 0 || names[i][equals - text] != '\0')
+            continue;
+        if (end == equals + 1 || *end != '\0' || !(value >= 1.0 && value <= 1e15))
+            break;
+        *(i == 0 ? &a->limits.depth : i == 1 ? &a->limits.array : i == 2 ? &a->limits.string : &a->limits.turns) =
+            (size_t)value;
+        return true;
+    }
+    return refuse(a, "--limit wants depth=N, array=N, string=N or turns=N, not \"%s\"", text);
+}
+
+/* What the reader of the scene is told. */
+static bool read_option_language(args *a, int option, const char *text)
+{
+    switch (option) {
+    case 'D':
+        if (!strchr(text, '=') || text[0] == '=')
+            return refuse(a, "-D wants NAME=VALUE, not \"%s\"", text);
+        return put(a, "-D", text, a->declares, &a->declare_count);
+    case 'L':
+        return put(a, "-L", text, a->folders, &a->folder_count);
+    case OPTION_STRICT:
+        a->strict = true;
+        return true;
+    case OPTION_ALLOW_WRITE:
+        a->write_path = text;
+        return true;
+    default:
+        return read_limit(a, text);
+    }
+}
+
 static bool read_option(args *a, int option, const char *text)
 {
     switch (option) {
@@ -274,6 +328,8 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_PLUGIN_PATH:
         a->plugin_path = text;
         return true;
+    case 'L': case 'D': case OPTION_STRICT: case OPTION_ALLOW_WRITE: case OPTION_LIMIT:
+        return read_option_language(a, option, text);
     case OPTION_EXPLAIN:
         a->explain = true;
         return true;
@@ -410,7 +466,7 @@ args_verdict args_parse(args *a, int argc, char **argv)
     a->preview = -1;
     optind = 0;      /* glibc begins anew at 0 */
     opterr = 0;
-    while ((option = getopt_long(argc, argv, ":t:qvh", long_options, NULL)) != -1) {
+    while ((option = getopt_long(argc, argv, ":t:D:L:qvh", long_options, NULL)) != -1) {
         if (option == 'h' || option == OPTION_HELP)
             return ARGS_HELP;
         if (option == OPTION_VERSION)

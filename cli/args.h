@@ -18,6 +18,9 @@ typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANS
 
 typedef enum args_sampling { ARGS_SAMPLING_AUTO, ARGS_SAMPLING_UNIFORM, ARGS_SAMPLING_ADAPTIVE } args_sampling;
 
+/* How often -L and -D may be given. */
+enum { ARGS_LIST = 64 };
+
 typedef struct args {
     const char *scene;
     const char *output;          /* NULL: nothing is rendered */
@@ -38,6 +41,12 @@ typedef struct args {
     pov_accuracy accuracy;
     const char *aov[ARGS_AOVS];  /* output file of each map; NULL: none */
     const char *plugin_path;     /* or NULL */
+    const char *folders[ARGS_LIST], *declares[ARGS_LIST + 1];   /* of -L; of -D, ending with NULL */
+    int folder_count, declare_count;
+    const char *write_path;      /* or NULL */
+    bool strict;
+    pov_limits limits;
+    const pov_animation *animation;   /* or NULL */
     const char *report, *reference;   /* files, or NULL */
     char **compared;             /* of --compare: reports, and the plot to draw; or NULL */
     int compared_count;

@@ -37,6 +37,14 @@ static void say_ignored(const povray *p, const messages *m)
         messages_say(m, "Quality=%d: pictures are drawn at full quality", p->quality);
 }
 
+static void fill_lists(const povray *p, args *a)
+{
+    for (int i = 0; i < p->library.count && i < ARGS_LIST; i++)
+        a->folders[a->folder_count++] = p->library.item[i];
+    for (int i = 0; i < p->declares.count && i < ARGS_LIST; i++)
+        a->declares[a->declare_count++] = p->declares.item[i];
+}
+
 static bool fill(const povray *p, const messages *m, args *a)
 {
     memset(a, 0, sizeof *a);
@@ -53,12 +61,22 @@ static bool fill(const povray *p, const messages *m, args *a)
     a->in_whole = true;
     if (p->antialias)
         a->error = p->threshold > 0.0 ? p->threshold * error_of_threshold : error_of_threshold;
+    fill_lists(p, a);
     say_gamma(p, m, a);
     return povray_crop(p, &a->crop);
 }
 
+static pov_animation animation_of(const povray *p, int frame)
+{
+    const pov_animation now = { povray_clock(p, frame), p->first_clock, p->last_clock,
+                                povray_clock(p, frame + 1) - povray_clock(p, frame), frame, p->first_frame, p->last_frame };
+
+    return now;
+}
+
 static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_error *err)
 {
+    const pov_animation now = animation_of(p, frame);
     char output[POVRAY_TEXT + 32];
     bool short_of = false;
 
@@ -68,6 +86,7 @@ static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_err
         snprintf(err->message, sizeof err->message, "the output's name is too long");
         return err->status;
     }
+    a->animation = &now;
     a->output = p->output_to_file ? output : "/dev/null";
     return run_scene(a, m, &short_of, err);
 }

@@ -3,10 +3,12 @@
 #include "compare.h"
 #include "explain.h"
 #include "render.h"
+#include "save.h"
 #include "signals.h"
 #include "stats.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Reports go to standard output, unless the picture goes there. */
@@ -15,16 +17,45 @@ static FILE *report_stream(const args *a)
     return a->output && strcmp(a->output, "-") == 0 && !a->check ? stderr : stdout;
 }
 
+/* The folders of -L with colons between them; free() it. NULL: no memory. */
+static char *join_folders(const args *a)
+{
+    size_t size = 1;
+    char *all;
+
+    for (int i = 0; i < a->folder_count; i++)
+        size += strlen(a->folders[i]) + 1;
+    all = calloc(size, 1);
+    for (int i = 0; all && i < a->folder_count; i++) {
+        strcat(all, i > 0 ? ":" : "");
+        strcat(all, a->folders[i]);
+    }
+    return all;
+}
+
 static pov_status load(pov_scene **scene, pov_context *context, const args *a, pov_error *err)
 {
     pov_load_desc desc = POV_INIT(desc);
+    char *folders = join_folders(a);
+    pov_status status;
 
     desc.dialect = a->dialect;
     desc.accel = a->accel;
     desc.accuracy = a->accuracy;
     desc.max_trace_level = a->max_depth;
     desc.threads = a->threads;
-    return pov_scene_load_file(scene, context, a->scene, &desc, err);
+    desc.strict = a->strict;
+    desc.width = a->width;
+    desc.height = a->height;
+    desc.library_path = folders;
+    desc.write_path = a->write_path;
+    desc.declares = a->declares;
+    desc.animation = a->animation;
+    desc.limits = a->limits;
+    status = folders ? pov_scene_load_file(scene, context, a->scene, &desc, err)
+                     : save_fail(err, POV_E_MEMORY, a->scene, "out of memory");
+    free(folders);
+    return status;
 }
 
 static void say_checked(const args *a, const messages *m, const pov_scene *scene)

@@ -24,16 +24,27 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
     return status;
 }
 
+static reader_options reader_options_of(const pov_load_desc *d)
+{
+    reader_options o = { .dialect = d->dialect, .max_trace_level = d->max_trace_level, .strict = d->strict,
+                         .width = d->width, .height = d->height, .library_path = d->library_path,
+                         .write_path = d->write_path, .declares = d->declares };
+    const pov_animation *a = d->animation;
+
+    o.limits = (reader_limits){ d->limits.depth, d->limits.array, d->limits.string, d->limits.turns };
+    if (a)
+        o.frames = (reader_frames){ true, a->clock, a->initial_clock, a->final_clock, a->clock_delta,
+                                    a->frame, a->initial_frame, a->final_frame };
+    return o;
+}
+
 static pov_status read_text(pov_scene *scene, const char *text, size_t length, const char *name,
                             const pov_load_desc *d, pov_error *err)
 {
-    static const reader_options defaults;
-    reader_options options = defaults;
+    const reader_options options = reader_options_of(d);
     double start = clock_seconds();
     pov_status status;
 
-    options.dialect = d->dialect;
-    options.max_trace_level = d->max_trace_level;
     status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
 
     scene->parse_seconds = clock_seconds() - start;
@@ -68,7 +79,7 @@ static pov_status check(pov_scene **out, pov_context *context, const void *text,
         return status;
     if (ours->dialect < POV_DIALECT_AUTO || ours->dialect > POV_DIALECT_POVRAY || ours->accel < POV_ACCEL_TREE ||
         ours->accel > POV_ACCEL_NONE || ours->max_trace_level < 0 || ours->threads < 0 ||
-        ours->accuracy < POV_ACCURACY_CERTIFIED || ours->accuracy > POV_ACCURACY_MAX)
+        ours->width < 0 || ours->height < 0 || ours->accuracy < POV_ACCURACY_CERTIFIED || ours->accuracy > POV_ACCURACY_MAX)
         return err_set(err, POV_E_ARGUMENT, "the load description holds a value out of its range");
     return POV_OK;
 }

@@ -11,6 +11,7 @@
 #include "sdl/text.h"
 #include "sdl/text_file.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- is it a text? ---- */
@@ -129,6 +130,8 @@ static void free_reader(pov_reader *in)
 
 /* ---- names that are there from the beginning ---- */
 
+enum { NAME_MAX_GIVEN = 256 };
+
 static void declare(pov_reader *in, const char *name, value v)
 {
     uint32_t hash = SYMBOLS_HASH_START, length = 0;
@@ -143,23 +146,59 @@ static void declare(pov_reader *in, const char *name, value v)
         report_memory(in);
 }
 
+static string *named_string(pov_reader *in, const char *text, size_t length, value *out)
+{
+    string *s = text_copy(in, text, length);
+
+    if (s) {
+        out->kind = VALUE_STRING;
+        out->as.shared = &s->head;
+    }
+    return s;
+}
+
 static void declare_name(pov_reader *in, const char *path)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    string *s = text_copy(in, name, strlen(name));
     value v = value_of_number(0.0);
 
-    if (!s)
+    if (named_string(in, name, strlen(name), &v))
+        declare(in, "input_file_name", v);
+}
+
+/* NAME=VALUE from outside of the text. The value is a number, or a string in quotation marks. */
+static void declare_given(pov_reader *in, const char *given)
+{
+    const char *equals = strchr(given, '='), *text = equals ? equals + 1 : given;
+    const size_t length = strlen(text);
+    value v = value_of_number(0.0);
+    char name[NAME_MAX_GIVEN], *end;
+
+    if (!equals || equals == given || (size_t)(equals - given) >= sizeof name) {
+        report_fail(in, &in->token.at, POV_E_ARGUMENT, "\"%.100s\" does not declare a name: NAME=VALUE", given);
         return;
-    v.kind = VALUE_STRING;
-    v.as.shared = &s->head;
-    declare(in, "input_file_name", v);
+    }
+    memcpy(name, given, (size_t)(equals - given));
+    name[equals - given] = '\0';
+    if (length >= 2 && text[0] == '"' && text[length - 1] == '"') {
+        if (!named_string(in, text + 1, length - 2, &v))
+            return;
+    } else {
+        v.as.v[0] = strtod(text, &end);
+        if (end == text || *end != '\0') {
+            report_fail(in, &in->token.at, POV_E_ARGUMENT,
+                        "the value of %.60s must be a number or a string in quotation marks, not \"%.100s\"", name, text);
+            return;
+        }
+    }
+    declare(in, name, v);
 }
 
 static void declare_names(pov_reader *in, const char *path)
 {
     static const reader_options none;
     const reader_options *o = in->options ? in->options : &none;
+    size_t i;
 
     declare(in, "image_width", value_of_number(o->width > 0 ? o->width : 320));
     declare(in, "image_height", value_of_number(o->height > 0 ? o->height : 240));
@@ -170,6 +209,8 @@ static void declare_names(pov_reader *in, const char *path)
     declare(in, "final_clock", value_of_number(o->frames.last_clock));
     declare(in, "clock_delta", value_of_number(o->frames.delta));
     declare_name(in, path);
+    for (i = 0; o->declares && o->declares[i]; i++)
+        declare_given(in, o->declares[i]);
 }
 
 static void decide_dialect(pov_reader *in)

@@ -26,6 +26,7 @@ typedef struct reader_options {
     int width, height;           /* of the picture; 0: not known */
     const char *library_path;    /* folders of include files, colon separated, or NULL */
     const char *write_path;      /* below this folder the scene may write files; NULL: nowhere */
+    const char *const *declares; /* "NAME=VALUE", ending with NULL; or NULL */
     reader_limits limits;
     reader_frames frames;
 } reader_options;

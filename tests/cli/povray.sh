@@ -54,3 +54,33 @@ povray_errors_end_in_1_and_unknown_settings_do_not() {
     expect 0 "$povc" +Ismall.pov +W4 +H4 Nonsense=3 +MV3.6
     says err '"Nonsense" is not a setting of povc; it is left out'
 }
+
+# Frames, sizes and declared names reach the scene's text.
+povray_animations_have_a_clock() {
+    cat > moving.pov <<'END'
+#version 3.7;
+#debug concat(str(clock, 0, 2), " ", str(frame_number, 0, 0), "/", str(final_frame, 0, 0), " ", Name, "\n")
+camera { location <0, 0, -5> look_at 0 }
+light_source { <5, 5, -9> rgb 1 }
+sphere { <clock, 0, 0>, N pigment { rgb 1 } }
+END
+    expect 0 "$povc" +Imoving.pov +W40 +H30 +KFF3 'Declare=Name="x y"' Declare=N=0.5 -V
+    says err "0.00 1/3 x y"
+    says err "0.50 2/3 x y"
+    says err "1.00 3/3 x y"
+    [ "$(ls moving*.png)" = "$(printf 'moving1.png\nmoving2.png\nmoving3.png')" ]
+    expect 0 "$povc" moving.pov 40 30 own.png -D N=0.5 -D 'Name="x y"'
+    same own.png moving1.png
+    expect 2 "$povc" moving.pov 40 30 own.png -D N=big
+    says err 'must be a number or a string in quotation marks, not "big"'
+}
+
+povray_library_paths_are_searched() {
+    mkdir inc
+    echo '#declare R = 1;' > inc/radius.inc
+    printf '#include "radius.inc"\nsphere { 0, R pigment { rgb 1 } }\n' > scene.pov
+    expect 1 "$povc" +Iscene.pov +W4 +H4
+    says err 'radius.inc'
+    expect 0 "$povc" +Iscene.pov +W4 +H4 +Linc
+    expect 0 "$povc" scene.pov 4 4 a.png -L inc
+}

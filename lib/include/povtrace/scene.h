@@ -34,6 +34,19 @@ typedef enum pov_accel { POV_ACCEL_TREE, POV_ACCEL_NONE } pov_accel;
  * double-double. */
 typedef enum pov_accuracy { POV_ACCURACY_CERTIFIED, POV_ACCURACY_MAX } pov_accuracy;
 
+/* The picture of an animation that a scene is read for: what its text sees as clock, frame_number and the like. */
+typedef struct pov_animation {
+    double clock, initial_clock, final_clock, clock_delta;
+    int frame, initial_frame, final_frame;
+} pov_animation;
+
+/* How far reading may go; 0: a default that no honest scene meets. */
+typedef struct pov_limits {
+    size_t depth;                /* macros and included files within each other */
+    size_t array, string;        /* elements of an array, bytes of a string */
+    uint64_t turns;              /* of loops, together */
+} pov_limits;
+
 typedef struct pov_load_desc {
     size_t size;
     pov_dialect dialect;         /* AUTO: the text decides */
@@ -41,6 +54,13 @@ typedef struct pov_load_desc {
     int max_trace_level;         /* 0: the scene's; else this */
     int threads;                 /* for building; 0: one for each core */
     pov_accuracy accuracy;
+    bool strict;                 /* language that is read and not drawn yet is an error, not a warning */
+    int width, height;           /* image_width and image_height; 0: 320, 240 */
+    const char *library_path;    /* folders of included files, colon separated, besides the scene's own; or NULL */
+    const char *write_path;      /* the folder below which the scene may write files; NULL: it may not */
+    const char *const *declares; /* "NAME=VALUE", a number or a quoted string, ending with NULL; or NULL */
+    const pov_animation *animation;   /* NULL: one picture, clock 0 */
+    pov_limits limits;
 } pov_load_desc;
 
 /* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of
