@@ -1,4 +1,4 @@
-/* framebuffer.h - what tokens come from: a text, or tokens kept; a stack, so that one stops for another. */
+/* frame.h - what tokens come from: a text, or tokens kept; a stack, so that one stops for another. */
 #ifndef SDL_FRAME_H
 #define SDL_FRAME_H
 
