@@ -195,7 +195,7 @@ void compile_instances(const compile_state *f, const uint32_t *ids, const pov_af
 
 /* The box of an instanced shape in the world, a little wider where its map is approximately known. False: there
  * is none. */
-static bool instance_world_box(maker *k, const leaf_node *o, const void *instance, bool roughly, pov_box *out)
+static bool instance_world_box(maker *k, const leaf_node *o, const void *instance, bool approximate, pov_box *out)
 {
     const pov_affine *map;
 
@@ -204,7 +204,7 @@ static bool instance_world_box(maker *k, const leaf_node *o, const void *instanc
     k->boxed = instance;
     if (!k->has_box)
         return false;
-    if (roughly && compile_maps_box(&k->maps, o, &k->own, out))
+    if (approximate && compile_maps_box(&k->maps, o, &k->own, out))
         return true;
     map = compile_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
     instance_box(map, &k->own, out);
@@ -218,14 +218,14 @@ static pov_status transform_shape(maker *k, const leaf_node *o, uint32_t index, 
 {
     const void **instance = &k->f->moved[index];
     pov_box *box = &k->f->boxes[index];
-    const bool roughly = compile_maps_is_approx(&k->maps, o);
-    const pov_affine *map = roughly ? NULL : compile_maps_compose(&k->maps, o);
+    const bool approximate = compile_maps_is_approx(&k->maps, o);
+    const pov_affine *map = approximate ? NULL : compile_maps_compose(&k->maps, o);
     pov_status status = POV_OK;
 
     *instance = NULL;
-    if (!roughly && !map)
+    if (!approximate && !map)
         return POV_E_SYNTAX;
-    if (!roughly && o->shape->absorb)
+    if (!approximate && o->shape->absorb)
         status = absorb(k, o, map, instance);
     if (status < 0)
         return status;
@@ -240,7 +240,7 @@ static pov_status transform_shape(maker *k, const leaf_node *o, uint32_t index, 
         return POV_E_MEMORY;
     k->slice->composed++;
     k->f->maps[index] = (uint32_t)transform_packed_bytes(o->map);
-    *finite = instance_world_box(k, o, *instance, roughly, box);
+    *finite = instance_world_box(k, o, *instance, approximate, box);
     return POV_OK;
 }
 

@@ -363,7 +363,7 @@ static void end(csg_traversal *w)
 }
 
 /* Open bounds until the next crossing lies before all that are left. */
-static void look_ahead(csg_traversal *w)
+static void test_ahead(csg_traversal *w)
 {
     while (w->near_count > 0) {
         const csg_bound *b;
@@ -392,7 +392,7 @@ static bool is_close(const csg_traversal *w)
 }
 
 /* Apply the next place, and report it if the tree's value changes there. False: nothing more is wanted. */
-static bool pass_place(csg_traversal *w, pov_hits *hits)
+static bool pass_point(csg_traversal *w, pov_hits *hits)
 {
     const csg_state *root = &w->scratch->states[0];
     const uint32_t first = w->applied;
@@ -415,10 +415,10 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
 
     begin(w, hits->user, exact);
     for (;;) {
-        look_ahead(w);
+        test_ahead(w);
         enough = !(w->unsure || is_close(w));
         if (!enough || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > hits->tmax ||
-            !pass_place(w, hits))
+            !pass_point(w, hits))
             break;
     }
     end(w);

@@ -110,7 +110,7 @@ typedef struct tick { double value; bool named; } tick;
 /* Step of 1, 2 or 5 times a power of ten, so that about `wanted` steps fit. */
 static double even_step(double span, int wanted)
 {
-    double rough = span / wanted, power = pow(10.0, floor(log10(rough))), part = rough / power;
+    double ideal = span / wanted, power = pow(10.0, floor(log10(ideal))), part = ideal / power;
 
     return power * (part <= 1.0 ? 1.0 : part <= 2.0 ? 2.0 : part <= 5.0 ? 5.0 : 10.0);
 }

@@ -8,7 +8,7 @@ qemu=qemu-aarch64
 # Debian's cross compiler has its C library here.
 AARCH64_ROOT=${AARCH64_ROOT:-/usr/aarch64-linux-gnu}
 
-aarch64_draws_every_scene_of_the_tests_to_the_bit() {
+aarch64_draws_every_scene_of_the_tests_bit_for_bit() {
     [ -x "$other/bin/povc" ] || skip "there is no aarch64-linux-gnu-gcc to build it with"
     command -v "$qemu" > qemu || skip "there is no $qemu to run it"
     for scene in "$root"/scenes/test/*.pov; do

@@ -10,14 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char ball[] = "light_source { <0, 0, -10> rgb 1 } sphere { <0, 0, 0>, 1 pigment { color red 1 } }";
+static const char sphere[] = "light_source { <0, 0, -10> rgb 1 } sphere { <0, 0, 0>, 1 pigment { color red 1 } }";
 
 /* ---- contexts ---- */
 
 static void a_scene_outlives_its_context(void **state)
 {
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_tracer *tracer;
     pov_hit hit = POV_INIT(hit);
 
@@ -37,7 +37,7 @@ static void plugins_are_loaded_when_a_scene_names_them(void **state)
 
     (void)state;
     assert_false(pov_context_get_plugin(context, 0, &name, &path));
-    scene = scenes_text(context, ball);
+    scene = scenes_text(context, sphere);
     assert_true(pov_context_get_plugin(context, 0, &name, &path));
     assert_string_equal(name, "sphere");
     assert_string_equal(path, TEST_PLUGINS "/primitives/sphere.so");
@@ -56,7 +56,7 @@ static void a_context_without_plugins_says_where_it_looked(void **state)
     (void)state;
     d.plugin_path = "/nowhere/a:/nowhere/b";
     assert_int_equal(pov_context_create(&context, &d, &err), POV_OK);
-    assert_int_equal(pov_scene_load_text(&scene, context, ball, strlen(ball), NULL, NULL, &err), POV_E_PLUGIN);
+    assert_int_equal(pov_scene_load_text(&scene, context, sphere, strlen(sphere), NULL, NULL, &err), POV_E_PLUGIN);
     assert_non_null(strstr(err.message, "/nowhere/a"));
     assert_non_null(strstr(err.message, "/nowhere/b"));
     assert_int_equal(err.line, 1);
@@ -94,7 +94,7 @@ static void missing_arguments_are_errors_and_not_crashes(void **state)
     assert_int_equal(pov_scene_load_file(&scene, NULL, "x", NULL, NULL), POV_E_ARGUMENT);
     assert_int_equal(pov_scene_load_file(&scene, context, "/no/such.pov", NULL, &err), POV_E_IO);
     assert_string_equal(err.file, "/no/such.pov");
-    scene = scenes_text(context, ball);
+    scene = scenes_text(context, sphere);
     assert_int_equal(pov_job_create(&job, scene, NULL, &err), POV_E_ARGUMENT);
     assert_int_equal(pov_job_create(&job, scene, &d, &err), POV_E_ARGUMENT);
     assert_null(job);
@@ -108,7 +108,7 @@ static void structs_of_other_sizes_are_adapted(void **state)
 {
     struct { pov_scene_info info; char newer[64]; } large;
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_scene_info small;
     pov_camera camera;
 
@@ -137,7 +137,7 @@ static void structs_of_other_sizes_are_adapted(void **state)
 static void rays_hit_what_is_there(void **state)
 {
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_tracer *tracer;
     pov_hit hit = POV_INIT(hit);
     pov_error err;
@@ -250,7 +250,7 @@ static void thin_and_far_surfaces_are_all_seen(void **state)
 static void a_miss_says_whether_it_was_certain(void **state)
 {
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_tracer *tracer;
     pov_hit hit = POV_INIT(hit);
 
@@ -270,7 +270,7 @@ static void a_miss_says_whether_it_was_certain(void **state)
 static void a_camera_can_be_turned(void **state)
 {
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_camera camera = POV_INIT(camera);
     pov_vec3 up = pov_vec3_of(0, 1, 0);
 
@@ -365,7 +365,7 @@ static void *load_and_render(void *user)
         pov_scene *scene;
         float *pixels;
 
-        snprintf(text, sizeof text, "%s box { <-1,-3,0>, <1,-2,%d> } cylinder { <3,0,0>, <3,1,0>, .5 }", ball, i + 1);
+        snprintf(text, sizeof text, "%s box { <-1,-3,0>, <1,-2,%d> } cylinder { <3,0,0>, <3,1,0>, .5 }", sphere, i + 1);
         if (pov_scene_load_text(&scene, context, text, strlen(text), NULL, NULL, NULL) < 0)
             return context;
         d.width = 40;

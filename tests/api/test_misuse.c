@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-static const char ball[] = "light_source { <0, 0, -10> rgb 1 } sphere { <0, 0, 0>, 1 pigment { color red 1 } }";
+static const char sphere[] = "light_source { <0, 0, -10> rgb 1 } sphere { <0, 0, 0>, 1 pigment { color red 1 } }";
 
 static void scene_calls_take_null(void **state)
 {
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_scene_info info = POV_INIT(info);
     pov_camera camera = POV_INIT(camera);
     pov_plan_row row = POV_INIT(row);
@@ -60,7 +60,7 @@ static void job_calls_take_null(void **state)
 static void job_results_may_go_nowhere(void **state)
 {
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_render_desc desc = POV_INIT(desc);
     pov_rect all = { 0, 0, 4, 3 };
     pov_job *job;
@@ -85,7 +85,7 @@ static void single_rays_take_null(void **state)
 {
     const pov_vec3 org = { 0.0, 0.0, -5.0 }, dir = { 0.0, 0.0, 1.0 };
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
     pov_hit hit = POV_INIT(hit);
     pov_tracer *tracer;
     float rgba[4];
@@ -147,7 +147,7 @@ static void cameras_that_cannot_be_are_refused(void **state)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 }, ahead = { 0.0, 0.0, 1.0 }, aside = { 1.0, 0.0, 0.0 };
     pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, ball);
+    pov_scene *scene = scenes_text(context, sphere);
 
     (void)state;
     assert_int_equal(make_with(scene, zero, ahead, aside), POV_OK);

@@ -117,7 +117,7 @@ def tree(depth):
 
 
 def hall(columns):
-    """A closed hall whose walls are mirrors, with columns and balls: most rays are mirrored ones."""
+    """A closed hall whose walls are mirrors, with columns and spheres: most rays are mirrored ones."""
     wall = Look((.05, .05, .06), reflection=0.8)
     loops = (((-4, 0, -5), (-4, 3, -5), (-4, 3, 5), (-4, 0, 5)), ((4, 0, -5), (4, 3, -5), (4, 3, 5), (4, 0, 5)),
              ((-4, 0, 5), (-4, 3, 5), (4, 3, 5), (4, 0, 5)), ((-4, 0, -5), (-4, 3, -5), (4, 3, -5), (4, 0, -5)))
@@ -139,7 +139,7 @@ def hall(columns):
 
 
 def glass(side):
-    """Balls, lenses and bars of glass over a floor of tiles: refraction, inner reflection, coloured shadows."""
+    """Spheres, lenses and bars of glass over a floor of tiles: refraction, inner reflection, coloured shadows."""
     kinds = ('sphere { <0,.5,0>, .45', 'quadric { <8,2,8>, <0,0,0>, <0,-2,0>, 0', 'box { <-.3,.05,-.3>, <.3,.9,.3>',
              'cylinder { <0,.05,0>, <0,.95,0>, .33', 'cone { <0,.05,0>, .45, <0,1,0>, .1')
 

@@ -139,6 +139,24 @@ sources lib plugins cli viewer tests | xargs awk '
     length($0) > 110 { n++; if (!(FILENAME in seen)) files++; seen[FILENAME] = 1 }
     END { if (n) print "note: " n " lines in " files " files are above 110 columns" }'
 
+# ---- retired words ----
+
+# Lines with a word of retired.txt where it may not stand; see there.
+tree() {
+    find lib plugins cli viewer tests docs README.md -type f ! -path 'docs/images/*' ! -path 'docs/notes/*' \
+        ! -path 'tests/check/*' ! -path 'tests/golden/*' | LC_ALL=C sort
+}
+without_comments $(sources lib plugins cli viewer tests) | cut -d: -f1,3- > "$work/name"
+grep -IH '' $(tree) > "$work/all"
+grep -vE '^(#|$)' tests/check/retired.txt |
+    while read -r kind word where but instead; do
+        [ "$where" = - ] && where=.
+        [ "$but" = - ] && but='^$'
+        grep -iE "^[^:]*:(.*[^[:alpha:]])?($word)([^[:alpha:]]|\$)" "$work/$kind" | grep -E "$where" | grep -vE "$but" |
+            while IFS= read -r line; do echo "say \"$instead\" for \"$word\": $line"; done
+    done >> "$work/found"
+report "no word of tests/check/retired.txt is used"
+
 # ---- headers ----
 
 for header in lib/include/povtrace/*.h; do

@@ -8,14 +8,14 @@ import subprocess
 import sys
 
 HEAD = b"camera { location <0, 0, -4> look_at 0 }\n"
-BALL = b"sphere { <0, 0, 0>, 1 pigment { color rgb <1, 1, 1> } }\n"
+SPHERE = b"sphere { <0, 0, 0>, 1 pigment { color rgb <1, 1, 1> } }\n"
 
 BODIES = {
     "unknown-object": b"sphare { <0,0,0>, 1 }", "unknown-modifier": b"sphere { <0,0,0>, 1 pigmnt { rgb 1 } }",
     "unknown-statement": b"frobnicate", "number-for-vector": b'box { "a", <1,1,1> }', "word-for-number": b"sphere { <0,0,0>, angle }",
     "no-radius": b"sphere { <0,1,0> }", "no-corner": b"box { <0,0,0> }", "no-brace": b"sphere <0,0,0>, 1 }",
     "unclosed": b"sphere { <0,0,0>, 1", "unclosed-vector": b"sphere { <0,0,0, 1 }", "four-in-vector": b"sphere { <0,0,0,0,0,0>, 1 }",
-    "extra-brace": BALL + b"}", "nan": b"sphere { <nan,0,0>, 1 }", "inf": b"sphere { <inf,0,0>, 1 }",
+    "extra-brace": SPHERE + b"}", "nan": b"sphere { <nan,0,0>, 1 }", "inf": b"sphere { <inf,0,0>, 1 }",
     "overflow": b"sphere { <1e400,0,0>, 1 }", "negative-overflow": b"sphere { <-1e400,0,0>, 1 }", "two-dots": b"sphere { <1.2.3,0,0>, 1 }",
     "two-signs": b"sphere { <--,0,0>, 1 }", "lone-exponent": b"sphere { <e5,0,0>, 1 }", "lone-dot": b"sphere { <.,0,0>, 1 }",
     "cone-no-length": b"cone { <0,0,0>, 1, <0,0,0>, 2 }", "cylinder-no-length": b"cylinder { <1,1,1>, <1,1,1>, 2 }",
@@ -58,7 +58,7 @@ def cuts(folder, count):
 
 def all_texts(folder):
     for name, body in BODIES.items():
-        yield name, HEAD + BALL + body + b"\n"
+        yield name, HEAD + SPHERE + body + b"\n"
     yield from WHOLE.items()
     yield from cuts(folder, 25)
 

@@ -53,7 +53,7 @@ wide_library_and_plugins_are_taken_where_the_processor_has_what_they_need() {
     says_not trace "$widest/sphere.so"
 }
 
-wide_pictures_are_the_baselines_to_the_bit() {
+wide_pictures_are_the_baselines_bit_for_bit() {
     needs_wide
     make_narrow
     for scene in "$root"/scenes/test/*.pov "$root"/scenes/gallery/*.pov; do

@@ -195,7 +195,7 @@ void a_box_or_sphere_fills_its_bounds(void **unused)
     if (subject.shape->flags & (POV_SHAPE_BOX | POV_SHAPE_SPHERE))
         subject_each_ray(RAYS, fills_its_bounds);
     else
-        subject_skip("is neither a POV_SHAPE_BOX nor a POV_SHAPE_BALL");
+        subject_skip("is neither a POV_SHAPE_BOX nor a POV_SHAPE_SPHERE");
     if (subject.shape->flags & POV_SHAPE_SPHERE)
         subject_each_ray(RAYS, lies_in_its_sphere);
 }

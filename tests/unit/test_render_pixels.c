@@ -45,7 +45,7 @@ static void a_ray_goes_through_the_centre_of_its_pixel(void **state)
     assert_near(ray.org_lo.x + ray.dir_lo.x, 0.0, 0.0);
 }
 
-static void rays_are_symmetric_to_the_bit(void **state)
+static void rays_are_symmetric_bit_for_bit(void **state)
 {
     pov_camera c = a_camera();
     (void)state;
@@ -104,7 +104,7 @@ static void assert_many_are_single(const pov_camera *c, unsigned known)
     }
 }
 
-static void many_rays_are_single_ones_to_the_bit(void **state)
+static void many_rays_are_single_ones_bit_for_bit(void **state)
 {
     pov_camera c = a_camera();
     (void)state;
@@ -390,9 +390,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_goes_through_the_centre_of_its_pixel),
-        cmocka_unit_test(rays_are_symmetric_to_the_bit),
+        cmocka_unit_test(rays_are_symmetric_bit_for_bit),
         cmocka_unit_test(orthographic_rays_are_parallel),
-        cmocka_unit_test(many_rays_are_single_ones_to_the_bit),
+        cmocka_unit_test(many_rays_are_single_ones_bit_for_bit),
         cmocka_unit_test(samples_of_a_half_spread_evenly),
         cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),
         cmocka_unit_test(tiles_cover_every_pixel_once),

@@ -39,7 +39,7 @@ static pov_pass last_row(pov_job *job)
     return row;
 }
 
-static void a_constant_stays_itself_to_the_bit(void **state)
+static void a_constant_stays_itself_bit_for_bit(void **state)
 {
     pov_render_desc d = refining(37, POV_SAMPLING_ADAPTIVE);
     float *pixels;
@@ -396,7 +396,7 @@ static void without_being_asked_no_time_is_kept(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_constant_stays_itself_to_the_bit),
+        cmocka_unit_test(a_constant_stays_itself_bit_for_bit),
         cmocka_unit_test(equal_samples_leave_a_band_and_do_not_end_at_once),
         cmocka_unit_test(the_estimate_is_near_the_true_error),
         cmocka_unit_test(an_asked_error_is_reached_and_not_by_far),

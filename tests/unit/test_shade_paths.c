@@ -219,8 +219,8 @@ static void total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_ow
 
 /* ---- against plain recursion ---- */
 
-enum { BALLS = 9, LEVELS = 6 };
-typedef struct inside { uint32_t list[2 * BALLS]; int count; } inside;
+enum { SPHERES = 9, LEVELS = 6 };
+typedef struct inside { uint32_t list[2 * SPHERES]; int count; } inside;
 
 static double ior_at(const tiny *s, const inside *in, int back)
 {
@@ -312,7 +312,7 @@ static void the_list_of_rays_gives_what_recursion_gives(void **state)
         s.model.max_trace_level = LEVELS;
         s.model.adc_bailout = 0.0;
         s.model.background = colour_of(1.0f, 0.0f, 0.0f);
-        for (int i = 0; i < BALLS; i++)
+        for (int i = 0; i < SPHERES; i++)
             add_random_sphere(&s, &seed);
         tiny_build(&s);
         for (int i = 0; i < 40; i++) {

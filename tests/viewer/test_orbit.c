@@ -233,7 +233,7 @@ static void orbit_of_a_mirrored_camera_follows_the_pointer_too(void **state)
     assert_true(up < -0.01);
 }
 
-static void orbit_returns_home_to_the_bit(void **state)
+static void orbit_returns_home_bit_for_bit(void **state)
 {
     orbit o = plain();
     pov_camera home = o.home;
@@ -295,7 +295,7 @@ static pov_camera read_back(const char *camera, const char *before)
     return c;
 }
 
-static void camera_text_reads_back_to_the_bit_in_the_povray_dialect(void **state)
+static void camera_text_reads_back_bit_for_bit_in_the_povray_dialect(void **state)
 {
     orbit o = plain();
     pov_camera c, again;
@@ -347,10 +347,10 @@ int main(void)
         cmocka_unit_test(orbit_faces_along_the_axes),
         cmocka_unit_test(orbit_finds_z_up),
         cmocka_unit_test(orbit_of_a_mirrored_camera_follows_the_pointer_too),
-        cmocka_unit_test(orbit_returns_home_to_the_bit),
+        cmocka_unit_test(orbit_returns_home_bit_for_bit),
         cmocka_unit_test(orbit_keeps_a_moved_camera_and_no_other_when_the_scene_changes),
         cmocka_unit_test(orbit_shows_more_at_the_sides_of_a_wider_window),
-        cmocka_unit_test(camera_text_reads_back_to_the_bit_in_the_povray_dialect),
+        cmocka_unit_test(camera_text_reads_back_bit_for_bit_in_the_povray_dialect),
         cmocka_unit_test(camera_text_keeps_the_course_dialect),
     };
 

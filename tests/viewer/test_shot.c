@@ -150,7 +150,7 @@ static uint8_t *plain_picture(const char *text)
     return pixels;
 }
 
-static void shot_is_the_plain_picture_to_the_bit(void **state)
+static void shot_is_the_plain_picture_bit_for_bit(void **state)
 {
     uint8_t *plain = plain_picture(good);
     stage *s = begin(good, 0);
@@ -529,7 +529,7 @@ static int remove_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shot_is_the_plain_picture_to_the_bit),
+        cmocka_unit_test(shot_is_the_plain_picture_bit_for_bit),
         cmocka_unit_test(shot_after_one_pass_is_squares_of_sixteen),
         cmocka_unit_test(shot_after_five_passes_is_the_whole_picture),
         cmocka_unit_test(shot_shows_help_over_the_picture_and_takes_it_away),

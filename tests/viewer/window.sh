@@ -195,7 +195,7 @@ xdotool windowsize "$window" 600 500
 size_is() { shot sized.png; [ "$(identify -format %wx%h sized.png)" = 600x500 ] && [ "$(channel sized.png 300 250 b)" -gt 90 ]; }
 check "another size of the window is filled" within size_is
 within is_done
-# The ball is as high as before in parts of the window: half of it at 0.2 of the height above the middle is inside.
+# The sphere is as high as before in parts of the window: half of it at 0.2 of the height above the middle is inside.
 check "and nothing is stretched" sh -c '[ $0 -gt 60 ] && [ $1 -gt 60 ]' \
     "$(channel sized.png 300 180 b)" "$(channel sized.png 230 250 b)"
 
