@@ -69,9 +69,6 @@ static void add_found(void *user, uint32_t which)
 {
     finding *f = user;
 
-    for (size_t i = 0; i < f->found->count; i++)
-        if (f->found->items[i] == which)
-            return;   /* it lies in several shapes of one solid */
     if (!dielectric_push(f->found, f->env, which))
         f->failed = true;
 }
