@@ -11,9 +11,6 @@ enum { HALVE_FROM = 40 };
 /* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
 static const float frame_fraction = 0x1p-10f;
 enum { FRAME_LEAST = 16 };
-/* Build nodes of trees of more leaves than that stay where they are: what is spared of each ray is less there, and not
- * worth a third of the time that cuts take. */
-enum { REINSERT_MOST = 1 << 18 };
 /* Parts of fewer things than this are not worth a thread's while. */
 enum { JOB_LEAST = 4096, THREADS_FROM = 20000, SLICES = 64 };
 
@@ -31,7 +28,6 @@ typedef struct builder {
     int threads;
     bvh_ref *refs;
     const bvh_frame *frame;      /* the whole scene's */
-    bool reinserts;
     mutex lock;                  /* guards what follows, while threads work */
     condition changed;
     struct { job *items; size_t count, capacity; } jobs;
@@ -192,7 +188,6 @@ static uint32_t grow_nodes(const builder *b, const job *j, bvh_build_node *nodes
         t->half[1] = count + 1;
         cut(b, &t->range, t->depth >= HALVE_FROM, 1, &nodes[count].range, &nodes[count + 1].range);
         nodes[count].depth = nodes[count + 1].depth = t->depth + 1;
-        nodes[count].above = nodes[count + 1].above = i;
         count += 2;
     }
     return count;
@@ -220,23 +215,13 @@ static bool collapse(worker *h, const job *j, const bvh_build_node *nodes, uint3
 static bool grow_small(worker *h, const job *j)
 {
     const env *e = h->builder->in->env;
-    const size_t most = 2 * (size_t)bvh_range_count(&j->range);
-    bvh_build_node *nodes = env_resize(e, NULL, most, sizeof *nodes);
-    uint32_t *order = env_resize(e, NULL, most, sizeof *order), count;
-    bool done = nodes && order;
+    bvh_build_node *nodes = env_resize(e, NULL, 2 * (size_t)bvh_range_count(&j->range), sizeof *nodes);
+    bool done = false;
 
-    if (done) {
-        count = grow_nodes(h->builder, j, nodes);
-        if (h->builder->reinserts)
-            bvh_reinsert(nodes, count);
-        if (bvh_order_nodes(nodes, order) > HALVE_FROM) {
-            count = grow_nodes(h->builder, j, nodes);   /* boxes in boxes can become a chain */
-            bvh_order_nodes(nodes, order);
-        }
-        bvh_weigh_nodes(nodes, order, count);
+    if (nodes) {
+        bvh_weigh_nodes(nodes, grow_nodes(h->builder, j, nodes));
         done = collapse(h, j, nodes, 0);
     }
-    env_free(e, order);
     env_free(e, nodes);
     return done;
 }
@@ -317,17 +302,6 @@ static void name_slice(void *user, uint32_t slice, int unused)
     bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
 }
 
-/* Are there few enough leaves, if all are as full as they can be? */
-static bool wants_reinsertion(const builder *b)
-{
-    uint64_t slots = 0;
-    uint32_t i;
-
-    for (i = 0; i < b->in->count; i++)
-        slots += b->refs[i].slots;
-    return slots <= (uint64_t)BVH_WIDTH * REINSERT_MOST;
-}
-
 /* The draft of the whole tree. */
 static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
 {
@@ -345,7 +319,6 @@ static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
     all.scale = frame->scale;
     all.range.end = b->in->count;
     share_work(b->threads, SLICES, name_slice, b);
-    b->reinserts = wants_reinsertion(b);
     bvh_range_measure(&all.range, b->refs, b->threads);
     all.range.is_leaf = is_leaf(b, &all.range);
     if (all.range.is_leaf)

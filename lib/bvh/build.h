@@ -40,20 +40,16 @@ static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->
 /* What a binary tree is made of on the way to one of wide nodes. The first is the root. */
 typedef struct bvh_build_node {
     bvh_range range;             /* begin, end: of an end, or as it was cut */
-    uint32_t half[2], above;
+    uint32_t half[2];           /* further on in the list */
     int depth;                   /* of the tree, were it a node */
     bool is_end;                 /* not divided here */
     uint8_t to_left[BVH_WIDTH];
     float cost[BVH_WIDTH];       /* of at most 1 to 8 nodes side by side for all below: their surfaces' sum */
 } bvh_build_node;
 
-/* Move those that stand where they make boxes large. Nobody keeps depths then. */
-void bvh_reinsert(bvh_build_node *nodes, uint32_t count);
-/* From the root down, and how deep that is. */
-int bvh_order_nodes(bvh_build_node *nodes, uint32_t *order);
 /* Find what nodes cost least (Ylitie, Karras, Laine 2017: Efficient incoherent ray traversal on GPUs through compressed
  * wide BVHs). */
-void bvh_weigh_nodes(bvh_build_node *nodes, const uint32_t *order, uint32_t count);
+void bvh_weigh_nodes(bvh_build_node *nodes, uint32_t count);
 /* The children of the node that build node `which` becomes, which is no end. */
 int bvh_children_of(const bvh_build_node *nodes, uint32_t which, uint32_t out[BVH_WIDTH]);
 

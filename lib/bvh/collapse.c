@@ -41,26 +41,10 @@ static void weigh(const bvh_build_node *nodes, bvh_build_node *t)
     }
 }
 
-int bvh_order_nodes(bvh_build_node *nodes, uint32_t *order)
-{
-    uint32_t n = 1, i, k;
-
-    order[0] = 0;
-    for (i = 0; i < n; i++) {
-        const bvh_build_node *t = &nodes[order[i]];
-
-        for (k = 0; !t->is_end && k < 2; k++) {
-            nodes[t->half[k]].depth = t->depth + 1;
-            order[n++] = t->half[k];
-        }
-    }
-    return nodes[order[n - 1]].depth;
-}
-
-void bvh_weigh_nodes(bvh_build_node *nodes, const uint32_t *order, uint32_t count)
+void bvh_weigh_nodes(bvh_build_node *nodes, uint32_t count)
 {
     while (count-- > 0)
-        weigh(nodes, &nodes[order[count]]);
+        weigh(nodes, &nodes[count]);
 }
 
 static int collect(const bvh_build_node *nodes, uint32_t which, int roots, uint32_t *out)

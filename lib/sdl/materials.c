@@ -28,6 +28,8 @@ static uint32_t hash_of(const material *m)
     hash = mix(mix(mix(mix(hash, m->diffuse), m->phong), m->phong_size), m->metallic);
     hash = mix_colour(hash, m->reflection);
     hash = mix(hash, (float)m->ior);
+    if (m->pattern)
+        hash = mix(hash ^ m->pattern->count, (float)m->pattern->map);
     return hash ^ hash >> 16;
 }
 

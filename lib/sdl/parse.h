@@ -14,6 +14,7 @@
 typedef struct surface_parsed {
     material material;
     bool has_look;               /* a pigment, finish or texture was given */
+    uint32_t moves;              /* transformations that came behind a pigment that varies */
     place layer;                 /* a texture upon another look; source NULL: none */
 } surface_parsed;
 
@@ -61,6 +62,8 @@ void parse_transform(pov_reader *in, const transform **list, keyword_id keyword)
 value parse_transform_value(pov_reader *in);
 /* One list behind another. */
 void parse_append_transforms(pov_reader *in, const transform **list, const transform *more);
+/* The last so many of a list, as a list of their own. */
+const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count);
 /* The words of transformations in a table of items. */
 #define PARSE_MOVES(read) \
     { KEYWORD_TRANSLATE, read }, { KEYWORD_ROTATE, read }, { KEYWORD_SCALE, read }, { KEYWORD_MATRIX, read }, \

@@ -2,7 +2,7 @@
  * where it has none, flags, and transformations behind its own. */
 #include "base/vec.h"
 #include "sdl/materials.h"
-#include "sdl/parse.h"
+#include "sdl/patterns.h"
 #include "sdl/unsupported.h"
 
 #include <povtrace/shape.h>
@@ -50,6 +50,19 @@ static const transform *find_map(pov_reader *in, const object_parsed *o, const a
     return map;
 }
 
+/* Of its transformations, those that came behind its texture. */
+static uint32_t find_moves(const object_parsed *o, const around *a)
+{
+    const surface_parsed *s = &o->surface;
+    uint32_t moves;
+
+    for (; a && !s->has_look; a = a->outer)
+        s = &a->group->surface;
+    for (moves = s->moves; a; a = a->outer)
+        moves += patterns_count_moves(a->group->map);
+    return s->has_look ? moves : 0;
+}
+
 static uint32_t find_flags(const object_parsed *o, const around *a)
 {
     uint32_t flags = o->flags;
@@ -73,17 +86,20 @@ static bool is_fit(pov_reader *in, const object_parsed *o, const around *a)
 
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const material m = find_material(o, a);
+    material m = find_material(o, a);
     leaf_node leaf = o->leaf;
 
     if (!is_fit(in, o, a))
         return false;
     leaf.map = find_map(in, o, a);
     leaf.flags = find_flags(o, a);
+    patterns_settle(in, &m);
     leaf.material = materials_index(in, &m);
     *out = (node_ref)in->model->leaves.count;
     if (!in->failed && !model_add_leaf(in->model, &leaf))
         report_memory(in);
+    if (m.pattern)
+        patterns_place(in, leaf.map, find_moves(o, a));
     return !in->failed;
 }
 

@@ -1,5 +1,6 @@
 #include "sdl/parse_pattern.h"
 
+#include "sdl/patterns.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -185,6 +186,7 @@ static bool read_old_colour(pov_reader *in, surface_parsed *s)
         return false;
     report_warn(in, &in->token.at, "a colour belongs in a \"pigment\"");
     p = value_colour(in, false);
+    s->material.pattern = NULL;
     s->material.pigment = p.colour;
     s->material.filter = p.filter;
     s->material.transmit = p.transmit;
@@ -195,7 +197,7 @@ void parse_texture_content(pov_reader *in, surface_parsed *s, int end)
 {
     static const item items[] = {
         { KEYWORD_PIGMENT, texture_pigment }, { KEYWORD_FINISH, texture_finish }, { KEYWORD_NORMAL, texture_normal },
-        PARSE_MOVES(parse_pattern_move), PARSE_MAPS, { KEYWORD_TEXTURE, texture_texture }, FINISH_ITEMS,
+        PARSE_MOVES(patterns_move), PARSE_MAPS, { KEYWORD_TEXTURE, texture_texture }, FINISH_ITEMS,
     };
     static const item_list list = { "an item of the texture", ITEMS(items), parse_pattern_modifiers, finish_coming,
                                     parse_patterns, VALUE_TEXTURE, take_texture };
@@ -214,6 +216,7 @@ void parse_texture(pov_reader *in, surface_parsed *s)
 
     if (s->has_look)
         s->layer = in->last;
+    s->moves = 0;
     s->material = in->defaults->material;
     s->material.has_interior = has_interior;
     s->material.ior = ior;
@@ -282,7 +285,7 @@ static void take_material(pov_reader *in, void *self, const value *v)
 void parse_material(pov_reader *in, surface_parsed *s)
 {
     static const item items[] = { { KEYWORD_TEXTURE, material_texture }, { KEYWORD_INTERIOR, material_interior },
-                                  PARSE_MOVES(parse_pattern_move) };
+                                  PARSE_MOVES(patterns_move) };
     static const keyword_id coming[] = { KEYWORD_INTERIOR_TEXTURE, KEYWORD_OTHER };
     static const item_list list = { "an item of the material", ITEMS(items), NULL, NULL, coming, VALUE_MATERIAL,
                                     take_material };

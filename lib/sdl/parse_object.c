@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/host.h"
+#include "sdl/patterns.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -49,7 +50,11 @@ static void read_material(pov_reader *in, void *self, keyword_id keyword)
 
 static void move_object(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_transform(in, &((object_parsed *)self)->map, keyword);
+    object_parsed *o = self;
+    const uint32_t before = patterns_count_moves(o->map);
+
+    parse_transform(in, &o->map, keyword);
+    o->surface.moves += patterns_count_moves(o->map) - before;
 }
 
 /* `inverse` twice is the shape as it was; `hollow` may say whether. */

@@ -1,5 +1,6 @@
 #include "sdl/parse_pattern.h"
 
+#include "sdl/patterns.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -30,7 +31,7 @@ const keyword_id parse_pattern_modifiers[] = {
 };
 
 
-/* One colour fills the whole space, so moving it changes nothing; real scenes do it all the same. */
+/* Of normals and densities, which are not drawn. */
 void parse_pattern_move(pov_reader *in, void *self, keyword_id keyword)
 {
     const transform *unused = NULL;
@@ -70,6 +71,7 @@ static void take_pigment(pov_reader *in, void *self, const value *v)
     surface_parsed *s = self;
 
     (void)in;
+    s->moves = 0;
     s->material.pattern = from->pattern;
     s->material.pigment = from->pigment;
     s->material.filter = from->filter;
@@ -84,7 +86,7 @@ static void read_pigment(pov_reader *in, void *self, keyword_id keyword)
 
 static void pigment_content(pov_reader *in, surface_parsed *s, int end)
 {
-    static const item items[] = { PARSE_MOVES(parse_pattern_move), PARSE_MAPS, { KEYWORD_PIGMENT, read_pigment } };
+    static const item items[] = { PARSE_MOVES(patterns_move), PARSE_MAPS, { KEYWORD_PIGMENT, read_pigment } };
     static const item_list list = { "an item of the pigment", ITEMS(items), parse_pattern_modifiers, NULL,
                                     parse_patterns, VALUE_PIGMENT, take_pigment };
 
@@ -95,7 +97,7 @@ static void pigment_content(pov_reader *in, surface_parsed *s, int end)
         if (!has_colour && value_colour_follows(in, false)) {
             take_colour(in, s);
             has_colour = true;
-        } else if (!items_try(in, &list, s)) {
+        } else if (!patterns_read(in, s) && !items_try(in, &list, s)) {
             refuse_pigment(in);
         }
     }

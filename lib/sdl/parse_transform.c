@@ -94,6 +94,18 @@ void parse_append_transforms(pov_reader *in, const transform **list, const trans
     env_free(in->model->env, all);
 }
 
+const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count)
+{
+    const transform *out = NULL;
+    size_t i, all_count;
+    const transform **all = gather(in, list, &all_count);
+
+    for (i = all_count - (count < all_count ? count : all_count); i < all_count; i++)
+        append(in, &out, all[i]->kind, all[i]->v);
+    env_free(in->model->env, all);
+    return out;
+}
+
 static void invert_matrix(pov_reader *in, const transform **list, const transform *t)
 {
     const transform *alone = NULL;

@@ -2,7 +2,7 @@
 """Check that what the documentation points to exists, and that its tables are whole: links.py [PAGE ...].
 
 * A link to a file or an anchor of the tree.
-* A path in backticks or plain text, such as `bvh/reinsert.c` or docs/numerics.md: it is looked for beside the page, in the
+* A path in backticks or plain text, such as `bvh/collapse.c` or docs/numerics.md: it is looked for beside the page, in the
   tree's root, in lib and in plugins. Files that are yet to be written are named in sections that begin with "Where growth".
 * A target of make, such as `make bench`.
 * A table has a head.

@@ -16,6 +16,7 @@ void an_absorbed_map_is_as_a_mapped_ray(void **unused);
 
 /* contract_certified.c */
 void a_certified_distance_is_where_inside_changes(void **unused);
+void a_certified_closed_shape_is_never_missed(void **unused);
 void a_certified_distance_is_the_same_from_the_other_side(void **unused);
 void a_certified_planar_surface_is_planar(void **unused);
 

@@ -82,6 +82,7 @@ static int check_file(const char *file)
         cmocka_unit_test(always_exact_finds_the_same),
         cmocka_unit_test(counting_finds_as_many),
         cmocka_unit_test(a_certified_distance_is_where_inside_changes),
+        cmocka_unit_test(a_certified_closed_shape_is_never_missed),
         cmocka_unit_test(a_certified_distance_is_the_same_from_the_other_side),
         cmocka_unit_test(a_certified_planar_surface_is_planar),
         cmocka_unit_test(copies_behave_alike),

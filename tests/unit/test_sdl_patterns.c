@@ -1,0 +1,140 @@
+/* Pigments that vary: their lists, and the space that a leaf's texture stands in. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include "texture/texture.h"
+
+#include <string.h>
+
+static void read_text(reading *r, const char *text)
+{
+    reading_begin(r, text);
+    if (r->status != POV_OK)
+        fail_msg("%s: %d:%d %s", text, r->error.line, r->error.column, r->error.message);
+}
+
+static const material *material_of(const reading *r, size_t leaf)
+{
+    return &r->model.materials.items[r->model.leaves.items[leaf].material];
+}
+
+/* Red, green, blue or yellow: the squares of a leaf at a point of the world, for those of the default list. */
+static char colour_at(const reading *r, uint32_t leaf, double x, double y, double z)
+{
+    texture_points points;
+    texture_sample s;
+
+    memset(&points, 0, sizeof points);
+    assert_non_null(material_of(r, leaf)->pattern);
+    texture_point(model_texture_map(&r->model, leaf), pov_vec3_of(x, y, z), pov_vec3_of(0, 0, 0), 0, &points);
+    texture_eval(&r->model, material_of(r, leaf), &points, 1, &s);
+    return s.pigment.color.b == 1.0f ? 'b' : s.pigment.color.g == 0.0f ? 'r' : s.pigment.color.r == 0.0f ? 'g' : 'y';
+}
+
+static void a_list_replaces_the_colours_that_it_gives(void **state)
+{
+    const pigment *list;
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 pigment { square rgbf <.5, .25, 0, .75>, color rgbt <1, 0, 1, .5> 0.125 } }");
+    list = material_of(&r, 0)->pattern->list;
+    assert_int_equal(material_of(&r, 0)->pattern->count, 4);
+    assert_true(list[0].color.r == 0.5f && list[0].color.g == 0.25f && list[0].filter == 0.75f);
+    assert_true(list[1].color.b == 1.0f && list[1].transmit == 0.5f && list[1].filter == 0.0f);
+    assert_true(list[2].color.r == 0.125f && list[2].color.b == 0.125f);
+    assert_true(list[3].color.r == 1.0f && list[3].color.g == 1.0f && list[3].color.b == 0.0f);
+    /* What a scene needs is told by the most of each. */
+    assert_true(material_is_transparent(material_of(&r, 0)) && material_of(&r, 0)->pigment.g == 1.0f);
+    reading_end(&r);
+}
+
+static void transformations_of_a_pigment_and_of_its_texture_move_it(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 pigment { square scale 2 translate <1, 0, 0> } }\n"
+                  "sphere { 0, 1 texture { pigment { square scale 2 } translate <1, 0, 0> } }\n"
+                  "#declare P = pigment { square scale 2 }; sphere { 0, 1 texture { pigment { P translate x } finish { } } }\n"
+                  "sphere { 0, 1 pigment { square } }");
+    for (uint32_t i = 0; i < 3; i++) {
+        assert_int_equal(colour_at(&r, i, 1.5, 0, 1.5), 'r');
+        assert_int_equal(colour_at(&r, i, 3.5, 0, 1.5), 'y');
+        assert_int_equal(colour_at(&r, i, 0.5, 0, 1.5), 'y');
+        assert_null(model_texture_map(&r.model, i));
+    }
+    /* All three are the same, and the last one is its own. */
+    assert_int_equal(r.model.kept_maps.count, 1);
+    assert_int_equal(r.model.materials.count, 2);
+    assert_int_equal(colour_at(&r, 3, 1.5, 0, 1.5), 'b');
+    reading_end(&r);
+}
+
+static void transformations_of_an_object_move_the_texture_that_stands_before_them(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 translate <5, 0, 0> pigment { square } translate <1, 0, 0> scale 2 }\n"
+                  "sphere { 0, 1 pigment { square } translate <5, 0, 0> texture { pigment { square } } finish { } rotate y*90 }\n"
+                  "#declare O = object { sphere { 0, 1 pigment { square } translate <1, 0, 0> } };\n"
+                  "object { O scale 2 } object { O scale 2 pigment { square } }");
+    assert_int_equal(colour_at(&r, 0, 2.5, 0, 0.5), 'r');
+    assert_int_equal(colour_at(&r, 0, 1.5, 0, 0.5), 'y');
+    assert_int_equal(colour_at(&r, 0, 4.5, 0, 2.5), 'b');
+    /* x of the world is z of the object. */
+    assert_int_equal(colour_at(&r, 1, 1.5, 0, -0.5), 'g');
+    assert_int_equal(colour_at(&r, 1, 0.5, 0, -1.5), 'y');
+    assert_int_equal(colour_at(&r, 2, 2.5, 0, 0.5), 'r');
+    assert_int_equal(colour_at(&r, 2, 1.5, 0, 0.5), 'y');
+    assert_null(model_texture_map(&r.model, 3));
+    reading_end(&r);
+}
+
+/* A union's texture is for members without one; its transformations move all. */
+static void members_of_unions_stand_in_the_space_that_their_texture_was_written_in(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; union { sphere { 0, 1 translate <0, 0, 7> } sphere { 0, 1 pigment { square } translate <0, 0, 1> }\n"
+                  "  union { sphere { 0, 1 } translate <9, 0, 9> } translate <3, 0, 0> pigment { square } translate <1, 0, 0> }");
+    assert_int_equal(r.model.leaves.count, 3);
+    assert_int_equal(colour_at(&r, 0, 1.5, 0, 0.5), 'r');
+    assert_int_equal(colour_at(&r, 0, 0.5, 0, 0.5), 'y');
+    assert_int_equal(colour_at(&r, 1, 0.5, 0, 1.5), 'r');
+    assert_int_equal(colour_at(&r, 1, 0.5, 0, 0.5), 'g');
+    assert_int_equal(colour_at(&r, 2, 1.5, 0, 0.5), 'r');
+    assert_int_equal(colour_at(&r, 2, 1.5, 0, 1.5), 'g');
+    reading_end(&r);
+}
+
+/* Ten thousand copies of one textured object that stand in ten places. */
+static void copies_share_their_texture_and_maps(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; #declare O = object { sphere { 0, 1 pigment { square scale 3 } } };\n"
+                  "#declare I = 0; #while (I < 10000) object { O translate <mod(I, 10), 0, 0> } #declare I = I + 1; #end");
+    assert_int_equal(r.model.leaves.count, 10000);
+    assert_int_equal(r.model.materials.count, 1);
+    assert_int_equal(r.model.kept_maps.count, 10);
+    assert_int_equal(colour_at(&r, 9995, 5.5, 0, 0.5), 'r');
+    assert_int_equal(colour_at(&r, 9995, 4.5, 0, 0.5), 'y');
+    reading_end(&r);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_list_replaces_the_colours_that_it_gives),
+        cmocka_unit_test(transformations_of_a_pigment_and_of_its_texture_move_it),
+        cmocka_unit_test(transformations_of_an_object_move_the_texture_that_stands_before_them),
+        cmocka_unit_test(members_of_unions_stand_in_the_space_that_their_texture_was_written_in),
+        cmocka_unit_test(copies_share_their_texture_and_maps),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
