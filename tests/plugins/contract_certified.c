@@ -151,10 +151,10 @@ void a_certified_distance_is_where_inside_changes(void **unused)
 
 /* ---- closed shapes ---- */
 
-/* A point below the surface, by 1e-3 to 1e-14 of the shape's size. */
+/* A point below the surface, by 1e-3 to 1e-20 of the shape's size. */
 static void below(const thing *t, const pov_ray *ray, const pov_crossing *at, pov_vec3 *p, pov_vec3 *low)
 {
-    const double depth = t->size * pow(10.0, -3.0 - 11.0 * subject_uniform());
+    const double depth = t->size * pow(10.0, -3.0 - 17.0 * subject_uniform());
     pov_ray down = *ray;
     pov_vec3 normal;
 
