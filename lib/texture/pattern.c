@@ -2,9 +2,10 @@
 
 #include <string.h>
 
-extern const pattern_class pattern_square;
+extern const pattern_class pattern_checker, pattern_square;
 
 static const pattern_class *const classes[] = {
+    &pattern_checker,
     &pattern_square,
 };
 

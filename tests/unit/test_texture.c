@@ -37,6 +37,22 @@ static void square_counts_four_squares_about_a_corner(void **state)
     }
 }
 
+static void checker_takes_turns_in_three_directions(void **state)
+{
+    (void)state;
+    for (int i = -3; i <= 3; i++)
+        for (int j = -3; j <= 3; j++)
+            for (int k = -3; k <= 3; k++) {
+                const double wanted = (i + j + k) & 1;
+
+                assert_near(value_at("checker", i + 0.5, j + 0.5, k + 0.5), wanted, 0.0);
+                assert_near(value_at("checker", i, j, k), wanted, 0.0);
+                assert_near(value_at("checker", i - 0.99e-10, j - 0.99e-10, k), wanted, 0.0);
+                assert_near(value_at("checker", i - 1.01e-10, j, k), 1.0 - wanted, 0.0);
+            }
+    assert_near(value_at("checker", 1e17, 0.5, 0.5), 0.0, 0.0);
+}
+
 static void a_keyword_of_no_pattern_has_no_class(void **state)
 {
     (void)state;
@@ -203,6 +219,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(square_counts_four_squares_about_a_corner),
+        cmocka_unit_test(checker_takes_turns_in_three_directions),
         cmocka_unit_test(a_keyword_of_no_pattern_has_no_class),
         cmocka_unit_test(maps_are_kept_once),
         cmocka_unit_test(points_are_taken_to_a_texture_in_two_parts),
