@@ -12,8 +12,24 @@ void model_init(model *m, const env *e)
     arena_init(&m->maps, e);
 }
 
+bool model_keep(model *m, void *item, void (*destroy)(void *item))
+{
+    const kept_item one = { item, destroy };
+
+    if (VEC_PUSH(m->env, &m->kept, one))
+        return true;
+    destroy(item);
+    return false;
+}
+
 void model_free(model *m)
 {
+    while (m->kept.count > 0) {
+        const kept_item *last = &m->kept.items[--m->kept.count];
+
+        last->destroy(last->item);
+    }
+    env_free(m->env, m->kept.items);
     env_free(m->env, m->leaves.items);
     env_free(m->env, m->groups.items);
     env_free(m->env, m->children.items);

@@ -25,6 +25,10 @@ typedef struct gamma {
     pov_transfer transfer;       /* what integers the scene asks for */
 } gamma;
 
+/* What the scene keeps for its plugins, and how it goes. */
+typedef struct kept_item { void *item; void (*destroy)(void *item); } kept_item;
+typedef struct kept_list { kept_item *items; size_t count, capacity; } kept_list;
+
 typedef struct model {
     arena memory;                /* of instances and texts */
     arena maps;                  /* of transformations, which model_drop_maps() takes away before the rest */
@@ -37,6 +41,7 @@ typedef struct model {
     material_list materials;
     light_list lights;
     map_table kept_maps;         /* of textures */
+    kept_list kept;              /* in the order of being made */
     map_numbers texture_maps;    /* by leaf: the number of the map of the transformations behind its texture; leaves past
                                   * the end have none */
     pov_camera camera;
@@ -69,6 +74,9 @@ size_t model_object_count(const model *m);
 uint32_t model_object_of(const model *m, uint32_t leaf);
 const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf);
 const char *model_op_keyword(node_op op);
+
+/* From now on the model owns the item. False: no memory, and the item is destroyed. */
+bool model_keep(model *m, void *item, void (*destroy)(void *item));
 
 /* The map of the last leaf's texture. False: no memory. */
 bool model_set_texture_map(model *m, const pov_affine *map);

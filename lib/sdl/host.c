@@ -1,7 +1,13 @@
 #include "sdl/host.h"
 
+#include "base/file.h"
+#include "base/hash.h"
 #include "base/str.h"
+#include "sdl/expression.h"
+#include "sdl/include.h"
+#include "sdl/reader.h"
 #include "sdl/report.h"
+#include "sdl/text.h"
 #include "sdl/value.h"
 
 #include <string.h>
@@ -90,6 +96,70 @@ static void warn(pov_reader *in, const char *format, ...)
     va_end(args);
 }
 
+static void vector_of(pov_reader *in, double *out, int n)
+{
+    int i;
+
+    if (value_components(in, n, n, out) == 1)
+        for (i = 1; i < n; i++)
+            out[i] = out[0];
+}
+
+static void color(pov_reader *in, double rgbft[5])
+{
+    value_colour_components(in, true, rgbft);
+}
+
+static bool boolean(pov_reader *in) { return expression_is_true(value_number(in)); }
+
+static const char *string_kept(pov_reader *in)
+{
+    const string *s = value_text(in);
+    char *copy = s ? state_alloc(in, s->length + 1, 1) : NULL;
+
+    if (!copy)
+        return "";
+    memcpy(copy, s->text, s->length + 1);
+    return copy;
+}
+
+/* The bytes go to the scene's memory, so that plugins need not give them back. */
+static const void *file(pov_reader *in, const char *name, size_t *bytes)
+{
+    string *s = in->failed ? NULL : text_copy(in, name, strlen(name));
+    char path[INCLUDE_PATH_MAX], *text = NULL;
+    void *copy = NULL;
+    pov_error err;
+
+    *bytes = 0;
+    if (!s)
+        return NULL;
+    if (!include_find(in, s, path))
+        report_fail(in, &in->value, POV_E_IO, "there is no file \"%.200s\" in the folders that scenes are read from", name);
+    else if (file_read(in->model->env, path, &text, bytes, &err) < 0)
+        report_fail(in, &in->value, err.status, "%.200s: %.200s", path, err.message);
+    else
+        copy = state_alloc(in, *bytes + 1, ALIGNMENT);
+    if (copy) {
+        memcpy(copy, text, *bytes);
+        in->sources.hash = hash_bytes(in->sources.hash, text, *bytes);
+    }
+    env_free(in->model->env, text);
+    return copy;
+}
+
+static const pov_hierarchy *hierarchy(pov_reader *in, const pov_box *boxes, uint32_t n)
+{
+    const pov_hierarchy *made = NULL;
+
+    if (in->failed || !in->options || !in->options->hierarchy)
+        return NULL;
+    made = in->options->hierarchy(in->model, boxes, n);
+    if (!made)
+        report_memory(in);
+    return made;
+}
+
 const pov_host host_functions = {
     .abi = POV_PLUGIN_ABI,
     .size = sizeof(pov_host),
@@ -101,4 +171,10 @@ const pov_host host_functions = {
     .more = more,
     .fail = fail,
     .warn = warn,
+    .vector_of = vector_of,
+    .color = color,
+    .boolean = boolean,
+    .string = string_kept,
+    .file = file,
+    .hierarchy = hierarchy,
 };

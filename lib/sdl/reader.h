@@ -27,6 +27,8 @@ typedef struct reader_options {
     const char *library_path;    /* folders of include files, colon separated, or NULL */
     const char *write_path;      /* below this folder the scene may write files; NULL: nowhere */
     const char *const *declares; /* "NAME=VALUE", ending with NULL; or NULL */
+    /* Makes a hierarchy for a plugin, which the model then keeps; see pov_host.hierarchy. NULL: there are none. */
+    const pov_hierarchy *(*hierarchy)(model *m, const pov_box *boxes, uint32_t n);
     reader_limits limits;
     reader_frames frames;
 } reader_options;

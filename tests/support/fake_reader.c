@@ -208,8 +208,10 @@ enum { LOADED_MAX = 32 };        /* plugins that one test program loads */
 
 bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self)
 {
-    static const pov_host host = { POV_PLUGIN_ABI, sizeof(pov_host), host_alloc, host_number, host_vector,
-                                   host_accept,    host_expect,      host_more,  host_fail,   host_warn };
+    /* What only later primitives ask for is not here. */
+    static const pov_host host = { .abi = POV_PLUGIN_ABI, .size = sizeof(pov_host), .alloc = host_alloc, .number = host_number,
+                                   .vector = host_vector, .accept = host_accept, .expect = host_expect, .more = host_more,
+                                   .fail = host_fail, .warn = host_warn };
 
     const bool is_prepared = shape->prepare != NULL;
     void *text = is_prepared ? fake_reader_memory(in, shape->parsed_size) : self;

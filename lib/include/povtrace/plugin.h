@@ -47,6 +47,17 @@ typedef struct pov_host {
     bool (*more)(pov_reader *in);                      /* does a value come next? */
     void (*fail)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);   /* at the last value read */
     void (*warn)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);
+    /* A vector of n components, 2 to 5; a number stands for n equal ones. */
+    void (*vector_of)(pov_reader *in, double *out, int n);
+    void (*color)(pov_reader *in, double rgbft[5]);    /* red, green, blue, filter, transmit, as written */
+    bool (*boolean)(pov_reader *in);                   /* on, yes, true, off, no, false, or a number: not 0 is true */
+    const char *(*string)(pov_reader *in);             /* ends with a zero byte, lives as long as the scene; "" after an error */
+    /* The bytes of a file that the scene names, searched for as included files are and under the same restrictions. They
+     * live as long as the scene. NULL after an error; that there is no such file is one. */
+    const void *(*file)(pov_reader *in, const char *name, size_t *bytes);
+    /* A hierarchy over n boxes, at least one, finite; parts are numbered as their boxes are. It lives as long as the scene.
+     * NULL after an error. */
+    const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
     /* abi 3 began with these. */
 } pov_host;
 
