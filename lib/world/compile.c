@@ -167,30 +167,21 @@ static const shape_class *shape_of(const compile_state *f, uint32_t id) { return
 
 void compile_instances(const compile_state *f, const uint32_t *ids, const pov_affine *maps, int n, instance_xform *out)
 {
-    pov_box own[INSTANCE_MANY] = { { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } } }, around[INSTANCE_MANY];
-    instance_desc wishes[INSTANCE_MANY];
-    const pov_affine *each[INSTANCE_MANY] = { NULL };
-    bool finite[INSTANCE_MANY];
+    const void *last = NULL;
+    pov_box own, around;
+    bool finite = false;
     int i;
 
     for (i = 0; i < n; i++) {
-        const void *instance = f->moved[ids[i]];
+        const shape_class *shape = shape_of(f, ids[i]);
 
-        each[i] = &maps[i];
-        if (i > 0 && instance == f->moved[ids[i - 1]]) {   /* they were written alike */
-            own[i] = own[i - 1];
-            finite[i] = finite[i - 1];
-        } else {
-            finite[i] = own_box(shape_of(f, ids[i]), instance, &own[i]);
-        }
+        if (f->moved[ids[i]] != last)   /* else they were written alike */
+            finite = own_box(shape, f->moved[ids[i]], &own);
+        last = f->moved[ids[i]];
+        if (finite)
+            instance_box(&maps[i], &own, &around);
+        instance_init(&out[i], &maps[i], &own, finite && is_finite_box(&around) ? &around : NULL, shape->flags);
     }
-    instance_boxes(each, own, n, around);
-    for (i = 0; i < n; i++) {
-        const instance_desc w = { each[i], &own[i], finite[i] && is_finite_box(&around[i]) ? &around[i] : NULL,
-                                   shape_of(f, ids[i])->flags };
-        wishes[i] = w;
-    }
-    instance_init_many(out, wishes, n);
 }
 
 /* The box of an instanced shape in the world, a little wider where its map is approximately known. False: there

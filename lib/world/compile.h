@@ -83,7 +83,7 @@ bool compile_add_trees(compile_state *f, uint16_t mark);
 void compile_take(compile_state *f, uint32_t index, const pov_box *box);
 /* The box of a finite object, as compile_objects() saw it. Any thread. */
 void compile_box(const compile_state *f, uint32_t index, pov_box *out);
-/* The instance transforms of up to INSTANCE_MANY objects whose groups are placed, by what was composed of their
+/* The instance transforms of n objects whose groups are placed, by what was composed of their
  * transformations. Made anew, so that they are kept in one place only. Any thread. */
 void compile_instances(const compile_state *f, const uint32_t *ids, const pov_affine *maps, int n, instance_xform *out);
 /* By object, 1: it lets light pass and nothing else comes near its box. NULL: nothing does, or there is too much to look

@@ -37,16 +37,6 @@ void instance_shrink_box(const pov_affine *map, const pov_box *own, pov_box *aro
 /* own, around: the shape's box in its own space and in the world, or NULL for an infinite shape. flags: its class's. */
 void instance_init(instance_xform *p, const pov_affine *map, const pov_box *own, const pov_box *around, uint32_t flags);
 
-/* The same of up to INSTANCE_MANY at once, bit for bit: they cost little more than one. */
-enum { INSTANCE_MANY = 8 };
-typedef struct instance_desc {
-    const pov_affine *map;
-    const pov_box *own, *around;
-    uint32_t flags;
-} instance_desc;
-void instance_boxes(const pov_affine *const *maps, const pov_box *own, int n, pov_box *out);
-void instance_init_many(instance_xform *out, const instance_desc *wishes, int n);
-
 /* Where it stands in a frame around it. False: rays there cannot be filtered. */
 bool instance_filter_make(const instance_xform *p, const bvh_frame *frame, instance_filter *out);
 /* The same of an ellipsoid, by its centre and the rows of shape_class. */

@@ -12,7 +12,7 @@ bool leaf_layout_init(leaf_layout *r, compile_state *f, uint32_t slices)
     r->state = f;
     r->slices = slices;
     r->of = env_alloc(f->env, slices + 1u, sizeof *r->of);
-    r->ready = env_resize(f->env, NULL, slices, INSTANCE_MANY * sizeof *r->ready);
+    r->ready = env_resize(f->env, NULL, slices, TRANSFORM_MANY * sizeof *r->ready);
     r->at = env_alloc(f->env, slices, f->group_count * sizeof *r->at);
     return r->of && r->ready && r->at;
 }
@@ -226,14 +226,14 @@ static void instances_next(leaf_layout *r, uint32_t slice)
     for (; n < p->ready; p->next_id++)
         if (f->groups[f->group[f->finite[p->next_id]]].instanced)
             ids[n++] = f->finite[p->next_id];
-    compile_instances(f, ids, maps, n, r->ready + slice * INSTANCE_MANY);
+    compile_instances(f, ids, maps, n, r->ready + slice * TRANSFORM_MANY);
     p->next = (size_t)((const unsigned char *)next - r->maps);
     p->used = 0;
 }
 
 static const instance_xform *instance_of(leaf_layout *r, uint32_t slice, uint32_t id)
 {
-    instance_xform *ready = r->ready + slice * INSTANCE_MANY;
+    instance_xform *ready = r->ready + slice * TRANSFORM_MANY;
     leaf_layout_slice *p = &r->of[slice];
     pov_affine map;
 

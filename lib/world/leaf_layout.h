@@ -21,7 +21,7 @@ typedef struct leaf_layout {
     uint32_t slices;
     leaf_layout_slice *of;       /* by part, and one behind the last */
     unsigned char *maps;         /* see leaf_layout_take_maps(); NULL: the model still has them */
-    instance_xform *ready;       /* by part INSTANCE_MANY: made before they are wanted, for many cost less at once */
+    instance_xform *ready;       /* by part TRANSFORM_MANY: made before they are wanted, for many are composed at once */
     uint32_t *at;                /* by part and group: how many instances; then the place of the next */
     const unsigned char *base;   /* what runs are being filled, and the bit that tells which */
     uint32_t mark;

@@ -341,45 +341,6 @@ static void the_filter_is_right_of_spheres(void **state)
     assert_true(t.sure > MAPS / 20 && t.definite_pair > MAPS / 40);
 }
 
-/* Of classes and boxes as they come, some without one. */
-static void instances_made_together_are_as_one_by_one(void **state)
-{
-    test_random r = { 23 };
-    int i, k;
-
-    (void)state;
-    for (i = 0; i < 500; i++) {
-        const int n = 1 + (int)test_below(&r, INSTANCE_MANY);
-        pov_affine maps[INSTANCE_MANY];
-        const pov_affine *each[INSTANCE_MANY] = { NULL };
-        pov_box own[INSTANCE_MANY], around[INSTANCE_MANY], single;
-        instance_desc wishes[INSTANCE_MANY];
-        instance_xform many[INSTANCE_MANY], one;
-        model m;
-
-        test_model_init(&m, NULL);
-        for (k = 0; k < n; k++) {
-            assert_true(transform_compose(test_random_map(&m, &r), &maps[k]));
-            each[k] = &maps[k];
-            own[k] = test_below(&r, 2) ? random_box(&r) : test_random_cube(&r);
-        }
-        instance_boxes(each, own, n, around);
-        for (k = 0; k < n; k++) {
-            const instance_desc w = { each[k], &own[k], test_below(&r, 5) ? &around[k] : NULL,
-                                       test_below(&r, 2) ? POV_SHAPE_BOX : POV_SHAPE_SPHERE };
-            wishes[k] = w;
-            instance_box(each[k], &own[k], &single);
-            assert_memory_equal(&single, &around[k], sizeof single);
-        }
-        instance_init_many(many, wishes, n);
-        for (k = 0; k < n; k++) {
-            instance_init(&one, wishes[k].map, wishes[k].own, wishes[k].around, wishes[k].flags);
-            assert_memory_equal(&one, &many[k], sizeof one);
-        }
-        model_free(&m);
-    }
-}
-
 static uint32_t count_candidates(uint32_t flags, uint32_t left, uint32_t mark)
 {
     const pov_box own = { { -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 } };
@@ -493,7 +454,6 @@ static void the_next_double_is_that_of_nextafter(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(instances_made_together_are_as_one_by_one),
         cmocka_unit_test(the_filter_is_right_of_boxes),
         cmocka_unit_test(the_filter_is_right_of_spheres),
         cmocka_unit_test(rays_that_go_outward_from_a_box_or_sphere_are_excluded),
