@@ -8,6 +8,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -103,11 +104,10 @@ bool file_is_link(const char *path)
 
 bool file_resolve(const char *path, char *out, size_t size)
 {
-    char *real = realpath(path, NULL);
-    bool fits = real && strlen(real) < size;
+    char resolved[PATH_MAX];
+    bool fits = realpath(path, resolved) && strlen(resolved) < size;
 
     if (fits)
-        strcpy(out, real);
-    free(real);
+        strcpy(out, resolved);
     return fits;
 }
