@@ -1,9 +1,10 @@
-/* avx2.h - distances along rays, for the traversals that are compiled for AVX2.
+/* avx2.h - comparisons of distances along rays, for traversals compiled for AVX2.
  *
- * As whole numbers, the bits of floats that are not negative have the order of the floats, and all others are less than
- * zero. Entries are the greatest of some distances and zero, so that whole numbers give the same. Exits are the least:
- * where one is negative, a negative one is found, if not the same; unless it is minus zero, nothing is entered before
- * it, and a box too many does no harm. Twice as many such comparisons as those of floats go side by side. */
+ * Read as integers, the bits of non-negative floats have the order of the floats, and all others are negative. An entry
+ * is the maximum of some distances and zero, so that integers give the same result. An exit is the minimum: if one
+ * distance is negative, a negative one is found, if not the same. Unless that is minus zero, nothing is entered before
+ * it, and one box too many does no harm. The processor does twice as many of these comparisons at a time as of
+ * floats. */
 #ifndef BVH_AVX2_H
 #define BVH_AVX2_H
 
@@ -23,8 +24,9 @@ BVH_AVX2 static inline __m256 later(__m256 a, __m256 b)
 
 #ifdef __AVX512VL__
 
-/* To put met children in order without a branch for each: their entries side by side, the place in the node in the
- * three lowest bits. Vectors keep to 256 bits: while wider ones are under way, Intel's processors do fewer of these. */
+/* Sort keys of children that were hit, without a branch for each: their entries side by side, with the slot of the node
+ * in the three lowest bits. Vectors stay at 256 bits: while wider ones are in use, Intel's processors start fewer of
+ * these. */
 BVH_AVX2 static inline __m256i slot_entries_avx512(__m256 entry, __mmask8 hit)
 {
     const __m256i slots = _mm256_set_epi32(7, 6, 5, 4, 3, 2, 1, 0);
@@ -33,13 +35,14 @@ BVH_AVX2 static inline __m256i slot_entries_avx512(__m256 entry, __mmask8 hit)
     return _mm256_maskz_compress_epi32(hit, _mm256_or_si256(rest, slots));
 }
 
-/* What lies before each: entries without places, a little less than they were, so that nothing is passed by too soon. */
+/* Entry distances of the keys: slot bits are cleared, so they are a little smaller, and no child is skipped too
+ * soon. */
 BVH_AVX2 static inline __m256 entries_avx512(__m256i order)
 {
     return _mm256_castsi256_ps(_mm256_andnot_si256(_mm256_set1_epi32(7), order));
 }
 
-/* The greatest first, by bitonic sorting: by stage, whom each is held against, and who keeps the greater. */
+/* Bitonic sort, greatest first: for each stage the partner of each lane, and the lanes that keep the greater value. */
 BVH_AVX2 static inline __m256i sort_avx512(__m256i v, uint32_t count)
 {
 #define STAGE(other, greater) v = _mm256_blend_epi32(_mm256_min_epu32(v, other), _mm256_max_epu32(v, other), greater)

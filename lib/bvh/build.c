@@ -6,21 +6,23 @@
 
 #include <string.h>
 
-/* From this depth on the tree is halved by count, so that log8(2^32) < 12 more steps end it: BVH_DEPTH is enough. */
+/* From this depth on ranges are halved by count, so that log8(2^32) < 12 more steps end the tree: BVH_DEPTH is
+ * enough. */
 enum { HALVE_FROM = 40 };
-/* A part of a frame gets one of its own when it is at most 2^-10 of it and holds enough to repay the change. */
+/* A part of a frame gets a frame of its own if it is at most 2^-10 of it and holds enough objects to repay the change
+ * of frames. */
 static const float frame_fraction = 0x1p-10f;
 enum { FRAME_LEAST = 16 };
-/* Parts of fewer things than this are not worth a thread's while. */
+/* Ranges of fewer objects than this are not worth a thread's work. */
 enum { JOB_LEAST = 4096, THREADS_FROM = 20000, SLICES = 64 };
 
-/* A part of the tree that is to grow, perhaps by whoever comes first. */
+/* A subtree to build, possibly by another thread. */
 typedef struct job {
     bvh_draft_child *child;
-    bvh_range range;             /* in its own frame where it has one */
+    bvh_range range;             /* in its own frame if it has one */
     double scale;                /* of that frame */
     int depth;
-    bool is_fine;                /* no frame would be finer */
+    bool is_fine;                /* no finer frame is possible */
 } job;
 
 typedef struct builder {
@@ -28,21 +30,21 @@ typedef struct builder {
     int threads;
     bvh_ref *refs;
     const bvh_frame *frame;      /* the whole scene's */
-    mutex lock;                  /* guards what follows, while threads work */
+    mutex lock;                  /* guards the members below, while threads work */
     condition changed;
     struct { job *items; size_t count, capacity; } jobs;
-    int at_work;                 /* hands whose job may lead to others */
+    int at_work;                 /* workers whose job may add others */
     bool failed;
 } builder;
 
-/* One thread's part in it. */
+/* One thread of the build. */
 typedef struct worker {
     builder *builder;
     arena memory;
 } worker;
 
-/* One thing, or what one block can hold. Leaves that ask two blocks, or more things than one that stand alone, were
- * measured to cost more than the nodes that tell them apart. */
+/* A leaf is one object, or the objects of one block. Leaves with two blocks, or with several objects that share none,
+ * were measured to cost more than nodes that separate them. */
 static bool is_leaf(const builder *b, const bvh_range *r)
 {
     uint32_t i;
@@ -59,7 +61,7 @@ static bool is_leaf(const builder *b, const bvh_range *r)
     return b->in->shares_leaf[group];
 }
 
-/* threads: who has nothing else to do. */
+/* threads: idle threads that may help. */
 static void cut(const builder *b, const bvh_range *r, bool halve, int threads, bvh_range *x, bvh_range *y)
 {
     bvh_range whole = *r;
@@ -72,7 +74,8 @@ static void cut(const builder *b, const bvh_range *r, bool halve, int threads, b
     y->is_leaf = is_leaf(b, y);
 }
 
-/* Which of the parts to cut next: the one most often met, or at great depth the one of most things; -1: none. */
+/* Index of the next range to split: the one with the largest surface, or at great depth the one with most objects; -1:
+ * none. */
 static int next_to_cut(const bvh_range *slices, int n, bool halve)
 {
     float most = -1.0f;
@@ -90,7 +93,7 @@ static int next_to_cut(const bvh_range *slices, int n, bool halve)
 
 static bool grow_child(worker *h, const job *j);
 
-/* A node whose children are still to be set. */
+/* Allocate a node; its children are set later. */
 static bvh_draft_node *make_node(worker *h, const job *j, int n)
 {
     bvh_draft_node *node = arena_alloc(&h->memory, sizeof *node + (size_t)n * sizeof *node->child, 8);
@@ -101,7 +104,7 @@ static bvh_draft_node *make_node(worker *h, const job *j, int n)
     return node;
 }
 
-/* One of its children, which is to grow. */
+/* Set one of its children, and return the job of building it. */
 static job set_child(const job *above, bvh_draft_child *c, const bvh_range *r)
 {
     const job below = { c, *r, above->scale, above->depth + 1, above->is_fine };
@@ -113,7 +116,7 @@ static job set_child(const job *above, bvh_draft_child *c, const bvh_range *r)
     return below;
 }
 
-/* The things of a range become a node. */
+/* Turn a range into a node. */
 static bool grow_node(worker *h, const job *j)
 {
     bvh_range slices[BVH_WIDTH];
@@ -147,7 +150,7 @@ static bool wants_frame(const job *j, const bvh_range *r)
     return bvh_range_count(r) >= FRAME_LEAST && j->depth < HALVE_FROM;
 }
 
-/* Boxes within a few rounding errors of the world's own numbers gain nothing from a finer frame, and get none. */
+/* A frame finer than a few rounding errors of world coordinates gains nothing, and is not made. */
 static bool set_frame(worker *h, job *j)
 {
     const bvh_input *in = h->builder->in;
@@ -170,8 +173,8 @@ static bool set_frame(worker *h, job *j)
 
 static bool grow(worker *h, const job *j);
 
-/* Cut a range in two, and those again, down to leaves and to what wants a frame of its own. The number of build
- * nodes. */
+/* Split a range recursively in two, down to leaves and to ranges that need a frame of their own. Returns the number of
+ * build nodes. */
 static uint32_t grow_nodes(const builder *b, const job *j, bvh_build_node *nodes)
 {
     uint32_t count = 1, i;
@@ -193,7 +196,7 @@ static uint32_t grow_nodes(const builder *b, const job *j, bvh_build_node *nodes
     return count;
 }
 
-/* A build node becomes a node, and those below it. */
+/* Collapse a build node and its descendants into wide nodes. */
 static bool collapse(worker *h, const job *j, const bvh_build_node *nodes, uint32_t which)
 {
     uint32_t children[BVH_WIDTH];
@@ -211,7 +214,7 @@ static bool collapse(worker *h, const job *j, const bvh_build_node *nodes, uint3
     return node != NULL;
 }
 
-/* The things of a range become as few nodes, met as rarely, as can be. */
+/* Build the nodes of a range with the least surface area cost. */
 static bool grow_small(worker *h, const job *j)
 {
     const env *e = h->builder->in->env;
@@ -260,7 +263,7 @@ static bool grow_child(worker *h, const job *j)
     return grow(h, j);
 }
 
-/* Take jobs until there are none and nobody is left who could bring one. */
+/* Take jobs until there are none and no running job can add one. */
 static void work(void *user, uint32_t which, int unused)
 {
     worker *h = (worker *)user + which;
@@ -302,7 +305,7 @@ static void name_slice(void *user, uint32_t slice, int unused)
     bvh_frame_convert(b->frame, b->in, b->refs, begin, end);
 }
 
-/* The draft of the whole tree. */
+/* Build the draft of the whole tree. */
 static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
 {
     bvh_frame *frame = arena_alloc(&workers[0].memory, sizeof *frame, 8);
@@ -355,7 +358,7 @@ static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
     return done;
 }
 
-/* The nodes and the order of the leaves; what served to find them is given back. */
+/* Build the nodes and the order of the leaves; working memory is freed. */
 static bool build_nodes(bvh *out, const bvh_input *in, bvh_leaf **leaves)
 {
     builder b;

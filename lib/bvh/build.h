@@ -1,20 +1,20 @@
-/* build.h - between the steps of a build: splitting (split.c), growing the draft of a tree (build.c),
- * laying it out (layout.c). */
+/* build.h - interfaces between the steps of a build: splitting (split.c), the draft of the tree (build.c), its layout
+ * (layout.c). */
 #ifndef BVH_BUILD_H
 #define BVH_BUILD_H
 
 #include "base/arena.h"
 #include "bvh/bvh.h"
 
-/* A thing to be sorted into the tree: its box in the frame's floats, rounded outward. Two vectors of four. */
+/* An object to be sorted into the tree: its box in the frame's floats, rounded outward. Two vectors of four. */
 typedef struct bvh_ref {
     float lo[3];
     uint32_t id;
     float hi[3];
-    uint32_t slots;              /* of BVH_WIDTH in a leaf: all, if it stands alone */
+    uint32_t slots;              /* slots of the BVH_WIDTH in a leaf: all, if it shares no leaf */
 } bvh_ref;
 
-/* refs[begin..end) with the box around them and the box around twice their centres. */
+/* refs[begin..end), with the box around them and the box around their centres times two. */
 typedef struct bvh_range {
     uint32_t begin, end;
     float lo[3], hi[3], centre_lo[3], centre_hi[3];
@@ -22,12 +22,12 @@ typedef struct bvh_range {
     bool is_leaf;
 } bvh_range;
 
-/* The draft is what most of the memory of a build goes for: nothing stands in it but what the layout asks. */
+/* The draft takes most of the memory of a build: it holds only what the layout needs. */
 typedef struct bvh_draft_child {
     struct bvh_draft_node *node; /* NULL: a leaf */
     bvh_frame *frame;            /* its own frame, or NULL */
-    float lo[3], hi[3];          /* its box in the frame that it is met in */
-    uint32_t begin, count;       /* its things */
+    float lo[3], hi[3];          /* its box in the parent's frame */
+    uint32_t begin, count;       /* its objects */
 } bvh_draft_child;
 
 typedef struct bvh_draft_node {
@@ -37,44 +37,45 @@ typedef struct bvh_draft_node {
 
 static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->begin; }
 
-/* What a binary tree is made of on the way to one of wide nodes. The first is the root. */
+/* Node of the binary tree that is collapsed to wide nodes. The first one is the root. */
 typedef struct bvh_build_node {
-    bvh_range range;             /* begin, end: of an end, or as it was cut */
+    bvh_range range;             /* begin, end: of a leaf, or as it was split */
     uint32_t half[2];           /* further on in the list */
-    int depth;                   /* of the tree, were it a node */
-    bool is_end;                 /* not divided here */
+    int depth;                   /* its depth in the tree */
+    bool is_end;                 /* not split further */
     uint8_t to_left[BVH_WIDTH];
-    float cost[BVH_WIDTH];       /* of at most 1 to 8 nodes side by side for all below: their surfaces' sum */
+    float cost[BVH_WIDTH];       /* cost of at most 1 to 8 nodes side by side that hold all descendants: the sum of
+                                  * their surfaces */
 } bvh_build_node;
 
-/* Find what nodes cost least (Ylitie, Karras, Laine 2017: Efficient incoherent ray traversal on GPUs through compressed
- * wide BVHs). */
+/* Find the collapse of least cost (Ylitie, Karras, Laine 2017: Efficient incoherent ray traversal on GPUs through
+ * compressed wide BVHs). */
 void bvh_weigh_nodes(bvh_build_node *nodes, uint32_t count);
-/* The children of the node that build node `which` becomes, which is no end. */
+/* The children of the wide node for build node `which`, which is no leaf. */
 int bvh_children_of(const bvh_build_node *nodes, uint32_t which, uint32_t out[BVH_WIDTH]);
 
-/* threads: who may help, with the same result for any number. */
+/* threads: how many may help; the result is the same for any number. */
 void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads);
-/* Cut in two where the surface area heuristic says, or in halves where it says nothing. Reorders refs. */
+/* Split by the surface area heuristic, or in halves where it does not apply. Reorders refs. */
 void bvh_split(const bvh_range *r, bvh_ref *refs, int threads, bvh_range *a, bvh_range *b);
-/* Cut in two of equal count, in the order in which they stand. */
+/* Split into two halves of equal count, in the present order. */
 void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range *b);
 
-/* The frame for what lies within the box. */
+/* The frame for the contents of the box. */
 bvh_frame bvh_frame_around(const pov_box *all);
-/* The box around refs[begin..end), from their true boxes. */
+/* The box around refs[begin..end), from their exact boxes. */
 pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin, uint32_t end);
-/* Give them their boxes in the frame. */
+/* Convert their boxes to the frame. */
 void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *refs, uint32_t begin, uint32_t end);
 
-/* A leaf: the input's ids from `begin` to where the next one begins, where it lies in the leaves' memory, and what frame
- * it stands in. */
+/* A leaf: the input's ids from `begin` to the begin of the next leaf, its position in the leaves' memory, and its
+ * frame. */
 typedef struct bvh_leaf { uint32_t begin, at, frame; } bvh_leaf;
 
-/* Turn the draft below `root` into nodes and frames, with leaves counted where places will be, and the input's ids into
- * the order of the leaves. One leaf more marks their end. */
+/* Turn the draft below `root` into nodes and frames, and the input's ids into the order of the leaves. References hold
+ * numbers of leaves at first. An additional leaf marks the end. */
 bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves);
-/* Size, place and fill them. The list of leaves is cut as they are filled. */
+/* Size, place and fill the leaves. The list of leaves is shortened as they are filled. */
 bool bvh_fill_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves);
 
 #endif

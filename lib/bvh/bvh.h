@@ -17,14 +17,13 @@ enum { BVH_WIDTH = 8 };
 #define BVH_NODE 0x00000000u
 #define BVH_LEAF 0x40000000u
 #define BVH_FRAME 0x80000000u
-#define BVH_RETURN 0xc0000000u   /* on a traversal's stack only: back to that frame */
+#define BVH_RETURN 0xc0000000u   /* on a traversal's stack only: return to that frame */
 enum { BVH_UNIT = 64 };          /* bytes; leaves start at multiples of it */
 
-/* No path from the root is longer, so that a traversal's stack has a size: each step down leaves at most seven
- * others and one return behind. */
+/* Limit of the depth, and so of a traversal's stack: each step down pushes at most seven siblings and one return. */
 enum { BVH_DEPTH = 56, BVH_STACK = BVH_DEPTH * BVH_WIDTH };
 
-/* Rows of bounds: x low, x high, y low, y high, z low, z high. An empty place has low = +inf, high = -inf. */
+/* Rows of bounds: x low, x high, y low, y high, z low, z high. An unused slot has low = +inf, high = -inf. */
 typedef struct bvh_node {
     float bounds[6][BVH_WIDTH];
     uint32_t child[BVH_WIDTH];
@@ -44,18 +43,19 @@ typedef struct bvh {
     int depth;
 } bvh;
 
-/* What the leaves are to hold is the caller's affair. First all sizes are asked, then `allocate` once, then all are
- * filled: calls for leaves of one part come one at a time and in the same order both times, those of different parts
- * from several threads. Leaves hold up to BVH_WIDTH things; size may reorder ids, and fill sees them so. Parts are
- * filled from the last to the first, and now and then `filled` is told how far that is. */
+/* The caller defines the contents of leaves. First all sizes are queried, then `allocate` is called once, then all
+ * leaves are filled. Calls for leaves of one slice come one at a time and in the same order both times, those of
+ * different slices from several threads. Leaves hold up to BVH_WIDTH objects; size may reorder ids, and fill gets them
+ * so. Slices are filled from the last to the first, and `filled` reports progress. */
 enum { BVH_SLICES = 512 };
 
 typedef struct bvh_leaves {
-    /* Of the first `count` of the `rest` that are left of the part; nobody else looks at these meanwhile. */
+    /* Size of a leaf of the first `count` of the slice's `rest` remaining ids; no other thread reads these
+     * meanwhile. */
     size_t (*size)(void *user, uint32_t slice, uint32_t *ids, uint32_t count, uint32_t rest);
-    bool (*allocate)(void *user, const void *leaves);   /* what is to be filled */
+    bool (*allocate)(void *user, const void *leaves);   /* leaves: the memory to be filled */
     void (*fill)(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at);
-    void (*filled)(void *user, uint32_t slice);  /* that part and all behind it */
+    void (*filled)(void *user, uint32_t slice);  /* that slice and all behind it are filled */
     void *user;
 } bvh_leaves;
 
@@ -63,19 +63,19 @@ typedef struct bvh_input {
     const env *env;
     /* By id: finite, within +-1e150. Any thread. */
     void (*box)(void *user, uint32_t id, pov_box *out);
-    void (*drop)(void *user);    /* boxes are not asked for any more; may be NULL */
+    void (*drop)(void *user);    /* boxes are not needed any more; may be NULL */
     void *box_user;
     pov_box bounds;              /* around all of them */
-    uint32_t *ids;               /* what to put in the tree, at least one; left in the order of the leaves */
+    uint32_t *ids;               /* objects of the tree, at least one; left in the order of the leaves */
     uint32_t count;
-    /* Things of one group share leaves when the group packs; the others stand alone. By id, and by group. */
+    /* Objects of one group share leaves if the group allows it; others get leaves of their own. By id, and by group. */
     const uint16_t *group;
     const bool *shares_leaf;
     int threads;
     bvh_leaves leaves;
 } bvh_input;
 
-/* The same tree whatever the number of threads. False: no memory. */
+/* Builds the same tree for any number of threads. False: no memory. */
 bool bvh_build(bvh *out, const bvh_input *in);
 void bvh_free(bvh *b, const env *e);
 

@@ -1,7 +1,7 @@
 #include "bvh/build.h"
 
-/* The least cost of up to `roots` nodes that hold all that lies below a build node, from what its halves cost; to_left:
- * how many of them the first half gets. */
+/* The least cost of up to `roots` nodes that hold all descendants of a build node, from the costs of its halves;
+ * to_left: the number of nodes for the first half. */
 static float share_out(const bvh_build_node *nodes, const bvh_build_node *t, int roots, uint8_t *to_left)
 {
     const bvh_build_node *a = &nodes[t->half[0]], *b = &nodes[t->half[1]];
@@ -19,7 +19,7 @@ static float share_out(const bvh_build_node *nodes, const bvh_build_node *t, int
     return least;
 }
 
-/* Rays meet a box as often as its surface says, and each node costs the same to look at. */
+/* The probability of hitting a box is proportional to its surface, and each node costs the same to test. */
 static void weigh(const bvh_build_node *nodes, bvh_build_node *t)
 {
     int roots;

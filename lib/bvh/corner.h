@@ -1,4 +1,4 @@
-/* corner.h - boxes by their corners, as vectors, for the steps of a build. */
+/* corner.h - boxes as pairs of corner vectors, for the steps of a build. */
 #ifndef BVH_CORNER_H
 #define BVH_CORNER_H
 
@@ -7,8 +7,8 @@
 #include <float.h>
 #include <string.h>
 
-/* A corner of a box, as a vector; the fourth lane means nothing, and is no number in a reference. Loops over the lanes
- * were taken apart by gcc 12. */
+/* A corner of a box, as a vector. The fourth lane is unused, and is not a number in a reference. (gcc 12 does not
+ * vectorise plain loops over these lanes.) */
 #if defined(__GNUC__)
 typedef float corner __attribute__((vector_size(16)));
 typedef float corner_anywhere __attribute__((vector_size(16), aligned(4), may_alias));
@@ -21,7 +21,7 @@ static inline corner where(corner_mask m, corner a, corner b)
     return (corner)(((corner_mask)a & m) | ((corner_mask)b & ~m));
 }
 #if defined(__SSE__)
-/* gcc 12 makes four instructions of the others. */
+/* gcc 12 compiles the other forms to four instructions. */
 static inline corner lesser(corner a, corner b) { return __builtin_ia32_minps(a, b); }
 static inline corner greater(corner a, corner b) { return __builtin_ia32_maxps(a, b); }
 #else

@@ -5,7 +5,7 @@
 
 /* ---- frames for a build ---- */
 
-/* Rounded down: the margin is more than the rounding of the subtraction before and the conversion after it. */
+/* Round down: the margin exceeds the rounding of the subtraction before and the conversion after it. */
 static inline float round_down(double x)
 {
     return (float)(x - (fabs(x) * 0x1p-22 + 0x1p-120));
@@ -30,7 +30,7 @@ pov_box bvh_box_around(const bvh_input *in, const bvh_ref *refs, uint32_t begin,
     return all;
 }
 
-/* A power of two that brings half the box below 1; a box without extent counts as one of a few rounding errors. */
+/* Power of two that scales half the box below 1; a box without extent counts as a few rounding errors. */
 static double scale_for(const pov_box *all)
 {
     double half = 0.5 * pov_largest(pov_sub(all->hi, all->lo));
@@ -72,18 +72,18 @@ void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *ref
 
 /* ---- rays that come into a frame from far away, or with odd numbers ---- */
 
-/* Numbers too large or too small for anything else: with so much slack every box is met. */
+/* For numbers too large or too small: with this much slack every box is hit. */
 static bool enter_blindly(bvh_local *l)
 {
     l->org = pov_vec3_of(0.0, 0.0, 0.0);
     l->dir = pov_vec3_of(1.0, 1.0, 1.0);
-    l->scale = HUGE_VAL;         /* of any limit makes none */
+    l->scale = HUGE_VAL;         /* any limit becomes infinite */
     l->shift = 0.0;
     l->slack = 1e30;
     return true;
 }
 
-/* Where the ray is at t, in the frame: exact but for one rounding, however far it starts. */
+/* The ray's point at t in the frame, rounded once, however far the ray starts. */
 static pov_vec3 point_at(const bvh_frame *f, const pov_ray *ray, double t)
 {
     pov_two x = pov_recentre(ray->org.x, ray->org_lo.x, f->centre.x, t, ray->dir.x);
@@ -101,10 +101,10 @@ static bool bring_near(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
 
     if (!(fabs(along) < 1e200))
         return enter_blindly(l);
-    /* The cube reaches to sqrt(3). From more than BVH_NEAR away it is ahead, or it is missed. */
+    /* The cube reaches to sqrt(3). For a ray that starts more than BVH_NEAR away it is ahead, or it is missed. */
     if (along <= 0.0)
         return false;
-    /* Before the nearest point to the centre by 4, and by what the rounding of t may bring. */
+    /* Start 4 before the point closest to the centre, and earlier by the rounding error of t. */
     back = (4.0 + pov_largest(o) * 0x1p-48) / length;
     l->shift = (along - back) / l->scale;
     at = point_at(f, ray, l->shift);

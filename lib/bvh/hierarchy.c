@@ -3,11 +3,11 @@
 #include "bvh/ray_soa.h"
 #include "bvh/traverse.h"
 
-/* A leaf: up to BVH_WIDTH parts in one unit of leaf memory. */
+/* A leaf: up to BVH_WIDTH items in one unit of leaf memory. */
 typedef struct leaf { uint32_t count, item[BVH_WIDTH]; } leaf;
 
 struct hierarchy {
-    pov_hierarchy service;       /* first: plugins hand it back */
+    pov_hierarchy service;       /* first: plugins pass it back */
     const env *env;
     const bvh_kernels *kernels;
     bvh tree;
@@ -74,7 +74,7 @@ static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
 {
     const bool shares_leaf = true;
     uint32_t *ids = env_resize(h->env, NULL, n, sizeof *ids), i;
-    uint16_t *group = env_alloc(h->env, n, sizeof *group);   /* one for all */
+    uint16_t *group = env_alloc(h->env, n, sizeof *group);   /* one group for all */
     bvh_input in = { .env = h->env, .box = box_of, .box_user = boxes, .bounds = around(boxes, n), .ids = ids, .count = n,
                      .group = group, .shares_leaf = &shares_leaf, .threads = 1,
                      .leaves = { leaf_size, allocated, fill_leaf, filled, NULL } };
@@ -90,9 +90,9 @@ static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
 
 /* ---- rays ---- */
 
-/* One ray's way through it. */
+/* State of one ray's traversal. */
 typedef struct visit {
-    bvh_traversal traversal;     /* first: leaves are handed this */
+    bvh_traversal traversal;     /* first: passed to leaves */
     const pov_hits *hits;
     bool (*visit_item)(void *user, uint32_t item);
     void *user;

@@ -1,4 +1,4 @@
-/* hierarchy.h - a bounding volume hierarchy as a service: over the parts of one shape, for plugins. */
+/* hierarchy.h - a bounding volume hierarchy as a service for plugins: over the items of one shape. */
 #ifndef BVH_HIERARCHY_H
 #define BVH_HIERARCHY_H
 
@@ -8,10 +8,10 @@
 
 typedef struct hierarchy hierarchy;
 
-/* Over n boxes, n at least one; finite, within +-1e150. NULL: no memory. */
+/* Make one over n boxes, n at least one; finite, within +-1e150. NULL: no memory. */
 hierarchy *hierarchy_create(const env *e, const pov_box *boxes, uint32_t n);
 void hierarchy_destroy(hierarchy *h);
-/* What plugins see of it. */
+/* The part that plugins use. */
 const pov_hierarchy *hierarchy_service(const hierarchy *h);
 
 #endif

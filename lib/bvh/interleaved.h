@@ -1,12 +1,12 @@
-/* interleaved.h - rays that go through a tree each by itself, interleaved: while one waits for its node, others go on.
- * Children that are hit come on the stack without a branch, for branches of several rays in turn cannot be predicted. No
- * guard: packet.c includes it, once. */
+/* interleaved.h - single rays traverse a tree interleaved: while one waits for its node, others continue. Children that
+ * are hit are pushed without a branch, because branches of alternating rays cannot be predicted. No guard: packet.c
+ * includes it, once. */
 
-/* So many at a time. */
+/* Number of rays at a time. */
 enum { INTERLEAVED = 16 };
 
-/* A ray on its way: where rows of bounds are, in bytes, and what is still to be visited. Below that are eight entries
- * that nothing lies before, the last of them the end. */
+/* Traversal state of one ray: byte offsets of the near and far bound rows, and the stack. The stack starts with eight
+ * sentinel entries; the last one ends the traversal. */
 typedef struct interleaved_ray {
     float inverse[3], near_offset[3], far_offset[3], limit;
     uint32_t near_row[3], far_row[3];
@@ -15,7 +15,7 @@ typedef struct interleaved_ray {
     uint32_t child[BVH_STACK + 2 * BVH_WIDTH];
 } interleaved_ray;
 
-/* All of them, and the lanes that are still to begin; bits of those that are at a node, and at a leaf or the end. */
+/* All rays, and the lanes that have not begun; bits of those that are at a node, and at a leaf or the end. */
 typedef struct interleaved {
     interleaved_ray of[INTERLEAVED];
     uint64_t later;
@@ -43,7 +43,7 @@ BVH_AVX2 static inline void begin_ray(const packet_state *c, uint32_t lane, inte
     t->child[BVH_WIDTH - 1] = BVH_RETURN;
 }
 
-/* Let the next lane begin here, if there is one. */
+/* Begin the next lane in this place, if there is one. */
 BVH_AVX2 static inline void begin_next(const packet_state *c, interleaved *all, interleaved_ray *t)
 {
     if (!all->later)
@@ -52,7 +52,7 @@ BVH_AVX2 static inline void begin_next(const packet_state *c, interleaved *all, 
     all->later &= all->later - 1;
 }
 
-/* Where the planes of a row are met. */
+/* Distances to the planes of a row. */
 BVH_AVX2 static inline __m256 planes(const bvh_node *node, uint32_t row, const float *inverse, const float *offset)
 {
     const float *bounds = (const float *)(const void *)((const char *)node + row);
@@ -75,7 +75,7 @@ BVH_AVX2 static inline __mmask8 hit_mask_avx512(const bvh_node *node, const inte
     return _mm256_cmp_ps_mask(*entry, out, _CMP_LE_OQ);
 }
 
-/* Put the met children of the node that it is at on the stack, and go to what is on top then. */
+/* Push the children of the ray's node that are hit, and pop the top of the stack. */
 BVH_AVX2 static inline void step_ray(const bvh_node *nodes, interleaved_ray *t, bool sorted)
 {
     const bvh_node *node = &nodes[t->at];
@@ -96,7 +96,7 @@ BVH_AVX2 static inline void step_ray(const bvh_node *nodes, interleaved_ray *t, 
     t->at = t->child[t->top];
 }
 
-/* All that are at nodes, until none is. */
+/* Advance all rays that are at nodes, until none is. */
 BVH_AVX2 static inline void step_rays(const bvh_node *nodes, interleaved *all, bool sorted)
 {
     while (all->at_node) {
@@ -113,7 +113,7 @@ BVH_AVX2 static inline void step_rays(const bvh_node *nodes, interleaved *all, b
     }
 }
 
-/* Go to the topmost that is within the limit. */
+/* Pop the topmost entry within the limit. */
 BVH_AVX2 static inline void go_on(interleaved_ray *t, bool sorted)
 {
     const __m256 limit = _mm256_broadcast_ss(&t->limit);
@@ -145,7 +145,7 @@ BVH_AVX2 static inline void ask_leaf(packet_state *c, interleaved_ray *t, bool s
         t->at = BVH_RETURN;
 }
 
-/* All that are at leaves, which are prefetched first, or at the end; then they are at what comes next. */
+/* Process all rays that are at leaves, which are prefetched first, or at the end; then pop their next entries. */
 BVH_AVX2 static inline void ask_leaves(packet_state *c, interleaved *all, bool sorted)
 {
     uint32_t node = 0, end = 0, rest;

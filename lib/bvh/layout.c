@@ -12,7 +12,7 @@ typedef struct layout {
     bvh_leaf *leaves;
     const bvh_ref *refs;
     uint32_t *ids;
-    size_t nodes, frames, laid_leaves;     /* given out so far */
+    size_t nodes, frames, laid_leaves;     /* assigned so far */
     uint32_t laid_ids;
 } layout;
 
@@ -43,7 +43,7 @@ static uint32_t put_leaf(layout *l, const bvh_draft_child *c, uint32_t frame)
     return BVH_LEAF | index;
 }
 
-/* What stands in a frame. */
+/* Lay out a subtree within a frame. */
 static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame);
 
 static void set_slot(bvh_node *node, int i, const float *lo, const float *hi)
@@ -91,8 +91,8 @@ static uint32_t put(layout *l, const bvh_draft_child *c, uint32_t frame)
     return BVH_FRAME | frame;
 }
 
-/* The first who writes to memory waits for the system to clear it, which all can do together, each a large page of his own:
- * of two who come to the same one both clear it. */
+/* The first write to a page waits while the system clears it. All threads do that together, each on a large page of its
+ * own: two threads at one page would both clear it. */
 static void touch_slice(void *user, uint32_t slice, int worker)
 {
     const bvh *b = user;
@@ -125,14 +125,14 @@ bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, cons
 
 /* ---- leaves ---- */
 
-/* Parts are filled in so many rounds. */
+/* Number of rounds in which slices are filled. */
 enum { ROUNDS = 16, ROUND = BVH_SLICES / ROUNDS };
 
 typedef struct leaf_work {
     const bvh *tree;
     const bvh_input *in;
     bvh_leaf *leaves;
-    uint32_t first;              /* part of this round */
+    uint32_t first;              /* first slice of this round */
 } leaf_work;
 
 static void size_slice(void *user, uint32_t slice, int worker)
@@ -165,7 +165,7 @@ static void fill_slice(void *user, uint32_t which, int worker)
     }
 }
 
-/* From sizes to places. False: more than a reference can tell. */
+/* From sizes to positions. False: too many for a reference. */
 static bool add_up(bvh *out, bvh_leaf *leaves)
 {
     size_t i, at = 0;
@@ -181,7 +181,7 @@ static bool add_up(bvh *out, bvh_leaf *leaves)
     return true;
 }
 
-/* References have told which leaf; now they tell where it is. */
+/* Replace numbers of leaves in references by positions. */
 static void point(uint32_t *reference, const bvh_leaf *leaves)
 {
     if ((*reference & BVH_KIND) == BVH_LEAF)
@@ -200,7 +200,7 @@ static void point_slice(void *user, uint32_t slice, int worker)
             point(&w->tree->nodes[i].child[k], w->leaves);
 }
 
-/* Parts are filled from the last to the first, and leaves that are filled need no place in the list. */
+/* Slices are filled from the last to the first; the list is shortened by leaves that are filled. */
 static void fill(leaf_work *w, bvh_leaf **leaves)
 {
     const bvh_input *in = w->in;

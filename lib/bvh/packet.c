@@ -1,21 +1,22 @@
-/* Many rays through a tree at once.
+/* Packet traversal.
  *
- * Rays that start and go alike meet nearly the same boxes. So all of them together are tested against the eight
- * children of a node first: over the intervals that their 1/d and o lie in, a plane at b is met no earlier than the
- * least of (b - o) r at both ends r of the first, with o the end of the second that makes it least. What floats lose
- * there is at most 4 + 5 |o| in the units of traverse.h: twice |b - o| for r, |b| for the product, |o| twice for o and
- * the offset, |b| + |o| for the difference; twice the single ray's slack covers it. Of the boxes that remain each is
- * tested against eight rays at once, with the single ray's formula. With the other end of o, and the least of all
- * limits, the same products say which boxes all rays definitely meet, and these are not tested again; were that said of
- * a ray that does not, it would be asked about a box too many. What the group's test says for the order of boxes is a
- * hint; what a ray meets does not depend on it. */
+ * Rays of similar origin and direction hit nearly the same boxes. So the whole packet is tested against the eight
+ * children of a node first, with the intervals of 1/d and o: a plane at b is hit no earlier than the minimum of (b - o)
+ * r at both ends r of the first interval, with the end o of the second that makes it least. Floats lose at most 4 + 5
+ * |o| there in the units of traverse.h: twice |b - o| for r, |b| for the product, |o| twice for o and the offset, |b| +
+ * |o| for the difference. Twice the single ray's slack covers it.
+ *
+ * Each remaining box is tested against eight rays at once, with the single ray's formula. With the other end of o, and
+ * the minimum of all limits, the same products tell which boxes all rays definitely hit; these are not tested again. A
+ * wrong answer there would only test one box too many. The packet test's order of boxes is a hint; it does not affect
+ * the result. */
 #include "base/bits.h"
 #include "bvh/traverse.h"
 
 #include <string.h>
 
-/* What all rays of a packet share, by axis: ends of the interval of 1/d, and by end the offsets. The fourth goes for
- * nothing. */
+/* Bounds of all rays of a packet, by axis: ends of the interval of 1/d, and the offsets for each end. The fourth
+ * element is unused. */
 typedef struct packet_bounds { float inverse[2][4], near_offset[2][4], far_offset[2][4]; } packet_bounds;
 
 /* Arrays by lane; eight lanes are loaded at once. */
@@ -30,21 +31,22 @@ typedef struct packet_state {
     double scale[BVH_LANES];
     packet_bounds bounds;
     uint32_t near_row[4];        /* rows of a node's bounds: where rays enter; row ^ 1 is where they leave */
-    float least;                 /* no limit is less */
+    float least;                 /* minimum of all limits */
     bool near;                   /* all origins are near the frame */
     const bvh *tree;
     bvh_traversal *traversal;
-    uint64_t open, ended;        /* lanes that are still under way; those that a leaf ended */
+    uint64_t open, ended;        /* active lanes; lanes that a leaf ended */
     uint32_t width;              /* lanes, a multiple of eight */
     uint32_t frame;
 } PACKET_ALIGNED packet_state;
 
-/* Of rays that are taken into a frame in floats. In the units of traverse.h: twice |b - o| for 1/d, of a rounded d; |b|
- * for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6 |o|. */
+/* Slack of rays transformed to a frame in floats. In the units of traverse.h: twice |b - o| for 1/d, of a rounded d;
+ * |b| for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6
+ * |o|. */
 #define PACKET_SLACK 0x1p-21f
 
-/* What is still to be visited, and by whom: the lower and the upper half of the lanes. Entries may be less than they
- * are by a few units in the last place. Eight of each may be stored at once. */
+/* Stack of nodes to visit, with their lanes as a lower and an upper half. Entries may be too small by a few units in
+ * the last place. Eight of each may be stored at once. */
 typedef struct packet_stack {
     float entry[BVH_STACK + BVH_WIDTH];
     uint32_t at[BVH_STACK + BVH_WIDTH], low[BVH_STACK + BVH_WIDTH], high[BVH_STACK + BVH_WIDTH];
@@ -63,7 +65,7 @@ static inline uint64_t lanes_on(const packet_stack *s, uint32_t top)
     return (uint64_t)s->high[top] << 32 | s->low[top];
 }
 
-/* Above those from base on that are nearer. */
+/* Insert above the entries from base on that are nearer. */
 static inline void insert_entry(packet_stack *s, uint32_t base, uint32_t top, float entry, uint32_t at, uint64_t lanes)
 {
     for (; top > base && s->entry[top - 1] < entry; top--)
@@ -73,12 +75,12 @@ static inline void insert_entry(packet_stack *s, uint32_t base, uint32_t top, fl
 
 #if defined(__AVX512VL__) && defined(__GNUC__)
 
-/* Up to so many lanes go one by one against all children. */
+/* Up to so many lanes are tested one by one against all children. */
 enum { PACKET_FEW_LANES = 12 };
 
 static inline bool is_few(uint64_t lanes) { return __builtin_popcountll(lanes) <= PACKET_FEW_LANES; }
 
-/* Are these less than what is to be held against children, eight at a time? */
+/* Is testing lane by lane cheaper than testing the children, eight lanes at a time? */
 static inline bool are_less(uint64_t lanes, uint64_t eights, uint32_t children)
 {
     return __builtin_popcountll(lanes) <= __builtin_popcountll(eights) * __builtin_popcount(children);
@@ -86,7 +88,7 @@ static inline bool are_less(uint64_t lanes, uint64_t eights, uint32_t children)
 
 #else
 
-/* Up to four: to take each of them to all children costs less than to take all to each child. */
+/* Up to four lanes: testing each against all children costs less than testing all against each child. */
 static inline bool is_few(uint64_t lanes)
 {
     lanes &= lanes - 1;
@@ -103,7 +105,7 @@ static inline bool are_less(uint64_t lanes, uint64_t eights, uint32_t children)
 
 #endif
 
-/* A bit for each eight lanes of which there is one, at the last of them. */
+/* One bit for each group of eight lanes with a set bit, at the group's last lane. */
 static inline uint64_t eights_of(uint64_t lanes)
 {
     const uint64_t low = 0x7f7f7f7f7f7f7f7fu;
@@ -111,8 +113,8 @@ static inline uint64_t eights_of(uint64_t lanes)
     return (((lanes & low) + low) | lanes) & ~low;
 }
 
-/* Filters may take sixteen at a time: places past the width hold nothing then that is slow to compute with, as denormal
- * floats are. */
+/* Filters may process sixteen lanes at a time: lanes past the width must not hold values that are slow to compute with,
+ * such as denormals. */
 static void zero_past(pov_rays *soa, uint32_t width)
 {
     const size_t bytes = 8 * sizeof(float);
@@ -161,7 +163,7 @@ static inline void lower_limits(packet_state *c)
     c->traversal->lowered = 0;
 }
 
-/* The lane of one axis. */
+/* Set one axis of a lane. */
 static inline void put_axis(packet_state *c, uint32_t i, int k, double o, double d)
 {
     const double a = fabs(d), inverse = 1.0 / copysign(a > BVH_LEAST ? a : BVH_LEAST, d);
@@ -181,8 +183,8 @@ static inline void put_lane(packet_state *c, uint32_t i, const bvh_local *l)
     bvh_to_frame(&c->traversal->soa, i, l, 0.0f);
 }
 
-/* The places of lanes that are not in the frame hold one that is, so that bounds are not widened, and a limit that
- * nothing is within. */
+/* Inactive lanes are filled with a copy of an active ray, so that they do not widen the packet's bounds, and with a
+ * limit below every hit. */
 static void fill_others(packet_state *c, uint64_t in)
 {
     const uint32_t some = first_of64(in);
@@ -201,7 +203,7 @@ static void fill_others(packet_state *c, uint64_t in)
     }
 }
 
-/* Lanes that are in the frame. */
+/* Transform each lane to the frame; returns the lanes that do not miss it. */
 static uint64_t enter_each(packet_state *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
 {
     const bvh_traversal *traversal = c->traversal;
@@ -224,7 +226,7 @@ static uint64_t enter_each(packet_state *c, uint32_t frame, uint64_t lanes, uint
     return in;
 }
 
-/* Lanes go on alone from a reference in the frame. */
+/* Lanes continue as single rays from a reference in the frame. */
 static void go_single(packet_state *c, uint64_t lanes, uint32_t at)
 {
     for (; lanes; lanes &= lanes - 1) {
@@ -262,7 +264,7 @@ static inline float lesser(float a, float b) { return a < b ? a : b; }
 
 /* ---- for every processor ---- */
 
-/* Of 1/d and o on one axis, by eight columns. Lanes that take no part hold another's values. */
+/* Bounds of 1/d and o on one axis, by eight columns. Inactive lanes hold another lane's values. */
 static inline void bound_axis(packet_state *c, int k)
 {
     const float *inverse = c->inverse[k], *o = c->traversal->soa.local.org[k];
@@ -298,7 +300,7 @@ static inline void bound_all_portable(packet_state *c)
         bound_axis(c, k);
 }
 
-/* Boxes that any lane may meet, and what no lane enters them before. */
+/* Children that any lane may hit, and lower bounds of their entries. */
 static inline uint32_t group_portable(const bvh_node *node, const packet_state *c, float entry[BVH_WIDTH], uint32_t *all)
 {
     float leave[BVH_WIDTH];
@@ -329,7 +331,7 @@ static inline uint32_t group_portable(const bvh_node *node, const packet_state *
     return mask;
 }
 
-/* Boxes that any of a few lanes may meet, by child which of them, and where the first of these enters it. */
+/* Children that any of a few lanes may hit, the lanes of each child, and its first entry. */
 static inline uint32_t few_portable(const bvh_node *node, const packet_state *c, uint64_t lanes, float entry[BVH_WIDTH],
                                     uint64_t hit_mask[BVH_WIDTH])
 {
@@ -366,7 +368,7 @@ static inline uint32_t few_portable(const bvh_node *node, const packet_state *c,
     return mask;
 }
 
-/* The lanes that may meet a child. */
+/* Lanes that may hit a child. */
 static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, const packet_state *c, uint64_t lanes,
                                       uint64_t eights)
 {
@@ -397,7 +399,7 @@ static inline uint64_t lanes_portable(const bvh_node *node, uint32_t child, cons
     return hit_mask & lanes;
 }
 
-/* The lanes whose limit is not before an entry. */
+/* Lanes whose limit is not before an entry. */
 static inline uint64_t within_portable(const packet_state *c, float entry, uint64_t lanes)
 {
     uint64_t in = 0;

@@ -1,11 +1,11 @@
-/* packet_avx2.h - the tests of packet.c for processors with AVX2, and what those with AVX-512 have in place
- * of some of them. No guard: it is included there, once. */
+/* packet_avx2.h - the node tests of packet.c for processors with AVX2, and replacements of some with AVX-512. No guard:
+ * it is included there, once. */
 
 #include "bvh/avx2.h"
 
 #define PACKET_TARGET BVH_AVX2
 
-/* The least of each of three, side by side. */
+/* Horizontal minimum of each of three vectors. */
 PACKET_TARGET static inline __m128 least_of_avx2(const __m256 v[3])
 {
     __m128 x = _mm_min_ps(_mm256_castps256_ps128(v[0]), _mm256_extractf128_ps(v[0], 1));
@@ -190,7 +190,7 @@ PACKET_TARGET static inline void lower_avx2(packet_state *c)
 
 #ifndef __AVX512VL__
 
-/* Four comparisons' outcomes, for lanes of 64 bits. */
+/* Masks of four comparisons, for lanes of 64 bits. */
 PACKET_TARGET static inline __m256i wide_avx2(__m128 hit)
 {
     return _mm256_cvtepi32_epi64(_mm_castps_si128(hit));
@@ -229,7 +229,7 @@ PACKET_TARGET static inline uint32_t few_avx2(const bvh_node *node, const packet
 
 #else
 
-/* Whom each child is met by: the lower and the upper half of the lanes. */
+/* Lanes that hit each child: the lower and the upper half of the lanes. */
 typedef struct packet_masks { __m256i low, high; } packet_masks;
 
 /* As few_avx2, in registers. */

@@ -1,7 +1,7 @@
-/* packet_body.h - the traversal of packets, included by packet.c once for each instruction set, with
- * PACKET_TARGET (the function attribute), PACKET_NAME (what makes names differ), PACKET_BOUND_ALL (what all lanes
- * share), the tests PACKET_GROUP, PACKET_FEW, PACKET_LANES and PACKET_WITHIN, PACKET_LOWER (of limits that leaves
- * lowered), and PACKET_PUSH_FEW where there is a better one than what is here. No guard, for that reason. */
+/* packet_body.h - packet traversal, included by packet.c once for each instruction set, with PACKET_TARGET (the
+ * function attribute), PACKET_NAME (the suffix of names), PACKET_BOUND_ALL (the packet's bounds), the tests
+ * PACKET_GROUP, PACKET_FEW, PACKET_LANES and PACKET_WITHIN, PACKET_LOWER (of limits that leaves lowered), and
+ * PACKET_PUSH_FEW where there is a better one than the one here. No guard, for that reason. */
 
 PACKET_TARGET static inline void PACKET_NAME(visit)(packet_state *c, uint64_t lanes, uint32_t leaf)
 {
@@ -9,7 +9,7 @@ PACKET_TARGET static inline void PACKET_NAME(visit)(packet_state *c, uint64_t la
     PACKET_LOWER(c);
 }
 
-/* One axis of all rays in the frame. */
+/* Transform one axis of all rays to the frame. */
 PACKET_TARGET static inline void PACKET_NAME(enter_axis)(packet_state *c, double centre, double scale, int k)
 {
     pov_rays *soa = &c->traversal->soa;
@@ -52,11 +52,11 @@ PACKET_TARGET static inline void PACKET_NAME(enter_limits)(packet_state *c, doub
         size[i] = fabsf(x[i]) + fabsf(y[i]) + fabsf(z[i]);
     }
     c->least = HUGE_VALF;
-    c->traversal->lowered = c->open; /* all limits are new here */
+    c->traversal->lowered = c->open; /* all limits are new */
     PACKET_LOWER(c);
 }
 
-/* All rays in the frame. False: they cannot be taken so simply. Their lengths are in the range of filters. */
+/* Transform all rays to the frame. False: some need the general method. Their lengths are in the range of filters. */
 PACKET_TARGET static inline bool PACKET_NAME(enter_all)(packet_state *c, const bvh_frame *f)
 {
     PACKET_NAME(enter_axis)(c, f->centre.x, f->scale, 0);
@@ -67,7 +67,7 @@ PACKET_TARGET static inline bool PACKET_NAME(enter_all)(packet_state *c, const b
     return c->near && f->scale > BVH_SMALL && f->scale < BVH_LARGE;
 }
 
-/* Take lanes into a frame; those that are in it are told. Rays that need a blind way are named. */
+/* Transform lanes to a frame; returns those that do not miss it. *blind: rays whose numbers are out of range. */
 PACKET_TARGET static uint64_t PACKET_NAME(enter_lanes)(packet_state *c, uint32_t frame, uint64_t lanes, uint64_t *blind)
 {
     const bool plain = PACKET_NAME(enter_all)(c, &c->tree->frames[frame]);
@@ -86,7 +86,7 @@ PACKET_TARGET static uint64_t PACKET_NAME(enter_lanes)(packet_state *c, uint32_t
     return lanes;
 }
 
-/* Into a frame that they have not been in. */
+/* Enter a frame for the first time. */
 PACKET_TARGET static uint64_t PACKET_NAME(enter)(packet_state *c, uint32_t frame, uint64_t lanes)
 {
     uint64_t blind, in = PACKET_NAME(enter_lanes)(c, frame, lanes, &blind);
@@ -116,7 +116,7 @@ PACKET_TARGET static inline uint32_t PACKET_NAME(push_few)(const packet_state *c
 }
 #endif
 
-/* Put the children that lanes meet on the stack, the nearest on top. */
+/* Push the children that lanes hit, the nearest on top. */
 PACKET_TARGET static inline uint32_t PACKET_NAME(push)(const packet_state *c, const bvh_node *node, uint64_t lanes,
                                                          bool sorted, packet_stack *stack, uint32_t top)
 {
@@ -161,7 +161,7 @@ PACKET_TARGET static inline uint64_t PACKET_NAME(traverse)(bvh_traversal *traver
             const uint32_t before = top;
             top = PACKET_NAME(push)(&c, &c.tree->nodes[at], lanes, sorted, &stack, top);
             if (top > before) {
-                /* Whoever meets it does so within the limit. */
+                /* Lanes that hit it do so within their limits. */
                 lanes = lanes_on(&stack, --top);
                 at = stack.at[top];
                 continue;

@@ -1,4 +1,4 @@
-/* ray_soa.h - rays side by side, as filters want them. */
+/* ray_soa.h - rays as a structure of arrays, as filters need them. */
 #ifndef BVH_RAY_SOA_H
 #define BVH_RAY_SOA_H
 
@@ -25,7 +25,7 @@ static inline void ray_soa_put(pov_rays *s, uint32_t i, const pov_ray *ray)
     s->excluded[i] = ray_soa_excluded(ray);
 }
 
-/* Four rays, from lane i on. */
+/* Store four rays, from lane i on. */
 static inline void ray_soa_put_four(pov_rays *s, uint32_t i, const pov_ray *const rays[4])
 {
     const void *const from[4] = { rays[0], rays[1], rays[2], rays[3] };
@@ -39,7 +39,7 @@ static inline void ray_soa_put_four(pov_rays *s, uint32_t i, const pov_ray *cons
         s->excluded[i + j] = ray_soa_excluded(rays[j]);
 }
 
-/* -1 or 0, as wide as a double, as loops over lanes like it best. */
+/* -1 or 0, as wide as a double: loops over lanes vectorise best with it. */
 static inline int64_t ray_soa_is_in(double x, double least, double most)
 {
     const double size = fabs(x);
@@ -47,8 +47,8 @@ static inline int64_t ray_soa_is_in(double x, double least, double most)
     return ((size <= most) & ((size >= least) | (size == 0.0))) ? -1 : 0;
 }
 
-/* What follows from a ray, with the length of its direction. 0 where the ray is out of the range that filters are
- * promised, else -1. */
+/* Compute the derived members of a lane, and the length of its direction. Returns -1, or 0 if the ray is outside the
+ * range that filters are promised. */
 static inline int64_t ray_soa_derive(pov_rays *restrict s, uint32_t i, double tmax, double *restrict length)
 {
     const double x = s->dir[0][i], y = s->dir[1][i], z = s->dir[2][i], square = x * x + y * y + z * z;

@@ -5,16 +5,16 @@
 #include <stddef.h>
 #include <string.h>
 
-/* A range of many references is looked through in parts. Smallest and largest values and counts do not depend on how
- * they are put together. */
+/* A range of many references is processed in slices. Minima, maxima and counts do not depend on how they are
+ * combined. */
 enum { BINS = 16, SLICES = 32, SLICES_FROM = 1 << 16 };
-/* Centres that lie together within this have no order. */
+/* Centres closer together than this have no order. */
 static const float least_width = 1e-30f;
 
 static inline corner lo_of(const bvh_ref *f) { return corner_at(f); }
 static inline corner hi_of(const bvh_ref *f) { return corner_at((const char *)f + offsetof(bvh_ref, hi)); }
 
-/* Around boxes, and around twice their centres. */
+/* Bounds of boxes, and of their centres times two. */
 typedef struct extent { box all, centres; } extent;
 
 static void extend(extent *e, const bvh_ref *refs, uint32_t begin, uint32_t end)
@@ -81,20 +81,20 @@ void bvh_range_measure(bvh_range *r, const bvh_ref *refs, int threads)
 
 typedef struct cut { int axis, at; float base, factor, cost; } cut;
 
-/* The bin of a box along the cut's axis. Each use must round alike, or a thing would change sides. */
+/* The bin of a box along the split axis. Each use must round alike, or a reference would change sides. */
 static inline int bin_of(const bvh_ref *f, int axis, float base, float factor)
 {
     return (int)((f->lo[axis] + f->hi[axis] - base) * factor);
 }
 
-/* What asking things costs that take so many places: the blocks that they fill. */
+/* Cost of intersecting objects of so many slots: the number of blocks that they fill. */
 static float cost_of(uint32_t slots) { return (float)((slots + BVH_WIDTH - 1) / BVH_WIDTH); }
 
-/* Bins along an axis; count: places. */
+/* Bins along an axis; count: slots. */
 typedef struct bins { box at[BINS]; uint32_t count[BINS]; } bins;
 
-/* The best place between two bins of one axis. Most ranges are of few things, so that most bins hold nothing: they
- * cost as much as the one before, and are passed by. */
+/* The best split between two bins of one axis. Most ranges hold few objects, so most bins are empty: they cost as much
+ * as the one before, and are skipped. */
 static void weigh(const bins *h, int axis, float base, float factor, cut *best)
 {
     float right[BINS];
@@ -190,8 +190,8 @@ static cut find_cut(const bvh_range *r, const bvh_ref *refs, int threads)
 
     for (k = 0; k < 3; k++) {
         float wide = r->centre_hi[k] - r->centre_lo[k];
-        /* Just below the number of bins, so that the last centre falls into the last of them. Where all centres are
-         * the same, or nearly so against the frame, all fall into the first, and nothing separates there. */
+        /* Just below the number of bins, so that the last centre falls into the last bin. If all centres are equal, or
+         * nearly so relative to the frame, all fall into the first, and this axis has no split. */
         factor[k] = wide > least_width ? (float)BINS * 0.9999f / wide : 0.0f;
     }
     if (threads > 1 && bvh_range_count(r) >= SLICES_FROM)
@@ -212,8 +212,8 @@ static inline void swap(bvh_ref *a, bvh_ref *b)
     *b = old;
 }
 
-/* Those on the wrong side of large ranges are found a block at a time, without a branch on what cannot be guessed. The
- * swaps are those of going one by one. */
+/* Elements on the wrong side of large ranges are found block by block, without unpredictable branches. The swaps are
+ * the same as one by one. */
 static void partition_blocks(bvh_ref *refs, uint32_t *begin, uint32_t *end, const cut *c)
 {
     enum { BLOCK = 64 };
@@ -276,8 +276,8 @@ void bvh_halve(const bvh_range *r, const bvh_ref *refs, bvh_range *a, bvh_range 
     divide(r, refs, r->begin + bvh_range_count(r) / 2, 1, a, b);
 }
 
-/* Two things, as every third cut is of: one or the other way round costs the same, so the first axis decides on which
- * their centres are not the same. */
+/* Two objects, as in every third split: both orders cost the same, so the first axis decides on which their centres
+ * differ. */
 static void split_two(const bvh_range *r, bvh_ref *refs, bvh_range *a, bvh_range *b)
 {
     bvh_ref *first = &refs[r->begin], swap = *first;

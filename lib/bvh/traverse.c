@@ -5,7 +5,7 @@
 static inline float greater(float a, float b) { return a > b ? a : b; }
 static inline float lesser(float a, float b) { return a < b ? a : b; }
 
-/* The key of the first child in the mask, which is taken out of it. */
+/* Key of the first child in the mask; removes it from the mask. */
 static inline uint64_t take_key(const bvh_node *node, uint32_t *mask, const float *entry)
 {
     uint32_t i = first_of(*mask);
@@ -22,8 +22,8 @@ static inline void put_greater_first(uint64_t *a, uint64_t *b)
     *b = less;
 }
 
-/* What is still to be visited. Entries may be less than they are by a few units in the last place, and are there where
- * traversals go near ones first. Eight of each may be stored at once. */
+/* Stack of nodes to visit. Entries may be too small by a few units in the last place, and are set in traversals that
+ * visit near nodes first. Eight of each may be stored at once. */
 typedef struct traverse_stack {
     float entry[BVH_STACK + BVH_WIDTH];
     uint32_t at[BVH_STACK + BVH_WIDTH];
@@ -37,8 +37,8 @@ static inline void push_entry(traverse_stack *s, uint32_t top, uint64_t key)
 
 static inline uint64_t key_on(const traverse_stack *s, uint32_t top) { return key_of(s->entry[top], s->at[top]); }
 
-/* Put the met children on the stack, the nearest on top, and say how high it is now. Exchanges sort the first four,
- * for they cost fewer wrongly guessed branches than a loop. */
+/* Push the children that were hit, the nearest on top, and return the new top. Exchanges sort the first four, because
+ * they cost fewer mispredicted branches than a loop. */
 static inline uint32_t push(const bvh_node *node, uint32_t mask, const float *entry, traverse_stack *stack, uint32_t top)
 {
     uint64_t a = take_key(node, &mask, entry), b = take_key(node, &mask, entry), c, d;
@@ -76,7 +76,7 @@ static inline uint32_t push(const bvh_node *node, uint32_t mask, const float *en
     return top;
 }
 
-/* Put the met children on the stack, all but the last, which is given. */
+/* Push the children that were hit, except the last, which is returned. */
 static inline uint32_t push_any(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
 {
     for (; mask & (mask - 1); mask &= mask - 1)
@@ -84,7 +84,7 @@ static inline uint32_t push_any(const bvh_node *node, uint32_t mask, traverse_st
     return node->child[first_of(mask)];
 }
 
-/* What the node test wants of a ray. */
+/* A ray as the node test needs it. */
 typedef struct lanes_portable {
     float inverse[3], near_offset[3], far_offset[3], limit;
     uint32_t near_row[3]; /* rows of a node's bounds: where the ray enters; row ^ 1 is where it leaves */
@@ -114,7 +114,7 @@ static inline void limit_portable(lanes_portable *lanes, float limit)
     lanes->limit = limit;
 }
 
-/* The boxes of a node that the ray may meet, and where it enters them. */
+/* Mask of the node's boxes that the ray may hit, and its entry distances. */
 static inline uint32_t hit_mask_portable(const bvh_node *node, const lanes_portable *s, float entry[BVH_WIDTH])
 {
     const float *nx = node->bounds[s->near_row[0]], *fx = node->bounds[s->near_row[0] ^ 1];
@@ -169,7 +169,7 @@ bool bvh_go_single(bvh_traversal *traversal, uint32_t lane, uint32_t frame, uint
 
 #define TRAVERSE_TARGET BVH_AVX2
 
-/* Each number of the ray in all lanes, and the rows of a node counted in bytes. */
+/* Each number of the ray in all lanes, and the rows of a node as byte offsets. */
 typedef struct lanes_avx2 {
     __m256 inverse[3], near_offset[3], far_offset[3], limit;
     size_t near_row[3], far_row[3];
@@ -187,7 +187,7 @@ TRAVERSE_TARGET static inline void spread_axis_avx2(lanes_avx2 *lanes, int k, __
 
 TRAVERSE_TARGET static inline void spread_avx2(const bvh_local *l, float limit, lanes_avx2 *lanes)
 {
-    /* The fourth lane goes for nothing. */
+    /* The fourth lane is unused. */
     __m256d o = _mm256_set_pd(l->org.z, l->org.z, l->org.y, l->org.x);
     __m256d d = _mm256_set_pd(l->dir.z, l->dir.z, l->dir.y, l->dir.x);
     __m256d sign = _mm256_set1_pd(-0.0), one = _mm256_set1_pd(1.0), inverse, at, slack;
@@ -218,7 +218,7 @@ TRAVERSE_TARGET static inline __m256 row_avx2(const bvh_node *node, size_t row)
     return _mm256_load_ps((const float *)(const void *)((const char *)node + row));
 }
 
-/* A fused product and difference round less often, so that the slack in the offsets covers them too. */
+/* Fused multiply-subtract rounds less often, so the slack in the offsets covers it too. */
 TRAVERSE_TARGET static inline uint32_t hit_mask_avx2(const bvh_node *node, const lanes_avx2 *r, float entry[BVH_WIDTH])
 {
     __m256 x = _mm256_fmsub_ps(row_avx2(node, r->near_row[0]), r->inverse[0], r->near_offset[0]);

@@ -1,11 +1,11 @@
-/* traverse.h - rays through a tree.
+/* traverse.h - traversal of a tree.
  *
  * In a frame the ray is p(u) = o + u d with o near the cube -1..1, d a unit vector, and u = (t - shift) * scale >= 0
- * within it. A slab's planes are met at u = b * inverse - offset. What floats lose there is, in units of |inverse| * 2^-24: |b| for the
- * inverse, |b| for the product, |o| for the offset, |b| + |o| for the difference, together at most 3 + 2 |o|; all of it
- * is put into the offsets, once a ray and axis (4 + 4 |o|), so that entries are never late and exits never early: what
- * Ize (JCGT 2013) gets by widening each exit. Direction components below 1e-18 of the others count as that: over the
- * length of the cube they then move by far less than the boxes are rounded outward, and no NaN arises. */
+ * within it. A slab's planes are crossed at u = b * inverse - offset. In units of |inverse| * 2^-24 floats lose |b| for
+ * the inverse, |b| for the product, |o| for the offset, |b| + |o| for the difference, together at most 3 + 2 |o|. All
+ * of it is put into the offsets, once for each ray and axis (4 + 4 |o|), so that entries are never late and exits never
+ * early; Ize (JCGT 2013) widens each exit instead. Direction components below 1e-18 of the others are replaced by that:
+ * over the length of the cube they move by far less than boxes are rounded outward, and no NaN arises. */
 #ifndef BVH_TRAVERSE_H
 #define BVH_TRAVERSE_H
 
@@ -20,7 +20,7 @@
 typedef struct bvh_local {
     pov_vec3 org, dir;           /* dir has a length of one */
     double scale, shift;
-    double slack;                /* of the offsets: relative to |inverse| (1 + |o|) */
+    double slack;                /* slack of the offsets, relative to |inverse| (1 + |o|) */
 } bvh_local;
 
 #define BVH_SLACK 0x1p-22
@@ -28,34 +28,35 @@ typedef struct bvh_local {
 
 enum { BVH_LANES = POV_RAYS_MAX };
 
-/* A traversal under way of up to BVH_LANES rays; queries put their own members behind it. */
+/* State of a traversal of up to BVH_LANES rays; queries append their own members. */
 typedef struct bvh_traversal {
     const bvh *tree;
     const pov_ray *const *rays;
     uint32_t count;
-    uint64_t lanes;              /* those that take part */
-    SIMD_ALIGNED pov_rays soa;   /* the rays by component; lanes from count to the next multiple of eight hold the last */
+    uint64_t lanes;              /* active lanes */
+    SIMD_ALIGNED pov_rays soa;   /* the rays as a structure of arrays; lanes from count to the next multiple of eight
+                                  * hold the last ray */
     const bvh_frame *in;         /* the frame that they are in */
-    double length[BVH_LANES];    /* of directions */
-    double limit[BVH_LANES];     /* nothing beyond this t counts; leaves may lower it */
-    uint64_t lowered;            /* a leaf lowered the limit of these: whoever sees that takes the bits out */
-    /* What lies in a leaf, for some lanes. Gives those that may end. */
+    double length[BVH_LANES];    /* lengths of directions */
+    double limit[BVH_LANES];     /* hits beyond this t do not count; leaves may lower it */
+    uint64_t lowered;            /* lanes whose limit a leaf lowered; the reader clears the bits */
+    /* Intersect a leaf's contents with some lanes. Returns the lanes that may end. */
     uint64_t (*leaf)(struct bvh_traversal *traversal, const void *leaf, uint64_t lanes);
 } bvh_traversal;
 
-/* Visit the leaves that each of the lanes may meet before its limit. Bit i: a leaf ended lane i. */
+/* Visit the leaves that lanes may hit before their limits. Bit i: a leaf ended lane i. */
 typedef uint64_t bvh_traverse_fn(bvh_traversal *traversal);
 
-/* How rays go through a tree, near leaves first, or in any order. */
+/* Traversal functions, near leaves first, or in any order. */
 typedef struct bvh_kernels {
     const char *name;
-    bvh_traverse_fn *nearest_packet, *any_packet;            /* together, those of one octant */
-    bvh_traverse_fn *nearest_single, *any_single;            /* one after the other */
-    /* By turns, in a tree of one frame: while one waits for memory others go on. NULL: that is no better. */
+    bvh_traverse_fn *nearest_packet, *any_packet;            /* packets of one octant */
+    bvh_traverse_fn *nearest_single, *any_single;            /* single rays, one after the other */
+    /* Interleaved, in a tree of one frame: while one ray waits for memory others continue. NULL: no faster here. */
     bvh_traverse_fn *nearest_interleaved, *any_interleaved;
 } bvh_kernels;
 
-/* The best that this processor can do; `portable` is what every processor can. */
+/* The best functions for this processor; `portable` runs on every processor. */
 const bvh_kernels *bvh_kernels_best(void);
 extern const bvh_kernels bvh_kernels_portable;
 
@@ -66,14 +67,14 @@ bvh_traverse_fn bvh_nearest_packet_avx2, bvh_any_packet_avx2;
 bvh_traverse_fn bvh_nearest_interleaved, bvh_any_interleaved;   /* AVX-512 */
 #endif
 
-/* One lane alone from a reference in a frame, whatever numbers its ray has. True: a leaf ended it. */
+/* Traverse a single lane from a reference in a frame, whatever its ray's numbers. True: a leaf ended it. */
 bool bvh_go_single(bvh_traversal *traversal, uint32_t lane, uint32_t frame, uint32_t at);
 
-/* Directions of one packet have the same signs. */
+/* All directions of a packet have the same signs. */
 static inline uint32_t bvh_octant(const pov_ray *ray)
 {
 #if defined(__AVX__) && defined(__GNUC__)
-    /* Behind the direction stand eight bytes more of the ray. */
+    /* Eight more bytes of the ray follow the direction. */
     typedef double doubles __attribute__((vector_size(32)));
     doubles d;
 
@@ -84,17 +85,17 @@ static inline uint32_t bvh_octant(const pov_ray *ray)
 #endif
 }
 
-/* A ray that starts further away than BVH_NEAR half-sizes of the frame is brought near. False: it passes by. */
+/* A ray that starts further away than BVH_NEAR half-sizes of the frame is moved near it. False: it misses. */
 #define BVH_NEAR 8.0
-/* Directions of a length between these are taken as they are. */
+/* Directions with lengths in this range need no rescaling. */
 #define BVH_SHORT 0x1p-300
 #define BVH_LONG 0x1p300
-/* Frames of a scale between these are met by such directions directly. */
+/* For frame scales in this range no rescaling of the direction is needed. */
 #define BVH_SMALL 0x1p-600
 #define BVH_LARGE 0x1p600
 bool bvh_enter_far(const bvh_frame *frame, const pov_ray *ray, bvh_local *out);
 
-/* The ray in a frame, with the length of its direction and the inverse of that. False: it passes by. */
+/* Transform a ray to a frame, given the length of its direction and the inverse of that. False: it misses. */
 static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double length, double per_length, bvh_local *out)
 {
     pov_vec3 o = pov_sub(ray->org, frame->centre);
@@ -111,7 +112,7 @@ static inline bool bvh_enter(const bvh_frame *frame, const pov_ray *ray, double 
     return bvh_enter_far(frame, ray, out);
 }
 
-/* What blocks are told of a ray in a frame. */
+/* Store a ray in a frame for block filters. */
 static inline void bvh_to_frame(pov_rays *rays, uint32_t lane, const bvh_local *l, float limit)
 {
     const bool blind = l->slack > BVH_SLACK;
@@ -130,8 +131,7 @@ static inline void bvh_to_frame(pov_rays *rays, uint32_t lane, const bvh_local *
     rays->local.unit[lane] = blind ? 1.0 : 1.0 / l->scale;
 }
 
-/* What the entries of a stack are: the entry's distance, a float that is not negative and so sorts as its bits do,
- * above the reference. */
+/* Key of a stack entry: the entry distance above the reference. Non-negative floats sort as their bits do. */
 static inline uint64_t key_of(float entry, uint32_t child)
 {
     uint32_t bits;
@@ -149,8 +149,8 @@ static inline float entry_of(uint64_t key)
     return entry;
 }
 
-/* The u of a limit, rounded up. The t of a crossing may be off by a few units in its last place, which must not hide
- * the box that it lies in: 64 of them are allowed for. */
+/* The u of a limit, rounded up. The t of a crossing may be off by a few units in its last place, which must not exclude
+ * its box: 64 units are allowed. */
 static inline float bvh_limit(double scale, double shift, double limit)
 {
     double u = (limit - shift) * scale + (fabs(limit) + fabs(shift)) * scale * 0x1p-46;

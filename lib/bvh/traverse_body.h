@@ -1,9 +1,10 @@
-/* traverse_body.h - the traversal of one ray, included by traverse.c once for each instruction set, with TRAVERSE_TARGET
- * (the function attribute), TRAVERSE_LANES (a ray as the node test wants it), TRAVERSE_SPREAD (makes it), TRAVERSE_LIMIT
- * (lowers its limit), TRAVERSE_HIT (the node test) and TRAVERSE_NAME (what makes names differ). No guard, for that
- * reason. */
+/* traverse_body.h - the traversal of one ray, included by traverse.c once for each instruction set, with
+ * TRAVERSE_TARGET (the function attribute), TRAVERSE_LANES (a ray as the node test needs it), TRAVERSE_SPREAD (makes
+ * it), TRAVERSE_LIMIT (lowers its limit), TRAVERSE_HIT (the node test) and TRAVERSE_NAME (the suffix of names). No
+ * guard, for that reason. */
 
-/* The node at `at` and what is nearest below it, until that is no node, or nothing (then: the top of the stack). */
+/* Descend from the node at `at` to the nearest leaf, return or frame below it, or to nothing (then: the top of the
+ * stack). */
 TRAVERSE_TARGET static inline bool TRAVERSE_NAME(descend)(const bvh_node *nodes, const TRAVERSE_LANES *ray, bool sorted,
                                                   uint32_t *at, traverse_stack *stack, uint32_t *top)
 {
@@ -26,7 +27,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(descend)(const bvh_node *nodes,
     return true;
 }
 
-/* Set up the lane's ray in a frame. False: it passes by. */
+/* Set up the lane's ray in a frame. False: it misses. */
 TRAVERSE_TARGET static inline bool TRAVERSE_NAME(enter)(bvh_traversal *of, uint32_t lane, uint32_t frame,
                                                         bvh_local *local, TRAVERSE_LANES *spread, float *limit)
 {
@@ -70,7 +71,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(traverse)(bvh_traversal *of, ui
                     of->soa.local.smax[lane] = limit;
                 }
             } else if ((at & BVH_KIND) == BVH_RETURN) {
-                /* It was entered before, so that it is not passed by now. */
+                /* The ray entered this frame before, so it does not miss it now. */
                 TRAVERSE_NAME(enter)(of, lane, index, &local, &spread, &limit);
                 frame = index;
             } else if (TRAVERSE_NAME(enter)(of, lane, index, &local, &spread, &limit)) {

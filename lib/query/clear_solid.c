@@ -13,7 +13,7 @@ bool clear_solid_any_enters(const pov_ray *const *rays, uint32_t n)
     return flags & POV_MARK_INWARD;
 }
 
-/* Does a ray start on a closed solid and go into it? */
+/* Does a ray start on a closed solid and enter it? */
 static inline bool enters(const world *w, const pov_ray *ray)
 {
     const uint32_t both = POV_MARK_INWARD | POV_MARK_CLOSED;
@@ -26,7 +26,7 @@ static inline const shape_group *group_of(const world *w, uint32_t which)
     return &w->groups[w->objects_info[which].group];
 }
 
-/* Ask those of `left` that start on a shape of the class of the first; the others are left. */
+/* Intersect those of `left` whose origin surface is of the same class as the first one's; returns the others. */
 static uint64_t ask_class(const world *w, query_context *k, const pov_ray *const *rays, uint64_t left, exit_hits *e)
 {
     const shape_group *first = group_of(w, rays[first_of64(left)]->origin_surface);
@@ -55,7 +55,7 @@ static uint64_t ask_class(const world *w, query_context *k, const pov_ray *const
     return others;
 }
 
-/* Nothing else can be hit in a solid that stands alone. */
+/* Nothing else can be hit inside an isolated solid. */
 static void end_isolated(const world *w, query_context *k, const pov_ray *const *rays, hit *out, exit_hits *e)
 {
     uint64_t rest;
@@ -93,9 +93,9 @@ void clear_solid_exits(const world *w, query_context *k, const pov_ray *const *r
 
 /* ---- light ---- */
 
-/* Does a way end beyond an interval? With u = 2^-53, the end is off by u |from| for the start's lower part, u |way| for
- * its product, and u (|from| + |way|) for their sum; the slack's own sum rounds by as much once more. Bounds are rounded
- * outward. That makes 3 u (|from| + |way|) at most. */
+/* Does a segment end outside an interval? With u = 2^-53, the end is off by u |from| for the start's lower part, u
+ * |way| for its product, and u (|from| + |way|) for their sum; the slack's own sum rounds by as much once more. Bounds
+ * are rounded outward. That makes 3 u (|from| + |way|) at most. */
 static inline bool is_out(double from, double dir, double lo, double hi)
 {
     const double slack = 0x1p-51 * (fabs(from) + fabs(dir)), end = from + dir;

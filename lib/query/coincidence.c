@@ -2,11 +2,11 @@
 
 #include <string.h>
 
-/* Two crossings lie in one place when their distances differ by no more than double-double arithmetic can be off: some
- * 2^-98 of the lengths that take part, over the cosine between ray and surface; with margin. Gaps that doubles can hold
- * are wider: half a unit in the last place of a coordinate is 2^-54 of it. */
+/* Two crossings are coincident if their distances differ by no more than the error of double-double arithmetic: some
+ * 2^-98 of the lengths involved, over the cosine between ray and surface; with a margin. Gaps that doubles can
+ * represent are wider: half a unit in the last place of a coordinate is 2^-54 of it. */
 static const double same_point = 0x1p-92;
-/* Around a distance that double found, all that may be as near in truth: wider than POV_COINCIDENT. */
+/* Relative interval around a distance in double that holds all distances which may tie: wider than POV_COINCIDENT. */
 static const double around = 0x1p-45;
 
 /* ---- a query that leaves several surfaces by name ----
@@ -25,7 +25,7 @@ void packet_name(packet *p, uint32_t owner)
         }
 }
 
-/* from: NULL: the ray's own name holds for all. */
+/* from: NULL: the ray's own origin surface holds for all. */
 static void begin(packet *p, const world *w, query_context *k, const coincident_set *from, const pov_ray *ray,
                   double tmax)
 {
@@ -60,7 +60,7 @@ bool query_nearest_from(const world *w, query_context *k, const coincident_set *
     return hits->count > 0;
 }
 
-/* All crossings about as far as t, from near to far, in the context's memory. Gives how many. */
+/* All crossings near t, from near to far, in the context's memory. Returns their number. */
 static uint32_t find_near(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double t,
                           pov_crossing **crossings)
 {
@@ -109,7 +109,7 @@ uint32_t coincidence_crossed(const coincident_set *s, pov_vec3 dir)
     return left;
 }
 
-/* The lengths that take part in a crossing. */
+/* Size of the numbers involved in a crossing. */
 static double size_of(const world *w, const pov_ray *ray, double t)
 {
     double size = fabs(t) * pov_largest(ray->dir) + pov_largest(ray->org);
@@ -119,7 +119,7 @@ static double size_of(const world *w, const pov_ray *ray, double t)
     return size;
 }
 
-/* The surface of a crossing. */
+/* Complete the hit of a crossing. */
 static void complete_hit(const world *w, const pov_ray *ray, const pov_crossing *at, hit *h)
 {
     h->crossing = *at;
@@ -135,7 +135,7 @@ static bool shares_point(const pov_ray *ray, const hit *first, const hit *h, dou
     return !(gap * a * b > same_point * size * (a + b));
 }
 
-/* A further one, kept in the order of objects. Of an object that is crossed twice here, at an edge, the way in counts. */
+/* Insert a hit in the order of objects. If an object is crossed twice here, at an edge, its entry counts. */
 static void insert(coincident_set *s, const hit *h)
 {
     uint32_t at = s->count;
@@ -154,7 +154,7 @@ static void insert(coincident_set *s, const hit *h)
     s->count++;
 }
 
-/* What decides between equals only has to be the same for the tree and the list. */
+/* The order of ties must only be the same for the tree and the list. */
 static bool is_nearer(const pov_crossing *a, const pov_crossing *b)
 {
     if (a->t != b->t)
@@ -208,7 +208,7 @@ void coincidence_resolve(const world *w, query_context *k, const pov_ray *ray, c
 
 /* ---- light ---- */
 
-/* The transparent surfaces that are crossed at once. False: one is crossed that blocks. */
+/* Transparent surfaces of the set that are crossed at the start. False: an opaque one is crossed. */
 static bool leave(const world *w, const coincident_set *from, pov_vec3 dir, uint32_t *crossed)
 {
     const model *m = w->model;

@@ -1,11 +1,11 @@
-/* context.h - one thread's memory for queries, and what all queries do with it. */
+/* context.h - one thread's memory for queries, and operations that all queries share. */
 #ifndef QUERY_CONTEXT_H
 #define QUERY_CONTEXT_H
 
 #include "query/query.h"
 #include "world/internal.h"
 
-/* For the crossings of one light path: with transparent shapes, and with one that blocks. */
+/* Buffer for the crossings of one light path: with transparent shapes, and with an opaque one. */
 typedef struct hit_buffer { csg_scratch *csg; query_context *context; pov_crossing *crossings; uint32_t capacity; pov_crossing blocking; } hit_buffer;
 
 struct query_context {
@@ -15,12 +15,12 @@ struct query_context {
     uint64_t escalated;
     class_counts classes;
     csg_scratch csg;
-    void *scratch;               /* of shapes; NULL: none asks for it */
+    void *scratch;               /* working memory of shapes; NULL: none needs it */
     bool failed;
 };
 
-/* Count questions to shapes of a leaf batch's class, and what was decided of them: once a leaf batch where that can be,
- * for a shape's quick answer takes hardly longer. */
+/* Count intersections of a leaf batch's class, and those that escalated: once for a batch where possible, because a
+ * fast intersection takes hardly longer than counting. */
 static inline void query_context_count_class(query_context *k, uint32_t number, uint32_t asked, uint32_t escalated)
 {
     k->classes.of[number].asked += asked;
@@ -33,7 +33,7 @@ static inline void query_context_count(query_context *k, const leaf_batch *r, ui
     query_context_count_class(k, leaf_batch_class(r), asked, escalated);
 }
 
-/* hits->user is the room: trees of shapes look for their memory there. */
+/* hits->user is the buffer: trees of shapes find their memory there. */
 static inline void hits_begin(pov_hits *hits, const world *w, hit_buffer *buffer, double tmax, pov_want want,
                               pov_crossing *at)
 {
@@ -53,11 +53,10 @@ static inline void hits_begin(pov_hits *hits, const world *w, hit_buffer *buffer
     hits->scratch = buffer->context->scratch;
 }
 
-/* For a query that wants all: more room. */
+/* More memory for a query that wants all crossings. */
 bool crossings_grow(pov_hits *hits);
 void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b));
-/* The crossing in out has coincident surfaces as far as doubles tell: find out in double-double, and put the one there
- * that counts. */
+/* The crossing in out may have coincident surfaces: compare in double-double, and store the one that counts. */
 void coincidence_resolve(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *out);
 
 #endif

@@ -29,7 +29,7 @@ static void ask_one(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane)
     query_context_count(p->context, r, 1, p->hits[i].escalated - before);
 }
 
-/* One that can be left out by now need not wait any more; if it cannot, it is asked before the next one waits. */
+/* A deferred shape that is now excluded is dropped; any other is intersected before the next one is deferred. */
 static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const uint32_t i = m->ray;
@@ -46,7 +46,7 @@ static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
     SIMD_PREFETCH(leaf_batch_instance(r, m->lane));
 }
 
-/* What a filter leaves open of a batch that holds one shape, so that no ray is there twice. */
+/* Possible hits of a batch with a single shape, so that no ray occurs twice. */
 static void ask_open(packet *p, const leaf_batch *r, pairs *open, const xform_batch *instanced, const uint8_t *lanes)
 {
     uint32_t i;
@@ -74,7 +74,7 @@ static void filter(packet *p, const leaf_batch *r, uint64_t lanes)
         if (is_beyond(m->lo, p->traversal.limit[m->ray]) ||
             (left && is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray])))
             continue;
-        /* The filter knows nothing of the root that a ray leaves. */
+        /* The filter does not know the root that a ray starts on. */
         if (m->definite && !left && (r->plain >> m->lane & 1)) {
             defer(p, r, m);
         } else if (r->flags & LEAF_INSTANCED) {
@@ -129,7 +129,7 @@ static uint64_t leaf_nearest(bvh_traversal *traversal, const void *leaf, uint64_
 
 /* ---- what was deferred ---- */
 
-/* Take those of `left` that are of a class, to whose spaces rays have been taken; the others are left. */
+/* Collect those of `left` of one class, whose rays are in object space; returns the others. */
 static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, pairs *out)
 {
     uint64_t rest, others = 0;
@@ -152,7 +152,7 @@ static uint64_t take_class(packet *p, const shape_class *shape, uint64_t left, p
     return others;
 }
 
-/* Ask those that wait and can still be the nearest. */
+/* Intersect deferred shapes that can still be the nearest. */
 static void resolve_deferred(packet *p)
 {
     uint64_t left = 0, rest;
@@ -205,7 +205,7 @@ static void begin_from_exit_hits(packet *p, const exit_hits *e)
     }
 }
 
-/* What was hit, as bits of the caller's. */
+/* Rays with a hit, as bits of the caller's. */
 static uint64_t end_nearest(packet *p)
 {
     uint64_t found = 0, rest;

@@ -55,13 +55,13 @@ static bool ask_some(packet *p, uint32_t i, const leaf_batch *r, uint32_t mask)
     return ended;
 }
 
-/* Does it block light for certain? The filter knows nothing of the root that a ray leaves. */
+/* Does it definitely block light? The filter does not know the root that a ray starts on. */
 static inline bool is_blocked(const leaf_batch *r, const pov_candidate *m, uint32_t blocking, const pov_ray *ray)
 {
     return m->definite && (blocking >> m->lane & 1) && r->object[m->lane] != ray->origin_surface;
 }
 
-/* One of a block's that nobody knows enough of. True: the path ends here. */
+/* A possible hit of a block. True: the path ends here. */
 static bool take(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const pov_ray *ray = p->rays[m->ray];
@@ -141,7 +141,7 @@ bool crossings_grow(pov_hits *hits)
     return true;
 }
 
-/* Shell's sort: in place, and fast for the few there are. */
+/* Shell sort: in place, and fast for few elements. */
 void crossings_sort(pov_crossing *at, uint32_t count, bool (*is_before)(const pov_crossing *a, const pov_crossing *b))
 {
     uint32_t gap, i, j;
@@ -163,7 +163,7 @@ static inline bool is_before(const pov_crossing *a, const pov_crossing *b)
     return a->owner != b->owner ? a->owner < b->owner : a->t < b->t;
 }
 
-/* As they mostly are. */
+/* They mostly are in order. */
 static inline bool are_in_order(const pov_crossing *at, uint32_t count)
 {
     uint32_t i;
@@ -200,7 +200,7 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 
 /* ---- the queries ---- */
 
-/* Note what light comes out of before it hits anything else. */
+/* Note solids that light leaves before it hits anything else. */
 static void note_exits(packet *p)
 {
     uint32_t i;

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Lanes are gone through in groups of eight; so few that none can go together, by four. */
+/* Lanes are processed in groups of eight; a packet too small for packet traversal, in groups of four. */
 static inline uint32_t width(uint32_t n) { return n <= 4 ? 4 : (n + 7) & ~7u; }
 
 /* True: all are in the range that filters are promised. */
@@ -15,7 +15,7 @@ SIMD_CLONES static bool derive(pov_rays *restrict s, uint32_t n, double end, dou
     return all != 0;
 }
 
-/* Those that are out of that range. */
+/* Lanes outside that range. */
 static uint64_t derive_all(bvh_traversal *t, double end)
 {
     uint64_t odd = 0;
@@ -93,7 +93,8 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
 
 /* ---- who goes with whom ---- */
 
-/* Fewer rays of one octant are better off alone, and fewer of any one after the other. */
+/* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
+ * other. */
 enum { PACKET_LEAST = 8, INTERLEAVED_LEAST = 5 };
 
 static bool are_of_one(const pov_ray *const *rays, uint32_t n, uint32_t *octant)
@@ -108,7 +109,7 @@ static bool are_of_one(const pov_ray *const *rays, uint32_t n, uint32_t *octant)
     return any == every;
 }
 
-/* Those of one octant go together through a tree; a list takes all. */
+/* Rays of one octant form a packet for a tree; a list takes all. */
 static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
 {
     uint32_t octant = 0, i;
@@ -122,7 +123,7 @@ static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint6
             of[bvh_octant(rays[i])] |= bit_of(i);
 }
 
-/* Are there so many? */
+/* Are there at least so many lanes? */
 static inline bool are_at_least(uint64_t lanes, uint32_t least)
 {
     uint32_t n;

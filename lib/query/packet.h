@@ -1,4 +1,4 @@
-/* packet.h - queries under way of 1 to 64 rays: the only engine. A single ray is a packet of one lane. */
+/* packet.h - state of queries of 1 to 64 rays: the only engine. A single ray is a packet of one lane. */
 #ifndef QUERY_PACKET_H
 #define QUERY_PACKET_H
 
@@ -6,36 +6,36 @@
 #include "query/context.h"
 #include "bvh/ray_soa.h"
 
-/* A shape that a lane certainly hits, at lo or later; which hit is the nearest of all is found later. */
+/* A deferred shape: a definite hit of a lane, at lo or later; the nearest of all hits is determined later. */
 typedef struct deferred { const leaf_batch *batch; uint32_t lane; double lo; } deferred;
 
-/* Most rays never come to need hits of their own, so these are begun when they do. */
+/* Most rays never need hits of their own, so these are initialised on demand. */
 typedef struct packet {
-    bvh_traversal traversal;     /* first: leaves are handed this */
+    bvh_traversal traversal;     /* first: passed to leaves */
     const world *world;
     query_context *context;
     const pov_ray *rays[WORLD_MANY];
-    uint8_t of[WORLD_MANY];      /* by lane: which of the caller's it is */
+    uint8_t of[WORLD_MANY];      /* by lane: index of the caller's ray */
     double tmax;
-    uint64_t exact;              /* lanes that no filter may be asked for */
-    uint64_t asked;              /* lanes whose hits have been begun */
-    const coincident_set *from;  /* what the only ray starts on, or NULL; it is `named` then */
+    uint64_t exact;              /* lanes that filters cannot take */
+    uint64_t asked;              /* lanes whose hits are initialised */
+    const coincident_set *from;  /* coincident set that the only ray starts on, or NULL; it is `named` then */
     pov_ray named;
-    hit *out;                    /* the caller's, where the nearest is asked for */
-    uint64_t deferred_lanes;     /* lanes that have deferred a shape */
-    bool any_blocks;             /* light is asked for: shapes block, transparent or not */
+    hit *out;                    /* the caller's hits, in queries for the nearest */
+    uint64_t deferred_lanes;     /* lanes with a deferred shape */
+    bool any_blocks;             /* in occlusion queries: shapes block, transparent or not */
     deferred deferred[WORLD_MANY];
-    pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: of transparent shapes on a path of light */
+    pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: transparent shapes on a light path */
     pov_candidate candidates[POV_CANDIDATES_MAX];
 } packet;
 
 static inline uint64_t bit_of(uint32_t i) { return (uint64_t)1 << i; }
 static inline uint64_t all_of(uint32_t n) { return ~(uint64_t)0 >> (WORLD_MANY - n); }
 
-/* What may tie with the nearest must be asked. A limit is at least the true distance of the nearest crossing, and a
- * filter's bounds are for true distances. Reported ones are off by 32 units in the last place, 2^-47 of them, and tie
- * within POV_COINCIDENT, 2^-46: two that tie differ by less than 2 * 2^-47 + 2^-46 = 2^-45 in truth, but for products
- * of these and the rounding here. */
+/* Shapes that may tie with the nearest must be intersected. A limit is at least the true distance of the nearest
+ * crossing, and a filter's bounds are for true distances. Reported ones are off by 32 units in the last place, 2^-47 of
+ * them, and tie within POV_COINCIDENT, 2^-46. Two that tie differ by less than 2 * 2^-47 + 2^-46 = 2^-45 in truth,
+ * except for products of these and the rounding here. */
 #define PACKET_TIE 0x1p-44
 
 static inline double just_beyond(double limit)
@@ -43,7 +43,7 @@ static inline double just_beyond(double limit)
     return limit + limit * PACKET_TIE + 0x1p-1074;
 }
 
-/* Whether something at lo or later can be left out. */
+/* Can a hit at lo or later be excluded? */
 static inline bool is_beyond(double lo, double limit)
 {
     return lo > just_beyond(limit);
@@ -58,8 +58,8 @@ static inline void lower(packet *p, uint32_t i, double limit)
 
 /* ---- lanes and shapes ---- */
 
-/* The convex shape that a ray left outward cannot be hit, and the exit of the closed one that it went into is known.
- * excluded: which it is. */
+/* A convex shape that a ray left outward cannot be hit, and the exit of a closed shape that it entered is known.
+ * excluded: that shape. */
 static inline bool is_excluded(const leaf_batch *r, uint32_t lane, const pov_ray *ray, uint32_t excluded)
 {
     return r->object[lane] == excluded && (r->plain >> lane & 1) &&
@@ -77,8 +77,8 @@ static inline uint32_t excluded_of(const packet *p, uint32_t i, const leaf_batch
     return 0;
 }
 
-/* Lanes that are not filtered: all, where a ray starts on the only shape. A filter would say "perhaps"; the shape knows the
- * rest by name. */
+/* Lanes that are not filtered: all, if a ray starts on the only shape. A filter would report a possible hit; the shape
+ * knows the root to leave out. */
 static inline uint64_t exact_of(const packet *p, const leaf_batch *r, uint64_t lanes)
 {
     const bool left = r->count == 1 && (lanes & (lanes - 1)) == 0 &&
@@ -87,7 +87,7 @@ static inline uint64_t exact_of(const packet *p, const leaf_batch *r, uint64_t l
     return !(r->flags & LEAF_PACKED) || left ? lanes : lanes & p->exact;
 }
 
-/* How the surfaces of `from` are named when their owners are asked: each by its own mark, others not at all. */
+/* Set the origin surfaces of `from` when their owners are intersected: each by its own mark, others not at all. */
 void packet_name(packet *p, uint32_t owner);
 
 static inline void packet_intersect(packet *p, uint32_t i, const leaf_batch *r, uint32_t lane, pov_hits *hits)
@@ -105,24 +105,24 @@ static inline void packet_begin_hits(const packet *p, uint32_t i, pov_hits *hits
 
 /* ---- a query ---- */
 
-/* Rays that go alike: through the tree together, interleaved or one after the other. */
+/* Groups of rays by the kind of traversal: as a packet, interleaved, or one after the other. */
 typedef struct packet_group { uint64_t lanes; bvh_traverse_fn *traverse; } packet_group;
 enum { PACKET_GROUPS = 9 };
-/* Those of the first n rays that `which` names, each in one group. Gives how many there are. */
+/* Divide those of the first n rays that `which` selects into groups. Returns the number of groups. */
 uint32_t packet_divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t which, bool nearest,
                        packet_group groups[PACKET_GROUPS]);
 
-/* Take the rays that `which` names; filters are to look up to `end`. */
+/* Begin with the rays that `which` selects; filters look up to `end`. */
 void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *const *rays, uint64_t which, double tmax,
                   double end);
-/* Through the lists and the tree. Gives the lanes that a leaf ended. */
+/* Traverse the lists and the tree. Returns the lanes that a leaf ended. */
 uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest);
-/* The nearest hits of all lanes, but for what their distances have in common with others'. */
+/* The nearest hits of all lanes, before coincident ones are resolved. */
 void packet_nearest(packet *p, bvh_traverse_fn *traverse);
-/* Lanes whose light is blocked. */
+/* Find lanes whose light is blocked. */
 uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse);
 void packet_begin_light(packet *p, uint32_t i);
-/* Hand out the crossings of lanes that are not blocked. Gives those that are, as bits of the caller's. */
+/* Return the crossings of unblocked lanes, and the blocked ones as bits of the caller's. */
 uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out);
 
 /* ---- shapes and rays that are asked side by side ---- */
@@ -144,10 +144,10 @@ static inline void pairs_put(pairs *some, const void *self, const pov_ray *ray, 
     some->hits[n] = hits;
 }
 
-/* crossed: all of them certainly are. */
+/* crossed: all of them are definite hits. */
 void pairs_ask(query_context *k, const shape_class *shape, uint32_t class_number, pairs *some, bool crossed);
 
-/* The ray that an instance is asked with, which is found with the others of `some`; it is kept for the normal. */
+/* The ray in an instance's object space, which is transformed with the others of `some`; it is kept for the normal. */
 static inline const pov_ray *own_ray(query_context *k, xform_batch *some, const instance_xform *at, const pov_ray *ray,
                                      uint32_t which, uint32_t owner)
 {

@@ -8,22 +8,22 @@
 
 #include <string.h>
 
-/* Instances stand at multiples of INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most ROOM bytes on
- * the stack; a larger class's copy is made where it would stay. */
+/* Instances are aligned to INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most SCRATCH bytes on the
+ * stack; a larger class's copy is made in its final place. */
 enum { INSTANCE_ALIGN = 32, SCRATCH = POV_PREPARED_MAX, MOST_CLASSES = 0x3fff / 3, SLICE_LEAST = 2048,
        SLICES_MOST = 256 };
-enum { MADE = 16 };              /* classes whose last instances are remembered */
-/* What a class's shapes are told apart by: three groups of each, in this order. Infinite ones and members of trees are
- * marked until the lists are made. */
+enum { MADE = 16 };              /* number of classes whose last instances are cached */
+/* Each class has three groups of shapes, in this order. Infinite ones and members of trees are marked until the lists
+ * are made. */
 enum { SINGLE, SHARES_LEAF, INSTANCED, KINDS, INFINITE = COMPILE_INFINITE, MEMBER = COMPILE_MEMBER };
-/* Beyond this, squares of lengths come near the end of the range of double: such an object is asked apart. */
+/* Beyond this, squares of lengths approach the end of the range of double: such an object is tested separately. */
 static const double largest_coordinate = 1e150;
 
 /* ---- parts of the scene, for one thread each ---- */
 
 typedef struct slice {
     pov_status status;
-    uint32_t failed;             /* the first object that has no inverse */
+    uint32_t failed;             /* the first object whose map has no inverse */
     uint32_t finite, infinite;
     pov_box bounds, transparent;
     size_t absorbed, composed, packed, scratch;
@@ -39,15 +39,15 @@ typedef struct survey {
     bool use_blocks;
 } survey;
 
-/* An instance that was made of what was written last of a class. */
+/* The last instance of a class that was made from a parsed form. */
 typedef struct made {
     const shape_class *shape;
     const void *text;
     void *instance;
-    bool pinned;                   /* somebody points to it */
+    bool pinned;                   /* a pointer to it is kept */
 } made;
 
-/* Works on one part. */
+/* State of the work on one slice. */
 typedef struct maker {
     const survey *survey;
     compile_state *f;
@@ -55,10 +55,10 @@ typedef struct maker {
     arena *staged, *resident;
     size_t class_index;
     const shape_class *scratch_shape;
-    void *scratch;               /* a block of that class, in memory for the largest so far */
+    void *scratch;               /* a block of that class, in memory for the largest block so far */
     size_t scratch_bytes;
     made made[MADE];             /* by class */
-    const void *boxed;           /* the placed instance that was looked at last: its box in its own space, if it has one */
+    const void *boxed;           /* the last instanced shape: its box in object space, if it has one */
     bool has_box;
     pov_box own;
     compile_maps maps;
@@ -105,8 +105,8 @@ static size_t find_class(maker *k, const shape_class *shape)
     return k->class_index;
 }
 
-/* An object's instance as it was written: the model's own where that is one, else one that serves for all of the class that
- * follow and were written alike. It is kept from when somebody wants that. NULL: no memory. */
+/* An object's instance before absorption: the model's own if there is one, else one for all consecutive objects of the
+ * class with the same parsed form. `pin`: a pointer to it will be kept. NULL: no memory. */
 static const void *make(maker *k, const leaf_node *o, bool pin)
 {
     made *m = &k->made[find_class(k, o->shape) % MADE];
@@ -127,7 +127,7 @@ static const void *make(maker *k, const leaf_node *o, bool pin)
     return m->instance;
 }
 
-/* Let a copy take the transformation in: *out, or NULL if it cannot. */
+/* Let a copy absorb the transformation: *out, or NULL if it cannot. */
 static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, const void **out)
 {
     size_t bytes = o->shape->instance_size;
@@ -152,7 +152,7 @@ static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, co
     return POV_OK;
 }
 
-/* The box of an instanced shape in its own space. False: there is none, and *out holds zeros. */
+/* The box of an instanced shape in object space. False: none, and *out holds zeros. */
 static bool own_box(const shape_class *shape, const void *instance, pov_box *out)
 {
     static const pov_box none = { { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 } };
@@ -184,8 +184,7 @@ void compile_instances(const compile_state *f, const uint32_t *ids, const pov_af
     }
 }
 
-/* The box of an instanced shape in the world, a little wider where its map is approximately known. False: there
- * is none. */
+/* The box of an instanced shape in the world, a little wider if its map is known approximately. False: none. */
 static bool instance_world_box(maker *k, const leaf_node *o, const void *instance, bool approximate, pov_box *out)
 {
     const pov_affine *map;
@@ -197,14 +196,14 @@ static bool instance_world_box(maker *k, const leaf_node *o, const void *instanc
         return false;
     if (approximate && compile_maps_box(&k->maps, o, &k->own, out))
         return true;
-    map = compile_maps_compose(&k->maps, o);   /* it is moderate, or was composed before */
+    map = compile_maps_compose(&k->maps, o);   /* its numbers are moderate, or it was composed before */
     instance_box(map, &k->own, out);
     if (o->shape->flags & POV_SHAPE_SPHERE)
         instance_shrink_box(map, &k->own, out);
     return is_finite_box(out);
 }
 
-/* Take the transformation into the shape, or leave the shape as it was written. */
+/* Absorb the transformation into the shape, or keep the shape unchanged. */
 static pov_status transform_shape(maker *k, const leaf_node *o, uint32_t index, bool *finite, bool *instanced)
 {
     const void **instance = &k->f->moved[index];
@@ -235,7 +234,7 @@ static pov_status transform_shape(maker *k, const leaf_node *o, uint32_t index, 
     return POV_OK;
 }
 
-/* Would a block take this shape? Tried with it alone, in scratch memory, and a frame around its box, if it has one. */
+/* Can this shape be packed in a block? Tried alone, in scratch memory, with a frame around its box, if it has one. */
 static pov_status try_block(maker *k, const shape_class *shape, const void *instance, const pov_box *box, bool *takes)
 {
     bvh_frame around;
@@ -259,7 +258,7 @@ static pov_status try_block(maker *k, const shape_class *shape, const void *inst
     return POV_OK;
 }
 
-/* Boxes hold no NaN, so that fmin() and fmax() would only be calls. */
+/* Boxes hold no NaN, so fmin() and fmax() would only be slow calls. */
 static double lesser(double a, double b) { return a < b ? a : b; }
 static double greater(double a, double b) { return a > b ? a : b; }
 
@@ -272,7 +271,7 @@ static void join(pov_box *all, const pov_box *b)
 static const pov_box everything = { { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
 static const pov_box nothing = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
-/* What rays will look at of an object, but for where it is. */
+/* Fill an object's record, except for its position. */
 static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *box)
 {
     object_info *info = &k->f->objects_info[index];
@@ -395,7 +394,7 @@ static arena *make_arenas(const env *e, int count)
     return arenas;
 }
 
-/* What is by object is not zeroed: the system clears memory for who comes there first, which threads can do together. */
+/* Arrays by object are not zeroed: the system clears memory at the first access, which threads do together. */
 static bool allocate(survey *s, bool any_map)
 {
     compile_state *f = s->f;
@@ -433,7 +432,7 @@ void compile_take(compile_state *f, uint32_t index, const pov_box *box)
         join(&f->transparent, box ? box : &everything);
 }
 
-/* The parts' counts together, or the first part's failure. */
+/* Sum the slices' counts, or report the first slice's failure. */
 static pov_status add_up(survey *s, pov_error *err)
 {
     compile_state *f = s->f;
@@ -466,7 +465,7 @@ static pov_status add_up(survey *s, pov_error *err)
     return POV_OK;
 }
 
-/* Classes are numbered as the scene first names them; the last number is that of all for which there is no other. */
+/* Classes are numbered in the order of the scene; the last number is shared by all further classes. */
 static uint8_t number_of(const compile_state *f, const shape_class *shape)
 {
     uint8_t next = 0;
@@ -481,12 +480,12 @@ static uint8_t number_of(const compile_state *f, const shape_class *shape)
     return next < WORLD_CLASSES ? next : WORLD_CLASSES - 1;
 }
 
-/* The groups that have members, in the order in which the scene first names one. */
+/* Number the groups that have members, in the order of the scene. */
 static bool make_groups(survey *s)
 {
     compile_state *f = s->f;
     size_t n = compile_count(f), most = KINDS * s->classes.count, i;
-    uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not met yet */
+    uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not seen yet */
     uint32_t finite = 0, infinite = 0, members = 0;
 
     f->groups = env_alloc(f->env, most, sizeof *f->groups);

@@ -10,8 +10,8 @@ void compile_maps_init(compile_maps *k)
     memset(k, 0, offsetof(compile_maps, approx_maps));
 }
 
-/* What a class says of its shapes tells of some transformations, even before they are composed, that none is left when
- * they are taken in. */
+/* The flags of a class tell for some transformations, even before they are composed, that its shapes cannot absorb
+ * them. */
 static bool is_rigid(const leaf_node *o)
 {
     if (!o->map)
@@ -25,7 +25,8 @@ static bool is_marked(const compile_maps *k, const leaf_node *o)
     return k->rigid >> (o - k->window) & 1;
 }
 
-/* What follows an object in the window, up to whose transformations are of other kinds, and is as rigid. */
+/* Collect the objects that follow in the window, up to the first with transformations of other kinds, and with the same
+ * rigidity. */
 static int gather(const compile_maps *k, const leaf_node *o, const transform **lists, int most)
 {
     const bool rigid = is_marked(k, o);

@@ -10,8 +10,8 @@ static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
         compile_box(f, leaf, &out->box);
 }
 
-/* A tree casts a shadow where a member does, and light ends at it where all are opaque. Normals of members that are taken
- * away point into these. */
+/* A tree casts a shadow if a member does, and blocks light if all members are opaque. Normals of subtracted members
+ * point into these. */
 static unsigned note_members(compile_state *f, const csg_tree *t)
 {
     unsigned opaque = COMPILE_OPAQUE, casts = 0;
@@ -42,7 +42,7 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
     if (f->moved)
         f->moved[index] = NULL;
     if (t->empty)
-        f->group[index] |= COMPILE_MEMBER;   /* no ray need be handed it */
+        f->group[index] |= COMPILE_MEMBER;   /* no ray needs to test it */
     else
         compile_take(f, index, t->boxed ? &t->box : NULL);
 }

@@ -1,4 +1,4 @@
-/* Trees of shapes while the world is built, and what is asked of them but for rays. */
+/* Trees of shapes while the world is built, and their operations except intersections with rays. */
 #include "world/csg.h"
 
 #include <string.h>
@@ -22,7 +22,7 @@ typedef struct making { const model *model; csg_tree *tree; } making;
 
 static const group_node *group_at(const model *m, node_ref node) { return &m->groups.items[node & ~NODE_GROUP]; }
 
-/* complement: a difference takes it away. */
+/* complement: a difference subtracts it. */
 static node_ref add_node(making *k, node_ref node, uint32_t parent, bool complement, bool turned);
 
 static node_ref add_member(making *k, uint32_t leaf, uint32_t node, bool complement, bool turned)

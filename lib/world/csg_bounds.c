@@ -1,4 +1,4 @@
-/* Where trees of shapes and their members are: boxes, and a hierarchy of them over the members. */
+/* Boxes of trees of shapes and of their members, and a hierarchy of boxes over the members. */
 #include "world/csg.h"
 
 /* ---- boxes ---- */
@@ -52,7 +52,7 @@ static bool box_of_common(const csg_tree *t, const csg_node *n, pov_box *out)
     return boxed;
 }
 
-/* False: it may reach without end. */
+/* False: it may be infinite. */
 static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
 {
     const csg_node *n;
@@ -67,7 +67,7 @@ static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
     return n->op == NODE_INTERSECTION ? box_of_common(t, n, out) : box_of_all(t, n, out);
 }
 
-/* What lies beyond the tree's box is not looked for. */
+/* Parts outside the tree's box are clipped. */
 static void find_boxes(csg_tree *t, csg_extent_of *extent, const void *user)
 {
     csg_extent e;
@@ -96,7 +96,7 @@ static double centre_of(const pov_box *b, int axis)
     return axis == 0 ? b->lo.x + b->hi.x : axis == 1 ? b->lo.y + b->hi.y : b->lo.z + b->hi.z;
 }
 
-/* In the order of their centres along an axis. */
+/* Sort by the centres along an axis. */
 static void sort(const csg_tree *t, uint32_t *ids, uint32_t count, int axis)
 {
     uint32_t gap, i, j;

@@ -7,11 +7,12 @@
 
 #include <string.h>
 
-/* Crossings share a place where their distances differ by no more than double-double can be off. */
+/* Crossings are coincident if their distances differ by no more than the error of double-double. */
 static const double same_point = 0x1p-92;
-/* Distances that doubles found are told apart by more than that part of them; else all are found again in double-double. */
+/* Distances in double are distinct if they differ by more than this fraction; else all are computed again in
+ * double-double. */
 static const double separation = 0x1p-42;
-/* Boxes are met by doubles: their slabs are off by a few roundings of the coordinates. */
+/* Boxes are tested in doubles: their slabs are off by a few roundings of the coordinates. */
 static const double box_slack = 0x1p-48;
 
 typedef struct csg_traversal {
@@ -19,10 +20,10 @@ typedef struct csg_traversal {
     const pov_ray *ray;
     csg_scratch *scratch;
     pov_hits found;              /* the members' crossings */
-    uint32_t applied;            /* so many of them, from the front, are behind; the others are in order */
+    uint32_t applied;            /* number of crossings at the front that are behind; the others are in order */
     uint32_t asked_count, near_count;
-    bool unsure;                 /* doubles do not tell them apart */
-    double dir, size;            /* largest component of the direction; and of the coordinates that take part */
+    bool unsure;                 /* doubles cannot order them */
+    double dir, size;            /* largest component of the direction; and of the coordinates involved */
 } csg_traversal;
 
 /* ---- memory ---- */
@@ -71,7 +72,7 @@ void csg_scratch_free(csg_scratch *s)
 
 /* ---- values ---- */
 
-/* A member is entered or left: so do the nodes above it change, up to the first whose value stays. */
+/* Enter or leave a member, and update its ancestors, up to the first whose value stays. */
 static void toggle(csg_traversal *w, uint32_t member)
 {
     const csg_member *m = &w->tree->members[member];
@@ -109,7 +110,7 @@ static bool narrow(double o, double d, double lo, double hi, double *enter, doub
     return *enter <= *leave;
 }
 
-/* May the ray meet what is in the box before tmax, and from where on? */
+/* May the ray hit the contents of the box before tmax, and from which distance on? */
 static bool hits_box(const pov_ray *r, const pov_box *b, double tmax, double *enter)
 {
     double leave = tmax;
@@ -158,7 +159,7 @@ static const csg_member *member_of(const csg_traversal *w, const pov_crossing *a
     return &w->tree->members[at->owner - w->tree->members[0].leaf];
 }
 
-/* Between the ray and the surface, times the length of the direction. */
+/* Cosine between the ray and the normal, times the length of the direction. */
 static double cosine_at(const csg_traversal *w, const pov_crossing *at)
 {
     const csg_member *m = member_of(w, at);
@@ -171,7 +172,7 @@ static double cosine_at(const csg_traversal *w, const pov_crossing *at)
     return fabs(pov_dot(normal, w->ray->dir));
 }
 
-/* A surface that the ray starts on, though it is not the one that it has left by name, lies behind it. */
+/* A surface that coincides with the ray's origin surface is behind the ray. */
 static bool is_behind(csg_traversal *w, const pov_crossing *at)
 {
     if (!(at->t * w->dir <= separation * w->size))
@@ -209,7 +210,7 @@ static pov_two3 point_at(const pov_ray *r, double t)
     return p;
 }
 
-/* Is the ray in an endless member at last? Seen from well behind its last crossing. */
+/* Does the ray end inside an infinite member? Tested well behind its last crossing. */
 static bool ends_inside(const csg_traversal *w, const csg_member *m, uint32_t first)
 {
     double t = w->dir > 0.0 ? w->size / w->dir : 1.0;
@@ -231,7 +232,7 @@ static bool comes_before(const pov_crossing *a, const pov_crossing *b)
     return a->owner < b->owner;
 }
 
-/* The crossings from `first` on among those that are still ahead. */
+/* Merge the crossings from `first` on into those still ahead. */
 static void put_in_order(csg_traversal *w, uint32_t first)
 {
     pov_crossing *at = w->found.at;
@@ -245,7 +246,7 @@ static void put_in_order(csg_traversal *w, uint32_t first)
     }
 }
 
-/* All crossings of a member ahead; by their number it is known whether the ray starts inside it. */
+/* All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. */
 static void test_member(csg_traversal *w, uint32_t member)
 {
     const csg_member *m = &w->tree->members[member];
@@ -291,7 +292,7 @@ static uint32_t end_of_point(const csg_traversal *w, uint32_t first)
     return end;
 }
 
-/* Is the member of a crossing entered or left in its place on the whole? */
+/* Is the member of a crossing entered or left by the coincident crossings as a whole? */
 static bool is_changed(const csg_traversal *w, uint32_t which, uint32_t first, uint32_t end)
 {
     const pov_crossing *at = w->found.at;
@@ -302,8 +303,8 @@ static bool is_changed(const csg_traversal *w, uint32_t which, uint32_t first, u
     return times & 1;
 }
 
-/* Of those in a place the one whose surface it is: of the members that are entered or left as the solid is, the earliest
- * in the text. */
+/* The coincident crossing whose surface is reported: of the members that are entered or left like the solid, the
+ * earliest in the text. */
 static const pov_crossing *owner_of(const csg_traversal *w, uint32_t first, uint32_t end, bool enters)
 {
     const pov_crossing *at = w->found.at, *best = NULL;
@@ -324,7 +325,7 @@ static bool report(const pov_crossing *at, bool enters, pov_hits *hits)
     pov_mark mark = at->mark;
     bool more;
 
-    mark.flags &= ~(POV_MARK_OUTWARD | POV_MARK_INWARD | POV_MARK_CLOSED);   /* they tell of the member */
+    mark.flags &= ~(POV_MARK_OUTWARD | POV_MARK_INWARD | POV_MARK_CLOSED);   /* they describe the member */
     mark.flags |= enters ? CSG_MARK_ENTERS : 0;
     hits->owner = at->owner;
     more = pov_cross(hits, at->t, at->t_lo, mark);
@@ -362,7 +363,7 @@ static void end(csg_traversal *w)
         w->scratch->inside[w->scratch->asked[i]] = 0;
 }
 
-/* Open bounds until the next crossing lies before all that are left. */
+/* Open bounds until the next crossing is before all remaining bounds. */
 static void test_ahead(csg_traversal *w)
 {
     while (w->near_count > 0) {
@@ -382,7 +383,7 @@ static void test_ahead(csg_traversal *w)
     }
 }
 
-/* Are the next two crossings too near for doubles? */
+/* Are the next two crossings too close for doubles? */
 static bool is_close(const csg_traversal *w)
 {
     const pov_crossing *at = w->found.at;
@@ -391,7 +392,8 @@ static bool is_close(const csg_traversal *w)
     return !w->found.always_exact && i < w->found.count && at[i].t - at[i - 1].t <= separation * fabs(at[i].t);
 }
 
-/* Apply the next place, and report it if the tree's value changes there. False: nothing more is wanted. */
+/* Apply the next coincident crossings, and report a crossing if the tree's value changes. False: nothing more is
+ * wanted. */
 static bool pass_point(csg_traversal *w, pov_hits *hits)
 {
     const csg_state *root = &w->scratch->states[0];
@@ -408,7 +410,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     return report(at, root->value > before, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
 }
 
-/* False: doubles were not enough. What was reported until then is right. */
+/* False: doubles were not sufficient. Crossings reported so far are right. */
 static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
 {
     bool enough = true;

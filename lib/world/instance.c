@@ -22,13 +22,13 @@ static inline pov_two apply_row(const instance_xform *p, int i, const pov_two v[
 
 /* ---- rays ---- */
 
-/* From the anchor to a point, all parts of it. */
+/* Vector from the anchor to a double-double point. */
 static inline pov_two from_anchor(double at, double at_lo, double anchor)
 {
     return pov_two_add_double(pov_two_sum(at, -anchor), at_lo);
 }
 
-/* A component of the direction, in double-double: the ray in the shape's space then is the world's but for errors of
+/* A component of the direction, in double-double: the ray in object space then equals the world's except for errors of
  * the order of 2^-100, from however far it comes. */
 static inline pov_two rotated(const instance_xform *p, int i, pov_vec3 d)
 {
@@ -40,7 +40,7 @@ static inline pov_two rotated(const instance_xform *p, int i, pov_vec3 d)
     return pov_two_add(sum, pov_two_mul_double(inverse(p, i, 2), d.z));
 }
 
-/* A point of the world, in double-double, in the shape's own space. */
+/* Transform a world point to object space, in double-double. */
 static inline void own_point(const instance_xform *p, pov_vec3 at, pov_vec3 at_lo, pov_two out[3])
 {
     pov_two w[3];
@@ -91,7 +91,7 @@ void instance_normal(const instance_xform *p, const shape_class *shape, const vo
     instance_world_normal(p, out);
 }
 
-/* Normals go by the transpose of the inverse. */
+/* Normals are transformed by the transpose of the inverse. */
 void instance_world_normal(const instance_xform *p, pov_vec3 *normal)
 {
     double n[3];

@@ -4,13 +4,13 @@
 
 #include <string.h>
 
-/* Rays go in groups of eight, as floats in the frame that they stand in: docs/numerics.md has the bounds. */
+/* Rays are processed in groups of eight, as floats in their frame: docs/numerics.md has the bounds. */
 enum { EIGHT = 8 };
 
 SIMD_INLINE float greater(float a, float b) { return a > b ? a : b; }
 SIMD_INLINE float lesser(float a, float b) { return a < b ? a : b; }
 
-/* The bounds hold for one rounding as for two. */
+/* The bounds hold for fused and separate rounding. */
 SIMD_INLINE float sum_of(float a, float b, float c)
 {
 #ifdef __FMA__
@@ -24,7 +24,7 @@ typedef struct three { float x, y, z; } three;
 
 SIMD_INLINE float dot(three a, three b) { return sum_of(a.z, b.z, sum_of(a.y, b.y, a.x * b.x)); }
 
-/* Of what is lost of any row, in units of 1 + S. */
+/* Largest error of any row, in units of 1 + S. */
 SIMD_INLINE float most_of(const instance_filter *s) { return greater(s->lost[0], greater(s->lost[1], s->lost[2])); }
 
 /* ---- in a frame ---- */
@@ -72,7 +72,7 @@ bool instance_filter_make_ellipsoid(const pov_ellipsoid *e, const bvh_frame *f, 
 
 /* ---- rays ---- */
 
-/* By lane, all bits or none; and as bits. */
+/* Masks by lane, all bits or none; and packed. */
 typedef struct conditions { int32_t lane[EIGHT]; } conditions;
 
 SIMD_INLINE uint32_t gather(const conditions *c)
@@ -94,11 +94,10 @@ SIMD_INLINE uint32_t gather(const conditions *c)
 
 typedef struct filter_result { float lo[EIGHT], hi[EIGHT]; conditions maybe, definite, definite_pair; } filter_result;
 
-/* Within the ray's interval, it is outside before `near` and after `far`, and inside from `last` to `first` if that is
- * certain. */
+/* The ray is definitely outside before `near` and after `far`, and inside from `last` to `first` if `certain`. */
 typedef struct reach { float near, last, first, far; int certain; } reach;
 
-/* A ray in the units of the box, and what 1 + S is of it. */
+/* A ray in units of the box, and its 1 + S. */
 typedef struct line { three at, dir; float spread, smax; } line;
 
 SIMD_INLINE line line_of(const instance_filter *s, const pov_rays *rays, size_t at)
@@ -115,7 +114,7 @@ SIMD_INLINE line line_of(const instance_filter *s, const pov_rays *rays, size_t 
     return l;
 }
 
-/* What is no number changes nothing. */
+/* NaN changes nothing. */
 SIMD_INLINE void clip_axis(reach *r, float middle, float size, float lost)
 {
     const float outer = 1.0f + lost, inner = INSTANCE_INNER - lost;
@@ -126,7 +125,7 @@ SIMD_INLINE void clip_axis(reach *r, float middle, float size, float lost)
     r->far = lesser(sum_of(outer, size, middle), r->far);
 }
 
-/* A ray along a side has a middle without end, or none. */
+/* For a ray parallel to a side the middle is infinite or NaN. */
 SIMD_INLINE reach test_box(const instance_filter *s, const line *l)
 {
     const float x = 1.0f / l->dir.x, y = 1.0f / l->dir.y, z = 1.0f / l->dir.z;
@@ -139,7 +138,7 @@ SIMD_INLINE reach test_box(const instance_filter *s, const line *l)
     return r;
 }
 
-/* A ray without the first root misses: `far` is no number then. */
+/* A ray without the first root misses: `far` is NaN then. */
 SIMD_INLINE reach test_sphere(const instance_filter *s, const line *l)
 {
     const float lost = s->lost[0] * l->spread, outer = INSTANCE_OUTER + lost, inner = INSTANCE_INNER - lost;
@@ -189,7 +188,7 @@ SIMD_NOINLINE SIMD_CLONES static void filter_spheres(const instance_filter *s, c
     filter_lanes(s, test_sphere, rays, from, EIGHT, out);
 }
 
-/* One by itself: beside a ray that goes alone there may be anything, and products of what is all but zero are slow. */
+/* A single lane: other lanes may hold anything, and products of denormals are slow. */
 SIMD_NOINLINE static void filter_one(const instance_filter *s, const pov_rays *rays, size_t at,
                                      filter_result *restrict out)
 {
@@ -199,7 +198,7 @@ SIMD_NOINLINE static void filter_one(const instance_filter *s, const pov_rays *r
         filter_lanes(s, test_box, rays, at, 1, out);
 }
 
-/* Those that go away from `owner`. */
+/* Lanes that exclude `owner`. */
 static inline uint32_t excluded_lanes(const uint32_t *excluded, uint32_t owner)
 {
     conditions same;
@@ -210,7 +209,7 @@ static inline uint32_t excluded_lanes(const uint32_t *excluded, uint32_t owner)
     return gather(&same);
 }
 
-/* What is said of lanes, as bits. */
+/* Results of lanes, as bits. */
 typedef struct said { uint32_t maybe, definite, definite_pair; } said;
 
 static inline said said_of_eight(const filter_result *a, uint32_t lanes)

@@ -1,5 +1,5 @@
-/* Several rays or normals, each with an instanced shape: one alone waits for each of its sums, four side by side do
- * not. Operations and their order are instance.c's. */
+/* Several rays or normals, each with an instance transform: a single one waits for each of its sums, four side by side
+ * do not. Operations and their order are those of instance.c. */
 #include "base/simd.h"
 #include "world/instance.h"
 
@@ -11,7 +11,7 @@ enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0,
 
 typedef struct pair_lanes { double xform[NUMBERS][LANES], ray[COMPONENTS][LANES]; } pair_lanes;
 
-/* As pov_ray begins; and the lower part of the direction. */
+/* The first members of a pov_ray, and the lower part of the direction. */
 typedef struct own_lanes { double component[COMPONENTS][LANES]; } own_lanes;
 
 static inline void take_block(double (*to)[LANES], const void *const from[LANES], size_t offset)
@@ -36,7 +36,7 @@ SIMD_INLINE pov_two inverse(const pair_lanes *l, size_t lane, size_t i, size_t j
     return pov_two_of(l->xform[COLUMN + 3 * j + i][lane], l->xform[COLUMN_LO + 3 * j + i][lane]);
 }
 
-/* From the anchor to the start. */
+/* Vector from the anchor to the start. */
 SIMD_INLINE pov_two start(const pair_lanes *l, size_t lane, size_t j)
 {
     return pov_two_add_double(pov_two_sum(l->ray[ORG + j][lane], -l->xform[j][lane]), l->ray[ORG_LO + j][lane]);
@@ -81,7 +81,7 @@ static inline void give_block(double (*from)[LANES], pov_ray *const to[LANES], s
     simd_transpose(rows, 0, out[0], out[1], out[2], out[3]);
 }
 
-/* Up to four, none along the axes alone. */
+/* Up to four, none with a diagonal inverse. */
 static void rays_some(const instance_xform *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n)
 {
     const void *xforms[LANES], *from[LANES];
@@ -133,14 +133,14 @@ void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, p
 
 /* ---- normals ---- */
 
-/* What the squares of normals' lengths must be within, so that pov_unit() scales none of them. */
+/* Range of squared normal lengths in which pov_unit() does not scale. */
 #define LEAST_SQUARE 1e-238
 #define MOST_SQUARE 1e238
 
-/* With the squares of their lengths before they are of unit length. */
+/* Unit normals, and their squared lengths before normalisation. */
 typedef struct unit_lanes { double normal[3][LANES], square[LANES]; } unit_lanes;
 
-/* Normals stand where a ray's start would. */
+/* Normals are stored in place of a ray's start. */
 SIMD_INLINE double rotate_axis(const pair_lanes *l, size_t lane, size_t i)
 {
     const pov_two a = inverse(l, lane, 0, i), b = inverse(l, lane, 1, i), c = inverse(l, lane, 2, i);

@@ -39,9 +39,9 @@ void instance_box(const pov_affine *map, const pov_box *own, pov_box *out)
     out->hi = corner(map, lo, hi, 1.0);
 }
 
-/* By how much a sphere of that radius, or a larger one, falls short of the box around it on either side of an axis of
- * the world: there it reaches as far as the row of the map is long, the box as far as the sum of sizes. Three sums and
- * a root lose less than 11 u of that sum, the row's low parts with them; squares that underflow need a sum that is
+/* Difference between a sphere of this radius, or a larger one, and the box around it on either side of a world axis:
+ * there the sphere reaches as far as the length of the map's row, the box as far as the sum of its sizes. Three sums
+ * and a root lose less than 11 u of that sum, with the row's low parts; squares that underflow need a sum that is
  * small. */
 static double falls_short(const double row[4], double radius)
 {
@@ -105,8 +105,8 @@ static inline double component(pov_vec3 v, int i) { return i == 0 ? v.x : i == 1
 /* What is known of the shape along the axes so far: a float holds all halves; the box reaches as far on either side. */
 typedef struct halves { bool known, snug; } halves;
 
-/* From the anchor to the further side of the own box, and some: what is flat stays within the range of floats. Whether the
- * nearer side is as far, as the filter sees it, and whether a float holds all that. reach: edges of the box in the world. */
+/* Half extent: from the anchor to the further side of the box in object space, enlarged so that thin boxes stay within
+ * the range of floats. Whether the nearer side is as far, as the filter sees it, and whether a float can hold it. */
 static void set_half(instance_xform *p, const pov_affine *map, const pov_box *own, pov_vec3 reach, int i, halves *found)
 {
     const pov_two at = pov_two_of(component(p->own_anchor, i), component(p->own_anchor_lo, i));

@@ -1,4 +1,4 @@
-/* internal.h - what a world is made of, for the files of this room and of query. */
+/* internal.h - the contents of a world, for the files of this room and of query. */
 #ifndef WORLD_INTERNAL_H
 #define WORLD_INTERNAL_H
 
@@ -7,7 +7,7 @@
 #include "world/leaf_layout.h"
 #include "world/surface.h"
 
-/* A solid with an interior, or one of those that it is a union of. */
+/* A solid with an interior, or a member of a union of such solids. */
 typedef struct dielectric {
     uint32_t solid;              /* see world_solid() */
     uint32_t object;
@@ -17,7 +17,7 @@ typedef struct dielectric {
 
 typedef struct dielectric_list { dielectric *items; size_t count, capacity; } dielectric_list;
 
-/* Where an object's shape is. */
+/* Location of an object's shape. */
 typedef struct shape_ref {
     const void *instance;
     const instance_xform *xform; /* NULL: own space is the world */
@@ -27,32 +27,33 @@ struct world {
     const env *env;
     const model *model;
     plan plan;
-    object_info *objects_info;   /* slot: see LEAF_SINGLE; filter_hits: it is transparent, and throws a shadow */
+    object_info *objects_info;   /* slot: see LEAF_SINGLE; filters: it is transparent and casts a shadow */
     shape_group *groups;
     size_t group_count;
-    arena *resident;             /* instances of shapes that are placed, and of others that stay where they were made */
+    arena *resident;             /* instances of shapes with an instance transform, and of others that stayed in their
+                                  * memory */
     int resident_count;
     unsigned char *list_memory;
-    const leaf_batch *infinite;  /* asked for every ray; NULL: none */
-    const leaf_batch *list;      /* the finite ones when there is no tree; NULL: none */
+    const leaf_batch *infinite;  /* tested by every ray; NULL: none */
+    const leaf_batch *list;      /* finite objects if there is no tree; NULL: none */
     bvh tree;
     bool has_tree;
     const bvh_kernels *kernels;
     bool always_exact;
-    size_t scratch_bytes;        /* of a thread's working memory for shapes */
-    bool located;                /* distances of crossings count for light: a transparent object is not plain */
-    pov_box bounds, transparent; /* transparent: around what light passes */
-    uint8_t *isolated;           /* by object, 1: it is clear, and nothing else is in its box; NULL: nobody knows */
+    size_t scratch_bytes;        /* bytes of a thread's working memory for shapes */
+    bool located;                /* light needs the distances of crossings: a transparent object is not plain */
+    pov_box bounds, transparent; /* transparent: box around transparent objects */
+    uint8_t *isolated;           /* by object, 1: it is transparent, and nothing else is in its box; NULL: unknown */
     bool has_bounds;
     uint32_t infinite_count;
     dielectric_list dielectrics; /* leaves in the order of the scene, then trees */
     csg_list trees;              /* objects behind the leaves */
-    csg_root *roots;             /* theirs */
-    uint32_t *solids;            /* by leaf; NULL: each is one by itself */
+    csg_root *roots;             /* their instances */
+    uint32_t *solids;            /* by leaf; NULL: each leaf is a solid of its own */
 };
 
-/* Rays in the spaces of instanced shapes, by the caller's number, of the last question for what is nearest: of those
- * that are known, `of` is whose space it is. first: the first of the caller's hits. */
+/* Object space rays of instanced shapes, by the caller's number, of the last query for the nearest: `known` ones are in
+ * the space of object `of`. first: the first of the caller's hits. */
 struct object_space_rays {
     SIMD_ALIGNED pov_ray rays[WORLD_MANY];
     uint32_t of[WORLD_MANY];
@@ -66,7 +67,7 @@ static inline void own_begin(object_space_rays *own, const hit *first)
     own->first = first;
 }
 
-/* Rays that are taken to instanced shapes together. */
+/* Rays to be transformed to object spaces together. */
 typedef struct xform_batch {
     uint32_t count;
     const instance_xform *at[WORLD_MANY];

@@ -1,8 +1,8 @@
 #include "world/compile.h"
 
-/* Looked for where it costs less than a millisecond or so: boxes are held against boxes. */
+/* Limit of comparisons of boxes, for a cost of about a millisecond. */
 enum { PAIRS_MAX = 1 << 19 };
-/* What is parted from others by that much of its size is so whatever a ray's start is rounded to. */
+/* Relative gap to other boxes that holds whatever a ray's start is rounded to. */
 static const double margin = 0x1p-20;
 
 static bool is_transparent(const compile_state *f, uint32_t id)
@@ -10,7 +10,7 @@ static bool is_transparent(const compile_state *f, uint32_t id)
     return (f->objects_info[id].slot & COMPILE_PLAIN) && !(f->objects_info[id].slot & COMPILE_OPAQUE);
 }
 
-/* Up to one more than that. */
+/* Counts up to `most` + 1. */
 static uint32_t count_transparent(const compile_state *f, uint32_t most)
 {
     uint32_t count = 0, i;

@@ -1,4 +1,4 @@
-/* leaf_batch.h - up to eight shapes of one class that are asked together: what leaves and lists are made of. */
+/* leaf_batch.h - up to eight shapes of one class that are tested together: the contents of leaves and lists. */
 #ifndef WORLD_LEAF_BATCH_H
 #define WORLD_LEAF_BATCH_H
 
@@ -8,36 +8,36 @@
 enum { LEAF_WIDTH = 8 };
 
 enum {
-    LEAF_PACKED = 1,             /* a filter: a block, or a stand of one shape, LEAF_HEAD bytes behind the leaf batch's
-                                    start */
-    LEAF_RESERVED = 2,           /* there is room for a block there, packed or not; behind a instance transform, for its
-                                    stand */
+    LEAF_PACKED = 1,             /* a filter: a block, or an instance filter of one shape, LEAF_HEAD bytes behind the
+                                  * leaf batch's start */
+    LEAF_RESERVED = 2,           /* memory for a block is reserved there, packed or not; behind an instance transform,
+                                  * for its filter */
     LEAF_MORE = 4,               /* another leaf batch follows */
-    LEAF_INSTANCED = 8,          /* one shape only, and its instance transform behind its object */
+    LEAF_INSTANCED = 8,          /* one shape only, with its instance transform behind its object */
     LEAF_CLASS_SHIFT = 4         /* the bits above are the number of the class: see class_counts */
 };
 
 typedef struct leaf_batch {
     const shape_class *shape;
-    const unsigned char *instances;   /* of the first, the others `stride` bytes apart */
-    uint8_t count, flags;             /* RUN_* */
-    uint8_t casts, opaque;            /* by lane: throws a shadow; lets nothing through */
+    const unsigned char *instances;   /* the first instance, the others `stride` bytes apart */
+    uint8_t count, flags;             /* LEAF_* */
+    uint8_t casts, opaque;            /* by lane: casts a shadow; is opaque */
     uint32_t object[LEAF_WIDTH];
     uint32_t stride;
     uint8_t unused[6];
-    uint8_t plain;                    /* by lane: what its marks say of the shape holds of the object: it looks the same
+    uint8_t plain;                    /* by lane, plain: the shape's marks are valid for the object: it looks the same
                                        * everywhere, is no member of a group, not clipped, and absorbs nothing inside.
-                                       * Of an instance this byte is one that its transform leaves free */
+                                       * For an instance this byte is an unused byte of its transform */
 } leaf_batch;
 
-/* Bytes before a block, before a instance transform, and of a leaf batch with a instance transform: what follows
- * begins a line of memory. */
+/* Bytes before a block, before an instance transform, and of a leaf batch with an instance transform: the next part
+ * begins a cache line. */
 enum { LEAF_HEAD = 64, LEAF_XFORM = 24, LEAF_INSTANCED_BYTES = (LEAF_XFORM + sizeof(instance_xform) + 63) / 64 * 64 };
 
 /* One byte for both kinds of batches, else this divides by zero. */
 enum { LEAF_PLAIN_AGREES = 1 / (offsetof(leaf_batch, plain) == LEAF_XFORM + offsetof(instance_xform, reserved)) };
 
-/* The lanes that hold a shape; a filter that declines answers for all there could be. */
+/* Lanes that hold a shape; a filter that declines returns all lanes. */
 static inline uint32_t leaf_batch_lanes(const leaf_batch *r) { return (1u << r->count) - 1; }
 static inline const void *leaf_batch_block(const leaf_batch *r)
 {
@@ -54,15 +54,15 @@ static inline const instance_xform *leaf_batch_xform(const leaf_batch *r)
     return (const instance_xform *)(const void *)((const unsigned char *)r + LEAF_XFORM);
 }
 
-/* Of one shape that shares no block. A instance transform that has no room for its stand makes it anew for each
- * question. */
+/* The instance filter of a shape that shares no block. An instance transform without memory for it makes it anew for
+ * each query. */
 static inline const instance_filter *leaf_batch_instance_filter(const leaf_batch *r)
 {
     return (const instance_filter *)(const void *)((const unsigned char *)r
                                                    + (r->flags & LEAF_INSTANCED ? LEAF_INSTANCED_BYTES : LEAF_HEAD));
 }
 
-/* Are shapes of a class that share no block to be looked at as ellipsoids? Each stands alone then. */
+/* Are shapes of a class that share no block filtered as ellipsoids? Each is in a batch of its own then. */
 static inline bool leaf_batch_may_filter(const shape_class *shape) { return shape->ellipsoid != NULL; }
 
 static inline size_t leaf_batch_block_size(const shape_class *shape, uint32_t count)
@@ -70,7 +70,7 @@ static inline size_t leaf_batch_block_size(const shape_class *shape, uint32_t co
     return count == 1 && shape->single_block_size > 0 ? shape->single_block_size : shape->block_size;
 }
 
-/* Bytes from a leaf batch of so many to the next: blocks are rounded up to whole lines of memory. */
+/* Bytes of a leaf batch of so many shapes: blocks are rounded up to whole cache lines. */
 static inline size_t leaf_batch_bytes(const shape_class *shape, uint32_t count, unsigned flags)
 {
     if (flags & LEAF_INSTANCED)
@@ -90,7 +90,7 @@ static inline const leaf_batch *leaf_batch_next(const leaf_batch *r)
                                               + leaf_batch_bytes(r->shape, r->count, r->flags));
 }
 
-/* Of one that is LEAF_PACKED; frame: what the rays stand in. */
+/* Filter a batch that is LEAF_PACKED; frame: the frame of the rays. */
 static inline uint32_t leaf_batch_filter(const leaf_batch *r, const bvh_frame *frame, const pov_rays *rays,
                                          uint64_t lanes, pov_candidate *out)
 {
@@ -105,7 +105,7 @@ static inline uint32_t leaf_batch_filter(const leaf_batch *r, const bvh_frame *f
     return instance_filter_rays(&s, r->object[0], rays, lanes, out);
 }
 
-/* The record of an instanced shape, which its ray is taken to first. */
+/* Prefetch the record of an instanced shape, whose ray is transformed first. */
 static inline void leaf_batch_prefetch(const leaf_batch *r)
 {
     SIMD_PREFETCH(r->instances);

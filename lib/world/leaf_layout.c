@@ -29,7 +29,7 @@ void leaf_layout_free(leaf_layout *r)
     r->at = NULL;
 }
 
-/* Objects of a leaf lie anywhere in the scene. Looking ahead by so many hides most of the way to memory. */
+/* Objects of a leaf lie anywhere in the scene. Prefetching this far ahead hides most of the memory latency. */
 enum { AHEAD = 16, PREFETCHED = 512 };
 
 /* ---- sizes ---- */
@@ -55,8 +55,8 @@ static void put_in_order(const compile_state *f, uint32_t *ids, uint32_t count)
         }
 }
 
-/* How many from the front make one leaf batch. Shapes with a instance transform stay where they are, so each makes its
- * own, as does what may stand alone. */
+/* Number of objects at the front that form one leaf batch. An instanced shape has a batch of its own, as has any shape
+ * with a single instance filter. */
 static uint32_t batch_length(const compile_state *f, const uint32_t *ids, uint32_t count)
 {
     const shape_group *g = &f->groups[f->group[ids[0]]];
@@ -69,7 +69,7 @@ static uint32_t batch_length(const compile_state *f, const uint32_t *ids, uint32
     return n;
 }
 
-/* What stands of instanced shapes hold, a line of memory each, is too much where there are more of them. */
+/* More instance filters than this, one cache line each, take too much memory. */
 enum { INSTANCE_FILTERS_MOST = 1 << 17 };
 
 static unsigned flags_of(const compile_state *f, const shape_group *g)
@@ -79,13 +79,13 @@ static unsigned flags_of(const compile_state *f, const shape_group *g)
     return g->shares_leaf ? LEAF_RESERVED : 0;
 }
 
-/* Is the instance of a leaf batch's only shape where it will be? */
+/* Is the instance of a leaf batch's only shape already in its final memory? */
 static bool is_resident(const compile_state *f, uint32_t id, uint32_t count)
 {
     return count == 1 && f->moved && f->moved[id] && compile_is_resident(f, f->groups[f->group[id]].shape);
 }
 
-/* What the size of what comes soon depends on. */
+/* Prefetch the data for the size of batches that come soon. */
 SIMD_INLINE void prefetch_size(const compile_state *f, const uint32_t *ids, uint32_t rest)
 {
     if (!f->moved || rest <= AHEAD)
@@ -143,7 +143,7 @@ bool leaf_layout_allocate(leaf_layout *r)
 
 /* ---- transformations ---- */
 
-/* The last of its transformations and those written before it, which mostly lie before it. */
+/* Prefetch the last of its transformations and those written before it, which mostly precede it in memory. */
 SIMD_INLINE void prefetch_list(const transform *list)
 {
     if (list) {
@@ -213,7 +213,7 @@ void leaf_layout_filled(leaf_layout *r, uint32_t slice)
         r->maps = rest;
 }
 
-/* Of the part's next instanced shapes, as many as the transformations that could be composed at once. */
+/* Make instance transforms for the next instanced shapes of the slice, as many as could be composed at once. */
 static void instances_next(leaf_layout *r, uint32_t slice)
 {
     const compile_state *f = r->state;
@@ -238,7 +238,7 @@ static const instance_xform *instance_of(leaf_layout *r, uint32_t slice, uint32_
     pov_affine map;
 
     if (!r->maps) {
-        transform_compose(compile_leaf(r->state, id)->map, &map);   /* as it could before */
+        transform_compose(compile_leaf(r->state, id)->map, &map);   /* succeeds, as before */
         compile_instances(r->state, &id, &map, 1, ready);
         return ready;
     }
@@ -249,7 +249,7 @@ static const instance_xform *instance_of(leaf_layout *r, uint32_t slice, uint32_
 
 /* ---- filling ---- */
 
-/* Put the instance into its final place. */
+/* Store the instance in its final memory. */
 static const void *store_instance(leaf_layout *r, uint32_t id, uint32_t slot)
 {
     const compile_state *f = r->state;
@@ -264,7 +264,7 @@ static const void *store_instance(leaf_layout *r, uint32_t id, uint32_t slot)
     return instance;
 }
 
-/* Where the leaf batch of one whose instance is not among its group's stands. */
+/* Record the leaf batch of an object whose instance is not among its group's. */
 static void note_batch(leaf_layout *r, uint32_t id, const leaf_batch *out)
 {
     const size_t line = (size_t)((const unsigned char *)out - r->base) / LEAF_LINE;
@@ -272,7 +272,7 @@ static void note_batch(leaf_layout *r, uint32_t id, const leaf_batch *out)
     r->state->objects_info[id].slot = (uint32_t)line | LEAF_SINGLE | r->mark;
 }
 
-/* What a leaf batch of an instanced shape holds besides, and where it can be found. */
+/* Fill the instance transform of a leaf batch, and record its position. */
 static const void *add_instance(leaf_layout *r, uint32_t slice, const bvh_frame *frame, uint32_t id, leaf_batch *out)
 {
     unsigned char *start = (unsigned char *)out;
@@ -301,7 +301,7 @@ static bool pack(const shape_class *shape, const bvh_frame *in, const void *cons
     return shape->block_pack((unsigned char *)out + LEAF_HEAD, in ? &frame : NULL, selves, count);
 }
 
-/* An ellipsoid alone behind the head of its leaf batch. */
+/* The instance filter of a single ellipsoid behind the head of its leaf batch. */
 static bool filter_single(const leaf_layout *r, const bvh_frame *frame, const void *self, leaf_batch *out)
 {
     instance_filter *s = (instance_filter *)(void *)((unsigned char *)out + LEAF_HEAD);
@@ -343,7 +343,7 @@ static void fill_batch(leaf_layout *r, uint32_t slice, const bvh_frame *frame, c
         }
     }
     out->instances = selves[0];
-    out->plain = plain;          /* now: it lies among the bytes of an instance's transform */
+    out->plain = plain;          /* only now: it is one of the bytes of the instance transform */
     if (!g->instanced)
         out->stride = g->stride;
     if (g->shares_leaf && pack(g->shape, frame, selves, count, out))
@@ -352,7 +352,7 @@ static void fill_batch(leaf_layout *r, uint32_t slice, const bvh_frame *frame, c
         out->flags |= LEAF_PACKED;
 }
 
-/* A shape as it will soon be read, from where it stands now. */
+/* Prefetch a shape that will soon be copied, from its present memory. */
 SIMD_INLINE void prefetch_shape(const compile_state *f, uint32_t id)
 {
     const shape_class *shape = f->groups[f->group[id]].shape;
@@ -366,7 +366,7 @@ SIMD_INLINE void prefetch_shape(const compile_state *f, uint32_t id)
         SIMD_PREFETCH(from + i);
 }
 
-/* What will soon be read of an object: of one that stays as it was written, where that is. */
+/* Prefetch an object's data that will soon be read: for an unchanged object, its parsed form. */
 SIMD_INLINE void prefetch(const leaf_layout *r, const uint32_t *ids)
 {
     const compile_state *f = r->state;

@@ -38,8 +38,8 @@ void plan_free(plan *p)
 
 typedef struct survey {
     size_t emitting;             /* lights that are not black */
-    size_t lit;                  /* objects that light changes */
-    size_t casting, filtering;   /* objects that throw a shadow; transparent ones of them */
+    size_t lit;                  /* objects with diffuse light or highlights */
+    size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics;
 } survey;
 
@@ -50,7 +50,7 @@ bool plan_is_dielectric(const model *m, const leaf_node *o)
     return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);
 }
 
-/* Of n objects that are alike in what counts. */
+/* Count n objects with the same properties. */
 static void count_objects(survey *s, const material *m, bool casts, bool solid, size_t n)
 {
     bool transparent = material_is_transparent(m), glossy = m->phong != 0.0f;
@@ -67,7 +67,7 @@ static void count_objects(survey *s, const material *m, bool casts, bool solid, 
     s->dielectrics += transparent && solid ? n : 0;
 }
 
-/* Many objects are of few materials: they are counted first. False: no memory. */
+/* Many objects have few materials: objects are counted by material first. False: no memory. */
 static bool survey_model(const model *m, survey *s)
 {
     enum { CASTS = 1, SOLID = 2, KINDS = 4 };
@@ -133,7 +133,7 @@ static pov_status explain_light(plan *p, const survey *s, pov_error *err)
     return status;
 }
 
-/* A row on what objects of some kind make necessary. */
+/* A row on a part that objects of some kind need. */
 static pov_status explain_kind(plan *p, bool used, const char *subject, const char *state, const char *kind,
                                size_t count, const char *why_not, pov_error *err)
 {

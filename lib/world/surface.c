@@ -32,7 +32,7 @@ static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
         shape->normal(ref.instance, ray, &h->crossing, &h->normal);
 }
 
-/* The shape's normal is the surface's, but that of inverse objects points inwards. */
+/* The shape's normal is the surface's; for inverse objects it is reversed. */
 static inline void set_entering(const world *w, const pov_ray *ray, hit *h)
 {
     h->entering = h->outside = pov_dot(h->normal, ray->dir) < 0.0;
@@ -40,7 +40,7 @@ static inline void set_entering(const world *w, const pov_ray *ray, hit *h)
         h->normal = pov_scale(h->normal, -1.0);
         h->entering = pov_dot(h->normal, ray->dir) < 0.0;
     }
-    if (w->objects_info[h->object].member)   /* its tree knows better than a rounded normal */
+    if (w->objects_info[h->object].member)   /* its tree's flag is more accurate than a rounded normal */
         h->entering = (h->crossing.mark.flags & CSG_MARK_ENTERS) != 0;
 }
 
@@ -71,10 +71,10 @@ void world_incidence(incidence *out, uint32_t lane, const pov_ray *ray, const hi
     put_normal(out, lane, h);
 }
 
-/* Lanes that hold nothing cost as much as others: fewer points are better off alone. */
+/* Unused lanes cost as much as others: fewer points are cheaper one by one. */
 enum { LANES = 4 };
 
-/* By component: where rays start, and how far they go. */
+/* By component: starts and distances of rays. */
 typedef struct start_lanes { double org[3][LANES], org_lo[3][LANES], t[LANES], t_lo[LANES]; } start_lanes;
 
 static inline void find_axis(const start_lanes *l, int axis, const double *d, double *hi, double *lo)
@@ -88,7 +88,7 @@ static inline void find_axis(const start_lanes *l, int axis, const double *d, do
     }
 }
 
-/* The points of the lanes from `first` on, whose ways are there. */
+/* The points of the lanes from `first` on, whose directions are stored. */
 SIMD_CLONES static void find_lanes(const start_lanes *restrict l, incidence *restrict out, uint32_t first)
 {
     find_axis(l, 0, out->dir.x + first, out->point.x + first, out->point_lo.x + first);
@@ -96,7 +96,7 @@ SIMD_CLONES static void find_lanes(const start_lanes *restrict l, incidence *res
     find_axis(l, 2, out->dir.z + first, out->point.z + first, out->point_lo.z + first);
 }
 
-/* Four rays and what they meet. */
+/* Four rays and their hits. */
 static inline void put_lanes(start_lanes *l, incidence *out, uint32_t first, const void *const rays[LANES],
                              const void *const hits[LANES])
 {
@@ -119,7 +119,7 @@ static inline void take_points(const incidence *a, uint32_t first, hit *const h[
     simd_transpose(rest, 0, &h[0]->point.z, &h[1]->point.z, &h[2]->point.z, &h[3]->point.z);
 }
 
-/* Past the end the last stands again. */
+/* Lanes past the end hold the last one again. */
 static void find_points(const pov_ray *const *rays, hit *const *hits, uint32_t n, incidence *out)
 {
     for (uint32_t first = 0; first < n; first += LANES) {
@@ -146,9 +146,9 @@ typedef struct normals {
     const pov_crossing *at[WORLD_MANY];
     pov_vec3 *out[WORLD_MANY];
     uint32_t count, instanced_count;
-    const instance_xform *ref[WORLD_MANY];   /* of those in spaces of their own */
+    const instance_xform *ref[WORLD_MANY];   /* of instanced shapes */
     pov_vec3 *instanced_normals[WORLD_MANY];
-    xform_batch batch;                    /* those whose rays nobody has taken there before */
+    xform_batch batch;                    /* those whose rays are still to be transformed */
     pov_ray own[WORLD_MANY];
 } normals;
 
@@ -159,7 +159,7 @@ static inline const pov_ray *known_ray(const object_space_rays *from, const hit 
     return from && (from->known >> i & 1) && from->of[i] == h->object ? &from->rays[i] : NULL;
 }
 
-/* The ray that a class looks at for the normal of an instanced shape. */
+/* The ray that a class needs for the normal of an instanced shape. */
 static const pov_ray *xform_ray(normals *some, const shape_class *shape, const instance_xform *ref,
                                 const object_space_rays *from, const pov_ray *ray, hit *h)
 {
@@ -187,8 +187,8 @@ static void find_added(normals *some, const shape_class *shape)
     instance_world_normals(some->ref, some->instanced_normals, some->instanced_count);
 }
 
-/* Normals of the class of the first of `left`, together, stage after stage. Those of classes that know no better are
- * asked for at once, where nothing is to be turned. The others are left. */
+/* Normals of all of `left` in the class of the first, stage by stage. Normals of classes without a batch function are
+ * computed at once, unless they are instanced. Returns the others. */
 static uint64_t find_normals(const world *w, const object_space_rays *from, const pov_ray *const *rays,
                              hit *const *hits, uint64_t left)
 {
@@ -278,7 +278,7 @@ static double size_of(const dielectric *m)
     return m->boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
 }
 
-/* Of dielectrics that hold each other the inner one comes last: it is what a ray that starts there is in. */
+/* Of nested dielectrics the innermost comes last: a ray that starts there is in it. */
 static bool comes_before(const dielectric *a, const dielectric *b)
 {
     const double size_a = size_of(a), size_b = size_of(b);
@@ -286,7 +286,7 @@ static bool comes_before(const dielectric *a, const dielectric *b)
     return size_a != size_b ? size_a > size_b : a->object < b->object;
 }
 
-/* Few hold a point, if any: to look for each is less work than to have all in order. */
+/* Few dielectrics contain a point, if any: searching for each is cheaper than sorting all. */
 void world_dielectrics_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*visit)(void *user, uint32_t object),
                           void *user)
 {

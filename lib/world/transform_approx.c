@@ -5,7 +5,7 @@
 /* docs/numerics.md ("Bounding boxes of instances") derives these. */
 #define LOST_EACH 0x1p-46
 #define MODERATE 1e100
-#define NO_UNDERFLOW 0x1p-800   /* of a sum of squares, for those that count in it */
+#define NO_UNDERFLOW 0x1p-800   /* relative to a sum of squares */
 enum { MOST_STEPS = 32, LANES = APPROX_MANY };
 
 typedef double lanes[LANES];
@@ -40,7 +40,7 @@ static void scale(approx_maps *restrict r, const lanes *restrict v)
     }
 }
 
-/* x (1 + the sum of what follows) is the sine, 1 + the other sum the cosine: 1/n! with its sign. */
+/* Sine is x (1 + the first sum), cosine is 1 + the other sum: 1/n! with its sign. */
 enum { TERMS = 8 };
 static const double for_sine[TERMS] = { -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0, 1.0 / 362880.0, -1.0 / 39916800.0,
                                         1.0 / 6227020800.0, -1.0 / 1307674368000.0, 1.0 / 355687428096000.0 };
@@ -63,7 +63,7 @@ SIMD_INLINE double with_sign(double x, uint64_t sign)
     return x;
 }
 
-/* Of less than a turn. What rounds to whole quarters leaves their number in the last bits. */
+/* Of an angle of less than a turn. Rounding to whole quarters leaves their number in the last bits. */
 static void sincos_of(const double *restrict degrees, double *restrict s, double *restrict c)
 {
     const double whole = 0x1.8p52, degree = 0.017453292519943295;
@@ -104,7 +104,7 @@ static void rotate(approx_maps *r, const lanes *v)
     int axis, i, k;
 
     for (k = 0; k < LANES; k++)
-        r->excluded[k] += 0.0 * (v[0][k] + v[1][k] + v[2][k]);   /* not moderate where an angle is no number */
+        r->excluded[k] += 0.0 * (v[0][k] + v[1][k] + v[2][k]);   /* not moderate if an angle is NaN */
 
     for (axis = 2; axis >= 0; axis--) {
         sincos_of(v[axis], s, c);
@@ -132,7 +132,7 @@ static void start(approx_maps *r)
     r->lost = LOST_EACH;
 }
 
-/* The numbers of transformations of one kind; of angles the part of a turn. */
+/* The parameters of transformations of one kind; angles as fractions of a turn. */
 static void take(const transform *const *t, lanes v[3])
 {
     int j, k;
@@ -184,7 +184,7 @@ unsigned transform_approx(const transform *const *lists, int n, approx_maps *out
     return find_moderate(out, n);
 }
 
-/* Half of how far a row takes what reaches so far along the axes: a box, or what is round within it. */
+/* Half extent of a transformed box, or of an ellipsoid within it, along one row. */
 static double half_of(pov_vec3 row, pov_vec3 r, bool round)
 {
     const double x = row.x * r.x, y = row.y * r.y, z = row.z * r.z, square = x * x + y * y + z * z;
@@ -217,7 +217,7 @@ bool transform_approx_box(const approx_maps *maps, int lane, const pov_box *box,
 
 /* ---- what becomes of shapes ---- */
 
-/* One scale of several factors, turned and moved as it may be, leaves a sphere no sphere; two may cancel. */
+/* One scale with different factors, rotated and translated in any way, leaves no sphere; two may cancel. */
 bool transform_is_uneven(const transform *list)
 {
     int uneven = 0;
@@ -239,8 +239,8 @@ static bool is_oblique(double degrees)
     return quarters != floor(quarters);
 }
 
-/* One rotation about y by no whole quarters, or about one of the others only; two, or those about x and z with a quarter
- * about y between them, may cancel. */
+/* One rotation about y by no whole quarters, or about one of the other axes only. Two of them, or those about x and z
+ * with a quarter turn about y between them, may cancel. */
 bool transform_is_turned(const transform *list)
 {
     int rotations = 0;

@@ -55,7 +55,7 @@ static pov_status explain_tree(world *w, const compile_state *f, pov_accel accel
 
 /* ---- dielectrics ---- */
 
-/* Of a tree its first leaf that can hold a dielectric, if there is one; of a leaf the leaf. */
+/* For a tree its first leaf that is a dielectric, if any; for a leaf the leaf. */
 static uint32_t dielectric_leaf(const world *w, const compile_state *f, uint32_t object)
 {
     const uint32_t leaves = (uint32_t)w->model->leaves.count;
@@ -91,7 +91,7 @@ static bool find_dielectrics(world *w, const compile_state *f)
     return true;
 }
 
-/* By leaf the first leaf of its solid. */
+/* By leaf, the first leaf of its solid. */
 static bool find_solids(world *w)
 {
     const model *m = w->model;
@@ -108,7 +108,7 @@ static bool find_solids(world *w)
     return w->solids != NULL;
 }
 
-/* Members are where their batches say. */
+/* Members get their positions from their batches. */
 static void bind_trees(world *w)
 {
     for (uint32_t i = 0; i < w->trees.count; i++)
@@ -123,7 +123,7 @@ static void bind_trees(world *w)
 
 /* ---- lists and the tree ---- */
 
-/* The lists are the first part of the leaf batches, the tree's parts follow. */
+/* The lists are the first slice of the leaf batches, the tree's slices follow. */
 enum { LIST_SLICE, TREE_SLICE };
 
 typedef struct layout {
@@ -171,7 +171,7 @@ static size_t leaf_size(void *user, uint32_t slice, uint32_t *ids, uint32_t coun
     return leaf_layout_size(&((layout *)user)->batches, TREE_SLICE + slice, ids, count, rest);
 }
 
-/* Lists are filled first: the transformations of what is in them may go now. */
+/* Lists are filled first: the transformations of their objects may be freed now. */
 static bool leaf_allocate(void *user, const void *leaves)
 {
     layout *l = user;
@@ -248,7 +248,7 @@ static bool lay_out(world *w, compile_state *f, bool tree)
 
 /* ---- all of it ---- */
 
-/* Does what light loses depend on where it crosses something? */
+/* Does the attenuation of light depend on the position of a crossing? */
 static bool is_located(const world *w, const compile_state *f)
 {
     uint32_t i;
@@ -275,7 +275,7 @@ static pov_status compile(world *w, compile_state *f, const world_options *optio
     return POV_OK;
 }
 
-/* What rays need stays with the world, the rest goes. */
+/* Move the data that rays need to the world; the rest is freed. */
 static void take_over(world *w, compile_state *f)
 {
     w->groups = f->groups;
