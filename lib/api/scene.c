@@ -181,6 +181,8 @@ bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **key
     if (!scene || index >= model_object_count(&scene->model))
         return false;
     solid = model_object(&scene->model, (uint32_t)index, &first);
+    if (solid && solid->op == NODE_CLIP)
+        solid = NULL;
     leaf = &scene->model.leaves.items[first];
     if (keyword)
         *keyword = solid ? model_op_keyword(solid->op) : leaf->shape->keyword;

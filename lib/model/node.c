@@ -42,13 +42,22 @@ bool model_add_group(model *m, const group_node *shape, const node_ref *children
     return VEC_PUSH(m->env, &m->groups, g);
 }
 
+/* What was clipped. */
+static const group_node *clipped(const model *m, const group_node *g)
+{
+    while (g->op == NODE_CLIP && m->children.items[g->child] & NODE_GROUP)
+        g = &m->groups.items[m->children.items[g->child] & ~NODE_GROUP];
+    return g;
+}
+
 /* Solids come in the order of their leaves, so that each knows how many objects stand before it. */
 static bool add_solid(model *m, const group_node *g)
 {
+    const group_node *named = clipped(m, g);
     const solid_node *last = m->solids.count > 0 ? &m->solids.items[m->solids.count - 1] : NULL;
-    const solid_node fresh = { g->op, g->leaf, g->leaf_count,
+    const solid_node fresh = { named->op, g->leaf, g->leaf_count,
                                last ? last->object + 1 + g->leaf - (last->leaf + last->leaf_count) : g->leaf,
-                               g->line, g->column };
+                               named->line, named->column };
 
     return VEC_PUSH(m->env, &m->solids, fresh);
 }
@@ -123,7 +132,7 @@ const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf)
 
 const char *model_op_keyword(node_op op)
 {
-    static const char *const words[] = { "union", "merge", "intersection", "difference" };
+    static const char *const words[] = { "union", "merge", "intersection", "difference", "clipped_by" };
 
     return words[op];
 }

@@ -27,9 +27,9 @@ typedef struct leaf_node {
 typedef uint32_t node_ref;
 #define NODE_GROUP 0x80000000u
 
-typedef enum node_op { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENCE } node_op;
+typedef enum node_op { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENCE, NODE_CLIP } node_op;
 
-/* A difference is its first child without the others. */
+/* A difference is its first child without the others; a clip the surface of its first child where all others are. */
 typedef struct group_node {
     node_op op;
     bool inverse;                /* all of space but what it holds */
@@ -41,7 +41,7 @@ typedef struct group_node {
 
 /* An object of several leaves, which hold one dielectric: that of the first one's material. */
 typedef struct solid_node {
-    node_op op;
+    node_op op;                  /* NODE_CLIP: it is known by its first leaf */
     uint32_t leaf, leaf_count;
     uint32_t object;             /* its place among the objects of the scene */
     uint32_t line, column;

@@ -31,6 +31,8 @@ typedef struct object_parsed {
     const transform *map;
     uint32_t flags;
     struct object_parsed *first, *next;   /* members of a group, in their order */
+    struct object_parsed *clips;          /* the surface is seen where these are */
+    const transform *since;      /* of one that clips: the object's map when it was written, which does not move it */
 } object_parsed;
 
 /* The whole text, statement by statement. */
@@ -60,8 +62,8 @@ void parse_old_setting(pov_reader *in, const place *at);
 /* translate, rotate, scale, matrix, transform: more behind the list. */
 void parse_transform(pov_reader *in, const transform **list, keyword_id keyword);
 value parse_transform_value(pov_reader *in);
-/* One list behind another. */
-void parse_append_transforms(pov_reader *in, const transform **list, const transform *more);
+/* One list behind another, without what it has up to `since`, which is in it or NULL. */
+void parse_append_transforms(pov_reader *in, const transform **list, const transform *more, const transform *since);
 /* The last so many of a list, as a list of their own. */
 const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count);
 /* The words of transformations in a table of items. */

@@ -3,17 +3,12 @@
 #include "base/vec.h"
 #include "sdl/materials.h"
 #include "sdl/patterns.h"
-#include "sdl/unsupported.h"
 
-#include <povtrace/shape.h>
-
-#include <stdio.h>
-
-/* A group that is being added, and those around it. */
+/* A group that is being added, or an object whose clip is, and those around it. */
 typedef struct around {
     const struct around *outer;
     const object_parsed *group;
-    bool in_tree;                /* rays meet it as one: it is no union that dissolves */
+    const transform *since;      /* only its transformations behind this one hold */
 } around;
 
 /* Its own texture and interior, or each from the nearest group around it that has one. */
@@ -46,7 +41,7 @@ static const transform *find_map(pov_reader *in, const object_parsed *o, const a
     const transform *map = o->map;
 
     for (; a; a = a->outer)
-        parse_append_transforms(in, &map, a->group->map);
+        parse_append_transforms(in, &map, a->group->map, a->since);
     return map;
 }
 
@@ -72,25 +67,11 @@ static uint32_t find_flags(const object_parsed *o, const around *a)
     return flags;
 }
 
-/* What has no inside cannot be cut, and cuts nothing. */
-static bool is_fit(pov_reader *in, const object_parsed *o, const around *a)
-{
-    char what[96];
-
-    if (!a || !a->in_tree || (o->leaf.shape->flags & POV_SHAPE_SOLID))
-        return true;
-    snprintf(what, sizeof what, "\"%s\" in a \"%s\"", o->leaf.shape->keyword, model_op_keyword(a->group->op));
-    unsupported_note(in, &in->object, a->group->op == NODE_MERGE ? KEYWORD_MERGE : KEYWORD_DIFFERENCE, what);
-    return false;
-}
-
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     material m = find_material(o, a);
     leaf_node leaf = o->leaf;
 
-    if (!is_fit(in, o, a))
-        return false;
     leaf.map = find_map(in, o, a);
     leaf.flags = find_flags(o, a);
     patterns_settle(in, &m);
@@ -127,11 +108,10 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
 
 static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const bool inverse = (o->flags & LEAF_INVERSE) != 0;
-    const around here = { a, o, (a && a->in_tree) || o->op != NODE_UNION || inverse };
-    const group_node shape = { .op = o->op, .inverse = inverse, .united = o->surface.material.has_interior,
+    const around here = { a, o, NULL };
+    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = o->surface.material.has_interior,
                                .line = o->leaf.line, .column = o->leaf.column };
-    struct { node_ref *items; size_t count, capacity; } children = { NULL, 0, 0 };
+    node_list children = { NULL, 0, 0 };
     node_ref child;
 
     for (const object_parsed *member = o->first; member && !in->failed; member = member->next) {
@@ -149,7 +129,7 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     return !in->failed && children.count > 0;
 }
 
-static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     switch (o->kind) {
     case OBJECT_LEAF:
@@ -163,6 +143,30 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
         break;
     }
     return false;
+}
+
+static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+{
+    const group_node shape = { .op = NODE_CLIP, .line = o->leaf.line, .column = o->leaf.column };
+    node_list children = { NULL, 0, 0 };
+    node_ref child;
+
+    if (!add_whole(in, o, a, out))
+        return false;
+    if (!o->clips)
+        return true;
+    if (!VEC_PUSH(in->model->env, &children, *out))
+        report_memory(in);
+    for (const object_parsed *clip = o->clips; clip && !in->failed; clip = clip->next) {
+        const around here = { a, o, clip->since };
+
+        if (add(in, clip, &here, &child) && !VEC_PUSH(in->model->env, &children, child))
+            report_memory(in);
+    }
+    if (!in->failed && !model_add_group(in->model, &shape, children.items, children.count, out))
+        report_memory(in);
+    env_free(in->model->env, children.items);
+    return !in->failed;
 }
 
 void parse_add_object(pov_reader *in, const object_parsed *o)

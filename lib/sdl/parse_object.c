@@ -72,6 +72,36 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
         o->flags &= ~(uint32_t)LEAF_HOLLOW;
 }
 
+static object_parsed *keep(pov_reader *in, const object_parsed *o)
+{
+    object_parsed *kept = state_alloc(in, sizeof *kept, 32);
+
+    if (kept)
+        *kept = *o;
+    return kept;
+}
+
+static const item_list clip_items = { "an object that clips", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+
+/* Each object there clips. */
+static void read_clips(pov_reader *in, void *self, keyword_id keyword)
+{
+    object_parsed *o = self, member;
+    block b;
+
+    items_open(in, &b);
+    if (in->token.kind == TOKEN_WORD && in->token.symbol->id == KEYWORD_BOUNDED_BY) {
+        unsupported_note(in, &in->token.at, keyword, "\"clipped_by { bounded_by }\"");
+        unsupported_skip_rest(in);
+    }
+    while (!in->failed && parse_object_try(in, &member)) {
+        member.since = o->map;
+        member.next = o->clips;   /* what is there may be a named object's as well */
+        o->clips = keep(in, &member);
+    }
+    items_close(in, &b, &clip_items, o);
+}
+
 /* Old scenes have a colour right in the object. */
 static void skip_colour(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -87,13 +117,13 @@ static const item modifier_items[] = {
     PARSE_MOVES(move_object),            { KEYWORD_INTERIOR, read_interior }, { KEYWORD_NO_SHADOW, read_flag },
     { KEYWORD_INVERSE, read_flag },      { KEYWORD_HOLLOW, read_flag },       { KEYWORD_NORMAL, read_normal },
     { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
-    { KEYWORD_RGB, skip_colour },
+    { KEYWORD_RGB, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
 };
 
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BOUNDED_BY, KEYWORD_SPLIT_UNION,
                                     KEYWORD_DOUBLE_ILLUMINATE, KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
-static const keyword_id coming[] = { KEYWORD_CLIPPED_BY, KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
+static const keyword_id coming[] = { KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
                                      KEYWORD_UV_MAPPING, KEYWORD_INTERIOR_TEXTURE, KEYWORD_CUTAWAY_TEXTURES,
                                      KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
@@ -208,15 +238,6 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
 }
 
 /* ---- other objects ---- */
-
-static object_parsed *keep(pov_reader *in, const object_parsed *o)
-{
-    object_parsed *kept = state_alloc(in, sizeof *kept, 32);
-
-    if (kept)
-        *kept = *o;
-    return kept;
-}
 
 static void read_members(pov_reader *in, object_parsed *o)
 {

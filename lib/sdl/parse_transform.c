@@ -63,32 +63,33 @@ static void append_vector(pov_reader *in, const transform **list, keyword_id key
 
 /* ---- lists of them ---- */
 
-static const transform **gather(pov_reader *in, const transform *list, size_t *count)
+/* Of a list those behind `since`, from the first to the last. */
+static const transform **gather(pov_reader *in, const transform *list, const transform *since, size_t *count)
 {
     const transform *t, **all;
     size_t n = 0;
 
-    for (t = list; t; t = t->before)
+    for (t = list; t != since; t = t->before)
         n++;
     all = env_alloc(in->model->env, n + 1, sizeof *all);
     if (!all)
         report_memory(in);
     *count = all ? n : 0;
-    for (t = list; t && all; t = t->before)
+    for (t = list; t != since && all; t = t->before)
         all[--n] = t;
     return all;
 }
 
-void parse_append_transforms(pov_reader *in, const transform **list, const transform *more)
+void parse_append_transforms(pov_reader *in, const transform **list, const transform *more, const transform *since)
 {
     const transform **all;
     size_t i, count;
 
-    if (!*list || !more) {
+    if (!since && (!*list || !more)) {
         *list = more ? more : *list;
         return;
     }
-    all = gather(in, more, &count);
+    all = gather(in, more, since, &count);
     for (i = 0; i < count; i++)
         append(in, list, all[i]->kind, all[i]->v);
     env_free(in->model->env, all);
@@ -98,7 +99,7 @@ const transform *parse_last_transforms(pov_reader *in, const transform *list, si
 {
     const transform *out = NULL;
     size_t i, all_count;
-    const transform **all = gather(in, list, &all_count);
+    const transform **all = gather(in, list, NULL, &all_count);
 
     for (i = all_count - (count < all_count ? count : all_count); i < all_count; i++)
         append(in, &out, all[i]->kind, all[i]->v);
@@ -177,7 +178,7 @@ static void read_inverse(pov_reader *in, void *self, keyword_id keyword)
 
 static void take_transform(pov_reader *in, void *self, const value *v)
 {
-    parse_append_transforms(in, &((transform_parsed *)self)->map, v->as.part);
+    parse_append_transforms(in, &((transform_parsed *)self)->map, v->as.part, NULL);
 }
 
 static const transform *read_block(pov_reader *in)
@@ -204,7 +205,7 @@ value parse_transform_value(pov_reader *in)
 void parse_transform(pov_reader *in, const transform **list, keyword_id keyword)
 {
     if (keyword == KEYWORD_TRANSFORM)
-        parse_append_transforms(in, list, read_block(in));
+        parse_append_transforms(in, list, read_block(in), NULL);
     else if (keyword == KEYWORD_MATRIX)
         append_matrix(in, list);
     else

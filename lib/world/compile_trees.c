@@ -19,9 +19,11 @@ static unsigned note_members(compile_state *f, const csg_tree *t)
     for (uint32_t i = 0; i < t->member_count; i++) {
         object_info *info = &f->objects_info[t->members[i].leaf];
 
+        info->inverse = t->members[i].turned;
+        if (t->members[i].hidden)
+            continue;
         opaque &= info->slot;
         casts |= info->slot & COMPILE_CASTS;
-        info->inverse = t->members[i].turned;
     }
     return opaque | casts;
 }

@@ -11,7 +11,7 @@ int32_t csg_value(const csg_node *n, const csg_state *s)
         value = s->sum > 0;
     else if (n->op == NODE_INTERSECTION)
         value = s->zeros > 0 ? 0 : 1 + s->sum - (int32_t)n->child_count;
-    if (n->definite_pair)
+    if (n->nonzero)
         return value > 0;
     return n->inverse ? value == 0 : value;
 }
@@ -22,10 +22,13 @@ typedef struct making { const model *model; csg_tree *tree; } making;
 
 static const group_node *group_at(const model *m, node_ref node) { return &m->groups.items[node & ~NODE_GROUP]; }
 
-/* complement: a difference subtracts it. */
-static node_ref add_node(making *k, node_ref node, uint32_t parent, bool complement, bool turned);
+/* What a node inherits: its complement is taken; an odd number of nodes above it is inverse; it clips. */
+typedef struct inherited { bool complement, turned, hidden; } inherited;
 
-static node_ref add_member(making *k, uint32_t leaf, uint32_t node, bool complement, bool turned)
+static node_ref add_node(making *k, node_ref node, uint32_t parent, inherited from);
+
+/* A patch has no complement. */
+static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited from)
 {
     const leaf_node *o = &k->model->leaves.items[leaf];
     const uint32_t which = leaf - k->tree->members[0].leaf;
@@ -34,36 +37,38 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, bool complem
     m->shape = o->shape;
     m->leaf = leaf;
     m->node = node;
-    m->inverse = complement != ((o->flags & LEAF_INVERSE) != 0);
-    m->turned = turned != m->inverse;
+    m->hidden = from.hidden;
+    m->patch = !(o->shape->flags & POV_SHAPE_SOLID) || !o->shape->inside;
+    m->inverse = !m->patch && from.complement != ((o->flags & LEAF_INVERSE) != 0);
+    m->turned = !m->patch && from.turned != m->inverse;
     return which;
 }
 
-static node_ref add_group(making *k, const group_node *g, uint32_t parent, bool complement, bool turned)
+static node_ref add_group(making *k, const group_node *g, uint32_t parent, inherited from)
 {
     const uint32_t which = k->tree->node_count++;
     csg_node *n = &k->tree->nodes[which];
+    inherited to = { false, false, from.hidden };
 
-    n->op = g->op == NODE_DIFFERENCE ? NODE_INTERSECTION : g->op;
-    n->inverse = complement != g->inverse;
-    n->definite_pair = complement && g->inverse;
+    n->op = g->op == NODE_DIFFERENCE || g->op == NODE_CLIP ? NODE_INTERSECTION : g->op;
+    n->inverse = from.complement != g->inverse;
+    n->nonzero = from.complement && g->inverse;
     n->parent = parent;
     n->child = k->tree->child_count;
     n->child_count = g->child_count;
     k->tree->child_count += g->child_count;
-    turned = turned != n->inverse;
+    to.turned = from.turned != n->inverse;
     for (uint32_t i = 0; i < g->child_count; i++) {
-        const node_ref child = k->model->children.items[g->child + i];
-
-        k->tree->children[n->child + i] = add_node(k, child, which, g->op == NODE_DIFFERENCE && i > 0, turned);
+        k->tree->children[n->child + i] = add_node(k, k->model->children.items[g->child + i], which, to);
+        to.complement = g->op == NODE_DIFFERENCE;
+        to.hidden = from.hidden || g->op == NODE_CLIP;
     }
     return which | NODE_GROUP;
 }
 
-static node_ref add_node(making *k, node_ref node, uint32_t parent, bool complement, bool turned)
+static node_ref add_node(making *k, node_ref node, uint32_t parent, inherited from)
 {
-    return node & NODE_GROUP ? add_group(k, group_at(k->model, node), parent, complement, turned)
-                             : add_member(k, node, parent, complement, turned);
+    return node & NODE_GROUP ? add_group(k, group_at(k->model, node), parent, from) : add_member(k, node, parent, from);
 }
 
 /* ---- values where no member is entered ---- */
@@ -105,6 +110,7 @@ static bool make_tree(csg_tree *t, const model *m, node_ref root)
 {
     const group_node *g = group_at(m, root);
     uint32_t nodes = 0, children = 0;
+    const inherited nothing = { false, false, false };
     making k = { m, t };
 
     count_nodes(m, root, &nodes, &children);
@@ -116,7 +122,7 @@ static bool make_tree(csg_tree *t, const model *m, node_ref root)
     if (!t->members || !t->nodes || !t->outside || !t->children)
         return false;
     t->members[0].leaf = g->leaf;
-    add_node(&k, root, 0, false, false);
+    add_node(&k, root, 0, nothing);
     rest(t, NODE_GROUP);
     return true;
 }

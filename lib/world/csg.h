@@ -19,9 +19,9 @@
 typedef struct csg_state { int32_t zeros, sum, value; } csg_state;
 
 typedef struct csg_node {
-    node_op op;                  /* a difference has become an intersection */
+    node_op op;                  /* a difference or clip has become an intersection */
     bool inverse;
-    bool definite_pair;          /* inverted twice: the original value, with values above 1 reduced to 1 */
+    bool nonzero;                /* inverted twice: the original value, with values above 1 reduced to 1 */
     uint32_t parent;             /* parent; of the root 0, its own index */
     uint32_t child, child_count; /* among the tree's children, each a member or, with NODE_GROUP, a node */
 } csg_node;
@@ -35,6 +35,8 @@ typedef struct csg_member {
     bool turned;                 /* the solid is entered where this member is left, if only this member counts */
     bool boxed;                  /* false: it may be infinite */
     bool absent;                 /* it is far from the tree, and rays are always outside */
+    bool hidden;                 /* it clips: its own surface is not visible */
+    bool patch;                  /* a surface without inside: visible where the tree's value would change by entering it */
     pov_box box;
 } csg_member;
 

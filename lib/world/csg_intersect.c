@@ -15,6 +15,9 @@ static const double separation = 0x1p-42;
 /* Boxes are tested in doubles: their slabs are off by a few roundings of the coordinates. */
 static const double box_slack = 0x1p-48;
 
+/* In the mark of a crossing of a member that clips. */
+#define APPLIED 0x04000000u
+
 typedef struct csg_traversal {
     const csg_tree *tree;
     const pov_ray *ray;
@@ -160,7 +163,7 @@ static const csg_member *member_of(const csg_traversal *w, const pov_crossing *a
 }
 
 /* Cosine between the ray and the normal, times the length of the direction. */
-static double cosine_at(const csg_traversal *w, const pov_crossing *at)
+static double slope_at(const csg_traversal *w, const pov_crossing *at)
 {
     const csg_member *m = member_of(w, at);
     pov_vec3 normal;
@@ -169,8 +172,10 @@ static double cosine_at(const csg_traversal *w, const pov_crossing *at)
         instance_normal(m->xform, m->shape, m->instance, w->ray, at, &normal);
     else
         m->shape->normal(m->instance, w->ray, at, &normal);
-    return fabs(pov_dot(normal, w->ray->dir));
+    return pov_dot(normal, w->ray->dir);
 }
+
+static double cosine_at(const csg_traversal *w, const pov_crossing *at) { return fabs(slope_at(w, at)); }
 
 /* A surface that coincides with the ray's origin surface is behind the ray. */
 static bool is_behind(csg_traversal *w, const pov_crossing *at)
@@ -260,8 +265,8 @@ static void test_member(csg_traversal *w, uint32_t member)
     else
         m->shape->intersect(m->instance, w->ray, &w->found);
     drop_behind(w, first);
-    inside = (w->found.count - first) & 1;
-    if (!m->boxed && m->shape->inside)
+    inside = !m->patch && (w->found.count - first) & 1;
+    if (!m->boxed && !m->patch)
         inside = inside != ends_inside(w, m, first);
     if (inside)
         toggle(w, member);
@@ -307,16 +312,19 @@ static bool is_changed(const csg_traversal *w, uint32_t which, uint32_t first, u
  * earliest in the text. */
 static const pov_crossing *owner_of(const csg_traversal *w, uint32_t first, uint32_t end, bool enters)
 {
-    const pov_crossing *at = w->found.at, *best = NULL;
+    const pov_crossing *at = w->found.at, *best = NULL, *other = NULL;
 
     for (uint32_t i = first; i < end; i++) {
         const csg_member *m = member_of(w, &at[i]);
         const bool entered = w->scratch->inside[m - w->tree->members];
 
+        if (m->hidden || m->patch)
+            continue;
+        other = other ? other : &at[i];
         if ((entered != m->turned) == enters && (!best || at[i].owner < best->owner) && is_changed(w, i, first, end))
             best = &at[i];
     }
-    return best ? best : &at[first];
+    return best ? best : other;
 }
 
 static bool report(const pov_crossing *at, bool enters, pov_hits *hits)
@@ -392,22 +400,77 @@ static bool is_close(const csg_traversal *w)
     return !w->found.always_exact && i < w->found.count && at[i].t - at[i - 1].t <= separation * fabs(at[i].t);
 }
 
+/* ---- coincident crossings ---- */
+
+static uint32_t which_of(const csg_traversal *w, const pov_crossing *at) { return at->owner - w->tree->members[0].leaf; }
+
+/* Apply members that clip: before the others those that uncover surfaces, after them those that cover. So a surface that
+ * coincides with the clip's is visible. */
+static void clip(csg_traversal *w, uint32_t first, uint32_t end, bool enters)
+{
+    for (uint32_t i = first; i < end; i++) {
+        pov_crossing *at = &w->found.at[i];
+        const csg_member *m = member_of(w, at);
+
+        if (!m->hidden || m->patch || at->mark.flags & APPLIED ||
+            ((w->scratch->inside[which_of(w, at)] == m->turned) != enters && enters))
+            continue;
+        at->mark.flags |= APPLIED;
+        toggle(w, which_of(w, at));
+    }
+}
+
+static void apply(csg_traversal *w, uint32_t first, uint32_t end)
+{
+    for (uint32_t i = first; i < end; i++) {
+        const csg_member *m = member_of(w, &w->found.at[i]);
+
+        if (!m->hidden && !m->patch)
+            toggle(w, which_of(w, &w->found.at[i]));
+    }
+}
+
+/* The earliest patch whose entry would change the tree's value. NULL: none. */
+static const pov_crossing *find_patch(csg_traversal *w, uint32_t first, uint32_t end)
+{
+    const pov_crossing *at = w->found.at, *best = NULL;
+
+    for (uint32_t i = first; i < end; i++) {
+        const int32_t before = w->scratch->states[0].value;
+        bool changes;
+
+        if (!member_of(w, &at[i])->patch || member_of(w, &at[i])->hidden)
+            continue;
+        toggle(w, which_of(w, &at[i]));
+        changes = w->scratch->states[0].value != before;
+        toggle(w, which_of(w, &at[i]));
+        if (changes && (!best || at[i].owner < best->owner))
+            best = &at[i];
+    }
+    return best;
+}
+
 /* Apply the next coincident crossings, and report a crossing if the tree's value changes. False: nothing more is
  * wanted. */
 static bool pass_point(csg_traversal *w, pov_hits *hits)
 {
     const csg_state *root = &w->scratch->states[0];
-    const uint32_t first = w->applied;
-    const int32_t before = root->value;
+    const uint32_t first = w->applied, end = w->applied = end_of_point(w, first);
     const pov_crossing *at;
+    bool enters;
+    int32_t before;
 
-    w->applied = end_of_point(w, first);
-    for (uint32_t i = first; i < w->applied; i++)
-        toggle(w, w->found.at[i].owner - w->tree->members[0].leaf);
-    if (root->value == before)
+    clip(w, first, end, true);
+    before = root->value;
+    apply(w, first, end);
+    enters = root->value > before;
+    at = root->value != before ? owner_of(w, first, end, enters) : find_patch(w, first, end);
+    clip(w, first, end, false);
+    if (!at)
         return true;
-    at = owner_of(w, first, w->applied, root->value > before);
-    return report(at, root->value > before, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
+    if (member_of(w, at)->patch)
+        enters = slope_at(w, at) < 0.0;
+    return report(at, enters, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
 }
 
 /* False: doubles were not sufficient. Crossings reported so far are right. */

@@ -119,19 +119,37 @@ static void a_group_of_nothing_is_nothing(void **state)
     reading_end(&r);
 }
 
-static void what_has_no_inside_cannot_be_cut(void **state)
+/* What moves an object behind its clip moves the clip too. */
+static void a_clip_is_moved_by_what_follows_it(void **state)
+{
+    const group_node *g;
+    pov_affine map;
+    reading r;
+
+    (void)state;
+    read_text(&r, "union { sphere { 0, 1 translate <1, 0, 0> clipped_by { box { 0, 1 translate <0, 0, 3> } } scale 2 }\n"
+                  "  translate <0, 1, 0> }");
+    assert_int_equal(r.model.trees.count, 1);
+    g = &r.model.groups.items[r.model.trees.items[0] & ~NODE_GROUP];
+    assert_int_equal(g->op, NODE_CLIP);
+    assert_int_equal(g->leaf_count, 2);
+    assert_true(transform_compose(r.model.leaves.items[0].map, &map));
+    assert_true(map.m[0][3] == 2.0 && map.m[1][3] == 1.0 && map.m[2][3] == 0.0);
+    assert_true(transform_compose(r.model.leaves.items[1].map, &map));
+    assert_true(map.m[0][3] == 0.0 && map.m[1][3] == 1.0 && map.m[2][3] == 6.0);
+    reading_end(&r);
+}
+
+static void a_named_object_keeps_its_clip_when_a_copy_gets_another(void **state)
 {
     reading r;
 
     (void)state;
-    reading_begin(&r, "union { polygon { 3, 0, 1, <0, 1, 0> } sphere { 0, 1 } }\n"
-                      "difference { sphere { 0, 1 } polygon { 3, 0, 1, <0, 1, 0> } }\n"
-                      "difference { polygon { 3, 0, 1, <0, 1, 0> } sphere { 0, 1 } }");
-    assert_int_equal(r.status, POV_OK);
-    assert_int_equal(r.note_count, 1);
-    assert_int_equal(r.notes[0].line, 2);
-    assert_string_equal(r.notes[0].message, "\"polygon\" in a \"difference\" is not supported yet and is left out");
-    assert_int_equal(r.model.leaves.count, 3);   /* of nothing nothing is cut */
+    read_text(&r, "#declare A = sphere { 0, 1 clipped_by { box { 0, 1 } } }\n"
+                  "object { A clipped_by { sphere { 0, 2 } } }\n object { A }");
+    assert_int_equal(r.model.leaves.count, 5);
+    assert_int_equal(r.model.trees.count, 2);
+    assert_int_equal(model_object_count(&r.model), 2);
     reading_end(&r);
 }
 
@@ -160,7 +178,8 @@ int main(void)
         cmocka_unit_test(transformations_of_groups_follow_their_members),
         cmocka_unit_test(flags_of_groups_hold_where_they_belong),
         cmocka_unit_test(a_group_of_nothing_is_nothing),
-        cmocka_unit_test(what_has_no_inside_cannot_be_cut),
+        cmocka_unit_test(a_clip_is_moved_by_what_follows_it),
+        cmocka_unit_test(a_named_object_keeps_its_clip_when_a_copy_gets_another),
         cmocka_unit_test(what_is_no_object_is_refused),
     };
 

@@ -99,6 +99,29 @@ static void check_normal(const hit *h, double x, double y, double z)
 
 static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
 
+/* ---- below a height, in double-double and without end ---- */
+
+static void below_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const test_ground *g = self;
+    const pov_two above = pov_two_add_double(pov_two_sum(g->height, -ray->org.y), -ray->org_lo.y);
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    pov_two t;
+
+    if (ray->dir.y == 0.0 || ray->origin_surface == hits->owner)
+        return;
+    t = pov_two_div(above, pov_two_of(ray->dir.y, 0.0));
+    pov_cross(hits, t.hi, t.lo, mark);
+}
+
+static shape_class below_class(void)
+{
+    shape_class c = test_ground_class;
+
+    c.intersect = below_intersect;
+    return c;
+}
+
 /* ---- what is there ---- */
 
 /* The sphere of radius 2 about 0 without the sphere of radius 1 about (0, 0, -1.5): along z from -0.5 to 2. */
@@ -204,6 +227,74 @@ static void a_union_dissolves(void **state)
     end(&s);
 }
 
+/* ---- clips and patches ---- */
+
+/* The near half of a ball is cut away: what is seen is the far half, from within. */
+static void a_clip_takes_surfaces_away_and_adds_none(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
+    brick(&s.model, pov_vec3_of(-2.0, -2.0, 0.0), pov_vec3_of(2.0, 2.0, 2.0));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_CLIP, 0, 1)));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 1.0 && !h.entering);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
+/* A face on the skin of what clips it is there, whether it is entered or left. */
+static void what_lies_on_the_clips_skin_is_seen(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_CLIP, 0, 1)));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == -1.0 && h.entering);
+    assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.z == 1.0 && !h.entering);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
+/* Of a patch and a solid only the patch is seen, where the solid holds it; a merge hides it there. */
+static void a_patch_is_seen_where_being_in_it_would_matter(void **state)
+{
+    static const node_op ops[] = { NODE_INTERSECTION, NODE_DIFFERENCE, NODE_MERGE };
+    shape_class patch = below_class();
+
+    (void)state;
+    patch.flags = 0;
+    patch.inside = NULL;
+    for (int i = 0; i < 3; i++) {
+        pov_ray ray = ray_of(pov_vec3_of(0.0, 5.0, 0.0), pov_vec3_of(0.0, -1.0, 0.0));
+        const test_ground ground = { 0.5 };
+        scene s;
+        hit h;
+
+        begin(&s);
+        sphere(&s.model, 0.0, 0.0, 0.0, 1.0);
+        test_add(&s.model, &patch, &ground, NULL, 0, 0);
+        assert_true(model_add_tree(&s.model, pair(&s.model, ops[i], 0, 1)));
+        compile(&s, POV_ACCEL_TREE);
+        assert_true(next(&s, &ray, &h) && h.object == (ops[i] != NODE_MERGE) && h.entering);
+        assert_true(h.point.y == (ops[i] == NODE_MERGE ? 1.0 : 0.5));
+        if (ops[i] == NODE_MERGE)
+            assert_true(next(&s, &ray, &h) && h.object == 0 && h.point.y == -1.0);
+        assert_false(next(&s, &ray, &h));
+        end(&s);
+    }
+}
+
 /* ---- surfaces of members that lie on each other ---- */
 
 static uint32_t count_ahead(const scene *s, pov_vec3 org, pov_vec3 dir)
@@ -286,29 +377,6 @@ static void a_shared_face_is_the_first_members(void **state)
         assert_false(next(&s, &ray, &h));
         end(&s);
     }
-}
-
-/* ---- below a height, in double-double and without end ---- */
-
-static void below_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
-{
-    const test_ground *g = self;
-    const pov_two above = pov_two_add_double(pov_two_sum(g->height, -ray->org.y), -ray->org_lo.y);
-    const pov_mark mark = { 0, 0, 0.0, 0.0 };
-    pov_two t;
-
-    if (ray->dir.y == 0.0 || ray->origin_surface == hits->owner)
-        return;
-    t = pov_two_div(above, pov_two_of(ray->dir.y, 0.0));
-    pov_cross(hits, t.hi, t.lo, mark);
-}
-
-static shape_class below_class(void)
-{
-    shape_class c = test_ground_class;
-
-    c.intersect = below_intersect;
-    return c;
 }
 
 /* ---- any tree, against what its members say of points ---- */
@@ -621,6 +689,9 @@ int main(void)
         cmocka_unit_test(an_intersection_is_what_both_hold),
         cmocka_unit_test(a_merge_has_no_inner_faces),
         cmocka_unit_test(a_union_dissolves),
+        cmocka_unit_test(a_clip_takes_surfaces_away_and_adds_none),
+        cmocka_unit_test(what_lies_on_the_clips_skin_is_seen),
+        cmocka_unit_test(a_patch_is_seen_where_being_in_it_would_matter),
         cmocka_unit_test(a_cutter_that_ends_on_the_faces_leaves_no_film),
         cmocka_unit_test(what_is_taken_from_itself_is_gone),
         cmocka_unit_test(what_only_touches_changes_nothing),
