@@ -20,7 +20,7 @@ static inline void set_lane(geometry *g, const vec_lanes *shading, uint32_t i, p
 }
 
 /* False: some direction is so short or long that its square is none. */
-static inline bool turn_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
+static inline bool set_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
 {
     int64_t plain = -1;
 
@@ -33,12 +33,12 @@ static inline bool turn_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
     return plain != 0;
 }
 
-SIMD_CLONES static bool set_lanes(geometry *g, uint32_t n) { return turn_lanes(g, &g->to.normal, n); }
+SIMD_CLONES static bool set_plain(geometry *g, uint32_t n) { return set_lanes(g, &g->to.normal, n); }
 
-SIMD_CLONES static bool turn_bent(geometry *g, uint32_t n) { return turn_lanes(g, &g->bent, n); }
+SIMD_CLONES static bool set_bent(geometry *g, uint32_t n) { return set_lanes(g, &g->bent, n); }
 
-/* A mirrored ray that would go into the surface is mirrored at the surface itself. */
-static void mend(geometry *g, uint32_t n)
+/* What the geometric normals say. A mirrored ray that would go into the surface is mirrored at the surface itself. */
+static void find_sides(geometry *g, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         const pov_vec3 reflected = lanes_at(&g->reflected, i), normal = lanes_at(&g->to.normal, i);
@@ -46,6 +46,8 @@ static void mend(geometry *g, uint32_t n)
 
         if (out < 0.0)
             lanes_put(&g->reflected, i, pov_sub(reflected, pov_scale(normal, 2.0 * out)));
+        g->sides[0][i] = -pov_dot(lanes_at(&g->view, i), normal);
+        g->sides[1][i] = fabs(out);
     }
 }
 
@@ -53,9 +55,11 @@ void geometry_turn(geometry *g, uint32_t n)
 {
     const bool bent = geometry_is_bent(g);
 
-    if (!(bent ? turn_bent(g, lanes_whole(n)) : set_lanes(g, lanes_whole(n))))
+    if (!(bent ? set_bent(g, lanes_whole(n)) : set_plain(g, lanes_whole(n))))
         for (uint32_t i = 0; i < n; i++)
             set_lane(g, g->shading, i, pov_unit(lanes_at(&g->to.dir, i)));
+    g->view_side = bent ? g->sides[0] : g->cosine;
+    g->reflected_side = bent ? g->sides[1] : g->cosine;
     if (bent)
-        mend(g, n);
+        find_sides(g, n);
 }

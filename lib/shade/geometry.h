@@ -14,6 +14,9 @@ typedef struct geometry {
     vec_lanes view;              /* the direction, unit */
     vec_lanes reflected;         /* view, mirrored; unit */
     double cosine[WORLD_MANY];   /* between shading normal and the direction back, >= 0 */
+    const double *view_side, *reflected_side;   /* cosines between geometric normals and the directions view, back, and
+                                  * reflected: `cosine` unless the shading normals differ */
+    double sides[2][WORLD_MANY];   /* memory for these */
 } geometry;
 
 /* Do the two kinds of normals differ? */

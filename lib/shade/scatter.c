@@ -68,12 +68,6 @@ typedef struct scattering {
     limits limits;
 } scattering;
 
-/* Between the view, or the mirrored direction, and the geometric normal: to which side a ray leaves. */
-static inline double cosine_of(const geometry *g, uint32_t lane, const vec_lanes *dir)
-{
-    return geometry_is_bent(g) ? fabs(pov_dot(lanes_at(&g->to.normal, lane), lanes_at(dir, lane))) : g->cosine[lane];
-}
-
 /* Back to the side that the ray came from. */
 static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
 {
@@ -85,7 +79,7 @@ static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
     if (!passes_cutoff(&to->limits, s->from, &factor, true))
         return;
     spawn(b, s, lanes_at(&g->reflected, lane), factor, true);
-    world_origin_reflect(&b->own[b->count++], s->at, cosine_of(g, lane, &g->reflected));
+    world_origin_reflect(&b->own[b->count++], s->at, g->reflected_side[lane]);
 }
 
 /* Straight on, whatever lies on both sides. NULL: the path is cut off. */
@@ -93,7 +87,7 @@ static path *transmit(scattering *to, uint32_t lane)
 {
     const surface *s = &to->on->at[lane];
     const geometry *g = &to->on->geometry;
-    path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, cosine_of(g, lane, &g->view), false);
+    path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, g->view_side[lane], false);
 
     if (!out)
         return NULL;
