@@ -6,6 +6,8 @@
 #include "sdl/parse.h"
 #include "sdl/report.h"
 
+#include <string.h>
+
 /* ---- values ---- */
 
 static value read_colour(pov_reader *in)
@@ -151,11 +153,28 @@ static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
     end_value(in, plain);
 }
 
+/* `deprecated [once] [version,] ["message",] NAME`: the message is for who uses the name; the declaration counts. */
+static symbol *skip_deprecated(pov_reader *in, symbol *name)
+{
+    if (!name || strcmp(name->name, "deprecated") != 0)
+        return name;
+    in->wants_name = true;
+    state_advance(in);
+    while (!in->failed && (in->token.kind == TOKEN_STRING || in->token.kind == TOKEN_NUMBER || in->token.kind == ',' ||
+                           state_keyword(in) == KEYWORD_ONCE))
+        state_advance(in);
+    in->wants_name = false;
+    if (in->token.kind == TOKEN_WORD && in->token.symbol->id == KEYWORD_OTHER)
+        return in->token.symbol;
+    report_expected(in, "a name");
+    return NULL;
+}
+
 void declare_run(pov_reader *in, const place *at)
 {
     const bool is_local = in->token.symbol->id == KEYWORD_LOCAL;
     const size_t level = in->scopes.count - 1;
-    symbol *name = read_name(in);
+    symbol *name = skip_deprecated(in, read_name(in));
 
     (void)at;
     if (!name || refuse_fixed(in, name))

@@ -88,6 +88,10 @@ static void fail_unknown(pov_reader *in, const place *hash)
     guess g;
     int i;
 
+    if (in->token.kind == '}') {
+        report_warn(in, hash, "a \"#\" that nothing follows");
+        return;
+    }
     if (in->token.kind != TOKEN_WORD) {
         report_expected(in, "a directive");
         return;

@@ -2,6 +2,7 @@
 
 #include "sdl/array.h"
 #include "sdl/function.h"
+#include "sdl/operator.h"
 #include "sdl/report.h"
 #include "sdl/spline.h"
 #include "sdl/text.h"
@@ -18,115 +19,6 @@ static value refuse(pov_reader *in, value v, const char *wanted)
     report_fail(in, &in->value, POV_E_SYNTAX, "expected %s, found %s", wanted, value_name(&v));
     value_drop(&in->heap, &v);
     return nothing();
-}
-
-/* ---- operators on values ---- */
-
-static double equal(double a, double b)
-{
-    return a == b || fabs(a - b) <= EXPRESSION_NEAR;
-}
-
-static double operate(int op, double a, double b)
-{
-    switch (op) {
-    case '+':
-        return a + b;
-    case '-':
-        return a - b;
-    case '*':
-        return a * b;
-    case '/':
-        return b == 0.0 ? HUGE_VAL : a / b;
-    case '<':
-        return a < b;
-    case '>':
-        return a > b;
-    case TOKEN_AT_MOST:
-        return a < b || equal(a, b);
-    case TOKEN_AT_LEAST:
-        return a > b || equal(a, b);
-    case '=':
-        return equal(a, b);
-    case TOKEN_UNEQUAL:
-        return !equal(a, b);
-    case '&':
-        return expression_is_true(a) && expression_is_true(b);
-    default:
-        return expression_is_true(a) || expression_is_true(b);
-    }
-}
-
-static bool is_arithmetic(const value *v)
-{
-    return v->kind == VALUE_NUMBER || v->kind == VALUE_VECTOR;
-}
-
-static double component(const value *v, int i)
-{
-    return v->kind == VALUE_NUMBER ? v->as.v[0] : i < v->size ? v->as.v[i] : 0.0;
-}
-
-/* A number fills all components of the other operand; behind a shorter vector stand zeros. */
-static void combine_vectors(int op, value *a, const value *b)
-{
-    const int size = a->size > b->size ? a->size : b->size;
-    value r = *a;
-    int i;
-
-    r.kind = VALUE_VECTOR;
-    r.size = size;
-    r.is_colour = a->is_colour || b->is_colour;
-    for (i = 0; i < size; i++)
-        r.as.v[i] = operate(op, component(a, i), component(b, i));
-    *a = r;
-}
-
-static bool compare_strings(int op, value *a, const value *b)
-{
-    const int order = text_compare(value_string(a), value_string(b));
-
-    if (op != '<' && op != '>' && op != '=' && op != TOKEN_AT_MOST && op != TOKEN_AT_LEAST && op != TOKEN_UNEQUAL)
-        return false;
-    *a = value_of_number(operate(op, order, 0.0));
-    return true;
-}
-
-static void warn_of_zero(pov_reader *in, const place *at, const value *b)
-{
-    int i;
-
-    for (i = 0; i < b->size; i++)
-        if (b->as.v[i] == 0.0) {
-            report_warn(in, at, "a division by 0 is infinite");
-            return;
-        }
-}
-
-/* a op b into a; both were the caller's, b is dropped. */
-static void combine(pov_reader *in, int op, const place *at, value *a, value b)
-{
-    if (in->failed) {
-        value_drop(&in->heap, a);
-        *a = nothing();
-    } else if (a->kind == VALUE_NUMBER && b.kind == VALUE_NUMBER) {
-        if (op == '/' && b.as.v[0] == 0.0)
-            warn_of_zero(in, at, &b);
-        a->as.v[0] = operate(op, a->as.v[0], b.as.v[0]);
-    } else if (is_arithmetic(a) && is_arithmetic(&b)) {
-        if (op == '/')
-            warn_of_zero(in, at, &b);
-        combine_vectors(op, a, &b);
-    } else {
-        value old = *a;
-
-        if (a->kind != VALUE_STRING || b.kind != VALUE_STRING || !compare_strings(op, a, &b)) {
-            report_fail(in, at, POV_E_SYNTAX, "%s and %s cannot be combined so", value_name(a), value_name(&b));
-            *a = nothing();
-        }
-        value_drop(&in->heap, &old);
-    }
-    value_drop(&in->heap, &b);
 }
 
 /* ---- operands ---- */
@@ -204,7 +96,7 @@ static value identifier(pov_reader *in)
     const symbol *name = in->token.symbol;
     value v = *name->binding->slot;
 
-    if (is_arithmetic(&v)) {
+    if (value_is_arithmetic(&v)) {
         state_advance(in);
         return v;
     }
@@ -303,7 +195,7 @@ static value dot(pov_reader *in, value v)
     i = component_of(state_keyword(in));
     if (i < 0) {
         report_expected(in, "a component such as \"x\" or \"red\"");
-    } else if (!is_arithmetic(&v) || (i == 5 ? v.size < 3 : i >= v.size)) {
+    } else if (!value_is_arithmetic(&v) || (i == 5 ? v.size < 3 : i >= v.size)) {
         report_fail(in, &in->token.at, POV_E_SYNTAX, "%s of %d has no component \"%s\"", value_name(&v), v.size,
                     in->token.symbol->name);
     } else {
@@ -359,7 +251,7 @@ static value apply_signs(pov_reader *in, signs s, value v)
 
     if (!s.is_negated && s.nots == 0)
         return v;
-    if (!is_arithmetic(&v))
+    if (!value_is_arithmetic(&v))
         return refuse(in, v, "a number or a vector behind the sign");
     for (i = 0; i < v.size; i++) {
         if (s.nots > 0)
@@ -387,6 +279,11 @@ static value operand(pov_reader *in)
     return nothing();
 }
 
+value expression_operand(pov_reader *in)
+{
+    return operand(in);
+}
+
 /* ---- the additive grammar ---- */
 
 /* In the oldest scenes `<-1 -1 -1>` is three numbers. */
@@ -403,7 +300,7 @@ static value product(pov_reader *in, value v)
 
         state_note_povray(in, &at);
         state_advance(in);
-        combine(in, op, &at, &v, operand(in));
+        operator_combine(in, op, &at, &v, operand(in));
     }
     return v;
 }
@@ -417,7 +314,7 @@ static value sum(pov_reader *in, value v)
 
         state_note_povray(in, &at);
         state_advance(in);
-        combine(in, op, &at, &v, product(in, operand(in)));
+        operator_combine(in, op, &at, &v, product(in, operand(in)));
     }
     return v;
 }
@@ -464,7 +361,7 @@ static value comparison(pov_reader *in)
         const place at = in->token.at;
 
         state_advance(in);
-        combine(in, op, &at, &v, sum(in, operand(in)));
+        operator_combine(in, op, &at, &v, sum(in, operand(in)));
     }
     return v;
 }
@@ -478,7 +375,7 @@ static value logic(pov_reader *in)
         const place at = in->token.at;
 
         state_advance(in);
-        combine(in, op, &at, &v, comparison(in));
+        operator_combine(in, op, &at, &v, comparison(in));
     }
     return v;
 }

@@ -12,6 +12,8 @@
 
 value expression_read(pov_reader *in);
 value expression_full(pov_reader *in);
+/* One operand, with its signs and dots. */
+value expression_operand(pov_reader *in);
 /* An operand has been read: what stands behind it. */
 value expression_go_on(pov_reader *in, value operand);
 /* A minus has been taken: what stands behind it. */

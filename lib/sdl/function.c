@@ -1,19 +1,217 @@
 #include "sdl/function.h"
 
+#include "function/internal.h"
+#include "sdl/expression.h"
+#include "sdl/formula.h"
 #include "sdl/report.h"
+#include "sdl/spline.h"
 #include "sdl/unsupported.h"
+
+#include <string.h>
+
+enum { PARAMETERS_MAX = 56, ROOM = 256 };
+
+/* ---- declaration ---- */
+
+static bool is_parameter(const symbol *name)
+{
+    switch (name->id) {
+    case KEYWORD_OTHER: case KEYWORD_X: case KEYWORD_Y: case KEYWORD_Z: case KEYWORD_U: case KEYWORD_V:
+        return true;
+    default:
+        return false;
+    }
+}
+
+static uint32_t read_parameters(pov_reader *in, symbol **out)
+{
+    uint32_t n = 0;
+
+    in->wants_name = true;
+    state_open(in, '(');
+    while (!in->failed && in->token.kind != ')') {
+        if (in->token.kind != TOKEN_WORD || !is_parameter(in->token.symbol))
+            report_expected(in, "the name of a parameter");
+        else if (n == PARAMETERS_MAX)
+            report_fail(in, &in->token.at, POV_E_SYNTAX, "a function has at most %d parameters", PARAMETERS_MAX);
+        if (in->failed)
+            break;
+        out[n++] = in->token.symbol;
+        state_advance(in);
+        state_accept(in, ',');
+    }
+    if (!in->failed && n == 0)
+        report_expected(in, "the name of a parameter");
+    in->wants_name = false;
+    state_close(in, ')');
+    return n;
+}
+
+static uint32_t default_parameters(pov_reader *in, symbol **out)
+{
+    out[0] = &in->words.keywords[KEYWORD_X];
+    out[1] = &in->words.keywords[KEYWORD_Y];
+    out[2] = &in->words.keywords[KEYWORD_Z];
+    return 3;
+}
+
+static void read_internal(pov_reader *in, function *f)
+{
+    uint32_t number;
+
+    state_advance(in);
+    state_open(in, '(');
+    number = (uint32_t)expression_integer(expression_number(in));
+    if (!in->failed && internal_arguments(number) == 0 && number != 77)
+        report_fail(in, &in->value, POV_E_SYNTAX, "there is no internal function %d", (int)number);
+    if (!in->failed && !internal_is_there(number))
+        unsupported_note(in, &in->value, KEYWORD_INTERNAL, "noise in functions");
+    state_close(in, ')');
+    formula_internal(in, number, &f->program);
+}
+
+static void read_transform(pov_reader *in, function *f)
+{
+    value v;
+
+    f->kind = FUNCTION_TRANSFORM;
+    state_advance(in);
+    v = parse_transform_value(in);
+    if (!in->failed && !transform_compose(v.as.part, &f->map))
+        report_fail(in, &in->last, POV_E_SYNTAX, "the transformation has no inverse");
+}
+
+static void read_pigment(pov_reader *in, function *f)
+{
+    surface_parsed s;
+
+    f->kind = FUNCTION_PIGMENT;
+    state_advance(in);
+    parse_surface_begin(in, &s);
+    parse_pigment(in, &s);
+    f->look = s.material;
+}
+
+static void read_content(pov_reader *in, function *f, symbol *const *parameters, uint32_t count)
+{
+    switch (state_keyword(in)) {
+    case KEYWORD_INTERNAL:
+        read_internal(in, f);
+        break;
+    case KEYWORD_TRANSFORM:
+        read_transform(in, f);
+        break;
+    case KEYWORD_PIGMENT:
+        read_pigment(in, f);
+        break;
+    case KEYWORD_SPLINE:
+        f->kind = FUNCTION_SPLINE;
+        state_advance(in);
+        f->spline = spline_read(in);
+        break;
+    case KEYWORD_PATTERN:
+        f->kind = FUNCTION_PATTERN;
+        unsupported_item(in);
+        break;
+    default:
+        formula_compile(in, parameters, count, &f->program);
+    }
+}
 
 value function_read(pov_reader *in)
 {
+    symbol *parameters[PARAMETERS_MAX];
+    uint32_t count;
+    function *f;
+
+    count = in->token.kind == '(' ? read_parameters(in, parameters) : default_parameters(in, parameters);
+    f = state_alloc(in, sizeof *f, 16);
+    if (!f)
+        return value_of_number(0.0);
+    state_open(in, '{');
+    read_content(in, f, parameters, count);
+    state_accept(in, ';');
+    state_close(in, '}');
+    return value_of_part(VALUE_FUNCTION, f);
+}
+
+/* ---- call ---- */
+
+static void read_arguments(pov_reader *in, double *out, uint32_t count)
+{
+    uint32_t i;
+
+    state_open(in, '(');
+    for (i = 0; i < count && !in->failed; i++) {
+        out[i] = expression_number(in);
+        state_accept(in, ',');
+    }
+    state_close(in, ')');
+}
+
+static double run(pov_reader *in, const program *p)
+{
+    double own[ROOM], *room = own, result = 0.0;
+
+    if (p->room > ROOM)
+        room = env_alloc(in->model->env, p->room, sizeof *room);
+    if (!room) {
+        report_memory(in);
+        return 0.0;
+    }
+    read_arguments(in, room, p->parameters);
+    if (!in->failed)
+        result = program_run(p, room);
+    if (room != own)
+        env_free(in->model->env, room);
+    return result;
+}
+
+static value map_point(pov_reader *in, const function *f)
+{
+    double v[3];
+    pov_vec3 p, rest;
+
+    read_arguments(in, v, 3);
+    if (in->failed)
+        return value_of_number(0.0);
+    transform_point(&f->map, pov_vec3_of(v[0], v[1], v[2]), &p, &rest);
+    return value_of_vector(p);
+}
+
+static value find_colour(pov_reader *in, const function *f)
+{
+    double unused[3];
     value v = value_of_number(0.0);
 
-    unsupported_note(in, &in->last, KEYWORD_FUNCTION, "\"function\"");
-    unsupported_skip_block(in);
+    read_arguments(in, unused, 3);
+    v.kind = VALUE_VECTOR;
+    v.size = 5;
+    v.is_colour = true;
+    v.as.v[0] = f->look.pigment.r;
+    v.as.v[1] = f->look.pigment.g;
+    v.as.v[2] = f->look.pigment.b;
+    v.as.v[3] = f->look.filter;
+    v.as.v[4] = f->look.transmit;
     return v;
 }
 
 value function_call(pov_reader *in, value callee)
 {
-    (void)in;
-    return callee;
+    const function *f = callee.as.part;
+    double unused[3];
+
+    switch (f->kind) {
+    case FUNCTION_SPLINE:
+        return spline_call(in, value_keep(f->spline));
+    case FUNCTION_TRANSFORM:
+        return map_point(in, f);
+    case FUNCTION_PIGMENT:
+        return find_colour(in, f);
+    case FUNCTION_PATTERN:
+        read_arguments(in, unused, 3);
+        return value_of_number(0.0);
+    default:
+        return value_of_number(run(in, &f->program));
+    }
 }

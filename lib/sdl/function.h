@@ -1,12 +1,25 @@
-/* function.h - function { }: formulas that a scene declares, and their values. */
+/* function.h - function { }: formulas that a scene declares, compiled, and their values. */
 #ifndef SDL_FUNCTION_H
 #define SDL_FUNCTION_H
 
-#include "sdl/state.h"
+#include "function/program.h"
+#include "sdl/parse.h"
+
+/* FORMULA: a number. The others give a vector, a colour or a number of what they hold. */
+typedef enum function_kind { FUNCTION_FORMULA, FUNCTION_SPLINE, FUNCTION_TRANSFORM, FUNCTION_PIGMENT, FUNCTION_PATTERN } function_kind;
+
+/* In the scene's memory. */
+typedef struct function {
+    function_kind kind;
+    program program;
+    value spline;                /* kept until the reader goes */
+    pov_affine map;
+    material look;
+} function;
 
 /* `function` has been taken: its parameters and its block. */
 value function_read(pov_reader *in);
-/* `(` is next: as many numbers as the function has parameters. The callee is dropped. */
+/* `(` is next: as many numbers as the function has parameters. */
 value function_call(pov_reader *in, value callee);
 
 #endif

@@ -353,4 +353,5 @@ void intrinsic_init(symbols *words)
     note(words, own);
     note(words, intrinsic_vector_rows());
     note(words, intrinsic_string_rows());
+    note(words, intrinsic_object_rows());
 }

@@ -21,5 +21,6 @@ typedef struct intrinsic_list { const intrinsic *rows; size_t count; } intrinsic
 void intrinsic_init(symbols *words);
 intrinsic_list intrinsic_vector_rows(void);
 intrinsic_list intrinsic_string_rows(void);
+intrinsic_list intrinsic_object_rows(void);
 
 #endif

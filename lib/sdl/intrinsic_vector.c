@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/report.h"
+#include "sdl/unsupported.h"
 
 static void comma(pov_reader *in)
 {
@@ -111,11 +112,28 @@ static void read_vaxis_rotate(pov_reader *in, const intrinsic *row, value *out)
                                        v.z * c[0] + across.z * s[0] + axis.z * along));
 }
 
+static void read_vturbulence(pov_reader *in, const intrinsic *row, value *out)
+{
+    (void)row;
+    unsupported_note(in, &in->last, KEYWORD_VTURBULENCE, "\"vturbulence\"");
+    state_open(in, '(');
+    expression_number(in);
+    comma(in);
+    expression_number(in);
+    comma(in);
+    expression_number(in);
+    comma(in);
+    expression_vector(in);
+    state_close(in, ')');
+    *out = value_of_vector(pov_vec3_of(0.0, 0.0, 0.0));
+}
+
 #define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
 
 static const intrinsic rows[] = {
     READ("vlength", read_vlength), READ("vdot", read_vdot), READ("vnormalize", read_vnormalize),
     READ("vcross", read_vcross), READ("vrotate", read_vrotate), READ("vaxis_rotate", read_vaxis_rotate),
+    READ("vturbulence", read_vturbulence),
 };
 
 intrinsic_list intrinsic_vector_rows(void)

@@ -1,5 +1,6 @@
 #include "sdl/items.h"
 
+#include "sdl/expression.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 
@@ -23,17 +24,35 @@ static bool is_listed(const keyword_id *list, keyword_id keyword)
     return false;
 }
 
+static bool leads_to(const value *v, value_kind kind)
+{
+    while (v && v->kind == VALUE_ARRAY && value_array(v)->kind != kind)
+        v = value_array(v)->kind == VALUE_ARRAY ? &value_array(v)->items[0] : NULL;
+    return v && (v->kind == VALUE_ARRAY || v->kind == kind);
+}
+
+bool items_read_named(pov_reader *in, value_kind kind, value *out)
+{
+    const place at = in->token.at;
+
+    if (in->token.kind != TOKEN_WORD || !leads_to(scope_value(in->token.symbol), kind))
+        return false;
+    *out = expression_read(in);
+    if (!in->failed && out->kind != kind)
+        report_fail(in, &at, POV_E_SYNTAX, "expected %s, found %s", value_kind_name(kind), value_name(out));
+    if (value_is_shared(out))
+        value_drop(&in->heap, out);
+    return true;
+}
+
 static bool take_name(pov_reader *in, const item_list *list, void *self)
 {
-    const value *slot = scope_value(in->token.symbol);
     value v;
 
-    if (!slot || !list->take || slot->kind != list->takes)
+    if (!list->take || !items_read_named(in, list->takes, &v))
         return false;
-    v = *slot;                   /* a part of the scene, which stays */
-    in->value = in->token.at;
-    state_advance(in);
-    list->take(in, self, &v);
+    if (!in->failed)
+        list->take(in, self, &v);
     return true;
 }
 

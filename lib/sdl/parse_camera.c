@@ -1,8 +1,12 @@
 #include "sdl/parse.h"
 #include "sdl/report.h"
+#include "sdl/unsupported.h"
 #include "sdl/value.h"
 
 #include <povtrace/exact.h>
+
+/* Degrees, for cameras that see more but are not there yet. */
+static const double widest = 120.0;
 
 /* ---- as written ---- */
 
@@ -36,9 +40,11 @@ static void read_angle(pov_reader *in, void *self, keyword_id keyword)
     double angle = value_number(in);
 
     (void)keyword;
-    if (!in->failed && !(angle > 0.0 && angle < 180.0))
-        report_fail(in, &in->value, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
+    ((camera_parsed *)self)->angle_place = in->value;
     ((camera_parsed *)self)->angle = angle;
+    ((camera_parsed *)self)->has_angle = true;
+    if (state_accept(in, ','))
+        value_number(in);        /* of a spherical camera, from bottom to top */
 }
 
 static void read_axis(pov_reader *in, void *self, keyword_id keyword)
@@ -65,9 +71,7 @@ static void move_camera(pov_reader *in, void *self, keyword_id keyword)
 
 /* The values of these words are read for their own sake. */
 static const keyword_id coming[] = {
-    KEYWORD_PERSPECTIVE, KEYWORD_ORTHOGRAPHIC, KEYWORD_FISHEYE, KEYWORD_ULTRA_WIDE_ANGLE, KEYWORD_OMNIMAX,
-    KEYWORD_PANORAMIC, KEYWORD_CYLINDER, KEYWORD_SPHERICAL, KEYWORD_MESH_CAMERA, KEYWORD_APERTURE, KEYWORD_BLUR_SAMPLES,
-    KEYWORD_FOCAL_POINT, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE, KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER,
+    KEYWORD_APERTURE, KEYWORD_BLUR_SAMPLES, KEYWORD_FOCAL_POINT, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE, KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER,
 };
 
 static void take_camera(pov_reader *in, void *self, const value *v)
@@ -80,18 +84,49 @@ static void take_camera(pov_reader *in, void *self, const value *v)
     c->at = at;
 }
 
+/* Cameras of another kind may see more than half of what is around them. */
+static void check_angle(pov_reader *in, camera_parsed *c)
+{
+    if (in->failed || !c->has_angle || (c->angle > 0.0 && c->angle < 180.0))
+        return;
+    if (c->is_other && c->angle > 0.0)
+        c->angle = widest;
+    else
+        report_fail(in, &c->angle_place, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
+}
+
+static void read_kind(pov_reader *in, void *self, keyword_id keyword)
+{
+    ((camera_parsed *)self)->is_other = true;
+    unsupported_note(in, &in->last, keyword, "this kind of camera");
+    value_optional(in, 0.0);
+    if (in->token.kind == '{')
+        unsupported_skip_block(in);
+}
+
+static void read_perspective(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)in;
+    (void)keyword;
+    ((camera_parsed *)self)->is_other = false;
+}
+
 void parse_camera(pov_reader *in, camera_parsed *c)
 {
     static const item items[] = {
         { KEYWORD_LOCATION, read_location }, { KEYWORD_LOOK_AT, read_look_at }, { KEYWORD_ANGLE, read_angle },
         { KEYWORD_RIGHT, read_axis },        { KEYWORD_UP, read_axis },         { KEYWORD_SKY, read_axis },
         { KEYWORD_DIRECTION, read_axis },    PARSE_MOVES(move_camera),
+        { KEYWORD_PERSPECTIVE, read_perspective }, { KEYWORD_ORTHOGRAPHIC, read_kind }, { KEYWORD_FISHEYE, read_kind },
+        { KEYWORD_ULTRA_WIDE_ANGLE, read_kind }, { KEYWORD_OMNIMAX, read_kind }, { KEYWORD_PANORAMIC, read_kind },
+        { KEYWORD_CYLINDER, read_kind }, { KEYWORD_SPHERICAL, read_kind }, { KEYWORD_MESH_CAMERA, read_kind },
     };
     static const item_list list = { "an item of the camera", ITEMS(items), NULL, NULL, coming, VALUE_CAMERA, take_camera };
 
     parse_camera_defaults(c);
     c->at = in->last;
     items_block(in, &list, c);
+    check_angle(in, c);
     if (!in->failed && c->has_look_at && pov_largest(pov_sub(c->look_at, c->location)) == 0.0)
         report_fail(in, &c->look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
 }

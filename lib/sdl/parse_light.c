@@ -27,6 +27,11 @@ void parse_light(pov_reader *in, object_parsed *out)
     out->leaf.line = (uint32_t)at.line;
     out->leaf.column = (uint32_t)at.column;
     items_open(in, &b);
+    if (parse_object_follows(in)) {
+        parse_object_try(in, out);
+        items_close(in, &b, &list, out);
+        return;
+    }
     out->light.position = value_vector(in);
     state_accept(in, ',');
     if (value_colour_follows(in, true))

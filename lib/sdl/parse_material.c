@@ -177,6 +177,13 @@ static void take_texture(pov_reader *in, void *self, const value *v)
     s->material.ior = old.ior;
 }
 
+/* In a list of them commas may stand. */
+static void texture_of_pattern(pov_reader *in, void *self, keyword_id keyword)
+{
+    texture_texture(in, self, keyword);
+    state_accept(in, ',');
+}
+
 /* Before version 3 a texture had the items of pigment and finish in its own block. */
 static bool read_old_colour(pov_reader *in, surface_parsed *s)
 {
@@ -197,7 +204,7 @@ void parse_texture_content(pov_reader *in, surface_parsed *s, int end)
 {
     static const item items[] = {
         { KEYWORD_PIGMENT, texture_pigment }, { KEYWORD_FINISH, texture_finish }, { KEYWORD_NORMAL, texture_normal },
-        PARSE_MOVES(patterns_move), PARSE_MAPS, { KEYWORD_TEXTURE, texture_texture }, FINISH_ITEMS,
+        PARSE_MOVES(patterns_move), PARSE_MAPS, { KEYWORD_TEXTURE, texture_of_pattern }, FINISH_ITEMS,
     };
     static const item_list list = { "an item of the texture", ITEMS(items), parse_pattern_modifiers, finish_coming,
                                     parse_patterns, VALUE_TEXTURE, take_texture };

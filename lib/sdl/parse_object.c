@@ -125,7 +125,7 @@ static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BO
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
                                      KEYWORD_UV_MAPPING, KEYWORD_INTERIOR_TEXTURE, KEYWORD_CUTAWAY_TEXTURES,
-                                     KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
+                                     KEYWORD_NO_BUMP_SCALE, KEYWORD_GLOBAL_LIGHTS, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };
 
@@ -259,6 +259,11 @@ static void read_group(pov_reader *in, node_op op, object_parsed *o)
     o->op = op;
     state_advance(in);
     items_open(in, &b);
+    if (named_object(in)) {      /* a name that stands first is the whole */
+        take_named(in, o);
+        items_close(in, &b, &modifiers, o);
+        return;
+    }
     read_members(in, o);
     if (!in->failed && !(o->first && o->first->next))
         report_warn(in, &at, o->first ? "there is only one object in this %s" : "there is nothing in this %s",

@@ -82,6 +82,7 @@ static void read_pigment(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
     parse_pigment(in, self);
+    state_accept(in, ',');
 }
 
 static void pigment_content(pov_reader *in, surface_parsed *s, int end)
@@ -131,6 +132,7 @@ static void read_normal(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
     parse_normal(in, self);
+    state_accept(in, ',');
 }
 
 static void normal_content(pov_reader *in, surface_parsed *s, int end)
@@ -160,6 +162,7 @@ static void read_density(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
     parse_density(in, self);
+    state_accept(in, ',');
 }
 
 static void density_content(pov_reader *in, surface_parsed *s, int end)
@@ -257,7 +260,8 @@ static void read_entries(pov_reader *in, surface_parsed *s, keyword_id keyword)
         surface_parsed other = *s;
 
         state_open(in, '[');
-        value_number(in);
+        if (value_follows(in))   /* entries of an average may have no weight */
+            value_number(in);
         state_accept(in, ',');
         entry_content(in, is_first ? s : &other, keyword);
         state_close(in, ']');
@@ -268,14 +272,13 @@ static void read_entries(pov_reader *in, surface_parsed *s, keyword_id keyword)
 
 void parse_map(pov_reader *in, surface_parsed *s, keyword_id keyword)
 {
-    const value *slot;
+    value v;
     block b;
 
     items_open(in, &b);
-    slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
-    if (slot && slot->kind == kind_of(keyword)) {
-        s->material = ((const surface_parsed *)slot->as.part)->material;
-        state_advance(in);
+    if (items_read_named(in, kind_of(keyword), &v)) {
+        if (!in->failed)
+            s->material = ((const surface_parsed *)v.as.part)->material;
     } else {
         read_entries(in, s, keyword);
     }

@@ -186,13 +186,10 @@ static const transform *read_block(pov_reader *in)
     static const item items[] = { PARSE_MOVES(read_move), { KEYWORD_INVERSE, read_inverse } };
     static const item_list list = { "a transformation", ITEMS(items), NULL, NULL, NULL, VALUE_TRANSFORM, take_transform };
     transform_parsed t = { NULL, false };
-    const value *slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+    value v;
 
-    if (slot && slot->kind == VALUE_TRANSFORM) {
-        t.map = slot->as.part;
-        state_advance(in);
-        return t.map;
-    }
+    if (items_read_named(in, VALUE_TRANSFORM, &v))
+        return in->failed ? NULL : v.as.part;
     items_block(in, &list, &t);
     return t.is_inverse ? invert(in, t.map) : t.map;
 }

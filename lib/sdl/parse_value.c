@@ -22,6 +22,8 @@ static value surface_value(pov_reader *in, value_kind kind, void (*read)(pov_rea
 
     parse_surface_begin(in, &s);
     read(in, &s);
+    while (kind == VALUE_TEXTURE && state_accept_keyword(in, KEYWORD_TEXTURE))
+        read(in, &s);            /* layers */
     if (kind == VALUE_TEXTURE || kind == VALUE_MATERIAL)
         return parse_part(in, kind, &s, sizeof s);
     return parse_part(in, kind, &s.material, sizeof s.material);

@@ -71,7 +71,7 @@ void state_look(pov_reader *in)
     if (in->token.kind == TOKEN_WORD) {
         if (!(in->token.symbol->flags & KEYWORD_FLAG_BASE))
             state_note_povray(in, &in->token.at);
-    } else if (in->token.fault || in->token.kind == TOKEN_BAD) {
+    } else if (in->token.fault && in->token.kind != TOKEN_BAD) {
         look_closer(in);
     }
 }
@@ -89,6 +89,8 @@ static void run_directives(pov_reader *in, bool is_forced)
             leave(in);
             frame_fetch(in, &in->token);
             state_look(in);
+        } else if (in->token.kind == TOKEN_BAD) {
+            look_closer(in);
         } else if (is_call(in)) {
             macro_call(in);
         } else {
@@ -115,16 +117,18 @@ void state_advance(pov_reader *in)
             state_note_povray(in, &in->token.at);
         if (is_call(in))
             run_directives(in, false);
-    } else if (in->token.fault || in->token.kind == TOKEN_BAD) {
-        look_closer(in);
-    } else if (in->token.kind == '#' || in->token.kind == TOKEN_LEAVE) {
+    } else if (in->token.kind == '#' || in->token.kind == TOKEN_LEAVE || in->token.kind == TOKEN_BAD) {
         run_directives(in, false);
+    } else if (in->token.fault) {
+        look_closer(in);
     }
 }
 
 void state_settle(pov_reader *in)
 {
-    if (in->token.kind == '#' || in->token.kind == TOKEN_LEAVE || in->token.kind == TOKEN_WORD)
+    const int kind = in->token.kind;
+
+    if (kind == '#' || kind == TOKEN_LEAVE || kind == TOKEN_WORD || kind == TOKEN_BAD)
         run_directives(in, true);
 }
 

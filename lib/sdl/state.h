@@ -22,7 +22,9 @@ typedef struct camera_parsed {
     place look_at_place;
     pov_vec3 location, look_at, direction, right, up, sky;
     double angle;                /* degrees; 0: none */
-    bool has_look_at;
+    bool has_look_at, has_angle;
+    bool is_other;               /* a kind that is not there yet */
+    place angle_place;
     const transform *map;
 } camera_parsed;
 

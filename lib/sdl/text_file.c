@@ -336,9 +336,11 @@ void text_file_write(pov_reader *in, const place *at)
 
     if (read_name(in, &f) && !f->out)
         report_fail(in, at, POV_E_SYNTAX, "the file is open for reading");
-    while (!in->failed && state_accept(in, ','))
-        if (in->token.kind != ')')
-            write_item(in, f->out);
+    state_accept(in, ',');
+    while (!in->failed && in->token.kind != ')') {
+        write_item(in, f->out);
+        state_accept(in, ',');
+    }
     state_close(in, ')');
 }
 

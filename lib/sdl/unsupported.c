@@ -87,17 +87,37 @@ static void skip_value(pov_reader *in)
     value_drop(&in->heap, &v);
 }
 
-void unsupported_skip_item(pov_reader *in)
+static bool is_format(keyword_id keyword)
+{
+    switch (keyword) {
+    case KEYWORD_DF3: case KEYWORD_EXR: case KEYWORD_GIF: case KEYWORD_HDR: case KEYWORD_IFF: case KEYWORD_JPEG:
+    case KEYWORD_PGM: case KEYWORD_PNG: case KEYWORD_POT: case KEYWORD_PPM: case KEYWORD_SYS: case KEYWORD_TGA:
+    case KEYWORD_TIFF: case KEYWORD_TTF: case KEYWORD_INTERNAL:
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void skip_values(pov_reader *in)
 {
     in->nesting++;
-    state_advance(in);
     while (!in->failed && is_value(in)) {
         skip_value(in);
         state_accept(in, ',');
     }
     in->nesting--;
+}
+
+void unsupported_skip_item(pov_reader *in)
+{
+    state_advance(in);
+    while (is_format(state_keyword(in)))
+        state_advance(in);
+    skip_values(in);
     if (in->token.kind == '{')
         unsupported_skip_block(in);
+    skip_values(in);
 }
 
 void unsupported_item(pov_reader *in)

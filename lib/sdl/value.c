@@ -71,7 +71,7 @@ const char *value_kind_name(value_kind kind)
 {
     static const char *const names[VALUE_KINDS] = {
         "nothing",      "a number",     "a vector",      "a string",     "an array",      "a macro",
-        "a function",   "a spline",     "a file",        "a transform",  "an object",     "a texture",
+        "a spline",     "a file",       "a function",    "a transform",  "an object",     "a texture",
         "a pigment",    "a normal",     "a finish",      "a material",   "an interior",   "a media",
         "a density",    "a camera",     "a light",       "a sky_sphere", "a fog",         "a rainbow",
         "a color_map",  "a pigment_map", "a normal_map", "a texture_map", "a slope_map",  "a density_map",

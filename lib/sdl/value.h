@@ -18,9 +18,9 @@ typedef enum value_kind {
     VALUE_NUMBER,
     VALUE_VECTOR,                /* of 2 to 5 numbers; a colour has 5 */
     /* Those of values that are counted. */
-    VALUE_STRING, VALUE_ARRAY, VALUE_MACRO, VALUE_FUNCTION, VALUE_SPLINE, VALUE_FILE,
+    VALUE_STRING, VALUE_ARRAY, VALUE_MACRO, VALUE_SPLINE, VALUE_FILE,
     /* Those that live as long as the scene. */
-    VALUE_TRANSFORM, VALUE_OBJECT, VALUE_TEXTURE, VALUE_PIGMENT, VALUE_NORMAL, VALUE_FINISH, VALUE_MATERIAL,
+    VALUE_FUNCTION, VALUE_TRANSFORM, VALUE_OBJECT, VALUE_TEXTURE, VALUE_PIGMENT, VALUE_NORMAL, VALUE_FINISH, VALUE_MATERIAL,
     VALUE_INTERIOR, VALUE_MEDIA, VALUE_DENSITY, VALUE_CAMERA, VALUE_LIGHT, VALUE_SKY_SPHERE, VALUE_FOG, VALUE_RAINBOW,
     VALUE_COLOUR_MAP, VALUE_PIGMENT_MAP, VALUE_NORMAL_MAP, VALUE_TEXTURE_MAP, VALUE_SLOPE_MAP, VALUE_DENSITY_MAP,
     VALUE_KINDS
@@ -75,6 +75,8 @@ void value_unshare(value_heap *heap, shared *item);
 void value_free_all(value_heap *heap);
 
 static inline bool value_is_shared(const value *v) { return v->kind >= VALUE_STRING && v->kind <= VALUE_FILE; }
+
+static inline bool value_is_arithmetic(const value *v) { return v->kind == VALUE_NUMBER || v->kind == VALUE_VECTOR; }
 
 static inline value value_keep(value v)
 {

@@ -526,12 +526,12 @@ static void missing_features_are_named_once_each_with_their_first_place(void **s
     (void)state;
     begin_exact(&r, TEXT("difference { torus { 1, 2 } sphere { 0, 1 } }\n#declare T = torus { 1, { [ 2 };\n"
                          "sphere { 0, 1 pigment { brick rgb 1 rgb 0 } normal { bumps 1 } } // fog\n"
-                         "fog { distance 1 } difference { T T } object { T }"));
+                         "fog { distance 1 } difference { object { T } T } object { T }"));
     assert_int_equal(r.status, POV_E_SYNTAX);
     reading_end(&r);
     begin_exact(&r, TEXT("difference { torus { 1, 2 } sphere { 0, 1 } }\n#declare T = torus { 1, { [ 2 } };\n"
                          "sphere { 0, 1 pigment { brick rgb 1 rgb 0 } normal { bumps 1 } } // rainbow\n"
-                         "fog { distance 1 } difference { T T } object { T }"));
+                         "fog { distance 1 } difference { object { T } T } object { T }"));
     assert_int_equal(r.status, POV_OK);
     assert_int_equal(r.model.leaves.count, 1);
     assert_int_equal(r.note_count, 4);

@@ -1,0 +1,119 @@
+#include "function/program.h"
+
+#include "function/internal.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- functions by number ---- */
+
+static double cut(double a)
+{
+    return a > -2147483649.0 && a < 2147483648.0 ? (double)(int32_t)a : -2147483648.0;
+}
+
+static double divide(double a, double b)
+{
+    return cut(a / b);
+}
+
+static double to_radians(double a)
+{
+    return a * (3.14159265358979323846 / 180.0);
+}
+
+static double to_degrees(double a)
+{
+    return a * (180.0 / 3.14159265358979323846);
+}
+
+static double lesser(double a, double b)
+{
+    return b < a ? b : a;
+}
+
+static double greater(double a, double b)
+{
+    return b > a ? b : a;
+}
+
+typedef struct one_row { const char *name; double (*of)(double); } one_row;
+typedef struct two_row { const char *name; double (*of)(double, double); } two_row;
+
+static const one_row ones[] = {
+    { "sin", sin },     { "cos", cos },     { "tan", tan },     { "asin", asin },   { "acos", acos },
+    { "atan", atan },   { "sinh", sinh },   { "cosh", cosh },   { "tanh", tanh },   { "asinh", asinh },
+    { "acosh", acosh }, { "atanh", atanh }, { "abs", fabs },    { "int", cut },     { "floor", floor },
+    { "ceil", ceil },   { "sqrt", sqrt },   { "exp", exp },     { "ln", log },      { "log", log10 },
+    { "radians", to_radians },              { "degrees", to_degrees },
+};
+
+static const two_row twos[] = {
+    { "atan2", atan2 }, { "pow", pow }, { "mod", fmod }, { "div", divide }, { "min", lesser }, { "max", greater },
+};
+
+int program_one_argument(const char *name)
+{
+    for (size_t i = 0; i < sizeof ones / sizeof ones[0]; i++)
+        if (strcmp(ones[i].name, name) == 0)
+            return (int)i;
+    return -1;
+}
+
+int program_two_arguments(const char *name)
+{
+    for (size_t i = 0; i < sizeof twos / sizeof twos[0]; i++)
+        if (strcmp(twos[i].name, name) == 0)
+            return (int)i;
+    return -1;
+}
+
+/* ---- running ---- */
+
+static double choose(const double *v, uint32_t count)
+{
+    if (v[0] < 0.0)
+        return v[1];
+    return count == 3 || v[0] == 0.0 ? v[2] : v[3];
+}
+
+static double call(const program *callee, const double *arguments, double *registers)
+{
+    memcpy(registers, arguments, callee->parameters * sizeof *registers);
+    return program_run(callee, registers);
+}
+
+double program_run(const program *p, double *r)
+{
+    for (uint32_t at = 0; at < p->count;) {
+        const instruction *i = &p->code[at++];
+        const double a = i->op > PROGRAM_CONSTANT && i->op < PROGRAM_JUMP ? r[i->a] : 0.0;
+
+        switch ((program_op)i->op) {
+        case PROGRAM_CONSTANT: r[i->to] = p->constants[i->a]; break;
+        case PROGRAM_COPY: r[i->to] = a; break;
+        case PROGRAM_ADD: r[i->to] = a + r[i->b]; break;
+        case PROGRAM_SUBTRACT: r[i->to] = a - r[i->b]; break;
+        case PROGRAM_MULTIPLY: r[i->to] = a * r[i->b]; break;
+        case PROGRAM_DIVIDE: r[i->to] = a / r[i->b]; break;
+        case PROGRAM_NEGATE: r[i->to] = -a; break;
+        case PROGRAM_LESS: r[i->to] = a < r[i->b]; break;
+        case PROGRAM_AT_MOST: r[i->to] = a <= r[i->b]; break;
+        case PROGRAM_EQUAL: r[i->to] = a == r[i->b]; break;
+        case PROGRAM_UNEQUAL: r[i->to] = a != r[i->b]; break;
+        case PROGRAM_AND: r[i->to] = a != 0.0 && r[i->b] != 0.0; break;
+        case PROGRAM_OR: r[i->to] = a != 0.0 || r[i->b] != 0.0; break;
+        case PROGRAM_ONE: r[i->to] = ones[i->b].of(a); break;
+        case PROGRAM_TWO: r[i->to] = twos[i->c].of(a, r[i->b]); break;
+        case PROGRAM_SELECT: r[i->to] = choose(&r[i->a], i->b); break;
+        case PROGRAM_INTERNAL: r[i->to] = internal_value(i->b, &r[i->a]); break;
+        case PROGRAM_CALL: r[i->to] = call(p->callees[i->b], &r[i->a], r + p->registers); break;
+        case PROGRAM_JUMP: at = i->a; break;
+        case PROGRAM_JUMP_ABOVE:
+            if (!(r[i->a] <= r[i->b]))
+                at = i->to;
+            break;
+        }
+    }
+    return r[p->result];
+}

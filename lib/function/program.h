@@ -1,0 +1,44 @@
+/* program.h - function { } compiled to a register program.
+ *
+ * A register holds a double. Those of the parameters come first; the arguments of a call stand in registers in a row. All
+ * arithmetic is plain C: what has no value is infinite or NaN, and nothing is reported. */
+#ifndef FUNCTION_PROGRAM_H
+#define FUNCTION_PROGRAM_H
+
+#include "base/env.h"
+
+typedef enum program_op {
+    PROGRAM_CONSTANT,            /* to = constants[a] */
+    PROGRAM_COPY,                /* to = a */
+    PROGRAM_ADD, PROGRAM_SUBTRACT, PROGRAM_MULTIPLY, PROGRAM_DIVIDE, PROGRAM_NEGATE,
+    PROGRAM_LESS, PROGRAM_AT_MOST, PROGRAM_EQUAL, PROGRAM_UNEQUAL, PROGRAM_AND, PROGRAM_OR,
+    PROGRAM_ONE,                 /* to = one_argument(b)(a) */
+    PROGRAM_TWO,                 /* to = two_arguments(c)(a, b) */
+    PROGRAM_SELECT,              /* to = select(a, a + 1, a + 2[, a + 3]), b of them */
+    PROGRAM_INTERNAL,            /* to = internal(b) of the registers from a on */
+    PROGRAM_CALL,                /* to = callees[b] of the registers from a on */
+    PROGRAM_JUMP,                /* to the instruction a */
+    PROGRAM_JUMP_ABOVE           /* to the instruction `to` unless a <= b */
+} program_op;
+
+typedef struct instruction { uint16_t op, c; uint32_t to, a, b; } instruction;
+
+/* Plain data, in one owner's memory. */
+typedef struct program {
+    uint32_t parameters, registers;
+    uint32_t room;               /* registers that a run needs, with those of what it calls */
+    uint32_t result;             /* the register of the value */
+    uint32_t count;
+    const instruction *code;
+    const double *constants;
+    const struct program *const *callees;
+} program;
+
+/* `registers` has room for program->room of them; the first hold the arguments. */
+double program_run(const program *p, double *registers);
+
+/* The number of a function of one or two arguments; -1: there is none of that name. */
+int program_one_argument(const char *name);
+int program_two_arguments(const char *name);
+
+#endif

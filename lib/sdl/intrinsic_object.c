@@ -1,0 +1,107 @@
+#include "sdl/intrinsic.h"
+
+#include "sdl/expression.h"
+#include "sdl/object_query.h"
+#include "sdl/report.h"
+
+/* What stands for a side of a box that has no end. */
+static const double endless = 1e10;
+
+/* The name of an object. NULL: the reader has failed. */
+static const object_parsed *read_object(pov_reader *in)
+{
+    value v = expression_read(in);
+
+    if (v.kind == VALUE_OBJECT)
+        return v.as.part;
+    if (!in->failed)
+        report_fail(in, &in->value, POV_E_SYNTAX, "expected the name of an object, found %s", value_name(&v));
+    value_drop(&in->heap, &v);
+    return NULL;
+}
+
+static void read_inside(pov_reader *in, const intrinsic *row, value *out)
+{
+    const object_parsed *o;
+    pov_vec3 point;
+
+    (void)row;
+    state_open(in, '(');
+    o = read_object(in);
+    state_accept(in, ',');
+    point = expression_vector(in);
+    state_close(in, ')');
+    out->as.v[0] = o && !in->failed && object_holds(in, o, point);
+}
+
+/* The variable that is to have the normal: the name of a vector. */
+static symbol *read_normal(pov_reader *in)
+{
+    symbol *name = in->token.symbol;
+    const value *v = name ? scope_value(name) : NULL;
+
+    if (!v || v->kind != VALUE_VECTOR) {
+        report_expected(in, "the name of a vector");
+        return NULL;
+    }
+    state_advance(in);
+    return name;
+}
+
+static void read_trace(pov_reader *in, const intrinsic *row, value *out)
+{
+    object_hit hit = { 0.0, { 0.0, 0.0, 0.0 } };
+    pov_vec3 origin, direction;
+    const object_parsed *o;
+    symbol *normal = NULL;
+    bool found;
+
+    (void)row;
+    state_open(in, '(');
+    o = read_object(in);
+    state_accept(in, ',');
+    origin = expression_vector(in);
+    state_accept(in, ',');
+    direction = expression_vector(in);
+    if (state_accept(in, ','))
+        normal = read_normal(in);
+    state_close(in, ')');
+    found = o && !in->failed && object_trace(in, o, origin, direction, &hit);
+    if (!found)
+        hit.normal = pov_vec3_of(0.0, 0.0, 0.0);
+    if (normal)
+        scope_declare(in, normal, value_of_vector(hit.normal));
+    *out = value_of_vector(found ? pov_add(origin, pov_scale(direction, hit.t)) : hit.normal);
+}
+
+static void read_extent(pov_reader *in, const intrinsic *row, value *out)
+{
+    const object_parsed *o;
+    pov_box box;
+
+    (void)row;
+    state_open(in, '(');
+    o = read_object(in);
+    state_close(in, ')');
+    box.lo = pov_vec3_of(-endless, -endless, -endless);
+    box.hi = pov_vec3_of(endless, endless, endless);
+    if (o && !in->failed && !object_bounds(in, o, &box)) {
+        box.lo = pov_vec3_of(-endless, -endless, -endless);
+        box.hi = pov_vec3_of(endless, endless, endless);
+    }
+    *out = value_of_vector(row->v[0] != 0.0 ? box.hi : box.lo);
+}
+
+#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
+
+static const intrinsic rows[] = {
+    READ("inside", read_inside), READ("trace", read_trace), READ("min_extent", read_extent),
+    { "max_extent", read_extent, NULL, NULL, { 1.0 }, 0 },
+};
+
+intrinsic_list intrinsic_object_rows(void)
+{
+    intrinsic_list list = { rows, sizeof rows / sizeof rows[0] };
+
+    return list;
+}

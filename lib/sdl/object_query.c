@@ -1,0 +1,296 @@
+#include "sdl/object_query.h"
+
+#include <string.h>
+
+/* A leaf's shape, ready to be asked. */
+typedef struct subject {
+    const shape_class *shape;
+    const void *self;
+    void *scratch;
+    unsigned char room[POV_PREPARED_MAX + 64];
+} subject;
+
+static bool begin(pov_reader *in, const object_parsed *o, subject *s)
+{
+    size_t bytes;
+
+    s->shape = o->leaf.shape;
+    s->self = o->leaf.instance;
+    s->scratch = NULL;
+    if (s->shape->prepare) {
+        void *at = s->room + (64 - ((uintptr_t)s->room & 63));
+
+        memset(s->room, 0, sizeof s->room);
+        s->shape->prepare(at, o->leaf.instance);
+        s->self = at;
+    }
+    bytes = s->shape->scratch ? s->shape->scratch(s->self) : 0;
+    if (bytes > 0)
+        s->scratch = env_alloc_aligned(in->model->env, bytes, 64);
+    if (bytes > 0 && !s->scratch)
+        report_memory(in);
+    return !in->failed;
+}
+
+static void end(pov_reader *in, subject *s)
+{
+    if (s->scratch)
+        env_free_aligned(in->model->env, s->scratch);
+}
+
+/* The map of an object, if it has one. */
+static bool find_map(const object_parsed *o, pov_affine *map)
+{
+    return o->map && transform_compose(o->map, map);
+}
+
+static pov_vec3 back(const pov_affine *map, pov_vec3 p, double weight)
+{
+    const double (*m)[4] = map->inv;
+
+    return pov_vec3_of(m[0][0] * p.x + m[0][1] * p.y + m[0][2] * p.z + weight * m[0][3],
+                       m[1][0] * p.x + m[1][1] * p.y + m[1][2] * p.z + weight * m[1][3],
+                       m[2][0] * p.x + m[2][1] * p.y + m[2][2] * p.z + weight * m[2][3]);
+}
+
+/* By the transposed inverse. */
+static pov_vec3 map_normal(const pov_affine *map, pov_vec3 n)
+{
+    const double (*m)[4] = map->inv;
+
+    return pov_unit(pov_vec3_of(m[0][0] * n.x + m[1][0] * n.y + m[2][0] * n.z,
+                                m[0][1] * n.x + m[1][1] * n.y + m[2][1] * n.z,
+                                m[0][2] * n.x + m[1][2] * n.y + m[2][2] * n.z));
+}
+
+/* ---- points ---- */
+
+/* Does the group hold a point that `but`, one of its members, is taken to hold, or not to? */
+static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, const object_parsed *but, bool but_holds)
+{
+    const object_parsed *member;
+    bool is_first = true;
+
+    for (member = o->first; member; member = member->next, is_first = false) {
+        const bool holds = member == but ? but_holds : object_holds(in, member, point);
+
+        switch (o->op) {
+        case NODE_UNION: case NODE_MERGE:
+            if (holds)
+                return true;
+            break;
+        case NODE_INTERSECTION:
+            if (!holds)
+                return false;
+            break;
+        case NODE_DIFFERENCE:
+            if (holds != is_first)
+                return false;
+            break;
+        case NODE_CLIP:          /* no statement makes one */
+            break;
+        }
+    }
+    return o->first && (o->op == NODE_INTERSECTION || o->op == NODE_DIFFERENCE);
+}
+
+bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point)
+{
+    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
+    bool holds = false;
+    pov_affine map;
+    subject s;
+
+    if (find_map(o, &map))
+        point = back(&map, point, 1.0);
+    if (o->kind == OBJECT_LEAF && begin(in, o, &s)) {
+        holds = s.shape->inside && s.shape->inside(s.self, point, zero);
+        end(in, &s);
+    } else if (o->kind == OBJECT_GROUP) {
+        holds = group_holds(in, o, point, NULL, false);
+    }
+    return holds != ((o->flags & LEAF_INVERSE) != 0);
+}
+
+/* ---- rays ---- */
+
+/* The nearest crossing beyond `from` and before best->t. */
+typedef struct search { pov_ray ray; double from; } search;
+
+/* Members of a group are asked again behind crossings that are no surface of the group. */
+enum { CROSSINGS_MAX = 4096 };
+
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best);
+
+static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask, object_hit *best)
+{
+    pov_crossing at;
+    pov_hits hits;
+    subject s;
+    bool found;
+
+    if (!begin(in, o, &s))
+        return false;
+    memset(&hits, 0, sizeof hits);
+    hits.tmin = ask->from;
+    hits.tmax = best->t;
+    hits.want = POV_WANT_NEAREST;
+    hits.capacity = 1;
+    hits.at = &at;
+    hits.scratch = s.scratch;
+    s.shape->intersect(s.self, &ask->ray, &hits);
+    found = hits.count > 0 && at.t < best->t;
+    if (found) {
+        best->t = at.t;
+        s.shape->normal(s.self, &ask->ray, &at, &best->normal);
+        if (o->flags & LEAF_INVERSE)
+            best->normal = pov_scale(best->normal, -1.0);
+    }
+    end(in, &s);
+    return found;
+}
+
+/* A crossing of a member is one of the group where being in the member decides about being in the group. */
+static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray, double t)
+{
+    const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, t));
+
+    return group_holds(in, o, point, member, true) != group_holds(in, o, point, member, false);
+}
+
+static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask,
+                         object_hit *best)
+{
+    const bool is_hole = o->op == NODE_DIFFERENCE && member != o->first;
+    int i;
+
+    for (i = 0; i < CROSSINGS_MAX; i++) {
+        object_hit hit = *best;
+
+        if (!trace(in, member, &ask, &hit))
+            return false;
+        if (o->op == NODE_UNION || is_surface(in, o, member, &ask.ray, hit.t)) {
+            *best = hit;
+            if (is_hole)
+                best->normal = pov_scale(hit.normal, -1.0);
+            return true;
+        }
+        ask.from = hit.t;
+    }
+    return false;
+}
+
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best)
+{
+    const object_parsed *member;
+    search ask = *outer;
+    bool found = false, is_mapped;
+    pov_affine map;
+
+    is_mapped = find_map(o, &map);
+    if (is_mapped) {
+        ask.ray.org = back(&map, outer->ray.org, 1.0);
+        ask.ray.dir = back(&map, outer->ray.dir, 0.0);
+    }
+    if (o->kind == OBJECT_LEAF)
+        found = trace_leaf(in, o, &ask, best);
+    for (member = o->kind == OBJECT_GROUP ? o->first : NULL; member; member = member->next)
+        found |= trace_member(in, o, member, ask, best);
+    if (found && is_mapped)
+        best->normal = map_normal(&map, best->normal);
+    if (found && o->kind == OBJECT_GROUP && (o->flags & LEAF_INVERSE))
+        best->normal = pov_scale(best->normal, -1.0);
+    return found;
+}
+
+bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out)
+{
+    search ask;
+
+    memset(&ask, 0, sizeof ask);
+    ask.ray.org = origin;
+    ask.ray.dir = direction;
+    ask.ray.origin_surface = POV_NO_OWNER;
+    out->t = HUGE_VAL;
+    return trace(in, o, &ask, out);
+}
+
+/* ---- boxes ---- */
+
+static void enclose(pov_box *box, pov_vec3 p, bool is_first)
+{
+    if (is_first) {
+        box->lo = box->hi = p;
+        return;
+    }
+    box->lo = pov_vec3_of(fmin(box->lo.x, p.x), fmin(box->lo.y, p.y), fmin(box->lo.z, p.z));
+    box->hi = pov_vec3_of(fmax(box->hi.x, p.x), fmax(box->hi.y, p.y), fmax(box->hi.z, p.z));
+}
+
+static pov_box map_box(const pov_affine *map, const pov_box *box)
+{
+    pov_box out;
+    int i;
+
+    for (i = 0; i < 8; i++)
+        enclose(&out, pov_affine_point(map, pov_vec3_of(i & 1 ? box->hi.x : box->lo.x, i & 2 ? box->hi.y : box->lo.y,
+                                                        i & 4 ? box->hi.z : box->lo.z)), i == 0);
+    return out;
+}
+
+static void clip(pov_box *box, const pov_box *by)
+{
+    box->lo = pov_vec3_of(fmax(box->lo.x, by->lo.x), fmax(box->lo.y, by->lo.y), fmax(box->lo.z, by->lo.z));
+    box->hi = pov_vec3_of(fmin(box->hi.x, by->hi.x), fmin(box->hi.y, by->hi.y), fmin(box->hi.z, by->hi.z));
+}
+
+static bool group_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    const object_parsed *member;
+    bool has_box = false;
+    pov_box box;
+
+    for (member = o->first; member; member = member->next) {
+        const bool is_finite = object_bounds(in, member, &box);
+
+        if (o->op == NODE_DIFFERENCE) {
+            *out = box;
+            return is_finite;
+        }
+        if (!is_finite && o->op != NODE_INTERSECTION)
+            return false;
+        if (!is_finite)
+            continue;
+        if (!has_box)
+            *out = box;
+        else if (o->op == NODE_INTERSECTION)
+            clip(out, &box);
+        if (has_box && o->op != NODE_INTERSECTION) {
+            enclose(out, box.lo, false);
+            enclose(out, box.hi, false);
+        }
+        has_box = true;
+    }
+    return has_box;
+}
+
+bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    bool has_box = false;
+    pov_affine map;
+    subject s;
+
+    if (o->kind == OBJECT_LEAF && begin(in, o, &s)) {
+        has_box = s.shape->bounds(s.self, out);
+        end(in, &s);
+    } else if (o->kind == OBJECT_GROUP) {
+        has_box = group_bounds(in, o, out);
+    } else if (o->kind == OBJECT_MISSING) {
+        out->lo = pov_vec3_of(0.0, 0.0, 0.0);
+        out->hi = pov_vec3_of(1.0, 1.0, 1.0);
+        has_box = true;
+    }
+    if (has_box && find_map(o, &map))
+        *out = map_box(&map, out);
+    return has_box;
+}

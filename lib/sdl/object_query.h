@@ -1,0 +1,15 @@
+/* object_query.h - what rays, points and boxes find of an object that has been read, before there is a world. */
+#ifndef SDL_OBJECT_QUERY_H
+#define SDL_OBJECT_QUERY_H
+
+#include "sdl/parse.h"
+
+typedef struct object_hit { double t; pov_vec3 normal; } object_hit;
+
+/* The first hit in front of the origin, in multiples of the direction. False: there is none. */
+bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out);
+bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point);
+/* False: it has no end, or there is nothing of it. What is not drawn yet has the unit cube. */
+bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out);
+
+#endif
