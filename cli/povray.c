@@ -90,8 +90,8 @@ static bool add(povray *p, const char *name, const char *text, povray_list *to)
 
 static bool read_ini(povray *p, const char *path, const char *section);
 
-/* What a setting is to povc: a value of some kind, nothing to it (what it asks for is so anyway, or matters to POV-Ray's
- * own window, consoles and bounding only), or something that it cannot do, which is said. */
+/* Use of a setting in povc: a value of some kind; no effect (its request is met anyway, or concerns POV-Ray's own
+ * window, consoles and bounding only); or unsupported, with a message. */
 typedef enum kind { WHOLE, REAL, BOOL, TEXT, SHORT, LIST, FREE, ALIEN, SPECIAL } kind;
 
 typedef struct setting { const char *name; kind kind; size_t at; } setting;
@@ -203,10 +203,10 @@ bool povray_set(povray *p, const char *name, const char *value)
 
 /* ---- switches ---- */
 
-/* A switch is one for what it switches on and off, or has a value, or both: +A, -A and +A0.1. */
+/* A switch has an on and an off form, or a value, or both: +A, -A and +A0.1. */
 typedef struct toggle { const char *letters, *name, *valued; } toggle;
 
-/* Longer ones first, for they begin like shorter ones. */
+/* Longer switches first, because they begin like shorter ones. */
 static const toggle toggles[] = {
     { "kfi", NULL, "Initial_Frame" }, { "kff", NULL, "Final_Frame" }, { "kla", NULL, "" },
     { "am", NULL, "Sampling_Method" }, { "ac", NULL, "Antialias_Confidence" }, { "ag", NULL, "Antialias_Gamma" },

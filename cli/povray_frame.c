@@ -9,7 +9,7 @@ static bool is_animation(const povray *p) { return p->last_frame > p->first_fram
 
 /* ---- frames ---- */
 
-/* A frame by its number, or by the part of the animation that lies before it. */
+/* A frame by its number, or by the fraction of the animation before it. */
 static int frame_of(const povray *p, const char *text, int otherwise)
 {
     const double value = strtod(text, NULL);
@@ -81,7 +81,7 @@ static bool ends_in(const char *name, const char *ending)
     return n > m + 1 && name[n - m - 1] == '.' && strcmp(name + n - m, ending) == 0;
 }
 
-/* POV-Ray takes a folder, a name with or without the ending, or nothing; numbers of frames stand before the ending. */
+/* POV-Ray accepts a folder, a name with or without the ending, or nothing; frame numbers come before the ending. */
 bool povray_output(const povray *p, int frame, char *out, size_t size)
 {
     const char *given = p->output, *slash = strrchr(given, '/'), *name = slash ? slash + 1 : given;

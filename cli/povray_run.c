@@ -9,9 +9,9 @@
 
 enum { EXIT_DRAWN = 0, EXIT_FATAL = 1 };
 
-/* POV-Ray looks closer where neighbours differ by more than the threshold, whose default is 0.3, and stops at a depth. What
- * it then reaches was measured on two scenes of the gallery, 200 x 150: an rms error of 0.007 and 0.016 for 0.3, 0.005 and
- * 0.013 for 0.1. Here the threshold asks for an error, and is reached. */
+/* POV-Ray samples more where neighbours differ by more than the threshold, whose default is 0.3, and stops at a depth.
+ * Its error was measured on two scenes of the gallery, 200 x 150: an rms error of 0.007 and 0.016 for 0.3, 0.005 and
+ * 0.013 for 0.1. Here the threshold requests an error, and reaches it. */
 static const double error_of_threshold = 1.0 / 30.0;
 
 static void say_gamma(const povray *p, const messages *m, args *a)
@@ -26,7 +26,7 @@ static void say_gamma(const povray *p, const messages *m, args *a)
         messages_say(m, "File_Gamma=%s: only sRGB and 1.0 are written; taken as the scene asks", p->gamma);
 }
 
-/* What is read and cannot be done, in a line each. */
+/* Unsupported settings, one line each. */
 static void say_ignored(const povray *p, const messages *m)
 {
     for (int i = 0; i < p->ignored.count; i++)

@@ -2,7 +2,7 @@
 #ifndef CLI_POVRAY_RUN_H
 #define CLI_POVRAY_RUN_H
 
-/* Draws what the command line asks for, frame by frame. Gives POV-Ray's exit status: 0, or 1 after an error. */
+/* Renders the frames of the command line, one by one. Returns POV-Ray's exit status: 0, or 1 after an error. */
 int povray_run(int argc, char **argv);
 
 #endif

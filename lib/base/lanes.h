@@ -1,4 +1,4 @@
-/* lanes.h - vectors by lane, so that loops over lanes become vectors of the processor. */
+/* lanes.h - vectors by lane, for loops that compilers vectorise. */
 #ifndef BASE_LANES_H
 #define BASE_LANES_H
 
@@ -19,8 +19,8 @@ static inline void lanes_put(vec_lanes *l, uint32_t i, pov_vec3 v)
     l->z[i] = v.z;
 }
 
-/* Loops over lanes run through whole vectors of the processor, without a rest that goes lane by lane. What lies past
- * the end is of earlier lanes, and is not used. */
+/* Loops over lanes run over whole vectors of the processor, without a remainder. Lanes past the end hold earlier
+ * values, and are not used. */
 static inline uint32_t lanes_whole(uint32_t n) { return (n + 3) & ~3u; }
 
 #endif

@@ -1,11 +1,11 @@
-/* light.h - the kinds of light sources: what a source sends to points. One row of a table, and one file, each. */
+/* light.h - the kinds of light sources: incident light at points. One row of a table, and one file, each. */
 #ifndef LIGHT_LIGHT_H
 #define LIGHT_LIGHT_H
 
 #include "base/lanes.h"
 #include "model/light.h"
 
-/* Light from one sample of a source, by lane. What stands between a point and point + tmax dir throws a shadow there. */
+/* Light from one sample of a source, by lane. Surfaces between a point and point + tmax dir cast a shadow there. */
 typedef struct light_lanes {
     vec_lanes dir;
     double tmax;
@@ -14,13 +14,12 @@ typedef struct light_lanes {
     float red[LANES_MAX], green[LANES_MAX], blue[LANES_MAX];
 } light_lanes;
 
-/* A point lies at the sum of point and point_lo. Lanes past n, up to whole vectors of the processor, may be read and
+/* A point is the sum of point and point_lo. Lanes past n, up to whole vectors of the processor, may be read and
  * written. */
 typedef struct light_points { const vec_lanes *point, *point_lo; uint32_t n; } light_points;
 
 typedef struct light_class {
-    /* How many samples make up the source. A surface is lit from sample 0, and the part of this light that it gets is the
-     * mean of what it sees of all of them. */
+    /* Number of samples of the source. A surface is lit from sample 0, times the mean visibility of all samples. */
     uint32_t (*samples)(const light *l);
     void (*sample)(const light *l, uint32_t k, const light_points *at, light_lanes *out);
 } light_class;

@@ -4,8 +4,8 @@
 
 #include <povtrace/exact.h>
 
-/* From a point to the light along one axis, rounded once: both ends have two parts, so that a light may be near or far.
- * Of a light without a low part less is left to do for the same bits. */
+/* Vector from a point to the light along one axis, rounded once: both ends are double-double, so that a light may be
+ * near or far. A light without a low part takes fewer operations for the same bits. */
 static inline double towards(double l, double l_lo, double p, double p_lo, bool low)
 {
     pov_two dir;

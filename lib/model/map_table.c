@@ -16,7 +16,7 @@ static void fill(inverse_map *out, const pov_affine *map)
         }
 }
 
-/* The slot that holds the map, or the empty one where it belongs. */
+/* Slot that holds the map, or the empty slot for it. */
 static uint32_t *slot_of(const map_table *t, const inverse_map *map)
 {
     size_t i = (size_t)hash_bytes(0, map, sizeof *map) & (t->slot_count - 1);

@@ -1,5 +1,5 @@
-/* map_table.h - the maps that are still needed when shapes have taken their transformations in: from the world, or from
- * an object's space, to a space that a texture was written in. Each is kept once. */
+/* map_table.h - deduplicated maps that are still needed after shapes have absorbed their transformations: from the
+ * world, or from object space, to the space in which a texture was written. */
 #ifndef MODEL_MAP_TABLE_H
 #define MODEL_MAP_TABLE_H
 
@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-/* p' = inv p with p = (x, y, z, 1), as pov_affine has it. */
+/* p' = inv p with p = (x, y, z, 1), as in pov_affine. */
 typedef struct inverse_map { double inv[3][4], inv_lo[3][4]; } inverse_map;
 
 typedef struct map_table {
@@ -19,7 +19,7 @@ typedef struct map_table {
     size_t slot_count;
 } map_table;
 
-/* The inverse's number, from 1 on; 0: no memory. */
+/* Add a map; the number of its inverse, from 1 on; 0: no memory. */
 uint32_t map_table_add(map_table *t, const env *e, const pov_affine *map);
 void map_table_free(map_table *t, const env *e);
 

@@ -50,7 +50,7 @@ static const group_node *clipped(const model *m, const group_node *g)
     return g;
 }
 
-/* Solids come in the order of their leaves, so that each knows how many objects stand before it. */
+/* Solids are in the order of their leaves, so that each knows the number of objects before it. */
 static bool add_solid(model *m, const group_node *g)
 {
     const group_node *named = clipped(m, g);
@@ -62,7 +62,7 @@ static bool add_solid(model *m, const group_node *g)
     return VEC_PUSH(m->env, &m->solids, fresh);
 }
 
-/* alone: none of the unions above is one object. */
+/* alone: no union above is an object. */
 static bool add_pieces(model *m, node_ref node, bool alone)
 {
     group_node g;
@@ -94,7 +94,7 @@ size_t model_object_count(const model *m)
     return last ? last->object + 1 + m->leaves.count - (last->leaf + last->leaf_count) : m->leaves.count;
 }
 
-/* The last of the solids up to a leaf, or up to an object; NULL: there is none. */
+/* The last solid up to a leaf, or up to an object; NULL: none. */
 static const solid_node *last_solid(const model *m, uint32_t leaf, uint32_t object)
 {
     size_t low = 0, high = m->solids.count;

@@ -1,7 +1,7 @@
-/* node.h - what a scene is made of: leaves, each one shape in its own space, and groups of them.
+/* node.h - the nodes of a scene: leaves, each one shape in its own space, and groups of them.
  *
- * Most scenes are leaves only, and each is an object of its own. A group is a solid made of its children. Leaves that stand
- * under one group follow each other, in the order of the text. */
+ * Most scenes have leaves only, and each is an object of its own. A group is a solid made of its children. The leaves
+ * of a group are consecutive, in the order of the text. */
 #ifndef MODEL_NODE_H
 #define MODEL_NODE_H
 
@@ -15,8 +15,8 @@ enum { LEAF_NO_SHADOW = 1, LEAF_INVERSE = 2, LEAF_HOLLOW = 4 };
 
 typedef struct leaf_node {
     const struct shape_class *shape;
-    void *instance;              /* as parse left it, aligned to 32, in the model's memory; not prepared. Objects written
-                                  * alike, with none of the class between them that is not, share it */
+    void *instance;              /* the parsed form, aligned to 32, in the model's memory; not prepared. Consecutive
+                                  * objects of a class that are written alike share it */
     const transform *map;        /* NULL: none */
     uint32_t material;           /* index into the model's materials */
     uint32_t flags;              /* LEAF_* */
@@ -32,18 +32,18 @@ typedef enum node_op { NODE_UNION, NODE_MERGE, NODE_INTERSECTION, NODE_DIFFERENC
 /* A difference is its first child without the others; a clip the surface of its first child where all others are. */
 typedef struct group_node {
     node_op op;
-    bool inverse;                /* all of space but what it holds */
-    bool united;                 /* of a union: its children share one dielectric, and are one object */
+    bool inverse;                /* the complement of its solid */
+    bool united;                 /* united: the children of the union share one dielectric, and are one object */
     uint32_t child, child_count; /* the first among the model's children */
     uint32_t leaf, leaf_count;   /* all leaves under it */
     uint32_t line, column;       /* of its keyword, 1-based */
 } group_node;
 
-/* An object of several leaves, which hold one dielectric: that of the first one's material. */
+/* An object of several leaves with one dielectric: that of the first leaf's material. */
 typedef struct solid_node {
     node_op op;                  /* NODE_CLIP: it is known by its first leaf */
     uint32_t leaf, leaf_count;
-    uint32_t object;             /* its place among the objects of the scene */
+    uint32_t object;             /* its index among the objects of the scene */
     uint32_t line, column;
 } solid_node;
 

@@ -1,4 +1,4 @@
-/* pattern.h - a pigment that varies: a pattern gives each point a value, and this chooses from a list. */
+/* pattern.h - a varying pigment: a pattern gives each point a value that selects from a list. */
 #ifndef MODEL_PATTERN_H
 #define MODEL_PATTERN_H
 
@@ -13,7 +13,7 @@ typedef struct pigment { colour color; float filter, transmit; } pigment;
 
 typedef struct pattern {
     const struct pattern_class *class;
-    const void *self;            /* what its own words said; NULL: it has none */
+    const void *self;            /* parsed form of its own keywords; NULL: it has none */
     size_t self_size;
     uint32_t map;                /* number in the model's map table of the pigment's own transformations */
     uint32_t count;

@@ -1,4 +1,4 @@
-/* accumulate.h - adding up what paths see. */
+/* accumulate.h - accumulates the colours of paths. */
 #ifndef SHADE_ACCUMULATE_H
 #define SHADE_ACCUMULATE_H
 
@@ -6,7 +6,7 @@
 
 #include <float.h>
 
-/* Overflow of absurd colours ends here: NaN becomes 0, the infinite the largest number. */
+/* Overflow of extreme colours is clamped: NaN becomes 0, infinity the largest number. */
 static inline float accumulate_float(float x)
 {
     if (x >= -FLT_MAX && x <= FLT_MAX)
@@ -14,7 +14,7 @@ static inline float accumulate_float(float x)
     return isnan(x) ? 0.0f : copysignf(FLT_MAX, x);
 }
 
-/* A sum with anything in it that is no finite number is none either. */
+/* A sum with a non-finite term is not finite itself. */
 static inline colour accumulate_finite(colour c)
 {
     if (isfinite(c.r + c.g + c.b))
@@ -22,7 +22,7 @@ static inline colour accumulate_finite(colour c)
     return colour_of(accumulate_float(c.r), accumulate_float(c.g), accumulate_float(c.b));
 }
 
-/* What the path brings to its camera ray. */
+/* Add a path's contribution to the colour of its camera ray. */
 static inline void accumulate(const path *p, colour seen, colour *out)
 {
     out[p->lane] = colour_add(out[p->lane], accumulate_finite(colour_mul(p->factor.by, seen)));

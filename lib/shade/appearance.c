@@ -1,7 +1,7 @@
 #include "shade/appearance.h"
 
-/* The part of ambient and diffuse light that a surface which lets light through still gives. Negative where filter
- * and transmit are more than 1 together, as in POV-Ray. */
+/* Fraction of ambient and diffuse light of a transparent surface. Negative if filter and transmit are more than 1
+ * together, as in POV-Ray. */
 static float opacity_of(const model *m, const pigment *of)
 {
     float filter = of->filter;
@@ -13,7 +13,7 @@ static float opacity_of(const model *m, const pigment *of)
 
 static bool is_share(float x) { return x >= 0.0f && x <= 1.0f; }
 
-/* A sum of APPEARANCE_VISIBLE or more stays itself when less than half of 2^-32 is added to it, the distance of floats just
+/* A sum of APPEARANCE_VISIBLE or more does not change if less than half of 2^-32 is added, the distance of floats just
  * below. The highlight is phong cosine^size times at most 1; solved for the cosine with one more factor of 2 for all
  * roundings. */
 static double cutoff_of(const material *of, colour c)
@@ -43,7 +43,7 @@ static float phong_of(const plan *p, const material *of)
     return power > 0 && power <= APPEARANCE_POWER_LANES && of->metallic == 0.0f ? of->phong : NAN;
 }
 
-/* What depends on the pigment. */
+/* Members that depend on the pigment. */
 static void paint(appearance *out, const plan *p, const model *m, const pigment *at)
 {
     const material *of = out->material;
@@ -75,7 +75,7 @@ void appearance_paint(appearance *out, const plan *p, const model *m, const appe
 {
     *out = *of;
     paint(out, p, m, at);
-    /* Only of metals the colour of the highlight, and so its cut-off, is the pigment's. */
+    /* Only for metals the colour of the highlight, and so its cut-off, depends on the pigment. */
     if (of->phong != 0.0f && of->material->metallic != 0.0f)
         out->highlight_cutoff = cutoff_of(of->material, at->color);
 }

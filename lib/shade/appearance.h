@@ -1,5 +1,5 @@
-/* appearance.h - what a surface looks like at a point, as the lights and the rays that go on need it. Of a constant texture
- * it is computed once a material, before the first ray; of one that varies, for each surface. */
+/* appearance.h - the appearance of a surface at a point, as needed for lighting and scattering. For a constant texture
+ * it is computed once for each material, before the first ray; for a varying one at each hit. */
 #ifndef SHADE_APPEARANCE_H
 #define SHADE_APPEARANCE_H
 
@@ -11,25 +11,25 @@
 enum { APPEARANCE_POWER_LANES = 255, APPEARANCE_POWER_MAX = 1024 };
 
 typedef struct appearance {
-    bool varies;                 /* the texture does: what follows is of the material as far as it is constant, and true
-                                  * of lit, reflective and transmissive if it may be so anywhere */
-    bool lit;                    /* lights change something about it */
-    bool reflective, transmissive;   /* rays go on from it */
-    double highlight_cutoff;     /* a specular cosine of no more than that adds nothing to a float of APPEARANCE_VISIBLE
-                                  * or more */
+    bool varies;                 /* the texture varies: the members below are those of the constant material, with lit,
+                                  * reflective and transmissive true if they may be true anywhere */
+    bool lit;                    /* light changes its colour */
+    bool reflective, transmissive;   /* reflected or transmitted rays continue */
+    double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of
+                                  * APPEARANCE_VISIBLE or more */
     uint32_t power;              /* phong_size where that is a whole number from 1 to APPEARANCE_POWER_MAX, or 0 */
-    float phong;                 /* of highlights that are white and of a power from 1 to APPEARANCE_POWER_LANES; 0: there
-                                  * is none; not a number: there is another */
+    float phong;                 /* for white highlights with a power from 1 to APPEARANCE_POWER_LANES; 0: no highlight;
+                                  * NaN: another kind of highlight */
     colour pigment;
     float diffuse_weight;        /* diffuse, times the opacity */
-    colour emitted;              /* what it sends without any light */
-    coefficient reflection, filter;  /* what the reflected and the transmitted ray are multiplied by */
+    colour emitted;              /* emitted and ambient light */
+    coefficient reflection, filter;  /* coefficients of the reflected and the transmitted ray */
     const material *material;
 } appearance;
 
 /* The appearance of a material in this scene. */
 void appearance_make(appearance *out, const plan *p, const model *m, const material *of);
-/* The same where the texture varies, from the material's and the pigment at a point. */
+/* The same for a varying texture, from the material's appearance and the pigment at a point. */
 void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at);
 
 #endif

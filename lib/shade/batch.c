@@ -63,7 +63,7 @@ void batch_free(batch_queue *q, const env *e)
         env_free_aligned(e, take_spare(q, e));
 }
 
-/* The transmitted paths wait, and others take their place. False: no memory. */
+/* Push the transmitted paths on the stack of waiting batches, and take a spare batch. False: no memory. */
 static bool put_aside(batch_queue *q, const shade_context *c)
 {
     const wait w = { q->transmitted, c->dielectrics.count, c->coincident_sets.count };
@@ -79,7 +79,7 @@ static bool put_aside(batch_queue *q, const shade_context *c)
     return true;
 }
 
-/* Those that came last go on. */
+/* Pop the last waiting batch. */
 static void take_up(batch_queue *q, shade_context *c)
 {
     const wait w = q->waits.items[--q->waits.count];
@@ -92,7 +92,7 @@ static void take_up(batch_queue *q, shade_context *c)
 
 /* ---- what paths carry with them ---- */
 
-/* Of a batch whose lists all lie behind those of the batches that wait, or all before their end. */
+/* Compact the lists of a batch. All of them lie behind those of the waiting batches, or all before their end. */
 static void compact_dielectrics(batch_queue *q, shade_context *c)
 {
     batch *b = q->now;
@@ -133,8 +133,8 @@ static void change(batch **a, batch **b)
     *b = c;
 }
 
-/* The paths to be followed next. The mirrored go first and their transmitted sisters wait: mirrored ones are always a
- * level deeper, so no more batches wait than there are levels. */
+/* Choose the next paths. Reflected paths go first and the transmitted ones wait: reflected ones are always a level
+ * deeper, so no more batches wait than there are levels. */
 bool batch_next(batch_queue *q, shade_context *c)
 {
     if (q->reflected->count > 0 && q->transmitted->count > 0 && !put_aside(q, c)) {

@@ -1,4 +1,4 @@
-/* context.h - what all of shading works with: the scene, and one thread's state. */
+/* context.h - shared by all of shading: the scene, and one thread's state. */
 #ifndef SHADE_CONTEXT_H
 #define SHADE_CONTEXT_H
 
@@ -17,8 +17,8 @@ typedef struct shade_context {
     query_context *context;
     pov_counts counts;
     interrupt interrupt;
-    bool failed;                 /* memory ended; what was computed since is worth nothing */
-    dielectric_stack dielectrics;   /* of the paths being followed and of those that wait */
+    bool failed;                 /* out of memory: later results are invalid */
+    dielectric_stack dielectrics;   /* of the present paths and of waiting ones */
     coincident_stack coincident_sets;   /* of paths and of surfaces, in their order */
 } shade_context;
 

@@ -4,8 +4,7 @@
 
 #include <string.h>
 
-/* A surface without an interior bounds a dielectric of ior 1: a bubble. An ior that is no positive number is that
- * too. */
+/* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. */
 static double ior_of(const model *m, uint32_t which)
 {
     double ior = m->materials.items[m->leaves.items[which].material].ior;

@@ -1,7 +1,7 @@
-/* dielectric.h - the dielectrics that a ray is in: the transparent solids that it has entered and not left.
+/* dielectric.h - nested dielectrics: the transparent solids that a ray has entered and not left.
  *
- * Lists of objects, one behind the other: a ray's list is a span, the one entered last at its end. Lists are made and
- * dropped in the order of a stack. */
+ * Lists of objects are stored one behind the other: a ray's list is a span, with the object entered last at its end.
+ * Lists are allocated and freed like a stack. */
 #ifndef SHADE_DIELECTRIC_H
 #define SHADE_DIELECTRIC_H
 
@@ -12,26 +12,26 @@
 typedef struct dielectric_stack { uint32_t *items; size_t count, capacity; } dielectric_stack;
 typedef struct dielectric_span { size_t first, count; } dielectric_span;
 
-/* A ray's crossing of an object's surface, as its list sees it. */
+/* A ray's crossing of an interface. */
 typedef struct dielectric_crossing {
     uint32_t object;
-    size_t index;                /* the object's place in the ray's list; the list's length: it is entered */
+    size_t index;                /* index of the object in the ray's list; the list's length: it is entered */
     double before, after;        /* ior on both sides */
 } dielectric_crossing;
 
-/* The ior around a ray is that of the dielectric entered last of those it is in. An object in the list is left, any
- * other is entered; to leave one that is not the last changes nothing but the list. */
+/* The ior around a ray is that of the dielectric entered last. An object in the list is left, any other is entered;
+ * leaving one that is not the last changes the list only. */
 void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which,
                       dielectric_crossing *out);
-/* The list of the ray behind the crossing: a new one at the top. False: no memory. */
+/* The list of the transmitted ray: a new one at the top. False: no memory. */
 bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
-/* Drop everything above `floor` but the span, which moves down onto it. */
+/* Drop everything above `floor` except the span, which is moved down onto it. */
 void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor);
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which);
 
-/* Those around the start of camera rays: looked for once for all rays that start at the same point. */
+/* The dielectrics around the start of camera rays: searched once for all rays with the same start. */
 typedef struct dielectric_start {
-    dielectric_stack found;      /* those that hold org + org_lo, when known */
+    dielectric_stack found;      /* those that contain org + org_lo, when known */
     pov_vec3 org, org_lo;
     bool known;
 } dielectric_start;

@@ -7,7 +7,7 @@ void geometry_begin(geometry *g)
         g->to.dir.x[i] = g->to.normal.x[i] = g->bent.x[i] = 1.0;
 }
 
-/* What the surface's side and the unit direction make of lane i. */
+/* Set view, reflected direction and cosine of lane i. */
 static inline void set_lane(geometry *g, const vec_lanes *shading, uint32_t i, pov_vec3 view)
 {
     const pov_vec3 normal = lanes_at(shading, i);
@@ -19,7 +19,7 @@ static inline void set_lane(geometry *g, const vec_lanes *shading, uint32_t i, p
     g->cosine[i] = cosine;
 }
 
-/* False: some direction is so short or long that its square is none. */
+/* False: the squared length of some direction is out of range. */
 static inline bool set_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
 {
     int64_t plain = -1;

@@ -4,12 +4,12 @@
 
 #include "world/surface.h"
 
-/* How surfaces lie towards the rays that hit them. Light is computed with the shading normals; to which side of a surface
- * a ray goes is decided by the geometric ones. */
+/* Geometry of surfaces relative to the incident rays. Light uses the shading normals; the side to which a ray leaves
+ * follows from the geometric ones. */
 typedef struct geometry {
     incidence to;                /* its normals are the geometric ones */
-    const vec_lanes *shading;    /* the shading normals, unit, turned towards the ray's start: those of `to` unless they
-                                  * differ for some surface */
+    const vec_lanes *shading;    /* the shading normals, unit, facing the ray's start: those of `to` unless some
+                                  * surface's differ */
     vec_lanes bent;              /* memory for shading normals that differ */
     vec_lanes view;              /* the direction, unit */
     vec_lanes reflected;         /* view, mirrored; unit */
@@ -22,14 +22,13 @@ typedef struct geometry {
 /* Do the two kinds of normals differ? */
 static inline bool geometry_is_bent(const geometry *g) { return g->shading != &g->to.normal; }
 
-/* Of no surfaces yet: lanes hold what is computed with like any other. */
+/* Initialise all lanes with valid numbers. */
 void geometry_begin(geometry *g);
-/* What n rays and shading normals make of view, mirrored direction and cosine. */
+/* Compute view, reflected direction and cosine from n rays and shading normals. */
 void geometry_turn(geometry *g, uint32_t n);
 
-/* The unit vector along one whose squares stay within double's range; it is pov_unit()'s bit for bit. 0 and not -1: it
- * is one of the others, and what was put out is worth nothing. (An integer as wide as a double makes the shortest
- * loops.) */
+/* Normalise a vector whose squared length is within double's range, bit for bit as pov_unit(). Returns -1, or 0 if it
+ * is out of range and the result invalid. (An integer as wide as a double makes the shortest loops.) */
 static inline int64_t geometry_unit(double x, double y, double z, pov_vec3 *out)
 {
     const double square = x * x + y * y + z * z, length = sqrt(square);

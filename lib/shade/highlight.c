@@ -1,7 +1,7 @@
 #include "shade/highlight.h"
 
-/* A rational fit of how metal loses its colour towards grazing light, in the angle of incidence as a part of
- * 90 degrees. */
+/* A rational fit of metal's loss of colour towards grazing light, by the angle of incidence as a fraction of 90
+ * degrees. */
 static double fresnel(double cosine)
 {
     const double half_pi = 1.57079632679489661923;

@@ -4,8 +4,8 @@
 
 #include "shade/appearance.h"
 
-/* A product of n factors is off by less than n 2^-53 of it, and pow() by less than 2^-52; so it lies between these, and
- * where they are the same float, that is the one. What lies below double's range on the way is no float either. */
+/* Bounds of a product: n factors are off by less than n 2^-53 of it, and pow() by less than 2^-52. Where both bounds
+ * are the same float, that is the rounded power. Underflow on the way does not change a float either. */
 static inline float highlight_lo(double product) { return (float)(product * (1.0 - 0x1p-42)); }
 static inline float highlight_hi(double product) { return (float)(product * (1.0 + 0x1p-42)); }
 
@@ -22,7 +22,7 @@ static inline float highlight_power(double cosine, const appearance *of)
     return (float)pow(cosine, of->material->phong_size);
 }
 
-/* That product for a power of up to APPEARANCE_POWER_LANES, without loops and branches: for many side by side. */
+/* The product for a power of up to APPEARANCE_POWER_LANES, without loops and branches: for lanes. */
 static inline double highlight_factor(double square, int64_t bit) { return bit ? square : 1.0; }
 
 static inline double highlight_product(double cosine, int64_t power)
@@ -40,9 +40,9 @@ static inline double highlight_product(double cosine, int64_t power)
     return product * highlight_factor(of64 * of64, power & 128);
 }
 
-/* What a highlight is multiplied by; cosine is the one between normal and light. Of a metal: */
+/* Colour of a highlight; cosine is the one between normal and light. For a metal: */
 colour highlight_metal(const model *m, const appearance *of, double cosine);
-/* Of any material: */
+/* For any material: */
 static inline colour highlight_colour(const model *m, const appearance *of, double cosine)
 {
     return of->material->metallic == 0.0f ? colour_of(1.0f, 1.0f, 1.0f) : highlight_metal(m, of, cosine);

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* Seconds between two questions whether to give up: a cancelled job ends well within 20 ms, also where rays
- * get a hundred times dearer from one question to the next. */
+/* Seconds between two checks for an interrupt: a cancelled job ends well within 20 ms, also if rays become a hundred
+ * times slower from one check to the next. */
 static const double ask_soon = 0.002, ask_late = 0.008;
 enum { EVERY_MAX = 256 };
 
@@ -18,7 +18,7 @@ void interrupt_set(interrupt *i, bool (*ask)(void *user), void *user)
         i->every = i->left = 1;
 }
 
-/* Rays cost from 100 ns to many milliseconds, so the pace follows the clock. It changes no colour. */
+/* Rays cost from 100 ns to many milliseconds, so the interval follows the clock. No colour depends on it. */
 bool interrupt_is_due(interrupt *i, uint32_t rays)
 {
     double now;

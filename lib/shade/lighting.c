@@ -5,13 +5,14 @@
 #include "shade/highlight.h"
 #include "shade/transmittance.h"
 
-/* How surfaces see one sample of a light source, by lane. */
+/* One sample of a light source for each surface, by lane. */
 typedef struct light_sample {
     double cosine[BATCH_MAX];    /* between the direction to it and the shading normal */
     double specular_cos[BATCH_MAX];   /* ... and the mirrored ray */
-    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* what they send on when nothing stands in the way */
-    uint32_t odd[BATCH_MAX];     /* 1: that is not known yet */
-    uint32_t front[BATCH_MAX], contributes[BATCH_MAX];   /* 1: the light is before it; and it sends anything on */
+    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* reflected light if the source is not occluded */
+    uint32_t odd[BATCH_MAX];     /* 1: not computed yet */
+    uint32_t front[BATCH_MAX], contributes[BATCH_MAX];   /* 1: the light is in front; and the reflected light is not
+                                                          * zero */
 } light_sample;
 
 static inline void set_cosines(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
@@ -20,7 +21,7 @@ static inline void set_cosines(light_sample *s, const geometry *g, const vec_lan
     s->specular_cos[i] = pov_dot(lanes_at(&g->reflected, i), unit);
 }
 
-/* What the directions are besides: one is so short or long that its square is none; a cosine is too small for
+/* Properties of the directions: some squared length is out of range; some cosine is too small for
  * world_origin_reflect(). */
 enum { ODD_DIR = 1, GRAZING = 2 };
 
@@ -50,7 +51,7 @@ static bool find_cosines(light_sample *s, const geometry *g, const vec_lanes *di
     return found != 0;
 }
 
-/* What white light becomes on its way to the ray's start, with a highlight. */
+/* Reflected fraction of white light towards the ray's start, with a highlight. */
 static colour brdf(const model *m, const appearance *of, double cosine, double specular_cos)
 {
     const colour diffuse = colour_scale(of->pigment, of->diffuse_weight * (float)cosine);
@@ -61,9 +62,9 @@ static colour brdf(const model *m, const appearance *of, double cosine, double s
 
 static inline float lesser(float a, float b) { return a < b ? a : b; }
 
-/* What of the light's colour all send on, bit for bit as above where there is a highlight. One that is lost in the sum
- * is none: all components of that are then as large as APPEARANCE_VISIBLE. It is not computed either, for floats below the
- * range of normal ones take a processor a hundred times as long. False: some are odd. */
+/* Reflected light of all lanes, bit for bit as above where there is a highlight. A highlight that is lost in the sum is
+ * left out: all components of the sum are then at least APPEARANCE_VISIBLE. It is not computed either, because denormal
+ * floats take a processor a hundred times as long. False: some lanes are left to the general function. */
 static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
                               uint32_t n, bool uniform)
 {
@@ -133,8 +134,8 @@ static inline colour contribution_at(const light_sample *s, uint32_t i)
     return colour_of(s->red[i], s->green[i], s->blue[i]);
 }
 
-/* The rays from lit surfaces that the light is before and that send anything on. Nothing is decided by branches, which
- * nobody could guess. Returns how many the light is before. */
+/* Collect rays from lit surfaces that face the light and reflect any of it, without unpredictable branches. Returns the
+ * number of surfaces that face the light. */
 static uint32_t aim(lighting *l, const light_sample *s, const vec_lanes *dir)
 {
     pov_ray *const own = l->own;
@@ -179,7 +180,7 @@ static uint64_t trace_each(const lighting *l, double tmax, colour *through)
     return lit;
 }
 
-/* Of the rays to one sample of a light source those that get there. */
+/* The rays to one sample of a light source that are not occluded. */
 static uint64_t trace(const lighting *l, double tmax, colour *through)
 {
     shade_context *c = l->context;
@@ -190,7 +191,7 @@ static uint64_t trace(const lighting *l, double tmax, colour *through)
     return transmittance_find(c, l->rays, l->count, tmax, through);
 }
 
-/* The surfaces that the rays start on, at these cosines. NULL: at none so small that it matters. */
+/* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */
 static void name_origins(lighting *l, const double *cosines)
 {
     for (uint32_t k = 0; k < l->lit_count; k++) {
@@ -200,7 +201,7 @@ static void name_origins(lighting *l, const double *cosines)
     }
 }
 
-/* The same where the shading normal does not tell the side that a ray leaves to: the geometric one does. */
+/* The same where the shading normal does not tell the side of a ray: the geometric one does. */
 static void name_sides(lighting *l, const vec_lanes *dir)
 {
     for (uint32_t k = 0; k < l->lit_count; k++) {
@@ -214,7 +215,7 @@ static void name_sides(lighting *l, const vec_lanes *dir)
     }
 }
 
-/* The mean of what gets through to all samples of a light source; the rays to the first are aimed. */
+/* The mean transmittance to all samples of a light source; the rays to the first are aimed already. */
 static uint64_t trace_samples(lighting *l, const scene_light *from, uint32_t samples, colour *through)
 {
     const geometry *g = &l->on->geometry;
@@ -262,7 +263,7 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         }
 }
 
-/* What one light source gives the lit surfaces. */
+/* Add the light of one source to the lit surfaces. */
 static void add_light_source(lighting *l, const scene_light *from)
 {
     shade_context *c = l->context;
@@ -302,7 +303,7 @@ static inline void set_finish(finishes *f, uint32_t i, const appearance *a)
     f->power[i] = a->power;
 }
 
-/* The surfaces that lights change; rays from them start all alike, to whatever light. */
+/* Collect the lit surfaces; rays from them start alike for all lights. */
 static void begin(lighting *l, shade_context *c, surfaces *on)
 {
     uint32_t count = 0;

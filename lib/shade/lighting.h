@@ -1,10 +1,10 @@
-/* lighting.h - what the lights do to surfaces. */
+/* lighting.h - direct lighting of surfaces. */
 #ifndef SHADE_LIGHTING_H
 #define SHADE_LIGHTING_H
 
 #include "shade/surface.h"
 
-/* How lit surfaces answer light, by lane: what their appearances say. */
+/* Finishes of lit surfaces, by lane, from their appearances. */
 typedef struct SIMD_ALIGNED finishes {
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], diffuse_weight[BATCH_MAX], phong[BATCH_MAX];
     double highlight_cutoff[BATCH_MAX];
@@ -17,15 +17,15 @@ typedef struct lighting {
     surfaces *on;
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];
-    uint8_t of[BATCH_MAX];       /* lanes of the surfaces that they start on */
+    uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */
     uint32_t lit_count;
-    uint8_t lit[BATCH_MAX];      /* lanes of the surfaces that lights change */
+    uint8_t lit[BATCH_MAX];      /* lanes of lit surfaces */
     finishes finishes;
-    pov_ray *own;                /* each surface's, whose direction is the current light's: memory of BATCH_MAX rays that
-                                  * nobody else needs until all lights are done */
+    pov_ray *own;                /* one ray for each surface, with the direction to the current light: memory of
+                                  * BATCH_MAX rays that is unused until all lights are done */
 } lighting;
 
-/* Diffuse light and highlights of all lights that the surfaces see, into `lit` of each. */
+/* Add diffuse light and highlights of all visible lights to `lit` of each surface. */
 void light_gather(lighting *l, shade_context *c, surfaces *on);
 
 #endif

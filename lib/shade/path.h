@@ -1,7 +1,7 @@
-/* path.h - rays on their way, and batches of them.
+/* path.h - paths, and batches of them.
  *
- * The picture's value is a sum over all rays that a camera ray leads to, so none waits for another's result: a list of
- * those still to be followed takes the place of recursion. */
+ * The picture's value is a sum over all rays that follow from a camera ray, so no ray waits for another's result: a
+ * list of rays to be traced replaces recursion. */
 #ifndef SHADE_PATH_H
 #define SHADE_PATH_H
 
@@ -9,25 +9,25 @@
 #include "shade/geometry.h"
 
 typedef struct path {
-    coefficient factor;          /* the product of the coefficients on the way here, and of their weights */
+    coefficient factor;          /* product of the coefficients along the path, and of their weights */
     int level;                   /* 1: the camera ray */
-    uint32_t lane;               /* whose camera ray it comes from */
-    uint32_t coincident, above;  /* it starts on coincident surfaces: those of context->coincident_sets, counted from 1,
-                                  * and its sides of them; coincident set 0: it does not */
-    dielectric_span inside;      /* the dielectrics that it is in */
-    int zero_steps;              /* crossings in a row that did not move the ray: see query/passage.h */
+    uint32_t lane;               /* lane of its camera ray */
+    uint32_t coincident, above;  /* it starts on coincident surfaces: index in context->coincident_sets, counted from 1,
+                                  * and its sides of them; 0: it does not */
+    dielectric_span inside;      /* the dielectrics around it */
+    int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
 } path;
 
-/* A packet of paths: of neighbouring camera rays the same way on, at most one of each, ordered by lane. So what a camera
- * ray's paths give is added up in the same order in any packet, and alone. */
+/* A packet of paths: of neighbouring camera rays with the same history, at most one of each, ordered by lane. So
+ * contributions to a camera ray are added in the same order in any packet, and alone. */
 enum { BATCH_MAX = WORLD_MANY };
 typedef struct batch {
     uint32_t count;
     bool camera;                 /* these are camera rays: nothing has been added to their colours yet */
     path paths[BATCH_MAX];
-    const pov_ray *rays[BATCH_MAX];   /* of the paths: the caller's camera rays, or those in `own` */
+    const pov_ray *rays[BATCH_MAX];   /* rays of the paths: the caller's camera rays, or those in `own` */
     SIMD_ALIGNED pov_ray own[BATCH_MAX];
-    struct batch *next;          /* of those that are spare */
+    struct batch *next;          /* next of the spare batches */
 } batch;
 
 #endif

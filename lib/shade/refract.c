@@ -2,10 +2,9 @@
 
 #include "shade/geometry.h"
 
-/* The square of the cosine behind the surface, c'^2 = 1 - (eta s)^2 = (eta c)^2 - e with e = eta^2 - 1, where
- * s is the sine before it. Steep rays take the first form, for a large eta multiplies the error of s by less
- * than that of c^2; flat ones the second, in which (before - after)(before + after) keeps what an ior of 1 +
- * 1e-11 is about. */
+/* The squared cosine behind the surface, c'^2 = 1 - (eta s)^2 = (eta c)^2 - e with e = eta^2 - 1, where s is the sine
+ * before it. Steep rays use the first form, because a large eta multiplies the error of s by less than that of c^2.
+ * Grazing ones use the second, in which (before - after)(before + after) keeps the accuracy for an ior of 1 + 1e-11. */
 static inline double squared_cosine(double sine_out, double cosine, double before, double after)
 {
     const double steep = 0.5, eta = before / after;
@@ -17,7 +16,7 @@ static inline double squared_cosine(double sine_out, double cosine, double befor
     return cosine > steep ? (1.0 - sine_out) * (1.0 + sine_out) : flat;
 }
 
-/* The direction behind the surface, of about unit length; returns what squared_cosine() does. */
+/* The direction behind the surface, of about unit length; returns the result of squared_cosine(). */
 static inline double refracted(pov_vec3 view, pov_vec3 normal, double cosine, double before, double after, pov_vec3 *out)
 {
     pov_vec3 along = pov_add(view, pov_scale(normal, cosine));
@@ -37,7 +36,7 @@ bool refract(pov_vec3 view, pov_vec3 normal, double cosine, double before, doubl
     return c2 > 0.0;
 }
 
-/* False: some direction is too short or long for its square. */
+/* False: the squared length of some direction is out of range. */
 SIMD_CLONES static bool refract_plain(refraction_lanes *restrict b, const vec_lanes *restrict view, const vec_lanes *restrict normal,
                                    const double *restrict cosines, uint32_t n)
 {

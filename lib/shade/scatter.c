@@ -7,10 +7,11 @@ static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
 
 /* ---- the rays that go on ---- */
 
-/* What cuts rays off, and how many it did. */
+/* Limits that cut rays off, and the numbers of rays cut off. */
 typedef struct limits { int level; float weight; uint64_t cut_depth, cut_weight; } limits;
 
-/* Is a path that goes on from p with this factor followed? The depth is asked first, so that a ray is counted once. */
+/* Does a path that continues from p with this factor pass the limits? The depth is tested first, so that a ray is
+ * counted once. */
 static inline bool passes_cutoff(limits *l, const path *p, const coefficient *factor, bool deeper)
 {
     if (deeper && p->level >= l->level) {
@@ -24,8 +25,8 @@ static inline bool passes_cutoff(limits *l, const path *p, const coefficient *fa
     return true;
 }
 
-/* Begin the path that goes on from the surface, by a direction without a low part. What its ray leaves is still to be
- * named, and the path to be counted. */
+/* Begin a path from the surface, in a direction without a low part. The caller sets the ray's origin surface and counts
+ * the path. */
 static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coefficient factor, bool deeper)
 {
     const path *p = s->from;
@@ -45,8 +46,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     return next;
 }
 
-/* To the surface's other side, where other surfaces may begin, at this cosine to the normal there. NULL: the path is
- * cut off. */
+/* Begin a path on the surface's other side, at this cosine to the normal. NULL: the path is cut off. */
 static path *spawn_across(batch *b, limits *l, const surface *s, pov_vec3 direction, double cosine, bool deeper)
 {
     const coefficient factor = coefficient_mul(s->from->factor, s->appearance->filter);
@@ -60,7 +60,7 @@ static path *spawn_across(batch *b, limits *l, const surface *s, pov_vec3 direct
     return next;
 }
 
-/* Rays that go on from a batch's surfaces: where from, where to, and what cuts them off. */
+/* Rays that continue from a batch's surfaces: source, targets, and limits. */
 typedef struct scattering {
     shade_context *context;
     const surfaces *on;
@@ -82,7 +82,7 @@ static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
     world_origin_reflect(&b->own[b->count++], s->at, g->reflected_side[lane]);
 }
 
-/* Straight on, whatever lies on both sides. NULL: the path is cut off. */
+/* Straight on, whatever is on both sides. NULL: the path is cut off. */
 static path *transmit(scattering *to, uint32_t lane)
 {
     const surface *s = &to->on->at[lane];
@@ -108,7 +108,7 @@ static inline void reflect_some(scattering *to, uint32_t lane)
         reflect(to, lane, &a->reflection);
 }
 
-/* The interfaces that refracted rays cross, and where they go on. */
+/* Interfaces that refracted rays cross, and their new directions. */
 typedef struct interfaces { dielectric_crossing crossing[BATCH_MAX]; refraction_lanes to; } interfaces;
 
 static void find_interfaces(const scattering *to, interfaces *p)
@@ -135,8 +135,8 @@ static void find_interfaces(const scattering *to, interfaces *p)
         refract_lanes(&p->to, &g->view, g->shading, g->cosine, n);
 }
 
-/* Both rays that can go on from an interface. The list of dielectrics goes on with the transmitted ray; a reflected one
- * stays in what it was in. */
+/* Both rays that can continue from an interface. The transmitted ray gets the changed list of dielectrics; a reflected
+ * one keeps its list. */
 static void split(scattering *to, const interfaces *p, uint32_t lane)
 {
     shade_context *c = to->context;

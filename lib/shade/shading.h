@@ -1,4 +1,4 @@
-/* shading.h - a scene compiled for shading: beside the world, what its surfaces look like. */
+/* shading.h - a scene compiled for shading: the world, and the appearances of its materials. */
 #ifndef SHADE_SHADING_H
 #define SHADE_SHADING_H
 
@@ -23,7 +23,7 @@ typedef struct shading {
 pov_status shading_create(shading **out, const model *m, const world *w, pov_error *err);
 void shading_destroy(shading *s);
 
-/* What the object looks like: for objects whose texture is constant. */
+/* Appearance of an object with a constant texture. */
 static inline const appearance *shading_constant(const shading *s, uint32_t which)
 {
     return &s->appearances[s->objects_info[which].material];

@@ -8,7 +8,7 @@
 
 /* ---- coincident surfaces ---- */
 
-/* The surface lies on others. */
+/* Record a surface's coincident set. */
 static void set_coincident(shade_context *c, surface *s, const coincident_set *on)
 {
     if (!VEC_PUSH(c->env, &c->coincident_sets, *on)) {
@@ -28,7 +28,7 @@ static void find_coincident(shade_context *c, surface *s)
     set_coincident(c, s, &on);
 }
 
-/* A path that starts on coincident surfaces hits what it crosses before it has gone anywhere, or else what comes next. */
+/* A path that starts on coincident surfaces first hits those that it crosses at the start, then the next ones. */
 static bool hit_single(shade_context *c, surface *s)
 {
     const path *p = s->from;
@@ -55,7 +55,7 @@ static bool any_coincident(const batch *b)
 
 /* ---- what rays hit ---- */
 
-/* Ray i's surface, which is to be the n-th. */
+/* Set the n-th surface to that of ray i. */
 static inline void place(surfaces *s, const batch *b, uint32_t i, uint32_t n)
 {
     surface *at = &s->at[n];
@@ -68,7 +68,7 @@ static inline void place(surfaces *s, const batch *b, uint32_t i, uint32_t n)
     s->found[n] = at->at;
 }
 
-/* Is more to be seen of what was hit than what it emits? */
+/* Does the surface need more than its emission? */
 static inline bool is_kept(shade_context *c, surface *s, colour *out)
 {
     const shading *scene = c->scene;
@@ -86,7 +86,7 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     return false;
 }
 
-/* Rays some of which start on coincident surfaces. */
+/* Intersect rays, some of which start on coincident surfaces. */
 static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
     uint32_t n = 0;
@@ -101,7 +101,8 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
     return n;
 }
 
-/* Of the rays that hit nothing. The camera's all see the same, and are the first to add what they see. */
+/* Add the background for rays that hit nothing. All camera rays see the same, and are the first to add to their
+ * colours. */
 static void add_background(const shade_context *c, const batch *b, uint64_t rays, colour *out)
 {
     const colour background = c->scene->model->background;
@@ -137,7 +138,7 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 
 /* ---- points and normals ---- */
 
-/* Where some coincide with others: of these, points and normals are known. */
+/* Complete surfaces, some of them coincident: the latter's points and normals are known. */
 static void complete_some(const shade_context *c, surfaces *s)
 {
     const pov_ray *rays[BATCH_MAX];

@@ -12,24 +12,24 @@ typedef struct surface {
     const pov_ray *ray;          /* the path's */
     hit *at;
     const appearance *appearance;
-    uint32_t coincident, above, on;   /* it coincides with others: as in a path; which of them it is */
-    colour lit;                  /* what it sends along the ray of what the lights send it */
+    uint32_t coincident, above, on;   /* it is coincident with others: as in a path; index within the set */
+    colour lit;                  /* reflected light of the light sources along the ray */
 } surface;
 
 typedef struct surfaces {
     SIMD_ALIGNED hit hits[BATCH_MAX];   /* by ray of the batch */
     uint32_t count;
     surface at[BATCH_MAX];
-    const pov_ray *rays[BATCH_MAX];   /* theirs, in their order, and what these hit */
+    const pov_ray *rays[BATCH_MAX];   /* their rays in the same order, and the hits */
     hit *found[BATCH_MAX];
-    geometry geometry;           /* theirs, in their order */
+    geometry geometry;           /* their appearances in the same order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
 } surfaces;
 
-/* The surfaces that the batch's rays hit and of which more is seen than their emission. That, and the background where
- * rays hit nothing, is added to out. */
+/* Find the surfaces that the batch's rays hit and that need more than their emission. Emission, and the background
+ * where rays hit nothing, is added to out. */
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out);
-/* Points, normals and directions there, and what the surfaces look like where that varies. */
+/* Complete the points, normals and directions, and the appearances of varying textures. */
 void surfaces_complete(shade_context *c, surfaces *s);
 
 #endif

@@ -65,7 +65,7 @@ void tracer_set_interrupt(pov_tracer *t, bool (*ask)(void *user), void *user)
     interrupt_set(&t->context.interrupt, ask, user);
 }
 
-/* Follow the paths of one batch to where they end, and see which go on. */
+/* Trace the paths of one batch to their hits, and spawn the paths that continue. */
 static void shade_batch(pov_tracer *t, const batch *b, colour *out)
 {
     shade_context *c = &t->context;
@@ -83,7 +83,7 @@ static void shade_batch(pov_tracer *t, const batch *b, colour *out)
 
 /* ---- camera rays ---- */
 
-/* Rays of cameras that do not exist have no direction, or are not numbers. */
+/* Rays of invalid cameras have no direction, or are not numbers. */
 static bool is_start(pov_vec3 org) { return isfinite(org.x + org.y + org.z); }
 
 static bool is_direction(pov_vec3 dir) { return isfinite(dir.x + dir.y + dir.z) && pov_largest(dir) > 0.0; }
@@ -116,7 +116,7 @@ static void begin_inside(pov_tracer *t, bool one_start)
     c->failed = c->failed || !done;
 }
 
-/* Bit i: ray i is one, and its path begins. */
+/* Bit i: ray i is valid, and its path begins. */
 static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
 {
     uint64_t are_rays = 0;
@@ -132,7 +132,7 @@ static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
     return are_rays;
 }
 
-/* The same; as a rule all are, and paths have their lanes from one time to the next. */
+/* The same; usually all rays are valid, and paths keep their lanes from one call to the next. */
 static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known)
 {
     shade_context *c = &t->context;
@@ -202,7 +202,7 @@ colour tracer_color(pov_tracer *t, const pov_ray *ray)
     return seen;
 }
 
-/* Batches are no larger than the number of rays that may be sent between two questions whether to give up. */
+/* Batches are no larger than the number of rays between two checks for an interrupt. */
 void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out)
 {
     const interrupt *ask = &t->context.interrupt;

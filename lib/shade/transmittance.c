@@ -3,7 +3,7 @@
 #include "base/bits.h"
 #include "shade/paint.h"
 
-/* What a surface lets through where the ray crosses it. Of one whose texture varies the point is found as for a hit. */
+/* Filter of a surface where the ray crosses it. For a varying texture the point is computed as for a hit. */
 static colour filter_at(const shading *scene, const pov_ray *ray, const pov_crossing *at)
 {
     const appearance *a = shading_constant(scene, at->owner);
@@ -17,7 +17,7 @@ static colour filter_at(const shading *scene, const pov_ray *ray, const pov_cros
     return paint_filter(scene, &h);
 }
 
-/* The same where it is known. */
+/* The same for a known point. */
 static colour filter_of(const shading *scene, const hit *h)
 {
     const appearance *a = shading_constant(scene, h->object);
@@ -25,8 +25,8 @@ static colour filter_of(const shading *scene, const hit *h)
     return a->varies ? paint_filter(scene, h) : a->filter.by;
 }
 
-/* Where on its way light crosses filters does not matter to what is left of it. The product is rounded once, and
- * its order is that of the objects: it is the same for the tree and the list. False: nothing is left. */
+/* The positions of filters along a light path do not matter to the product. It is rounded once, in the order of the
+ * objects: the same for the tree and the list. False: nothing is left. */
 static bool multiply(const shading *scene, const pov_ray *ray, const pov_crossing *at, uint32_t count,
                      colour *through)
 {

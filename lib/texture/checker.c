@@ -3,7 +3,7 @@
 /* POV-Ray moves points by this in the pattern's space, so that faces on whole coordinates are of one colour. */
 static const double nudge = 1e-10;
 
-/* Cubes of side 1, by turns in all three directions. */
+/* Cubes of side 1, alternating in all three directions. */
 SIMD_CLONES static void find(const vec_lanes *restrict at, uint32_t n, double *restrict value)
 {
     for (uint32_t i = 0; i < n; i++) {

@@ -34,8 +34,8 @@ void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, ui
     lanes_put(&out->at_lo, lane, pov_two3_lo(p));
 }
 
-/* The points in the pattern's own space, rounded once. There is at least one: a loop that tests first would have the
- * compiler warn of unset lanes where it makes no clones. */
+/* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
+ * without clones warn of uninitialised lanes. */
 SIMD_CLONES static void find_own(const inverse_map *restrict map, const texture_points *restrict p, uint32_t n,
                                  vec_lanes *restrict out)
 {
@@ -46,7 +46,7 @@ SIMD_CLONES static void find_own(const inverse_map *restrict map, const texture_
     while (++i < n);
 }
 
-/* A value beyond the list, which no pattern gives of numbers, is its end. */
+/* Values beyond the list, which patterns give only for NaN, select its end. */
 static inline uint32_t index_of(double value, uint32_t count)
 {
     if (!(value >= 1.0))

@@ -1,13 +1,14 @@
-/* povtrace/plugin.h - the form of a plugin, and what the host offers it while a scene loads.
+/* povtrace/plugin.h - the form of a plugin, and the host's services while a scene loads.
  *
  * A plugin is a shared object named after its scene keyword (primitives/torus.so) or file ending (images/png.so),
- * linked against nothing of povtrace, exporting one data symbol. Nothing in it runs when it is loaded. What it offers
- * is in a header of its own: a primitive in shape.h (its fast extension in shape_fast.h), an image format in image.h, a
- * plot format in plot.h. Growth is by appending members: each side reads only as many bytes as the other side's `size`
- * says are there.
+ * linked against nothing of povtrace, exporting one data symbol. Nothing in it runs when it is loaded. Its contents are
+ * described in other headers: a primitive in shape.h (its fast extension in shape_fast.h), an image format in image.h,
+ * a plot format in plot.h. Growth is by appending members: each side reads only as many bytes as the other side's
+ * `size` says.
  *
- * [load]   called on the thread that loads a scene; several scenes may load at once, each with instances of its own.
- * [render] called from many threads at once on the same const object: no writes, statics, locks, allocation. */
+ * [load] is called on the thread that loads a scene; several scenes may load at once, each with instances of its own.
+ *
+ * [render] is called from many threads at once on the same const object: no writes, statics, locks, allocation. */
 #ifndef POVTRACE_PLUGIN_H
 #define POVTRACE_PLUGIN_H
 
@@ -26,11 +27,11 @@ struct pov_ray;
 
 typedef struct pov_reader pov_reader;
 
-/* A bounding volume hierarchy over the parts of one shape: made while the scene loads, traversed by rays. */
+/* A bounding volume hierarchy over the items of one shape: made while the scene loads, traversed by rays. */
 typedef struct pov_hierarchy {
-    /* [render] Calls visit() for each part whose box the ray may meet from 0 to hits->tmax, near ones first as a rule;
-     * hits->tmax may close in meanwhile. False: visit() said false, which ends it. The ray is in the space of the
-     * boxes. */
+    /* [render] Calls visit() for each item whose box the ray may hit from 0 to hits->tmax, usually near ones first;
+     * hits->tmax may decrease meanwhile. False: visit() returned false, which ends the traversal. The ray is in the
+     * space of the boxes. */
     bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
                   bool (*visit)(void *user, uint32_t item), void *user);
 } pov_hierarchy;
@@ -47,16 +48,16 @@ typedef struct pov_host {
     bool (*more)(pov_reader *in);                      /* does a value come next? */
     void (*fail)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);   /* at the last value read */
     void (*warn)(pov_reader *in, const char *format, ...) POV_PRINTF(2, 3);
-    /* A vector of n components, 2 to 5; a number stands for n equal ones. */
+    /* A vector of n components, 2 to 5; a number stands for n equal components. */
     void (*vector_of)(pov_reader *in, double *out, int n);
     void (*color)(pov_reader *in, double rgbft[5]);    /* red, green, blue, filter, transmit, as written */
     bool (*boolean)(pov_reader *in);                   /* on, yes, true, off, no, false, or a number: not 0 is true */
     const char *(*string)(pov_reader *in);             /* ends with a zero byte, lives as long as the scene; "" after an error */
-    /* The bytes of a file that the scene names, searched for as included files are and under the same restrictions. They
-     * live as long as the scene. NULL after an error; that there is no such file is one. */
+    /* The bytes of a file that the scene names, searched for like included files and under the same restrictions. They
+     * live as long as the scene. NULL after an error; a missing file is an error. */
     const void *(*file)(pov_reader *in, const char *name, size_t *bytes);
-    /* A hierarchy over n boxes, at least one, finite; parts are numbered as their boxes are. It lives as long as the scene.
-     * NULL after an error. */
+    /* A hierarchy over n boxes, at least one, finite; items are numbered like their boxes. It lives as long as the
+     * scene. NULL after an error. */
     const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
     /* abi 3 began with these. */
 } pov_host;

@@ -1,6 +1,6 @@
-/* povtrace/shape.h - what a primitive is: how it is read, where it is, what rays meet of it.
+/* povtrace/shape.h - a primitive: its parsing, its bounds, its intersection with rays.
  *
- * This is all that a new primitive needs. One that is to be as fast as the built-in ones adds shape_fast.h. */
+ * A new primitive needs no other header. One that is to be as fast as the built-in ones adds shape_fast.h. */
 #ifndef POVTRACE_SHAPE_H
 #define POVTRACE_SHAPE_H
 
@@ -11,22 +11,22 @@
 
 /* ---- rays and crossings ------------------------------------------------ */
 
-/* What names a crossing of a shape again: which part of it (face, cap, root), and what normal() wants to know. */
+/* Identifies a crossing of a shape: its feature (face, cap, root), and data for normal(). */
 typedef struct pov_mark { uint32_t feature, flags; double u, v; } pov_mark;
-#define POV_MARK_ESCALATED 0x80000000u /* in flags: double left the crossing open, double-double arithmetic decided */
-/* In a ray's origin_mark: it goes outward, at an angle that is no matter of rounding. In a mark that a shape reports:
- * whoever leaves it there, to either side and at any angle, never comes back. */
+#define POV_MARK_ESCALATED 0x80000000u /* in flags: double left the crossing open, double-double decided it */
+/* In a ray's origin_mark: it goes outward, at an angle beyond rounding. In a mark that a shape reports: a ray that
+ * starts there, on either side and at any angle, never hits the shape again. */
 #define POV_MARK_OUTWARD 0x40000000u
-#define POV_MARK_INWARD 0x20000000u    /* in a ray's origin_mark: it goes inward, as definitely */
-#define POV_MARK_CLOSED 0x10000000u    /* in flags: of a shape that is bounded, convex and without gaps */
+#define POV_MARK_INWARD 0x20000000u    /* in a ray's origin_mark: it goes inward, at an angle beyond rounding */
+#define POV_MARK_CLOSED 0x10000000u    /* in flags: the shape is bounded, convex and without gaps */
 
-/* A ray starts at the unevaluated sum org + org_lo, so that a start on a small
- * object far from the origin is exact enough to be told from its surface. */
+/* A ray starts at the unevaluated sum org + org_lo, so that a start on a small object far from the origin is accurate
+ * enough to be distinguished from its surface. */
 typedef struct pov_ray {
     pov_vec3 org, org_lo, dir;   /* dir need not be unit */
     uint32_t origin_surface;     /* the owner whose surface the ray starts on, or POV_NO_OWNER */
-    pov_mark origin_mark;        /* the mark of that crossing: intersect() leaves out that root by name */
-    pov_vec3 dir_lo;             /* the direction is dir + dir_lo: zero, but where a map was applied to a ray */
+    pov_mark origin_mark;        /* the mark of that crossing: intersect() leaves out that root */
+    pov_vec3 dir_lo;             /* the direction is dir + dir_lo; zero unless the ray was transformed */
 } pov_ray;
 
 /* A crossing lies at the unevaluated sum t + t_lo. */
@@ -38,27 +38,28 @@ typedef struct pov_crossing {
 
 typedef enum pov_want { POV_WANT_NEAREST, POV_WANT_ANY, POV_WANT_ALL } pov_want;
 
-/* Where intersect() reports. tmin is fixed; tmax closes in as hits are found. */
+/* The sink of intersect(). tmin is fixed; tmax decreases as hits are found. */
 typedef struct pov_hits {
     double tmin, tmax;             /* open interval */
     pov_want want;
-    bool always_exact;             /* use double-double arithmetic throughout, whatever the filter says */
-    bool count_only;               /* ALL: t may be off, as long as what is reported lies in the interval for certain */
-    uint32_t owner;                /* whom the host asks: compare with ray->origin_surface */
+    bool always_exact;             /* use double-double arithmetic throughout */
+    bool count_only;               /* ALL: t may be inaccurate, as long as each reported crossing is definitely in the
+                                    * interval */
+    uint32_t owner;                /* the tested object: compare with ray->origin_surface */
     uint32_t count, capacity;
-    uint32_t escalated;            /* add one for each crossing or miss that double-double arithmetic had to decide */
+    uint32_t escalated;            /* add one for each crossing or miss that double-double decided */
     pov_crossing *at;              /* one slot, or `capacity` of them for POV_WANT_ALL */
     bool (*grow)(struct pov_hits *hits);
     void *user;                    /* the host's */
-    bool tied;                     /* NEAREST: another owner's crossing is as near, as far as doubles tell */
-    void *scratch;                 /* working memory of this thread, as much as the class's scratch() asks for */
+    bool tied;                     /* NEAREST: another owner's crossing is as near within POV_COINCIDENT */
+    void *scratch;                 /* working memory of this thread, of the size that scratch() returns */
 } pov_hits;
 
-/* Distances that differ by less than this part of them may be the same: twice what crossings may be off by, and some. */
+/* Distances that differ by less than this fraction may be equal: twice the error of crossings, with a margin. */
 #define POV_COINCIDENT (1.0 / 70368744177664.0)   /* 2^-46 */
 
-/* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that
- * the answer does not depend on the order of asking. (The host looks again at what is as near: docs/numerics.md.) */
+/* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that the
+ * result does not depend on the order of tests. (The host compares again where it is tied: docs/numerics.md.) */
 static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
 {
     if (h->count == 0)
@@ -70,7 +71,7 @@ static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
     return h->owner < h->at->owner;
 }
 
-/* Take note of one that is about as near as the nearest so far, and of the first that is clearly nearer. */
+/* Note a tie with the nearest crossing so far; a crossing that is clearly nearer ends it. */
 static inline void pov_note_coincident(pov_hits *h, double t)
 {
     if (fabs(t - h->at->t) <= POV_COINCIDENT * fabs(t))
@@ -98,7 +99,7 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
         if (!pov_is_nearer(h, t, t_lo))
             return true;
         h->count = 1;
-        h->tmax = t + POV_COINCIDENT * fabs(t);   /* open for coincident ones */
+        h->tmax = t + POV_COINCIDENT * fabs(t);   /* keeps coincident crossings in the interval */
     }
     c->t = t;
     c->t_lo = t_lo;
@@ -116,16 +117,16 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
  * instance's own bytes. */
 
 enum {
-    POV_SHAPE_SOLID = 1u << 0,   /* inside() means something: it may hold a dielectric and take part in CSG */
+    POV_SHAPE_SOLID = 1u << 0,   /* inside() is valid: it may be a dielectric and take part in CSG */
     POV_SHAPE_CONVEX = 1u << 1,  /* a ray that leaves it outward never meets it again: it lies on one side of each tangent plane */
-    /* It fills its bounds, or is the sphere within them, but for what rounding them outward adds: up to eight units in
-     * the last place of the coordinates. Hosts that know better may look for more than bounds say. */
+    /* It fills its bounds, or is the sphere inscribed in them, except for the outward rounding of bounds: up to eight
+     * units in the last place of the coordinates. Hosts that know better bounds may use them. */
     POV_SHAPE_BOX = 1u << 2,
     POV_SHAPE_SPHERE = 1u << 3,
-    POV_SHAPE_FACETED = 1u << 4, /* its sides are flat: normal() does not look at the ray */
-    /* No hit or miss is misjudged, and each distance t + t_lo is off by at most 32 units in the last place of t, the
-     * point there by 2^-42 of the shape's size, from however far and at whatever scale (docs/numerics.md). The
-     * contract's tests hold the class to it. */
+    POV_SHAPE_FACETED = 1u << 4, /* its faces are planar: normal() ignores the ray */
+    /* No hit or miss is wrong, and each distance t + t_lo is off by at most 32 units in the last place of t, the point
+     * there by 2^-42 of the shape's size, from however far and at whatever scale (docs/numerics.md). The contract's
+     * tests verify it. */
     POV_SHAPE_CERTIFIED = 1u << 5
 };
 
@@ -134,35 +135,35 @@ typedef struct pov_shape_class {
     const char *keyword;
     size_t instance_size;    /* the host reserves it: zeroed, aligned to 32 bytes */
 
-    /* [load] Read what stands between the braces, up to the first object
-     * modifier. The host eats the keyword, both braces and the modifiers. */
+    /* [load] Parse the text between the braces, up to the first object modifier. The host reads the keyword, both
+     * braces and the modifiers. */
     void (*parse)(void *self, const pov_host *host, pov_reader *in);
     /* [load] A box that holds every point of the shape, rounded outward. False: no finite box. */
     bool (*bounds)(const void *self, pov_box *out);
-    /* [render] Report every crossing of the open interval, in any order, but for the one that the ray starts on. */
+    /* [render] Report every crossing of the open interval, in any order, except the one that the ray starts on. */
     void (*intersect)(const void *self, const pov_ray *ray, pov_hits *hits);
-    /* [render] Unit normal, pointing out of a solid. Only for hits that count. The point is found
-     * again from the ray, re-centred on the shape: a rounded world point would be too coarse far out. */
+    /* [render] Unit normal, pointing out of a solid. Only for crossings that are used. The point is recomputed from the
+     * ray, re-centred on the shape: a rounded world point would be too inaccurate far out. */
     void (*normal)(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 
     /* Any of these may be NULL or zero. */
 
     /* [render] Needed for POV_SHAPE_SOLID. The point is the sum of both parts. */
     bool (*inside)(const void *self, pov_vec3 point, pov_vec3 point_lo);
-    /* [load] Take the transform into the shape itself, as exactly as a fresh shape would be, or return false and
-     * leave it be. */
+    /* [load] Absorb the transformation into the shape, as exactly as a shape written so, or return false and leave the
+     * shape unchanged. */
     bool (*absorb)(void *self, const pov_affine *map);
-    /* [load] For classes whose instance is larger than what was written: parse gets parsed_size zeroed bytes in its
-     * place, and prepare makes of them an instance of at most POV_PREPARED_MAX bytes, which comes zeroed. It is
-     * called again, from several threads, wherever the host would have to keep one. */
+    /* [load] For classes whose instance is larger than its parsed form: parse gets parsed_size zeroed bytes in its
+     * place, and prepare makes an instance of at most POV_PREPARED_MAX bytes of them, which comes zeroed. It is called
+     * again, from several threads, wherever the host would have to store one. */
     size_t parsed_size;
     void (*prepare)(void *self, const void *parsed);
-    /* [render] Surface coordinates, 0 to 1 as a rule, of a point on the surface in the space in which the shape was
+    /* [render] Surface coordinates, usually 0 to 1, of a point on the surface in the space in which the shape was
      * written; mark is the crossing's. */
     void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
-    /* [load] Bytes that intersect() wants in hits->scratch, aligned to 64; what they hold at first is not defined. */
+    /* [load] Bytes that intersect() needs in hits->scratch, aligned to 64; their initial contents are undefined. */
     size_t (*scratch)(const void *self);
-    /* Any thread. An extension by its name, or NULL: shape_fast.h has one. It stays as long as the plugin is loaded. */
+    /* Any thread. An extension by its name, or NULL: shape_fast.h has one. Valid while the plugin is loaded. */
     const void *(*extension)(const char *name);
     /* abi 3 began with these. */
 } pov_shape_class;

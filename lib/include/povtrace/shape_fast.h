@@ -1,7 +1,7 @@
 /* povtrace/shape_fast.h - a primitive's fast extension: packets of rays and blocks of shapes.
  *
  * Unstable: it follows the renderer's own layout, and its name changes with each version. A host that does not know the
- * name does without; every answer must be the same bit for bit either way. A class hands it out by its extension(). */
+ * name does without; results must be bit-identical either way. A class returns it from extension(). */
 #ifndef POVTRACE_SHAPE_FAST_H
 #define POVTRACE_SHAPE_FAST_H
 
@@ -11,48 +11,50 @@
 #define POV_BLOCK_MAX 8u    /* most shapes one block holds */
 #define POV_RAYS_MAX 64u    /* most rays that block_filter() is asked for */
 
-/* Blocks may hold floats, in a frame: a point p of the world is (p - centre) * scale there, with a power of two for the
- * scale. All that a block holds lies in the cube -1..1. */
+/* Blocks may hold floats, in a frame: a world point p is (p - centre) * scale there, with a power of two for the scale.
+ * All contents of a block lie in the cube -1..1. */
 typedef struct pov_frame { pov_vec3 centre; double scale; } pov_frame;
 
-/* Rays side by side for block_filter(), each in a lane of its own. The host puts only such rays there as are in the
- * range of squares: org below 1e100, components of dir zero or of 1e-80 to 1e80, dir_lo zero. */
+/* Rays as a structure of arrays for block_filter(), one in each lane. The host stores only rays in the range of
+ * squares: org below 1e100, components of dir zero or of 1e-80 to 1e80, dir_lo zero. */
 typedef struct pov_rays {
     double org[3][POV_RAYS_MAX], org_lo[3][POV_RAYS_MAX], dir[3][POV_RAYS_MAX];
     double inverse[POV_RAYS_MAX];      /* 1 / dir.dir, rounded */
     double per_length[POV_RAYS_MAX];   /* its root: the t of a length of one */
     double size[POV_RAYS_MAX];         /* |org.x| + |org.y| + |org.z| */
     double tmax[POV_RAYS_MAX];
-    uint32_t excluded[POV_RAYS_MAX];   /* whom the ray need not be asked of (POV_MARK_OUTWARD), or POV_NO_OWNER */
+    uint32_t excluded[POV_RAYS_MAX];   /* the object that the ray cannot hit (POV_MARK_OUTWARD), or POV_NO_OWNER */
     /* The same in the frame of the block, rounded to floats; the point s along dir is at t = shift + s * unit. */
     struct {
         float org[3][POV_RAYS_MAX];
         float dir[3][POV_RAYS_MAX];    /* a unit vector */
-        float size[POV_RAYS_MAX];      /* |org.x| + |org.y| + |org.z| + 2^-22 |shift| / unit; without end: nothing is known */
+        float size[POV_RAYS_MAX];      /* |org.x| + |org.y| + |org.z| + 2^-22 |shift| / unit; infinite: nothing is
+                                        * known */
         float smax[POV_RAYS_MAX];      /* of tmax, rounded up by less than 2^-21 of it and 2^-44 |shift| / unit */
         double shift[POV_RAYS_MAX], unit[POV_RAYS_MAX];
     } local;
 } pov_rays;
 
-/* A shape of a block that a ray may cross within its interval, with bounds on its nearest crossing there. Bounds may be
- * wide; they must never be wrong. Of the root that a ray leaves a block knows nothing. */
+/* A shape of a block that a ray may hit within its interval, with bounds on the nearest crossing there. Bounds may be
+ * wide; they must never be wrong. Blocks do not know the root that a ray starts on. */
 typedef struct pov_candidate {
-    double lo, hi;               /* hi counts only where it is definitely crossed */
+    double lo, hi;               /* hi is valid for definite hits only */
     uint8_t ray, lane;           /* lanes of the rays, and of the block */
-    bool definite;               /* it is crossed for certain, */
-    bool definite_pair;          /* and just twice */
+    bool definite;               /* a definite hit */
+    bool definite_pair;          /* with exactly two crossings */
 } pov_candidate;
 #define POV_CANDIDATES_MAX (POV_RAYS_MAX * POV_BLOCK_MAX)
 
-/* An ellipsoid: its centre, in double-double, and rows of the map that takes points seen from there to the sphere of
- * radius one around zero. On the surface the length that comes of that is one within 2^-20. */
+/* An ellipsoid: its centre, in double-double, and rows of the map from points relative to the centre to the unit
+ * sphere. For points on the surface the mapped length is one within 2^-20. */
 typedef struct pov_ellipsoid { pov_vec3 centre, centre_lo, row[3]; } pov_ellipsoid;
 
 typedef struct pov_shape_fast {
     uint32_t size;
-    bool full_leaves;            /* block_filter takes as long for one shape of a block as for all: leaves should be full */
+    bool full_leaves;            /* block_filter takes as long for one shape of a block as for all: leaves should be
+                                  * full */
     size_t block_size;
-    size_t single_block_size;    /* bytes of a block that one shape was packed in alone, if they are fewer; else 0 */
+    size_t single_block_size;    /* bytes of a block with a single shape, if they are fewer; else 0 */
     /* Any of these may be NULL.
      *
      * [load] [render] Up to POV_BLOCK_MAX shapes of this class side by side in the plugin's own layout,
@@ -65,14 +67,14 @@ typedef struct pov_shape_fast {
     uint32_t (*block_filter)(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                              pov_candidate *out);
     /* [render] As n calls of intersect(), and of normal(), bit for bit: pair i is shape i with ray i. For packets,
-     * where several side by side cost less than as many alone; n is at least one. */
+     * where several side by side cost less than single ones; n is at least one. */
     void (*intersect_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     void (*normal_many)(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                         pov_vec3 *const *out, uint32_t n);
-    /* [render] As intersect_many() finds the nearest crossing, of pairs that a filter calls definitely crossed: whether
-     * there is one need not be asked. No ray starts on its shape. */
+    /* [render] As intersect_many() for the nearest crossing of definite hits: the test for a hit may be left out. No
+     * ray starts on its shape. */
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
-    /* [load] Is it an ellipsoid, and bounded like one? Hosts may filter its rays by that where no block does. */
+    /* [load] Is it an ellipsoid, with such bounds? Hosts may filter its rays by that if no block does. */
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
 } pov_shape_fast;
 
