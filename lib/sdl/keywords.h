@@ -306,7 +306,7 @@
     ROW(PIGMENT_MAP, "pigment_map", 0) \
     ROW(PIGMENT_PATTERN, "pigment_pattern", 0) \
     ROW(PLANAR, "planar", 0) \
-    ROW(PLANE, "plane", KEYWORD_FLAG_COMING) \
+    ROW(PLANE, "plane", KEYWORD_FLAG_SHAPE) \
     ROW(PNG, "png", 0) \
     ROW(POINT_AT, "point_at", 0) \
     ROW(POLY, "poly", KEYWORD_FLAG_COMING) \

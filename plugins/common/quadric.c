@@ -199,7 +199,7 @@ static void normalise(common_quadric *s, pov_two *raw)
     s->anchor = pov_two3_of(c, zero);
 }
 
-void common_quadric_make(common_quadric *s, const double coefficients[COEFFICIENTS])
+void common_quadric_make_two(common_quadric *s, const pov_two coefficients[COEFFICIENTS])
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     pov_two raw[COEFFICIENTS];
@@ -207,9 +207,19 @@ void common_quadric_make(common_quadric *s, const double coefficients[COEFFICIEN
 
     s->anchor = pov_two3_of(zero, zero);
     for (i = 0; i < COEFFICIENTS; i++)
-        raw[i] = pov_two_of(coefficients[i], 0.0);
+        raw[i] = coefficients[i];
     normalise(s, raw);
     prepare(s, raw);
+}
+
+void common_quadric_make(common_quadric *s, const double coefficients[COEFFICIENTS])
+{
+    pov_two q[COEFFICIENTS];
+    int i;
+
+    for (i = 0; i < COEFFICIENTS; i++)
+        q[i] = pov_two_of(coefficients[i], 0.0);
+    common_quadric_make_two(s, q);
 }
 
 /* ---- bounds, of ellipsoids ---- */

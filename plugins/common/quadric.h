@@ -23,6 +23,8 @@ typedef struct common_quadric {
 
 /* From coefficients about the origin, as written. */
 void common_quadric_make(common_quadric *s, const double coefficients[COEFFICIENTS]);
+/* The same of coefficients in double-double. */
+void common_quadric_make_two(common_quadric *s, const pov_two coefficients[COEFFICIENTS]);
 /* A box around an ellipsoid. False: not an ellipsoid, or nearly degenerate. */
 bool common_quadric_bounds(const common_quadric *s, pov_box *out);
 /* The same of the class's member. */
@@ -36,6 +38,15 @@ pov_two3 common_half_gradient(const pov_two *q, pov_two3 p, bool linear);
 pov_two common_value(const pov_two *q, pov_two3 p, pov_two3 half_gradient);
 /* The value at a point, rounded once. */
 pov_two common_exact_value(const pov_two *q, pov_two3 p);
+
+/* The class's members. */
+void common_quadric_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+void common_quadric_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+bool common_quadric_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
+void common_quadric_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits,
+                                    uint32_t n);
+void common_quadric_normal_pairs(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                                 pov_vec3 *const *out, uint32_t n);
 
 /* Many pairs at once; `one` intersects those that double precision leaves open. */
 typedef void common_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
