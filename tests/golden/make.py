@@ -21,6 +21,7 @@ SCENES = {
     'gallery-pool': 'panes and spheres of glass, coloured shadows',
     'gallery-quadric_hall': 'quadrics of each kind',
     'gallery-rose_window': 'polygons with holes, coloured light',
+    'test-checker': 'patterns on moved objects, and the shadow of patterned glass',
     'test-everything_course': 'all of the course dialect',
     'test-filter_shadow': 'coloured shadows, course dialect',
     'test-nested_media': 'glass in glass, entered and left in order',
