@@ -29,6 +29,8 @@ MUTATIONS = [
     ('colours: red and blue change places', 'return colour_of(a.r * s, a.g * s, a.b * s);',
      'return colour_of(a.b * s, a.g * s, a.r * s);', ''),
     ('filtered light: green not multiplied', 'g *= (double)filter.g;', '', ''),
+    ('patterned shadows: crossings not located', 'w->located = is_located(w, f);', 'w->located = false && is_located(w, f);',
+     'golden/test_golden'),
     ('opacity: weighs the wrong way', 'return 1.0f - filter - of->transmit;', 'return filter + of->transmit;', ''),
     ('nested dielectrics: left to the outermost', 'ior_of(m, list[index - 1])', 'ior_of(m, list[0])', ''),
     ('refraction: relative index upside down', 'steep = 0.5, eta = before / after;',
