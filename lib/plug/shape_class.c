@@ -54,6 +54,7 @@ void shape_class_fill(shape_class *out, const pov_shape_class *from)
     out->prepare = c.prepare;
     out->uv = c.uv;
     out->scratch = c.scratch;
+    out->open = c.open;
     if (fast_of(&c))
         fill_fast(out, fast_of(&c));
 }

@@ -22,6 +22,7 @@ typedef struct shape_class {
     void (*prepare)(void *self, const void *parsed);
     void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
     size_t (*scratch)(const void *self);
+    bool (*open)(const void *self);
 
     size_t block_size, single_block_size;
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);

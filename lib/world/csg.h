@@ -36,6 +36,7 @@ typedef struct csg_member {
     bool boxed;                  /* false: it may be infinite */
     bool absent;                 /* it is far from the tree, and rays are always outside */
     bool hidden;                 /* it clips: its own surface is not visible */
+    bool open;                   /* its surface has gaps: only inside() tells whether a ray is inside */
     bool patch;                  /* a surface without inside: visible where the tree's value would change by entering it */
     pov_box box;
 } csg_member;
@@ -51,6 +52,7 @@ typedef struct csg_tree {
     csg_bound *bounds;           /* bounds of the finite members; the first one around all */
     uint32_t *endless;           /* infinite members */
     uint32_t member_count, node_count, child_count, bounds_count, endless_count;
+    uint32_t open_count;         /* members that are open */
     bool boxed, empty;           /* boxed: it is finite; empty: its members have nothing in common */
     double size;                 /* the largest coordinate of the boxes */
     pov_box box;

@@ -18,6 +18,9 @@ static const double box_slack = 0x1p-48;
 /* In the mark of a crossing of a member that clips. */
 #define APPLIED 0x04000000u
 
+/* Distance from a crossing at which open members are asked, as a fraction of the size. */
+static const double open_step = 0x1p-24;
+
 typedef struct csg_traversal {
     const csg_tree *tree;
     const pov_ray *ray;
@@ -215,17 +218,22 @@ static pov_two3 point_at(const pov_ray *r, double t)
     return p;
 }
 
+static bool is_inside_at(const csg_traversal *w, const csg_member *m, double t)
+{
+    const pov_two3 p = point_at(w->ray, t);
+
+    return m->xform ? instance_inside(m->xform, m->shape, m->instance, pov_two3_hi(p), pov_two3_lo(p))
+                    : m->shape->inside(m->instance, pov_two3_hi(p), pov_two3_lo(p));
+}
+
 /* Does the ray end inside an infinite member? Tested well behind its last crossing. */
 static bool ends_inside(const csg_traversal *w, const csg_member *m, uint32_t first)
 {
     double t = w->dir > 0.0 ? w->size / w->dir : 1.0;
-    pov_two3 p;
 
     for (uint32_t i = first; i < w->found.count; i++)
         t = fmax(t, w->found.at[i].t);
-    p = point_at(w->ray, 2.0 * t);
-    return m->xform ? instance_inside(m->xform, m->shape, m->instance, pov_two3_hi(p), pov_two3_lo(p))
-                    : m->shape->inside(m->instance, pov_two3_hi(p), pov_two3_lo(p));
+    return is_inside_at(w, m, 2.0 * t);
 }
 
 static bool comes_before(const pov_crossing *a, const pov_crossing *b)
@@ -265,8 +273,8 @@ static void test_member(csg_traversal *w, uint32_t member)
     else
         m->shape->intersect(m->instance, w->ray, &w->found);
     drop_behind(w, first);
-    inside = !m->patch && (w->found.count - first) & 1;
-    if (!m->boxed && !m->patch)
+    inside = !m->patch && !m->open && (w->found.count - first) & 1;
+    if (!m->boxed && !m->patch && !m->open)
         inside = inside != ends_inside(w, m, first);
     if (inside)
         toggle(w, member);
@@ -343,7 +351,7 @@ static bool report(const pov_crossing *at, bool enters, pov_hits *hits)
 
 /* ---- walks ---- */
 
-static void begin(csg_traversal *w, void *user, bool exact)
+static void begin(csg_traversal *w, const pov_hits *hits, bool exact)
 {
     const csg_tree *t = w->tree;
     csg_scratch *s = w->scratch;
@@ -355,7 +363,8 @@ static void begin(csg_traversal *w, void *user, bool exact)
     w->found.at = s->crossings;
     w->found.capacity = s->capacity;
     w->found.grow = grow;
-    w->found.user = user;
+    w->found.user = hits->user;
+    w->found.scratch = hits->scratch;
     w->applied = w->asked_count = w->near_count = 0;
     w->unsure = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
@@ -412,7 +421,7 @@ static void clip(csg_traversal *w, uint32_t first, uint32_t end, bool enters)
         pov_crossing *at = &w->found.at[i];
         const csg_member *m = member_of(w, at);
 
-        if (!m->hidden || m->patch || at->mark.flags & APPLIED ||
+        if (!m->hidden || m->patch || m->open || at->mark.flags & APPLIED ||
             ((w->scratch->inside[which_of(w, at)] == m->turned) != enters && enters))
             continue;
         at->mark.flags |= APPLIED;
@@ -425,8 +434,30 @@ static void apply(csg_traversal *w, uint32_t first, uint32_t end)
     for (uint32_t i = first; i < end; i++) {
         const csg_member *m = member_of(w, &w->found.at[i]);
 
-        if (!m->hidden && !m->patch)
+        if (!m->hidden && !m->patch && !m->open)
             toggle(w, which_of(w, &w->found.at[i]));
+    }
+}
+
+/* How far from its crossing an open member is asked where the ray is: not as far as the next crossing. */
+static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
+{
+    const pov_crossing *at = w->found.at;
+    double step = w->dir > 0.0 ? open_step * w->size / w->dir : 0.0;
+
+    step = fmin(step, 0.5 * (at[first].t - (first > 0 ? at[first - 1].t : 0.0)));
+    return end < w->found.count ? fmin(step, 0.5 * (at[end].t - at[end - 1].t)) : step;
+}
+
+/* Open members are where they say, at a point of the ray: a ray may enter them without a crossing. */
+static void update_open(csg_traversal *w, double t)
+{
+    for (uint32_t i = 0; w->tree->open_count > 0 && i < w->asked_count; i++) {
+        const uint32_t member = w->scratch->asked[i];
+        const csg_member *m = &w->tree->members[member];
+
+        if (m->open && is_inside_at(w, m, t) != w->scratch->inside[member])
+            toggle(w, member);
     }
 }
 
@@ -456,13 +487,16 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
 {
     const csg_state *root = &w->scratch->states[0];
     const uint32_t first = w->applied, end = w->applied = end_of_point(w, first);
+    const double step = w->tree->open_count > 0 ? step_at(w, first, end) : 0.0;
     const pov_crossing *at;
     bool enters;
     int32_t before;
 
+    update_open(w, w->found.at[first].t - step);
     clip(w, first, end, true);
     before = root->value;
     apply(w, first, end);
+    update_open(w, w->found.at[end - 1].t + step);
     enters = root->value > before;
     at = root->value != before ? owner_of(w, first, end, enters) : find_patch(w, first, end);
     clip(w, first, end, false);
@@ -478,7 +512,7 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
 {
     bool enough = true;
 
-    begin(w, hits->user, exact);
+    begin(w, hits, exact);
     for (;;) {
         test_ahead(w);
         enough = !(w->unsure || is_close(w));

@@ -118,6 +118,8 @@ static void bind_trees(world *w)
 
             m->instance = ref.instance;
             m->xform = ref.xform;
+            m->open = m->shape->open && m->shape->open(m->instance);
+            w->trees.items[i].open_count += m->open;
         }
 }
 

@@ -153,6 +153,11 @@ static pov_box box_of(const common_cone_size *s, pov_two3 anchor, const pov_vec3
     return box;
 }
 
+bool common_cone_open(const void *self)
+{
+    return ((const common_cone *)self)->open;
+}
+
 bool common_cone_bounds(const void *self, pov_box *out)
 {
     const common_cone *s = self;

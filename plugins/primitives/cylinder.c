@@ -47,6 +47,7 @@ static const pov_shape_class cylinder_class = {
     .parsed_size = sizeof(common_cone_parsed),
     .prepare = common_cone_prepare,
     .extension = extension,
+    .open = common_cone_open,
 };
 
 static const pov_shape_class *const shapes[] = { &cylinder_class, NULL };

@@ -51,6 +51,7 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_shape_class, intersect, 40);
     AT(pov_shape_class, prepare, 80);
     AT(pov_shape_class, extension, 104);
+    AT(pov_shape_class, open, 112);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_image_format, read, 24);

@@ -159,6 +159,25 @@ void inside_flips_where_a_ray_crosses(void **unused)
         subject_skip("is not a POV_SHAPE_SOLID");
 }
 
+/* A bounded solid without gaps: a ray that starts inside crosses it an odd number of times. */
+static bool counts_tell(const thing *t, const pov_ray *ray)
+{
+    pov_crossing at[MOST];
+
+    if (!t->finite || (HAS(open) && subject.shape->open(t->self)))
+        return true;
+    return (subject_ask(t->self, ray, at) & 1) == subject.shape->inside(t->self, ray->org, ray->org_lo);
+}
+
+void crossings_ahead_tell_what_is_inside(void **unused)
+{
+    (void)unused;
+    if (subject.shape->flags & POV_SHAPE_SOLID)
+        subject_each_ray(RAYS, counts_tell);
+    else
+        subject_skip("is not a POV_SHAPE_SOLID");
+}
+
 static bool same_crossing(const pov_crossing *a, const pov_crossing *b)
 {
     return a->t == b->t && a->t_lo == b->t_lo && a->mark.feature == b->mark.feature;

@@ -78,6 +78,7 @@ static int check_file(const char *file)
         cmocka_unit_test(an_ellipsoid_is_the_sphere_of_its_rows),
         cmocka_unit_test(normals_are_unit),
         cmocka_unit_test(inside_flips_where_a_ray_crosses),
+        cmocka_unit_test(crossings_ahead_tell_what_is_inside),
         cmocka_unit_test(nearest_is_the_first_of_all_and_any_is_as_nearest),
         cmocka_unit_test(always_exact_finds_the_same),
         cmocka_unit_test(counting_finds_as_many),

@@ -165,6 +165,8 @@ typedef struct pov_shape_class {
     size_t (*scratch)(const void *self);
     /* Any thread. An extension by its name, or NULL: shape_fast.h has one. Valid while the plugin is loaded. */
     const void *(*extension)(const char *name);
+    /* [load] For solids: has the surface gaps, through which a ray enters without a crossing? NULL: none has. */
+    bool (*open)(const void *self);
     /* abi 3 began with these. */
 } pov_shape_class;
 
