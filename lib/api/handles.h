@@ -2,6 +2,7 @@
 #ifndef API_HANDLES_H
 #define API_HANDLES_H
 
+#include "api/explain.h"
 #include "base/env.h"
 #include "base/thread.h"
 #include "model/model.h"
@@ -20,7 +21,7 @@ struct pov_scene {
     pov_context *context;
     model model;
     world *world;
-    plan plugins;                /* only its rows */
+    explanation explanation;
     shading *shading;
     double parse_seconds, build_seconds;
 };

@@ -18,7 +18,9 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
     pov_status status = world_create(&scene->world, &scene->model, &options, err);
 
     if (status == POV_OK)
-        status = explain_plugins(&scene->plugins, &scene->model, scene->context->plugins, err);
+        status = explain_world(&scene->explanation, &scene->model, scene->world, err);
+    if (status == POV_OK)
+        status = explain_plugins(&scene->explanation, &scene->model, scene->context->plugins, err);
     if (status == POV_OK)
         status = shading_create(&scene->shading, &scene->model, scene->world, err);
     scene->build_seconds = clock_seconds() - start;
@@ -70,7 +72,7 @@ static pov_status create(pov_scene **out, pov_context *context, pov_error *err)
     context_retain(context);
     scene->context = context;
     model_init(&scene->model, &context->env);
-    arena_init(&scene->plugins.memory, &context->env);
+    explain_init(&scene->explanation, &context->env);
     *out = scene;
     return POV_OK;
 }
@@ -151,7 +153,7 @@ void pov_scene_destroy(pov_scene *scene)
     if (!scene)
         return;
     context = scene->context;
-    plan_free(&scene->plugins);
+    explain_free(&scene->explanation);
     shading_destroy(scene->shading);
     world_destroy(scene->world);
     model_free(&scene->model);
@@ -222,18 +224,12 @@ void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
 
 bool pov_scene_get_plan(const pov_scene *scene, size_t index, pov_plan_row *out)
 {
-    const plan_row_list *rows;
+    const explain_row_list *rows;
     pov_plan_row row = POV_INIT(row);
 
-    if (!scene || !out)
+    if (!scene || !out || index >= scene->explanation.rows.count)
         return false;
-    rows = &world_plan(scene->world)->rows;
-    if (index >= rows->count) {
-        index -= rows->count;
-        rows = &scene->plugins.rows;
-    }
-    if (index >= rows->count)
-        return false;
+    rows = &scene->explanation.rows;
     row.used = rows->items[index].used;
     row.subject = rows->items[index].subject;
     row.state = rows->items[index].state;

@@ -45,7 +45,8 @@ struct world {
     pov_box bounds, transparent; /* transparent: box around transparent objects */
     uint8_t *isolated;           /* by object, 1: it is transparent, and nothing else is in its box; NULL: unknown */
     bool has_bounds;
-    uint32_t infinite_count;
+    uint32_t infinite_count, finite_count;
+    size_t absorbed, composed, packed;   /* see world_facts */
     dielectric_list dielectrics; /* leaves in the order of the scene, then trees */
     csg_list trees;              /* objects behind the leaves */
     csg_root *roots;             /* their instances */

@@ -4,8 +4,12 @@
 
 #include "model/model.h"
 
-typedef struct plan_row { bool used; const char *subject, *state, *reason; } plan_row;
-typedef struct plan_row_list { plan_row *items; size_t count, capacity; } plan_row_list;
+typedef struct plan_counts {
+    size_t emitting;             /* lights that are not black */
+    size_t lit;                  /* objects with diffuse light or highlights */
+    size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
+    size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics;
+} plan_counts;
 
 typedef struct plan {
     bool lighting;               /* some light emits, and some surface has diffuse light or highlights */
@@ -17,16 +21,11 @@ typedef struct plan {
     bool transmission;           /* some surface transmits rays */
     bool refraction;             /* ... into a dielectric of ior other than 1 */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
-    plan_row_list rows;          /* for --explain */
-    arena memory;                /* memory of the rows' texts */
+    plan_counts counts;
 } plan;
 
-/* Derive the needs from the model. world_create() adds rows on objects and trees. */
+/* Derive the needs from the model. */
 pov_status plan_make(plan *p, const model *m, pov_error *err);
-/* A row; subject and state are static text, the reason is formatted and copied. */
-pov_status plan_add(plan *p, pov_error *err, bool used, const char *subject, const char *state, const char *reason, ...)
-    POV_PRINTF(6, 7);
-void plan_free(plan *p);
 /* Can rays be inside it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
 bool plan_is_dielectric(const model *m, const leaf_node *o);
 

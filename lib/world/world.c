@@ -10,49 +10,6 @@
 /* Scenes of fewer objects are compiled by the calling thread alone. */
 enum { THREADS_FROM = 10000 };
 
-/* ---- the plan's rows on objects and trees ---- */
-
-static pov_status explain_objects(world *w, const compile_state *f, pov_error *err)
-{
-    plan *p = &w->plan;
-    pov_status status;
-
-    if (f->absorbed + f->composed == 0)
-        status = plan_add(p, err, false, "transformations", "left out", "no object has one");
-    else if (f->composed == 0)
-        status = plan_add(p, err, true, "transformations", "absorbed", "applied to the shapes themselves: %zu",
-                          f->absorbed);
-    else
-        status = plan_add(p, err, true, "transformations", f->absorbed ? "some absorbed" : "composed",
-                          "applied to the shapes themselves: %zu; rays transformed to object space: %zu",
-                          f->absorbed, f->composed);
-    if (status == POV_OK && f->packed > 0)
-        status = plan_add(p, err, true, "blocks", "packed", "shapes filtered up to eight at once: %zu of %zu",
-                          f->packed, w->model->leaves.count);
-    else if (status == POV_OK)
-        status = plan_add(p, err, false, "blocks", "left out", "no shape takes part in them");
-    if (status == POV_OK && f->infinite_count > 0)
-        status = plan_add(p, err, true, "infinite objects", "tested separately",
-                          "without a finite box, tested for every ray: %zu", (size_t)f->infinite_count);
-    else if (status == POV_OK)
-        status = plan_add(p, err, false, "infinite objects", "left out", "every object has a finite box");
-    return status;
-}
-
-static pov_status explain_tree(world *w, const compile_state *f, pov_accel accel, pov_error *err)
-{
-    const bvh *t = &w->tree;
-
-    if (w->has_tree)
-        return plan_add(&w->plan, err, true, "tree", "built",
-                        "%zu objects: nodes %zu, leaves %zu, depth %d, frames %zu, %.1f kB; %s",
-                        (size_t)f->finite_count, t->node_count, t->leaf_count, t->depth, t->frame_count,
-                        1e-3 * (double)(t->node_count * sizeof(bvh_node) + t->leaf_bytes), w->kernels->name);
-    return plan_add(&w->plan, err, false, "tree", "left out", "%s",
-                    accel == POV_ACCEL_NONE ? "asked for none: every ray tests every object"
-                                            : "no object has a finite box");
-}
-
 /* ---- dielectrics ---- */
 
 /* For a tree its first leaf that is a dielectric, if any; for a leaf the leaf. */
@@ -285,6 +242,10 @@ static void take_over(world *w, compile_state *f)
     w->resident = f->resident;
     w->resident_count = f->threads;
     w->objects_info = f->objects_info;
+    w->absorbed = f->absorbed;
+    w->composed = f->composed;
+    w->packed = f->packed;
+    w->finite_count = f->finite_count;
     w->trees = f->trees;
     w->roots = f->roots;
     f->groups = NULL;
@@ -310,10 +271,6 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
         compile_drop_maps(&f);
     if (status == POV_OK)
         status = compile(w, &f, options, err);
-    if (status == POV_OK)
-        status = explain_objects(w, &f, err);
-    if (status == POV_OK)
-        status = explain_tree(w, &f, options->accel, err);
     take_over(w, &f);
     if (status == POV_OK)
         bind_trees(w);
@@ -359,13 +316,21 @@ void world_destroy(world *w)
     csg_free(&w->trees, w->env);
     env_free(w->env, w->roots);
     env_free(w->env, w->solids);
-    plan_free(&w->plan);
     env_free(w->env, w);
 }
 
 const plan *world_plan(const world *w)
 {
     return &w->plan;
+}
+
+world_facts world_get_facts(const world *w)
+{
+    const bvh *t = &w->tree;
+    const world_facts facts = { w->absorbed, w->composed, w->packed, w->infinite_count, w->finite_count, t->node_count,
+                                t->leaf_count, t->frame_count, t->node_count * sizeof(bvh_node) + t->leaf_bytes,
+                                t->depth, w->has_tree ? w->kernels->name : NULL };
+    return facts;
 }
 
 uint32_t world_solid(const world *w, uint32_t leaf)

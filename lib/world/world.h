@@ -22,6 +22,14 @@ typedef struct world_options {
 pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err);
 void world_destroy(world *w);
 const plan *world_plan(const world *w);
+/* Numbers for --explain: objects whose transformation was absorbed, instances, objects in blocks, without and with a
+ * finite box; and the size of the tree. */
+typedef struct world_facts {
+    size_t absorbed, composed, packed, infinite, finite, nodes, leaves, frames, tree_bytes;
+    int depth;
+    const char *kernels;         /* the code that traverses the tree; NULL: there is no tree */
+} world_facts;
+world_facts world_get_facts(const world *w);
 /* Box around all finite objects; false: there is none. */
 bool world_bounds(const world *w, pov_box *out);
 /* Record of each object for hits, by object: in one cache line, and in few pages. slot, group: internal to the

@@ -3,7 +3,7 @@
 #include "support/check.h"
 #include "support/shapes.h"
 
-static const plan_row *row_on(const plan *p, const char *subject)
+static const explain_row *row_on(const explanation *p, const char *subject)
 {
     for (size_t i = 0; i < p->rows.count; i++)
         if (strcmp(p->rows.items[i].subject, subject) == 0)
@@ -16,16 +16,16 @@ static void assert_reason(const shape_class *shape, const char *reason)
 {
     pov_error err = { 0 };
     model m;
-    plan p;
+    explanation p;
 
     test_model_init(&m, NULL);
     test_add_sphere(&m, pov_vec3_of(0.0, 0.0, 0.0), 1.0, 0);
     m.leaves.items[0].shape = shape;
-    assert_int_equal(plan_make(&p, &m, &err), POV_OK);
+    explain_init(&p, m.env);
     assert_int_equal(explain_plugins(&p, &m, NULL, &err), POV_OK);
     assert_true(row_on(&p, "plugin ball")->used);
     assert_string_equal(row_on(&p, "plugin ball")->reason, reason);
-    plan_free(&p);
+    explain_free(&p);
     model_free(&m);
 }
 
