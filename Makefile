@@ -270,6 +270,7 @@ help:
 	@echo "make aarch64    build for aarch64 with Debian's cross compiler; hold its pictures, by qemu, against this machine's"
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
 	@echo "make mutate     make a dozen mistakes in a copy of the tree, one by one: a test must notice each"
+	@echo "make corpus     draw the scenes that come with POV-Ray beside it: what is read, what matches, what is missing"
 	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
 	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; bench-counts: its instructions a ray, bench-whole:"
 	@echo "                whole processes, bench-threads, bench-scale: threads and objects, bench-bits: the same bit for bit"

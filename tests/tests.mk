@@ -150,6 +150,12 @@ compare: all
 mutate:
 	$(PYTHON) tests/mutate/mutate.py --build $(BUILD)
 
+# The scenes that come with POV-Ray (Debian: povray-examples): which are read, which match, what the others lack.
+CORPUS_FLAGS ?=
+.PHONY: corpus
+corpus: all
+	$(PYTHON) tests/corpus/corpus.py --povc $(POVC) --work $(BUILD)/corpus $(CORPUS_FLAGS)
+
 # What povc says of its error against references of 65 536 samples a pixel, which take over an hour the first time.
 VALIDATE_FLAGS ?=
 .PHONY: validate-error
