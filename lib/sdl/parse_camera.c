@@ -54,6 +54,7 @@ static void read_axis(pov_reader *in, void *self, keyword_id keyword)
 
     if (pov_largest(axis) == 0.0 && keyword != KEYWORD_SKY)
         report_fail(in, &in->value, POV_E_SYNTAX, "\"%s\" must not be zero", token_keyword_name(keyword));
+    c->has_size = c->has_size || keyword == KEYWORD_RIGHT || keyword == KEYWORD_UP;
     if (keyword == KEYWORD_RIGHT)
         c->right = axis;
     else if (keyword == KEYWORD_UP)
@@ -98,17 +99,20 @@ static void check_angle(pov_reader *in, camera_parsed *c)
 static void read_kind(pov_reader *in, void *self, keyword_id keyword)
 {
     ((camera_parsed *)self)->is_other = true;
+    ((camera_parsed *)self)->type = POV_CAMERA_PERSPECTIVE;
     unsupported_note(in, &in->last, keyword, "this kind of camera");
     value_optional(in, 0.0);
     if (in->token.kind == '{')
         unsupported_skip_block(in);
 }
 
-static void read_perspective(pov_reader *in, void *self, keyword_id keyword)
+static void read_type(pov_reader *in, void *self, keyword_id keyword)
 {
+    camera_parsed *c = self;
+
     (void)in;
-    (void)keyword;
-    ((camera_parsed *)self)->is_other = false;
+    c->is_other = false;
+    c->type = keyword == KEYWORD_ORTHOGRAPHIC ? POV_CAMERA_ORTHOGRAPHIC : POV_CAMERA_PERSPECTIVE;
 }
 
 void parse_camera(pov_reader *in, camera_parsed *c)
@@ -117,7 +121,7 @@ void parse_camera(pov_reader *in, camera_parsed *c)
         { KEYWORD_LOCATION, read_location }, { KEYWORD_LOOK_AT, read_look_at }, { KEYWORD_ANGLE, read_angle },
         { KEYWORD_RIGHT, read_axis },        { KEYWORD_UP, read_axis },         { KEYWORD_SKY, read_axis },
         { KEYWORD_DIRECTION, read_axis },    PARSE_MOVES(move_camera),
-        { KEYWORD_PERSPECTIVE, read_perspective }, { KEYWORD_ORTHOGRAPHIC, read_kind }, { KEYWORD_FISHEYE, read_kind },
+        { KEYWORD_PERSPECTIVE, read_type }, { KEYWORD_ORTHOGRAPHIC, read_type }, { KEYWORD_FISHEYE, read_kind },
         { KEYWORD_ULTRA_WIDE_ANGLE, read_kind }, { KEYWORD_OMNIMAX, read_kind }, { KEYWORD_PANORAMIC, read_kind },
         { KEYWORD_CYLINDER, read_kind }, { KEYWORD_SPHERICAL, read_kind }, { KEYWORD_MESH_CAMERA, read_kind },
     };
@@ -126,6 +130,7 @@ void parse_camera(pov_reader *in, camera_parsed *c)
     parse_camera_defaults(c);
     c->at = in->last;
     items_block(in, &list, c);
+    c->version = in->version;
     check_angle(in, c);
     if (!in->failed && c->has_look_at && pov_largest(pov_sub(c->look_at, c->location)) == 0.0)
         report_fail(in, &c->look_at_place, POV_E_SYNTAX, "the camera cannot look at its own location");
@@ -208,6 +213,25 @@ static camera_frame povray_frame(const camera_parsed *c)
     return f;
 }
 
+/* Parallel rays see a part of the scene as large as right and up; unless these were written, as large as the picture of a
+ * perspective camera is where this one looks. Before version 3.5 neither distance nor angle counted. */
+static void size_orthographic(const camera_parsed *c, camera_frame *f)
+{
+    const double half_degree = 3.14159265358979323846 / 360.0;
+    const pov_vec3 to = c->has_look_at ? c->look_at : pov_vec3_of(0.0, 0.0, 1.0);
+    const double distance = length(pov_sub(to, c->location));
+    double size = 1.0;
+
+    if (c->version > 0.0 && c->version < 3.5)
+        return;
+    if (c->angle > 0.0)
+        size = 2.0 * distance * tan(c->angle * half_degree) / length(f->r);
+    else if (!c->has_size)
+        size = distance / length(f->d);
+    f->r = pov_scale(f->r, size);
+    f->u = pov_scale(f->u, size);
+}
+
 static pov_vec3 turn(const pov_affine *map, pov_vec3 v)
 {
     pov_affine linear = *map;
@@ -251,9 +275,12 @@ void parse_camera_finish(pov_reader *in)
     if (pov_largest(c.right) == 0.0)
         c.right = pov_vec3_of(is_povray ? 1.33 : 1.33333, 0.0, 0.0);
     f = is_povray ? povray_frame(&c) : course_frame(&c);
-    if (c.angle > 0.0)
+    if (c.type == POV_CAMERA_ORTHOGRAPHIC)
+        size_orthographic(&c, &f);
+    else if (c.angle > 0.0)
         f.d = pov_scale(pov_unit(f.d), 0.5 * length(c.right) / tan(c.angle * (pi / 360.0)));
     out->size = sizeof *out;
+    out->type = c.type;
     out->location = c.location;
     out->direction = f.d;
     out->right = f.r;

@@ -24,6 +24,9 @@ typedef struct camera_parsed {
     double angle;                /* degrees; 0: none */
     bool has_look_at, has_angle;
     bool is_other;               /* a kind that is not there yet */
+    bool has_size;               /* right or up was written */
+    pov_camera_type type;
+    double version;              /* at its end */
     place angle_place;
     const transform *map;
 } camera_parsed;

@@ -173,6 +173,34 @@ static void the_last_camera_wins_with_a_warning(void **state)
     reading_end(&r);
 }
 
+static void assert_size(const char *text, double width, double height)
+{
+    const pov_camera c = read_camera(text, POV_DIALECT_POVRAY);
+
+    assert_int_equal(c.type, POV_CAMERA_ORTHOGRAPHIC);
+    if (!(fabs(sqrt(pov_dot(c.right, c.right)) - width) < 1e-14 * width &&
+          fabs(sqrt(pov_dot(c.up, c.up)) - height) < 1e-14 * height))
+        fail_msg("%s: right is <%g, %g, %g> and up <%g, %g, %g>, not %g and %g long", text, c.right.x, c.right.y, c.right.z,
+                 c.up.x, c.up.y, c.up.z, width, height);
+}
+
+static void an_orthographic_camera_sees_as_much_as_the_language_says(void **state)
+{
+    const double a = 2.0 * 5.0 * tan(3.14159265358979323846 / 9.0);
+
+    (void)state;
+    assert_size("camera { orthographic location <3, 4, 0> look_at 0 }", 1.33 * 5, 5);
+    assert_size("camera { location <3, 4, 0> direction 2*z look_at 0 orthographic }", 1.33 * 2.5, 2.5);
+    assert_size("camera { orthographic location <0, 0, -3> }", 1.33 * 4, 4);
+    assert_size("camera { orthographic location <3, 4, 0> look_at 0 right x*8 }", 8, 1);
+    assert_size("camera { orthographic location <3, 4, 0> look_at 0 up y*3 }", 1.33, 3);
+    assert_size("camera { orthographic location <3, 4, 0> look_at 0 angle 40 }", a, a / 1.33);
+    assert_size("camera { orthographic location <3, 4, 0> look_at 0 angle 40 right 2*x up 3*y }", a, a * 1.5);
+    assert_size("camera { orthographic location <3, 4, 0> look_at 0 right x*8 up y*6 scale 2 }", 16, 12);
+    assert_size("#version 3.1; camera { orthographic location <3, 4, 0> look_at 0 angle 40 }", 1.33, 1);
+    assert_int_equal(read_camera("camera { orthographic perspective }", POV_DIALECT_POVRAY).type, POV_CAMERA_PERSPECTIVE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -187,6 +215,7 @@ int main(void)
         cmocka_unit_test(in_the_povray_dialect_right_stays_where_sky_lies_along_the_view),
         cmocka_unit_test(transformations_come_last_wherever_they_stand),
         cmocka_unit_test(far_and_small_views_keep_their_direction),
+        cmocka_unit_test(an_orthographic_camera_sees_as_much_as_the_language_says),
         cmocka_unit_test(the_last_camera_wins_with_a_warning),
     };
 
