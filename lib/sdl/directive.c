@@ -121,7 +121,9 @@ static void run(pov_reader *in, const row *r, const place *at)
     in->hold.nesting = in->nesting;
     in->hold.frames = in->frames.count;
     in->hold.conditions = in->conditions.count;
-    r->run(in, at);
+    if (state_enter(in))         /* a directive may stand within the values of another */
+        r->run(in, at);
+    state_exit(in);
     in->hold = outer;
 }
 

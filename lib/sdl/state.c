@@ -6,7 +6,7 @@
 #include "sdl/report.h"
 
 /* The reader's calls within each other: brackets in expressions, macros in arguments, objects in objects. */
-enum { DEEPEST = 6000 };
+enum { DEEPEST = 3000, BRACKETS_MAX = 2500 };
 
 static void fail_bad(pov_reader *in)
 {
@@ -161,7 +161,8 @@ void state_open(pov_reader *in, int punct)
         state_require(in, punct);
         return;
     }
-    in->nesting++;
+    if (++in->nesting > BRACKETS_MAX)
+        report_fail(in, &in->token.at, POV_E_SYNTAX, "too many levels within each other");
     state_advance(in);
 }
 

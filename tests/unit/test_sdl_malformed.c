@@ -479,6 +479,36 @@ static void a_hundred_thousand_directives_and_signs_go_no_deeper(void **state)
     free(text);
 }
 
+/* What stands within itself again and again is refused before the reader's own calls fill the stack. */
+static void text_within_text_goes_only_so_deep(void **state)
+{
+    static const char *const starts[] = {
+        "#declare A = (", "#declare A = <1, ", "union {", "#declare F = function { (", "#declare A = #declare A =",
+        "#macro S() #local I = 0; #while (I < (1) #local I = I+1; #end #end S()", "sphere { 0, 1 transform {",
+        "sphere { 0, 1 pigment { average pigment_map { [1 pigment {", "#declare A = array[1] { ", "#declare A = max(",
+    };
+    enum { TIMES = 20000 };
+    size_t i, j;
+
+    (void)state;
+    for (i = 0; i < sizeof starts / sizeof starts[0]; i++) {
+        const char *last = strrchr(starts[i], ' ');
+        const char *again = i == 4 ? "#declare A =" : i == 2 ? "union {" : i == 6 ? "transform {" : last + 1;
+        const size_t length = strlen(starts[i]), more = strlen(again), size = length + TIMES * more;
+        char *text = malloc(size + 1);
+        reading r;
+
+        assert_non_null(text);
+        strcpy(text, starts[i]);
+        for (j = 0; j < TIMES; j++)
+            memcpy(text + length + j * more, again, more);
+        reading_begin_bytes(&r, text, size, NULL, NULL);
+        assert_int_equal(r.status, POV_E_SYNTAX);
+        reading_end(&r);
+        free(text);
+    }
+}
+
 static void long_words_and_lines_are_shown_in_part(void **state)
 {
     static char text[100000];
@@ -608,6 +638,7 @@ int main(void)
         cmocka_unit_test(ten_thousand_nested_braces_are_refused),
         cmocka_unit_test(a_million_nested_comments_are_one_without_an_end),
         cmocka_unit_test(a_hundred_thousand_directives_and_signs_go_no_deeper),
+        cmocka_unit_test(text_within_text_goes_only_so_deep),
         cmocka_unit_test(long_words_and_lines_are_shown_in_part),
         cmocka_unit_test(what_a_terminal_would_obey_is_not_shown),
         cmocka_unit_test(an_error_in_a_text_below_a_byte_order_mark_has_its_column),

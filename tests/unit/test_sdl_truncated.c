@@ -22,6 +22,22 @@ static const char scene[] =
     "polygon { 4, <0, 0, 0>, <1, 0, 0>, <1, 1, 0>, <0, 0, 0> rotate 45 }\n"
     "blob7 { power 3 (4) }";
 
+/* A program in the language: each kind of value, directive and macro. */
+static const char language[] =
+    "#version 3.7; #declare A = array[2][2] { { 1, 2 }, { 3, 4 } }; #local S = concat(\"a\", str(A[1][0], 0, 2));\n"
+    "#macro Row(N, What) #local K = 0; #while (K < N) What #local K = K + 1; #end #end\n"
+    "#declare B = A; #declare B[0][1] = vlength(<A[0][0], 2>) * 3;\n"
+    "#declare F = function (a, b) { a*b + sum(i, 1, 3, max(i, a, select(b, 1, 2))) } #declare G = function { F(x, y) }\n"
+    "#declare P = spline { natural_spline 0, x, 1, y, 2, <1, 2, 3> } #declare T = transform { rotate 30*y inverse }\n"
+    "#declare Tex = texture { pigment { checker rgb 1, rgb <1, 0, 0> } finish { phong 1 } } texture { pigment { rgbt 1 } }\n"
+    "#declare M = color_map { [0 rgb 0] [1 rgb 1] } #declare Ball = sphere { 0, F(1, 2) texture { Tex } transform T }\n"
+    "#fopen Out \"t.txt\" write #write (Out, \"sphere {0,\", 3, \"}//\", x) #fclose Out #include \"t.txt\"\n"
+    "#for (I, 1, 3) #switch (I) #case (2) union { object { Ball } Ball translate P(.5) } #break #else Row(I, Ball) #end #end\n"
+    "#if (defined(Nobody) | G(1, 2, 3) > 1e9) nonsense #else torus { rand(seed(1)), { 1 } } #end #undef B\n"
+    "#default { finish { ambient .2 } } #debug concat(S, chr(65), substr(S, 1, 2), strupr(S), vstr(3, x, \",\", 0, 2))\n"
+    "difference { box { -1, 1 } sphere { 0, 1.2 } pigment { rgb .5 } } #warning \"w\" light_source { 0, rgb 1 }\n"
+    "#declare N = y; box { trace(Ball, -5*z, z, N), 2 + N + max_extent(Ball) }\n";
+
 /* The first length bytes: read or refused with a place within them, in any case without a read beyond them.
  * */
 static bool try_first(size_t length, reading *r)
@@ -151,12 +167,11 @@ static void *spend(void *user, void *block, size_t bytes)
     return realloc(block, bytes);
 }
 
-static void memory_that_ends_anywhere_is_told_and_given_back(void **state)
+static void sweep(const char *text, size_t length)
 {
     long allowed;
     pov_status status = POV_E_MEMORY;
 
-    (void)state;
     for (allowed = 0; status != POV_OK; allowed++) {
         purse p = {0, 0};
         pov_allocator allocator = {spend, NULL};
@@ -164,14 +179,41 @@ static void memory_that_ends_anywhere_is_told_and_given_back(void **state)
 
         p.left = allowed;
         allocator.user = &p;
-        reading_begin_bytes(&r, scene, sizeof scene - 1, NULL, &allocator);
+        reading_begin_bytes(&r, text, length, NULL, &allocator);
         status = r.status;
-        assert_true(status == POV_OK || status == POV_E_MEMORY);
+        if (status != POV_OK && status != POV_E_MEMORY)
+            fail_msg("%ld: %d:%d %s", allowed, r.error.line, r.error.column, r.error.message);
         reading_end(&r);
         assert_int_equal(p.out, 0);
-        assert_true(allowed < 1000);
+        assert_true(allowed < 100000);
     }
     assert_true(allowed > 10);
+}
+
+static void memory_that_ends_anywhere_is_told_and_given_back(void **state)
+{
+    (void)state;
+    sweep(scene, sizeof scene - 1);
+    sweep(language, sizeof language - 1);
+}
+
+static void a_program_cut_at_any_byte_is_read_or_refused(void **state)
+{
+    size_t length;
+
+    (void)state;
+    for (length = 0; length < sizeof language; length++) {
+        char *exact = malloc(length ? length : 1);
+        reading r;
+
+        assert_non_null(exact);
+        memcpy(exact, language, length);
+        reading_begin_bytes(&r, exact, length, NULL, NULL);
+        free(exact);
+        assert_true(r.status == POV_OK || r.error.line > 0);
+        assert_true(length < sizeof language - 1 || r.status == POV_OK);
+        reading_end(&r);
+    }
 }
 
 int main(void)
@@ -180,6 +222,7 @@ int main(void)
         cmocka_unit_test(the_whole_scene_is_read),
         cmocka_unit_test(a_scene_cut_at_any_byte_is_read_or_refused),
         cmocka_unit_test(a_scene_cut_at_any_token_says_what_is_missing_and_where),
+        cmocka_unit_test(a_program_cut_at_any_byte_is_read_or_refused),
         cmocka_unit_test(memory_that_ends_anywhere_is_told_and_given_back),
     };
 
