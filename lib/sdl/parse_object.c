@@ -74,10 +74,13 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
 
 static object_parsed *keep(pov_reader *in, const object_parsed *o)
 {
-    object_parsed *kept = state_alloc(in, sizeof *kept, 32);
+    object_parsed *kept = in->failed ? NULL : arena_alloc(&in->members, sizeof *kept, sizeof(double));
 
-    if (kept)
-        *kept = *o;
+    if (!kept) {
+        report_memory(in);
+        return NULL;
+    }
+    *kept = *o;
     return kept;
 }
 

@@ -104,6 +104,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     in->buffers.env = m->env;
     in->heap.env = m->env;
     in->heap.drop = drop_shared;
+    arena_init(&in->members, m->env);
     if (!symbols_init(&in->words, m->env))
         return false;
     intrinsic_init(&in->words);
@@ -117,6 +118,7 @@ static void free_reader(pov_reader *in)
 
     text_file_free_all(in);
     value_free_all(&in->heap);
+    arena_free(&in->members);
     token_buffer_free_all(&in->buffers);
     source_free(&in->sources);
     symbols_free(&in->words);

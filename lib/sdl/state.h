@@ -98,6 +98,7 @@ struct pov_reader {
     source_list sources;
     token_buffer_list buffers;
     value_heap heap;
+    arena members;               /* of groups and clips as parsed, until all has been read */
     frame_list frames;
     frame *top;                  /* the last of them */
     condition_list conditions;
