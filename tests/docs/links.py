@@ -3,7 +3,7 @@
 
 * A link to a file or an anchor of the tree.
 * A path in backticks or plain text, such as `bvh/collapse.c` or docs/numerics.md: it is looked for beside the page, in the
-  tree's root, in lib and in plugins. Files that are yet to be written are named in sections that begin with "Where growth".
+  tree's root, in lib and in plugins.
 * A target of make, such as `make bench`.
 * A table has a head.
 * The marks between which scripts write their tables: one pair for each table.
@@ -38,8 +38,7 @@ def anchors(page):
 
 def prose(page):
     text = re.sub(r'^```.*?^```$', '', page.read_text(), flags=re.M | re.S)
-    text = re.sub(r'<!-- example: .*?-->', '', text, flags=re.S)
-    return re.sub(r'^## Where growth.*?(?=^## |\Z)', '', text, flags=re.M | re.S)
+    return re.sub(r'<!-- example: .*?-->', '', text, flags=re.S)
 
 
 def dead_link(page, link):
