@@ -4,7 +4,7 @@
 Every fenced block of a page is one of these, by its language and by the comment `<!-- example: ... -->` above it:
 
     sh                       run in the page's folder; it must succeed
-    pov                      saved as scene.pov and checked by povc
+    pov                      saved as scene.pov and checked by povc: no error, no warning, no feature that is not drawn
     c, pov: file NAME        saved as NAME; C is compiled with all warnings. A second block of that name continues the file
                              behind an empty line
     c: file NAME, is PATH    the same, and the whole is the tree's file PATH
@@ -131,11 +131,14 @@ class Page:
         if comment.startswith('prints'):
             return self.compare(comment, text) or 'compared'
         if comment or language not in ('sh', 'pov'):
-            raise Failure(f'nobody says what to do with a block of "{language}": {comment or "no comment"}')
-        if language == 'pov':
-            self.save('scene.pov', text)
-        self.must('povc --check scene.pov' if language == 'pov' else text, shell=True)
-        return 'checked' if language == 'pov' else 'run'
+            raise Failure(f'the page does not say what to do with this block of "{language}": {comment or "no comment"}')
+        if language == 'sh':
+            return self.must(text, shell=True) or 'run'
+        self.save('scene.pov', text)
+        self.must(['povc', '--check', '--strict', 'scene.pov'])
+        if 'warning:' in self.printed:
+            raise Failure(self.printed)
+        return 'checked'
 
     def finish(self, name, original):
         """A whole file: C compiles without a warning, and is the tree's if the page says so."""
