@@ -117,6 +117,7 @@ void unsupported_skip_item(pov_reader *in)
     skip_values(in);
     if (in->token.kind == '{')
         unsupported_skip_block(in);
+    state_accept(in, ',');
     skip_values(in);
 }
 
