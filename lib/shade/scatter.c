@@ -165,12 +165,14 @@ static void split(scattering *to, const interfaces *p, uint32_t lane)
 
 static void scatter_lanes(scattering *to, bool refraction)
 {
+    const surfaces *on = to->on;
+    const uint32_t n = on->count;
     interfaces p;
 
     if (refraction)
         find_interfaces(to, &p);
-    for (uint32_t i = 0; i < to->on->count; i++) {
-        const appearance *a = to->on->at[i].appearance;
+    for (uint32_t i = 0; i < n; i++) {
+        const appearance *a = on->at[i].appearance;
 
         if (a->transmissive && refraction) {
             split(to, &p, i);

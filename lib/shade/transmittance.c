@@ -25,22 +25,55 @@ static colour filter_of(const shading *scene, const hit *h)
     return a->varies ? paint_filter(scene, h) : a->filter.by;
 }
 
-/* The positions of filters along a light path do not matter to the product. It is rounded once, in the order of the
- * objects: the same for the tree and the list. False: nothing is left. */
-static bool multiply(const shading *scene, const pov_ray *ray, const pov_crossing *at, uint32_t count,
-                     colour *through)
+/* What filters have left of light so far. Their positions along a light path do not matter to the product. It is rounded
+ * once, in the order of the objects: the same for the tree and the list. */
+typedef struct product { double r, g, b; } product;
+
+static inline product product_of(colour c)
 {
-    double r = (double)through->r, g = (double)through->g, b = (double)through->b;
+    const product p = { (double)c.r, (double)c.g, (double)c.b };
 
-    for (uint32_t i = 0; i < count; i++) {
-        const colour filter = filter_at(scene, ray, &at[i]);
+    return p;
+}
 
-        r *= (double)filter.r;
-        g *= (double)filter.g;
-        b *= (double)filter.b;
-    }
-    *through = colour_of((float)r, (float)g, (float)b);
+static inline void take(product *p, colour filter)
+{
+    p->r *= (double)filter.r;
+    p->g *= (double)filter.g;
+    p->b *= (double)filter.b;
+}
+
+static inline bool is_left(product p, colour *through)
+{
+    *through = colour_of((float)p.r, (float)p.g, (float)p.b);
     return !colour_is_black(*through);
+}
+
+/* False: nothing is left. */
+static inline bool multiply(const shading *scene, const pov_crossing *at, uint32_t count, colour *through)
+{
+    product p = product_of(*through);
+
+    for (uint32_t i = 0; i < count; i++)
+        take(&p, shading_constant(scene, at[i].owner)->filter.by);
+    return is_left(p, through);
+}
+
+/* The same where some filters may vary. */
+static bool multiply_varying(const shading *scene, const pov_ray *ray, const pov_crossing *at, uint32_t count,
+                             colour *through)
+{
+    product p = product_of(*through);
+
+    for (uint32_t i = 0; i < count; i++)
+        take(&p, filter_at(scene, ray, &at[i]));
+    return is_left(p, through);
+}
+
+static inline bool cross(const shading *scene, const pov_ray *ray, const occlusion *found, uint32_t i, colour *through)
+{
+    return scene->plan->textures ? multiply_varying(scene, ray, found->at[i], found->count[i], through)
+                                 : multiply(scene, found->at[i], found->count[i], through);
 }
 
 uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, uint32_t n, double tmax,
@@ -54,7 +87,7 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     for (rest = found.crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (!multiply(c->scene, rays[i], found.at[i], found.count[i], &through[i]))
+        if (!cross(c->scene, rays[i], &found, i, &through[i]))
             lit &= ~((uint64_t)1 << i);
     }
     return lit;
@@ -72,5 +105,5 @@ bool transmittance_from(const shade_context *c, const coincident_set *from, cons
     for (; crossed; crossed &= crossed - 1)
         *through = colour_mul(*through, filter_of(c->scene, &from->at[first_of(crossed)]));
     return !colour_is_black(*through) &&
-           (!found.crossed || multiply(c->scene, ray, found.at[0], found.count[0], through));
+           (!found.crossed || cross(c->scene, ray, &found, 0, through));
 }

@@ -36,14 +36,25 @@ void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, ui
 
 /* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
  * without clones warn of uninitialised lanes. */
-SIMD_CLONES static void find_own(const inverse_map *restrict map, const texture_points *restrict p, uint32_t n,
-                                 vec_lanes *restrict out)
+SIMD_CLONES static void map_points(const inverse_map *restrict map, const texture_points *restrict p, uint32_t n,
+                                   vec_lanes *restrict out)
 {
     uint32_t i = 0;
 
     do
         lanes_put(out, i, pov_two3_hi(to_space(map, pov_two3_of(lanes_at(&p->at, i), lanes_at(&p->at_lo, i)))));
     while (++i < n);
+}
+
+/* Lanes behind the last point, up to a whole vector of the processor, are like it. */
+static void find_own(const inverse_map *map, const texture_points *p, uint32_t n, vec_lanes *out)
+{
+    if (map)
+        map_points(map, p, n, out);
+    else
+        *out = p->at;
+    for (uint32_t i = n; i < lanes_whole(n); i++)
+        lanes_put(out, i, lanes_at(out, n - 1));
 }
 
 /* Values beyond the list, which patterns give only for NaN, select its end. */
@@ -57,13 +68,11 @@ static inline uint32_t index_of(double value, uint32_t count)
 void texture_eval(const model *m, const material *of, const texture_points *points, uint32_t n, texture_sample *out)
 {
     const pattern *p = of->pattern;
-    const inverse_map *map = map_table_at(&m->kept_maps, p->map);
     SIMD_ALIGNED double value[LANES_MAX];
     vec_lanes own;
 
-    if (map)
-        find_own(map, points, n, &own);
-    p->class->evaluate(p->self, map ? &own : &points->at, n, value);
+    find_own(map_table_at(&m->kept_maps, p->map), points, n, &own);
+    p->class->evaluate(p->self, &own, n, value);
     for (uint32_t i = 0; i < n; i++)
         out[i].pigment = p->list[index_of(value[i], p->count)];
 }
