@@ -433,7 +433,7 @@
     ROW(TILING, "tiling", 0) \
     ROW(TOLERANCE, "tolerance", 0) \
     ROW(TOROIDAL, "toroidal", 0) \
-    ROW(TORUS, "torus", KEYWORD_FLAG_COMING) \
+    ROW(TORUS, "torus", KEYWORD_FLAG_SHAPE) \
     ROW(TRACE, "trace", 0) \
     ROW(TRANSFORM, "transform", 0) \
     ROW(TRANSLATE, "translate", KEYWORD_FLAG_BASE) \

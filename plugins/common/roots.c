@@ -1,0 +1,215 @@
+#include "common/roots.h"
+
+/* Cuts of an interval, tried in turn until the polynomial has a certain sign there. */
+static const double cuts[] = { 0.5, 0.4375, 0.5625, 0.375, 0.625, 0.46875 };
+enum { CUTS = sizeof cuts / sizeof cuts[0], DEPTH = 26, DEPTH_TWO = 52 };
+
+/* Bernstein coefficients of x^k on -1..1, by degree: row k. None is larger than one, so errors just add up. */
+#define THIRD { 0x1.5555555555555p-2, 0x1.5555555555555p-56 }
+#define MINUS_THIRD { -0x1.5555555555555p-2, -0x1.5555555555555p-56 }
+#define ONE { 1.0, 0.0 }
+#define MINUS_ONE { -1.0, 0.0 }
+#define HALF { 0.5, 0.0 }
+#define MINUS_HALF { -0.5, 0.0 }
+#define ZERO { 0.0, 0.0 }
+static const pov_two basis[2][5][5] = {
+    { { ONE, ONE, ONE, ONE, ZERO },
+      { MINUS_ONE, MINUS_THIRD, THIRD, ONE, ZERO },
+      { ONE, MINUS_THIRD, MINUS_THIRD, ONE, ZERO },
+      { MINUS_ONE, ONE, MINUS_ONE, ONE, ZERO },
+      { ZERO, ZERO, ZERO, ZERO, ZERO } },
+    { { ONE, ONE, ONE, ONE, ONE },
+      { MINUS_ONE, MINUS_HALF, ZERO, HALF, ONE },
+      { ONE, ZERO, MINUS_THIRD, ZERO, ONE },
+      { MINUS_ONE, HALF, ZERO, MINUS_HALF, ONE },
+      { ONE, MINUS_ONE, ONE, MINUS_ONE, ONE } },
+};
+
+/* The most sign changes that open signs (0) allow; more than one is MANY. */
+enum { MANY = 9 };
+
+static int changes_of(const int *sign, int degree)
+{
+    int sum = 0, previous = 0, open = 0, i;
+
+    for (i = 0; i <= degree; i++) {
+        if (sign[i] == 0) {
+            open++;
+            continue;
+        }
+        if (previous != 0 && sign[i] != previous)
+            sum += open > 1 ? MANY : 1;
+        else if (previous != 0 && open > 0)
+            sum += MANY;
+        else if (previous == 0 && open > 0)
+            sum += MANY;
+        previous = sign[i];
+        open = 0;
+    }
+    return open > 0 ? sum + MANY : sum;
+}
+
+static void put(common_brackets *out, double lo, double hi, bool rising)
+{
+    const common_bracket one = { lo, hi, rising };
+
+    if (out->count < COMMON_ROOTS_MAX)
+        out->at[out->count++] = one;
+}
+
+/* ---- in double ---- */
+
+static double largest_of(const double *b, int degree)
+{
+    double most = 0.0;
+
+    for (int i = 0; i <= degree; i++)
+        most = fmax(most, fabs(b[i]));
+    return most;
+}
+
+/* De Casteljau's scheme at a part of the interval. */
+static void divide(const double *b, int degree, double at, double *left, double *right)
+{
+    double w[COMMON_DEGREE_MAX + 1];
+
+    for (int i = 0; i <= degree; i++)
+        w[i] = b[i];
+    for (int k = 0; k <= degree; k++) {
+        left[k] = w[0];
+        right[degree - k] = w[degree - k];
+        for (int i = 0; i < degree - k; i++)
+            w[i] += at * (w[i + 1] - w[i]);
+    }
+}
+
+static bool isolate(const double *b, int degree, double error, double lo, double hi, int depth, common_brackets *out)
+{
+    double left[COMMON_DEGREE_MAX + 1], right[COMMON_DEGREE_MAX + 1], more;
+    int sign[COMMON_DEGREE_MAX + 1], changes, i;
+
+    for (i = 0; i <= degree; i++)
+        sign[i] = b[i] > error ? 1 : b[i] < -error ? -1 : 0;
+    changes = changes_of(sign, degree);
+    if (changes == 1)
+        put(out, lo, hi, sign[degree] > 0);
+    if (changes <= 1)
+        return true;
+    more = error + 0x1p-53 * (degree + 1) * largest_of(b, degree);
+    for (i = 0; depth < DEPTH && i < CUTS; i++) {
+        const double middle = lo + (hi - lo) * cuts[i];
+
+        divide(b, degree, cuts[i], left, right);
+        if (fabs(left[degree]) > 2.0 * more)
+            return isolate(left, degree, more, lo, middle, depth + 1, out) &&
+                   isolate(right, degree, more, middle, hi, depth + 1, out);
+    }
+    return false;
+}
+
+bool common_isolate(const double *a, double error, int degree, common_brackets *out)
+{
+    double b[COMMON_DEGREE_MAX + 1], sum = 0.0;
+
+    out->count = 0;
+    for (int i = 0; i <= degree; i++) {
+        b[i] = 0.0;
+        sum += fabs(a[i]);
+        for (int k = 0; k <= degree; k++)
+            b[i] += a[k] * basis[degree - 3][k][i].hi;
+    }
+    return isolate(b, degree, error + (degree + 4) * 0x1p-53 * sum, -1.0, 1.0, 0, out);
+}
+
+/* ---- in double-double ---- */
+
+static void divide_two(const pov_two *b, int degree, double at, pov_two *left, pov_two *right)
+{
+    pov_two w[COMMON_DEGREE_MAX + 1];
+
+    for (int i = 0; i <= degree; i++)
+        w[i] = b[i];
+    for (int k = 0; k <= degree; k++) {
+        left[k] = w[0];
+        right[degree - k] = w[degree - k];
+        for (int i = 0; i < degree - k; i++)
+            w[i] = pov_two_add(w[i], pov_two_mul_double(pov_two_sub(w[i + 1], w[i]), at));
+    }
+}
+
+static double largest_two(const pov_two *b, int degree)
+{
+    double most = 0.0;
+
+    for (int i = 0; i <= degree; i++)
+        most = fmax(most, fabs(b[i].hi));
+    return most;
+}
+
+static void isolate_two(const pov_two *b, int degree, double error, double lo, double hi, int depth, common_brackets *out)
+{
+    pov_two left[COMMON_DEGREE_MAX + 1], right[COMMON_DEGREE_MAX + 1];
+    int sign[COMMON_DEGREE_MAX + 1], changes, i;
+    double more;
+
+    for (i = 0; i <= degree; i++)
+        sign[i] = b[i].hi > error ? 1 : b[i].hi < -error ? -1 : 0;
+    changes = changes_of(sign, degree);
+    if (changes == 1)
+        put(out, lo, hi, sign[degree] > 0);
+    if (changes <= 1)
+        return;
+    more = error + 0x1p-102 * (degree + 1) * largest_two(b, degree);
+    for (i = 0; depth < DEPTH_TWO && i < CUTS; i++) {
+        const double middle = lo + (hi - lo) * cuts[i];
+
+        divide_two(b, degree, cuts[i], left, right);
+        if (fabs(left[degree].hi) > 2.0 * more) {
+            isolate_two(left, degree, more, lo, middle, depth + 1, out);
+            isolate_two(right, degree, more, middle, hi, depth + 1, out);
+            return;
+        }
+    }
+    /* It touches; where the ends are certain and differ it crosses once all the same. */
+    if (sign[0] * sign[degree] < 0)
+        put(out, lo, hi, sign[degree] > 0);
+}
+
+void common_isolate_two(const pov_two *a, double error, int degree, common_brackets *out)
+{
+    pov_two b[COMMON_DEGREE_MAX + 1];
+    double sum = 0.0;
+
+    out->count = 0;
+    for (int i = 0; i <= degree; i++) {
+        b[i] = pov_two_of(0.0, 0.0);
+        sum += fabs(a[i].hi);
+        for (int k = 0; k <= degree; k++)
+            b[i] = pov_two_add(b[i], pov_two_mul(a[k], basis[degree - 3][k][i]));
+    }
+    isolate_two(b, degree, error + (degree + 4) * 0x1p-101 * sum, -1.0, 1.0, 0, out);
+}
+
+/* ---- the root ---- */
+
+double common_polish(const double *a, int degree, const common_bracket *root)
+{
+    double lo = root->lo, hi = root->hi, x = 0.5 * (lo + hi);
+
+    for (int turn = 0; turn < 64; turn++) {
+        double value = a[degree], slope = 0.0, next;
+
+        for (int i = degree - 1; i >= 0; i--) {
+            slope = slope * x + value;
+            value = value * x + a[i];
+        }
+        *((value > 0.0) == root->rising ? &hi : &lo) = x;
+        next = slope != 0.0 ? x - value / slope : lo;
+        if (!(next > lo && next < hi))
+            next = 0.5 * (lo + hi);
+        if (fabs(next - x) <= 0x1p-48)
+            return next;
+        x = next;
+    }
+    return x;
+}
