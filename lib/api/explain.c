@@ -145,6 +145,18 @@ static pov_status explain_tree(explanation *e, const world_facts *f, pov_error *
                f->finite > 0 ? "asked for none: every ray tests every object" : "no object has a finite box");
 }
 
+/* Solids made of others are in the model: a tree for each, whose members are leaves. */
+static pov_status explain_solids(explanation *e, const model *m, pov_error *err)
+{
+    size_t members = 0;
+
+    for (size_t i = 0; i < m->trees.count; i++)
+        members += m->groups.items[m->trees.items[i] & ~NODE_GROUP].leaf_count;
+    if (members > 0)
+        return add(e, err, true, "solids made of others", "traversed", "trees: %zu; members: %zu", m->trees.count, members);
+    return add(e, err, false, "solids made of others", "left out", "nothing is merged, intersected, cut or clipped");
+}
+
 pov_status explain_world(explanation *e, const model *m, const world *w, pov_error *err)
 {
     const world_facts facts = world_get_facts(w);
@@ -158,6 +170,8 @@ pov_status explain_world(explanation *e, const model *m, const world *w, pov_err
         status = explain_surfaces(e, p, err);
     if (status == POV_OK)
         status = explain_objects(e, &facts, m->leaves.count, err);
+    if (status == POV_OK)
+        status = explain_solids(e, m, err);
     return status == POV_OK ? explain_tree(e, &facts, err) : status;
 }
 

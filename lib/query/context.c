@@ -20,6 +20,7 @@ pov_status query_context_create(query_context **out, const world *w, pov_error *
     }
     if (w->scratch_bytes > 0)
         k->scratch = env_alloc_aligned(w->env, w->scratch_bytes, SIMD_LINE);
+    k->csg.classes = &k->classes;
     if (csg_scratch_init(&k->csg, world_trees(w), w->env) && (k->scratch || w->scratch_bytes == 0))
         return POV_OK;
     query_context_destroy(k);

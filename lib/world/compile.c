@@ -517,17 +517,6 @@ static bool make_groups(survey *s)
     return f->groups && f->shares_leaf && f->finite && f->infinite && f->members && i == n;
 }
 
-static void mark_members(compile_state *f)
-{
-    const model *m = f->model;
-
-    for (size_t i = 0; i < m->trees.count; i++) {
-        const group_node *g = &m->groups.items[m->trees.items[i] & ~NODE_GROUP];
-
-        memset(f->is_member + g->leaf, 1, g->leaf_count);
-    }
-}
-
 pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, int threads, pov_error *err)
 {
     survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
@@ -543,7 +532,7 @@ pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, in
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))
         status = err_memory(err);
     if (status == POV_OK) {
-        mark_members(f);
+        compile_mark_members(f);
         share_work(threads, s.slice_count, compile_slice, &s);
         status = add_up(&s, err);
     }

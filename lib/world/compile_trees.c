@@ -1,6 +1,19 @@
 /* Trees of shapes as objects of the world, behind its leaves. */
 #include "world/compile.h"
 
+#include <string.h>
+
+void compile_mark_members(compile_state *f)
+{
+    const model *m = f->model;
+
+    for (size_t i = 0; i < m->trees.count; i++) {
+        const group_node *g = &m->groups.items[m->trees.items[i] & ~NODE_GROUP];
+
+        memset(f->is_member + g->leaf, 1, g->leaf_count);
+    }
+}
+
 static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
 {
     const compile_state *f = user;

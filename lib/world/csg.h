@@ -9,6 +9,7 @@
 #include "base/env.h"
 #include "model/model.h"
 #include "world/instance.h"
+#include "world/world.h"
 
 /* In the mark of a crossing that a tree reports: the ray enters the solid there. */
 #define CSG_MARK_ENTERS 0x08000000u
@@ -30,6 +31,7 @@ typedef struct csg_member {
     const shape_class *shape;
     const void *instance;
     const instance_xform *xform; /* NULL: own space is the world */
+    uint8_t class_number;        /* in class_counts */
     uint32_t leaf, node;         /* its index in the model; its parent node */
     bool inverse;                /* the node takes its complement */
     bool turned;                 /* the solid is entered where this member is left, if only this member counts */
@@ -86,6 +88,7 @@ typedef struct csg_scratch {
     uint8_t *inside;             /* by member; zero between walks */
     uint32_t *asked;             /* members that were intersected */
     csg_near *near;              /* heap of bounds to be opened, nearest first */
+    class_counts *classes;       /* of the thread; NULL: nobody counts */
     bool failed;                 /* out of memory; stays so */
 } csg_scratch;
 typedef struct csg_user { csg_scratch *scratch; } csg_user;

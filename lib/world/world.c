@@ -75,6 +75,7 @@ static void bind_trees(world *w)
 
             m->instance = ref.instance;
             m->xform = ref.xform;
+            m->class_number = w->groups[w->objects_info[m->leaf].group].class_number;
             m->open = m->shape->open && m->shape->open(m->instance);
             w->trees.items[i].open_count += m->open;
         }

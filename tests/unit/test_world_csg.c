@@ -229,7 +229,7 @@ static void a_union_dissolves(void **state)
 
 /* ---- clips and patches ---- */
 
-/* The near half of a ball is cut away: what is seen is the far half, from within. */
+/* The near half of a sphere is cut away: what is seen is the far half, from within. */
 static void a_clip_takes_surfaces_away_and_adds_none(void **state)
 {
     pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);

@@ -1,0 +1,322 @@
+/* Members of a tree of shapes along a ray: which are near, and where the ray crosses them. */
+#include "base/simd.h"
+#include "base/vec.h"
+#include "world/csg_traversal.h"
+
+#include <string.h>
+
+/* Boxes are tested in doubles. */
+static const double box_slack = 0x1p-48;
+
+/* ---- memory ---- */
+
+static bool grow(pov_hits *hits)
+{
+    csg_scratch *s = ((const csg_user *)hits->user)->scratch;
+    size_t capacity = s->capacity;
+
+    if (capacity > UINT32_MAX / 2 ||
+        !vec_reserve(s->env, (void **)&s->crossings, &capacity, hits->count, sizeof *s->crossings)) {
+        s->failed = true;
+        return false;
+    }
+    s->capacity = hits->capacity = (uint32_t)capacity;
+    hits->at = s->crossings;
+    return true;
+}
+
+bool csg_scratch_init(csg_scratch *s, const csg_list *all, const env *e)
+{
+    uint32_t nodes = 0, members = 0;
+
+    for (uint32_t i = 0; i < all->count; i++) {
+        nodes = all->items[i].node_count > nodes ? all->items[i].node_count : nodes;
+        members = all->items[i].member_count > members ? all->items[i].member_count : members;
+    }
+    s->env = e;
+    if (all->count == 0)
+        return true;
+    s->states = env_alloc(e, nodes, sizeof *s->states);
+    s->inside = env_alloc(e, members, sizeof *s->inside);
+    s->asked = env_alloc(e, members, sizeof *s->asked);
+    s->near = env_alloc(e, 2 * (size_t)members, sizeof *s->near);
+    return s->states && s->inside && s->asked && s->near;
+}
+
+void csg_scratch_free(csg_scratch *s)
+{
+    env_free(s->env, s->crossings);
+    env_free(s->env, s->states);
+    env_free(s->env, s->inside);
+    env_free(s->env, s->asked);
+    env_free(s->env, s->near);
+}
+
+/* ---- values ---- */
+
+/* Enter or leave a member, and update its ancestors, up to the first whose value stays. */
+void csg_toggle(csg_traversal *w, uint32_t member)
+{
+    const csg_member *m = &w->tree->members[member];
+    csg_state *states = w->scratch->states;
+    uint32_t node = m->node;
+    int32_t now = (w->scratch->inside[member] ^= 1) != m->inverse, before = !now;
+
+    for (;;) {
+        const csg_node *n = &w->tree->nodes[node];
+        csg_state *s = &states[node];
+
+        s->sum += now - before;
+        s->zeros += (now == 0) - (before == 0);
+        before = s->value;
+        now = s->value = csg_value(n, s);
+        if (now == before || node == 0)
+            return;
+        node = n->parent;
+    }
+}
+
+/* ---- boxes ---- */
+
+static bool narrow(double o, double d, double inverse, double lo, double hi, double *enter, double *leave)
+{
+    const double a = (lo - o) * inverse, b = (hi - o) * inverse, near = a < b ? a : b, far = a < b ? b : a;
+
+    if (d == 0.0)
+        return lo <= o && hi >= o;
+    *enter = near > *enter ? near : *enter;
+    *leave = far < *leave ? far : *leave;
+    return *enter <= *leave;
+}
+
+/* May the ray hit the contents of the box before tmax, and from which distance on? The box is widened by more than the slabs
+ * are off, which is a few roundings of the largest coordinate. */
+static bool hits_box(const csg_traversal *w, const pov_box *b, double tmax, double *enter)
+{
+    const pov_vec3 o = w->ray->org, d = w->ray->dir;
+    const double wide = box_slack * w->size;
+    double leave = tmax;
+
+    *enter = 0.0;
+    return narrow(o.x, d.x, w->inverse.x, b->lo.x - wide, b->hi.x + wide, enter, &leave) &&
+           narrow(o.y, d.y, w->inverse.y, b->lo.y - wide, b->hi.y + wide, enter, &leave) &&
+           narrow(o.z, d.z, w->inverse.z, b->lo.z - wide, b->hi.z + wide, enter, &leave);
+}
+
+static void push(csg_traversal *w, uint32_t bound)
+{
+    csg_near *near = w->scratch->near;
+    uint32_t i = w->near_count;
+    double t;
+
+    if (!hits_box(w, &w->tree->bounds[bound].box, HUGE_VAL, &t))
+        return;
+    for (w->near_count++; i > 0 && t < near[(i - 1) / 2].t; i = (i - 1) / 2)
+        near[i] = near[(i - 1) / 2];
+    near[i].t = t;
+    near[i].bound = bound;
+}
+
+static uint32_t pop(csg_traversal *w)
+{
+    csg_near *near = w->scratch->near;
+    const uint32_t bound = near[0].bound, n = --w->near_count;
+    const csg_near last = near[n];
+    uint32_t i = 0, child;
+
+    for (; (child = 2 * i + 1) < n; i = child) {
+        child += child + 1 < n && near[child + 1].t < near[child].t;
+        if (!(near[child].t < last.t))
+            break;
+        near[i] = near[child];
+    }
+    near[i] = last;
+    return bound;
+}
+
+/* ---- members ---- */
+
+/* Cosine between the ray and the normal, times the length of the direction. */
+double csg_slope(const csg_traversal *w, const pov_crossing *at)
+{
+    const csg_member *m = csg_member_at(w, at);
+    pov_vec3 normal;
+
+    if (m->xform)
+        instance_normal(m->xform, m->shape, m->instance, w->ray, at, &normal);
+    else
+        m->shape->normal(m->instance, w->ray, at, &normal);
+    return pov_dot(normal, w->ray->dir);
+}
+
+static double cosine_at(const csg_traversal *w, const pov_crossing *at) { return fabs(csg_slope(w, at)); }
+
+/* A surface that coincides with the ray's origin surface is behind the ray. */
+static bool is_behind(csg_traversal *w, const pov_crossing *at)
+{
+    if (!(at->t * w->dir <= CSG_SEPARATION * w->size))
+        return false;
+    if (!w->found.always_exact) {
+        w->unsure = true;
+        return false;
+    }
+    return at->t * cosine_at(w, at) <= CSG_SAME_POINT * w->size;
+}
+
+static void drop_behind(csg_traversal *w, uint32_t first)
+{
+    pov_hits *found = &w->found;
+    uint32_t kept = first;
+
+    for (uint32_t i = first; i < found->count; i++)
+        if (!is_behind(w, &found->at[i]))
+            found->at[kept++] = found->at[i];
+    found->count = kept;
+}
+
+static pov_two along(double o, double o_lo, double t, double d, double d_lo)
+{
+    return pov_two_along(pov_two_sum(o, o_lo), t, d, d_lo);
+}
+
+static pov_two3 point_at(const pov_ray *r, double t)
+{
+    pov_two3 p;
+
+    p.x = along(r->org.x, r->org_lo.x, t, r->dir.x, r->dir_lo.x);
+    p.y = along(r->org.y, r->org_lo.y, t, r->dir.y, r->dir_lo.y);
+    p.z = along(r->org.z, r->org_lo.z, t, r->dir.z, r->dir_lo.z);
+    return p;
+}
+
+bool csg_member_holds(const csg_traversal *w, const csg_member *m, double t)
+{
+    const pov_two3 p = point_at(w->ray, t);
+
+    return m->xform ? instance_inside(m->xform, m->shape, m->instance, pov_two3_hi(p), pov_two3_lo(p))
+                    : m->shape->inside(m->instance, pov_two3_hi(p), pov_two3_lo(p));
+}
+
+/* Does the ray end inside an infinite member? Tested well behind its last crossing. */
+static bool ends_inside(const csg_traversal *w, const csg_member *m, uint32_t first)
+{
+    double t = w->dir > 0.0 ? w->size / w->dir : 1.0;
+
+    for (uint32_t i = first; i < w->found.count; i++)
+        t = fmax(t, w->found.at[i].t);
+    return csg_member_holds(w, m, 2.0 * t);
+}
+
+static bool comes_before(const pov_crossing *a, const pov_crossing *b)
+{
+    if (a->t != b->t)
+        return a->t < b->t;
+    if (a->t_lo != b->t_lo)
+        return a->t_lo < b->t_lo;
+    return a->owner < b->owner;
+}
+
+/* Merge the crossings from `first` on into those still ahead. */
+static void put_in_order(csg_traversal *w, uint32_t first)
+{
+    pov_crossing *at = w->found.at;
+
+    for (uint32_t i = first, j; i < w->found.count; i++) {
+        const pov_crossing c = at[i];
+
+        for (j = i; j > w->applied && comes_before(&c, &at[j - 1]); j--)
+            at[j] = at[j - 1];
+        at[j] = c;
+    }
+}
+
+/* All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. */
+static void test_member(csg_traversal *w, uint32_t member)
+{
+    const csg_member *m = &w->tree->members[member];
+    const uint32_t first = w->found.count, escalated = w->found.escalated;
+    bool inside;
+
+    w->scratch->asked[w->asked_count++] = member;
+    w->found.owner = m->leaf;
+    if (m->xform)
+        instance_intersect(m->xform, m->shape, m->instance, w->ray, &w->found);
+    else
+        m->shape->intersect(m->instance, w->ray, &w->found);
+    if (w->scratch->classes) {
+        w->scratch->classes->of[m->class_number].asked++;
+        w->scratch->classes->of[m->class_number].escalated += w->found.escalated - escalated;
+    }
+    drop_behind(w, first);
+    inside = !m->patch && !m->open && (w->found.count - first) & 1;
+    if (!m->boxed && !m->patch && !m->open)
+        inside = inside != ends_inside(w, m, first);
+    if (inside)
+        csg_toggle(w, member);
+    put_in_order(w, first);
+}
+
+/* ---- in order ---- */
+
+bool csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits)
+{
+    double enter;
+
+    w->tree = tree;
+    w->ray = ray;
+    w->scratch = ((const csg_user *)hits->user)->scratch;
+    w->dir = pov_largest(ray->dir);
+    w->size = pov_largest(ray->org) + tree->size;
+    w->inverse = pov_vec3_of(1.0 / ray->dir.x, 1.0 / ray->dir.y, 1.0 / ray->dir.z);
+    return !tree->boxed || hits_box(w, &tree->box, hits->tmax, &enter);
+}
+
+
+void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
+{
+    const csg_tree *t = w->tree;
+    csg_scratch *s = w->scratch;
+
+    memset(&w->found, 0, sizeof w->found);
+    w->found.tmax = HUGE_VAL;
+    w->found.want = POV_WANT_ALL;
+    w->found.always_exact = exact;
+    w->found.at = s->crossings;
+    w->found.capacity = s->capacity;
+    w->found.grow = grow;
+    w->found.user = hits->user;
+    w->found.scratch = hits->scratch;
+    w->applied = w->asked_count = w->near_count = 0;
+    w->unsure = false;
+    memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
+    for (uint32_t i = 0; i < t->endless_count; i++)
+        test_member(w, t->endless[i]);
+    if (t->bounds_count > 0)
+        push(w, 0);
+}
+
+void csg_traversal_end(csg_traversal *w)
+{
+    for (uint32_t i = 0; i < w->asked_count; i++)
+        w->scratch->inside[w->scratch->asked[i]] = 0;
+}
+
+/* Open bounds until the next crossing is before all remaining bounds. */
+void csg_test_ahead(csg_traversal *w)
+{
+    while (w->near_count > 0) {
+        const csg_bound *b;
+        uint32_t which;
+
+        if (w->applied < w->found.count && w->found.at[w->applied].t * (1.0 + 0x1p-40) < w->scratch->near[0].t)
+            return;
+        which = pop(w);
+        b = &w->tree->bounds[which];
+        if (b->other == 0) {
+            test_member(w, b->member);
+        } else {
+            push(w, which + 1);
+            push(w, b->other);
+        }
+    }
+}

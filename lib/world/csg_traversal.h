@@ -1,0 +1,45 @@
+/* csg_traversal.h - a ray's way through a tree of shapes: crossings of its members, from near to far. */
+#ifndef WORLD_CSG_TRAVERSAL_H
+#define WORLD_CSG_TRAVERSAL_H
+
+#include "world/csg.h"
+
+/* Crossings are coincident if their distances differ by no more than the error of double-double. */
+#define CSG_SAME_POINT 0x1p-92
+/* Distances in double are distinct if they differ by more than this fraction; else all are computed again in
+ * double-double. */
+#define CSG_SEPARATION 0x1p-42
+
+typedef struct csg_traversal {
+    const csg_tree *tree;
+    const pov_ray *ray;
+    csg_scratch *scratch;
+    pov_hits found;              /* the members' crossings */
+    uint32_t applied;            /* number of crossings at the front that are behind; the others are in order */
+    uint32_t asked_count, near_count;
+    bool unsure;                 /* doubles cannot order them */
+    pov_vec3 inverse;            /* 1 / direction, by component */
+    double dir, size;            /* largest component of the direction; and of the coordinates involved */
+} csg_traversal;
+
+/* False: the ray passes the tree before tmax. */
+bool csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits);
+/* Begin at the start of the ray, and afterwards clear what members remember. */
+void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact);
+void csg_traversal_end(csg_traversal *w);
+/* Test members until the next crossing lies before all that are left. */
+void csg_test_ahead(csg_traversal *w);
+/* A member is entered or left: update the nodes above it, up to the first whose value stays. */
+void csg_toggle(csg_traversal *w, uint32_t member);
+
+static inline const csg_member *csg_member_at(const csg_traversal *w, const pov_crossing *at)
+{
+    return &w->tree->members[at->owner - w->tree->members[0].leaf];
+}
+
+/* Cosine between the ray and the normal, times the length of the direction. */
+double csg_slope(const csg_traversal *w, const pov_crossing *at);
+/* Is a point of the ray inside a member? */
+bool csg_member_holds(const csg_traversal *w, const csg_member *m, double t);
+
+#endif
