@@ -20,13 +20,7 @@
 typedef struct packet_bounds { float inverse[2][4], near_offset[2][4], far_offset[2][4]; } packet_bounds;
 
 /* Arrays by lane; eight lanes are loaded at once. */
-#ifdef __GNUC__
-#define PACKET_ALIGNED __attribute__((aligned(64)))
-#else
-#define PACKET_ALIGNED
-#endif
-
-typedef struct packet_state {
+typedef struct SIMD_ALIGNED packet_state {
     float inverse[3][BVH_LANES], near_offset[3][BVH_LANES], far_offset[3][BVH_LANES], limit[BVH_LANES];
     double scale[BVH_LANES];
     packet_bounds bounds;
@@ -38,7 +32,7 @@ typedef struct packet_state {
     uint64_t open, ended;        /* active lanes; lanes that a leaf ended */
     uint32_t width;              /* lanes, a multiple of eight */
     uint32_t frame;
-} PACKET_ALIGNED packet_state;
+} packet_state;
 
 /* Slack of rays transformed to a frame in floats. In the units of traverse.h: twice |b - o| for 1/d, of a rounded d;
  * |b| for the product, |o| three times for o and the offset, |b| + |o| for the difference, together at most 4 + 6

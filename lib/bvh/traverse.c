@@ -22,65 +22,52 @@ static inline void put_greater_first(uint64_t *a, uint64_t *b)
     *b = less;
 }
 
-/* Stack of nodes to visit. Entries may be too small by a few units in the last place, and are set in traversals that
- * visit near nodes first. Eight of each may be stored at once. */
-typedef struct traverse_stack {
-    float entry[BVH_STACK + BVH_WIDTH];
-    uint32_t at[BVH_STACK + BVH_WIDTH];
-} traverse_stack;
-
-static inline void push_entry(traverse_stack *s, uint32_t top, uint64_t key)
-{
-    s->entry[top] = entry_of(key);
-    s->at[top] = (uint32_t)key;
-}
-
-static inline uint64_t key_on(const traverse_stack *s, uint32_t top) { return key_of(s->entry[top], s->at[top]); }
+/* The stack of nodes to visit holds keys; in traversals of any order these are children alone. */
 
 /* Push the children that were hit, the nearest on top, and return the new top. Exchanges sort the first four, because
  * they cost fewer mispredicted branches than a loop. */
-static inline uint32_t push(const bvh_node *node, uint32_t mask, const float *entry, traverse_stack *stack, uint32_t top)
+static inline uint32_t push(const bvh_node *node, uint32_t mask, const float *entry, uint64_t *stack, uint32_t top)
 {
     uint64_t a = take_key(node, &mask, entry), b = take_key(node, &mask, entry), c, d;
     uint32_t base = top, at;
 
     put_greater_first(&a, &b);
     if (!mask) {
-        push_entry(stack, top++, a);
-        push_entry(stack, top++, b);
+        stack[top++] = a;
+        stack[top++] = b;
         return top;
     }
     c = take_key(node, &mask, entry);
     put_greater_first(&b, &c);
     put_greater_first(&a, &b);
     if (!mask) {
-        push_entry(stack, top++, a);
-        push_entry(stack, top++, b);
-        push_entry(stack, top++, c);
+        stack[top++] = a;
+        stack[top++] = b;
+        stack[top++] = c;
         return top;
     }
     d = take_key(node, &mask, entry);
     put_greater_first(&c, &d);
     put_greater_first(&b, &c);
     put_greater_first(&a, &b);
-    push_entry(stack, top++, a);
-    push_entry(stack, top++, b);
-    push_entry(stack, top++, c);
-    push_entry(stack, top++, d);
+    stack[top++] = a;
+    stack[top++] = b;
+    stack[top++] = c;
+    stack[top++] = d;
     while (mask) {
         a = take_key(node, &mask, entry);
-        for (at = top++; at > base && key_on(stack, at - 1) < a; at--)
-            push_entry(stack, at, key_on(stack, at - 1));
-        push_entry(stack, at, a);
+        for (at = top++; at > base && stack[at - 1] < a; at--)
+            stack[at] = stack[at - 1];
+        stack[at] = a;
     }
     return top;
 }
 
 /* Push the children that were hit, except the last, which is returned. */
-static inline uint32_t push_any(const bvh_node *node, uint32_t mask, traverse_stack *stack, uint32_t *top)
+static inline uint32_t push_any(const bvh_node *node, uint32_t mask, uint64_t *stack, uint32_t *top)
 {
     for (; mask & (mask - 1); mask &= mask - 1)
-        stack->at[(*top)++] = node->child[first_of(mask)];
+        stack[(*top)++] = node->child[first_of(mask)];
     return node->child[first_of(mask)];
 }
 

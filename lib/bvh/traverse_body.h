@@ -6,7 +6,7 @@
 /* Descend from the node at `at` to the nearest leaf, return or frame below it, or to nothing (then: the top of the
  * stack). */
 TRAVERSE_TARGET static inline bool TRAVERSE_NAME(descend)(const bvh_node *nodes, const TRAVERSE_LANES *ray, bool sorted,
-                                                  uint32_t *at, traverse_stack *stack, uint32_t *top)
+                                                  uint32_t *at, uint64_t *stack, uint32_t *top)
 {
     float entry[BVH_WIDTH];
 
@@ -19,7 +19,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(descend)(const bvh_node *nodes,
             *at = push_any(node, mask, stack, top);
         } else if (mask & (mask - 1)) {
             *top = push(node, mask, entry, stack, *top);
-            *at = stack->at[--*top];
+            *at = (uint32_t)stack[--*top];
         } else {
             *at = node->child[first_of(mask)];
         }
@@ -48,7 +48,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(traverse)(bvh_traversal *of, ui
                                                            uint32_t at, bool sorted)
 {
     const bvh *t = of->tree;
-    traverse_stack stack;
+    uint64_t stack[BVH_STACK];
     uint32_t top = 0;
     TRAVERSE_LANES spread;
     bvh_local local;
@@ -57,7 +57,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(traverse)(bvh_traversal *of, ui
     if (!TRAVERSE_NAME(enter)(of, lane, frame, &local, &spread, &limit))
         return false;
     for (;;) {
-        if (TRAVERSE_NAME(descend)(t->nodes, &spread, sorted, &at, &stack, &top)) {
+        if (TRAVERSE_NAME(descend)(t->nodes, &spread, sorted, &at, stack, &top)) {
             const uint32_t index = at & ~BVH_KIND;
 
             if ((at & BVH_KIND) == BVH_LEAF) {
@@ -75,7 +75,7 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(traverse)(bvh_traversal *of, ui
                 TRAVERSE_NAME(enter)(of, lane, index, &local, &spread, &limit);
                 frame = index;
             } else if (TRAVERSE_NAME(enter)(of, lane, index, &local, &spread, &limit)) {
-                push_entry(&stack, top++, BVH_RETURN | frame);
+                stack[top++] = BVH_RETURN | frame;
                 frame = index;
                 at = t->frames[index].root;
                 continue;
@@ -85,8 +85,8 @@ TRAVERSE_TARGET static inline bool TRAVERSE_NAME(traverse)(bvh_traversal *of, ui
             if (top == 0)
                 return false;
             top--;
-        } while (sorted && stack.entry[top] > limit);
-        at = stack.at[top];
+        } while (sorted && entry_of(stack[top]) > limit);
+        at = (uint32_t)stack[top];
     }
 }
 

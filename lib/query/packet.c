@@ -97,30 +97,15 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
  * other. */
 enum { PACKET_LEAST = 8, INTERLEAVED_LEAST = 5 };
 
-static bool are_of_one(const pov_ray *const *rays, uint32_t n, uint32_t *octant)
-{
-    uint32_t any = 0, every = 7, i;
-
-    for (i = 0; i < n; i++) {
-        any |= bvh_octant(rays[i]);
-        every &= bvh_octant(rays[i]);
-    }
-    *octant = any;
-    return any == every;
-}
-
 /* Rays of one octant form a packet for a tree; a list takes all. */
 static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
 {
-    uint32_t octant = 0, i;
+    uint32_t i;
 
     for (i = 0; i < 8; i++)
         of[i] = 0;
-    if (!w->has_tree || are_of_one(rays, n, &octant))
-        of[octant] = all_of(n);
-    else
-        for (i = 0; i < n; i++)
-            of[bvh_octant(rays[i])] |= bit_of(i);
+    for (i = 0; i < n; i++)
+        of[w->has_tree ? bvh_octant(rays[i]) : 0] |= bit_of(i);
 }
 
 /* Are there at least so many lanes? */
