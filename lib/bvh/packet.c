@@ -10,7 +10,7 @@
  * the minimum of all limits, the same products tell which boxes all rays definitely hit; these are not tested again. A
  * wrong answer there would only test one box too many. The packet test's order of boxes is a hint; it does not affect
  * the result. */
-#include "base/bits.h"
+#include "base/simd.h"
 #include "bvh/traverse.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "bvh/traverse.h"
 
-#include "base/bits.h"
+#include "base/simd.h"
 
 static inline float greater(float a, float b) { return a > b ? a : b; }
 static inline float lesser(float a, float b) { return a < b ? a : b; }

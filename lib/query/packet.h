@@ -2,9 +2,9 @@
 #ifndef QUERY_PACKET_H
 #define QUERY_PACKET_H
 
-#include "base/bits.h"
-#include "query/context.h"
+#include "base/simd.h"
 #include "bvh/ray_soa.h"
+#include "query/context.h"
 
 /* A deferred shape: a definite hit of a lane, at lo or later; the nearest of all hits is determined later. */
 typedef struct deferred { const leaf_batch *batch; uint32_t lane; double lo; } deferred;

@@ -1,6 +1,5 @@
 #include "shade/lighting.h"
 
-#include "base/bits.h"
 #include "base/simd.h"
 #include "shade/highlight.h"
 #include "shade/transmittance.h"

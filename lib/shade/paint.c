@@ -1,6 +1,6 @@
 #include "shade/paint.h"
 
-#include "base/bits.h"
+#include "base/simd.h"
 #include "texture/texture.h"
 
 /* The surfaces of one material, by lane of the texture. */

@@ -1,6 +1,6 @@
 #include "shade/surface.h"
 
-#include "base/bits.h"
+#include "base/simd.h"
 #include "base/vec.h"
 #include "query/passage.h"
 #include "shade/accumulate.h"

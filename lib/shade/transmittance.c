@@ -1,6 +1,6 @@
 #include "shade/transmittance.h"
 
-#include "base/bits.h"
+#include "base/simd.h"
 #include "shade/paint.h"
 
 /* Filter of a surface where the ray crosses it. For a varying texture the point is computed as for a hit. */

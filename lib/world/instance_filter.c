@@ -1,4 +1,3 @@
-#include "base/bits.h"
 #include "base/simd.h"
 #include "world/instance.h"
 

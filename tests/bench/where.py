@@ -22,7 +22,7 @@ SCENES = ('flake-4', 'spheres-1e2', 'spheres-1e4', 'mixed-1e2', 'mixed-1e4', 'ri
 # The first that fits a function's place, "object:file:function", is its part.
 PARTS = (('filters', r'/primitives/.*(:plugins/common/\w*block|filter|block|:filter_rays)|lib/world/instance_filter'),
          # Functions that begin with what is inlined count as its header's.
-         ('tree', r':lib/(bvh|query(?!/coincidence))/|lib/base/bits|:lib/world/leaf_batch|:take_rays'),
+         ('tree', r':lib/(bvh|query(?!/coincidence))/|:lib/world/leaf_batch|:take_rays'),
          ('instances', r':lib/world/instance|intrin\.h:instance_ray'),
          ('normals', r'/primitives/.*:(\w*normal|look)|:lib/world/surface|:lib/query/coincidence'),
          ('shapes', r'/primitives/'),
