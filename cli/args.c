@@ -253,10 +253,20 @@ static bool put(args *a, const char *option, const char *text, const char **list
     return true;
 }
 
+static void set_limit(pov_limits *limits, size_t index, double value)
+{
+    size_t *const sizes[] = { &limits->depth, &limits->array, &limits->string, NULL, &limits->memory };
+
+    if (sizes[index])
+        *sizes[index] = (size_t)value;
+    else
+        limits->turns = (uint64_t)value;
+}
+
 /* NAME=N */
 static bool read_limit(args *a, const char *text)
 {
-    static const char *const names[] = { "depth", "array", "string", "turns" };
+    static const char *const names[] = { "depth", "array", "string", "turns", "memory" };
     const char *equals = strchr(text, '=');
     char *end = NULL;
     const double value = equals ? strtod(equals + 1, &end) : 0.0;
@@ -266,11 +276,10 @@ static bool read_limit(args *a, const char *text)
             continue;
         if (end == equals + 1 || *end != '\0' || !(value >= 1.0 && value <= 1e15))
             break;
-        *(i == 0 ? &a->limits.depth : i == 1 ? &a->limits.array : i == 2 ? &a->limits.string : &a->limits.turns) =
-            (size_t)value;
+        set_limit(&a->limits, i, value);
         return true;
     }
-    return refuse(a, "--limit wants depth=N, array=N, string=N or turns=N, not \"%s\"", text);
+    return refuse(a, "--limit wants depth=N, array=N, string=N, turns=N or memory=N, not \"%s\"", text);
 }
 
 /* What the reader of the scene is told. */

@@ -156,7 +156,7 @@ static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
 /* `deprecated [once] [version,] ["message",] NAME`: the message is for who uses the name; the declaration counts. */
 static symbol *skip_deprecated(pov_reader *in, symbol *name)
 {
-    if (!name || strcmp(name->name, "deprecated") != 0)
+    if (!name || name->length != 10 || strcmp(name->name, "deprecated") != 0)
         return name;
     in->wants_name = true;
     state_advance(in);

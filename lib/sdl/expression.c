@@ -262,11 +262,29 @@ static value apply_signs(pov_reader *in, signs s, value v)
     return v;
 }
 
+/* A number, or the name of a number or vector: most operands are. */
+static bool read_plain(pov_reader *in, value *out)
+{
+    const token *t = &in->token;
+
+    if (t->kind == TOKEN_NUMBER)
+        *out = value_of_number(t->number);
+    else if (t->kind == TOKEN_WORD && t->symbol->binding && value_is_arithmetic(t->symbol->binding->slot))
+        *out = *t->symbol->binding->slot;
+    else
+        return false;
+    state_advance(in);
+    return true;
+}
+
 static value operand(pov_reader *in)
 {
-    value v = nothing();
+    value v;
     signs s;
 
+    if (read_plain(in, &v))
+        return dots(in, v);
+    v = nothing();
     if (!state_enter(in))
         return v;
     state_settle(in);

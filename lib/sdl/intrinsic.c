@@ -133,12 +133,16 @@ static void read_pow(pov_reader *in, const intrinsic *row, value *out)
 
 static void read_many(pov_reader *in, const intrinsic *row, value *out)
 {
+    bool has_comma;
     double a;
 
     state_open(in, '(');
     a = expression_number(in);
-    while (state_accept(in, ',') && !in->failed)
+    has_comma = state_accept(in, ',');
+    while ((has_comma || in->token.kind != ')') && !in->failed) {
         a = row->of_two(a, expression_number(in));
+        has_comma = state_accept(in, ',');
+    }
     state_close(in, ')');
     out->as.v[0] = a;
 }

@@ -121,6 +121,8 @@ static void read_str(pov_reader *in, const intrinsic *row, value *out)
         report_fail(in, &in->value, POV_E_SYNTAX, "a number is not written in more than %d characters", DIGITS_MAX);
         return;
     }
+    if (in->failed)
+        return;
     n = text_number(room, sizeof room, number, width, digits);
     give(in, out, text_copy(in, room, (size_t)n));
 }
@@ -193,6 +195,7 @@ static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
 static void read_concat(pov_reader *in, const intrinsic *row, value *out)
 {
     builder b = { NULL, 0, 0 };
+    bool has_comma;
     string *s;
 
     (void)row;
@@ -202,7 +205,8 @@ static void read_concat(pov_reader *in, const intrinsic *row, value *out)
         if (s)
             add(in, &b, s->text, s->length);
         let_go(in, s);
-    } while (state_accept(in, ',') && !in->failed);
+        has_comma = state_accept(in, ',');
+    } while ((has_comma || in->token.kind != ')') && !in->failed);
     state_close(in, ')');
     finish(in, &b, out);
 }

@@ -211,6 +211,9 @@ void macro_call(pov_reader *in)
     if (in->scopes.count > in->limits.depth)
         report_fail(in, &call, POV_E_SYNTAX, "more than %zu macros and include files within each other",
                     in->limits.depth);
+    if (++in->turns > in->limits.turns)
+        report_fail(in, &call, POV_E_SYNTAX, "more than %llu turns of loops and calls of macros",
+                    (unsigned long long)in->limits.turns);
     if (state_enter(in)) {
         state_advance(in);
         read_arguments(in, name, m);

@@ -49,7 +49,7 @@ static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 
 /* ---- start and end ---- */
 
-static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 33 };
+static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 33, SIZE_MAX / 4 < (uint64_t)1 << 34 ? SIZE_MAX / 4 : (size_t)((uint64_t)1 << 34) };
 
 static void choose_limits(reader_limits *l, const reader_options *options)
 {
@@ -64,6 +64,8 @@ static void choose_limits(reader_limits *l, const reader_options *options)
         l->string = options->limits.string;
     if (options->limits.turns)
         l->turns = options->limits.turns;
+    if (options->limits.memory)
+        l->memory = options->limits.memory;
 }
 
 /* What a shared item refers to is let go of. */
@@ -104,6 +106,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     in->buffers.env = m->env;
     in->heap.env = m->env;
     in->heap.drop = drop_shared;
+    in->heap.most_bytes = in->limits.memory;
     arena_init(&in->members, m->env);
     if (!symbols_init(&in->words, m->env))
         return false;

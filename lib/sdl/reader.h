@@ -9,7 +9,8 @@
 typedef struct reader_limits {
     size_t depth;                /* macros and include files within each other */
     size_t array, string;        /* elements, bytes */
-    uint64_t turns;              /* of loops */
+    uint64_t turns;              /* of loops, and calls of macros */
+    size_t memory;               /* bytes of values */
 } reader_limits;
 
 /* Which picture of an animation is read. */

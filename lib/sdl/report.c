@@ -166,6 +166,11 @@ void report_memory(pov_reader *in)
 {
     if (in->failed)
         return;
+    if (in->heap.is_full) {
+        report_fail(in, &in->value, POV_E_MEMORY, "the values of this scene need more than %zu bytes",
+                    in->heap.most_bytes);
+        return;
+    }
     err_memory(&in->error);
     stop(in);
 }

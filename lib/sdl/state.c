@@ -128,7 +128,7 @@ void state_settle(pov_reader *in)
 {
     const int kind = in->token.kind;
 
-    if (kind == '#' || kind == TOKEN_LEAVE || kind == TOKEN_WORD || kind == TOKEN_BAD)
+    if (kind == '#' || kind == TOKEN_LEAVE || kind == TOKEN_BAD || is_call(in))
         run_directives(in, true);
 }
 

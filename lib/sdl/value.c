@@ -4,10 +4,17 @@
 
 void *value_share(value_heap *heap, value_kind kind, size_t bytes)
 {
-    shared *item = env_alloc(heap->env, 1, bytes);
+    shared *item;
 
+    if (heap->most_bytes > 0 && bytes > heap->most_bytes - heap->bytes) {
+        heap->is_full = true;
+        return NULL;
+    }
+    item = env_alloc(heap->env, 1, bytes);
     if (!item)
         return NULL;
+    heap->bytes += bytes;
+    item->bytes = bytes;
     item->kind = kind;
     item->uses = 1;
     item->next = heap->first;
@@ -22,6 +29,7 @@ void value_unshare(value_heap *heap, shared *item)
     if (--item->uses > 0)
         return;
     heap->drop(heap, item);
+    heap->bytes -= item->bytes;
     if (item->previous)
         item->previous->next = item->next;
     else

@@ -31,6 +31,7 @@ typedef struct shared {
     struct shared *next, *previous;
     unsigned uses;
     value_kind kind;             /* VALUE_NOTHING: a binding */
+    size_t bytes;
 } shared;
 
 typedef struct value {
@@ -66,10 +67,12 @@ typedef struct array {
 typedef struct value_heap {
     const struct env *env;
     shared *first;
+    size_t bytes, most_bytes;    /* in use, and allowed; 0: without a limit */
+    bool is_full;                /* more was asked for */
     void (*drop)(struct value_heap *heap, shared *item);   /* lets go of what it refers to; not called at the end */
 } value_heap;
 
-/* Zeroed, in use once. NULL: no memory. */
+/* Zeroed, in use once. NULL: no memory, or more than is allowed. */
 void *value_share(value_heap *heap, value_kind kind, size_t bytes);
 void value_unshare(value_heap *heap, shared *item);
 void value_free_all(value_heap *heap);

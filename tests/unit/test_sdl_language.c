@@ -153,6 +153,33 @@ static void a_loop_that_does_not_end_is_stopped(void **state)
     reading_end(&r);
 }
 
+static void macros_that_do_not_end_are_stopped(void **state)
+{
+    static const char text[] = "#macro M(N) #if (N > 0) M(N - 1) M(N - 1) #end #end M(900)";
+    reader_options options = { .limits = { .turns = 5000 } };
+    reading r;
+
+    (void)state;
+    reading_begin_bytes(&r, text, sizeof text - 1, &options, NULL);
+    assert_int_equal(r.status, POV_E_SYNTAX);
+    assert_string_equal(r.error.message, "more than 5000 turns of loops and calls of macros");
+    reading_end(&r);
+}
+
+static void values_without_end_are_stopped(void **state)
+{
+    static const char text[] = "#declare S = \"0123456789\";\n#while (1)\n#declare S = concat(S, S);\n#end";
+    reader_options options = { .limits = { .memory = 100000 } };
+    reading r;
+
+    (void)state;
+    reading_begin_bytes(&r, text, sizeof text - 1, &options, NULL);
+    assert_int_equal(r.status, POV_E_MEMORY);
+    assert_string_equal(r.error.message, "the values of this scene need more than 100000 bytes");
+    assert_int_equal(r.error.line, 3);
+    reading_end(&r);
+}
+
 static void a_thousand_macros_run_within_each_other(void **state)
 {
     (void)state;
@@ -210,6 +237,8 @@ int main(void)
         cmocka_unit_test(scopes_end_with_their_macro),
         cmocka_unit_test(arrays_are_copied_and_shared),
         cmocka_unit_test(a_loop_that_does_not_end_is_stopped),
+        cmocka_unit_test(macros_that_do_not_end_are_stopped),
+        cmocka_unit_test(values_without_end_are_stopped),
         cmocka_unit_test(a_thousand_macros_run_within_each_other),
         cmocka_unit_test(errors_in_macros_tell_who_called),
         cmocka_unit_test(unions_hand_down_what_their_members_lack),
