@@ -15,20 +15,6 @@ typedef struct pattern_parsed {
 
 /* ---- lists ---- */
 
-static pattern_parsed *begin(pov_reader *in, const pattern_class *class, pigment **list)
-{
-    pattern_parsed *p = state_alloc(in, sizeof *p, sizeof(double));
-
-    *list = state_alloc(in, class->count * sizeof **list, sizeof(double));
-    if (!p || !*list)
-        return NULL;
-    memcpy(*list, class->list, class->count * sizeof **list);
-    p->pattern.class = class;
-    p->pattern.list = *list;
-    p->pattern.count = class->count;
-    return p;
-}
-
 static void read_list(pov_reader *in, pigment *list, uint32_t count)
 {
     for (uint32_t i = 0; i < count && value_colour_follows(in, true); i++) {
@@ -41,12 +27,36 @@ static void read_list(pov_reader *in, pigment *list, uint32_t count)
     }
 }
 
+static pattern_parsed *add(pov_reader *in, const pattern_class *class, const pigment *list)
+{
+    pattern_parsed *p = state_alloc(in, sizeof *p, sizeof(double));
+    pigment *kept = state_alloc(in, class->count * sizeof *kept, sizeof(double));
+
+    if (!p || !kept)
+        return NULL;
+    memcpy(kept, list, class->count * sizeof *kept);
+    p->pattern.class = class;
+    p->pattern.list = kept;
+    p->pattern.count = class->count;
+    return p;
+}
+
+/* In many scenes object after object has the same pattern written out: what is as the last one was is that one. */
+static const pattern_parsed *share(pov_reader *in, const pattern_class *class, const pigment *list)
+{
+    const pattern_parsed *last = in->last_pattern;
+
+    if (!last || last->pattern.class != class || memcmp(last->pattern.list, list, class->count * sizeof *list) != 0)
+        in->last_pattern = last = add(in, class, list);
+    return last;
+}
+
 bool patterns_read(pov_reader *in, surface_parsed *s)
 {
     const bool is_word = in->token.kind == TOKEN_WORD && in->token.symbol->id != KEYWORD_OTHER;
     const pattern_class *class = is_word ? pattern_find(in->token.symbol->name) : NULL;
-    pattern_parsed *p;
-    pigment *list;
+    pigment list[PATTERN_LIST_MAX];
+    const pattern_parsed *p;
 
     if (!class)
         return false;
@@ -55,9 +65,10 @@ bool patterns_read(pov_reader *in, surface_parsed *s)
         unsupported_note(in, &in->last, state_keyword(in), "a list of pigments or textures");
         return true;
     }
-    p = begin(in, class, &list);
+    memcpy(list, class->list, sizeof list);
+    read_list(in, list, class->count);
+    p = share(in, class, list);
     if (p) {
-        read_list(in, list, class->count);
         material_set_pattern(&s->material, &p->pattern);
         s->moves = 0;
     }

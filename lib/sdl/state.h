@@ -127,6 +127,7 @@ struct pov_reader {
     reader_limits limits;
     uint64_t turns;              /* of loops so far */
     int parentheses;             /* of expressions that are open */
+    const struct pattern_parsed *last_pattern;   /* without transformations of its own */
     uint32_t *material_slots;    /* a hash table of the model's materials: index + 1, 0 is empty */
     size_t material_capacity;
     char tried[TRIED_MAX][TRIED_LENGTH];
