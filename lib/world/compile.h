@@ -80,8 +80,9 @@ static inline const leaf_node *compile_leaf(const compile_state *f, uint32_t ind
 
     return index < n ? &f->model->leaves.items[index] : &f->tree_leaves[index - n];
 }
-/* For this room, once all leaves are known: add the trees behind them, with that class mark. */
+/* For this room: which leaves are members of trees. */
 void compile_mark_members(compile_state *f);
+/* For this room, once all leaves are known: add the trees behind them, with that class mark. */
 bool compile_add_trees(compile_state *f, uint16_t mark);
 /* For this room: add an object with that box, NULL: without. */
 void compile_take(compile_state *f, uint32_t index, const pov_box *box);

@@ -653,6 +653,37 @@ static void light_ends_at_what_is_opaque(void **state)
     end(&s);
 }
 
+/* Whatever trusts the marks of a shape asks its batch first. */
+static void leaves_are_plain_and_trees_are_not(void **state)
+{
+    const leaf_batch *b;
+    uint32_t plain = 0, trees = 0;
+    scene s;
+
+    (void)state;
+    begin(&s);
+    sphere(&s.model, 0.0, 0.0, 0.0, 2.0);
+    sphere(&s.model, 0.0, 0.0, -1.5, 1.0);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, 1)));
+    for (int i = 0; i < 20; i++)
+        sphere(&s.model, 3.0 * i, 9.0, 0.0, 1.0);
+    test_add(&s.model, &test_plain_sphere_class, &(test_sphere_shape){ { 0.0, 0.0, 9.0 }, 1.0 },
+             test_transform(&s.model, NULL, TRANSFORM_SCALE, 1.0, 2.0, 3.0), 0, 0);
+    compile(&s, POV_ACCEL_NONE);
+    for (b = s.world->list; b; b = leaf_batch_next(b)) {
+        if (b->shape == &csg_class) {
+            assert_int_equal(b->plain, 0);
+            trees++;
+        } else {
+            assert_int_equal(b->plain, leaf_batch_lanes(b));
+            plain += b->count;
+        }
+    }
+    assert_int_equal(plain, 21);
+    assert_int_equal(trees, 1);
+    end(&s);
+}
+
 static void its_leaves_are_one_object(void **state)
 {
     const solid_node *solid;
@@ -701,6 +732,7 @@ int main(void)
         cmocka_unit_test(crossings_ahead_tell_what_is_inside),
         cmocka_unit_test(light_crosses_the_surfaces_that_are_there),
         cmocka_unit_test(light_ends_at_what_is_opaque),
+        cmocka_unit_test(leaves_are_plain_and_trees_are_not),
         cmocka_unit_test(its_leaves_are_one_object),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
