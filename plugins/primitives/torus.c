@@ -63,10 +63,10 @@ static bool bounds(const void *self, pov_box *out)
 /* The equation's value at a point. */
 static pov_two value_at(const torus *t, pov_two3 p)
 {
-    const pov_two flat = pov_two_add(pov_two_mul(p.x, p.x), pov_two_mul(p.z, p.z));
-    const pov_two g = pov_two_add(pov_two_add(flat, pov_two_mul(p.y, p.y)), t->hollow);
+    const pov_two level = pov_two_add(pov_two_mul(p.x, p.x), pov_two_mul(p.z, p.z));
+    const pov_two g = pov_two_add(pov_two_add(level, pov_two_mul(p.y, p.y)), t->hollow);
 
-    return pov_two_sub(pov_two_mul(g, g), pov_two_scale(pov_two_mul(t->ring, flat), 4.0));
+    return pov_two_sub(pov_two_mul(g, g), pov_two_scale(pov_two_mul(t->ring, level), 4.0));
 }
 
 static bool is_in_lens(const torus *t, pov_two3 p) { return t->lens.hi > 0.0 && pov_two_less(pov_two3_dot(p, p), t->lens); }
@@ -294,9 +294,9 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), t->scale);
     const pov_two3 p = common_point(&k, at);
     const pov_two axis = pov_two_sqrt(pov_two_add(pov_two_mul(p.x, p.x), pov_two_mul(p.z, p.z)));
-    const double away = axis.hi > 0.0 ? pov_two_add_double(axis, -t->R).hi / axis.hi : 0.0;
+    const double outward = axis.hi > 0.0 ? pov_two_add_double(axis, -t->R).hi / axis.hi : 0.0;
 
-    *out = pov_unit(pov_vec3_of(p.x.hi * away, p.y.hi, p.z.hi * away));
+    *out = pov_unit(pov_vec3_of(p.x.hi * outward, p.y.hi, p.z.hi * outward));
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
