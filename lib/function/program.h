@@ -26,7 +26,7 @@ typedef struct instruction { uint16_t op, c; uint32_t to, a, b; } instruction;
 /* Plain data, in one owner's memory. */
 typedef struct program {
     uint32_t parameters, registers;
-    uint32_t room;               /* registers that a run needs, with those of what it calls */
+    uint32_t capacity;               /* registers that a run needs, with those of what it calls */
     uint32_t result;             /* the register of the value */
     uint32_t count;
     const instruction *code;
@@ -34,7 +34,7 @@ typedef struct program {
     const struct program *const *callees;
 } program;
 
-/* `registers` has room for program->room of them; the first hold the arguments. */
+/* `registers` has capacity for program->capacity of them; the first hold the arguments. */
 double program_run(const program *p, double *registers);
 
 /* The number of a function of one or two arguments; -1: there is none of that name. */

@@ -22,7 +22,7 @@ typedef struct compiler {
     code_list code;
     constant_list constants;
     callee_list callees;
-    uint32_t next, most, room;   /* the first free register; behind the last one used; what callees need */
+    uint32_t next, most, capacity;   /* the first free register; behind the last one used; what callees need */
 } compiler;
 
 enum { REGISTERS_MAX = 1 << 16 };
@@ -229,8 +229,8 @@ static uint32_t call_declared(compiler *c, const function *f)
     if (f->kind != FUNCTION_FORMULA)
         return call_part(c, f);
     read_arguments(c, n, n, &first);
-    if (callee->room > c->room)
-        c->room = callee->room;
+    if (callee->capacity > c->capacity)
+        c->capacity = callee->capacity;
     if (!c->in->failed && !VEC_PUSH(c->in->model->env, &c->callees, callee))
         report_memory(c->in);
     return combine(c, PROGRAM_CALL, mark, first, (uint32_t)c->callees.count - 1);
@@ -433,7 +433,7 @@ static void finish(compiler *c, uint32_t parameters, uint32_t result, program *o
     memset(out, 0, sizeof *out);
     out->parameters = parameters;
     out->registers = c->most > 0 ? c->most : 1;
-    out->room = out->registers + c->room;
+    out->capacity = out->registers + c->capacity;
     out->result = result;
     out->count = (uint32_t)c->code.count;
     if (!in->failed) {

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-enum { PARAMETERS_MAX = 56, ROOM = 256 };
+enum { PARAMETERS_MAX = 56, BUFFER = 256 };
 
 /* ---- declaration ---- */
 
@@ -151,19 +151,19 @@ static void read_arguments(pov_reader *in, double *out, uint32_t count)
 
 static double run(pov_reader *in, const program *p)
 {
-    double own[ROOM], *room = own, result = 0.0;
+    double own[BUFFER], *buffer = own, result = 0.0;
 
-    if (p->room > ROOM)
-        room = env_alloc(in->model->env, p->room, sizeof *room);
-    if (!room) {
+    if (p->capacity > BUFFER)
+        buffer = env_alloc(in->model->env, p->capacity, sizeof *buffer);
+    if (!buffer) {
         report_memory(in);
         return 0.0;
     }
-    read_arguments(in, room, p->parameters);
+    read_arguments(in, buffer, p->parameters);
     if (!in->failed)
-        result = program_run(p, room);
-    if (room != own)
-        env_free(in->model->env, room);
+        result = program_run(p, buffer);
+    if (buffer != own)
+        env_free(in->model->env, buffer);
     return result;
 }
 

@@ -7,7 +7,7 @@ typedef struct subject {
     const shape_class *shape;
     const void *self;
     void *scratch;
-    unsigned char room[POV_PREPARED_MAX + 64];
+    unsigned char buffer[POV_PREPARED_MAX + 64];
 } subject;
 
 static bool begin(pov_reader *in, const object_parsed *o, subject *s)
@@ -18,9 +18,9 @@ static bool begin(pov_reader *in, const object_parsed *o, subject *s)
     s->self = o->leaf.instance;
     s->scratch = NULL;
     if (s->shape->prepare) {
-        void *at = s->room + (64 - ((uintptr_t)s->room & 63));
+        void *at = s->buffer + (64 - ((uintptr_t)s->buffer & 63));
 
-        memset(s->room, 0, sizeof s->room);
+        memset(s->buffer, 0, sizeof s->buffer);
         s->shape->prepare(at, o->leaf.instance);
         s->self = at;
     }

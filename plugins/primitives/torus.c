@@ -136,8 +136,8 @@ static double coefficients(const stretch *s, double a[5])
 static double coefficients_two(const stretch *s, pov_two a[5])
 {
     const torus *t = s->torus;
-    const pov_two3 w = s->w, way = common_direction(&s->ray);
-    const pov_two3 d = { pov_two_mul_double(way.x, s->half), pov_two_mul_double(way.y, s->half), pov_two_mul_double(way.z, s->half) };
+    const pov_two3 w = s->w, dir = common_direction(&s->ray);
+    const pov_two3 d = { pov_two_mul_double(dir.x, s->half), pov_two_mul_double(dir.y, s->half), pov_two_mul_double(dir.z, s->half) };
     const pov_two dd = pov_two3_dot(d, d), b = pov_two_scale(pov_two3_dot(w, d), 2.0);
     const pov_two g = pov_two_add(pov_two3_dot(w, w), t->hollow), four = pov_two_scale(t->ring, 4.0);
     const pov_two fd = pov_two_add(pov_two_mul(d.x, d.x), pov_two_mul(d.z, d.z));
@@ -247,7 +247,7 @@ static void intersect_from_surface(stretch *s, pov_hits *hits)
     const pov_two middle = pov_two_scale(pov_two_add_double(start, 1.0), 0.5);
     const pov_two half = pov_two_scale(pov_two_sub(pov_two_of(1.0, 0.0), start), 0.5);
     pov_two a[5], c[4];
-    double rough[4], error = coefficients_two(s, a), sum = 0.0;
+    double approx[4], error = coefficients_two(s, a), sum = 0.0;
     common_brackets roots;
     int i;
 
@@ -259,13 +259,13 @@ static void intersect_from_surface(stretch *s, pov_hits *hits)
         c[i] = pov_two_add(a[i + 1], pov_two_mul(c[i + 1], start));
     restrict_cubic(c, middle, half);
     for (i = 0; i < 4; i++) {
-        rough[i] = c[i].hi;
+        approx[i] = c[i].hi;
         sum += fabs(c[i].hi);
     }
     common_isolate_two(c, 64.0 * error + 0x1p-96 * sum, 3, &roots);
     for (uint32_t k = 0; k < roots.count; k++) {
         const common_bracket *y = &roots.at[k];
-        const pov_two scaled = pov_two_mul_double(half, common_polish(rough, 3, y));
+        const pov_two scaled = pov_two_mul_double(half, common_polish(approx, 3, y));
         const common_bracket x = { middle.hi + half.hi * y->lo, middle.hi + half.hi * y->hi, y->rising };
 
         /* Ahead of the start the divided-out factor is positive, so the quartic rises where the cubic does. */
