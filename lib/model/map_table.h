@@ -1,5 +1,7 @@
 /* map_table.h - deduplicated maps that are still needed after shapes have absorbed their transformations: from the
- * world, or from object space, to the space in which a texture was written. */
+ * world, or from object space, to the space in which a texture was written.
+ *
+ * Many objects are copies of one that are only moved: their maps share a linear part, and have a translation each. */
 #ifndef MODEL_MAP_TABLE_H
 #define MODEL_MAP_TABLE_H
 
@@ -9,14 +11,20 @@
 
 #include <stdint.h>
 
-/* p' = inv p with p = (x, y, z, 1), as in pov_affine. */
-typedef struct inverse_map { double inv[3][4], inv_lo[3][4]; } inverse_map;
+typedef struct linear_map { double m[3][3], m_lo[3][3]; } linear_map;
+
+/* p' = linear p + move, as the inverse in pov_affine. */
+typedef struct inverse_map { const linear_map *linear; double move[3], move_lo[3]; } inverse_map;
+
+/* Hash table of records: number, 0 is empty. */
+typedef struct map_slots { uint32_t *at; size_t count; } map_slots;
 
 typedef struct map_table {
     inverse_map *items;
     size_t count, capacity;
-    uint32_t *slots;             /* a hash table of the items: number, 0 is empty */
-    size_t slot_count;
+    linear_map **linear;         /* each is allocated by itself, so that items may refer to it */
+    size_t linear_count, linear_capacity;
+    map_slots slots, linear_slots;
 } map_table;
 
 /* Add a map; the number of its inverse, from 1 on; 0: no memory. */

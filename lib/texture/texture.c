@@ -7,11 +7,11 @@
 /* One coordinate: a row of the map times (x, y, z, 1), in double-double. */
 static inline pov_two along(const inverse_map *map, int row, pov_two3 p)
 {
-    const double *hi = map->inv[row], *lo = map->inv_lo[row];
+    const double *hi = map->linear->m[row], *lo = map->linear->m_lo[row];
     const pov_two x = pov_two_mul(pov_two_of(hi[0], lo[0]), p.x), y = pov_two_mul(pov_two_of(hi[1], lo[1]), p.y);
     const pov_two z = pov_two_mul(pov_two_of(hi[2], lo[2]), p.z);
 
-    return pov_two_add(pov_two_add(x, y), pov_two_add(z, pov_two_of(hi[3], lo[3])));
+    return pov_two_add(pov_two_add(x, y), pov_two_add(z, pov_two_of(map->move[row], map->move_lo[row])));
 }
 
 static inline pov_two3 to_space(const inverse_map *map, pov_two3 p)
