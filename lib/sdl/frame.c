@@ -98,7 +98,7 @@ void frame_save(pov_reader *in)
     in->top->has_saved = true;
 }
 
-token_buffer *frame_capture(pov_reader *in, const place *at)
+token_buffer *frame_capture(pov_reader *in, const place *at, bool is_open)
 {
     token_buffer *b = token_buffer_create(&in->buffers);
     bool is_directive = false;
@@ -107,9 +107,12 @@ token_buffer *frame_capture(pov_reader *in, const place *at)
 
     while (b && depth > 0) {
         frame_fetch(in, &t);
-        if (t.kind == TOKEN_END || t.kind == TOKEN_LEAVE || (t.kind == TOKEN_BAD && !t.fault)) {
-            if (t.kind != TOKEN_BAD)
-                report_fail(in, at, POV_E_SYNTAX, "there is no \"#end\" for this");
+        if (t.kind == TOKEN_BAD && !t.fault)
+            break;
+        if (t.kind == TOKEN_END || t.kind == TOKEN_LEAVE) {
+            if (is_open)
+                return b;
+            report_fail(in, at, POV_E_SYNTAX, "there is no \"#end\" for this");
             break;
         }
         if (!token_buffer_add(&in->buffers, b, &t))

@@ -13,7 +13,7 @@ static bool keep_tokens(pov_reader *in, const place *at)
 
     if (!in->top->text)
         return !in->failed;
-    b = frame_capture(in, at);
+    b = frame_capture(in, at, true);
     if (!b)
         return false;
     frame_push_tokens(in, FRAME_LOOP, b, 0, b->count);

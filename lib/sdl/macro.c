@@ -36,7 +36,7 @@ static int read_parameters(pov_reader *in, symbol **out)
 static void find_body(pov_reader *in, macro *m)
 {
     if (in->top->text) {
-        m->tokens = frame_capture(in, &m->at);
+        m->tokens = frame_capture(in, &m->at, false);
         m->end = m->tokens ? m->tokens->count - 2 : 0;
         return;
     }

@@ -256,6 +256,8 @@ static void read_entries(pov_reader *in, surface_parsed *s, keyword_id keyword)
 {
     bool is_first = true;
 
+    if (in->token.kind == '}')
+        report_expected(in, "\"[\" and the first entry of the map");
     while (!in->failed && in->token.kind != '}') {
         surface_parsed other = *s;
 

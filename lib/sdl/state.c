@@ -102,12 +102,16 @@ static void run_directives(pov_reader *in, bool is_forced)
 
 void state_advance(pov_reader *in)
 {
+    frame *f = in->top;
+
     if (in->failed)
         return;
     in->last = in->token.at;
     in->tried_count = 0;
-    if (in->top->text && !in->top->has_saved)
-        lex_next(&in->words, in->top->text, &in->token);
+    if (f->at < f->end && !f->has_saved)
+        in->token = f->tokens->items[f->at++];
+    else if (f->text && !f->has_saved)
+        lex_next(&in->words, f->text, &in->token);
     else
         frame_fetch(in, &in->token);
     if (in->token.kind == TOKEN_END && in->top->kind != FRAME_SCENE)

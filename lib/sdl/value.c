@@ -50,13 +50,6 @@ void value_free_all(value_heap *heap)
     heap->first = NULL;
 }
 
-value value_of_number(double number)
-{
-    value v = { VALUE_NUMBER, false, 1, { { number, 0.0, 0.0, 0.0, 0.0 } } };
-
-    return v;
-}
-
 value value_of_vector(pov_vec3 vector)
 {
     value v = { VALUE_VECTOR, false, 3, { { vector.x, vector.y, vector.z, 0.0, 0.0 } } };

@@ -95,7 +95,12 @@ static inline void value_drop(value_heap *heap, value *v)
     v->kind = VALUE_NOTHING;
 }
 
-value value_of_number(double number);
+static inline value value_of_number(double number)
+{
+    value v = { VALUE_NUMBER, false, 1, { { number, 0.0, 0.0, 0.0, 0.0 } } };
+
+    return v;
+}
 value value_of_vector(pov_vec3 v);
 value value_of_part(value_kind kind, const void *part);
 /* As messages call it: `a number`. */
