@@ -134,13 +134,21 @@ static bool cone_absorb(void *self, const pov_affine *map)
 
 METHODS_LANES(cone_bounds)
 
+static const pov_shape_fast cone_fast = {
+    .size = sizeof(pov_shape_fast),
+    .block_size = sizeof(lane_boxes),
+    .block_pack = block_pack,
+    .block_filter = block_filter,
+};
+
+static const void *extension(const char *name) { return common_is_fast(name) ? &cone_fast : NULL; }
+
 #define CONE_CLASS(word)                                                                                              \
     static const pov_shape_class word##_class = {                                                                     \
         .size = sizeof(pov_shape_class), .flags = POV_SHAPE_SOLID, .keyword = #word,                                  \
         .instance_size = sizeof(cone), .parse = parse, .bounds = cone_bounds,                                         \
         .intersect = cone_intersect, .normal = cone_normal, .inside = cone_inside,                                    \
-        .absorb = cone_absorb, .block_size = sizeof(lane_boxes), .block_pack = block_pack,                            \
-        .block_filter = block_filter,                                                                                 \
+        .absorb = cone_absorb, .extension = extension,                                                                \
     };                                                                                                                \
     METHODS_PLUGIN(word, word##_class)
 

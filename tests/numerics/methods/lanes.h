@@ -38,7 +38,7 @@ static inline void lanes_result(const lane_boxes *b, const pov_rays *rays, uint3
         pad[axis] = 1e-14 * fabs(o[axis]);
     }
     for (i = 0; i < POV_BLOCK_MAX; i++) {
-        out->lo[i] = 0.0;
+        out->lo[i] = out->hi[i] = 0.0;
         far[i] = tmax;
     }
     for (axis = 0; axis < 3; axis++) {
@@ -72,16 +72,18 @@ static inline uint32_t lanes_filter(const lane_boxes *b, const pov_rays *rays, u
     return n;
 }
 
-/* The three members of a class whose shapes have boxes. */
-#define METHODS_LANES(bounds)                                                                                         \
-    static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)                \
-    {                                                                                                                 \
-        (void)frame;                                                                                                  \
-        return lanes_pack(block, bounds, selves, n);                                                                  \
-    }                                                                                                                 \
-    COMMON_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes, pov_candidate *out) \
-    {                                                                                                                 \
-        return lanes_filter(block, rays, lanes, out);                                                                 \
+/* The members of a fast extension for shapes that have boxes. */
+#define METHODS_LANES(bounds)                                                                                       \
+    static bool block_pack(void *block, const pov_frame *frame, const void *const *selves, uint32_t n)              \
+    {                                                                                                               \
+        (void)frame;                                                                                                \
+        return lanes_pack(block, bounds, selves, n);                                                                \
+    }                                                                                                               \
+    COMMON_CLONES static uint32_t block_filter(const void *block, const uint32_t *owners, const pov_rays *rays,     \
+                                               uint64_t lanes, pov_candidate *out)                                  \
+    {                                                                                                               \
+        (void)owners;                                                                                               \
+        return lanes_filter(block, rays, lanes, out);                                                               \
     }
 
 #endif

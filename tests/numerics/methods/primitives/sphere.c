@@ -74,6 +74,7 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
     sphere_block *b = block;
     uint32_t i;
 
+    (void)frame;
     b->lanes = (1 << n) - 1;
     for (i = 0; i < POV_BLOCK_MAX; i++) {
         const sphere *s = selves[i < n ? i : 0];
@@ -123,6 +124,7 @@ COMMON_CLONES static uint32_t block_filter(const void *block, const uint32_t *ow
     uint32_t n = 0;
     common_result a;
 
+    (void)owners;
     for (; lanes; lanes &= lanes - 1) {
         result(block, rays, common_first_lane64(lanes), &a);
         n = common_candidates(&a, common_first_lane64(lanes), out, n);
