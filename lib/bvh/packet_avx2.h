@@ -28,33 +28,10 @@ PACKET_TARGET static inline __m128 greatest_of_avx2(const __m256 v[3])
     return _mm_max_ps(_mm_movelh_ps(x, z), _mm_movehl_ps(z, x));
 }
 
-/* As bound, of all axes. */
-PACKET_TARGET static inline void bound_avx2(packet_state *c, __m128 lo, __m128 hi, __m128 first, __m128 last)
-{
-    packet_bounds *b = &c->bounds;
-    const __m256d sign = _mm256_set1_pd(-0.0), per_size = _mm256_set1_pd(2.0 * BVH_SLACK);
-    const __m256d near = _mm256_cvtps_pd(_mm_blendv_ps(last, first, lo));
-    const __m256d far = _mm256_cvtps_pd(_mm_blendv_ps(first, last, lo));
-    const __m256d size = _mm256_max_pd(_mm256_andnot_pd(sign, near), _mm256_andnot_pd(sign, far));
-    const __m256d slack = _mm256_mul_pd(per_size, _mm256_add_pd(_mm256_set1_pd(1.0), size));
-    const __m128i backward = _mm_srli_epi32(_mm_castps_si128(lo), 31);
-    int end;
-
-    c->near = _mm256_movemask_pd(_mm256_cmp_pd(size, _mm256_set1_pd(BVH_NEAR), _CMP_LE_OQ)) == 15;
-    _mm_storeu_si128((__m128i *)(void *)c->near_row, _mm_add_epi32(_mm_set_epi32(4, 4, 2, 0), backward));
-    _mm_storeu_ps(b->inverse[0], lo);
-    _mm_storeu_ps(b->inverse[1], hi);
-    for (end = 0; end < 2; end++) {
-        const __m256d r = _mm256_cvtps_pd(end ? hi : lo), by = _mm256_mul_pd(_mm256_andnot_pd(sign, r), slack);
-
-        _mm_storeu_ps(b->near_offset[end], _mm256_cvtpd_ps(_mm256_add_pd(_mm256_mul_pd(near, r), by)));
-        _mm_storeu_ps(b->far_offset[end], _mm256_cvtpd_ps(_mm256_sub_pd(_mm256_mul_pd(far, r), by)));
-    }
-}
-
 PACKET_TARGET static inline void bound_all_avx2(packet_state *c)
 {
     __m256 less[3], more[3], low[3], high[3];
+    float lo[4], hi[4], first[4], last[4];
     uint32_t i;
     int k;
 
@@ -72,7 +49,13 @@ PACKET_TARGET static inline void bound_all_avx2(packet_state *c)
             high[k] = _mm256_max_ps(o, high[k]);
         }
     }
-    bound_avx2(c, least_of_avx2(less), greatest_of_avx2(more), least_of_avx2(low), greatest_of_avx2(high));
+    _mm_storeu_ps(lo, least_of_avx2(less));
+    _mm_storeu_ps(hi, greatest_of_avx2(more));
+    _mm_storeu_ps(first, least_of_avx2(low));
+    _mm_storeu_ps(last, greatest_of_avx2(high));
+    c->near = true;
+    for (k = 0; k < 3; k++)
+        bound(c, k, lo[k], hi[k], first[k], last[k]);
 }
 
 /* near * r - offset by axis, at both ends. */
