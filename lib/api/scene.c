@@ -215,7 +215,7 @@ void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
     info.parse_seconds = scene->parse_seconds;
     info.build_seconds = scene->build_seconds;
     info.objects = model_object_count(m);
-    info.infinite_objects = world_infinite_count(scene->world);
+    info.infinite_objects = world_get_facts(scene->world).infinite;
     info.lights = m->lights.count;
     info.materials = m->materials.count;
     info.warnings = m->warnings;

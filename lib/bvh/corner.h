@@ -38,30 +38,18 @@ static inline corner corner_at(const void *at)
     memcpy(&c, at, sizeof c);
     return c;
 }
-static inline corner sum_of(corner a, corner b)
+static inline corner combine(corner a, corner b, float (*of)(float, float))
 {
-    int k;
+    const corner c = { { of(a.lane[0], b.lane[0]), of(a.lane[1], b.lane[1]), of(a.lane[2], b.lane[2]), a.lane[3] } };
 
-    for (k = 0; k < 3; k++)
-        a.lane[k] += b.lane[k];
-    return a;
+    return c;
 }
-static inline corner lesser(corner a, corner b)
-{
-    int k;
-
-    for (k = 0; k < 3; k++)
-        a.lane[k] = a.lane[k] < b.lane[k] ? a.lane[k] : b.lane[k];
-    return a;
-}
-static inline corner greater(corner a, corner b)
-{
-    int k;
-
-    for (k = 0; k < 3; k++)
-        a.lane[k] = a.lane[k] > b.lane[k] ? a.lane[k] : b.lane[k];
-    return a;
-}
+static inline float plus(float a, float b) { return a + b; }
+static inline float less_of(float a, float b) { return a < b ? a : b; }
+static inline float more_of(float a, float b) { return a > b ? a : b; }
+static inline corner sum_of(corner a, corner b) { return combine(a, b, plus); }
+static inline corner lesser(corner a, corner b) { return combine(a, b, less_of); }
+static inline corner greater(corner a, corner b) { return combine(a, b, more_of); }
 #endif
 
 typedef struct box { corner lo, hi; } box;

@@ -118,6 +118,7 @@ static bool visit_items(const pov_hierarchy *self, const pov_ray *ray, const pov
                         bool (*visit_item)(void *user, uint32_t item), void *user)
 {
     const hierarchy *h = (const hierarchy *)(const void *)self;
+    const pov_ray *const four[4] = { ray, ray, ray, ray };
     visit v;
 
     v.traversal.tree = &h->tree;
@@ -128,7 +129,7 @@ static bool visit_items(const pov_hierarchy *self, const pov_ray *ray, const pov
     v.traversal.limit[0] = hits->tmax;
     v.traversal.lowered = 0;
     v.traversal.leaf = visit_leaf;
-    ray_soa_put(&v.traversal.soa, 0, ray);
+    ray_soa_put_four(&v.traversal.soa, 0, four);
     ray_soa_derive(&v.traversal.soa, 0, hits->tmax, v.traversal.length);
     v.hits = hits;
     v.visit_item = visit_item;

@@ -11,20 +11,6 @@ static inline uint32_t ray_soa_excluded(const pov_ray *ray)
     return ray->origin_mark.flags & POV_MARK_OUTWARD ? ray->origin_surface : POV_NO_OWNER;
 }
 
-static inline void ray_soa_put(pov_rays *s, uint32_t i, const pov_ray *ray)
-{
-    s->org[0][i] = ray->org.x;
-    s->org[1][i] = ray->org.y;
-    s->org[2][i] = ray->org.z;
-    s->org_lo[0][i] = ray->org_lo.x;
-    s->org_lo[1][i] = ray->org_lo.y;
-    s->org_lo[2][i] = ray->org_lo.z;
-    s->dir[0][i] = ray->dir.x;
-    s->dir[1][i] = ray->dir.y;
-    s->dir[2][i] = ray->dir.z;
-    s->excluded[i] = ray_soa_excluded(ray);
-}
-
 /* Store four rays, from lane i on. */
 static inline void ray_soa_put_four(pov_rays *s, uint32_t i, const pov_ray *const rays[4])
 {

@@ -356,11 +356,6 @@ bool world_bounds(const world *w, pov_box *out)
     return w->has_bounds;
 }
 
-size_t world_infinite_count(const world *w)
-{
-    return w->infinite_count;
-}
-
 const char *world_class(const world *w, size_t number)
 {
     size_t i;

@@ -40,8 +40,6 @@ typedef struct object_info {
     bool inverse : 1, filters : 1, plain : 1, member : 1;
 } object_info;
 const object_info *world_object_info(const world *w);
-/* Number of objects without a finite box, which every ray tests. */
-size_t world_infinite_count(const world *w);
 /* Was it made with double-double arithmetic for every intersection? */
 bool world_is_exact(const world *w);
 

@@ -192,10 +192,11 @@ typedef struct tally { long fits, hits, misses, filtered, sure, definite_pair; }
 /* False: it passes the frame by. */
 static bool put_ray(pov_rays *to, uint32_t i, const bvh_frame *frame, const pov_ray *ray, double tmax)
 {
+    const pov_ray *const four[4] = { ray, ray, ray, ray };
     double length[POV_RAYS_MAX];
     bvh_local l;
 
-    ray_soa_put(to, i, ray);
+    ray_soa_put_four(to, i, four);
     ray_soa_derive(to, i, tmax, length);
     if (!bvh_enter(frame, ray, length[i], to->per_length[i], &l))
         return false;

@@ -378,7 +378,7 @@ static void infinite_objects_are_tested_separately(void **state)
     for (i = 0; i < 3; i++)
         test_add(&m, &test_ground_class, &ground[i], NULL, 0, i == 2 ? LEAF_NO_SHADOW : 0);
     make_pair(&p, &m);
-    assert_int_equal(world_infinite_count(p.tree), 3);
+    assert_int_equal(world_get_facts(p.tree).infinite, 3);
     assert_true(trace(&p, &r, 500, 1.0, origin) > 100);
     free_pair(&p);
     add_mixture(&m, &r, 100, 1.0, origin, 0.1);
@@ -406,7 +406,7 @@ static void infinite_objects_share_blocks(void **state)
     }
     add_mixture(&m, &r, 100, 1.0, origin, 0.1);
     make_pair(&p, &m);
-    assert_int_equal(world_infinite_count(p.tree), 21);
+    assert_int_equal(world_get_facts(p.tree).infinite, 21);
     assert_true(p.tree->has_tree);
     for (i = 0; i < p.tree->group_count; i++)
         if (p.tree->groups[i].shape == &test_loose_sphere_class)
