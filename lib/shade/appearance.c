@@ -69,6 +69,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const mater
     out->power = power_of(of);
     out->reflection = coefficient_of(of->reflection);
     paint(out, p, m, &at);
+    out->needs_point = out->varies || out->lit || out->reflective || out->transmissive;
 }
 
 void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at)

@@ -15,6 +15,7 @@ typedef struct appearance {
                                   * reflective and transmissive true if they may be true anywhere */
     bool lit;                    /* light changes its colour */
     bool reflective, transmissive;   /* reflected or transmitted rays continue */
+    bool needs_point;            /* one of these: more than emission is seen of it */
     double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of
                                   * APPEARANCE_VISIBLE or more */
     uint32_t power;              /* phong_size where that is a whole number from 1 to APPEARANCE_POWER_MAX, or 0 */

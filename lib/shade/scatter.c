@@ -69,9 +69,8 @@ typedef struct scattering {
 } scattering;
 
 /* Back to the side that the ray came from. */
-static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
+static inline void reflect(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const surface *s = &to->on->at[lane];
     const geometry *g = &to->on->geometry;
     const coefficient factor = coefficient_mul(s->from->factor, *by);
     batch *b = to->reflected;
@@ -83,9 +82,8 @@ static inline void reflect(scattering *to, uint32_t lane, const coefficient *by)
 }
 
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
-static path *transmit(scattering *to, uint32_t lane)
+static path *transmit(scattering *to, const surface *s, uint32_t lane)
 {
-    const surface *s = &to->on->at[lane];
     const geometry *g = &to->on->geometry;
     path *out = spawn_across(to->transmitted, &to->limits, s, s->ray->dir, g->view_side[lane], false);
 
@@ -100,32 +98,29 @@ static path *transmit(scattering *to, uint32_t lane)
 }
 
 /* The reflected ray of an ordinary surface. */
-static inline void reflect_some(scattering *to, uint32_t lane)
+static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 {
-    const appearance *a = to->on->at[lane].appearance;
-
-    if (a->reflective)
-        reflect(to, lane, &a->reflection);
+    if (s->appearance->reflective)
+        reflect(to, s, lane, &s->appearance->reflection);
 }
 
 /* Interfaces that refracted rays cross, and their new directions. */
 typedef struct interfaces { dielectric_crossing crossing[BATCH_MAX]; refraction_lanes to; } interfaces;
 
-static void find_interfaces(const scattering *to, interfaces *p)
+static void find_interfaces(const shade_context *c, const surfaces *on, interfaces *p)
 {
-    const shade_context *c = to->context;
-    const geometry *g = &to->on->geometry;
-    const uint32_t n = to->on->count;
+    const shading *scene = c->scene;
+    const geometry *g = &on->geometry;
+    const uint32_t n = on->count;
+    const surface *s = on->at;
     bool any = false;
 
     for (uint32_t i = 0; i < lanes_whole(n); i++)
         p->to.before[i] = p->to.after[i] = 1.0;
-    for (uint32_t i = 0; i < n; i++) {
-        const surface *s = &to->on->at[i];
-
+    for (uint32_t i = 0; i < n; i++, s++) {
         if (!s->appearance->transmissive)
             continue;
-        dielectric_cross(&c->dielectrics, s->from->inside, c->scene->model, world_solid(c->scene->world, s->at->object),
+        dielectric_cross(&c->dielectrics, s->from->inside, scene->model, world_solid(scene->world, s->at->object),
                          &p->crossing[i]);
         p->to.before[i] = p->crossing[i].before;
         p->to.after[i] = p->crossing[i].after;
@@ -137,27 +132,26 @@ static void find_interfaces(const scattering *to, interfaces *p)
 
 /* Both rays that can continue from an interface. The transmitted ray gets the changed list of dielectrics; a reflected
  * one keeps its list. */
-static void split(scattering *to, const interfaces *p, uint32_t lane)
+static void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
     shade_context *c = to->context;
-    const surface *s = &to->on->at[lane];
     const dielectric_crossing *crossing = &p->crossing[lane];
     const uint32_t before = to->reflected->count;
     path *out;
 
     if (crossing->before == crossing->after) {
-        out = transmit(to, lane);
+        out = transmit(to, s, lane);
     } else if (p->to.squared_cosine[lane] > 0.0) {
         const pov_vec3 dir = lanes_at(&p->to.dir, lane);
 
         out = spawn_across(to->transmitted, &to->limits, s, dir, -pov_dot(dir, lanes_at(&to->on->geometry.to.normal, lane)),
                            true);
     } else {
-        reflect(to, lane, &whole);
+        reflect(to, s, lane, &whole);
         c->counts.inner_reflections += to->reflected->count - before;
         return;
     }
-    reflect_some(to, lane);
+    reflect_some(to, s, lane);
     if (out && !dielectric_pass(&c->dielectrics, c->env, &out->inside, crossing))
         c->failed = true;
     to->transmitted->count += out != NULL;
@@ -165,21 +159,21 @@ static void split(scattering *to, const interfaces *p, uint32_t lane)
 
 static void scatter_lanes(scattering *to, bool refraction)
 {
-    const surfaces *on = to->on;
-    const uint32_t n = on->count;
+    const uint32_t n = to->on->count;
+    const surface *s = to->on->at;
     interfaces p;
 
     if (refraction)
-        find_interfaces(to, &p);
-    for (uint32_t i = 0; i < n; i++) {
-        const appearance *a = on->at[i].appearance;
+        find_interfaces(to->context, to->on, &p);
+    for (uint32_t i = 0; i < n; i++, s++) {
+        const bool transmissive = s->appearance->transmissive;
 
-        if (a->transmissive && refraction) {
-            split(to, &p, i);
+        if (transmissive && refraction) {
+            split(to, &p, s, i);
         } else {
-            reflect_some(to, i);
-            if (a->transmissive)
-                to->transmitted->count += transmit(to, i) != NULL;
+            reflect_some(to, s, i);
+            if (transmissive)
+                to->transmitted->count += transmit(to, s, i) != NULL;
         }
     }
 }

@@ -55,11 +55,9 @@ static bool any_coincident(const batch *b)
 
 /* ---- what rays hit ---- */
 
-/* Set the n-th surface to that of ray i. */
-static inline void place(surfaces *s, const batch *b, uint32_t i, uint32_t n)
+/* Set the n-th surface, which is `at`, to that of ray i. */
+static inline void place(surfaces *s, surface *at, const batch *b, uint32_t i, uint32_t n)
 {
-    surface *at = &s->at[n];
-
     at->from = &b->paths[i];
     at->ray = b->rays[i];
     at->at = &s->hits[i];
@@ -80,7 +78,7 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
     s->lit = colour_of(0.0f, 0.0f, 0.0f);
-    if (a->lit || a->reflective || a->transmissive || a->varies)
+    if (a->needs_point)
         return true;
     accumulate(s->from, a->emitted, out);
     return false;
@@ -92,7 +90,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
     uint32_t n = 0;
 
     for (uint32_t i = 0; i < b->count; i++) {
-        place(s, b, i, n);
+        place(s, &s->at[n], b, i, n);
         if (hit_single(c, &s->at[n]))
             n += is_kept(c, &s->at[n], out);
         else
@@ -120,6 +118,7 @@ static void add_background(const shade_context *c, const batch *b, uint64_t rays
 
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
+    surface *at = s->at;
     uint64_t found, rest;
     uint32_t n = 0;
 
@@ -130,8 +129,11 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     found = query_nearest(c->scene->world, c->context, b->rays, b->count, HUGE_VAL, s->hits);
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = found; rest; rest &= rest - 1) {
-        place(s, b, first_of64(rest), n);
-        n += is_kept(c, &s->at[n], out);
+        place(s, at, b, first_of64(rest), n);
+        if (is_kept(c, at, out)) {
+            at++;
+            n++;
+        }
     }
     s->count = n;
 }
