@@ -185,6 +185,16 @@ static int component_of(keyword_id keyword)
     }
 }
 
+static void refuse_component(pov_reader *in, const value *v)
+{
+    const char *name = in->token.symbol->name;
+
+    if (v->kind == VALUE_VECTOR)
+        report_fail(in, &in->token.at, POV_E_SYNTAX, "a vector of %d has no component \"%s\"", v->size, name);
+    else
+        report_fail(in, &in->token.at, POV_E_SYNTAX, "%s has no component \"%s\"", value_name(v), name);
+}
+
 static value dot(pov_reader *in, value v)
 {
     const place at = in->token.at;
@@ -196,8 +206,7 @@ static value dot(pov_reader *in, value v)
     if (i < 0) {
         report_expected(in, "a component such as \"x\" or \"red\"");
     } else if (!value_is_arithmetic(&v) || (i == 5 ? v.size < 3 : i >= v.size)) {
-        report_fail(in, &in->token.at, POV_E_SYNTAX, "%s of %d has no component \"%s\"", value_name(&v), v.size,
-                    in->token.symbol->name);
+        refuse_component(in, &v);
     } else {
         const double *c = v.as.v;
 

@@ -30,6 +30,7 @@ static bool open(pov_reader *in, condition_kind kind, const place *at)
     c.at = *at;
     c.frame = in->frames.count - 1;
     c.start = in->top->at;
+    c.parentheses = in->parentheses;
     return condition_open(in, &c);
 }
 
@@ -140,6 +141,10 @@ void loop_turn(pov_reader *in, const place *at)
     condition *c = innermost(in);
     bool is_for = c->kind == CONDITION_FOR, goes_on;
 
+    if (in->parentheses > c->parentheses) {
+        report_expected(in, "\")\"");   /* of its own condition */
+        return;
+    }
     if (c->frame != in->frames.count - 1) {
         report_fail(in, at, POV_E_SYNTAX, "this \"#end\" belongs to a loop that began in another text");
         return;

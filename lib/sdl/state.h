@@ -69,6 +69,7 @@ typedef struct condition {
     place at;                    /* of the directive */
     double value;                /* what #switch looks for */
     size_t frame, start;         /* of a loop: where its turns begin */
+    int parentheses;             /* of expressions that are open around it */
     symbol *variable;            /* of #for */
     double last, step;
 } condition;
