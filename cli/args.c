@@ -282,7 +282,7 @@ static bool read_limit(args *a, const char *text)
     return refuse(a, "--limit wants depth=N, array=N, string=N, turns=N or memory=N, not \"%s\"", text);
 }
 
-/* What the reader of the scene is told. */
+/* Options for loading the scene. */
 static bool read_option_language(args *a, int option, const char *text)
 {
     switch (option) {

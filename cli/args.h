@@ -12,7 +12,7 @@ typedef enum args_progress {
     ARGS_PROGRESS_NONE
 } args_progress;
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
-/* Maps besides the picture: of the camera rays' hits, and of the pixels' time. */
+/* Maps besides the picture, from the camera rays' hits and from the pixels' time. */
 typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOV_TIME, ARGS_AOVS } args_aov;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 

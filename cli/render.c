@@ -231,7 +231,7 @@ static double last_band(pov_job *job)
     return end;
 }
 
-/* What ended the refinement, when there was a choice. */
+/* The reason why refinement ended, when there was a choice. */
 static void say_end(render *r)
 {
     const args *a = r->args;

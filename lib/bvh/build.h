@@ -39,7 +39,7 @@ static inline uint32_t bvh_range_count(const bvh_range *r) { return r->end - r->
 
 /* Node of the binary tree that is collapsed to wide nodes. The first one is the root. */
 typedef struct bvh_build_node {
-    bvh_range range;             /* begin, end: of a leaf, or as it was split */
+    bvh_range range;             /* begin, end: range of a leaf's items, or of the node before it was split */
     uint32_t half[2];           /* further on in the list */
     int depth;                   /* its depth in the tree */
     bool is_end;                 /* not split further */

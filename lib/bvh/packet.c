@@ -233,7 +233,7 @@ static void go_single(packet_state *c, uint64_t lanes, uint32_t at)
     lower_limits(c);
 }
 
-/* Bounds of one axis: of 1/d in lo .. hi, of o in first .. last. */
+/* Bounds along one axis: 1/d lies in lo .. hi, o in first .. last. */
 static inline void bound(packet_state *c, int k, float lo, float hi, float first, float last)
 {
     packet_bounds *b = &c->bounds;

@@ -7,7 +7,7 @@
 
 /* Arguments: x, y, z, then the parameters. 0: there is no such function. */
 uint32_t internal_arguments(uint32_t number);
-/* Those of noise are not there yet: their value is 0. */
+/* The noise functions are missing yet: their value is 0. */
 bool internal_is_there(uint32_t number);
 double internal_value(uint32_t number, const double *v);
 

@@ -42,7 +42,7 @@ bool model_add_group(model *m, const group_node *shape, const node_ref *children
     return VEC_PUSH(m->env, &m->groups, g);
 }
 
-/* What was clipped. */
+/* The clipped solid. */
 static const group_node *clipped(const model *m, const group_node *g)
 {
     while (g->op == NODE_CLIP && m->children.items[g->child] & NODE_GROUP)

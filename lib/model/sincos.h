@@ -20,7 +20,7 @@ static inline void two_set_lane(two_lanes *l, int k, pov_two to)
     l->lo[k] = to.lo;
 }
 
-/* Of three angles each: x is what remains of a quarter turn, in radians. */
+/* Three angles each: x is the remainder of a quarter turn, in radians. */
 enum { SINCOS_ANGLES = 3, SINCOS_MANY = 8 };
 typedef struct sincos_turns {
     pov_two x[SINCOS_ANGLES], sine[SINCOS_ANGLES], cosine[SINCOS_ANGLES];

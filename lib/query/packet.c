@@ -91,7 +91,7 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
     return ended;
 }
 
-/* ---- who goes with whom ---- */
+/* ---- grouping rays into packets ---- */
 
 /* Smaller groups of one octant are faster as single rays, and still smaller groups of any octants one after the
  * other. */

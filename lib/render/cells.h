@@ -37,7 +37,7 @@ typedef struct cells {
     bool reference_clipped;      /* it holds nothing outside 0 .. 1 */
 } cells;
 
-/* Part of a picture in cells: what a tile covers. */
+/* The part of a picture, in cells, that a tile covers. */
 typedef struct cell_range { int column, row, columns, rows; } cell_range;
 
 /* referring: a reference will be given. False: no memory. */

@@ -88,7 +88,7 @@ void passes_stop(pov_job *job, pov_stop why);
 bool passes_expire(pov_job *job);
 /* Fraction of the work until the nearest requested end, as far as can be predicted. */
 double passes_fraction(const pov_job *job);
-/* Seconds of wall time until that end; below zero while nobody can tell. */
+/* Seconds of wall time until that end; negative while there is no estimate. */
 double passes_left(const pov_job *job);
 
 /* The clock starts. The lock is held. */

@@ -39,7 +39,7 @@ pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *wor
     return POV_OK;
 }
 
-/* A packet of rays: those of the pixels of a block of the lattice. */
+/* A packet of rays, for the pixels of a block of the lattice. */
 typedef struct packet {
     uint32_t count;
     raygen_screen through;

@@ -28,7 +28,7 @@ typedef struct worker {
     claim claim;
     float *pixels;               /* of the tile, row by row */
     refinement *refinement;      /* the job's to make and free; NULL when a pixel has one sample */
-    meter *meter;                /* the job's to make and free; NULL: nobody asks */
+    meter *meter;                /* the job allocates and frees it; NULL: not requested */
     pov_counts counted;          /* counts of the tracer that earlier tiles have already added */
     double spent;                /* seconds of its thread that were already added */
     struct worker *next_free;    /* next in the job's list of idle workers */

@@ -88,7 +88,7 @@ typedef struct csg_scratch {
     uint8_t *inside;             /* by member; zero between walks */
     uint32_t *asked;             /* members that were intersected */
     csg_near *near;              /* heap of bounds to be opened, nearest first */
-    class_counts *classes;       /* of the thread; NULL: nobody counts */
+    class_counts *classes;       /* the thread's counters; NULL: none */
     bool failed;                 /* out of memory; stays so */
 } csg_scratch;
 typedef struct csg_user { csg_scratch *scratch; } csg_user;

@@ -102,7 +102,7 @@ static void set_anchor(instance_xform *p, const pov_affine *map)
 
 static inline double component(pov_vec3 v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
 
-/* What is known of the shape along the axes so far: a float holds all halves; the box reaches as far on either side. */
+/* Of the shape, along the axes so far. known: a float holds all halves. snug: the box reaches as far on either side. */
 typedef struct halves { bool known, snug; } halves;
 
 /* Half extent: from the anchor to the further side of the box in object space, enlarged so that thin boxes stay within

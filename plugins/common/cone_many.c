@@ -1,7 +1,7 @@
 /* The normals of several cylinders or cones side by side. */
 #include "common/cone_lanes.h"
 
-/* As common_cone_normal(). good: not zero where the usual path of that function applies, and pov_unit() does not
+/* As common_cone_normal(). good: nonzero where the usual path of that function applies, and pov_unit() does not
  * scale. */
 COMMON_CLONES static void find_normals(const cone_lanes *restrict l, const double *restrict t,
                                        const double *restrict t_lo, common_lane3 *restrict out, double *restrict good)

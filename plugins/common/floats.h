@@ -55,7 +55,7 @@ typedef struct common_chords { float lo[COMMON_FLOATS], hi[COMMON_FLOATS]; uint3
 /* Masks of comparisons as in common_bits, for as many lanes as are in use. */
 typedef struct common_outcomes { int32_t lane[COMMON_FLOATS]; } common_outcomes;
 
-/* The bits of n lanes: those of a block, or COMMON_FLOATS. Lanes are stored as vectors of 256 bits; a load of 512 bits
+/* The bits of n lanes, of a block or COMMON_FLOATS of them. Lanes are stored as vectors of 256 bits; a load of 512 bits
  * would stall on two stores. */
 COMMON_INLINE uint32_t common_bits_of(const common_outcomes *o, uint32_t n)
 {

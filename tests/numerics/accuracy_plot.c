@@ -86,7 +86,7 @@ static double across(const frame *f, double value)
     return f->x + f->width * (log10(value) - least) / (most - least);
 }
 
-/* What is beyond the axis is drawn at its end. */
+/* Values beyond the axis are drawn at its end. */
 static double up(const frame *f, double value)
 {
     const double at = fmin(fmax(log10(fmax(value, 1e-30)), Y_FROM), Y_TO - 0.4);

@@ -208,7 +208,7 @@ static bool scales(const contender *c, const probe *p)
     return m == c->found;
 }
 
-/* What is asked of every eighth ray only. */
+/* Checks made for every eighth ray only. */
 static void judge_more(harness *h, contender *c, const probe *p, int slot)
 {
     subject s = subject_of(h, c, p->kind, slot);

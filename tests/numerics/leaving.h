@@ -22,8 +22,8 @@ pov_ray leaving_ray(const pov_ray *ray, const pov_crossing *c, pov_vec3 directio
 
 typedef enum leaving_verdict { LEFT_WELL, HIT_ITSELF, LEAKED, MISPLACED, NOT_JUDGED } leaving_verdict;
 
-/* Of a probe whose ray is leaving_ray()'s, from a crossing with this normal, `dir` along a ray. Exact; resets no reals.
- * *expected is how many crossings there are. */
+/* For a probe whose ray is leaving_ray()'s, from a crossing with this normal, `dir` along a ray. Exact; resets no
+ * reals. *expected is the number of crossings. */
 leaving_verdict leaving_judge(const subject *s, const probe *q, const pov_crossing *c, double dir, pov_vec3 normal,
                               int *expected);
 

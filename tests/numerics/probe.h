@@ -18,7 +18,7 @@ typedef struct probe {
     double number[PROBE_NUMBERS];
     bool open;              /* cones and cylinders */
     pov_ray ray;
-    double size;            /* of the shape: what points and normals are held against */
+    double size;            /* of the shape; errors of points and normals are measured by it */
 } probe;
 
 typedef struct exact_crossing {

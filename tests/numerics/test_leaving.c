@@ -22,7 +22,7 @@ static const char *only;
 
 typedef struct tally { long spawned, selfhit, leak, judged; } tally;
 
-/* Of a convex shape: 1 where a direction goes in, 0 where it goes out. -1: not as plain as that. */
+/* For a convex shape: 1 where a direction goes inward, 0 where it goes outward, -1 where that is not certain. */
 static int plain_count(const probe *p, double slope)
 {
     const bool convex = p->kind == SPHERE || p->kind == BOX || (!p->open && (p->kind == CONE || p->kind == CYLINDER));
@@ -32,7 +32,7 @@ static int plain_count(const probe *p, double slope)
     return !convex || fabs(slope) < 1e-9 ? -1 : slope < 0.0;
 }
 
-/* What a line can cross besides its start. */
+/* The crossings that a line can have besides its start. */
 static uint32_t most_crossings(kind k) { return k == POLYGON ? 0 : k == CONE || k == CYLINDER ? 3 : 1; }
 
 /* Is it plain that nothing here is the start? Distances in doubles are off by far less than that part of the size. */

@@ -88,7 +88,8 @@ static void turn(exact_map *f)
     }
 }
 
-/* What the kind can take in: a turn, or axes put for axes; a stretch; a move of up to 1e9 sizes. */
+/* A map that the kind can absorb: a rotation, or a permutation of the axes; a scaling; a translation of up to 1e9
+ * sizes. */
 static void make_map(kind k, exact_map *f, pov_affine *out)
 {
     const int shift = (int)(3.0 * U()), stretches = k == BOX || (k != SPHERE && U() < 0.5);
@@ -171,7 +172,7 @@ static double rise_of(const probe *p, const exact_crossing *e)
     return fabs(e->normal[0] * p->ray.dir.x + e->normal[1] * p->ray.dir.y + e->normal[2] * p->ray.dir.z);
 }
 
-/* What two parts of a coordinate 1e9 sizes away can hold. */
+/* The accuracy of a coordinate in two parts, 1e9 sizes away. */
 static double finest(const probe *p) { return 0x1p-70 * p->size; }
 
 /* Nearer to a flat face no start is on one side of it. */
@@ -326,7 +327,8 @@ static void an_absorbed_map_is_exact(void **unused)
     real_free_all();
 }
 
-/* A long one made short and moved far: what its axis becomes must not be rounded where it is moved to. */
+/* A long shape is scaled down and translated far: its axis must not be rounded to the precision of the place it is
+ * moved to. */
 static void a_box_holds_what_was_made_small_and_moved(void **unused)
 {
     static const char *const texts[] = { "<0,0,0>, <0,1073741824,0>, 1", "<0,0,0>, 1, <0,1073741824,0>, 0.5" };

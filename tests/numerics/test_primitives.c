@@ -18,7 +18,7 @@ static harness *bench;
 
 enum { SEED = 20240607, OURS = 2, METHODS = 5 };
 
-/* Ours first. What the others are: tests/numerics/methods. */
+/* Our own method first. The others are described in tests/numerics/methods. */
 static const method methods[METHODS] = {
     { "certified", "lib/povtrace/primitives/" TEST_COPY, false, false },
     { "max", "lib/povtrace/primitives/" TEST_COPY, true, false },

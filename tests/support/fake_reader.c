@@ -208,7 +208,7 @@ enum { LOADED_MAX = 32 };        /* plugins that one test program loads */
 
 bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self)
 {
-    /* What only later primitives ask for is not here. */
+    /* Services that only later primitives ask for are missing. */
     static const pov_host host = { .abi = POV_PLUGIN_ABI, .size = sizeof(pov_host), .alloc = host_alloc, .number = host_number,
                                    .vector = host_vector, .accept = host_accept, .expect = host_expect, .more = host_more,
                                    .fail = host_fail, .warn = host_warn };

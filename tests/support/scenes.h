@@ -5,7 +5,7 @@
 #include <povtrace/povtrace.h>
 
 #define TEST_PLUGINS TEST_BUILD "/lib/povtrace"
-/* Those of the copy that the test is linked with. */
+/* The primitives for the copy of the library that the test is linked with. */
 #define TEST_PRIMITIVES TEST_PLUGINS "/primitives/" TEST_COPY
 
 /* Paths of all scenes of a folder of scenes/, sorted; NULL ends. Free with scenes_free(). */

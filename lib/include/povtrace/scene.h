@@ -34,7 +34,7 @@ typedef enum pov_accel { POV_ACCEL_TREE, POV_ACCEL_NONE } pov_accel;
  * double-double. */
 typedef enum pov_accuracy { POV_ACCURACY_CERTIFIED, POV_ACCURACY_MAX } pov_accuracy;
 
-/* The picture of an animation that a scene is read for: what its text sees as clock, frame_number and the like. */
+/* The picture of an animation that a scene is read for: the values of clock, frame_number and so on in its text. */
 typedef struct pov_animation {
     double clock, initial_clock, final_clock, clock_delta;
     int frame, initial_frame, final_frame;
