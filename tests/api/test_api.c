@@ -194,6 +194,46 @@ static void assert_crossing(const crossings *c, size_t i, uint32_t object, doubl
     assert_true(c->at[i].normal.z == normal);
 }
 
+static void assert_object(const pov_scene *scene, size_t index, const char *keyword, int line, int column)
+{
+    const char *word;
+    int l, c;
+
+    assert_true(pov_scene_get_object(scene, index, &word, &l, &c));
+    assert_string_equal(word, keyword);
+    assert_int_equal(l, line);
+    assert_int_equal(c, column);
+}
+
+/* What is merged, intersected or cut is one object; members of a union are objects of their own, unless they share an
+ * interior; what is clipped is what it was. */
+static void a_solid_made_of_others_is_one_object(void **state)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context,
+                                   "difference { sphere { 0, 2 } sphere { <0, 0, -1.5>, 1 } }\n"
+                                   "union { sphere { <0, 0, 4>, 1 } sphere { <0, 0, 7>, 1 } }\n"
+                                   " union { sphere { <9, 0, 0>, 1 } sphere { <9, 0, 1>, 1 } interior { ior 1.5 } }\n"
+                                   "box { <-1, -1, 9>, <1, 1, 10> clipped_by { sphere { <0, 0, 9>, 0.5 } } }");
+    crossings c;
+
+    (void)state;
+    assert_int_equal(pov_scene_object_count(scene), 5);
+    assert_object(scene, 0, "difference", 1, 1);
+    assert_object(scene, 2, "sphere", 2, 33);
+    assert_object(scene, 3, "union", 3, 2);
+    assert_object(scene, 4, "box", 4, 1);
+    c = cross_all(scene, pov_vec3_of(0, 0, -4), pov_vec3_of(0, 0, 1), 64);
+    assert_int_equal(c.count, 7);
+    assert_crossing(&c, 0, 0, 3.5, -1.0);
+    assert_crossing(&c, 1, 0, 6.0, -1.0);
+    assert_crossing(&c, 2, 1, 7.0, -1.0);
+    assert_crossing(&c, 4, 2, 10.0, -1.0);
+    assert_crossing(&c, 6, 4, 13.0, -1.0);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
 static void every_surface_on_the_way_is_seen(void **state)
 {
     pov_context *context = scenes_context();
@@ -411,6 +451,7 @@ int main(void)
         cmocka_unit_test(structs_of_other_sizes_are_adapted),
         cmocka_unit_test(rays_hit_what_is_there),
         cmocka_unit_test(every_surface_on_the_way_is_seen),
+        cmocka_unit_test(a_solid_made_of_others_is_one_object),
         cmocka_unit_test(thin_and_far_surfaces_are_all_seen),
         cmocka_unit_test(a_miss_says_whether_it_was_certain),
         cmocka_unit_test(a_camera_can_be_turned),
