@@ -167,7 +167,7 @@ void csg_free(csg_list *all, const env *e)
 
 static bool is_inside(const csg_member *m, pov_vec3 point, pov_vec3 point_lo)
 {
-    if (m->absent || !m->shape->inside)
+    if (m->absent || m->patch)
         return false;
     return m->xform ? instance_inside(m->xform, m->shape, m->instance, point, point_lo)
                     : m->shape->inside(m->instance, point, point_lo);
