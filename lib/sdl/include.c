@@ -134,7 +134,7 @@ bool include_exists(pov_reader *in, const string *name)
     return text_file_kept(in, name) || include_find(in, name, path);
 }
 
-/* ---- #include ---- */
+/* ---- texts ---- */
 
 static source *add_text(pov_reader *in, char *text, size_t length, const char *name)
 {
@@ -167,32 +167,116 @@ static bool has_installed(void)
     return false;
 }
 
-/* What the scene wrote itself counts before what is on the disk. */
-static source *open_text(pov_reader *in, const string *name)
+/* Files that are included again and equal what they were are read as tokens, but for very large ones. */
+enum { REPLAYED_MAX = 1 << 22 };
+
+static source *find_same(const pov_reader *in, const char *text, size_t length, const char *name)
 {
-    char path[INCLUDE_PATH_MAX], *text;
-    size_t length;
+    source *s;
+
+    for (s = in->sources.all; s; s = s->older)
+        if (s->owned && (size_t)(s->end - s->owned) == length && strcmp(s->name, name) == 0 &&
+            memcmp(s->owned, text, length) == 0)
+            return s;
+    return NULL;
+}
+
+/* The same text, to be read from its beginning. */
+static source *begin_again(pov_reader *in, const source *s)
+{
+    source *fresh = source_add(&in->sources, s->owned, (size_t)(s->end - s->owned), s->name);
+
+    if (!fresh)
+        report_memory(in);
+    return fresh;
+}
+
+static token_buffer *lex_whole(pov_reader *in, const source *s)
+{
+    token_buffer *b = token_buffer_create(&in->buffers);
+    source *fresh = b ? begin_again(in, s) : NULL;
+    token t;
+
+    while (fresh && !in->failed) {
+        lex_next(&in->words, fresh, &t);
+        if (t.kind == TOKEN_END)
+            return b;
+        if (!token_buffer_add(&in->buffers, b, &t))
+            break;
+    }
+    report_memory(in);
+    if (b)
+        token_buffer_release(&in->buffers, b);
+    return NULL;
+}
+
+/* ---- #include ---- */
+
+static frame *push_again(pov_reader *in, source *s)
+{
+    if (s->end - s->owned > REPLAYED_MAX) {
+        source *fresh = begin_again(in, s);
+
+        return fresh ? frame_push_text(in, FRAME_INCLUDE, fresh) : NULL;
+    }
+    if (!s->tokens)
+        s->tokens = lex_whole(in, s);
+    return s->tokens ? frame_push_tokens(in, FRAME_INCLUDE, s->tokens, 0, s->tokens->count) : NULL;
+}
+
+/* The text becomes the reader's. */
+static frame *push_text(pov_reader *in, char *text, size_t length, const char *name)
+{
+    source *same = find_same(in, text, length, name), *s;
+
+    if (same) {
+        env_free(in->model->env, text);
+        return push_again(in, same);
+    }
+    s = add_text(in, text, length, name);
+    return s ? frame_push_text(in, FRAME_INCLUDE, s) : NULL;
+}
+
+/* What the scene wrote itself counts before what is on the disk. */
+static char *read_text(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX], size_t *length)
+{
+    char *text = text_file_copy(in, name, length);
     pov_error error;
 
-    text = text_file_copy(in, name, &length);
-    if (text || in->failed)
-        return text ? add_text(in, text, length, name->text) : NULL;
-    if (!include_find(in, name, path)) {
+    if (text || in->failed) {
+        join(&(folder){ "", 0 }, name->text, "", path);
+    } else if (!include_find(in, name, path)) {
         report_fail(in, &in->value, POV_E_IO, "there is no file \"%s\" in the folders that scenes are read from%s",
                     name->text, has_installed() ? "" : "; POV-Ray's own come with the package povray-includes");
-        return NULL;
-    }
-    if (file_read(in->model->env, path, &text, &length, &error) < 0) {
+    } else if (file_read(in->model->env, path, &text, length, &error) < 0) {
         report_pass_on(in, &in->value, &error);
-        return NULL;
+        text = NULL;
     }
-    return add_text(in, text, length, path);
+    return text;
+}
+
+static void begin(pov_reader *in, const string *name, const place *at, bool is_literal)
+{
+    char path[INCLUDE_PATH_MAX] = "", *text;
+    size_t length = 0;
+
+    if (in->scopes.count > in->limits.depth)
+        report_fail(in, at, POV_E_SYNTAX, "more than %zu macros and include files within each other",
+                    in->limits.depth);
+    text = in->failed ? NULL : read_text(in, name, path, &length);
+    if (!text)
+        return;
+    if (!is_literal)
+        frame_save(in);
+    if (!scope_push(in))
+        env_free(in->model->env, text);
+    else if (push_text(in, text, length, path))
+        in->top->call = *at;
 }
 
 void include_run(pov_reader *in, const place *at)
 {
     bool is_literal;
-    source *text = NULL;
     string *name;
 
     directive_step(in);
@@ -200,18 +284,9 @@ void include_run(pov_reader *in, const place *at)
     in->value = in->token.at;
     is_literal = in->token.kind == TOKEN_STRING;
     name = expression_to_string(in, is_literal ? text_raw(in) : expression_read(in));
-    if (name && in->scopes.count > in->limits.depth)
-        report_fail(in, at, POV_E_SYNTAX, "more than %zu macros and include files within each other",
-                    in->limits.depth);
-    if (name && !in->failed)
-        text = open_text(in, name);
-    if (name)
-        value_unshare(&in->heap, &name->head);
-    if (!text || !scope_push(in))
+    if (!name)
         return;
-    if (!is_literal)
-        frame_save(in);
-    if (frame_push_text(in, FRAME_INCLUDE, text))
-        in->top->call = *at;
+    begin(in, name, at, is_literal);
+    value_unshare(&in->heap, &name->head);
     directive_step(in);
 }

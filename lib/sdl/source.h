@@ -11,7 +11,8 @@ typedef struct source {
     const char *at;              /* the next byte */
     const char *line_start;
     int line;
-    char *owned;                 /* text and name of an included file; NULL: the caller's, which outlive the reader */
+    char *owned;                 /* text and name of an included file; NULL: another's, which outlive the source */
+    struct token_buffer *tokens; /* of a file that was included again; NULL: not yet */
 } source;
 
 typedef struct source_list {

@@ -225,6 +225,34 @@ static void what_a_scene_writes_it_can_read_again(void **state)
                   " #fopen G \"t.txt\" read #read (G, A, B, C) sphere { 0, A + B.z + strlen(C) }", 8);
 }
 
+static void a_file_that_is_included_again_is_read_again(void **state)
+{
+    static const double radii[] = { 1, 2, 3, 7, 4 };
+
+    (void)state;
+    assert_radii("#declare N = 0; #fopen F \"t.inc\" write #write (F, \"#declare N = N + 1; sphere { 0, N }\") #fclose F"
+                 " #include \"t.inc\" #include \"t.inc\" #for (I, 1, 1) #include \"t.inc\" #end"
+                 " #fopen F \"t.inc\" write #write (F, \"sphere { 0, 7 }\") #fclose F #include \"t.inc\""
+                 " #fopen F \"t.inc\" write #write (F, \"#declare N = N + 1; sphere { 0, N }\") #fclose F"
+                 " #include \"t.inc\"", 5, radii);
+}
+
+static void splines_and_functions_are_called(void **state)
+{
+    (void)state;
+    assert_radius("#declare S = spline { linear_spline 0, <1, 2>, 2, <3, 6> } sphere { 0, S(1).y }", 4);
+    assert_radius("#declare S = spline { cubic_spline 0, 1, 1, 3, 2, 3, 3, 9 } sphere { 0, S(1.5, linear_spline).x }", 3);
+    assert_radius("#declare F = function (a, b) { a*b + (a < b & b > 0) } sphere { 0, F(2, 3) }", 7);
+    assert_radius("#declare F = function { x + 10*y + 100*z } #declare G = function (t0) { F(t0, 2, sum(i, 1, 3, i)) }"
+                  " sphere { 0, G(1) }", 621);
+    assert_radius("#declare T = transform { scale 2 translate x } #declare F = function { transform { T } }"
+                  " sphere { 0, F(1, 0, 0).x }", 3);
+    assert_radius("#declare T = transform { scale 2 translate 6*x inverse } #declare F = function { transform { T } }"
+                  " sphere { 0, F(8, 0, 0).x }", 1);
+    assert_radius("#declare P = pigment { rgb <.5, .25, 0> } #declare F = function { pigment { P } }"
+                  " sphere { 0, F(1, 2, 3).green }", .25);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -243,6 +271,8 @@ int main(void)
         cmocka_unit_test(errors_in_macros_tell_who_called),
         cmocka_unit_test(unions_hand_down_what_their_members_lack),
         cmocka_unit_test(what_a_scene_writes_it_can_read_again),
+        cmocka_unit_test(a_file_that_is_included_again_is_read_again),
+        cmocka_unit_test(splines_and_functions_are_called),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,7 +31,7 @@ static const char language[] =
     "#declare P = spline { natural_spline 0, x, 1, y, 2, <1, 2, 3> } #declare T = transform { rotate 30*y inverse }\n"
     "#declare Tex = texture { pigment { checker rgb 1, rgb <1, 0, 0> } finish { phong 1 } } texture { pigment { rgbt 1 } }\n"
     "#declare M = color_map { [0 rgb 0] [1 rgb 1] } #declare Globe = sphere { 0, F(1, 2) texture { Tex } transform T }\n"
-    "#fopen Out \"t.txt\" write #write (Out, \"sphere {0,\", 3, \"}//\", x) #fclose Out #include \"t.txt\"\n"
+    "#fopen Out \"t.txt\" write #write (Out, \"sphere {0,\", 3, \"}//\", x) #fclose Out #include \"t.txt\" #include \"t.txt\" #include \"t.txt\"\n"
     "#for (I, 1, 3) #switch (I) #case (2) union { object { Globe } Globe translate P(.5) } #break #else Row(I, Globe) #end #end\n"
     "#if (defined(Nobody) | G(1, 2, 3) > 1e9) nonsense #else julia_fractal { rand(seed(1)), { 1 } } #end #undef B\n"
     "#default { finish { ambient .2 } } #debug concat(S, chr(65), substr(S, 1, 2), strupr(S), vstr(3, x, \",\", 0, 2))\n"
