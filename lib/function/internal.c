@@ -243,7 +243,7 @@ SURFACE(helical_torus)
     return least(A, u + p[0] - p[5]) - p[4];
 }
 
-/* What a cross section of that kind makes of a point: 0 square, 1 circle, 2 diamond, 3 concave. */
+/* The radius of a point in a cross section of that kind: 0 square, 1 circle, 2 diamond, 3 concave. */
 static double section(double a, double b, double t)
 {
     a = fabs(a);

@@ -37,7 +37,7 @@ typedef struct program {
 /* `registers` has capacity for program->capacity of them; the first hold the arguments. */
 double program_run(const program *p, double *registers);
 
-/* The number of a function of one or two arguments; -1: there is none of that name. */
+/* The number of a function of one or two arguments; -1: unknown name. */
 int program_one_argument(const char *name);
 int program_two_arguments(const char *name);
 

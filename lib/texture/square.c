@@ -3,7 +3,7 @@
 /* The parity of a whole number. */
 static inline double parity(double whole) { return whole - 2.0 * floor(0.5 * whole); }
 
-/* Four squares of side 1 around a corner of even coordinates, counted about it. */
+/* Four squares of side 1 around a corner with even coordinates, numbered around it. */
 SIMD_CLONES static void find(const vec_lanes *restrict at, uint32_t n, double *restrict value)
 {
     for (uint32_t i = 0; i < n; i++) {

@@ -6,7 +6,7 @@
 /* In the mark of a crossing of a member that clips. */
 #define APPLIED 0x04000000u
 
-/* Distance from a crossing at which open members are asked, as a fraction of the size. */
+/* Distance from a crossing at which inside() of open members is called, as a fraction of the size. */
 static const double open_step = 0x1p-24;
 
 static double cosine_at(const csg_traversal *w, const pov_crossing *at) { return fabs(csg_slope(w, at)); }
@@ -118,7 +118,7 @@ static void apply(csg_traversal *w, uint32_t first, uint32_t end)
     }
 }
 
-/* How far from its crossing an open member is asked where the ray is: not as far as the next crossing. */
+/* Distance from a crossing to the point at which open members are tested: less than to the next crossing. */
 static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
 {
     const pov_crossing *at = w->found.at;
@@ -128,7 +128,7 @@ static double step_at(const csg_traversal *w, uint32_t first, uint32_t end)
     return end < w->found.count ? fmin(step, 0.5 * (at[end].t - at[end - 1].t)) : step;
 }
 
-/* Open members are where they say, at a point of the ray: a ray may enter them without a crossing. */
+/* Enter or leave open members by their inside() at a point of the ray: a ray may enter them without a crossing. */
 static void update_open(csg_traversal *w, double t)
 {
     for (uint32_t i = 0; w->tree->open_count > 0 && i < w->asked_count; i++) {

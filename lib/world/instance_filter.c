@@ -173,8 +173,8 @@ SIMD_INLINE void filter_lanes(const instance_filter *s, slab_test *test, const p
     }
 }
 
-/* Apart, for in the loop that calls them a instance transform's numbers would all be spread over lanes and put by
- * beforehand. */
+/* Not inlined: the calling loop would otherwise first spread all numbers of the instance transform over lanes and store
+ * them. */
 SIMD_NOINLINE SIMD_CLONES static void filter_boxes(const instance_filter *s, const pov_rays *rays, size_t from,
                                                    filter_result *restrict out)
 {

@@ -5,8 +5,8 @@
 
 enum { LANES = 4 };
 
-/* Where a instance transform's doubles from the anchor on are, of which the fourth is none, and a ray's, with three
- * others. */
+/* Offsets in doubles: of an instance transform's from the anchor on, where the fourth is unused, and of a ray's, with
+ * three others. */
 enum { COLUMN = 4, COLUMN_LO = 13, OWN = 22, OWN_LO = 25, NUMBERS = 28, ORG = 0, ORG_LO = 3, DIR = 6, COMPONENTS = 12 };
 
 typedef struct pair_lanes { double xform[NUMBERS][LANES], ray[COMPONENTS][LANES]; } pair_lanes;

@@ -1,6 +1,6 @@
 #include "common/roots.h"
 
-/* Cuts of an interval, tried in turn until the polynomial has a certain sign there. */
+/* Positions to divide an interval at, tried in turn until the polynomial has a certain sign there. */
 static const double cuts[] = { 0.5, 0.4375, 0.5625, 0.375, 0.625, 0.46875 };
 enum { CUTS = sizeof cuts / sizeof cuts[0], DEPTH = 26, DEPTH_TWO = 52 };
 
@@ -68,7 +68,7 @@ static double largest_of(const double *b, int degree)
     return most;
 }
 
-/* De Casteljau's scheme at a part of the interval. */
+/* De Casteljau's scheme at a fraction of the interval. */
 static void divide(const double *b, int degree, double at, double *left, double *right)
 {
     double w[COMMON_DEGREE_MAX + 1];
@@ -170,7 +170,8 @@ static void isolate_two(const pov_two *b, int degree, double error, double lo, d
             return;
         }
     }
-    /* It touches; where the ends are certain and differ it crosses once all the same. */
+    /* A double root, as far as can be told. If the signs at the ends are certain and differ, there is one crossing all
+     * the same. */
     if (sign[0] * sign[degree] < 0)
         put(out, lo, hi, sign[degree] > 0);
 }

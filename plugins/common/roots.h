@@ -11,7 +11,7 @@
 
 enum { COMMON_DEGREE_MAX = 4, COMMON_ROOTS_MAX = 8 };
 
-/* One root between lo and hi; the polynomial grows through it, or falls. */
+/* One root between lo and hi, where the polynomial is rising or falling. */
 typedef struct common_bracket { double lo, hi; bool rising; } common_bracket;
 typedef struct common_brackets { uint32_t count; common_bracket at[COMMON_ROOTS_MAX]; } common_brackets;
 

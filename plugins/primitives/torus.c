@@ -82,16 +82,16 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 
 /* ---- along a ray ---- */
 
-/* The stretch of a ray that may meet the torus: points at `middle + x half`, x from -1 to 1. */
+/* The interval of a ray that may hit the torus: points at `middle + x half`, x from -1 to 1. */
 typedef struct stretch {
     const torus *torus;
     common_ray ray;
     double middle, half;
     pov_two3 w;                    /* the point at its middle */
-    double lost;                   /* what far origins have cost w, whatever the arithmetic */
+    double lost;                   /* error of w from distant origins, in any arithmetic */
 } stretch;
 
-/* False: the ray passes the sphere, or the slab, that the torus lies in. */
+/* False: the ray misses the sphere, or the slab, around the torus. */
 static bool enter(stretch *s, const torus *t, const pov_ray *ray)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -193,7 +193,7 @@ static pov_two complete(const stretch *s, double start, const common_bracket *ro
     return x;
 }
 
-/* False: no more is wanted. */
+/* False: no more crossings are wanted. */
 static bool report(const stretch *s, pov_two x, bool rising, bool escalated, pov_hits *hits)
 {
     const pov_two t = distance_at(s, x);
@@ -240,7 +240,7 @@ static void restrict_cubic(pov_two c[4], pov_two middle, pov_two half)
     }
 }
 
-/* The root that the ray starts on is divided out, and the cubic that is left is looked at from the start on. */
+/* Divide out the root that the ray starts on, and isolate the roots of the remaining cubic from the start on. */
 static void intersect_from_surface(stretch *s, pov_hits *hits)
 {
     const pov_two start = pov_two_div(pov_two_of(-s->middle, 0.0), pov_two_of(s->half, 0.0));
@@ -286,7 +286,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         intersect_from_outside(&s, hits);
 }
 
-/* Away from the circle in the middle of the tube. */
+/* The normal points out of the circle in the middle of the tube. */
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };

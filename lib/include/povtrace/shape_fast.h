@@ -58,11 +58,11 @@ typedef struct pov_shape_fast {
     /* Any of these may be NULL.
      *
      * [load] [render] Up to POV_BLOCK_MAX shapes of this class side by side in the plugin's own layout,
-     * 64-byte aligned: a quick filter before intersect(), which the host asks for every lane still in question.
+     * 64-byte aligned: a quick filter before intersect(), which the host calls for every candidate.
      * block_pack returns false to decline (values out of its range, or no gain); frame is NULL for shapes without bounds.
-     * block_filter looks from 0 to its tmax along each ray that `lanes` has a bit for, one at least, puts the shapes it may
-     * meet into out, in any order, no ray and lane twice, and gives how many. owners has room for POV_BLOCK_MAX; a convex
-     * shape may be left out of the candidates of a ray that leaves it outward. */
+     * block_filter tests each ray that has a bit in `lanes`, at least one, from 0 to its tmax, writes the shapes that it
+     * may hit to out, in any order, no pair of ray and lane twice, and returns their number. owners has POV_BLOCK_MAX
+     * entries; a convex shape may be omitted for a ray that leaves it outward. */
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
     uint32_t (*block_filter)(const void *block, const uint32_t *owners, const pov_rays *rays, uint64_t lanes,
                              pov_candidate *out);
