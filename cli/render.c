@@ -244,7 +244,7 @@ static void say_end(render *r)
         return;
     if (p->spp_mean < 1.0) {
         progress_percent(p->spp_mean, percent, sizeof percent);
-        messages_say(r->messages, "the time limit ended it: %s holds %s %% of the picture", a->output, percent);
+        messages_say(r->messages, "stopped: time limit reached; %s holds %s %% of the picture", a->output, percent);
         return;
     }
     if (p->est_rmse == 0.0)
@@ -252,9 +252,9 @@ static void say_end(render *r)
                  last_band(r->job));
     else if (p->est_rmse > 0.0)
         snprintf(reached, sizeof reached, ", estimated error %.3g", p->est_rmse);
-    messages_say(r->messages, "%s ended it after %.2f s: %.1f samples a pixel%s%s",
-                 p->stop == POV_STOP_ERROR ? "the error asked for" : p->stop == POV_STOP_TIME ? "the time limit" : "the number of samples",
-                 p->seconds, p->spp_mean, reached, r->short_of && a->error > 0.0 ? ", not yet what was asked" : "");
+    messages_say(r->messages, "stopped: %s reached after %.2f s; %.1f samples a pixel%s%s",
+                 p->stop == POV_STOP_ERROR ? "target error" : p->stop == POV_STOP_TIME ? "time limit" : "number of samples",
+                 p->seconds, p->spp_mean, reached, r->short_of && a->error > 0.0 ? ", target error not reached" : "");
 }
 
 static pov_status write_report(render *r, pov_error *err)

@@ -220,7 +220,7 @@ static void put_errors(const report *r, FILE *to)
 
 static void put_work(const report *r, FILE *to)
 {
-    fputs("<h2>What they took</h2>\n<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>pass</th><th>threads</th>"
+    fputs("<h2>Cost per pass</h2>\n<div class=\"wide\"><table class=\"numbers\"><thead><tr><th>pass</th><th>threads</th>"
           "<th>primary rays</th><th>secondary rays</th><th>shadow rays</th><th>cut off by depth</th><th>by weight</th>"
           "<th>pixels outside 0 &hellip; 1</th><th>efficiency, 1 / (error&sup2; cpu s)</th></tr></thead>\n", to);
     for (size_t i = 0; i < r->count; i++) {
@@ -244,7 +244,7 @@ static void put_bias(const report *r, FILE *to)
     const pov_counts *c = &r->progress->counts;
     uint64_t clipped = r->count > 0 ? r->rows[r->count - 1].clipped : 0;
 
-    fprintf(to, "<h2>What no estimate sees</h2>\n<table><tr><th>cut off by</th><th>how often</th><th>effect</th></tr>\n"
+    fprintf(to, "<h2>Not covered by the estimate</h2>\n<table><tr><th>cut off by</th><th>how often</th><th>effect</th></tr>\n"
             "<tr><td>depth (max_trace_level)</td><td class=\"n\">%llu rays</td><td>each adds black</td></tr>\n"
             "<tr><td>weight (adc_bailout)</td><td class=\"n\">%llu rays</td><td>each adds black</td></tr>\n"
             "<tr><td>clamping to 0 &hellip; 1</td><td class=\"n\">%llu pixels</td>"
@@ -321,8 +321,8 @@ static const char *const style =
 static const char *stop_in_words(const report *r)
 {
     switch (r->progress->stop) {
-    case POV_STOP_SAMPLES: return "all samples asked for were taken";
-    case POV_STOP_ERROR: return "the error asked for was reached";
+    case POV_STOP_SAMPLES: return "the number of samples was reached";
+    case POV_STOP_ERROR: return "the target error was reached";
     case POV_STOP_TIME: return "the time limit was reached";
     case POV_STOP_USER: return "it was interrupted";
     default: return "it did not end";
@@ -348,7 +348,7 @@ static void put_head(const report *r, FILE *to)
         if (last->ref_rmse >= 0.0)
             fprintf(to, ", against the reference <b>%.5f</b>", last->ref_rmse);
     }
-    fprintf(to, ". It ended because %s.</p>\n", stop_in_words(r));
+    fprintf(to, ". It stopped: %s.</p>\n", stop_in_words(r));
 }
 
 /* Is there a pass whose error is known? */

@@ -78,8 +78,8 @@ static void print_counts(FILE *to, const pov_counts *c)
     count(to, "rays_reflected", c->reflected, "rays");
     count(to, "rays_transmitted", c->transmitted, "rays");
     count(to, "rays_total", progress_rays(c), "rays");
-    count(to, "left_out_light_behind", c->shadow_behind, "rays");
-    count(to, "left_out_light_idle", c->shadow_idle, "rays");
+    count(to, "culled_light_behind", c->shadow_behind, "rays");
+    count(to, "culled_light_idle", c->shadow_idle, "rays");
     count(to, "cut_by_depth", c->cut_depth, "rays");
     count(to, "cut_by_weight", c->cut_weight, "rays");
     count(to, "inner_reflections", c->inner_reflections, "rays");
@@ -93,7 +93,7 @@ static void print_classes(FILE *to, pov_job *job)
     char name[128];
 
     for (size_t i = 0; pov_job_get_class(job, i, &c); i++) {
-        snprintf(name, sizeof name, "%s_asked", c.keyword);
+        snprintf(name, sizeof name, "%s_tested", c.keyword);
         count(to, name, c.asked, "intersections");
         snprintf(name, sizeof name, "%s_escalated", c.keyword);
         count(to, name, c.escalated, "intersections");

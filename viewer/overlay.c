@@ -55,7 +55,7 @@ void overlay_write_message(const pov_error *err, bool has_scene, char *out, size
         add(out, size, "=%s\n^%d\n", err->excerpt, err->caret > 0 ? err->caret : 0);
     if (err->hint[0])
         add(out, size, " did you mean \"%s\"?\n", err->hint);
-    add(out, size, has_scene ? " The picture is that of the last good text.\n"
+    add(out, size, has_scene ? " The picture is from before the error.\n"
                              : " The file is read again when it is saved.\n");
 }
 

@@ -90,11 +90,11 @@ pictures_of_two_parts_throughout_are_the_same_but_for_roundings() {
 pictures_say_of_each_primitive_what_was_asked_and_escalated() {
     for accuracy in certified max; do
         expect 0 "$povc" "$root/scenes/gallery/machine.pov" 40 30 out.pfm --accuracy "$accuracy" --stats
-        awk '/_asked:/ { asked = $2; classes++ } /_decided:/ { if ($2 > asked) exit 1; sum += $2; all += asked }
+        awk '/_tested:/ { asked = $2; classes++ } /_escalated:/ { if ($2 > asked) exit 1; sum += $2; all += asked }
             /^decided:/ { decided = $2 } /^rays_camera:/ { rays = $2 }
             END { exit !(classes == 5 && sum == decided && all > rays / 2) }' out
     done
-    [ "$(sed -n 's/^sphere_asked: //p' out)" = "$(sed -n 's/^sphere_escalated: //p' out)" ]
+    [ "$(sed -n 's/^sphere_tested: //p' out)" = "$(sed -n 's/^sphere_escalated: //p' out)" ]
 }
 
 pictures_come_with_maps_of_what_is_met() {

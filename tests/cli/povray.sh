@@ -42,7 +42,7 @@ povray_animations_are_numbered() {
 povray_antialiasing_asks_for_an_error() {
     rich_scene
     expect 0 "$povc" +Irich.pov +W64 +H48 +A0.3 +Oaa
-    says err "the error asked for ended it"
+    says err "stopped: target error reached"
 }
 
 povray_errors_end_in_1_and_unknown_settings_do_not() {

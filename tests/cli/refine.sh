@@ -12,7 +12,7 @@ refine_reaches_the_error_that_was_asked_for() {
     rich_scene
     expect 0 "$povc" rich.pov 64 48 truth.pfm --spp 512 --seed 1
     expect 0 "$povc" rich.pov 64 48 out.pfm --error 0.01 --reference truth.pfm --report out.csv
-    says err "the error asked for ended it"
+    says err "stopped: target error reached"
     between 0 "$(field out.csv est_rmse)" 0.01
     between 0 "$(field out.csv ref_rmse)" 0.012
     between 0.8 "$(field out.csv est_over_true)" 1.25
@@ -21,10 +21,10 @@ refine_reaches_the_error_that_was_asked_for() {
 refine_says_when_a_limit_came_first() {
     rich_scene
     expect 3 "$povc" rich.pov 32 24 out.pfm --error 1e-6 --spp 12
-    says err "the number of samples ended it"
-    says err "not yet what was asked"
+    says err "stopped: number of samples reached"
+    says err "target error not reached"
     expect 3 "$povc" rich.pov 64 48 out.pfm --spp 60000 --time 0.2
-    says err "the time limit ended it"
+    says err "stopped: time limit reached"
     expect 0 "$povc" rich.pov 64 48 out.pfm --time 0.2
 }
 
@@ -206,7 +206,7 @@ END
 refine_shows_the_whole_view_however_short_the_time() {
     rich_scene
     expect 3 "$povc" rich.pov 1920 1080 out.ppm --time 0.3
-    says err "the time limit ended it"
+    says err "stopped: time limit reached"
     "$PYTHON" - out.ppm <<'END'
 import sys
 data = open(sys.argv[1], 'rb').read()

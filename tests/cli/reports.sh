@@ -9,8 +9,8 @@ reports_of_stats_are_a_name_a_value_and_a_unit_a_line() {
     for name in parse build trace write; do
         grep -qE "^$name: [0-9]+\.[0-9]+ s\$" out || fail "no $name"
     done
-    for name in rays_camera rays_shadow rays_reflected rays_transmitted rays_total left_out_light_behind \
-        left_out_light_idle cut_by_depth cut_by_weight inner_reflections decided objects plugins threads memory_peak pixels; do
+    for name in rays_camera rays_shadow rays_reflected rays_transmitted rays_total culled_light_behind \
+        culled_light_idle cut_by_depth cut_by_weight inner_reflections escalated objects plugins threads memory_peak pixels; do
         grep -q "^$name: " out || fail "no $name"
     done
     says out "rays_camera: 24576 rays"
