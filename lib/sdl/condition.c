@@ -4,6 +4,7 @@
 #include "sdl/array.h"
 #include "sdl/directive.h"
 #include "sdl/expression.h"
+#include "sdl/frame.h"
 #include "sdl/loop.h"
 #include "sdl/report.h"
 
@@ -222,6 +223,27 @@ void condition_end(pov_reader *in, const place *at)
         close_condition(in);
 }
 
+/* The word of the #case or #range that must stand behind #switch. */
+static bool find_case(pov_reader *in)
+{
+    frame_fetch(in, &in->token);
+    state_require(in, '#');
+    frame_fetch(in, &in->token);
+    if (state_keyword(in) != KEYWORD_CASE && state_keyword(in) != KEYWORD_RANGE)
+        report_expected(in, "\"case\" or \"range\"");
+    return !in->failed;
+}
+
+static void take_case(pov_reader *in)
+{
+    const size_t index = in->conditions.count - 1;
+
+    if (is_chosen_case(in, &in->conditions.items[index]))
+        directive_step(in);
+    else if (!in->failed)
+        find_branch(in);
+}
+
 void condition_switch(pov_reader *in, const place *at)
 {
     double wanted;
@@ -231,8 +253,8 @@ void condition_switch(pov_reader *in, const place *at)
     wanted = expression_full_number(in);
     if (state_require(in, ')'))
         in->nesting--;
-    if (open(in, CONDITION_SWITCH, at, wanted))
-        find_branch(in);
+    if (open(in, CONDITION_SWITCH, at, wanted) && find_case(in))
+        take_case(in);
 }
 
 /* The branch before it runs on into this one. */

@@ -313,15 +313,17 @@ value expression_operand(pov_reader *in)
 
 /* ---- the additive grammar ---- */
 
-/* In the oldest scenes `<-1 -1 -1>` is three numbers. */
-static bool has_arithmetic(const pov_reader *in)
+/* Strings have no operators but comparisons. In the oldest scenes `<-1 -1 -1>` is three numbers. */
+static bool has_arithmetic(const pov_reader *in, const value *v)
 {
+    if (v && v->kind == VALUE_STRING)
+        return false;
     return in->version >= 1.5 || in->version == 0.0 || in->parentheses > 0;
 }
 
 static value product(pov_reader *in, value v)
 {
-    while ((in->token.kind == '*' || in->token.kind == '/') && !in->failed && has_arithmetic(in)) {
+    while ((in->token.kind == '*' || in->token.kind == '/') && !in->failed && has_arithmetic(in, &v)) {
         const int op = in->token.kind;
         const place at = in->token.at;
 
@@ -335,7 +337,7 @@ static value product(pov_reader *in, value v)
 static value sum(pov_reader *in, value v)
 {
     v = product(in, v);
-    while ((in->token.kind == '+' || in->token.kind == '-') && !in->failed && has_arithmetic(in)) {
+    while ((in->token.kind == '+' || in->token.kind == '-') && !in->failed && has_arithmetic(in, &v)) {
         const int op = in->token.kind;
         const place at = in->token.at;
 
@@ -350,7 +352,7 @@ bool expression_goes_on(const pov_reader *in)
 {
     const int kind = in->token.kind;
 
-    return kind == '.' || ((kind == '+' || kind == '-' || kind == '*' || kind == '/') && has_arithmetic(in));
+    return kind == '.' || ((kind == '+' || kind == '-' || kind == '*' || kind == '/') && has_arithmetic(in, NULL));
 }
 
 value expression_go_on(pov_reader *in, value v)

@@ -235,6 +235,8 @@ static double component(pov_reader *in, const spline *s, keyword_id type, int c,
     const int first = type == KEYWORD_CUBIC_SPLINE && s->count > 2, last = s->count - 1 - first;
     int i;
 
+    if (s->count == 2 && type == KEYWORD_CUBIC_SPLINE)
+        return (s->knots[0].v[c] + s->knots[1].v[c]) / 2.0;   /* as POV-Ray has it */
     if (s->count == 1 || t <= s->knots[first].at)
         return s->knots[s->count == 1 ? 0 : first].v[c];
     if (t >= s->knots[last].at)
