@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER_ROOM = 512, DIGITS_MAX = 300, LAST_CHARACTER = 65535 };
+enum { NUMBER_BUFFER = 512, DIGITS_MAX = 300, LAST_CHARACTER = 65535 };
 
 static void comma(pov_reader *in)
 {
@@ -104,7 +104,7 @@ static void read_file_exists(pov_reader *in, const intrinsic *row, value *out)
 
 static void read_str(pov_reader *in, const intrinsic *row, value *out)
 {
-    char room[NUMBER_ROOM];
+    char buffer[NUMBER_BUFFER];
     int32_t width, digits;
     double number;
     int n;
@@ -123,8 +123,8 @@ static void read_str(pov_reader *in, const intrinsic *row, value *out)
     }
     if (in->failed)
         return;
-    n = text_number(room, sizeof room, number, width, digits);
-    give(in, out, text_copy(in, room, (size_t)n));
+    n = text_number(buffer, sizeof buffer, number, width, digits);
+    give(in, out, text_copy(in, buffer, (size_t)n));
 }
 
 typedef struct builder { char *items; size_t count, capacity; } builder;
@@ -157,7 +157,7 @@ static void finish(pov_reader *in, builder *b, value *out)
 static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
 {
     builder b = { NULL, 0, 0 };
-    char room[NUMBER_ROOM];
+    char buffer[NUMBER_BUFFER];
     int32_t size, width, digits;
     string *between;
     value v;
@@ -181,10 +181,10 @@ static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
         report_fail(in, &in->value, POV_E_SYNTAX, "a number is not written in more than %d characters", DIGITS_MAX);
     size = size < 2 ? 2 : size > 5 ? 5 : size;
     for (i = 0; i < size && !in->failed; i++) {
-        n = text_number(room, sizeof room, v.as.v[i], width, digits);
+        n = text_number(buffer, sizeof buffer, v.as.v[i], width, digits);
         if (i > 0)
             add(in, &b, between->text, between->length);
-        add(in, &b, room, (size_t)n);
+        add(in, &b, buffer, (size_t)n);
     }
     if (value_is_shared(&v))
         value_drop(&in->heap, &v);
@@ -213,7 +213,7 @@ static void read_concat(pov_reader *in, const intrinsic *row, value *out)
 
 static void read_chr(pov_reader *in, const intrinsic *row, value *out)
 {
-    char room[4];
+    char buffer[4];
     int32_t code;
 
     (void)row;
@@ -223,7 +223,7 @@ static void read_chr(pov_reader *in, const intrinsic *row, value *out)
     if (!in->failed && (code < 0 || code > LAST_CHARACTER))
         report_fail(in, &in->value, POV_E_SYNTAX, "a character has a number from 0 to %d", LAST_CHARACTER);
     else
-        give(in, out, text_copy(in, room, text_put_character(room, (unsigned)code)));
+        give(in, out, text_copy(in, buffer, text_put_character(buffer, (unsigned)code)));
 }
 
 /* The byte at which a character starts. */

@@ -199,17 +199,17 @@ static written *open_to_write(pov_reader *in, const string *name, bool appends)
 
 static text_file *make(pov_reader *in, const string *name)
 {
-    const char *way = in->token.kind == TOKEN_WORD ? in->token.symbol->name : "";
+    const char *mode = in->token.kind == TOKEN_WORD ? in->token.symbol->name : "";
     text_file *f = in->failed ? NULL : value_share(&in->heap, VALUE_FILE, sizeof *f);
 
     if (!f) {
         report_memory(in);
         return NULL;
     }
-    if (strcmp(way, "read") == 0)
+    if (strcmp(mode, "read") == 0)
         f->text = open_to_read(in, name);
-    else if (strcmp(way, "write") == 0 || strcmp(way, "append") == 0)
-        f->out = open_to_write(in, name, way[0] == 'a');
+    else if (strcmp(mode, "write") == 0 || strcmp(mode, "append") == 0)
+        f->out = open_to_write(in, name, mode[0] == 'a');
     else
         report_expected(in, "\"read\", \"write\" or \"append\"");
     return f;
@@ -299,28 +299,28 @@ static symbol *read_name(pov_reader *in, text_file **f)
 
 static void write_vector(pov_reader *in, written *w, const value *v)
 {
-    char room[160];
+    char buffer[160];
     size_t n = 0;
     int i;
 
     for (i = 0; i < v->size; i++) {
-        room[n++] = i == 0 ? '<' : ',';
-        n += (size_t)text_general(room + n, sizeof room - n, v->as.v[i]);
+        buffer[n++] = i == 0 ? '<' : ',';
+        n += (size_t)text_general(buffer + n, sizeof buffer - n, v->as.v[i]);
     }
-    room[n++] = '>';
-    room[n++] = ' ';
-    put(in, w, room, n);
+    buffer[n++] = '>';
+    buffer[n++] = ' ';
+    put(in, w, buffer, n);
 }
 
 static void write_item(pov_reader *in, written *w)
 {
     value v;
-    char room[40];
+    char buffer[40];
 
     in->wanted = "a number, a vector or a string";
     v = expression_read(in);
     if (v.kind == VALUE_NUMBER)
-        put(in, w, room, (size_t)text_general(room, sizeof room, v.as.v[0]));
+        put(in, w, buffer, (size_t)text_general(buffer, sizeof buffer, v.as.v[0]));
     else if (v.kind == VALUE_STRING)
         put(in, w, value_string(&v)->text, value_string(&v)->length);
     else if (v.kind == VALUE_VECTOR && !v.is_colour)
