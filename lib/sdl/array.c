@@ -161,11 +161,11 @@ static bool names_something(pov_reader *in)
     bool is_there;
 
     in->wants_name = false;
-    if (in->token.kind != TOKEN_WORD) {
+    if (in->token.kind != TOKEN_WORD && in->token.kind != TOKEN_NUMBER) {
         report_expected(in, "a name");
         return false;
     }
-    if (!name->binding) {
+    if (!name || !name->binding) {
         state_advance(in);
         return false;
     }

@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/include.h"
+#include "sdl/number.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
 
@@ -67,12 +68,49 @@ static void read_asc(pov_reader *in, const intrinsic *row, value *out)
     let_go(in, s);
 }
 
+/* Behind the digits, the point and the exponent of a number. */
+static const char *number_end(const char *at)
+{
+    static const char digits[] = "0123456789";
+    const char *exponent;
+
+    at += strspn(at, digits);
+    if (*at == '.')
+        at += 1 + strspn(at + 1, digits);
+    if (*at != 'e' && *at != 'E')
+        return at;
+    exponent = at + 1 + (at[1] == '-' || at[1] == '+');
+    return exponent + strspn(exponent, digits) > exponent ? exponent + strspn(exponent, digits) : at;
+}
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* As strtod() has it in the C locale. */
+static double to_number(const char *text)
+{
+    const char *at = text + strspn(text, " \t\n\r\v\f"), *after;
+    const bool is_negative = *at == '-', has_sign = is_negative || *at == '+';
+    double number = 0.0;
+
+    at += has_sign;
+    if (at[0] == '0' && (at[1] == 'x' || at[1] == 'X'))
+        number = strtod(at, NULL);
+    else if (is_digit(at[0]) || (at[0] == '.' && is_digit(at[1])))
+        number_read(at, number_end(at), &after, &number);
+    else if (*at == 'i' || *at == 'I' || *at == 'n' || *at == 'N')
+        number = strtod(at, NULL);
+    return is_negative && number != 0.0 ? -number : number;
+}
+
 static void read_val(pov_reader *in, const intrinsic *row, value *out)
 {
     string *s = only_string(in);
 
     (void)row;
-    out->as.v[0] = s ? strtod(s->text, NULL) : 0.0;
+    out->as.v[0] = s ? to_number(s->text) : 0.0;
     let_go(in, s);
 }
 

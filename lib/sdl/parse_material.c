@@ -120,13 +120,27 @@ static const keyword_id finish_coming[] = {
     KEYWORD_SUBSURFACE, KEYWORD_CONSERVE_ENERGY, KEYWORD_REFLECTION_EXPONENT, KEYWORD_OTHER,
 };
 /* Old scenes have here what is the interior's now. */
+static void read_old_ior(pov_reader *in, void *self, keyword_id keyword)
+{
+    surface_parsed *s = self;
+    const place at = in->last;
+    double ior = value_number(in);
+
+    (void)keyword;
+    report_warn(in, &at, "\"ior\" belongs in the \"interior\"");
+    if (!(ior > 0.0))
+        return;
+    s->material.has_interior = true;
+    s->material.ior = ior;
+}
+
 static const keyword_id finish_old[] = {
-    KEYWORD_REFRACTION, KEYWORD_IOR, KEYWORD_CAUSTICS, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_OTHER,
+    KEYWORD_REFRACTION, KEYWORD_CAUSTICS, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_OTHER,
 };
 
 void parse_finish(pov_reader *in, surface_parsed *s)
 {
-    static const item items[] = { FINISH_ITEMS };
+    static const item items[] = { FINISH_ITEMS, { KEYWORD_IOR, read_old_ior } };
     static const item_list list = { "an item of the finish", ITEMS(items), finish_old, NULL, finish_coming,
                                     VALUE_FINISH, take_finish };
 
@@ -189,6 +203,11 @@ static bool read_old_colour(pov_reader *in, surface_parsed *s)
 {
     paint p;
 
+    if (in->token.kind == TOKEN_NUMBER) {
+        report_warn(in, &in->token.at, "a number right in a texture has no effect");
+        value_number(in);
+        return true;
+    }
     if (!value_colour_follows(in, false))
         return false;
     report_warn(in, &in->token.at, "a colour belongs in a \"pigment\"");

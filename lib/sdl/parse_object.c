@@ -120,7 +120,8 @@ static const item modifier_items[] = {
     PARSE_MOVES(move_object),            { KEYWORD_INTERIOR, read_interior }, { KEYWORD_NO_SHADOW, read_flag },
     { KEYWORD_INVERSE, read_flag },      { KEYWORD_HOLLOW, read_flag },       { KEYWORD_NORMAL, read_normal },
     { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
-    { KEYWORD_RGB, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
+    { KEYWORD_RGB, skip_colour },        { KEYWORD_RGBF, skip_colour },        { KEYWORD_RGBT, skip_colour },
+    { KEYWORD_RGBFT, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
 };
 
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BOUNDED_BY, KEYWORD_SPLIT_UNION,
