@@ -144,7 +144,8 @@ static void read_arguments(pov_reader *in, double *out, uint32_t count)
     state_open(in, '(');
     for (i = 0; i < count && !in->failed; i++) {
         out[i] = expression_number(in);
-        state_accept(in, ',');
+        if (i + 1 < count)
+            state_accept(in, ',');
     }
     state_close(in, ')');
 }
