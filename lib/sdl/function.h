@@ -6,7 +6,9 @@
 #include "sdl/parse.h"
 
 /* FORMULA: a number. The others give a vector, a colour or a number of what they hold. */
-typedef enum function_kind { FUNCTION_FORMULA, FUNCTION_SPLINE, FUNCTION_TRANSFORM, FUNCTION_PIGMENT, FUNCTION_PATTERN } function_kind;
+typedef enum function_kind {
+    FUNCTION_FORMULA, FUNCTION_SPLINE, FUNCTION_TRANSFORM, FUNCTION_PIGMENT, FUNCTION_PATTERN
+} function_kind;
 
 /* In the scene's memory. */
 typedef struct function {

@@ -66,7 +66,8 @@ static pov_vec3 map_normal(const pov_affine *map, pov_vec3 n)
 /* ---- points ---- */
 
 /* Does the group hold a point that `but`, one of its members, is taken to hold, or not to? */
-static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, const object_parsed *but, bool but_holds)
+static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, const object_parsed *but,
+                        bool but_holds)
 {
     const object_parsed *member;
     bool is_first = true;
@@ -151,7 +152,8 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask
 }
 
 /* A crossing of a member is one of the group where being in the member decides about being in the group. */
-static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray, double t)
+static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray,
+                       double t)
 {
     const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, t));
 

@@ -72,7 +72,8 @@ static void move_camera(pov_reader *in, void *self, keyword_id keyword)
 
 /* The values of these words are read for their own sake. */
 static const keyword_id coming[] = {
-    KEYWORD_APERTURE, KEYWORD_BLUR_SAMPLES, KEYWORD_FOCAL_POINT, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE, KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER,
+    KEYWORD_APERTURE, KEYWORD_BLUR_SAMPLES, KEYWORD_FOCAL_POINT, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE,
+    KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER,
 };
 
 static void take_camera(pov_reader *in, void *self, const value *v)
@@ -125,7 +126,8 @@ void parse_camera(pov_reader *in, camera_parsed *c)
         { KEYWORD_ULTRA_WIDE_ANGLE, read_kind }, { KEYWORD_OMNIMAX, read_kind }, { KEYWORD_PANORAMIC, read_kind },
         { KEYWORD_CYLINDER, read_kind }, { KEYWORD_SPHERICAL, read_kind }, { KEYWORD_MESH_CAMERA, read_kind },
     };
-    static const item_list list = { "an item of the camera", ITEMS(items), NULL, NULL, coming, VALUE_CAMERA, take_camera };
+    static const item_list list = { "an item of the camera", ITEMS(items), NULL, NULL, coming, VALUE_CAMERA,
+                                    take_camera };
 
     parse_camera_defaults(c);
     c->at = in->last;

@@ -347,6 +347,11 @@ static void begin(pov_reader *in, object_parsed *o)
     o->leaf.column = (uint32_t)in->token.at.column;
 }
 
+static bool is_shape_keyword(const symbol *word)
+{
+    return (word->flags & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING)) != 0;
+}
+
 bool parse_object_try(pov_reader *in, object_parsed *o)
 {
     symbol *word = in->token.symbol;
@@ -380,7 +385,7 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
     default:
         if (word->binding && parse_object_follows(in))
             take_named(in, o);
-        else if (word->binding || (word->id != KEYWORD_OTHER && !(word->flags & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING))))
+        else if (word->binding || (word->id != KEYWORD_OTHER && !is_shape_keyword(word)))
             return false;
         else if (find_shape(in, word))
             read_leaf(in, word, o);

@@ -49,7 +49,11 @@ static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 
 /* ---- start and end ---- */
 
-static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 30, SIZE_MAX / 4 < (uint64_t)1 << 34 ? SIZE_MAX / 4 : (size_t)((uint64_t)1 << 34) };
+/* Where addresses are short a quarter of them. */
+#define MEMORY_OF_VALUES (SIZE_MAX / 4 < (uint64_t)1 << 34 ? SIZE_MAX / 4 : (size_t)((uint64_t)1 << 34))
+
+static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 30,
+                                              MEMORY_OF_VALUES };
 
 static void choose_limits(reader_limits *l, const reader_options *options)
 {
