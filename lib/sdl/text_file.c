@@ -291,8 +291,15 @@ static symbol *read_name(pov_reader *in, text_file **f)
         return NULL;
     }
     *f = (text_file *)name->binding->slot->as.shared;
+    (*f)->head.uses++;           /* what stands between the brackets may close it */
     state_advance(in);
     return in->failed ? NULL : name;
+}
+
+static void let_go(pov_reader *in, text_file *f)
+{
+    if (f)
+        value_unshare(&in->heap, &f->head);
 }
 
 /* ---- writing ---- */
@@ -342,6 +349,7 @@ void text_file_write(pov_reader *in, const place *at)
         state_accept(in, ',');
     }
     state_close(in, ')');
+    let_go(in, f);
 }
 
 /* ---- reading ---- */
@@ -422,6 +430,14 @@ static void take(pov_reader *in, symbol *name, value v)
     value_unshare(&in->heap, lender);
 }
 
+/* Does the name still lead to the file? */
+static bool is_open(const symbol *name, const text_file *f)
+{
+    const value *v = scope_value(name);
+
+    return v && v->kind == VALUE_FILE && v->as.shared == &f->head;
+}
+
 /* False: the file is over. One token behind each literal goes with it. */
 static bool read_item(pov_reader *in, source *s)
 {
@@ -452,7 +468,8 @@ void text_file_read(pov_reader *in, const place *at)
         goes_on = in->token.kind == ')' || read_item(in, f->text);
     while (!in->failed && !goes_on && in->token.kind != ')' && !state_at_end(in))
         state_advance(in);
-    if (!in->failed && !goes_on)
-        forget(in, name, f);
+    if (!in->failed && !goes_on && is_open(name, f))
+        scope_forget(in, name);
     state_close(in, ')');
+    let_go(in, f);
 }

@@ -226,6 +226,15 @@ static void what_a_scene_writes_it_can_read_again(void **state)
                   " #fopen G \"t.txt\" read #read (G, A, B, C) sphere { 0, A + B.z + strlen(C) }", 8);
 }
 
+/* What stands between the brackets of #write and #read may close the file, and open another of its name. */
+static void a_file_may_be_closed_while_it_is_used(void **state)
+{
+    (void)state;
+    assert_radius("#fopen F \"t.txt\" write #write (F, \"1,\" #fclose F, 2) sphere { 0, 3 }", 3);
+    assert_radius("#fopen F \"t.txt\" write #write (F, \"7\") #fclose F #declare A = 0;"
+                  " #fopen F \"t.txt\" read #read (F, #fclose F A) sphere { 0, A }", 7);
+}
+
 static void a_file_that_is_included_again_is_read_again(void **state)
 {
     static const double radii[] = { 1, 2, 3, 7, 4 };
@@ -272,6 +281,7 @@ int main(void)
         cmocka_unit_test(errors_in_macros_tell_who_called),
         cmocka_unit_test(unions_hand_down_what_their_members_lack),
         cmocka_unit_test(what_a_scene_writes_it_can_read_again),
+        cmocka_unit_test(a_file_may_be_closed_while_it_is_used),
         cmocka_unit_test(a_file_that_is_included_again_is_read_again),
         cmocka_unit_test(splines_and_functions_are_called),
     };
