@@ -83,22 +83,22 @@ static int roots_in(const double *c, int degree, double lo, double hi, double *o
     return count;
 }
 
-/* (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2) along p + s d, of unit d: the roots, and where p is. */
+/* (|p|^2 + 1 - r^2)^2 = 4 (x^2 + z^2) along p + s d, of unit d, in units of the major radius, whose fourth power may be
+ * too small for a double: the roots, and where p is. */
 static int cross(const torus *t, const pov_ray *ray, double speed, double *nearest, double *roots)
 {
-    const pov_vec3 d = pov_scale(ray->dir, 1.0 / speed);
-    const double reach = 1.5 * (t->major + t->minor);
-    double b, e, four, c[5];
+    const pov_vec3 d = pov_scale(ray->dir, 1.0 / speed), org = pov_scale(ray->org, 1.0 / t->major);
+    const double minor = t->minor / t->major, reach = 1.5 * (1.0 + minor);
+    double b, e, c[5];
     pov_vec3 p;
 
-    *nearest = -pov_dot(ray->org, d);
-    p = pov_add(ray->org, pov_scale(d, *nearest));
+    *nearest = -pov_dot(org, d);
+    p = pov_add(org, pov_scale(d, *nearest));
     b = 2.0 * pov_dot(p, d);
-    e = pov_dot(p, p) + t->major * t->major - t->minor * t->minor;
-    four = 4.0 * t->major * t->major;
-    c[0] = e * e - four * (p.x * p.x + p.z * p.z);
-    c[1] = 2.0 * b * e - 2.0 * four * (p.x * d.x + p.z * d.z);
-    c[2] = b * b + 2.0 * e - four * (d.x * d.x + d.z * d.z);
+    e = pov_dot(p, p) + 1.0 - minor * minor;
+    c[0] = e * e - 4.0 * (p.x * p.x + p.z * p.z);
+    c[1] = 2.0 * b * e - 8.0 * (p.x * d.x + p.z * d.z);
+    c[2] = b * b + 2.0 * e - 4.0 * (d.x * d.x + d.z * d.z);
     c[3] = 2.0 * b;
     c[4] = 1.0;
     return roots_in(c, 4, -reach, reach, roots);
@@ -107,7 +107,7 @@ static int cross(const torus *t, const pov_ray *ray, double speed, double *neare
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const torus *t = self;
-    const double speed = sqrt(pov_dot(ray->dir, ray->dir));
+    const double speed = sqrt(pov_dot(ray->dir, ray->dir)), unit = t->major / speed;
     const pov_mark mark = { 0, 0, 0.0, 0.0 };
     double nearest, roots[4];
     const int count = cross(t, ray, speed, &nearest, roots);
@@ -118,7 +118,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         if (left < 0 || fabs(roots[i] + nearest) < fabs(roots[left] + nearest))
             left = i;
     for (i = 0; i < count; i++)
-        if (i != left && !pov_cross(hits, (roots[i] + nearest + (ERROR) * t->minor) / speed, 0.0, mark))
+        if (i != left && !pov_cross(hits, (roots[i] + nearest) * unit + (ERROR) * t->minor / speed, 0.0, mark))
             return;
 }
 
