@@ -117,6 +117,7 @@ aarch64: all build-aarch64
 	BUILD_DIR='$(abspath $(BUILD))' tests/run.sh tests/aarch64/run.sh
 ifneq ($(shell command -v $(AARCH64)-gcc),)
 tests: build-aarch64
+TEST_SCRIPTS += tests/aarch64/run.sh
 endif
 
 # The same tests under the sanitizers, each in a build of its own. POVTRACE_STORM=60 in the environment has jobs restarted,
