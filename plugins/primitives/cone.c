@@ -1,28 +1,20 @@
 /* cone { <base>, base radius, <top>, top radius [open] } */
 #include "common/cone.h"
-
-static double radius_from(const pov_host *host, pov_reader *in)
-{
-    double radius;
-
-    host->accept(in, ",");
-    radius = host->number(in);
-    if (radius < 0.0)
-        host->warn(in, "a negative radius is taken as positive");
-    return fabs(radius);
-}
+#include "common/radius.h"
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     common_cone_parsed *parsed = self;
 
     host->vector(in, &parsed->base);
-    parsed->base_radius = radius_from(host, in);
+    host->accept(in, ",");
+    parsed->base_radius = common_radius(host, in);
     host->accept(in, ",");
     host->vector(in, &parsed->top);
     if (pov_largest(pov_sub(parsed->top, parsed->base)) == 0.0)
         host->fail(in, "a cone needs two different ends");
-    parsed->top_radius = radius_from(host, in);
+    host->accept(in, ",");
+    parsed->top_radius = common_radius(host, in);
     parsed->open = host->accept(in, "open");
 }
 

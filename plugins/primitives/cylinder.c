@@ -1,10 +1,10 @@
 /* cylinder { <base>, <top>, radius [open] } */
 #include "common/cone.h"
+#include "common/radius.h"
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     common_cone_parsed *parsed = self;
-    double radius;
 
     host->vector(in, &parsed->base);
     host->accept(in, ",");
@@ -12,12 +12,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     if (pov_largest(pov_sub(parsed->top, parsed->base)) == 0.0)
         host->fail(in, "a cylinder needs two different ends");
     host->accept(in, ",");
-    radius = host->number(in);
-    if (radius < 0.0) {
-        host->warn(in, "a negative radius is taken as positive");
-        radius = -radius;
-    }
-    parsed->base_radius = parsed->top_radius = radius;
+    parsed->base_radius = parsed->top_radius = common_radius(host, in);
     parsed->open = host->accept(in, "open");
 }
 

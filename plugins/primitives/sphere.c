@@ -1,5 +1,6 @@
 /* sphere { <centre>, radius } */
 #include "common/affine.h"
+#include "common/radius.h"
 #include "common/sphere_block.h"
 
 typedef struct sphere_parsed { pov_vec3 centre; double radius; } sphere_parsed;
@@ -22,12 +23,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         radius = centre.x;
         centre = zero;
     }
-    if (radius < 0.0) {
-        host->warn(in, "a negative radius is taken as positive");
-        radius = -radius;
-    }
     parsed->centre = centre;
-    parsed->radius = radius;
+    parsed->radius = common_radius_of(host, in, radius);
 }
 
 static void prepare(void *self, const void *written)

@@ -5,6 +5,7 @@
  * completed in double-double. On a ray that starts on the torus that root is divided out. Of a spindle (r > R) the
  * outer sheet alone is the surface: what it holds is inside, and no ray meets the inner one. */
 #include "common/local.h"
+#include "common/radius.h"
 #include "common/roots.h"
 
 typedef struct torus {
@@ -18,23 +19,14 @@ enum { ENTERING, EXITING };
 
 /* ---- loading ---- */
 
-static double radius_of(const pov_host *host, pov_reader *in)
-{
-    const double radius = host->number(in);
-
-    if (radius < 0.0)
-        host->warn(in, "a negative radius is taken as positive");
-    return fabs(radius);
-}
-
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     torus *t = self;
     pov_two minor_square;
 
-    t->major = radius_of(host, in);
+    t->major = common_radius(host, in);
     host->accept(in, ",");
-    t->minor = radius_of(host, in);
+    t->minor = common_radius(host, in);
     if (host->accept(in, "sturm") && host->more(in))
         host->boolean(in);
     if (!(t->major > 0.0 && t->minor > 0.0))
