@@ -8,14 +8,11 @@
 
 #include <string.h>
 
-/* Instances are aligned to INSTANCE_ALIGN bytes. A transformation is tried on a copy of at most SCRATCH bytes on the
- * stack; a larger class's copy is made in its final place. */
-enum { INSTANCE_ALIGN = 32, SCRATCH = POV_PREPARED_MAX, MOST_CLASSES = 0x3fff / 3, SLICE_LEAST = 2048,
+/* A transformation is tried on a copy of at most SCRATCH bytes on the stack; a larger class's copy is made in its final
+ * place. */
+enum { SCRATCH = POV_PREPARED_MAX, MOST_CLASSES = 0x3fff / 3, SLICE_LEAST = 2048,
        SLICES_MOST = 256 };
 enum { MADE = 16 };              /* number of classes whose last instances are cached */
-/* Each class has three groups of shapes, in this order. Infinite ones and members of trees are marked until the lists
- * are made. */
-enum { SINGLE, SHARES_LEAF, INSTANCED, KINDS, INFINITE = COMPILE_INFINITE, MEMBER = COMPILE_MEMBER };
 /* Beyond this, squares of lengths approach the end of the range of double: such an object is tested separately. */
 static const double largest_coordinate = 1e150;
 
@@ -64,11 +61,11 @@ typedef struct maker {
     compile_maps maps;
 } maker;
 
-typedef struct scratch_buffer { unsigned char bytes[SCRATCH + INSTANCE_ALIGN]; } scratch_buffer;
+typedef struct scratch_buffer { unsigned char bytes[SCRATCH + COMPILE_ALIGN]; } scratch_buffer;
 
 static void *aligned(scratch_buffer *r)
 {
-    return r->bytes + (-(uintptr_t)r->bytes & (INSTANCE_ALIGN - 1));
+    return r->bytes + (-(uintptr_t)r->bytes & (COMPILE_ALIGN - 1));
 }
 
 void compile_make(const leaf_node *o, void *instance)
@@ -79,12 +76,6 @@ void compile_make(const leaf_node *o, void *instance)
     } else {
         memcpy(instance, o->instance, o->shape->instance_size);
     }
-}
-
-static uint32_t stride_of(const shape_class *shape)
-{
-    size_t bytes = shape->instance_size > 0 ? shape->instance_size : 1;
-    return (uint32_t)((bytes + INSTANCE_ALIGN - 1) / INSTANCE_ALIGN * INSTANCE_ALIGN);
 }
 
 static bool is_finite_box(const pov_box *b)
@@ -115,7 +106,7 @@ static const void *make(maker *k, const leaf_node *o, bool pin)
         return o->instance;
     if (m->shape != o->shape || m->text != o->instance) {
         if (m->shape != o->shape || m->pinned)
-            m->instance = arena_alloc(k->resident, o->shape->instance_size, INSTANCE_ALIGN);
+            m->instance = arena_alloc(k->resident, o->shape->instance_size, COMPILE_ALIGN);
         if (!m->instance)
             return NULL;
         compile_make(o, m->instance);
@@ -134,7 +125,7 @@ static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, co
     arena *home = compile_is_resident(k->f, o->shape) ? k->resident : k->staged;
     const void *written = make(k, o, false);
     scratch_buffer here;
-    void *trial = bytes <= SCRATCH ? aligned(&here) : arena_alloc(home, bytes, INSTANCE_ALIGN), *copy = trial;
+    void *trial = bytes <= SCRATCH ? aligned(&here) : arena_alloc(home, bytes, COMPILE_ALIGN), *copy = trial;
 
     *out = NULL;
     if (!written || !trial)
@@ -143,7 +134,7 @@ static pov_status absorb(maker *k, const leaf_node *o, const pov_affine *map, co
     if (!o->shape->absorb(trial, map))
         return POV_OK;
     if (bytes <= SCRATCH) {
-        copy = arena_alloc(home, bytes, INSTANCE_ALIGN);
+        copy = arena_alloc(home, bytes, COMPILE_ALIGN);
         if (!copy)
             return POV_E_MEMORY;
         memcpy(copy, trial, bytes);
@@ -319,15 +310,15 @@ static pov_status compile_one(maker *k, uint32_t index)
     }
     if (k->survey->use_blocks && !member && !instanced && shape->block_size > 0 && shape->block_pack &&
         shape->block_filter) status = try_block(k, shape, instance, finite ? box : NULL, &shares_leaf);
-    f->group[index] = (uint16_t)(KINDS * find_class(k, shape)
-                                 + (instanced ? INSTANCED : shares_leaf ? SHARES_LEAF : SINGLE));
+    f->group[index] = (uint16_t)(COMPILE_KINDS * find_class(k, shape)
+                                 + (instanced ? COMPILE_INSTANCED : shares_leaf ? COMPILE_SHARES_LEAF : COMPILE_SINGLE));
     k->slice->packed += shares_leaf;
     k->slice->scratch = larger(k->slice->scratch, shape->scratch ? shape->scratch(instance) : 0);
     note(k, o, index, finite ? box : &everything);
     if (!finite)
-        f->group[index] |= INFINITE;
+        f->group[index] |= COMPILE_INFINITE;
     if (member) {
-        f->group[index] |= MEMBER;
+        f->group[index] |= COMPILE_MEMBER;
         return status;
     }
     if (finite && k->slice->finite++ == 0)
@@ -421,7 +412,7 @@ static bool allocate(survey *s, bool any_map)
 void compile_take(compile_state *f, uint32_t index, const pov_box *box)
 {
     if (!box) {
-        f->group[index] |= INFINITE;
+        f->group[index] |= COMPILE_INFINITE;
         f->infinite_count++;
     } else {
         if (f->finite_count++ == 0)
@@ -465,58 +456,6 @@ static pov_status add_up(survey *s, pov_error *err)
     return POV_OK;
 }
 
-/* Classes are numbered in the order of the scene; the last number is shared by all further classes. */
-static uint8_t number_of(const compile_state *f, const shape_class *shape)
-{
-    uint8_t next = 0;
-    size_t i;
-
-    for (i = 0; i < f->group_count; i++) {
-        if (f->groups[i].shape == shape)
-            return f->groups[i].class_number;
-        if (f->groups[i].class_number >= next)
-            next = (uint8_t)(f->groups[i].class_number + 1);
-    }
-    return next < WORLD_CLASSES ? next : WORLD_CLASSES - 1;
-}
-
-/* Number the groups that have members, in the order of the scene. */
-static bool make_groups(survey *s)
-{
-    compile_state *f = s->f;
-    size_t n = compile_count(f), most = KINDS * s->classes.count, i;
-    uint16_t *name = env_alloc(f->env, most, sizeof *name);   /* 0: not seen yet */
-    uint32_t finite = 0, infinite = 0, members = 0;
-
-    f->groups = env_alloc(f->env, most, sizeof *f->groups);
-    f->shares_leaf = env_alloc(f->env, most, sizeof *f->shares_leaf);
-    f->finite = env_resize(f->env, NULL, f->finite_count + 1u, sizeof *f->finite);
-    f->infinite = env_resize(f->env, NULL, f->infinite_count + 1u, sizeof *f->infinite);
-    f->member_count = (uint32_t)n - f->finite_count - f->infinite_count;
-    f->members = env_resize(f->env, NULL, f->member_count + 1u, sizeof *f->members);
-    for (i = 0; name && f->groups && f->shares_leaf && f->finite && f->infinite && f->members && i < n; i++) {
-        unsigned mark = f->group[i], old = mark & ~(unsigned)(INFINITE | MEMBER);
-        if (!name[old]) {
-            const shape_class *shape = s->classes.items[old / KINDS];
-            shape_group fresh = { shape, old % KINDS == INSTANCED, old % KINDS == SHARES_LEAF, number_of(f, shape), 0,
-                                  stride_of(shape), NULL };
-            f->shares_leaf[f->group_count] = fresh.shares_leaf && shape->full_leaves;
-            f->groups[f->group_count] = fresh;
-            name[old] = (uint16_t)++f->group_count;
-        }
-        f->group[i] = (uint16_t)(name[old] - 1);
-        f->groups[f->group[i]].count++;
-        if (mark & MEMBER)
-            f->members[members++] = (uint32_t)i;
-        else if (mark & INFINITE)
-            f->infinite[infinite++] = (uint32_t)i;
-        else
-            f->finite[finite++] = (uint32_t)i;
-    }
-    env_free(f->env, name);
-    return f->groups && f->shares_leaf && f->finite && f->infinite && f->members && i == n;
-}
-
 pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, int threads, pov_error *err)
 {
     survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
@@ -536,7 +475,8 @@ pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, in
         share_work(threads, s.slice_count, compile_slice, &s);
         status = add_up(&s, err);
     }
-    if (status == POV_OK && !(compile_add_trees(f, (uint16_t)(KINDS * (s.classes.count - 1))) && make_groups(&s)))
+    if (status == POV_OK && !(compile_add_trees(f, (uint16_t)(COMPILE_KINDS * (s.classes.count - 1))) &&
+                              compile_make_groups(f, s.classes.items, s.classes.count)))
         status = err_memory(err);
     env_free(f->env, s.classes.items);
     env_free(f->env, s.slices);
@@ -580,15 +520,6 @@ void compile_free_arenas(const env *e, arena *arenas, int count)
     for (i = 0; arenas && i < count; i++)
         arena_free(&arenas[i]);
     env_free(e, arenas);
-}
-
-void compile_free_groups(const env *e, shape_group *groups, size_t count)
-{
-    size_t i;
-
-    for (i = 0; groups && i < count; i++)
-        env_free_aligned(e, groups[i].instances);
-    env_free(e, groups);
 }
 
 void compile_free(compile_state *f)

@@ -25,6 +25,11 @@ void compile_make(const leaf_node *o, void *instance);
 
 enum { COMPILE_CASTS = 1, COMPILE_OPAQUE = 2, COMPILE_PLAIN = 4, COMPILE_INFINITE = 0x8000, COMPILE_MEMBER = 0x4000,
        COMPILE_LARGE = 256, COMPILE_MANY = 1 << 17 };
+/* Alignment of instances, in bytes. */
+enum { COMPILE_ALIGN = 32 };
+/* Each class has three groups of shapes, in this order; an object's mark is COMPILE_KINDS * class + kind until they are
+ * made, and COMPILE_INFINITE or COMPILE_MEMBER with it. */
+enum { COMPILE_SINGLE, COMPILE_SHARES_LEAF, COMPILE_INSTANCED, COMPILE_KINDS };
 
 /* State of the compilation. Arrays are by object: by leaf, and behind the leaves by tree. A leaf of a tree is a member:
  * it is laid out as others, but rays are not tested against it directly. */
@@ -84,6 +89,9 @@ static inline const leaf_node *compile_leaf(const compile_state *f, uint32_t ind
 void compile_mark_members(compile_state *f);
 /* For this room, once all leaves are known: add the trees behind them, with that class mark. */
 bool compile_add_trees(compile_state *f, uint16_t mark);
+/* For this room, from the marks: number the groups that have members, and list the objects, in the order of the scene.
+ * False: no memory. */
+bool compile_make_groups(compile_state *f, const shape_class *const *classes, size_t count);
 /* For this room: add an object with that box, NULL: without. */
 void compile_take(compile_state *f, uint32_t index, const pov_box *box);
 /* The box of a finite object, as in compile_objects(). Any thread. */
