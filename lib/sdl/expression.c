@@ -164,10 +164,9 @@ static value primary(pov_reader *in)
 
 /* ---- dots ---- */
 
-/* Which component a word behind a dot names; 5 is gray, -1 none. */
-static int component_of(keyword_id keyword)
+int expression_component(const pov_reader *in)
 {
-    switch (keyword) {
+    switch (state_keyword(in)) {
     case KEYWORD_X: case KEYWORD_U: case KEYWORD_RED:
         return 0;
     case KEYWORD_Y: case KEYWORD_V: case KEYWORD_GREEN:
@@ -179,10 +178,15 @@ static int component_of(keyword_id keyword)
     case KEYWORD_TRANSMIT:
         return 4;
     case KEYWORD_GRAY:
-        return 5;
+        return EXPRESSION_GRAY;
     default:
         return -1;
     }
+}
+
+double expression_part(const double v[5], int component)
+{
+    return component == EXPRESSION_GRAY ? 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2] : v[component];
 }
 
 static void refuse_component(pov_reader *in, const value *v)
@@ -202,16 +206,14 @@ static value dot(pov_reader *in, value v)
 
     state_note_povray(in, &at);
     state_advance(in);
-    i = component_of(state_keyword(in));
+    i = expression_component(in);
     if (i < 0) {
         report_expected(in, "a component such as \"x\" or \"red\"");
-    } else if (!value_is_arithmetic(&v) || (i == 5 ? v.size < 3 : i >= v.size)) {
+    } else if (!value_is_arithmetic(&v) || (i == EXPRESSION_GRAY ? v.size < 3 : i >= v.size)) {
         refuse_component(in, &v);
     } else {
-        const double *c = v.as.v;
-
         /* The other components stay where they are: vstr() shows them, as POV-Ray's does. */
-        v.as.v[0] = i == 5 ? 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2] : c[i];
+        v.as.v[0] = expression_part(v.as.v, i);
         v.kind = VALUE_NUMBER;
         v.is_colour = false;
         v.size = 1;

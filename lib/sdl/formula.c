@@ -174,35 +174,6 @@ static uint32_t call_series(compiler *c, bool is_product)
     return total;
 }
 
-static int component_of(pov_reader *in)
-{
-    switch (state_keyword(in)) {
-    case KEYWORD_RED: case KEYWORD_X: case KEYWORD_U:
-        return 0;
-    case KEYWORD_GREEN: case KEYWORD_Y: case KEYWORD_V:
-        return 1;
-    case KEYWORD_BLUE: case KEYWORD_Z:
-        return 2;
-    case KEYWORD_FILTER: case KEYWORD_T:
-        return 3;
-    case KEYWORD_TRANSMIT:
-        return 4;
-    case KEYWORD_GRAY:
-        return 5;
-    default:
-        report_expected(in, "a component such as \"red\"");
-        return 0;
-    }
-}
-
-/* A pigment of one colour: the same everywhere. */
-static double channel(const material *m, int i)
-{
-    const double v[5] = { m->pigment.r, m->pigment.g, m->pigment.b, m->filter, m->transmit };
-
-    return i == 5 ? 0.297 * v[0] + 0.589 * v[1] + 0.114 * v[2] : v[i];
-}
-
 static uint32_t call_part(compiler *c, const function *f)
 {
     pov_reader *in = c->in;
@@ -214,10 +185,12 @@ static uint32_t call_part(compiler *c, const function *f)
     c->next = mark;
     if (f->kind != FUNCTION_PATTERN) {
         state_expect(in, '.');
-        i = component_of(in);
+        i = expression_component(in);
+        if (i < 0)
+            report_expected(in, "a component such as \"red\"");
         state_advance(in);
     }
-    return constant(c, f->kind == FUNCTION_PIGMENT ? channel(&f->look, i) : 0.0);
+    return constant(c, f->kind == FUNCTION_PIGMENT && i >= 0 ? expression_part(function_colour(f).as.v, i) : 0.0);
 }
 
 static uint32_t call_declared(compiler *c, const function *f)

@@ -83,6 +83,7 @@ static void read_transform(pov_reader *in, function *f)
 
 static void read_pigment(pov_reader *in, function *f)
 {
+    const place at = in->token.at;
     surface_parsed s;
 
     f->kind = FUNCTION_PIGMENT;
@@ -90,6 +91,8 @@ static void read_pigment(pov_reader *in, function *f)
     parse_surface_begin(in, &s);
     parse_pigment(in, &s);
     f->look = s.material;
+    if (!in->failed && f->look.pattern)
+        unsupported_note(in, &at, KEYWORD_FUNCTION, "a varying pigment in a function");
 }
 
 static void read_content(pov_reader *in, function *f, symbol *const *parameters, uint32_t count)
@@ -180,12 +183,10 @@ static value map_point(pov_reader *in, const function *f)
     return value_of_vector(p);
 }
 
-static value find_colour(pov_reader *in, const function *f)
+value function_colour(const function *f)
 {
-    double unused[3];
     value v = value_of_number(0.0);
 
-    read_arguments(in, unused, 3);
     v.kind = VALUE_VECTOR;
     v.size = 5;
     v.is_colour = true;
@@ -208,7 +209,8 @@ value function_call(pov_reader *in, value callee)
     case FUNCTION_TRANSFORM:
         return map_point(in, f);
     case FUNCTION_PIGMENT:
-        return find_colour(in, f);
+        read_arguments(in, unused, 3);
+        return function_colour(f);
     case FUNCTION_PATTERN:
         read_arguments(in, unused, 3);
         return value_of_number(0.0);
