@@ -81,9 +81,9 @@ def whole(rows):
 
 
 def threads(rows):
-    return table(('scene', 'threads', 'ms', 'times as fast', 'threads busy', 'work dearer by', 'whole process'),
+    return table(('scene', 'threads', 'ms', 'times as fast', 'threads busy', 'overhead', 'whole process'),
                  [(row['scene'], row['threads'], f'{1e3 * float(row["trace_s"]):.0f}', f'{float(row["faster"]):.2f}',
-                   f'{100 * float(row["busy"]):.0f} %', f'{100 * float(row["dearer"]) - 100:.0f} %',
+                   f'{100 * float(row["busy"]):.0f} %', f'{100 * float(row["overhead"]) - 100:.0f} %',
                    f'{float(row["whole_faster"]):.2f}') for row in rows])
 
 

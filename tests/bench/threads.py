@@ -2,7 +2,7 @@
 """Times povc with 1, 2, ... threads on the same scenes, in turn: how many times as fast it is, and where the rest went.
 
 `busy` is the threads' processor time by their number and the wall time of tracing: what is missing to 1 they stood idle,
-at the start, at the end, or because other work had the processor. `dearer` is by how much the same work cost more
+at the start, at the end, or because other work had the processor. `overhead` is by how much the same work cost more
 processor time than on one thread: caches and memory that are shared, clocks that fall. `whole` counts the process from
 its start to its end with reading, building and writing. Last, what the tiles alone allow for up to 16 threads: tails.c.
 """
@@ -20,7 +20,7 @@ import make_scenes
 import programs
 
 SCENES = ('flake-4', 'spheres-1e4', 'mixed-1e4', 'hall', 'glass', 'strip', 'spheres-1e6')
-FIELDS = ('scene', 'threads', 'trace_s', 'faster', 'busy', 'dearer', 'whole_s', 'whole_faster', 'build_s')
+FIELDS = ('scene', 'threads', 'trace_s', 'faster', 'busy', 'overhead', 'whole_s', 'whole_faster', 'build_s')
 
 
 def arguments():
@@ -72,7 +72,7 @@ def measure(options, name, scene):
                'trace_s': middle(lambda one: one[place]['trace']),
                'faster': middle(lambda one: one[0]['trace'] / one[place]['trace']),
                'busy': middle(lambda one: one[place]['cpu'] / one[place]['trace'] / threads),
-               'dearer': middle(lambda one: one[place]['cpu'] / one[0]['cpu']),
+               'overhead': middle(lambda one: one[place]['cpu'] / one[0]['cpu']),
                'whole_s': middle(lambda one: one[place]['whole']),
                'whole_faster': middle(lambda one: one[0]['whole'] / one[place]['whole']),
                'build_s': middle(lambda one: one[place]['build'])}
@@ -87,7 +87,7 @@ def print_tails(options, name, scene):
 def main():
     options = arguments()
     rows = []
-    print(f'{"scene":<14}{"threads":>8}{"trace ms":>10}{"faster":>8}{"busy":>7}{"dearer":>8}{"whole ms":>10}{"faster":>8}')
+    print(f'{"scene":<14}{"threads":>8}{"trace ms":>10}{"faster":>8}{"busy":>7}{"overhead":>9}{"whole ms":>10}{"faster":>8}')
     for name in options.scenes:
         try:
             scene, _ = make_scenes.make(name, Path(options.work) / 'scenes', options.width, options.height)
@@ -96,7 +96,7 @@ def main():
         for row in measure(options, name, scene):
             rows.append(row)
             print(f'{row["scene"]:<14}{row["threads"]:>8}{1e3 * row["trace_s"]:10.1f}{row["faster"]:8.2f}{row["busy"]:7.2f}'
-                  f'{row["dearer"]:8.2f}{1e3 * row["whole_s"]:10.1f}{row["whole_faster"]:8.2f}', flush=True)
+                  f'{row["overhead"]:9.2f}{1e3 * row["whole_s"]:10.1f}{row["whole_faster"]:8.2f}', flush=True)
         if Path(options.tails).exists():
             print_tails(options, name, scene)
     for threads in options.threads[1:]:
