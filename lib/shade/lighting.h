@@ -2,14 +2,7 @@
 #ifndef SHADE_LIGHTING_H
 #define SHADE_LIGHTING_H
 
-#include "shade/surface.h"
-
-/* Finishes of lit surfaces, by lane, from their appearances. */
-typedef struct SIMD_ALIGNED finishes {
-    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], diffuse_weight[BATCH_MAX], phong[BATCH_MAX];
-    double highlight_cutoff[BATCH_MAX];
-    int64_t power[BATCH_MAX];
-} finishes;
+#include "shade/brdf.h"
 
 /* The lighting of a batch's surfaces, and its rays to one light. */
 typedef struct lighting {
@@ -18,8 +11,6 @@ typedef struct lighting {
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];
     uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */
-    uint32_t lit_count;
-    uint8_t lit[BATCH_MAX];      /* lanes of lit surfaces */
     finishes finishes;
     pov_ray *own;                /* one ray for each surface, with the direction to the current light: memory of
                                   * BATCH_MAX rays that is unused until all lights are done */

@@ -1,0 +1,142 @@
+#include "shade/brdf.h"
+
+#include "base/simd.h"
+#include "shade/highlight.h"
+
+static inline void set_cosines(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
+{
+    s->cosine[i] = pov_dot(lanes_at(normal, i), unit);
+    s->specular_cos[i] = pov_dot(lanes_at(&g->reflected, i), unit);
+}
+
+/* Properties of the directions: some squared length is out of range; some cosine is too small for
+ * world_origin_reflect(). */
+enum { ODD_DIR = 1, GRAZING = 2 };
+
+SIMD_CLONES static int find_plain(light_sample *restrict s, const geometry *restrict g, const vec_lanes *restrict normal,
+                                  const vec_lanes *restrict dir, uint32_t n)
+{
+    int64_t plain = -1, steep = -1;
+
+    for (uint32_t i = 0; i < n; i++) {
+        pov_vec3 unit;
+
+        plain &= geometry_unit(dir->x[i], dir->y[i], dir->z[i], &unit);
+        set_cosines(s, g, normal, i, unit);
+        steep &= fabs(s->cosine[i]) > WORLD_GRAZING ? -1 : 0;
+    }
+    return (plain ? 0 : ODD_DIR) | (steep ? 0 : GRAZING);
+}
+
+bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint32_t n)
+{
+    const int found = find_plain(s, g, g->shading, dir, n);
+
+    if (found & ODD_DIR)
+        for (uint32_t i = 0; i < n; i++)
+            set_cosines(s, g, g->shading, i, pov_unit(lanes_at(dir, i)));
+    return found != 0;
+}
+
+/* Reflected fraction of white light towards the ray's start, with a highlight. */
+static colour brdf(const model *m, const appearance *of, double cosine, double specular_cos)
+{
+    const colour diffuse = colour_scale(of->pigment, of->diffuse_weight * (float)cosine);
+    const float strength = of->material->phong * highlight_power(specular_cos, of);
+
+    return colour_add(diffuse, colour_scale(highlight_colour(m, of, cosine), strength));
+}
+
+static inline float lesser(float a, float b) { return a < b ? a : b; }
+
+/* Reflected light of all lanes, bit for bit as above where there is a highlight. A highlight that is lost in the sum is
+ * left out: all components of the sum are then at least APPEARANCE_VISIBLE. It is not computed either, because denormal
+ * floats take a processor a hundred times as long. False: some lanes are left to the general function. */
+static inline bool brdf_lanes(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
+                              uint32_t n, bool uniform)
+{
+    const colour color = in->color;
+    uint32_t odd = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double cosine = s->cosine[i], specular_cos = s->specular_cos[i];
+        const float slice = f->diffuse_weight[i] * (float)cosine;
+        const float red = f->red[i] * slice, green = f->green[i] * slice, blue = f->blue[i] * slice;
+        const float least = lesser(fabsf(red), lesser(fabsf(green), fabsf(blue)));
+        const bool shines = (cosine > 0.0) & (specular_cos > 0.0) & !((specular_cos <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
+        const double product = highlight_product(shines ? specular_cos : 0.0, f->power[i]);
+        const float lo = f->phong[i] * highlight_lo(product), hi = f->phong[i] * highlight_hi(product);
+        const float strength = shines ? lo : 0.0f;
+
+        s->odd[i] = shines & !(lo == hi);
+        odd |= s->odd[i];
+        s->red[i] = (uniform ? color.r : in->red[i]) * (red + strength);
+        s->green[i] = (uniform ? color.g : in->green[i]) * (green + strength);
+        s->blue[i] = (uniform ? color.b : in->blue[i]) * (blue + strength);
+        s->front[i] = cosine > 0.0;
+        s->contributes[i] = (cosine > 0.0) & !colour_is_black(colour_of(s->red[i], s->green[i], s->blue[i]));
+    }
+    return !odd;
+}
+
+SIMD_CLONES static bool brdf_uniform(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
+                                     uint32_t n)
+{
+    return brdf_lanes(s, f, in, n, true);
+}
+
+SIMD_CLONES static bool brdf_varying(light_sample *restrict s, const finishes *restrict f, const light_lanes *restrict in,
+                                     uint32_t n)
+{
+    return brdf_lanes(s, f, in, n, false);
+}
+
+static inline colour incident_at(const light_lanes *in, uint32_t i)
+{
+    return in->uniform ? in->color : colour_of(in->red[i], in->green[i], in->blue[i]);
+}
+
+void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, uint32_t n)
+{
+    if (in->uniform ? brdf_uniform(s, f, in, n) : brdf_varying(s, f, in, n))
+        return;
+    for (uint32_t k = 0; k < f->count; k++) {
+        const uint32_t i = f->lit[k];
+        colour c;
+
+        if (!s->odd[i])
+            continue;
+        c = colour_mul(incident_at(in, i), brdf(m, f->on->at[i].appearance, s->cosine[i], s->specular_cos[i]));
+        s->red[i] = c.r;
+        s->green[i] = c.g;
+        s->blue[i] = c.b;
+        s->contributes[i] = s->front[i] & !colour_is_black(c);
+    }
+}
+
+static inline void set_finish(finishes *f, uint32_t i, const appearance *a)
+{
+    f->red[i] = a->pigment.r;
+    f->green[i] = a->pigment.g;
+    f->blue[i] = a->pigment.b;
+    f->diffuse_weight[i] = a->diffuse_weight;
+    f->phong[i] = a->phong;
+    f->highlight_cutoff[i] = a->highlight_cutoff;
+    f->power[i] = a->power;
+}
+
+void brdf_begin(finishes *f, const surfaces *on)
+{
+    uint32_t count = 0;
+
+    f->on = on;
+    for (uint32_t i = 0; i < on->count; i++) {
+        const appearance *a = on->at[i].appearance;
+
+        if (!a->lit)
+            continue;
+        f->lit[count++] = (uint8_t)i;
+        set_finish(f, i, a);
+    }
+    f->count = count;
+}
