@@ -6,6 +6,8 @@
 
 #include "base/simd.h"
 
+#include <povtrace/exact.h>
+
 #include <math.h>
 
 /* ---- bits ---- */
@@ -188,5 +190,35 @@ SIMD_INLINE double elementary_atan2(double y, double x)
 SIMD_INLINE double elementary_atan(double x) { return elementary_atan2(x, 1.0); }
 SIMD_INLINE double elementary_acos(double x) { return elementary_atan2(sqrt((1.0 - x) * (1.0 + x)), x); }
 SIMD_INLINE double elementary_asin(double x) { return elementary_atan2(x, sqrt((1.0 - x) * (1.0 + x))); }
+
+/* ---- angles in turns: patterns repeat ---- */
+
+/* sin(2 pi r) for |r| <= 1/4; the polynomial's own error is below 2^-59. */
+SIMD_INLINE double elementary_sine_of_turn(double r)
+{
+    const double z = r * r;
+
+    return r * (0x1.921fb54442d18p+2 + z * (-0x1.4abbce625be52p+5 + z * (0x1.466bc6775aa7dp+6 + z * (-0x1.32d2cce627c86p+6 +
+                z * (0x1.5078348551854p+5 + z * (-0x1.e3074dfaf87afp+3 + z * (0x1.e8f3675ee37ddp+1 +
+                z * (-0x1.6f7acdb8f6580p-1 + z * 0x1.9d462020fcc78p-4))))))));
+}
+
+/* sin(2 pi x) and cos(2 pi x), errors below 3 * 2^-53 for every finite x: whole turns are taken away exactly. */
+SIMD_INLINE double elementary_sin_turns(double x)
+{
+    const double r = x - floor(x + 0.5), a = fabs(r);
+
+    return copysign(elementary_sine_of_turn(a > 0.25 ? 0.5 - a : a), r);
+}
+
+SIMD_INLINE double elementary_cos_turns(double x) { return elementary_sine_of_turn(0.25 - fabs(x - floor(x + 0.5))); }
+
+/* x / (2 pi) without its whole turns, error below 2^-53 for |x| < 2^30; farther out an angle in -1/2..1/2 all the same. */
+SIMD_INLINE double elementary_turns_of(double x)
+{
+    const pov_two turns = pov_two_mul_double(pov_two_of(0x1.45f306dc9c883p-3, -0x1.6b01ec5417056p-57), x);
+
+    return (turns.hi - floor(turns.hi + 0.5)) + turns.lo;
+}
 
 #endif
