@@ -1,0 +1,66 @@
+/* noise.h - the smooth random functions of POV-Ray, equal to its own within 1e-12.
+ *
+ * Scalar noise comes in three kinds (noise_generator 1 to 3). Vector noise and both kinds of turbulence are sums of it.
+ * The tables are made for scenes that use them. */
+#ifndef TEXTURE_NOISE_H
+#define TEXTURE_NOISE_H
+
+#include "base/env.h"
+#include "base/lanes.h"
+#include "model/warp.h"
+
+enum {
+    NOISE_HASH = 4096, NOISE_MEASURED = 267, NOISE_GRADIENTS = 2048,
+    NOISE_CELLS = NOISE_HASH + 2     /* random numbers by hash; a hash and the two behind it are a point in a cube */
+};
+
+typedef struct noise_wave { pov_vec3 source; double frequency; } noise_wave;
+
+typedef struct noise_tables {
+    SIMD_ALIGNED double gradient[NOISE_GRADIENTS][4];    /* of generator 3: unit vectors; the fourth number is 0 */
+    double cell[NOISE_CELLS];                            /* in 0..1 */
+    uint16_t hash[NOISE_HASH];                           /* a permutation */
+    uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
+    uint8_t last[NOISE_HASH];                            /* the low bits of hash: where measured numbers begin */
+} noise_tables;
+
+extern const double noise_measured[NOISE_MEASURED];
+
+/* NULL when memory ends. */
+noise_tables *noise_create(const env *e);
+void noise_destroy(const env *e, noise_tables *t);
+
+/* The hash of a cube by its lowest corner, 0 to NOISE_HASH - 1. */
+static inline uint32_t noise_hash(const noise_tables *t, int32_t x, int32_t y, int32_t z)
+{
+    const uint32_t mask = NOISE_HASH - 1;
+
+    return t->hash[t->hash[t->hash[(uint32_t)x & mask] ^ ((uint32_t)y & mask)] ^ ((uint32_t)z & mask)];
+}
+
+/* ---- n points, scaled first; lanes up to lanes_whole(n) may be read and written ---- */
+
+/* 0..1. */
+void noise_values(const noise_tables *t, int generator, const vec_lanes *at, double scale, uint32_t n, double *value);
+/* The noise that sums of it are made of: generator 1 as it is, the others as 2 noise - 1/2; clamped to 0..1 if asked. */
+void noise_terms(const noise_tables *t, int generator, const vec_lanes *at, double scale, bool clamped, uint32_t n,
+                 double *value);
+/* Three numbers, about -1..1; the same for all generators. */
+void noise_vectors(const noise_tables *t, const vec_lanes *at, double scale, uint32_t n, vec_lanes *value);
+
+/* Sums over octaves. Their amounts are the caller's to multiply with. */
+void noise_turbulence(const noise_tables *t, int generator, const turbulence *of, const vec_lanes *at, uint32_t n,
+                      double *value);
+void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const vec_lanes *at, uint32_t n,
+                             vec_lanes *value);
+
+/* ---- one point ---- */
+
+double noise_value_at(const noise_tables *t, int generator, pov_vec3 at);
+pov_vec3 noise_vector_turbulence_at(const noise_tables *t, const turbulence *of, pov_vec3 at);
+double noise_turbulence_at(const noise_tables *t, int generator, const turbulence *of, pov_vec3 at);
+
+/* The sources of ripples and waves. */
+void noise_waves(const noise_tables *t, uint32_t count, noise_wave *out);
+
+#endif
