@@ -170,7 +170,7 @@ static void what_is_exact(void **state)
     assert_true(elementary_atan2(0.0, 0.0) == 0.0 && elementary_atan2(0.0, 5.0) == 0.0);
     assert_true(elementary_atan2(0.0, -5.0) == atan2(0.0, -5.0));
     assert_true(elementary_log(1.0) == 0.0 && elementary_exp(0.0) == 1.0);
-    assert_true(elementary_log2(8.0) == 3.0 && elementary_exp2(10.0) == 1024.0 && elementary_atan(1.0) == atan(1.0));
+    assert_true(elementary_log2(8.0) == 3.0 && elementary_exp2(10.0) == 1024.0);
     assert_true(elementary_exp(-1e9) == 0.0 && isinf(elementary_exp(1e9)));
     assert_true(elementary_pow(0.0, 0.0) == 1.0 && elementary_pow(0.0, 2.0) == 0.0 && isinf(elementary_pow(0.0, -1.0)));
     assert_true(elementary_pow(1.0, 5.5) == 1.0);
