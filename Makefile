@@ -5,6 +5,7 @@ BUILD    ?= build
 PREFIX   ?= /usr/local
 DESTDIR  ?=
 LIBDIR   ?= $(PREFIX)/lib
+SHAREDIR ?= $(PREFIX)/share/povtrace
 CC       ?= cc
 CXX      ?= c++
 PYTHON   ?= python3
@@ -52,6 +53,8 @@ HAS_PNG       := $(shell $(PKG_CONFIG) --exists libpng && echo yes)
 IMAGES         = $(filter-out $(if $(HAS_PNG),,%/png.so),$(call plugins_of,images))
 PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(call plugins_of,plots))
 PLUGINS        = $(PRIMITIVES) $(IMAGES) $(PLOTS)
+# Include files of the scene language, where the library looks for them.
+INCLUDES      := $(sort $(wildcard share/povtrace/include/*.inc))
 SHARED         = $(BUILD)/lib/libpovtrace.so.$(VERSION)
 STATIC         = $(BUILD)/lib/libpovtrace.a
 POVC           = $(BUILD)/bin/povc
@@ -62,7 +65,10 @@ WIDE_PLUGINS   = $(foreach w,$(WIDE),$(PRIMITIVES:$(BUILD)/lib/povtrace/primitiv
 # What povc needs to run; all is that and the static library.
 .PHONY: all runtime
 all: runtime $(STATIC)
-runtime: $(SHARED) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC)
+runtime: $(SHARED) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC) $(INCLUDES:%=$(BUILD)/%)
+$(BUILD)/share/%: share/%
+	@mkdir -p $(@D)
+	@cp $< $@
 ifeq ($(HAS_PNG),)
 runtime: no-png
 .PHONY: no-png
@@ -98,7 +104,8 @@ WIDE_FLAGS_x86-64-v4 = -mprefer-vector-width=256
 define COPY_RULES
 $(BUILD)/obj/$(1)%.o: COPY = $(1:/=)
 $(BUILD)/obj/$(1)%.o: COPY_FLAGS = $(if $(1),-march=$(1:/=) $(WIDE_FLAGS_$(1:/=)) -DPOV_WIDE='"$(1:/=)"')
-$(BUILD)/obj/$(1)lib/%.o: ROOM_FLAGS = -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"'
+$(BUILD)/obj/$(1)lib/%.o: ROOM_FLAGS = -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"' \
+    -DPOV_SHARE_DIR='"$(SHAREDIR)"'
 $(BUILD)/obj/$(1)plugins/%.o: ROOM_FLAGS = -Iplugins
 $(BUILD)/obj/$(1)%.o: %.c
 	$$(COMPILE)
@@ -177,12 +184,13 @@ endif
 FILL_IN = sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|' \
           -e 's|@VERSION@|$(VERSION)|' -e 's|@SOVERSION@|$(SOVERSION)|' -e 's|@CMAKE_INCLUDEDIR@|$(CMAKE_INCLUDEDIR)|'
 
-# The library knows the folder of installed plugins by name, as the last place to look: another folder, another object.
+# The library knows the folders of installed plugins and include files by name, as the last place to look: another
+# folder, another object.
 .PHONY: FORCE
 $(BUILD)/libdir: FORCE
 	@mkdir -p $(@D)
-	@echo '$(LIBDIR)' | cmp -s - $@ || echo '$(LIBDIR)' > $@
-$(BUILD)/obj/lib/plug/registry.o $(WIDE:%=$(BUILD)/obj/%/lib/plug/registry.o): $(BUILD)/libdir
+	@echo '$(LIBDIR) $(SHAREDIR)' | cmp -s - $@ || echo '$(LIBDIR) $(SHAREDIR)' > $@
+$(foreach o,plug/registry.o sdl/include.o,$(BUILD)/obj/lib/$o $(WIDE:%=$(BUILD)/obj/%/lib/$o)): $(BUILD)/libdir
 
 # $(1): the processors.
 define INSTALL_WIDE
@@ -196,7 +204,9 @@ endef
 .PHONY: install uninstall
 install: all
 	$(INSTALL) -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/povtrace $(LIBDIR)/pkgconfig $(LIBDIR)/cmake/povtrace \
-	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR))
+	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR) \
+	    $(SHAREDIR)/include)
+	$(INSTALL) -m 644 $(INCLUDES) $(DESTDIR)$(SHAREDIR)/include
 	$(INSTALL) -m 644 $(PUBLIC_HEADERS) $(DESTDIR)$(INCLUDEDIR)/povtrace
 	$(INSTALL) -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)
 	ln -sf $(notdir $(SHARED)) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION)
@@ -226,10 +236,11 @@ uninstall:
 	    $(addprefix $(DESTDIR)$(LIBDIR)/cmake/povtrace/,povtraceConfig.cmake povtraceConfigVersion.cmake) \
 	    $(patsubst $(BUILD)/lib/%,$(DESTDIR)$(LIBDIR)/%,$(PLUGINS) $(WIDE_PLUGINS) $(WIDE_SHARED)) \
 	    $(WIDE:%=$(DESTDIR)$(LIBDIR)/glibc-hwcaps/%/libpovtrace.so.$(SOVERSION)) \
-	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS)))
+	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS))) \
+	    $(addprefix $(DESTDIR)$(SHAREDIR)/include/,$(notdir $(INCLUDES)))
 	-rmdir $(addprefix $(DESTDIR),$(if $(WIDE),$(WIDE:%=$(LIBDIR)/glibc-hwcaps/%) $(LIBDIR)/glibc-hwcaps \
 	    $(WIDE:%=$(LIBDIR)/povtrace/primitives/%)) $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
-	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace)
+	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace $(SHAREDIR)/include $(SHAREDIR))
 
 # ---- first steps ----
 

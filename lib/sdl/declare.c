@@ -10,6 +10,7 @@
 
 /* ---- values ---- */
 
+/* A word of colours is next. */
 static value read_colour(pov_reader *in)
 {
     value v = value_of_number(0.0);
@@ -19,6 +20,20 @@ static value read_colour(pov_reader *in)
     v.is_colour = true;
     value_colour_components(in, false, v.as.v);
     return in->failed ? value_of_number(0.0) : v;
+}
+
+/* What begins with the name of a colour may be another value: `C.red`. */
+static value read_expression(pov_reader *in)
+{
+    const char *wanted = in->wanted;
+    value v;
+
+    in->wanted = "a value";
+    v = expression_read(in);
+    in->wanted = wanted;
+    if (v.is_colour)
+        value_colour_channels(in, v.as.v);
+    return v;
 }
 
 /* What a name stands for is copied; arrays are all that could be changed through it. */
@@ -35,20 +50,16 @@ static value own(pov_reader *in, value v)
 
 value declare_value(pov_reader *in)
 {
-    const char *wanted = in->wanted;
     value v = value_of_number(0.0);
 
     state_settle(in);
     in->value = in->token.at;
-    if (in->token.kind == TOKEN_WORD && value_colour_follows(in, false))
+    if (in->token.kind == TOKEN_WORD && (in->token.symbol->flags & KEYWORD_FLAG_PAINT))
         return read_colour(in);
     if (in->token.kind == TOKEN_WORD && !in->token.symbol->intrinsic && !in->token.symbol->binding &&
         parse_value(in, &v))
         return v;
-    in->wanted = "a value";
-    v = expression_read(in);
-    in->wanted = wanted;
-    return own(in, v);
+    return own(in, read_expression(in));
 }
 
 /* ---- names ---- */

@@ -1,6 +1,8 @@
 #include "sdl/include.h"
 
+#include "base/dl.h"
 #include "base/file.h"
+#include "base/str.h"
 #include "sdl/directive.h"
 #include "sdl/expression.h"
 #include "sdl/frame.h"
@@ -41,6 +43,32 @@ static const char *scene_name(const pov_reader *in)
     return in->frames.items[0].text->name;
 }
 
+void include_init(pov_reader *in)
+{
+    static const char below[] = "/../share/povtrace/include";
+    const size_t size = sizeof in->own_includes;
+
+    if (dl_own_folder(in->own_includes, size - sizeof below))
+        strcat(in->own_includes, below);
+    else
+        in->own_includes[0] = '\0';
+}
+
+/* POV-Ray's own files, then those of this library. */
+static bool installed_at(const pov_reader *in, int index, folder *out)
+{
+    if (index < INSTALLED)
+        out->path = installed[index];
+    else if (index == INSTALLED && in->own_includes[0])
+        out->path = in->own_includes;
+    else if (index <= INSTALLED + 1)
+        out->path = POV_SHARE_DIR "/include";
+    else
+        return false;
+    out->length = strlen(out->path);
+    return true;
+}
+
 /* The index-th folder to look in. False: past the last. */
 static bool folder_at(const pov_reader *in, int index, folder *out)
 {
@@ -58,11 +86,7 @@ static bool folder_at(const pov_reader *in, int index, folder *out)
             return true;
         list += out->length + (list[out->length] == ':');
     }
-    if (index - i >= INSTALLED)
-        return false;
-    out->path = installed[index - i];
-    out->length = strlen(out->path);
-    return true;
+    return installed_at(in, index - i, out);
 }
 
 static bool join(const folder *f, const char *name, const char *ending, char out[INCLUDE_PATH_MAX])

@@ -4,11 +4,11 @@
 
 #include "sdl/state.h"
 
-enum { INCLUDE_PATH_MAX = 4096 };
-
+/* Find where the files of this library's own are. */
+void include_init(pov_reader *in);
 void include_run(pov_reader *in, const place *at);
 /* A file that the scene names, to be read: below the folder of the scene, that of the text that names it, the current
- * one, those that were given, or POV-Ray's own, in that order. False: there is none. */
+ * one, those that were given, POV-Ray's own, or this library's own, in that order. False: there is none. */
 bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX]);
 bool include_exists(pov_reader *in, const string *name);
 

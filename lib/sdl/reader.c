@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "sdl/directive.h"
 #include "sdl/frame.h"
+#include "sdl/include.h"
 #include "sdl/intrinsic.h"
 #include "sdl/macro.h"
 #include "sdl/parse.h"
@@ -103,6 +104,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     in->wanted = "a value";
     in->wanted_dialect = options ? options->dialect : POV_DIALECT_AUTO;
     choose_limits(&in->limits, options);
+    include_init(in);
     parse_camera_defaults(&in->camera);
     m->adc_bailout = 1.0 / 255.0;
     m->max_trace_level = 5;

@@ -91,6 +91,8 @@ typedef struct argument_list { argument *items; size_t count, capacity; } argume
 typedef struct random_stream { uint32_t state; } random_stream;
 typedef struct random_list { random_stream *items; size_t count, capacity; } random_list;
 
+enum { INCLUDE_PATH_MAX = 4096 };
+
 struct pov_reader {
     model *model;
     registry *plugins;
@@ -125,6 +127,7 @@ struct pov_reader {
     random_list randoms;
     argument_list arguments;     /* of calls that are being read */
     struct written *written;     /* files that the scene wrote */
+    char own_includes[INCLUDE_PATH_MAX];   /* the folder of this library's include files; "": unknown */
     reader_limits limits;
     uint64_t turns;              /* of loops so far */
     int parentheses;             /* of expressions that are open */

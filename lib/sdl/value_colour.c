@@ -125,8 +125,7 @@ static void read_form(pov_reader *in, const form *f, bool bare, double out[CHANN
         out[i] = decode(out[i]);
 }
 
-/* `red 1 green .5 ...`, alone or behind other forms, where they replace single channels. */
-static void read_channels(pov_reader *in, double out[CHANNELS])
+void value_colour_channels(pov_reader *in, double out[CHANNELS])
 {
     int channel;
 
@@ -173,7 +172,7 @@ void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
         else
             report_expected(in, "a colour");
     }
-    read_channels(in, out);
+    value_colour_channels(in, out);
     check_range(in, &at, out);
     for (i = 0; i < CHANNELS && in->failed; i++)
         out[i] = 0.0;
