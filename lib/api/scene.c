@@ -98,7 +98,7 @@ static pov_status check(pov_scene **out, pov_context *context, const void *text,
 }
 
 /* Compile the model to a world; a scene that failed is freed. */
-static pov_status finish(pov_scene **out, pov_scene *scene, const pov_load_desc *d, pov_status status, pov_error *err)
+static pov_status conclude(pov_scene **out, pov_scene *scene, const pov_load_desc *d, pov_status status, pov_error *err)
 {
     if (status == POV_OK)
         status = compile(scene, d, err);
@@ -129,7 +129,7 @@ pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char
         status = read_text(scene, text, length, path, &d, err);
         env_free(&context->env, text);
     }
-    return finish(out, scene, &d, status, err);
+    return conclude(out, scene, &d, status, err);
 }
 
 pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length,
@@ -144,7 +144,7 @@ pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char
     if (status < 0)
         return status;
     status = read_text(scene, text, length, name ? name : "(text)", &d, err);
-    return finish(out, scene, &d, status, err);
+    return conclude(out, scene, &d, status, err);
 }
 
 void pov_scene_destroy(pov_scene *scene)

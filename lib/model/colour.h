@@ -11,6 +11,7 @@ static inline colour colour_of(float r, float g, float b) { colour c = { r, g, b
 static inline colour colour_add(colour a, colour b) { return colour_of(a.r + b.r, a.g + b.g, a.b + b.b); }
 static inline colour colour_mul(colour a, colour b) { return colour_of(a.r * b.r, a.g * b.g, a.b * b.b); }
 static inline colour colour_scale(colour a, float s) { return colour_of(a.r * s, a.g * s, a.b * s); }
+static inline bool colour_equal(colour a, colour b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 /* One comparison: the sum of absolute values is zero only if all are. */
 static inline bool colour_is_black(colour a) { return fabsf(a.r) + fabsf(a.g) + fabsf(a.b) == 0.0f; }
 /* The largest absolute component. */

@@ -5,15 +5,8 @@
 void material_init(material *m)
 {
     memset(m, 0, sizeof *m);
-    m->ambient = colour_of(0.1f, 0.1f, 0.1f);
-    m->diffuse = 0.6f;
-    m->phong_size = 40.0f;
-    m->ior = 1.0;
-}
-
-static bool colour_equal(colour a, colour b)
-{
-    return a.r == b.r && a.g == b.g && a.b == b.b;
+    finish_init(&m->finish);
+    interior_init(&m->interior);
 }
 
 bool pattern_equal(const pattern *a, const pattern *b)
@@ -44,8 +37,7 @@ void material_set_pattern(material *m, const pattern *p)
 
 bool material_equal(const material *a, const material *b)
 {
-    return pattern_equal(a->pattern, b->pattern) && colour_equal(a->pigment, b->pigment) && a->filter == b->filter && a->transmit == b->transmit &&
-           colour_equal(a->ambient, b->ambient) && a->diffuse == b->diffuse && a->phong == b->phong &&
-           a->phong_size == b->phong_size && a->metallic == b->metallic &&
-           colour_equal(a->reflection, b->reflection) && a->has_interior == b->has_interior && a->ior == b->ior;
+    return pattern_equal(a->pattern, b->pattern) && colour_equal(a->pigment, b->pigment) && a->filter == b->filter &&
+           a->transmit == b->transmit && finish_equal(&a->finish, &b->finish) &&
+           interior_equal(&a->interior, &b->interior);
 }

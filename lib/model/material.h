@@ -2,6 +2,8 @@
 #ifndef MODEL_MATERIAL_H
 #define MODEL_MATERIAL_H
 
+#include "model/finish.h"
+#include "model/interior.h"
 #include "model/pattern.h"
 
 typedef struct material {
@@ -9,14 +11,11 @@ typedef struct material {
                                   * largest that each component can be: what is zero there is zero everywhere */
     colour pigment;
     float filter, transmit;
-    colour ambient;              /* finish */
-    float diffuse, phong, phong_size, metallic;
-    colour reflection;
-    bool has_interior;           /* an interior { } was given: the solid is a dielectric */
-    double ior;
+    finish finish;
+    interior interior;
 } material;
 
-/* The defaults of the language: black, ambient 0.1, diffuse 0.6, phong_size 40, ior 1, all else 0. */
+/* The defaults of the language: black. */
 void material_init(material *m);
 bool material_equal(const material *a, const material *b);
 void material_set_pattern(material *m, const pattern *p);

@@ -399,7 +399,7 @@ static void *keep(pov_reader *in, const void *items, size_t bytes)
     return kept;
 }
 
-static void finish(compiler *c, uint32_t parameters, uint32_t result, program *out)
+static void conclude(compiler *c, uint32_t parameters, uint32_t result, program *out)
 {
     pov_reader *in = c->in;
 
@@ -435,7 +435,7 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
             report_memory(in);
     }
     i = full(&c);
-    finish(&c, count, i, out);
+    conclude(&c, count, i, out);
     return !in->failed;
 }
 
@@ -447,6 +447,6 @@ bool formula_internal(pov_reader *in, uint32_t number, program *out)
     c.in = in;
     c.next = c.most = internal_arguments(number);
     emit(&c, PROGRAM_INTERNAL, 0, 0, number);
-    finish(&c, internal_arguments(number), 0, out);
+    conclude(&c, internal_arguments(number), 0, out);
     return !in->failed;
 }

@@ -186,7 +186,7 @@ static bool add(pov_reader *in, builder *b, const char *text, size_t length)
     return true;
 }
 
-static void finish(pov_reader *in, builder *b, value *out)
+static void conclude(pov_reader *in, builder *b, value *out)
 {
     give(in, out, text_copy(in, b->items, b->count));
     env_free(in->model->env, b->items);
@@ -227,7 +227,7 @@ static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
     if (value_is_shared(&v))
         value_drop(&in->heap, &v);
     let_go(in, between);
-    finish(in, &b, out);
+    conclude(in, &b, out);
 }
 
 static void read_concat(pov_reader *in, const intrinsic *row, value *out)
@@ -246,7 +246,7 @@ static void read_concat(pov_reader *in, const intrinsic *row, value *out)
         has_comma = state_accept(in, ',');
     } while ((has_comma || in->token.kind != ')') && !in->failed);
     state_close(in, ')');
-    finish(in, &b, out);
+    conclude(in, &b, out);
 }
 
 static void read_chr(pov_reader *in, const intrinsic *row, value *out)

@@ -21,13 +21,15 @@ static uint32_t mix_colour(uint32_t hash, colour c)
 
 static uint32_t hash_of(const material *m)
 {
-    uint32_t hash = mix_colour(m->has_interior, m->pigment);
+    const finish *f = &m->finish;
+    uint32_t hash = mix_colour(m->interior.given, m->pigment);
 
     hash = mix(mix(hash, m->filter), m->transmit);
-    hash = mix_colour(hash, m->ambient);
-    hash = mix(mix(mix(mix(hash, m->diffuse), m->phong), m->phong_size), m->metallic);
-    hash = mix_colour(hash, m->reflection);
-    hash = mix(hash, (float)m->ior);
+    hash = mix_colour(hash, f->ambient);
+    hash = mix(mix(mix(mix(hash, f->diffuse), f->phong), f->phong_size), f->metallic);
+    hash = mix(mix(hash, f->specular), (float)f->roughness);
+    hash = mix_colour(hash, f->reflection.max);
+    hash = mix(hash, (float)m->interior.ior);
     if (m->pattern)
         hash = mix(hash ^ m->pattern->count, (float)m->pattern->map);
     return hash ^ hash >> 16;

@@ -14,6 +14,7 @@
 typedef struct surface_parsed {
     material material;
     bool has_look;               /* a pigment, finish or texture was given */
+    unsigned albedos;            /* strengths of the finish that were given as albedos */
     uint32_t moves;              /* transformations that came behind a pigment that varies */
     place layer;                 /* a texture upon another look; source NULL: none */
 } surface_parsed;

@@ -15,7 +15,7 @@ typedef struct around {
 static material find_material(const object_parsed *o, const around *a)
 {
     material found = o->surface.material;
-    bool has_look = o->surface.has_look, has_interior = found.has_interior;
+    bool has_look = o->surface.has_look, has_interior = found.interior.given;
 
     for (; a && !(has_look && has_interior); a = a->outer) {
         const surface_parsed *s = &a->group->surface;
@@ -24,13 +24,12 @@ static material find_material(const object_parsed *o, const around *a)
             const material own = found;
 
             found = s->material;
-            found.has_interior = own.has_interior;
-            found.ior = own.ior;
+            found.interior = own.interior;
             has_look = true;
         }
-        if (!has_interior && s->material.has_interior) {
-            found.has_interior = has_interior = true;
-            found.ior = s->material.ior;
+        if (!has_interior && s->material.interior.given) {
+            found.interior = s->material.interior;
+            has_interior = true;
         }
     }
     return found;
@@ -109,7 +108,7 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
 static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     const around here = { a, o, NULL };
-    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = o->surface.material.has_interior,
+    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = o->surface.material.interior.given,
                                .line = o->leaf.line, .column = o->leaf.column };
     node_list children = { NULL, 0, 0 };
     node_ref child;

@@ -20,16 +20,16 @@ static double cutoff_of(const material *of, colour c)
 {
     const float largest_size = 0x1p20f;
 
-    if (!(of->phong > 0.0f && of->phong_size > 0.0f && of->phong_size < largest_size))
+    if (!(of->finish.phong > 0.0f && of->finish.phong_size > 0.0f && of->finish.phong_size < largest_size))
         return 0.0;
-    if (of->metallic != 0.0f && !(is_share(of->metallic) && is_share(c.r) && is_share(c.g) && is_share(c.b)))
+    if (of->finish.metallic != 0.0f && !(is_share(of->finish.metallic) && is_share(c.r) && is_share(c.g) && is_share(c.b)))
         return 0.0;
-    return pow(0x1p-34 / (double)of->phong, 1.0 / (double)of->phong_size);
+    return pow(0x1p-34 / (double)of->finish.phong, 1.0 / (double)of->finish.phong_size);
 }
 
 static uint32_t power_of(const material *of)
 {
-    const float size = of->phong_size;
+    const float size = of->finish.phong_size;
 
     return size >= 1.0f && size <= (float)APPEARANCE_POWER_MAX && size == floorf(size) ? (uint32_t)size : 0;
 }
@@ -38,9 +38,9 @@ static float phong_of(const plan *p, const material *of)
 {
     const uint32_t power = power_of(of);
 
-    if (!p->highlights || of->phong == 0.0f)
+    if (!p->highlights || of->finish.phong == 0.0f)
         return 0.0f;
-    return power > 0 && power <= APPEARANCE_POWER_LANES && of->metallic == 0.0f ? of->phong : NAN;
+    return power > 0 && power <= APPEARANCE_POWER_LANES && of->finish.metallic == 0.0f ? of->finish.phong : NAN;
 }
 
 /* Members that depend on the pigment. */
@@ -51,8 +51,8 @@ static void paint(appearance *out, const plan *p, const model *m, const pigment 
 
     out->transmissive = p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
     out->pigment = at->color;
-    out->diffuse_weight = opacity * of->diffuse;
-    out->emitted = colour_mul(colour_scale(colour_mul(of->ambient, at->color), opacity), m->ambient_light);
+    out->diffuse_weight = opacity * of->finish.diffuse;
+    out->emitted = colour_mul(colour_scale(colour_mul(of->finish.ambient, at->color), opacity), m->ambient_light);
     out->filter = coefficient_of(material_filter_of(at->color, at->filter, at->transmit));
 }
 
@@ -62,12 +62,12 @@ void appearance_make(appearance *out, const plan *p, const model *m, const mater
 
     out->material = of;
     out->varies = of->pattern != NULL;
-    out->lit = p->lighting && (of->diffuse != 0.0f || of->phong != 0.0f);
-    out->reflective = p->reflection && !colour_is_black(of->reflection);
+    out->lit = p->lighting && (of->finish.diffuse != 0.0f || of->finish.phong != 0.0f);
+    out->reflective = p->reflection && finish_is_mirror(&of->finish);
     out->phong = phong_of(p, of);
     out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(of, of->pigment);
     out->power = power_of(of);
-    out->reflection = coefficient_of(of->reflection);
+    out->reflection = coefficient_of(of->finish.reflection.max);
     paint(out, p, m, &at);
     out->needs_point = out->varies || out->lit || out->reflective || out->transmissive;
 }
@@ -77,6 +77,6 @@ void appearance_paint(appearance *out, const plan *p, const model *m, const appe
     *out = *of;
     paint(out, p, m, at);
     /* Only for metals the colour of the highlight, and so its cut-off, depends on the pigment. */
-    if (of->phong != 0.0f && of->material->metallic != 0.0f)
+    if (of->phong != 0.0f && of->material->finish.metallic != 0.0f)
         out->highlight_cutoff = cutoff_of(of->material, at->color);
 }

@@ -42,7 +42,7 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint
 static colour brdf(const model *m, const appearance *of, double cosine, double specular_cos)
 {
     const colour diffuse = colour_scale(of->pigment, of->diffuse_weight * (float)cosine);
-    const float strength = of->material->phong * highlight_power(specular_cos, of);
+    const float strength = of->material->finish.phong * highlight_power(specular_cos, of);
 
     return colour_add(diffuse, colour_scale(highlight_colour(m, of, cosine), strength));
 }

@@ -7,7 +7,7 @@
 /* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. */
 static double ior_of(const model *m, uint32_t which)
 {
-    double ior = m->materials.items[m->leaves.items[which].material].ior;
+    double ior = m->materials.items[m->leaves.items[which].material].interior.ior;
 
     return ior > 0.0 && ior <= 1e100 ? ior : 1.0;
 }

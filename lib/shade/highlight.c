@@ -12,7 +12,7 @@ static double fresnel(double cosine)
 
 colour highlight_metal(const model *m, const appearance *of, double cosine)
 {
-    float metallic = of->material->metallic;
+    float metallic = of->material->finish.metallic;
     colour c = of->pigment;
 
     if (m->fresnel_metallic)

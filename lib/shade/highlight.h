@@ -19,7 +19,7 @@ static inline float highlight_power(double cosine, const appearance *of)
             product *= square;
     if (of->power && highlight_lo(product) == highlight_hi(product))
         return highlight_lo(product);
-    return (float)pow(cosine, of->material->phong_size);
+    return (float)pow(cosine, of->material->finish.phong_size);
 }
 
 /* The product for a power of up to APPEARANCE_POWER_LANES, without loops and branches: for lanes. */
@@ -45,7 +45,7 @@ colour highlight_metal(const model *m, const appearance *of, double cosine);
 /* For any material: */
 static inline colour highlight_colour(const model *m, const appearance *of, double cosine)
 {
-    return of->material->metallic == 0.0f ? colour_of(1.0f, 1.0f, 1.0f) : highlight_metal(m, of, cosine);
+    return of->material->finish.metallic == 0.0f ? colour_of(1.0f, 1.0f, 1.0f) : highlight_metal(m, of, cosine);
 }
 
 #endif

@@ -17,17 +17,17 @@ bool plan_is_dielectric(const model *m, const leaf_node *o)
 /* Count n objects with the same properties. */
 static void count_objects(plan_counts *s, const material *m, bool casts, bool solid, size_t n)
 {
-    bool transparent = material_is_transparent(m), glossy = m->phong != 0.0f;
+    bool transparent = material_is_transparent(m), glossy = m->finish.phong != 0.0f;
 
-    s->lit += glossy || (m->diffuse != 0.0f && !colour_is_black(m->pigment)) ? n : 0;
+    s->lit += glossy || (m->finish.diffuse != 0.0f && !colour_is_black(m->pigment)) ? n : 0;
     s->casting += casts ? n : 0;
     s->filtering += casts && transparent ? n : 0;
     s->glossy += glossy ? n : 0;
-    s->metallic += glossy && m->metallic != 0.0f ? n : 0;
+    s->metallic += glossy && m->finish.metallic != 0.0f ? n : 0;
     s->varying += m->pattern ? n : 0;
-    s->reflective += !colour_is_black(m->reflection) ? n : 0;
+    s->reflective += finish_is_mirror(&m->finish) ? n : 0;
     s->transparent += transparent ? n : 0;
-    s->refracting += transparent && m->has_interior && m->ior != 1.0 ? n : 0;
+    s->refracting += transparent && m->interior.given && m->interior.ior != 1.0 ? n : 0;
     s->dielectrics += transparent && solid ? n : 0;
 }
 

@@ -484,8 +484,8 @@ uint32_t test_add_material(model *m, colour c, float filter, float transmit, boo
     s.pigment = c;
     s.filter = filter;
     s.transmit = transmit;
-    s.has_interior = has_interior;
-    s.ior = has_interior ? 1.5 : 1.0;
+    s.interior.given = has_interior;
+    s.interior.ior = has_interior ? 1.5 : 1.0;
     assert_true(VEC_PUSH(m->env, &m->materials, s));
     return (uint32_t)m->materials.count - 1;
 }

@@ -116,7 +116,7 @@ material tiny_matt(void)
 
     material_init(&m);
     m.pigment = colour_of(1.0f, 1.0f, 1.0f);
-    m.ambient = colour_of(0.0f, 0.0f, 0.0f);
+    m.finish.ambient = colour_of(0.0f, 0.0f, 0.0f);
     return m;
 }
 
@@ -125,8 +125,8 @@ material tiny_emitted(float r, float g, float b)
     material m = tiny_matt();
 
     m.pigment = colour_of(r, g, b);
-    m.ambient = colour_of(1.0f, 1.0f, 1.0f);
-    m.diffuse = 0.0f;
+    m.finish.ambient = colour_of(1.0f, 1.0f, 1.0f);
+    m.finish.diffuse = 0.0f;
     return m;
 }
 
@@ -134,10 +134,10 @@ material tiny_glass(double ior)
 {
     material m = tiny_matt();
 
-    m.diffuse = 0.0f;
+    m.finish.diffuse = 0.0f;
     m.transmit = 1.0f;
-    m.has_interior = true;
-    m.ior = ior;
+    m.interior.given = true;
+    m.interior.ior = ior;
     return m;
 }
 

@@ -9,8 +9,8 @@ static material coloured(float r, float g, float b)
     material m = tiny_matt();
 
     m.pigment = colour_of(r, g, b);
-    m.ambient = colour_of(0.1f, 0.1f, 0.1f);
-    m.phong = 0.5f;
+    m.finish.ambient = colour_of(0.1f, 0.1f, 0.1f);
+    m.finish.phong = 0.5f;
     return m;
 }
 
@@ -19,9 +19,9 @@ void tiny_room(tiny *s, const pov_allocator *memory)
     material mirror = coloured(0.2f, 0.2f, 0.2f), glass = tiny_glass(1.5);
 
     tiny_begin(s, memory);
-    mirror.reflection = colour_of(0.7f, 0.7f, 0.6f);
+    mirror.finish.reflection.min = mirror.finish.reflection.max = colour_of(0.7f, 0.7f, 0.6f);
     glass.transmit = 0.9f;
-    glass.reflection = colour_of(0.1f, 0.1f, 0.1f);
+    glass.finish.reflection.min = glass.finish.reflection.max = colour_of(0.1f, 0.1f, 0.1f);
     s->model.background = colour_of(0.2f, 0.4f, 0.8f);
     tiny_plane(s, 0, 1, 0, -1, coloured(0.8f, 0.7f, 0.5f));
     tiny_sphere(s, -1.2, 0, 4, 1, mirror);
@@ -37,7 +37,7 @@ void tiny_endless(tiny *s)
     material half = tiny_glass(1.0);
 
     tiny_begin(s, NULL);
-    half.reflection = colour_of(1.0f, 1.0f, 1.0f);
+    half.finish.reflection.min = half.finish.reflection.max = colour_of(1.0f, 1.0f, 1.0f);
     s->model.max_trace_level = 200;
     for (int i = 1; i < 5; i++) {
         tiny_plane(s, 0, 0, 1, i, half);

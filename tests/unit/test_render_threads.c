@@ -64,7 +64,7 @@ static void *watch(void *user)
     return NULL;
 }
 
-static void finish(viewer *v, thread t)
+static void conclude(viewer *v, thread t)
 {
     mutex_lock(&v->lock);
     v->stop = true;
@@ -100,7 +100,7 @@ static void a_storm_of_restarts_ends_in_the_last_camera_s_picture(void **state)
     }
     while (job_wait(v->job, 1.0) == POV_JOB_RUNNING)
         ;
-    finish(v, t);
+    conclude(v, t);
     found = tiny_read(v->job, WIDTH, HEIGHT);
     d.camera = &camera;
     wanted = tiny_picture(&s, &d);
@@ -204,7 +204,7 @@ static void weather(const tiny *s, viewer *v, unsigned *seed)
         free(found);
         free(wanted);
     }
-    finish(v, t);
+    conclude(v, t);
     job_destroy(v->job);
 }
 

@@ -55,7 +55,7 @@ static void a_union_with_an_interior_is_one_object(void **state)
     read_text(&r, "union { sphere { 0, 1 } sphere { 1, 1 } interior { ior 1.5 } }");
     assert_int_equal(r.model.trees.count, 0);
     assert_int_equal(model_object_count(&r.model), 1);
-    assert_true(material_of(&r, 0)->ior == 1.5 && material_of(&r, 1)->ior == 1.5);
+    assert_true(material_of(&r, 0)->interior.ior == 1.5 && material_of(&r, 1)->interior.ior == 1.5);
     reading_end(&r);
 }
 
@@ -71,9 +71,9 @@ static void a_member_takes_what_it_lacks_from_the_nearest_group(void **state)
                   "  pigment { rgb 1 } interior { ior 1.5 } }\n");
     assert_true(material_of(&r, 0)->pigment.r == 1.0f);
     assert_true(material_of(&r, 1)->pigment.r == 3.0f);
-    assert_true(material_of(&r, 2)->pigment.r == 2.0f && material_of(&r, 2)->ior == 1.5);
+    assert_true(material_of(&r, 2)->pigment.r == 2.0f && material_of(&r, 2)->interior.ior == 1.5);
     assert_true(material_of(&r, 3)->pigment.r == 1.0f);
-    assert_true(material_of(&r, 4)->pigment.r == 1.0f && material_of(&r, 4)->ior == 1.1);
+    assert_true(material_of(&r, 4)->pigment.r == 1.0f && material_of(&r, 4)->interior.ior == 1.1);
     reading_end(&r);
 }
 

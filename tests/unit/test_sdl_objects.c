@@ -201,9 +201,9 @@ static void textures_have_their_defaults(void **state)
     read_text(&r, "sphere { 0, 1 } sphere { 0, 1 pigment { } finish { } texture { } }");
     m = material_of(&r, 0);
     assert_true(colour_is_black(m->pigment) && m->filter == 0.0f && m->transmit == 0.0f);
-    assert_true(m->ambient.r == 0.1f && m->ambient.b == 0.1f && m->diffuse == 0.6f && m->phong == 0.0f);
-    assert_true(m->phong_size == 40.0f && m->metallic == 0.0f && colour_is_black(m->reflection));
-    assert_true(m->ior == 1.0 && !m->has_interior);
+    assert_true(m->finish.ambient.r == 0.1f && m->finish.ambient.b == 0.1f && m->finish.diffuse == 0.6f && m->finish.phong == 0.0f);
+    assert_true(m->finish.phong_size == 40.0f && m->finish.metallic == 0.0f && colour_is_black(m->finish.reflection.max));
+    assert_true(m->interior.ior == 1.0 && !m->interior.given);
     assert_int_equal(r.model.materials.count, 1);
     reading_end(&r);
 }
@@ -218,9 +218,9 @@ static void modifiers_stand_in_any_order_and_number(void **state)
         &r, "sphere { 0, 1 finish { phong .5 metallic } translate 1 interior { ior 1.5 } pigment { rgb 1 }\n"
             "  finish { diffuse .25 phong_size 9 metallic .5 reflection <.5, .25, 0> } pigment { red .5 } }");
     m = material_of(&r, 0);
-    assert_true(m->phong == 0.5f && m->diffuse == 0.25f && m->phong_size == 9.0f && m->metallic == 0.5f);
-    assert_true(m->pigment.r == 0.5f && m->pigment.g == 0.0f && m->reflection.g == 0.25f);
-    assert_true(m->has_interior && m->ior == 1.5);
+    assert_true(m->finish.phong == 0.5f && m->finish.diffuse == 0.25f && m->finish.phong_size == 9.0f && m->finish.metallic == 0.5f);
+    assert_true(m->pigment.r == 0.5f && m->pigment.g == 0.0f && m->finish.reflection.max.g == 0.25f);
+    assert_true(m->interior.given && m->interior.ior == 1.5);
     reading_end(&r);
 }
 
@@ -235,8 +235,8 @@ static void a_texture_begins_anew_and_what_follows_changes_it(void **state)
         "sphere { 0, 1 interior { ior 2 } pigment { rgb 1 } finish { phong 1 }\n"
         "  texture { finish { diffuse .5 } scale 3 pigment { rgb .5 translate 1 } } finish { ambient 0 } }");
     m = material_of(&r, 0);
-    assert_true(m->phong == 0.0f && m->diffuse == 0.5f && m->pigment.g == 0.5f);
-    assert_true(colour_is_black(m->ambient) && m->ior == 2.0);
+    assert_true(m->finish.phong == 0.0f && m->finish.diffuse == 0.5f && m->pigment.g == 0.5f);
+    assert_true(colour_is_black(m->finish.ambient) && m->interior.ior == 2.0);
     reading_end(&r);
 }
 

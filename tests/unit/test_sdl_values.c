@@ -132,8 +132,8 @@ static void a_bare_vector_is_a_colour_where_nothing_else_can_stand(void **state)
     assert_int_equal(r.status, POV_OK);
     assert_true(r.model.ambient_light.g == 0.25f && r.model.background.g == 0.5f);
     assert_true(r.model.lights.items[0].color.b == 0.75f);
-    assert_true(r.model.materials.items[0].ambient.b == 0.125f &&
-                r.model.materials.items[0].reflection.b == 0.5f);
+    assert_true(r.model.materials.items[0].finish.ambient.b == 0.125f &&
+                r.model.materials.items[0].finish.reflection.max.b == 0.5f);
     reading_end(&r);
 }
 

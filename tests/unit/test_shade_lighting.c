@@ -135,7 +135,7 @@ static void a_mirrored_ray_stays_before_the_surface(void **state)
     (void)state;
 
     tiny_begin(&s, NULL);
-    mirror.reflection = colour_of(1.0f, 1.0f, 1.0f);
+    mirror.finish.reflection.min = mirror.finish.reflection.max = colour_of(1.0f, 1.0f, 1.0f);
     mirror.transmit = 0.5f;
     tiny_plane(&s, 0, 0, 1, 5, mirror);
     tiny_light(&s, 4, 0, 2, 1.0f, 1.0f, 1.0f);

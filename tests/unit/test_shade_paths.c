@@ -17,8 +17,8 @@ static void a_mirror_shows_what_is_before_it(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    mirror.diffuse = 0.0f;
-    mirror.reflection = colour_of(0.5f, 0.25f, 1.0f);
+    mirror.finish.diffuse = 0.0f;
+    mirror.finish.reflection.min = mirror.finish.reflection.max = colour_of(0.5f, 0.25f, 1.0f);
     s.model.background = colour_of(0.0f, 0.0f, 0.125f);
     tiny_plane(&s, 0, 0, 1, 5, mirror);
     tiny_sphere(&s, 10, 0, 0, 1, tiny_emitted(1.0f, 1.0f, 0.5f));
@@ -73,7 +73,7 @@ static void two_mirrors_give_as_many_pictures_as_there_are_levels(void **state)
         tiny s;
 
         tiny_begin(&s, NULL);
-        mirror.reflection = colour_of(1.0f, 1.0f, 1.0f);
+        mirror.finish.reflection.min = mirror.finish.reflection.max = colour_of(1.0f, 1.0f, 1.0f);
         s.model.max_trace_level = levels[i];
         tiny_plane(&s, 0, 0, 1, 5, mirror);
         tiny_plane(&s, 0, 0, 1, -5, mirror);
@@ -92,7 +92,7 @@ static void a_ray_is_cut_off_below_the_bailout_and_not_at_it(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    mirror.reflection = colour_of(0.5f, 0.125f, 0.0f);
+    mirror.finish.reflection.min = mirror.finish.reflection.max = colour_of(0.5f, 0.125f, 0.0f);
     s.model.adc_bailout = 0.25;
     s.model.max_trace_level = 50;
     tiny_plane(&s, 0, 0, 1, 5, mirror);
@@ -113,7 +113,7 @@ static void a_ray_may_split_at_every_level(void **state)
     tiny_begin(&s, NULL);
 
     half.transmit = 0.5f;
-    half.reflection = colour_of(0.5f, 0.5f, 0.5f);
+    half.finish.reflection.min = half.finish.reflection.max = colour_of(0.5f, 0.5f, 0.5f);
     s.model.max_trace_level = 60;
     s.model.adc_bailout = 0.0;
     tiny_plane(&s, 0, 0, 1, 5, half);
@@ -182,7 +182,7 @@ static void an_eye_in_a_bubble_in_glass_is_in_the_bubble(void **state)
         tiny s;
 
         tiny_begin(&s, NULL);
-        bubble.has_interior = false;
+        bubble.interior.given = false;
         if (bubble_first)
             tiny_sphere(&s, 0, 0, 0, 1, bubble);
         tiny_sphere(&s, 0, 0, 0, 50, tiny_glass(1.5));
@@ -205,8 +205,8 @@ static void total_inner_reflection_is_unfiltered_and_leaves_out_the_surface_s_ow
     tiny_begin(&s, NULL);
 
     glass.transmit = 0.5f;
-    glass.reflection = colour_of(0.9f, 0.9f, 0.9f);
-    glass.ambient = colour_of(0.2f, 0.2f, 0.2f);
+    glass.finish.reflection.min = glass.finish.reflection.max = colour_of(0.9f, 0.9f, 0.9f);
+    glass.finish.ambient = colour_of(0.2f, 0.2f, 0.2f);
     s.model.max_trace_level = 7;
     tiny_sphere(&s, 0, 0, 0, 1, glass);
     tiny_build(&s);
@@ -226,7 +226,7 @@ static double ior_at(const tiny *s, const inside *in, int back)
 {
     if (in->count < back)
         return 1.0;
-    return s->model.materials.items[s->model.leaves.items[in->list[in->count - back]].material].ior;
+    return s->model.materials.items[s->model.leaves.items[in->list[in->count - back]].material].interior.ior;
 }
 
 /* Cross a surface by the rule of the language, on a copy of the list. */
@@ -277,7 +277,7 @@ static double recursive(tiny *s, pov_ray ray, inside in, int level)
         if (before == after || level < LEVELS)
             sum += m->transmit * recursive(s, on, next, level + (before != after));
         on.dir = pov_add(d, pov_scale(n, 2.0 * cosine));
-        return level < LEVELS ? sum + m->reflection.r * recursive(s, on, in, level + 1) : sum;
+        return level < LEVELS ? sum + m->finish.reflection.max.r * recursive(s, on, in, level + 1) : sum;
     }
     on.dir = pov_add(d, pov_scale(n, 2.0 * cosine));
     return level < LEVELS ? sum + recursive(s, on, in, level + 1) : sum;
@@ -295,8 +295,8 @@ static void add_random_sphere(tiny *s, uint64_t *seed)
     material m = tiny_glass(iors[(int)(4.0 * random_unit(seed))]);
 
     m.transmit = 0.75f;
-    m.ambient = colour_of(0.125f, 0.125f, 0.125f);
-    m.reflection.r = random_unit(seed) < 0.5 ? 0.25f : 0.0f;
+    m.finish.ambient = colour_of(0.125f, 0.125f, 0.125f);
+    m.finish.reflection.min.r = m.finish.reflection.max.r = random_unit(seed) < 0.5 ? 0.25f : 0.0f;
     tiny_sphere(s, random_unit(seed), random_unit(seed), random_unit(seed), 0.1 + random_unit(seed), m);
 }
 
@@ -335,9 +335,9 @@ static colour see_scaled(double scale, double x, double y)
     tiny s;
 
     tiny_begin(&s, NULL);
-    mirror.reflection = colour_of(0.5f, 0.5f, 0.5f);
-    glass.reflection = colour_of(0.125f, 0.125f, 0.125f);
-    mirror.phong = 0.5f;
+    mirror.finish.reflection.min = mirror.finish.reflection.max = colour_of(0.5f, 0.5f, 0.5f);
+    glass.finish.reflection.min = glass.finish.reflection.max = colour_of(0.125f, 0.125f, 0.125f);
+    mirror.finish.phong = 0.5f;
     tiny_plane(&s, 0, 1, 0, -scale, tiny_matt());
     tiny_sphere(&s, -scale, 0, 4 * scale, scale, mirror);
     tiny_sphere(&s, scale, 0, 3 * scale, scale, glass);

@@ -123,7 +123,7 @@ static void setup(glasses *g)
     env_init(&g->env, NULL, NULL, NULL);
     model_init(&g->model, &g->env);
     for (uint32_t i = 0; i < 4; i++) {
-        g->materials[i].ior = iors[i];
+        g->materials[i].interior.ior = iors[i];
         g->objects[i].material = i;
     }
     g->model.materials.items = g->materials;

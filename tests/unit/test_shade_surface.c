@@ -14,7 +14,7 @@ static void ambient_is_the_product_of_four_factors(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    m.ambient = colour_of(0.1f, 0.2f, 0.4f);
+    m.finish.ambient = colour_of(0.1f, 0.2f, 0.4f);
     m.filter = 0.25f;
     m.transmit = 0.25f;
     s.model.ambient_light = colour_of(1.0f, 2.0f, 4.0f);
@@ -63,7 +63,7 @@ static void diffuse_light_goes_by_the_cosine(void **state)
     tiny_begin(&s, NULL);
 
     m.pigment = colour_of(1.0f, 0.5f, 0.0f);
-    m.diffuse = 0.6f;
+    m.finish.diffuse = 0.6f;
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_light(&s, 3, 0, 1, 1.0f, 1.0f, 0.5f);
     tiny_light(&s, 0, 0, 4, 0.0f, 0.5f, 0.0f);
@@ -106,9 +106,9 @@ static void the_normal_is_turned_towards_the_eye(void **state)
 /* The light stands at 45 degrees, the eye above: R.L is the cosine of 45 degrees. */
 static void see_highlight(tiny *s, material m, colour wanted)
 {
-    m.diffuse = 0.0f;
-    m.phong = 0.5f;
-    m.phong_size = 4.0f;
+    m.finish.diffuse = 0.0f;
+    m.finish.phong = 0.5f;
+    m.finish.phong_size = 4.0f;
     m.pigment = colour_of(1.0f, 0.5f, 0.0f);
     tiny_plane(s, 0, 0, 1, 5, m);
     tiny_light(s, 2, 0, 3, 1.0f, 1.0f, 0.5f);
@@ -135,7 +135,7 @@ static void a_metal_takes_its_own_colour_into_the_highlight(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    m.metallic = 0.5f;
+    m.finish.metallic = 0.5f;
     see_highlight(&s, m, colour_of(0.125f, 0.125f * 0.75f, 0.0625f * 0.5f));
 }
 
@@ -147,7 +147,7 @@ static void a_metal_by_fresnel_loses_some_of_its_colour(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    m.metallic = 1.0f;
+    m.finish.metallic = 1.0f;
     s.model.fresnel_metallic = true;
     see_highlight(&s, m, colour_of(0.125f, (float)(0.125 * (0.5 + 0.5 * f)), (float)(0.0625 * f)));
 }
@@ -164,8 +164,8 @@ static void a_highlight_is_left_out_only_where_no_float_can_hold_it(void **state
             double highlight_cutoff;
             tiny s;
 
-            m.phong = strengths[j];
-            m.phong_size = sizes[i];
+            m.finish.phong = strengths[j];
+            m.finish.phong_size = sizes[i];
             tiny_begin(&s, NULL);
             tiny_plane(&s, 0, 0, 1, 5, m);
             tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
@@ -174,12 +174,12 @@ static void a_highlight_is_left_out_only_where_no_float_can_hold_it(void **state
             assert_true(highlight_cutoff > 0.0 && highlight_cutoff * highlight_cutoff != highlight_cutoff);
             for (double specular_cos = highlight_cutoff; specular_cos > 0.9 * highlight_cutoff;
                  specular_cos -= 0.01 * highlight_cutoff) {
-                const float strength = m.phong * (float)pow(specular_cos, m.phong_size);
+                const float strength = m.finish.phong * (float)pow(specular_cos, m.finish.phong_size);
 
                 assert_true(APPEARANCE_VISIBLE + strength == APPEARANCE_VISIBLE && -APPEARANCE_VISIBLE + strength == -APPEARANCE_VISIBLE);
             }
-            assert_true(APPEARANCE_VISIBLE + m.phong * (float)pow(highlight_cutoff * pow(16.0, 1.0 / m.phong_size),
-                                                                  m.phong_size) > APPEARANCE_VISIBLE);
+            assert_true(APPEARANCE_VISIBLE + m.finish.phong * (float)pow(highlight_cutoff * pow(16.0, 1.0 / m.finish.phong_size),
+                                                                  m.finish.phong_size) > APPEARANCE_VISIBLE);
             tiny_end(&s);
         }
 }
@@ -191,10 +191,10 @@ static void highlights_that_grow_away_from_the_light_are_never_left_out(void **s
     (void)state;
     tiny_begin(&s, NULL);
 
-    bright.phong = odd.phong = flat.phong = 1.0f;
-    bright.metallic = 2.0f;
-    odd.phong_size = -1.0f;
-    flat.phong_size = 0.0f;
+    bright.finish.phong = odd.finish.phong = flat.finish.phong = 1.0f;
+    bright.finish.metallic = 2.0f;
+    odd.finish.phong_size = -1.0f;
+    flat.finish.phong_size = 0.0f;
     tiny_plane(&s, 0, 0, 1, 5, bright);
     tiny_plane(&s, 0, 0, 1, 6, odd);
     tiny_plane(&s, 0, 0, 1, 7, flat);
@@ -212,7 +212,7 @@ static void the_power_of_a_highlight_is_that_of_pow(void **state)
     (void)state;
 
     for (size_t i = 0; i < 7; i++) {
-        const material m = { .phong_size = (float)sizes[i] };
+        const material m = { .finish.phong_size = (float)sizes[i] };
         const appearance compiled = { .power = (uint32_t)sizes[i], .material = &m };
 
         for (int j = 1; j < 20000; j++) {
@@ -233,9 +233,9 @@ static void a_phong_size_of_zero_is_a_highlight_all_over(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    m.diffuse = 0.0f;
-    m.phong = 0.5f;
-    m.phong_size = 0.0f;
+    m.finish.diffuse = 0.0f;
+    m.finish.phong = 0.5f;
+    m.finish.phong_size = 0.0f;
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_light(&s, 20, 0, 3, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);
@@ -285,7 +285,7 @@ static void rays_that_would_add_nothing_are_not_sent_but_counted(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    bare.diffuse = 0.0f;
+    bare.finish.diffuse = 0.0f;
     tiny_plane(&s, 0, 0, 1, 5, bare);
     tiny_plane(&s, 0, 0, 1, -5, lit);
     tiny_light(&s, 0, 0, 0, 1.0f, 1.0f, 1.0f);
@@ -332,8 +332,8 @@ static void directions_may_be_as_short_or_long_as_numbers_go(void **state)
     (void)state;
     tiny_begin(&s, NULL);
 
-    m.phong = 0.5f;
-    m.reflection = colour_of(0.5f, 0.5f, 0.5f);
+    m.finish.phong = 0.5f;
+    m.finish.reflection.min = m.finish.reflection.max = colour_of(0.5f, 0.5f, 0.5f);
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_plane(&s, 0, 0.6, -0.8, 5, m);
     s.model.leaves.items[1].flags |= LEAF_NO_SHADOW;
@@ -359,8 +359,8 @@ static void colours_beyond_all_measure_stay_numbers(void **state)
     tiny_begin(&s, NULL);
 
     m.pigment = colour_of(1e38f, -1e38f, 0.0f);
-    m.reflection = m.pigment;
-    m.ambient = colour_of(1e38f, 1e38f, 1e38f);
+    m.finish.reflection.min = m.finish.reflection.max = m.pigment;
+    m.finish.ambient = colour_of(1e38f, 1e38f, 1e38f);
     tiny_plane(&s, 0, 0, 1, 5, m);
     tiny_plane(&s, 0, 0, 1, -5, m);
     tiny_light(&s, 0, 0, 0, 1e38f, -1e38f, 1e38f);

@@ -400,9 +400,9 @@ static void a_rich_scene_needs_all_of_it(void **state)
     (void)state;
     test_model_init(&m, NULL);
     glass = test_add_material(&m, colour_of(1, 1, 1), 0.9f, 0.0f, true);
-    m.materials.items[glass].phong = 0.5f;
-    m.materials.items[glass].metallic = 1.0f;
-    m.materials.items[glass].reflection = colour_of(0.1f, 0.1f, 0.1f);
+    m.materials.items[glass].finish.phong = 0.5f;
+    m.materials.items[glass].finish.metallic = 1.0f;
+    m.materials.items[glass].finish.reflection.min = m.materials.items[glass].finish.reflection.max = colour_of(0.1f, 0.1f, 0.1f);
     test_add_light(&m, 1.0f);
     for (i = 0; i < 30; i++)
         test_add_sphere(&m, somewhere(&r, 3.0), 0.3, 0);

@@ -55,7 +55,7 @@ static void compile(scene *s, pov_accel accel)
     assert_int_equal(query_context_create(&s->context, s->world, NULL), POV_OK);
 }
 
-static void finish(scene *s)
+static void conclude(scene *s)
 {
     query_context_destroy(s->context);
     world_destroy(s->world);
@@ -63,7 +63,7 @@ static void finish(scene *s)
 
 static void end(scene *s)
 {
-    finish(s);
+    conclude(s);
     model_free(&s->model);
 }
 

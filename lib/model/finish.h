@@ -1,0 +1,45 @@
+/* finish.h - how a surface reflects light. */
+#ifndef MODEL_FINISH_H
+#define MODEL_FINISH_H
+
+#include "model/colour.h"
+
+/* The coefficient of the mirrored ray goes from `min` for perpendicular rays to `max` for grazing ones. */
+typedef struct reflection {
+    colour min, max;
+    float falloff;               /* power of its course; of no effect with fresnel */
+    float exponent;              /* the mirrored colour is raised to the power 1 / exponent */
+    float metallic;              /* share of the pigment's colour in it */
+    bool fresnel;                /* its course is that of Fresnel's equations for the ior */
+} reflection;
+
+/* The effect of a thin film. */
+typedef struct irid { float amount, thickness, turbulence; } irid;
+
+typedef struct finish {
+    colour ambient, emission;
+    float diffuse, diffuse_back;   /* light from in front of the surface, and from behind */
+    float phong, phong_size, specular, metallic;
+    double brilliance, roughness;
+    float crand;
+    float refraction;            /* factor of the transmitted ray */
+    bool conserve_energy;        /* what is reflected is not transmitted */
+    irid irid;
+    reflection reflection;
+} finish;
+
+/* The defaults of the language: ambient 0.1, diffuse 0.6, phong_size 40, roughness 0.05; 1 for brilliance, refraction,
+ * falloff and exponent; all else 0. */
+void finish_init(finish *f);
+bool finish_equal(const finish *a, const finish *b);
+
+/* Is anything reflected under some angle? */
+static inline bool finish_is_mirror(const finish *f)
+{
+    return !colour_is_black(f->reflection.min) || !colour_is_black(f->reflection.max);
+}
+
+/* Is there a highlight? */
+static inline bool finish_is_glossy(const finish *f) { return f->phong != 0.0f || f->specular != 0.0f; }
+
+#endif

@@ -1,0 +1,17 @@
+#include "model/interior.h"
+
+#include <string.h>
+
+void interior_init(interior *i)
+{
+    memset(i, 0, sizeof *i);
+    i->ior = i->dispersion = 1.0;
+    i->dispersion_samples = 7;
+}
+
+bool interior_equal(const interior *a, const interior *b)
+{
+    return a->given == b->given && a->ior == b->ior && a->dispersion == b->dispersion &&
+           a->dispersion_samples == b->dispersion_samples && a->fade_distance == b->fade_distance &&
+           a->fade_power == b->fade_power && colour_equal(a->fade_color, b->fade_color) && a->caustics == b->caustics;
+}

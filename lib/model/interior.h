@@ -1,0 +1,21 @@
+/* interior.h - what a solid does to light inside it. */
+#ifndef MODEL_INTERIOR_H
+#define MODEL_INTERIOR_H
+
+#include "model/colour.h"
+
+typedef struct interior {
+    bool given;                  /* the solid is a dielectric */
+    double ior;
+    double dispersion;           /* ior of violet over that of red; 1: none */
+    int dispersion_samples;
+    double fade_distance, fade_power;   /* fade_distance 0: light does not fade */
+    colour fade_color;
+    float caustics;
+} interior;
+
+/* The defaults of the language: ior and dispersion 1, 7 samples, all else 0. */
+void interior_init(interior *i);
+bool interior_equal(const interior *a, const interior *b);
+
+#endif

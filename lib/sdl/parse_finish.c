@@ -1,0 +1,216 @@
+#include "sdl/parse_finish.h"
+
+#include "sdl/report.h"
+#include "sdl/unsupported.h"
+#include "sdl/value.h"
+
+#include <string.h>
+
+/* Strengths that were given as albedos; they depend on words that may follow. */
+enum { ALBEDO_DIFFUSE = 1, ALBEDO_PHONG = 2, ALBEDO_SPECULAR = 4 };
+
+/* The word is none of 3.7's reserved ones. */
+static void read_albedo(pov_reader *in, surface_parsed *s, unsigned bit)
+{
+    const bool given = in->token.kind == TOKEN_WORD && strcmp(in->token.symbol->name, "albedo") == 0;
+
+    if (given)
+        state_advance(in);
+    s->albedos = given ? s->albedos | bit : s->albedos & ~bit;
+}
+
+static void read_diffuse(pov_reader *in, surface_parsed *s, finish *f)
+{
+    read_albedo(in, s, ALBEDO_DIFFUSE);
+    f->diffuse = value_float(in);
+    f->diffuse_back = state_accept(in, ',') ? value_float(in) : 0.0f;
+}
+
+static float read_size(pov_reader *in)
+{
+    const float size = value_float(in);
+
+    if (size < 0.0f)
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"phong_size\" must not be negative");
+    return size;
+}
+
+static double read_roughness(pov_reader *in)
+{
+    const double roughness = value_number(in);
+
+    if (roughness == 0.0)
+        report_warn(in, &in->value, "a roughness of 0 leaves no highlight");
+    return roughness;
+}
+
+/* A value that may be left out. */
+static float read_amount(pov_reader *in) { return value_follows(in) ? value_float(in) : 1.0f; }
+
+static void read_specular(pov_reader *in, surface_parsed *s, finish *f)
+{
+    read_albedo(in, s, ALBEDO_SPECULAR);
+    f->specular = value_float(in);
+}
+
+static void read_phong(pov_reader *in, surface_parsed *s, finish *f)
+{
+    read_albedo(in, s, ALBEDO_PHONG);
+    f->phong = value_float(in);
+}
+
+void parse_finish_item(pov_reader *in, void *self, keyword_id keyword)
+{
+    surface_parsed *s = self;
+    finish *f = &s->material.finish;
+
+    switch (keyword) {
+    case KEYWORD_AMBIENT: f->ambient = value_colour(in, true).colour; break;
+    case KEYWORD_EMISSION: f->emission = value_colour(in, true).colour; break;
+    case KEYWORD_DIFFUSE: read_diffuse(in, s, f); break;
+    case KEYWORD_BRILLIANCE: f->brilliance = value_number(in); break;
+    case KEYWORD_PHONG: read_phong(in, s, f); break;
+    case KEYWORD_PHONG_SIZE: f->phong_size = read_size(in); break;
+    case KEYWORD_SPECULAR: read_specular(in, s, f); break;
+    case KEYWORD_ROUGHNESS: f->roughness = read_roughness(in); break;
+    case KEYWORD_METALLIC: f->metallic = read_amount(in); break;
+    case KEYWORD_CRAND: f->crand = value_float(in); break;
+    case KEYWORD_CONSERVE_ENERGY: f->conserve_energy = read_amount(in) != 0.0f; break;
+    default: f->reflection.exponent = value_float(in); break;
+    }
+}
+
+/* ---- reflection ---- */
+
+static void read_reflection_item(pov_reader *in, void *self, keyword_id keyword)
+{
+    reflection *r = &((surface_parsed *)self)->material.finish.reflection;
+
+    switch (keyword) {
+    case KEYWORD_FRESNEL: r->fresnel = read_amount(in) != 0.0f; break;
+    case KEYWORD_FALLOFF: r->falloff = value_float(in); break;
+    case KEYWORD_EXPONENT: r->exponent = value_float(in); break;
+    default: r->metallic = read_amount(in); break;
+    }
+}
+
+/* One value holds for all angles. */
+static void read_reflection_range(pov_reader *in, reflection *r)
+{
+    r->min = r->max = value_colour(in, true).colour;
+    state_accept(in, ',');
+    if (value_colour_follows(in, true))
+        r->max = value_colour(in, true).colour;
+    state_accept(in, ',');
+}
+
+void parse_finish_reflection(pov_reader *in, void *self, keyword_id keyword)
+{
+    static const item items[] = { { KEYWORD_FRESNEL, read_reflection_item }, { KEYWORD_FALLOFF, read_reflection_item },
+                                  { KEYWORD_EXPONENT, read_reflection_item }, { KEYWORD_METALLIC, read_reflection_item } };
+    static const item_list list = { "an item of the reflection", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
+    reflection *r = &((surface_parsed *)self)->material.finish.reflection;
+    block b;
+
+    (void)keyword;
+    if (in->token.kind != '{') {
+        r->min = r->max = value_colour(in, true).colour;
+        return;
+    }
+    items_open(in, &b);
+    if (value_colour_follows(in, true))
+        read_reflection_range(in, r);
+    items_close(in, &b, &list, self);
+}
+
+/* ---- irid ---- */
+
+static void read_irid_item(pov_reader *in, void *self, keyword_id keyword)
+{
+    irid *i = &((surface_parsed *)self)->material.finish.irid;
+
+    *(keyword == KEYWORD_THICKNESS ? &i->thickness : &i->turbulence) = value_float(in);
+}
+
+static void read_irid(pov_reader *in, void *self, keyword_id keyword)
+{
+    static const item items[] = { { KEYWORD_THICKNESS, read_irid_item }, { KEYWORD_TURBULENCE, read_irid_item } };
+    static const item_list list = { "an item of the irid", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
+    block b;
+
+    (void)keyword;
+    items_open(in, &b);
+    if (value_follows(in))
+        ((surface_parsed *)self)->material.finish.irid.amount = value_float(in);
+    items_close(in, &b, &list, self);
+}
+
+/* ---- finish ---- */
+
+static void take_finish(pov_reader *in, void *self, const value *v)
+{
+    surface_parsed *s = self;
+
+    (void)in;
+    s->material.finish = ((const material *)v->as.part)->finish;
+    s->albedos = 0;
+}
+
+/* Old scenes have here what is the interior's now. */
+static void read_old_ior(pov_reader *in, void *self, keyword_id keyword)
+{
+    surface_parsed *s = self;
+    const place at = in->last;
+    double ior = value_number(in);
+
+    (void)keyword;
+    report_warn(in, &at, "\"ior\" belongs in the \"interior\"");
+    if (!(ior > 0.0))
+        return;
+    s->material.interior.given = true;
+    s->material.interior.ior = ior;
+}
+
+static void read_old_refraction(pov_reader *in, void *self, keyword_id keyword)
+{
+    const place at = in->last;
+
+    (void)keyword;
+    report_warn(in, &at, "\"refraction\" is out of date: the factor of light that goes through is the pigment's");
+    ((surface_parsed *)self)->material.finish.refraction = value_float(in);
+}
+
+const keyword_id parse_finish_coming[] = { KEYWORD_SUBSURFACE, KEYWORD_OTHER };
+
+static const keyword_id finish_old[] = { KEYWORD_CAUSTICS, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_OTHER };
+
+/* Albedos are fractions of all light from everywhere that is reflected. */
+static void resolve_albedos(surface_parsed *s)
+{
+    finish *f = &s->material.finish;
+    const float half = (float)(0.5 * (f->brilliance + 1.0));
+    const double n = 1.0 / f->roughness;
+
+    if (s->albedos & ALBEDO_DIFFUSE) {
+        f->diffuse *= half;
+        f->diffuse_back *= half;
+    }
+    if (s->albedos & ALBEDO_PHONG)
+        f->phong *= 0.5f * (f->phong_size + 1.0f);
+    if (s->albedos & ALBEDO_SPECULAR)
+        f->specular *= (float)((n + 2.0) / (4.0 * (2.0 - exp2(-0.5 * n))));
+    s->albedos = 0;
+}
+
+void parse_finish(pov_reader *in, surface_parsed *s)
+{
+    static const item items[] = { PARSE_FINISH_ITEMS, { KEYWORD_IRID, read_irid }, { KEYWORD_IOR, read_old_ior },
+                                  { KEYWORD_REFRACTION, read_old_refraction } };
+    static const item_list list = { "an item of the finish", ITEMS(items), finish_old, NULL, parse_finish_coming,
+                                    VALUE_FINISH, take_finish };
+
+    s->has_look = true;
+    s->albedos = 0;
+    items_block(in, &list, s);
+    resolve_albedos(s);
+}
