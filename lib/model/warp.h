@@ -39,8 +39,8 @@ typedef struct warp_black_hole {
     bool is_inverse;
     pov_vec3 turbulence;         /* moves the hole of each cell */
 } warp_black_hole;
-/* Orientation is the axis that the result is turned to: 0 to 2. */
-typedef struct warp_mapping { int axis; double dist_exp, major_radius, distance; } warp_mapping;
+/* The orientation is of unit length; <0, 0, 1> leaves the result as it is. */
+typedef struct warp_mapping { pov_vec3 orientation; double dist_exp, major_radius, distance; } warp_mapping;
 
 /* One warp and what stands before it in the text, which is applied after it. */
 typedef struct warp {

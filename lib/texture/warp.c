@@ -1,0 +1,241 @@
+#include "texture/warp.h"
+
+#include "base/elementary.h"
+
+/* ---- repeat ---- */
+
+static double *along(vec_lanes *at, int axis)
+{
+    return axis == 0 ? at->x : axis == 1 ? at->y : at->z;
+}
+
+/* Cells along the axis: their numbers, and places in them. Odd ones are turned round if asked. */
+SIMD_CLONES static void to_cells(double width, bool flips, uint32_t n, double *restrict at, double *restrict cell)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double k = floor(at[i] / width), inside = at[i] - k * width;
+        const bool is_odd = k - 2.0 * floor(0.5 * k) != 0.0;
+
+        at[i] = is_odd && flips ? width - inside : inside;
+        cell[i] = k;
+    }
+}
+
+SIMD_CLONES static void flip_odd(const double *restrict cell, uint32_t n, double *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++)
+        at[i] = cell[i] - 2.0 * floor(0.5 * cell[i]) != 0.0 ? -at[i] : at[i];
+}
+
+SIMD_CLONES static void add_steps(const double *restrict cell, double step, uint32_t n, double *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++)
+        at[i] += cell[i] * step;
+}
+
+static void repeat(const warp_repeat *w, vec_lanes *at, uint32_t n)
+{
+    const double step[3] = { w->offset.x, w->offset.y, w->offset.z };
+    SIMD_ALIGNED double cell[LANES_MAX];
+
+    to_cells(w->width, w->flip[w->axis], n, along(at, w->axis), cell);
+    for (int axis = 0; axis < 3; axis++) {
+        if (w->flip[axis] && axis != w->axis)
+            flip_odd(cell, n, along(at, axis));
+        if (step[axis] != 0.0)
+            add_steps(cell, step[axis], n, along(at, axis));
+    }
+}
+
+/* ---- black_hole ---- */
+
+/* Where the cell begins that a point stands in. */
+SIMD_INLINE double cell_start(double at, double length) { return length > 0.0 ? length * floor(at / length) : 0.0; }
+
+/* A hole that is repeated stands wholly in the first cell. */
+static double center_along(double center, double length, double radius)
+{
+    return length > 0.0 && center < radius ? radius : center;
+}
+
+SIMD_CLONES static void attract(const warp_black_hole *w, pov_vec3 center, uint32_t n, vec_lanes *restrict at)
+{
+    const double sign = w->is_inverse ? -1.0 : 1.0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = at->x[i] - cell_start(at->x[i], w->repeat.x) - center.x;
+        const double y = at->y[i] - cell_start(at->y[i], w->repeat.y) - center.y;
+        const double z = at->z[i] - cell_start(at->z[i], w->repeat.z) - center.z;
+        const double distance = sqrt(x * x + y * y + z * z), inside = 1.0 - distance / w->radius;
+        const double pull = w->strength * elementary_pow(inside > 0.0 ? inside : 0.0, w->falloff);
+        const double a = distance < w->radius ? sign * (pull < 1.0 ? pull : 1.0) : 0.0;
+
+        at->x[i] += a * x;
+        at->y[i] += a * y;
+        at->z[i] += a * z;
+    }
+}
+
+static void black_hole(const warp_black_hole *w, vec_lanes *at, uint32_t n)
+{
+    const pov_vec3 center = { center_along(w->center.x, w->repeat.x, w->radius),
+                              center_along(w->center.y, w->repeat.y, w->radius),
+                              center_along(w->center.z, w->repeat.z, w->radius) };
+
+    attract(w, center, n, at);
+}
+
+/* ---- mappings ---- */
+
+/* The angle about the y axis in turns, 0..1, from x to z. */
+SIMD_INLINE double turn_of(double z, double x)
+{
+    const double t = elementary_atan2(z, x) * 0.15915494309189535;
+
+    return t < 0.0 ? t + 1.0 : t;
+}
+
+SIMD_INLINE double half_turns(double angle) { return angle * 0.3183098861837907; }
+
+SIMD_CLONES static void cylindrical(double exponent, uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double radius = sqrt(at->x[i] * at->x[i] + at->z[i] * at->z[i]);
+
+        at->x[i] = turn_of(at->z[i], at->x[i]) * elementary_pow(radius, exponent);
+        at->z[i] = radius;
+    }
+}
+
+SIMD_CLONES static void spherical(double exponent, uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double flat = at->x[i] * at->x[i] + at->z[i] * at->z[i], radius = sqrt(flat + at->y[i] * at->y[i]);
+        const double size = elementary_pow(radius, exponent);
+
+        at->x[i] = turn_of(at->z[i], at->x[i]) * size;
+        at->y[i] = (0.5 + half_turns(elementary_atan2(at->y[i], sqrt(flat)))) * size;
+        at->z[i] = radius;
+    }
+}
+
+SIMD_CLONES static void toroidal(double major, double exponent, uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double out = sqrt(at->x[i] * at->x[i] + at->z[i] * at->z[i]) - major, y = at->y[i];
+        const double radius = sqrt(out * out + y * y), size = elementary_pow(radius, exponent);
+
+        at->x[i] = turn_of(at->z[i], at->x[i]) * size;
+        at->y[i] = (0.5 + 0.5 * half_turns(elementary_atan2(y, out))) * size;
+        at->z[i] = radius;
+    }
+}
+
+SIMD_CLONES static void planar(double distance, uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++)
+        at->z[i] = distance;
+}
+
+/* A cube of side 2 is unfolded: u and v in 0..1, and the largest coordinate. Where two are equal, x comes before y. */
+SIMD_CLONES static void cubic(uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = at->x[i], y = at->y[i], z = at->z[i], fx = fabs(x), fy = fabs(y), fz = fabs(z);
+        const bool is_x = fx >= fy && fx >= fz, is_y = !is_x && fy >= fz;
+        const double size = is_x ? fx : is_y ? fy : fz, per = size > 0.0 ? 0.5 / size : 0.0;
+        const double a = 0.5 + per * x, b = 0.5 + per * y, c = 0.5 + per * z;
+        const double side_x = x > 0.0 ? 3.0 - c : c, side_z = z > 0.0 ? 1.0 + a : 4.0 - a;
+
+        at->x[i] = 0.25 * (is_x ? side_x : is_y ? 1.0 + a : side_z);
+        at->y[i] = (is_y ? (y > 0.0 ? 3.0 - c : c) : 1.0 + b) / 3.0;
+        at->z[i] = size;
+    }
+}
+
+/* Along z a result stays as it is; along x it is (z, y, -x), along y (x, -z, y), and between them a mixture. */
+SIMD_CLONES static void orient(pov_vec3 to, uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = at->x[i], y = at->y[i], z = at->z[i];
+
+        at->x[i] = to.x * z + (to.y * x + to.z * x);
+        at->y[i] = to.x * y + (to.z * y - to.y * z);
+        at->z[i] = to.z * z + (to.y * y - to.x * x);
+    }
+}
+
+static void map(const warp *w, vec_lanes *at, uint32_t n)
+{
+    const warp_mapping *m = &w->as.mapping;
+
+    if (w->kind == WARP_CYLINDRICAL)
+        cylindrical(m->dist_exp, n, at);
+    else if (w->kind == WARP_SPHERICAL)
+        spherical(m->dist_exp, n, at);
+    else if (w->kind == WARP_TOROIDAL)
+        toroidal(m->major_radius, m->dist_exp, n, at);
+    else if (w->kind == WARP_CUBIC)
+        cubic(n, at);
+    else
+        planar(m->distance, n, at);
+    if (m->orientation.z != 1.0)
+        orient(m->orientation, n, at);
+}
+
+/* ---- all of them ---- */
+
+SIMD_CLONES static void add_scaled(const vec_lanes *restrict v, pov_vec3 by, uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        at->x[i] += by.x * v->x[i];
+        at->y[i] += by.y * v->y[i];
+        at->z[i] += by.z * v->z[i];
+    }
+}
+
+void warp_displace(const turbulence *by, const noise_tables *noise, vec_lanes *at, uint32_t n)
+{
+    vec_lanes v;
+
+    noise_vector_turbulence(noise, by, at, n, &v);
+    add_scaled(&v, by->amount, n, at);
+    for (uint32_t i = n; i < lanes_whole(n); i++)
+        lanes_put(at, i, lanes_at(at, n - 1));
+}
+
+SIMD_CLONES static void transform(const double (*restrict m)[4], uint32_t n, vec_lanes *restrict at)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = at->x[i], y = at->y[i], z = at->z[i];
+
+        at->x[i] = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3];
+        at->y[i] = m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3];
+        at->z[i] = m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3];
+    }
+}
+
+void warp_apply(const warp *w, const noise_tables *noise, vec_lanes *at, uint32_t n)
+{
+    const uint32_t whole = lanes_whole(n);
+
+    for (; w; w = w->next) {
+        if (w->kind == WARP_REPEAT)
+            repeat(&w->as.repeat, at, whole);
+        else if (w->kind == WARP_BLACK_HOLE)
+            black_hole(&w->as.black_hole, at, whole);
+        else if (w->kind == WARP_TURBULENCE)
+            warp_displace(&w->as.turbulence, noise, at, n);
+        else
+            map(w, at, whole);
+        if (w->has_map)
+            transform(w->map, whole, at);
+    }
+}
+
+bool warp_needs_noise(const warp *w)
+{
+    while (w && w->kind != WARP_TURBULENCE)
+        w = w->next;
+    return w != NULL;
+}
