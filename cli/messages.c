@@ -83,7 +83,10 @@ static void show(const messages *m, style s, const char *kind, const pov_error *
 
 void messages_error(const messages *m, const pov_error *err)
 {
-    show(m, STYLE_ERROR, "error", err);
+    if (m->errors == 0)
+        show(m, STYLE_ERROR, "error", err);
+    else if (m->errors > 1)
+        messages_say(m, "%u errors", m->errors);
 }
 
 void messages_log(void *user, pov_log_level level, const pov_error *note)
@@ -92,6 +95,11 @@ void messages_log(void *user, pov_log_level level, const pov_error *note)
 
     if (level == POV_LOG_SCENE) {
         fputs(note->message, stderr);
+        return;
+    }
+    if (level == POV_LOG_ERROR) {
+        m->errors++;
+        show(m, STYLE_ERROR, "error", note);
         return;
     }
     if (level == POV_LOG_WARN) {

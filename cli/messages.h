@@ -7,12 +7,14 @@
 typedef struct messages {
     bool color, quiet, verbose;
     unsigned warnings;           /* written or silenced */
+    unsigned errors;             /* of a scene, written while it was read */
 } messages;
 
 /* Is standard error a terminal that may be coloured and redrawn? */
 bool messages_on_terminal(void);
 
 void messages_init(messages *m, const args *a);
+/* If it was not written while the scene was read. */
 void messages_error(const messages *m, const pov_error *err);
 /* A pov_log_fn; user is the messages. */
 void messages_log(void *user, pov_log_level level, const pov_error *note);

@@ -1,5 +1,6 @@
 #include "sdl/parse.h"
 #include "sdl/directive.h"
+#include "sdl/recover.h"
 #include "sdl/report.h"
 
 static void read_camera(pov_reader *in, void *self, keyword_id keyword)
@@ -36,18 +37,24 @@ void parse_scene_guess(guess *g)
 }
 
 /* A word that is no statement names an object, if a plugin knows it. */
+static void read_statement(pov_reader *in)
+{
+    if (items_try(in, &statements, NULL) || directive_run_bare(in))
+        return;
+    if (in->token.kind == TOKEN_WORD) {
+        parse_object(in);
+    } else if (in->token.kind == ';') {
+        report_warn(in, &in->token.at, "a \";\" that nothing needs");
+        state_advance(in);
+    } else {
+        report_expected(in, statements.wanted);
+    }
+}
+
 void parse_scene(pov_reader *in)
 {
-    while (!in->failed && !state_at_end(in)) {
-        if (items_try(in, &statements, NULL) || directive_run_bare(in))
-            continue;
-        if (in->token.kind == TOKEN_WORD) {
-            parse_object(in);
-        } else if (in->token.kind == ';') {
-            report_warn(in, &in->token.at, "a \";\" that nothing needs");
-            state_advance(in);
-        } else {
-            report_expected(in, statements.wanted);
-        }
-    }
+    do
+        while (!in->failed && !state_at_end(in))
+            read_statement(in);
+    while (in->failed && recover(in));
 }

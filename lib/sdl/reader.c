@@ -8,6 +8,7 @@
 #include "sdl/intrinsic.h"
 #include "sdl/macro.h"
 #include "sdl/parse.h"
+#include "sdl/recover.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
 #include "sdl/text_file.h"
@@ -288,6 +289,7 @@ pov_status reader_read(model *m, registry *plugins, const char *text, size_t len
         report_memory(&in);
     if (options && options->max_trace_level > 0)
         m->max_trace_level = options->max_trace_level;
+    recover_finish(&in);
     if (in.failed) {
         status = in.error.status;
         if (err)

@@ -135,9 +135,20 @@ static void tell_stack(pov_reader *in)
     }
 }
 
+/* What recover() needs to know of the place. */
+static void note_state(pov_reader *in)
+{
+    in->failed_at = in->token;
+    in->failed_in_directive = in->hold.is_on;
+    in->failed_depth = 0;
+    for (const block *b = in->block; b; b = b->outer)
+        in->failed_depth++;
+}
+
 static void stop(pov_reader *in)
 {
     in->failed = true;
+    note_state(in);
     tell_stack(in);
     in->token.kind = TOKEN_END;
     in->token.symbol = NULL;

@@ -117,7 +117,11 @@ struct pov_reader {
     const char *wanted;          /* what messages say where no value is */
     block *block;
     bool failed;                 /* from here on every token is the end of the text */
-    pov_error error;
+    pov_error error, first_error;
+    token failed_at;             /* the next token when it failed, the braces open in front of it, */
+    size_t failed_depth;
+    bool failed_in_directive;    /* and whether a directive was being read */
+    int error_count;             /* behind which reading went on */
     pov_dialect wanted_dialect;
     place povray_word;           /* the first word that makes the file `povray`; source NULL: none yet */
     double version;              /* what #version says now */

@@ -26,6 +26,27 @@ messages_guess_the_word_that_was_meant() {
     says err 'did you mean "pigment"?'
 }
 
+messages_go_on_behind_an_error_in_the_order_of_lines() {
+    printf 'sphere { 0, 1 pigmnt { rgb 1 } }\n#declare A = 3;\nspere { 0, 1 }\n#if (A > 2)\n  cylinder { 0, 1 }\n#end\nbox { 0, A }' > w.pov
+    expect 1 "$povc" --check w.pov
+    [ "$(sed -n 's/^w\.pov:\([0-9]*\):[0-9]*: error: .*/\1/p' err | tr '\n' ' ')" = "1 3 5 " ]
+    says err "povc: 3 errors"
+}
+
+messages_stop_behind_errors_that_would_make_others() {
+    for first in '#declare A = ;' '#include "none.inc"' '#macro M() sphere { x #end M()' '#if (1) sphere { #end'; do
+        printf '%s\nsphere { 0, wrong }\n' "$first" > w.pov
+        expect 1 "$povc" --check w.pov
+        [ "$(grep -c ': error: ' err)" -eq 1 ]
+    done
+}
+
+messages_are_twenty_errors_at_most() {
+    for line in $(seq 30); do echo "sphere { $line, wrong }"; done > w.pov
+    expect 1 "$povc" --check w.pov
+    [ "$(grep -c ': error: ' err)" -eq 20 ]
+}
+
 messages_carry_no_terminal_commands_from_a_scene() {
     printf 'sphere { <0, 0, 0>, "\033[2J\233" }\n' > wrong.pov
     expect 1 "$povc" --check wrong.pov

@@ -137,6 +137,21 @@ static void a_bare_vector_is_a_colour_where_nothing_else_can_stand(void **state)
     reading_end(&r);
 }
 
+static void a_value_may_begin_with_a_colours_name(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "#declare C = rgb <.5, .25, 1>; #declare V = C.red * <2, 4, 6>; #declare D = C * .5; #declare E = C green 1;\n"
+                      "background { D } global_settings { ambient_light E }\n"
+                      "light_source { V, C }");
+    assert_int_equal(r.status, POV_OK);
+    assert_true(r.model.lights.items[0].position.z == 3.0);
+    assert_true(r.model.background.r == 0.25f && r.model.background.b == 0.5f);
+    assert_true(r.model.ambient_light.r == 0.5f && r.model.ambient_light.g == 1.0f);
+    reading_end(&r);
+}
+
 static void a_background_is_darkened_by_what_it_transmits(void **state)
 {
     reading r;
@@ -156,6 +171,7 @@ int main(void)
         cmocka_unit_test(a_number_too_small_for_a_double_is_zero_with_a_warning),
         cmocka_unit_test(colours_are_read_in_every_form),
         cmocka_unit_test(a_bare_vector_is_a_colour_where_nothing_else_can_stand),
+        cmocka_unit_test(a_value_may_begin_with_a_colours_name),
         cmocka_unit_test(a_background_is_darkened_by_what_it_transmits),
     };
 

@@ -66,9 +66,12 @@ typedef struct pov_allocator {
 } pov_allocator;
 
 /* SCENE: text that the scene itself writes, without a line's end of its own. STACK: where an error, which follows, was
- * called from. */
-typedef enum pov_log_level { POV_LOG_DEBUG, POV_LOG_INFO, POV_LOG_WARN, POV_LOG_SCENE, POV_LOG_STACK } pov_log_level;
-/* The note is valid during the call only; its status is POV_OK. Any thread that calls the library. */
+ * called from. ERROR: an error of a scene behind which reading went on, to find others. If there is any, all errors are
+ * logged, and the first one is returned, too. */
+typedef enum pov_log_level {
+    POV_LOG_DEBUG, POV_LOG_INFO, POV_LOG_WARN, POV_LOG_SCENE, POV_LOG_STACK, POV_LOG_ERROR
+} pov_log_level;
+/* The note is valid during the call only; its status is POV_OK, but for ERROR. Any thread that calls the library. */
 typedef void pov_log_fn(void *user, pov_log_level level, const pov_error *note);
 
 /* `size` is the first member of every struct that a caller fills or receives and
