@@ -48,9 +48,12 @@ CLI_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard cli/*.c)))
 # What a folder's plugins are called where they are built.
 plugins_of     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/$(1)/*.c)))
 PRIMITIVES     = $(call plugins_of,primitives)
-# Pictures in PNG need libpng, plots need cairo; without them all else is built.
-HAS_PNG       := $(shell $(PKG_CONFIG) --exists libpng && echo yes)
-IMAGES         = $(filter-out $(if $(HAS_PNG),,%/png.so),$(call plugins_of,images))
+# Some formats of pictures need a library, plots need cairo; without them all else is built.
+NEEDS_png      = libpng
+NEEDS_jpeg     = libjpeg
+NEEDS_tiff     = libtiff-4 >= 4.5
+IMAGES_MISSING := $(foreach f,png jpeg tiff,$(shell $(PKG_CONFIG) --exists '$(NEEDS_$(f))' || echo $(f)))
+IMAGES         = $(filter-out $(foreach f,$(IMAGES_MISSING),%/$(f).so),$(call plugins_of,images))
 PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(call plugins_of,plots))
 PLUGINS        = $(PRIMITIVES) $(IMAGES) $(PLOTS)
 # Include files of the scene language, where the library looks for them.
@@ -69,11 +72,11 @@ runtime: $(SHARED) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC) $(INCLUDES:
 $(BUILD)/share/%: share/%
 	@mkdir -p $(@D)
 	@cp $< $@
-ifeq ($(HAS_PNG),)
-runtime: no-png
-.PHONY: no-png
-no-png:
-	@echo "pictures in PNG were left out: pkg-config does not find libpng"
+ifneq ($(IMAGES_MISSING),)
+runtime: $(IMAGES_MISSING:%=no-%)
+.PHONY: $(IMAGES_MISSING:%=no-%)
+$(IMAGES_MISSING:%=no-%): no-%:
+	@echo "pictures in $(shell echo $* | tr a-z A-Z) were left out: pkg-config does not find $(NEEDS_$*)"
 endif
 
 .PHONY: dev
@@ -130,8 +133,12 @@ $(foreach w,$(WIDE),$(eval $(call COPY_RULES,$(w)/)))
 $(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(BUILD)/obj/plugins/common.a
 	$(LINK_PLUGIN)
 
-$(BUILD)/obj/plugins/images/png.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
-$(BUILD)/lib/povtrace/images/png.so: PLUGIN_LIBS = $(shell $(PKG_CONFIG) --libs libpng)
+# $(1): a format that needs a library.
+define IMAGE_RULES
+$(BUILD)/obj/plugins/images/$(1).o: ROOM_FLAGS += $$(shell $$(PKG_CONFIG) --cflags '$$(NEEDS_$(1))')
+$(BUILD)/lib/povtrace/images/$(1).so: PLUGIN_LIBS = $$(shell $$(PKG_CONFIG) --libs '$$(NEEDS_$(1))')
+endef
+$(foreach f,png jpeg tiff,$(eval $(call IMAGE_RULES,$(f))))
 
 $(BUILD)/obj/plugins/plots/plot.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags cairo)
 # Cairo and what it stands on keep caches for ever: unloaded and loaded again, they would leak them each time.

@@ -68,6 +68,8 @@ static pov_status prepare(pov_context *context, const char *path, const pov_imag
         return status;
     if (o->transfer != POV_TRANSFER_LINEAR && o->transfer != POV_TRANSFER_SRGB)
         return err_set(err, POV_E_ARGUMENT, "unknown transfer curve");
+    if (!(*format)->write)
+        return err_file(err, POV_E_UNSUPPORTED, path, "images of the ending \".%s\" can be read, not written", (*format)->ending);
     if (depth_for(*format, o->bits) == 0)
         return err_file(err, POV_E_ARGUMENT, path, "%d bits a channel cannot be stored in a .%s file", o->bits,
                         (*format)->ending);

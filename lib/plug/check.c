@@ -12,8 +12,8 @@ static const char *check_image(const pov_image_format *f)
 {
     if (!REACHES(f, pov_image_format, write))
         return "an image format is shorter than the contract's first version";
-    if (!f->ending || !f->ending[0] || !f->write)
-        return "an image format lacks its ending or write";
+    if (!f->ending || !f->ending[0] || (!f->write && !(REACHES(f, pov_image_format, load) && f->load)))
+        return "an image format lacks its ending, or can neither be written nor loaded";
     if ((f->depths & (POV_IMAGE_8 | POV_IMAGE_16 | POV_IMAGE_FLOAT)) == 0)
         return "an image format holds no depth that is known";
     return NULL;

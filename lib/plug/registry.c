@@ -306,10 +306,22 @@ pov_status registry_shape(registry *r, const char *keyword, const shape_class **
     return status;
 }
 
+/* The name of a format that has several endings. */
+static const char *format_of(const char *ending)
+{
+    static const char *const same[][2] = { { "jpg", "jpeg" }, { "jpe", "jpeg" }, { "tif", "tiff" }, { "pgm", "ppm" } };
+
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++)
+        if (strcmp(ending, same[i][0]) == 0)
+            return same[i][1];
+    return ending;
+}
+
 pov_status registry_image(registry *r, const char *ending, const pov_image_format **out, pov_error *err)
 {
+    const char *format = format_of(ending);
     const void *found;
-    pov_status status = look_up(r, &r->images, image_folder, ending, ending, &found, err);
+    pov_status status = look_up(r, &r->images, image_folder, format, format, &found, err);
 
     *out = found;
     return status;

@@ -65,33 +65,66 @@ static void read_row(const unsigned char *from, size_t count, bool swap, bool gr
     }
 }
 
-static const char *read_pfm(const void *bytes, size_t count, const pov_image_target *target)
+typedef struct content { const unsigned char *at; int width, height; bool little, grey; size_t row; } content;
+
+static const char *read_header(const void *bytes, size_t count, content *c)
 {
     const char *at = (const char *)bytes + 2, *end = (const char *)bytes + count;
-    pov_image about = POV_INIT(about);
-    bool little, grey;
-    size_t row;
-    char *pixels;
 
     if (count < 8 || (memcmp(bytes, "PF", 2) != 0 && memcmp(bytes, "Pf", 2) != 0))
         return "it does not begin like a PFM";
-    grey = ((const char *)bytes)[1] == 'f';
-    about.width = read_number(&at, end);
-    about.height = read_number(&at, end);
-    if (about.width < 1 || about.height < 1 || !read_order(&at, end, &little))
+    c->grey = ((const char *)bytes)[1] == 'f';
+    c->width = read_number(&at, end);
+    c->height = read_number(&at, end);
+    if (c->width < 1 || c->height < 1 || !read_order(&at, end, &c->little))
         return "its header is wrong";
-    row = (grey ? 4 : 12) * (size_t)about.width;
-    if ((size_t)(end - at) / row < (size_t)about.height)
-        return "it is cut off";
-    about.bits = 32;
-    about.stride = 12 * (size_t)about.width;
-    pixels = target->begin(target->user, &about);
+    c->row = (c->grey ? 4 : 12) * (size_t)c->width;
+    c->at = (const unsigned char *)at;
+    return (size_t)(end - at) / c->row < (size_t)c->height ? "it is cut off" : NULL;
+}
+
+static const char *read_rows(const content *c, char *pixels)
+{
+    const unsigned char *at = c->at;
+
     if (!pixels)
         return "there is no memory for it";
-    for (int y = about.height - 1; y >= 0; y--, at += row)
-        read_row((const unsigned char *)at, 3 * (size_t)about.width, little != is_little_endian(), grey,
-                 (float *)(void *)(pixels + (size_t)y * about.stride));
+    for (int y = c->height - 1; y >= 0; y--, at += c->row)
+        read_row(at, 3 * (size_t)c->width, c->little != is_little_endian(), c->grey,
+                 (float *)(void *)(pixels + (size_t)y * 12 * (size_t)c->width));
     return NULL;
+}
+
+static const char *read_pfm(const void *bytes, size_t count, const pov_image_target *target)
+{
+    pov_image about = POV_INIT(about);
+    content c;
+    const char *wrong = read_header(bytes, count, &c);
+
+    if (wrong)
+        return wrong;
+    about.width = c.width;
+    about.height = c.height;
+    about.bits = 32;
+    about.stride = 12 * (size_t)c.width;
+    return read_rows(&c, target->begin(target->user, &about));
+}
+
+static const char *load_pfm(const void *bytes, size_t count, const pov_raster_target *target)
+{
+    pov_raster about = POV_INIT(about);
+    content c;
+    const char *wrong = read_header(bytes, count, &c);
+
+    if (wrong)
+        return wrong;
+    about.width = c.width;
+    about.height = c.height;
+    about.bits = 32;
+    about.channels = 3;
+    about.encoding = POV_ENCODING_LINEAR;
+    about.stride = 12 * (size_t)c.width;
+    return read_rows(&c, target->begin(target->user, &about));
 }
 
 static const pov_image_format pfm = {
@@ -100,6 +133,7 @@ static const pov_image_format pfm = {
     .ending = "pfm",
     .write = write_pfm,
     .read = read_pfm,
+    .load = load_pfm,
 };
 static const pov_image_format *const formats[] = { &pfm, NULL };
 

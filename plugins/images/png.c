@@ -105,8 +105,11 @@ typedef struct source {
     const unsigned char *at, *end;
     const char *problem;      /* static text */
     const pov_image_target *target;
+    const pov_raster_target *raster_target;   /* one of the two */
     unsigned char *pixels;    /* the host's */
     pov_image about;
+    pov_raster raster;
+    unsigned char palette[256][4];
 } source;
 
 static void get_bytes(png_structp png, png_bytep bytes, png_size_t count)
@@ -157,6 +160,22 @@ static pov_transfer transfer_of(png_structp png, png_infop info)
     return POV_TRANSFER_LINEAR;
 }
 
+static void get_rows(png_structp png, source *from, int passes, int height, size_t stride)
+{
+    if (!from->pixels) {
+        from->problem = "there is no memory for it";
+        png_error(png, from->problem);
+    }
+    for (; passes > 0; passes--)
+        for (int y = 0; y < height; y++)
+            png_read_row(png, from->pixels + (size_t)y * stride, NULL);
+}
+
+static int passes_of(png_structp png, png_infop info)
+{
+    return png_get_interlace_type(png, info) == PNG_INTERLACE_ADAM7 ? 7 : 1;
+}
+
 /* Contains all calls that may longjmp. */
 static void get_picture(png_structp png, png_infop info, source *from)
 {
@@ -164,45 +183,124 @@ static void get_picture(png_structp png, png_infop info, source *from)
 
     png_read_info(png, info);
     from->about.transfer = transfer_of(png, info);
-    passes = png_get_interlace_type(png, info) == PNG_INTERLACE_ADAM7 ? 7 : 1;
+    passes = passes_of(png, info);
     ask_for_rgb(png, info);
     from->about.width = (int)png_get_image_width(png, info);
     from->about.height = (int)png_get_image_height(png, info);
     from->about.bits = png_get_bit_depth(png, info);
     from->about.stride = png_get_rowbytes(png, info);
     from->pixels = from->target->begin(from->target->user, &from->about);
-    if (!from->pixels) {
-        from->problem = "there is no memory for it";
-        png_error(png, from->problem);
-    }
-    for (; passes > 0; passes--)
-        for (int y = 0; y < from->about.height; y++)
-            png_read_row(png, from->pixels + (size_t)y * from->about.stride, NULL);
+    get_rows(png, from, passes, from->about.height, from->about.stride);
 }
 
-static const char *read_png(const void *bytes, size_t count, const pov_image_target *target)
+/* ---- as stored ---- */
+
+static void get_encoding(png_structp png, png_infop info, pov_raster *about)
 {
-    source from = { .at = bytes, .end = (const unsigned char *)bytes + count, .target = target };
+    double gamma = 0.0;
+    int intent;
+
+    about->encoding = POV_ENCODING_SRGB;
+    if (!png_get_sRGB(png, info, &intent) && png_get_gAMA(png, info, &gamma) && gamma > 0.0) {
+        about->encoding = POV_ENCODING_POWER;
+        about->power = 1.0 / gamma;
+    }
+}
+
+static void get_palette(png_structp png, png_infop info, source *from)
+{
+    png_colorp colours = NULL;
+    png_bytep alpha = NULL;
+    int count = 0, alphas = 0;
+
+    png_get_PLTE(png, info, &colours, &count);
+    png_get_tRNS(png, info, &alpha, &alphas, NULL);
+    for (int i = 0; i < count && i < 256; i++) {
+        from->palette[i][0] = colours[i].red;
+        from->palette[i][1] = colours[i].green;
+        from->palette[i][2] = colours[i].blue;
+        from->palette[i][3] = i < alphas ? alpha[i] : 255;
+    }
+    from->raster.palette = from->palette[0];
+    from->raster.colours = count;
+    from->raster.has_alpha = alphas > 0;
+}
+
+/* Samples of whole bytes, indices as they are; a transparent grey becomes alpha, a transparent colour does not. */
+static void ask_for_samples(png_structp png, png_infop info)
+{
+    const int type = png_get_color_type(png, info);
+
+    if (type == PNG_COLOR_TYPE_PALETTE)
+        png_set_packing(png);
+    else if (type == PNG_COLOR_TYPE_GRAY && png_get_valid(png, info, PNG_INFO_tRNS))
+        png_set_tRNS_to_alpha(png);
+    else if (type == PNG_COLOR_TYPE_GRAY)
+        png_set_expand_gray_1_2_4_to_8(png);
+    png_set_interlace_handling(png);
+    if (png_get_bit_depth(png, info) == 16 && is_little_endian())
+        png_set_swap(png);
+    png_read_update_info(png, info);
+}
+
+/* Contains all calls that may longjmp. */
+static void get_raster(png_structp png, png_infop info, source *from)
+{
+    pov_raster *about = &from->raster;
+    int passes;
+
+    about->size = sizeof *about;
+    png_read_info(png, info);
+    get_encoding(png, info, about);
+    if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE)
+        get_palette(png, info, from);
+    passes = passes_of(png, info);
+    ask_for_samples(png, info);
+    about->width = (int)png_get_image_width(png, info);
+    about->height = (int)png_get_image_height(png, info);
+    about->bits = png_get_bit_depth(png, info);
+    about->channels = png_get_channels(png, info);
+    about->stride = png_get_rowbytes(png, info);
+    from->pixels = from->raster_target->begin(from->raster_target->user, about);
+    get_rows(png, from, passes, about->height, about->stride);
+}
+
+static const char *get(source *from, size_t count, void (*what)(png_structp png, png_infop info, source *from))
+{
     png_structp png;
     png_infop info;
 
-    if (count < 8 || png_sig_cmp(bytes, 0, 8) != 0)
+    if (count < 8 || png_sig_cmp(from->at, 0, 8) != 0)
         return "it does not begin like a PNG";
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &from, on_read_error, on_warning);
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, from, on_read_error, on_warning);
     if (!png)
         return "out of memory, or another version of libpng";
-    from.about.size = sizeof from.about;
     info = png_create_info_struct(png);
     if (!info) {
         png_destroy_read_struct(&png, NULL, NULL);
         return "out of memory";
     }
     if (setjmp(png_jmpbuf(png)) == 0) {
-        png_set_read_fn(png, &from, get_bytes);
-        get_picture(png, info, &from);
+        png_set_read_fn(png, from, get_bytes);
+        what(png, info, from);
     }
     png_destroy_read_struct(&png, &info, NULL);
-    return from.problem;
+    return from->problem;
+}
+
+static const char *read_png(const void *bytes, size_t count, const pov_image_target *target)
+{
+    source from = { .at = bytes, .end = (const unsigned char *)bytes + count, .target = target };
+
+    from.about.size = sizeof from.about;
+    return get(&from, count, get_picture);
+}
+
+static const char *load_png(const void *bytes, size_t count, const pov_raster_target *target)
+{
+    source from = { .at = bytes, .end = (const unsigned char *)bytes + count, .raster_target = target };
+
+    return get(&from, count, get_raster);
 }
 
 static const pov_image_format png_format = {
@@ -211,6 +309,7 @@ static const pov_image_format png_format = {
     .ending = "png",
     .write = write_png,
     .read = read_png,
+    .load = load_png,
 };
 static const pov_image_format *const formats[] = { &png_format, NULL };
 

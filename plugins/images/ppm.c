@@ -1,4 +1,5 @@
-/* ppm.c - portable pixel maps (P6), 8 or 16 bits a channel, the high byte first. */
+/* ppm.c - portable pixel maps, 8 or 16 bits a channel, the high byte first. Written and read as pictures: P6; loaded for
+ * textures: grey ones (P2, P5) and those of plain text (P2, P3) too. */
 #include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
@@ -140,12 +141,94 @@ static const char *read_ppm(const void *bytes, size_t count, const pov_image_tar
     return NULL;
 }
 
+/* ---- for textures ---- */
+
+/* As floats where the largest value is not that of whole bytes. */
+static void put_sample(const pov_raster *about, unsigned value, unsigned most, unsigned char *to)
+{
+    const uint8_t narrow = (uint8_t)value;
+    const uint16_t wide = (uint16_t)value;
+    const float real = (float)((double)value / most);
+
+    memcpy(to, about->bits == 8 ? (const void *)&narrow : about->bits == 16 ? (const void *)&wide : &real,
+           (size_t)about->bits / 8);
+}
+
+/* -1: the file ends. */
+static int next_sample(source *from, bool is_text, unsigned most)
+{
+    int high;
+
+    if (is_text) {
+        skip(from);
+        return from->at < from->end ? read_number(from) : -1;
+    }
+    if (from->end - from->at < (most > 255 ? 2 : 1))
+        return -1;
+    high = most > 255 ? *from->at++ : 0;
+    return high << 8 | *from->at++;
+}
+
+static const char *load_samples(source *from, const pov_raster *about, bool is_text, unsigned most, unsigned char *pixels)
+{
+    const size_t samples = (size_t)about->channels * (size_t)about->width * (size_t)about->height;
+
+    if (!pixels)
+        return "there is no memory for it";
+    for (size_t i = 0; i < samples; i++, pixels += about->bits / 8) {
+        const int value = next_sample(from, is_text, most);
+
+        if (value < 0)
+            return "it is cut off";
+        if ((unsigned)value > most)
+            return "a value is larger than its header's largest";
+        put_sample(about, (unsigned)value, most, pixels);
+    }
+    return NULL;
+}
+
+static const char *load_header(source *from, pov_raster *about, unsigned *most)
+{
+    const char kind = from->end - from->at >= 2 && from->at[0] == 'P' ? (char)from->at[1] : '\0';
+
+    if (kind != '2' && kind != '3' && kind != '5' && kind != '6')
+        return "it does not begin like a PPM or PGM (P2, P3, P5, P6)";
+    from->at += 2;
+    about->width = read_number(from);
+    about->height = read_number(from);
+    *most = (unsigned)read_number(from);
+    if (about->width < 1 || about->height < 1 || *most < 1 || *most > 65535 || from->at == from->end ||
+        !is_space(*from->at++))
+        return "its header is wrong";
+    about->channels = kind == '2' || kind == '5' ? 1 : 3;
+    about->bits = *most == 255 ? 8 : *most == 65535 ? 16 : 32;
+    about->encoding = POV_ENCODING_STORED;
+    about->stride = (size_t)about->width * (size_t)(about->channels * about->bits / 8);
+    return NULL;
+}
+
+static const char *load_ppm(const void *bytes, size_t count, const pov_raster_target *target)
+{
+    source from = { bytes, (const unsigned char *)bytes + count };
+    pov_raster about = POV_INIT(about);
+    unsigned most;
+    const char *wrong = load_header(&from, &about, &most);
+
+    if (wrong)
+        return wrong;
+    /* Each sample takes a byte at least. */
+    if ((size_t)(from.end - from.at) / (size_t)about.width / (size_t)about.channels < (size_t)about.height)
+        return "it is cut off: its header promises more pixels than there are";
+    return load_samples(&from, &about, ((const char *)bytes)[1] < '4', most, target->begin(target->user, &about));
+}
+
 static const pov_image_format ppm = {
     .size = sizeof(pov_image_format),
     .depths = POV_IMAGE_8 | POV_IMAGE_16,
     .ending = "ppm",
     .write = write_ppm,
     .read = read_ppm,
+    .load = load_ppm,
 };
 static const pov_image_format *const formats[] = { &ppm, NULL };
 

@@ -55,6 +55,11 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_image_format, read, 24);
+    AT(pov_image_format, load, 32);
+    AT(pov_raster, channels, 20);
+    AT(pov_raster, power, 32);
+    AT(pov_raster, palette, 48);
+    AT(pov_raster, stride, 64);
     AT(pov_plugin, images, 32);
     AT(pov_plugin, plots, 40);
     assert_int_equal(POV_PLUGIN_ABI, 3);

@@ -55,15 +55,36 @@ typedef struct pov_image {
 /* The reader describes the image, and receives memory for height rows of stride bytes; NULL: no memory. */
 typedef struct pov_image_target { void *user; void *(*begin)(void *user, const pov_image *about); } pov_image_target;
 
+/* How samples became numbers of 0 to 1 in a file. STORED: it does not say, and nothing is undone. */
+typedef enum pov_encoding { POV_ENCODING_SRGB, POV_ENCODING_POWER, POV_ENCODING_LINEAR, POV_ENCODING_STORED } pov_encoding;
+
+/* An image as its file stores it, for textures: samples are not decoded, and indices stay indices. */
+typedef struct pov_raster {
+    size_t size;
+    int width, height, bits;       /* of a sample: 8 or 16 (native order), 32: float */
+    int channels;                  /* 1: grey, or the index where there is a palette; 2: with alpha; 3, 4: red, green, blue */
+    pov_encoding encoding;
+    double power;                  /* POV_ENCODING_POWER: decoded = stored to this power */
+    int colours;                   /* of the palette, red, green, blue, alpha each; 0: there is none */
+    const unsigned char *palette;
+    bool has_alpha;                /* the palette's alpha counts */
+    size_t stride;
+} pov_raster;
+
+/* Receives the description before any pixel is decoded, and gives memory for height rows; NULL: it is not wanted. */
+typedef struct pov_raster_target { void *user; void *(*begin)(void *user, const pov_raster *about); } pov_raster_target;
+
 enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2 };
 
 typedef struct pov_image_format {
     uint32_t size, depths;         /* supported POV_IMAGE_*; the lowest set bit is the usual depth */
     const char *ending;            /* "png" */
-    /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. */
+    /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. NULL: not written. */
     const char *(*write)(const pov_image *image, const pov_output *output);
     /* Any thread. Decode the bytes of a whole file; may be NULL. Returns NULL on success, else what is wrong. */
     const char *(*read)(const void *bytes, size_t count, const pov_image_target *target);
+    /* Any thread. The same as the file stores it; may be NULL. */
+    const char *(*load)(const void *bytes, size_t count, const pov_raster_target *target);
 } pov_image_format;
 
 #endif
