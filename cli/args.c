@@ -255,18 +255,20 @@ static bool put(args *a, const char *option, const char *text, const char **list
 
 static void set_limit(pov_limits *limits, size_t index, double value)
 {
-    size_t *const sizes[] = { &limits->depth, &limits->array, &limits->string, NULL, &limits->memory };
+    size_t *const sizes[] = { &limits->depth, &limits->array, &limits->string, &limits->memory };
 
-    if (sizes[index])
+    if (index < sizeof sizes / sizeof sizes[0])
         *sizes[index] = (size_t)value;
-    else
+    else if (index == 4)
         limits->turns = (uint64_t)value;
+    else
+        limits->seconds = value;
 }
 
 /* NAME=N */
 static bool read_limit(args *a, const char *text)
 {
-    static const char *const names[] = { "depth", "array", "string", "turns", "memory" };
+    static const char *const names[] = { "depth", "array", "string", "memory", "turns", "seconds" };
     const char *equals = strchr(text, '=');
     char *end = NULL;
     const double value = equals ? strtod(equals + 1, &end) : 0.0;
@@ -274,12 +276,12 @@ static bool read_limit(args *a, const char *text)
     for (size_t i = 0; equals && i < sizeof names / sizeof names[0]; i++) {
         if (strncmp(text, names[i], (size_t)(equals - text)) != 0 || names[i][equals - text] != '\0')
             continue;
-        if (end == equals + 1 || *end != '\0' || !(value >= 1.0 && value <= 1e15))
+        if (end == equals + 1 || *end != '\0' || !(value > 0.0 && value <= 1e15))
             break;
         set_limit(&a->limits, i, value);
         return true;
     }
-    return refuse(a, "--limit wants depth=N, array=N, string=N, turns=N or memory=N, not \"%s\"", text);
+    return refuse(a, "--limit wants depth, array, string, turns, memory or seconds, and =N, not \"%s\"", text);
 }
 
 /* Options for loading the scene. */

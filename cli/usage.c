@@ -40,7 +40,7 @@ static const char *const help[] = {
     "  -L, --library-path DIR   look for included files there too\n"
     "      --strict             what is read and not drawn yet is an error\n"
     "      --allow-write DIR    the scene may write files below this folder\n"
-    "      --limit NAME=N       how far reading may go: depth, array, string, turns, memory\n"
+    "      --limit NAME=N       how far reading may go: depth, array, string, turns, memory, seconds\n"
     "      --plugin-path DIRS   look for plugins in these folders, colon separated\n"
     "\n"
     "Work\n"

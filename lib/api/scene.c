@@ -44,7 +44,7 @@ static reader_options reader_options_of(const pov_load_desc *d)
     const pov_animation *a = d->animation;
 
     o.limits = (reader_limits){ d->limits.depth, d->limits.array, d->limits.string, d->limits.turns,
-                                  d->limits.memory };
+                                  d->limits.memory, d->limits.seconds };
     if (a)
         o.frames = (reader_frames){ true, a->clock, a->initial_clock, a->final_clock, a->clock_delta,
                                     a->frame, a->initial_frame, a->final_frame };

@@ -16,6 +16,7 @@ void arena_init(arena *a, const env *e)
     a->env = e;
     a->blocks = NULL;
     a->next_bytes = FIRST_BLOCK;
+    a->bytes = 0;
 }
 
 void arena_free(arena *a)
@@ -26,8 +27,7 @@ void arena_free(arena *a)
         next = b->next;
         env_free(a->env, b);
     }
-    a->blocks = NULL;
-    a->next_bytes = FIRST_BLOCK;
+    arena_init(a, a->env);
 }
 
 /* Where the next allocation of that alignment starts in a block. */
@@ -51,6 +51,7 @@ static struct arena_block *add_block(arena *a, size_t bytes, size_t align)
         return NULL;
     b->used = sizeof *b;
     b->size = size;
+    a->bytes += size;
     if (a->blocks && size > a->next_bytes) {
         /* A block larger than usual goes behind the current one, so that the rest of the current block is still
          * used. */

@@ -8,6 +8,7 @@ typedef struct arena {
     const env *env;
     struct arena_block *blocks;
     size_t next_bytes;           /* size of the next block: sizes double, so that small scenes stay small */
+    size_t bytes;                /* of all blocks */
 } arena;
 
 void arena_init(arena *a, const env *e);

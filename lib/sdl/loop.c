@@ -4,6 +4,7 @@
 #include "sdl/directive.h"
 #include "sdl/expression.h"
 #include "sdl/frame.h"
+#include "sdl/limit.h"
 #include "sdl/report.h"
 
 /* Of a text that is being lexed the whole loop becomes tokens, which are read instead. */
@@ -127,15 +128,6 @@ static bool count_on(pov_reader *in, const condition *c)
 
 /* ---- turns and ends ---- */
 
-static bool count_turn(pov_reader *in, const condition *c)
-{
-    in->turns++;
-    if (in->turns <= in->limits.turns)
-        return true;
-    report_fail(in, &c->at, POV_E_SYNTAX, "more than %llu turns of loops", (unsigned long long)in->limits.turns);
-    return false;
-}
-
 void loop_turn(pov_reader *in, const place *at)
 {
     condition *c = innermost(in);
@@ -149,7 +141,7 @@ void loop_turn(pov_reader *in, const place *at)
         report_fail(in, at, POV_E_SYNTAX, "this \"#end\" belongs to a loop that began in another text");
         return;
     }
-    if (!count_turn(in, c))
+    if (!limit_turn(in, &c->at))
         return;
     goes_on = is_for && count_on(in, c);
     if (is_for && (!goes_on || in->failed)) {

@@ -5,6 +5,7 @@
 #include "sdl/directive.h"
 #include "sdl/expression.h"
 #include "sdl/frame.h"
+#include "sdl/limit.h"
 #include "sdl/report.h"
 
 enum { PARAMETERS_MAX = 256 };
@@ -211,9 +212,7 @@ void macro_call(pov_reader *in)
     if (in->scopes.count > in->limits.depth)
         report_fail(in, &call, POV_E_SYNTAX, "more than %zu macros and include files within each other",
                     in->limits.depth);
-    if (++in->turns > in->limits.turns)
-        report_fail(in, &call, POV_E_SYNTAX, "more than %llu turns of loops and calls of macros",
-                    (unsigned long long)in->limits.turns);
+    limit_turn(in, &call);
     if (state_enter(in)) {
         state_advance(in);
         read_arguments(in, name, m);

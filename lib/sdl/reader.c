@@ -1,5 +1,6 @@
 #include "sdl/reader.h"
 
+#include "base/clock.h"
 #include "base/str.h"
 #include "base/vec.h"
 #include "sdl/directive.h"
@@ -55,7 +56,7 @@ static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 #define MEMORY_OF_VALUES (SIZE_MAX / 4 < (uint64_t)1 << 34 ? SIZE_MAX / 4 : (size_t)((uint64_t)1 << 34))
 
 static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 30,
-                                              MEMORY_OF_VALUES };
+                                              MEMORY_OF_VALUES, 3600.0 };
 
 static void choose_limits(reader_limits *l, const reader_options *options)
 {
@@ -72,6 +73,8 @@ static void choose_limits(reader_limits *l, const reader_options *options)
         l->turns = options->limits.turns;
     if (options->limits.memory)
         l->memory = options->limits.memory;
+    if (options->limits.seconds > 0.0)
+        l->seconds = options->limits.seconds;
 }
 
 /* What a shared item refers to is let go of. */
@@ -105,6 +108,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     in->wanted = "a value";
     in->wanted_dialect = options ? options->dialect : POV_DIALECT_AUTO;
     choose_limits(&in->limits, options);
+    in->started = clock_seconds();
     include_init(in);
     parse_camera_defaults(&in->camera);
     m->adc_bailout = 1.0 / 255.0;

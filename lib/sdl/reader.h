@@ -10,7 +10,8 @@ typedef struct reader_limits {
     size_t depth;                /* macros and include files within each other */
     size_t array, string;        /* elements, bytes */
     uint64_t turns;              /* of loops, and calls of macros */
-    size_t memory;               /* bytes of values */
+    size_t memory;               /* bytes of values, and of what loops make of the scene */
+    double seconds;
 } reader_limits;
 
 /* Which picture of an animation is read. */

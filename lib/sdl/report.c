@@ -183,6 +183,7 @@ void report_memory(pov_reader *in)
         return;
     }
     err_memory(&in->error);
+    fill_place(&in->error, &in->token.at);
     stop(in);
 }
 

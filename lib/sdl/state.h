@@ -134,6 +134,7 @@ struct pov_reader {
     char own_includes[INCLUDE_PATH_MAX];   /* the folder of this library's include files; "": unknown */
     reader_limits limits;
     uint64_t turns;              /* of loops so far */
+    double started;              /* when reading began */
     int parentheses;             /* of expressions that are open */
     const struct pattern_parsed *last_pattern;   /* without transformations of its own */
     uint32_t *material_slots;    /* a hash table of the model's materials: index + 1, 0 is empty */

@@ -41,6 +41,17 @@ messages_stop_behind_errors_that_would_make_others() {
     done
 }
 
+messages_about_loops_that_do_not_end_say_where() {
+    printf '#while (1)\nsphere { 0, 1 } #end' > endless.pov
+    expect 1 "$povc" --check --limit memory=1e7 endless.pov
+    says err "endless.pov:1:1: error: this loop has made the scene larger than 10000000 bytes"
+    printf '#macro M(A) A #end\n#for (I, 0, 1e12) #local B = M(I); #end' > endless.pov
+    expect 1 "$povc" --check --limit seconds=.1 endless.pov
+    says err "error: reading takes longer than 0.1 seconds"
+    expect 1 "$povc" --check --limit turns=1000 endless.pov
+    says err "error: more than 1000 turns"
+}
+
 messages_are_twenty_errors_at_most() {
     for line in $(seq 30); do echo "sphere { $line, wrong }"; done > w.pov
     expect 1 "$povc" --check w.pov

@@ -45,7 +45,8 @@ typedef struct pov_limits {
     size_t depth;                /* macros and included files within each other */
     size_t array, string;        /* elements of an array, bytes of a string */
     uint64_t turns;              /* of loops and calls of macros, together */
-    size_t memory;               /* bytes of arrays, strings and other values */
+    size_t memory;               /* bytes of arrays, strings and other values, and of what loops make of the scene */
+    double seconds;              /* of reading */
 } pov_limits;
 
 typedef struct pov_load_desc {

@@ -1,0 +1,34 @@
+#include "sdl/limit.h"
+
+#include "base/clock.h"
+#include "sdl/report.h"
+
+/* Turns between two looks at the clock and at the memory. */
+enum { LOOK_EVERY = 1 << 10 };
+
+/* What was read of objects; values count for themselves. */
+static size_t scene_bytes(const pov_reader *in)
+{
+    const model *m = in->model;
+
+    return m->memory.bytes + m->maps.bytes + in->members.bytes + m->leaves.capacity * sizeof *m->leaves.items +
+           m->lights.capacity * sizeof *m->lights.items;
+}
+
+static void look(pov_reader *in, const place *at)
+{
+    if (scene_bytes(in) > in->limits.memory)
+        report_fail(in, at, POV_E_MEMORY, "this loop has made the scene larger than %zu bytes", in->limits.memory);
+    else if (clock_seconds() - in->started > in->limits.seconds)
+        report_fail(in, at, POV_E_SYNTAX, "reading takes longer than %g seconds", in->limits.seconds);
+}
+
+bool limit_turn(pov_reader *in, const place *at)
+{
+    if (++in->turns > in->limits.turns)
+        report_fail(in, at, POV_E_SYNTAX, "more than %llu turns of loops and calls of macros",
+                    (unsigned long long)in->limits.turns);
+    else if (in->turns % LOOK_EVERY == 0)
+        look(in, at);
+    return !in->failed;
+}

@@ -1,0 +1,11 @@
+/* limit.h - loops and macros that do not end. */
+#ifndef SDL_LIMIT_H
+#define SDL_LIMIT_H
+
+#include "sdl/state.h"
+
+/* One more turn of a loop, or call of a macro. False: there were too many, or the scene has grown too large or has taken
+ * too long; the reader has failed. */
+bool limit_turn(pov_reader *in, const place *at);
+
+#endif
