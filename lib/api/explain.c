@@ -83,8 +83,8 @@ static pov_status explain_kind(explanation *e, bool used, const char *subject, c
 static pov_status explain_surfaces(explanation *e, const plan *p, pov_error *err)
 {
     const plan_counts *s = &p->counts;
-    pov_status status = explain_kind(e, p->highlights, "highlights", "computed", "with phong", s->glossy,
-                                     s->glossy > 0 ? no_light(s) : "no surface has phong", err);
+    pov_status status = explain_kind(e, p->highlights, "highlights", "computed", "with phong or specular", s->glossy,
+                                     s->glossy > 0 ? no_light(s) : "no surface has phong or specular", err);
 
     if (status == POV_OK)
         status = explain_kind(e, p->metallic, "metallic", "computed", "with metallic highlights", s->metallic,

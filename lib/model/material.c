@@ -39,5 +39,6 @@ bool material_equal(const material *a, const material *b)
 {
     return pattern_equal(a->pattern, b->pattern) && colour_equal(a->pigment, b->pigment) && a->filter == b->filter &&
            a->transmit == b->transmit && finish_equal(&a->finish, &b->finish) &&
-           interior_equal(&a->interior, &b->interior);
+           interior_equal(&a->interior, &b->interior) &&
+           a->double_illuminate == b->double_illuminate;
 }

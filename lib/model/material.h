@@ -13,6 +13,7 @@ typedef struct material {
     float filter, transmit;
     finish finish;
     interior interior;
+    bool double_illuminate;      /* light from behind counts as light from the front */
 } material;
 
 /* The defaults of the language: black. */

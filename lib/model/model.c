@@ -8,6 +8,7 @@ void model_init(model *m, const env *e)
 {
     memset(m, 0, sizeof *m);
     m->env = e;
+    m->irid_wavelength = colour_of(0.70f, 0.52f, 0.48f);
     arena_init(&m->memory, e);
     arena_init(&m->maps, e);
 }

@@ -46,6 +46,7 @@ typedef struct model {
                                   * have none */
     pov_camera camera;
     colour ambient_light, background;
+    colour irid_wavelength;
     double adc_bailout;
     int max_trace_level;
     gamma gamma;

@@ -11,7 +11,11 @@
 
 struct shape_class;
 
-enum { LEAF_NO_SHADOW = 1, LEAF_INVERSE = 2, LEAF_HOLLOW = 4 };
+enum {
+    LEAF_NO_SHADOW = 1, LEAF_INVERSE = 2, LEAF_HOLLOW = 4,
+    LEAF_DOUBLE_ILLUMINATE = 8,  /* light from behind counts as light from the front */
+    LEAF_NO_IMAGE = 16, LEAF_NO_REFLECTION = 32   /* unseen by camera rays, and by reflected rays */
+};
 
 typedef struct leaf_node {
     const struct shape_class *shape;

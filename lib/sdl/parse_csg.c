@@ -62,7 +62,7 @@ static uint32_t find_flags(const object_parsed *o, const around *a)
     uint32_t flags = o->flags;
 
     for (; a; a = a->outer)
-        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW);
+        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE);
     return flags;
 }
 
@@ -73,6 +73,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
 
     leaf.map = find_map(in, o, a);
     leaf.flags = find_flags(o, a);
+    m.double_illuminate = (leaf.flags & LEAF_DOUBLE_ILLUMINATE) != 0;
     patterns_settle(in, &m);
     leaf.material = materials_index(in, &m);
     *out = (node_ref)in->model->leaves.count;

@@ -66,6 +66,8 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
         o->flags ^= LEAF_INVERSE;
     else if (keyword == KEYWORD_NO_SHADOW)
         o->flags |= LEAF_NO_SHADOW;
+    else if (keyword == KEYWORD_DOUBLE_ILLUMINATE)
+        o->flags |= LEAF_DOUBLE_ILLUMINATE;
     else if (value_optional(in, 1.0) != 0.0)
         o->flags |= LEAF_HOLLOW;
     else
@@ -122,10 +124,11 @@ static const item modifier_items[] = {
     { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
     { KEYWORD_RGB, skip_colour },        { KEYWORD_RGBF, skip_colour },        { KEYWORD_RGBT, skip_colour },
     { KEYWORD_RGBFT, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
+    { KEYWORD_DOUBLE_ILLUMINATE, read_flag },
 };
 
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BOUNDED_BY, KEYWORD_SPLIT_UNION,
-                                    KEYWORD_DOUBLE_ILLUMINATE, KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
+                                    KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
                                      KEYWORD_UV_MAPPING, KEYWORD_INTERIOR_TEXTURE, KEYWORD_CUTAWAY_TEXTURES,

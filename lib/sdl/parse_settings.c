@@ -13,6 +13,13 @@ static void read_ambient_light(pov_reader *in, void *self, keyword_id keyword)
     in->settings.has_ambient_light = true;
 }
 
+static void read_irid_wavelength(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)self;
+    (void)keyword;
+    in->model->irid_wavelength = value_colour(in, true).colour;
+}
+
 static void read_max_trace_level(pov_reader *in, void *self, keyword_id keyword)
 {
     double level = value_number(in);
@@ -54,7 +61,7 @@ static const keyword_id quiet[] = {
     KEYWORD_MAX_INTERSECTIONS, KEYWORD_HF_GRAY_16, KEYWORD_OTHER,
 };
 static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_SUBSURFACE, KEYWORD_MM_PER_UNIT,
-    KEYWORD_IRID_WAVELENGTH, KEYWORD_OTHER };
+    KEYWORD_OTHER };
 
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -63,6 +70,7 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_MAX_TRACE_LEVEL, read_max_trace_level },
         { KEYWORD_ADC_BAILOUT, read_adc_bailout },
         { KEYWORD_ASSUMED_GAMMA, read_assumed_gamma },
+        { KEYWORD_IRID_WAVELENGTH, read_irid_wavelength },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 

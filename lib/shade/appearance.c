@@ -51,9 +51,29 @@ static void paint(appearance *out, const plan *p, const model *m, const pigment 
 
     out->transmissive = p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
     out->pigment = at->color;
+    out->opacity = opacity;
     out->diffuse_weight = opacity * of->finish.diffuse;
     out->emitted = colour_mul(colour_scale(colour_mul(of->finish.ambient, at->color), opacity), m->ambient_light);
+    out->emitted = colour_add(out->emitted, colour_scale(colour_mul(of->finish.emission, at->color), opacity));
     out->filter = coefficient_of(material_filter_of(at->color, at->filter, at->transmit));
+}
+
+static bool is_lit(const finish *f)
+{
+    return f->diffuse != 0.0f || f->diffuse_back != 0.0f || finish_is_glossy(f) || f->crand != 0.0f;
+}
+
+static uint32_t kinds_of(const material *of)
+{
+    const finish *f = &of->finish;
+    uint32_t kinds = 0;
+
+    kinds |= f->brilliance != 1.0 ? FINISH_BRILLIANCE : 0;
+    kinds |= f->specular != 0.0f ? FINISH_SPECULAR : 0;
+    kinds |= f->metallic != 0.0f && finish_is_glossy(f) ? FINISH_METAL : 0;
+    kinds |= f->diffuse_back != 0.0f || of->double_illuminate ? FINISH_BACK : 0;
+    kinds |= f->irid.amount != 0.0f ? FINISH_IRID : 0;
+    return kinds | (f->crand != 0.0f ? FINISH_CRAND : 0);
 }
 
 void appearance_make(appearance *out, const plan *p, const model *m, const material *of)
@@ -62,7 +82,9 @@ void appearance_make(appearance *out, const plan *p, const model *m, const mater
 
     out->material = of;
     out->varies = of->pattern != NULL;
-    out->lit = p->lighting && (of->finish.diffuse != 0.0f || of->finish.phong != 0.0f);
+    out->finish = &of->finish;
+    out->lit = p->lighting && is_lit(&of->finish);
+    out->kinds = kinds_of(of);
     out->reflective = p->reflection && finish_is_mirror(&of->finish);
     out->phong = phong_of(p, of);
     out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(of, of->pigment);

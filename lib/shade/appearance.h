@@ -10,6 +10,11 @@
 /* Powers of highlights that lanes compute by multiplication, and that single surfaces do. */
 enum { APPEARANCE_POWER_LANES = 255, APPEARANCE_POWER_MAX = 1024 };
 
+/* What a finish has besides diffuse light and white highlights of phong. */
+enum {
+    FINISH_BRILLIANCE = 1, FINISH_SPECULAR = 2, FINISH_METAL = 4, FINISH_BACK = 8, FINISH_IRID = 16, FINISH_CRAND = 32
+};
+
 typedef struct appearance {
     bool varies;                 /* the texture varies: the members below are those of the constant material, with lit,
                                   * reflective and transmissive true if they may be true anywhere */
@@ -22,9 +27,12 @@ typedef struct appearance {
     float phong;                 /* for white highlights with a power from 1 to APPEARANCE_POWER_LANES; 0: no highlight;
                                   * NaN: another kind of highlight */
     colour pigment;
+    float opacity;               /* fraction of its light that an opaque surface would give */
     float diffuse_weight;        /* diffuse, times the opacity */
     colour emitted;              /* emitted and ambient light */
     coefficient reflection, filter;  /* coefficients of the reflected and the transmitted ray */
+    uint32_t kinds;              /* FINISH_* */
+    const finish *finish;
     const material *material;
 } appearance;
 

@@ -32,7 +32,8 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint
 {
     const int found = find_plain(s, g, g->shading, dir, n);
 
-    if (found & ODD_DIR)
+    s->odd_dirs = found & ODD_DIR;
+    if (s->odd_dirs)
         for (uint32_t i = 0; i < n; i++)
             set_cosines(s, g, g->shading, i, pov_unit(lanes_at(dir, i)));
     return found != 0;
@@ -42,7 +43,7 @@ bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint
 static colour brdf(const model *m, const appearance *of, double cosine, double specular_cos)
 {
     const colour diffuse = colour_scale(of->pigment, of->diffuse_weight * (float)cosine);
-    const float strength = of->material->finish.phong * highlight_power(specular_cos, of);
+    const float strength = of->finish->phong * highlight_power(specular_cos, of);
 
     return colour_add(diffuse, colour_scale(highlight_colour(m, of, cosine), strength));
 }
@@ -96,8 +97,12 @@ static inline colour incident_at(const light_lanes *in, uint32_t i)
     return in->uniform ? in->color : colour_of(in->red[i], in->green[i], in->blue[i]);
 }
 
-void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, uint32_t n)
+void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n)
 {
+    if (f->kinds || !glossy) {
+        brdf_reflect_rich(f, m, s, in, glossy, n);
+        return;
+    }
     if (in->uniform ? brdf_uniform(s, f, in, n) : brdf_varying(s, f, in, n))
         return;
     for (uint32_t k = 0; k < f->count; k++) {
@@ -125,9 +130,33 @@ static inline void set_finish(finishes *f, uint32_t i, const appearance *a)
     f->power[i] = a->power;
 }
 
+static int64_t whole_of(double sharpness)
+{
+    return sharpness >= 1.0 && sharpness <= APPEARANCE_POWER_LANES && sharpness == floor(sharpness) ? (int64_t)sharpness : 0;
+}
+
+static void set_rich(rich_finishes *r, uint32_t i, const appearance *a)
+{
+    const finish *f = a->finish;
+    const bool both = a->material->double_illuminate;
+
+    r->back_weight[i] = both ? a->diffuse_weight : a->opacity * f->diffuse_back;
+    r->both_sides[i] = both ? 1.0f : 0.0f;
+    r->phong[i] = f->phong;
+    r->phong_size[i] = (double)f->phong_size;
+    r->specular[i] = f->specular;
+    r->sharpness[i] = 1.0 / f->roughness;
+    r->whole[i] = whole_of(r->sharpness[i]);
+    r->metallic[i] = f->metallic;
+    r->brilliance[i] = f->brilliance;
+    r->irid[i] = f->irid.amount;
+    r->thickness[i] = (double)f->irid.thickness;
+    r->crand[i] = f->crand;
+}
+
 void brdf_begin(finishes *f, const surfaces *on)
 {
-    uint32_t count = 0;
+    uint32_t count = 0, kinds = 0;
 
     f->on = on;
     for (uint32_t i = 0; i < on->count; i++) {
@@ -137,6 +166,10 @@ void brdf_begin(finishes *f, const surfaces *on)
             continue;
         f->lit[count++] = (uint8_t)i;
         set_finish(f, i, a);
+        kinds |= a->kinds;
     }
     f->count = count;
+    f->kinds = kinds;
+    for (uint32_t k = 0; kinds && k < count; k++)
+        set_rich(&f->rich, f->lit[k], on->at[f->lit[k]].appearance);
 }

@@ -5,12 +5,23 @@
 #include "light/light.h"
 #include "shade/surface.h"
 
+/* What only some finishes have. A power is a whole one up to APPEARANCE_POWER_LANES in `whole`, or `whole` is 0. */
+typedef struct SIMD_ALIGNED rich_finishes {
+    float back_weight[BATCH_MAX];   /* diffuse_weight for light from behind */
+    float both_sides[BATCH_MAX];    /* 1: light from behind makes highlights too */
+    float phong[BATCH_MAX], specular[BATCH_MAX], metallic[BATCH_MAX], irid[BATCH_MAX], crand[BATCH_MAX];
+    double brilliance[BATCH_MAX], phong_size[BATCH_MAX], sharpness[BATCH_MAX], thickness[BATCH_MAX];
+    int64_t whole[BATCH_MAX];    /* sharpness, which is 1 / roughness */
+} rich_finishes;
+
 /* Finishes of lit surfaces, by lane, from their appearances. */
 typedef struct SIMD_ALIGNED finishes {
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX], diffuse_weight[BATCH_MAX], phong[BATCH_MAX];
     double highlight_cutoff[BATCH_MAX];
     int64_t power[BATCH_MAX];
     const surfaces *on;
+    uint32_t kinds;              /* FINISH_* that some surface has; rich is filled only if there is any */
+    rich_finishes rich;
     uint32_t count;
     uint8_t lit[BATCH_MAX];      /* lanes of lit surfaces */
 } finishes;
@@ -23,15 +34,20 @@ typedef struct light_sample {
     double cosine[BATCH_MAX];    /* between the direction to it and the shading normal */
     double specular_cos[BATCH_MAX];   /* ... and the mirrored ray */
     float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* reflected light if the source is not occluded */
+    bool odd_dirs;               /* some squared length of a direction is out of range */
     uint32_t odd[BATCH_MAX];     /* 1: not computed yet */
     uint32_t front[BATCH_MAX], contributes[BATCH_MAX];   /* 1: the light is in front; and the reflected light is not
                                                           * zero */
 } light_sample;
 
+/* Can light from behind count? */
+static inline bool brdf_has_back(const finishes *f) { return (f->kinds & FINISH_BACK) != 0; }
 /* Set the cosines of n lanes. True: there may be one too small for world_origin_reflect(). */
 bool brdf_cosines(light_sample *s, const geometry *g, const vec_lanes *dir, uint32_t n);
-/* Reflect the incident light. */
-void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, uint32_t n);
+/* Reflect the incident light; without highlights if `glossy` is false. */
+void brdf_reflect(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n);
+/* The same where some finish has more than diffuse light and phong. */
+void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n);
 
 static inline colour brdf_at(const light_sample *s, uint32_t i) { return colour_of(s->red[i], s->green[i], s->blue[i]); }
 

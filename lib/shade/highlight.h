@@ -2,14 +2,15 @@
 #ifndef SHADE_HIGHLIGHT_H
 #define SHADE_HIGHLIGHT_H
 
+#include "base/elementary.h"
 #include "shade/appearance.h"
 
-/* Bounds of a product: n factors are off by less than n 2^-53 of it, and pow() by less than 2^-52. Where both bounds
+/* Bounds of a product: n factors are off by less than n 2^-53 of it, and elementary_pow() by less than 2^-51. Where both bounds
  * are the same float, that is the rounded power. Underflow on the way does not change a float either. */
 static inline float highlight_lo(double product) { return (float)(product * (1.0 - 0x1p-42)); }
 static inline float highlight_hi(double product) { return (float)(product * (1.0 + 0x1p-42)); }
 
-/* cosine^phong_size, rounded to float as pow()'s would be. */
+/* cosine^phong_size, rounded to float as that of elementary_pow(). */
 static inline float highlight_power(double cosine, const appearance *of)
 {
     double product = 1.0, square = cosine;
@@ -19,7 +20,7 @@ static inline float highlight_power(double cosine, const appearance *of)
             product *= square;
     if (of->power && highlight_lo(product) == highlight_hi(product))
         return highlight_lo(product);
-    return (float)pow(cosine, of->material->finish.phong_size);
+    return (float)elementary_pow(cosine, (double)of->finish->phong_size);
 }
 
 /* The product for a power of up to APPEARANCE_POWER_LANES, without loops and branches: for lanes. */
@@ -40,12 +41,23 @@ static inline double highlight_product(double cosine, int64_t power)
     return product * highlight_factor(of64 * of64, power & 128);
 }
 
+/* A rational fit of metal's loss of colour towards grazing light, by the angle of incidence as a fraction of 90
+ * degrees. */
+static inline double highlight_fresnel(double cosine)
+{
+    const double quarter = 1.57079632679489661923, known = cosine < 1.0 ? cosine : 1.0;
+    const double x = elementary_acos(known > 0.0 ? known : 0.0) / quarter - 1.12;
+    const double loss = 0.014567225 / (x * x) - 0.011612903;
+
+    return loss > 0.0 ? (loss < 1.0 ? loss : 1.0) : 0.0;
+}
+
 /* Colour of a highlight; cosine is the one between normal and light. For a metal: */
 colour highlight_metal(const model *m, const appearance *of, double cosine);
 /* For any material: */
 static inline colour highlight_colour(const model *m, const appearance *of, double cosine)
 {
-    return of->material->finish.metallic == 0.0f ? colour_of(1.0f, 1.0f, 1.0f) : highlight_metal(m, of, cosine);
+    return of->finish->metallic == 0.0f ? colour_of(1.0f, 1.0f, 1.0f) : highlight_metal(m, of, cosine);
 }
 
 #endif

@@ -139,18 +139,19 @@ static void add_light_source(lighting *l, const scene_light *from)
     const geometry *g = &l->on->geometry;
     const light_points at = { &g->to.point, &g->to.point_lo, l->on->count };
     const uint32_t n = lanes_whole(at.n);
+    const bool sided = geometry_is_bent(g) || brdf_has_back(&l->finishes);
     uint32_t front;
     light_sample s;
     light_lanes in;
     bool named;
 
     from->class->sample(from->light, 0, &at, &in);
-    named = brdf_cosines(&s, g, &in.dir, n) || geometry_is_bent(g);
-    if (geometry_is_bent(g))
+    named = brdf_cosines(&s, g, &in.dir, n) || sided;
+    if (sided)
         name_sides(l, &in.dir);
     else if (named)
         name_origins(l, s.cosine);
-    brdf_reflect(&l->finishes, c->scene->model, &s, &in, n);
+    brdf_reflect(&l->finishes, c->scene->model, &s, &in, true, n);
     front = aim(l, &s, &in.dir);
     c->counts.shadow_behind += l->finishes.count - front;
     c->counts.shadow_idle += front - l->count;

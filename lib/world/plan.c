@@ -14,12 +14,15 @@ bool plan_is_dielectric(const model *m, const leaf_node *o)
     return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);
 }
 
+/* Has it light that is reflected in all directions? */
+static bool is_matt(const finish *f) { return f->diffuse != 0.0f || f->diffuse_back != 0.0f || f->crand != 0.0f; }
+
 /* Count n objects with the same properties. */
 static void count_objects(plan_counts *s, const material *m, bool casts, bool solid, size_t n)
 {
-    bool transparent = material_is_transparent(m), glossy = m->finish.phong != 0.0f;
+    bool transparent = material_is_transparent(m), glossy = finish_is_glossy(&m->finish);
 
-    s->lit += glossy || (m->finish.diffuse != 0.0f && !colour_is_black(m->pigment)) ? n : 0;
+    s->lit += glossy || (is_matt(&m->finish) && !colour_is_black(m->pigment)) ? n : 0;
     s->casting += casts ? n : 0;
     s->filtering += casts && transparent ? n : 0;
     s->glossy += glossy ? n : 0;

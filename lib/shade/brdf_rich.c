@@ -1,0 +1,256 @@
+#include "base/elementary.h"
+#include "base/simd.h"
+#include "shade/brdf.h"
+#include "shade/highlight.h"
+
+/* Parts of the reflected light of white light, by lane. */
+typedef struct SIMD_ALIGNED parts {
+    float diffuse[BATCH_MAX];    /* factor of the pigment */
+    float phong[BATCH_MAX], specular[BATCH_MAX];   /* highlights */
+    float red[BATCH_MAX], green[BATCH_MAX], blue[BATCH_MAX];   /* ... and their colour */
+    double half_cos[BATCH_MAX];  /* between the normal and the direction half path_cos between light and ray */
+    uint32_t odd[BATCH_MAX];
+} parts;
+
+/* ---- diffuse light ---- */
+
+/* A constant argument leaves a loop that compilers vectorise in two forms. */
+static inline void diffuse_lanes(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n, bool powers)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double cosine = cosines[i], size = fabs(cosine), brilliance = f->rich.brilliance[i];
+        const double course = powers && brilliance != 1.0 ? elementary_pow(size, brilliance) : size;
+
+        p->diffuse[i] = (cosine > 0.0 ? f->diffuse_weight[i] : f->rich.back_weight[i]) * (float)course;
+    }
+}
+
+SIMD_CLONES static void diffuse_plain(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
+{
+    diffuse_lanes(p, f, cosines, n, false);
+}
+
+SIMD_CLONES static void diffuse_powers(parts *restrict p, const finishes *restrict f, const double *restrict cosines, uint32_t n)
+{
+    diffuse_lanes(p, f, cosines, n, true);
+}
+
+/* A number from 0 to 1 that is as good as random: the bits of the point and of the direction to the light, mixed. */
+static float grain(pov_vec3 point, pov_vec3 dir)
+{
+    const double numbers[6] = { point.x, point.y, point.z, dir.x, dir.y, dir.z };
+    uint64_t bits = 0;
+
+    for (int i = 0; i < 6; i++) {
+        bits = (bits ^ elementary_bits(numbers[i])) * 0x9E3779B97F4A7C15u;
+        bits ^= bits >> 32;
+    }
+    return (float)(bits >> 40) * 0x1p-24f;
+}
+
+/* Grains take light away, whatever its angle. */
+static void take_grains(parts *p, const finishes *f, const vec_lanes *dir)
+{
+    for (uint32_t k = 0; k < f->count; k++) {
+        const uint32_t i = f->lit[k];
+
+        if (f->rich.crand[i] != 0.0f)
+            p->diffuse[i] -= f->rich.crand[i] * grain(lanes_at(&f->on->geometry.to.point, i), lanes_at(dir, i));
+    }
+}
+
+static void diffuse(parts *p, const finishes *f, const light_sample *s, const vec_lanes *dir, uint32_t n)
+{
+    if (f->kinds & FINISH_BRILLIANCE)
+        diffuse_powers(p, f, s->cosine, n);
+    else
+        diffuse_plain(p, f, s->cosine, n);
+    if (f->kinds & FINISH_CRAND)
+        take_grains(p, f, dir);
+}
+
+/* ---- highlights ---- */
+
+static inline bool is_lit_side(const rich_finishes *r, uint32_t i, double cosine)
+{
+    return (cosine > 0.0) | ((r->both_sides[i] != 0.0f) & (cosine < 0.0));
+}
+
+static inline float least_of(float a, float b) { return a < b ? a : b; }
+
+/* As in brdf.c; the highlights of `odd` lanes are to be computed by their powers. */
+SIMD_CLONES static uint32_t phong_plain(parts *restrict p, const finishes *restrict f, const light_sample *restrict s, uint32_t n)
+{
+    uint32_t odd = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double cosine = s->specular_cos[i];
+        const float d = p->diffuse[i], least = least_of(fabsf(f->red[i] * d), least_of(fabsf(f->green[i] * d), fabsf(f->blue[i] * d)));
+        const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (cosine > 0.0) & (f->rich.phong[i] != 0.0f) &
+                            !((cosine <= f->highlight_cutoff[i]) & (least >= APPEARANCE_VISIBLE));
+        const double product = highlight_product(shines ? cosine : 0.0, f->power[i]);
+        const float lo = highlight_lo(product), hi = highlight_hi(product);
+
+        p->odd[i] = shines & !((lo == hi) & (f->power[i] > 0) & (f->power[i] <= APPEARANCE_POWER_LANES));
+        odd |= p->odd[i];
+        p->phong[i] = shines ? f->rich.phong[i] * lo : 0.0f;
+    }
+    return odd;
+}
+
+SIMD_CLONES static void phong_powers(parts *restrict p, const finishes *restrict f, const light_sample *restrict s, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double cosine = s->specular_cos[i] > 0.0 ? s->specular_cos[i] : 0.0;
+        const float power = (float)elementary_pow(cosine, f->rich.phong_size[i]);
+
+        p->phong[i] = p->odd[i] ? f->rich.phong[i] * power : p->phong[i];
+    }
+}
+
+static inline void set_half(parts *p, const light_sample *s, const geometry *g, uint32_t i, pov_vec3 to_light)
+{
+    const pov_vec3 half = pov_sub(to_light, lanes_at(&g->view, i));
+    const double square = pov_dot(half, half), cosine = s->cosine[i] + g->cosine[i];
+
+    p->half_cos[i] = square > 0.0 ? fabs(cosine) / sqrt(square) : 0.0;
+}
+
+SIMD_CLONES static void find_halves(parts *restrict p, const light_sample *restrict s, const geometry *restrict g,
+                                    const vec_lanes *restrict dir, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        pov_vec3 unit;
+
+        geometry_unit(dir->x[i], dir->y[i], dir->z[i], &unit);
+        set_half(p, s, g, i, unit);
+    }
+}
+
+/* Powers too small for a colour are 0: floats below the normal ones take a processor a hundred times as long. */
+static inline float visible(double power) { return (float)(power > 0x1p-100 ? power : 0.0); }
+
+SIMD_CLONES static uint32_t specular_plain(parts *restrict p, const finishes *restrict f, const light_sample *restrict s, uint32_t n)
+{
+    uint32_t odd = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const bool shines = is_lit_side(&f->rich, i, s->cosine[i]) & (f->rich.specular[i] != 0.0f);
+        const double half_cos = p->half_cos[i] < 1.0 ? p->half_cos[i] : 1.0;
+
+        p->odd[i] = shines & (f->rich.whole[i] == 0);
+        odd |= p->odd[i];
+        p->specular[i] = shines ? f->rich.specular[i] * visible(highlight_product(half_cos, f->rich.whole[i])) : 0.0f;
+    }
+    return odd;
+}
+
+SIMD_CLONES static void specular_powers(parts *restrict p, const finishes *restrict f, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double half_cos = p->half_cos[i] < 1.0 ? p->half_cos[i] : 1.0;
+        const float power = visible(elementary_pow(half_cos, f->rich.sharpness[i]));
+
+        p->specular[i] = p->odd[i] ? f->rich.specular[i] * power : p->specular[i];
+    }
+}
+
+static void find_specular(parts *p, const finishes *f, const light_sample *s, const vec_lanes *dir, uint32_t n)
+{
+    const geometry *g = &f->on->geometry;
+
+    if (s->odd_dirs)
+        for (uint32_t i = 0; i < n; i++)
+            set_half(p, s, g, i, pov_unit(lanes_at(dir, i)));
+    else
+        find_halves(p, s, g, dir, n);
+    if (specular_plain(p, f, s, n))
+        specular_powers(p, f, n);
+}
+
+SIMD_CLONES static void no_highlights(parts *restrict p, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        p->phong[i] = p->specular[i] = 0.0f;
+        p->red[i] = p->green[i] = p->blue[i] = 1.0f;
+    }
+}
+
+SIMD_CLONES static void metal(parts *restrict p, const finishes *restrict f, const double *restrict cosines, bool fresnel, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const float share = f->rich.metallic[i] * (fresnel ? (float)(1.0 - highlight_fresnel(fabs(cosines[i]))) : 1.0f);
+
+        p->red[i] = 1.0f + share * (f->red[i] - 1.0f);
+        p->green[i] = 1.0f + share * (f->green[i] - 1.0f);
+        p->blue[i] = 1.0f + share * (f->blue[i] - 1.0f);
+    }
+}
+
+static void highlights(parts *p, const finishes *f, const model *m, const light_sample *s, const vec_lanes *dir, uint32_t n)
+{
+    if (phong_plain(p, f, s, n))
+        phong_powers(p, f, s, n);
+    if (f->kinds & FINISH_SPECULAR)
+        find_specular(p, f, s, dir, n);
+    if (f->kinds & FINISH_METAL)
+        metal(p, f, s->cosine, m->fresnel_metallic, n);
+}
+
+/* ---- all together ---- */
+
+SIMD_CLONES static void sum(light_sample *restrict s, const parts *restrict p, const finishes *restrict f,
+                            const light_lanes *restrict in, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const float strength = p->phong[i] + p->specular[i], d = p->diffuse[i];
+        const float red = in->uniform ? in->color.r : in->red[i], green = in->uniform ? in->color.g : in->green[i];
+        const float blue = in->uniform ? in->color.b : in->blue[i];
+
+        s->red[i] = red * (f->red[i] * d + p->red[i] * strength);
+        s->green[i] = green * (f->green[i] * d + p->green[i] * strength);
+        s->blue[i] = blue * (f->blue[i] * d + p->blue[i] * strength);
+    }
+}
+
+/* A thin film: waves reflected at both its faces add up or cancel out. */
+static inline float film(const rich_finishes *r, uint32_t i, double path_cos, float wavelength)
+{
+    const double full_turn = 6.28318530717958647693;
+
+    return 1.0f + r->irid[i] * (float)elementary_cos(full_turn * r->thickness[i] * path_cos / (double)wavelength);
+}
+
+SIMD_CLONES static void films(light_sample *restrict s, const rich_finishes *restrict r, const double *restrict view, colour wavelength,
+                              uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double path_cos = fabs(s->cosine[i]) + view[i];
+
+        s->red[i] *= film(r, i, path_cos, wavelength.r);
+        s->green[i] *= film(r, i, path_cos, wavelength.g);
+        s->blue[i] *= film(r, i, path_cos, wavelength.b);
+    }
+}
+
+SIMD_CLONES static void find_contributions(light_sample *restrict s, const rich_finishes *restrict r, uint32_t n)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        s->front[i] = (s->cosine[i] > 0.0) | ((r->back_weight[i] != 0.0f) & (s->cosine[i] < 0.0));
+        s->contributes[i] = s->front[i] & !colour_is_black(brdf_at(s, i));
+    }
+}
+
+void brdf_reflect_rich(const finishes *f, const model *m, light_sample *s, const light_lanes *in, bool glossy, uint32_t n)
+{
+    parts p;
+
+    diffuse(&p, f, s, &in->dir, n);
+    no_highlights(&p, n);
+    if (glossy)
+        highlights(&p, f, m, s, &in->dir, n);
+    sum(s, &p, f, in, n);
+    if (f->kinds & FINISH_IRID)
+        films(s, &f->rich, f->on->geometry.cosine, m->irid_wavelength, n);
+    find_contributions(s, &f->rich, n);
+}
