@@ -93,23 +93,6 @@ static void fill_cells(noise_tables *t)
     }
 }
 
-noise_tables *noise_create(const env *e)
-{
-    noise_tables *t = env_alloc_aligned(e, sizeof *t, SIMD_LINE);
-
-    if (!t)
-        return NULL;
-    fill_hash(t);
-    fill_generator_3(t);
-    fill_cells(t);
-    return t;
-}
-
-void noise_destroy(const env *e, noise_tables *t)
-{
-    env_free_aligned(e, t);
-}
-
 /* ---- the cubes that points stand in ---- */
 
 /* Along one axis: the lattice's cell, the place in it and its smooth weight. */
@@ -398,17 +381,52 @@ pov_vec3 noise_vector_turbulence_at(const noise_tables *t, const turbulence *of,
 
 /* ---- ripples and waves ---- */
 
-void noise_waves(const noise_tables *t, uint32_t count, noise_wave *out)
+static void fill_waves(const noise_tables *t, uint32_t count, noise_wave *out)
 {
     uint32_t seed = 0xde921401u;
     turbulence one = turbulence_default();
 
     one.octaves = 1;
     for (uint32_t i = 0; i < count; i++) {
-        const pov_vec3 d = noise_vector_turbulence_at(t, &one, pov_vec3_of(i, 0.0, 0.0));
-        const double size = sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-
-        out[i].source = pov_vec3_of(d.x / size, d.y / size, d.z / size);
+        out[i].source = pov_unit(noise_vector_turbulence_at(t, &one, pov_vec3_of(i, 0.0, 0.0)));
         out[i].frequency = draw(&seed) * 0.000030518509476 + 0.01;
     }
+}
+
+bool noise_want_waves(const env *e, noise_tables *t, uint32_t count)
+{
+    noise_wave *grown = count > t->waves ? env_resize(e, t->wave, count, sizeof *grown) : t->wave;
+
+    if (!grown)
+        return false;
+    t->wave = grown;
+    if (count > t->waves) {
+        fill_waves(t, count, grown);
+        t->waves = count;
+    }
+    return true;
+}
+
+/* ---- making ---- */
+
+noise_tables *noise_create(const env *e)
+{
+    noise_tables *t = env_alloc_aligned(e, sizeof *t, SIMD_LINE);
+
+    if (!t)
+        return NULL;
+    fill_hash(t);
+    fill_generator_3(t);
+    fill_cells(t);
+    if (noise_want_waves(e, t, NOISE_WAVES))
+        return t;
+    noise_destroy(e, t);
+    return NULL;
+}
+
+void noise_destroy(const env *e, noise_tables *t)
+{
+    if (t)
+        env_free(e, t->wave);
+    env_free_aligned(e, t);
 }

@@ -11,6 +11,7 @@
 
 enum {
     NOISE_HASH = 4096, NOISE_MEASURED = 267, NOISE_GRADIENTS = 2048,
+    NOISE_WAVES = 10,
     NOISE_CELLS = NOISE_HASH + 2     /* random numbers by hash; a hash and the two behind it are a point in a cube */
 };
 
@@ -22,6 +23,8 @@ typedef struct noise_tables {
     uint16_t hash[NOISE_HASH];                           /* a permutation */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
     uint8_t last[NOISE_HASH];                            /* the low bits of hash: where measured numbers begin */
+    uint32_t waves;
+    noise_wave *wave;                                    /* the sources of ripples and waves, NOISE_WAVES at least */
 } noise_tables;
 
 extern const double noise_measured[NOISE_MEASURED];
@@ -29,6 +32,8 @@ extern const double noise_measured[NOISE_MEASURED];
 /* NULL when memory ends. */
 noise_tables *noise_create(const env *e);
 void noise_destroy(const env *e, noise_tables *t);
+/* Make at least so many sources of ripples and waves. False when memory ends. */
+bool noise_want_waves(const env *e, noise_tables *t, uint32_t count);
 
 /* The hash of a cube by its lowest corner, 0 to NOISE_HASH - 1. */
 static inline uint32_t noise_hash(const noise_tables *t, int32_t x, int32_t y, int32_t z)
@@ -59,8 +64,5 @@ void noise_vector_turbulence(const noise_tables *t, const turbulence *of, const 
 double noise_value_at(const noise_tables *t, int generator, pov_vec3 at);
 pov_vec3 noise_vector_turbulence_at(const noise_tables *t, const turbulence *of, pov_vec3 at);
 double noise_turbulence_at(const noise_tables *t, int generator, const turbulence *of, pov_vec3 at);
-
-/* The sources of ripples and waves. */
-void noise_waves(const noise_tables *t, uint32_t count, noise_wave *out);
 
 #endif

@@ -128,16 +128,22 @@ static void far_points_have_values(void **state)
     drop(t);
 }
 
-static void waves_come_from_ten_places(void **state)
+static void more_waves_have_the_same_first_ten(void **state)
 {
     noise_tables *t = make();
-    noise_wave waves[10];
+    noise_wave first[NOISE_WAVES];
+    env e;
     (void)state;
 
-    noise_waves(t, 10, waves);
-    assert_near(waves[0].frequency, 0.919115878780, 1e-12);
-    for (int i = 0; i < 10; i++)
-        assert_near(pov_dot(waves[i].source, waves[i].source), 1.0, 1e-15);
+    env_init(&e, NULL, NULL, NULL);
+    assert_int_equal(t->waves, NOISE_WAVES);
+    assert_near(t->wave[0].frequency, 0.919115878780, 1e-12);
+    for (int i = 0; i < NOISE_WAVES; i++)
+        assert_near(pov_dot(t->wave[i].source, t->wave[i].source), 1.0, 1e-15);
+    memcpy(first, t->wave, sizeof first);
+    assert_true(noise_want_waves(&e, t, 5) && t->waves == NOISE_WAVES);
+    assert_true(noise_want_waves(&e, t, 500) && t->waves == 500);
+    assert_memory_equal(t->wave, first, sizeof first);
     drop(t);
 }
 
@@ -148,7 +154,7 @@ int main(void)
         cmocka_unit_test(tables_are_those_of_the_rules),
         cmocka_unit_test(a_lane_is_alone),
         cmocka_unit_test(far_points_have_values),
-        cmocka_unit_test(waves_come_from_ten_places),
+        cmocka_unit_test(more_waves_have_the_same_first_ten),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
