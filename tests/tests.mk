@@ -147,6 +147,12 @@ compare: all
 	$(PYTHON) tests/compare/test_harness.py
 	$(PYTHON) tests/compare/compare.py --povc $(POVC)
 
+# Folders of probe scenes with POV-Ray's pictures, as tests/compare/README.md says: which scenes are drawn alike.
+PROBES ?=
+.PHONY: probes
+probes: all
+	$(foreach f,$(PROBES),$(PYTHON) tests/compare/probes.py --povc $(POVC) $f;)
+
 # Mistakes made on purpose in a copy of the tree, each of which a test must notice; some ten minutes.
 .PHONY: mutate
 mutate:
