@@ -29,16 +29,6 @@ typedef struct common_polygon {
 /* A ray that leaves a plane, to either side, never hits it again. */
 #define COMMON_POLYGON_MARK POV_MARK_OUTWARD
 
-/* Corners are below 2 and so is the direction. A coordinate is the difference of two products of a rounded difference:
- * 6 roundings of terms below 2 (2 + |w|), twice. */
-COMMON_INLINE double common_polygon_blur(pov_vec3 w) { return 24.0 * COMMON_U * (2.0 + pov_largest(w)); }
-
-/* The largest axis of a direction. */
-static inline int common_polygon_forward(pov_vec3 d)
-{
-    return fabs(d.x) > fabs(d.y) ? (fabs(d.x) > fabs(d.z) ? 0 : 2) : fabs(d.y) > fabs(d.z) ? 1 : 2;
-}
-
 /* The distance to the plane: a first quotient, and its correction. */
 COMMON_INLINE common_root common_polygon_distance(pov_vec3 n, const common_ray *k, double slope, double slope_error,
                                                   double first,

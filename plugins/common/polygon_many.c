@@ -1,4 +1,5 @@
 /* Pairs of a small polygon and a ray, side by side. */
+#include "common/edges.h"
 #include "common/lanes.h"
 #include "common/polygon.h"
 
@@ -66,7 +67,7 @@ static inline double pass(projected a, projected b, double error, double *certai
 /* Point-in-loop test: +1 definitely inside, -1 definitely outside, 0 undecided. */
 static inline double enclose(const polygon_lanes *l, uint32_t i, pov_vec3 w, pov_vec3 d)
 {
-    const double error = common_polygon_blur(w), forward = l->forward[i];
+    const double error = common_view_blur(w), forward = l->forward[i];
     const ray_at at = { w, rotate(d, forward), error, forward };
     const projected a = project(l, 0, i, &at), b = project(l, 1, i, &at), c = project(l, 2, i, &at);
     const projected e = project(l, 3, i, &at), f = project(l, 4, i, &at), g = project(l, 5, i, &at);
@@ -154,7 +155,7 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
     common_put_four_of(&lanes.rays, 0, rays, n);
     for (i = 0; i < TOGETHER; i++) {
         shapes[i] = selves[common_lane_of(i, n)];
-        lanes.forward[i] = common_polygon_forward(rays[common_lane_of(i, n)]->dir);
+        lanes.forward[i] = common_forward(rays[common_lane_of(i, n)]->dir);
     }
     common_put_four_shapes(lanes.number[0], TOGETHER, NUMBERS, shapes);
     find_planes(&lanes, &plane);

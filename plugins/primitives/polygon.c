@@ -3,7 +3,7 @@
  *
  * The side of an edge on which a ray passes depends on the ray and the edge only, and is decided exactly where doubles
  * leave it open. So polygons that share an edge leave no gap and no overlap along it. */
-#include "common/expansion.h"
+#include "common/edges.h"
 #include "common/planar_block.h"
 #include "common/polygon.h"
 
@@ -288,152 +288,29 @@ static bool bounds(const void *self, pov_box *out)
     return true;
 }
 
-/* ---- which side of an edge ---- */
-
-/* View along a ray: its largest axis points away, across and up are the two others. The view depends on the ray
- * only. */
-typedef struct projection {
-    const pov_ray *ray;
-    int across, up, forward;
-    double o[3], o_lo[3], d[3], d_lo[3];   /* the direction is scaled */
-    double w[3];           /* a point of the ray near the polygon, seen from the anchor */
-    double error;          /* error of a coordinate in the view */
-    bool exact, escalated;
-} projection;
-
-static void set3(double *to, pov_vec3 v) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
-
-static projection projection_along(const pov_ray *ray, const common_ray *k, pov_vec3 w, bool always_exact)
-{
-    projection s;
-
-    s.forward = common_polygon_forward(k->d);
-    s.across = (s.forward + 1) % 3;
-    s.up = (s.forward + 2) % 3;
-    s.ray = ray;
-    set3(s.o, ray->org);
-    set3(s.o_lo, ray->org_lo);
-    set3(s.d, k->d);
-    set3(s.d_lo, k->d_lo);
-    set3(s.w, w);
-    s.error = common_polygon_blur(w);
-    s.exact = always_exact || !(pov_largest(pov_two3_hi(k->f)) < COMMON_FAR);
-    s.escalated = false;
-    return s;
-}
-
-typedef struct seen { double across, up; int above; } seen;
-
-/* Adds sign (v - o) d for one coordinate of the corner and one of the direction. */
-static void add_terms(common_expansion *e, const projection *s, const double *v, int i, int j, double sign)
-{
-    const double from[3] = { v[i], -s->o[i], -s->o_lo[i] };
-    int n;
-
-    for (n = 0; n < 3; n++) {
-        common_expansion_add_product(e, from[n], sign * s->d[j]);
-        common_expansion_add_product(e, from[n], sign * s->d_lo[j]);
-    }
-}
-
-static bool is_above(const projection *s, const pov_vec3 *corner)
-{
-    common_expansion e;
-    double v[3];
-
-    set3(v, *corner);
-    common_expansion_clear(&e);
-    add_terms(&e, s, v, s->up, s->forward, 1.0);
-    add_terms(&e, s, v, s->forward, s->up, -1.0);
-    return common_expansion_sign(&e) > 0;
-}
-
-/* A corner in the view, with the ray at the origin. A corner level with the ray counts as below: the same for every
- * polygon that has it. */
-static seen project(projection *s, pov_vec3 local, const pov_vec3 *corner)
-{
-    const double v[3] = { local.x - s->w[0], local.y - s->w[1], local.z - s->w[2] };
-    seen p;
-
-    p.across = v[s->across] * s->d[s->forward] - v[s->forward] * s->d[s->across];
-    p.up = v[s->up] * s->d[s->forward] - v[s->forward] * s->d[s->up];
-    p.above = p.up > 0.0;
-    if (s->exact || !(fabs(p.up) > s->error)) {
-        s->escalated = true;
-        p.above = is_above(s, corner);
-    }
-    return p;
-}
-
-/* The sign of d . ((a - o) x (b - o)). */
-static int orientation(const projection *s, const pov_vec3 *a, const pov_vec3 *b)
-{
-    double p[3], q[3];
-    common_expansion e;
-    int i, m, n, l;
-
-    set3(p, *a);
-    set3(q, *b);
-    common_expansion_clear(&e);
-    for (i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const double pj[3] = { p[j], -s->o[j], -s->o_lo[j] }, pk[3] = { p[k], -s->o[k], -s->o_lo[k] };
-        const double qj[3] = { q[j], -s->o[j], -s->o_lo[j] }, qk[3] = { q[k], -s->o[k], -s->o_lo[k] };
-        const double d[2] = { s->d[i], s->d_lo[i] };
-
-        for (l = 0; l < 2; l++) {
-            for (m = 0; m < 3; m++) {
-                for (n = 0; n < 3; n++) {
-                    common_expansion_add_product3(&e, pj[m], qk[n], d[l]);
-                    common_expansion_add_product3(&e, pk[m], qj[n], -d[l]);
-                }
-            }
-        }
-    }
-    return common_expansion_sign(&e);
-}
-
-/* Does an edge that crosses the ray's level pass the ray on the right, or through it? Edges are tested upward, so that
- * both polygons of a shared edge compute the same. */
-static bool is_right(projection *s, const pov_vec3 *a, seen pa, const pov_vec3 *b, seen pb)
-{
-    const double cross = pa.across * pb.up - pb.across * pa.up;
-    const double error = s->error * (fabs(pa.across) + fabs(pa.up) + fabs(pb.across) + fabs(pb.up) + 2.0 * s->error) +
-                         4.0 * COMMON_U * (fabs(pa.across * pb.up) + fabs(pb.across * pa.up));
-    int sign;
-
-    if (!s->exact && fabs(cross) > error)
-        return (cross > 0.0) == (pb.above > pa.above);
-    s->escalated = true;
-    sign = orientation(s, a, b);
-    if (s->d[s->forward] < 0.0)
-        sign = -sign;
-    return pb.above ? sign >= 0 : sign <= 0;
-}
+/* ---- rays ---- */
 
 static pov_vec3 local_of(const common_polygon *s, uint32_t i) { return s->small ? s->near[i] : s->corners[i].local; }
 
-static bool is_within(const common_polygon *s, projection *view)
+static bool is_within(const common_polygon *s, common_view *view)
 {
     bool within = false;
-    seen before = { 0.0, 0.0, 0 };
+    common_seen before = { 0.0, 0.0, 0 };
     const pov_vec3 *last = NULL;
     uint32_t i;
 
     for (i = 0; i < s->count; i++) {
         const pov_vec3 *corner = s->small ? &s->world[i] : &s->corners[i].world;
-        const seen here = project(view, local_of(s, i), corner);
+        const common_seen here = common_view_project(view, local_of(s, i), corner);
         const bool starts = s->small ? i == 0 : s->corners[i].starts;
 
-        if (!starts && here.above != before.above && is_right(view, last, before, corner, here))
+        if (!starts && here.above != before.above && common_view_is_right(view, last, before, corner, here))
             within = !within;
         before = here;
         last = corner;
     }
     return within;
 }
-
-/* ---- rays ---- */
 
 static pov_two escalate_distance(const common_polygon *s, const common_ray *k, double first)
 {
@@ -452,7 +329,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     double slope, first;
     common_verdict verdict;
     common_root root;
-    projection view;
+    common_view view;
 
     if (s->count == 0 || ray->origin_surface == hits->owner)
         return;
@@ -465,7 +342,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     verdict = common_judge(&root, k.unit, COMMON_FINE, hits);
     if (verdict == COMMON_OUTSIDE)
         return;
-    view = projection_along(ray, &k, w, hits->always_exact);
+    view = common_view_make(ray->org, ray->org_lo, &k, w, hits->always_exact);
     if (is_within(s, &view)) {
         if (verdict == COMMON_OPEN || hits->always_exact) {
             view.escalated = true;
