@@ -14,7 +14,8 @@ struct shape_class;
 enum {
     LEAF_NO_SHADOW = 1, LEAF_INVERSE = 2, LEAF_HOLLOW = 4,
     LEAF_DOUBLE_ILLUMINATE = 8,  /* light from behind counts as light from the front */
-    LEAF_NO_IMAGE = 16, LEAF_NO_REFLECTION = 32   /* unseen by camera rays, and by reflected rays */
+    LEAF_NO_IMAGE = 16, LEAF_NO_REFLECTION = 32,  /* unseen by camera rays, and by reflected rays */
+    LEAF_UV = 64                 /* its texture asks for surface coordinates: the shape stays as it was written */
 };
 
 typedef struct leaf_node {

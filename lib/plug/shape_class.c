@@ -55,6 +55,9 @@ void shape_class_fill(shape_class *out, const pov_shape_class *from)
     out->uv = c.uv;
     out->scratch = c.scratch;
     out->open = c.open;
+    out->solid = c.solid;
+    out->shading_normal = c.shading_normal;
+    out->textures = c.textures;
     if (fast_of(&c))
         fill_fast(out, fast_of(&c));
 }

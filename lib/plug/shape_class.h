@@ -23,6 +23,10 @@ typedef struct shape_class {
     void (*uv)(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
     size_t (*scratch)(const void *self);
     bool (*open)(const void *self);
+    bool (*solid)(const void *self);
+    bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
+    uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
+                         double share[3]);
 
     size_t block_size, single_block_size;
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);
@@ -39,5 +43,11 @@ typedef struct shape_class {
 void shape_class_fill(shape_class *out, const pov_shape_class *from);
 /* NULL when the class keeps the form of the contract, else a message that says what is wrong. */
 const char *shape_class_check(const pov_shape_class *c);
+
+/* Has the shape that parse() wrote an inside? */
+static inline bool shape_is_solid(const shape_class *c, const void *parsed)
+{
+    return (c->flags & POV_SHAPE_SOLID) && c->inside && (!c->solid || c->solid(parsed));
+}
 
 #endif

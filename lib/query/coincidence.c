@@ -85,7 +85,9 @@ static uint32_t find_near(const world *w, query_context *k, const coincident_set
 
 static bool is_solid(const world *w, uint32_t which)
 {
-    return (w->model->leaves.items[which].shape->flags & POV_SHAPE_SOLID) != 0;
+    const leaf_node *o = &w->model->leaves.items[which];
+
+    return shape_is_solid(o->shape, o->instance);
 }
 
 static bool is_crossed(const coincident_set *s, uint32_t which, double rise)

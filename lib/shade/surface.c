@@ -5,6 +5,7 @@
 #include "query/passage.h"
 #include "shade/accumulate.h"
 #include "shade/paint.h"
+#include "world/detail.h"
 
 /* ---- coincident surfaces ---- */
 
@@ -159,6 +160,22 @@ static void complete_some(const shade_context *c, surfaces *s)
         world_incidence(&s->geometry.to, i, s->rays[i], s->found[i]);
 }
 
+/* Use the shading normals of surfaces that have some. */
+static void bend(const shading *scene, surfaces *s)
+{
+    geometry *g = &s->geometry;
+    bool bent = false;
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        pov_vec3 normal = lanes_at(&g->to.normal, i);
+
+        if (scene->objects_info[s->found[i]->object].smooth)
+            bent |= world_shading_normal(scene->world, s->rays[i], s->found[i], &normal);
+        lanes_put(&g->bent, i, normal);
+    }
+    g->shading = bent ? &g->bent : &g->to.normal;
+}
+
 void surfaces_complete(shade_context *c, surfaces *s)
 {
     if (c->coincident_sets.count > 0)
@@ -166,6 +183,8 @@ void surfaces_complete(shade_context *c, surfaces *s)
     else
         world_surface_many(c->scene->world, query_context_own(c->context), s->rays, s->found, s->count,
                            &s->geometry.to);
+    if (c->scene->plan->smooth)
+        bend(c->scene, s);
     if (c->scene->plan->textures)
         paint_surfaces(c->scene, s);
     geometry_turn(&s->geometry, s->count);

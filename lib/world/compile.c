@@ -206,7 +206,7 @@ static pov_status transform_shape(maker *k, const leaf_node *o, uint32_t index, 
     *instance = NULL;
     if (!approximate && !map)
         return POV_E_SYNTAX;
-    if (!approximate && o->shape->absorb)
+    if (!approximate && o->shape->absorb && !(o->flags & LEAF_UV))
         status = absorb(k, o, map, instance);
     if (status < 0)
         return status;
@@ -275,6 +275,7 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
     info->material = o->material;
     info->inverse = (o->flags & LEAF_INVERSE) != 0;
     info->member = member;
+    info->smooth = o->shape->shading_normal != NULL;
     info->filters = casts && transparent;
     info->plain = plain;
     if (transparent && !member)

@@ -38,7 +38,7 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
     m->leaf = leaf;
     m->node = node;
     m->hidden = from.hidden;
-    m->patch = !(o->shape->flags & POV_SHAPE_SOLID) || !o->shape->inside;
+    m->patch = !shape_is_solid(o->shape, o->instance);
     m->inverse = !m->patch && from.complement != ((o->flags & LEAF_INVERSE) != 0);
     m->turned = !m->patch && from.turned != m->inverse;
     return which;

@@ -105,11 +105,22 @@ void instance_world_normal(const instance_xform *p, pov_vec3 *normal)
     *normal = pov_unit(pov_vec3_of(n[0], n[1], n[2]));
 }
 
+pov_two3 instance_point(const instance_xform *p, pov_vec3 point, pov_vec3 point_lo)
+{
+    pov_two o[3];
+    pov_two3 out;
+
+    own_point(p, point, point_lo, o);
+    out.x = o[0];
+    out.y = o[1];
+    out.z = o[2];
+    return out;
+}
+
 bool instance_inside(const instance_xform *p, const shape_class *shape, const void *self, pov_vec3 point,
                      pov_vec3 point_lo)
 {
-    pov_two o[3];
+    const pov_two3 own = instance_point(p, point, point_lo);
 
-    own_point(p, point, point_lo, o);
-    return shape->inside(self, pov_vec3_of(o[0].hi, o[1].hi, o[2].hi), pov_vec3_of(o[0].lo, o[1].lo, o[2].lo));
+    return shape->inside(self, pov_two3_hi(own), pov_two3_lo(own));
 }

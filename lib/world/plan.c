@@ -7,7 +7,7 @@
 
 /* ---- what there is in the model ---- */
 
-static bool is_solid(const leaf_node *o) { return (o->shape->flags & POV_SHAPE_SOLID) && o->shape->inside; }
+static bool is_solid(const leaf_node *o) { return shape_is_solid(o->shape, o->instance); }
 
 bool plan_is_dielectric(const model *m, const leaf_node *o)
 {
@@ -47,6 +47,7 @@ static bool survey_model(const model *m, plan_counts *s)
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
         counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
+        s->smooth += o->shape->shading_normal != NULL;
     }
     for (i = 0; counts && i < m->materials.count * KINDS; i++)
         count_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);
@@ -64,6 +65,7 @@ static void derive_needs(plan *p, const plan_counts *s)
     p->coloured_shadows = p->shadows && s->filtering > 0;
     p->highlights = p->lighting && s->glossy > 0;
     p->metallic = p->lighting && s->metallic > 0;
+    p->smooth = s->smooth > 0;
     p->textures = s->varying > 0;
     p->reflection = s->reflective > 0;
     p->transmission = s->transparent > 0;

@@ -8,7 +8,7 @@ typedef struct plan_counts {
     size_t emitting;             /* lights that are not black */
     size_t lit;                  /* objects with diffuse light or highlights */
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
-    size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics;
+    size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
 } plan_counts;
 
 typedef struct plan {
@@ -16,6 +16,7 @@ typedef struct plan {
     bool shadows;                /* ... and some object casts one */
     bool coloured_shadows;       /* ... and some of those is transparent */
     bool highlights, metallic;
+    bool smooth;                 /* some shape has shading normals */
     bool textures;               /* some texture varies from point to point */
     bool reflection;
     bool transmission;           /* some surface transmits rays */

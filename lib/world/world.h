@@ -37,7 +37,7 @@ bool world_bounds(const world *w, pov_box *out);
 typedef struct object_info {
     uint32_t slot, material;
     uint16_t group;
-    bool inverse : 1, filters : 1, plain : 1, member : 1;
+    bool inverse : 1, filters : 1, plain : 1, member : 1, smooth : 1;   /* smooth: it has shading normals */
 } object_info;
 const object_info *world_object_info(const world *w);
 /* Was it made with double-double arithmetic for every intersection? */

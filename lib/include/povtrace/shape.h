@@ -167,7 +167,17 @@ typedef struct pov_shape_class {
     const void *(*extension)(const char *name);
     /* [load] For solids: has the surface gaps, through which a ray enters without a crossing? NULL: none has. */
     bool (*open)(const void *self);
-    /* abi 3 began with these. */
+    /* abi 3 began with these. The point of the following ones is the sum of both parts, in the space of the instance. */
+
+    /* [load] For POV_SHAPE_SOLID: is this shape a solid? Of what parse() wrote. NULL: every one is. */
+    bool (*solid)(const void *self);
+    /* [render] The normal that light sees at a crossing, of any length but zero, where it is another than normal()
+     * gives. False: it is not. */
+    bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
+    /* [render] Textures of a part of the surface: up to three numbers that host->texture() gave, and their shares, which
+     * add up to one. Returns how many; 0: the object's own texture. NULL: every part has that. */
+    uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
+                         double share[3]);
 } pov_shape_class;
 
 #endif

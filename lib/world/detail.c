@@ -1,0 +1,53 @@
+#include "world/detail.h"
+
+#include "world/internal.h"
+
+/* A hit's shape, and its point in the space of the instance. */
+typedef struct part { const shape_class *shape; shape_ref ref; pov_vec3 point, point_lo; } part;
+
+static part find_part(const world *w, const hit *h)
+{
+    part p = { w->groups[w->objects_info[h->object].group].shape, world_shape(w, h->object), h->point, h->point_lo };
+
+    if (p.ref.xform) {
+        const pov_two3 own = instance_point(p.ref.xform, h->point, h->point_lo);
+
+        p.point = pov_two3_hi(own);
+        p.point_lo = pov_two3_lo(own);
+    }
+    return p;
+}
+
+bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out)
+{
+    const part p = find_part(w, h);
+
+    if (!p.shape->shading_normal ||
+        !p.shape->shading_normal(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, out))
+        return false;
+    if (p.ref.xform)
+        instance_world_normal(p.ref.xform, out);
+    *out = pov_unit(*out);
+    if (pov_dot(*out, ray->dir) > 0.0)
+        *out = pov_scale(*out, -1.0);
+    return true;
+}
+
+void world_uv(const world *w, const hit *h, double out[2])
+{
+    const part p = find_part(w, h);
+
+    out[0] = p.point.x;
+    out[1] = p.point.y;
+    if (p.shape->uv)
+        p.shape->uv(p.ref.instance, p.point, &h->crossing.mark, out);
+}
+
+uint32_t world_part_textures(const world *w, const hit *h, uint32_t which[3], double share[3])
+{
+    const part p = find_part(w, h);
+
+    if (!p.shape->textures)
+        return 0;
+    return p.shape->textures(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, which, share);
+}
