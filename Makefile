@@ -109,7 +109,7 @@ $(BUILD)/obj/$(1)%.o: COPY = $(1:/=)
 $(BUILD)/obj/$(1)%.o: COPY_FLAGS = $(if $(1),-march=$(1:/=) $(WIDE_FLAGS_$(1:/=)) -DPOV_WIDE='"$(1:/=)"')
 $(BUILD)/obj/$(1)lib/%.o: ROOM_FLAGS = -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"' \
     -DPOV_SHARE_DIR='"$(SHAREDIR)"'
-$(BUILD)/obj/$(1)plugins/%.o: ROOM_FLAGS = -Iplugins
+$(BUILD)/obj/$(1)plugins/%.o: ROOM_FLAGS = -Iplugins -Ilib
 $(BUILD)/obj/$(1)%.o: %.c
 	$$(COMPILE)
 

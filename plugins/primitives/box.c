@@ -458,6 +458,25 @@ static bool block_pack(void *block, const pov_frame *frame, const void *const *s
     return true;
 }
 
+/* How far a coordinate is from the lower plane to the upper one. */
+static double share(const box *b, int axis, double at)
+{
+    const double lo = b->plane[2 * axis].hi, length = b->plane[2 * axis + 1].hi - lo;
+
+    return length > 0.0 ? (at - lo) / length : 0.0;
+}
+
+/* The six faces unfolded to a cross, four columns by three rows. */
+static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
+{
+    const double x = share(self, 0, point.x), y = share(self, 1, point.y), z = share(self, 2, point.z);
+    const double columns[6] = { z, 3.0 - z, 1.0 + x, 1.0 + x, 4.0 - x, 1.0 + x };
+    const double rows[6] = { 1.0 + y, 1.0 + y, z, 3.0 - z, 1.0 + y, 1.0 + y };
+
+    out[0] = columns[mark->feature % 6] / 4.0;
+    out[1] = rows[mark->feature % 6] / 3.0;
+}
+
 static const pov_shape_fast box_fast = {
     .size = sizeof(pov_shape_fast),
     .block_size = sizeof(common_box_block),
@@ -481,6 +500,7 @@ static const pov_shape_class box_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
+    .uv = uv,
     .extension = extension,
 };
 

@@ -2,6 +2,7 @@
 #include "common/affine.h"
 #include "common/radius.h"
 #include "common/sphere_block.h"
+#include "common/turns.h"
 
 typedef struct sphere_parsed { pov_vec3 centre; double radius; } sphere_parsed;
 
@@ -73,6 +74,17 @@ static bool absorb(void *self, const pov_affine *map)
     return true;
 }
 
+/* Seen from its centre: around the y axis from x to z, and from pole to pole. */
+static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
+{
+    const common_sphere *s = self;
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 }, p = pov_two3_hi(common_offset(point, zero, s->centre, 1.0));
+
+    (void)mark;
+    out[0] = common_whole_turn(p.z, p.x);
+    out[1] = 0.5 + 2.0 * common_turn(p.y, sqrt(p.x * p.x + p.z * p.z));
+}
+
 static const pov_shape_fast sphere_fast = {
     .size = sizeof(pov_shape_fast),
     .full_leaves = true,
@@ -98,6 +110,7 @@ static const pov_shape_class sphere_class = {
     .absorb = absorb,
     .parsed_size = sizeof(sphere_parsed),
     .prepare = prepare,
+    .uv = uv,
     .extension = extension,
 };
 

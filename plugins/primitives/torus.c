@@ -7,6 +7,7 @@
 #include "common/local.h"
 #include "common/radius.h"
 #include "common/roots.h"
+#include "common/turns.h"
 
 typedef struct torus {
     double major, minor;           /* as written */
@@ -295,12 +296,11 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
 {
-    const double turn = 6.283185307179586477;
     const torus *t = self;
 
     (void)mark;
-    out[0] = 0.5 - atan2(point.z, point.x) / turn;
-    out[1] = 0.5 + atan2(point.y, sqrt(point.x * point.x + point.z * point.z) - t->major) / turn;
+    out[0] = 0.5 - common_turn(point.z, point.x);
+    out[1] = 0.5 + common_turn(point.y, sqrt(point.x * point.x + point.z * point.z) - t->major);
 }
 
 static const pov_shape_class torus_class = {

@@ -80,7 +80,7 @@ done < "$work/rooms"
 room plugins/primitives "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
 room plugins/images "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image)\.h>"
 room plugins/plots "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|base|math|exact|image|plot)\.h>"
-room plugins/common "\"common/[a-z_0-9]+\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
+room plugins/common "\"(common/[a-z_0-9]+|base/elementary)\.h\"|<povtrace/(plugin|shape|shape_fast|base|math|exact)\.h>"
 room cli "\"[a-z_]+\.h\"|$plain"
 room viewer "\"[a-z_]+\.h\"|$plain"
 
