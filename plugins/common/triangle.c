@@ -1,0 +1,146 @@
+#include "common/triangle.h"
+
+#include "common/report.h"
+
+void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale,
+                           bool always_exact)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    double along, speed;
+
+    r->power = pov_inverse_power(pov_largest(ray->dir));
+    r->anchor = anchor;
+    r->org = pov_scale(ray->org, scale);
+    r->org_lo = pov_scale(ray->org_lo, scale);
+    r->about = common_enter(ray, pov_two3_of(pov_scale(anchor, common_inverse(scale)), zero), scale);
+    speed = pov_dot(r->about.d, r->about.d);
+    along = -pov_dot(pov_two3_hi(r->about.f), r->about.d) / speed;
+    r->view = common_view_make(r->org, r->org_lo, &r->about, common_along(&r->about, along), always_exact);
+}
+
+/* ---- the plane ---- */
+
+/* The normal of two edges, and the error of each component. */
+typedef struct plane { pov_vec3 normal, error; } plane;
+
+/* x y - z w, with an error bound: the edges are rounded once, then each product, then the difference. */
+static inline double minor_of(double x, double y, double z, double w, double *error)
+{
+    *error = 5.0 * COMMON_U * (fabs(x * y) + fabs(z * w));
+    return x * y - z * w;
+}
+
+static plane plane_of(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
+{
+    const pov_vec3 e = pov_sub(*c, *a), f = pov_sub(*b, *a);
+    plane p;
+
+    p.normal.x = minor_of(e.y, f.z, e.z, f.y, &p.error.x);
+    p.normal.y = minor_of(e.z, f.x, e.x, f.z, &p.error.y);
+    p.normal.z = minor_of(e.x, f.y, e.y, f.x, &p.error.z);
+    return p;
+}
+
+static pov_two3 edge(const pov_vec3 *from, const pov_vec3 *to)
+{
+    pov_two3 e;
+
+    e.x = pov_two_sum(to->x, -from->x);
+    e.y = pov_two_sum(to->y, -from->y);
+    e.z = pov_two_sum(to->z, -from->z);
+    return e;
+}
+
+static pov_two3 exact_normal(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
+{
+    return pov_two3_cross(edge(a, c), edge(a, b));
+}
+
+/* The ray about a corner. */
+static common_ray about_corner(const common_triangle_ray *r, const pov_vec3 *a)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    common_ray k = r->about;
+
+    k.f = common_offset(r->org, r->org_lo, pov_two3_of(*a, zero), 1.0);
+    return k;
+}
+
+/* The distance to the plane: a first quotient, and its correction about the point there. */
+static common_root find_distance(const plane *p, const common_ray *k, double *first)
+{
+    const double slope = pov_dot(p->normal, k->d);
+    const double slope_error = common_sum_of_sizes(p->error, k->d) +
+                               6.0 * COMMON_U * common_sum_of_sizes(p->normal, k->d);
+    common_root root;
+    double rest, off;
+    pov_vec3 w;
+
+    *first = -pov_dot(p->normal, pov_two3_hi(k->f)) / slope;
+    w = common_along(k, *first);
+    rest = -pov_dot(p->normal, w) / slope;
+    off = common_sum_of_sizes(p->error, w) + 7.0 * COMMON_U * common_sum_of_sizes(p->normal, w) +
+          fabs(rest) * slope_error;
+    root.t = pov_two_sum(*first, rest);
+    root.error = off / fabs(slope) + COMMON_U * fabs(rest);
+    root.feature = root.flags = 0;
+    if (!(fabs(slope) > 1024.0 * slope_error && pov_largest(pov_two3_hi(k->f)) < COMMON_FAR))
+        root.error = HUGE_VAL;
+    return root;
+}
+
+static pov_two escalate_distance(const pov_two3 *normal, const common_ray *k, double first)
+{
+    const pov_two slope = pov_two3_dot(*normal, common_direction(k));
+    const pov_two height = pov_two3_dot(*normal, isfinite(first) ? common_along_two(k, first) : k->f);
+    const pov_two t = pov_two_neg(pov_two_div(height, slope));
+
+    return isfinite(first) ? pov_two_add_double(t, first) : t;
+}
+
+bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c,
+                           pov_mark mark, pov_hits *hits)
+{
+    const plane p = plane_of(a, b, c);
+    const common_ray k = about_corner(r, a);
+    double first;
+    common_root root = find_distance(&p, &k, &first);
+    const common_verdict verdict = common_judge(&root, k.unit, COMMON_FINE, hits);
+
+    if (verdict == COMMON_OUTSIDE)
+        return true;
+    if (verdict == COMMON_OPEN || r->view.exact) {
+        const pov_two3 normal = exact_normal(a, b, c);
+
+        r->view.escalated = true;
+        root.t = escalate_distance(&normal, &k, first);
+    }
+    mark.flags |= r->view.escalated ? POV_MARK_ESCALATED : 0;
+    return !isfinite(root.t.hi) || pov_cross(hits, root.t.hi * k.unit, root.t.lo * k.unit, mark);
+}
+
+/* ---- points ---- */
+
+bool common_triangle_is_flat(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
+{
+    return !(pov_largest(pov_two3_hi(exact_normal(a, b, c))) > 0.0);
+}
+
+/* In double-double, as that of a sliver is a small difference. */
+pov_vec3 common_triangle_normal(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
+{
+    return pov_two3_hi(exact_normal(a, b, c));
+}
+
+void common_triangle_shares(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c, pov_vec3 point, pov_vec3 point_lo,
+                            double share[3])
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, pov_two3_of(*a, zero), 1.0));
+    const pov_vec3 e = pov_sub(*b, *a), f = pov_sub(*c, *a), n = pov_cross_product(e, f);
+    const double square = pov_dot(n, n);
+
+    share[1] = pov_dot(pov_cross_product(p, f), n) / square;
+    share[2] = pov_dot(pov_cross_product(e, p), n) / square;
+    share[0] = 1.0 - share[1] - share[2];
+}

@@ -1,0 +1,56 @@
+/* triangle.h - triangles as rays meet them: one alone, or many faces over shared corners.
+ *
+ * Corners are in scaled units: as written, times a power of two that makes all of them together of the order of one.
+ * Which side of an edge a ray passes is decided by the ray and that edge's two corners alone, so no ray passes between
+ * two faces that share an edge. */
+#ifndef COMMON_TRIANGLE_H
+#define COMMON_TRIANGLE_H
+
+#include "common/edges.h"
+
+/* A ray among faces that lie around an anchor. */
+typedef struct common_triangle_ray {
+    common_view view;
+    common_ray about;            /* the ray about the anchor */
+    pov_vec3 anchor, org, org_lo;   /* scaled */
+    double power;                /* of the direction */
+} common_triangle_ray;
+
+void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale,
+                           bool always_exact);
+
+/* Does the line of the ray pass through the triangle? Its edges and corners belong to it, each to one of the faces that
+ * share it. */
+static inline bool common_triangle_is_hit(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b,
+                                          const pov_vec3 *c)
+{
+    common_view *v = &r->view;
+    const common_seen p = common_view_project(v, pov_sub(*a, r->anchor), a);
+    const common_seen q = common_view_project(v, pov_sub(*b, r->anchor), b);
+    const common_seen s = common_view_project(v, pov_sub(*c, r->anchor), c);
+    bool within = false;
+
+    if (p.above == q.above && q.above == s.above)
+        return false;
+    if (p.above != q.above)
+        within = common_view_is_right(v, a, p, b, q);
+    if (q.above != s.above)
+        within ^= common_view_is_right(v, b, q, c, s);
+    if (s.above != p.above)
+        within ^= common_view_is_right(v, c, s, a, p);
+    return within;
+}
+
+/* Report the crossing of a triangle that the line of the ray hits. False: nothing more is wanted. */
+bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c,
+                           pov_mark mark, pov_hits *hits);
+
+/* Do the corners lie on a line? */
+bool common_triangle_is_flat(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
+/* (c - a) x (b - a), of any length: the corners run clockwise, seen from where it points. */
+pov_vec3 common_triangle_normal(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
+/* Shares of the corners in a point of the triangle; they add up to one. */
+void common_triangle_shares(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c, pov_vec3 point, pov_vec3 point_lo,
+                            double share[3]);
+
+#endif
