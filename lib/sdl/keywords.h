@@ -119,7 +119,7 @@
     ROW(DIMENSION_SIZE, "dimension_size", 0) \
     ROW(DIMENSIONS, "dimensions", 0) \
     ROW(DIRECTION, "direction", 0) \
-    ROW(DISC, "disc", KEYWORD_FLAG_COMING) \
+    ROW(DISC, "disc", KEYWORD_FLAG_SHAPE) \
     ROW(DISPERSION, "dispersion", 0) \
     ROW(DISPERSION_SAMPLES, "dispersion_samples", 0) \
     ROW(DIST_EXP, "dist_exp", 0) \
@@ -380,7 +380,7 @@
     ROW(SLOPE, "slope", 0) \
     ROW(SLOPE_MAP, "slope_map", 0) \
     ROW(SMOOTH, "smooth", 0) \
-    ROW(SMOOTH_TRIANGLE, "smooth_triangle", KEYWORD_FLAG_COMING) \
+    ROW(SMOOTH_TRIANGLE, "smooth_triangle", KEYWORD_FLAG_SHAPE) \
     ROW(SOLID, "solid", 0) \
     ROW(SOR, "sor", KEYWORD_FLAG_COMING) \
     ROW(SPACING, "spacing", 0) \
@@ -439,7 +439,7 @@
     ROW(TRANSLATE, "translate", KEYWORD_FLAG_BASE) \
     ROW(TRANSLUCENCY, "translucency", 0) \
     ROW(TRANSMIT, "transmit", KEYWORD_FLAG_PAINT) \
-    ROW(TRIANGLE, "triangle", KEYWORD_FLAG_COMING) \
+    ROW(TRIANGLE, "triangle", KEYWORD_FLAG_SHAPE) \
     ROW(TRIANGLE_WAVE, "triangle_wave", 0) \
     ROW(TRIANGULAR, "triangular", 0) \
     ROW(TRUE, "true", 0) \

@@ -18,7 +18,8 @@ static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
 {
     const compile_state *f = user;
 
-    out->boxed = !(f->group[leaf] & COMPILE_INFINITE);
+    out->boxed = !(f->group[leaf] & COMPILE_INFINITE) &&
+                 !(compile_leaf(f, leaf)->shape->flags & POV_SHAPE_ENDLESS);
     if (out->boxed)
         compile_box(f, leaf, &out->box);
 }

@@ -127,7 +127,8 @@ enum {
     /* No hit or miss is wrong, and each distance t + t_lo is off by at most 32 units in the last place of t, the point
      * there by 2^-42 of the shape's size, from however far and at whatever scale (docs/numerics.md). The contract's
      * tests verify it. */
-    POV_SHAPE_CERTIFIED = 1u << 5
+    POV_SHAPE_CERTIFIED = 1u << 5,
+    POV_SHAPE_ENDLESS = 1u << 6  /* what is inside() of it reaches beyond its bounds */
 };
 
 typedef struct pov_shape_class {
