@@ -121,7 +121,7 @@ bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_
 
 /* ---- points ---- */
 
-bool common_triangle_is_flat(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
+bool common_triangle_is_degenerate(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
 {
     return !(pov_largest(pov_two3_hi(exact_normal(a, b, c))) > 0.0);
 }

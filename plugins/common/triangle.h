@@ -46,7 +46,7 @@ bool common_triangle_cross(common_triangle_ray *r, const pov_vec3 *a, const pov_
                            pov_mark mark, pov_hits *hits);
 
 /* Do the corners lie on a line? */
-bool common_triangle_is_flat(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
+bool common_triangle_is_degenerate(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
 /* (c - a) x (b - a), of any length: the corners run clockwise, seen from where it points. */
 pov_vec3 common_triangle_normal(const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c);
 /* Shares of the corners in a point of the triangle; they add up to one. */

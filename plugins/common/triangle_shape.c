@@ -10,7 +10,7 @@ void common_triangle_make(common_triangle *t, const pov_vec3 corner[3])
     t->scale = pov_inverse_power(fmax(pov_largest(e), pov_largest(f)));
     for (i = 0; i < 3; i++)
         t->corner[i] = pov_scale(corner[i], t->scale);
-    t->seen = !common_triangle_is_flat(&t->corner[0], &t->corner[1], &t->corner[2]);
+    t->seen = !common_triangle_is_degenerate(&t->corner[0], &t->corner[1], &t->corner[2]);
     t->normal = pov_unit(common_triangle_normal(&t->corner[0], &t->corner[1], &t->corner[2]));
 }
 
@@ -43,7 +43,7 @@ void common_triangle_intersect(const void *self, const pov_ray *ray, pov_hits *h
     hits->escalated += r.view.escalated;
 }
 
-void common_triangle_flat_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+void common_triangle_plane_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     (void)ray;
     (void)at;

@@ -45,7 +45,7 @@ static const pov_shape_class smooth_triangle_class = {
     .parse = parse,
     .bounds = common_triangle_bounds,
     .intersect = common_triangle_intersect,
-    .normal = common_triangle_flat_normal,
+    .normal = common_triangle_plane_normal,
     .shading_normal = common_triangle_shading_normal,
     .extension = extension,
 };

@@ -35,7 +35,7 @@ static const pov_shape_class triangle_class = {
     .parse = parse,
     .bounds = common_triangle_bounds,
     .intersect = common_triangle_intersect,
-    .normal = common_triangle_flat_normal,
+    .normal = common_triangle_plane_normal,
     .extension = extension,
 };
 
