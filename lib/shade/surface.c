@@ -161,7 +161,7 @@ static void complete_some(const shade_context *c, surfaces *s)
 }
 
 /* Use the shading normals of surfaces that have some. */
-static void bend(const shading *scene, surfaces *s)
+static void set_shading_normals(const shading *scene, surfaces *s)
 {
     geometry *g = &s->geometry;
     bool bent = false;
@@ -184,7 +184,7 @@ void surfaces_complete(shade_context *c, surfaces *s)
         world_surface_many(c->scene->world, query_context_own(c->context), s->rays, s->found, s->count,
                            &s->geometry.to);
     if (c->scene->plan->smooth)
-        bend(c->scene, s);
+        set_shading_normals(c->scene, s);
     if (c->scene->plan->textures)
         paint_surfaces(c->scene, s);
     geometry_turn(&s->geometry, s->count);
