@@ -51,9 +51,9 @@ static void fill_generator_3(noise_tables *t)
         const pov_vec3 v = draw_in_sphere(&seed);
         const double size = sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 
-        t->gradient[i][0] = v.x / size;
-        t->gradient[i][1] = v.y / size;
-        t->gradient[i][2] = v.z / size;
+        t->gradient[i][1] = v.x / size;
+        t->gradient[i][2] = v.y / size;
+        t->gradient[i][3] = v.z / size;
         order[i] = (uint16_t)i;
     }
     for (int i = NOISE_GRADIENTS; i > 0; i -= 2)
@@ -95,60 +95,67 @@ static void fill_cells(noise_tables *t)
 
 /* ---- the cubes that points stand in ---- */
 
-/* Along one axis: the lattice's cell, the place in it and its smooth weight. */
-typedef struct axis { double u[LANES_MAX], s[LANES_MAX]; int32_t cell[LANES_MAX]; } axis;
-typedef struct SIMD_ALIGNED lattice { axis x, y, z; } lattice;
+/* Numbers of a point that are added up side by side: one of four terms at each corner. */
+enum { CORNERS = 8, PARTS = 4 };
+
+/* The lattice's cells, the smooth weights of their upper sides, and 1/2 with the places in them. */
+typedef struct SIMD_ALIGNED lattice {
+    double s[3][LANES_MAX];
+    double place[LANES_MAX][PARTS];
+    int32_t cell[3][LANES_MAX];
+} lattice;
+
+/* What a place is seen from at each corner. */
+static const double corner[CORNERS][PARTS] = {
+    { 0.0, 0.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0, 0.0 }, { 0.0, 1.0, 1.0, 0.0 },
+    { 0.0, 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0, 1.0 }, { 0.0, 1.0, 1.0, 1.0 },
+};
 
 SIMD_INLINE double smooth(double u) { return u * u * (3.0 - 2.0 * u); }
 
 /* What no 32-bit integer holds counts as the lowest one, as POV-Ray's conversion gives. */
 SIMD_INLINE double limit(double whole) { return whole >= -2147483648.0 && whole < 2147483648.0 ? whole : -2147483648.0; }
 
-SIMD_INLINE void locate_along(const double *restrict at, double scale, uint32_t n, axis *restrict out)
+SIMD_INLINE void locate_along(int axis, const double *restrict at, double scale, uint32_t n, lattice *restrict out)
 {
-    for (uint32_t i = 0; i < n; i++) {
-        const double v = at[i] * scale, whole = limit(floor(v));
+    double *restrict s = out->s[axis];
+    int32_t *restrict cell = out->cell[axis];
 
-        out->u[i] = v - whole;
-        out->s[i] = smooth(v - whole);
-        out->cell[i] = (int32_t)whole;
+    for (uint32_t i = 0; i < n; i++) {
+        const double v = at[i] * scale, whole = limit(floor(v)), u = v - whole;
+
+        s[i] = smooth(u);
+        out->place[i][1 + axis] = u;
+        cell[i] = (int32_t)whole;
     }
 }
 
 SIMD_CLONES static void locate(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
 {
-    locate_along(at->x, scale, n, &out->x);
-    locate_along(at->y, scale, n, &out->y);
-    locate_along(at->z, scale, n, &out->z);
+    for (uint32_t i = 0; i < n; i++)
+        out->place[i][0] = 0.5;
+    locate_along(0, at->x, scale, n, out);
+    locate_along(1, at->y, scale, n, out);
+    locate_along(2, at->z, scale, n, out);
 }
 
 /* ---- generators 1 and 2, vector noise ---- */
 
-enum { CORNERS = 8, PARTS = 4 };
-
-/* What each corner's four numbers are multiplied with: the first with half the corner's weight, the others with the
- * weight times the distance along their axis. */
-SIMD_INLINE void weigh(const lattice *l, uint32_t lane, double w[CORNERS][PARTS])
+/* The corners' weights. */
+SIMD_INLINE void weigh(const lattice *l, uint32_t lane, double w[CORNERS])
 {
-    const double sx = l->x.s[lane], sy = l->y.s[lane], sz = l->z.s[lane];
-    const double low[PARTS] = { 0.5, l->x.u[lane], l->y.u[lane], l->z.u[lane] };
-    const double high[PARTS] = { 0.5, low[1] - 1.0, low[2] - 1.0, low[3] - 1.0 };
+    const double x = l->s[0][lane], y = l->s[1][lane], z = l->s[2][lane];
 
-    for (int c = 0; c < CORNERS; c++) {
-        const double weight = (c & 1 ? sx : 1.0 - sx) * (c & 2 ? sy : 1.0 - sy) * (c & 4 ? sz : 1.0 - sz);
-        const double from[PARTS] = { 0.5, c & 1 ? high[1] : low[1], c & 2 ? high[2] : low[2], c & 4 ? high[3] : low[3] };
-
-        for (int k = 0; k < PARTS; k++)
-            w[c][k] = weight * from[k];
-    }
+    for (int c = 0; c < CORNERS; c++)
+        w[c] = (c & 1 ? x : 1.0 - x) * (c & 2 ? y : 1.0 - y) * (c & 4 ? z : 1.0 - z);
 }
 
 /* Where the numbers of each corner begin. */
 SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
     enum { MASK = NOISE_HASH - 1, SHIFT = 10000 };
-    const uint32_t x = (uint32_t)l->x.cell[lane] + SHIFT, y = (uint32_t)l->y.cell[lane] + SHIFT;
-    const uint32_t z = (uint32_t)l->z.cell[lane] + SHIFT;
+    const uint32_t x = (uint32_t)l->cell[0][lane] + SHIFT, y = (uint32_t)l->cell[1][lane] + SHIFT;
+    const uint32_t z = (uint32_t)l->cell[2][lane] + SHIFT;
     const uint32_t hx[2] = { t->hash[x & MASK], t->hash[(x + 1) & MASK] };
 
     for (int c = 0; c < CORNERS; c++) {
@@ -158,69 +165,93 @@ SIMD_INLINE void find_corners(const noise_tables *t, const lattice *l, uint32_t 
     }
 }
 
-/* One component: 0, 4 or 8 numbers behind where the corners' begin. */
-SIMD_INLINE double sum_corners(double w[CORNERS][PARTS], const double *const from[CORNERS], int offset)
+/* One component: 0, 4 or 8 numbers behind where the corners' begin. Its four parts are yet to be added up: stored side
+ * by side, they become one vector. */
+SIMD_INLINE void sum_corners(const double w[CORNERS], const double *const from[CORNERS], int offset,
+                             const double place[PARTS], double out[PARTS])
 {
-    double sum[PARTS] = { 0.0 };
+    double sum[PARTS];
 
-    for (int c = 0; c < CORNERS; c++)
+    for (int k = 0; k < PARTS; k++)
+        sum[k] = (place[k] - corner[0][k]) * w[0] * from[0][offset + k];
+    for (int c = 1; c < CORNERS; c++)
         for (int k = 0; k < PARTS; k++)
-            sum[k] += w[c][k] * from[c][offset + k];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+            sum[k] += (place[k] - corner[c][k]) * w[c] * from[c][offset + k];
+    for (int k = 0; k < PARTS; k++)
+        out[k] = sum[k];
+}
+
+SIMD_INLINE void join(double parts[][PARTS], uint32_t n, double *restrict out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        out[i] = (parts[i][0] + parts[i][1]) + (parts[i][2] + parts[i][3]);
 }
 
 SIMD_CLONES static void sum_scalar(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
 {
+    SIMD_ALIGNED double parts[LANES_MAX][PARTS];
+
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
-        double w[CORNERS][PARTS];
+        double w[CORNERS];
 
         find_corners(t, l, i, from);
         weigh(l, i, w);
-        out[i] = sum_corners(w, from, 0);
+        sum_corners(w, from, 0, l->place[i], parts[i]);
     }
+    join(parts, n, out);
 }
 
 SIMD_CLONES static void sum_vector(const noise_tables *t, const lattice *l, uint32_t n, vec_lanes *restrict out)
 {
+    SIMD_ALIGNED double parts[3][LANES_MAX][PARTS];
+
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
-        double w[CORNERS][PARTS];
+        double w[CORNERS];
 
         find_corners(t, l, i, from);
         weigh(l, i, w);
-        out->x[i] = sum_corners(w, from, 0);
-        out->y[i] = sum_corners(w, from, 4);
-        out->z[i] = sum_corners(w, from, 8);
+        sum_corners(w, from, 0, l->place[i], parts[0][i]);
+        sum_corners(w, from, 4, l->place[i], parts[1][i]);
+        sum_corners(w, from, 8, l->place[i], parts[2][i]);
     }
+    join(parts[0], n, out->x);
+    join(parts[1], n, out->y);
+    join(parts[2], n, out->z);
 }
 
 /* ---- generator 3 ---- */
 
 /* The shift is so large that it rounds the points: values keep steps of 2^-29 in them. */
-SIMD_INLINE void locate_along_3(const double *restrict at, double scale, uint32_t n, axis *restrict out)
+SIMD_INLINE void locate_along_3(int axis, const double *restrict at, double scale, uint32_t n, lattice *restrict out)
 {
+    double *restrict s = out->s[axis];
+    int32_t *restrict cell = out->cell[axis];
+
     for (uint32_t i = 0; i < n; i++) {
         const double v = at[i] * scale + 10000000.023157213, down = floor(v);
-        const double whole = limit(v < 0.0 && down < v ? down + 1.0 : down);
+        const double whole = limit(v < 0.0 && down < v ? down + 1.0 : down), u = v - whole;
 
-        out->u[i] = v - whole;
-        out->s[i] = smooth(v - whole);
-        out->cell[i] = (int32_t)whole;
+        s[i] = smooth(u);
+        out->place[i][1 + axis] = u;
+        cell[i] = (int32_t)whole;
     }
 }
 
 SIMD_CLONES static void locate_3(const vec_lanes *restrict at, double scale, uint32_t n, lattice *restrict out)
 {
-    locate_along_3(at->x, scale, n, &out->x);
-    locate_along_3(at->y, scale, n, &out->y);
-    locate_along_3(at->z, scale, n, &out->z);
+    for (uint32_t i = 0; i < n; i++)
+        out->place[i][0] = 0.0;
+    locate_along_3(0, at->x, scale, n, out);
+    locate_along_3(1, at->y, scale, n, out);
+    locate_along_3(2, at->z, scale, n, out);
 }
 
 SIMD_INLINE void find_corners_3(const noise_tables *t, const lattice *l, uint32_t lane, const double *from[CORNERS])
 {
     enum { MASK = NOISE_GRADIENTS - 1 };
-    const uint32_t x = (uint32_t)l->x.cell[lane], y = (uint32_t)l->y.cell[lane], z = (uint32_t)l->z.cell[lane];
+    const uint32_t x = (uint32_t)l->cell[0][lane], y = (uint32_t)l->cell[1][lane], z = (uint32_t)l->cell[2][lane];
 
     for (uint32_t c = 0; c < CORNERS; c++) {
         const uint32_t a = t->order[(x + (c & 1)) & MASK], b = t->order[(a + y + (c >> 1 & 1)) & MASK];
@@ -231,17 +262,17 @@ SIMD_INLINE void find_corners_3(const noise_tables *t, const lattice *l, uint32_
 
 SIMD_CLONES static void sum_gradients(const noise_tables *t, const lattice *l, uint32_t n, double *restrict out)
 {
+    SIMD_ALIGNED double parts[LANES_MAX][PARTS];
+
     for (uint32_t i = 0; i < n; i++) {
         const double *from[CORNERS];
-        double w[CORNERS][PARTS], sum[PARTS] = { 0.0 };
+        double w[CORNERS];
 
         find_corners_3(t, l, i, from);
         weigh(l, i, w);
-        for (int c = 0; c < CORNERS; c++)
-            for (int k = 1; k < PARTS; k++)
-                sum[k] += w[c][k] * from[c][k - 1];
-        out[i] = (sum[1] + sum[2]) + sum[3];
+        sum_corners(w, from, 0, l->place[i], parts[i]);
     }
+    join(parts, n, out);
 }
 
 /* ---- values ---- */

@@ -18,7 +18,7 @@ enum {
 typedef struct noise_wave { pov_vec3 source; double frequency; } noise_wave;
 
 typedef struct noise_tables {
-    SIMD_ALIGNED double gradient[NOISE_GRADIENTS][4];    /* of generator 3: unit vectors; the fourth number is 0 */
+    SIMD_ALIGNED double gradient[NOISE_GRADIENTS][4];    /* of generator 3: 0, and a unit vector */
     double cell[NOISE_CELLS];                            /* in 0..1 */
     uint16_t hash[NOISE_HASH];                           /* a permutation */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
