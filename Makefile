@@ -289,6 +289,7 @@ help:
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
 	@echo "make mutate     make a dozen mistakes in a copy of the tree, one by one: a test must notice each"
 	@echo "make corpus     draw the scenes that come with POV-Ray beside it: what is read, what matches, what is missing"
+	@echo "make programs   the same with scenes that ASE, PyMOL, VTK, vapory, Jmol, Open Babel and Inkscape write"
 	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
 	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; bench-counts: its instructions a ray, bench-whole:"
 	@echo "                whole processes, bench-threads, bench-scale: threads and objects, bench-bits: the same bit for bit"

@@ -164,6 +164,11 @@ CORPUS_FLAGS ?=
 corpus: all
 	$(PYTHON) tests/corpus/corpus.py --povc $(POVC) --work $(BUILD)/corpus $(CORPUS_FLAGS)
 
+# Scenes as programs write them today: the programs are installed where they can be, and render by the name povray.
+.PHONY: programs
+programs: all
+	$(PYTHON) tests/programs/programs.py --povc $(POVC) --work $(BUILD)/programs
+
 # What povc says of its error against references of 65 536 samples a pixel, which take over an hour the first time.
 VALIDATE_FLAGS ?=
 .PHONY: validate-error

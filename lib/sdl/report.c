@@ -352,6 +352,11 @@ void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
         report_quote(&in->block->keyword, keyword);
         snprintf(where, sizeof where, " in \"%s\"", keyword);
     }
+    if (in->token.symbol->binding) {
+        report_fail(in, &at, POV_E_SYNTAX, "\"%s\" is %s, which does not belong %s", word,
+                    value_name(in->token.symbol->binding->slot), where[0] ? where + 1 : "at the top level");
+        return;
+    }
     if (state_keyword(in) != KEYWORD_OTHER) {
         report_fail(in, &at, POV_E_SYNTAX, "\"%s\" does not belong %s", word,
                     where[0] ? where + 1 : "at the top level");

@@ -72,7 +72,7 @@ def draw_theirs(scene, picture, options):
         status, seconds = note.read_text().split()
         return None if status == 'None' else int(status), float(seconds)
     width, height = options.size.split('x')
-    include = ['+L' + str(scene.parent)] + ['+L' + f for f in ('/usr/share/povray-3.7/include',) if Path(f).is_dir()]
+    include = ['+L' + str(scene.parent)] + ['+L' + f for f in ('/usr/share/povray-3.7/include', '/usr/share/povray/include') if Path(f).is_dir()]
     status, seconds, _ = run([options.povray, f'+I{scene.name}', f'+O{picture.resolve()}', f'+W{width}', f'+H{height}',
                               '-A', '-D', '-GA', '+FN8', '+WT1', *include], scene.parent, options.timeout)
     note.write_text(f'{status} {seconds:.3f}\n')

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Scenes as Jmol, Open Babel and Inkscape write them, each where it is installed. Usage: others.sh FOLDER
+cd "$1" || exit 1
+have() {
+    command -v "$1" > /dev/null || { echo "programs: $1 is not installed: its scenes are left out" >&2; return 1; }
+}
+
+cat > molecule.xyz <<'END'
+9
+ethanol
+C  1.1879 -0.3829  0.0000
+C  0.0000  0.5526  0.0000
+O -1.1867 -0.2472  0.0000
+H -1.9237  0.3850  0.0000
+H  2.0985  0.2306  0.0000
+H  1.1184 -1.0093  0.8869
+H  1.1184 -1.0093 -0.8869
+H -0.0227  1.1812  0.8852
+H -0.0227  1.1812 -0.8852
+END
+
+if have obabel; then
+    obabel molecule.xyz -O openbabel_sticks.pov > /dev/null
+    obabel molecule.xyz -O openbabel_bas.pov -xm BAS > /dev/null
+    obabel molecule.xyz -O openbabel_spacefill.pov -xm SPF > /dev/null
+fi
+if have jmol && have xvfb-run; then
+    for view in 'spacefill 25%; wireframe 0.15' 'spacefill; wireframe off' 'isosurface sasurface translucent'; do
+        name=jmol_$(echo "$view" | tr -dc 'a-z0-9')
+        echo "load molecule.xyz; $view; write POVRAY $name.pov; exitJmol" > script.spt
+        timeout 120 xvfb-run -a jmol -n -o -g160x120 -s script.spt > /dev/null 2>&1
+    done
+fi
+if have inkscape; then
+    cat > drawing.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="200" height="200">
+<path d="M20 20 L180 30 L150 170 C100 120 60 190 20 150 Z" fill="#c04020"/>
+<path d="M60 60 L120 60 L90 120 Z" fill="#2060c0" fill-opacity=".6"/>
+</svg>
+END
+    inkscape drawing.svg --export-filename=inkscape_drawing.pov > /dev/null 2>&1
+    [ ! -e inkscape_drawing.pov ] || cat >> inkscape_drawing.pov <<'END'
+camera { location <100, 100, -250> look_at <100, 100, 0> }
+light_source { <0, 300, -300> rgb 1 }
+END
+fi
+rm -f molecule.xyz script.spt drawing.svg
