@@ -39,6 +39,15 @@ static inline bool finish_is_mirror(const finish *f)
     return !colour_is_black(f->reflection.min) || !colour_is_black(f->reflection.max);
 }
 
+/* Does what is reflected or transmitted depend on the angle of the ray, or on what is reflected? */
+static inline bool finish_is_angular(const finish *f)
+{
+    const reflection *r = &f->reflection;
+
+    return !colour_equal(r->min, r->max) || (r->metallic != 0.0f && finish_is_mirror(f)) || f->conserve_energy ||
+           f->refraction != 1.0f;
+}
+
 /* Is there a highlight? */
 static inline bool finish_is_glossy(const finish *f) { return f->phong != 0.0f || f->specular != 0.0f; }
 

@@ -49,6 +49,7 @@ typedef struct model {
     colour irid_wavelength;
     double adc_bailout;
     int max_trace_level;
+    bool opaque_last_level;      /* rays of the last level do not go through surfaces */
     gamma gamma;
     bool opacity_uses_filter_colour;  /* 1 - (filter*max(r,g,b) + transmit) instead of 1 - filter - transmit */
     bool fresnel_metallic;            /* metallic highlights by POV-Ray's factor, else 1 + m*(C - 1) */

@@ -126,5 +126,6 @@ void parse_settings_finish(pov_reader *in)
         m->ambient_light = is_povray ? colour_of(1.0f, 1.0f, 1.0f) : colour_of(0.0f, 0.0f, 0.0f);
     m->opacity_uses_filter_colour = is_povray && !is_new;
     m->fresnel_metallic = is_povray;
+    m->opaque_last_level = is_povray;
     finish_gamma(in, is_new);
 }

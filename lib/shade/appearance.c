@@ -85,6 +85,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const mater
     out->finish = &of->finish;
     out->lit = p->lighting && is_lit(&of->finish);
     out->kinds = kinds_of(of);
+    out->angular = finish_is_angular(&of->finish);
     out->reflective = p->reflection && finish_is_mirror(&of->finish);
     out->phong = phong_of(p, of);
     out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(of, of->pigment);

@@ -1,5 +1,6 @@
 #include "shade/batch.h"
 
+#include "base/elementary.h"
 #include "base/vec.h"
 
 /* ---- batches, filled and spare ---- */
@@ -20,9 +21,14 @@ static batch *take_spare(batch_queue *q, const env *e)
 {
     batch *b = q->spare;
 
-    if (!b)
-        return make(e);
-    q->spare = b->next;
+    if (b)
+        q->spare = b->next;
+    else
+        b = make(e);
+    if (b) {
+        b->count = 0;
+        b->power = NULL;
+    }
     return b;
 }
 
@@ -32,18 +38,97 @@ static void give_spare(batch_queue *q, batch *b)
     q->spare = b;
 }
 
+static void give_power(batch_queue *q, power_sum *p)
+{
+    if (!p)
+        return;
+    p->next = q->spare_power;
+    q->spare_power = p;
+}
+
+static bool add_power(batch_queue *q, const env *e, batch *b)
+{
+    power_sum *p = q->spare_power;
+
+    if (p)
+        q->spare_power = p->next;
+    else
+        p = env_alloc(e, 1, sizeof *p);
+    if (p)
+        p->count = 0;
+    b->power = p;
+    return p != NULL;
+}
+
+/* ---- branches ---- */
+
+static batch *add_branch(batch_queue *q, const env *e, branches *list)
+{
+    batch *b = take_spare(q, e);
+
+    if (!b)
+        return NULL;
+    b->out = q->out;
+    if (VEC_PUSH(e, list, b))
+        return b;
+    give_spare(q, b);
+    return NULL;
+}
+
+batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane, bool powered)
+{
+    batch *b;
+
+    for (size_t i = 0; i < list->count; i++) {
+        b = list->items[i];
+        if (b->count == 0 || b->paths[b->count - 1].lane < lane)
+            return b;
+    }
+    b = add_branch(q, e, list);
+    return b && (!powered || add_power(q, e, b)) ? b : NULL;
+}
+
+/* Keep the first `count` of the list. */
+static void drop(batch_queue *q, branches *list, size_t count)
+{
+    while (list->count > count) {
+        batch *b = list->items[--list->count];
+
+        give_power(q, b->power);
+        give_spare(q, b);
+    }
+}
+
+void batch_begin(batch_queue *q, colour *out)
+{
+    batch *const mirrored = q->mirrored.items[0], *const transmitted = q->transmitted.items[0];
+
+    drop(q, &q->mirrored, 1);
+    drop(q, &q->powered, 0);
+    drop(q, &q->transmitted, 1);
+    mirrored->count = transmitted->count = 0;
+    q->out = mirrored->out = transmitted->out = out;
+}
+
 bool batch_make(batch_queue *q, const env *e)
 {
     q->now = take_spare(q, e);
-    q->reflected = take_spare(q, e);
-    q->transmitted = take_spare(q, e);
-    return q->now && q->reflected && q->transmitted;
+    return q->now && add_branch(q, e, &q->mirrored) && add_branch(q, e, &q->transmitted);
 }
+
+/* ---- waiting batches ---- */
 
 static void forget(batch_queue *q)
 {
-    while (q->waits.count > 0)
-        give_spare(q, q->waits.items[--q->waits.count].paths);
+    while (q->waits.count > 0) {
+        const wait w = q->waits.items[--q->waits.count];
+
+        give_power(q, w.sum);
+        if (!w.paths)
+            continue;
+        give_power(q, w.paths->power);
+        give_spare(q, w.paths);
+    }
 }
 
 void batch_forget(batch_queue *q, shade_context *c)
@@ -52,42 +137,127 @@ void batch_forget(batch_queue *q, shade_context *c)
     c->dielectrics.count = c->coincident_sets.count = 0;
 }
 
+static void free_branches(batch_queue *q, const env *e, branches *list)
+{
+    drop(q, list, 0);
+    env_free(e, list->items);
+}
+
 void batch_free(batch_queue *q, const env *e)
 {
     forget(q);
     env_free(e, q->waits.items);
-    env_free_aligned(e, q->now);
-    env_free_aligned(e, q->reflected);
-    env_free_aligned(e, q->transmitted);
-    while (q->spare)
-        env_free_aligned(e, take_spare(q, e));
+    free_branches(q, e, &q->mirrored);
+    free_branches(q, e, &q->powered);
+    free_branches(q, e, &q->transmitted);
+    if (q->now) {
+        give_power(q, q->now->power);
+        give_spare(q, q->now);
+    }
+    while (q->spare) {
+        batch *b = q->spare;
+
+        q->spare = b->next;
+        env_free_aligned(e, b);
+    }
+    while (q->spare_power) {
+        power_sum *p = q->spare_power;
+
+        q->spare_power = p->next;
+        env_free(e, p);
+    }
 }
 
-/* Push the transmitted paths on the stack of waiting batches, and take a spare batch. False: no memory. */
-static bool put_aside(batch_queue *q, const shade_context *c)
+/* Push the paths of a branch on the stack of waiting batches. A list's first branch is replaced by an empty one, others
+ * leave their list. False: no memory. */
+static bool put_aside(batch_queue *q, const shade_context *c, branches *list, size_t i, size_t keeps)
 {
-    const wait w = { q->transmitted, c->dielectrics.count, c->coincident_sets.count };
-    batch *empty = take_spare(q, c->env);
+    const wait w = { list->items[i], NULL, c->dielectrics.count, c->coincident_sets.count };
+    batch *empty = i < keeps ? take_spare(q, c->env) : NULL;
 
-    if (!empty)
+    if (i < keeps && !empty)
         return false;
     if (!VEC_PUSH(c->env, &q->waits, w)) {
-        give_spare(q, empty);
+        if (empty)
+            give_spare(q, empty);
         return false;
     }
-    q->transmitted = empty;
+    if (empty)
+        list->items[i] = empty;
+    else
+        list->count--;
     return true;
 }
 
-/* Pop the last waiting batch. */
-static void take_up(batch_queue *q, shade_context *c)
+/* The last one first, so that it is the last to be taken up. */
+static bool put_all_aside(batch_queue *q, const shade_context *c, branches *list, size_t first, size_t keeps)
 {
-    const wait w = q->waits.items[--q->waits.count];
+    for (size_t i = list->count; i-- > first;)
+        if (list->items[i]->count > 0 && !put_aside(q, c, list, i, keeps))
+            return false;
+    return true;
+}
 
-    give_spare(q, q->now);
-    q->now = w.paths;
-    c->dielectrics.count = w.dielectrics;
-    c->coincident_sets.count = w.coincident_sets;
+/* Sizes of the stacks below the last waiting batch. */
+static wait floor_of(const batch_queue *q)
+{
+    static const wait none;
+
+    return q->waits.count > 0 ? q->waits.items[q->waits.count - 1] : none;
+}
+
+/* The paths of the present batch see a colour of their own, which is complete when all that follows is. */
+static bool begin_sum(batch_queue *q, const shade_context *c)
+{
+    power_sum *p = q->now->power;
+    wait w = floor_of(q);
+
+    w.paths = NULL;
+    w.sum = p;
+    if (!VEC_PUSH(c->env, &q->waits, w))
+        return false;
+    for (uint32_t i = 0; i < p->count; i++)
+        p->seen[p->lane[i]] = colour_of(0.0f, 0.0f, 0.0f);
+    p->out = q->now->out;
+    q->now->out = p->seen;
+    q->now->power = NULL;
+    return true;
+}
+
+static float raise(float x, float exponent)
+{
+    return x > 0.0f ? (float)elementary_pow((double)x, 1.0 / (double)exponent) : 0.0f;
+}
+
+static void end_sum(batch_queue *q, power_sum *p)
+{
+    for (uint32_t i = 0; i < p->count; i++) {
+        const colour seen = p->seen[p->lane[i]];
+        const float e = p->exponent[i];
+        colour *out = &p->out[p->lane[i]];
+
+        *out = colour_add(*out, colour_mul(p->factor[i], colour_of(raise(seen.r, e), raise(seen.g, e), raise(seen.b, e))));
+    }
+    give_power(q, p);
+}
+
+/* Pop the last waiting batch; sums before it are complete. False: there is none. */
+static bool take_up(batch_queue *q, shade_context *c)
+{
+    while (q->waits.count > 0) {
+        const wait w = q->waits.items[--q->waits.count];
+
+        if (w.sum) {
+            end_sum(q, w.sum);
+            continue;
+        }
+        give_spare(q, q->now);
+        q->now = w.paths;
+        c->dielectrics.count = w.dielectrics;
+        c->coincident_sets.count = w.coincident_sets;
+        return true;
+    }
+    return false;
 }
 
 /* ---- what paths carry with them ---- */
@@ -96,7 +266,7 @@ static void take_up(batch_queue *q, shade_context *c)
 static void compact_dielectrics(batch_queue *q, shade_context *c)
 {
     batch *b = q->now;
-    size_t floor = q->waits.count > 0 ? q->waits.items[q->waits.count - 1].dielectrics : 0;
+    const size_t floor = floor_of(q).dielectrics;
 
     c->dielectrics.count = floor;
     for (uint32_t i = 0; i < b->count; i++) {
@@ -109,7 +279,7 @@ static void compact_dielectrics(batch_queue *q, shade_context *c)
 /* The same of the coincident sets. */
 static void compact_coincident_sets(batch_queue *q, shade_context *c)
 {
-    const size_t floor = q->waits.count > 0 ? q->waits.items[q->waits.count - 1].coincident_sets : 0;
+    const size_t floor = floor_of(q).coincident_sets;
 
     c->coincident_sets.count = floor;
     for (uint32_t i = 0; i < q->now->count; i++) {
@@ -133,22 +303,37 @@ static void change(batch **a, batch **b)
     *b = c;
 }
 
-/* Choose the next paths. Reflected paths go first and the transmitted ones wait: reflected ones are always a level
- * deeper, so no more batches wait than there are levels. */
+/* Choose the next paths: the first branch goes on, and the others wait. Reflected ones are always a level deeper, so no
+ * more batches wait than there are levels, times the branches of one. False: there are none, or no memory. */
+static bool choose(batch_queue *q, shade_context *c)
+{
+    batch **const mirrored = &q->mirrored.items[0], **const transmitted = &q->transmitted.items[0];
+    const bool single = q->mirrored.count == 1 && q->transmitted.count == 1 && q->powered.count == 0;
+    bool put;
+
+    if (single && ((*mirrored)->count == 0 || (*transmitted)->count == 0)) {
+        if ((*mirrored)->count == 0 && (*transmitted)->count == 0)
+            return take_up(q, c);
+        change(&q->now, (*mirrored)->count > 0 ? mirrored : transmitted);
+        return true;
+    }
+    put = put_all_aside(q, c, &q->transmitted, 0, 1) && put_all_aside(q, c, &q->powered, 0, 0) &&
+          put_all_aside(q, c, &q->mirrored, (*mirrored)->count > 0, 1);
+    c->failed = c->failed || !put;
+    if (!put || (*mirrored)->count == 0)
+        return put && take_up(q, c);
+    change(&q->now, mirrored);
+    return true;
+}
+
 bool batch_next(batch_queue *q, shade_context *c)
 {
-    if (q->reflected->count > 0 && q->transmitted->count > 0 && !put_aside(q, c)) {
+    if (!choose(q, c))
+        return false;
+    if (q->now->power && !begin_sum(q, c)) {
         c->failed = true;
         return false;
     }
-    if (q->reflected->count > 0)
-        change(&q->now, &q->reflected);
-    else if (q->transmitted->count > 0)
-        change(&q->now, &q->transmitted);
-    else if (q->waits.count > 0)
-        take_up(q, c);
-    else
-        return false;
     if (c->scene->plan->refraction)
         compact_dielectrics(q, c);
     if (c->coincident_sets.count > 0)

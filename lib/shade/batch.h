@@ -5,23 +5,45 @@
 #include "shade/context.h"
 #include "shade/path.h"
 
-/* A waiting batch, and the stack sizes of dielectrics and coincident sets below it; the last one on top. */
-typedef struct wait { batch *paths; size_t dielectrics, coincident_sets; } wait;
+/* A waiting batch, and the stack sizes of dielectrics and coincident sets below it; the last one on top. Or a sum that is
+ * complete when its turn comes. */
+typedef struct wait { batch *paths; power_sum *sum; size_t dielectrics, coincident_sets; } wait;
 typedef struct wait_stack { wait *items; size_t count, capacity; } wait_stack;
 
+/* Batches that continue from one batch, in their order: each has at most one path of a camera ray. There is always a
+ * first one; it may be empty. */
+typedef struct branches { batch **items; size_t count, capacity; } branches;
+
 typedef struct batch_queue {
-    batch *now, *reflected, *transmitted;   /* the present batch, and the batches that continue from it */
+    batch *now;                  /* the present batch */
+    branches mirrored, powered, transmitted;   /* those that continue from it, in this order; of powered ones there may be
+                                                * none */
+    colour *out;                 /* where their colours are added */
     batch *spare;
-    wait_stack waits;            /* transmitted rays, at most one batch a level */
+    power_sum *spare_power;
+    wait_stack waits;
 } batch_queue;
 
-/* now, reflected and transmitted, empty. False: no memory. */
+/* now, mirrored and transmitted, empty. False: no memory. */
 bool batch_make(batch_queue *q, const env *e);
 /* Drop all waiting batches; no path is in a dielectric or on coincident surfaces. */
 void batch_forget(batch_queue *q, shade_context *c);
 /* Free all batches. */
 void batch_free(batch_queue *q, const env *e);
-/* Move the next of q->reflected, q->transmitted and the waiting batches to q->now. False: none, or c->failed. */
+/* Empty the branches, for those of a batch whose colours are added to `out`. */
+void batch_begin(batch_queue *q, colour *out);
+/* The branch of the list that has no path of this camera ray and none behind it, for one more path; with a sum of its own
+ * if `powered`. NULL: no memory. */
+batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane, bool powered);
+
+static inline batch *batch_branch(batch_queue *q, const env *e, branches *list, uint32_t lane)
+{
+    batch *b = list->items[0];
+
+    return b->count == 0 || b->paths[b->count - 1].lane != lane ? b : batch_grow(q, e, list, lane, false);
+}
+
+/* Move the next of the branches and the waiting batches to q->now. False: none, or c->failed. */
 bool batch_next(batch_queue *q, shade_context *c);
 
 #endif

@@ -1,18 +1,28 @@
 #include "shade/dielectric.h"
 
+#include "base/elementary.h"
 #include "base/vec.h"
 
 #include <string.h>
 
-/* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. */
-static double ior_of(const model *m, uint32_t which)
+const interior *dielectric_interior(const model *m, uint32_t which)
 {
-    double ior = m->materials.items[m->leaves.items[which].material].interior.ior;
-
-    return ior > 0.0 && ior <= 1e100 ? ior : 1.0;
+    return &m->materials.items[m->leaves.items[which].material].interior;
 }
 
-void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which, dielectric_crossing *out)
+/* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. Dispersion is the
+ * ior of violet over that of red. */
+double dielectric_ior(const interior *in, float hue)
+{
+    const double middle = in->ior > 0.0 && in->ior <= 1e100 ? in->ior : 1.0;
+
+    return hue < 0.0f || in->dispersion == 1.0 ? middle : middle * elementary_pow(in->dispersion, (double)hue - 0.5);
+}
+
+static double ior_of(const model *m, uint32_t which, float hue) { return dielectric_ior(dielectric_interior(m, which), hue); }
+
+void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which, float hue,
+                      dielectric_crossing *out)
 {
     const uint32_t *list = in.count > 0 ? stack->items + in.first : NULL;
     size_t index = 0;
@@ -21,11 +31,11 @@ void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const m
         index++;
     out->object = which;
     out->index = index;
-    out->before = out->after = in.count > 0 ? ior_of(m, list[in.count - 1]) : 1.0;
+    out->before = out->after = in.count > 0 ? ior_of(m, list[in.count - 1], hue) : 1.0;
     if (index == in.count)
-        out->after = ior_of(m, which);
+        out->after = ior_of(m, which, hue);
     else if (index == in.count - 1)
-        out->after = index > 0 ? ior_of(m, list[index - 1]) : 1.0;
+        out->after = index > 0 ? ior_of(m, list[index - 1], hue) : 1.0;
 }
 
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which)

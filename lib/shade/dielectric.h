@@ -21,8 +21,11 @@ typedef struct dielectric_crossing {
 
 /* The ior around a ray is that of the dielectric entered last. An object in the list is left, any other is entered;
  * leaving one that is not the last changes the list only. */
-void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which,
+void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which, float hue,
                       dielectric_crossing *out);
+/* The interior of a solid, and its ior for light of a hue. */
+const interior *dielectric_interior(const model *m, uint32_t which);
+double dielectric_ior(const interior *in, float hue);
 /* The list of the transmitted ray: a new one at the top. False: no memory. */
 bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
 /* Drop everything above `floor` except the span, which is moved down onto it. */

@@ -16,7 +16,24 @@ typedef struct path {
                                   * and its sides of them; 0: it does not */
     dielectric_span inside;      /* the dielectrics around it */
     int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
+    bool mirrored;               /* it was reflected on its way, and not only transmitted */
+    float hue;                   /* its place in the spectrum, from red (0) to violet (1), since it was dispersed; or
+                                  * PATH_WHITE */
 } path;
+
+#define PATH_WHITE (-1.0f)
+
+/* What paths see is raised to a power before it is added to what their origin sees: they and all that follow from them
+ * are summed up here. */
+typedef struct power_sum {
+    uint32_t count;
+    uint32_t lane[WORLD_MANY];
+    colour factor[WORLD_MANY];
+    float exponent[WORLD_MANY];
+    colour seen[WORLD_MANY];     /* by lane of the camera ray */
+    colour *out;
+    struct power_sum *next;          /* next of the spare ones */
+} power_sum;
 
 /* A packet of paths: of neighbouring camera rays with the same history, at most one of each, ordered by lane. So
  * contributions to a camera ray are added in the same order in any packet, and alone. */
@@ -27,6 +44,8 @@ typedef struct batch {
     path paths[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* rays of the paths: the caller's camera rays, or those in `own` */
     SIMD_ALIGNED pov_ray own[BATCH_MAX];
+    colour *out;                 /* where its colours are added, by lane of the camera ray */
+    power_sum *power;                /* NULL, or what is done with the sum of its colours: `out` is set when it begins */
     struct batch *next;          /* next of the spare batches */
 } batch;
 

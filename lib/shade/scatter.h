@@ -2,9 +2,10 @@
 #ifndef SHADE_SCATTER_H
 #define SHADE_SCATTER_H
 
+#include "shade/batch.h"
 #include "shade/surface.h"
 
-/* The reflected and the transmitted rays of completed surfaces; the batches are overwritten. */
-void scatter(shade_context *c, const surfaces *on, batch *reflected, batch *transmitted);
+/* Add the reflected and the transmitted rays of completed surfaces to the branches. */
+void scatter(shade_context *c, const surfaces *on, batch_queue *q);
 
 #endif

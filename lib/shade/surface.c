@@ -5,6 +5,7 @@
 #include "query/passage.h"
 #include "shade/accumulate.h"
 #include "shade/paint.h"
+#include "shade/reflectance.h"
 #include "world/detail.h"
 
 /* ---- coincident surfaces ---- */
@@ -188,4 +189,6 @@ void surfaces_complete(shade_context *c, surfaces *s)
     if (c->scene->plan->textures)
         paint_surfaces(c->scene, s);
     geometry_turn(&s->geometry, s->count);
+    if (c->scene->plan->angular)
+        reflectance_set(c, s);
 }

@@ -7,7 +7,7 @@
 
 static void make_camera_paths(batch *b)
 {
-    const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1 };
+    const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1, .hue = PATH_WHITE };
 
     for (uint32_t i = 0; i < BATCH_MAX; i++) {
         b->paths[i] = fresh;
@@ -73,11 +73,12 @@ static void shade_batch(pov_tracer *t, const batch *b, colour *out)
 
     surfaces_find(c, s, b, out);
     surfaces_complete(c, s);
-    t->lighting.own = t->queue.reflected->own;
+    batch_begin(&t->queue, out);
+    t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, c, s);
     for (uint32_t i = 0; i < s->count; i++)
         accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, s->at[i].lit), out);
-    scatter(c, s, t->queue.reflected, t->queue.transmitted);
+    scatter(c, s, &t->queue);
     c->failed = c->failed || query_context_failed(c->context);
 }
 
@@ -170,7 +171,7 @@ static void follow(pov_tracer *t, colour *out)
     for (shade_batch(t, b, out); !c->failed && !interrupt_is_due(&c->interrupt, b->count); b = t->queue.now) {
         if (!batch_next(&t->queue, c))
             return;
-        shade_batch(t, t->queue.now, out);
+        shade_batch(t, t->queue.now, t->queue.now->out);
     }
 }
 

@@ -17,6 +17,11 @@ bool plan_is_dielectric(const model *m, const leaf_node *o)
 /* Has it light that is reflected in all directions? */
 static bool is_matt(const finish *f) { return f->diffuse != 0.0f || f->diffuse_back != 0.0f || f->crand != 0.0f; }
 
+static bool is_refracting(const interior *i)
+{
+    return i->given && (i->ior != 1.0 || i->dispersion != 1.0 || i->fade_distance > 0.0);
+}
+
 /* Count n objects with the same properties. */
 static void count_objects(plan_counts *s, const material *m, bool casts, bool solid, size_t n)
 {
@@ -30,7 +35,10 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->varying += m->pattern ? n : 0;
     s->reflective += finish_is_mirror(&m->finish) ? n : 0;
     s->transparent += transparent ? n : 0;
-    s->refracting += transparent && m->interior.given && m->interior.ior != 1.0 ? n : 0;
+    s->refracting += transparent && is_refracting(&m->interior) ? n : 0;
+    s->dispersive += transparent && m->interior.dispersion != 1.0 ? n : 0;
+    s->fading += transparent && m->interior.fade_distance > 0.0 ? n : 0;
+    s->angular += finish_is_angular(&m->finish) ? n : 0;
     s->dielectrics += transparent && solid ? n : 0;
 }
 
@@ -70,6 +78,9 @@ static void derive_needs(plan *p, const plan_counts *s)
     p->reflection = s->reflective > 0;
     p->transmission = s->transparent > 0;
     p->refraction = s->refracting > 0;
+    p->dispersion = s->dispersive > 0;
+    p->fading = s->fading > 0;
+    p->angular = s->angular > 0;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
 }
 

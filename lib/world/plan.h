@@ -9,6 +9,7 @@ typedef struct plan_counts {
     size_t lit;                  /* objects with diffuse light or highlights */
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
+    size_t dispersive, fading, angular;
 } plan_counts;
 
 typedef struct plan {
@@ -20,7 +21,10 @@ typedef struct plan {
     bool textures;               /* some texture varies from point to point */
     bool reflection;
     bool transmission;           /* some surface transmits rays */
-    bool refraction;             /* ... into a dielectric of ior other than 1 */
+    bool refraction;             /* ... into a dielectric of ior other than 1, or one in which light fades */
+    bool dispersion;             /* ... whose ior depends on the colour */
+    bool fading;                 /* light fades inside some solid */
+    bool angular;                /* what some surface reflects or transmits depends on the ray's direction */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
     plan_counts counts;
 } plan;

@@ -80,9 +80,10 @@ static colour light_bent(tiny *s, pov_ray *ray, pov_vec3 n)
     lanes_put(&g->bent, 0, pov_unit(n));
     g->shading = &g->bent;
     geometry_turn(g, 1);
-    t->lighting.own = t->queue.reflected->own;
+    batch_begin(&t->queue, out);
+    t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, &t->context, &t->surfaces);
-    scatter(&t->context, &t->surfaces, t->queue.reflected, t->queue.transmitted);
+    scatter(&t->context, &t->surfaces, &t->queue);
     return t->surfaces.at[0].lit;
 }
 
@@ -144,9 +145,9 @@ static void a_mirrored_ray_stays_before_the_surface(void **state)
     light_bent(&s, &ray, pov_vec3_of(1, 0, -2));
     /* (1, 0, 1) about (1, 0, -2)/sqrt 5 is (1.4, 0, 0.2), and that about the plane (1.4, 0, -0.2). */
     d = pov_unit(pov_vec3_of(1.4, 0, -0.2));
-    assert_int_equal(t->queue.reflected->count, 1);
-    assert_near(pov_dot(t->queue.reflected->own[0].dir, d), 1.0, 1e-12);
-    assert_int_equal(t->queue.transmitted->count, 1);
+    assert_int_equal(t->queue.mirrored.items[0]->count, 1);
+    assert_near(pov_dot(t->queue.mirrored.items[0]->own[0].dir, d), 1.0, 1e-12);
+    assert_int_equal(t->queue.transmitted.items[0]->count, 1);
     tiny_end(&s);
 }
 

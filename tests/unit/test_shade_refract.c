@@ -134,7 +134,7 @@ static dielectric_crossing cross(glasses *g, dielectric_span *in, uint32_t which
 {
     dielectric_crossing c;
 
-    dielectric_cross(&g->stack, *in, &g->model, which, &c);
+    dielectric_cross(&g->stack, *in, &g->model, which, -1.0f, &c);
     assert_true(dielectric_pass(&g->stack, &g->env, in, &c));
     return c;
 }

@@ -206,23 +206,23 @@ static void highlights_that_grow_away_from_the_light_are_never_left_out(void **s
 }
 
 /* Also next to where a float ends and the next begins, and where the power is too small for any. */
-static void the_power_of_a_highlight_is_that_of_pow(void **state)
+static void the_power_of_a_highlight_is_the_elementary_one(void **state)
 {
     static const int sizes[] = { 1, 2, 7, 40, 100, 500, APPEARANCE_POWER_MAX };
     (void)state;
 
     for (size_t i = 0; i < 7; i++) {
-        const material m = { .finish.phong_size = (float)sizes[i] };
-        const appearance compiled = { .power = (uint32_t)sizes[i], .material = &m };
+        const finish f = { .phong_size = (float)sizes[i] };
+        const appearance compiled = { .power = (uint32_t)sizes[i], .finish = &f };
 
         for (int j = 1; j < 20000; j++) {
             const float end = (float)j / 20000 + 0x1p-26f;
             const double edge = pow(0.5 * ((double)end + (double)nextafterf(end, 1.0f)), 1.0 / sizes[i]);
 
-            assert_true(highlight_power(j / 19000.0, &compiled) == (float)pow(j / 19000.0, sizes[i]));
-            assert_true(highlight_power(edge, &compiled) == (float)pow(edge, sizes[i]));
+            assert_true(highlight_power(j / 19000.0, &compiled) == (float)elementary_pow(j / 19000.0, sizes[i]));
+            assert_true(highlight_power(edge, &compiled) == (float)elementary_pow(edge, sizes[i]));
         }
-        assert_true(highlight_power(1e-200, &compiled) == (float)pow(1e-200, sizes[i]));
+        assert_true(highlight_power(1e-200, &compiled) == (float)elementary_pow(1e-200, sizes[i]));
     }
 }
 
@@ -431,7 +431,7 @@ int main(void)
         cmocka_unit_test(a_metal_by_fresnel_loses_some_of_its_colour),
         cmocka_unit_test(a_highlight_is_left_out_only_where_no_float_can_hold_it),
         cmocka_unit_test(highlights_that_grow_away_from_the_light_are_never_left_out),
-        cmocka_unit_test(the_power_of_a_highlight_is_that_of_pow),
+        cmocka_unit_test(the_power_of_a_highlight_is_the_elementary_one),
         cmocka_unit_test(a_phong_size_of_zero_is_a_highlight_all_over),
         cmocka_unit_test(an_opaque_sphere_throws_a_shadow_and_a_coloured_one_filters_it),
         cmocka_unit_test(rays_that_would_add_nothing_are_not_sent_but_counted),

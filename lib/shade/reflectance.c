@@ -1,0 +1,89 @@
+#include "shade/reflectance.h"
+
+#include "shade/highlight.h"
+
+/* Fresnel's equations for light that is not polarised; `ratio` is the ior ahead over that behind. */
+static double fresnel(double cosine, double ratio)
+{
+    const double squared = ratio * ratio - (1.0 - cosine * cosine);
+    double ahead, across, along;
+
+    if (ratio == 1.0)
+        return 0.0;
+    if (!(squared > 0.0))
+        return 1.0;
+    ahead = sqrt(squared);
+    across = (cosine - ahead) / (cosine + ahead);
+    along = (ratio * ratio * cosine - ahead) / (ratio * ratio * cosine + ahead);
+    return 0.5 * (across * across + along * along);
+}
+
+static double course(const reflection *r, double cosine, double ratio)
+{
+    const double away = 1.0 - cosine;
+
+    if (r->fresnel)
+        return fresnel(cosine, ratio);
+    return r->falloff == 1.0f ? away : elementary_pow(away > 0.0 ? away : 0.0, (double)r->falloff);
+}
+
+static inline float mix(float a, float b, float share) { return a + (b - a) * share; }
+
+static colour mixed(colour a, colour b, float share)
+{
+    return colour_of(mix(a.r, b.r, share), mix(a.g, b.g, share), mix(a.b, b.b, share));
+}
+
+colour reflectance_of(const model *m, const finish *f, colour c, double cosine, double ratio)
+{
+    const reflection *r = &f->reflection;
+    colour by = r->min;
+
+    if (!colour_equal(r->min, r->max))
+        by = mixed(r->min, r->max, (float)course(r, cosine, ratio));
+    if (r->metallic != 0.0f) {
+        const float share = r->metallic * (m->fresnel_metallic ? (float)(1.0 - highlight_fresnel(cosine)) : 1.0f);
+
+        by = colour_mul(by, mixed(colour_of(1.0f, 1.0f, 1.0f), c, share));
+    }
+    return by;
+}
+
+/* The ior ahead over that behind. */
+static double ratio_at(const shade_context *c, const surface *s)
+{
+    const shading *scene = c->scene;
+    dielectric_crossing crossing;
+
+    dielectric_cross(&c->dielectrics, s->from->inside, scene->model, world_solid(scene->world, s->at->object), s->from->hue,
+                     &crossing);
+    return crossing.after / crossing.before;
+}
+
+static void set(const shade_context *c, appearance *a, const surface *s, double cosine)
+{
+    const finish *f = a->finish;
+    const double ratio = f->reflection.fresnel ? ratio_at(c, s) : 1.0;
+    const colour by = reflectance_of(c->scene->model, f, a->pigment, cosine, ratio);
+    colour left = colour_scale(a->filter.by, f->refraction);
+
+    if (f->conserve_energy)
+        left = colour_mul(left, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b));
+    a->reflection = coefficient_of(by);
+    a->filter = coefficient_of(left);
+}
+
+void reflectance_set(const shade_context *c, surfaces *s)
+{
+    for (uint32_t i = 0; i < s->count; i++) {
+        surface *at = &s->at[i];
+        appearance *own = &s->varying[i];
+
+        if (!at->appearance->angular)
+            continue;
+        if (at->appearance != own)
+            *own = *at->appearance;
+        at->appearance = own;
+        set(c, own, at, s->geometry.cosine[i]);
+    }
+}

@@ -1,0 +1,12 @@
+/* reflectance.h - coefficients of reflected and transmitted rays that depend on the ray's direction. */
+#ifndef SHADE_REFLECTANCE_H
+#define SHADE_REFLECTANCE_H
+
+#include "shade/surface.h"
+
+/* Set the coefficients of all surfaces that have such ones, in appearances of their own. */
+void reflectance_set(const shade_context *c, surfaces *s);
+/* The reflected fraction at this cosine between the normal and the direction back, for the ior ahead over that behind. */
+colour reflectance_of(const model *m, const finish *f, colour c, double cosine, double ratio);
+
+#endif

@@ -1,0 +1,141 @@
+/* Finishes: one pixel of a sphere under one light, against the numbers that POV-Ray 3.7 gives there. */
+#include "support/check.h"
+#include "support/near.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WIDTH = 64, HEIGHT = 48, COLUMN = 32, ROW = 24 };
+
+typedef struct sample { const char *light, *look; double red, green, blue; } sample;
+
+#define FRONT "<3,4,-6> rgb 1"
+#define GOLD "pigment { rgb <.9,.6,.3> } "
+#define BARE GOLD "finish { ambient 0 diffuse 0 "
+
+static void see(const sample *s, float *out)
+{
+    pov_render_desc desc = POV_INIT(desc);
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    char text[1024];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.5,.6,.7> }\n"
+             "camera { orthographic location <0,0,-10> direction z right 4*x up 3*y }\n"
+             "light_source { %s }\nsphere { 0, 1.45 %s }\n", s->light, s->look);
+    scene = scenes_text(context, text);
+    desc.width = WIDTH;
+    desc.height = HEIGHT;
+    picture = scenes_render(scene, &desc);
+    for (int i = 0; i < 3; i++)
+        out[i] = picture[4 * (ROW * WIDTH + COLUMN) + i];
+    free(picture);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+static void check(const sample *samples, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const sample *s = &samples[i];
+        float seen[3];
+
+        see(s, seen);
+        if (fabs((double)seen[0] - s->red) > 2e-5 || fabs((double)seen[1] - s->green) > 2e-5 || fabs((double)seen[2] - s->blue) > 2e-5)
+            fail_msg("%s: %f %f %f", s->look, (double)seen[0], (double)seen[1], (double)seen[2]);
+    }
+}
+
+#define CHECK(samples) check(samples, sizeof(samples) / sizeof((samples)[0]))
+
+static void diffuse_light_follows_brilliance_and_albedo(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, GOLD, 0.45122, 0.30082, 0.15041 },
+        { FRONT, GOLD "finish { ambient 0 diffuse .8 brilliance 3 }", 0.21550, 0.14368, 0.07184 },
+        { FRONT, GOLD "finish { ambient 0 diffuse albedo .4 brilliance 3 }", 0.21550, 0.14368, 0.07184 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
+static void light_from_behind_counts_where_the_finish_says_so(void **state)
+{
+    static const sample samples[] = {
+        { "<-6,4,6> rgb 1", GOLD "finish { ambient 0 diffuse .8 } no_shadow", 0.0, 0.0, 0.0 },
+        { "<5,1,1> rgb 1", GOLD "finish { ambient 0 diffuse .5 phong .3 phong_size 3 } double_illuminate no_shadow", 0.18874, 0.12583, 0.06291 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
+static void highlights_are_those_of_phong_and_of_blinn(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, BARE "phong .8 phong_size 10 }", 0.01344, 0.01344, 0.01344 },
+        { FRONT, BARE "phong albedo .05 phong_size 10 }", 0.00462, 0.00462, 0.00462 },
+        { FRONT, BARE "specular .8 roughness .05 }", 0.12738, 0.12738, 0.12738 },
+        { FRONT, BARE "specular .8 roughness 1 }", 0.72978, 0.72978, 0.72978 },
+        { FRONT, BARE "specular albedo .1 roughness .1 }", 0.06081, 0.06081, 0.06081 },
+        { FRONT, BARE "phong .8 phong_size 3 metallic }", 0.21209, 0.14380, 0.07550 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
+static void reflection_depends_on_the_angle_and_the_pigment(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, BARE "reflection rgb <.1,.5,.2> }", 0.05000, 0.30001, 0.14000 },
+        { FRONT, BARE "reflection { .1, .9 } }", 0.05019, 0.06023, 0.07027 },
+        { FRONT, BARE "reflection { rgb <.1,.2,.3>, rgb <.9,.8,.1> falloff 3 } }", 0.05000, 0.12000, 0.20999 },
+        { FRONT, BARE "reflection { .1, .9 fresnel } } interior { ior 1.5 }", 0.06600, 0.07919, 0.09239 },
+        { FRONT, BARE "reflection { 0, 1 fresnel } } interior { ior .7 }", 0.01556, 0.01869, 0.02181 },
+        { FRONT, BARE "reflection { .4 metallic } }", 0.18001, 0.14405, 0.08408 },
+        { FRONT, BARE "reflection { .6 exponent 2 } }", 0.42426, 0.46476, 0.50199 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
+static void what_is_reflected_is_not_transmitted_with_conserve_energy(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, "pigment { rgbft <.8,.9,.7,.5,.3> } finish { ambient 0 diffuse 0 reflection rgb <.5,.2,.1> conserve_energy }",
+          0.36484, 0.38956, 0.33614 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
+static void a_film_changes_all_light_by_its_wavelength(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, GOLD "finish { ambient 0 diffuse .5 irid { .4 thickness .5 } }", 0.34411, 0.13703, 0.09731 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(diffuse_light_follows_brilliance_and_albedo),
+        cmocka_unit_test(light_from_behind_counts_where_the_finish_says_so),
+        cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
+        cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
+        cmocka_unit_test(what_is_reflected_is_not_transmitted_with_conserve_energy),
+        cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
+    };
+
+    return cmocka_run_group_tests_name("finishes", tests, NULL, NULL);
+}
