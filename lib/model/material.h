@@ -2,13 +2,13 @@
 #ifndef MODEL_MATERIAL_H
 #define MODEL_MATERIAL_H
 
-#include "model/finish.h"
 #include "model/interior.h"
-#include "model/pattern.h"
+#include "model/texture.h"
 
 typedef struct material {
-    const pattern *pattern;      /* the pigment varies; NULL: it is constant. Where it varies, the next three are the
-                                  * largest that each component can be: what is zero there is zero everywhere */
+    const texture *texture;      /* NULL: constant, of the pigment and the finish below. Where there is a texture, what is
+                                  * zero in them is zero everywhere */
+    const texture *inside;       /* where rays hit the surface from inside; NULL: the same as outside */
     colour pigment;
     float filter, transmit;
     finish finish;
@@ -19,7 +19,8 @@ typedef struct material {
 /* The defaults of the language: black. */
 void material_init(material *m);
 bool material_equal(const material *a, const material *b);
-void material_set_pattern(material *m, const pattern *p);
+/* Set textures, which may be NULL as above, and pigment and finish after them. */
+void material_set_textures(material *m, const texture *outside, const texture *inside);
 
 static inline bool material_is_transparent(const material *m) { return m->filter != 0.0f || m->transmit != 0.0f; }
 

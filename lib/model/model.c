@@ -9,6 +9,8 @@ void model_init(model *m, const env *e)
     memset(m, 0, sizeof *m);
     m->env = e;
     m->irid_wavelength = colour_of(0.70f, 0.52f, 0.48f);
+    m->noise_generator = 2;
+    m->number_of_waves = 10;
     arena_init(&m->memory, e);
     arena_init(&m->maps, e);
 }
@@ -39,6 +41,7 @@ void model_free(model *m)
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
     map_table_free(&m->kept_maps, m->env);
+    env_free_aligned(m->env, m->noise);
     env_free(m->env, m->texture_maps.items);
     arena_free(&m->memory);
     arena_free(&m->maps);

@@ -11,6 +11,8 @@
 
 #include <povtrace/scene.h>
 
+struct noise_tables;
+
 typedef struct group_list { group_node *items; size_t count, capacity; } group_list;
 typedef struct solid_list { solid_node *items; size_t count, capacity; } solid_list;
 typedef struct node_list { node_ref *items; size_t count, capacity; } node_list;
@@ -41,6 +43,9 @@ typedef struct model {
     material_list materials;
     light_list lights;
     map_table kept_maps;         /* of textures */
+    struct noise_tables *noise;  /* from env_alloc_aligned(); NULL: no pattern needs them */
+    int noise_generator;         /* 1 to 3 */
+    uint32_t number_of_waves;
     kept_list kept;              /* in the order of being made */
     map_numbers texture_maps;    /* by leaf: number of the map of the transformations behind its texture; further leaves
                                   * have none */
@@ -52,6 +57,7 @@ typedef struct model {
     bool opaque_last_level;      /* rays of the last level do not go through surfaces */
     gamma gamma;
     bool opacity_uses_filter_colour;  /* 1 - (filter*max(r,g,b) + transmit) instead of 1 - filter - transmit */
+    bool upper_layers_are_colourless; /* what lies above another layer filters by filter + transmit, whatever its colour */
     bool fresnel_metallic;            /* metallic highlights by POV-Ray's factor, else 1 + m*(C - 1) */
     pov_dialect dialect;
     const char *dialect_reason;

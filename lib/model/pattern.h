@@ -1,25 +1,24 @@
-/* pattern.h - a varying pigment: a pattern gives each point a value that selects from a list. */
+/* pattern.h - patterns: a number for each point, and the space in which they stand. */
 #ifndef MODEL_PATTERN_H
 #define MODEL_PATTERN_H
 
-#include "model/colour.h"
+#include "model/warp.h"
 
 #include <stddef.h>
-#include <stdint.h>
 
 struct pattern_class;
 
-typedef struct pigment { colour color; float filter, transmit; } pigment;
-
+/* Equal patterns of a scene are one. A point goes through the map, the warps and the turbulence, in this order, to the
+ * class, and the value from there through the wave. */
 typedef struct pattern {
     const struct pattern_class *class;
     const void *self;            /* parsed form of its own keywords; NULL: it has none */
-    size_t self_size;
-    uint32_t map;                /* number in the model's map table of the pigment's own transformations */
-    uint32_t count;
-    const pigment *list;
+    const warp *warps;
+    turbulence turbulence;
+    wave wave;
+    uint32_t map;                /* number in the model's map table of the transformations behind the last warp */
+    int noise_generator;         /* 0: the scene's */
+    bool uv;                     /* points are the surface's uv coordinates instead */
 } pattern;
-
-bool pattern_equal(const pattern *a, const pattern *b);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "model/model.h"
 #include "plug/registry.h"
+#include "sdl/intern.h"
 #include "sdl/lex.h"
 #include "sdl/reader.h"
 #include "sdl/scope.h"
@@ -136,7 +137,7 @@ struct pov_reader {
     uint64_t turns;              /* of loops so far */
     double started;              /* when reading began */
     int parentheses;             /* of expressions that are open */
-    const struct pattern_parsed *last_pattern;   /* without transformations of its own */
+    intern_table interned;       /* parts of textures */
     uint32_t *material_slots;    /* a hash table of the model's materials: index + 1, 0 is empty */
     size_t material_capacity;
     char tried[TRIED_MAX][TRIED_LENGTH];

@@ -81,7 +81,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const mater
     const pigment at = { of->pigment, of->filter, of->transmit };
 
     out->material = of;
-    out->varies = of->pattern != NULL;
+    out->varies = of->texture != NULL;
     out->finish = &of->finish;
     out->lit = p->lighting && is_lit(&of->finish);
     out->kinds = kinds_of(of);

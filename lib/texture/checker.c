@@ -13,15 +13,15 @@ SIMD_CLONES static void find(const vec_lanes *restrict at, uint32_t n, double *r
     }
 }
 
-static void evaluate(const void *self, const vec_lanes *at, uint32_t n, double *value)
+static void evaluate(const pattern_input *in, double *value)
 {
-    (void)self;
-    find(at, lanes_whole(n), value);
+    find(in->at, lanes_whole(in->n), value);
 }
 
 const pattern_class pattern_checker = {
     .keyword = "checker",
     .count = 2,
     .list = { { .color = { 0.0f, 0.0f, 1.0f } }, { .color = { 0.0f, 1.0f, 0.0f } } },
+    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate,
 };

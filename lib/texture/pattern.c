@@ -1,10 +1,15 @@
 #include "texture/pattern.h"
 
+#include "texture/warp.h"
+
 #include <string.h>
+
+const pattern_class pattern_average = { .keyword = "average" };
 
 extern const pattern_class pattern_checker, pattern_square;
 
 static const pattern_class *const classes[] = {
+    &pattern_average,
     &pattern_checker,
     &pattern_square,
 };
@@ -15,4 +20,9 @@ const pattern_class *pattern_find(const char *keyword)
         if (strcmp(classes[i]->keyword, keyword) == 0)
             return classes[i];
     return NULL;
+}
+
+bool pattern_needs_noise(const pattern *p)
+{
+    return (p->class->flags & PATTERN_NEEDS_NOISE) || !turbulence_is_none(&p->turbulence) || warp_needs_noise(p->warps);
 }

@@ -4,19 +4,78 @@
 #define TEXTURE_PATTERN_H
 
 #include "base/lanes.h"
-#include "model/pattern.h"
+#include "model/texture.h"
+#include "texture/noise.h"
 
 enum { PATTERN_LIST_MAX = 8 };
 
+/* ---- the text of a pattern ---- */
+
+/* What stands behind a word, and the type of the member of the parsed form that it is kept in. */
+typedef enum pattern_type {
+    PATTERN_FLAG,                /* nothing, or a number that is not 0: bool */
+    PATTERN_NUMBER,              /* double */
+    PATTERN_FLOAT,               /* double, rounded to float first as POV-Ray's is */
+    PATTERN_INTEGER,             /* int32_t: cut down to a whole number */
+    PATTERN_VECTOR               /* pov_vec3; a number stands for all three */
+} pattern_type;
+
+typedef struct pattern_word {
+    const char *keyword;         /* NULL: an argument right behind the pattern's word; a comma may stand behind it */
+    pattern_type type;
+    size_t offset;               /* in the parsed form */
+    bool is_optional;            /* of an argument: it may be left out */
+} pattern_word;
+
+/* One of a map. */
+typedef struct colour_entry { float value; pigment pigment; } colour_entry;
+
+/* ---- evaluation ---- */
+
+typedef struct pattern_input {
+    const vec_lanes *at;         /* lanes up to lanes_whole(n) are there */
+    uint32_t n;
+    const pattern *of;
+    const vec_lanes *normal, *view;   /* unit, of the world: the surface's, turned against the ray; the ray's direction.
+                                       * NULL where there is no surface */
+    const noise_tables *noise;   /* NULL unless the class or its turbulence need noise */
+    int generator;               /* the pattern's, or else the scene's: 1 to 3 */
+    uint32_t waves;              /* number_of_waves */
+} pattern_input;
+
+enum {
+    PATTERN_NEEDS_NOISE = 1,
+    PATTERN_UNSHAPED = 2,        /* frequency, phase and wave form do nothing */
+    PATTERN_OWN_TURBULENCE = 4,  /* turbulence does not move the points: evaluate() sees to it */
+    PATTERN_NEEDS_NORMAL = 8     /* there is no value without a surface */
+};
+
 typedef struct pattern_class {
     const char *keyword;
-    uint32_t count;              /* number of pigments that its values, 0 to count - 1, select */
-    pigment list[PATTERN_LIST_MAX];   /* defaults of pigments that are not given */
-    /* Values of n points, lane by lane. Lanes up to lanes_whole(n) may be read and written. */
-    void (*evaluate)(const void *self, const vec_lanes *at, uint32_t n, double *value);
+    uint32_t count;              /* its values are whole, 0 to count - 1, and number a list; 0: they are those of maps */
+    pigment list[PATTERN_LIST_MAX];   /* pigments of a list that are not given */
+    const colour_entry *map;     /* the map where none is given; NULL: from black to white */
+    uint32_t map_count;
+    size_t self_size;
+    const void *self;            /* parsed form where nothing is given; NULL: zeros */
+    const pattern_word *words;
+    uint32_t word_count;
+    const char *(*check)(const void *self);   /* what is wrong with the parsed form, or NULL; may be NULL */
+    wave_form form;
+    unsigned flags;
+    /* Values of the points, lane by lane. Lanes up to lanes_whole(n) may be read and written. */
+    void (*evaluate)(const pattern_input *in, double *value);
+    /* Of images: colours instead of values, which no map replaces. */
+    void (*colours)(const pattern_input *in, pigment *out);
+    /* Of patterns with a rule of their own for normals: perturb unit normals in the pattern's space. They need not be
+     * unit afterwards. NULL: the slope of the values counts. */
+    void (*perturb)(const pattern_input *in, double amount, vec_lanes *normal);
 } pattern_class;
 
 /* The class of a keyword. NULL: not a pattern. */
 const pattern_class *pattern_find(const char *keyword);
+/* Of blends without a pattern: it has a space only, and neither evaluate() nor colours(). */
+extern const pattern_class pattern_average;
+bool pattern_needs_noise(const pattern *p);
 
 #endif

@@ -13,10 +13,9 @@ SIMD_CLONES static void find(const vec_lanes *restrict at, uint32_t n, double *r
     }
 }
 
-static void evaluate(const void *self, const vec_lanes *at, uint32_t n, double *value)
+static void evaluate(const pattern_input *in, double *value)
 {
-    (void)self;
-    find(at, lanes_whole(n), value);
+    find(in->at, lanes_whole(in->n), value);
 }
 
 const pattern_class pattern_square = {
@@ -26,5 +25,6 @@ const pattern_class pattern_square = {
               { .color = { 0.0f, 1.0f, 0.0f } },
               { .color = { 0.0f, 0.0f, 1.0f } },
               { .color = { 1.0f, 1.0f, 0.0f } } },
+    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate,
 };

@@ -1,78 +1,185 @@
-#include "texture/texture.h"
+#include "texture/blend.h"
+#include "texture/points.h"
 
-#include "texture/pattern.h"
+/* Lanes of a node, which of the caller's they are, and their shares. */
+typedef struct part {
+    uint32_t n;
+    uint8_t lane[LANES_MAX];
+    float share[LANES_MAX];
+} part;
 
-#include <povtrace/exact.h>
+typedef struct terms { const model *model; texture_term *items; uint32_t count; } terms;
 
-/* One coordinate: a row of the map times (x, y, z, 1), in double-double. */
-static inline pov_two along(const inverse_map *map, int row, pov_two3 p)
+static const texture *const *layers_of(const texture *const *of, uint32_t *count)
 {
-    const double *hi = map->linear->m[row], *lo = map->linear->m_lo[row];
-    const pov_two x = pov_two_mul(pov_two_of(hi[0], lo[0]), p.x), y = pov_two_mul(pov_two_of(hi[1], lo[1]), p.y);
-    const pov_two z = pov_two_mul(pov_two_of(hi[2], lo[2]), p.z);
-
-    return pov_two_add(pov_two_add(x, y), pov_two_add(z, pov_two_of(map->move[row], map->move_lo[row])));
+    *count = (*of)->blend == BLEND_LAYERS ? (*of)->count : 1;
+    return (*of)->blend == BLEND_LAYERS ? (*of)->textures : of;
 }
 
-static inline pov_two3 to_space(const inverse_map *map, pov_two3 p)
-{
-    pov_two3 out;
+/* ---- terms ---- */
 
-    out.x = along(map, 0, p);
-    out.y = along(map, 1, p);
-    out.z = along(map, 2, p);
-    return out;
+static void put(const texture_points *points, const part *p, uint32_t i, const texture *layer, const pigment *value,
+                texture_term *out)
+{
+    out->lane = p->lane[i];
+    out->share = p->share[i];
+    out->pigment = *value;
+    out->finish = &layer->finish;
+    out->bent = false;
+    out->normal = points->has_surface ? lanes_at(&points->normal, i) : pov_vec3_of(0.0, 0.0, 0.0);
 }
 
-void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, uint32_t lane, texture_points *out)
+/* The terms of each lane follow one another, from the top. */
+static void add_stack(terms *t, const texture *of, const texture_points *points, const part *p)
 {
-    pov_two3 p = pov_two3_of(point, point_lo);
+    uint32_t count;
+    const texture *const *layers = layers_of(&of, &count);
+    pigment pigments[LANES_MAX];
 
-    if (map)
-        p = to_space(map, p);
-    lanes_put(&out->at, lane, pov_two3_hi(p));
-    lanes_put(&out->at_lo, lane, pov_two3_lo(p));
+    for (uint32_t k = 0; k < count; k++) {
+        const texture *layer = layers[count - 1 - k];
+
+        pigment_eval(t->model, layer->pigment, points, p->n, pigments);
+        for (uint32_t i = 0; i < p->n; i++) {
+            texture_term *out = &t->items[t->count + i * count + k];
+
+            put(points, p, i, layer, &pigments[i], out);
+            out->first = k == 0;
+        }
+    }
+    t->count += p->n * count;
 }
 
-/* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
- * without clones warn of uninitialised lanes. */
-SIMD_CLONES static void map_points(const inverse_map *restrict map, const texture_points *restrict p, uint32_t n,
-                                   vec_lanes *restrict out)
+static void find(const model *m, const texture *of, const texture_points *inner, uint32_t n, blending *b)
 {
-    uint32_t i = 0;
-
-    do
-        lanes_put(out, i, pov_two3_hi(to_space(map, pov_two3_of(lanes_at(&p->at, i), lanes_at(&p->at_lo, i)))));
-    while (++i < n);
-}
-
-/* Lanes behind the last point, up to a whole vector of the processor, are like it. */
-static void find_own(const inverse_map *map, const texture_points *p, uint32_t n, vec_lanes *out)
-{
-    if (map)
-        map_points(map, p, n, out);
-    else
-        *out = p->at;
-    for (uint32_t i = n; i < lanes_whole(n); i++)
-        lanes_put(out, i, lanes_at(out, n - 1));
-}
-
-/* Values beyond the list, which patterns give only for NaN, select its end. */
-static inline uint32_t index_of(double value, uint32_t count)
-{
-    if (!(value >= 1.0))
-        return 0;
-    return value < (double)count ? (uint32_t)value : count - 1;
-}
-
-void texture_eval(const model *m, const material *of, const texture_points *points, uint32_t n, texture_sample *out)
-{
-    const pattern *p = of->pattern;
+    const pattern_input in = points_input(m, of->pattern, inner, &inner->at, n);
     SIMD_ALIGNED double value[LANES_MAX];
-    vec_lanes own;
 
-    find_own(map_table_at(&m->kept_maps, p->map), points, n, &own);
-    p->class->evaluate(p->self, &own, n, value);
-    for (uint32_t i = 0; i < n; i++)
-        out[i].pigment = p->list[index_of(value[i], p->count)];
+    if (of->blend != BLEND_AVERAGE)
+        points_values(&in, value);
+    blend_find(b, of->blend, of->values, of->count, value, n);
+}
+
+static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p);
+
+static void add_member(terms *t, const texture *member, const blending *b, uint32_t number, const texture_points *points,
+                       const part *outer)
+{
+    texture_points picked;
+    part own;
+
+    own.n = blend_lanes(b, number, own.lane, own.share);
+    if (own.n == 0)
+        return;
+    points_pick(points, own.lane, own.n, &picked);
+    for (uint32_t i = 0; i < own.n; i++) {
+        own.share[i] *= outer->share[own.lane[i]];
+        own.lane[i] = outer->lane[own.lane[i]];
+    }
+    add_terms(t, member, &picked, &own);
+}
+
+static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p)
+{
+    texture_points inner;
+    blending b;
+
+    if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS) {
+        add_stack(t, of, points, p);
+        return;
+    }
+    points_enter(t->model, of->pattern, points, p->n, &inner);
+    find(t->model, of, &inner, p->n, &b);
+    for (uint32_t k = 0; k < of->count; k++)
+        add_member(t, of->textures[k], &b, k, &inner, p);
+}
+
+uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out)
+{
+    terms t = { m, out, 0 };
+    part all;
+
+    all.n = n;
+    for (uint32_t i = 0; i < n; i++) {
+        all.lane[i] = (uint8_t)i;
+        all.share[i] = 1.0f;
+    }
+    add_terms(&t, of, points, &all);
+    return t.count;
+}
+
+uint32_t texture_most_terms(const texture *of)
+{
+    uint32_t most = 0, sum = 0, before = 0;
+
+    if (of->blend == BLEND_NONE)
+        return 1;
+    for (uint32_t i = 0; i < of->count; i++) {
+        const uint32_t one = texture_most_terms(of->textures[i]);
+        const uint32_t both = of->blend == BLEND_MAP ? before + one : one;
+
+        most = both > most ? both : most;
+        sum += one;
+        before = one;
+    }
+    return of->blend == BLEND_LIST || of->blend == BLEND_MAP ? most : sum;
+}
+
+/* ---- filters of shadow rays ---- */
+
+static colour filter_of(const pigment *p, bool colourless)
+{
+    const float by = p->filter + p->transmit;
+
+    if (colourless)
+        return colour_of(by, by, by);
+    return colour_add(colour_scale(p->color, p->filter), colour_of(p->transmit, p->transmit, p->transmit));
+}
+
+static void find_stack_filters(const model *m, const texture *of, const texture_points *points, uint32_t n, colour *out)
+{
+    uint32_t count;
+    const texture *const *layers = layers_of(&of, &count);
+    pigment pigments[LANES_MAX];
+
+    for (uint32_t k = 0; k < count; k++) {
+        pigment_eval(m, layers[count - 1 - k]->pigment, points, n, pigments);
+        for (uint32_t i = 0; i < n; i++) {
+            const colour by = filter_of(&pigments[i], m->upper_layers_are_colourless && k + 1 < count);
+
+            out[i] = k == 0 ? by : colour_mul(out[i], by);
+        }
+    }
+}
+
+static void add_filters(const model *m, const texture *member, const blending *b, uint32_t number,
+                        const texture_points *points, colour *out)
+{
+    texture_points picked;
+    colour filters[LANES_MAX];
+    part own;
+
+    own.n = blend_lanes(b, number, own.lane, own.share);
+    if (own.n == 0)
+        return;
+    points_pick(points, own.lane, own.n, &picked);
+    texture_filters(m, member, &picked, own.n, filters);
+    for (uint32_t i = 0; i < own.n; i++)
+        out[own.lane[i]] = colour_add(out[own.lane[i]], colour_scale(filters[i], own.share[i]));
+}
+
+void texture_filters(const model *m, const texture *of, const texture_points *points, uint32_t n, colour *out)
+{
+    texture_points inner;
+    blending b;
+
+    if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS) {
+        find_stack_filters(m, of, points, n, out);
+        return;
+    }
+    points_enter(m, of->pattern, points, n, &inner);
+    find(m, of, &inner, n, &b);
+    memset(out, 0, n * sizeof *out);
+    for (uint32_t k = 0; k < of->count; k++)
+        add_filters(m, of->textures[k], &b, k, &inner, out);
 }

@@ -5,15 +5,36 @@
 #include "base/lanes.h"
 #include "model/model.h"
 
-/* Points by lane, in double-double, in the space of the object as it was when its texture was written. */
-typedef struct texture_points { vec_lanes at, at_lo; } texture_points;
+/* Points by lane, and what patterns and normals ask of the surface there. */
+typedef struct texture_points {
+    vec_lanes at, at_lo;         /* in double-double, in the space of the object as it was when its texture was written */
+    vec_lanes uv;                /* u, v, 0 of the surface */
+    vec_lanes normal, view;      /* unit, of the world: the surface's normal, turned against the ray; the ray's direction */
+    const inverse_map *map[LANES_MAX];   /* from the world to the space of `at`; NULL: it is the world */
+    bool has_surface;            /* uv, normals, views and maps are there */
+} texture_points;
 
-/* The value of a texture at a point. */
-typedef struct texture_sample { pigment pigment; } texture_sample;
+/* A part of what a lane's texture is. Its colour is a sum over stacks of layers: share times what the stack returns.
+ * A stack's layers follow one another from the top; `first` begins a stack. */
+typedef struct texture_term {
+    uint8_t lane;
+    bool first;
+    bool bent;                   /* the normal is not the surface's */
+    float share;                 /* of the stack; the shares of a lane's stacks add up to 1 */
+    pigment pigment;
+    const finish *finish;
+    pov_vec3 normal;             /* unit, of the world, as given or perturbed */
+} texture_term;
 
-/* Transform a world point to that space. map NULL: it is the world. */
+/* Transform a world point to the texture's space. map NULL: it is the world. */
 void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, uint32_t lane, texture_points *out);
-/* Evaluate a material's varying texture at n points. */
-void texture_eval(const model *m, const material *of, const texture_points *points, uint32_t n, texture_sample *out);
+/* Evaluate a texture at n points; returns the number of terms, at most n times texture_most_terms(). The terms of a lane
+ * have the same order alone and beside others. */
+uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out);
+uint32_t texture_most_terms(const texture *of);
+/* Factors of light that crosses the surface. */
+void texture_filters(const model *m, const texture *of, const texture_points *points, uint32_t n, colour *out);
+/* Evaluate a pigment alone. */
+void pigment_eval(const model *m, const pigment_node *of, const texture_points *points, uint32_t n, pigment *out);
 
 #endif

@@ -269,7 +269,7 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
     const material *of = &k->f->model->materials.items[o->material];
     const bool transparent = material_is_transparent(of);
     const bool casts = !(o->flags & LEAF_NO_SHADOW), member = k->f->is_member && k->f->is_member[index];
-    const bool plain = !member && !(transparent && of->pattern);
+    const bool plain = !member && !(transparent && of->texture);
 
     info->slot = (casts ? COMPILE_CASTS : 0) | (transparent ? 0 : COMPILE_OPAQUE) | (plain ? COMPILE_PLAIN : 0);
     info->material = o->material;

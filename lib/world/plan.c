@@ -32,7 +32,7 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->filtering += casts && transparent ? n : 0;
     s->glossy += glossy ? n : 0;
     s->metallic += glossy && m->finish.metallic != 0.0f ? n : 0;
-    s->varying += m->pattern ? n : 0;
+    s->varying += m->texture ? n : 0;
     s->reflective += finish_is_mirror(&m->finish) ? n : 0;
     s->transparent += transparent ? n : 0;
     s->refracting += transparent && is_refracting(&m->interior) ? n : 0;

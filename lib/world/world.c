@@ -214,7 +214,7 @@ static bool is_located(const world *w, const compile_state *f)
     uint32_t i;
 
     for (i = 0; w->plan.coloured_shadows && i < w->model->leaves.count; i++)
-        if (f->objects_info[i].filters && w->model->materials.items[f->objects_info[i].material].pattern)
+        if (f->objects_info[i].filters && w->model->materials.items[f->objects_info[i].material].texture)
             return true;
     return false;
 }

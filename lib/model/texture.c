@@ -1,0 +1,67 @@
+#include "model/texture.h"
+
+static float larger(float a, float b) { return fabsf(b) > fabsf(a) ? b : a; }
+
+static colour larger_colour(colour a, colour b)
+{
+    return colour_of(larger(a.r, b.r), larger(a.g, b.g), larger(a.b, b.b));
+}
+
+pigment pigment_most(pigment a, pigment b)
+{
+    const pigment most = { larger_colour(a.color, b.color), larger(a.filter, b.filter), larger(a.transmit, b.transmit) };
+
+    return most;
+}
+
+static void add_reflection(reflection *all, const reflection *one)
+{
+    all->min = larger_colour(all->min, one->min);
+    all->max = larger_colour(all->max, one->max);
+    all->metallic = larger(all->metallic, one->metallic);
+    all->fresnel |= one->fresnel;
+}
+
+/* Only members that say whether there is something at all are joined; what it is like is asked where it is. */
+static void add_finish(finish *all, const finish *one)
+{
+    all->ambient = larger_colour(all->ambient, one->ambient);
+    all->emission = larger_colour(all->emission, one->emission);
+    all->diffuse = larger(all->diffuse, one->diffuse);
+    all->diffuse_back = larger(all->diffuse_back, one->diffuse_back);
+    all->phong = larger(all->phong, one->phong);
+    all->specular = larger(all->specular, one->specular);
+    all->metallic = larger(all->metallic, one->metallic);
+    all->crand = larger(all->crand, one->crand);
+    all->irid.amount = larger(all->irid.amount, one->irid.amount);
+    all->conserve_energy |= one->conserve_energy;
+    add_reflection(&all->reflection, &one->reflection);
+}
+
+void texture_bounds(const texture *of, pigment *most, finish *all)
+{
+    if (of->blend == BLEND_NONE) {
+        *most = of->pigment->most;
+        *all = of->finish;
+        return;
+    }
+    texture_bounds(of->textures[0], most, all);
+    for (uint32_t i = 1; i < of->count; i++) {
+        pigment pigment;
+        finish finish;
+
+        texture_bounds(of->textures[i], &pigment, &finish);
+        *most = pigment_most(*most, pigment);
+        add_finish(all, &finish);
+    }
+}
+
+bool texture_has_normals(const texture *of)
+{
+    if (of->blend == BLEND_NONE)
+        return of->normal != NULL;
+    for (uint32_t i = 0; i < of->count; i++)
+        if (texture_has_normals(of->textures[i]))
+            return true;
+    return false;
+}

@@ -1,0 +1,77 @@
+#include "texture/blend.h"
+
+/* Values beyond the list, which patterns give only for NaN, select its end. */
+static inline uint32_t index_of(double value, uint32_t count)
+{
+    if (!(value >= 1.0))
+        return 0;
+    return value < (double)count ? (uint32_t)value : count - 1;
+}
+
+/* Values of maps need not rise: the first that is large enough counts, unless the last one is passed. */
+static uint32_t find_entry(const float *values, uint32_t count, double value)
+{
+    uint32_t i = 0;
+
+    if (!(value < (double)values[count - 1]))
+        return count - 1;
+    while (i + 1 < count && value > (double)values[i])
+        i++;
+    return i;
+}
+
+static void find_between(blending *b, uint32_t count, double value, uint32_t lane)
+{
+    const uint32_t i = find_entry(b->values, count, value);
+    const bool is_between = i > 0 && value < (double)b->values[i];
+
+    b->low[lane] = is_between ? i - 1 : i;
+    b->between[lane] = is_between ? (value - (double)b->values[i - 1]) /
+                                        ((double)b->values[i] - (double)b->values[i - 1]) : 0.0;
+}
+
+static void sum_weights(blending *b, uint32_t count)
+{
+    b->total = 0.0f;
+    for (uint32_t i = 0; i < count; i++)
+        b->total += b->values[i];
+}
+
+void blend_find(blending *b, blend kind, const float *values, uint32_t count, const double *value, uint32_t n)
+{
+    b->kind = kind;
+    b->values = values;
+    b->n = n;
+    if (kind == BLEND_AVERAGE) {
+        sum_weights(b, count);
+        return;
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        b->between[i] = 0.0;
+        if (kind == BLEND_LIST)
+            b->low[i] = index_of(value[i], count);
+        else
+            find_between(b, count, value[i], i);
+    }
+}
+
+static float share_of(const blending *b, uint32_t member, uint32_t lane)
+{
+    if (b->kind == BLEND_AVERAGE)
+        return b->values[member] / b->total;
+    if (b->low[lane] == member)
+        return (float)(1.0 - b->between[lane]);
+    return b->low[lane] + 1 == member ? (float)b->between[lane] : 0.0f;
+}
+
+uint32_t blend_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share)
+{
+    uint32_t count = 0;
+
+    for (uint32_t i = 0; i < b->n; i++) {
+        share[count] = share_of(b, member, i);
+        lane[count] = (uint8_t)i;
+        count += share[count] != 0.0f;
+    }
+    return count;
+}

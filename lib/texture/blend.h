@@ -1,0 +1,24 @@
+/* blend.h - which members of a map, a list or an average count at each point, and how much. */
+#ifndef TEXTURE_BLEND_H
+#define TEXTURE_BLEND_H
+
+#include "base/lanes.h"
+#include "model/texture.h"
+
+/* Lane i has the share 1 - between[i] of member low[i], and the rest of the next one; of an average each lane has a
+ * share of all. */
+typedef struct blending {
+    blend kind;
+    const float *values;
+    float total;                 /* of an average's weights */
+    uint32_t n;
+    uint32_t low[LANES_MAX];
+    double between[LANES_MAX];
+} blending;
+
+/* From the values of a pattern at n points; an average needs none. */
+void blend_find(blending *b, blend kind, const float *values, uint32_t count, const double *value, uint32_t n);
+/* The lanes that have a share of a member, and it. Returns how many. */
+uint32_t blend_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share);
+
+#endif

@@ -1,0 +1,157 @@
+#include "texture/points.h"
+
+#include "texture/warp.h"
+#include "texture/wave.h"
+
+#include <povtrace/exact.h>
+
+/* One coordinate: a row of the map times (x, y, z, 1), in double-double. */
+static inline pov_two along(const inverse_map *map, int row, pov_two3 p)
+{
+    const double *hi = map->linear->m[row], *lo = map->linear->m_lo[row];
+    const pov_two x = pov_two_mul(pov_two_of(hi[0], lo[0]), p.x), y = pov_two_mul(pov_two_of(hi[1], lo[1]), p.y);
+    const pov_two z = pov_two_mul(pov_two_of(hi[2], lo[2]), p.z);
+
+    return pov_two_add(pov_two_add(x, y), pov_two_add(z, pov_two_of(map->move[row], map->move_lo[row])));
+}
+
+static inline pov_two3 to_space(const inverse_map *map, pov_two3 p)
+{
+    pov_two3 out;
+
+    out.x = along(map, 0, p);
+    out.y = along(map, 1, p);
+    out.z = along(map, 2, p);
+    return out;
+}
+
+void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, uint32_t lane, texture_points *out)
+{
+    pov_two3 p = pov_two3_of(point, point_lo);
+
+    if (map)
+        p = to_space(map, p);
+    lanes_put(&out->at, lane, pov_two3_hi(p));
+    lanes_put(&out->at_lo, lane, pov_two3_lo(p));
+}
+
+/* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
+ * without clones warn of uninitialised lanes. */
+SIMD_CLONES static void map_points(const inverse_map *restrict map, const vec_lanes *restrict at,
+                                   const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out)
+{
+    uint32_t i = 0;
+
+    do
+        lanes_put(out, i, pov_two3_hi(to_space(map, pov_two3_of(lanes_at(at, i), lanes_at(at_lo, i)))));
+    while (++i < n);
+}
+
+SIMD_CLONES static void map_points_exactly(const inverse_map *restrict map, const vec_lanes *restrict at,
+                                           const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out,
+                                           vec_lanes *restrict out_lo)
+{
+    uint32_t i = 0;
+
+    do {
+        const pov_two3 p = to_space(map, pov_two3_of(lanes_at(at, i), lanes_at(at_lo, i)));
+
+        lanes_put(out, i, pov_two3_hi(p));
+        lanes_put(out_lo, i, pov_two3_lo(p));
+    } while (++i < n);
+}
+
+static void clear(vec_lanes *l) { memset(l, 0, sizeof *l); }
+
+static void map_all(const inverse_map *map, const texture_points *in, bool uv, uint32_t n, vec_lanes *at, vec_lanes *lo)
+{
+    const vec_lanes *from = uv ? &in->uv : &in->at, *from_lo = &in->at_lo;
+    vec_lanes zero;
+
+    if (uv) {
+        clear(&zero);
+        from_lo = &zero;
+    }
+    if (map && lo) {
+        map_points_exactly(map, from, from_lo, n, at, lo);
+    } else if (map) {
+        map_points(map, from, from_lo, n, at);
+    } else {
+        *at = *from;
+        if (lo)
+            *lo = *from_lo;
+    }
+}
+
+void points_place(const model *m, const pattern *p, const texture_points *in, uint32_t n, vec_lanes *at, vec_lanes *lo)
+{
+    const bool moves = !turbulence_is_none(&p->turbulence) && !(p->class->flags & PATTERN_OWN_TURBULENCE);
+
+    map_all(map_table_at(&m->kept_maps, p->map), in, p->uv && in->has_surface, n, at, lo);
+    for (uint32_t i = n; i < lanes_whole(n); i++)
+        lanes_put(at, i, lanes_at(at, n - 1));
+    if (p->warps)
+        warp_apply(p->warps, m->noise, at, n);
+    if (moves)
+        warp_displace(&p->turbulence, m->noise, at, n);
+    if (lo && (p->warps || moves))
+        clear(lo);
+}
+
+static void copy_surface(const texture_points *in, uint32_t n, texture_points *out)
+{
+    out->has_surface = in->has_surface;
+    if (!in->has_surface)
+        return;
+    out->uv = in->uv;
+    out->normal = in->normal;
+    out->view = in->view;
+    memcpy(out->map, in->map, n * sizeof in->map[0]);
+}
+
+void points_enter(const model *m, const pattern *p, const texture_points *in, uint32_t n, texture_points *out)
+{
+    points_place(m, p, in, n, &out->at, &out->at_lo);
+    copy_surface(in, n, out);
+}
+
+static void pick(const vec_lanes *in, const uint8_t *lane, uint32_t n, vec_lanes *out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        lanes_put(out, i, lanes_at(in, lane[i]));
+}
+
+void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, texture_points *out)
+{
+    pick(&in->at, lane, n, &out->at);
+    pick(&in->at_lo, lane, n, &out->at_lo);
+    out->has_surface = in->has_surface;
+    if (!in->has_surface)
+        return;
+    pick(&in->uv, lane, n, &out->uv);
+    pick(&in->normal, lane, n, &out->normal);
+    pick(&in->view, lane, n, &out->view);
+    for (uint32_t i = 0; i < n; i++)
+        out->map[i] = in->map[lane[i]];
+}
+
+pattern_input points_input(const model *m, const pattern *p, const texture_points *in, const vec_lanes *at, uint32_t n)
+{
+    const pattern_input input = { at, n, p, in->has_surface ? &in->normal : NULL, in->has_surface ? &in->view : NULL,
+                                  m->noise, p->noise_generator ? p->noise_generator : m->noise_generator,
+                                  m->number_of_waves };
+
+    return input;
+}
+
+void points_values(const pattern_input *in, double *value)
+{
+    const pattern_class *class = in->of->class;
+
+    if ((class->flags & PATTERN_NEEDS_NORMAL) && !in->normal)
+        memset(value, 0, lanes_whole(in->n) * sizeof *value);
+    else
+        class->evaluate(in, value);
+    if (!(class->flags & PATTERN_UNSHAPED))
+        wave_shape(&in->of->wave, in->n, value);
+}
