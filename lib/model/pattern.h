@@ -16,9 +16,10 @@ typedef struct pattern {
     const warp *warps;
     turbulence turbulence;
     wave wave;
-    uint32_t map;                /* number in the model's map table of the transformations behind the last warp */
     int noise_generator;         /* 0: the scene's */
     bool uv;                     /* points are the surface's uv coordinates instead */
+    uint32_t map;                /* number in the model's map table of the transformations behind the last warp; last: it
+                                  * is set when the pattern is first used */
 } pattern;
 
 #endif

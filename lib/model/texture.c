@@ -47,12 +47,12 @@ void texture_bounds(const texture *of, pigment *most, finish *all)
     }
     texture_bounds(of->textures[0], most, all);
     for (uint32_t i = 1; i < of->count; i++) {
-        pigment pigment;
-        finish finish;
+        pigment one;
+        finish own;
 
-        texture_bounds(of->textures[i], &pigment, &finish);
-        *most = pigment_most(*most, pigment);
-        add_finish(all, &finish);
+        texture_bounds(of->textures[i], &one, &own);
+        *most = pigment_most(*most, one);
+        add_finish(all, &own);
     }
 }
 

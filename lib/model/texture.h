@@ -34,14 +34,14 @@ typedef struct pigment_node {
 
 /* ---- normals ---- */
 
-typedef struct slope { float height, slope; } slope;
+typedef struct slope_entry { float height, slope; } slope_entry;
 
 typedef struct normal_node {
     blend blend;
     uint32_t count;              /* of members; of BLEND_NONE: of slopes, or 0 */
     const pattern *pattern;      /* NULL: the surface's own normal */
     const float *values;         /* of the slopes or of a map, or the weights of an average */
-    const slope *slopes;
+    const slope_entry *slopes;
     const struct normal_node *const *normals;
     float amount, accuracy;      /* of BLEND_NONE */
     bool is_scaled;              /* bumps are scaled with the pattern; no_bump_scale: they aren't */

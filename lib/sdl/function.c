@@ -3,6 +3,7 @@
 #include "function/internal.h"
 #include "sdl/expression.h"
 #include "sdl/formula.h"
+#include "sdl/parse_texture.h"
 #include "sdl/report.h"
 #include "sdl/spline.h"
 #include "sdl/unsupported.h"
@@ -84,14 +85,11 @@ static void read_transform(pov_reader *in, function *f)
 static void read_pigment(pov_reader *in, function *f)
 {
     const place at = in->token.at;
-    surface_parsed s;
 
     f->kind = FUNCTION_PIGMENT;
     state_advance(in);
-    parse_surface_begin(in, &s);
-    parse_pigment(in, &s);
-    f->look = s.material;
-    if (!in->failed && f->look.pattern)
+    f->pigment = parse_pigment_node(in);
+    if (!in->failed && f->pigment->pattern)
         unsupported_note(in, &at, KEYWORD_FUNCTION, "a varying pigment in a function");
 }
 
@@ -190,11 +188,11 @@ value function_colour(const function *f)
     v.kind = VALUE_VECTOR;
     v.size = 5;
     v.is_colour = true;
-    v.as.v[0] = f->look.pigment.r;
-    v.as.v[1] = f->look.pigment.g;
-    v.as.v[2] = f->look.pigment.b;
-    v.as.v[3] = f->look.filter;
-    v.as.v[4] = f->look.transmit;
+    v.as.v[0] = f->pigment->most.color.r;
+    v.as.v[1] = f->pigment->most.color.g;
+    v.as.v[2] = f->pigment->most.color.b;
+    v.as.v[3] = f->pigment->most.filter;
+    v.as.v[4] = f->pigment->most.transmit;
     return v;
 }
 

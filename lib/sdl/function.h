@@ -16,7 +16,7 @@ typedef struct function {
     program program;
     value spline;                /* kept until the reader goes */
     pov_affine map;
-    material look;
+    const pigment_node *pigment;
 } function;
 
 /* `function` has been taken: its parameters and its block. */

@@ -30,8 +30,7 @@ static uint32_t hash_of(const material *m)
     hash = mix(mix(hash, f->specular), (float)f->roughness);
     hash = mix_colour(hash, f->reflection.max);
     hash = mix(hash, (float)m->interior.ior);
-    if (m->pattern)
-        hash = mix(hash ^ m->pattern->count, (float)m->pattern->map);
+    hash ^= (uint32_t)((uintptr_t)m->texture >> 4) ^ (uint32_t)((uintptr_t)m->inside >> 3);
     return hash ^ hash >> 16;
 }
 

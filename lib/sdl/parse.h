@@ -12,11 +12,15 @@
 
 /* What is read of one object's surface and interior. */
 typedef struct surface_parsed {
-    material material;
-    bool has_look;               /* a pigment, finish or texture was given */
+    material material;           /* its finish, which is that of the layer on top, and its interior */
+    const pigment_node *pigment;   /* of the layer on top; NULL: black */
+    const normal_node *normal;   /* NULL: the surface's own */
+    const texture *whole;        /* instead of these: a patterned texture; NULL: there is none */
+    const texture *under;        /* the layers below; NULL: there is none */
+    const texture *inside;       /* the interior_texture, or NULL */
+    bool has_look;               /* a pigment, finish, normal or texture was given */
     unsigned albedos;            /* strengths of the finish that were given as albedos */
-    uint32_t moves;              /* transformations that came behind a pigment that varies */
-    place layer;                 /* a texture upon another look; source NULL: none */
+    uint32_t moves;              /* transformations of the object that came behind its texture */
 } surface_parsed;
 
 /* GROUP: made of others. MISSING: a kind of object that is not drawn yet. */
@@ -65,6 +69,7 @@ void parse_transform(pov_reader *in, const transform **list, keyword_id keyword)
 value parse_transform_value(pov_reader *in);
 /* One list behind another, without what it has up to `since`, which is in it or NULL. */
 void parse_append_transforms(pov_reader *in, const transform **list, const transform *more, const transform *since);
+uint32_t parse_count_transforms(const transform *list);
 /* The last so many of a list, as a list of their own. */
 const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count);
 /* The words of transformations in a table of items. */
@@ -73,14 +78,14 @@ const transform *parse_last_transforms(pov_reader *in, const transform *list, si
     { KEYWORD_TRANSFORM, read }
 
 void parse_pigment(pov_reader *in, surface_parsed *s);
+void parse_normal(pov_reader *in, surface_parsed *s);
 void parse_finish(pov_reader *in, surface_parsed *s);
 void parse_texture(pov_reader *in, surface_parsed *s);
 void parse_interior(pov_reader *in, surface_parsed *s);
+void parse_interior_texture(pov_reader *in, surface_parsed *s);
 void parse_material(pov_reader *in, surface_parsed *s);
 /* As if nothing but the defaults had been given. */
 void parse_surface_begin(const pov_reader *in, surface_parsed *s);
-/* A block of entries `[ value what ]`: the kind of map is that of its word; the first colour is left in s. */
-void parse_map(pov_reader *in, surface_parsed *s, keyword_id keyword);
 
 /* When all has been read and the dialect is known. */
 void parse_camera_finish(pov_reader *in);

@@ -2,7 +2,7 @@
  * where it has none, flags, and transformations behind its own. */
 #include "base/vec.h"
 #include "sdl/materials.h"
-#include "sdl/patterns.h"
+#include "sdl/parse_texture.h"
 
 /* A group that is being added, or an object whose clip is, and those around it. */
 typedef struct around {
@@ -12,25 +12,20 @@ typedef struct around {
 } around;
 
 /* Its own texture and interior, or each from the nearest group around it that has one. */
-static material find_material(const object_parsed *o, const around *a)
+static surface_parsed find_surface(const object_parsed *o, const around *a)
 {
-    material found = o->surface.material;
-    bool has_look = o->surface.has_look, has_interior = found.interior.given;
+    surface_parsed found = o->surface;
 
-    for (; a && !(has_look && has_interior); a = a->outer) {
+    for (; a && !(found.has_look && found.material.interior.given); a = a->outer) {
         const surface_parsed *s = &a->group->surface;
+        const interior own = found.material.interior;
 
-        if (!has_look && s->has_look) {
-            const material own = found;
-
-            found = s->material;
-            found.interior = own.interior;
-            has_look = true;
+        if (!found.has_look && s->has_look) {
+            found = *s;
+            found.material.interior = own;
         }
-        if (!has_interior && s->material.interior.given) {
-            found.interior = s->material.interior;
-            has_interior = true;
-        }
+        if (!own.given && s->material.interior.given)
+            found.material.interior = s->material.interior;
     }
     return found;
 }
@@ -53,7 +48,7 @@ static uint32_t find_moves(const object_parsed *o, const around *a)
     for (; a && !s->has_look; a = a->outer)
         s = &a->group->surface;
     for (moves = s->moves; a; a = a->outer)
-        moves += patterns_count_moves(a->group->map);
+        moves += parse_count_transforms(a->group->map);
     return s->has_look ? moves : 0;
 }
 
@@ -66,21 +61,37 @@ static uint32_t find_flags(const object_parsed *o, const around *a)
     return flags;
 }
 
+/* Of the last leaf's transformations so many came behind its texture, and moved it too. */
+static void set_texture_map(pov_reader *in, const transform *map, uint32_t moves)
+{
+    const transform *list = moves < parse_count_transforms(map) ? parse_last_transforms(in, map, moves) : map;
+    place at = in->object;
+    pov_affine whole;
+
+    if (in->failed || !list)
+        return;
+    if (!transform_compose(list, &whole))
+        report_fail(in, &at, POV_E_SYNTAX, "the texture is moved beyond what a double holds");
+    else if (!model_set_texture_map(in->model, &whole))
+        report_memory(in);
+}
+
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    material m = find_material(o, a);
+    const surface_parsed s = find_surface(o, a);
     leaf_node leaf = o->leaf;
+    material m;
 
     leaf.map = find_map(in, o, a);
     leaf.flags = find_flags(o, a);
+    parse_surface_material(in, &s, &m);
     m.double_illuminate = (leaf.flags & LEAF_DOUBLE_ILLUMINATE) != 0;
-    patterns_settle(in, &m);
     leaf.material = materials_index(in, &m);
     *out = (node_ref)in->model->leaves.count;
     if (!in->failed && !model_add_leaf(in->model, &leaf))
         report_memory(in);
-    if (m.pattern)
-        patterns_place(in, leaf.map, find_moves(o, a));
+    if (m.texture)
+        set_texture_map(in, leaf.map, find_moves(o, a));
     return !in->failed;
 }
 

@@ -204,7 +204,7 @@ static void resolve_albedos(surface_parsed *s)
 
 void parse_finish(pov_reader *in, surface_parsed *s)
 {
-    static const item items[] = { PARSE_FINISH_ITEMS, { KEYWORD_IRID, read_irid }, { KEYWORD_IOR, read_old_ior },
+    static const item items[] = { PARSE_FINISH_ROWS(parse_finish_item, parse_finish_reflection), { KEYWORD_IRID, read_irid }, { KEYWORD_IOR, read_old_ior },
                                   { KEYWORD_REFRACTION, read_old_refraction } };
     static const item_list list = { "an item of the finish", ITEMS(items), finish_old, NULL, parse_finish_coming,
                                     VALUE_FINISH, take_finish };

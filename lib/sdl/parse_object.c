@@ -1,8 +1,7 @@
-#include "sdl/parse_pattern.h"
+#include "sdl/parse_texture.h"
 
 #include "sdl/expression.h"
 #include "sdl/host.h"
-#include "sdl/patterns.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -12,10 +11,21 @@
 
 /* ---- modifiers ---- */
 
+/* Transformations move the texture that stands before them, not what follows. */
+static surface_parsed *surface_of(pov_reader *in, object_parsed *o)
+{
+    surface_parsed *s = &o->surface;
+
+    if (s->moves > 0 && !in->failed)
+        parse_surface_move(in, s, parse_last_transforms(in, o->map, s->moves));
+    s->moves = 0;
+    return s;
+}
+
 static void read_pigment(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
-    parse_pigment(in, &((object_parsed *)self)->surface);
+    parse_pigment(in, surface_of(in, self));
 }
 
 static void read_finish(pov_reader *in, void *self, keyword_id keyword)
@@ -27,13 +37,19 @@ static void read_finish(pov_reader *in, void *self, keyword_id keyword)
 static void read_texture(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
-    parse_texture(in, &((object_parsed *)self)->surface);
+    parse_texture(in, surface_of(in, self));
 }
 
 static void read_normal(pov_reader *in, void *self, keyword_id keyword)
 {
-    unsupported_note(in, &in->last, keyword, "\"normal\"");
-    parse_normal(in, &((object_parsed *)self)->surface);
+    (void)keyword;
+    parse_normal(in, surface_of(in, self));
+}
+
+static void read_inside(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    parse_interior_texture(in, surface_of(in, self));
 }
 
 static void read_interior(pov_reader *in, void *self, keyword_id keyword)
@@ -45,16 +61,16 @@ static void read_interior(pov_reader *in, void *self, keyword_id keyword)
 static void read_material(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
-    parse_material(in, &((object_parsed *)self)->surface);
+    parse_material(in, surface_of(in, self));
 }
 
 static void move_object(pov_reader *in, void *self, keyword_id keyword)
 {
     object_parsed *o = self;
-    const uint32_t before = patterns_count_moves(o->map);
+    const uint32_t before = parse_count_transforms(o->map);
 
     parse_transform(in, &o->map, keyword);
-    o->surface.moves += patterns_count_moves(o->map) - before;
+    o->surface.moves += parse_count_transforms(o->map) - before;
 }
 
 /* `inverse` twice is the shape as it was; `hollow` may say whether. */
@@ -124,6 +140,7 @@ static const item modifier_items[] = {
     { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
     { KEYWORD_RGB, skip_colour },        { KEYWORD_RGBF, skip_colour },        { KEYWORD_RGBT, skip_colour },
     { KEYWORD_RGBFT, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
+    { KEYWORD_INTERIOR_TEXTURE, read_inside },
     { KEYWORD_DOUBLE_ILLUMINATE, read_flag },
 };
 
@@ -131,7 +148,7 @@ static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BO
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
-                                     KEYWORD_UV_MAPPING, KEYWORD_INTERIOR_TEXTURE, KEYWORD_CUTAWAY_TEXTURES,
+                                     KEYWORD_UV_MAPPING, KEYWORD_CUTAWAY_TEXTURES,
                                      KEYWORD_NO_BUMP_SCALE, KEYWORD_GLOBAL_LIGHTS, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };
@@ -171,13 +188,6 @@ static const shape_class *find_shape(pov_reader *in, symbol *word)
     if (!word->shape && registry_shape(in->plugins, word->name, &word->shape, &error) < 0)
         report_pass_on(in, &in->token.at, &error);
     return word->shape;
-}
-
-/* An opaque layer hides what is below it; one that can be seen through does not. */
-static void check_layers(pov_reader *in, const surface_parsed *s)
-{
-    if (s->layer.source && material_is_transparent(&s->material))
-        unsupported_note(in, &s->layer, KEYWORD_TEXTURE, "a transparent texture upon another");
 }
 
 static size_t parsed_size(const shape_class *shape)
@@ -397,7 +407,6 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
         else
             return false;
     }
-    check_layers(in, &o->surface);
     return !in->failed;
 }
 

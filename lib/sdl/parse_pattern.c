@@ -1,294 +1,252 @@
 #include "sdl/parse_pattern.h"
 
-#include "sdl/patterns.h"
+#include "sdl/parse_warp.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
 
-/* Patterns: until they are drawn their first colour stands for them. */
+#include <string.h>
+
 const keyword_id parse_patterns[] = {
     KEYWORD_AGATE, KEYWORD_AOI, KEYWORD_AVERAGE, KEYWORD_BOXED, KEYWORD_BOZO, KEYWORD_BRICK, KEYWORD_BUMPS, KEYWORD_CELLS,
-    KEYWORD_CHECKER, KEYWORD_CRACKLE, KEYWORD_CYLINDRICAL, KEYWORD_DENSITY_FILE, KEYWORD_DENTS, KEYWORD_FACETS,
-    KEYWORD_GRADIENT, KEYWORD_GRANITE, KEYWORD_HEXAGON, KEYWORD_JULIA, KEYWORD_LEOPARD, KEYWORD_MAGNET, KEYWORD_MANDEL,
-    KEYWORD_MARBLE, KEYWORD_OBJECT, KEYWORD_ONION, KEYWORD_PATTERN, KEYWORD_PAVEMENT, KEYWORD_PLANAR, KEYWORD_QUILTED,
-    KEYWORD_RADIAL, KEYWORD_RIPPLES, KEYWORD_SLOPE, KEYWORD_SPHERICAL, KEYWORD_SPIRAL1, KEYWORD_SPIRAL2,
+    KEYWORD_CHECKER, KEYWORD_CRACKLE, KEYWORD_CUBIC, KEYWORD_CYLINDRICAL, KEYWORD_DENSITY_FILE, KEYWORD_DENTS,
+    KEYWORD_FACETS, KEYWORD_GRADIENT, KEYWORD_GRANITE, KEYWORD_HEXAGON, KEYWORD_JULIA, KEYWORD_LEOPARD, KEYWORD_MAGNET,
+    KEYWORD_MANDEL, KEYWORD_MARBLE, KEYWORD_OBJECT, KEYWORD_ONION, KEYWORD_PATTERN, KEYWORD_PAVEMENT, KEYWORD_PLANAR,
+    KEYWORD_QUILTED, KEYWORD_RADIAL, KEYWORD_RIPPLES, KEYWORD_SLOPE, KEYWORD_SPHERICAL, KEYWORD_SPIRAL1, KEYWORD_SPIRAL2,
     KEYWORD_SPOTTED, KEYWORD_SQUARE, KEYWORD_TILING, KEYWORD_TRIANGULAR, KEYWORD_WAVES, KEYWORD_WOOD, KEYWORD_WRINKLES,
     KEYWORD_IMAGE_MAP, KEYWORD_BUMP_MAP, KEYWORD_IMAGE_PATTERN, KEYWORD_PIGMENT_PATTERN, KEYWORD_FUNCTION,
     KEYWORD_MATERIAL_MAP, KEYWORD_OTHER,
 };
 
 const keyword_id parse_pattern_modifiers[] = {
-    KEYWORD_ACCURACY, KEYWORD_AGATE_TURB, KEYWORD_ALL, KEYWORD_BLACK_HOLE, KEYWORD_BRICK_SIZE, KEYWORD_BUMP_SIZE,
-    KEYWORD_CONTROL0, KEYWORD_CONTROL1, KEYWORD_COORDS, KEYWORD_CUBIC_WAVE, KEYWORD_DISTANCE, KEYWORD_EXPONENT,
-    KEYWORD_EXTERIOR, KEYWORD_FLIP, KEYWORD_FORM, KEYWORD_FREQUENCY, KEYWORD_INSIDE_VECTOR, KEYWORD_INTERPOLATE,
-    KEYWORD_LAMBDA, KEYWORD_METRIC, KEYWORD_MORTAR, KEYWORD_NOISE_GENERATOR, KEYWORD_NUMBER_OF_SIDES,
-    KEYWORD_NUMBER_OF_TILES, KEYWORD_OCTAVES, KEYWORD_OFFSET, KEYWORD_OMEGA, KEYWORD_ONCE, KEYWORD_ORIENTATION,
-    KEYWORD_PHASE, KEYWORD_POLY_WAVE, KEYWORD_RAMP_WAVE, KEYWORD_REPEAT, KEYWORD_SCALLOP_WAVE, KEYWORD_SINE_WAVE,
-    KEYWORD_SIZE, KEYWORD_SOLID, KEYWORD_STRENGTH, KEYWORD_TILE2, KEYWORD_TILES, KEYWORD_TOROIDAL, KEYWORD_TRIANGLE_WAVE,
-    KEYWORD_TURB_DEPTH, KEYWORD_TURBULENCE, KEYWORD_USE_ALPHA, KEYWORD_USE_COLOR, KEYWORD_USE_COLOUR,
-    KEYWORD_USE_INDEX, KEYWORD_WARP, KEYWORD_WIDTH, KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR, KEYWORD_UV_MAPPING,
-    KEYWORD_MAP_TYPE, KEYWORD_NO_BUMP_SCALE, KEYWORD_INTERIOR, KEYWORD_TYPE, KEYWORD_OTHER,
+    KEYWORD_ACCURACY, KEYWORD_AGATE_TURB, KEYWORD_ALL, KEYWORD_BRICK_SIZE, KEYWORD_BUMP_SIZE, KEYWORD_CONTROL0,
+    KEYWORD_CONTROL1, KEYWORD_COORDS, KEYWORD_EXPONENT, KEYWORD_EXTERIOR, KEYWORD_FORM, KEYWORD_INTERPOLATE,
+    KEYWORD_METRIC, KEYWORD_MORTAR, KEYWORD_NUMBER_OF_SIDES, KEYWORD_NUMBER_OF_TILES, KEYWORD_OFFSET, KEYWORD_ONCE,
+    KEYWORD_SIZE, KEYWORD_SOLID, KEYWORD_TURB_DEPTH, KEYWORD_USE_ALPHA, KEYWORD_USE_COLOR, KEYWORD_USE_COLOUR,
+    KEYWORD_USE_INDEX, KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR, KEYWORD_MAP_TYPE, KEYWORD_NO_BUMP_SCALE,
+    KEYWORD_INTERIOR, KEYWORD_TYPE, KEYWORD_OTHER,
 };
 
+/* ---- begin and end ---- */
 
-/* Of normals and densities, which are not drawn. */
-void parse_pattern_move(pov_reader *in, void *self, keyword_id keyword)
+void parse_pattern_begin(pattern_reading *r)
 {
-    const transform *unused = NULL;
-
-    (void)self;
-    parse_transform(in, &unused, keyword);
+    memset(r, 0, sizeof *r);
+    r->parsed.pattern.turbulence = turbulence_default();
+    r->parsed.pattern.wave = wave_default(WAVE_RAMP);
 }
 
-/* ---- pigment ---- */
-
-/* Guesses come from the words that a colour begins with. */
-static void refuse_pigment(pov_reader *in)
+void parse_pattern_take(pattern_reading *r, const pattern *p)
 {
-    guess g;
-    keyword_id keyword;
-
-    report_guess_start(&g, in);
-    for (keyword = (keyword_id)(KEYWORD_OTHER + 1); keyword < KEYWORDS; keyword = (keyword_id)(keyword + 1))
-        if (token_keyword_flags(keyword) & KEYWORD_FLAG_PAINT)
-            report_guess_try(&g, token_keyword_name(keyword));
-    report_misplaced(in, "a colour or \"}\"", &g);
+    parse_pattern_begin(r);
+    r->parsed = *textures_parsed(p);
+    r->parsed.pattern.self = r->self.bytes;
+    if (p->self)
+        memcpy(r->self.bytes, p->self, p->class->self_size);
 }
 
-static void take_colour(pov_reader *in, surface_parsed *s)
+const pattern *parse_pattern_end(pov_reader *in, pattern_reading *r)
 {
-    paint p = value_colour(in, false);
+    const pattern_class *class = r->parsed.pattern.class;
+    const char *wrong = class->check && !in->failed ? class->check(r->self.bytes) : NULL;
 
-    s->material.pattern = NULL;
-    s->material.pigment = p.colour;
-    s->material.filter = p.filter;
-    s->material.transmit = p.transmit;
+    r->parsed.pattern.self = r->self.bytes;
+    if (wrong)
+        report_fail(in, &in->last, POV_E_SYNTAX, "%s", wrong);
+    return textures_pattern(in, &r->parsed);
 }
 
-static void take_pigment(pov_reader *in, void *self, const value *v)
-{
-    const material *from = v->as.part;
-    surface_parsed *s = self;
+/* ---- words of a pattern ---- */
 
-    (void)in;
-    s->moves = 0;
-    s->material.pattern = from->pattern;
-    s->material.pigment = from->pigment;
-    s->material.filter = from->filter;
-    s->material.transmit = from->transmit;
+static void read_flag(pov_reader *in, bool *out)
+{
+    *out = value_optional(in, 1.0) != 0.0;
 }
 
-static void read_pigment(pov_reader *in, void *self, keyword_id keyword)
+static void read_integer(pov_reader *in, int32_t *out)
 {
-    (void)keyword;
-    parse_pigment(in, self);
-    state_accept(in, ',');
+    const double number = value_number(in);
+
+    if (!(fabs(number) < 2147483647.0))
+        report_fail(in, &in->value, POV_E_SYNTAX, "%g is too large here", number);
+    else
+        *out = (int32_t)number;
 }
 
-static void pigment_content(pov_reader *in, surface_parsed *s, int end)
+static void read_member(pov_reader *in, const pattern_word *word, unsigned char *self)
 {
-    static const item items[] = { PARSE_MOVES(patterns_move), PARSE_MAPS, { KEYWORD_PIGMENT, read_pigment } };
-    static const item_list list = { "an item of the pigment", ITEMS(items), parse_pattern_modifiers, NULL,
-                                    parse_patterns, VALUE_PIGMENT, take_pigment };
+    void *at = self + word->offset;
 
-    bool has_colour = false;
-
-    s->has_look = true;
-    while (!in->failed && in->token.kind != end) {
-        if (!has_colour && value_colour_follows(in, false)) {
-            take_colour(in, s);
-            has_colour = true;
-        } else if (!patterns_read(in, s) && !items_try(in, &list, s)) {
-            refuse_pigment(in);
-        }
+    switch (word->type) {
+    case PATTERN_FLAG: read_flag(in, at); break;
+    case PATTERN_NUMBER: *(double *)at = value_number(in); break;
+    case PATTERN_FLOAT: *(double *)at = (double)value_float(in); break;
+    case PATTERN_INTEGER: read_integer(in, at); break;
+    case PATTERN_UV: value_components(in, 2, 2, at); break;
+    case PATTERN_VECTOR: *(pov_vec3 *)at = value_vector(in); break;
     }
 }
 
-static void content_block(pov_reader *in, surface_parsed *s, void (*read)(pov_reader *, surface_parsed *, int))
+/* Arguments from row i on, up to the next row with a keyword. */
+static void read_arguments(pov_reader *in, const pattern_class *class, uint32_t i, unsigned char *self)
 {
+    for (; i < class->word_count && !class->words[i].keyword; i++) {
+        const bool has_comma = state_accept(in, ',');
+
+        if (class->words[i].is_optional && !has_comma && !value_follows(in))
+            return;
+        read_member(in, &class->words[i], self);
+    }
+}
+
+static bool read_own_word(pov_reader *in, pattern_reading *r)
+{
+    const pattern_class *class = r->parsed.pattern.class;
+
+    if (!class || in->token.kind != TOKEN_WORD)
+        return false;
+    for (uint32_t i = 0; i < class->word_count; i++) {
+        if (!class->words[i].keyword || strcmp(class->words[i].keyword, in->token.symbol->name) != 0)
+            continue;
+        state_advance(in);
+        read_member(in, &class->words[i], r->self.bytes);
+        read_arguments(in, class, i + 1, r->self.bytes);
+        return true;
+    }
+    return false;
+}
+
+/* ---- patterns ---- */
+
+static void read_class(pov_reader *in, pattern_reading *r)
+{
+    const pattern_class *class = r->parsed.pattern.class;
     block b;
 
+    if (!(class->flags & PATTERN_BRACED) || in->token.kind != '{') {
+        read_arguments(in, class, 0, r->self.bytes);
+        return;
+    }
     items_open(in, &b);
-    read(in, s, '}');
+    read_arguments(in, class, 0, r->self.bytes);
+    state_accept(in, ',');
+    while (!in->failed && read_own_word(in, r))
+        state_accept(in, ',');
     in->block = b.outer;
     state_close(in, '}');
 }
 
-void parse_pigment(pov_reader *in, surface_parsed *s)
+bool parse_pattern_word(pov_reader *in, pattern_reading *r)
 {
-    content_block(in, s, pigment_content);
+    const bool is_word = in->token.kind == TOKEN_WORD && in->token.symbol->id != KEYWORD_OTHER;
+    const pattern_class *class = is_word ? pattern_find(in->token.symbol->name) : NULL;
+
+    if (!class)
+        return false;
+    state_advance(in);
+    memset(&r->self, 0, sizeof r->self);
+    if (class->self)
+        memcpy(r->self.bytes, class->self, class->self_size);
+    r->parsed.pattern.class = class;
+    r->parsed.pattern.wave.form = class->form;
+    read_class(in, r);
+    return true;
 }
 
-/* ---- normal ---- */
+/* ---- modifiers ---- */
 
-static void take_normal(pov_reader *in, void *self, const value *v)
+static void read_generator(pov_reader *in, pattern *p)
 {
-    (void)self;
-    (void)v;
-    value_optional(in, 0.0);
+    const double number = value_number(in);
+
+    if (number != 1.0 && number != 2.0 && number != 3.0)
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"noise_generator\" must be 1, 2 or 3");
+    else
+        p->noise_generator = (int)number;
 }
 
-static void read_normal(pov_reader *in, void *self, keyword_id keyword)
+static void read_turbulence(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
-    parse_normal(in, self);
-    state_accept(in, ',');
+    ((pattern_reading *)self)->parsed.pattern.turbulence.amount = value_vector(in);
 }
 
-static void normal_content(pov_reader *in, surface_parsed *s, int end)
+static void read_octave_word(pov_reader *in, void *self, keyword_id keyword)
 {
-    static const item items[] = { PARSE_MOVES(parse_pattern_move), PARSE_MAPS, { KEYWORD_NORMAL, read_normal } };
-    static const item_list list = { "an item of the normal", ITEMS(items), parse_pattern_modifiers, parse_patterns,
-                                    NULL, VALUE_NORMAL, take_normal };
+    turbulence *t = &((pattern_reading *)self)->parsed.pattern.turbulence;
 
-    items_until(in, end, &list, s);
+    if (keyword == KEYWORD_OCTAVES)
+        parse_octaves(in, t, keyword);
+    else if (keyword == KEYWORD_LAMBDA)
+        parse_lambda(in, t, keyword);
+    else
+        parse_omega(in, t, keyword);
 }
 
-void parse_normal(pov_reader *in, surface_parsed *s)
+static void read_wave(pov_reader *in, void *self, keyword_id keyword)
 {
-    content_block(in, s, normal_content);
+    wave *w = &((pattern_reading *)self)->parsed.pattern.wave;
+
+    switch (keyword) {
+    case KEYWORD_FREQUENCY: w->frequency = value_float(in); break;
+    case KEYWORD_PHASE: w->phase = value_float(in); break;
+    case KEYWORD_TRIANGLE_WAVE: w->form = WAVE_TRIANGLE; break;
+    case KEYWORD_SINE_WAVE: w->form = WAVE_SINE; break;
+    case KEYWORD_SCALLOP_WAVE: w->form = WAVE_SCALLOP; break;
+    case KEYWORD_CUBIC_WAVE: w->form = WAVE_CUBIC; break;
+    case KEYWORD_POLY_WAVE:
+        w->form = WAVE_POLY;
+        w->exponent = (float)value_optional(in, 1.0);
+        break;
+    default: w->form = WAVE_RAMP; break;
+    }
 }
 
-/* ---- densities of media ---- */
-
-static void take_density(pov_reader *in, void *self, const value *v)
+static void read_warp(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)in;
-    (void)self;
-    (void)v;
-}
+    pattern_parsed *p = &((pattern_reading *)self)->parsed;
 
-static void read_density(pov_reader *in, void *self, keyword_id keyword)
-{
     (void)keyword;
-    parse_density(in, self);
-    state_accept(in, ',');
+    p->pattern.warps = parse_warp(in, p->moves, p->pattern.warps);
+    p->moves = NULL;
 }
 
-static void density_content(pov_reader *in, surface_parsed *s, int end)
+static void read_move(pov_reader *in, void *self, keyword_id keyword)
 {
-    static const item items[] = { PARSE_MOVES(parse_pattern_move), PARSE_MAPS, { KEYWORD_DENSITY, read_density } };
-    static const item_list list = { "an item of the density", ITEMS(items), parse_pattern_modifiers, parse_patterns,
-                                    NULL, VALUE_DENSITY, take_density };
-
-    while (!in->failed && in->token.kind != end)
-        if (value_colour_follows(in, false))
-            take_colour(in, s);
-        else if (!items_try(in, &list, s))
-            items_refuse(in, &list);
+    parse_transform(in, &((pattern_reading *)self)->parsed.moves, keyword);
 }
 
-void parse_density(pov_reader *in, surface_parsed *s)
+static void read_other(pov_reader *in, void *self, keyword_id keyword)
 {
-    content_block(in, s, density_content);
+    pattern *p = &((pattern_reading *)self)->parsed.pattern;
+
+    if (keyword == KEYWORD_UV_MAPPING)
+        p->uv = value_optional(in, 1.0) != 0.0;
+    else
+        read_generator(in, p);
 }
 
-/* ---- maps ---- */
-
-/* In old scenes an entry is an interval: two numbers, two colours. */
-static void colour_content(pov_reader *in, surface_parsed *s, int end)
+bool parse_pattern_modifier(pov_reader *in, pattern_reading *r)
 {
-    surface_parsed unused = *s;
+    static const item items[] = {
+        PARSE_MOVES(read_move),
+        { KEYWORD_TURBULENCE, read_turbulence },
+        { KEYWORD_OCTAVES, read_octave_word },
+        { KEYWORD_LAMBDA, read_octave_word },
+        { KEYWORD_OMEGA, read_octave_word },
+        { KEYWORD_FREQUENCY, read_wave },
+        { KEYWORD_PHASE, read_wave },
+        { KEYWORD_RAMP_WAVE, read_wave },
+        { KEYWORD_TRIANGLE_WAVE, read_wave },
+        { KEYWORD_SINE_WAVE, read_wave },
+        { KEYWORD_SCALLOP_WAVE, read_wave },
+        { KEYWORD_CUBIC_WAVE, read_wave },
+        { KEYWORD_POLY_WAVE, read_wave },
+        { KEYWORD_WARP, read_warp },
+        { KEYWORD_NOISE_GENERATOR, read_other },
+        { KEYWORD_UV_MAPPING, read_other },
+    };
+    static const item_list list = { "a modifier", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
-    state_accept(in, ',');
-    if (value_follows(in) && !value_colour_follows(in, false)) {
-        value_number(in);
-        state_accept(in, ',');
-    }
-    take_colour(in, s);
-    state_accept(in, ',');
-    if (in->token.kind != end)
-        take_colour(in, &unused);
-}
-
-static void slope_content(pov_reader *in, surface_parsed *s, int end)
-{
-    double v[2];
-
-    (void)s;
-    (void)end;
-    state_accept(in, ',');
-    value_components(in, 2, 2, v);
-}
-
-static void entry_content(pov_reader *in, surface_parsed *s, keyword_id keyword)
-{
-    switch (keyword) {
-    case KEYWORD_PIGMENT_MAP:
-        pigment_content(in, s, ']');
-        break;
-    case KEYWORD_TEXTURE_MAP:
-        parse_texture_content(in, s, ']');
-        break;
-    case KEYWORD_NORMAL_MAP:
-        normal_content(in, s, ']');
-        break;
-    case KEYWORD_DENSITY_MAP:
-        density_content(in, s, ']');
-        break;
-    case KEYWORD_SLOPE_MAP:
-        slope_content(in, s, ']');
-        break;
-    default:
-        colour_content(in, s, ']');
-    }
-}
-
-static value_kind kind_of(keyword_id keyword)
-{
-    switch (keyword) {
-    case KEYWORD_PIGMENT_MAP:
-        return VALUE_PIGMENT_MAP;
-    case KEYWORD_TEXTURE_MAP:
-        return VALUE_TEXTURE_MAP;
-    case KEYWORD_NORMAL_MAP:
-        return VALUE_NORMAL_MAP;
-    case KEYWORD_DENSITY_MAP:
-        return VALUE_DENSITY_MAP;
-    case KEYWORD_SLOPE_MAP:
-        return VALUE_SLOPE_MAP;
-    default:
-        return VALUE_COLOUR_MAP;
-    }
-}
-
-static void read_entries(pov_reader *in, surface_parsed *s, keyword_id keyword)
-{
-    bool is_first = true;
-
-    if (in->token.kind == '}')
-        report_expected(in, "\"[\" and the first entry of the map");
-    while (!in->failed && in->token.kind != '}') {
-        surface_parsed other = *s;
-
-        state_open(in, '[');
-        if (value_follows(in))   /* entries of an average may have no weight */
-            value_number(in);
-        state_accept(in, ',');
-        entry_content(in, is_first ? s : &other, keyword);
-        state_close(in, ']');
-        state_accept(in, ',');
-        is_first = false;
-    }
-}
-
-void parse_map(pov_reader *in, surface_parsed *s, keyword_id keyword)
-{
-    value v;
-    block b;
-
-    items_open(in, &b);
-    if (items_read_named(in, kind_of(keyword), &v)) {
-        if (!in->failed)
-            s->material = ((const surface_parsed *)v.as.part)->material;
-    } else {
-        read_entries(in, s, keyword);
-    }
-    in->block = b.outer;
-    state_close(in, '}');
-}
-
-void parse_pattern_map(pov_reader *in, void *self, keyword_id keyword)
-{
-    parse_map(in, self, keyword);
+    return read_own_word(in, r) || items_try(in, &list, r);
 }

@@ -1,24 +1,28 @@
-/* parse_pattern.h - pigments, normals and densities: colours, patterns, maps. */
+/* parse_pattern.h - patterns in pigments, normals, textures and densities: their words, arguments and modifiers. */
 #ifndef SDL_PARSE_PATTERN_H
 #define SDL_PARSE_PATTERN_H
 
-#include "sdl/parse.h"
+#include "sdl/textures.h"
+#include "texture/pattern.h"
 
-/* Words of patterns and of what changes them; both end with KEYWORD_OTHER. */
+/* A pattern that is being read. Modifiers may come before it. */
+typedef struct pattern_reading {
+    pattern_parsed parsed;       /* class NULL: no pattern was there yet */
+    bool has_noise_generator;
+    union { double align; unsigned char bytes[PATTERN_SELF_MAX]; } self;
+} pattern_reading;
+
+void parse_pattern_begin(pattern_reading *r);
+/* A pattern of a name. */
+void parse_pattern_take(pattern_reading *r, const pattern *p);
+/* The word of a pattern is next: read it and its arguments. False: it is not. */
+bool parse_pattern_word(pov_reader *in, pattern_reading *r);
+/* A modifier, a transformation, or a word of the pattern is next: read it. */
+bool parse_pattern_modifier(pov_reader *in, pattern_reading *r);
+/* The scene's pattern. NULL: the reader has failed. */
+const pattern *parse_pattern_end(pov_reader *in, pattern_reading *r);
+
+/* Patterns that are not drawn yet, and modifiers that belong to them or change nothing; both end with KEYWORD_OTHER. */
 extern const keyword_id parse_patterns[], parse_pattern_modifiers[];
-
-void parse_pattern_move(pov_reader *in, void *self, keyword_id keyword);
-void parse_pattern_map(pov_reader *in, void *self, keyword_id keyword);
-/* The words of maps in a table of items. */
-#define PARSE_MAPS \
-    { KEYWORD_COLOR_MAP, parse_pattern_map }, { KEYWORD_COLOUR_MAP, parse_pattern_map }, \
-    { KEYWORD_PIGMENT_MAP, parse_pattern_map }, { KEYWORD_NORMAL_MAP, parse_pattern_map }, \
-    { KEYWORD_TEXTURE_MAP, parse_pattern_map }, { KEYWORD_SLOPE_MAP, parse_pattern_map }, \
-    { KEYWORD_DENSITY_MAP, parse_pattern_map }
-
-void parse_normal(pov_reader *in, surface_parsed *s);
-void parse_density(pov_reader *in, surface_parsed *s);
-/* What stands in a texture, up to the punctuation, which is not taken. */
-void parse_texture_content(pov_reader *in, surface_parsed *s, int end);
 
 #endif

@@ -95,6 +95,15 @@ void parse_append_transforms(pov_reader *in, const transform **list, const trans
     env_free(in->model->env, all);
 }
 
+uint32_t parse_count_transforms(const transform *list)
+{
+    uint32_t count = 0;
+
+    for (; list; list = list->before)
+        count++;
+    return count;
+}
+
 const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count)
 {
     const transform *out = NULL;

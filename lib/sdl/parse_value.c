@@ -1,4 +1,5 @@
-#include "sdl/parse_pattern.h"
+#include "sdl/parse_map.h"
+#include "sdl/parse_texture.h"
 
 #include "sdl/array.h"
 #include "sdl/function.h"
@@ -29,13 +30,13 @@ static value surface_value(pov_reader *in, value_kind kind, void (*read)(pov_rea
     return parse_part(in, kind, &s.material, sizeof s.material);
 }
 
-static value map_value(pov_reader *in, value_kind kind, keyword_id keyword)
+static value map_value(pov_reader *in, keyword_id keyword)
 {
-    surface_parsed s;
+    const value_kind kind = parse_map_kind(keyword);
+    map_parsed map;
 
-    parse_surface_begin(in, &s);
-    parse_map(in, &s, keyword);
-    return parse_part(in, kind, &s, sizeof s);
+    parse_map(in, kind, &map);
+    return parse_part(in, kind, &map, sizeof map);
 }
 
 /* Of what is not drawn yet only the kind is kept. */
@@ -79,9 +80,9 @@ static value read_keyword(pov_reader *in, keyword_id keyword)
     case KEYWORD_TEXTURE:
         return surface_value(in, VALUE_TEXTURE, parse_texture);
     case KEYWORD_PIGMENT:
-        return surface_value(in, VALUE_PIGMENT, parse_pigment);
+        return value_of_part(VALUE_PIGMENT, parse_pigment_node(in));
     case KEYWORD_NORMAL:
-        return surface_value(in, VALUE_NORMAL, parse_normal);
+        return value_of_part(VALUE_NORMAL, parse_normal_node(in));
     case KEYWORD_FINISH:
         return surface_value(in, VALUE_FINISH, parse_finish);
     case KEYWORD_MATERIAL:
@@ -89,7 +90,7 @@ static value read_keyword(pov_reader *in, keyword_id keyword)
     case KEYWORD_INTERIOR:
         return surface_value(in, VALUE_INTERIOR, parse_interior);
     case KEYWORD_DENSITY:
-        return surface_value(in, VALUE_DENSITY, parse_density);
+        return value_of_part(VALUE_DENSITY, parse_density_node(in));
     case KEYWORD_CAMERA:
         return camera_value(in);
     case KEYWORD_MEDIA:
@@ -100,19 +101,9 @@ static value read_keyword(pov_reader *in, keyword_id keyword)
         return coming_value(in, VALUE_FOG, keyword);
     case KEYWORD_RAINBOW:
         return coming_value(in, VALUE_RAINBOW, keyword);
-    case KEYWORD_COLOR_MAP:
-    case KEYWORD_COLOUR_MAP:
-        return map_value(in, VALUE_COLOUR_MAP, keyword);
-    case KEYWORD_PIGMENT_MAP:
-        return map_value(in, VALUE_PIGMENT_MAP, keyword);
-    case KEYWORD_NORMAL_MAP:
-        return map_value(in, VALUE_NORMAL_MAP, keyword);
-    case KEYWORD_TEXTURE_MAP:
-        return map_value(in, VALUE_TEXTURE_MAP, keyword);
-    case KEYWORD_SLOPE_MAP:
-        return map_value(in, VALUE_SLOPE_MAP, keyword);
-    case KEYWORD_DENSITY_MAP:
-        return map_value(in, VALUE_DENSITY_MAP, keyword);
+    case KEYWORD_COLOR_MAP: case KEYWORD_COLOUR_MAP: case KEYWORD_PIGMENT_MAP: case KEYWORD_NORMAL_MAP:
+    case KEYWORD_TEXTURE_MAP: case KEYWORD_SLOPE_MAP: case KEYWORD_DENSITY_MAP:
+        return map_value(in, keyword);
     default:
         return value_of_part(VALUE_NOTHING, NULL);
     }

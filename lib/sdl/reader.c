@@ -142,6 +142,7 @@ static void free_reader(pov_reader *in)
     env_free(e, in->arguments.items);
     env_free(e, in->randoms.items);
     env_free(e, in->material_slots);
+    intern_free(&in->interned, e);
 }
 
 /* ---- names that are there from the beginning ---- */

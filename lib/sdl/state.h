@@ -138,6 +138,7 @@ struct pov_reader {
     double started;              /* when reading began */
     int parentheses;             /* of expressions that are open */
     intern_table interned;       /* parts of textures */
+    material textured;           /* of the textures that were used last */
     uint32_t *material_slots;    /* a hash table of the model's materials: index + 1, 0 is empty */
     size_t material_capacity;
     char tried[TRIED_MAX][TRIED_LENGTH];

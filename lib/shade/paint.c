@@ -15,15 +15,23 @@ static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane
                   lanes_at(&to->point_lo, lane), g->count++, &g->points);
 }
 
+/* The layer on top, of blends that of the first member. */
+static const pigment_node *pigment_of(const texture *of)
+{
+    while (of->blend != BLEND_NONE)
+        of = of->textures[of->blend == BLEND_LAYERS ? of->count - 1 : 0];
+    return of->pigment;
+}
+
 static void paint(const shading *scene, surfaces *s, const group *g, const appearance *of)
 {
-    texture_sample samples[BATCH_MAX];
+    pigment pigments[BATCH_MAX];
 
-    texture_eval(scene->model, of->material, &g->points, g->count, samples);
+    pigment_eval(scene->model, pigment_of(of->material->texture), &g->points, g->count, pigments);
     for (uint32_t i = 0; i < g->count; i++) {
         appearance *out = &s->varying[g->lane[i]];
 
-        appearance_paint(out, scene->plan, scene->model, of, &samples[i].pigment);
+        appearance_paint(out, scene->plan, scene->model, of, &pigments[i]);
         s->at[g->lane[i]].appearance = out;
     }
 }
@@ -45,6 +53,7 @@ void paint_surfaces(const shading *scene, surfaces *s)
         group g;
 
         g.count = 0;
+        g.points.has_surface = false;
         for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
             const uint32_t i = first_of64(lanes);
 
@@ -61,9 +70,10 @@ colour paint_filter(const shading *scene, const hit *h)
 {
     const material *of = shading_constant(scene, h->object)->material;
     texture_points points;
-    texture_sample s;
+    colour filter;
 
+    points.has_surface = false;
     texture_point(model_texture_map(scene->model, h->object), h->point, h->point_lo, 0, &points);
-    texture_eval(scene->model, of, &points, 1, &s);
-    return material_filter_of(s.pigment.color, s.pigment.filter, s.pigment.transmit);
+    texture_filters(scene->model, of->texture, &points, 1, &filter);
+    return filter;
 }

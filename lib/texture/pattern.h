@@ -7,7 +7,7 @@
 #include "model/texture.h"
 #include "texture/noise.h"
 
-enum { PATTERN_LIST_MAX = 8 };
+enum { PATTERN_LIST_MAX = 8, PATTERN_SELF_MAX = 512 };
 
 /* ---- the text of a pattern ---- */
 
@@ -17,14 +17,16 @@ typedef enum pattern_type {
     PATTERN_NUMBER,              /* double */
     PATTERN_FLOAT,               /* double, rounded to float first as POV-Ray's is */
     PATTERN_INTEGER,             /* int32_t: cut down to a whole number */
+    PATTERN_UV,                  /* double[2]: a vector of two */
     PATTERN_VECTOR               /* pov_vec3; a number stands for all three */
 } pattern_type;
 
 typedef struct pattern_word {
-    const char *keyword;         /* NULL: an argument right behind the pattern's word; a comma may stand behind it */
+    const char *keyword;         /* NULL: one more argument of the row before, of the pattern's word in the first rows;
+                                  * commas may stand between them */
     pattern_type type;
     size_t offset;               /* in the parsed form */
-    bool is_optional;            /* of an argument: it may be left out */
+    bool is_optional;            /* of an argument: it may be left out, and those behind it */
 } pattern_word;
 
 /* One of a map. */
@@ -47,7 +49,8 @@ enum {
     PATTERN_NEEDS_NOISE = 1,
     PATTERN_UNSHAPED = 2,        /* frequency, phase and wave form do nothing */
     PATTERN_OWN_TURBULENCE = 4,  /* turbulence does not move the points: evaluate() sees to it */
-    PATTERN_NEEDS_NORMAL = 8     /* there is no value without a surface */
+    PATTERN_NEEDS_NORMAL = 8,    /* there is no value without a surface */
+    PATTERN_BRACED = 16          /* words and arguments may stand in braces behind the pattern's word */
 };
 
 typedef struct pattern_class {
@@ -56,7 +59,7 @@ typedef struct pattern_class {
     pigment list[PATTERN_LIST_MAX];   /* pigments of a list that are not given */
     const colour_entry *map;     /* the map where none is given; NULL: from black to white */
     uint32_t map_count;
-    size_t self_size;
+    size_t self_size;            /* at most PATTERN_SELF_MAX */
     const void *self;            /* parsed form where nothing is given; NULL: zeros */
     const pattern_word *words;
     uint32_t word_count;
@@ -67,6 +70,7 @@ typedef struct pattern_class {
     void (*evaluate)(const pattern_input *in, double *value);
     /* Of images: colours instead of values, which no map replaces. */
     void (*colours)(const pattern_input *in, pigment *out);
+    pigment (*most)(const void *self);   /* the largest that each component of these can be */
     /* Of patterns with a rule of their own for normals: perturb unit normals in the pattern's space. They need not be
      * unit afterwards. NULL: the slope of the values counts. */
     void (*perturb)(const pattern_input *in, double amount, vec_lanes *normal);

@@ -22,13 +22,13 @@ static const material *material_of(const reading *r, size_t leaf)
 static char colour_at(const reading *r, uint32_t leaf, double x, double y, double z)
 {
     texture_points points;
-    texture_sample s;
+    pigment p;
 
     memset(&points, 0, sizeof points);
-    assert_non_null(material_of(r, leaf)->pattern);
+    assert_non_null(material_of(r, leaf)->texture);
     texture_point(model_texture_map(&r->model, leaf), pov_vec3_of(x, y, z), pov_vec3_of(0, 0, 0), 0, &points);
-    texture_eval(&r->model, material_of(r, leaf), &points, 1, &s);
-    return s.pigment.color.b == 1.0f ? 'b' : s.pigment.color.g == 0.0f ? 'r' : s.pigment.color.r == 0.0f ? 'g' : 'y';
+    pigment_eval(&r->model, material_of(r, leaf)->texture->pigment, &points, 1, &p);
+    return p.color.b == 1.0f ? 'b' : p.color.g == 0.0f ? 'r' : p.color.r == 0.0f ? 'g' : 'y';
 }
 
 static void a_list_replaces_the_colours_that_it_gives(void **state)
@@ -38,8 +38,8 @@ static void a_list_replaces_the_colours_that_it_gives(void **state)
 
     (void)state;
     read_text(&r, "#version 3.7; sphere { 0, 1 pigment { square rgbf <.5, .25, 0, .75>, color rgbt <1, 0, 1, .5> 0.125 } }");
-    list = material_of(&r, 0)->pattern->list;
-    assert_int_equal(material_of(&r, 0)->pattern->count, 4);
+    list = material_of(&r, 0)->texture->pigment->colours;
+    assert_int_equal(material_of(&r, 0)->texture->pigment->count, 4);
     assert_true(list[0].color.r == 0.5f && list[0].color.g == 0.25f && list[0].filter == 0.75f);
     assert_true(list[1].color.b == 1.0f && list[1].transmit == 0.5f && list[1].filter == 0.0f);
     assert_true(list[2].color.r == 0.125f && list[2].color.b == 0.125f);

@@ -1,10 +1,10 @@
 /* What is left of light behind transparent surfaces. */
 #include "support/check.h"
 #include "support/shapes.h"
+#include "support/squares.h"
 
 #include "query/context.h"
 #include "shade/transmittance.h"
-#include "texture/pattern.h"
 
 #include <string.h>
 
@@ -123,14 +123,11 @@ static void light_through_black_glass_is_gone(void **state)
 static const pigment panes[4] = { { { 1.0f, 0.5f, 0.25f }, 1.0f, 0.0f }, { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.75f },
                                   { { 0.5f, 0.5f, 0.0f }, 0.5f, 0.25f }, { { 0.25f, 0.5f, 1.0f }, 0.25f, 0.5f } };
 
-static uint32_t add_panes(model *m, pattern *memory)
+static uint32_t add_panes(model *m, squares *memory)
 {
     const uint32_t number = test_add_material(m, colour_of(0, 0, 0), 0.0f, 0.0f, false);
 
-    memory->class = pattern_find("square");
-    memory->count = 4;
-    memory->list = panes;
-    material_set_pattern(&m->materials.items[number], memory);
+    squares_set(memory, panes, &m->materials.items[number]);
     return number;
 }
 
@@ -158,7 +155,7 @@ static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(
     const pov_affine turned = { .inv = { { 0, 1, 0, 0 }, { -1, 0, 0, 0 }, { 0, 0, 1, -5 } } };
     enum { ROUNDS = 200 };
     test_random r = { 11 };
-    pattern memory = { 0 };
+    squares memory;
     uint32_t seen = 0;
     subject s;
     (void)state;

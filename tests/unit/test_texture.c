@@ -1,5 +1,6 @@
 /* What varying textures are at points: patterns, their lists, and the spaces that they stand in. */
 #include "support/near.h"
+#include "support/squares.h"
 #include "support/tiny.h"
 #include "texture/pattern.h"
 #include "texture/texture.h"
@@ -15,11 +16,12 @@ static double value_at(const char *keyword, double x, double y, double z)
     const pattern_class *class = pattern_find(keyword);
     double values[LANES_MAX];
     vec_lanes at;
+    const pattern_input in = { .at = &at, .n = 3 };
 
     memset(&at, 0, sizeof at);
     lanes_put(&at, 2, pov_vec3_of(x, y, z));
     assert_non_null(class);
-    class->evaluate(NULL, &at, 3, values);
+    class->evaluate(&in, values);
     return values[2];
 }
 
@@ -107,24 +109,25 @@ static void points_are_taken_to_a_texture_in_two_parts(void **state)
         for (int k = 0; k < 3; k++) {
             const double s = scales[k];
             const pov_affine affine = scaled_and_moved(s, places[i] * s);
-            pattern p = { .class = pattern_find("square"), .count = 4 };
+            const pigment *list = pattern_find("square")->list;
             texture_points points;
-            texture_sample out[2];
+            texture_term out[2];
             material of;
+            squares p;
             model m;
             env e;
 
             env_init(&e, NULL, NULL, NULL);
             model_init(&m, &e);
             material_init(&of);
-            p.map = map_table_add(&m.kept_maps, &e, &affine);
-            p.list = p.class->list;
-            material_set_pattern(&of, &p);
+            squares_set(&p, list, &of);
+            p.pattern.map = map_table_add(&m.kept_maps, &e, &affine);
+            points.has_surface = false;
             texture_point(NULL, pov_vec3_of(places[i] * s, 0, 0), pov_vec3_of(0x1p-60 * s, 0, 0), 0, &points);
             texture_point(NULL, pov_vec3_of(places[i] * s, 0, 0), pov_vec3_of(-0x1p-60 * s, 0, 0), 1, &points);
-            texture_eval(&m, &of, &points, 2, out);
-            assert_memory_equal(&out[0].pigment, &p.class->list[0], sizeof(pigment));
-            assert_memory_equal(&out[1].pigment, &p.class->list[3], sizeof(pigment));
+            assert_int_equal(texture_eval(&m, of.texture, &points, 2, out), 2);
+            assert_memory_equal(&out[0].pigment, &list[0], sizeof(pigment));
+            assert_memory_equal(&out[1].pigment, &list[3], sizeof(pigment));
             model_free(&m);
         }
 }
@@ -152,13 +155,11 @@ static pigment pigment_of(float r, float g, float b, float filter, float transmi
     return p;
 }
 
-static material squares(const pigment *list, pattern *memory)
+static material panes(const pigment *list, squares *memory)
 {
-    const pattern p = { .class = pattern_find("square"), .count = 4, .list = list };
     material m = tiny_emitted(0.0f, 0.0f, 0.0f);
 
-    *memory = p;
-    material_set_pattern(&m, memory);
+    squares_set(memory, list, &m);
     return m;
 }
 
@@ -166,13 +167,13 @@ static void a_surface_shows_the_pigment_of_each_point(void **state)
 {
     const pigment list[4] = { pigment_of(1, 0, 0, 0, 0), pigment_of(0, 1, 0, 0, 0), pigment_of(0.5f, 1, 1, 0.5f, 0),
                               pigment_of(0, 0, 0, 0, 0.75f) };
-    pattern p;
+    squares p;
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
 
     s.model.background = colour_of(0.25f, 0.25f, 0.25f);
-    tiny_plane(&s, 0, 1, 0, -1, squares(list, &p));
+    tiny_plane(&s, 0, 1, 0, -1, panes(list, &p));
     tiny_build(&s);
     assert_true(world_plan(s.world)->textures);
     assert_colour(tiny_trace(&s, zero, 0.5, -1, 0.5), 1.0, 0.0, 0.0, 0.0);
@@ -193,13 +194,13 @@ static void a_batch_of_several_textures_is_evaluated_as_single_rays_are(void **s
     const pigment other[4] = { list[3], list[2], list[1], list[0] };
     pov_ray rays[BATCH_MAX];
     colour many[BATCH_MAX];
-    pattern p, q;
+    squares p, q;
     tiny s;
     (void)state;
     tiny_begin(&s, NULL);
 
-    tiny_plane(&s, 0, 1, 0, -3, squares(list, &p));
-    tiny_sphere(&s, 3, -2, 0, 2, squares(other, &q));
+    tiny_plane(&s, 0, 1, 0, -3, panes(list, &p));
+    tiny_sphere(&s, 3, -2, 0, 2, panes(other, &q));
     tiny_sphere(&s, -3, -2, 0, 2, tiny_matt());
     tiny_light(&s, 0, 10, 0, 1.0f, 1.0f, 1.0f);
     tiny_build(&s);

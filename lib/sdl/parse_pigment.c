@@ -1,0 +1,276 @@
+#include "sdl/parse_texture.h"
+
+#include "sdl/parse_map.h"
+#include "sdl/parse_pattern.h"
+#include "sdl/report.h"
+#include "sdl/unsupported.h"
+#include "sdl/value.h"
+
+#include <string.h>
+
+typedef struct pigment_reading {
+    pattern_reading pattern;
+    value_kind kind;             /* VALUE_PIGMENT or VALUE_DENSITY */
+    bool has_colour;
+    pigment constant;
+    map_parsed map;
+} pigment_reading;
+
+/* ---- items ---- */
+
+static pigment read_colour(pov_reader *in)
+{
+    const paint p = value_colour(in, false);
+    const pigment out = { p.colour, p.filter, p.transmit };
+
+    return out;
+}
+
+static void take_colour(pov_reader *in, pigment_reading *r)
+{
+    r->constant = read_colour(in);
+    r->has_colour = true;
+    r->pattern.parsed.pattern.class = NULL;
+}
+
+static void take_node(pov_reader *in, void *self, const value *v)
+{
+    const pigment_node *from = v->as.part;
+    pigment_reading *r = self;
+
+    (void)in;
+    r->has_colour = !from->pattern;
+    r->constant = from->most;
+    memset(&r->map, 0, sizeof r->map);
+    if (!from->pattern)
+        return;
+    parse_pattern_take(&r->pattern, from->pattern);
+    if (!from->colours && !from->pigments)
+        return;
+    r->map.kind = from->colours ? VALUE_COLOUR_MAP : VALUE_PIGMENT_MAP;
+    r->map.count = from->count;
+    r->map.values = from->values;
+    r->map.members = from->colours ? (const void *)from->colours : (const void *)from->pigments;
+}
+
+static void read_map(pov_reader *in, void *self, keyword_id keyword)
+{
+    parse_map(in, parse_map_kind(keyword), &((pigment_reading *)self)->map);
+}
+
+static void skip_quick_colour(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)self;
+    (void)keyword;
+    value_colour(in, true);
+}
+
+/* ---- lists ---- */
+
+static void read_colours(pov_reader *in, pigment_reading *r, const pattern_class *class)
+{
+    pigment list[PATTERN_LIST_MAX];
+
+    memcpy(list, class->list, sizeof list);
+    for (uint32_t i = 0; i < class->count && value_colour_follows(in, true); i++) {
+        const paint p = value_colour(in, true);
+
+        list[i] = (pigment){ p.colour, p.filter, p.transmit };
+        state_accept(in, ',');
+    }
+    r->map.kind = VALUE_COLOUR_MAP;
+    r->map.count = class->count;
+    r->map.values = NULL;
+    r->map.members = intern(in, list, class->count * sizeof *list, class->count * sizeof *list);
+}
+
+/* Pigments that a list does not give are the pattern's own. */
+static void complete_list(pov_reader *in, map_parsed *map, const pattern_class *class)
+{
+    const pigment_node *list[PATTERN_LIST_MAX];
+
+    if (in->failed || map->count >= class->count)
+        return;
+    memcpy(list, map->members, map->count * sizeof *list);
+    for (uint32_t i = map->count; i < class->count; i++)
+        list[i] = textures_constant(in, &class->list[i]);
+    map->count = class->count;
+    map->members = intern(in, list, class->count * sizeof *list, class->count * sizeof *list);
+}
+
+static void read_list(pov_reader *in, pigment_reading *r)
+{
+    const pattern_class *class = r->pattern.parsed.pattern.class;
+    const value_kind kind = r->kind == VALUE_DENSITY ? VALUE_DENSITY_MAP : VALUE_PIGMENT_MAP;
+
+    if (parse_map_list(in, kind, class->count, &r->map))
+        complete_list(in, &r->map, class);
+    else
+        read_colours(in, r, class);
+}
+
+static bool read_pattern(pov_reader *in, pigment_reading *r)
+{
+    if (!parse_pattern_word(in, &r->pattern))
+        return false;
+    r->has_colour = false;
+    memset(&r->map, 0, sizeof r->map);
+    if (r->pattern.parsed.pattern.class->count > 0)
+        read_list(in, r);
+    return true;
+}
+
+/* ---- the node ---- */
+
+static const pigment grey[] = { { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f }, { { 1.0f, 1.0f, 1.0f }, 0.0f, 0.0f } };
+static const float grey_values[] = { 0.0f, 1.0f };
+
+static void use_default_map(pov_reader *in, const pattern_class *class, map_parsed *map)
+{
+    enum { ENTRIES = 16 };
+    pigment colours[ENTRIES];
+    float values[ENTRIES];
+    uint32_t count = class->map_count;
+
+    for (uint32_t i = 0; i < count; i++) {
+        values[i] = class->map[i].value;
+        colours[i] = class->map[i].pigment;
+    }
+    if (count == 0) {
+        count = 2;
+        memcpy(values, grey_values, sizeof grey_values);
+        memcpy(colours, grey, sizeof grey);
+    }
+    map->kind = VALUE_COLOUR_MAP;
+    map->count = count;
+    map->values = intern(in, values, count * sizeof *values, count * sizeof *values);
+    map->members = intern(in, colours, count * sizeof *colours, count * sizeof *colours);
+}
+
+/* An average needs nodes. */
+static void make_nodes(pov_reader *in, map_parsed *map)
+{
+    const pigment *colours = map->members;
+    const pigment_node **nodes = env_alloc(in->model->env, map->count, sizeof *nodes);
+
+    if (!nodes) {
+        report_memory(in);
+        return;
+    }
+    for (uint32_t i = 0; i < map->count; i++)
+        nodes[i] = textures_constant(in, &colours[i]);
+    map->kind = VALUE_PIGMENT_MAP;
+    map->members = intern(in, nodes, map->count * sizeof *nodes, map->count * sizeof *nodes);
+    env_free(in->model->env, nodes);
+}
+
+static pigment most_of(const pigment_node *p)
+{
+    pigment most = p->colours ? p->colours[0] : p->pigments[0]->most;
+
+    for (uint32_t i = 1; i < p->count; i++)
+        most = pigment_most(most, p->colours ? p->colours[i] : p->pigments[i]->most);
+    return most;
+}
+
+static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
+{
+    const pattern_class *class = r->pattern.parsed.pattern.class;
+    const bool is_average = class == &pattern_average;
+    pigment_node node;
+
+    memset(&node, 0, sizeof node);
+    node.pattern = parse_pattern_end(in, &r->pattern);
+    if (class->colours) {
+        node.most = class->most(r->pattern.self.bytes);
+        return textures_pigment(in, &node);
+    }
+    if (r->map.kind == VALUE_NOTHING)
+        use_default_map(in, class, &r->map);
+    if (is_average && r->map.kind == VALUE_COLOUR_MAP && !in->failed)
+        make_nodes(in, &r->map);
+    if (in->failed || r->map.count == 0)
+        return NULL;
+    node.blend = is_average ? BLEND_AVERAGE : r->map.values ? BLEND_MAP : BLEND_LIST;
+    node.count = r->map.count;
+    node.values = r->map.values;
+    if (r->map.kind == VALUE_COLOUR_MAP)
+        node.colours = r->map.members;
+    else
+        node.pigments = r->map.members;
+    node.most = most_of(&node);
+    return textures_pigment(in, &node);
+}
+
+/* A pattern that is not drawn yet has its first colour. */
+static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
+{
+    if (in->failed)
+        return NULL;
+    if (r->pattern.parsed.pattern.class)
+        return make_varying(in, r);
+    if (!r->has_colour && r->map.kind == VALUE_COLOUR_MAP)
+        r->constant = *(const pigment *)r->map.members;
+    else if (!r->has_colour && r->map.kind != VALUE_NOTHING)
+        return *(const pigment_node *const *)r->map.members;
+    return textures_constant(in, &r->constant);
+}
+
+/* ---- contents ---- */
+
+/* Guesses come from the words that a colour begins with. */
+static void refuse(pov_reader *in)
+{
+    guess g;
+    keyword_id keyword;
+
+    report_guess_start(&g, in);
+    for (keyword = (keyword_id)(KEYWORD_OTHER + 1); keyword < KEYWORDS; keyword = (keyword_id)(keyword + 1))
+        if (token_keyword_flags(keyword) & KEYWORD_FLAG_PAINT)
+            report_guess_try(&g, token_keyword_name(keyword));
+    report_misplaced(in, "a colour or \"}\"", &g);
+}
+
+static const item items[] = {
+    { KEYWORD_COLOR_MAP, read_map },     { KEYWORD_COLOUR_MAP, read_map },
+    { KEYWORD_PIGMENT_MAP, read_map },   { KEYWORD_DENSITY_MAP, read_map },
+    { KEYWORD_QUICK_COLOR, skip_quick_colour }, { KEYWORD_QUICK_COLOUR, skip_quick_colour },
+};
+
+static void read_item(pov_reader *in, pigment_reading *r)
+{
+    const item_list list = { "an item of the pigment", ITEMS(items), parse_pattern_modifiers, NULL, parse_patterns,
+                             r->kind, take_node };
+
+    if (!r->has_colour && value_colour_follows(in, false))
+        take_colour(in, r);
+    else if (!read_pattern(in, r) && !parse_pattern_modifier(in, &r->pattern) && !items_try(in, &list, r))
+        refuse(in);
+}
+
+const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, int end)
+{
+    pigment_reading r;
+
+    memset(&r, 0, sizeof r);
+    r.kind = kind;
+    parse_pattern_begin(&r.pattern);
+    while (!in->failed && in->token.kind != end)
+        read_item(in, &r);
+    return make_node(in, &r);
+}
+
+static const pigment_node *read_block(pov_reader *in, value_kind kind)
+{
+    const pigment_node *node;
+    block b;
+
+    items_open(in, &b);
+    node = parse_pigment_content(in, kind, '}');
+    in->block = b.outer;
+    state_close(in, '}');
+    return in->failed ? NULL : node;
+}
+
+const pigment_node *parse_pigment_node(pov_reader *in) { return read_block(in, VALUE_PIGMENT); }
+const pigment_node *parse_density_node(pov_reader *in) { return read_block(in, VALUE_DENSITY); }

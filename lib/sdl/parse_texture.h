@@ -1,0 +1,24 @@
+/* parse_texture.h - pigments, normals, densities and textures, each as a node. */
+#ifndef SDL_PARSE_TEXTURE_H
+#define SDL_PARSE_TEXTURE_H
+
+#include "sdl/parse.h"
+
+/* Contents up to the punctuation, which is not taken. NULL: the reader has failed; or a normal that perturbs nothing.
+ * kind: VALUE_PIGMENT or VALUE_DENSITY. */
+const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, int end);
+const normal_node *parse_normal_content(pov_reader *in, int end);
+const texture *parse_texture_node(pov_reader *in, int end);
+/* The word was taken: the block. */
+const pigment_node *parse_pigment_node(pov_reader *in);
+const normal_node *parse_normal_node(pov_reader *in);
+const pigment_node *parse_density_node(pov_reader *in);
+
+/* What the surface's textures are; NULL: constant, as its material says. */
+const texture *parse_surface_texture(pov_reader *in, const surface_parsed *s);
+/* Transformations move all that was read so far. */
+void parse_surface_move(pov_reader *in, surface_parsed *s, const transform *moves);
+/* Its material, ready for the model. */
+void parse_surface_material(pov_reader *in, const surface_parsed *s, material *out);
+
+#endif

@@ -1,0 +1,232 @@
+#include "sdl/textures.h"
+
+#include "texture/pattern.h"
+
+#include <string.h>
+
+/* ---- the scene's own ---- */
+
+/* Lists of the same transformations become one. */
+static const transform *intern_moves(pov_reader *in, const transform *list)
+{
+    unsigned char buffer[sizeof(transform) + 12 * sizeof(double)];
+    const size_t numbers = list && list->kind == TRANSFORM_MATRIX ? 12 : 3;
+    transform *one = (transform *)(void *)buffer;
+
+    if (!list)
+        return NULL;
+    memset(buffer, 0, sizeof buffer);
+    one->before = intern_moves(in, list->before);
+    one->kind = list->kind;
+    memcpy(one->v, list->v, numbers * sizeof *one->v);
+    return intern(in, buffer, sizeof *one + numbers * sizeof *one->v, sizeof *one + numbers * sizeof *one->v);
+}
+
+/* The number of the map is set later, and is no part of what is compared. */
+const pattern *textures_pattern(pov_reader *in, const pattern_parsed *p)
+{
+    const size_t compared = offsetof(pattern_parsed, pattern) + offsetof(pattern, map);
+    const pattern_parsed *kept;
+    pattern_parsed own = *p;
+
+    own.moves = intern_moves(in, p->moves);
+    own.pattern.self = intern(in, p->pattern.self, p->pattern.class->self_size, p->pattern.class->self_size);
+    own.pattern.map = 0;
+    kept = intern(in, &own, sizeof own, compared);
+    return kept ? &kept->pattern : NULL;
+}
+
+static const void *intern_many(pov_reader *in, const void *items, uint32_t count, size_t size)
+{
+    return items ? intern(in, items, count * size, count * size) : NULL;
+}
+
+const pigment_node *textures_pigment(pov_reader *in, const pigment_node *p)
+{
+    pigment_node own = *p;
+
+    own.values = intern_many(in, p->values, p->count, sizeof *p->values);
+    own.colours = intern_many(in, p->colours, p->count, sizeof *p->colours);
+    own.pigments = intern_many(in, p->pigments, p->count, sizeof *p->pigments);
+    return intern(in, &own, sizeof own, sizeof own);
+}
+
+const normal_node *textures_normal(pov_reader *in, const normal_node *n)
+{
+    normal_node own = *n;
+
+    own.values = intern_many(in, n->values, n->count, sizeof *n->values);
+    own.slopes = intern_many(in, n->slopes, n->count, sizeof *n->slopes);
+    own.normals = intern_many(in, n->normals, n->count, sizeof *n->normals);
+    return intern(in, &own, sizeof own, sizeof own);
+}
+
+const texture *textures_texture(pov_reader *in, const texture *t)
+{
+    texture own = *t;
+
+    own.values = intern_many(in, t->values, t->count, sizeof *t->values);
+    own.textures = intern_many(in, t->textures, t->count, sizeof *t->textures);
+    return intern(in, &own, sizeof own, sizeof own);
+}
+
+const pigment_node *textures_constant(pov_reader *in, const pigment *p)
+{
+    pigment_node node;
+
+    memset(&node, 0, sizeof node);
+    node.most = *p;
+    return textures_pigment(in, &node);
+}
+
+/* ---- changed ones ---- */
+
+/* What is done to each pattern: transformations behind it, or uv coordinates for its points. */
+typedef struct change { const transform *moves; bool uv; } change;
+
+static const pattern *change_pattern(pov_reader *in, const pattern *p, const change *by)
+{
+    pattern_parsed own;
+
+    if (!p)
+        return NULL;
+    own = *textures_parsed(p);
+    if (by->moves)
+        parse_append_transforms(in, &own.moves, by->moves, NULL);
+    own.pattern.uv |= by->uv;
+    return textures_pattern(in, &own);
+}
+
+static const pigment_node *change_pigment(pov_reader *in, const pigment_node *p, const change *by)
+{
+    pigment_node own;
+
+    if (!p || !p->pattern || in->failed)
+        return p;
+    own = *p;
+    own.pattern = change_pattern(in, p->pattern, by);
+    return textures_pigment(in, &own);
+}
+
+static const normal_node *change_normal(pov_reader *in, const normal_node *n, const change *by)
+{
+    normal_node own;
+
+    if (!n || !n->pattern || in->failed)
+        return n;
+    own = *n;
+    own.pattern = change_pattern(in, n->pattern, by);
+    return textures_normal(in, &own);
+}
+
+static const texture *change_texture(pov_reader *in, const texture *t, const change *by);
+
+static const texture *change_layers(pov_reader *in, const texture *t, const change *by)
+{
+    const texture **layers = env_alloc(in->model->env, t->count, sizeof *layers), *changed = NULL;
+    texture own = *t;
+
+    if (!layers) {
+        report_memory(in);
+        return t;
+    }
+    for (uint32_t i = 0; i < t->count; i++)
+        layers[i] = change_texture(in, t->textures[i], by);
+    own.textures = layers;
+    if (!in->failed)
+        changed = textures_texture(in, &own);
+    env_free(in->model->env, layers);
+    return changed;
+}
+
+/* Members of maps and lists stand in the space of the pattern, and move with it. */
+static const texture *change_texture(pov_reader *in, const texture *t, const change *by)
+{
+    texture own;
+
+    if (!t || in->failed)
+        return t;
+    if (t->blend == BLEND_LAYERS)
+        return change_layers(in, t, by);
+    own = *t;
+    own.pattern = change_pattern(in, t->pattern, by);
+    own.pigment = change_pigment(in, t->pigment, by);
+    own.normal = change_normal(in, t->normal, by);
+    return textures_texture(in, &own);
+}
+
+const pigment_node *textures_move_pigment(pov_reader *in, const pigment_node *p, const transform *moves)
+{
+    const change by = { moves, false };
+
+    return moves ? change_pigment(in, p, &by) : p;
+}
+
+const normal_node *textures_move_normal(pov_reader *in, const normal_node *n, const transform *moves)
+{
+    const change by = { moves, false };
+
+    return moves ? change_normal(in, n, &by) : n;
+}
+
+const texture *textures_move(pov_reader *in, const texture *t, const transform *moves)
+{
+    const change by = { moves, false };
+
+    return moves ? change_texture(in, t, &by) : t;
+}
+
+static const change upon_uv = { NULL, true };
+
+const pigment_node *textures_uv_pigment(pov_reader *in, const pigment_node *p) { return change_pigment(in, p, &upon_uv); }
+const normal_node *textures_uv_normal(pov_reader *in, const normal_node *n) { return change_normal(in, n, &upon_uv); }
+const texture *textures_uv(pov_reader *in, const texture *t) { return change_texture(in, t, &upon_uv); }
+
+/* ---- use ---- */
+
+static void settle_pattern(pov_reader *in, const pattern *p)
+{
+    const pattern_parsed *parsed;
+    place at = in->object;
+    pov_affine map;
+
+    if (!p || in->failed)
+        return;
+    if (pattern_needs_noise(p) && !in->model->noise && !(in->model->noise = noise_create(in->model->env)))
+        report_memory(in);
+    parsed = textures_parsed(p);
+    if (!parsed->moves || p->map || in->failed)
+        return;
+    if (!transform_compose(parsed->moves, &map)) {
+        report_fail(in, &at, POV_E_SYNTAX, "the texture is moved beyond what a double holds");
+        return;
+    }
+    ((pattern_parsed *)(void *)parsed)->pattern.map = map_table_add(&in->model->kept_maps, in->model->env, &map);
+    if (!p->map)
+        report_memory(in);
+}
+
+void textures_settle_pigment(pov_reader *in, const pigment_node *p)
+{
+    settle_pattern(in, p->pattern);
+    for (uint32_t i = 0; p->pigments && i < p->count && !in->failed; i++)
+        textures_settle_pigment(in, p->pigments[i]);
+}
+
+static void settle_normal(pov_reader *in, const normal_node *n)
+{
+    settle_pattern(in, n->pattern);
+    for (uint32_t i = 0; n->normals && i < n->count && !in->failed; i++)
+        settle_normal(in, n->normals[i]);
+}
+
+void textures_settle(pov_reader *in, const texture *t)
+{
+    settle_pattern(in, t->pattern);
+    if (t->pigment)
+        textures_settle_pigment(in, t->pigment);
+    if (t->normal)
+        settle_normal(in, t->normal);
+    for (uint32_t i = 0; t->textures && i < t->count && !in->failed; i++)
+        textures_settle(in, t->textures[i]);
+}
