@@ -42,7 +42,7 @@ typedef struct normal_node {
     const pattern *pattern;      /* NULL: the surface's own normal */
     const float *values;         /* of the slopes or of a map, or the weights of an average */
     const slope_entry *slopes;
-    const struct normal_node *const *normals;
+    const struct normal_node *const *normals;   /* NULL: the surface's own */
     float amount, accuracy;      /* of BLEND_NONE */
     bool is_scaled;              /* bumps are scaled with the pattern; no_bump_scale: they aren't */
 } normal_node;

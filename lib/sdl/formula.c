@@ -5,6 +5,7 @@
 #include "sdl/expression.h"
 #include "sdl/function.h"
 #include "sdl/report.h"
+#include "sdl/unsupported.h"
 
 #include <string.h>
 
@@ -183,6 +184,8 @@ static uint32_t call_part(compiler *c, const function *f)
 
     read_arguments(c, 1, 3, &first);
     c->next = mark;
+    if (!in->failed && f->kind == FUNCTION_PIGMENT && f->pigment->pattern)
+        unsupported_note(in, &in->last, KEYWORD_FUNCTION, "a varying pigment in a formula");
     if (f->kind != FUNCTION_PATTERN) {
         state_expect(in, '.');
         i = expression_component(in);
@@ -190,7 +193,7 @@ static uint32_t call_part(compiler *c, const function *f)
             report_expected(in, "a component such as \"red\"");
         state_advance(in);
     }
-    return constant(c, f->kind == FUNCTION_PIGMENT && i >= 0 ? expression_part(function_colour(f).as.v, i) : 0.0);
+    return constant(c, f->kind == FUNCTION_PIGMENT && i >= 0 ? expression_part(function_colour(in, f, pov_vec3_of(0.0, 0.0, 0.0)).as.v, i) : 0.0);
 }
 
 static uint32_t call_declared(compiler *c, const function *f)

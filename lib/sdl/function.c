@@ -6,7 +6,9 @@
 #include "sdl/parse_texture.h"
 #include "sdl/report.h"
 #include "sdl/spline.h"
+#include "sdl/textures.h"
 #include "sdl/unsupported.h"
+#include "texture/texture.h"
 
 #include <string.h>
 
@@ -84,13 +86,11 @@ static void read_transform(pov_reader *in, function *f)
 
 static void read_pigment(pov_reader *in, function *f)
 {
-    const place at = in->token.at;
-
     f->kind = FUNCTION_PIGMENT;
     state_advance(in);
     f->pigment = parse_pigment_node(in);
-    if (!in->failed && f->pigment->pattern)
-        unsupported_note(in, &at, KEYWORD_FUNCTION, "a varying pigment in a function");
+    if (!in->failed)
+        textures_settle_pigment(in, f->pigment);
 }
 
 static void read_content(pov_reader *in, function *f, symbol *const *parameters, uint32_t count)
@@ -181,25 +181,33 @@ static value map_point(pov_reader *in, const function *f)
     return value_of_vector(p);
 }
 
-value function_colour(const function *f)
+value function_colour(pov_reader *in, const function *f, pov_vec3 at)
 {
+    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     value v = value_of_number(0.0);
+    texture_points points;
+    pigment p;
 
     v.kind = VALUE_VECTOR;
     v.size = 5;
     v.is_colour = true;
-    v.as.v[0] = f->pigment->most.color.r;
-    v.as.v[1] = f->pigment->most.color.g;
-    v.as.v[2] = f->pigment->most.color.b;
-    v.as.v[3] = f->pigment->most.filter;
-    v.as.v[4] = f->pigment->most.transmit;
+    if (in->failed)
+        return v;
+    points.has_surface = false;
+    texture_point(NULL, at, zero, 0, &points);
+    pigment_eval(in->model, f->pigment, &points, 1, &p);
+    v.as.v[0] = (double)p.color.r;
+    v.as.v[1] = (double)p.color.g;
+    v.as.v[2] = (double)p.color.b;
+    v.as.v[3] = (double)p.filter;
+    v.as.v[4] = (double)p.transmit;
     return v;
 }
 
 value function_call(pov_reader *in, value callee)
 {
     const function *f = callee.as.part;
-    double unused[3];
+    double point[3];
 
     switch (f->kind) {
     case FUNCTION_SPLINE:
@@ -207,10 +215,10 @@ value function_call(pov_reader *in, value callee)
     case FUNCTION_TRANSFORM:
         return map_point(in, f);
     case FUNCTION_PIGMENT:
-        read_arguments(in, unused, 3);
-        return function_colour(f);
+        read_arguments(in, point, 3);
+        return function_colour(in, f, pov_vec3_of(point[0], point[1], point[2]));
     case FUNCTION_PATTERN:
-        read_arguments(in, unused, 3);
+        read_arguments(in, point, 3);
         return value_of_number(0.0);
     default:
         return value_of_number(run(in, &f->program));

@@ -21,8 +21,8 @@ typedef struct function {
 
 /* `function` has been taken: its parameters and its block. */
 value function_read(pov_reader *in);
-/* The colour of a FUNCTION_PIGMENT; where the pigment varies, its largest components. */
-value function_colour(const function *f);
+/* The colour of a FUNCTION_PIGMENT at a point. */
+value function_colour(pov_reader *in, const function *f, pov_vec3 at);
 /* `(` is next: as many numbers as the function has parameters. */
 value function_call(pov_reader *in, value callee);
 

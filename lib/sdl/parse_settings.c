@@ -56,8 +56,36 @@ static void read_assumed_gamma(pov_reader *in, void *self, keyword_id keyword)
         in->settings.assumed_gamma = number;
 }
 
+static void read_noise_generator(pov_reader *in, void *self, keyword_id keyword)
+{
+    const double number = value_number(in);
+
+    (void)self;
+    (void)keyword;
+    if (number != 1.0 && number != 2.0 && number != 3.0)
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"noise_generator\" must be 1, 2 or 3");
+    else
+        in->model->noise_generator = (int)number;
+    in->settings.has_noise_generator = true;
+}
+
+static void read_number_of_waves(pov_reader *in, void *self, keyword_id keyword)
+{
+    const double number = value_number(in), most = 1000.0;
+
+    (void)self;
+    (void)keyword;
+    if (number < 0.0 || number > most) {
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"number_of_waves\" must lie in 0 to %.0f", most);
+        return;
+    }
+    if (number < 1.0)
+        report_warn(in, &in->value, "a number of 0 waves counts as 1");
+    in->model->number_of_waves = number < 1.0 ? 1 : (uint32_t)number;
+}
+
 static const keyword_id quiet[] = {
-    KEYWORD_CHARSET, KEYWORD_NOISE_GENERATOR, KEYWORD_NUMBER_OF_WAVES, KEYWORD_ASCII, KEYWORD_UTF8, KEYWORD_SYS,
+    KEYWORD_CHARSET, KEYWORD_ASCII, KEYWORD_UTF8, KEYWORD_SYS,
     KEYWORD_MAX_INTERSECTIONS, KEYWORD_HF_GRAY_16, KEYWORD_OTHER,
 };
 static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_SUBSURFACE, KEYWORD_MM_PER_UNIT,
@@ -70,6 +98,8 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_MAX_TRACE_LEVEL, read_max_trace_level },
         { KEYWORD_ADC_BAILOUT, read_adc_bailout },
         { KEYWORD_ASSUMED_GAMMA, read_assumed_gamma },
+        { KEYWORD_NOISE_GENERATOR, read_noise_generator },
+        { KEYWORD_NUMBER_OF_WAVES, read_number_of_waves },
         { KEYWORD_IRID_WAVELENGTH, read_irid_wavelength },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
@@ -121,11 +151,15 @@ void parse_settings_finish(pov_reader *in)
 {
     model *m = in->model;
     bool is_povray = m->dialect == POV_DIALECT_POVRAY, is_new = in->settings.version >= 3.7;
+    const bool is_old = is_povray && in->settings.version > 0.0 && in->settings.version < 3.5;
 
     if (!in->settings.has_ambient_light)
         m->ambient_light = is_povray ? colour_of(1.0f, 1.0f, 1.0f) : colour_of(0.0f, 0.0f, 0.0f);
     m->opacity_uses_filter_colour = is_povray && !is_new;
     m->fresnel_metallic = is_povray;
+    m->upper_layers_are_colourless = is_old;
+    if (is_old && !in->settings.has_noise_generator)
+        m->noise_generator = 1;
     m->opaque_last_level = is_povray;
     finish_gamma(in, is_new);
 }

@@ -215,6 +215,8 @@ void textures_settle_pigment(pov_reader *in, const pigment_node *p)
 
 static void settle_normal(pov_reader *in, const normal_node *n)
 {
+    if (!n)
+        return;
     settle_pattern(in, n->pattern);
     for (uint32_t i = 0; n->normals && i < n->count && !in->failed; i++)
         settle_normal(in, n->normals[i]);

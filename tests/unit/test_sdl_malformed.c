@@ -819,18 +819,19 @@ static void missing_features_are_named_once_each_with_their_first_place(void **s
 }
 
 /* A colour that is right at one point only must not pass for the pigment. */
-static void a_function_of_a_varying_pigment_is_named(void **state)
+static void a_formula_with_a_varying_pigment_is_named(void **state)
 {
     reading r;
 
     (void)state;
     begin_exact(&r, TEXT("#declare F = function { pigment { rgb 1/2 } }\n"
-                         " #declare G = function { pigment { checker rgb 1, rgb 0 } }\n sphere { 0, F(1, 2, 3).red }"));
+                         " #declare G = function { pigment { checker rgb 1, rgb 0 } }\n sphere { 0, F(1, 2, 3).red + G(.5, .5, .5).red }\n"
+                         "#declare H = function { G(x, y, z).red }"));
     assert_int_equal(r.status, POV_OK);
-    assert_true(reading_shape(&r, 0)->numbers[0] == 0.5);
+    assert_true(reading_shape(&r, 0)->numbers[0] == 1.5);
     assert_int_equal(r.note_count, 1);
-    assert_string_equal(r.notes[0].message, "a varying pigment in a function is not supported yet and is left out");
-    assert_int_equal(r.notes[0].line, 2);
+    assert_string_equal(r.notes[0].message, "a varying pigment in a formula is not supported yet and is left out");
+    assert_int_equal(r.notes[0].line, 4);
     reading_end(&r);
 }
 
@@ -903,7 +904,7 @@ int main(void)
         cmocka_unit_test(what_a_terminal_would_obey_is_not_shown),
         cmocka_unit_test(an_error_in_a_text_below_a_byte_order_mark_has_its_column),
         cmocka_unit_test(missing_features_are_named_once_each_with_their_first_place),
-        cmocka_unit_test(a_function_of_a_varying_pigment_is_named),
+        cmocka_unit_test(a_formula_with_a_varying_pigment_is_named),
         cmocka_unit_test(missing_features_are_errors_where_that_was_asked_for),
         cmocka_unit_test(parts_that_are_left_out_have_their_effects),
         cmocka_unit_test(a_missing_plugin_is_named_with_the_path),
