@@ -4,6 +4,7 @@
 #include "base/hash.h"
 #include "base/str.h"
 #include "sdl/expression.h"
+#include "sdl/image_heights.h"
 #include "sdl/include.h"
 #include "sdl/reader.h"
 #include "sdl/report.h"
@@ -177,4 +178,5 @@ const pov_host host_functions = {
     .string = string_kept,
     .file = file,
     .hierarchy = hierarchy,
+    .heights = image_heights_read,
 };

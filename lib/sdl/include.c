@@ -138,13 +138,19 @@ static bool is_open_to_scenes(const pov_reader *in, const char *path)
 
 bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX])
 {
-    static const char *const endings[] = { "", ".inc", ".INC" };
+    static const char *const endings[] = { "", ".inc", ".INC", NULL };
+
+    return include_find_with(in, name, endings, path);
+}
+
+bool include_find_with(pov_reader *in, const string *name, const char *const *endings, char path[INCLUDE_PATH_MAX])
+{
     folder f;
     int i, e;
 
     if (name->length == 0 || strlen(name->text) != name->length)
         return false;
-    for (e = 0; e < 3; e++)
+    for (e = 0; endings[e]; e++)
         for (i = 0; folder_at(in, i, &f); i++)
             if (join(&f, name->text, endings[e], path) && file_exists(path) && is_open_to_scenes(in, path))
                 return true;

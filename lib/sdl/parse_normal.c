@@ -64,6 +64,8 @@ static bool read_pattern(pov_reader *in, normal_reading *r)
     class = r->pattern.parsed.pattern.class;
     memset(&r->map, 0, sizeof r->map);
     memset(&r->slopes, 0, sizeof r->slopes);
+    if (r->pattern.image.has_bump_size)
+        r->amount = r->pattern.image.bump_size;
     if (class->count > 0 && parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map))
         return true;
     state_accept(in, ',');

@@ -123,6 +123,10 @@ static void read_class(pov_reader *in, pattern_reading *r)
     const pattern_class *class = r->parsed.pattern.class;
     block b;
 
+    if (class->flags & PATTERN_FILE) {
+        parse_image(in, class, r->self.bytes, &r->image);
+        return;
+    }
     if (!(class->flags & PATTERN_BRACED) || in->token.kind != '{') {
         read_arguments(in, class, 0, r->self.bytes);
         return;
@@ -136,6 +140,16 @@ static void read_class(pov_reader *in, pattern_reading *r)
     state_close(in, '}');
 }
 
+void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class *class)
+{
+    memset(&r->self, 0, sizeof r->self);
+    if (class->self)
+        memcpy(r->self.bytes, class->self, class->self_size);
+    r->parsed.pattern.class = class;
+    r->parsed.pattern.wave.form = class->form;
+    read_class(in, r);
+}
+
 bool parse_pattern_word(pov_reader *in, pattern_reading *r)
 {
     const bool is_word = in->token.kind == TOKEN_WORD && in->token.symbol->id != KEYWORD_OTHER;
@@ -144,12 +158,7 @@ bool parse_pattern_word(pov_reader *in, pattern_reading *r)
     if (!class)
         return false;
     state_advance(in);
-    memset(&r->self, 0, sizeof r->self);
-    if (class->self)
-        memcpy(r->self.bytes, class->self, class->self_size);
-    r->parsed.pattern.class = class;
-    r->parsed.pattern.wave.form = class->form;
-    read_class(in, r);
+    parse_pattern_class(in, r, class);
     return true;
 }
 

@@ -2,14 +2,15 @@
 #ifndef SDL_PARSE_PATTERN_H
 #define SDL_PARSE_PATTERN_H
 
+#include "sdl/parse_image.h"
 #include "sdl/textures.h"
-#include "texture/pattern.h"
 
 /* A pattern that is being read. Modifiers may come before it. */
 typedef struct pattern_reading {
     pattern_parsed parsed;       /* class NULL: no pattern was there yet */
     bool has_noise_generator;
     union { double align; unsigned char bytes[PATTERN_SELF_MAX]; } self;
+    image_block image;           /* of one that has a file */
 } pattern_reading;
 
 void parse_pattern_begin(pattern_reading *r);
@@ -17,6 +18,8 @@ void parse_pattern_begin(pattern_reading *r);
 void parse_pattern_take(pattern_reading *r, const pattern *p);
 /* The word of a pattern is next: read it and its arguments. False: it is not. */
 bool parse_pattern_word(pov_reader *in, pattern_reading *r);
+/* The word of a class was taken: its arguments. */
+void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class *class);
 /* A modifier, a transformation, or a word of the pattern is next: read it. */
 bool parse_pattern_modifier(pov_reader *in, pattern_reading *r);
 /* The scene's pattern. NULL: the reader has failed. */

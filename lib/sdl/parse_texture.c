@@ -116,6 +116,15 @@ static void read_tiles(pov_reader *in, void *self, keyword_id keyword)
     r->map = (map_parsed){ VALUE_TEXTURE_MAP, 2, NULL, intern(in, both, sizeof both, sizeof both) };
 }
 
+static void read_material_map(pov_reader *in, void *self, keyword_id keyword)
+{
+    texture_reading *r = self;
+
+    (void)keyword;
+    parse_pattern_class(in, &r->pattern, &pattern_material_map);
+    r->map = r->pattern.image.textures;
+}
+
 static bool read_pattern(pov_reader *in, texture_reading *r)
 {
     const pattern_class *class;
@@ -212,6 +221,7 @@ static const item items[] = {
     { KEYWORD_TEXTURE, read_inner },
     { KEYWORD_TEXTURE_MAP, read_map },
     { KEYWORD_TILES, read_tiles },
+    { KEYWORD_MATERIAL_MAP, read_material_map },
     PARSE_FINISH_ROWS(read_finish_item, read_finish_reflection),
 };
 static const item_list list = { "an item of the texture", ITEMS(items), parse_pattern_modifiers, parse_finish_coming,

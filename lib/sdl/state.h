@@ -132,6 +132,7 @@ struct pov_reader {
     random_list randoms;
     argument_list arguments;     /* of calls that are being read */
     struct written *written;     /* files that the scene wrote */
+    struct image_file *images;   /* that the scene named */
     char own_includes[INCLUDE_PATH_MAX];   /* the folder of this library's include files; "": unknown */
     reader_limits limits;
     uint64_t turns;              /* of loops so far */

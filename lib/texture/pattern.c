@@ -6,12 +6,15 @@
 
 const pattern_class pattern_average = { .keyword = "average" };
 
-extern const pattern_class pattern_checker, pattern_square;
+extern const pattern_class pattern_aoi, pattern_brick, pattern_bump_map, pattern_cells, pattern_checker,
+    pattern_crackle, pattern_facets, pattern_hexagon, pattern_image_map, pattern_image_pattern, pattern_julia,
+    pattern_magnet, pattern_mandel, pattern_slope, pattern_square, pattern_triangular;
 
 static const pattern_class *const classes[] = {
-    &pattern_average,
-    &pattern_checker,
-    &pattern_square,
+    &pattern_aoi, &pattern_average, &pattern_brick, &pattern_bump_map, &pattern_cells, &pattern_checker,
+    &pattern_crackle, &pattern_density_file, &pattern_facets, &pattern_hexagon, &pattern_image_map,
+    &pattern_image_pattern, &pattern_julia, &pattern_magnet, &pattern_mandel, &pattern_slope, &pattern_square,
+    &pattern_triangular,
 };
 
 const pattern_class *pattern_find(const char *keyword)

@@ -50,7 +50,8 @@ enum {
     PATTERN_UNSHAPED = 2,        /* frequency, phase and wave form do nothing */
     PATTERN_OWN_TURBULENCE = 4,  /* turbulence does not move the points: evaluate() sees to it */
     PATTERN_NEEDS_NORMAL = 8,    /* there is no value without a surface */
-    PATTERN_BRACED = 16          /* words and arguments may stand in braces behind the pattern's word */
+    PATTERN_BRACED = 16,         /* words and arguments may stand in braces behind the pattern's word */
+    PATTERN_FILE = 32            /* an image or a volume, whose text is read apart */
 };
 
 typedef struct pattern_class {
@@ -80,6 +81,8 @@ typedef struct pattern_class {
 const pattern_class *pattern_find(const char *keyword);
 /* Of blends without a pattern: it has a space only, and neither evaluate() nor colours(). */
 extern const pattern_class pattern_average;
+/* Of textures alone; and of volumes, which have no block. */
+extern const pattern_class pattern_material_map, pattern_density_file;
 bool pattern_needs_noise(const pattern *p);
 
 #endif

@@ -48,6 +48,7 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_hits, scratch, 72);
     AT(pov_host, warn, 64);
     AT(pov_host, hierarchy, 112);
+    AT(pov_host, heights, 120);
     AT(pov_shape_class, intersect, 40);
     AT(pov_shape_class, prepare, 80);
     AT(pov_shape_class, extension, 104);

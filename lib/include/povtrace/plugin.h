@@ -60,6 +60,9 @@ typedef struct pov_host {
      * scene. NULL after an error. */
     const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
     /* abi 3 began with these. */
+    /* The heights, in 1/65536, that an image stands for: `png "name"`, a format's word or none before the name. Rows from
+     * the top; they live as long as the scene. NULL after an error. */
+    const uint16_t *(*heights)(pov_reader *in, uint32_t *width, uint32_t *height);
 } pov_host;
 
 /* ---- the one exported symbol -------------------------------------------- */

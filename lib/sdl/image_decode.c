@@ -1,0 +1,139 @@
+#include "sdl/image_decode.h"
+
+#include "base/elementary.h"
+
+#include <string.h>
+
+/* A stored number goes through the file's curve to linear light, and from there to what the scene calculates in. */
+typedef struct curve {
+    pov_encoding encoding;
+    double power;
+    double working;              /* assumed_gamma; 0 or 1: linear light */
+    bool is_cut;                 /* decoded grey is stored in bytes */
+} curve;
+
+static double power_of(double v, double power)
+{
+    return power == 1.0 ? v : v < 0.0 ? 0.0 : elementary_pow(v, power);
+}
+
+static double srgb_inverse(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : elementary_pow((v + 0.055) / 1.055, 2.4);
+}
+
+static double decoded(const curve *c, double v)
+{
+    const double linear = c->encoding == POV_ENCODING_SRGB ? srgb_inverse(v)
+                        : c->encoding == POV_ENCODING_POWER ? power_of(v, c->power) : v;
+
+    return c->working > 0.0 ? power_of(linear, 1.0 / c->working) : linear;
+}
+
+/* Its brightness in float, cut down to a byte. */
+static double cut_grey(double v)
+{
+    const float q = (float)v, grey = 0.297f * q + 0.589f * q + 0.114f * q;
+
+    return floor(255.0f * grey) / 255.0;
+}
+
+static float value_of(const curve *c, double stored)
+{
+    const double v = decoded(c, stored);
+
+    return (float)(c->is_cut ? cut_grey(v) : v);
+}
+
+/* ---- which curve ---- */
+
+/* Scenes before 3.7 take what is stored, but where the file and the scene both say what is meant. */
+static bool is_decoded(const pov_reader *in, const image *of, const image_gamma *given, bool is_plain)
+{
+    if (given->is_given)
+        return true;
+    if (is_plain || of->encoding == POV_ENCODING_STORED)
+        return false;
+    return in->version >= 3.7 || (of->encoding == POV_ENCODING_POWER && in->settings.assumed_gamma > 0.0);
+}
+
+static curve choose(const pov_reader *in, const image *of, const image_gamma *given, bool is_plain)
+{
+    curve c = { POV_ENCODING_STORED, 1.0, 0.0, of->is_cut };
+
+    if (of->encoding == POV_ENCODING_LINEAR && !given->is_given) {
+        c.working = is_plain ? 0.0 : in->settings.assumed_gamma;
+    } else if (is_decoded(in, of, given, is_plain)) {
+        c.encoding = given->is_given ? given->is_srgb ? POV_ENCODING_SRGB : POV_ENCODING_POWER : of->encoding;
+        c.power = given->is_given ? given->number : of->power;
+        c.working = in->settings.assumed_gamma;
+    }
+    return c;
+}
+
+/* ---- tables ---- */
+
+static const float *make_table(pov_reader *in, const curve *c, uint32_t bits)
+{
+    const uint32_t count = 1u << bits;
+    float *table = state_alloc(in, count * sizeof *table, 16);
+
+    for (uint32_t i = 0; table && i < count; i++)
+        table[i] = value_of(c, (double)i / (count - 1));
+    return table;
+}
+
+/* Filter and transmit: of all, then of the entry. */
+static void set_alphas(const image_map *map, const image_alphas *a, uint32_t i, pigment *out)
+{
+    const image *of = map->image;
+
+    out->filter = a->filter[i] >= 0.0f ? a->filter[i] : map->filter;
+    out->transmit = a->has_transmit_all || !of->has_alpha ? map->transmit : (float)(1.0 - of->palette[i][3] / 255.0);
+    if (a->transmit[i] >= 0.0f)
+        out->transmit = a->transmit[i];
+}
+
+static const pigment *make_palette(pov_reader *in, const image_map *map, const curve *c, const image_alphas *alphas)
+{
+    pigment *palette = state_alloc(in, 256 * sizeof *palette, 16);
+
+    for (uint32_t i = 0; palette && i < 256; i++) {
+        const unsigned char *from = map->image->palette[i];
+
+        palette[i].color = colour_of(value_of(c, from[0] / 255.0), value_of(c, from[1] / 255.0), value_of(c, from[2] / 255.0));
+        set_alphas(map, alphas, i, &palette[i]);
+    }
+    return palette;
+}
+
+/* Floats are decoded at once, in a copy; alpha stays. */
+static const image *make_floats(pov_reader *in, const image *of, const curve *c)
+{
+    image *copy = state_alloc(in, sizeof *copy, 16);
+    float *samples = state_alloc(in, of->stride * of->height, 16);
+    const size_t count = of->stride / sizeof *samples * of->height;
+
+    if (!copy || !samples)
+        return of;
+    *copy = *of;
+    copy->samples = (unsigned char *)samples;
+    memcpy(samples, of->samples, of->stride * of->height);
+    for (size_t i = 0; i < count; i++)
+        if (of->channels % 2 != 0 || i % of->channels + 1 != of->channels)
+            samples[i] = value_of(c, samples[i]);
+    return copy;
+}
+
+void image_decode(pov_reader *in, image_map *map, const image_gamma *given, const image_alphas *alphas, bool is_plain)
+{
+    const image *of = map->image;
+    const curve c = choose(in, of, given, is_plain);
+
+    if (of->colours > 0)
+        map->palette = make_palette(in, map, &c, alphas);
+    else if (of->bits < 32)
+        map->decoded = make_table(in, &c, of->bits);
+    else if (c.encoding != POV_ENCODING_STORED || (c.working > 0.0 && c.working != 1.0))
+        map->image = make_floats(in, of, &c);
+}

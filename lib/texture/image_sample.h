@@ -1,0 +1,25 @@
+/* image_sample.h - values of images between their pixels. */
+#ifndef TEXTURE_IMAGE_SAMPLE_H
+#define TEXTURE_IMAGE_SAMPLE_H
+
+#include "model/image.h"
+
+/* Where a point lies on an image: 0..1 from the left and from the bottom, repeating. */
+typedef struct image_place { double u, v; bool is_outside; } image_place;   /* outside: of one that does not repeat */
+
+image_place image_place_at(const image_map *map, pov_vec3 point);
+/* Decoded, with the map's filter and transmit. */
+pigment image_colour(const image_map *map, image_place at);
+/* The brightness of the colour. */
+double image_grey(const image_map *map, image_place at);
+/* The number that a pixel stands for: of its palette's entry, or 0 to 255 of red or grey. Interpolated where the map is. */
+double image_index(const image_map *map, image_place at);
+/* The largest that each component of a colour can be. */
+pigment image_most(const image_map *map);
+
+static inline double image_grey_of(colour c)
+{
+    return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b;
+}
+
+#endif

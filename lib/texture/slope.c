@@ -1,0 +1,78 @@
+#include "base/elementary.h"
+#include "texture/pattern.h"
+
+/* slope: the angle between the surface's normal and a direction, and a height if asked for; aoi: that between the
+ * normal and the ray. */
+typedef struct steepness {
+    pov_vec3 direction, altitude;
+    double low, high, low_altitude, high_altitude;
+} steepness;
+
+static const double pi = 3.14159265358979323846;
+
+SIMD_INLINE double angle_value(double cosine)
+{
+    const double c = cosine < -1.0 ? -1.0 : cosine > 1.0 ? 1.0 : cosine;
+
+    return 1.0 - elementary_acos(c) / pi;
+}
+
+static double between(double value, double low, double high)
+{
+    return low == high ? value : (value - low) / (high - low);
+}
+
+static void evaluate_slope(const pattern_input *in, double *value)
+{
+    const steepness *s = in->of->self;
+    const pov_vec3 direction = pov_unit(s->direction);
+    const bool has_altitude = pov_dot(s->altitude, s->altitude) > 0.0;
+
+    for (uint32_t i = 0; i < in->n; i++) {
+        const double v = between(angle_value(pov_dot(lanes_at(in->normal, i), direction)), s->low, s->high);
+
+        value[i] = v;
+        if (has_altitude)
+            value[i] = 0.5 * (v + between(pov_dot(lanes_at(in->at, i), s->altitude), s->low_altitude, s->high_altitude));
+    }
+}
+
+static void evaluate_aoi(const pattern_input *in, double *value)
+{
+    for (uint32_t i = 0; i < in->n; i++)
+        value[i] = angle_value(-pov_dot(lanes_at(in->normal, i), lanes_at(in->view, i)));
+}
+
+static const char *check(const void *self)
+{
+    const steepness *s = self;
+
+    return pov_largest(s->direction) > 0.0 ? NULL : "the direction of a slope must not be 0";
+}
+
+static const steepness usual = { .high = 1.0, .high_altitude = 1.0 };
+static const pattern_word words[] = {
+    { NULL, PATTERN_VECTOR, offsetof(steepness, direction), false },
+    { NULL, PATTERN_NUMBER, offsetof(steepness, low), true },
+    { NULL, PATTERN_NUMBER, offsetof(steepness, high), true },
+    { "altitude", PATTERN_VECTOR, offsetof(steepness, altitude), false },
+    { NULL, PATTERN_NUMBER, offsetof(steepness, low_altitude), true },
+    { NULL, PATTERN_NUMBER, offsetof(steepness, high_altitude), true },
+};
+
+const pattern_class pattern_slope = {
+    .keyword = "slope",
+    .self_size = sizeof(steepness),
+    .self = &usual,
+    .words = words,
+    .word_count = sizeof words / sizeof words[0],
+    .check = check,
+    .flags = PATTERN_NEEDS_NORMAL | PATTERN_BRACED,
+    .evaluate = evaluate_slope,
+};
+
+const pattern_class pattern_aoi = {
+    .keyword = "aoi",
+    .flags = PATTERN_NEEDS_NORMAL,
+    .evaluate = evaluate_aoi,
+};
