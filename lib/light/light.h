@@ -5,7 +5,7 @@
 #include "base/lanes.h"
 #include "model/light.h"
 
-/* Light from one sample of a source, by lane. Surfaces between a point and point + tmax dir cast a shadow there. */
+/* Incident light, by lane. Surfaces between a point and point + tmax dir cast a shadow there. */
 typedef struct light_lanes {
     vec_lanes dir;
     double tmax;
@@ -18,15 +18,23 @@ typedef struct light_lanes {
  * written. */
 typedef struct light_points { const vec_lanes *point, *point_lo; uint32_t n; } light_points;
 
+/* The light that l sends from `from` + `from_lo`: its position, or a point of its area. */
+typedef struct light_origin { pov_vec3 from, from_lo; } light_origin;
+
 typedef struct light_class {
-    /* Number of samples of the source. A surface is lit from sample 0, times the mean visibility of all samples. */
-    uint32_t (*samples)(const light *l);
-    void (*sample)(const light *l, uint32_t k, const light_points *at, light_lanes *out);
+    void (*incident)(const light *l, const light_origin *from, const light_points *at, light_lanes *out);
 } light_class;
 
-/* The row of l->type. */
+/* The row of a light. */
 const light_class *light_class_of(const light *l);
 
-extern const light_class light_point;
+static inline light_origin light_own_origin(const light *l)
+{
+    const light_origin o = { l->position, l->position_lo };
+
+    return o;
+}
+
+extern const light_class light_point, light_fading, light_spot, light_cylinder, light_parallel;
 
 #endif

@@ -5,14 +5,32 @@
 #include "model/colour.h"
 
 #include <povtrace/math.h>
+#include <stdint.h>
 
-/* POINT: emits alike in all directions, and does not fade. */
-typedef enum light_type { LIGHT_POINT, LIGHT_TYPES } light_type;
+/* POINT: emits alike in all directions. SPOT: in a cone around its axis. CYLINDER: parallel rays within a distance of the
+ * axis. PARALLEL: parallel rays everywhere. */
+typedef enum light_type { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER, LIGHT_PARALLEL, LIGHT_TYPES } light_type;
+
+enum {
+    LIGHT_SHADOWLESS = 1,        /* no shadows and no highlights */
+    LIGHT_AREA = 2, LIGHT_CIRCULAR = 4, LIGHT_ORIENT = 8, LIGHT_JITTER = 16, LIGHT_AREA_ILLUMINATION = 32
+};
+
+/* A grid of rows x columns points around the position, side by side along two axes, from end to end. */
+typedef struct light_area { pov_vec3 axes[2]; uint32_t counts[2]; } light_area;
 
 typedef struct light {
     light_type type;
+    uint32_t flags;              /* LIGHT_* */
     pov_vec3 position, position_lo;   /* world space, the sum of both */
+    pov_vec3 axis;               /* unit; away from the light */
     colour color;
+    double radius, falloff, tightness;   /* SPOT: cosines of the angles; CYLINDER: distances from the axis */
+    double fade_distance, fade_power;    /* it fades if both are above 0 */
+    light_area area;
+    uint32_t group;              /* which objects it lights: those of this light group; 0: all that ask for it */
 } light;
+
+static inline bool light_fades(const light *l) { return l->fade_distance > 0.0 && l->fade_power > 0.0; }
 
 #endif

@@ -31,7 +31,8 @@ typedef struct object_parsed {
     object_kind kind;
     node_op op;                  /* of a group */
     leaf_node leaf;              /* its map and flags are those below */
-    light light;                 /* before its map */
+    light light;                 /* before its map; what it looks like is `first` */
+    pov_vec3 point_at;           /* of a light */
     surface_parsed surface;
     const transform *map;
     uint32_t flags;
@@ -54,6 +55,8 @@ void parse_object(pov_reader *in);
 /* An object is next: a statement, or the name of one. False: none is. */
 bool parse_object_try(pov_reader *in, object_parsed *out);
 bool parse_object_follows(const pov_reader *in);
+/* A copy that lives while the scene is read. NULL: no memory, and the reader has failed. */
+object_parsed *parse_keep(pov_reader *in, const object_parsed *o);
 /* What was read of a whole object becomes part of the model. */
 void parse_add_object(pov_reader *in, const object_parsed *o);
 void parse_light(pov_reader *in, object_parsed *out);
@@ -70,6 +73,7 @@ value parse_transform_value(pov_reader *in);
 /* One list behind another, without what it has up to `since`, which is in it or NULL. */
 void parse_append_transforms(pov_reader *in, const transform **list, const transform *more, const transform *since);
 uint32_t parse_count_transforms(const transform *list);
+void parse_append_translation(pov_reader *in, const transform **list, pov_vec3 by);
 /* The last so many of a list, as a list of their own. */
 const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count);
 /* The words of transformations in a table of items. */

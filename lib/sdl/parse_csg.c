@@ -95,16 +95,38 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     return !in->failed;
 }
 
+/* Where the map takes a direction. */
+static pov_vec3 move_direction(const pov_affine *m, pov_vec3 d)
+{
+    pov_vec3 at, at_lo, from, from_lo;
+
+    transform_point(m, d, &at, &at_lo);
+    transform_point(m, pov_vec3_of(0.0, 0.0, 0.0), &from, &from_lo);
+    return pov_add(pov_sub(at, from), pov_sub(at_lo, from_lo));
+}
+
+static void move_light(light *l, const pov_affine *m, pov_vec3 *point_at)
+{
+    pov_vec3 low;
+
+    transform_point(m, *point_at, point_at, &low);
+    transform_point(m, l->position, &l->position, &l->position_lo);
+    for (int i = 0; i < 2; i++)
+        l->area.axes[i] = move_direction(m, l->area.axes[i]);
+}
+
 static void add_light(pov_reader *in, const object_parsed *o, const around *a)
 {
     const transform *map = find_map(in, o, a);
     pov_affine m;
+    pov_vec3 point_at = o->point_at;
     light l = o->light;
     bool is_fine = !map || transform_compose(map, &m);
 
     l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
     if (map && is_fine)
-        transform_point(&m, o->light.position, &l.position, &l.position_lo);
+        move_light(&l, &m, &point_at);
+    l.axis = pov_unit(pov_sub(pov_sub(point_at, l.position), l.position_lo));
     if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
         place at = in->object;
 
@@ -140,6 +162,15 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     return !in->failed && children.count > 0;
 }
 
+/* What a light looks like is an object where it is. */
+static bool add_light_and_object(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+{
+    const around here = { a, o, NULL };
+
+    add_light(in, o, a);
+    return !in->failed && o->first && add(in, o->first, &here, out);
+}
+
 static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     switch (o->kind) {
@@ -148,8 +179,7 @@ static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, n
     case OBJECT_GROUP:
         return add_group(in, o, a, out);
     case OBJECT_LIGHT:
-        add_light(in, o, a);
-        return false;
+        return add_light_and_object(in, o, a, out);
     case OBJECT_MISSING:
         break;
     }

@@ -1,27 +1,200 @@
+#include "sdl/expression.h"
 #include "sdl/parse.h"
 #include "sdl/report.h"
+#include "sdl/unsupported.h"
 #include "sdl/value.h"
+
+/* A light source as it is read. */
+typedef struct light_reading {
+    object_parsed *out;
+    double angles[2];            /* radius and falloff as written; NaN: not given */
+    bool is_parallel;
+} light_reading;
+
+static light *light_of(void *self) { return &((light_reading *)self)->out->light; }
 
 static void move_light(pov_reader *in, void *self, keyword_id keyword)
 {
-    parse_transform(in, &((object_parsed *)self)->map, keyword);
+    parse_transform(in, &((light_reading *)self)->out->map, keyword);
 }
 
-static const keyword_id coming[] = {
-    KEYWORD_SPOTLIGHT, KEYWORD_SHADOWLESS, KEYWORD_CYLINDER, KEYWORD_PARALLEL, KEYWORD_POINT_AT, KEYWORD_RADIUS,
-    KEYWORD_FALLOFF, KEYWORD_TIGHTNESS, KEYWORD_AREA_LIGHT, KEYWORD_ADAPTIVE, KEYWORD_AREA_ILLUMINATION, KEYWORD_JITTER,
-    KEYWORD_CIRCULAR, KEYWORD_ORIENT, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_LOOKS_LIKE,
-    KEYWORD_PROJECTED_THROUGH, KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_PHOTONS, KEYWORD_OTHER,
+static void read_type(pov_reader *in, void *self, keyword_id keyword)
+{
+    light_reading *r = self;
+
+    (void)in;
+    if (keyword == KEYWORD_PARALLEL)
+        r->is_parallel = true;
+    else
+        light_of(self)->type = keyword == KEYWORD_CYLINDER ? LIGHT_CYLINDER : LIGHT_SPOT;
+}
+
+static void read_point_at(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    ((light_reading *)self)->out->point_at = value_vector(in);
+}
+
+static void read_number(pov_reader *in, void *self, keyword_id keyword)
+{
+    light_reading *r = self;
+    light *l = light_of(self);
+    const double number = value_number(in);
+
+    switch (keyword) {
+    case KEYWORD_RADIUS:
+        r->angles[0] = number;
+        break;
+    case KEYWORD_FALLOFF:
+        r->angles[1] = number;
+        break;
+    case KEYWORD_TIGHTNESS:
+        l->tightness = number;
+        break;
+    case KEYWORD_FADE_DISTANCE:
+        l->fade_distance = number;
+        break;
+    default:
+        l->fade_power = number;
+    }
+}
+
+/* More points than this are a slip. */
+enum { AREA_MOST = 1 << 14 };
+
+static uint32_t read_count(pov_reader *in)
+{
+    const double count = value_number(in);
+
+    if (!in->failed && !(count >= 1.0 && count <= (double)AREA_MOST))
+        report_fail(in, &in->value, POV_E_SYNTAX, "an area light has 1 to %d points a side", AREA_MOST);
+    return in->failed ? 1 : (uint32_t)count;
+}
+
+static void read_area(pov_reader *in, void *self, keyword_id keyword)
+{
+    light *l = light_of(self);
+
+    (void)keyword;
+    l->flags |= LIGHT_AREA;
+    for (int i = 0; i < 2; i++) {
+        l->area.axes[i] = value_vector(in);
+        state_accept(in, ',');
+    }
+    l->area.counts[0] = read_count(in);
+    state_accept(in, ',');
+    l->area.counts[1] = read_count(in);
+    if (!in->failed && (uint64_t)l->area.counts[0] * l->area.counts[1] > AREA_MOST)
+        report_fail(in, &in->value, POV_E_SYNTAX, "an area light has at most %d points", AREA_MOST);
+}
+
+/* All points are tested whatever `adaptive` says: what it leaves out may be what a small object hides. */
+static void skip_adaptive(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)self;
+    (void)keyword;
+    value_number(in);
+}
+
+static void set(pov_reader *in, light *l, uint32_t flag, bool has_value)
+{
+    if (has_value && value_optional(in, 1.0) == 0.0)
+        l->flags &= ~flag;
+    else
+        l->flags |= flag;
+}
+
+static void read_flag(pov_reader *in, void *self, keyword_id keyword)
+{
+    light *l = light_of(self);
+
+    switch (keyword) {
+    case KEYWORD_SHADOWLESS:
+        set(in, l, LIGHT_SHADOWLESS, false);
+        break;
+    case KEYWORD_JITTER:
+        set(in, l, LIGHT_JITTER, false);
+        break;
+    case KEYWORD_CIRCULAR:
+        set(in, l, LIGHT_CIRCULAR, false);
+        break;
+    case KEYWORD_ORIENT:
+        set(in, l, LIGHT_ORIENT, false);
+        break;
+    default:
+        set(in, l, LIGHT_AREA_ILLUMINATION, true);
+    }
+}
+
+static const item_list shown_items = { "an object that looks like the light", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+
+/* An object that is seen where the light is, and hides none of it. */
+static void read_looks_like(pov_reader *in, void *self, keyword_id keyword)
+{
+    light_reading *r = self;
+    object_parsed shown;
+    block b;
+
+    (void)keyword;
+    items_open(in, &b);
+    if (!parse_object_try(in, &shown)) {
+        report_expected(in, "an object");
+    } else {
+        parse_append_translation(in, &shown.map, r->out->light.position);
+        shown.surface.moves++;
+        shown.flags |= LEAF_NO_SHADOW;
+        r->out->first = parse_keep(in, &shown);
+    }
+    items_close(in, &b, &shown_items, self);
+}
+
+static const keyword_id quiet[] = { KEYWORD_PHOTONS, KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_PROJECTED_THROUGH, KEYWORD_OTHER };
+static const item items[] = {
+    PARSE_MOVES(move_light),               { KEYWORD_SPOTLIGHT, read_type },       { KEYWORD_CYLINDER, read_type },
+    { KEYWORD_PARALLEL, read_type },       { KEYWORD_POINT_AT, read_point_at },    { KEYWORD_RADIUS, read_number },
+    { KEYWORD_FALLOFF, read_number },      { KEYWORD_TIGHTNESS, read_number },     { KEYWORD_FADE_DISTANCE, read_number },
+    { KEYWORD_FADE_POWER, read_number },   { KEYWORD_AREA_LIGHT, read_area },      { KEYWORD_ADAPTIVE, skip_adaptive },
+    { KEYWORD_SHADOWLESS, read_flag },     { KEYWORD_JITTER, read_flag },          { KEYWORD_CIRCULAR, read_flag },
+    { KEYWORD_ORIENT, read_flag },         { KEYWORD_AREA_ILLUMINATION, read_flag }, { KEYWORD_LOOKS_LIKE, read_looks_like },
 };
+static const item_list list = { "a modifier of the light", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
+
+static void begin(light_reading *r, object_parsed *out)
+{
+    r->out = out;
+    r->angles[0] = r->angles[1] = NAN;
+    r->is_parallel = false;
+    out->point_at = pov_vec3_of(0.0, 0.0, 1.0);
+}
+
+static double given(double angle, double otherwise) { return isnan(angle) ? otherwise : angle; }
+
+/* What the words mean together, in whatever order they came. */
+static void conclude(light_reading *r)
+{
+    const double degree = 3.14159265358979323846 / 180.0;
+    light *l = light_of(r);
+
+    if (r->is_parallel && l->type != LIGHT_CYLINDER)
+        l->type = LIGHT_PARALLEL;
+    if (l->type == LIGHT_SPOT) {
+        l->radius = cos(degree * given(r->angles[0], 30.0));
+        l->falloff = cos(degree * given(r->angles[1], 45.0));
+    } else if (l->type == LIGHT_CYLINDER) {
+        l->radius = given(r->angles[0], 0.75);
+        l->falloff = given(r->angles[1], 1.0);
+    }
+}
 
 /* The colour stands behind the position, as in POV-Ray. */
 void parse_light(pov_reader *in, object_parsed *out)
 {
-    static const item items[] = { PARSE_MOVES(move_light) };
-    static const item_list list = { "a transformation", ITEMS(items), NULL, NULL, coming, VALUE_NOTHING, NULL };
+    light_reading r;
     place at = in->last;
     block b;
 
+    begin(&r, out);
     out->kind = OBJECT_LIGHT;
     out->light.type = LIGHT_POINT;
     out->leaf.line = (uint32_t)at.line;
@@ -29,7 +202,7 @@ void parse_light(pov_reader *in, object_parsed *out)
     items_open(in, &b);
     if (parse_object_follows(in)) {
         parse_object_try(in, out);
-        items_close(in, &b, &list, out);
+        items_close(in, &b, &list, &r);
         return;
     }
     out->light.position = value_vector(in);
@@ -38,5 +211,6 @@ void parse_light(pov_reader *in, object_parsed *out)
         out->light.color = value_colour(in, true).colour;
     else if (in->token.kind == '}')
         report_warn(in, &at, "a light without a colour is black");
-    items_close(in, &b, &list, out);
+    items_close(in, &b, &list, &r);
+    conclude(&r);
 }

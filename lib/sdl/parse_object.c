@@ -90,7 +90,7 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
         o->flags &= ~(uint32_t)LEAF_HOLLOW;
 }
 
-static object_parsed *keep(pov_reader *in, const object_parsed *o)
+object_parsed *parse_keep(pov_reader *in, const object_parsed *o)
 {
     object_parsed *kept = in->failed ? NULL : arena_alloc(&in->members, sizeof *kept, sizeof(double));
 
@@ -118,7 +118,7 @@ static void read_clips(pov_reader *in, void *self, keyword_id keyword)
     while (!in->failed && parse_object_try(in, &member)) {
         member.since = o->map;
         member.next = o->clips;   /* what is there may be a named object's as well */
-        o->clips = keep(in, &member);
+        o->clips = parse_keep(in, &member);
     }
     items_close(in, &b, &clip_items, o);
 }
@@ -261,7 +261,7 @@ static void read_members(pov_reader *in, object_parsed *o)
     object_parsed **end = &o->first, member;
 
     while (!in->failed && parse_object_try(in, &member)) {
-        *end = keep(in, &member);
+        *end = parse_keep(in, &member);
         if (*end)
             end = &(*end)->next;
     }

@@ -169,6 +169,13 @@ static const transform *invert(pov_reader *in, const transform *list)
     return inverse;
 }
 
+void parse_append_translation(pov_reader *in, const transform **list, pov_vec3 by)
+{
+    const double numbers[3] = { by.x, by.y, by.z };
+
+    append(in, list, TRANSFORM_TRANSLATE, numbers);
+}
+
 /* ---- transform { } ---- */
 
 typedef struct transform_parsed { const transform *map; bool is_inverse; } transform_parsed;

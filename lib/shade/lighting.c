@@ -84,28 +84,49 @@ static void name_sides(lighting *l, const vec_lanes *dir)
     }
 }
 
-/* The mean transmittance to all samples of a light source; the rays to the first are aimed already. */
-static uint64_t trace_samples(lighting *l, const scene_light *from, uint32_t samples, colour *through)
+/* Directions to the k-th point of an area light. */
+static void aim_at_point(const lighting *l, const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to,
+                         light_lanes *in)
+{
+    (void)l;
+    if (from->light->flags & (LIGHT_JITTER | LIGHT_ORIENT)) {
+        grid_aim(from->light, from->grid, k, at, to, &in->dir);
+        in->tmax = 1.0;
+    } else {
+        const light_origin origin = grid_origin(from->light, from->grid, k);
+
+        from->class->incident(from->light, &origin, at, in);
+    }
+}
+
+static light_points points_of(const lighting *l)
 {
     const geometry *g = &l->on->geometry;
     const light_points at = { &g->to.point, &g->to.point_lo, l->on->count };
-    const float share = 1.0f / (float)samples;
+
+    return at;
+}
+
+/* The mean transmittance to all points of an area light; `to` are the directions to its middle. */
+static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
+{
+    const light_points at = points_of(l);
     uint64_t lit = 0;
 
     for (uint32_t i = 0; i < l->count; i++)
         through[i] = colour_of(0.0f, 0.0f, 0.0f);
-    for (uint32_t k = 0; k < samples; k++) {
+    for (uint32_t k = 0; k < from->grid->count; k++) {
         colour some[BATCH_MAX];
         light_lanes in;
 
-        from->class->sample(from->light, k, &at, &in);
+        aim_at_point(l, from, k, &at, to, &in);
         name_sides(l, &in.dir);
         for (uint32_t i = 0; i < l->count; i++)
             l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
         for (uint64_t some_lit = trace(l, in.tmax, some); some_lit; some_lit &= some_lit - 1) {
             const uint32_t i = first_of64(some_lit);
 
-            through[i] = colour_add(through[i], colour_scale(some[i], share));
+            through[i] = colour_add(through[i], colour_scale(some[i], from->grid->points[k].weight));
             lit |= (uint64_t)1 << i;
         }
     }
@@ -115,16 +136,15 @@ static uint64_t trace_samples(lighting *l, const scene_light *from, uint32_t sam
 
 static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
 
-static void add_visible(lighting *l, const scene_light *from, const light_sample *s, double tmax)
+static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
 {
-    const uint32_t samples = from->class->samples(from->light);
     colour through[BATCH_MAX];
 
-    if (!l->context->scene->plan->shadows)
+    if (!l->context->scene->plan->shadows || (from->light->flags & LIGHT_SHADOWLESS))
         for (uint32_t i = 0; i < l->count; i++)
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else
-        for (uint64_t lit = samples == 1 ? trace(l, tmax, through) : trace_samples(l, from, samples, through); lit;
+        for (uint64_t lit = from->grid ? trace_area(l, from, &in->dir, through) : trace(l, in->tmax, through); lit;
              lit &= lit - 1) {
             const uint32_t i = first_of64(lit);
 
@@ -132,12 +152,37 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         }
 }
 
+/* What an area light would give if it were not occluded: the mean over its points. */
+static void reflect_area(lighting *l, const scene_light *from, light_sample *s, const light_lanes *middle, uint32_t n)
+{
+    const light_points at = points_of(l);
+    const float share = 1.0f / (float)from->grid->count;
+    light_lanes in = *middle;
+    light_sample one;
+
+    for (uint32_t i = 0; i < n; i++)
+        s->red[i] = s->green[i] = s->blue[i] = 0.0f;
+    for (uint32_t k = 0; k < from->grid->count; k++) {
+        aim_at_point(l, from, k, &at, &middle->dir, &in);
+        brdf_cosines(&one, &l->on->geometry, &in.dir, n);
+        brdf_reflect(&l->finishes, l->context->scene->model, &one, &in, true, n);
+        for (uint32_t i = 0; i < n; i++) {
+            s->red[i] += one.front[i] ? share * one.red[i] : 0.0f;
+            s->green[i] += one.front[i] ? share * one.green[i] : 0.0f;
+            s->blue[i] += one.front[i] ? share * one.blue[i] : 0.0f;
+        }
+    }
+    for (uint32_t i = 0; i < n; i++)
+        s->front[i] = s->contributes[i] = !colour_is_black(brdf_at(s, i));
+}
+
 /* Add the light of one source to the lit surfaces. */
 static void add_light_source(lighting *l, const scene_light *from)
 {
     shade_context *c = l->context;
     const geometry *g = &l->on->geometry;
-    const light_points at = { &g->to.point, &g->to.point_lo, l->on->count };
+    const light_origin origin = light_own_origin(from->light);
+    const light_points at = points_of(l);
     const uint32_t n = lanes_whole(at.n);
     const bool sided = geometry_is_bent(g) || brdf_has_back(&l->finishes);
     uint32_t front;
@@ -145,18 +190,20 @@ static void add_light_source(lighting *l, const scene_light *from)
     light_lanes in;
     bool named;
 
-    from->class->sample(from->light, 0, &at, &in);
+    from->class->incident(from->light, &origin, &at, &in);
     named = brdf_cosines(&s, g, &in.dir, n) || sided;
     if (sided)
         name_sides(l, &in.dir);
     else if (named)
         name_origins(l, s.cosine);
-    brdf_reflect(&l->finishes, c->scene->model, &s, &in, true, n);
+    brdf_reflect(&l->finishes, c->scene->model, &s, &in, !(from->light->flags & LIGHT_SHADOWLESS), n);
+    if (from->grid && (from->light->flags & LIGHT_AREA_ILLUMINATION))
+        reflect_area(l, from, &s, &in, n);
     front = aim(l, &s, &in.dir);
     c->counts.shadow_behind += l->finishes.count - front;
     c->counts.shadow_idle += front - l->count;
     if (l->count > 0)
-        add_visible(l, from, &s, in.tmax);
+        add_visible(l, from, &s, &in);
     if (named)
         name_origins(l, NULL);
     c->failed = c->failed || query_context_failed(c->context);

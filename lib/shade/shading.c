@@ -10,14 +10,23 @@ static bool make_appearances(shading *s, const model *m)
     return s->appearances || m->materials.count == 0;
 }
 
+static bool make_light(scene_light *out, const env *e, const light *l)
+{
+    const bool is_area = (l->flags & LIGHT_AREA) && l->area.counts[0] * l->area.counts[1] > 1;
+
+    out->light = l;
+    out->class = light_class_of(l);
+    out->grid = is_area ? grid_create(e, l) : NULL;
+    return out->grid || !is_area;
+}
+
 static bool make_lights(shading *s, const model *m)
 {
     s->light_count = m->lights.count;
     s->lights = env_alloc(m->env, s->light_count, sizeof *s->lights);
-    for (size_t i = 0; s->lights && i < s->light_count; i++) {
-        s->lights[i].light = &m->lights.items[i];
-        s->lights[i].class = light_class_of(s->lights[i].light);
-    }
+    for (size_t i = 0; s->lights && i < s->light_count; i++)
+        if (!make_light(&s->lights[i], m->env, &m->lights.items[i]))
+            return false;
     return s->lights || s->light_count == 0;
 }
 
@@ -44,6 +53,8 @@ void shading_destroy(shading *s)
     if (!s)
         return;
     env_free(s->model->env, s->appearances);
+    for (size_t i = 0; s->lights && i < s->light_count; i++)
+        env_free(s->model->env, s->lights[i].grid);
     env_free(s->model->env, s->lights);
     env_free(s->model->env, s);
 }

@@ -2,11 +2,12 @@
 #ifndef SHADE_SHADING_H
 #define SHADE_SHADING_H
 
-#include "light/light.h"
+#include "light/grid.h"
 #include "shade/appearance.h"
 #include "world/world.h"
 
-typedef struct scene_light { const light_class *class; const light *light; } scene_light;
+/* grid NULL: it is no area light. */
+typedef struct scene_light { const light_class *class; const light *light; light_grid *grid; } scene_light;
 
 /* Never changes once it is made: many threads read one. */
 typedef struct shading {

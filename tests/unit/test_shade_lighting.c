@@ -1,38 +1,15 @@
-/* Light sources of several samples, and shading normals that are not those of the surface. */
+/* Area lights, and shading normals that are not those of the surface. */
 #include "shade/scatter.h"
 #include "support/near.h"
 #include "support/tiny.h"
 
-/* ---- several samples ---- */
+/* ---- area lights ---- */
 
-/* Two lamps side by side, each with the incident light that its own lane number gives. */
-static uint32_t two(const light *l)
-{
-    (void)l;
-    return 2;
-}
-
-static void sample_two(const light *l, uint32_t k, const light_points *at, light_lanes *out)
-{
-    const double side = k == 0 ? -1.0 : 1.0;
-
-    out->tmax = 1.0;
-    out->uniform = false;
-    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
-        const pov_vec3 to = pov_add(l->position, pov_vec3_of(side, 0.0, 0.0));
-
-        lanes_put(&out->dir, i, pov_sub(to, lanes_at(at->point, i)));
-        out->red[i] = 1.0f;
-        out->green[i] = 0.5f * (float)i;
-        out->blue[i] = 0.25f;
-    }
-}
-
-static const light_class two_samples = { two, sample_two };
-
-static colour see_two(double screen_x, colour through)
+/* A row of `count` points from (-1, 0, 1) to (1, 0, 1), seen from (0, 0, 5); half way there a small sphere. */
+static colour see_row(uint32_t count, double screen_x, colour through)
 {
     material m = tiny_glass(1.0);
+    light *l;
     colour seen;
     tiny s;
 
@@ -41,26 +18,33 @@ static colour see_two(double screen_x, colour through)
     m.transmit = 0.0f;
     m.filter = 1.0f;
     m.pigment = through;
-    /* Half way to the lamps at (-1, 0, 1) and (1, 0, 1), from the point (0, 0, 5). */
     tiny_sphere(&s, screen_x, 0, 3, 0.1, m);
-    tiny_light(&s, 0, 0, 1, 1.0f, 1.0f, 1.0f);
+    tiny_light(&s, 0, 0, 1, 1.0f, 0.5f, 0.25f);
+    l = &s.model.lights.items[0];
+    l->flags = LIGHT_AREA;
+    l->area.axes[0] = pov_vec3_of(2.0, 0.0, 0.0);
+    l->area.counts[0] = count;
+    l->area.counts[1] = 1;
     tiny_build(&s);
-    s.shading->lights[0].class = &two_samples;
     seen = tiny_trace(&s, pov_vec3_of(0, 3, 2), 0, -1, 1);
     tiny_end(&s);
     return seen;
 }
 
-static void what_a_surface_sees_of_a_light_is_the_mean_over_its_samples(void **state)
+static void what_a_surface_sees_of_an_area_is_the_weighted_mean_over_its_points(void **state)
 {
-    const float lit = 0.6f * (float)(4.0 / sqrt(17.0));
+    const float lit = 0.6f;
     (void)state;
 
-    assert_colour(see_two(100.0, colour_of(0, 0, 0)), lit, 0.0, 0.25 * lit, 1e-6);
-    assert_colour(see_two(-0.5, colour_of(0, 0, 0)), 0.5 * lit, 0.0, 0.125 * lit, 1e-6);
-    assert_colour(see_two(0.5, colour_of(0, 0, 0)), 0.5 * lit, 0.0, 0.125 * lit, 1e-6);
+    assert_colour(see_row(2, 100.0, colour_of(0, 0, 0)), lit, 0.5 * lit, 0.25 * lit, 1e-6);
+    assert_colour(see_row(2, -0.5, colour_of(0, 0, 0)), 0.5 * lit, 0.25 * lit, 0.125 * lit, 1e-6);
+    assert_colour(see_row(2, 0.5, colour_of(0, 0, 0)), 0.5 * lit, 0.25 * lit, 0.125 * lit, 1e-6);
+    /* The middle one of three has half of the weight, and one of seven has a quarter. */
+    assert_colour(see_row(3, 0.0, colour_of(0, 0, 0)), 0.5 * lit, 0.25 * lit, 0.125 * lit, 1e-6);
+    assert_colour(see_row(3, 0.5, colour_of(0, 0, 0)), 0.75 * lit, 0.375 * lit, 0.1875 * lit, 1e-6);
+    assert_colour(see_row(7, 0.0, colour_of(0, 0, 0)), 0.75 * lit, 0.375 * lit, 0.1875 * lit, 1e-6);
     /* A sphere is crossed twice. */
-    assert_colour(see_two(0.5, colour_of(0.5f, 0, 1)), 0.5 * lit * 1.25, 0.0, 0.25 * lit, 1e-6);
+    assert_colour(see_row(2, 0.5, colour_of(0.5f, 0, 1)), 0.5 * lit * 1.25, 0.25 * lit, 0.25 * lit, 1e-6);
 }
 
 /* ---- bent normals ---- */
@@ -154,7 +138,7 @@ static void a_mirrored_ray_stays_before_the_surface(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_a_surface_sees_of_a_light_is_the_mean_over_its_samples),
+        cmocka_unit_test(what_a_surface_sees_of_an_area_is_the_weighted_mean_over_its_points),
         cmocka_unit_test(diffuse_light_goes_by_the_shading_normal),
         cmocka_unit_test(light_from_behind_the_surface_is_told_by_the_geometric_normal),
         cmocka_unit_test(a_mirrored_ray_stays_before_the_surface),

@@ -1,0 +1,105 @@
+#include "light/aim.h"
+
+#include "base/elementary.h"
+#include "base/simd.h"
+
+#include <povtrace/exact.h>
+
+/* ---- directions ---- */
+
+/* Vector from a point to the light along one axis, rounded once: both ends are double-double, so that a light may be
+ * near or far. A light without a low part takes fewer operations for the same bits. */
+static inline double towards(double l, double l_lo, double p, double p_lo, bool low)
+{
+    pov_two dir;
+
+    if (low)
+        return pov_two_sub(pov_two_of(l, l_lo), pov_two_of(p, p_lo)).hi;
+    dir = pov_two_sum(l, -p);
+    return dir.hi + (dir.lo + (0.0 - p_lo));
+}
+
+static inline void aim_all(const light_origin *restrict l, const vec_lanes *restrict point,
+                           const vec_lanes *restrict point_lo, uint32_t n, vec_lanes *restrict dir, bool low)
+{
+    const pov_vec3 at = l->from, at_lo = l->from_lo;
+
+    for (uint32_t i = 0; i < n; i++) {
+        dir->x[i] = towards(at.x, at_lo.x, point->x[i], point_lo->x[i], low);
+        dir->y[i] = towards(at.y, at_lo.y, point->y[i], point_lo->y[i], low);
+        dir->z[i] = towards(at.z, at_lo.z, point->z[i], point_lo->z[i], low);
+    }
+}
+
+SIMD_CLONES static void aim_plain(const light_origin *restrict l, const vec_lanes *restrict point,
+                                  const vec_lanes *restrict point_lo, uint32_t n, vec_lanes *restrict dir)
+{
+    aim_all(l, point, point_lo, n, dir, false);
+}
+
+SIMD_CLONES static void aim_low(const light_origin *restrict l, const vec_lanes *restrict point,
+                                const vec_lanes *restrict point_lo, uint32_t n, vec_lanes *restrict dir)
+{
+    aim_all(l, point, point_lo, n, dir, true);
+}
+
+void light_aim(const light_origin *from, const light_points *at, vec_lanes *dir)
+{
+    const pov_vec3 lo = from->from_lo;
+
+    if (lo.x != 0.0 || lo.y != 0.0 || lo.z != 0.0)
+        aim_low(from, at->point, at->point_lo, lanes_whole(at->n), dir);
+    else
+        aim_plain(from, at->point, at->point_lo, lanes_whole(at->n), dir);
+}
+
+void light_aim_parallel(const light *l, const light_origin *from, const light_points *at, vec_lanes *dir, double *distance)
+{
+    const double hardly = 0x1p-100;
+
+    light_aim(from, at, dir);
+    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
+        const double d = -pov_dot(lanes_at(dir, i), l->axis);
+
+        distance[i] = d;
+        lanes_put(dir, i, pov_scale(l->axis, d > hardly ? -d : -hardly));
+    }
+}
+
+/* ---- colours ---- */
+
+/* Of a light without fading the loop is not computed for it. */
+static inline void dim(const light *restrict l, const double *restrict factor, const double *restrict distance, uint32_t n, light_lanes *restrict out,
+                       bool fades)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double course = fades ? elementary_pow(fabs(distance[i]) / l->fade_distance, l->fade_power) : 0.0;
+        const float by = (float)(fades ? factor[i] * 2.0 / (1.0 + course) : factor[i]);
+
+        out->red[i] = l->color.r * by;
+        out->green[i] = l->color.g * by;
+        out->blue[i] = l->color.b * by;
+    }
+}
+
+SIMD_CLONES static void dim_plain(const light *restrict l, const double *restrict factor, const double *restrict distance,
+                                  uint32_t n, light_lanes *restrict out)
+{
+    dim(l, factor, distance, n, out, false);
+}
+
+SIMD_CLONES static void dim_fading(const light *restrict l, const double *restrict factor, const double *restrict distance,
+                                   uint32_t n, light_lanes *restrict out)
+{
+    dim(l, factor, distance, n, out, true);
+}
+
+void light_dim(const light *l, const double *factor, const double *distance, uint32_t n, light_lanes *out)
+{
+    out->uniform = false;
+    out->color = l->color;
+    if (light_fades(l))
+        dim_fading(l, factor, distance, lanes_whole(n), out);
+    else
+        dim_plain(l, factor, distance, lanes_whole(n), out);
+}

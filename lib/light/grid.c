@@ -1,0 +1,128 @@
+#include "light/grid.h"
+
+#include "base/elementary.h"
+
+#include <povtrace/exact.h>
+
+/* ---- weights ---- */
+
+/* POV-Ray halves the grid again and again, and gives a quarter of the weight to each part; where a number of points is
+ * odd those in the middle belong to two parts, or four. */
+static void share_out(light_grid *g, const uint32_t *counts, const uint32_t *first, const uint32_t *last, double weight)
+{
+    const uint32_t middle[2][2] = { { (first[0] + last[0]) / 2, (first[0] + last[0] + 1) / 2 },
+                                    { (first[1] + last[1]) / 2, (first[1] + last[1] + 1) / 2 } };
+    const bool is_cell = last[0] - first[0] < 2 && last[1] - first[1] < 2;
+
+    for (int part = 0; part < 4; part++) {
+        const int far_u = part & 1, far_v = part >> 1;
+
+        if (is_cell) {
+            g->points[(far_v ? last[1] : first[1]) * counts[0] + (far_u ? last[0] : first[0])].weight += (float)(weight / 4.0);
+        } else {
+            const uint32_t from[2] = { far_u ? middle[0][1] : first[0], far_v ? middle[1][1] : first[1] };
+            const uint32_t to[2] = { far_u ? last[0] : middle[0][0], far_v ? last[1] : middle[1][0] };
+
+            share_out(g, counts, from, to, weight / 4.0);
+        }
+    }
+}
+
+/* From the square -1/2..1/2 to the disc of diameter 1: squares become circles. */
+static void round_off(grid_point *p)
+{
+    const double most = fmax(fabs(p->u), fabs(p->v)), length = sqrt(p->u * p->u + p->v * p->v);
+
+    if (length > 0.0) {
+        p->u *= most / length;
+        p->v *= most / length;
+    }
+}
+
+static double along(uint32_t i, uint32_t count) { return count > 1 ? (double)i / (double)(count - 1) - 0.5 : 0.0; }
+
+light_grid *grid_create(const env *e, const light *l)
+{
+    const uint32_t *counts = l->area.counts, first[2] = { 0, 0 }, last[2] = { counts[0] - 1, counts[1] - 1 };
+    const size_t count = (size_t)counts[0] * counts[1];
+    light_grid *g = env_alloc(e, 1, sizeof *g + count * sizeof *g->points);
+
+    if (!g)
+        return NULL;
+    g->count = (uint32_t)count;
+    for (uint32_t k = 0; k < g->count; k++) {
+        g->points[k].u = along(k % counts[0], counts[0]);
+        g->points[k].v = along(k / counts[0], counts[1]);
+        if (l->flags & (LIGHT_CIRCULAR | LIGHT_ORIENT))
+            round_off(&g->points[k]);
+    }
+    share_out(g, counts, first, last, 1.0);
+    return g;
+}
+
+/* ---- directions ---- */
+
+/* The bits of a point, mixed: a number that is as good as random. */
+static uint64_t mix(pov_vec3 point, uint32_t k)
+{
+    const double numbers[3] = { point.x, point.y, point.z };
+    uint64_t bits = k + 1;
+
+    for (int i = 0; i < 3; i++) {
+        bits = (bits ^ elementary_bits(numbers[i])) * 0x9E3779B97F4A7C15u;
+        bits ^= bits >> 29;
+    }
+    bits *= 0xBF58476D1CE4E5B9u;
+    return bits ^ bits >> 32;
+}
+
+/* Up to half a step of the grid to both sides. */
+static double moved(double at, uint32_t count, uint64_t bits)
+{
+    return count > 1 ? at + ((double)(bits & 0xffffff) * 0x1p-24 - 0.5) / (double)(count - 1) : at;
+}
+
+/* Two axes across a direction, of the length of the first axis. */
+static void turn(const light *l, pov_vec3 to, pov_vec3 axes[2])
+{
+    const double size = sqrt(pov_dot(l->area.axes[0], l->area.axes[0]));
+    const pov_vec3 across = fabs(to.y) < 0.9 ? pov_vec3_of(0.0, 1.0, 0.0) : pov_vec3_of(1.0, 0.0, 0.0);
+    const pov_vec3 right = pov_unit(pov_cross_product(across, to));
+
+    axes[0] = pov_scale(right, size);
+    axes[1] = pov_scale(pov_cross_product(to, right), size);
+}
+
+void grid_aim(const light *l, const light_grid *g, uint32_t k, const light_points *at, const vec_lanes *to, vec_lanes *dir)
+{
+    pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
+
+    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
+        grid_point p = g->points[k];
+
+        if (l->flags & LIGHT_JITTER) {
+            const uint64_t bits = mix(lanes_at(at->point, i), k);
+
+            p.u = moved(p.u, l->area.counts[0], bits);
+            p.v = moved(p.v, l->area.counts[1], bits >> 32);
+        }
+        if (l->flags & LIGHT_ORIENT)
+            turn(l, pov_unit(lanes_at(to, i)), axes);
+        lanes_put(dir, i, pov_add(lanes_at(to, i), pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v))));
+    }
+}
+
+light_origin grid_origin(const light *l, const light_grid *g, uint32_t k)
+{
+    const pov_vec3 move = pov_add(pov_scale(l->area.axes[0], g->points[k].u), pov_scale(l->area.axes[1], g->points[k].v));
+    const pov_two3 p = pov_two3_of(l->position, l->position_lo);
+    pov_two3 q;
+    light_origin out;
+
+    q.x = pov_two_add(p.x, pov_two_of(move.x, 0.0));
+    q.y = pov_two_add(p.y, pov_two_of(move.y, 0.0));
+    q.z = pov_two_add(p.z, pov_two_of(move.z, 0.0));
+    out.from = pov_two3_hi(q);
+    out.from_lo = pov_two3_lo(q);
+    return out;
+}
