@@ -1,3 +1,4 @@
+#include "sdl/noise.h"
 #include "sdl/parse.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
@@ -101,6 +102,8 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_NOISE_GENERATOR, read_noise_generator },
         { KEYWORD_NUMBER_OF_WAVES, read_number_of_waves },
         { KEYWORD_IRID_WAVELENGTH, read_irid_wavelength },
+        { KEYWORD_NOISE_GENERATOR, noise_read_generator },
+        { KEYWORD_NUMBER_OF_WAVES, noise_read_waves },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 
@@ -162,4 +165,5 @@ void parse_settings_finish(pov_reader *in)
         m->noise_generator = 1;
     m->opaque_last_level = is_povray;
     finish_gamma(in, is_new);
+    noise_finish(in);
 }

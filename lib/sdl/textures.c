@@ -1,5 +1,6 @@
 #include "sdl/textures.h"
 
+#include "sdl/noise.h"
 #include "texture/pattern.h"
 
 #include <string.h>
@@ -192,8 +193,8 @@ static void settle_pattern(pov_reader *in, const pattern *p)
 
     if (!p || in->failed)
         return;
-    if (pattern_needs_noise(p) && !in->model->noise && !(in->model->noise = noise_create(in->model->env)))
-        report_memory(in);
+    if (pattern_needs_noise(p))
+        noise_of(in);
     parsed = textures_parsed(p);
     if (!parsed->moves || p->map || in->failed)
         return;

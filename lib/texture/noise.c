@@ -424,17 +424,18 @@ static void fill_waves(const noise_tables *t, uint32_t count, noise_wave *out)
     }
 }
 
-bool noise_want_waves(const env *e, noise_tables *t, uint32_t count)
+bool noise_want_waves(noise_tables *t, arena *memory, uint32_t count)
 {
-    noise_wave *grown = count > t->waves ? env_resize(e, t->wave, count, sizeof *grown) : t->wave;
+    noise_wave *more;
 
-    if (!grown)
+    if (count <= t->waves)
+        return true;
+    more = arena_alloc(memory, count * sizeof *more, sizeof(double));
+    if (!more)
         return false;
-    t->wave = grown;
-    if (count > t->waves) {
-        fill_waves(t, count, grown);
-        t->waves = count;
-    }
+    fill_waves(t, count, more);
+    t->wave = more;
+    t->waves = count;
     return true;
 }
 
@@ -449,15 +450,8 @@ noise_tables *noise_create(const env *e)
     fill_hash(t);
     fill_generator_3(t);
     fill_cells(t);
-    if (noise_want_waves(e, t, NOISE_WAVES))
-        return t;
-    noise_destroy(e, t);
-    return NULL;
-}
-
-void noise_destroy(const env *e, noise_tables *t)
-{
-    if (t)
-        env_free(e, t->wave);
-    env_free_aligned(e, t);
+    fill_waves(t, NOISE_WAVES, t->few);
+    t->wave = t->few;
+    t->waves = NOISE_WAVES;
+    return t;
 }

@@ -5,7 +5,7 @@
 #ifndef TEXTURE_NOISE_H
 #define TEXTURE_NOISE_H
 
-#include "base/env.h"
+#include "base/arena.h"
 #include "base/lanes.h"
 #include "model/warp.h"
 
@@ -23,17 +23,17 @@ typedef struct noise_tables {
     uint16_t hash[NOISE_HASH];                           /* a permutation */
     uint16_t order[NOISE_GRADIENTS];                     /* of generator 3 */
     uint8_t last[NOISE_HASH];                            /* the low bits of hash: where measured numbers begin */
-    uint32_t waves;
-    noise_wave *wave;                                    /* the sources of ripples and waves, NOISE_WAVES at least */
+    noise_wave few[NOISE_WAVES];
+    uint32_t waves;                                      /* sources of ripples and waves, NOISE_WAVES at least */
+    const noise_wave *wave;                              /* the few, or in a scene's memory */
 } noise_tables;
 
 extern const double noise_measured[NOISE_MEASURED];
 
-/* NULL when memory ends. */
+/* From env_alloc_aligned(); NULL when memory ends. */
 noise_tables *noise_create(const env *e);
-void noise_destroy(const env *e, noise_tables *t);
 /* Make at least so many sources of ripples and waves. False when memory ends. */
-bool noise_want_waves(const env *e, noise_tables *t, uint32_t count);
+bool noise_want_waves(noise_tables *t, arena *memory, uint32_t count);
 
 /* The hash of a cube by its lowest corner, 0 to NOISE_HASH - 1. */
 static inline uint32_t noise_hash(const noise_tables *t, int32_t x, int32_t y, int32_t z)

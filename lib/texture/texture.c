@@ -1,4 +1,5 @@
 #include "texture/blend.h"
+#include "texture/normal.h"
 #include "texture/points.h"
 
 /* Lanes of a node, which of the caller's they are, and their shares. */
@@ -18,15 +19,24 @@ static const texture *const *layers_of(const texture *const *of, uint32_t *count
 
 /* ---- terms ---- */
 
-static void put(const texture_points *points, const part *p, uint32_t i, const texture *layer, const pigment *value,
+static void put(const part *p, uint32_t i, const texture *layer, const pigment *value, const vec_lanes *normal,
                 texture_term *out)
 {
     out->lane = p->lane[i];
     out->share = p->share[i];
     out->pigment = *value;
     out->finish = &layer->finish;
-    out->bent = false;
-    out->normal = points->has_surface ? lanes_at(&points->normal, i) : pov_vec3_of(0.0, 0.0, 0.0);
+    out->bent = layer->normal != NULL;
+    out->normal = lanes_at(normal, i);
+}
+
+/* Without a surface there is no normal. */
+static void find_normals(const model *m, const texture *layer, const texture_points *points, uint32_t n, vec_lanes *out)
+{
+    for (uint32_t i = 0; i < n; i++)
+        lanes_put(out, i, points->has_surface ? lanes_at(&points->normal, i) : pov_vec3_of(0.0, 0.0, 0.0));
+    if (layer->normal && points->has_surface)
+        normal_eval(m, layer->normal, points, n, out);
 }
 
 /* The terms of each lane follow one another, from the top. */
@@ -35,15 +45,17 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
     uint32_t count;
     const texture *const *layers = layers_of(&of, &count);
     pigment pigments[LANES_MAX];
+    vec_lanes normals;
 
     for (uint32_t k = 0; k < count; k++) {
         const texture *layer = layers[count - 1 - k];
 
         pigment_eval(t->model, layer->pigment, points, p->n, pigments);
+        find_normals(t->model, layer, points, p->n, &normals);
         for (uint32_t i = 0; i < p->n; i++) {
             texture_term *out = &t->items[t->count + i * count + k];
 
-            put(points, p, i, layer, &pigments[i], out);
+            put(p, i, layer, &pigments[i], &normals, out);
             out->first = k == 0;
         }
     }

@@ -16,7 +16,7 @@ static void drop(noise_tables *t)
     env e;
 
     env_init(&e, NULL, NULL, NULL);
-    noise_destroy(&e, t);
+    env_free_aligned(&e, t);
 }
 
 static void fill(const samples *s, vec_lanes *at)
@@ -132,18 +132,21 @@ static void more_waves_have_the_same_first_ten(void **state)
 {
     noise_tables *t = make();
     noise_wave first[NOISE_WAVES];
+    arena memory;
     env e;
     (void)state;
 
     env_init(&e, NULL, NULL, NULL);
+    arena_init(&memory, &e);
     assert_int_equal(t->waves, NOISE_WAVES);
     assert_near(t->wave[0].frequency, 0.919115878780, 1e-12);
     for (int i = 0; i < NOISE_WAVES; i++)
         assert_near(pov_dot(t->wave[i].source, t->wave[i].source), 1.0, 1e-15);
     memcpy(first, t->wave, sizeof first);
-    assert_true(noise_want_waves(&e, t, 5) && t->waves == NOISE_WAVES);
-    assert_true(noise_want_waves(&e, t, 500) && t->waves == 500);
+    assert_true(noise_want_waves(t, &memory, 5) && t->waves == NOISE_WAVES);
+    assert_true(noise_want_waves(t, &memory, 500) && t->waves == 500);
     assert_memory_equal(t->wave, first, sizeof first);
+    arena_free(&memory);
     drop(t);
 }
 

@@ -1,0 +1,14 @@
+/* normal.h - surface normals that patterns bend. */
+#ifndef TEXTURE_NORMAL_H
+#define TEXTURE_NORMAL_H
+
+#include "texture/texture.h"
+
+/* Unit normals of n points, of the world; they are the surface's turned against the rays, and are replaced by those
+ * that are bent. The points know their surface. */
+void normal_eval(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal);
+
+/* normal += amount * bump. */
+void normal_add(const vec_lanes *bump, double amount, uint32_t n, vec_lanes *normal);
+
+#endif
