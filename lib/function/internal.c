@@ -429,11 +429,6 @@ uint32_t internal_arguments(uint32_t number)
     return number < ROWS ? rows[number].arguments : 0;
 }
 
-bool internal_is_there(uint32_t number)
-{
-    return number < ROWS && rows[number].value;
-}
-
 static double limit(double value, double most_of_it)
 {
     return least(most_of_it, most(-most_of_it, value));

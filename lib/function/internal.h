@@ -7,8 +7,7 @@
 
 /* Arguments: x, y, z, then the parameters. 0: there is no such function. */
 uint32_t internal_arguments(uint32_t number);
-/* The noise functions are missing yet: their value is 0. */
-bool internal_is_there(uint32_t number);
+/* Noise is not this room's: its functions have the value 0 here. */
 double internal_value(uint32_t number, const double *v);
 
 #endif

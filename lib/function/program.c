@@ -107,6 +107,7 @@ double program_run(const program *p, double *r)
         case PROGRAM_TWO: r[i->to] = twos[i->c].of(a, r[i->b]); break;
         case PROGRAM_SELECT: r[i->to] = choose(&r[i->a], i->b); break;
         case PROGRAM_INTERNAL: r[i->to] = internal_value(i->b, &r[i->a]); break;
+        case PROGRAM_HOST: r[i->to] = p->hosts[i->b].value(p->hosts[i->b].self, &r[i->a], i->c); break;
         case PROGRAM_CALL: r[i->to] = call(p->callees[i->b], &r[i->a], r + p->registers); break;
         case PROGRAM_JUMP: at = i->a; break;
         case PROGRAM_JUMP_ABOVE:

@@ -16,12 +16,19 @@ typedef enum program_op {
     PROGRAM_TWO,                 /* to = two_arguments(c)(a, b) */
     PROGRAM_SELECT,              /* to = select(a, a + 1, a + 2[, a + 3]), b of them */
     PROGRAM_INTERNAL,            /* to = internal(b) of the registers from a on */
+    PROGRAM_HOST,                /* to = part c of hosts[b] of the registers from a on */
     PROGRAM_CALL,                /* to = callees[b] of the registers from a on */
     PROGRAM_JUMP,                /* to the instruction a */
     PROGRAM_JUMP_ABOVE           /* to the instruction `to` unless a <= b */
 } program_op;
 
 typedef struct instruction { uint16_t op, c; uint32_t to, a, b; } instruction;
+
+/* What others compute: noise, patterns, pigments. Any thread may ask. */
+typedef struct program_host {
+    double (*value)(const void *self, const double *arguments, uint32_t part);
+    const void *self;
+} program_host;
 
 /* Plain data, in one owner's memory. */
 typedef struct program {
@@ -32,6 +39,7 @@ typedef struct program {
     const instruction *code;
     const double *constants;
     const struct program *const *callees;
+    const program_host *hosts;
 } program;
 
 /* `registers` has capacity for program->capacity of them; the first hold the arguments. */

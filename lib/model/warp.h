@@ -21,6 +21,12 @@ static inline turbulence turbulence_default(void)
     return t;
 }
 
+/* 1 to 10, whatever is asked for. */
+static inline uint32_t turbulence_octaves(double count)
+{
+    return count >= 10.0 ? 10 : count >= 1.0 ? (uint32_t)count : 1;
+}
+
 static inline bool turbulence_is_none(const turbulence *t)
 {
     return t->amount.x == 0.0 && t->amount.y == 0.0 && t->amount.z == 0.0;

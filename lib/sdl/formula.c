@@ -4,8 +4,10 @@
 #include "function/internal.h"
 #include "sdl/expression.h"
 #include "sdl/function.h"
+#include "sdl/noise.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
+#include "texture/noise_functions.h"
 
 #include <string.h>
 
@@ -15,6 +17,7 @@ typedef struct local { const symbol *name; uint32_t at; } local;
 typedef struct local_list { local *items; size_t count, capacity; } local_list;
 typedef struct code_list { instruction *items; size_t count, capacity; } code_list;
 typedef struct constant_list { double *items; size_t count, capacity; } constant_list;
+typedef struct host_list { program_host *items; size_t count, capacity; } host_list;
 typedef struct callee_list { const program **items; size_t count, capacity; } callee_list;
 
 typedef struct compiler {
@@ -23,6 +26,7 @@ typedef struct compiler {
     code_list code;
     constant_list constants;
     callee_list callees;
+    host_list hosts;
     uint32_t next, most, capacity;   /* the first free register; behind the last one used; what callees need */
 } compiler;
 
@@ -416,11 +420,13 @@ static void conclude(compiler *c, uint32_t parameters, uint32_t result, program 
         out->code = keep(in, c->code.items, c->code.count * sizeof *c->code.items);
         out->constants = keep(in, c->constants.items, c->constants.count * sizeof *c->constants.items);
         out->callees = keep(in, c->callees.items, c->callees.count * sizeof *c->callees.items);
+        out->hosts = keep(in, c->hosts.items, c->hosts.count * sizeof *c->hosts.items);
     }
     env_free(in->model->env, c->locals.items);
     env_free(in->model->env, c->code.items);
     env_free(in->model->env, c->constants.items);
     env_free(in->model->env, (void *)c->callees.items);
+    env_free(in->model->env, c->hosts.items);
 }
 
 bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, program *out)
@@ -442,14 +448,28 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
     return !in->failed;
 }
 
+/* Noise is not a function of this room's own. */
+static void emit_host(compiler *c, noise_function *of)
+{
+    const program_host host = { of, noise_of(c->in) };
+
+    if (!c->in->failed && !VEC_PUSH(c->in->model->env, &c->hosts, host))
+        report_memory(c->in);
+    emit(c, PROGRAM_HOST, 0, 0, 0);
+}
+
 bool formula_internal(pov_reader *in, uint32_t number, program *out)
 {
+    noise_function *noise = noise_function_find(number);
     compiler c;
 
     memset(&c, 0, sizeof c);
     c.in = in;
     c.next = c.most = internal_arguments(number);
-    emit(&c, PROGRAM_INTERNAL, 0, 0, number);
+    if (noise)
+        emit_host(&c, noise);
+    else
+        emit(&c, PROGRAM_INTERNAL, 0, 0, number);
     conclude(&c, internal_arguments(number), 0, out);
     return !in->failed;
 }

@@ -67,8 +67,6 @@ static void read_internal(pov_reader *in, function *f)
     number = (uint32_t)expression_integer(expression_number(in));
     if (!in->failed && internal_arguments(number) == 0 && number != 77)
         report_fail(in, &in->value, POV_E_SYNTAX, "there is no internal function %d", (int)number);
-    if (!in->failed && !internal_is_there(number))
-        unsupported_note(in, &in->value, KEYWORD_INTERNAL, "noise in functions");
     state_close(in, ')');
     formula_internal(in, number, &f->program);
 }

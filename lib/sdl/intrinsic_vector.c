@@ -1,8 +1,9 @@
 #include "sdl/intrinsic.h"
+#include "sdl/intrinsic.h"
 
 #include "sdl/expression.h"
+#include "sdl/noise.h"
 #include "sdl/report.h"
-#include "sdl/unsupported.h"
 
 static void comma(pov_reader *in)
 {
@@ -114,18 +115,22 @@ static void read_vaxis_rotate(pov_reader *in, const intrinsic *row, value *out)
 
 static void read_vturbulence(pov_reader *in, const intrinsic *row, value *out)
 {
+    turbulence t = turbulence_default();
+    const noise_tables *noise;
+    pov_vec3 at;
+
     (void)row;
-    unsupported_note(in, &in->last, KEYWORD_VTURBULENCE, "\"vturbulence\"");
     state_open(in, '(');
-    expression_number(in);
+    t.lambda = (float)expression_number(in);
     comma(in);
-    expression_number(in);
+    t.omega = (float)expression_number(in);
     comma(in);
-    expression_number(in);
+    t.octaves = turbulence_octaves(expression_number(in));
     comma(in);
-    expression_vector(in);
+    at = expression_vector(in);
     state_close(in, ')');
-    *out = value_of_vector(pov_vec3_of(0.0, 0.0, 0.0));
+    noise = noise_of(in);
+    *out = value_of_vector(noise ? noise_vector_turbulence_at(noise, &t, at) : at);
 }
 
 #define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }

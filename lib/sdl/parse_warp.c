@@ -7,13 +7,10 @@
 
 /* ---- turbulence ---- */
 
-/* 1 to 10, whatever is asked for. */
 void parse_octaves(pov_reader *in, void *self, keyword_id keyword)
 {
-    const double count = value_number(in);
-
     (void)keyword;
-    ((turbulence *)self)->octaves = count >= 10.0 ? 10 : count >= 1.0 ? (uint32_t)count : 1;
+    ((turbulence *)self)->octaves = turbulence_octaves(value_number(in));
 }
 
 void parse_lambda(pov_reader *in, void *self, keyword_id keyword)
