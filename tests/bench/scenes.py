@@ -215,12 +215,36 @@ def moved(kind):
     return make
 
 
+STONE = 'color_map { [0 rgb <.9,.85,.7>] [.4 rgb <.7,.3,.2>] [.7 rgb <.4,.2,.3>] [1 rgb <.1,.1,.2>] }'
+WATER = 'pigment { rgb <.2,.3,.4> } finish { reflection .6 phong .3 }'
+TEXTURES = {
+    'bozo': f'pigment {{ bozo turbulence .6 {STONE} scale .3 }}',
+    'granite': f'pigment {{ granite {STONE} scale .8 }}',
+    'agate': f'pigment {{ agate {STONE} scale .5 }}',
+    'marble': f'pigment {{ marble turbulence .8 {STONE} scale .4 }}',
+    'wood': f'pigment {{ wood turbulence .1 {STONE} scale .2 rotate <20,30,0> }}',
+    'bumps': f'{WATER} normal {{ bumps .4 scale .1 }}',
+    'ripples': f'{WATER} normal {{ ripples .4 frequency 2 scale .3 }}',
+}
+
+
+def textured(kind):
+    """Spheres on a floor, all of one texture."""
+    def lay():
+        text = TEXTURES[kind]
+        yield f'box {{ <-8,-.1,-8>, <8,0,8> texture {{ {text} }} }}'
+        for x, z in product(range(5), range(5)):
+            yield f'sphere {{ <{x - 2:g},.45,{z - 2:g}>, .45 texture {{ {text} }} }}'
+    return Scene((2.0, 3.0, -5.5), (0, 0.2, 0), 42, objects=lay)
+
+
 PAIRS = ('plain', 'mirror', 'filter', 'glass', 'moved', 'light')
 MAKERS = {'flake': (flake, 4), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000), 'rings': (rings, 14),
           'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000),
           'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000)}
+TEXTURED = tuple('texture-' + kind for kind in TEXTURES)
 BENCH = ('flake-4', 'flake-6', 'spheres-1e2', 'spheres-1e4', 'spheres-1e5', 'spheres-1e6', 'mixed-1e2', 'mixed-1e4',
-         'mixed-1e5', 'rings', 'tree', 'hall', 'glass', 'strip')
+         'mixed-1e5', 'rings', 'tree', 'hall', 'glass', 'strip', *TEXTURED)
 
 
 def scene(name):
@@ -228,8 +252,10 @@ def scene(name):
     kind, _, size = name.partition('-')
     if kind == 'pair' and size in PAIRS:
         return pair(size)
+    if kind == 'texture' and size in TEXTURES:
+        return textured(size)
     if kind not in MAKERS:
-        every = [*MAKERS, *('pair-' + kind for kind in PAIRS)]
+        every = [*MAKERS, *('pair-' + kind for kind in PAIRS), *TEXTURED]
         raise ValueError(f'no scene "{name}"; there are {", ".join(every)}')
     maker, usual = MAKERS[kind]
     return maker(int(float(size)) if size else usual)
