@@ -7,10 +7,7 @@
 
 /* NULL: the reader has failed. */
 const noise_tables *noise_of(pov_reader *in);
-/* Settings: which generator patterns use that name none, and how many sources ripples and waves have. */
-void noise_read_generator(pov_reader *in, void *self, keyword_id keyword);
-void noise_read_waves(pov_reader *in, void *self, keyword_id keyword);
-/* All has been read. */
+/* All has been read: there are as many waves as the settings ask for. */
 void noise_finish(pov_reader *in);
 
 #endif

@@ -102,8 +102,6 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_NOISE_GENERATOR, read_noise_generator },
         { KEYWORD_NUMBER_OF_WAVES, read_number_of_waves },
         { KEYWORD_IRID_WAVELENGTH, read_irid_wavelength },
-        { KEYWORD_NOISE_GENERATOR, noise_read_generator },
-        { KEYWORD_NUMBER_OF_WAVES, noise_read_waves },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 
