@@ -85,7 +85,7 @@ SIMD_CLONES static void to_rings(const double *restrict x, const double *restric
         value[i] = sqrt(x[i] * x[i] + y[i] * y[i]);
 }
 
-SIMD_CLONES static void bend(double amount, const double *restrict at, uint32_t n, double *restrict v)
+SIMD_CLONES static void distort(double amount, const double *restrict at, uint32_t n, double *restrict v)
 {
     for (uint32_t i = 0; i < n; i++)
         v[i] = at[i] + elementary_sin_turns(amount * (v[i] + at[i]));
@@ -102,8 +102,8 @@ static void evaluate_wood(const pattern_input *in, double *value)
         return;
     }
     noise_vector_turbulence(in->noise, t, in->at, in->n, &v);
-    bend(t->amount.x, in->at->x, in->n, v.x);
-    bend(t->amount.y, in->at->y, in->n, v.y);
+    distort(t->amount.x, in->at->x, in->n, v.x);
+    distort(t->amount.y, in->at->y, in->n, v.y);
     to_rings(v.x, v.y, in->n, value);
 }
 

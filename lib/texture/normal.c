@@ -196,7 +196,7 @@ static void add_slope(const normal_node *of, const pattern_input *in, vec_lanes 
 
 /* ---- nodes: normals are in the space of the points ---- */
 
-static void bend(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal)
+static void perturb(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal)
 {
     const pattern_class *class = of->pattern->class;
     normal_map map;
@@ -278,7 +278,7 @@ static void eval(const model *m, const normal_node *of, const texture_points *po
     if (!of || !of->pattern)
         return;
     if (of->blend == BLEND_NONE)
-        bend(m, of, points, n, normal);
+        perturb(m, of, points, n, normal);
     else
         blend_members(m, of, points, n, normal);
 }

@@ -1,4 +1,4 @@
-/* normal.h - surface normals that patterns bend. */
+/* normal.h - surface normals that patterns perturb. */
 #ifndef TEXTURE_NORMAL_H
 #define TEXTURE_NORMAL_H
 
