@@ -3,6 +3,7 @@
 #include "api/handles.h"
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/share.h"
 #include "bvh/hierarchy.h"
 #include "render/raygen.h"
 #include "sdl/reader.h"
@@ -29,9 +30,12 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
 
 static void destroy_hierarchy(void *item) { hierarchy_destroy(item); }
 
-static const pov_hierarchy *make_hierarchy(model *m, const pov_box *boxes, uint32_t n)
+static const pov_hierarchy *make_hierarchy(model *m, int threads, uint32_t n,
+                                           void (*box)(void *user, uint32_t item, pov_box *out), void *user,
+                                           uint32_t *order)
 {
-    hierarchy *h = hierarchy_create(m->env, boxes, n);
+    const hierarchy_items items = { n, box, user, order, share_threads(threads) };
+    hierarchy *h = hierarchy_create(m->env, &items);
 
     return h && model_keep(m, h, destroy_hierarchy) ? hierarchy_service(h) : NULL;
 }
@@ -40,7 +44,8 @@ static reader_options reader_options_of(const pov_load_desc *d)
 {
     reader_options o = { .dialect = d->dialect, .max_trace_level = d->max_trace_level, .strict = d->strict,
                          .width = d->width, .height = d->height, .library_path = d->library_path,
-                         .write_path = d->write_path, .declares = d->declares, .hierarchy = make_hierarchy };
+                         .write_path = d->write_path, .declares = d->declares, .hierarchy = make_hierarchy,
+                         .threads = d->threads };
     const pov_animation *a = d->animation;
 
     o.limits = (reader_limits){ d->limits.depth, d->limits.array, d->limits.string, d->limits.turns,

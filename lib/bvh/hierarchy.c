@@ -15,13 +15,6 @@ struct hierarchy {
 
 /* ---- building ---- */
 
-static void box_of(void *user, uint32_t id, pov_box *out)
-{
-    const pov_box *boxes = user;
-
-    *out = boxes[id];
-}
-
 static size_t leaf_size(void *user, uint32_t slice, uint32_t *ids, uint32_t count, uint32_t rest)
 {
     (void)user;
@@ -39,15 +32,20 @@ static bool allocated(void *user, const void *leaves)
     return true;
 }
 
+/* State of a build. */
+typedef struct building { const hierarchy_items *items; uint32_t *ids; } building;
+
 static void fill_leaf(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
+    const building *b = user;
     leaf *l = at;
+    uint32_t i;
 
-    (void)user;
     (void)slice;
     (void)frame;
     l->count = count;
-    memcpy(l->item, ids, count * sizeof *ids);
+    for (i = 0; i < count; i++)
+        l->item[i] = b->items->order ? (uint32_t)(ids - b->ids) + i : ids[i];
 }
 
 static void filled(void *user, uint32_t slice)
@@ -56,33 +54,36 @@ static void filled(void *user, uint32_t slice)
     (void)slice;
 }
 
-static pov_box around(const pov_box *boxes, uint32_t n)
+static pov_box around(const hierarchy_items *items)
 {
-    pov_box all = boxes[0];
+    pov_box all, b;
     uint32_t i;
 
-    for (i = 1; i < n; i++) {
-        const pov_vec3 lo = boxes[i].lo, hi = boxes[i].hi;
-
-        all.lo = pov_vec3_of(fmin(all.lo.x, lo.x), fmin(all.lo.y, lo.y), fmin(all.lo.z, lo.z));
-        all.hi = pov_vec3_of(fmax(all.hi.x, hi.x), fmax(all.hi.y, hi.y), fmax(all.hi.z, hi.z));
+    items->box(items->user, 0, &all);
+    for (i = 1; i < items->count; i++) {
+        items->box(items->user, i, &b);
+        all.lo = pov_vec3_of(fmin(all.lo.x, b.lo.x), fmin(all.lo.y, b.lo.y), fmin(all.lo.z, b.lo.z));
+        all.hi = pov_vec3_of(fmax(all.hi.x, b.hi.x), fmax(all.hi.y, b.hi.y), fmax(all.hi.z, b.hi.z));
     }
     return all;
 }
 
-static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
+static bool build(hierarchy *h, const hierarchy_items *items)
 {
     const bool shares_leaf = true;
-    uint32_t *ids = env_resize(h->env, NULL, n, sizeof *ids), i;
-    uint16_t *group = env_alloc(h->env, n, sizeof *group);   /* one group for all */
-    bvh_input in = { .env = h->env, .box = box_of, .box_user = boxes, .bounds = around(boxes, n), .ids = ids, .count = n,
-                     .group = group, .shares_leaf = &shares_leaf, .threads = 1,
-                     .leaves = { leaf_size, allocated, fill_leaf, filled, NULL } };
+    uint32_t *ids = env_resize(h->env, NULL, items->count, sizeof *ids), i;
+    uint16_t *group = env_alloc(h->env, items->count, sizeof *group);   /* one group for all */
+    building b = { items, ids };
+    bvh_input in = { .env = h->env, .box = items->box, .box_user = items->user, .bounds = around(items), .ids = ids,
+                     .count = items->count, .group = group, .shares_leaf = &shares_leaf, .threads = items->threads,
+                     .leaves = { leaf_size, allocated, fill_leaf, filled, &b } };
     bool built;
 
-    for (i = 0; ids && i < n; i++)
+    for (i = 0; ids && i < items->count; i++)
         ids[i] = i;
     built = ids && group && bvh_build(&h->tree, &in);
+    if (built && items->order)
+        memcpy(items->order, ids, items->count * sizeof *ids);
     env_free(h->env, ids);
     env_free(h->env, group);
     return built;
@@ -94,19 +95,29 @@ static bool build(hierarchy *h, pov_box *boxes, uint32_t n)
 typedef struct visit {
     bvh_traversal traversal;     /* first: passed to leaves */
     const pov_hits *hits;
-    bool (*visit_item)(void *user, uint32_t item);
+    bool (*item)(void *user, uint32_t item);   /* one of these */
+    bool (*range)(void *user, uint32_t first, uint32_t count);
     void *user;
 } visit;
+
+static bool visit_all(const visit *v, const leaf *l)
+{
+    uint32_t i;
+
+    if (v->range)
+        return v->range(v->user, l->item[0], l->count);
+    for (i = 0; i < l->count; i++)
+        if (!v->item(v->user, l->item[i]))
+            return false;
+    return true;
+}
 
 static uint64_t visit_leaf(bvh_traversal *traversal, const void *at, uint64_t lanes)
 {
     visit *v = (visit *)(void *)traversal;
-    const leaf *l = at;
-    uint32_t i;
 
-    for (i = 0; i < l->count; i++)
-        if (!v->visit_item(v->user, l->item[i]))
-            return lanes;
+    if (!visit_all(v, at))
+        return lanes;
     if (v->hits->tmax < traversal->limit[0]) {
         traversal->limit[0] = v->hits->tmax;
         traversal->lowered = lanes;
@@ -114,47 +125,60 @@ static uint64_t visit_leaf(bvh_traversal *traversal, const void *at, uint64_t la
     return 0;
 }
 
-static bool visit_items(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
-                        bool (*visit_item)(void *user, uint32_t item), void *user)
+static bool traverse(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits, visit *v)
 {
     const hierarchy *h = (const hierarchy *)(const void *)self;
     const pov_ray *const four[4] = { ray, ray, ray, ray };
+
+    v->hits = hits;
+    v->traversal.tree = &h->tree;
+    v->traversal.rays = &ray;
+    v->traversal.count = 1;
+    v->traversal.lanes = 1;
+    v->traversal.in = NULL;
+    v->traversal.limit[0] = hits->tmax;
+    v->traversal.lowered = 0;
+    v->traversal.leaf = visit_leaf;
+    ray_soa_put_four(&v->traversal.soa, 0, four);
+    ray_soa_derive(&v->traversal.soa, 0, hits->tmax, v->traversal.length);
+    return h->kernels->nearest_single(&v->traversal) == 0;
+}
+
+static bool visit_items(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
+                        bool (*item)(void *user, uint32_t item), void *user)
+{
     visit v;
 
-    v.traversal.tree = &h->tree;
-    v.traversal.rays = &ray;
-    v.traversal.count = 1;
-    v.traversal.lanes = 1;
-    v.traversal.in = NULL;
-    v.traversal.limit[0] = hits->tmax;
-    v.traversal.lowered = 0;
-    v.traversal.leaf = visit_leaf;
-    ray_soa_put_four(&v.traversal.soa, 0, four);
-    ray_soa_derive(&v.traversal.soa, 0, hits->tmax, v.traversal.length);
-    v.hits = hits;
-    v.visit_item = visit_item;
+    v.item = item;
+    v.range = NULL;
     v.user = user;
-    return h->kernels->nearest_single(&v.traversal) == 0;
+    return traverse(self, ray, hits, &v);
+}
+
+static bool visit_ranges(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
+                       bool (*range)(void *user, uint32_t first, uint32_t count), void *user)
+{
+    visit v;
+
+    v.item = NULL;
+    v.range = range;
+    v.user = user;
+    return traverse(self, ray, hits, &v);
 }
 
 /* ---- the whole ---- */
 
-hierarchy *hierarchy_create(const env *e, const pov_box *boxes, uint32_t n)
+hierarchy *hierarchy_create(const env *e, const hierarchy_items *items)
 {
     hierarchy *h = env_alloc(e, 1, sizeof *h);
-    pov_box *copy = env_resize(e, NULL, n, sizeof *copy);
-    bool built = false;
 
-    if (h)
-        h->env = e;
-    if (h && copy) {
-        memcpy(copy, boxes, n * sizeof *copy);
-        h->service.visit = visit_items;
-        h->kernels = bvh_kernels_best();
-        built = build(h, copy, n);
-    }
-    env_free(e, copy);
-    if (built)
+    if (!h)
+        return NULL;
+    h->env = e;
+    h->service.visit = visit_items;
+    h->service.visit_ranges = items->order ? visit_ranges : NULL;
+    h->kernels = bvh_kernels_best();
+    if (build(h, items))
         return h;
     hierarchy_destroy(h);
     return NULL;

@@ -8,8 +8,18 @@
 
 typedef struct hierarchy hierarchy;
 
-/* Make one over n boxes, n at least one; finite, within +-1e150. NULL: no memory. */
-hierarchy *hierarchy_create(const env *e, const pov_box *boxes, uint32_t n);
+/* The items of one. box is called from several threads; boxes are finite, within +-1e150. order: NULL, or which item
+ * each became, so that the items of a leaf follow one another. */
+typedef struct hierarchy_items {
+    uint32_t count;              /* at least one */
+    void (*box)(void *user, uint32_t item, pov_box *out);
+    void *user;
+    uint32_t *order;
+    int threads;
+} hierarchy_items;
+
+/* NULL: no memory. */
+hierarchy *hierarchy_create(const env *e, const hierarchy_items *items);
 void hierarchy_destroy(hierarchy *h);
 /* The part that plugins use. */
 const pov_hierarchy *hierarchy_service(const hierarchy *h);

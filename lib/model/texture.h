@@ -13,6 +13,7 @@ typedef enum blend {
     BLEND_MAP,                   /* the pattern's value lies between those of two members, which are mixed */
     BLEND_LIST,                  /* the pattern's value is the number of a member */
     BLEND_AVERAGE,               /* all, by weights; the pattern has only a space */
+    BLEND_PARTS,                 /* of a surface with parts: what the shape says there, or the last one; no pattern */
     BLEND_LAYERS                 /* of textures: the last one on top; no pattern */
 } blend;
 

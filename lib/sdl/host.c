@@ -6,6 +6,7 @@
 #include "sdl/expression.h"
 #include "sdl/image_heights.h"
 #include "sdl/include.h"
+#include "sdl/parse.h"
 #include "sdl/reader.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
@@ -69,6 +70,15 @@ static void expect(pov_reader *in, const char *word)
     report_expected(in, wanted);
     if (is_first)
         str_copy(in->error.hint, sizeof in->error.hint, g.best);
+}
+
+static bool next_is(pov_reader *in, const char *word) { return !in->failed && is_next(in, word); }
+
+static bool more_numbers(pov_reader *in)
+{
+    const value *named = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+
+    return value_follows(in) && in->token.kind != '<' && !(named && named->kind != VALUE_NUMBER);
 }
 
 static bool more(pov_reader *in)
@@ -149,16 +159,43 @@ static const void *file(pov_reader *in, const char *name, size_t *bytes)
     return copy;
 }
 
-static const pov_hierarchy *hierarchy(pov_reader *in, const pov_box *boxes, uint32_t n)
+static void *resize(pov_reader *in, void *memory, size_t bytes)
+{
+    void *bigger = in->failed || bytes == 0 ? NULL : env_resize(in->model->env, memory, bytes, 1);
+
+    if (bigger)
+        return bigger;
+    env_free(in->model->env, memory);
+    if (bytes > 0)
+        report_memory(in);
+    return NULL;
+}
+
+static const pov_hierarchy *hierarchy_in_order(pov_reader *in, uint32_t n,
+                                               void (*box)(void *user, uint32_t which, pov_box *out), void *user,
+                                               uint32_t *order)
 {
     const pov_hierarchy *made = NULL;
 
     if (in->failed || !in->options || !in->options->hierarchy)
         return NULL;
-    made = in->options->hierarchy(in->model, boxes, n);
+    made = in->options->hierarchy(in->model, in->options->threads, n, box, user, order);
     if (!made)
         report_memory(in);
     return made;
+}
+
+static void box_at(void *user, uint32_t which, pov_box *out) { *out = ((const pov_box *)user)[which]; }
+
+static const pov_hierarchy *hierarchy(pov_reader *in, const pov_box *boxes, uint32_t n)
+{
+    return hierarchy_in_order(in, n, box_at, (void *)(uintptr_t)boxes, NULL);
+}
+
+static uint32_t part_texture(pov_reader *in)
+{
+    expect(in, "texture");
+    return in->failed ? 0 : parse_part_texture(in);
 }
 
 const pov_host host_functions = {
@@ -179,4 +216,9 @@ const pov_host host_functions = {
     .file = file,
     .hierarchy = hierarchy,
     .heights = image_heights_read,
+    .resize = resize,
+    .hierarchy_in_order = hierarchy_in_order,
+    .texture = part_texture,
+    .next_is = next_is,
+    .more_numbers = more_numbers,
 };

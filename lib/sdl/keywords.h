@@ -247,8 +247,8 @@
     ROW(MEDIA_ATTENUATION, "media_attenuation", 0) \
     ROW(MEDIA_INTERACTION, "media_interaction", 0) \
     ROW(MERGE, "merge", 0) \
-    ROW(MESH, "mesh", KEYWORD_FLAG_COMING) \
-    ROW(MESH2, "mesh2", KEYWORD_FLAG_COMING) \
+    ROW(MESH, "mesh", KEYWORD_FLAG_SHAPE) \
+    ROW(MESH2, "mesh2", KEYWORD_FLAG_SHAPE) \
     ROW(MESH_CAMERA, "mesh_camera", 0) \
     ROW(METALLIC, "metallic", KEYWORD_FLAG_BASE) \
     ROW(METHOD, "method", 0) \

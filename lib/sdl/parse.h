@@ -37,6 +37,8 @@ typedef struct object_parsed {
     const transform *map;
     uint32_t flags;
     struct object_parsed *first, *next;   /* members of a group, in their order */
+    const texture *const *parts; /* textures of parts of a leaf */
+    uint32_t part_count;
     struct object_parsed *clips;          /* the surface is seen where these are */
     const transform *since;      /* of one that clips: the object's map when it was written, which does not move it */
 } object_parsed;
@@ -57,6 +59,16 @@ bool parse_object_try(pov_reader *in, object_parsed *out);
 bool parse_object_follows(const pov_reader *in);
 /* A copy that lives while the scene is read. NULL: no memory, and the reader has failed. */
 object_parsed *parse_keep(pov_reader *in, const object_parsed *o);
+/* Textures of parts of a leaf, as of the faces of a mesh: a list that its plugin's parse() fills. */
+typedef struct part_list { const texture **items; size_t count, capacity; struct part_list *outer; } part_list;
+void parse_parts_begin(pov_reader *in, part_list *parts);
+void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o);
+/* A leaf's texture that has parts: theirs, and its own. map, moves: its transformations, and how many of them came
+ * behind its own texture. */
+void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform *map, uint32_t moves,
+                         surface_parsed *s);
+/* A texture is next, behind its word; its number. */
+uint32_t parse_part_texture(pov_reader *in);
 /* What was read of a whole object becomes part of the model. */
 void parse_add_object(pov_reader *in, const object_parsed *o);
 void parse_light(pov_reader *in, object_parsed *out);
@@ -74,6 +86,8 @@ value parse_transform_value(pov_reader *in);
 void parse_append_transforms(pov_reader *in, const transform **list, const transform *more, const transform *since);
 uint32_t parse_count_transforms(const transform *list);
 void parse_append_translation(pov_reader *in, const transform **list, pov_vec3 by);
+/* What undoes them. */
+const transform *parse_invert_transforms(pov_reader *in, const transform *list);
 /* The last so many of a list, as a list of their own. */
 const transform *parse_last_transforms(pov_reader *in, const transform *list, size_t count);
 /* The words of transformations in a table of items. */

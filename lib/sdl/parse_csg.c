@@ -78,11 +78,16 @@ static void set_texture_map(pov_reader *in, const transform *map, uint32_t moves
 
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const surface_parsed s = find_surface(o, a);
+    surface_parsed s = find_surface(o, a);
+    uint32_t moves = find_moves(o, a);
     leaf_node leaf = o->leaf;
     material m;
 
     leaf.map = find_map(in, o, a);
+    if (o->parts) {
+        parse_parts_surface(in, o, leaf.map, moves, &s);
+        moves = parse_count_transforms(leaf.map);
+    }
     leaf.flags = find_flags(o, a);
     parse_surface_material(in, &s, &m);
     m.double_illuminate = (leaf.flags & LEAF_DOUBLE_ILLUMINATE) != 0;
@@ -91,7 +96,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     if (!in->failed && !model_add_leaf(in->model, &leaf))
         report_memory(in);
     if (m.texture)
-        set_texture_map(in, leaf.map, find_moves(o, a));
+        set_texture_map(in, leaf.map, moves);
     return !in->failed;
 }
 

@@ -234,6 +234,7 @@ static void take_named(pov_reader *in, object_parsed *o)
 
 static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
 {
+    part_list parts;
     block b;
 
     o->kind = OBJECT_LEAF;
@@ -247,8 +248,10 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
         return;
     }
     o->leaf.instance = state_alloc(in, parsed_size(word->shape), 32);
+    parse_parts_begin(in, &parts);
     if (o->leaf.instance)
         word->shape->parse(o->leaf.instance, &host_functions, in);
+    parse_parts_end(in, &parts, o);
     if (!in->failed)
         share_parsed(in, word, &o->leaf);
     items_close(in, &b, &modifiers, o);

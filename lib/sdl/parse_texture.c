@@ -244,7 +244,7 @@ static void read_content(pov_reader *in, surface_parsed *s, int end)
 }
 
 /* Of one that stands for itself: the textures with what the defaults add. */
-static const texture *node_of(pov_reader *in, const surface_parsed *s);
+const texture *parse_surface_node(pov_reader *in, const surface_parsed *s);
 
 const texture *parse_texture_node(pov_reader *in, int end)
 {
@@ -252,7 +252,7 @@ const texture *parse_texture_node(pov_reader *in, int end)
 
     parse_surface_begin(in, &s);
     read_content(in, &s, end);
-    return node_of(in, &s);
+    return parse_surface_node(in, &s);
 }
 
 /* ---- layers ---- */
@@ -318,7 +318,7 @@ static const texture *top_of(pov_reader *in, const surface_parsed *s)
     return textures_texture(in, &top);
 }
 
-static const texture *node_of(pov_reader *in, const surface_parsed *s)
+const texture *parse_surface_node(pov_reader *in, const surface_parsed *s)
 {
     const texture *top = in->failed ? NULL : top_of(in, s);
 
@@ -356,10 +356,10 @@ void parse_texture(pov_reader *in, surface_parsed *s)
     s->has_look = true;
     s->moves = 0;
     if (outer.has_look && !in->failed) {
-        const texture *below = node_of(in, &outer);
+        const texture *below = parse_surface_node(in, &outer);
 
         s->under = s->under && !in->failed ? lay(in, below, s->under) : below;
-        node_of(in, s);          /* errors belong here */
+        parse_surface_node(in, s);          /* errors belong here */
     }
 }
 
@@ -370,9 +370,9 @@ void parse_interior_texture(pov_reader *in, surface_parsed *s)
     parse_surface_begin(in, &inside);
     read_block(in, &inside);
     if (s->inside && !in->failed)
-        s->inside = lay(in, s->inside, node_of(in, &inside));
+        s->inside = lay(in, s->inside, parse_surface_node(in, &inside));
     else
-        s->inside = node_of(in, &inside);
+        s->inside = parse_surface_node(in, &inside);
 }
 
 /* ---- surfaces ---- */
@@ -414,7 +414,7 @@ void parse_surface_material(pov_reader *in, const surface_parsed *s, material *o
         set_constant(s, out);
         return;
     }
-    outside = node_of(in, s);
+    outside = parse_surface_node(in, s);
     if (in->failed)
         return;
     if (outside->blend == BLEND_NONE && !s->inside && !outside->normal && !outside->pigment->pattern) {

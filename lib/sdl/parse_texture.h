@@ -16,6 +16,8 @@ const pigment_node *parse_density_node(pov_reader *in);
 
 /* What the surface's textures are; NULL: constant, as its material says. */
 const texture *parse_surface_texture(pov_reader *in, const surface_parsed *s);
+/* The same, whatever it is. NULL: the reader has failed. */
+const texture *parse_surface_node(pov_reader *in, const surface_parsed *s);
 /* Transformations move all that was read so far. */
 void parse_surface_move(pov_reader *in, surface_parsed *s, const transform *moves);
 /* Its material, ready for the model. */

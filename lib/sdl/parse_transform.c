@@ -160,7 +160,7 @@ static void invert_one(pov_reader *in, const transform **list, const transform *
 }
 
 /* The last is undone first. */
-static const transform *invert(pov_reader *in, const transform *list)
+const transform *parse_invert_transforms(pov_reader *in, const transform *list)
 {
     const transform *inverse = NULL;
 
@@ -207,7 +207,7 @@ static const transform *read_block(pov_reader *in)
     if (items_read_named(in, VALUE_TRANSFORM, &v))
         return in->failed ? NULL : v.as.part;
     items_block(in, &list, &t);
-    return t.is_inverse ? invert(in, t.map) : t.map;
+    return t.is_inverse ? parse_invert_transforms(in, t.map) : t.map;
 }
 
 value parse_transform_value(pov_reader *in)

@@ -30,7 +30,9 @@ typedef struct reader_options {
     const char *write_path;      /* below this folder the scene may write files; NULL: nowhere */
     const char *const *declares; /* "NAME=VALUE", ending with NULL; or NULL */
     /* Makes a hierarchy for a plugin, which the model then keeps; see pov_host.hierarchy. NULL: there are none. */
-    const pov_hierarchy *(*hierarchy)(model *m, const pov_box *boxes, uint32_t n);
+    const pov_hierarchy *(*hierarchy)(model *m, int threads, uint32_t n,
+                                      void (*box)(void *user, uint32_t item, pov_box *out), void *user, uint32_t *order);
+    int threads;                 /* for that */
     reader_limits limits;
     reader_frames frames;
 } reader_options;

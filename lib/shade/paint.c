@@ -2,14 +2,32 @@
 
 #include "base/simd.h"
 #include "texture/texture.h"
+#include "world/detail.h"
 
 /* The surfaces of one material, by lane of the texture. */
-typedef struct group { uint32_t count; uint8_t lane[BATCH_MAX]; texture_points points; } group;
+typedef struct group {
+    uint32_t count;
+    uint8_t lane[BATCH_MAX];
+    texture_points points;
+    texture_part parts[BATCH_MAX];
+} group;
+
+/* The part of its object that a hit is on. */
+static void find_part(const shading *scene, const hit *h, texture_part *out)
+{
+    double share[3];
+
+    out->count = world_part_textures(scene->world, h, out->which, share);
+    for (uint32_t i = 0; i < out->count; i++)
+        out->share[i] = (float)share[i];
+}
 
 static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane)
 {
     const incidence *to = &s->geometry.to;
 
+    if (s->at[lane].appearance->material->texture->blend == BLEND_PARTS)
+        find_part(scene, s->at[lane].at, &g->parts[g->count]);
     g->lane[g->count] = (uint8_t)lane;
     texture_point(model_texture_map(scene->model, s->at[lane].at->object), lanes_at(&to->point, lane),
                   lanes_at(&to->point_lo, lane), g->count++, &g->points);
@@ -54,6 +72,7 @@ void paint_surfaces(const shading *scene, surfaces *s)
 
         g.count = 0;
         g.points.has_surface = false;
+        g.points.parts = g.parts;
         for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
             const uint32_t i = first_of64(lanes);
 
@@ -70,9 +89,13 @@ colour paint_filter(const shading *scene, const hit *h)
 {
     const material *of = shading_constant(scene, h->object)->material;
     texture_points points;
+    texture_part part;
     colour filter;
 
     points.has_surface = false;
+    points.parts = &part;
+    if (of->texture->blend == BLEND_PARTS)
+        find_part(scene, h, &part);
     texture_point(model_texture_map(scene->model, h->object), h->point, h->point_lo, 0, &points);
     texture_filters(scene->model, of->texture, &points, 1, &filter);
     return filter;

@@ -55,8 +55,27 @@ void blend_find(blending *b, blend kind, const float *values, uint32_t count, co
     }
 }
 
+void blend_find_parts(blending *b, const texture_part *parts, uint32_t count, uint32_t n)
+{
+    b->kind = BLEND_PARTS;
+    b->parts = parts;
+    b->last = count - 1;
+    b->n = n;
+}
+
+static float share_of_part(const blending *b, uint32_t member, const texture_part *p)
+{
+    float share = p->count == 0 && member == b->last ? 1.0f : 0.0f;
+
+    for (uint32_t i = 0; i < p->count; i++)
+        share += p->which[i] == member ? p->share[i] : 0.0f;
+    return share;
+}
+
 static float share_of(const blending *b, uint32_t member, uint32_t lane)
 {
+    if (b->kind == BLEND_PARTS)
+        return share_of_part(b, member, &b->parts[lane]);
     if (b->kind == BLEND_AVERAGE)
         return b->values[member] / b->total;
     if (b->low[lane] == member)

@@ -3,7 +3,7 @@
 #define TEXTURE_BLEND_H
 
 #include "base/lanes.h"
-#include "model/texture.h"
+#include "texture/texture.h"
 
 /* Lane i has the share 1 - between[i] of member low[i], and the rest of the next one; of an average each lane has a
  * share of all. */
@@ -11,6 +11,8 @@ typedef struct blending {
     blend kind;
     const float *values;
     float total;                 /* of an average's weights */
+    const texture_part *parts;
+    uint32_t last;               /* the member of lanes without parts */
     uint32_t n;
     uint32_t low[LANES_MAX];
     double between[LANES_MAX];
@@ -18,6 +20,8 @@ typedef struct blending {
 
 /* From the values of a pattern at n points; an average needs none. */
 void blend_find(blending *b, blend kind, const float *values, uint32_t count, const double *value, uint32_t n);
+/* From the parts that n points are on, of `count` members. */
+void blend_find_parts(blending *b, const texture_part *parts, uint32_t count, uint32_t n);
 /* The lanes that have a share of a member, and it. Returns how many. */
 uint32_t blend_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share);
 

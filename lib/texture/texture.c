@@ -62,11 +62,20 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
     t->count += p->n * count;
 }
 
-static void find(const model *m, const texture *of, const texture_points *inner, uint32_t n, blending *b)
+/* The shares of a node's members, which begin at the points of `inner`. */
+static void find(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_points *inner,
+                 blending *b)
 {
-    const pattern_input in = points_input(m, of->pattern, inner, &inner->at, n);
     SIMD_ALIGNED double value[LANES_MAX];
+    pattern_input in;
 
+    if (of->blend == BLEND_PARTS) {
+        *inner = *points;
+        blend_find_parts(b, points->parts, of->count, n);
+        return;
+    }
+    points_enter(m, of->pattern, points, n, inner);
+    in = points_input(m, of->pattern, inner, &inner->at, n);
     if (of->blend != BLEND_AVERAGE)
         points_values(&in, value);
     blend_find(b, of->blend, of->values, of->count, value, n);
@@ -100,8 +109,7 @@ static void add_terms(terms *t, const texture *of, const texture_points *points,
         add_stack(t, of, points, p);
         return;
     }
-    points_enter(t->model, of->pattern, points, p->n, &inner);
-    find(t->model, of, &inner, p->n, &b);
+    find(t->model, of, points, p->n, &inner, &b);
     for (uint32_t k = 0; k < of->count; k++)
         add_member(t, of->textures[k], &b, k, &inner, p);
 }
@@ -134,6 +142,8 @@ uint32_t texture_most_terms(const texture *of)
         sum += one;
         before = one;
     }
+    if (of->blend == BLEND_PARTS)
+        return sum < 3 * most ? sum : 3 * most;
     return of->blend == BLEND_LIST || of->blend == BLEND_MAP ? most : sum;
 }
 
@@ -189,8 +199,7 @@ void texture_filters(const model *m, const texture *of, const texture_points *po
         find_stack_filters(m, of, points, n, out);
         return;
     }
-    points_enter(m, of->pattern, points, n, &inner);
-    find(m, of, &inner, n, &b);
+    find(m, of, points, n, &inner, &b);
     memset(out, 0, n * sizeof *out);
     for (uint32_t k = 0; k < of->count; k++)
         add_filters(m, of->textures[k], &b, k, &inner, out);

@@ -5,12 +5,17 @@
 #include "base/lanes.h"
 #include "model/model.h"
 
+/* Textures of the part of a surface that a point is on: numbers of members of a BLEND_PARTS, and their shares. None: the
+ * last member. */
+typedef struct texture_part { uint32_t count, which[3]; float share[3]; } texture_part;
+
 /* Points by lane, and what patterns and normals ask of the surface there. */
 typedef struct texture_points {
     vec_lanes at, at_lo;         /* in double-double, in the space of the object as it was when its texture was written */
     vec_lanes uv;                /* u, v, 0 of the surface */
     vec_lanes normal, view;      /* unit, of the world: the surface's normal, turned against the ray; the ray's direction */
     const inverse_map *map[LANES_MAX];   /* from the world to the space of `at`; NULL: it is the world */
+    const texture_part *parts;   /* by lane of the whole; for BLEND_PARTS only */
     bool has_surface;            /* uv, normals, views and maps are there */
 } texture_points;
 

@@ -49,10 +49,13 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_host, warn, 64);
     AT(pov_host, hierarchy, 112);
     AT(pov_host, heights, 120);
+    AT(pov_host, resize, 128);
+    AT(pov_host, more_numbers, 160);
     AT(pov_shape_class, intersect, 40);
     AT(pov_shape_class, prepare, 80);
     AT(pov_shape_class, extension, 104);
     AT(pov_shape_class, open, 112);
+    AT(pov_shape_class, textures, 136);
     AT(pov_image, pixels, 32);
     AT(pov_image_format, write, 16);
     AT(pov_image_format, read, 24);

@@ -86,7 +86,8 @@ void fake_reader_text(pov_reader *in, const char *text)
         } else {
             do
                 word[n++] = *text++;
-            while (isalpha((unsigned char)word[0]) && isalpha((unsigned char)*text) && n < sizeof word - 1);
+            while (isalpha((unsigned char)word[0]) && (isalnum((unsigned char)*text) || *text == '_') &&
+                   n < sizeof word - 1);
             fake_reader_word(in, word);
         }
     }
@@ -149,7 +150,7 @@ static void *host_alloc(pov_reader *in, size_t bytes)
     return in->failed || bytes > (size_t)1 << 30 ? NULL : fake_reader_memory(in, bytes);
 }
 
-static bool is_word(const pov_reader *in, const char *word)
+static bool is_word(pov_reader *in, const char *word)
 {
     return !in->failed && in->at < in->count && !in->tokens[in->at].is_number
            && strcmp(in->tokens[in->at].word, word) == 0;
@@ -202,6 +203,77 @@ static bool host_more(pov_reader *in)
     return !in->failed && in->at < in->count && (in->tokens[in->at].is_number || is_word(in, "<"));
 }
 
+static void host_vector_of(pov_reader *in, double *out, int n)
+{
+    for (int i = 0; i < n; i++)
+        out[i] = 0.0;
+    if (!is_word(in, "<")) {
+        out[0] = host_number(in);
+        for (int i = 1; i < n; i++)
+            out[i] = out[0];
+        return;
+    }
+    host_accept(in, "<");
+    for (int i = 0; i < n; i++) {
+        if (i > 0)
+            host_accept(in, ",");
+        out[i] = host_number(in);
+    }
+    host_expect(in, ">");
+}
+
+static bool host_more_numbers(pov_reader *in)
+{
+    return !in->failed && in->at < in->count && in->tokens[in->at].is_number;
+}
+
+static void *host_resize(pov_reader *in, void *memory, size_t bytes)
+{
+    void *bigger = in->failed || bytes == 0 ? NULL : realloc(memory, bytes);
+
+    if (!bigger)
+        free(memory);
+    return bigger;
+}
+
+static uint32_t host_texture(pov_reader *in)
+{
+    host_expect(in, "texture");
+    host_expect(in, "{");
+    return host_number(in) > 0.0 && host_accept(in, "}");
+}
+
+/* ---- a hierarchy that leaves nothing out ---- */
+
+typedef struct all_items { pov_hierarchy service; uint32_t count; } all_items;
+
+static bool visit_all(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
+                      bool (*visit)(void *user, uint32_t first, uint32_t count), void *user)
+{
+    const all_items *all = (const all_items *)(const void *)self;
+
+    (void)ray;
+    (void)hits;
+    return visit(user, 0, all->count);
+}
+
+static const pov_hierarchy *host_hierarchy_in_order(pov_reader *in, uint32_t n,
+                                                    void (*box)(void *user, uint32_t which, pov_box *out), void *user,
+                                                    uint32_t *order)
+{
+    all_items *all = in->failed ? NULL : fake_reader_memory(in, sizeof *all);
+
+    (void)box;
+    (void)user;
+    if (!all)
+        return NULL;
+    for (uint32_t i = 0; i < n; i++)
+        order[i] = n - 1 - i;
+    all->service.visit_ranges = visit_all;
+    all->count = n;
+    return &all->service;
+}
+
 /* ---- instances ---- */
 
 enum { LOADED_MAX = 32 };        /* plugins that one test program loads */
@@ -211,7 +283,9 @@ bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self
     /* Services that only later primitives ask for are missing. */
     static const pov_host host = { .abi = POV_PLUGIN_ABI, .size = sizeof(pov_host), .alloc = host_alloc, .number = host_number,
                                    .vector = host_vector, .accept = host_accept, .expect = host_expect, .more = host_more,
-                                   .fail = host_fail, .warn = host_warn };
+                                   .fail = host_fail, .warn = host_warn, .vector_of = host_vector_of,
+                                   .resize = host_resize, .hierarchy_in_order = host_hierarchy_in_order,
+                                   .texture = host_texture, .next_is = is_word, .more_numbers = host_more_numbers };
 
     const bool is_prepared = shape->prepare != NULL;
     void *text = is_prepared ? fake_reader_memory(in, shape->parsed_size) : self;

@@ -27,6 +27,8 @@ static pov_vec3 within(test_random *r, double size)
     return pov_vec3_of(size * (2.0 * uniform(r) - 1.0), size * (2.0 * uniform(r) - 1.0), size * (2.0 * uniform(r) - 1.0));
 }
 
+static void box_at(void *user, uint32_t item, pov_box *out) { *out = ((const pov_box *)user)[item]; }
+
 /* Parts of sizes from 1 to 1e-6, the smallest of them crowded. */
 static void make(fixture *f, const env *e, test_random *r, uint32_t count)
 {
@@ -40,7 +42,7 @@ static void make(fixture *f, const env *e, test_random *r, uint32_t count)
         f->boxes[i].lo = pov_sub(at, half);
         f->boxes[i].hi = pov_add(at, half);
     }
-    f->made = hierarchy_create(e, f->boxes, count);
+    f->made = hierarchy_create(e, &(const hierarchy_items){ count, box_at, f->boxes, NULL, 1 });
     assert_non_null(f->made);
 }
 
@@ -116,6 +118,49 @@ static void no_part_that_a_ray_meets_is_left_out(void **state)
     assert_true(visited < 0.2 * all);
 }
 
+static bool visit_range(void *user, uint32_t first, uint32_t count)
+{
+    bool more = true;
+
+    for (uint32_t i = first; i < first + count; i++)
+        more = visit_item(user, i) && more;
+    return more;
+}
+
+/* New numbers are old ones in another order, and ranges are the leaves that single items are visited in. */
+static void items_in_order_are_those_of_a_leaf_side_by_side(void **state)
+{
+    static uint32_t order[PARTS];
+    uint8_t is_there[PARTS] = { 0 };
+    env e = libc_env();
+    test_random r = { 13 };
+    hierarchy *in_order;
+    fixture f;
+
+    (void)state;
+    make(&f, &e, &r, PARTS);
+    in_order = hierarchy_create(&e, &(const hierarchy_items){ PARTS, box_at, f.boxes, order, 2 });
+    assert_non_null(in_order);
+    for (uint32_t i = 0; i < PARTS; i++) {
+        assert_true(order[i] < PARTS && !is_there[order[i]]);
+        is_there[order[i]] = 1;
+    }
+    for (int i = 0; i < RAYS; i++) {
+        const pov_hierarchy *h = hierarchy_service(f.made), *ranges = hierarchy_service(in_order);
+        pov_ray ray = some_ray(&r);
+        pov_hits hits = { .tmax = HUGE_VAL };
+        seen a = { .most = PARTS + 1 }, b = { .most = PARTS + 1 };
+
+        h->visit(h, &ray, &hits, visit_item, &a);
+        ranges->visit_ranges(ranges, &ray, &hits, visit_range, &b);
+        assert_int_equal(a.count, b.count);
+        for (uint32_t k = 0; k < PARTS; k++)
+            assert_int_equal(b.item[k], a.item[order[k]]);
+    }
+    hierarchy_destroy(f.made);
+    hierarchy_destroy(in_order);
+}
+
 static void it_ends_where_it_is_told_to(void **state)
 {
     env e = libc_env();
@@ -161,7 +206,7 @@ static void without_memory_there_is_none_and_nothing_is_left(void **state)
         failing_init(&f, n);
         a = failing_allocator(&f);
         env_init(&e, &a, NULL, NULL);
-        h = hierarchy_create(&e, &box, 1);
+        h = hierarchy_create(&e, &(const hierarchy_items){ 1, box_at, (void *)(uintptr_t)&box, NULL, 1 });
         hierarchy_destroy(h);
         assert_int_equal(f.blocks, 0);
     }
@@ -172,6 +217,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_part_that_a_ray_meets_is_left_out),
+        cmocka_unit_test(items_in_order_are_those_of_a_leaf_side_by_side),
         cmocka_unit_test(it_ends_where_it_is_told_to),
         cmocka_unit_test(without_memory_there_is_none_and_nothing_is_left),
     };

@@ -1,7 +1,7 @@
 /* povtrace/plugin.h - the form of a plugin, and the host's services while a scene loads.
  *
  * A plugin is a shared object named after its scene keyword (primitives/torus.so) or file ending (images/png.so),
- * linked against nothing of povtrace, exporting one data symbol. Nothing in it runs when it is loaded. Its contents are
+ * linked against nothing of povtrace, exporting one data symbol. Nothing in it ranges when it is loaded. Its contents are
  * described in other headers: a primitive in shape.h (its fast extension in shape_fast.h), an image format in image.h,
  * a plot format in plot.h. Growth is by appending members: each side reads only as many bytes as the other side's
  * `size` says.
@@ -34,6 +34,10 @@ typedef struct pov_hierarchy {
      * space of the boxes. */
     bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
                   bool (*visit)(void *user, uint32_t item), void *user);
+    /* [render] The same, with all items of a leaf at once: `count` of them from `first` on, as hierarchy_in_order()
+     * numbered them. */
+    bool (*visit_ranges)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
+                       bool (*visit)(void *user, uint32_t first, uint32_t count), void *user);
 } pov_hierarchy;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives
@@ -63,6 +67,20 @@ typedef struct pov_host {
     /* The heights, in 1/65536, that an image stands for: `png "name"`, a format's word or none before the name. Rows from
      * the top; they live as long as the scene. NULL after an error. */
     const uint16_t *(*heights)(pov_reader *in, uint32_t *width, uint32_t *height);
+
+    /* Memory that parse() itself needs, as realloc() gives it: NULL begins, and 0 bytes free it, which parse() does
+     * before it returns. NULL after an error; what was there is then freed. */
+    void *(*resize)(pov_reader *in, void *memory, size_t bytes);
+    /* As hierarchy(), with boxes that box() gives, from several threads. Items get new numbers, so that those of a leaf
+     * follow one another: order[new] becomes the old one. */
+    const pov_hierarchy *(*hierarchy_in_order)(pov_reader *in, uint32_t n,
+                                               void (*box)(void *user, uint32_t which, pov_box *out), void *user,
+                                               uint32_t *order);
+    /* A texture, which is next; its number among those of this object, for textures() of the class. Equal ones have one
+     * number. */
+    uint32_t (*texture)(pov_reader *in);
+    bool (*next_is)(pov_reader *in, const char *word);   /* is it next? As accept(), but it stays there */
+    bool (*more_numbers)(pov_reader *in);                /* does a value come next that is a number? */
 } pov_host;
 
 /* ---- the one exported symbol -------------------------------------------- */

@@ -1,0 +1,83 @@
+/* Textures of parts of a shape. */
+#include "base/vec.h"
+#include "sdl/textures.h"
+
+#include "sdl/parse_texture.h"
+
+#include <string.h>
+
+void parse_parts_begin(pov_reader *in, part_list *parts)
+{
+    memset(parts, 0, sizeof *parts);
+    parts->outer = in->parts;
+    in->parts = parts;
+}
+
+void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o)
+{
+    const size_t bytes = parts->count * sizeof *parts->items;
+    const texture **kept = NULL;
+
+    in->parts = parts->outer;
+    if (parts->count > 0 && !in->failed) {
+        kept = arena_alloc(&in->members, bytes, sizeof(void *));
+        if (!kept)
+            report_memory(in);
+    }
+    if (kept)
+        memcpy(kept, parts->items, bytes);
+    o->parts = kept;
+    o->part_count = kept ? (uint32_t)parts->count : 0;
+    env_free(in->model->env, parts->items);
+}
+
+uint32_t parse_part_texture(pov_reader *in)
+{
+    part_list *parts = in->parts;
+    surface_parsed s;
+    const texture *t;
+
+    parse_surface_begin(in, &s);
+    parse_texture(in, &s);
+    t = in->failed ? NULL : parse_surface_node(in, &s);
+    if (in->failed || !parts)
+        return 0;
+    for (size_t i = parts->count; i-- > 0;)   /* equal ones are one */
+        if (parts->items[i] == t)
+            return (uint32_t)i;
+    if (!VEC_PUSH(in->model->env, parts, t))
+        report_memory(in);
+    return in->failed ? 0 : (uint32_t)(parts->count - 1);
+}
+
+/* The own texture was written behind the first of the transformations, those of the parts before all of them. */
+static const texture *own_texture(pov_reader *in, const surface_parsed *s, const transform *map, uint32_t moves)
+{
+    const texture *own = parse_surface_node(in, s);
+
+    for (; map && moves > 0; moves--)
+        map = map->before;
+    return own && map ? textures_move(in, own, parse_invert_transforms(in, map)) : own;
+}
+
+void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform *map, uint32_t moves,
+                         surface_parsed *s)
+{
+    const texture **all = env_resize(in->model->env, NULL, o->part_count + 1, sizeof *all);
+    texture node;
+
+    if (!all) {
+        report_memory(in);
+        return;
+    }
+    memset(&node, 0, sizeof node);
+    memcpy(all, o->parts, o->part_count * sizeof *all);
+    all[o->part_count] = own_texture(in, s, map, moves);
+    node.blend = BLEND_PARTS;
+    node.count = o->part_count + 1;
+    node.textures = all;
+    if (!in->failed)
+        s->whole = textures_texture(in, &node);
+    s->under = NULL;
+    env_free(in->model->env, all);
+}

@@ -1,0 +1,182 @@
+#include "common/mesh.h"
+
+#include "common/report.h"
+#include "common/triangle_shape.h"
+
+bool common_mesh_bounds(const void *self, pov_box *out)
+{
+    *out = ((const common_mesh *)self)->box;
+    return true;
+}
+
+/* ---- rays ---- */
+
+typedef struct search {
+    common_triangle_ray ray;
+    const common_mesh *mesh;
+    pov_hits *hits;
+    uint32_t left;               /* the face that the ray starts on, or none */
+} search;
+
+static const pov_vec3 *corner_of(const common_mesh *m, uint32_t face, int i)
+{
+    return &m->corners[m->faces[face].at[i]];
+}
+
+static bool visit_faces(void *user, uint32_t first, uint32_t count)
+{
+    search *s = user;
+    const common_mesh *m = s->mesh;
+    uint32_t i;
+
+    for (i = first; i < first + count; i++) {
+        const pov_vec3 *a = corner_of(m, i, 0), *b = corner_of(m, i, 1), *c = corner_of(m, i, 2);
+
+        if (common_triangle_is_hit(&s->ray, a, b, c) && i != s->left &&
+            !common_triangle_cross(&s->ray, a, b, c, common_mark(i, 0), s->hits))
+            return false;
+    }
+    return true;
+}
+
+void common_mesh_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const common_mesh *m = self;
+    search s;
+
+    if (m->face_count == 0)
+        return;
+    s.mesh = m;
+    s.hits = hits;
+    s.left = ray->origin_surface == hits->owner ? ray->origin_mark.feature : m->face_count;
+    common_triangle_enter(&s.ray, ray, m->anchor, m->scale, hits->always_exact);
+    m->tree->visit_ranges(m->tree, ray, hits, visit_faces, &s);
+    hits->escalated += s.ray.view.escalated;
+}
+
+/* ---- what is inside ---- */
+
+bool common_mesh_solid(const void *self) { return pov_largest(((const common_mesh *)self)->toward) > 0.0; }
+
+bool common_mesh_open(const void *self) { return !((const common_mesh *)self)->closed; }
+
+/* Crossings are counted and forgotten. */
+static bool forget(pov_hits *hits)
+{
+    *(uint64_t *)hits->user += hits->count;
+    hits->count = 0;
+    return true;
+}
+
+/* Is the number of crossings ahead odd, but for that of a face? */
+static bool is_odd(const common_mesh *m, pov_ray *ray, uint32_t face)
+{
+    uint64_t before = 0;
+    pov_crossing at;
+    pov_hits hits = { .tmax = HUGE_VAL, .want = POV_WANT_ALL, .count_only = true, .capacity = 1, .at = &at,
+                      .grow = forget, .user = &before };
+
+    ray->origin_surface = hits.owner;
+    ray->origin_mark.feature = face;
+    common_mesh_intersect(m, ray, &hits);
+    return (before + hits.count) & 1;
+}
+
+bool common_mesh_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const common_mesh *m = self;
+    pov_ray ray = { .org = point, .org_lo = point_lo, .dir = m->toward };
+
+    return is_odd(m, &ray, m->face_count);
+}
+
+bool common_mesh_is_turned(const common_mesh *m, uint32_t face)
+{
+    const pov_vec3 *a = corner_of(m, face, 0), *b = corner_of(m, face, 1), *c = corner_of(m, face, 2);
+    const pov_vec3 normal = pov_unit(common_triangle_normal(a, b, c)), dir = m->closed ? normal : m->toward;
+    pov_ray ray = { .dir = dir };
+
+    ray.org = pov_scale(pov_add(pov_scale(*a, 0.25), pov_add(pov_scale(*b, 0.25), pov_scale(*c, 0.5))), 1.0 / m->scale);
+    return is_odd(m, &ray, face) != (pov_dot(dir, normal) < 0.0);
+}
+
+/* ---- points ---- */
+
+static uint32_t face_of(const common_mesh *m, const pov_mark *mark)
+{
+    return mark->feature < m->face_count ? mark->feature : 0;
+}
+
+void common_mesh_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const common_mesh *m = self;
+    const uint32_t face = face_of(m, &at->mark);
+
+    (void)ray;
+    *out = pov_unit(common_triangle_normal(corner_of(m, face, 0), corner_of(m, face, 1), corner_of(m, face, 2)));
+    if (m->turned && m->turned[face / 8] >> face % 8 & 1)
+        *out = pov_scale(*out, -1.0);
+}
+
+static void shares_of(const common_mesh *m, uint32_t face, pov_vec3 point, pov_vec3 point_lo, double share[3])
+{
+    common_triangle_shares(corner_of(m, face, 0), corner_of(m, face, 1), corner_of(m, face, 2),
+                           pov_scale(point, m->scale), pov_scale(point_lo, m->scale), share);
+}
+
+bool common_mesh_shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                pov_vec3 *out)
+{
+    const common_mesh *m = self;
+    const uint32_t face = face_of(m, mark);
+    const uint32_t *at;
+    double share[3];
+
+    if (!m->normals)
+        return false;
+    at = m->normal_faces[face].at;
+    if (at[0] == COMMON_NO_TEXTURE)
+        return false;
+    shares_of(m, face, point, point_lo, share);
+    return common_triangle_blend((const pov_vec3[3]){ m->normals[at[0]], m->normals[at[1]], m->normals[at[2]] }, share,
+                                 out);
+}
+
+void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const common_mesh *m = self;
+    const uint32_t face = face_of(m, mark);
+    double share[3];
+    int i;
+
+    out[0] = out[1] = 0.0;
+    if (!m->uvs || m->uv_faces[face].at[0] == COMMON_NO_TEXTURE)
+        return;
+    shares_of(m, face, point, zero, share);
+    for (i = 0; i < 3; i++) {
+        out[0] += share[i] * m->uvs[m->uv_faces[face].at[i]].u;
+        out[1] += share[i] * m->uvs[m->uv_faces[face].at[i]].v;
+    }
+}
+
+uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                              uint32_t which[3], double share[3])
+{
+    const common_mesh *m = self;
+    const uint32_t face = face_of(m, mark);
+    const uint32_t *at;
+    int i;
+
+    if (!m->textures || m->textures[face].at[0] == COMMON_NO_TEXTURE)
+        return 0;
+    at = m->textures[face].at;
+    which[0] = at[0];
+    share[0] = 1.0;
+    if (at[0] == at[1] && at[1] == at[2])
+        return 1;
+    shares_of(m, face, point, point_lo, share);
+    for (i = 0; i < 3; i++)
+        which[i] = at[i];
+    return 3;
+}
