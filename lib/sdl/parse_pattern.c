@@ -129,6 +129,9 @@ static void read_class(pov_reader *in, pattern_reading *r)
     }
     if (!(class->flags & PATTERN_BRACED) || in->token.kind != '{') {
         read_arguments(in, class, 0, r->self.bytes);
+        /* At once, for words of magnet are patterns by themselves. */
+        while (!in->failed && read_own_word(in, r))
+            state_accept(in, ',');
         return;
     }
     items_open(in, &b);

@@ -12,13 +12,16 @@ static void colours(const pattern_input *in, pigment *out)
         out[i] = image_colour(map, image_place_at(map, lanes_at(in->at, i)));
 }
 
+/* What interpolation or bright pixels give beyond 0..1 ends there, and does not begin again as other patterns do. */
 static double brightness(const image_map *map, pov_vec3 point)
 {
     const image_place at = image_place_at(map, point);
+    double value;
 
     if (at.is_outside)
         return 0.0;
-    return map->use_alpha ? image_colour(map, at).transmit : image_grey(map, at);
+    value = map->use_alpha ? image_colour(map, at).transmit : image_grey(map, at);
+    return value > 0.0 ? value < 1.0 ? value : 1.0 : 0.0;
 }
 
 static void values(const pattern_input *in, double *value)

@@ -94,7 +94,7 @@ def render_povray(scene, options):
         source = picture.with_suffix('.pov')
         source.write_bytes(given)
         part = picture.with_suffix('.part.png')
-        run([options.povray, f'+I{source}', f'+O{part}', f'+W{options.width}', f'+H{options.height}',
+        run([options.povray, f'+I{source}', f'+L{scene.resolve().parent}', f'+O{part}', f'+W{options.width}', f'+H{options.height}',
              '-A', '-D', '-V', '+FN16', '+WT2', 'File_Gamma=1.0'], 'povray')
         part.rename(picture)
     return images.read_png(picture)

@@ -90,9 +90,10 @@ static void see(void *user, const char *name)
         return;
     snprintf(path, sizeof path, "%s/%s/%s", TEST_ROOT, b->folder, name);
     assert_int_equal(file_read(&b->env, path, &text, &length, &error), POV_OK);
-    if (read_first(b, name, text, length, &error) != POV_OK)
-        fail_msg("%s:%d:%d: %s", name, error.line, error.column, error.message);
-    cut_everywhere(b, name, text, length);
+    /* By its whole path, for files that it names stand beside it. */
+    if (read_first(b, path, text, length, &error) != POV_OK)
+        fail_msg("%s:%d:%d: %s", path, error.line, error.column, error.message);
+    cut_everywhere(b, path, text, length);
     env_free(&b->env, text);
     b->scenes++;
 }
