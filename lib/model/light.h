@@ -19,6 +19,10 @@ enum {
 /* A grid of rows x columns points around the position, side by side along two axes, from end to end. */
 typedef struct light_area { pov_vec3 axes[2]; uint32_t counts[2]; } light_area;
 
+/* Objects that lights of their own shine on. The first group's number is 1; leaf and leaf_count name its objects, which
+ * are consecutive. A group within another one stands before it. */
+typedef struct light_group { uint32_t leaf, leaf_count, number; bool global_lights; } light_group;
+
 typedef struct light {
     light_type type;
     uint32_t flags;              /* LIGHT_* */
@@ -28,7 +32,8 @@ typedef struct light {
     double radius, falloff, tightness;   /* SPOT: cosines of the angles; CYLINDER: distances from the axis */
     double fade_distance, fade_power;    /* it fades if both are above 0 */
     light_area area;
-    uint32_t group;              /* which objects it lights: those of this light group; 0: all that ask for it */
+    uint32_t group;              /* number of the group that it lights; 0: all objects but those of groups without
+                                  * global lights */
 } light;
 
 static inline bool light_fades(const light *l) { return l->fade_distance > 0.0 && l->fade_power > 0.0; }

@@ -25,6 +25,17 @@ bool model_keep(model *m, void *item, void (*destroy)(void *item))
     return false;
 }
 
+bool model_is_lit_by(const model *m, uint32_t leaf, const light *l)
+{
+    for (size_t i = 0; i < m->light_groups.count; i++) {
+        const light_group *g = &m->light_groups.items[i];
+
+        if (leaf - g->leaf < g->leaf_count)
+            return l->group == g->number || (l->group == 0 && g->global_lights);
+    }
+    return l->group == 0;
+}
+
 void model_free(model *m)
 {
     while (m->kept.count > 0) {
@@ -40,6 +51,7 @@ void model_free(model *m)
     env_free(m->env, m->solids.items);
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
+    env_free(m->env, m->light_groups.items);
     map_table_free(&m->kept_maps, m->env);
     env_free_aligned(m->env, m->noise);
     env_free(m->env, m->texture_maps.items);

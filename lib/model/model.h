@@ -19,6 +19,7 @@ typedef struct node_list { node_ref *items; size_t count, capacity; } node_list;
 typedef struct leaf_list { leaf_node *items; size_t count, capacity; } leaf_list;
 typedef struct material_list { material *items; size_t count, capacity; } material_list;
 typedef struct light_list { light *items; size_t count, capacity; } light_list;
+typedef struct light_group_list { light_group *items; size_t count, capacity; } light_group_list;
 typedef struct map_numbers { uint32_t *items; size_t count, capacity; } map_numbers;
 
 /* How computed values become linear light, and how that is stored. */
@@ -42,6 +43,7 @@ typedef struct model {
     solid_list solids;           /* in the order of the text; leaves outside any solid are objects of their own */
     material_list materials;
     light_list lights;
+    light_group_list light_groups;
     map_table kept_maps;         /* of textures */
     struct noise_tables *noise;  /* from env_alloc_aligned(); NULL: no pattern needs them */
     int noise_generator;         /* 1 to 3 */
@@ -83,6 +85,8 @@ uint32_t model_object_of(const model *m, uint32_t leaf);
 const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf);
 const char *model_op_keyword(node_op op);
 
+/* Does the light shine on the leaf, as light groups have it? */
+bool model_is_lit_by(const model *m, uint32_t leaf, const light *l);
 /* Give the item to the model. False: no memory, and the item is destroyed. */
 bool model_keep(model *m, void *item, void (*destroy)(void *item));
 

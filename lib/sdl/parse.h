@@ -33,6 +33,7 @@ typedef struct object_parsed {
     leaf_node leaf;              /* its map and flags are those below */
     light light;                 /* before its map; what it looks like is `first` */
     pov_vec3 point_at;           /* of a light */
+    bool is_light_group, global_lights;   /* a union that is one */
     surface_parsed surface;
     const transform *map;
     uint32_t flags;

@@ -9,6 +9,7 @@ typedef struct around {
     const struct around *outer;
     const object_parsed *group;
     const transform *since;      /* only its transformations behind this one hold */
+    uint32_t lights;             /* number of the light group that this is or is in; 0: none */
 } around;
 
 /* Its own texture and interior, or each from the nearest group around it that has one. */
@@ -131,6 +132,7 @@ static void add_light(pov_reader *in, const object_parsed *o, const around *a)
     l.position_lo = pov_vec3_of(0.0, 0.0, 0.0);
     if (map && is_fine)
         move_light(&l, &m, &point_at);
+    l.group = a ? a->lights : 0;
     l.axis = pov_unit(pov_sub(pov_sub(point_at, l.position), l.position_lo));
     if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
         place at = in->object;
@@ -141,12 +143,32 @@ static void add_light(pov_reader *in, const object_parsed *o, const around *a)
         report_memory(in);
 }
 
+/* ---- light groups ---- */
+
+/* A new number for each. */
+static uint32_t find_lights(pov_reader *in, const object_parsed *o, const around *a)
+{
+    if (o->is_light_group)
+        return ++in->light_groups;
+    return a ? a->lights : 0;
+}
+
+/* The leaves since the first are those of the group. */
+static void add_light_group(pov_reader *in, const object_parsed *o, uint32_t first, uint32_t number)
+{
+    const light_group g = { first, (uint32_t)in->model->leaves.count - first, number, o->global_lights };
+
+    if (!in->failed && !VEC_PUSH(in->model->env, &in->model->light_groups, g))
+        report_memory(in);
+}
+
 /* False: there is nothing for its group to hold, or the reader has failed. */
 static bool add(pov_reader *in, const object_parsed *o, const around *a, node_ref *out);
 
 static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const around here = { a, o, NULL };
+    const around here = { a, o, NULL, find_lights(in, o, a) };
+    const uint32_t leaf = (uint32_t)in->model->leaves.count;
     const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = o->surface.material.interior.given,
                                .line = o->leaf.line, .column = o->leaf.column };
     node_list children = { NULL, 0, 0 };
@@ -160,6 +182,8 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
         if (!added && o->op == NODE_DIFFERENCE && member == o->first)
             break;   /* of nothing nothing can be cut */
     }
+    if (o->is_light_group)
+        add_light_group(in, o, leaf, here.lights);
     if (!in->failed && children.count > 0 &&
         !model_add_group(in->model, &shape, children.items, children.count, out))
         report_memory(in);
@@ -170,7 +194,7 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
 /* What a light looks like is an object where it is. */
 static bool add_light_and_object(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const around here = { a, o, NULL };
+    const around here = { a, o, NULL, a ? a->lights : 0 };
 
     add_light(in, o, a);
     return !in->failed && o->first && add(in, o->first, &here, out);
@@ -204,7 +228,7 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
     if (!VEC_PUSH(in->model->env, &children, *out))
         report_memory(in);
     for (const object_parsed *clip = o->clips; clip && !in->failed; clip = clip->next) {
-        const around here = { a, o, clip->since };
+        const around here = { a, o, clip->since, 0 };
 
         if (add(in, clip, &here, &child) && !VEC_PUSH(in->model->env, &children, child))
             report_memory(in);

@@ -133,7 +133,14 @@ static void skip_colour(pov_reader *in, void *self, keyword_id keyword)
     value_colour_components(in, true, unused);
 }
 
+static void read_global_lights(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    ((object_parsed *)self)->global_lights = value_optional(in, 1.0) != 0.0;
+}
+
 static const item modifier_items[] = {
+    { KEYWORD_GLOBAL_LIGHTS, read_global_lights },
     { KEYWORD_PIGMENT, read_pigment },   { KEYWORD_FINISH, read_finish },     { KEYWORD_TEXTURE, read_texture },
     PARSE_MOVES(move_object),            { KEYWORD_INTERIOR, read_interior }, { KEYWORD_NO_SHADOW, read_flag },
     { KEYWORD_INVERSE, read_flag },      { KEYWORD_HOLLOW, read_flag },       { KEYWORD_NORMAL, read_normal },
@@ -149,7 +156,7 @@ static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BO
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
                                      KEYWORD_UV_MAPPING, KEYWORD_CUTAWAY_TEXTURES,
-                                     KEYWORD_NO_BUMP_SCALE, KEYWORD_GLOBAL_LIGHTS, KEYWORD_OTHER };
+                                     KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };
 
@@ -291,12 +298,10 @@ static void read_group(pov_reader *in, node_op op, object_parsed *o)
     items_close(in, &b, &modifiers, o);
 }
 
-/* A group of a kind that is not drawn: what it holds is read all the same. */
 static void read_light_group(pov_reader *in, object_parsed *o)
 {
-    unsupported_note(in, &in->token.at, in->token.symbol->id, "\"light_group\"");
+    o->is_light_group = true;
     read_group(in, NODE_UNION, o);
-    o->kind = OBJECT_MISSING;
 }
 
 /* What its block says is not looked into. */

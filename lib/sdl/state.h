@@ -136,6 +136,7 @@ struct pov_reader {
     char own_includes[INCLUDE_PATH_MAX];   /* the folder of this library's include files; "": unknown */
     reader_limits limits;
     uint64_t turns;              /* of loops so far */
+    uint32_t light_groups;       /* so far */
     double started;              /* when reading began */
     int parentheses;             /* of expressions that are open */
     intern_table interned;       /* parts of textures */

@@ -3,6 +3,8 @@
 #include "base/simd.h"
 #include "shade/transmittance.h"
 
+#include <string.h>
+
 /* Collect rays from lit surfaces that face the light and reflect any of it, without unpredictable branches. Returns the
  * number of surfaces that face the light. */
 static uint32_t aim(lighting *l, const light_sample *s, const vec_lanes *dir)
@@ -226,11 +228,42 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
     }
 }
 
+/* Of the lit surfaces only those that this light shines on. */
+static void choose_lit(lighting *l, const light *from, const uint8_t *all, uint32_t count)
+{
+    finishes *f = &l->finishes;
+
+    f->count = 0;
+    for (uint32_t k = 0; k < count; k++)
+        if (model_is_lit_by(l->context->scene->model, l->on->at[all[k]].at->object, from))
+            f->lit[f->count++] = all[k];
+}
+
+/* The lights of a scene with light groups. */
+static void gather_by_group(lighting *l, const shading *scene)
+{
+    const uint32_t count = l->finishes.count;
+    uint8_t all[BATCH_MAX];
+
+    memcpy(all, l->finishes.lit, count);
+    for (size_t k = 0; k < scene->light_count; k++) {
+        if (l->context->failed || interrupt_is_due(&l->context->interrupt, count))
+            return;
+        choose_lit(l, scene->lights[k].light, all, count);
+        if (l->finishes.count > 0)
+            add_light_source(l, &scene->lights[k]);
+    }
+}
+
 void light_gather(lighting *l, shade_context *c, surfaces *on)
 {
     const shading *scene = c->scene;
 
     begin(l, c, on);
+    if (scene->model->light_groups.count > 0) {
+        gather_by_group(l, scene);
+        return;
+    }
     for (size_t k = 0; l->finishes.count > 0 && k < scene->light_count; k++) {
         if (c->failed || interrupt_is_due(&c->interrupt, l->finishes.count))
             return;
