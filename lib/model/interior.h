@@ -16,6 +16,8 @@ typedef struct interior {
 
 /* The defaults of the language: ior and dispersion 1, 7 samples, all else 0. */
 void interior_init(interior *i);
+/* Does light on its way depend on where it crosses the surface? */
+static inline bool interior_is_located(const interior *i) { return i->fade_distance > 0.0 || i->caustics != 0.0f; }
 bool interior_equal(const interior *a, const interior *b);
 
 #endif

@@ -28,10 +28,10 @@ uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *r
 
 /* Crossings of light: for each ray in `crossed` its crossings of transparent surfaces, those of one object from near to
  * far, and earlier objects first. They are owned by the query context, until its next query. Distances are valid for
- * objects that are not plain. */
+ * objects that are not plain; the caller may reorder them. */
 typedef struct occlusion {
     uint64_t crossed;
-    const pov_crossing *at[WORLD_MANY];
+    pov_crossing *at[WORLD_MANY];
     uint32_t count[WORLD_MANY];
 } occlusion;
 

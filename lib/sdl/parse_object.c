@@ -84,6 +84,10 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
         o->flags |= LEAF_NO_SHADOW;
     else if (keyword == KEYWORD_DOUBLE_ILLUMINATE)
         o->flags |= LEAF_DOUBLE_ILLUMINATE;
+    else if (keyword == KEYWORD_NO_IMAGE)
+        o->flags |= LEAF_NO_IMAGE;
+    else if (keyword == KEYWORD_NO_REFLECTION)
+        o->flags |= LEAF_NO_REFLECTION;
     else if (value_optional(in, 1.0) != 0.0)
         o->flags |= LEAF_HOLLOW;
     else
@@ -148,13 +152,14 @@ static const item modifier_items[] = {
     { KEYWORD_RGB, skip_colour },        { KEYWORD_RGBF, skip_colour },        { KEYWORD_RGBT, skip_colour },
     { KEYWORD_RGBFT, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
     { KEYWORD_INTERIOR_TEXTURE, read_inside },
-    { KEYWORD_DOUBLE_ILLUMINATE, read_flag },
+    { KEYWORD_DOUBLE_ILLUMINATE, read_flag }, { KEYWORD_NO_IMAGE, read_flag },
+    { KEYWORD_NO_REFLECTION, read_flag },
 };
 
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BOUNDED_BY, KEYWORD_SPLIT_UNION,
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
-static const keyword_id coming[] = { KEYWORD_NO_IMAGE, KEYWORD_NO_REFLECTION, KEYWORD_PHOTONS,
+static const keyword_id coming[] = { KEYWORD_PHOTONS,
                                      KEYWORD_UV_MAPPING, KEYWORD_CUTAWAY_TEXTURES,
                                      KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,

@@ -20,6 +20,7 @@ typedef struct appearance {
                                   * reflective and transmissive true if they may be true anywhere */
     bool lit;                    /* light changes its colour */
     bool reflective, transmissive;   /* reflected or transmitted rays continue */
+    bool clear;                  /* rays go through as if nothing were there */
     bool angular;                /* what is reflected or transmitted depends on the angle */
     bool needs_point;            /* one of these: more than emission is seen of it */
     double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of

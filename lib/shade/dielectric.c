@@ -38,6 +38,14 @@ void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const m
         out->after = index > 0 ? ior_of(m, list[index - 1], hue) : 1.0;
 }
 
+bool dielectric_is_in(const dielectric_stack *stack, dielectric_span in, uint32_t which)
+{
+    for (size_t i = 0; i < in.count; i++)
+        if (stack->items[in.first + i] == which)
+            return true;
+    return false;
+}
+
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which)
 {
     return VEC_PUSH(e, stack, which);

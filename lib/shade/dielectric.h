@@ -30,6 +30,7 @@ double dielectric_ior(const interior *in, float hue);
 bool dielectric_pass(dielectric_stack *stack, const env *e, dielectric_span *in, const dielectric_crossing *c);
 /* Drop everything above `floor` except the span, which is moved down onto it. */
 void dielectric_compact(dielectric_stack *stack, dielectric_span *span, size_t floor);
+bool dielectric_is_in(const dielectric_stack *stack, dielectric_span in, uint32_t which);
 bool dielectric_push(dielectric_stack *stack, const env *e, uint32_t which);
 
 /* The dielectrics around the start of camera rays: searched once for all rays with the same start. */

@@ -1,5 +1,6 @@
 #include "shade/reflectance.h"
 
+#include "shade/fade.h"
 #include "shade/highlight.h"
 
 /* Fresnel's equations for light that is not polarised; `ratio` is the ior ahead over that behind. */
@@ -73,17 +74,33 @@ static void set(const shade_context *c, appearance *a, const surface *s, double 
     a->filter = coefficient_of(left);
 }
 
+/* What light loses on its way does not count in the weight of a ray, as POV-Ray has it. */
+static void fade(surface *at, appearance *own)
+{
+    own->filter.by = colour_mul(own->filter.by, at->faded);
+}
+
 void reflectance_set(const shade_context *c, surfaces *s)
 {
+    const bool fading = c->scene->plan->fading;
+
     for (uint32_t i = 0; i < s->count; i++) {
         surface *at = &s->at[i];
         appearance *own = &s->varying[i];
+        const bool angular = at->appearance->angular;
+        bool fades = false;
 
-        if (!at->appearance->angular)
+        at->faded = colour_of(1.0f, 1.0f, 1.0f);
+        if (fading)
+            fades = !at->appearance->clear && fade_inside(c, at->from, at->ray, at->at, &at->faded);
+        if (!angular && !fades)
             continue;
         if (at->appearance != own)
             *own = *at->appearance;
         at->appearance = own;
-        set(c, own, at, s->geometry.cosine[i]);
+        if (angular)
+            set(c, own, at, s->geometry.cosine[i]);
+        if (fades)
+            fade(at, own);
     }
 }

@@ -17,9 +17,9 @@ typedef struct limits {
 
 /* Does a path that continues from p with this factor pass the limits? The depth is tested first, so that a ray is
  * counted once. */
-static inline bool passes_cutoff(limits *l, const path *p, const coefficient *factor, bool deeper)
+static inline bool passes_cutoff(limits *l, const path *p, const coefficient *factor, int level)
 {
-    if (p->level >= (deeper ? l->level : l->straight_level)) {
+    if (p->level >= level) {
         l->cut_depth++;
         return false;
     }
@@ -87,7 +87,7 @@ static inline void reflect(scattering *to, const surface *s, uint32_t lane, cons
     const coefficient factor = coefficient_mul(s->from->factor, *by);
     batch *b;
 
-    if (!passes_cutoff(&to->limits, s->from, &factor, true))
+    if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
         return;
     b = branch_of(to, &to->queue->mirrored, s, false);
     if (b)
@@ -101,7 +101,7 @@ static void reflect_power(scattering *to, const surface *s, uint32_t lane, const
     batch *b;
     power_sum *p;
 
-    if (!passes_cutoff(&to->limits, s->from, &factor, true))
+    if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
         return;
     b = branch_of(to, &to->queue->powered, s, true);
     if (!b)
@@ -132,10 +132,11 @@ static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 static path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
 {
     const coefficient factor = coefficient_mul(s->from->factor, *by);
+    const int straight_level = s->appearance->clear ? INT_MAX : to->limits.straight_level;
     batch *b;
     path *next;
 
-    if (!passes_cutoff(&to->limits, s->from, &factor, deeper))
+    if (!passes_cutoff(&to->limits, s->from, &factor, deeper ? to->limits.level : straight_level))
         return NULL;
     b = branch_of(to, &to->queue->transmitted, s, false);
     if (!b)
@@ -177,7 +178,7 @@ static void find_interfaces(const shade_context *c, const surfaces *on, interfac
     for (uint32_t i = 0; i < lanes_whole(n); i++)
         p->to.before[i] = p->to.after[i] = 1.0;
     for (uint32_t i = 0; i < n; i++, s++) {
-        if (!s->appearance->transmissive)
+        if (!s->appearance->transmissive || s->appearance->clear)
             continue;
         dielectric_cross(&c->dielectrics, s->from->inside, scene->model, world_solid(scene->world, s->at->object),
                          s->from->hue, &p->crossing[i]);
@@ -266,7 +267,7 @@ static void cross(scattering *to, const interfaces *p, const surface *s, uint32_
 /* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. */
 static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    static const coefficient whole = { { 1.0f, 1.0f, 1.0f }, 1.0f };
+    const coefficient whole = { to->context->scene->plan->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
 
     if (is_shut(p, lane)) {
         reflect_inside(to, s, lane, &whole);
@@ -287,7 +288,7 @@ static void scatter_lanes(scattering *to, bool refraction)
     for (uint32_t i = 0; i < n; i++, s++) {
         const bool transmissive = s->appearance->transmissive;
 
-        if (transmissive && refraction) {
+        if (transmissive && refraction && !s->appearance->clear) {
             split(to, &p, s, i);
         } else {
             reflect_some(to, s, i);

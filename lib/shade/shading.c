@@ -40,6 +40,8 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->world = w;
     s->plan = world_plan(w);
     s->objects_info = world_object_info(w);
+    s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
+    s->unseen.filter = coefficient_of(colour_of(1.0f, 1.0f, 1.0f));
     if (!make_appearances(s, m) || !make_lights(s, m)) {
         shading_destroy(s);
         return err_memory(err);

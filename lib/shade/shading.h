@@ -16,6 +16,7 @@ typedef struct shading {
     const plan *plan;
     const object_info *objects_info;
     appearance *appearances;     /* one a material */
+    appearance unseen;           /* of objects that a ray does not see */
     scene_light *lights;
     size_t light_count;
 } shading;

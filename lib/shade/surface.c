@@ -68,6 +68,14 @@ static inline void place(surfaces *s, surface *at, const batch *b, uint32_t i, u
     s->found[n] = at->at;
 }
 
+/* Has the object no surface for this path? */
+static bool is_unseen(const shading *scene, const path *p, uint32_t object)
+{
+    const object_info *o = &scene->objects_info[object];
+
+    return p->mirrored ? o->no_reflection : o->no_image;
+}
+
 /* Does the surface need more than its emission? */
 static inline bool is_kept(shade_context *c, surface *s, colour *out)
 {
@@ -76,10 +84,14 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
 
     if (s->at->coincident && !s->coincident)
         find_coincident(c, s);
+    s->lit = colour_of(0.0f, 0.0f, 0.0f);
+    if (scene->plan->hidden && is_unseen(scene, s->from, s->at->object)) {
+        s->appearance = &scene->unseen;
+        return true;
+    }
     s->appearance = a = shading_constant(scene, s->at->object);
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
-    s->lit = colour_of(0.0f, 0.0f, 0.0f);
     if (a->needs_point)
         return true;
     accumulate(s->from, a->emitted, out);
@@ -189,6 +201,6 @@ void surfaces_complete(shade_context *c, surfaces *s)
     if (c->scene->plan->textures)
         paint_surfaces(c->scene, s);
     geometry_turn(&s->geometry, s->count);
-    if (c->scene->plan->angular)
+    if (c->scene->plan->angular || c->scene->plan->fading)
         reflectance_set(c, s);
 }

@@ -13,6 +13,7 @@ typedef struct surface {
     hit *at;
     const appearance *appearance;
     uint32_t coincident, above, on;   /* it is coincident with others: as in a path; index within the set */
+    colour faded;                /* factor of what it reflects totally; set if light fades in some solid */
     colour lit;                  /* reflected light of the light sources along the ray */
 } surface;
 

@@ -1,6 +1,7 @@
 #include "shade/transmittance.h"
 
 #include "base/simd.h"
+#include "shade/fade.h"
 #include "shade/paint.h"
 
 /* Filter of a surface where the ray crosses it. For a varying texture the point is computed as for a hit. */
@@ -70,8 +71,25 @@ static bool multiply_varying(const shading *scene, const pov_ray *ray, const pov
     return is_left(p, through);
 }
 
+/* The same where solids count too. */
+static bool multiply_located(const shading *scene, const pov_ray *ray, pov_crossing *at, uint32_t count, colour *through)
+{
+    double by[3] = { 1.0, 1.0, 1.0 };
+    product p = product_of(*through);
+
+    for (uint32_t i = 0; i < count; i++)
+        take(&p, filter_at(scene, ray, &at[i]));
+    fade_crossings(scene, ray, at, count, by);
+    p.r *= by[0];
+    p.g *= by[1];
+    p.b *= by[2];
+    return is_left(p, through);
+}
+
 static inline bool cross(const shading *scene, const pov_ray *ray, const occlusion *found, uint32_t i, colour *through)
 {
+    if (scene->plan->located)
+        return multiply_located(scene, ray, found->at[i], found->count[i], through);
     return scene->plan->textures ? multiply_varying(scene, ray, found->at[i], found->count[i], through)
                                  : multiply(scene, found->at[i], found->count[i], through);
 }

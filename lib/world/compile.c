@@ -269,13 +269,15 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
     const material *of = &k->f->model->materials.items[o->material];
     const bool transparent = material_is_transparent(of);
     const bool casts = !(o->flags & LEAF_NO_SHADOW), member = k->f->is_member && k->f->is_member[index];
-    const bool plain = !member && !(transparent && of->texture);
+    const bool plain = !member && !(transparent && (of->texture || k->f->located));
 
     info->slot = (casts ? COMPILE_CASTS : 0) | (transparent ? 0 : COMPILE_OPAQUE) | (plain ? COMPILE_PLAIN : 0);
     info->material = o->material;
     info->inverse = (o->flags & LEAF_INVERSE) != 0;
     info->member = member;
     info->smooth = o->shape->shading_normal != NULL;
+    info->no_image = (o->flags & LEAF_NO_IMAGE) != 0;
+    info->no_reflection = (o->flags & LEAF_NO_REFLECTION) != 0;
     info->filters = casts && transparent;
     info->plain = plain;
     if (transparent && !member)
@@ -467,6 +469,8 @@ pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, in
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
+    for (size_t i = 0; i < m->materials.count; i++)
+        f->located |= interior_is_located(&m->materials.items[i].interior);
     f->large_resident = m->leaves.count > COMPILE_MANY;
     f->threads = threads;
     if (!find_classes(&s, &any_map) || !allocate(&s, any_map))

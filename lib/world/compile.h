@@ -38,6 +38,7 @@ typedef struct compile_state {
     const model *model;
     model *last;                 /* the same, if no other world will be made of it; NULL: it must stay unchanged */
     bool use_blocks;
+    bool located;                /* transmittance of light depends on where it crosses any surface */
     bool large_resident;         /* see compile_is_resident() */
     int threads;
     arena *staged;               /* by thread: copies that have absorbed a transformation, until leaf batches take

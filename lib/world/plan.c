@@ -38,6 +38,7 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->refracting += transparent && is_refracting(&m->interior) ? n : 0;
     s->dispersive += transparent && m->interior.dispersion != 1.0 ? n : 0;
     s->fading += transparent && m->interior.fade_distance > 0.0 ? n : 0;
+    s->located += transparent && interior_is_located(&m->interior) ? n : 0;
     s->angular += finish_is_angular(&m->finish) ? n : 0;
     s->dielectrics += transparent && solid ? n : 0;
 }
@@ -54,6 +55,7 @@ static bool survey_model(const model *m, plan_counts *s)
         s->emitting += !colour_is_black(m->lights.items[i].color);
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
+        s->hidden += (o->flags & (LEAF_NO_IMAGE | LEAF_NO_REFLECTION)) != 0;
         counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
         s->smooth += o->shape->shading_normal != NULL;
     }
@@ -80,6 +82,8 @@ static void derive_needs(plan *p, const plan_counts *s)
     p->refraction = s->refracting > 0;
     p->dispersion = s->dispersive > 0;
     p->fading = s->fading > 0;
+    p->located = s->located > 0;
+    p->hidden = s->hidden > 0;
     p->angular = s->angular > 0;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
 }

@@ -9,7 +9,7 @@ typedef struct plan_counts {
     size_t lit;                  /* objects with diffuse light or highlights */
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
-    size_t dispersive, fading, angular;
+    size_t dispersive, fading, located, angular, hidden;
 } plan_counts;
 
 typedef struct plan {
@@ -25,6 +25,8 @@ typedef struct plan {
     bool dispersion;             /* ... whose ior depends on the colour */
     bool fading;                 /* light fades inside some solid */
     bool angular;                /* what some surface reflects or transmits depends on the ray's direction */
+    bool located;                /* transmittance of light depends on distances and angles */
+    bool hidden;                 /* some rays do not see some object */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
     plan_counts counts;
 } plan;

@@ -213,6 +213,8 @@ static bool is_located(const world *w, const compile_state *f)
 {
     uint32_t i;
 
+    if (w->plan.coloured_shadows && w->plan.located)
+        return true;
     for (i = 0; w->plan.coloured_shadows && i < w->model->leaves.count; i++)
         if (f->objects_info[i].filters && w->model->materials.items[f->objects_info[i].material].texture)
             return true;

@@ -38,6 +38,7 @@ typedef struct object_info {
     uint32_t slot, material;
     uint16_t group;
     bool inverse : 1, filters : 1, plain : 1, member : 1, smooth : 1;   /* smooth: it has shading normals */
+    bool no_image : 1, no_reflection : 1;   /* rays from the camera, and those that were reflected, do not see it */
 } object_info;
 const object_info *world_object_info(const world *w);
 /* Was it made with double-double arithmetic for every intersection? */

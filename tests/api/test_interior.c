@@ -1,0 +1,102 @@
+/* Interiors: the middle of the picture of clear solids in front of white, against what POV-Ray 3.7 gives there. */
+#include "support/check.h"
+#include "support/near.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WIDTH = 9, HEIGHT = 7 };
+
+#define CLEAR " pigment { rgbt 1 } finish { ambient 0 diffuse 0 } "
+#define FADES "interior { fade_distance 1 fade_power 1 } "
+#define WALL(place) "light_source { <0, 0, " place "> rgb 1 } plane { -z, -5 pigment { rgb 1 } finish { ambient 0 diffuse 1 } } "
+
+static void assert_seen(const char *body, double red, double green, double blue)
+{
+    const double wanted[3] = { red, green, blue };
+    pov_render_desc desc = POV_INIT(desc);
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    char text[1024];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 0 } background { rgb 1 }\n"
+             "camera { orthographic location <0,0,-10> right 4*x up 3*y }\n%s", body);
+    scene = scenes_text(context, text);
+    desc.width = WIDTH;
+    desc.height = HEIGHT;
+    picture = scenes_render(scene, &desc);
+    for (int i = 0; i < 3; i++) {
+        const double seen = (double)picture[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + i];
+
+        if (fabs(seen - wanted[i]) > 2e-5)
+            fail_msg("%s: channel %d is %f", body, i, seen);
+    }
+    free(picture);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+static void light_fades_where_a_ray_leaves_a_solid(void **state)
+{
+    (void)state;
+
+    assert_seen("sphere { 0, 2" CLEAR FADES "}", 0.2, 0.2, 0.2);
+    assert_seen("sphere { 0, 2" CLEAR FADES "} sphere { 0, 1" CLEAR FADES "}", 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0);
+    assert_seen("sphere { 0, 2" CLEAR FADES "} sphere { 0, 1" CLEAR "}", 0.5, 0.5, 0.5);
+    assert_seen("sphere { 0, 2" CLEAR FADES "} sphere { 0, 1 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }", 1.0, 1.0, 1.0);
+    assert_seen("plane { -z, 2" CLEAR FADES "}", 1.0, 1.0, 1.0);
+}
+
+static void colour_and_power_shape_the_fading(void **state)
+{
+    (void)state;
+
+    assert_seen("sphere { 0, 2" CLEAR "interior { fade_distance 4 } }", 0.5, 0.5, 0.5);
+    assert_seen("sphere { 0, 2" CLEAR "interior { fade_distance 4 fade_power 2 fade_color rgb <1, 0.5, 0> } }", 1.0, 0.75, 0.5);
+    assert_seen("sphere { 0, 2" CLEAR "interior { fade_distance 4 fade_power 1000 fade_color rgb <0.5, 0, 1> } }", exp(-0.5), exp(-1.0), 1.0);
+}
+
+static void light_on_its_way_fades_and_is_focused(void **state)
+{
+    (void)state;
+
+    assert_seen(WALL("-30") "sphere { 0, 2 no_image" CLEAR FADES "}", 0.2, 0.2, 0.2);
+    assert_seen(WALL("-30") "sphere { 0, 2 no_image" CLEAR FADES "} sphere { 0, 1 no_image" CLEAR FADES "}", 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0);
+    assert_seen("light_source { <0, 0, -30> rgb 1 } sphere { 0, 2 pigment { rgbt <1, 1, 1, 0.5> } finish { ambient 0 diffuse 1 } " FADES "}", 0.575, 0.575, 0.575);
+    assert_seen(WALL("0.5") "sphere { 0, 2 no_image" CLEAR FADES "}", 1.0, 1.0, 1.0);
+    assert_seen(WALL("-30") "sphere { 0, 2 no_image pigment { rgbt <1, 1, 1, 0.25> } interior { caustics 0.5 } }", 0.25, 0.25, 0.25);
+}
+
+static void hidden_objects_are_passed(void **state)
+{
+    (void)state;
+
+    assert_seen("sphere { 0, 1 no_image pigment { rgb 0 } }", 1.0, 1.0, 1.0);
+    assert_seen("plane { -z, -5 pigment { rgb 0 } finish { reflection 1 } } sphere { <0, 0, -20>, 2 no_reflection pigment { rgb 0 } }", 1.0, 1.0, 1.0);
+    assert_seen("plane { -z, -5 pigment { rgb 0 } finish { reflection 1 } } sphere { <0, 0, 0>, 1 no_image pigment { rgb 0.25 } finish { ambient 1 } }",
+                0.25, 0.25, 0.25);
+}
+
+static void white_light_is_dispersed_into_its_colours(void **state)
+{
+    (void)state;
+
+    /* The two halves of the spectrum go on together where nothing bends them. */
+    assert_seen("sphere { 0, 2" CLEAR "interior { ior 1.5 dispersion 1.1 dispersion_samples 2 } }", 0.99380, 1.0, 0.99620);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(light_fades_where_a_ray_leaves_a_solid),
+        cmocka_unit_test(colour_and_power_shape_the_fading),
+        cmocka_unit_test(light_on_its_way_fades_and_is_focused),
+        cmocka_unit_test(hidden_objects_are_passed),
+        cmocka_unit_test(white_light_is_dispersed_into_its_colours),
+    };
+
+    return cmocka_run_group_tests_name("interiors", tests, NULL, NULL);
+}
