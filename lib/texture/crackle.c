@@ -23,34 +23,38 @@ typedef struct neighbourhood {
 
 static const double far_off = 1e100;
 
-/* The two coordinates of a row of cubes are hashed once. */
-static void fill_row(const noise_tables *t, uint32_t row, pov_vec3 corner, int i, int j, double *x, double *y, double *z)
+/* Numbers of the three cubes along an axis. */
+SIMD_INLINE void find_cubes(double middle, uint32_t out[3])
 {
-    const uint32_t mask = NOISE_HASH - 1;
+    const uint32_t mask = NOISE_HASH - 1, first = (uint32_t)cube_of(middle) + mask;
 
-    for (int k = -1; k <= 1; k++, x++, y++, z++) {
-        const double *random = &t->cell[t->hash[row ^ ((uint32_t)cube_of(corner.z + k) & mask)]];
-
-        *x = i + random[0];
-        *y = j + random[1];
-        *z = k + random[2];
-    }
+    for (uint32_t i = 0; i < 3; i++)
+        out[i] = (first + i) & mask;
 }
 
-static void fill(const noise_tables *t, pov_vec3 corner, neighbourhood *out)
+/* Rows and planes of cubes are hashed once. */
+SIMD_INLINE void fill(const noise_tables *t, pov_vec3 corner, neighbourhood *out)
 {
-    const uint32_t mask = NOISE_HASH - 1;
+    uint32_t x[3], y[3], z[3];
     int at = 0;
 
+    find_cubes(corner.x, x);
+    find_cubes(corner.y, y);
+    find_cubes(corner.z, z);
     out->corner = corner;
     out->x[CUBES] = out->y[CUBES] = out->z[CUBES] = far_off;
-    for (int i = -1; i <= 1; i++) {
-        const uint32_t plane = t->hash[(uint32_t)cube_of(corner.x + i) & mask];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            const uint32_t row = t->hash[t->hash[x[i]] ^ y[j]];
 
-        for (int j = -1; j <= 1; j++, at += 3)
-            fill_row(t, t->hash[plane ^ ((uint32_t)cube_of(corner.y + j) & mask)], corner, i, j, out->x + at, out->y + at,
-                     out->z + at);
-    }
+            for (int k = 0; k < 3; k++, at++) {
+                const double *random = &t->cell[t->hash[row ^ z[k]]];
+
+                out->x[at] = i - 1 + random[0];
+                out->y[at] = j - 1 + random[1];
+                out->z[at] = k - 1 + random[2];
+            }
+        }
 }
 
 /* ---- distances ---- */
@@ -65,13 +69,13 @@ SIMD_INLINE double measure(double metric, double x, double y, double z)
     return (elementary_pow(fabs(x), metric) + elementary_pow(fabs(y), metric)) + elementary_pow(fabs(z), metric);
 }
 
-static double distance(const crackle *c, double measured)
+SIMD_INLINE double distance(const crackle *c, double metric, double measured)
 {
-    if (c->metric == 2.0)
+    if (metric == 2.0)
         return sqrt(measured + c->offset * c->offset);
-    if (c->metric == 1.0)
+    if (metric == 1.0)
         return measured + c->offset;
-    return elementary_pow(measured + elementary_pow(c->offset, c->metric), 1.0 / c->metric);
+    return elementary_pow(measured + elementary_pow(c->offset, metric), 1.0 / metric);
 }
 
 /* The smallest three of columns: each of four holds its own, ordered. */
@@ -80,14 +84,16 @@ typedef struct columns { double least[NEAREST][4]; } columns;
 SIMD_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 SIMD_INLINE double larger(double a, double b) { return a > b ? a : b; }
 
-SIMD_INLINE void put_four(columns *c, const double *measured)
+/* The last one is left out where it does not count. */
+SIMD_INLINE void put_four(columns *c, int last, const double *measured)
 {
     for (int l = 0; l < 4; l++) {
         const double a = measured[l], b = larger(c->least[0][l], a), d = larger(c->least[1][l], b);
 
         c->least[0][l] = smaller(c->least[0][l], a);
         c->least[1][l] = smaller(c->least[1][l], b);
-        c->least[2][l] = smaller(c->least[2][l], d);
+        if (last > 1)
+            c->least[2][l] = smaller(c->least[2][l], d);
     }
 }
 
@@ -100,54 +106,52 @@ SIMD_INLINE void put_one(double least[NEAREST], double a)
     least[2] = smaller(least[2], d);
 }
 
-SIMD_INLINE void measure_all(double metric, const neighbourhood *near, double x, double y, double z, double *measured)
-{
-    for (int i = 0; i < CUBES_WHOLE; i++)
-        measured[i] = measure(metric, near->x[i] - x, near->y[i] - y, near->z[i] - z);
-}
-
-SIMD_CLONES static void find_least(double metric, const neighbourhood *restrict near, double x, double y, double z,
-                                   double *restrict least)
+SIMD_INLINE void find_least(double metric, int last, const neighbourhood *near, pov_vec3 p, double *least)
 {
     SIMD_ALIGNED double measured[CUBES_WHOLE];
     columns c;
 
-    if (metric == 2.0)
-        measure_all(2.0, near, x, y, z, measured);
-    else if (metric == 1.0)
-        measure_all(1.0, near, x, y, z, measured);
-    else
-        measure_all(metric, near, x, y, z, measured);
+    for (int i = 0; i < CUBES_WHOLE; i++)
+        measured[i] = measure(metric, near->x[i] - p.x, near->y[i] - p.y, near->z[i] - p.z);
     for (int l = 0; l < 4; l++)
         c.least[0][l] = c.least[1][l] = c.least[2][l] = HUGE_VAL;
     for (int i = 0; i < CUBES_WHOLE; i += 4)
-        put_four(&c, measured + i);
+        put_four(&c, last, measured + i);
     least[0] = least[1] = least[2] = HUGE_VAL;
-    for (int k = 0; k < NEAREST; k++)
+    for (int k = 0; k <= last; k++)
         for (int l = 0; l < 4; l++)
             put_one(least, c.least[k][l]);
 }
 
 /* ---- the cubes behind the neighbours ---- */
 
-static inline double margin(double f) { return f < 0.5 ? f : 1.0 - f; }
+SIMD_INLINE double margin(double f) { return f < 0.5 ? f : 1.0 - f; }
 
 /* Distance, in the measure, within which no point of a cube behind the neighbours lies. */
-static double reach_of(double metric, pov_vec3 f)
+SIMD_INLINE double reach_of(double metric, pov_vec3 f)
 {
     const double reach = 1.0 + smaller(margin(f.x), smaller(margin(f.y), margin(f.z)));
 
     return measure(metric, reach, 0.0, 0.0);
 }
 
-static void search_shell(const noise_tables *t, double metric, pov_vec3 corner, pov_vec3 f, double least[NEAREST])
+/* From a point to the nearest side of the cubes whose number, from the point's own on, is i. */
+static double gap(int i, double f)
+{
+    return i < 0 ? f - (i + 1) : i > 0 ? i - f : 0.0;
+}
+
+/* Cubes that are too far away to count are left out. */
+SIMD_NOINLINE static void search_shell(const noise_tables *t, double metric, int last, pov_vec3 corner, pov_vec3 f,
+                                       double least[NEAREST])
 {
     for (int i = -2; i <= 2; i++)
         for (int j = -2; j <= 2; j++)
             for (int k = -2; k <= 2; k++) {
                 const double *random;
 
-                if (abs(i) < 2 && abs(j) < 2 && abs(k) < 2)
+                if ((abs(i) < 2 && abs(j) < 2 && abs(k) < 2) ||
+                    measure(metric, gap(i, f.x), gap(j, f.y), gap(k, f.z)) > least[last])
                     continue;
                 random = &t->cell[noise_hash(t, cube_of(corner.x + i), cube_of(corner.y + j), cube_of(corner.z + k))];
                 put_one(least, measure(metric, i + random[0] - f.x, j + random[1] - f.y, k + random[2] - f.z));
@@ -160,34 +164,41 @@ static inline pov_vec3 corner_of(pov_vec3 p) { return pov_vec3_of(floor(p.x), fl
 
 static inline bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-static double value_of(const crackle *c, const double least[NEAREST])
+SIMD_INLINE double value_of(const crackle *c, double metric, const double least[NEAREST])
 {
-    double value = c->form.x * distance(c, least[0]);
+    double value = c->form.x * distance(c, metric, least[0]);
 
     if (c->form.y != 0.0)
-        value = value + c->form.y * distance(c, least[1]);
+        value = value + c->form.y * distance(c, metric, least[1]);
     if (c->form.z != 0.0)
-        value = value + c->form.z * distance(c, least[2]);
+        value = value + c->form.z * distance(c, metric, least[2]);
     return value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
 }
 
-static void evaluate_distances(const pattern_input *in, const crackle *c, double *value)
+/* last: of the three distances, the last that counts. */
+SIMD_INLINE void find_values(const pattern_input *in, double metric, int last, double *value)
 {
-    const int last = c->form.z != 0.0 ? 2 : c->form.y != 0.0 ? 1 : 0;
+    const crackle *c = in->of->self;
     neighbourhood near;
 
+    near.corner = pov_vec3_of(NAN, NAN, NAN);
     for (uint32_t i = 0; i < in->n; i++) {
         const pov_vec3 p = lanes_at(in->at, i), corner = corner_of(p), f = pov_sub(p, corner);
         double least[NEAREST];
 
-        if (i == 0 || !is_same(corner, near.corner))
+        if (!is_same(corner, near.corner))
             fill(in->noise, corner, &near);
-        find_least(c->metric, &near, f.x, f.y, f.z, least);
-        if (least[last] > reach_of(c->metric, f))
-            search_shell(in->noise, c->metric, corner, f, least);
-        value[i] = value_of(c, least);
+        find_least(metric, last, &near, f, least);
+        if (least[last] > reach_of(metric, f))
+            search_shell(in->noise, metric, last, corner, f, least);
+        value[i] = value_of(c, metric, least);
     }
 }
+
+/* The usual metric with two distances and with three, and all else. */
+SIMD_CLONES static void find_two(const pattern_input *in, double *value) { find_values(in, 2.0, 1, value); }
+SIMD_CLONES static void find_three(const pattern_input *in, double *value) { find_values(in, 2.0, 2, value); }
+SIMD_CLONES static void find_other(const pattern_input *in, double metric, double *value) { find_values(in, metric, 2, value); }
 
 static pov_vec3 nearest(const noise_tables *t, double metric, pov_vec3 p)
 {
@@ -218,10 +229,12 @@ static void evaluate(const pattern_input *in, double *value)
 {
     const crackle *c = in->of->self;
 
-    if (!c->solid) {
-        evaluate_distances(in, c, value);
+    if (!c->solid && c->metric != 2.0)
+        find_other(in, c->metric, value);
+    else if (!c->solid)
+        (c->form.z != 0.0 ? find_three : find_two)(in, value);
+    if (!c->solid)
         return;
-    }
     for (uint32_t i = 0; i < in->n; i++)
         value[i] = noise_value_at(in->noise, in->generator, nearest(in->noise, c->metric, lanes_at(in->at, i)));
 }
