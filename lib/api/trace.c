@@ -3,6 +3,8 @@
 #include "query/passage.h"
 #include "shade/tracer.h"
 
+#include <povtrace/exact.h>
+
 pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err)
 {
     if (out)
@@ -112,8 +114,10 @@ size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*vis
 
 bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to)
 {
-    pov_ray ray = ray_of(from, pov_sub(to, from));
+    const pov_two x = pov_two_sum(to.x, -from.x), y = pov_two_sum(to.y, -from.y), z = pov_two_sum(to.z, -from.z);
+    pov_ray ray = ray_of(from, pov_vec3_of(x.hi, y.hi, z.hi));
 
+    ray.dir_lo = pov_vec3_of(x.lo, y.lo, z.lo);
     return tracer && is_ray(from, ray.dir) &&
         query_blocked(tracer->context.scene->world, tracer->context.context, &ray, 1.0);
 }

@@ -51,6 +51,8 @@ static inline void hits_begin(pov_hits *hits, const world *w, hit_buffer *buffer
     hits->user = buffer;
     hits->tied = false;
     hits->scratch = buffer->context->scratch;
+    hits->slack = 0.0;
+    hits->near_end = false;
 }
 
 /* More memory for a query that wants all crossings. */

@@ -11,9 +11,11 @@ void packet_begin_light(packet *p, uint32_t i)
 
     p->asked |= bit_of(i);
     packet_begin_hits(p, i, &p->hits[i], POV_WANT_ANY, &buffer->blocking);
+    p->hits[i].slack = p->slack;
     if (p->any_blocks)
         return;
     packet_begin_hits(p, i, &p->filter_hits[i], POV_WANT_ALL, buffer->crossings);
+    p->filter_hits[i].slack = p->slack;
     p->filter_hits[i].count_only = !p->world->located;
     p->filter_hits[i].capacity = buffer->capacity;
     p->filter_hits[i].grow = crossings_grow;
@@ -174,6 +176,11 @@ static inline bool are_in_order(const pov_crossing *at, uint32_t count)
     return true;
 }
 
+static inline bool is_near_end(const packet *p, uint32_t i)
+{
+    return p->hits[i].near_end || (!p->any_blocks && p->filter_hits[i].near_end);
+}
+
 uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 {
     uint64_t dark = 0, rest;
@@ -183,8 +190,10 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
         const bool is_asked = p->asked >> i & 1;
         const pov_hits *hits = &p->filter_hits[i];
 
-        if (is_asked)
+        if (is_asked) {
             p->context->escalated += escalated_of(p, i);
+            out->near_end |= is_near_end(p, i) && !(blocked >> i & 1) ? bit_of(of) : 0;
+        }
         if (blocked >> i & 1) {
             dark |= bit_of(of);
         } else if (is_asked && !p->any_blocks && hits->count > 0) {
@@ -199,6 +208,16 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 }
 
 /* ---- the queries ---- */
+
+/* Crossings are off by 32 units in the last place, 2^-47 of their distance: nearer the end than this, twice that and a
+ * margin, more precision must tell on which side they are. */
+static const double near_end = 0x1p-45;
+/* In double-double, what differs from the end by less than this fraction of the lengths involved lies at the end: the
+ * formulas reach 2^-98 of them. */
+static const double same_end = 0x1p-96;
+
+/* A segment without end has nothing near it. */
+static double near_end_of(double tmax) { return tmax < HUGE_VAL ? near_end * tmax : 0.0; }
 
 /* Note solids that light leaves before it hits anything else. */
 static void note_exits(packet *p)
@@ -221,12 +240,13 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
     uint32_t count, i;
     packet p;
 
-    out->crossed = 0;
+    out->crossed = out->near_end = 0;
     if (n == 0)
         return 0;
     count = packet_divide(w, rays, n, all_of(n), false, groups);
     for (i = 0; i < count; i++) {
         packet_begin(&p, w, k, rays, groups[i].lanes, tmax, tmax);
+        p.slack = near_end_of(tmax);
         p.any_blocks = !w->plan.coloured_shadows;
         if (!p.any_blocks && clear_solid_any_enters(p.rays, p.traversal.count))
             note_exits(&p);
@@ -235,12 +255,51 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
     return all_of(n) & ~dark;
 }
 
-bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax)
+/* Size of the numbers involved in a crossing, in lengths of the ray's direction. */
+static double size_of(const world *w, const pov_ray *ray)
 {
-    occlusion none;
+    double size = pov_largest(ray->org);
+
+    if (w->has_bounds)
+        size += fmax(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi));
+    return size / pov_largest(ray->dir);
+}
+
+/* Does light end on one segment, with crossings in double-double? */
+static bool is_blocked_exactly(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
+                               bool any_blocks, occlusion *out)
+{
     packet p;
 
     packet_begin(&p, w, k, &ray, 1, tmax, tmax);
+    p.of[0] = (uint8_t)which;
+    p.exact = 1;
+    p.slack = same_end * (tmax + size_of(w, ray));
+    p.any_blocks = any_blocks;
+    packet_begin_light(&p, 0);
+    p.hits[0].always_exact = true;
+    if (!any_blocks)
+        p.filter_hits[0].always_exact = true;
+    out->crossed &= ~bit_of(which);
+    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out) != 0;
+}
+
+bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
+                           occlusion *out)
+{
+    return !is_blocked_exactly(w, k, ray, which, tmax, !w->plan.coloured_shadows, out);
+}
+
+bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax)
+{
+    occlusion found;
+    packet p;
+
+    packet_begin(&p, w, k, &ray, 1, tmax, tmax);
+    p.slack = near_end_of(tmax);
     p.any_blocks = true;
-    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &none) != 0;
+    found.crossed = found.near_end = 0;
+    if (packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &found))
+        return true;
+    return found.near_end && is_blocked_exactly(w, k, ray, 0, tmax, true, &found);
 }

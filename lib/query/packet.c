@@ -63,6 +63,7 @@ void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *co
     p->world = w;
     p->context = k;
     p->tmax = tmax;
+    p->slack = 0.0;
     p->asked = p->deferred_lanes = 0;
     p->from = NULL;
     take_rays(p, rays, which);

@@ -16,7 +16,7 @@ typedef struct packet {
     query_context *context;
     const pov_ray *rays[WORLD_MANY];
     uint8_t of[WORLD_MANY];      /* by lane: index of the caller's ray */
-    double tmax;
+    double tmax, slack;          /* slack: of pov_hits, for light */
     uint64_t exact;              /* lanes that filters cannot take */
     uint64_t asked;              /* lanes whose hits are initialised */
     const coincident_set *from;  /* coincident set that the only ray starts on, or NULL; it is `named` then */

@@ -30,6 +30,8 @@ uint64_t query_nearest(const world *w, query_context *k, const pov_ray *const *r
  * far, and earlier objects first. They are owned by the query context, until its next query. Distances are valid for
  * objects that are not plain; the caller may reorder them. */
 typedef struct occlusion {
+    uint64_t near_end;           /* rays with a crossing so near the end that doubles do not tell on which side it lies:
+                                  * left out, query_occlusion_exact() decides */
     uint64_t crossed;
     pov_crossing *at[WORLD_MANY];
     uint32_t count[WORLD_MANY];
@@ -38,6 +40,10 @@ typedef struct occlusion {
 /* Bit i: nothing opaque is on ray i's open segment org .. org + tmax dir. Objects of no_shadow do not count. */
 uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const *rays, uint32_t n, double tmax,
                          occlusion *out);
+/* The same for one ray, the result of which takes the place of ray `which`: the direction counts in double-double, and so
+ * do crossings. A surface at the end itself is not on the segment. */
+bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
+                           occlusion *out);
 /* Is anything on the segment, transparent or not? For pov_trace_blocked(). */
 bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax);
 

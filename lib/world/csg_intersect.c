@@ -195,7 +195,7 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     for (;;) {
         csg_test_ahead(w);
         enough = !(w->unsure || is_close(w));
-        if (!enough || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > hits->tmax ||
+        if (!enough || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > hits->tmax + hits->slack ||
             !pass_point(w, hits))
             break;
     }

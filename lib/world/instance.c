@@ -40,6 +40,15 @@ static inline pov_two rotated(const instance_xform *p, int i, pov_vec3 d)
     return pov_two_add(sum, pov_two_mul_double(inverse(p, i, 2), d.z));
 }
 
+/* The same of a direction in double-double. */
+static inline pov_two rotated_exact(const instance_xform *p, int i, const pov_ray *ray)
+{
+    const pov_two d[3] = { pov_two_of(ray->dir.x, ray->dir_lo.x), pov_two_of(ray->dir.y, ray->dir_lo.y),
+                           pov_two_of(ray->dir.z, ray->dir_lo.z) };
+
+    return apply_row(p, i, d);
+}
+
 /* Transform a world point to object space, in double-double. */
 static inline void own_point(const instance_xform *p, pov_vec3 at, pov_vec3 at_lo, pov_two out[3])
 {
@@ -56,12 +65,13 @@ static inline void own_point(const instance_xform *p, pov_vec3 at, pov_vec3 at_l
 
 void instance_ray(const instance_xform *p, const pov_ray *ray, pov_ray *own)
 {
+    const bool exact = ray->dir_lo.x != 0.0 || ray->dir_lo.y != 0.0 || ray->dir_lo.z != 0.0;
     pov_two o[3], d[3];
     int i;
 
     own_point(p, ray->org, ray->org_lo, o);
     for (i = 0; i < 3; i++)
-        d[i] = rotated(p, i, ray->dir);
+        d[i] = exact ? rotated_exact(p, i, ray) : rotated(p, i, ray->dir);
     own->org = pov_vec3_of(o[0].hi, o[1].hi, o[2].hi);
     own->org_lo = pov_vec3_of(o[0].lo, o[1].lo, o[2].lo);
     own->dir = pov_vec3_of(d[0].hi, d[1].hi, d[2].hi);

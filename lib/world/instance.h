@@ -49,10 +49,10 @@ uint32_t instance_filter_rays(const instance_filter *s, uint32_t owner, const po
 
 /* Transform a ray to object space. */
 void instance_ray(const instance_xform *p, const pov_ray *ray, pov_ray *own);
-/* The same n times, bit for bit. */
+/* The same n times, bit for bit, for rays whose dir_lo is zero. */
 void instance_rays(const instance_xform *const *p, const pov_ray *const *rays, pov_ray *const *own, uint32_t n);
 
-/* As the class's functions, for a ray in the world (its dir_lo is zero). Distances along the ray do not change. */
+/* As the class's functions, for a ray in the world. Distances along the ray do not change. */
 void instance_intersect(const instance_xform *p, const shape_class *shape, const void *self, const pov_ray *ray,
                         pov_hits *hits);
 void instance_normal(const instance_xform *p, const shape_class *shape, const void *self, const pov_ray *ray,

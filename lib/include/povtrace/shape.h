@@ -26,7 +26,7 @@ typedef struct pov_ray {
     pov_vec3 org, org_lo, dir;   /* dir need not be unit */
     uint32_t origin_surface;     /* the owner whose surface the ray starts on, or POV_NO_OWNER */
     pov_mark origin_mark;        /* the mark of that crossing: intersect() leaves out that root */
-    pov_vec3 dir_lo;             /* the direction is dir + dir_lo; zero unless the ray was transformed */
+    pov_vec3 dir_lo;             /* the direction is dir + dir_lo; zero unless the ray was transformed, or goes to a point */
 } pov_ray;
 
 /* A crossing lies at the unevaluated sum t + t_lo. */
@@ -53,17 +53,28 @@ typedef struct pov_hits {
     void *user;                    /* the host's */
     bool tied;                     /* NEAREST: another owner's crossing is as near within POV_COINCIDENT */
     void *scratch;                 /* working memory of this thread, of the size that scratch() returns */
+    double slack;                  /* where above zero: crossings so near tmax only set near_end; the host decides */
+    bool near_end;
 } pov_hits;
 
 /* Distances that differ by less than this fraction may be equal: twice the error of crossings, with a margin. */
 #define POV_COINCIDENT (1.0 / 70368744177664.0)   /* 2^-46 */
 
+/* Is a crossing before the end of the interval? Within the slack of it, that stays open. */
+static inline bool pov_is_before_end(pov_hits *h, double t, double t_lo)
+{
+    const double before = h->slack > 0.0 ? (h->tmax - t) - t_lo : 0.0;
+
+    h->near_end = h->near_end || fabs(before) < h->slack;
+    return h->slack > 0.0 ? before > h->slack : t < h->tmax;
+}
+
 /* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that the
  * result does not depend on the order of tests. (The host compares again where it is tied: docs/numerics.md.) */
-static inline bool pov_is_nearer(const pov_hits *h, double t, double t_lo)
+static inline bool pov_is_nearer(pov_hits *h, double t, double t_lo)
 {
     if (h->count == 0)
-        return t < h->tmax;
+        return pov_is_before_end(h, t, t_lo);
     if (t != h->at->t)
         return t < h->at->t;
     if (t_lo != h->at->t_lo)
@@ -88,7 +99,7 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
     if (!(t > h->tmin || (t == h->tmin && t_lo > 0.0)))
         return true;
     if (h->want == POV_WANT_ALL) {
-        if (!(t < h->tmax))
+        if (!pov_is_before_end(h, t, t_lo))
             return true;
         if (h->count == h->capacity && !h->grow(h))
             return false;

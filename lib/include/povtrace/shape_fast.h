@@ -16,7 +16,8 @@
 typedef struct pov_frame { pov_vec3 centre; double scale; } pov_frame;
 
 /* Rays as a structure of arrays for block_filter(), one in each lane. The host stores only rays in the range of
- * squares: org below 1e100, components of dir zero or of 1e-80 to 1e80, dir_lo zero. */
+ * squares: org below 1e100, components of dir zero or of 1e-80 to 1e80. The
+ * low part of the direction, half a unit in the last place at most, is left out. */
 typedef struct pov_rays {
     double org[3][POV_RAYS_MAX], org_lo[3][POV_RAYS_MAX], dir[3][POV_RAYS_MAX];
     double inverse[POV_RAYS_MAX];      /* 1 / dir.dir, rounded */

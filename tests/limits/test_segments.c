@@ -1,0 +1,151 @@
+/* test_segments.c - segments that end on a surface, or as near to it as doubles are. */
+#include "support/check.h"
+#include "support/limits.h"
+#include "support/scenes.h"
+
+#include <povtrace/exact.h>
+
+#include <stdlib.h>
+
+static int begin(void **state)
+{
+    *state = scenes_context();
+    return 0;
+}
+
+static int end(void **state)
+{
+    pov_context_destroy(*state);
+    return 0;
+}
+
+static uint64_t next(uint64_t *seed)
+{
+    *seed ^= *seed << 13;
+    *seed ^= *seed >> 7;
+    return *seed ^= *seed << 17;
+}
+
+static double number(uint64_t *seed) { return (double)(next(seed) >> 11) * 0x1p-52 - 1.0; }
+
+static pov_vec3 direction(uint64_t *seed)
+{
+    pov_vec3 v;
+
+    do
+        v = pov_vec3_of(number(seed), number(seed), number(seed));
+    while (pov_dot(v, v) > 1.0 || pov_dot(v, v) < 0.1);
+    return pov_unit(v);
+}
+
+/* ---- whether segments are blocked ---- */
+
+/* Shapes that are the unit sphere near the points that are asked. */
+static const char *const spheres[] = {
+    "sphere { <0,0,0>, 1 }",
+    "quadric { <1,1,1>, <0,0,0>, <0,0,0>, -1 }",
+    "sphere { <0,0,0>, 2 scale 0.5 rotate <30,40,50> rotate <-30,0,0> rotate <30,0,0> }",
+    "intersection { sphere { <0,0,0>, 1 } box { <-2,-2,-2>, <2,2,2> } }",
+};
+
+/* |v|^2 - 1, exactly but for its last bits. */
+static double outside_sphere(pov_vec3 v)
+{
+    const pov_two x = pov_two_product(v.x, v.x), y = pov_two_product(v.y, v.y), z = pov_two_product(v.z, v.z);
+
+    return pov_two_add_double(pov_two_add(pov_two_add(x, y), z), -1.0).hi;
+}
+
+/* A segment from far away to a point at a sphere: whether it is blocked is a matter of the side of the tangent plane that
+ * it comes from, and of the side of the sphere that its end is on. */
+static long misjudged_sphere(pov_tracer *tracer, double height, double distance, uint64_t *seed)
+{
+    const pov_vec3 normal = direction(seed), from = direction(seed);
+    const pov_vec3 target = pov_scale(normal, 1.0 + height), eye = pov_add(target, pov_scale(from, distance));
+    const double rise = pov_dot(from, normal), height_found = outside_sphere(target);
+
+    if (fabs(rise) < 0.01 || distance * fabs(rise) < 3.0 || fabs(height_found) < 0x1p-92 * distance)
+        return 0;
+    return pov_trace_blocked(tracer, eye, target) != (rise < 0.0 || height_found < 0.0);
+}
+
+/* Shapes with a planar face at x = 1 that reaches to 2 at least; a point on it is on it exactly. */
+static const char *const faces[] = {
+    "box { <-3,-3,-3>, <1,3,3> }",
+    "cylinder { <-3,0,0>, <1,0,0>, 3 }",
+    "cone { <-3,0,0>, 4, <1,0,0>, 3 }",
+    "plane { <1,0,0>, 1 }",
+    "polygon { 5, <1,-3,-3>, <1,3,-3>, <1,3,3>, <1,-3,3>, <1,-3,-3> }",
+    "box { <-3,-3,-3>, <3,1,3> rotate <0,0,-90> }",
+    "difference { box { <-3,-3,-3>, <4,3,3> } box { <1,-4,-4>, <5,4,4> } }",
+};
+
+/* Nothing is between a face and what is in front of it; from behind, the face is before ends beyond it and not before
+ * ends on it. */
+static long misjudged_face(pov_tracer *tracer, double height, double distance, bool is_solid, uint64_t *seed)
+{
+    const pov_vec3 target = pov_vec3_of(1.0 + height, number(seed), number(seed)), from = direction(seed);
+    const pov_vec3 eye = pov_add(target, pov_scale(from, distance));
+    const bool in_front = from.x > 0.0;
+
+    if (fabs(from.x) < 0.01 || distance * fabs(from.x) < 8.0)
+        return 0;
+    if (in_front)
+        return pov_trace_blocked(tracer, eye, target) != (target.x < 1.0);
+    return pov_trace_blocked(tracer, eye, target) != (target.x > 1.0 || is_solid);
+}
+
+/* The number of a shape's segments that are misjudged, from near and far, by their end's distance from the surface. */
+static long misjudged(pov_tracer *tracer, bool is_sphere, bool is_solid)
+{
+    uint64_t seed = 88172645463325252u;
+    long wrong = 0;
+
+    for (double distance = 10.0; distance < 1e13; distance *= 100.0)
+        for (double height = 1e-5; height > 1e-17; height *= 0.1)
+            for (int i = 0; i < 200; i++) {
+                const double signed_height = i % 2 ? height : -height;
+
+                wrong += is_sphere ? misjudged_sphere(tracer, signed_height, distance, &seed)
+                                   : misjudged_face(tracer, signed_height, distance, is_solid, &seed);
+            }
+    return wrong;
+}
+
+static void expect_judged(void *context, const char *shape, bool is_sphere, bool is_solid)
+{
+    pov_scene *scene = scenes_text(context, shape);
+    pov_tracer *tracer;
+    pov_error err;
+    long wrong;
+
+    assert_int_equal(pov_tracer_create(&tracer, scene, &err), POV_OK);
+    wrong = misjudged(tracer, is_sphere, is_solid);
+    if (wrong)
+        print_error("%s: %ld\n", shape, wrong);
+    assert_int_equal(wrong, 0);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+}
+
+static void segments_that_end_at_a_sphere_are_judged_by_their_ends(void **state)
+{
+    for (size_t s = 0; s < sizeof spheres / sizeof *spheres; s++)
+        expect_judged(*state, spheres[s], true, true);
+}
+
+static void segments_that_end_at_a_face_are_judged_by_their_ends(void **state)
+{
+    for (size_t s = 0; s < sizeof faces / sizeof *faces; s++)
+        expect_judged(*state, faces[s], false, s != 3 && s != 4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(segments_that_end_at_a_sphere_are_judged_by_their_ends, begin, end),
+        cmocka_unit_test_setup_teardown(segments_that_end_at_a_face_are_judged_by_their_ends, begin, end),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
