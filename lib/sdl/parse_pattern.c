@@ -1,5 +1,6 @@
 #include "sdl/parse_pattern.h"
 
+#include "sdl/parse_inner.h"
 #include "sdl/parse_warp.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
@@ -127,6 +128,9 @@ static void read_class(pov_reader *in, pattern_reading *r)
         parse_image(in, class, r->self.bytes, &r->image);
         return;
     }
+    r->is_open = parse_inner(in, class, r->self.bytes, &r->block);
+    if (r->is_open)
+        return;
     if (!(class->flags & PATTERN_BRACED) || in->token.kind != '{') {
         read_arguments(in, class, 0, r->self.bytes);
         /* At once, for words of magnet are patterns by themselves. */
@@ -163,6 +167,15 @@ bool parse_pattern_word(pov_reader *in, pattern_reading *r)
     state_advance(in);
     parse_pattern_class(in, r, class);
     return true;
+}
+
+void parse_pattern_close(pov_reader *in, pattern_reading *r)
+{
+    if (!r->is_open)
+        return;
+    r->is_open = false;
+    in->block = r->block.outer;
+    state_close(in, '}');
 }
 
 /* ---- modifiers ---- */

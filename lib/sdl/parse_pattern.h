@@ -8,7 +8,8 @@
 /* A pattern that is being read. Modifiers may come before it. */
 typedef struct pattern_reading {
     pattern_parsed parsed;       /* class NULL: no pattern was there yet */
-    bool has_noise_generator;
+    bool is_open;                /* the block behind its word goes on with a list */
+    block block;
     union { double align; unsigned char bytes[PATTERN_SELF_MAX]; } self;
     image_block image;           /* of one that has a file */
 } pattern_reading;
@@ -20,6 +21,8 @@ void parse_pattern_take(pattern_reading *r, const pattern *p);
 bool parse_pattern_word(pov_reader *in, pattern_reading *r);
 /* The word of a class was taken: its arguments. */
 void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class *class);
+/* What may stand in the block behind the word has been read. */
+void parse_pattern_close(pov_reader *in, pattern_reading *r);
 /* A modifier, a transformation, or a word of the pattern is next: read it. */
 bool parse_pattern_modifier(pov_reader *in, pattern_reading *r);
 /* The scene's pattern. NULL: the reader has failed. */

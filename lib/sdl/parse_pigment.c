@@ -117,6 +117,7 @@ static bool read_pattern(pov_reader *in, pigment_reading *r)
     memset(&r->map, 0, sizeof r->map);
     if (r->pattern.parsed.pattern.class->count > 0)
         read_list(in, r);
+    parse_pattern_close(in, &r->pattern);
     return true;
 }
 

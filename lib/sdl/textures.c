@@ -187,12 +187,16 @@ const texture *textures_uv(pov_reader *in, const texture *t) { return change_tex
 
 static void settle_pattern(pov_reader *in, const pattern *p)
 {
+    const pigment_node *inner;
     const pattern_parsed *parsed;
     place at = in->object;
     pov_affine map;
 
     if (!p || in->failed)
         return;
+    inner = p->class->inner ? p->class->inner(p->self) : NULL;
+    if (inner)
+        textures_settle_pigment(in, inner);
     if (pattern_needs_noise(p))
         noise_of(in);
     parsed = textures_parsed(p);

@@ -1,5 +1,6 @@
 #include "texture/pattern.h"
 
+#include "texture/inner.h"
 #include "texture/warp.h"
 
 #include <string.h>
@@ -19,7 +20,7 @@ static const pattern_class *const classes[] = {
     &pattern_bump_map, &pattern_bumps, &pattern_cells, &pattern_checker, &pattern_crackle, &pattern_cubic,
     &pattern_cylindrical, &pattern_density_file, &pattern_dents, &pattern_facets, &pattern_gradient,
     &pattern_granite, &pattern_hexagon, &pattern_image_map, &pattern_image_pattern, &pattern_julia,
-    &pattern_leopard, &pattern_magnet, &pattern_mandel, &pattern_marble, &pattern_onion, &pattern_planar,
+    &pattern_leopard, &pattern_magnet, &pattern_mandel, &pattern_marble, &pattern_object, &pattern_onion, &pattern_pigment_pattern, &pattern_planar,
     &pattern_quilted, &pattern_radial, &pattern_ripples, &pattern_slope, &pattern_spherical, &pattern_spiral1,
     &pattern_spiral2, &pattern_spotted, &pattern_square, &pattern_triangular, &pattern_waves, &pattern_wood,
     &pattern_wrinkles,

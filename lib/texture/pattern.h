@@ -4,7 +4,7 @@
 #define TEXTURE_PATTERN_H
 
 #include "base/lanes.h"
-#include "model/texture.h"
+#include "model/model.h"
 #include "texture/noise.h"
 
 enum { PATTERN_LIST_MAX = 8, PATTERN_SELF_MAX = 512 };
@@ -34,6 +34,8 @@ typedef struct colour_entry { float value; pigment pigment; } colour_entry;
 
 /* ---- evaluation ---- */
 
+struct texture_points;
+
 typedef struct pattern_input {
     const vec_lanes *at;         /* lanes up to lanes_whole(n) are there */
     uint32_t n;
@@ -43,6 +45,8 @@ typedef struct pattern_input {
     const noise_tables *noise;   /* NULL unless the class or its turbulence need noise */
     int generator;               /* the pattern's, or else the scene's: 1 to 3 */
     uint32_t waves;              /* number_of_waves */
+    const model *model;
+    const struct texture_points *points;   /* where the points come from: their surfaces */
 } pattern_input;
 
 enum {
@@ -71,6 +75,7 @@ typedef struct pattern_class {
     void (*evaluate)(const pattern_input *in, double *value);
     /* Of images: colours instead of values, which no map replaces. */
     void (*colours)(const pattern_input *in, pigment *out);
+    const pigment_node *(*inner)(const void *self);   /* a pigment that the pattern asks; may be NULL */
     pigment (*most)(const void *self);   /* the largest that each component of these can be */
     /* Of patterns with a rule of their own for normals: perturb unit normals in the pattern's space. They need not be
      * unit afterwards. NULL: the slope of the values counts. */

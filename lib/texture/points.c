@@ -139,9 +139,16 @@ pattern_input points_input(const model *m, const pattern *p, const texture_point
 {
     const pattern_input input = { at, n, p, in->has_surface ? &in->normal : NULL, in->has_surface ? &in->view : NULL,
                                   m->noise, p->noise_generator ? p->noise_generator : m->noise_generator,
-                                  m->number_of_waves };
+                                  m->number_of_waves, m, in };
 
     return input;
+}
+
+void points_begin(const pattern_input *in, texture_points *out)
+{
+    out->at = *in->at;
+    clear(&out->at_lo);
+    copy_surface(in->points, in->n, out);
 }
 
 void points_values(const pattern_input *in, double *value)

@@ -14,6 +14,8 @@ void points_enter(const model *m, const pattern *p, const texture_points *in, ui
 void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, texture_points *out);
 /* What a class is asked with, for points in the pattern's space. */
 pattern_input points_input(const model *m, const pattern *p, const texture_points *in, const vec_lanes *at, uint32_t n);
+/* The points that a class was asked with, for pigments that it asks. */
+void points_begin(const pattern_input *in, texture_points *out);
 /* Values from evaluate(), shaped by frequency, phase and wave form. */
 void points_values(const pattern_input *in, double *value);
 

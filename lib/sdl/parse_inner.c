@@ -1,0 +1,81 @@
+#include "sdl/parse_inner.h"
+
+#include "sdl/parse_texture.h"
+#include "sdl/report.h"
+#include "texture/inner.h"
+
+#include <string.h>
+
+/* ---- objects that are asked for points ---- */
+
+static const void *prepared(pov_reader *in, const object_parsed *o)
+{
+    void *at;
+
+    if (!o->leaf.shape->prepare)
+        return o->leaf.instance;
+    at = state_alloc(in, o->leaf.shape->instance_size, 64);
+    if (at)
+        o->leaf.shape->prepare(at, o->leaf.instance);
+    return at;
+}
+
+static void set_map(pov_reader *in, const object_parsed *o, solid_part *out)
+{
+    pov_affine map;
+
+    if (!o->map)
+        return;
+    out->has_map = transform_compose(o->map, &map);
+    if (out->has_map)
+        memcpy(out->map, map.inv, sizeof out->map);
+    else
+        report_fail(in, &in->last, POV_E_SYNTAX, "the object is moved beyond what a double holds");
+}
+
+static const solid_part *make_solid(pov_reader *in, const object_parsed *o)
+{
+    solid_part *out = in->failed ? NULL : state_alloc(in, sizeof *out, 16);
+    const solid_part **end;
+
+    if (!out)
+        return NULL;
+    out->is_inverse = (o->flags & LEAF_INVERSE) != 0;
+    set_map(in, o, out);
+    out->op = o->op;
+    end = &out->first;
+    if (o->kind == OBJECT_LEAF) {
+        out->inside = o->leaf.shape->inside;
+        out->self = prepared(in, o);
+    }
+    for (const object_parsed *m = o->kind == OBJECT_GROUP ? o->first : NULL; m && !in->failed; m = m->next) {
+        solid_part *member = (solid_part *)(void *)make_solid(in, m);
+
+        *end = member;
+        end = member ? &member->next : end;
+    }
+    return out;
+}
+
+static void read_object(pov_reader *in, object_pattern *self)
+{
+    object_parsed o;
+
+    if (parse_object_try(in, &o))
+        self->solid = make_solid(in, &o);
+    else if (!in->failed)
+        report_expected(in, "an object");
+    state_accept(in, ',');
+}
+
+bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *b)
+{
+    if (class != &pattern_object && class != &pattern_pigment_pattern)
+        return false;
+    items_open(in, b);
+    if (class == &pattern_object)
+        read_object(in, self);
+    else
+        ((pigment_pattern *)self)->pigment = parse_pigment_content(in, VALUE_PIGMENT, '}');
+    return true;
+}

@@ -1,0 +1,25 @@
+/* inner.h - patterns made of other parts of a scene: object and pigment_pattern. */
+#ifndef TEXTURE_INNER_H
+#define TEXTURE_INNER_H
+
+#include "texture/pattern.h"
+
+/* An object that is asked for points alone. A leaf has inside(), a group members. */
+typedef struct solid_part {
+    node_op op;
+    bool is_inverse, has_map;
+    double map[3][4];            /* inverse */
+    bool (*inside)(const void *self, pov_vec3 point, pov_vec3 low);   /* NULL: of a group, or of what has no inside */
+    const void *self;
+    const struct solid_part *first, *next;
+} solid_part;
+
+/* The parsed forms. */
+typedef struct object_pattern { const solid_part *solid; } object_pattern;
+typedef struct pigment_pattern { const pigment_node *pigment; } pigment_pattern;
+
+extern const pattern_class pattern_object, pattern_pigment_pattern;
+
+bool solid_holds(const solid_part *s, pov_vec3 point);
+
+#endif
