@@ -76,6 +76,6 @@ bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *
     if (class == &pattern_object)
         read_object(in, self);
     else
-        ((pigment_pattern *)self)->pigment = parse_pigment_content(in, VALUE_PIGMENT, '}');
+        ((pigment_pattern *)self)->pigment = parse_pigment_content(in, VALUE_PIGMENT, in->defaults->pigment, '}');
     return true;
 }

@@ -98,11 +98,11 @@ static const void *read_node(pov_reader *in, value_kind kind, int end)
 {
     switch (kind) {
     case VALUE_PIGMENT_MAP:
-        return parse_pigment_content(in, VALUE_PIGMENT, end);
+        return parse_pigment_content(in, VALUE_PIGMENT, in->defaults->pigment, end);
     case VALUE_DENSITY_MAP:
-        return parse_pigment_content(in, VALUE_DENSITY, end);
+        return parse_pigment_content(in, VALUE_DENSITY, NULL, end);
     case VALUE_NORMAL_MAP:
-        return parse_normal_content(in, end);
+        return parse_normal_content(in, in->defaults->normal, end);
     default:
         return parse_texture_node(in, end);
     }

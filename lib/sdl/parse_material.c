@@ -9,14 +9,14 @@ void parse_surface_begin(const pov_reader *in, surface_parsed *s)
 
 void parse_pigment(pov_reader *in, surface_parsed *s)
 {
-    s->pigment = parse_pigment_node(in);
+    s->pigment = parse_pigment_upon(in, s->pigment);
     s->whole = NULL;
     s->has_look = true;
 }
 
 void parse_normal(pov_reader *in, surface_parsed *s)
 {
-    s->normal = parse_normal_node(in);
+    s->normal = parse_normal_upon(in, s->normal);
     s->has_look = true;
 }
 

@@ -18,19 +18,23 @@ typedef struct normal_reading {
 
 /* ---- items ---- */
 
-static void take_node(pov_reader *in, void *self, const value *v)
+/* What is read changes the normal that was there before. */
+static void take_base(normal_reading *r, const normal_node *from)
 {
-    const normal_node *from = v->as.part;
-    normal_reading *r = self;
-
-    if (!from)
-        return;
     parse_pattern_take(&r->pattern, from->pattern);
     r->amount = from->amount;
     r->accuracy = from->accuracy;
     r->is_scaled = from->is_scaled;
     r->map = (map_parsed){ from->normals ? VALUE_NORMAL_MAP : VALUE_NOTHING, from->count, from->values, from->normals };
     r->slopes = (map_parsed){ from->slopes ? VALUE_SLOPE_MAP : VALUE_NOTHING, from->count, from->values, from->slopes };
+}
+
+static void take_node(pov_reader *in, void *self, const value *v)
+{
+    normal_reading *r = self;
+
+    if (v->as.part)
+        take_base(r, v->as.part);
     if (value_follows(in))
         r->amount = value_float(in);
 }
@@ -62,8 +66,8 @@ static bool read_pattern(pov_reader *in, normal_reading *r)
     if (!parse_pattern_word(in, &r->pattern))
         return false;
     class = r->pattern.parsed.pattern.class;
-    memset(&r->map, 0, sizeof r->map);
-    memset(&r->slopes, 0, sizeof r->slopes);
+    if (r->map.values == NULL || class->count > 0)
+        memset(&r->map, 0, sizeof r->map);
     if (r->pattern.image.has_bump_size)
         r->amount = r->pattern.image.bump_size;
     if (class->count > 0)
@@ -112,7 +116,7 @@ static const item items[] = {
 static const item_list list = { "an item of the normal", ITEMS(items), parse_pattern_modifiers, NULL, parse_patterns,
                                 VALUE_NORMAL, take_node };
 
-const normal_node *parse_normal_content(pov_reader *in, int end)
+const normal_node *parse_normal_content(pov_reader *in, const normal_node *base, int end)
 {
     normal_reading r;
 
@@ -121,20 +125,24 @@ const normal_node *parse_normal_content(pov_reader *in, int end)
     r.accuracy = 0.02f;
     r.is_scaled = true;
     parse_pattern_begin(&r.pattern);
+    if (base)
+        take_base(&r, base);
     while (!in->failed && in->token.kind != end)
         if (!read_pattern(in, &r) && !parse_pattern_modifier(in, &r.pattern) && !items_try(in, &list, &r))
             items_refuse(in, &list);
     return make_node(in, &r);
 }
 
-const normal_node *parse_normal_node(pov_reader *in)
+const normal_node *parse_normal_upon(pov_reader *in, const normal_node *base)
 {
     const normal_node *node;
     block b;
 
     items_open(in, &b);
-    node = parse_normal_content(in, '}');
+    node = parse_normal_content(in, base, '}');
     in->block = b.outer;
     state_close(in, '}');
     return in->failed ? NULL : node;
 }
+
+const normal_node *parse_normal_node(pov_reader *in) { return parse_normal_upon(in, in->defaults->normal); }

@@ -153,7 +153,10 @@ void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class
     if (class->self)
         memcpy(r->self.bytes, class->self, class->self_size);
     r->parsed.pattern.class = class;
-    r->parsed.pattern.wave.form = class->form;
+    if (class->form != WAVE_RAMP)
+        r->parsed.pattern.wave.form = class->form;
+    if (class->count > 0)
+        r->parsed.pattern.wave.frequency = 0.0f;   /* numbers of members are not folded */
     read_class(in, r);
 }
 

@@ -33,13 +33,9 @@ static void take_colour(pov_reader *in, pigment_reading *r)
     r->pattern.parsed.pattern.class = NULL;
 }
 
-static void take_node(pov_reader *in, void *self, const value *v)
+/* What is read changes the pigment that was there before. */
+static void take_base(pigment_reading *r, const pigment_node *from)
 {
-    const pigment_node *from = v->as.part;
-    pigment_reading *r = self;
-
-    (void)in;
-    r->has_colour = !from->pattern;
     r->constant = from->most;
     memset(&r->map, 0, sizeof r->map);
     if (!from->pattern)
@@ -51,6 +47,17 @@ static void take_node(pov_reader *in, void *self, const value *v)
     r->map.count = from->count;
     r->map.values = from->values;
     r->map.members = from->colours ? (const void *)from->colours : (const void *)from->pigments;
+}
+
+static void take_node(pov_reader *in, void *self, const value *v)
+{
+    const pigment_node *from = v->as.part;
+    pigment_reading *r = self;
+
+    (void)in;
+    parse_pattern_begin(&r->pattern);
+    take_base(r, from);
+    r->has_colour = !from->pattern;
 }
 
 static void read_map(pov_reader *in, void *self, keyword_id keyword)
@@ -114,7 +121,6 @@ static bool read_pattern(pov_reader *in, pigment_reading *r)
     if (!parse_pattern_word(in, &r->pattern))
         return false;
     r->has_colour = false;
-    memset(&r->map, 0, sizeof r->map);
     if (r->pattern.parsed.pattern.class->count > 0)
         read_list(in, r);
     parse_pattern_close(in, &r->pattern);
@@ -146,6 +152,21 @@ static void use_default_map(pov_reader *in, const pattern_class *class, map_pars
     map->count = count;
     map->values = intern(in, values, count * sizeof *values, count * sizeof *values);
     map->members = intern(in, colours, count * sizeof *colours, count * sizeof *colours);
+}
+
+/* Of a list before, its members are those of a map. */
+static void number_map(pov_reader *in, map_parsed *map)
+{
+    float *values = env_alloc(in->model->env, map->count, sizeof *values);
+
+    if (!values) {
+        report_memory(in);
+        return;
+    }
+    for (uint32_t i = 0; i < map->count; i++)
+        values[i] = (float)i;
+    map->values = intern(in, values, map->count * sizeof *values, map->count * sizeof *values);
+    env_free(in->model->env, values);
 }
 
 /* An average needs nodes. */
@@ -188,6 +209,8 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
     }
     if (r->map.kind == VALUE_NOTHING)
         use_default_map(in, class, &r->map);
+    if (class->count == 0 && !r->map.values && !in->failed)
+        number_map(in, &r->map);
     if (is_average && r->map.kind == VALUE_COLOUR_MAP && !in->failed)
         make_nodes(in, &r->map);
     if (in->failed || r->map.count == 0)
@@ -249,29 +272,36 @@ static void read_item(pov_reader *in, pigment_reading *r)
         refuse(in);
 }
 
-const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, int end)
+const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, const pigment_node *base, int end)
 {
     pigment_reading r;
 
     memset(&r, 0, sizeof r);
     r.kind = kind;
     parse_pattern_begin(&r.pattern);
+    if (base)
+        take_base(&r, base);
     while (!in->failed && in->token.kind != end)
         read_item(in, &r);
     return make_node(in, &r);
 }
 
-static const pigment_node *read_block(pov_reader *in, value_kind kind)
+static const pigment_node *read_block(pov_reader *in, value_kind kind, const pigment_node *base)
 {
     const pigment_node *node;
     block b;
 
     items_open(in, &b);
-    node = parse_pigment_content(in, kind, '}');
+    node = parse_pigment_content(in, kind, base, '}');
     in->block = b.outer;
     state_close(in, '}');
     return in->failed ? NULL : node;
 }
 
-const pigment_node *parse_pigment_node(pov_reader *in) { return read_block(in, VALUE_PIGMENT); }
-const pigment_node *parse_density_node(pov_reader *in) { return read_block(in, VALUE_DENSITY); }
+const pigment_node *parse_pigment_upon(pov_reader *in, const pigment_node *base)
+{
+    return read_block(in, VALUE_PIGMENT, base);
+}
+
+const pigment_node *parse_pigment_node(pov_reader *in) { return read_block(in, VALUE_PIGMENT, in->defaults->pigment); }
+const pigment_node *parse_density_node(pov_reader *in) { return read_block(in, VALUE_DENSITY, NULL); }

@@ -5,13 +5,15 @@
 #include "sdl/parse.h"
 
 /* Contents up to the punctuation, which is not taken. NULL: the reader has failed; or a normal that perturbs nothing.
- * kind: VALUE_PIGMENT or VALUE_DENSITY. */
-const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, int end);
-const normal_node *parse_normal_content(pov_reader *in, int end);
+ * What is read changes the base, which may be NULL. kind: VALUE_PIGMENT or VALUE_DENSITY. */
+const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, const pigment_node *base, int end);
+const normal_node *parse_normal_content(pov_reader *in, const normal_node *base, int end);
 const texture *parse_texture_node(pov_reader *in, int end);
-/* The word was taken: the block. */
+/* The word was taken: the block. Upon nothing else the defaults are changed. */
 const pigment_node *parse_pigment_node(pov_reader *in);
+const pigment_node *parse_pigment_upon(pov_reader *in, const pigment_node *base);
 const normal_node *parse_normal_node(pov_reader *in);
+const normal_node *parse_normal_upon(pov_reader *in, const normal_node *base);
 const pigment_node *parse_density_node(pov_reader *in);
 
 /* What the surface's textures are; NULL: constant, as its material says. */

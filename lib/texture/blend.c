@@ -1,11 +1,12 @@
 #include "texture/blend.h"
 
-/* Values beyond the list, which patterns give only for NaN, select its end. */
-static inline uint32_t index_of(double value, uint32_t count)
+/* Values of lists are whole, unless a wave form shaped them. */
+static void find_member(blending *b, uint32_t count, double value, uint32_t lane)
 {
-    if (!(value >= 1.0))
-        return 0;
-    return value < (double)count ? (uint32_t)value : count - 1;
+    const double last = (double)(count - 1), within = value > 0.0 ? value < last ? value : last : 0.0;
+
+    b->low[lane] = (uint32_t)within;
+    b->between[lane] = within - (double)b->low[lane];
 }
 
 /* Values of maps need not rise: the first that is large enough counts, unless the last one is passed. */
@@ -47,9 +48,8 @@ void blend_find(blending *b, blend kind, const float *values, uint32_t count, co
         return;
     }
     for (uint32_t i = 0; i < n; i++) {
-        b->between[i] = 0.0;
         if (kind == BLEND_LIST)
-            b->low[i] = index_of(value[i], count);
+            find_member(b, count, value[i], i);
         else
             find_between(b, count, value[i], i);
     }

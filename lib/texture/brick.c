@@ -50,6 +50,5 @@ const pattern_class pattern_brick = {
     .words = words,
     .word_count = sizeof words / sizeof words[0],
     .check = check,
-    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate,
 };

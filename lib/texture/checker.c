@@ -22,6 +22,5 @@ const pattern_class pattern_checker = {
     .keyword = "checker",
     .count = 2,
     .list = { { .color = { 0.0f, 0.0f, 1.0f } }, { .color = { 0.0f, 1.0f, 0.0f } } },
-    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate,
 };

@@ -86,4 +86,4 @@ const pattern_class pattern_gradient = { .keyword = "gradient", .self_size = siz
                                          .word_count = 1, .evaluate = evaluate_gradient };
 const pattern_class pattern_radial = { .keyword = "radial", .map = radial_map, .map_count = 4, .evaluate = evaluate_radial };
 const pattern_class pattern_leopard = { .keyword = "leopard", .evaluate = evaluate_leopard };
-const pattern_class pattern_cubic = { .keyword = "cubic", .count = 6, .flags = PATTERN_UNSHAPED, .evaluate = evaluate_cubic };
+const pattern_class pattern_cubic = { .keyword = "cubic", .count = 6, .evaluate = evaluate_cubic };

@@ -21,6 +21,5 @@ const pattern_class pattern_hexagon = {
     .keyword = "hexagon",
     .count = 3,
     .list = { { .color = { 0.0f, 0.0f, 1.0f } }, { .color = { 0.0f, 1.0f, 0.0f } }, { .color = { 1.0f, 0.0f, 0.0f } } },
-    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate,
 };

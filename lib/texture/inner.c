@@ -49,7 +49,6 @@ const pattern_class pattern_object = {
     .count = 2,
     .list = { { .color = { 0.0f, 0.0f, 0.0f } }, { .color = { 1.0f, 1.0f, 1.0f } } },
     .self_size = sizeof(object_pattern),
-    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate_object,
 };
 

@@ -159,6 +159,8 @@ void points_values(const pattern_input *in, double *value)
         memset(value, 0, lanes_whole(in->n) * sizeof *value);
     else
         class->evaluate(in, value);
-    if (!(class->flags & PATTERN_UNSHAPED))
+    if (class->flags & PATTERN_UNSHAPED)
+        return;
+    if (class->count == 0 || in->of->wave.frequency != 0.0f || in->of->wave.form != WAVE_RAMP)
         wave_shape(&in->of->wave, in->n, value);
 }

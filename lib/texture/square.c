@@ -25,6 +25,5 @@ const pattern_class pattern_square = {
               { .color = { 0.0f, 1.0f, 0.0f } },
               { .color = { 0.0f, 0.0f, 1.0f } },
               { .color = { 1.0f, 1.0f, 0.0f } } },
-    .flags = PATTERN_UNSHAPED,
     .evaluate = evaluate,
 };

@@ -136,7 +136,7 @@ uint32_t texture_most_terms(const texture *of)
         return 1;
     for (uint32_t i = 0; i < of->count; i++) {
         const uint32_t one = texture_most_terms(of->textures[i]);
-        const uint32_t both = of->blend == BLEND_MAP ? before + one : one;
+        const uint32_t both = before + one;
 
         most = both > most ? both : most;
         sum += one;

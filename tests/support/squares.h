@@ -15,7 +15,7 @@ static inline void squares_set(squares *s, const pigment *list, material *m)
     memset(s, 0, sizeof *s);
     s->pattern.class = pattern_find("square");
     s->pattern.turbulence = turbulence_default();
-    s->pattern.wave = wave_default(WAVE_RAMP);
+    s->pattern.wave = (wave){ WAVE_RAMP, 0.0f, 0.0f, 1.0f };
     s->pigment.blend = BLEND_LIST;
     s->pigment.count = 4;
     s->pigment.pattern = &s->pattern;
