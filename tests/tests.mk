@@ -89,6 +89,7 @@ $(BUILD)/tests/plugins/test_claims: | $(BUILD)/tests/plugins/test_contract \
 $(BUILD)/tests/plugins/test_images: TEST_LIBS = -lpng
 $(BUILD)/tests/plugins/test_images: | $(IMAGES)
 $(BUILD)/tests/plugins/test_images_load: | $(IMAGES)
+$(BUILD)/tests/unit/test_sdl_images $(BUILD)/tests/unit/test_sdl_scenes: | $(IMAGES)
 $(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)
 $(BUILD)/obj/tests/plugins/test_images.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 # The pure pieces of povc are tested with the program's own objects.

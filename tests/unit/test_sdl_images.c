@@ -1,0 +1,160 @@
+/* Images in scenes: where they are found, what is refused, and how stored numbers become colours. */
+#include "support/check.h"
+
+#include "sdl/reader.h"
+#include "texture/texture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+typedef struct bench {
+    env env;
+    registry *plugins;
+    model model;
+    pov_error error;
+} bench;
+
+/* As a scene of scenes/test, beside whose folder of images it stands. */
+static pov_status read_scene(bench *b, const char *text)
+{
+    char all[2048];
+    pov_error error;
+
+    memset(b, 0, sizeof *b);
+    env_init(&b->env, NULL, NULL, NULL);
+    b->plugins = registry_create(&b->env, TEST_BUILD "/lib/povtrace", &error);
+    assert_non_null(b->plugins);
+    model_init(&b->model, &b->env);
+    snprintf(all, sizeof all, "#version 3.7; global_settings { assumed_gamma 1 } plane { z, 0 %s }", text);
+    return reader_read(&b->model, b->plugins, all, strlen(all), TEST_ROOT "/scenes/test/of_a_test.pov", NULL, &b->error);
+}
+
+static void end(bench *b)
+{
+    model_free(&b->model);
+    registry_destroy(b->plugins);
+}
+
+static pigment colour_at(const bench *b, double x, double y)
+{
+    const texture *t = b->model.materials.items[b->model.leaves.items[0].material].texture;
+    static texture_points points;
+    pigment out;
+
+    assert_non_null(t);
+    memset(&points, 0, sizeof points);
+    texture_point(NULL, pov_vec3_of(x, y, 0.0), pov_vec3_of(0.0, 0.0, 0.0), 0, &points);
+    pigment_eval(&b->model, t->pigment, &points, 1, &out);
+    return out;
+}
+
+static void refuses(const char *text, pov_status status, const char *message)
+{
+    bench b;
+
+    assert_int_equal(read_scene(&b, text), status);
+    if (!strstr(b.error.message, message))
+        fail_msg("%s: \"%s\" instead of \"%s\"", text, b.error.message, message);
+    assert_true(b.error.line == 1 && b.error.column > 0);
+    end(&b);
+}
+
+static void what_cannot_be_read_is_refused_with_its_place(void **state)
+{
+    (void)state;
+    refuses("pigment { image_map { png \"images/none.png\" } }", POV_E_IO, "no file \"images/none.png\"");
+    refuses("pigment { image_map { png \"images/rings.tga\" } }", POV_E_IO, "does not begin like a PNG");
+    refuses("pigment { image_map { sys \"images/rings\" } }", POV_E_UNSUPPORTED, "no image format of its own");
+    refuses("pigment { image_map { \"images/rings\" } }", POV_E_SYNTAX, "format of \"images/rings\" is not known");
+    refuses("pigment { image_map { iff \"images/rings.png\" } }", POV_E_PLUGIN, "\"iff\"");
+    refuses("pigment { image_map { png \"images/rings.png\" map_type 3 } }", POV_E_SYNTAX, "0, 1, 2 or 5");
+    refuses("pigment { image_map { png \"images/rings.png\" filter 2, .5 } }", POV_E_SYNTAX, "with a palette");
+    refuses("pigment { image_map { png \"images/tiles.png\" filter 6, .5 } }", POV_E_SYNTAX, "entries 0 to 5");
+    refuses("pigment { image_map { png \"images/rings.png\" gamma 0 } }", POV_E_SYNTAX, "above 0");
+    refuses("texture { material_map { png \"images/tiles.png\" } }", POV_E_SYNTAX, "wants textures");
+    refuses("pigment { density_file \"images/blob.df3\" }", POV_E_SYNTAX, "\"df3\"");
+    refuses("pigment { density_file df3 \"images/rings.tga\" }", POV_E_IO, "no df3 file");
+    refuses("pigment { image_map { png \"../../../etc/passwd\" } }", POV_E_IO, "no file");
+}
+
+/* The lower left pixel of rings.png is row 15, column 0: stored (247, 0, 239). */
+static void a_name_without_its_ending_is_found_and_decoded(void **state)
+{
+    bench b;
+    pigment p;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { tga \"images/rings\" } }"), POV_OK);
+    p = colour_at(&b, 0.01, 0.01);
+    assert_true(p.color.g == 0.0f && p.color.b > 0.85f && p.color.b < 0.87f && p.filter == 0.0f && p.transmit == 0.0f);
+    end(&b);
+    assert_int_equal(read_scene(&b, "pigment { image_map { tga \"images/rings\" gamma 1 } }"), POV_OK);
+    p = colour_at(&b, 0.01, 0.01);
+    assert_float_equal(p.color.b, 239.0 / 255.0, 1e-6);
+    end(&b);
+}
+
+static void outside_an_image_that_is_there_once_all_is_clear(void **state)
+{
+    bench b;
+    pigment p;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { ppm \"images/rings.ppm\" once transmit all .25 } }"), POV_OK);
+    p = colour_at(&b, 1.5, 0.5);
+    assert_true(p.color.r == 1.0f && p.transmit == 1.0f && p.filter == 0.0f);
+    p = colour_at(&b, 0.5, 0.5);
+    assert_true(p.transmit == 0.25f);
+    end(&b);
+}
+
+static void entries_of_a_palette_have_their_own_transparency(void **state)
+{
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { png \"images/tiles.png\" filter all .5 transmit 0, .125 } }"), POV_OK);
+    /* The upper left pixel is entry 0; entry 2 has alpha 128. */
+    assert_true(colour_at(&b, 0.01, 0.99).transmit == 0.125f && colour_at(&b, 0.01, 0.99).filter == 0.5f);
+    assert_float_equal(colour_at(&b, 0.01, 0.99 - 4.0 / 16.0).transmit, 1.0 - 128.0 / 255.0, 1e-6);
+    end(&b);
+}
+
+/* Interpolation gives a pixel's own value at its middle. */
+static void between_pixels_every_method_meets_them(void **state)
+{
+    static const char *const texts[] = { "2", "3", "4" };
+    char text[128];
+    pigment pixel, p;
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { ppm \"images/rings.ppm\" } }"), POV_OK);
+    pixel = colour_at(&b, 5.5 / 24.0, 1.0 - 6.5 / 16.0);
+    end(&b);
+    for (int i = 0; i < 3; i++) {
+        snprintf(text, sizeof text, "pigment { image_map { ppm \"images/rings.ppm\" interpolate %s } }", texts[i]);
+        assert_int_equal(read_scene(&b, text), POV_OK);
+        p = colour_at(&b, 5.5 / 24.0, 1.0 - 6.5 / 16.0);
+        assert_float_equal(p.color.r, pixel.color.r, 1e-6);
+        assert_float_equal(p.color.b, pixel.color.b, 1e-6);
+        end(&b);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_cannot_be_read_is_refused_with_its_place),
+        cmocka_unit_test(a_name_without_its_ending_is_found_and_decoded),
+        cmocka_unit_test(outside_an_image_that_is_there_once_all_is_clear),
+        cmocka_unit_test(entries_of_a_palette_have_their_own_transparency),
+        cmocka_unit_test(between_pixels_every_method_meets_them),
+    };
+
+    return cmocka_run_group_tests_name("images in scenes", tests, NULL, NULL);
+}
