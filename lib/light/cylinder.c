@@ -22,4 +22,4 @@ static void incident(const light *l, const light_origin *from, const light_point
     light_dim(l, factor, distance, at->n, out);
 }
 
-const light_class light_cylinder = { incident };
+const light_class light_cylinder = { incident, true };

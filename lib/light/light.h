@@ -23,6 +23,7 @@ typedef struct light_origin { pov_vec3 from, from_lo; } light_origin;
 
 typedef struct light_class {
     void (*incident)(const light *l, const light_origin *from, const light_points *at, light_lanes *out);
+    bool parallel;               /* light does not come from the origin itself, but from a plane through it */
 } light_class;
 
 /* The row of a light. */

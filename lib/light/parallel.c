@@ -11,4 +11,4 @@ static void incident(const light *l, const light_origin *from, const light_point
     light_dim(l, factor, distance, at->n, out);
 }
 
-const light_class light_parallel = { incident };
+const light_class light_parallel = { incident, true };

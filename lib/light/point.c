@@ -8,7 +8,7 @@ static void incident(const light *l, const light_origin *from, const light_point
     out->color = l->color;
 }
 
-const light_class light_point = { incident };
+const light_class light_point = { incident, false };
 
 /* The same, darker with the distance. */
 static void incident_fading(const light *l, const light_origin *from, const light_points *at, light_lanes *out)
@@ -24,4 +24,4 @@ static void incident_fading(const light *l, const light_origin *from, const ligh
     light_dim(l, factor, distance, at->n, out);
 }
 
-const light_class light_fading = { incident_fading };
+const light_class light_fading = { incident_fading, false };

@@ -233,10 +233,11 @@ bool query_occlusion_from(const world *w, query_context *k, const coincident_set
 {
     packet p;
 
-    out->crossed = 0;
+    out->crossed = out->near_end = 0;
     if (!leave(w, from, ray->dir, crossed))
         return false;
     begin(&p, w, k, from, ray, tmax);
+    p.slack = packet_end_slack(w, ray, tmax);
     p.any_blocks = !w->plan.coloured_shadows;
     packet_begin_light(&p, 0);
     p.hits[0].always_exact = true;

@@ -209,13 +209,22 @@ uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 
 /* ---- the queries ---- */
 
-/* Crossings are off by 32 units in the last place, 2^-47 of their distance: nearer the end than this, twice that and a
- * margin, more precision must tell on which side they are. */
-static const double near_end = 0x1p-45;
 /* In double-double, what differs from the end by less than this fraction of the lengths involved lies at the end: the
  * formulas reach 2^-98 of them. */
 static const double same_end = 0x1p-96;
 
+double packet_end_slack(const world *w, const pov_ray *ray, double tmax)
+{
+    double size = pov_largest(ray->org);
+
+    if (w->has_bounds)
+        size += fmax(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi));
+    return tmax < HUGE_VAL ? same_end * (tmax + size / pov_largest(ray->dir)) : 0.0;
+}
+
+/* Crossings are off by 32 units in the last place, 2^-47 of their distance: nearer the end than this, twice that and a
+ * margin, more precision must tell on which side they are. */
+static const double near_end = 0x1p-45;
 /* A segment without end has nothing near it. */
 static double near_end_of(double tmax) { return tmax < HUGE_VAL ? near_end * tmax : 0.0; }
 
@@ -255,16 +264,6 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
     return all_of(n) & ~dark;
 }
 
-/* Size of the numbers involved in a crossing, in lengths of the ray's direction. */
-static double size_of(const world *w, const pov_ray *ray)
-{
-    double size = pov_largest(ray->org);
-
-    if (w->has_bounds)
-        size += fmax(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi));
-    return size / pov_largest(ray->dir);
-}
-
 /* Does light end on one segment, with crossings in double-double? */
 static bool is_blocked_exactly(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
                                bool any_blocks, occlusion *out)
@@ -274,7 +273,7 @@ static bool is_blocked_exactly(const world *w, query_context *k, const pov_ray *
     packet_begin(&p, w, k, &ray, 1, tmax, tmax);
     p.of[0] = (uint8_t)which;
     p.exact = 1;
-    p.slack = same_end * (tmax + size_of(w, ray));
+    p.slack = packet_end_slack(w, ray, tmax);
     p.any_blocks = any_blocks;
     packet_begin_light(&p, 0);
     p.hits[0].always_exact = true;

@@ -36,15 +36,15 @@ static bool any_coincident(const lighting *l)
 }
 
 /* Rays from coincident surfaces are traced one by one. */
-static uint64_t trace_each(const lighting *l, double tmax, colour *through)
+static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
 {
     const shade_context *c = l->context;
     uint64_t lit = 0;
 
     for (uint32_t i = 0; i < l->count; i++) {
         const uint32_t at = l->on->at[l->of[i]].coincident;
-        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], tmax, &through[i])
-                               : transmittance_find(c, &l->rays[i], 1, tmax, &through[i]) != 0;
+        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], end, &through[i])
+                               : transmittance_find(c, &l->rays[i], 1, end, &through[i]) != 0;
 
         lit |= (uint64_t)is_lit << i;
     }
@@ -52,14 +52,14 @@ static uint64_t trace_each(const lighting *l, double tmax, colour *through)
 }
 
 /* The rays to one sample of a light source that are not occluded. */
-static uint64_t trace(const lighting *l, double tmax, colour *through)
+static uint64_t trace(const lighting *l, segment_end end, colour *through)
 {
     shade_context *c = l->context;
 
     c->counts.shadow += l->count;
     if (c->coincident_sets.count > 0 && any_coincident(l))
-        return trace_each(l, tmax, through);
-    return transmittance_find(c, l->rays, l->count, tmax, through);
+        return trace_each(l, end, through);
+    return transmittance_find(c, l->rays, l->count, end, through);
 }
 
 /* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */
@@ -86,19 +86,26 @@ static void name_sides(lighting *l, const vec_lanes *dir)
     }
 }
 
-/* Directions to the k-th point of an area light. */
-static void aim_at_point(const lighting *l, const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to,
-                         light_lanes *in)
+/* Directions to the k-th point of an area light. False: by lane these are different points. */
+static bool aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to, light_lanes *in,
+                         light_origin *origin)
 {
-    (void)l;
     if (from->light->flags & (LIGHT_JITTER | LIGHT_ORIENT)) {
         grid_aim(from->light, from->grid, k, at, to, &in->dir);
         in->tmax = 1.0;
-    } else {
-        const light_origin origin = grid_origin(from->light, from->grid, k);
-
-        from->class->incident(from->light, &origin, at, in);
+        return false;
     }
+    *origin = grid_origin(from->light, from->grid, k);
+    from->class->incident(from->light, origin, at, in);
+    return true;
+}
+
+/* Where rays to a light end that comes from this point. */
+static segment_end end_of(const scene_light *from, const light_lanes *in, const light_origin *origin)
+{
+    const segment_end end = { in->tmax, from->class->parallel ? NULL : origin };
+
+    return end;
 }
 
 static light_points points_of(const lighting *l)
@@ -119,13 +126,14 @@ static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes
         through[i] = colour_of(0.0f, 0.0f, 0.0f);
     for (uint32_t k = 0; k < from->grid->count; k++) {
         colour some[BATCH_MAX];
+        light_origin origin;
         light_lanes in;
+        const bool at_one = aim_at_point(from, k, &at, to, &in, &origin);
 
-        aim_at_point(l, from, k, &at, to, &in);
         name_sides(l, &in.dir);
         for (uint32_t i = 0; i < l->count; i++)
             l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
-        for (uint64_t some_lit = trace(l, in.tmax, some); some_lit; some_lit &= some_lit - 1) {
+        for (uint64_t some_lit = trace(l, end_of(from, &in, at_one ? &origin : NULL), some); some_lit; some_lit &= some_lit - 1) {
             const uint32_t i = first_of64(some_lit);
 
             through[i] = colour_add(through[i], colour_scale(some[i], from->grid->points[k].weight));
@@ -140,14 +148,15 @@ static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->
 
 static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
 {
+    const light_origin origin = light_own_origin(from->light);
     colour through[BATCH_MAX];
 
     if (!l->context->scene->plan->shadows || (from->light->flags & LIGHT_SHADOWLESS))
         for (uint32_t i = 0; i < l->count; i++)
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else
-        for (uint64_t lit = from->grid ? trace_area(l, from, &in->dir, through) : trace(l, in->tmax, through); lit;
-             lit &= lit - 1) {
+        for (uint64_t lit = from->grid ? trace_area(l, from, &in->dir, through) : trace(l, end_of(from, in, &origin), through);
+             lit; lit &= lit - 1) {
             const uint32_t i = first_of64(lit);
 
             add_light(&l->on->at[l->of[i]], colour_mul(brdf_at(s, l->of[i]), through[i]));
@@ -160,12 +169,13 @@ static void reflect_area(lighting *l, const scene_light *from, light_sample *s, 
     const light_points at = points_of(l);
     const float share = 1.0f / (float)from->grid->count;
     light_lanes in = *middle;
+    light_origin origin;
     light_sample one;
 
     for (uint32_t i = 0; i < n; i++)
         s->red[i] = s->green[i] = s->blue[i] = 0.0f;
     for (uint32_t k = 0; k < from->grid->count; k++) {
-        aim_at_point(l, from, k, &at, &middle->dir, &in);
+        aim_at_point(from, k, &at, &middle->dir, &in, &origin);
         brdf_cosines(&one, &l->on->geometry, &in.dir, n);
         brdf_reflect(&l->finishes, l->context->scene->model, &one, &in, true, n);
         for (uint32_t i = 0; i < n; i++) {

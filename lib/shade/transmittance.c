@@ -4,6 +4,8 @@
 #include "shade/fade.h"
 #include "shade/paint.h"
 
+#include <povtrace/exact.h>
+
 /* Filter of a surface where the ray crosses it. For a varying texture the point is computed as for a hit. */
 static colour filter_at(const shading *scene, const pov_ray *ray, const pov_crossing *at)
 {
@@ -94,12 +96,46 @@ static inline bool cross(const shading *scene, const pov_ray *ray, const occlusi
                                  : multiply(scene, found->at[i], found->count[i], through);
 }
 
-uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, uint32_t n, double tmax,
+/* The ray with its direction to the segments' end in double-double. */
+static pov_ray aim_exactly(const pov_ray *ray, segment_end end)
+{
+    const pov_two3 org = pov_two3_of(ray->org, ray->org_lo);
+    pov_ray exact = *ray;
+    pov_two3 at, dir;
+
+    if (!end.at)
+        return exact;
+    at = pov_two3_of(end.at->from, end.at->from_lo);
+    dir.x = pov_two_sub(at.x, org.x);
+    dir.y = pov_two_sub(at.y, org.y);
+    dir.z = pov_two_sub(at.z, org.z);
+    exact.dir = pov_two3_hi(dir);
+    exact.dir_lo = pov_two3_lo(dir);
+    return exact;
+}
+
+/* Decide for rays that cross something near their end. */
+static uint64_t find_exactly(const shade_context *c, const pov_ray *const *rays, segment_end end, uint64_t lit,
+                             occlusion *found)
+{
+    for (uint64_t rest = found->near_end; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const pov_ray exact = aim_exactly(rays[i], end);
+
+        if (!query_occlusion_exact(c->scene->world, c->context, &exact, i, end.tmax, found))
+            lit &= ~((uint64_t)1 << i);
+    }
+    return lit;
+}
+
+uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, uint32_t n, segment_end end,
                             colour *through)
 {
     occlusion found;
-    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, tmax, &found), rest;
+    uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, end.tmax, &found), rest;
 
+    if (found.near_end)
+        lit = find_exactly(c, rays, end, lit, &found);
     for (uint32_t i = 0; i < n; i++)
         through[i] = colour_of(1.0f, 1.0f, 1.0f);
     for (rest = found.crossed; rest; rest &= rest - 1) {
@@ -111,17 +147,18 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     return lit;
 }
 
-bool transmittance_from(const shade_context *c, const coincident_set *from, const pov_ray *ray, double tmax,
+bool transmittance_from(const shade_context *c, const coincident_set *from, const pov_ray *ray, segment_end end,
                         colour *through)
 {
+    const pov_ray exact = aim_exactly(ray, end);
     occlusion found;
     uint32_t crossed;
 
     *through = colour_of(1.0f, 1.0f, 1.0f);
-    if (!query_occlusion_from(c->scene->world, c->context, from, ray, tmax, &found, &crossed))
+    if (!query_occlusion_from(c->scene->world, c->context, from, &exact, end.tmax, &found, &crossed))
         return false;
     for (; crossed; crossed &= crossed - 1)
         *through = colour_mul(*through, filter_of(c->scene, &from->at[first_of(crossed)]));
     return !colour_is_black(*through) &&
-           (!found.crossed || cross(c->scene, ray, &found, 0, through));
+           (!found.crossed || cross(c->scene, &exact, &found, 0, through));
 }

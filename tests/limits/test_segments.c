@@ -5,6 +5,7 @@
 
 #include <povtrace/exact.h>
 
+#include <stdio.h>
 #include <stdlib.h>
 
 static int begin(void **state)
@@ -140,11 +141,71 @@ static void segments_that_end_at_a_face_are_judged_by_their_ends(void **state)
         expect_judged(*state, faces[s], false, s != 3 && s != 4);
 }
 
+/* ---- lights that lie on surfaces ---- */
+
+/* A light that lies on a shape at <0, 1, 0> or at a unit in the last place from there, and what of it reaches a wall below
+ * that height and above it. */
+typedef struct lamp { const char *place, *shape; double below, above; } lamp;
+
+static const lamp lamps[] = {
+    { "<0,1,0>", "box { <-1,-1,-1>, <1,1,1> }", 0, 1 },
+    { "<0,1.0000000000000002,0>", "box { <-1,-1,-1>, <1,1,1> }", 0, 1 },
+    { "<0,0.99999999999999989,0>", "box { <-1,-1,-1>, <1,1,1> }", 0, 0 },
+    { "<0,1,0>", "box { <-1,-1,-1>, <1,1,1> rotate <0,0,45> rotate <0,0,45> }", 0, 1 },
+    { "<0,1,0>", "sphere { <0,0,0>, 1 }", 0, 1 },
+    { "<0,0.99999999999999989,0>", "sphere { <0,0,0>, 1 }", 0, 0 },
+    { "<0,1,0>", "sphere { <0,0,0>, 1 pigment { rgbf <1,1,1,0.5> } }", 0.5, 1 },
+    { "<0,0.99999999999999989,0>", "sphere { <0,0,0>, 1 pigment { rgbf <1,1,1,0.5> } }", 0.5, 0.5 },
+    { "<0,1,0>", "cylinder { <0,-1,0>, <0,1,0>, 1 }", 0, 1 },
+    { "<0,1,0>", "cone { <0,-1,0>, 1, <0,1,0>, 0 }", 1, 1 },
+    { "<0,1,0>", "triangle { <-1,1,-1>, <1,1,-1>, <0,1,1> }", 1, 1 },
+    { "<0,1.0000000000000002,0>", "triangle { <-1,1,-1>, <1,1,-1>, <0,1,1> }", 0, 1 },
+    { "<0,1,0>", "difference { box { <-1,-1,-1>, <1,2,1> } box { <-3,1,-3>, <3,3,3> } }", 0, 1 },
+    { "<0,1,0>", "box { <-1,-1,-1>, <1,1,1> } box { <-1,-1,-1>, <1,1,1> }", 0, 1 },
+};
+
+static pov_scene *wall_with(void *context, const lamp *l, const char *shape)
+{
+    char text[512];
+
+    sprintf(text, "#version 3.7; light_source { %s rgb 1 } plane { z, 5 pigment { rgb 1 } finish { ambient 0 diffuse 1 } } %s",
+            l->place, shape);
+    return scenes_text(context, text);
+}
+
+static double brightness_at(const pov_scene *scene, double x, double y)
+{
+    float rgba[4];
+
+    limits_trace(scene, pov_vec3_of(x, y, 4.0), pov_vec3_of(0.0, 0.0, 1.0), rgba);
+    return rgba[0];
+}
+
+static void a_light_on_a_surface_gives_a_clean_shadow(void **state)
+{
+    uint64_t seed = 521288629u;
+
+    for (size_t k = 0; k < sizeof lamps / sizeof *lamps; k++) {
+        pov_scene *free_wall = wall_with(*state, &lamps[k], ""), *wall = wall_with(*state, &lamps[k], lamps[k].shape);
+
+        for (int i = 0; i < 400; i++) {
+            const double x = 4.0 * number(&seed), y = 1.0 + 4.0 * number(&seed);
+            const double by = y < 1.0 ? lamps[k].below : lamps[k].above, all = brightness_at(free_wall, x, y);
+
+            if (fabs(brightness_at(wall, x, y) - by * all) > 1e-6)
+                fail_msg("%s %s at %g %g: %g of %g", lamps[k].place, lamps[k].shape, x, y, brightness_at(wall, x, y), all);
+        }
+        pov_scene_destroy(wall);
+        pov_scene_destroy(free_wall);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(segments_that_end_at_a_sphere_are_judged_by_their_ends, begin, end),
         cmocka_unit_test_setup_teardown(segments_that_end_at_a_face_are_judged_by_their_ends, begin, end),
+        cmocka_unit_test_setup_teardown(a_light_on_a_surface_gives_a_clean_shadow, begin, end),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

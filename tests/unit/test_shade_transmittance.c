@@ -36,6 +36,8 @@ static void end(subject *s)
     model_free(&s->model);
 }
 
+static const segment_end at_one = { 1.0, NULL };
+
 /* From z = -1 to this z. */
 static bool light_to(subject *s, double z, colour *through)
 {
@@ -46,7 +48,7 @@ static bool light_to(subject *s, double z, colour *through)
     ray.org.z = -1.0;
     ray.dir.z = z + 1.0;
     ray.origin_surface = POV_NO_OWNER;
-    return transmittance_find(&s->context, &rays, 1, 1.0, through) != 0;
+    return transmittance_find(&s->context, &rays, 1, at_one, through) != 0;
 }
 
 /* What six surfaces leave of each component is the product of six numbers as they are, rounded to a float once. */
@@ -177,12 +179,12 @@ static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(
             rays[i].origin_surface = POV_NO_OWNER;
             of[i] = &rays[i];
         }
-        lit = transmittance_find(&s.context, of, WORLD_MANY, 1.0, through);
+        lit = transmittance_find(&s.context, of, WORLD_MANY, at_one, through);
         for (uint32_t i = 0; i < WORLD_MANY; i++) {
             const pov_vec3 in = crossing_at(of[i], -1.0), out = crossing_at(of[i], 1.0);
             const int a = pane_at(in.y, in.z), b = pane_at(out.y, out.z);
             const pigment *p = &panes[a < 0 ? 0 : a], *q = &panes[b < 0 ? 0 : b];
-            const bool is_lit = transmittance_find(&s.context, &of[i], 1, 1.0, &single) != 0;
+            const bool is_lit = transmittance_find(&s.context, &of[i], 1, at_one, &single) != 0;
 
             assert_int_equal(is_lit, lit >> i & 1);
             assert_memory_equal(&single, &through[i], sizeof single);
