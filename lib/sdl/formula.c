@@ -3,7 +3,7 @@
 #include "base/vec.h"
 #include "function/internal.h"
 #include "sdl/expression.h"
-#include "sdl/function.h"
+#include "sdl/function_host.h"
 #include "sdl/noise.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
@@ -179,25 +179,48 @@ static uint32_t call_series(compiler *c, bool is_product)
     return total;
 }
 
-static uint32_t call_part(compiler *c, const function *f)
+/* What is no formula is asked of its host. */
+static uint32_t emit_host(compiler *c, uint32_t mark, uint32_t first, program_host host, uint32_t part)
 {
-    pov_reader *in = c->in;
-    const uint32_t mark = c->next;
-    uint32_t first;
+    const uint32_t to = combine(c, PROGRAM_HOST, mark, first, (uint32_t)c->hosts.count);
+
+    if (c->in->failed)
+        return to;
+    c->code.items[c->code.count - 1].c = (uint16_t)part;
+    if (!VEC_PUSH(c->in->model->env, &c->hosts, host))
+        report_memory(c->in);
+    return to;
+}
+
+static int component_of(compiler *c, const function *f)
+{
     int i = 0;
 
-    read_arguments(c, 1, 3, &first);
-    c->next = mark;
-    if (!in->failed && f->kind == FUNCTION_PIGMENT && f->pigment->pattern)
-        unsupported_note(in, &in->last, KEYWORD_FUNCTION, "a varying pigment in a formula");
-    if (f->kind != FUNCTION_PATTERN) {
-        state_expect(in, '.');
-        i = expression_component(in);
-        if (i < 0)
-            report_expected(in, "a component such as \"red\"");
-        state_advance(in);
+    if (f->kind == FUNCTION_PATTERN)
+        return 0;
+    state_expect(c->in, '.');
+    i = expression_component(c->in);
+    if (i < 0)
+        report_expected(c->in, "a component such as \"red\"");
+    state_advance(c->in);
+    return i;
+}
+
+static uint32_t call_part(compiler *c, const function *f)
+{
+    const program_host host = { function_host_value, f };
+    const uint32_t mark = c->next;
+    uint32_t first;
+    int part;
+
+    read_arguments(c, f->kind == FUNCTION_SPLINE ? 1 : 3, 3, &first);
+    part = component_of(c, f);
+    if (f->kind == FUNCTION_SPLINE) {
+        unsupported_note(c->in, &c->in->last, KEYWORD_SPLINE, "a spline in a formula");
+        c->next = mark;
+        return constant(c, 0.0);
     }
-    return constant(c, f->kind == FUNCTION_PIGMENT && i >= 0 ? expression_part(function_colour(in, f, pov_vec3_of(0.0, 0.0, 0.0)).as.v, i) : 0.0);
+    return emit_host(c, mark, first, host, part < 0 ? 0 : (uint32_t)part);
 }
 
 static uint32_t call_declared(compiler *c, const function *f)
@@ -448,26 +471,16 @@ bool formula_compile(pov_reader *in, symbol *const *parameters, uint32_t count, 
     return !in->failed;
 }
 
-/* Noise is not a function of this room's own. */
-static void emit_host(compiler *c, noise_function *of)
-{
-    const program_host host = { of, noise_of(c->in) };
-
-    if (!c->in->failed && !VEC_PUSH(c->in->model->env, &c->hosts, host))
-        report_memory(c->in);
-    emit(c, PROGRAM_HOST, 0, 0, 0);
-}
-
 bool formula_internal(pov_reader *in, uint32_t number, program *out)
 {
-    noise_function *noise = noise_function_find(number);
+    const program_host host = { noise_function_find(number), noise_function_find(number) ? noise_of(in) : NULL };
     compiler c;
 
     memset(&c, 0, sizeof c);
     c.in = in;
     c.next = c.most = internal_arguments(number);
-    if (noise)
-        emit_host(&c, noise);
+    if (host.value)
+        emit_host(&c, 0, 0, host, 0);
     else
         emit(&c, PROGRAM_INTERNAL, 0, 0, number);
     conclude(&c, internal_arguments(number), 0, out);

@@ -3,6 +3,8 @@
 #include "function/internal.h"
 #include "sdl/expression.h"
 #include "sdl/formula.h"
+#include "sdl/function_host.h"
+#include "sdl/parse_pattern.h"
 #include "sdl/parse_texture.h"
 #include "sdl/report.h"
 #include "sdl/spline.h"
@@ -91,6 +93,42 @@ static void read_pigment(pov_reader *in, function *f)
         textures_settle_pigment(in, f->pigment);
 }
 
+/* What a pattern gives at a point alone. */
+static bool is_of_points(const pattern_class *class)
+{
+    return class->evaluate && !(class->flags & PATTERN_NEEDS_NORMAL);
+}
+
+static void read_pattern_content(pov_reader *in, pattern_reading *r)
+{
+    if (!parse_pattern_word(in, r))
+        report_expected(in, "a pattern");
+    else if (!in->failed && !is_of_points(r->parsed.pattern.class))
+        report_fail(in, &in->last, POV_E_SYNTAX, "\"%s\" has no value without a surface",
+                    r->parsed.pattern.class->keyword);
+    while (!in->failed && in->token.kind != '}')
+        if (!parse_pattern_modifier(in, r))
+            report_expected(in, "a modifier of the pattern or \"}\"");
+}
+
+static void read_pattern(pov_reader *in, function *f)
+{
+    pattern_reading r;
+    block b;
+
+    f->kind = FUNCTION_PATTERN;
+    state_advance(in);
+    items_open(in, &b);
+    parse_pattern_begin(&r);
+    read_pattern_content(in, &r);
+    in->block = b.outer;
+    state_close(in, '}');
+    if (in->failed)
+        return;
+    f->pattern = parse_pattern_end(in, &r);
+    textures_settle_pattern(in, f->pattern);
+}
+
 static void read_content(pov_reader *in, function *f, symbol *const *parameters, uint32_t count)
 {
     switch (state_keyword(in)) {
@@ -109,8 +147,7 @@ static void read_content(pov_reader *in, function *f, symbol *const *parameters,
         f->spline = spline_read(in);
         break;
     case KEYWORD_PATTERN:
-        f->kind = FUNCTION_PATTERN;
-        unsupported_item(in);
+        read_pattern(in, f);
         break;
     default:
         formula_compile(in, parameters, count, &f->program);
@@ -127,6 +164,7 @@ value function_read(pov_reader *in)
     f = state_alloc(in, sizeof *f, 16);
     if (!f)
         return value_of_number(0.0);
+    f->model = in->model;
     state_open(in, '{');
     read_content(in, f, parameters, count);
     state_accept(in, ';');
@@ -169,43 +207,37 @@ static double run(pov_reader *in, const program *p)
 
 static value map_point(pov_reader *in, const function *f)
 {
-    double v[3];
-    pov_vec3 p, rest;
+    double at[3];
 
-    read_arguments(in, v, 3);
-    if (in->failed)
-        return value_of_number(0.0);
-    transform_point(&f->map, pov_vec3_of(v[0], v[1], v[2]), &p, &rest);
-    return value_of_vector(p);
+    read_arguments(in, at, 3);
+    return in->failed ? value_of_number(0.0) : value_of_vector(function_host_map(f, at));
 }
 
-value function_colour(pov_reader *in, const function *f, pov_vec3 at)
+static value colour_at(pov_reader *in, const function *f)
 {
-    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     value v = value_of_number(0.0);
-    texture_points points;
-    pigment p;
+    double at[3];
 
+    read_arguments(in, at, 3);
     v.kind = VALUE_VECTOR;
     v.size = 5;
     v.is_colour = true;
-    if (in->failed)
-        return v;
-    points.has_surface = false;
-    texture_point(NULL, at, zero, 0, &points);
-    pigment_eval(in->model, f->pigment, &points, 1, &p);
-    v.as.v[0] = (double)p.color.r;
-    v.as.v[1] = (double)p.color.g;
-    v.as.v[2] = (double)p.color.b;
-    v.as.v[3] = (double)p.filter;
-    v.as.v[4] = (double)p.transmit;
+    if (!in->failed)
+        function_host_colour(f, at, v.as.v);
     return v;
+}
+
+static value number_at(pov_reader *in, const function *f)
+{
+    double at[3];
+
+    read_arguments(in, at, 3);
+    return value_of_number(in->failed ? 0.0 : function_host_value(f, at, 0));
 }
 
 value function_call(pov_reader *in, value callee)
 {
     const function *f = callee.as.part;
-    double point[3];
 
     switch (f->kind) {
     case FUNCTION_SPLINE:
@@ -213,11 +245,9 @@ value function_call(pov_reader *in, value callee)
     case FUNCTION_TRANSFORM:
         return map_point(in, f);
     case FUNCTION_PIGMENT:
-        read_arguments(in, point, 3);
-        return function_colour(in, f, pov_vec3_of(point[0], point[1], point[2]));
+        return colour_at(in, f);
     case FUNCTION_PATTERN:
-        read_arguments(in, point, 3);
-        return value_of_number(0.0);
+        return number_at(in, f);
     default:
         return value_of_number(run(in, &f->program));
     }

@@ -17,12 +17,12 @@ typedef struct function {
     value spline;                /* kept until the reader goes */
     pov_affine map;
     const pigment_node *pigment;
+    const pattern *pattern;
+    const model *model;          /* what they stand in */
 } function;
 
 /* `function` has been taken: its parameters and its block. */
 value function_read(pov_reader *in);
-/* The colour of a FUNCTION_PIGMENT at a point. */
-value function_colour(pov_reader *in, const function *f, pov_vec3 at);
 /* `(` is next: as many numbers as the function has parameters. */
 value function_call(pov_reader *in, value callee);
 

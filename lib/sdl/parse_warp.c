@@ -54,6 +54,7 @@ static void read_offset(pov_reader *in, void *self, keyword_id keyword)
     ((warp *)self)->as.repeat.offset = value_vector(in);
 }
 
+/* POV-Ray keeps the width as a float. */
 static void read_axis(pov_reader *in, warp *w)
 {
     const pov_vec3 v = value_vector(in);
@@ -63,7 +64,7 @@ static void read_axis(pov_reader *in, warp *w)
     for (int i = 0; i < 3; i++)
         if (width[i] != 0.0) {
             w->as.repeat.axis = i;
-            w->as.repeat.width = width[i];
+            w->as.repeat.width = (double)(float)width[i];
             axes++;
         }
     if (!in->failed && axes != 1)

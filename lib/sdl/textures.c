@@ -185,7 +185,7 @@ const texture *textures_uv(pov_reader *in, const texture *t) { return change_tex
 
 /* ---- use ---- */
 
-static void settle_pattern(pov_reader *in, const pattern *p)
+void textures_settle_pattern(pov_reader *in, const pattern *p)
 {
     const pigment_node *inner;
     const pattern_parsed *parsed;
@@ -213,7 +213,7 @@ static void settle_pattern(pov_reader *in, const pattern *p)
 
 void textures_settle_pigment(pov_reader *in, const pigment_node *p)
 {
-    settle_pattern(in, p->pattern);
+    textures_settle_pattern(in, p->pattern);
     for (uint32_t i = 0; p->pigments && i < p->count && !in->failed; i++)
         textures_settle_pigment(in, p->pigments[i]);
 }
@@ -222,14 +222,14 @@ static void settle_normal(pov_reader *in, const normal_node *n)
 {
     if (!n)
         return;
-    settle_pattern(in, n->pattern);
+    textures_settle_pattern(in, n->pattern);
     for (uint32_t i = 0; n->normals && i < n->count && !in->failed; i++)
         settle_normal(in, n->normals[i]);
 }
 
 void textures_settle(pov_reader *in, const texture *t)
 {
-    settle_pattern(in, t->pattern);
+    textures_settle_pattern(in, t->pattern);
     if (t->pigment)
         textures_settle_pigment(in, t->pigment);
     if (t->normal)

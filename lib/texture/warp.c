@@ -9,11 +9,12 @@ static double *along(vec_lanes *at, int axis)
     return axis == 0 ? at->x : axis == 1 ? at->y : at->z;
 }
 
-/* Cells along the axis: their numbers, and places in them. Odd ones are turned round if asked. */
+/* Cells along the axis: their numbers, and places in them, which begin where floats do, as POV-Ray's. Odd ones are turned
+ * round if asked. */
 SIMD_CLONES static void to_cells(double width, bool flips, uint32_t n, double *restrict at, double *restrict cell)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const double k = floor(at[i] / width), inside = at[i] - k * width;
+        const double k = floor(at[i] / width), inside = at[i] - (double)(float)(k * width);
         const bool is_odd = k - 2.0 * floor(0.5 * k) != 0.0;
 
         at[i] = is_odd && flips ? width - inside : inside;

@@ -1,0 +1,74 @@
+#include "sdl/function_host.h"
+
+#include "sdl/expression.h"
+#include "texture/points.h"
+
+static pov_vec3 vector_of(const double *at) { return pov_vec3_of(at[0], at[1], at[2]); }
+
+static void put_point(const double *at, texture_points *out)
+{
+    out->has_surface = false;
+    texture_point(NULL, vector_of(at), pov_vec3_of(0.0, 0.0, 0.0), 0, out);
+}
+
+/* In functions ripples and waves have their usual number of sources, whatever the settings say. */
+static double value_of_pattern(const function *f, const double *at)
+{
+    SIMD_ALIGNED double found[LANES_MAX];
+    texture_points points;
+    pattern_input in;
+    vec_lanes own;
+
+    put_point(at, &points);
+    points_place(f->model, f->pattern, &points, 1, &own, NULL);
+    in = points_input(f->model, f->pattern, &points, &own, 1);
+    in.waves = NOISE_WAVES;
+    points_values(&in, found);
+    return found[0];
+}
+
+void function_host_colour(const function *f, const double *at, double out[5])
+{
+    texture_points points;
+    pigment p;
+
+    put_point(at, &points);
+    pigment_eval(f->model, f->pigment, &points, 1, &p);
+    out[0] = (double)p.color.r;
+    out[1] = (double)p.color.g;
+    out[2] = (double)p.color.b;
+    out[3] = (double)p.filter;
+    out[4] = (double)p.transmit;
+}
+
+pov_vec3 function_host_map(const function *f, const double *at)
+{
+    pov_vec3 p, rest;
+
+    transform_point(&f->map, vector_of(at), &p, &rest);
+    return p;
+}
+
+double function_host_value(const void *self, const double *at, uint32_t part)
+{
+    const function *f = self;
+    double v[5] = { 0.0 };
+    pov_vec3 p;
+
+    switch (f->kind) {
+    case FUNCTION_PATTERN:
+        return value_of_pattern(f, at);
+    case FUNCTION_PIGMENT:
+        function_host_colour(f, at, v);
+        break;
+    case FUNCTION_TRANSFORM:
+        p = function_host_map(f, at);
+        v[0] = p.x;
+        v[1] = p.y;
+        v[2] = p.z;
+        break;
+    default:
+        break;
+    }
+    return expression_part(v, (int)part);
+}

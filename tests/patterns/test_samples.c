@@ -1,0 +1,195 @@
+/* test_samples.c - asks the language for every value that was measured from POV-Ray: function { pattern { } } and #debug.
+ *
+ * samples.txt has values of patterns, warps.txt where warps take points to. */
+#include "support/near.h"
+#include "support/reading.h"
+#include "support/samples.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+
+enum { TEXT = 1 << 16, WARP_ROWS = 12 };
+
+typedef struct text { char bytes[TEXT]; size_t used; } text;
+
+static void put(text *t, const char *format, ...)
+{
+    va_list args;
+    int n;
+
+    va_start(args, format);
+    n = vsnprintf(t->bytes + t->used, TEXT - t->used, format, args);
+    va_end(args);
+    assert_true(n >= 0 && (size_t)n < TEXT - t->used);
+    t->used += (size_t)n;
+}
+
+static void read_text(reading *r, const text *t)
+{
+    reading_begin_bytes(r, t->bytes, t->used, NULL, NULL);
+    if (r->status != POV_OK)
+        fail_msg("%s", r->error.message);
+}
+
+/* The i-th number that the text printed. */
+static double printed(const reading *r, uint32_t i)
+{
+    assert_true((int)i < r->note_count);
+    return strtod(r->notes[i].message, NULL);
+}
+
+/* ---- patterns ---- */
+
+/* `noise2` is a generator, `vturb.x 2.3 0.6 5` a component of vturbulence(), all else the text of a pattern. */
+static void put_call(text *t, const samples *s, uint32_t i)
+{
+    char lambda[16] = "2", omega[16] = ".5", octaves[16] = "1";
+    const pov_vec3 p = s->at[i];
+
+    if (strncmp(s->text, "noise", 5) == 0) {
+        put(t, "F(%.17g, %.17g, %.17g, %c)", p.x, p.y, p.z, s->text[5]);
+    } else if (strncmp(s->text, "dnoise", 6) == 0 || strncmp(s->text, "vturb", 5) == 0) {
+        sscanf(strchr(s->text, '.') + 2, "%15s %15s %15s", lambda, omega, octaves);
+        put(t, "vturbulence(%s, %s, %s, <%.17g, %.17g, %.17g>).%c", lambda, omega, octaves, p.x, p.y, p.z,
+            strchr(s->text, '.')[1]);
+    } else {
+        put(t, "F(%.17g, %.17g, %.17g)", p.x, p.y, p.z);
+    }
+}
+
+static void check_pattern(const samples *s, uint32_t *rows)
+{
+    const bool is_noise = strncmp(s->text, "noise", 5) == 0;
+    const bool is_vector = strncmp(s->text, "dnoise", 6) == 0 || strncmp(s->text, "vturb", 5) == 0;
+    static text t;
+    reading r;
+
+    t.used = 0;
+    put(&t, "#version 3.7;\n");
+    if (is_noise)
+        put(&t, "#declare F = function { internal(78) }\n");
+    else if (!is_vector)
+        put(&t, "#declare F = function { pattern { %s } }\n", s->text);
+    for (uint32_t i = 0; i < s->count; i++) {
+        put(&t, "#debug str(");
+        put_call(&t, s, i);
+        put(&t, ", 0, 17)\n");
+    }
+    read_text(&r, &t);
+    for (uint32_t i = 0; i < s->count; i++, ++*rows)
+        assert_near(printed(&r, i), s->value[i], 1e-12);
+    reading_end(&r);
+}
+
+static void every_pattern_has_its_measured_values(void **state)
+{
+    FILE *file = samples_open();
+    uint32_t rows = 0;
+    samples s;
+    (void)state;
+
+    while (samples_next(file, &s))
+        check_pattern(&s, &rows);
+    assert_int_equal(rows, 4950);
+    fclose(file);
+}
+
+/* ---- warps ---- */
+
+typedef struct warp_rows { char text[SAMPLES_TEXT]; double from[WARP_ROWS][3], to[WARP_ROWS][3]; } warp_rows;
+
+static bool next_warp(FILE *file, warp_rows *w)
+{
+    if (fscanf(file, " : %159[^\n]", w->text) != 1)
+        return false;
+    for (int i = 0; i < WARP_ROWS; i++) {
+        double *a = w->from[i], *b = w->to[i];
+
+        assert_int_equal(fscanf(file, "%lf %lf %lf %lf %lf %lf", a, a + 1, a + 2, b, b + 1, b + 2), 6);
+    }
+    return true;
+}
+
+/* A gradient so long that nothing folds shows a coordinate of a point that was moved. */
+static void check_warp(const warp_rows *w)
+{
+    static text t;
+    reading r;
+
+    t.used = 0;
+    put(&t, "#version 3.7;\n");
+    for (char axis = 'x'; axis <= 'z'; axis++)
+        put(&t, "#declare F%c = function { pattern { gradient %c scale 100 translate -50 warp { %s } } }\n", axis, axis, w->text);
+    for (int i = 0; i < WARP_ROWS; i++)
+        for (char axis = 'x'; axis <= 'z'; axis++)
+            put(&t, "#debug str(F%c(%.17g, %.17g, %.17g) * 100 - 50, 0, 17)\n", axis, w->from[i][0], w->from[i][1], w->from[i][2]);
+    read_text(&r, &t);
+    for (uint32_t i = 0; i < 3 * WARP_ROWS; i++)
+        assert_near(printed(&r, i), w->to[i / 3][i % 3], 1e-10);
+    reading_end(&r);
+}
+
+static void every_warp_moves_points_as_measured(void **state)
+{
+    FILE *file = fopen(TEST_ROOT "/tests/patterns/warps.txt", "r");
+    warp_rows w;
+    int count = 0;
+    (void)state;
+
+    assert_non_null(file);
+    for (; next_warp(file, &w); count++)
+        check_warp(&w);
+    assert_int_equal(count, 28);
+    fclose(file);
+}
+
+/* ---- formulas ---- */
+
+static void formulas_ask_patterns_pigments_and_maps(void **state)
+{
+    reading r;
+    (void)state;
+
+    reading_begin(&r, "#version 3.7;\n"
+                      "#declare P = function { pattern { granite scale 2 } }\n"
+                      "#declare C = function { pigment { gradient x color_map { [0 rgb <0, .5, 1>] [1 rgb <1, .25, 0>] } } }\n"
+                      "#declare T = function { transform { scale 2 translate <1, 2, 3> } }\n"
+                      "#declare F = function(x, y) { P(x, y, .5) + 2 * C(x, 0, 0).red - C(.5, x, y).green + T(x, y, 7).z }\n"
+                      "#debug str(F(.25, .75) - P(.25, .75, .5), 0, 15)\n"
+                      "#declare N = function { internal(76) }\n"
+                      "#declare G = function { N(x, 2 * y, z) * 2 - 1 }\n"
+                      "#debug str(G(.3, .2, .1) - (2 * N(.3, .4, .1) - 1), 0, 15)\n");
+    assert_int_equal(r.status, POV_OK);
+    assert_near(printed(&r, 0), 2.0 * 0.25 - 0.375 + 17.0, 1e-6);   /* colours are floats */
+    assert_near(printed(&r, 1), 0.0, 1e-15);
+    reading_end(&r);
+}
+
+static void patterns_that_need_a_surface_have_no_function(void **state)
+{
+    static const char *const wrong[] = { "slope y", "average", "aoi" };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        static text t;
+        reading r;
+
+        t.used = 0;
+        put(&t, "#version 3.7;\n#declare F = function { pattern { %s } }\n", wrong[i]);
+        reading_begin_bytes(&r, t.bytes, t.used, NULL, NULL);
+        assert_int_equal(r.status, POV_E_SYNTAX);
+        reading_end(&r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_pattern_has_its_measured_values),
+        cmocka_unit_test(every_warp_moves_points_as_measured),
+        cmocka_unit_test(formulas_ask_patterns_pigments_and_maps),
+        cmocka_unit_test(patterns_that_need_a_surface_have_no_function),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
