@@ -65,15 +65,15 @@ static void evaluate_leopard(const pattern_input *in, double *value)
 
 /* ---- cubic ---- */
 
-/* The face of a cube about the origin: 0 to 2 where x, y, z are largest, 3 to 5 where they are least. */
+/* The face of a cube about the origin: 0 to 2 towards x, y, z, 3 to 5 against them. On edges the first one counts. */
 SIMD_CLONES static void find_face(const vec_lanes *restrict at, uint32_t n, double *restrict value)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const double x = at->x[i], y = at->y[i], z = at->z[i];
-        const bool is_x = fabs(x) >= fabs(y) && fabs(x) >= fabs(z), is_y = !is_x && fabs(y) >= fabs(z);
-        const double along = is_x ? x : is_y ? y : z;
+        const double x = at->x[i], y = at->y[i], z = at->z[i], a = fabs(x), b = fabs(y), c = fabs(z);
+        const double most = a > b ? (a > c ? a : c) : (b > c ? b : c);
+        const double against = -x == most ? 3.0 : -y == most ? 4.0 : 5.0;
 
-        value[i] = (is_x ? 0.0 : is_y ? 1.0 : 2.0) + (along > 0.0 ? 0.0 : 3.0);
+        value[i] = x == most ? 0.0 : y == most ? 1.0 : z == most ? 2.0 : against;
     }
 }
 
@@ -86,4 +86,10 @@ const pattern_class pattern_gradient = { .keyword = "gradient", .self_size = siz
                                          .word_count = 1, .evaluate = evaluate_gradient };
 const pattern_class pattern_radial = { .keyword = "radial", .map = radial_map, .map_count = 4, .evaluate = evaluate_radial };
 const pattern_class pattern_leopard = { .keyword = "leopard", .evaluate = evaluate_leopard };
-const pattern_class pattern_cubic = { .keyword = "cubic", .count = 6, .evaluate = evaluate_cubic };
+const pattern_class pattern_cubic = {
+    .keyword = "cubic",
+    .count = 6,
+    .list = { { .color = { 1.0f, 0.0f, 0.0f } }, { .color = { 0.0f, 1.0f, 0.0f } }, { .color = { 0.0f, 0.0f, 1.0f } },
+              { .color = { 1.0f, 1.0f, 0.0f } }, { .color = { 0.0f, 1.0f, 1.0f } }, { .color = { 1.0f, 0.0f, 1.0f } } },
+    .evaluate = evaluate_cubic,
+};
