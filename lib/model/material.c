@@ -19,6 +19,7 @@ void material_set_textures(material *m, const texture *outside, const texture *i
     m->inside = inside;
     if (!outside)
         return;
+    m->needs_uv = texture_has_uv(&all);
     texture_bounds(&all, &most, &m->finish);
     m->pigment = most.color;
     m->filter = most.filter;

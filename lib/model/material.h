@@ -9,6 +9,7 @@ typedef struct material {
     const texture *texture;      /* NULL: constant, of the pigment and the finish below. Where there is a texture, what is
                                   * zero in them is zero everywhere */
     const texture *inside;       /* where rays hit the surface from inside; NULL: the same as outside */
+    bool needs_uv;               /* the textures ask for the surface's uv coordinates */
     colour pigment;
     float filter, transmit;
     finish finish;

@@ -65,3 +65,36 @@ bool texture_has_normals(const texture *of)
             return true;
     return false;
 }
+
+/* ---- uv ---- */
+
+static bool pattern_has_uv(const pattern *p) { return p && p->uv; }
+
+static bool pigment_has_uv(const pigment_node *of)
+{
+    bool has = pattern_has_uv(of->pattern);
+
+    for (uint32_t i = 0; of->pigments && i < of->count; i++)
+        has |= pigment_has_uv(of->pigments[i]);
+    return has;
+}
+
+static bool normal_has_uv(const normal_node *of)
+{
+    bool has = of && pattern_has_uv(of->pattern);
+
+    for (uint32_t i = 0; of && of->normals && i < of->count; i++)
+        has |= normal_has_uv(of->normals[i]);
+    return has;
+}
+
+bool texture_has_uv(const texture *of)
+{
+    bool has = pattern_has_uv(of->pattern);
+
+    if (of->blend == BLEND_NONE)
+        return pigment_has_uv(of->pigment) || normal_has_uv(of->normal);
+    for (uint32_t i = 0; i < of->count; i++)
+        has |= texture_has_uv(of->textures[i]);
+    return has;
+}

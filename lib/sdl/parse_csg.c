@@ -91,6 +91,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     }
     leaf.flags = find_flags(o, a);
     parse_surface_material(in, &s, &m);
+    leaf.flags |= m.needs_uv ? LEAF_UV : 0;
     m.double_illuminate = (leaf.flags & LEAF_DOUBLE_ILLUMINATE) != 0;
     leaf.material = materials_index(in, &m);
     *out = (node_ref)in->model->leaves.count;

@@ -46,6 +46,12 @@ static void read_normal(pov_reader *in, void *self, keyword_id keyword)
     parse_normal(in, surface_of(in, self));
 }
 
+static void read_uv(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    ((object_parsed *)self)->surface.uv = value_optional(in, 1.0) != 0.0;
+}
+
 static void read_inside(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
@@ -151,7 +157,7 @@ static const item modifier_items[] = {
     { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
     { KEYWORD_RGB, skip_colour },        { KEYWORD_RGBF, skip_colour },        { KEYWORD_RGBT, skip_colour },
     { KEYWORD_RGBFT, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
-    { KEYWORD_INTERIOR_TEXTURE, read_inside },
+    { KEYWORD_INTERIOR_TEXTURE, read_inside }, { KEYWORD_UV_MAPPING, read_uv },
     { KEYWORD_DOUBLE_ILLUMINATE, read_flag }, { KEYWORD_NO_IMAGE, read_flag },
     { KEYWORD_NO_REFLECTION, read_flag },
 };
@@ -160,7 +166,7 @@ static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BO
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_PHOTONS,
-                                     KEYWORD_UV_MAPPING, KEYWORD_CUTAWAY_TEXTURES,
+                                     KEYWORD_CUTAWAY_TEXTURES,
                                      KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };

@@ -397,7 +397,7 @@ static void settle(pov_reader *in, const texture *outside, const texture *inside
 {
     material *last = &in->textured;
 
-    if (last->texture == outside && last->inside == inside)
+    if (in->failed || (last->texture == outside && last->inside == inside))
         return;
     textures_settle(in, outside);
     if (inside)
@@ -422,7 +422,9 @@ void parse_surface_material(pov_reader *in, const surface_parsed *s, material *o
         set_constant(s, out);
         return;
     }
-    settle(in, outside, s->inside);
+    if (s->uv)
+        outside = textures_uv(in, outside);
+    settle(in, outside, s->uv ? textures_uv(in, s->inside) : s->inside);
     *out = in->textured;
     out->interior = own;
 }
