@@ -166,6 +166,21 @@ static bool visit_ranges(const pov_hierarchy *self, const pov_ray *ray, const po
     return traverse(self, ray, hits, &v);
 }
 
+/* A leaf fills a whole unit of their memory. */
+static bool each_range(const pov_hierarchy *self, bool (*range)(void *user, uint32_t first, uint32_t count), void *user)
+{
+    const bvh *t = &((const hierarchy *)(const void *)self)->tree;
+    size_t i;
+
+    for (i = 0; i < t->leaf_count; i++) {
+        const leaf *l = (const leaf *)(const void *)(t->leaves + i * BVH_UNIT);
+
+        if (!range(user, l->item[0], l->count))
+            return false;
+    }
+    return true;
+}
+
 /* ---- the whole ---- */
 
 hierarchy *hierarchy_create(const env *e, const hierarchy_items *items)
@@ -177,6 +192,7 @@ hierarchy *hierarchy_create(const env *e, const hierarchy_items *items)
     h->env = e;
     h->service.visit = visit_items;
     h->service.visit_ranges = items->order ? visit_ranges : NULL;
+    h->service.each_range = items->order ? each_range : NULL;
     h->kernels = bvh_kernels_best();
     if (build(h, items))
         return h;

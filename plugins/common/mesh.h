@@ -5,6 +5,7 @@
 #ifndef COMMON_MESH_H
 #define COMMON_MESH_H
 
+#include "common/face_filter.h"
 #include "common/triangle.h"
 
 /* Three numbers of a face: of its corners, or what is at these. */
@@ -34,6 +35,7 @@ typedef struct common_mesh {
     const pov_vec3 *corners;     /* scaled */
     const common_face *faces;
     const pov_hierarchy *tree;
+    const float *blocks;         /* by leaf: those of its first face begin at COMMON_FACE_ROWS times its number */
     uint32_t face_count;
     bool closed;                 /* each edge has an even number of faces */
     pov_vec3 toward;

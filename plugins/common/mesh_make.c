@@ -149,6 +149,34 @@ static const void *keep_bytes(const making *k, const void *of, uint32_t count, s
     return kept;
 }
 
+/* Blocks of the leaves' faces. */
+typedef struct filling { const common_mesh *mesh; float *blocks; } filling;
+
+static bool fill_block(void *user, uint32_t first, uint32_t count)
+{
+    const filling *f = user;
+    const common_mesh *m = f->mesh;
+    uint32_t i;
+
+    for (i = 0; i < count; i++) {
+        const uint32_t *at = m->faces[first + i].at;
+
+        common_face_put(f->blocks + (size_t)COMMON_FACE_ROWS * first, count, i, pov_sub(m->corners[at[0]], m->anchor),
+                        pov_sub(m->corners[at[1]], m->anchor), pov_sub(m->corners[at[2]], m->anchor));
+    }
+    return true;
+}
+
+static void keep_blocks(common_mesh *m, const making *k)
+{
+    const size_t floats = (size_t)COMMON_FACE_ROWS * k->count + COMMON_FACE_PAD;
+    filling f = { m, m->corners && m->faces ? k->host->alloc(k->in, floats * sizeof(float)) : NULL };
+
+    if (f.blocks)
+        m->tree->each_range(m->tree, fill_block, &f);
+    m->blocks = f.blocks;
+}
+
 static void keep(common_mesh *m, const common_mesh_parts *p, const making *k)
 {
     m->corners = keep_bytes(k, p->corners, p->corner_count, sizeof *p->corners);
@@ -158,7 +186,8 @@ static void keep(common_mesh *m, const common_mesh_parts *p, const making *k)
     m->uvs = keep_bytes(k, p->uvs, p->uv_count, sizeof *p->uvs);
     m->uv_faces = p->uv_faces ? keep_faces(k, p->uv_faces) : m->faces;
     m->textures = keep_faces(k, p->textures);
-    m->face_count = m->corners && m->faces && m->tree ? p->face_count : 0;
+    keep_blocks(m, k);
+    m->face_count = m->blocks ? p->face_count : 0;
 }
 
 static void find_turned(common_mesh *m, const making *k)

@@ -257,6 +257,11 @@ static bool visit_all(const pov_hierarchy *self, const pov_ray *ray, const pov_h
     return visit(user, 0, all->count);
 }
 
+static bool visit_each(const pov_hierarchy *self, bool (*visit)(void *user, uint32_t first, uint32_t count), void *user)
+{
+    return visit_all(self, NULL, NULL, visit, user);
+}
+
 static const pov_hierarchy *host_hierarchy_in_order(pov_reader *in, uint32_t n,
                                                     void (*box)(void *user, uint32_t which, pov_box *out), void *user,
                                                     uint32_t *order)
@@ -270,6 +275,7 @@ static const pov_hierarchy *host_hierarchy_in_order(pov_reader *in, uint32_t n,
     for (uint32_t i = 0; i < n; i++)
         order[i] = n - 1 - i;
     all->service.visit_ranges = visit_all;
+    all->service.each_range = visit_each;
     all->count = n;
     return &all->service;
 }

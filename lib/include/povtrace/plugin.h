@@ -38,6 +38,9 @@ typedef struct pov_hierarchy {
      * numbered them. */
     bool (*visit_ranges)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
                        bool (*visit)(void *user, uint32_t first, uint32_t count), void *user);
+    /* All leaves, in order. */
+    bool (*each_range)(const struct pov_hierarchy *self, bool (*visit)(void *user, uint32_t first, uint32_t count),
+                       void *user);
 } pov_hierarchy;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives

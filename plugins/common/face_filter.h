@@ -1,0 +1,25 @@
+/* face_filter.h - leaves out faces of a mesh that a ray certainly misses, eight at a time, in floats.
+ *
+ * A block holds the corners of the faces of one leaf: nine rows (x, y, z of the first corner, then of the others), each
+ * as long as there are faces, relative to the mesh's anchor and scaled. */
+#ifndef COMMON_FACE_FILTER_H
+#define COMMON_FACE_FILTER_H
+
+#include "common/edges.h"
+
+enum { COMMON_FACE_ROWS = 9, COMMON_FACE_PAD = 8 };   /* floats behind the last block, which are read and not used */
+
+/* A ray seen along its largest axis, in floats: its point near the anchor, its slopes, and the error of a coordinate in
+ * the view. */
+typedef struct common_face_view {
+    int across, up, forward;
+    float point[3], slope_across, slope_up, error;
+} common_face_view;
+
+common_face_view common_face_view_of(const common_view *v);
+/* Write one face of a block of `count`. */
+void common_face_put(float *block, uint32_t count, uint32_t i, pov_vec3 a, pov_vec3 b, pov_vec3 c);
+/* Faces from `first` on that the line of the ray may hit, by bit: up to eight. */
+uint32_t common_face_filter(const float *block, uint32_t count, uint32_t first, const common_face_view *v);
+
+#endif
