@@ -2,6 +2,7 @@
 #include "api/handles.h"
 #include "query/passage.h"
 #include "shade/tracer.h"
+#include "world/detail.h"
 
 #include <povtrace/exact.h>
 
@@ -39,7 +40,7 @@ static bool is_ray(pov_vec3 org, pov_vec3 dir)
     return pov_largest(pov_unit(dir)) > 0.0 && isfinite(org.x) && isfinite(org.y) && isfinite(org.z);
 }
 
-static pov_hit hit_of(const model *m, const hit *h, double distance)
+static pov_hit hit_of(const shading *scene, const pov_ray *ray, const hit *h, double distance)
 {
     pov_hit found = POV_INIT(found);
 
@@ -47,7 +48,9 @@ static pov_hit hit_of(const model *m, const hit *h, double distance)
     found.point = h->point;
     found.normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     found.shading_normal = found.normal;
-    found.object = model_object_of(m, h->object);
+    if (scene->objects_info[h->object].smooth)
+        world_shading_normal(scene->world, ray, h, &found.shading_normal);
+    found.object = model_object_of(scene->model, h->object);
     found.certain = (h->crossing.mark.flags & POV_MARK_ESCALATED) == 0;
     return found;
 }
@@ -76,7 +79,7 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
         return false;
     }
     world_surface(tracer->context.scene->world, &ray, &h);
-    found = hit_of(tracer->context.scene->model, &h, h.crossing.t);
+    found = hit_of(tracer->context.scene, &ray, &h, h.crossing.t);
     if (out)
         adapt_out(out, &found, sizeof found);
     return true;
@@ -104,7 +107,7 @@ size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*vis
     }
     while (passes_cutoff && passage_next(&p, &h)) {
         const pov_hit found =
-            hit_of(tracer->context.scene->model, &h, count == 0 ? h.crossing.t : distance_to(&h, org, dir));
+            hit_of(tracer->context.scene, &p.ray, &h, count == 0 ? h.crossing.t : distance_to(&h, org, dir));
 
         count++;
         passes_cutoff = visit(user, &found);

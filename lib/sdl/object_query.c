@@ -105,7 +105,7 @@ bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point)
     if (find_map(o, &map))
         point = back(&map, point, 1.0);
     if (o->kind == OBJECT_LEAF && begin(in, o, &s)) {
-        holds = s.shape->inside && s.shape->inside(s.self, point, zero);
+        holds = shape_is_solid(s.shape, o->leaf.instance) && s.shape->inside(s.self, point, zero);
         end(in, &s);
     } else if (o->kind == OBJECT_GROUP) {
         holds = group_holds(in, o, point, NULL, false);
@@ -122,6 +122,17 @@ typedef struct search { pov_ray ray; double from; } search;
 enum { CROSSINGS_MAX = 4096 };
 
 static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best);
+
+/* The normal that light sees, as in POV-Ray. */
+static void find_normal(const subject *s, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0), point = pov_add(ray->org, pov_scale(ray->dir, at->t));
+
+    if (s->shape->shading_normal && s->shape->shading_normal(s->self, point, zero, &at->mark, out))
+        *out = pov_unit(*out);
+    else
+        s->shape->normal(s->self, ray, at, out);
+}
 
 static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask, object_hit *best)
 {
@@ -143,7 +154,7 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask
     found = hits.count > 0 && at.t < best->t;
     if (found) {
         best->t = at.t;
-        s.shape->normal(s.self, &ask->ray, &at, &best->normal);
+        find_normal(&s, &ask->ray, &at, &best->normal);
         if (o->flags & LEAF_INVERSE)
             best->normal = pov_scale(best->normal, -1.0);
     }

@@ -96,7 +96,7 @@ bool common_mesh_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     const common_mesh *m = self;
     pov_ray ray = { .org = point, .org_lo = point_lo, .dir = m->toward };
 
-    return is_odd(m, &ray, m->face_count);
+    return common_mesh_solid(m) && is_odd(m, &ray, m->face_count);
 }
 
 bool common_mesh_is_turned(const common_mesh *m, uint32_t face)
