@@ -27,6 +27,8 @@ struct pov_ray;
 
 typedef struct pov_reader pov_reader;
 
+typedef bool pov_visit_range(void *user, uint32_t first, uint32_t count);
+
 /* A bounding volume hierarchy over the items of one shape: made while the scene loads, traversed by rays. */
 typedef struct pov_hierarchy {
     /* [render] Calls visit() for each item whose box the ray may hit from 0 to hits->tmax, usually near ones first;
@@ -34,13 +36,10 @@ typedef struct pov_hierarchy {
      * space of the boxes. */
     bool (*visit)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
                   bool (*visit)(void *user, uint32_t item), void *user);
-    /* [render] The same, with all items of a leaf at once: `count` of them from `first` on, as hierarchy_in_order()
-     * numbered them. */
+    /* [render] The same, with all items of a leaf at once, as hierarchy_in_order() numbered them; and all leaves. */
     bool (*visit_ranges)(const struct pov_hierarchy *self, const struct pov_ray *ray, const struct pov_hits *hits,
-                       bool (*visit)(void *user, uint32_t first, uint32_t count), void *user);
-    /* All leaves, in order. */
-    bool (*each_range)(const struct pov_hierarchy *self, bool (*visit)(void *user, uint32_t first, uint32_t count),
-                       void *user);
+                         pov_visit_range *visit, void *user);
+    bool (*each_range)(const struct pov_hierarchy *self, pov_visit_range *visit, void *user);
 } pov_hierarchy;
 
 /* Errors stick: after the first, every read gives zero, every accept() gives
