@@ -33,9 +33,9 @@ typedef struct seen { float across, up; } seen;
 
 COMMON_INLINE seen see(const float *across, const float *up, const float *forward, const common_face_view *v)
 {
-    const float away = *forward - v->point[v->forward];
-    const seen s = { (*across - v->point[v->across]) - away * v->slope_across,
-                     (*up - v->point[v->up]) - away * v->slope_up };
+    const float depth = *forward - v->point[v->forward];
+    const seen s = { (*across - v->point[v->across]) - depth * v->slope_across,
+                     (*up - v->point[v->up]) - depth * v->slope_up };
 
     return s;
 }

@@ -1,4 +1,4 @@
-/* test_mesh.c - a mesh of 1e5 faces has no leaks: rays at its edges and corners, from one to 1e9 of its sizes away, hit it;
+/* test_mesh.c - a mesh of 1e5 faces has no leaks: rays at its edges and corners, from one to 1e9 of its sizes depth, hit it;
  * and what goes into a closed one comes out again. test_mesh RAYS for a long run. */
 #include "support/check.h"
 #include "support/limits.h"
@@ -90,13 +90,13 @@ static void no_ray_leaks_through_edges_and_corners(void **state_)
     assert_int_equal(pov_tracer_create(&tracer, scene, &err), POV_OK);
     for (long i = 0; i < rays; i++) {
         const pov_vec3 to = target(), dir = direction_from_above();
-        const double away = pow(10.0, 9.0 * uniform());
-        const pov_vec3 from = pov_add(to, pov_scale(dir, away));
+        const double depth = pow(10.0, 9.0 * uniform());
+        const pov_vec3 from = pov_add(to, pov_scale(dir, depth));
         pov_hit hit = POV_INIT(hit);
         const bool found = pov_trace_hit(tracer, from, pov_sub(to, from), &hit);
 
         missed += !found;
-        assert_true(!found || (hit.distance > 0.0 && hit.distance * away < away + 2.0));
+        assert_true(!found || (hit.distance > 0.0 && hit.distance * depth < depth + 2.0));
     }
     assert_int_equal(missed, 0);
     pov_tracer_destroy(tracer);
