@@ -94,6 +94,12 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
     return ended;
 }
 
+/* Have all rays left the only shape of a batch, so that none can hit it? */
+static inline bool is_left(const packet *p, const leaf_batch *r)
+{
+    return r->object[0] == p->left && r->count == 1 && (r->plain & 1) && (r->shape->flags & POV_SHAPE_CONVEX);
+}
+
 static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint64_t lanes)
 {
     packet *p = (packet *)(void *)traversal;
@@ -103,7 +109,7 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
     for (r = leaf; r && lanes; r = leaf_batch_next(r)) {
         uint64_t exact;
 
-        if (r->casts == 0)
+        if (r->casts == 0 || is_left(p, r))
             continue;
         exact = exact_of(p, r, lanes);
         if (lanes & ~exact)
@@ -119,9 +125,20 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
     return ended;
 }
 
+static uint32_t find_left(const packet *p)
+{
+    const uint32_t *excluded = p->traversal.soa.excluded;
+    uint32_t other = 0, i;
+
+    for (i = 1; i < p->traversal.count; i++)
+        other |= excluded[i] ^ excluded[0];
+    return other ? POV_NO_OWNER : excluded[0];
+}
+
 uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse)
 {
     p->traversal.leaf = leaf_occlusion;
+    p->left = find_left(p);
     return packet_traverse(p, traverse, false);
 }
 

@@ -23,6 +23,7 @@ typedef struct packet {
     pov_ray named;
     hit *out;                    /* the caller's hits, in queries for the nearest */
     uint64_t deferred_lanes;     /* lanes with a deferred shape */
+    uint32_t left;               /* in occlusion queries: the object that all rays are known to have left, or POV_NO_OWNER */
     bool any_blocks;             /* in occlusion queries: shapes block, transparent or not */
     deferred deferred[WORLD_MANY];
     pov_hits hits[WORLD_MANY], filter_hits[WORLD_MANY];   /* filter_hits: transparent shapes on a light path */

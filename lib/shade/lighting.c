@@ -72,17 +72,26 @@ static void name_origins(lighting *l, const double *cosines)
     }
 }
 
+/* Components of directions along the normals, and bounds of their lengths: the sums of their components' sizes. */
+SIMD_CLONES static void project(const vec_lanes *restrict dir, const vec_lanes *restrict normal, uint32_t n,
+                                double *restrict along, double *restrict length)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        along[i] = dir->x[i] * normal->x[i] + dir->y[i] * normal->y[i] + dir->z[i] * normal->z[i];
+        length[i] = fabs(dir->x[i]) + fabs(dir->y[i]) + fabs(dir->z[i]);
+    }
+}
+
 /* The same where the shading normal does not tell the side of a ray: the geometric one does. */
 static void name_sides(lighting *l, const vec_lanes *dir)
 {
+    SIMD_ALIGNED double along[LANES_MAX], length[LANES_MAX];
+
+    project(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), along, length);
     for (uint32_t k = 0; k < l->finishes.count; k++) {
         const uint32_t i = l->finishes.lit[k];
-        const double cosine = pov_dot(lanes_at(&l->on->geometry.to.normal, i), pov_unit(lanes_at(dir, i)));
 
-        if (cosine < 0.0)
-            world_origin_transmit(&l->own[i], l->on->at[i].at, -cosine);
-        else
-            world_origin_reflect(&l->own[i], l->on->at[i].at, cosine);
+        world_origin_aim(&l->own[i], l->on->at[i].at, along[i], length[i]);
     }
 }
 

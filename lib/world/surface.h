@@ -69,4 +69,15 @@ static inline void world_origin_transmit(pov_ray *ray, const hit *h, double cosi
     world_set_origin(ray, h, cosine > WORLD_GRAZING ? (h->outside ? POV_MARK_INWARD : POV_MARK_OUTWARD) : 0);
 }
 
+/* Of a ray whose origin surface is set: the side that it goes to, by its component along the surface's normal and by an
+ * upper bound of its length. */
+static inline void world_origin_aim(pov_ray *ray, const hit *h, double along, double length)
+{
+    const bool up = along > WORLD_GRAZING * length, down = -along > WORLD_GRAZING * length;
+
+    ray->origin_mark.flags = h->crossing.mark.flags |
+                             (up ? (h->outside ? POV_MARK_OUTWARD : POV_MARK_INWARD) : 0) |
+                             (down ? (h->outside ? POV_MARK_INWARD : POV_MARK_OUTWARD) : 0);
+}
+
 #endif

@@ -61,7 +61,7 @@ static const void *extension(const char *name) { return common_is_fast(name) ? &
 
 static const pov_shape_class plane_class = {
     .size = sizeof(pov_shape_class),
-    .flags = POV_SHAPE_SOLID | POV_SHAPE_CERTIFIED | POV_SHAPE_FACETED,
+    .flags = POV_SHAPE_SOLID | POV_SHAPE_CONVEX | POV_SHAPE_FACETED | POV_SHAPE_CERTIFIED,
     .keyword = "plane",
     .instance_size = sizeof(common_quadric),
     .parse = parse,
