@@ -11,19 +11,19 @@ extern const pattern_class pattern_agate, pattern_aoi, pattern_boxed, pattern_bo
     pattern_bump_map, pattern_bumps, pattern_cells, pattern_checker, pattern_crackle, pattern_cubic,
     pattern_cylindrical, pattern_dents, pattern_facets, pattern_gradient, pattern_granite, pattern_hexagon,
     pattern_image_map, pattern_image_pattern, pattern_julia, pattern_leopard, pattern_magnet, pattern_mandel,
-    pattern_marble, pattern_onion, pattern_planar, pattern_quilted, pattern_radial, pattern_ripples,
-    pattern_slope, pattern_spherical, pattern_spiral1, pattern_spiral2, pattern_spotted, pattern_square,
-    pattern_triangular, pattern_waves, pattern_wood, pattern_wrinkles;
+    pattern_marble, pattern_onion, pattern_pavement, pattern_planar, pattern_quilted, pattern_radial,
+    pattern_ripples, pattern_slope, pattern_spherical, pattern_spiral1, pattern_spiral2, pattern_spotted,
+    pattern_square, pattern_tiling, pattern_triangular, pattern_waves, pattern_wood, pattern_wrinkles;
 
 static const pattern_class *const classes[] = {
     &pattern_agate, &pattern_aoi, &pattern_average, &pattern_boxed, &pattern_bozo, &pattern_brick,
     &pattern_bump_map, &pattern_bumps, &pattern_cells, &pattern_checker, &pattern_crackle, &pattern_cubic,
     &pattern_cylindrical, &pattern_density_file, &pattern_dents, &pattern_facets, &pattern_gradient,
     &pattern_granite, &pattern_hexagon, &pattern_image_map, &pattern_image_pattern, &pattern_julia,
-    &pattern_leopard, &pattern_magnet, &pattern_mandel, &pattern_marble, &pattern_object, &pattern_onion, &pattern_pigment_pattern, &pattern_planar,
-    &pattern_quilted, &pattern_radial, &pattern_ripples, &pattern_slope, &pattern_spherical, &pattern_spiral1,
-    &pattern_spiral2, &pattern_spotted, &pattern_square, &pattern_triangular, &pattern_waves, &pattern_wood,
-    &pattern_wrinkles,
+    &pattern_leopard, &pattern_magnet, &pattern_mandel, &pattern_marble, &pattern_object, &pattern_onion,
+    &pattern_pavement, &pattern_pigment_pattern, &pattern_planar, &pattern_quilted, &pattern_radial,
+    &pattern_ripples, &pattern_slope, &pattern_spherical, &pattern_spiral1, &pattern_spiral2, &pattern_spotted,
+    &pattern_square, &pattern_tiling, &pattern_triangular, &pattern_waves, &pattern_wood, &pattern_wrinkles,
 };
 
 const pattern_class *pattern_find(const char *keyword)
