@@ -1,0 +1,296 @@
+/* Textures made of textures: layers, maps, lists and averages, as terms at points. */
+#include "support/check.h"
+#include "support/reading.h"
+
+#include "texture/texture.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { TERMS_MAX = 64 };
+
+static void read_text(reading *r, const char *text)
+{
+    reading_begin(r, text);
+    if (r->status != POV_OK)
+        fail_msg("%s: %d:%d %s", text, r->error.line, r->error.column, r->error.message);
+}
+
+static const material *material_of(const reading *r, size_t leaf)
+{
+    return &r->model.materials.items[r->model.leaves.items[leaf].material];
+}
+
+/* The terms of a leaf's texture at points along x, which have the same y and z. */
+static uint32_t terms_beside(const reading *r, uint32_t leaf, const double *x, double y, uint32_t n, texture_term *out)
+{
+    const pov_vec3 zero = pov_vec3_of(0, 0, 0);
+    const texture *of = material_of(r, leaf)->texture;
+    texture_points points;
+
+    memset(&points, 0, sizeof points);
+    for (uint32_t i = 0; i < n; i++)
+        texture_point(model_texture_map(&r->model, leaf), pov_vec3_of(x[i], y, y), zero, i, &points);
+    assert_non_null(of);
+    return texture_eval(&r->model, of, &points, n, out);
+}
+
+static uint32_t terms_at(const reading *r, uint32_t leaf, const double *x, uint32_t n, texture_term *out)
+{
+    return terms_beside(r, leaf, x, 0.25, n, out);
+}
+
+static void assert_term(const texture_term *t, bool first, double share, double r, double g, double b)
+{
+    assert_int_equal(t->first, first);
+    assert_true(fabs((double)t->share - share) < 1e-6);
+    assert_true(fabs((double)t->pigment.color.r - r) < 1e-6 && fabs((double)t->pigment.color.g - g) < 1e-6 &&
+                fabs((double)t->pigment.color.b - b) < 1e-6);
+}
+
+static const char layered[] =
+    "#version 3.7; #declare Two = texture { pigment { rgbt <1, 0, 0, .5> } finish { phong 1 } } texture { pigment { rgbf <0, 1, 0, .5> } }\n"
+    "sphere { 0, 1 texture { Two } texture { pigment { rgbt <0, 0, 1, .5> } finish { ambient 0 } } }";
+
+static void layers_follow_one_another_from_the_top(void **state)
+{
+    const double x = 0.25;
+    texture_term t[TERMS_MAX];
+    reading r;
+
+    (void)state;
+    read_text(&r, layered);
+    assert_int_equal(texture_most_terms(material_of(&r, 0)->texture), 3);
+    assert_int_equal(terms_at(&r, 0, &x, 1, t), 3);
+    assert_term(&t[0], true, 1, 0, 0, 1);
+    assert_term(&t[1], false, 1, 0, 1, 0);
+    assert_term(&t[2], false, 1, 1, 0, 0);
+    assert_true(t[0].finish->ambient.r == 0.0f && t[1].finish->phong == 0.0f && t[2].finish->phong == 1.0f);
+    /* What a scene needs is told by the most of each. */
+    assert_true(material_of(&r, 0)->finish.phong == 1.0f && material_is_transparent(material_of(&r, 0)));
+    reading_end(&r);
+}
+
+static void an_opaque_layer_hides_what_is_below(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 texture { pigment { rgbt <1, 0, 0, .5> } } texture { pigment { rgb y } } }\n"
+                  "sphere { 0, 1 pigment { rgb x } texture { pigment { checker rgb y, rgb 1 } } texture { pigment { rgbt .5 } } }");
+    assert_null(material_of(&r, 0)->texture);
+    assert_true(material_of(&r, 0)->pigment.g == 1.0f && !material_is_transparent(material_of(&r, 0)));
+    assert_int_equal(material_of(&r, 1)->texture->blend, BLEND_LAYERS);
+    assert_int_equal(material_of(&r, 1)->texture->count, 2);
+    reading_end(&r);
+}
+
+static void a_map_of_textures_gives_shares_of_two(void **state)
+{
+    static const double x[] = { 0.1, 0.25, 0.5, 0.875 };
+    texture_term t[TERMS_MAX];
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; #declare Red = texture { pigment { rgb x } } sphere { 0, 1 texture { gradient x frequency 0\n"
+                  "texture_map { [.125 Red] [.5 pigment { rgb y }] [.75 texture { pigment { rgb z } }] } } }");
+    assert_int_equal(texture_most_terms(material_of(&r, 0)->texture), 2);
+    assert_int_equal(terms_at(&r, 0, &x[0], 1, t), 1);
+    assert_term(&t[0], true, 1, 1, 0, 0);
+    assert_int_equal(terms_at(&r, 0, &x[1], 1, t), 2);
+    assert_term(&t[0], true, 2.0 / 3.0, 1, 0, 0);
+    assert_term(&t[1], true, 1.0 / 3.0, 0, 1, 0);
+    assert_int_equal(terms_at(&r, 0, &x[2], 1, t), 1);
+    assert_term(&t[0], true, 1, 0, 1, 0);
+    assert_int_equal(terms_at(&r, 0, &x[3], 1, t), 1);
+    assert_term(&t[0], true, 1, 0, 0, 1);
+    reading_end(&r);
+}
+
+static void an_average_has_shares_by_weight(void **state)
+{
+    const double x = 0.0;
+    texture_term t[TERMS_MAX];
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 texture { average texture_map { [1 pigment { rgb x }] [3 pigment { rgb y }] } } }\n"
+                  "sphere { 0, 1 pigment { average pigment_map { [rgb 1] [rgb 0] } } }");
+    assert_int_equal(texture_most_terms(material_of(&r, 0)->texture), 2);
+    assert_int_equal(terms_at(&r, 0, &x, 1, t), 2);
+    assert_term(&t[0], true, 0.25, 1, 0, 0);
+    assert_term(&t[1], true, 0.75, 0, 1, 0);
+    assert_int_equal(terms_at(&r, 1, &x, 1, t), 1);
+    assert_term(&t[0], true, 1, 0.5, 0.5, 0.5);
+    reading_end(&r);
+}
+
+/* tile2 has the odd cells. */
+static void lists_of_textures_select_one(void **state)
+{
+    static const double x[] = { 0.5, 1.5 };
+    texture_term t[TERMS_MAX];
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; sphere { 0, 1 texture { checker texture { pigment { rgb x } } texture { pigment { rgb y } } } }\n"
+                  "sphere { 0, 1 texture { tiles { texture { pigment { rgb x } } tile2 texture { pigment { rgb y } } } } }");
+    assert_int_equal(terms_at(&r, 0, x, 2, t), 2);
+    assert_term(&t[0], true, 1, 1, 0, 0);
+    assert_term(&t[1], true, 1, 0, 1, 0);
+    assert_int_equal(terms_at(&r, 1, x, 2, t), 2);
+    assert_true(t[0].lane == 0 && t[1].lane == 1 ? t[0].pigment.color.g == 1.0f : t[1].pigment.color.g == 1.0f);
+    reading_end(&r);
+}
+
+/* Beside others a point has the same terms in the same order, bit for bit. */
+static void a_point_has_the_same_terms_alone_and_beside_others(void **state)
+{
+    enum { MOST = 16 };
+    static texture_term all[LANES_MAX * MOST], one[MOST];
+    double x[LANES_MAX];
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; #declare Lays = texture { pigment { crackle } } texture { pigment { bozo color_map { [0 rgbt 1] [1 rgb x] } } }\n"
+                  "sphere { 0, 1 texture { gradient x texture_map { [0 Lays] [.4 average texture_map { [1 Lays scale .3] [2 pigment { cells }] }]\n"
+                  "[1 checker texture { pigment { rgb 1 } } texture { Lays } scale .1] } turbulence .4 scale 3 } }");
+    assert_true(texture_most_terms(material_of(&r, 0)->texture) <= MOST);
+    for (uint32_t i = 0; i < LANES_MAX; i++)
+        x[i] = 0.173 * i - 4.0;
+    const uint32_t count = terms_at(&r, 0, x, LANES_MAX, all);
+    for (uint32_t i = 0; i < LANES_MAX; i++) {
+        const uint32_t own = terms_at(&r, 0, &x[i], 1, one);
+        uint32_t k = 0;
+
+        for (uint32_t j = 0; j < count; j++) {
+            if (all[j].lane != i)
+                continue;
+            assert_true(k < own && all[j].first == one[k].first && all[j].share == one[k].share);
+            assert_memory_equal(&all[j].pigment, &one[k].pigment, sizeof one[k].pigment);
+            assert_ptr_equal(all[j].finish, one[k].finish);
+            k++;
+        }
+        assert_int_equal(k, own);
+    }
+    reading_end(&r);
+}
+
+static void equal_textures_are_one(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; #declare T = texture { pigment { marble turbulence .5 scale 2 } normal { bumps .2 } }\n"
+                  "#declare I = 0; #while (I < 500) sphere { I, 1 texture { T rotate y*30 } }\n"
+                  "sphere { I, 1 texture { pigment { marble turbulence .5 scale 2 rotate y*30 } normal { bumps .2 rotate y*30 } } }\n"
+                  "box { I, I + 1 texture { pigment { bozo color_map { [0 rgb 0] [1 rgb x] } } } } #declare I = I + 1; #end");
+    assert_int_equal(r.model.leaves.count, 1500);
+    assert_int_equal(r.model.materials.count, 2);
+    assert_int_equal(r.model.kept_maps.count, 2);
+    reading_end(&r);
+}
+
+/* Textures far from the origin and of any size are what they are near it, bit for bit. */
+static void a_moved_and_scaled_texture_is_the_same(void **state)
+{
+    static const struct { const char *moves; double scale, move; } cases[] = {
+        { "scale pow(2, -332)", 0x1p-332, 0 },
+        { "translate x*pow(2, 30)", 1, 0x1p30 },
+        { "scale pow(2, -332) translate x*pow(2, -302)", 0x1p-332, 0x1p-302 },
+        { "translate x*pow(2, 30) scale pow(2, 300)", 0x1p300, 0x1p330 },
+    };
+    enum { POINTS = 16 };
+    char text[1024];
+    (void)state;
+
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        texture_term near[TERMS_MAX], far[TERMS_MAX];
+        double x[POINTS], there[POINTS];
+        uint32_t count;
+        reading r;
+
+        snprintf(text, sizeof text, "#version 3.7; #declare T = texture { gradient x texture_map { [0 pigment { crackle scale .3 turbulence .2 }]\n"
+                 "[1 pigment { wood warp { repeat y*.4 flip x } rotate 40 }] } scale 1.5 rotate z*20 };\n"
+                 "sphere { 0, 1 texture { T } } sphere { 0, 1 texture { T } %s translate 0 rotate 0 }", cases[k].moves);
+        read_text(&r, text);
+        for (uint32_t i = 0; i < POINTS; i++) {
+            x[i] = 0.203125 * i - 1.5;
+            there[i] = x[i] * cases[k].scale + cases[k].move;
+        }
+        count = terms_beside(&r, 0, x, 0.25, POINTS, near);
+        assert_int_equal(terms_beside(&r, 1, there, 0.25 * cases[k].scale, POINTS, far), count);
+        for (uint32_t i = 0; i < count; i++) {
+            assert_true(near[i].share == far[i].share && near[i].lane == far[i].lane);
+            assert_memory_equal(&near[i].pigment, &far[i].pigment, sizeof near[i].pigment);
+        }
+        reading_end(&r);
+    }
+}
+
+/* Light that crosses is filtered by all layers, and by the mean of a map's members. */
+static void filters_are_products_of_layers_and_means_of_members(void **state)
+{
+    const pov_vec3 zero = pov_vec3_of(0, 0, 0);
+    texture_points points;
+    colour by;
+    reading r;
+
+    (void)state;
+    memset(&points, 0, sizeof points);
+    texture_point(NULL, pov_vec3_of(0.25, 0, 0), zero, 0, &points);
+    read_text(&r, "#version 3.7; sphere { 0, 1 pigment { rgbf <1, .5, 0, 1> } texture { pigment { rgbft <.5, 1, 1, .5, .25> } } }\n"
+                  "sphere { 0, 1 texture { gradient x texture_map { [0 pigment { rgbf <1, 1, 0, 1> }] [1 pigment { rgb 1 }] } } }");
+    texture_filters(&r.model, material_of(&r, 0)->texture, &points, 1, &by);
+    assert_true(by.r == 0.5f && by.g == 0.375f && by.b == 0.0f);
+    texture_filters(&r.model, material_of(&r, 1)->texture, &points, 1, &by);
+    assert_true(by.r == 0.75f && by.g == 0.75f && by.b == 0.0f);
+    reading_end(&r);
+    read_text(&r, "#version 3.1; sphere { 0, 1 pigment { rgbf <1, .5, 0, 1> } texture { pigment { rgbft <.5, 1, 1, .5, .25> } } }");
+    texture_filters(&r.model, material_of(&r, 0)->texture, &points, 1, &by);
+    assert_true(by.r == 0.75f && by.g == 0.375f && by.b == 0.0f);
+    reading_end(&r);
+}
+
+static void wrong_textures_are_refused(void **state)
+{
+    static const struct { const char *text, *message; } cases[] = {
+        { "sphere { 0, 1 texture { gradient x texture_map { [0 pigment { rgb 1 }] } } texture { pigment { rgbt 1 } } }",
+          "no texture can lie upon a patterned one" },
+        { "sphere { 0, 1 pigment { rgb 1 } texture { gradient x texture_map { [0 pigment { rgbt 1 }] } } }",
+          "a patterned texture cannot lie upon another" },
+        { "sphere { 0, 1 texture { checker texture { pigment { rgb 1 } } texture { } pigment { rgb 1 } } }",
+          "\"pigment\" has no place beside a pattern of textures" },
+        { "sphere { 0, 1 pigment { noise_generator 4 } }", "\"noise_generator\" must be 1, 2 or 3" },
+        { "sphere { 0, 1 texture { tiles { texture { } } } }",
+          "expected \"tile2\" and \"texture\" after \"}\", found \"}\"" },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        reading r;
+
+        reading_begin(&r, cases[i].text);
+        assert_int_equal(r.status, POV_E_SYNTAX);
+        assert_string_equal(r.error.message, cases[i].message);
+        reading_end(&r);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(layers_follow_one_another_from_the_top),
+        cmocka_unit_test(an_opaque_layer_hides_what_is_below),
+        cmocka_unit_test(a_map_of_textures_gives_shares_of_two),
+        cmocka_unit_test(an_average_has_shares_by_weight),
+        cmocka_unit_test(lists_of_textures_select_one),
+        cmocka_unit_test(a_point_has_the_same_terms_alone_and_beside_others),
+        cmocka_unit_test(equal_textures_are_one),
+        cmocka_unit_test(a_moved_and_scaled_texture_is_the_same),
+        cmocka_unit_test(filters_are_products_of_layers_and_means_of_members),
+        cmocka_unit_test(wrong_textures_are_refused),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
