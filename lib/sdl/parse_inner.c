@@ -1,5 +1,6 @@
 #include "sdl/parse_inner.h"
 
+#include "sdl/function_host.h"
 #include "sdl/parse_texture.h"
 #include "sdl/report.h"
 #include "texture/inner.h"
@@ -68,10 +69,49 @@ static void read_object(pov_reader *in, object_pattern *self)
     state_accept(in, ',');
 }
 
-bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *b)
+/* ---- functions ---- */
+
+/* Registers that a function of a pattern may use; they are on the stack of who asks. */
+enum { REGISTERS_MAX = 1024 };
+
+static double run(const void *self, const double *at, uint32_t part)
 {
+    const program *p = self;
+    double registers[REGISTERS_MAX];
+
+    (void)part;
+    memcpy(registers, at, 3 * sizeof *registers);
+    return program_run(p, registers);
+}
+
+static void read_function(pov_reader *in, function_pattern *self)
+{
+    const place at = in->last;
+    const value v = function_read(in);
+    const function *f = v.as.part;
+
+    if (in->failed)
+        return;
+    if (f->kind != FUNCTION_FORMULA) {
+        *self = (function_pattern){ function_host_value, f };
+        return;
+    }
+    if (f->program.parameters > 3 || f->program.capacity > REGISTERS_MAX)
+        report_fail(in, &at, POV_E_SYNTAX, f->program.parameters > 3 ? "the function of a pattern has at most three parameters" :
+                    "this function is too large for a pattern");
+    *self = (function_pattern){ run, &f->program };
+}
+
+bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *b, bool *is_open)
+{
+    *is_open = false;
+    if (class == &pattern_function) {
+        read_function(in, self);
+        return true;
+    }
     if (class != &pattern_object && class != &pattern_pigment_pattern)
         return false;
+    *is_open = true;
     items_open(in, b);
     if (class == &pattern_object)
         read_object(in, self);

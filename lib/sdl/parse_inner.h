@@ -5,8 +5,8 @@
 #include "sdl/state.h"
 #include "texture/pattern.h"
 
-/* The word of the class was taken: read its parsed form. True: it was, up to the end of its block, where a list may
- * stand before the '}', which is not taken. False: the class is read as others are. */
-bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *b);
+/* The word of the class was taken: read its parsed form. False: the class is read as others are. is_open: the block b is
+ * read up to its end, where a list may stand before the '}', which is not taken. */
+bool parse_inner(pov_reader *in, const pattern_class *class, void *self, block *b, bool *is_open);
 
 #endif

@@ -128,8 +128,7 @@ static void read_class(pov_reader *in, pattern_reading *r)
         parse_image(in, class, r->self.bytes, &r->image);
         return;
     }
-    r->is_open = parse_inner(in, class, r->self.bytes, &r->block);
-    if (r->is_open)
+    if (parse_inner(in, class, r->self.bytes, &r->block, &r->is_open))
         return;
     if (!(class->flags & PATTERN_BRACED) || in->token.kind != '{') {
         read_arguments(in, class, 0, r->self.bytes);

@@ -77,3 +77,22 @@ const pattern_class pattern_pigment_pattern = {
     .inner = pigment_of,
     .evaluate = evaluate_pigment,
 };
+
+/* ---- function ---- */
+
+static void evaluate_function(const pattern_input *in, double *value)
+{
+    const function_pattern *self = in->of->self;
+
+    for (uint32_t i = 0; i < in->n; i++) {
+        const double at[3] = { in->at->x[i], in->at->y[i], in->at->z[i] };
+
+        value[i] = self->value(self->self, at, 0);
+    }
+}
+
+const pattern_class pattern_function = {
+    .keyword = "function",
+    .self_size = sizeof(function_pattern),
+    .evaluate = evaluate_function,
+};

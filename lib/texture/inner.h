@@ -1,4 +1,4 @@
-/* inner.h - patterns made of other parts of a scene: object and pigment_pattern. */
+/* inner.h - patterns made of other parts of a scene: object, pigment_pattern and function. */
 #ifndef TEXTURE_INNER_H
 #define TEXTURE_INNER_H
 
@@ -18,7 +18,13 @@ typedef struct solid_part {
 typedef struct object_pattern { const solid_part *solid; } object_pattern;
 typedef struct pigment_pattern { const pigment_node *pigment; } pigment_pattern;
 
-extern const pattern_class pattern_object, pattern_pigment_pattern;
+/* What a function of x, y and z is asked with. */
+typedef struct function_pattern {
+    double (*value)(const void *self, const double *at, uint32_t part);
+    const void *self;
+} function_pattern;
+
+extern const pattern_class pattern_object, pattern_pigment_pattern, pattern_function;
 
 bool solid_holds(const solid_part *s, pov_vec3 point);
 

@@ -18,7 +18,7 @@ extern const pattern_class pattern_agate, pattern_aoi, pattern_boxed, pattern_bo
 static const pattern_class *const classes[] = {
     &pattern_agate, &pattern_aoi, &pattern_average, &pattern_boxed, &pattern_bozo, &pattern_brick,
     &pattern_bump_map, &pattern_bumps, &pattern_cells, &pattern_checker, &pattern_crackle, &pattern_cubic,
-    &pattern_cylindrical, &pattern_density_file, &pattern_dents, &pattern_facets, &pattern_gradient,
+    &pattern_cylindrical, &pattern_density_file, &pattern_dents, &pattern_facets, &pattern_function, &pattern_gradient,
     &pattern_granite, &pattern_hexagon, &pattern_image_map, &pattern_image_pattern, &pattern_julia,
     &pattern_leopard, &pattern_magnet, &pattern_mandel, &pattern_marble, &pattern_object, &pattern_onion,
     &pattern_pavement, &pattern_pigment_pattern, &pattern_planar, &pattern_quilted, &pattern_radial,
