@@ -13,6 +13,7 @@ typedef struct camera_class {
 /* The row of camera->type. */
 const camera_class *camera_class_of(const pov_camera *camera);
 
-extern const camera_class camera_perspective, camera_orthographic;
+extern const camera_class camera_perspective, camera_orthographic, camera_fisheye, camera_ultra_wide, camera_omnimax,
+    camera_panoramic, camera_spherical, camera_cylinder;
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "base/simd.h"
 #include "render/camera.h"
+#include "render/lens.h"
 
 pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y, double dx, double dy)
 {
@@ -37,5 +38,10 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
 
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    return camera_class_of(camera)->aim(camera, through, n, rays);
+    const unsigned known = camera_class_of(camera)->aim(camera, through, n, rays);
+
+    if (!(camera->lens_radius > 0.0))
+        return known;
+    lens_spread(camera, through, n, rays);
+    return 0;
 }

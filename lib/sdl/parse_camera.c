@@ -5,9 +5,6 @@
 
 #include <povtrace/exact.h>
 
-/* Degrees, for cameras that see more but are not there yet. */
-static const double widest = 120.0;
-
 /* ---- as written ---- */
 
 void parse_camera_defaults(camera_parsed *c)
@@ -43,8 +40,9 @@ static void read_angle(pov_reader *in, void *self, keyword_id keyword)
     ((camera_parsed *)self)->angle_place = in->value;
     ((camera_parsed *)self)->angle = angle;
     ((camera_parsed *)self)->has_angle = true;
-    if (state_accept(in, ','))
-        value_number(in);        /* of a spherical camera, from bottom to top */
+    state_accept(in, ',');
+    if (value_follows(in))
+        ((camera_parsed *)self)->angle_upwards = value_number(in);   /* of a spherical camera */
 }
 
 static void read_axis(pov_reader *in, void *self, keyword_id keyword)
@@ -71,10 +69,8 @@ static void move_camera(pov_reader *in, void *self, keyword_id keyword)
 }
 
 /* The values of these words are read for their own sake. */
-static const keyword_id coming[] = {
-    KEYWORD_APERTURE, KEYWORD_BLUR_SAMPLES, KEYWORD_FOCAL_POINT, KEYWORD_CONFIDENCE, KEYWORD_VARIANCE,
-    KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER,
-};
+static const keyword_id quiet[] = { KEYWORD_CONFIDENCE, KEYWORD_VARIANCE, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER };
 
 static void take_camera(pov_reader *in, void *self, const value *v)
 {
@@ -86,34 +82,76 @@ static void take_camera(pov_reader *in, void *self, const value *v)
     c->at = at;
 }
 
-/* Cameras of another kind may see more than half of what is around them. */
-static void check_angle(pov_reader *in, camera_parsed *c)
+static bool is_flat(const camera_parsed *c)
 {
-    if (in->failed || !c->has_angle || (c->angle > 0.0 && c->angle < 180.0))
-        return;
-    if (c->is_other && c->angle > 0.0)
-        c->angle = widest;
-    else
-        report_fail(in, &c->angle_place, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
+    return c->type == POV_CAMERA_PERSPECTIVE || c->type == POV_CAMERA_ORTHOGRAPHIC;
 }
 
-static void read_kind(pov_reader *in, void *self, keyword_id keyword)
+/* Cameras of some kinds may see more than half of what is around them. */
+static void check_angle(pov_reader *in, camera_parsed *c)
 {
-    ((camera_parsed *)self)->is_other = true;
+    if (in->failed || !c->has_angle || (c->angle > 0.0 && (c->angle < 180.0 || !is_flat(c))))
+        return;
+    report_fail(in, &c->angle_place, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
+}
+
+/* Rays from the faces of a mesh. */
+static void read_mesh_camera(pov_reader *in, void *self, keyword_id keyword)
+{
     ((camera_parsed *)self)->type = POV_CAMERA_PERSPECTIVE;
-    unsupported_note(in, &in->last, keyword, "this kind of camera");
-    value_optional(in, 0.0);
+    unsupported_note(in, &in->last, keyword, "\"mesh_camera\"");
     if (in->token.kind == '{')
         unsupported_skip_block(in);
 }
 
+static void read_cylinder(pov_reader *in, camera_parsed *c)
+{
+    const double kind = value_number(in);
+
+    if (!in->failed && !(kind >= 1.0 && kind < 5.0))
+        report_fail(in, &in->value, POV_E_SYNTAX, "the kinds of cylinder cameras are 1 to 4");
+    if (!in->failed)
+        c->type = (pov_camera_type)(POV_CAMERA_CYLINDER_1 + (int)kind - 1);
+}
+
 static void read_type(pov_reader *in, void *self, keyword_id keyword)
 {
+    static const struct { keyword_id keyword; pov_camera_type type; } types[] = {
+        { KEYWORD_PERSPECTIVE, POV_CAMERA_PERSPECTIVE }, { KEYWORD_ORTHOGRAPHIC, POV_CAMERA_ORTHOGRAPHIC },
+        { KEYWORD_FISHEYE, POV_CAMERA_FISHEYE },         { KEYWORD_ULTRA_WIDE_ANGLE, POV_CAMERA_ULTRA_WIDE },
+        { KEYWORD_OMNIMAX, POV_CAMERA_OMNIMAX },         { KEYWORD_PANORAMIC, POV_CAMERA_PANORAMIC },
+        { KEYWORD_SPHERICAL, POV_CAMERA_SPHERICAL },
+    };
     camera_parsed *c = self;
 
-    (void)in;
-    c->is_other = false;
-    c->type = keyword == KEYWORD_ORTHOGRAPHIC ? POV_CAMERA_ORTHOGRAPHIC : POV_CAMERA_PERSPECTIVE;
+    if (keyword == KEYWORD_CYLINDER)
+        read_cylinder(in, c);
+    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++)
+        if (types[i].keyword == keyword)
+            c->type = types[i].type;
+}
+
+/* ---- focal blur ---- */
+
+static void read_aperture(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    ((camera_parsed *)self)->aperture = value_number(in);
+}
+
+static void read_blur_samples(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    ((camera_parsed *)self)->blur_samples = value_number(in);
+    if (state_accept(in, ','))
+        ((camera_parsed *)self)->blur_samples = value_number(in);
+}
+
+static void read_focal_point(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    ((camera_parsed *)self)->focal_point = value_vector(in);
+    ((camera_parsed *)self)->has_focal_point = true;
 }
 
 void parse_camera(pov_reader *in, camera_parsed *c)
@@ -122,11 +160,13 @@ void parse_camera(pov_reader *in, camera_parsed *c)
         { KEYWORD_LOCATION, read_location }, { KEYWORD_LOOK_AT, read_look_at }, { KEYWORD_ANGLE, read_angle },
         { KEYWORD_RIGHT, read_axis },        { KEYWORD_UP, read_axis },         { KEYWORD_SKY, read_axis },
         { KEYWORD_DIRECTION, read_axis },    PARSE_MOVES(move_camera),
-        { KEYWORD_PERSPECTIVE, read_type }, { KEYWORD_ORTHOGRAPHIC, read_type }, { KEYWORD_FISHEYE, read_kind },
-        { KEYWORD_ULTRA_WIDE_ANGLE, read_kind }, { KEYWORD_OMNIMAX, read_kind }, { KEYWORD_PANORAMIC, read_kind },
-        { KEYWORD_CYLINDER, read_kind }, { KEYWORD_SPHERICAL, read_kind }, { KEYWORD_MESH_CAMERA, read_kind },
+        { KEYWORD_PERSPECTIVE, read_type },  { KEYWORD_ORTHOGRAPHIC, read_type }, { KEYWORD_FISHEYE, read_type },
+        { KEYWORD_ULTRA_WIDE_ANGLE, read_type }, { KEYWORD_OMNIMAX, read_type }, { KEYWORD_PANORAMIC, read_type },
+        { KEYWORD_CYLINDER, read_type },     { KEYWORD_SPHERICAL, read_type },  { KEYWORD_MESH_CAMERA, read_mesh_camera },
+        { KEYWORD_APERTURE, read_aperture }, { KEYWORD_BLUR_SAMPLES, read_blur_samples },
+        { KEYWORD_FOCAL_POINT, read_focal_point },
     };
-    static const item_list list = { "an item of the camera", ITEMS(items), NULL, NULL, coming, VALUE_CAMERA,
+    static const item_list list = { "an item of the camera", ITEMS(items), quiet, NULL, coming, VALUE_CAMERA,
                                     take_camera };
 
     parse_camera_defaults(c);
@@ -266,6 +306,26 @@ static void move(pov_reader *in, const camera_parsed *c, pov_camera *out)
     out->up = turn(&map, out->up);
 }
 
+/* What a camera sees that says no angle. */
+static void set_angles(const camera_parsed *c, pov_camera *out)
+{
+    const double degree = 3.14159265358979323846 / 180.0;
+    const bool is_spherical = c->type == POV_CAMERA_SPHERICAL;
+    const double across = c->angle > 0.0 ? c->angle : is_spherical ? 360.0 : 90.0;
+
+    out->angles[0] = across * degree;
+    out->angles[1] = (c->angle_upwards > 0.0 ? c->angle_upwards : 0.5 * across) * degree;
+}
+
+/* The lens is half as wide as POV-Ray's aperture is large; what is at the focal point's distance along the view is sharp. */
+static void set_lens(const camera_parsed *c, pov_camera *out)
+{
+    const pov_vec3 focus = c->has_focal_point ? c->focal_point : c->look_at;
+
+    out->focal_distance = length(pov_sub(focus, c->location));
+    out->lens_radius = c->aperture > 0.0 && c->blur_samples > 0.0 && out->focal_distance > 0.0 ? 0.25 * c->aperture : 0.0;
+}
+
 void parse_camera_finish(pov_reader *in)
 {
     const double pi = 3.14159265358979323846;
@@ -279,10 +339,12 @@ void parse_camera_finish(pov_reader *in)
     f = is_povray ? povray_frame(&c) : course_frame(&c);
     if (c.type == POV_CAMERA_ORTHOGRAPHIC)
         size_orthographic(&c, &f);
-    else if (c.angle > 0.0)
+    else if (c.type == POV_CAMERA_PERSPECTIVE && c.angle > 0.0)
         f.d = pov_scale(pov_unit(f.d), 0.5 * length(c.right) / tan(c.angle * (pi / 360.0)));
     out->size = sizeof *out;
     out->type = c.type;
+    set_angles(&c, out);
+    set_lens(&c, out);
     out->location = c.location;
     out->direction = f.d;
     out->right = f.r;

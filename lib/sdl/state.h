@@ -24,7 +24,9 @@ typedef struct camera_parsed {
     pov_vec3 location, look_at, direction, right, up, sky;
     double angle;                /* degrees; 0: none */
     bool has_look_at, has_angle;
-    bool is_other;               /* a kind that is not there yet */
+    double angle_upwards, aperture, blur_samples;
+    pov_vec3 focal_point;
+    bool has_focal_point;
     bool has_size;               /* right or up was written */
     pov_camera_type type;
     double version;              /* at its end */

@@ -192,7 +192,7 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known
             out[i] = accumulate_finite(out[i]);
     for (i = 0; t->camera_odd && i < n; i++)
         if (!(begun >> i & 1))
-            out[i] = t->context.scene->model->background;
+            out[i] = isinf(rays[i].dir.x) ? colour_of(0.0f, 0.0f, 0.0f) : t->context.scene->model->background;
 }
 
 colour tracer_color(pov_tracer *t, const pov_ray *ray)

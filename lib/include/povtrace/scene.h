@@ -75,13 +75,20 @@ POV_API pov_status pov_scene_load_text(pov_scene **out, pov_context *context, co
 POV_API void pov_scene_destroy(pov_scene *scene);
 
 /* (u, v) is a position on the screen, each from -1/2 to 1/2. PERSPECTIVE: rays start at location, with the direction
- * direction + u right + v up. ORTHOGRAPHIC: they start at location + u right + v up, all with the same direction. */
-typedef enum pov_camera_type { POV_CAMERA_PERSPECTIVE, POV_CAMERA_ORTHOGRAPHIC, POV_CAMERA_TYPES } pov_camera_type;
+ * direction + u right + v up. ORTHOGRAPHIC: they start at location + u right + v up, all with the same direction. The
+ * others: as docs/language.md says. */
+typedef enum pov_camera_type {
+    POV_CAMERA_PERSPECTIVE, POV_CAMERA_ORTHOGRAPHIC, POV_CAMERA_FISHEYE, POV_CAMERA_ULTRA_WIDE, POV_CAMERA_OMNIMAX,
+    POV_CAMERA_PANORAMIC, POV_CAMERA_SPHERICAL, POV_CAMERA_CYLINDER_1, POV_CAMERA_CYLINDER_2, POV_CAMERA_CYLINDER_3,
+    POV_CAMERA_CYLINDER_4, POV_CAMERA_TYPES
+} pov_camera_type;
 
 typedef struct pov_camera {
     size_t size;
     pov_vec3 location, direction, right, up;
     pov_camera_type type;
+    double angles[2];            /* radians across and upwards, of those that have them */
+    double lens_radius, focal_distance;   /* focal blur; 0: none */
 } pov_camera;
 
 POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
