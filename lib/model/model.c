@@ -52,6 +52,8 @@ void model_free(model *m)
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
     env_free(m->env, m->light_groups.items);
+    env_free(m->env, m->fogs.items);
+    env_free(m->env, m->rainbows.items);
     map_table_free(&m->kept_maps, m->env);
     env_free_aligned(m->env, m->noise);
     env_free(m->env, m->texture_maps.items);

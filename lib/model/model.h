@@ -4,6 +4,7 @@
 #define MODEL_MODEL_H
 
 #include "base/arena.h"
+#include "model/air.h"
 #include "model/light.h"
 #include "model/map_table.h"
 #include "model/material.h"
@@ -19,6 +20,8 @@ typedef struct node_list { node_ref *items; size_t count, capacity; } node_list;
 typedef struct leaf_list { leaf_node *items; size_t count, capacity; } leaf_list;
 typedef struct material_list { material *items; size_t count, capacity; } material_list;
 typedef struct light_list { light *items; size_t count, capacity; } light_list;
+typedef struct fog_list { fog *items; size_t count, capacity; } fog_list;
+typedef struct rainbow_list { rainbow *items; size_t count, capacity; } rainbow_list;
 typedef struct light_group_list { light_group *items; size_t count, capacity; } light_group_list;
 typedef struct map_numbers { uint32_t *items; size_t count, capacity; } map_numbers;
 
@@ -44,6 +47,9 @@ typedef struct model {
     material_list materials;
     light_list lights;
     light_group_list light_groups;
+    const sky_sphere *sky;              /* NULL: only the background */
+    fog_list fogs;
+    rainbow_list rainbows;
     map_table kept_maps;         /* of textures */
     struct noise_tables *noise;  /* from env_alloc_aligned(); NULL: no pattern needs them */
     int noise_generator;         /* 1 to 3 */

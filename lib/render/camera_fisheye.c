@@ -19,10 +19,10 @@ static bool fisheye(const camera_basis *b, double u, double v, pov_vec3 *dir, po
     return q <= 1.0;
 }
 
-/* A dome's projector; the polynomial and the limits were measured on POV-Ray's pictures. */
+/* A dome that leans back by 45 degrees; the polynomial was measured on POV-Ray's pictures. */
 static bool omnimax(const camera_basis *b, double u, double v, pov_vec3 *dir, pov_vec3 *start)
 {
-    const double ratio = b->height / b->width, lowest = -0.5583, least = 0.7791;
+    const double ratio = b->height / b->width, least = 0.7791453;   /* 45 degrees below the view at the lower edge */
     const double s = ratio > least ? ratio : least;
     const double x = ratio <= 1.0 ? 2.0 * u * s / ratio : 2.0 * u;
     const double y = ratio <= 1.0 ? 2.0 * v * s + (1.0 - s) : 2.0 * v * ratio;
@@ -30,7 +30,7 @@ static bool omnimax(const camera_basis *b, double u, double v, pov_vec3 *dir, po
 
     (void)start;
     tilt(b, x, y, 1.411269 * q - 0.09439 * q3 + 0.25674 * q3 * q * q, dir);
-    return q <= 1.0 && y >= lowest;
+    return q <= 1.0 && pov_dot(*dir, b->up) + pov_dot(*dir, b->view) >= 0.0;
 }
 
 static unsigned aim_fisheye(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)

@@ -70,7 +70,7 @@ pov_status job_create(pov_job **out, const shading *scene, const pov_render_desc
     job->scene = scene;
     job->camera = desc->camera ? *desc->camera : m->camera;
     encoding_make(&job->encoding, &m->gamma);
-    status = settings_make(&job->settings, desc, err);
+    status = settings_make(&job->settings, desc, &job->camera, err);
     if (status == POV_OK)
         status = make_parts(job, err);
     if (status == POV_OK && !mutex_init(&job->lock))

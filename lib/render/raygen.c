@@ -38,10 +38,11 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
 
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    const unsigned known = camera_class_of(camera)->aim(camera, through, n, rays);
-
     if (!(camera->lens_radius > 0.0))
-        return known;
+        return camera_class_of(camera)->aim(camera, through, n, rays);
+    for (uint32_t i = 0; i < n; i++)
+        rays[i].org = camera->location;   /* the last ones started on the lens */
+    camera_class_of(camera)->aim(camera, through, n, rays);
     lens_spread(camera, through, n, rays);
     return 0;
 }

@@ -59,7 +59,7 @@ static pov_status take_numbers(settings *s, const pov_render_desc *d, pov_error 
         return err_set(err, POV_E_ARGUMENT, "the time limit is a number of seconds above 0, or 0 for none");
     if (d->sampling != POV_SAMPLING_UNIFORM && d->sampling != POV_SAMPLING_ADAPTIVE)
         return err_set(err, POV_E_ARGUMENT, "unknown way of sampling");
-    s->samples = d->samples > 0 ? d->samples : d->target_error > 0.0 || d->time_limit > 0.0 ? SAMPLES_MAX : 1;
+    s->samples = d->samples > 0 ? d->samples : d->target_error > 0.0 || d->time_limit > 0.0 ? SAMPLES_MAX : s->samples;
     s->sampling = s->samples > 1;
     s->adaptive = d->sampling == POV_SAMPLING_ADAPTIVE;
     s->target_error = d->target_error;
@@ -71,10 +71,11 @@ static pov_status take_numbers(settings *s, const pov_render_desc *d, pov_error 
     return POV_OK;
 }
 
-pov_status settings_make(settings *s, const pov_render_desc *desc, pov_error *err)
+pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_camera *camera, pov_error *err)
 {
     pov_status status = check_size(desc, err);
 
+    s->samples = camera->lens_radius > 0.0 && camera->lens_samples > 1 ? camera->lens_samples : 1;
     s->width = desc->width;
     s->height = desc->height;
     s->wake = desc->wake;

@@ -20,6 +20,6 @@ typedef struct settings {
     void *wake_user;
 } settings;
 
-pov_status settings_make(settings *s, const pov_render_desc *desc, pov_error *err);
+pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_camera *camera, pov_error *err);
 
 #endif

@@ -323,6 +323,7 @@ static void set_lens(const camera_parsed *c, pov_camera *out)
     const pov_vec3 focus = c->has_focal_point ? c->focal_point : c->look_at;
 
     out->focal_distance = length(pov_sub(focus, c->location));
+    out->lens_samples = c->blur_samples < 4096.0 ? (int)c->blur_samples : 4096;
     out->lens_radius = c->aperture > 0.0 && c->blur_samples > 0.0 && out->focal_distance > 0.0 ? 0.25 * c->aperture : 0.0;
 }
 

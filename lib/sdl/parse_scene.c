@@ -1,4 +1,4 @@
-#include "sdl/parse.h"
+#include "sdl/parse_air.h"
 #include "sdl/directive.h"
 #include "sdl/recover.h"
 #include "sdl/report.h"
@@ -18,10 +18,13 @@ static const item statement_items[] = {
     { KEYWORD_CAMERA, read_camera },
     { KEYWORD_GLOBAL_SETTINGS, parse_global_settings },
     { KEYWORD_BACKGROUND, parse_background },
+    { KEYWORD_SKY_SPHERE, parse_sky },
+    { KEYWORD_FOG, parse_fog },
+    { KEYWORD_RAINBOW, parse_rainbow },
 };
 
 static const keyword_id coming[] = {
-    KEYWORD_FOG, KEYWORD_RAINBOW, KEYWORD_SKY_SPHERE, KEYWORD_MEDIA, KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_OTHER,
+    KEYWORD_MEDIA, KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_OTHER,
 };
 
 static const item_list statements = { "an object or a setting", ITEMS(statement_items), NULL, NULL, coming,

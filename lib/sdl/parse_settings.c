@@ -110,7 +110,7 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
     items_block(in, &list, NULL);
 }
 
-/* What a background lets through is black. */
+/* What a background lets through is black; before version 3.7 it let nothing through. */
 void parse_background(pov_reader *in, void *self, keyword_id keyword)
 {
     static const item_list list = { "a colour", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
@@ -122,7 +122,8 @@ void parse_background(pov_reader *in, void *self, keyword_id keyword)
     items_open(in, &b);
     if (in->token.kind != '}') {
         p = value_colour(in, true);
-        in->model->background = colour_scale(p.colour, 1.0f - p.transmit);
+        in->model->background = p.colour;
+        in->settings.background_transmit = p.transmit;
     }
     items_close(in, &b, &list, NULL);
 }
@@ -162,6 +163,8 @@ void parse_settings_finish(pov_reader *in)
     if (is_old && !in->settings.has_noise_generator)
         m->noise_generator = 1;
     m->opaque_last_level = is_povray;
+    if (!is_povray || is_new)
+        m->background = colour_scale(m->background, 1.0f - in->settings.background_transmit);
     finish_gamma(in, is_new);
     noise_finish(in);
 }

@@ -1,3 +1,4 @@
+#include "sdl/parse_air.h"
 #include "sdl/parse_map.h"
 #include "sdl/parse_texture.h"
 
@@ -96,11 +97,11 @@ static value read_keyword(pov_reader *in, keyword_id keyword)
     case KEYWORD_MEDIA:
         return coming_value(in, VALUE_MEDIA, keyword);
     case KEYWORD_SKY_SPHERE:
-        return coming_value(in, VALUE_SKY_SPHERE, keyword);
+        return value_of_part(VALUE_SKY_SPHERE, parse_sky_node(in));
     case KEYWORD_FOG:
-        return coming_value(in, VALUE_FOG, keyword);
+        return value_of_part(VALUE_FOG, parse_fog_node(in));
     case KEYWORD_RAINBOW:
-        return coming_value(in, VALUE_RAINBOW, keyword);
+        return value_of_part(VALUE_RAINBOW, parse_rainbow_node(in));
     case KEYWORD_COLOR_MAP: case KEYWORD_COLOUR_MAP: case KEYWORD_PIGMENT_MAP: case KEYWORD_NORMAL_MAP:
     case KEYWORD_TEXTURE_MAP: case KEYWORD_SLOPE_MAP: case KEYWORD_DENSITY_MAP:
         return map_value(in, keyword);

@@ -37,6 +37,7 @@ typedef struct camera_parsed {
 typedef struct settings_parsed {
     bool has_ambient_light, has_noise_generator;
     double assumed_gamma;        /* 0: none */
+    float background_transmit;
     double version;              /* 0: none was set */
 } settings_parsed;
 

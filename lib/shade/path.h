@@ -15,6 +15,7 @@ typedef struct path {
     uint32_t coincident, above;  /* it starts on coincident surfaces: index in context->coincident_sets, counted from 1,
                                   * and its sides of them; 0: it does not */
     dielectric_span inside;      /* the dielectrics around it */
+    uint32_t solids;             /* where there is fog: how many solids it is in that are not hollow */
     int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
     bool mirrored;               /* it was reflected on its way, and not only transmitted */
     float hue;                   /* its place in the spectrum, from red (0) to violet (1), since it was dispersed; or

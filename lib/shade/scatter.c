@@ -1,6 +1,7 @@
 #include "shade/scatter.h"
 
 #include "query/passage.h"
+#include "shade/air.h"
 #include "shade/refract.h"
 #include "shade/spectrum.h"
 
@@ -56,6 +57,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     next->coincident = s->coincident;
     next->above = s->above;
     next->inside = p->inside;
+    next->solids = p->solids;
     next->zero_steps = 0;
     next->mirrored = p->mirrored;
     next->hue = p->hue;
@@ -144,6 +146,8 @@ static path *spawn_across(scattering *to, const surface *s, const coefficient *b
     next = spawn(b, s, direction, factor, deeper);
     world_origin_transmit(&b->own[b->count++], s->at, cosine);
     next->above ^= 1u << s->on;
+    if (to->context->scene->dims)
+        next->solids = air_solids_across(to->context->scene, s);
     to->transmitted++;
     return next;
 }

@@ -1,6 +1,7 @@
 #include "shade/shading.h"
 
 #include "base/err.h"
+#include "shade/air.h"
 
 static bool make_appearances(shading *s, const model *m)
 {
@@ -39,6 +40,8 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->model = m;
     s->world = w;
     s->plan = world_plan(w);
+    s->air = air_is_there(m);
+    s->dims = air_dims(m);
     s->objects_info = world_object_info(w);
     s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
     s->unseen.filter = coefficient_of(colour_of(1.0f, 1.0f, 1.0f));

@@ -19,6 +19,7 @@ typedef struct shading {
     appearance unseen;           /* of objects that a ray does not see */
     scene_light *lights;
     size_t light_count;
+    bool air, dims;              /* rays that hit nothing see more than a background; rays change on their way */
 } shading;
 
 /* The model and the world must outlive it. */

@@ -4,6 +4,7 @@
 #include "base/vec.h"
 #include "query/passage.h"
 #include "shade/accumulate.h"
+#include "shade/air.h"
 #include "shade/paint.h"
 #include "shade/reflectance.h"
 #include "world/detail.h"
@@ -98,6 +99,18 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     return false;
 }
 
+/* Fog and rainbows on the way to the surface. */
+static inline void dim(const shade_context *c, surfaces *s, surface *at, colour *out)
+{
+    path *behind;
+
+    if (!c->scene->dims)
+        return;
+    behind = &s->dimmed[at - s->at];
+    air_cross(c->scene, at->from, at->ray, at->at->crossing.t, behind, out);
+    at->from = behind;
+}
+
 /* Intersect rays, some of which start on coincident surfaces. */
 static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
@@ -105,10 +118,12 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
 
     for (uint32_t i = 0; i < b->count; i++) {
         place(s, &s->at[n], b, i, n);
-        if (hit_single(c, &s->at[n]))
+        if (hit_single(c, &s->at[n])) {
+            dim(c, s, &s->at[n], out);
             n += is_kept(c, &s->at[n], out);
-        else
-            accumulate(&b->paths[i], c->scene->model->background, out);
+        } else {
+            air_background(c->scene, b, (uint64_t)1 << i, out);
+        }
     }
     return n;
 }
@@ -120,6 +135,10 @@ static void add_background(const shade_context *c, const batch *b, uint64_t rays
     const colour background = c->scene->model->background;
     colour seen = colour_of(0.0f, 0.0f, 0.0f);
 
+    if (c->scene->air) {
+        air_background(c->scene, b, rays, out);
+        return;
+    }
     if (!b->camera) {
         for (; rays; rays &= rays - 1)
             accumulate(&b->paths[first_of64(rays)], background, out);
@@ -144,6 +163,7 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = found; rest; rest &= rest - 1) {
         place(s, at, b, first_of64(rest), n);
+        dim(c, s, at, out);
         if (is_kept(c, at, out)) {
             at++;
             n++;

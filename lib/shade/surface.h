@@ -25,6 +25,7 @@ typedef struct surfaces {
     hit *found[BATCH_MAX];
     geometry geometry;           /* their appearances in the same order */
     appearance varying[BATCH_MAX];   /* of surfaces whose texture varies */
+    path dimmed[BATCH_MAX];      /* where there is fog: the paths as they arrive */
 } surfaces;
 
 /* Find the surfaces that the batch's rays hit and that need more than their emission. Emission, and the background

@@ -117,6 +117,21 @@ static void begin_inside(pov_tracer *t, bool one_start)
     c->failed = c->failed || !done;
 }
 
+/* The solids without fog around the starts; most rays start where the one before did. */
+static void begin_filled(pov_tracer *t)
+{
+    const world *w = t->context.scene->world;
+    batch *b = &t->camera;
+
+    for (uint32_t i = 0; i < b->count; i++) {
+        const pov_ray *ray = b->rays[i], *last = i > 0 ? b->rays[i - 1] : NULL;
+        const bool is_same = last && ray->org.x == last->org.x && ray->org.y == last->org.y && ray->org.z == last->org.z &&
+                             ray->org_lo.x == last->org_lo.x && ray->org_lo.y == last->org_lo.y && ray->org_lo.z == last->org_lo.z;
+
+        b->paths[i].solids = is_same ? b->paths[i - 1].solids : world_filled_at(w, ray->org, ray->org_lo);
+    }
+}
+
 /* Bit i: ray i is valid, and its path begins. */
 static uint64_t begin_some(batch *b, const pov_ray *rays, uint32_t n)
 {
@@ -150,6 +165,8 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         begun = begin_some(b, rays, n);
     if (c->scene->plan->dielectrics_at_start && b->count > 0)
         begin_inside(t, known & TRACER_ONE_START);
+    if (c->scene->model->fogs.count > 0)
+        begin_filled(t);
     c->counts.camera += b->count;
     return begun;
 }

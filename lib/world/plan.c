@@ -9,6 +9,8 @@
 
 static bool is_solid(const leaf_node *o) { return shape_is_solid(o->shape, o->instance); }
 
+bool plan_is_filled(const leaf_node *o) { return is_solid(o) && !(o->flags & LEAF_HOLLOW); }
+
 bool plan_is_dielectric(const model *m, const leaf_node *o)
 {
     return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);

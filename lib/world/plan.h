@@ -34,6 +34,8 @@ typedef struct plan {
 /* Derive the needs from the model. */
 pov_status plan_make(plan *p, const model *m, pov_error *err);
 /* Can rays be inside it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
+/* Is it a solid that is not hollow? */
+bool plan_is_filled(const leaf_node *o);
 bool plan_is_dielectric(const model *m, const leaf_node *o);
 
 #endif

@@ -285,6 +285,15 @@ static bool comes_before(const dielectric *a, const dielectric *b)
     return size_a != size_b ? size_a > size_b : a->object < b->object;
 }
 
+uint32_t world_filled_at(const world *w, pov_vec3 point, pov_vec3 point_lo)
+{
+    uint32_t count = 0;
+
+    for (size_t i = 0; i < w->filled.count; i++)
+        count += is_inside(w, &w->filled.items[i], point, point_lo);
+    return count;
+}
+
 /* Few dielectrics contain a point, if any: searching for each is cheaper than sorting all. */
 void world_dielectrics_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*visit)(void *user, uint32_t object),
                           void *user)

@@ -12,26 +12,31 @@ enum { THREADS_FROM = 10000 };
 
 /* ---- dielectrics ---- */
 
-/* For a tree its first leaf that is a dielectric, if any; for a leaf the leaf. */
-static uint32_t dielectric_leaf(const world *w, const compile_state *f, uint32_t object)
+static bool is_wanted(const world *w, const leaf_node *o, bool filled)
+{
+    return filled ? plan_is_filled(o) : plan_is_dielectric(w->model, o);
+}
+
+/* For a tree its first leaf that is a dielectric, or filled, if any; for a leaf the leaf. */
+static uint32_t solid_leaf(const world *w, const compile_state *f, uint32_t object, bool filled)
 {
     const uint32_t leaves = (uint32_t)w->model->leaves.count;
     const csg_tree *t = object < leaves ? NULL : &f->trees.items[object - leaves];
     const uint32_t first = t ? t->members[0].leaf : object, end = t ? first + t->member_count : first + 1;
 
     for (uint32_t i = first; i < end; i++)
-        if (plan_is_dielectric(w->model, &w->model->leaves.items[i]) && (t || !f->is_member || !f->is_member[i]))
+        if (is_wanted(w, &w->model->leaves.items[i], filled) && (t || !f->is_member || !f->is_member[i]))
             return i;
     return POV_NO_OWNER;
 }
 
-static bool find_dielectrics(world *w, const compile_state *f)
+static bool find_around(world *w, const compile_state *f, dielectric_list *out, bool filled)
 {
     uint32_t i, k;
 
     /* Both lists are in the order of the objects. An inverse solid's inside is all but its box. */
-    for (i = 0, k = 0; w->plan.dielectrics_at_start && i < compile_count(f); i++) {
-        const uint32_t leaf = dielectric_leaf(w, f, i);
+    for (i = 0, k = 0; i < compile_count(f); i++) {
+        const uint32_t leaf = solid_leaf(w, f, i, filled);
         dielectric m = { .object = i };
 
         if (leaf == POV_NO_OWNER)
@@ -42,10 +47,17 @@ static bool find_dielectrics(world *w, const compile_state *f)
         m.boxed = k < f->finite_count && f->finite[k] == i && !(compile_leaf(f, i)->flags & LEAF_INVERSE);
         if (m.boxed)
             compile_box(f, i, &m.box);
-        if (!VEC_PUSH(w->env, &w->dielectrics, m))
+        if (!VEC_PUSH(w->env, out, m))
             return false;
     }
     return true;
+}
+
+/* Solids that may contain the start of a camera's ray. */
+static bool find_starts(world *w, const compile_state *f)
+{
+    return (!w->plan.dielectrics_at_start || find_around(w, f, &w->dielectrics, false)) &&
+           (w->model->fogs.count == 0 || find_around(w, f, &w->filled, true));
 }
 
 /* By leaf, the first leaf of its solid. */
@@ -231,7 +243,7 @@ static pov_status compile(world *w, compile_state *f, const world_options *optio
     w->bounds = f->bounds;
     w->transparent = f->transparent;
     w->located = is_located(w, f);
-    if (!find_solids(w) || !find_dielectrics(w, f) ||
+    if (!find_solids(w) || !find_starts(w, f) ||
         (w->plan.transmission && !compile_find_isolated(f, &w->isolated)) || !lay_out(w, f, tree))
         return err_memory(err);
     return POV_OK;
@@ -315,6 +327,7 @@ void world_destroy(world *w)
     env_free_aligned(w->env, w->list_memory);
     env_free(w->env, w->objects_info);
     env_free(w->env, w->dielectrics.items);
+    env_free(w->env, w->filled.items);
     env_free(w->env, w->isolated);
     csg_free(&w->trees, w->env);
     env_free(w->env, w->roots);

@@ -149,7 +149,7 @@ static void a_loop_that_does_not_end_is_stopped(void **state)
     (void)state;
     reading_begin_bytes(&r, text, sizeof text - 1, &options, NULL);
     assert_int_equal(r.status, POV_E_SYNTAX);
-    assert_string_equal(r.error.message, "more than 1000 turns of loops");
+    assert_string_equal(r.error.message, "more than 1000 turns of loops and calls of macros");
     assert_int_equal(r.error.line, 2);
     reading_end(&r);
 }

@@ -89,6 +89,7 @@ typedef struct pov_camera {
     pov_camera_type type;
     double angles[2];            /* radians across and upwards, of those that have them */
     double lens_radius, focal_distance;   /* focal blur; 0: none */
+    int lens_samples;            /* samples a pixel that a picture with blur takes if it says nothing else */
 } pov_camera;
 
 POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);

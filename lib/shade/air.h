@@ -1,0 +1,19 @@
+/* air.h - what paths see where they hit nothing, and what fog and rainbows do on their way. */
+#ifndef SHADE_AIR_H
+#define SHADE_AIR_H
+
+#include "shade/context.h"
+#include "shade/surface.h"
+
+/* Is there more than a background? */
+static inline bool air_is_there(const model *m) { return m->sky || m->fogs.count > 0 || m->rainbows.count > 0; }
+static inline bool air_dims(const model *m) { return m->fogs.count > 0 || m->rainbows.count > 0; }
+
+/* Add what the rays see that hit nothing; bit i: ray i. */
+void air_background(const shading *scene, const batch *b, uint64_t rays, colour *out);
+/* How many solids that are not hollow a path is in that has crossed the surface. */
+uint32_t air_solids_across(const shading *scene, const surface *s);
+/* Add what the air itself gives on the way to a hit at ray parameter t; `dimmed` becomes the path behind it. */
+void air_cross(const shading *scene, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out);
+
+#endif
