@@ -47,12 +47,14 @@ COMMON_SOURCES   := $(sort $(wildcard plugins/common/*.c))
 CLI_OBJECTS    = $(patsubst %.c,$(BUILD)/obj/%.o,$(sort $(wildcard cli/*.c)))
 # What a folder's plugins are called where they are built.
 plugins_of     = $(patsubst plugins/%.c,$(BUILD)/lib/povtrace/%.so,$(sort $(wildcard plugins/$(1)/*.c)))
-PRIMITIVES     = $(call plugins_of,primitives)
-# Some formats of pictures need a library, plots need cairo; without them all else is built.
+PRIMITIVES     = $(filter-out $(PRIMITIVES_MISSING),$(call plugins_of,primitives))
+# Texts and some formats of pictures need a library, plots need cairo; without them all else is built.
+NEEDS_text     = freetype2
 NEEDS_png      = libpng
 NEEDS_jpeg     = libjpeg
 NEEDS_tiff     = libtiff-4 >= 4.5
 IMAGES_MISSING := $(foreach f,png jpeg tiff,$(shell $(PKG_CONFIG) --exists '$(NEEDS_$(f))' || echo $(f)))
+PRIMITIVES_MISSING := $(shell $(PKG_CONFIG) --exists $(NEEDS_text) || echo %/text.so)
 IMAGES         = $(filter-out $(foreach f,$(IMAGES_MISSING),%/$(f).so),$(call plugins_of,images))
 PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(call plugins_of,plots))
 PLUGINS        = $(PRIMITIVES) $(IMAGES) $(PLOTS)
@@ -72,6 +74,12 @@ runtime: $(SHARED) $(PLUGINS) $(WIDE_SHARED) $(WIDE_PLUGINS) $(POVC) $(INCLUDES:
 $(BUILD)/share/%: share/%
 	@mkdir -p $(@D)
 	@cp $< $@
+ifneq ($(PRIMITIVES_MISSING),)
+runtime: no-text
+.PHONY: no-text
+no-text:
+	@echo "text { } was left out: pkg-config does not find $(NEEDS_text)"
+endif
 ifneq ($(IMAGES_MISSING),)
 runtime: $(IMAGES_MISSING:%=no-%)
 .PHONY: $(IMAGES_MISSING:%=no-%)
@@ -110,6 +118,8 @@ $(BUILD)/obj/$(1)%.o: COPY_FLAGS = $(if $(1),-march=$(1:/=) $(WIDE_FLAGS_$(1:/=)
 $(BUILD)/obj/$(1)lib/%.o: ROOM_FLAGS = -Ilib -DPOV_PLUGIN_DIR='"$(LIBDIR)/povtrace"' \
     -DPOV_SHARE_DIR='"$(SHAREDIR)"'
 $(BUILD)/obj/$(1)plugins/%.o: ROOM_FLAGS = -Iplugins -Ilib
+$(BUILD)/obj/$(1)plugins/primitives/text.o: ROOM_FLAGS += $$(shell $$(PKG_CONFIG) --cflags $$(NEEDS_text))
+$(BUILD)/lib/povtrace/primitives/$(1)text.so: PLUGIN_LIBS = $$(shell $$(PKG_CONFIG) --libs $$(NEEDS_text))
 $(BUILD)/obj/$(1)%.o: %.c
 	$$(COMPILE)
 

@@ -136,6 +136,16 @@ static bool is_open_to_scenes(const pov_reader *in, const char *path)
     return false;
 }
 
+/* A package may keep a file elsewhere, as fonts, and have a link to it among its include files. */
+static bool is_packaged(const folder *f, const char *name)
+{
+    bool found = false;
+
+    for (int i = 0; i < INSTALLED; i++)
+        found |= f->path == installed[i];
+    return found && !strchr(name, '/');
+}
+
 bool include_find(pov_reader *in, const string *name, char path[INCLUDE_PATH_MAX])
 {
     static const char *const endings[] = { "", ".inc", ".INC", NULL };
@@ -152,7 +162,8 @@ bool include_find_with(pov_reader *in, const string *name, const char *const *en
         return false;
     for (e = 0; endings[e]; e++)
         for (i = 0; folder_at(in, i, &f); i++)
-            if (join(&f, name->text, endings[e], path) && file_exists(path) && is_open_to_scenes(in, path))
+            if (join(&f, name->text, endings[e], path) && file_exists(path) &&
+                (is_packaged(&f, name->text) || is_open_to_scenes(in, path)))
                 return true;
     return false;
 }

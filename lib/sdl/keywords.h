@@ -320,7 +320,7 @@
     ROW(PREMULTIPLIED, "premultiplied", 0) \
     ROW(PRETRACE_END, "pretrace_end", 0) \
     ROW(PRETRACE_START, "pretrace_start", 0) \
-    ROW(PRISM, "prism", KEYWORD_FLAG_COMING) \
+    ROW(PRISM, "prism", KEYWORD_FLAG_SHAPE) \
     ROW(PROD, "prod", 0) \
     ROW(PROJECTED_THROUGH, "projected_through", 0) \
     ROW(PWR, "pwr", 0) \
@@ -419,7 +419,7 @@
     ROW(TAN, "tan", 0) \
     ROW(TANH, "tanh", 0) \
     ROW(TARGET, "target", 0) \
-    ROW(TEXT, "text", KEYWORD_FLAG_COMING) \
+    ROW(TEXT, "text", KEYWORD_FLAG_SHAPE) \
     ROW(TEXTURE, "texture", 0) \
     ROW(TEXTURE_LIST, "texture_list", 0) \
     ROW(TEXTURE_MAP, "texture_map", 0) \

@@ -240,6 +240,7 @@ static uint32_t count_only(const thing *t, const pov_ray *ray, double tmax)
     hits.owner = OWNER;
     hits.capacity = MOST;
     hits.at = at;
+    hits.scratch = subject_scratch(t->self);
     subject.shape->intersect(t->self, ray, &hits);
     return hits.count;
 }

@@ -66,6 +66,13 @@ static const struct { const char *keyword, *text; } texts[] = {
               "inside_vector <1, 0, 0>" },
     { "disc", "<0, 0, 0>, <0, 1, 0>, 1" },
     { "disc", "<1, 2, 3>, <1, -1, 2>, 2, 0.5" },
+    { "prism", "0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0>" },
+    { "prism", "-0.3, 0.241, 6, <1.4, 0>, <-1.133, 0.823>, <0.433, -1.331>, <0.433, 1.331>, <-1.133, -0.823>, <1.4, 0>" },
+    { "prism", "conic_sweep 0.4, 1.3, 5, <1, 1>, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>" },
+    { "prism", "linear_sweep quadratic_spline -1, 1, 6, <-1, 0>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <1, -1>" },
+    { "prism", "cubic_spline 0, 0.5, 7, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>" },
+    { "prism", "bezier_spline 1e6, 1000000.5, 8, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 1>, <-1, 1>, <-1, 0>, <0, 0>" },
+    { "prism", "linear_spline 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> open" },
 };
 
 /* Asked of block filters only, about a point: far apart roots and sizes are more than other tests allow for. */
@@ -277,6 +284,15 @@ void subject_skip(const char *why)
     skip();
 }
 
+void *subject_scratch(const void *self)
+{
+    static union { char bytes[1 << 16]; double aligned; } memory;
+
+    if (subject.shape->scratch)
+        assert_true(subject.shape->scratch(self) <= sizeof memory);
+    return &memory;
+}
+
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST])
 {
@@ -290,6 +306,7 @@ uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, dou
     hits.owner = OWNER;
     hits.capacity = MOST;
     hits.at = at;
+    hits.scratch = subject_scratch(self);
     subject.shape->intersect(self, ray, &hits);
     for (i = 1; i < hits.count; i++) {
         const pov_crossing c = at[i];

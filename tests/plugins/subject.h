@@ -51,6 +51,8 @@ void subject_each(int rays, pov_ray (*make)(const thing *t), bool (*visit)(const
 void subject_each_ray(int rays, bool (*visit)(const thing *t, const pov_ray *ray));
 /* Skips the test: what the shape lacks or is not, after its keyword. */
 void subject_skip(const char *why);
+/* Working memory for intersect(). */
+void *subject_scratch(const void *self);
 /* Crossings in growing order; how many. */
 uint32_t subject_ask_in(const void *self, const pov_ray *ray, pov_want want, double tmin, double tmax, bool exact,
                         pov_crossing at[MOST]);

@@ -243,6 +243,26 @@ static uint32_t host_texture(pov_reader *in)
     return host_number(in) > 0.0 && host_accept(in, "}");
 }
 
+static bool host_boolean(pov_reader *in) { return host_number(in) != 0.0; }
+
+/* A string is a word here. */
+static const char *host_string(pov_reader *in)
+{
+    if (in->failed || in->at == in->count || in->tokens[in->at].is_number) {
+        host_fail(in, "expected a string");
+        return "";
+    }
+    return in->tokens[in->at++].word;
+}
+
+/* No folder is searched. */
+static const void *host_file(pov_reader *in, const char *name, size_t *bytes)
+{
+    *bytes = 0;
+    host_fail(in, "there is no file \"%.100s\"", name);
+    return NULL;
+}
+
 /* ---- a hierarchy that leaves nothing out ---- */
 
 typedef struct all_items { pov_hierarchy service; uint32_t count; } all_items;
@@ -290,6 +310,7 @@ bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self
     static const pov_host host = { .abi = POV_PLUGIN_ABI, .size = sizeof(pov_host), .alloc = host_alloc, .number = host_number,
                                    .vector = host_vector, .accept = host_accept, .expect = host_expect, .more = host_more,
                                    .fail = host_fail, .warn = host_warn, .vector_of = host_vector_of,
+                                   .boolean = host_boolean, .string = host_string, .file = host_file,
                                    .resize = host_resize, .hierarchy_in_order = host_hierarchy_in_order,
                                    .texture = host_texture, .next_is = is_word, .more_numbers = host_more_numbers };
 

@@ -83,11 +83,11 @@ static void lex_finds_words_numbers_and_marks(void **state)
 
 static void lex_knows_the_words_of_the_language(void **state)
 {
-    lexing *l = begin(state, "camera sphere_ blob _x1");
+    lexing *l = begin(state, "camera sphere_ prism _x1");
 
     assert_int_equal(next(l).symbol->id, KEYWORD_CAMERA);
     assert_int_equal(next(l).symbol->id, KEYWORD_OTHER);
-    assert_int_equal(next(l).symbol->flags, KEYWORD_FLAG_COMING);
+    assert_int_equal(next(l).symbol->flags, KEYWORD_FLAG_SHAPE);
     assert_string_equal(next(l).symbol->name, "_x1");
 }
 

@@ -1,0 +1,36 @@
+/* clip.h - the stretch of a ray within a box, with a margin that covers its own rounding. */
+#ifndef COMMON_CLIP_H
+#define COMMON_CLIP_H
+
+#include "common/local.h"
+
+typedef struct common_span { double lo, hi; } common_span;
+
+static inline void common_clip_axis(common_span *s, double from, double d, double lo, double hi, double margin)
+{
+    const double a = (lo - margin - from) / d, b = (hi + margin - from) / d;
+
+    if (d == 0.0) {
+        if (!(from >= lo - margin && from <= hi + margin))
+            s->hi = -HUGE_VAL;
+        return;
+    }
+    s->lo = fmax(s->lo, fmin(a, b));
+    s->hi = fmin(s->hi, fmax(a, b));
+}
+
+/* In the space of the ray; the box's coordinates are of the order of one. False: the line misses it. */
+static inline bool common_clip(const common_ray *k, pov_vec3 lo, pov_vec3 hi, common_span *out)
+{
+    const pov_vec3 f = pov_two3_hi(k->f);
+    const double margin = 0x1p-40 + 0x1p-48 * pov_largest(f);
+
+    out->lo = -HUGE_VAL;
+    out->hi = HUGE_VAL;
+    common_clip_axis(out, f.x, k->d.x, lo.x, hi.x, margin);
+    common_clip_axis(out, f.y, k->d.y, lo.y, hi.y, margin);
+    common_clip_axis(out, f.z, k->d.z, lo.z, hi.z, margin);
+    return out->lo <= out->hi;
+}
+
+#endif

@@ -1,0 +1,35 @@
+/* outline.h - closed plane curves of straight, quadratic and cubic pieces, filled by the even-odd rule.
+ *
+ * A piece is given by its Bezier points; pieces that join have an end in common, bit by bit. On which side of a line an end
+ * lies is computed from the two alone, so a line crosses a closed curve an even number of times. */
+#ifndef COMMON_OUTLINE_H
+#define COMMON_OUTLINE_H
+
+#include <povtrace/shape.h>
+
+typedef struct common_piece { uint32_t degree; double x[4], y[4]; } common_piece;
+
+typedef struct common_outline {
+    uint32_t count, capacity;
+    common_piece *at;
+    double lo[2], hi[2];
+} common_outline;
+
+/* Where a line crosses: at its parameter s, at u of the piece. */
+typedef struct common_cross { double s, u; uint32_t piece; } common_cross;
+
+/* Appends a piece; `memory` is the host's. False: no memory. */
+bool common_outline_add(common_outline *o, const pov_host *host, pov_reader *in, const common_piece *piece);
+/* The box of all pieces; then points become (p - middle) scale. */
+void common_outline_bound(common_outline *o);
+void common_outline_place(common_outline *o, const double middle[2], double scale);
+
+/* Crossings of the line p + s d in order of s; `out` has room for three a piece. Returns how many. */
+uint32_t common_outline_cross(const common_outline *o, const double p[2], const double d[2], common_cross *out);
+/* The same of the cone from the origin over the outline at height 1, and the line w + s d through (x, height, y). */
+uint32_t common_outline_cross_cone(const common_outline *o, pov_vec3 w, pov_vec3 d, common_cross *out);
+bool common_outline_inside(const common_outline *o, const double p[2]);
+/* Point and tangent of a piece. */
+void common_piece_at(const common_piece *piece, double u, double point[2], double tangent[2]);
+
+#endif

@@ -1,0 +1,204 @@
+#include "common/swept.h"
+
+#include "common/clip.h"
+
+enum { LOW_CAP, HIGH_CAP, PIECES };
+
+/* How near to its start, in sizes, a ray's crossing of the piece it starts on is that start; and of another piece, beside
+ * whose end it starts. */
+static const double NEAR = 0x1p-30, BESIDE = 0x1p-44;
+
+static void across(const common_swept *s, pov_vec3 v, double out[2])
+{
+    out[0] = v.x;
+    out[1] = s->axis == 1 ? v.z : v.y;
+}
+
+static pov_vec3 joined(const common_swept *s, double x, double height, double y)
+{
+    return s->axis == 1 ? pov_vec3_of(x, height, y) : pov_vec3_of(x, y, height);
+}
+
+void common_swept_bounds(const common_swept *s, pov_vec3 *lo, pov_vec3 *hi)
+{
+    const common_outline *o = &s->outline;
+    const double low = s->conic ? s->lo.hi : 1.0, high = s->conic ? s->hi.hi : 1.0;
+    double a[2], b[2];
+
+    for (int i = 0; i < 2; i++) {
+        a[i] = fmin(fmin(o->lo[i] * low, o->lo[i] * high), fmin(o->hi[i] * low, o->hi[i] * high));
+        b[i] = fmax(fmax(o->lo[i] * low, o->lo[i] * high), fmax(o->hi[i] * low, o->hi[i] * high));
+        if (s->conic && low < 0.0 && high > 0.0) {
+            a[i] = fmin(a[i], 0.0);
+            b[i] = fmax(b[i], 0.0);
+        }
+    }
+    *lo = joined(s, a[0], s->lo.hi, a[1]);
+    *hi = joined(s, b[0], s->hi.hi, b[1]);
+}
+
+/* ---- along a ray ---- */
+
+/* A ray among the crossings of the outline. */
+typedef struct walk {
+    const common_swept *s;
+    const common_ray *k;
+    const common_cross *at;
+    uint32_t count, start;       /* start: the crossing that the ray starts on, or count */
+    uint32_t origin;             /* the feature that it starts on, or beyond them all */
+    bool odd;                    /* inside the sweep before the first crossing */
+    double base;                 /* the distance where their parameter is zero */
+    pov_two near, far;           /* distances between the planes */
+    bool rising;                 /* it comes from below */
+} walk;
+
+static bool find_slab(walk *w)
+{
+    const pov_two from = w->s->axis == 1 ? w->k->f.y : w->k->f.z;
+    const pov_two3 dir = common_direction(w->k);
+    const pov_two d = w->s->axis == 1 ? dir.y : dir.z;
+
+    w->rising = d.hi > 0.0;
+    w->near = pov_two_of(-HUGE_VAL, 0.0);
+    w->far = pov_two_of(HUGE_VAL, 0.0);
+    if (d.hi == 0.0)
+        return pov_two_less(w->s->lo, from) && pov_two_less(from, w->s->hi);
+    w->near = pov_two_div(pov_two_sub(w->rising ? w->s->lo : w->s->hi, from), d);
+    w->far = pov_two_div(pov_two_sub(w->rising ? w->s->hi : w->s->lo, from), d);
+    return true;
+}
+
+static uint32_t count_before(const walk *w, double t)
+{
+    uint32_t n = 0;
+
+    while (n < w->count && w->base + w->at[n].s < t)
+        n++;
+    return n;
+}
+
+/* The crossing nearest to the start. */
+static uint32_t find_start(const walk *w)
+{
+    uint32_t best = w->count;
+    double least = HUGE_VAL;
+
+    if (w->origin < PIECES || w->origin >= PIECES + w->s->outline.count)
+        return w->count;
+    for (uint32_t i = 0; i < w->count; i++) {
+        const double limit = w->at[i].piece == w->origin - PIECES ? NEAR : BESIDE, off = fabs(w->at[i].s);
+
+        if (off <= limit && off / limit < least) {
+            least = off / limit;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Crossings of the whole line with the sweep, and where it begins inside. */
+static void find_crossings(walk *w, common_cross *room)
+{
+    const pov_vec3 p = pov_two3_hi(common_along_two(w->k, w->base));
+    double a[2], d[2];
+
+    across(w->s, p, a);
+    across(w->s, w->k->d, d);
+    w->at = room;
+    w->count = 0;
+    w->odd = false;
+    if (w->s->conic) {
+        w->count = common_outline_cross_cone(&w->s->outline, p, w->k->d, room);
+        /* It is outside where it passes the height of the apex. */
+        w->odd = w->k->d.y != 0.0 && count_before(w, w->base - p.y / w->k->d.y) % 2 == 1;
+    } else if (d[0] != 0.0 || d[1] != 0.0) {
+        w->count = common_outline_cross(&w->s->outline, a, d, room);
+    } else {
+        w->odd = common_outline_inside(&w->s->outline, a);
+    }
+    w->start = find_start(w);
+}
+
+static bool report(const walk *w, pov_two t, uint32_t feature, double u, bool entering, pov_hits *hits)
+{
+    const pov_mark mark = { w->s->first + feature, 0, u, entering ? 1.0 : 0.0 };
+
+    return pov_cross(hits, t.hi * w->k->unit, t.lo * w->k->unit, mark);
+}
+
+static bool report_cap(const walk *w, bool is_near, pov_hits *hits)
+{
+    const uint32_t feature = is_near == w->rising ? LOW_CAP : HIGH_CAP;
+    const pov_two t = is_near ? w->near : w->far;
+
+    if (w->s->open || w->origin == feature || !(fabs(t.hi) < HUGE_VAL))
+        return true;
+    if ((count_before(w, t.hi) + w->odd) % 2 == 0)
+        return true;
+    return report(w, t, feature, 0.0, is_near, hits);
+}
+
+bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const common_ray *k, common_cross *room,
+                            pov_hits *hits)
+{
+    const bool from_here = ray->origin_surface == hits->owner;
+    pov_vec3 lo, hi;
+    common_span span;
+    walk w;
+
+    common_swept_bounds(s, &lo, &hi);
+    if (!common_clip(k, lo, hi, &span) || span.hi < 0.0 || span.lo * k->unit > hits->tmax)
+        return true;
+    w.s = s;
+    w.k = k;
+    w.origin = from_here ? ray->origin_mark.feature - s->first : UINT32_MAX;
+    w.base = w.origin < PIECES + s->outline.count ? 0.0 : span.lo;
+    if (!find_slab(&w))
+        return true;
+    find_crossings(&w, room);
+    for (uint32_t i = 0; i < w.count; i++) {
+        const pov_two t = pov_two_sum(w.base, w.at[i].s);
+
+        if (i == w.start || !pov_two_less(w.near, t) || !pov_two_less(t, w.far))
+            continue;
+        if (!report(&w, t, PIECES + w.at[i].piece, w.at[i].u, (i + w.odd) % 2 == 0, hits))
+            return false;
+    }
+    return report_cap(&w, true, hits) && report_cap(&w, false, hits);
+}
+
+/* ---- points ---- */
+
+bool common_swept_inside(const common_swept *s, pov_two3 point)
+{
+    const pov_two height = s->axis == 1 ? point.y : point.z;
+    double p[2];
+
+    if (!pov_two_less(s->lo, height) || !pov_two_less(height, s->hi))
+        return false;
+    across(s, pov_two3_hi(point), p);
+    if (s->conic) {
+        p[0] /= height.hi;
+        p[1] /= height.hi;
+    }
+    return common_outline_inside(&s->outline, p);
+}
+
+void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *mark, pov_vec3 *out)
+{
+    const uint32_t feature = mark->feature - s->first;
+    double point[2], tangent[2];
+
+    if (feature < PIECES) {
+        *out = joined(s, 0.0, feature == LOW_CAP ? -1.0 : 1.0, 0.0);
+        return;
+    }
+    common_piece_at(&s->outline.at[feature - PIECES], mark->u, point, tangent);
+    *out = s->conic ? pov_cross_product(pov_vec3_of(tangent[0], 0.0, tangent[1]), pov_vec3_of(point[0], 1.0, point[1]))
+                    : joined(s, tangent[1], 0.0, -tangent[0]);
+    *out = pov_unit(*out);
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_unit(dir);
+    if ((pov_dot(*out, dir) < 0.0) != (mark->v > 0.0))
+        *out = pov_scale(*out, -1.0);
+}

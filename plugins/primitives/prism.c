@@ -1,0 +1,273 @@
+/* prism { [linear_sweep | conic_sweep] [spline] low, high, n, <x, z>, ... [open] [sturm] }: a curve in the plane of x and z,
+ * moved along y, or towards the origin as a cone. Rings within rings are holes. */
+#include "common/swept.h"
+
+#include <stddef.h>
+
+typedef enum spline { LINEAR, QUADRATIC, CUBIC, BEZIER } spline;
+
+typedef struct prism {
+    common_swept swept;
+    pov_two3 anchor;
+    double scale;
+} prism;
+
+/* ---- reading ---- */
+
+typedef struct reading {
+    const pov_host *host;
+    pov_reader *in;
+    common_outline *outline;
+    double (*at)[2];
+    uint32_t count;
+} reading;
+
+static bool read_spline(const pov_host *host, pov_reader *in, spline *kind)
+{
+    static const char *const words[] = { "linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline" };
+
+    for (uint32_t i = 0; i < 4; i++)
+        if (host->accept(in, words[i])) {
+            *kind = (spline)i;
+            return true;
+        }
+    return false;
+}
+
+static bool read_points(reading *r)
+{
+    const double n = (r->host->accept(r->in, ","), r->host->number(r->in));
+
+    if (!(n >= 1.0 && n <= 1e6 && n == floor(n))) {
+        r->host->fail(r->in, "a prism needs a whole number of points");
+        return false;
+    }
+    r->count = (uint32_t)n;
+    r->at = r->host->alloc(r->in, (r->count + 1) * sizeof *r->at);
+    for (uint32_t i = 0; r->at && i < r->count; i++) {
+        r->host->accept(r->in, ",");
+        if (!r->host->more(r->in))
+            r->host->fail(r->in, "a prism has fewer points than it says");
+        r->host->vector_of(r->in, r->at[i], 2);
+    }
+    return r->at != NULL;
+}
+
+static bool same(const double a[2], const double b[2]) { return a[0] == b[0] && a[1] == b[1]; }
+
+/* From the point i to the next one; the straight line if there is no other way. */
+static common_piece piece_at(const reading *r, spline kind, uint32_t i)
+{
+    const double (*p)[2] = (const double (*)[2])r->at + i;
+    common_piece c = { kind == LINEAR ? 1 : kind == QUADRATIC ? 2 : 3, { 0.0 }, { 0.0 } };
+    double b[4][2];
+
+    for (int j = 0; j < 2; j++) {
+        b[0][j] = p[0][j];
+        b[1][j] = kind == QUADRATIC ? p[0][j] + 0.25 * (p[1][j] - p[-1][j]) : p[1][j];
+        b[2][j] = p[1][j];
+        if (kind == CUBIC) {
+            b[1][j] = p[0][j] + (p[1][j] - p[-1][j]) / 6.0;
+            b[2][j] = p[1][j] - (p[2][j] - p[0][j]) / 6.0;
+            b[3][j] = p[1][j];
+        } else if (kind == BEZIER) {
+            b[2][j] = p[2][j];
+            b[3][j] = p[3][j];
+        }
+    }
+    for (uint32_t k = 0; k <= c.degree; k++) {
+        c.x[k] = b[k][0];
+        c.y[k] = b[k][1];
+    }
+    return c;
+}
+
+static bool add(const reading *r, const common_piece *c) { return common_outline_add(r->outline, r->host, r->in, c); }
+
+static bool add_beziers(const reading *r)
+{
+    if (r->count % 4 != 0)
+        r->host->fail(r->in, "a prism of bezier splines needs four points a piece");
+    for (uint32_t i = 0; i + 3 < r->count; i += 4) {
+        const common_piece c = piece_at(r, BEZIER, i);
+
+        if (!add(r, &c))
+            return false;
+    }
+    return true;
+}
+
+/* One ring whose first point is at `first`: it ends where that point comes again. Returns the point behind its end. */
+static uint32_t add_ring(const reading *r, spline kind, uint32_t first, uint32_t end)
+{
+    uint32_t i = first;
+
+    while (i + 1 < end) {
+        const common_piece c = piece_at(r, kind, i++);
+
+        if (!add(r, &c) || same(r->at[i], r->at[first]))
+            return i + 1;
+    }
+    r->host->warn(r->in, "a ring of this prism is not closed: it is closed by a straight line");
+    if (i > first) {
+        const common_piece c = { 1, { r->at[i][0], r->at[first][0] }, { r->at[i][1], r->at[first][1] } };
+
+        add(r, &c);
+    }
+    return i + 1;
+}
+
+/* The first point of a ring only steers, unless it is linear; so does the last one of a cubic. */
+static void add_rings(const reading *r, spline kind)
+{
+    const uint32_t before = kind == LINEAR ? 0 : 1, behind = kind == CUBIC ? 1 : 0;
+    const uint32_t least = kind == LINEAR ? 3 : kind == QUADRATIC ? 4 : 5;
+
+    if (r->count < least)
+        r->host->fail(r->in, "a prism of this spline needs at least %u points", (unsigned)least);
+    for (uint32_t i = before; i + 1 + behind < r->count; i += before + behind)
+        i = add_ring(r, kind, i, r->count - behind);
+}
+
+static double reach_of(const prism *p)
+{
+    const common_outline *o = &p->swept.outline;
+
+    return fmax(fmax(o->hi[0] - o->lo[0], o->hi[1] - o->lo[1]), p->swept.hi.hi - p->swept.lo.hi);
+}
+
+/* The cone's apex is at the origin, so that stays where it is. */
+static void place(prism *p)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    common_outline *o = &p->swept.outline;
+    double middle[2] = { 0.0, 0.0 };
+    pov_vec3 anchor = zero;
+
+    common_outline_bound(o);
+    if (!p->swept.conic) {
+        middle[0] = anchor.x = 0.5 * (o->lo[0] + o->hi[0]);
+        anchor.y = 0.5 * (p->swept.lo.hi + p->swept.hi.hi);
+        middle[1] = anchor.z = 0.5 * (o->lo[1] + o->hi[1]);
+        p->scale = pov_inverse_power(reach_of(p));
+        common_outline_place(o, middle, p->scale);
+    } else {
+        p->scale = pov_inverse_power(fmax(fabs(p->swept.lo.hi), fabs(p->swept.hi.hi)));
+    }
+    p->anchor = pov_two3_of(anchor, zero);
+    p->swept.lo = pov_two_scale(pov_two_sum(p->swept.lo.hi, -anchor.y), p->scale);
+    p->swept.hi = pov_two_scale(pov_two_sum(p->swept.hi.hi, -anchor.y), p->scale);
+}
+
+static void read_heights(prism *p, const pov_host *host, pov_reader *in)
+{
+    const double a = host->number(in), b = (host->accept(in, ","), host->number(in));
+
+    p->swept.lo = pov_two_of(fmin(a, b), 0.0);
+    p->swept.hi = pov_two_of(fmax(a, b), 0.0);
+}
+
+static void read_flags(prism *p, const pov_host *host, pov_reader *in)
+{
+    bool read = true;
+
+    while (read) {
+        read = false;
+        if (host->accept(in, "open"))
+            read = p->swept.open = true;
+        if (host->accept(in, "sturm")) {
+            read = true;
+            if (host->more(in))
+                host->boolean(in);
+        }
+    }
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    prism *p = self;
+    reading r = { host, in, &p->swept.outline, NULL, 0 };
+    spline kind = LINEAR;
+    bool read = true;
+
+    p->swept.axis = 1;
+    while (read) {
+        read = read_spline(host, in, &kind) || host->accept(in, "linear_sweep");
+        if (host->accept(in, "conic_sweep"))
+            read = p->swept.conic = true;
+    }
+    read_heights(p, host, in);
+    if (!read_points(&r))
+        return;
+    if (kind == BEZIER)
+        add_beziers(&r);
+    else
+        add_rings(&r, kind);
+    read_flags(p, host, in);
+    if (p->swept.outline.count > 0)
+        place(p);
+}
+
+/* ---- the surface ---- */
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const prism *p = self;
+    const double back = common_inverse(p->scale);
+    pov_vec3 lo, hi;
+
+    common_swept_bounds(&p->swept, &lo, &hi);
+    lo = pov_add(pov_scale(lo, back), pov_two3_hi(p->anchor));
+    hi = pov_add(pov_scale(hi, back), pov_two3_hi(p->anchor));
+    out->lo = pov_vec3_of(common_below(lo.x), common_below(lo.y), common_below(lo.z));
+    out->hi = pov_vec3_of(common_above(hi.x), common_above(hi.y), common_above(hi.z));
+    return true;
+}
+
+static size_t scratch(const void *self) { return 3 * ((const prism *)self)->swept.outline.count * sizeof(common_cross); }
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const prism *p = self;
+    const common_ray k = common_enter(ray, p->anchor, p->scale);
+
+    common_swept_intersect(&p->swept, ray, &k, hits->scratch, hits);
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const prism *p = self;
+
+    return common_swept_inside(&p->swept, common_offset(point, point_lo, p->anchor, p->scale));
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    common_swept_normal(&((const prism *)self)->swept, ray->dir, &at->mark, out);
+}
+
+static bool open(const void *self) { return ((const prism *)self)->swept.open; }
+
+static const pov_shape_class prism_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "prism",
+    .instance_size = sizeof(prism),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .scratch = scratch,
+    .open = open,
+};
+
+static const pov_shape_class *const shapes[] = { &prism_class, NULL };
+
+POV_PLUGIN(prism) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "prism",
+    .version = "1",
+    .shapes = shapes,
+};

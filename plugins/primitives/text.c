@@ -1,0 +1,317 @@
+/* text { ttf "font" | internal n, "string", depth, offset }: glyphs in the plane of x and y, swept along z from 0 to depth.
+ *
+ * The em of the font is 1 high. Outlines are taken as the font has them, unhinted; each glyph is a sweep of its own. */
+#include "common/clip.h"
+#include "common/swept.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+typedef struct text {
+    uint32_t count;              /* glyphs that have an outline */
+    common_swept *glyph;
+    pov_two3 anchor;
+    double scale;
+    uint32_t pieces;             /* of all glyphs */
+} text;
+
+/* ---- the font ---- */
+
+typedef struct reading {
+    const pov_host *host;
+    pov_reader *in;
+    text *out;
+    FT_Library library;
+    FT_Face face;
+    const unsigned char *rest;   /* of the string */
+    double depth;
+    pov_vec3 pen, offset;
+    double em;
+    common_outline *outline;     /* the one being made */
+    double at[2];
+} reading;
+
+static const char *font_name(const pov_host *host, pov_reader *in)
+{
+    static const char *const internal[] = { "povlogo.ttf", "timrom.ttf", "cyrvetic.ttf", "crystal.ttf" };
+
+    if (!host->accept(in, "internal")) {
+        host->accept(in, "ttf");
+        return host->string(in);
+    }
+    {
+        const double n = host->number(in);
+
+        return internal[n >= 0.0 && n < 4.0 ? (int)n : 1];
+    }
+}
+
+static bool open_font(reading *r, const char *name)
+{
+    size_t bytes;
+    const void *data = r->host->file(r->in, name, &bytes);
+
+    if (!data)
+        return false;
+    if (FT_Init_FreeType(&r->library) != 0) {
+        r->library = NULL;
+        r->host->fail(r->in, "no memory for fonts");
+        return false;
+    }
+    if (FT_New_Memory_Face(r->library, data, (FT_Long)bytes, 0, &r->face) != 0 || !FT_IS_SCALABLE(r->face)) {
+        r->host->fail(r->in, "%.100s is not a font with outlines", name);
+        return false;
+    }
+    r->em = 1.0 / (double)r->face->units_per_EM;
+    return true;
+}
+
+static void close_font(reading *r)
+{
+    if (r->face)
+        FT_Done_Face(r->face);
+    if (r->library)
+        FT_Done_FreeType(r->library);
+}
+
+/* ---- outlines ---- */
+
+static double x_of(const reading *r, const FT_Vector *v) { return (double)v->x * r->em + r->pen.x; }
+static double y_of(const reading *r, const FT_Vector *v) { return (double)v->y * r->em + r->pen.y; }
+
+static int add(reading *r, common_piece *c)
+{
+    c->x[0] = r->at[0];
+    c->y[0] = r->at[1];
+    r->at[0] = c->x[c->degree];
+    r->at[1] = c->y[c->degree];
+    return common_outline_add(r->outline, r->host, r->in, c) ? 0 : 1;
+}
+
+static int move_to(const FT_Vector *to, void *user)
+{
+    reading *r = user;
+
+    r->at[0] = x_of(r, to);
+    r->at[1] = y_of(r, to);
+    return 0;
+}
+
+static int line_to(const FT_Vector *to, void *user)
+{
+    reading *r = user;
+    common_piece c = { 1, { 0.0, x_of(r, to) }, { 0.0, y_of(r, to) } };
+
+    return add(r, &c);
+}
+
+static int conic_to(const FT_Vector *a, const FT_Vector *to, void *user)
+{
+    reading *r = user;
+    common_piece c = { 2, { 0.0, x_of(r, a), x_of(r, to) }, { 0.0, y_of(r, a), y_of(r, to) } };
+
+    return add(r, &c);
+}
+
+static int cubic_to(const FT_Vector *a, const FT_Vector *b, const FT_Vector *to, void *user)
+{
+    reading *r = user;
+    common_piece c = { 3, { 0.0, x_of(r, a), x_of(r, b), x_of(r, to) }, { 0.0, y_of(r, a), y_of(r, b), y_of(r, to) } };
+
+    return add(r, &c);
+}
+
+/* ---- the string ---- */
+
+/* The next character of UTF-8; a byte that begins none is one of Latin-1. */
+static uint32_t next_character(reading *r)
+{
+    const unsigned char *s = r->rest;
+    const uint32_t more = s[0] >= 0xf0 && s[0] < 0xf8 ? 3 : s[0] >= 0xe0 ? 2 : s[0] >= 0xc0 ? 1 : 0;
+    uint32_t code = s[0] & (0x7fu >> (more + (more > 0)));
+
+    for (uint32_t i = 1; i <= more; i++) {
+        if ((s[i] & 0xc0) != 0x80 || s[0] >= 0xf8) {
+            r->rest++;
+            return s[0];
+        }
+        code = code << 6 | (s[i] & 0x3f);
+    }
+    r->rest += more + 1;
+    return more > 0 || s[0] < 0x80 ? code : s[0];
+}
+
+/* Fonts of symbols have theirs from 0xf000 on. */
+static FT_UInt glyph_of(const reading *r, uint32_t code)
+{
+    const FT_UInt index = FT_Get_Char_Index(r->face, code);
+
+    return index != 0 || code > 0xff ? index : FT_Get_Char_Index(r->face, 0xf000 + code);
+}
+
+static void take_outline(reading *r)
+{
+    static const FT_Outline_Funcs functions = { move_to, line_to, conic_to, cubic_to, 0, 0 };
+    common_swept *g = &r->out->glyph[r->out->count];
+
+    memset(g, 0, sizeof *g);
+    g->axis = 2;
+    g->lo = pov_two_of(fmin(r->pen.z, r->pen.z + r->depth), 0.0);
+    g->hi = pov_two_of(fmax(r->pen.z, r->pen.z + r->depth), 0.0);
+    r->outline = &g->outline;
+    FT_Outline_Decompose(&r->face->glyph->outline, &functions, r);
+    if (g->outline.count == 0)
+        return;
+    g->first = 2 * r->out->count + r->out->pieces;
+    r->out->pieces += g->outline.count;
+    r->out->count++;
+}
+
+static void set_line(reading *r, const char *string)
+{
+    FT_UInt before = 0;
+
+    r->rest = (const unsigned char *)string;
+    r->out->glyph = r->host->alloc(r->in, (strlen(string) + 1) * sizeof *r->out->glyph);
+    while (r->out->glyph && *r->rest != '\0') {
+        const FT_UInt index = glyph_of(r, next_character(r));
+        FT_Vector kern = { 0, 0 };
+
+        if (FT_Load_Glyph(r->face, index, FT_LOAD_NO_SCALE) != 0)
+            continue;
+        if (before != 0 && FT_Get_Kerning(r->face, before, index, FT_KERNING_UNSCALED, &kern) == 0)
+            r->pen.x += (double)kern.x * r->em;
+        if (before == 0)         /* the line begins at the edge of its first glyph */
+            r->pen.x = -(double)r->face->glyph->metrics.horiBearingX * r->em;
+        take_outline(r);
+        r->pen = pov_add(r->pen, r->offset);
+        r->pen.x += (double)r->face->glyph->metrics.horiAdvance * r->em;
+        before = index;
+    }
+}
+
+/* ---- in space ---- */
+
+static void place(text *t)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    pov_vec3 lo = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, hi = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, a, b, middle;
+    double at[2];
+
+    for (uint32_t i = 0; i < t->count; i++) {
+        common_outline_bound(&t->glyph[i].outline);
+        common_swept_bounds(&t->glyph[i], &a, &b);
+        lo = pov_vec3_of(fmin(lo.x, a.x), fmin(lo.y, a.y), fmin(lo.z, a.z));
+        hi = pov_vec3_of(fmax(hi.x, b.x), fmax(hi.y, b.y), fmax(hi.z, b.z));
+    }
+    middle = t->count > 0 ? pov_scale(pov_add(lo, hi), 0.5) : zero;
+    t->scale = t->count > 0 ? pov_inverse_power(pov_largest(pov_sub(hi, lo))) : 1.0;
+    t->anchor = pov_two3_of(middle, zero);
+    at[0] = middle.x;
+    at[1] = middle.y;
+    for (uint32_t i = 0; i < t->count; i++) {
+        common_outline_place(&t->glyph[i].outline, at, t->scale);
+        t->glyph[i].lo = pov_two_scale(pov_two_sum(t->glyph[i].lo.hi, -middle.z), t->scale);
+        t->glyph[i].hi = pov_two_scale(pov_two_sum(t->glyph[i].hi.hi, -middle.z), t->scale);
+    }
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    reading r;
+    const char *string;
+
+    memset(&r, 0, sizeof r);
+    r.host = host;
+    r.in = in;
+    r.out = self;
+    if (open_font(&r, font_name(host, in))) {
+        host->accept(in, ",");
+        string = host->string(in);
+        host->accept(in, ",");
+        r.depth = host->number(in);
+        host->accept(in, ",");
+        host->vector(in, &r.offset);
+        set_line(&r, string);
+    }
+    close_font(&r);
+    place(self);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const text *t = self;
+    const pov_vec3 anchor = pov_two3_hi(t->anchor);
+    const double back = common_inverse(t->scale);
+    pov_vec3 a, b;
+
+    out->lo = t->count > 0 ? pov_vec3_of(HUGE_VAL, HUGE_VAL, HUGE_VAL) : anchor;
+    out->hi = t->count > 0 ? pov_vec3_of(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL) : anchor;
+    for (uint32_t i = 0; i < t->count; i++) {
+        common_swept_bounds(&t->glyph[i], &a, &b);
+        a = pov_add(pov_scale(a, back), anchor);
+        b = pov_add(pov_scale(b, back), anchor);
+        out->lo = pov_vec3_of(fmin(out->lo.x, common_below(a.x)), fmin(out->lo.y, common_below(a.y)), fmin(out->lo.z, common_below(a.z)));
+        out->hi = pov_vec3_of(fmax(out->hi.x, common_above(b.x)), fmax(out->hi.y, common_above(b.y)), fmax(out->hi.z, common_above(b.z)));
+    }
+    return true;
+}
+
+/* ---- rays ---- */
+
+static size_t scratch(const void *self) { return 3 * ((const text *)self)->pieces * sizeof(common_cross) + 1; }
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const text *t = self;
+    const common_ray k = common_enter(ray, t->anchor, t->scale);
+
+    for (uint32_t i = 0; i < t->count; i++)
+        if (!common_swept_intersect(&t->glyph[i], ray, &k, hits->scratch, hits))
+            return;
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const text *t = self;
+    const pov_two3 p = common_offset(point, point_lo, t->anchor, t->scale);
+
+    for (uint32_t i = 0; i < t->count; i++)
+        if (common_swept_inside(&t->glyph[i], p))
+            return true;
+    return false;
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const text *t = self;
+    uint32_t i = t->count - 1;
+
+    while (i > 0 && t->glyph[i].first > at->mark.feature)
+        i--;
+    common_swept_normal(&t->glyph[i], ray->dir, &at->mark, out);
+}
+
+static const pov_shape_class text_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "text",
+    .instance_size = sizeof(text),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .scratch = scratch,
+};
+
+static const pov_shape_class *const shapes[] = { &text_class, NULL };
+
+POV_PLUGIN(text) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "text",
+    .version = "1",
+    .shapes = shapes,
+};
