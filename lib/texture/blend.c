@@ -36,6 +36,8 @@ static void sum_weights(blending *b, uint32_t count)
     b->total = 0.0f;
     for (uint32_t i = 0; i < count; i++)
         b->total += b->values[i];
+    if (b->total == 0.0f)
+        b->total = 1.0f;         /* they show nothing, as in POV-Ray */
 }
 
 void blend_find(blending *b, blend kind, const float *values, uint32_t count, const double *value, uint32_t n)
@@ -43,15 +45,20 @@ void blend_find(blending *b, blend kind, const float *values, uint32_t count, co
     b->kind = kind;
     b->values = values;
     b->n = n;
+    b->present = ~(uint64_t)0;
     if (kind == BLEND_AVERAGE) {
         sum_weights(b, count);
         return;
     }
+    b->present = 0;
     for (uint32_t i = 0; i < n; i++) {
         if (kind == BLEND_LIST)
             find_member(b, count, value[i], i);
         else
             find_between(b, count, value[i], i);
+        b->present |= (uint64_t)1 << (b->low[i] & 63);
+        if (b->between[i] != 0.0)
+            b->present |= (uint64_t)1 << ((b->low[i] + 1) & 63);
     }
 }
 
@@ -61,6 +68,7 @@ void blend_find_parts(blending *b, const texture_part *parts, uint32_t count, ui
     b->parts = parts;
     b->last = count - 1;
     b->n = n;
+    b->present = ~(uint64_t)0;
 }
 
 static float share_of_part(const blending *b, uint32_t member, const texture_part *p)
@@ -76,17 +84,32 @@ static float share_of(const blending *b, uint32_t member, uint32_t lane)
 {
     if (b->kind == BLEND_PARTS)
         return share_of_part(b, member, &b->parts[lane]);
-    if (b->kind == BLEND_AVERAGE)
-        return b->values[member] / b->total;
-    if (b->low[lane] == member)
-        return (float)(1.0 - b->between[lane]);
-    return b->low[lane] + 1 == member ? (float)b->between[lane] : 0.0f;
+    return b->values[member] / b->total;
+}
+
+/* Of a map or a list. */
+static uint32_t find_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share)
+{
+    uint32_t count = 0;
+
+    for (uint32_t i = 0; i < b->n; i++) {
+        const float upper = b->low[i] + 1 == member ? (float)b->between[i] : 0.0f;
+
+        share[count] = b->low[i] == member ? (float)(1.0 - b->between[i]) : upper;
+        lane[count] = (uint8_t)i;
+        count += share[count] != 0.0f;
+    }
+    return count;
 }
 
 uint32_t blend_lanes(const blending *b, uint32_t member, uint8_t *lane, float *share)
 {
     uint32_t count = 0;
 
+    if (!(b->present >> (member & 63) & 1))
+        return 0;
+    if (b->kind == BLEND_MAP || b->kind == BLEND_LIST)
+        return find_lanes(b, member, lane, share);
     for (uint32_t i = 0; i < b->n; i++) {
         share[count] = share_of(b, member, i);
         lane[count] = (uint8_t)i;

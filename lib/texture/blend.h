@@ -14,6 +14,7 @@ typedef struct blending {
     const texture_part *parts;
     uint32_t last;               /* the member of lanes without parts */
     uint32_t n;
+    uint64_t present;            /* bit k: lanes may have a share of member k, or of k and a multiple of 64 */
     uint32_t low[LANES_MAX];
     double between[LANES_MAX];
 } blending;
