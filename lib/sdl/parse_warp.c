@@ -2,7 +2,6 @@
 
 #include "sdl/expression.h"
 #include "sdl/report.h"
-#include "sdl/unsupported.h"
 #include "sdl/value.h"
 
 /* ---- turbulence ---- */
@@ -113,8 +112,6 @@ static void read_hole_turbulence(pov_reader *in, void *self, keyword_id keyword)
     ((warp *)self)->as.black_hole.turbulence = value_vector(in);
 }
 
-static bool is_moved(pov_vec3 v) { return v.x != 0.0 || v.y != 0.0 || v.z != 0.0; }
-
 static void read_black_hole(pov_reader *in, warp *w, block *b)
 {
     static const item items[] = { { KEYWORD_STRENGTH, read_strength }, { KEYWORD_FALLOFF, read_falloff },
@@ -129,8 +126,6 @@ static void read_black_hole(pov_reader *in, warp *w, block *b)
     state_accept(in, ',');
     hole->radius = value_number(in);
     items_close(in, b, &list, w);
-    if (is_moved(hole->repeat) && is_moved(hole->turbulence))
-        unsupported_note(in, &in->last, KEYWORD_BLACK_HOLE, "\"turbulence\" of a repeated \"black_hole\"");
 }
 
 /* ---- mappings ---- */

@@ -35,6 +35,9 @@ noise_tables *noise_create(const env *e);
 /* Make at least so many sources of ripples and waves. False when memory ends. */
 bool noise_want_waves(noise_tables *t, arena *memory, uint32_t count);
 
+/* A whole number as an integer; what has no place there counts as 0. */
+static inline int32_t noise_whole(double v) { return v >= -2147483648.0 && v < 2147483648.0 ? (int32_t)v : 0; }
+
 /* The hash of a cube by its lowest corner, 0 to NOISE_HASH - 1. */
 static inline uint32_t noise_hash(const noise_tables *t, int32_t x, int32_t y, int32_t z)
 {

@@ -50,23 +50,56 @@ static void repeat(const warp_repeat *w, vec_lanes *at, uint32_t n)
 
 /* ---- black_hole ---- */
 
-/* Where the cell begins that a point stands in. */
-SIMD_INLINE double cell_start(double at, double length) { return length > 0.0 ? length * floor(at / length) : 0.0; }
+/* Along one axis: cells of that length, 0: none. A hole that is repeated stands wholly in its cell, wherever turbulence
+ * moves it. */
+typedef struct hole_axis { double length, center, turbulence; } hole_axis;
 
-/* A hole that is repeated stands wholly in the first cell. */
-static double center_along(double center, double length, double radius)
+static hole_axis hole_along(double length, double center, double moved, double radius)
 {
-    return length > 0.0 && center < radius ? radius : center;
+    hole_axis out = { 0.0, center, moved };
+    double least;
+
+    if (length <= 0.0)
+        return out;
+    out.center = center < radius ? radius : center;
+    least = out.center + radius + moved;
+    out.length = length < least ? least : length;
+    return out;
 }
 
-SIMD_CLONES static void attract(const warp_black_hole *w, pov_vec3 center, uint32_t n, vec_lanes *restrict at)
+SIMD_INLINE double cell_of(const hole_axis *a, double at) { return a->length > 0.0 ? floor(at / a->length) : 0.0; }
+
+/* Random numbers of each cell: where its hole stands. */
+static void move_holes(const noise_tables *t, const hole_axis axis[3], const vec_lanes *at, uint32_t n, vec_lanes *center)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const double x = cell_of(&axis[0], at->x[i]), y = cell_of(&axis[1], at->y[i]), z = cell_of(&axis[2], at->z[i]);
+        const double *random = t->cell + noise_hash(t, noise_whole(x), noise_whole(y), noise_whole(z));
+
+        center->x[i] += axis[0].turbulence * random[0];
+        center->y[i] += axis[1].turbulence * random[1];
+        center->z[i] += axis[2].turbulence * random[2];
+    }
+}
+
+/* The holes that the points stand next to. */
+SIMD_CLONES static void find_holes(const hole_axis axis[3], const vec_lanes *restrict at, uint32_t n,
+                                   vec_lanes *restrict center)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        center->x[i] = axis[0].center + axis[0].length * cell_of(&axis[0], at->x[i]);
+        center->y[i] = axis[1].center + axis[1].length * cell_of(&axis[1], at->y[i]);
+        center->z[i] = axis[2].center + axis[2].length * cell_of(&axis[2], at->z[i]);
+    }
+}
+
+SIMD_CLONES static void attract(const warp_black_hole *w, const vec_lanes *restrict center, uint32_t n,
+                                vec_lanes *restrict at)
 {
     const double sign = w->is_inverse ? -1.0 : 1.0;
 
     for (uint32_t i = 0; i < n; i++) {
-        const double x = at->x[i] - cell_start(at->x[i], w->repeat.x) - center.x;
-        const double y = at->y[i] - cell_start(at->y[i], w->repeat.y) - center.y;
-        const double z = at->z[i] - cell_start(at->z[i], w->repeat.z) - center.z;
+        const double x = at->x[i] - center->x[i], y = at->y[i] - center->y[i], z = at->z[i] - center->z[i];
         const double distance = sqrt(x * x + y * y + z * z), inside = 1.0 - distance / w->radius;
         const double pull = w->strength * elementary_pow(inside > 0.0 ? inside : 0.0, w->falloff);
         const double a = distance < w->radius ? sign * (pull < 1.0 ? pull : 1.0) : 0.0;
@@ -77,13 +110,24 @@ SIMD_CLONES static void attract(const warp_black_hole *w, pov_vec3 center, uint3
     }
 }
 
-static void black_hole(const warp_black_hole *w, vec_lanes *at, uint32_t n)
+/* Only holes that are repeated are moved, then on all axes. */
+static bool is_turbulent(const warp_black_hole *w)
 {
-    const pov_vec3 center = { center_along(w->center.x, w->repeat.x, w->radius),
-                              center_along(w->center.y, w->repeat.y, w->radius),
-                              center_along(w->center.z, w->repeat.z, w->radius) };
+    return (w->turbulence.x != 0.0 || w->turbulence.y != 0.0 || w->turbulence.z != 0.0) &&
+           (w->repeat.x > 0.0 || w->repeat.y > 0.0 || w->repeat.z > 0.0);
+}
 
-    attract(w, center, n, at);
+static void black_hole(const warp_black_hole *w, const noise_tables *noise, vec_lanes *at, uint32_t n)
+{
+    const hole_axis axis[3] = { hole_along(w->repeat.x, w->center.x, w->turbulence.x, w->radius),
+                                hole_along(w->repeat.y, w->center.y, w->turbulence.y, w->radius),
+                                hole_along(w->repeat.z, w->center.z, w->turbulence.z, w->radius) };
+    vec_lanes center;
+
+    find_holes(axis, at, n, &center);
+    if (is_turbulent(w))
+        move_holes(noise, axis, at, n, &center);
+    attract(w, &center, n, at);
 }
 
 /* ---- mappings ---- */
@@ -224,7 +268,7 @@ void warp_apply(const warp *w, const noise_tables *noise, vec_lanes *at, uint32_
         if (w->kind == WARP_REPEAT)
             repeat(&w->as.repeat, at, whole);
         else if (w->kind == WARP_BLACK_HOLE)
-            black_hole(&w->as.black_hole, at, whole);
+            black_hole(&w->as.black_hole, noise, at, whole);
         else if (w->kind == WARP_TURBULENCE)
             warp_displace(&w->as.turbulence, noise, at, n);
         else
@@ -236,7 +280,7 @@ void warp_apply(const warp *w, const noise_tables *noise, vec_lanes *at, uint32_
 
 bool warp_needs_noise(const warp *w)
 {
-    while (w && w->kind != WARP_TURBULENCE)
+    while (w && w->kind != WARP_TURBULENCE && !(w->kind == WARP_BLACK_HOLE && is_turbulent(&w->as.black_hole)))
         w = w->next;
     return w != NULL;
 }

@@ -139,7 +139,7 @@ static void every_warp_moves_points_as_measured(void **state)
     assert_non_null(file);
     for (; next_warp(file, &w); count++)
         check_warp(&w);
-    assert_int_equal(count, 28);
+    assert_int_equal(count, 34);
     fclose(file);
 }
 
