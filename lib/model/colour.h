@@ -24,6 +24,8 @@ static inline float colour_weight(colour a)
     return r > g ? r : g;
 }
 
+static inline float colour_luminance(colour a) { return 0.297f * a.r + 0.589f * a.g + 0.114f * a.b; }
+
 /* Factor that light is multiplied by on its path, with its weight; or a product of such factors. */
 typedef struct coefficient { colour by; float weight; } coefficient;
 

@@ -63,6 +63,7 @@ typedef struct model {
     double adc_bailout;
     int max_trace_level;
     bool opaque_last_level;      /* rays of the last level do not go through surfaces */
+    bool opaque_dark_filters;    /* nor do any through filters whose luminance is below adc_bailout */
     gamma gamma;
     bool opacity_uses_filter_colour;  /* 1 - (filter*max(r,g,b) + transmit) instead of 1 - filter - transmit */
     bool upper_layers_are_colourless; /* what lies above another layer filters by filter + transmit, whatever its colour */

@@ -34,6 +34,7 @@ static void add_finish(finish *all, const finish *one)
     all->metallic = larger(all->metallic, one->metallic);
     all->crand = larger(all->crand, one->crand);
     all->irid.amount = larger(all->irid.amount, one->irid.amount);
+    all->refraction = one->refraction != 1.0f ? one->refraction : all->refraction;
     all->conserve_energy |= one->conserve_energy;
     add_reflection(&all->reflection, &one->reflection);
 }

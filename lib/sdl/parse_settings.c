@@ -162,7 +162,7 @@ void parse_settings_finish(pov_reader *in)
     m->upper_layers_are_colourless = is_old;
     if (is_old && !in->settings.has_noise_generator)
         m->noise_generator = 1;
-    m->opaque_last_level = is_povray;
+    m->opaque_last_level = m->opaque_dark_filters = is_povray;
     if (!is_povray || is_new)
         m->background = colour_scale(m->background, 1.0f - in->settings.background_transmit);
     finish_gamma(in, is_new);

@@ -16,46 +16,48 @@ static bool is_share(float x) { return x >= 0.0f && x <= 1.0f; }
 /* A sum of APPEARANCE_VISIBLE or more does not change if less than half of 2^-32 is added, the distance of floats just
  * below. The highlight is phong cosine^size times at most 1; solved for the cosine with one more factor of 2 for all
  * roundings. */
-static double cutoff_of(const material *of, colour c)
+static double cutoff_of(const finish *of, colour c)
 {
     const float largest_size = 0x1p20f;
 
-    if (!(of->finish.phong > 0.0f && of->finish.phong_size > 0.0f && of->finish.phong_size < largest_size))
+    if (!(of->phong > 0.0f && of->phong_size > 0.0f && of->phong_size < largest_size))
         return 0.0;
-    if (of->finish.metallic != 0.0f && !(is_share(of->finish.metallic) && is_share(c.r) && is_share(c.g) && is_share(c.b)))
+    if (of->metallic != 0.0f && !(is_share(of->metallic) && is_share(c.r) && is_share(c.g) && is_share(c.b)))
         return 0.0;
-    return pow(0x1p-34 / (double)of->finish.phong, 1.0 / (double)of->finish.phong_size);
+    return pow(0x1p-34 / (double)of->phong, 1.0 / (double)of->phong_size);
 }
 
-static uint32_t power_of(const material *of)
+static uint32_t power_of(const finish *of)
 {
-    const float size = of->finish.phong_size;
+    const float size = of->phong_size;
 
     return size >= 1.0f && size <= (float)APPEARANCE_POWER_MAX && size == floorf(size) ? (uint32_t)size : 0;
 }
 
-static float phong_of(const plan *p, const material *of)
+static float phong_of(const plan *p, const finish *of)
 {
     const uint32_t power = power_of(of);
 
-    if (!p->highlights || of->finish.phong == 0.0f)
+    if (!p->highlights || of->phong == 0.0f)
         return 0.0f;
-    return power > 0 && power <= APPEARANCE_POWER_LANES && of->finish.metallic == 0.0f ? of->finish.phong : NAN;
+    return power > 0 && power <= APPEARANCE_POWER_LANES && of->metallic == 0.0f ? of->phong : NAN;
 }
 
 /* Members that depend on the pigment. */
-static void paint(appearance *out, const plan *p, const model *m, const pigment *at)
+static void paint(appearance *out, const plan *p, const model *m, const pigment *at, bool upper)
 {
-    const material *of = out->material;
-    const float opacity = opacity_of(m, at);
+    const finish *f = out->finish;
+    const bool colourless = upper && m->upper_layers_are_colourless;
+    const float all = at->filter + at->transmit, opacity = colourless ? 1.0f - all : opacity_of(m, at);
 
     out->transmissive = p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
     out->pigment = at->color;
     out->opacity = opacity;
-    out->diffuse_weight = opacity * of->finish.diffuse;
-    out->emitted = colour_mul(colour_scale(colour_mul(of->finish.ambient, at->color), opacity), m->ambient_light);
-    out->emitted = colour_add(out->emitted, colour_scale(colour_mul(of->finish.emission, at->color), opacity));
-    out->filter = coefficient_of(material_filter_of(at->color, at->filter, at->transmit));
+    out->diffuse_weight = opacity * f->diffuse;
+    out->emitted = colour_mul(colour_scale(colour_mul(f->ambient, at->color), opacity), m->ambient_light);
+    out->emitted = colour_add(out->emitted, colour_scale(colour_mul(f->emission, at->color), opacity));
+    out->filter = coefficient_of(colourless ? colour_of(all, all, all)
+                                            : material_filter_of(at->color, at->filter, at->transmit));
 }
 
 static bool is_lit(const finish *f)
@@ -63,43 +65,45 @@ static bool is_lit(const finish *f)
     return f->diffuse != 0.0f || f->diffuse_back != 0.0f || finish_is_glossy(f) || f->crand != 0.0f;
 }
 
-static uint32_t kinds_of(const material *of)
+static uint32_t kinds_of(const finish *f)
 {
-    const finish *f = &of->finish;
     uint32_t kinds = 0;
 
     kinds |= f->brilliance != 1.0 ? FINISH_BRILLIANCE : 0;
     kinds |= f->specular != 0.0f ? FINISH_SPECULAR : 0;
     kinds |= f->metallic != 0.0f && finish_is_glossy(f) ? FINISH_METAL : 0;
-    kinds |= f->diffuse_back != 0.0f || of->double_illuminate ? FINISH_BACK : 0;
+    kinds |= f->diffuse_back != 0.0f ? FINISH_BACK : 0;
     kinds |= f->irid.amount != 0.0f ? FINISH_IRID : 0;
     return kinds | (f->crand != 0.0f ? FINISH_CRAND : 0);
 }
 
-void appearance_make(appearance *out, const plan *p, const model *m, const material *of)
+void appearance_make(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at)
 {
-    const pigment at = { of->pigment, of->filter, of->transmit };
-
-    out->material = of;
-    out->varies = of->texture != NULL;
-    out->finish = &of->finish;
-    out->lit = p->lighting && is_lit(&of->finish);
-    out->kinds = kinds_of(of);
-    out->angular = finish_is_angular(&of->finish);
-    out->reflective = p->reflection && finish_is_mirror(&of->finish);
-    out->phong = phong_of(p, of);
-    out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(of, of->pigment);
-    out->power = power_of(of);
-    out->reflection = coefficient_of(of->finish.reflection.max);
-    paint(out, p, m, &at);
-    out->needs_point = out->varies || out->lit || out->reflective || out->transmissive;
+    out->finish = f;
+    out->lit = p->lighting && is_lit(f);
+    out->kinds = kinds_of(f);
+    out->angular = finish_is_angular(f);
+    out->reflective = p->reflection && finish_is_mirror(f);
+    out->phong = phong_of(p, f);
+    out->highlight_cutoff = out->phong == 0.0f ? 0.0 : cutoff_of(f, at->color);
+    out->power = power_of(f);
+    out->reflection = coefficient_of(f->reflection.max);
+    paint(out, p, m, at, false);
+    out->needs_point = out->lit || out->reflective || out->transmissive;
 }
 
-void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at)
+void appearance_set_material(appearance *out, const material *of)
+{
+    out->material = of;
+    if (of->double_illuminate)
+        out->kinds |= FINISH_BACK;
+}
+
+void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper)
 {
     *out = *of;
-    paint(out, p, m, at);
+    paint(out, p, m, at, upper);
     /* Only for metals the colour of the highlight, and so its cut-off, depends on the pigment. */
-    if (of->phong != 0.0f && of->material->finish.metallic != 0.0f)
-        out->highlight_cutoff = cutoff_of(of->material, at->color);
+    if (of->phong != 0.0f && of->finish->metallic != 0.0f)
+        out->highlight_cutoff = cutoff_of(of->finish, at->color);
 }

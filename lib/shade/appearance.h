@@ -38,9 +38,11 @@ typedef struct appearance {
     const material *material;
 } appearance;
 
-/* The appearance of a material in this scene. */
-void appearance_make(appearance *out, const plan *p, const model *m, const material *of);
-/* The same for a varying texture, from the material's appearance and the pigment at a point. */
-void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at);
+/* The appearance of a finish and a pigment in this scene. */
+void appearance_make(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at);
+/* Of an object with this material. */
+void appearance_set_material(appearance *out, const material *of);
+/* The same for another pigment; upper: it is a layer upon another. */
+void appearance_paint(appearance *out, const plan *p, const model *m, const appearance *of, const pigment *at, bool upper);
 
 #endif

@@ -25,16 +25,15 @@ colour fade_over(const interior *in, double distance)
 
 static inline double length_of(pov_vec3 v) { return sqrt(pov_dot(v, v)); }
 
-bool fade_inside(const shade_context *c, const path *p, const pov_ray *ray, const hit *h, colour *by)
+void fade_inside(const shade_context *c, const path *p, const pov_ray *ray, const hit *h, colour *by)
 {
     const shading *scene = c->scene;
     const uint32_t solid = world_solid(scene->world, h->object);
     const interior *in = dielectric_interior(scene->model, solid);
 
     if (!(in->fade_distance > 0.0) || !dielectric_is_in(&c->dielectrics, p->inside, solid))
-        return false;
+        return;
     *by = fade_over(in, length_of(pov_sub(h->point, ray->org)));
-    return true;
 }
 
 /* ---- light ---- */

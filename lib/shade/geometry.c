@@ -2,9 +2,9 @@
 
 void geometry_begin(geometry *g)
 {
-    g->shading = &g->to.normal;
+    g->shading = g->raw = &g->to.normal;
     for (uint32_t i = 0; i < WORLD_MANY; i++)
-        g->to.dir.x[i] = g->to.normal.x[i] = g->bent.x[i] = 1.0;
+        g->to.dir.x[i] = g->to.normal.x[i] = g->bent.x[i] = g->smooth.x[i] = 1.0;
 }
 
 /* Set view, reflected direction and cosine of lane i. */
@@ -35,19 +35,22 @@ static inline bool set_lanes(geometry *g, const vec_lanes *shading, uint32_t n)
 
 SIMD_CLONES static bool set_plain(geometry *g, uint32_t n) { return set_lanes(g, &g->to.normal, n); }
 
-SIMD_CLONES static bool set_bent(geometry *g, uint32_t n) { return set_lanes(g, &g->bent, n); }
+SIMD_CLONES static bool set_bent(geometry *g, uint32_t n) { return set_lanes(g, g->shading, n); }
 
-/* What the geometric normals say. A mirrored ray that would go into the surface is mirrored at the surface itself. */
+/* What the geometric normals say. Where a normal that a texture perturbed mirrors a ray into the surface, it is mirrored
+ * once more. Smooth triangles let such a ray through, as in POV-Ray. */
 static void find_sides(geometry *g, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const pov_vec3 reflected = lanes_at(&g->reflected, i), normal = lanes_at(&g->to.normal, i);
-        const double out = pov_dot(reflected, normal);
+        const pov_vec3 normal = lanes_at(&g->to.normal, i), raw = lanes_at(g->raw, i);
+        pov_vec3 mirrored = lanes_at(&g->reflected, i);
+        const double out = pov_dot(mirrored, raw);
 
-        if (out < 0.0)
-            lanes_put(&g->reflected, i, pov_sub(reflected, pov_scale(normal, 2.0 * out)));
+        if (out < 0.0 && g->raw != g->shading)
+            mirrored = pov_sub(mirrored, pov_scale(raw, 2.0 * out));
+        lanes_put(&g->turned, i, mirrored);
         g->sides[0][i] = -pov_dot(lanes_at(&g->view, i), normal);
-        g->sides[1][i] = fabs(out);
+        g->sides[1][i] = pov_dot(mirrored, normal);
     }
 }
 
@@ -58,6 +61,7 @@ void geometry_turn(geometry *g, uint32_t n)
     if (!(bent ? set_bent(g, lanes_whole(n)) : set_plain(g, lanes_whole(n))))
         for (uint32_t i = 0; i < n; i++)
             set_lane(g, g->shading, i, pov_unit(lanes_at(&g->to.dir, i)));
+    g->mirrored = bent ? &g->turned : &g->reflected;
     g->view_side = bent ? g->sides[0] : g->cosine;
     g->reflected_side = bent ? g->sides[1] : g->cosine;
     if (bent)

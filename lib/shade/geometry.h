@@ -13,9 +13,13 @@ typedef struct geometry {
     vec_lanes bent;              /* memory for shading normals that differ */
     vec_lanes view;              /* the direction, unit */
     vec_lanes reflected;         /* view, mirrored; unit */
+    const vec_lanes *raw;        /* the shading normals before textures perturbed them */
+    const vec_lanes *mirrored;   /* directions of reflected rays: `reflected` unless some ray would go into the surface */
+    vec_lanes turned, smooth;    /* memory for these */
     double cosine[WORLD_MANY];   /* between shading normal and the direction back, >= 0 */
     const double *view_side, *reflected_side;   /* cosines between geometric normals and the directions view, back, and
-                                  * reflected: `cosine` unless the shading normals differ */
+                                  * mirrored: `cosine` unless the shading normals differ; the latter is negative where
+                                  * the ray goes to the other side */
     double sides[2][WORLD_MANY];   /* memory for these */
 } geometry;
 

@@ -1,11 +1,30 @@
 #include "shade/paint.h"
 
 #include "base/simd.h"
-#include "texture/texture.h"
 #include "world/detail.h"
 
-/* The surfaces of one material, by lane of the texture. */
+bool paint_create(painted *p, const shading *scene)
+{
+    const size_t capacity = (size_t)scene->most_terms * BATCH_MAX;
+
+    if (capacity == 0)
+        return true;
+    p->terms = env_alloc(scene->model->env, capacity, sizeof *p->terms);
+    p->order = env_alloc(scene->model->env, capacity, sizeof *p->order);
+    return p->terms && p->order;
+}
+
+void paint_destroy(painted *p, const env *e)
+{
+    env_free(e, p->terms);
+    env_free(e, p->order);
+}
+
+/* ---- points ---- */
+
+/* The surfaces of one texture, by lane of the texture. */
 typedef struct group {
+    const texture *texture;
     uint32_t count;
     uint8_t lane[BATCH_MAX];
     texture_points points;
@@ -22,36 +41,51 @@ static void find_part(const shading *scene, const hit *h, texture_part *out)
         out->share[i] = (float)share[i];
 }
 
+static void begin(group *g, const texture *of)
+{
+    g->texture = of;
+    g->count = 0;
+    g->points.parts = g->parts;
+    g->points.has_surface = false;
+}
+
+static void add_point(group *g, const shading *scene, const hit *h)
+{
+    const inverse_map *map = model_texture_map(scene->model, h->object);
+
+    if (g->texture->blend == BLEND_PARTS)
+        find_part(scene, h, &g->parts[g->count]);
+    texture_point(map, h->point, h->point_lo, g->count, &g->points);
+    g->points.map[g->count] = map;
+}
+
+static void add_uv(group *g, const shading *scene, const hit *h)
+{
+    double uv[2] = { 0.0, 0.0 };
+
+    if (scene->model->leaves.items[h->object].flags & LEAF_UV)
+        world_uv(scene->world, h, uv);
+    lanes_put(&g->points.uv, g->count, pov_vec3_of(uv[0], uv[1], 0.0));
+}
+
 static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane)
 {
-    const incidence *to = &s->geometry.to;
+    const hit *h = s->at[lane].at;
 
-    if (s->at[lane].appearance->material->texture->blend == BLEND_PARTS)
-        find_part(scene, s->at[lane].at, &g->parts[g->count]);
-    g->lane[g->count] = (uint8_t)lane;
-    texture_point(model_texture_map(scene->model, s->at[lane].at->object), lanes_at(&to->point, lane),
-                  lanes_at(&to->point_lo, lane), g->count++, &g->points);
+    add_point(g, scene, h);
+    add_uv(g, scene, h);
+    lanes_put(&g->points.normal, g->count, lanes_at(s->geometry.raw, lane));
+    lanes_put(&g->points.view, g->count, pov_unit(s->at[lane].ray->dir));
+    g->points.has_surface = true;
+    g->lane[g->count++] = (uint8_t)lane;
 }
 
-/* The layer on top, of blends that of the first member. */
-static const pigment_node *pigment_of(const texture *of)
+/* ---- terms ---- */
+
+/* The texture of the side that the ray meets. */
+static const texture *texture_of(const material *m, const hit *h)
 {
-    while (of->blend != BLEND_NONE)
-        of = of->textures[of->blend == BLEND_LAYERS ? of->count - 1 : 0];
-    return of->pigment;
-}
-
-static void paint(const shading *scene, surfaces *s, const group *g, const appearance *of)
-{
-    pigment pigments[BATCH_MAX];
-
-    pigment_eval(scene->model, pigment_of(of->material->texture), &g->points, g->count, pigments);
-    for (uint32_t i = 0; i < g->count; i++) {
-        appearance *out = &s->varying[g->lane[i]];
-
-        appearance_paint(out, scene->plan, scene->model, of, &pigments[i]);
-        s->at[g->lane[i]].appearance = out;
-    }
+    return m->inside && !h->entering ? m->inside : m->texture;
 }
 
 /* Bit i: the texture of surface i varies. */
@@ -64,39 +98,107 @@ static uint64_t varying(const surfaces *s)
     return lanes;
 }
 
-void paint_surfaces(const shading *scene, surfaces *s)
+/* The terms of all of them, one texture after the other. Returns their number. */
+static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
 {
-    for (uint64_t rest = varying(s); rest;) {
-        const appearance *of = s->at[first_of64(rest)].appearance;
-        group g;
+    uint32_t count = 0;
+    group g;
 
-        g.count = 0;
-        g.points.has_surface = false;
-        g.points.parts = g.parts;
+    for (uint64_t rest = varying(s); rest;) {
+        const surface *first = &s->at[first_of64(rest)];
+        uint32_t n;
+
+        begin(&g, texture_of(first->appearance->material, first->at));
         for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
             const uint32_t i = first_of64(lanes);
 
-            if (s->at[i].appearance != of)
+            if (texture_of(s->at[i].appearance->material, s->at[i].at) != g.texture)
                 continue;
             add(&g, scene, s, i);
             rest &= ~((uint64_t)1 << i);
         }
-        paint(scene, s, &g, of);
+        n = texture_eval(scene->model, g.texture, &g.points, g.count, p->terms + count);
+        for (uint32_t i = 0; i < n; i++, count++)
+            p->terms[count].lane = g.lane[p->terms[count].lane];
     }
+    return count;
+}
+
+/* Terms of a surface stay in their order. */
+static void sort(painted *p, uint32_t count, uint32_t surface_count)
+{
+    uint32_t next[BATCH_MAX];
+
+    for (uint32_t i = 0; i <= surface_count; i++)
+        p->first[i] = 0;
+    for (uint32_t i = 0; i < count; i++)
+        p->first[p->terms[i].lane + 1]++;
+    for (uint32_t i = 0; i < surface_count; i++)
+        next[i] = p->first[i + 1] += p->first[i];
+    for (uint32_t i = count; i-- > 0;)
+        p->order[--next[p->terms[i].lane]] = i;
+}
+
+bool paint_evaluate(const shading *scene, const surfaces *s, painted *p)
+{
+    const uint32_t count = evaluate(scene, s, p);
+    bool single = true;
+
+    sort(p, count, s->count);
+    for (uint32_t i = 0; i < s->count; i++)
+        single &= p->first[i + 1] - p->first[i] <= 1;
+    for (uint32_t i = 0; i < count; i++)
+        single &= p->terms[i].share == 1.0f;
+    return single || scene->most_terms <= 1;
+}
+
+/* ---- surfaces ---- */
+
+void paint_appearance(const shading *scene, const surface *s, const texture_term *t, bool upper, appearance *out)
+{
+    const material *of = s->appearance->material;
+
+    appearance_paint(out, scene->plan, scene->model, shading_finish(scene, t->finish), &t->pigment, upper);
+    appearance_set_material(out, of);
+}
+
+pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t)
+{
+    if (!t || !t->bent)
+        return lanes_at(s->geometry.raw, lane);
+    return pov_dot(t->normal, s->at[lane].ray->dir) > 0.0 ? pov_scale(t->normal, -1.0) : t->normal;
+}
+
+void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
+{
+    geometry *g = &s->geometry;
+    bool bent = false;
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        const texture_term *t = p->first[i + 1] > p->first[i] ? &p->terms[p->order[p->first[i]]] : NULL;
+
+        if (t) {
+            paint_appearance(scene, &s->at[i], t, false, &s->varying[i]);
+            s->at[i].appearance = &s->varying[i];
+            bent |= t->bent;
+        }
+        lanes_put(&g->bent, i, paint_normal(s, i, t));
+    }
+    if (bent)
+        g->shading = &g->bent;
 }
 
 colour paint_filter(const shading *scene, const hit *h)
 {
-    const material *of = shading_constant(scene, h->object)->material;
-    texture_points points;
-    texture_part part;
+    group g;
     colour filter;
 
-    points.has_surface = false;
-    points.parts = &part;
-    if (of->texture->blend == BLEND_PARTS)
-        find_part(scene, h, &part);
-    texture_point(model_texture_map(scene->model, h->object), h->point, h->point_lo, 0, &points);
-    texture_filters(scene->model, of->texture, &points, 1, &filter);
+    begin(&g, texture_of(shading_constant(scene, h->object)->material, h));
+    add_point(&g, scene, h);
+    add_uv(&g, scene, h);
+    lanes_put(&g.points.normal, 0, h->normal);
+    lanes_put(&g.points.view, 0, pov_scale(h->normal, -1.0));
+    g.points.has_surface = true;
+    texture_filters(scene->model, g.texture, &g.points, 1, &filter);
     return filter;
 }

@@ -1,11 +1,29 @@
-/* paint.h - appearances of surfaces with varying textures. */
+/* paint.h - the textures of surfaces at their points. */
 #ifndef SHADE_PAINT_H
 #define SHADE_PAINT_H
 
 #include "shade/surface.h"
+#include "texture/texture.h"
 
-/* Evaluate the textures of surfaces with known points, all surfaces of one material together. */
-void paint_surfaces(const shading *scene, surfaces *s);
+/* What the varying textures of a batch's surfaces are made of. */
+typedef struct painted {
+    texture_term *terms;         /* room for shading->most_terms of each surface */
+    uint32_t *order;             /* their numbers, by surface */
+    uint32_t first[BATCH_MAX + 1];   /* of a surface in `order`; those with constant textures have none */
+} painted;
+
+/* False: no memory. */
+bool paint_create(painted *p, const shading *scene);
+void paint_destroy(painted *p, const env *e);
+/* Evaluate the varying textures of surfaces with known points and normals. True: each is one term at most, which is all of
+ * the surface. */
+bool paint_evaluate(const shading *scene, const surfaces *s, painted *p);
+/* The appearance of a term. */
+void paint_appearance(const shading *scene, const surface *s, const texture_term *t, bool upper, appearance *out);
+/* A term's normal, or that of the surface; it faces the ray's start. */
+pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t);
+/* Set appearances and normals of surfaces that are one term each. */
+void paint_surfaces(const shading *scene, surfaces *s, const painted *p);
 /* Filter of light that crosses a surface with a varying texture. The hit's point is known. */
 colour paint_filter(const shading *scene, const hit *h);
 

@@ -66,41 +66,51 @@ static void set(const shade_context *c, appearance *a, const surface *s, double 
     const finish *f = a->finish;
     const double ratio = f->reflection.fresnel ? ratio_at(c, s) : 1.0;
     const colour by = reflectance_of(c->scene->model, f, a->pigment, cosine, ratio);
-    colour left = colour_scale(a->filter.by, f->refraction);
 
-    if (f->conserve_energy)
-        left = colour_mul(left, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b));
     a->reflection = coefficient_of(by);
-    a->filter = coefficient_of(left);
+    if (f->conserve_energy)
+        a->filter = coefficient_of(colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
 }
 
-/* What light loses on its way does not count in the weight of a ray, as POV-Ray has it. */
-static void fade(surface *at, appearance *own)
+/* The surface's appearance, to be changed. */
+static appearance *own_of(surfaces *s, uint32_t i)
 {
-    own->filter.by = colour_mul(own->filter.by, at->faded);
+    appearance *own = &s->varying[i];
+
+    if (s->at[i].appearance != own)
+        *own = *s->at[i].appearance;
+    s->at[i].appearance = own;
+    return own;
+}
+
+/* What light loses on its way does not count in the weight of a ray, as POV-Ray has it: it is a factor of its own. */
+static void fade(const shade_context *c, surface *at)
+{
+    at->faded = colour_of(1.0f, 1.0f, 1.0f);
+    if (c->scene->plan->fading && !at->appearance->clear)
+        fade_inside(c, at->from, at->ray, at->at, &at->faded);
 }
 
 void reflectance_set(const shade_context *c, surfaces *s)
 {
-    const bool fading = c->scene->plan->fading;
-
     for (uint32_t i = 0; i < s->count; i++) {
         surface *at = &s->at[i];
-        appearance *own = &s->varying[i];
-        const bool angular = at->appearance->angular;
-        bool fades = false;
+        appearance *own;
 
-        at->faded = colour_of(1.0f, 1.0f, 1.0f);
-        if (fading)
-            fades = !at->appearance->clear && fade_inside(c, at->from, at->ray, at->at, &at->faded);
-        if (!angular && !fades)
+        fade(c, at);
+        if (!at->appearance->angular)
             continue;
-        if (at->appearance != own)
-            *own = *at->appearance;
-        at->appearance = own;
-        if (angular)
-            set(c, own, at, s->geometry.cosine[i]);
-        if (fades)
-            fade(at, own);
+        own = own_of(s, i);
+        set(c, own, at, s->geometry.cosine[i]);
+        own->filter = coefficient_of(colour_scale(own->filter.by, own->finish->refraction));
+    }
+}
+
+void reflectance_set_layers(const shade_context *c, surfaces *s)
+{
+    for (uint32_t i = 0; i < s->count; i++) {
+        fade(c, &s->at[i]);
+        if (s->at[i].appearance->angular)
+            set(c, own_of(s, i), &s->at[i], s->geometry.cosine[i]);
     }
 }

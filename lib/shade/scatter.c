@@ -5,6 +5,7 @@
 #include "shade/refract.h"
 #include "shade/spectrum.h"
 
+#include <float.h>
 #include <limits.h>
 
 /* ---- the rays that go on ---- */
@@ -12,7 +13,7 @@
 /* Limits that cut rays off, and the numbers of rays cut off. */
 typedef struct limits {
     int level, straight_level;   /* rays that go straight on keep their level */
-    float weight;
+    float weight, luminance;     /* of a ray, and of the filter of one surface */
     uint64_t cut_depth, cut_weight;
 } limits;
 
@@ -78,8 +79,16 @@ static batch *branch_of(scattering *to, branches *list, const surface *s, bool p
 
 static void finish_reflected(scattering *to, batch *b, path *next, const surface *s, uint32_t lane)
 {
+    const double side = to->on->geometry.reflected_side[lane];
+    pov_ray *ray = &b->own[b->count++];
+
     next->mirrored = true;
-    world_origin_reflect(&b->own[b->count++], s->at, to->on->geometry.reflected_side[lane]);
+    if (side < 0.0) {
+        world_origin_transmit(ray, s->at, -side);
+        next->above ^= 1u << s->on;
+    } else {
+        world_origin_reflect(ray, s->at, side);
+    }
     to->reflected++;
 }
 
@@ -93,7 +102,7 @@ static inline void reflect(scattering *to, const surface *s, uint32_t lane, cons
         return;
     b = branch_of(to, &to->queue->mirrored, s, false);
     if (b)
-        finish_reflected(to, b, spawn(b, s, lanes_at(&to->on->geometry.reflected, lane), factor, true), s, lane);
+        finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
 }
 
 /* The same where the colour that is seen in the mirror is raised to a power. */
@@ -112,7 +121,7 @@ static void reflect_power(scattering *to, const surface *s, uint32_t lane, const
     p->lane[p->count] = s->from->lane;
     p->factor[p->count] = factor.by;
     p->exponent[p->count++] = exponent;
-    finish_reflected(to, b, spawn(b, s, lanes_at(&to->on->geometry.reflected, lane), clear, true), s, lane);
+    finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), clear, true), s, lane);
 }
 
 /* The reflected ray of an ordinary surface. */
@@ -133,13 +142,15 @@ static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 /* A path on the surface's other side, at this cosine to the normal. NULL: the path is cut off. */
 static path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
 {
-    const coefficient factor = coefficient_mul(s->from->factor, *by);
+    coefficient factor = coefficient_mul(s->from->factor, *by);
     const int straight_level = s->appearance->clear ? INT_MAX : to->limits.straight_level;
     batch *b;
     path *next;
 
     if (!passes_cutoff(&to->limits, s->from, &factor, deeper ? to->limits.level : straight_level))
         return NULL;
+    if (to->context->scene->plan->fading)
+        factor.by = colour_mul(factor.by, s->faded);
     b = branch_of(to, &to->queue->transmitted, s, false);
     if (!b)
         return NULL;
@@ -150,6 +161,15 @@ static path *spawn_across(scattering *to, const surface *s, const coefficient *b
         next->solids = air_solids_across(to->context->scene, s);
     to->transmitted++;
     return next;
+}
+
+/* Is the filter so dark that no ray goes through? */
+static inline bool is_dark(scattering *to, const coefficient *by)
+{
+    const bool dark = colour_luminance(by->by) < to->limits.luminance;
+
+    to->limits.cut_weight += dark;
+    return dark;
 }
 
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
@@ -278,7 +298,8 @@ static inline void split(scattering *to, const interfaces *p, const surface *s, 
         return;
     }
     reflect_some(to, s, lane);
-    cross(to, p, s, lane, &s->appearance->filter);
+    if (!is_dark(to, &s->appearance->filter))
+        cross(to, p, s, lane, &s->appearance->filter);
 }
 
 static void scatter_lanes(scattering *to, bool refraction)
@@ -296,21 +317,164 @@ static void scatter_lanes(scattering *to, bool refraction)
             split(to, &p, s, i);
         } else {
             reflect_some(to, s, i);
-            if (transmissive)
+            if (transmissive && !is_dark(to, &s->appearance->filter))
                 transmit(to, s, i, &s->appearance->filter);
         }
     }
 }
 
-void scatter(shade_context *c, const surfaces *on, batch_queue *q)
+static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
 {
     const model *m = c->scene->model;
-    const limits l = { m->max_trace_level, m->opaque_last_level ? m->max_trace_level : INT_MAX, (float)m->adc_bailout, 0, 0 };
-    scattering to = { c, on, q, l, 0, 0 };
+    const float cutoff = (float)m->adc_bailout;
+    const limits l = { m->max_trace_level, m->opaque_last_level ? m->max_trace_level : INT_MAX, cutoff,
+                       m->opaque_dark_filters ? cutoff : -FLT_MAX, 0, 0 };
+    const scattering to = { c, on, q, l, 0, 0 };
+
+    return to;
+}
+
+static void count(const scattering *to)
+{
+    pov_counts *counts = &to->context->counts;
+
+    counts->cut_depth += to->limits.cut_depth;
+    counts->cut_weight += to->limits.cut_weight;
+    counts->reflected += to->reflected;
+    counts->transmitted += to->transmitted;
+}
+
+void scatter(shade_context *c, const surfaces *on, batch_queue *q)
+{
+    scattering to = begin(c, on, q);
 
     scatter_lanes(&to, c->scene->plan->refraction);
-    c->counts.cut_depth += to.limits.cut_depth;
-    c->counts.cut_weight += to.limits.cut_weight;
-    c->counts.reflected += to.reflected;
-    c->counts.transmitted += to.transmitted;
+    count(&to);
+}
+
+/* ---- layers ---- */
+
+/* The rays of one hit, by layer from `first` to `end`: coefficients that are 0 where rays were added to an earlier one. */
+typedef struct hit_rays {
+    scattering *to;
+    const layers *from;
+    const interfaces *crossed;   /* NULL: nothing is refracted */
+    uint32_t first, end;
+    coefficient reflected[BATCH_MAX], through[BATCH_MAX], shut[BATCH_MAX];
+    bool reflects[BATCH_MAX], goes_on[BATCH_MAX], is_shut[BATCH_MAX];
+} hit_rays;
+
+static bool is_same_normal(const geometry *g, uint32_t a, uint32_t b)
+{
+    return g->bent.x[a] == g->bent.x[b] && g->bent.y[a] == g->bent.y[b] && g->bent.z[a] == g->bent.z[b];
+}
+
+static float exponent_of(const layers *l, uint32_t i) { return l->on.at[i].appearance->finish->reflection.exponent; }
+
+/* Total reflection takes the place of all that a stack reflects. */
+static void shut_stack(hit_rays *f, uint32_t last)
+{
+    const layers *l = f->from;
+    const surface *s = &l->on.at[last];
+    const bool fades = f->to->context->scene->plan->fading;
+
+    for (uint32_t i = last + 1; i-- > f->first;) {
+        f->reflects[i] = false;
+        if (l->of[i].first)
+            break;
+    }
+    f->goes_on[last] = false;
+    f->is_shut[last] = true;
+    f->shut[last].by = colour_of(l->of[last].share, l->of[last].share, l->of[last].share);
+    f->shut[last].weight = 1.0f;
+    if (fades)
+        f->shut[last].by = colour_mul(f->shut[last].by, s->faded);
+}
+
+static void find_rays(hit_rays *f)
+{
+    const layers *l = f->from;
+
+    for (uint32_t i = f->first; i < f->end; i++) {
+        const appearance *a = l->on.at[i].appearance;
+
+        f->reflects[i] = a->reflective;
+        f->goes_on[i] = l->of[i].last && a->transmissive;
+        f->is_shut[i] = false;
+        f->reflected[i] = l->of[i].reflection;
+        f->through[i] = l->of[i].through;
+        if (f->goes_on[i] && f->crossed && !a->clear && is_shut(f->crossed, i))
+            shut_stack(f, i);
+    }
+}
+
+/* Add later rays of the same direction to one. Those of different weights are cut off at different levels, so they are not
+ * one. */
+static void merge(const geometry *g, uint32_t end, uint32_t i, bool *is, coefficient *by, bool any_normal)
+{
+    for (uint32_t k = i + 1; is[i] && k < end; k++) {
+        if (!is[k] || by[k].weight != by[i].weight || !(any_normal || is_same_normal(g, i, k)))
+            continue;
+        is[k] = false;
+        by[i].by = colour_add(by[i].by, by[k].by);
+    }
+}
+
+/* Mirrors with an exponent are not joined to others. */
+static void send_reflected(hit_rays *f)
+{
+    const layers *l = f->from;
+    bool plain[BATCH_MAX];
+
+    for (uint32_t i = f->first; i < f->end; i++)
+        plain[i] = f->reflects[i] && exponent_of(l, i) == 1.0f;
+    for (uint32_t i = f->first; i < f->end; i++) {
+        merge(&l->on.geometry, f->end, i, plain, f->reflected, false);
+        merge(&l->on.geometry, f->end, i, f->is_shut, f->shut, false);
+        if (plain[i])
+            reflect(f->to, &l->on.at[i], i, &f->reflected[i]);
+        else if (f->reflects[i] && exponent_of(l, i) != 1.0f)
+            reflect_power(f->to, &l->on.at[i], i, &f->reflected[i], exponent_of(l, i));
+        if (f->is_shut[i])
+            reflect_inside(f->to, &l->on.at[i], i, &f->shut[i]);
+    }
+}
+
+static void send_through(hit_rays *f)
+{
+    const layers *l = f->from;
+
+    for (uint32_t i = f->first; i < f->end; i++) {
+        const surface *s = &l->on.at[i];
+
+        if (!f->goes_on[i] || l->of[i].is_dark)
+            continue;
+        merge(&l->on.geometry, f->end, i, f->goes_on, f->through, !f->crossed);
+        if (f->crossed && !s->appearance->clear)
+            cross(f->to, f->crossed, s, i, &f->through[i]);
+        else
+            transmit(f->to, s, i, &f->through[i]);
+    }
+}
+
+void scatter_layers(shade_context *c, const layers *l, batch_queue *q)
+{
+    const bool refraction = c->scene->plan->refraction;
+    scattering to = begin(c, &l->on, q);
+    interfaces crossed;
+    hit_rays f;
+
+    f.to = &to;
+    f.from = l;
+    f.crossed = refraction ? &crossed : NULL;
+    if (refraction)
+        find_interfaces(c, &l->on, &crossed);
+    for (f.first = 0; f.first < l->on.count; f.first = f.end) {
+        for (f.end = f.first + 1; f.end < l->on.count && l->of[f.end].of == l->of[f.first].of; f.end++)
+            ;
+        find_rays(&f);
+        send_reflected(&f);
+        send_through(&f);
+    }
+    count(&to);
 }

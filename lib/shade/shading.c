@@ -1,15 +1,113 @@
 #include "shade/shading.h"
 
 #include "base/err.h"
+#include "base/vec.h"
 #include "shade/air.h"
+#include "texture/texture.h"
+
+#include <stdlib.h>
+
+static uint32_t larger(uint32_t a, uint32_t b) { return a > b ? a : b; }
+
+/* Of a texture that varies it says what there may be anywhere. */
+static void make_appearance(shading *s, appearance *out, const model *m, const material *of)
+{
+    const pigment at = { of->pigment, of->filter, of->transmit };
+
+    appearance_make(out, s->plan, m, &of->finish, &at);
+    appearance_set_material(out, of);
+    out->varies = of->texture != NULL;
+    out->needs_point |= out->varies;
+    s->angular |= !out->varies && out->angular;
+}
 
 static bool make_appearances(shading *s, const model *m)
 {
     s->appearances = env_alloc(m->env, m->materials.count, sizeof *s->appearances);
     for (size_t i = 0; s->appearances && i < m->materials.count; i++)
-        appearance_make(&s->appearances[i], s->plan, m, &m->materials.items[i]);
+        make_appearance(s, &s->appearances[i], m, &m->materials.items[i]);
     return s->appearances || m->materials.count == 0;
 }
+
+/* ---- finishes of textures ---- */
+
+typedef struct finish_list { const finish **items; size_t count, capacity; } finish_list;
+
+static bool add_finishes(finish_list *list, const env *e, const texture *of)
+{
+    const finish *own = &of->finish;
+    bool done = true;
+
+    if (of->blend == BLEND_NONE)
+        return VEC_PUSH(e, list, own);
+    for (uint32_t i = 0; done && i < of->count; i++)
+        done = add_finishes(list, e, of->textures[i]);
+    return done;
+}
+
+static int order(const void *a, const void *b)
+{
+    const uintptr_t x = (uintptr_t)*(const finish *const *)a, y = (uintptr_t)*(const finish *const *)b;
+
+    return (x > y) - (x < y);
+}
+
+static bool list_finishes(shading *s, finish_list *list)
+{
+    const model *m = s->model;
+    const material *last = NULL;
+
+    for (size_t i = 0; i < m->materials.count; i++) {
+        const material *of = &m->materials.items[i];
+
+        if (!of->texture || (last && last->texture == of->texture && last->inside == of->inside))
+            continue;
+        last = of;
+        if (!add_finishes(list, m->env, of->texture) || (of->inside && !add_finishes(list, m->env, of->inside)))
+            return false;
+        s->most_terms = larger(s->most_terms, texture_most_terms(of->texture));
+        s->most_terms = larger(s->most_terms, of->inside ? texture_most_terms(of->inside) : 0);
+    }
+    return true;
+}
+
+static bool make_finishes(shading *s, const model *m)
+{
+    static const pigment none;
+    finish_list list = { NULL, 0, 0 };
+    bool done = list_finishes(s, &list);
+
+    if (done && list.count > 0) {
+        qsort(list.items, list.count, sizeof *list.items, order);
+        s->finishes = env_alloc(m->env, list.count, sizeof *s->finishes);
+        done = s->finishes != NULL;
+    }
+    for (size_t i = 0; done && i < list.count; i++) {
+        if (i > 0 && list.items[i] == list.items[i - 1])
+            continue;
+        appearance_make(&s->finishes[s->finish_count], s->plan, m, list.items[i], &none);
+        s->angular |= s->finishes[s->finish_count++].angular;
+    }
+    env_free(m->env, list.items);
+    return done;
+}
+
+const appearance *shading_finish(const shading *s, const finish *of)
+{
+    size_t low = 0, high = s->finish_count;
+
+    while (high - low > 1) {
+        const size_t middle = (low + high) / 2;
+
+        if ((uintptr_t)s->finishes[middle].finish <= (uintptr_t)of)
+            low = middle;
+        else
+            high = middle;
+    }
+    return &s->finishes[low];
+}
+
+/* ---- lights ---- */
 
 static bool make_light(scene_light *out, const env *e, const light *l)
 {
@@ -44,8 +142,10 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->dims = air_dims(m);
     s->objects_info = world_object_info(w);
     s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
+    finish_init(&s->plain_finish);
+    s->unseen.finish = &s->plain_finish;
     s->unseen.filter = coefficient_of(colour_of(1.0f, 1.0f, 1.0f));
-    if (!make_appearances(s, m) || !make_lights(s, m)) {
+    if (!make_appearances(s, m) || !make_finishes(s, m) || !make_lights(s, m)) {
         shading_destroy(s);
         return err_memory(err);
     }
@@ -58,6 +158,7 @@ void shading_destroy(shading *s)
     if (!s)
         return;
     env_free(s->model->env, s->appearances);
+    env_free(s->model->env, s->finishes);
     for (size_t i = 0; s->lights && i < s->light_count; i++)
         env_free(s->model->env, s->lights[i].grid);
     env_free(s->model->env, s->lights);

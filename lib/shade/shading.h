@@ -16,6 +16,11 @@ typedef struct shading {
     const plan *plan;
     const object_info *objects_info;
     appearance *appearances;     /* one a material */
+    appearance *finishes;        /* one a finish of varying textures, in the order of their places in memory */
+    size_t finish_count;
+    uint32_t most_terms;         /* of a texture at a point */
+    bool angular;                /* some finish reflects or transmits by the angle of the ray */
+    finish plain_finish;         /* the default */
     appearance unseen;           /* of objects that a ray does not see */
     scene_light *lights;
     size_t light_count;
@@ -26,6 +31,8 @@ typedef struct shading {
 pov_status shading_create(shading **out, const model *m, const world *w, pov_error *err);
 void shading_destroy(shading *s);
 
+/* Appearance of a finish of a varying texture, but for its pigment. */
+const appearance *shading_finish(const shading *s, const finish *of);
 /* Appearance of an object with a constant texture. */
 static inline const appearance *shading_constant(const shading *s, uint32_t which)
 {

@@ -197,30 +197,36 @@ static void complete_some(const shade_context *c, surfaces *s)
 static void set_shading_normals(const shading *scene, surfaces *s)
 {
     geometry *g = &s->geometry;
-    bool bent = false;
+    bool smooth = false;
 
     for (uint32_t i = 0; i < s->count; i++) {
         pov_vec3 normal = lanes_at(&g->to.normal, i);
 
         if (scene->objects_info[s->found[i]->object].smooth)
-            bent |= world_shading_normal(scene->world, s->rays[i], s->found[i], &normal);
-        lanes_put(&g->bent, i, normal);
+            smooth |= world_shading_normal(scene->world, s->rays[i], s->found[i], &normal);
+        lanes_put(&g->smooth, i, normal);
     }
-    g->shading = bent ? &g->bent : &g->to.normal;
+    if (smooth)
+        g->shading = g->raw = &g->smooth;
 }
 
-void surfaces_complete(shade_context *c, surfaces *s)
+bool surfaces_complete(shade_context *c, surfaces *s, painted *p)
 {
+    const shading *scene = c->scene;
+
     if (c->coincident_sets.count > 0)
         complete_some(c, s);
     else
-        world_surface_many(c->scene->world, query_context_own(c->context), s->rays, s->found, s->count,
-                           &s->geometry.to);
-    if (c->scene->plan->smooth)
-        set_shading_normals(c->scene, s);
-    if (c->scene->plan->textures)
-        paint_surfaces(c->scene, s);
+        world_surface_many(scene->world, query_context_own(c->context), s->rays, s->found, s->count, &s->geometry.to);
+    s->geometry.shading = s->geometry.raw = &s->geometry.to.normal;
+    if (scene->plan->smooth)
+        set_shading_normals(scene, s);
+    if (scene->plan->textures && !paint_evaluate(scene, s, p))
+        return false;
+    if (scene->plan->textures)
+        paint_surfaces(scene, s, p);
     geometry_turn(&s->geometry, s->count);
-    if (c->scene->plan->angular || c->scene->plan->fading)
+    if (scene->angular || scene->plan->fading)
         reflectance_set(c, s);
+    return true;
 }

@@ -13,7 +13,7 @@ typedef struct surface {
     hit *at;
     const appearance *appearance;
     uint32_t coincident, above, on;   /* it is coincident with others: as in a path; index within the set */
-    colour faded;                /* factor of what it reflects totally; set if light fades in some solid */
+    colour faded;                /* factor of what it transmits or reflects totally; set if light fades in some solid */
     colour lit;                  /* reflected light of the light sources along the ray */
 } surface;
 
@@ -31,7 +31,10 @@ typedef struct surfaces {
 /* Find the surfaces that the batch's rays hit and that need more than their emission. Emission, and the background
  * where rays hit nothing, is added to out. */
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out);
-/* Complete the points, normals and directions, and the appearances of varying textures. */
-void surfaces_complete(shade_context *c, surfaces *s);
+struct painted;
+
+/* Complete the points and normals, and the directions and appearances. False: some texture is made of several terms; then
+ * directions and appearances are left to layers_take(). */
+bool surfaces_complete(shade_context *c, surfaces *s, struct painted *p);
 
 #endif

@@ -15,6 +15,23 @@ static void make_camera_paths(batch *b)
     }
 }
 
+/* Memory for the queue and for textures. */
+static bool make_buffers(pov_tracer *t)
+{
+    const shading *scene = t->context.scene;
+    const env *e = t->context.env;
+
+    if (!batch_make(&t->queue, e) || !paint_create(&t->painted, scene))
+        return false;
+    if (scene->most_terms <= 1)
+        return true;
+    t->layers = env_alloc_aligned(e, sizeof *t->layers, SIMD_LINE);
+    t->shadow_rays = env_alloc_aligned(e, sizeof *t->shadow_rays, SIMD_LINE);
+    if (t->layers)
+        geometry_begin(&t->layers->on.geometry);
+    return t->layers && t->shadow_rays;
+}
+
 pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
 {
     const env *e = scene->model->env;
@@ -28,7 +45,7 @@ pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
     t->camera.camera = true;
     make_camera_paths(&t->camera);
     geometry_begin(&t->surfaces.geometry);
-    status = batch_make(&t->queue, e) ? query_context_create(&t->context.context, scene->world, err) : err_memory(err);
+    status = make_buffers(t) ? query_context_create(&t->context.context, scene->world, err) : err_memory(err);
     if (status < 0) {
         tracer_destroy(t);
         return status;
@@ -46,6 +63,9 @@ void tracer_destroy(pov_tracer *t)
     e = t->context.env;
     query_context_destroy(t->context.context);
     batch_free(&t->queue, e);
+    paint_destroy(&t->painted, e);
+    env_free_aligned(e, t->layers);
+    env_free_aligned(e, t->shadow_rays);
     env_free(e, t->context.dielectrics.items);
     env_free(e, t->context.coincident_sets.items);
     env_free(e, t->start.found.items);
@@ -65,20 +85,48 @@ void tracer_set_interrupt(pov_tracer *t, bool (*ask)(void *user), void *user)
     interrupt_set(&t->context.interrupt, ask, user);
 }
 
-/* Trace the paths of one batch to their hits, and spawn the paths that continue. */
-static void shade_batch(pov_tracer *t, const batch *b, colour *out)
+/* What the layers of surfaces give, chunk by chunk. */
+static void shade_layers(pov_tracer *t, colour *out)
+{
+    shade_context *c = &t->context;
+    layers *l = t->layers;
+
+    t->lighting.own = t->shadow_rays->own;
+    for (layers_begin(l); !c->failed && layers_take(c, l, &t->surfaces, &t->painted);) {
+        light_gather(&t->lighting, c, &l->on);
+        for (uint32_t i = 0; i < l->on.count; i++) {
+            const surface *s = &l->on.at[i];
+
+            accumulate(s->from, colour_mul(l->of[i].by, colour_add(s->appearance->emitted, s->lit)), out);
+        }
+        scatter_layers(c, l, &t->queue);
+    }
+}
+
+/* What surfaces of one term each give. */
+static void shade_surfaces(pov_tracer *t, colour *out)
 {
     shade_context *c = &t->context;
     surfaces *s = &t->surfaces;
 
-    surfaces_find(c, s, b, out);
-    surfaces_complete(c, s);
-    batch_begin(&t->queue, out);
     t->lighting.own = t->queue.mirrored.items[0]->own;
     light_gather(&t->lighting, c, s);
     for (uint32_t i = 0; i < s->count; i++)
         accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, s->at[i].lit), out);
     scatter(c, s, &t->queue);
+}
+
+/* Trace the paths of one batch to their hits, and spawn the paths that continue. */
+static void shade_batch(pov_tracer *t, const batch *b, colour *out)
+{
+    shade_context *c = &t->context;
+
+    surfaces_find(c, &t->surfaces, b, out);
+    batch_begin(&t->queue, out);
+    if (surfaces_complete(c, &t->surfaces, &t->painted))
+        shade_surfaces(t, out);
+    else
+        shade_layers(t, out);
     c->failed = c->failed || query_context_failed(c->context);
 }
 

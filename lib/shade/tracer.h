@@ -3,6 +3,7 @@
 #define SHADE_TRACER_H
 
 #include "shade/batch.h"
+#include "shade/layers.h"
 #include "shade/lighting.h"
 
 /* One thread's tracer: the public opaque type. */
@@ -13,6 +14,9 @@ struct pov_tracer {
     bool camera_odd, camera_inside;   /* its paths are not those of all lanes in order; some are in dielectrics */
     batch_queue queue;
     surfaces surfaces;           /* of the present batch */
+    painted painted;             /* their textures */
+    batch *shadow_rays;          /* memory for the rays to lights from layers */
+    layers *layers;              /* chunks of their terms; NULL: no texture has several */
     lighting lighting;
 };
 

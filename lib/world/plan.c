@@ -41,7 +41,6 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->dispersive += transparent && m->interior.dispersion != 1.0 ? n : 0;
     s->fading += transparent && m->interior.fade_distance > 0.0 ? n : 0;
     s->located += transparent && interior_is_located(&m->interior) ? n : 0;
-    s->angular += finish_is_angular(&m->finish) ? n : 0;
     s->dielectrics += transparent && solid ? n : 0;
 }
 
@@ -86,7 +85,6 @@ static void derive_needs(plan *p, const plan_counts *s)
     p->fading = s->fading > 0;
     p->located = s->located > 0;
     p->hidden = s->hidden > 0;
-    p->angular = s->angular > 0;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
 }
 

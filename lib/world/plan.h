@@ -9,7 +9,7 @@ typedef struct plan_counts {
     size_t lit;                  /* objects with diffuse light or highlights */
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
-    size_t dispersive, fading, located, angular, hidden;
+    size_t dispersive, fading, located, hidden;
 } plan_counts;
 
 typedef struct plan {
@@ -24,7 +24,6 @@ typedef struct plan {
     bool refraction;             /* ... into a dielectric of ior other than 1, or one in which light fades */
     bool dispersion;             /* ... whose ior depends on the colour */
     bool fading;                 /* light fades inside some solid */
-    bool angular;                /* what some surface reflects or transmits depends on the ray's direction */
     bool located;                /* transmittance of light depends on distances and angles */
     bool hidden;                 /* some rays do not see some object */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */

@@ -60,7 +60,7 @@ static colour light_bent(tiny *s, pov_ray *ray, pov_vec3 n)
     t->camera.rays[0] = ray;
     surfaces_find(&t->context, &t->surfaces, &t->camera, out);
     assert_int_equal(t->surfaces.count, 1);
-    surfaces_complete(&t->context, &t->surfaces);
+    surfaces_complete(&t->context, &t->surfaces, &t->painted);
     lanes_put(&g->bent, 0, pov_unit(n));
     g->shading = &g->bent;
     geometry_turn(g, 1);
