@@ -42,6 +42,7 @@ typedef struct object_parsed {
     const texture *const *parts; /* textures of parts of a leaf */
     uint32_t part_count;
     struct object_parsed *clips;          /* the surface is seen where these are */
+    struct object_parsed *bounds;         /* of bounded_by, which only clipped_by { bounded_by } asks for */
     const transform *since;      /* of one that clips: the object's map when it was written, which does not move it */
 } object_parsed;
 

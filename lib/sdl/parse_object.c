@@ -113,24 +113,59 @@ object_parsed *parse_keep(pov_reader *in, const object_parsed *o)
 }
 
 static const item_list clip_items = { "an object that clips", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+static const item_list bound_items = { "an object that bounds", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+
+/* What is in the list already may be a named object's as well. */
+static void put_before(pov_reader *in, object_parsed **list, const object_parsed *member)
+{
+    object_parsed *kept = parse_keep(in, member);
+
+    if (!kept)
+        return;
+    kept->next = *list;
+    *list = kept;
+}
+
+/* The objects of a block, or with the word of the other list those that are in it. */
+static void read_list(pov_reader *in, const object_parsed *o, object_parsed **list, const object_parsed *other,
+                      keyword_id word)
+{
+    object_parsed member;
+
+    if (in->token.kind == TOKEN_WORD && in->token.symbol->id == word) {
+        state_advance(in);
+        for (; other && !in->failed; other = other->next)
+            put_before(in, list, other);
+        return;
+    }
+    while (!in->failed && parse_object_try(in, &member)) {
+        member.since = o->map;
+        put_before(in, list, &member);
+    }
+}
 
 /* Each object there clips. */
 static void read_clips(pov_reader *in, void *self, keyword_id keyword)
 {
-    object_parsed *o = self, member;
+    object_parsed *o = self;
     block b;
 
+    (void)keyword;
     items_open(in, &b);
-    if (in->token.kind == TOKEN_WORD && in->token.symbol->id == KEYWORD_BOUNDED_BY) {
-        unsupported_note(in, &in->token.at, keyword, "\"clipped_by { bounded_by }\"");
-        unsupported_skip_rest(in);
-    }
-    while (!in->failed && parse_object_try(in, &member)) {
-        member.since = o->map;
-        member.next = o->clips;   /* what is there may be a named object's as well */
-        o->clips = parse_keep(in, &member);
-    }
+    read_list(in, o, &o->clips, o->bounds, KEYWORD_BOUNDED_BY);
     items_close(in, &b, &clip_items, o);
+}
+
+/* Bounds are found without these. */
+static void read_bounds(pov_reader *in, void *self, keyword_id keyword)
+{
+    object_parsed *o = self;
+    block b;
+
+    (void)keyword;
+    items_open(in, &b);
+    read_list(in, o, &o->bounds, o->clips, KEYWORD_CLIPPED_BY);
+    items_close(in, &b, &bound_items, o);
 }
 
 /* Old scenes have a colour right in the object. */
@@ -157,12 +192,13 @@ static const item modifier_items[] = {
     { KEYWORD_MATERIAL, read_material }, { KEYWORD_COLOR, skip_colour },      { KEYWORD_COLOUR, skip_colour },
     { KEYWORD_RGB, skip_colour },        { KEYWORD_RGBF, skip_colour },        { KEYWORD_RGBT, skip_colour },
     { KEYWORD_RGBFT, skip_colour },        { KEYWORD_CLIPPED_BY, read_clips },
+    { KEYWORD_BOUNDED_BY, read_bounds },
     { KEYWORD_INTERIOR_TEXTURE, read_inside }, { KEYWORD_UV_MAPPING, read_uv },
     { KEYWORD_DOUBLE_ILLUMINATE, read_flag }, { KEYWORD_NO_IMAGE, read_flag },
     { KEYWORD_NO_REFLECTION, read_flag },
 };
 
-static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_BOUNDED_BY, KEYWORD_SPLIT_UNION,
+static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_SPLIT_UNION,
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_PHOTONS,
