@@ -57,6 +57,8 @@ void model_free(model *m)
     map_table_free(&m->kept_maps, m->env);
     env_free_aligned(m->env, m->noise);
     env_free(m->env, m->texture_maps.items);
+    env_free(m->env, m->cutaways.items);
+    env_free(m->env, m->givers.items);
     arena_free(&m->memory);
     arena_free(&m->maps);
 }
@@ -80,4 +82,25 @@ bool model_set_texture_map(model *m, const pov_affine *map)
         if (!VEC_PUSH(m->env, &m->texture_maps, none))
             return false;
     return VEC_PUSH(m->env, &m->texture_maps, number);
+}
+
+void model_clear_texture_map(model *m, uint32_t leaf)
+{
+    if (leaf < m->texture_maps.count)
+        m->texture_maps.items[leaf] = 0;   /* the identity */
+}
+
+const cutaway *model_cutaway(const model *m, uint32_t leaf)
+{
+    size_t low = 0, high = m->cutaways.count;
+
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+
+        if (m->cutaways.items[middle].leaf < leaf)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < m->cutaways.count && m->cutaways.items[low].leaf == leaf ? &m->cutaways.items[low] : NULL;
 }

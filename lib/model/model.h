@@ -23,6 +23,8 @@ typedef struct light_list { light *items; size_t count, capacity; } light_list;
 typedef struct fog_list { fog *items; size_t count, capacity; } fog_list;
 typedef struct rainbow_list { rainbow *items; size_t count, capacity; } rainbow_list;
 typedef struct light_group_list { light_group *items; size_t count, capacity; } light_group_list;
+typedef struct cutaway_leaves { cutaway *items; size_t count, capacity; } cutaway_leaves;
+typedef struct leaf_numbers { uint32_t *items; size_t count, capacity; } leaf_numbers;
 typedef struct map_numbers { uint32_t *items; size_t count, capacity; } map_numbers;
 
 /* How computed values become linear light, and how that is stored. */
@@ -50,6 +52,8 @@ typedef struct model {
     const sky_sphere *sky;              /* NULL: only the background */
     fog_list fogs;
     rainbow_list rainbows;
+    cutaway_leaves cutaways;     /* in the order of the leaves */
+    leaf_numbers givers;         /* of textures, side by side */
     map_table kept_maps;         /* of textures */
     struct noise_tables *noise;  /* from env_alloc_aligned(); NULL: no pattern needs them */
     int noise_generator;         /* 1 to 3 */
@@ -99,6 +103,10 @@ bool model_keep(model *m, void *item, void (*destroy)(void *item));
 
 /* Set the map of the last leaf's texture. False: no memory. */
 bool model_set_texture_map(model *m, const pov_affine *map);
+/* A leaf's texture is in the world's space after all. */
+void model_clear_texture_map(model *m, uint32_t leaf);
+/* What a leaf with LEAF_CUTAWAY has. */
+const cutaway *model_cutaway(const model *m, uint32_t leaf);
 /* NULL: the texture is in the world's space. */
 static inline const inverse_map *model_texture_map(const model *m, uint32_t leaf)
 {

@@ -15,7 +15,8 @@ enum {
     LEAF_NO_SHADOW = 1, LEAF_INVERSE = 2, LEAF_HOLLOW = 4,
     LEAF_DOUBLE_ILLUMINATE = 8,  /* light from behind counts as light from the front */
     LEAF_NO_IMAGE = 16, LEAF_NO_REFLECTION = 32,  /* unseen by camera rays, and by reflected rays */
-    LEAF_UV = 64                 /* its texture asks for surface coordinates: the shape stays as it was written */
+    LEAF_UV = 64,                /* its texture asks for surface coordinates: the shape stays as it was written */
+    LEAF_CUTAWAY = 128           /* its texture is that of the members that it cuts */
 };
 
 typedef struct leaf_node {
@@ -43,6 +44,9 @@ typedef struct group_node {
     uint32_t leaf, leaf_count;   /* all leaves under it */
     uint32_t line, column;       /* of its keyword, 1-based */
 } group_node;
+
+/* A leaf whose faces have the textures of others, the givers that hold the point: a range of the model's. */
+typedef struct cutaway { uint32_t leaf, giver, giver_count; } cutaway;
 
 /* An object of several leaves with one dielectric: that of the first leaf's material. */
 typedef struct solid_node {

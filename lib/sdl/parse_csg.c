@@ -2,6 +2,7 @@
  * where it has none, flags, and transformations behind its own. */
 #include "base/vec.h"
 #include "sdl/materials.h"
+#include "sdl/parse_cutaway.h"
 #include "sdl/parse_texture.h"
 
 /* A group that is being added, or an object whose clip is, and those around it. */
@@ -9,6 +10,7 @@ typedef struct around {
     const struct around *outer;
     const object_parsed *group;
     const transform *since;      /* only its transformations behind this one hold */
+    bool cuts;                   /* the member that is added is what the group is without */
     uint32_t lights;             /* number of the light group that this is or is in; 0: none */
 } around;
 
@@ -77,6 +79,20 @@ static void set_texture_map(pov_reader *in, const transform *map, uint32_t moves
         report_memory(in);
 }
 
+/* Note a leaf of an object with cutaway_textures: what is within that object counts. */
+static void note_cutaway(pov_reader *in, const object_parsed *o, const around *a, cutaway_member c)
+{
+    c.textured = o->surface.has_look;
+    c.cuts = false;
+    for (; a; a = a->outer) {
+        c.cuts ^= a->cuts;
+        if (a->group == in->cutaway->whole)
+            break;
+        c.textured |= a->group->surface.has_look;
+    }
+    parse_cutaway_add(in, &c);
+}
+
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
     surface_parsed s = find_surface(o, a);
@@ -99,6 +115,8 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
         report_memory(in);
     if (m.texture)
         set_texture_map(in, leaf.map, moves);
+    if (in->cutaway && !in->failed)
+        note_cutaway(in, o, a, (cutaway_member){ .leaf = *out, .surface = s, .map = leaf.map, .moves = moves });
     return !in->failed;
 }
 
@@ -168,7 +186,9 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
 
 static bool add_group(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const around here = { a, o, NULL, find_lights(in, o, a) };
+    around here = { .outer = a, .group = o, .lights = find_lights(in, o, a) };
+    cutaway_list list;
+    const bool cuts_away = parse_cutaway_begin(in, o, &list);
     const uint32_t leaf = (uint32_t)in->model->leaves.count;
     const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = o->surface.material.interior.given,
                                .line = o->leaf.line, .column = o->leaf.column };
@@ -176,13 +196,17 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     node_ref child;
 
     for (const object_parsed *member = o->first; member && !in->failed; member = member->next) {
-        const bool added = add(in, member, &here, &child);
+        bool added;
 
+        here.cuts = o->op == NODE_DIFFERENCE && member != o->first;
+        added = add(in, member, &here, &child);
         if (added && !VEC_PUSH(in->model->env, &children, child))
             report_memory(in);
         if (!added && o->op == NODE_DIFFERENCE && member == o->first)
             break;   /* of nothing nothing can be cut */
     }
+    if (cuts_away)
+        parse_cutaway_end(in, &list);
     if (o->is_light_group)
         add_light_group(in, o, leaf, here.lights);
     if (!in->failed && children.count > 0 &&
@@ -195,7 +219,7 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
 /* What a light looks like is an object where it is. */
 static bool add_light_and_object(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    const around here = { a, o, NULL, a ? a->lights : 0 };
+    const around here = { .outer = a, .group = o, .lights = a ? a->lights : 0 };
 
     add_light(in, o, a);
     return !in->failed && o->first && add(in, o->first, &here, out);
@@ -229,7 +253,7 @@ static bool add(pov_reader *in, const object_parsed *o, const around *a, node_re
     if (!VEC_PUSH(in->model->env, &children, *out))
         report_memory(in);
     for (const object_parsed *clip = o->clips; clip && !in->failed; clip = clip->next) {
-        const around here = { a, o, clip->since, 0 };
+        const around here = { a, o, clip->since, false, 0 };
 
         if (add(in, clip, &here, &child) && !VEC_PUSH(in->model->env, &children, child))
             report_memory(in);

@@ -184,8 +184,19 @@ static void read_global_lights(pov_reader *in, void *self, keyword_id keyword)
     ((object_parsed *)self)->global_lights = value_optional(in, 1.0) != 0.0;
 }
 
+/* Of other objects it makes no sense. */
+static void read_cutaway(pov_reader *in, void *self, keyword_id keyword)
+{
+    object_parsed *o = self;
+
+    if (o->kind != OBJECT_GROUP || (o->op != NODE_INTERSECTION && o->op != NODE_DIFFERENCE))
+        report_fail(in, &in->last, POV_E_SYNTAX, "\"%s\" belongs to an intersection or a difference",
+                    token_keyword_name(keyword));
+    o->flags |= LEAF_CUTAWAY;
+}
+
 static const item modifier_items[] = {
-    { KEYWORD_GLOBAL_LIGHTS, read_global_lights },
+    { KEYWORD_GLOBAL_LIGHTS, read_global_lights }, { KEYWORD_CUTAWAY_TEXTURES, read_cutaway },
     { KEYWORD_PIGMENT, read_pigment },   { KEYWORD_FINISH, read_finish },     { KEYWORD_TEXTURE, read_texture },
     PARSE_MOVES(move_object),            { KEYWORD_INTERIOR, read_interior }, { KEYWORD_NO_SHADOW, read_flag },
     { KEYWORD_INVERSE, read_flag },      { KEYWORD_HOLLOW, read_flag },       { KEYWORD_NORMAL, read_normal },
@@ -201,9 +212,7 @@ static const item modifier_items[] = {
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_SPLIT_UNION,
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
-static const keyword_id coming[] = { KEYWORD_PHOTONS,
-                                     KEYWORD_CUTAWAY_TEXTURES,
-                                     KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_PHOTONS, KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };
 

@@ -43,10 +43,39 @@ void world_uv(const world *w, const hit *h, double out[2])
         p.shape->uv(p.ref.instance, p.point, &h->crossing.mark, out);
 }
 
+static bool holds(const world *w, uint32_t leaf, const hit *h)
+{
+    const leaf_node *o = &w->model->leaves.items[leaf];
+    const shape_ref ref = world_shape(w, leaf);
+    bool inside;
+
+    if (!shape_is_solid(o->shape, o->instance))
+        return false;
+    inside = ref.xform ? instance_inside(ref.xform, o->shape, ref.instance, h->point, h->point_lo)
+                       : o->shape->inside(ref.instance, h->point, h->point_lo);
+    return inside != ((o->flags & LEAF_INVERSE) != 0);
+}
+
+/* The first of the members that hold the point give equal shares. */
+static uint32_t find_givers(const world *w, const hit *h, uint32_t which[3], double share[3])
+{
+    const cutaway *c = model_cutaway(w->model, h->object);
+    uint32_t count = 0, i;
+
+    for (i = 0; c && i < c->giver_count && count < 3; i++)
+        if (holds(w, w->model->givers.items[c->giver + i], h))
+            which[count++] = i;
+    for (i = 0; i < count; i++)
+        share[i] = 1.0 / count;
+    return count;
+}
+
 uint32_t world_part_textures(const world *w, const hit *h, uint32_t which[3], double share[3])
 {
     const part p = find_part(w, h);
 
+    if (w->model->leaves.items[h->object].flags & LEAF_CUTAWAY)
+        return find_givers(w, h, which, share);
     if (!p.shape->textures)
         return 0;
     return p.shape->textures(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, which, share);
