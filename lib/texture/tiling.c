@@ -82,7 +82,7 @@ static const char *check_tiling(const void *self)
 /* The triangles of tiling 3 without their kinds; squares; hexagons. */
 static double paved(int32_t sides, double x, double z)
 {
-    const double value = value_at(&tiling_table[sides == 3 ? 2 : sides == 4 ? 0 : 1], x, z);
+    const double value = value_at(&tiling_table[sides == 3 ? 2 : sides == 4 ? 0 : TILINGS], x, z);
 
     return sides != 3 ? value : value > 0.5 ? 2.0 * value - 1.0 : 2.0 * value;
 }

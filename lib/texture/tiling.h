@@ -22,6 +22,7 @@ typedef struct tiling {
 } tiling;
 
 extern const tiling_outline tiling_outlines[];
-extern const tiling tiling_table[TILINGS];       /* number n of the language is the n-1st */
+/* Number n of the language is the n-1st; the last is pavement's of hexagons. */
+extern const tiling tiling_table[TILINGS + 1];
 
 #endif
