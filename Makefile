@@ -53,7 +53,8 @@ NEEDS_text     = freetype2
 NEEDS_png      = libpng
 NEEDS_jpeg     = libjpeg
 NEEDS_tiff     = libtiff-4 >= 4.5
-IMAGES_MISSING := $(foreach f,png jpeg tiff,$(shell $(PKG_CONFIG) --exists '$(NEEDS_$(f))' || echo $(f)))
+NEEDS_exr      = OpenEXR >= 3.1
+IMAGES_MISSING := $(foreach f,png jpeg tiff exr,$(shell $(PKG_CONFIG) --exists '$(NEEDS_$(f))' || echo $(f)))
 PRIMITIVES_MISSING := $(shell $(PKG_CONFIG) --exists $(NEEDS_text) || echo %/text.so)
 IMAGES         = $(filter-out $(foreach f,$(IMAGES_MISSING),%/$(f).so),$(call plugins_of,images))
 PLOTS         := $(shell $(PKG_CONFIG) --exists cairo-svg cairo-png && echo $(call plugins_of,plots))
@@ -145,10 +146,10 @@ $(BUILD)/lib/povtrace/%.so: $(BUILD)/obj/plugins/%.o $(BUILD)/obj/plugins/common
 
 # $(1): a format that needs a library.
 define IMAGE_RULES
-$(BUILD)/obj/plugins/images/$(1).o: ROOM_FLAGS += $$(shell $$(PKG_CONFIG) --cflags '$$(NEEDS_$(1))')
+$(BUILD)/obj/plugins/images/$(1).o: ROOM_FLAGS += $$(patsubst -I%,-isystem %,$$(shell $$(PKG_CONFIG) --cflags '$$(NEEDS_$(1))'))
 $(BUILD)/lib/povtrace/images/$(1).so: PLUGIN_LIBS = $$(shell $$(PKG_CONFIG) --libs '$$(NEEDS_$(1))')
 endef
-$(foreach f,png jpeg tiff,$(eval $(call IMAGE_RULES,$(f))))
+$(foreach f,png jpeg tiff exr,$(eval $(call IMAGE_RULES,$(f))))
 
 $(BUILD)/obj/plugins/plots/plot.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags cairo)
 # Cairo and what it stands on keep caches for ever: unloaded and loaded again, they would leak them each time.

@@ -10,8 +10,8 @@ static const char *const help[] = {
     "       povc --compare REPORT.csv... PLOT.svg|PLOT.png\n"
     "\n"
     "Render a scene in the POV-Ray language to an image file. OUTPUT's ending says\n"
-    "which format: .png, .ppm, or .pfm (linear floats). \"-\" stands for standard\n"
-    "input as SCENE and for standard output as OUTPUT.\n"
+    "which format: .png, .jpg or .ppm; .pfm and .exr hold linear floats. \"-\" stands\n"
+    "for standard input as SCENE and for standard output as OUTPUT.\n"
     "\n",
     "Picture\n"
     "      --spp N              samples a pixel (default 1, through its centre)\n"

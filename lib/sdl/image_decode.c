@@ -107,21 +107,30 @@ static const pigment *make_palette(pov_reader *in, const image_map *map, const c
     return palette;
 }
 
+static void decode_row(const curve *c, const image *of, const unsigned char *from, float *to)
+{
+    const uint32_t colours = of->channels - (of->channels % 2 == 0 ? 1 : 0);
+
+    memcpy(to, from, sizeof *to * of->width * of->channels);
+    for (uint32_t x = 0; x < of->width; x++)
+        for (uint32_t k = 0; k < colours; k++)
+            to[x * of->channels + k] = value_of(c, to[x * of->channels + k]);
+}
+
 /* Floats are decoded at once, in a copy; alpha stays. */
 static const image *make_floats(pov_reader *in, const image *of, const curve *c)
 {
+    const size_t row = (size_t)of->width * of->channels;
     image *copy = state_alloc(in, sizeof *copy, 16);
-    float *samples = state_alloc(in, of->stride * of->height, 16);
-    const size_t count = of->stride / sizeof *samples * of->height;
+    float *samples = state_alloc(in, row * sizeof *samples * of->height, 16);
 
     if (!copy || !samples)
         return of;
     *copy = *of;
     copy->samples = (unsigned char *)samples;
-    memcpy(samples, of->samples, of->stride * of->height);
-    for (size_t i = 0; i < count; i++)
-        if (of->channels % 2 != 0 || i % of->channels + 1 != of->channels)
-            samples[i] = value_of(c, samples[i]);
+    copy->stride = row * sizeof *samples;
+    for (uint32_t y = 0; y < of->height; y++)
+        decode_row(c, of, of->samples + y * of->stride, samples + y * row);
     return copy;
 }
 

@@ -217,6 +217,27 @@ static void what_is_written_is_loaded(void **state)
     }
 }
 
+/* Floats come back as they were. */
+static void exr_is_loaded_as_it_was_written(void **state)
+{
+    static const float pixels[2][6] = { { 1.0f, -2.0f, 0.5f, 1e30f, 3.0f, 0.0f }, { 7.0f, 8.0f, 9.0f, 10.0f, 11.0f, 12.0f } };
+    pov_image image = { .size = sizeof image, .width = 2, .height = 2, .bits = 32, .stride = 24, .pixels = pixels };
+    static loaded l;
+    static bytes b;
+    pov_output output = { &b, put };
+
+    (void)state;
+    if (!open_format("exr"))
+        skip();
+    assert_null(open_format("exr")->write(&image, &output));
+    assert_null(load("exr", b.data, b.count, &l));
+    expect_size(&l, 2, 2, 3, 32);
+    assert_int_equal(l.about.encoding, POV_ENCODING_LINEAR);
+    assert_memory_equal(l.pixels, pixels[0], sizeof pixels[0]);
+    assert_memory_equal(l.pixels + l.about.stride, pixels[1], sizeof pixels[1]);
+    refuses_what_is_cut("exr", b.data, b.count, b.count);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -226,6 +247,7 @@ int main(void)
         cmocka_unit_test(hdr_gives_the_middle_of_what_a_mantissa_stands_for),
         cmocka_unit_test(ppm_takes_grey_and_text_and_any_largest_value),
         cmocka_unit_test(what_is_written_is_loaded),
+        cmocka_unit_test(exr_is_loaded_as_it_was_written),
     };
 
     return cmocka_run_group_tests_name("images for textures", tests, NULL, NULL);
