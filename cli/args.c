@@ -18,7 +18,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -54,6 +54,7 @@ static const struct option long_options[] = {
     { "declare", required_argument, NULL, 'D' },
     { "library-path", required_argument, NULL, 'L' },
     { "strict", no_argument, NULL, OPTION_STRICT },
+    { "soft-lights", no_argument, NULL, OPTION_SOFT_LIGHTS },
     { "allow-write", required_argument, NULL, OPTION_ALLOW_WRITE },
     { "limit", required_argument, NULL, OPTION_LIMIT },
     { "help", no_argument, NULL, OPTION_HELP },
@@ -297,6 +298,9 @@ static bool read_option_language(args *a, int option, const char *text)
     case OPTION_STRICT:
         a->strict = true;
         return true;
+    case OPTION_SOFT_LIGHTS:
+        a->soft_lights = true;
+        return true;
     case OPTION_ALLOW_WRITE:
         a->write_path = text;
         return true;
@@ -339,7 +343,7 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_PLUGIN_PATH:
         a->plugin_path = text;
         return true;
-    case 'L': case 'D': case OPTION_STRICT: case OPTION_ALLOW_WRITE: case OPTION_LIMIT:
+    case 'L': case 'D': case OPTION_STRICT: case OPTION_SOFT_LIGHTS: case OPTION_ALLOW_WRITE: case OPTION_LIMIT:
         return read_option_language(a, option, text);
     case OPTION_EXPLAIN:
         a->explain = true;

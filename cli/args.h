@@ -44,7 +44,7 @@ typedef struct args {
     const char *folders[ARGS_LIST], *declares[ARGS_LIST + 1];   /* of -L; of -D, ending with NULL */
     int folder_count, declare_count;
     const char *write_path;      /* or NULL */
-    bool strict;
+    bool strict, soft_lights;
     pov_limits limits;
     const pov_animation *animation;   /* or NULL */
     const char *report, *reference;   /* files, or NULL */

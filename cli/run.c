@@ -45,6 +45,7 @@ static pov_status load(pov_scene **scene, pov_context *context, const args *a, p
     desc.max_trace_level = a->max_depth;
     desc.threads = a->threads;
     desc.strict = a->strict;
+    desc.soft_lights = a->soft_lights;
     desc.width = a->width;
     desc.height = a->height;
     desc.library_path = folders;

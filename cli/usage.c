@@ -39,6 +39,7 @@ static const char *const help[] = {
     "                           finds declared\n"
     "  -L, --library-path DIR   look for included files there too\n"
     "      --strict             what is read and not drawn yet is an error\n"
+    "      --soft-lights        area lights are lit all over, and not at the points of their grids only\n"
     "      --allow-write DIR    the scene may write files below this folder\n"
     "      --limit NAME=N       how far reading may go: depth, array, string, turns, memory, seconds\n"
     "      --plugin-path DIRS   look for plugins in these folders, colon separated\n"

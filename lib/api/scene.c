@@ -16,7 +16,11 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
 {
     world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, &scene->model };
     double start = clock_seconds();
-    pov_status status = world_create(&scene->world, &scene->model, &options, err);
+    pov_status status;
+
+    scene->model.soft_lights = d->soft_lights;
+    scene->model.identity += d->soft_lights;   /* checkpoints of the one are none of the other */
+    status = world_create(&scene->world, &scene->model, &options, err);
 
     if (status == POV_OK)
         status = explain_world(&scene->explanation, &scene->model, scene->world, err);

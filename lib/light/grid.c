@@ -29,44 +29,77 @@ static void share_out(light_grid *g, const uint32_t *counts, const uint32_t *fir
 }
 
 /* From the square -1/2..1/2 to the disc of diameter 1: squares become circles. */
-static void round_off(grid_point *p)
+static void round_off(double *u, double *v)
 {
-    const double most = fmax(fabs(p->u), fabs(p->v)), length = sqrt(p->u * p->u + p->v * p->v);
+    const double most = fmax(fabs(*u), fabs(*v)), length = sqrt(*u * *u + *v * *v);
 
     if (length > 0.0) {
-        p->u *= most / length;
-        p->v *= most / length;
+        *u *= most / length;
+        *v *= most / length;
     }
 }
 
 static double along(uint32_t i, uint32_t count) { return count > 1 ? (double)i / (double)(count - 1) - 0.5 : 0.0; }
 
-light_grid *grid_create(const env *e, const light *l)
+/* The points that the scene says. Those that jitter do so by half a step to both sides. */
+static void place_points(light_grid *g, const light *l)
 {
     const uint32_t *counts = l->area.counts, first[2] = { 0, 0 }, last[2] = { counts[0] - 1, counts[1] - 1 };
-    const size_t count = (size_t)counts[0] * counts[1];
+    const bool jitters = (l->flags & LIGHT_JITTER) != 0;
+
+    for (uint32_t k = 0; k < g->count; k++) {
+        g->points[k].u = along(k % counts[0], counts[0]);
+        g->points[k].v = along(k / counts[0], counts[1]);
+        if (g->rounded && !jitters)
+            round_off(&g->points[k].u, &g->points[k].v);
+    }
+    for (int axis = 0; axis < 2; axis++)
+        g->cell[axis] = jitters && counts[axis] > 1 ? 1.0 / (double)(counts[axis] - 1) : 0.0;
+    g->rounded = g->rounded && jitters;
+    share_out(g, counts, first, last, 1.0);
+}
+
+/* The middles of equal cells that the area is divided into. */
+static void place_cells(light_grid *g, const uint32_t counts[2])
+{
+    for (uint32_t k = 0; k < g->count; k++) {
+        g->points[k].u = ((double)(k % counts[0]) + 0.5) / (double)counts[0] - 0.5;
+        g->points[k].v = ((double)(k / counts[0]) + 0.5) / (double)counts[1] - 0.5;
+        g->points[k].weight = 1.0f / (float)g->count;
+    }
+    for (int axis = 0; axis < 2; axis++)
+        g->cell[axis] = counts[axis] > 1 ? 1.0 / (double)counts[axis] : 0.0;
+}
+
+/* Cells of a soft light along an axis: more would be fewer samples of the picture. */
+enum { SOFT_CELLS = 2 };
+
+light_grid *grid_create(const env *e, const light *l, bool soft)
+{
+    const uint32_t *counts = l->area.counts;
+    const uint32_t cells[2] = { counts[0] > 1 ? SOFT_CELLS : 1, counts[1] > 1 ? SOFT_CELLS : 1 };
+    const size_t count = soft ? (size_t)cells[0] * cells[1] : (size_t)counts[0] * counts[1];
     light_grid *g = env_alloc(e, 1, sizeof *g + count * sizeof *g->points);
 
     if (!g)
         return NULL;
     g->count = (uint32_t)count;
-    for (uint32_t k = 0; k < g->count; k++) {
-        g->points[k].u = along(k % counts[0], counts[0]);
-        g->points[k].v = along(k / counts[0], counts[1]);
-        if (l->flags & (LIGHT_CIRCULAR | LIGHT_ORIENT))
-            round_off(&g->points[k]);
-    }
-    share_out(g, counts, first, last, 1.0);
+    g->rounded = (l->flags & (LIGHT_CIRCULAR | LIGHT_ORIENT)) != 0;
+    g->moves = soft || (l->flags & (LIGHT_JITTER | LIGHT_ORIENT));
+    if (soft)
+        place_cells(g, cells);
+    else
+        place_points(g, l);
     return g;
 }
 
 /* ---- directions ---- */
 
 /* The bits of a point, mixed: a number that is as good as random. */
-static uint64_t mix(pov_vec3 point, uint32_t k)
+static uint64_t mix(pov_vec3 point, uint32_t k, uint32_t draw)
 {
     const double numbers[3] = { point.x, point.y, point.z };
-    uint64_t bits = k + 1;
+    uint64_t bits = (uint64_t)draw << 32 | (k + 1);
 
     for (int i = 0; i < 3; i++) {
         bits = (bits ^ elementary_bits(numbers[i])) * 0x9E3779B97F4A7C15u;
@@ -76,10 +109,10 @@ static uint64_t mix(pov_vec3 point, uint32_t k)
     return bits ^ bits >> 32;
 }
 
-/* Up to half a step of the grid to both sides. */
-static double moved(double at, uint32_t count, uint64_t bits)
+/* Anywhere in a cell around `at`. */
+static double moved(double at, double cell, uint64_t bits)
 {
-    return count > 1 ? at + ((double)(bits & 0xffffff) * 0x1p-24 - 0.5) / (double)(count - 1) : at;
+    return at + cell * ((double)(bits & 0xffffff) * 0x1p-24 + (0x1p-25 - 0.5));
 }
 
 /* Two axes across a direction, of the length of the first axis. */
@@ -93,19 +126,23 @@ static void turn(const light *l, pov_vec3 to, pov_vec3 axes[2])
     axes[1] = pov_scale(pov_cross_product(to, right), size);
 }
 
-void grid_aim(const light *l, const light_grid *g, uint32_t k, const light_points *at, const vec_lanes *to, vec_lanes *dir)
+void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
+              vec_lanes *dir)
 {
+    const bool jitters = g->cell[0] > 0.0 || g->cell[1] > 0.0;
     pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
 
     for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
         grid_point p = g->points[k];
 
-        if (l->flags & LIGHT_JITTER) {
-            const uint64_t bits = mix(lanes_at(at->point, i), k);
+        if (jitters) {
+            const uint64_t bits = mix(lanes_at(at->point, i), k, draw);
 
-            p.u = moved(p.u, l->area.counts[0], bits);
-            p.v = moved(p.v, l->area.counts[1], bits >> 32);
+            p.u = moved(p.u, g->cell[0], bits);
+            p.v = moved(p.v, g->cell[1], bits >> 32);
         }
+        if (g->rounded)
+            round_off(&p.u, &p.v);
         if (l->flags & LIGHT_ORIENT)
             turn(l, pov_unit(lanes_at(to, i)), axes);
         lanes_put(dir, i, pov_add(lanes_at(to, i), pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v))));

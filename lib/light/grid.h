@@ -7,14 +7,24 @@
 
 /* A point of the grid: its place along both axes, -1/2 to 1/2 between the ends, and its weight; the weights add up to 1. */
 typedef struct grid_point { double u, v; float weight; } grid_point;
-typedef struct light_grid { uint32_t count; grid_point points[]; } light_grid;
 
-/* NULL: no memory. */
-light_grid *grid_create(const env *e, const light *l);
-/* Directions to the k-th point by lane, where `to` are those to the light's position. Points that jitter lie anywhere in
- * their cell of the grid, as the bits of the lit point say; those that turn lie in a plane across the direction. */
-void grid_aim(const light *l, const light_grid *g, uint32_t k, const light_points *at, const vec_lanes *to, vec_lanes *dir);
-/* Where the k-th point of a grid that neither jitters nor turns is. */
+/* Where points move by the lit point, each lies anywhere in its cell, and is rounded off to a disc then. */
+typedef struct light_grid {
+    bool moves;                  /* places depend on the lit point: use grid_aim(), not grid_origin() */
+    bool rounded;
+    double cell[2];              /* widths of the cells along the axes; 0: points stay where they are */
+    uint32_t count;
+    grid_point points[];
+} light_grid;
+
+/* soft: the area is lit all over, and the points are a few of it, by chance, instead of those that the scene says. NULL:
+ * no memory. */
+light_grid *grid_create(const env *e, const light *l, bool soft);
+/* Directions to the k-th point by lane, where `to` are those to the light's position. Points that jitter lie where the
+ * bits of the lit point say, otherwise for each draw; those that turn lie in a plane across the direction. */
+void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
+              vec_lanes *dir);
+/* Where the k-th point of a grid that does not move is. */
 light_origin grid_origin(const light *l, const light_grid *g, uint32_t k);
 
 #endif

@@ -54,6 +54,7 @@ typedef struct model {
     rainbow_list rainbows;
     cutaway_leaves cutaways;     /* in the order of the leaves */
     leaf_numbers givers;         /* of textures, side by side */
+    bool soft_lights;            /* area lights are lit all over, and not at the points of their grids only */
     map_table kept_maps;         /* of textures */
     struct noise_tables *noise;  /* from env_alloc_aligned(); NULL: no pattern needs them */
     int noise_generator;         /* 1 to 3 */

@@ -1,6 +1,7 @@
 #include "shade/lighting.h"
 
 #include "base/simd.h"
+#include "light/aim.h"
 #include "shade/transmittance.h"
 
 #include <string.h>
@@ -95,17 +96,23 @@ static void name_sides(lighting *l, const vec_lanes *dir)
     }
 }
 
+/* Which draw of points that move: those for shadows, or those whose light is reflected. */
+enum { DRAW_SHADOWS, DRAW_REFLECTED };
+
 /* Directions to the k-th point of an area light. False: by lane these are different points. */
 static bool aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to, light_lanes *in,
                          light_origin *origin)
 {
-    if (from->light->flags & (LIGHT_JITTER | LIGHT_ORIENT)) {
-        grid_aim(from->light, from->grid, k, at, to, &in->dir);
-        in->tmax = 1.0;
+    in->tmax = 1.0;
+    if (from->grid->moves) {
+        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, &in->dir);
         return false;
     }
     *origin = grid_origin(from->light, from->grid, k);
-    from->class->incident(from->light, origin, at, in);
+    if (from->class->parallel)
+        from->class->incident(from->light, origin, at, in);
+    else
+        light_aim(origin, at, &in->dir);
     return true;
 }
 
@@ -172,21 +179,34 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         }
 }
 
+/* Incident light from the k-th point of an area light. Where points move, cone and fading are those of the middle. */
+static void find_incident(const scene_light *from, uint32_t k, const light_points *at, const light_lanes *middle,
+                          light_lanes *in)
+{
+    if (from->grid->moves) {
+        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, &in->dir);
+    } else {
+        const light_origin origin = grid_origin(from->light, from->grid, k);
+
+        from->class->incident(from->light, &origin, at, in);
+    }
+}
+
 /* What an area light would give if it were not occluded: the mean over its points. */
 static void reflect_area(lighting *l, const scene_light *from, light_sample *s, const light_lanes *middle, uint32_t n)
 {
+    const bool highlights = !(from->light->flags & LIGHT_SHADOWLESS);
     const light_points at = points_of(l);
     const float share = 1.0f / (float)from->grid->count;
     light_lanes in = *middle;
-    light_origin origin;
     light_sample one;
 
     for (uint32_t i = 0; i < n; i++)
         s->red[i] = s->green[i] = s->blue[i] = 0.0f;
     for (uint32_t k = 0; k < from->grid->count; k++) {
-        aim_at_point(from, k, &at, &middle->dir, &in, &origin);
+        find_incident(from, k, &at, middle, &in);
         brdf_cosines(&one, &l->on->geometry, &in.dir, n);
-        brdf_reflect(&l->finishes, l->context->scene->model, &one, &in, true, n);
+        brdf_reflect(&l->finishes, l->context->scene->model, &one, &in, highlights, n);
         for (uint32_t i = 0; i < n; i++) {
             s->red[i] += one.front[i] ? share * one.red[i] : 0.0f;
             s->green[i] += one.front[i] ? share * one.green[i] : 0.0f;

@@ -109,13 +109,13 @@ const appearance *shading_finish(const shading *s, const finish *of)
 
 /* ---- lights ---- */
 
-static bool make_light(scene_light *out, const env *e, const light *l)
+static bool make_light(scene_light *out, const model *m, const light *l)
 {
     const bool is_area = (l->flags & LIGHT_AREA) && l->area.counts[0] * l->area.counts[1] > 1;
 
     out->light = l;
     out->class = light_class_of(l);
-    out->grid = is_area ? grid_create(e, l) : NULL;
+    out->grid = is_area ? grid_create(m->env, l, m->soft_lights) : NULL;
     return out->grid || !is_area;
 }
 
@@ -124,7 +124,7 @@ static bool make_lights(shading *s, const model *m)
     s->light_count = m->lights.count;
     s->lights = env_alloc(m->env, s->light_count, sizeof *s->lights);
     for (size_t i = 0; s->lights && i < s->light_count; i++)
-        if (!make_light(&s->lights[i], m->env, &m->lights.items[i]))
+        if (!make_light(&s->lights[i], m, &m->lights.items[i]))
             return false;
     return s->lights || s->light_count == 0;
 }

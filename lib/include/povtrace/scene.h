@@ -63,6 +63,7 @@ typedef struct pov_load_desc {
     const char *const *declares; /* "NAME=VALUE", a number or a quoted string, ending with NULL; or NULL */
     const pov_animation *animation;   /* NULL: one picture, clock 0 */
     pov_limits limits;
+    bool soft_lights;            /* area lights are lit all over, by chance, and not at the points of their grids only */
 } pov_load_desc;
 
 /* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of
