@@ -79,16 +79,14 @@ static void set_texture_map(pov_reader *in, const transform *map, uint32_t moves
         report_memory(in);
 }
 
-/* Note a leaf of an object with cutaway_textures: what is within that object counts. */
-static void note_cutaway(pov_reader *in, const object_parsed *o, const around *a, cutaway_member c)
+/* Note a leaf of an object with cutaway_textures. */
+static void note_cutaway(pov_reader *in, const around *a, cutaway_member c)
 {
-    c.textured = o->surface.has_look;
     c.cuts = false;
     for (; a; a = a->outer) {
         c.cuts ^= a->cuts;
         if (a->group == in->cutaway->whole)
             break;
-        c.textured |= a->group->surface.has_look;
     }
     parse_cutaway_add(in, &c);
 }
@@ -116,7 +114,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     if (m.texture)
         set_texture_map(in, leaf.map, moves);
     if (in->cutaway && !in->failed)
-        note_cutaway(in, o, a, (cutaway_member){ .leaf = *out, .surface = s, .map = leaf.map, .moves = moves });
+        note_cutaway(in, a, (cutaway_member){ .leaf = *out, .surface = s, .map = leaf.map, .moves = moves });
     return !in->failed;
 }
 

@@ -33,7 +33,7 @@ static const texture *texture_in_world(pov_reader *in, const cutaway_member *c)
     return moves ? textures_move(in, own, moves) : own;
 }
 
-static bool gives_texture(const cutaway_member *c) { return c->textured && !c->cuts; }
+static bool gives_texture(const cutaway_member *c) { return c->surface.has_look && !c->cuts; }
 
 /* The members that give their textures to cut faces; returns their textures, with room for one more. */
 static const texture **find_givers(pov_reader *in, const cutaway_list *list, cutaway *out)
@@ -91,7 +91,7 @@ void parse_cutaway_end(pov_reader *in, cutaway_list *list)
     in->cutaway = NULL;
     all = in->failed ? NULL : find_givers(in, list, &of);
     for (size_t i = 0; all && i < list->count && of.giver_count > 0 && !in->failed; i++)
-        if (!list->items[i].textured)
+        if (!list->items[i].surface.has_look)
             set_leaf(in, &list->items[i], all, &of);
     env_free(in->model->env, all);
     env_free(in->model->env, list->items);

@@ -10,7 +10,6 @@ typedef struct cutaway_member {
     surface_parsed surface;      /* its own, or that of the nearest object around it */
     const transform *map;        /* all that moves it */
     uint32_t moves;              /* how many of these came behind its texture */
-    bool textured;               /* within the object */
     bool cuts;                   /* the object holds what it does not hold */
 } cutaway_member;
 

@@ -37,8 +37,8 @@ void world_uv(const world *w, const hit *h, double out[2])
 {
     const part p = find_part(w, h);
 
-    out[0] = p.point.x;
-    out[1] = p.point.y;
+    out[0] = h->point.x;
+    out[1] = h->point.y;
     if (p.shape->uv)
         p.shape->uv(p.ref.instance, p.point, &h->crossing.mark, out);
 }

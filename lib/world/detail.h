@@ -8,8 +8,8 @@
 /* The shading normal of a completed hit: unit, in the world, facing the ray's start. False: it is the geometric one.
  * Only objects with object_info.smooth have another. */
 bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out);
-/* Surface coordinates of a completed hit on a leaf with LEAF_UV: those of its class, else x and y in the space in which
- * the shape was written. */
+/* Surface coordinates of a completed hit on a leaf with LEAF_UV: those of its class, else x and y in the world, as in
+ * POV-Ray. */
 void world_uv(const world *w, const hit *h, double out[2]);
 /* Textures of the part of a completed hit: numbers of the leaf's own, and their shares. 0: it has none there. */
 uint32_t world_part_textures(const world *w, const hit *h, uint32_t which[3], double share[3]);

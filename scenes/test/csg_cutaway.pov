@@ -17,6 +17,6 @@ intersection {
     sphere { 0, 1.1 pigment { rgb <.9,.3,.5> } }
     plane { y, .4 }
     cutaway_textures
-    pigment { rgb <0,0,1> } rotate x*-20 translate 1*x
+    rotate x*-20 translate 1*x
 }
 box { -.8, .8 bounded_by { sphere { 0, 1.1 } } clipped_by { bounded_by } pigment { rgb <.6,.7,.9> } rotate y*30 translate 3.2*x }
