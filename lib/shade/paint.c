@@ -164,9 +164,7 @@ void paint_appearance(const shading *scene, const surface *s, const texture_term
 
 pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t)
 {
-    if (!t || !t->bent)
-        return lanes_at(s->geometry.raw, lane);
-    return pov_dot(t->normal, s->at[lane].ray->dir) > 0.0 ? pov_scale(t->normal, -1.0) : t->normal;
+    return t && t->bent ? t->normal : lanes_at(s->geometry.raw, lane);
 }
 
 void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
