@@ -18,7 +18,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -30,6 +30,7 @@ static const struct option long_options[] = {
     { "max-depth", required_argument, NULL, OPTION_MAX_DEPTH },
     { "bits", required_argument, NULL, OPTION_BITS },
     { "transfer", required_argument, NULL, OPTION_TRANSFER },
+    { "alpha", no_argument, NULL, OPTION_ALPHA },
     { "format", required_argument, NULL, OPTION_FORMAT },
     { "explain", no_argument, NULL, OPTION_EXPLAIN },
     { "dialect", required_argument, NULL, OPTION_DIALECT },
@@ -353,6 +354,9 @@ static bool read_option(args *a, int option, const char *text)
         return true;
     case OPTION_STATS:
         a->stats = true;
+        return true;
+    case OPTION_ALPHA:
+        a->alpha = true;
         return true;
     case 'q':
         a->quiet = true;

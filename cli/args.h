@@ -26,10 +26,12 @@ typedef struct args {
     const char *output;          /* NULL: nothing is rendered */
     int width, height;           /* of the whole picture */
     pov_rect crop;               /* width 0: all of it */
+    bool alpha;                  /* what hides the background is stored, too */
     bool in_whole;               /* the part is written in its place in a black picture, as POV-Ray does */
     int threads, samples, max_depth, bits;   /* 0: the library's default */
     int preview;                 /* edge of a pixel of the first pass, 0: none; below zero: as the limits need it */
     args_transfer transfer;
+    double gamma;                /* of the picture's integers, for a transfer of ARGS_TRANSFER_SCENE; 0: the scene's */
     int seed;
     double partial_every;        /* seconds between checkpoints; 0: none */
     bool resume;

@@ -5,7 +5,9 @@
 #include "signals.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { EXIT_DRAWN = 0, EXIT_FATAL = 1 };
 
@@ -14,25 +16,31 @@ enum { EXIT_DRAWN = 0, EXIT_FATAL = 1 };
  * 0.013 for 0.1. Here the threshold requests an error, and reaches it. */
 static const double error_of_threshold = 1.0 / 30.0;
 
+/* A scene without gamma, of old versions, is written as it is whatever the setting. */
 static void say_gamma(const povray *p, const messages *m, args *a)
 {
-    if (!p->gamma[0])
+    char *end;
+    const double number = strtod(p->gamma, &end);
+
+    if (!p->gamma[0] || strcasecmp(p->gamma, "srgb") == 0)
         return;
-    if (strcmp(p->gamma, "1") == 0 || strcmp(p->gamma, "1.0") == 0)
+    if (end == p->gamma || *end != '\0' || !(number > 0.0 && number <= 100.0))
+        messages_say(m, "File_Gamma=%s is no number and not sRGB; taken as sRGB", p->gamma);
+    else if (number == 1.0)
         a->transfer = ARGS_TRANSFER_LINEAR;
-    else if (strcmp(p->gamma, "srgb") == 0 || strcmp(p->gamma, "sRGB") == 0 || strcmp(p->gamma, "2.2") == 0)
-        a->transfer = ARGS_TRANSFER_SRGB;
     else
-        messages_say(m, "File_Gamma=%s: only sRGB and 1.0 are written; taken as the scene asks", p->gamma);
+        a->gamma = number;
 }
+
+static bool stores_alpha(const povray *p) { return strcmp(povray_ending(p), "png") == 0; }
 
 /* Unsupported settings, one line each. */
 static void say_ignored(const povray *p, const messages *m)
 {
     for (int i = 0; i < p->ignored.count; i++)
         messages_say(m, "\"%s\" is not a setting of povc; it is left out", p->ignored.item[i]);
-    if (p->alpha)
-        messages_say(m, "Output_Alpha: pictures are written without transparency");
+    if (p->alpha && !stores_alpha(p))
+        messages_say(m, "Output_Alpha: a picture of this type is written without transparency");
     if (p->quality < 9)
         messages_say(m, "Quality=%d: pictures are drawn at full quality", p->quality);
 }
@@ -56,6 +64,7 @@ static bool fill(const povray *p, const messages *m, args *a)
     a->bits = p->bits == 8 || p->bits == 16 ? p->bits : 0;
     a->seed = p->seed > 0 ? p->seed : 0;
     a->resume = p->resume;
+    a->alpha = p->alpha && stores_alpha(p);
     a->progress = p->verbose ? ARGS_PROGRESS_AUTO : ARGS_PROGRESS_NONE;
     a->format = povray_ending(p);
     a->in_whole = true;

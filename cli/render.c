@@ -32,6 +32,7 @@ static pov_image_options image_options(const args *a)
 
     o.bits = a->bits;
     o.transfer = a->transfer == ARGS_TRANSFER_SRGB ? POV_TRANSFER_SRGB : POV_TRANSFER_LINEAR;
+    o.alpha = a->alpha;
     o.format = a->format;
     if (!o.format && strcmp(a->output, "-") == 0)
         o.format = "png";
@@ -85,6 +86,8 @@ static pov_status prepare(render *r, pov_error *err)
     r->options = image_options(a);
     if (a->transfer == ARGS_TRANSFER_SCENE)
         r->options.transfer = info.transfer;
+    if (info.transfer != POV_TRANSFER_LINEAR)   /* a scene without gamma is written as it is */
+        r->options.gamma = a->gamma;
     r->width = a->crop.width ? a->crop.width : a->width;
     r->height = a->crop.width ? a->crop.height : a->height;
     desc.width = a->width;
@@ -96,6 +99,7 @@ static pov_status prepare(render *r, pov_error *err)
     desc.threads = a->threads;
     desc.samples = a->samples;
     desc.seed = (uint32_t)a->seed;
+    desc.alpha = a->alpha;
     desc.time_map = a->aov[ARGS_AOV_TIME] != NULL;
     desc.target_error = a->error;
     desc.time_limit = a->time;

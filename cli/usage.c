@@ -23,6 +23,7 @@ static const char *const help[] = {
     "      --max-depth N        depth of reflections and refractions, over the scene's own\n"
     "      --crop X0,Y0,X1,Y1   only this part: its first pixel, and the one behind its last\n"
     "      --bits 8|16          bits a channel in PNG and PPM (default 8)\n"
+    "      --alpha              PNG with alpha: what is transparent of the background\n"
     "      --transfer scene|srgb|linear\n"
     "                           how values are encoded in PNG and PPM (default: as the scene asks)\n"
     "      --format ENDING      image format, whatever OUTPUT is called (default for \"-\": png)\n"

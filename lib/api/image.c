@@ -51,7 +51,7 @@ static int depth_for(const pov_image_format *f, int asked)
     if (asked == 16 && f->depths & POV_IMAGE_16)
         return 16;
     /* A format of floats holds more than any requested depth. */
-    return (asked == 8 || asked == 16) && f->depths == POV_IMAGE_FLOAT ? 32 : 0;
+    return (asked == 8 || asked == 16) && !(f->depths & (POV_IMAGE_8 | POV_IMAGE_16)) ? 32 : 0;
 }
 
 static pov_status prepare(pov_context *context, const char *path, const pov_image_options *options,
@@ -68,11 +68,15 @@ static pov_status prepare(pov_context *context, const char *path, const pov_imag
         return status;
     if (o->transfer != POV_TRANSFER_LINEAR && o->transfer != POV_TRANSFER_SRGB)
         return err_set(err, POV_E_ARGUMENT, "unknown transfer curve");
+    if (!(o->gamma >= 0.0) || o->gamma > 100.0)
+        return err_set(err, POV_E_ARGUMENT, "the gamma of a picture is a number of 0 to 100");
     if (!(*format)->write)
         return err_file(err, POV_E_UNSUPPORTED, path, "images of the ending \".%s\" can be read, not written", (*format)->ending);
     if (depth_for(*format, o->bits) == 0)
         return err_file(err, POV_E_ARGUMENT, path, "%d bits a channel cannot be stored in a .%s file", o->bits,
                         (*format)->ending);
+    if (o->alpha && !((*format)->depths & POV_IMAGE_ALPHA))
+        return err_file(err, POV_E_ARGUMENT, path, "alpha cannot be stored in a .%s file", (*format)->ending);
     return POV_OK;
 }
 
@@ -120,18 +124,45 @@ static pov_status write_file(pov_context *context, const char *path, const pov_i
     return status;
 }
 
-/* Pack three channels a pixel, rows without gaps; NULL: no memory. */
+/* Colours divided by their alpha; without any they are black. */
+static void divide_by_alpha(const float *rgba, int count, float *out)
+{
+    for (int i = 0; i < count; i++, rgba += 4, out += 4) {
+        for (int c = 0; c < 3; c++)
+            out[c] = rgba[3] > 0.0f ? rgba[c] / rgba[3] : 0.0f;
+        out[3] = rgba[3];
+    }
+}
+
+/* straight: a row's buffer, for images with alpha. */
+static void pack_rows(const pov_image *image, const float *rgba, size_t stride, float *straight, unsigned char *to)
+{
+    const unsigned char *from = (const unsigned char *)rgba;
+    encoder encode;
+
+    encoder_init(&encode, image->bits, image->transfer, image->gamma);
+    for (int y = 0; y < image->height; y++, from += stride, to += image->stride) {
+        const float *row = (const float *)(const void *)from;
+
+        if (straight)
+            divide_by_alpha(row, image->width, straight);
+        encoder_row(&encode, straight ? straight : row, image->width, straight ? 4 : 3, to);
+    }
+}
+
+/* Pack the channels of each pixel, rows without gaps; NULL: no memory. */
 static void *pack(const env *e, const pov_image *image, const float *rgba, size_t stride)
 {
     unsigned char *packed = env_resize(e, NULL, (size_t)image->height, image->stride);
-    const unsigned char *row = (const unsigned char *)rgba;
-    encoder encode;
-    int y;
+    float *straight = image->alpha ? env_resize(e, NULL, (size_t)image->width, 4 * sizeof *straight) : NULL;
 
-    encoder_init(&encode, image->bits, image->transfer);
-    for (y = 0; packed && y < image->height; y++)
-        encoder_row(&encode, (const float *)(const void *)(row + (size_t)y * stride), image->width, 3,
-                    packed + (size_t)y * image->stride);
+    if (packed && (straight || !image->alpha)) {
+        pack_rows(image, rgba, stride, straight, packed);
+    } else {
+        env_free(e, packed);
+        packed = NULL;
+    }
+    env_free(e, straight);
     return packed;
 }
 
@@ -160,7 +191,9 @@ static pov_status write_image(pov_context *context, place to, int width, int hei
     image.height = height;
     image.bits = depth_for(format, o.bits);
     image.transfer = o.transfer;
-    image.stride = (size_t)width * 3 * (size_t)(image.bits / 8);
+    image.gamma = o.gamma;
+    image.alpha = o.alpha != 0;
+    image.stride = (size_t)width * (image.alpha ? 4 : 3) * (size_t)(image.bits / 8);
     packed = pack(&context->env, &image, rgba, stride);
     if (!packed)
         return err_memory(err);

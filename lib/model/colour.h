@@ -14,6 +14,8 @@ static inline colour colour_scale(colour a, float s) { return colour_of(a.r * s,
 static inline bool colour_equal(colour a, colour b) { return a.r == b.r && a.g == b.g && a.b == b.b; }
 /* One comparison: the sum of absolute values is zero only if all are. */
 static inline bool colour_is_black(colour a) { return fabsf(a.r) + fabsf(a.g) + fabsf(a.b) == 0.0f; }
+/* POV-Ray's. */
+static inline float colour_grey(colour a) { return 0.297f * a.r + 0.589f * a.g + 0.114f * a.b; }
 /* The largest absolute component. */
 static inline float colour_weight(colour a)
 {

@@ -11,6 +11,7 @@ void model_init(model *m, const env *e)
     m->irid_wavelength = colour_of(0.70f, 0.52f, 0.48f);
     m->noise_generator = 2;
     m->number_of_waves = 10;
+    m->sky_colour.transmit = 1.0f;
     arena_init(&m->memory, e);
     arena_init(&m->maps, e);
 }

@@ -29,6 +29,7 @@ typedef struct map_numbers { uint32_t *items; size_t count, capacity; } map_numb
 
 /* How computed values become linear light, and how that is stored. */
 typedef struct gamma {
+    bool decodes_srgb;           /* values are as sRGB encodes light, whatever `decode` says */
     double decode;               /* linear = value ^ decode; 1: as computed */
     pov_transfer transfer;       /* encoding of integers that the scene asks for */
 } gamma;
@@ -64,6 +65,8 @@ typedef struct model {
                                   * have none */
     pov_camera camera;
     colour ambient_light, background;
+    pigment sky_colour;                 /* the background of pictures with alpha: what it lets through is transparent */
+    bool sky_is_transparent;            /* in pictures with alpha all of the background and the sky is */
     colour irid_wavelength;
     double adc_bailout;
     int max_trace_level;

@@ -6,19 +6,23 @@
 #include <math.h>
 #include <string.h>
 
-bool cells_make(cells *c, const env *e, int width, int height, bool sampling, bool referring)
+bool cells_make(cells *c, const env *e, const settings *s)
 {
+    const int width = s->crop.width, height = s->crop.height;
+    const bool referring = s->reference != NULL;
+
     c->width = width;
     c->height = height;
     c->columns = (width - 1) / CELL_EDGE + 1;
     c->rows = (height - 1) / CELL_EDGE + 1;
     c->count = (size_t)c->columns * (size_t)c->rows;
     c->groups = env_alloc(e, c->count, GROUPS * sizeof *c->groups);
-    if (sampling || referring)
+    c->sums = s->alpha ? 7 : 6;
+    if (s->sampling || referring)
         c->shown = env_alloc(e, c->count, GROUPS * sizeof *c->shown);
-    if (sampling)
-        c->halves = env_resize(e, NULL, (size_t)width * (size_t)height, 6 * sizeof *c->halves);
-    return c->groups && (c->shown || !(sampling || referring)) && (c->halves || !sampling);
+    if (s->sampling)
+        c->halves = env_resize(e, NULL, (size_t)width * (size_t)height, (size_t)c->sums * sizeof *c->halves);
+    return c->groups && (c->shown || !(s->sampling || referring)) && (c->halves || !s->sampling);
 }
 
 bool cells_count_time(cells *c, const env *e)
@@ -90,8 +94,10 @@ static size_t row_of_groups(const cells *c, cell_range r, int row)
 
 static double *row_of_halves(const cells *c, pov_rect tile, int y)
 {
-    return c->halves + 6 * ((size_t)(tile.y + y) * (size_t)c->width + (size_t)tile.x);
+    return c->halves + (size_t)c->sums * ((size_t)(tile.y + y) * (size_t)c->width + (size_t)tile.x);
 }
+
+static size_t size_of_row(const cells *c, pov_rect tile) { return (size_t)c->sums * sizeof *c->halves * (size_t)tile.width; }
 
 void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, double *halves)
 {
@@ -104,7 +110,7 @@ void cells_take(const cells *c, pov_rect tile, group *groups, showing *shown, do
         memcpy(shown + to, c->shown + from, GROUPS * (size_t)r.columns * sizeof *shown);
     }
     for (int y = 0; y < tile.height; y++)
-        memcpy(halves + 6 * y * tile.width, row_of_halves(c, tile, y), 6 * sizeof *halves * (size_t)tile.width);
+        memcpy(halves + c->sums * y * tile.width, row_of_halves(c, tile, y), size_of_row(c, tile));
 }
 
 void cells_put(cells *c, pov_rect tile, const group *groups, const showing *shown, const double *halves)
@@ -118,7 +124,7 @@ void cells_put(cells *c, pov_rect tile, const group *groups, const showing *show
         memcpy(c->shown + to, shown + from, GROUPS * (size_t)r.columns * sizeof *shown);
     }
     for (int y = 0; y < tile.height; y++)
-        memcpy(row_of_halves(c, tile, y), halves + 6 * y * tile.width, 6 * sizeof *halves * (size_t)tile.width);
+        memcpy(row_of_halves(c, tile, y), halves + c->sums * y * tile.width, size_of_row(c, tile));
 }
 
 void cells_spend(cells *c, pov_rect tile, const double *seconds)
@@ -220,6 +226,12 @@ static const float *linear_row(const encoding *e, const float *row, int width, f
     return buffer;
 }
 
+static void put_first(double *sums, int count, const float *rgba)
+{
+    for (int i = 0; i < count; i++)
+        sums[i] = i < 3 ? (double)rgba[i] : i < 6 ? 0.0 : (double)rgba[3];
+}
+
 /* Counts that were not added are zero since cells_clear(). */
 void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *e)
 {
@@ -235,8 +247,7 @@ void cells_first(cells *c, pov_rect tile, const framebuffer *f, const encoding *
         const float *row = framebuffer_pixels(f, tile.x, tile.y + y), *linear = linear_row(e, row, tile.width, buffer);
 
         for (int x = 0; c->halves && x < tile.width; x++)
-            for (int i = 0; i < 6; i++)
-                row_of_halves(c, tile, y)[6 * x + i] = i < 3 ? (double)row[4 * x + i] : 0.0;
+            put_first(row_of_halves(c, tile, y) + c->sums * x, c->sums, row + 4 * x);
         /* Without a reference there is no more to compute. */
         if (!c->reference && is_within(linear, tile.width))
             continue;
@@ -262,13 +273,13 @@ void cells_measure(const cells *c, pov_rect tile, const encoding *e, group *grou
     for (int y = 0; y < tile.height; y++)
         for (int x = 0; x < tile.width; x++) {
             const size_t into = group_of(r.columns, x, y);
-            const double *h = halves + 6 * (y * tile.width + x);
+            const double *h = halves + c->sums * (y * tile.width + x);
             double a = sample_half(groups[into].count, 0), b = sample_half(groups[into].count, 1), square = square_of_error(e, h, a, b);
             float *out = pixels + 4 * (y * tile.width + x), linear[4];
 
             for (int i = 0; i < 3; i++)
                 out[i] = (float)((h[i] + h[3 + i]) / (a + b));
-            out[3] = 1.0f;
+            out[3] = c->sums > 6 ? (float)(h[6] / (a + b)) : 1.0f;
             memcpy(linear, out, sizeof linear);
             encoding_linear(e, linear, 1);
             shown[into].square += square;

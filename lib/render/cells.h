@@ -4,6 +4,7 @@
 #define RENDER_CELLS_H
 
 #include "render/framebuffer.h"
+#include "render/settings.h"
 
 /* The pixels of a cell form two groups, like the black and the white fields of a chess board. The measurements of one
  * group decide the number of samples of the other: a pixel that looks right by chance does not get fewer samples for
@@ -32,7 +33,9 @@ typedef struct cells {
     group *groups;               /* GROUPS of each cell, one after the other */
     showing *shown;              /* the same; NULL when a pixel has one sample and there is no reference */
     double *seconds;             /* processor seconds of each cell; NULL: not measured */
-    double *halves;              /* six a pixel: the sums of both; NULL when a pixel has one sample */
+    int sums;                    /* numbers a pixel in `halves` */
+    double *halves;              /* the sums of both, three each, and that of alpha if there is alpha; NULL when a pixel
+                                  * has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
     bool reference_clipped;      /* it holds nothing outside 0 .. 1 */
 } cells;
@@ -40,8 +43,8 @@ typedef struct cells {
 /* The part of a picture, in cells, that a tile covers. */
 typedef struct cell_range { int column, row, columns, rows; } cell_range;
 
-/* referring: a reference will be given. False: no memory. */
-bool cells_make(cells *c, const env *e, int width, int height, bool sampling, bool referring);
+/* False: no memory. */
+bool cells_make(cells *c, const env *e, const settings *s);
 /* Measure the processor time of the cells from now on. False: no memory. */
 bool cells_count_time(cells *c, const env *e);
 /* Add the time of a pass over a tile to each of the tile's cells. */

@@ -15,7 +15,7 @@
  * In order: identity, state, rows, counts and targets of the groups. Then, while lattices are traced, the finished
  * passes of each square and the pixels; afterwards the halves. The last part is the hash of all that. */
 
-enum { FORMAT = 4, SQUARE = TILE_EDGE_MIN };
+enum { FORMAT = 5, SQUARE = TILE_EDGE_MIN };
 
 /* Values that must match to continue. Written over zeros, so that padding matches too. */
 typedef struct identity {
@@ -23,7 +23,7 @@ typedef struct identity {
     uint32_t order, format;
     uint64_t scene;
     int32_t dialect, depth, exact, camera_type;
-    int32_t width, height, crop[4], first_step, samples, adaptive, cell_edge;
+    int32_t width, height, crop[4], first_step, samples, adaptive, alpha, cell_edge;
     uint32_t seed;
     double target_error, camera[12];
 } identity;
@@ -61,6 +61,7 @@ static void identify(const pov_job *job, identity *id)
     id->first_step = s->first_step;
     id->samples = s->samples;
     id->adaptive = s->adaptive;
+    id->alpha = s->alpha;
     id->cell_edge = CELL_EDGE;
     id->seed = s->seed;
     id->target_error = s->target_error;
@@ -93,13 +94,15 @@ static size_t pixel_count(const pov_job *job)
     return (size_t)job->tiles.width * (size_t)job->tiles.height;
 }
 
+static size_t size_of_halves(const pov_job *job) { return (size_t)job->cells.sums * sizeof(double) * pixel_count(job); }
+
 /* ---- saving ---- */
 
 static size_t size_of(const pov_job *job, size_t rows, bool refining)
 {
     size_t size = sizeof(identity) + sizeof(state) + rows * sizeof(pov_pass) + 8 * GROUPS * job->cells.count;
 
-    size += refining ? 6 * sizeof(double) * pixel_count(job) : square_count(job) + 4 * sizeof(float) * pixel_count(job);
+    size += refining ? size_of_halves(job) : square_count(job) + 4 * sizeof(float) * pixel_count(job);
     return size + sizeof(uint64_t);
 }
 
@@ -140,7 +143,7 @@ static void image(const pov_job *job, unsigned char *to)
         to = put(to, &job->cells.groups[i].target, 4);
     }
     if (job->refining) {
-        put(to, job->cells.halves, 6 * sizeof(double) * pixel_count(job));
+        put(to, job->cells.halves, size_of_halves(job));
         return;
     }
     for (size_t i = 0; i < square_count(job); i++)
@@ -236,7 +239,7 @@ static bool are_halves_possible(const pov_job *job, const unsigned char *at)
 {
     double sum;
 
-    for (size_t i = 0; i < 6 * pixel_count(job); i++) {
+    for (size_t i = 0; i < size_of_halves(job) / sizeof sum; i++) {
         memcpy(&sum, at + i * sizeof sum, sizeof sum);
         if (!isfinite(sum))
             return false;
@@ -297,7 +300,7 @@ static void take_lattices(pov_job *job, const unsigned char *bits)
 
 static void take_halves(pov_job *job, const unsigned char *halves, refinement *part, float *pixels)
 {
-    memcpy(job->cells.halves, halves, 6 * sizeof(double) * pixel_count(job));
+    memcpy(job->cells.halves, halves, size_of_halves(job));
     for (size_t i = 0; i < job->tiles.count; i++) {
         pov_rect r = tiles_rect(&job->tiles, i);
 
@@ -327,7 +330,7 @@ static bool take_rows(pov_job *job, const unsigned char *at, size_t count)
 /* The contents are valid: take them. The lock is held. */
 static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
 {
-    refinement *part = refinement_make(job->env, job->tiles.edge);
+    refinement *part = refinement_make(job->env, job->tiles.edge, job->cells.sums);
     float *pixels = env_alloc(job->env, (size_t)job->tiles.edge * (size_t)job->tiles.edge, 4 * sizeof *pixels);
     pov_status status = part && pixels ? POV_OK : err_memory(err);
     state s;

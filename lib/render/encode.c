@@ -13,13 +13,26 @@ double encode_srgb_inverse(double stored)
     return stored <= 0.04045 ? stored / 12.92 : pow((stored + 0.055) / 1.055, 2.4);
 }
 
+static double encoded(const encoder *e, double linear)
+{
+    if (e->gamma > 0.0)
+        return pow(linear, 1.0 / e->gamma);
+    return e->transfer == POV_TRANSFER_SRGB ? encode_srgb(linear) : linear;
+}
+
+static double encoded_inverse(const encoder *e, double stored)
+{
+    if (e->gamma > 0.0)
+        return pow(stored, e->gamma);
+    return e->transfer == POV_TRANSFER_SRGB ? encode_srgb_inverse(stored) : stored;
+}
+
 static void fill_tables(encoder *e)
 {
     int code = 0;
 
     for (int i = 0; i < 255; i++) {
-        double stored = (i + 0.5) / 255.0;
-        e->above[i] = (float)(e->transfer == POV_TRANSFER_SRGB ? encode_srgb_inverse(stored) : stored);
+        e->above[i] = (float)encoded_inverse(e, (i + 0.5) / 255.0);
     }
     for (int i = 0; i < ENCODER_CELLS; i++) {
         while (code < 255 && (float)i / ENCODER_CELLS >= e->above[code])
@@ -28,8 +41,9 @@ static void fill_tables(encoder *e)
     }
 }
 
-void encoder_init(encoder *e, int bits, pov_transfer transfer)
+void encoder_init(encoder *e, int bits, pov_transfer transfer, double gamma)
 {
+    e->gamma = gamma;
     e->bits = bits;
     e->transfer = transfer;
     if (bits == 8)
@@ -53,12 +67,12 @@ static unsigned char stored_8(const encoder *e, float v)
 
 static uint16_t stored_16(const encoder *e, float v)
 {
-    double x = v > 0.0f ? (v < 1.0f ? v : 1.0) : 0.0;
+    const double x = v > 0.0f ? (v < 1.0f ? v : 1.0) : 0.0;
 
-    if (e->transfer == POV_TRANSFER_SRGB)
-        x = encode_srgb(x);
-    return (uint16_t)(65535.0 * x + 0.5);
+    return (uint16_t)(65535.0 * encoded(e, x) + 0.5);
 }
+
+static float part_of(float v) { return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; }
 
 /* NaN counts as no light. */
 static void store_floats(const float *rgba, size_t pixels, int channels, float *out)
@@ -67,7 +81,7 @@ static void store_floats(const float *rgba, size_t pixels, int channels, float *
         for (int c = 0; c < 3; c++)
             out[c] = rgba[c] == rgba[c] ? rgba[c] : 0.0f;
         if (channels == 4)
-            out[3] = 1.0f;
+            out[3] = part_of(rgba[3]);
     }
 }
 
@@ -77,7 +91,7 @@ static void store_bytes(const encoder *e, const float *rgba, size_t pixels, int 
         for (int c = 0; c < 3; c++)
             out[c] = stored_8(e, rgba[c]);
         if (channels == 4)
-            out[3] = 255;
+            out[3] = (unsigned char)(255.0f * part_of(rgba[3]) + 0.5f);
     }
 }
 
@@ -87,7 +101,7 @@ static void store_words(const encoder *e, const float *rgba, size_t pixels, int 
         for (int c = 0; c < 3; c++)
             out[c] = stored_16(e, rgba[c]);
         if (channels == 4)
-            out[3] = 65535;
+            out[3] = (uint16_t)(65535.0 * (double)part_of(rgba[3]) + 0.5);
     }
 }
 

@@ -11,13 +11,15 @@ enum { ENCODER_CELLS = 4096 };
 typedef struct encoder {
     int bits;
     pov_transfer transfer;
+    double gamma;                /* above 0: the curve is value ^ (1 / gamma), whatever the transfer */
     float above[255];
     unsigned char least[ENCODER_CELLS];
 } encoder;
 
 /* bits: 8 or 16 (native order): round(max * clamp(curve(value))); 32: the float as it is. */
-void encoder_init(encoder *e, int bits, pov_transfer transfer);
-/* Convert one row of float RGBA pixels to `channels` values each (3, or 4 with full alpha). NaN is stored as 0. */
+void encoder_init(encoder *e, int bits, pov_transfer transfer, double gamma);
+/* Convert one row of float RGBA pixels to `channels` values each: 3, or 4 with alpha, which no curve encodes. NaN is
+ * stored as 0. */
 void encoder_row(const encoder *e, const float *rgba, int width, int channels, void *out);
 
 /* The sRGB curve of IEC 61966-2-1 and its inverse, 0..1 to 0..1. */

@@ -126,22 +126,32 @@ int framebuffer_row(const framebuffer *f, size_t tile, int x, int y, int width, 
 void encoding_make(encoding *e, const gamma *g)
 {
     e->decode = g->decode;
-    encoder_init(&e->display, 8, g->transfer);
+    e->decodes_srgb = g->decodes_srgb;
+    encoder_init(&e->display, 8, g->transfer, 0.0);
 }
+
+static double decoded(const encoding *e, double value) { return e->decodes_srgb ? encode_srgb_inverse(value) : pow(value, e->decode); }
 
 /* Linear light is value ^ decode; negative values keep their sign. */
 static float linear_of(const encoding *e, float value)
 {
-    return (float)(value < 0.0f ? -pow(-value, e->decode) : pow(value, e->decode));
+    return (float)(value < 0.0f ? -decoded(e, -(double)value) : decoded(e, (double)value));
+}
+
+static void decode_pixel(const encoding *e, float *rgba)
+{
+    const float alpha = rgba[3] > 0.0f ? rgba[3] : 1.0f;
+
+    for (int i = 0; i < 3; i++)
+        rgba[i] = alpha * linear_of(e, rgba[i] / alpha);
 }
 
 void encoding_linear(const encoding *e, float *rgba, int count)
 {
     if (e->decode == 1.0)
         return;
-    for (int i = 0; i < 4 * count; i++)
-        if (i % 4 != 3)
-            rgba[i] = linear_of(e, rgba[i]);
+    for (int i = 0; i < count; i++)
+        decode_pixel(e, rgba + 4 * i);
 }
 
 void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count)

@@ -37,10 +37,10 @@ const float *framebuffer_pixels(const framebuffer *f, int x, int y);
 int framebuffer_row(const framebuffer *f, size_t tile, int x, int y, int width, float *out);
 
 /* From computed values to the formats that programs read: linear light, and bytes as the scene asks. */
-typedef struct encoding { double decode; encoder display; } encoding;
+typedef struct encoding { double decode; bool decodes_srgb; encoder display; } encoding;
 
 void encoding_make(encoding *e, const gamma *g);
-/* In place. */
+/* In place. What shines before a background that alpha lets through is decoded as the opaque light that it is part of. */
 void encoding_linear(const encoding *e, float *rgba, int count);
 /* The row is overwritten. Alpha is full, but for pixels of which nothing is known yet. */
 void encoding_display(const encoding *e, float *rgba, unsigned char *out, int count);

@@ -16,7 +16,7 @@ static pov_status make_parts(pov_job *job, pov_error *err)
                                                            "no memory for a picture of %d x %d pixels", s->crop.width,
                                                                s->crop.height);
     job->all_pixels = (size_t)s->crop.width * (size_t)s->crop.height;
-    if (!cells_make(&job->cells, job->env, s->crop.width, s->crop.height, s->sampling, s->reference != NULL))
+    if (!cells_make(&job->cells, job->env, s))
         return err_memory(err);
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;
@@ -226,7 +226,7 @@ static bool make_worker(pov_job *job, worker *w)
     if (!worker_make(w, job, job->env, job->tiles.edge))
         return false;
     if (job->settings.sampling)
-        w->refinement = refinement_make(job->env, job->tiles.edge);
+        w->refinement = refinement_make(job->env, job->tiles.edge, job->cells.sums);
     if (job->settings.time_map)
         w->meter = env_alloc(job->env, 1, sizeof *w->meter);
     return (w->refinement || !job->settings.sampling) && (w->meter || !job->settings.time_map);

@@ -1,16 +1,17 @@
 #include "render/refine.h"
 
+#include "render/job_state.h"
 #include "render/meter.h"
 #include "render/raygen.h"
 #include "render/sample.h"
 
-refinement *refinement_make(const env *e, int tile_edge)
+refinement *refinement_make(const env *e, int tile_edge, int sums)
 {
     refinement *r = env_alloc(e, 1, sizeof *r);
 
     if (!r)
         return NULL;
-    r->halves = env_resize(e, NULL, (size_t)tile_edge * (size_t)tile_edge, 6 * sizeof *r->halves);
+    r->halves = env_resize(e, NULL, (size_t)tile_edge * (size_t)tile_edge, (size_t)sums * sizeof *r->halves);
     if (!r->halves) {
         env_free(e, r);
         return NULL;
@@ -31,6 +32,7 @@ typedef struct packet {
     uint32_t count;
     raygen_places through;
     double *sums[BATCH_MAX];     /* the half of the pixel that the ray's colour is added to */
+    double *alpha[BATCH_MAX];    /* the pixel's sum of alpha, if there is alpha */
     int cells[BATCH_MAX];        /* cell of the ray, within the tile */
     pov_ray rays[BATCH_MAX];
 } packet;
@@ -38,6 +40,7 @@ typedef struct packet {
 static void trace_packet(worker *w, const settings *s, packet *c)
 {
     colour seen[BATCH_MAX];
+    float alpha[BATCH_MAX];
     raygen_screen through;
     unsigned known;
 
@@ -45,7 +48,7 @@ static void trace_packet(worker *w, const settings *s, packet *c)
         return;
     raygen_place(&c->through, s->width, s->height, c->count, &through);
     known = raygen_aim(&w->claim.camera, &through, c->count, c->rays);
-    tracer_colors(w->tracer, c->rays, c->count, known, seen);
+    tracer_colors(w->tracer, c->rays, c->count, known, seen, s->alpha ? alpha : NULL);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {
         /* Sums of floats in double are exact as long as the exponents are near: a constant stays constant. */
@@ -53,6 +56,8 @@ static void trace_packet(worker *w, const settings *s, packet *c)
         c->sums[i][1] += (double)seen[i].g;
         c->sums[i][2] += (double)seen[i].b;
     }
+    for (uint32_t i = 0; s->alpha && i < c->count; i++)
+        *c->alpha[i] += (double)alpha[i];
     c->count = 0;
 }
 
@@ -62,6 +67,7 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
     const pov_rect tile = w->claim.rect;
     const int px = s->crop.x + tile.x + x, py = s->crop.y + tile.y + y;
     const sample at = sample_at(s->seed, px, py, (int)(k & 1u), k / 2);
+    double *pixel = w->refinement->halves + w->job->cells.sums * (y * tile.width + x);
     raygen_places *p = &c->through;
     uint32_t n = c->count++;
 
@@ -69,7 +75,8 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
     p->y[n] = py;
     p->dx[n] = at.x;
     p->dy[n] = at.y;
-    c->sums[n] = w->refinement->halves + 6 * (y * tile.width + x) + 3 * (k & 1u);
+    c->alpha[n] = pixel + 6;
+    c->sums[n] = pixel + 3 * (k & 1u);
     c->cells[n] = cell;
     if (c->count == BATCH_MAX)
         trace_packet(w, s, c);

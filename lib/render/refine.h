@@ -12,8 +12,8 @@ struct refinement {
     showing shown[GROUPS * TILE_CELLS_MAX];
 };
 
-/* NULL: no memory. */
-refinement *refinement_make(const env *e, int tile_edge);
+/* sums: as in cells. NULL: no memory. */
+refinement *refinement_make(const env *e, int tile_edge, int sums);
 void refinement_free(refinement *r, const env *e);
 
 /* Trace the samples that the claimed tile's groups still need, and update its pixels and groups. False: given up. */

@@ -81,6 +81,7 @@ pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_cam
     s->wake = desc->wake;
     s->wake_user = desc->wake_user;
     s->time_map = desc->time_map != 0;
+    s->alpha = desc->alpha != 0;
     if (status == POV_OK)
         status = take_crop(s, desc, err);
     if (status == POV_OK)

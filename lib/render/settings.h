@@ -14,7 +14,7 @@ typedef struct settings {
     bool sampling, adaptive;     /* more than one sample a pixel; more samples where the error is */
     double target_error, time_limit;   /* 0: none */
     const float *reference;      /* the caller's; or NULL */
-    bool time_map;               /* see pov_render_desc */
+    bool time_map, alpha;        /* see pov_render_desc */
     bool reference_clipped;
     void (*wake)(void *user);
     void *wake_user;

@@ -59,14 +59,15 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
         m->v[y] = raygen_v(s->crop.y + tile.y + y, 0.5, s->height);
 }
 
-static void trace_packet(worker *w, packet *c)
+static void trace_packet(worker *w, const settings *s, packet *c)
 {
     colour seen[BATCH_MAX];
+    float alpha[BATCH_MAX];
     const unsigned known = raygen_aim(&w->claim.camera, &c->through, c->count, c->rays);
 
-    tracer_colors(w->tracer, c->rays, c->count, known, seen);
+    tracer_colors(w->tracer, c->rays, c->count, known, seen, s->alpha ? alpha : NULL);
     for (uint32_t i = 0; i < c->count; i++) {
-        const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
+        const float at[4] = { seen[i].r, seen[i].g, seen[i].b, s->alpha ? alpha[i] : 1.0f };
 
         memcpy(c->out[i], at, sizeof at);
     }
@@ -126,7 +127,7 @@ static void trace_block(worker *w, packet *together, const settings *s, const mi
     if (s->sampling)
         take_samples(w, together, s);
     if (together->count > 0)
-        trace_packet(w, together);
+        trace_packet(w, s, together);
 }
 
 bool worker_trace(worker *w, const settings *s)

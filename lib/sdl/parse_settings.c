@@ -45,16 +45,19 @@ static void read_adc_bailout(pov_reader *in, void *self, keyword_id keyword)
 
 static void read_assumed_gamma(pov_reader *in, void *self, keyword_id keyword)
 {
-    double number = state_accept_keyword(in, KEYWORD_SRGB) ? 2.2 : value_number(in);
+    const bool is_srgb = state_accept_keyword(in, KEYWORD_SRGB);
+    const double number = is_srgb ? 2.2 : value_number(in);
 
     (void)self;
     (void)keyword;
     if (!in->failed && number <= 0.0)
         report_fail(in, &in->value, POV_E_SYNTAX, "\"assumed_gamma\" must be above 0");
-    if (in->settings.assumed_gamma > 0.0)
+    if (in->settings.assumed_gamma > 0.0) {
         report_warn(in, &in->value, "the \"assumed_gamma\" that was given first stays");
-    else
-        in->settings.assumed_gamma = number;
+        return;
+    }
+    in->settings.assumed_gamma = number;
+    in->settings.assumed_srgb = is_srgb;
 }
 
 static void read_noise_generator(pov_reader *in, void *self, keyword_id keyword)
@@ -122,8 +125,9 @@ void parse_background(pov_reader *in, void *self, keyword_id keyword)
     items_open(in, &b);
     if (in->token.kind != '}') {
         p = value_colour(in, true);
-        in->model->background = p.colour;
-        in->settings.background_transmit = p.transmit;
+        in->model->sky_colour.color = p.colour;
+        in->model->sky_colour.filter = p.filter;
+        in->model->sky_colour.transmit = p.transmit;
     }
     items_close(in, &b, &list, NULL);
 }
@@ -145,6 +149,7 @@ static void finish_gamma(pov_reader *in, bool is_new)
         return;
     if (in->settings.assumed_gamma > 0.0)
         g->decode = in->settings.assumed_gamma;
+    g->decodes_srgb = in->settings.assumed_srgb;
     if (in->settings.assumed_gamma > 0.0 || is_new)
         g->transfer = POV_TRANSFER_SRGB;
 }
@@ -163,8 +168,10 @@ void parse_settings_finish(pov_reader *in)
     if (is_old && !in->settings.has_noise_generator)
         m->noise_generator = 1;
     m->opaque_last_level = m->opaque_dark_filters = is_povray;
+    m->background = m->sky_colour.color;
     if (!is_povray || is_new)
-        m->background = colour_scale(m->background, 1.0f - in->settings.background_transmit);
+        m->background = colour_scale(m->background, 1.0f - m->sky_colour.transmit);
+    m->sky_is_transparent = is_povray && !is_new;
     finish_gamma(in, is_new);
     noise_finish(in);
 }

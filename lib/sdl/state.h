@@ -37,7 +37,7 @@ typedef struct camera_parsed {
 typedef struct settings_parsed {
     bool has_ambient_light, has_noise_generator;
     double assumed_gamma;        /* 0: none */
-    float background_transmit;
+    bool assumed_srgb;           /* it is that of sRGB, and only about assumed_gamma */
     double version;              /* 0: none was set */
 } settings_parsed;
 

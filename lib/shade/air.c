@@ -215,15 +215,48 @@ void air_cross(const shading *scene, const path *p, const pov_ray *ray, double t
 
     *dimmed = *p;
     dimmed->factor.by = colour_mul(p->factor.by, v.by);
+    dimmed->clear = p->clear * colour_grey(v.by);
     accumulate(p, v.given, out);
 }
 
 /* ---- behind all ---- */
 
-/* The sky's pigments, one over the other, over the background. */
-static void add_sky(const model *m, const batch *b, uint64_t rays, colour *seen)
+/* What a ray without hits sees, and the part of it that would come from behind: 0 in pictures without alpha. */
+typedef struct backdrop { colour seen, through; } backdrop;
+
+static const backdrop nothing = { { 0.0f, 0.0f, 0.0f }, { 1.0f, 1.0f, 1.0f } };
+
+/* A pigment before it, of a light of its own. */
+static void put_before(backdrop *b, const pigment *p, colour own)
 {
-    const sky_sphere *sky = m->sky;
+    const float opaque = 1.0f - p->filter - p->transmit;
+    const colour t = colour_of(p->transmit, p->transmit, p->transmit), by = colour_add(t, colour_scale(p->color, p->filter));
+
+    b->seen = colour_add(colour_scale(own, opaque), colour_mul(by, b->seen));
+    b->through = colour_mul(by, b->through);
+}
+
+/* Mirrored rays see a background that is transparent in the picture by its plain colour. */
+static backdrop background_of(const shade_context *c, const path *p)
+{
+    const model *m = c->scene->model;
+    backdrop b = { m->background, { 0.0f, 0.0f, 0.0f } };
+
+    if (!c->alpha)
+        return b;
+    b.seen = m->sky_colour.color;
+    if (p->mirrored)
+        return b;
+    b = nothing;
+    if (!m->sky_is_transparent)
+        put_before(&b, &m->sky_colour, m->sky_colour.color);
+    return b;
+}
+
+/* The sky's pigments, one over the other. */
+static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backdrop *seen)
+{
+    const model *m = c->scene->model;
     uint32_t lanes[BATCH_MAX], n = 0;
     pigment p[BATCH_MAX];
     texture_points points;
@@ -231,38 +264,38 @@ static void add_sky(const model *m, const batch *b, uint64_t rays, colour *seen)
     points.has_surface = false;
     points.parts = NULL;
     for (; rays; rays &= rays - 1) {
-        lanes[n] = first_of64(rays);
-        texture_point(NULL, pov_unit(b->rays[lanes[n]]->dir), pov_vec3_of(0.0, 0.0, 0.0), n, &points);
+        const uint32_t i = first_of64(rays);
+
+        if (c->alpha && m->sky_is_transparent && !b->paths[i].mirrored)
+            continue;
+        lanes[n] = i;
+        texture_point(NULL, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0), n, &points);
         n++;
     }
-    for (uint32_t k = 0; k < sky->count; k++) {
-        pigment_eval(m, sky->layers[k], &points, n, p);
-        for (uint32_t i = 0; i < n; i++) {
-            const colour under = seen[lanes[i]], own = colour_mul(p[i].color, sky->emission);
-            const colour filtered = colour_scale(colour_mul(p[i].color, under), p[i].filter);
-
-            seen[lanes[i]] = colour_add(colour_scale(own, 1.0f - p[i].filter - p[i].transmit),
-                                        colour_add(colour_scale(under, p[i].transmit), filtered));
-        }
+    for (uint32_t k = 0; k < m->sky->count && n > 0; k++) {
+        pigment_eval(m, m->sky->layers[k], &points, n, p);
+        for (uint32_t i = 0; i < n; i++)
+            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission));
     }
 }
 
-void air_background(const shading *scene, const batch *b, uint64_t rays, colour *out)
+void air_background(const shade_context *c, const batch *b, uint64_t rays, colour *out)
 {
-    const model *m = scene->model;
-    colour seen[BATCH_MAX];
+    const model *m = c->scene->model;
+    backdrop seen[BATCH_MAX];
 
-    if (!rays)
-        return;
-    for (uint32_t i = 0; i < b->count; i++)
-        seen[i] = m->background;
+    for (uint64_t rest = rays; rest; rest &= rest - 1)
+        seen[first_of64(rest)] = background_of(c, &b->paths[first_of64(rest)]);
     if (m->sky)
-        add_sky(m, b, rays, seen);
+        add_sky(c, b, rays, seen);
     for (; rays; rays &= rays - 1) {
         const uint32_t i = first_of64(rays);
+        const path *p = &b->paths[i];
         const segment s = segment_of(b->rays[i], HUGE_VAL);
-        const veil v = air_dims(m) ? veil_of(scene, &b->paths[i], &s) : clear;
+        const veil v = air_dims(m) ? veil_of(c->scene, p, &s) : clear;
 
-        accumulate(&b->paths[i], colour_add(colour_mul(v.by, seen[i]), v.given), out);
+        accumulate(p, colour_add(colour_mul(v.by, seen[i].seen), v.given), out);
+        if (c->alpha)
+            c->alpha[p->lane] -= p->clear * colour_grey(v.by) * colour_grey(seen[i].through);
     }
 }

@@ -9,8 +9,9 @@
 static inline bool air_is_there(const model *m) { return m->sky || m->fogs.count > 0 || m->rainbows.count > 0; }
 static inline bool air_dims(const model *m) { return m->fogs.count > 0 || m->rainbows.count > 0; }
 
-/* Add what the rays see that hit nothing; bit i: ray i. */
-void air_background(const shading *scene, const batch *b, uint64_t rays, colour *out);
+/* Add what the rays see that hit nothing; bit i: ray i. In pictures with alpha, the rays that were not reflected see
+ * through the background as far as the scene says: take that from their alpha. */
+void air_background(const shade_context *c, const batch *b, uint64_t rays, colour *out);
 /* How many solids that are not hollow a path is in that has crossed the surface. */
 uint32_t air_solids_across(const shading *scene, const surface *s);
 /* Add what the air itself gives on the way to a hit at ray parameter t; `dimmed` becomes the path behind it. */

@@ -15,6 +15,8 @@ typedef struct shade_context {
     const env *env;
     const shading *scene;
     query_context *context;
+    float *alpha;                /* by lane of the camera ray: how much of the background it hides; NULL: the background is
+                                  * opaque */
     pov_counts counts;
     interrupt interrupt;
     bool failed;                 /* out of memory: later results are invalid */

@@ -17,6 +17,7 @@ typedef struct path {
     dielectric_span inside;      /* the dielectrics around it */
     uint32_t solids;             /* where there is fog: how many solids it is in that are not hollow */
     int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
+    float clear;                 /* in pictures with alpha: how much of what is behind it shines through; 0: it was reflected */
     bool mirrored;               /* it was reflected on its way, and not only transmitted */
     float hue;                   /* its place in the spectrum, from red (0) to violet (1), since it was dispersed; or
                                   * PATH_WHITE */

@@ -60,6 +60,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     next->inside = p->inside;
     next->solids = p->solids;
     next->zero_steps = 0;
+    next->clear = p->clear;
     next->mirrored = p->mirrored;
     next->hue = p->hue;
     return next;
@@ -82,6 +83,7 @@ static void finish_reflected(scattering *to, batch *b, path *next, const surface
     const double side = to->on->geometry.reflected_side[lane];
     pov_ray *ray = &b->own[b->count++];
 
+    next->clear = 0.0f;
     next->mirrored = true;
     if (side < 0.0) {
         world_origin_transmit(ray, s->at, -side);
@@ -157,6 +159,8 @@ static path *spawn_across(scattering *to, const surface *s, const coefficient *b
     next = spawn(b, s, direction, factor, deeper);
     world_origin_transmit(&b->own[b->count++], s->at, cosine);
     next->above ^= 1u << s->on;
+    if (to->context->alpha)
+        next->clear *= colour_grey(by->by);
     if (to->context->scene->dims)
         next->solids = air_solids_across(to->context->scene, s);
     to->transmitted++;

@@ -122,7 +122,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
             dim(c, s, &s->at[n], out);
             n += is_kept(c, &s->at[n], out);
         } else {
-            air_background(c->scene, b, (uint64_t)1 << i, out);
+            air_background(c, b, (uint64_t)1 << i, out);
         }
     }
     return n;
@@ -135,8 +135,8 @@ static void add_background(const shade_context *c, const batch *b, uint64_t rays
     const colour background = c->scene->model->background;
     colour seen = colour_of(0.0f, 0.0f, 0.0f);
 
-    if (c->scene->air) {
-        air_background(c->scene, b, rays, out);
+    if (c->scene->air || c->alpha) {
+        air_background(c, b, rays, out);
         return;
     }
     if (!b->camera) {

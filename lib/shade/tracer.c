@@ -7,7 +7,7 @@
 
 static void make_camera_paths(batch *b)
 {
-    const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1, .hue = PATH_WHITE };
+    const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1, .clear = 1.0f, .hue = PATH_WHITE };
 
     for (uint32_t i = 0; i < BATCH_MAX; i++) {
         b->paths[i] = fresh;
@@ -240,12 +240,25 @@ static void follow(pov_tracer *t, colour *out)
     }
 }
 
+/* A ray that is none: outside of the camera's picture, or of a camera that is not valid. */
+static void leave_out(const pov_tracer *t, const pov_ray *ray, colour *out, float *alpha)
+{
+    const bool is_outside = isinf(ray->dir.x);
+
+    *out = is_outside ? colour_of(0.0f, 0.0f, 0.0f) : t->context.scene->model->background;
+    if (alpha)
+        *alpha = is_outside ? 0.0f : 1.0f;
+}
+
 /* Up to BATCH_MAX rays. */
-static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out)
+static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out, float *alpha)
 {
     uint64_t begun;
     uint32_t i;
 
+    t->context.alpha = alpha;
+    for (i = 0; alpha && i < n; i++)
+        alpha[i] = 1.0f;
     batch_forget(&t->queue, &t->context);
     begun = begin(t, rays, n, known);
     for (i = 0; i < n; i++)
@@ -257,19 +270,19 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known
             out[i] = accumulate_finite(out[i]);
     for (i = 0; t->camera_odd && i < n; i++)
         if (!(begun >> i & 1))
-            out[i] = isinf(rays[i].dir.x) ? colour_of(0.0f, 0.0f, 0.0f) : t->context.scene->model->background;
+            leave_out(t, &rays[i], &out[i], alpha ? &alpha[i] : NULL);
 }
 
 colour tracer_color(pov_tracer *t, const pov_ray *ray)
 {
     colour seen;
 
-    trace(t, ray, 1, 0, &seen);
+    trace(t, ray, 1, 0, &seen, NULL);
     return seen;
 }
 
 /* Batches are no larger than the number of rays between two checks for an interrupt. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out)
+void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out, float *alpha)
 {
     const interrupt *ask = &t->context.interrupt;
     uint32_t i, some;
@@ -277,6 +290,6 @@ void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned know
     for (i = 0; i < n && !t->context.failed && !ask->given_up; i += some) {
         some = ask->ask && ask->every < BATCH_MAX ? (uint32_t)ask->every : BATCH_MAX;
         some = some < n - i ? some : n - i;
-        trace(t, rays + i, some, known, out + i);
+        trace(t, rays + i, some, known, out + i, alpha ? alpha + i : NULL);
     }
 }

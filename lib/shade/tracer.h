@@ -27,8 +27,9 @@ void tracer_destroy(pov_tracer *t);
 colour tracer_color(pov_tracer *t, const pov_ray *ray);
 /* Known properties of rays: all have finite starts and directions; all have the same start. */
 enum { TRACER_SOUND = 1, TRACER_ONE_START = 2 };
-/* The same for n rays, which cost less together if neighbours in the list are neighbours in the picture. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out);
+/* The same for n rays, which cost less together if neighbours in the list are neighbours in the picture. alpha NULL: the
+ * background is opaque; else it is transparent as far as the scene says, and alpha receives how much of it each hides. */
+void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out, float *alpha);
 /* Counts since the tracer was made, including those of its queries. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* Set a callback that is asked for an interrupt while tracing; after a yes context.interrupt.given_up holds, and the

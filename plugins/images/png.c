@@ -1,4 +1,4 @@
-/* png.c - PNG by libpng, 8 or 16 bits a channel, row by row.
+/* png.c - PNG by libpng, 8 or 16 bits a channel, with alpha or without, row by row.
  *
  * A picture encoded with the sRGB curve says so in an sRGB chunk. A picture of unencoded values has no statement about
  * gamma: by the course's rule the stored number is shown as it is, and a gAMA chunk of 1.0 would make viewers brighten
@@ -64,9 +64,11 @@ static void put_picture(png_structp png, png_infop info, const pov_image *image)
     png_set_compression_level(png, COMPRESSION_LEVEL);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, image->bits,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 image->alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    if (image->transfer == POV_TRANSFER_SRGB)
+    if (image->gamma > 0.0)
+        png_set_gAMA(png, info, 1.0 / image->gamma);
+    else if (image->transfer == POV_TRANSFER_SRGB)
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     if (image->bits == 16 && is_little_endian())
@@ -305,7 +307,7 @@ static const char *load_png(const void *bytes, size_t count, const pov_raster_ta
 
 static const pov_image_format png_format = {
     .size = sizeof(pov_image_format),
-    .depths = POV_IMAGE_8 | POV_IMAGE_16,
+    .depths = POV_IMAGE_8 | POV_IMAGE_16 | POV_IMAGE_ALPHA,
     .ending = "png",
     .write = write_png,
     .read = read_png,

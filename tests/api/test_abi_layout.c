@@ -57,6 +57,8 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_shape_class, open, 112);
     AT(pov_shape_class, textures, 136);
     AT(pov_image, pixels, 32);
+    AT(pov_image, alpha, 40);
+    AT(pov_image, gamma, 48);
     AT(pov_image_format, write, 16);
     AT(pov_image_format, read, 24);
     AT(pov_image_format, load, 32);

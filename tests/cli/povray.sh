@@ -84,3 +84,15 @@ povray_library_paths_are_searched() {
     expect 0 "$povc" +Iscene.pov +W4 +H4 +Linc
     expect 0 "$povc" scene.pov 4 4 a.png -L inc
 }
+
+# Other formats are written without it, and say so.
+povray_alpha_is_written() {
+    small_scene
+    expect 0 "$povc" small.pov 20 10 own.png --alpha --bits 16
+    expect 0 "$povc" +Ismall.pov +W20 +H10 +UA +FN16 +Oother
+    same own.png other.png
+    expect 0 "$povc" +Ismall.pov +W20 +H10 +UA +FP +Oplain
+    says err "without transparency"
+    expect 2 "$povc" small.pov 20 10 own.ppm --alpha
+    says err "alpha cannot be stored in a .ppm file"
+}

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-enum { MOST_WORDS = 16 };
+enum { MOST_WORDS = 40 };
 
 /* The words of a line, split at blanks, as argv. */
 static args_verdict parse(args *a, const char *line)
@@ -87,7 +87,7 @@ static void args_reads_every_option(void **state)
     assert_string_equal(a.aov[ARGS_AOV_CERTAINTY], "c.png");
     assert_null(a.aov[ARGS_AOV_NORMAL]);
     assert_string_equal(a.output, "o");
-    assert_int_equal(parse(&a, "s 9 9 o --accel none --crop 1,2,8,9 --preview 16 --progress json -q -v "
+    assert_int_equal(parse(&a, "s 9 9 o --accel none --crop 1,2,8,9 --preview 16 --progress json -q -v --alpha "
                                 "--color never"), ARGS_RUN);
     assert_int_equal(a.accel, POV_ACCEL_NONE);
     assert_int_equal(a.crop.x, 1);
@@ -96,7 +96,7 @@ static void args_reads_every_option(void **state)
     assert_int_equal(a.crop.height, 7);
     assert_int_equal(a.preview, 16);
     assert_int_equal(a.progress, ARGS_PROGRESS_JSON);
-    assert_true(a.quiet && a.verbose);
+    assert_true(a.quiet && a.verbose && a.alpha);
     assert_int_equal(a.color, ARGS_COLOR_NEVER);
 }
 

@@ -24,7 +24,7 @@ SHAPES_OFF, SHAPES_SHARE = 2 * 257, 0.5
 
 
 def samples(path):
-    """Width, height, and the colours of a PNG file as numbers of 16 bits, without its alpha."""
+    """Width, height, and the colours of a PNG file as numbers of 16 bits, with its alpha if it has some."""
     data = Path(path).read_bytes()
     at, packed = 8, b''
     while at + 12 <= len(data):
@@ -44,7 +44,7 @@ def samples(path):
         row = struct.unpack('>%d%s' % (width * count, 'H' if size == 2 else 'B'), above)
         row = row if size == 2 else [257 * v for v in row]
         for x in range(0, width * count, count):
-            out.append(tuple(row[x:x + 3]) if count > 2 else (row[x],) * 3)
+            out.append(tuple(row[x:x + count]) if count > 2 else (row[x],) * 3)
     return width, height, out
 
 
@@ -81,6 +81,8 @@ def judge(row, ours, theirs):
         count = len(theirs)
         means = [abs(sum(min(p[k], 65535) for p in ours) - sum(p[k] for p in theirs)) / count for k in range(3)]
         return max(means) <= row['off'], 'means off by %.1f of %g' % (max(means), row['off'])
+    if len(ours[0]) != len(theirs[0]):
+        return False, '%d channels for %d' % (len(ours[0]), len(theirs[0]))
     worst = [max(abs(a - b) for a, b in zip(p, q)) for p, q in zip(ours, theirs)]
     share = 100.0 * sum(w > row['off'] for w in worst) / len(worst)
     return share <= row['share'], '%.2f %% off by more than %g, the largest by %d' % (share, row['off'], max(worst))

@@ -197,6 +197,25 @@ static void write_grey(const char *ending, bytes *out)
     assert_null(open_format(ending)->write(&image, &output));
 }
 
+static void alpha_is_written_and_loaded(void **state)
+{
+    static const unsigned char pixels[8] = { 10, 20, 30, 0, 40, 50, 60, 255 };
+    pov_image image = { .size = sizeof image, .width = 2, .height = 1, .bits = 8, .stride = 8, .pixels = pixels, .alpha = 1,
+                        .gamma = 2.0 };
+    static loaded l;
+    static bytes b;
+    pov_output output = { &b, put };
+
+    (void)state;
+    assert_true(open_format("png")->depths & POV_IMAGE_ALPHA);
+    assert_null(open_format("png")->write(&image, &output));
+    assert_null(load("png", b.data, b.count, &l));
+    expect_size(&l, 2, 1, 4, 8);
+    assert_memory_equal(l.pixels, pixels, sizeof pixels);
+    assert_int_equal(l.about.encoding, POV_ENCODING_POWER);
+    assert_true(l.about.power > 1.999 && l.about.power < 2.001);
+}
+
 static void what_is_written_is_loaded(void **state)
 {
     static const char *const endings[] = { "png", "jpeg" };
@@ -248,6 +267,7 @@ int main(void)
         cmocka_unit_test(ppm_takes_grey_and_text_and_any_largest_value),
         cmocka_unit_test(what_is_written_is_loaded),
         cmocka_unit_test(exr_is_loaded_as_it_was_written),
+        cmocka_unit_test(alpha_is_written_and_loaded),
     };
 
     return cmocka_run_group_tests_name("images for textures", tests, NULL, NULL);

@@ -12,12 +12,14 @@ typedef struct pov_image_options {
     int bits;                /* bits a channel: 8 or 16; 0: the format's usual depth */
     pov_transfer transfer;   /* pov_scene_info names the scene's; formats of floats ignore it */
     const char *format;      /* ending that names the format if the path does not, as for "-"; NULL: by the path */
+    int alpha;               /* not 0: store alpha, and colours divided by it; some formats cannot */
+    double gamma;            /* above 0: integers store value ^ (1 / gamma), whatever the transfer */
 } pov_image_options;
 
 /* Receives bytes: put returns false when it accepts no more. */
 typedef struct pov_output { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;
 
-/* Linear float RGBA rows, top row first, stride in bytes; alpha is not stored. Written beside the target and renamed
+/* Linear float RGBA rows, top row first, stride in bytes. Written beside the target and renamed
  * over it, so a file of that name is whole or the old one. "-" is standard output. options may be NULL. */
 POV_API pov_status pov_image_write(struct pov_context *context, const char *path, int width, int height,
                                    const float *rgba, size_t stride, const pov_image_options *options, pov_error *err);
@@ -46,10 +48,12 @@ POV_API pov_status pov_file_check(struct pov_context *context, const char *path,
 
 typedef struct pov_image {
     size_t size;
-    int width, height, bits;       /* three channels of 8 or 16 bits (native order), or of 32: float */
+    int width, height, bits;       /* red, green, blue of 8 or 16 bits (native order), or of 32: float */
     pov_transfer transfer;         /* how the integers were encoded */
     size_t stride;                 /* bytes from row to row, top row first */
     const void *pixels;
+    int alpha;                     /* not 0: a fourth channel, alpha, for formats of POV_IMAGE_ALPHA */
+    double gamma;                  /* above 0: integers hold value ^ (1 / gamma), whatever the transfer */
 } pov_image;
 
 /* The reader describes the image, and receives memory for height rows of stride bytes; NULL: no memory. */
@@ -74,10 +78,10 @@ typedef struct pov_raster {
 /* Receives the description before any pixel is decoded, and gives memory for height rows; NULL: it is not wanted. */
 typedef struct pov_raster_target { void *user; void *(*begin)(void *user, const pov_raster *about); } pov_raster_target;
 
-enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2 };
+enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2, POV_IMAGE_ALPHA = 1u << 3 };
 
 typedef struct pov_image_format {
-    uint32_t size, depths;         /* supported POV_IMAGE_*; the lowest set bit is the usual depth */
+    uint32_t size, depths;         /* supported POV_IMAGE_*; the lowest depth is the usual one */
     const char *ending;            /* "png" */
     /* Any thread. NULL when all was put, else what went wrong, static text. Stop when put says false. NULL: not written. */
     const char *(*write)(const pov_image *image, const pov_output *output);

@@ -33,6 +33,8 @@ typedef struct pov_render_desc {
     uint32_t seed;                /* another seed gives other sample positions, except for a single sample */
     bool reference_clipped;       /* all values of the reference are within 0 .. 1 */
     int time_map;                 /* not 0: measure the time of pixels, for POV_PIXELS_TIME */
+    int alpha;                    /* not 0: the background is transparent as far as the scene says, and alpha is what
+                                   * hides it; colours are what it hides it with, not divided by alpha */
 } pov_render_desc;
 
 typedef enum pov_job_state {
