@@ -32,6 +32,7 @@ typedef struct light {
     double radius, falloff, tightness;   /* SPOT: cosines of the angles; CYLINDER: distances from the axis */
     double fade_distance, fade_power;    /* it fades if both are above 0 */
     light_area area;
+    uint32_t through, through_count;     /* leaves that its rays have to cross to give light, unseen otherwise; 0: none */
     uint32_t group;              /* number of the group that it lights; 0: all objects but those of groups without
                                   * global lights */
 } light;

@@ -34,6 +34,7 @@ typedef struct object_parsed {
     leaf_node leaf;              /* its map and flags are those below */
     light light;                 /* before its map; what it looks like is `first` */
     pov_vec3 point_at;           /* of a light */
+    struct object_parsed *through;        /* what a light is projected through, or NULL */
     bool is_light_group, global_lights;   /* a union that is one */
     surface_parsed surface;
     const transform *map;

@@ -138,7 +138,8 @@ static void move_light(light *l, const pov_affine *m, pov_vec3 *point_at)
         l->area.axes[i] = move_direction(m, l->area.axes[i]);
 }
 
-static void add_light(pov_reader *in, const object_parsed *o, const around *a)
+/* through: the first leaf of what it is projected through; those to the last are that. */
+static void add_light(pov_reader *in, const object_parsed *o, const around *a, uint32_t through)
 {
     const transform *map = find_map(in, o, a);
     pov_affine m;
@@ -150,6 +151,8 @@ static void add_light(pov_reader *in, const object_parsed *o, const around *a)
     if (map && is_fine)
         move_light(&l, &m, &point_at);
     l.group = a ? a->lights : 0;
+    l.through = through;
+    l.through_count = (uint32_t)in->model->leaves.count - through;
     l.axis = pov_unit(pov_sub(pov_sub(point_at, l.position), l.position_lo));
     if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
         place at = in->object;
@@ -214,13 +217,22 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     return !in->failed && children.count > 0;
 }
 
-/* What a light looks like is an object where it is. */
-static bool add_light_and_object(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
+/* What a light is projected through, and what it looks like, are objects. */
+static bool add_light_and_objects(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
+    const group_node both = { .op = NODE_UNION, .line = o->leaf.line, .column = o->leaf.column };
     const around here = { .outer = a, .group = o, .lights = a ? a->lights : 0 };
+    const uint32_t leaf = (uint32_t)in->model->leaves.count;
+    const bool is_through = o->through && add(in, o->through, &here, out);
+    node_ref children[2] = { is_through ? *out : 0, 0 };
 
-    add_light(in, o, a);
-    return !in->failed && o->first && add(in, o->first, &here, out);
+    add_light(in, o, a, leaf);
+    if (in->failed || !o->first || !add(in, o->first, &here, &children[1]))
+        return is_through && !in->failed;
+    *out = children[1];
+    if (is_through && !model_add_group(in->model, &both, children, 2, out))
+        report_memory(in);
+    return !in->failed;
 }
 
 static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
@@ -231,7 +243,7 @@ static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, n
     case OBJECT_GROUP:
         return add_group(in, o, a, out);
     case OBJECT_LIGHT:
-        return add_light_and_object(in, o, a, out);
+        return add_light_and_objects(in, o, a, out);
     case OBJECT_MISSING:
         break;
     }

@@ -126,30 +126,51 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
     }
 }
 
-static const item_list shown_items = { "an object that looks like the light", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+static const item_list no_items = { "the end of the block", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
+
+/* False: there is none. */
+static bool read_object(pov_reader *in, light_reading *r, object_parsed *out)
+{
+    bool found;
+    block b;
+
+    items_open(in, &b);
+    found = parse_object_try(in, out);
+    if (!found)
+        report_expected(in, "an object");
+    items_close(in, &b, &no_items, r);
+    return found;
+}
 
 /* An object that is seen where the light is, and hides none of it. */
 static void read_looks_like(pov_reader *in, void *self, keyword_id keyword)
 {
     light_reading *r = self;
     object_parsed shown;
-    block b;
 
     (void)keyword;
-    items_open(in, &b);
-    if (!parse_object_try(in, &shown)) {
-        report_expected(in, "an object");
-    } else {
-        parse_append_translation(in, &shown.map, r->out->light.position);
-        shown.surface.moves++;
-        shown.flags |= LEAF_NO_SHADOW;
-        r->out->first = parse_keep(in, &shown);
-    }
-    items_close(in, &b, &shown_items, self);
+    if (!read_object(in, r, &shown))
+        return;
+    parse_append_translation(in, &shown.map, r->out->light.position);
+    shown.surface.moves++;
+    shown.flags |= LEAF_NO_SHADOW;
+    r->out->first = parse_keep(in, &shown);
+}
+
+/* An object that is not seen, but that light has to come through. */
+static void read_projected_through(pov_reader *in, void *self, keyword_id keyword)
+{
+    light_reading *r = self;
+    object_parsed hole;
+
+    (void)keyword;
+    if (!read_object(in, r, &hole))
+        return;
+    hole.flags |= LEAF_NO_SHADOW | LEAF_NO_IMAGE | LEAF_NO_REFLECTION;
+    r->out->through = parse_keep(in, &hole);
 }
 
 static const keyword_id quiet[] = { KEYWORD_PHOTONS, KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_OTHER };
-static const keyword_id coming[] = { KEYWORD_PROJECTED_THROUGH, KEYWORD_OTHER };
 static const item items[] = {
     PARSE_MOVES(move_light),               { KEYWORD_SPOTLIGHT, read_type },       { KEYWORD_CYLINDER, read_type },
     { KEYWORD_PARALLEL, read_type },       { KEYWORD_POINT_AT, read_point_at },    { KEYWORD_RADIUS, read_number },
@@ -157,8 +178,9 @@ static const item items[] = {
     { KEYWORD_FADE_POWER, read_number },   { KEYWORD_AREA_LIGHT, read_area },      { KEYWORD_ADAPTIVE, skip_adaptive },
     { KEYWORD_SHADOWLESS, read_flag },     { KEYWORD_JITTER, read_flag },          { KEYWORD_CIRCULAR, read_flag },
     { KEYWORD_ORIENT, read_flag },         { KEYWORD_AREA_ILLUMINATION, read_flag }, { KEYWORD_LOOKS_LIKE, read_looks_like },
+    { KEYWORD_PROJECTED_THROUGH, read_projected_through },
 };
-static const item_list list = { "a modifier of the light", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
+static const item_list list = { "a modifier of the light", ITEMS(items), quiet, NULL, NULL, VALUE_NOTHING, NULL };
 
 static void begin(light_reading *r, object_parsed *out)
 {

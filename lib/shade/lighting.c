@@ -52,7 +52,7 @@ static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
     return lit;
 }
 
-/* The rays to one sample of a light source that are not occluded. */
+/* The rays that are not occluded. */
 static uint64_t trace(const lighting *l, segment_end end, colour *through)
 {
     shade_context *c = l->context;
@@ -61,6 +61,36 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
     if (c->coincident_sets.count > 0 && any_coincident(l))
         return trace_each(l, end, through);
     return transmittance_find(c, l->rays, l->count, end, through);
+}
+
+/* Shorten rays to where they first cross what a light is projected through. Returns those that do. */
+static uint64_t shorten(lighting *l, const light *from, double tmax)
+{
+    const shade_context *c = l->context;
+    uint64_t through = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        pov_ray *ray = &l->own[l->of[i]];
+        double t;
+
+        if (!query_crossing_of(c->scene->world, c->context, ray, from->through, from->through_count, tmax, &t))
+            continue;
+        ray->dir = pov_scale(ray->dir, t / tmax);
+        through |= (uint64_t)1 << i;
+    }
+    return through;
+}
+
+/* The rays to one point of a light source that are not occluded. */
+static uint64_t trace_to(lighting *l, const light *from, segment_end end, colour *through)
+{
+    uint64_t lit;
+
+    if (from->through_count == 0)
+        return trace(l, end, through);
+    lit = shorten(l, from, end.tmax);
+    end.at = NULL;
+    return lit & trace(l, end, through);
 }
 
 /* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */
@@ -149,7 +179,8 @@ static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes
         name_sides(l, &in.dir);
         for (uint32_t i = 0; i < l->count; i++)
             l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
-        for (uint64_t some_lit = trace(l, end_of(from, &in, at_one ? &origin : NULL), some); some_lit; some_lit &= some_lit - 1) {
+        for (uint64_t some_lit = trace_to(l, from->light, end_of(from, &in, at_one ? &origin : NULL), some); some_lit;
+             some_lit &= some_lit - 1) {
             const uint32_t i = first_of64(some_lit);
 
             through[i] = colour_add(through[i], colour_scale(some[i], from->grid->points[k].weight));
@@ -171,7 +202,8 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         for (uint32_t i = 0; i < l->count; i++)
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else
-        for (uint64_t lit = from->grid ? trace_area(l, from, &in->dir, through) : trace(l, end_of(from, in, &origin), through);
+        for (uint64_t lit = from->grid ? trace_area(l, from, &in->dir, through)
+                                       : trace_to(l, from->light, end_of(from, in, &origin), through);
              lit; lit &= lit - 1) {
             const uint32_t i = first_of64(lit);
 

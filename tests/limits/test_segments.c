@@ -200,12 +200,48 @@ static void a_light_on_a_surface_gives_a_clean_shadow(void **state)
     }
 }
 
+/* ---- lights that are projected through an object ---- */
+
+/* All are the sphere <0, 0, -1.5>, 0.4 for a light at <0, 0, -3>; before it and behind it, on the axis, are others. */
+static const char *const holes[] = {
+    "sphere { <0,0,-1.5>, 0.4 }",
+    "sphere { 0, 0.2 scale 2 translate <0,0,-1.5> }",
+    "intersection { sphere { <0,0,-1.5>, 0.4 } box { <-1,-1,-2>, <1,1,-1> } }",
+    "union { sphere { <0,0,-1.5>, 0.4 } sphere { <0,0,-1.5>, 0.2 } }",
+    "sphere { <0,0,-1.5>, 0.4 clipped_by { plane { z, -1 } } }",
+};
+
+static void only_light_that_crosses_what_it_is_projected_through_counts(void **state)
+{
+    const double cone = 3.0 * tan(asin(0.4 / 1.5)), shadow = 3.0 * tan(asin(0.1 / 2.5));
+    uint64_t seed = 2463534242u;
+
+    for (size_t k = 0; k < sizeof holes / sizeof *holes; k++) {
+        char text[1024];
+        pov_scene *scene;
+
+        sprintf(text, "#version 3.7; light_source { <0,0,-3> rgb 1 projected_through { %s } } plane { z, 0 inverse pigment { rgb 1 }"
+                      " finish { ambient 0 diffuse 1 } } sphere { <0,0,-2.5>, 0.3 } sphere { <0,0,-0.5>, 0.1 }", holes[k]);
+        scene = scenes_text(*state, text);
+        for (int i = 0; i < 400; i++) {
+            const double x = 1.2 * number(&seed), y = 1.2 * number(&seed), r = hypot(x, y);
+            float rgba[4];
+
+            limits_trace(scene, pov_vec3_of(x, y, -0.001), pov_vec3_of(0.0, 0.0, 1.0), rgba);
+            if ((rgba[0] > 0.0f) != (r < cone && r > shadow))
+                fail_msg("%s at %g: %g", holes[k], r, (double)rgba[0]);
+        }
+        pov_scene_destroy(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(segments_that_end_at_a_sphere_are_judged_by_their_ends, begin, end),
         cmocka_unit_test_setup_teardown(segments_that_end_at_a_face_are_judged_by_their_ends, begin, end),
         cmocka_unit_test_setup_teardown(a_light_on_a_surface_gives_a_clean_shadow, begin, end),
+        cmocka_unit_test_setup_teardown(only_light_that_crosses_what_it_is_projected_through_counts, begin, end),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
