@@ -144,11 +144,6 @@ static void read_volume(pov_reader *in, density_file *d)
     name = value_text(in);
     if (name)
         image_file_read_volume(in, name, d);
-    state_accept(in, ',');
-    if (state_accept_keyword(in, KEYWORD_INTERPOLATE))
-        d->interpolation = (int32_t)value_number(in);
-    if (!in->failed && (d->interpolation < 0 || d->interpolation > 2))
-        report_fail(in, &in->value, POV_E_SYNTAX, "\"interpolate\" of a volume must be 0, 1 or 2");
 }
 
 void parse_image(pov_reader *in, const pattern_class *class, void *self, image_block *out)

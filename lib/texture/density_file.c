@@ -73,9 +73,21 @@ static void evaluate(const pattern_input *in, double *value)
         value[i] = d->samples ? value_at(d, lanes_at(in->at, i)) : 0.0;
 }
 
+static const char *check(const void *self)
+{
+    const int32_t interpolation = ((const density_file *)self)->interpolation;
+
+    return interpolation >= 0 && interpolation <= 2 ? NULL : "\"interpolate\" of a volume must be 0, 1 or 2";
+}
+
+static const pattern_word words[] = { { "interpolate", PATTERN_INTEGER, offsetof(density_file, interpolation), false } };
+
 const pattern_class pattern_density_file = {
     .keyword = "density_file",
     .self_size = sizeof(density_file),
+    .words = words,
+    .word_count = 1,
+    .check = check,
     .flags = PATTERN_FILE,
     .evaluate = evaluate,
 };

@@ -111,13 +111,14 @@ static double outside_value(const fractal *f, complex_number z, int32_t steps, i
     return (f->exterior == 0 ? 1.0 : f->exterior == 6 ? sqrt(square_of(z)) : component(f->exterior, z)) * f->exterior_factor;
 }
 
+/* The start counts among the smallest, but for the 0 that a magnet's mandel begins with. */
 static double value_of(const fractal *f, double x, double y)
 {
     const bool has_c = f->julia_limit > 0;
     const int32_t limit = has_c ? f->julia_limit : f->limit;
     const complex_number at = complex_of(x, y), c = has_c ? complex_of(f->c[0], f->c[1]) : at;
     complex_number z = f->kind != 0 && !has_c ? complex_of(0.0, 0.0) : at;
-    double least = square_of(z);
+    double least = f->kind != 0 && !has_c ? HUGE_VAL : square_of(z);
 
     for (int32_t k = 0; k < limit; k++) {
         z = step(f, z, c);
