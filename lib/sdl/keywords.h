@@ -42,12 +42,12 @@
     ROW(B_SPLINE, "b_spline", 0) \
     ROW(BACKGROUND, "background", 0) \
     ROW(BEZIER_SPLINE, "bezier_spline", 0) \
-    ROW(BICUBIC_PATCH, "bicubic_patch", KEYWORD_FLAG_COMING) \
+    ROW(BICUBIC_PATCH, "bicubic_patch", KEYWORD_FLAG_SHAPE) \
     ROW(BITWISE_AND, "bitwise_and", 0) \
     ROW(BITWISE_OR, "bitwise_or", 0) \
     ROW(BITWISE_XOR, "bitwise_xor", 0) \
     ROW(BLACK_HOLE, "black_hole", 0) \
-    ROW(BLOB, "blob", KEYWORD_FLAG_COMING) \
+    ROW(BLOB, "blob", KEYWORD_FLAG_SHAPE) \
     ROW(BLUE, "blue", KEYWORD_FLAG_BASE | KEYWORD_FLAG_PAINT) \
     ROW(BLUR_SAMPLES, "blur_samples", 0) \
     ROW(BMP, "bmp", 0) \
@@ -98,7 +98,7 @@
     ROW(CRACKLE, "crackle", 0) \
     ROW(CRAND, "crand", 0) \
     ROW(CUBE, "cube", 0) \
-    ROW(CUBIC, "cubic", KEYWORD_FLAG_COMING) \
+    ROW(CUBIC, "cubic", KEYWORD_FLAG_SHAPE) \
     ROW(CUBIC_SPLINE, "cubic_spline", 0) \
     ROW(CUBIC_WAVE, "cubic_wave", 0) \
     ROW(CUTAWAY_TEXTURES, "cutaway_textures", 0) \
@@ -179,7 +179,7 @@
     ROW(GRAY_THRESHOLD, "gray_threshold", 0) \
     ROW(GREEN, "green", KEYWORD_FLAG_BASE | KEYWORD_FLAG_PAINT) \
     ROW(HDR, "hdr", 0) \
-    ROW(HEIGHT_FIELD, "height_field", KEYWORD_FLAG_COMING) \
+    ROW(HEIGHT_FIELD, "height_field", KEYWORD_FLAG_SHAPE) \
     ROW(HEXAGON, "hexagon", 0) \
     ROW(HF_GRAY_16, "hf_gray_16", 0) \
     ROW(HIERARCHY, "hierarchy", 0) \
@@ -205,13 +205,13 @@
     ROW(IOR, "ior", KEYWORD_FLAG_BASE) \
     ROW(IRID, "irid", 0) \
     ROW(IRID_WAVELENGTH, "irid_wavelength", 0) \
-    ROW(ISOSURFACE, "isosurface", KEYWORD_FLAG_COMING) \
+    ROW(ISOSURFACE, "isosurface", KEYWORD_FLAG_SHAPE) \
     ROW(JITTER, "jitter", 0) \
     ROW(JPEG, "jpeg", 0) \
     ROW(JULIA, "julia", 0) \
-    ROW(JULIA_FRACTAL, "julia_fractal", KEYWORD_FLAG_COMING) \
+    ROW(JULIA_FRACTAL, "julia_fractal", KEYWORD_FLAG_SHAPE) \
     ROW(LAMBDA, "lambda", 0) \
-    ROW(LATHE, "lathe", KEYWORD_FLAG_COMING) \
+    ROW(LATHE, "lathe", KEYWORD_FLAG_SHAPE) \
     ROW(LEOPARD, "leopard", 0) \
     ROW(LIGHT_GROUP, "light_group", 0) \
     ROW(LIGHT_SOURCE, "light_source", KEYWORD_FLAG_BASE) \
@@ -291,7 +291,7 @@
     ROW(ORTHOGRAPHIC, "orthographic", 0) \
     ROW(PANORAMIC, "panoramic", 0) \
     ROW(PARALLEL, "parallel", 0) \
-    ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_COMING) \
+    ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_SHAPE) \
     ROW(PASS_THROUGH, "pass_through", 0) \
     ROW(PATTERN, "pattern", 0) \
     ROW(PAVEMENT, "pavement", 0) \
@@ -309,7 +309,7 @@
     ROW(PLANE, "plane", KEYWORD_FLAG_SHAPE) \
     ROW(PNG, "png", 0) \
     ROW(POINT_AT, "point_at", 0) \
-    ROW(POLY, "poly", KEYWORD_FLAG_COMING) \
+    ROW(POLY, "poly", KEYWORD_FLAG_SHAPE) \
     ROW(POLY_WAVE, "poly_wave", 0) \
     ROW(POLYGON, "polygon", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
     ROW(POT, "pot", 0) \
@@ -326,7 +326,7 @@
     ROW(PWR, "pwr", 0) \
     ROW(QUADRATIC_SPLINE, "quadratic_spline", 0) \
     ROW(QUADRIC, "quadric", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
-    ROW(QUARTIC, "quartic", KEYWORD_FLAG_COMING) \
+    ROW(QUARTIC, "quartic", KEYWORD_FLAG_SHAPE) \
     ROW(QUATERNION, "quaternion", 0) \
     ROW(QUICK_COLOR, "quick_color", 0) \
     ROW(QUICK_COLOUR, "quick_colour", 0) \
@@ -382,11 +382,11 @@
     ROW(SMOOTH, "smooth", 0) \
     ROW(SMOOTH_TRIANGLE, "smooth_triangle", KEYWORD_FLAG_SHAPE) \
     ROW(SOLID, "solid", 0) \
-    ROW(SOR, "sor", KEYWORD_FLAG_COMING) \
+    ROW(SOR, "sor", KEYWORD_FLAG_SHAPE) \
     ROW(SPACING, "spacing", 0) \
     ROW(SPECULAR, "specular", 0) \
     ROW(SPHERE, "sphere", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
-    ROW(SPHERE_SWEEP, "sphere_sweep", KEYWORD_FLAG_COMING) \
+    ROW(SPHERE_SWEEP, "sphere_sweep", KEYWORD_FLAG_SHAPE) \
     ROW(SPHERICAL, "spherical", 0) \
     ROW(SPIRAL1, "spiral1", 0) \
     ROW(SPIRAL2, "spiral2", 0) \
@@ -412,7 +412,7 @@
     ROW(SUBSTR, "substr", 0) \
     ROW(SUBSURFACE, "subsurface", 0) \
     ROW(SUM, "sum", 0) \
-    ROW(SUPERELLIPSOID, "superellipsoid", KEYWORD_FLAG_COMING) \
+    ROW(SUPERELLIPSOID, "superellipsoid", KEYWORD_FLAG_SHAPE) \
     ROW(SWITCH, "switch", 0) \
     ROW(SYS, "sys", 0) \
     ROW(T, "t", 0) \

@@ -1,10 +1,9 @@
 /* prism { [linear_sweep | conic_sweep] [spline] low, high, n, <x, z>, ... [open] [sturm] }: a curve in the plane of x and z,
  * moved along y, or towards the origin as a cone. Rings within rings are holes. */
+#include "common/curve.h"
 #include "common/swept.h"
 
 #include <stddef.h>
-
-typedef enum spline { LINEAR, QUADRATIC, CUBIC, BEZIER } spline;
 
 typedef struct prism {
     common_swept swept;
@@ -22,64 +21,11 @@ typedef struct reading {
     uint32_t count;
 } reading;
 
-static bool read_spline(const pov_host *host, pov_reader *in, spline *kind)
-{
-    static const char *const words[] = { "linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline" };
-
-    for (uint32_t i = 0; i < 4; i++)
-        if (host->accept(in, words[i])) {
-            *kind = (spline)i;
-            return true;
-        }
-    return false;
-}
-
-static bool read_points(reading *r)
-{
-    const double n = (r->host->accept(r->in, ","), r->host->number(r->in));
-
-    if (!(n >= 1.0 && n <= 1e6 && n == floor(n))) {
-        r->host->fail(r->in, "a prism needs a whole number of points");
-        return false;
-    }
-    r->count = (uint32_t)n;
-    r->at = r->host->alloc(r->in, (r->count + 1) * sizeof *r->at);
-    for (uint32_t i = 0; r->at && i < r->count; i++) {
-        r->host->accept(r->in, ",");
-        if (!r->host->more(r->in))
-            r->host->fail(r->in, "a prism has fewer points than it says");
-        r->host->vector_of(r->in, r->at[i], 2);
-    }
-    return r->at != NULL;
-}
-
 static bool same(const double a[2], const double b[2]) { return a[0] == b[0] && a[1] == b[1]; }
 
-/* From the point i to the next one; the straight line if there is no other way. */
-static common_piece piece_at(const reading *r, spline kind, uint32_t i)
+static common_piece piece_at(const reading *r, common_spline kind, uint32_t i)
 {
-    const double (*p)[2] = (const double (*)[2])r->at + i;
-    common_piece c = { kind == LINEAR ? 1 : kind == QUADRATIC ? 2 : 3, { 0.0 }, { 0.0 } };
-    double b[4][2];
-
-    for (int j = 0; j < 2; j++) {
-        b[0][j] = p[0][j];
-        b[1][j] = kind == QUADRATIC ? p[0][j] + 0.25 * (p[1][j] - p[-1][j]) : p[1][j];
-        b[2][j] = p[1][j];
-        if (kind == CUBIC) {
-            b[1][j] = p[0][j] + (p[1][j] - p[-1][j]) / 6.0;
-            b[2][j] = p[1][j] - (p[2][j] - p[0][j]) / 6.0;
-            b[3][j] = p[1][j];
-        } else if (kind == BEZIER) {
-            b[2][j] = p[2][j];
-            b[3][j] = p[3][j];
-        }
-    }
-    for (uint32_t k = 0; k <= c.degree; k++) {
-        c.x[k] = b[k][0];
-        c.y[k] = b[k][1];
-    }
-    return c;
+    return common_spline_piece(kind, (const double (*)[2])r->at + i);
 }
 
 static bool add(const reading *r, const common_piece *c) { return common_outline_add(r->outline, r->host, r->in, c); }
@@ -89,7 +35,7 @@ static bool add_beziers(const reading *r)
     if (r->count % 4 != 0)
         r->host->fail(r->in, "a prism of bezier splines needs four points a piece");
     for (uint32_t i = 0; i + 3 < r->count; i += 4) {
-        const common_piece c = piece_at(r, BEZIER, i);
+        const common_piece c = piece_at(r, COMMON_BEZIER, i);
 
         if (!add(r, &c))
             return false;
@@ -98,7 +44,7 @@ static bool add_beziers(const reading *r)
 }
 
 /* One ring whose first point is at `first`: it ends where that point comes again. Returns the point behind its end. */
-static uint32_t add_ring(const reading *r, spline kind, uint32_t first, uint32_t end)
+static uint32_t add_ring(const reading *r, common_spline kind, uint32_t first, uint32_t end)
 {
     uint32_t i = first;
 
@@ -118,10 +64,10 @@ static uint32_t add_ring(const reading *r, spline kind, uint32_t first, uint32_t
 }
 
 /* The first point of a ring only steers, unless it is linear; so does the last one of a cubic. */
-static void add_rings(const reading *r, spline kind)
+static void add_rings(const reading *r, common_spline kind)
 {
-    const uint32_t before = kind == LINEAR ? 0 : 1, behind = kind == CUBIC ? 1 : 0;
-    const uint32_t least = kind == LINEAR ? 3 : kind == QUADRATIC ? 4 : 5;
+    const uint32_t before = kind == COMMON_LINEAR ? 0 : 1, behind = kind == COMMON_CUBIC ? 1 : 0;
+    const uint32_t least = kind == COMMON_LINEAR ? 3 : kind == COMMON_QUADRATIC ? 4 : 5;
 
     if (r->count < least)
         r->host->fail(r->in, "a prism of this spline needs at least %u points", (unsigned)least);
@@ -172,14 +118,9 @@ static void read_flags(prism *p, const pov_host *host, pov_reader *in)
     bool read = true;
 
     while (read) {
-        read = false;
+        read = common_sturm_read(host, in);
         if (host->accept(in, "open"))
             read = p->swept.open = true;
-        if (host->accept(in, "sturm")) {
-            read = true;
-            if (host->more(in))
-                host->boolean(in);
-        }
     }
 }
 
@@ -187,19 +128,21 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     prism *p = self;
     reading r = { host, in, &p->swept.outline, NULL, 0 };
-    spline kind = LINEAR;
+    common_spline kind = COMMON_LINEAR;
     bool read = true;
 
     p->swept.axis = 1;
     while (read) {
-        read = read_spline(host, in, &kind) || host->accept(in, "linear_sweep");
+        read = common_spline_read(host, in, &kind) || host->accept(in, "linear_sweep");
         if (host->accept(in, "conic_sweep"))
             read = p->swept.conic = true;
     }
     read_heights(p, host, in);
-    if (!read_points(&r))
+    host->accept(in, ",");
+    r.at = common_points_read(host, in, &r.count);
+    if (!r.at)
         return;
-    if (kind == BEZIER)
+    if (kind == COMMON_BEZIER)
         add_beziers(&r);
     else
         add_rings(&r, kind);

@@ -73,6 +73,20 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "prism", "cubic_spline 0, 0.5, 7, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>" },
     { "prism", "bezier_spline 1e6, 1000000.5, 8, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 1>, <-1, 1>, <-1, 0>, <0, 0>" },
     { "prism", "linear_spline 0, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> open" },
+    { "lathe", "4, <0, -1>, <1, -0.5>, <0.5, 0.4>, <0, 1>" },
+    { "lathe", "linear_spline 5, <1, 0>, <2, 0>, <2, 1>, <1, 1>, <1, 0>" },
+    { "lathe", "quadratic_spline 5, <0, -1.5>, <0, -1>, <1, -0.5>, <0.6, 0.4>, <0, 1>" },
+    { "lathe", "cubic_spline 7, <0, -1.4>, <0, -1.2>, <0.962, -0.6>, <0.553, 0>, <0.836, 0.6>, <0, 1.2>, <0, 1.5>" },
+    { "lathe", "bezier_spline 8, <2, 1e6>, <3, 1e6>, <3, 1000001>, <2, 1000001>, <2, 1000001>, <1, 1000001>, <1, 1e6>, <2, 1e6>" },
+    { "lathe", "linear_spline 3, <1, 0>, <2, 1>, <1, 3>" },
+    { "sor", "6, <0.466, -1.5>, <0.642, -1.1>, <0.811, -0.4>, <0.54, 0.3>, <0.729, 0.9>, <0.522, 1.3>" },
+    { "sor", "4, <0, 1e6>, <0, 1e6>, <1e-3, 1000000.001>, <1e-3, 1000000.002>" },
+    { "sor", "5, <1, 0>, <1, 1>, <2, 2>, <0, 3>, <0, 4> open" },
+    { "superellipsoid", "<0.25, 0.5>" },
+    { "superellipsoid", "<1, 1>" },
+    { "superellipsoid", "<0.1, 0.05>" },
+    { "superellipsoid", "<2, 1.5>" },
+    { "superellipsoid", "<3, 2.5>" },
 };
 
 /* Asked of block filters only, about a point: far apart roots and sizes are more than other tests allow for. */

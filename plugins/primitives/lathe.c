@@ -1,0 +1,402 @@
+/* lathe { [spline] n, <radius, height>, ... [sturm] }: a curve turned about the y axis.
+ *
+ * Where the ray o + s d has the height y(u), its distance to the axis is to be |r(u)|. Multiplied by the square of d.y that
+ * is a polynomial in u of the order 2, 4 or 6, without a division; its Bernstein coefficients are sums of three products.
+ * Of a ray that hardly rises, the height alone gives u, and the radius gives both distances. */
+#include "common/bernstein.h"
+#include "common/clip.h"
+#include "common/curve.h"
+#include "common/turns.h"
+
+enum { ORDER = 6 };
+
+/* Pieces of the curve with what rays want of them: Bernstein coefficients of y, y^2 and r^2 in one order. */
+typedef struct part {
+    common_piece curve;
+    int order;
+    double y[ORDER + 1], y_square[ORDER + 1], r_square[ORDER + 1];
+    double low, high, widest;      /* heights, and the square of the largest radius */
+} part;
+
+typedef struct lathe {
+    common_outline outline;
+    part *parts;
+    pov_two3 anchor;
+    double scale, wide, high;      /* half a box about the anchor, scaled */
+    double outward;                /* 1: the outside is to the right of a curve that rises; else -1 */
+    bool open;
+} lathe;
+
+/* ---- loading ---- */
+
+static const double choose[4][4] = { { 1.0 }, { 1.0, 1.0 }, { 1.0, 2.0, 1.0 }, { 1.0, 3.0, 3.0, 1.0 } };
+
+static double choose_of(int n, int k)
+{
+    double c = 1.0;
+
+    for (int i = 0; i < k; i++)
+        c = c * (n - i) / (i + 1);
+    return c;
+}
+
+/* The product of two polynomials of the order n. */
+static void multiply(int n, const double *a, const double *b, double *out)
+{
+    for (int k = 0; k <= 2 * n; k++) {
+        out[k] = 0.0;
+        for (int i = k > n ? k - n : 0; i <= n && i <= k; i++)
+            out[k] += choose[n][i] * choose[n][k - i] * a[i] * b[k - i];
+        out[k] /= choose_of(2 * n, k);
+    }
+}
+
+static void make_part(part *p, const common_piece *c)
+{
+    const int n = (int)c->degree;
+    static const double ones[4] = { 1.0, 1.0, 1.0, 1.0 };
+
+    p->curve = *c;
+    p->order = 2 * n;
+    multiply(n, c->y, ones, p->y);
+    multiply(n, c->y, c->y, p->y_square);
+    multiply(n, c->x, c->x, p->r_square);
+    p->low = HUGE_VAL;
+    p->high = -HUGE_VAL;
+    for (int i = 0; i <= n; i++) {
+        p->low = fmin(p->low, c->y[i]);
+        p->high = fmax(p->high, c->y[i]);
+        p->widest = fmax(p->widest, c->x[i] * c->x[i]);
+    }
+    /* What both pieces at a joint have, in the same bits. */
+    p->y[0] = c->y[0];
+    p->y[2 * n] = c->y[n];
+    p->y_square[2 * n] = c->y[n] * c->y[n];
+    p->r_square[2 * n] = c->x[n] * c->x[n];
+}
+
+/* Ends on the axis, and those that another piece shares, leave no gap. */
+static bool is_joined(const lathe *l, uint32_t piece, uint32_t end)
+{
+    const common_piece *c = &l->outline.at[piece];
+    const double x = c->x[end], y = c->y[end];
+
+    if (x == 0.0)
+        return true;
+    for (uint32_t i = 0; i < l->outline.count; i++) {
+        const common_piece *o = &l->outline.at[i];
+        const uint32_t n = o->degree;
+
+        if ((o->x[0] == x && o->y[0] == y && !(i == piece && end == 0)) || (o->x[n] == x && o->y[n] == y && !(i == piece && end == n)))
+            return true;
+    }
+    return false;
+}
+
+static void find_gaps(lathe *l)
+{
+    double area = 0.0;
+
+    for (uint32_t i = 0; i < l->outline.count; i++) {
+        const common_piece *c = &l->outline.at[i];
+        const uint32_t n = c->degree;
+
+        l->open |= l->outline.count < 4096 && (!is_joined(l, i, 0) || !is_joined(l, i, n));
+        area += (c->x[0] + c->x[n]) * (c->y[n] - c->y[0]);
+    }
+    l->outward = area < 0.0 ? -1.0 : 1.0;
+}
+
+static void place(lathe *l, const pov_host *host, pov_reader *in)
+{
+    double middle[2] = { 0.0, 0.0 };
+
+    common_outline_bound(&l->outline);
+    middle[1] = 0.5 * (l->outline.lo[1] + l->outline.hi[1]);
+    l->wide = fmax(fabs(l->outline.lo[0]), fabs(l->outline.hi[0]));
+    l->high = 0.5 * (l->outline.hi[1] - l->outline.lo[1]);
+    l->scale = pov_inverse_power(fmax(l->wide, l->high));
+    l->wide *= l->scale;
+    l->high *= l->scale;
+    l->anchor.y.hi = middle[1];
+    common_outline_place(&l->outline, middle, l->scale);
+    find_gaps(l);
+    l->parts = host->alloc(in, l->outline.count * sizeof *l->parts);
+    for (uint32_t i = 0; l->parts && i < l->outline.count; i++)
+        make_part(&l->parts[i], &l->outline.at[i]);
+}
+
+static void add_pieces(lathe *l, const pov_host *host, pov_reader *in, common_spline kind, double (*at)[2], uint32_t n)
+{
+    const uint32_t first = kind == COMMON_QUADRATIC || kind == COMMON_CUBIC ? 1 : 0, step = kind == COMMON_BEZIER ? 4 : 1;
+    const uint32_t behind = kind == COMMON_BEZIER ? 3 : kind == COMMON_CUBIC ? 2 : 1;
+
+    if (n < first + behind + 1 || (kind == COMMON_BEZIER && n % 4 != 0)) {
+        host->fail(in, kind == COMMON_BEZIER ? "a lathe of bezier splines needs four points a piece"
+                                             : "a lathe of this spline needs at least %u points",
+                   (unsigned)(first + behind + 1));
+        return;
+    }
+    for (uint32_t i = first; i + behind < n; i += step) {
+        const common_piece c = common_spline_piece(kind, (const double (*)[2])at + i);
+
+        common_outline_add(&l->outline, host, in, &c);
+    }
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    lathe *l = self;
+    common_spline kind = COMMON_LINEAR;
+    double (*at)[2];
+    uint32_t n;
+
+    common_spline_read(host, in, &kind);
+    at = common_points_read(host, in, &n);
+    if (at)
+        add_pieces(l, host, in, kind, at, n);
+    common_sturm_read(host, in);
+    if (l->outline.count > 0)
+        place(l, host, in);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const lathe *l = self;
+    const double back = common_inverse(l->scale), wide = common_above(l->wide * back), high = l->high * back;
+
+    out->lo = pov_vec3_of(-wide, common_below(l->anchor.y.hi - high), -wide);
+    out->hi = pov_vec3_of(wide, common_above(l->anchor.y.hi + high), wide);
+    return true;
+}
+
+/* ---- along a ray ---- */
+
+/* The ray from its point nearest to the axis, along a direction of length one. */
+typedef struct line {
+    pov_vec3 o, d;
+    double a, b, c;              /* the square of the distance to the axis: a s^2 + 2 b s + c */
+    double base, unit;           /* s to distance: base + s unit */
+    common_span span;            /* in s */
+} line;
+
+/* Rays that rise less than this are taken as level first. */
+static const double LEVEL = 0x1p-16, NEAR = 0x1p-30;
+
+static bool make_line(line *n, const lathe *l, const common_ray *k)
+{
+    const pov_vec3 half = { l->wide, l->high, l->wide }, f = pov_two3_hi(k->f);
+    const double across = k->d.x * k->d.x + k->d.z * k->d.z;
+    common_span span;
+
+    if (!common_clip(k, pov_scale(half, -1.0), half, &span) || span.hi < 0.0)
+        return false;
+    n->base = across > 0.0 ? -(f.x * k->d.x + f.z * k->d.z) / across : span.lo;
+    n->base = fmin(fmax(n->base, span.lo), span.hi);
+    n->unit = 1.0 / sqrt(pov_dot(k->d, k->d));
+    n->o = common_along(k, n->base);
+    n->d = pov_scale(k->d, n->unit);
+    n->a = n->d.x * n->d.x + n->d.z * n->d.z;
+    n->b = n->o.x * n->d.x + n->o.z * n->d.z;
+    n->c = n->o.x * n->o.x + n->o.z * n->o.z;
+    n->span.lo = (span.lo - n->base) / n->unit;
+    n->span.hi = (span.hi - n->base) / n->unit;
+    return true;
+}
+
+/* Does the line come near enough to the axis at the heights of the part? */
+static bool may_cross(const line *n, const part *p)
+{
+    const double s = (p->low - n->o.y) / n->d.y, t = (p->high - n->o.y) / n->d.y;
+    double lo = fmax(fmin(s, t), n->span.lo), hi = fmin(fmax(s, t), n->span.hi), nearest;
+
+    if (n->d.y == 0.0) {
+        lo = n->span.lo;
+        hi = n->span.hi;
+        if (n->o.y < p->low || n->o.y > p->high)
+            return false;
+    }
+    if (!(lo <= hi + 0x1p-30))
+        return false;
+    nearest = n->a > 0.0 ? fmin(fmax(-n->b / n->a, lo), hi) : lo;
+    return (n->a * nearest + 2.0 * n->b) * nearest + n->c <= p->widest * (1.0 + 0x1p-30) + 0x1p-60;
+}
+
+/* Newton's method for height and radius together, from s and u. */
+static void refine(const line *n, const part *p, common_cross *at)
+{
+    for (int turn = 0; turn < 2; turn++) {
+        double v[2], slope[2], height, radius, radial, det, ds, du;
+
+        common_piece_at(&p->curve, at->u, v, slope);
+        height = n->o.y + at->s * n->d.y - v[1];
+        radius = (n->a * at->s + 2.0 * n->b) * at->s + n->c - v[0] * v[0];
+        radial = 2.0 * (n->a * at->s + n->b);
+        det = 2.0 * v[0] * slope[0] * -n->d.y + slope[1] * radial;
+        ds = (2.0 * v[0] * slope[0] * height - slope[1] * radius) / det;
+        du = (radial * height - n->d.y * radius) / det;
+        if (!(fabs(ds) < 0x1p-10 && fabs(du) < 0x1p-10))
+            return;
+        at->s += ds;
+        at->u += du;
+    }
+}
+
+static void cross_risen(const line *n, const part *p, uint32_t piece, common_cross *out, uint32_t *count)
+{
+    const double square = n->d.y * n->d.y, linear = 2.0 * (n->b * n->d.y - n->a * n->o.y);
+    const double rest = (n->a * n->o.y - 2.0 * n->b * n->d.y) * n->o.y + square * n->c;
+    double b[ORDER + 1], root[ORDER];
+    bool above = true, below = true;
+    uint32_t found;
+
+    for (int k = 0; k <= p->order; k++) {
+        b[k] = n->a * p->y_square[k] + linear * p->y[k] + (rest - square * p->r_square[k]);
+        above &= b[k] >= 0.0;
+        below &= b[k] < 0.0;
+    }
+    if (above || below)
+        return;
+    found = common_bernstein_roots(b, p->order, 0x1p-51 * (n->a + fabs(linear) + fabs(rest) + square), root);
+    for (uint32_t i = 0; i < found; i++) {
+        common_cross at = { 0.0, root[i], piece };
+        double v[2], slope[2];
+
+        common_piece_at(&p->curve, at.u, v, slope);
+        at.s = (v[1] - n->o.y) / n->d.y;
+        refine(n, p, &at);
+        out[(*count)++] = at;
+    }
+}
+
+static void cross_level(const line *n, const part *p, uint32_t piece, common_cross *out, uint32_t *count)
+{
+    const int degree = (int)p->curve.degree;
+    double b[4], root[3];
+    uint32_t found;
+
+    for (int k = 0; k <= degree; k++)
+        b[k] = p->curve.y[k] - n->o.y;
+    found = common_bernstein_roots(b, degree, common_bernstein_noise(b, degree), root);
+    for (uint32_t i = 0; i < found; i++) {
+        double v[2], slope[2], rest;
+
+        common_piece_at(&p->curve, root[i], v, slope);
+        rest = n->b * n->b - n->a * (n->c - v[0] * v[0]);
+        if (!(rest >= 0.0))
+            continue;
+        for (int sign = -1; sign <= 1; sign += 2) {
+            common_cross at = { (sign * sqrt(rest) - n->b) / n->a, root[i], piece };
+
+            refine(n, p, &at);
+            out[(*count)++] = at;
+        }
+    }
+}
+
+static size_t scratch(const void *self) { return ORDER * ((const lathe *)self)->outline.count * sizeof(common_cross); }
+
+/* The crossing that the ray starts on, or `count`. */
+static uint32_t find_start(const line *n, const pov_ray *ray, const pov_hits *hits, const common_cross *at, uint32_t count)
+{
+    const double start = -n->base / n->unit;
+    double least = NEAR;
+    uint32_t best = count;
+
+    if (ray->origin_surface != hits->owner)
+        return count;
+    for (uint32_t i = 0; i < count; i++) {
+        const double off = fabs(at[i].s - start) * (at[i].piece == ray->origin_mark.feature ? 1.0 : 0x1p14);
+
+        if (off < least) {
+            least = off;
+            best = i;
+        }
+    }
+    return best;
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const lathe *l = self;
+    const common_ray k = common_enter(ray, l->anchor, l->scale);
+    common_cross *at = hits->scratch;
+    uint32_t count = 0, start;
+    line n;
+
+    if (!make_line(&n, l, &k) || (n.base + n.span.lo * n.unit) * k.unit > hits->tmax)
+        return;
+    for (uint32_t i = 0; i < l->outline.count; i++) {
+        const part *p = &l->parts[i];
+
+        if (may_cross(&n, p))
+            (fabs(n.d.y) < LEVEL ? cross_level : cross_risen)(&n, p, i, at, &count);
+    }
+    start = find_start(&n, ray, hits, at, count);
+    for (uint32_t i = 0; i < count; i++) {
+        const pov_two t = pov_two_sum(n.base, at[i].s * n.unit);
+        const pov_mark mark = { at[i].piece, 0, at[i].u, 0.0 };
+
+        if (i != start && !pov_cross(hits, t.hi * k.unit, t.lo * k.unit, mark))
+            return;
+    }
+}
+
+/* ---- points ---- */
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const lathe *l = self;
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, l->anchor, l->scale));
+    const double at[2] = { sqrt(p.x * p.x + p.z * p.z), p.y };
+
+    return common_outline_inside(&l->outline, at);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const lathe *l = self;
+    const common_ray k = common_enter(ray, l->anchor, l->scale);
+    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
+    const double radius = sqrt(p.x * p.x + p.z * p.z);
+    double v[2], slope[2], radial;
+
+    common_piece_at(&l->outline.at[at->mark.feature], at->mark.u, v, slope);
+    radial = radius > 0.0 ? (v[0] < 0.0 ? -1.0 : 1.0) * slope[1] / radius : 0.0;
+    *out = pov_scale(pov_unit(pov_vec3_of(p.x * radial, -slope[0], p.z * radial)), l->outward);
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_scale(pov_unit(ray->dir), -1.0);
+}
+
+static bool open(const void *self) { return ((const lathe *)self)->open; }
+
+static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
+{
+    out[0] = common_whole_turn(point.z, point.x);
+    out[1] = (mark->feature + mark->u) / ((const lathe *)self)->outline.count;
+}
+
+static const pov_shape_class lathe_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "lathe",
+    .instance_size = sizeof(lathe),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .scratch = scratch,
+    .open = open,
+    .uv = uv,
+};
+
+static const pov_shape_class *const shapes[] = { &lathe_class, NULL };
+
+POV_PLUGIN(lathe) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "lathe",
+    .version = "1",
+    .shapes = shapes,
+};

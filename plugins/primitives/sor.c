@@ -1,0 +1,333 @@
+/* sor { n, <radius, height>, ... [open] [sturm] }: turned about the y axis; between two heights the square of the radius is a
+ * cubic in the height.
+ *
+ * Within the slab of a piece the equation is a cubic along the ray. Its Bernstein coefficients are those of the piece,
+ * which are known beforehand, less those of the ray's squared distance to the axis. Where two pieces touch, both have the
+ * same value at the same point, and so have the caps at the ends: what goes in comes out. */
+#include "common/bernstein.h"
+#include "common/clip.h"
+#include "common/curve.h"
+#include "common/turns.h"
+
+/* Heights, and the Bernstein coefficients of the squared radius between them. */
+typedef struct piece { double low, high, square[4]; } piece;
+
+typedef struct sor {
+    uint32_t count;
+    piece *at;
+    pov_two3 anchor;
+    double scale, wide;
+    pov_two low, high;             /* heights of the ends, scaled */
+    bool open;
+} sor;
+
+/* Caps are features beyond the pieces. */
+enum { LOW_CAP = 0x7ffffffe, HIGH_CAP = 0x7fffffff };
+
+static const double NEAR = 0x1p-30;
+
+/* ---- loading ---- */
+
+static double slope_at(const double (*p)[2], uint32_t j)
+{
+    return 2.0 * p[j][0] * (p[j + 1][0] - p[j - 1][0]) / (p[j + 1][1] - p[j - 1][1]);
+}
+
+static bool is_usable(const double (*p)[2], uint32_t n)
+{
+    bool good = n >= 4;
+
+    for (uint32_t i = 0; good && i < n; i++)
+        good = p[i][0] >= 0.0 && (i == 0 || (i + 1 < n && i > 1 ? p[i][1] > p[i - 1][1] : p[i][1] >= p[i - 1][1]));
+    return good;
+}
+
+static void make_piece(const sor *s, piece *out, const double (*p)[2], uint32_t i)
+{
+    const double length = (p[i + 1][1] - p[i][1]) / 3.0, area = s->scale * s->scale;
+
+    out->low = (p[i][1] - s->anchor.y.hi) * s->scale;
+    out->high = (p[i + 1][1] - s->anchor.y.hi) * s->scale;
+    out->square[0] = p[i][0] * p[i][0] * area;
+    out->square[3] = p[i + 1][0] * p[i + 1][0] * area;
+    out->square[1] = out->square[0] + slope_at(p, i) * length * area;
+    out->square[2] = out->square[3] - slope_at(p, i + 1) * length * area;
+}
+
+static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)[2], uint32_t n)
+{
+    const double low = p[1][1], high = p[n - 2][1];
+    double wide = 0.0;
+
+    s->at = host->alloc(in, (n - 3) * sizeof *s->at);
+    if (!s->at)
+        return;
+    s->count = n - 3;
+    s->anchor.y.hi = 0.5 * (low + high);
+    s->scale = 1.0;
+    for (int turn = 0; turn < 2; turn++) {
+        for (uint32_t i = 0; i < s->count; i++) {
+            make_piece(s, &s->at[i], p, i + 1);
+            for (int k = 0; k < 4; k++)
+                wide = fmax(wide, s->at[i].square[k]);
+        }
+        s->wide = sqrt(wide) * (1.0 + 0x1p-50);
+        if (turn == 0)
+            s->scale = pov_inverse_power(fmax(s->wide, high - low));
+        wide = 0.0;
+    }
+    s->low = pov_two_scale(pov_two_sum(low, -s->anchor.y.hi), s->scale);
+    s->high = pov_two_scale(pov_two_sum(high, -s->anchor.y.hi), s->scale);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    sor *s = self;
+    uint32_t n;
+    double (*at)[2] = common_points_read(host, in, &n);
+    bool read = true;
+
+    if (at && !is_usable((const double (*)[2])at, n))
+        host->fail(in, "a sor needs at least 4 points, radii that are not negative, and heights that rise");
+    else if (at)
+        make(s, host, in, (const double (*)[2])at, n);
+    while (read) {
+        read = common_sturm_read(host, in);
+        if (host->accept(in, "open"))
+            read = s->open = true;
+    }
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const sor *s = self;
+    const double back = common_inverse(s->scale), wide = common_above(s->wide * back);
+
+    out->lo = pov_vec3_of(-wide, common_below(s->low.hi * back + s->anchor.y.hi), -wide);
+    out->hi = pov_vec3_of(wide, common_above(s->high.hi * back + s->anchor.y.hi), wide);
+    return true;
+}
+
+/* ---- along a ray ---- */
+
+typedef struct line {
+    const common_ray *k;
+    pov_vec3 o, d;
+    double base;
+    common_span span;            /* within the box, from the base */
+    uint32_t origin;             /* the feature that the ray starts on */
+} line;
+
+static bool make_line(line *n, const sor *s, const common_ray *k, const pov_ray *ray, const pov_hits *hits)
+{
+    const pov_vec3 lo = { -s->wide, s->low.hi, -s->wide }, hi = { s->wide, s->high.hi, s->wide };
+
+    if (!common_clip(k, lo, hi, &n->span) || n->span.hi < 0.0 || n->span.lo * k->unit > hits->tmax)
+        return false;
+    n->k = k;
+    n->origin = ray->origin_surface == hits->owner ? ray->origin_mark.feature : UINT32_MAX;
+    n->base = n->origin != UINT32_MAX ? 0.0 : n->span.lo;
+    n->o = common_along(k, n->base);
+    n->d = k->d;
+    n->span.lo -= n->base;
+    n->span.hi -= n->base;
+    return true;
+}
+
+/* The cubic's Bernstein coefficients between two parameters. */
+static void restrict_to(const double *b, double from, double to, double *out)
+{
+    double t[3] = { from, from, from };
+
+    for (int k = 0; k < 4; k++) {
+        double w[4] = { b[0], b[1], b[2], b[3] };
+
+        for (int j = 0; j < 3; j++)
+            for (int i = 0; i < 3 - j; i++)
+                w[i] = (1.0 - t[j]) * w[i] + t[j] * w[i + 1];
+        out[k] = w[0];
+        if (k < 3)
+            t[k] = to;
+    }
+}
+
+/* A stretch of the ray within a piece's slab and the box. */
+typedef struct stretch { double lo, hi, from, to; } stretch;
+
+static bool find_stretch(const line *n, const piece *p, stretch *out)
+{
+    const double a = (p->low - n->o.y) / n->d.y, b = (p->high - n->o.y) / n->d.y, length = p->high - p->low;
+
+    out->lo = n->span.lo;
+    out->hi = n->span.hi;
+    out->from = (n->o.y + out->lo * n->d.y - p->low) / length;
+    out->to = (n->o.y + out->hi * n->d.y - p->low) / length;
+    if (n->d.y == 0.0)
+        return n->o.y >= p->low && n->o.y < p->high;
+    if (fmin(a, b) > out->lo) {
+        out->lo = fmin(a, b);
+        out->from = a < b ? 0.0 : 1.0;
+    }
+    if (fmax(a, b) < out->hi) {
+        out->hi = fmax(a, b);
+        out->to = a < b ? 1.0 : 0.0;
+    }
+    return out->lo < out->hi;
+}
+
+/* The square of the distance to the axis, and its half mixed with another point. */
+static double across(pov_vec3 a, pov_vec3 b) { return a.x * b.x + a.z * b.z; }
+
+static uint32_t cross_piece(const line *n, const piece *p, double *root)
+{
+    pov_vec3 a, b;
+    double c[4], h[4];
+    stretch s;
+    uint32_t found;
+
+    if (!find_stretch(n, p, &s))
+        return 0;
+    a = pov_add(n->o, pov_scale(n->d, s.lo));
+    b = pov_add(n->o, pov_scale(n->d, s.hi));
+    restrict_to(p->square, s.from, s.to, h);
+    c[0] = across(a, a) - h[0];
+    c[1] = (across(a, a) + 2.0 * across(a, b)) / 3.0 - h[1];
+    c[2] = (across(b, b) + 2.0 * across(a, b)) / 3.0 - h[2];
+    c[3] = across(b, b) - h[3];
+    if (c[0] > 0.0 && c[1] > 0.0 && c[2] > 0.0 && c[3] > 0.0)
+        return 0;
+    found = common_bernstein_roots(c, 3, common_bernstein_noise(c, 3), root);
+    for (uint32_t i = 0; i < found; i++)
+        root[i] = s.lo + root[i] * (s.hi - s.lo);
+    return found;
+}
+
+static bool report(const line *n, pov_two t, uint32_t feature, pov_hits *hits)
+{
+    const pov_mark mark = { feature, 0, 0.0, 0.0 };
+
+    return pov_cross(hits, t.hi * n->k->unit, t.lo * n->k->unit, mark);
+}
+
+static bool report_cap(const line *n, const sor *s, bool is_high, pov_hits *hits)
+{
+    const piece *p = &s->at[is_high ? s->count - 1 : 0];
+    const uint32_t feature = is_high ? HIGH_CAP : LOW_CAP;
+    const pov_two3 dir = common_direction(n->k);
+    const double at = ((is_high ? p->high : p->low) - n->o.y) / n->d.y;
+    const pov_vec3 q = pov_add(n->o, pov_scale(n->d, at));
+
+    if (s->open || n->origin == feature || n->d.y == 0.0 || !(across(q, q) < p->square[is_high ? 3 : 0]))
+        return true;
+    return report(n, pov_two_div(pov_two_sub(is_high ? s->high : s->low, n->k->f.y), dir.y), feature, hits);
+}
+
+/* The root of the piece that a ray starts on, or `found`. */
+static uint32_t find_start(const line *n, uint32_t piece_at, const double *root, uint32_t found)
+{
+    double least = n->origin == piece_at ? NEAR : 0x1p-44;
+    uint32_t best = found;
+
+    for (uint32_t i = 0; n->origin < LOW_CAP && i < found; i++)
+        if (fabs(root[i]) < least) {
+            least = fabs(root[i]);
+            best = i;
+        }
+    return best;
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const sor *s = self;
+    const common_ray k = common_enter(ray, s->anchor, s->scale);
+    line n;
+
+    if (s->count == 0 || !make_line(&n, s, &k, ray, hits))
+        return;
+    for (uint32_t i = 0; i < s->count; i++) {
+        double root[3];
+        const uint32_t found = cross_piece(&n, &s->at[i], root), start = find_start(&n, i, root, found);
+
+        for (uint32_t j = 0; j < found; j++)
+            if (j != start && !report(&n, pov_two_sum(n.base, root[j]), i, hits))
+                return;
+    }
+    if (report_cap(&n, s, false, hits))
+        report_cap(&n, s, true, hits);
+}
+
+/* ---- points ---- */
+
+/* The cubic and its slope at a height of the piece. */
+static double square_at(const piece *p, double y, double *slope)
+{
+    const double length = p->high - p->low, u = (y - p->low) / length, v = 1.0 - u, *b = p->square;
+
+    *slope = 3.0 * (((b[1] - b[0]) * v + 2.0 * (b[2] - b[1]) * u) * v + (b[3] - b[2]) * u * u) / length;
+    return ((b[0] * v + 3.0 * b[1] * u) * v + 3.0 * b[2] * u * u) * v + b[3] * u * u * u;
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const sor *s = self;
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, s->anchor, s->scale));
+    double slope;
+
+    for (uint32_t i = 0; i < s->count; i++)
+        if (p.y >= s->at[i].low && p.y <= s->at[i].high)
+            return across(p, p) <= square_at(&s->at[i], p.y, &slope);
+    return false;
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    const sor *s = self;
+    const common_ray k = common_enter(ray, s->anchor, s->scale);
+    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
+    double slope;
+
+    if (at->mark.feature >= LOW_CAP) {
+        *out = pov_vec3_of(0.0, at->mark.feature == LOW_CAP ? -1.0 : 1.0, 0.0);
+        return;
+    }
+    square_at(&s->at[at->mark.feature], p.y, &slope);
+    *out = pov_unit(pov_vec3_of(2.0 * p.x, -slope, 2.0 * p.z));
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_scale(pov_unit(ray->dir), -1.0);
+}
+
+static bool open(const void *self) { return ((const sor *)self)->open; }
+
+static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
+{
+    const sor *s = self;
+    const uint32_t i = mark->feature == LOW_CAP ? 0 : mark->feature == HIGH_CAP ? s->count - 1 : mark->feature;
+    const double y = (point.y - s->anchor.y.hi) * s->scale;
+
+    out[0] = common_whole_turn(point.z, point.x);
+    out[1] = (i + (y - s->at[i].low) / (s->at[i].high - s->at[i].low)) / s->count;
+}
+
+static const pov_shape_class sor_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "sor",
+    .instance_size = sizeof(sor),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .open = open,
+    .uv = uv,
+};
+
+static const pov_shape_class *const shapes[] = { &sor_class, NULL };
+
+POV_PLUGIN(sor) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "sor",
+    .version = "1",
+    .shapes = shapes,
+};

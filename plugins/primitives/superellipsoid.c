@@ -1,0 +1,247 @@
+/* superellipsoid { <e, n> }: (|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n) = 1.
+ *
+ * The left side to the power n/2 is a size: of a point twice as far it is double. With e and n up to 2 that is a norm, which
+ * is convex along a ray: Newton's method from outside comes to the first crossing without passing it, and the slope tells
+ * a ray that misses. Stars, with e or n above 2, are searched by bounds of |x|, |y| and |z| over stretches of the ray. */
+#include "common/clip.h"
+#include "common/powers.h"
+
+typedef struct superellipsoid {
+    double e, n;
+    bool convex;
+} superellipsoid;
+
+/* Exponents below this make edges that no double tells from those of a box. */
+static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, FINE = 0x1p-50;
+
+static double exponent(const pov_host *host, pov_reader *in, double written)
+{
+    if (!(written >= SHARPEST))
+        host->warn(in, "an exponent of a superellipsoid below %g counts as that", SHARPEST);
+    return fmax(written, SHARPEST);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    superellipsoid *s = self;
+    double v[2];
+
+    host->vector_of(in, v, 2);
+    s->e = exponent(host, in, v[0]);
+    s->n = exponent(host, in, v[1]);
+    s->convex = s->e <= 2.0 && s->n <= 2.0;
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    (void)self;
+    out->lo = pov_vec3_of(-1.0, -1.0, -1.0);
+    out->hi = pov_vec3_of(1.0, 1.0, 1.0);
+    return true;
+}
+
+/* ---- the size of a point ---- */
+
+/* (a^(2/e) + b^(2/e))^(e/2), and the share of a in the sum. */
+static double norm_of(double a, double b, double e, double *share)
+{
+    const double most = fmax(a, b), ratio = most > 0.0 ? fmin(a, b) / most : 0.0;
+    const double rest = ratio > 0.0 ? common_power(ratio, 2.0 / e) : 0.0;
+
+    *share = (a >= b ? 1.0 : rest) / (1.0 + rest);
+    return rest > 0.0 ? most * common_power(1.0 + rest, 0.5 * e) : most;
+}
+
+static double size_at(const superellipsoid *s, pov_vec3 p)
+{
+    double share;
+
+    return norm_of(norm_of(fabs(p.x), fabs(p.y), s->e, &share), fabs(p.z), s->n, &share);
+}
+
+/* How a norm grows with one of its numbers: the share of it, over its part of the whole. */
+static double growth(double share, double whole, double x) { return x != 0.0 ? share * whole / x : 0.0; }
+
+static double size_and_slope(const superellipsoid *s, pov_vec3 p, pov_vec3 *slope)
+{
+    double of_x, of_ring;
+    const double ring = norm_of(fabs(p.x), fabs(p.y), s->e, &of_x);
+    const double size = norm_of(ring, fabs(p.z), s->n, &of_ring), by_ring = growth(of_ring, size, ring);
+
+    slope->x = by_ring * growth(of_x, ring, p.x);
+    slope->y = by_ring * growth(1.0 - of_x, ring, p.y);
+    slope->z = growth(1.0 - of_ring, size, p.z);
+    return size;
+}
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    return size_at(self, pov_add(point, point_lo)) <= 1.0;
+}
+
+/* ---- along a ray ---- */
+
+typedef struct line {
+    const superellipsoid *s;
+    pov_vec3 o, d;
+    double base;
+    common_span span;            /* from the base */
+} line;
+
+static double size_along(const line *n, double t, double *slope)
+{
+    pov_vec3 by;
+    const double size = size_and_slope(n->s, pov_add(n->o, pov_scale(n->d, t)), &by);
+
+    *slope = pov_dot(by, n->d);
+    return size - 1.0;
+}
+
+/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. False: no crossing. */
+static bool approach(const line *n, double start, double sign, double *root)
+{
+    double t = start, slope, value = size_along(n, t, &slope);
+
+    for (int turn = 0; turn < 100 && value > FINE; turn++) {
+        double next;
+
+        if (!(slope * sign < 0.0))
+            return false;
+        next = t - value / slope;
+        if (!(next >= n->span.lo && next <= n->span.hi))
+            return false;
+        if (next == t)
+            break;
+        t = next;
+        value = size_along(n, t, &slope);
+    }
+    *root = t;
+    return true;
+}
+
+static bool report(const line *n, const common_ray *k, double t, pov_hits *hits)
+{
+    const pov_two at = pov_two_sum(n->base, t);
+    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+
+    return pov_cross(hits, at.hi * k->unit, at.lo * k->unit, mark);
+}
+
+static bool goes_in(const line *n, const pov_ray *ray)
+{
+    double slope;
+
+    if (ray->origin_mark.flags & (POV_MARK_INWARD | POV_MARK_OUTWARD))
+        return ray->origin_mark.flags & POV_MARK_INWARD;
+    size_along(n, 0.0, &slope);
+    return slope < 0.0;
+}
+
+static void cross_convex(const line *n, const common_ray *k, const pov_ray *ray, bool from_here, pov_hits *hits)
+{
+    double in, out;
+
+    if (from_here) {
+        if (goes_in(n, ray) && approach(n, n->span.hi, -1.0, &out) && out > 0.0)
+            report(n, k, out, hits);
+        return;
+    }
+    if (approach(n, n->span.lo, 1.0, &in) && approach(n, n->span.hi, -1.0, &out) && in < out && report(n, k, in, hits))
+        report(n, k, out, hits);
+}
+
+/* ---- stars ---- */
+
+static double least_of(double a, double b) { return (a < 0.0) != (b < 0.0) ? 0.0 : fmin(fabs(a), fabs(b)); }
+
+/* 1: certainly outside all along; -1: inside; 0: neither. */
+static int side_of(const line *n, double lo, double hi)
+{
+    const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo)), b = pov_add(n->o, pov_scale(n->d, hi));
+    const pov_vec3 least = { least_of(a.x, b.x), least_of(a.y, b.y), least_of(a.z, b.z) };
+    const pov_vec3 most = { fmax(fabs(a.x), fabs(b.x)), fmax(fabs(a.y), fabs(b.y)), fmax(fabs(a.z), fabs(b.z)) };
+
+    return size_at(n->s, least) > 1.0 + FINE ? 1 : size_at(n->s, most) < 1.0 - FINE ? -1 : 0;
+}
+
+/* A crossing between points on different sides. */
+static double bisect(const line *n, double lo, double hi, bool is_out)
+{
+    while (true) {
+        const double middle = 0.5 * (lo + hi);
+
+        if (!(middle > fmin(lo, hi) && middle < fmax(lo, hi)))
+            return middle;
+        *((size_at(n->s, pov_add(n->o, pov_scale(n->d, middle))) > 1.0) == is_out ? &lo : &hi) = middle;
+    }
+}
+
+/* False: nothing more is wanted. */
+static bool search(const line *n, const common_ray *k, double lo, double hi, int depth, pov_hits *hits)
+{
+    const double middle = 0.5 * (lo + hi);
+    double slope;
+    bool out, still;
+
+    if (side_of(n, lo, hi) != 0)
+        return true;
+    out = size_along(n, lo, &slope) > 0.0;
+    still = size_along(n, hi, &slope) > 0.0;
+    if (depth == 0 || (out != still && depth < 16))
+        return out == still || report(n, k, bisect(n, lo, hi, out), hits);
+    return search(n, k, lo, middle, depth - 1, hits) && search(n, k, middle, hi, depth - 1, hits);
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    static const pov_vec3 one = { 1.0, 1.0, 1.0 }, zero = { 0.0, 0.0, 0.0 };
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    const bool from_here = ray->origin_surface == hits->owner;
+    line n;
+
+    if (!common_clip(&k, pov_scale(one, -1.0), one, &n.span) || n.span.hi < 0.0 || n.span.lo * k.unit > hits->tmax)
+        return;
+    n.s = self;
+    n.base = from_here ? 0.0 : n.span.lo;
+    n.o = common_along(&k, n.base);
+    n.d = k.d;
+    n.span.lo -= n.base;
+    n.span.hi -= n.base;
+    if (n.s->convex)
+        cross_convex(&n, &k, ray, from_here, hits);
+    else
+        search(&n, &k, from_here ? NEAR : n.span.lo, n.span.hi, 26, hits);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+
+    size_and_slope(self, pov_two3_hi(common_point(&k, at)), out);
+    *out = pov_unit(*out);
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_scale(pov_unit(ray->dir), -1.0);
+}
+
+static const pov_shape_class superellipsoid_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "superellipsoid",
+    .instance_size = sizeof(superellipsoid),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+};
+
+static const pov_shape_class *const shapes[] = { &superellipsoid_class, NULL };
+
+POV_PLUGIN(superellipsoid) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "superellipsoid",
+    .version = "1",
+    .shapes = shapes,
+};
