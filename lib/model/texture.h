@@ -29,6 +29,7 @@ typedef struct pigment_node {
     const float *values;         /* of a map, or the weights of an average */
     const pigment *colours;
     const struct pigment_node *const *pigments;
+    const pattern *space;        /* of a constant: what was written of a pattern that may come; or NULL */
     pigment most;                /* the constant; where it varies, the largest that each component can be: what is zero
                                   * there is zero everywhere */
 } pigment_node;
@@ -41,6 +42,7 @@ typedef struct normal_node {
     blend blend;
     uint32_t count;              /* of members; of BLEND_NONE: of slopes, or 0 */
     const pattern *pattern;      /* NULL: the surface's own normal */
+    const pattern *space;        /* what was written of a pattern that may come; or NULL */
     const float *values;         /* of the slopes or of a map, or the weights of an average */
     const slope_entry *slopes;
     const struct normal_node *const *normals;   /* NULL: the surface's own */

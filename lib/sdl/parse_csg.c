@@ -15,10 +15,11 @@ typedef struct around {
 } around;
 
 /* Its own texture and interior, or each from the nearest group around it that has one. */
-static surface_parsed find_surface(const object_parsed *o, const around *a)
+static surface_parsed find_surface(const pov_reader *in, const object_parsed *o, const around *a)
 {
     surface_parsed found = o->surface;
 
+    parse_surface_default(in, &found);
     for (; a && !(found.has_look && found.material.interior.given); a = a->outer) {
         const surface_parsed *s = &a->group->surface;
         const interior own = found.material.interior;
@@ -93,7 +94,7 @@ static void note_cutaway(pov_reader *in, const around *a, cutaway_member c)
 
 static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, node_ref *out)
 {
-    surface_parsed s = find_surface(o, a);
+    surface_parsed s = find_surface(in, o, a);
     uint32_t moves = find_moves(o, a);
     leaf_node leaf = o->leaf;
     material m;

@@ -7,6 +7,19 @@ void parse_surface_begin(const pov_reader *in, surface_parsed *s)
     *s = *in->defaults;
 }
 
+void parse_surface_default(const pov_reader *in, surface_parsed *s)
+{
+    const surface_parsed own = *s;
+
+    if (own.has_look)
+        return;
+    parse_surface_begin(in, s);
+    s->material.interior = own.material.interior;
+    s->inside = own.inside;
+    s->uv = own.uv;
+    s->moves = own.moves;
+}
+
 void parse_pigment(pov_reader *in, surface_parsed *s)
 {
     s->pigment = parse_pigment_upon(in, s->pigment);

@@ -21,7 +21,10 @@ typedef struct normal_reading {
 /* What is read changes the normal that was there before. */
 static void take_base(normal_reading *r, const normal_node *from)
 {
-    parse_pattern_take(&r->pattern, from->pattern);
+    if (from->space)
+        parse_pattern_take_space(&r->pattern, from->space);
+    if (from->pattern)
+        parse_pattern_take(&r->pattern, from->pattern);
     r->amount = from->amount;
     r->accuracy = from->accuracy;
     r->is_scaled = from->is_scaled;
@@ -85,14 +88,16 @@ static bool read_pattern(pov_reader *in, normal_reading *r)
 
 static const normal_node *make_node(pov_reader *in, normal_reading *r)
 {
-    const bool is_average = r->pattern.parsed.pattern.class == &pattern_average;
+    const pattern_class *class = r->pattern.parsed.pattern.class;
+    const bool is_average = class == &pattern_average;
     const map_parsed *map = r->map.kind != VALUE_NOTHING ? &r->map : &r->slopes;
     normal_node node;
 
-    if (in->failed || !r->pattern.parsed.pattern.class || (is_average && r->map.count == 0))
+    if (in->failed || (is_average && r->map.count == 0))
         return NULL;
     memset(&node, 0, sizeof node);
-    node.pattern = parse_pattern_end(in, &r->pattern);
+    node.pattern = class ? parse_pattern_end(in, &r->pattern) : NULL;
+    node.space = class ? NULL : parse_pattern_space(in, &r->pattern);
     node.count = map->count;
     node.values = map->values;
     node.amount = r->amount;

@@ -19,6 +19,7 @@ static surface_parsed *surface_of(pov_reader *in, object_parsed *o)
     if (s->moves > 0 && !in->failed)
         parse_surface_move(in, s, parse_last_transforms(in, o->map, s->moves));
     s->moves = 0;
+    parse_surface_default(in, s);
     return s;
 }
 
@@ -31,7 +32,10 @@ static void read_pigment(pov_reader *in, void *self, keyword_id keyword)
 static void read_finish(pov_reader *in, void *self, keyword_id keyword)
 {
     (void)keyword;
-    parse_finish(in, &((object_parsed *)self)->surface);
+    object_parsed *o = self;
+
+    parse_surface_default(in, &o->surface);
+    parse_finish(in, &o->surface);
 }
 
 static void read_texture(pov_reader *in, void *self, keyword_id keyword)

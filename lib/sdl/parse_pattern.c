@@ -57,6 +57,25 @@ const pattern *parse_pattern_end(pov_reader *in, pattern_reading *r)
     return textures_pattern(in, &r->parsed);
 }
 
+const pattern *parse_pattern_space(pov_reader *in, const pattern_reading *r)
+{
+    pattern_parsed space = r->parsed, none;
+    pattern_reading empty;
+
+    parse_pattern_begin(&empty);
+    none = empty.parsed;
+    space.pattern.class = none.pattern.class = &pattern_average;
+    space.pattern.self = NULL;
+    space.pattern.map = 0;
+    return memcmp(&space, &none, sizeof none) == 0 ? NULL : textures_pattern(in, &space);
+}
+
+void parse_pattern_take_space(pattern_reading *r, const pattern *space)
+{
+    parse_pattern_take(r, space);
+    r->parsed.pattern.class = NULL;
+}
+
 /* ---- words of a pattern ---- */
 
 static void read_flag(pov_reader *in, bool *out)

@@ -27,6 +27,9 @@ void parse_pattern_close(pov_reader *in, pattern_reading *r);
 bool parse_pattern_modifier(pov_reader *in, pattern_reading *r);
 /* The scene's pattern. NULL: the reader has failed. */
 const pattern *parse_pattern_end(pov_reader *in, pattern_reading *r);
+/* Modifiers without a pattern, for one that may follow in another block. NULL: there are none, or the reader has failed. */
+const pattern *parse_pattern_space(pov_reader *in, const pattern_reading *r);
+void parse_pattern_take_space(pattern_reading *r, const pattern *space);
 
 /* Patterns that are not drawn yet, and modifiers that belong to them or change nothing; both end with KEYWORD_OTHER. */
 extern const keyword_id parse_patterns[], parse_pattern_modifiers[];

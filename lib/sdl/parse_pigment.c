@@ -38,6 +38,8 @@ static void take_base(pigment_reading *r, const pigment_node *from)
 {
     r->constant = from->most;
     memset(&r->map, 0, sizeof r->map);
+    if (from->space)
+        parse_pattern_take_space(&r->pattern, from->space);
     if (!from->pattern)
         return;
     parse_pattern_take(&r->pattern, from->pattern);
@@ -229,6 +231,8 @@ static const pigment_node *make_varying(pov_reader *in, pigment_reading *r)
 /* A pattern that is not drawn yet has its first colour. */
 static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
 {
+    pigment_node node;
+
     if (in->failed)
         return NULL;
     if (r->pattern.parsed.pattern.class)
@@ -237,7 +241,10 @@ static const pigment_node *make_node(pov_reader *in, pigment_reading *r)
         r->constant = *(const pigment *)r->map.members;
     else if (!r->has_colour && r->map.kind != VALUE_NOTHING)
         return *(const pigment_node *const *)r->map.members;
-    return textures_constant(in, &r->constant);
+    memset(&node, 0, sizeof node);
+    node.most = r->constant;
+    node.space = parse_pattern_space(in, &r->pattern);
+    return textures_pigment(in, &node);
 }
 
 /* ---- contents ---- */

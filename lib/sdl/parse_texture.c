@@ -306,6 +306,12 @@ static const texture *lay(pov_reader *in, const texture *below, const texture *a
     return result;
 }
 
+/* The normal, if it has a pattern. */
+static const normal_node *perturbing(const surface_parsed *s)
+{
+    return s->normal && s->normal->pattern ? s->normal : NULL;
+}
+
 static const texture *top_of(pov_reader *in, const surface_parsed *s)
 {
     texture top;
@@ -314,7 +320,7 @@ static const texture *top_of(pov_reader *in, const surface_parsed *s)
         return s->whole;
     memset(&top, 0, sizeof top);
     top.pigment = s->pigment ? s->pigment : textures_constant(in, &(pigment){ { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f });
-    top.normal = s->normal;
+    top.normal = perturbing(s);
     top.finish = s->material.finish;
     return textures_texture(in, &top);
 }
@@ -380,7 +386,7 @@ void parse_interior_texture(pov_reader *in, surface_parsed *s)
 
 static bool is_constant(const surface_parsed *s)
 {
-    return !s->whole && !s->under && !s->normal && !s->inside && !(s->pigment && s->pigment->pattern);
+    return !s->whole && !s->under && !perturbing(s) && !s->inside && !(s->pigment && s->pigment->pattern);
 }
 
 static void set_constant(const surface_parsed *s, material *out)
