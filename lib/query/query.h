@@ -44,9 +44,9 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
  * do crossings. A surface at the end itself is not on the segment. */
 bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
                            occlusion *out);
-/* The nearest crossing in (0, tmax) with the objects that these leaves are, whoever sees them. False: there is none. */
-bool query_crossing_of(const world *w, query_context *k, const pov_ray *ray, uint32_t leaf, uint32_t leaf_count, double tmax,
-                       double *t);
+/* The nearest crossing in (tmin, tmax) with the objects that these leaves are, whoever sees them. False: there is none. */
+bool query_crossing_of(const world *w, query_context *k, const pov_ray *ray, uint32_t leaf, uint32_t leaf_count,
+                       double tmin, double tmax, double *t);
 /* Is anything on the segment, transparent or not? For pov_trace_blocked(). */
 bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax);
 

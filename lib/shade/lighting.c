@@ -63,6 +63,10 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
     return transmittance_find(c, l->rays, l->count, end, through);
 }
 
+/* What a light is projected through may be an object that is seen there as well. What lies this fraction of the segment's
+ * length from the start lies at the start, and a ray ends as little before what it crosses. */
+static const double at_hole = 0x1p-40;
+
 /* Shorten rays to where they first cross what a light is projected through. Returns those that do. */
 static uint64_t shorten(lighting *l, const light *from, double tmax)
 {
@@ -73,9 +77,10 @@ static uint64_t shorten(lighting *l, const light *from, double tmax)
         pov_ray *ray = &l->own[l->of[i]];
         double t;
 
-        if (!query_crossing_of(c->scene->world, c->context, ray, from->through, from->through_count, tmax, &t))
+        if (!query_crossing_of(c->scene->world, c->context, ray, from->through, from->through_count,
+                               at_hole * tmax, tmax, &t))
             continue;
-        ray->dir = pov_scale(ray->dir, t / tmax);
+        ray->dir = pov_scale(ray->dir, t / tmax * (1.0 - at_hole));
         through |= (uint64_t)1 << i;
     }
     return through;
