@@ -69,7 +69,9 @@ static void make_cone(probe *p, double size, pov_vec3 place, double ratio)
 /* A flat star or quadrangle, or with a hole, its points exactly in a plane of small whole slopes. */
 static void make_polygon(probe *p, double size, pov_vec3 place)
 {
-    const int corners = 3 + (int)(5.0 * U()), loops = U() < 0.3 ? 2 : 1, axis = (int)(3.0 * U());
+    const bool is_triangle = p->kind != POLYGON;
+    const int corners = 3 + (int)(5.0 * U() * !is_triangle), loops = U() < 0.3 && !is_triangle ? 2 : 1;
+    const int axis = (int)(3.0 * U());
     const double step = ldexp(1.0, (int)ceil(log2(size)) - 16), turn = U();
     /* Whole multiples of a step, and a plane of slopes 0, 1 or 2: all of it exact. */
     const double grid = ldexp(1.0, -40) * ldexp(1.0, (int)ceil(log2(size + pov_largest(place))));
@@ -139,7 +141,7 @@ static void make_shape(probe *p, double size, pov_vec3 place)
         p->count = 6;
     } else if (p->kind == QUADRIC) {
         make_quadric(p, size, place, 0.3);
-    } else if (p->kind == POLYGON) {
+    } else if (kind_is_planar(p->kind)) {
         make_polygon(p, size, place);
     } else {
         make_cone(p, size, place, U() < 0.2 ? 0.0 : between(0.0, 2.0));
@@ -223,7 +225,7 @@ static void point_on(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *nor
         point_on_box(p, at, normal);
     } else if (p->kind == QUADRIC) {
         point_on_quadric(p, place, at, normal);
-    } else if (p->kind == POLYGON) {
+    } else if (kind_is_planar(p->kind)) {
         point_on_polygon(p, at, normal);
     } else {
         point_on_cone(p, at, normal);
@@ -543,7 +545,7 @@ static void torture(probe *p, double parameter)
 
 enum {
     PLANAR_SIDES = 1u << BOX, AXIAL = 1u << CONE | 1u << CYLINDER, SECOND = 1u << QUADRIC,
-    FLAT = 1u << POLYGON, ALL = (1u << KINDS) - 1
+    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH, ALL = (1u << KINDS) - 1
 };
 
 const family families[] = {

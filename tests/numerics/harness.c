@@ -45,7 +45,7 @@ static void load_shapes(contender *c)
     for (k = 0; k < KINDS; k++) {
         snprintf(path, sizeof path, "%s/%s/%s.so", TEST_BUILD, c->how->folder, probe_keyword((kind)k));
         c->shape[k] = fake_reader_load(path);
-        if (!c->shape[k])
+        if (!c->shape[k] && k <= POLYGON)   /* other methods have no more kinds */
             abort();
     }
 }
@@ -63,7 +63,7 @@ harness *harness_create(const method *methods, int count)
         h->contenders[i].how = &methods[i];
         load_shapes(&h->contenders[i]);
         for (k = 0; k < KINDS; k++) {
-            const size_t size = h->contenders[i].shape[k]->instance_size;
+            const size_t size = h->contenders[i].shape[k] ? h->contenders[i].shape[k]->instance_size : 0;
             largest = size > largest ? size : largest;
         }
     }
@@ -140,7 +140,7 @@ static void compare_normal(harness *h, contender *c, const probe *p, int slot, c
 
     c->shape[p->kind]->normal(instance(h, c, slot), &p->ray, at, &n);
     /* A polygon has no outside: its normal may point either way. */
-    if (p->kind == POLYGON && n.x * e->normal[0] + n.y * e->normal[1] + n.z * e->normal[2] < 0.0)
+    if (kind_is_planar(p->kind) && n.x * e->normal[0] + n.y * e->normal[1] + n.z * e->normal[2] < 0.0)
         n = pov_scale(n, -1.0);
     turn = fmax(fabs(n.x - e->normal[0]), fmax(fabs(n.y - e->normal[1]), fabs(n.z - e->normal[2])));
     /* So near to an apex not even a distance in double-double tells where around it: any normal will do. */

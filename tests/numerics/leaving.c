@@ -27,7 +27,7 @@ uint32_t subject_ask(const subject *s, const pov_ray *ray, pov_crossing at[CROSS
 
 double probe_limit(kind k)
 {
-    return k == SPHERE || k == QUADRIC ? 16.0 : k == BOX || k == POLYGON ? 4.0 : 32.0;
+    return k == SPHERE || k == QUADRIC ? 16.0 : k == BOX || kind_is_planar(k) ? 4.0 : 32.0;
 }
 
 double probe_ulps_off(real exact, double t)
@@ -150,7 +150,7 @@ leaving_verdict leaving_judge(const subject *s, const probe *q, const pov_crossi
     int i;
 
     probe_exact(q, &e);
-    if (q->kind == POLYGON)
+    if (kind_is_planar(q->kind))
         e.count = 0;
     else if (!take_out_start(&e, q->kind, c->mark.feature, q->size))
         return NOT_JUDGED;

@@ -6,9 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const keywords[KINDS] = { "sphere", "box", "cone", "cylinder", "quadric", "polygon" };
+static const char *const keywords[KINDS] = { "sphere", "box", "cone", "cylinder", "quadric", "polygon", "triangle",
+                                             "mesh" };
 /* How many numbers stand in each place: v a vector, n a number. */
-static const char *const forms[KINDS] = { "vn", "vv", "vnvn", "vvn", "vvvn", "n" };
+static const char *const forms[KINDS] = { "vn", "vv", "vnvn", "vvn", "vvvn", "n", "", "" };
 
 const char *probe_keyword(kind k) { return keywords[k]; }
 
@@ -19,6 +20,20 @@ static void feed_vector(pov_reader *in, const double *v)
     fake_reader_number(in, v[1]);
     fake_reader_number(in, v[2]);
     fake_reader_word(in, ">");
+}
+
+static void feed_triangle(pov_reader *in, const probe *p)
+{
+    int i;
+
+    if (p->kind == MESH) {
+        fake_reader_word(in, "triangle");
+        fake_reader_word(in, "{");
+    }
+    for (i = 1; i < 10; i += 3)
+        feed_vector(in, p->number + i);
+    if (p->kind == MESH)
+        fake_reader_word(in, "}");
 }
 
 bool probe_make(const probe *p, const shape_class *shape, pov_reader *in, void *self)
@@ -38,6 +53,8 @@ bool probe_make(const probe *p, const shape_class *shape, pov_reader *in, void *
     }
     for (; p->kind == POLYGON && at < p->count; at += 3)
         feed_vector(in, p->number + at);
+    if (p->kind == TRIANGLE || p->kind == MESH)
+        feed_triangle(in, p);
     if (p->open)
         fake_reader_word(in, "open");
     return fake_reader_parse_into(in, shape, self);
@@ -47,7 +64,7 @@ void probe_scale(probe *p, double power)
 {
     int i;
 
-    for (i = p->kind == POLYGON; i < p->count; i++) {
+    for (i = kind_is_planar(p->kind); i < p->count; i++) {
         if (p->kind != QUADRIC)
             p->number[i] *= power;
         else if (i < 9)

@@ -8,10 +8,13 @@
 
 enum { PROBE_NUMBERS = 64, PROBE_CROSSINGS = 4 };
 
-typedef enum kind { SPHERE, BOX, CONE, CYLINDER, QUADRIC, POLYGON, KINDS } kind;
+/* A mesh has one face. */
+typedef enum kind { SPHERE, BOX, CONE, CYLINDER, QUADRIC, POLYGON, TRIANGLE, MESH, KINDS } kind;
+
+static inline bool kind_is_planar(kind k) { return k == POLYGON || k == TRIANGLE || k == MESH; }
 
 /* The numbers stand in the order of the scene text: vectors as three. A polygon's begin with its count of
- * points. */
+ * points; those of a triangle are a polygon's of three corners, the first of them again at the end. */
 typedef struct probe {
     kind kind;
     int count;

@@ -27,13 +27,13 @@ static int plain_count(const probe *p, double slope)
 {
     const bool convex = p->kind == SPHERE || p->kind == BOX || (!p->open && (p->kind == CONE || p->kind == CYLINDER));
 
-    if (p->kind == POLYGON)
+    if (kind_is_planar(p->kind))
         return 0;
     return !convex || fabs(slope) < 1e-9 ? -1 : slope < 0.0;
 }
 
 /* The crossings that a line can have besides its start. */
-static uint32_t most_crossings(kind k) { return k == POLYGON ? 0 : k == CONE || k == CYLINDER ? 3 : 1; }
+static uint32_t most_crossings(kind k) { return kind_is_planar(k) ? 0 : k == CONE || k == CYLINDER ? 3 : 1; }
 
 /* Is it plain that nothing here is the start? Distances in doubles are off by far less than that part of the size. */
 static bool is_plainly_well(const probe *q, double slope, const pov_crossing *at, uint32_t n)

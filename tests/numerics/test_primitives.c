@@ -96,6 +96,19 @@ static void a_cone_keeps_its_promises(void **state) { (void)state; keep_promises
 static void a_cylinder_keeps_its_promises(void **state) { (void)state; keep_promises(CYLINDER); }
 static void a_quadric_keeps_its_promises(void **state) { (void)state; keep_promises(QUADRIC); }
 static void a_polygon_keeps_its_promises(void **state) { (void)state; keep_promises(POLYGON); }
+/* Not compared with other methods. */
+static void a_triangle_keeps_its_promises(void **state)
+{
+    (void)state;
+    if (!table)
+        keep_promises(TRIANGLE);
+}
+static void a_mesh_keeps_its_promises(void **state)
+{
+    (void)state;
+    if (!table)
+        keep_promises(MESH);
+}
 
 /* Rays that once were judged wrongly. */
 static void what_once_failed_is_right(void **state)
@@ -128,6 +141,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(a_sphere_keeps_its_promises),   cmocka_unit_test(a_box_keeps_its_promises),
         cmocka_unit_test(a_cone_keeps_its_promises),     cmocka_unit_test(a_cylinder_keeps_its_promises),
         cmocka_unit_test(a_quadric_keeps_its_promises),  cmocka_unit_test(a_polygon_keeps_its_promises),
+        cmocka_unit_test(a_triangle_keeps_its_promises), cmocka_unit_test(a_mesh_keeps_its_promises),
         cmocka_unit_test(what_once_failed_is_right),
     };
     int failed;
