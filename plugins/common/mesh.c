@@ -116,14 +116,22 @@ static uint32_t face_of(const common_mesh *m, const pov_mark *mark)
     return mark->feature < m->face_count ? mark->feature : 0;
 }
 
+/* As its corners run. */
+static pov_vec3 written_normal(const common_mesh *m, uint32_t face)
+{
+    return common_triangle_normal(corner_of(m, face, 0), corner_of(m, face, 1), corner_of(m, face, 2));
+}
+
+static bool is_turned(const common_mesh *m, uint32_t face) { return m->turned && m->turned[face / 8] >> face % 8 & 1; }
+
 void common_mesh_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const common_mesh *m = self;
     const uint32_t face = face_of(m, &at->mark);
 
     (void)ray;
-    *out = pov_unit(common_triangle_normal(corner_of(m, face, 0), corner_of(m, face, 1), corner_of(m, face, 2)));
-    if (m->turned && m->turned[face / 8] >> face % 8 & 1)
+    *out = pov_unit(written_normal(m, face));
+    if (is_turned(m, face))
         *out = pov_scale(*out, -1.0);
 }
 
@@ -138,14 +146,13 @@ bool common_mesh_shading_normal(const void *self, pov_vec3 point, pov_vec3 point
 {
     const common_mesh *m = self;
     const uint32_t face = face_of(m, mark);
-    const uint32_t *at;
+    const uint32_t *at = m->normals ? m->normal_faces[face].at : NULL;
     double share[3];
 
-    if (!m->normals)
-        return false;
-    at = m->normal_faces[face].at;
-    if (at[0] == COMMON_NO_TEXTURE)
-        return false;
+    if (!at || at[0] == COMMON_NO_TEXTURE) {
+        *out = written_normal(m, face);
+        return is_turned(m, face);
+    }
     shares_of(m, face, point, point_lo, share);
     return common_triangle_blend((const pov_vec3[3]){ m->normals[at[0]], m->normals[at[1]], m->normals[at[2]] }, share,
                                  out);
