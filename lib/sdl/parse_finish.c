@@ -1,5 +1,6 @@
 #include "sdl/parse_finish.h"
 
+#include "sdl/noise.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -130,6 +131,8 @@ static void read_irid_item(pov_reader *in, void *self, keyword_id keyword)
     irid *i = &((surface_parsed *)self)->material.finish.irid;
 
     *(keyword == KEYWORD_THICKNESS ? &i->thickness : &i->turbulence) = value_float(in);
+    if (keyword == KEYWORD_TURBULENCE)
+        noise_of(in);
 }
 
 static void read_irid(pov_reader *in, void *self, keyword_id keyword)

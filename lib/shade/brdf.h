@@ -27,7 +27,7 @@ typedef struct SIMD_ALIGNED finishes {
 } finishes;
 
 /* Collect the lit surfaces of a batch. */
-void brdf_begin(finishes *f, const surfaces *on);
+void brdf_begin(finishes *f, const model *m, const surfaces *on);
 
 /* One sample of a light source for each surface, by lane. */
 typedef struct light_sample {

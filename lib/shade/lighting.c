@@ -292,7 +292,7 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
 {
     l->context = c;
     l->on = on;
-    brdf_begin(&l->finishes, on);
+    brdf_begin(&l->finishes, c->scene->model, on);
     for (uint32_t k = 0; k < l->finishes.count; k++) {
         const uint32_t i = l->finishes.lit[k];
         const surface *s = &on->at[i];
