@@ -43,6 +43,12 @@ static float phong_of(const plan *p, const finish *of)
     return power > 0 && power <= APPEARANCE_POWER_LANES && of->metallic == 0.0f ? of->phong : NAN;
 }
 
+void appearance_set_filter(appearance *out, const model *m, colour by)
+{
+    out->filter = coefficient_of(by);
+    out->dark = m->opaque_dark_filters && colour_luminance(by) < (float)m->adc_bailout;
+}
+
 /* Members that depend on the pigment. */
 static void paint(appearance *out, const plan *p, const model *m, const pigment *at, bool upper)
 {
@@ -56,8 +62,8 @@ static void paint(appearance *out, const plan *p, const model *m, const pigment 
     out->diffuse_weight = opacity * f->diffuse;
     out->emitted = colour_mul(colour_scale(colour_mul(f->ambient, at->color), opacity), m->ambient_light);
     out->emitted = colour_add(out->emitted, colour_scale(colour_mul(f->emission, at->color), opacity));
-    out->filter = coefficient_of(colourless ? colour_of(all, all, all)
-                                            : material_filter_of(at->color, at->filter, at->transmit));
+    appearance_set_filter(out, m, colourless ? colour_of(all, all, all)
+                                             : material_filter_of(at->color, at->filter, at->transmit));
 }
 
 static bool is_lit(const finish *f)
@@ -82,6 +88,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
     out->finish = f;
     out->lit = p->lighting && is_lit(f);
     out->kinds = kinds_of(f);
+    out->powered = f->reflection.exponent != 1.0f;
     out->angular = finish_is_angular(f);
     out->reflective = p->reflection && finish_is_mirror(f);
     out->phong = phong_of(p, f);

@@ -21,6 +21,8 @@ typedef struct appearance {
     bool lit;                    /* light changes its colour */
     bool reflective, transmissive;   /* reflected or transmitted rays continue */
     bool clear;                  /* rays go through as if nothing were there */
+    bool powered;                /* what is reflected is raised to a power */
+    bool dark;                   /* no ray goes through so dark a filter */
     bool angular;                /* what is reflected or transmitted depends on the angle */
     bool needs_point;            /* one of these: more than emission is seen of it */
     double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of
@@ -40,6 +42,8 @@ typedef struct appearance {
 
 /* The appearance of a finish and a pigment in this scene. */
 void appearance_make(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at);
+/* Set the filter of the transmitted ray. */
+void appearance_set_filter(appearance *out, const model *m, colour by);
 /* Of an object with this material. */
 void appearance_set_material(appearance *out, const material *of);
 /* The same for another pigment; upper: it is a layer upon another. */

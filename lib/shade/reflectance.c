@@ -69,7 +69,7 @@ static void set(const shade_context *c, appearance *a, const surface *s, double 
 
     a->reflection = coefficient_of(by);
     if (f->conserve_energy)
-        a->filter = coefficient_of(colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
+        appearance_set_filter(a, c->scene->model, colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
 }
 
 /* The surface's appearance, to be changed. */
@@ -102,7 +102,7 @@ void reflectance_set(const shade_context *c, surfaces *s)
             continue;
         own = own_of(s, i);
         set(c, own, at, s->geometry.cosine[i]);
-        own->filter = coefficient_of(colour_scale(own->filter.by, own->finish->refraction));
+        appearance_set_filter(own, c->scene->model, colour_scale(own->filter.by, own->finish->refraction));
     }
 }
 

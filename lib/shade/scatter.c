@@ -5,7 +5,6 @@
 #include "shade/refract.h"
 #include "shade/spectrum.h"
 
-#include <float.h>
 #include <limits.h>
 
 /* ---- the rays that go on ---- */
@@ -13,7 +12,7 @@
 /* Limits that cut rays off, and the numbers of rays cut off. */
 typedef struct limits {
     int level, straight_level;   /* rays that go straight on keep their level */
-    float weight, luminance;     /* of a ray, and of the filter of one surface */
+    float weight;
     uint64_t cut_depth, cut_weight;
 } limits;
 
@@ -38,6 +37,7 @@ typedef struct scattering {
     const surfaces *on;
     batch_queue *queue;
     limits limits;
+    bool fading, dispersion, dims;   /* there are interiors of these kinds, and fog */
     uint64_t reflected, transmitted;   /* numbers of them */
 } scattering;
 
@@ -68,7 +68,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
 
 /* ---- reflected rays ---- */
 
-static batch *branch_of(scattering *to, branches *list, const surface *s, bool powered)
+static inline batch *branch_of(scattering *to, branches *list, const surface *s, bool powered)
 {
     batch_queue *q = to->queue;
     const env *e = to->context->env;
@@ -78,7 +78,7 @@ static batch *branch_of(scattering *to, branches *list, const surface *s, bool p
     return b;
 }
 
-static void finish_reflected(scattering *to, batch *b, path *next, const surface *s, uint32_t lane)
+static inline void finish_reflected(scattering *to, batch *b, path *next, const surface *s, uint32_t lane)
 {
     const double side = to->on->geometry.reflected_side[lane];
     pov_ray *ray = &b->own[b->count++];
@@ -133,7 +133,7 @@ static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 
     if (!a->reflective)
         return;
-    if (a->finish->reflection.exponent == 1.0f)
+    if (!a->powered)
         reflect(to, s, lane, &a->reflection);
     else
         reflect_power(to, s, lane, &a->reflection, a->finish->reflection.exponent);
@@ -142,7 +142,7 @@ static inline void reflect_some(scattering *to, const surface *s, uint32_t lane)
 /* ---- transmitted rays ---- */
 
 /* A path on the surface's other side, at this cosine to the normal. NULL: the path is cut off. */
-static path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
+static inline path *spawn_across(scattering *to, const surface *s, const coefficient *by, pov_vec3 direction, double cosine, bool deeper)
 {
     coefficient factor = coefficient_mul(s->from->factor, *by);
     const int straight_level = s->appearance->clear ? INT_MAX : to->limits.straight_level;
@@ -151,7 +151,7 @@ static path *spawn_across(scattering *to, const surface *s, const coefficient *b
 
     if (!passes_cutoff(&to->limits, s->from, &factor, deeper ? to->limits.level : straight_level))
         return NULL;
-    if (to->context->scene->plan->fading)
+    if (to->fading)
         factor.by = colour_mul(factor.by, s->faded);
     b = branch_of(to, &to->queue->transmitted, s, false);
     if (!b)
@@ -161,23 +161,21 @@ static path *spawn_across(scattering *to, const surface *s, const coefficient *b
     next->above ^= 1u << s->on;
     if (to->context->alpha)
         next->clear *= colour_grey(by->by);
-    if (to->context->scene->dims)
+    if (to->dims)
         next->solids = air_solids_across(to->context->scene, s);
     to->transmitted++;
     return next;
 }
 
 /* Is the filter so dark that no ray goes through? */
-static inline bool is_dark(scattering *to, const coefficient *by)
+static inline bool is_dark(scattering *to, const appearance *a)
 {
-    const bool dark = colour_luminance(by->by) < to->limits.luminance;
-
-    to->limits.cut_weight += dark;
-    return dark;
+    to->limits.cut_weight += a->dark;
+    return a->dark;
 }
 
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
-static path *transmit(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
+static inline path *transmit(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
 {
     const int zero_steps = passage_zero_steps(s->from->zero_steps, s->ray->org, s->at->point);
     path *out;
@@ -195,7 +193,7 @@ static path *transmit(scattering *to, const surface *s, uint32_t lane, const coe
 /* Interfaces that refracted rays cross, and their new directions. */
 typedef struct interfaces { dielectric_crossing crossing[BATCH_MAX]; refraction_lanes to; } interfaces;
 
-static void find_interfaces(const shade_context *c, const surfaces *on, interfaces *p)
+static inline void find_interfaces(const shade_context *c, const surfaces *on, interfaces *p)
 {
     const shading *scene = c->scene;
     const geometry *g = &on->geometry;
@@ -219,7 +217,7 @@ static void find_interfaces(const shade_context *c, const surfaces *on, interfac
 }
 
 /* The transmitted ray gets the changed list of dielectrics. */
-static void pass(scattering *to, path *out, const dielectric_crossing *crossing)
+static inline void pass(scattering *to, path *out, const dielectric_crossing *crossing)
 {
     shade_context *c = to->context;
 
@@ -227,7 +225,7 @@ static void pass(scattering *to, path *out, const dielectric_crossing *crossing)
         c->failed = true;
 }
 
-static path *refract_at(scattering *to, const surface *s, uint32_t lane, const coefficient *by, pov_vec3 dir)
+static inline path *refract_at(scattering *to, const surface *s, uint32_t lane, const coefficient *by, pov_vec3 dir)
 {
     return spawn_across(to, s, by, dir, -pov_dot(dir, lanes_at(&to->on->geometry.to.normal, lane)), true);
 }
@@ -245,7 +243,7 @@ static inline bool is_dispersed(const scattering *to, const surface *s, const di
 {
     const shading *scene = to->context->scene;
 
-    return scene->plan->dispersion && s->from->hue == PATH_WHITE && crossing->index == s->from->inside.count &&
+    return to->dispersion && s->from->hue == PATH_WHITE && crossing->index == s->from->inside.count &&
            dielectric_interior(scene->model, crossing->object)->dispersion != 1.0;
 }
 
@@ -280,7 +278,7 @@ static inline bool is_shut(const interfaces *p, uint32_t lane)
 }
 
 /* The transmitted ray. */
-static void cross(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
+static inline void cross(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
     const dielectric_crossing *crossing = &p->crossing[lane];
 
@@ -295,14 +293,14 @@ static void cross(scattering *to, const interfaces *p, const surface *s, uint32_
 /* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. */
 static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    const coefficient whole = { to->context->scene->plan->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
+    const coefficient whole = { to->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
 
     if (is_shut(p, lane)) {
         reflect_inside(to, s, lane, &whole);
         return;
     }
     reflect_some(to, s, lane);
-    if (!is_dark(to, &s->appearance->filter))
+    if (!is_dark(to, s->appearance))
         cross(to, p, s, lane, &s->appearance->filter);
 }
 
@@ -321,7 +319,7 @@ static void scatter_lanes(scattering *to, bool refraction)
             split(to, &p, s, i);
         } else {
             reflect_some(to, s, i);
-            if (transmissive && !is_dark(to, &s->appearance->filter))
+            if (transmissive && !is_dark(to, s->appearance))
                 transmit(to, s, i, &s->appearance->filter);
         }
     }
@@ -330,10 +328,9 @@ static void scatter_lanes(scattering *to, bool refraction)
 static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
 {
     const model *m = c->scene->model;
-    const float cutoff = (float)m->adc_bailout;
-    const limits l = { m->max_trace_level, m->opaque_last_level ? m->max_trace_level : INT_MAX, cutoff,
-                       m->opaque_dark_filters ? cutoff : -FLT_MAX, 0, 0 };
-    const scattering to = { c, on, q, l, 0, 0 };
+    const limits l = { m->max_trace_level, m->opaque_last_level ? m->max_trace_level : INT_MAX, (float)m->adc_bailout, 0, 0 };
+    const plan *p = c->scene->plan;
+    const scattering to = { c, on, q, l, p->fading, p->dispersion, c->scene->dims, 0, 0 };
 
     return to;
 }
@@ -380,7 +377,7 @@ static void shut_stack(hit_rays *f, uint32_t last)
 {
     const layers *l = f->from;
     const surface *s = &l->on.at[last];
-    const bool fades = f->to->context->scene->plan->fading;
+    const bool fades = f->to->fading;
 
     for (uint32_t i = last + 1; i-- > f->first;) {
         f->reflects[i] = false;
