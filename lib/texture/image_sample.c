@@ -152,13 +152,22 @@ static void get_index(const image_map *map, int64_t column, int64_t row, double 
 /* Within 0 to size - 1: a pixel that repeats, or the edge. */
 static int64_t bound(int64_t i, int64_t size, bool once)
 {
+    if (i >= 0 && i < size)
+        return i;
     if (once)
-        return i < 0 ? 0 : i >= size ? size - 1 : i;
+        return i < 0 ? 0 : size - 1;
     i %= size;
     return i < 0 ? i + size : i;
 }
 
-/* Weights of the four pixels around, by their places before, at, behind and two behind the point. */
+/* Pixels around a point, as many in each direction, from the upper left one on. */
+typedef struct taps {
+    int count;
+    int64_t column, row;
+    double weight[TAPS][TAPS];   /* row by row */
+} taps;
+
+/* Of the pixels before, at, behind and two behind the point. */
 static void cubic_weights(double t, double w[TAPS])
 {
     w[0] = 0.5 * t * (-1.0 + t * (2.0 - t));
@@ -167,11 +176,27 @@ static void cubic_weights(double t, double w[TAPS])
     w[3] = 0.5 * t * t * (-1.0 + t);
 }
 
-static void linear_weights(double t, double w[TAPS])
+static void find_cubic(double tx, double ty, taps *out)
 {
-    w[0] = w[3] = 0.0;
-    w[1] = 1.0 - t;
-    w[2] = t;
+    double wx[TAPS], wy[TAPS];
+
+    out->count = TAPS;
+    out->column--;
+    out->row--;
+    cubic_weights(tx, wx);
+    cubic_weights(ty, wy);
+    for (int j = 0; j < TAPS; j++)
+        for (int i = 0; i < TAPS; i++)
+            out->weight[j][i] = wx[i] * wy[j];
+}
+
+static void find_linear(double tx, double ty, taps *out)
+{
+    out->count = 2;
+    out->weight[0][0] = (1.0 - tx) * (1.0 - ty);
+    out->weight[0][1] = tx * (1.0 - ty);
+    out->weight[1][0] = (1.0 - tx) * ty;
+    out->weight[1][1] = tx * ty;
 }
 
 /* By the inverse square of the distance; a point upon a pixel has its value. */
@@ -182,54 +207,45 @@ static double near_weight(double x, double y)
     return square > 1e-30 ? 1.0 / square : 1e30;
 }
 
-/* Weights of rows and columns, or for each pixel. */
-static void find_weights(image_interpolation how, double tx, double ty, double w[TAPS][TAPS])
+static void find_near(double tx, double ty, taps *out)
 {
-    double wx[TAPS], wy[TAPS], sum = 0.0;
+    double sum = 0.0;
 
-    (how == IMAGE_BICUBIC ? cubic_weights : linear_weights)(tx, wx);
-    (how == IMAGE_BICUBIC ? cubic_weights : linear_weights)(ty, wy);
-    for (int j = 0; j < TAPS; j++)
-        for (int i = 0; i < TAPS; i++) {
-            const bool is_near = i % 3 != 0 && j % 3 != 0;
-
-            w[j][i] = how != IMAGE_NORMALISED ? wx[i] * wy[j]
-                    : is_near ? near_weight(tx - (i - 1), ty - (j - 1)) : 0.0;
-            sum += w[j][i];
-        }
-    for (int j = 0; how == IMAGE_NORMALISED && j < TAPS; j++)
-        for (int i = 0; i < TAPS; i++)
-            w[j][i] /= sum;
+    out->count = 2;
+    for (int k = 0; k < 4; k++)
+        sum += out->weight[k / 2][k % 2] = near_weight(tx - k % 2, ty - k / 2);
+    for (int k = 0; k < 4; k++)
+        out->weight[k / 2][k % 2] /= sum;
 }
 
-static void add_taps(const image_map *map, const kind *k, int64_t column, int64_t row, double w[TAPS][TAPS], parts *sum)
+static void find_taps(image_interpolation how, double x, double y, taps *out)
 {
-    const int64_t width = map->image->width, height = map->image->height;
-    double part[PARTS];
+    const double left = floor(x), top = floor(y);
 
-    for (int j = 0; j < TAPS; j++)
-        for (int i = 0; i < TAPS; i++) {
-            if (w[j][i] == 0.0)
-                continue;
-            k->get(map, bound(column + i - 1, width, map->once), bound(row + j - 1, height, map->once), part);
-            for (int c = 0; c < k->count; c++)
-                sum->of[c] += w[j][i] * part[c];
-        }
+    out->column = (int64_t)left;
+    out->row = (int64_t)top;
+    (how == IMAGE_BICUBIC ? find_cubic : how == IMAGE_BILINEAR ? find_linear : find_near)(x - left, y - top, out);
 }
 
 static parts find(const image_map *map, const kind *k, image_place at)
 {
-    const double width = map->image->width, height = map->image->height;
-    const double x = fraction(at.u) * width, y = (1.0 - fraction(at.v)) * height, left = floor(x - 0.5), top = floor(y - 0.5);
-    double w[TAPS][TAPS];
+    const int64_t width = map->image->width, height = map->image->height;
+    const double x = fraction(at.u) * (double)width, y = (1.0 - fraction(at.v)) * (double)height;
     parts out = { { 0.0 } };
+    double part[PARTS];
+    taps t;
 
     if (map->interpolation == IMAGE_PIXELS) {
-        k->get(map, bound((int64_t)x, map->image->width, false), bound((int64_t)y, map->image->height, false), out.of);
+        k->get(map, bound((int64_t)x, width, false), bound((int64_t)y, height, false), out.of);
         return out;
     }
-    find_weights(map->interpolation, x - 0.5 - left, y - 0.5 - top, w);
-    add_taps(map, k, (int64_t)left, (int64_t)top, w, &out);
+    find_taps(map->interpolation, x - 0.5, y - 0.5, &t);
+    for (int j = 0; j < t.count; j++)
+        for (int i = 0; i < t.count; i++) {
+            k->get(map, bound(t.column + i, width, map->once), bound(t.row + j, height, map->once), part);
+            for (int c = 0; c < k->count; c++)
+                out.of[c] += t.weight[j][i] * part[c];
+        }
     return out;
 }
 
