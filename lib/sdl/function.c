@@ -52,8 +52,13 @@ static uint32_t read_parameters(pov_reader *in, symbol **out)
     return n;
 }
 
-static uint32_t default_parameters(pov_reader *in, symbol **out)
+static uint32_t default_parameters(pov_reader *in, uint32_t count, symbol **out)
 {
+    if (count == 2) {
+        out[0] = &in->words.keywords[KEYWORD_U];
+        out[1] = &in->words.keywords[KEYWORD_V];
+        return 2;
+    }
     out[0] = &in->words.keywords[KEYWORD_X];
     out[1] = &in->words.keywords[KEYWORD_Y];
     out[2] = &in->words.keywords[KEYWORD_Z];
@@ -154,13 +159,15 @@ static void read_content(pov_reader *in, function *f, symbol *const *parameters,
     }
 }
 
-value function_read(pov_reader *in)
+value function_read(pov_reader *in) { return function_read_of(in, 3); }
+
+value function_read_of(pov_reader *in, uint32_t wanted)
 {
     symbol *parameters[PARAMETERS_MAX];
     uint32_t count;
     function *f;
 
-    count = in->token.kind == '(' ? read_parameters(in, parameters) : default_parameters(in, parameters);
+    count = in->token.kind == '(' ? read_parameters(in, parameters) : default_parameters(in, wanted, parameters);
     f = state_alloc(in, sizeof *f, 16);
     if (!f)
         return value_of_number(0.0);

@@ -23,6 +23,8 @@ typedef struct function {
 
 /* `function` has been taken: its parameters and its block. */
 value function_read(pov_reader *in);
+/* The same, whose parameters are u and v where there are two and it names none. */
+value function_read_of(pov_reader *in, uint32_t parameters);
 /* `(` is next: as many numbers as the function has parameters. */
 value function_call(pov_reader *in, value callee);
 

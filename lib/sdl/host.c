@@ -5,6 +5,7 @@
 #include "base/str.h"
 #include "sdl/expression.h"
 #include "sdl/image_heights.h"
+#include "sdl/host_parts.h"
 #include "sdl/include.h"
 #include "sdl/parse.h"
 #include "sdl/reader.h"
@@ -221,4 +222,7 @@ const pov_host host_functions = {
     .texture = part_texture,
     .next_is = next_is,
     .more_numbers = more_numbers,
+    .function = host_function,
+    .transform = host_transform,
+    .component_texture = parse_component_texture,
 };

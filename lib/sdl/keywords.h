@@ -42,7 +42,7 @@
     ROW(B_SPLINE, "b_spline", 0) \
     ROW(BACKGROUND, "background", 0) \
     ROW(BEZIER_SPLINE, "bezier_spline", 0) \
-    ROW(BICUBIC_PATCH, "bicubic_patch", KEYWORD_FLAG_SHAPE) \
+    ROW(BICUBIC_PATCH, "bicubic_patch", KEYWORD_FLAG_COMING) \
     ROW(BITWISE_AND, "bitwise_and", 0) \
     ROW(BITWISE_OR, "bitwise_or", 0) \
     ROW(BITWISE_XOR, "bitwise_xor", 0) \
@@ -179,7 +179,7 @@
     ROW(GRAY_THRESHOLD, "gray_threshold", 0) \
     ROW(GREEN, "green", KEYWORD_FLAG_BASE | KEYWORD_FLAG_PAINT) \
     ROW(HDR, "hdr", 0) \
-    ROW(HEIGHT_FIELD, "height_field", KEYWORD_FLAG_SHAPE) \
+    ROW(HEIGHT_FIELD, "height_field", KEYWORD_FLAG_COMING) \
     ROW(HEXAGON, "hexagon", 0) \
     ROW(HF_GRAY_16, "hf_gray_16", 0) \
     ROW(HIERARCHY, "hierarchy", 0) \
@@ -209,7 +209,7 @@
     ROW(JITTER, "jitter", 0) \
     ROW(JPEG, "jpeg", 0) \
     ROW(JULIA, "julia", 0) \
-    ROW(JULIA_FRACTAL, "julia_fractal", KEYWORD_FLAG_SHAPE) \
+    ROW(JULIA_FRACTAL, "julia_fractal", KEYWORD_FLAG_COMING) \
     ROW(LAMBDA, "lambda", 0) \
     ROW(LATHE, "lathe", KEYWORD_FLAG_SHAPE) \
     ROW(LEOPARD, "leopard", 0) \
@@ -291,7 +291,7 @@
     ROW(ORTHOGRAPHIC, "orthographic", 0) \
     ROW(PANORAMIC, "panoramic", 0) \
     ROW(PARALLEL, "parallel", 0) \
-    ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_SHAPE) \
+    ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_COMING) \
     ROW(PASS_THROUGH, "pass_through", 0) \
     ROW(PATTERN, "pattern", 0) \
     ROW(PAVEMENT, "pavement", 0) \
@@ -386,7 +386,7 @@
     ROW(SPACING, "spacing", 0) \
     ROW(SPECULAR, "specular", 0) \
     ROW(SPHERE, "sphere", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
-    ROW(SPHERE_SWEEP, "sphere_sweep", KEYWORD_FLAG_SHAPE) \
+    ROW(SPHERE_SWEEP, "sphere_sweep", KEYWORD_FLAG_COMING) \
     ROW(SPHERICAL, "spherical", 0) \
     ROW(SPIRAL1, "spiral1", 0) \
     ROW(SPIRAL2, "spiral2", 0) \

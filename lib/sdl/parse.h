@@ -73,6 +73,8 @@ void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform
                          surface_parsed *s);
 /* A texture is next, behind its word; its number. */
 uint32_t parse_part_texture(pov_reader *in);
+/* The same of texture { } or of pigment, normal and finish without it. False: none is next. */
+bool parse_component_texture(pov_reader *in, uint32_t *out);
 /* What was read of a whole object becomes part of the model. */
 void parse_add_object(pov_reader *in, const object_parsed *o);
 void parse_light(pov_reader *in, object_parsed *out);

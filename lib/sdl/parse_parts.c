@@ -31,23 +31,66 @@ void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o)
     env_free(in->model->env, parts->items);
 }
 
-uint32_t parse_part_texture(pov_reader *in)
+/* Equal ones are one. */
+static uint32_t number_of(pov_reader *in, surface_parsed *s)
 {
     part_list *parts = in->parts;
-    surface_parsed s;
-    const texture *t;
+    const texture *t = in->failed ? NULL : parse_surface_node(in, s);
 
-    parse_surface_begin(in, &s);
-    parse_texture(in, &s);
-    t = in->failed ? NULL : parse_surface_node(in, &s);
     if (in->failed || !parts)
         return 0;
-    for (size_t i = parts->count; i-- > 0;)   /* equal ones are one */
+    for (size_t i = parts->count; i-- > 0;)
         if (parts->items[i] == t)
             return (uint32_t)i;
     if (!VEC_PUSH(in->model->env, parts, t))
         report_memory(in);
     return in->failed ? 0 : (uint32_t)(parts->count - 1);
+}
+
+uint32_t parse_part_texture(pov_reader *in)
+{
+    surface_parsed s;
+
+    parse_surface_begin(in, &s);
+    parse_texture(in, &s);
+    return number_of(in, &s);
+}
+
+static bool read_part(pov_reader *in, surface_parsed *s)
+{
+    switch (state_keyword(in)) {
+    case KEYWORD_TEXTURE:
+        state_advance(in);
+        parse_texture(in, s);
+        return true;
+    case KEYWORD_PIGMENT:
+        state_advance(in);
+        parse_pigment(in, s);
+        return true;
+    case KEYWORD_NORMAL:
+        state_advance(in);
+        parse_normal(in, s);
+        return true;
+    case KEYWORD_FINISH:
+        state_advance(in);
+        parse_finish(in, s);
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool parse_component_texture(pov_reader *in, uint32_t *out)
+{
+    surface_parsed s;
+
+    parse_surface_begin(in, &s);
+    if (in->failed || !read_part(in, &s))
+        return false;
+    while (!in->failed && read_part(in, &s))
+        continue;
+    *out = number_of(in, &s);
+    return true;
 }
 
 /* The own texture was written behind the first of the transformations, those of the parts before all of them. */

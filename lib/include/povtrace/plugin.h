@@ -42,6 +42,13 @@ typedef struct pov_hierarchy {
     bool (*each_range)(const struct pov_hierarchy *self, pov_visit_range *visit, void *user);
 } pov_hierarchy;
 
+/* A function of the scene, of which any thread may ask. */
+typedef struct pov_function {
+    /* [render] Its value at as many arguments as it has parameters; `memory`: as many doubles as it says, of any content. */
+    double (*value)(const struct pov_function *self, const double *arguments, double *memory);
+    uint32_t parameters, memory;
+} pov_function;
+
 /* Errors stick: after the first, every read gives zero, every accept() gives
  * false, more() gives false and warn() says nothing, so a parse function needs no checks. */
 typedef struct pov_host {
@@ -83,6 +90,13 @@ typedef struct pov_host {
     uint32_t (*texture)(pov_reader *in);
     bool (*next_is)(pov_reader *in, const char *word);   /* is it next? As accept(), but it stays there */
     bool (*more_numbers)(pov_reader *in);                /* does a value come next that is a number? */
+    /* The parameters and the block behind the word `function`, which has been accepted; of n parameters, unless it names
+     * its own. It lives as long as the scene. NULL after an error. */
+    const pov_function *(*function)(pov_reader *in, uint32_t n);
+    /* A transformation behind those of `map`, if one is next. All zero, the map is that of no transformation. */
+    bool (*transform)(pov_reader *in, pov_affine *map);
+    /* As texture(), of a component that has a texture { }, or a pigment, normal and finish alone; if one of these is next. */
+    bool (*component_texture)(pov_reader *in, uint32_t *out);
 } pov_host;
 
 /* ---- the one exported symbol -------------------------------------------- */

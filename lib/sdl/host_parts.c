@@ -1,0 +1,92 @@
+#include "sdl/host_parts.h"
+
+#include "sdl/function.h"
+#include "sdl/function_host.h"
+#include "sdl/parse.h"
+#include "sdl/report.h"
+
+#include <string.h>
+
+/* ---- functions ---- */
+
+typedef struct served { pov_function service; const function *of; } served;
+
+static double value_of_formula(const pov_function *self, const double *arguments, double *memory)
+{
+    const program *p = &((const served *)(const void *)self)->of->program;
+
+    memcpy(memory, arguments, p->parameters * sizeof *memory);
+    return program_run(p, memory);
+}
+
+/* A pattern or a pigment, of which the first component counts. */
+static double value_of_other(const pov_function *self, const double *arguments, double *memory)
+{
+    (void)memory;
+    return function_host_value(((const served *)(const void *)self)->of, arguments, 0);
+}
+
+const pov_function *host_function(pov_reader *in, uint32_t n)
+{
+    const value v = in->failed ? value_of_number(0.0) : function_read_of(in, n);
+    served *s = in->failed ? NULL : state_alloc(in, sizeof *s, 16);
+
+    if (!s)
+        return NULL;
+    s->of = v.as.part;
+    if (s->of->kind != FUNCTION_FORMULA && s->of->kind != FUNCTION_PATTERN && s->of->kind != FUNCTION_PIGMENT) {
+        report_fail(in, &in->last, POV_E_SYNTAX, "expected a function that gives a number");
+        return NULL;
+    }
+    s->service.value = s->of->kind == FUNCTION_FORMULA ? value_of_formula : value_of_other;
+    s->service.parameters = s->of->kind == FUNCTION_FORMULA ? s->of->program.parameters : 3;
+    s->service.memory = s->of->kind == FUNCTION_FORMULA ? s->of->program.capacity : 1;
+    return &s->service;
+}
+
+/* ---- transformations ---- */
+
+static bool is_identity(const pov_affine *map)
+{
+    static const pov_affine none;
+
+    return memcmp(map, &none, sizeof none) == 0;
+}
+
+/* The map of the list behind another one: as a matrix, rounded to double. */
+static bool compose_behind(pov_reader *in, const transform *list, const pov_affine *before, pov_affine *out)
+{
+    const transform *all = NULL;
+    double m[12];
+
+    if (is_identity(before))
+        return transform_compose(list, out);
+    for (int i = 0; i < 12; i++)
+        m[i] = before->m[i % 3][i / 3];
+    all = transform_append(&in->model->maps, NULL, TRANSFORM_MATRIX, m);
+    parse_append_transforms(in, &all, list, NULL);
+    return transform_compose(all, out);
+}
+
+static bool is_move(keyword_id word)
+{
+    return word == KEYWORD_TRANSLATE || word == KEYWORD_ROTATE || word == KEYWORD_SCALE || word == KEYWORD_MATRIX ||
+           word == KEYWORD_TRANSFORM;
+}
+
+bool host_transform(pov_reader *in, pov_affine *map)
+{
+    const transform *list = NULL;
+    pov_affine made;
+
+    while (!in->failed && is_move(state_keyword(in))) {
+        const keyword_id word = state_keyword(in);
+
+        state_advance(in);
+        parse_transform(in, &list, word);
+    }
+    if (in->failed || !list || !compose_behind(in, list, map, &made))
+        return false;
+    *map = made;
+    return true;
+}

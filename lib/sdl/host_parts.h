@@ -1,0 +1,11 @@
+/* host_parts.h - functions and transformations within the braces of a plugin's shape. */
+#ifndef SDL_HOST_PARTS_H
+#define SDL_HOST_PARTS_H
+
+#include <povtrace/plugin.h>
+
+/* See pov_host. */
+const pov_function *host_function(pov_reader *in, uint32_t n);
+bool host_transform(pov_reader *in, pov_affine *map);
+
+#endif

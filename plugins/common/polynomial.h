@@ -1,0 +1,40 @@
+/* polynomial.h - surfaces where a polynomial of x, y and z is zero; inside where it is below. */
+#ifndef COMMON_POLYNOMIAL_H
+#define COMMON_POLYNOMIAL_H
+
+#include <povtrace/shape.h>
+
+enum { COMMON_ORDER_MAX = 35 };
+
+/* Coefficients by falling power of x, then of y, then of z. */
+typedef struct common_polynomial { int order; uint32_t count; double *at; } common_polynomial;
+
+/* Memory for all coefficients, zero. False after an error. */
+bool common_polynomial_make(common_polynomial *p, const pov_host *host, pov_reader *in, int order);
+/* The place of a term: x^i y^j z^k. */
+uint32_t common_polynomial_place(int order, int i, int j, int k);
+/* All coefficients between < and >, and `sturm`. */
+void common_polynomial_read(common_polynomial *p, const pov_host *host, pov_reader *in, int order);
+
+/* Functions of the class. */
+bool common_polynomial_bounds(const void *self, pov_box *out);
+void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+void common_polynomial_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
+bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
+
+#define COMMON_POLYNOMIAL_CLASS(word, reader)                                                                              \
+    static const pov_shape_class word##_class = {                                                                          \
+        .size = sizeof(pov_shape_class),                                                                                   \
+        .flags = POV_SHAPE_SOLID,                                                                                          \
+        .keyword = #word,                                                                                                  \
+        .instance_size = sizeof(common_polynomial),                                                                        \
+        .parse = reader,                                                                                                   \
+        .bounds = common_polynomial_bounds,                                                                                \
+        .intersect = common_polynomial_intersect,                                                                          \
+        .normal = common_polynomial_normal,                                                                                \
+        .inside = common_polynomial_inside,                                                                                \
+    };                                                                                                                     \
+    static const pov_shape_class *const shapes[] = { &word##_class, NULL };                                                \
+    POV_PLUGIN(word) = { .abi = POV_PLUGIN_ABI, .size = sizeof(pov_plugin), .name = #word, .version = "1", .shapes = shapes }
+
+#endif

@@ -1,0 +1,341 @@
+/* isosurface { function { f } ... }: where f is the threshold, within a box or a sphere; inside where it is below.
+ *
+ * `max_gradient` bounds how fast f changes. So around a point there is no root as near as its value over the bound, and a
+ * stretch of the ray is made shorter from both ends before it is halved. Stretches shorter than `accuracy` are searched
+ * no further; roots between points on different sides are found to the last bit. Whatever is inside at the skin of the
+ * container is closed by it, unless `open`. */
+#include "common/clip.h"
+
+typedef struct isosurface {
+    const pov_function *function;
+    double threshold, gradient, accuracy;
+    bool sphere, open;
+    pov_vec3 lo, hi;             /* the box, or the box of the sphere */
+    pov_vec3 centre;
+    double radius, size;         /* of the sphere; the largest side of the box */
+} isosurface;
+
+enum { SURFACE, SKIN, MEMORY = 2048 };   /* MEMORY: doubles that a function may need */
+
+/* ---- loading ---- */
+
+static void read_container(isosurface *s, const pov_host *host, pov_reader *in)
+{
+    pov_vec3 a, b;
+
+    host->expect(in, "{");
+    s->sphere = host->accept(in, "sphere");
+    if (!s->sphere)
+        host->expect(in, "box");
+    host->expect(in, "{");
+    host->vector(in, &a);
+    host->accept(in, ",");
+    if (s->sphere) {
+        s->radius = fabs(host->number(in));
+        b = pov_add(a, pov_vec3_of(s->radius, s->radius, s->radius));
+        s->centre = a;
+        a = pov_sub(a, pov_vec3_of(s->radius, s->radius, s->radius));
+    } else {
+        host->vector(in, &b);
+    }
+    s->lo = pov_vec3_of(fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z));
+    s->hi = pov_vec3_of(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z));
+    host->expect(in, "}");
+    host->expect(in, "}");
+}
+
+/* `evaluate` and `max_trace` are of a method that there is not here; the least gradient of the former counts. */
+static bool read_other(isosurface *s, const pov_host *host, pov_reader *in)
+{
+    if (host->accept(in, "evaluate")) {
+        s->gradient = fmax(s->gradient, host->number(in));
+        for (int i = 0; i < 2; i++) {
+            host->accept(in, ",");
+            host->number(in);
+        }
+    } else if (host->accept(in, "max_trace")) {
+        host->number(in);
+    } else if (host->accept(in, "open")) {
+        s->open = true;
+    } else {
+        return host->accept(in, "all_intersections");
+    }
+    return true;
+}
+
+static bool read_item(isosurface *s, const pov_host *host, pov_reader *in)
+{
+    if (host->accept(in, "function"))
+        s->function = host->function(in, 3);
+    else if (host->accept(in, "contained_by"))
+        read_container(s, host, in);
+    else if (host->accept(in, "threshold"))
+        s->threshold = host->number(in);
+    else if (host->accept(in, "accuracy"))
+        s->accuracy = host->number(in);
+    else if (host->accept(in, "max_gradient"))
+        s->gradient = host->number(in);
+    else
+        return read_other(s, host, in);
+    return true;
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    isosurface *s = self;
+
+    s->lo = pov_vec3_of(-1.0, -1.0, -1.0);
+    s->hi = pov_vec3_of(1.0, 1.0, 1.0);
+    s->accuracy = 0x1p-10;
+    s->gradient = 1.1;
+    while (read_item(s, host, in))
+        continue;
+    if (!s->function || s->function->parameters != 3)
+        host->fail(in, "an isosurface needs a function of x, y and z");
+    else if (s->function->memory > MEMORY)
+        host->fail(in, "this function is too large for an isosurface");
+    if (!(s->gradient > 0.0) || !(s->accuracy > 0.0))
+        host->fail(in, "max_gradient and accuracy must be above 0");
+    s->size = pov_largest(pov_sub(s->hi, s->lo));
+    s->accuracy = fmin(s->accuracy, 0x1p-9 * s->size);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const isosurface *s = self;
+
+    out->lo = pov_vec3_of(common_below(s->lo.x), common_below(s->lo.y), common_below(s->lo.z));
+    out->hi = pov_vec3_of(common_above(s->hi.x), common_above(s->hi.y), common_above(s->hi.z));
+    return true;
+}
+
+static size_t scratch(const void *self)
+{
+    const isosurface *s = self;
+
+    return s->function ? s->function->memory * sizeof(double) : 0;
+}
+
+static double value_at(const isosurface *s, pov_vec3 p, double *memory)
+{
+    const double at[3] = { p.x, p.y, p.z };
+
+    return s->function->value(s->function, at, memory) - s->threshold;
+}
+
+/* ---- along a ray ---- */
+
+/* Points at o + t d, lengths along d in the units of the function: t times `speed`. */
+typedef struct line {
+    const isosurface *s;
+    pov_vec3 o, d;
+    double base, speed, unit;
+    double *memory;
+    pov_hits *hits;
+} line;
+
+typedef struct sample { double t, value; } sample;
+
+static sample sample_at(const line *n, double t)
+{
+    sample a = { t, value_at(n->s, pov_add(n->o, pov_scale(n->d, t)), n->memory) };
+
+    return a;
+}
+
+/* False: nothing more is wanted. */
+static bool report(const line *n, double t, uint32_t feature)
+{
+    const pov_two at = pov_two_sum(n->base, t);
+    const pov_mark mark = { feature, 0, 0.0, 0.0 };
+    pov_hits *hits = n->hits;
+
+    return pov_cross(hits, at.hi * n->unit, at.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && hits->count > 0);
+}
+
+/* The root between two points on different sides: false position, halving where it stands still. */
+static double refine(const line *n, sample a, sample b)
+{
+    for (int turn = 0; turn < 200; turn++) {
+        const double middle = 0.5 * (a.t + b.t), guess = a.t - a.value * (b.t - a.t) / (b.value - a.value);
+        const sample c = sample_at(n, turn % 3 < 2 && guess > a.t && guess < b.t ? guess : middle);
+
+        if (!(c.t > a.t && c.t < b.t) || c.value == 0.0)
+            return c.t;
+        if (!((c.value < 0.0) != (a.value < 0.0)))
+            a = c;
+        else
+            b = c;
+        if (b.t - a.t <= 0x1p-50 * (fabs(a.t) + n->s->size / n->speed))
+            break;
+    }
+    return 0.5 * (a.t + b.t);
+}
+
+/* The stretch between two samples. False: nothing more is wanted. */
+static bool search(const line *n, sample a, sample b)
+{
+    const bool differ = (a.value < 0.0) != (b.value < 0.0);
+    const double rate = n->s->gradient * n->speed, near = a.t + fabs(a.value) / rate, far = b.t - fabs(b.value) / rate;
+    sample middle;
+
+    if (!differ && !(near < far))
+        return true;
+    if ((b.t - a.t) * n->speed <= n->s->accuracy)
+        return !differ || report(n, refine(n, a, b), SURFACE);
+    middle = sample_at(n, near < far ? 0.5 * (near + far) : 0.5 * (a.t + b.t));
+    return search(n, a, middle) && search(n, middle, b);
+}
+
+static bool clip_sphere(const isosurface *s, const common_ray *k, common_span *out)
+{
+    const pov_vec3 f = pov_sub(pov_two3_hi(k->f), s->centre);
+    const double a = pov_dot(k->d, k->d), middle = -pov_dot(f, k->d) / a;
+    const pov_vec3 w = pov_add(f, pov_scale(k->d, middle));
+    const double rest = s->radius * s->radius - pov_dot(w, w);
+
+    if (!(rest > 0.0))
+        return false;
+    out->lo = middle - sqrt(rest / a);
+    out->hi = middle + sqrt(rest / a);
+    return true;
+}
+
+/* Along the ray within the container. */
+static bool clip(const isosurface *s, const common_ray *k, common_span *span)
+{
+    if (s->sphere)
+        return clip_sphere(s, k, span);
+    span->lo = -HUGE_VAL;
+    span->hi = HUGE_VAL;
+    common_clip_axis(span, k->f.x.hi, k->d.x, s->lo.x, s->hi.x, 0.0);
+    common_clip_axis(span, k->f.y.hi, k->d.y, s->lo.y, s->hi.y, 0.0);
+    common_clip_axis(span, k->f.z.hi, k->d.z, s->lo.z, s->hi.z, 0.0);
+    return span->lo < span->hi;
+}
+
+static pov_vec3 slope_at(const isosurface *s, pov_vec3 p, double *memory)
+{
+    const double h = 0x1p-17 * s->size;
+    const pov_vec3 x = { h, 0.0, 0.0 }, y = { 0.0, h, 0.0 }, z = { 0.0, 0.0, h };
+
+    return pov_vec3_of(value_at(s, pov_add(p, x), memory) - value_at(s, pov_sub(p, x), memory),
+                       value_at(s, pov_add(p, y), memory) - value_at(s, pov_sub(p, y), memory),
+                       value_at(s, pov_add(p, z), memory) - value_at(s, pov_sub(p, z), memory));
+}
+
+/* A ray that starts on the surface: on which side it goes on. */
+static double side_ahead(const line *n, const pov_ray *ray)
+{
+    const uint32_t flags = ray->origin_mark.flags;
+
+    if (flags & (POV_MARK_OUTWARD | POV_MARK_INWARD))
+        return flags & POV_MARK_OUTWARD ? 0.0 : -0x1p-1000;
+    return pov_dot(slope_at(n->s, n->o, n->memory), n->d) >= 0.0 ? 0.0 : -0x1p-1000;
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const isosurface *s = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    const bool from_here = ray->origin_surface == hits->owner, from_skin = from_here && ray->origin_mark.feature == SKIN;
+    common_span span;
+    sample a, b;
+    line n;
+
+    if (!clip(s, &k, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
+        return;
+    n.s = s;
+    n.base = fmax(span.lo, 0.0);
+    n.o = common_along(&k, n.base);
+    n.d = k.d;
+    n.speed = sqrt(pov_dot(k.d, k.d));
+    n.unit = k.unit;
+    n.memory = hits->scratch;
+    n.hits = hits;
+    /* A ray that starts on the skin goes in, or is at its end already. */
+    if (from_skin && !(span.hi * n.speed > 0x1p-30 * s->size))
+        return;
+    a = sample_at(&n, 0.0);
+    b = sample_at(&n, fmin(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n.base);
+    if (from_here && !from_skin)
+        a.value = side_ahead(&n, ray);
+    if (!s->open && span.lo > 0.0 && !from_skin && a.value < 0.0 && !report(&n, 0.0, SKIN))
+        return;
+    if (search(&n, a, b) && !s->open && b.value < 0.0)
+        report(&n, span.hi - n.base, SKIN);
+}
+
+/* ---- points ---- */
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    const isosurface *s = self;
+    const pov_vec3 p = pov_add(point, point_lo), from = pov_sub(p, s->centre);
+    double memory[MEMORY];
+
+    if (s->sphere ? pov_dot(from, from) > s->radius * s->radius
+                  : !(p.x >= s->lo.x && p.y >= s->lo.y && p.z >= s->lo.z && p.x <= s->hi.x && p.y <= s->hi.y && p.z <= s->hi.z))
+        return false;
+    return value_at(s, p, memory) < 0.0;
+}
+
+/* The side of the box, or of the sphere, that the point is nearest to. */
+static pov_vec3 skin_normal(const isosurface *s, pov_vec3 p)
+{
+    const double off[6] = { p.x - s->lo.x, s->hi.x - p.x, p.y - s->lo.y, s->hi.y - p.y, p.z - s->lo.z, s->hi.z - p.z };
+    double out[3] = { 0.0, 0.0, 0.0 };
+    int best = 0;
+
+    if (s->sphere)
+        return pov_unit(pov_sub(p, s->centre));
+    for (int i = 1; i < 6; i++)
+        if (fabs(off[i]) < fabs(off[best]))
+            best = i;
+    out[best / 2] = best % 2 == 0 ? -1.0 : 1.0;
+    return pov_vec3_of(out[0], out[1], out[2]);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const isosurface *s = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
+    double memory[MEMORY];
+
+    if (at->mark.feature == SKIN) {
+        *out = skin_normal(s, p);
+        return;
+    }
+    *out = pov_unit(slope_at(s, p, memory));
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_scale(pov_unit(ray->dir), -1.0);
+}
+
+static bool open(const void *self) { return ((const isosurface *)self)->open; }
+
+static const pov_shape_class isosurface_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "isosurface",
+    .instance_size = sizeof(isosurface),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .scratch = scratch,
+    .open = open,
+};
+
+static const pov_shape_class *const shapes[] = { &isosurface_class, NULL };
+
+POV_PLUGIN(isosurface) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "isosurface",
+    .version = "1",
+    .shapes = shapes,
+};

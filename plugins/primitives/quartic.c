@@ -1,0 +1,6 @@
+/* quartic { <35 coefficients> [sturm] } */
+#include "common/polynomial.h"
+
+static void parse(void *self, const pov_host *host, pov_reader *in) { common_polynomial_read(self, host, in, 4); }
+
+COMMON_POLYNOMIAL_CLASS(quartic, parse);
