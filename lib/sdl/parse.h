@@ -110,8 +110,8 @@ void parse_interior_texture(pov_reader *in, surface_parsed *s);
 void parse_material(pov_reader *in, surface_parsed *s);
 /* As if nothing but the defaults had been given. */
 void parse_surface_begin(const pov_reader *in, surface_parsed *s);
-/* One without a look has today's defaults, whenever it was written. */
-void parse_surface_default(const pov_reader *in, surface_parsed *s);
+/* One without a look has these defaults, whenever it was written. */
+void parse_surface_default(const surface_parsed *defaults, surface_parsed *s);
 
 /* When all has been read and the dialect is known. */
 void parse_camera_finish(pov_reader *in);

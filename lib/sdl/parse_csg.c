@@ -19,7 +19,7 @@ static surface_parsed find_surface(const pov_reader *in, const object_parsed *o,
 {
     surface_parsed found = o->surface;
 
-    parse_surface_default(in, &found);
+    parse_surface_default(in->placed, &found);
     for (; a && !(found.has_look && found.material.interior.given); a = a->outer) {
         const surface_parsed *s = &a->group->surface;
         const interior own = found.material.interior;

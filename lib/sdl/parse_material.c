@@ -7,13 +7,13 @@ void parse_surface_begin(const pov_reader *in, surface_parsed *s)
     *s = *in->defaults;
 }
 
-void parse_surface_default(const pov_reader *in, surface_parsed *s)
+void parse_surface_default(const surface_parsed *defaults, surface_parsed *s)
 {
     const surface_parsed own = *s;
 
     if (own.has_look)
         return;
-    parse_surface_begin(in, s);
+    *s = *defaults;
     s->material.interior = own.material.interior;
     s->inside = own.inside;
     s->uv = own.uv;

@@ -19,7 +19,7 @@ static surface_parsed *surface_of(pov_reader *in, object_parsed *o)
     if (s->moves > 0 && !in->failed)
         parse_surface_move(in, s, parse_last_transforms(in, o->map, s->moves));
     s->moves = 0;
-    parse_surface_default(in, s);
+    parse_surface_default(in->defaults, s);
     return s;
 }
 
@@ -34,7 +34,7 @@ static void read_finish(pov_reader *in, void *self, keyword_id keyword)
     (void)keyword;
     object_parsed *o = self;
 
-    parse_surface_default(in, &o->surface);
+    parse_surface_default(in->defaults, &o->surface);
     parse_finish(in, &o->surface);
 }
 
@@ -482,9 +482,11 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
 
 void parse_object(pov_reader *in)
 {
+    const surface_parsed defaults = *in->defaults;
     object_parsed o;
 
     in->object = in->token.at;
+    in->placed = &defaults;      /* what comes behind the object may change them before it is added */
     if (parse_object_try(in, &o))
         parse_add_object(in, &o);
     else if (!in->failed)

@@ -132,6 +132,7 @@ struct pov_reader {
     camera_parsed camera;
     settings_parsed settings;
     struct surface_parsed *defaults;   /* of #default */
+    const struct surface_parsed *placed;   /* those of the statement that is being read */
     random_list randoms;
     argument_list arguments;     /* of calls that are being read */
     struct written *written;     /* files that the scene wrote */

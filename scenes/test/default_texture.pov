@@ -13,9 +13,10 @@ sphere { <1, 0, -2>, .4 pigment { cells } }
 #default { pigment { checker rgb <1, .5, 0>, rgb .9 } }
 sphere { <2, 0, -1>, .5 }
 union { sphere { <.7, 1.4, -1>, .4 } sphere { <-.4, 1.4, -1>, .3 pigment { rgb x } scale 1.2 } rotate y*10 }
-// Without a texture an object has the default of where it is placed; a normal needs no pattern of its own.
+// Without a texture an object has the default of where it is placed; modifiers of a normal wait for a pattern.
 #declare Late = sphere { <0, -.6, -2.5>, .3 }
-#default { pigment { rgb <.3, .8, .4> } normal { bump_size 1.5 scale .2 } finish { phong .5 } }
+#default { pigment { rgb <.3, .8, .4> } finish { phong .5 } }
 object { Late }
-object { Late normal { bumps } translate x*1.2 }
 object { Late pigment { rgb 1 scale .3 } pigment { checker } translate -x*1.2 }
+#default { normal { bump_size 1.5 scale .2 } }
+object { Late normal { bumps } translate x*1.2 }

@@ -590,7 +590,7 @@ static const malformed cases[] = {
     { TEXT("#declare T = 5; sphere { 0, 1 transform T }"), POV_E_SYNTAX, 1, 41,
       "expected \"{\" after \"transform\", found \"T\"", "" },
     { TEXT("#declare T = texture { } sphere { 0, 1 pigment { T } }"), POV_E_SYNTAX, 1, 50,
-      "unknown word \"T\" in \"pigment\"", "" },
+      "\"T\" is a texture, which does not belong in \"pigment\"", "" },
     { TEXT("#declare P = pigment { rgb 1 } sphere { 0, 1 pigment P }"), POV_E_SYNTAX, 1, 54,
       "expected \"{\" after \"pigment\", found \"P\"", "" },
     { TEXT("#declare L = 5; object { L }"), POV_E_SYNTAX, 1, 26,
@@ -807,31 +807,31 @@ static void missing_features_are_named_once_each_with_their_first_place(void **s
     reading_end(&r);
     begin_exact(&r, TEXT("difference { julia_fractal { 1, 2 } sphere { 0, 1 } }\n#declare T = julia_fractal { 1, { [ 2 } };\n"
                          "sphere { 0, 1 pigment { rgb 1 } } // rainbow\n"
-                         "fog { distance 1 } difference { object { T } T } object { T }"));
+                         "media { } difference { object { T } T } object { T }"));
     assert_int_equal(r.status, POV_OK);
     assert_int_equal(r.model.leaves.count, 1);
     assert_int_equal(r.note_count, 2);
     assert_string_equal(r.notes[0].message, "\"julia_fractal\" is not supported yet and is left out");
     assert_int_equal(r.notes[0].line, 1);
     assert_int_equal(r.notes[0].column, 14);
-    assert_string_equal(r.notes[1].message, "\"fog\" is not supported yet and is left out");
+    assert_string_equal(r.notes[1].message, "\"media\" is not supported yet and is left out");
     reading_end(&r);
 }
 
-/* A colour that is right at one point only must not pass for the pigment. */
-static void a_formula_with_a_varying_pigment_is_named(void **state)
+/* Also in formulas a pigment that varies is that of the point. */
+static void functions_of_pigments_are_evaluated(void **state)
 {
     reading r;
 
     (void)state;
     begin_exact(&r, TEXT("#declare F = function { pigment { rgb 1/2 } }\n"
                          " #declare G = function { pigment { checker rgb 1, rgb 0 } }\n sphere { 0, F(1, 2, 3).red + G(.5, .5, .5).red }\n"
-                         "#declare H = function { G(x, y, z).red }"));
+                         "#declare H = function { G(x, y, z).red * 2 } sphere { 0, 1 + H(.5, .5, 1.5) } sphere { 0, H(.5, 1.5, 1.5) }"));
     assert_int_equal(r.status, POV_OK);
+    assert_int_equal(r.note_count, 0);
     assert_true(reading_shape(&r, 0)->numbers[0] == 1.5);
-    assert_int_equal(r.note_count, 1);
-    assert_string_equal(r.notes[0].message, "a varying pigment in a formula is not supported yet and is left out");
-    assert_int_equal(r.notes[0].line, 4);
+    assert_true(reading_shape(&r, 1)->numbers[0] == 1.0);
+    assert_true(reading_shape(&r, 2)->numbers[0] == 2.0);
     reading_end(&r);
 }
 
@@ -904,7 +904,7 @@ int main(void)
         cmocka_unit_test(what_a_terminal_would_obey_is_not_shown),
         cmocka_unit_test(an_error_in_a_text_below_a_byte_order_mark_has_its_column),
         cmocka_unit_test(missing_features_are_named_once_each_with_their_first_place),
-        cmocka_unit_test(a_formula_with_a_varying_pigment_is_named),
+        cmocka_unit_test(functions_of_pigments_are_evaluated),
         cmocka_unit_test(missing_features_are_errors_where_that_was_asked_for),
         cmocka_unit_test(parts_that_are_left_out_have_their_effects),
         cmocka_unit_test(a_missing_plugin_is_named_with_the_path),
