@@ -46,7 +46,16 @@ typedef struct csg_member {
 /* Bounds of members: of one member, or of two halves: the next bounds, and `other`. */
 typedef struct csg_bound { pov_box box; uint32_t member, other; } csg_bound;
 
+/* The bounds of all members, where they are few: side by side, so that one loop tests them. */
+enum { CSG_FEW = 8 };
+typedef struct csg_few {
+    uint32_t count;              /* 0: there are more */
+    uint32_t bound[CSG_FEW];     /* their indices */
+    double lo[3][CSG_FEW], hi[3][CSG_FEW];
+} csg_few;
+
 typedef struct csg_tree {
+    csg_few few;
     csg_member *members;         /* in the order of the text: their leaves are consecutive */
     csg_node *nodes;             /* the first is the root */
     csg_state *outside;          /* by node: states outside all members */

@@ -140,6 +140,32 @@ static uint32_t split(csg_tree *t, uint32_t *ids, uint32_t count)
     return at;
 }
 
+static void put_few(csg_few *few, const csg_bound *b, uint32_t index)
+{
+    const uint32_t i = few->count++;
+
+    few->bound[i] = index;
+    few->lo[0][i] = b->box.lo.x;
+    few->lo[1][i] = b->box.lo.y;
+    few->lo[2][i] = b->box.lo.z;
+    few->hi[0][i] = b->box.hi.x;
+    few->hi[1][i] = b->box.hi.y;
+    few->hi[2][i] = b->box.hi.z;
+}
+
+/* Columns that are not used repeat one that is. */
+static void find_few(csg_tree *t, uint32_t count)
+{
+    if (count == 0 || count > CSG_FEW)
+        return;
+    for (uint32_t i = 0; i < t->bounds_count; i++)
+        if (t->bounds[i].other == 0)
+            put_few(&t->few, &t->bounds[i], i);
+    while (t->few.count < CSG_FEW)
+        put_few(&t->few, &t->bounds[t->few.bound[0]], t->few.bound[0]);
+    t->few.count = count;
+}
+
 bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const void *user)
 {
     uint32_t *ids = env_resize(e, NULL, t->member_count, sizeof *ids), count = 0;
@@ -154,8 +180,10 @@ bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const voi
             else if (!t->members[i].absent)
                 ids[count++] = i;
         }
-    if (count > 0)
+    if (count > 0) {
         split(t, ids, count);
+        find_few(t, count);
+    }
     env_free(e, ids);
     return ids && t->bounds && t->endless;
 }

@@ -103,18 +103,60 @@ static bool hits_box(const csg_traversal *w, const pov_box *b, double tmax, doub
            narrow(o.z, d.z, w->inverse.z, b->lo.z - wide, b->hi.z + wide, enter, &leave);
 }
 
-static void push(csg_traversal *w, uint32_t bound)
+static void insert(csg_traversal *w, uint32_t bound, double t)
 {
     csg_near *near = w->scratch->near;
     uint32_t i = w->near_count;
-    double t;
 
-    if (!hits_box(w, &w->tree->bounds[bound].box, HUGE_VAL, &t))
-        return;
     for (w->near_count++; i > 0 && t < near[(i - 1) / 2].t; i = (i - 1) / 2)
         near[i] = near[(i - 1) / 2];
     near[i].t = t;
     near[i].bound = bound;
+}
+
+static void push(csg_traversal *w, uint32_t bound)
+{
+    double t;
+
+    if (hits_box(w, &w->tree->bounds[bound].box, HUGE_VAL, &t))
+        insert(w, bound, t);
+}
+
+/* A component of the direction that is zero has an infinite inverse: planes are then infinitely far, before the ray or
+ * behind it. */
+static inline void narrow_few(const double *lo, const double *hi, double o, double inverse, double wide, double *enter,
+                              double *leave)
+{
+    for (uint32_t i = 0; i < CSG_FEW; i++) {
+        const double a = (lo[i] - wide - o) * inverse, b = (hi[i] + wide - o) * inverse;
+        const double near = a < b ? a : b, far = a < b ? b : a;
+
+        enter[i] = near > enter[i] ? near : enter[i];
+        leave[i] = far < leave[i] ? far : leave[i];
+    }
+}
+
+SIMD_CLONES static void enter_few(const csg_few *few, pov_vec3 o, pov_vec3 inverse, double wide, double *enter,
+                                  double *leave)
+{
+    for (uint32_t i = 0; i < CSG_FEW; i++) {
+        enter[i] = 0.0;
+        leave[i] = HUGE_VAL;
+    }
+    narrow_few(few->lo[0], few->hi[0], o.x, inverse.x, wide, enter, leave);
+    narrow_few(few->lo[1], few->hi[1], o.y, inverse.y, wide, enter, leave);
+    narrow_few(few->lo[2], few->hi[2], o.z, inverse.z, wide, enter, leave);
+}
+
+static void push_few(csg_traversal *w)
+{
+    const csg_few *few = &w->tree->few;
+    SIMD_ALIGNED double enter[CSG_FEW], leave[CSG_FEW];
+
+    enter_few(few, w->ray->org, w->inverse, box_slack * w->size, enter, leave);
+    for (uint32_t i = 0; i < few->count; i++)
+        if (enter[i] <= leave[i])
+            insert(w, few->bound[i], enter[i]);
 }
 
 static uint32_t pop(csg_traversal *w)
@@ -291,7 +333,9 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
     for (uint32_t i = 0; i < t->endless_count; i++)
         test_member(w, t->endless[i]);
-    if (t->bounds_count > 0)
+    if (t->few.count > 0)
+        push_few(w);
+    else if (t->bounds_count > 0)
         push(w, 0);
 }
 
