@@ -225,7 +225,7 @@ SIMD_CLONES static void films(light_sample *restrict s, const rich_finishes *res
                               uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
-        const double path_cos = fabs(s->cosine[i]) + view[i];
+        const double path_cos = fabs(s->cosine[i]) + fabs(view[i]);
 
         s->red[i] *= film(r, i, path_cos, wavelength.r);
         s->green[i] *= film(r, i, path_cos, wavelength.g);

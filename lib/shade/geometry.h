@@ -8,7 +8,8 @@
  * follows from the geometric ones. */
 typedef struct geometry {
     incidence to;                /* its normals are the geometric ones */
-    const vec_lanes *shading;    /* the shading normals, unit, facing the ray's start: those of `to` unless some
+    const vec_lanes *shading;    /* the shading normals, unit, facing the ray's start but for some that a
+                                  * texture perturbed: those of `to` unless some
                                   * surface's differ */
     vec_lanes bent;              /* memory for shading normals that differ */
     vec_lanes view;              /* the direction, unit */
@@ -16,7 +17,8 @@ typedef struct geometry {
     const vec_lanes *raw;        /* the shading normals before textures perturbed them */
     const vec_lanes *mirrored;   /* directions of reflected rays: `reflected` unless some ray would go into the surface */
     vec_lanes turned, smooth;    /* memory for these */
-    double cosine[WORLD_MANY];   /* between shading normal and the direction back, >= 0 */
+    double cosine[WORLD_MANY];   /* between shading normal and the direction back; negative where a perturbed
+                                  * normal does not face it */
     const double *view_side, *reflected_side;   /* cosines between geometric normals and the directions view, back, and
                                   * mirrored: `cosine` unless the shading normals differ; the latter is negative where
                                   * the ray goes to the other side */

@@ -46,7 +46,7 @@ static inline double highlight_product(double cosine, int64_t power)
 static inline double highlight_fresnel(double cosine)
 {
     const double quarter = 1.57079632679489661923, known = cosine < 1.0 ? cosine : 1.0;
-    const double x = elementary_acos(known > 0.0 ? known : 0.0) / quarter - 1.12;
+    const double x = elementary_acos(known > -1.0 ? known : -1.0) / quarter - 1.12;
     const double loss = 0.014567225 / (x * x) - 0.011612903;
 
     return loss > 0.0 ? (loss < 1.0 ? loss : 1.0) : 0.0;

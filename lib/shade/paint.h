@@ -20,7 +20,7 @@ void paint_destroy(painted *p, const env *e);
 bool paint_evaluate(const shading *scene, const surfaces *s, painted *p);
 /* The appearance of a term. */
 void paint_appearance(const shading *scene, const surface *s, const texture_term *t, bool upper, appearance *out);
-/* A term's normal, or that of the surface; it faces the ray's start. */
+/* A term's normal, or that of the surface, which faces the ray's start. A perturbed one need not, as in POV-Ray. */
 pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t);
 /* Set appearances and normals of surfaces that are one term each. */
 void paint_surfaces(const shading *scene, surfaces *s, const painted *p);

@@ -24,7 +24,7 @@ static double course(const reflection *r, double cosine, double ratio)
     const double away = 1.0 - cosine;
 
     if (r->fresnel)
-        return fresnel(cosine, ratio);
+        return fresnel(fabs(cosine), ratio);
     return r->falloff == 1.0f ? away : elementary_pow(away > 0.0 ? away : 0.0, (double)r->falloff);
 }
 

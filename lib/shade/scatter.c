@@ -191,7 +191,30 @@ static inline path *transmit(scattering *to, const surface *s, uint32_t lane, co
 }
 
 /* Interfaces that refracted rays cross, and their new directions. */
-typedef struct interfaces { dielectric_crossing crossing[BATCH_MAX]; refraction_lanes to; } interfaces;
+typedef struct interfaces {
+    dielectric_crossing crossing[BATCH_MAX];
+    refraction_lanes to;
+    const vec_lanes *normal;     /* facing the ray's start: the shading normals, unless a perturbed one does not */
+    const double *cosine;
+    vec_lanes facing;            /* memory for these */
+    double sizes[BATCH_MAX];
+} interfaces;
+
+static void face_rays(const geometry *g, uint32_t n, interfaces *p)
+{
+    p->normal = g->shading;
+    p->cosine = g->cosine;
+    if (!geometry_is_bent(g))
+        return;
+    p->facing = *g->shading;
+    for (uint32_t i = 0; i < lanes_whole(n); i++) {
+        p->sizes[i] = fabs(g->cosine[i]);
+        if (g->cosine[i] < 0.0)
+            lanes_put(&p->facing, i, pov_scale(lanes_at(g->shading, i), -1.0));
+    }
+    p->normal = &p->facing;
+    p->cosine = p->sizes;
+}
 
 static inline void find_interfaces(const shade_context *c, const surfaces *on, interfaces *p)
 {
@@ -212,8 +235,10 @@ static inline void find_interfaces(const shade_context *c, const surfaces *on, i
         p->to.after[i] = p->crossing[i].after;
         any = true;
     }
-    if (any)
-        refract_lanes(&p->to, &g->view, g->shading, g->cosine, n);
+    if (!any)
+        return;
+    face_rays(g, n, p);
+    refract_lanes(&p->to, &g->view, p->normal, p->cosine, n);
 }
 
 /* The transmitted ray gets the changed list of dielectrics. */
@@ -247,9 +272,9 @@ static inline bool is_dispersed(const scattering *to, const surface *s, const di
            dielectric_interior(scene->model, crossing->object)->dispersion != 1.0;
 }
 
-static void disperse(scattering *to, const surface *s, uint32_t lane, const coefficient *by, const dielectric_crossing *crossing)
+static void disperse(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const geometry *g = &to->on->geometry;
+    const dielectric_crossing *crossing = &p->crossing[lane];
     const interior *in = dielectric_interior(to->context->scene->model, crossing->object);
     const int n = in->dispersion_samples;
 
@@ -259,8 +284,8 @@ static void disperse(scattering *to, const surface *s, uint32_t lane, const coef
         pov_vec3 dir;
         path *out;
 
-        if (!refract(lanes_at(&g->view, lane), lanes_at(g->shading, lane), g->cosine[lane], crossing->before,
-                     dielectric_ior(in, hue), &dir)) {
+        if (!refract(lanes_at(&to->on->geometry.view, lane), lanes_at(p->normal, lane), p->cosine[lane],
+                     crossing->before, dielectric_ior(in, hue), &dir)) {
             reflect_inside(to, s, lane, &some);
             continue;
         }
@@ -283,7 +308,7 @@ static inline void cross(scattering *to, const interfaces *p, const surface *s, 
     const dielectric_crossing *crossing = &p->crossing[lane];
 
     if (is_dispersed(to, s, crossing))
-        disperse(to, s, lane, by, crossing);
+        disperse(to, p, s, lane, by);
     else if (crossing->before == crossing->after)
         pass(to, transmit(to, s, lane, by), crossing);
     else

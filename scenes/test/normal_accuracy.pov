@@ -1,0 +1,13 @@
+// Accuracy, bump_size, and bumps that do not scale.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 5, -9> look_at <0, .6, 0> angle 42 }
+light_source { <6, 10, -6> rgb 1 }
+background { rgb <.3, .5, .8> }
+plane { y, -1 pigment { rgb <.5, .6, .7> } normal { bozo 1 accuracy .2 } finish { reflection .3 } }
+sphere { 0, 1 pigment { rgb <.8, .7, .6> } normal { bozo 1 accuracy .001 scale .3 } finish { ambient 0 diffuse .5 reflection .4 phong .6 phong_size 60 } translate <-2.3, .1, -1> }
+sphere { 0, 1 pigment { rgb <.8, .7, .6> } normal { gradient x bump_size 2 sine_wave scale .3 } finish { ambient 0 diffuse .5 reflection .4 phong .6 phong_size 60 } translate <0, .1, -1> }
+sphere { 0, 1 pigment { rgb <.8, .7, .6> } normal { bumps .1 scale .1 no_bump_scale } finish { ambient 0 diffuse .5 reflection .4 phong .6 phong_size 60 } translate <2.3, .1, -1> }
+sphere { 0, 1 pigment { rgb <.8, .7, .6> } normal { bumps .5 scale 3 } finish { ambient 0 diffuse .5 reflection .4 phong .6 phong_size 60 } translate <-2.3, .1, 1.2> }
+sphere { 0, 1 pigment { rgb <.8, .7, .6> } normal { bumps .3 scale <.1, 1, .4> no_bump_scale } finish { ambient 0 diffuse .5 reflection .4 phong .6 phong_size 60 } translate <0, .1, 1.2> }
+sphere { 0, 1 pigment { rgb <.8, .7, .6> } normal { marble .6 turbulence .8 scale .5 } finish { ambient 0 diffuse .5 reflection .4 phong .6 phong_size 60 } translate <2.3, .1, 1.2> }
