@@ -85,7 +85,7 @@ light_grid *grid_create(const env *e, const light *l, bool soft)
         return NULL;
     g->count = (uint32_t)count;
     g->rounded = (l->flags & (LIGHT_CIRCULAR | LIGHT_ORIENT)) != 0;
-    g->moves = soft || (l->flags & (LIGHT_JITTER | LIGHT_ORIENT));
+    g->moves = soft || (l->flags & (LIGHT_JITTER | LIGHT_ORIENT)) || l->type == LIGHT_PARALLEL || l->type == LIGHT_CYLINDER;
     if (soft)
         place_cells(g, cells);
     else

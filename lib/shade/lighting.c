@@ -144,10 +144,7 @@ static bool aim_at_point(const scene_light *from, uint32_t k, const light_points
         return false;
     }
     *origin = grid_origin(from->light, from->grid, k);
-    if (from->class->parallel)
-        from->class->incident(from->light, origin, at, in);
-    else
-        light_aim(origin, at, &in->dir);
+    light_aim(origin, at, &in->dir);
     return true;
 }
 
