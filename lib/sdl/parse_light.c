@@ -29,34 +29,43 @@ static void read_type(pov_reader *in, void *self, keyword_id keyword)
         light_of(self)->type = keyword == KEYWORD_CYLINDER ? LIGHT_CYLINDER : LIGHT_SPOT;
 }
 
+/* The words that say how light is directed stand behind the word that says that it is. */
+static void check_order(pov_reader *in, keyword_id keyword, bool is_directed, const char *after)
+{
+    place at = in->last;
+
+    if (!in->failed && !is_directed)
+        report_fail(in, &at, POV_E_SYNTAX, "\"%s\" stands behind %s", token_keyword_name(keyword), after);
+}
+
 static void read_point_at(pov_reader *in, void *self, keyword_id keyword)
 {
-    (void)keyword;
+    const light_reading *r = self;
+
+    check_order(in, keyword, r->is_parallel || light_of(self)->type != LIGHT_POINT,
+                "\"spotlight\", \"cylinder\" or \"parallel\"");
     ((light_reading *)self)->out->point_at = value_vector(in);
 }
 
-static void read_number(pov_reader *in, void *self, keyword_id keyword)
+static void read_beam(pov_reader *in, void *self, keyword_id keyword)
 {
     light_reading *r = self;
-    light *l = light_of(self);
-    const double number = value_number(in);
 
-    switch (keyword) {
-    case KEYWORD_RADIUS:
-        r->angles[0] = number;
-        break;
-    case KEYWORD_FALLOFF:
-        r->angles[1] = number;
-        break;
-    case KEYWORD_TIGHTNESS:
-        l->tightness = number;
-        break;
-    case KEYWORD_FADE_DISTANCE:
-        l->fade_distance = number;
-        break;
-    default:
-        l->fade_power = number;
-    }
+    check_order(in, keyword, light_of(self)->type != LIGHT_POINT, "\"spotlight\" or \"cylinder\"");
+    if (keyword == KEYWORD_TIGHTNESS)
+        light_of(self)->tightness = value_number(in);
+    else
+        r->angles[keyword == KEYWORD_FALLOFF] = value_number(in);
+}
+
+static void read_fading(pov_reader *in, void *self, keyword_id keyword)
+{
+    light *l = light_of(self);
+
+    if (keyword == KEYWORD_FADE_DISTANCE)
+        l->fade_distance = value_number(in);
+    else
+        l->fade_power = value_number(in);
 }
 
 /* More points than this are a slip. */
@@ -173,14 +182,18 @@ static void read_projected_through(pov_reader *in, void *self, keyword_id keywor
 static const keyword_id quiet[] = { KEYWORD_PHOTONS, KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_OTHER };
 static const item items[] = {
     PARSE_MOVES(move_light),               { KEYWORD_SPOTLIGHT, read_type },       { KEYWORD_CYLINDER, read_type },
-    { KEYWORD_PARALLEL, read_type },       { KEYWORD_POINT_AT, read_point_at },    { KEYWORD_RADIUS, read_number },
-    { KEYWORD_FALLOFF, read_number },      { KEYWORD_TIGHTNESS, read_number },     { KEYWORD_FADE_DISTANCE, read_number },
-    { KEYWORD_FADE_POWER, read_number },   { KEYWORD_AREA_LIGHT, read_area },      { KEYWORD_ADAPTIVE, skip_adaptive },
+    { KEYWORD_PARALLEL, read_type },       { KEYWORD_POINT_AT, read_point_at },    { KEYWORD_RADIUS, read_beam },
+    { KEYWORD_FALLOFF, read_beam },        { KEYWORD_TIGHTNESS, read_beam },       { KEYWORD_FADE_DISTANCE, read_fading },
+    { KEYWORD_FADE_POWER, read_fading },   { KEYWORD_AREA_LIGHT, read_area },      { KEYWORD_ADAPTIVE, skip_adaptive },
     { KEYWORD_SHADOWLESS, read_flag },     { KEYWORD_JITTER, read_flag },          { KEYWORD_CIRCULAR, read_flag },
     { KEYWORD_ORIENT, read_flag },         { KEYWORD_AREA_ILLUMINATION, read_flag }, { KEYWORD_LOOKS_LIKE, read_looks_like },
     { KEYWORD_PROJECTED_THROUGH, read_projected_through },
 };
 static const item_list list = { "a modifier of the light", ITEMS(items), quiet, NULL, NULL, VALUE_NOTHING, NULL };
+
+/* A light with a name is moved only. */
+static const item moves[] = { PARSE_MOVES(move_light) };
+static const item_list move_list = { "a transformation", ITEMS(moves), NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
 static void begin(light_reading *r, object_parsed *out)
 {
@@ -224,7 +237,7 @@ void parse_light(pov_reader *in, object_parsed *out)
     items_open(in, &b);
     if (parse_object_follows(in)) {
         parse_object_try(in, out);
-        items_close(in, &b, &list, &r);
+        items_close(in, &b, &move_list, &r);
         return;
     }
     out->light.position = value_vector(in);

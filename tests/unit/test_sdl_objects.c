@@ -1,5 +1,6 @@
 /* sdl/parse_object and what it asks: shapes, modifiers, materials, lights. */
 #include "support/check.h"
+#include "support/near.h"
 #include "support/reading.h"
 
 #include <math.h>
@@ -297,6 +298,50 @@ static void lights_have_place_and_colour(void **state)
     reading_end(&r);
 }
 
+static void lights_of_other_kinds_have_an_axis(void **state)
+{
+    reading r;
+    const light *l;
+
+    (void)state;
+    read_text(&r, "#version 3.7; light_source { <0,1,0> rgb 1 spotlight radius 60 falloff 90 point_at 0 rotate <0,0,90> }\n"
+                  "light_source { 0 rgb 1 cylinder radius 2 falloff 3 tightness 4 point_at 5*x }\n"
+                  "light_source { 0 rgb 1 parallel fade_distance 3 fade_power 2 shadowless }\n"
+                  "light_source { 0 rgb 1 area_light 2*x, 3*y, 4, 5 adaptive 2 jitter circular rotate <0,0,90> }\n");
+    l = r.model.lights.items;
+    assert_int_equal(r.model.lights.count, 4);
+    assert_int_equal(l[0].type, LIGHT_SPOT);
+    assert_near(l[0].axis.x, 1.0, 1e-15);
+    assert_near(l[0].radius, 0.5, 1e-15);
+    assert_near(l[0].falloff, 0.0, 1e-15);
+    assert_int_equal(l[1].type, LIGHT_CYLINDER);
+    assert_true(l[1].axis.x == 1.0 && l[1].radius == 2.0 && l[1].falloff == 3.0 && l[1].tightness == 4.0);
+    assert_int_equal(l[2].type, LIGHT_PARALLEL);
+    assert_true(l[2].axis.z == 1.0 && light_fades(&l[2]));
+    assert_int_equal(l[2].flags, LIGHT_SHADOWLESS);
+    assert_int_equal(l[3].flags, LIGHT_AREA | LIGHT_CIRCULAR | LIGHT_JITTER);
+    assert_near(l[3].area.axes[0].y, 2.0, 1e-15);
+    assert_near(l[3].area.axes[1].x, -3.0, 1e-15);
+    assert_true(l[3].area.counts[0] == 4 && l[3].area.counts[1] == 5);
+    reading_end(&r);
+}
+
+static void what_a_light_looks_like_is_an_object_without_a_shadow(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "#version 3.7; light_source { <0,1,0> rgb 1 looks_like { sphere { 0, 1 } } projected_through { box { -1, 1 } } }\n"
+                  "light_source { 0 rgb 1 }\n");
+    assert_int_equal(r.model.leaves.count, 2);
+    assert_int_equal(r.model.leaves.items[0].flags, LEAF_NO_SHADOW | LEAF_NO_IMAGE | LEAF_NO_REFLECTION);
+    assert_int_equal(r.model.leaves.items[1].flags, LEAF_NO_SHADOW);
+    assert_int_equal(r.model.lights.items[0].through, 0);
+    assert_int_equal(r.model.lights.items[0].through_count, 1);
+    assert_int_equal(r.model.lights.items[1].through_count, 0);
+    reading_end(&r);
+}
+
 static void a_moved_light_keeps_both_parts_of_its_place(void **state)
 {
     reading r;
@@ -329,6 +374,8 @@ int main(void)
         cmocka_unit_test(flags_are_kept_and_inverse_undoes_itself),
         cmocka_unit_test(equal_materials_are_stored_once),
         cmocka_unit_test(lights_have_place_and_colour),
+        cmocka_unit_test(lights_of_other_kinds_have_an_axis),
+        cmocka_unit_test(what_a_light_looks_like_is_an_object_without_a_shadow),
         cmocka_unit_test(a_moved_light_keeps_both_parts_of_its_place),
     };
 
