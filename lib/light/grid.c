@@ -115,11 +115,14 @@ static double moved(double at, double cell, uint64_t bits)
     return at + cell * ((double)(bits & 0xffffff) * 0x1p-24 + (0x1p-25 - 0.5));
 }
 
-/* Two axes across a direction, of the length of the first axis. */
+/* Directions closer to the z axis than this cosine have a frame by y. */
+static const double along_z = 0.99;
+
+/* Two axes across a direction, of the length of the first axis: the frame of POV-Ray, as its shadows show it. */
 static void turn(const light *l, pov_vec3 to, pov_vec3 axes[2])
 {
     const double size = sqrt(pov_dot(l->area.axes[0], l->area.axes[0]));
-    const pov_vec3 across = fabs(to.y) < 0.9 ? pov_vec3_of(0.0, 1.0, 0.0) : pov_vec3_of(1.0, 0.0, 0.0);
+    const pov_vec3 across = fabs(to.z) < along_z ? pov_vec3_of(0.0, 0.0, 1.0) : pov_vec3_of(0.0, 1.0, 0.0);
     const pov_vec3 right = pov_unit(pov_cross_product(across, to));
 
     axes[0] = pov_scale(right, size);

@@ -149,6 +149,8 @@ static void an_area_that_is_turned_lies_across_the_direction(void **state)
         offsets_at(&l, g, k, 0, &offset);
         assert_near(offset.y[0], 0.0, 1e-12);
         assert_near(hypot(offset.x[0], offset.z[0]), k == 4 ? 0.0 : 1.0, 1e-12);
+        /* Two sides are along z. */
+        assert_near(fabs(offset.z[0]), k % 2 == 0 ? (k == 4 ? 0.0 : sqrt(0.5)) : k == 1 || k == 7 ? 1.0 : 0.0, 1e-12);
     }
     env_free(&memory, g);
 }
