@@ -3,6 +3,7 @@
 #include "base/simd.h"
 #include "render/camera.h"
 #include "render/lens.h"
+#include "shade/camera_normal.h"
 
 pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y, double dx, double dy)
 {
@@ -44,5 +45,15 @@ unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint
         rays[i].org = camera->location;   /* the last ones started on the lens */
     camera_class_of(camera)->aim(camera, through, n, rays);
     lens_spread(camera, through, n, rays);
+    return 0;
+}
+
+unsigned raygen_cast(const model *m, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
+{
+    const unsigned known = raygen_aim(camera, through, n, rays);
+
+    if (!m->camera_normal)
+        return known;
+    camera_normal_apply(m, through->u, through->v, n, rays);
     return 0;
 }

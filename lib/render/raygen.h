@@ -30,5 +30,7 @@ void raygen_begin(const pov_camera *camera, pov_ray *rays, uint32_t n);
 /* Set the starts and directions of such rays, as the camera's type has them; n <= RAYGEN_MANY. Returns their known properties, as tracer_colors()
  * takes them. */
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
+/* The same as the scene's own camera bends them. */
+unsigned raygen_cast(const model *m, const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 #endif

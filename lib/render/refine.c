@@ -47,7 +47,7 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     if (c->count == 0)
         return;
     raygen_place(&c->through, s->width, s->height, c->count, &through);
-    known = raygen_aim(&w->claim.camera, &through, c->count, c->rays);
+    known = raygen_cast(w->job->scene->model, &w->claim.camera, &through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, seen, s->alpha ? alpha : NULL);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {

@@ -63,7 +63,7 @@ static void trace_packet(worker *w, const settings *s, packet *c)
 {
     colour seen[BATCH_MAX];
     float alpha[BATCH_MAX];
-    const unsigned known = raygen_aim(&w->claim.camera, &c->through, c->count, c->rays);
+    const unsigned known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
 
     tracer_colors(w->tracer, c->rays, c->count, known, seen, s->alpha ? alpha : NULL);
     for (uint32_t i = 0; i < c->count; i++) {

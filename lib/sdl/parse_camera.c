@@ -1,5 +1,6 @@
-#include "sdl/parse.h"
+#include "sdl/parse_texture.h"
 #include "sdl/report.h"
+#include "sdl/textures.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
 
@@ -68,9 +69,17 @@ static void move_camera(pov_reader *in, void *self, keyword_id keyword)
     parse_transform(in, &((camera_parsed *)self)->map, keyword);
 }
 
+static void read_normal(pov_reader *in, void *self, keyword_id keyword)
+{
+    camera_parsed *c = self;
+
+    (void)keyword;
+    c->normal = parse_normal_upon(in, c->normal);
+}
+
 /* The values of these words are read for their own sake. */
 static const keyword_id quiet[] = { KEYWORD_CONFIDENCE, KEYWORD_VARIANCE, KEYWORD_OTHER };
-static const keyword_id coming[] = { KEYWORD_BOKEH, KEYWORD_NORMAL, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_BOKEH, KEYWORD_OTHER };
 
 static void take_camera(pov_reader *in, void *self, const value *v)
 {
@@ -164,7 +173,7 @@ void parse_camera(pov_reader *in, camera_parsed *c)
         { KEYWORD_ULTRA_WIDE_ANGLE, read_type }, { KEYWORD_OMNIMAX, read_type }, { KEYWORD_PANORAMIC, read_type },
         { KEYWORD_CYLINDER, read_type },     { KEYWORD_SPHERICAL, read_type },  { KEYWORD_MESH_CAMERA, read_mesh_camera },
         { KEYWORD_APERTURE, read_aperture }, { KEYWORD_BLUR_SAMPLES, read_blur_samples },
-        { KEYWORD_FOCAL_POINT, read_focal_point },
+        { KEYWORD_FOCAL_POINT, read_focal_point }, { KEYWORD_NORMAL, read_normal },
     };
     static const item_list list = { "an item of the camera", ITEMS(items), quiet, NULL, coming, VALUE_CAMERA,
                                     take_camera };
@@ -351,6 +360,9 @@ void parse_camera_finish(pov_reader *in)
     out->right = f.r;
     out->up = f.u;
     move(in, &c, out);
+    in->model->camera_normal = c.normal;
+    if (c.normal)
+        textures_settle_normal(in, c.normal);
     if (!in->failed && !is_usable(out))
         report_fail(in, &c.at, POV_E_SYNTAX, "the camera's numbers leave it no picture");
 }

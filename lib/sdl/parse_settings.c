@@ -88,12 +88,21 @@ static void read_number_of_waves(pov_reader *in, void *self, keyword_id keyword)
     in->model->number_of_waves = number < 1.0 ? 1 : (uint32_t)number;
 }
 
+/* Settings of old versions. */
+static void read_unused(pov_reader *in, void *self, keyword_id keyword)
+{
+    const place at = in->last;
+
+    (void)self;
+    if (value_optional(in, 1.0) != 0.0 && !in->failed)
+        report_warn(in, &at, "\"%s\" has had no effect since version 3.7", token_keyword_name(keyword));
+}
+
 static const keyword_id quiet[] = {
     KEYWORD_CHARSET, KEYWORD_ASCII, KEYWORD_UTF8, KEYWORD_SYS,
-    KEYWORD_MAX_INTERSECTIONS, KEYWORD_HF_GRAY_16, KEYWORD_OTHER,
+    KEYWORD_MM_PER_UNIT, KEYWORD_OTHER,
 };
-static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_SUBSURFACE, KEYWORD_MM_PER_UNIT,
-    KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_SUBSURFACE, KEYWORD_OTHER };
 
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -105,6 +114,8 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_NOISE_GENERATOR, read_noise_generator },
         { KEYWORD_NUMBER_OF_WAVES, read_number_of_waves },
         { KEYWORD_IRID_WAVELENGTH, read_irid_wavelength },
+        { KEYWORD_MAX_INTERSECTIONS, read_unused },
+        { KEYWORD_HF_GRAY_16, read_unused },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 

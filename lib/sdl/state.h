@@ -32,6 +32,7 @@ typedef struct camera_parsed {
     double version;              /* at its end */
     place angle_place;
     const transform *map;
+    const normal_node *normal;   /* or NULL */
 } camera_parsed;
 
 typedef struct settings_parsed {

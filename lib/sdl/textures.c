@@ -218,13 +218,13 @@ void textures_settle_pigment(pov_reader *in, const pigment_node *p)
         textures_settle_pigment(in, p->pigments[i]);
 }
 
-static void settle_normal(pov_reader *in, const normal_node *n)
+void textures_settle_normal(pov_reader *in, const normal_node *n)
 {
     if (!n)
         return;
     textures_settle_pattern(in, n->pattern);
     for (uint32_t i = 0; n->normals && i < n->count && !in->failed; i++)
-        settle_normal(in, n->normals[i]);
+        textures_settle_normal(in, n->normals[i]);
 }
 
 void textures_settle(pov_reader *in, const texture *t)
@@ -233,7 +233,7 @@ void textures_settle(pov_reader *in, const texture *t)
     if (t->pigment)
         textures_settle_pigment(in, t->pigment);
     if (t->normal)
-        settle_normal(in, t->normal);
+        textures_settle_normal(in, t->normal);
     for (uint32_t i = 0; t->textures && i < t->count && !in->failed; i++)
         textures_settle(in, t->textures[i]);
 }

@@ -36,6 +36,7 @@ const texture *textures_uv(pov_reader *in, const texture *t);
 /* Before it becomes part of the model: its patterns know where they stand, and the scene has the noise that they need. */
 void textures_settle_pattern(pov_reader *in, const pattern *p);
 void textures_settle_pigment(pov_reader *in, const pigment_node *p);
+void textures_settle_normal(pov_reader *in, const normal_node *n);
 void textures_settle(pov_reader *in, const texture *t);
 
 #endif
