@@ -182,7 +182,7 @@ void parse_settings_finish(pov_reader *in)
     m->background = m->sky_colour.color;
     if (!is_povray || is_new)
         m->background = colour_scale(m->background, 1.0f - m->sky_colour.transmit);
-    m->sky_is_transparent = is_povray && !is_new;
+    m->sky_is_old = is_povray && !is_new;
     finish_gamma(in, is_new);
     noise_finish(in);
 }

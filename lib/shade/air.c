@@ -226,11 +226,26 @@ typedef struct backdrop { colour seen, through; } backdrop;
 
 static const backdrop nothing = { { 0.0f, 0.0f, 0.0f }, { 1.0f, 1.0f, 1.0f } };
 
+/* What a pigment lets through. */
+static colour filter_of(const pigment *p)
+{
+    const colour t = colour_of(p->transmit, p->transmit, p->transmit);
+
+    return colour_add(t, colour_scale(p->color, p->filter));
+}
+
+/* The same without its colour. */
+static colour plain_filter_of(const pigment *p)
+{
+    const float by = p->filter + p->transmit;
+
+    return colour_of(by, by, by);
+}
+
 /* A pigment before it, of a light of its own. */
-static void put_before(backdrop *b, const pigment *p, colour own)
+static void put_before(backdrop *b, const pigment *p, colour own, colour by)
 {
     const float opaque = 1.0f - p->filter - p->transmit;
-    const colour t = colour_of(p->transmit, p->transmit, p->transmit), by = colour_add(t, colour_scale(p->color, p->filter));
 
     b->seen = colour_add(colour_scale(own, opaque), colour_mul(by, b->seen));
     b->through = colour_mul(by, b->through);
@@ -248,8 +263,8 @@ static backdrop background_of(const shade_context *c, const path *p)
     if (p->mirrored)
         return b;
     b = nothing;
-    if (!m->sky_is_transparent)
-        put_before(&b, &m->sky_colour, m->sky_colour.color);
+    if (!m->sky_is_old)
+        put_before(&b, &m->sky_colour, m->sky_colour.color, filter_of(&m->sky_colour));
     return b;
 }
 
@@ -266,7 +281,7 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
     for (; rays; rays &= rays - 1) {
         const uint32_t i = first_of64(rays);
 
-        if (c->alpha && m->sky_is_transparent && !b->paths[i].mirrored)
+        if (c->alpha && m->sky_is_old && !b->paths[i].mirrored)
             continue;
         lanes[n] = i;
         texture_point(NULL, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0), n, &points);
@@ -275,7 +290,8 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
     for (uint32_t k = 0; k < m->sky->count && n > 0; k++) {
         pigment_eval(m, m->sky->layers[k], &points, n, p);
         for (uint32_t i = 0; i < n; i++)
-            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission));
+            put_before(&seen[lanes[i]], &p[i], colour_mul(p[i].color, m->sky->emission),
+                       k > 0 && m->sky_is_old ? plain_filter_of(&p[i]) : filter_of(&p[i]));
     }
 }
 

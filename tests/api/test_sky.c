@@ -1,0 +1,78 @@
+/* Skies and backgrounds where nothing is hit, against what POV-Ray 3.7 gives there. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void assert_seen(const char *version, const char *body, double red, double green, double blue)
+{
+    const double wanted[3] = { red, green, blue };
+    pov_render_desc desc = POV_INIT(desc);
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    char text[512];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version %s; global_settings { assumed_gamma 1 } camera { location 0 look_at y + z }\n%s", version, body);
+    scene = scenes_text(context, text);
+    desc.width = 3;
+    desc.height = 3;
+    picture = scenes_render(scene, &desc);
+    for (int i = 0; i < 3; i++)
+        if (fabs((double)picture[4 * 4 + i] - wanted[i]) > 2e-6)
+            fail_msg("%s %s: channel %d is %f", version, body, i, (double)picture[4 * 4 + i]);
+    free(picture);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+#define BEHIND "background { rgb <.2, .4, .8> } "
+
+static void one_layer_filters_the_background(void **state)
+{
+    static const char *const versions[] = { "3.7", "3.6" };
+
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        assert_seen(versions[i], BEHIND "sky_sphere { pigment { rgbf <.75, .5, .6, .4> } }", 0.51, 0.38, 0.552);
+        assert_seen(versions[i], BEHIND "sky_sphere { pigment { rgbft <.75, .5, .6, .4, .2> } }", 0.4, 0.36, 0.592);
+    }
+}
+
+/* Before version 3.7 the colour of an upper layer does not count, as with textures. */
+static void upper_layers_filter_by_version(void **state)
+{
+    static const char sky[] = BEHIND "sky_sphere { pigment { rgb <.2, .3, .4> } pigment { rgbf <.75, .5, .6, .4> } }";
+
+    (void)state;
+    assert_seen("3.7", sky, 0.45 + 0.3 * 0.2, 0.3 + 0.2 * 0.3, 0.36 + 0.24 * 0.4);
+    assert_seen("3.6", sky, 0.45 + 0.4 * 0.2, 0.3 + 0.4 * 0.3, 0.36 + 0.4 * 0.4);
+}
+
+static void a_background_lets_nothing_through_before_version_3_7(void **state)
+{
+    (void)state;
+    assert_seen("3.7", "background { rgbft <.5, .6, .7, .2, .3> }", 0.35, 0.42, 0.49);
+    assert_seen("3.6", "background { rgbft <.5, .6, .7, .2, .3> }", 0.5, 0.6, 0.7);
+}
+
+static void the_last_sky_counts_and_emission_scales_its_own_light(void **state)
+{
+    (void)state;
+    assert_seen("3.7", BEHIND "sky_sphere { pigment { rgb 1 } } sky_sphere { pigment { rgbt <.5, .5, .5, .5> } emission <1, 2, 0> }",
+                0.25 + 0.1, 0.5 + 0.2, 0.4);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_layer_filters_the_background),
+        cmocka_unit_test(upper_layers_filter_by_version),
+        cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
+        cmocka_unit_test(the_last_sky_counts_and_emission_scales_its_own_light),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
