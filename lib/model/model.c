@@ -28,13 +28,18 @@ bool model_keep(model *m, void *item, void (*destroy)(void *item))
 
 bool model_is_lit_by(const model *m, uint32_t leaf, const light *l)
 {
+    uint32_t number = 0;
+    bool global_lights = true;
+
     for (size_t i = 0; i < m->light_groups.count; i++) {
         const light_group *g = &m->light_groups.items[i];
 
-        if (leaf - g->leaf < g->leaf_count)
-            return l->group == g->number || (l->group == 0 && g->global_lights);
+        if (leaf - g->leaf >= g->leaf_count)
+            continue;
+        number = number ? number : g->number;
+        global_lights = g->global_lights;
     }
-    return l->group == 0;
+    return l->group ? l->group == number : global_lights;
 }
 
 void model_free(model *m)

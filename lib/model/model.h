@@ -102,7 +102,8 @@ uint32_t model_object_of(const model *m, uint32_t leaf);
 const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf);
 const char *model_op_keyword(node_op op);
 
-/* Does the light shine on the leaf, as light groups have it? */
+/* Does the light shine on the leaf, as light groups have it? The innermost group around it says which lights of groups do,
+ * the outermost one whether those of none do. */
 bool model_is_lit_by(const model *m, uint32_t leaf, const light *l);
 /* Give the item to the model. False: no memory, and the item is destroyed. */
 bool model_keep(model *m, void *item, void (*destroy)(void *item));

@@ -326,6 +326,35 @@ static void lights_of_other_kinds_have_an_axis(void **state)
     reading_end(&r);
 }
 
+static bool is_lit(const reading *r, uint32_t leaf, size_t which)
+{
+    return model_is_lit_by(&r->model, leaf, &r->model.lights.items[which]);
+}
+
+/* The lights are the scene's, the outer group's and the inner one's; the leaves are of the inner, the outer and no group. */
+static void expect_groups(const char *outer, const char *inner, bool outer_is_global)
+{
+    char text[512];
+    reading r;
+
+    sprintf(text, "#version 3.7; light_source { 0 rgb 1 } light_group { light_source { 0 rgb 1 }\n"
+                  "light_group { light_source { 0 rgb 1 } sphere { 0, 1 } %s } sphere { 0, 1 } %s } sphere { 0, 1 }", inner, outer);
+    read_text(&r, text);
+    assert_true(is_lit(&r, 0, 0) == outer_is_global && !is_lit(&r, 0, 1) && is_lit(&r, 0, 2));
+    assert_true(is_lit(&r, 1, 0) == outer_is_global && is_lit(&r, 1, 1) && !is_lit(&r, 1, 2));
+    assert_true(is_lit(&r, 2, 0) && !is_lit(&r, 2, 1) && !is_lit(&r, 2, 2));
+    reading_end(&r);
+}
+
+static void a_group_within_a_group_has_its_own_lights(void **state)
+{
+    (void)state;
+    expect_groups("", "", false);
+    expect_groups("", "global_lights", false);
+    expect_groups("global_lights", "", true);
+    expect_groups("global_lights on", "global_lights off", true);
+}
+
 static void what_a_light_looks_like_is_an_object_without_a_shadow(void **state)
 {
     reading r;
@@ -375,6 +404,7 @@ int main(void)
         cmocka_unit_test(equal_materials_are_stored_once),
         cmocka_unit_test(lights_have_place_and_colour),
         cmocka_unit_test(lights_of_other_kinds_have_an_axis),
+        cmocka_unit_test(a_group_within_a_group_has_its_own_lights),
         cmocka_unit_test(what_a_light_looks_like_is_an_object_without_a_shadow),
         cmocka_unit_test(a_moved_light_keeps_both_parts_of_its_place),
     };
