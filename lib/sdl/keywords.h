@@ -42,7 +42,7 @@
     ROW(B_SPLINE, "b_spline", 0) \
     ROW(BACKGROUND, "background", 0) \
     ROW(BEZIER_SPLINE, "bezier_spline", 0) \
-    ROW(BICUBIC_PATCH, "bicubic_patch", KEYWORD_FLAG_COMING) \
+    ROW(BICUBIC_PATCH, "bicubic_patch", KEYWORD_FLAG_SHAPE) \
     ROW(BITWISE_AND, "bitwise_and", 0) \
     ROW(BITWISE_OR, "bitwise_or", 0) \
     ROW(BITWISE_XOR, "bitwise_xor", 0) \
@@ -179,7 +179,7 @@
     ROW(GRAY_THRESHOLD, "gray_threshold", 0) \
     ROW(GREEN, "green", KEYWORD_FLAG_BASE | KEYWORD_FLAG_PAINT) \
     ROW(HDR, "hdr", 0) \
-    ROW(HEIGHT_FIELD, "height_field", KEYWORD_FLAG_COMING) \
+    ROW(HEIGHT_FIELD, "height_field", KEYWORD_FLAG_SHAPE) \
     ROW(HEXAGON, "hexagon", 0) \
     ROW(HF_GRAY_16, "hf_gray_16", 0) \
     ROW(HIERARCHY, "hierarchy", 0) \
@@ -386,7 +386,7 @@
     ROW(SPACING, "spacing", 0) \
     ROW(SPECULAR, "specular", 0) \
     ROW(SPHERE, "sphere", KEYWORD_FLAG_BASE | KEYWORD_FLAG_SHAPE) \
-    ROW(SPHERE_SWEEP, "sphere_sweep", KEYWORD_FLAG_COMING) \
+    ROW(SPHERE_SWEEP, "sphere_sweep", KEYWORD_FLAG_SHAPE) \
     ROW(SPHERICAL, "spherical", 0) \
     ROW(SPIRAL1, "spiral1", 0) \
     ROW(SPIRAL2, "spiral2", 0) \

@@ -300,6 +300,39 @@ static const pov_hierarchy *host_hierarchy_in_order(pov_reader *in, uint32_t n,
     return &all->service;
 }
 
+static bool visit_items(const pov_hierarchy *self, const pov_ray *ray, const pov_hits *hits,
+                        bool (*visit)(void *user, uint32_t item), void *user)
+{
+    const all_items *all = (const all_items *)(const void *)self;
+
+    (void)ray;
+    (void)hits;
+    for (uint32_t i = 0; i < all->count; i++)
+        if (!visit(user, i))
+            return false;
+    return true;
+}
+
+static const pov_hierarchy *host_hierarchy(pov_reader *in, const pov_box *boxes, uint32_t n)
+{
+    all_items *all = in->failed ? NULL : fake_reader_memory(in, sizeof *all);
+
+    (void)boxes;
+    if (!all)
+        return NULL;
+    all->service.visit = visit_items;
+    all->count = n;
+    return &all->service;
+}
+
+/* There are no images. */
+static const uint16_t *host_heights(pov_reader *in, uint32_t *width, uint32_t *height)
+{
+    *width = *height = 0;
+    host_fail(in, "expected an image");
+    return NULL;
+}
+
 /* ---- instances ---- */
 
 enum { LOADED_MAX = 32 };        /* plugins that one test program loads */
@@ -311,6 +344,7 @@ bool fake_reader_parse_into(pov_reader *in, const shape_class *shape, void *self
                                    .vector = host_vector, .accept = host_accept, .expect = host_expect, .more = host_more,
                                    .fail = host_fail, .warn = host_warn, .vector_of = host_vector_of,
                                    .boolean = host_boolean, .string = host_string, .file = host_file,
+                                   .hierarchy = host_hierarchy, .heights = host_heights,
                                    .resize = host_resize, .hierarchy_in_order = host_hierarchy_in_order,
                                    .texture = host_texture, .next_is = is_word, .more_numbers = host_more_numbers };
 

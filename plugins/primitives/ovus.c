@@ -1,0 +1,202 @@
+/* ovus { R, r }: an egg about the y axis: a sphere of radius R about 0, one of radius r about <0, R, 0>, and between them the
+ * arc of a circle turned about the axis, which touches both.
+ *
+ * It is convex, and the circle's centre lies beyond the axis, so between the two heights where the parts join it is where a
+ * quartic is zero. Of each part the crossings at its own heights count. */
+#include "common/bernstein.h"
+#include "common/clip.h"
+#include "common/radius.h"
+#include "common/turns.h"
+
+typedef struct ovus {
+    double bottom, top;          /* radii, scaled */
+    double arc, a, h;            /* the circle: radius, and its centre at -a from the axis, at the height h */
+    double low, high;            /* heights of the joints */
+    double scale, wide;
+} ovus;
+
+enum { BOTTOM, ARC, TOP };
+
+static const double NEAR = 0x1p-30, BESIDE = 0x1p-44;
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    ovus *o = self;
+    double R = common_radius(host, in), r = (host->accept(in, ","), common_radius(host, in)), K, share;
+
+    if (!(fmax(R, r) > 0.0))
+        host->fail(in, "the radii of an ovus must not be 0");
+    if (r >= 2.0 * R) {
+        host->warn(in, "the second radius of an ovus should be less than double the first: it is a sphere");
+        R = r;
+    }
+    o->scale = pov_inverse_power(R + r);
+    o->bottom = R * o->scale;
+    o->top = r * o->scale;
+    K = o->arc = 2.0 * fmax(o->bottom, o->top);
+    /* a^2 + h^2 = (K - R)^2 and a^2 + (h - R)^2 = (K - r)^2. */
+    o->h = ((K - o->bottom) * (K - o->bottom) - (K - o->top) * (K - o->top) + o->bottom * o->bottom) / (2.0 * o->bottom);
+    o->a = sqrt(fmax((K - o->bottom) * (K - o->bottom) - o->h * o->h, 0.0));
+    share = o->bottom / (K - o->bottom);
+    o->low = -o->h * share;
+    o->high = K - o->top > 0.0 ? o->bottom + (o->bottom - o->h) * o->top / (K - o->top) : o->bottom;
+    o->wide = fmax(fmax(o->bottom, o->top), o->h >= o->low && o->h <= o->high ? K - o->a : 0.0) * (1.0 + 0x1p-40);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    const ovus *o = self;
+    const double wide = o->wide / o->scale, high = (o->bottom + o->top) / o->scale, low = -o->bottom / o->scale;
+
+    out->lo = pov_vec3_of(-wide, common_below(low), -wide);
+    out->hi = pov_vec3_of(wide, common_above(high), wide);
+    return true;
+}
+
+static uint32_t part_of(const ovus *o, double y) { return y < o->low ? BOTTOM : y > o->high ? TOP : ARC; }
+
+/* ---- along a ray ---- */
+
+typedef struct line { const common_ray *k; pov_vec3 o, d; double base; common_span span; bool from_here; const pov_ray *ray; } line;
+
+static bool report(const line *n, const ovus *o, double t, uint32_t part, pov_hits *hits)
+{
+    const pov_two at = pov_two_sum(n->base, t);
+    const pov_mark mark = { part, 0, 0.0, 0.0 };
+
+    if (part_of(o, n->o.y + t * n->d.y) != part)
+        return true;
+    if (n->from_here && fabs(t) < (n->ray->origin_mark.feature == part ? NEAR : BESIDE))
+        return true;
+    return pov_cross(hits, at.hi * n->k->unit, at.lo * n->k->unit, mark);
+}
+
+static bool cross_sphere(const line *n, const ovus *o, uint32_t part, pov_hits *hits)
+{
+    const pov_vec3 from = pov_sub(n->o, pov_vec3_of(0.0, part == TOP ? o->bottom : 0.0, 0.0));
+    const double radius = part == TOP ? o->top : o->bottom, a = pov_dot(n->d, n->d), middle = -pov_dot(from, n->d) / a;
+    const pov_vec3 w = pov_add(from, pov_scale(n->d, middle));
+    const double rest = radius * radius - pov_dot(w, w), half = rest > 0.0 ? sqrt(rest / a) : 0.0;
+
+    return !(rest > 0.0) || (report(n, o, middle - half, part, hits) && report(n, o, middle + half, part, hits));
+}
+
+/* With g = p.p - 2 h y + a^2 + h^2 - K^2: (g)^2 = 4 a^2 (x^2 + z^2), of whose two sheets the outer one counts, where g < 0. */
+static bool cross_arc(const line *n, const ovus *o, pov_hits *hits)
+{
+    common_span s = n->span;
+    double c[5], b[5], root[4], g[3], q[3], length;
+    pov_vec3 p, d;
+    uint32_t found;
+
+    common_clip_axis(&s, n->o.y, n->d.y, o->low, o->high, 0x1p-40);
+    length = s.hi - s.lo;
+    if (!(length > 0.0))
+        return true;
+    p = pov_add(n->o, pov_scale(n->d, s.lo));
+    d = pov_scale(n->d, length);
+    p.y -= o->h;
+    g[0] = pov_dot(p, p) + o->a * o->a - o->arc * o->arc;
+    g[1] = 2.0 * pov_dot(p, d);
+    g[2] = pov_dot(d, d);
+    q[0] = 4.0 * o->a * o->a * (p.x * p.x + p.z * p.z);
+    q[1] = 8.0 * o->a * o->a * (p.x * d.x + p.z * d.z);
+    q[2] = 4.0 * o->a * o->a * (d.x * d.x + d.z * d.z);
+    c[0] = g[0] * g[0] - q[0];
+    c[1] = 2.0 * g[0] * g[1] - q[1];
+    c[2] = 2.0 * g[0] * g[2] + g[1] * g[1] - q[2];
+    c[3] = 2.0 * g[1] * g[2];
+    c[4] = g[2] * g[2];
+    common_bernstein(c, 4, b);
+    found = common_bernstein_roots(b, 4, common_bernstein_noise(b, 4), root);
+    for (uint32_t i = 0; i < found; i++)
+        if ((g[2] * root[i] + g[1]) * root[i] + g[0] <= 0.0 && !report(n, o, s.lo + root[i] * length, ARC, hits))
+            return false;
+    return true;
+}
+
+static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const ovus *o = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->scale);
+    line n;
+
+    if (!common_clip(&k, pov_vec3_of(-o->wide, -o->bottom, -o->wide), pov_vec3_of(o->wide, o->bottom + o->top, o->wide), &n.span) || n.span.hi < 0.0)
+        return;
+    n.k = &k;
+    n.ray = ray;
+    n.from_here = ray->origin_surface == hits->owner;
+    n.base = n.from_here ? 0.0 : n.span.lo;
+    n.o = common_along(&k, n.base);
+    n.d = k.d;
+    n.span.lo -= n.base;
+    n.span.hi -= n.base;
+    if (cross_sphere(&n, o, BOTTOM, hits) && cross_sphere(&n, o, TOP, hits))
+        cross_arc(&n, o, hits);
+}
+
+/* ---- points ---- */
+
+static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const ovus *o = self;
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, pov_two3_of(zero, zero), o->scale));
+    const double ring = sqrt(p.x * p.x + p.z * p.z), top = p.y - o->bottom, arc = p.y - o->h;
+
+    switch (part_of(o, p.y)) {
+    case BOTTOM:
+        return pov_dot(p, p) <= o->bottom * o->bottom;
+    case TOP:
+        return ring * ring + top * top <= o->top * o->top;
+    default:
+        return (ring + o->a) * (ring + o->a) + arc * arc <= o->arc * o->arc;
+    }
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const ovus *o = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->scale);
+    const pov_vec3 p = pov_two3_hi(common_point(&k, at));
+    const double ring = sqrt(p.x * p.x + p.z * p.z), out_by = ring > 0.0 ? (ring + o->a) / ring : 0.0;
+
+    if (at->mark.feature == ARC)
+        *out = pov_unit(pov_vec3_of(p.x * out_by, p.y - o->h, p.z * out_by));
+    else
+        *out = pov_unit(pov_sub(p, pov_vec3_of(0.0, at->mark.feature == TOP ? o->bottom : 0.0, 0.0)));
+}
+
+static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
+{
+    const ovus *o = self;
+
+    (void)mark;
+    out[0] = common_whole_turn(point.z, point.x);
+    out[1] = (point.y * o->scale + o->bottom) / (2.0 * o->bottom + o->top);
+}
+
+static const pov_shape_class ovus_class = {
+    .size = sizeof(pov_shape_class),
+    .flags = POV_SHAPE_SOLID,
+    .keyword = "ovus",
+    .instance_size = sizeof(ovus),
+    .parse = parse,
+    .bounds = bounds,
+    .intersect = intersect,
+    .normal = normal,
+    .inside = inside,
+    .uv = uv,
+};
+
+static const pov_shape_class *const shapes[] = { &ovus_class, NULL };
+
+POV_PLUGIN(ovus) = {
+    .abi = POV_PLUGIN_ABI,
+    .size = sizeof(pov_plugin),
+    .name = "ovus",
+    .version = "1",
+    .shapes = shapes,
+};
