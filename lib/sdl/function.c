@@ -111,6 +111,7 @@ static void read_pattern_content(pov_reader *in, pattern_reading *r)
     else if (!in->failed && !is_of_points(r->parsed.pattern.class))
         report_fail(in, &in->last, POV_E_SYNTAX, "\"%s\" has no value without a surface",
                     r->parsed.pattern.class->keyword);
+    parse_pattern_close(in, r);
     while (!in->failed && in->token.kind != '}')
         if (!parse_pattern_modifier(in, r))
             report_expected(in, "a modifier of the pattern or \"}\"");
