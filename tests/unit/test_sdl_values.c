@@ -152,12 +152,30 @@ static void a_value_may_begin_with_a_colours_name(void **state)
     reading_end(&r);
 }
 
+static void the_default_texture_is_that_of_the_statement(void **state)
+{
+    reading r;
+
+    (void)state;
+    reading_begin(&r, "#declare S = sphere { 0, 1 interior { ior 1.5 } } #declare T = sphere { 0, 1 pigment { rgb .5 } }\n"
+                      "#default { pigment { rgb <1, .25, 0> } } S object { S finish { phong 1 } } object { T }");
+    assert_int_equal(r.status, POV_OK);
+    assert_int_equal(r.model.leaves.count, 3);
+    for (int i = 0; i < 3; i++) {
+        const material *m = &r.model.materials.items[r.model.leaves.items[i].material];
+
+        assert_true(m->pigment.g == (i < 2 ? 0.25f : 0.5f));
+        assert_true(m->interior.ior == (i < 2 ? 1.5 : 1.0));
+    }
+    reading_end(&r);
+}
+
 static void a_background_is_darkened_by_what_it_transmits(void **state)
 {
     reading r;
 
     (void)state;
-    reading_begin(&r, "background { color rgbt <1, .5, 0, .5> }");
+    reading_begin(&r, "#version 3.7; background { color rgbt <1, .5, 0, .5> }");
     assert_true(r.model.background.r == 0.5f && r.model.background.g == 0.25f);
     reading_end(&r);
 }
@@ -172,6 +190,7 @@ int main(void)
         cmocka_unit_test(colours_are_read_in_every_form),
         cmocka_unit_test(a_bare_vector_is_a_colour_where_nothing_else_can_stand),
         cmocka_unit_test(a_value_may_begin_with_a_colours_name),
+        cmocka_unit_test(the_default_texture_is_that_of_the_statement),
         cmocka_unit_test(a_background_is_darkened_by_what_it_transmits),
     };
 
