@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "sdl/image_function.h"
 #include "sdl/include.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
@@ -245,10 +246,14 @@ const image *image_file_parse(pov_reader *in, image_gamma *given)
         value_vector(in);
         state_accept(in, ',');
     }
-    format = parse_format(in);
-    name = value_text(in);
-    if (name)
-        found = image_file_read(in, name, format);
+    if (state_accept_keyword(in, KEYWORD_FUNCTION)) {
+        found = image_function_parse(in);
+    } else {
+        format = parse_format(in);
+        name = value_text(in);
+        if (name)
+            found = image_file_read(in, name, format);
+    }
     parse_gamma(in, given);
     return in->failed ? NULL : found;
 }

@@ -78,6 +78,7 @@ static void what_cannot_be_read_is_refused_with_its_place(void **state)
     refuses("texture { material_map { png \"images/tiles.png\" } }", POV_E_SYNTAX, "wants textures");
     refuses("pigment { density_file \"images/blob.df3\" }", POV_E_SYNTAX, "\"df3\"");
     refuses("pigment { density_file df3 \"images/rings.tga\" }", POV_E_IO, "no df3 file");
+    refuses("pigment { image_map { function 0, 4 { x } } }", POV_E_SYNTAX, "sides of an image");
     refuses("pigment { image_map { png \"../../../etc/passwd\" } }", POV_E_IO, "no file");
 }
 
@@ -146,6 +147,18 @@ static void between_pixels_every_method_meets_them(void **state)
     }
 }
 
+/* The upper row is y = 0; numbers are cut down to 16 bits, and not decoded. */
+static void a_function_makes_an_image_of_grey(void **state)
+{
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { function 3, 2 { x / 4 + y / 2 } } }"), POV_OK);
+    assert_float_equal(colour_at(&b, 0.5, 0.9).color.r, 8191.0 / 65535.0, 1e-9);
+    assert_float_equal(colour_at(&b, 0.9, 0.1).color.g, 49151.0 / 65535.0, 1e-9);
+    end(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -154,6 +167,7 @@ int main(void)
         cmocka_unit_test(outside_an_image_that_is_there_once_all_is_clear),
         cmocka_unit_test(entries_of_a_palette_have_their_own_transparency),
         cmocka_unit_test(between_pixels_every_method_meets_them),
+        cmocka_unit_test(a_function_makes_an_image_of_grey),
     };
 
     return cmocka_run_group_tests_name("images in scenes", tests, NULL, NULL);

@@ -1,0 +1,65 @@
+#include "sdl/image_function.h"
+
+#include "sdl/host_parts.h"
+#include "sdl/report.h"
+#include "sdl/value.h"
+
+#include <string.h>
+
+enum { SIDE_MAX = 1 << 15 };
+
+static uint32_t parse_side(pov_reader *in)
+{
+    const double side = value_number(in);
+
+    if (in->failed || (side >= 1.0 && side <= SIDE_MAX))
+        return (uint32_t)side;
+    report_fail(in, &in->value, POV_E_SYNTAX, "the sides of an image are 1 to %d pixels", SIDE_MAX);
+    return 0;
+}
+
+/* From 0 to 1, in steps of one less than there are pixels. */
+static double place_of(uint32_t i, uint32_t count) { return count > 1 ? (double)i / (count - 1) : 0.0; }
+
+static uint16_t sample_of(double v)
+{
+    return (uint16_t)(v > 0.0 ? v < 1.0 ? 65535.0 * v : 65535.0 : 0.0);
+}
+
+static void fill(const pov_function *f, const image *of, uint16_t *samples, double *memory)
+{
+    for (uint32_t row = 0; row < of->height; row++)
+        for (uint32_t column = 0; column < of->width; column++) {
+            const double at[3] = { place_of(column, of->width), place_of(row, of->height), 0.0 };
+
+            samples[(size_t)row * of->width + column] = sample_of(f->value(f, at, memory));
+        }
+}
+
+const image *image_function_parse(pov_reader *in)
+{
+    const pov_function *f;
+    uint16_t *samples;
+    double *memory;
+    image *out = state_alloc(in, sizeof *out, 16);
+
+    if (!out)
+        return NULL;
+    out->width = parse_side(in);
+    state_accept(in, ',');
+    out->height = parse_side(in);
+    f = host_function(in, 3);
+    if (!f || in->failed)
+        return NULL;
+    out->channels = 1;
+    out->bits = 16;
+    out->encoding = POV_ENCODING_STORED;
+    out->stride = sizeof *samples * out->width;
+    samples = state_alloc(in, out->stride * out->height, 16);
+    memory = state_alloc(in, (f->memory + 1) * sizeof *memory, 16);
+    if (in->failed)
+        return NULL;
+    fill(f, out, samples, memory);
+    out->samples = (unsigned char *)samples;
+    return out;
+}

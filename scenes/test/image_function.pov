@@ -1,0 +1,9 @@
+// Images that functions make: colours, heights of bumps, values of a map.
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -7> look_at <0, 0, 0> angle 45 }
+light_source { <4, 8, -9> rgb 1 }
+#declare Rings = function { .5 + .5 * sin(40 * sqrt((x - .4) * (x - .4) + (y - .6) * (y - .6))) }
+box { <-1, -1, 0>, <1, 1, .1> pigment { image_map { function 24, 16 { x * y + .1 } } translate -.5 scale 2.02 } translate x*-2.2 }
+box { <-1, -1, 0>, <1, 1, .1> pigment { image_pattern { function 40, 40 { Rings(x, y, 0) } interpolate 2 } color_map { [0 rgb <0, 0, .5>] [1 rgb <1, .8, .3>] } translate -.5 scale 2.02 } }
+sphere { <2.3, 0, 0>, 1.1 pigment { rgb .9 } normal { bump_map { function 60, 60 { Rings(x, y, 0) } map_type 1 interpolate 2 bump_size 2 } } }
