@@ -72,6 +72,7 @@ static colour caustics(const interior *in, const hit *h, pov_vec3 dir)
     return colour_of(by, by, by);
 }
 
+/* Without a power what is seen through a solid is halved, but not the light that comes through it: so has POV-Ray it. */
 void fade_crossings(const shading *scene, const pov_ray *ray, pov_crossing *at, uint32_t count, double by[3])
 {
     const double length = length_of(ray->dir);
@@ -88,7 +89,7 @@ void fade_crossings(const shading *scene, const pov_ray *ray, pov_crossing *at, 
             world_surface(scene->world, ray, &h);
             if (in->caustics != 0.0f)
                 take(by, caustics(in, &h, ray->dir));
-            if (in->fade_distance > 0.0 && !h.entering)
+            if (in->fade_distance > 0.0 && in->fade_power > 0.0 && !h.entering)
                 take(by, fade_over(in, (at[i].t - before) * length));
         }
         before = at[i].t;
