@@ -291,7 +291,7 @@
     ROW(ORTHOGRAPHIC, "orthographic", 0) \
     ROW(PANORAMIC, "panoramic", 0) \
     ROW(PARALLEL, "parallel", 0) \
-    ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_COMING) \
+    ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_SHAPE) \
     ROW(PASS_THROUGH, "pass_through", 0) \
     ROW(PATTERN, "pattern", 0) \
     ROW(PAVEMENT, "pavement", 0) \
