@@ -207,47 +207,50 @@ static void take_faces(reading *r)
 
 /* ---- checks ---- */
 
-static void check_range(reading *r, const common_face *faces, uint32_t n, uint32_t end, const char *what)
+static bool check_range(reading *r, const common_face *faces, uint32_t n, uint32_t end, const char *what)
 {
     uint32_t i;
 
     for (i = 0; faces && i < n; i++)
         if (faces[i].at[0] >= end || faces[i].at[1] >= end || faces[i].at[2] >= end) {
             r->host->fail(r->in, "face %u has a %s that is out of range", i, what);
-            return;
+            return false;
         }
+    return true;
 }
 
 /* Normals and uv vectors have indices of their own, or are as many as the corners. */
-static void check_indices(reading *r, common_face **own, uint32_t own_count, const void *items, uint32_t count,
+static bool check_indices(reading *r, common_face **own, uint32_t own_count, const void *items, uint32_t count,
                           const char *what)
 {
     common_mesh_parts *p = &r->parts;
 
-    if (!items || (*own && own_count != p->face_count)) {
-        if (*own && items)
-            r->host->fail(r->in, "there must be as many %s indices as faces", what);
-        if (*own)
-            r->host->resize(r->in, *own, 0);
-        *own = NULL;
-        return;
+    if (!items) {
+        *own = replace(r, *own, NULL);
+        return true;
     }
-    if (!*own && count != p->corner_count)
+    if (*own && own_count != p->face_count)
+        r->host->fail(r->in, "there must be as many %s indices as faces", what);
+    else if (!*own && count != p->corner_count)
         r->host->fail(r->in, "%s indices are missing", what);
-    check_range(r, *own ? *own : p->faces, p->face_count, count, what);
+    else
+        return check_range(r, *own ? *own : p->faces, p->face_count, count, what);
+    return false;
 }
 
-static void check(reading *r)
+static bool check(reading *r)
 {
     common_mesh_parts *p = &r->parts;
 
     if (!p->corners)
         r->host->fail(r->in, "a mesh2 needs vertex_vectors");
-    if (!p->faces)
+    else if (!p->faces)
         r->host->fail(r->in, "a mesh2 needs face_indices");
-    check_range(r, p->faces, p->face_count, p->corner_count, "corner");
-    check_indices(r, &p->normal_faces, r->normal_face_count, p->normals, p->normal_count, "normal");
-    check_indices(r, &p->uv_faces, r->uv_face_count, p->uvs, p->uv_count, "uv");
+    else
+        return check_range(r, p->faces, p->face_count, p->corner_count, "corner") &&
+               check_indices(r, &p->normal_faces, r->normal_face_count, p->normals, p->normal_count, "normal") &&
+               check_indices(r, &p->uv_faces, r->uv_face_count, p->uvs, p->uv_count, "uv");
+    return false;
 }
 
 /* ---- the whole ---- */
@@ -296,10 +299,11 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     r.in = in;
     while (take_section(&r))
         continue;
-    check(&r);
-    if (r.textures)
-        host->resize(in, r.textures, 0);
-    common_mesh_make(self, &r.parts, host, in);
+    r.textures = replace(&r, r.textures, NULL);
+    if (check(&r))
+        common_mesh_make(self, &r.parts, host, in);
+    else
+        common_mesh_drop(&r.parts, host, in);
 }
 
 static const pov_shape_class mesh2_class = COMMON_MESH_CLASS("mesh2", parse);

@@ -46,6 +46,20 @@ static void what_the_language_allows_is_read(void **state)
         { "polygon", "4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>, <0, 0, 0>", 0, NULL },
         { "polygon", "3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 1, NULL },
         { "polygon", "4, <0, 0, 0>, <1, 1, 1>, <2, 2, 2>, <0, 0, 0>", 1, NULL },
+        { "disc", "<0, 0, 0>, <0, 1, 0>, 1", 0, NULL },
+        { "disc", "<0, 0, 0> <0, 1, 0> -1 .5", 1, NULL },
+        { "disc", "0, 0, 1", 1, NULL },
+        { "disc", "0, <0, 1, 0>, 1, 2", 1, NULL },
+        { "triangle", "<0, 0, 0> <1, 0, 0> <0, 1, 0>", 0, NULL },
+        { "triangle", "<0, 0, 0>, <1, 1, 1>, <2, 2, 2>", 1, NULL },
+        { "smooth_triangle", "<0, 0, 0>, <0, 0, 1>, <1, 0, 0>, <0, 1, 1>, <0, 1, 0>, <0, 0, 1>", 0, NULL },
+        { "mesh", "triangle { <0,0,0>, <1,0,0>, <0,1,0> uv_vectors <0,0>, <1,0>, <0,1> texture { 0 } }", 0, NULL },
+        { "mesh", "triangle { <0,0,0>, <1,0,0>, <2,0,0> } triangle { <0,0,0>, <1,0,0>, <0,1,0> texture_list { "
+                  "texture { 0 } texture { 1 } texture { 0 } } } inside_vector <0, 1, 0>", 1, NULL },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0>, } face_indices { 1, <0,1,2> }", 0, NULL },
+        { "mesh2", "vertex_vectors { 3 <0,0,0> <1,0,0> <0,1,0> } texture_list { 2, texture { 0 }, texture { 1 } } "
+                   "face_indices { 2 <0,1,2> 1, <0,1,2>, 0, 1, 0 } normal_vectors { 1, <0,0,1> } "
+                   "normal_indices { 2, <0,0,0>, <0,0,0> }", 0, NULL },
     };
 
     (void)state;
@@ -61,6 +75,19 @@ static void what_makes_no_shape_is_refused(void **state)
         { "cylinder", "<1, 2, 3>, <1, 2, 3>, 1", 0, "two different ends" },
         { "cone", "<1, 2, 3>, 1, <1, 2, 3>, 0", 0, "two different ends" },
         { "polygon", "2, <0, 0, 0>, <1, 0, 0>", 0, "at least 3 points" },
+        { "mesh", "", 0, "no triangles" },
+        { "mesh", "triangle { <0,0,0>, <1,0,0>, <2,0,0> }", 1, "no triangles" },
+        { "mesh", "triangle { <0,0,0>, <1,0,0> }", 0, "expected" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> }", 0, "needs face_indices" },
+        { "mesh2", "face_indices { 1, <0,1,2> }", 0, "needs vertex_vectors" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } face_indices { 1, <0,1,3> }", 0, "out of range" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } face_indices { 1, <0,-1,2> }", 0, "out of range" },
+        { "mesh2", "vertex_vectors { 4, <0,0,0>, <1,0,0>, <0,1,0> } face_indices { 1, <0,1,2> }", 0, "expected" },
+        { "mesh2", "vertex_vectors { 1e99, <0,0,0> } face_indices { 1, <0,1,2> }", 0, "whole number" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } normal_vectors { 1, <0,0,1> } "
+                   "face_indices { 1, <0,1,2> }", 0, "normal indices are missing" },
+        { "mesh2", "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } texture_list { 1, texture { 0 } } "
+                   "face_indices { 1, <0,1,2>, 1 }", 0, "no number 1" },
         { "polygon", "3.5, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "whole number" },
         { "polygon", "4, <0, 0, 0>, <1, 0, 0>, <0, 1, 0>", 0, "expected" },
         { "polygon", "3, <0, 0, 0>, <1, 0, 0>, <0, 0, 0>", 0, "at least 3 points" },

@@ -238,9 +238,13 @@ static void *host_resize(pov_reader *in, void *memory, size_t bytes)
 
 static uint32_t host_texture(pov_reader *in)
 {
+    double number;
+
     host_expect(in, "texture");
     host_expect(in, "{");
-    return host_number(in) > 0.0 && host_accept(in, "}");
+    number = host_number(in);
+    host_expect(in, "}");
+    return number > 0.0;
 }
 
 static bool host_boolean(pov_reader *in) { return host_number(in) != 0.0; }
