@@ -28,6 +28,8 @@ static const struct option long_options[] = {
     { "time", required_argument, NULL, OPTION_TIME },
     { "sampling", required_argument, NULL, OPTION_SAMPLING },
     { "max-depth", required_argument, NULL, OPTION_MAX_DEPTH },
+    { "output", required_argument, NULL, 'o' },
+    { "size", required_argument, NULL, 's' },
     { "bits", required_argument, NULL, OPTION_BITS },
     { "transfer", required_argument, NULL, OPTION_TRANSFER },
     { "alpha", no_argument, NULL, OPTION_ALPHA },
@@ -178,6 +180,16 @@ static bool read_crop(args *a, const char *text)
     return true;
 }
 
+/* WIDTHxHEIGHT */
+static bool read_size(args *a, const char *text)
+{
+    const char *x = strchr(text, 'x');
+
+    a->width = x ? digits(text, x, LARGEST_SIDE) : -1;
+    a->height = x ? digits(x + 1, NULL, LARGEST_SIDE) : -1;
+    return (a->width > 0 && a->height > 0) || refuse(a, "-s wants WIDTHxHEIGHT, such as 640x480, not \"%s\"", text);
+}
+
 static bool read_format(args *a, const char *text)
 {
     a->format = *text == '.' ? text + 1 : text;
@@ -232,7 +244,7 @@ static bool read_option_number(args *a, int option, const char *text)
     static const int depths[] = { 8, 16, -1 }, edges[] = { 0, 2, 4, 8, 16, -1 };
 
     switch (option) {
-    case 't':
+    case 't': case 'j':
         return read_whole(a, "--threads", text, 1, MOST_THREADS, &a->threads);
     case OPTION_SPP:
         return read_whole(a, "--spp", text, 1, MOST_SAMPLES, &a->samples);
@@ -313,7 +325,7 @@ static bool read_option_language(args *a, int option, const char *text)
 static bool read_option(args *a, int option, const char *text)
 {
     switch (option) {
-    case 't': case OPTION_SEED: case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
+    case 't': case 'j': case OPTION_SEED: case OPTION_SPP: case OPTION_MAX_DEPTH: case OPTION_BITS: case OPTION_PREVIEW:
         return read_option_number(a, option, text);
     case OPTION_ACCURACY:
     case OPTION_TRANSFER: case OPTION_DIALECT: case OPTION_ACCEL: case OPTION_PROGRESS: case OPTION_COLOR:
@@ -323,6 +335,11 @@ static bool read_option(args *a, int option, const char *text)
         return read_positive(a, "--error", text, &a->error);
     case OPTION_TIME:
         return read_positive(a, "--time", text, &a->time);
+    case 's':
+        return read_size(a, text);
+    case 'o':
+        a->output = text;
+        return true;
     case OPTION_CROP:
         return read_crop(a, text);
     case OPTION_FORMAT:
@@ -450,26 +467,62 @@ static bool read_compared(args *a, int count, char **places)
     return true;
 }
 
-static bool read_places(args *a, int count, char **places)
+/* The scene's name with the picture's ending, in the working folder. */
+static bool name_output(args *a)
 {
-    static const char *const names[] = { "SCENE", "WIDTH", "HEIGHT", "OUTPUT" };
+    const char *slash = strrchr(a->scene, '/'), *name = slash ? slash + 1 : a->scene, *dot = strrchr(name, '.');
+    const int stem = dot && dot != name ? (int)(dot - name) : (int)strlen(name);
 
-    if (a->compare)
-        return read_compared(a, count, places);
-    if (count > 0)
-        a->scene = places[0];
-    if (count == 1 && (a->check || a->explain))
-        return true;
-    if (count < 4)
-        return refuse(a, "%s is missing: povc wants SCENE WIDTH HEIGHT OUTPUT", names[count]);
+    if (strcmp(a->scene, "-") == 0)
+        return refuse(a, "OUTPUT is missing: a scene from standard input has no name");
+    if (snprintf(a->named, sizeof a->named, "%.*s.%s", stem, name, a->format ? a->format : "png") >= (int)sizeof a->named)
+        return refuse(a, "OUTPUT is missing, and the scene's name is too long for one");
+    a->output = a->named;
+    return true;
+}
+
+static bool is_number(const char *text) { return digits(text, NULL, LARGEST_SIDE) >= 0; }
+
+/* SCENE alone, SCENE OUTPUT, SCENE WIDTH HEIGHT with -o, or all four. */
+static bool take_places(args *a, int count, char **places)
+{
+    const bool has_sizes = count > 2, has_output = count == 4 || (count == 2 && !is_number(places[1]));
+
+    if (count == 0)
+        return refuse(a, "SCENE is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
     if (count > 4)
         return refuse(a, "\"%s\" is one word too many: povc wants SCENE WIDTH HEIGHT OUTPUT", places[4]);
-    if (!read_whole(a, "WIDTH", places[1], 1, LARGEST_SIDE, &a->width) ||
-        !read_whole(a, "HEIGHT", places[2], 1, LARGEST_SIDE, &a->height))
+    if (count > 1 && is_number(places[0]) && is_number(places[1]))
+        return refuse(a, "\"%s\" stands where SCENE belongs: povc wants SCENE WIDTH HEIGHT OUTPUT", places[0]);
+    if (count == 2 && !has_output)
+        return refuse(a, "HEIGHT is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
+    if (count == 3 && !a->output)
+        return refuse(a, "OUTPUT is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
+    if ((has_sizes && a->width > 0) || (has_output && a->output))
+        return refuse(a, "%s is given twice", has_output && a->output ? "OUTPUT" : "the size");
+    a->scene = places[0];
+    if (has_output)
+        a->output = places[count - 1];
+    return !has_sizes || (read_whole(a, "WIDTH", places[1], 1, LARGEST_SIDE, &a->width) &&
+                          read_whole(a, "HEIGHT", places[2], 1, LARGEST_SIDE, &a->height));
+}
+
+static bool read_places(args *a, int count, char **places)
+{
+    if (a->compare)
+        return read_compared(a, count, places);
+    if (!take_places(a, count, places))
         return false;
-    if (places[3][0] == '\0')
+    if (count == 1 && !a->output && (a->check || a->explain))
+        return true;
+    if (a->width == 0) {
+        a->width = 800;
+        a->height = 600;
+    }
+    if (!a->output && !name_output(a))
+        return false;
+    if (a->output[0] == '\0')
         return refuse(a, "OUTPUT is empty; povc wants the name of an image file, or -");
-    a->output = places[3];
     if (strcmp(a->output, "-") == 0 && (a->resume || a->partial_every > 0.0))
         return refuse(a, "--resume and --partial-every keep a checkpoint beside OUTPUT, which must be a file for that");
     if (a->crop.width > 0 && (a->crop.x + a->crop.width > a->width || a->crop.y + a->crop.height > a->height))
@@ -485,10 +538,10 @@ args_verdict args_parse(args *a, int argc, char **argv)
     a->preview = -1;
     optind = 0;      /* glibc begins anew at 0 */
     opterr = 0;
-    while ((option = getopt_long(argc, argv, ":t:D:L:qvh", long_options, NULL)) != -1) {
+    while ((option = getopt_long(argc, argv, ":t:j:o:s:D:L:qvhV", long_options, NULL)) != -1) {
         if (option == 'h' || option == OPTION_HELP)
             return ARGS_HELP;
-        if (option == OPTION_VERSION)
+        if (option == OPTION_VERSION || option == 'V')
             return ARGS_VERSION;
         if (option == '?') {
             refuse_option(a, argv);

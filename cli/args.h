@@ -56,6 +56,7 @@ typedef struct args {
     bool explain, check, stats, quiet, verbose;
     args_progress progress;
     args_color color;
+    char named[256];             /* the output's name where none is given */
     char problem[256];           /* what is wrong, for ARGS_WRONG */
 } args;
 

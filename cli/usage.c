@@ -6,6 +6,7 @@
 
 static const char *const help[] = {
     "Usage: povc SCENE WIDTH HEIGHT OUTPUT [options]\n"
+    "       povc SCENE [-s WIDTHxHEIGHT] [-o OUTPUT] [options]\n"
     "       povc --check | --explain SCENE\n"
     "       povc --compare REPORT.csv... PLOT.svg|PLOT.png\n"
     "\n"
@@ -14,6 +15,8 @@ static const char *const help[] = {
     "for standard input as SCENE and for standard output as OUTPUT.\n"
     "\n",
     "Picture\n"
+    "  -s, --size WxH           its size (default 800x600)\n"
+    "  -o, --output OUTPUT      its file (default: named after the scene, .png)\n"
     "      --spp N              samples a pixel (default 1, through its centre)\n"
     "      --error E            add samples, most where the error is, until the estimated rms error is E\n"
     "      --time S             or until S seconds have passed\n"
@@ -46,7 +49,7 @@ static const char *const help[] = {
     "      --plugin-path DIRS   look for plugins in these folders, colon separated\n"
     "\n"
     "Work\n"
-    "  -t, --threads N          threads (default: one for each core)\n"
+    "  -t, -j, --threads N      threads (default: one for each core)\n"
     "      --accel tree|none    a bounding volume tree, or ask every object of every ray\n"
     "      --accuracy certified|max\n"
     "                           double where it is certain, or two doubles throughout\n"

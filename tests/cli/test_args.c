@@ -109,8 +109,35 @@ static void args_needs_no_sizes_to_check_or_explain(void **state)
     assert_true(a.check && !a.output);
     assert_int_equal(parse(&a, "s.pov --explain"), ARGS_RUN);
     assert_true(a.explain && !a.output);
-    assert_refused("s.pov", "WIDTH is missing");
+    assert_refused("s.pov 10", "HEIGHT is missing");
+    assert_refused("s.pov 10 10", "OUTPUT is missing");
     assert_refused("--check s.pov 10", "HEIGHT is missing");
+}
+
+/* The size and the output have defaults, and options of their own. */
+static void args_draws_a_scene_alone(void **state)
+{
+    args a;
+
+    (void)state;
+    assert_int_equal(parse(&a, "in/s.pov"), ARGS_RUN);
+    assert_string_equal(a.output, "s.png");
+    assert_true(a.width == 800 && a.height == 600);
+    assert_int_equal(parse(&a, ".scene --format ppm -s 64x48"), ARGS_RUN);
+    assert_string_equal(a.output, ".scene.ppm");
+    assert_true(a.width == 64 && a.height == 48);
+    assert_int_equal(parse(&a, "s.pov o.pfm -j 3"), ARGS_RUN);
+    assert_string_equal(a.output, "o.pfm");
+    assert_int_equal(a.threads, 3);
+    assert_int_equal(parse(&a, "s.pov 12 9 -o o.png"), ARGS_RUN);
+    assert_true(a.width == 12 && a.height == 9);
+    assert_int_equal(parse(&a, "-V"), ARGS_VERSION);
+    assert_refused("-", "OUTPUT is missing");
+    assert_refused("12 9 s.pov o.png", "\"12\" stands where SCENE belongs");
+    assert_refused("s.pov 12 9 o.png -o p.png", "OUTPUT is given twice");
+    assert_refused("s.pov 12 9 o.png -s 3x4", "the size is given twice");
+    assert_refused("s.pov -s 12x", "-s wants WIDTHxHEIGHT");
+    assert_refused("s.pov -s 0x4", "-s wants WIDTHxHEIGHT");
 }
 
 static void args_takes_a_dash_for_both_ends_and_names_that_look_like_options_after_two(void **state)
@@ -207,6 +234,7 @@ int main(void)
         cmocka_unit_test(args_reads_scene_sizes_and_output),
         cmocka_unit_test(args_reads_options_wherever_they_stand),
         cmocka_unit_test(args_reads_every_option),
+        cmocka_unit_test(args_draws_a_scene_alone),
         cmocka_unit_test(args_needs_no_sizes_to_check_or_explain),
         cmocka_unit_test(args_takes_a_dash_for_both_ends_and_names_that_look_like_options_after_two),
         cmocka_unit_test(args_refuses_sizes_that_are_no_whole_numbers_above_zero),

@@ -2,7 +2,7 @@
 
 usage_errors_end_in_2_and_say_where_help_is() {
     small_scene
-    for line in '' 'small.pov' 'small.pov 8 8' 'small.pov 8 8 o.png more' 'small.pov 8x 8 o.png' \
+    for line in '' 'small.pov 8' '8 8 small.pov o.png' 'small.pov -s 8 -o o.png' 'small.pov 8 8' 'small.pov 8 8 o.png more' 'small.pov 8x 8 o.png' \
         'small.pov 0 8 o.png' 'small.pov -5 8 o.png' 'small.pov 8 1e3 o.png' 'small.pov 99999999999999999999 8 o.png' \
         'small.pov 8 8 o.png --threads 0' 'small.pov 8 8 o.png --bits 9' 'small.pov 8 8 o.png --nonsense' \
         'small.pov 8 8 o.png --spp' 'small.pov 8 8 o.png --crop 0,0,9,8'; do
@@ -43,12 +43,12 @@ usage_output_that_cannot_be_written_is_an_error() {
 }
 
 usage_a_wrong_ending_is_said_before_any_work() {
-    expect 1 "$povc" no-such-scene.pov 8 8 out.jpg
-    says err 'jpg'
+    expect 1 "$povc" no-such-scene.pov 8 8 out.gpj
+    says err 'gpj'
     says_not err "no-such-scene"
     expect 2 "$povc" no-such-scene.pov 8 8 out
     says err "ending"
-    [ ! -e out.jpg ]
+    [ ! -e out.gpj ]
 }
 
 usage_a_place_that_cannot_be_written_is_said_before_any_work() {
