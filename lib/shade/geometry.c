@@ -38,17 +38,19 @@ SIMD_CLONES static bool set_plain(geometry *g, uint32_t n) { return set_lanes(g,
 SIMD_CLONES static bool set_bent(geometry *g, uint32_t n) { return set_lanes(g, g->shading, false, n); }
 
 /* What the geometric normals say. Where a normal that a texture perturbed mirrors a ray into the surface, it is mirrored
- * once more, and where the normal does not face the ray, the unperturbed one mirrors it. Smooth triangles let such a
+ * once more, or, where that normal does not face the ray, the unperturbed one mirrors it. Smooth triangles let such a
  * ray through, as in POV-Ray. */
 static void find_sides(geometry *g, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         const pov_vec3 normal = lanes_at(&g->to.normal, i), raw = lanes_at(g->raw, i);
-        pov_vec3 mirrored = g->cosine[i] < 0.0 ? lanes_at(&g->view, i) : lanes_at(&g->reflected, i);
-        const double out = pov_dot(mirrored, raw);
+        pov_vec3 mirrored = lanes_at(&g->reflected, i);
 
-        if (out < 0.0 && g->raw != g->shading)
-            mirrored = pov_sub(mirrored, pov_scale(raw, 2.0 * out));
+        if (pov_dot(mirrored, raw) < 0.0 && g->raw != g->shading) {
+            const pov_vec3 into = g->cosine[i] < 0.0 ? lanes_at(&g->view, i) : mirrored;
+
+            mirrored = pov_sub(into, pov_scale(raw, 2.0 * pov_dot(into, raw)));
+        }
         lanes_put(&g->turned, i, mirrored);
         g->sides[0][i] = -pov_dot(lanes_at(&g->view, i), normal);
         g->sides[1][i] = pov_dot(mirrored, normal);
