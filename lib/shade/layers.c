@@ -110,6 +110,7 @@ static bool fits(const layers *l, const painted *p)
 static void fill(const shade_context *c, layers *l, const surfaces *s, const painted *p)
 {
     l->on.count = 0;
+    l->on.shared = true;
     while (l->surface < s->count && (l->term > 0 || fits(l, p)) && l->on.count < BATCH_MAX) {
         add(c, l, s, p, term_at(p, l->surface, l->term++));
         if (l->term < count_terms(p, l->surface))

@@ -52,6 +52,29 @@ static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
     return lit;
 }
 
+/* Rays from several surfaces at one hit are traced once. */
+static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
+{
+    const pov_ray *rays[BATCH_MAX];
+    colour some[BATCH_MAX];
+    uint8_t which[BATCH_MAX];
+    uint32_t n = 0;
+    uint64_t found, lit = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        if (i == 0 || l->on->at[l->of[i]].at != l->on->at[l->of[i - 1]].at)
+            rays[n++] = l->rays[i];
+        which[i] = (uint8_t)(n - 1);
+    }
+    l->context->counts.shadow -= l->count - n;
+    found = transmittance_find(l->context, rays, n, end, some);
+    for (uint32_t i = 0; i < l->count; i++) {
+        through[i] = some[which[i]];
+        lit |= (found >> which[i] & 1) << i;
+    }
+    return lit;
+}
+
 /* The rays that are not occluded. */
 static uint64_t trace(const lighting *l, segment_end end, colour *through)
 {
@@ -60,6 +83,8 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
     c->counts.shadow += l->count;
     if (c->coincident_sets.count > 0 && any_coincident(l))
         return trace_each(l, end, through);
+    if (l->on->shared)
+        return trace_hits(l, end, through);
     return transmittance_find(c, l->rays, l->count, end, through);
 }
 
