@@ -70,6 +70,8 @@ static symbol *read_name(pov_reader *in)
     in->wants_name = true;
     state_advance(in);
     in->wants_name = false;
+    if (in->token.kind == TOKEN_BAD)
+        state_settle(in);
     if (in->failed)
         return NULL;
     if (in->token.kind != TOKEN_WORD) {

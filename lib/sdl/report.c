@@ -284,6 +284,8 @@ void report_text(pov_reader *in, const char *text, size_t length)
     pov_error note;
     size_t n;
 
+    if (in->error_count > 0)     /* what a scene with errors says of itself is worth nothing */
+        return;
     for (; length > 0; text += n, length -= n) {
         memset(&note, 0, sizeof note);
         n = length < sizeof note.message ? length : sizeof note.message - 1;

@@ -21,13 +21,14 @@ static part find_part(const world *w, const hit *h)
 bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out)
 {
     const part p = find_part(w, h);
+    pov_vec3 found;
 
     if (!p.shape->shading_normal ||
-        !p.shape->shading_normal(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, out))
+        !p.shape->shading_normal(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, &found))
         return false;
     if (p.ref.xform)
-        instance_world_normal(p.ref.xform, out);
-    *out = pov_unit(*out);
+        instance_world_normal(p.ref.xform, &found);
+    *out = pov_unit(found);
     if (pov_dot(*out, ray->dir) > 0.0)
         *out = pov_scale(*out, -1.0);
     return true;

@@ -12,8 +12,10 @@ aarch64_draws_every_scene_of_the_tests_bit_for_bit() {
     [ -x "$other/bin/povc" ] || skip "there is no aarch64-linux-gnu-gcc to build it with"
     command -v "$qemu" > qemu || skip "there is no $qemu to run it"
     for scene in "$root"/scenes/test/*.pov; do
+        # Plugins that need a library are not built where only this machine has it.
+        "$qemu" -L "$AARCH64_ROOT" "$other/bin/povc" "$scene" 32 24 there.pfm -q 2> log ||
+            { grep -q 'no plugin' log && continue; cat log; fail "$scene"; }
         expect 0 "$povc" "$scene" 32 24 here.pfm -q
-        expect 0 "$qemu" -L "$AARCH64_ROOT" "$other/bin/povc" "$scene" 32 24 there.pfm -q
         cmp here.pfm there.pfm || echo "$scene" >> differ
     done
     [ ! -e differ ] || fail "$(cat differ)"

@@ -343,7 +343,7 @@ static double curve(double v)
 
 static void display_bytes_are_rounded_on_the_scene_s_curve(void **state)
 {
-    gamma plain = { 1.0, POV_TRANSFER_LINEAR }, srgb = { 2.2, POV_TRANSFER_SRGB };
+    gamma plain = { false, 1.0, POV_TRANSFER_LINEAR }, srgb = { false, 2.2, POV_TRANSFER_SRGB };
     encoding a, b;
     (void)state;
 
@@ -360,8 +360,8 @@ static void display_bytes_are_rounded_on_the_scene_s_curve(void **state)
 
 static void linear_values_are_decoded_and_unclamped(void **state)
 {
-    gamma g = { 2.0, POV_TRANSFER_SRGB };
-    float rgba[4] = { 0.5f, -0.5f, 3.0f, 0.25f };
+    gamma g = { false, 2.0, POV_TRANSFER_SRGB };
+    float rgba[4] = { 0.5f, -0.5f, 3.0f, 1.0f };
     encoding e;
     (void)state;
 
@@ -370,12 +370,12 @@ static void linear_values_are_decoded_and_unclamped(void **state)
     assert_near(rgba[0], 0.25, 1e-7);
     assert_near(rgba[1], -0.25, 1e-7);
     assert_near(rgba[2], 9.0, 1e-6);
-    assert_near(rgba[3], 0.25, 0.0);
+    assert_near(rgba[3], 1.0, 0.0);
 }
 
 static void what_is_not_known_yet_is_transparent(void **state)
 {
-    gamma g = { 1.0, POV_TRANSFER_LINEAR };
+    gamma g = { false, 1.0, POV_TRANSFER_LINEAR };
     float rgba[4] = { 0.0f, 0.0f, 0.0f, 0.0f };
     unsigned char bytes[4];
     encoding e;
