@@ -85,7 +85,11 @@ batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane, b
             return b;
     }
     b = add_branch(q, e, list);
-    return b && (!powered || add_power(q, e, b)) ? b : NULL;
+    if (!b || !powered || add_power(q, e, b))
+        return b;
+    list->count--;
+    give_spare(q, b);
+    return NULL;
 }
 
 /* Keep the first `count` of the list. */
