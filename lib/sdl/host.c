@@ -135,9 +135,10 @@ static const char *string_kept(pov_reader *in)
     return copy;
 }
 
-/* The bytes go to the scene's memory, so that plugins need not give them back. */
+/* The bytes go to the scene's memory, so that plugins need not give them back. Old scenes name fonts without their ending. */
 static const void *file(pov_reader *in, const char *name, size_t *bytes)
 {
+    static const char *const endings[] = { "", ".ttf", NULL };
     string *s = in->failed ? NULL : text_copy(in, name, strlen(name));
     char path[INCLUDE_PATH_MAX], *text = NULL;
     void *copy = NULL;
@@ -146,7 +147,7 @@ static const void *file(pov_reader *in, const char *name, size_t *bytes)
     *bytes = 0;
     if (!s)
         return NULL;
-    if (!include_find(in, s, path))
+    if (!include_find_with(in, s, endings, path))
         report_fail(in, &in->value, POV_E_IO, "there is no file \"%.200s\" in the folders that scenes are read from", name);
     else if (file_read(in->model->env, path, &text, bytes, &err) < 0)
         report_fail(in, &in->value, err.status, "%.200s: %.200s", path, err.message);
