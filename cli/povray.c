@@ -60,12 +60,13 @@ static bool read_real(povray *p, const char *name, const char *text, double *out
     return (end != text && *end == '\0') || refuse(p, "%s must be a number, not \"%s\"", name, text);
 }
 
+/* Programs write fractions, too: they are cut off, as POV-Ray does. */
 static bool read_whole(povray *p, const char *name, const char *text, int *out)
 {
     char *end;
-    long value = strtol(text, &end, 10);
+    const double value = strtod(text, &end);
 
-    if (end == text || *end != '\0' || value < -1000000000 || value > 1000000000)
+    if (end == text || *end != '\0' || !(value >= -1e9 && value <= 1e9))
         return refuse(p, "%s must be a whole number, not \"%s\"", name, text);
     *out = (int)value;
     return true;

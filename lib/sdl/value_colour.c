@@ -155,7 +155,7 @@ void value_colour_components(pov_reader *in, bool bare, double out[CHANNELS])
     for (i = 0; i < CHANNELS; i++)
         out[i] = 0.0;
     state_settle(in);
-    if (state_keyword(in) == KEYWORD_COLOR || state_keyword(in) == KEYWORD_COLOUR) {
+    while (!in->failed && (state_keyword(in) == KEYWORD_COLOR || state_keyword(in) == KEYWORD_COLOUR)) {
         state_advance(in);
         state_settle(in);
         bare = true;

@@ -22,7 +22,7 @@ povray_ini_files_draw() {
 povray_is_also_a_name() {
     small_scene
     ln -s "$povc" povray
-    expect 0 ./povray small.pov Width=20 Height=10
+    expect 0 ./povray small.pov Width=20 Height=10.99
     [ "$("$PYTHON" "$pixels" size small.png)" = "20 10 8" ]
 }
 
