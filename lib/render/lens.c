@@ -1,14 +1,11 @@
 #include "render/lens.h"
 
 #include "base/elementary.h"
+#include "base/mix.h"
 
 static uint64_t mix(double u, double v)
 {
-    uint64_t bits = elementary_bits(u) * 0x9E3779B97F4A7C15u ^ elementary_bits(v);
-
-    bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9u;
-    bits = (bits ^ bits >> 27) * 0x94D049BB133111EBu;
-    return bits ^ bits >> 31;
+    return mix_bits(elementary_bits(u) * 0x9E3779B97F4A7C15u ^ elementary_bits(v));
 }
 
 /* A point of the unit disc, all alike. */

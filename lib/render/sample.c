@@ -1,5 +1,7 @@
 #include "render/sample.h"
 
+#include "base/mix.h"
+
 static uint32_t mirrored(uint32_t v)
 {
     v = (v >> 1 & 0x55555555u) | (v & 0x55555555u) << 1;
@@ -7,14 +9,6 @@ static uint32_t mirrored(uint32_t v)
     v = (v >> 4 & 0x0f0f0f0fu) | (v & 0x0f0f0f0fu) << 4;
     v = (v >> 8 & 0x00ff00ffu) | (v & 0x00ff00ffu) << 8;
     return v >> 16 | v << 16;
-}
-
-/* The finaliser of Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014. */
-static uint64_t mixed(uint64_t v)
-{
-    v = (v ^ v >> 30) * 0xbf58476d1ce4e5b9u;
-    v = (v ^ v >> 27) * 0x94d049bb133111ebu;
-    return v ^ v >> 31;
 }
 
 /* Owen scrambling of a fraction with mirrored digits: each digit is flipped or not by a hash of the digits before it.
@@ -48,8 +42,8 @@ static double fraction(uint32_t digits)
 
 sample sample_at(uint32_t seed, int x, int y, int half, uint32_t index)
 {
-    uint64_t key = mixed((uint64_t)(uint32_t)half << 60 ^ (uint64_t)(uint32_t)y << 30 ^ (uint64_t)(uint32_t)x);
-    uint64_t seeds = mixed(key + (uint64_t)seed * 0x9e3779b97f4a7c15u);
+    uint64_t key = mix_bits((uint64_t)(uint32_t)half << 60 ^ (uint64_t)(uint32_t)y << 30 ^ (uint64_t)(uint32_t)x);
+    uint64_t seeds = mix_bits(key + (uint64_t)seed * 0x9e3779b97f4a7c15u);
     sample s;
 
     /* The index itself is the first dimension, mirrored. */

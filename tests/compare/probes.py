@@ -13,7 +13,6 @@ import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -25,18 +24,9 @@ SHAPES_OFF, SHAPES_SHARE = 2 * 257, 0.5
 
 def samples(path):
     """Width, height, and the colours of a PNG file as numbers of 16 bits, with its alpha if it has some."""
-    data = Path(path).read_bytes()
-    at, packed = 8, b''
-    while at + 12 <= len(data):
-        length, kind = struct.unpack('>I4s', data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        if kind == b'IHDR':
-            width, height, bits, colour = struct.unpack('>IIBB', body[:10])
-        elif kind == b'IDAT':
-            packed += body
-        at += 12 + length
+    width, height, bits, colour, raw = png.unpack(path)
     size, count = bits // 8, {0: 1, 2: 3, 4: 2, 6: 4}[colour]
-    step, raw, out, above = size * count, zlib.decompress(packed), [], None
+    step, out = size * count, []
     above = bytearray(width * step)
     for y in range(height):
         start = y * (width * step + 1)

@@ -21,7 +21,8 @@ class Picture:
         return Picture(columns, rows, [tuple(s[k] / s[3] for k in range(3)) for s in sums])
 
 
-def read(path):
+def unpack(path):
+    """Width, height, bits, kind of colour, and the filtered rows."""
     with open(path, 'rb') as file:
         data = file.read()
     at, packed = 8, b''
@@ -33,8 +34,13 @@ def read(path):
         elif kind == b'IDAT':
             packed += body
         at += 12 + length
+    return width, height, bits, colour, zlib.decompress(packed)
+
+
+def read(path):
+    width, height, bits, colour, raw = unpack(path)
     step = {0: 1, 2: 3, 4: 2, 6: 4}[colour] * bits // 8
-    return Picture(width, height, pixels_of(zlib.decompress(packed), width, height, step, bits // 8, colour))
+    return Picture(width, height, pixels_of(raw, width, height, step, bits // 8, colour))
 
 
 def pixels_of(raw, width, height, step, size, colour):
