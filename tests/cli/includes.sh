@@ -40,3 +40,15 @@ includes_give_what_povrays_give() {
     [ "$(grep -c . own)" -gt 500 ]
     diff own povrays
 }
+
+includes_fonts_are_found_without_their_ending() {
+    [ -e "$povrays_includes/cyrvetic.ttf" ] || skip "POV-Ray's fonts are not installed"
+    [ -e "$BUILD_DIR/lib/povtrace/primitives/text.so" ] || skip "text was not built: FreeType is missing"
+    for font in cyrvetic cyrvetic.ttf; do
+        echo "#declare T = text { ttf \"$font\" \"a\" 1, 0 } #debug str(max_extent(T).x, 0, 4)" > "$font.pov"
+        expect 0 "$povc" --check "$font.pov"
+        grep -v : err > "$font.said"
+    done
+    [ -s cyrvetic.said ]
+    cmp cyrvetic.said cyrvetic.ttf.said
+}
