@@ -37,6 +37,7 @@ typedef struct shape_class {
                         pov_vec3 *const *out, uint32_t n);
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
+    bool (*half_space)(const void *self, pov_vec3 *normal, double *distance);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

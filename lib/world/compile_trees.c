@@ -14,6 +14,21 @@ void compile_mark_members(compile_state *f)
     }
 }
 
+/* Is it a half-space, where it is in the world's coordinates? */
+static bool find_half_space(const compile_state *f, uint32_t leaf, half_space *out)
+{
+    const leaf_node *o = compile_leaf(f, leaf);
+    SIMD_ALIGNED unsigned char made[POV_PREPARED_MAX];
+    const void *self = f->moved ? f->moved[leaf] : NULL;
+
+    if (!o->shape->half_space || (f->group[leaf] & 0x3fff) % COMPILE_KINDS == COMPILE_INSTANCED ||
+        (!self && o->shape->instance_size > sizeof made))
+        return false;
+    if (!self)
+        compile_make(o, made);
+    return o->shape->half_space(self ? self : made, &out->normal, &out->distance);
+}
+
 static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
 {
     const compile_state *f = user;
@@ -22,6 +37,7 @@ static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
                  !(compile_leaf(f, leaf)->shape->flags & POV_SHAPE_ENDLESS);
     if (out->boxed)
         compile_box(f, leaf, &out->box);
+    out->is_half_space = !out->boxed && find_half_space(f, leaf, &out->half_space);
 }
 
 /* A tree casts a shadow if a member does, and blocks light if all members are opaque. Normals of subtracted members

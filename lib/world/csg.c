@@ -157,6 +157,7 @@ void csg_free(csg_list *all, const env *e)
         env_free(e, all->items[i].children);
         env_free(e, all->items[i].bounds);
         env_free(e, all->items[i].endless);
+        env_free(e, all->items[i].cuts);
     }
     env_free(e, all->items);
     all->items = NULL;

@@ -8,6 +8,7 @@
 
 #include "base/env.h"
 #include "model/model.h"
+#include "world/half_space.h"
 #include "world/instance.h"
 #include "world/world.h"
 
@@ -46,6 +47,9 @@ typedef struct csg_member {
 /* Bounds of members: of one member, or of two halves: the next bounds, and `other`. */
 typedef struct csg_bound { pov_box box; uint32_t member, other; } csg_bound;
 
+/* A member that is a half-space, or its complement; the tree lies within `within`. */
+typedef struct csg_cut { half_space within; uint32_t member; } csg_cut;
+
 /* The bounds of all members, where they are few: side by side, so that one loop tests them. */
 enum { CSG_FEW = 8 };
 typedef struct csg_few {
@@ -61,12 +65,14 @@ typedef struct csg_tree {
     csg_state *outside;          /* by node: states outside all members */
     node_ref *children;
     csg_bound *bounds;           /* bounds of the finite members; the first one around all */
-    uint32_t *endless;           /* infinite members */
+    uint32_t *endless;           /* infinite members that are no cuts */
     uint32_t member_count, node_count, child_count, bounds_count, endless_count;
     uint32_t open_count;         /* members that are open */
     bool boxed, empty;           /* boxed: it is finite; empty: its members have nothing in common */
     double size;                 /* the largest coordinate of the boxes */
     pov_box box;
+    csg_cut *cuts;               /* of a finite intersection: members that are half-spaces */
+    uint32_t cut_count;
 } csg_tree;
 
 struct csg_list { csg_tree *items; uint32_t count; };
@@ -76,8 +82,8 @@ typedef struct csg_list csg_list;
 typedef struct csg_root { const csg_tree *tree; } csg_root;
 extern const shape_class csg_class;
 
-/* Data of a member that a tree needs before the member has an instance. */
-typedef struct csg_extent { bool boxed; pov_box box; } csg_extent;
+/* Data of a member that a tree needs before the member has an instance: its box; or the half-space that it is. */
+typedef struct csg_extent { bool boxed, is_half_space; pov_box box; half_space half_space; } csg_extent;
 typedef void csg_extent_of(const void *user, uint32_t leaf, csg_extent *out);
 
 /* For csg_make(): boxes of the members, which may be moved, and of the tree. */

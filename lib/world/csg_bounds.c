@@ -17,14 +17,17 @@ static void cut(pov_box *a, const pov_box *b)
 
 static bool is_empty(const pov_box *b) { return b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z; }
 
-static bool box_of(const csg_tree *t, node_ref node, pov_box *out);
+/* A tree, and by member what is known of it. */
+typedef struct extents { const csg_tree *tree; const csg_extent *of; } extents;
 
-static bool box_of_all(const csg_tree *t, const csg_node *n, pov_box *out)
+static bool box_of(const extents *x, node_ref node, pov_box *out);
+
+static bool box_of_all(const extents *x, const csg_node *n, pov_box *out)
 {
     for (uint32_t i = 0; i < n->child_count; i++) {
         pov_box b;
 
-        if (!box_of(t, t->children[n->child + i], &b))
+        if (!box_of(x, x->tree->children[n->child + i], &b))
             return false;
         if (i == 0)
             *out = b;
@@ -34,14 +37,48 @@ static bool box_of_all(const csg_tree *t, const csg_node *n, pov_box *out)
     return true;
 }
 
-static bool box_of_common(const csg_tree *t, const csg_node *n, pov_box *out)
+/* Collect the half-spaces that an intersection is part of. */
+static void find_half_spaces(const extents *x, const csg_node *n, half_spaces *out)
+{
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        const node_ref child = x->tree->children[n->child + i];
+        const csg_node *below = &x->tree->nodes[child & ~NODE_GROUP];
+
+        if (!(child & NODE_GROUP) && x->of[child].is_half_space)
+            half_spaces_add(out, &x->of[child].half_space, x->tree->members[child].inverse, child);
+        else if ((child & NODE_GROUP) && below->op == NODE_INTERSECTION && !below->inverse)
+            find_half_spaces(x, below, out);
+    }
+}
+
+/* Half-spaces may be finite together, or cut a box. */
+static bool cut_by_half_spaces(const extents *x, const csg_node *n, bool boxed, pov_box *box)
+{
+    half_spaces all = { 0 };
+    pov_box b;
+
+    find_half_spaces(x, n, &all);
+    if (all.count == 0)
+        return boxed;
+    if (boxed)
+        half_spaces_add_box(&all, box);
+    if (!half_spaces_bound(&all, &b))
+        return boxed;
+    if (boxed)
+        cut(box, &b);
+    else
+        *box = b;
+    return true;
+}
+
+static bool box_of_common(const extents *x, const csg_node *n, pov_box *out)
 {
     bool boxed = false;
 
     for (uint32_t i = 0; i < n->child_count; i++) {
         pov_box b;
 
-        if (!box_of(t, t->children[n->child + i], &b))
+        if (!box_of(x, x->tree->children[n->child + i], &b))
             continue;
         if (boxed)
             cut(out, &b);
@@ -49,12 +86,13 @@ static bool box_of_common(const csg_tree *t, const csg_node *n, pov_box *out)
             *out = b;
         boxed = true;
     }
-    return boxed;
+    return cut_by_half_spaces(x, n, boxed, out);
 }
 
 /* False: it may be infinite. */
-static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
+static bool box_of(const extents *x, node_ref node, pov_box *out)
 {
+    const csg_tree *t = x->tree;
     const csg_node *n;
 
     if (!(node & NODE_GROUP)) {
@@ -64,24 +102,25 @@ static bool box_of(const csg_tree *t, node_ref node, pov_box *out)
     n = &t->nodes[node & ~NODE_GROUP];
     if (n->inverse)
         return false;
-    return n->op == NODE_INTERSECTION ? box_of_common(t, n, out) : box_of_all(t, n, out);
+    return n->op == NODE_INTERSECTION ? box_of_common(x, n, out) : box_of_all(x, n, out);
 }
 
 /* Parts outside the tree's box are clipped. */
-static void find_boxes(csg_tree *t, csg_extent_of *extent, const void *user)
+static void find_boxes(csg_tree *t, const csg_extent *of)
 {
-    csg_extent e;
+    const extents x = { t, of };
     uint32_t i;
 
     for (i = 0; i < t->member_count; i++) {
-        extent(user, t->members[i].leaf, &e);
-        t->members[i].boxed = e.boxed;
-        t->members[i].box = e.box;
-        if (e.boxed)
-            t->size = fmax(t->size, fmax(pov_largest(e.box.lo), pov_largest(e.box.hi)));
+        t->members[i].boxed = of[i].boxed;
+        t->members[i].box = of[i].box;
+        if (of[i].boxed)
+            t->size = fmax(t->size, fmax(pov_largest(of[i].box.lo), pov_largest(of[i].box.hi)));
     }
-    t->boxed = box_of(t, NODE_GROUP, &t->box);
+    t->boxed = box_of(&x, NODE_GROUP, &t->box);
     t->empty = t->boxed && is_empty(&t->box);
+    if (t->boxed && !t->empty)
+        t->size = fmax(t->size, fmax(pov_largest(t->box.lo), pov_largest(t->box.hi)));
     for (i = 0; t->boxed && i < t->member_count; i++)
         if (t->members[i].boxed) {
             cut(&t->members[i].box, &t->box);
@@ -166,15 +205,57 @@ static void find_few(csg_tree *t, uint32_t count)
     t->few.count = count;
 }
 
+/* False: no memory. */
+static bool keep_cuts(csg_tree *t, const env *e, const csg_extent *of)
+{
+    const extents x = { t, of };
+    half_spaces all = { 0 };
+
+    if (!t->boxed || t->nodes[0].op != NODE_INTERSECTION || t->nodes[0].inverse)
+        return true;
+    find_half_spaces(&x, &t->nodes[0], &all);
+    t->cuts = all.count > 0 ? env_resize(e, NULL, all.count, sizeof *t->cuts) : NULL;
+    t->cut_count = t->cuts ? all.count : 0;
+    for (uint32_t i = 0; i < t->cut_count; i++) {
+        t->cuts[i].within = all.of[i];
+        t->cuts[i].member = all.id[i];
+    }
+    return t->cuts || all.count == 0;
+}
+
+static bool is_cut(const csg_tree *t, uint32_t member)
+{
+    for (uint32_t i = 0; i < t->cut_count; i++)
+        if (t->cuts[i].member == member)
+            return true;
+    return false;
+}
+
+static bool ask_extents(csg_tree *t, const env *e, csg_extent_of *extent, const void *user)
+{
+    csg_extent *of = env_resize(e, NULL, t->member_count, sizeof *of);
+    bool kept;
+
+    for (uint32_t i = 0; of && i < t->member_count; i++)
+        extent(user, t->members[i].leaf, &of[i]);
+    if (of)
+        find_boxes(t, of);
+    kept = of && keep_cuts(t, e, of);
+    env_free(e, of);
+    return kept;
+}
+
 bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const void *user)
 {
     uint32_t *ids = env_resize(e, NULL, t->member_count, sizeof *ids), count = 0;
+    const bool asked = ask_extents(t, e, extent, user);
 
-    find_boxes(t, extent, user);
     t->bounds = env_resize(e, NULL, 2 * (size_t)t->member_count, sizeof *t->bounds);
     t->endless = env_resize(e, NULL, t->member_count, sizeof *t->endless);
-    if (ids && t->bounds && t->endless)
+    if (asked && ids && t->bounds && t->endless)
         for (uint32_t i = 0; i < t->member_count; i++) {
+            if (is_cut(t, i))
+                continue;
             if (!t->members[i].boxed)
                 t->endless[t->endless_count++] = i;
             else if (!t->members[i].absent)
@@ -185,5 +266,5 @@ bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const voi
         find_few(t, count);
     }
     env_free(e, ids);
-    return ids && t->bounds && t->endless;
+    return asked && ids && t->bounds && t->endless;
 }

@@ -89,18 +89,46 @@ static bool narrow(double o, double d, double inverse, double lo, double hi, dou
     return *enter <= *leave;
 }
 
-/* May the ray hit the contents of the box before tmax, and from which distance on? The box is widened by more than the slabs
+/* May the ray hit the contents of the box before `leave`, and between which distances? The box is widened by more than the slabs
  * are off, which is a few roundings of the largest coordinate. */
-static bool hits_box(const csg_traversal *w, const pov_box *b, double tmax, double *enter)
+static bool hits_box(const csg_traversal *w, const pov_box *b, double *enter, double *leave)
 {
     const pov_vec3 o = w->ray->org, d = w->ray->dir;
     const double wide = box_slack * w->size;
-    double leave = tmax;
 
     *enter = 0.0;
-    return narrow(o.x, d.x, w->inverse.x, b->lo.x - wide, b->hi.x + wide, enter, &leave) &&
-           narrow(o.y, d.y, w->inverse.y, b->lo.y - wide, b->hi.y + wide, enter, &leave) &&
-           narrow(o.z, d.z, w->inverse.z, b->lo.z - wide, b->hi.z + wide, enter, &leave);
+    return narrow(o.x, d.x, w->inverse.x, b->lo.x - wide, b->hi.x + wide, enter, leave) &&
+           narrow(o.y, d.y, w->inverse.y, b->lo.y - wide, b->hi.y + wide, enter, leave) &&
+           narrow(o.z, d.z, w->inverse.z, b->lo.z - wide, b->hi.z + wide, enter, leave);
+}
+
+/* ---- half-spaces of a finite intersection ---- */
+
+/* Where the ray crosses the plane of a cut, and how far that may be off. Within the tree's box, which is all that counts, no
+ * coordinate is larger than w->size. */
+typedef struct cut_crossing { double slope, t, off; } cut_crossing;
+
+static cut_crossing cross(const csg_traversal *w, const half_space *h)
+{
+    const double slope = pov_dot(h->normal, w->ray->dir), height = pov_dot(h->normal, w->ray->org) - h->distance;
+    const double t = -height / slope;
+    const cut_crossing c = { slope, t, box_slack * (w->size / fabs(slope) + fabs(t)) };
+
+    return c;
+}
+
+/* May the ray be within all of them between these distances? */
+static bool hits_cuts(const csg_traversal *w, double enter, double leave)
+{
+    for (uint32_t i = 0; i < w->tree->cut_count && enter <= leave; i++) {
+        const cut_crossing c = cross(w, &w->tree->cuts[i].within);
+
+        if (c.slope < 0.0)
+            enter = fmax(enter, c.t - c.off);
+        else if (c.slope > 0.0)
+            leave = fmin(leave, c.t + c.off);
+    }
+    return enter <= leave;
 }
 
 static void insert(csg_traversal *w, uint32_t bound, double t)
@@ -116,9 +144,9 @@ static void insert(csg_traversal *w, uint32_t bound, double t)
 
 static void push(csg_traversal *w, uint32_t bound)
 {
-    double t;
+    double t, leave = HUGE_VAL;
 
-    if (hits_box(w, &w->tree->bounds[bound].box, HUGE_VAL, &t))
+    if (hits_box(w, &w->tree->bounds[bound].box, &t, &leave))
         insert(w, bound, t);
 }
 
@@ -298,11 +326,41 @@ static void test_member(csg_traversal *w, uint32_t member)
     put_in_order(w, first);
 }
 
+/* The ray is within a cut wherever it is within the others. */
+static void hold(csg_traversal *w, uint32_t member)
+{
+    w->scratch->asked[w->asked_count++] = member;
+    if (!w->tree->members[member].inverse)
+        csg_toggle(w, member);
+}
+
+/* The ray is within the intersection from the last entry into a cut to the first exit from one: other crossings change
+ * nothing. */
+static void test_cuts(csg_traversal *w)
+{
+    const csg_tree *t = w->tree;
+    cut_crossing at[HALF_SPACES_MAX];
+    double enter = -HUGE_VAL, leave = HUGE_VAL;
+
+    for (uint32_t i = 0; i < t->cut_count; i++) {
+        at[i] = cross(w, &t->cuts[i].within);
+        if (at[i].slope < 0.0)
+            enter = fmax(enter, at[i].t - at[i].off);
+        else if (at[i].slope > 0.0)
+            leave = fmin(leave, at[i].t + at[i].off);
+    }
+    for (uint32_t i = 0; i < t->cut_count; i++)
+        if (at[i].slope < 0.0 ? at[i].t + at[i].off < enter : at[i].slope > 0.0 && at[i].t - at[i].off > leave)
+            hold(w, t->cuts[i].member);
+        else
+            test_member(w, t->cuts[i].member);
+}
+
 /* ---- in order ---- */
 
 bool csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits)
 {
-    double enter;
+    double enter, leave = hits->tmax;
 
     w->tree = tree;
     w->ray = ray;
@@ -310,7 +368,7 @@ bool csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *r
     w->dir = pov_largest(ray->dir);
     w->size = pov_largest(ray->org) + tree->size;
     w->inverse = pov_vec3_of(1.0 / ray->dir.x, 1.0 / ray->dir.y, 1.0 / ray->dir.z);
-    return !tree->boxed || hits_box(w, &tree->box, hits->tmax, &enter);
+    return !tree->boxed || (hits_box(w, &tree->box, &enter, &leave) && hits_cuts(w, enter, leave));
 }
 
 
@@ -331,6 +389,7 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->applied = w->asked_count = w->near_count = 0;
     w->unsure = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
+    test_cuts(w);
     for (uint32_t i = 0; i < t->endless_count; i++)
         test_member(w, t->endless[i]);
     if (t->few.count > 0)

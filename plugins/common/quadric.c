@@ -355,3 +355,17 @@ bool common_quadric_absorb(common_quadric *s, const pov_affine *map)
     prepare(s, raw);
     return true;
 }
+
+/* The half-space is gradient . (p - anchor) scale + J <= 0. */
+bool common_quadric_half_space(const void *self, pov_vec3 *normal, double *distance)
+{
+    const common_quadric *s = self;
+    const pov_vec3 g = { s->q[G].hi, s->q[H].hi, s->q[I].hi };
+    const double length = sqrt(pov_dot(g, g));
+
+    if (!s->planar || !(length > 0x1p-100) || !isfinite(length))
+        return false;
+    *normal = pov_scale(g, 1.0 / length);
+    *distance = pov_dot(*normal, pov_two3_hi(s->anchor)) - s->q[J].hi / (length * s->scale);
+    return isfinite(*distance);
+}

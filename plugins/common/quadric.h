@@ -29,6 +29,7 @@ void common_quadric_make_two(common_quadric *s, const pov_two coefficients[COEFF
 bool common_quadric_bounds(const common_quadric *s, pov_box *out);
 /* The same of the class's member. */
 bool common_quadric_ellipsoid(const common_quadric *s, pov_ellipsoid *out);
+bool common_quadric_half_space(const void *self, pov_vec3 *normal, double *distance);
 /* False: the map changes angles too much, and s is unchanged. */
 bool common_quadric_absorb(common_quadric *s, const pov_affine *map);
 

@@ -298,8 +298,11 @@ void common_quadric_normal(const void *self, const pov_ray *ray, const pov_cross
 bool common_quadric_inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const quadric *s = self;
-    const pov_two3 p = common_offset(point, point_lo, s->anchor, s->scale);
+    const pov_two3 p = common_offset(point, point_lo, s->anchor, s->scale), n = { s->q[G], s->q[H], s->q[I] };
 
+    /* Bit for bit what the other terms, all zero, would leave of it. */
+    if (s->planar)
+        return pov_two_add(pov_two3_dot(p, n), s->q[J]).hi <= 0.0;
     return common_value(s->q, p, common_half_gradient(s->q, p, true)).hi <= 0.0;
 }
 

@@ -77,6 +77,9 @@ typedef struct pov_shape_fast {
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     /* [load] Is it an ellipsoid, with such bounds? Hosts may filter its rays by that if no block does. */
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
+    /* [load] Is it a half-space, of the points p with normal . p at most `distance`? Rounded, with a unit normal: hosts
+     * allow for roundings where they bound solids made of several. */
+    bool (*half_space)(const void *self, pov_vec3 *normal, double *distance);
 } pov_shape_fast;
 
 #endif
