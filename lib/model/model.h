@@ -9,6 +9,7 @@
 #include "model/map_table.h"
 #include "model/material.h"
 #include "model/node.h"
+#include "model/photons.h"
 
 #include <povtrace/scene.h>
 
@@ -72,6 +73,7 @@ typedef struct model {
     colour irid_wavelength;
     double adc_bailout;
     int max_trace_level;
+    photon_settings photons;
     bool opaque_last_level;      /* rays of the last level do not go through surfaces */
     bool opaque_dark_filters;    /* nor do any through filters whose luminance is below adc_bailout */
     gamma gamma;

@@ -1,5 +1,5 @@
 #include "sdl/expression.h"
-#include "sdl/parse.h"
+#include "sdl/parse_photons.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -179,7 +179,13 @@ static void read_projected_through(pov_reader *in, void *self, keyword_id keywor
     r->out->through = parse_keep(in, &hole);
 }
 
-static const keyword_id quiet[] = { KEYWORD_PHOTONS, KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_OTHER };
+static void read_photons(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    parse_photons_light(in, &light_of(self)->flags);
+}
+
+static const keyword_id quiet[] = { KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_OTHER };
 static const item items[] = {
     PARSE_MOVES(move_light),               { KEYWORD_SPOTLIGHT, read_type },       { KEYWORD_CYLINDER, read_type },
     { KEYWORD_PARALLEL, read_type },       { KEYWORD_POINT_AT, read_point_at },    { KEYWORD_RADIUS, read_beam },
@@ -187,7 +193,7 @@ static const item items[] = {
     { KEYWORD_FADE_POWER, read_fading },   { KEYWORD_AREA_LIGHT, read_area },      { KEYWORD_ADAPTIVE, skip_adaptive },
     { KEYWORD_SHADOWLESS, read_flag },     { KEYWORD_JITTER, read_flag },          { KEYWORD_CIRCULAR, read_flag },
     { KEYWORD_ORIENT, read_flag },         { KEYWORD_AREA_ILLUMINATION, read_flag }, { KEYWORD_LOOKS_LIKE, read_looks_like },
-    { KEYWORD_PROJECTED_THROUGH, read_projected_through },
+    { KEYWORD_PROJECTED_THROUGH, read_projected_through }, { KEYWORD_PHOTONS, read_photons },
 };
 static const item_list list = { "a modifier of the light", ITEMS(items), quiet, NULL, NULL, VALUE_NOTHING, NULL };
 

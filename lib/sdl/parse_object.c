@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/host.h"
+#include "sdl/parse_photons.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
@@ -188,6 +189,12 @@ static void read_global_lights(pov_reader *in, void *self, keyword_id keyword)
     ((object_parsed *)self)->global_lights = value_optional(in, 1.0) != 0.0;
 }
 
+static void read_photons(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    parse_photons_object(in, &((object_parsed *)self)->flags);
+}
+
 /* Of other objects it makes no sense. */
 static void read_cutaway(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -210,13 +217,13 @@ static const item modifier_items[] = {
     { KEYWORD_BOUNDED_BY, read_bounds },
     { KEYWORD_INTERIOR_TEXTURE, read_inside }, { KEYWORD_UV_MAPPING, read_uv },
     { KEYWORD_DOUBLE_ILLUMINATE, read_flag }, { KEYWORD_NO_IMAGE, read_flag },
-    { KEYWORD_NO_REFLECTION, read_flag },
+    { KEYWORD_NO_REFLECTION, read_flag }, { KEYWORD_PHOTONS, read_photons },
 };
 
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_SPLIT_UNION,
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
                                     KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
-static const keyword_id coming[] = { KEYWORD_PHOTONS, KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };
 

@@ -1,5 +1,5 @@
 #include "sdl/noise.h"
-#include "sdl/parse.h"
+#include "sdl/parse_photons.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
 
@@ -102,7 +102,7 @@ static const keyword_id quiet[] = {
     KEYWORD_CHARSET, KEYWORD_ASCII, KEYWORD_UTF8, KEYWORD_SYS,
     KEYWORD_MM_PER_UNIT, KEYWORD_OTHER,
 };
-static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_SUBSURFACE, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_SUBSURFACE, KEYWORD_OTHER };
 
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -116,6 +116,7 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_IRID_WAVELENGTH, read_irid_wavelength },
         { KEYWORD_MAX_INTERSECTIONS, read_unused },
         { KEYWORD_HF_GRAY_16, read_unused },
+        { KEYWORD_PHOTONS, parse_photon_settings },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 

@@ -113,6 +113,8 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     parse_camera_defaults(&in->camera);
     m->adc_bailout = 1.0 / 255.0;
     m->max_trace_level = 5;
+    m->photons.max_trace_level = -1;
+    m->photons.adc_bailout = -1.0;
     source_init(&in->sources, m->env);
     in->buffers.env = m->env;
     in->heap.env = m->env;
