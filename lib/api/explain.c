@@ -80,7 +80,7 @@ static pov_status explain_kind(explanation *e, bool used, const char *subject, c
     return add(e, err, false, subject, "left out", "%s", why_not);
 }
 
-static pov_status explain_surfaces(explanation *e, const plan *p, pov_error *err)
+static pov_status explain_surfaces(explanation *e, const model *m, const plan *p, pov_error *err)
 {
     const plan_counts *s = &p->counts;
     pov_status status = explain_kind(e, p->highlights, "highlights", "computed", "with phong or specular", s->glossy,
@@ -102,6 +102,12 @@ static pov_status explain_surfaces(explanation *e, const plan *p, pov_error *err
         status = explain_kind(e, p->refraction, "refraction", "computed", "that refract light", s->refracting,
                               p->transmission ? "no transparent surface has an interior of ior other than 1"
                                               : "no surface lets light through", err);
+    if (status == POV_OK && p->media)
+        status = add(e, err, true, "media", p->scattering ? "sampled" : "looked through",
+                     "objects with media: %zu; the scene around them: %s; light is %sscattered", s->filled,
+                     m->atmosphere ? "filled" : "empty", p->scattering ? "" : "not ");
+    else if (status == POV_OK)
+        status = add(e, err, false, "media", "left out", "no object has media, nor has the scene");
     if (status == POV_OK)
         status = explain_kind(e, p->dielectrics_at_start, "dielectrics at the camera", "looked up", "that may hold it",
                               s->dielectrics, "nothing refracts light", err);
@@ -167,7 +173,7 @@ pov_status explain_world(explanation *e, const model *m, const world *w, pov_err
     if (status == POV_OK)
         status = explain_light(e, p, err);
     if (status == POV_OK)
-        status = explain_surfaces(e, p, err);
+        status = explain_surfaces(e, m, p, err);
     if (status == POV_OK)
         status = explain_objects(e, &facts, m->leaves.count, err);
     if (status == POV_OK)

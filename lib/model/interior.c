@@ -13,5 +13,6 @@ bool interior_equal(const interior *a, const interior *b)
 {
     return a->given == b->given && a->ior == b->ior && a->dispersion == b->dispersion &&
            a->dispersion_samples == b->dispersion_samples && a->fade_distance == b->fade_distance &&
-           a->fade_power == b->fade_power && colour_equal(a->fade_color, b->fade_color) && a->caustics == b->caustics;
+           a->fade_power == b->fade_power && colour_equal(a->fade_color, b->fade_color) && a->caustics == b->caustics &&
+           a->media == b->media;
 }

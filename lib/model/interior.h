@@ -2,7 +2,7 @@
 #ifndef MODEL_INTERIOR_H
 #define MODEL_INTERIOR_H
 
-#include "model/colour.h"
+#include "model/media.h"
 
 typedef struct interior {
     bool given;                  /* the solid is a dielectric */
@@ -12,12 +12,16 @@ typedef struct interior {
     double fade_distance, fade_power;   /* fade_distance 0: light does not fade */
     colour fade_color;
     float caustics;
+    const media *media;          /* what fills it; NULL: nothing */
 } interior;
 
 /* The defaults of the language: ior and dispersion 1, 7 samples, all else 0. */
 void interior_init(interior *i);
 /* Does light on its way depend on where it crosses the surface? */
-static inline bool interior_is_located(const interior *i) { return i->fade_distance > 0.0 || i->caustics != 0.0f; }
+static inline bool interior_is_located(const interior *i)
+{
+    return i->fade_distance > 0.0 || i->caustics != 0.0f || i->media;
+}
 bool interior_equal(const interior *a, const interior *b);
 
 #endif

@@ -13,7 +13,9 @@ typedef enum light_type { LIGHT_POINT, LIGHT_SPOT, LIGHT_CYLINDER, LIGHT_PARALLE
 
 enum {
     LIGHT_SHADOWLESS = 1,        /* no shadows and no highlights */
-    LIGHT_AREA = 2, LIGHT_CIRCULAR = 4, LIGHT_ORIENT = 8, LIGHT_JITTER = 16, LIGHT_AREA_ILLUMINATION = 32
+    LIGHT_AREA = 2, LIGHT_CIRCULAR = 4, LIGHT_ORIENT = 8, LIGHT_JITTER = 16, LIGHT_AREA_ILLUMINATION = 32,
+    LIGHT_NO_MEDIA = 64,         /* no medium scatters it */
+    LIGHT_ATTENUATED = 128       /* the atmosphere dims it on its whole way */
 };
 
 /* A grid of rows x columns points around the position, side by side along two axes, from end to end. */

@@ -8,6 +8,7 @@
 #include "model/light.h"
 #include "model/map_table.h"
 #include "model/material.h"
+#include "model/media.h"
 #include "model/node.h"
 #include "model/photons.h"
 
@@ -54,6 +55,7 @@ typedef struct model {
     const sky_sphere *sky;              /* NULL: only the background */
     fog_list fogs;
     rainbow_list rainbows;
+    const media *atmosphere;     /* what fills the scene outside of solids that are not hollow; NULL: nothing */
     cutaway_leaves cutaways;     /* in the order of the leaves */
     leaf_numbers givers;         /* of textures, side by side */
     bool soft_lights;            /* area lights are lit all over, and not at the points of their grids only */

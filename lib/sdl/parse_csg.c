@@ -3,6 +3,7 @@
 #include "base/vec.h"
 #include "sdl/materials.h"
 #include "sdl/parse_cutaway.h"
+#include "sdl/parse_media.h"
 #include "sdl/parse_texture.h"
 
 /* A group that is being added, or an object whose clip is, and those around it. */
@@ -56,6 +57,20 @@ static uint32_t find_moves(const object_parsed *o, const around *a)
     return s->has_look ? moves : 0;
 }
 
+/* What fills the object moves with it: it was moved by the transformations of the object that has the interior, and is
+ * now by those of the groups around that one. */
+static const media *find_media(pov_reader *in, const object_parsed *o, const around *a, const media *found)
+{
+    const transform *moves = NULL;
+    const surface_parsed *s = &o->surface;
+
+    for (; a && !s->material.interior.given; a = a->outer)
+        s = &a->group->surface;
+    for (; found && a; a = a->outer)
+        parse_append_transforms(in, &moves, a->group->map, a->since);
+    return found ? parse_media_settle(in, parse_media_move(in, found, moves)) : NULL;
+}
+
 static uint32_t find_flags(const object_parsed *o, const around *a)
 {
     uint32_t flags = o->flags;
@@ -107,6 +122,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
     }
     leaf.flags = find_flags(o, a);
     parse_surface_material(in, &s, &m);
+    m.interior.media = find_media(in, o, a, m.interior.media);
     leaf.flags |= m.needs_uv ? LEAF_UV : 0;
     m.double_illuminate = (leaf.flags & LEAF_DOUBLE_ILLUMINATE) != 0;
     leaf.material = materials_index(in, &m);

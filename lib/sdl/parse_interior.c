@@ -1,4 +1,4 @@
-#include "sdl/parse.h"
+#include "sdl/parse_media.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
 
@@ -46,15 +46,22 @@ static void take_interior(pov_reader *in, void *self, const value *v)
     ((surface_parsed *)self)->material.interior = ((const material *)v->as.part)->interior;
 }
 
-static const keyword_id interior_coming[] = { KEYWORD_MEDIA, KEYWORD_OTHER };
+static void read_media(pov_reader *in, void *self, keyword_id keyword)
+{
+    interior *i = &((surface_parsed *)self)->material.interior;
+
+    (void)keyword;
+    i->media = parse_media_upon(in, i->media);
+}
 
 void parse_interior(pov_reader *in, surface_parsed *s)
 {
     static const item items[] = { { KEYWORD_IOR, read_item }, { KEYWORD_CAUSTICS, read_item },
                                   { KEYWORD_DISPERSION, read_item }, { KEYWORD_DISPERSION_SAMPLES, read_item },
                                   { KEYWORD_FADE_DISTANCE, read_item }, { KEYWORD_FADE_POWER, read_item },
-                                  { KEYWORD_FADE_COLOR, read_item }, { KEYWORD_FADE_COLOUR, read_item } };
-    static const item_list list = { "an item of the interior", ITEMS(items), NULL, NULL, interior_coming,
+                                  { KEYWORD_FADE_COLOR, read_item }, { KEYWORD_FADE_COLOUR, read_item },
+                                  { KEYWORD_MEDIA, read_media } };
+    static const item_list list = { "an item of the interior", ITEMS(items), NULL, NULL, NULL,
                                     VALUE_INTERIOR, take_interior };
 
     interior_init(&s->material.interior);

@@ -1,4 +1,5 @@
 #include "sdl/expression.h"
+#include "sdl/parse_media.h"
 #include "sdl/parse_photons.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
@@ -135,6 +136,24 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
     }
 }
 
+static void read_attenuation(pov_reader *in, void *self, keyword_id keyword)
+{
+    (void)keyword;
+    set(in, light_of(self), LIGHT_ATTENUATED, true);
+}
+
+/* It is on unless the scene says otherwise. */
+static void read_interaction(pov_reader *in, void *self, keyword_id keyword)
+{
+    light *l = light_of(self);
+
+    (void)keyword;
+    if (value_optional(in, 1.0) == 0.0)
+        l->flags |= LIGHT_NO_MEDIA;
+    else
+        l->flags &= ~(uint32_t)LIGHT_NO_MEDIA;
+}
+
 static const item_list no_items = { "the end of the block", NULL, 0, NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
 /* False: there is none. */
@@ -156,12 +175,14 @@ static void read_looks_like(pov_reader *in, void *self, keyword_id keyword)
 {
     light_reading *r = self;
     object_parsed shown;
+    const media **filling = &shown.surface.material.interior.media;
 
     (void)keyword;
     if (!read_object(in, r, &shown))
         return;
     parse_append_translation(in, &shown.map, r->out->light.position);
     shown.surface.moves++;
+    *filling = in->failed ? NULL : parse_media_move(in, *filling, parse_last_transforms(in, shown.map, 1));
     shown.flags |= LEAF_NO_SHADOW;
     r->out->first = parse_keep(in, &shown);
 }
@@ -185,7 +206,6 @@ static void read_photons(pov_reader *in, void *self, keyword_id keyword)
     parse_photons_light(in, &light_of(self)->flags);
 }
 
-static const keyword_id quiet[] = { KEYWORD_MEDIA_ATTENUATION, KEYWORD_MEDIA_INTERACTION, KEYWORD_OTHER };
 static const item items[] = {
     PARSE_MOVES(move_light),               { KEYWORD_SPOTLIGHT, read_type },       { KEYWORD_CYLINDER, read_type },
     { KEYWORD_PARALLEL, read_type },       { KEYWORD_POINT_AT, read_point_at },    { KEYWORD_RADIUS, read_beam },
@@ -194,8 +214,9 @@ static const item items[] = {
     { KEYWORD_SHADOWLESS, read_flag },     { KEYWORD_JITTER, read_flag },          { KEYWORD_CIRCULAR, read_flag },
     { KEYWORD_ORIENT, read_flag },         { KEYWORD_AREA_ILLUMINATION, read_flag }, { KEYWORD_LOOKS_LIKE, read_looks_like },
     { KEYWORD_PROJECTED_THROUGH, read_projected_through }, { KEYWORD_PHOTONS, read_photons },
+    { KEYWORD_MEDIA_ATTENUATION, read_attenuation }, { KEYWORD_MEDIA_INTERACTION, read_interaction },
 };
-static const item_list list = { "a modifier of the light", ITEMS(items), quiet, NULL, NULL, VALUE_NOTHING, NULL };
+static const item_list list = { "a modifier of the light", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
 
 /* A light with a name is moved only. */
 static const item moves[] = { PARSE_MOVES(move_light) };

@@ -1,3 +1,4 @@
+#include "sdl/parse_media.h"
 #include "sdl/parse_texture.h"
 
 #include <string.h>
@@ -56,9 +57,11 @@ static void read_interior(pov_reader *in, void *self, keyword_id keyword)
 static void read_move(pov_reader *in, void *self, keyword_id keyword)
 {
     const transform *moves = NULL;
+    surface_parsed *s = self;
 
     parse_transform(in, &moves, keyword);
-    parse_surface_move(in, self, moves);
+    parse_surface_move(in, s, moves);
+    s->material.interior.media = parse_media_move(in, s->material.interior.media, moves);
 }
 
 static void take_material(pov_reader *in, void *self, const value *v)

@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/host.h"
+#include "sdl/parse_media.h"
 #include "sdl/parse_photons.h"
 #include "sdl/report.h"
 #include "sdl/unsupported.h"
@@ -79,9 +80,14 @@ static void move_object(pov_reader *in, void *self, keyword_id keyword)
 {
     object_parsed *o = self;
     const uint32_t before = parse_count_transforms(o->map);
+    const media **filling = &o->surface.material.interior.media;
+    uint32_t moves;
 
     parse_transform(in, &o->map, keyword);
-    o->surface.moves += parse_count_transforms(o->map) - before;
+    moves = parse_count_transforms(o->map) - before;
+    o->surface.moves += moves;
+    if (*filling && moves > 0 && !in->failed)
+        *filling = parse_media_move(in, *filling, parse_last_transforms(in, o->map, moves));
 }
 
 /* `inverse` twice is the shape as it was; `hollow` may say whether. */

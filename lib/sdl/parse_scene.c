@@ -1,5 +1,6 @@
 #include "sdl/parse_air.h"
 #include "sdl/directive.h"
+#include "sdl/parse_media.h"
 #include "sdl/recover.h"
 #include "sdl/report.h"
 
@@ -21,10 +22,11 @@ static const item statement_items[] = {
     { KEYWORD_SKY_SPHERE, parse_sky },
     { KEYWORD_FOG, parse_fog },
     { KEYWORD_RAINBOW, parse_rainbow },
+    { KEYWORD_MEDIA, parse_atmosphere },
 };
 
 static const keyword_id coming[] = {
-    KEYWORD_MEDIA, KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_OTHER,
+    KEYWORD_RADIOSITY, KEYWORD_PHOTONS, KEYWORD_OTHER,
 };
 
 static const item_list statements = { "an object or a setting", ITEMS(statement_items), NULL, NULL, coming,

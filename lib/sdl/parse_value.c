@@ -1,5 +1,6 @@
 #include "sdl/parse_air.h"
 #include "sdl/parse_map.h"
+#include "sdl/parse_media.h"
 #include "sdl/parse_texture.h"
 
 #include "sdl/array.h"
@@ -38,17 +39,6 @@ static value map_value(pov_reader *in, keyword_id keyword)
 
     parse_map(in, kind, &map);
     return parse_part(in, kind, &map, sizeof map);
-}
-
-/* Of what is not drawn yet only the kind is kept. */
-static value coming_value(pov_reader *in, value_kind kind, keyword_id keyword)
-{
-    char what[64] = "\"";
-
-    strcat(strcat(what, token_keyword_name(keyword)), "\"");
-    unsupported_note(in, &in->last, keyword, what);
-    unsupported_skip_block(in);
-    return value_of_part(kind, NULL);
 }
 
 static value camera_value(pov_reader *in)
@@ -95,7 +85,7 @@ static value read_keyword(pov_reader *in, keyword_id keyword)
     case KEYWORD_CAMERA:
         return camera_value(in);
     case KEYWORD_MEDIA:
-        return coming_value(in, VALUE_MEDIA, keyword);
+        return value_of_part(VALUE_MEDIA, parse_media_node(in));
     case KEYWORD_SKY_SPHERE:
         return value_of_part(VALUE_SKY_SPHERE, parse_sky_node(in));
     case KEYWORD_FOG:

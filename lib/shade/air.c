@@ -2,6 +2,7 @@
 
 #include "base/elementary.h"
 #include "shade/accumulate.h"
+#include "shade/haze.h"
 #include "texture/noise.h"
 #include "texture/texture.h"
 
@@ -200,18 +201,32 @@ static segment segment_of(const pov_ray *ray, double t)
     return s;
 }
 
-/* There is no fog in solids. */
-static veil veil_of(const shading *scene, const path *p, const segment *s)
-{
-    const veil bows = all_rainbows(scene, s);
+/* Length of a ray that hits nothing, where media fill the scene. */
+static const double endless = 2e10;
 
-    return p->solids > 0 ? bows : veil_before(all_fogs(scene, s), bows);
+static veil media_veil(shade_context *c, const path *p, const segment *s)
+{
+    const bool ends = s->length < HUGE_VAL;
+    const media_segment on = { s->from, s->dir, ends ? s->length : endless };
+    veil v = clear;
+
+    if (c->scene->plan->media)
+        haze_cross(c, p, &on, ends, &v.by, &v.given);
+    return v;
 }
 
-void air_cross(const shading *scene, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out)
+/* Fog lies over rainbows, and both over media. There is no fog in solids. */
+static veil veil_of(shade_context *c, const path *p, const segment *s)
+{
+    const veil far = veil_before(all_rainbows(c->scene, s), media_veil(c, p, s));
+
+    return p->solids > 0 ? far : veil_before(all_fogs(c->scene, s), far);
+}
+
+void air_cross(shade_context *c, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out)
 {
     const segment s = segment_of(ray, t);
-    const veil v = veil_of(scene, p, &s);
+    const veil v = veil_of(c, p, &s);
 
     *dimmed = *p;
     dimmed->factor.by = colour_mul(p->factor.by, v.by);
@@ -295,7 +310,7 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
     }
 }
 
-void air_background(const shade_context *c, const batch *b, uint64_t rays, colour *out)
+void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out)
 {
     const model *m = c->scene->model;
     backdrop seen[BATCH_MAX];
@@ -308,7 +323,7 @@ void air_background(const shade_context *c, const batch *b, uint64_t rays, colou
         const uint32_t i = first_of64(rays);
         const path *p = &b->paths[i];
         const segment s = segment_of(b->rays[i], HUGE_VAL);
-        const veil v = air_dims(m) ? veil_of(c->scene, p, &s) : clear;
+        const veil v = c->scene->dims ? veil_of(c, p, &s) : clear;
 
         accumulate(p, colour_add(colour_mul(v.by, seen[i].seen), v.given), out);
         if (c->alpha)

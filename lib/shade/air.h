@@ -1,4 +1,4 @@
-/* air.h - what paths see where they hit nothing, and what fog and rainbows do on their way. */
+/* air.h - what paths see where they hit nothing, and what fog, rainbows and media do on their way. */
 #ifndef SHADE_AIR_H
 #define SHADE_AIR_H
 
@@ -11,10 +11,10 @@ static inline bool air_dims(const model *m) { return m->fogs.count > 0 || m->rai
 
 /* Add what the rays see that hit nothing; bit i: ray i. In pictures with alpha, the rays that were not reflected see
  * through the background as far as the scene says: take that from their alpha. */
-void air_background(const shade_context *c, const batch *b, uint64_t rays, colour *out);
+void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out);
 /* How many solids that are not hollow a path is in that has crossed the surface. */
 uint32_t air_solids_across(const shading *scene, const surface *s);
 /* Add what the air itself gives on the way to a hit at ray parameter t; `dimmed` becomes the path behind it. */
-void air_cross(const shading *scene, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out);
+void air_cross(shade_context *c, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "base/simd.h"
 #include "light/aim.h"
+#include "shade/haze.h"
 #include "shade/transmittance.h"
 
 #include <string.h>
@@ -44,8 +45,9 @@ static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
 
     for (uint32_t i = 0; i < l->count; i++) {
         const uint32_t at = l->on->at[l->of[i]].coincident;
-        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], end, &through[i])
-                               : transmittance_find(c, &l->rays[i], 1, end, &through[i]) != 0;
+        const path *from = l->on->at[l->of[i]].from;
+        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], from, end, &through[i])
+                               : transmittance_find(c, &l->rays[i], &from, 1, end, &through[i]) != 0;
 
         lit |= (uint64_t)is_lit << i;
     }
@@ -56,18 +58,21 @@ static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
 static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
 {
     const pov_ray *rays[BATCH_MAX];
+    const path *from[BATCH_MAX];
     colour some[BATCH_MAX];
     uint8_t which[BATCH_MAX];
     uint32_t n = 0;
     uint64_t found, lit = 0;
 
     for (uint32_t i = 0; i < l->count; i++) {
-        if (i == 0 || l->on->at[l->of[i]].at != l->on->at[l->of[i - 1]].at)
+        if (i == 0 || l->on->at[l->of[i]].at != l->on->at[l->of[i - 1]].at) {
+            from[n] = l->on->at[l->of[i]].from;
             rays[n++] = l->rays[i];
+        }
         which[i] = (uint8_t)(n - 1);
     }
     l->context->counts.shadow -= l->count - n;
-    found = transmittance_find(l->context, rays, n, end, some);
+    found = transmittance_find(l->context, rays, from, n, end, some);
     for (uint32_t i = 0; i < l->count; i++) {
         through[i] = some[which[i]];
         lit |= (found >> which[i] & 1) << i;
@@ -79,18 +84,19 @@ static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
 static uint64_t trace(const lighting *l, segment_end end, colour *through)
 {
     shade_context *c = l->context;
+    const path *from[BATCH_MAX];
 
     c->counts.shadow += l->count;
     if (c->coincident_sets.count > 0 && any_coincident(l))
         return trace_each(l, end, through);
     if (l->on->shared)
         return trace_hits(l, end, through);
-    return transmittance_find(c, l->rays, l->count, end, through);
+    if (!c->scene->plan->media)
+        return transmittance_find(c, l->rays, NULL, l->count, end, through);
+    for (uint32_t i = 0; i < l->count; i++)
+        from[i] = l->on->at[l->of[i]].from;
+    return transmittance_find(c, l->rays, from, l->count, end, through);
 }
-
-/* What a light is projected through may be an object that is seen there as well. What lies this fraction of the segment's
- * length from the start lies at the start, and a ray ends as little before what it crosses. */
-static const double at_hole = 0x1p-40;
 
 /* Shorten rays to where they first cross what a light is projected through. Returns those that do. */
 static uint64_t shorten(lighting *l, const light *from, double tmax)
@@ -98,17 +104,19 @@ static uint64_t shorten(lighting *l, const light *from, double tmax)
     const shade_context *c = l->context;
     uint64_t through = 0;
 
-    for (uint32_t i = 0; i < l->count; i++) {
-        pov_ray *ray = &l->own[l->of[i]];
-        double t;
-
-        if (!query_crossing_of(c->scene->world, c->context, ray, from->through, from->through_count,
-                               at_hole * tmax, tmax, &t))
-            continue;
-        ray->dir = pov_scale(ray->dir, t / tmax * (1.0 - at_hole));
-        through |= (uint64_t)1 << i;
-    }
+    for (uint32_t i = 0; i < l->count; i++)
+        through |= (uint64_t)transmittance_shorten(c, from, tmax, &l->own[l->of[i]]) << i;
     return through;
+}
+
+/* Light that the atmosphere dims on its whole way. */
+static void attenuate(const lighting *l, const light *from, double tmax, uint64_t lit, colour *through)
+{
+    for (; lit; lit &= lit - 1) {
+        const uint32_t i = first_of64(lit);
+
+        haze_attenuate(l->context, from, l->rays[i], tmax, &through[i]);
+    }
 }
 
 /* The rays to one point of a light source that are not occluded. */
@@ -116,11 +124,16 @@ static uint64_t trace_to(lighting *l, const light *from, segment_end end, colour
 {
     uint64_t lit;
 
-    if (from->through_count == 0)
-        return trace(l, end, through);
-    lit = shorten(l, from, end.tmax);
-    end.at = NULL;
-    return lit & trace(l, end, through);
+    if (from->through_count == 0) {
+        lit = trace(l, end, through);
+    } else {
+        lit = shorten(l, from, end.tmax);
+        end.at = NULL;
+        lit &= trace(l, end, through);
+    }
+    if (from->flags & LIGHT_ATTENUATED)
+        attenuate(l, from, end.tmax, lit, through);
+    return lit;
 }
 
 /* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */

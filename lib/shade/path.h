@@ -15,7 +15,7 @@ typedef struct path {
     uint32_t coincident, above;  /* it starts on coincident surfaces: index in context->coincident_sets, counted from 1,
                                   * and its sides of them; 0: it does not */
     dielectric_span inside;      /* the dielectrics around it */
-    uint32_t solids;             /* where there is fog: how many solids it is in that are not hollow */
+    uint32_t solids;             /* where there is fog or media: how many solids it is in that are not hollow */
     int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
     float clear;                 /* in pictures with alpha: how much of what is behind it shines through; 0: it was reflected */
     bool mirrored;               /* it was reflected on its way, and not only transmitted */

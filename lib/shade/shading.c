@@ -129,6 +129,20 @@ static bool make_lights(shading *s, const model *m)
     return s->lights || s->light_count == 0;
 }
 
+/* How far away from the camera the scene's finite objects are, at most. */
+static double find_scale(const model *m, const world *w)
+{
+    pov_vec3 far;
+    pov_box box;
+
+    if (!world_bounds(w, &box))
+        return 1.0;
+    far = pov_vec3_of(fmax(fabs(box.lo.x - m->camera.location.x), fabs(box.hi.x - m->camera.location.x)),
+                      fmax(fabs(box.lo.y - m->camera.location.y), fabs(box.hi.y - m->camera.location.y)),
+                      fmax(fabs(box.lo.z - m->camera.location.z), fabs(box.hi.z - m->camera.location.z)));
+    return sqrt(pov_dot(far, far));
+}
+
 pov_status shading_create(shading **out, const model *m, const world *w, pov_error *err)
 {
     shading *s = env_alloc(m->env, 1, sizeof *s);
@@ -138,8 +152,9 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->model = m;
     s->world = w;
     s->plan = world_plan(w);
-    s->air = air_is_there(m);
-    s->dims = air_dims(m);
+    s->air = air_is_there(m) || s->plan->media;
+    s->dims = air_dims(m) || s->plan->media;
+    s->scale = find_scale(m, w);
     s->objects_info = world_object_info(w);
     s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
     finish_init(&s->plain_finish);

@@ -25,6 +25,7 @@ typedef struct shading {
     scene_light *lights;
     size_t light_count;
     bool air, dims;              /* rays that hit nothing see more than a background; rays change on their way */
+    double scale;                /* how far away the scene's objects are */
 } shading;
 
 /* The model and the world must outlive it. */

@@ -99,15 +99,15 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     return false;
 }
 
-/* Fog and rainbows on the way to the surface. */
-static inline void dim(const shade_context *c, surfaces *s, surface *at, colour *out)
+/* Fog, rainbows and media on the way to the surface. */
+static inline void dim(shade_context *c, surfaces *s, surface *at, colour *out)
 {
     path *behind;
 
     if (!c->scene->dims)
         return;
     behind = &s->dimmed[at - s->at];
-    air_cross(c->scene, at->from, at->ray, at->at->crossing.t, behind, out);
+    air_cross(c, at->from, at->ray, at->at->crossing.t, behind, out);
     at->from = behind;
 }
 
@@ -130,7 +130,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
 
 /* Add the background for rays that hit nothing. All camera rays see the same, and are the first to add to their
  * colours. */
-static void add_background(const shade_context *c, const batch *b, uint64_t rays, colour *out)
+static void add_background(shade_context *c, const batch *b, uint64_t rays, colour *out)
 {
     const colour background = c->scene->model->background;
     colour seen = colour_of(0.0f, 0.0f, 0.0f);
@@ -213,11 +213,12 @@ static void set_shading_normals(const shading *scene, surfaces *s)
 bool surfaces_complete(shade_context *c, surfaces *s, painted *p)
 {
     const shading *scene = c->scene;
+    const object_space_rays *own = scene->plan->scattering ? NULL : query_context_own(c->context);   /* light was asked for since */
 
     if (c->coincident_sets.count > 0)
         complete_some(c, s);
     else
-        world_surface_many(scene->world, query_context_own(c->context), s->rays, s->found, s->count, &s->geometry.to);
+        world_surface_many(scene->world, own, s->rays, s->found, s->count, &s->geometry.to);
     s->geometry.shading = s->geometry.raw = &s->geometry.to.normal;
     if (scene->plan->smooth)
         set_shading_normals(scene, s);

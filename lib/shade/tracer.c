@@ -165,7 +165,7 @@ static void begin_inside(pov_tracer *t, bool one_start)
     c->failed = c->failed || !done;
 }
 
-/* The solids without fog around the starts; most rays start where the one before did. */
+/* The solids without fog and media around the starts; most rays start where the one before did. */
 static void begin_filled(pov_tracer *t)
 {
     const world *w = t->context.scene->world;
@@ -213,7 +213,7 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
         begun = begin_some(b, rays, n);
     if (c->scene->plan->dielectrics_at_start && b->count > 0)
         begin_inside(t, known & TRACER_ONE_START);
-    if (c->scene->model->fogs.count > 0)
+    if (c->scene->plan->media || c->scene->model->fogs.count > 0)
         begin_filled(t);
     c->counts.camera += b->count;
     return begun;

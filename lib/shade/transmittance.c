@@ -2,6 +2,7 @@
 
 #include "base/simd.h"
 #include "shade/fade.h"
+#include "shade/haze.h"
 #include "shade/paint.h"
 
 #include <povtrace/exact.h>
@@ -74,7 +75,8 @@ static bool multiply_varying(const shading *scene, const pov_ray *ray, const pov
 }
 
 /* The same where solids count too. */
-static bool multiply_located(const shading *scene, const pov_ray *ray, pov_crossing *at, uint32_t count, colour *through)
+static bool multiply_located(const shading *scene, interior_walk *w, const pov_ray *ray, pov_crossing *at, uint32_t count,
+                             colour *through)
 {
     double by[3] = { 1.0, 1.0, 1.0 };
     product p = product_of(*through);
@@ -82,16 +84,19 @@ static bool multiply_located(const shading *scene, const pov_ray *ray, pov_cross
     for (uint32_t i = 0; i < count; i++)
         take(&p, filter_at(scene, ray, &at[i]));
     fade_crossings(scene, ray, at, count, by);
+    if (scene->plan->media)
+        haze_dim(scene, w, ray, at, count, by);
     p.r *= by[0];
     p.g *= by[1];
     p.b *= by[2];
     return is_left(p, through);
 }
 
-static inline bool cross(const shading *scene, const pov_ray *ray, const occlusion *found, uint32_t i, colour *through)
+static inline bool cross(const shading *scene, interior_walk *w, const pov_ray *ray, const occlusion *found, uint32_t i,
+                         colour *through)
 {
     if (scene->plan->located)
-        return multiply_located(scene, ray, found->at[i], found->count[i], through);
+        return multiply_located(scene, w, ray, found->at[i], found->count[i], through);
     return scene->plan->textures ? multiply_varying(scene, ray, found->at[i], found->count[i], through)
                                  : multiply(scene, found->at[i], found->count[i], through);
 }
@@ -128,9 +133,10 @@ static uint64_t find_exactly(const shade_context *c, const pov_ray *const *rays,
     return lit;
 }
 
-uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, uint32_t n, segment_end end,
-                            colour *through)
+uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n,
+                            segment_end end, colour *through)
 {
+    interior_walk w;
     occlusion found;
     uint64_t lit = query_occlusion(c->scene->world, c->context, rays, n, end.tmax, &found), rest;
 
@@ -141,24 +147,49 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     for (rest = found.crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (!cross(c->scene, rays[i], &found, i, &through[i]))
+        if (c->scene->plan->media)
+            walk_begin(c, from[i], &w);
+        if (!cross(c->scene, &w, rays[i], &found, i, &through[i]))
             lit &= ~((uint64_t)1 << i);
     }
     return lit;
 }
 
-bool transmittance_from(const shade_context *c, const coincident_set *from, const pov_ray *ray, segment_end end,
-                        colour *through)
+bool transmittance_from(const shade_context *c, const coincident_set *on, const pov_ray *ray, const path *from,
+                        segment_end end, colour *through)
 {
     const pov_ray exact = aim_exactly(ray, end);
+    const bool walks = c->scene->plan->media;
+    interior_walk w;
     occlusion found;
     uint32_t crossed;
 
     *through = colour_of(1.0f, 1.0f, 1.0f);
-    if (!query_occlusion_from(c->scene->world, c->context, from, &exact, end.tmax, &found, &crossed))
+    if (!query_occlusion_from(c->scene->world, c->context, on, &exact, end.tmax, &found, &crossed))
         return false;
-    for (; crossed; crossed &= crossed - 1)
-        *through = colour_mul(*through, filter_of(c->scene, &from->at[first_of(crossed)]));
+    if (walks)
+        walk_begin(c, from, &w);
+    for (; crossed; crossed &= crossed - 1) {
+        const uint32_t k = first_of(crossed);
+
+        *through = colour_mul(*through, filter_of(c->scene, &on->at[k]));
+        if (walks)
+            walk_cross(c->scene, &w, on->at[k].object, !(on->above >> k & 1));
+    }
     return !colour_is_black(*through) &&
-           (!found.crossed || cross(c->scene, &exact, &found, 0, through));
+           (!found.crossed || cross(c->scene, &w, &exact, &found, 0, through));
+}
+
+/* What a light is projected through may be an object that is seen there as well. What lies this fraction of the segment's
+ * length from the start lies at the start, and a ray ends as little before what it crosses. */
+static const double at_hole = 0x1p-40;
+
+bool transmittance_shorten(const shade_context *c, const light *from, double tmax, pov_ray *ray)
+{
+    double t;
+
+    if (!query_crossing_of(c->scene->world, c->context, ray, from->through, from->through_count, at_hole * tmax, tmax, &t))
+        return false;
+    ray->dir = pov_scale(ray->dir, t / tmax * (1.0 - at_hole));
+    return true;
 }

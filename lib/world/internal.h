@@ -48,7 +48,7 @@ struct world {
     uint32_t infinite_count, finite_count;
     size_t absorbed, composed, packed;   /* see world_facts */
     dielectric_list dielectrics; /* leaves in the order of the scene, then trees */
-    dielectric_list filled;      /* the same of solids that are not hollow, where there is fog */
+    dielectric_list filled;      /* the same of solids that are not hollow, where there is fog or media */
     csg_list trees;              /* objects behind the leaves */
     csg_root *roots;             /* their instances */
     uint32_t *solids;            /* by leaf; NULL: each leaf is a solid of its own */

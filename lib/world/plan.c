@@ -13,7 +13,9 @@ bool plan_is_filled(const leaf_node *o) { return is_solid(o) && !(o->flags & LEA
 
 bool plan_is_dielectric(const model *m, const leaf_node *o)
 {
-    return is_solid(o) && material_is_transparent(&m->materials.items[o->material]);
+    const material *of = &m->materials.items[o->material];
+
+    return is_solid(o) && (material_is_transparent(of) || of->interior.media);
 }
 
 /* Has it light that is reflected in all directions? */
@@ -41,7 +43,8 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->dispersive += transparent && m->interior.dispersion != 1.0 ? n : 0;
     s->fading += transparent && m->interior.fade_distance > 0.0 ? n : 0;
     s->located += transparent && interior_is_located(&m->interior) ? n : 0;
-    s->dielectrics += transparent && solid ? n : 0;
+    s->dielectrics += (transparent || m->interior.media) && solid ? n : 0;
+    s->filled += m->interior.media ? n : 0;
 }
 
 /* Many objects have few materials: objects are counted by material first. False: no memory. */
@@ -69,10 +72,22 @@ static bool survey_model(const model *m, plan_counts *s)
 
 /* ---- needs ---- */
 
-static void derive_needs(plan *p, const plan_counts *s)
+/* Does anything scatter light? */
+static bool any_scatters(const model *m)
 {
-    p->lighting = s->emitting > 0 && s->lit > 0;
-    p->shadows = p->lighting && s->casting > 0;
+    bool any = media_scatter(m->atmosphere);
+
+    for (size_t i = 0; !any && i < m->materials.count; i++)
+        any = media_scatter(m->materials.items[i].interior.media);
+    return any;
+}
+
+static void derive_needs(plan *p, const model *m, const plan_counts *s)
+{
+    p->media = s->filled > 0 || m->atmosphere;
+    p->scattering = p->media && s->emitting > 0 && any_scatters(m);
+    p->lighting = s->emitting > 0 && (s->lit > 0 || p->scattering);
+    p->shadows = p->lighting && (s->casting > 0 || m->atmosphere);
     p->coloured_shadows = p->shadows && s->filtering > 0;
     p->highlights = p->lighting && s->glossy > 0;
     p->metallic = p->lighting && s->metallic > 0;
@@ -80,7 +95,7 @@ static void derive_needs(plan *p, const plan_counts *s)
     p->textures = s->varying > 0;
     p->reflection = s->reflective > 0;
     p->transmission = s->transparent > 0;
-    p->refraction = s->refracting > 0;
+    p->refraction = s->refracting > 0 || s->filled > 0;
     p->dispersion = s->dispersive > 0;
     p->fading = s->fading > 0;
     p->located = s->located > 0;
@@ -93,6 +108,6 @@ pov_status plan_make(plan *p, const model *m, pov_error *err)
     memset(p, 0, sizeof *p);
     if (!survey_model(m, &p->counts))
         return err_memory(err);
-    derive_needs(p, &p->counts);
+    derive_needs(p, m, &p->counts);
     return POV_OK;
 }

@@ -10,6 +10,7 @@ typedef struct plan_counts {
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
     size_t dispersive, fading, located, hidden;
+    size_t filled;               /* objects with media inside */
 } plan_counts;
 
 typedef struct plan {
@@ -25,6 +26,8 @@ typedef struct plan {
     bool dispersion;             /* ... whose ior depends on the colour */
     bool fading;                 /* light fades inside some solid */
     bool located;                /* transmittance of light depends on distances and angles */
+    bool media;                  /* some media fill some object or the scene */
+    bool scattering;             /* ... and scatter the light of some light */
     bool hidden;                 /* some rays do not see some object */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
     plan_counts counts;

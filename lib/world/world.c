@@ -57,7 +57,7 @@ static bool find_around(world *w, const compile_state *f, dielectric_list *out, 
 static bool find_starts(world *w, const compile_state *f)
 {
     return (!w->plan.dielectrics_at_start || find_around(w, f, &w->dielectrics, false)) &&
-           (w->model->fogs.count == 0 || find_around(w, f, &w->filled, true));
+           (!(w->plan.media || w->model->fogs.count > 0) || find_around(w, f, &w->filled, true));
 }
 
 /* By leaf, the first leaf of its solid. */

@@ -39,7 +39,7 @@ typedef struct object_info {
     uint16_t group;
     bool inverse : 1, filters : 1, plain : 1, member : 1, smooth : 1;   /* smooth: it has shading normals */
     bool no_image : 1, no_reflection : 1;   /* rays from the camera, and those that were reflected, do not see it */
-    bool filled : 1;             /* it bounds a solid that is not hollow: there is no fog in it */
+    bool filled : 1;             /* it bounds a solid that is not hollow: there is no fog in it and no medium acts */
 } object_info;
 const object_info *world_object_info(const world *w);
 /* Was it made with double-double arithmetic for every intersection? */
@@ -57,7 +57,7 @@ uint32_t world_solid(const world *w, uint32_t leaf);
 /* Shapes that rays intersect as one; see csg.h. */
 const struct csg_list *world_trees(const world *w);
 
-/* How many solids that are not hollow contain a point, if the scene has fog; 0 without. */
+/* How many solids that are not hollow contain a point, if the scene has fog or media; 0 without. */
 uint32_t world_filled_at(const world *w, pov_vec3 point, pov_vec3 point_lo);
 /* The dielectrics (transparent solids) that contain a point, the largest first. Calls visit for each. Only valid if the
  * plan has dielectrics_at_start. */

@@ -5,6 +5,9 @@ The folder holds manifest.csv with the columns scene, reference, options, random
 or scene, feature and reference for shapes, whose pictures stand beside them. A scene passes when at most
 edge_pixels_pct of its pixels are off by more than tolerance_65535 of 65535; a random one when the means are not. Shapes
 may be off by 2/255 in 0.5 % of the pixels.
+
+A folder with noise.csv (scene, rms_65535, mean_65535) holds scenes whose pictures are noisy, here or there. Those pass by
+the means over 8x8 pixels: each may be off by the noise and 1 % of its own value.
 """
 import argparse
 import csv
@@ -20,6 +23,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / 'corpus'))
 import png
 
 SHAPES_OFF, SHAPES_SHARE = 2 * 257, 0.5
+BLOCK, BLOCK_SHARE = 8, 0.01
 
 
 def samples(path):
@@ -38,17 +42,26 @@ def samples(path):
     return width, height, out
 
 
+def noise_of(folder):
+    """By scene, how far a mean over some pixels of the reference may be off."""
+    if not (folder / 'noise.csv').exists():
+        return {}
+    with open(folder / 'noise.csv', encoding='utf-8') as file:
+        return {row['scene']: float(row['rms_65535']) + float(row['mean_65535']) for row in csv.DictReader(file)}
+
+
 def rows_of(folder):
+    noise = noise_of(folder)
     with open(folder / 'manifest.csv', encoding='utf-8') as file:
         for row in csv.DictReader(file, skipinitialspace=True):
             scene = row['scene'] if row['scene'].endswith('.pov') else row['scene'] + '.pov'
             if 'tolerance_65535' in row:
                 yield {'scene': scene, 'reference': row['reference'], 'options': row['options'].split(),
                        'random': row['random'] == 'yes', 'off': float(row['tolerance_65535']),
-                       'share': float(row['edge_pixels_pct'])}
+                       'share': float(row['edge_pixels_pct']), 'noise': noise.get(scene)}
             else:
                 yield {'scene': scene, 'reference': scene[:-4] + '.png', 'options': ['File_Gamma=1.0'], 'random': False,
-                       'off': SHAPES_OFF, 'share': SHAPES_SHARE}
+                       'off': SHAPES_OFF, 'share': SHAPES_SHARE, 'noise': None}
 
 
 def draw(povc, folder, row, width, height, picture):
@@ -65,8 +78,30 @@ def draw(povc, folder, row, width, height, picture):
     return (errors or said or ['status %d' % done.returncode])[0] if done.returncode else None, missing
 
 
-def judge(row, ours, theirs):
+def blocks_of(width, height, picture):
+    """The means of each channel over blocks of pixels, values above 1 cut."""
+    for top in range(0, height, BLOCK):
+        for left in range(0, width, BLOCK):
+            some = [picture[y * width + x] for y in range(top, min(top + BLOCK, height))
+                    for x in range(left, min(left + BLOCK, width))]
+            for k in range(3):
+                yield sum(min(p[k], 65535) for p in some) / len(some)
+
+
+def judge_blocks(row, width, height, ours, theirs):
+    """The same by the means over blocks."""
+    rounding = 1.0
+    off = [(abs(a - b), rounding + row['noise'] + BLOCK_SHARE * b)
+           for a, b in zip(blocks_of(width, height, ours), blocks_of(width, height, theirs))]
+    bad = sum(o > allowed for o, allowed in off)
+    worst = max(o / allowed for o, allowed in off)
+    return bad == 0, '%d of %d means over blocks off, the worst by %.2f of what is allowed' % (bad, len(off), worst)
+
+
+def judge(row, width, height, ours, theirs):
     """Does it pass, and how far it is off, in words."""
+    if row['noise'] is not None:
+        return judge_blocks(row, width, height, ours, theirs)
     if row['random']:
         count = len(theirs)
         means = [abs(sum(min(p[k], 65535) for p in ours) - sum(p[k] for p in theirs)) / count for k in range(3)]
@@ -85,7 +120,7 @@ def check(options, row, work):
     failure, missing = draw(options.povc, folder, row, width, height, picture)
     if failure:
         return False, failure
-    passes, words = judge(row, samples(picture)[2], theirs)
+    passes, words = judge(row, width, height, samples(picture)[2], theirs)
     if missing:
         words += '; ' + missing[0].split('warning: ')[-1]
     return passes, words

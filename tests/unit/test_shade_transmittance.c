@@ -48,7 +48,7 @@ static bool light_to(subject *s, double z, colour *through)
     ray.org.z = -1.0;
     ray.dir.z = z + 1.0;
     ray.origin_surface = POV_NO_OWNER;
-    return transmittance_find(&s->context, &rays, 1, at_one, through) != 0;
+    return transmittance_find(&s->context, &rays, NULL, 1, at_one, through) != 0;
 }
 
 /* What six surfaces leave of each component is the product of six numbers as they are, rounded to a float once. */
@@ -179,12 +179,12 @@ static void light_through_patterned_glass_takes_the_colours_of_where_it_crosses(
             rays[i].origin_surface = POV_NO_OWNER;
             of[i] = &rays[i];
         }
-        lit = transmittance_find(&s.context, of, WORLD_MANY, at_one, through);
+        lit = transmittance_find(&s.context, of, NULL, WORLD_MANY, at_one, through);
         for (uint32_t i = 0; i < WORLD_MANY; i++) {
             const pov_vec3 in = crossing_at(of[i], -1.0), out = crossing_at(of[i], 1.0);
             const int a = pane_at(in.y, in.z), b = pane_at(out.y, out.z);
             const pigment *p = &panes[a < 0 ? 0 : a], *q = &panes[b < 0 ? 0 : b];
-            const bool is_lit = transmittance_find(&s.context, &of[i], 1, at_one, &single) != 0;
+            const bool is_lit = transmittance_find(&s.context, &of[i], NULL, 1, at_one, &single) != 0;
 
             assert_int_equal(is_lit, lit >> i & 1);
             assert_memory_equal(&single, &through[i], sizeof single);

@@ -1,0 +1,46 @@
+/* march.h - what media do to light along a segment: its loss, their own light, and the light of lamps that they scatter.
+ *
+ * Where densities are constant, loss and own light are closed forms. Else both are sums over strata with one random
+ * point each: the sums are unbiased, and the bias of the loss, which is an exponential of one, is half their variance. */
+#ifndef MEDIA_MARCH_H
+#define MEDIA_MARCH_H
+
+#include "light/light.h"
+#include "media/strata.h"
+
+/* Optical depths at the edges of strata. */
+typedef struct media_table {
+    media_strata strata;
+    double depth[3][LANES_MAX + 1];
+} media_table;
+
+typedef struct media_march {
+    const model *model;
+    const media_set *set;
+    media_segment on;
+    double scale;                /* how far away the scene's objects are */
+    uint64_t seed;
+    colour through, given;       /* what is left of light from behind, and the media's own */
+    media_table table;
+} media_march;
+
+/* Begin with model, set, on and scale: the rest is set. */
+void media_march_begin(media_march *l);
+/* Transmittance of the segment alone, for shadows. */
+colour media_transmittance(const model *m, const media_set *s, const media_segment *on);
+
+/* Points of the segment that a light may reach: what each gives to the ray's colour if the light is not occluded there,
+ * and the light at the points. */
+typedef struct media_samples {
+    uint32_t count;
+    double at[LANES_MAX];        /* along the segment */
+    vec_lanes point, point_lo;
+    light_lanes in;
+    colour value[LANES_MAX];
+} media_samples;
+
+/* False: the light gives nothing. number: of the light, for its random numbers. */
+bool media_sample_light(const media_march *l, const light *from, const light_class *class, uint32_t number,
+                        media_samples *out);
+
+#endif

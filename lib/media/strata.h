@@ -1,0 +1,35 @@
+/* strata.h - divides a segment into strata, each with one random point. */
+#ifndef MEDIA_STRATA_H
+#define MEDIA_STRATA_H
+
+#include "base/lanes.h"
+#include "base/mix.h"
+#include "media/set.h"
+
+/* Lengths from this on count as without end; scale: how far away the scene's objects are. */
+#define MEDIA_ENDLESS 1e10
+
+/* edge[0..count]. */
+typedef struct media_strata { uint32_t count; double edge[LANES_MAX + 1]; } media_strata;
+
+/* What divides the segment between lo and hi into about `wanted` strata (at most LANES_MAX): equal lengths; and where
+ * the light comes through matter that is dense, equal losses; and around a place that matters, equal angles. All of
+ * them together, so that nowhere a stratum is too large. */
+typedef struct media_division {
+    double lo, hi, scale;
+    uint32_t wanted;
+    double loss;                 /* per unit of length; 0: not known, or none */
+    bool has_middle;
+    double middle, distance;     /* of the place: its nearest point on the line, and how far it is from there */
+} media_division;
+
+void media_divide(const media_division *by, media_strata *out);
+
+/* As good as random, 0 <= u < 1; the same for the same segment and number. */
+uint64_t media_seed(const media_segment *s);
+static inline double media_random(uint64_t seed, uint32_t number)
+{
+    return (double)(mix_bits(seed + (uint64_t)(number + 1) * 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53;
+}
+
+#endif

@@ -1,0 +1,217 @@
+#include "shade/haze.h"
+
+#include "light/aim.h"
+#include "shade/transmittance.h"
+
+static void take(double by[3], colour c)
+{
+    by[0] *= (double)c.r;
+    by[1] *= (double)c.g;
+    by[2] *= (double)c.b;
+}
+
+static media_segment segment_of(const pov_ray *ray, double from, double to)
+{
+    const media_segment s = { pov_add(ray->org, pov_scale(ray->dir, from)), pov_unit(ray->dir), (to - from) * light_length(ray->dir) };
+
+    return s;
+}
+
+/* ---- light on its way ---- */
+
+void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const pov_crossing *at, uint32_t count, double by[3])
+{
+    double before = 0.0;
+    media_set set;
+
+    for (uint32_t i = 0; i < count; i++) {
+        hit h = { .object = at[i].owner, .crossing = at[i] };
+
+        walk_media(scene, w, &set);
+        if (set.count > 0 && at[i].t > before) {
+            const media_segment s = segment_of(ray, before, at[i].t);
+
+            take(by, media_transmittance(scene->model, &set, &s));
+        }
+        if (scene->objects_info[at[i].owner].filled)
+            world_surface(scene->world, ray, &h);
+        walk_cross(scene, w, at[i].owner, h.entering);
+        before = at[i].t;
+    }
+}
+
+void haze_attenuate(const shade_context *c, const light *from, const pov_ray *ray, double tmax, colour *through)
+{
+    media_set set;
+    media_segment s;
+
+    if (!(from->flags & LIGHT_ATTENUATED) || !c->scene->model->atmosphere)
+        return;
+    walk_atmosphere(c->scene, 0, &set);
+    s = segment_of(ray, 0.0, tmax);
+    *through = colour_mul(*through, media_transmittance(c->scene->model, &set, &s));
+}
+
+/* ---- light that is scattered to a path ---- */
+
+/* Samples on a path's segment, and their rays to a light. */
+typedef struct beams {
+    shade_context *context;
+    const path *path;
+    const scene_light *light;
+    media_samples samples;
+    pov_ray own[BATCH_MAX];
+    const pov_ray *rays[BATCH_MAX];
+    const path *from[BATCH_MAX];
+} beams;
+
+/* The point of an area light for a sample: points are drawn by their weights, those of neighbours in different parts. */
+static uint32_t draw_point(const light_grid *g, double u)
+{
+    double sum = 0.0;
+    uint32_t k = 0;
+
+    for (; k + 1 < g->count; k++) {
+        sum += (double)g->points[k].weight;
+        if (u < sum)
+            break;
+    }
+    return k;
+}
+
+enum { DRAW_SCATTERED = 2 };
+
+/* The direction to a point of the light's area instead of that to its middle. */
+static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint64_t seed)
+{
+    const light_grid *g = b->light->grid;
+    const light *l = b->light->light;
+    const double turn = media_random(seed, 0) + 0.61803398874989485 * (double)i;
+    const uint32_t k = draw_point(g, turn - floor(turn));
+    vec_lanes point, low, to, dir;
+    const light_points at = { &point, &low, 1 };
+    light_origin origin;
+
+    for (uint32_t lane = 0; lane < lanes_whole(1); lane++) {
+        lanes_put(&point, lane, lanes_at(&b->samples.point, i));
+        lanes_put(&low, lane, lanes_at(&b->samples.point_lo, i));
+        lanes_put(&to, lane, lanes_at(&b->samples.in.dir, i));
+    }
+    if (g->moves) {
+        grid_aim(l, g, k, DRAW_SCATTERED, &at, &to, &dir);
+    } else {
+        origin = grid_origin(l, g, k);
+        light_aim(&origin, &at, &dir);
+    }
+    return lanes_at(&dir, 0);
+}
+
+static void aim(beams *b, uint64_t seed)
+{
+    const media_samples *s = &b->samples;
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        const pov_ray ray = { .org = lanes_at(&s->point, i), .org_lo = lanes_at(&s->point_lo, i),
+                              .dir = b->light->grid ? aim_at_area(b, i, seed) : lanes_at(&s->in.dir, i),
+                              .origin_surface = POV_NO_OWNER };
+
+        b->own[i] = ray;
+        b->rays[i] = &b->own[i];
+        b->from[i] = b->path;
+    }
+}
+
+/* Rays that cross what a light is projected through end there; the others are none. */
+static void shorten(beams *b)
+{
+    media_samples *s = &b->samples;
+    uint32_t kept = 0;
+
+    for (uint32_t i = 0; i < s->count; i++) {
+        if (!transmittance_shorten(b->context, b->light->light, s->in.tmax, &b->own[i]))
+            continue;
+        b->own[kept] = b->own[i];
+        s->value[kept++] = s->value[i];
+    }
+    s->count = kept;
+}
+
+static colour add_visible(beams *b, uint64_t seed)
+{
+    shade_context *c = b->context;
+    const light *l = b->light->light;
+    const light_origin origin = light_own_origin(l);
+    const bool at_one = !b->light->class->parallel && !b->light->grid && l->through_count == 0;
+    const segment_end end = { b->samples.in.tmax, at_one ? &origin : NULL };
+    colour through[BATCH_MAX], sum = colour_of(0.0f, 0.0f, 0.0f);
+    uint64_t lit;
+
+    aim(b, seed);
+    if (l->through_count > 0)
+        shorten(b);
+    c->counts.shadow += b->samples.count;
+    for (lit = transmittance_find(c, b->rays, b->from, b->samples.count, end, through); lit; lit &= lit - 1) {
+        const uint32_t i = first_of64(lit);
+
+        haze_attenuate(c, l, &b->own[i], end.tmax, &through[i]);
+        sum = colour_add(sum, colour_mul(b->samples.value[i], through[i]));
+    }
+    return sum;
+}
+
+/* All that lamps give to the segment. */
+static colour gather(shade_context *c, const path *p, const media_march *march)
+{
+    const shading *scene = c->scene;
+    colour sum = colour_of(0.0f, 0.0f, 0.0f);
+    beams b;
+
+    b.context = c;
+    b.path = p;
+    for (uint32_t k = 0; k < scene->light_count && !c->failed; k++) {
+        const light *l = scene->lights[k].light;
+
+        if (l->flags & (LIGHT_NO_MEDIA | LIGHT_SHADOWLESS))
+            continue;
+        b.light = &scene->lights[k];
+        if (media_sample_light(march, l, b.light->class, k, &b.samples))
+            sum = colour_add(sum, add_visible(&b, media_seed(&march->on) + k + 1));
+        c->failed = c->failed || query_context_failed(c->context);
+    }
+    return sum;
+}
+
+/* ---- segments of paths ---- */
+
+/* Put the media of a set before what `by` and `given` say is seen behind. */
+static void veil(shade_context *c, const path *p, const media_set *set, const media_segment *on, colour *by, colour *given)
+{
+    media_march march;
+
+    if (set->count == 0 || !(on->length > 0.0))
+        return;
+    march.model = c->scene->model;
+    march.set = set;
+    march.on = *on;
+    march.scale = c->scene->scale;
+    media_march_begin(&march);
+    if (set->scatters && c->scene->plan->scattering)
+        march.given = colour_add(march.given, gather(c, p, &march));
+    *by = colour_mul(*by, march.through);
+    *given = colour_add(colour_mul(march.through, *given), march.given);
+}
+
+void haze_cross(shade_context *c, const path *p, const media_segment *on, bool ends, colour *by, colour *given)
+{
+    interior_walk w;
+    media_set set;
+
+    *by = colour_of(1.0f, 1.0f, 1.0f);
+    *given = colour_of(0.0f, 0.0f, 0.0f);
+    walk_begin(c, p, &w);
+    walk_media(c->scene, &w, &set);
+    if (ends)
+        veil(c, p, &set, on, by, given);
+    walk_atmosphere(c->scene, p->solids, &set);
+    veil(c, p, &set, on, by, given);
+}
