@@ -34,6 +34,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->cross_many = f.cross_many;
     out->ellipsoid = f.ellipsoid;
     out->half_space = f.half_space;
+    out->hull = f.hull;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

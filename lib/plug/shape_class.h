@@ -37,7 +37,8 @@ typedef struct shape_class {
                         pov_vec3 *const *out, uint32_t n);
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
-    bool (*half_space)(const void *self, pov_vec3 *normal, double *distance);
+    bool (*half_space)(const void *self, pov_half_space *out);
+    uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

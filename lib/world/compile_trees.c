@@ -14,30 +14,45 @@ void compile_mark_members(compile_state *f)
     }
 }
 
-/* Is it a half-space, where it is in the world's coordinates? */
-static bool find_half_space(const compile_state *f, uint32_t leaf, half_space *out)
+/* A member's instance in the coordinates of the world, if it has one; in `made` if there is none yet. NULL: it has none. */
+typedef struct made_instance { SIMD_ALIGNED unsigned char bytes[POV_PREPARED_MAX]; } made_instance;
+
+static const void *instance_of(const compile_state *f, uint32_t leaf, made_instance *made)
 {
     const leaf_node *o = compile_leaf(f, leaf);
-    SIMD_ALIGNED unsigned char made[POV_PREPARED_MAX];
-    const void *self = f->moved ? f->moved[leaf] : NULL;
 
-    if (!o->shape->half_space || (f->group[leaf] & 0x3fff) % COMPILE_KINDS == COMPILE_INSTANCED ||
-        (!self && o->shape->instance_size > sizeof made))
-        return false;
-    if (!self)
-        compile_make(o, made);
-    return o->shape->half_space(self ? self : made, &out->normal, &out->distance);
+    if ((f->group[leaf] & (COMPILE_MEMBER - 1)) % COMPILE_KINDS == COMPILE_INSTANCED || o->shape->instance_size > sizeof *made)
+        return NULL;
+    if (f->moved && f->moved[leaf])
+        return f->moved[leaf];
+    compile_make(o, made->bytes);
+    return made->bytes;
 }
 
 static void extent_of(const void *user, uint32_t leaf, csg_extent *out)
 {
     const compile_state *f = user;
+    const shape_class *shape = compile_leaf(f, leaf)->shape;
+    made_instance made;
 
-    out->boxed = !(f->group[leaf] & COMPILE_INFINITE) &&
-                 !(compile_leaf(f, leaf)->shape->flags & POV_SHAPE_ENDLESS);
+    out->boxed = !(f->group[leaf] & COMPILE_INFINITE) && !(shape->flags & POV_SHAPE_ENDLESS);
     if (out->boxed)
         compile_box(f, leaf, &out->box);
-    out->is_half_space = !out->boxed && find_half_space(f, leaf, &out->half_space);
+    out->is_half_space = false;
+    if (!out->boxed && shape->half_space) {
+        const void *self = instance_of(f, leaf, &made);
+        out->is_half_space = self && shape->half_space(self, &out->half_space);
+    }
+}
+
+static uint32_t hull_of(const void *user, uint32_t leaf, const half_spaces *within, pov_half_space *out)
+{
+    const compile_state *f = user;
+    const shape_class *shape = compile_leaf(f, leaf)->shape;
+    made_instance made;
+    const void *self = shape->hull ? instance_of(f, leaf, &made) : NULL;
+
+    return self ? shape->hull(self, within->of, within->count, out) : 0;
 }
 
 /* A tree casts a shadow if a member does, and blocks light if all members are opaque. Normals of subtracted members
@@ -82,12 +97,13 @@ static void add_tree(compile_state *f, uint32_t which, uint16_t mark)
 bool compile_add_trees(compile_state *f, uint16_t mark)
 {
     const model *m = f->model;
+    const csg_source source = { extent_of, hull_of, f };
 
     if (m->trees.count == 0)
         return true;
     f->roots = env_alloc(f->env, m->trees.count, sizeof *f->roots);
     f->tree_leaves = env_alloc(f->env, m->trees.count, sizeof *f->tree_leaves);
-    if (!f->roots || !f->tree_leaves || !csg_make(&f->trees, m, extent_of, f))
+    if (!f->roots || !f->tree_leaves || !csg_make(&f->trees, m, &source))
         return false;
     for (uint32_t i = 0; i < f->trees.count; i++)
         add_tree(f, i, mark);

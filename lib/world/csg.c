@@ -127,7 +127,7 @@ static bool make_tree(csg_tree *t, const model *m, node_ref root)
     return true;
 }
 
-bool csg_make(csg_list *out, const model *m, csg_extent_of *extent, const void *user)
+bool csg_make(csg_list *out, const model *m, const csg_source *source)
 {
     out->count = 0;
     out->items = m->trees.count > 0 ? env_alloc(m->env, m->trees.count, sizeof *out->items) : NULL;
@@ -140,7 +140,7 @@ bool csg_make(csg_list *out, const model *m, csg_extent_of *extent, const void *
             out->count++;
             return false;
         }
-        if (!csg_find_bounds(t, m->env, extent, user)) {
+        if (!csg_find_bounds(t, m->env, source)) {
             out->count++;
             return false;
         }

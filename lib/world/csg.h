@@ -48,7 +48,7 @@ typedef struct csg_member {
 typedef struct csg_bound { pov_box box; uint32_t member, other; } csg_bound;
 
 /* A member that is a half-space, or its complement; the tree lies within `within`. */
-typedef struct csg_cut { half_space within; uint32_t member; } csg_cut;
+typedef struct csg_cut { pov_half_space within; uint32_t member; } csg_cut;
 
 /* The bounds of all members, where they are few: side by side, so that one loop tests them. */
 enum { CSG_FEW = 8 };
@@ -83,13 +83,18 @@ typedef struct csg_root { const csg_tree *tree; } csg_root;
 extern const shape_class csg_class;
 
 /* Data of a member that a tree needs before the member has an instance: its box; or the half-space that it is. */
-typedef struct csg_extent { bool boxed, is_half_space; pov_box box; half_space half_space; } csg_extent;
-typedef void csg_extent_of(const void *user, uint32_t leaf, csg_extent *out);
+typedef struct csg_extent { bool boxed, is_half_space; pov_box box; pov_half_space half_space; } csg_extent;
+/* Where csg_make() asks for them; and for half-spaces that hold the part of an infinite member within others. */
+typedef struct csg_source {
+    void (*extent)(const void *user, uint32_t leaf, csg_extent *out);
+    uint32_t (*hull)(const void *user, uint32_t leaf, const half_spaces *within, pov_half_space *out);
+    const void *user;
+} csg_source;
 
 /* For csg_make(): boxes of the members, which may be moved, and of the tree. */
-bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const void *user);
+bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 /* Make the trees of a model; false: no memory. Call csg_free() in any case. */
-bool csg_make(csg_list *out, const model *m, csg_extent_of *extent, const void *user);
+bool csg_make(csg_list *out, const model *m, const csg_source *source);
 void csg_free(csg_list *all, const env *e);
 
 typedef struct csg_near { double t; uint32_t bound; } csg_near;

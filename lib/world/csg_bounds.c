@@ -18,7 +18,7 @@ static void cut(pov_box *a, const pov_box *b)
 static bool is_empty(const pov_box *b) { return b->lo.x > b->hi.x || b->lo.y > b->hi.y || b->lo.z > b->hi.z; }
 
 /* A tree, and by member what is known of it. */
-typedef struct extents { const csg_tree *tree; const csg_extent *of; } extents;
+typedef struct extents { const csg_tree *tree; const csg_source *source; const csg_extent *of; } extents;
 
 static bool box_of(const extents *x, node_ref node, pov_box *out);
 
@@ -51,17 +51,33 @@ static void find_half_spaces(const extents *x, const csg_node *n, half_spaces *o
     }
 }
 
-/* Half-spaces may be finite together, or cut a box. */
-static bool cut_by_half_spaces(const extents *x, const csg_node *n, bool boxed, pov_box *box)
+/* Add what holds the infinite members of an intersection within the half-spaces. */
+static void add_hulls(const extents *x, const csg_node *n, half_spaces *all)
+{
+    pov_half_space found[POV_HULL_MAX];
+
+    for (uint32_t i = 0; i < n->child_count; i++) {
+        const node_ref child = x->tree->children[n->child + i];
+        uint32_t count = 0;
+
+        if (!(child & NODE_GROUP) && !x->of[child].boxed && !x->tree->members[child].inverse)
+            count = x->source->hull(x->source->user, x->tree->members[child].leaf, all, found);
+        for (uint32_t k = 0; k < count; k++)
+            half_spaces_add(all, &found[k], false, child);
+    }
+}
+
+/* Infinite members may be finite together, or cut a box. */
+static bool cut_by_infinite(const extents *x, const csg_node *n, bool boxed, pov_box *box)
 {
     half_spaces all = { 0 };
     pov_box b;
 
     find_half_spaces(x, n, &all);
-    if (all.count == 0)
-        return boxed;
-    if (boxed)
+    if (boxed && all.count > 0)
         half_spaces_add_box(&all, box);
+    if (!boxed)
+        add_hulls(x, n, &all);
     if (!half_spaces_bound(&all, &b))
         return boxed;
     if (boxed)
@@ -86,7 +102,7 @@ static bool box_of_common(const extents *x, const csg_node *n, pov_box *out)
             *out = b;
         boxed = true;
     }
-    return cut_by_half_spaces(x, n, boxed, out);
+    return cut_by_infinite(x, n, boxed, out);
 }
 
 /* False: it may be infinite. */
@@ -106,9 +122,9 @@ static bool box_of(const extents *x, node_ref node, pov_box *out)
 }
 
 /* Parts outside the tree's box are clipped. */
-static void find_boxes(csg_tree *t, const csg_extent *of)
+static void find_boxes(csg_tree *t, const csg_source *source, const csg_extent *of)
 {
-    const extents x = { t, of };
+    const extents x = { t, source, of };
     uint32_t i;
 
     for (i = 0; i < t->member_count; i++) {
@@ -208,7 +224,7 @@ static void find_few(csg_tree *t, uint32_t count)
 /* False: no memory. */
 static bool keep_cuts(csg_tree *t, const env *e, const csg_extent *of)
 {
-    const extents x = { t, of };
+    const extents x = { t, NULL, of };
     half_spaces all = { 0 };
 
     if (!t->boxed || t->nodes[0].op != NODE_INTERSECTION || t->nodes[0].inverse)
@@ -231,24 +247,24 @@ static bool is_cut(const csg_tree *t, uint32_t member)
     return false;
 }
 
-static bool ask_extents(csg_tree *t, const env *e, csg_extent_of *extent, const void *user)
+static bool ask_extents(csg_tree *t, const env *e, const csg_source *source)
 {
     csg_extent *of = env_resize(e, NULL, t->member_count, sizeof *of);
     bool kept;
 
     for (uint32_t i = 0; of && i < t->member_count; i++)
-        extent(user, t->members[i].leaf, &of[i]);
+        source->extent(source->user, t->members[i].leaf, &of[i]);
     if (of)
-        find_boxes(t, of);
+        find_boxes(t, source, of);
     kept = of && keep_cuts(t, e, of);
     env_free(e, of);
     return kept;
 }
 
-bool csg_find_bounds(csg_tree *t, const env *e, csg_extent_of *extent, const void *user)
+bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source)
 {
     uint32_t *ids = env_resize(e, NULL, t->member_count, sizeof *ids), count = 0;
-    const bool asked = ask_extents(t, e, extent, user);
+    const bool asked = ask_extents(t, e, source);
 
     t->bounds = env_resize(e, NULL, 2 * (size_t)t->member_count, sizeof *t->bounds);
     t->endless = env_resize(e, NULL, t->member_count, sizeof *t->endless);

@@ -108,7 +108,7 @@ static bool hits_box(const csg_traversal *w, const pov_box *b, double *enter, do
  * coordinate is larger than w->size. */
 typedef struct cut_crossing { double slope, t, off; } cut_crossing;
 
-static cut_crossing cross(const csg_traversal *w, const half_space *h)
+static cut_crossing cross(const csg_traversal *w, const pov_half_space *h)
 {
     const double slope = pov_dot(h->normal, w->ray->dir), height = pov_dot(h->normal, w->ray->org) - h->distance;
     const double t = -height / slope;

@@ -8,9 +8,9 @@ static const double open_angle = 0x1p-30;
 /* Errors of a point where three planes meet, and of being outside a plane: fractions of the lengths involved. */
 static const double point_error = 0x1p-46, face_error = 0x1p-40, least_determinant = 0x1p-43;
 
-void half_spaces_add(half_spaces *all, const half_space *one, bool complement, uint32_t id)
+void half_spaces_add(half_spaces *all, const pov_half_space *one, bool complement, uint32_t id)
 {
-    half_space *added = &all->of[all->count];
+    pov_half_space *added = &all->of[all->count];
 
     if (all->count == HALF_SPACES_MAX)
         return;
@@ -24,7 +24,7 @@ void half_spaces_add(half_spaces *all, const half_space *one, bool complement, u
 
 void half_spaces_add_box(half_spaces *all, const pov_box *box)
 {
-    const half_space faces[6] = {
+    const pov_half_space faces[6] = {
         { { 1.0, 0.0, 0.0 }, box->hi.x }, { { -1.0, 0.0, 0.0 }, -box->lo.x }, { { 0.0, 1.0, 0.0 }, box->hi.y },
         { { 0.0, -1.0, 0.0 }, -box->lo.y }, { { 0.0, 0.0, 1.0 }, box->hi.z }, { { 0.0, 0.0, -1.0 }, -box->lo.z }
     };
@@ -65,7 +65,7 @@ static bool is_finite(const half_spaces *all)
 /* ---- its corners ---- */
 
 /* The point where three planes meet, and how far it may be off. False: they are parallel to a line. */
-static bool corner_of(const half_space *a, const half_space *b, const half_space *c, pov_vec3 *out, double *error)
+static bool corner_of(const pov_half_space *a, const pov_half_space *b, const pov_half_space *c, pov_vec3 *out, double *error)
 {
     const pov_vec3 bc = pov_cross_product(b->normal, c->normal), ca = pov_cross_product(c->normal, a->normal);
     const pov_vec3 ab = pov_cross_product(a->normal, b->normal);

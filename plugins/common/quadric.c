@@ -357,7 +357,7 @@ bool common_quadric_absorb(common_quadric *s, const pov_affine *map)
 }
 
 /* The half-space is gradient . (p - anchor) scale + J <= 0. */
-bool common_quadric_half_space(const void *self, pov_vec3 *normal, double *distance)
+bool common_quadric_half_space(const void *self, pov_half_space *out)
 {
     const common_quadric *s = self;
     const pov_vec3 g = { s->q[G].hi, s->q[H].hi, s->q[I].hi };
@@ -365,7 +365,7 @@ bool common_quadric_half_space(const void *self, pov_vec3 *normal, double *dista
 
     if (!s->planar || !(length > 0x1p-100) || !isfinite(length))
         return false;
-    *normal = pov_scale(g, 1.0 / length);
-    *distance = pov_dot(*normal, pov_two3_hi(s->anchor)) - s->q[J].hi / (length * s->scale);
-    return isfinite(*distance);
+    out->normal = pov_scale(g, 1.0 / length);
+    out->distance = pov_dot(out->normal, pov_two3_hi(s->anchor)) - s->q[J].hi / (length * s->scale);
+    return isfinite(out->distance);
 }

@@ -35,6 +35,7 @@ static const pov_shape_fast quadric_fast = {
     .intersect_many = common_quadric_intersect_pairs,
     .normal_many = common_quadric_normal_pairs,
     .ellipsoid = ellipsoid,
+    .hull = common_quadric_hull,
 };
 
 static const void *extension(const char *name) { return common_is_fast(name) ? &quadric_fast : NULL; }

@@ -30,6 +30,23 @@ reports_of_counts_do_not_depend_on_threads() {
     same one three
 }
 
+# Planes and endless quadrics that are finite together have a box; those that are not have none.
+reports_count_what_is_infinite() {
+    cat > finite.pov <<'END'
+camera { location -5*z look_at 0 }
+#declare Tube = quadric { <1, 0, 1>, 0, 0, -1 }
+intersection { plane { <1, .2, 0>, 1 } plane { <-1, 0, .3>, 1 } plane { y, 1 } plane { -y, 1 } plane { z, 1 } plane { -z, 1 } }
+intersection { object { Tube } plane { y, 1 } plane { -y, 1 } rotate 30*x }
+intersection { quadric { <1, -1, 1>, 0, 0, 0 } plane { y, 2 } plane { -y, 0 } translate x }
+intersection { quadric { <1, 0, 1>, 0, <0, -1, 0>, 0 } plane { y, 2 } }
+END
+    sed 's/ plane { -y, 1 }//' finite.pov > infinite.pov
+    expect 0 "$povc" finite.pov 8 8 out.png --stats
+    says out "objects_infinite: 0"
+    expect 0 "$povc" infinite.pov 8 8 out.png --stats
+    says out "objects_infinite: 2"
+}
+
 reports_explain_without_sizes_and_without_rendering() {
     small_scene
     expect 0 "$povc" --explain small.pov

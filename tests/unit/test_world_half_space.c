@@ -10,7 +10,7 @@ static void add(half_spaces *all, double x, double y, double z, double distance)
 {
     const pov_vec3 normal = { x, y, z };
     const double length = sqrt(pov_dot(normal, normal));
-    const half_space h = { pov_scale(normal, 1.0 / length), distance / length };
+    const pov_half_space h = { pov_scale(normal, 1.0 / length), distance / length };
 
     half_spaces_add(all, &h, false, all->count);
 }

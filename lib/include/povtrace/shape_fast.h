@@ -50,6 +50,10 @@ typedef struct pov_candidate {
  * sphere. For points on the surface the mapped length is one within 2^-20. */
 typedef struct pov_ellipsoid { pov_vec3 centre, centre_lo, row[3]; } pov_ellipsoid;
 
+/* The points p with normal . p <= distance; the normal is a unit vector. */
+typedef struct pov_half_space { pov_vec3 normal; double distance; } pov_half_space;
+enum { POV_HULL_MAX = 6 };
+
 typedef struct pov_shape_fast {
     uint32_t size;
     bool full_leaves;            /* block_filter takes as long for one shape of a block as for all: leaves should be
@@ -77,9 +81,10 @@ typedef struct pov_shape_fast {
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     /* [load] Is it an ellipsoid, with such bounds? Hosts may filter its rays by that if no block does. */
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
-    /* [load] Is it a half-space, of the points p with normal . p at most `distance`? Rounded, with a unit normal: hosts
-     * allow for roundings where they bound solids made of several. */
-    bool (*half_space)(const void *self, pov_vec3 *normal, double *distance);
+    /* [load] Is it a half-space? Rounded: hosts allow for that where they bound solids made of several. */
+    bool (*half_space)(const void *self, pov_half_space *out);
+    /* [load] Up to POV_HULL_MAX half-spaces that hold the part of an infinite solid that lies within the n given ones. */
+    uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
 } pov_shape_fast;
 
 #endif
