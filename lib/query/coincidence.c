@@ -39,8 +39,8 @@ static void begin(packet *p, const world *w, query_context *k, const coincident_
     p->rays[0] = &p->named;
 }
 
-bool query_nearest_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
-                        hit *out)
+bool query_nearest_beyond(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmin,
+                          double tmax, hit *out)
 {
     pov_hits *hits;
     packet p;
@@ -50,6 +50,7 @@ bool query_nearest_from(const world *w, query_context *k, const coincident_set *
     p.asked = 1;
     hits = &p.hits[0];
     packet_begin_hits(&p, 0, hits, POV_WANT_NEAREST, &out->crossing);
+    hits->tmin = tmin;
     hits->always_exact = true;
     packet_nearest(&p, w->kernels->nearest_single);
     k->escalated += hits->escalated;
@@ -58,6 +59,12 @@ bool query_nearest_from(const world *w, query_context *k, const coincident_set *
     if (hits->tied)
         coincidence_resolve(w, k, ray, from, out);
     return hits->count > 0;
+}
+
+bool query_nearest_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
+                        hit *out)
+{
+    return query_nearest_beyond(w, k, from, ray, 0.0, tmax, out);
 }
 
 /* All crossings near t, from near to far, in the context's memory. Returns their number. */
@@ -114,11 +121,7 @@ uint32_t coincidence_crossed(const coincident_set *s, pov_vec3 dir)
 /* Size of the numbers involved in a crossing. */
 static double size_of(const world *w, const pov_ray *ray, double t)
 {
-    double size = fabs(t) * pov_largest(ray->dir) + pov_largest(ray->org);
-
-    if (w->has_bounds)
-        size += fmax(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi));
-    return size;
+    return fabs(t) * pov_largest(ray->dir) + pov_largest(ray->org) + w->extent;
 }
 
 /* Complete the hit of a crossing. */
@@ -244,4 +247,18 @@ bool query_occlusion_from(const world *w, query_context *k, const coincident_set
     if (!p.any_blocks)
         p.filter_hits[0].always_exact = true;
     return !packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out);
+}
+
+bool query_blocked_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax)
+{
+    occlusion found;
+    packet p;
+
+    found.crossed = found.near_end = 0;
+    begin(&p, w, k, from, ray, tmax);
+    p.slack = packet_end_slack(w, ray, tmax);
+    p.any_blocks = true;
+    packet_begin_light(&p, 0);
+    p.hits[0].always_exact = true;
+    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &found) != 0;
 }

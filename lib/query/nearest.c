@@ -1,5 +1,6 @@
 #include "query/clear_solid.h"
 #include "query/packet.h"
+#include "query/start.h"
 
 /* ---- leaves ---- */
 
@@ -209,6 +210,7 @@ static void begin_from_exit_hits(packet *p, const exit_hits *e)
 static uint64_t end_nearest(packet *p)
 {
     uint64_t found = 0, rest;
+    coincident_set from;
 
     for (rest = p->asked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
@@ -224,6 +226,9 @@ static uint64_t end_nearest(packet *p)
         SIMD_PREFETCH(&p->world->objects_info[out->object]);
         if (hits->tied)
             coincidence_resolve(p->world, p->context, p->rays[i], NULL, out);
+        if (start_may_be_here(p->world, p->rays[i], out->crossing.t) &&
+            !start_leave(p->world, p->context, p->rays[i], p->tmax, &from, out))
+            found &= ~bit_of(p->of[i]);
     }
     return found;
 }

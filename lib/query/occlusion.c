@@ -1,5 +1,6 @@
 #include "query/clear_solid.h"
 #include "query/packet.h"
+#include "query/start.h"
 
 #include "base/vec.h"
 
@@ -232,10 +233,8 @@ static const double same_end = 0x1p-96;
 
 double packet_end_slack(const world *w, const pov_ray *ray, double tmax)
 {
-    double size = pov_largest(ray->org);
+    const double size = pov_largest(ray->org) + w->extent;
 
-    if (w->has_bounds)
-        size += fmax(pov_largest(w->bounds.lo), pov_largest(w->bounds.hi));
     return tmax < HUGE_VAL ? same_end * (tmax + size / pov_largest(ray->dir)) : 0.0;
 }
 
@@ -306,7 +305,7 @@ bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray,
     return !is_blocked_exactly(w, k, ray, which, tmax, !w->plan.coloured_shadows, out);
 }
 
-bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax)
+static bool blocks_any(const world *w, query_context *k, const pov_ray *ray, double tmax)
 {
     occlusion found;
     packet p;
@@ -318,4 +317,13 @@ bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double 
     if (packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &found))
         return true;
     return found.near_end && is_blocked_exactly(w, k, ray, 0, tmax, true, &found);
+}
+
+bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double tmax)
+{
+    coincident_set from;
+
+    if (!blocks_any(w, k, ray, tmax))
+        return false;
+    return !start_find(w, k, ray, tmax, &from) || query_blocked_from(w, k, &from, ray, tmax);
 }

@@ -79,6 +79,11 @@ static inline void coincidence_pass(coincident_set *s, uint32_t which) { s->abov
  * come first. */
 bool query_nearest_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
                         hit *out);
+/* The first beyond tmin, wherever the set's surfaces lie. */
+bool query_nearest_beyond(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmin,
+                          double tmax, hit *out);
+/* As query_blocked(); the surfaces of the set block nothing where it starts. */
+bool query_blocked_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax);
 bool query_occlusion_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
                           occlusion *out, uint32_t *crossed);
 

@@ -45,6 +45,7 @@ struct world {
     pov_box bounds, transparent; /* transparent: box around transparent objects */
     uint8_t *isolated;           /* by object, 1: it is transparent, and nothing else is in its box; NULL: unknown */
     bool has_bounds;
+    double extent;               /* the largest coordinate of `bounds`; 0 without */
     uint32_t infinite_count, finite_count;
     size_t absorbed, composed, packed;   /* see world_facts */
     dielectric_list dielectrics; /* leaves in the order of the scene, then trees */

@@ -147,6 +147,9 @@ static inline uint32_t mark_of(const box *b)
     return p[0].hi < p[1].hi && p[2].hi < p[3].hi && p[4].hi < p[5].hi ? POV_MARK_CLOSED : 0;
 }
 
+/* Are only low parts left of a distance? They may be all error: the mark says so. */
+static inline int is_lost(double distance, double o) { return fabs(distance) <= 0x1p-90 * fabs(o); }
+
 /* The quotient in double-double: the remainder of the first division is divided again. */
 static bool report(const slabs *s, pov_hits *hits, int plane)
 {
@@ -155,12 +158,13 @@ static bool report(const slabs *s, pov_hits *hits, int plane)
     double t = distance.hi / d;
     pov_two p = pov_two_product(t, d), sum;
     double rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * s->d_lo[plane / 2]);
+    const int lost = is_lost(distance.hi, s->o[plane / 2]);
 
     sum = pov_fast_two_sum(t, rest / d);
     if (!isfinite(sum.lo))
         sum = pov_two_of(t, 0.0);
     return pov_cross(hits, sum.hi * s->unit, sum.lo * s->unit,
-                     common_mark((uint32_t)plane, mark_of(s->shape) | (s->escalated ? POV_MARK_ESCALATED : 0)));
+                     common_mark((uint32_t)plane, mark_of(s->shape) | (s->escalated || lost ? POV_MARK_ESCALATED : 0)));
 }
 
 static inline bool goes_inward(pov_vec3 d, int face)
@@ -328,7 +332,9 @@ static inline void put_end(end_lanes *out, uint32_t i, const crossed *end, int c
     const double rest = ((distance.hi - p.hi) - p.lo) + (distance.lo - t * end->d_lo);
     const pov_two sum = pov_fast_two_sum(t, rest / end->d);
 
-    out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) ? sum.hi * power : NAN;
+    const int lost = is_lost(distance.hi, end->o);
+
+    out->t[i] = certain & (int)(fabs(sum.lo) < HUGE_VAL) & !lost ? sum.hi * power : NAN;
     out->t_lo[i] = sum.lo * power;
     out->feature[i] = end->feature;
 }
