@@ -108,7 +108,8 @@ static bool bring_near(const bvh_frame *f, const pov_ray *ray, bvh_local *l)
     back = (4.0 + pov_largest(o) * 0x1p-48) / length;
     l->shift = (along - back) / l->scale;
     at = point_at(f, ray, l->shift);
-    if (!(pov_largest(at) < 1e30) || !(fabs(l->shift) < 1e290))
+    /* Filters square such numbers, and multiples of the shift, in floats. */
+    if (!(pov_largest(at) < 1e6) || !(fabs(l->shift) < 1e290))
         return enter_blindly(l);
     l->org = at;
     /* The cube's sphere has the square of its radius at 3; the subtraction loses some 2^-51 of its terms. */

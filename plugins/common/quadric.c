@@ -106,11 +106,13 @@ static void prepare(common_quadric *s, const pov_two *raw)
     s->length = length;
     s->largest = larger(larger(second + 2 * length, first + length), constant);
     s->whole = true;
+    s->stiff = false;
     for (i = 0; i < COEFFICIENTS; i++) {
         s->q[i] = pov_two_of(ldexp(raw[i].hi, power_of(s, i)), ldexp(raw[i].lo, power_of(s, i)));
         s->approx[i] = s->q[i].hi;
         s->size[i] = fabs(s->q[i].hi);
         s->whole = s->whole && (raw[i].hi == 0.0 || s->size[i] > 0x1p-900);
+        s->stiff = s->stiff || (i < G && raw[i].hi != 0.0 && s->size[i] < 0x1p-180);
     }
     s->sum2 = s->size[A] + s->size[B] + s->size[C] + s->size[D] + s->size[E] + s->size[F];
     s->sum1 = s->size[G] + s->size[H] + s->size[I];

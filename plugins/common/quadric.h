@@ -18,6 +18,7 @@ typedef struct common_quadric {
     bool sizeless;                 /* only second-order terms: a cone, the same at every scale */
     bool closed;                   /* definitely an ellipsoid */
     bool whole;                    /* no coefficient is so small beside the others that q lost bits of it */
+    bool stiff;                    /* second-order coefficients so far apart that double-double may lose a crossing */
     int length, largest;           /* exponents of the inverse of scale, and of the divisor */
 } common_quadric;
 

@@ -106,6 +106,18 @@ static double to_anchor(const common_ray *k, double middle, const solution *root
     return isfinite(there) && fmin(at_entry, at_exit) < 0x1p-4 * here ? there : 0.0;
 }
 
+/* Is the value at a crossing zero, as far as its point is known? A discriminant of coefficients that are too far apart may
+ * be noise alone. */
+static bool is_plausible(const quadric *s, const common_ray *k, pov_two t)
+{
+    const pov_two3 p = common_along_dd(k, t);
+    const double lost = 0x1p-96 * pov_largest(pov_two3_hi(k->f));
+    const pov_vec3 size = sizes(pov_two3_hi(p), lost), off = pov_vec3_of(lost, lost, lost);
+    const double value = common_value(s->q, p, common_half_gradient(s->q, p, true)).hi;
+
+    return fabs(value) <= 0x1p-80 * along_value(s->size, size) + 2.0 * along_first(s->size, size, off);
+}
+
 static void escalate(const quadric *s, const common_ray *k, bool leaving, pov_hits *hits)
 {
     double middle = middle_of(s, k), further;
@@ -127,6 +139,8 @@ static void escalate(const quadric *s, const common_ray *k, bool leaving, pov_hi
         return;
     roots.entry = from_origin(s, k, middle, roots.entry, roots.root);
     roots.exit = from_origin(s, k, middle, roots.exit, roots.root);
+    if (s->stiff)
+        wanted &= (is_plausible(s, k, roots.entry) ? WANT_ENTRY : 0) | (is_plausible(s, k, roots.exit) ? WANT_EXIT : 0);
     if (wanted & WANT_ENTRY && !report_escalated(hits, roots.entry, k->unit, ENTERING, quadric_mark(s)))
         return;
     if (wanted & WANT_EXIT)
