@@ -33,6 +33,7 @@ typedef struct packet {
     raygen_places through;
     double *sums[BATCH_MAX];     /* the half of the pixel that the ray's colour is added to */
     double *alpha[BATCH_MAX];    /* the pixel's sum of alpha, if there is alpha */
+    sample_id samples[BATCH_MAX];
     int cells[BATCH_MAX];        /* cell of the ray, within the tile */
     pov_ray rays[BATCH_MAX];
 } packet;
@@ -48,7 +49,7 @@ static void trace_packet(worker *w, const settings *s, packet *c)
         return;
     raygen_place(&c->through, s->width, s->height, c->count, &through);
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &through, c->count, c->rays);
-    tracer_colors(w->tracer, c->rays, c->count, known, seen, s->alpha ? alpha : NULL);
+    tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     meter_cells(w->meter, c->cells, c->count);
     for (uint32_t i = 0; i < c->count; i++) {
         /* Sums of floats in double are exact as long as the exponents are near: a constant stays constant. */
@@ -75,6 +76,8 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
     p->y[n] = py;
     p->dx[n] = at.x;
     p->dy[n] = at.y;
+    if (w->job->scene->plan->random)
+        c->samples[n] = sample_id_of(s->seed, px, py, k);
     c->alpha[n] = pixel + 6;
     c->sums[n] = pixel + 3 * (k & 1u);
     c->cells[n] = cell;

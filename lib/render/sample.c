@@ -1,53 +1,13 @@
 #include "render/sample.h"
 
 #include "base/mix.h"
-
-static uint32_t mirrored(uint32_t v)
-{
-    v = (v >> 1 & 0x55555555u) | (v & 0x55555555u) << 1;
-    v = (v >> 2 & 0x33333333u) | (v & 0x33333333u) << 2;
-    v = (v >> 4 & 0x0f0f0f0fu) | (v & 0x0f0f0f0fu) << 4;
-    v = (v >> 8 & 0x00ff00ffu) | (v & 0x00ff00ffu) << 8;
-    return v >> 16 | v << 16;
-}
-
-/* Owen scrambling of a fraction with mirrored digits: each digit is flipped or not by a hash of the digits before it.
- * The hash is that of Laine and Karras: Stratified sampling for stochastic transparency, EGSR 2011. Burley showed that
- * it makes an Owen scrambling of a mirrored number: Practical hash-based Owen scrambling, JCGT 9(4), 2020. */
-static uint32_t scrambled(uint32_t v, uint32_t seed)
-{
-    v += seed;
-    v ^= v * 0x6c50b47cu;
-    v ^= v * 0xb82f1e52u;
-    v ^= v * 0xc7afe638u;
-    v ^= v * 0x8d22f6e6u;
-    return v;
-}
-
-/* Sobol's second dimension, mirrored: the columns of Pascal's triangle modulo 2. */
-static uint32_t second_dimension(uint32_t index)
-{
-    uint32_t sum = 0;
-
-    for (uint32_t column = 1u; index != 0; index >>= 1, column ^= column << 1)
-        if (index & 1u)
-            sum ^= column;
-    return sum;
-}
-
-static double fraction(uint32_t digits)
-{
-    return ((double)digits + 0.5) / 4294967296.0;
-}
+#include "base/sequence.h"
 
 sample sample_at(uint32_t seed, int x, int y, int half, uint32_t index)
 {
-    uint64_t key = mix_bits((uint64_t)(uint32_t)half << 60 ^ (uint64_t)(uint32_t)y << 30 ^ (uint64_t)(uint32_t)x);
-    uint64_t seeds = mix_bits(key + (uint64_t)seed * 0x9e3779b97f4a7c15u);
-    sample s;
+    const uint64_t key = mix_bits((uint64_t)(uint32_t)half << 60 ^ (uint64_t)(uint32_t)y << 30 ^ (uint64_t)(uint32_t)x);
+    const sequence_point p = sequence_at(index, mix_bits(key + (uint64_t)seed * 0x9e3779b97f4a7c15u));
+    const sample s = { p.x, p.y };
 
-    /* The index itself is the first dimension, mirrored. */
-    s.x = fraction(mirrored(scrambled(index, (uint32_t)seeds)));
-    s.y = fraction(mirrored(scrambled(second_dimension(index), (uint32_t)(seeds >> 32))));
     return s;
 }

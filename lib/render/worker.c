@@ -44,6 +44,7 @@ typedef struct packet {
     uint32_t count;
     raygen_screen through;
     float *out[BATCH_MAX];
+    sample_id samples[BATCH_MAX];   /* if plan->random */
     SIMD_ALIGNED pov_ray rays[BATCH_MAX];
 } packet;
 
@@ -59,13 +60,28 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
         m->v[y] = raygen_v(s->crop.y + tile.y + y, 0.5, s->height);
 }
 
+/* Each is the first one of its pixel. */
+static void number_samples(const worker *w, const settings *s, packet *c)
+{
+    const pov_rect tile = w->claim.rect;
+
+    if (!w->job->scene->plan->random)
+        return;
+    for (uint32_t i = 0; i < c->count; i++) {
+        const int at = (int)(c->out[i] - w->pixels) / 4;
+
+        c->samples[i] = sample_id_of(s->seed, s->crop.x + tile.x + at % tile.width, s->crop.y + tile.y + at / tile.width, 0);
+    }
+}
+
 static void trace_packet(worker *w, const settings *s, packet *c)
 {
     colour seen[BATCH_MAX];
     float alpha[BATCH_MAX];
     const unsigned known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
 
-    tracer_colors(w->tracer, c->rays, c->count, known, seen, s->alpha ? alpha : NULL);
+    number_samples(w, s, c);
+    tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     for (uint32_t i = 0; i < c->count; i++) {
         const float at[4] = { seen[i].r, seen[i].g, seen[i].b, s->alpha ? alpha[i] : 1.0f };
 

@@ -5,6 +5,7 @@
 #include "query/query.h"
 #include "shade/dielectric.h"
 #include "shade/interrupt.h"
+#include "shade/random.h"
 #include "shade/shading.h"
 
 #include <povtrace/render.h>
@@ -17,6 +18,7 @@ typedef struct shade_context {
     query_context *context;
     float *alpha;                /* by lane of the camera ray: how much of the background it hides; NULL: the background is
                                   * opaque */
+    const sample_id *samples;    /* by lane of the camera ray; NULL: nothing is random */
     pov_counts counts;
     interrupt interrupt;
     bool failed;                 /* out of memory: later results are invalid */

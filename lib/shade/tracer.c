@@ -1,5 +1,6 @@
 #include "shade/tracer.h"
 
+#include "base/elementary.h"
 #include "base/err.h"
 #include "base/simd.h"
 #include "shade/accumulate.h"
@@ -250,12 +251,28 @@ static void leave_out(const pov_tracer *t, const pov_ray *ray, colour *out, floa
         *alpha = is_outside ? 0.0f : 1.0f;
 }
 
+/* Rays that are no samples of a picture have random numbers by their directions. */
+static const sample_id *number_rays(pov_tracer *t, const pov_ray *rays, uint32_t n)
+{
+    if (!t->context.scene->plan->random)
+        return NULL;
+    for (uint32_t i = 0; i < n; i++) {
+        const uint64_t bits = mix_bits(elementary_bits(rays[i].dir.x) * 0x9e3779b97f4a7c15u ^ elementary_bits(rays[i].dir.y));
+        const sample_id id = { mix_bits(bits ^ elementary_bits(rays[i].dir.z)), 0 };
+
+        t->own_samples[i] = id;
+    }
+    return t->own_samples;
+}
+
 /* Up to BATCH_MAX rays. */
-static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out, float *alpha)
+static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, const sample_id *samples, colour *out,
+                  float *alpha)
 {
     uint64_t begun;
     uint32_t i;
 
+    t->context.samples = samples ? samples : number_rays(t, rays, n);
     t->context.alpha = alpha;
     for (i = 0; alpha && i < n; i++)
         alpha[i] = 1.0f;
@@ -277,12 +294,13 @@ colour tracer_color(pov_tracer *t, const pov_ray *ray)
 {
     colour seen;
 
-    trace(t, ray, 1, 0, &seen, NULL);
+    trace(t, ray, 1, 0, NULL, &seen, NULL);
     return seen;
 }
 
 /* Batches are no larger than the number of rays between two checks for an interrupt. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out, float *alpha)
+void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, const sample_id *samples, colour *out,
+                   float *alpha)
 {
     const interrupt *ask = &t->context.interrupt;
     uint32_t i, some;
@@ -290,6 +308,6 @@ void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned know
     for (i = 0; i < n && !t->context.failed && !ask->given_up; i += some) {
         some = ask->ask && ask->every < BATCH_MAX ? (uint32_t)ask->every : BATCH_MAX;
         some = some < n - i ? some : n - i;
-        trace(t, rays + i, some, known, out + i, alpha ? alpha + i : NULL);
+        trace(t, rays + i, some, known, samples ? samples + i : NULL, out + i, alpha ? alpha + i : NULL);
     }
 }

@@ -12,6 +12,7 @@ struct pov_tracer {
     dielectric_start start;      /* the dielectrics around the camera */
     batch camera;                /* paths of camera rays; their constant members were set once */
     bool camera_odd, camera_inside;   /* its paths are not those of all lanes in order; some are in dielectrics */
+    sample_id own_samples[BATCH_MAX];   /* of rays that nobody numbered */
     batch_queue queue;
     surfaces surfaces;           /* of the present batch */
     painted painted;             /* their textures */
@@ -28,8 +29,10 @@ colour tracer_color(pov_tracer *t, const pov_ray *ray);
 /* Known properties of rays: all have finite starts and directions; all have the same start. */
 enum { TRACER_SOUND = 1, TRACER_ONE_START = 2 };
 /* The same for n rays, which cost less together if neighbours in the list are neighbours in the picture. alpha NULL: the
- * background is opaque; else it is transparent as far as the scene says, and alpha receives how much of it each hides. */
-void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, colour *out, float *alpha);
+ * background is opaque; else it is transparent as far as the scene says, and alpha receives how much of it each hides.
+ * samples: which ones they are, if plan->random; NULL: their bits decide. */
+void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, const sample_id *samples, colour *out,
+                   float *alpha);
 /* Counts since the tracer was made, including those of its queries. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* Set a callback that is asked for an interrupt while tracing; after a yes context.interrupt.given_up holds, and the

@@ -28,6 +28,7 @@ typedef struct plan {
     bool located;                /* transmittance of light depends on distances and angles */
     bool media;                  /* some media fill some object or the scene */
     bool scattering;             /* ... and scatter the light of some light */
+    bool random;                 /* paths take random numbers: the samples of a picture are numbered */
     bool hidden;                 /* some rays do not see some object */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
     plan_counts counts;

@@ -427,7 +427,7 @@ static void rays_that_start_in_different_places_know_what_they_are_in(void **sta
         rays[i] = ray;
     }
     for (int round = 0; round < 2; round++) {
-        tracer_colors(s.tracer, rays, BATCH_MAX, TRACER_SOUND, many, NULL);
+        tracer_colors(s.tracer, rays, BATCH_MAX, TRACER_SOUND, NULL, many, NULL);
         for (int i = 0; i < BATCH_MAX; i++) {
             const colour one = tracer_color(s.tracer, &rays[i]);
 

@@ -406,7 +406,7 @@ static void rays_that_are_none_leave_the_others_in_their_lanes(void **state)
             rays[i] = ray;
             rays[i].dir = pov_vec3_of(0.0, i - 2.0, none[k][i] > 0.0 ? NAN : 1.0);
         }
-        tracer_colors(s.tracer, rays, 5, 0, many, NULL);
+        tracer_colors(s.tracer, rays, 5, 0, NULL, many, NULL);
         for (int i = 0; i < 5; i++) {
             const colour one = tracer_color(s.tracer, &rays[i]);
 

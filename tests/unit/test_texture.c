@@ -209,7 +209,7 @@ static void a_batch_of_several_textures_is_evaluated_as_single_rays_are(void **s
 
         rays[i] = ray;
     }
-    tracer_colors(s.tracer, rays, BATCH_MAX, 0, many, NULL);
+    tracer_colors(s.tracer, rays, BATCH_MAX, 0, NULL, many, NULL);
     for (uint32_t i = 0; i < BATCH_MAX; i++) {
         const colour one = tracer_color(s.tracer, &rays[i]);
 
