@@ -6,9 +6,11 @@
 
 #include <string.h>
 
-/* Strata of a segment where the scene does not say, and limits to what it says: samples of lights, and twice as many
- * places among which they are chosen. */
-enum { STRATA = 16, STRATA_LEAST = 8, STRATA_MOST = 32, STRATA_SHADOW = 8 };
+/* Samples of a light on a segment where the scene does not say, and limits to what it says; there are twice as many places
+ * among which they are chosen. */
+enum { STRATA = 16, STRATA_LEAST = 8, STRATA_MOST = LANES_MAX };
+/* Strata in which densities are asked for: at least, and for each that the scene wants; and of a shadow ray. */
+enum { DENSITIES = 64, DENSITIES_EACH = 2, DENSITIES_SHADOW = 8 };
 
 static uint32_t strata_of(const media_set *s)
 {
@@ -36,22 +38,22 @@ static void divide_evenly(media_march *l, uint32_t wanted)
     media_divide(&by, &l->table.strata);
 }
 
-static void find_points(const media_march *l, double *at)
+/* Points of n strata from the first one on. */
+static void find_points(const media_march *l, uint32_t first, uint32_t n, double *at)
 {
-    const media_strata *s = &l->table.strata;
+    const double *edge = l->table.strata.edge;
 
-    for (uint32_t i = 0; i < s->count; i++)
-        at[i] = s->edge[i] + media_random(l->seed, i) * (s->edge[i + 1] - s->edge[i]);
+    for (uint32_t i = first; i < first + n; i++)
+        at[i - first] = edge[i] + media_random(l->seed, i) * (edge[i + 1] - edge[i]);
 }
 
-/* One channel: the depths at the edges; returns the own light. */
-static double add_up(const media_strata *s, const double *loss, const double *emitted, double *depth)
+/* One channel of n strata: the depths at their ends, behind that at their beginning; returns the own light. */
+static double add_up(const double *edge, const double *loss, const double *emitted, uint32_t n, double *depth)
 {
     double given = 0.0;
 
-    depth[0] = 0.0;
-    for (uint32_t i = 0; i < s->count; i++) {
-        const double length = s->edge[i + 1] - s->edge[i], x = loss[i] * length;
+    for (uint32_t i = 0; i < n; i++) {
+        const double length = edge[i + 1] - edge[i], x = loss[i] * length;
 
         depth[i + 1] = depth[i] + x;
         if (emitted[i] != 0.0)
@@ -63,16 +65,21 @@ static double add_up(const media_strata *s, const double *loss, const double *em
 static void make_table(media_march *l, uint32_t wanted)
 {
     media_table *t = &l->table;
-    double at[LANES_MAX], given[3], through[3];
+    double at[LANES_MAX], given[3] = { 0.0, 0.0, 0.0 }, through[3];
     media_optics o;
 
     divide_evenly(l, l->set->varies ? wanted : 1);
-    find_points(l, at);
-    media_set_at(l->model, l->set, &l->on, at, t->strata.count, NULL, &o);
-    for (int c = 0; c < 3; c++) {
-        given[c] = add_up(&t->strata, o.loss[c], o.emitted[c], t->depth[c]);
-        through[c] = elementary_exp(-t->depth[c][t->strata.count]);
+    for (int c = 0; c < 3; c++)
+        t->depth[c][0] = 0.0;
+    for (uint32_t first = 0, n; first < t->strata.count; first += n) {
+        n = t->strata.count - first < LANES_MAX ? t->strata.count - first : LANES_MAX;
+        find_points(l, first, n, at);
+        media_set_at(l->model, l->set, &l->on, at, n, NULL, &o);
+        for (int c = 0; c < 3; c++)
+            given[c] += add_up(t->strata.edge + first, o.loss[c], o.emitted[c], n, t->depth[c] + first);
     }
+    for (int c = 0; c < 3; c++)
+        through[c] = elementary_exp(-t->depth[c][t->strata.count]);
     l->given = colour_of_double(given);
     l->through = colour_of_double(through);
 }
@@ -80,7 +87,7 @@ static void make_table(media_march *l, uint32_t wanted)
 void media_march_begin(media_march *l)
 {
     l->seed = media_seed(&l->on);
-    make_table(l, 2 * strata_of(l->set));
+    make_table(l, l->set->strata * DENSITIES_EACH > DENSITIES ? l->set->strata * DENSITIES_EACH : DENSITIES);
 }
 
 colour media_transmittance(const model *m, const media_set *s, const media_segment *on)
@@ -92,7 +99,7 @@ colour media_transmittance(const model *m, const media_set *s, const media_segme
     l.on = *on;
     l.scale = 0.0;
     l.seed = s->varies ? media_seed(on) : 0;
-    make_table(&l, STRATA_SHADOW);
+    make_table(&l, DENSITIES_SHADOW);
     return l.through;
 }
 
@@ -180,7 +187,8 @@ static void set_middle(const media_march *l, const light *from, media_division *
 
 static void find_places(const media_march *l, const light *from, double lo, double hi, uint32_t number, places *out)
 {
-    media_division by = { .lo = lo, .hi = hi, .scale = l->scale, .wanted = 2 * strata_of(l->set), .loss = even_loss(l) };
+    const uint32_t wanted = 2 * strata_of(l->set);
+    media_division by = { .lo = lo, .hi = hi, .scale = l->scale, .wanted = wanted < LANES_MAX ? wanted : LANES_MAX, .loss = even_loss(l) };
     media_strata s;
 
     set_middle(l, from, &by);

@@ -11,7 +11,7 @@
 /* Optical depths at the edges of strata. */
 typedef struct media_table {
     media_strata strata;
-    double depth[3][LANES_MAX + 1];
+    double depth[3][MEDIA_STRATA_MAX + 1];
 } media_table;
 
 typedef struct media_march {

@@ -49,7 +49,7 @@ static void put(const media_division *by, edge_fn *edge, uint32_t cells, media_s
 void media_divide(const media_division *by, media_strata *out)
 {
     const bool dense = by->loss * (by->hi - by->lo) > thin;
-    const uint32_t kinds = 1u + dense + by->has_middle, wanted = by->wanted < LANES_MAX ? by->wanted : LANES_MAX;
+    const uint32_t kinds = 1u + dense + by->has_middle, wanted = by->wanted < MEDIA_STRATA_MAX ? by->wanted : MEDIA_STRATA_MAX;
     const uint32_t each = wanted / kinds;
 
     out->count = 0;

@@ -10,9 +10,10 @@
 #define MEDIA_ENDLESS 1e10
 
 /* edge[0..count]. */
-typedef struct media_strata { uint32_t count; double edge[LANES_MAX + 1]; } media_strata;
+enum { MEDIA_STRATA_MAX = 4 * LANES_MAX };
+typedef struct media_strata { uint32_t count; double edge[MEDIA_STRATA_MAX + 1]; } media_strata;
 
-/* What divides the segment between lo and hi into about `wanted` strata (at most LANES_MAX): equal lengths; and where
+/* What divides the segment between lo and hi into about `wanted` strata (at most MEDIA_STRATA_MAX): equal lengths; and where
  * the light comes through matter that is dense, equal losses; and around a place that matters, equal angles. All of
  * them together, so that nowhere a stratum is too large. */
 typedef struct media_division {

@@ -108,6 +108,13 @@ static veil all_fogs(const shading *scene, const segment *s)
     return all;
 }
 
+colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length)
+{
+    const segment s = { from, dir, length };
+
+    return all_fogs(scene, &s).by;
+}
+
 /* ---- rainbows ---- */
 
 static pigment map_colour(const rainbow *r, double at)

@@ -14,6 +14,8 @@ static inline bool air_dims(const model *m) { return m->fogs.count > 0 || m->rai
 void air_background(shade_context *c, const batch *b, uint64_t rays, colour *out);
 /* How many solids that are not hollow a path is in that has crossed the surface. */
 uint32_t air_solids_across(const shading *scene, const surface *s);
+/* What fog leaves of light that it dims: most lights are not dimmed by it. The direction is a unit vector. */
+colour air_fog_dims(const shading *scene, pov_vec3 from, pov_vec3 dir, double length);
 /* Add what the air itself gives on the way to a hit at ray parameter t; `dimmed` becomes the path behind it. */
 void air_cross(shade_context *c, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out);
 

@@ -1,6 +1,7 @@
 #include "shade/haze.h"
 
 #include "light/aim.h"
+#include "shade/air.h"
 #include "shade/transmittance.h"
 
 static void take(double by[3], colour c)
@@ -45,11 +46,14 @@ void haze_attenuate(const shade_context *c, const light *from, const pov_ray *ra
     media_set set;
     media_segment s;
 
-    if (!(from->flags & LIGHT_ATTENUATED) || !c->scene->model->atmosphere)
+    if (!(from->flags & LIGHT_ATTENUATED))
         return;
-    walk_atmosphere(c->scene, 0, &set);
     s = segment_of(ray, 0.0, tmax);
-    *through = colour_mul(*through, media_transmittance(c->scene->model, &set, &s));
+    if (c->scene->model->fogs.count > 0)
+        *through = colour_mul(*through, air_fog_dims(c->scene, s.from, s.dir, s.length));
+    walk_atmosphere(c->scene, 0, &set);
+    if (set.count > 0)
+        *through = colour_mul(*through, media_transmittance(c->scene->model, &set, &s));
 }
 
 /* ---- light that is scattered to a path ---- */

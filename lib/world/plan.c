@@ -55,8 +55,10 @@ static bool survey_model(const model *m, plan_counts *s)
     bool done;
 
     memset(s, 0, sizeof *s);
-    for (i = 0; i < m->lights.count; i++)
+    for (i = 0; i < m->lights.count; i++) {
         s->emitting += !colour_is_black(m->lights.items[i].color);
+        s->attenuated += (m->lights.items[i].flags & LIGHT_ATTENUATED) != 0;
+    }
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
         s->hidden += (o->flags & (LEAF_NO_IMAGE | LEAF_NO_REFLECTION)) != 0;
@@ -87,7 +89,7 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->media = s->filled > 0 || m->atmosphere;
     p->scattering = p->media && s->emitting > 0 && any_scatters(m);
     p->lighting = s->emitting > 0 && (s->lit > 0 || p->scattering);
-    p->shadows = p->lighting && (s->casting > 0 || m->atmosphere);
+    p->shadows = p->lighting && (s->casting > 0 || s->attenuated > 0);
     p->coloured_shadows = p->shadows && s->filtering > 0;
     p->highlights = p->lighting && s->glossy > 0;
     p->metallic = p->lighting && s->metallic > 0;

@@ -5,7 +5,7 @@
 #include "model/model.h"
 
 typedef struct plan_counts {
-    size_t emitting;             /* lights that are not black */
+    size_t emitting, attenuated; /* lights that are not black; that the atmosphere dims */
     size_t lit;                  /* objects with diffuse light or highlights */
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
