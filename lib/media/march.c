@@ -8,7 +8,7 @@
 
 /* Samples of a light on a segment where the scene does not say, and limits to what it says; there are twice as many places
  * among which they are chosen. */
-enum { STRATA = 16, STRATA_LEAST = 8, STRATA_MOST = LANES_MAX };
+enum { STRATA = 16, STRATA_LEAST = 16, STRATA_MOST = LANES_MAX };
 /* Strata in which densities are asked for: at least, and for each that the scene wants; and of a shadow ray. */
 enum { DENSITIES = 64, DENSITIES_EACH = 2, DENSITIES_SHADOW = 8 };
 
@@ -31,11 +31,35 @@ static colour colour_of_double(const double c[3]) { return colour_of((float)c[0]
 
 /* ---- loss and own light ---- */
 
-static void divide_evenly(media_march *l, uint32_t wanted)
-{
-    const media_division by = { .lo = 0.0, .hi = l->on.length, .scale = l->scale, .wanted = wanted };
+/* Beyond this depth hardly anything is seen. */
+static const double opaque_depth = 8.0;
 
-    media_divide(&by, &l->table.strata);
+/* Equal strata; most of them before `dense`, where the ray does not come to an end there. */
+static void divide(media_march *l, uint32_t wanted, double dense)
+{
+    media_division by = { .lo = 0.0, .hi = l->on.length, .scale = l->scale, .wanted = wanted };
+    media_strata *s = &l->table.strata;
+    const uint32_t rest = wanted / 4;
+
+    if (!(dense < by.hi)) {
+        media_divide(&by, s);
+        return;
+    }
+    by.hi = dense;
+    by.wanted = wanted - rest;
+    media_divide(&by, s);
+    for (uint32_t i = 1; i <= rest; i++)
+        s->edge[++s->count] = dense + (l->on.length - dense) * ((double)i / (double)rest);
+}
+
+/* The first edge where no channel has light left; the last one if there is none. */
+static uint32_t find_dense(const media_table *t)
+{
+    uint32_t k = 0;
+
+    while (k < t->strata.count && !(t->depth[0][k] > opaque_depth && t->depth[1][k] > opaque_depth && t->depth[2][k] > opaque_depth))
+        k++;
+    return k;
 }
 
 /* Points of n strata from the first one on. */
@@ -44,7 +68,7 @@ static void find_points(const media_march *l, uint32_t first, uint32_t n, double
     const double *edge = l->table.strata.edge;
 
     for (uint32_t i = first; i < first + n; i++)
-        at[i - first] = edge[i] + media_random(l->seed, i) * (edge[i + 1] - edge[i]);
+        at[i - first] = edge[i] + media_jitter(l->seed, i) * (edge[i + 1] - edge[i]);
 }
 
 /* One channel of n strata: the depths at their ends, behind that at their beginning; returns the own light. */
@@ -62,21 +86,39 @@ static double add_up(const double *edge, const double *loss, const double *emitt
     return given;
 }
 
-static void make_table(media_march *l, uint32_t wanted)
+/* Depths and own light, in strata that are set. */
+static void fill_table(media_march *l, double given[3])
 {
     media_table *t = &l->table;
-    double at[LANES_MAX], given[3] = { 0.0, 0.0, 0.0 }, through[3];
     media_optics o;
 
-    divide_evenly(l, l->set->varies ? wanted : 1);
     for (int c = 0; c < 3; c++)
-        t->depth[c][0] = 0.0;
+        given[c] = t->depth[c][0] = 0.0;
     for (uint32_t first = 0, n; first < t->strata.count; first += n) {
         n = t->strata.count - first < LANES_MAX ? t->strata.count - first : LANES_MAX;
-        find_points(l, first, n, at);
-        media_set_at(l->model, l->set, &l->on, at, n, NULL, &o);
+        find_points(l, first, n, t->at);
+        media_set_at(l->model, l->set, &l->on, t->at, n, NULL, &o);
         for (int c = 0; c < 3; c++)
             given[c] += add_up(t->strata.edge + first, o.loss[c], o.emitted[c], n, t->depth[c] + first);
+    }
+    t->reused = l->set->varies && l->set->scatters && t->strata.count <= LANES_MAX;
+    if (t->reused)
+        memcpy(t->scatter, o.scatter, sizeof t->scatter);
+}
+
+/* Where light comes to an end early the strata are made anew, up to there. */
+static void make_table(media_march *l, uint32_t wanted)
+{
+    enum { ROUNDS = 4 };
+    media_table *t = &l->table;
+    double given[3], through[3];
+
+    divide(l, l->set->varies ? wanted : 1, HUGE_VAL);
+    fill_table(l, given);
+    for (uint32_t round = 1, k; l->set->varies && round < ROUNDS && 2 * (k = find_dense(t)) < t->strata.count; round++) {
+        l->seed = mix_bits(l->seed + round);
+        divide(l, wanted, t->strata.edge[k + (k == 0)]);
+        fill_table(l, given);
     }
     for (int c = 0; c < 3; c++)
         through[c] = elementary_exp(-t->depth[c][t->strata.count]);
@@ -121,7 +163,7 @@ static double depth_at(const media_table *t, int channel, uint32_t *stratum, dou
 
 /* Places for one light: a random point in each of its strata, and by channel what is left on the way from there, times
  * the length that it stands for. */
-typedef struct places { uint32_t count; double at[LANES_MAX], weight[3][LANES_MAX]; } places;
+typedef struct places { uint32_t count; bool reused; double at[LANES_MAX], weight[3][LANES_MAX]; } places;
 
 /* The mean loss, where it is the same everywhere and not negative: points are chosen by what it leaves. */
 static double even_loss(const media_march *l)
@@ -152,7 +194,7 @@ static void fill_places(const media_march *l, const media_strata *s, uint32_t nu
 
     out->count = s->count;
     for (uint32_t i = 0; i < s->count; i++) {
-        const double u = media_random(l->seed, (number + 1) * LANES_MAX + i);
+        const double u = media_jitter(l->seed, (number + 1) * MEDIA_STRATA_MAX + i);
         double inverse;
 
         out->at[i] = choose_point(s->edge[i], s->edge[i + 1], loss, u, &inverse);
@@ -185,13 +227,33 @@ static void set_middle(const media_march *l, const light *from, media_division *
         by->distance = least;
 }
 
+/* The points of the table, if the light reaches all of them alike. */
+static bool reuse_table(const media_march *l, const media_division *by, places *out)
+{
+    const media_table *t = &l->table;
+    uint32_t stratum[3] = { 0, 0, 0 };
+
+    out->reused = t->reused && !by->has_middle && by->lo == 0.0 && by->hi == l->on.length && l->model->light_groups.count == 0;
+    if (!out->reused)
+        return false;
+    out->count = t->strata.count;
+    for (uint32_t i = 0; i < out->count; i++) {
+        out->at[i] = t->at[i];
+        for (int c = 0; c < 3; c++)
+            out->weight[c][i] = (t->strata.edge[i + 1] - t->strata.edge[i]) * elementary_exp(-depth_at(t, c, &stratum[c], t->at[i]));
+    }
+    return true;
+}
+
 static void find_places(const media_march *l, const light *from, double lo, double hi, uint32_t number, places *out)
 {
-    const uint32_t wanted = 2 * strata_of(l->set);
+    const uint32_t wanted = l->set->varies ? DENSITIES : 2 * strata_of(l->set);
     media_division by = { .lo = lo, .hi = hi, .scale = l->scale, .wanted = wanted < LANES_MAX ? wanted : LANES_MAX, .loss = even_loss(l) };
     media_strata s;
 
     set_middle(l, from, &by);
+    if (reuse_table(l, &by, out))
+        return;
     media_divide(&by, &s);
     fill_places(l, &s, number, out);
 }
@@ -228,7 +290,10 @@ static void set_values(const media_march *l, const light *from, const places *p,
 {
     media_optics o;
 
-    media_set_at(l->model, l->set, &l->on, s->at, s->count, from, &o);
+    if (p->reused)
+        memcpy(o.scatter, l->table.scatter, sizeof o.scatter);
+    else
+        media_set_at(l->model, l->set, &l->on, s->at, s->count, from, &o);
     for (uint32_t i = 0; i < s->count; i++) {
         const double phase = mean_phase(l->set, pov_dot(pov_unit(lanes_at(&s->in.dir, i)), l->on.dir));
         const colour c = light_at(&s->in, i);
@@ -255,6 +320,7 @@ static void keep(media_samples *s, uint32_t from, uint32_t to, float by)
  * is kept once. The sum's mean stays what it was. */
 static void choose(media_samples *s, uint64_t seed, uint32_t number, uint32_t wanted)
 {
+    const bool all = wanted == s->count;
     double whole = 0.0, before = 0.0;
     uint32_t kept = 0, drawn = 0;
 
@@ -264,14 +330,16 @@ static void choose(media_samples *s, uint64_t seed, uint32_t number, uint32_t wa
         const double own = size_of(s->value[i]), end = before + own;
         uint32_t times = 0;
 
-        for (; drawn < wanted; drawn++, times++) {
-            const double at = ((double)drawn + media_random(seed, (number + 1) * LANES_MAX * 2 + drawn)) * whole / (double)wanted;
+        for (; !all && drawn < wanted; drawn++, times++) {
+            const double at = ((double)drawn + media_random(~seed, number * LANES_MAX + drawn)) * whole / (double)wanted;
 
             if (!(at < end))
                 break;
         }
         before = end;
-        if (times > 0)
+        if (all && own > 0.0)
+            keep(s, i, kept++, 1.0f);
+        else if (times > 0)
             keep(s, i, kept++, (float)((double)times * whole / ((double)wanted * own)));
     }
     s->count = kept;
@@ -295,6 +363,6 @@ bool media_sample_light(const media_march *l, const light *from, const light_cla
     at = (light_points){ &out->point, &out->point_lo, out->count };
     class->incident(from, &origin, &at, &out->in);
     set_values(l, from, &p, out);
-    choose(out, l->seed, number, wanted);
+    choose(out, l->seed, number, wanted < out->count ? wanted : out->count);
     return out->count > 0;
 }

@@ -8,10 +8,13 @@
 #include "light/light.h"
 #include "media/strata.h"
 
-/* Optical depths at the edges of strata. */
+/* Optical depths at the edges of strata; and if there are few of them, the points in them and what is scattered there by
+ * any light. */
 typedef struct media_table {
     media_strata strata;
     double depth[3][MEDIA_STRATA_MAX + 1];
+    bool reused;                 /* these are there */
+    double at[LANES_MAX], scatter[3][LANES_MAX];
 } media_table;
 
 typedef struct media_march {

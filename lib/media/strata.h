@@ -33,4 +33,13 @@ static inline double media_random(uint64_t seed, uint32_t number)
     return (double)(mix_bits(seed + (uint64_t)(number + 1) * 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53;
 }
 
+/* The same for a point in a stratum: neighbours lie on opposite sides of the middles of theirs, so that what changes evenly
+ * along the segment has no noise. */
+static inline double media_jitter(uint64_t seed, uint32_t number)
+{
+    const double u = media_random(seed, number & ~1u);
+
+    return number & 1 ? (1.0 - 0x1p-53) - u : u;
+}
+
 #endif

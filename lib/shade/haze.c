@@ -85,13 +85,16 @@ static uint32_t draw_point(const light_grid *g, double u)
 
 enum { DRAW_SCATTERED = 2 };
 
+/* Points of an area light for each sample on a segment, each of an equal part of its weight. */
+enum { AREA_POINTS = 4 };
+
 /* The direction to a point of the light's area instead of that to its middle. */
-static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint64_t seed)
+static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, uint64_t seed)
 {
     const light_grid *g = b->light->grid;
     const light *l = b->light->light;
     const double turn = media_random(seed, 0) + 0.61803398874989485 * (double)i;
-    const uint32_t k = draw_point(g, turn - floor(turn));
+    const uint32_t k = draw_point(g, ((turn - floor(turn)) + (double)part) / AREA_POINTS);
     vec_lanes point, low, to, dir;
     const light_points at = { &point, &low, 1 };
     light_origin origin;
@@ -110,13 +113,13 @@ static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint64_t seed)
     return lanes_at(&dir, 0);
 }
 
-static void aim(beams *b, uint64_t seed)
+static void aim(beams *b, uint32_t part, uint64_t seed)
 {
     const media_samples *s = &b->samples;
 
     for (uint32_t i = 0; i < s->count; i++) {
         const pov_ray ray = { .org = lanes_at(&s->point, i), .org_lo = lanes_at(&s->point_lo, i),
-                              .dir = b->light->grid ? aim_at_area(b, i, seed) : lanes_at(&s->in.dir, i),
+                              .dir = b->light->grid ? aim_at_area(b, i, part, seed) : lanes_at(&s->in.dir, i),
                               .origin_surface = POV_NO_OWNER };
 
         b->own[i] = ray;
@@ -125,22 +128,18 @@ static void aim(beams *b, uint64_t seed)
     }
 }
 
-/* Rays that cross what a light is projected through end there; the others are none. */
-static void shorten(beams *b)
+/* Rays that cross what a light is projected through end there. Bit i: ray i does. */
+static uint64_t shorten(beams *b)
 {
-    media_samples *s = &b->samples;
-    uint32_t kept = 0;
+    uint64_t through = 0;
 
-    for (uint32_t i = 0; i < s->count; i++) {
-        if (!transmittance_shorten(b->context, b->light->light, s->in.tmax, &b->own[i]))
-            continue;
-        b->own[kept] = b->own[i];
-        s->value[kept++] = s->value[i];
-    }
-    s->count = kept;
+    for (uint32_t i = 0; i < b->samples.count; i++)
+        through |= (uint64_t)transmittance_shorten(b->context, b->light->light, b->samples.in.tmax, &b->own[i]) << i;
+    return through;
 }
 
-static colour add_visible(beams *b, uint64_t seed)
+/* The light of the samples that is not occluded, on the way from one part of an area light. */
+static colour add_visible(beams *b, uint32_t part, uint64_t seed)
 {
     shade_context *c = b->context;
     const light *l = b->light->light;
@@ -148,18 +147,29 @@ static colour add_visible(beams *b, uint64_t seed)
     const bool at_one = !b->light->class->parallel && !b->light->grid && l->through_count == 0;
     const segment_end end = { b->samples.in.tmax, at_one ? &origin : NULL };
     colour through[BATCH_MAX], sum = colour_of(0.0f, 0.0f, 0.0f);
-    uint64_t lit;
+    uint64_t lit = ~(uint64_t)0;
 
-    aim(b, seed);
+    aim(b, part, seed);
     if (l->through_count > 0)
-        shorten(b);
+        lit = shorten(b);
     c->counts.shadow += b->samples.count;
-    for (lit = transmittance_find(c, b->rays, b->from, b->samples.count, end, through); lit; lit &= lit - 1) {
+    for (lit &= transmittance_find(c, b->rays, b->from, b->samples.count, end, through); lit; lit &= lit - 1) {
         const uint32_t i = first_of64(lit);
 
         haze_attenuate(c, l, &b->own[i], end.tmax, &through[i]);
         sum = colour_add(sum, colour_mul(b->samples.value[i], through[i]));
     }
+    return sum;
+}
+
+static colour add_light(beams *b, uint64_t seed)
+{
+    colour sum = colour_of(0.0f, 0.0f, 0.0f);
+
+    if (!b->light->grid)
+        return add_visible(b, 0, seed);
+    for (uint32_t part = 0; part < AREA_POINTS; part++)
+        sum = colour_add(sum, colour_scale(add_visible(b, part, seed), 1.0f / AREA_POINTS));
     return sum;
 }
 
@@ -179,7 +189,7 @@ static colour gather(shade_context *c, const path *p, const media_march *march)
             continue;
         b.light = &scene->lights[k];
         if (media_sample_light(march, l, b.light->class, k, &b.samples))
-            sum = colour_add(sum, add_visible(&b, media_seed(&march->on) + k + 1));
+            sum = colour_add(sum, add_light(&b, media_seed(&march->on) + k + 1));
         c->failed = c->failed || query_context_failed(c->context);
     }
     return sum;
