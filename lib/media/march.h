@@ -13,7 +13,7 @@
 typedef struct media_table {
     media_strata strata;
     double depth[3][MEDIA_STRATA_MAX + 1];
-    bool reused;                 /* these are there */
+    bool reused;                 /* these are there; where no density varies, only the first of `scatter` */
     double at[LANES_MAX], scatter[3][LANES_MAX];
 } media_table;
 
@@ -22,12 +22,13 @@ typedef struct media_march {
     const media_set *set;
     media_segment on;
     double scale;                /* how far away the scene's objects are */
+    double weight;               /* largest part of the light that the path leaves: less light needs fewer samples */
     uint64_t seed;
     colour through, given;       /* what is left of light from behind, and the media's own */
     media_table table;
 } media_march;
 
-/* Begin with model, set, on and scale: the rest is set. */
+/* Begin with model, set, on, scale and weight: the rest is set. */
 void media_march_begin(media_march *l);
 /* Transmittance of the segment alone, for shadows. */
 colour media_transmittance(const model *m, const media_set *s, const media_segment *on);

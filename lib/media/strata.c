@@ -34,6 +34,16 @@ static double angle_edge(const media_division *by, double u)
 
 typedef double edge_fn(const media_division *by, double u);
 
+/* Where nothing but lengths counts. */
+static void put_even(const media_division *by, uint32_t cells, media_strata *out)
+{
+    const double step = (by->hi - by->lo) / (double)cells;
+
+    for (uint32_t i = 1; i < cells; i++)
+        out->edge[i] = by->lo + (double)i * step;
+    out->count = cells - 1;
+}
+
 static void put(const media_division *by, edge_fn *edge, uint32_t cells, media_strata *out)
 {
     for (uint32_t i = 1; i < cells; i++) {
@@ -54,7 +64,10 @@ void media_divide(const media_division *by, media_strata *out)
 
     out->count = 0;
     out->edge[0] = by->lo;
-    put(by, even_edge, each, out);
+    if (kinds == 1 && by->hi - by->lo < MEDIA_ENDLESS)
+        put_even(by, each, out);
+    else
+        put(by, even_edge, each, out);
     if (dense)
         put(by, loss_edge, each, out);
     if (by->has_middle)

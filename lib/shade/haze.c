@@ -208,6 +208,7 @@ static void veil(shade_context *c, const path *p, const media_set *set, const me
     march.set = set;
     march.on = *on;
     march.scale = c->scene->scale;
+    march.weight = fmin(1.0, (double)colour_weight(p->factor.by));
     media_march_begin(&march);
     if (set->scatters && c->scene->plan->scattering)
         march.given = colour_add(march.given, gather(c, p, &march));
