@@ -21,6 +21,7 @@ uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count)
         hash = step(hash, word);
     }
     word = 0;
-    memcpy(&word, at, count);
+    if (count > 0)               /* of nothing there may be no address */
+        memcpy(&word, at, count);
     return step(step(hash, word), 0);
 }
