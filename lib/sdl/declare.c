@@ -36,11 +36,13 @@ static value read_expression(pov_reader *in)
     return v;
 }
 
-/* What a name stands for is copied; arrays are all that could be changed through it. */
+/* What a name stands for is copied; arrays are all that could be changed through it. Of a component its vector goes. */
 static value own(pov_reader *in, value v)
 {
     value copy;
 
+    if (v.kind == VALUE_NUMBER)
+        return value_of_number(v.as.v[0]);
     if (v.kind != VALUE_ARRAY || v.as.shared->uses == 1 || in->failed)
         return v;
     copy = array_copy(in, value_array(&v));

@@ -1,6 +1,7 @@
 #include "sdl/expression.h"
 
 #include "sdl/array.h"
+#include "sdl/calc.h"
 #include "sdl/function.h"
 #include "sdl/operator.h"
 #include "sdl/report.h"
@@ -164,9 +165,9 @@ static value primary(pov_reader *in)
 
 /* ---- dots ---- */
 
-int expression_component(const pov_reader *in)
+int expression_component(keyword_id word)
 {
-    switch (state_keyword(in)) {
+    switch (word) {
     case KEYWORD_X: case KEYWORD_U: case KEYWORD_RED:
         return 0;
     case KEYWORD_Y: case KEYWORD_V: case KEYWORD_GREEN:
@@ -206,7 +207,7 @@ static value dot(pov_reader *in, value v)
 
     state_note_povray(in, &at);
     state_advance(in);
-    i = expression_component(in);
+    i = expression_component(state_keyword(in));
     if (i < 0) {
         report_expected(in, "a component such as \"x\" or \"red\"");
     } else if (!value_is_arithmetic(&v) || (i == EXPRESSION_GRAY ? v.size < 3 : i >= v.size)) {
@@ -371,7 +372,11 @@ value expression_negative(pov_reader *in)
 
 value expression_read(pov_reader *in)
 {
+    value v;
+
     in->value = in->token.at;
+    if (in->top->tokens && calc_read(in, REPLAY_ADDITIVE, &v))
+        return v;
     return sum(in, operand(in));
 }
 
@@ -434,6 +439,8 @@ value expression_full(pov_reader *in)
     value v;
 
     in->value = in->token.at;
+    if (in->top->tokens && calc_read(in, REPLAY_FULL, &v))
+        return v;
     in->parentheses++;
     v = logic(in);
     if (in->token.kind == '?' && !in->failed)

@@ -25,7 +25,7 @@ value *expression_element(pov_reader *in, value *slot, shared **lender);
 value expression_call(pov_reader *in, value callee);
 /* Which component the word behind a dot names: an index, or EXPRESSION_GRAY. -1: none. */
 enum { EXPRESSION_GRAY = 5 };
-int expression_component(const pov_reader *in);
+int expression_component(keyword_id word);
 /* That component. Gray is POV-Ray's: 0.297 red + 0.589 green + 0.114 blue. */
 double expression_part(const double v[5], int component);
 /* Is the token one that goes on with an operand? */

@@ -199,7 +199,7 @@ static int component_of(compiler *c, const function *f)
     if (f->kind == FUNCTION_PATTERN)
         return 0;
     state_expect(c->in, '.');
-    i = expression_component(c->in);
+    i = expression_component(state_keyword(c->in));
     if (i < 0)
         report_expected(c->in, "a component such as \"red\"");
     state_advance(c->in);

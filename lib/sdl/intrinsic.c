@@ -314,32 +314,36 @@ static void read_dimension_size(pov_reader *in, const intrinsic *row, value *out
     finish_array(in, out, a && n >= 1 && n <= a->dimensions ? (double)a->sizes[n - 1] : 0.0);
 }
 
-#define ONE(name, f) { name, read_one, f, NULL, { 0 }, 0 }
-#define TWO(name, read, f) { name, read, NULL, f, { 0 }, 0 }
-#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
-#define NUMBER(name, n) { name, read_constant, NULL, NULL, { n }, 1 }
+#define ONE(name, f) { name, read_one, f, NULL, { 0 }, 0, INTRINSIC_ONE }
+#define TWO(name, form, read, f) { name, read, NULL, f, { 0 }, 0, form }
+#define FORM(name, form, read) { name, read, NULL, NULL, { 0 }, 0, form }
+#define READ(name, read) FORM(name, INTRINSIC_OTHER, read)
+#define ONE_OF(name, form, read, f) { name, read, f, NULL, { 0 }, 0, form }
+#define NUMBER(name, n) { name, read_constant, NULL, NULL, { n }, 1, INTRINSIC_CONSTANT }
 
 static const intrinsic rows[] = {
     ONE("abs", fabs), ONE("sin", sin), ONE("cos", cos), ONE("tan", tan), ONE("atan", atan), ONE("sinh", sinh),
     ONE("cosh", cosh), ONE("tanh", tanh), ONE("asinh", asinh), ONE("acosh", acosh), ONE("atanh", atanh),
     ONE("exp", exp), ONE("int", cut), ONE("floor", floor), ONE("ceil", ceil), ONE("radians", to_radians),
-    ONE("degrees", to_degrees),
-    { "asin", read_arc, asin, NULL, { 0 }, 0 }, { "acos", read_arc, acos, NULL, { 0 }, 0 },
-    { "ln", read_logarithm, log, NULL, { 0 }, 0 }, { "log", read_logarithm, log10, NULL, { 0 }, 0 },
-    READ("sqrt", read_root), READ("atan2", read_atan2),
-    READ("pow", read_pow), TWO("mod", read_two, fmod), TWO("div", read_two, divide),
-    TWO("min", read_many, lesser), TWO("max", read_many, greater), TWO("bitwise_and", read_bits, bits_and),
-    TWO("bitwise_or", read_bits, bits_or), TWO("bitwise_xor", read_bits, bits_xor),
-    READ("select", read_select), READ("seed", read_seed), READ("rand", read_rand), READ("now", read_now),
-    READ("defined", read_defined), READ("dimensions", read_dimensions),
-    READ("dimension_size", read_dimension_size), READ("version", read_version), READ("clock", read_clock),
-    { "clock_on", read_clock, NULL, NULL, { 1.0 }, 0 },
-    NUMBER("pi", 3.14159265358979323846), NUMBER("true", 1.0), NUMBER("yes", 1.0), NUMBER("on", 1.0),
-    NUMBER("false", 0.0), NUMBER("no", 0.0), NUMBER("off", 0.0),
-    { "x", read_constant, NULL, NULL, { 1.0, 0.0, 0.0 }, 3 }, { "y", read_constant, NULL, NULL, { 0.0, 1.0, 0.0 }, 3 },
-    { "z", read_constant, NULL, NULL, { 0.0, 0.0, 1.0 }, 3 },
-    { "t", read_constant, NULL, NULL, { 0.0, 0.0, 0.0, 1.0 }, 4 },
-    { "u", read_constant, NULL, NULL, { 1.0, 0.0 }, 2 }, { "v", read_constant, NULL, NULL, { 0.0, 1.0 }, 2 },
+    ONE("degrees", to_degrees), ONE_OF("asin", INTRINSIC_ARC, read_arc, asin),
+    ONE_OF("acos", INTRINSIC_ARC, read_arc, acos), ONE_OF("ln", INTRINSIC_LOGARITHM, read_logarithm, log),
+    ONE_OF("log", INTRINSIC_LOGARITHM, read_logarithm, log10), FORM("sqrt", INTRINSIC_ROOT, read_root),
+    FORM("atan2", INTRINSIC_ATAN2, read_atan2), FORM("pow", INTRINSIC_POW, read_pow),
+    TWO("mod", INTRINSIC_TWO, read_two, fmod), TWO("div", INTRINSIC_TWO, read_two, divide),
+    TWO("min", INTRINSIC_MANY, read_many, lesser), TWO("max", INTRINSIC_MANY, read_many, greater),
+    TWO("bitwise_and", INTRINSIC_BITS, read_bits, bits_and), TWO("bitwise_or", INTRINSIC_BITS, read_bits, bits_or),
+    TWO("bitwise_xor", INTRINSIC_BITS, read_bits, bits_xor), FORM("select", INTRINSIC_SELECT, read_select),
+    READ("seed", read_seed), FORM("rand", INTRINSIC_RAND, read_rand), READ("now", read_now),
+    READ("defined", read_defined), READ("dimensions", read_dimensions), READ("dimension_size", read_dimension_size),
+    READ("version", read_version), READ("clock", read_clock),
+    { "clock_on", read_clock, NULL, NULL, { 1.0 }, 0, INTRINSIC_OTHER }, NUMBER("pi", 3.14159265358979323846),
+    NUMBER("true", 1.0), NUMBER("yes", 1.0), NUMBER("on", 1.0), NUMBER("false", 0.0), NUMBER("no", 0.0),
+    NUMBER("off", 0.0), { "x", read_constant, NULL, NULL, { 1.0, 0.0, 0.0 }, 3, INTRINSIC_CONSTANT },
+    { "y", read_constant, NULL, NULL, { 0.0, 1.0, 0.0 }, 3, INTRINSIC_CONSTANT },
+    { "z", read_constant, NULL, NULL, { 0.0, 0.0, 1.0 }, 3, INTRINSIC_CONSTANT },
+    { "t", read_constant, NULL, NULL, { 0.0, 0.0, 0.0, 1.0 }, 4, INTRINSIC_CONSTANT },
+    { "u", read_constant, NULL, NULL, { 1.0, 0.0 }, 2, INTRINSIC_CONSTANT },
+    { "v", read_constant, NULL, NULL, { 0.0, 1.0 }, 2, INTRINSIC_CONSTANT },
 };
 
 static void note(symbols *words, intrinsic_list list)

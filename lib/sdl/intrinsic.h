@@ -6,6 +6,13 @@
 
 #include <math.h>
 
+/* What compiled expressions make of it; OTHER: such are not compiled. */
+typedef enum intrinsic_form {
+    INTRINSIC_OTHER, INTRINSIC_CONSTANT, INTRINSIC_ONE, INTRINSIC_TWO, INTRINSIC_MANY, INTRINSIC_BITS,
+    INTRINSIC_SELECT, INTRINSIC_ARC, INTRINSIC_LOGARITHM, INTRINSIC_ROOT, INTRINSIC_ATAN2, INTRINSIC_POW,
+    INTRINSIC_RAND, INTRINSIC_VLENGTH, INTRINSIC_VDOT, INTRINSIC_VCROSS, INTRINSIC_VNORMALIZE
+} intrinsic_form;
+
 typedef struct intrinsic {
     const char *name;
     void (*read)(pov_reader *in, const struct intrinsic *row, value *out);   /* its name has been taken */
@@ -13,6 +20,7 @@ typedef struct intrinsic {
     double (*of_two)(double, double);
     double v[5];                 /* of a constant */
     int size;
+    intrinsic_form form;
 } intrinsic;
 
 typedef struct intrinsic_list { const intrinsic *rows; size_t count; } intrinsic_list;

@@ -92,11 +92,11 @@ static void read_extent(pov_reader *in, const intrinsic *row, value *out)
     *out = value_of_vector(row->v[0] != 0.0 ? box.hi : box.lo);
 }
 
-#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
+#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0, INTRINSIC_OTHER }
 
 static const intrinsic rows[] = {
     READ("inside", read_inside), READ("trace", read_trace), READ("min_extent", read_extent),
-    { "max_extent", read_extent, NULL, NULL, { 1.0 }, 0 },
+    { "max_extent", read_extent, NULL, NULL, { 1.0 }, 0, INTRINSIC_OTHER },
 };
 
 intrinsic_list intrinsic_object_rows(void)

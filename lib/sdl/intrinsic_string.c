@@ -313,13 +313,13 @@ static void read_case(pov_reader *in, const intrinsic *row, value *out)
     give(in, out, copy);
 }
 
-#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
+#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0, INTRINSIC_OTHER }
 
 static const intrinsic rows[] = {
     READ("strlen", read_strlen), READ("asc", read_asc), READ("val", read_val), READ("strcmp", read_strcmp),
     READ("file_exists", read_file_exists), READ("str", read_str), READ("vstr", read_vstr),
     READ("concat", read_concat), READ("chr", read_chr), READ("substr", read_substr),
-    { "strupr", read_case, NULL, NULL, { 1.0 }, 0 }, { "strlwr", read_case, NULL, NULL, { 0.0 }, 0 },
+    { "strupr", read_case, NULL, NULL, { 1.0 }, 0, INTRINSIC_OTHER }, { "strlwr", read_case, NULL, NULL, { 0.0 }, 0, INTRINSIC_OTHER },
 };
 
 intrinsic_list intrinsic_string_rows(void)

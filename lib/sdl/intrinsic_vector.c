@@ -133,12 +133,12 @@ static void read_vturbulence(pov_reader *in, const intrinsic *row, value *out)
     *out = value_of_vector(noise ? noise_vector_turbulence_at(noise, &t, at) : at);
 }
 
-#define READ(name, read) { name, read, NULL, NULL, { 0 }, 0 }
+#define READ(name, form, read) { name, read, NULL, NULL, { 0 }, 0, form }
 
 static const intrinsic rows[] = {
-    READ("vlength", read_vlength), READ("vdot", read_vdot), READ("vnormalize", read_vnormalize),
-    READ("vcross", read_vcross), READ("vrotate", read_vrotate), READ("vaxis_rotate", read_vaxis_rotate),
-    READ("vturbulence", read_vturbulence),
+    READ("vlength", INTRINSIC_VLENGTH, read_vlength), READ("vdot", INTRINSIC_VDOT, read_vdot), READ("vnormalize", INTRINSIC_VNORMALIZE, read_vnormalize),
+    READ("vcross", INTRINSIC_VCROSS, read_vcross), READ("vrotate", INTRINSIC_OTHER, read_vrotate), READ("vaxis_rotate", INTRINSIC_OTHER, read_vaxis_rotate),
+    READ("vturbulence", INTRINSIC_OTHER, read_vturbulence),
 };
 
 intrinsic_list intrinsic_vector_rows(void)

@@ -59,6 +59,7 @@ static macro *create(pov_reader *in, const place *at, int count, symbol *const *
     }
     m->buffers = &in->buffers;
     m->at = *at;
+    m->number = ++in->macros;
     m->count = count;
     for (i = 0; i < count; i++)
         m->parameters[i] = parameters[i];

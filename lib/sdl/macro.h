@@ -10,6 +10,7 @@ typedef struct macro {
     token_buffer *tokens;        /* in use */
     size_t start, end;           /* of the body */
     place at;
+    int number;                  /* no two macros have the same */
     int count;
     symbol *parameters[];
 } macro;

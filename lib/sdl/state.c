@@ -1,6 +1,7 @@
 #include "sdl/state.h"
 
 #include "sdl/directive.h"
+#include "sdl/directive_kept.h"
 #include "sdl/frame.h"
 #include "sdl/macro.h"
 #include "sdl/report.h"
@@ -84,7 +85,8 @@ static void run_directives(pov_reader *in, bool is_forced)
 
     while (!in->failed && (is_forced || !waits(in))) {
         if (in->token.kind == '#') {
-            directive_run(in);
+            if (!directive_kept_run(in))
+                directive_run(in);
         } else if (in->token.kind == TOKEN_LEAVE) {
             leave(in);
             frame_fetch(in, &in->token);

@@ -144,6 +144,7 @@ struct pov_reader {
     uint32_t light_groups;       /* so far */
     double started;              /* when reading began */
     int parentheses;             /* of expressions that are open */
+    int macros;                  /* that were defined */
     intern_table interned;       /* parts of textures */
     material textured;           /* of the textures that were used last */
     uint32_t *material_slots;    /* a hash table of the model's materials: index + 1, 0 is empty */
