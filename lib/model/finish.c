@@ -10,6 +10,7 @@ void finish_init(finish *f)
     f->phong_size = 40.0f;
     f->roughness = 0.05;
     f->brilliance = 1.0;
+    f->written = 1.0f;
     f->refraction = 1.0f;
     f->reflection.falloff = f->reflection.exponent = 1.0f;
 }
@@ -23,7 +24,7 @@ static bool reflection_equal(const reflection *a, const reflection *b)
 bool finish_equal(const finish *a, const finish *b)
 {
     return colour_equal(a->ambient, b->ambient) && colour_equal(a->emission, b->emission) && a->diffuse == b->diffuse &&
-           a->diffuse_back == b->diffuse_back && a->phong == b->phong && a->phong_size == b->phong_size &&
+           a->diffuse_back == b->diffuse_back && a->written == b->written && a->phong == b->phong && a->phong_size == b->phong_size &&
            a->specular == b->specular && a->metallic == b->metallic && a->brilliance == b->brilliance &&
            a->roughness == b->roughness && a->crand == b->crand && a->refraction == b->refraction &&
            a->conserve_energy == b->conserve_energy && a->irid.amount == b->irid.amount &&

@@ -19,6 +19,7 @@ typedef struct irid { float amount, thickness, turbulence; } irid;
 typedef struct finish {
     colour ambient, emission;
     float diffuse, diffuse_back;   /* light from in front of the surface, and from behind */
+    float written;               /* share of both that was written: what acts on light that radiosity gathers */
     float phong, phong_size, specular, metallic;
     double brilliance, roughness;
     float crand;

@@ -11,6 +11,7 @@
 #include "model/media.h"
 #include "model/node.h"
 #include "model/photons.h"
+#include "model/radiosity.h"
 
 #include <povtrace/scene.h>
 
@@ -76,6 +77,7 @@ typedef struct model {
     double adc_bailout;
     int max_trace_level;
     photon_settings photons;
+    radiosity_settings radiosity;
     bool opaque_last_level;      /* rays of the last level do not go through surfaces */
     bool opaque_dark_filters;    /* nor do any through filters whose luminance is below adc_bailout */
     gamma gamma;

@@ -16,6 +16,7 @@ enum {
     LEAF_DOUBLE_ILLUMINATE = 8,  /* light from behind counts as light from the front */
     LEAF_NO_IMAGE = 16, LEAF_NO_REFLECTION = 32,  /* unseen by camera rays, and by reflected rays */
     LEAF_UV = 64,                /* its texture asks for surface coordinates: the shape stays as it was written */
+    LEAF_NO_RADIOSITY = 256,     /* unseen by rays that gather light for radiosity */
     LEAF_CUTAWAY = 128           /* its texture is that of the members that it cuts */
 };
 

@@ -76,7 +76,7 @@ static uint32_t find_flags(const object_parsed *o, const around *a)
     uint32_t flags = o->flags;
 
     for (; a; a = a->outer)
-        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE | LEAF_NO_IMAGE | LEAF_NO_REFLECTION |
+        flags |= a->group->flags & (LEAF_NO_SHADOW | LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE | LEAF_NO_IMAGE | LEAF_NO_REFLECTION | LEAF_NO_RADIOSITY |
                                     PHOTON_OBJECT_FLAGS);
     return flags;
 }

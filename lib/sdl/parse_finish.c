@@ -22,6 +22,7 @@ static void read_albedo(pov_reader *in, surface_parsed *s, unsigned bit)
 
 static void read_diffuse(pov_reader *in, surface_parsed *s, finish *f)
 {
+    s->material.finish.written = 1.0f;
     read_albedo(in, s, ALBEDO_DIFFUSE);
     f->diffuse = value_float(in);
     f->diffuse_back = state_accept(in, ',') ? value_float(in) : 0.0f;
@@ -197,6 +198,7 @@ static void resolve_albedos(surface_parsed *s)
     if (s->albedos & ALBEDO_DIFFUSE) {
         f->diffuse *= half;
         f->diffuse_back *= half;
+        f->written = half != 0.0f ? 1.0f / half : 1.0f;
     }
     if (s->albedos & ALBEDO_PHONG)
         f->phong *= 0.5f * (f->phong_size + 1.0f);

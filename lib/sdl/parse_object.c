@@ -105,6 +105,8 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
         o->flags |= LEAF_NO_IMAGE;
     else if (keyword == KEYWORD_NO_REFLECTION)
         o->flags |= LEAF_NO_REFLECTION;
+    else if (keyword == KEYWORD_NO_RADIOSITY)
+        o->flags |= LEAF_NO_RADIOSITY;
     else if (value_optional(in, 1.0) != 0.0)
         o->flags |= LEAF_HOLLOW;
     else
@@ -223,12 +225,12 @@ static const item modifier_items[] = {
     { KEYWORD_BOUNDED_BY, read_bounds },
     { KEYWORD_INTERIOR_TEXTURE, read_inside }, { KEYWORD_UV_MAPPING, read_uv },
     { KEYWORD_DOUBLE_ILLUMINATE, read_flag }, { KEYWORD_NO_IMAGE, read_flag },
-    { KEYWORD_NO_REFLECTION, read_flag }, { KEYWORD_PHOTONS, read_photons },
+    { KEYWORD_NO_REFLECTION, read_flag }, { KEYWORD_NO_RADIOSITY, read_flag }, { KEYWORD_PHOTONS, read_photons },
 };
 
 static const keyword_id quiet[] = { KEYWORD_STURM, KEYWORD_HIERARCHY, KEYWORD_SPLIT_UNION,
                                     KEYWORD_QUICK_COLOR, KEYWORD_QUICK_COLOUR,
-                                    KEYWORD_RADIOSITY, KEYWORD_NO_RADIOSITY, KEYWORD_OTHER };
+                                    KEYWORD_RADIOSITY, KEYWORD_OTHER };
 static const keyword_id coming[] = { KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };

@@ -1,5 +1,6 @@
 #include "sdl/noise.h"
 #include "sdl/parse_photons.h"
+#include "sdl/parse_radiosity.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
 
@@ -102,7 +103,7 @@ static const keyword_id quiet[] = {
     KEYWORD_CHARSET, KEYWORD_ASCII, KEYWORD_UTF8, KEYWORD_SYS,
     KEYWORD_MM_PER_UNIT, KEYWORD_OTHER,
 };
-static const keyword_id coming[] = { KEYWORD_RADIOSITY, KEYWORD_SUBSURFACE, KEYWORD_OTHER };
+static const keyword_id coming[] = { KEYWORD_SUBSURFACE, KEYWORD_OTHER };
 
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -117,6 +118,7 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_MAX_INTERSECTIONS, read_unused },
         { KEYWORD_HF_GRAY_16, read_unused },
         { KEYWORD_PHOTONS, parse_photon_settings },
+        { KEYWORD_RADIOSITY, parse_radiosity },
     };
     static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
 
@@ -174,6 +176,8 @@ void parse_settings_finish(pov_reader *in)
 
     if (!in->settings.has_ambient_light)
         m->ambient_light = is_povray ? colour_of(1.0f, 1.0f, 1.0f) : colour_of(0.0f, 0.0f, 0.0f);
+    if (m->radiosity.given && is_new)
+        m->ambient_light = colour_of(0.0f, 0.0f, 0.0f);   /* it stood for what radiosity finds */
     m->opacity_uses_filter_colour = is_povray && !is_new;
     m->fresnel_metallic = is_povray;
     m->upper_layers_are_colourless = is_old;

@@ -9,6 +9,7 @@
 #include "sdl/intrinsic.h"
 #include "sdl/macro.h"
 #include "sdl/parse.h"
+#include "sdl/parse_radiosity.h"
 #include "sdl/recover.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
@@ -113,6 +114,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     parse_camera_defaults(&in->camera);
     m->adc_bailout = 1.0 / 255.0;
     m->max_trace_level = 5;
+    parse_radiosity_init(m);
     m->photons.max_trace_level = -1;
     m->photons.adc_bailout = -1.0;
     source_init(&in->sources, m->env);

@@ -217,17 +217,17 @@ static veil media_veil(shade_context *c, const path *p, const segment *s)
     const media_segment on = { s->from, s->dir, ends ? s->length : endless };
     veil v = clear;
 
-    if (c->scene->plan->media)
+    if (c->scene->plan->media && (p->gathers == 0 || c->scene->model->radiosity.sees_media))
         haze_cross(c, p, &on, ends, &v.by, &v.given);
     return v;
 }
 
-/* Fog lies over rainbows, and both over media. There is no fog in solids. */
+/* Fog lies over rainbows, and both over media. There is no fog in solids, and none that radiosity sees. */
 static veil veil_of(shade_context *c, const path *p, const segment *s)
 {
-    const veil far = veil_before(all_rainbows(c->scene, s), media_veil(c, p, s));
+    const veil near = media_veil(c, p, s), far = p->gathers > 0 ? near : veil_before(all_rainbows(c->scene, s), near);
 
-    return p->solids > 0 ? far : veil_before(all_fogs(c->scene, s), far);
+    return p->solids > 0 || p->gathers > 0 ? far : veil_before(all_fogs(c->scene, s), far);
 }
 
 void air_cross(shade_context *c, const path *p, const pov_ray *ray, double t, path *dimmed, colour *out)
@@ -282,7 +282,7 @@ static backdrop background_of(const shade_context *c, const path *p)
     if (!c->alpha)
         return b;
     b.seen = m->sky_colour.color;
-    if (p->mirrored)
+    if (p->mirrored || p->gathers > 0)
         return b;
     b = nothing;
     if (!m->sky_is_old)
@@ -303,7 +303,7 @@ static void add_sky(const shade_context *c, const batch *b, uint64_t rays, backd
     for (; rays; rays &= rays - 1) {
         const uint32_t i = first_of64(rays);
 
-        if (c->alpha && m->sky_is_old && !b->paths[i].mirrored)
+        if (c->alpha && m->sky_is_old && !b->paths[i].mirrored && b->paths[i].gathers == 0)
             continue;
         lanes[n] = i;
         texture_point(NULL, pov_unit(b->rays[i]->dir), pov_vec3_of(0.0, 0.0, 0.0), n, &points);

@@ -87,6 +87,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
 {
     out->finish = f;
     out->lit = p->lighting && is_lit(f);
+    out->gathers = p->radiosity && (f->diffuse != 0.0f || f->diffuse_back != 0.0f);
     out->kinds = kinds_of(f);
     out->powered = f->reflection.exponent != 1.0f;
     out->angular = finish_is_angular(f);
@@ -96,7 +97,7 @@ void appearance_make(appearance *out, const plan *p, const model *m, const finis
     out->power = power_of(f);
     out->reflection = coefficient_of(f->reflection.max);
     paint(out, p, m, at, false);
-    out->needs_point = out->lit || out->reflective || out->transmissive;
+    out->needs_point = out->lit || out->gathers || out->reflective || out->transmissive;
 }
 
 void appearance_set_material(appearance *out, const material *of)

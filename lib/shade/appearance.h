@@ -19,6 +19,7 @@ typedef struct appearance {
     bool varies;                 /* the texture varies: the members below are those of the constant material, with lit,
                                   * reflective and transmissive true if they may be true anywhere */
     bool lit;                    /* light changes its colour */
+    bool gathers;                /* light from other surfaces is seen of it */
     bool reflective, transmissive;   /* reflected or transmitted rays continue */
     bool clear;                  /* rays go through as if nothing were there */
     bool powered;                /* what is reflected is raised to a power */

@@ -2,6 +2,7 @@
 
 #include "base/elementary.h"
 #include "base/vec.h"
+#include "shade/gather.h"
 
 /* ---- batches, filled and spare ---- */
 
@@ -28,12 +29,18 @@ static batch *take_spare(batch_queue *q, const env *e)
     if (b) {
         b->count = 0;
         b->power = NULL;
+        b->gather = NULL;
     }
     return b;
 }
 
 static void give_spare(batch_queue *q, batch *b)
 {
+    if (b->gather) {
+        b->gather->next = q->spare_gather;
+        q->spare_gather = b->gather;
+        b->gather = NULL;
+    }
     b->next = q->spare;
     q->spare = b;
 }
@@ -46,7 +53,7 @@ static void give_power(batch_queue *q, power_sum *p)
     q->spare_power = p;
 }
 
-static bool add_power(batch_queue *q, const env *e, batch *b)
+bool batch_add_power(batch_queue *q, const env *e, batch *b)
 {
     power_sum *p = q->spare_power;
 
@@ -58,6 +65,29 @@ static bool add_power(batch_queue *q, const env *e, batch *b)
         p->count = 0;
     b->power = p;
     return p != NULL;
+}
+
+static bool add_gather(batch_queue *q, const env *e, batch *b)
+{
+    gather_origins *g = q->spare_gather;
+
+    if (g)
+        q->spare_gather = g->next;
+    else
+        g = env_alloc_aligned(e, sizeof *g, SIMD_LINE);
+    b->gather = g;
+    return g != NULL;
+}
+
+/* What paths of this list need besides. */
+static bool equip(batch_queue *q, const env *e, const branches *list, batch *b)
+{
+    if (list == &q->powered) {
+        if (!batch_add_power(q, e, b))
+            return false;
+        b->power->gathers = false;
+    }
+    return list != &q->gathered || add_gather(q, e, b);
 }
 
 /* ---- branches ---- */
@@ -75,7 +105,7 @@ static batch *add_branch(batch_queue *q, const env *e, branches *list)
     return NULL;
 }
 
-batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane, bool powered)
+batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane)
 {
     batch *b;
 
@@ -85,7 +115,7 @@ batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane, b
             return b;
     }
     b = add_branch(q, e, list);
-    if (!b || !powered || add_power(q, e, b))
+    if (!b || equip(q, e, list, b))
         return b;
     list->count--;
     give_spare(q, b);
@@ -109,6 +139,7 @@ void batch_begin(batch_queue *q, colour *out)
 
     drop(q, &q->mirrored, 1);
     drop(q, &q->powered, 0);
+    drop(q, &q->gathered, 0);
     drop(q, &q->transmitted, 1);
     mirrored->count = transmitted->count = 0;
     q->out = mirrored->out = transmitted->out = out;
@@ -153,6 +184,7 @@ void batch_free(batch_queue *q, const env *e)
     env_free(e, q->waits.items);
     free_branches(q, e, &q->mirrored);
     free_branches(q, e, &q->powered);
+    free_branches(q, e, &q->gathered);
     free_branches(q, e, &q->transmitted);
     if (q->now) {
         give_power(q, q->now->power);
@@ -163,6 +195,12 @@ void batch_free(batch_queue *q, const env *e)
 
         q->spare = b->next;
         env_free_aligned(e, b);
+    }
+    while (q->spare_gather) {
+        gather_origins *g = q->spare_gather;
+
+        q->spare_gather = g->next;
+        env_free_aligned(e, g);
     }
     while (q->spare_power) {
         power_sum *p = q->spare_power;
@@ -176,7 +214,7 @@ void batch_free(batch_queue *q, const env *e)
  * leave their list. False: no memory. */
 static bool put_aside(batch_queue *q, const shade_context *c, branches *list, size_t i, size_t keeps)
 {
-    const wait w = { list->items[i], NULL, c->dielectrics.count, c->coincident_sets.count };
+    const wait w = { list->items[i], NULL, c->dielectrics.count, c->coincident_sets.count, 0 };
     batch *empty = i < keeps ? take_spare(q, c->env) : NULL;
 
     if (i < keeps && !empty)
@@ -233,26 +271,46 @@ static float raise(float x, float exponent)
     return x > 0.0f ? (float)elementary_pow((double)x, 1.0 / (double)exponent) : 0.0f;
 }
 
-static void end_sum(batch_queue *q, power_sum *p)
+static colour raise_all(colour c, float e) { return colour_of(raise(c.r, e), raise(c.g, e), raise(c.b, e)); }
+
+static void end_sum(batch_queue *q, const shade_context *c, power_sum *p)
 {
     for (uint32_t i = 0; i < p->count; i++) {
         const colour seen = p->seen[p->lane[i]];
-        const float e = p->exponent[i];
+        const colour counts = p->gathers ? gather_sample(&c->scene->model->radiosity, seen) : raise_all(seen, p->exponent[i]);
         colour *out = &p->out[p->lane[i]];
 
-        *out = colour_add(*out, colour_mul(p->factor[i], colour_of(raise(seen.r, e), raise(seen.g, e), raise(seen.b, e))));
+        *out = colour_add(*out, colour_mul(p->factor[i], counts));
     }
     give_power(q, p);
+}
+
+/* The next draw of the last waiting batch's rays; the batch goes with the last one. */
+static bool draw(batch_queue *q, shade_context *c)
+{
+    wait *w = &q->waits.items[q->waits.count - 1];
+
+    c->failed = c->failed || !gather_draw(c, q, w->paths, w->draw);
+    c->dielectrics.count = w->dielectrics;
+    c->coincident_sets.count = w->coincident_sets;
+    if (gather_has_draw(w->paths, ++w->draw))
+        return !c->failed;
+    q->waits.count--;
+    give_spare(q, w->paths);
+    return !c->failed;
 }
 
 /* Pop the last waiting batch; sums before it are complete. False: there is none. */
 static bool take_up(batch_queue *q, shade_context *c)
 {
     while (q->waits.count > 0) {
-        const wait w = q->waits.items[--q->waits.count];
+        const wait w = q->waits.items[q->waits.count - 1];
 
+        if (w.paths && w.paths->gather)
+            return draw(q, c);
+        q->waits.count--;
         if (w.sum) {
-            end_sum(q, w.sum);
+            end_sum(q, c, w.sum);
             continue;
         }
         give_spare(q, q->now);
@@ -312,7 +370,7 @@ static void change(batch **a, batch **b)
 static bool choose(batch_queue *q, shade_context *c)
 {
     batch **const mirrored = &q->mirrored.items[0], **const transmitted = &q->transmitted.items[0];
-    const bool single = q->mirrored.count == 1 && q->transmitted.count == 1 && q->powered.count == 0;
+    const bool single = q->mirrored.count == 1 && q->transmitted.count == 1 && q->powered.count == 0 && q->gathered.count == 0;
     bool put;
 
     if (single && ((*mirrored)->count == 0 || (*transmitted)->count == 0)) {
@@ -321,7 +379,7 @@ static bool choose(batch_queue *q, shade_context *c)
         change(&q->now, (*mirrored)->count > 0 ? mirrored : transmitted);
         return true;
     }
-    put = put_all_aside(q, c, &q->transmitted, 0, 1) && put_all_aside(q, c, &q->powered, 0, 0) &&
+    put = put_all_aside(q, c, &q->gathered, 0, 0) && put_all_aside(q, c, &q->transmitted, 0, 1) && put_all_aside(q, c, &q->powered, 0, 0) &&
           put_all_aside(q, c, &q->mirrored, (*mirrored)->count > 0, 1);
     c->failed = c->failed || !put;
     if (!put || (*mirrored)->count == 0)

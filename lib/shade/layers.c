@@ -67,7 +67,7 @@ static void hide(surfaces *on, uint32_t i, layer *out)
     appearance *own = &on->varying[i];
 
     *own = *on->at[i].appearance;
-    own->lit = own->reflective = own->transmissive = false;
+    own->lit = own->gathers = own->reflective = own->transmissive = false;
     own->emitted = out->by = colour_of(0.0f, 0.0f, 0.0f);
     on->at[i].appearance = own;
 }

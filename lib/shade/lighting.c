@@ -267,7 +267,7 @@ static void find_incident(const scene_light *from, uint32_t k, const light_point
 /* What an area light would give if it were not occluded: the mean over its points. */
 static void reflect_area(lighting *l, const scene_light *from, light_sample *s, const light_lanes *middle, uint32_t n)
 {
-    const bool highlights = !(from->light->flags & LIGHT_SHADOWLESS);
+    const bool highlights = l->glossy && !(from->light->flags & LIGHT_SHADOWLESS);
     const light_points at = points_of(l);
     const float share = 1.0f / (float)from->grid->count;
     light_lanes in = *middle;
@@ -309,7 +309,7 @@ static void add_light_source(lighting *l, const scene_light *from)
         name_sides(l, &in.dir);
     else if (named)
         name_origins(l, s.cosine);
-    brdf_reflect(&l->finishes, c->scene->model, &s, &in, !(from->light->flags & LIGHT_SHADOWLESS), n);
+    brdf_reflect(&l->finishes, c->scene->model, &s, &in, l->glossy && !(from->light->flags & LIGHT_SHADOWLESS), n);
     if (from->grid && (from->light->flags & LIGHT_AREA_ILLUMINATION))
         reflect_area(l, from, &s, &in, n);
     front = aim(l, &s, &in.dir);
@@ -327,6 +327,7 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
 {
     l->context = c;
     l->on = on;
+    l->glossy = on->count == 0 || on->at[0].from->gathers == 0;   /* paths of a batch have the same history */
     brdf_begin(&l->finishes, c->scene->model, on);
     for (uint32_t k = 0; k < l->finishes.count; k++) {
         const uint32_t i = l->finishes.lit[k];

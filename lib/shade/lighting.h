@@ -8,6 +8,7 @@
 typedef struct lighting {
     shade_context *context;
     surfaces *on;
+    bool glossy;                 /* with highlights */
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];
     uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */

@@ -19,16 +19,21 @@ typedef struct path {
     int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
     float clear;                 /* in pictures with alpha: how much of what is behind it shines through; 0: it was reflected */
     bool mirrored;               /* it was reflected on its way, and not only transmitted */
+    bool gathering;              /* its ray gathers light for a diffuse surface */
+    uint8_t gathers;             /* how many of its rays did */
+    uint8_t draw;                /* the number of the first of these */
+    uint32_t branch;             /* mixed from its turns: different paths of a camera ray have different random numbers */
     float hue;                   /* its place in the spectrum, from red (0) to violet (1), since it was dispersed; or
                                   * PATH_WHITE */
 } path;
 
 #define PATH_WHITE (-1.0f)
 
-/* What paths see is raised to a power before it is added to what their origin sees: they and all that follow from them
- * are summed up here. */
+/* What paths see is raised to a power before it is added to what their origin sees, or is a sample of radiosity that is not
+ * added as it is: they and all that follow from them are summed up here. */
 typedef struct power_sum {
     uint32_t count;
+    bool gathers;                /* samples of radiosity */
     uint32_t lane[WORLD_MANY];
     colour factor[WORLD_MANY];
     float exponent[WORLD_MANY];
@@ -36,6 +41,15 @@ typedef struct power_sum {
     colour *out;
     struct power_sum *next;          /* next of the spare ones */
 } power_sum;
+
+/* Where rays gather light from: their directions are drawn when their turn comes, as often as each needs it. */
+typedef struct gather_origins {
+    vec_lanes normal, face;      /* the shading normal, and the geometric one on the side that they leave to */
+    uint8_t draws[WORLD_MANY];
+    bool outside[WORLD_MANY];    /* the ray to the surface came from outside of the object */
+    bool behind[WORLD_MANY];     /* they leave to the other side */
+    struct gather_origins *next;         /* next of the spare ones */
+} gather_origins;
 
 /* A packet of paths: of neighbouring camera rays with the same history, at most one of each, ordered by lane. So
  * contributions to a camera ray are added in the same order in any packet, and alone. */
@@ -47,6 +61,7 @@ typedef struct batch {
     const pov_ray *rays[BATCH_MAX];   /* rays of the paths: the caller's camera rays, or those in `own` */
     SIMD_ALIGNED pov_ray own[BATCH_MAX];
     colour *out;                 /* where its colours are added, by lane of the camera ray */
+    gather_origins *gather;            /* NULL, or these are the origins of rays that gather light */
     power_sum *power;                /* NULL, or what is done with the sum of its colours: `out` is set when it begins */
     struct batch *next;          /* next of the spare batches */
 } batch;

@@ -3,6 +3,7 @@
 #include "query/passage.h"
 #include "shade/air.h"
 #include "shade/refract.h"
+#include "shade/spawn.h"
 #include "shade/spectrum.h"
 
 #include <limits.h>
@@ -41,38 +42,13 @@ typedef struct scattering {
     uint64_t reflected, transmitted;   /* numbers of them */
 } scattering;
 
-/* Begin a path from the surface, in a direction without a low part. The caller sets the ray's origin surface and counts
- * the path. */
-static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coefficient factor, bool deeper)
-{
-    const path *p = s->from;
-    path *next = &b->paths[b->count];
-    pov_ray *ray = &b->own[b->count];
-
-    ray->org = s->at->point;
-    ray->org_lo = s->at->point_lo;
-    ray->dir = direction;
-    next->factor = factor;
-    next->level = p->level + deeper;
-    next->lane = p->lane;
-    next->coincident = s->coincident;
-    next->above = s->above;
-    next->inside = p->inside;
-    next->solids = p->solids;
-    next->zero_steps = 0;
-    next->clear = p->clear;
-    next->mirrored = p->mirrored;
-    next->hue = p->hue;
-    return next;
-}
-
 /* ---- reflected rays ---- */
 
 static inline batch *branch_of(scattering *to, branches *list, const surface *s, bool powered)
 {
     batch_queue *q = to->queue;
     const env *e = to->context->env;
-    batch *b = powered ? batch_grow(q, e, list, s->from->lane, true) : batch_branch(q, e, list, s->from->lane);
+    batch *b = powered ? batch_grow(q, e, list, s->from->lane) : batch_branch(q, e, list, s->from->lane);
 
     to->context->failed = to->context->failed || !b;
     return b;
@@ -85,6 +61,7 @@ static inline void finish_reflected(scattering *to, batch *b, path *next, const 
 
     next->clear = 0.0f;
     next->mirrored = true;
+    spawn_turn(next, TURN_MIRRORED);
     if (side < 0.0) {
         world_origin_transmit(ray, s->at, -side);
         next->above ^= 1u << s->on;
@@ -159,6 +136,8 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
     next = spawn(b, s, direction, factor, deeper);
     world_origin_transmit(&b->own[b->count++], s->at, cosine);
     next->above ^= 1u << s->on;
+    next->gathering = s->from->gathering && s->appearance == &to->context->scene->unseen;
+    spawn_turn(next, TURN_TRANSMITTED);
     if (to->context->alpha)
         next->clear *= colour_grey(by->by);
     if (to->dims)

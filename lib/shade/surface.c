@@ -74,6 +74,8 @@ static bool is_unseen(const shading *scene, const path *p, uint32_t object)
 {
     const object_info *o = &scene->objects_info[object];
 
+    if (p->gathering)
+        return o->no_radiosity;
     return p->mirrored ? o->no_reflection : o->no_image;
 }
 

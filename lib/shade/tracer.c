@@ -4,6 +4,7 @@
 #include "base/err.h"
 #include "base/simd.h"
 #include "shade/accumulate.h"
+#include "shade/gather.h"
 #include "shade/scatter.h"
 
 static void make_camera_paths(batch *b)
@@ -101,6 +102,8 @@ static void shade_layers(pov_tracer *t, colour *out)
             accumulate(s->from, colour_mul(l->of[i].by, colour_add(s->appearance->emitted, s->lit)), out);
         }
         scatter_layers(c, l, &t->queue);
+        if (c->scene->plan->radiosity)
+            gather_begin_layers(c, l, &t->queue);
     }
 }
 
@@ -115,6 +118,8 @@ static void shade_surfaces(pov_tracer *t, colour *out)
     for (uint32_t i = 0; i < s->count; i++)
         accumulate(s->at[i].from, colour_add(s->at[i].appearance->emitted, s->at[i].lit), out);
     scatter(c, s, &t->queue);
+    if (c->scene->plan->radiosity)
+        gather_begin(c, s, &t->queue);
 }
 
 /* Trace the paths of one batch to their hits, and spawn the paths that continue. */

@@ -278,6 +278,7 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
     info->smooth = o->shape->shading_normal != NULL;
     info->no_image = (o->flags & LEAF_NO_IMAGE) != 0;
     info->no_reflection = (o->flags & LEAF_NO_REFLECTION) != 0;
+    info->no_radiosity = (o->flags & LEAF_NO_RADIOSITY) != 0;
     info->filled = plan_is_filled(o);
     info->filters = casts && transparent;
     info->plain = plain;

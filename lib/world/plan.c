@@ -32,6 +32,7 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     bool transparent = material_is_transparent(m), glossy = finish_is_glossy(&m->finish);
 
     s->lit += glossy || (is_matt(&m->finish) && !colour_is_black(m->pigment)) ? n : 0;
+    s->diffuse += m->finish.diffuse != 0.0f || m->finish.diffuse_back != 0.0f ? n : 0;
     s->casting += casts ? n : 0;
     s->filtering += casts && transparent ? n : 0;
     s->glossy += glossy ? n : 0;
@@ -52,6 +53,7 @@ static bool survey_model(const model *m, plan_counts *s)
 {
     enum { CASTS = 1, SOLID = 2, KINDS = 4 };
     size_t *counts = env_alloc(m->env, m->materials.count * KINDS, sizeof *counts), i;
+    const uint32_t hides = LEAF_NO_IMAGE | LEAF_NO_REFLECTION | (m->radiosity.given ? LEAF_NO_RADIOSITY : 0u);
     bool done;
 
     memset(s, 0, sizeof *s);
@@ -61,7 +63,7 @@ static bool survey_model(const model *m, plan_counts *s)
     }
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
-        s->hidden += (o->flags & (LEAF_NO_IMAGE | LEAF_NO_REFLECTION)) != 0;
+        s->hidden += (o->flags & hides) != 0;
         counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
         s->smooth += o->shape->shading_normal != NULL;
     }
@@ -102,6 +104,8 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->fading = s->fading > 0;
     p->located = s->located > 0;
     p->hidden = s->hidden > 0;
+    p->radiosity = m->radiosity.given && s->diffuse > 0;
+    p->random = p->radiosity;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
 }
 

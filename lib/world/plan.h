@@ -10,6 +10,7 @@ typedef struct plan_counts {
     size_t casting, filtering;   /* objects that cast a shadow; transparent ones of them */
     size_t glossy, metallic, varying, reflective, transparent, refracting, dielectrics, smooth;
     size_t dispersive, fading, located, hidden;
+    size_t diffuse;              /* objects that light from everywhere would change */
     size_t filled;               /* objects with media inside */
 } plan_counts;
 
@@ -28,6 +29,7 @@ typedef struct plan {
     bool located;                /* transmittance of light depends on distances and angles */
     bool media;                  /* some media fill some object or the scene */
     bool scattering;             /* ... and scatter the light of some light */
+    bool radiosity;              /* diffuse surfaces light each other */
     bool random;                 /* paths take random numbers: the samples of a picture are numbered */
     bool hidden;                 /* some rays do not see some object */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */

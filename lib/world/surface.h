@@ -69,15 +69,22 @@ static inline void world_origin_transmit(pov_ray *ray, const hit *h, double cosi
     world_set_origin(ray, h, cosine > WORLD_GRAZING ? (h->outside ? POV_MARK_INWARD : POV_MARK_OUTWARD) : 0);
 }
 
+/* Add to the origin surface of a ray, set without a side, which one it goes to, as below; outside: the one that `along` is
+ * measured to is. */
+static inline void world_origin_leave(pov_ray *ray, bool outside, double along, double length)
+{
+    const bool up = along > WORLD_GRAZING * length, down = -along > WORLD_GRAZING * length;
+
+    ray->origin_mark.flags |= (up ? (outside ? POV_MARK_OUTWARD : POV_MARK_INWARD) : 0) |
+                              (down ? (outside ? POV_MARK_INWARD : POV_MARK_OUTWARD) : 0);
+}
+
 /* Of a ray whose origin surface is set: the side that it goes to, by its component along the surface's normal and by an
  * upper bound of its length. */
 static inline void world_origin_aim(pov_ray *ray, const hit *h, double along, double length)
 {
-    const bool up = along > WORLD_GRAZING * length, down = -along > WORLD_GRAZING * length;
-
-    ray->origin_mark.flags = h->crossing.mark.flags |
-                             (up ? (h->outside ? POV_MARK_OUTWARD : POV_MARK_INWARD) : 0) |
-                             (down ? (h->outside ? POV_MARK_INWARD : POV_MARK_OUTWARD) : 0);
+    ray->origin_mark.flags = h->crossing.mark.flags;
+    world_origin_leave(ray, h->outside, along, length);
 }
 
 #endif

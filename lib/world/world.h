@@ -39,6 +39,7 @@ typedef struct object_info {
     uint16_t group;
     bool inverse : 1, filters : 1, plain : 1, member : 1, smooth : 1;   /* smooth: it has shading normals */
     bool no_image : 1, no_reflection : 1;   /* rays from the camera, and those that were reflected, do not see it */
+    bool no_radiosity : 1;       /* nor do rays that gather light */
     bool filled : 1;             /* it bounds a solid that is not hollow: there is no fog in it and no medium acts */
 } object_info;
 const object_info *world_object_info(const world *w);

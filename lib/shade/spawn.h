@@ -1,0 +1,40 @@
+/* spawn.h - paths that continue from surfaces. */
+#ifndef SHADE_SPAWN_H
+#define SHADE_SPAWN_H
+
+#include "shade/surface.h"
+
+/* Begin a path from the surface, in a direction without a low part. The caller sets the ray's origin surface and counts
+ * the path. */
+static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coefficient factor, bool deeper)
+{
+    const path *p = s->from;
+    path *next = &b->paths[b->count];
+    pov_ray *ray = &b->own[b->count];
+
+    ray->org = s->at->point;
+    ray->org_lo = s->at->point_lo;
+    ray->dir = direction;
+    next->factor = factor;
+    next->level = p->level + deeper;
+    next->lane = p->lane;
+    next->coincident = s->coincident;
+    next->above = s->above;
+    next->inside = p->inside;
+    next->solids = p->solids;
+    next->zero_steps = 0;
+    next->clear = p->clear;
+    next->mirrored = p->mirrored;
+    next->gathering = false;
+    next->gathers = p->gathers;
+    next->draw = p->draw;
+    next->branch = p->branch;
+    next->hue = p->hue;
+    return next;
+}
+
+/* How a path goes on. */
+enum { TURN_MIRRORED = 1, TURN_TRANSMITTED, TURN_GATHERING, TURN_GATHERING_BEHIND };
+static inline void spawn_turn(path *p, uint32_t how) { p->branch = p->branch * 0x9e3779b1u + how; }
+
+#endif
