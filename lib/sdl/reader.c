@@ -1,6 +1,7 @@
 #include "sdl/reader.h"
 
 #include "base/clock.h"
+#include "base/hash.h"
 #include "base/str.h"
 #include "base/vec.h"
 #include "sdl/directive.h"
@@ -212,23 +213,32 @@ static void declare_given(pov_reader *in, const char *given)
             return;
         }
     }
+    in->sources.hash = hash_bytes(in->sources.hash, given, strlen(given));
     declare(in, name, v);
+}
+
+/* What is declared from outside is part of what the scene is: a checkpoint of another value is another scene's. */
+static void declare_number(pov_reader *in, const char *name, double number)
+{
+    in->sources.hash = hash_bytes(in->sources.hash, &number, sizeof number);
+    declare(in, name, value_of_number(number));
 }
 
 static void declare_names(pov_reader *in, const char *path)
 {
     static const reader_options none;
     const reader_options *o = in->options ? in->options : &none;
+    const reader_frames *f = &o->frames;
     size_t i;
 
-    declare(in, "image_width", value_of_number(o->width > 0 ? o->width : 320));
-    declare(in, "image_height", value_of_number(o->height > 0 ? o->height : 240));
-    declare(in, "frame_number", value_of_number(o->frames.frame));
-    declare(in, "initial_frame", value_of_number(o->frames.first));
-    declare(in, "final_frame", value_of_number(o->frames.last));
-    declare(in, "initial_clock", value_of_number(o->frames.first_clock));
-    declare(in, "final_clock", value_of_number(o->frames.last_clock));
-    declare(in, "clock_delta", value_of_number(o->frames.delta));
+    declare_number(in, "image_width", o->width > 0 ? o->width : 320);
+    declare_number(in, "image_height", o->height > 0 ? o->height : 240);
+    declare_number(in, "frame_number", f->frame);
+    declare_number(in, "initial_frame", f->first);
+    declare_number(in, "final_frame", f->last);
+    declare_number(in, "initial_clock", f->first_clock);
+    declare_number(in, "final_clock", f->last_clock);
+    declare_number(in, "clock_delta", f->delta);
     declare_name(in, path);
     for (i = 0; o->declares && o->declares[i]; i++)
         declare_given(in, o->declares[i]);
