@@ -122,6 +122,20 @@ pov_status pov_job_load(pov_job *job, const char *file, pov_error *err)
     return job_load(job, file, err);
 }
 
+pov_status pov_job_join(pov_job **out, pov_context *context, const char *const *files, size_t count, pov_error *err)
+{
+    if (out)
+        *out = NULL;
+    if (!out || !context || !files || count == 0)
+        return err_set(err, POV_E_ARGUMENT, "to join takes a place, a context and the files of parts");
+    return job_join(out, &context->env, files, count, err);
+}
+
+const char *pov_job_get_note(const pov_job *job)
+{
+    return job ? job_note(job) : "";
+}
+
 bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out)
 {
     pov_pass ours = POV_INIT(ours);

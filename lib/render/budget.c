@@ -203,3 +203,15 @@ bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scrat
     }
     return next_uniform(c, s, now);
 }
+
+int budget_blind_end(const settings *s)
+{
+    const int end = s->adaptive ? BUDGET_PILOT : s->target_error > 0.0 ? BUDGET_LEAST : s->samples;
+
+    return end < s->samples ? end : s->samples;
+}
+
+bool budget_blind(cells *c, const settings *s, const pov_pass *now)
+{
+    return now->spp_max < budget_blind_end(s) && budget_next(c, s, now, NULL);
+}

@@ -13,4 +13,10 @@ enum { BUDGET_PILOT = 4, BUDGET_LEAST = 8 };
  * may get more. */
 bool budget_next(cells *c, const settings *s, const pov_pass *now, double *scratch);
 
+/* The same while all pixels get the same number whatever they show, so that a part of the picture suffices; `now` holds
+ * that number alone. False: to go on takes the whole picture, or all samples are in. */
+bool budget_blind(cells *c, const settings *s, const pov_pass *now);
+/* Samples of every pixel when that ends. */
+int budget_blind_end(const settings *s);
+
 #endif

@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/hash.h"
 #include "base/vec.h"
+#include "render/part.h"
 #include "render/sample.h"
 
 #include <math.h>
@@ -15,18 +16,9 @@
  * In order: identity, state, rows, counts and targets of the groups. Then, while lattices are traced, the finished
  * passes of each square and the pixels; afterwards the halves. The last part is the hash of all that. */
 
-enum { FORMAT = 5, SQUARE = TILE_EDGE_MIN };
+enum { SQUARE = TILE_EDGE_MIN };
 
-/* Values that must match to continue. Written over zeros, so that padding matches too. */
-typedef struct identity {
-    char magic[16], version[16];
-    uint32_t order, format;
-    uint64_t scene;
-    int32_t dialect, depth, exact, camera_type;
-    int32_t width, height, crop[4], first_step, samples, adaptive, alpha, cell_edge;
-    uint32_t seed;
-    double target_error, camera[12];
-} identity;
+static const char magic[] = "povtrace-part\n";
 
 typedef struct state {
     uint64_t rows;
@@ -35,39 +27,6 @@ typedef struct state {
     pov_counts counts, lattices[LATTICES_MAX];
     class_counts classes;
 } state;
-
-static void identify(const pov_job *job, identity *id)
-{
-    const settings *s = &job->settings;
-    const pov_vec3 vectors[4] = { job->camera.location, job->camera.direction, job->camera.right, job->camera.up };
-    const pov_rect c = s->crop;
-
-    memset(id, 0, sizeof *id);
-    strcpy(id->magic, "povtrace-part\n");
-    snprintf(id->version, sizeof id->version, "%d.%d.%d", POVTRACE_VERSION_MAJOR, POVTRACE_VERSION_MINOR,
-             POVTRACE_VERSION_PATCH);
-    id->order = 0x01020304;
-    id->format = FORMAT;
-    id->scene = job->scene->model->identity;
-    id->dialect = (int32_t)job->scene->model->dialect;
-    id->depth = job->scene->model->max_trace_level;
-    id->exact = world_is_exact(job->scene->world);
-    id->width = s->width;
-    id->height = s->height;
-    id->crop[0] = c.x;
-    id->crop[1] = c.y;
-    id->crop[2] = c.width;
-    id->crop[3] = c.height;
-    id->first_step = s->first_step;
-    id->samples = s->samples;
-    id->adaptive = s->adaptive;
-    id->alpha = s->alpha;
-    id->cell_edge = CELL_EDGE;
-    id->seed = s->seed;
-    id->target_error = s->target_error;
-    id->camera_type = (int32_t)job->camera.type;
-    memcpy(id->camera, vectors, sizeof id->camera);
-}
 
 /* ---- squares: what tiles are made of, whatever their size ---- */
 
@@ -125,7 +84,7 @@ static void image(const pov_job *job, unsigned char *to)
     identity id;
     state s;
 
-    identify(job, &id);
+    identity_of(job, magic, &id);
     memset(&s, 0, sizeof s);
     s.rows = row_count(job);
     s.refining = job->refining;
@@ -151,7 +110,7 @@ static void image(const pov_job *job, unsigned char *to)
     put(to, job->framebuffer.pixels, 4 * sizeof(float) * pixel_count(job));
 }
 
-pov_status job_save(pov_job *job, const char *file, pov_error *err)
+static pov_status save_checkpoint(pov_job *job, const char *file, pov_error *err)
 {
     file_writer *writer = env_alloc(job->env, 1, sizeof *writer);
     unsigned char *bytes;
@@ -184,25 +143,12 @@ pov_status job_save(pov_job *job, const char *file, pov_error *err)
 static pov_status check(const pov_job *job, const char *file, const char *bytes, size_t count, pov_error *err)
 {
     identity ours, theirs;
-    state s;
 
-    identify(job, &ours);
-    if (count < sizeof theirs + sizeof s)
+    identity_of(job, magic, &ours);
+    if (count < sizeof theirs + sizeof(state))
         return err_file(err, POV_E_IO, file, "this is no checkpoint");
     memcpy(&theirs, bytes, sizeof theirs);
-    memcpy(&s, bytes + sizeof theirs, sizeof s);
-    if (memcmp(theirs.magic, ours.magic, sizeof ours.magic) != 0)
-        return err_file(err, POV_E_IO, file, "this is no checkpoint");
-    if (theirs.order != ours.order || theirs.format != ours.format ||
-        memcmp(theirs.version, ours.version, sizeof ours.version) != 0)
-        return err_file(err, POV_E_ARGUMENT, file, "this checkpoint was made by another version of povtrace, %.15s, or another machine",
-                        theirs.order == ours.order ? theirs.version : "unknown");
-    if (theirs.scene != ours.scene)
-        return err_file(err, POV_E_ARGUMENT, file, "this checkpoint was made from another scene text");
-    if (memcmp(&theirs, &ours, sizeof ours) != 0)
-        return err_file(err, POV_E_ARGUMENT, file,
-                        "this checkpoint was made with other settings: size, crop, preview, samples, error, sampling, seed, depth, accuracy or camera");
-    return POV_OK;
+    return identity_check(&theirs, &ours, file, "checkpoint", err);
 }
 
 /* Is the file complete and unchanged? */
@@ -362,7 +308,7 @@ static pov_status take(pov_job *job, const unsigned char *at, pov_error *err)
     return status;
 }
 
-pov_status job_load(pov_job *job, const char *file, pov_error *err)
+static pov_status load_checkpoint(pov_job *job, const char *file, pov_error *err)
 {
     char *bytes;
     size_t count;
@@ -384,4 +330,14 @@ pov_status job_load(pov_job *job, const char *file, pov_error *err)
     mutex_unlock(&job->lock);
     env_free(job->env, bytes);
     return status;
+}
+
+pov_status job_save(pov_job *job, const char *file, pov_error *err)
+{
+    return job->settings.parts > 0 || job->joined ? part_save(job, file, err) : save_checkpoint(job, file, err);
+}
+
+pov_status job_load(pov_job *job, const char *file, pov_error *err)
+{
+    return job->settings.parts > 0 ? part_load(job, file, err) : load_checkpoint(job, file, err);
 }

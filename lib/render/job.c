@@ -4,18 +4,36 @@
 #include "base/err.h"
 #include "render/meter.h"
 
+#include <string.h>
+
 /* ---- a job's life ---- */
 
-static pov_status make_parts(pov_job *job, pov_error *err)
+/* Pixels that are traced; for a part without any, what numbers may still be divided by. */
+static size_t pixels_of(const tiles *t)
+{
+    size_t pixels = 0;
+
+    for (size_t i = 0; i < t->own; i++) {
+        const pov_rect r = tiles_rect(t, t->order[i]);
+
+        pixels += (size_t)r.width * (size_t)r.height;
+    }
+    return pixels > 0 ? pixels : 1;
+}
+
+static pov_status make_parts(pov_job *job, int parts, pov_error *err)
 {
     const settings *s = &job->settings;
 
-    tiles_make(&job->tiles, s->crop.width, s->crop.height, s->threads);
+    /* The tiles of parts are those of so many threads, whoever traces them. */
+    tiles_make(&job->tiles, s->crop.width, s->crop.height, parts > 0 ? parts : s->threads);
     if (!framebuffer_make(&job->framebuffer, job->env, &job->tiles, s->first_step) ||
         !tiles_sort(&job->tiles, job->env)) return err_set(err, POV_E_MEMORY,
                                                            "no memory for a picture of %d x %d pixels", s->crop.width,
                                                                s->crop.height);
-    job->all_pixels = (size_t)s->crop.width * (size_t)s->crop.height;
+    if (s->parts > 0)
+        tiles_deal(&job->tiles, s->part, s->parts);
+    job->all_pixels = pixels_of(&job->tiles);
     if (!cells_make(&job->cells, job->env, s))
         return err_memory(err);
     job->cells.reference = s->reference;
@@ -33,6 +51,9 @@ static pov_status make_parts(pov_job *job, pov_error *err)
     passes_begin(job);
     return POV_OK;
 }
+
+/* What a job is made of besides its description. */
+typedef struct job_origin { const env *env; const shading *scene; pov_camera camera; gamma gamma; } job_origin;
 
 static void free_worker(pov_job *job, worker *w)
 {
@@ -53,38 +74,63 @@ static void free_parts(pov_job *job)
     env_free(job->env, job->scratch);
     env_free(job->env, job->queue);
     env_free(job->env, job->rows.items);
+    env_free(job->env, job->wanted);
+    env_free(job->env, job->joined);
     framebuffer_free(&job->framebuffer, job->env);
     tiles_free(&job->tiles, job->env);
     env_free(job->env, job);
 }
 
-pov_status job_create(pov_job **out, const shading *scene, const pov_render_desc *desc, pov_error *err)
+/* The lock, and what settings need. */
+static pov_status complete(pov_job *job, const pov_render_desc *desc, int parts, pov_error *err)
 {
-    const model *m = scene->model;
-    pov_job *job = env_alloc(m->env, 1, sizeof *job);
-    pov_status status;
+    pov_status status = settings_make(&job->settings, desc, &job->camera, err);
 
-    if (!job)
-        return err_memory(err);
-    job->env = m->env;
-    job->scene = scene;
-    job->camera = desc->camera ? *desc->camera : m->camera;
-    encoding_make(&job->encoding, &m->gamma);
-    status = settings_make(&job->settings, desc, &job->camera, err);
+    if (status == POV_OK && job->settings.note && job->settings.parts > 0)
+        strcpy(job->note, job->settings.note);
+    job->round = job->settings.parts > 0;
     if (status == POV_OK)
-        status = make_parts(job, err);
+        status = make_parts(job, parts, err);
     if (status == POV_OK && !mutex_init(&job->lock))
         status = err_memory(err);
     if (status == POV_OK && !condition_init(&job->changed)) {
         mutex_destroy(&job->lock);
         status = err_memory(err);
     }
-    if (status < 0) {
+    return status;
+}
+
+static pov_status make(pov_job **out, const job_origin *from, const pov_render_desc *desc, int parts, pov_error *err)
+{
+    pov_job *job = env_alloc(from->env, 1, sizeof *job);
+    pov_status status;
+
+    if (!job)
+        return err_memory(err);
+    job->env = from->env;
+    job->scene = from->scene;
+    job->camera = desc->camera ? *desc->camera : from->camera;
+    encoding_make(&job->encoding, &from->gamma);
+    status = complete(job, desc, parts, err);
+    if (status < 0)
         free_parts(job);
-        return status;
-    }
-    *out = job;
-    return POV_OK;
+    else
+        *out = job;
+    return status;
+}
+
+pov_status job_create(pov_job **out, const shading *scene, const pov_render_desc *desc, pov_error *err)
+{
+    const job_origin from = { scene->model->env, scene, scene->model->camera, scene->model->gamma };
+
+    return make(out, &from, desc, desc->parts, err);
+}
+
+pov_status job_create_joined(pov_job **out, const env *e, const gamma *g, const pov_render_desc *desc, int parts, pov_error *err)
+{
+    const job_origin from = { .env = e, .gamma = *g };
+
+    return make(out, &from, desc, parts, err);
 }
 
 void job_destroy(pov_job *job)

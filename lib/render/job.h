@@ -18,6 +18,8 @@ void job_cancel(pov_job *job);
 void job_get_progress(pov_job *job, pov_progress *out);
 pov_status job_save(pov_job *job, const char *file, pov_error *err);
 pov_status job_load(pov_job *job, const char *file, pov_error *err);
+pov_status job_join(pov_job **out, const env *e, const char *const *files, size_t count, pov_error *err);
+const char *job_note(const pov_job *job);
 bool job_get_pass(pov_job *job, size_t index, pov_pass *out);
 bool job_get_class(pov_job *job, size_t index, pov_class_counts *out);
 pov_status job_get_error(pov_job *job, pov_error *err);

@@ -4,6 +4,7 @@
 
 #include "base/thread.h"
 #include "render/framebuffer.h"
+#include "render/identity.h"
 #include "render/job.h"
 #include "render/refine.h"
 #include "render/settings.h"
@@ -20,8 +21,12 @@ typedef struct lattice_pass {
  * worker claims a tile, traces it and commits it. */
 struct pov_job {
     const env *env;
-    const shading *scene;
+    const shading *scene;        /* NULL: joined from parts, and nothing is traced */
     settings settings;
+    identity *joined;            /* that of the parts; NULL: this job has its own */
+    uint32_t *wanted;            /* a part's targets of all groups after this round; NULL: the first round */
+    int round;                   /* of parts: 1, 2, ...; else 0 */
+    char note[SETTINGS_NOTE];
     tiles tiles;
     encoding encoding;
     size_t all_pixels;
@@ -65,6 +70,8 @@ struct pov_job {
     bool threads_wanted;         /* job_start() was called */
 };
 
+/* An idle job without a scene, for the results of `parts` parts. */
+pov_status job_create_joined(pov_job **out, const env *e, const gamma *g, const pov_render_desc *desc, int parts, pov_error *err);
 /* A job without memory ends as failed. The lock is held. */
 void job_fail_memory(pov_job *job);
 
@@ -77,6 +84,8 @@ void passes_claim(pov_job *job, worker *w);
 void passes_skip(pov_job *job);
 /* A checkpoint may have contained all work of its pass: go on to the next pass, or to the end. */
 void passes_resume(pov_job *job);
+/* All tiles have all they shall have so far: note it, and decide what is next. */
+void passes_end(pov_job *job);
 /* Begin the pass that the cells' targets ask for. */
 void passes_queue(pov_job *job);
 /* Commit a complete and current tile. The last tile of a pass ends it: the next pass is decided by all committed

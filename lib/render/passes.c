@@ -13,7 +13,7 @@ void passes_begin(pov_job *job)
 {
     pov_counts none = { 0 };
 
-    job->due = job->tiles.count * (size_t)job->framebuffer.passes;
+    job->due = job->tiles.own * (size_t)job->framebuffer.passes;
     job->earlier = 0.0;
     job->claimed = job->committed = 0;
     job->done_pixels = 0;
@@ -31,7 +31,7 @@ void passes_begin(pov_job *job)
 
 void passes_skip(pov_job *job)
 {
-    size_t all = job->tiles.count;
+    size_t all = job->tiles.own;
 
     while (!job->refining && job->claimed < job->due &&
            (job->framebuffer.done[job->tiles.order[job->claimed % all]] >> job->claimed / all & 1u))
@@ -41,7 +41,7 @@ void passes_skip(pov_job *job)
 void passes_claim(pov_job *job, worker *w)
 {
     claim *c = &w->claim;
-    size_t all = job->tiles.count, number = job->claimed++;
+    size_t all = job->tiles.own, number = job->claimed++;
 
     c->generation = job->generation;
     c->camera = job->camera;
@@ -76,7 +76,7 @@ static bool note(pov_job *job)
     pov_pass row = begin_row(job);
 
     estimate_row(&job->cells, &job->settings, job->scratch, &row);
-    if (!job->refining)
+    if (!job->refining || job->settings.parts > 0)
         row.spp_mean = (double)job->done_pixels / (double)job->all_pixels;
     return VEC_PUSH(job->env, &job->rows, row);
 }
@@ -100,13 +100,13 @@ static bool note_lattice(pov_job *job, int pass)
 }
 
 /* A tile of a pass of first samples is committed. The last of these passes ends like those of more samples, in
- * end_pass(). */
+ * passes_end(). */
 static void count_lattice(pov_job *job, int pass, const pov_counts *fresh)
 {
     job->lattices[pass].tiles++;
     counts_add(&job->lattices[pass].counts, fresh);
     while (job->lattices_ended + 1 < job->framebuffer.passes &&
-           job->lattices[job->lattices_ended].tiles == job->tiles.count)
+           job->lattices[job->lattices_ended].tiles == job->tiles.own)
         if (!note_lattice(job, job->lattices_ended++))
             job_fail_memory(job);
 }
@@ -143,12 +143,40 @@ void passes_queue(pov_job *job)
 {
     job->refining = true;
     job->due = job->claimed = job->committed = 0;
-    for (size_t i = 0; i < job->tiles.count; i++)
+    for (size_t i = 0; i < job->tiles.own; i++)
         if (has_due_cells(job, job->tiles.order[i]))
             job->queue[job->due++] = job->tiles.order[i];
 }
 
-static void end_pass(pov_job *job)
+/* The next pass of the whole picture. A joined picture ends there: its parts go on. */
+static void decide(pov_job *job, const pov_pass *now)
+{
+    job->stop = reason_to_end(job, now);
+    if (job->stop == POV_STOP_NONE && !budget_next(&job->cells, &job->settings, now, job->scratch))
+        job->stop = POV_STOP_SAMPLES;
+    if (job->stop == POV_STOP_NONE && !job->scene)
+        job->stop = POV_STOP_PART;
+    if (job->stop == POV_STOP_NONE)
+        passes_queue(job);
+}
+
+/* The next pass of a part: what the round asks for, or in the first round what needs no other part. */
+static void decide_part(pov_job *job, const pov_pass *now)
+{
+    bool more = job->wanted != NULL;
+
+    for (size_t i = 0; more && i < GROUPS * job->cells.count; i++) {
+        group *at = &job->cells.groups[i];
+
+        at->target = at->count > job->wanted[i] ? at->count : job->wanted[i];
+    }
+    if (more || budget_blind(&job->cells, &job->settings, now))
+        passes_queue(job);
+    if (job->committed == job->due)
+        job->stop = POV_STOP_PART;
+}
+
+void passes_end(pov_job *job)
 {
     const pov_pass *now;
 
@@ -157,21 +185,20 @@ static void end_pass(pov_job *job)
         return;
     }
     now = &job->rows.items[job->rows.count - 1];
-    job->stop = reason_to_end(job, now);
-    if (job->stop == POV_STOP_NONE && !budget_next(&job->cells, &job->settings, now, job->scratch))
-        job->stop = POV_STOP_SAMPLES;
-    if (job->stop != POV_STOP_NONE) {
+    if (job->settings.parts > 0)
+        decide_part(job, now);
+    else
+        decide(job, now);
+    if (job->stop != POV_STOP_NONE)
         job_end(job, POV_JOB_DONE);
-        return;
-    }
-    passes_queue(job);
-    condition_wake_all(&job->changed);
+    else
+        condition_wake_all(&job->changed);
 }
 
 void passes_resume(pov_job *job)
 {
     if (job->committed == job->due)
-        end_pass(job);
+        passes_end(job);
 }
 
 /* ---- commit ---- */
@@ -223,7 +250,7 @@ bool passes_commit(pov_job *job, worker *w, const pov_counts *fresh, const class
         count_lattice(job, c->pass, fresh);
     }
     if (++job->committed == job->due) {
-        end_pass(job);
+        passes_end(job);
         return true;
     }
     if (first) {
@@ -255,6 +282,21 @@ bool passes_expire(pov_job *job)
 }
 
 /* ---- how long it will take ---- */
+
+/* Samples that the pixels of a tile shall have after this round. */
+static double wanted_of_tile(const pov_job *job, size_t tile)
+{
+    const cell_range r = cells_of(tiles_rect(&job->tiles, tile));
+    double sum = 0.0;
+
+    for (int y = r.row; y < r.row + r.rows; y++) {
+        const size_t first = GROUPS * ((size_t)y * (size_t)job->cells.columns + (size_t)r.column);
+
+        for (size_t i = first; i < first + GROUPS * (size_t)r.columns; i++)
+            sum += (double)cells_pixels(&job->cells, i) * job->wanted[i];
+    }
+    return sum;
+}
 
 static bool shows_error(const pov_pass *row) { return row->est_rmse > 0.0 && row->wall_s > 0.0; }
 
@@ -291,6 +333,21 @@ static double time_of_samples(const pov_job *job, double now)
     return done < (job->settings.sampling ? 1.0 : few) ? -1.0 : now * all / (double)job->done_pixels;
 }
 
+/* Fraction of the samples of this round that a part has. */
+static double fraction_of_part(const pov_job *job)
+{
+    const double all = (double)job->all_pixels * budget_blind_end(&job->settings);
+    double wanted = 0.0;
+
+    if (job->state == POV_JOB_DONE)
+        return 1.0;
+    for (size_t i = 0; job->wanted && i < job->tiles.own; i++)
+        wanted += wanted_of_tile(job, job->tiles.order[i]);
+    if (job->wanted)
+        return wanted > 0.0 ? (double)job->done_pixels / wanted : 0.0;
+    return (double)job->done_pixels / all;
+}
+
 double passes_left(const pov_job *job)
 {
     const settings *s = &job->settings;
@@ -299,6 +356,8 @@ double passes_left(const pov_job *job)
 
     if (job->state != POV_JOB_RUNNING)
         return job->state == POV_JOB_DONE ? 0.0 : -1.0;
+    if (s->parts > 0)
+        return job->done_pixels > 0 ? now / fraction_of_part(job) - now : -1.0;
     until = s->target_error > 0.0 ? time_of_error(job) : time_of_samples(job, now);
     if (s->target_error > 0.0 && until >= 0.0)
         until = fmin(until, fmax(time_of_samples(job, now), now));
@@ -313,6 +372,8 @@ double passes_fraction(const pov_job *job)
     const double done = (double)job->done_pixels / ((double)job->all_pixels * s->samples), most = 0.999;
     double now, left;
 
+    if (s->parts > 0)
+        return fraction_of_part(job);
     if (!s->sampling)
         return done;
     if (job->state == POV_JOB_DONE && (job->rows.count > 0 || job->stop != POV_STOP_TIME) && job->done_pixels >= job->all_pixels)

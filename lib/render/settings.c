@@ -5,6 +5,7 @@
 #include "render/sample.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Pictures are no wider or higher than this, so that sums of pixel coordinates stay far from overflow. */
 enum { EDGE_MAX = 1 << 28 };
@@ -71,6 +72,20 @@ static pov_status take_numbers(settings *s, const pov_render_desc *d, pov_error 
     return POV_OK;
 }
 
+static pov_status take_part(settings *s, const pov_render_desc *d, pov_error *err)
+{
+    if (d->part < 0 || d->parts < 0 || d->part > d->parts || (d->part == 0) != (d->parts == 0))
+        return err_set(err, POV_E_ARGUMENT, "part %d of %d: parts are numbered 1 to their number", d->part, d->parts);
+    if (d->parts > 0 && (d->time_limit > 0.0 || d->preview > 0))
+        return err_set(err, POV_E_ARGUMENT, "a part of a picture has no time limit and no preview");
+    if (d->parts > 0 && d->note && strlen(d->note) >= SETTINGS_NOTE)
+        return err_set(err, POV_E_ARGUMENT, "the note of a part has at most %d characters", SETTINGS_NOTE - 1);
+    s->part = d->part;
+    s->parts = d->parts;
+    s->note = d->note;
+    return POV_OK;
+}
+
 pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_camera *camera, pov_error *err)
 {
     pov_status status = check_size(desc, err);
@@ -86,5 +101,7 @@ pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_cam
         status = take_crop(s, desc, err);
     if (status == POV_OK)
         status = take_preview(s, desc, err);
+    if (status == POV_OK)
+        status = take_part(s, desc, err);
     return status == POV_OK ? take_numbers(s, desc, err) : status;
 }

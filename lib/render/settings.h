@@ -4,6 +4,8 @@
 
 #include <povtrace/render.h>
 
+enum { SETTINGS_NOTE = 256 };    /* characters of a note, with its end */
+
 typedef struct settings {
     int width, height;           /* of the whole picture */
     pov_rect crop;               /* the traced part of it */
@@ -16,6 +18,8 @@ typedef struct settings {
     const float *reference;      /* the caller's; or NULL */
     bool time_map, alpha;        /* see pov_render_desc */
     bool reference_clipped;
+    int part, parts;             /* 1 .. parts; 0: the picture is in one piece, or joined */
+    const char *note;            /* the caller's; or NULL */
     void (*wake)(void *user);
     void *wake_user;
 } settings;

@@ -45,6 +45,7 @@ void tiles_make(tiles *t, int width, int height, int threads)
     t->rows = parts(height, t->edge);
     t->count = count_of(width, height, t->edge);
     t->order = NULL;
+    t->own = 0;
 }
 
 /* Counting sort by rings; within a ring the tiles keep the order of the rows. */
@@ -66,7 +67,38 @@ bool tiles_sort(tiles *t, const env *e)
     for (uint32_t i = 0; i < t->count; i++)
         t->order[start[ring_of(t, i)]++] = i;
     env_free(e, start);
+    t->own = t->count;
     return true;
+}
+
+enum { BLOCK = 16 };             /* tiles that a block is wide and high */
+
+/* Every other bit of a number below BLOCK squared. */
+static int half_of_bits(unsigned code)
+{
+    return (int)((code & 1u) | (code >> 1 & 2u) | (code >> 2 & 4u) | (code >> 3 & 8u));
+}
+
+/* Parts take turns along a curve of squares within squares, so that each has some of every region. */
+static size_t deal_block(tiles *t, int left, int top, size_t turn, int part, int parts)
+{
+    for (unsigned code = 0; code < BLOCK * BLOCK; code++) {
+        const int x = left + half_of_bits(code), y = top + half_of_bits(code >> 1);
+
+        if (x < t->columns && y < t->rows && turn++ % (size_t)parts == (size_t)(part - 1))
+            t->order[t->own++] = (uint32_t)y * (uint32_t)t->columns + (uint32_t)x;
+    }
+    return turn;
+}
+
+void tiles_deal(tiles *t, int part, int parts)
+{
+    size_t turn = 0;
+
+    t->own = 0;
+    for (int top = 0; top < t->rows; top += BLOCK)
+        for (int left = 0; left < t->columns; left += BLOCK)
+            turn = deal_block(t, left, top, turn, part, parts);
 }
 
 void tiles_free(tiles *t, const env *e)

@@ -14,6 +14,7 @@ typedef struct tiles {
     int edge, columns, rows;
     size_t count;
     uint32_t *order;             /* from the centre of the picture outwards; by tiles_sort() */
+    size_t own;                  /* that many of the order are traced: all of them, or those of a part */
 } tiles;
 
 /* Choose tiles small enough that `threads` threads have even work to the end, and few enough to be cheap to hand
@@ -21,6 +22,9 @@ typedef struct tiles {
 void tiles_make(tiles *t, int width, int height, int threads);
 /* False: no memory. */
 bool tiles_sort(tiles *t, const env *e);
+/* Leave in the order only the tiles of the part-th of so many parts, which are spread evenly; it does not begin at the
+ * centre. */
+void tiles_deal(tiles *t, int part, int parts);
 void tiles_free(tiles *t, const env *e);
 /* The last column and row may be narrower. */
 pov_rect tiles_rect(const tiles *t, size_t index);

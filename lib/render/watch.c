@@ -147,6 +147,8 @@ void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t 
 
 void job_restart(pov_job *job, const pov_camera *camera)
 {
+    if (!job->scene)
+        return;
     mutex_lock(&job->lock);
     job->generation++;
     if (camera)
@@ -185,7 +187,7 @@ void job_cancel(pov_job *job)
 /* Passes of more samples are not counted in advance. The lock is held. */
 static void count_passes(const pov_job *job, pov_progress *out)
 {
-    int lattices = job->framebuffer.passes, pass = (int)(job->claimed / job->tiles.count) + 1;
+    int lattices = job->framebuffer.passes, pass = job->tiles.own > 0 ? (int)(job->claimed / job->tiles.own) + 1 : 1;
 
     out->passes = lattices;
     out->pass = pass < lattices ? pass : lattices;
@@ -209,12 +211,20 @@ void job_get_progress(pov_job *job, pov_progress *out)
     out->spp_mean = last ? last->spp_mean : 0.0;
     out->est_rmse = last ? last->est_rmse : -1.0;
     out->stop = job->stop;
+    out->width = job->tiles.width;
+    out->height = job->tiles.height;
+    out->round = job->round;
     out->threads = job->thread_count > 0 ? job->thread_count : 1;
     out->counts = job->counts;
     out->seconds = 0.0;
     if (job->started > 0.0)
         out->seconds = (job->ended > 0.0 ? job->ended : clock_seconds()) - job->started;
     mutex_unlock(&job->lock);
+}
+
+const char *job_note(const pov_job *job)
+{
+    return job->note;
 }
 
 bool job_get_pass(pov_job *job, size_t index, pov_pass *out)
@@ -231,7 +241,7 @@ bool job_get_pass(pov_job *job, size_t index, pov_pass *out)
 
 bool job_get_class(pov_job *job, size_t index, pov_class_counts *out)
 {
-    out->keyword = index < WORLD_CLASSES ? world_class(job->scene->world, index) : NULL;
+    out->keyword = job->scene && index < WORLD_CLASSES ? world_class(job->scene->world, index) : NULL;
     if (!out->keyword)
         return false;
     mutex_lock(&job->lock);

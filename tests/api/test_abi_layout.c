@@ -26,8 +26,10 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_render_desc, wake_user, 64);
     AT(pov_render_desc, seed, 104);
     AT(pov_render_desc, time_map, 112);
+    AT(pov_render_desc, note, 128);
     AT(pov_progress, counts, 40);
     AT(pov_progress, stop, 136);
+    AT(pov_progress, round, 160);
     AT(pov_pass, counts, 48);
     AT(pov_pass, clipped, 184);
     AT(pov_class_counts, escalated, 24);

@@ -35,6 +35,8 @@ typedef struct pov_render_desc {
     int time_map;                 /* not 0: measure the time of pixels, for POV_PIXELS_TIME */
     int alpha;                    /* not 0: the background is transparent as far as the scene says, and alpha is what
                                    * hides it; colours are what it hides it with, not divided by alpha */
+    int part, parts;              /* trace the part-th of so many parts, 1 .. parts; 0: all. See pov_job_join() */
+    const char *note;             /* at most 255 characters that parts keep, for whoever joins them; or NULL; copied */
 } pov_render_desc;
 
 typedef enum pov_job_state {
@@ -47,8 +49,11 @@ typedef enum pov_job_state {
 typedef enum pov_pixels {
     POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES, POV_PIXELS_TIME
 } pov_pixels;
-/* The end of a job; NONE: still running, or failed. */
-typedef enum pov_stop { POV_STOP_NONE, POV_STOP_SAMPLES, POV_STOP_ERROR, POV_STOP_TIME, POV_STOP_USER } pov_stop;
+/* The end of a job; NONE: still running, or failed. PART: a part is complete; or, of a joined job, the parts are to go
+ * on. */
+typedef enum pov_stop {
+    POV_STOP_NONE, POV_STOP_SAMPLES, POV_STOP_ERROR, POV_STOP_TIME, POV_STOP_USER, POV_STOP_PART
+} pov_stop;
 
 /* Numbers of rays of each kind that were sent, or not sent and why. */
 typedef struct pov_counts {
@@ -68,6 +73,8 @@ typedef struct pov_progress {
     pov_stop stop;
     double seconds_left;          /* until the nearest requested end, predicted from the passes so far; below zero: not
                                    * known */
+    int width, height;            /* of the pixels that can be read */
+    int round;                    /* of parts: 1, 2, ... */
 } pov_progress;
 
 /* The picture at the end of a pass: a row of the report of error against run time. docs/report.md has more. */
@@ -120,6 +127,15 @@ POV_API void pov_job_get_progress(pov_job *job, pov_progress *out);
  * refused. */
 POV_API pov_status pov_job_save(pov_job *job, const char *file, pov_error *err);
 POV_API pov_status pov_job_load(pov_job *job, const char *file, pov_error *err);
+/* A picture in parts, on one machine or many, has the bits of the same picture in one piece. Each part is a job of
+ * desc.part, which has no time limit and no preview. Once it is done with POV_STOP_PART, pov_job_save() writes its file,
+ * for another program to join. All files of a round make a job that is done and traces nothing. If it ends with
+ * POV_STOP_PART, the next samples depend on the whole picture: pov_job_save() writes what every part of the next round
+ * takes by pov_job_load() before its start, and after it, if it is still there, the part's own file of the round before,
+ * which spares it that work. The context must outlive the job. */
+POV_API pov_status pov_job_join(pov_job **out, pov_context *context, const char *const *files, size_t count, pov_error *err);
+/* The note of the parts that were joined, or of the job's description; valid while the job lives; never NULL. */
+POV_API const char *pov_job_get_note(const pov_job *job);
 /* The index-th pass that has ended since the start; false past the last. */
 POV_API bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out);
 /* Counts of the finished tiles for the index-th class in the order of the scene; false past the last. Classes from the
