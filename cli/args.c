@@ -10,7 +10,8 @@ enum {
     LARGEST_SIDE = 1000000,      /* libpng's own limit */
     MOST_THREADS = 4096,
     MOST_SAMPLES = 65536,        /* as the library has it */
-    DEEPEST = 65535
+    DEEPEST = 65535,
+    MOST_PARTS = 1000000
 };
 
 /* Options without a letter of their own. */
@@ -18,7 +19,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -50,6 +51,8 @@ static const struct option long_options[] = {
     { "seed", required_argument, NULL, OPTION_SEED },
     { "partial-every", required_argument, NULL, OPTION_PARTIAL_EVERY },
     { "resume", no_argument, NULL, OPTION_RESUME },
+    { "part", required_argument, NULL, OPTION_PART },
+    { "merge", no_argument, NULL, OPTION_MERGE },
     { "compare", no_argument, NULL, OPTION_COMPARE },
     { "report", required_argument, NULL, OPTION_REPORT },
     { "reference", required_argument, NULL, OPTION_REFERENCE },
@@ -178,6 +181,17 @@ static bool read_crop(args *a, const char *text)
     a->crop.width = corner[2] - corner[0];
     a->crop.height = corner[3] - corner[1];
     return true;
+}
+
+/* I/N */
+static bool read_part(args *a, const char *text)
+{
+    const char *slash = strchr(text, '/');
+
+    a->part = slash ? digits(text, slash, MOST_PARTS) : -1;
+    a->parts = slash ? digits(slash + 1, NULL, MOST_PARTS) : -1;
+    return (a->part >= 1 && a->part <= a->parts) ||
+           refuse(a, "--part wants I/N, such as 3/24 for the third of 24 parts, not \"%s\"", text);
 }
 
 /* WIDTHxHEIGHT */
@@ -349,6 +363,11 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_RESUME:
         a->resume = true;
         return true;
+    case OPTION_PART:
+        return read_part(a, text);
+    case OPTION_MERGE:
+        a->merge = true;
+        return true;
     case OPTION_COMPARE:
         a->compare = true;
         return true;
@@ -467,6 +486,31 @@ static bool read_compared(args *a, int count, char **places)
     return true;
 }
 
+static bool read_merged(args *a, int count, char **places)
+{
+    if (a->parts > 0 || count > 1 || (count == 1 && a->output))
+        return refuse(a, "--merge wants the name of the picture whose parts are to be joined, and no scene");
+    a->output = count == 1 ? places[0] : a->output;
+    return (a->output && a->output[0] && strcmp(a->output, "-") != 0) ||
+           refuse(a, "--merge wants the name of the picture whose parts are to be joined");
+}
+
+/* What a part has no place for: the whole picture, or another run, decides it. */
+static bool check_part(args *a)
+{
+    bool maps = false;
+
+    for (int i = 0; i < ARGS_AOVS; i++)
+        maps = maps || a->aov[i];
+    if (a->time > 0.0 || a->preview > 0)
+        return refuse(a, "--part goes with neither --time nor --preview: its bits depend on no clock");
+    if (a->resume || a->partial_every > 0.0)
+        return refuse(a, "--part goes with neither --resume nor --partial-every: a part is traced anew");
+    if (a->report || a->reference || maps)
+        return refuse(a, "--part goes with none of --report, --reference and --aov, which are of a whole picture");
+    return strcmp(a->output, "-") != 0 || refuse(a, "--part writes a file beside OUTPUT, which must be a file for that");
+}
+
 /* The scene's name with the picture's ending, in the working folder. */
 static bool name_output(args *a)
 {
@@ -511,6 +555,8 @@ static bool read_places(args *a, int count, char **places)
 {
     if (a->compare)
         return read_compared(a, count, places);
+    if (a->merge)
+        return read_merged(a, count, places);
     if (!take_places(a, count, places))
         return false;
     if (count == 1 && !a->output && (a->check || a->explain))
@@ -525,6 +571,8 @@ static bool read_places(args *a, int count, char **places)
         return refuse(a, "OUTPUT is empty; povc wants the name of an image file, or -");
     if (strcmp(a->output, "-") == 0 && (a->resume || a->partial_every > 0.0))
         return refuse(a, "--resume and --partial-every keep a checkpoint beside OUTPUT, which must be a file for that");
+    if (a->parts > 0 && !check_part(a))
+        return false;
     if (a->crop.width > 0 && (a->crop.x + a->crop.width > a->width || a->crop.y + a->crop.height > a->height))
         return refuse(a, "--crop reaches out of the picture of %d x %d", a->width, a->height);
     return true;

@@ -33,6 +33,8 @@ typedef struct args {
     args_transfer transfer;
     double gamma;                /* of the picture's integers, for a transfer of ARGS_TRANSFER_SCENE; 0: the scene's */
     int seed;
+    int part, parts;             /* of --part; 0: the whole picture */
+    bool merge;                  /* join the parts of the output */
     double partial_every;        /* seconds between checkpoints; 0: none */
     bool resume;
     double error, time;          /* limits that end refinement; 0: none */

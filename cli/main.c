@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { EXIT_COMPLETE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_SHORT = 3 };
+enum { EXIT_COMPLETE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, EXIT_SHORT = 3, EXIT_ROUND = 4 };
 
 /* A failed write of a report is an error like any other: a full disk behind "povc --stats > file". */
 static int finish(const messages *m, int code)
@@ -41,7 +41,7 @@ int main(int argc, char **argv)
     args a;
     args_verdict verdict;
     int code = EXIT_COMPLETE;
-    bool short_of = false;
+    run_end end = RUN_COMPLETE;
 
     if (povray_is_asked(argc, argv))
         return povray_run(argc, argv);
@@ -53,11 +53,11 @@ int main(int argc, char **argv)
         usage_print_help();
     } else if (verdict == ARGS_VERSION) {
         usage_print_version();
-    } else if (run_scene(&a, &m, &short_of, &err) < 0) {
+    } else if (run_args(&a, &m, &end, &err) < 0) {
         messages_error(&m, &err);
         code = err.status == POV_E_ARGUMENT ? EXIT_USAGE : EXIT_ERROR;
-    } else if (short_of) {
-        code = EXIT_SHORT;
+    } else if (end != RUN_COMPLETE) {
+        code = end == RUN_SHORT ? EXIT_SHORT : EXIT_ROUND;
     }
     code = finish(&m, code);
     if (signals_end_asked())

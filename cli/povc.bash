@@ -3,7 +3,7 @@
 _povc()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
-    local options='--threads --spp --error --time --sampling --seed --report --reference --partial-every --resume --compare
+    local options='--threads --spp --error --time --sampling --seed --report --reference --partial-every --resume --part --merge --compare
         --max-depth --bits --transfer --alpha --output --size --format --explain --dialect --accel --accuracy --aov --crop --check
         --stats --preview --progress --quiet --verbose --color --plugin-path --declare --library-path --strict --allow-write --limit --help --version'
 
@@ -22,7 +22,7 @@ _povc()
     --progress) words='auto bar json none' ;;
     --color) words='auto always never' ;;
     --plugin-path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
-    -t | --threads | --spp | --error | --time | --seed | --partial-every | --max-depth | --crop) return ;;
+    -t | --threads | --spp | --error | --time | --seed | --partial-every | --part | --max-depth | --crop) return ;;
     *)
         case $current in
         -?*) words=$options ;;

@@ -87,7 +87,7 @@ static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_err
 {
     const pov_animation now = animation_of(p, frame);
     char output[POVRAY_TEXT + 32];
-    bool short_of = false;
+    run_end end = RUN_COMPLETE;
 
     memset(err, 0, sizeof *err);
     if (!povray_output(p, frame, output, sizeof output)) {
@@ -97,7 +97,7 @@ static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_err
     }
     a->animation = &now;
     a->output = p->output_to_file ? output : "/dev/null";
-    return run_scene(a, m, &short_of, err);
+    return run_args(a, m, &end, err);
 }
 
 static int refuse(const messages *m, const char *why)

@@ -1,4 +1,5 @@
 #include "render.h"
+#include "part.h"
 #include "partial.h"
 #include "progress.h"
 #include "report.h"
@@ -76,6 +77,14 @@ static pov_status read_reference(render *r, pov_error *err)
 /* The same for all runs that may share a checkpoint. */
 static bool may_end_early(const args *a) { return a->time > 0.0 || a->partial_every > 0.0 || a->resume; }
 
+static bool take_part(render *r, pov_render_desc *desc)
+{
+    desc->part = r->args->part;
+    desc->parts = r->args->parts;
+    desc->note = r->note.text;
+    return part_note_write(&r->note, &r->options, r->args->error);
+}
+
 static pov_status prepare(render *r, pov_error *err)
 {
     const args *a = r->args;
@@ -110,8 +119,10 @@ static pov_status prepare(render *r, pov_error *err)
         return err->status;
     desc.reference = r->reference.rgba;
     desc.reference_clipped = r->reference.bits < 32;
-    r->pixels = malloc(4 * sizeof(float) * (size_t)r->width * (size_t)r->height);
-    if (!r->pixels)
+    if (a->parts > 0 && !take_part(r, &desc))
+        return save_fail(err, POV_E_ARGUMENT, "", "the name of the image format is too long");
+    r->pixels = a->parts > 0 ? NULL : malloc(4 * sizeof(float) * (size_t)r->width * (size_t)r->height);
+    if (!r->pixels && a->parts == 0)
         return save_fail(err, POV_E_MEMORY, "", "out of memory for a picture of this size");
     return pov_job_create(&r->job, r->scene, &desc, err);
 }
@@ -194,7 +205,7 @@ static pov_job_state watch(render *r, progress *shown, partial *kept)
             return state;
         if (signals_end_asked())
             pov_job_cancel(r->job);
-        if (signals_write_asked())
+        if (signals_write_asked() && r->args->parts == 0)
             write_now(r);
         if (partial_due(kept, now_seconds() - start))
             write_partial(r, kept);
@@ -281,6 +292,8 @@ static pov_status trace(render *r, pov_error *err)
     partial kept;
     pov_status status = partial_begin(&kept, r->args, r->messages, r->job, err);
 
+    if (status == POV_OK && r->args->parts > 0)
+        status = part_begin(r->args, r->messages, r->context, r->job, err);
     if (status == POV_OK)
         status = pov_job_start(r->job, err);
     if (status < 0)
@@ -292,6 +305,8 @@ static pov_status trace(render *r, pov_error *err)
     progress_end(&shown, &r->progress);
     if (state == POV_JOB_FAILED)
         return pov_job_get_error(r->job, err);
+    if (r->args->parts > 0)
+        return part_end(r->args, r->messages, r->job, err);
     if (state == POV_JOB_CANCELLED || r->progress.stop == POV_STOP_TIME)
         partial_save(&kept);
     if (state == POV_JOB_CANCELLED && !save_is_awaited(r->args->output)) {

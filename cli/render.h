@@ -3,6 +3,7 @@
 #define CLI_RENDER_H
 
 #include "messages.h"
+#include "part.h"
 
 typedef struct render {
     const args *args;
@@ -13,6 +14,7 @@ typedef struct render {
     float *pixels;               /* four channels each, of the crop */
     int width, height;           /* of the crop */
     pov_image_options options;
+    part_note note;              /* what a part's file says of the picture's */
     pov_progress progress;       /* at the end */
     double write_seconds;        /* of the last picture written */
     pov_bitmap reference;        /* what --reference names */

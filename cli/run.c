@@ -2,6 +2,7 @@
 #include "aov.h"
 #include "compare.h"
 #include "explain.h"
+#include "merge.h"
 #include "render.h"
 #include "save.h"
 #include "signals.h"
@@ -73,7 +74,7 @@ static void say_checked(const args *a, const messages *m, const pov_scene *scene
 }
 
 static pov_status render_and_report(const args *a, const messages *m, pov_context *context,
-                                    const pov_scene *scene, bool *short_of, pov_error *err)
+                                    const pov_scene *scene, run_end *end, pov_error *err)
 {
     bool rendered = a->output && !a->check;
     stats s = { a, context, scene, NULL, NULL, 0.0, m->warnings };
@@ -91,26 +92,18 @@ static pov_status render_and_report(const args *a, const messages *m, pov_contex
     if (status == POV_OK && rendered && !signals_end_asked())
         status = aov_write(context, scene, r.job, a, err);
     if (rendered) {
-        *short_of = r.short_of;
+        *end = r.short_of ? RUN_SHORT : RUN_COMPLETE;
         render_free(&r);
     }
     return status;
 }
 
-pov_status run_scene(const args *a, messages *m, bool *short_of, pov_error *err)
+static pov_status run_scene(const args *a, messages *m, pov_context *context, run_end *end, pov_error *err)
 {
-    pov_context_desc desc = POV_INIT(desc);
-    pov_context *context = NULL;
     pov_scene *scene = NULL;
-    pov_status status;
+    pov_status status = POV_OK;
 
-    if (a->compared)
-        return compare_run(a, err);
-    desc.log = messages_log;
-    desc.log_user = m;
-    desc.plugin_path = a->plugin_path;
-    status = pov_context_create(&context, &desc, err);
-    if (status == POV_OK && a->output && !a->check)
+    if (a->output && !a->check)
         status = render_check_output(context, a, err);
     if (status == POV_OK && a->output && !a->check)
         status = aov_check(context, a, err);
@@ -121,9 +114,26 @@ pov_status run_scene(const args *a, messages *m, bool *short_of, pov_error *err)
             say_checked(a, m, scene);
         if (a->explain)
             explain_print(report_stream(a), context, scene);
-        status = render_and_report(a, m, context, scene, short_of, err);
+        status = render_and_report(a, m, context, scene, end, err);
     }
     pov_scene_destroy(scene);
+    return status;
+}
+
+pov_status run_args(const args *a, messages *m, run_end *end, pov_error *err)
+{
+    pov_context_desc desc = POV_INIT(desc);
+    pov_context *context = NULL;
+    pov_status status;
+
+    if (a->compared)
+        return compare_run(a, err);
+    desc.log = messages_log;
+    desc.log_user = m;
+    desc.plugin_path = a->plugin_path;
+    status = pov_context_create(&context, &desc, err);
+    if (status == POV_OK)
+        status = a->merge ? merge_run(a, m, context, end, err) : run_scene(a, m, context, end, err);
     pov_context_destroy(context);
     return status;
 }

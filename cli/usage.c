@@ -8,6 +8,7 @@ static const char *const help[] = {
     "Usage: povc SCENE WIDTH HEIGHT OUTPUT [options]\n"
     "       povc SCENE [-s WIDTHxHEIGHT] [-o OUTPUT] [options]\n"
     "       povc --check | --explain SCENE\n"
+    "       povc --merge OUTPUT\n"
     "       povc --compare REPORT.csv... PLOT.svg|PLOT.png\n"
     "\n"
     "Render a scene in the POV-Ray language to an image file. OUTPUT's ending says\n"
@@ -55,6 +56,8 @@ static const char *const help[] = {
     "                           double where it is certain, or two doubles throughout\n"
     "      --partial-every S    write the picture so far, and a checkpoint beside it, each S seconds\n"
     "      --resume             go on from that checkpoint, and keep one\n"
+    "      --part I/N           trace the I-th of N parts of the picture, into OUTPUT.part-I-of-N\n"
+    "      --merge              join the parts of OUTPUT\n"
     "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16 (default 0: none, with --time 16)\n"
     "\n",
     "Messages\n"
@@ -70,7 +73,7 @@ static const char *const help[] = {
     "      --version\n"
     "\n",
     "Exit status: 0 complete, 1 error in the scene or while rendering, 2 wrong usage, 3 a limit ended\n"
-    "it before what was asked for was reached; a signal\n"
+    "it before what was asked for was reached, 4 the parts are to go on; a signal\n"
     "that ends povc saves the part that is there and shows as 128 + its number. SIGUSR1 writes\n"
     "the picture so far.\n",
 };
