@@ -11,7 +11,8 @@ static const double around = 0x1p-45;
 
 /* ---- a query that leaves several surfaces by name ----
  *
- * A packet of one lane without filters, with double-double arithmetic throughout: slower than the usual ones. */
+ * A packet of one lane. Filters know none of the surfaces that the ray starts on, so they only name candidates. Crossings whose
+ * distance is asked for are found in double-double. */
 
 void packet_name(packet *p, uint32_t owner)
 {
@@ -31,8 +32,9 @@ static void begin(packet *p, const world *w, query_context *k, const coincident_
 {
     packet_begin(p, w, k, &ray, 1, tmax, tmax);
     p->traversal.soa.excluded[0] = POV_NO_OWNER;
-    p->exact = 1;
     p->from = from;
+    p->candidates_only = p->exact == 0;
+    p->exact = 1;
     if (!from)
         return;
     p->named = *ray;
@@ -231,22 +233,33 @@ static bool leave(const world *w, const coincident_set *from, pov_vec3 dir, uint
     return true;
 }
 
-bool query_occlusion_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
-                          occlusion *out, uint32_t *crossed)
+/* Does light end, as far as doubles tell? False with near_end: they do not. */
+static bool is_blocked_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
+                            bool exact, occlusion *out)
 {
     packet p;
 
+    begin(&p, w, k, from, ray, tmax);
+    p.slack = exact ? packet_end_slack(w, ray, tmax) : packet_near_end(tmax);
+    p.any_blocks = !w->plan.coloured_shadows;
+    packet_begin_light(&p, 0);
+    p.hits[0].always_exact = exact;
+    if (!p.any_blocks)
+        p.filter_hits[0].always_exact = exact;
+    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out) != 0;
+}
+
+bool query_occlusion_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
+                          occlusion *out, uint32_t *crossed)
+{
     out->crossed = out->near_end = 0;
     if (!leave(w, from, ray->dir, crossed))
         return false;
-    begin(&p, w, k, from, ray, tmax);
-    p.slack = packet_end_slack(w, ray, tmax);
-    p.any_blocks = !w->plan.coloured_shadows;
-    packet_begin_light(&p, 0);
-    p.hits[0].always_exact = true;
-    if (!p.any_blocks)
-        p.filter_hits[0].always_exact = true;
-    return !packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), out);
+    if (w->plan.coloured_shadows)   /* the crossings' distances count */
+        return !is_blocked_from(w, k, from, ray, tmax, true, out);
+    if (is_blocked_from(w, k, from, ray, tmax, false, out))
+        return false;
+    return !out->near_end || !is_blocked_from(w, k, from, ray, tmax, true, out);
 }
 
 bool query_blocked_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax)

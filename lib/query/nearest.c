@@ -100,7 +100,7 @@ static void ask_all(packet *p, const leaf_batch *r, uint64_t lanes)
 
     for (; lanes; lanes &= lanes - 1) {
         const uint32_t i = first_of64(lanes);
-        uint32_t mask = leaf_batch_lanes(r) & ~excluded_of(p, i, r);
+        uint32_t mask = possible_of(p, i, r);
 
         if (!mask)
             continue;

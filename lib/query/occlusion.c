@@ -118,7 +118,7 @@ static uint64_t leaf_occlusion(bvh_traversal *traversal, const void *leaf, uint6
         for (; exact; exact &= exact - 1) {
             const uint32_t i = first_of64(exact);
 
-            if (ask_some(p, i, r, r->casts & ~excluded_of(p, i, r)))
+            if (ask_some(p, i, r, r->casts & possible_of(p, i, r)))
                 ended |= bit_of(i);
         }
         lanes &= ~ended;
@@ -242,7 +242,7 @@ double packet_end_slack(const world *w, const pov_ray *ray, double tmax)
  * margin, more precision must tell on which side they are. */
 static const double near_end = 0x1p-45;
 /* A segment without end has nothing near it. */
-static double near_end_of(double tmax) { return tmax < HUGE_VAL ? near_end * tmax : 0.0; }
+double packet_near_end(double tmax) { return tmax < HUGE_VAL ? near_end * tmax : 0.0; }
 
 /* Note solids that light leaves before it hits anything else. */
 static void note_exits(packet *p)
@@ -271,7 +271,7 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
     count = packet_divide(w, rays, n, all_of(n), false, groups);
     for (i = 0; i < count; i++) {
         packet_begin(&p, w, k, rays, groups[i].lanes, tmax, tmax);
-        p.slack = near_end_of(tmax);
+        p.slack = packet_near_end(tmax);
         p.any_blocks = !w->plan.coloured_shadows;
         if (!p.any_blocks && clear_solid_any_enters(p.rays, p.traversal.count))
             note_exits(&p);
@@ -311,7 +311,7 @@ static bool blocks_any(const world *w, query_context *k, const pov_ray *ray, dou
     packet p;
 
     packet_begin(&p, w, k, &ray, 1, tmax, tmax);
-    p.slack = near_end_of(tmax);
+    p.slack = packet_near_end(tmax);
     p.any_blocks = true;
     found.crossed = found.near_end = 0;
     if (packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &found))

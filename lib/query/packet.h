@@ -20,6 +20,7 @@ typedef struct packet {
     uint64_t exact;              /* lanes that filters cannot take */
     uint64_t asked;              /* lanes whose hits are initialised */
     const coincident_set *from;  /* coincident set that the only ray starts on, or NULL; it is `named` then */
+    bool candidates_only;        /* for the only ray, whose lane is exact, filters may name candidates: no hit is definite */
     pov_ray named;
     hit *out;                    /* the caller's hits, in queries for the nearest */
     uint64_t deferred_lanes;     /* lanes with a deferred shape */
@@ -88,6 +89,19 @@ static inline uint64_t exact_of(const packet *p, const leaf_batch *r, uint64_t l
     return !(r->flags & LEAF_PACKED) || left ? lanes : lanes & p->exact;
 }
 
+/* Shapes of a batch that a lane may hit which filters cannot take. */
+static inline uint32_t possible_of(packet *p, uint32_t i, const leaf_batch *r)
+{
+    uint32_t n, found = 0;
+
+    if (!p->candidates_only || !(r->flags & LEAF_PACKED))
+        return leaf_batch_lanes(r) & ~excluded_of(p, i, r);
+    n = leaf_batch_filter(r, p->traversal.in, &p->traversal.soa, 1, p->candidates);
+    for (uint32_t k = 0; k < n; k++)
+        found |= 1u << p->candidates[k].lane;
+    return found;
+}
+
 /* Set the origin surfaces of `from` when their owners are intersected: each by its own mark, others not at all. */
 void packet_name(packet *p, uint32_t owner);
 
@@ -123,7 +137,8 @@ void packet_nearest(packet *p, bvh_traverse_fn *traverse);
 /* Find lanes whose light is blocked. */
 uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse);
 void packet_begin_light(packet *p, uint32_t i);
-/* Slack of a segment's end for crossings in double-double. */
+/* Slack of a segment's end for crossings in double; and in double-double. */
+double packet_near_end(double tmax);
 double packet_end_slack(const world *w, const pov_ray *ray, double tmax);
 /* Return the crossings of unblocked lanes, and the blocked ones as bits of the caller's. */
 uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out);
