@@ -46,6 +46,8 @@ static const char *no_light(const plan_counts *s)
     return s->emitting == 0 ? "no light emits" : "no surface has a diffuse colour or a highlight";
 }
 
+static const char *no_photons(const plan *p) { return p->lighting ? "no light sends any" : no_light(&p->counts); }
+
 static pov_status explain_light(explanation *e, const plan *p, pov_error *err)
 {
     const plan_counts *s = &p->counts;
@@ -68,6 +70,11 @@ static pov_status explain_light(explanation *e, const plan *p, pov_error *err)
         status = add(e, err, false, "coloured shadows", "left out", "%s",
                           p->shadows ? "nothing that throws a shadow is transparent: the first object hit ends it"
                                      : "no shadow rays are sent");
+    if (status == POV_OK && p->photons)
+        status = add(e, err, true, "photons", "sent", "targets: %zu; lights that send photons: %zu", s->targets, s->photon_lights);
+    else if (status == POV_OK)
+        status = add(e, err, false, "photons", "left out", "%s",
+                     s->targets == 0 ? "nothing is a target of photons" : no_photons(p));
     return status;
 }
 

@@ -19,7 +19,7 @@ enum {
     PHOTON_REFLECTS = 1 << 17, PHOTON_REFLECTS_NOT = 1 << 18,
     PHOTON_REFRACTS = 1 << 19, PHOTON_REFRACTS_NOT = 1 << 20,
     PHOTON_IGNORES = 1 << 21,    /* it collects none: light comes to it straight */
-    PHOTON_PASSES = 1 << 22,     /* photons on their way to a target go through it */
+    PHOTON_THROUGH = 1 << 22,     /* photons on their way to a target go through it */
     PHOTON_AREA = 1 << 23,       /* of an area light: they leave the points of its grid */
     PHOTON_OBJECT_FLAGS = PHOTON_AREA - PHOTON_TARGET
 };

@@ -80,9 +80,9 @@ void parse_photon_settings(pov_reader *in, void *self, keyword_id keyword)
     const place at = in->last;
 
     (void)self;
+    (void)keyword;
     r.out->given = true;
     items_block(in, &list, &r);
-    unsupported_note(in, &at, keyword, "\"photons\"");
     if (r.has_accuracy && !in->failed)
         report_warn(in, &at, "the number of photons and where they are gathered is left to the samples of the picture");
 }
@@ -103,7 +103,7 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
     case KEYWORD_REFLECTION: set(in, self, PHOTON_REFLECTS, PHOTON_REFLECTS_NOT); break;
     case KEYWORD_REFRACTION: set(in, self, PHOTON_REFRACTS, PHOTON_REFRACTS_NOT); break;
     case KEYWORD_COLLECT: set(in, self, 0, PHOTON_IGNORES); break;
-    case KEYWORD_PASS_THROUGH: set(in, self, PHOTON_PASSES, 0); break;
+    case KEYWORD_PASS_THROUGH: set(in, self, PHOTON_THROUGH, 0); break;
     default: set(in, self, PHOTON_AREA, 0); break;
     }
 }

@@ -21,6 +21,9 @@ typedef struct shade_context {
     const sample_id *samples;    /* by lane of the camera ray; NULL: nothing is random */
     pov_counts counts;
     interrupt interrupt;
+    const bool *blocks;          /* by target of photons: it blocks straight light of the present light source; NULL: none
+                                  * does */
+    bool photons_fly;            /* photons are traced, and not camera rays */
     bool failed;                 /* out of memory: later results are invalid */
     dielectric_stack dielectrics;   /* of the present paths and of waiting ones */
     coincident_stack coincident_sets;   /* of paths and of surfaces, in their order */

@@ -3,6 +3,8 @@
 #include "base/simd.h"
 #include "light/aim.h"
 #include "shade/haze.h"
+#include "shade/photon_light.h"
+#include "shade/photons.h"
 #include "shade/transmittance.h"
 
 #include <string.h>
@@ -303,6 +305,8 @@ static void add_light_source(lighting *l, const scene_light *from)
     light_lanes in;
     bool named;
 
+    if (l->photons)
+        photons_aim(c, (size_t)(from - c->scene->lights));
     from->class->incident(from->light, &origin, &at, &in);
     named = brdf_cosines(&s, g, &in.dir, n) || sided;
     if (sided)
@@ -372,6 +376,8 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
     const shading *scene = c->scene;
 
     begin(l, c, on);
+    if (l->photons)
+        photon_light_add(l->photons, c, &l->finishes, on);
     if (scene->model->light_groups.count > 0) {
         gather_by_group(l, scene);
         return;

@@ -13,6 +13,7 @@ typedef struct lighting {
     const pov_ray *rays[BATCH_MAX];
     uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */
     finishes finishes;
+    struct photon_work *photons; /* memory for the light of photons; NULL: there is none */
     pov_ray *own;                /* one ray for each surface, with the direction to the current light: memory of
                                   * BATCH_MAX rays that is unused until all lights are done */
 } lighting;

@@ -23,6 +23,8 @@ typedef struct path {
     uint8_t gathers;             /* how many of its rays did */
     uint8_t draw;                /* the number of the first of these */
     uint32_t branch;             /* mixed from its turns: different paths of a camera ray have different random numbers */
+    bool struck;                 /* of a photon: it met its target */
+    double travelled;            /* of a photon: how far it came until it started here */
     float hue;                   /* its place in the spectrum, from red (0) to violet (1), since it was dispersed; or
                                   * PATH_WHITE */
 } path;

@@ -2,6 +2,7 @@
 
 #include "query/passage.h"
 #include "shade/air.h"
+#include "shade/photons.h"
 #include "shade/refract.h"
 #include "shade/spawn.h"
 #include "shade/spectrum.h"
@@ -332,7 +333,10 @@ static void scatter_lanes(scattering *to, bool refraction)
 static scattering begin(shade_context *c, const surfaces *on, batch_queue *q)
 {
     const model *m = c->scene->model;
-    const limits l = { m->max_trace_level, m->opaque_last_level ? m->max_trace_level : INT_MAX, (float)m->adc_bailout, 0, 0 };
+    const photon_scene *photons = c->photons_fly ? c->scene->photons : NULL;
+    const int level = photons ? photons->max_level : m->max_trace_level;
+    const float weight = photons ? photons->bailout : (float)m->adc_bailout;
+    const limits l = { level, m->opaque_last_level ? level : INT_MAX, weight, 0, 0 };
     const plan *p = c->scene->plan;
     const scattering to = { c, on, q, l, p->fading, p->dispersion, c->scene->dims, 0, 0 };
 

@@ -3,6 +3,7 @@
 #include "base/err.h"
 #include "base/vec.h"
 #include "shade/air.h"
+#include "shade/photons.h"
 #include "texture/texture.h"
 
 #include <stdlib.h>
@@ -146,6 +147,7 @@ static double find_scale(const model *m, const world *w)
 pov_status shading_create(shading **out, const model *m, const world *w, pov_error *err)
 {
     shading *s = env_alloc(m->env, 1, sizeof *s);
+    pov_status status;
 
     if (!s)
         return err_memory(err);
@@ -164,6 +166,11 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
         shading_destroy(s);
         return err_memory(err);
     }
+    status = photons_create(s, err);
+    if (status < 0) {
+        shading_destroy(s);
+        return status;
+    }
     *out = s;
     return POV_OK;
 }
@@ -172,6 +179,7 @@ void shading_destroy(shading *s)
 {
     if (!s)
         return;
+    photons_destroy(s->photons);
     env_free(s->model->env, s->appearances);
     env_free(s->model->env, s->finishes);
     for (size_t i = 0; s->lights && i < s->light_count; i++)

@@ -24,6 +24,7 @@ typedef struct shading {
     appearance unseen;           /* of objects that a ray does not see */
     scene_light *lights;
     size_t light_count;
+    struct photon_scene *photons;   /* NULL: there are none */
     bool air, dims;              /* rays that hit nothing see more than a background; rays change on their way */
     double scale;                /* how far away the scene's objects are */
 } shading;

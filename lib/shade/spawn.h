@@ -29,6 +29,8 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     next->gathers = p->gathers;
     next->draw = p->draw;
     next->branch = p->branch;
+    next->struck = p->struck;
+    next->travelled = p->travelled;
     next->hue = p->hue;
     return next;
 }

@@ -88,6 +88,10 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     if (s->at->coincident && !s->coincident)
         find_coincident(c, s);
     s->lit = colour_of(0.0f, 0.0f, 0.0f);
+    if (c->photons_fly) {
+        s->appearance = shading_constant(scene, s->at->object);
+        return true;
+    }
     if (scene->plan->hidden && is_unseen(scene, s->from, s->at->object)) {
         s->appearance = &scene->unseen;
         return true;
@@ -106,7 +110,7 @@ static inline void dim(shade_context *c, surfaces *s, surface *at, colour *out)
 {
     path *behind;
 
-    if (!c->scene->dims)
+    if (!c->scene->dims || c->photons_fly)
         return;
     behind = &s->dimmed[at - s->at];
     air_cross(c, at->from, at->ray, at->at->crossing.t, behind, out);
@@ -123,7 +127,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
         if (hit_single(c, &s->at[n])) {
             dim(c, s, &s->at[n], out);
             n += is_kept(c, &s->at[n], out);
-        } else {
+        } else if (!c->photons_fly) {
             air_background(c, b, (uint64_t)1 << i, out);
         }
     }
@@ -137,6 +141,8 @@ static void add_background(shade_context *c, const batch *b, uint64_t rays, colo
     const colour background = c->scene->model->background;
     colour seen = colour_of(0.0f, 0.0f, 0.0f);
 
+    if (c->photons_fly)
+        return;
     if (c->scene->air || c->alpha) {
         air_background(c, b, rays, out);
         return;

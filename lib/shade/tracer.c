@@ -5,6 +5,7 @@
 #include "base/simd.h"
 #include "shade/accumulate.h"
 #include "shade/gather.h"
+#include "shade/photon_flight.h"
 #include "shade/scatter.h"
 
 static void make_camera_paths(batch *b)
@@ -25,6 +26,13 @@ static bool make_buffers(pov_tracer *t)
 
     if (!batch_make(&t->queue, e) || !paint_create(&t->painted, scene))
         return false;
+    if (scene->photons) {
+        t->photons = env_alloc_aligned(e, sizeof *t->photons, SIMD_LINE);
+        if (!t->photons)
+            return false;
+        geometry_begin(&t->photons->lanes.on.geometry);
+        t->lighting.photons = t->photons;
+    }
     if (scene->most_terms <= 1)
         return true;
     t->layers = env_alloc_aligned(e, sizeof *t->layers, SIMD_LINE);
@@ -68,6 +76,7 @@ void tracer_destroy(pov_tracer *t)
     paint_destroy(&t->painted, e);
     env_free_aligned(e, t->layers);
     env_free_aligned(e, t->shadow_rays);
+    env_free_aligned(e, t->photons);
     env_free(e, t->context.dielectrics.items);
     env_free(e, t->context.coincident_sets.items);
     env_free(e, t->start.found.items);
@@ -225,6 +234,44 @@ static uint64_t begin(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned k
     return begun;
 }
 
+void tracer_begin(pov_tracer *t, const pov_ray *rays, uint32_t n, const colour *carried)
+{
+    batch_forget(&t->queue, &t->context);
+    begin(t, rays, n, TRACER_SOUND);
+    for (uint32_t i = 0; i < n; i++)
+        t->camera.paths[i].factor.by = carried[i];
+    t->camera_odd = true;        /* the paths of camera rays carry white */
+}
+
+/* ---- photons ---- */
+
+static bool is_wanted(void *tracer)
+{
+    pov_tracer *t = tracer;
+
+    return !interrupt_is_due(&t->context.interrupt, BATCH_MAX);
+}
+
+/* The map for each ray, made if need be. False: no memory, or given up. */
+static bool take_maps(pov_tracer *t, uint32_t n)
+{
+    shade_context *c = &t->context;
+    photon_work *w = t->photons;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t number = photon_store_number(c->samples[i].number);
+
+        if (!w->known[number])
+            w->known[number] = photon_store_take(c->scene->photons->store, number, photon_flight_trace, is_wanted, t);
+        if (!w->known[number]) {
+            c->failed = c->failed || !c->interrupt.given_up;
+            return false;
+        }
+        w->maps[i] = w->known[number];
+    }
+    return true;
+}
+
 SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
 {
     int out = 0;
@@ -277,14 +324,16 @@ static void trace(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known
     uint64_t begun;
     uint32_t i;
 
+    for (i = 0; i < n; i++)
+        out[i] = colour_of(0.0f, 0.0f, 0.0f);
     t->context.samples = samples ? samples : number_rays(t, rays, n);
+    if (t->photons && !take_maps(t, n))
+        return;
     t->context.alpha = alpha;
     for (i = 0; alpha && i < n; i++)
         alpha[i] = 1.0f;
     batch_forget(&t->queue, &t->context);
     begun = begin(t, rays, n, known);
-    for (i = 0; i < n; i++)
-        out[i] = colour_of(0.0f, 0.0f, 0.0f);
     if (t->camera.count > 0)
         follow(t, out);
     if (!are_finite(&out->r, 3 * n))

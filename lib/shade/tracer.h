@@ -5,6 +5,7 @@
 #include "shade/batch.h"
 #include "shade/layers.h"
 #include "shade/lighting.h"
+#include "shade/photon_light.h"
 
 /* One thread's tracer: the public opaque type. */
 struct pov_tracer {
@@ -19,6 +20,7 @@ struct pov_tracer {
     batch *shadow_rays;          /* memory for the rays to lights from layers */
     layers *layers;              /* chunks of their terms; NULL: no texture has several */
     lighting lighting;
+    photon_work *photons;        /* NULL: there are none */
 };
 
 pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err);
@@ -33,6 +35,8 @@ enum { TRACER_SOUND = 1, TRACER_ONE_START = 2 };
  * samples: which ones they are, if plan->random; NULL: their bits decide. */
 void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned known, const sample_id *samples, colour *out,
                    float *alpha);
+/* Begin paths of n valid rays that carry these colours: photons. */
+void tracer_begin(pov_tracer *t, const pov_ray *rays, uint32_t n, const colour *carried);
 /* Counts since the tracer was made, including those of its queries. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* Set a callback that is asked for an interrupt while tracing; after a yes context.interrupt.given_up holds, and the

@@ -4,6 +4,7 @@
 #include "shade/fade.h"
 #include "shade/haze.h"
 #include "shade/paint.h"
+#include "shade/photons.h"
 
 #include <povtrace/exact.h>
 
@@ -149,7 +150,8 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
 
         if (c->scene->plan->media)
             walk_begin(c, from[i], &w);
-        if (!cross(c->scene, &w, rays[i], &found, i, &through[i]))
+        if ((c->blocks && photons_block(c, rays[i], found.at[i], found.count[i])) ||
+            !cross(c->scene, &w, rays[i], &found, i, &through[i]))
             lit &= ~((uint64_t)1 << i);
     }
     return lit;
@@ -176,6 +178,8 @@ bool transmittance_from(const shade_context *c, const coincident_set *on, const 
         if (walks)
             walk_cross(c->scene, &w, on->at[k].object, !(on->above >> k & 1));
     }
+    if (c->blocks && found.crossed && photons_block(c, ray, found.at[0], found.count[0]))
+        return false;
     return !colour_is_black(*through) &&
            (!found.crossed || cross(c->scene, &w, &exact, &found, 0, through));
 }

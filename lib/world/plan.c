@@ -48,6 +48,25 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->filled += m->interior.media ? n : 0;
 }
 
+/* Are photons sent to some object that reflects or refracts them? */
+static void count_photons(const model *m, plan_counts *s)
+{
+    const uint32_t acts = PHOTON_REFLECTS | PHOTON_REFRACTS;
+    uint32_t of_lights = 0;
+
+    if (!m->photons.given)
+        return;
+    for (size_t i = 0; i < m->lights.count; i++) {
+        of_lights |= m->lights.items[i].flags & acts;
+        s->photon_lights += !colour_is_black(m->lights.items[i].color) && !(m->lights.items[i].flags & LIGHT_SHADOWLESS);
+    }
+    for (size_t i = 0; i < m->leaves.count; i++) {
+        const uint32_t flags = m->leaves.items[i].flags;
+
+        s->targets += (flags & PHOTON_TARGET) && !(flags & LEAF_NO_SHADOW) && ((flags | of_lights) & acts);
+    }
+}
+
 /* Many objects have few materials: objects are counted by material first. False: no memory. */
 static bool survey_model(const model *m, plan_counts *s)
 {
@@ -61,6 +80,7 @@ static bool survey_model(const model *m, plan_counts *s)
         s->emitting += !colour_is_black(m->lights.items[i].color);
         s->attenuated += (m->lights.items[i].flags & LIGHT_ATTENUATED) != 0;
     }
+    count_photons(m, s);
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
         s->hidden += (o->flags & hides) != 0;
@@ -105,7 +125,8 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->located = s->located > 0;
     p->hidden = s->hidden > 0;
     p->radiosity = m->radiosity.given && s->diffuse > 0;
-    p->random = p->radiosity;
+    p->photons = p->lighting && s->targets > 0 && s->photon_lights > 0;
+    p->random = p->radiosity || p->photons;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
 }
 

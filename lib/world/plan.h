@@ -12,6 +12,7 @@ typedef struct plan_counts {
     size_t dispersive, fading, located, hidden;
     size_t diffuse;              /* objects that light from everywhere would change */
     size_t filled;               /* objects with media inside */
+    size_t targets, photon_lights;   /* that photons are sent to, and from */
 } plan_counts;
 
 typedef struct plan {
@@ -32,6 +33,7 @@ typedef struct plan {
     bool radiosity;              /* diffuse surfaces light each other */
     bool random;                 /* paths take random numbers: the samples of a picture are numbered */
     bool hidden;                 /* some rays do not see some object */
+    bool photons;                /* some light sends photons to some target */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
     plan_counts counts;
 } plan;

@@ -59,7 +59,7 @@ static void an_object_says_what_it_does_to_photons(void **state)
     assert_int_equal(flags_of("sphere { 0, 1 }", false), 0);
     assert_int_equal(flags_of("sphere { 0, 1 photons { target 1.0 refraction on reflection off } }", false),
                      PHOTON_TARGET | PHOTON_REFRACTS | PHOTON_REFLECTS_NOT);
-    assert_int_equal(flags_of("sphere { 0, 1 photons { collect off pass_through } }", false), PHOTON_IGNORES | PHOTON_PASSES);
+    assert_int_equal(flags_of("sphere { 0, 1 photons { collect off pass_through } }", false), PHOTON_IGNORES | PHOTON_THROUGH);
     assert_int_equal(flags_of("sphere { 0, 1 photons { refraction off refraction on collect off collect on } }", false),
                      PHOTON_REFRACTS);
 }

@@ -1,0 +1,43 @@
+/* map.h - photons where they arrived, and the light that they make on surfaces.
+ *
+ * A photon's light is spread over a disc around it, by Silverman's kernel (1 - (d/r)^2)^2. Discs are small where photons
+ * are dense: those of one leaf of the tree reach as far as the n-th nearest photon from its middle. What each disc holds is
+ * the photon's light, so no light is lost but at the edges of surfaces. */
+#ifndef PHOTON_MAP_H
+#define PHOTON_MAP_H
+
+#include "base/env.h"
+#include "model/colour.h"
+
+#include <povtrace/math.h>
+
+typedef struct photon {
+    pov_vec3 at;
+    colour flux;
+    float radius;                /* of its disc */
+    float dir[3];                /* it flew in this direction, unit */
+    float normal[3];             /* of the surface, towards where it came from */
+} photon;
+
+/* A node of the tree, in the order of a traversal: `skip` is the next one that is not below it. */
+typedef struct photon_node {
+    pov_box box;                 /* of all discs below it */
+    uint32_t skip, first, count; /* photons of a leaf; count 0: it is none */
+} photon_node;
+
+typedef struct photon_map {
+    photon *photons;             /* by leaf */
+    uint32_t count, node_count;
+    photon_node *nodes;
+} photon_map;
+
+/* Make a map of these photons, which becomes the map's: from env_alloc(). nearest: how many photons a disc reaches. False:
+ * no memory, and the photons are freed. */
+bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t nearest);
+void photon_map_free(photon_map *m, const env *e);
+/* Call visit for each photon whose disc holds a point of a surface with this normal on either side, with the light that
+ * it brings there per area: its flux times `density`. The order is that of the map. */
+typedef void photon_visit(void *user, const photon *p, float density);
+void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user);
+
+#endif

@@ -1,0 +1,202 @@
+#include "photon/store.h"
+
+#include <string.h>
+
+enum {
+    CHUNK = 1024,                /* emissions: a few milliseconds */
+    FIRST_EMISSIONS = 1 << 16,   /* of a map of the first level, of all aims together */
+    LEAST_EMISSIONS = 1 << 8,    /* of an aim, unless there are so many aims that these are too many */
+    MOST_EMISSIONS = 1 << 20,    /* of all aims together */
+    FIRST_NEAREST = 80           /* photons that a disc of the first level reaches */
+};
+
+/* A map that is being made, or is made. The store's lock guards it until it is done. */
+typedef struct making {
+    photon_list *lists;          /* by chunk */
+    size_t claimed, traced, chunk_count;
+    bool begun, done, failed;
+    photon_map map;
+} making;
+
+struct photon_store {
+    const env *env;
+    const photon_aims *aims;
+    mutex lock;
+    condition changed;
+    making maps[PHOTON_MAPS];
+};
+
+uint32_t photon_store_number(uint32_t sample)
+{
+    const uint32_t half = sample & 1, turn = sample / 2 + 1;
+    uint32_t level = 0;
+
+    while (level + 1 < PHOTON_LEVELS && turn >> (level + 1))
+        level++;
+    return PHOTON_HALVES * level + half;
+}
+
+static uint32_t level_of(uint32_t number) { return number / PHOTON_HALVES; }
+
+uint32_t photon_store_emissions(const photon_aims *aims, uint32_t number)
+{
+    const uint64_t n = aims->count > 0 ? aims->count : 1, first = FIRST_EMISSIONS / n;
+    const uint64_t each = (first > LEAST_EMISSIONS ? first : LEAST_EMISSIONS) << level_of(number), most = MOST_EMISSIONS / n;
+
+    return (uint32_t)(each < most ? each : most > 1 ? most : 1);
+}
+
+/* More photons and smaller discs: both the number of photons of a disc and the number of discs of a map grow. The second
+ * half's discs hold a quarter of the first's. */
+static uint32_t nearest_of(uint32_t number)
+{
+    static const uint32_t by_level[PHOTON_LEVELS] = { FIRST_NEAREST, 100, 126, 160, 200 };
+    const uint32_t n = by_level[level_of(number)];
+
+    return number % PHOTON_HALVES == 0 ? n : n / 4;
+}
+
+photon_store *photon_store_create(const env *e, const photon_aims *aims)
+{
+    photon_store *s = env_alloc(e, 1, sizeof *s);
+
+    if (!s)
+        return NULL;
+    s->env = e;
+    s->aims = aims;
+    if (!mutex_init(&s->lock)) {
+        env_free(e, s);
+        return NULL;
+    }
+    if (!condition_init(&s->changed)) {
+        mutex_destroy(&s->lock);
+        env_free(e, s);
+        return NULL;
+    }
+    return s;
+}
+
+static void free_lists(const photon_store *s, making *m)
+{
+    for (size_t i = 0; m->lists && i < m->chunk_count; i++)
+        env_free(s->env, m->lists[i].items);
+    env_free(s->env, m->lists);
+    m->lists = NULL;
+}
+
+void photon_store_destroy(photon_store *s)
+{
+    if (!s)
+        return;
+    for (int i = 0; i < PHOTON_MAPS; i++) {
+        free_lists(s, &s->maps[i]);
+        photon_map_free(&s->maps[i].map, s->env);
+    }
+    condition_destroy(&s->changed);
+    mutex_destroy(&s->lock);
+    env_free(s->env, s);
+}
+
+/* ---- making a map ---- */
+
+static size_t chunks_of_aim(const photon_store *s, uint32_t number)
+{
+    return (photon_store_emissions(s->aims, number) + CHUNK - 1) / CHUNK;
+}
+
+static photon_chunk chunk_at(const photon_store *s, uint32_t number, size_t i)
+{
+    const size_t each = chunks_of_aim(s, number);
+    const uint32_t total = photon_store_emissions(s->aims, number), first = (uint32_t)(i % each) * CHUNK;
+    const photon_chunk c = { &s->aims->items[i / each], number, first, total - first < CHUNK ? total - first : CHUNK, total };
+
+    return c;
+}
+
+/* The lock is held. */
+static void begin(photon_store *s, uint32_t number)
+{
+    making *m = &s->maps[number];
+
+    m->begun = true;
+    m->chunk_count = s->aims->count * chunks_of_aim(s, number);
+    m->lists = env_alloc(s->env, m->chunk_count, sizeof *m->lists);
+    m->failed = !m->lists && m->chunk_count > 0;
+}
+
+/* All photons in the order of the chunks. */
+static photon *join(const photon_store *s, const making *m, uint32_t *count)
+{
+    size_t n = 0, at = 0;
+    photon *all;
+
+    for (size_t i = 0; i < m->chunk_count; i++)
+        n += m->lists[i].count;
+    all = env_resize(s->env, NULL, n > 0 ? n : 1, sizeof *all);
+    for (size_t i = 0; all && i < m->chunk_count; i++) {
+        if (m->lists[i].count > 0)
+            memcpy(all + at, m->lists[i].items, m->lists[i].count * sizeof *all);
+        at += m->lists[i].count;
+    }
+    *count = (uint32_t)n;
+    return all;
+}
+
+/* The last chunk was traced; the lock is not held, and nobody else is at work on the map. */
+static bool complete(photon_store *s, uint32_t number)
+{
+    making *m = &s->maps[number];
+    uint32_t count;
+    photon *all = join(s, m, &count);
+
+    free_lists(s, m);
+    return all && photon_map_make(&m->map, s->env, all, count, nearest_of(number));
+}
+
+/* Trace the next chunk, and complete the map after the last. The lock is held, but not meanwhile. */
+static void help(photon_store *s, uint32_t number, photon_trace *trace, void *user)
+{
+    making *m = &s->maps[number];
+    const size_t i = m->claimed++;
+    bool traced, last;
+
+    mutex_unlock(&s->lock);
+    {
+        const photon_chunk chunk = chunk_at(s, number, i);
+
+        traced = trace(user, &chunk, &m->lists[i]);
+    }
+    mutex_lock(&s->lock);
+    m->failed = m->failed || !traced;
+    last = ++m->traced == m->chunk_count;
+    if (last && !m->failed) {
+        mutex_unlock(&s->lock);
+        traced = complete(s, number);
+        mutex_lock(&s->lock);
+        m->failed = !traced;
+        m->done = traced;
+    }
+    if (last || m->failed)
+        condition_wake_all(&s->changed);
+}
+
+const photon_map *photon_store_take(photon_store *s, uint32_t number, photon_trace *trace, photon_wanted *wanted, void *user)
+{
+    making *m = &s->maps[number];
+    const photon_map *out;
+
+    mutex_lock(&s->lock);
+    if (!m->begun)
+        begin(s, number);
+    if (m->chunk_count == 0)
+        m->done = !m->failed;
+    while (!m->done && !m->failed && (m->claimed == m->chunk_count || wanted(user))) {
+        if (m->claimed < m->chunk_count)
+            help(s, number, trace, user);
+        else
+            condition_wait(&s->changed, &s->lock);
+    }
+    out = m->done ? &m->map : NULL;
+    mutex_unlock(&s->lock);
+    return out;
+}

@@ -1,0 +1,164 @@
+#include "shade/photon_flight.h"
+
+#include "base/vec.h"
+#include "shade/scatter.h"
+
+/* Photons of a chunk on their way; what the surfaces of the present batch do to them. */
+typedef struct flight {
+    pov_tracer *tracer;
+    const photon_scene *scene;
+    const photon_chunk *chunk;
+    photon_list *out;            /* NULL: only whether they enter the target is asked */
+    bool entered;
+    bool reflects[BATCH_MAX], transmits[BATCH_MAX];
+} flight;
+
+/* ---- at surfaces ---- */
+
+static const light *light_of(const flight *f)
+{
+    return &f->tracer->context.scene->model->lights.items[f->chunk->aim->light_number];
+}
+
+static void deposit(flight *f, const surface *s, pov_vec3 normal)
+{
+    const pov_vec3 dir = pov_unit(s->ray->dir);
+    const float by = (float)emission_factor(light_of(f), s->from->travelled);
+    const photon p = { s->at->point, colour_scale(s->from->factor.by, by), 0.0f,
+                       { (float)dir.x, (float)dir.y, (float)dir.z }, { (float)normal.x, (float)normal.y, (float)normal.z } };
+
+    if (!colour_is_black(p.flux) && !VEC_PUSH(f->scene->env, f->out, p))
+        f->tracer->context.failed = true;
+}
+
+/* What becomes of a photon at a surface: on its way to the target it goes through what lets photons pass, at the target
+ * and behind it it is reflected and refracted where that is on. */
+static void decide(flight *f, uint32_t i, const surface *s, path *p)
+{
+    const uint32_t flags = f->tracer->context.scene->model->leaves.items[s->at->object].flags, own = light_of(f)->flags;
+    const bool is_target = f->scene->target_of[s->at->object] == f->chunk->aim->target + 1;
+
+    if (!p->struck && !is_target) {
+        f->reflects[i] = false;
+        f->transmits[i] = (flags & PHOTON_THROUGH) != 0;
+        return;
+    }
+    p->struck = true;
+    f->reflects[i] = photons_reflect(flags, own);
+    f->transmits[i] = photons_refract(flags, own);
+}
+
+/* Photons arrive: those that met the target before are collected, unless the surface reflects no light or collects none. */
+static void arrive(flight *f, surfaces *on)
+{
+    const model *m = f->tracer->context.scene->model;
+
+    for (uint32_t i = 0; i < on->count; i++) {
+        surface *s = &on->at[i];
+        path *p = &on->dimmed[i];
+
+        *p = *s->from;
+        p->travelled += s->at->crossing.t * sqrt(pov_dot(s->ray->dir, s->ray->dir));
+        s->from = p;
+        f->entered = f->entered || (p->struck && !p->mirrored);
+        if (p->struck && f->out && s->appearance->lit && !(m->leaves.items[s->at->object].flags & PHOTON_IGNORES))
+            deposit(f, s, lanes_at(&on->geometry.to.normal, i));
+        decide(f, i, s, p);
+    }
+}
+
+/* ---- onwards ---- */
+
+/* Leave out the rays that photons do not take. */
+static void restrain(const flight *f, surfaces *on, uint32_t i, uint32_t of)
+{
+    appearance *own = &on->varying[i];
+
+    if (on->at[i].appearance != own)
+        *own = *on->at[i].appearance;
+    own->reflective = own->reflective && f->reflects[of];
+    own->transmissive = own->transmissive && f->transmits[of];
+    own->powered = false;
+    on->at[i].appearance = own;
+}
+
+static void fly_layers(flight *f)
+{
+    pov_tracer *t = f->tracer;
+    shade_context *c = &t->context;
+    layers *l = t->layers;
+
+    for (layers_begin(l); !c->failed && layers_take(c, l, &t->surfaces, &t->painted);) {
+        for (uint32_t i = 0; i < l->on.count; i++)
+            restrain(f, &l->on, i, l->of[i].of);
+        scatter_layers(c, l, &t->queue);
+    }
+}
+
+static void fly_batch(flight *f, const batch *b, colour *unused)
+{
+    pov_tracer *t = f->tracer;
+    shade_context *c = &t->context;
+    bool plain;
+
+    surfaces_find(c, &t->surfaces, b, NULL);
+    batch_begin(&t->queue, unused);
+    plain = surfaces_complete(c, &t->surfaces, &t->painted);
+    arrive(f, &t->surfaces);
+    if (!plain) {
+        fly_layers(f);
+        return;
+    }
+    for (uint32_t i = 0; i < t->surfaces.count; i++)
+        restrain(f, &t->surfaces, i, i);
+    scatter(c, &t->surfaces, &t->queue);
+}
+
+/* Up to BATCH_MAX emissions, and all that becomes of them. */
+static void fly(flight *f, uint32_t first, uint32_t n)
+{
+    pov_tracer *t = f->tracer;
+    shade_context *c = &t->context;
+    const photon_chunk *chunk = f->chunk;
+    const batch *b = &t->camera;
+    colour unused[BATCH_MAX];
+    emission_batch e;
+
+    emission_rays(chunk->aim, chunk->map, chunk->first + first, n, chunk->total, &e);
+    tracer_begin(t, e.rays, n, e.flux);
+    do
+        fly_batch(f, b, unused);
+    while (!c->failed && batch_next(&t->queue, c) && (b = t->queue.now) != NULL);
+}
+
+static bool fly_chunk(flight *f)
+{
+    shade_context *c = &f->tracer->context;
+    const pov_counts counts = c->counts;
+    float *const alpha = c->alpha;
+
+    c->photons_fly = true;
+    c->alpha = NULL;
+    for (uint32_t i = 0; i < f->chunk->count && !c->failed; i += BATCH_MAX)
+        fly(f, i, f->chunk->count - i < BATCH_MAX ? f->chunk->count - i : BATCH_MAX);
+    c->failed = c->failed || query_context_failed(c->context);
+    c->photons_fly = false;
+    c->alpha = alpha;
+    c->counts = counts;
+    return !c->failed;
+}
+
+bool photon_flight_trace(void *tracer, const photon_chunk *chunk, photon_list *out)
+{
+    pov_tracer *t = tracer;
+    flight f = { .tracer = t, .scene = t->context.scene->photons, .chunk = chunk, .out = out };
+
+    return fly_chunk(&f);
+}
+
+bool photon_flight_enters(pov_tracer *t, const photon_chunk *chunk)
+{
+    flight f = { .tracer = t, .scene = t->context.scene->photons, .chunk = chunk };
+
+    return fly_chunk(&f) && f.entered;
+}
