@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 enum { THREADS_MAX = 64 };
@@ -85,6 +86,26 @@ static double length(pov_vec3 v)
     return m > 0.0 ? m * sqrt(pov_dot(pov_scale(v, 1.0 / m), pov_scale(v, 1.0 / m))) : 0.0;
 }
 
+static bool holds_floats(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+
+    return dot && (strcasecmp(dot, ".pfm") == 0 || strcasecmp(dot, ".exr") == 0);
+}
+
+/* One more than the object's number, so that nothing is 0; where a file holds integers, a colour for each that is far from
+ * those of its neighbours. */
+static void put_object(const char *path, float *to, uint32_t object)
+{
+    const double turn = fmod(0.6180339887498949 * (double)(object + 1), 1.0), bright = 1.0 - 0.25 * (double)(object % 3);
+
+    if (holds_floats(path))
+        put(to, object + 1.0, object + 1.0, object + 1.0);
+    else
+        put(to, bright * fmin(1.0, fabs(6.0 * turn - 3.0) * 0.5), bright * (1.0 - fabs(2.0 * turn - 1.0)),
+            bright * (0.2 + 0.8 * turn));
+}
+
 static void map_pixel(const maps *m, pov_tracer *tracer, int x, int y)
 {
     const size_t at = 4 * ((size_t)y * (size_t)m->rect.width + (size_t)x);
@@ -98,6 +119,8 @@ static void map_pixel(const maps *m, pov_tracer *tracer, int x, int y)
         return;
     if (m->pixels[ARGS_AOV_NORMAL])
         put(m->pixels[ARGS_AOV_NORMAL] + at, 0.5 + 0.5 * h.normal.x, 0.5 + 0.5 * h.normal.y, 0.5 + 0.5 * h.normal.z);
+    if (m->pixels[ARGS_AOV_OBJECT])
+        put_object(m->args->aov[ARGS_AOV_OBJECT], m->pixels[ARGS_AOV_OBJECT] + at, h.object);
     if (m->pixels[ARGS_AOV_DEPTH]) {
         const double depth = h.distance * length(d);
         put(m->pixels[ARGS_AOV_DEPTH] + at, depth, depth, depth);
@@ -143,13 +166,6 @@ static pov_status trace(const maps *m, pov_error *err)
 }
 
 /* ---- time ---- */
-
-static bool holds_floats(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-
-    return dot && (strcmp(dot, ".pfm") == 0 || strcmp(dot, ".PFM") == 0);
-}
 
 /* Microseconds; or fractions of the maximum, where a file of integers would clip them. */
 static void map_time(const maps *m, pov_job *job)

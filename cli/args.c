@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum {
     LARGEST_SIDE = 1000000,      /* libpng's own limit */
@@ -19,7 +20,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_MESSAGES, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -47,6 +48,7 @@ static const struct option long_options[] = {
     { "progress", required_argument, NULL, OPTION_PROGRESS },
     { "quiet", no_argument, NULL, 'q' },
     { "verbose", no_argument, NULL, 'v' },
+    { "messages", required_argument, NULL, OPTION_MESSAGES },
     { "color", required_argument, NULL, OPTION_COLOR },
     { "seed", required_argument, NULL, OPTION_SEED },
     { "partial-every", required_argument, NULL, OPTION_PARTIAL_EVERY },
@@ -73,9 +75,10 @@ static const char *const transfers[] = { "scene", "srgb", "linear", NULL };
 static const char *const dialects[] = { "auto", "course", "povray", NULL };
 static const char *const accels[] = { "tree", "none", NULL };
 static const char *const accuracies[] = { "certified", "max", NULL };
-static const char *const aovs[] = { "certainty", "normal", "depth", "time", NULL };
+static const char *const aovs[] = { "certainty", "normal", "depth", "time", "object", NULL };
 static const char *const progresses[] = { "auto", "bar", "json", "none", NULL };
 static const char *const samplings[] = { "auto", "uniform", "adaptive", NULL };
+static const char *const forms[] = { "text", "json", NULL };
 static const char *const colors[] = { "auto", "always", "never", NULL };
 
 static bool refuse(args *a, const char *format, ...) POV_PRINTF(2, 3);
@@ -208,6 +211,16 @@ static bool read_format(args *a, const char *text)
 {
     a->format = *text == '.' ? text + 1 : text;
     return *a->format != '\0' || refuse(a, "--format wants an image ending, such as png");
+}
+
+static bool read_messages(args *a, const char *text)
+{
+    int word = 0;
+
+    if (!read_word(a, "--messages", text, forms, &word))
+        return false;
+    a->json = word == 1;
+    return true;
 }
 
 static bool read_option_word(args *a, int option, const char *text)
@@ -391,6 +404,8 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_STATS:
         a->stats = true;
         return true;
+    case OPTION_MESSAGES:
+        return read_messages(a, text);
     case OPTION_ALPHA:
         a->alpha = true;
         return true;
@@ -412,6 +427,8 @@ static bool read_aov(args *a, const char *text, int argc, char **argv)
         return false;
     if (optind >= argc || argv[optind][0] == '\0')
         return refuse(a, "--aov %s wants the name of an image file", text);
+    if (a->aov[word])
+        return refuse(a, "--aov %s is given twice", text);
     a->aov[word] = argv[optind++];
     return true;
 }
@@ -551,12 +568,22 @@ static bool take_places(args *a, int count, char **places)
                           read_whole(a, "HEIGHT", places[2], 1, LARGEST_SIDE, &a->height));
 }
 
+static bool read_checked(args *a, int count, char **places)
+{
+    a->scene = places[0];
+    a->checked = places;
+    a->checked_count = count;
+    return true;
+}
+
 static bool read_places(args *a, int count, char **places)
 {
     if (a->compare)
         return read_compared(a, count, places);
     if (a->merge)
         return read_merged(a, count, places);
+    if (a->check && !a->explain && count > 0 && (count == 1 || !is_number(places[1])) && !a->output)
+        return read_checked(a, count, places);
     if (!take_places(a, count, places))
         return false;
     if (count == 1 && !a->output && (a->check || a->explain))
@@ -578,8 +605,60 @@ static bool read_places(args *a, int count, char **places)
     return true;
 }
 
+/* ---- what is odd ---- */
+
+static void note(args *a, const char *format, ...) POV_PRINTF(2, 3);
+
+static void note(args *a, const char *format, ...)
+{
+    va_list list;
+
+    if (a->note_count == (int)(sizeof a->note / sizeof a->note[0]))
+        return;
+    va_start(list, format);
+    vsnprintf(a->note[a->note_count++], sizeof a->note[0], format, list);
+    va_end(list);
+}
+
+/* The last of several counts, as shells' aliases want it. */
+static void note_twice(args *a, int option, uint64_t *seen)
+{
+    const int bit = option >= 256 ? option - 256 : 40 + (option & 15);
+    const struct option *o = long_options;
+
+    if (option == 'D' || option == 'L' || option == 'q' || option == 'v' || option == OPTION_LIMIT)
+        return;
+    while (o->name && o->val != option && !(option == 'j' && o->val == 't'))
+        o++;
+    if ((*seen >> bit & 1) && o->name && o->has_arg)
+        note(a, "--%s is given twice: the last one counts", o->name);
+    *seen |= (uint64_t)1 << bit;
+}
+
+/* Does the name end as another format's does? */
+static bool is_named_otherwise(const char *name, const char *format)
+{
+    static const char *const endings[] = { "png", "ppm", "pfm", "exr", "jpg", "jpeg" };
+    const char *dot = strrchr(name, '.');
+
+    for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)
+        if (strcasecmp(dot + 1, endings[i]) == 0)
+            return strcasecmp(dot + 1, format) != 0;
+    return false;
+}
+
+static void note_odd(args *a)
+{
+
+    if (a->reference && !a->report)
+        note(a, "--reference counts for a --report only");
+    if (a->output && a->format && is_named_otherwise(a->output, a->format))
+        note(a, "%s holds %s: --format counts, not the name", a->output, a->format);
+}
+
 args_verdict args_parse(args *a, int argc, char **argv)
 {
+    uint64_t seen = 0;
     int option;
 
     memset(a, 0, sizeof *a);
@@ -599,8 +678,13 @@ args_verdict args_parse(args *a, int argc, char **argv)
             refuse(a, "\"%s\" wants a value", argv[optind - 1]);
             return ARGS_WRONG;
         }
+        if (option != OPTION_AOV)
+            note_twice(a, option, &seen);
         if (option == OPTION_AOV ? !read_aov(a, optarg, argc, argv) : !read_option(a, option, optarg))
             return ARGS_WRONG;
     }
-    return read_places(a, argc - optind, argv + optind) ? ARGS_RUN : ARGS_WRONG;
+    if (!read_places(a, argc - optind, argv + optind))
+        return ARGS_WRONG;
+    note_odd(a);
+    return ARGS_RUN;
 }

@@ -49,6 +49,7 @@ int main(int argc, char **argv)
     messages_init(&m, &a);
     if (verdict == ARGS_WRONG)
         return refuse(&m, &a);
+    messages_notes(&m, &a);
     if (verdict == ARGS_HELP) {
         usage_print_help();
     } else if (verdict == ARGS_VERSION) {

@@ -33,6 +33,7 @@ void messages_init(messages *m, const args *a)
     memset(m, 0, sizeof *m);
     m->quiet = a->quiet;
     m->verbose = a->verbose;
+    m->json = a->json;
     m->color = a->color == ARGS_COLOR_ALWAYS ||
                (a->color == ARGS_COLOR_AUTO && !(no_color && *no_color) && messages_on_terminal());
 }
@@ -58,11 +59,47 @@ static const char *name_of(const pov_error *note)
     return note->file[0] ? note->file : "povc";
 }
 
+static void put_json(const char *name, const char *text)
+{
+    fprintf(stderr, "\"%s\":\"", name);
+    for (; *text; text++)
+        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+            fprintf(stderr, "\\u%04x", (unsigned)(unsigned char)*text);
+        else
+            fprintf(stderr, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+    fputc('"', stderr);
+}
+
+static void show_json(const char *kind, const pov_error *note)
+{
+    flockfile(stderr);
+    fputc('{', stderr);
+    put_json("kind", kind);
+    if (note->file[0]) {
+        fputc(',', stderr);
+        put_json("file", note->file);
+    }
+    if (note->line > 0)
+        fprintf(stderr, ",\"line\":%d,\"column\":%d", note->line, note->column);
+    fputc(',', stderr);
+    put_json("message", note->message);
+    if (note->hint[0]) {
+        fputc(',', stderr);
+        put_json("hint", note->hint);
+    }
+    fputs("}\n", stderr);
+    funlockfile(stderr);
+}
+
 static void show(const messages *m, style s, const char *kind, const pov_error *note)
 {
     char text[TEXT_SIZE], file[TEXT_SIZE];
     bool excerpt = note->line > 0 && note->excerpt[0] && note->caret >= 0;
 
+    if (m->json) {
+        show_json(kind, note);
+        return;
+    }
     text_printable(note->message, text, sizeof text);
     text_printable(name_of(note), file, sizeof file);
     flockfile(stderr);
@@ -117,15 +154,37 @@ void messages_log(void *user, pov_log_level level, const pov_error *note)
 
 void messages_say(const messages *m, const char *format, ...)
 {
+    pov_error note = { 0 };
     va_list list;
 
     if (m->quiet)
         return;
-    flockfile(stderr);
-    fprintf(stderr, "%spovc:%s ", escape(m, STYLE_PLACE), escape(m, STYLE_PLAIN));
     va_start(list, format);
-    vfprintf(stderr, format, list);
+    vsnprintf(note.message, sizeof note.message, format, list);
     va_end(list);
-    fputc('\n', stderr);
+    if (m->json) {
+        show_json("note", &note);
+        return;
+    }
+    flockfile(stderr);
+    fprintf(stderr, "%spovc:%s %s\n", escape(m, STYLE_PLACE), escape(m, STYLE_PLAIN), note.message);
     funlockfile(stderr);
+}
+
+void messages_warn(const messages *m, const char *format, ...)
+{
+    pov_error note = { 0 };
+    va_list list;
+
+    va_start(list, format);
+    vsnprintf(note.message, sizeof note.message, format, list);
+    va_end(list);
+    if (!m->quiet)
+        show(m, STYLE_WARNING, "warning", &note);
+}
+
+void messages_notes(const messages *m, const args *a)
+{
+    for (int i = 0; i < a->note_count; i++)
+        messages_warn(m, "%s", a->note[i]);
 }

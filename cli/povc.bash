@@ -5,7 +5,7 @@ _povc()
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
     local options='--threads --spp --error --time --sampling --seed --report --reference --partial-every --resume --part --merge --compare
         --max-depth --bits --transfer --alpha --output --size --format --explain --dialect --accel --accuracy --aov --crop --check
-        --stats --preview --progress --quiet --verbose --color --plugin-path --declare --library-path --strict --allow-write --limit --help --version'
+        --stats --preview --progress --quiet --verbose --color --messages --plugin-path --declare --library-path --strict --allow-write --limit --help --version'
 
     COMPREPLY=()
     case $previous in
@@ -17,10 +17,11 @@ _povc()
     --dialect) words='auto course povray' ;;
     --accel) words='tree none' ;;
     --accuracy) words='certified max' ;;
-    --aov) words='certainty normal depth time' ;;
+    --aov) words='certainty normal depth object time' ;;
     --preview) words='0 2 4 8 16' ;;
     --progress) words='auto bar json none' ;;
     --color) words='auto always never' ;;
+    --messages) words='text json' ;;
     --plugin-path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
     -t | --threads | --spp | --error | --time | --seed | --partial-every | --part | --max-depth | --crop) return ;;
     *)

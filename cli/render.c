@@ -62,16 +62,10 @@ pov_status render_check_output(pov_context *context, const args *a, pov_error *e
 
 static pov_status read_reference(render *r, pov_error *err)
 {
-    char text[256];
-    pov_status status;
-
     r->reference.size = sizeof r->reference;
-    status = pov_image_read(r->context, r->args->reference, &r->reference, err);
-    if (status < 0 || (r->reference.width == r->width && r->reference.height == r->height))
-        return status;
-    snprintf(text, sizeof text, "a reference of %d x %d pixels cannot be held against a picture of %d x %d",
-             r->reference.width, r->reference.height, r->width, r->height);
-    return save_fail(err, POV_E_ARGUMENT, r->args->reference, text);
+    r->reference.width = r->width;
+    r->reference.height = r->height;
+    return pov_image_read(r->context, r->args->reference, &r->reference, err);
 }
 
 /* The same for all runs that may share a checkpoint. */
@@ -272,6 +266,33 @@ static void say_end(render *r)
                  p->seconds, p->spp_mean, reached, r->short_of && a->error > 0.0 ? ", target error not reached" : "");
 }
 
+static bool is_black(const render *r)
+{
+    for (size_t i = 0; i < (size_t)r->width * (size_t)r->height; i++)
+        if (r->pixels[4 * i] != 0.0f || r->pixels[4 * i + 1] != 0.0f || r->pixels[4 * i + 2] != 0.0f)
+            return false;
+    return true;
+}
+
+/* A black picture has a reason more often than a purpose. */
+static void warn_of_black(const render *r)
+{
+    pov_scene_info info = POV_INIT(info);
+    pov_camera camera = POV_INIT(camera);
+    const char *why = "nothing is in view, or no light reaches it";
+
+    if (!is_black(r))
+        return;
+    pov_scene_get_info(r->scene, &info);
+    pov_scene_get_camera(r->scene, &camera);
+    if (info.objects == 0)
+        why = "the scene has no object";
+    else if (info.lights == 0)
+        why = "the scene has no light source, and nothing in view glows";
+    messages_warn(r->messages, "the picture is black: %s; the camera stands at <%g, %g, %g>", why, camera.location.x,
+                  camera.location.y, camera.location.z);
+}
+
 static pov_status write_report(render *r, pov_error *err)
 {
     report of = { .args = r->args, .messages = r->messages, .context = r->context, .scene = r->scene, .job = r->job };
@@ -316,6 +337,8 @@ static pov_status trace(render *r, pov_error *err)
     status = write_picture(r, err);
     if (status == POV_OK && state == POV_JOB_DONE && r->progress.stop != POV_STOP_TIME)
         partial_forget(&kept);
+    if (status == POV_OK && state == POV_JOB_DONE)
+        warn_of_black(r);
     if (status == POV_OK && state == POV_JOB_CANCELLED)
         say_partial(r);
     else if (status == POV_OK)

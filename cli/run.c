@@ -120,17 +120,45 @@ static pov_status run_scene(const args *a, messages *m, pov_context *context, ru
     return status;
 }
 
+/* Each scene's messages are its own; the first error is the verdict, and is written like the others. */
+static pov_status check_all(const args *a, messages *m, run_end *end, pov_error *err)
+{
+    pov_status worst = POV_OK;
+
+    for (int i = 0; i < a->checked_count; i++) {
+        args one = *a;
+        pov_error wrong = { 0 };
+        messages own = *m;
+
+        one.scene = a->checked[i];
+        one.checked_count = 1;
+        if (run_args(&one, &own, end, &wrong) == POV_OK)
+            continue;
+        messages_error(&own, &wrong);
+        m->errors = 1;
+        if (worst == POV_OK) {
+            *err = wrong;
+            worst = wrong.status;
+        }
+    }
+    return worst;
+}
+
 pov_status run_args(const args *a, messages *m, run_end *end, pov_error *err)
 {
+    char folders[4096];
     pov_context_desc desc = POV_INIT(desc);
     pov_context *context = NULL;
     pov_status status;
 
     if (a->compared)
         return compare_run(a, err);
+    if (a->checked_count > 1)
+        return check_all(a, m, end, err);
     desc.log = messages_log;
     desc.log_user = m;
-    desc.plugin_path = a->plugin_path;
+    snprintf(folders, sizeof folders, "%s:", a->plugin_path ? a->plugin_path : "");
+    desc.plugin_path = a->plugin_path ? folders : NULL;   /* in front of the standard ones */
     status = pov_context_create(&context, &desc, err);
     if (status == POV_OK)
         status = a->merge ? merge_run(a, m, context, end, err) : run_scene(a, m, context, end, err);

@@ -22,6 +22,41 @@ static void ending_of(const char *path, char *out, size_t size)
     out[i] = '\0';
 }
 
+/* Names of formats that are written, in alphabetical order. */
+typedef struct names { pov_context *context; char text[256]; char of[16][16]; int count; } names;
+
+static void note_name(void *user, const char *keyword)
+{
+    const pov_image_format *format;
+    names *n = user;
+    pov_error ignored;
+    int at = 0;
+
+    if (strlen(keyword) >= sizeof n->of[0] || n->count == 16 ||
+        registry_image(n->context->plugins, keyword, &format, &ignored) < 0 || !format || !format->write)
+        return;
+    while (at < n->count && strcmp(n->of[at], keyword) < 0)
+        at++;
+    if (at < n->count && strcmp(n->of[at], keyword) == 0)
+        return;
+    memmove(n->of + at + 1, n->of + at, sizeof n->of[0] * (size_t)(n->count++ - at));
+    strcpy(n->of[at], keyword);
+}
+
+/* An ending that nothing writes: what there is, or where it was looked for. */
+static pov_status refuse_ending(pov_context *context, const char *path, const char *ending, pov_error *err)
+{
+    names all = { .context = context };
+
+    registry_each_keyword(context->plugins, "images", note_name, &all);
+    if (all.count == 0)
+        return err_file(err, POV_E_PLUGIN, path, "no plugin writes images of the ending \".%s\"; searched images/ in %s", ending,
+                        registry_path(context->plugins));
+    for (int i = 0; i < all.count; i++)
+        snprintf(all.text + strlen(all.text), sizeof all.text - strlen(all.text), "%s%s", i > 0 ? ", " : "", all.of[i]);
+    return err_file(err, POV_E_ARGUMENT, path, "no plugin writes images of the ending \".%s\"; there are %s", ending, all.text);
+}
+
 pov_status image_find_format(pov_context *context, const char *path, const pov_image_options *o,
                              const pov_image_format **out, pov_error *err)
 {
@@ -36,8 +71,7 @@ pov_status image_find_format(pov_context *context, const char *path, const pov_i
         return err_file(err, POV_E_ARGUMENT, path, "the name has no ending such as .png to tell the image format");
     status = registry_image(context->plugins, ending, out, err);
     if (status == POV_OK && !*out)
-        return err_file(err, POV_E_PLUGIN, path,
-                        "no plugin writes images of the ending \".%s\"; searched images/ in %s", ending, registry_path(context->plugins));
+        return refuse_ending(context, path, ending, err);
     return status;
 }
 

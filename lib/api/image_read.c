@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* The pixels that a plugin read, before they are unpacked. */
-typedef struct received { const env *env; pov_image about; void *pixels; } received;
+typedef struct received { const env *env; int width, height; pov_image about; void *pixels; } received;
 
 static bool is_possible(const pov_image *about)
 {
@@ -16,6 +16,12 @@ static bool is_possible(const pov_image *about)
            about->stride >= row;
 }
 
+/* Has it another size than what is asked for? */
+static bool is_unwanted(const received *r)
+{
+    return r->width > 0 && r->height > 0 && r->about.width > 0 && (r->about.width != r->width || r->about.height != r->height);
+}
+
 static void *begin(void *user, const pov_image *about)
 {
     received *r = user;
@@ -23,6 +29,8 @@ static void *begin(void *user, const pov_image *about)
     if (r->pixels || !is_possible(about))
         return NULL;
     r->about = *about;
+    if (is_unwanted(r))
+        return NULL;
     r->pixels = env_alloc(r->env, (size_t)about->height, about->stride);
     return r->pixels;
 }
@@ -73,12 +81,15 @@ static pov_status unpack(const received *r, pov_bitmap *out, pov_error *err)
 static pov_status decode(pov_context *context, const pov_image_format *format, const char *path, const char *bytes,
                          size_t count, pov_bitmap *out, pov_error *err)
 {
-    received r = { .env = &context->env };
+    received r = { .env = &context->env, .width = out->width, .height = out->height };
     pov_image_target target = { &r, begin };
     const char *wrong = format->read(bytes, count, &target);
     pov_status status;
 
-    if (wrong || !r.pixels)
+    if (is_unwanted(&r))
+        status = err_file(err, POV_E_ARGUMENT, path, "this image has %d x %d pixels, where %d x %d are wanted", r.about.width,
+                          r.about.height, r.width, r.height);
+    else if (wrong || !r.pixels)
         status = err_file(err, POV_E_IO, path, "cannot read this image: %s", wrong ? wrong : "it holds no picture");
     else
         status = unpack(&r, out, err);
@@ -99,6 +110,8 @@ pov_status pov_image_read(pov_context *context, const char *path, pov_bitmap *ou
         return err_set(err, POV_E_ARGUMENT, "to read an image takes a context, a path and a place for it");
     if (!POV_HAS(out, pov_bitmap, rgba))
         return err_set(err, POV_E_ARGUMENT, "the bitmap has no size: initialise it with POV_INIT");
+    bitmap.width = out->width;
+    bitmap.height = out->height;
     status = image_find_format(context, path, &none, &format, err);
     if (status < 0)
         return status;

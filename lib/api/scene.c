@@ -3,6 +3,7 @@
 #include "api/handles.h"
 #include "base/clock.h"
 #include "base/file.h"
+#include "base/str.h"
 #include "base/share.h"
 #include "bvh/hierarchy.h"
 #include "render/raygen.h"
@@ -106,11 +107,16 @@ static pov_status check(pov_scene **out, pov_context *context, const void *text,
     return POV_OK;
 }
 
-/* Compile the model to a world; a scene that failed is freed. */
-static pov_status conclude(pov_scene **out, pov_scene *scene, const pov_load_desc *d, pov_status status, pov_error *err)
+/* Compile the model to a world; a scene that failed is freed. Lines of included files are rare there: an object is named by
+ * the scene's own. */
+static pov_status conclude(pov_scene **out, pov_scene *scene, const char *name, const pov_load_desc *d, pov_status status,
+                           pov_error *err)
 {
-    if (status == POV_OK)
+    if (status == POV_OK) {
         status = compile(scene, d, err);
+        if (status < 0 && err && err->line > 0 && !err->file[0])
+            str_copy(err->file, sizeof err->file, name);
+    }
     if (status < 0)
         pov_scene_destroy(scene);
     else
@@ -138,7 +144,7 @@ pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char
         status = read_text(scene, text, length, path, &d, err);
         env_free(&context->env, text);
     }
-    return conclude(out, scene, &d, status, err);
+    return conclude(out, scene, path, &d, status, err);
 }
 
 pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length,
@@ -153,7 +159,7 @@ pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char
     if (status < 0)
         return status;
     status = read_text(scene, text, length, name ? name : "(text)", &d, err);
-    return conclude(out, scene, &d, status, err);
+    return conclude(out, scene, name ? name : "(text)", &d, status, err);
 }
 
 void pov_scene_destroy(pov_scene *scene)

@@ -25,6 +25,20 @@ pov_status err_set(pov_error *err, pov_status status, const char *format, ...)
     return status;
 }
 
+pov_status err_set_at(pov_error *err, pov_status status, int line, int column, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    err_setv(err, status, format, args);
+    va_end(args);
+    if (err) {
+        err->line = line;
+        err->column = column;
+    }
+    return status;
+}
+
 pov_status err_file(pov_error *err, pov_status status, const char *file, const char *format, ...)
 {
     va_list args;

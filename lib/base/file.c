@@ -16,6 +16,9 @@
 
 /* ---- reading ---- */
 
+/* No honest file is larger, and an endless one would take all memory. */
+static const size_t LARGEST = (size_t)1 << 30;
+
 /* Read to the end into a growing block that keeps one byte to spare. */
 static pov_status read_all(const env *e, int descriptor, const char *path, size_t guess, char **bytes, size_t *count,
                            pov_error *err)
@@ -36,6 +39,10 @@ static pov_status read_all(const env *e, int descriptor, const char *path, size_
         used += (size_t)got;
         if (used < size)
             continue;
+        if (used > LARGEST) {
+            env_free(e, block);
+            return err_file(err, POV_E_IO, path, "is larger than 1 GiB, which is as much as is read");
+        }
         grown = size <= SIZE_MAX / 2 ? env_resize(e, block, 2 * size, 1) : NULL;
         if (!grown) {
             env_free(e, block);

@@ -39,21 +39,33 @@ static const char plot_folder[] = "plots";
 
 /* ---- making ---- */
 
-static char *default_path(const env *e)
+static void default_path(char *text, size_t size)
 {
     const char *given = secure_getenv("POVTRACE_PLUGIN_PATH");
-    char own[PATH_MAX], text[2 * PATH_MAX + 32], *copy;
+    char own[PATH_MAX], folder[PATH_MAX + 16] = "";
 
+    if (dl_own_folder(own, sizeof own))
+        snprintf(folder, sizeof folder, "%s/povtrace", own);
     if (given && given[0])
-        str_copy(text, sizeof text, given);
-    else if (dl_own_folder(own, sizeof own))
-        snprintf(text, sizeof text, "%s/povtrace:%s", own, POV_PLUGIN_DIR);
+        str_copy(text, size, given);
+    else if (folder[0] && strcmp(folder, POV_PLUGIN_DIR) != 0)
+        snprintf(text, size, "%s:%s", folder, POV_PLUGIN_DIR);
     else
-        str_copy(text, sizeof text, POV_PLUGIN_DIR);
-    copy = env_alloc(e, strlen(text) + 1, 1);
-    if (copy)
-        strcpy(copy, text);
-    return copy;
+        str_copy(text, size, POV_PLUGIN_DIR);
+}
+
+/* The folders as given, the standard ones, or both. NULL: no memory. */
+static char *search_path(const env *e, const char *path)
+{
+    char standard[2 * PATH_MAX + 32] = "", *all;
+    const size_t length = path ? strlen(path) : 0;
+
+    if (length == 0 ? !path : path[length - 1] == ':')
+        default_path(standard, sizeof standard);
+    all = env_alloc(e, length + strlen(standard) + 1, 1);
+    if (all)
+        sprintf(all, "%s%s", path ? path : "", standard);
+    return all;
 }
 
 registry *registry_create(const env *e, const char *path, pov_error *err)
@@ -68,13 +80,7 @@ registry *registry_create(const env *e, const char *path, pov_error *err)
     map_init(&r->shapes, e);
     map_init(&r->images, e);
     map_init(&r->plots, e);
-    if (path) {
-        r->path = env_alloc(e, strlen(path) + 1, 1);
-        if (r->path)
-            strcpy(r->path, path);
-    } else {
-        r->path = default_path(e);
-    }
+    r->path = search_path(e, path);
     if (r->path && mutex_init(&r->lock))
         return r;
     env_free(e, r->path);

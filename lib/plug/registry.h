@@ -7,8 +7,8 @@
 
 typedef struct registry registry;
 
-/* path: folders, colon separated, each with primitives/ and images/ in it; NULL: the environment's, else povtrace/
- * beside the library, else the configured folder. */
+/* path: folders, colon separated, each with primitives/ and images/ in it; NULL, or behind a colon at its end: the
+ * environment's, else povtrace/ beside the library, else the configured folder. */
 registry *registry_create(const env *e, const char *path, pov_error *err);
 void registry_destroy(registry *r);
 

@@ -338,7 +338,7 @@ void report_undeclared(pov_reader *in)
 
 void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
 {
-    char word[REPORT_QUOTE], where[REPORT_QUOTE + 16] = "";
+    char word[REPORT_QUOTE], where[REPORT_QUOTE + 64] = "";
     place at = in->token.at;
 
     if (in->failed)
@@ -360,6 +360,9 @@ void report_misplaced(pov_reader *in, const char *wanted, const guess *g)
         return;
     }
     if (state_keyword(in) != KEYWORD_OTHER) {
+        if (in->block && in->block->brace.line < at.line)   /* perhaps it was to end before */
+            snprintf(where + strlen(where), sizeof where - strlen(where), ", whose \"{\" at %d:%d is still open",
+                     in->block->brace.line, in->block->brace.column);
         report_fail(in, &at, POV_E_SYNTAX, "\"%s\" does not belong %s", word,
                     where[0] ? where + 1 : "at the top level");
         return;

@@ -443,8 +443,8 @@ static pov_status add_up(survey *s, pov_error *err)
         if (p->status < 0) {
             const leaf_node *o = &f->model->leaves.items[p->failed];
 
-            return err_set(err, p->status, "the transformation of the %s in line %u has no inverse", o->shape->keyword,
-                           (unsigned)o->line);
+            return err_set_at(err, p->status, (int)o->line, (int)o->column, "the transformation of this %s has no inverse",
+                              o->shape->keyword);
         }
         if (p->finite > 0 && f->finite_count == 0)
             f->bounds = p->bounds;

@@ -108,6 +108,7 @@ typedef struct source {
     const char *problem;      /* static text */
     const pov_image_target *target;
     const pov_raster_target *raster_target;   /* one of the two */
+    double count;             /* of bytes, of the whole file */
     unsigned char *pixels;    /* the host's */
     pov_image about;
     pov_raster raster;
@@ -162,6 +163,15 @@ static pov_transfer transfer_of(png_structp png, png_infop info)
     return POV_TRANSFER_LINEAR;
 }
 
+/* Nothing is packed tighter than 1032 to 1 there: a larger picture is a claim. */
+static void expect_bytes(png_structp png, source *from, int height, size_t stride)
+{
+    if ((double)height * (double)stride > 1100.0 * from->count + 65536.0) {
+        from->problem = "it is too short for its size";
+        png_error(png, from->problem);
+    }
+}
+
 static void get_rows(png_structp png, source *from, int passes, int height, size_t stride)
 {
     if (!from->pixels) {
@@ -191,6 +201,7 @@ static void get_picture(png_structp png, png_infop info, source *from)
     from->about.height = (int)png_get_image_height(png, info);
     from->about.bits = png_get_bit_depth(png, info);
     from->about.stride = png_get_rowbytes(png, info);
+    expect_bytes(png, from, from->about.height, from->about.stride);
     from->pixels = from->target->begin(from->target->user, &from->about);
     get_rows(png, from, passes, from->about.height, from->about.stride);
 }
@@ -263,6 +274,7 @@ static void get_raster(png_structp png, png_infop info, source *from)
     about->bits = png_get_bit_depth(png, info);
     about->channels = png_get_channels(png, info);
     about->stride = png_get_rowbytes(png, info);
+    expect_bytes(png, from, about->height, about->stride);
     from->pixels = from->raster_target->begin(from->raster_target->user, about);
     get_rows(png, from, passes, about->height, about->stride);
 }
@@ -282,6 +294,7 @@ static const char *get(source *from, size_t count, void (*what)(png_structp png,
         png_destroy_read_struct(&png, NULL, NULL);
         return "out of memory";
     }
+    from->count = (double)count;
     if (setjmp(png_jmpbuf(png)) == 0) {
         png_set_read_fn(png, from, get_bytes);
         what(png, info, from);

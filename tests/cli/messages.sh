@@ -140,3 +140,40 @@ os.execv(sys.argv[1], sys.argv[1:])' app/bin/povc --check secret.pov
     says err "secret.pov: error:"
     says err "ermission denied"
 }
+
+messages_are_json_for_editors() {
+    printf 'sphere { 0, 1 pigmnt { rgb 1 } }\n' > "a \"b\".pov"
+    expect 1 "$povc" --check --messages json "a \"b\".pov"
+    grep -qxF '{"kind":"error","file":"a \"b\".pov","line":1,"column":15,"message":"unknown word \"pigmnt\" in \"sphere\"","hint":"pigment"}' err
+}
+
+messages_15_an_open_brace_is_named() {
+    printf 'sphere { <0,0,0>, 1 pigment { rgb 1 }\nsphere { <0,0,0>, 1 }\n' > open.pov
+    expect 1 "$povc" open.pov 8 6 o.png
+    says err 'does not belong in "sphere", whose "{" at 1:8 is still open'
+}
+
+messages_20_a_black_picture_is_explained() {
+    echo 'sphere { <0,0,5>, 1 }' > dark.pov
+    expect 0 "$povc" dark.pov 8 6 o.png
+    says err "the picture is black: the scene has no light source"
+    echo 'light_source { 9*y rgb 1 }' > empty.pov
+    expect 0 "$povc" empty.pov 8 6 o.png
+    says err "the picture is black: the scene has no object"
+    small_scene
+    expect 0 "$povc" small.pov 8 6 o.png
+    [ ! -s err ]
+}
+
+messages_f11_a_map_without_inverse_has_a_place() {
+    awk 'BEGIN { printf "\n sphere { 0,1 "; for (i = 0; i < 400; i++) printf "scale 10 "; print "}" }' > f11.pov
+    expect 1 "$povc" f11.pov 8 6 o.png
+    says err "f11.pov:2:2: error: the transformation of this sphere has no inverse"
+}
+
+messages_f6_a_reference_is_refused_by_its_header() {
+    small_scene
+    expect 0 "$povc" small.pov 64 48 big.png
+    expect 2 "$povc" small.pov 8 6 o.png --reference big.png --report r.csv
+    says err "64 x 48 pixels, where 8 x 6 are wanted"
+}

@@ -18,13 +18,14 @@ plugins_that_are_missing_are_named_with_the_folders_tried() {
     small_scene
     copy_plugins
     rm path/primitives/sphere.so
-    expect 1 "$povc" small.pov 8 8 out.png --plugin-path path:elsewhere
+    POVTRACE_PLUGIN_PATH=path:elsewhere expect 1 "$povc" small.pov 8 8 out.png
     grep -qE '^small\.pov:3:1: error: ' err
     says err "sphere"
     says err "path:elsewhere"
     POVTRACE_PLUGIN_PATH=nowhere expect 1 "$povc" --check small.pov
     says err "nowhere"
-    expect 1 "$povc" small.pov 8 8 out.png --plugin-path nowhere
+    POVTRACE_PLUGIN_PATH=path:elsewhere expect 0 "$povc" small.pov 8 8 in.png --plugin-path "$BUILD_DIR/lib/povtrace"
+    POVTRACE_PLUGIN_PATH=nowhere expect 1 "$povc" small.pov 8 8 out.png
     says err "png"
     says err "nowhere"
     [ ! -e out.png ]

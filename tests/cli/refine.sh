@@ -122,7 +122,7 @@ assert re.findall(r"data:image/([a-z+]*);base64", t) == ["png"] and "It is not k
     [ -z "$(field r.csv unresolved_px)$(field r.csv est_rmse)" ] || fail "one sample tells of an error"
     expect 2 "$povc" rich.pov 32 24 out.pfm --report r.txt
     expect 2 "$povc" rich.pov 32 23 out.pfm --reference truth.png
-    says err "cannot be held against"
+    says err "are wanted"
 }
 
 # The same values by another file: the same rows; and part of a file is none.

@@ -43,8 +43,9 @@ usage_output_that_cannot_be_written_is_an_error() {
 }
 
 usage_a_wrong_ending_is_said_before_any_work() {
-    expect 1 "$povc" no-such-scene.pov 8 8 out.gpj
-    says err 'gpj'
+    expect 2 "$povc" no-such-scene.pov 8 8 out.gpj
+    says err '".gpj"; there are '
+    says err 'png, ppm'
     says_not err "no-such-scene"
     expect 2 "$povc" no-such-scene.pov 8 8 out
     says err "ending"
@@ -65,4 +66,41 @@ usage_options_may_stand_anywhere() {
     expect 0 "$povc" small.pov 9 7 a.ppm --spp 2 -t 1
     expect 0 "$povc" --spp=2 small.pov -t1 9 7 b.ppm
     same a.ppm b.ppm
+}
+
+usage_15_and_18_what_counts_for_less_than_it_seems_is_said() {
+    small_scene
+    expect 0 "$povc" small.pov 8 6 o.png --spp 2 --spp 3
+    says err "warning: --spp is given twice"
+    expect 0 "$povc" small.pov 8 6 a.png --format ppm
+    says err "a.png holds ppm"
+    expect 0 "$povc" small.pov 8 6 r.ppm
+    expect 0 "$povc" small.pov 8 6 o.png --reference r.ppm
+    says err "--reference counts for a --report only"
+    expect 2 "$povc" small.pov 8 6 o.png --aov time a.png --aov time b.png
+    says err "given twice"
+    expect 0 "$povc" small.pov 8 6 o.png -q --spp 2 --spp 3
+    [ ! -s err ]
+}
+
+usage_7_a_plugin_path_stands_in_front() {
+    small_scene
+    mkdir mine
+    expect 0 "$povc" small.pov 8 6 o.png --plugin-path mine
+    [ -s o.png ]
+}
+
+usage_lines_of_the_help_fit_a_terminal() {
+    "$povc" --help > help
+    awk 'length > 80 { print; wide = 1 } END { exit wide }' help
+}
+
+usage_28_many_scenes_are_checked_at_once() {
+    small_scene a.pov
+    small_scene b.pov
+    printf 'sphere { 0, 1 pigmnt { rgb 1 } }\n' > c.pov
+    expect 1 "$povc" --check a.pov c.pov b.pov
+    says out "a.pov: no errors"
+    says out "b.pov: no errors"
+    says err "c.pov:1:15: error:"
 }

@@ -29,7 +29,8 @@ POV_API pov_status pov_image_put(struct pov_context *context, const pov_output *
 
 /* An image read from a file: linear light, four channels, top row first, no gaps; bits as in the file, 32: floats. */
 typedef struct pov_bitmap { size_t size; int width, height, bits; float *rgba; } pov_bitmap;
-/* The encoding that the file states is undone; pov_image_free() frees the pixels. */
+/* The encoding that the file states is undone; pov_image_free() frees the pixels. Where out->width and out->height are
+ * above 0, an image of another size is refused before its pixels are decoded. */
 POV_API pov_status pov_image_read(struct pov_context *context, const char *path, pov_bitmap *out, pov_error *err);
 POV_API void pov_image_free(struct pov_context *context, pov_bitmap *bitmap);
 

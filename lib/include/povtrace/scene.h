@@ -14,7 +14,8 @@ typedef struct pov_context_desc {
     pov_allocator allocator;     /* resize NULL: malloc */
     pov_log_fn *log;             /* NULL: silent */
     void *log_user;
-    /* Folders, colon separated; NULL: $POVTRACE_PLUGIN_PATH, else povtrace/ beside the library. */
+    /* Folders, colon separated; NULL: $POVTRACE_PLUGIN_PATH, else povtrace/ beside the library. A colon at the end stands
+     * for these, behind the folders before it. */
     const char *plugin_path;
 } pov_context_desc;
 
