@@ -2,7 +2,7 @@
 TEST_SOURCES  = $(filter-out $(TESTS_LEFT_OUT),$(sort $(wildcard tests/*/test_*.c)))
 SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c))
 # Tests of what is compiled otherwise for wider processors, once more with each copy of the library and the primitives.
-COPY_TESTS    = $(filter-out %_build.c %_rough.c,$(wildcard $(patsubst %,tests/unit/test_%_*.c,model bvh world query shade texture light))) \
+COPY_TESTS    = $(filter-out %_build.c %_rough.c,$(wildcard $(patsubst %,tests/unit/test_%_*.c,model bvh world query shade texture light media))) \
                 $(wildcard tests/limits/test_*.c) tests/api/test_pictures.c tests/plugins/test_contract.c \
                 $(patsubst %,tests/numerics/test_%.c,primitives leaving)
 TEST_PROGRAMS = $(TEST_SOURCES:%.c=$(BUILD)/%) $(foreach w,$(WIDE),$(COPY_TESTS:tests/%.c=$(BUILD)/tests/$w/%))

@@ -32,7 +32,7 @@ double media_phase(const medium *m, double cosine)
     case SCATTER_RAYLEIGH:
         return rayleigh * (1.0 + cosine * cosine);
     case SCATTER_HENYEY:
-        return henyey(m->eccentricity, cosine);
+        return henyey((double)m->eccentricity, cosine);
     default:
         return 1.0;
     }

@@ -9,12 +9,12 @@ typedef enum scatter_type {
     SCATTER_NONE, SCATTER_ISOTROPIC, SCATTER_HAZE, SCATTER_MURK, SCATTER_RAYLEIGH, SCATTER_HENYEY, SCATTER_TYPES
 } scatter_type;
 
-/* Per unit of the world's length, where the density is 1. */
+/* Per unit of the world's length, where the density is 1. There is no padding: equal ones have equal bytes. */
 typedef struct medium {
     colour absorption, emission, scattering;
     float extinction;            /* part of the scattered light that is lost to the ray */
     scatter_type type;
-    double eccentricity;         /* of HENYEY: above 0 more light goes forward */
+    float eccentricity;          /* of HENYEY: above 0 more light goes forward */
     uint32_t strata;             /* of samples on a segment, as the scene asks; 0: it does not */
     uint32_t density_count;
     const pigment_node *const *densities;   /* they multiply; their filter and transmit have no meaning */

@@ -34,7 +34,7 @@ static void read_strength(pov_reader *in, void *self, keyword_id keyword)
     medium *m = &((media_reading *)self)->medium;
 
     if (keyword == KEYWORD_ECCENTRICITY)
-        m->eccentricity = value_number(in);
+        m->eccentricity = value_float(in);
     else
         m->extinction = value_float(in);
 }
@@ -57,7 +57,7 @@ static void read_scattering(pov_reader *in, void *self, keyword_id keyword)
     m->type = in->failed ? SCATTER_NONE : (scatter_type)type;
     m->scattering = value_colour(in, true).colour;
     m->extinction = 1.0f;
-    m->eccentricity = 0.0;
+    m->eccentricity = 0.0f;
     items_close(in, &b, &list, self);
 }
 

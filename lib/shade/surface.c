@@ -105,6 +105,14 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     return false;
 }
 
+/* Ray parameter of the surface. One of several that the ray starts on is where it starts. */
+static double distance_of(const surface *s)
+{
+    const bool stays = s->coincident && s->from->coincident && passage_zero_steps(0, s->ray->org, s->at->point) > 0;
+
+    return stays ? 0.0 : s->at->crossing.t;
+}
+
 /* Fog, rainbows and media on the way to the surface. */
 static inline void dim(shade_context *c, surfaces *s, surface *at, colour *out)
 {
@@ -113,7 +121,7 @@ static inline void dim(shade_context *c, surfaces *s, surface *at, colour *out)
     if (!c->scene->dims || c->photons_fly)
         return;
     behind = &s->dimmed[at - s->at];
-    air_cross(c, at->from, at->ray, at->at->crossing.t, behind, out);
+    air_cross(c, at->from, at->ray, distance_of(at), behind, out);
     at->from = behind;
 }
 
