@@ -72,7 +72,7 @@ static void a_box_absorbs_and_emits_by_its_thickness(void **state)
                 0.12, 0.12, exact);
 }
 
-static void a_ball_absorbs_by_the_chord(void **state)
+static void a_sphere_absorbs_by_the_chord(void **state)
 {
     float *picture = render("sphere { 0, 0.8" CLEAR "interior { media { absorption 0.7 } } }" WALL("4", "rgb 1"), 1);
     (void)state;
@@ -213,7 +213,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_box_absorbs_and_emits_by_its_thickness),
-        cmocka_unit_test(a_ball_absorbs_by_the_chord),
+        cmocka_unit_test(a_sphere_absorbs_by_the_chord),
         cmocka_unit_test(a_scale_moves_densities_and_not_strengths),
         cmocka_unit_test(media_act_between_the_surfaces_of_hollow_objects),
         cmocka_unit_test(nothing_acts_on_the_last_segment_but_the_atmosphere),
