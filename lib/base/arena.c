@@ -46,7 +46,7 @@ static struct arena_block *add_block(arena *a, size_t bytes, size_t align)
         return NULL;
     if (size < bytes + head)
         size = bytes + head;
-    b = env_alloc(a->env, 1, size);
+    b = env_resize(a->env, NULL, 1, size);
     if (!b)
         return NULL;
     b->used = sizeof *b;
@@ -80,7 +80,7 @@ void *arena_alloc(arena *a, size_t bytes, size_t align)
         start = start_of(b, align);
     }
     b->used = start + bytes;
-    return (unsigned char *)b + start;
+    return memset((unsigned char *)b + start, 0, bytes);   /* not before: so it is in the cache when it is written */
 }
 
 bool arena_give_back(arena *a, void *block, size_t bytes)
@@ -89,7 +89,6 @@ bool arena_give_back(arena *a, void *block, size_t bytes)
 
     if (!b || (unsigned char *)block + bytes != (unsigned char *)b + b->used)
         return false;
-    memset(block, 0, bytes);
     b->used -= bytes;
     return true;
 }
