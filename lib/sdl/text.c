@@ -2,6 +2,8 @@
 
 #include "sdl/report.h"
 
+#include <povtrace/exact.h>
+
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>
@@ -186,12 +188,74 @@ static int mend_point(char *out, int n)
     return n - ((int)strlen(point) - 1);
 }
 
+/* Of |number| * 10^digits the nearest integer, of two the even one, as printf rounds: the product is exact, and where
+ * it is an integer with a fraction that doubles hold, so is what is left. False: it is too large. */
+static bool nearest(double number, int digits, uint64_t *out)
+{
+    static const double powers[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15 };
+    pov_two scaled;
+    double beyond;
+
+    if (digits >= (int)(sizeof powers / sizeof powers[0]) || !(number <= 1e15) || (number < 1e-200 && number != 0.0))
+        return false;
+    scaled = pov_two_product(number, powers[digits]);
+    if (!(scaled.hi < 1e15))
+        return false;
+    *out = (uint64_t)scaled.hi;
+    beyond = scaled.hi - (double)*out - 0.5;
+    if (beyond > -scaled.lo || (beyond == -scaled.lo && (*out & 1) == 1))
+        ++*out;
+    return true;
+}
+
+/* The digits of an integer before `end`, a point in front of the last so many of them. */
+static char *put_digits(char *end, uint64_t n, int digits)
+{
+    int i;
+
+    for (i = 0; n > 0 || i <= digits; i++, n /= 10) {
+        if (i == digits && digits > 0)
+            *--end = '.';
+        *--end = (char)('0' + n % 10);
+    }
+    return end;
+}
+
+/* What printf would make of it, as long as it is short. 0: it is not. */
+static int short_number(char *out, size_t size, double number, int width, int digits)
+{
+    enum { LONGEST = 40 };
+    char text[LONGEST], *at;
+    const bool is_negative = signbit(number) != 0;
+    const int wanted = width < 0 ? -width : width;
+    uint64_t n;
+    int length, total;
+
+    if (wanted >= LONGEST || !nearest(fabs(number), digits, &n))
+        return 0;
+    at = put_digits(text + LONGEST, n, digits);
+    length = (int)(text + LONGEST - at);
+    total = length + is_negative < wanted ? wanted : length + is_negative;
+    if ((size_t)total + 1 > size)
+        return 0;
+    memset(out, width < 0 ? '0' : ' ', (size_t)total);
+    if (is_negative)
+        out[width < 0 ? 0 : total - length - 1] = '-';
+    memcpy(out + total - length, at, (size_t)length);
+    out[total] = '\0';
+    return total;
+}
+
 int text_number(char *out, size_t size, double number, int width, int digits)
 {
     const bool is_short = fabs(number) < 1e131 || isinf(number) || isnan(number);
+    int length;
 
     if (digits < 0)
         digits = 6;
+    length = short_number(out, size, number, width, digits);
+    if (length > 0)
+        return length;
     if (width < 0)
         return mend_point(out, snprintf(out, size, is_short ? "%0*.*f" : "%0*.*g", -width, digits, number));
     return mend_point(out, snprintf(out, size, is_short ? "%*.*f" : "%*.*g", width, digits, number));
