@@ -142,7 +142,7 @@ static bool is_packaged(const folder *f, const char *name)
     bool found = false;
 
     for (int i = 0; i < INSTALLED; i++)
-        found |= f->path == installed[i];
+        found |= strlen(installed[i]) == f->length && memcmp(installed[i], f->path, f->length) == 0;
     return found && !strchr(name, '/');
 }
 

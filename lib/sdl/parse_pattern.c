@@ -178,10 +178,23 @@ void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class
     read_class(in, r);
 }
 
+void parse_pattern_init(symbols *words)
+{
+    const pattern_class *class;
+    symbol *word;
+    size_t i;
+
+    for (i = 0; (class = pattern_at(i)) != NULL; i++) {
+        word = symbols_named(words, class->keyword);
+        if (word)
+            word->pattern = class;
+    }
+}
+
 bool parse_pattern_word(pov_reader *in, pattern_reading *r)
 {
     const bool is_word = in->token.kind == TOKEN_WORD && in->token.symbol->id != KEYWORD_OTHER;
-    const pattern_class *class = is_word ? pattern_find(in->token.symbol->name) : NULL;
+    const pattern_class *class = is_word ? in->token.symbol->pattern : NULL;
 
     if (!class)
         return false;

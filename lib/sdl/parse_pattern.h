@@ -19,6 +19,8 @@ void parse_pattern_begin(pattern_reading *r);
 void parse_pattern_take(pattern_reading *r, const pattern *p);
 /* The word of a pattern is next: read it and its arguments. False: it is not. */
 bool parse_pattern_word(pov_reader *in, pattern_reading *r);
+/* Note at the words of the language which of them are patterns. */
+void parse_pattern_init(symbols *words);
 /* The word of a class was taken: its arguments. */
 void parse_pattern_class(pov_reader *in, pattern_reading *r, const pattern_class *class);
 /* What may stand in the block behind the word has been read. */

@@ -10,6 +10,7 @@
 #include "sdl/intrinsic.h"
 #include "sdl/macro.h"
 #include "sdl/parse.h"
+#include "sdl/parse_pattern.h"
 #include "sdl/parse_radiosity.h"
 #include "sdl/recover.h"
 #include "sdl/report.h"
@@ -128,6 +129,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
         return false;
     intrinsic_init(&in->words);
     directive_init(&in->words);
+    parse_pattern_init(&in->words);
     return scope_push(in);
 }
 

@@ -27,6 +27,7 @@ typedef struct symbol {
     uint32_t flags;              /* KEYWORD_FLAG_* above */
     struct binding *binding;     /* the innermost value of that name; NULL: none is declared */
     const struct intrinsic *intrinsic;   /* a function of expressions; NULL: none of that name */
+    const struct pattern_class *pattern; /* NULL: none of that name */
     int directive;               /* row among the directives, or -1 */
     const shape_class *shape;   /* NULL: not asked for yet, or none */
     void *last;                  /* what was written last of the shape; NULL: nothing yet */

@@ -34,6 +34,11 @@ const pattern_class *pattern_find(const char *keyword)
     return NULL;
 }
 
+const pattern_class *pattern_at(size_t index)
+{
+    return index < sizeof classes / sizeof classes[0] ? classes[index] : NULL;
+}
+
 bool pattern_needs_noise(const pattern *p)
 {
     return (p->class->flags & PATTERN_NEEDS_NOISE) || !turbulence_is_none(&p->turbulence) || warp_needs_noise(p->warps);

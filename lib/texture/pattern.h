@@ -84,6 +84,8 @@ typedef struct pattern_class {
 
 /* The class of a keyword. NULL: not a pattern. */
 const pattern_class *pattern_find(const char *keyword);
+/* All classes, by index. NULL: past the last. */
+const pattern_class *pattern_at(size_t index);
 /* Of blends without a pattern: it has a space only, and neither evaluate() nor colours(). */
 extern const pattern_class pattern_average;
 /* Of textures alone; and of volumes, which have no block. */
