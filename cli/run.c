@@ -41,7 +41,8 @@ static pov_status load(pov_scene **scene, pov_context *context, const args *a, p
     pov_status status;
 
     desc.dialect = a->dialect;
-    desc.accel = a->accel;
+    /* What is only read needs no tree. */
+    desc.accel = a->check && !a->explain ? POV_ACCEL_NONE : a->accel;
     desc.accuracy = a->accuracy;
     desc.max_trace_level = a->max_depth;
     desc.threads = a->threads;
