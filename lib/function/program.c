@@ -87,31 +87,33 @@ double program_run(const program *p, double *r)
 {
     for (uint32_t at = 0; at < p->count;) {
         const instruction *i = &p->code[at++];
-        const double a = i->op > PROGRAM_CONSTANT && i->op < PROGRAM_JUMP ? r[i->a] : 0.0;
 
         switch ((program_op)i->op) {
         case PROGRAM_CONSTANT: r[i->to] = p->constants[i->a]; break;
-        case PROGRAM_COPY: r[i->to] = a; break;
-        case PROGRAM_ADD: r[i->to] = a + r[i->b]; break;
-        case PROGRAM_SUBTRACT: r[i->to] = a - r[i->b]; break;
-        case PROGRAM_MULTIPLY: r[i->to] = a * r[i->b]; break;
-        case PROGRAM_DIVIDE: r[i->to] = a / r[i->b]; break;
-        case PROGRAM_NEGATE: r[i->to] = -a; break;
-        case PROGRAM_LESS: r[i->to] = a < r[i->b]; break;
-        case PROGRAM_AT_MOST: r[i->to] = a <= r[i->b]; break;
-        case PROGRAM_EQUAL: r[i->to] = a == r[i->b]; break;
-        case PROGRAM_UNEQUAL: r[i->to] = a != r[i->b]; break;
-        case PROGRAM_AND: r[i->to] = a != 0.0 && r[i->b] != 0.0; break;
-        case PROGRAM_OR: r[i->to] = a != 0.0 || r[i->b] != 0.0; break;
-        case PROGRAM_ONE: r[i->to] = ones[i->b].of(a); break;
-        case PROGRAM_TWO: r[i->to] = twos[i->c].of(a, r[i->b]); break;
+        case PROGRAM_COPY: r[i->to] = r[i->a]; break;
+        case PROGRAM_ADD: r[i->to] = r[i->a] + r[i->b]; break;
+        case PROGRAM_SUBTRACT: r[i->to] = r[i->a] - r[i->b]; break;
+        case PROGRAM_MULTIPLY: r[i->to] = r[i->a] * r[i->b]; break;
+        case PROGRAM_DIVIDE: r[i->to] = r[i->a] / r[i->b]; break;
+        case PROGRAM_NEGATE: r[i->to] = -r[i->a]; break;
+        case PROGRAM_LESS: r[i->to] = r[i->a] < r[i->b]; break;
+        case PROGRAM_AT_MOST: r[i->to] = r[i->a] <= r[i->b]; break;
+        case PROGRAM_EQUAL: r[i->to] = r[i->a] == r[i->b]; break;
+        case PROGRAM_UNEQUAL: r[i->to] = r[i->a] != r[i->b]; break;
+        case PROGRAM_AND: r[i->to] = r[i->a] != 0.0 && r[i->b] != 0.0; break;
+        case PROGRAM_OR: r[i->to] = r[i->a] != 0.0 || r[i->b] != 0.0; break;
+        case PROGRAM_ONE: r[i->to] = ones[i->b].of(r[i->a]); break;
+        case PROGRAM_TWO: r[i->to] = twos[i->c].of(r[i->a], r[i->b]); break;
         case PROGRAM_SELECT: r[i->to] = choose(&r[i->a], i->b); break;
         case PROGRAM_INTERNAL: r[i->to] = internal_value(i->b, &r[i->a]); break;
         case PROGRAM_HOST: r[i->to] = p->hosts[i->b].value(p->hosts[i->b].self, &r[i->a], i->c); break;
         case PROGRAM_CALL: r[i->to] = call(p->callees[i->b], &r[i->a], r + p->registers); break;
-        case PROGRAM_JUMP: at = i->a; break;
         case PROGRAM_JUMP_ABOVE:
             if (!(r[i->a] <= r[i->b]))
+                at = i->to;
+            break;
+        case PROGRAM_JUMP_WITHIN:
+            if (r[i->a] <= r[i->b])
                 at = i->to;
             break;
         }

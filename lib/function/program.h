@@ -18,8 +18,8 @@ typedef enum program_op {
     PROGRAM_INTERNAL,            /* to = internal(b) of the registers from a on */
     PROGRAM_HOST,                /* to = part c of hosts[b] of the registers from a on */
     PROGRAM_CALL,                /* to = callees[b] of the registers from a on */
-    PROGRAM_JUMP,                /* to the instruction a */
-    PROGRAM_JUMP_ABOVE           /* to the instruction `to` unless a <= b */
+    PROGRAM_JUMP_ABOVE,          /* to the instruction `to` unless a <= b */
+    PROGRAM_JUMP_WITHIN          /* to the instruction `to` if a <= b */
 } program_op;
 
 typedef struct instruction { uint16_t op, c; uint32_t to, a, b; } instruction;

@@ -6,7 +6,6 @@
 #include "sdl/function_host.h"
 #include "sdl/noise.h"
 #include "sdl/report.h"
-#include "sdl/unsupported.h"
 #include "texture/noise_functions.h"
 
 #include <string.h>
@@ -171,7 +170,7 @@ static uint32_t call_series(compiler *c, bool is_product)
     emit(c, is_product ? PROGRAM_MULTIPLY : PROGRAM_ADD, total, total, value_at);
     one = constant(c, 1.0);
     emit(c, PROGRAM_ADD, variable.at, variable.at, one);
-    emit(c, PROGRAM_JUMP, 0, start, 0);
+    emit(c, PROGRAM_JUMP_WITHIN, start + 1, variable.at, last);
     if (!in->failed)
         c->code.items[start].to = (uint32_t)c->code.count;
     state_close(in, ')');
@@ -215,11 +214,6 @@ static uint32_t call_part(compiler *c, const function *f)
 
     read_arguments(c, f->kind == FUNCTION_SPLINE ? 1 : 3, 3, &first);
     part = component_of(c, f);
-    if (f->kind == FUNCTION_SPLINE) {
-        unsupported_note(c->in, &c->in->last, KEYWORD_SPLINE, "a spline in a formula");
-        c->next = mark;
-        return constant(c, 0.0);
-    }
     return emit_host(c, mark, first, host, part < 0 ? 0 : (uint32_t)part);
 }
 

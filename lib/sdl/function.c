@@ -151,6 +151,7 @@ static void read_content(pov_reader *in, function *f, symbol *const *parameters,
         f->kind = FUNCTION_SPLINE;
         state_advance(in);
         f->spline = spline_read(in);
+        f->curve = in->failed ? NULL : spline_keep(in, &f->spline);
         break;
     case KEYWORD_PATTERN:
         read_pattern(in, f);

@@ -14,7 +14,8 @@ typedef enum function_kind {
 typedef struct function {
     function_kind kind;
     program program;
-    value spline;                /* kept until the reader goes */
+    value spline;                /* kept until the reader goes, */
+    const struct spline *curve;  /* and a copy that stays */
     pov_affine map;
     const pigment_node *pigment;
     const pattern *pattern;

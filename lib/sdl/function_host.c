@@ -1,6 +1,7 @@
 #include "sdl/function_host.h"
 
 #include "sdl/expression.h"
+#include "sdl/spline.h"
 #include "texture/points.h"
 
 static pov_vec3 vector_of(const double *at) { return pov_vec3_of(at[0], at[1], at[2]); }
@@ -68,7 +69,7 @@ double function_host_value(const void *self, const double *at, uint32_t part)
         v[2] = p.z;
         break;
     default:
-        break;
+        spline_at(f->curve, at[0], v);
     }
     return expression_part(v, (int)part);
 }

@@ -5,14 +5,17 @@
 
 #include <string.h>
 
-typedef struct knot { double at, v[5]; } knot;
+typedef struct knot {
+    double at, v[5];
+    double second[5];            /* derivatives, of the natural spline */
+} knot;
 
-typedef struct spline {
+struct spline {
     shared head;
     keyword_id type;
     int size, count;             /* components, knots */
     knot knots[];                /* in the order of their parameters */
-} spline;
+};
 
 enum { KNOTS_MAX = 1 << 20 };
 
@@ -131,6 +134,40 @@ static spline *read_knots(pov_reader *in, spline *s)
     return s;
 }
 
+/* Second derivatives of the natural spline, by elimination from the front. */
+static void solve(knot *k, int count, int c, double *ratio)
+{
+    int i;
+
+    ratio[0] = 0.0;
+    for (i = 1; i < count - 1; i++) {
+        double left = k[i].at - k[i - 1].at, right = k[i + 1].at - k[i].at;
+        double pivot = 2.0 * (left + right) - left * ratio[i - 1];
+        double jump = 6.0 * ((k[i + 1].v[c] - k[i].v[c]) / right - (k[i].v[c] - k[i - 1].v[c]) / left);
+
+        ratio[i] = right / pivot;
+        k[i].second[c] = (jump - left * k[i - 1].second[c]) / pivot;
+    }
+    for (i = count - 2; i > 0; i--)
+        k[i].second[c] -= ratio[i] * k[i + 1].second[c];
+}
+
+static void settle(pov_reader *in, spline *s)
+{
+    double *ratio = in->failed ? NULL : env_alloc(in->model->env, (size_t)s->count, sizeof *ratio);
+    int i, c;
+
+    if (!ratio) {
+        report_memory(in);
+        return;
+    }
+    for (i = 0; i < s->count; i++)
+        memset(s->knots[i].second, 0, sizeof s->knots[i].second);
+    for (c = 0; c < s->size; c++)
+        solve(s->knots, s->count, c, ratio);
+    env_free(in->model->env, ratio);
+}
+
 value spline_read(pov_reader *in)
 {
     value v = value_of_number(0.0);
@@ -143,6 +180,7 @@ value spline_read(pov_reader *in)
     s = read_knots(in, s);
     if (!in->failed && s->count == 0)
         report_expected(in, "the first point of the spline");
+    settle(in, s);
     state_close(in, '}');
     v.kind = VALUE_SPLINE;
     v.as.shared = &s->head;
@@ -183,42 +221,13 @@ static double cubic(const knot *k, int c, double t)
            (3.0 * s * s - 2.0 * s * s * s) * k[1].v[c] + (s * s * s - s * s) * h * slope(k + 1, c);
 }
 
-/* Second derivatives of the natural spline, by elimination from the front; they are not kept, for splines are short
- * and asked for a few times. */
-static double natural(pov_reader *in, const spline *s, int segment, int c, double t)
+/* With the second derivatives at both ends. */
+static double natural(const knot *k, int c, double t)
 {
-    const knot *k = s->knots;
-    double *ratio = env_alloc(in->model->env, 2 * (size_t)s->count, sizeof *ratio), *rest = ratio ? ratio + s->count : NULL;
-    double second[2] = { 0.0, 0.0 }, last = 0.0, h, a, b;
-    int i;
+    const double h = k[1].at - k[0].at, a = (k[1].at - t) / h, b = (t - k[0].at) / h;
 
-    if (!ratio) {
-        report_memory(in);
-        return 0.0;
-    }
-    for (i = 1; i < s->count - 1; i++) {
-        double left = k[i].at - k[i - 1].at, right = k[i + 1].at - k[i].at;
-        double pivot = 2.0 * (left + right) - left * ratio[i - 1];
-        double jump = 6.0 * ((k[i + 1].v[c] - k[i].v[c]) / right - (k[i].v[c] - k[i - 1].v[c]) / left);
-
-        ratio[i] = right / pivot;
-        rest[i] = (jump - left * rest[i - 1]) / pivot;
-    }
-    for (i = s->count - 2; i >= 0; i--) {
-        double here = i == 0 ? 0.0 : rest[i] - ratio[i] * last;
-
-        if (i == segment) {
-            second[0] = here;
-            second[1] = last;
-        }
-        last = here;
-    }
-    env_free(in->model->env, ratio);
-    k += segment;
-    h = k[1].at - k[0].at;
-    a = (k[1].at - t) / h;
-    b = (t - k[0].at) / h;
-    return a * k[0].v[c] + b * k[1].v[c] + ((a * a * a - a) * second[0] + (b * b * b - b) * second[1]) * h * h / 6.0;
+    return a * k[0].v[c] + b * k[1].v[c] +
+           ((a * a * a - a) * k[0].second[c] + (b * b * b - b) * k[1].second[c]) * h * h / 6.0;
 }
 
 static int segment_of(const spline *s, double t)
@@ -230,7 +239,7 @@ static int segment_of(const spline *s, double t)
     return i;
 }
 
-static double component(pov_reader *in, const spline *s, keyword_id type, int c, double t)
+static double component(const spline *s, keyword_id type, int c, double t)
 {
     const int first = type == KEYWORD_CUBIC_SPLINE && s->count > 2, last = s->count - 1 - first;
     int i;
@@ -246,7 +255,24 @@ static double component(pov_reader *in, const spline *s, keyword_id type, int c,
         return linear(s->knots + i, c, t);
     if (type == KEYWORD_QUADRATIC_SPLINE)
         return quadratic(s->knots + (i > 0 ? i - 1 : 0), c, t);
-    return type == KEYWORD_CUBIC_SPLINE ? cubic(s->knots + i, c, t) : natural(in, s, i, c, t);
+    return type == KEYWORD_CUBIC_SPLINE ? cubic(s->knots + i, c, t) : natural(s->knots + i, c, t);
+}
+
+const spline *spline_keep(pov_reader *in, const value *v)
+{
+    const spline *s = (const spline *)v->as.shared;
+    const size_t bytes = sizeof *s + (size_t)s->count * sizeof(knot);
+    spline *kept = state_alloc(in, bytes, sizeof(double));
+
+    return kept ? memcpy(kept, s, bytes) : NULL;
+}
+
+void spline_at(const spline *s, double t, double out[5])
+{
+    int i;
+
+    for (i = 0; i < 5; i++)
+        out[i] = i < s->size ? component(s, s->type, i, t) : 0.0;
 }
 
 value spline_call(pov_reader *in, value callee)
@@ -269,7 +295,7 @@ value spline_call(pov_reader *in, value callee)
         v.kind = VALUE_VECTOR;
         v.size = s->size;
         for (i = 0; i < s->size; i++)
-            v.as.v[i] = component(in, s, type, i, t);
+            v.as.v[i] = component(s, type, i, t);
     }
     value_drop(&in->heap, &callee);
     return v;
