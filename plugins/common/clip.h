@@ -6,17 +6,28 @@
 
 typedef struct common_span { double lo, hi; } common_span;
 
+/* Between the distances of two planes, in any order. */
+static inline void common_clip_between(common_span *s, double a, double b)
+{
+    const double near = a < b ? a : b, far = a < b ? b : a;
+
+    s->lo = near > s->lo ? near : s->lo;
+    s->hi = far < s->hi ? far : s->hi;
+}
+
 static inline void common_clip_axis(common_span *s, double from, double d, double lo, double hi, double margin)
 {
-    const double a = (lo - margin - from) / d, b = (hi + margin - from) / d;
+    if (d != 0.0)
+        common_clip_between(s, (lo - margin - from) / d, (hi + margin - from) / d);
+    else if (!(from >= lo - margin && from <= hi + margin))
+        s->hi = -HUGE_VAL;
+}
 
-    if (d == 0.0) {
-        if (!(from >= lo - margin && from <= hi + margin))
-            s->hi = -HUGE_VAL;
-        return;
-    }
-    s->lo = fmax(s->lo, fmin(a, b));
-    s->hi = fmin(s->hi, fmax(a, b));
+/* The same by the inverse of d, which is infinite for 0: planes are then infinitely far, before the ray or behind it. The margin
+ * must keep them off the ray. */
+static inline void common_clip_inverse(common_span *s, double from, double inverse, double lo, double hi, double margin)
+{
+    common_clip_between(s, (lo - margin - from) * inverse, (hi + margin - from) * inverse);
 }
 
 /* In the space of the ray; the box's coordinates are of the order of one. False: the line misses it. */

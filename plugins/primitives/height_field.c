@@ -171,8 +171,8 @@ typedef struct walk {
     const pov_ray *ray;
     pov_hits *hits;
     common_triangle_ray through;
-    pov_vec3 o, d;               /* from where it comes near, at the distance `base` */
-    double base;
+    pov_vec3 o, d, inverse;      /* from where it comes near, at the distance `base` */
+    double base, cell_x, cell_z;   /* sizes of a cell */
     bool from_here;
 } walk;
 
@@ -216,35 +216,57 @@ static bool cross_cell(walk *w, uint32_t x, uint32_t z)
     return cross_face(w, feature, &a, &b, &c) && cross_face(w, feature + 1, &b, &d, &c);
 }
 
-/* The stretch of the ray within a square, with a margin. */
-static bool reaches(const walk *w, const level *l, uint32_t n, uint32_t x, uint32_t z, common_span *s)
-{
-    const double cells = (double)((uint64_t)1 << n), size_x = w->f->wide - 1.0, size_z = w->f->deep - 1.0, margin = 0x1p-30;
-    const size_t i = (size_t)z * l->wide + x;
+/* What a position may be off, in the unit square: far more than roundings. */
+static const double margin = 0x1p-30;
 
-    common_clip_axis(s, w->o.x, w->d.x, x * cells / size_x, fmin((x + 1) * cells / size_x, 1.0), margin);
-    common_clip_axis(s, w->o.z, w->d.z, z * cells / size_z, fmin((z + 1) * cells / size_z, 1.0), margin);
-    common_clip_axis(s, w->o.y, w->d.y, fmax(l->lo[i], w->f->water), l->hi[i], margin);
+/* Keep of a stretch what is between the least and the greatest height of a square. */
+static bool reaches(const walk *w, const level *l, uint32_t x, uint32_t z, common_span *s)
+{
+    const double low = l->lo[(size_t)z * l->wide + x], high = l->hi[(size_t)z * l->wide + x];
+
+    common_clip_inverse(s, w->o.y, w->inverse.y, low > w->f->water ? low : w->f->water, high, margin);
     return s->lo <= s->hi;
+}
+
+/* Where the ray crosses from one half of a square to the other: on the near side before `near`, on the far side behind
+ * `far`. Too near the line between them for a whole ray, it is on both sides everywhere. */
+typedef struct halves { double near, far; } halves;
+
+static halves halve(double from, double inverse, double middle)
+{
+    const double gap = middle - from, off = margin * fabs(inverse);
+    const halves both = { HUGE_VAL, -HUGE_VAL }, cut = { gap * inverse + off, gap * inverse - off };
+    const halves along = { gap * inverse, gap * inverse };
+
+    return !(fabs(gap) > margin) ? both : isfinite(off) ? cut : along;
 }
 
 /* False: nothing more is wanted. The nearer children come first. */
 static bool descend(walk *w, uint32_t n, uint32_t x, uint32_t z, common_span span)
 {
-    const level *l = &w->f->level[n], *below;
+    const level *l = &w->f->level[n], *below = l - 1;
     const uint32_t flip_x = w->d.x < 0.0, flip_z = w->d.z < 0.0;
+    double half;
+    halves by_x, by_z;
 
-    if (!reaches(w, l, n, x, z, &span))
+    if (!reaches(w, l, x, z, &span))
         return true;
     if (n == 0)
         return cross_cell(w, x, z);
     if (w->hits->want == POV_WANT_NEAREST && w->hits->count > 0 && (w->base + span.lo - 0x1p-20) * w->through.about.unit > w->hits->tmax)
         return true;
-    below = &w->f->level[n - 1];
+    half = (double)((uint64_t)1 << (n - 1));
+    by_x = halve(w->o.x, w->inverse.x, (2 * x + 1) * half * w->cell_x);
+    by_z = halve(w->o.z, w->inverse.z, (2 * z + 1) * half * w->cell_z);
     for (uint32_t i = 0; i < 4; i++) {
         const uint32_t u = 2 * x + ((i & 1) ^ flip_x), v = 2 * z + ((i >> 1) ^ flip_z);
+        const double from_x = i & 1 ? by_x.far : -HUGE_VAL, from_z = i & 2 ? by_z.far : -HUGE_VAL;
+        const double to_x = i & 1 ? HUGE_VAL : by_x.near, to_z = i & 2 ? HUGE_VAL : by_z.near;
+        common_span part = span;
 
-        if (u < below->wide && v < below->deep && !descend(w, n - 1, u, v, span))
+        common_clip_between(&part, from_x, to_x);
+        common_clip_between(&part, from_z, to_z);
+        if (part.lo <= part.hi && u < below->wide && v < below->deep && !descend(w, n - 1, u, v, part))
             return false;
     }
     return true;
@@ -272,6 +294,9 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     w.from_here = ray->origin_surface == hits->owner;
     w.o = common_along(&k, base);
     w.d = k.d;
+    w.inverse = pov_vec3_of(1.0 / k.d.x, 1.0 / k.d.y, 1.0 / k.d.z);
+    w.cell_x = 1.0 / (f->wide - 1.0);
+    w.cell_z = 1.0 / (f->deep - 1.0);
     w.base = base;
     common_triangle_enter(&w.through, ray, middle, 1.0, hits->always_exact);
     span.lo = -0x1p-30;
