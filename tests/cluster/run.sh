@@ -66,13 +66,13 @@ dask_says_what_is_wrong_with_the_scene() {
 
 # ---- Slurm ----
 
-# A cluster of this machine, in this folder: two nodes, each with a core. $slurm is its folder.
+# A cluster of this machine: two nodes, each with a core. $slurm is its folder, whose name is short: sockets lie there.
 start_slurm() {
     for program in slurmctld slurmd munged sbatch; do
         command -v $program > /dev/null || skip "no $program here"
     done
     [ "$(id -u)" -eq 0 ] || skip "Slurm's daemons want root"
-    slurm=$PWD/slurm
+    slurm=$(mktemp -d /tmp/slurm.XXXXXX)
     mkdir -p "$slurm/state" "$slurm/spool1" "$slurm/spool2"
     chmod 755 "$slurm" "$PWD"
     dd if=/dev/urandom of="$slurm/key" bs=1024 count=1 2> /dev/null
@@ -83,8 +83,7 @@ start_slurm() {
     write_slurm_conf > "$slurm/slurm.conf"
     SLURM_CONF=$slurm/slurm.conf
     export SLURM_CONF
-    # shellcheck disable=SC2064
-    trap "stop_slurm" EXIT
+    trap stop_slurm EXIT
     sleep 1
     slurmctld -D -c > "$slurm/ctld.out" 2>&1 &
     controller=$!
@@ -106,6 +105,7 @@ stop_slurm() {
         kill "$daemon" 2> /dev/null || true
     done
     wait "$node1" "$node2" "$controller" "$munge" 2> /dev/null || true
+    rm -rf "${slurm:?}"
 }
 
 write_slurm_conf() {
