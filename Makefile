@@ -298,6 +298,7 @@ help:
 	@echo "make asan tsan  run the tests under the sanitizers; asan under clang's as well, where it is: make ubsan"
 	@echo "make aarch64    build for aarch64 with Debian's cross compiler; hold its pictures, by qemu, against this machine's"
 	@echo "make compare    hold the pictures against POV-Ray's, where it is installed"
+	@echo "make fuzz       give strangers' bytes to scenes, images, checkpoints and arguments: SECONDS=n each; wants clang"
 	@echo "make mutate     make a dozen mistakes in a copy of the tree, one by one: a test must notice each"
 	@echo "make corpus     draw the scenes that come with POV-Ray beside it: what is read, what matches, what is missing"
 	@echo "make programs   the same with scenes that ASE, PyMOL, VTK, vapory, Jmol, Open Babel and Inkscape write"

@@ -100,11 +100,7 @@ static const char *const help[] = {
     "Exit status: 0 complete, 1 error in the scene or while rendering, 2 wrong\n"
     "usage, 3 a limit ended it before what was asked for was reached, 4 the parts\n"
     "are to go on; a signal that ends povc saves the part that is there and shows\n"
-    "as 128 + its number. SIGUSR1 writes the picture so far. Exit status: 0\n"
-    "complete, 1 error in the scene or while rendering, 2 wrong usage, 3 a limit\n"
-    "ended it before what was asked for was reached; a signal that ends povc saves\n"
-    "the part that is there and shows as 128 + its number. SIGUSR1 writes the\n"
-    "picture so far.\n",
+    "as 128 + its number. SIGUSR1 writes the picture so far.\n",
 };
 
 void usage_print_help(void)

@@ -142,6 +142,26 @@ tsan:
 	TSAN_OPTIONS='suppressions=$(CURDIR)/tests/support/tsan.supp ignore_noninstrumented_modules=1' \
 	    BUILD_DIR='$(CURDIR)/build-tsan' tests/run.sh $(SANITIZED_TESTS:%.c=build-tsan/%)
 
+# What strangers' bytes do: libFuzzer and the sanitizers on each harness of tests/fuzz, SECONDS each, beginning with the
+# scenes of the tree. Findings are left in build-fuzz/tests/fuzz.
+SECONDS ?= 60
+HARNESSES = scene image checkpoint arguments
+$(BUILD)/obj/tests/fuzz/arguments.o: ROOM_FLAGS += -Icli
+$(BUILD)/tests/fuzz/test_replay: $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(BUILD)/obj/cli/args.o | $(PLUGINS)
+$(BUILD)/tests/fuzz/fuzz_%: tests/fuzz/main.c $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(BUILD)/obj/cli/args.o \
+    $(SUPPORT_SOURCES:%.c=$(BUILD)/obj/%.o) $(STATIC)
+	$(call say,LINK,$@) $(CC) $(BASE_FLAGS) -Itests -DHARNESS=fuzz_$* -fsanitize=fuzzer -rdynamic $(filter-out %.h,$^) -lcmocka \
+	    $(SYSTEM_LIBS) -o $@
+.PHONY: fuzz fuzzers
+fuzzers: $(PLUGINS) $(HARNESSES:%=$(BUILD)/tests/fuzz/fuzz_%)
+fuzz:
+	$(MAKE) BUILD=build-fuzz CC=clang WIDE= OPTIMISE=-O1 LDFLAGS='-Wl,-z,undefs' \
+	    SANITIZE='-fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=undefined -fno-omit-frame-pointer' fuzzers
+	for h in $(HARNESSES); do mkdir -p build-fuzz/tests/fuzz/$$h; build-fuzz/tests/fuzz/fuzz_$$h -max_total_time=$(SECONDS) \
+	    -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=build-fuzz/tests/fuzz/$$h- \
+	    $$([ $$h != scene ] || echo -dict=tests/fuzz/scene.dict) build-fuzz/tests/fuzz/$$h \
+	    $$([ $$h != scene ] || echo scenes/test) || exit 1; done
+
 # Every scene in povtrace and in an installed POV-Ray, picture against picture.
 .PHONY: compare
 compare: all
