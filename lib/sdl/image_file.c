@@ -198,7 +198,7 @@ const image *image_file_read(pov_reader *in, const string *name, const char *for
         return NULL;
     ending_of(name, ending);
     if (!format && ending[0] == '\0')
-        report_fail(in, &in->value, POV_E_SYNTAX, "the format of \"%.200s\" is not known: write it before the name", name->text);
+        format = "png";          /* as POV-Ray has it on Unix */
     if (in->failed || !find(in, name, format ? format : ending, path))
         return NULL;
     for (file = in->images; file; file = file->next)

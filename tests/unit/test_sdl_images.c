@@ -63,13 +63,22 @@ static void refuses(const char *text, pov_status status, const char *message)
     end(&b);
 }
 
+static void a_name_without_a_format_is_that_of_a_png(void **state)
+{
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { \"images/rings\" } }"), POV_OK);
+    end(&b);
+}
+
 static void what_cannot_be_read_is_refused_with_its_place(void **state)
 {
     (void)state;
     refuses("pigment { image_map { png \"images/none.png\" } }", POV_E_IO, "no file \"images/none.png\"");
     refuses("pigment { image_map { png \"images/rings.tga\" } }", POV_E_IO, "does not begin like a PNG");
     refuses("pigment { image_map { sys \"images/rings\" } }", POV_E_UNSUPPORTED, "no image format of its own");
-    refuses("pigment { image_map { \"images/rings\" } }", POV_E_SYNTAX, "format of \"images/rings\" is not known");
+    refuses("pigment { image_map { \"images/none\" } }", POV_E_IO, "no file \"images/none\"");
     refuses("pigment { image_map { iff \"images/rings.png\" } }", POV_E_PLUGIN, "\"iff\"");
     refuses("pigment { image_map { png \"images/rings.png\" map_type 3 } }", POV_E_SYNTAX, "0, 1, 2 or 5");
     refuses("pigment { image_map { png \"images/rings.png\" filter 2, .5 } }", POV_E_SYNTAX, "with a palette");
@@ -162,6 +171,7 @@ static void a_function_makes_an_image_of_grey(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_name_without_a_format_is_that_of_a_png),
         cmocka_unit_test(what_cannot_be_read_is_refused_with_its_place),
         cmocka_unit_test(a_name_without_its_ending_is_found_and_decoded),
         cmocka_unit_test(outside_an_image_that_is_there_once_all_is_clear),
