@@ -413,6 +413,18 @@ Number(Rand_Triangle(-1.505, 2.66, 0.122, Sx))
 #declare Sx = seed(3);
 Number(Rand_Triangle(-1.519, 2.63, -0.729, Sx))
 #declare Sx = seed(1);
+Number(Rand_Chi_Square(3, Sx))
+#declare Sx = seed(2);
+Number(Rand_Chi_Square(8, Sx))
+#declare Sx = seed(3);
+Number(Rand_Student(5, Sx))
+#declare Sx = seed(4);
+Number(Rand_Student(2, Sx))
+#declare Sx = seed(5);
+Number(Rand_F_Dist(3, 4, Sx))
+#declare Sx = seed(6);
+Number(Rand_F_Dist(7, 2, Sx))
+#declare Sx = seed(1);
 Number(Rand_Erlang(0.303, 3, Sx))
 #declare Sx = seed(2);
 Number(Rand_Erlang(0.292, 5, Sx))
