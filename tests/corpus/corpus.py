@@ -57,8 +57,33 @@ def run(command, folder, seconds):
     return status, time.monotonic() - start, said
 
 
+def frames_of(scene):
+    """The settings beside a scene that is the frames of an animation, which has no frame 0: both programs draw the first."""
+    ini = scene.with_suffix('.ini')
+    return ini if ini.exists() and re.search(r'(?im)^\s*final_frame\s*=', ini.read_text('latin-1')) else None
+
+
+def first_frame(ini, picture, size):
+    """POV-Ray's own options, which both programs have."""
+    width, height = size.split('x')
+    return [ini.name, f'+O{picture.resolve()}', f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1', '+SF1', '+EF1']
+
+
+def take_frame(picture):
+    """The number of the frame goes from the name."""
+    for numbered in picture.parent.glob(f'{picture.stem}[0-9]*{picture.suffix}'):
+        if numbered.stem[len(picture.stem):].isdigit():
+            numbered.replace(picture)
+
+
 def draw_ours(scene, picture, options):
     width, height = options.size.split('x')
+    ini = frames_of(scene)
+    if ini:
+        size = '4x3' if options.read_only else options.size
+        done = run([os.path.abspath(options.povc), *first_frame(ini, picture, size)], scene.parent, options.timeout)
+        take_frame(picture)
+        return done
     command = [os.path.abspath(options.povc), scene.name, '-t', '1', '--progress', 'none']
     if options.read_only:
         return run(command[:1] + ['--check', scene.name], scene.parent, options.timeout)
@@ -73,8 +98,12 @@ def draw_theirs(scene, picture, options):
         return None if status == 'None' else int(status), float(seconds)
     width, height = options.size.split('x')
     include = ['+L' + str(scene.parent)] + ['+L' + f for f in ('/usr/share/povray-3.7/include', '/usr/share/povray/include') if Path(f).is_dir()]
-    status, seconds, _ = run([options.povray, f'+I{scene.name}', f'+O{picture.resolve()}', f'+W{width}', f'+H{height}',
-                              '-A', '-D', '-GA', '+FN8', '+WT1', *include], scene.parent, options.timeout)
+    ini = frames_of(scene)
+    command = first_frame(ini, picture, options.size) if ini else [f'+I{scene.name}', f'+O{picture.resolve()}',
+                                                                   f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1']
+    status, seconds, _ = run([options.povray, *command, '-GA', *include], scene.parent, options.timeout)
+    if ini:
+        take_frame(picture)
     note.write_text(f'{status} {seconds:.3f}\n')
     return status, seconds
 
