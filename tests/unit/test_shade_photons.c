@@ -1,0 +1,269 @@
+/* shade/photons: caustics against closed forms. A picture's light is the mean over the rays that sample it. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A floor that lies across z at 2, seen from 1.5 on; `light` stands behind the sphere of glass at 0. */
+#define FLOOR \
+    "#version 3.7; global_settings { assumed_gamma 1 photons { max_trace_level 8 } }" \
+    "camera { orthographic location <0,0,1.5> direction z right x*4 up y*3 }" \
+    "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } }"
+#define SPHERE(photons) \
+    "sphere { 0, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.5 } photons { " photons " } }"
+#define GLASS SPHERE("target refraction on")
+
+enum { WIDTH = 480, HEIGHT = 360 };
+
+static float *draw(const char *text, int width, int height, int samples, int threads)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, text);
+    pov_render_desc d = POV_INIT(d);
+    float *pixels;
+
+    d.width = width;
+    d.height = height;
+    d.samples = samples;
+    d.threads = threads;
+    pixels = scenes_render(scene, &d);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return pixels;
+}
+
+static float red_at(const float *pixels, int x, int y) { return pixels[4 * (y * WIDTH + x)]; }
+
+static double x_of(int x) { return (x + 0.5) * 4.0 / WIDTH - 2.0; }
+
+static double y_of(int y) { return 1.5 - (y + 0.5) * 3.0 / HEIGHT; }
+
+/* The mean of the picture's light between two circles around the middle. */
+static double ring(const float *pixels, double inner, double outer)
+{
+    double sum = 0.0, count = 0.0;
+
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            const double r = hypot(x_of(x), y_of(y));
+
+            if (r >= inner && r < outer) {
+                sum += (double)red_at(pixels, x, y);
+                count += 1.0;
+            }
+        }
+    return sum / count;
+}
+
+static void assert_ring(const float *pixels, double inner, double outer, double wanted, double tolerance)
+{
+    const double found = ring(pixels, inner, outer);
+
+    if (!(fabs(found / wanted - 1.0) <= tolerance))
+        fail_msg("%g instead of %g between %g and %g", found, wanted, inner, outer);
+}
+
+/* ---- the same by Snell's law: rays in a plane through the axis, as a pair of distances from the axis and along it ---- */
+
+typedef struct pair { double y, z; } pair;
+
+static pair refracted(pair d, pair normal, double eta)
+{
+    const double cosine = -(d.y * normal.y + d.z * normal.z);
+    const double by = eta * cosine - sqrt(1.0 - eta * eta * (1.0 - cosine * cosine));
+    const pair out = { eta * d.y + by * normal.y, eta * d.z + by * normal.z };
+
+    return out;
+}
+
+/* The first distance at which the sphere is met. */
+static double meets(pair p, pair d)
+{
+    const double b = p.y * d.y + p.z * d.z;
+
+    return -b - sqrt(b * b - (p.y * p.y + p.z * p.z - 1.0));
+}
+
+static pair along(pair p, pair d, double t)
+{
+    const pair out = { p.y + t * d.y, p.z + t * d.z };
+
+    return out;
+}
+
+/* How far from the axis a ray from p meets the floor, and how long its way was. */
+static double land(pair p, pair d, double *way)
+{
+    const double enter = meets(p, d);
+    const pair in = along(p, d, enter), inside = refracted(d, in, 1.0 / 1.5);
+    const double across = -2.0 * (in.y * inside.y + in.z * inside.z);
+    const pair out = along(in, inside, across), back = { -out.y, -out.z }, on = refracted(inside, back, 1.5);
+    const double rest = (2.0 - out.z) / on.z;
+
+    *way = enter + across + rest;
+    return fabs(out.y + rest * on.y);
+}
+
+/* Light upon the floor between two circles, for a light of strength 1 at -distance on the axis: the mean. */
+static double lens(double distance, double inner, double outer)
+{
+    const int steps = 200000;
+    const double widest = asin(1.0 / distance), pi = 3.14159265358979323846;
+    const pair from = { 0.0, -distance };
+    double sum = 0.0;
+
+    for (int i = 0; i < steps; i++) {
+        const double angle = (i + 0.5) / steps * widest;
+        const pair d = { sin(angle), cos(angle) };
+        double way, r = land(from, d, &way);
+
+        if (r >= inner && r < outer)
+            sum += way * way * 2.0 * pi * sin(angle) * widest / steps;
+    }
+    return sum / (pi * (outer * outer - inner * inner));
+}
+
+/* ---- tests ---- */
+
+static const double diffuse = 0.8;
+
+static void a_sphere_throws_the_caustic_of_snells_law(void **state)
+{
+    static const double edges[] = { 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0 };
+    float *p = draw(FLOOR GLASS "light_source { <0,0,-8> rgb .01 }", WIDTH, HEIGHT, 1, 0);
+
+    (void)state;
+    for (size_t i = 0; i + 1 < sizeof edges / sizeof *edges; i++)
+        assert_ring(p, edges[i], edges[i + 1], diffuse * 0.01 * lens(8.0, edges[i], edges[i + 1]), 0.02);
+    free(p);
+}
+
+static void the_caustic_holds_the_light_that_met_the_sphere(void **state)
+{
+    float *p = draw(FLOOR GLASS "light_source { <0,0,-8> rgb .01 }", WIDTH, HEIGHT, 1, 0);
+
+    (void)state;
+    assert_ring(p, 0.0, 1.0, diffuse * 0.01 * lens(8.0, 0.0, 1.0), 0.01);
+    free(p);
+}
+
+/* The edge of the caustic of a near light, where light has no bound, is blurred. */
+static void the_edge_of_a_caustic_is_sharp(void **state)
+{
+    float *p = draw(FLOOR GLASS "light_source { <0,0,-3> rgb .003 }", WIDTH, HEIGHT, 2, 0);
+
+    (void)state;
+    assert_ring(p, 0.0, 0.1, diffuse * 0.003 * lens(3.0, 0.0, 0.1), 0.03);
+    assert_ring(p, 0.1, 0.15, diffuse * 0.003 * lens(3.0, 0.1, 0.15), 0.03);
+    assert_ring(p, 0.15, 0.3, diffuse * 0.003 * lens(3.0, 0.15, 0.3), 0.02);
+    free(p);
+}
+
+/* The lamp at <-2,0,-4> is mirrored at x = 2.2 to 6.4. */
+static void a_flat_mirror_is_a_mirrored_lamp(void **state)
+{
+    static const char *const mirror = "box { <2.2,-3,-3>, <2.3,3,1> pigment { rgb 0 } "
+                                      "finish { ambient 0 diffuse 0 reflection .6 } photons { target reflection on } }";
+    char text[1024];
+    float *p;
+    double found = 0.0, wanted = 0.0;
+
+    (void)state;
+    snprintf(text, sizeof text, "%s %s light_source { <-2,0,-4> rgb .5 }", FLOOR, mirror);
+    p = draw(text, WIDTH, HEIGHT, 1, 0);
+    for (int y = 60; y < HEIGHT - 60; y++)
+        for (int x = 0; x < WIDTH / 2; x++) {
+            const double dx = x_of(x) + 2.0, far = x_of(x) - 6.4, dy = y_of(y);
+
+            found += (double)red_at(p, x, y);
+            wanted += 0.5 * diffuse * 6.0 * (1.0 / sqrt(dx * dx + dy * dy + 36.0) + 0.6 / sqrt(far * far + dy * dy + 36.0));
+        }
+    free(p);
+    assert_true(fabs(found / wanted - 1.0) < 0.002);
+}
+
+static void assert_alike(const char *a, const char *b)
+{
+    float *one = draw(a, WIDTH, HEIGHT, 1, 0), *other = draw(b, WIDTH, HEIGHT, 1, 0);
+
+    assert_memory_equal(one, other, 4 * sizeof(float) * WIDTH * HEIGHT);
+    free(one);
+    free(other);
+}
+
+static void without_targets_light_passes_as_ever(void **state)
+{
+    static const char *const lamp = "light_source { <0,1,-8> rgb .5 }";
+    char a[1024], b[1024];
+
+    (void)state;
+    snprintf(a, sizeof a, "%s%s%s", FLOOR, SPHERE("refraction on"), lamp);
+    snprintf(b, sizeof b, "%s%s%s", FLOOR, SPHERE(""), lamp);
+    assert_alike(a, b);
+    snprintf(a, sizeof a, "%s%s light_source { <0,1,-8> rgb .5 photons { refraction off } }", FLOOR, GLASS);
+    assert_alike(a, b);
+}
+
+static void where_no_photons_are_collected_light_comes_straight(void **state)
+{
+    static const char *const floor = "#version 3.7; global_settings { assumed_gamma 1 photons { } }"
+        "camera { orthographic location <0,0,1.5> direction z right x*4 up y*3 }"
+        "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } photons { collect off } }";
+    static const char *const lamp = "light_source { <0,1,-8> rgb .5 }";
+    char a[1024], b[1024];
+
+    (void)state;
+    snprintf(a, sizeof a, "%s%s%s", floor, GLASS, lamp);
+    snprintf(b, sizeof b, "%s%s%s", FLOOR, SPHERE(""), lamp);
+    assert_alike(a, b);
+}
+
+static void photons_that_cannot_leave_the_target_leave_it_dark(void **state)
+{
+    static const char *const floor = "#version 3.7; global_settings { assumed_gamma 1 photons { max_trace_level 2 } }"
+        "camera { orthographic location <0,0,1.5> direction z right x*4 up y*3 }"
+        "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } }";
+    char text[1024];
+    float *p;
+
+    (void)state;
+    snprintf(text, sizeof text, "%s%s light_source { <0,0,-8> rgb .5 }", floor, GLASS);
+    p = draw(text, WIDTH, HEIGHT, 1, 0);
+    assert_true(ring(p, 0.0, 1.0) == 0.0);
+    free(p);
+}
+
+/* As many maps as there are halves and levels of three samples. */
+static void the_number_of_threads_changes_no_bit(void **state)
+{
+    static const char *const text = FLOOR GLASS "light_source { <0,0,-8> rgb .01 }";
+    float *one = draw(text, 40, 30, 5, 1);
+
+    (void)state;
+    for (int threads = 2; threads <= 4; threads++) {
+        float *many = draw(text, 40, 30, 5, threads);
+
+        assert_memory_equal(one, many, 4 * sizeof(float) * 40 * 30);
+        free(many);
+    }
+    free(one);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_sphere_throws_the_caustic_of_snells_law),
+        cmocka_unit_test(the_caustic_holds_the_light_that_met_the_sphere),
+        cmocka_unit_test(the_edge_of_a_caustic_is_sharp),
+        cmocka_unit_test(a_flat_mirror_is_a_mirrored_lamp),
+        cmocka_unit_test(without_targets_light_passes_as_ever),
+        cmocka_unit_test(where_no_photons_are_collected_light_comes_straight),
+        cmocka_unit_test(photons_that_cannot_leave_the_target_leave_it_dark),
+        cmocka_unit_test(the_number_of_threads_changes_no_bit),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
