@@ -306,8 +306,13 @@ static bool take_up(batch_queue *q, shade_context *c)
     while (q->waits.count > 0) {
         const wait w = q->waits.items[q->waits.count - 1];
 
-        if (w.paths && w.paths->gather)
-            return draw(q, c);
+        if (w.paths && w.paths->gather) {
+            if (!draw(q, c))
+                return false;
+            if (q->now->count > 0)
+                return true;
+            continue;
+        }
         q->waits.count--;
         if (w.sum) {
             end_sum(q, c, w.sum);

@@ -1,7 +1,7 @@
 #include "shade/gather.h"
 
-#include "base/elementary.h"
 #include "shade/air.h"
+#include "shade/guide.h"
 #include "shade/spawn.h"
 
 /* ---- origins ---- */
@@ -155,24 +155,6 @@ bool gather_has_draw(const batch *b, uint32_t draw)
     return false;
 }
 
-/* Two axes across a unit vector, without a branch at its poles: Duff and others, Building an orthonormal basis, revisited,
- * JCGT 6(1), 2017. */
-static pov_vec3 across(pov_vec3 n, double x, double y, double z)
-{
-    const double sign = copysign(1.0, n.z), a = -1.0 / (sign + n.z), b = n.x * n.y * a;
-    const pov_vec3 u = pov_vec3_of(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x), v = pov_vec3_of(b, sign + n.y * n.y * a, -n.y);
-
-    return pov_add(pov_add(pov_scale(u, x), pov_scale(v, y)), pov_scale(n, z));
-}
-
-/* A direction about the normal, by the cosine: a point of the disc below. */
-static pov_vec3 direction_of(pov_vec3 normal, sequence_point p)
-{
-    const double radius = sqrt(p.x);
-
-    return across(normal, radius * elementary_cos_turns(p.y), radius * elementary_sin_turns(p.y), sqrt(1.0 - p.x));
-}
-
 /* The ray's side is known now. */
 static void name_side(pov_ray *ray, const gather_origins *g, uint32_t i)
 {
@@ -181,19 +163,30 @@ static void name_side(pov_ray *ray, const gather_origins *g, uint32_t i)
     world_origin_leave(ray, g->outside[i] != g->behind[i], along, 1.0);
 }
 
+/* False: the ray is not needed. */
+static bool aim(const shade_context *c, const batch *from, uint32_t i, uint32_t draw, path *p, pov_ray *ray)
+{
+    const uint32_t draws = from->gather->draws[i], all = c->scene->model->radiosity.draws;
+    const bool first = p->gathers == 1;
+    const sequence_point at = random_point(&c->samples[p->lane], first ? draw : p->draw, first ? draws : all, p->branch);
+    float by;
+
+    if (!guide_draw(world_get_lamps(c->scene->world), ray->org, lanes_at(&from->gather->normal, i), at, &ray->dir, &by))
+        return false;
+    p->factor.by = colour_scale(p->factor.by, by);
+    if (first)
+        p->draw = (uint8_t)draw;
+    name_side(ray, from->gather, i);
+    return true;
+}
+
 static void draw_ray(const shade_context *c, const batch *from, uint32_t i, uint32_t draw, batch *to)
 {
-    const uint32_t n = to->count++, draws = from->gather->draws[i];
-    path *p = &to->paths[n];
+    const uint32_t n = to->count;
 
-    *p = from->paths[i];
-    if (draws > 1)
-        p->draw = (uint8_t)draw;
+    to->paths[n] = from->paths[i];
     to->own[n] = from->own[i];
-    to->own[n].dir = direction_of(lanes_at(&from->gather->normal, i),
-                                  p->gathers == 1 ? random_point(&c->samples[p->lane], draw, draws, p->branch)
-                                                  : random_point(&c->samples[p->lane], p->draw, c->scene->model->radiosity.draws, p->branch));
-    name_side(&to->own[n], from->gather, i);
+    to->count += aim(c, from, i, draw, &to->paths[n], &to->own[n]);
 }
 
 /* Samples that are not added as they are have sums of their own. */

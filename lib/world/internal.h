@@ -50,6 +50,7 @@ struct world {
     size_t absorbed, composed, packed;   /* see world_facts */
     dielectric_list dielectrics; /* leaves in the order of the scene, then trees */
     dielectric_list filled;      /* the same of solids that are not hollow, where there is fog or media */
+    world_lamps lamps;
     csg_list trees;              /* objects behind the leaves */
     csg_root *roots;             /* their instances */
     uint32_t *solids;            /* by leaf; NULL: each leaf is a solid of its own */

@@ -244,6 +244,8 @@ static pov_status compile(world *w, compile_state *f, const world_options *optio
     w->bounds = f->bounds;
     w->transparent = f->transparent;
     w->located = is_located(w, f);
+    if (w->plan.radiosity)
+        compile_find_lamps(f, &w->lamps);
     if (!find_solids(w) || !find_starts(w, f) ||
         (w->plan.transmission && !compile_find_isolated(f, &w->isolated)) || !lay_out(w, f, tree))
         return err_memory(err);
@@ -335,6 +337,8 @@ void world_destroy(world *w)
     env_free(w->env, w->solids);
     env_free(w->env, w);
 }
+
+const world_lamps *world_get_lamps(const world *w) { return &w->lamps; }
 
 const plan *world_plan(const world *w)
 {

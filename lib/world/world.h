@@ -43,6 +43,11 @@ typedef struct object_info {
     bool filled : 1;             /* it bounds a solid that is not hollow: there is no fog in it and no medium acts */
 } object_info;
 const object_info *world_object_info(const world *w);
+/* Where there is radiosity: the boxes of the finite objects that emit most, and what each gives, roughly. */
+enum { WORLD_LAMPS_MAX = 16 };
+typedef struct world_lamp { pov_box box; double power; } world_lamp;
+typedef struct world_lamps { uint32_t count; world_lamp items[WORLD_LAMPS_MAX]; } world_lamps;
+const world_lamps *world_get_lamps(const world *w);
 /* Was it made with double-double arithmetic for every intersection? */
 bool world_is_exact(const world *w);
 
