@@ -166,3 +166,16 @@ light_origin grid_origin(const light *l, const light_grid *g, uint32_t k)
     out.from_lo = pov_two3_lo(q);
     return out;
 }
+
+uint32_t grid_draw(const light_grid *g, double u)
+{
+    double sum = 0.0;
+    uint32_t k = 0;
+
+    for (; k + 1 < g->count; k++) {
+        sum += (double)g->points[k].weight;
+        if (u < sum)
+            break;
+    }
+    return k;
+}

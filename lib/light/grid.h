@@ -24,6 +24,8 @@ light_grid *grid_create(const env *e, const light *l, bool soft);
  * bits of the lit point say, otherwise for each draw; those that turn lie in a plane across the direction. */
 void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
               vec_lanes *dir);
+/* A point that is drawn by the weights, neighbours by neighbouring numbers; 0 <= u < 1. */
+uint32_t grid_draw(const light_grid *g, double u);
 /* Where the k-th point of a grid that does not move is. */
 light_origin grid_origin(const light *l, const light_grid *g, uint32_t k);
 

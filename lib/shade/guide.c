@@ -30,7 +30,7 @@ static const double *component(const pov_vec3 *v, int axis) { return axis == 0 ?
 
 static double at(pov_vec3 v, int axis) { return *component(&v, axis); }
 
-/* A lamp as seen from a point: the faces of its box that look there, and its share of the directions. */
+/* A lamp as seen from a point: the sides of its box that look there, and its share of the directions. */
 typedef struct view {
     const pov_box *box;
     double area[3], side[3], whole, share;
@@ -39,7 +39,7 @@ typedef struct view {
 /* The lamps above a surface. */
 typedef struct views { uint32_t count; view of[WORLD_LAMPS_MAX]; } views;
 
-static void see_faces(view *v, pov_vec3 point)
+static void find_sides(view *v, pov_vec3 point)
 {
     const pov_vec3 size = pov_sub(v->box->hi, v->box->lo);
 
@@ -69,7 +69,7 @@ static double expected(const world_lamp *l, pov_vec3 point)
     return l->power / (pov_dot(to, to) + pov_dot(half, half));
 }
 
-static void see(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, views *out)
+static void find_views(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, views *out)
 {
     double sum = 0.0;
 
@@ -80,7 +80,7 @@ static void see(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, views
         v->box = &lamps->items[i].box;
         if (!(height_of(v->box, point, normal) > 0.0))
             continue;
-        see_faces(v, point);
+        find_sides(v, point);
         v->share = expected(&lamps->items[i], point);
         if (!(v->whole > 0.0 && v->share > 0.0 && v->share < HUGE_VAL))
             continue;
@@ -161,7 +161,7 @@ bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, seque
     *by = 1.0f;
     all.count = 0;
     if (lamps->count > 0)
-        see(lamps, point, normal, &all);
+        find_views(lamps, point, normal, &all);
     if (all.count == 0) {
         *dir = spread(normal, p);
         return true;

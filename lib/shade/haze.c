@@ -69,20 +69,6 @@ typedef struct beams {
     const path *from[BATCH_MAX];
 } beams;
 
-/* The point of an area light for a sample: points are drawn by their weights, those of neighbours in different parts. */
-static uint32_t draw_point(const light_grid *g, double u)
-{
-    double sum = 0.0;
-    uint32_t k = 0;
-
-    for (; k + 1 < g->count; k++) {
-        sum += (double)g->points[k].weight;
-        if (u < sum)
-            break;
-    }
-    return k;
-}
-
 enum { DRAW_SCATTERED = 2 };
 
 /* Points of an area light for each sample on a segment, each of an equal part of its weight. */
@@ -94,7 +80,7 @@ static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, uint64_t 
     const light_grid *g = b->light->grid;
     const light *l = b->light->light;
     const double turn = media_random(seed, 0) + 0.61803398874989485 * (double)i;
-    const uint32_t k = draw_point(g, ((turn - floor(turn)) + (double)part) / AREA_POINTS);
+    const uint32_t k = grid_draw(g, ((turn - floor(turn)) + (double)part) / AREA_POINTS);
     vec_lanes point, low, to, dir;
     const light_points at = { &point, &low, 1 };
     light_origin origin;

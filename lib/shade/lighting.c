@@ -233,6 +233,52 @@ static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes
     return lit;
 }
 
+/* The direction from a lane's surface to a point of the area that is drawn for its path. */
+static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t lane, const vec_lanes *to)
+{
+    const path *p = l->on->at[lane].from;
+    const shade_context *c = l->context;
+    const uint32_t number = (uint32_t)(from - c->scene->lights), draws = c->scene->model->radiosity.draws;
+    const sequence_point u = random_point(&c->samples[p->lane], p->draw, draws, p->branch * 0x85ebca6bu + number + 1);
+    const uint32_t k = grid_draw(from->grid, u.x);
+    const geometry *g = &l->on->geometry;
+    vec_lanes point, low, middle;
+    const light_points at = { &point, &low, 1 };
+    light_origin origin;
+    light_lanes in;
+
+    for (uint32_t i = 0; i < lanes_whole(1); i++) {
+        lanes_put(&point, i, lanes_at(&g->to.point, lane));
+        lanes_put(&low, i, lanes_at(&g->to.point_lo, lane));
+        lanes_put(&middle, i, lanes_at(to, lane));
+    }
+    aim_at_point(from, k, &at, &middle, &in, &origin);
+    return lanes_at(&in.dir, 0);
+}
+
+/* The same for one point of the area each, drawn by the weights: where radiosity gathers light more would be lost time. */
+static uint64_t trace_some(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
+{
+    light_lanes to = *in;
+    segment_end end = { 1.0, NULL };
+    uint64_t lit;
+
+    for (uint32_t i = 0; i < l->count; i++)
+        lanes_put(&to.dir, l->of[i], aim_at_some(l, from, l->of[i], &in->dir));
+    name_sides(l, &to.dir);
+    for (uint32_t i = 0; i < l->count; i++)
+        l->own[l->of[i]].dir = lanes_at(&to.dir, l->of[i]);
+    lit = trace_to(l, from->light, end, through);
+    name_origins(l, NULL);
+    return lit;
+}
+
+/* Shadows of an area light. */
+static uint64_t trace_soft(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
+{
+    return l->on->at[0].from->gathers > 0 ? trace_some(l, from, in, through) : trace_area(l, from, &in->dir, through);
+}
+
 static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->lit, given); }
 
 static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
@@ -244,7 +290,7 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
         for (uint32_t i = 0; i < l->count; i++)
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else
-        for (uint64_t lit = from->grid ? trace_area(l, from, &in->dir, through)
+        for (uint64_t lit = from->grid ? trace_soft(l, from, in, through)
                                        : trace_to(l, from->light, end_of(from, in, &origin), through);
              lit; lit &= lit - 1) {
             const uint32_t i = first_of64(lit);

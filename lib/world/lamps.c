@@ -57,7 +57,7 @@ void compile_find_lamps(const compile_state *f, world_lamps *out)
         pov_box box;
         float shines;
 
-        if (object >= m->leaves.count)
+        if (object >= m->leaves.count || (m->leaves.items[object].flags & LEAF_NO_RADIOSITY))
             continue;
         shines = light_of(m, &m->materials.items[m->leaves.items[object].material]);
         if (!(shines > bright))
