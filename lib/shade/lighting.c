@@ -417,6 +417,109 @@ static void gather_by_group(lighting *l, const shading *scene)
     }
 }
 
+/* ---- one light of many ---- */
+
+/* By lane: the light that was drawn among those before, by what they would give, the sum of that, and a random number. */
+typedef struct lottery {
+    uint32_t light[BATCH_MAX];
+    double sum[BATCH_MAX], won[BATCH_MAX], number[BATCH_MAX];
+} lottery;
+
+static void begin_lottery(const lighting *l, const uint8_t *all, uint32_t count, lottery *out)
+{
+    const shade_context *c = l->context;
+
+    for (uint32_t k = 0; k < count; k++) {
+        const path *p = l->on->at[all[k]].from;
+
+        out->sum[all[k]] = out->won[all[k]] = 0.0;
+        out->light[all[k]] = UINT32_MAX;
+        out->number[all[k]] = random_point(&c->samples[p->lane], p->draw, c->scene->model->radiosity.draws, p->branch * 0x85ebca6bu).x;
+    }
+}
+
+/* What is left of the number after a choice is as random as it was before. */
+static void offer(lottery *to, uint32_t lane, uint32_t number, double weight)
+{
+    double share;
+
+    if (!(weight > 0.0))
+        return;
+    to->sum[lane] += weight;
+    share = weight / to->sum[lane];
+    if (to->number[lane] < share) {
+        to->light[lane] = number;
+        to->won[lane] = weight;
+        to->number[lane] /= share;
+    } else {
+        to->number[lane] = (to->number[lane] - share) / (1.0 - share);
+    }
+}
+
+/* What the light would give if nothing were in its way. */
+static void offer_light(lighting *l, uint32_t number, lottery *to)
+{
+    const shading *scene = l->context->scene;
+    const scene_light *from = &scene->lights[number];
+    const light_origin origin = light_own_origin(from->light);
+    const light_points at = points_of(l);
+    const uint32_t n = lanes_whole(at.n);
+    light_sample s;
+    light_lanes in;
+
+    from->class->incident(from->light, &origin, &at, &in);
+    brdf_cosines(&s, &l->on->geometry, &in.dir, n);
+    brdf_reflect(&l->finishes, scene->model, &s, &in, false, n);
+    for (uint32_t k = 0; k < l->finishes.count; k++) {
+        const uint32_t lane = l->finishes.lit[k];
+
+        if (s.front[lane] && s.contributes[lane])
+            offer(to, lane, number, (double)colour_weight(brdf_at(&s, lane)));
+    }
+}
+
+/* Of the lit surfaces those that have drawn this light. */
+static void choose_drawn(lighting *l, const lottery *from, uint32_t number, const uint8_t *all, uint32_t count)
+{
+    l->finishes.count = 0;
+    for (uint32_t k = 0; k < count; k++)
+        if (from->light[all[k]] == number)
+            l->finishes.lit[l->finishes.count++] = all[k];
+}
+
+/* Each surface asks one light, and takes what that gives for all. */
+static void gather_some(lighting *l, const shading *scene)
+{
+    const uint32_t count = l->finishes.count;
+    colour before[BATCH_MAX];
+    uint8_t all[BATCH_MAX];
+    lottery drawn;
+
+    memcpy(all, l->finishes.lit, count);
+    begin_lottery(l, all, count, &drawn);
+    for (uint32_t k = 0; k < scene->light_count; k++) {
+        choose_lit(l, scene->lights[k].light, all, count);
+        offer_light(l, k, &drawn);
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        before[k] = l->on->at[all[k]].lit;
+        l->on->at[all[k]].lit = colour_of(0.0f, 0.0f, 0.0f);
+    }
+    for (uint32_t k = 0; k < scene->light_count; k++) {
+        if (l->context->failed || interrupt_is_due(&l->context->interrupt, count))
+            return;
+        choose_drawn(l, &drawn, k, all, count);
+        if (l->finishes.count > 0)
+            add_light_source(l, &scene->lights[k]);
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        surface *s = &l->on->at[all[k]];
+        const double by = drawn.won[all[k]] > 0.0 ? drawn.sum[all[k]] / drawn.won[all[k]] : 0.0;
+
+        s->lit = colour_add(before[k], colour_scale(s->lit, (float)by));
+    }
+}
+
 void light_gather(lighting *l, shade_context *c, surfaces *on)
 {
     const shading *scene = c->scene;
@@ -424,6 +527,10 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
     begin(l, c, on);
     if (l->photons)
         photon_light_add(l->photons, c, &l->finishes, on);
+    if (scene->light_count > 1 && l->finishes.count > 0 && on->at[0].from->gathers > 0) {
+        gather_some(l, scene);
+        return;
+    }
     if (scene->model->light_groups.count > 0) {
         gather_by_group(l, scene);
         return;
