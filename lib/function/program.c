@@ -85,9 +85,9 @@ static double call(const program *callee, const double *arguments, double *regis
 
 double program_run(const program *p, double *r)
 {
-    for (uint32_t at = 0; at < p->count;) {
-        const instruction *i = &p->code[at++];
+    const instruction *i = p->code, *const end = i + p->count;
 
+    for (; i < end; i++) {
         switch ((program_op)i->op) {
         case PROGRAM_CONSTANT: r[i->to] = p->constants[i->a]; break;
         case PROGRAM_COPY: r[i->to] = r[i->a]; break;
@@ -110,11 +110,11 @@ double program_run(const program *p, double *r)
         case PROGRAM_CALL: r[i->to] = call(p->callees[i->b], &r[i->a], r + p->registers); break;
         case PROGRAM_JUMP_ABOVE:
             if (!(r[i->a] <= r[i->b]))
-                at = i->to;
+                i = p->code + i->to - 1;
             break;
         case PROGRAM_JUMP_WITHIN:
             if (r[i->a] <= r[i->b])
-                at = i->to;
+                i = p->code + i->to - 1;
             break;
         }
     }

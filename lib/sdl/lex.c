@@ -44,10 +44,20 @@ static void take_line_end(source *s)
     s->line_start = s->at;
 }
 
+/* In pieces, for either end of a line may be the only one in the text. */
 static void skip_line_comment(source *s)
 {
-    while (s->at < s->end && *s->at != '\n' && *s->at != '\r')
-        s->at++;
+    enum { PIECE = 256 };
+    const char *feed, *back;
+
+    do {
+        size_t n = s->end - s->at < PIECE ? (size_t)(s->end - s->at) : PIECE;
+
+        feed = memchr(s->at, '\n', n);
+        n = feed ? (size_t)(feed - s->at) : n;
+        back = memchr(s->at, '\r', n);
+        s->at += back ? (size_t)(back - s->at) : n;
+    } while (!feed && !back && s->at < s->end);
 }
 
 /* Comments nest. False: the text ends in it. */

@@ -32,11 +32,8 @@ typedef struct object_parsed {
     object_kind kind;
     node_op op;                  /* of a group */
     leaf_node leaf;              /* its map and flags are those below */
-    light light;                 /* before its map; what it looks like is `first` */
-    pov_vec3 point_at;           /* of a light */
     struct object_parsed *through;        /* what a light is projected through, or NULL */
     bool is_light_group, global_lights;   /* a union that is one */
-    surface_parsed surface;
     const transform *map;
     uint32_t flags;
     struct object_parsed *first, *next;   /* members of a group, in their order */
@@ -45,7 +42,17 @@ typedef struct object_parsed {
     struct object_parsed *clips;          /* the surface is seen where these are */
     struct object_parsed *bounds;         /* of bounded_by, which only clipped_by { bounded_by } asks for */
     const transform *since;      /* of one that clips: the object's map when it was written, which does not move it */
+    const surface_parsed *shared;   /* of one that is kept: its surface; NULL: it is the one below */
+    /* What follows is there while the object is read, in names' values, and of lights. */
+    surface_parsed surface;
+    light light;                 /* before its map; what it looks like is `first` */
+    pov_vec3 point_at;
 } object_parsed;
+
+static inline const surface_parsed *parse_surface_of(const object_parsed *o)
+{
+    return o->shared ? o->shared : &o->surface;
+}
 
 /* The whole text, statement by statement. */
 void parse_scene(pov_reader *in);
@@ -61,7 +68,8 @@ void parse_object(pov_reader *in);
 /* An object is next: a statement, or the name of one. False: none is. */
 bool parse_object_try(pov_reader *in, object_parsed *out);
 bool parse_object_follows(const pov_reader *in);
-/* A copy that lives while the scene is read. NULL: no memory, and the reader has failed. */
+/* A copy that lives while the scene is read, without what is not needed of it any more. NULL: no memory, and the reader
+ * has failed. */
 object_parsed *parse_keep(pov_reader *in, const object_parsed *o);
 /* Textures of parts of a leaf, as of the faces of a mesh: a list that its plugin's parse() fills. */
 typedef struct part_list { const texture **items; size_t count, capacity; struct part_list *outer; } part_list;

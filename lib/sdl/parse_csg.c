@@ -18,11 +18,11 @@ typedef struct around {
 /* Its own texture and interior, or each from the nearest group around it that has one. */
 static surface_parsed find_surface(const pov_reader *in, const object_parsed *o, const around *a)
 {
-    surface_parsed found = o->surface;
+    surface_parsed found = *parse_surface_of(o);
 
     parse_surface_default(in->placed, &found);
     for (; a && !(found.has_look && found.material.interior.given); a = a->outer) {
-        const surface_parsed *s = &a->group->surface;
+        const surface_parsed *s = parse_surface_of(a->group);
         const interior own = found.material.interior;
 
         if (!found.has_look && s->has_look) {
@@ -47,11 +47,11 @@ static const transform *find_map(pov_reader *in, const object_parsed *o, const a
 /* Of its transformations, those that came behind its texture. */
 static uint32_t find_moves(const object_parsed *o, const around *a)
 {
-    const surface_parsed *s = &o->surface;
+    const surface_parsed *s = parse_surface_of(o);
     uint32_t moves;
 
     for (; a && !s->has_look; a = a->outer)
-        s = &a->group->surface;
+        s = parse_surface_of(a->group);
     for (moves = s->moves; a; a = a->outer)
         moves += parse_count_transforms(a->group->map);
     return s->has_look ? moves : 0;
@@ -62,10 +62,10 @@ static uint32_t find_moves(const object_parsed *o, const around *a)
 static const media *find_media(pov_reader *in, const object_parsed *o, const around *a, const media *found)
 {
     const transform *moves = NULL;
-    const surface_parsed *s = &o->surface;
+    const surface_parsed *s = parse_surface_of(o);
 
     for (; a && !s->material.interior.given; a = a->outer)
-        s = &a->group->surface;
+        s = parse_surface_of(a->group);
     for (; found && a; a = a->outer)
         parse_append_transforms(in, &moves, a->group->map, a->since);
     return found ? parse_media_settle(in, parse_media_move(in, found, moves)) : NULL;
@@ -209,7 +209,7 @@ static bool add_group(pov_reader *in, const object_parsed *o, const around *a, n
     cutaway_list list;
     const bool cuts_away = parse_cutaway_begin(in, o, &list);
     const uint32_t leaf = (uint32_t)in->model->leaves.count;
-    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = o->surface.material.interior.given,
+    const group_node shape = { .op = o->op, .inverse = (o->flags & LEAF_INVERSE) != 0, .united = parse_surface_of(o)->material.interior.given,
                                .line = o->leaf.line, .column = o->leaf.column };
     node_list children = { NULL, 0, 0 };
     node_ref child;

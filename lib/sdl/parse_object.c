@@ -8,6 +8,7 @@
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -113,15 +114,32 @@ static void read_flag(pov_reader *in, void *self, keyword_id keyword)
         o->flags &= ~(uint32_t)LEAF_HOLLOW;
 }
 
+/* Neighbours mostly have one surface. NULL: no memory. */
+static const surface_parsed *share_surface(pov_reader *in, const surface_parsed *s)
+{
+    surface_parsed *fresh;
+
+    if (in->shared_surface && memcmp(in->shared_surface, s, sizeof *s) == 0)
+        return in->shared_surface;
+    fresh = arena_alloc(&in->members, sizeof *fresh, sizeof(double));
+    if (fresh)
+        in->shared_surface = memcpy(fresh, s, sizeof *s);
+    return fresh;
+}
+
 object_parsed *parse_keep(pov_reader *in, const object_parsed *o)
 {
-    object_parsed *kept = in->failed ? NULL : arena_alloc(&in->members, sizeof *kept, sizeof(double));
+    const bool is_whole = o->kind == OBJECT_LIGHT;
+    const size_t bytes = is_whole ? sizeof *o : offsetof(object_parsed, surface);
+    const surface_parsed *own = in->failed || is_whole || o->shared ? o->shared : share_surface(in, &o->surface);
+    object_parsed *kept = in->failed || (!is_whole && !own) ? NULL : arena_alloc(&in->members, bytes, sizeof(double));
 
     if (!kept) {
         report_memory(in);
         return NULL;
     }
-    *kept = *o;
+    memcpy(kept, o, bytes);
+    kept->shared = own;
     return kept;
 }
 
