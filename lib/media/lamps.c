@@ -74,7 +74,7 @@ static void fill_places(const media_march *l, const media_strata *s, uint32_t nu
     p->count = s->count;
     for (uint32_t i = 0; i < s->count; i++) {
         length[i] = s->edge[i + 1] - s->edge[i];
-        p->at[i] = s->edge[i] + media_jitter(l->seed, (number + 1) * MEDIA_STRATA_MAX + i) * length[i];
+        p->at[i] = s->edge[i] + media_jitter(&l->random, (number + 1) * MEDIA_STRATA_MAX + i) * length[i];
     }
     set_weights(l, length, p);
 }
@@ -260,10 +260,10 @@ static void keep_all(media_samples *s)
 
 /* Of all samples choose `wanted` by what they give, one in each equal part of the whole; one that is chosen several times
  * is kept once. The sum's mean stays what it was. */
-static void keep_some(media_samples *s, double whole, uint32_t wanted, uint64_t seed, uint32_t number)
+static void keep_some(media_samples *s, double whole, uint32_t wanted, const media_random *random, uint32_t number)
 {
     const double part = whole / (double)wanted;
-    double before = 0.0, next = media_random(seed, number) * part;
+    double before = 0.0, next = media_number(random, number) * part;
     uint32_t kept = 0, drawn = 0;
 
     for (uint32_t i = 0; i < s->count; i++) {
@@ -272,7 +272,7 @@ static void keep_some(media_samples *s, double whole, uint32_t wanted, uint64_t 
 
         for (; drawn < wanted && next < end; times++) {
             drawn++;
-            next = ((double)drawn + media_random(seed, number + drawn)) * part;
+            next = ((double)drawn + media_number(random, number + drawn)) * part;
         }
         before = end;
         if (times > 0)
@@ -286,6 +286,7 @@ bool media_sample_light(const media_march *l, const light *from, const light_cla
 {
     const light_origin origin = light_own_origin(from);
     const bool alike = scatters_alike(l->set);
+    const media_random choice = { ~l->random.key, l->random.turn };
     double lo = 0.0, hi = l->on.length, whole;
     light_points at;
     uint32_t wanted;
@@ -304,7 +305,7 @@ bool media_sample_light(const media_march *l, const light *from, const light_cla
     whole = sum_of_sizes(out);
     wanted = rays_for(l, whole / 3.0);
     if (wanted < out->count)
-        keep_some(out, whole, wanted, ~l->seed, number * LANES_MAX);
+        keep_some(out, whole, wanted, &choice, number * LANES_MAX);
     else
         keep_all(out);
     return out->count > 0;

@@ -56,7 +56,7 @@ static void find_points(const media_march *l, uint32_t first, uint32_t n, double
     const double *edge = l->table.strata.edge;
 
     for (uint32_t i = first; i < first + n; i++)
-        at[i - first] = edge[i] + media_jitter(l->seed, i) * (edge[i + 1] - edge[i]);
+        at[i - first] = edge[i] + media_jitter(&l->random, i) * (edge[i + 1] - edge[i]);
 }
 
 /* One channel of n strata: the depths at their ends, behind that at their beginning; returns the own light. */
@@ -122,7 +122,7 @@ static void make_table(media_march *l, uint32_t wanted, double given[3])
     divide(l, wanted, HUGE_VAL);
     fill_table(l, given);
     for (uint32_t round = 1, k; round < ROUNDS && 2 * (k = find_dense(t)) < t->strata.count; round++) {
-        l->seed = mix_bits(l->seed + round);
+        l->random.key = mix_bits(l->random.key + round);
         divide(l, wanted, t->strata.edge[k + (k == 0)]);
         fill_table(l, given);
     }
@@ -146,7 +146,6 @@ static void fill(media_march *l, uint32_t wanted)
 
 void media_march_begin(media_march *l)
 {
-    l->seed = media_seed(&l->on);
     fill(l, l->set->strata * DENSITIES_EACH > DENSITIES ? l->set->strata * DENSITIES_EACH : DENSITIES);
 }
 
@@ -158,7 +157,8 @@ colour media_transmittance(const model *m, const media_set *s, const media_segme
     l.set = s;
     l.on = *on;
     l.scale = 0.0;
-    l.seed = s->varies ? media_seed(on) : 0;
+    if (s->varies)
+        l.random = media_random_of(on);
     fill(&l, DENSITIES_SHADOW);
     return l.through;
 }

@@ -23,12 +23,12 @@ typedef struct media_march {
     media_segment on;
     double scale;                /* how far away the scene's objects are */
     double weight;               /* largest part of the light that the path leaves: less light needs fewer samples */
-    uint64_t seed;
+    media_random random;
     colour through, given;       /* what is left of light from behind, and the media's own */
     media_table table;
 } media_march;
 
-/* Begin with model, set, on, scale and weight: the rest is set. */
+/* Begin with model, set, on, scale, weight and random: the rest is set. */
 void media_march_begin(media_march *l);
 /* Transmittance of the segment alone, for shadows. */
 colour media_transmittance(const model *m, const media_set *s, const media_segment *on);

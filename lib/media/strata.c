@@ -75,12 +75,12 @@ void media_divide(const media_division *by, media_strata *out)
     out->edge[++out->count] = by->hi;
 }
 
-uint64_t media_seed(const media_segment *s)
+media_random media_random_of(const media_segment *s)
 {
     const double numbers[6] = { s->from.x, s->from.y, s->from.z, s->dir.x, s->dir.y, s->dir.z };
-    uint64_t bits = 0;
+    media_random r = { 0, 0.0 };
 
     for (int i = 0; i < 6; i++)
-        bits = mix_bits(bits * 0x9E3779B97F4A7C15u ^ elementary_bits(numbers[i]));
-    return bits;
+        r.key = mix_bits(r.key * 0x9E3779B97F4A7C15u ^ elementary_bits(numbers[i]));
+    return r;
 }

@@ -26,18 +26,24 @@ typedef struct media_division {
 
 void media_divide(const media_division *by, media_strata *out);
 
-/* As good as random, 0 <= u < 1; the same for the same segment and number. */
-uint64_t media_seed(const media_segment *s);
-static inline double media_random(uint64_t seed, uint32_t number)
-{
-    return (double)(mix_bits(seed + (uint64_t)(number + 1) * 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53;
-}
+/* Random numbers of a segment: a number of its own for each purpose, and turned by the same amount. Samples of a pixel
+ * that have one key and turns that are spread evenly have numbers that are, too. */
+typedef struct media_random { uint64_t key; double turn; } media_random;
 
+/* By the segment alone. */
+media_random media_random_of(const media_segment *s);
+/* 0 <= u < 1. */
+static inline double media_number(const media_random *r, uint32_t number)
+{
+    const double u = (double)(mix_bits(r->key + (uint64_t)(number + 1) * 0x9E3779B97F4A7C15u) >> 11) * 0x1p-53 + r->turn;
+
+    return u < 1.0 ? u : u - 1.0;
+}
 /* The same for a point in a stratum: neighbours lie on opposite sides of the middles of theirs, so that what changes evenly
  * along the segment has no noise. */
-static inline double media_jitter(uint64_t seed, uint32_t number)
+static inline double media_jitter(const media_random *r, uint32_t number)
 {
-    const double u = media_random(seed, number & ~1u);
+    const double u = media_number(r, number & ~1u);
 
     return number & 1 ? (1.0 - 0x1p-53) - u : u;
 }

@@ -2,6 +2,8 @@
 
 #include "light/aim.h"
 #include "shade/air.h"
+#include "shade/photons.h"
+#include "shade/spawn.h"
 #include "shade/transmittance.h"
 
 static void take(double by[3], colour c)
@@ -63,6 +65,7 @@ typedef struct beams {
     shade_context *context;
     const path *path;
     const scene_light *light;
+    uint32_t number;             /* of the light */
     media_samples samples;
     pov_ray own[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];
@@ -75,11 +78,11 @@ enum { DRAW_SCATTERED = 2 };
 enum { AREA_POINTS = 4 };
 
 /* The direction to a point of the light's area instead of that to its middle. */
-static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, uint64_t seed)
+static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, const media_random *random)
 {
     const light_grid *g = b->light->grid;
     const light *l = b->light->light;
-    const double turn = media_random(seed, 0) + 0.61803398874989485 * (double)i;
+    const double turn = media_number(random, b->number) + 0.61803398874989485 * (double)i;
     const uint32_t k = grid_draw(g, ((turn - floor(turn)) + (double)part) / AREA_POINTS);
     vec_lanes point, low, to, dir;
     const light_points at = { &point, &low, 1 };
@@ -99,13 +102,13 @@ static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, uint64_t 
     return lanes_at(&dir, 0);
 }
 
-static void aim(beams *b, uint32_t part, uint64_t seed)
+static void aim(beams *b, uint32_t part, const media_random *random)
 {
     const media_samples *s = &b->samples;
 
     for (uint32_t i = 0; i < s->count; i++) {
         const pov_ray ray = { .org = lanes_at(&s->point, i), .org_lo = lanes_at(&s->point_lo, i),
-                              .dir = b->light->grid ? aim_at_area(b, i, part, seed) : lanes_at(&s->in.dir, i),
+                              .dir = b->light->grid ? aim_at_area(b, i, part, random) : lanes_at(&s->in.dir, i),
                               .origin_surface = POV_NO_OWNER };
 
         b->own[i] = ray;
@@ -125,7 +128,7 @@ static uint64_t shorten(beams *b)
 }
 
 /* The light of the samples that is not occluded, on the way from one part of an area light. */
-static colour add_visible(beams *b, uint32_t part, uint64_t seed)
+static colour add_visible(beams *b, uint32_t part, const media_random *random)
 {
     shade_context *c = b->context;
     const light *l = b->light->light;
@@ -135,7 +138,7 @@ static colour add_visible(beams *b, uint32_t part, uint64_t seed)
     colour through[BATCH_MAX], sum = colour_of(0.0f, 0.0f, 0.0f);
     uint64_t lit = ~(uint64_t)0;
 
-    aim(b, part, seed);
+    aim(b, part, random);
     if (l->through_count > 0)
         lit = shorten(b);
     c->counts.shadow += b->samples.count;
@@ -148,14 +151,14 @@ static colour add_visible(beams *b, uint32_t part, uint64_t seed)
     return sum;
 }
 
-static colour add_light(beams *b, uint64_t seed)
+static colour add_light(beams *b, const media_random *random)
 {
     colour sum = colour_of(0.0f, 0.0f, 0.0f);
 
     if (!b->light->grid)
-        return add_visible(b, 0, seed);
+        return add_visible(b, 0, random);
     for (uint32_t part = 0; part < AREA_POINTS; part++)
-        sum = colour_add(sum, colour_scale(add_visible(b, part, seed), 1.0f / AREA_POINTS));
+        sum = colour_add(sum, colour_scale(add_visible(b, part, random), 1.0f / AREA_POINTS));
     return sum;
 }
 
@@ -163,6 +166,7 @@ static colour add_light(beams *b, uint64_t seed)
 static colour gather(shade_context *c, const path *p, const media_march *march)
 {
     const shading *scene = c->scene;
+    const media_random areas = { mix_bits(march->random.key), march->random.turn };
     colour sum = colour_of(0.0f, 0.0f, 0.0f);
     beams b;
 
@@ -174,14 +178,27 @@ static colour gather(shade_context *c, const path *p, const media_march *march)
         if (l->flags & (LIGHT_NO_MEDIA | LIGHT_SHADOWLESS))
             continue;
         b.light = &scene->lights[k];
+        b.number = k;
+        if (scene->plan->photons)
+            photons_aim(c, k);
         if (media_sample_light(march, l, b.light->class, k, &b.samples))
-            sum = colour_add(sum, add_light(&b, media_seed(&march->on) + k + 1));
+            sum = colour_add(sum, add_light(&b, &areas));
         c->failed = c->failed || query_context_failed(c->context);
     }
     return sum;
 }
 
 /* ---- segments of paths ---- */
+
+/* Random numbers of a path's segment. Those of a pixel's samples fill the strata evenly. */
+static media_random random_of(const shade_context *c, const path *p, bool air)
+{
+    const sample_id *id = &c->samples[p->lane], half = { id->pixel, id->number & 1 };
+    const uint32_t purpose = (p->branch + p->draw) * 0x9e3779b1u + (air ? TURN_AIR : TURN_MEDIA);
+    const media_random r = { random_bits(&half, purpose), random_point(id, 0, 1, purpose).x };
+
+    return r;
+}
 
 /* Put the media of a set before what `by` and `given` say is seen behind. */
 static void veil(shade_context *c, const path *p, const media_set *set, const media_segment *on, colour *by, colour *given)
@@ -193,6 +210,7 @@ static void veil(shade_context *c, const path *p, const media_set *set, const me
     march.model = c->scene->model;
     march.set = set;
     march.on = *on;
+    march.random = random_of(c, p, set->of[0].leaf == MEDIA_AIR);
     march.scale = c->scene->scale;
     march.weight = fmin(1.0, (double)colour_weight(p->factor.by));
     media_march_begin(&march);
