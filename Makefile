@@ -183,6 +183,8 @@ BINDIR        ?= $(PREFIX)/bin
 INCLUDEDIR    ?= $(PREFIX)/include
 MANDIR        ?= $(PREFIX)/share/man
 COMPLETIONDIR ?= $(PREFIX)/share/bash-completion/completions
+ZSHDIR        ?= $(PREFIX)/share/zsh/site-functions
+FISHDIR       ?= $(PREFIX)/share/fish/vendor_completions.d
 INSTALL       ?= install
 PUBLIC_HEADERS = $(sort $(wildcard lib/include/povtrace/*.h))
 
@@ -222,7 +224,7 @@ endef
 .PHONY: install uninstall
 install: all
 	$(INSTALL) -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/povtrace $(LIBDIR)/pkgconfig $(LIBDIR)/cmake/povtrace \
-	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR) \
+	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR) $(ZSHDIR) $(FISHDIR) \
 	    $(SHAREDIR)/include)
 	$(INSTALL) -m 644 $(INCLUDES) $(DESTDIR)$(SHAREDIR)/include
 	$(INSTALL) -m 644 $(PUBLIC_HEADERS) $(DESTDIR)$(INCLUDEDIR)/povtrace
@@ -243,12 +245,14 @@ install: all
 	$(FILL_IN) lib/povtraceConfigVersion.cmake.in > $(DESTDIR)$(LIBDIR)/cmake/povtrace/povtraceConfigVersion.cmake
 	$(INSTALL) -m 644 docs/man/povc.1 $(DESTDIR)$(MANDIR)/man1
 	$(INSTALL) -m 644 docs/man/povtrace.3 $(DESTDIR)$(MANDIR)/man3
-	$(INSTALL) -m 644 cli/povc.bash $(DESTDIR)$(COMPLETIONDIR)/povc
+	$(INSTALL) -m 644 share/completions/povc.bash $(DESTDIR)$(COMPLETIONDIR)/povc
+	$(INSTALL) -m 644 share/completions/_povc $(DESTDIR)$(ZSHDIR)
+	$(INSTALL) -m 644 share/completions/povc.fish $(DESTDIR)$(FISHDIR)
 
 # What install put there and nothing else; folders that others use stay.
 uninstall:
 	rm -f $(DESTDIR)$(BINDIR)/povc $(DESTDIR)$(MANDIR)/man1/povc.1 $(DESTDIR)$(MANDIR)/man3/povtrace.3 \
-	    $(DESTDIR)$(COMPLETIONDIR)/povc $(DESTDIR)$(LIBDIR)/libpovtrace.so $(DESTDIR)$(LIBDIR)/libpovtrace.a \
+	    $(DESTDIR)$(COMPLETIONDIR)/povc $(DESTDIR)$(ZSHDIR)/_povc $(DESTDIR)$(FISHDIR)/povc.fish $(DESTDIR)$(LIBDIR)/libpovtrace.so $(DESTDIR)$(LIBDIR)/libpovtrace.a \
 	    $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(VERSION) \
 	    $(DESTDIR)$(LIBDIR)/pkgconfig/povtrace.pc \
 	    $(addprefix $(DESTDIR)$(LIBDIR)/cmake/povtrace/,povtraceConfig.cmake povtraceConfigVersion.cmake) \

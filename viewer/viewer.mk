@@ -31,16 +31,20 @@ $(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
 .PHONY: install-viewer uninstall-viewer
 install: install-viewer
 install-viewer: all
-	$(INSTALL) -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1
+	$(INSTALL) -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1 $(addprefix $(DESTDIR),$(COMPLETIONDIR) $(ZSHDIR) $(FISHDIR))
 	@mkdir -p $(BUILD)/install
 	$(CC) $(LINK_FLAGS) $(VIEWER_OBJECTS) -L$(BUILD)/lib -lpovtrace -Wl,-rpath,'$(INSTALL_RPATH)' $(VIEWER_LIBS) \
 	    $(SYSTEM_LIBS) -o $(BUILD)/install/povview
 	$(INSTALL) -m 755 $(BUILD)/install/povview $(DESTDIR)$(BINDIR)
 	$(INSTALL) -m 644 docs/man/povview.1 $(DESTDIR)$(MANDIR)/man1
+	$(INSTALL) -m 644 share/completions/povview.bash $(DESTDIR)$(COMPLETIONDIR)/povview
+	$(INSTALL) -m 644 share/completions/_povview $(DESTDIR)$(ZSHDIR)
+	$(INSTALL) -m 644 share/completions/povview.fish $(DESTDIR)$(FISHDIR)
 
 uninstall: uninstall-viewer
 uninstall-viewer:
-	rm -f $(DESTDIR)$(BINDIR)/povview $(DESTDIR)$(MANDIR)/man1/povview.1
+	rm -f $(DESTDIR)$(BINDIR)/povview $(DESTDIR)$(MANDIR)/man1/povview.1 $(DESTDIR)$(COMPLETIONDIR)/povview \
+	    $(DESTDIR)$(ZSHDIR)/_povview $(DESTDIR)$(FISHDIR)/povview.fish
 
 # The real window is tested where there is something to show it on.
 ifneq ($(and $(shell command -v Xvfb),$(shell command -v xdotool),$(shell command -v import)),)

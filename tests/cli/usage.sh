@@ -29,7 +29,10 @@ usage_help_names_every_option_of_the_manual() {
     [ "$(wc -l < manual)" -ge 15 ]
     while read -r option; do
         says out "$option"
-        says "$root/cli/povc.bash" "$option"
+        says "$root/share/completions/povc.bash" "$option"
+        for file in _povc povc.fish; do
+            says "$root/share/completions/$file" "${option#--}"
+        done
         says "$root/docs/cli.md" "$option"
     done < manual
 }

@@ -26,7 +26,8 @@ install_puts_every_file_in_its_place() {
         lib/pkgconfig/povtrace.pc lib/cmake/povtrace/povtraceConfig.cmake lib/cmake/povtrace/povtraceConfigVersion.cmake \
         lib/povtrace/primitives/sphere.so lib/povtrace/images/png.so include/povtrace/povtrace.h \
         include/povtrace/plugin.h include/povtrace/exact.h share/man/man1/povc.1 share/man/man3/povtrace.3 \
-        share/bash-completion/completions/povc share/povtrace/include/colors.inc; do
+        share/bash-completion/completions/povc share/zsh/site-functions/_povc share/fish/vendor_completions.d/povc.fish \
+        share/povtrace/include/colors.inc; do
         [ -s "$stage$prefix/$file" ] || fail "no $file"
     done
     [ "$(readlink "$lib/libpovtrace.so.0")" = libpovtrace.so.0.1.0 ]

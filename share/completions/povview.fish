@@ -1,0 +1,13 @@
+# fish completion for povview(1)
+complete -c povview -l shot -r -d 'Draw into a file, without a display'
+complete -c povview -l frames -x -d 'Frames before the shot'
+complete -c povview -l keys -x -d 'Keys that are pressed'
+complete -c povview -l bench -d 'Time the frames'
+complete -c povview -s t -l threads -x -d 'Threads'
+complete -c povview -l spp -x -d 'Samples a pixel'
+complete -c povview -l error -x -d 'Add samples until the estimated error is this'
+complete -c povview -l max-depth -x -d 'Depth of reflections and refractions'
+complete -c povview -l dialect -x -a 'auto course povray' -d 'The rules to read by'
+complete -c povview -l plugin-path -x -a '(__fish_complete_directories)' -d 'Folders of plugins'
+complete -c povview -s h -l help -d 'Help'
+complete -c povview -l version -d 'Version'
