@@ -150,7 +150,7 @@ $(BUILD)/obj/tests/fuzz/arguments.o: ROOM_FLAGS += -Icli
 $(BUILD)/tests/fuzz/test_replay: $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(BUILD)/obj/cli/args.o | $(PLUGINS)
 $(BUILD)/tests/fuzz/fuzz_%: tests/fuzz/main.c $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(BUILD)/obj/cli/args.o \
     $(SUPPORT_SOURCES:%.c=$(BUILD)/obj/%.o) $(STATIC)
-	$(call say,LINK,$@) $(CC) $(BASE_FLAGS) -Itests -DHARNESS=fuzz_$* -fsanitize=fuzzer -rdynamic $(filter-out %.h,$^) -lcmocka \
+	$(call say,LINK,$@) $(CC) $(BASE_FLAGS) -Itests -DHARNESS=fuzz_$* -DTEST_BUILD='"$(abspath $(BUILD))"' -fsanitize=fuzzer -rdynamic $(filter-out %.h,$^) -lcmocka \
 	    $(SYSTEM_LIBS) -o $@
 .PHONY: fuzz fuzzers
 fuzzers: $(PLUGINS) $(HARNESSES:%=$(BUILD)/tests/fuzz/fuzz_%)
