@@ -9,7 +9,7 @@ static const char flight_keys[] = "WASDQE";
 /* A slow scene is restarted after this time even if its first picture is not complete: about 20 times a second. */
 static const double RESTART_SECONDS = 0.045;
 static const double FLIGHT_SECONDS = 1.0 / 60.0;
-static const double NOTE_SECONDS = 2.0;
+static const double NOTE_SECONDS = 2.0, GREETING_SECONDS = 5.0;
 
 enum { EXPOSURE_MOST = 20 };
 
@@ -128,7 +128,7 @@ static void toggle(app *a, bool *what)
 static bool take_general(app *a, int code)
 {
     switch (code) {
-    case 'h': case 'H': case APP_KEY_F1:
+    case 'h': case 'H': case '?': case APP_KEY_F1:
         toggle(a, &a->help);
         return true;
     case APP_KEY_F5:
@@ -152,8 +152,8 @@ static void command(app *a, int code, double now)
     case '7': face(a, ORBIT_TOP); break;
     case 'r': case 'R': case APP_KEY_ENTER: reset(a); break;
     case 'c': case 'C': a->orders |= APP_PRINT; break;
-    case '[': expose(a, -1, now); break;
-    case ']': expose(a, 1, now); break;
+    case '[': case '-': expose(a, -1, now); break;
+    case ']': case '+': case '=': expose(a, 1, now); break;
     case 'p': case 'P': toggle_pause(a, now); break;
     case 's': case 'S': a->orders |= APP_SNAPSHOT; break;
     case 'i': case 'I': toggle(a, &a->inspect); break;
@@ -303,6 +303,11 @@ unsigned app_update(app *a, double now, bool coarse_is_there)
     unsigned orders;
 
     fly(a, now);
+    if (a->greets && a->has_scene) {
+        app_say(a, now, "H: help");
+        a->note_until = now + GREETING_SECONDS;
+        a->greets = false;
+    }
     if (a->note[0] && now >= a->note_until) {
         a->note[0] = '\0';
         a->orders |= APP_DRAW;

@@ -60,6 +60,7 @@ typedef struct app {
     app_view view;
     int exposure;            /* in half stops */
     bool paused, help, inspect, curve;
+    bool greets;             /* a word on the help when the first scene is there */
     bool moved, resized;     /* the job has not been told yet */
     double restarted;
     unsigned orders;

@@ -64,6 +64,7 @@ static int window_run(const args *a)
         say("error", &err);
         return EXIT_ERROR;
     }
+    v.app.greets = true;
     viewer_run(&v);
     viewer_close(&v);
     return EXIT_COMPLETE;

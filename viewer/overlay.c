@@ -20,7 +20,7 @@ static const char help[] =
     "|1  3  7\tfront, right, top\n"
     "|R, Enter\tback to the scene's camera\n"
     "|C\tprint the camera as scene text\n"
-    "|[  ]\tless, more exposure\n"
+    "|[  ], -  +\tless, more exposure\n"
     "|Tab\tthe next view of picture, normal, depth,\n"
     "|\tsamples, time, error, certainty\n"
     "|G\terror against time\n"
@@ -28,8 +28,8 @@ static const char help[] =
     "|P\tpause\n"
     "|S\tsave what is seen as PNG\n"
     "|F5\tread the scene again; a saved file is by itself\n"
-    "|H, F1\tthis help\n"
-    "|Esc\tquit\n";
+    "|H, ?, F1\tthis help\n"
+    "|Esc, Ctrl-Q\tquit\n";
 
 static void add(char *out, size_t size, const char *format, ...) POV_PRINTF(3, 4);
 
@@ -85,38 +85,65 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
     add(out, size, "|pixel\t%d, %d\n", p->x, p->y);
 }
 
-/* Position beside the pointer, on the side where the panel fits. */
-static void place_by_pointer(const app *a, const panel *p, int *x, int *y)
-{
-    int gap = (int)(EDGE * a->scale);
+static int least(int a, int b) { return a < b ? a : b; }
+static int most(int a, int b) { return a > b ? a : b; }
 
-    *x = (int)a->x + gap;
-    *y = (int)a->y + gap;
-    if (*x + p->width > a->width)
-        *x = (int)a->x - gap - p->width;
-    if (*y + p->height > a->height)
-        *y = (int)a->y - gap - p->height;
-    *x = *x > 0 ? *x : 0;
-    *y = *y > 0 ? *y : 0;
+/* Pixels of a panel at x, y that lie outside of the window or on panels whose places are settled. */
+static long hidden(const overlay *o, const app *a, unsigned settled, const panel *p, int x, int y)
+{
+    const long all = (long)p->width * p->height;
+    const int across = least(x + p->width, a->width) - most(x, 0), down = least(y + p->height, a->height) - most(y, 0);
+    long sum = across > 0 && down > 0 ? all - (long)across * down : all;
+
+    for (int i = 0; i < PRESENT_PANELS; i++) {
+        const panel *other = &o->panels[i];
+        const int right = least(x + p->width, o->x[i] + other->width) - most(x, o->x[i]);
+        const int below = least(y + p->height, o->y[i] + other->height) - most(y, o->y[i]);
+
+        if (settled >> i & 1 && other->pixels && right > 0 && below > 0)
+            sum += (long)right * below;
+    }
+    return sum;
 }
 
-static void place(const app *a, int index, const panel *p, int *x, int *y)
+/* Of these places the first where nothing of the panel is hidden, or the one where least is. */
+static void choose(const overlay *o, const app *a, unsigned settled, const panel *p, const int (*at)[2], int count, int *x, int *y)
 {
-    int edge = (int)(EDGE * a->scale);
+    long best = -1;
 
-    *x = *y = edge;
-    if (index == PLACE) {
-        place_by_pointer(a, p, x, y);
-    } else if (index == MESSAGE) {
-        *y = a->height - edge - p->height;
-    } else if (index == NOTE) {
-        *x = (a->width - p->width) / 2;
-    } else if (index == CAPTION || index == CURVE) {
-        *x = a->width - edge - p->width;
-        *y = index == CURVE ? a->height - edge - p->height : edge;
+    for (int i = 0; i < count; i++) {
+        const int left = most(at[i][0], 0), top = most(at[i][1], 0);
+        const long lost = hidden(o, a, settled, p, left, top);
+
+        if (best >= 0 && lost >= best)
+            continue;
+        best = lost;
+        *x = left;
+        *y = top;
     }
-    *x = *x > 0 ? *x : 0;
-    *y = *y > 0 ? *y : 0;
+}
+
+/* Each panel has its own place, and others to go to where that is taken; the inspector follows the pointer. */
+static void place(const overlay *o, const app *a, int index, unsigned settled, int *x, int *y)
+{
+    const panel *p = &o->panels[index];
+    const int edge = (int)(EDGE * a->scale), right = a->width - edge - p->width, bottom = a->height - edge - p->height;
+    const int after = (int)a->x + edge, before = (int)a->x - edge - p->width, under = (int)a->y + edge,
+              over = (int)a->y - edge - p->height, middle = (a->width - p->width) / 2;
+    const int by_pointer[8][2] = { { after, under }, { before, under }, { after, over }, { before, over },
+                                   { edge, edge }, { right, edge }, { edge, bottom }, { right, bottom } };
+    const int corners[4][2] = { { edge, edge }, { edge, bottom }, { right, bottom }, { right, edge } };
+    const int notes[2][2] = { { middle, edge }, { middle, bottom } };
+    const int first = index == MESSAGE ? 1 : index == CURVE ? 2 : index == CAPTION ? 3 : 0;
+    const int from[4][2] = { { corners[first][0], corners[first][1] }, { corners[first ^ 1][0], corners[first ^ 1][1] },
+                             { corners[first ^ 2][0], corners[first ^ 2][1] }, { corners[first ^ 3][0], corners[first ^ 3][1] } };
+
+    if (index == PLACE)
+        choose(o, a, settled, p, by_pointer, 8, x, y);
+    else if (index == NOTE)
+        choose(o, a, settled, p, notes, 2, x, y);
+    else
+        choose(o, a, settled, p, from, 4, x, y);
 }
 
 /* Legend of a view's colours. */
@@ -124,8 +151,8 @@ static const char *caption(app_view view)
 {
     static const char *const captions[APP_VIEWS] = {
         "", "#normal\n red x, green y, blue z: -1 dark, 1 bright\n", "#depth\n white near, black far\n",
-        "#samples\n dark 1, bright 1024\n", "#time\n dark a microsecond of the processor a pixel, bright 10 ms\n",
-        "#error\n dark 0.0001, bright 0.1, grey not known\n",
+        "#samples a pixel\n~1\t32\t1024\n", "#processor time a pixel\n~1 \xc2\xb5s\t100 \xc2\xb5s\t10 ms\n",
+        "#error\n~0.0001\t0.003\t0.1\n grey: not known\n",
         "#certainty\n blue: double decides; orange: double-double needed\n",
     };
 
@@ -152,19 +179,23 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
 
 bool overlay_update(overlay *o, const app *a, session *s, present *p)
 {
+    static const int order[PRESENT_PANELS] = { HELP, MESSAGE, CURVE, CAPTION, NOTE, PLACE };
     char text[TEXT_SIZE];
     bool changed = false;
+    unsigned settled = 0;
 
-    for (int i = 0; i < PRESENT_PANELS; i++) {
+    for (int k = 0; k < PRESENT_PANELS; k++) {
+        const int i = order[k];
         panel *from = &o->panels[i];
         present_panel to;
         bool fresh;
-        int x, y;
+        int x = 0, y = 0;
 
         write(i, a, s, text, sizeof text);
         fresh = i == CURVE ? curve_set(from, s, a->curve, a->scale)
                            : panel_set(from, text, a->scale, a->width - (int)(2.0 * EDGE * a->scale));
-        place(a, i, from, &x, &y);
+        place(o, a, i, settled, &x, &y);
+        settled |= 1u << i;
         if (!fresh && (!from->pixels || (x == o->x[i] && y == o->y[i])))
             continue;
         to.pixels = from->pixels;

@@ -1,5 +1,7 @@
 #include "panel.h"
 
+#include "ramp.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -151,6 +153,33 @@ static void columns(pen *p, char *text)
     next_line(p);
 }
 
+/* The ramp from dark to bright, and its three numbers below. */
+static void bar(pen *p, char *text)
+{
+    const double width = 180.0 * p->scale, height = 10.0 * p->scale;
+    double share = 0.0;
+
+    for (int i = 0; p->drawing && i < 180; i++) {
+        uint8_t c[4];
+
+        ramp_color(i / 179.0, c);
+        cairo_set_source_rgb(p->c, c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+        cairo_rectangle(p->c, MARGIN * p->scale + i * p->scale, MARGIN * p->scale + p->y + 4.0 * p->scale, 1.5 * p->scale, height);
+        cairo_fill(p->c);
+    }
+    next_line(p);
+    choose(p, true, false);
+    for (char *at = text; at; share += 0.5) {
+        char *end = strchr(at, '\t');
+
+        if (end)
+            *end++ = '\0';
+        put(p, share * (width - width_of(p, at)), at, 0.88, 0.88, 0.88);
+        at = end;
+    }
+    next_line(p);
+}
+
 /* A line of a file; if it is too wide, the part around the caret, whose position the next line gives. */
 static void excerpt(pen *p, const char *text, const char *below)
 {
@@ -202,12 +231,13 @@ static void write_all(pen *p, const char *content)
         const char *next = content + length + (content[length] == '\n');
 
         snprintf(line, sizeof line, "%.*s", (int)length, content);
-        if (line[0] != '|')
+        if (line[0] != '|' && line[0] != '~')
             clean(line);
         switch (line[0]) {
         case '#': title(p, line + 1, false); break;
         case '!': title(p, line + 1, true); break;
         case '|': columns(p, line + 1); break;
+        case '~': bar(p, line + 1); break;
         case '=': excerpt(p, line + 1, next); break;
         case '^': caret(p, line + 1); break;
         default: words(p, line + (line[0] == ' ')); break;

@@ -276,6 +276,7 @@ static void print_camera(const session *s)
     camera_text(&camera, s->info.dialect, s->app->orbit.reach, text, sizeof text);
     fputs(text, stdout);
     fflush(stdout);
+    app_say(s->app, s->now, "the camera is printed on the terminal");
 }
 
 /* ---- from moment to moment ---- */

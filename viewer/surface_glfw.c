@@ -41,7 +41,8 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
     app_event event = { APP_KEY, key_code(key), action == GLFW_PRESS, 0.0, 0.0, 0.0 };
 
     (void)scancode;
-    (void)modifiers;
+    if (key == GLFW_KEY_Q && (modifiers & GLFW_MOD_CONTROL))
+        event.kind = APP_CLOSE;
     if (event.code && action != GLFW_REPEAT)
         deliver(window, event);
 }

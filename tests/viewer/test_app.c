@@ -287,6 +287,26 @@ static void app_shapes_the_picture_by_the_size_that_was_asked_for(void **state)
     assert_true(app_camera(&a).right.x == 1.33);
 }
 
+static void app_greets_once_and_takes_the_keys_of_other_programs(void **state)
+{
+    app a = ready(NULL);
+
+    (void)state;
+    a.greets = true;
+    app_update(&a, 1.0, true);
+    assert_string_equal(a.note, "H: help");
+    app_update(&a, 5.5, true);
+    assert_string_equal(a.note, "H: help");
+    app_update(&a, 7.0, true);
+    assert_string_equal(a.note, "");
+    type(&a, '?');
+    assert_true(a.help);
+    type(&a, '+');
+    type(&a, '=');
+    type(&a, '-');
+    assert_int_equal(a.exposure, 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -305,6 +325,7 @@ int main(void)
         cmocka_unit_test(app_takes_sizes_but_none_of_a_window_put_away),
         cmocka_unit_test(app_is_calm_before_there_is_a_scene),
         cmocka_unit_test(app_shapes_the_picture_by_the_size_that_was_asked_for),
+        cmocka_unit_test(app_greets_once_and_takes_the_keys_of_other_programs),
     };
 
     return cmocka_run_group_tests_name("the viewer's state", tests, NULL, NULL);
