@@ -115,6 +115,12 @@ static pov_status explain_surfaces(explanation *e, const model *m, const plan *p
                      m->atmosphere ? "filled" : "empty", p->scattering ? "" : "not ");
     else if (status == POV_OK)
         status = add(e, err, false, "media", "left out", "no object has media, nor has the scene");
+    if (status == POV_OK && p->radiosity)
+        status = add(e, err, true, "radiosity", "sampled", "objects with a diffuse colour: %zu; bounces: %u; rays from a surface: %u",
+                     s->diffuse, m->radiosity.recursion_limit, m->radiosity.draws);
+    else if (status == POV_OK)
+        status = add(e, err, false, "radiosity", "left out", "%s",
+                     m->radiosity.given ? "no surface has a diffuse colour" : "the scene does not ask for it");
     if (status == POV_OK)
         status = explain_kind(e, p->dielectrics_at_start, "dielectrics at the camera", "looked up", "that may hold it",
                               s->dielectrics, "nothing refracts light", err);
