@@ -4,15 +4,15 @@
 #include "sdl/report.h"
 #include "sdl/value.h"
 
-/* Directions from a surface that the camera sees: about a quarter of POV-Ray's number of rays, which serve several pixels, and a
- * power of two. More would take the time that samples of the picture need. */
-enum { COUNT_DEFAULT = 35, DRAWS_MAX = 128 };
+/* Directions from a surface that the camera sees: as many as POV-Ray has rays, or a
+ * power of two below. More would take the time that samples of the picture need. */
+enum { COUNT_DEFAULT = 35, DRAWS_MAX = 64 };
 
 static uint32_t draws_of(double count)
 {
     uint32_t draws = 1;
 
-    while (draws < DRAWS_MAX && 8.0 * (double)draws <= count)
+    while (draws < DRAWS_MAX && 2.0 * (double)draws <= count)
         draws *= 2;
     return draws;
 }
