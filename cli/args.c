@@ -20,7 +20,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_MESSAGES, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_TEV, OPTION_MESSAGES, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -55,6 +55,7 @@ static const struct option long_options[] = {
     { "resume", no_argument, NULL, OPTION_RESUME },
     { "part", required_argument, NULL, OPTION_PART },
     { "merge", no_argument, NULL, OPTION_MERGE },
+    { "tev", required_argument, NULL, OPTION_TEV },
     { "compare", no_argument, NULL, OPTION_COMPARE },
     { "report", required_argument, NULL, OPTION_REPORT },
     { "reference", required_argument, NULL, OPTION_REFERENCE },
@@ -381,6 +382,9 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_MERGE:
         a->merge = true;
         return true;
+    case OPTION_TEV:
+        a->tev = text;
+        return strrchr(text, ':') || refuse(a, "--tev wants HOST:PORT, such as localhost:14158, not \"%s\"", text);
     case OPTION_COMPARE:
         a->compare = true;
         return true;
@@ -523,6 +527,8 @@ static bool check_part(args *a)
         return refuse(a, "--part goes with neither --time nor --preview: its bits depend on no clock");
     if (a->resume || a->partial_every > 0.0)
         return refuse(a, "--part goes with neither --resume nor --partial-every: a part is traced anew");
+    if (a->tev)
+        return refuse(a, "--part does not go with --tev, which shows a whole picture");
     if (a->report || a->reference || maps)
         return refuse(a, "--part goes with none of --report, --reference and --aov, which are of a whole picture");
     return strcmp(a->output, "-") != 0 || refuse(a, "--part writes a file beside OUTPUT, which must be a file for that");

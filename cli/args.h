@@ -45,6 +45,7 @@ typedef struct args {
     pov_accuracy accuracy;
     const char *aov[ARGS_AOVS];  /* output file of each map; NULL: none */
     const char *plugin_path;     /* or NULL */
+    const char *tev;             /* HOST:PORT of a viewer that is shown the picture; or NULL */
     const char *folders[ARGS_LIST], *declares[ARGS_LIST + 1];   /* of -L; of -D, ending with NULL */
     int folder_count, declare_count;
     const char *write_path;      /* or NULL */

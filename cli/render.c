@@ -5,6 +5,7 @@
 #include "report.h"
 #include "save.h"
 #include "signals.h"
+#include "tev.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -186,14 +187,17 @@ static void write_partial(render *r, partial *kept)
         messages_error(r->messages, &err);
 }
 
-static pov_job_state watch(render *r, progress *shown, partial *kept)
+static pov_job_state watch(render *r, progress *shown, partial *kept, tev *viewer)
 {
     double start = now_seconds();
     pov_progress now = POV_INIT(now);
 
     for (;;) {
-        /* Changed tiles are not taken, so only the first tile and the end are news: tiles do not wake this thread. */
+        /* Without a viewer, changed tiles are not taken, so only the first tile and the end are news: tiles do not wake
+         * this thread. */
         pov_job_state state = pov_job_wait(r->job, patience);
+
+        tev_send(viewer, r->job);
 
         if (state != POV_JOB_RUNNING)
             return state;
@@ -311,16 +315,20 @@ static pov_status trace(render *r, pov_error *err)
     pov_job_state state;
     progress shown;
     partial kept;
+    tev viewer;
     pov_status status = partial_begin(&kept, r->args, r->messages, r->job, err);
 
     if (status == POV_OK && r->args->parts > 0)
         status = part_begin(r->args, r->messages, r->context, r->job, err);
     if (status == POV_OK)
+        status = tev_begin(&viewer, r->args, r->messages, r->width, r->height, err);
+    if (status == POV_OK)
         status = pov_job_start(r->job, err);
     if (status < 0)
         return status;
     progress_init(&shown, r->args);
-    state = watch(r, &shown, &kept);
+    state = watch(r, &shown, &kept, &viewer);
+    tev_end(&viewer);
     r->progress.size = sizeof r->progress;
     pov_job_get_progress(r->job, &r->progress);
     progress_end(&shown, &r->progress);

@@ -74,6 +74,7 @@ static const char *const help[] = {
     "      --resume             go on from that checkpoint, and keep one\n"
     "      --part I/N           trace the I-th of N parts of the picture, into\n"
     "                           OUTPUT.part-I-of-N\n"
+    "      --tev HOST:PORT      show the growing picture in tev (localhost:14158)\n"
     "      --merge              join the parts of OUTPUT\n"
     "      --preview N          a first coarse pass, a pixel in N: 2, 4, 8 or 16\n"
     "                           (default 0: none, with --time 16)\n"

@@ -3,7 +3,7 @@
 _povc()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
-    local options='--threads --spp --error --time --sampling --seed --report --reference --partial-every --resume --part --merge --compare
+    local options='--threads --spp --error --time --sampling --seed --report --reference --partial-every --resume --part --merge --tev --compare
         --max-depth --bits --transfer --alpha --output --size --format --explain --dialect --accel --accuracy --aov --crop --check
         --stats --preview --progress --quiet --verbose --color --messages --plugin-path --declare --library-path --strict --soft-lights --allow-write --limit --help --version'
 

@@ -212,3 +212,27 @@ output_sweeps_what_dead_processes_left() {
     [ ! -e "o.png.$dead-0.part" ]
     [ -e "o.png.$dead-1.part" ] && [ -e "o.png.$$-0.part" ] && [ -e "p.png.$dead-0.part" ]
 }
+
+output_grows_in_tev() {
+    rich_scene
+    expect 0 "$povc" rich.pov 75 50 one.pfm -q --spp 6
+    "$PYTHON" "$root/tests/cli/tev.py" port out.pfm one.pfm > seen 2>&1 &
+    viewer=$!
+    for _ in $(seq 100); do [ -e port ] || sleep 0.1; done
+    expect 0 "$povc" rich.pov 75 50 out.pfm -q --spp 6 --tev "127.0.0.1:$(cat port)"
+    wait "$viewer" || fail "$(cat seen)"
+    says seen packets
+    same one.pfm out.pfm
+}
+
+output_does_without_a_viewer_that_is_gone() {
+    rich_scene
+    "$PYTHON" "$root/tests/cli/tev.py" port out.pfm one.pfm 2 > seen 2>&1 &
+    for _ in $(seq 100); do [ -e port ] || sleep 0.1; done
+    expect 0 "$povc" rich.pov 320 240 out.pfm --spp 16 --tev "127.0.0.1:$(cat port)"
+    says err "the viewer is gone"
+    [ -s out.pfm ] || fail "there is no picture"
+    expect 1 "$povc" rich.pov 75 50 out.png --tev "127.0.0.1:$(cat port)"
+    says err "no viewer answers there"
+    expect 2 "$povc" rich.pov 75 50 out.png --tev localhost
+}
