@@ -96,6 +96,7 @@ if ! within is_there; then
 fi
 check "a window opens with the scene's name" is_there
 check "the picture becomes whole" within is_done
+sleep 5   # the word on the help goes away
 xdotool mousemove --window "$window" 200 150
 check "the picture is seen" within looks first.png 200 150 r
 
