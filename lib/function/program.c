@@ -85,7 +85,7 @@ static double call(const program *callee, const double *arguments, double *regis
 
 double program_run(const program *p, double *r)
 {
-    const instruction *i = p->code, *const end = i + p->count;
+    const instruction *i = p->code, *const end = p->count > 0 ? i + p->count : i;   /* a constant has no code */
 
     for (; i < end; i++) {
         switch ((program_op)i->op) {

@@ -255,6 +255,7 @@ static void splines_and_functions_are_called(void **state)
     assert_radius("#declare F = function (a, b) { a*b + (a < b & b > 0) } sphere { 0, F(2, 3) }", 7);
     assert_radius("#declare F = function { spline { 0, <1,2,3>, 2, <3,6,1> } } #declare G = function (a) { F(a).y*10 }"
                   "sphere { 0, G(1) + F(1).z }", 42);
+    assert_radius("#declare F = function (a) { a } #declare G = function (a) { 4 } sphere { 0, F(3) + G(1) }", 7);
     assert_radius("#declare F = function { spline { natural_spline 0, 0, 1, 8, 2, 0 } }"
                   "#declare G = function (a) { F(a).x } sphere { 0, G(.5) }", 5.5);
     assert_radius("#declare F = function { x + 10*y + 100*z } #declare G = function (t0) { F(t0, 2, sum(i, 1, 3, i)) }"
