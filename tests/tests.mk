@@ -100,7 +100,7 @@ $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/m
 $(BUILD)/tests/cli/test_povray: $(BUILD)/obj/cli/povray.o $(BUILD)/obj/cli/povray_frame.o
 
 # Scripts are run like programs, and first, for some take longest; they find what was built in $BUILD_DIR and the compiler in $CC.
-TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/docs/examples.py tests/corpus/run.sh tests/docs/links.py tests/install/run.sh tests/cluster/run.sh)) tests/runner/run.sh
+TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/docs/examples.py tests/corpus/run.sh tests/docs/links.py tests/install/run.sh tests/cluster/run.sh tests/python/run.sh)) tests/runner/run.sh
 
 .PHONY: test tests
 tests: all $(TEST_PROGRAMS)

@@ -1,0 +1,77 @@
+"""The library by cffi, without a compiler: what of its headers is used here.
+
+Structs that begin with their size may end early: the library takes what is missing for the default.
+"""
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from cffi import FFI
+
+ffi = FFI()
+ffi.cdef('''
+typedef struct { int status, line, column, caret; char file[256], message[512], excerpt[256], hint[64]; } pov_error;
+typedef struct { double x, y, z; } pov_vec3;
+typedef struct { int x, y, width, height; } pov_rect;
+typedef struct pov_context pov_context;
+typedef struct pov_scene pov_scene;
+typedef struct pov_job pov_job;
+typedef struct pov_tracer pov_tracer;
+typedef struct {
+    size_t size;
+    int dialect, accel, max_trace_level, threads, accuracy;
+    bool strict;
+    int width, height;
+    const char *library_path, *write_path;
+    const char *const *declares;
+} pov_load_desc;
+typedef struct {
+    size_t size;
+    int width, height;
+    pov_rect crop;
+    int preview, threads, samples;
+    const void *camera;
+    void (*wake)(void *user);
+    void *wake_user;
+    int sampling;
+    double target_error, time_limit;
+} pov_render_desc;
+typedef struct { size_t size; double fraction; } pov_progress;
+typedef struct { size_t size; int dialect; const char *dialect_reason; int transfer; } pov_scene_info;
+typedef struct {
+    size_t size;
+    double distance;
+    pov_vec3 point, normal;
+    uint32_t object;
+    bool certain;
+    pov_vec3 shading_normal;
+} pov_hit;
+typedef struct { size_t size; int bits, transfer; const char *format; } pov_image_options;
+typedef struct { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;
+
+int pov_context_create(pov_context **out, const void *desc, pov_error *err);
+void pov_context_destroy(pov_context *context);
+int pov_scene_load_file(pov_scene **out, pov_context *context, const char *path, const pov_load_desc *desc,
+                        pov_error *err);
+int pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length, const char *name,
+                        const pov_load_desc *desc, pov_error *err);
+void pov_scene_destroy(pov_scene *scene);
+size_t pov_scene_object_count(const pov_scene *scene);
+void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out);
+int pov_job_create(pov_job **out, const pov_scene *scene, const pov_render_desc *desc, pov_error *err);
+void pov_job_destroy(pov_job *job);
+int pov_job_start(pov_job *job, pov_error *err);
+int pov_job_wait(pov_job *job, double seconds);
+void pov_job_read(pov_job *job, pov_rect rect, int format, void *dst, size_t stride);
+void pov_job_get_progress(pov_job *job, pov_progress *out);
+int pov_job_get_error(pov_job *job, pov_error *err);
+int pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err);
+void pov_tracer_destroy(pov_tracer *tracer);
+bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
+int pov_image_put(pov_context *context, const pov_output *output, int width, int height, const float *rgba,
+                  size_t stride, const pov_image_options *options, pov_error *err);
+''')
+
+# $POVTRACE_LIBRARY, or what the system's loader finds.
+lib: Any = ffi.dlopen(os.environ.get('POVTRACE_LIBRARY') or 'libpovtrace.so.0')

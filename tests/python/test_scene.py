@@ -1,0 +1,60 @@
+"""The Python package: pictures to povc's bits, hits, errors with their place."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import povtrace
+
+TEXT = '''camera { location <0, 0, -4> look_at 0 }
+light_source { <-5, 8, -9> color rgb 1 }
+sphere { 0, Size pigment { color rgb <.9, .3, .2> } }
+'''
+POVC = sys.argv.pop(1)
+
+
+class SceneTest(unittest.TestCase):
+    def setUp(self):
+        self.scene = povtrace.Scene(TEXT, declare={'Size': 1})
+
+    def test_picture_is_that_of_povc(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, 'scene.pov')
+            path.write_text('#declare Size = 1;\n' + TEXT)
+            subprocess.run([POVC, path, '64', '48', path.with_suffix('.png'), '-q'], check=True)
+            for scene in (self.scene, povtrace.Scene(path)):
+                self.assertEqual(scene.render(64, 48).png(), path.with_suffix('.png').read_bytes())
+
+    def test_pixels_are_linear_floats(self):
+        pixels = np.asarray(self.scene.render(64, 48, spp=4, threads=1))
+        self.assertEqual((pixels.shape, pixels.dtype), ((48, 64, 4), np.float32))
+        self.assertGreater(pixels[24, 32, 0], pixels[24, 32, 2])
+        self.assertEqual(pixels[0, 0, 0], 0)
+
+    def test_rays_hit_the_sphere_where_it_is(self):
+        hits = self.scene.trace([0, 0, -4], [[0, 0, 1], [0, 0, 2], [0, 1, 0]])
+        np.testing.assert_array_equal(hits.distance, [3, 1.5, np.inf])
+        np.testing.assert_array_equal(hits.normal, [[0, 0, -1], [0, 0, -1], [0, 0, 0]])
+        np.testing.assert_array_equal(hits.object, [0, 0, -1])
+
+    def test_an_error_has_its_place(self):
+        with self.assertRaises(povtrace.PovError) as caught:
+            povtrace.Scene('camera { }\nsphere { 0, 1 pigmet { rgb 1 } }')
+        self.assertEqual((caught.exception.line, caught.exception.column), (2, 15))
+        self.assertEqual(caught.exception.hint, 'pigment')
+
+    def test_a_size_that_cannot_be_is_an_exception(self):
+        with self.assertRaises(povtrace.PovError):
+            self.scene.render(0, 48)
+
+    def test_progress_may_end_the_job(self):
+        def stop(fraction):
+            raise KeyboardInterrupt
+        with self.assertRaises(KeyboardInterrupt):
+            self.scene.render(2000, 2000, spp=400, progress=stop)
+
+
+if __name__ == '__main__':
+    unittest.main()
