@@ -209,7 +209,7 @@
     ROW(JITTER, "jitter", 0) \
     ROW(JPEG, "jpeg", 0) \
     ROW(JULIA, "julia", 0) \
-    ROW(JULIA_FRACTAL, "julia_fractal", KEYWORD_FLAG_COMING) \
+    ROW(JULIA_FRACTAL, "julia_fractal", KEYWORD_FLAG_SHAPE) \
     ROW(LAMBDA, "lambda", 0) \
     ROW(LATHE, "lathe", KEYWORD_FLAG_SHAPE) \
     ROW(LEOPARD, "leopard", 0) \

@@ -298,10 +298,6 @@ bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
         end(in, &s);
     } else if (o->kind == OBJECT_GROUP) {
         has_box = group_bounds(in, o, out);
-    } else if (o->kind == OBJECT_MISSING) {
-        out->lo = pov_vec3_of(0.0, 0.0, 0.0);
-        out->hi = pov_vec3_of(1.0, 1.0, 1.0);
-        has_box = true;
     }
     if (has_box && find_map(o, &map))
         *out = map_box(&map, out);

@@ -25,7 +25,7 @@ typedef struct surface_parsed {
 } surface_parsed;
 
 /* GROUP: made of others. MISSING: a kind of object that is not drawn yet. */
-typedef enum object_kind { OBJECT_LEAF, OBJECT_GROUP, OBJECT_LIGHT, OBJECT_MISSING } object_kind;
+typedef enum object_kind { OBJECT_LEAF, OBJECT_GROUP, OBJECT_LIGHT } object_kind;
 
 /* An object with all that its block says; as the value of a name it is never written again. */
 typedef struct object_parsed {

@@ -262,8 +262,6 @@ static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, n
         return add_group(in, o, a, out);
     case OBJECT_LIGHT:
         return add_light_and_objects(in, o, a, out);
-    case OBJECT_MISSING:
-        break;
     }
     return false;
 }

@@ -273,7 +273,7 @@ static void refuse(pov_reader *in, const symbol *word)
     }
     report_guess_start(&g, in);
     for (i = KEYWORD_OTHER + 1; i < KEYWORDS; i++)
-        if (token_keyword_flags((keyword_id)i) & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING))
+        if (token_keyword_flags((keyword_id)i) & KEYWORD_FLAG_SHAPE)
             report_guess_try(&g, token_keyword_name((keyword_id)i));
     parse_scene_guess(&g);
     registry_each_keyword(in->plugins, "primitives", guess_keyword, &g);
@@ -397,18 +397,6 @@ static void read_light_group(pov_reader *in, object_parsed *o)
     read_group(in, NODE_UNION, o);
 }
 
-/* What its block says is not looked into. */
-static void read_missing(pov_reader *in, object_parsed *o)
-{
-    char what[REPORT_QUOTE + 2];
-
-    o->kind = OBJECT_MISSING;
-    snprintf(what, sizeof what, "\"%s\"", in->token.symbol->name);
-    unsupported_note(in, &in->token.at, in->token.symbol->id, what);
-    state_advance(in);
-    unsupported_skip_block(in);
-}
-
 static bool is_array_of_objects(const pov_reader *in)
 {
     const value *slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
@@ -448,8 +436,7 @@ bool parse_object_follows(const pov_reader *in)
     case KEYWORD_DIFFERENCE: case KEYWORD_LIGHT_SOURCE: case KEYWORD_LIGHT_GROUP:
         return true;
     default:
-        return (word->flags & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING)) || word->shape || named_object(in) ||
-               is_array_of_objects(in);
+        return (word->flags & KEYWORD_FLAG_SHAPE) || word->shape || named_object(in) || is_array_of_objects(in);
     }
 }
 
@@ -463,7 +450,7 @@ static void begin(pov_reader *in, object_parsed *o)
 
 static bool is_shape_keyword(const symbol *word)
 {
-    return (word->flags & (KEYWORD_FLAG_SHAPE | KEYWORD_FLAG_COMING)) != 0;
+    return (word->flags & KEYWORD_FLAG_SHAPE) != 0;
 }
 
 bool parse_object_try(pov_reader *in, object_parsed *o)
@@ -503,8 +490,6 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
             return false;
         else if (find_shape(in, word))
             read_leaf(in, word, o);
-        else if (word->flags & KEYWORD_FLAG_COMING)
-            read_missing(in, o);
         else
             return false;
     }

@@ -12,7 +12,6 @@ enum {
     KEYWORD_FLAG_BASE = 1u << 0,    /* of the base language: does not make a file `povray` */
     KEYWORD_FLAG_SHAPE = 1u << 1,   /* a primitive of the language, whether its plugin is there or not */
     KEYWORD_FLAG_PAINT = 1u << 2,   /* a colour may begin with it */
-    KEYWORD_FLAG_COMING = 1u << 3,  /* a primitive that has no plugin here yet */
     KEYWORD_FLAG_NAMED = 1u << 4    /* a message about the missing feature has been given */
 };
 

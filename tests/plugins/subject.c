@@ -94,6 +94,10 @@ static const struct { const char *keyword, *text; } texts[] = {
     { "sphere_sweep", "b_spline 4, <1e6, 0, 0>, 5e-3, <1000000.01, 0, 0>, 3e-3, <1e6, 0.01, 0>, 2e-3, <1e6, 0, 0.01>, 3e-3 tolerance 1" },
     { "bicubic_patch", "type 1 u_steps 2 v_steps 3 <0, 0, 0>, <1, 0, 1>, <2, 0, 0>, <3, 0, 0>, <0, 1, 0>, <1, 1, 1>, <2, 1, 0>, <3, 1, 0>, "
                        "<0, 2, 0>, <1, 2, -1>, <2, 2, 0>, <3, 2, 0>, <0, 3, 0>, <1, 3, 1>, <2, 3, 0>, <3, 3, 1>" },
+    { "julia_fractal", "<-0.167, -0.083, -0.676, -0.098> quaternion sqr max_iteration 4 precision 20" },
+    { "julia_fractal", "<-0.3, 0.2, 0.4, 0.1> cube max_iteration 3 precision 20 slice <0, 0.2, 0, 1>, 0.1" },
+    { "julia_fractal", "<-0.5, 0.3, -0.2, 0> hypercomplex sqr max_iteration 4 precision 20" },
+    { "julia_fractal", "<0.2, 0.1, 0.3, 0> hypercomplex exp max_iteration 3 precision 20" },
     { "ovus", "1, 0.5" },
     { "ovus", "1e-3, 1.5e-3" },
     { "superellipsoid", "<0.25, 0.5>" },

@@ -806,20 +806,20 @@ static void missing_features_are_named_once_each_with_their_first_place(void **s
     reading r;
 
     (void)state;
-    begin_exact(&r, TEXT("difference { julia_fractal { 1, 2 } sphere { 0, 1 } }\n#declare T = julia_fractal { 1, { [ 2 };\n"
+    begin_exact(&r, TEXT("#declare S = camera { bokeh { 1, 2 } };\n#declare T = camera { bokeh { 1, { [ 2 } };\n"
                          "sphere { 0, 1 pigment { rgb 1 } } // fog\n"
-                         "fog { distance 1 } difference { object { T } T } object { T }"));
+                         "fog { distance 1 } camera { T }"));
     assert_int_equal(r.status, POV_E_SYNTAX);
     reading_end(&r);
-    begin_exact(&r, TEXT("difference { julia_fractal { 1, 2 } sphere { 0, 1 } }\n#declare T = julia_fractal { 1, { [ 2 } };\n"
+    begin_exact(&r, TEXT("#declare S = camera { bokeh { 1, 2 } };\n#declare T = camera { bokeh { 1, { [ 2 } } };\n"
                          "sphere { 0, 1 pigment { rgb 1 } } // rainbow\n"
-                         "difference { object { T } T } object { T }"));
+                         "camera { T }"));
     assert_int_equal(r.status, POV_OK);
     assert_int_equal(r.model.leaves.count, 1);
     assert_int_equal(r.note_count, 1);
-    assert_string_equal(r.notes[0].message, "\"julia_fractal\" is not supported yet and is left out");
+    assert_string_equal(r.notes[0].message, "\"bokeh\" is not supported yet and is left out");
     assert_int_equal(r.notes[0].line, 1);
-    assert_int_equal(r.notes[0].column, 14);
+    assert_int_equal(r.notes[0].column, 23);
     reading_end(&r);
 }
 
@@ -842,16 +842,16 @@ static void functions_of_pigments_are_evaluated(void **state)
 
 static void missing_features_are_errors_where_that_was_asked_for(void **state)
 {
-    static const char text[] = "sphere { 0, 1 }\n julia_fractal { 1, 2 }";
+    static const char text[] = "sphere { 0, 1 }\n camera { bokeh { 1, 2 } }";
     reader_options options = { .strict = true };
     reading r;
 
     (void)state;
     reading_begin_bytes(&r, text, sizeof text - 1, &options, NULL);
     assert_int_equal(r.status, POV_E_UNSUPPORTED);
-    assert_string_equal(r.error.message, "\"julia_fractal\" is not supported yet");
+    assert_string_equal(r.error.message, "\"bokeh\" is not supported yet");
     assert_int_equal(r.error.line, 2);
-    assert_int_equal(r.error.column, 2);
+    assert_int_equal(r.error.column, 11);
     reading_end(&r);
 }
 
@@ -862,7 +862,7 @@ static void parts_that_are_left_out_have_their_effects(void **state)
 
     (void)state;
     begin_exact(&r, TEXT("#declare R = seed(3); #declare N = 0;\n"
-                         "julia_fractal { rand(R), #declare N = 7; 2 #if (0) } } } #end }\n sphere { 0, rand(R) translate N }"));
+                         "camera { bokeh { rand(R), #declare N = 7; 2 #if (0) } } } #end } }\n sphere { 0, rand(R) translate N }"));
     assert_int_equal(r.status, POV_OK);
     assert_int_equal(r.model.leaves.count, 1);
     assert_true(reading_shape(&r, 0)->numbers[0] ==

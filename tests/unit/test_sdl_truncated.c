@@ -33,7 +33,7 @@ static const char language[] =
     "#declare M = color_map { [0 rgb 0] [1 rgb 1] } #declare Globe = sphere { 0, F(1, 2) texture { Tex } transform T }\n"
     "#fopen Out \"t.txt\" write #write (Out, \"sphere {0,\", 3, \"}//\", x) #fclose Out #include \"t.txt\" #include \"t.txt\" #include \"t.txt\"\n"
     "#for (I, 1, 3) #switch (I) #case (2) union { object { Globe } Globe translate P(.5) } #break #else Row(I, Globe) #end #end\n"
-    "#if (defined(Nobody) | G(1, 2, 3) > 1e9) nonsense #else julia_fractal { rand(seed(1)), { 1 } } #end #undef B\n"
+    "#if (defined(Nobody) | G(1, 2, 3) > 1e9) nonsense #else camera { bokeh { rand(seed(1)), { 1 } } } #end #undef B\n"
     "#default { finish { ambient .2 } } #debug concat(S, chr(65), substr(S, 1, 2), strupr(S), vstr(3, x, \",\", 0, 2))\n"
     "difference { box { -1, 1 } sphere { 0, 1.2 } pigment { rgb .5 } } #warning \"w\" light_source { 0, rgb 1 }\n"
     "#declare N = y; box { trace(Globe, -5*z, z, N), 2 + N + max_extent(Globe) }\n";
