@@ -3,16 +3,22 @@
 
 Each scene is drawn small, with one thread and one sample a pixel. It matches when at most 1 % of the pixels are off by
 more than 8/255; noisy ones when the means over 4 x 4 pixels are. POV-Ray's pictures are kept, so that a second run is
-quick. Written are corpus.csv, corpus.html with the pictures side by side, and a ranked list of what is missing.
+quick. Written are corpus.csv, corpus.html with the pictures side by side, a ranked list of what is missing and, where
+--page names it, docs/corpus.md. Scenes whose difference has been traced to a cause stand in causes.csv.
 """
 import argparse
+import ast
 import collections
 import csv
 import html
 import os
 import re
+import signal
 import subprocess
+import statistics
 import sys
+import tempfile
+import threading
 import time
 from pathlib import Path
 
@@ -32,6 +38,9 @@ def arguments():
     parser.add_argument('--size', default='160x120')
     parser.add_argument('--timeout', type=float, default=120.0, help='seconds for each program and scene')
     parser.add_argument('--only', default='', help='scenes whose path holds this')
+    parser.add_argument('--again', action='store_true', help='only the scenes that did not match last time')
+    parser.add_argument('--measure', action='store_true', help="draw POV-Ray's again where its times are not known")
+    parser.add_argument('--page', type=Path, help='write the tables of docs/corpus.md there')
     parser.add_argument('--read-only', action='store_true', help='read the scenes, draw none')
     parser.add_argument('--top', type=int, default=25, help='rows of the ranked list')
     return parser.parse_args()
@@ -45,16 +54,25 @@ def all_scenes(options):
     return Path(folder), scenes
 
 
-def run(command, folder, seconds):
-    """Exit status (None: out of time), seconds of wall time and what was said."""
-    start = time.monotonic()
-    try:
-        done = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, timeout=seconds, check=False)
-        status, said = done.returncode, done.stderr.decode('utf-8', 'replace')
-    except subprocess.TimeoutExpired as late:
-        status, said = None, (late.stderr or b'').decode('utf-8', 'replace')
-    return status, time.monotonic() - start, said
+class Run:
+    """One process: exit status (None: out of time), wall and processor seconds, most memory in KiB, what was said."""
+
+    def __init__(self, command, folder, seconds):
+        start = time.monotonic()
+        with tempfile.TemporaryFile() as said:
+            process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said)
+            late = []
+            timer = threading.Timer(seconds, lambda: (late.append(True), process.send_signal(signal.SIGKILL)))
+            timer.start()
+            _, status, used = os.wait4(process.pid, 0)
+            timer.cancel()
+            process.returncode = os.waitstatus_to_exitcode(status)
+            said.seek(0)
+            self.said = said.read().decode('utf-8', 'replace')
+        self.status = None if late else process.returncode
+        self.wall = time.monotonic() - start
+        self.cpu = used.ru_utime + used.ru_stime
+        self.memory = used.ru_maxrss
 
 
 def frames_of(scene):
@@ -81,31 +99,34 @@ def draw_ours(scene, picture, options):
     ini = frames_of(scene)
     if ini:
         size = '4x3' if options.read_only else options.size
-        done = run([os.path.abspath(options.povc), *first_frame(ini, picture, size)], scene.parent, options.timeout)
+        done = Run([os.path.abspath(options.povc), *first_frame(ini, picture, size)], scene.parent, options.timeout)
         take_frame(picture)
         return done
-    command = [os.path.abspath(options.povc), scene.name, '-t', '1', '--progress', 'none']
+    command = [os.path.abspath(options.povc), scene.name, '-t', '1', '--progress', 'none', '--stats']
     if options.read_only:
-        return run(command[:1] + ['--check', scene.name], scene.parent, options.timeout)
-    return run(command[:2] + [width, height, str(picture.resolve())] + command[2:], scene.parent, options.timeout)
+        return Run(command[:1] + ['--check', scene.name], scene.parent, options.timeout)
+    return Run(command[:2] + [width, height, str(picture.resolve())] + command[2:], scene.parent, options.timeout)
 
 
 def draw_theirs(scene, picture, options):
-    """Kept from an earlier run where it is newer than the scene; a note beside it holds status and time."""
+    """Kept from an earlier run where it is newer than the scene; a note beside it holds status and measurements."""
     note = picture.with_suffix('.txt')
     if note.exists() and note.stat().st_mtime > scene.stat().st_mtime:
-        status, seconds = note.read_text().split()
-        return None if status == 'None' else int(status), float(seconds)
+        kept = [ast.literal_eval(word) for word in note.read_text().split()]
+        if len(kept) == 5 or not options.measure:
+            return (kept + [None] * 3)[:5]
     width, height = options.size.split('x')
     include = ['+L' + str(scene.parent)] + ['+L' + f for f in ('/usr/share/povray-3.7/include', '/usr/share/povray/include') if Path(f).is_dir()]
     ini = frames_of(scene)
     command = first_frame(ini, picture, options.size) if ini else [f'+I{scene.name}', f'+O{picture.resolve()}',
                                                                    f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1']
-    status, seconds, _ = run([options.povray, *command, '-GA', *include], scene.parent, options.timeout)
+    done = Run([options.povray, *command, '-GA', '+GS', *include], scene.parent, options.timeout)
     if ini:
         take_frame(picture)
-    note.write_text(f'{status} {seconds:.3f}\n')
-    return status, seconds
+    trace = re.search(r'Trace Time:.*?with\s+([0-9.]+) CPU-seconds', done.said, re.S)
+    kept = [done.status, round(done.wall, 3), round(done.cpu, 3), done.memory, float(trace.group(1)) if trace else None]
+    note.write_text(' '.join(map(str, kept)) + '\n')
+    return kept
 
 
 def share_off(a, b, edge):
@@ -127,15 +148,17 @@ def missing_of(said):
 def look_at(scene, folder, options):
     name = str(scene.relative_to(folder).with_suffix('')).replace('/', '-')
     ours, theirs = options.work / 'povc' / f'{name}.png', options.work / 'povray' / f'{name}.png'
-    status, seconds, said = draw_ours(scene, ours, options)
-    missing, error = missing_of(said)
-    row = {'scene': str(scene.relative_to(folder)), 'name': name, 'status': status, 'seconds': seconds,
-           'missing': missing, 'error': error if status != 0 else '', 'matches': False, 'off': None, 'theirs': None,
-           'their_seconds': None}
+    done = draw_ours(scene, ours, options)
+    missing, error = missing_of(done.said)
+    trace = re.search(r'^trace(?: time)?: ([0-9.]+) s', done.said, re.M)
+    row = {'scene': str(scene.relative_to(folder)), 'name': name, 'status': done.status, 'seconds': done.wall, 'cpu': done.cpu,
+           'memory': done.memory, 'trace': float(trace.group(1)) if trace else None, 'missing': missing,
+           'error': error if done.status != 0 else '', 'matches': False, 'off': None, 'theirs': None, 'their_seconds': None,
+           'their_cpu': None, 'their_memory': None, 'their_trace': None}
     if options.read_only:
         return row
-    row['theirs'], row['their_seconds'] = draw_theirs(scene, theirs, options)
-    if status == 0 and row['theirs'] == 0 and theirs.exists():
+    row.update(zip(('theirs', 'their_seconds', 'their_cpu', 'their_memory', 'their_trace'), draw_theirs(scene, theirs, options)))
+    if done.status == 0 and row['theirs'] == 0 and theirs.exists():
         a, b = png.read(ours), png.read(theirs)
         row['off'] = share_off(a, b, 1)
         row['matches'] = row['off'] <= SHARE or share_off(a, b, EDGE) <= SHARE
@@ -161,26 +184,102 @@ def ranked(rows):
     return lacking.most_common()
 
 
+COLUMNS = {'scene': 'scene', 'verdict': 'verdict', 'off': 'off', 'seconds': 'povc_s', 'their_seconds': 'povray_s', 'missing': 'missing',
+           'error': 'error', 'cpu': 'povc_cpu_s', 'their_cpu': 'povray_cpu_s', 'trace': 'povc_trace_s', 'their_trace': 'povray_trace_s',
+           'memory': 'povc_KiB', 'their_memory': 'povray_KiB', 'name': 'name', 'status': 'status', 'theirs': 'povray_status',
+           'matches': 'matches'}
+
+
 def write_csv(rows, path):
     with open(path, 'w', newline='') as file:
         out = csv.writer(file)
-        out.writerow(['scene', 'verdict', 'off', 'povc_s', 'povray_s', 'missing', 'error'])
+        out.writerow(COLUMNS.values())
         for row in rows:
-            out.writerow([row['scene'], verdict(row), '' if row['off'] is None else f'{row["off"]:.4f}',
-                          f'{row["seconds"]:.3f}', '' if row['their_seconds'] is None else f'{row["their_seconds"]:.3f}',
-                          ' '.join(row['missing']), row['error']])
+            out.writerow([verdict(row) if key == 'verdict' else row[key] for key in COLUMNS])
+
+
+def last_rows(path):
+    """The rows of the last run, by scene."""
+    def value(text):
+        try:
+            return ast.literal_eval(text) if text else None
+        except (SyntaxError, ValueError):
+            return text
+    if not path.exists():
+        return {}
+    with open(path, newline='') as file:
+        rows = [{key: line[column] for key, column in COLUMNS.items() if column in line} for line in csv.DictReader(file)]
+    texts = ('scene', 'name', 'error')
+    return {row['scene']: {key: text if key in texts else value(text) for key, text in row.items()} for row in rows if 'matches' in row}
+
+
+def known_causes():
+    with open(Path(__file__).parent / 'causes.csv', newline='') as file:
+        return {row['scene']: row for row in csv.DictReader(file)}
+
+
+def number(x, form='.2f'):
+    return format(x, form) if x is not None else ''
+
+
+def write_tables(rows, path, options):
+    """docs/corpus.md: counts, times and memory of what matches, and why the others do not."""
+    causes = known_causes()
+    counts = collections.Counter(verdict(row) for row in rows)
+    pairs = [row for row in rows if row['matches'] and row['their_cpu'] and row['cpu']]
+    with open(path, 'w') as out:
+        out.write('# The scenes that come with POV-Ray\n\n'
+                  '`make corpus CORPUS_FLAGS="--page docs/corpus.md"` draws them with povc and with POV-Ray 3.7 and writes this page. '
+                  f'Pictures are {options.size}, with one thread and one sample a pixel. A scene matches when at most 1 % of the '
+                  'pixels are off by more than 8/255, or of the means over 4 x 4 pixels.\n\n')
+        out.write('| | scenes |\n|---|---|\n' + ''.join(f'| {what} | {count} |\n' for what, count in counts.most_common()))
+        out.write(f'| all | {len(rows)} |\n\n')
+        if pairs:
+            write_times(pairs, out)
+        write_others([row for row in rows if not row['matches']], causes, out)
+
+
+def write_times(pairs, out):
+    whole = sorted(row['their_seconds'] / row['seconds'] for row in pairs)
+    cpu = [row['their_cpu'] / row['cpu'] for row in pairs]
+    trace = [row['their_trace'] / row['trace'] for row in pairs if row['their_trace'] and row['trace']]
+    less = sum(row['memory'] <= row['their_memory'] for row in pairs)
+    slower = sorted((row for row in pairs if row['their_cpu'] < row['cpu']), key=lambda row: row['their_cpu'] / row['cpu'])
+    out.write(f'## Times and memory\n\nOf the {len(pairs)} scenes that match, POV-Ray takes the following times as long as povc '
+              '(on a machine that was not idle; processor time is the least disturbed):\n\n| | median | least |\n|---|---|---|\n')
+    for what, values in (('whole process, wall time', whole), ('whole process, processor time', cpu), ('tracing, processor time', trace)):
+        if values:
+            out.write(f'| {what} | {statistics.median(values):.1f} | {min(values):.2f} |\n')
+    out.write(f'\npovc takes at most the memory of POV-Ray in {less} of {len(pairs)}.')
+    if slower:
+        out.write(' Slower than POV-Ray by processor time:\n\n| scene | povc s | POV-Ray s |\n|---|---|---|\n')
+        out.writelines(f'| {row["scene"]} | {number(row["cpu"])} | {number(row["their_cpu"])} |\n' for row in slower)
+    out.write('\n')
+
+
+def write_others(rows, causes, out):
+    out.write('\n## What does not match, and why\n\n| scene | verdict | off | who is right | cause |\n|---|---|---|---|---|\n')
+    for row in rows:
+        known = causes.get(row['scene'], {'right': '', 'cause': ''})
+        lacks = ', '.join(row['missing']) + (' not drawn yet' if row['missing'] else '') + (row['error'] or '')
+        off = '' if row['off'] is None else f'{100 * row["off"]:.1f} %'
+        cause = '; '.join(filter(None, [known['cause'], lacks])) or 'not traced to a cause yet'
+        out.write(f'| {row["scene"]} | {verdict(row)} | {off} | {known["right"]} | {cause} |\n')
 
 
 def write_page(rows, path):
-    style = 'body{font:14px sans-serif;margin:2em}td{padding:4px 10px;vertical-align:top}img{display:block}'
+    style = ('body{font:14px sans-serif;margin:2em}td{padding:4px 10px;vertical-align:top}img{display:block}'
+             '.over{display:grid;filter:brightness(4);isolation:isolate}.over img{grid-area:1/1}'
+             '.over img+img{mix-blend-mode:difference}')
     with open(path, 'w') as out:
         out.write(f'<!DOCTYPE html><meta charset="utf-8"><title>corpus</title><style>{style}</style><table>\n')
-        out.write('<tr><th>scene<th>povc<th>POV-Ray<th>verdict<th>missing\n')
+        out.write('<tr><th>scene<th>povc<th>POV-Ray<th>difference<th>verdict<th>missing\n')
         for row in sorted(rows, key=lambda r: (verdict(r), r['scene'])):
-            note = html.escape(', '.join(row['missing']) + (' ' + row['error'] if row['error'] else ''))
+            note = html.escape(', '.join(row['missing']) + ' ' + (row['error'] or ''))
             off = '' if row['off'] is None else f'<br>{100 * row["off"]:.1f} % off'
             out.write(f'<tr><td>{html.escape(row["scene"])}<td><img src="povc/{row["name"]}.png" alt="">'
-                      f'<td><img src="povray/{row["name"]}.png" alt=""><td>{verdict(row)}{off}<td>{note}\n')
+                      f'<td><img src="povray/{row["name"]}.png" alt=""><td><div class="over"><img src="povc/{row["name"]}.png" alt="">'
+                      f'<img src="povray/{row["name"]}.png" alt=""></div><td>{verdict(row)}{off}<td>{note}\n')
         out.write('</table>\n')
 
 
@@ -190,11 +289,18 @@ def main():
     for sub in ('povc', 'povray'):
         (options.work / sub).mkdir(parents=True, exist_ok=True)
     rows = []
+    last = last_rows(options.work / 'corpus.csv') if options.again else {}
     for scene in scenes:
+        before = last.get(str(scene.relative_to(folder)))
+        if before and before['matches']:
+            rows.append(before)
+            continue
         rows.append(look_at(scene, folder, options))
         print(f'{verdict(rows[-1]):9} {rows[-1]["scene"]}', flush=True)
     write_csv(rows, options.work / 'corpus.csv')
     write_page(rows, options.work / 'corpus.html')
+    if options.page:
+        write_tables(rows, options.page, options)
     print('\nMissing or wrong, by scenes that do not match:')
     for what, count in ranked(rows)[:options.top]:
         print(f'{count:5} {what}')
