@@ -1,6 +1,7 @@
 #include "shade/fade.h"
 
 #include "base/elementary.h"
+#include "shade/paint.h"
 
 /* From this power on light fades exponentially. */
 static const double exponential_power = 1000.0;
@@ -64,9 +65,9 @@ static void take(double by[3], colour c)
 }
 
 /* Light that crosses a surface steeply is focused by it. */
-static colour caustics(const interior *in, const hit *h, pov_vec3 dir)
+static colour caustics(const interior *in, pov_vec3 normal, pov_vec3 dir)
 {
-    const double cosine = fabs(pov_dot(h->normal, pov_unit(dir))), power = 45.0 * (double)in->caustics;
+    const double cosine = fabs(pov_dot(normal, pov_unit(dir))), power = 45.0 * (double)in->caustics;
     const float by = (float)(1.0 + elementary_pow(cosine < 1.0 ? cosine : 1.0, power));
 
     return colour_of(by, by, by);
@@ -88,7 +89,7 @@ void fade_crossings(const shading *scene, const pov_ray *ray, pov_crossing *at, 
             h.crossing = at[i];
             world_surface(scene->world, ray, &h);
             if (in->caustics != 0.0f)
-                take(by, caustics(in, &h, ray->dir));
+                take(by, caustics(in, paint_bent_normal(scene, ray, &h), ray->dir));
             if (in->fade_distance > 0.0 && in->fade_power > 0.0 && !h.entering)
                 take(by, fade_over(in, (at[i].t - before) * length));
         }

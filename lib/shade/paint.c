@@ -1,6 +1,7 @@
 #include "shade/paint.h"
 
 #include "base/simd.h"
+#include "texture/normal.h"
 #include "world/detail.h"
 
 bool paint_create(painted *p, const shading *scene)
@@ -186,17 +187,38 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
         g->shading = &g->bent;
 }
 
+/* The place of a single hit; its normal is given as it is turned. */
+static void begin_single(group *g, const shading *scene, const texture *of, const hit *h, pov_vec3 normal, pov_vec3 view)
+{
+    begin(g, of);
+    add_point(g, scene, h);
+    add_uv(g, scene, h);
+    lanes_put(&g->points.normal, 0, normal);
+    lanes_put(&g->points.view, 0, view);
+    g->points.has_surface = true;
+}
+
 colour paint_filter(const shading *scene, const hit *h)
 {
     group g;
     colour filter;
 
-    begin(&g, texture_of(shading_constant(scene, h->object)->material, h));
-    add_point(&g, scene, h);
-    add_uv(&g, scene, h);
-    lanes_put(&g.points.normal, 0, h->normal);
-    lanes_put(&g.points.view, 0, pov_scale(h->normal, -1.0));
-    g.points.has_surface = true;
+    begin_single(&g, scene, texture_of(shading_constant(scene, h->object)->material, h), h, h->normal, pov_scale(h->normal, -1.0));
     texture_filters(scene->model, g.texture, &g.points, 1, &filter);
     return filter;
+}
+
+pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *h)
+{
+    const texture *of = texture_of(shading_constant(scene, h->object)->material, h);
+    const pov_vec3 facing = pov_dot(h->normal, ray->dir) > 0.0 ? pov_scale(h->normal, -1.0) : h->normal;
+    vec_lanes normal;
+    group g;
+
+    if (!of || of->blend != BLEND_NONE || !of->normal)
+        return h->normal;
+    begin_single(&g, scene, of, h, facing, pov_unit(ray->dir));
+    lanes_put(&normal, 0, facing);
+    normal_eval(scene->model, of->normal, &g.points, 1, &normal);
+    return lanes_at(&normal, 0);
 }
