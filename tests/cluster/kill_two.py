@@ -27,7 +27,7 @@ def main():
     povc, scene, width, height, output, *words = sys.argv[1:]
     output = Path(output)
     logging.disable(logging.WARNING)
-    with LocalCluster(n_workers=4, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+    with LocalCluster(n_workers=4, threads_per_worker=1, dashboard_address=':0') as cluster, Client(cluster) as client:
         killed = []
         killer = threading.Thread(target=kill_two, args=(output, list(client.run(os.getpid).values()), killed))
         killer.start()

@@ -283,7 +283,7 @@ def connect(a: argparse.Namespace) -> Any:
     from distributed import Client, LocalCluster
     if a.scheduler:
         return Client(a.scheduler)
-    return Client(LocalCluster(n_workers=a.workers or os.cpu_count() or 1, threads_per_worker=1, dashboard_address=None))
+    return Client(LocalCluster(n_workers=a.workers or os.cpu_count() or 1, threads_per_worker=1, dashboard_address=':0'))
 
 
 def render_with(client: Any, a: argparse.Namespace, words: list[str]) -> int:
