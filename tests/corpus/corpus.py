@@ -84,7 +84,7 @@ def frames_of(scene):
 def first_frame(ini, picture, size):
     """POV-Ray's own options, which both programs have."""
     width, height = size.split('x')
-    return [ini.name, f'+I{ini.stem}.pov', f'+O{picture.resolve()}', f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1', '+SF1', '+EF1']
+    return [ini.name, f'+O{picture.resolve()}', f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1', '+SF1', '+EF1']
 
 
 def take_frame(picture):
@@ -142,7 +142,7 @@ def missing_of(said):
     """What povc says it does not draw yet, and the first error."""
     missing = {m.group(1) for m in re.finditer(r'warning: "([^"]+)"[^\n]* is not supported yet', said)}
     error = re.search(r'error: ([^\n]*)', said)
-    return sorted(missing), error.group(1) if error else ''
+    return sorted(missing), error.group(1).split('; searched')[0] if error else ''
 
 
 def look_at(scene, folder, options):
@@ -245,7 +245,7 @@ def write_times(pairs, out):
     trace = [row['their_trace'] / row['trace'] for row in pairs if row['their_trace'] and row['trace']]
     less = sum(row['memory'] <= row['their_memory'] for row in pairs)
     slower = sorted((row for row in pairs if row['their_cpu'] < row['cpu']), key=lambda row: row['their_cpu'] / row['cpu'])
-    out.write(f'## Times and memory\n\nOf the {len(pairs)} scenes that match, POV-Ray takes the following times as long as povc '
+    out.write(f'## Times and memory\n\nOf the scenes that match, {len(pairs)} were measured with both programs. POV-Ray takes the following times as long as povc '
               '(on a machine that was not idle; processor time is the least disturbed):\n\n| | median | least |\n|---|---|---|\n')
     for what, values in (('whole process, wall time', whole), ('whole process, processor time', cpu), ('tracing, processor time', trace)):
         if values:
