@@ -23,7 +23,7 @@ static bool reflection_equal(const reflection *a, const reflection *b)
 
 bool finish_equal(const finish *a, const finish *b)
 {
-    return colour_equal(a->ambient, b->ambient) && colour_equal(a->emission, b->emission) && a->diffuse == b->diffuse &&
+    return colour_equal(a->ambient, b->ambient) && colour_equal(a->emission, b->emission) && colour_equal(a->translucency, b->translucency) && a->diffuse == b->diffuse &&
            a->diffuse_back == b->diffuse_back && a->written == b->written && a->phong == b->phong && a->phong_size == b->phong_size &&
            a->specular == b->specular && a->metallic == b->metallic && a->brilliance == b->brilliance &&
            a->roughness == b->roughness && a->crand == b->crand && a->refraction == b->refraction &&

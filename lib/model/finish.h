@@ -23,6 +23,7 @@ typedef struct finish {
     float phong, phong_size, specular, metallic;
     double brilliance, roughness;
     float crand;
+    colour translucency;         /* mean free path in millimetres of light below the surface; black: it does not go there */
     float refraction;            /* factor of the transmitted ray */
     bool conserve_energy;        /* what is reflected is not transmitted */
     irid irid;

@@ -77,6 +77,7 @@ typedef struct model {
     double adc_bailout;
     int max_trace_level;
     photon_settings photons;
+    struct { bool given, used; double mm_per_unit; } subsurface;   /* used: some finish is translucent */
     radiosity_settings radiosity;
     bool opaque_last_level;      /* rays of the last level do not go through surfaces */
     bool opaque_dark_filters;    /* nor do any through filters whose luminance is below adc_bailout */

@@ -184,7 +184,25 @@ static void read_old_refraction(pov_reader *in, void *self, keyword_id keyword)
     ((surface_parsed *)self)->material.finish.refraction = value_float(in);
 }
 
-const keyword_id parse_finish_coming[] = { KEYWORD_SUBSURFACE, KEYWORD_OTHER };
+static void read_translucency(pov_reader *in, void *self, keyword_id keyword)
+{
+    const colour mean = value_colour(in, true).colour;
+
+    (void)keyword;
+    ((surface_parsed *)self)->material.finish.translucency = mean;
+    in->model->subsurface.used |= !colour_is_black(mean);
+}
+
+static void read_subsurface(pov_reader *in, void *self, keyword_id keyword)
+{
+    static const item items[] = { { KEYWORD_TRANSLUCENCY, read_translucency } };
+    static const item_list list = { "\"translucency\"", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
+
+    (void)keyword;
+    items_block(in, &list, self);
+}
+
+const keyword_id parse_finish_coming[] = { KEYWORD_OTHER };
 
 static const keyword_id finish_old[] = { KEYWORD_CAUSTICS, KEYWORD_FADE_DISTANCE, KEYWORD_FADE_POWER, KEYWORD_OTHER };
 
@@ -209,7 +227,7 @@ static void resolve_albedos(surface_parsed *s)
 
 void parse_finish(pov_reader *in, surface_parsed *s)
 {
-    static const item items[] = { PARSE_FINISH_ROWS(parse_finish_item, parse_finish_reflection), { KEYWORD_IRID, read_irid }, { KEYWORD_IOR, read_old_ior },
+    static const item items[] = { PARSE_FINISH_ROWS(parse_finish_item, parse_finish_reflection), { KEYWORD_IRID, read_irid }, { KEYWORD_SUBSURFACE, read_subsurface }, { KEYWORD_IOR, read_old_ior },
                                   { KEYWORD_REFRACTION, read_old_refraction } };
     static const item_list list = { "an item of the finish", ITEMS(items), finish_old, NULL, parse_finish_coming,
                                     VALUE_FINISH, take_finish };

@@ -101,9 +101,31 @@ static void read_unused(pov_reader *in, void *self, keyword_id keyword)
 
 static const keyword_id quiet[] = {
     KEYWORD_CHARSET, KEYWORD_ASCII, KEYWORD_UTF8, KEYWORD_SYS,
-    KEYWORD_MM_PER_UNIT, KEYWORD_OTHER,
+    KEYWORD_OTHER,
 };
-static const keyword_id coming[] = { KEYWORD_SUBSURFACE, KEYWORD_OTHER };
+
+static void read_mm_per_unit(pov_reader *in, void *self, keyword_id keyword)
+{
+    const double number = value_number(in);
+
+    (void)self;
+    (void)keyword;
+    if (!in->failed && !(number > 0.0))
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"mm_per_unit\" must be above 0");
+    in->model->subsurface.mm_per_unit = number;
+}
+
+/* How many samples there are is left to those of the picture. */
+static void read_subsurface(pov_reader *in, void *self, keyword_id keyword)
+{
+    static const keyword_id accuracy[] = { KEYWORD_SAMPLES, KEYWORD_RADIOSITY, KEYWORD_OTHER };
+    static const item_list list = { "a setting of subsurface light", NULL, 0, accuracy, NULL, NULL, VALUE_NOTHING, NULL };
+
+    (void)self;
+    (void)keyword;
+    in->model->subsurface.given = true;
+    items_block(in, &list, NULL);
+}
 
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
 {
@@ -118,9 +140,11 @@ void parse_global_settings(pov_reader *in, void *self, keyword_id keyword)
         { KEYWORD_MAX_INTERSECTIONS, read_unused },
         { KEYWORD_HF_GRAY_16, read_unused },
         { KEYWORD_PHOTONS, parse_photon_settings },
+        { KEYWORD_SUBSURFACE, read_subsurface },
+        { KEYWORD_MM_PER_UNIT, read_mm_per_unit },
         { KEYWORD_RADIOSITY, parse_radiosity },
     };
-    static const item_list list = { "a setting", ITEMS(items), quiet, NULL, coming, VALUE_NOTHING, NULL };
+    static const item_list list = { "a setting", ITEMS(items), quiet, NULL, NULL, VALUE_NOTHING, NULL };
 
     (void)self;
     (void)keyword;

@@ -117,6 +117,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     m->adc_bailout = 1.0 / 255.0;
     m->max_trace_level = 5;
     parse_radiosity_init(m);
+    m->subsurface.mm_per_unit = 10.0;
     m->photons.max_trace_level = -1;
     m->photons.adc_bailout = -1.0;
     source_init(&in->sources, m->env);

@@ -60,6 +60,11 @@ static void paint(appearance *out, const plan *p, const model *m, const pigment 
     out->pigment = at->color;
     out->opacity = opacity;
     out->diffuse_weight = opacity * f->diffuse;
+    out->below_weight = 0.0f;
+    if (p->subsurface && !colour_is_black(f->translucency)) {
+        out->below_weight = out->diffuse_weight;
+        out->diffuse_weight = 0.0f;
+    }
     out->emitted = colour_mul(colour_scale(colour_mul(f->ambient, at->color), opacity), m->ambient_light);
     out->emitted = colour_add(out->emitted, colour_scale(colour_mul(f->emission, at->color), opacity));
     appearance_set_filter(out, m, colourless ? colour_of(all, all, all)

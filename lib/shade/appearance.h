@@ -34,6 +34,7 @@ typedef struct appearance {
     colour pigment;
     float opacity;               /* fraction of its light that an opaque surface would give */
     float diffuse_weight;        /* diffuse, times the opacity */
+    float below_weight;          /* the same, instead, of light that is scattered below the surface */
     colour emitted;              /* emitted and ambient light */
     coefficient reflection, filter;  /* coefficients of the reflected and the transmitted ray */
     uint32_t kinds;              /* FINISH_* */

@@ -5,6 +5,7 @@
 #include "shade/haze.h"
 #include "shade/photon_light.h"
 #include "shade/photons.h"
+#include "shade/subsurface.h"
 #include "shade/transmittance.h"
 
 #include <string.h>
@@ -527,6 +528,8 @@ void light_gather(lighting *l, shade_context *c, surfaces *on)
     begin(l, c, on);
     if (l->photons)
         photon_light_add(l->photons, c, &l->finishes, on);
+    if (scene->plan->subsurface)
+        subsurface_add(c, &l->finishes, on);
     if (scene->light_count > 1 && l->finishes.count > 0 && on->at[0].from->gathers > 0) {
         gather_some(l, scene);
         return;

@@ -3,8 +3,7 @@
 #include "shade/fade.h"
 #include "shade/highlight.h"
 
-/* Fresnel's equations for light that is not polarised; `ratio` is the ior ahead over that behind. */
-static double fresnel(double cosine, double ratio)
+double reflectance_fresnel(double cosine, double ratio)
 {
     const double squared = ratio * ratio - (1.0 - cosine * cosine);
     double ahead, across, along;
@@ -24,7 +23,7 @@ static double course(const reflection *r, double cosine, double ratio)
     const double away = 1.0 - cosine;
 
     if (r->fresnel)
-        return fresnel(fabs(cosine), ratio);
+        return reflectance_fresnel(fabs(cosine), ratio);
     return r->falloff == 1.0f ? away : elementary_pow(away > 0.0 ? away : 0.0, (double)r->falloff);
 }
 

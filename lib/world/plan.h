@@ -33,6 +33,7 @@ typedef struct plan {
     bool radiosity;              /* diffuse surfaces light each other */
     bool random;                 /* paths take random numbers: the samples of a picture are numbered */
     bool hidden;                 /* some rays do not see some object */
+    bool subsurface;             /* light is scattered below some surface */
     bool photons;                /* some light sends photons to some target */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
     plan_counts counts;

@@ -1,0 +1,285 @@
+#include "shade/subsurface.h"
+
+#include "base/elementary.h"
+#include "shade/reflectance.h"
+#include "shade/transmittance.h"
+
+/* The dipole of Jensen, Marschner, Levoy, Hanrahan: A practical model for subsurface light transport, SIGGRAPH 2001. */
+
+/* ---- the profile ---- */
+
+/* One channel: distances of the poles from the surface, the attenuation between them, and the reduced albedo. */
+typedef struct channel { double real, image, fades, albedo; } channel;
+typedef struct below { channel of[3]; double ior; } below;
+
+static const double pi = 3.14159265358979323846;
+
+double subsurface_reflected(double albedo, double boundary)
+{
+    const double root = sqrt(3.0 * (1.0 - albedo));
+
+    return 0.5 * albedo * (1.0 + elementary_exp(-4.0 / 3.0 * boundary * root)) * elementary_exp(-root);
+}
+
+double subsurface_albedo(double reflected, double boundary)
+{
+    double lo = 0.0, hi = 1.0;
+
+    if (!(reflected < 1.0))
+        return 1.0;
+    for (int i = 0; i < 32; i++) {
+        const double middle = 0.5 * (lo + hi);
+
+        if (subsurface_reflected(middle, boundary) < reflected)
+            lo = middle;
+        else
+            hi = middle;
+    }
+    return 0.5 * (lo + hi);
+}
+
+/* By the ior: a rational fit of the diffuse Fresnel reflectance. */
+static double boundary_of(double ior)
+{
+    const double f = -1.440 / (ior * ior) + 0.710 / ior + 0.668 + 0.0636 * ior;
+
+    return (1.0 + f) / (1.0 - f);
+}
+
+static channel channel_of(double length, double reflected, double boundary)
+{
+    const double albedo = subsurface_albedo(reflected, boundary);
+    const channel out = { length, length * (1.0 + 4.0 / 3.0 * boundary), sqrt(3.0 * (1.0 - albedo)) / length, albedo };
+
+    return out;
+}
+
+/* Light goes no way at all in a channel that is not translucent: a thousandth of the others counts as none. */
+static double path_of(float translucency, double scale) { return fmax((double)translucency, 0x1p-10) * scale; }
+
+static below below_of(const shading *scene, const surface *s)
+{
+    const appearance *a = s->appearance;
+    const double scale = 1.0 / scene->model->subsurface.mm_per_unit;
+    const double ior = dielectric_interior(scene->model, world_solid(scene->world, s->at->object))->ior, of = boundary_of(ior);
+    const colour mean = a->finish->translucency, by = colour_scale(a->pigment, a->below_weight);
+    const below out = { { channel_of(path_of(mean.r, scale), (double)by.r, of),
+                           channel_of(path_of(mean.g, scale), (double)by.g, of),
+                           channel_of(path_of(mean.b, scale), (double)by.b, of) }, ior };
+
+    return out;
+}
+
+static double pole(double height, double fades, double square)
+{
+    const double d = sqrt(square + height * height);
+
+    return height * (1.0 + fades * d) * elementary_exp(-fades * d) / (d * d * d);
+}
+
+/* Light that leaves per area at this squared distance from where it enters. */
+static double profile(const channel *c, double square)
+{
+    return c->albedo / (4.0 * pi) * (pole(c->real, c->fades, square) + pole(c->image, c->fades, square));
+}
+
+/* ---- points of the surface ---- */
+
+/* Where light may enter: lines through the neighbourhood of a point, along its normal and across. */
+enum { AXES = 3, PROBES = 16, CROSSINGS = 8, PURPOSE = 0x5355 };
+static const int axis_of[PROBES] = { 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2 };
+static const double probes_of[AXES] = { 8.0, 4.0, 4.0 };
+
+typedef struct search {
+    shade_context *context;
+    const surface *from;
+    below in;
+    pov_vec3 axes[AXES];
+    colour sum;
+} search;
+
+/* A pole lights the plane so: the density of the distances that are drawn. Each of the six poles is drawn alike. */
+static double disc_density(const below *m, double square)
+{
+    double sum = 0.0;
+
+    for (int i = 0; i < 6; i++) {
+        const double h = i & 1 ? m->of[i / 2].image : m->of[i / 2].real, d = sqrt(square + h * h);
+
+        sum += h / (2.0 * pi * d * d * d);
+    }
+    return sum / 6.0;
+}
+
+/* How densely points around `to` with this normal are drawn, by all axes together. */
+static double density(const search *s, pov_vec3 to, pov_vec3 normal)
+{
+    double sum = 0.0;
+
+    for (int k = 0; k < AXES; k++) {
+        const double along = pov_dot(to, s->axes[k]);
+
+        sum += probes_of[k] * disc_density(&s->in, fmax(pov_dot(to, to) - along * along, 0.0)) *
+               fabs(pov_dot(normal, s->axes[k]));
+    }
+    return sum;
+}
+
+/* ---- light that enters ---- */
+
+static double entering(double ior, double cosine) { return 1.0 - reflectance_fresnel(cosine, ior); }
+
+/* The cosine behind the surface. */
+static double cosine_below(double ior, double cosine)
+{
+    return sqrt(fmax(1.0 - (1.0 - cosine * cosine) / (ior * ior), 0.0));
+}
+
+/* What light at a point is wanted for: all that enters; or, where `out` is not 0, the share of it that is scattered once,
+ * alike in all directions, below a flat surface and leaves at this cosine below it. */
+typedef struct wanted { double ior, out; } wanted;
+
+static double share_of(const wanted *for_what, double cosine)
+{
+    const double enters = cosine * entering(for_what->ior, cosine);
+
+    return for_what->out > 0.0 ? enters / (4.0 * pi * (cosine_below(for_what->ior, cosine) + for_what->out)) : enters;
+}
+
+/* Of one light, at a point with this outward normal. */
+static colour light_from(shade_context *c, const scene_light *from, const hit *at, const wanted *for_what)
+{
+    const light_origin origin = light_own_origin(from->light);
+    const segment_end end = { 1.0, from->class->parallel ? NULL : &origin };
+    vec_lanes point, low;
+    const light_points points = { &point, &low, 1 };
+    colour through = colour_of(1.0f, 1.0f, 1.0f);
+    pov_ray ray = { .org = at->point, .org_lo = at->point_lo };
+    const pov_ray *rays = &ray;
+    const path none = { .hue = PATH_WHITE }, *path_at = &none;
+    light_lanes in;
+    double cosine;
+
+    for (uint32_t i = 0; i < lanes_whole(1); i++) {
+        lanes_put(&point, i, at->point);
+        lanes_put(&low, i, at->point_lo);
+    }
+    from->class->incident(from->light, &origin, &points, &in);
+    ray.dir = lanes_at(&in.dir, 0);
+    cosine = pov_dot(at->normal, pov_unit(ray.dir));
+    if (!(cosine > 0.0))
+        return colour_of(0.0f, 0.0f, 0.0f);
+    world_set_origin(&ray, at, 0);
+    world_origin_aim(&ray, at, cosine, 1.0);
+    c->counts.shadow++;
+    if (c->scene->plan->shadows && !(from->light->flags & LIGHT_SHADOWLESS) &&
+        !transmittance_find(c, &rays, &path_at, 1, end, &through))
+        return colour_of(0.0f, 0.0f, 0.0f);
+    through = colour_mul(through, in.uniform ? in.color : colour_of(in.red[0], in.green[0], in.blue[0]));
+    return colour_scale(through, (float)share_of(for_what, cosine));
+}
+
+static colour light_at(shade_context *c, const hit *at, const wanted *for_what)
+{
+    const shading *scene = c->scene;
+    colour sum = colour_of(0.0f, 0.0f, 0.0f);
+
+    for (size_t k = 0; k < scene->light_count; k++)
+        if (scene->model->light_groups.count == 0 || model_is_lit_by(scene->model, at->object, scene->lights[k].light))
+            sum = colour_add(sum, light_from(c, &scene->lights[k], at, for_what));
+    return sum;
+}
+
+static void add_point(search *s, const hit *at)
+{
+    const wanted all = { s->in.ior, 0.0 };
+    const pov_vec3 to = pov_sub(at->point, s->from->at->point);
+    const double square = pov_dot(to, to), per = 1.0 / density(s, to, at->normal);
+    const colour by = colour_of((float)(profile(&s->in.of[0], square) * per), (float)(profile(&s->in.of[1], square) * per),
+                                (float)(profile(&s->in.of[2], square) * per));
+
+    if (per < HUGE_VAL)
+        s->sum = colour_add(s->sum, colour_mul(by, light_at(s->context, at, &all)));
+}
+
+/* All crossings of a line with the solid. */
+static void follow_line(search *s, pov_ray ray)
+{
+    const world *w = s->context->scene->world;
+    const uint32_t solid = world_solid(w, s->from->at->object);
+    const pov_ray *rays = &ray;
+    hit h;
+
+    for (int i = 0; i < CROSSINGS && query_nearest(w, s->context->context, &rays, 1, HUGE_VAL, &h); i++) {
+        world_surface(w, &ray, &h);
+        if (world_solid(w, h.object) == solid)
+            add_point(s, &h);
+        ray.org = h.point;
+        ray.org_lo = h.point_lo;
+        world_origin_transmit(&ray, &h, fabs(pov_dot(ray.dir, h.normal)));
+    }
+}
+
+/* Lines begin so many times the distance drawn before the point: what lies further is lit by as good as nothing. */
+static const double before = 64.0;
+
+static void probe(search *s, int k, sequence_point at)
+{
+    const double six = 6.0 * at.x, rest = six - floor(six);
+    const int pick = (int)six < 6 ? (int)six : 5;
+    const double h = pick & 1 ? s->in.of[pick / 2].image : s->in.of[pick / 2].real, cosine = 1.0 - rest;
+    const double r = h * sqrt(fmax(1.0 / (cosine * cosine) - 1.0, 0.0)), angle = 2.0 * pi * at.y;
+    const int axis = axis_of[k];
+    const pov_vec3 a = s->axes[axis], u = s->axes[(axis + 1) % AXES], v = s->axes[(axis + 2) % AXES];
+    const pov_vec3 side = pov_add(pov_scale(u, r * elementary_cos(angle)), pov_scale(v, r * elementary_sin(angle)));
+    pov_ray ray = { .origin_surface = POV_NO_OWNER };
+
+    ray.org = pov_add(s->from->at->point, pov_add(side, pov_scale(a, before * (r + h))));
+    ray.dir = pov_scale(a, -1.0);
+    follow_line(s, ray);
+}
+
+/* ---- surfaces ---- */
+
+static void find_axes(pov_vec3 normal, pov_vec3 out[AXES])
+{
+    const pov_vec3 from = fabs(normal.x) < 0.5 ? pov_vec3_of(1, 0, 0) : pov_vec3_of(0, 1, 0);
+
+    out[0] = normal;
+    out[1] = pov_unit(pov_cross_product(normal, from));
+    out[2] = pov_cross_product(normal, out[1]);
+}
+
+/* Light that was scattered once, for a surface that is flat and evenly lit around. */
+static colour scattered_once(const search *s, double cosine)
+{
+    const wanted once = { s->in.ior, cosine_below(s->in.ior, cosine) };
+    const channel *of = s->in.of;
+
+    return colour_mul(colour_of((float)of[0].albedo, (float)of[1].albedo, (float)of[2].albedo),
+                      light_at(s->context, s->from->at, &once));
+}
+
+static void light_surface(shade_context *c, surfaces *on, uint32_t i)
+{
+    const geometry *g = &on->geometry;
+    surface *s = &on->at[i];
+    const sample_id *id = &c->samples[s->from->lane];
+    search f = { .context = c, .from = s, .in = below_of(c->scene, s) };
+    double out;
+
+    find_axes(lanes_at(&g->to.normal, i), f.axes);
+    for (int k = 0; k < PROBES && !c->failed; k++)
+        probe(&f, k, random_point(id, (uint32_t)k, PROBES, PURPOSE + s->from->branch));
+    f.sum = colour_add(f.sum, scattered_once(&f, fabs(g->cosine[i])));
+    out = entering(f.in.ior, fabs(g->cosine[i]));
+    s->lit = colour_add(s->lit, colour_scale(f.sum, (float)out));
+    c->failed = c->failed || query_context_failed(c->context);
+}
+
+void subsurface_add(shade_context *c, const finishes *lit, surfaces *on)
+{
+    for (uint32_t k = 0; k < lit->count && !c->failed; k++)
+        if (on->at[lit->lit[k]].appearance->below_weight != 0.0f)
+            light_surface(c, on, lit->lit[k]);
+}

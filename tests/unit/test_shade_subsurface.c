@@ -1,0 +1,122 @@
+/* shade/subsurface: light below surfaces against the closed forms of the dipole. */
+#include "shade/subsurface.h"
+
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WIDTH = 32, HEIGHT = 24, SAMPLES = 16 };
+
+static float *draw(const char *text)
+{
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, text);
+    pov_render_desc d = POV_INIT(d);
+    float *pixels;
+
+    d.width = WIDTH;
+    d.height = HEIGHT;
+    d.samples = SAMPLES;
+    pixels = scenes_render(scene, &d);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return pixels;
+}
+
+static double mean_of(const char *text)
+{
+    float *p = draw(text);
+    double sum = 0.0;
+
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        sum += (double)p[4 * i];
+    free(p);
+    return sum / (WIDTH * HEIGHT);
+}
+
+static const double ior = 1.3, pi = 3.14159265358979323846;
+
+static double boundary(void)
+{
+    const double f = -1.440 / (ior * ior) + 0.710 / ior + 0.668 + 0.0636 * ior;
+
+    return (1.0 + f) / (1.0 - f);
+}
+
+/* Light that goes in and out across the surface. */
+static double both_ways(void)
+{
+    const double r = (ior - 1.0) / (ior + 1.0), through = 1.0 - r * r;
+
+    return through * through;
+}
+
+#define SCENE(settings) \
+    "#version 3.7; global_settings { assumed_gamma 1 mm_per_unit 10 " settings " }" \
+    "camera { orthographic location <0,0,-10> direction z right x*4 up y*3 }"
+
+static void the_albedo_gives_what_it_was_solved_for(void **state)
+{
+    (void)state;
+    for (double reflected = 0.05; reflected < 1.0; reflected += 0.1)
+        assert_true(fabs(subsurface_reflected(subsurface_albedo(reflected, boundary()), boundary()) - reflected) < 1e-6);
+    assert_true(subsurface_albedo(1.0, boundary()) == 1.0);
+}
+
+static void even_light_gives_the_albedo(void **state)
+{
+    static const double given[] = { 0.3, 0.7, 1.0 };
+
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        const double wanted = (given[i] + subsurface_albedo(given[i], boundary()) / (8.0 * pi)) * both_ways();
+        char text[1024];
+        double found;
+
+        snprintf(text, sizeof text, SCENE("subsurface { }") "box { <-90,-90,0>, <90,90,60> pigment { rgb 1 } interior { ior 1.3 }"
+                 "finish { ambient 0 diffuse %g subsurface { translucency 1 } } }"
+                 "light_source { <0,0,-1000> rgb 1 parallel point_at 0 }", given[i]);
+        found = mean_of(text);
+        if (!(fabs(found / wanted - 1.0) < 0.01))
+            fail_msg("%g instead of %g for %g", found, wanted, given[i]);
+    }
+}
+
+/* A plate half a mean free path thick. */
+static void a_plate_lets_light_through(void **state)
+{
+    const double length = 1.0, image = length * (1.0 + 4.0 / 3.0 * boundary()), thick = 0.5;
+    const double wanted = both_ways() * 0.5 * (length / hypot(thick, length) + image / hypot(thick, image));
+    const double found = mean_of(SCENE("subsurface { }") "box { <-900,-900,0>, <900,900,.5> pigment { rgb 1 } interior { ior 1.3 }"
+                                 "finish { ambient 0 diffuse 1 subsurface { translucency 10 } } }"
+                                 "light_source { <0,0,1000> rgb 1 parallel point_at 0 }");
+
+    (void)state;
+    if (!(fabs(found / wanted - 1.0) < 0.02))
+        fail_msg("%g instead of %g", found, wanted);
+}
+
+static void without_the_setting_light_is_diffuse(void **state)
+{
+    const double found = mean_of(SCENE("") "box { <-90,-90,0>, <90,90,60> pigment { rgb 1 } interior { ior 1.3 }"
+                                 "finish { ambient 0 diffuse .7 subsurface { translucency 1 } } }"
+                                 "light_source { <0,0,-1000> rgb 1 parallel point_at 0 }");
+
+    (void)state;
+    assert_true(fabs(found - 0.7) < 1e-6);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_albedo_gives_what_it_was_solved_for),
+        cmocka_unit_test(even_light_gives_the_albedo),
+        cmocka_unit_test(a_plate_lets_light_through),
+        cmocka_unit_test(without_the_setting_light_is_diffuse),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
