@@ -1,3 +1,5 @@
+#include "api/trace.h"
+
 #include "api/adapt.h"
 #include "api/handles.h"
 #include "query/passage.h"
@@ -20,7 +22,7 @@ void pov_tracer_destroy(pov_tracer *tracer)
     tracer_destroy(tracer);
 }
 
-static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
+pov_ray trace_ray(pov_vec3 org, pov_vec3 dir)
 {
     const pov_mark no_mark = { 0, 0, 0.0, 0.0 };
     pov_ray ray;
@@ -34,8 +36,7 @@ static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
     return ray;
 }
 
-/* Are the ray's numbers valid? A direction of zero or NaN hits nothing. */
-static bool is_ray(pov_vec3 org, pov_vec3 dir)
+bool trace_is_ray(pov_vec3 org, pov_vec3 dir)
 {
     return pov_largest(pov_unit(dir)) > 0.0 && isfinite(org.x) && isfinite(org.y) && isfinite(org.z);
 }
@@ -64,7 +65,7 @@ static bool nearest(const pov_tracer *tracer, const pov_ray *ray, hit *h)
  * decides which objects behind it are tested. */
 bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
 {
-    pov_ray ray = ray_of(org, dir);
+    pov_ray ray = trace_ray(org, dir);
     pov_hit found = POV_INIT(found);
     uint64_t before;
     hit h;
@@ -72,7 +73,7 @@ bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out)
     if (!tracer)
         return false;
     before = query_context_escalated(tracer->context.context);
-    if (!is_ray(org, dir) || !nearest(tracer, &ray, &h)) {
+    if (!trace_is_ray(org, dir) || !nearest(tracer, &ray, &h)) {
         found.certain = query_context_escalated(tracer->context.context) == before;
         if (out)
             adapt_out(out, &found, sizeof found);
@@ -96,9 +97,9 @@ static double distance_to(const hit *h, pov_vec3 org, pov_vec3 dir)
 size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*visit)(void *user, const pov_hit *hit),
                       void *user)
 {
-    passage p = { .ray = ray_of(org, dir) };
+    passage p = { .ray = trace_ray(org, dir) };
     size_t count = 0;
-    bool passes_cutoff = tracer && visit && is_ray(org, dir);
+    bool passes_cutoff = tracer && visit && trace_is_ray(org, dir);
     hit h;
 
     if (passes_cutoff) {
@@ -118,21 +119,21 @@ size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, bool (*vis
 bool pov_trace_blocked(pov_tracer *tracer, pov_vec3 from, pov_vec3 to)
 {
     const pov_two x = pov_two_sum(to.x, -from.x), y = pov_two_sum(to.y, -from.y), z = pov_two_sum(to.z, -from.z);
-    pov_ray ray = ray_of(from, pov_vec3_of(x.hi, y.hi, z.hi));
+    pov_ray ray = trace_ray(from, pov_vec3_of(x.hi, y.hi, z.hi));
 
     ray.dir_lo = pov_vec3_of(x.lo, y.lo, z.lo);
-    return tracer && is_ray(from, ray.dir) &&
+    return tracer && trace_is_ray(from, ray.dir) &&
         query_blocked(tracer->context.scene->world, tracer->context.context, &ray, 1.0);
 }
 
 pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float rgba[4], pov_error *err)
 {
-    pov_ray ray = ray_of(org, dir);
+    pov_ray ray = trace_ray(org, dir);
     colour c;
 
     if (!tracer || !rgba)
         return err_set(err, POV_E_ARGUMENT, "a colour takes a tracer and a place");
-    if (!is_ray(org, dir))
+    if (!trace_is_ray(org, dir))
         return err_set(err, POV_E_ARGUMENT, "a ray needs a finite start and a direction");
     c = tracer_color(tracer, &ray);
     rgba[0] = c.r;

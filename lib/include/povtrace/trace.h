@@ -20,6 +20,21 @@ POV_API pov_status pov_tracer_create(pov_tracer **out, const pov_scene *scene, p
 POV_API void pov_tracer_destroy(pov_tracer *tracer);
 /* The nearest hit of the open ray, dir of any length but zero. False: no hit, and only `certain` is valid. */
 POV_API bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
+/* What pov_trace_many() finds, by ray; a member that is NULL is left out. A miss: distance infinite, normal 0, object
+ * UINT32_MAX. */
+typedef struct pov_found {
+    size_t size;
+    double *distance;            /* in lengths of dir */
+    pov_vec3 *point, *normal;    /* as in pov_hit; point of a miss: 0 */
+    uint32_t *object;
+    float *rgba;                 /* four a ray: the colour seen along it, also where it hits nothing */
+} pov_found;
+
+/* pov_trace_hit() and pov_trace_color() for `count` rays, with the same results, at the speed of packets where rays that follow
+ * each other are alike. A ray without a finite start or a direction hits nothing, and sees black. Fails on bad arguments,
+ * and when memory ends. */
+POV_API pov_status pov_trace_many(pov_tracer *tracer, size_t count, const pov_vec3 *org, const pov_vec3 *dir, const pov_found *out,
+                                  pov_error *err);
 /* All hits from near to far: the ray goes straight on through transparent and opaque surfaces. Calls `visit` for each
  * hit, which returns false to stop. Returns the number of calls; the first hit is that of pov_trace_hit(). */
 POV_API size_t pov_trace_hits(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir,

@@ -1,0 +1,101 @@
+/* Many rays at once find what single ones do. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <povtrace/trace.h>
+
+#include <math.h>
+
+enum { COUNT = 1000 };
+
+static const char text[] = "#version 3.7; camera { location <0, 1, -4> look_at 0 } light_source { <5, 9, -7> rgb 1 }\n"
+                           "sphere { 0, 1 pigment { rgb <1, .5, .2> } finish { reflection .3 } }\n"
+                           "box { <-3, -1.5, -3>, <3, -1, 3> pigment { checker rgb 1 rgb .2 } }\n"
+                           "sphere { <1.5, 0, -.5>, .5 pigment { rgbt .9 } interior { ior 1.4 } }\n";
+
+typedef struct rays { pov_vec3 org[COUNT], dir[COUNT]; } rays;
+
+/* Over the picture; a few are none. */
+static void aim(const pov_scene *scene, rays *r)
+{
+    pov_camera camera = POV_INIT(camera);
+
+    pov_scene_get_camera(scene, &camera);
+    for (int i = 0; i < COUNT; i++) {
+        assert_true(pov_camera_ray(&camera, (i % 40) / 39.0 - 0.5, (i / 40) / 24.0 - 0.5, &r->org[i], &r->dir[i]));
+        if (i % 97 == 5)
+            r->dir[i] = pov_vec3_of(0.0, 0.0, 0.0);
+        if (i % 97 == 6)
+            r->org[i].x = NAN;
+    }
+}
+
+static void many_are_as_single_ones(void **state)
+{
+    static rays r;
+    static double distance[COUNT];
+    static pov_vec3 point[COUNT], normal[COUNT];
+    static uint32_t object[COUNT];
+    static float rgba[4 * COUNT];
+    const pov_found out = { sizeof out, distance, point, normal, object, rgba };
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, text);
+    pov_tracer *tracer;
+    int hits = 0;
+
+    (void)state;
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    aim(scene, &r);
+    assert_int_equal(pov_trace_many(tracer, COUNT, r.org, r.dir, &out, NULL), POV_OK);
+    for (int i = 0; i < COUNT; i++) {
+        pov_hit one = POV_INIT(one);
+        float seen[4] = { 0.0f, 0.0f, 0.0f, 1.0f };
+
+        pov_trace_color(tracer, r.org[i], r.dir[i], seen, NULL);
+        assert_memory_equal(seen, &rgba[4 * i], sizeof seen);
+        if (!pov_trace_hit(tracer, r.org[i], r.dir[i], &one)) {
+            assert_true(isinf(distance[i]) && object[i] == UINT32_MAX);
+            continue;
+        }
+        hits++;
+        assert_true(one.distance == distance[i] && one.object == object[i]);
+        assert_memory_equal(&one.point, &point[i], sizeof one.point);
+        assert_memory_equal(&one.normal, &normal[i], sizeof one.normal);
+    }
+    assert_true(hits > COUNT / 4 && hits < COUNT);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+static void what_is_not_asked_for_is_left_out(void **state)
+{
+    static rays r;
+    static uint32_t object[COUNT];
+    pov_found out = { sizeof out, NULL, NULL, NULL, object, NULL };
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, text);
+    pov_tracer *tracer;
+    pov_error err;
+
+    (void)state;
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    aim(scene, &r);
+    assert_int_equal(pov_trace_many(tracer, 3, r.org, r.dir, &out, NULL), POV_OK);
+    assert_int_equal(pov_trace_many(tracer, 0, NULL, NULL, &out, NULL), POV_OK);
+    assert_int_equal(pov_trace_many(tracer, 1, NULL, r.dir, &out, &err), POV_E_ARGUMENT);
+    assert_int_equal(pov_trace_many(NULL, 1, r.org, r.dir, &out, &err), POV_E_ARGUMENT);
+    assert_int_equal(pov_trace_many(tracer, 1, r.org, r.dir, NULL, &err), POV_E_ARGUMENT);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(many_are_as_single_ones), cmocka_unit_test(what_is_not_asked_for_is_left_out),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
