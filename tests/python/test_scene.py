@@ -3,6 +3,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 import numpy as np
@@ -38,6 +39,40 @@ class SceneTest(unittest.TestCase):
         np.testing.assert_array_equal(hits.distance, [3, 1.5, np.inf])
         np.testing.assert_array_equal(hits.normal, [[0, 0, -1], [0, 0, -1], [0, 0, 0]])
         np.testing.assert_array_equal(hits.object, [0, 0, -1])
+
+    def test_colours_of_rays_are_those_of_pixels(self):
+        scene = povtrace.Scene(TEXT.replace('<0, 0, -4>', '<0, 0, -4> direction z right x up y'), declare={'Size': 1})
+        pixels = scene.render(5, 5).pixels
+        hits = scene.trace([0, 0, -4], [[0, 0, 1], [1, 0, 0]], color=True)
+        np.testing.assert_array_equal(hits.color[0], pixels[2, 2, :3])
+        np.testing.assert_array_equal(hits.point, [[0, 0, -1], [0, 0, 0]])
+        self.assertEqual(len(scene.trace(np.zeros((0, 3)), [0, 0, 1]).distance), 0)
+
+    def test_threads_trace_at_once(self):
+        rays = np.random.default_rng(1).normal(size=(20000, 3))
+        want, found = self.scene.trace([0, 0, -4], rays).distance, [None] * 4
+
+        def work(i):
+            found[i] = self.scene.trace([0, 0, -4], rays).distance
+        workers = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+        for one in found:
+            np.testing.assert_array_equal(one, want)
+
+    def test_pictures_grow_and_know_their_error(self):
+        grown = []
+        last = self.scene.render(400, 300, spp=64, grown=grown.append)
+        self.assertTrue(all(p.pixels.shape == (300, 400, 4) for p in grown))
+        self.assertEqual(last.samples, 64)
+        self.assertGreater(last.error, 0)
+        self.assertIsNone(self.scene.render(8, 8).error)
+
+    def test_alpha_hides_the_background(self):
+        pixels = self.scene.render(64, 48, alpha=True).pixels
+        self.assertEqual((pixels[0, 0, 3], pixels[24, 32, 3]), (0, 1))
 
     def test_an_error_has_its_place(self):
         with self.assertRaises(povtrace.PovError) as caught:

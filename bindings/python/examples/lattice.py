@@ -21,7 +21,7 @@ background { rgb <.7, .8, .9> }
 #end #end #end
 """
 
-scene = povtrace.Scene(text=TEXT, declare={"N": 1})
+scene = povtrace.Scene(TEXT, declare={"N": 1})
 picture = scene.render(480, 360, error=.01, time=20)
-picture.save(sys.argv[1] if len(sys.argv) > 1 else "lattice.png")
+picture.png(sys.argv[1] if len(sys.argv) > 1 else "lattice.png")
 print(f"{len(scene)} objects, {picture.samples:.1f} samples a pixel, estimated rms error {picture.error}")

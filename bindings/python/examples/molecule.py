@@ -27,4 +27,4 @@ for i in range(len(atoms)):
     for j in range(i):
         if np.linalg.norm(place[i] - place[j]) < 1.2 * (radius[i] + radius[j]):
             lines.append(f"cylinder {{ {vector(place[i])}, {vector(place[j])}, .1 pigment {{ rgb .7 }} }}")
-povtrace.Scene(text="\n".join(lines)).render(640, 480, spp=16).save(output)
+povtrace.Scene("\n".join(lines)).render(640, 480, spp=16).png(output)

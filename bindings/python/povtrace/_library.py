@@ -5,6 +5,7 @@ Structs that begin with their size may end early: the library takes what is miss
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from typing import Any
 
 from cffi import FFI
@@ -36,17 +37,26 @@ typedef struct {
     void *wake_user;
     int sampling;
     double target_error, time_limit;
+    const float *reference;
+    uint32_t seed;
+    bool reference_clipped;
+    int time_map, alpha;
 } pov_render_desc;
-typedef struct { size_t size; double fraction; } pov_progress;
+typedef struct {
+    size_t size;
+    double fraction, seconds;
+    int pass, passes, threads;
+    uint64_t counts[10];
+    double spp_mean, est_rmse;
+} pov_progress;
 typedef struct { size_t size; int dialect; const char *dialect_reason; int transfer; } pov_scene_info;
 typedef struct {
     size_t size;
-    double distance;
-    pov_vec3 point, normal;
-    uint32_t object;
-    bool certain;
-    pov_vec3 shading_normal;
-} pov_hit;
+    double *distance;
+    pov_vec3 *point, *normal;
+    uint32_t *object;
+    float *rgba;
+} pov_found;
 typedef struct { size_t size; int bits, transfer; const char *format; } pov_image_options;
 typedef struct { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;
 
@@ -68,10 +78,19 @@ void pov_job_get_progress(pov_job *job, pov_progress *out);
 int pov_job_get_error(pov_job *job, pov_error *err);
 int pov_tracer_create(pov_tracer **out, const pov_scene *scene, pov_error *err);
 void pov_tracer_destroy(pov_tracer *tracer);
-bool pov_trace_hit(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, pov_hit *out);
+int pov_trace_many(pov_tracer *tracer, size_t count, const pov_vec3 *org, const pov_vec3 *dir, const pov_found *out,
+                   pov_error *err);
 int pov_image_put(pov_context *context, const pov_output *output, int width, int height, const float *rgba,
                   size_t stride, const pov_image_options *options, pov_error *err);
 ''')
 
-# $POVTRACE_LIBRARY, or what the system's loader finds.
-lib: Any = ffi.dlopen(os.environ.get('POVTRACE_LIBRARY') or 'libpovtrace.so.0')
+NAME = 'libpovtrace.so.0'
+
+
+def _place() -> str:
+    """$POVTRACE_LIBRARY, or the package's own, or what the system's loader finds."""
+    own = Path(__file__).parent / 'lib' / NAME
+    return os.environ.get('POVTRACE_LIBRARY') or (str(own) if own.exists() else NAME)
+
+
+lib: Any = ffi.dlopen(_place())

@@ -13,6 +13,7 @@ from ._library import ffi, lib
 RUNNING = 1                      # pov_job_state
 LINEAR_FLOAT = 1                 # pov_pixels
 ADAPTIVE = 1                     # pov_sampling
+NOTHING = 0xffffffff             # the object of a miss
 
 
 class PovError(Exception):
@@ -47,24 +48,33 @@ def _sized(kind: str, **values: Any) -> Any:
     return struct
 
 
+def _at(kind: str, array: NDArray[Any]) -> Any:
+    return ffi.cast(f'{kind} *', ffi.from_buffer(array))
+
+
 def _value(value: Union[float, str]) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(float(value))
 
 
 class Hits(NamedTuple):
     """By ray: distance in lengths of the direction, inf where nothing is hit; unit normal facing the ray; object, in
-    the order of the text, or -1."""
+    the order of the text, or -1; point, 0 where nothing is hit; color, linear, what is seen along it, or None."""
     distance: NDArray[np.float64]
     normal: NDArray[np.float64]
     object: NDArray[np.int64]
+    point: NDArray[np.float64]
+    color: Optional[NDArray[np.float32]]
 
 
 class Picture:
-    """Linear red, green, blue and alpha as `pixels`, a float32 array of (height, width, 4), top row first."""
+    """Linear red, green, blue and alpha as `pixels`, a float32 array of (height, width, 4), top row first. error: the
+    estimated rms error in linear light, None where that is not known; samples: of a pixel, in the mean."""
 
-    def __init__(self, context: Any, pixels: NDArray[np.float32], transfer: int) -> None:
+    def __init__(self, context: Any, pixels: NDArray[np.float32], transfer: int, state: Any) -> None:
         self._context, self._transfer = context, transfer
         self.pixels = pixels
+        self.error: Optional[float] = float(state.est_rmse) if state.est_rmse >= 0 else None
+        self.samples = float(state.spp_mean)
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
         return np.array(self.pixels, dtype=dtype) if copy else np.asarray(self.pixels, dtype=dtype)
@@ -119,43 +129,64 @@ class Scene:
         return int(lib.pov_scene_object_count(self._scene))
 
     def render(self, width: int, height: int, *, spp: int = 0, error: float = 0.0, time: float = 0.0, threads: int = 0,
-               progress: Optional[Callable[[float], Any]] = None) -> Picture:
-        """Draw: spp samples a pixel, or until the estimated error is `error`, or `time` seconds have passed. progress is
-        called with a fraction of 1, ten times a second; an exception of it, or Ctrl-C, ends the job."""
+               seed: int = 0, alpha: bool = False, progress: Optional[Callable[[float], Any]] = None,
+               grown: Optional[Callable[[Picture], Any]] = None) -> Picture:
+        """Draw: spp samples a pixel, or until the estimated error is `error`, or `time` seconds have passed. alpha: the
+        background is transparent. progress is called with a fraction of 1, and grown with the picture so far, ten times a
+        second; an exception of theirs, or Ctrl-C, ends the job."""
         desc = _sized('pov_render_desc', width=width, height=height, samples=spp, target_error=error, time_limit=time,
-                      threads=threads, sampling=ADAPTIVE if error > 0 or time > 0 else 0)
+                      threads=threads, sampling=ADAPTIVE if error > 0 or time > 0 else 0, seed=seed, alpha=alpha,
+                      preview=8 if grown else 0)
         job = _make(lib.pov_job_destroy, 'pov_job', lib.pov_job_create, self._scene, desc)
         try:
-            return self._finish(job, width, height, progress)
+            _call(lib.pov_job_start, job)
+            while lib.pov_job_wait(job, 0.1) == RUNNING:
+                if progress:
+                    progress(self._state(job).fraction)
+                if grown:
+                    grown(self._read(job, width, height))
+            _call(lib.pov_job_get_error, job)
+            return self._read(job, width, height)
         finally:
             ffi.release(job)
 
-    def _finish(self, job: Any, width: int, height: int, progress: Optional[Callable[[float], Any]]) -> Picture:
+    def show(self, width: int, height: int, **options: Any) -> Picture:
+        """render() in a notebook: the picture grows in the cell's output."""
+        from IPython.display import display
+
+        handle = display(display_id=True)
+        last = self.render(width, height, grown=handle.update, **options)
+        handle.update(last)
+        return last
+
+    @staticmethod
+    def _state(job: Any) -> Any:
         now = _sized('pov_progress')
+        lib.pov_job_get_progress(job, now)
+        return now
+
+    def _read(self, job: Any, width: int, height: int) -> Picture:
         info = _sized('pov_scene_info')
-        _call(lib.pov_job_start, job)
-        while lib.pov_job_wait(job, 0.1) == RUNNING:
-            lib.pov_job_get_progress(job, now)
-            if progress:
-                progress(now.fraction)
-        _call(lib.pov_job_get_error, job)
         pixels = np.empty((height, width, 4), dtype=np.float32)
         lib.pov_job_read(job, (0, 0, width, height), LINEAR_FLOAT, ffi.from_buffer(pixels), width * 16)
         lib.pov_scene_get_info(self._scene, info)
-        return Picture(self._context, pixels, info.transfer)
+        return Picture(self._context, pixels, info.transfer, self._state(job))
 
-    def trace(self, origins: ArrayLike, directions: ArrayLike) -> Hits:
-        """The nearest hits of rays, (n, 3) each or (3,) for all. One call of the library a ray."""
-        org, dirs = np.broadcast_arrays(np.atleast_2d(np.asarray(origins, dtype=np.float64)),
-                                        np.atleast_2d(np.asarray(directions, dtype=np.float64)))
-        if org.ndim != 2 or org.shape[1] != 3:
+    def trace(self, origins: ArrayLike, directions: ArrayLike, *, color: bool = False) -> Hits:
+        """The nearest hits of rays, (n, 3) each or (3,) for all; fastest where rays that follow each other are alike.
+        color: what is seen along them, too."""
+        given = [np.atleast_2d(np.asarray(a, dtype=np.float64)) for a in (origins, directions)]
+        if any(a.ndim != 2 or a.shape[1] != 3 for a in given):
             raise ValueError('origins and directions are arrays of (n, 3)')
-        hits = Hits(np.full(len(org), np.inf), np.zeros((len(org), 3)), np.full(len(org), -1, dtype=np.int64))
+        org, dirs = (np.ascontiguousarray(a) for a in np.broadcast_arrays(*given))
+        n = len(org)
+        distance, normal, point, which = np.empty(n), np.empty((n, 3)), np.empty((n, 3)), np.empty(n, np.uint32)
+        rgba = np.empty((n if color else 0, 4), np.float32)
+        found = _sized('pov_found', distance=_at('double', distance), normal=_at('pov_vec3', normal),
+                       point=_at('pov_vec3', point), object=_at('uint32_t', which),
+                       rgba=_at('float', rgba) if color else ffi.NULL)
         tracer = _make(lib.pov_tracer_destroy, 'pov_tracer', lib.pov_tracer_create, self._scene)
-        hit = _sized('pov_hit')
-        for i, (start, along) in enumerate(zip(org.tolist(), dirs.tolist())):
-            if lib.pov_trace_hit(tracer, start, along, hit):
-                hits.distance[i], hits.object[i] = hit.distance, hit.object
-                hits.normal[i] = hit.normal.x, hit.normal.y, hit.normal.z
+        _call(lib.pov_trace_many, tracer, n, _at('pov_vec3', org), _at('pov_vec3', dirs), found)
         ffi.release(tracer)
-        return hits
+        number = np.where(which == NOTHING, -1, which.astype(np.int64))
+        return Hits(distance, normal, number, point, rgba[:, :3] if color else None)
