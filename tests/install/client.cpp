@@ -36,11 +36,10 @@ owned<pov_scene> load(pov_context *context, const std::string &text, pov_error *
 int main()
 {
     std::vector<std::string> warnings;
-    pov_context_desc desc = pov_context_desc();
+    pov_context_desc desc = POV_INIT(desc);
     pov_context *made = nullptr;
     pov_error err = pov_error();
 
-    desc.size = sizeof desc;
     desc.log = remember;
     desc.log_user = &warnings;
     if (pov_context_create(&made, &desc, &err) < 0)

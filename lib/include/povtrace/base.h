@@ -74,10 +74,21 @@ typedef enum pov_log_level {
 /* The note is valid during the call only; its status is POV_OK, but for ERROR. Any thread that calls the library. */
 typedef void pov_log_fn(void *user, pov_log_level level, const pov_error *note);
 
+/* As text: file, line and column, the message, the hint, and below them the excerpt with a caret under the place. Writes at
+ * most `size` bytes, the last of them 0; returns the length of the whole text. Any thread. */
+POV_API size_t pov_error_format(const pov_error *err, char *out, size_t size);
+
 /* `size` is the first member of every struct that a caller fills or receives and
  * that may grow: `pov_render_desc d = POV_INIT(d);`. Zero in any other member
- * means "the default". (C++: value-initialise, then set size.) */
+ * means "the default". */
+#ifdef __cplusplus
+struct pov_sized {
+    template <class T> operator T() const { T all = T(); all.size = sizeof all; return all; }
+};
+#define POV_INIT(var) pov_sized()
+#else
 #define POV_INIT(var) { .size = sizeof(var) }
+#endif
 
 /* Does the other side's struct contain this member? */
 #define POV_HAS(ptr, type, member) \
