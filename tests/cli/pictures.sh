@@ -108,7 +108,7 @@ pictures_come_with_maps_of_what_is_met() {
     "$PYTHON" "$pixels" between d.pfm 30 0 0 0
     expect 0 "$povc" rich.pov 61 47 out.pfm --accuracy max --aov certainty m.pfm
     [ "$("$PYTHON" "$pixels" mean c.pfm)" != "$("$PYTHON" "$pixels" mean m.pfm)" ]
-    expect 1 "$povc" rich.pov 61 47 out.pfm --aov depth d.nosuch
+    expect 2 "$povc" rich.pov 61 47 out.pfm --aov depth d.nosuch
 }
 
 # Cells of 4 by 4 pixels, alike within; together not more than the threads' time, and most of it.

@@ -36,6 +36,11 @@ static float *picture(pov_context *context, const char *path, pov_accuracy accur
     return pixels;
 }
 
+/* Light by chance, from random numbers that last bits decide, and shapes that are not certified. */
+static const char *const by_chance[] = {
+    "photons", "radiosity", "media", "subsurface", "julia", "caustics", "dust", "logo", "sculpture", "still_life", NULL
+};
+
 /* Distances differ in their last bits, and so do colours. Where a mirrored or bent ray then passes an edge on the other
  * side, a pixel differs by more: of one scene at most one in a thousand. */
 static void hold(const char *folder)
@@ -46,6 +51,8 @@ static void hold(const char *folder)
     long broken = 0;
 
     for (size_t i = 0; list[i]; i++) {
+        if (scenes_is_one_of(list[i], by_chance))
+            continue;
         float *a = picture(context, list[i], POV_ACCURACY_CERTIFIED, &certified);
         float *b = picture(context, list[i], POV_ACCURACY_MAX, &max);
         const long off = limits_count(a, b, WIDTH, HEIGHT, 1e-4f);

@@ -92,3 +92,13 @@ float *scenes_render(const pov_scene *scene, const pov_render_desc *desc)
     pov_job_destroy(job);
     return pixels;
 }
+
+bool scenes_is_one_of(const char *path, const char *const *names)
+{
+    const char *slash = strrchr(path, '/'), *file = slash ? slash + 1 : path;
+
+    for (; *names; names++)
+        if (strncmp(file, *names, strlen(*names)) == 0)
+            return true;
+    return false;
+}

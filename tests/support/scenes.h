@@ -12,6 +12,9 @@
 char **scenes_list(const char *folder);
 void scenes_free(char **list);
 
+/* Does the file's name, without its folder, begin with one of these? NULL ends. */
+bool scenes_is_one_of(const char *path, const char *const *names);
+
 /* A context that finds the built plugins and logs nothing. */
 pov_context *scenes_context(void);
 /* The whole picture, linear float RGBA; the caller frees it. Fails the test on any error. */

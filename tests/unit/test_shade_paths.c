@@ -400,8 +400,9 @@ static void coincident_surfaces_cannot_hold_a_ray_for_ever(void **state)
     for (int i = 0; i < COINCIDENT_MAX + 2; i++)
         tiny_add(&s, &sticky, "", tiny_glass(1.0));
     tiny_build(&s);
+    /* What lies at the start, as far as can be told, is left out: the ray goes on, and ends. */
     tiny_trace(&s, pov_vec3_of(1, 1, 1), 0, 0, 1);
-    assert_int_equal(s.tracer->context.counts.cut_depth, 1);
+    assert_int_equal(s.tracer->context.counts.cut_depth, 0);
     tiny_end(&s);
 }
 
