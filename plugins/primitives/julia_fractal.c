@@ -311,13 +311,14 @@ static side side_between(const line *n, double from, double to)
     return follow(n->j, pov_add(n->o, pov_scale(n->d, 0.5 * (from + to))), 0.5 * (to - from) * n->rate, n->j->places, &at);
 }
 
-/* From `a` to the distance `to`: long stretches where they are clear, short ones near the surface. */
-static void march(const line *n, sample a, double to)
+/* From `a` to the distance `to`: long stretches where they are clear, short ones near the surface. Beyond `enough` nothing is
+ * wanted; where stretches end does not depend on it, so that crossings keep their bits whatever else is in the scene. */
+static void march(const line *n, sample a, double to, double enough)
 {
     const double shortest = n->j->shortest / n->rate;
     double length = 0.25 * (to - a.t);
 
-    while (a.t < to) {
+    while (a.t < to && a.t <= enough) {
         const double next = fmin(a.t + fmax(length, shortest), to);
         const side between = length > shortest ? side_between(n, a.t, next) : SIDE_OPEN;
         sample b = { next, a.value, a.place };
@@ -396,7 +397,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         n.near = 0x1p-26 * j->reach / n.rate;
         n.side = side_ahead(&n, ray);
     }
-    march(&n, sample_at(&n, 0.0), fmin(middle + half, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n.base);
+    march(&n, sample_at(&n, 0.0), middle + half - n.base, hits->tmax * k.per_unit * (1.0 + 0x1p-20) - n.base);
 }
 
 /* ---- points ---- */
