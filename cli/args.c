@@ -1,4 +1,4 @@
-#include "args.h"
+#include "args_read.h"
 
 #include <getopt.h>
 #include <stdarg.h>
@@ -8,7 +8,6 @@
 #include <strings.h>
 
 enum {
-    LARGEST_SIDE = 1000000,      /* libpng's own limit */
     MOST_THREADS = 4096,
     MOST_SAMPLES = 65536,        /* as the library has it */
     DEEPEST = 65535,
@@ -82,88 +81,6 @@ static const char *const samplings[] = { "auto", "uniform", "adaptive", NULL };
 static const char *const forms[] = { "text", "json", NULL };
 static const char *const colors[] = { "auto", "always", "never", NULL };
 
-static bool refuse(args *a, const char *format, ...) POV_PRINTF(2, 3);
-
-static bool refuse(args *a, const char *format, ...)
-{
-    va_list list;
-
-    va_start(list, format);
-    vsnprintf(a->problem, sizeof a->problem, format, list);
-    va_end(list);
-    return false;
-}
-
-/* Digits only, up to `end` or the text's end; -1 when it is anything else or above the limit. */
-static int digits(const char *text, const char *end, int limit)
-{
-    int value = 0;
-
-    if (text == end || *text == '\0')
-        return -1;
-    for (; text != end && *text; text++) {
-        if (*text < '0' || *text > '9')
-            return -1;
-        if (value > (limit - (*text - '0')) / 10)
-            return -1;
-        value = 10 * value + (*text - '0');
-    }
-    return value;
-}
-
-static bool read_whole(args *a, const char *what, const char *text, int least, int most, int *out)
-{
-    int value = digits(text, NULL, most);
-
-    if (value < least)
-        return refuse(a, "%s must be a whole number from %d to %d, not \"%s\"", what, least, most, text);
-    *out = value;
-    return true;
-}
-
-static bool read_word(args *a, const char *what, const char *text, const char *const *words, int *out)
-{
-    char list[128] = "";
-
-    for (int i = 0; words[i]; i++) {
-        if (strcmp(text, words[i]) == 0) {
-            *out = i;
-            return true;
-        }
-        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s",
-                 i == 0 ? "" : words[i + 1] ? ", " : " or ", words[i]);
-    }
-    return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
-}
-
-/* One of a list of numbers that ends with -1. */
-static bool read_choice(args *a, const char *what, const char *text, const int *choices, const char *list,
-                        int *out)
-{
-    int value = digits(text, NULL, 1000);
-
-    for (; *choices >= 0; choices++) {
-        if (value == *choices) {
-            *out = value;
-            return true;
-        }
-    }
-    return refuse(a, "%s must be %s, not \"%s\"", what, list, text);
-}
-
-/* A positive decimal number. strtod() alone would accept blanks, signs, hexadecimals, "inf" and "nan" too. */
-static bool read_positive(args *a, const char *what, const char *text, double *out)
-{
-    char *end = NULL;
-
-    *out = 0.0;
-    if (text[strspn(text, "0123456789.eE+-")] == '\0' && (*text == '.' || (*text >= '0' && *text <= '9')))
-        *out = strtod(text, &end);
-    if (!end || *end != '\0' || !(*out > 0.0) || !(*out <= 1e9))
-        return refuse(a, "%s must be a number above 0, not \"%s\"", what, text);
-    return true;
-}
-
 /* x0,y0,x1,y1: the first pixel, and the one behind the last. Whether they lie in the picture is checked later. */
 static bool read_crop(args *a, const char *text)
 {
@@ -173,13 +90,13 @@ static bool read_crop(args *a, const char *text)
     for (int i = 0; i < 4; i++) {
         const char *end = i < 3 ? strchr(at, ',') : at + strlen(at);
 
-        corner[i] = end ? digits(at, end, LARGEST_SIDE) : -1;
+        corner[i] = end ? args_digits(at, end, ARGS_LARGEST_SIDE) : -1;
         if (corner[i] < 0)
-            return refuse(a, "--crop wants four whole numbers x0,y0,x1,y1, not \"%s\"", text);
+            return args_refuse(a, "--crop wants four whole numbers x0,y0,x1,y1, not \"%s\"", text);
         at = end + 1;
     }
     if (corner[2] <= corner[0] || corner[3] <= corner[1])
-        return refuse(a, "--crop %s holds no pixel: x1 and y1 must be above x0 and y0", text);
+        return args_refuse(a, "--crop %s holds no pixel: x1 and y1 must be above x0 and y0", text);
     a->crop.x = corner[0];
     a->crop.y = corner[1];
     a->crop.width = corner[2] - corner[0];
@@ -192,10 +109,10 @@ static bool read_part(args *a, const char *text)
 {
     const char *slash = strchr(text, '/');
 
-    a->part = slash ? digits(text, slash, MOST_PARTS) : -1;
-    a->parts = slash ? digits(slash + 1, NULL, MOST_PARTS) : -1;
+    a->part = slash ? args_digits(text, slash, MOST_PARTS) : -1;
+    a->parts = slash ? args_digits(slash + 1, NULL, MOST_PARTS) : -1;
     return (a->part >= 1 && a->part <= a->parts) ||
-           refuse(a, "--part wants I/N, such as 3/24 for the third of 24 parts, not \"%s\"", text);
+           args_refuse(a, "--part wants I/N, such as 3/24 for the third of 24 parts, not \"%s\"", text);
 }
 
 /* WIDTHxHEIGHT */
@@ -203,22 +120,22 @@ static bool read_size(args *a, const char *text)
 {
     const char *x = strchr(text, 'x');
 
-    a->width = x ? digits(text, x, LARGEST_SIDE) : -1;
-    a->height = x ? digits(x + 1, NULL, LARGEST_SIDE) : -1;
-    return (a->width > 0 && a->height > 0) || refuse(a, "-s wants WIDTHxHEIGHT, such as 640x480, not \"%s\"", text);
+    a->width = x ? args_digits(text, x, ARGS_LARGEST_SIDE) : -1;
+    a->height = x ? args_digits(x + 1, NULL, ARGS_LARGEST_SIDE) : -1;
+    return (a->width > 0 && a->height > 0) || args_refuse(a, "-s wants WIDTHxHEIGHT, such as 640x480, not \"%s\"", text);
 }
 
 static bool read_format(args *a, const char *text)
 {
     a->format = *text == '.' ? text + 1 : text;
-    return *a->format != '\0' || refuse(a, "--format wants an image ending, such as png");
+    return *a->format != '\0' || args_refuse(a, "--format wants an image ending, such as png");
 }
 
 static bool read_messages(args *a, const char *text)
 {
     int word = 0;
 
-    if (!read_word(a, "--messages", text, forms, &word))
+    if (!args_word(a, "--messages", text, forms, &word))
         return false;
     a->json = word == 1;
     return true;
@@ -230,37 +147,37 @@ static bool read_option_word(args *a, int option, const char *text)
 
     switch (option) {
     case OPTION_TRANSFER:
-        if (!read_word(a, "--transfer", text, transfers, &word))
+        if (!args_word(a, "--transfer", text, transfers, &word))
             return false;
         a->transfer = (args_transfer)word;
         return true;
     case OPTION_DIALECT:
-        if (!read_word(a, "--dialect", text, dialects, &word))
+        if (!args_word(a, "--dialect", text, dialects, &word))
             return false;
         a->dialect = (pov_dialect)word;
         return true;
     case OPTION_ACCEL:
-        if (!read_word(a, "--accel", text, accels, &word))
+        if (!args_word(a, "--accel", text, accels, &word))
             return false;
         a->accel = (pov_accel)word;
         return true;
     case OPTION_ACCURACY:
-        if (!read_word(a, "--accuracy", text, accuracies, &word))
+        if (!args_word(a, "--accuracy", text, accuracies, &word))
             return false;
         a->accuracy = (pov_accuracy)word;
         return true;
     case OPTION_SAMPLING:
-        if (!read_word(a, "--sampling", text, samplings, &word))
+        if (!args_word(a, "--sampling", text, samplings, &word))
             return false;
         a->sampling = (args_sampling)word;
         return true;
     case OPTION_PROGRESS:
-        if (!read_word(a, "--progress", text, progresses, &word))
+        if (!args_word(a, "--progress", text, progresses, &word))
             return false;
         a->progress = (args_progress)word;
         return true;
     default:
-        if (!read_word(a, "--color", text, colors, &word))
+        if (!args_word(a, "--color", text, colors, &word))
             return false;
         a->color = (args_color)word;
         return true;
@@ -273,24 +190,24 @@ static bool read_option_number(args *a, int option, const char *text)
 
     switch (option) {
     case 't': case 'j':
-        return read_whole(a, "--threads", text, 1, MOST_THREADS, &a->threads);
+        return args_whole(a, "--threads", text, 1, MOST_THREADS, &a->threads);
     case OPTION_SPP:
-        return read_whole(a, "--spp", text, 1, MOST_SAMPLES, &a->samples);
+        return args_whole(a, "--spp", text, 1, MOST_SAMPLES, &a->samples);
     case OPTION_SEED:
-        return read_whole(a, "--seed", text, 0, 2000000000, &a->seed);
+        return args_whole(a, "--seed", text, 0, 2000000000, &a->seed);
     case OPTION_MAX_DEPTH:
-        return read_whole(a, "--max-depth", text, 1, DEEPEST, &a->max_depth);
+        return args_whole(a, "--max-depth", text, 1, DEEPEST, &a->max_depth);
     case OPTION_BITS:
-        return read_choice(a, "--bits", text, depths, "8 or 16", &a->bits);
+        return args_choice(a, "--bits", text, depths, "8 or 16", &a->bits);
     default:
-        return read_choice(a, "--preview", text, edges, "0, 2, 4, 8 or 16", &a->preview);
+        return args_choice(a, "--preview", text, edges, "0, 2, 4, 8 or 16", &a->preview);
     }
 }
 
 static bool put(args *a, const char *option, const char *text, const char **list, int *count)
 {
     if (*count == ARGS_LIST)
-        return refuse(a, "%s is given more than %d times", option, ARGS_LIST);
+        return args_refuse(a, "%s is given more than %d times", option, ARGS_LIST);
     list[(*count)++] = text;
     return true;
 }
@@ -323,7 +240,7 @@ static bool read_limit(args *a, const char *text)
         set_limit(&a->limits, i, value);
         return true;
     }
-    return refuse(a, "--limit wants depth, array, string, turns, memory or seconds, and =N, not \"%s\"", text);
+    return args_refuse(a, "--limit wants depth, array, string, turns, memory or seconds, and =N, not \"%s\"", text);
 }
 
 /* Options for loading the scene. */
@@ -332,7 +249,7 @@ static bool read_option_language(args *a, int option, const char *text)
     switch (option) {
     case 'D':
         if (!strchr(text, '=') || text[0] == '=')
-            return refuse(a, "-D wants NAME=VALUE, not \"%s\"", text);
+            return args_refuse(a, "-D wants NAME=VALUE, not \"%s\"", text);
         return put(a, "-D", text, a->declares, &a->declare_count);
     case 'L':
         return put(a, "-L", text, a->folders, &a->folder_count);
@@ -360,9 +277,9 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_SAMPLING:
         return read_option_word(a, option, text);
     case OPTION_ERROR:
-        return read_positive(a, "--error", text, &a->error);
+        return args_positive(a, "--error", text, &a->error);
     case OPTION_TIME:
-        return read_positive(a, "--time", text, &a->time);
+        return args_positive(a, "--time", text, &a->time);
     case 's':
         return read_size(a, text);
     case 'o':
@@ -373,7 +290,7 @@ static bool read_option(args *a, int option, const char *text)
     case OPTION_FORMAT:
         return read_format(a, text);
     case OPTION_PARTIAL_EVERY:
-        return read_positive(a, "--partial-every", text, &a->partial_every);
+        return args_positive(a, "--partial-every", text, &a->partial_every);
     case OPTION_RESUME:
         a->resume = true;
         return true;
@@ -384,7 +301,7 @@ static bool read_option(args *a, int option, const char *text)
         return true;
     case OPTION_TEV:
         a->tev = text;
-        return strrchr(text, ':') || refuse(a, "--tev wants HOST:PORT, such as localhost:14158, not \"%s\"", text);
+        return strrchr(text, ':') || args_refuse(a, "--tev wants HOST:PORT, such as localhost:14158, not \"%s\"", text);
     case OPTION_COMPARE:
         a->compare = true;
         return true;
@@ -427,12 +344,12 @@ static bool read_aov(args *a, const char *text, int argc, char **argv)
 {
     int word = 0;
 
-    if (!read_word(a, "--aov", text, aovs, &word))
+    if (!args_word(a, "--aov", text, aovs, &word))
         return false;
     if (optind >= argc || argv[optind][0] == '\0')
-        return refuse(a, "--aov %s wants the name of an image file", text);
+        return args_refuse(a, "--aov %s wants the name of an image file", text);
     if (a->aov[word])
-        return refuse(a, "--aov %s is given twice", text);
+        return args_refuse(a, "--aov %s is given twice", text);
     a->aov[word] = argv[optind++];
     return true;
 }
@@ -468,7 +385,7 @@ static bool refuse_unknown(args *a, const char *word)
     char name[32];
 
     if (strncmp(word, "--", 2) != 0)
-        return refuse(a, "there is no option \"%s\"", word);
+        return args_refuse(a, "there is no option \"%s\"", word);
     snprintf(name, sizeof name, "%.*s", (int)strcspn(word + 2, "="), word + 2);
     for (const struct option *o = long_options; o->name; o++) {
         size_t d = distance(name, o->name);
@@ -479,8 +396,8 @@ static bool refuse_unknown(args *a, const char *word)
         }
     }
     if (nearest)
-        return refuse(a, "there is no option \"--%s\"; did you mean \"--%s\"?", name, nearest);
-    return refuse(a, "there is no option \"--%s\"", name);
+        return args_refuse(a, "there is no option \"--%s\"; did you mean \"--%s\"?", name, nearest);
+    return args_refuse(a, "there is no option \"--%s\"", name);
 }
 
 /* getopt_long has found something unknown (optopt 0 or a letter), or a value for an option that takes none (optopt is
@@ -490,125 +407,12 @@ static bool refuse_option(args *a, char **argv)
     char letter[3] = { '-', (char)optopt, '\0' };
 
     if (optopt > 255)
-        return refuse(a, "\"%s\": this option takes no value", argv[optind - 1]);
+        return args_refuse(a, "\"%s\": this option takes no value", argv[optind - 1]);
     if (optopt == 0)
         return refuse_unknown(a, argv[optind - 1]);
     if (optopt >= '0' && optopt <= '9')
-        return refuse(a, "there is no option \"%s\"; sizes are whole numbers above zero", letter);
-    return refuse(a, "there is no option \"%s\"", letter);
-}
-
-static bool read_compared(args *a, int count, char **places)
-{
-    if (count < 2)
-        return refuse(a, "--compare wants one or more reports in .csv, and the name of the plot");
-    a->compared = places;
-    a->compared_count = count;
-    return true;
-}
-
-static bool read_merged(args *a, int count, char **places)
-{
-    if (a->parts > 0 || count > 1 || (count == 1 && a->output))
-        return refuse(a, "--merge wants the name of the picture whose parts are to be joined, and no scene");
-    a->output = count == 1 ? places[0] : a->output;
-    return (a->output && a->output[0] && strcmp(a->output, "-") != 0) ||
-           refuse(a, "--merge wants the name of the picture whose parts are to be joined");
-}
-
-/* What a part has no place for: the whole picture, or another run, decides it. */
-static bool check_part(args *a)
-{
-    bool maps = false;
-
-    for (int i = 0; i < ARGS_AOVS; i++)
-        maps = maps || a->aov[i];
-    if (a->time > 0.0 || a->preview > 0)
-        return refuse(a, "--part goes with neither --time nor --preview: its bits depend on no clock");
-    if (a->resume || a->partial_every > 0.0)
-        return refuse(a, "--part goes with neither --resume nor --partial-every: a part is traced anew");
-    if (a->tev)
-        return refuse(a, "--part does not go with --tev, which shows a whole picture");
-    if (a->report || a->reference || maps)
-        return refuse(a, "--part goes with none of --report, --reference and --aov, which are of a whole picture");
-    return strcmp(a->output, "-") != 0 || refuse(a, "--part writes a file beside OUTPUT, which must be a file for that");
-}
-
-/* The scene's name with the picture's ending, in the working folder. */
-static bool name_output(args *a)
-{
-    const char *slash = strrchr(a->scene, '/'), *name = slash ? slash + 1 : a->scene, *dot = strrchr(name, '.');
-    const int stem = dot && dot != name ? (int)(dot - name) : (int)strlen(name);
-
-    if (strcmp(a->scene, "-") == 0)
-        return refuse(a, "OUTPUT is missing: a scene from standard input has no name");
-    if (snprintf(a->named, sizeof a->named, "%.*s.%s", stem, name, a->format ? a->format : "png") >= (int)sizeof a->named)
-        return refuse(a, "OUTPUT is missing, and the scene's name is too long for one");
-    a->output = a->named;
-    return true;
-}
-
-static bool is_number(const char *text) { return digits(text, NULL, LARGEST_SIDE) >= 0; }
-
-/* SCENE alone, SCENE OUTPUT, SCENE WIDTH HEIGHT with -o, or all four. */
-static bool take_places(args *a, int count, char **places)
-{
-    const bool has_sizes = count > 2, has_output = count == 4 || (count == 2 && !is_number(places[1]));
-
-    if (count == 0)
-        return refuse(a, "SCENE is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
-    if (count > 4)
-        return refuse(a, "\"%s\" is one word too many: povc wants SCENE WIDTH HEIGHT OUTPUT", places[4]);
-    if (count > 1 && is_number(places[0]) && is_number(places[1]))
-        return refuse(a, "\"%s\" stands where SCENE belongs: povc wants SCENE WIDTH HEIGHT OUTPUT", places[0]);
-    if (count == 2 && !has_output)
-        return refuse(a, "HEIGHT is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
-    if (count == 3 && !a->output)
-        return refuse(a, "OUTPUT is missing: povc wants SCENE WIDTH HEIGHT OUTPUT");
-    if ((has_sizes && a->width > 0) || (has_output && a->output))
-        return refuse(a, "%s is given twice", has_output && a->output ? "OUTPUT" : "the size");
-    a->scene = places[0];
-    if (has_output)
-        a->output = places[count - 1];
-    return !has_sizes || (read_whole(a, "WIDTH", places[1], 1, LARGEST_SIDE, &a->width) &&
-                          read_whole(a, "HEIGHT", places[2], 1, LARGEST_SIDE, &a->height));
-}
-
-static bool read_checked(args *a, int count, char **places)
-{
-    a->scene = places[0];
-    a->checked = places;
-    a->checked_count = count;
-    return true;
-}
-
-static bool read_places(args *a, int count, char **places)
-{
-    if (a->compare)
-        return read_compared(a, count, places);
-    if (a->merge)
-        return read_merged(a, count, places);
-    if (a->check && !a->explain && count > 0 && (count == 1 || !is_number(places[1])) && !a->output)
-        return read_checked(a, count, places);
-    if (!take_places(a, count, places))
-        return false;
-    if (count == 1 && !a->output && (a->check || a->explain))
-        return true;
-    if (a->width == 0) {
-        a->width = 800;
-        a->height = 600;
-    }
-    if (!a->output && !name_output(a))
-        return false;
-    if (a->output[0] == '\0')
-        return refuse(a, "OUTPUT is empty; povc wants the name of an image file, or -");
-    if (strcmp(a->output, "-") == 0 && (a->resume || a->partial_every > 0.0))
-        return refuse(a, "--resume and --partial-every keep a checkpoint beside OUTPUT, which must be a file for that");
-    if (a->parts > 0 && !check_part(a))
-        return false;
-    if (a->crop.width > 0 && (a->crop.x + a->crop.width > a->width || a->crop.y + a->crop.height > a->height))
-        return refuse(a, "--crop reaches out of the picture of %d x %d", a->width, a->height);
-    return true;
+        return args_refuse(a, "there is no option \"%s\"; sizes are whole numbers above zero", letter);
+    return args_refuse(a, "there is no option \"%s\"", letter);
 }
 
 /* ---- what is odd ---- */
@@ -681,7 +485,7 @@ args_verdict args_parse(args *a, int argc, char **argv)
             return ARGS_WRONG;
         }
         if (option == ':') {
-            refuse(a, "\"%s\" wants a value", argv[optind - 1]);
+            args_refuse(a, "\"%s\" wants a value", argv[optind - 1]);
             return ARGS_WRONG;
         }
         if (option != OPTION_AOV)
@@ -689,7 +493,7 @@ args_verdict args_parse(args *a, int argc, char **argv)
         if (option == OPTION_AOV ? !read_aov(a, optarg, argc, argv) : !read_option(a, option, optarg))
             return ARGS_WRONG;
     }
-    if (!read_places(a, argc - optind, argv + optind))
+    if (!args_places(a, argc - optind, argv + optind))
         return ARGS_WRONG;
     note_odd(a);
     return ARGS_RUN;

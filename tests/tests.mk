@@ -94,7 +94,8 @@ $(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)
 $(BUILD)/obj/tests/plugins/test_images.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 # The pure pieces of povc are tested with the program's own objects.
 $(BUILD)/obj/tests/cli/%.o: ROOM_FLAGS += -Icli
-$(BUILD)/tests/cli/test_args: $(BUILD)/obj/cli/args.o
+ARGS_OBJECTS = $(patsubst %,$(BUILD)/obj/cli/%.o,args args_value args_places)
+$(BUILD)/tests/cli/test_args: $(ARGS_OBJECTS)
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_povray: $(BUILD)/obj/cli/povray.o $(BUILD)/obj/cli/povray_frame.o
@@ -147,8 +148,8 @@ tsan:
 SECONDS ?= 60
 HARNESSES = scene image checkpoint arguments
 $(BUILD)/obj/tests/fuzz/arguments.o: ROOM_FLAGS += -Icli
-$(BUILD)/tests/fuzz/test_replay: $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(BUILD)/obj/cli/args.o | $(PLUGINS)
-$(BUILD)/tests/fuzz/fuzz_%: tests/fuzz/main.c $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(BUILD)/obj/cli/args.o \
+$(BUILD)/tests/fuzz/test_replay: $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(ARGS_OBJECTS) | $(PLUGINS)
+$(BUILD)/tests/fuzz/fuzz_%: tests/fuzz/main.c $(HARNESSES:%=$(BUILD)/obj/tests/fuzz/%.o) $(ARGS_OBJECTS) \
     $(SUPPORT_SOURCES:%.c=$(BUILD)/obj/%.o) $(STATIC)
 	$(call say,LINK,$@) $(CC) $(BASE_FLAGS) -Itests -DHARNESS=fuzz_$* -DTEST_BUILD='"$(abspath $(BUILD))"' -fsanitize=fuzzer -rdynamic $(filter-out %.h,$^) -lcmocka \
 	    $(SYSTEM_LIBS) -o $@

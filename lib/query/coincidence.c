@@ -235,13 +235,13 @@ static bool leave(const world *w, const coincident_set *from, pov_vec3 dir, uint
 
 /* Does light end, as far as doubles tell? False with near_end: they do not. */
 static bool is_blocked_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax,
-                            bool exact, occlusion *out)
+                            bool any_blocks, bool exact, occlusion *out)
 {
     packet p;
 
     begin(&p, w, k, from, ray, tmax);
     p.slack = exact ? packet_end_slack(w, ray, tmax) : packet_near_end(tmax);
-    p.any_blocks = !w->plan.coloured_shadows;
+    p.any_blocks = any_blocks;
     packet_begin_light(&p, 0);
     p.hits[0].always_exact = exact;
     if (!p.any_blocks)
@@ -256,22 +256,16 @@ bool query_occlusion_from(const world *w, query_context *k, const coincident_set
     if (!leave(w, from, ray->dir, crossed))
         return false;
     if (w->plan.coloured_shadows)   /* the crossings' distances count */
-        return !is_blocked_from(w, k, from, ray, tmax, true, out);
-    if (is_blocked_from(w, k, from, ray, tmax, false, out))
+        return !is_blocked_from(w, k, from, ray, tmax, false, true, out);
+    if (is_blocked_from(w, k, from, ray, tmax, true, false, out))
         return false;
-    return !out->near_end || !is_blocked_from(w, k, from, ray, tmax, true, out);
+    return !out->near_end || !is_blocked_from(w, k, from, ray, tmax, true, true, out);
 }
 
 bool query_blocked_from(const world *w, query_context *k, const coincident_set *from, const pov_ray *ray, double tmax)
 {
     occlusion found;
-    packet p;
 
     found.crossed = found.near_end = 0;
-    begin(&p, w, k, from, ray, tmax);
-    p.slack = packet_end_slack(w, ray, tmax);
-    p.any_blocks = true;
-    packet_begin_light(&p, 0);
-    p.hits[0].always_exact = true;
-    return packet_end_light(&p, packet_occlusion(&p, w->kernels->any_single), &found) != 0;
+    return is_blocked_from(w, k, from, ray, tmax, true, true, &found);
 }
