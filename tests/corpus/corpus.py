@@ -82,9 +82,9 @@ def frames_of(scene):
 
 
 def first_frame(ini, picture, size):
-    """POV-Ray's own options, which both programs have."""
+    """POV-Ray's own options, which both programs have. Settings may name a scene that is elsewhere."""
     width, height = size.split('x')
-    return [ini.name, f'+O{picture.resolve()}', f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1', '+SF1', '+EF1']
+    return [ini.name, f'+I{ini.with_suffix(".pov").name}', f'+O{picture.resolve()}', f'+W{width}', f'+H{height}', '-A', '-D', '+FN8', '+WT1', '+SF1', '+EF1']
 
 
 def take_frame(picture):
