@@ -46,6 +46,26 @@ void common_outline_place(common_outline *o, const double middle[2], double scal
     common_outline_bound(o);
 }
 
+/* Pieces that are tested side by side. */
+enum { SIDE = 8 };
+
+bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in)
+{
+    o->stride = (o->count + SIDE - 1) / SIDE * SIDE;
+    o->points = 0;
+    for (uint32_t i = 0; i < o->count; i++)
+        o->points = o->at[i].degree + 1 > o->points ? o->at[i].degree + 1 : o->points;
+    o->rows = host->alloc(in, 2 * (size_t)o->points * o->stride * sizeof *o->rows);
+    for (uint32_t k = 0; o->rows && k < o->points; k++)
+        for (uint32_t i = 0; i < o->count; i++) {
+            const common_piece *c = &o->at[i];
+
+            o->rows[(2 * k) * o->stride + i] = c->x[k < c->degree ? k : c->degree];
+            o->rows[(2 * k + 1) * o->stride + i] = c->y[k < c->degree ? k : c->degree];
+        }
+    return o->rows != NULL;
+}
+
 /* ---- pieces ---- */
 
 static double blend(const double *b, uint32_t degree, double u, double *slope)
@@ -91,25 +111,100 @@ static void sort_in(common_cross *out, uint32_t count, common_cross c)
     out[count] = c;
 }
 
-uint32_t common_outline_cross(const common_outline *o, const double p[2], const double d[2], common_cross *out)
+/* On which side of the line a point lies. */
+static inline double side_of(double x, double y, const double p[2], const double d[2])
 {
-    const double square = d[0] * d[0] + d[1] * d[1];
+    return (x - p[0]) * d[1] - (y - p[1]) * d[0];
+}
+
+/* Which of the pieces from `first` on have points on both sides: a bit each. */
+static uint32_t straddling(const common_outline *o, uint32_t first, const double p[2], const double d[2])
+{
+    int64_t above[SIDE] = { 0 }, below[SIDE] = { 0 };
+    uint32_t bits = 0;
+
+    for (uint32_t k = 0; k < o->points; k++) {
+        const double *x = o->rows + (2 * k) * o->stride + first, *y = x + o->stride;
+
+        for (int l = 0; l < SIDE; l++) {
+            const double b = side_of(x[l], y[l], p, d);
+
+            above[l] |= b >= 0.0 ? 1 : 0;
+            below[l] |= b >= 0.0 ? 0 : 1;
+        }
+    }
+    for (int l = 0; l < SIDE; l++)
+        bits |= (uint32_t)(above[l] & below[l]) << l;
+    return bits;
+}
+
+/* The line, with what is needed of it. */
+typedef struct tested { double p[2], d[2], square, lo, hi; } tested;
+
+static tested tested_of(const double p[2], const double d[2], const double range[2])
+{
+    const double square = d[0] * d[0] + d[1] * d[1], size = 0x1p-40 * (1.0 + fabs(p[0]) + fabs(p[1])) * sqrt(square);
+    const tested t = { { p[0], p[1] }, { d[0], d[1] }, square, range[0] * square - size - 0x1p-40 * fabs(range[0] * square),
+                       range[1] * square + size + 0x1p-40 * fabs(range[1] * square) };
+
+    return t;
+}
+
+/* Where all points of the piece lie: -1 before the range, 1 behind it. */
+static int place_of(const common_piece *c, const tested *t)
+{
+    bool before = true, behind = true;
+
+    for (uint32_t k = 0; k <= c->degree; k++) {
+        const double s = (c->x[k] - t->p[0]) * t->d[0] + (c->y[k] - t->p[1]) * t->d[1];
+
+        before &= s < t->lo;
+        behind &= s > t->hi;
+    }
+    return behind - before;
+}
+
+static uint32_t cross_piece(const common_outline *o, uint32_t i, const tested *t, common_cross *out, uint32_t count)
+{
+    const common_piece *c = &o->at[i];
+    double b[4], root[3], point[2], tangent[2];
+    uint32_t n;
+
+    for (uint32_t k = 0; k <= c->degree; k++)
+        b[k] = side_of(c->x[k], c->y[k], t->p, t->d);
+    n = roots_of(b, c->degree, root);
+    for (uint32_t k = 0; k < n; k++) {
+        common_cross at = { 0.0, root[k], i };
+
+        common_piece_at(c, root[k], point, tangent);
+        at.s = ((point[0] - t->p[0]) * t->d[0] + (point[1] - t->p[1]) * t->d[1]) / t->square;
+        sort_in(out, count++, at);
+    }
+    return count;
+}
+
+/* How often the line crosses a piece: even or odd. */
+static bool is_crossed_oddly(const common_piece *c, const tested *t)
+{
+    return (side_of(c->x[0], c->y[0], t->p, t->d) >= 0.0) != (side_of(c->x[c->degree], c->y[c->degree], t->p, t->d) >= 0.0);
+}
+
+uint32_t common_outline_cross(const common_outline *o, const double p[2], const double d[2], const double range[2],
+                              common_cross *out, bool *odd)
+{
+    const tested t = tested_of(p, d, range);
     uint32_t count = 0;
 
-    for (uint32_t i = 0; i < o->count; i++) {
-        const common_piece *c = &o->at[i];
-        double b[4], root[3], point[2], tangent[2];
-        uint32_t n;
+    for (uint32_t first = 0; first < o->count; first += SIDE) {
+        uint32_t bits = straddling(o, first, p, d);
 
-        for (uint32_t k = 0; k <= c->degree; k++)
-            b[k] = (c->x[k] - p[0]) * d[1] - (c->y[k] - p[1]) * d[0];
-        n = roots_of(b, c->degree, root);
-        for (uint32_t k = 0; k < n; k++) {
-            common_cross at = { 0.0, root[k], i };
+        for (uint32_t i = first; bits != 0 && i < o->count; i++, bits >>= 1) {
+            const int place = bits & 1 ? place_of(&o->at[i], &t) : 1;
 
-            common_piece_at(c, root[k], point, tangent);
-            at.s = ((point[0] - p[0]) * d[0] + (point[1] - p[1]) * d[1]) / square;
-            sort_in(out, count++, at);
+            if (place < 0)
+                *odd ^= is_crossed_oddly(&o->at[i], &t);
+            else if (place == 0)
+                count = cross_piece(o, i, &t, out, count);
         }
     }
     return count;

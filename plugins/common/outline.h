@@ -13,6 +13,10 @@ typedef struct common_outline {
     uint32_t count, capacity;
     common_piece *at;
     double lo[2], hi[2];
+    /* Bezier points of all pieces side by side: for each number of a point a row of x and one of y. The last point of a
+     * piece stands for those that it has not. */
+    double *rows;
+    uint32_t stride, points;
 } common_outline;
 
 /* Where a line crosses: at its parameter s, at u of the piece. */
@@ -24,8 +28,13 @@ bool common_outline_add(common_outline *o, const pov_host *host, pov_reader *in,
 void common_outline_bound(common_outline *o);
 void common_outline_place(common_outline *o, const double middle[2], double scale);
 
-/* Crossings of the line p + s d in order of s; `out` has room for three a piece. Returns how many. */
-uint32_t common_outline_cross(const common_outline *o, const double p[2], const double d[2], common_cross *out);
+/* To be called last. False: no memory. */
+bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in);
+
+/* Crossings of the line p + s d in order of s; `out` has room for three a piece. Returns how many. Those of pieces that
+ * certainly lie before or behind the range of s are left out; *odd changes for each one before it. */
+uint32_t common_outline_cross(const common_outline *o, const double p[2], const double d[2], const double range[2],
+                              common_cross *out, bool *odd);
 /* The same of the cone from the origin over the outline at height 1, and the line w + s d through (x, height, y). */
 uint32_t common_outline_cross_cone(const common_outline *o, pov_vec3 w, pov_vec3 d, common_cross *out);
 bool common_outline_inside(const common_outline *o, const double p[2]);

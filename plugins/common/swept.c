@@ -37,6 +37,8 @@ void common_swept_bounds(const common_swept *s, pov_vec3 *lo, pov_vec3 *hi)
     *hi = joined(s, b[0], s->hi.hi, b[1]);
 }
 
+void common_swept_close(common_swept *s) { common_swept_bounds(s, &s->least, &s->most); }
+
 /* ---- along a ray ---- */
 
 /* A ray among the crossings of the outline. */
@@ -112,7 +114,9 @@ static void find_crossings(walk *w, common_cross *room)
         /* It is outside where it passes the height of the apex. */
         w->odd = w->k->d.y != 0.0 && count_before(w, w->base - p.y / w->k->d.y) % 2 == 1;
     } else if (d[0] != 0.0 || d[1] != 0.0) {
-        w->count = common_outline_cross(&w->s->outline, a, d, room);
+        const double range[2] = { w->near.hi - w->base, w->far.hi - w->base };
+
+        w->count = common_outline_cross(&w->s->outline, a, d, range, room, &w->odd);
     } else {
         w->odd = common_outline_inside(&w->s->outline, a);
     }
@@ -142,12 +146,10 @@ bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const com
                             pov_hits *hits)
 {
     const bool from_here = ray->origin_surface == hits->owner;
-    pov_vec3 lo, hi;
     common_span span;
     walk w;
 
-    common_swept_bounds(s, &lo, &hi);
-    if (!common_clip(k, lo, hi, &span) || span.hi < 0.0 || span.lo * k->unit > hits->tmax)
+    if (!common_clip(k, s->least, s->most, &span) || span.hi < 0.0 || span.lo * k->unit > hits->tmax)
         return true;
     w.s = s;
     w.k = k;

@@ -14,8 +14,11 @@ typedef struct common_swept {
     uint32_t axis;               /* 1: the outline is in x and z, swept along y; 2: in x and y, along z */
     uint32_t first;              /* the number of its first feature: two caps, then a feature a piece */
     bool conic, open;
+    pov_vec3 least, most;        /* its box */
 } common_swept;
 
+/* To be called last. */
+void common_swept_close(common_swept *s);
 /* The box of it all, in the space of the ray. */
 void common_swept_bounds(const common_swept *s, pov_vec3 *lo, pov_vec3 *hi);
 /* `room` holds three crossings a piece. False: no more crossings are wanted. */

@@ -147,8 +147,11 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     else
         add_rings(&r, kind);
     read_flags(p, host, in);
-    if (p->swept.outline.count > 0)
+    if (p->swept.outline.count > 0) {
         place(p);
+        common_swept_close(&p->swept);
+        common_outline_pack(&p->swept.outline, host, in);
+    }
 }
 
 /* ---- the surface ---- */

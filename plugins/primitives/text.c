@@ -193,7 +193,7 @@ static void set_line(reading *r, const char *string)
 
 /* ---- in space ---- */
 
-static void place(text *t)
+static void place(text *t, const pov_host *host, pov_reader *in)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     pov_vec3 lo = { HUGE_VAL, HUGE_VAL, HUGE_VAL }, hi = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL }, a, b, middle;
@@ -212,8 +212,10 @@ static void place(text *t)
     at[1] = middle.y;
     for (uint32_t i = 0; i < t->count; i++) {
         common_outline_place(&t->glyph[i].outline, at, t->scale);
+        common_outline_pack(&t->glyph[i].outline, host, in);
         t->glyph[i].lo = pov_two_scale(pov_two_sum(t->glyph[i].lo.hi, -middle.z), t->scale);
         t->glyph[i].hi = pov_two_scale(pov_two_sum(t->glyph[i].hi.hi, -middle.z), t->scale);
+        common_swept_close(&t->glyph[i]);
     }
 }
 
@@ -236,7 +238,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         set_line(&r, string);
     }
     close_font(&r);
-    place(self);
+    place(self, host, in);
 }
 
 static bool bounds(const void *self, pov_box *out)
