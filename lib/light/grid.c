@@ -71,6 +71,42 @@ static void place_cells(light_grid *g, const uint32_t counts[2])
         g->cell[axis] = counts[axis] > 1 ? 1.0 / (double)counts[axis] : 0.0;
 }
 
+/* ---- places ---- */
+
+/* Points that are rounded off come nearer the middle, to this fraction at most. */
+static const double most_rounded = 0.70;
+
+grid_part grid_place(const light_grid *g, uint32_t k)
+{
+    const double at[2] = { g->points[k].u, g->points[k].v };
+    grid_part p;
+
+    for (int axis = 0; axis < 2; axis++) {
+        const double lo = at[axis] - 0.5 * g->cell[axis], hi = at[axis] + 0.5 * g->cell[axis];
+
+        p.lo[axis] = g->rounded && lo > 0.0 ? most_rounded * lo : lo;
+        p.hi[axis] = g->rounded && hi < 0.0 ? most_rounded * hi : hi;
+    }
+    return p;
+}
+
+static grid_part all_places(const light_grid *g)
+{
+    grid_part all = grid_place(g, 0);
+
+    for (uint32_t k = 1; k < g->count; k++) {
+        const grid_part p = grid_place(g, k);
+
+        for (int axis = 0; axis < 2; axis++) {
+            all.lo[axis] = fmin(all.lo[axis], p.lo[axis]);
+            all.hi[axis] = fmax(all.hi[axis], p.hi[axis]);
+        }
+    }
+    return all;
+}
+
+/* ---- all of it ---- */
+
 /* Cells of a soft light along an axis: more would be fewer samples of the picture. */
 enum { SOFT_CELLS = 2 };
 
@@ -90,6 +126,9 @@ light_grid *grid_create(const env *e, const light *l, bool soft)
         place_cells(g, cells);
     else
         place_points(g, l);
+    for (uint32_t k = 0; k < g->count; k++)
+        g->sum += g->points[k].weight;
+    g->all = all_places(g);
     return g;
 }
 
@@ -178,4 +217,12 @@ uint32_t grid_draw(const light_grid *g, double u)
             break;
     }
     return k;
+}
+
+void grid_axes(const light *l, pov_vec3 to, pov_vec3 axes[2])
+{
+    axes[0] = l->area.axes[0];
+    axes[1] = l->area.axes[1];
+    if (l->flags & LIGHT_ORIENT)
+        turn(l, pov_unit(to), axes);
 }

@@ -8,14 +8,29 @@
 /* A point of the grid: its place along both axes, -1/2 to 1/2 between the ends, and its weight; the weights add up to 1. */
 typedef struct grid_point { double u, v; float weight; } grid_point;
 
+/* A rectangle of places along both axes. */
+typedef struct grid_part { double lo[2], hi[2]; } grid_part;
+
+static inline bool grid_parts_overlap(const grid_part *a, const grid_part *b)
+{
+    return a->lo[0] <= b->hi[0] && b->lo[0] <= a->hi[0] && a->lo[1] <= b->hi[1] && b->lo[1] <= a->hi[1];
+}
+
 /* Where points move by the lit point, each lies anywhere in its cell, and is rounded off to a disc then. */
 typedef struct light_grid {
     bool moves;                  /* places depend on the lit point: use grid_aim(), not grid_origin() */
     bool rounded;
     double cell[2];              /* widths of the cells along the axes; 0: points stay where they are */
+    float sum;                   /* of the weights, added one after the other */
+    grid_part all;               /* the places of all points */
     uint32_t count;
     grid_point points[];
 } light_grid;
+
+/* Where the k-th point is, or may move to. */
+grid_part grid_place(const light_grid *g, uint32_t k);
+/* The axes that places are measured along, for the direction from a point to the light's position. */
+void grid_axes(const light *l, pov_vec3 to, pov_vec3 axes[2]);
 
 /* soft: the area is lit all over, and the points are a few of it, by chance, instead of those that the scene says. NULL:
  * no memory. */

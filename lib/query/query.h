@@ -4,6 +4,7 @@
 #ifndef QUERY_QUERY_H
 #define QUERY_QUERY_H
 
+#include "bvh/shaft.h"
 #include "world/surface.h"
 
 typedef struct query_context query_context;   /* one thread's memory for queries */
@@ -44,6 +45,17 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
  * do crossings. A surface at the end itself is not on the segment. */
 bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
                            occlusion *out);
+/* What may cast a shadow: something in a box, which is off by a few units in the last place of its coordinates. */
+typedef struct blocker {
+    pov_box box;
+    bool is_box, is_sphere;      /* it fills the box, or is the sphere inscribed in it */
+    bool opaque;
+} blocker;
+
+/* Name what may cast a shadow in a shaft, until `add` says false. left: an object that all rays of the shaft leave outward, or POV_NO_OWNER.
+ * False: `add` said so, or something has no box. */
+typedef bool query_blocker_fn(void *user, const blocker *b);
+bool query_blockers(const world *w, const shaft *s, uint32_t left, query_blocker_fn *add, void *user);
 /* The nearest crossing in (tmin, tmax) with the objects that these leaves are, whoever sees them. False: there is none. */
 bool query_crossing_of(const world *w, query_context *k, const pov_ray *ray, uint32_t leaf, uint32_t leaf_count,
                        double tmin, double tmax, double *t);

@@ -2,6 +2,7 @@
 
 #include "base/simd.h"
 #include "light/aim.h"
+#include "shade/area_view.h"
 #include "shade/haze.h"
 #include "shade/photon_light.h"
 #include "shade/photons.h"
@@ -160,13 +161,13 @@ SIMD_CLONES static void project(const vec_lanes *restrict dir, const vec_lanes *
 }
 
 /* The same where the shading normal does not tell the side of a ray: the geometric one does. */
-static void name_sides(lighting *l, const vec_lanes *dir)
+static void name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir)
 {
     SIMD_ALIGNED double along[LANES_MAX], length[LANES_MAX];
 
     project(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), along, length);
-    for (uint32_t k = 0; k < l->finishes.count; k++) {
-        const uint32_t i = l->finishes.lit[k];
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t i = lanes[k];
 
         world_origin_aim(&l->own[i], l->on->at[i].at, along[i], length[i]);
     }
@@ -205,31 +206,101 @@ static light_points points_of(const lighting *l)
     return at;
 }
 
+/* Light that something dims on its way, hidden or not, needs its rays. */
+static bool needs_rays(const light *l) { return l->through_count > 0 || (l->flags & LIGHT_ATTENUATED); }
+
+/* Views by ray; `open`: rays from which something may hide a part of the light. The others get all of it or nothing; *lit:
+ * those that do. */
+static uint32_t find_views(const lighting *l, const scene_light *from, const vec_lanes *to, area_view *views, uint8_t *open,
+                           uint64_t *lit, colour *through)
+{
+    const float sum = from->grid->sum;
+    const geometry *g = &l->on->geometry;
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        const uint32_t lane = l->of[i];
+        bool is_clear;
+
+        if (needs_rays(from->light))
+            area_view_hide(&views[i]);
+        else
+            area_view_find(l->context->scene, from, l->on->at[lane].at, lanes_at(&g->to.normal, lane), lanes_at(to, lane),
+                           &views[i]);
+        is_clear = !views[i].dark && views[i].count == 0;
+        through[i] = is_clear ? colour_of(sum, sum, sum) : colour_of(0.0f, 0.0f, 0.0f);
+        *lit |= (uint64_t)is_clear << i;
+        if (!views[i].dark && views[i].count > 0)
+            open[n++] = (uint8_t)i;
+    }
+    return n;
+}
+
+/* Of the open rays those that something may hide the k-th point from. The others get its light. */
+static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, const area_view *views, const uint8_t *open,
+                              uint32_t count, uint8_t *which, colour *through)
+{
+    const grid_part place = grid_place(g, k);
+    const float weight = g->points[k].weight;
+    uint64_t lit = 0;
+
+    l->count = 0;
+    for (uint32_t n = 0; n < count; n++) {
+        const uint8_t i = open[n];
+
+        if (area_view_has(&views[i], &place)) {
+            through[i] = colour_add(through[i], colour_of(weight, weight, weight));
+            lit |= (uint64_t)1 << i;
+        } else {
+            which[l->count] = i;
+            l->of[l->count] = l->seen[i];
+            l->rays[l->count] = &l->own[l->seen[i]];
+            l->count++;
+        }
+    }
+    return lit;
+}
+
+/* Add the light of the k-th point to the rays at `which`. Returns those that get any. */
+static uint64_t trace_point(lighting *l, const scene_light *from, uint32_t k, const vec_lanes *to, const uint8_t *which,
+                            colour *through)
+{
+    const light_points at = points_of(l);
+    colour some[BATCH_MAX];
+    light_origin origin;
+    light_lanes in;
+    const bool at_one = aim_at_point(from, k, &at, to, &in, &origin);
+    uint64_t lit = 0;
+
+    name_sides(l, l->of, l->count, &in.dir);
+    for (uint32_t i = 0; i < l->count; i++)
+        l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
+    for (uint64_t rest = trace_to(l, from->light, end_of(from, &in, at_one ? &origin : NULL), some); rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        through[which[i]] = colour_add(through[which[i]], colour_scale(some[i], from->grid->points[k].weight));
+        lit |= (uint64_t)1 << which[i];
+    }
+    return lit;
+}
+
 /* The mean transmittance to all points of an area light; `to` are the directions to its middle. */
 static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
 {
-    const light_points at = points_of(l);
+    const uint32_t count = l->count;
+    area_view views[BATCH_MAX];
+    uint8_t open[BATCH_MAX], which[BATCH_MAX];
     uint64_t lit = 0;
+    const uint32_t open_count = find_views(l, from, to, views, open, &lit, through);
 
-    for (uint32_t i = 0; i < l->count; i++)
-        through[i] = colour_of(0.0f, 0.0f, 0.0f);
-    for (uint32_t k = 0; k < from->grid->count; k++) {
-        colour some[BATCH_MAX];
-        light_origin origin;
-        light_lanes in;
-        const bool at_one = aim_at_point(from, k, &at, to, &in, &origin);
-
-        name_sides(l, &in.dir);
-        for (uint32_t i = 0; i < l->count; i++)
-            l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
-        for (uint64_t some_lit = trace_to(l, from->light, end_of(from, &in, at_one ? &origin : NULL), some); some_lit;
-             some_lit &= some_lit - 1) {
-            const uint32_t i = first_of64(some_lit);
-
-            through[i] = colour_add(through[i], colour_scale(some[i], from->grid->points[k].weight));
-            lit |= (uint64_t)1 << i;
-        }
+    memcpy(l->seen, l->of, count);
+    for (uint32_t k = 0; open_count > 0 && k < from->grid->count; k++) {
+        lit |= choose_hidden(l, from->grid, k, views, open, open_count, which, through);
+        if (l->count > 0)
+            lit |= trace_point(l, from, k, to, which, through);
     }
+    memcpy(l->of, l->seen, count);
+    l->count = count;
     name_origins(l, NULL);
     return lit;
 }
@@ -266,7 +337,7 @@ static uint64_t trace_some(lighting *l, const scene_light *from, const light_lan
 
     for (uint32_t i = 0; i < l->count; i++)
         lanes_put(&to.dir, l->of[i], aim_at_some(l, from, l->of[i], &in->dir));
-    name_sides(l, &to.dir);
+    name_sides(l, l->of, l->count, &to.dir);
     for (uint32_t i = 0; i < l->count; i++)
         l->own[l->of[i]].dir = lanes_at(&to.dir, l->of[i]);
     lit = trace_to(l, from->light, end, through);
@@ -357,7 +428,7 @@ static void add_light_source(lighting *l, const scene_light *from)
     from->class->incident(from->light, &origin, &at, &in);
     named = brdf_cosines(&s, g, &in.dir, n) || sided;
     if (sided)
-        name_sides(l, &in.dir);
+        name_sides(l, l->finishes.lit, l->finishes.count, &in.dir);
     else if (named)
         name_origins(l, s.cosine);
     brdf_reflect(&l->finishes, c->scene->model, &s, &in, l->glossy && !(from->light->flags & LIGHT_SHADOWLESS), n);

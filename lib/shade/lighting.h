@@ -12,6 +12,7 @@ typedef struct lighting {
     uint32_t count;
     const pov_ray *rays[BATCH_MAX];
     uint8_t of[BATCH_MAX];       /* lanes of their origin surfaces */
+    uint8_t seen[BATCH_MAX];     /* the same of all rays, while some of them are traced */
     finishes finishes;
     struct photon_work *photons; /* memory for the light of photons; NULL: there is none */
     pov_ray *own;                /* one ray for each surface, with the direction to the current light: memory of

@@ -150,7 +150,7 @@ typedef struct pov_shape_class {
     /* [load] Parse the text between the braces, up to the first object modifier. The host reads the keyword, both
      * braces and the modifiers. */
     void (*parse)(void *self, const pov_host *host, pov_reader *in);
-    /* [load] A box that holds every point of the shape, rounded outward. False: no finite box. */
+    /* [load] [render] A box that holds every point of the shape, rounded outward. False: no finite box. */
     bool (*bounds)(const void *self, pov_box *out);
     /* [render] Report every crossing of the open interval, in any order, except the one that the ray starts on. */
     void (*intersect)(const void *self, const pov_ray *ray, pov_hits *hits);

@@ -81,7 +81,7 @@ typedef struct pov_shape_fast {
     void (*cross_many)(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
     /* [load] Is it an ellipsoid, with such bounds? Hosts may filter its rays by that if no block does. */
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
-    /* [load] Is it a half-space? Rounded: hosts allow for that where they bound solids made of several. */
+    /* [load] [render] Is it a half-space? Rounded: hosts allow for that where they bound solids made of several. */
     bool (*half_space)(const void *self, pov_half_space *out);
     /* [load] Up to POV_HULL_MAX half-spaces that hold the part of an infinite solid that lies within the n given ones. */
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);

@@ -1,0 +1,220 @@
+#include "shade/area_view.h"
+
+/* The light's plane from a point: the point to + u axes[0] + v axes[1] lies in the direction x with
+ * u = of[0] . x / (across . x), v = of[1] . x / (across . x). */
+typedef struct plane {
+    pov_vec3 from, to, axes[2], across, of[2];
+    double size, least;          /* least: of across . x, for x of a length of one */
+} plane;
+
+/* What is too slanted, or too near the point, is not projected. So all that is has errors below 2^-14. */
+static const double slanted = 0x1p-16, near_by = 0x1p-8, thin = 0x1p-14;
+/* Wider than these by far, in widths of the light. */
+static const double margin = 0x1p-8;
+
+static double sum_of(pov_vec3 v) { return fabs(v.x) + fabs(v.y) + fabs(v.z); }
+
+static bool make_plane(const light *l, pov_vec3 from, pov_vec3 to, plane *p)
+{
+    double across;
+
+    p->from = from;
+    p->to = to;
+    grid_axes(l, to, p->axes);
+    p->across = pov_cross_product(p->axes[0], p->axes[1]);
+    p->of[0] = pov_cross_product(p->axes[1], to);
+    p->of[1] = pov_cross_product(to, p->axes[0]);
+    if (pov_dot(p->across, to) < 0.0) {
+        p->across = pov_scale(p->across, -1.0);
+        p->of[0] = pov_scale(p->of[0], -1.0);
+        p->of[1] = pov_scale(p->of[1], -1.0);
+    }
+    p->size = sum_of(from) + sum_of(to);
+    across = sum_of(p->across);
+    p->least = slanted * across;
+    return across > thin * sum_of(to) * (sum_of(p->axes[0]) + sum_of(p->axes[1])) && p->size < 1e60;
+}
+
+static void widen(grid_part *part)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        part->lo[axis] -= margin * (1.0 + fabs(part->lo[axis]));
+        part->hi[axis] += margin * (1.0 + fabs(part->hi[axis]));
+    }
+}
+
+/* False: it is too slanted. */
+static bool add_corner(const plane *p, pov_vec3 at, grid_part *out)
+{
+    const pov_vec3 x = pov_sub(at, p->from);
+    const double depth = pov_dot(p->across, x);
+
+    if (!(depth > p->least * (sum_of(x) + near_by * p->size)))
+        return false;
+    for (int axis = 0; axis < 2; axis++) {
+        const double u = pov_dot(p->of[axis], x) / depth;
+
+        out->lo[axis] = u < out->lo[axis] ? u : out->lo[axis];
+        out->hi[axis] = u > out->hi[axis] ? u : out->hi[axis];
+    }
+    return true;
+}
+
+static bool project_box(const plane *p, const pov_box *b, grid_part *out)
+{
+    *out = (grid_part){ { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
+    for (int i = 0; i < 8; i++)
+        if (!add_corner(p, pov_vec3_of(i & 1 ? b->hi.x : b->lo.x, i & 2 ? b->hi.y : b->lo.y, i & 4 ? b->hi.z : b->lo.z), out))
+            return false;
+    return true;
+}
+
+/* A plane through the point and a line u = constant of the light has the normal m = of - u across; it touches the sphere
+ * around c where (m . c)^2 = r^2 m . m. */
+static bool project_axis(const plane *p, int axis, pov_vec3 c, double r, grid_part *out)
+{
+    const double oc = pov_dot(p->of[axis], c), ac = pov_dot(p->across, c), rr = r * r;
+    const double a = ac * ac - rr * pov_dot(p->across, p->across);
+    const double b = oc * ac - rr * pov_dot(p->of[axis], p->across);
+    const double d = b * b - a * (oc * oc - rr * pov_dot(p->of[axis], p->of[axis]));
+
+    if (!(a > thin * ac * ac && d >= 0.0))
+        return false;
+    out->lo[axis] = (b - sqrt(d)) / a;
+    out->hi[axis] = (b + sqrt(d)) / a;
+    return true;
+}
+
+static bool project_sphere(const plane *p, const pov_box *b, grid_part *out)
+{
+    const pov_vec3 c = pov_sub(pov_scale(pov_add(b->lo, b->hi), 0.5), p->from);
+    const double r = 0.5 * (b->hi.x - b->lo.x) * (1.0 + margin), depth = pov_dot(p->across, c);
+
+    return depth > p->least * (sum_of(c) + near_by * p->size) && r > thin * p->size && project_axis(p, 0, c, r, out) &&
+           project_axis(p, 1, c, r, out);
+}
+
+/* Where the light may be hidden: everywhere, if no more is known. */
+static grid_part shadow_of(const plane *p, const blocker *b)
+{
+    grid_part out = { { 0.0, 0.0 }, { 0.0, 0.0 } };
+
+    if ((b->is_sphere && project_sphere(p, &b->box, &out)) || project_box(p, &b->box, &out))
+        widen(&out);
+    else
+        out = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
+    return out;
+}
+
+/* ---- what hides all of it ----
+ *
+ * Segments from a point to the corners of an area that enter one convex solid: so do those to all points between. */
+
+/* Does the segment to p + d enter the inside of the sphere around p + c well before its end? */
+static bool enters_sphere(pov_vec3 c, double rr, pov_vec3 d)
+{
+    const double dc = pov_dot(d, c), dd = pov_dot(d, d);
+
+    return dc > 0.0 && dc < (1.0 - margin) * dd && pov_dot(c, c) * dd - dc * dc < (1.0 - margin) * rr * dd;
+}
+
+static bool sphere_covers(const plane *p, const pov_box *b, const pov_vec3 corner[4])
+{
+    const pov_vec3 c = pov_sub(pov_scale(pov_add(b->lo, b->hi), 0.5), p->from);
+    const double r = 0.5 * (b->hi.x - b->lo.x), rr = r * r;
+
+    return r > thin * p->size && pov_dot(c, c) > (1.0 + margin) * rr && enters_sphere(c, rr, corner[0]) &&
+           enters_sphere(c, rr, corner[1]) && enters_sphere(c, rr, corner[2]) && enters_sphere(c, rr, corner[3]);
+}
+
+/* Cut the part of a segment by d that is between lo and hi. A segment that starts in the box does not enter it. */
+static void clip(double lo, double hi, double d, double *from, double *to)
+{
+    const double a = lo / d, b = hi / d;
+
+    *from = fmax(*from, fmin(a, b));
+    *to = fmin(*to, fmax(a, b));
+}
+
+static bool box_covers(const plane *p, const pov_box *b, const pov_vec3 corner[4])
+{
+    const pov_vec3 lo = pov_sub(b->lo, p->from), hi = pov_sub(b->hi, p->from);
+
+    for (int i = 0; i < 4; i++) {
+        double from = -HUGE_VAL, to = 1.0 - margin;
+
+        clip(lo.x, hi.x, corner[i].x, &from, &to);
+        clip(lo.y, hi.y, corner[i].y, &from, &to);
+        clip(lo.z, hi.z, corner[i].z, &from, &to);
+        if (!(from > margin && to - from > thin))
+            return false;
+    }
+    return true;
+}
+
+static bool covers(const plane *p, const blocker *b, const pov_vec3 corner[4])
+{
+    return b->opaque && ((b->is_sphere && sphere_covers(p, &b->box, corner)) || (b->is_box && box_covers(p, &b->box, corner)));
+}
+
+/* ---- all of it ---- */
+
+typedef struct finding { plane plane; grid_part all; shaft shaft; area_view *out; } finding;
+
+static bool add_blocker(void *user, const blocker *b)
+{
+    finding *f = user;
+    const grid_part part = shadow_of(&f->plane, b);
+
+    if (!grid_parts_overlap(&part, &f->all))
+        return true;
+    f->out->dark = covers(&f->plane, b, f->shaft.corner);
+    if (f->out->dark || f->out->count == AREA_VIEW_MAX || part.lo[0] == -HUGE_VAL)
+        return false;
+    f->out->hidden[f->out->count++] = part;
+    return true;
+}
+
+/* The object that all rays to these corners leave outward, as world_origin_aim() has it. */
+static uint32_t find_left(const hit *h, pov_vec3 normal, const pov_vec3 corner[4])
+{
+    bool up = true, down = true;
+
+    for (int i = 0; i < 4; i++) {
+        const double along = pov_dot(corner[i], normal), least = WORLD_GRAZING * sum_of(corner[i]);
+
+        up = up && along > least;
+        down = down && -along > least;
+    }
+    return (h->outside ? up : down) ? h->object : POV_NO_OWNER;
+}
+
+static bool make_shaft(const plane *p, const grid_part *all, shaft *s)
+{
+    pov_vec3 corner[4];
+
+    for (int i = 0; i < 4; i++) {
+        const double u = (i + 1) & 2 ? all->hi[0] : all->lo[0], v = i & 2 ? all->hi[1] : all->lo[1];
+
+        corner[i] = pov_add(p->to, pov_add(pov_scale(p->axes[0], u), pov_scale(p->axes[1], v)));
+    }
+    return shaft_make(s, p->from, corner);
+}
+
+void area_view_hide(area_view *out)
+{
+    out->dark = false;
+    out->count = 1;
+    out->hidden[0] = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
+}
+
+void area_view_find(const shading *scene, const scene_light *from, const hit *h, pov_vec3 normal, pov_vec3 to, area_view *out)
+{
+    finding f = { .all = from->grid->all, .out = out };
+
+    out->dark = false;
+    out->count = 0;
+    if ((!make_plane(from->light, h->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
+         !query_blockers(scene->world, &f.shaft, find_left(h, normal, f.shaft.corner), add_blocker, &f)) && !out->dark)
+        area_view_hide(out);
+}

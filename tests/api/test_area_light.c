@@ -1,0 +1,108 @@
+/* An area light of n points is n lights of a share each, whatever is in their way. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 48, HEIGHT = 36 };
+
+#define HEAD "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 5 } camera { location <1,3,-6> look_at <0,.6,0> angle 55 }\n"
+#define AREA "light_source { <3,5,-2> rgb 1 area_light 2*x, <0,1,1.5>, 8, 8 }\n"
+#define LIGHTS "#for (I, 0, 7) #for (J, 0, 7) light_source { <3,5,-2> + (I/7-.5)*2*x + (J/7-.5)*<0,1,1.5> rgb 1/64 } #end #end\n"
+
+static float *render(const char *light, const char *body)
+{
+    pov_render_desc desc = POV_INIT(desc);
+    pov_context *context = scenes_context();
+    pov_scene *scene;
+    char text[4096];
+    float *picture;
+
+    snprintf(text, sizeof text, "%s%s%s", HEAD, light, body);
+    scene = scenes_text(context, text);
+    desc.width = WIDTH;
+    desc.height = HEIGHT;
+    picture = scenes_render(scene, &desc);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return picture;
+}
+
+/* Sums of 64 floats differ by their roundings. */
+static void assert_alike(const char *body)
+{
+    float *area = render(AREA, body), *lights = render(LIGHTS, body);
+    double lit = 0.0;
+
+    for (int i = 0; i < 4 * WIDTH * HEIGHT; i++) {
+        lit += (double)area[i];
+        if (!(fabs((double)area[i] - (double)lights[i]) < 2e-5))
+            fail_msg("%s: value %d is %f, not %f", body, i, (double)area[i], (double)lights[i]);
+    }
+    assert_true(lit > 0.3 * WIDTH * HEIGHT);
+    free(area);
+    free(lights);
+}
+
+/* The diffuse light of an area is that of its middle: here it is alike from everywhere. Only the shadows of what is not seen
+ * are. */
+#define LIT " finish { diffuse .8 brilliance 0 ambient 0 } }\n"
+#define MATT " no_image }\n"
+#define FLOOR "plane { y, 0 pigment { rgb <.9,.8,.7> }" LIT
+#define SLAB "box { <-9,-.3,-9>, <9,0,9> pigment { checker rgb 1 rgb .6 }" LIT
+
+static void spheres_and_boxes_on_a_floor(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "#for (I, -2, 2) #for (J, -2, 2) sphere { <I,.35,J>, .35" MATT "#end #end");
+    assert_alike(SLAB "#for (I, -2, 2) #for (J, -2, 2) box { <I,.1,J>, <I+.4,.9,J+.3>" MATT "#end #end");
+    assert_alike(SLAB "sphere { <1,2,-.5>, 1.1" MATT "box { <-2,.5,-2>, <-.2,1,1>" MATT);
+}
+
+static void shapes_that_are_turned_or_open(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "box { -.5, .5 scale <1,.05,1> rotate <20,30,40> translate <0,1.2,0>" MATT
+                 "sphere { 0, 1 scale <.9,.1,.4> rotate <50,0,20> translate <1,2,-.6>" MATT);
+    assert_alike(SLAB "cylinder { <0,.1,0>, <0,1.5,0>, .4 open" MATT "cone { <1,0,1>, .6, <1,1.4,1>, 0" MATT
+                 "torus { .5, .2 translate <-1,.6,0>" MATT "disc { <1.4,2.4,-.8>, <1,2,0>, .5" MATT);
+}
+
+static void solids_made_of_others_and_meshes(void **state)
+{
+    (void)state;
+    assert_alike(SLAB "difference { box { <-.6,0,-.6>, <.6,1.2,.6> } sphere { <.6,1.2,-.6>, .7 }" MATT
+                 "intersection { sphere { <1.5,.6,0>, .6 } sphere { <1.8,.8,0>, .6 }" MATT "object { sphere { <-1.5,.7,0>, .7 } clipped_by { plane { y, .8 } }" MATT);
+    assert_alike(FLOOR "mesh { triangle { <-1,.2,0>, <1,.3,.4>, <0,1.5,0> } triangle { <1,.3,.4>, <0,1.5,0>, <1,2,-.5> }" MATT
+                 "triangle { <-2,.1,-1>, <-1,.1,-1.2>, <-1.4,1.2,-.8>" MATT);
+}
+
+static void glass_and_what_casts_no_shadow(void **state)
+{
+    (void)state;
+    assert_alike(FLOOR "sphere { <0,.7,0>, .6 no_image pigment { rgbf <1,.5,.4,.8> } } box { <1,.2,0>, <1.5,1.4,.6> no_image pigment { rgbt <.5,1,.4,.6> } }");
+    assert_alike(FLOOR "sphere { <0,.7,0>, .6 no_shadow" MATT "sphere { <1.2,.7,0>, .5 no_image pigment { checker rgb 1 rgbt <1,1,1,.7> scale .2 } }");
+}
+
+static void a_room_with_the_light_in_it(void **state)
+{
+    (void)state;
+    assert_alike("box { <-8,0,-8>, <8,9,8> inverse pigment { rgb .9 }" LIT "sphere { <3,5,-2>, .3 no_shadow" MATT "sphere { <1,1,0>, 1" MATT);
+    assert_alike(FLOOR "plane { -z, -4 pigment { rgb .8 }" LIT "plane { <-1,.2,0>, 5" MATT "sphere { <3,4.8,-2>, .2" MATT);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(spheres_and_boxes_on_a_floor),
+        cmocka_unit_test(shapes_that_are_turned_or_open),
+        cmocka_unit_test(solids_made_of_others_and_meshes),
+        cmocka_unit_test(glass_and_what_casts_no_shadow),
+        cmocka_unit_test(a_room_with_the_light_in_it),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

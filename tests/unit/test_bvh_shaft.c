@@ -1,0 +1,113 @@
+/* Shafts from points to areas: what they are said to miss, no segment in them enters. */
+#include "bvh/shaft.h"
+#include "support/check.h"
+
+static uint64_t seed = 1;
+
+static double uniform(double lo, double hi)
+{
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return lo + (hi - lo) * (double)(seed >> 11) * 0x1p-53;
+}
+
+static pov_vec3 anywhere(double size) { return pov_vec3_of(uniform(-size, size), uniform(-size, size), uniform(-size, size)); }
+
+/* An area in a frame of this scale around a place. */
+typedef struct area { pov_vec3 from, to, axes[2]; shaft s; } area;
+
+static bool make_area(area *a, pov_vec3 place, double scale)
+{
+    pov_vec3 corner[4];
+
+    a->from = pov_add(place, pov_scale(anywhere(1.0), scale));
+    a->to = pov_scale(anywhere(4.0), scale);
+    a->axes[0] = pov_scale(anywhere(1.0), scale);
+    a->axes[1] = pov_scale(anywhere(1.0), scale);
+    for (int i = 0; i < 4; i++) {
+        const double u = (i + 1) & 2 ? 0.5 : -0.5, v = i & 2 ? 0.5 : -0.5;
+
+        corner[i] = pov_add(a->to, pov_add(pov_scale(a->axes[0], u), pov_scale(a->axes[1], v)));
+    }
+    return shaft_make(&a->s, a->from, corner);
+}
+
+static pov_vec3 point_in(const area *a)
+{
+    const pov_vec3 at = pov_add(a->to, pov_add(pov_scale(a->axes[0], uniform(-0.5, 0.5)), pov_scale(a->axes[1], uniform(-0.5, 0.5))));
+
+    return pov_add(a->from, pov_scale(at, uniform(0.0, 1.0)));
+}
+
+static bool holds(const pov_box *b, pov_vec3 p)
+{
+    return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y && p.z >= b->lo.z && p.z <= b->hi.z;
+}
+
+static const double scales[] = { 1.0, 1e-12, 1e12 };
+
+static void no_point_of_a_shaft_is_in_a_box_that_it_misses(void **state)
+{
+    int missed = 0, rounds = 0;
+    (void)state;
+
+    for (int round = 0; round < 60000; round++) {
+        const double scale = scales[round % 3];
+        const pov_vec3 place = round % 2 ? pov_scale(anywhere(1.0), 1e3 * scale) : pov_vec3_of(0.0, 0.0, 0.0);
+        const pov_vec3 lo = pov_add(place, pov_scale(anywhere(4.0), scale)), size = pov_scale(anywhere(1.0), scale);
+        const pov_box box = { lo, pov_add(lo, pov_vec3_of(fabs(size.x), fabs(size.y), fabs(size.z))) };
+        area a;
+
+        assert_true(make_area(&a, place, scale));
+        rounds++;
+        if (shaft_may_overlap(&a.s, &box))
+            continue;
+        missed++;
+        for (int i = 0; i < 20; i++)
+            assert_false(holds(&box, point_in(&a)));
+    }
+    assert_true(missed > rounds / 2);
+}
+
+/* However small the box. */
+static void a_box_around_a_point_of_a_shaft_overlaps_it(void **state)
+{
+    (void)state;
+    for (int round = 0; round < 60000; round++) {
+        const double scale = scales[round % 3];
+        area a;
+        pov_vec3 p;
+        pov_box box;
+
+        assert_true(make_area(&a, pov_vec3_of(0.0, 0.0, 0.0), scale));
+        p = point_in(&a);
+        box = (pov_box){ p, p };
+        assert_true(shaft_may_overlap(&a.s, &box));
+        assert_true(shaft_may_cross(&a.s, pov_vec3_of(0.0, 1.0, 0.0), p.y));
+    }
+}
+
+static void a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does_not(void **state)
+{
+    const pov_vec3 up = { 0.0, 1.0, 0.0 };
+    const pov_vec3 corner[4] = { { -1, 4, -1 }, { 1, 4, -1 }, { 1, 4, 1 }, { -1, 4, 1 } };
+    shaft s;
+    (void)state;
+
+    assert_true(shaft_make(&s, pov_vec3_of(0.0, 1.0, 0.0), corner));
+    assert_true(shaft_may_cross(&s, up, 1.0));
+    assert_true(shaft_may_cross(&s, up, 3.0));
+    assert_true(shaft_may_cross(&s, up, 5.0));
+    assert_false(shaft_may_cross(&s, up, 0.999999));
+    assert_false(shaft_may_cross(&s, up, 5.000001));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(no_point_of_a_shaft_is_in_a_box_that_it_misses),
+        cmocka_unit_test(a_box_around_a_point_of_a_shaft_overlaps_it),
+        cmocka_unit_test(a_plane_between_point_and_area_crosses_the_shaft_and_one_behind_does_not),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
