@@ -1,4 +1,5 @@
 #include "common/bernstein.h"
+#include "common/local.h"
 
 enum { DEPTH = 52 };
 
@@ -24,7 +25,7 @@ static double largest(const double *b, int degree)
 }
 
 /* De Casteljau's scheme at the middle. */
-static void halve(const double *b, int degree, double *left, double *right)
+COMMON_INLINE void halve_of(const double *b, int degree, double *left, double *right)
 {
     double w[COMMON_BERNSTEIN_MAX + 1];
 
@@ -38,7 +39,17 @@ static void halve(const double *b, int degree, double *left, double *right)
     }
 }
 
-void common_bernstein(const double *a, int degree, double *b)
+static void halve(const double *b, int degree, double *left, double *right)
+{
+    switch (degree) {
+    case 3: halve_of(b, 3, left, right); break;
+    case 4: halve_of(b, 4, left, right); break;
+    case 6: halve_of(b, 6, left, right); break;
+    default: halve_of(b, degree, left, right); break;
+    }
+}
+
+COMMON_INLINE void bernstein_of(const double *a, int degree, double *b)
 {
     double binomial = 1.0;             /* degree over i*/
 
@@ -49,6 +60,17 @@ void common_bernstein(const double *a, int degree, double *b)
     for (int k = 1; k <= degree; k++)
         for (int i = degree; i >= k; i--)
             b[i] += b[i - 1];
+}
+
+void common_bernstein(const double *a, int degree, double *b)
+{
+    switch (degree) {
+    case 2: bernstein_of(a, 2, b); break;
+    case 3: bernstein_of(a, 3, b); break;
+    case 4: bernstein_of(a, 4, b); break;
+    case 6: bernstein_of(a, 6, b); break;
+    default: bernstein_of(a, degree, b); break;
+    }
 }
 
 double common_bernstein_noise(const double *b, int degree) { return 4.0 * 0x1p-53 * (degree + 1) * largest(b, degree); }
@@ -99,7 +121,7 @@ static void weigh(const double *b, int degree, weighted *out)
     }
 }
 
-static double sum_at(const double *c, int degree, double u, double v)
+COMMON_INLINE double sum_at(const double *c, int degree, double u, double v)
 {
     double sum = c[0], power = u;
 
@@ -111,7 +133,7 @@ static double sum_at(const double *c, int degree, double u, double v)
 }
 
 /* Newton's method kept in the bracket. A step below SMALL leaves an error of its square. */
-static double polish_bernstein(const weighted *w, int degree, const bracket *root)
+COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *root)
 {
     static const double SMALL = 0x1p-30, BESIDE = 0x1p-40;
     double lo = root->lo, hi = root->hi, x = root->start;
@@ -130,6 +152,17 @@ static double polish_bernstein(const weighted *w, int degree, const bracket *roo
         x = next;
     }
     return x;
+}
+
+/* The loops of small degrees are unrolled. */
+static double polish(const weighted *w, int degree, const bracket *root)
+{
+    switch (degree) {
+    case 3: return polish_of(w, 3, root);
+    case 4: return polish_of(w, 4, root);
+    case 6: return polish_of(w, 6, root);
+    default: return polish_of(w, degree, root);
+    }
 }
 
 /* ---- of second degree ---- */
@@ -174,6 +207,6 @@ uint32_t common_bernstein_roots(const double *b, int degree, double noise, doubl
     if (found.count > 0)
         weigh(b, degree, &w);
     for (uint32_t i = 0; i < found.count; i++)
-        root[i] = polish_bernstein(&w, degree, &found.at[i]);
+        root[i] = polish(&w, degree, &found.at[i]);
     return found.count;
 }

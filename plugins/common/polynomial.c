@@ -1,6 +1,7 @@
 #include "common/polynomial.h"
 
 #include "common/bernstein.h"
+#include "common/clip.h"
 #include "common/curve.h"
 #include "common/local.h"
 
@@ -39,63 +40,126 @@ void common_polynomial_read(common_polynomial *p, const pov_host *host, pov_read
     }
     host->expect(in, ">");
     common_sturm_read(host, in);
+    common_polynomial_close(p, host, in);
+}
+
+static void list_terms(common_polynomial *p)
+{
+    uint32_t at = 0, row = 0, terms = 0;
+
+    p->highest_x = p->highest_z = -1;
+    for (int i = p->order; i >= 0; i--) {
+        p->highest[i] = -1;
+        for (int j = p->order - i; j >= 0; j--) {
+            p->first[row++] = terms;
+            for (int k = p->order - i - j; k >= 0; k--, at++)
+                if (p->at[at] != 0.0) {
+                    const common_term one = { p->at[at], k };
+
+                    p->term[terms++] = one;
+                    p->highest[i] = j > p->highest[i] ? j : p->highest[i];
+                    p->highest_z = k > p->highest_z ? k : p->highest_z;
+                    p->highest_x = i > p->highest_x ? i : p->highest_x;
+                }
+        }
+    }
+    p->first[row] = terms;
+}
+
+void common_polynomial_close(common_polynomial *p, const pov_host *host, pov_reader *in)
+{
+    const uint32_t n = (uint32_t)p->order;
+
+    p->term = host->alloc(in, p->count * sizeof *p->term);
+    p->first = host->alloc(in, ((n + 1) * (n + 2) / 2 + 1) * sizeof *p->first);
+    p->highest = host->alloc(in, (n + 1) * sizeof *p->highest);
+    if (!p->term || !p->first || !p->highest)
+        return;
+    list_terms(p);
+    p->bounded = common_polynomial_find_box(p, &p->box);
 }
 
 bool common_polynomial_bounds(const void *self, pov_box *out)
 {
-    (void)self;
-    (void)out;
-    return false;
+    const common_polynomial *p = self;
+
+    if (p->bounded)
+        *out = p->box;
+    return p->bounded;
 }
 
 /* ---- along a ray ---- */
 
-/* A polynomial in the distance; degree -1: zero. */
-typedef struct series { int degree; double c[MOST]; } series;
+/* Polynomials in the distance have n + 1 coefficients, of which the last ones may be zero. */
 
-/* s = s (o + d t) + a. */
-static void times_plus(series *s, double o, double d, double a)
+/* s = s (o + d t). */
+COMMON_INLINE void times(double *s, int n, double o, double d)
 {
-    if (s->degree >= 0) {
-        s->c[s->degree + 1] = s->c[s->degree] * d;
-        for (int i = s->degree; i > 0; i--)
-            s->c[i] = s->c[i] * o + s->c[i - 1] * d;
-        s->c[0] = s->c[0] * o + a;
-        s->degree++;
-    } else if (a != 0.0) {
-        s->degree = 0;
-        s->c[0] = a;
+    for (int i = n; i > 0; i--)
+        s[i] = s[i] * o + s[i - 1] * d;
+    s[0] *= o;
+}
+
+/* s += a c. */
+COMMON_INLINE void add(double *s, int n, const double *a, double c)
+{
+    for (int i = 0; i <= n; i++)
+        s[i] += a[i] * c;
+}
+
+/* The powers of z along the ray, one after the other. */
+COMMON_INLINE void find_powers(double *power, int n, int highest, double o, double d)
+{
+    for (int i = 0; i <= n; i++)
+        power[i] = i == 0 ? 1.0 : 0.0;
+    for (int k = 1; k <= highest; k++) {
+        for (int i = 0; i <= n; i++)
+            power[k * (n + 1) + i] = power[(k - 1) * (n + 1) + i];
+        times(power + k * (n + 1), n, o, d);
     }
 }
 
-static void add(series *s, const series *a)
+/* Horner's scheme in x, of which each coefficient is one in y, of which each is a sum of powers of z. */
+COMMON_INLINE void along_of(const common_polynomial *p, int n, pov_vec3 o, pov_vec3 d, double *power, double *out)
 {
-    for (int i = s->degree + 1; i <= a->degree; i++)
-        s->c[i] = 0.0;
-    s->degree = a->degree > s->degree ? a->degree : s->degree;
-    for (int i = 0; i <= a->degree; i++)
-        s->c[i] += a->c[i];
+    const common_term *term = p->term;
+
+    find_powers(power, n, p->highest_z, o.z, d.z);
+    for (int i = 0; i <= n; i++)
+        out[i] = 0.0;
+    for (int i = p->highest_x; i >= 0; i--) {
+        const uint32_t row = (uint32_t)((n - i) * (n - i + 1) / 2 + n - i);   /* of j = 0 */
+        double y[MOST];
+
+        if (i < p->highest_x)
+            times(out, n, o.x, d.x);
+        if (p->highest[i] < 0)
+            continue;
+        for (int k = 0; k <= n; k++)
+            y[k] = 0.0;
+        for (int j = p->highest[i]; j >= 0; j--) {
+            const common_term *end = p->term + p->first[row - (uint32_t)j + 1];
+
+            if (j < p->highest[i])
+                times(y, n, o.y, d.y);
+            for (; term < end; term++)
+                add(y, n, power + term->k * (n + 1), term->c);
+        }
+        add(out, n, y, 1.0);
+    }
 }
 
-/* Horner's scheme in x, of which each coefficient is one in y, of which each is one in z. */
-static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, series *out)
+/* The loops of small orders are unrolled. */
+static void along(const common_polynomial *p, pov_vec3 o, pov_vec3 d, double *out)
 {
-    const double *c = p->at;
+    double small[7 * 7], power[MOST * MOST];
 
-    out->degree = -1;
-    for (int i = p->order; i >= 0; i--) {
-        series y = { -1, { 0.0 } };
-
-        for (int j = p->order - i; j >= 0; j--) {
-            series z = { -1, { 0.0 } };
-
-            for (int k = p->order - i - j; k >= 0; k--)
-                times_plus(&z, o.z, d.z, *c++);
-            times_plus(&y, o.y, d.y, 0.0);
-            add(&y, &z);
-        }
-        times_plus(out, o.x, d.x, 0.0);
-        add(out, &y);
+    switch (p->order) {
+    case 2: along_of(p, 2, o, d, small, out); break;
+    case 3: along_of(p, 3, o, d, small, out); break;
+    case 4: along_of(p, 4, o, d, small, out); break;
+    case 6: along_of(p, 6, o, d, small, out); break;
+    default: along_of(p, p->order, o, d, power, out); break;
     }
 }
 
@@ -171,22 +235,55 @@ static void search_line(const search *s, const double *c, int degree)
         search_part(s, c, degree, size, true);
 }
 
+/* Of what is bounded only the stretch within the box counts. The root that a ray starts on is at 0: it is divided out. */
+static void search_stretch(search *s, const common_polynomial *p, double lo, double hi)
+{
+    double c[MOST], b[MOST], root[MOST], sum = 0.0;
+    const int degree = p->order - s->from_here;
+    const double length = hi - lo;
+    uint32_t found;
+
+    s->base = lo;
+    along(p, common_along(s->k, lo), pov_scale(s->k->d, length), c);
+    for (int i = 0; i <= degree; i++)
+        sum += fabs(c[i + s->from_here]);
+    common_bernstein(c + s->from_here, degree, b);
+    found = common_bernstein_roots(b, degree, (degree + 4) * 0x1p-51 * sum, root);
+    for (uint32_t i = 0; i < found; i++)
+        if (!report(s, root[i] * length))
+            return;
+}
+
+static void search_box(search *s, const common_polynomial *p, const pov_hits *hits)
+{
+    common_span span;
+
+    if (!common_clip(s->k, p->box.lo, p->box.hi, &span) || span.hi < 0.0 || span.lo * s->k->unit > hits->tmax)
+        return;
+    if (!s->from_here)
+        search_stretch(s, p, span.lo, span.hi);
+    else
+        search_stretch(s, p, 0.0, span.hi);
+}
+
 void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const common_polynomial *p = self;
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
     search s = { &k, 0.0, 0.0, ray->origin_surface == hits->owner, hits };
-    series c;
+    double c[MOST];
 
+    if (p->bounded) {
+        search_box(&s, p, hits);
+        return;
+    }
     if (!s.from_here)
         s.base = -pov_dot(pov_two3_hi(k.f), k.d) / pov_dot(k.d, k.d);
     s.start = -s.base;
-    along(self, common_along(&k, s.base), k.d, &c);
+    along(p, common_along(&k, s.base), k.d, c);
     /* The root that a ray starts on is at 0: it is divided out. */
-    if (s.from_here)
-        search_line(&s, c.c + 1, c.degree - 1);
-    else
-        search_line(&s, c.c, c.degree);
+    search_line(&s, c + s.from_here, p->order - s.from_here);
 }
 
 /* ---- points ---- */

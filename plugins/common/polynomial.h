@@ -6,8 +6,21 @@
 
 enum { COMMON_ORDER_MAX = 35 };
 
+/* The terms with x^i y^j that are not zero: from first[row] on to first[row + 1]. */
+typedef struct common_term { double c; int k; } common_term;
+
 /* Coefficients by falling power of x, then of y, then of z. */
-typedef struct common_polynomial { int order; uint32_t count; double *at; } common_polynomial;
+typedef struct common_polynomial {
+    int order;
+    uint32_t count;
+    double *at;
+    common_term *term;
+    uint32_t *first;             /* by row, in the order of the coefficients */
+    int *highest;                /* by i, the largest j that is there; -1: none */
+    int highest_x, highest_z;
+    bool bounded;                /* all of the surface, and of what is inside, is in the box */
+    pov_box box;
+} common_polynomial;
 
 /* Memory for all coefficients, zero. False after an error. */
 bool common_polynomial_make(common_polynomial *p, const pov_host *host, pov_reader *in, int order);
@@ -15,6 +28,11 @@ bool common_polynomial_make(common_polynomial *p, const pov_host *host, pov_read
 uint32_t common_polynomial_place(int order, int i, int j, int k);
 /* All coefficients between < and >, and `sturm`. */
 void common_polynomial_read(common_polynomial *p, const pov_host *host, pov_reader *in, int order);
+
+/* To be called when all coefficients are there. */
+void common_polynomial_close(common_polynomial *p, const pov_host *host, pov_reader *in);
+/* Looks for a box around it. False: none was found. */
+bool common_polynomial_find_box(const common_polynomial *p, pov_box *out);
 
 /* Functions of the class. */
 bool common_polynomial_bounds(const void *self, pov_box *out);

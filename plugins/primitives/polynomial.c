@@ -38,6 +38,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     while (host->accept(in, "xyz"))
         read_term(self, host, in);
     common_sturm_read(host, in);
+    common_polynomial_close(self, host, in);
 }
 
 COMMON_POLYNOMIAL_CLASS(polynomial, parse);
