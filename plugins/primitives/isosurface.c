@@ -153,23 +153,38 @@ static bool report(const line *n, double t, uint32_t feature)
     return pov_cross(hits, at.hi * n->unit, at.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && hits->count > 0);
 }
 
-/* The root between two points on different sides: false position, halving where it stands still. */
+/* Where an inverse parabola through three samples is zero, from a to b; the middle where it would not be between them. */
+static double guess_between(sample a, sample b, sample c)
+{
+    const double along = (a.t - b.t) / (c.t - b.t), up = (a.value - b.value) / (c.value - b.value);
+
+    if (!(up * up < along && (1.0 - up) * (1.0 - up) < 1.0 - along))
+        return 0.5;
+    return a.value / (b.value - a.value) * (c.value / (b.value - c.value)) +
+           (c.t - a.t) / (b.t - a.t) * (a.value / (c.value - a.value)) * (b.value / (c.value - b.value));
+}
+
+/* The root between two points on different sides: Chandrupatla's method. */
 static double refine(const line *n, sample a, sample b)
 {
-    for (int turn = 0; turn < 200; turn++) {
-        const double middle = 0.5 * (a.t + b.t), guess = a.t - a.value * (b.t - a.t) / (b.value - a.value);
-        const sample c = sample_at(n, turn % 3 < 2 && guess > a.t && guess < b.t ? guess : middle);
+    double at = a.value / (a.value - b.value);
 
-        if (!(c.t > a.t && c.t < b.t) || c.value == 0.0)
-            return c.t;
-        if (!((c.value < 0.0) != (a.value < 0.0)))
-            a = c;
-        else
-            b = c;
-        if (b.t - a.t <= 0x1p-50 * (fabs(a.t) + n->s->size / n->speed))
-            break;
+    for (int turn = 0; turn < 200; turn++) {
+        const double fine = 0x1p-51 * (fabs(a.t) + n->s->size / n->speed), least = fine / fabs(b.t - a.t);
+        const double held = at > least ? at < 1.0 - least ? at : 1.0 - least : least;
+        const sample next = sample_at(n, a.t + held * (b.t - a.t));
+        sample c = a;
+
+        if (!(least < 0.5) || next.value == 0.0)
+            return next.t;
+        if ((next.value < 0.0) != (a.value < 0.0)) {
+            c = b;
+            b = a;
+        }
+        a = next;
+        at = guess_between(a, b, c);
     }
-    return 0.5 * (a.t + b.t);
+    return a.t;
 }
 
 /* The stretch between two samples. False: nothing more is wanted. */
