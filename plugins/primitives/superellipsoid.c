@@ -12,7 +12,7 @@ typedef struct superellipsoid {
 } superellipsoid;
 
 /* Exponents below this make edges that no double tells from those of a box. */
-static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, FINE = 0x1p-50;
+static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, FINE = 0x1p-50, APPROX = 0x1p-16;
 
 static double exponent(const pov_host *host, pov_reader *in, double written)
 {
@@ -42,31 +42,47 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- the size of a point ---- */
 
-/* (a^(2/e) + b^(2/e))^(e/2), and the share of a in the sum. */
-static double norm_of(double a, double b, double e, double *share)
+/* A power within 2^-22 of it, for x from 0 to 2 and y that makes no number below 2^-1000 of it. */
+COMMON_INLINE double approx_power(double x, double y)
 {
-    const double most = fmax(a, b), ratio = most > 0.0 ? fmin(a, b) / most : 0.0;
-    const double rest = ratio > 0.0 ? common_power(ratio, 2.0 / e) : 0.0;
+    const uint64_t sqrt_half = 0x3fe6a09e667f3bcd, two = 0x4000000000000000;
+    const uint64_t above = (elementary_bits(x) + (two - sqrt_half)) >> 52;   /* the exponent + 1024 */
+    const double k = elementary_of_bits(above | 0x4330000000000000) - (0x1p52 + 1024.0);
+    const double m = elementary_of_bits(elementary_bits(x) - ((above - 1024) << 52)), s = (m - 1.0) / (m + 1.0), z = s * s;
+    const double log2 = k + s * (2.885390081777927 + z * (0.9617966939259757 + z * (0.5770780163555854 + z * 0.41219858311113244)));
+    const double all = y * log2, held = all > -1000.0 ? all : -1000.0, n = elementary_round(held), r = held - n;
+
+    return (1.0 + r * (0.6931471805599453 + r * (0.24022650695910072 + r * (0.05550410866482158 + r * (0.009618129107628477 +
+            r * (0.0013333558146428443 + r * 0.00015403530393381608)))))) * elementary_power_of_two(n);
+}
+
+COMMON_INLINE double power_of(double x, double y, bool approx) { return approx ? approx_power(x, y) : common_power(x, y); }
+
+/* (a^(2/e) + b^(2/e))^(e/2), and the share of a in the sum. */
+COMMON_INLINE double norm_of(double a, double b, double e, bool approx, double *share)
+{
+    const double most = a > b ? a : b, least = a > b ? b : a, ratio = most > 0.0 ? least / most : 0.0;
+    const double rest = ratio > 0x1p-1000 ? power_of(ratio, 2.0 / e, approx) : 0.0;
 
     *share = (a >= b ? 1.0 : rest) / (1.0 + rest);
-    return rest > 0.0 ? most * common_power(1.0 + rest, 0.5 * e) : most;
+    return rest > 0.0 ? most * power_of(1.0 + rest, 0.5 * e, approx) : most;
 }
 
 static double size_at(const superellipsoid *s, pov_vec3 p)
 {
     double share;
 
-    return norm_of(norm_of(fabs(p.x), fabs(p.y), s->e, &share), fabs(p.z), s->n, &share);
+    return norm_of(norm_of(fabs(p.x), fabs(p.y), s->e, false, &share), fabs(p.z), s->n, false, &share);
 }
 
 /* How a norm grows with one of its numbers: the share of it, over its part of the whole. */
 static double growth(double share, double whole, double x) { return x != 0.0 ? share * whole / x : 0.0; }
 
-static double size_and_slope(const superellipsoid *s, pov_vec3 p, pov_vec3 *slope)
+COMMON_INLINE double size_and_slope(const superellipsoid *s, pov_vec3 p, bool approx, pov_vec3 *slope)
 {
     double of_x, of_ring;
-    const double ring = norm_of(fabs(p.x), fabs(p.y), s->e, &of_x);
-    const double size = norm_of(ring, fabs(p.z), s->n, &of_ring), by_ring = growth(of_ring, size, ring);
+    const double ring = norm_of(fabs(p.x), fabs(p.y), s->e, approx, &of_x);
+    const double size = norm_of(ring, fabs(p.z), s->n, approx, &of_ring), by_ring = growth(of_ring, size, ring);
 
     slope->x = by_ring * growth(of_x, ring, p.x);
     slope->y = by_ring * growth(1.0 - of_x, ring, p.y);
@@ -88,32 +104,58 @@ typedef struct line {
     common_span span;            /* from the base */
 } line;
 
-static double size_along(const line *n, double t, double *slope)
+COMMON_INLINE double value_along(const line *n, double t, bool approx, double *slope)
 {
     pov_vec3 by;
-    const double size = size_and_slope(n->s, pov_add(n->o, pov_scale(n->d, t)), &by);
+    const double size = size_and_slope(n->s, pov_add(n->o, pov_scale(n->d, t)), approx, &by);
 
     *slope = pov_dot(by, n->d);
     return size - 1.0;
 }
 
-/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. False: no crossing. */
-static bool approach(const line *n, double start, double sign, double *root)
-{
-    double t = start, slope, value = size_along(n, t, &slope);
+static double size_along(const line *n, double t, double *slope) { return value_along(n, t, false, slope); }
+static double approx_along(const line *n, double t, double *slope) { return value_along(n, t, true, slope); }
 
-    for (int turn = 0; turn < 100 && value > FINE; turn++) {
+/* Approximate values come near the root: a start for exact ones. False: there is none, beyond what those may be off. */
+static bool come_near(const line *n, double sign, double *start)
+{
+    double t = *start, slope, value = approx_along(n, t, &slope);
+
+    for (int turn = 0; turn < 100 && value > APPROX; turn++) {
         double next;
 
         if (!(slope * sign < 0.0))
-            return false;
+            return value < 4.0 * APPROX;
         next = t - value / slope;
+        if (!(next >= n->span.lo && next <= n->span.hi))
+            return value < 4.0 * APPROX;
+        t = next;
+        value = approx_along(n, t, &slope);
+    }
+    *start = t;
+    return true;
+}
+
+/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. False: no crossing. */
+static bool approach(const line *n, double start, double sign, double *root, double *slope)
+{
+    double t = start, value;
+
+    if (!come_near(n, sign, &t))
+        return false;
+    value = size_along(n, t, slope);
+    for (int turn = 0; turn < 100 && fabs(value) > FINE; turn++) {
+        double next;
+
+        if (!(*slope * sign < 0.0))
+            return false;
+        next = t - value / *slope;
         if (!(next >= n->span.lo && next <= n->span.hi))
             return false;
         if (next == t)
             break;
         t = next;
-        value = size_along(n, t, &slope);
+        value = size_along(n, t, slope);
     }
     *root = t;
     return true;
@@ -137,16 +179,26 @@ static bool goes_in(const line *n, const pov_ray *ray)
     return slope < 0.0;
 }
 
+/* A ray that clearly goes in, where it counts, need not come out. */
+static bool is_enough(const line *n, const common_ray *k, double in, double slope, const pov_hits *hits)
+{
+    return hits->want != POV_WANT_ALL && slope < -0x1p-10 && (n->base + in) * k->unit > hits->tmin;
+}
+
 static void cross_convex(const line *n, const common_ray *k, const pov_ray *ray, bool from_here, pov_hits *hits)
 {
-    double in, out;
+    double in, out, slope, slope_out;
 
     if (from_here) {
-        if (goes_in(n, ray) && approach(n, n->span.hi, -1.0, &out) && out > 0.0)
+        if (goes_in(n, ray) && approach(n, n->span.hi, -1.0, &out, &slope) && out > 0.0)
             report(n, k, out, hits);
         return;
     }
-    if (approach(n, n->span.lo, 1.0, &in) && approach(n, n->span.hi, -1.0, &out) && in < out && report(n, k, in, hits))
+    if (!approach(n, n->span.lo, 1.0, &in, &slope))
+        return;
+    if (is_enough(n, k, in, slope, hits))
+        report(n, k, in, hits);
+    else if (approach(n, n->span.hi, -1.0, &out, &slope_out) && in < out && report(n, k, in, hits))
         report(n, k, out, hits);
 }
 
@@ -218,7 +270,7 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
 
-    size_and_slope(self, pov_two3_hi(common_point(&k, at)), out);
+    size_and_slope(self, pov_two3_hi(common_point(&k, at)), false, out);
     *out = pov_unit(*out);
     if (!(pov_largest(*out) > 0.0))
         *out = pov_scale(pov_unit(ray->dir), -1.0);
