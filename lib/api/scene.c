@@ -265,7 +265,7 @@ static double length(pov_vec3 v)
 
 bool pov_camera_ray(const pov_camera *camera, double u, double v, pov_vec3 *org, pov_vec3 *dir)
 {
-    const raygen_screen through = { { u }, { v } };
+    const raygen_screen through = { .u = { u }, .v = { v } };
     pov_camera ours;
     pov_ray ray;
 

@@ -4,8 +4,7 @@
 
 #include "render/raygen.h"
 
-/* Let rays start from points of the lens, a disc across the view, each where the bits of its place on the screen say, so
- * that samples of a pixel differ. Points in the plane of focus are met as before. */
+/* Let rays start from points of the lens, a disc across the view. Points in the plane of focus are met as before. */
 void lens_spread(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays);
 
 #endif

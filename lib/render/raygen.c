@@ -7,7 +7,7 @@
 
 pov_ray raygen_ray(const pov_camera *camera, int width, int height, int x, int y, double dx, double dy)
 {
-    const raygen_screen through = { { raygen_u(x, dx, width) }, { raygen_v(y, dy, height) } };
+    const raygen_screen through = { .u = { raygen_u(x, dx, width) }, .v = { raygen_v(y, dy, height) } };
     pov_ray ray;
 
     raygen_begin(camera, &ray, 1);
@@ -39,7 +39,7 @@ void raygen_place(const raygen_places *p, int width, int height, uint32_t n, ray
 
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
 {
-    if (!(camera->lens_radius > 0.0))
+    if (!raygen_has_lens(camera))
         return camera_class_of(camera)->aim(camera, through, n, rays);
     for (uint32_t i = 0; i < n; i++)
         rays[i].org = camera->location;   /* the last ones started on the lens */

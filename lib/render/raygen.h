@@ -17,8 +17,10 @@ typedef struct raygen_places {
 } raygen_places;
 
 /* The same positions on the screen, in widths to the right of its centre and heights above it. Pixels of a column share
- * u, those of a row v. */
-typedef struct raygen_screen { double u[RAYGEN_MANY], v[RAYGEN_MANY]; } raygen_screen;
+ * u, those of a row v. Where the camera has a lens: points of the unit square that say where on it rays start; the left edge
+ * is its centre. */
+typedef struct raygen_screen { double u[RAYGEN_MANY], v[RAYGEN_MANY], lens[2][RAYGEN_MANY]; } raygen_screen;
+static inline bool raygen_has_lens(const pov_camera *c) { return c->lens_radius > 0.0; }
 
 /* From -1/2 to 1/2, symmetric bit for bit about the middle. */
 static inline double raygen_u(int x, double dx, int width) { return (((double)x - 0.5 * width) + dx) / width; }

@@ -31,6 +31,7 @@ void refinement_free(refinement *r, const env *e)
 typedef struct packet {
     uint32_t count;
     raygen_places through;
+    double lens[2][BATCH_MAX];   /* if the camera has one: see raygen_screen */
     double *sums[BATCH_MAX];     /* the half of the pixel that the ray's colour is added to */
     double *alpha[BATCH_MAX];    /* the pixel's sum of alpha, if there is alpha */
     sample_id samples[BATCH_MAX];
@@ -48,6 +49,8 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     if (c->count == 0)
         return;
     raygen_place(&c->through, s->width, s->height, c->count, &through);
+    if (raygen_has_lens(&w->claim.camera))
+        memcpy(through.lens, c->lens, sizeof through.lens);
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     meter_cells(w->meter, c->cells, c->count);
@@ -60,6 +63,12 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     for (uint32_t i = 0; s->alpha && i < c->count; i++)
         *c->alpha[i] += (double)alpha[i];
     c->count = 0;
+}
+
+static void place_on_lens(packet *c, uint32_t n, sample at)
+{
+    c->lens[0][n] = at.x;
+    c->lens[1][n] = at.y;
 }
 
 /* The k-th sample of a pixel of a cell of the claimed tile. */
@@ -76,6 +85,8 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
     p->y[n] = py;
     p->dx[n] = at.x;
     p->dy[n] = at.y;
+    if (raygen_has_lens(&w->claim.camera))
+        place_on_lens(c, n, sample_on_lens(s->seed, px, py, (int)(k & 1u), k / 2));
     if (w->job->scene->plan->random)
         c->samples[n] = sample_id_of(s->seed, px, py, k);
     c->alpha[n] = pixel + 6;

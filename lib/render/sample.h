@@ -17,6 +17,10 @@ enum { SAMPLES_MAX = 1 << 16 };
  * estimates the error of their mean. */
 sample sample_at(uint32_t seed, int x, int y, int half, uint32_t index);
 
+/* The same for the sample's place on the lens, within the unit square: a sequence of its own, in another order, so that the
+ * pairs know nothing of each other. */
+sample sample_on_lens(uint32_t seed, int x, int y, int half, uint32_t index);
+
 /* Samples alternate between the halves: the counts of the first and of the second half for `count` samples. */
 static inline uint32_t sample_half(uint32_t count, int half)
 {

@@ -60,17 +60,21 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
         m->v[y] = raygen_v(s->crop.y + tile.y + y, 0.5, s->height);
 }
 
-/* Each is the first one of its pixel. */
+/* Samples are the first ones of their pixels: their numbers, and their places on the lens. */
 static void number_samples(const worker *w, const settings *s, packet *c)
 {
     const pov_rect tile = w->claim.rect;
+    const bool random = w->job->scene->plan->random, lens = raygen_has_lens(&w->claim.camera);
 
-    if (!w->job->scene->plan->random)
-        return;
-    for (uint32_t i = 0; i < c->count; i++) {
+    for (uint32_t i = 0; (random || lens) && i < c->count; i++) {
         const int at = (int)(c->out[i] - w->pixels) / 4;
+        const int x = s->crop.x + tile.x + at % tile.width, y = s->crop.y + tile.y + at / tile.width;
+        const sample on_lens = sample_on_lens(s->seed, x, y, 0, 0);
 
-        c->samples[i] = sample_id_of(s->seed, s->crop.x + tile.x + at % tile.width, s->crop.y + tile.y + at / tile.width, 0);
+        if (random)
+            c->samples[i] = sample_id_of(s->seed, x, y, 0);
+        c->through.lens[0][i] = on_lens.x;
+        c->through.lens[1][i] = on_lens.y;
     }
 }
 
@@ -78,9 +82,10 @@ static void trace_packet(worker *w, const settings *s, packet *c)
 {
     colour seen[BATCH_MAX];
     float alpha[BATCH_MAX];
-    const unsigned known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
+    unsigned known;
 
     number_samples(w, s, c);
+    known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     for (uint32_t i = 0; i < c->count; i++) {
         const float at[4] = { seen[i].r, seen[i].g, seen[i].b, s->alpha ? alpha[i] : 1.0f };

@@ -120,15 +120,13 @@ static void many_rays_are_single_ones_bit_for_bit(void **state)
 
 /* One in each of 32 rows and columns, and in each cell of 4 x 8 and of 8 x 4, for both halves of any pixel: random
  * places would not do that. */
-static void samples_of_a_half_spread_evenly(void **state)
+static void assert_spread(sample (*place)(uint32_t seed, int x, int y, int half, uint32_t index))
 {
-    (void)state;
-
     for (int pixel = 0; pixel < 20; pixel++) {
         int columns[32] = { 0 }, rows[32] = { 0 }, high[4][8] = { { 0 } }, wide[8][4] = { { 0 } };
 
         for (uint32_t i = 0; i < 32; i++) {
-            sample s = sample_at(3, 7 * pixel, 1000 - pixel, pixel % 2, i);
+            sample s = place(3, 7 * pixel, 1000 - pixel, pixel % 2, i);
 
             assert_true(s.x > 0.0 && s.x < 1.0 && s.y > 0.0 && s.y < 1.0);
             columns[(int)(32.0 * s.x)]++;
@@ -139,6 +137,31 @@ static void samples_of_a_half_spread_evenly(void **state)
         for (int i = 0; i < 32; i++)
             assert_true(columns[i] == 1 && rows[i] == 1 && high[i / 8][i % 8] == 1 && wide[i / 4][i % 4] == 1);
     }
+}
+
+static void samples_of_a_half_spread_evenly(void **state)
+{
+    (void)state;
+    assert_spread(sample_at);
+    assert_spread(sample_on_lens);
+}
+
+static void places_on_the_lens_know_nothing_of_those_in_the_pixel(void **state)
+{
+    enum { PIXELS = 400, N = 16 * PIXELS };
+    double both[4] = { 0.0 };
+    (void)state;
+
+    for (int k = 0; k < N; k++) {
+        const sample a = sample_at(0, k / 16, 7, 0, (uint32_t)k % 16), b = sample_on_lens(0, k / 16, 7, 0, (uint32_t)k % 16);
+
+        both[0] += 12.0 * (a.x - 0.5) * (b.x - 0.5) / N;
+        both[1] += 12.0 * (a.x - 0.5) * (b.y - 0.5) / N;
+        both[2] += 12.0 * (a.y - 0.5) * (b.x - 0.5) / N;
+        both[3] += 12.0 * (a.y - 0.5) * (b.y - 0.5) / N;
+    }
+    for (int i = 0; i < 4; i++)
+        assert_true(fabs(both[i]) < 0.05);
 }
 
 /* The first places of many pixels and halves are as even as chance makes them, and know nothing of each other. */
@@ -394,6 +417,7 @@ int main(void)
         cmocka_unit_test(orthographic_rays_are_parallel),
         cmocka_unit_test(many_rays_are_single_ones_bit_for_bit),
         cmocka_unit_test(samples_of_a_half_spread_evenly),
+        cmocka_unit_test(places_on_the_lens_know_nothing_of_those_in_the_pixel),
         cmocka_unit_test(every_pixel_and_half_has_places_of_its_own),
         cmocka_unit_test(tiles_cover_every_pixel_once),
         cmocka_unit_test(tiles_come_from_the_middle_outwards),

@@ -95,7 +95,7 @@ typedef struct pov_camera {
 } pov_camera;
 
 POV_API void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
-/* The ray through a position on the screen. False: there is none. */
+/* The ray through a position on the screen, and through the middle of the lens. False: there is none. */
 POV_API bool pov_camera_ray(const pov_camera *camera, double u, double v, pov_vec3 *org, pov_vec3 *dir);
 /* Aim the camera from location at target, keeping its angles; sky points up in the picture. */
 POV_API pov_status pov_camera_look_at(pov_camera *camera, pov_vec3 location, pov_vec3 target, pov_vec3 sky,
