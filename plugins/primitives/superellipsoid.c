@@ -12,7 +12,7 @@ typedef struct superellipsoid {
 } superellipsoid;
 
 /* Exponents below this make edges that no double tells from those of a box. */
-static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, FINE = 0x1p-50, APPROX = 0x1p-16;
+static const double SHARPEST = 0x1p-10, NEAR = 0x1p-30, FINE = 0x1p-50, APPROX = 0x1p-14, LAST = 0x1p-27;
 
 static double exponent(const pov_host *host, pov_reader *in, double written)
 {
@@ -136,7 +136,8 @@ static bool come_near(const line *n, double sign, double *start)
     return true;
 }
 
-/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. False: no crossing. */
+/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. A step from a value
+ * below LAST leaves an error of its square. False: no crossing. */
 static bool approach(const line *n, double start, double sign, double *root, double *slope)
 {
     double t = start, value;
@@ -152,8 +153,10 @@ static bool approach(const line *n, double start, double sign, double *root, dou
         next = t - value / *slope;
         if (!(next >= n->span.lo && next <= n->span.hi))
             return false;
-        if (next == t)
+        if (next == t || fabs(value) < LAST) {
+            t = next;
             break;
+        }
         t = next;
         value = size_along(n, t, slope);
     }
@@ -185,6 +188,20 @@ static bool is_enough(const line *n, const common_ray *k, double in, double slop
     return hits->want != POV_WANT_ALL && slope < -0x1p-10 && (n->base + in) * k->unit > hits->tmin;
 }
 
+/* Any crossing counts: is there one for certain? Then *at is near it. */
+static bool is_certain(const line *n, const common_ray *k, const pov_hits *hits, double *at)
+{
+    double t = n->span.lo, slope, value, behind;
+
+    if (hits->want != POV_WANT_ANY || !come_near(n, 1.0, &t))
+        return false;
+    value = approx_along(n, t, &slope);
+    behind = t - (fabs(value) + 4.0 * APPROX) / slope;
+    *at = t;
+    return slope < 0.0 && (n->base + t) * k->unit > hits->tmin && (n->base + behind) * k->unit < hits->tmax &&
+           approx_along(n, behind, &slope) < -APPROX;
+}
+
 static void cross_convex(const line *n, const common_ray *k, const pov_ray *ray, bool from_here, pov_hits *hits)
 {
     double in, out, slope, slope_out;
@@ -192,6 +209,10 @@ static void cross_convex(const line *n, const common_ray *k, const pov_ray *ray,
     if (from_here) {
         if (goes_in(n, ray) && approach(n, n->span.hi, -1.0, &out, &slope) && out > 0.0)
             report(n, k, out, hits);
+        return;
+    }
+    if (is_certain(n, k, hits, &in)) {
+        report(n, k, in, hits);
         return;
     }
     if (!approach(n, n->span.lo, 1.0, &in, &slope))
