@@ -146,7 +146,7 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- polynomials ---- */
 
-static void multiply(const double *a, int m, const double *b, int n, double *out)
+COMMON_INLINE void multiply(const double *a, int m, const double *b, int n, double *out)
 {
     for (int k = 0; k <= m + n; k++)
         out[k] = 0.0;
@@ -155,7 +155,7 @@ static void multiply(const double *a, int m, const double *b, int n, double *out
             out[i + k] += a[i] * b[k];
 }
 
-static double value_of(const double *a, int n, double u)
+COMMON_INLINE double value_of(const double *a, int n, double u)
 {
     double sum = a[n];
 
@@ -164,7 +164,7 @@ static double value_of(const double *a, int n, double u)
     return sum;
 }
 
-static uint32_t roots_of(const double *a, int n, double *root)
+COMMON_INLINE uint32_t roots_of(const double *a, int n, double *root)
 {
     double b[SLOPE + 1];
 
@@ -184,7 +184,7 @@ typedef struct interval { double lo, hi, u_lo, u_hi; uint32_t piece_lo, piece_hi
 typedef struct line { pov_vec3 o, d; double base, unit; const common_ray *k; } line;
 
 /* Where it passes the centre, and the square of half its way within the sphere. */
-static void find_field(const line *n, const piece *p, int degree, double *pass, double *field)
+COMMON_INLINE void find_field(const line *n, const piece *p, int degree, double *pass, double *field)
 {
     double w[3][DEGREE + 1], square[FIELD + 1];
     const double o[3] = { n->o.x, n->o.y, n->o.z }, d[3] = { n->d.x, n->d.y, n->d.z };
@@ -207,7 +207,7 @@ static void find_field(const line *n, const piece *p, int degree, double *pass, 
 }
 
 /* Where entry or exit may be extreme: 4 D pass'^2 = D'^2. */
-static uint32_t find_extremes(const double *pass, const double *field, int degree, double *root)
+COMMON_INLINE uint32_t find_extremes(const double *pass, const double *field, int degree, double *root)
 {
     double slope[FIELD], pass_slope[DEGREE], square[FIELD], left[SLOPE + 1], right[SLOPE + 1];
     const int n = 2 * degree;
@@ -224,9 +224,11 @@ static uint32_t find_extremes(const double *pass, const double *field, int degre
     return roots_of(left, 2 * n - 2, root);
 }
 
-static void widen(interval *v, const double *pass, const double *field, int degree, double u)
+static inline double root_of(double square) { return square > 0.0 ? sqrt(square) : 0.0; }
+
+COMMON_INLINE void widen(interval *v, const double *pass, const double *field, int degree, double u)
 {
-    const double middle = value_of(pass, degree, u), half = sqrt(fmax(value_of(field, 2 * degree, u), 0.0));
+    const double middle = value_of(pass, degree, u), half = root_of(value_of(field, 2 * degree, u));
 
     if (middle - half < v->lo) {
         v->lo = middle - half;
@@ -238,32 +240,38 @@ static void widen(interval *v, const double *pass, const double *field, int degr
     }
 }
 
-static uint32_t find_intervals(const line *n, const sweep *s, uint32_t number, interval *out)
+COMMON_INLINE uint32_t intervals_of(const line *n, const sweep *s, int degree, uint32_t number, interval *out)
 {
     const piece *p = &s->at[number];
     double pass[DEGREE + 1], field[FIELD + 1], end[FIELD + 2], extreme[SLOPE];
     uint32_t ends = 0, extremes, count = 0;
 
-    find_field(n, p, s->degree, pass, field);
+    find_field(n, p, degree, pass, field);
     end[0] = 0.0;
-    ends = 1 + roots_of(field, 2 * s->degree, end + 1);
+    ends = 1 + roots_of(field, 2 * degree, end + 1);
     end[ends] = 1.0;
-    if (ends == 1 && !(value_of(field, 2 * s->degree, 0.5) >= 0.0))
+    if (ends == 1 && !(value_of(field, 2 * degree, 0.5) >= 0.0))
         return 0;
-    extremes = find_extremes(pass, field, s->degree, extreme);
+    extremes = find_extremes(pass, field, degree, extreme);
     for (uint32_t i = 0; i < ends; i++) {
         interval v = { HUGE_VAL, -HUGE_VAL, 0.0, 0.0, number, number };
 
-        if (!(value_of(field, 2 * s->degree, 0.5 * (end[i] + end[i + 1])) >= 0.0))
+        if (!(value_of(field, 2 * degree, 0.5 * (end[i] + end[i + 1])) >= 0.0))
             continue;
-        widen(&v, pass, field, s->degree, end[i]);
-        widen(&v, pass, field, s->degree, end[i + 1]);
+        widen(&v, pass, field, degree, end[i]);
+        widen(&v, pass, field, degree, end[i + 1]);
         for (uint32_t j = 0; j < extremes; j++)
             if (extreme[j] > end[i] && extreme[j] < end[i + 1])
-                widen(&v, pass, field, s->degree, extreme[j]);
+                widen(&v, pass, field, degree, extreme[j]);
         out[count++] = v;
     }
     return count;
+}
+
+/* The loops of each degree are unrolled. */
+static uint32_t find_intervals(const line *n, const sweep *s, uint32_t number, interval *out)
+{
+    return s->degree == 1 ? intervals_of(n, s, 1, number, out) : intervals_of(n, s, DEGREE, number, out);
 }
 
 static size_t scratch(const void *self) { return ((const sweep *)self)->count * STRETCHES * sizeof(interval); }
