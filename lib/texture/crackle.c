@@ -6,8 +6,8 @@
 
 /* A random point in each cube of side 1; the value is a sum over the distances to the three nearest ones.
  *
- * The points of the 27 cubes around a cube are made once for neighbouring lanes. Only where a distance that counts is
- * larger than that to the next layer of cubes are these searched too. */
+ * The points of the 27 cubes around a cube are made once for all lanes in it. Only where a distance that counts is larger
+ * than that to the next layer of cubes are these searched too. */
 typedef struct crackle {
     pov_vec3 form;
     double metric, offset;
@@ -15,13 +15,8 @@ typedef struct crackle {
 } crackle;
 
 /* Points relative to the lowest corner of the cube in the middle. */
-enum { CUBES = 27, CUBES_WHOLE = 28, NEAREST = 3 };
-typedef struct neighbourhood {
-    SIMD_ALIGNED double x[CUBES_WHOLE], y[CUBES_WHOLE], z[CUBES_WHOLE];
-    pov_vec3 corner;
-} neighbourhood;
-
-static const double far_off = 1e100;
+enum { CUBES = 27, NEAREST = 3 };
+typedef struct neighbourhood { double x[CUBES], y[CUBES], z[CUBES]; } neighbourhood;
 
 /* Numbers of the three cubes along an axis. */
 SIMD_INLINE void find_cubes(double middle, uint32_t out[3])
@@ -41,8 +36,6 @@ SIMD_INLINE void fill(const noise_tables *t, pov_vec3 corner, neighbourhood *out
     find_cubes(corner.x, x);
     find_cubes(corner.y, y);
     find_cubes(corner.z, z);
-    out->corner = corner;
-    out->x[CUBES] = out->y[CUBES] = out->z[CUBES] = far_off;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             const uint32_t row = t->hash[t->hash[x[i]] ^ y[j]];
@@ -78,24 +71,8 @@ SIMD_INLINE double distance(const crackle *c, double metric, double measured)
     return elementary_pow(measured + elementary_pow(c->offset, metric), 1.0 / metric);
 }
 
-/* The smallest three of columns: each of four holds its own, ordered. */
-typedef struct columns { double least[NEAREST][4]; } columns;
-
 SIMD_INLINE double smaller(double a, double b) { return a < b ? a : b; }
 SIMD_INLINE double larger(double a, double b) { return a > b ? a : b; }
-
-/* The last one is left out where it does not count. */
-SIMD_INLINE void put_four(columns *c, int last, const double *measured)
-{
-    for (int l = 0; l < 4; l++) {
-        const double a = measured[l], b = larger(c->least[0][l], a), d = larger(c->least[1][l], b);
-
-        c->least[0][l] = smaller(c->least[0][l], a);
-        c->least[1][l] = smaller(c->least[1][l], b);
-        if (last > 1)
-            c->least[2][l] = smaller(c->least[2][l], d);
-    }
-}
 
 SIMD_INLINE void put_one(double least[NEAREST], double a)
 {
@@ -106,21 +83,39 @@ SIMD_INLINE void put_one(double least[NEAREST], double a)
     least[2] = smaller(least[2], d);
 }
 
-SIMD_INLINE void find_least(double metric, int last, const neighbourhood *near, pov_vec3 p, double *least)
-{
-    SIMD_ALIGNED double measured[CUBES_WHOLE];
-    columns c;
+/* Lanes in one cube: which they are, their places in it, and the smallest distances, in order. */
+typedef struct members {
+    vec_lanes at;
+    SIMD_ALIGNED double least[NEAREST][LANES_MAX];
+    uint8_t lane[LANES_MAX];
+    uint32_t n;
+} members;
 
-    for (int i = 0; i < CUBES_WHOLE; i++)
-        measured[i] = measure(metric, near->x[i] - p.x, near->y[i] - p.y, near->z[i] - p.z);
-    for (int l = 0; l < 4; l++)
-        c.least[0][l] = c.least[1][l] = c.least[2][l] = HUGE_VAL;
-    for (int i = 0; i < CUBES_WHOLE; i += 4)
-        put_four(&c, last, measured + i);
-    least[0] = least[1] = least[2] = HUGE_VAL;
-    for (int k = 0; k <= last; k++)
-        for (int l = 0; l < 4; l++)
-            put_one(least, c.least[k][l]);
+/* The third one is left out where it does not count. */
+SIMD_INLINE void put_point(double metric, int last, double x, double y, double z, uint32_t n, members *restrict m)
+{
+    double *restrict first = m->least[0], *restrict second = m->least[1], *restrict third = m->least[2];
+
+    for (uint32_t i = 0; i < n; i++) {
+        const double a = measure(metric, x - m->at.x[i], y - m->at.y[i], z - m->at.z[i]);
+        const double b = larger(first[i], a);
+
+        first[i] = smaller(first[i], a);
+        if (last > 1)
+            third[i] = smaller(third[i], larger(second[i], b));
+        second[i] = smaller(second[i], b);
+    }
+}
+
+SIMD_INLINE void find_least(double metric, int last, const neighbourhood *near, members *m)
+{
+    const uint32_t n = lanes_whole(m->n);
+
+    for (int k = 0; k < NEAREST; k++)
+        for (uint32_t i = 0; i < n; i++)
+            m->least[k][i] = HUGE_VAL;
+    for (int c = 0; c < CUBES; c++)
+        put_point(metric, last, near->x[c], near->y[c], near->z[c], n, m);
 }
 
 /* ---- the cubes behind the neighbours ---- */
@@ -162,8 +157,6 @@ SIMD_NOINLINE static void search_shell(const noise_tables *t, double metric, int
 
 static inline pov_vec3 corner_of(pov_vec3 p) { return pov_vec3_of(floor(p.x), floor(p.y), floor(p.z)); }
 
-static inline bool is_same(pov_vec3 a, pov_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
 SIMD_INLINE double value_of(const crackle *c, double metric, const double least[NEAREST])
 {
     double value = c->form.x * distance(c, metric, least[0]);
@@ -175,23 +168,63 @@ SIMD_INLINE double value_of(const crackle *c, double metric, const double least[
     return value < 0.0 ? 0.0 : value > 1.0 ? 1.0 : value;
 }
 
-/* last: of the three distances, the last that counts. */
-SIMD_INLINE void find_values(const pattern_input *in, double metric, int last, double *value)
+SIMD_INLINE void find_corners(const vec_lanes *restrict at, uint32_t n, vec_lanes *restrict corner)
 {
-    const crackle *c = in->of->self;
-    neighbourhood near;
+    for (uint32_t i = 0; i < n; i++)
+        lanes_put(corner, i, corner_of(lanes_at(at, i)));
+}
 
-    near.corner = pov_vec3_of(NAN, NAN, NAN);
-    for (uint32_t i = 0; i < in->n; i++) {
-        const pov_vec3 p = lanes_at(in->at, i), corner = corner_of(p), f = pov_sub(p, corner);
-        double least[NEAREST];
+/* Those of the lanes that are in this cube. The rest of a vector repeats the last one. */
+static uint64_t collect(const vec_lanes *at, const vec_lanes *corner, pov_vec3 of, uint64_t lanes, members *out)
+{
+    uint64_t found = 0;
+    uint32_t n = 0;
 
-        if (!is_same(corner, near.corner))
-            fill(in->noise, corner, &near);
-        find_least(metric, last, &near, f, least);
+    for (; lanes; lanes &= lanes - 1) {
+        const uint32_t i = first_of64(lanes);
+
+        if (corner->x[i] != of.x || corner->y[i] != of.y || corner->z[i] != of.z)
+            continue;
+        out->lane[n] = (uint8_t)i;
+        lanes_put(&out->at, n++, pov_sub(lanes_at(at, i), of));
+        found |= (uint64_t)1 << i;
+    }
+    out->n = n;
+    for (uint32_t i = n; i < lanes_whole(n); i++)
+        lanes_put(&out->at, i, lanes_at(&out->at, n - 1));
+    return found;
+}
+
+SIMD_INLINE void put_values(const pattern_input *in, double metric, int last, pov_vec3 corner, const members *m, double *value)
+{
+    for (uint32_t i = 0; i < m->n; i++) {
+        const pov_vec3 f = lanes_at(&m->at, i);
+        double least[NEAREST] = { m->least[0][i], m->least[1][i], m->least[2][i] };
+
         if (least[last] > reach_of(metric, f))
             search_shell(in->noise, metric, last, corner, f, least);
-        value[i] = value_of(c, metric, least);
+        value[m->lane[i]] = value_of(in->of->self, metric, least);
+    }
+}
+
+/* last: of the three distances, the last that counts. A lane that is not a number is in no cube. */
+SIMD_INLINE void find_values(const pattern_input *in, double metric, int last, double *value)
+{
+    vec_lanes corners;
+    neighbourhood near;
+    members m;
+
+    find_corners(in->at, lanes_whole(in->n), &corners);
+    for (uint64_t rest = ~(uint64_t)0 >> (64 - in->n); rest;) {
+        const uint32_t first = first_of64(rest);
+        const pov_vec3 corner = lanes_at(&corners, first);
+        const uint64_t found = collect(in->at, &corners, corner, rest, &m);
+
+        value[first] = 0.0;
+        fill(in->noise, corner, &near);
+        find_least(metric, last, &near, &m);
+        put_values(in, metric, last, corner, &m, value);
+        rest &= ~(found | (uint64_t)1 << first);
     }
 }
 

@@ -35,6 +35,45 @@ void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, ui
     lanes_put(&out->at_lo, lane, pov_two3_lo(p));
 }
 
+/* Does each coordinate come of its own one alone? Then the other products are zeros, and the sums without them the same. */
+static bool is_diagonal(const inverse_map *map)
+{
+    const linear_map *l = map->linear;
+    double beside = 0.0;
+
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            beside += i == k ? 0.0 : fabs(l->m[i][k]) + fabs(l->m_lo[i][k]);
+    return beside == 0.0;
+}
+
+SIMD_INLINE pov_two along_own(const inverse_map *map, int row, double p, double p_lo)
+{
+    const pov_two by = pov_two_of(map->linear->m[row][row], map->linear->m_lo[row][row]);
+
+    return pov_two_add(pov_two_mul(by, pov_two_of(p, p_lo)), pov_two_of(map->move[row], map->move_lo[row]));
+}
+
+SIMD_INLINE pov_two3 to_own_space(const inverse_map *map, const vec_lanes *at, const vec_lanes *at_lo, uint32_t i)
+{
+    pov_two3 out;
+
+    out.x = along_own(map, 0, at->x[i], at_lo->x[i]);
+    out.y = along_own(map, 1, at->y[i], at_lo->y[i]);
+    out.z = along_own(map, 2, at->z[i], at_lo->z[i]);
+    return out;
+}
+
+SIMD_CLONES static void scale_points(const inverse_map *restrict map, const vec_lanes *restrict at,
+                                     const vec_lanes *restrict at_lo, uint32_t n, vec_lanes *restrict out)
+{
+    uint32_t i = 0;
+
+    do
+        lanes_put(out, i, pov_two3_hi(to_own_space(map, at, at_lo, i)));
+    while (++i < n);
+}
+
 /* The points in the pattern's own space, rounded once. There is at least one: with a loop that tests first, compilers
  * without clones warn of uninitialised lanes. */
 SIMD_CLONES static void map_points(const inverse_map *restrict map, const vec_lanes *restrict at,
@@ -75,7 +114,7 @@ static void map_all(const inverse_map *map, const texture_points *in, bool uv, u
     if (map && lo) {
         map_points_exactly(map, from, from_lo, n, at, lo);
     } else if (map) {
-        map_points(map, from, from_lo, n, at);
+        (is_diagonal(map) ? scale_points : map_points)(map, from, from_lo, n, at);
     } else {
         *at = *from;
         if (lo)
