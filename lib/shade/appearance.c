@@ -46,29 +46,43 @@ static float phong_of(const plan *p, const finish *of)
 void appearance_set_filter(appearance *out, const model *m, colour by)
 {
     out->filter = coefficient_of(by);
-    out->dark = m->opaque_dark_filters && colour_luminance(by) < (float)m->adc_bailout;
+    out->dark = m->opaque_dark_filters && appearance_is_dark(m, by);
+}
+
+void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper)
+{
+    const bool colourless = upper && m->upper_layers_are_colourless;
+    const float all = at->filter + at->transmit;
+
+    out->opacity = colourless ? 1.0f - all : opacity_of(m, at);
+    out->emitted = colour_mul(colour_scale(colour_mul(f->ambient, at->color), out->opacity), m->ambient_light);
+    out->emitted = colour_add(out->emitted, colour_scale(colour_mul(f->emission, at->color), out->opacity));
+    out->filter = colourless ? colour_of(all, all, all) : material_filter_of(at->color, at->filter, at->transmit);
+}
+
+bool appearance_transmits(const plan *p, const pigment *at)
+{
+    return p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
 }
 
 /* Members that depend on the pigment. */
 static void paint(appearance *out, const plan *p, const model *m, const pigment *at, bool upper)
 {
     const finish *f = out->finish;
-    const bool colourless = upper && m->upper_layers_are_colourless;
-    const float all = at->filter + at->transmit, opacity = colourless ? 1.0f - all : opacity_of(m, at);
+    appearance_light own;
 
-    out->transmissive = p->transmission && (at->filter != 0.0f || at->transmit != 0.0f);
+    appearance_light_of(&own, m, f, at, upper);
+    out->transmissive = appearance_transmits(p, at);
     out->pigment = at->color;
-    out->opacity = opacity;
-    out->diffuse_weight = opacity * f->diffuse;
+    out->opacity = own.opacity;
+    out->diffuse_weight = own.opacity * f->diffuse;
     out->below_weight = 0.0f;
     if (p->subsurface && !colour_is_black(f->translucency)) {
         out->below_weight = out->diffuse_weight;
         out->diffuse_weight = 0.0f;
     }
-    out->emitted = colour_mul(colour_scale(colour_mul(f->ambient, at->color), opacity), m->ambient_light);
-    out->emitted = colour_add(out->emitted, colour_scale(colour_mul(f->emission, at->color), opacity));
-    appearance_set_filter(out, m, colourless ? colour_of(all, all, all)
-                                             : material_filter_of(at->color, at->filter, at->transmit));
+    out->emitted = own.emitted;
+    appearance_set_filter(out, m, own.filter);
 }
 
 static bool is_lit(const finish *f)

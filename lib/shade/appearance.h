@@ -44,6 +44,16 @@ typedef struct appearance {
 
 /* The appearance of a finish and a pigment in this scene. */
 void appearance_make(appearance *out, const plan *p, const model *m, const finish *f, const pigment *at);
+/* What of it depends on the pigment; upper: it is a layer upon another. */
+typedef struct appearance_light { float opacity; colour emitted, filter; } appearance_light;
+void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper);
+/* Do rays go through this pigment? */
+bool appearance_transmits(const plan *p, const pigment *at);
+/* Is so little left that what lies below is not seen? */
+static inline bool appearance_is_dark(const model *m, colour left)
+{
+    return (m->opaque_dark_filters ? colour_luminance(left) : colour_weight(left)) < (float)m->adc_bailout;
+}
 /* Set the filter of the transmitted ray. */
 void appearance_set_filter(appearance *out, const model *m, colour by);
 /* Of an object with this material. */

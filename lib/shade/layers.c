@@ -8,6 +8,8 @@ void layers_begin(layers *l) { l->surface = l->term = 0; }
 
 static const texture_term *term_at(const painted *p, uint32_t of, uint32_t k)
 {
+    if (paint_is_merged(p, of))
+        return NULL;
     return p->first[of] + k < p->first[of + 1] ? &p->terms[p->order[p->first[of] + k]] : NULL;
 }
 
@@ -15,7 +17,7 @@ static uint32_t count_terms(const painted *p, uint32_t of)
 {
     const uint32_t count = p->first[of + 1] - p->first[of];
 
-    return count > 0 ? count : 1;
+    return count > 0 && !paint_is_merged(p, of) ? count : 1;
 }
 
 static void copy_geometry(geometry *to, uint32_t i, const geometry *from, uint32_t lane)
@@ -27,7 +29,7 @@ static void copy_geometry(geometry *to, uint32_t i, const geometry *from, uint32
     lanes_put(&to->smooth, i, lanes_at(from->raw, lane));
 }
 
-/* The term before the next one; t NULL: the surface's texture is constant. */
+/* The term before the next one; t NULL: the surface's texture is constant, or its terms are as one. */
 static void add(const shade_context *c, layers *l, const surfaces *s, const painted *p, const texture_term *t)
 {
     surfaces *on = &l->on;
@@ -51,15 +53,6 @@ static void add(const shade_context *c, layers *l, const surfaces *s, const pain
 }
 
 /* ---- weights ---- */
-
-/* Is so little left that what lies below is not seen? */
-static bool is_dark(const shade_context *c, colour left)
-{
-    const model *m = c->scene->model;
-    const float by = m->opaque_dark_filters ? colour_luminance(left) : colour_weight(left);
-
-    return by < (float)m->adc_bailout;
-}
 
 /* A layer that nothing is left for is as if it were not there. */
 static void hide(surfaces *on, uint32_t i, layer *out)
@@ -89,7 +82,7 @@ static void weigh(const shade_context *c, layers *l, uint32_t i)
 
     if (out->first)
         l->left = colour_of(1.0f, 1.0f, 1.0f);
-    if (!out->first && is_dark(c, l->left)) {
+    if (!out->first && appearance_is_dark(c->scene->model, l->left)) {
         hide(&l->on, i, out);
         return;
     }
@@ -98,7 +91,7 @@ static void weigh(const shade_context *c, layers *l, uint32_t i)
     out->reflection.weight *= colour_luminance(l->left);
     l->left = colour_mul(l->left, a->filter.by);
     out->through = share_of(colour_scale(l->left, a->finish->refraction), out->share);
-    out->is_dark = is_dark(c, l->left);
+    out->is_dark = appearance_is_dark(c->scene->model, l->left);
 }
 
 /* Do the terms of the next surface fit? Only a surface with more terms than a batch is divided. */

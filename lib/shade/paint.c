@@ -1,6 +1,7 @@
 #include "shade/paint.h"
 
 #include "base/simd.h"
+#include "shade/merge.h"
 #include "texture/normal.h"
 #include "world/detail.h"
 
@@ -140,17 +141,26 @@ static void sort(painted *p, uint32_t count, uint32_t surface_count)
         p->order[--next[p->terms[i].lane]] = i;
 }
 
-bool paint_evaluate(const shading *scene, const surfaces *s, painted *p)
+bool paint_is_single(const painted *p, uint32_t of)
+{
+    const uint32_t from = p->first[of], count = p->first[of + 1] - from;
+
+    return count == 0 || (count == 1 && p->terms[p->order[from]].share == 1.0f);
+}
+
+bool paint_evaluate(const shading *scene, surfaces *s, painted *p)
 {
     const uint32_t count = evaluate(scene, s, p);
     bool single = true;
 
     sort(p, count, s->count);
+    p->merged = 0;
+    if (scene->most_terms <= 1)
+        return true;
+    merge_terms(scene, s, p);
     for (uint32_t i = 0; i < s->count; i++)
-        single &= p->first[i + 1] - p->first[i] <= 1;
-    for (uint32_t i = 0; i < count; i++)
-        single &= p->terms[i].share == 1.0f;
-    return single || scene->most_terms <= 1;
+        single &= paint_is_single(p, i) || paint_is_merged(p, i);
+    return single;
 }
 
 /* ---- surfaces ---- */
@@ -174,7 +184,8 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p)
     bool bent = false;
 
     for (uint32_t i = 0; i < s->count; i++) {
-        const texture_term *t = p->first[i + 1] > p->first[i] ? &p->terms[p->order[p->first[i]]] : NULL;
+        const bool has_term = p->first[i + 1] > p->first[i] && !paint_is_merged(p, i);
+        const texture_term *t = has_term ? &p->terms[p->order[p->first[i]]] : NULL;
 
         if (t) {
             paint_appearance(scene, &s->at[i], t, false, &s->varying[i]);

@@ -10,14 +10,19 @@ typedef struct painted {
     texture_term *terms;         /* room for shading->most_terms of each surface */
     uint32_t *order;             /* their numbers, by surface */
     uint32_t first[BATCH_MAX + 1];   /* of a surface in `order`; those with constant textures have none */
+    uint64_t merged;             /* by surface: its terms are as one, which is its appearance */
 } painted;
+
+static inline bool paint_is_merged(const painted *p, uint32_t of) { return p->merged >> of & 1; }
 
 /* False: no memory. */
 bool paint_create(painted *p, const shading *scene);
 void paint_destroy(painted *p, const env *e);
 /* Evaluate the varying textures of surfaces with known points and normals. True: each is one term at most, which is all of
- * the surface. */
-bool paint_evaluate(const shading *scene, const surfaces *s, painted *p);
+ * the surface, or as one. */
+bool paint_evaluate(const shading *scene, surfaces *s, painted *p);
+/* Is the surface's texture constant, or one term that is all of it? */
+bool paint_is_single(const painted *p, uint32_t of);
 /* The appearance of a term. */
 void paint_appearance(const shading *scene, const surface *s, const texture_term *t, bool upper, appearance *out);
 /* A term's normal, or that of the surface, which faces the ray's start. A perturbed one need not, as in POV-Ray. */

@@ -1,0 +1,77 @@
+/* Layers and shares of matt textures are lit as one surface: they look as they do one by one. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <povtrace/trace.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ACROSS = 24, COUNT = ACROSS * ACROSS, TEXT = 2000 };
+
+/* A highlight that is too weak to be seen keeps the terms apart. */
+static const char format[] =
+    "#version 3.7; #declare F = finish { ambient .2 diffuse .5 emission .1 %s }\n"
+    "camera { location <0, 0, -4> look_at 0 } light_source { <5, 9, -7> rgb <1, .8, .5> } light_source { <-5, 1, -9> rgb .3 }\n"
+    "sphere { <0, 0, 3>, 1.5 pigment { checker rgb 1 rgb .2 } }\n"
+    "sphere { 0, 1 %s }\n";
+
+static const char *const textures[] = {
+    "texture { pigment { granite color_map { [0 rgb 1] [1 rgb .3] } } finish { F } }"
+    " texture { pigment { checker rgbt <1, .2, .1, .4> rgbf <1, .5, .2, .7> scale .3 } finish { F diffuse .9 } }",
+    "texture { pigment { rgbft <1, .5, .2, .3, .5> } finish { F } }"
+    " texture { pigment { bozo color_map { [0 rgbt <.1, 1, .3, .9>] [1 rgbf <1, .9, .2, .8>] } scale .2 } finish { F } }",
+    "texture { pigment { rgb .5 } finish { F } } texture { pigment { checker rgb x rgbt 1 scale .4 } finish { F } }",
+    "texture { bozo texture_map { [0 pigment { rgb x } finish { F }] [1 pigment { granite } finish { F ambient .9 }] } }",
+    "texture { average texture_map { [1 pigment { rgb x } finish { F }] [3 pigment { rgbt <0, 1, 0, .5> } finish { F }] } }",
+};
+
+static float *colours_of(const char *finish, const char *texture)
+{
+    static float rgba[4 * COUNT];
+    static pov_vec3 org[COUNT], dir[COUNT];
+    const pov_found out = { sizeof out, NULL, NULL, NULL, NULL, rgba };
+    pov_context *context = scenes_context();
+    char text[TEXT];
+    pov_tracer *tracer;
+    pov_scene *scene;
+
+    assert_true(snprintf(text, sizeof text, format, finish, texture) < TEXT);
+    scene = scenes_text(context, text);
+    for (int i = 0; i < COUNT; i++) {
+        org[i] = pov_vec3_of(0.0, 0.0, -4.0);
+        dir[i] = pov_vec3_of((i % ACROSS) * 0.025 - 0.29, (i / ACROSS) * 0.025 - 0.29, 1.0);
+    }
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    assert_int_equal(pov_trace_many(tracer, COUNT, org, dir, &out, NULL), POV_OK);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return rgba;
+}
+
+static void terms_that_are_as_one_look_as_each_does(void **state)
+{
+    static float apart[4 * COUNT];
+
+    (void)state;
+    for (size_t k = 0; k < sizeof textures / sizeof textures[0]; k++) {
+        const float *seen;
+        float most = 0.0f;
+
+        memcpy(apart, colours_of("phong 1e-12", textures[k]), sizeof apart);
+        seen = colours_of("", textures[k]);
+        for (int i = 0; i < 4 * COUNT; i++)
+            most = fmaxf(most, fabsf(seen[i] - apart[i]));
+        if (most > 2e-6f)
+            fail_msg("texture %zu: %g", k, (double)most);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(terms_that_are_as_one_look_as_each_does) };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
