@@ -173,6 +173,7 @@ typedef struct walk {
     common_triangle_ray through;
     pov_vec3 o, d, inverse;      /* from where it comes near, at the distance `base` */
     double base, cell_x, cell_z;   /* sizes of a cell */
+    double off_x, off_z;         /* how much a position may be off along the ray */
     bool from_here;
 } walk;
 
@@ -220,7 +221,7 @@ static bool cross_cell(walk *w, uint32_t x, uint32_t z)
 static const double margin = 0x1p-30;
 
 /* Keep of a stretch what is between the least and the greatest height of a square. */
-static bool reaches(const walk *w, const level *l, uint32_t x, uint32_t z, common_span *s)
+static inline bool reaches(const walk *w, const level *l, uint32_t x, uint32_t z, common_span *s)
 {
     const double low = l->lo[(size_t)z * l->wide + x], high = l->hi[(size_t)z * l->wide + x];
 
@@ -232,32 +233,30 @@ static bool reaches(const walk *w, const level *l, uint32_t x, uint32_t z, commo
  * `far`. Too near the line between them for a whole ray, it is on both sides everywhere. */
 typedef struct halves { double near, far; } halves;
 
-static halves halve(double from, double inverse, double middle)
+static inline halves halve(double from, double inverse, double off, double middle)
 {
-    const double gap = middle - from, off = margin * fabs(inverse);
+    const double gap = middle - from;
     const halves both = { HUGE_VAL, -HUGE_VAL }, cut = { gap * inverse + off, gap * inverse - off };
     const halves along = { gap * inverse, gap * inverse };
 
-    return !(fabs(gap) > margin) ? both : isfinite(off) ? cut : along;
+    return !(fabs(gap) > margin) ? both : off < HUGE_VAL ? cut : along;
 }
 
-/* False: nothing more is wanted. The nearer children come first. */
+/* Of a square whose heights the stretch reaches. False: nothing more is wanted. The nearer children come first. */
 static bool descend(walk *w, uint32_t n, uint32_t x, uint32_t z, common_span span)
 {
-    const level *l = &w->f->level[n], *below = l - 1;
+    const level *below = w->f->level + n - 1;
     const uint32_t flip_x = w->d.x < 0.0, flip_z = w->d.z < 0.0;
     double half;
     halves by_x, by_z;
 
-    if (!reaches(w, l, x, z, &span))
-        return true;
     if (n == 0)
         return cross_cell(w, x, z);
     if (w->hits->want == POV_WANT_NEAREST && w->hits->count > 0 && (w->base + span.lo - 0x1p-20) * w->through.about.unit > w->hits->tmax)
         return true;
     half = (double)((uint64_t)1 << (n - 1));
-    by_x = halve(w->o.x, w->inverse.x, (2 * x + 1) * half * w->cell_x);
-    by_z = halve(w->o.z, w->inverse.z, (2 * z + 1) * half * w->cell_z);
+    by_x = halve(w->o.x, w->inverse.x, w->off_x, (2 * x + 1) * half * w->cell_x);
+    by_z = halve(w->o.z, w->inverse.z, w->off_z, (2 * z + 1) * half * w->cell_z);
     for (uint32_t i = 0; i < 4; i++) {
         const uint32_t u = 2 * x + ((i & 1) ^ flip_x), v = 2 * z + ((i >> 1) ^ flip_z);
         const double from_x = i & 1 ? by_x.far : -HUGE_VAL, from_z = i & 2 ? by_z.far : -HUGE_VAL;
@@ -266,7 +265,7 @@ static bool descend(walk *w, uint32_t n, uint32_t x, uint32_t z, common_span spa
 
         common_clip_between(&part, from_x, to_x);
         common_clip_between(&part, from_z, to_z);
-        if (part.lo <= part.hi && u < below->wide && v < below->deep && !descend(w, n - 1, u, v, part))
+        if (part.lo <= part.hi && u < below->wide && v < below->deep && reaches(w, below, u, v, &part) && !descend(w, n - 1, u, v, part))
             return false;
     }
     return true;
@@ -295,13 +294,16 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     w.o = common_along(&k, base);
     w.d = k.d;
     w.inverse = pov_vec3_of(1.0 / k.d.x, 1.0 / k.d.y, 1.0 / k.d.z);
+    w.off_x = margin * fabs(w.inverse.x);
+    w.off_z = margin * fabs(w.inverse.z);
     w.cell_x = 1.0 / (f->wide - 1.0);
     w.cell_z = 1.0 / (f->deep - 1.0);
     w.base = base;
     common_triangle_enter(&w.through, ray, middle, 1.0, hits->always_exact);
     span.lo = -0x1p-30;
     span.hi -= base;
-    descend(&w, f->levels - 1, 0, 0, span);
+    if (reaches(&w, &f->level[f->levels - 1], 0, 0, &span))
+        descend(&w, f->levels - 1, 0, 0, span);
 }
 
 /* ---- points ---- */

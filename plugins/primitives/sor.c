@@ -156,21 +156,23 @@ typedef struct stretch { double lo, hi, from, to; } stretch;
 
 static bool find_stretch(const line *n, const piece *p, stretch *out)
 {
-    const double a = (p->low - n->o.y) / n->d.y, b = (p->high - n->o.y) / n->d.y, length = p->high - p->low;
+    const double a = (p->low - n->o.y) / n->d.y, b = (p->high - n->o.y) / n->d.y, least = a < b ? a : b, most = a < b ? b : a;
 
     out->lo = n->span.lo;
     out->hi = n->span.hi;
-    out->from = (n->o.y + out->lo * n->d.y - p->low) / length;
-    out->to = (n->o.y + out->hi * n->d.y - p->low) / length;
-    if (n->d.y == 0.0)
-        return n->o.y >= p->low && n->o.y < p->high;
-    if (fmin(a, b) > out->lo) {
-        out->lo = fmin(a, b);
+    if (n->d.y == 0.0 ? !(n->o.y >= p->low && n->o.y < p->high) : !(least < out->hi && most > out->lo))
+        return false;
+    if (n->d.y != 0.0 && least > out->lo) {
+        out->lo = least;
         out->from = a < b ? 0.0 : 1.0;
+    } else {
+        out->from = (n->o.y + out->lo * n->d.y - p->low) / (p->high - p->low);
     }
-    if (fmax(a, b) < out->hi) {
-        out->hi = fmax(a, b);
+    if (n->d.y != 0.0 && most < out->hi) {
+        out->hi = most;
         out->to = a < b ? 1.0 : 0.0;
+    } else {
+        out->to = (n->o.y + out->hi * n->d.y - p->low) / (p->high - p->low);
     }
     return out->lo < out->hi;
 }
