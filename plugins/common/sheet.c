@@ -103,23 +103,38 @@ static bool is_within(visit *v, const pov_vec3 *a, const pov_vec3 *b, const pov_
     return p.x >= box->lo.x && p.y >= box->lo.y && p.z >= box->lo.z && p.x <= box->hi.x && p.y <= box->hi.y && p.z <= box->hi.z;
 }
 
+/* A face by its corners, and as the ray sees them. False: nothing more is wanted. */
+static bool cross_face(visit *v, uint32_t face, const pov_vec3 *const at[3], const common_seen seen[3])
+{
+    const pov_mark mark = { face, 0, 0.0, 0.0 };
+
+    if (v->ray->origin_surface == v->hits->owner && v->ray->origin_mark.feature == face)
+        return true;
+    return !common_triangle_is_passed(&v->through, at[0], seen[0], at[1], seen[1], at[2], seen[2]) ||
+           !is_within(v, at[0], at[1], at[2]) || common_triangle_cross(&v->through, at[0], at[1], at[2], mark, v->hits);
+}
+
+/* Are all corners on one side of the ray for certain? */
+static bool is_beside(const common_seen seen[4], double error)
+{
+    const double a = seen[0].across, b = seen[1].across, c = seen[2].across, d = seen[3].across;
+
+    return (a > error && b > error && c > error && d > error) || (a < -error && b < -error && c < -error && d < -error);
+}
+
 static bool visit_cell(void *user, uint32_t cell)
 {
     visit *v = user;
+    const uint32_t wide = v->s->wide;
+    const pov_vec3 *a = v->s->at + cell / (wide - 1) * wide + cell % (wide - 1), *b = a + 1, *c = a + wide, *d = c + 1;
+    const common_seen seen[4] = { common_triangle_see(&v->through, a), common_triangle_see(&v->through, b),
+                                  common_triangle_see(&v->through, c), common_triangle_see(&v->through, d) };
+    const uint32_t above = (uint32_t)(seen[0].above + seen[1].above + seen[2].above + seen[3].above);
+    const pov_vec3 *const low[3] = { a, b, c }, *const high[3] = { d, c, b };
+    const common_seen low_seen[3] = { seen[0], seen[1], seen[2] }, high_seen[3] = { seen[3], seen[2], seen[1] };
 
-    for (uint32_t face = 2 * cell; face < 2 * cell + 2; face++) {
-        const pov_mark mark = { face, 0, 0.0, 0.0 };
-        const pov_vec3 *at = v->s->at;
-        uint32_t c[3];
-
-        corners_of(v->s, face, c);
-        if (v->ray->origin_surface == v->hits->owner && v->ray->origin_mark.feature == face)
-            continue;
-        if (common_triangle_is_hit(&v->through, &at[c[0]], &at[c[1]], &at[c[2]]) && is_within(v, &at[c[0]], &at[c[1]], &at[c[2]]) &&
-            !common_triangle_cross(&v->through, &at[c[0]], &at[c[1]], &at[c[2]], mark, v->hits))
-            return false;
-    }
-    return true;
+    return above == 0 || above == 4 || is_beside(seen, v->through.view.error) ||
+           (cross_face(v, 2 * cell, low, low_seen) && cross_face(v, 2 * cell + 1, high, high_seen));
 }
 
 void common_sheet_intersect(const common_sheet *s, const pov_ray *ray, pov_hits *hits)

@@ -19,15 +19,18 @@ typedef struct common_triangle_ray {
 void common_triangle_enter(common_triangle_ray *r, const pov_ray *ray, pov_vec3 anchor, double scale,
                            bool always_exact);
 
+/* A corner as the ray sees it. */
+static inline common_seen common_triangle_see(common_triangle_ray *r, const pov_vec3 *corner)
+{
+    return common_view_project(&r->view, pov_sub(*corner, r->anchor), corner);
+}
+
 /* Does the line of the ray pass through the triangle? Its edges and corners belong to it, each to one of the faces that
  * share it. */
-static inline bool common_triangle_is_hit(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b,
-                                          const pov_vec3 *c)
+static inline bool common_triangle_is_passed(common_triangle_ray *r, const pov_vec3 *a, common_seen p, const pov_vec3 *b,
+                                             common_seen q, const pov_vec3 *c, common_seen s)
 {
     common_view *v = &r->view;
-    const common_seen p = common_view_project(v, pov_sub(*a, r->anchor), a);
-    const common_seen q = common_view_project(v, pov_sub(*b, r->anchor), b);
-    const common_seen s = common_view_project(v, pov_sub(*c, r->anchor), c);
     bool within = false;
 
     if (p.above == q.above && q.above == s.above)
@@ -39,6 +42,12 @@ static inline bool common_triangle_is_hit(common_triangle_ray *r, const pov_vec3
     if (s.above != p.above)
         within ^= common_view_is_right(v, c, s, a, p);
     return within;
+}
+
+static inline bool common_triangle_is_hit(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b,
+                                          const pov_vec3 *c)
+{
+    return common_triangle_is_passed(r, a, common_triangle_see(r, a), b, common_triangle_see(r, b), c, common_triangle_see(r, c));
 }
 
 /* Report the crossing of a triangle that the line of the ray hits. False: nothing more is wanted. */
