@@ -7,8 +7,8 @@ typedef struct plane {
     double size, least;          /* least: of across . x, for x of a length of one */
 } plane;
 
-/* What is too slanted, or too near the point, is not projected. So all that is has errors below 2^-14. */
-static const double slanted = 0x1p-16, near_by = 0x1p-8, thin = 0x1p-14;
+/* Of what is too slanted, or too near the point, less is said. So all that is projected has errors below 2^-14. */
+static const double slanted = 0x1p-16, near_by = 0x1p-8, thin = 0x1p-14, small = 0x1p-10;
 /* Wider than these by far, in widths of the light. */
 static const double margin = 0x1p-8;
 
@@ -43,66 +43,84 @@ static void widen(grid_part *part)
     }
 }
 
-/* False: it is too slanted. */
-static bool add_corner(const plane *p, pov_vec3 at, grid_part *out)
+/* Bounds of one axis by the corners of a box, of which some may lie behind the point. All before it are at u or farther if
+ * the plane through the point and the light's line u has all corners on one side: that is an interval of u. */
+typedef struct bounds { double first, last, least_behind, most_behind; bool open_below, open_above; } bounds;
+
+static void add_corner(const plane *p, int axis, const grid_part *all, pov_vec3 x, bounds *b)
 {
-    const pov_vec3 x = pov_sub(at, p->from);
-    const double depth = pov_dot(p->across, x);
+    const double depth = pov_dot(p->across, x), along = pov_dot(p->of[axis], x);
+    const double least = p->least * (sum_of(x) + near_by * p->size), u = along / depth;
 
-    if (!(depth > p->least * (sum_of(x) + near_by * p->size)))
-        return false;
-    for (int axis = 0; axis < 2; axis++) {
-        const double u = pov_dot(p->of[axis], x) / depth;
+    if (depth > least) {
+        b->first = u < b->first ? u : b->first;
+        b->last = u > b->last ? u : b->last;
+    } else if (depth < -least) {
+        b->least_behind = u < b->least_behind ? u : b->least_behind;
+        b->most_behind = u > b->most_behind ? u : b->most_behind;
+    } else {
+        const double doubt = 4.0 * least * (1.0 + fabs(all->lo[axis]) + fabs(all->hi[axis]));
 
-        out->lo[axis] = u < out->lo[axis] ? u : out->lo[axis];
-        out->hi[axis] = u > out->hi[axis] ? u : out->hi[axis];
+        b->open_below = b->open_below || !(along > doubt);
+        b->open_above = b->open_above || !(-along > doubt);
     }
-    return true;
 }
 
-static bool project_box(const plane *p, const pov_box *b, grid_part *out)
+static void project_box(const plane *p, const grid_part *all, const pov_box *box, grid_part *out)
 {
-    *out = (grid_part){ { HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL } };
-    for (int i = 0; i < 8; i++)
-        if (!add_corner(p, pov_vec3_of(i & 1 ? b->hi.x : b->lo.x, i & 2 ? b->hi.y : b->lo.y, i & 4 ? b->hi.z : b->lo.z), out))
-            return false;
-    return true;
+    for (int axis = 0; axis < 2; axis++) {
+        bounds b = { HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL, false, false };
+
+        for (int i = 0; i < 8; i++) {
+            const pov_vec3 at = pov_vec3_of(i & 1 ? box->hi.x : box->lo.x, i & 2 ? box->hi.y : box->lo.y,
+                                            i & 4 ? box->hi.z : box->lo.z);
+
+            add_corner(p, axis, all, pov_sub(at, p->from), &b);
+        }
+        out->lo[axis] = !b.open_below && b.first - b.most_behind > margin ? b.first : -HUGE_VAL;
+        out->hi[axis] = !b.open_above && b.least_behind - b.last > margin ? b.last : HUGE_VAL;
+    }
 }
 
-/* A plane through the point and a line u = constant of the light has the normal m = of - u across; it touches the sphere
- * around c where (m . c)^2 = r^2 m . m. */
+/* A plane through the point and a line u = constant of the light has the normal m = of - u across. It leaves the sphere
+ * around c on one side where (m . c)^2 > r^2 m . m: outside of two values of u if the sphere is before the point, and between
+ * them if it reaches behind it. */
 static bool project_axis(const plane *p, int axis, pov_vec3 c, double r, grid_part *out)
 {
-    const double oc = pov_dot(p->of[axis], c), ac = pov_dot(p->across, c), rr = r * r;
-    const double a = ac * ac - rr * pov_dot(p->across, p->across);
-    const double b = oc * ac - rr * pov_dot(p->of[axis], p->across);
+    const double oc = pov_dot(p->of[axis], c), ac = pov_dot(p->across, c), rr = r * r, aa = pov_dot(p->across, p->across);
+    const double a = ac * ac - rr * aa, b = oc * ac - rr * pov_dot(p->of[axis], p->across);
     const double d = b * b - a * (oc * oc - rr * pov_dot(p->of[axis], p->of[axis]));
+    const double root = sqrt(d > 0.0 ? d : 0.0), first = (b - root) / a, second = (b + root) / a;
 
-    if (!(a > thin * ac * ac && d >= 0.0))
+    if (!(fabs(a) > thin * (ac * ac + rr * aa)) || (a > 0.0 && !(ac > 0.0 && d > 0.0)))
         return false;
-    out->lo[axis] = (b - sqrt(d)) / a;
-    out->hi[axis] = (b + sqrt(d)) / a;
+    out->lo[axis] = a > 0.0 ? first : -HUGE_VAL;
+    out->hi[axis] = a > 0.0 ? second : HUGE_VAL;
+    if (a < 0.0 && d > 0.0) {
+        if (oc - b / a * ac > 0.0)
+            out->lo[axis] = first;
+        else
+            out->hi[axis] = second;
+    }
     return true;
 }
 
 static bool project_sphere(const plane *p, const pov_box *b, grid_part *out)
 {
     const pov_vec3 c = pov_sub(pov_scale(pov_add(b->lo, b->hi), 0.5), p->from);
-    const double r = 0.5 * (b->hi.x - b->lo.x) * (1.0 + margin), depth = pov_dot(p->across, c);
+    const double r = 0.5 * (b->hi.x - b->lo.x) * (1.0 + margin);
 
-    return depth > p->least * (sum_of(c) + near_by * p->size) && r > thin * p->size && project_axis(p, 0, c, r, out) &&
-           project_axis(p, 1, c, r, out);
+    return r > small * p->size && project_axis(p, 0, c, r, out) && project_axis(p, 1, c, r, out);
 }
 
-/* Where the light may be hidden: everywhere, if no more is known. */
-static grid_part shadow_of(const plane *p, const blocker *b)
+/* Where the light may be hidden. */
+static grid_part shadow_of(const plane *p, const grid_part *all, const blocker *b)
 {
-    grid_part out = { { 0.0, 0.0 }, { 0.0, 0.0 } };
+    grid_part out;
 
-    if ((b->is_sphere && project_sphere(p, &b->box, &out)) || project_box(p, &b->box, &out))
-        widen(&out);
-    else
-        out = (grid_part){ { -HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, HUGE_VAL } };
+    if (!b->is_sphere || !project_sphere(p, &b->box, &out))
+        project_box(p, all, &b->box, &out);
+    widen(&out);
     return out;
 }
 
@@ -164,12 +182,12 @@ typedef struct finding { plane plane; grid_part all; shaft shaft; area_view *out
 static bool add_blocker(void *user, const blocker *b)
 {
     finding *f = user;
-    const grid_part part = shadow_of(&f->plane, b);
+    const grid_part part = shadow_of(&f->plane, &f->all, b);
 
     if (!grid_parts_overlap(&part, &f->all))
         return true;
     f->out->dark = covers(&f->plane, b, f->shaft.corner);
-    if (f->out->dark || f->out->count == AREA_VIEW_MAX || part.lo[0] == -HUGE_VAL)
+    if (f->out->dark || f->out->count == AREA_VIEW_MAX)
         return false;
     f->out->hidden[f->out->count++] = part;
     return true;
