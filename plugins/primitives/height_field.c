@@ -350,27 +350,31 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
         *out = pov_scale(*out, -1.0);
 }
 
-/* Up, unit. */
-static pov_vec3 face_normal(pov_vec3 a, pov_vec3 b, pov_vec3 c)
-{
-    const pov_vec3 n = pov_unit(pov_cross_product(pov_sub(b, a), pov_sub(c, a)));
+/* ---- what light sees of a smooth one ---- */
 
-    return n.y < 0.0 ? pov_scale(n, -1.0) : n;
+/* In POV-Ray's own units: cells, and the 65536 steps of heights. There means of unit normals lean to the flatter ones. */
+static pov_vec3 step_normal(const height_field *f, uint32_t x, uint32_t z, uint32_t u, uint32_t v)
+{
+    const float *h = f->height;
+    const double at = h[(size_t)z * f->wide + x], by_x = h[(size_t)z * f->wide + u] - at, by_z = h[(size_t)v * f->wide + x] - at;
+
+    return pov_unit(pov_vec3_of(u > x ? -65536.0 * by_x : 65536.0 * by_x, 1.0, v > z ? -65536.0 * by_z : 65536.0 * by_z));
 }
 
-/* The mean of the normals between a corner and two of its neighbours, one along x, one along z. */
+/* The mean of the normals between a corner and two of its neighbours, one along x, one along z. POV-Ray keeps it in 16 bits a
+ * component, which steep corners show. */
 static pov_vec3 corner_normal(const height_field *f, uint32_t x, uint32_t z)
 {
-    const pov_vec3 at = corner(f, x, z);
     pov_vec3 sum = { 0.0, 0.0, 0.0 };
 
     for (int i = 0; i < 4; i++) {
         const uint32_t u = i & 1 ? x + 1 : x - 1, v = i & 2 ? z + 1 : z - 1;   /* below 0 is beyond all */
 
         if (u < f->wide && v < f->deep)
-            sum = pov_add(sum, face_normal(at, corner(f, u, z), corner(f, x, v)));
+            sum = pov_add(sum, step_normal(f, x, z, u, v));
     }
-    return pov_unit(sum);
+    sum = pov_scale(pov_unit(sum), 32767.0);
+    return pov_unit(pov_vec3_of(trunc(sum.x) * (f->wide - 1.0), trunc(sum.y) * 65536.0, trunc(sum.z) * (f->deep - 1.0)));
 }
 
 static bool shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out)
