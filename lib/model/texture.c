@@ -39,22 +39,31 @@ static void add_finish(finish *all, const finish *one)
     add_reflection(&all->reflection, &one->reflection);
 }
 
+static bool is_opaque(pigment most) { return most.filter == 0.0f && most.transmit == 0.0f; }
+
 void texture_bounds(const texture *of, pigment *most, finish *all)
 {
+    bool opaque;
+
     if (of->blend == BLEND_NONE) {
         *most = of->pigment->most;
         *all = of->finish;
         return;
     }
     texture_bounds(of->textures[0], most, all);
+    opaque = is_opaque(*most);
     for (uint32_t i = 1; i < of->count; i++) {
         pigment one;
         finish own;
 
         texture_bounds(of->textures[i], &one, &own);
+        opaque |= is_opaque(one);
         *most = pigment_most(*most, one);
         add_finish(all, &own);
     }
+    /* Nothing goes through layers of which one is opaque all over. */
+    if (of->blend == BLEND_LAYERS && opaque)
+        most->filter = most->transmit = 0.0f;
 }
 
 bool texture_has_normals(const texture *of)
