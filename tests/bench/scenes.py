@@ -217,14 +217,30 @@ def moved(kind):
 
 STONE = 'color_map { [0 rgb <.9,.85,.7>] [.4 rgb <.7,.3,.2>] [.7 rgb <.4,.2,.3>] [1 rgb <.1,.1,.2>] }'
 WATER = 'pigment { rgb <.2,.3,.4> } finish { reflection .6 phong .3 }'
+VEIL = 'color_map { [0 rgbt <.9,.8,.7,1>] [.6 rgbt <%g,.4,.2,.5>] [1 rgb <.2,.2,.2>] } scale %g'
+
+
+def plain(pigment):
+    return f'texture {{ pigment {{ {pigment} }} }}'
+
+
+def water(normal):
+    return f'texture {{ {WATER} normal {{ {normal} }} }}'
+
+
 TEXTURES = {
-    'bozo': f'pigment {{ bozo turbulence .6 {STONE} scale .3 }}',
-    'granite': f'pigment {{ granite {STONE} scale .8 }}',
-    'agate': f'pigment {{ agate {STONE} scale .5 }}',
-    'marble': f'pigment {{ marble turbulence .8 {STONE} scale .4 }}',
-    'wood': f'pigment {{ wood turbulence .1 {STONE} scale .2 rotate <20,30,0> }}',
-    'bumps': f'{WATER} normal {{ bumps .4 scale .1 }}',
-    'ripples': f'{WATER} normal {{ ripples .4 frequency 2 scale .3 }}',
+    'bozo': plain(f'bozo turbulence .6 {STONE} scale .3'),
+    'granite': plain(f'granite {STONE} scale .8'),
+    'agate': plain(f'agate {STONE} scale .5'),
+    'marble': plain(f'marble turbulence .8 {STONE} scale .4'),
+    'wood': plain(f'wood turbulence .1 {STONE} scale .2 rotate <20,30,0>'),
+    'layers': ' '.join((plain(f'granite {STONE}'), plain('agate ' + VEIL % (0, .2)),
+                        plain('bozo turbulence .5 ' + VEIL % (.1, .3)), plain('marble turbulence 1 ' + VEIL % (.2, .4)))),
+    'crackle': ' '.join((plain('checker rgb 1 rgb <.2,.3,.5> scale .3'),
+                         *(plain('crackle ' + VEIL % (.1 * layer, .2 + .05 * layer)) for layer in range(10)))),
+    'image': plain('image_map { function 256,256 { pattern { agate scale .3 } } interpolate 2 } scale .7 rotate x*90'),
+    'bumps': water('bumps .4 scale .1'),
+    'ripples': water('ripples .4 frequency 2 scale .3'),
 }
 
 
@@ -232,9 +248,9 @@ def textured(kind):
     """Spheres on a floor, all of one texture."""
     def lay():
         text = TEXTURES[kind]
-        yield f'box {{ <-8,-.1,-8>, <8,0,8> texture {{ {text} }} }}'
+        yield f'box {{ <-8,-.1,-8>, <8,0,8> {text} }}'
         for x, z in product(range(5), range(5)):
-            yield f'sphere {{ <{x - 2:g},.45,{z - 2:g}>, .45 texture {{ {text} }} }}'
+            yield f'sphere {{ <{x - 2:g},.45,{z - 2:g}>, .45 {text} }}'
     return Scene((2.0, 3.0, -5.5), (0, 0.2, 0), 42, objects=lay)
 
 
