@@ -171,6 +171,11 @@ compare: all
 
 # Folders of probe scenes with POV-Ray's pictures, as tests/compare/README.md says: which scenes are drawn alike.
 PROBES ?=
+# The same scenes scaled and far away look as they do (tests/compare/scaled.py).
+.PHONY: scaled
+scaled: all
+	$(foreach f,$(PROBES),$(PYTHON) tests/compare/scaled.py --povc $(POVC) $f;)
+
 .PHONY: probes
 probes: all
 	$(foreach f,$(PROBES),$(PYTHON) tests/compare/probes.py --povc $(POVC) $f;)
