@@ -1,5 +1,9 @@
 #include "query/passage.h"
 
+#include "world/internal.h"
+
+#include <math.h>
+
 bool passage_step(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, hit *h,
                   coincident_set *on)
 {
@@ -17,6 +21,16 @@ bool passage_step(const world *w, query_context *k, const pov_ray *ray, const co
     if (h->coincident)
         world_coincident(w, k, ray, from, h, on);
     return true;
+}
+
+/* Parts of the world, and of what doubles can hold: a scene of infinite shapes alone has no size. */
+static const double nowhere = 0x1p-200, least = 0x1p-960;
+
+int passage_zero_steps(const world *w, int before, pov_vec3 from, pov_vec3 to)
+{
+    if (!passage_stays(from, to) && !(pov_largest(pov_sub(to, from)) <= fmax(w->extent * nowhere, least)))
+        return 0;
+    return before + 1;
 }
 
 uint32_t passage_which(const coincident_set *on, uint32_t object)
@@ -45,6 +59,6 @@ bool passage_next(passage *p, hit *h)
     p->ray.org_lo = h->point_lo;
     p->ray.origin_surface = h->object;
     p->ray.origin_mark = h->crossing.mark;
-    p->zero_steps = passage_zero_steps(p->zero_steps, from, h->point);
+    p->zero_steps = passage_zero_steps(p->world, p->zero_steps, from, h->point);
     return p->zero_steps <= PASSAGE_ZERO_STEPS_MAX;
 }

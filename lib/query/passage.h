@@ -4,8 +4,8 @@
 
 #include "query/query.h"
 
-/* More coincident surfaces than COINCIDENT_MAX can send a ray back and forth. After this many steps of length zero it
- * is given up. */
+/* More coincident surfaces than COINCIDENT_MAX can send a ray back and forth, and so can a shape that reports where the
+ * ray starts. After this many steps that lead nowhere it is given up. */
 enum { PASSAGE_ZERO_STEPS_MAX = 1000 };
 
 /* The next hit of a ray: one of the coincident surfaces `from` that it starts on, which it crosses at once, or else the
@@ -15,11 +15,14 @@ bool passage_step(const world *w, query_context *k, const pov_ray *ray, const co
                   coincident_set *on);
 /* Index of the object's surface. */
 uint32_t passage_which(const coincident_set *on, uint32_t object);
-/* Number of consecutive steps of length zero. */
-static inline int passage_zero_steps(int before, pov_vec3 from, pov_vec3 to)
+static inline bool passage_stays(pov_vec3 from, pov_vec3 to)
 {
-    return from.x == to.x && from.y == to.y && from.z == to.z ? before + 1 : 0;
+    return from.x == to.x && from.y == to.y && from.z == to.z;
 }
+
+/* Number of consecutive steps that lead nowhere: of length zero, or of so little of the world that no shape within the
+ * promised range has two crossings so near. Only next to the origin of coordinates can a ray go such a step. */
+int passage_zero_steps(const world *w, int before, pov_vec3 from, pov_vec3 to);
 
 /* State of a ray, and the coincident surfaces that it starts on, if there are several. */
 typedef struct passage {

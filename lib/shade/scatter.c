@@ -157,7 +157,7 @@ static inline bool is_dark(scattering *to, const appearance *a)
 /* Straight on, whatever is on both sides. NULL: the path is cut off. */
 static inline path *transmit(scattering *to, const surface *s, uint32_t lane, const coefficient *by)
 {
-    const int zero_steps = passage_zero_steps(s->from->zero_steps, s->ray->org, s->at->point);
+    const int zero_steps = passage_zero_steps(to->context->scene->world, s->from->zero_steps, s->ray->org, s->at->point);
     path *out;
 
     if (zero_steps > PASSAGE_ZERO_STEPS_MAX) {

@@ -108,7 +108,7 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
 /* Ray parameter of the surface. One of several that the ray starts on is where it starts. */
 static double distance_of(const surface *s)
 {
-    const bool stays = s->coincident && s->from->coincident && passage_zero_steps(0, s->ray->org, s->at->point) > 0;
+    const bool stays = s->coincident && s->from->coincident && passage_stays(s->ray->org, s->at->point);
 
     return stays ? 0.0 : s->at->crossing.t;
 }

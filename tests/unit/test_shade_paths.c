@@ -406,6 +406,34 @@ static void coincident_surfaces_cannot_hold_a_ray_for_ever(void **state)
     tiny_end(&s);
 }
 
+static void stick_always(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    const pov_mark no_mark = { 0, 0, 0.0, 0.0 };
+    (void)ray;
+
+    pov_cross(hits, *(const double *)self, 0.0, no_mark);
+}
+
+/* Near the origin of coordinates even such a step is not zero. */
+static void a_shape_just_ahead_of_every_start_cannot_hold_a_ray_for_ever(void **state)
+{
+    static const double steps[] = { 1e-300, 0x1p-1074 };
+    (void)state;
+
+    for (int i = 0; i < 2; i++) {
+        const shape_class sticky = { .keyword = "sticky", .flags = POV_SHAPE_CERTIFIED, .instance_size = sizeof(double),
+                                     .bounds = unbounded, .intersect = stick_always, .normal = point_back };
+        tiny s;
+
+        tiny_begin(&s, NULL);
+        tiny_add(&s, &sticky, &steps[i], tiny_glass(1.0));
+        tiny_build(&s);
+        tiny_trace(&s, pov_vec3_of(0, 0, 0), 0, 0, 1);
+        assert_int_equal(s.tracer->context.counts.cut_depth, 1);
+        tiny_end(&s);
+    }
+}
+
 /* Each camera ray has the dielectrics around its own start, whatever its neighbours have. */
 static void rays_that_start_in_different_places_know_what_they_are_in(void **state)
 {
@@ -455,6 +483,7 @@ int main(void)
         cmocka_unit_test(a_power_of_two_in_size_changes_no_bit),
         cmocka_unit_test(rays_that_start_in_different_places_know_what_they_are_in),
         cmocka_unit_test(coincident_surfaces_cannot_hold_a_ray_for_ever),
+        cmocka_unit_test(a_shape_just_ahead_of_every_start_cannot_hold_a_ray_for_ever),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
