@@ -412,6 +412,9 @@ static bool refuse_option(args *a, char **argv)
         return refuse_unknown(a, argv[optind - 1]);
     if (optopt >= '0' && optopt <= '9')
         return args_refuse(a, "there is no option \"%s\"; sizes are whole numbers above zero", letter);
+    if (strchr("WHIOAQK", optopt))
+        return args_refuse(a, "there is no option \"%s\"; povc takes POV-Ray's words if one begins with +, as in +W640 +H480",
+                           letter);
     return args_refuse(a, "there is no option \"%s\"", letter);
 }
 

@@ -9,7 +9,7 @@
 /* Seconds of the job. A bar that would disappear at once is not drawn. */
 static const double first_bar = 0.3, every_bar = 0.1, every_line = 10.0, every_json = 0.5;
 
-/* A terminal too narrow for a bar gets the numbers, as many as fit. */
+/* A terminal too narrow for a bar gets the numbers. */
 enum { BAR_LEAST = 4 };
 
 void progress_init(progress *p, const args *a)
@@ -70,28 +70,57 @@ static int screen_columns(void)
     return 80;
 }
 
+/* The fields of a line, in its order. */
+typedef struct fields { char percent[24], quality[64], rays[32], left[48]; } fields;
+
+static void fill_in(fields *f, const pov_progress *now)
+{
+    char percent[16], left[32];
+
+    memset(f, 0, sizeof *f);
+    progress_percent(now->fraction, percent, sizeof percent);
+    snprintf(f->percent, sizeof f->percent, "%5s %%", percent);
+    if (now->est_rmse >= 0.0 && now->spp_mean > 1.0)
+        snprintf(f->quality, sizeof f->quality, "  %.0f spp  error %.2g", now->spp_mean, now->est_rmse);
+    if (now->seconds > 0.0)
+        snprintf(f->rays, sizeof f->rays, "  %.1f M rays/s", (double)progress_rays(&now->counts) / now->seconds * 1e-6);
+    if (now->seconds_left >= 0.0) {
+        progress_duration(now->seconds_left, left, sizeof left);
+        snprintf(f->left, sizeof f->left, "  ETA %s", left);
+    }
+}
+
+size_t progress_text(const pov_progress *now, int columns, char *out, size_t size)
+{
+    fields f;
+    char *const least_first[] = { f.rays, f.quality, f.left };
+    size_t width;
+
+    fill_in(&f, now);
+    for (int i = 0;; i++) {
+        width = strlen(f.percent) + strlen(f.quality) + strlen(f.rays) + strlen(f.left);
+        if (i == 3 || (long)width < columns)
+            break;
+        least_first[i][0] = '\0';
+    }
+    snprintf(out, size, "%s%s%s%s", f.percent, f.quality, f.rays, f.left);
+    return width;
+}
+
 static void draw_bar(const pov_progress *now)
 {
-    char percent[16], left[32] = "", quality[64] = "", text[224], bar[64];
-    int width, room, full;
+    const int columns = screen_columns();
+    char text[224], bar[64];
+    int room = columns - (int)progress_text(now, columns, text, sizeof text) - 4, full;
 
-    progress_percent(now->fraction, percent, sizeof percent);
-    if (now->seconds_left >= 0.0)
-        progress_duration(now->seconds_left, left, sizeof left);
-    if (now->est_rmse >= 0.0 && now->spp_mean > 1.0)
-        snprintf(quality, sizeof quality, "  %.0f spp  error %.2g", now->spp_mean, now->est_rmse);
-    width = snprintf(text, sizeof text, " %5s %%%s  %.1f M rays/s%s%s", percent, quality,
-                     now->seconds > 0.0 ? (double)progress_rays(&now->counts) / now->seconds * 1e-6 : 0.0,
-                     left[0] ? "  ETA " : "", left);
-    room = screen_columns() - width - 3;
     room = room > 40 ? 40 : room < 0 ? 0 : room;
     full = (int)(now->fraction * room);
     memset(bar, ' ', sizeof bar);
     memset(bar, '#', (size_t)(full < 0 ? 0 : full > room ? room : full));
     if (room >= BAR_LEAST)
-        fprintf(stderr, "\r[%.*s]%s\033[K", room, bar, text);
+        fprintf(stderr, "\r[%.*s] %s\033[K", room, bar, text);
     else
-        fprintf(stderr, "\r%.*s\033[K", screen_columns() - 1, text + 1);
+        fprintf(stderr, "\r%.*s\033[K", columns - 1, text);
     fflush(stderr);
 }
 

@@ -24,4 +24,7 @@ void progress_percent(double fraction, char *out, size_t size);
 void progress_duration(double seconds, char *out, size_t size);
 uint64_t progress_rays(const pov_counts *counts);
 
+/* The numbers of a bar in less than so many columns: whole fields, of which the time left goes last. Returns its width. */
+size_t progress_text(const pov_progress *now, int columns, char *out, size_t size);
+
 #endif

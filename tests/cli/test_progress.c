@@ -69,11 +69,34 @@ static void progress_without_a_terminal_is_a_line_each_ten_seconds_at_most(void 
     assert_false(progress_due(&p, 20.0));
 }
 
+static void assert_text(int columns, const char *expected)
+{
+    const pov_progress now = { .size = sizeof now, .fraction = 0.062, .seconds = 2.0, .spp_mean = 4.0, .est_rmse = 0.01,
+                               .seconds_left = 95.0, .counts = { .camera = 8800000 } };
+    char out[128];
+
+    assert_int_equal(progress_text(&now, columns, out, sizeof out), strlen(expected));
+    assert_string_equal(out, expected);
+}
+
+/* Defect 12 of the review. */
+static void progress_drops_whole_fields_where_the_terminal_is_narrow(void **state)
+{
+    (void)state;
+    assert_text(80, "  6.2 %  4 spp  error 0.01  4.4 M rays/s  ETA 1:35");
+    assert_text(51, "  6.2 %  4 spp  error 0.01  4.4 M rays/s  ETA 1:35");
+    assert_text(50, "  6.2 %  4 spp  error 0.01  ETA 1:35");
+    assert_text(36, "  6.2 %  ETA 1:35");
+    assert_text(17, "  6.2 %");
+    assert_text(3, "  6.2 %");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(progress_never_rounds_up_to_100),
         cmocka_unit_test(progress_says_durations_as_a_clock_does),
+        cmocka_unit_test(progress_drops_whole_fields_where_the_terminal_is_narrow),
         cmocka_unit_test(progress_is_silent_when_asked_to_be),
         cmocka_unit_test(progress_without_a_terminal_is_a_line_each_ten_seconds_at_most),
     };
