@@ -143,8 +143,8 @@ tsan:
 	TSAN_OPTIONS='suppressions=$(CURDIR)/tests/support/tsan.supp ignore_noninstrumented_modules=1' \
 	    BUILD_DIR='$(CURDIR)/build-tsan' tests/run.sh $(SANITIZED_TESTS:%.c=build-tsan/%)
 
-# What strangers' bytes do: libFuzzer and the sanitizers on each harness of tests/fuzz, SECONDS each, beginning with the
-# scenes of the tree. Findings are left in build-fuzz/tests/fuzz.
+# What strangers' bytes do: libFuzzer and the sanitizers on each harness of tests/fuzz, SECONDS each (-j4: all at once),
+# beginning with the scenes of the tree. Findings and logs are left in build-fuzz/tests/fuzz.
 SECONDS ?= 60
 HARNESSES = scene image checkpoint arguments
 $(BUILD)/obj/tests/fuzz/arguments.o: ROOM_FLAGS += -Icli
@@ -153,15 +153,18 @@ $(BUILD)/tests/fuzz/fuzz_%: tests/fuzz/main.c $(HARNESSES:%=$(BUILD)/obj/tests/f
     $(SUPPORT_SOURCES:%.c=$(BUILD)/obj/%.o) $(STATIC)
 	$(call say,LINK,$@) $(CC) $(BASE_FLAGS) -Itests -DHARNESS=fuzz_$* -DTEST_BUILD='"$(abspath $(BUILD))"' -fsanitize=fuzzer -rdynamic $(filter-out %.h,$^) -lcmocka \
 	    $(SYSTEM_LIBS) -o $@
-.PHONY: fuzz fuzzers
+.PHONY: fuzz fuzzers build-fuzzers $(HARNESSES:%=fuzz-%)
 fuzzers: $(PLUGINS) $(HARNESSES:%=$(BUILD)/tests/fuzz/fuzz_%)
-fuzz:
+fuzz: $(HARNESSES:%=fuzz-%)
+build-fuzzers:
 	$(MAKE) BUILD=build-fuzz CC=clang WIDE= OPTIMISE=-O1 LDFLAGS='-Wl,-z,undefs' \
 	    SANITIZE='-fsanitize=address,undefined,fuzzer-no-link -fno-sanitize-recover=undefined -fno-omit-frame-pointer' fuzzers
-	for h in $(HARNESSES); do mkdir -p build-fuzz/tests/fuzz/$$h; build-fuzz/tests/fuzz/fuzz_$$h -max_total_time=$(SECONDS) \
-	    -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix=build-fuzz/tests/fuzz/$$h- \
-	    $$([ $$h != scene ] || echo -dict=tests/fuzz/scene.dict) build-fuzz/tests/fuzz/$$h \
-	    $$([ $$h != scene ] || echo scenes/test) || exit 1; done
+$(HARNESSES:%=fuzz-%): fuzz-%: build-fuzzers
+	@mkdir -p build-fuzz/tests/fuzz/$*
+	build-fuzz/tests/fuzz/fuzz_$* -max_total_time=$(SECONDS) -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+	    -artifact_prefix=build-fuzz/tests/fuzz/$*- $(if $(filter scene,$*),-dict=tests/fuzz/scene.dict) build-fuzz/tests/fuzz/$* \
+	    $(if $(filter scene,$*),scenes/test) > build-fuzz/tests/fuzz/$*.log 2>&1 || { tail -40 build-fuzz/tests/fuzz/$*.log; exit 1; }
+	@echo "$*: $$(sed -n 's/^stat::number_of_executed_units: *//p' build-fuzz/tests/fuzz/$*.log) inputs, no finding"
 
 # Every scene in povtrace and in an installed POV-Ray, picture against picture.
 .PHONY: compare
