@@ -186,6 +186,10 @@ COMPLETIONDIR ?= $(PREFIX)/share/bash-completion/completions
 ZSHDIR        ?= $(PREFIX)/share/zsh/site-functions
 FISHDIR       ?= $(PREFIX)/share/fish/vendor_completions.d
 INSTALL       ?= install
+DOCDIR        ?= $(PREFIX)/share/doc/povtrace
+DOC_PAGES      = README.md LICENSE $(sort $(wildcard docs/*.md))
+DOC_SCENES     = $(sort $(wildcard scenes/gallery/*.pov))
+DOC_PICTURES   = $(sort $(wildcard docs/images/*.png docs/images/*.svg))
 PUBLIC_HEADERS = $(sort $(wildcard lib/include/povtrace/*.h))
 
 # From the program to the library and from the CMake package to the headers, so that the installed tree may be moved;
@@ -227,6 +231,11 @@ install: all
 	    $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(MANDIR)/man1 $(MANDIR)/man3 $(COMPLETIONDIR) $(ZSHDIR) $(FISHDIR) \
 	    $(SHAREDIR)/include)
 	$(INSTALL) -m 644 $(INCLUDES) $(DESTDIR)$(SHAREDIR)/include
+	$(INSTALL) -d $(addprefix $(DESTDIR)$(DOCDIR)/,docs/images scenes/gallery)
+	$(INSTALL) -m 644 $(filter-out docs/%,$(DOC_PAGES)) $(DESTDIR)$(DOCDIR)
+	$(INSTALL) -m 644 $(filter docs/%,$(DOC_PAGES)) $(DESTDIR)$(DOCDIR)/docs
+	$(INSTALL) -m 644 $(DOC_PICTURES) $(DESTDIR)$(DOCDIR)/docs/images
+	$(INSTALL) -m 644 $(DOC_SCENES) $(DESTDIR)$(DOCDIR)/scenes/gallery
 	$(INSTALL) -m 644 $(PUBLIC_HEADERS) $(DESTDIR)$(INCLUDEDIR)/povtrace
 	$(INSTALL) -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)
 	ln -sf $(notdir $(SHARED)) $(DESTDIR)$(LIBDIR)/libpovtrace.so.$(SOVERSION)
@@ -259,10 +268,12 @@ uninstall:
 	    $(patsubst $(BUILD)/lib/%,$(DESTDIR)$(LIBDIR)/%,$(PLUGINS) $(WIDE_PLUGINS) $(WIDE_SHARED)) \
 	    $(WIDE:%=$(DESTDIR)$(LIBDIR)/glibc-hwcaps/%/libpovtrace.so.$(SOVERSION)) \
 	    $(addprefix $(DESTDIR)$(INCLUDEDIR)/povtrace/,$(notdir $(PUBLIC_HEADERS))) \
-	    $(addprefix $(DESTDIR)$(SHAREDIR)/include/,$(notdir $(INCLUDES)))
+	    $(addprefix $(DESTDIR)$(SHAREDIR)/include/,$(notdir $(INCLUDES))) \
+	    $(addprefix $(DESTDIR)$(DOCDIR)/,$(DOC_PAGES) $(DOC_PICTURES) $(DOC_SCENES))
 	-rmdir $(addprefix $(DESTDIR),$(if $(WIDE),$(WIDE:%=$(LIBDIR)/glibc-hwcaps/%) $(LIBDIR)/glibc-hwcaps \
 	    $(WIDE:%=$(LIBDIR)/povtrace/primitives/%)) $(LIBDIR)/povtrace/primitives $(LIBDIR)/povtrace/images $(LIBDIR)/povtrace/plots $(LIBDIR)/povtrace \
-	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace $(SHAREDIR)/include $(SHAREDIR))
+	    $(LIBDIR)/cmake/povtrace $(INCLUDEDIR)/povtrace $(SHAREDIR)/include $(SHAREDIR) \
+	    $(DOCDIR)/docs/images $(DOCDIR)/docs $(DOCDIR)/scenes/gallery $(DOCDIR)/scenes $(DOCDIR))
 
 # ---- first steps ----
 

@@ -27,6 +27,7 @@ install_puts_every_file_in_its_place() {
         lib/povtrace/primitives/sphere.so lib/povtrace/images/png.so include/povtrace/povtrace.h \
         include/povtrace/plugin.h include/povtrace/exact.h share/man/man1/povc.1 share/man/man3/povtrace.3 \
         share/bash-completion/completions/povc share/zsh/site-functions/_povc share/fish/vendor_completions.d/povc.fish \
+        share/doc/povtrace/README.md share/doc/povtrace/docs/embedding.md share/doc/povtrace/scenes/gallery/pool.pov \
         share/povtrace/include/colors.inc; do
         [ -s "$stage$prefix/$file" ] || fail "no $file"
     done
