@@ -212,22 +212,25 @@ static bool put(args *a, const char *option, const char *text, const char **list
     return true;
 }
 
-static void set_limit(pov_limits *limits, size_t index, double value)
+static void set_limit(args *a, size_t index, double value)
 {
+    pov_limits *limits = &a->limits;
     size_t *const sizes[] = { &limits->depth, &limits->array, &limits->string, &limits->memory };
 
     if (index < sizeof sizes / sizeof sizes[0])
         *sizes[index] = (size_t)value;
     else if (index == 4)
         limits->turns = (uint64_t)value;
-    else
+    else if (index == 5)
         limits->seconds = value;
+    else
+        a->most_rays = value < 1.0 ? 1 : (uint64_t)value;
 }
 
 /* NAME=N */
 static bool read_limit(args *a, const char *text)
 {
-    static const char *const names[] = { "depth", "array", "string", "memory", "turns", "seconds" };
+    static const char *const names[] = { "depth", "array", "string", "memory", "turns", "seconds", "rays" };
     const char *equals = strchr(text, '=');
     char *end = NULL;
     const double value = equals ? strtod(equals + 1, &end) : 0.0;
@@ -237,10 +240,10 @@ static bool read_limit(args *a, const char *text)
             continue;
         if (end == equals + 1 || *end != '\0' || !(value > 0.0 && value <= 1e15))
             break;
-        set_limit(&a->limits, i, value);
+        set_limit(a, i, value);
         return true;
     }
-    return args_refuse(a, "--limit wants depth, array, string, turns, memory or seconds, and =N, not \"%s\"", text);
+    return args_refuse(a, "--limit wants depth, array, string, turns, memory, seconds or rays, and =N, not \"%s\"", text);
 }
 
 /* Options for loading the scene. */

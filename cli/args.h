@@ -51,6 +51,7 @@ typedef struct args {
     const char *write_path;      /* or NULL */
     bool strict, soft_lights;
     pov_limits limits;
+    uint64_t most_rays;          /* that follow from one of the camera; 0: the library's default */
     const pov_animation *animation;   /* or NULL */
     const char *report, *reference;   /* files, or NULL */
     char **compared;             /* of --compare: reports, and the plot to draw; or NULL */

@@ -68,6 +68,7 @@ static pov_status read_text(pov_scene *scene, const char *text, size_t length, c
     double start = clock_seconds();
     pov_status status;
 
+    scene->model.most_rays = d->most_rays;
     status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
 
     scene->parse_seconds = clock_seconds() - start;

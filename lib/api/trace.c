@@ -140,5 +140,5 @@ pov_status pov_trace_color(pov_tracer *tracer, pov_vec3 org, pov_vec3 dir, float
     rgba[1] = c.g;
     rgba[2] = c.b;
     rgba[3] = 1.0f;
-    return tracer->context.failed || query_context_failed(tracer->context.context) ? err_memory(err) : POV_OK;
+    return tracer->context.failed || query_context_failed(tracer->context.context) ? tracer_error(tracer, err) : POV_OK;
 }

@@ -114,5 +114,5 @@ pov_status pov_trace_many(pov_tracer *tracer, size_t count, const pov_vec3 *org,
         if (to.rgba && c.count > 0)
             find_colours(tracer, &c, to.rgba);
     }
-    return tracer->context.failed || query_context_failed(tracer->context.context) ? err_memory(err) : POV_OK;
+    return tracer->context.failed || query_context_failed(tracer->context.context) ? tracer_error(tracer, err) : POV_OK;
 }

@@ -76,6 +76,7 @@ typedef struct model {
     colour irid_wavelength;
     double adc_bailout;
     int max_trace_level;
+    uint64_t most_rays;          /* that follow from one camera ray; 0: the default */
     photon_settings photons;
     struct { bool given, used; double mm_per_unit; } subsurface;   /* used: some finish is translucent */
     radiosity_settings radiosity;

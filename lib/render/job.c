@@ -244,7 +244,7 @@ static void work(pov_job *job, worker *w)
         fresh = worker_count(w);
         query_context_take_classes(w->tracer->context.context, &classes);
         if (w->tracer->context.failed)
-            err_memory(&error);
+            tracer_error(w->tracer, &error);
     }
     spent = spend(w);
     mutex_lock(&job->lock);

@@ -24,7 +24,8 @@ typedef struct shade_context {
     const bool *blocks;          /* by target of photons: it blocks straight light of the present light source; NULL: none
                                   * does */
     bool photons_fly;            /* photons are traced, and not camera rays */
-    bool failed;                 /* out of memory: later results are invalid */
+    bool failed;                 /* out of memory, or exhausted: later results are invalid */
+    bool exhausted;              /* more rays followed from one camera ray than may */
     dielectric_stack dielectrics;   /* of the present paths and of waiting ones */
     coincident_stack coincident_sets;   /* of paths and of surfaces, in their order */
 } shade_context;

@@ -8,6 +8,8 @@
 #include "shade/photon_flight.h"
 #include "shade/scatter.h"
 
+#include <string.h>
+
 static void make_camera_paths(batch *b)
 {
     const path fresh = { .factor = { { 1.0f, 1.0f, 1.0f }, 1.0f }, .level = 1, .clear = 1.0f, .hue = PATH_WHITE };
@@ -281,14 +283,44 @@ SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
     return !out;
 }
 
+/* Mirrors and glass may send two rays for each: with a deep limit and without a bail-out they never end. */
+static uint64_t most_rays(const model *m)
+{
+    return m->most_rays > 0 ? m->most_rays : 100000000;
+}
+
+/* Count the rays of a batch. False: a camera ray has more than it may have. */
+static bool count_followers(pov_tracer *t, const batch *b, uint64_t most)
+{
+    bool enough = true;
+
+    for (uint32_t i = 0; i < b->count; i++)
+        enough &= ++t->followers[b->paths[i].lane] <= most;
+    return enough;
+}
+
+pov_status tracer_error(const pov_tracer *t, pov_error *err)
+{
+    if (!t->context.exhausted)
+        return err_memory(err);
+    return err_set(err, POV_E_UNSUPPORTED, "more than %llu rays follow from one ray of the camera, which is as many as may",
+                   (unsigned long long)most_rays(t->context.scene->model));
+}
+
 static void follow(pov_tracer *t, colour *out)
 {
     shade_context *c = &t->context;
     const batch *b = &t->camera;
+    const uint64_t most = most_rays(c->scene->model);
 
+    memset(t->followers, 0, sizeof t->followers);
     for (shade_batch(t, b, out); !c->failed && !interrupt_is_due(&c->interrupt, b->count); b = t->queue.now) {
         if (!batch_next(&t->queue, c))
             return;
+        if (!count_followers(t, t->queue.now, most)) {
+            c->failed = c->exhausted = true;
+            return;
+        }
         shade_batch(t, t->queue.now, t->queue.now->out);
     }
 }

@@ -14,6 +14,7 @@ struct pov_tracer {
     batch camera;                /* paths of camera rays; their constant members were set once */
     bool camera_odd, camera_inside;   /* its paths are not those of all lanes in order; some are in dielectrics */
     sample_id own_samples[BATCH_MAX];   /* of rays that nobody numbered */
+    uint64_t followers[BATCH_MAX];      /* rays that followed, by lane of the camera ray */
     batch_queue queue;
     surfaces surfaces;           /* of the present batch */
     painted painted;             /* their textures */
@@ -37,6 +38,8 @@ void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned know
                    float *alpha);
 /* Begin paths of n valid rays that carry these colours: photons. */
 void tracer_begin(pov_tracer *t, const pov_ray *rays, uint32_t n, const colour *carried);
+/* What a tracer that failed has to say. */
+pov_status tracer_error(const pov_tracer *t, pov_error *err);
 /* Counts since the tracer was made, including those of its queries. */
 pov_counts tracer_counts(const pov_tracer *t);
 /* Set a callback that is asked for an interrupt while tracing; after a yes context.interrupt.given_up holds, and the

@@ -65,6 +65,8 @@ typedef struct pov_load_desc {
     const pov_animation *animation;   /* NULL: one picture, clock 0 */
     pov_limits limits;
     bool soft_lights;            /* area lights are lit all over, by chance, and not at the points of their grids only */
+    uint64_t most_rays;          /* that may follow from one ray of the camera, shadow rays not counted: more is an error
+                                  * while rendering; 0: a default that no honest scene meets, 10^8 */
 } pov_load_desc;
 
 /* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of
