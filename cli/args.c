@@ -472,6 +472,16 @@ static void note_odd(args *a)
         note(a, "%s holds %s: --format counts, not the name", a->output, a->format);
 }
 
+/* One word more of the command, in quotation marks where a shell wants them. */
+static void note_word(args *a, const char *word)
+{
+    const size_t used = strlen(a->command);
+    const bool plain = word[0] && word[strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@")] == '\0';
+    const char *mark = plain ? "" : "'";
+
+    snprintf(a->command + used, sizeof a->command - used, "%s%s%s%s", used > 0 ? " " : "", mark, word, mark);
+}
+
 args_verdict args_parse(args *a, int argc, char **argv)
 {
     uint64_t seen = 0;
@@ -479,6 +489,9 @@ args_verdict args_parse(args *a, int argc, char **argv)
 
     memset(a, 0, sizeof *a);
     a->preview = -1;
+    note_word(a, "povc");
+    for (int i = 1; i < argc; i++)
+        note_word(a, argv[i]);
     optind = 0;      /* glibc begins anew at 0 */
     opterr = 0;
     while ((option = getopt_long(argc, argv, ":t:j:o:s:D:L:qvhV", long_options, NULL)) != -1) {

@@ -39,6 +39,7 @@ typedef struct args {
     bool resume;
     double error, time;          /* limits that end refinement; 0: none */
     args_sampling sampling;
+    char command[1024];          /* the words of the command line, as a shell takes them; cut off where there are more */
     const char *format;          /* an image ending, or NULL: by the output's name */
     pov_dialect dialect;
     pov_accel accel;

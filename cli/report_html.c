@@ -1,6 +1,6 @@
 #include "plots.h"
 #include "progress.h"
-#include "report.h"
+#include "report_origin.h"
 #include "save.h"
 #include "stats.h"
 
@@ -296,6 +296,19 @@ static pov_status put_stats(const report *r, FILE *to, pov_error *err)
     return POV_OK;
 }
 
+static void put_origin(const report *r, FILE *to)
+{
+    report_origin o;
+
+    report_find_origin(r, &o);
+    fprintf(to, "<h2>How to reproduce</h2>\n<p>povtrace %s, %s, on ", o.version, o.date);
+    put_text(to, o.processor);
+    fprintf(to, "; seed %d, sampling %s. The same words draw the same picture on any machine, unless time ended it.</p>\n<pre>",
+            o.seed, o.sampling);
+    put_text(to, o.command);
+    fputs("</pre>\n", to);
+}
+
 /* ---- the page ---- */
 
 static const char *const style =
@@ -390,6 +403,7 @@ pov_status report_put_html(const report *r, FILE *to, pov_error *err)
     put_errors(r, to);
     put_work(r, to);
     put_bias(r, to);
+    put_origin(r, to);
     put_plan(r, to);
     if (status == POV_OK)
         status = put_stats(r, to, err);

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "report_origin.h"
 
 #include <math.h>
 
@@ -74,12 +74,25 @@ static void put_plan(const report *r, FILE *to)
     }
 }
 
+static void put_origin(const report *r, FILE *to)
+{
+    report_origin o;
+
+    report_find_origin(r, &o);
+    fprintf(to, ",\n  \"version\":\"%s\",\"date\":\"%s\",\"processor\":", o.version, o.date);
+    put_string(to, o.processor);
+    fputs(",\"command\":", to);
+    put_string(to, o.command);
+    fprintf(to, ",\"seed\":%d,\"sampling\":\"%s\"", o.seed, o.sampling);
+}
+
 void report_put_json(const report *r, FILE *to)
 {
     const args *a = r->args;
 
     fputs("{\n  \"scene\":", to);
     put_string(to, a->scene);
+    put_origin(r, to);
     fprintf(to, ",\n  \"width\":%d,\"height\":%d", r->width, r->height);
     put_number(to, "asked_error", a->error, a->error > 0.0);
     put_number(to, "asked_time", a->time, a->time > 0.0);

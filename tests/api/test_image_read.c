@@ -171,6 +171,7 @@ static void a_wrong_ppm_is_told_apart(void **state)
     assert_ppm_wrong("P6\n-1 1\n255\nabc", "header is wrong");
     assert_ppm_wrong("P6\n1 1\n65536\nabcabc", "header is wrong");
     assert_ppm_wrong("P6\n99999999999 1\n255\nabc", "header is wrong");
+    /* F8 of the review. */
     assert_ppm_wrong("P6\n2684354569 1\n255\nabc", "header is wrong");
     assert_ppm_wrong("P6\n1 1\n255#\nabc", "header is wrong");
     assert_ppm_wrong("P6\n268435456 268435456\n65535\nabc", "cut off: its header promises");

@@ -119,3 +119,36 @@ END
     TERM=xterm "$PYTHON" terminal.py timeout -s INT 1 "$povc" rich.pov 640 480 out.png --spp 65536 -q > quiet
     [ ! -s quiet ]
 }
+
+# Defect 29 of the review.
+reports_name_what_a_run_is_repeated_with() {
+    small_scene
+    expect 0 "$povc" small.pov 8 6 o.png --spp 4 --seed 7 --report r.json
+    "$PYTHON" - <<'END'
+import json, re
+r = json.load(open("r.json"))
+assert re.fullmatch(r"\d+\.\d+\.\d+", r["version"]), r["version"]
+assert re.fullmatch(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ", r["date"]), r["date"]
+assert r["processor"] and r["seed"] == 7 and r["sampling"] == "auto: uniform", r
+assert r["command"] == "povc small.pov 8 6 o.png --spp 4 --seed 7 --report r.json", r["command"]
+END
+    expect 0 "$povc" small.pov 8 6 "o <1>.png" --error 0.5 --report r.html
+    says r.html "How to reproduce"
+    says r.html "povc small.pov 8 6 'o &lt;1&gt;.png' --error 0.5 --report r.html"
+    says r.html "seed 0, sampling auto: adaptive"
+}
+
+# F6 of the review: a header of 20000 x 20000 and no pixels took 1.2 GB.
+reports_refuse_a_reference_by_its_header() {
+    small_scene
+    "$PYTHON" - <<'END'
+import struct, zlib
+def chunk(name, data):
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+png = chunk(b"IHDR", struct.pack(">IIBBBBB", 20000, 20000, 8, 2, 0, 0, 0)) + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b"")
+open("huge.png", "wb").write(b"\x89PNG\r\n\x1a\n" + png)
+open("wide.ppm", "wb").write(b"P6 20000 12000 255\n" + bytes(99))
+END
+    (ulimit -v 400000; expect 1 "$povc" small.pov 8 6 o.png --spp 4 --report r.csv --reference huge.png -t 1)
+    (ulimit -v 400000; expect 1 "$povc" small.pov 8 6 o.png --spp 4 --report r.csv --reference wide.ppm -t 1)
+}

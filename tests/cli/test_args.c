@@ -212,6 +212,9 @@ static void args_refuses_unknown_options_and_guesses_what_was_meant(void **state
     assert_refused("s 9 9 o --colour never", "did you mean \"--color\"?");
     assert_refused("s 9 9 o --wombat", "there is no option \"--wombat\"");
     assert_refused("s 9 9 o -x", "there is no option \"-x\"");
+    /* Defect 17 of the review. */
+    assert_refused("s -W64 -H48", "POV-Ray's words if one begins with +");
+    assert_refused("-H48 s", "POV-Ray's words if one begins with +");
     assert_refused("s 9 9 o --stats=3", "takes no value");
     assert_refused("s 9 9 o --threads", "wants a value");
     assert_refused("s 9 9 o p", "\"p\" is one word too many");
