@@ -305,7 +305,7 @@ check: $(SHARED) $(PLUGINS)
 	@BUILD='$(BUILD)' CC='$(CC)' CXX='$(CXX)' tests/check/check.sh
 
 help:
-	@echo "make            build the library, the plugins and povc into $(BUILD)/"
+	@echo "make            build $(BUILD)/bin/povc and $(BUILD)/bin/povview, the library and the plugins"
 	@echo "make dev        build povc and what it loads into $(BUILD)-dev/, one copy at -O2: for edit and try"
 	@echo "make demo       install what is missing, build, render a scene of the gallery and say what to try next"
 	@echo "make test       run every test"
