@@ -79,6 +79,18 @@ static void assert_text(int columns, const char *expected)
     assert_string_equal(out, expected);
 }
 
+/* F10 and defect 3 of the review: "about 0 s to go" where nothing was known. */
+static void progress_says_no_time_left_that_is_not_known(void **state)
+{
+    const pov_progress now = { .size = sizeof now, .fraction = 0.0, .seconds = 11.0, .spp_mean = 1.0, .est_rmse = -1.0,
+                               .seconds_left = -1.0, .counts = { .camera = 11000000 } };
+    char out[128];
+
+    (void)state;
+    progress_text(&now, 80, out, sizeof out);
+    assert_string_equal(out, "  0.0 %  1.0 M rays/s");
+}
+
 /* Defect 12 of the review. */
 static void progress_drops_whole_fields_where_the_terminal_is_narrow(void **state)
 {
@@ -96,6 +108,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(progress_never_rounds_up_to_100),
         cmocka_unit_test(progress_says_durations_as_a_clock_does),
+        cmocka_unit_test(progress_says_no_time_left_that_is_not_known),
         cmocka_unit_test(progress_drops_whole_fields_where_the_terminal_is_narrow),
         cmocka_unit_test(progress_is_silent_when_asked_to_be),
         cmocka_unit_test(progress_without_a_terminal_is_a_line_each_ten_seconds_at_most),

@@ -1,4 +1,4 @@
-/* test_segments.c - segments that end on a surface, or as near to it as doubles are. */
+/* test_segments.c - N2 and N3: segments that end on a surface, or as near to it as doubles are. */
 #include "support/check.h"
 #include "support/limits.h"
 #include "support/scenes.h"
