@@ -360,6 +360,7 @@ void parse_texture(pov_reader *in, surface_parsed *s)
     s->material.interior = outer.material.interior;
     read_block(in, s);
     s->inside = outer.inside;
+    s->uv = outer.uv;
     s->has_look = true;
     s->moves = 0;
     if (outer.has_look && !in->failed) {
