@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { WIDTH = 48, HEIGHT = 36 };
 
@@ -15,20 +14,10 @@ enum { WIDTH = 48, HEIGHT = 36 };
 
 static float *render(const char *light, const char *body)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[4096];
-    float *picture;
 
     snprintf(text, sizeof text, "%s%s%s", HEAD, light, body);
-    scene = scenes_text(context, text);
-    desc.width = WIDTH;
-    desc.height = HEIGHT;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return picture;
+    return scenes_draw(text, WIDTH, HEIGHT, 0, 0);
 }
 
 /* Sums of 64 floats differ by their roundings. */

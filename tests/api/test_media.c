@@ -17,23 +17,11 @@ enum { WIDTH = 9, HEIGHT = 7, SAMPLES = 16 };
 
 static float *render(const char *body, int threads, int samples)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    pov_context *context = scenes_context();
-    pov_scene *scene;
     char text[1024];
-    float *picture;
 
     snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 0 }\n"
              "camera { orthographic location <0,0,-10> right 1.8*x up 1.4*y }\n%s", body);
-    scene = scenes_text(context, text);
-    desc.width = WIDTH;
-    desc.height = HEIGHT;
-    desc.threads = threads;
-    desc.samples = samples;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return picture;
+    return scenes_draw(text, WIDTH, HEIGHT, samples, threads);
 }
 
 /* The mean over all pixels: they see the same. */

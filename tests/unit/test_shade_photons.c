@@ -18,23 +18,6 @@
 
 enum { WIDTH = 480, HEIGHT = 360 };
 
-static float *draw(const char *text, int width, int height, int samples, int threads)
-{
-    pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, text);
-    pov_render_desc d = POV_INIT(d);
-    float *pixels;
-
-    d.width = width;
-    d.height = height;
-    d.samples = samples;
-    d.threads = threads;
-    pixels = scenes_render(scene, &d);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return pixels;
-}
-
 static float red_at(const float *pixels, int x, int y) { return pixels[4 * (y * WIDTH + x)]; }
 
 static double x_of(int x) { return (x + 0.5) * 4.0 / WIDTH - 2.0; }
@@ -133,7 +116,7 @@ static const double diffuse = 0.8;
 static void a_sphere_throws_the_caustic_of_snells_law(void **state)
 {
     static const double edges[] = { 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0 };
-    float *p = draw(FLOOR GLASS "light_source { <0,0,-8> rgb .01 }", WIDTH, HEIGHT, 1, 0);
+    float *p = scenes_draw(FLOOR GLASS "light_source { <0,0,-8> rgb .01 }", WIDTH, HEIGHT, 1, 0);
 
     (void)state;
     for (size_t i = 0; i + 1 < sizeof edges / sizeof *edges; i++)
@@ -143,7 +126,7 @@ static void a_sphere_throws_the_caustic_of_snells_law(void **state)
 
 static void the_caustic_holds_the_light_that_met_the_sphere(void **state)
 {
-    float *p = draw(FLOOR GLASS "light_source { <0,0,-8> rgb .01 }", WIDTH, HEIGHT, 1, 0);
+    float *p = scenes_draw(FLOOR GLASS "light_source { <0,0,-8> rgb .01 }", WIDTH, HEIGHT, 1, 0);
 
     (void)state;
     assert_ring(p, 0.0, 1.0, diffuse * 0.01 * lens(8.0, 0.0, 1.0), 0.01);
@@ -153,7 +136,7 @@ static void the_caustic_holds_the_light_that_met_the_sphere(void **state)
 /* The edge of the caustic of a near light, where light has no bound, is blurred. */
 static void the_edge_of_a_caustic_is_sharp(void **state)
 {
-    float *p = draw(FLOOR GLASS "light_source { <0,0,-3> rgb .003 }", WIDTH, HEIGHT, 2, 0);
+    float *p = scenes_draw(FLOOR GLASS "light_source { <0,0,-3> rgb .003 }", WIDTH, HEIGHT, 2, 0);
 
     (void)state;
     assert_ring(p, 0.0, 0.1, diffuse * 0.003 * lens(3.0, 0.0, 0.1), 0.03);
@@ -173,7 +156,7 @@ static void a_flat_mirror_is_a_mirrored_lamp(void **state)
 
     (void)state;
     snprintf(text, sizeof text, "%s %s light_source { <-2,0,-4> rgb .5 }", FLOOR, mirror);
-    p = draw(text, WIDTH, HEIGHT, 1, 0);
+    p = scenes_draw(text, WIDTH, HEIGHT, 1, 0);
     for (int y = 60; y < HEIGHT - 60; y++)
         for (int x = 0; x < WIDTH / 2; x++) {
             const double dx = x_of(x) + 2.0, far = x_of(x) - 6.4, dy = y_of(y);
@@ -187,7 +170,7 @@ static void a_flat_mirror_is_a_mirrored_lamp(void **state)
 
 static void assert_alike(const char *a, const char *b)
 {
-    float *one = draw(a, WIDTH, HEIGHT, 1, 0), *other = draw(b, WIDTH, HEIGHT, 1, 0);
+    float *one = scenes_draw(a, WIDTH, HEIGHT, 1, 0), *other = scenes_draw(b, WIDTH, HEIGHT, 1, 0);
 
     assert_memory_equal(one, other, 4 * sizeof(float) * WIDTH * HEIGHT);
     free(one);
@@ -231,7 +214,7 @@ static void photons_that_cannot_leave_the_target_leave_it_dark(void **state)
 
     (void)state;
     snprintf(text, sizeof text, "%s%s light_source { <0,0,-8> rgb .5 }", floor, GLASS);
-    p = draw(text, WIDTH, HEIGHT, 1, 0);
+    p = scenes_draw(text, WIDTH, HEIGHT, 1, 0);
     assert_true(ring(p, 0.0, 1.0) == 0.0);
     free(p);
 }
@@ -240,11 +223,11 @@ static void photons_that_cannot_leave_the_target_leave_it_dark(void **state)
 static void the_number_of_threads_changes_no_bit(void **state)
 {
     static const char *const text = FLOOR GLASS "light_source { <0,0,-8> rgb .01 }";
-    float *one = draw(text, 40, 30, 5, 1);
+    float *one = scenes_draw(text, 40, 30, 5, 1);
 
     (void)state;
     for (int threads = 2; threads <= 4; threads++) {
-        float *many = draw(text, 40, 30, 5, threads);
+        float *many = scenes_draw(text, 40, 30, 5, threads);
 
         assert_memory_equal(one, many, 4 * sizeof(float) * 40 * 30);
         free(many);

@@ -12,18 +12,7 @@ enum { WIDTH = 32, HEIGHT = 24, SAMPLES = 16 };
 
 static float *draw(const char *text)
 {
-    pov_context *context = scenes_context();
-    pov_scene *scene = scenes_text(context, text);
-    pov_render_desc d = POV_INIT(d);
-    float *pixels;
-
-    d.width = WIDTH;
-    d.height = HEIGHT;
-    d.samples = SAMPLES;
-    pixels = scenes_render(scene, &d);
-    pov_scene_destroy(scene);
-    pov_context_destroy(context);
-    return pixels;
+    return scenes_draw(text, WIDTH, HEIGHT, SAMPLES, 0);
 }
 
 static double mean_of(const char *text)
