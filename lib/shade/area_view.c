@@ -219,7 +219,8 @@ static bool make_shaft(const plane *p, const grid_part *all, shaft *s)
     return shaft_make(s, p->from, corner);
 }
 
-void area_view_hide(area_view *out)
+/* Something may hide all of it. */
+static void hide_all(area_view *out)
 {
     out->dark = false;
     out->count = 1;
@@ -234,5 +235,5 @@ void area_view_find(const shading *scene, const scene_light *from, const hit *h,
     out->count = 0;
     if ((!make_plane(from->light, h->point, to, &f.plane) || !make_shaft(&f.plane, &f.all, &f.shaft) ||
          !query_blockers(scene->world, &f.shaft, find_left(h, normal, f.shaft.corner), add_blocker, &f)) && !out->dark)
-        area_view_hide(out);
+        hide_all(out);
 }

@@ -13,9 +13,6 @@ typedef struct area_view { bool dark; uint32_t count; grid_part hidden[AREA_VIEW
  * position. */
 void area_view_find(const shading *scene, const scene_light *from, const hit *h, pov_vec3 normal, pov_vec3 to, area_view *out);
 
-/* Something may hide all of it. */
-void area_view_hide(area_view *out);
-
 static inline bool area_view_has(const area_view *v, const grid_part *place)
 {
     for (uint32_t i = 0; i < v->count; i++)

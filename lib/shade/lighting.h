@@ -19,6 +19,15 @@ typedef struct lighting {
                                   * BATCH_MAX rays that is unused until all lights are done */
 } lighting;
 
+/* The points of its surfaces. */
+static inline light_points lighting_points(const lighting *l)
+{
+    const geometry *g = &l->on->geometry;
+    const light_points at = { &g->to.point, &g->to.point_lo, l->on->count };
+
+    return at;
+}
+
 /* Add diffuse light and highlights of all visible lights to `lit` of each surface. */
 void light_gather(lighting *l, shade_context *c, surfaces *on);
 

@@ -1,0 +1,231 @@
+#include "shade/area_light.h"
+
+#include "light/aim.h"
+#include "shade/area_view.h"
+#include "shade/shadow.h"
+
+#include <string.h>
+
+/* Which draw of points that move: those for shadows, or those whose light is reflected. */
+enum { DRAW_SHADOWS, DRAW_REFLECTED };
+
+/* Directions to the k-th point of an area light. False: by lane these are different points. */
+static bool aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to, light_lanes *in,
+                         light_origin *origin)
+{
+    in->tmax = 1.0;
+    if (from->grid->moves) {
+        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, &in->dir);
+        return false;
+    }
+    *origin = grid_origin(from->light, from->grid, k);
+    light_aim(origin, at, &in->dir);
+    return true;
+}
+
+/* A view costs as much as the rays to so many points. */
+enum { VIEW_FROM = 20 };
+
+/* Light that something dims on its way, hidden or not, needs its rays. */
+static bool needs_rays(const scene_light *from)
+{
+    return from->grid->count < VIEW_FROM || from->light->through_count > 0 || (from->light->flags & LIGHT_ATTENUATED);
+}
+
+/* Views by ray; `open`: rays from which something may hide a part of the light. The others get all of it or nothing; *lit:
+ * those that do. */
+static uint32_t find_views(const lighting *l, const scene_light *from, const vec_lanes *to, area_view *views, uint8_t *open,
+                           uint64_t *lit, colour *through)
+{
+    const float sum = from->grid->sum;
+    const geometry *g = &l->on->geometry;
+    uint32_t n = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        const uint32_t lane = l->of[i];
+        bool is_clear;
+
+        area_view_find(l->context->scene, from, l->on->at[lane].at, lanes_at(&g->to.normal, lane), lanes_at(to, lane),
+                       &views[i]);
+        is_clear = !views[i].dark && views[i].count == 0;
+        through[i] = is_clear ? colour_of(sum, sum, sum) : colour_of(0.0f, 0.0f, 0.0f);
+        *lit |= (uint64_t)is_clear << i;
+        if (!views[i].dark && views[i].count > 0)
+            open[n++] = (uint8_t)i;
+    }
+    return n;
+}
+
+/* Of the open rays those that something may hide the k-th point from. The others get its light. */
+static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, const area_view *views, const uint8_t *open,
+                              uint32_t count, uint8_t *which, colour *through)
+{
+    const grid_part place = grid_place(g, k);
+    const float weight = g->points[k].weight;
+    uint64_t lit = 0;
+
+    l->count = 0;
+    for (uint32_t n = 0; n < count; n++) {
+        const uint8_t i = open[n];
+
+        if (area_view_has(&views[i], &place)) {
+            through[i] = colour_add(through[i], colour_of(weight, weight, weight));
+            lit |= (uint64_t)1 << i;
+        } else {
+            which[l->count] = i;
+            l->of[l->count] = l->seen[i];
+            l->rays[l->count] = &l->own[l->seen[i]];
+            l->count++;
+        }
+    }
+    return lit;
+}
+
+/* Add the light of the k-th point to the rays at `which`. Returns those that get any. */
+static uint64_t trace_point(lighting *l, const scene_light *from, uint32_t k, const vec_lanes *to, const uint8_t *which,
+                            colour *through)
+{
+    const light_points at = lighting_points(l);
+    colour some[BATCH_MAX];
+    light_origin origin;
+    light_lanes in;
+    const bool at_one = aim_at_point(from, k, &at, to, &in, &origin);
+    uint64_t lit = 0;
+
+    shadow_name_sides(l, l->of, l->count, &in.dir);
+    for (uint32_t i = 0; i < l->count; i++)
+        l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
+    for (uint64_t rest = shadow_trace(l, from->light, shadow_end(from, &in, at_one ? &origin : NULL), some); rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        through[which[i]] = colour_add(through[which[i]], colour_scale(some[i], from->grid->points[k].weight));
+        lit |= (uint64_t)1 << which[i];
+    }
+    return lit;
+}
+
+/* All rays to all points. */
+static uint64_t trace_all(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
+{
+    uint8_t which[BATCH_MAX];
+    uint64_t lit = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        which[i] = (uint8_t)i;
+        through[i] = colour_of(0.0f, 0.0f, 0.0f);
+    }
+    for (uint32_t k = 0; k < from->grid->count; k++)
+        lit |= trace_point(l, from, k, to, which, through);
+    return lit;
+}
+
+/* The rays to points that something may hide. */
+static uint64_t trace_hidden(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
+{
+    const uint32_t count = l->count;
+    area_view views[BATCH_MAX];
+    uint8_t open[BATCH_MAX], which[BATCH_MAX];
+    uint64_t lit = 0;
+    const uint32_t open_count = find_views(l, from, to, views, open, &lit, through);
+
+    memcpy(l->seen, l->of, count);
+    for (uint32_t k = 0; open_count > 0 && k < from->grid->count; k++) {
+        lit |= choose_hidden(l, from->grid, k, views, open, open_count, which, through);
+        if (l->count > 0)
+            lit |= trace_point(l, from, k, to, which, through);
+    }
+    memcpy(l->of, l->seen, count);
+    l->count = count;
+    return lit;
+}
+
+/* The mean transmittance to all points of an area light; `to` are the directions to its middle. */
+static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes *to, colour *through)
+{
+    const uint64_t lit = needs_rays(from) ? trace_all(l, from, to, through) : trace_hidden(l, from, to, through);
+
+    shadow_name_origins(l, NULL);
+    return lit;
+}
+
+/* The direction from a lane's surface to a point of the area that is drawn for its path. */
+static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t lane, const vec_lanes *to)
+{
+    const path *p = l->on->at[lane].from;
+    const shade_context *c = l->context;
+    const uint32_t number = (uint32_t)(from - c->scene->lights), draws = c->scene->model->radiosity.draws;
+    const sequence_point u = random_point(&c->samples[p->lane], p->draw, draws, p->branch * 0x85ebca6bu + number + 1);
+    const uint32_t k = grid_draw(from->grid, u.x);
+    const geometry *g = &l->on->geometry;
+    vec_lanes point, low, middle;
+    const light_points at = { &point, &low, 1 };
+    light_origin origin;
+    light_lanes in;
+
+    for (uint32_t i = 0; i < lanes_whole(1); i++) {
+        lanes_put(&point, i, lanes_at(&g->to.point, lane));
+        lanes_put(&low, i, lanes_at(&g->to.point_lo, lane));
+        lanes_put(&middle, i, lanes_at(to, lane));
+    }
+    aim_at_point(from, k, &at, &middle, &in, &origin);
+    return lanes_at(&in.dir, 0);
+}
+
+/* The same for one point of the area each, drawn by the weights: where radiosity gathers light more would be lost time. */
+static uint64_t trace_some(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
+{
+    light_lanes to = *in;
+    segment_end end = { 1.0, NULL };
+    uint64_t lit;
+
+    for (uint32_t i = 0; i < l->count; i++)
+        lanes_put(&to.dir, l->of[i], aim_at_some(l, from, l->of[i], &in->dir));
+    shadow_name_sides(l, l->of, l->count, &to.dir);
+    for (uint32_t i = 0; i < l->count; i++)
+        l->own[l->of[i]].dir = lanes_at(&to.dir, l->of[i]);
+    lit = shadow_trace(l, from->light, end, through);
+    shadow_name_origins(l, NULL);
+    return lit;
+}
+
+uint64_t area_trace(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
+{
+    return l->on->at[0].from->gathers > 0 ? trace_some(l, from, in, through) : trace_area(l, from, &in->dir, through);
+}
+
+/* Incident light from the k-th point of an area light. Where points move, cone and fading are those of the middle. */
+static void find_incident(const scene_light *from, uint32_t k, const light_points *at, const light_lanes *middle,
+                          light_lanes *in)
+{
+    if (from->grid->moves) {
+        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, &in->dir);
+    } else {
+        const light_origin origin = grid_origin(from->light, from->grid, k);
+
+        from->class->incident(from->light, &origin, at, in);
+    }
+}
+
+void area_reflect(lighting *l, const scene_light *from, light_sample *s, const light_lanes *middle, uint32_t n)
+{
+    const bool highlights = l->glossy && !(from->light->flags & LIGHT_SHADOWLESS);
+    const light_points at = lighting_points(l);
+    const float share = 1.0f / (float)from->grid->count;
+    light_lanes in = *middle;
+    light_sample one;
+
+    for (uint32_t i = 0; i < n; i++)
+        s->red[i] = s->green[i] = s->blue[i] = 0.0f;
+    for (uint32_t k = 0; k < from->grid->count; k++) {
+        find_incident(from, k, &at, middle, &in);
+        brdf_cosines(&one, &l->on->geometry, &in.dir, n);
+        brdf_reflect(&l->finishes, l->context->scene->model, &one, &in, highlights, n);
+        for (uint32_t i = 0; i < n; i++) {
+            s->red[i] += one.front[i] ? share * one.red[i] : 0.0f;
+            s->green[i] += one.front[i] ? share * one.green[i] : 0.0f;
+            s->blue[i] += one.front[i] ? share * one.blue[i] : 0.0f;
+        }
+    }
+    for (uint32_t i = 0; i < n; i++)
+        s->front[i] = s->contributes[i] = !colour_is_black(brdf_at(s, i));
+}

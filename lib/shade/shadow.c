@@ -1,0 +1,144 @@
+#include "shade/shadow.h"
+
+#include "base/simd.h"
+#include "shade/haze.h"
+
+static bool any_coincident(const lighting *l)
+{
+    for (uint32_t i = 0; i < l->count; i++)
+        if (l->on->at[l->of[i]].coincident)
+            return true;
+    return false;
+}
+
+/* Rays from coincident surfaces are traced one by one. */
+static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
+{
+    const shade_context *c = l->context;
+    uint64_t lit = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        const uint32_t at = l->on->at[l->of[i]].coincident;
+        const path *from = l->on->at[l->of[i]].from;
+        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], from, end, &through[i])
+                               : transmittance_find(c, &l->rays[i], &from, 1, end, &through[i]) != 0;
+
+        lit |= (uint64_t)is_lit << i;
+    }
+    return lit;
+}
+
+/* Rays from several surfaces at one hit are traced once. */
+static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
+{
+    const pov_ray *rays[BATCH_MAX];
+    const path *from[BATCH_MAX];
+    colour some[BATCH_MAX];
+    uint8_t which[BATCH_MAX];
+    uint32_t n = 0;
+    uint64_t found, lit = 0;
+
+    for (uint32_t i = 0; i < l->count; i++) {
+        if (i == 0 || l->on->at[l->of[i]].at != l->on->at[l->of[i - 1]].at) {
+            from[n] = l->on->at[l->of[i]].from;
+            rays[n++] = l->rays[i];
+        }
+        which[i] = (uint8_t)(n - 1);
+    }
+    l->context->counts.shadow -= l->count - n;
+    found = transmittance_find(l->context, rays, from, n, end, some);
+    for (uint32_t i = 0; i < l->count; i++) {
+        through[i] = some[which[i]];
+        lit |= (found >> which[i] & 1) << i;
+    }
+    return lit;
+}
+
+/* The rays that are not occluded. */
+static uint64_t trace(const lighting *l, segment_end end, colour *through)
+{
+    shade_context *c = l->context;
+    const path *from[BATCH_MAX];
+
+    c->counts.shadow += l->count;
+    if (c->coincident_sets.count > 0 && any_coincident(l))
+        return trace_each(l, end, through);
+    if (l->on->shared)
+        return trace_hits(l, end, through);
+    if (!c->scene->plan->media)
+        return transmittance_find(c, l->rays, NULL, l->count, end, through);
+    for (uint32_t i = 0; i < l->count; i++)
+        from[i] = l->on->at[l->of[i]].from;
+    return transmittance_find(c, l->rays, from, l->count, end, through);
+}
+
+/* Shorten rays to where they first cross what a light is projected through. Returns those that do. */
+static uint64_t shorten(lighting *l, const light *from, double tmax)
+{
+    const shade_context *c = l->context;
+    uint64_t through = 0;
+
+    for (uint32_t i = 0; i < l->count; i++)
+        through |= (uint64_t)transmittance_shorten(c, from, tmax, &l->own[l->of[i]]) << i;
+    return through;
+}
+
+/* Light that the atmosphere dims on its whole way. */
+static void attenuate(const lighting *l, const light *from, double tmax, uint64_t lit, colour *through)
+{
+    for (; lit; lit &= lit - 1) {
+        const uint32_t i = first_of64(lit);
+
+        haze_attenuate(l->context, from, l->rays[i], tmax, &through[i]);
+    }
+}
+
+/* The rays to one point of a light source that are not occluded. */
+uint64_t shadow_trace(lighting *l, const light *from, segment_end end, colour *through)
+{
+    uint64_t lit;
+
+    if (from->through_count == 0) {
+        lit = trace(l, end, through);
+    } else {
+        lit = shorten(l, from, end.tmax);
+        end.at = NULL;
+        lit &= trace(l, end, through);
+    }
+    if (from->flags & LIGHT_ATTENUATED)
+        attenuate(l, from, end.tmax, lit, through);
+    return lit;
+}
+
+/* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */
+void shadow_name_origins(lighting *l, const double *cosines)
+{
+    for (uint32_t k = 0; k < l->finishes.count; k++) {
+        const uint32_t i = l->finishes.lit[k];
+
+        world_origin_reflect(&l->own[i], l->on->at[i].at, cosines ? cosines[i] : 1.0);
+    }
+}
+
+/* Components of directions along the normals, and bounds of their lengths: the sums of their components' sizes. */
+SIMD_CLONES static void project(const vec_lanes *restrict dir, const vec_lanes *restrict normal, uint32_t n,
+                                double *restrict along, double *restrict length)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        along[i] = dir->x[i] * normal->x[i] + dir->y[i] * normal->y[i] + dir->z[i] * normal->z[i];
+        length[i] = fabs(dir->x[i]) + fabs(dir->y[i]) + fabs(dir->z[i]);
+    }
+}
+
+/* The same where the shading normal does not tell the side of a ray: the geometric one does. */
+void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir)
+{
+    SIMD_ALIGNED double along[LANES_MAX], length[LANES_MAX];
+
+    project(dir, &l->on->geometry.to.normal, lanes_whole(l->on->count), along, length);
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t i = lanes[k];
+
+        world_origin_aim(&l->own[i], l->on->at[i].at, along[i], length[i]);
+    }
+}

@@ -1,0 +1,23 @@
+/* shadow.h - rays from lit surfaces to one point of a light. */
+#ifndef SHADE_SHADOW_H
+#define SHADE_SHADOW_H
+
+#include "shade/lighting.h"
+#include "shade/transmittance.h"
+
+/* The rays to one point of a light source that are not occluded. */
+uint64_t shadow_trace(lighting *l, const light *from, segment_end end, colour *through);
+/* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */
+void shadow_name_origins(lighting *l, const double *cosines);
+/* The same of rays from these lanes where the shading normal does not tell the side of a ray: the geometric one does. */
+void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir);
+
+/* Where rays to a light end that comes from this point. */
+static inline segment_end shadow_end(const scene_light *from, const light_lanes *in, const light_origin *origin)
+{
+    const segment_end end = { in->tmax, from->class->parallel ? NULL : origin };
+
+    return end;
+}
+
+#endif
