@@ -312,11 +312,14 @@ static void follow(pov_tracer *t, colour *out)
     shade_context *c = &t->context;
     const batch *b = &t->camera;
     const uint64_t most = most_rays(c->scene->model);
+    bool first = true;
 
-    memset(t->followers, 0, sizeof t->followers);
     for (shade_batch(t, b, out); !c->failed && !interrupt_is_due(&c->interrupt, b->count); b = t->queue.now) {
         if (!batch_next(&t->queue, c))
             return;
+        if (first)
+            memset(t->followers, 0, sizeof t->followers);
+        first = false;
         if (!count_followers(t, t->queue.now, most)) {
             c->failed = c->exhausted = true;
             return;
