@@ -472,14 +472,26 @@ static void note_odd(args *a)
         note(a, "%s holds %s: --format counts, not the name", a->output, a->format);
 }
 
+static void append(args *a, const char *text)
+{
+    const size_t used = strlen(a->command);
+
+    snprintf(a->command + used, sizeof a->command - used, "%s", text);
+}
+
 /* One word more of the command, in quotation marks where a shell wants them. */
 static void note_word(args *a, const char *word)
 {
-    const size_t used = strlen(a->command);
     const bool plain = word[0] && word[strspn(word, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@")] == '\0';
-    const char *mark = plain ? "" : "'";
 
-    snprintf(a->command + used, sizeof a->command - used, "%s%s%s%s", used > 0 ? " " : "", mark, word, mark);
+    append(a, a->command[0] ? " " : "");
+    append(a, plain ? "" : "'");
+    for (; *word; word++) {
+        const char letter[2] = { *word, '\0' };
+
+        append(a, *word == '\'' ? "'\\''" : letter);
+    }
+    append(a, plain ? "" : "'");
 }
 
 args_verdict args_parse(args *a, int argc, char **argv)

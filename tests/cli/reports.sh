@@ -135,6 +135,9 @@ END
     expect 0 "$povc" small.pov 8 6 "o <1>.png" --error 0.5 --report r.html
     says r.html "How to reproduce"
     says r.html "povc small.pov 8 6 'o &lt;1&gt;.png' --error 0.5 --report r.html"
+    expect 0 "$povc" small.pov 8 6 "it's.png" --report r.json
+    sh -c "set -- $("$PYTHON" -c 'import json; print(json.load(open("r.json"))["command"])'); printf '%s\\n' \"\$@\"" > words
+    says words "it's.png"
     says r.html "seed 0, sampling auto: adaptive"
 }
 
