@@ -44,6 +44,8 @@ const pov_function *host_function(pov_reader *in, uint32_t n)
     return &s->service;
 }
 
+const function *host_function_of(const pov_function *f) { return ((const served *)(const void *)f)->of; }
+
 /* ---- transformations ---- */
 
 static bool is_identity(const pov_affine *map)

@@ -6,6 +6,8 @@
 
 /* See pov_host. */
 const pov_function *host_function(pov_reader *in, uint32_t n);
+/* What host_function() made it of. */
+const struct function *host_function_of(const pov_function *f);
 bool host_transform(pov_reader *in, pov_affine *map);
 
 #endif

@@ -236,7 +236,7 @@ static void parse_gamma(pov_reader *in, image_gamma *out)
 }
 
 /* Before version 3 the plane of the image came first. */
-const image *image_file_parse(pov_reader *in, image_gamma *given)
+const image *image_file_parse(pov_reader *in, image_gamma *given, bool colours)
 {
     const image *found = NULL;
     const char *format;
@@ -247,7 +247,7 @@ const image *image_file_parse(pov_reader *in, image_gamma *given)
         state_accept(in, ',');
     }
     if (state_accept_keyword(in, KEYWORD_FUNCTION)) {
-        found = image_function_parse(in);
+        found = image_function_parse(in, colours);
     } else {
         format = parse_format(in);
         name = value_text(in);

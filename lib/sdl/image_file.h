@@ -8,8 +8,8 @@
 
 /* `png "name"`, `"name" gamma 2.2`: what stands at the beginning of each block of an image. */
 typedef struct image_gamma { bool is_given, is_srgb; double number; } image_gamma;
-/* NULL: the reader has failed. */
-const image *image_file_parse(pov_reader *in, image_gamma *given);
+/* colours: see image_function_parse(). NULL: the reader has failed. */
+const image *image_file_parse(pov_reader *in, image_gamma *given, bool colours);
 
 /* format NULL: by the name's ending. NULL: the reader has failed, at the name. */
 const image *image_file_read(pov_reader *in, const string *name, const char *format);

@@ -1,5 +1,6 @@
 #include "sdl/image_function.h"
 
+#include "sdl/function_host.h"
 #include "sdl/host_parts.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
@@ -36,7 +37,22 @@ static void fill(const pov_function *f, const image *of, uint16_t *samples, doub
         }
 }
 
-const image *image_function_parse(pov_reader *in)
+/* The filter of a pigment is not kept, as POV-Ray has it. */
+static void fill_colours(const function *f, const image *of, uint16_t *samples)
+{
+    for (uint32_t row = 0; row < of->height; row++)
+        for (uint32_t column = 0; column < of->width; column++, samples += 4) {
+            const double at[3] = { place_of(column, of->width), place_of(row, of->height), 0.0 };
+            double c[5];
+
+            function_host_colour(f, at, c);
+            for (int k = 0; k < 3; k++)
+                samples[k] = sample_of(c[k]);
+            samples[3] = sample_of(1.0 - c[4]);
+        }
+}
+
+const image *image_function_parse(pov_reader *in, bool colours)
 {
     const pov_function *f;
     uint16_t *samples;
@@ -51,15 +67,20 @@ const image *image_function_parse(pov_reader *in)
     f = host_function(in, 3);
     if (!f || in->failed)
         return NULL;
-    out->channels = 1;
+    colours = colours && host_function_of(f)->kind == FUNCTION_PIGMENT;
+    out->channels = colours ? 4 : 1;
+    out->has_alpha = colours;
     out->bits = 16;
     out->encoding = POV_ENCODING_STORED;
-    out->stride = sizeof *samples * out->width;
+    out->stride = sizeof *samples * out->channels * out->width;
     samples = state_alloc(in, out->stride * out->height, 16);
     memory = state_alloc(in, (f->memory + 1) * sizeof *memory, 16);
     if (in->failed)
         return NULL;
-    fill(f, out, samples, memory);
+    if (colours)
+        fill_colours(host_function_of(f), out, samples);
+    else
+        fill(f, out, samples, memory);
     out->samples = (unsigned char *)samples;
     return out;
 }

@@ -5,8 +5,8 @@
 #include "model/image.h"
 #include "sdl/state.h"
 
-/* `function` was taken: `W, H { f }`. Grey of 16 bits, not encoded: f at x and y from 0 to 1, y downwards. NULL: the reader
- * has failed. */
-const image *image_function_parse(pov_reader *in);
+/* `function` was taken: `W, H { f }`. 16 bits, not encoded: f at x and y from 0 to 1, y downwards. It is grey; with
+ * `colours` a pigment has its own, and 1 - transmit as alpha. NULL: the reader has failed. */
+const image *image_function_parse(pov_reader *in, bool colours);
 
 #endif

@@ -41,7 +41,7 @@ static uint16_t height_at(const image *of, const unsigned char *at)
 const uint16_t *image_heights_read(pov_reader *in, uint32_t *width, uint32_t *height)
 {
     image_gamma unused;
-    const image *of = image_file_parse(in, &unused);
+    const image *of = image_file_parse(in, &unused, false);
     uint16_t *out = of ? state_alloc(in, sizeof *out * of->width * of->height, 16) : NULL;
 
     *width = *height = 0;

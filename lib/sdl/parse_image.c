@@ -121,7 +121,7 @@ static void read_block(pov_reader *in, const pattern_class *class, image_reading
     block b;
 
     items_open(in, &b);
-    r->map.image = image_file_parse(in, &r->gamma);
+    r->map.image = image_file_parse(in, &r->gamma, true);
     state_accept(in, ',');
     read_items(in, r, has_textures);
     in->block = b.outer;

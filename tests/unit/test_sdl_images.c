@@ -168,6 +168,28 @@ static void a_function_makes_an_image_of_grey(void **state)
     end(&b);
 }
 
+/* As POV-Ray has it; the filter is lost. */
+static void a_pigment_makes_an_image_of_its_colours(void **state)
+{
+    pigment p;
+    bench b;
+
+    (void)state;
+    assert_int_equal(read_scene(&b, "pigment { image_map { function 2, 2 { pigment { gradient x color_map {"
+                                    " [.5 rgb <.25, .5, .75>] [.5 rgbft <1, .5, .25, .2, .6>] } } } } }"), POV_OK);
+    p = colour_at(&b, 0.2, 0.5);
+    assert_float_equal(p.color.r, 16383.0 / 65535.0, 1e-7);
+    assert_float_equal(p.color.b, 49151.0 / 65535.0, 1e-7);
+    assert_float_equal(p.transmit, 0.0, 1e-7);
+    end(&b);
+    assert_int_equal(read_scene(&b, "pigment { image_map { function 2, 2 { pigment { rgbft <1, .5, .25, .2, .6> } } } }"), POV_OK);
+    p = colour_at(&b, 0.8, 0.5);
+    assert_float_equal(p.color.g, 0.5, 2e-5);
+    assert_float_equal(p.transmit, 0.6, 2e-5);
+    assert_float_equal(p.filter, 0.0, 1e-7);
+    end(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -178,6 +200,7 @@ int main(void)
         cmocka_unit_test(entries_of_a_palette_have_their_own_transparency),
         cmocka_unit_test(between_pixels_every_method_meets_them),
         cmocka_unit_test(a_function_makes_an_image_of_grey),
+        cmocka_unit_test(a_pigment_makes_an_image_of_its_colours),
     };
 
     return cmocka_run_group_tests_name("images in scenes", tests, NULL, NULL);
