@@ -96,7 +96,8 @@ static void n5_a_start_near_a_cone_that_grazes_it_is_within_a_part_of_its_size(v
     assert_near(*state, &c);
 }
 
-/* Its truth is not known beyond these digits: the rotations are rounded. */
+/* No independent truth: the rotations are rounded, and the digits are those that this build gives. It guards against a
+ * change, and says nothing of accuracy. */
 static void n5_a_sheared_box_is_met_13_decades_ahead(void **state)
 {
     const ray_case c = {
