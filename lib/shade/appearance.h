@@ -49,10 +49,10 @@ typedef struct appearance_light { float opacity; colour emitted, filter; } appea
 void appearance_light_of(appearance_light *out, const model *m, const finish *f, const pigment *at, bool upper);
 /* Do rays go through this pigment? */
 bool appearance_transmits(const plan *p, const pigment *at);
-/* Is so little left that what lies below is not seen? */
+/* Is so little left that what lies below is not seen? Filters may be negative: by size. */
 static inline bool appearance_is_dark(const model *m, colour left)
 {
-    return (m->opaque_dark_filters ? colour_luminance(left) : colour_weight(left)) < (float)m->adc_bailout;
+    return (m->opaque_dark_filters ? fabsf(colour_luminance(left)) : colour_weight(left)) < (float)m->adc_bailout;
 }
 /* Set the filter of the transmitted ray. */
 void appearance_set_filter(appearance *out, const model *m, colour by);

@@ -88,7 +88,7 @@ static void weigh(const shade_context *c, layers *l, uint32_t i)
     }
     out->by = colour_scale(l->left, out->share);
     out->reflection = share_of(a->reflection.by, out->share);
-    out->reflection.weight *= colour_luminance(l->left);
+    out->reflection.weight *= fabsf(colour_luminance(l->left));
     l->left = colour_mul(l->left, a->filter.by);
     out->through = share_of(colour_scale(l->left, a->finish->refraction), out->share);
     out->is_dark = appearance_is_dark(c->scene->model, l->left);

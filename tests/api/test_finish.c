@@ -126,6 +126,18 @@ static void a_film_changes_all_light_by_its_wavelength(void **state)
     CHECK(samples);
 }
 
+static void filters_below_zero_are_weighed_by_their_size(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, "pigment { rgb .5 transmit -.5 } finish { ambient 1 diffuse 0 }", 0.5, 0.525, 0.55 },
+        { FRONT, "texture { pigment { rgb 0 } finish { ambient 0 diffuse 0 reflection .6 } }"
+          " texture { pigment { rgb .5 transmit -.01 } finish { ambient 1 diffuse 0 } }", 0.805, 0.865, 0.925 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +146,7 @@ int main(void)
         cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
         cmocka_unit_test(what_is_reflected_is_not_transmitted_with_conserve_energy),
+        cmocka_unit_test(filters_below_zero_are_weighed_by_their_size),
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
     };
 
