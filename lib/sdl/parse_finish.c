@@ -84,24 +84,42 @@ void parse_finish_item(pov_reader *in, void *self, keyword_id keyword)
 
 /* ---- reflection ---- */
 
+/* A block that is being read; it has one value if only that for grazing rays was given. */
+typedef struct reflection_block { reflection *of; bool is_one_value; } reflection_block;
+
+/* With one value Fresnel's factor rises from 0 to it. A number is cut to a whole one, as in POV-Ray. */
+static void read_fresnel(pov_reader *in, reflection_block *b)
+{
+    b->of->fresnel = truncf(read_amount(in)) != 0.0f;
+    if (b->of->fresnel && b->is_one_value)
+        b->of->min = colour_of(0.0f, 0.0f, 0.0f);
+}
+
 static void read_reflection_item(pov_reader *in, void *self, keyword_id keyword)
 {
-    reflection *r = &((surface_parsed *)self)->material.finish.reflection;
+    reflection_block *b = self;
+    reflection *r = b->of;
 
     switch (keyword) {
-    case KEYWORD_FRESNEL: r->fresnel = read_amount(in) != 0.0f; break;
+    case KEYWORD_FRESNEL: read_fresnel(in, b); break;
     case KEYWORD_FALLOFF: r->falloff = value_float(in); break;
     case KEYWORD_EXPONENT: r->exponent = value_float(in); break;
     default: r->metallic = read_amount(in); break;
     }
 }
 
-/* One value holds for all angles. */
-static void read_reflection_range(pov_reader *in, reflection *r)
+/* One value holds for all angles. Without any there is no reflection, whatever was given before. */
+static void read_reflection_range(pov_reader *in, reflection_block *b)
 {
+    reflection *r = b->of;
+
+    r->min = r->max = colour_of(0.0f, 0.0f, 0.0f);
+    if (!value_colour_follows(in, true))
+        return;
     r->min = r->max = value_colour(in, true).colour;
     state_accept(in, ',');
-    if (value_colour_follows(in, true))
+    b->is_one_value = !value_colour_follows(in, true);
+    if (!b->is_one_value)
         r->max = value_colour(in, true).colour;
     state_accept(in, ',');
 }
@@ -111,18 +129,17 @@ void parse_finish_reflection(pov_reader *in, void *self, keyword_id keyword)
     static const item items[] = { { KEYWORD_FRESNEL, read_reflection_item }, { KEYWORD_FALLOFF, read_reflection_item },
                                   { KEYWORD_EXPONENT, read_reflection_item }, { KEYWORD_METALLIC, read_reflection_item } };
     static const item_list list = { "an item of the reflection", ITEMS(items), NULL, NULL, NULL, VALUE_NOTHING, NULL };
-    reflection *r = &((surface_parsed *)self)->material.finish.reflection;
+    reflection_block r = { &((surface_parsed *)self)->material.finish.reflection, false };
     block b;
 
     (void)keyword;
     if (in->token.kind != '{') {
-        r->min = r->max = value_colour(in, true).colour;
+        r.of->min = r.of->max = value_colour(in, true).colour;
         return;
     }
     items_open(in, &b);
-    if (value_colour_follows(in, true))
-        read_reflection_range(in, r);
-    items_close(in, &b, &list, self);
+    read_reflection_range(in, &r);
+    items_close(in, &b, &list, &r);
 }
 
 /* ---- irid ---- */
