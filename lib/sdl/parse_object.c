@@ -91,27 +91,37 @@ static void move_object(pov_reader *in, void *self, keyword_id keyword)
         *filling = parse_media_move(in, *filling, parse_last_transforms(in, o->map, moves));
 }
 
-/* `inverse` twice is the shape as it was; `hollow` may say whether. */
+typedef struct flag_word { keyword_id keyword; uint32_t flag; } flag_word;
+
+/* The words that a number may switch off again. */
+static uint32_t switched_flag(keyword_id keyword)
+{
+    static const flag_word words[] = {
+        { KEYWORD_HOLLOW, LEAF_HOLLOW },           { KEYWORD_DOUBLE_ILLUMINATE, LEAF_DOUBLE_ILLUMINATE },
+        { KEYWORD_NO_IMAGE, LEAF_NO_IMAGE },       { KEYWORD_NO_REFLECTION, LEAF_NO_REFLECTION },
+        { KEYWORD_NO_RADIOSITY, LEAF_NO_RADIOSITY },
+    };
+
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (words[i].keyword == keyword)
+            return words[i].flag;
+    return 0;
+}
+
+/* `inverse` twice is the shape as it was. */
 static void read_flag(pov_reader *in, void *self, keyword_id keyword)
 {
+    const uint32_t flag = switched_flag(keyword);
     object_parsed *o = self;
 
     if (keyword == KEYWORD_INVERSE)
         o->flags ^= LEAF_INVERSE;
     else if (keyword == KEYWORD_NO_SHADOW)
         o->flags |= LEAF_NO_SHADOW;
-    else if (keyword == KEYWORD_DOUBLE_ILLUMINATE)
-        o->flags |= LEAF_DOUBLE_ILLUMINATE;
-    else if (keyword == KEYWORD_NO_IMAGE)
-        o->flags |= LEAF_NO_IMAGE;
-    else if (keyword == KEYWORD_NO_REFLECTION)
-        o->flags |= LEAF_NO_REFLECTION;
-    else if (keyword == KEYWORD_NO_RADIOSITY)
-        o->flags |= LEAF_NO_RADIOSITY;
     else if (value_optional(in, 1.0) != 0.0)
-        o->flags |= LEAF_HOLLOW;
+        o->flags |= flag;
     else
-        o->flags &= ~(uint32_t)LEAF_HOLLOW;
+        o->flags &= ~flag;
 }
 
 /* Neighbours mostly have one surface. NULL: no memory. */

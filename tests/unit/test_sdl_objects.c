@@ -263,6 +263,18 @@ static void flags_are_kept_and_inverse_undoes_itself(void **state)
     reading_end(&r);
 }
 
+static void a_number_switches_a_flag_off_again(void **state)
+{
+    reading r;
+
+    (void)state;
+    read_text(&r, "sphere { 0, 1 hollow 0 double_illuminate off no_image 1-1 no_reflection false no_radiosity no_radiosity 0 }"
+                  "sphere { 0, 1 hollow .5 double_illuminate on no_image 2 no_reflection yes no_radiosity -1 }");
+    assert_int_equal(r.model.leaves.items[0].flags, 0);
+    assert_int_equal(r.model.leaves.items[1].flags, LEAF_HOLLOW | LEAF_DOUBLE_ILLUMINATE | LEAF_NO_IMAGE | LEAF_NO_REFLECTION | LEAF_NO_RADIOSITY);
+    reading_end(&r);
+}
+
 static void equal_materials_are_stored_once(void **state)
 {
     static char text[64 * 1000 + 1];
@@ -401,6 +413,7 @@ int main(void)
         cmocka_unit_test(a_texture_begins_anew_and_what_follows_changes_it),
         cmocka_unit_test(an_opaque_layer_hides_the_one_below),
         cmocka_unit_test(flags_are_kept_and_inverse_undoes_itself),
+        cmocka_unit_test(a_number_switches_a_flag_off_again),
         cmocka_unit_test(equal_materials_are_stored_once),
         cmocka_unit_test(lights_have_place_and_colour),
         cmocka_unit_test(lights_of_other_kinds_have_an_axis),
