@@ -295,12 +295,13 @@ static inline void cross(scattering *to, const interfaces *p, const surface *s, 
         pass(to, refract_at(to, s, lane, by, lanes_at(&p->to.dir, lane)), crossing);
 }
 
-/* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. */
+/* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. Where the filter is dark
+ * no ray looks for a way through, so none is turned back: the surface mirrors as its finish says. */
 static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
     const coefficient whole = { to->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
 
-    if (is_shut(p, lane)) {
+    if (is_shut(p, lane) && !s->appearance->dark) {
         reflect_inside(to, s, lane, &whole);
         return;
     }
@@ -412,7 +413,7 @@ static void find_rays(hit_rays *f)
         f->is_shut[i] = false;
         f->reflected[i] = l->of[i].reflection;
         f->through[i] = l->of[i].through;
-        if (f->goes_on[i] && f->crossed && !a->clear && is_shut(f->crossed, i))
+        if (f->goes_on[i] && f->crossed && !a->clear && !l->of[i].is_dark && is_shut(f->crossed, i))
             shut_stack(f, i);
     }
 }

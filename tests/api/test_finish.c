@@ -13,6 +13,9 @@ typedef struct sample { const char *light, *look; double red, green, blue; } sam
 
 #define FRONT "<3,4,-6> rgb 1"
 #define GOLD "pigment { rgb <.9,.6,.3> } "
+/* In place of the sphere: rays enter at right angles and fall upon the slanted face at 45 degrees. */
+#define PRISM "no_image no_reflection } intersection { plane { -z, 1 } plane { <1,0,1>, 0 } plane { -x, 1 } translate .3*x " \
+              "interior { ior 1.5 fade_distance 2 fade_power 1001 fade_color <.2,.5,.9> } pigment { rgbt <.8,.8,.8,.9> } "
 #define BARE GOLD "finish { ambient 0 diffuse 0 "
 
 static void see(const sample *s, float *out)
@@ -99,6 +102,10 @@ static void reflection_depends_on_the_angle_and_the_pigment(void **state)
         { FRONT, BARE "reflection { 0, 1 fresnel } } interior { ior .7 }", 0.01556, 0.01869, 0.02181 },
         { FRONT, BARE "reflection { .4 metallic } }", 0.18001, 0.14405, 0.08408 },
         { FRONT, BARE "reflection { .6 exponent 2 } }", 0.42426, 0.46476, 0.50199 },
+        { FRONT, BARE "reflection { .5 fresnel } } interior { ior 1.5 }", 0.01, 0.012, 0.014 },
+        { FRONT, BARE "reflection { .5 fresnel .9 } } interior { ior 1.5 }", 0.25, 0.3, 0.35 },
+        { FRONT, BARE "reflection { .5 fresnel fresnel 0 } } interior { ior 1.5 }", 0.0, 0.0, 0.0 },
+        { FRONT, BARE "reflection .3 reflection { exponent 2 } }", 0.0, 0.0, 0.0 },
     };
     (void)state;
 
@@ -126,6 +133,17 @@ static void a_film_changes_all_light_by_its_wavelength(void **state)
     CHECK(samples);
 }
 
+static void a_finish_that_leaves_nothing_to_transmit_mirrors_where_light_would_be_turned_back(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, PRISM "finish { ambient 0 diffuse 0 reflection { .1, 1 fresnel } conserve_energy }", 0.29366, 0.38378, 0.50327 },
+        { FRONT, PRISM "finish { ambient 0 diffuse 0 reflection { .1, .7 fresnel } conserve_energy }", 0.20165, 0.30060, 0.48049 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 static void filters_below_zero_are_weighed_by_their_size(void **state)
 {
     static const sample samples[] = {
@@ -146,6 +164,7 @@ int main(void)
         cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
         cmocka_unit_test(what_is_reflected_is_not_transmitted_with_conserve_energy),
+        cmocka_unit_test(a_finish_that_leaves_nothing_to_transmit_mirrors_where_light_would_be_turned_back),
         cmocka_unit_test(filters_below_zero_are_weighed_by_their_size),
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
     };
