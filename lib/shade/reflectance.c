@@ -49,15 +49,19 @@ colour reflectance_of(const model *m, const finish *f, colour c, double cosine, 
     return by;
 }
 
-/* The ior ahead over that behind. */
+/* The ior of the object over that of the dielectric entered last, and the inverse where the ray leaves the only one. That
+ * is the ior ahead over that behind but for a ray that leaves one dielectric within another: POV-Ray sees none of
+ * Fresnel's reflection there. */
 static double ratio_at(const shade_context *c, const surface *s)
 {
     const shading *scene = c->scene;
+    const dielectric_span in = s->from->inside;
+    const uint32_t object = world_solid(scene->world, s->at->object);
+    const double own = dielectric_ior(dielectric_interior(scene->model, object), s->from->hue);
     dielectric_crossing crossing;
 
-    dielectric_cross(&c->dielectrics, s->from->inside, scene->model, world_solid(scene->world, s->at->object), s->from->hue,
-                     &crossing);
-    return crossing.after / crossing.before;
+    dielectric_cross(&c->dielectrics, in, scene->model, object, s->from->hue, &crossing);
+    return in.count == 1 && crossing.index == 0 ? 1.0 / own : own / crossing.before;
 }
 
 static void set(const shade_context *c, appearance *a, const surface *s, double cosine)

@@ -15,6 +15,11 @@ typedef struct dielectric {
     pov_box box;
 } dielectric;
 
+static inline bool world_is_within(const pov_box *b, pov_vec3 p)
+{
+    return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y && p.z >= b->lo.z && p.z <= b->hi.z;
+}
+
 typedef struct dielectric_list { dielectric *items; size_t count, capacity; } dielectric_list;
 
 /* Location of an object's shape. */

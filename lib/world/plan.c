@@ -7,15 +7,15 @@
 
 /* ---- what there is in the model ---- */
 
-static bool is_solid(const leaf_node *o) { return shape_is_solid(o->shape, o->instance); }
+bool plan_is_solid(const leaf_node *o) { return shape_is_solid(o->shape, o->instance); }
 
-bool plan_is_filled(const leaf_node *o) { return is_solid(o) && !(o->flags & LEAF_HOLLOW); }
+bool plan_is_filled(const leaf_node *o) { return plan_is_solid(o) && !(o->flags & LEAF_HOLLOW); }
 
 bool plan_is_dielectric(const model *m, const leaf_node *o)
 {
     const material *of = &m->materials.items[o->material];
 
-    return is_solid(o) && (material_is_transparent(of) || of->interior.media);
+    return plan_is_solid(o) && (material_is_transparent(of) || of->interior.media);
 }
 
 /* Has it light that is reflected in all directions? */
@@ -46,6 +46,7 @@ static void count_objects(plan_counts *s, const material *m, bool casts, bool so
     s->located += transparent && interior_is_located(&m->interior) ? n : 0;
     s->dielectrics += (transparent || m->interior.media) && solid ? n : 0;
     s->filled += m->interior.media ? n : 0;
+    s->fresnel += transparent && finish_is_mirror(&m->finish) && (m->texture || m->finish.reflection.fresnel) ? n : 0;
 }
 
 /* Are photons sent to some object that reflects or refracts them? */
@@ -84,7 +85,7 @@ static bool survey_model(const model *m, plan_counts *s)
     for (i = 0; counts && i < m->leaves.count; i++) {
         const leaf_node *o = &m->leaves.items[i];
         s->hidden += (o->flags & hides) != 0;
-        counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (is_solid(o) ? SOLID : 0)]++;
+        counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (plan_is_solid(o) ? SOLID : 0)]++;
         s->smooth += o->shape->shading_normal != NULL;
     }
     for (i = 0; counts && i < m->materials.count * KINDS; i++)
@@ -129,6 +130,7 @@ static void derive_needs(plan *p, const model *m, const plan_counts *s)
     p->subsurface = p->lighting && m->subsurface.given && m->subsurface.used;
     p->random = p->radiosity || p->photons || p->media || p->subsurface;
     p->dielectrics_at_start = p->refraction && s->dielectrics > 0;
+    p->opaque_at_start = p->dielectrics_at_start && s->fresnel > 0;
 }
 
 pov_status plan_make(plan *p, const model *m, pov_error *err)

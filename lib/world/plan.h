@@ -12,6 +12,7 @@ typedef struct plan_counts {
     size_t dispersive, fading, located, hidden;
     size_t diffuse;              /* objects that light from everywhere would change */
     size_t filled;               /* objects with media inside */
+    size_t fresnel;              /* transparent objects whose mirror could be Fresnel's */
     size_t targets, photon_lights;   /* that photons are sent to, and from */
 } plan_counts;
 
@@ -36,14 +37,16 @@ typedef struct plan {
     bool subsurface;             /* light is scattered below some surface */
     bool photons;                /* some light sends photons to some target */
     bool dielectrics_at_start;   /* some dielectric could contain the camera: tested once a picture */
+    bool opaque_at_start;        /* Fresnel's reflection asks for opaque solids around it too */
     plan_counts counts;
 } plan;
 
 /* Derive the needs from the model. */
 pov_status plan_make(plan *p, const model *m, pov_error *err);
-/* Can rays be inside it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
+bool plan_is_solid(const leaf_node *o);
 /* Is it a solid that is not hollow? */
 bool plan_is_filled(const leaf_node *o);
+/* Can rays be inside it? Any transparent solid: one without an interior { } is a bubble of ior 1. */
 bool plan_is_dielectric(const model *m, const leaf_node *o);
 
 #endif

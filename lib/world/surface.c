@@ -245,11 +245,6 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
 
 /* ---- dielectrics ---- */
 
-static bool is_within(const pov_box *b, pov_vec3 p)
-{
-    return p.x >= b->lo.x && p.x <= b->hi.x && p.y >= b->lo.y && p.y <= b->hi.y && p.z >= b->lo.z && p.z <= b->hi.z;
-}
-
 static bool is_inside(const world *w, const dielectric *m, pov_vec3 point, pov_vec3 point_lo)
 {
     const uint32_t leaves = (uint32_t)w->model->leaves.count;
@@ -257,7 +252,7 @@ static bool is_inside(const world *w, const dielectric *m, pov_vec3 point, pov_v
     shape_ref ref;
     bool inside;
 
-    if (m->boxed && !is_within(&m->box, point))
+    if (m->boxed && !world_is_within(&m->box, point))
         return false;
     if (m->object >= leaves)
         return csg_inside(&w->roots[m->object - leaves], point, point_lo);

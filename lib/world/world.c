@@ -12,41 +12,60 @@ enum { THREADS_FROM = 10000 };
 
 /* ---- dielectrics ---- */
 
-static bool is_wanted(const world *w, const leaf_node *o, bool filled)
+/* Solids that are looked for. Opaque ones are so only where they may hold the camera of the scene: no ray of another place
+ * is seen inside them. */
+typedef enum around { AROUND_FILLED, AROUND_DIELECTRIC, AROUND_OPAQUE } around;
+
+static bool is_wanted(const world *w, const leaf_node *o, around kind)
 {
-    return filled ? plan_is_filled(o) : plan_is_dielectric(w->model, o);
+    switch (kind) {
+    case AROUND_FILLED: return plan_is_filled(o);
+    case AROUND_DIELECTRIC: return plan_is_dielectric(w->model, o);
+    default: return w->plan.opaque_at_start && plan_is_solid(o);
+    }
 }
 
-/* For a tree its first leaf that is a dielectric, or filled, if any; for a leaf the leaf. */
-static uint32_t solid_leaf(const world *w, const compile_state *f, uint32_t object, bool filled)
+/* For a tree its first leaf of this kind, if any; for a leaf the leaf. */
+static uint32_t solid_leaf(const world *w, const compile_state *f, uint32_t object, around kind)
 {
     const uint32_t leaves = (uint32_t)w->model->leaves.count;
     const csg_tree *t = object < leaves ? NULL : &f->trees.items[object - leaves];
     const uint32_t first = t ? t->members[0].leaf : object, end = t ? first + t->member_count : first + 1;
 
     for (uint32_t i = first; i < end; i++)
-        if (is_wanted(w, &w->model->leaves.items[i], filled) && (t || !f->is_member || !f->is_member[i]))
+        if (is_wanted(w, &w->model->leaves.items[i], kind) && (t || !f->is_member || !f->is_member[i]))
             return i;
     return POV_NO_OWNER;
 }
 
-static bool find_around(world *w, const compile_state *f, dielectric_list *out, bool filled)
+/* An inverse solid's inside is all but its box. */
+static void box_around(const compile_state *f, uint32_t object, bool finite, dielectric *m)
+{
+    m->boxed = finite && !(compile_leaf(f, object)->flags & LEAF_INVERSE);
+    if (m->boxed)
+        compile_box(f, object, &m->box);
+}
+
+static bool find_around(world *w, const compile_state *f, dielectric_list *out, around kind)
 {
     uint32_t i, k;
 
-    /* Both lists are in the order of the objects. An inverse solid's inside is all but its box. */
+    /* Both lists are in the order of the objects. */
     for (i = 0, k = 0; i < compile_count(f); i++) {
-        const uint32_t leaf = solid_leaf(w, f, i, filled);
+        uint32_t leaf = solid_leaf(w, f, i, kind);
+        const bool wanted = leaf != POV_NO_OWNER;
         dielectric m = { .object = i };
 
+        if (!wanted && kind == AROUND_DIELECTRIC)
+            leaf = solid_leaf(w, f, i, AROUND_OPAQUE);
         if (leaf == POV_NO_OWNER)
             continue;
         while (k < f->finite_count && f->finite[k] < i)
             k++;
         m.solid = world_solid(w, leaf);
-        m.boxed = k < f->finite_count && f->finite[k] == i && !(compile_leaf(f, i)->flags & LEAF_INVERSE);
-        if (m.boxed)
-            compile_box(f, i, &m.box);
+        box_around(f, i, k < f->finite_count && f->finite[k] == i, &m);
+        if (!wanted && m.boxed && !world_is_within(&m.box, w->model->camera.location))
+            continue;
         if (!VEC_PUSH(w->env, out, m))
             return false;
     }
@@ -56,8 +75,8 @@ static bool find_around(world *w, const compile_state *f, dielectric_list *out, 
 /* Solids that may contain the start of a camera's ray. */
 static bool find_starts(world *w, const compile_state *f)
 {
-    return (!w->plan.dielectrics_at_start || find_around(w, f, &w->dielectrics, false)) &&
-           (!(w->plan.media || w->model->fogs.count > 0) || find_around(w, f, &w->filled, true));
+    return (!w->plan.dielectrics_at_start || find_around(w, f, &w->dielectrics, AROUND_DIELECTRIC)) &&
+           (!(w->plan.media || w->model->fogs.count > 0) || find_around(w, f, &w->filled, AROUND_FILLED));
 }
 
 /* By leaf, the first leaf of its solid. */

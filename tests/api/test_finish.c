@@ -16,6 +16,9 @@ typedef struct sample { const char *light, *look; double red, green, blue; } sam
 /* In place of the sphere: rays enter at right angles and fall upon the slanted face at 45 degrees. */
 #define PRISM "no_image no_reflection } intersection { plane { -z, 1 } plane { <1,0,1>, 0 } plane { -x, 1 } translate .3*x " \
               "interior { ior 1.5 fade_distance 2 fade_power 1001 fade_color <.2,.5,.9> } pigment { rgbt <.8,.8,.8,.9> } "
+/* A slab of glass within a sphere: opaque solids hold rays too. */
+#define SLAB "no_image no_reflection } sphere { 0, 99 hollow pigment { rgb <.5,.6,.7> } finish { ambient 1 diffuse 0 } } " \
+             "box { <-3,-3,0>, <3,3,1> interior { ior 3 } pigment { rgbt <.8,.8,.8,.9> } "
 #define BARE GOLD "finish { ambient 0 diffuse 0 "
 
 static void see(const sample *s, float *out)
@@ -144,6 +147,16 @@ static void a_finish_that_leaves_nothing_to_transmit_mirrors_where_light_would_b
     CHECK(samples);
 }
 
+static void a_dielectric_within_another_is_left_without_fresnels_reflection(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, SLAB "finish { ambient 0 diffuse 0 reflection { .1, 1 fresnel } conserve_energy }", 0.43560, 0.52273, 0.60984 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 static void filters_below_zero_are_weighed_by_their_size(void **state)
 {
     static const sample samples[] = {
@@ -165,6 +178,7 @@ int main(void)
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
         cmocka_unit_test(what_is_reflected_is_not_transmitted_with_conserve_energy),
         cmocka_unit_test(a_finish_that_leaves_nothing_to_transmit_mirrors_where_light_would_be_turned_back),
+        cmocka_unit_test(a_dielectric_within_another_is_left_without_fresnels_reflection),
         cmocka_unit_test(filters_below_zero_are_weighed_by_their_size),
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
     };
