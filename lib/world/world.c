@@ -79,6 +79,30 @@ static bool find_starts(world *w, const compile_state *f)
            (!(w->plan.media || w->model->fogs.count > 0) || find_around(w, f, &w->filled, AROUND_FILLED));
 }
 
+/* Members that differ in what fills them are solids of their own. Media are those of the whole where both have some: each
+ * member's are moved with it. */
+static bool are_filled_alike(const model *m, uint32_t a, uint32_t b)
+{
+    const interior *in = &m->materials.items[m->leaves.items[a].material].interior;
+    interior other = m->materials.items[m->leaves.items[b].material].interior;
+
+    if (in->media && other.media)
+        other.media = in->media;
+    return interior_equal(in, &other);
+}
+
+/* The first leaf from `first` on that is filled like this one; most are like the one before. */
+static uint32_t first_alike(const world *w, uint32_t first, uint32_t leaf)
+{
+    uint32_t i = first;
+
+    if (leaf > first && are_filled_alike(w->model, leaf - 1, leaf))
+        return w->solids[leaf - 1];
+    while (i < leaf && (w->solids[i] != i || !are_filled_alike(w->model, i, leaf)))
+        i++;
+    return i;
+}
+
 /* By leaf, the first leaf of its solid. */
 static bool find_solids(world *w)
 {
@@ -92,7 +116,7 @@ static bool find_solids(world *w)
         w->solids[i] = i;
     for (i = 0; w->solids && i < m->solids.count; i++)
         for (uint32_t k = 0; k < m->solids.items[i].leaf_count; k++)
-            w->solids[m->solids.items[i].leaf + k] = m->solids.items[i].leaf;
+            w->solids[m->solids.items[i].leaf + k] = first_alike(w, m->solids.items[i].leaf, m->solids.items[i].leaf + k);
     return w->solids != NULL;
 }
 

@@ -70,6 +70,29 @@ static void light_on_its_way_fades_and_is_focused(void **state)
     assert_seen(WALL("-30") "sphere { 0, 2 no_image pigment { rgbt <1, 1, 1, 0.25> } interior { caustics 0.5 } }", 0.25, 0.25, 0.25);
 }
 
+/* What a ray crosses for the first time it enters, whichever way the surface faces. */
+static void light_fades_between_two_surfaces_of_one_interior(void **state)
+{
+    (void)state;
+
+    assert_seen(WALL("-30") "disc { 0, z, 2 no_image" CLEAR FADES "}", 1.0, 1.0, 1.0);
+    assert_seen(WALL("-30") "disc { 0, -z, 2 no_image" CLEAR FADES "}", 1.0, 1.0, 1.0);
+    assert_seen(WALL("-30") "union { disc { 0, z, 2 } disc { <0, 0, 3>, z, 2 } no_image" CLEAR FADES "}", 0.25, 0.25, 0.25);
+    assert_seen(WALL("-30") "box { <-1, -1, 0>, <1, 1, 4> clipped_by { plane { z, 1 } } no_image" CLEAR FADES "}", 1.0, 1.0, 1.0);
+    assert_seen(WALL("-30") "plane { -z, 0" CLEAR FADES "}", 1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0);
+    assert_seen(WALL("-30") "plane { -z, 0 no_image" CLEAR FADES "}", 1.0, 1.0, 1.0);
+}
+
+static void members_with_interiors_of_their_own_are_solids_of_their_own(void **state)
+{
+    (void)state;
+
+    assert_seen("merge { sphere { <5, 0, 0>, 1 " FADES "} box { <-1, -1, 0>, <1, 1, 3> interior { fade_distance 3 fade_power 1 } }" CLEAR "}",
+                0.5, 0.5, 0.5);
+    assert_seen("intersection { sphere { 0, 9 } box { <-1, -1, 0>, <1, 1, 3> " FADES "}" CLEAR "}", 0.25, 0.25, 0.25);
+    assert_seen("merge { box { <-1, -1, 0>, <1, 1, 2> " FADES "} box { <-1, -1, 1>, <1, 1, 3> " FADES "}" CLEAR "}", 0.25, 0.25, 0.25);
+}
+
 static void hidden_objects_are_passed(void **state)
 {
     (void)state;
@@ -94,6 +117,8 @@ int main(void)
         cmocka_unit_test(light_fades_where_a_ray_leaves_a_solid),
         cmocka_unit_test(colour_and_power_shape_the_fading),
         cmocka_unit_test(light_on_its_way_fades_and_is_focused),
+        cmocka_unit_test(light_fades_between_two_surfaces_of_one_interior),
+        cmocka_unit_test(members_with_interiors_of_their_own_are_solids_of_their_own),
         cmocka_unit_test(hidden_objects_are_passed),
         cmocka_unit_test(white_light_is_dispersed_into_its_colours),
     };
