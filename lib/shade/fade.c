@@ -73,26 +73,32 @@ static colour caustics(const interior *in, pov_vec3 normal, pov_vec3 dir)
     return colour_of(by, by, by);
 }
 
+static colour caustics_at(const shading *scene, const interior *in, const pov_ray *ray, const pov_crossing *at)
+{
+    hit h = { .object = at->owner, .crossing = *at };
+
+    world_surface(scene->world, ray, &h);
+    return caustics(in, paint_bent_normal(scene, ray, &h), ray->dir);
+}
+
 /* Without a power what is seen through a solid is halved, but not the light that comes through it: so has POV-Ray it. */
-void fade_crossings(const shading *scene, const pov_ray *ray, pov_crossing *at, uint32_t count, double by[3])
+void fade_crossings(const shading *scene, const interior_walk *around, const pov_ray *ray, pov_crossing *at, uint32_t count,
+                    double by[3])
 {
     const double length = length_of(ray->dir);
+    interior_walk w = *around;
     double before = 0.0;
 
     sort(at, count);
     for (uint32_t i = 0; i < count; i++) {
-        const interior *in = dielectric_interior(scene->model, world_solid(scene->world, at[i].owner));
-        hit h;
+        const uint32_t solid = world_solid(scene->world, at[i].owner);
+        const interior *in = dielectric_interior(scene->model, solid);
 
-        if (interior_is_located(in)) {
-            h.object = at[i].owner;
-            h.crossing = at[i];
-            world_surface(scene->world, ray, &h);
-            if (in->caustics != 0.0f)
-                take(by, caustics(in, paint_bent_normal(scene, ray, &h), ray->dir));
-            if (in->fade_distance > 0.0 && in->fade_power > 0.0 && !h.entering)
-                take(by, fade_over(in, (at[i].t - before) * length));
-        }
+        if (in->caustics != 0.0f)
+            take(by, caustics_at(scene, in, ray, &at[i]));
+        if (in->fade_distance > 0.0 && in->fade_power > 0.0 && walk_holds(&w, solid))
+            take(by, fade_over(in, (at[i].t - before) * length));
+        walk_cross(scene, &w, at[i].owner, false);
         before = at[i].t;
     }
 }

@@ -7,8 +7,18 @@ static const media *media_of(const shading *scene, uint32_t solid)
 
 static void add(const shading *scene, interior_walk *w, uint32_t solid)
 {
-    if (media_of(scene, solid) && w->count < WALK_MAX)
+    const interior *in = dielectric_interior(scene->model, solid);
+
+    if ((in->media || in->fade_distance > 0.0) && w->count < WALK_MAX)
         w->in[w->count++] = solid;
+}
+
+bool walk_holds(const interior_walk *w, uint32_t solid)
+{
+    for (uint32_t i = 0; i < w->count; i++)
+        if (w->in[i] == solid)
+            return true;
+    return false;
 }
 
 void walk_begin(const shade_context *c, const path *p, interior_walk *w)
@@ -39,7 +49,8 @@ void walk_media(const shading *scene, const interior_walk *w, media_set *out)
     out->count = out->strata = 0;
     out->varies = out->scatters = false;
     for (uint32_t i = 0; w->solids == 0 && i < w->count; i++)
-        media_set_add(out, media_of(scene, w->in[i]), w->in[i]);
+        if (media_of(scene, w->in[i]))
+            media_set_add(out, media_of(scene, w->in[i]), w->in[i]);
 }
 
 void walk_atmosphere(const shading *scene, uint32_t solids, media_set *out)

@@ -65,7 +65,7 @@ static uint64_t trace(const lighting *l, segment_end end, colour *through)
         return trace_each(l, end, through);
     if (l->on->shared)
         return trace_hits(l, end, through);
-    if (!c->scene->plan->media)
+    if (!c->scene->plan->located)
         return transmittance_find(c, l->rays, NULL, l->count, end, through);
     for (uint32_t i = 0; i < l->count; i++)
         from[i] = l->on->at[l->of[i]].from;

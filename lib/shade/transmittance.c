@@ -84,7 +84,7 @@ static bool multiply_located(const shading *scene, interior_walk *w, const pov_r
 
     for (uint32_t i = 0; i < count; i++)
         take(&p, filter_at(scene, ray, &at[i]));
-    fade_crossings(scene, ray, at, count, by);
+    fade_crossings(scene, w, ray, at, count, by);
     if (scene->plan->media)
         haze_dim(scene, w, ray, at, count, by);
     p.r *= by[0];
@@ -148,7 +148,7 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
     for (rest = found.crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
-        if (c->scene->plan->media)
+        if (c->scene->plan->located)
             walk_begin(c, from[i], &w);
         if ((c->blocks && photons_block(c, rays[i], found.at[i], found.count[i])) ||
             !cross(c->scene, &w, rays[i], &found, i, &through[i]))
@@ -161,7 +161,7 @@ bool transmittance_from(const shade_context *c, const coincident_set *on, const 
                         segment_end end, colour *through)
 {
     const pov_ray exact = aim_exactly(ray, end);
-    const bool walks = c->scene->plan->media;
+    const bool walks = c->scene->plan->located;
     interior_walk w;
     occlusion found;
     uint32_t crossed;
