@@ -22,18 +22,19 @@ static double between(double value, double low, double high)
     return low == high ? value : (value - low) / (high - low);
 }
 
+/* The lengths of both vectors are weights of the angle and of the height. */
 static void evaluate_slope(const pattern_input *in, double *value)
 {
     const steepness *s = in->of->self;
-    const pov_vec3 direction = pov_unit(s->direction);
-    const bool has_altitude = pov_dot(s->altitude, s->altitude) > 0.0;
+    const pov_vec3 direction = pov_unit(s->direction), up = pov_unit(s->altitude);
+    const double steep = sqrt(pov_dot(s->direction, s->direction)), high = sqrt(pov_dot(s->altitude, s->altitude));
 
     for (uint32_t i = 0; i < in->n; i++) {
         const double v = between(angle_value(pov_dot(lanes_at(in->normal, i), direction)), s->low, s->high);
 
         value[i] = v;
-        if (has_altitude)
-            value[i] = 0.5 * (v + between(pov_dot(lanes_at(in->at, i), s->altitude), s->low_altitude, s->high_altitude));
+        if (high > 0.0)
+            value[i] = (steep * v + high * between(pov_dot(lanes_at(in->at, i), up), s->low_altitude, s->high_altitude)) / (steep + high);
     }
 }
 

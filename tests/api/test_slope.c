@@ -1,0 +1,52 @@
+/* The slope pattern on a plane that rises at 45 degrees, by height, against what POV-Ray 3.7 gives there. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WIDTH = 4, HEIGHT = 8, ROWS = 4 };
+
+/* Rows from the top, at the heights 1.75, 1.25, 0.75, 0.25; the normal's angle alone is 0.75. */
+typedef struct slope { const char *pattern; double values[ROWS]; } slope;
+
+static void assert_slope(const slope *s)
+{
+    char text[512];
+    float *picture;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+             "camera { orthographic location <0,0,-10> look_at 0 right 2*x up 4*y }\n"
+             "plane { <0,1,-1>, 0 pigment { slope { %s } color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }\n", s->pattern);
+    picture = scenes_draw(text, WIDTH, HEIGHT, 1, 1);
+    for (int row = 0; row < ROWS; row++)
+        if (fabs((double)picture[4 * row * WIDTH] - s->values[row]) > 1e-4)
+            fail_msg("slope { %s }: row %d is %f", s->pattern, row, (double)picture[4 * row * WIDTH]);
+    free(picture);
+}
+
+static void the_lengths_of_both_vectors_are_their_weights(void **state)
+{
+    static const slope slopes[] = {
+        { "y", { 0.75, 0.75, 0.75, 0.75 } },
+        { "y altitude y", { 0.25, 1.0, 0.75, 0.5 } },
+        { "y altitude y*3", { 0.5, 0.125, 0.75, 0.375 } },
+        { "y*2 altitude y", { 0.0833, 0.9167, 0.75, 0.5833 } },
+        { "y altitude y, 0, 2", { 0.8125, 0.6875, 0.5625, 0.4375 } },
+        { "y*3, .2, .7 altitude y*2, -1, 1", { 0.21, 0.11, 0.01, 0.91 } },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof slopes / sizeof slopes[0]; i++)
+        assert_slope(&slopes[i]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
+    };
+
+    return cmocka_run_group_tests_name("slopes", tests, NULL, NULL);
+}
