@@ -1,7 +1,8 @@
 /* box { <corner>, <opposite corner> }
  *
  * Three slabs. The order of planes along the ray is a comparison of quotients; where they are too close for doubles,
- * their cross products are compared exactly. The box is closed: edges and corners belong to it. */
+ * their cross products are compared exactly. The box is closed: edges and corners belong to it. A planar one, without extent
+ * along an axis, is one surface: a ray is never inside. */
 #include "common/affine.h"
 #include "common/expansion.h"
 #include "common/box_block.h"
@@ -139,7 +140,19 @@ static bool find(slabs *s, int *entry, int *exit)
     return *entry >= 0;
 }
 
-/* A box without extent along an axis is left where it is entered. */
+static inline bool is_planar_along(const box *b, int axis)
+{
+    const pov_two *p = b->plane + 2 * axis;
+
+    return p[0].hi == p[1].hi && p[0].lo == p[1].lo;
+}
+
+static bool is_planar(const void *self)
+{
+    return is_planar_along(self, 0) || is_planar_along(self, 1) || is_planar_along(self, 2);
+}
+
+/* A box that rounding makes planar is left where it is entered. */
 static inline uint32_t mark_of(const box *b)
 {
     const pov_two *p = b->plane;
@@ -183,7 +196,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     int entry, exit;
     slabs s;
 
-    if (left >= 0 && hits->tmin >= 0.0 && !goes_inward(ray->dir, left))
+    if (left >= 0 && ((hits->tmin >= 0.0 && !goes_inward(ray->dir, left)) || is_planar_along(self, left / 2)))
         return;
     begin(&s, self, ray, hits->always_exact);
     if (left >= 0) {
@@ -201,7 +214,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     hits->escalated += s.escalated;
     if (!entered && !report(&s, hits, entry))
         return;
-    if (!gone)
+    if (!gone && !(entry / 2 == exit / 2 && is_planar_along(self, entry / 2)))
         report(&s, hits, exit);
 }
 
@@ -415,7 +428,7 @@ static void intersect_lanes(const void *const *selves, const pov_ray *const *ray
         pov_hits *h = hits[i];
 
         if (end.t[i] > h->tmin && h->want != POV_WANT_ALL && !h->always_exact &&
-            (h->owner != rays[i]->origin_surface || lanes.sign[i] < 0.0))
+            (h->owner != rays[i]->origin_surface || (lanes.sign[i] < 0.0 && mark_of(selves[i]))))
             pov_cross(h, end.t[i], end.t_lo[i], common_mark((uint32_t)end.feature[i], mark_of(selves[i])));
         else
             intersect(selves[i], rays[i], h);
@@ -506,6 +519,7 @@ static const pov_shape_class box_class = {
     .normal = normal,
     .inside = inside,
     .absorb = absorb,
+    .open = is_planar,
     .uv = uv,
     .extension = extension,
 };

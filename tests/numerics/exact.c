@@ -101,6 +101,8 @@ static void box(const probe *p, line l, exact_result *out)
     if (entry < 0 || real_compare(first, last) > 0)
         return;
     add(out, first, (uint32_t)entry, axis_vector(entry), HUGE_VAL);
+    if (entry / 2 == leave / 2 && p->number[entry / 2] == p->number[3 + entry / 2])
+        return;   /* planar: one surface */
     add(out, last, (uint32_t)leave, axis_vector(leave), HUGE_VAL);
 }
 
