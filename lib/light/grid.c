@@ -168,14 +168,30 @@ static void turn(const light *l, pov_vec3 to, pov_vec3 axes[2])
     axes[1] = pov_scale(pov_cross_product(to, right), size);
 }
 
+/* The light's position, moved. */
+static light_origin moved_origin(const light *l, pov_vec3 move)
+{
+    const pov_two3 p = pov_two3_of(l->position, l->position_lo);
+    pov_two3 q;
+    light_origin out;
+
+    q.x = pov_two_add(p.x, pov_two_of(move.x, 0.0));
+    q.y = pov_two_add(p.y, pov_two_of(move.y, 0.0));
+    q.z = pov_two_add(p.z, pov_two_of(move.z, 0.0));
+    out.from = pov_two3_hi(q);
+    out.from_lo = pov_two3_lo(q);
+    return out;
+}
+
 void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
-              vec_lanes *dir)
+              vec_lanes *dir, light_origin *ends)
 {
     const bool jitters = g->cell[0] > 0.0 || g->cell[1] > 0.0;
     pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
 
     for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
         grid_point p = g->points[k];
+        pov_vec3 move;
 
         if (jitters) {
             const uint64_t bits = mix(lanes_at(at->point, i), k, draw);
@@ -187,23 +203,16 @@ void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, co
             round_off(&p.u, &p.v);
         if (l->flags & LIGHT_ORIENT)
             turn(l, pov_unit(lanes_at(to, i)), axes);
-        lanes_put(dir, i, pov_add(lanes_at(to, i), pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v))));
+        move = pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v));
+        lanes_put(dir, i, pov_add(lanes_at(to, i), move));
+        if (ends && i < at->n)
+            ends[i] = moved_origin(l, move);
     }
 }
 
 light_origin grid_origin(const light *l, const light_grid *g, uint32_t k)
 {
-    const pov_vec3 move = pov_add(pov_scale(l->area.axes[0], g->points[k].u), pov_scale(l->area.axes[1], g->points[k].v));
-    const pov_two3 p = pov_two3_of(l->position, l->position_lo);
-    pov_two3 q;
-    light_origin out;
-
-    q.x = pov_two_add(p.x, pov_two_of(move.x, 0.0));
-    q.y = pov_two_add(p.y, pov_two_of(move.y, 0.0));
-    q.z = pov_two_add(p.z, pov_two_of(move.z, 0.0));
-    out.from = pov_two3_hi(q);
-    out.from_lo = pov_two3_lo(q);
-    return out;
+    return moved_origin(l, pov_add(pov_scale(l->area.axes[0], g->points[k].u), pov_scale(l->area.axes[1], g->points[k].v)));
 }
 
 uint32_t grid_draw(const light_grid *g, double u)

@@ -9,18 +9,17 @@
 /* Which draw of points that move: those for shadows, or those whose light is reflected. */
 enum { DRAW_SHADOWS, DRAW_REFLECTED };
 
-/* Directions to the k-th point of an area light. False: by lane these are different points. */
-static bool aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to, light_lanes *in,
-                         light_origin *origin)
+/* Directions to the k-th point of an area light, and the point: by lane where it moves. */
+static void aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to, light_lanes *in,
+                         light_origin *ends)
 {
     in->tmax = 1.0;
     if (from->grid->moves) {
-        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, &in->dir);
-        return false;
+        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, &in->dir, ends);
+    } else {
+        ends[0] = grid_origin(from->light, from->grid, k);
+        light_aim(ends, at, &in->dir);
     }
-    *origin = grid_origin(from->light, from->grid, k);
-    light_aim(origin, at, &in->dir);
-    return true;
 }
 
 /* A view costs as much as the rays to so many points. */
@@ -85,17 +84,20 @@ static uint64_t choose_hidden(lighting *l, const light_grid *g, uint32_t k, cons
 static uint64_t trace_point(lighting *l, const scene_light *from, uint32_t k, const vec_lanes *to, const uint8_t *which,
                             colour *through)
 {
+    const bool moves = from->grid->moves;
     const light_points at = lighting_points(l);
+    light_origin by_lane[BATCH_MAX], ends[BATCH_MAX];
     colour some[BATCH_MAX];
-    light_origin origin;
     light_lanes in;
-    const bool at_one = aim_at_point(from, k, &at, to, &in, &origin);
     uint64_t lit = 0;
 
+    aim_at_point(from, k, &at, to, &in, by_lane);
     shadow_name_sides(l, l->of, l->count, &in.dir);
-    for (uint32_t i = 0; i < l->count; i++)
+    for (uint32_t i = 0; i < l->count; i++) {
         l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
-    for (uint64_t rest = shadow_trace(l, from->light, shadow_end(from, &in, at_one ? &origin : NULL), some); rest; rest &= rest - 1) {
+        ends[i] = by_lane[moves ? l->of[i] : 0];
+    }
+    for (uint64_t rest = shadow_trace(l, from->light, shadow_end(from, &in, ends, moves), some); rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
         through[which[i]] = colour_add(through[which[i]], colour_scale(some[i], from->grid->points[k].weight));
@@ -148,8 +150,8 @@ static uint64_t trace_area(lighting *l, const scene_light *from, const vec_lanes
     return lit;
 }
 
-/* The direction from a lane's surface to a point of the area that is drawn for its path. */
-static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t lane, const vec_lanes *to)
+/* The direction from a lane's surface to a point of the area that is drawn for its path, and the point. */
+static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t lane, const vec_lanes *to, light_origin *end)
 {
     const path *p = l->on->at[lane].from;
     const shade_context *c = l->context;
@@ -159,7 +161,6 @@ static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t
     const geometry *g = &l->on->geometry;
     vec_lanes point, low, middle;
     const light_points at = { &point, &low, 1 };
-    light_origin origin;
     light_lanes in;
 
     for (uint32_t i = 0; i < lanes_whole(1); i++) {
@@ -167,7 +168,7 @@ static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t
         lanes_put(&low, i, lanes_at(&g->to.point_lo, lane));
         lanes_put(&middle, i, lanes_at(to, lane));
     }
-    aim_at_point(from, k, &at, &middle, &in, &origin);
+    aim_at_point(from, k, &at, &middle, &in, end);
     return lanes_at(&in.dir, 0);
 }
 
@@ -175,15 +176,16 @@ static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t
 static uint64_t trace_some(lighting *l, const scene_light *from, const light_lanes *in, colour *through)
 {
     light_lanes to = *in;
-    segment_end end = { 1.0, NULL };
+    light_origin ends[BATCH_MAX];
     uint64_t lit;
 
+    to.tmax = 1.0;
     for (uint32_t i = 0; i < l->count; i++)
-        lanes_put(&to.dir, l->of[i], aim_at_some(l, from, l->of[i], &in->dir));
+        lanes_put(&to.dir, l->of[i], aim_at_some(l, from, l->of[i], &in->dir, &ends[i]));
     shadow_name_sides(l, l->of, l->count, &to.dir);
     for (uint32_t i = 0; i < l->count; i++)
         l->own[l->of[i]].dir = lanes_at(&to.dir, l->of[i]);
-    lit = shadow_trace(l, from->light, end, through);
+    lit = shadow_trace(l, from->light, shadow_end(from, &to, ends, true), through);
     shadow_name_origins(l, NULL);
     return lit;
 }
@@ -198,7 +200,7 @@ static void find_incident(const scene_light *from, uint32_t k, const light_point
                           light_lanes *in)
 {
     if (from->grid->moves) {
-        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, &in->dir);
+        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, &in->dir, NULL);
     } else {
         const light_origin origin = grid_origin(from->light, from->grid, k);
 

@@ -94,7 +94,7 @@ static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, const med
         lanes_put(&to, lane, lanes_at(&b->samples.in.dir, i));
     }
     if (g->moves) {
-        grid_aim(l, g, k, DRAW_SCATTERED, &at, &to, &dir);
+        grid_aim(l, g, k, DRAW_SCATTERED, &at, &to, &dir, NULL);
     } else {
         origin = grid_origin(l, g, k);
         light_aim(&origin, &at, &dir);
@@ -134,7 +134,7 @@ static colour add_visible(beams *b, uint32_t part, const media_random *random)
     const light *l = b->light->light;
     const light_origin origin = light_own_origin(l);
     const bool at_one = !b->light->class->parallel && !b->light->grid && l->through_count == 0;
-    const segment_end end = { b->samples.in.tmax, at_one ? &origin : NULL };
+    const segment_end end = { b->samples.in.tmax, at_one ? &origin : NULL, 0 };
     colour through[BATCH_MAX], sum = colour_of(0.0f, 0.0f, 0.0f);
     uint64_t lit = ~(uint64_t)0;
 

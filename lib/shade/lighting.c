@@ -42,7 +42,7 @@ static void add_visible(lighting *l, const scene_light *from, const light_sample
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else
         for (uint64_t lit = from->grid ? area_trace(l, from, in, through)
-                                       : shadow_trace(l, from->light, shadow_end(from, in, &origin), through);
+                                       : shadow_trace(l, from->light, shadow_end(from, in, &origin, false), through);
              lit; lit &= lit - 1) {
             const uint32_t i = first_of64(lit);
 

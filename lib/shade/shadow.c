@@ -20,8 +20,9 @@ static uint64_t trace_each(const lighting *l, segment_end end, colour *through)
     for (uint32_t i = 0; i < l->count; i++) {
         const uint32_t at = l->on->at[l->of[i]].coincident;
         const path *from = l->on->at[l->of[i]].from;
-        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], from, end, &through[i])
-                               : transmittance_find(c, &l->rays[i], &from, 1, end, &through[i]) != 0;
+        const segment_end own = segment_end_of(end, i);
+        const bool is_lit = at ? transmittance_from(c, &c->coincident_sets.items[at - 1], l->rays[i], from, own, &through[i])
+                               : transmittance_find(c, &l->rays[i], &from, 1, own, &through[i]) != 0;
 
         lit |= (uint64_t)is_lit << i;
     }
@@ -33,6 +34,7 @@ static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
 {
     const pov_ray *rays[BATCH_MAX];
     const path *from[BATCH_MAX];
+    light_origin ends[BATCH_MAX];
     colour some[BATCH_MAX];
     uint8_t which[BATCH_MAX];
     uint32_t n = 0;
@@ -41,11 +43,14 @@ static uint64_t trace_hits(const lighting *l, segment_end end, colour *through)
     for (uint32_t i = 0; i < l->count; i++) {
         if (i == 0 || l->on->at[l->of[i]].at != l->on->at[l->of[i - 1]].at) {
             from[n] = l->on->at[l->of[i]].from;
+            if (end.at && end.by_ray)
+                ends[n] = end.at[i];
             rays[n++] = l->rays[i];
         }
         which[i] = (uint8_t)(n - 1);
     }
     l->context->counts.shadow -= l->count - n;
+    end.at = end.at && end.by_ray ? ends : end.at;
     found = transmittance_find(l->context, rays, from, n, end, some);
     for (uint32_t i = 0; i < l->count; i++) {
         through[i] = some[which[i]];

@@ -12,10 +12,10 @@ void shadow_name_origins(lighting *l, const double *cosines);
 /* The same of rays from these lanes where the shading normal does not tell the side of a ray: the geometric one does. */
 void shadow_name_sides(lighting *l, const uint8_t *lanes, uint32_t count, const vec_lanes *dir);
 
-/* Where rays to a light end that comes from this point. */
-static inline segment_end shadow_end(const scene_light *from, const light_lanes *in, const light_origin *origin)
+/* Where rays to a light end that comes from this point, or from these by ray. */
+static inline segment_end shadow_end(const scene_light *from, const light_lanes *in, const light_origin *origin, bool by_ray)
 {
-    const segment_end end = { in->tmax, from->class->parallel ? NULL : origin };
+    const segment_end end = { in->tmax, from->class->parallel ? NULL : origin, by_ray };
 
     return end;
 }

@@ -150,7 +150,7 @@ static double share_of(const wanted *for_what, double cosine)
 static colour light_from(shade_context *c, const scene_light *from, const hit *at, const wanted *for_what)
 {
     const light_origin origin = light_own_origin(from->light);
-    const segment_end end = { 1.0, from->class->parallel ? NULL : &origin };
+    const segment_end end = { 1.0, from->class->parallel ? NULL : &origin, 0 };
     vec_lanes point, low;
     const light_points points = { &point, &low, 1 };
     colour through = colour_of(1.0f, 1.0f, 1.0f);

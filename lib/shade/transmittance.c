@@ -126,7 +126,7 @@ static uint64_t find_exactly(const shade_context *c, const pov_ray *const *rays,
 {
     for (uint64_t rest = found->near_end; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
-        const pov_ray exact = aim_exactly(rays[i], end);
+        const pov_ray exact = aim_exactly(rays[i], segment_end_of(end, i));
 
         if (!query_occlusion_exact(c->scene->world, c->context, &exact, i, end.tmax, found))
             lit &= ~((uint64_t)1 << i);

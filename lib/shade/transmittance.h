@@ -5,9 +5,16 @@
 #include "shade/context.h"
 #include "shade/path.h"
 
-/* Segments end at org + tmax dir. Where all end at one point, which directions are rounded to, `at` is that point, and
- * decides for surfaces that lie there; else NULL. */
-typedef struct segment_end { double tmax; const light_origin *at; } segment_end;
+/* Segments end at org + tmax dir. Where all end at one point, or ray i at the i-th (by_ray), which directions are rounded
+ * to, `at` is that, and decides for surfaces that lie there; else NULL. */
+typedef struct segment_end { double tmax; const light_origin *at; bool by_ray; } segment_end;
+
+static inline segment_end segment_end_of(segment_end ends, uint32_t i)
+{
+    const segment_end end = { ends.tmax, ends.at && ends.by_ray ? ends.at + i : ends.at, false };
+
+    return end;
+}
 
 /* Transmittance of open segments: white if they are free, else the product of the filters of transparent surfaces. Bit i:
  * ray i's is not zero, and is in through. n: at most WORLD_MANY. `from` are paths that were where the rays start: the

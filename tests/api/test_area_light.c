@@ -83,6 +83,33 @@ static void a_room_with_the_light_in_it(void **state)
     assert_alike(FLOOR "plane { -z, -4 pigment { rgb .8 }" LIT "plane { <-1,.2,0>, 5" MATT "sphere { <3,4.8,-2>, .2" MATT);
 }
 
+/* The light lies on the ceiling: not one ray to it is cut off, wherever the grid's points move to. */
+static void a_ceiling_does_not_hide_the_light_on_it(void **state)
+{
+    static const char *const grids[] = { "", "jitter", "jitter adaptive 0" };
+    static const char *const ceilings[] = {
+        "plane { y, 5.488 pigment { rgb 1 } }",
+        "triangle { <-99,5.488,-99>, <99,5.488,-99>, <0,5.488,99> pigment { rgb 1 } }",
+    };
+
+    (void)state;
+    for (size_t g = 0; g < sizeof grids / sizeof grids[0]; g++)
+        for (size_t k = 0; k < sizeof ceilings / sizeof ceilings[0]; k++) {
+            char light[256], room[512];
+            float *with, *without;
+
+            snprintf(light, sizeof light, "light_source { <2.78,5.488,-1.3> rgb 1 area_light 1.3*x, 1.05*z, 4, 4 %s }\n", grids[g]);
+            snprintf(room, sizeof room, "%s%s", FLOOR "sphere { <0,.5,0>, .5 pigment { rgb 1 } }", ceilings[k]);
+            with = render(light, room);
+            without = render(light, FLOOR "sphere { <0,.5,0>, .5 pigment { rgb 1 } }");
+            for (int i = 4 * WIDTH * HEIGHT / 2; i < 4 * WIDTH * HEIGHT; i++)   /* below the ceiling */
+                if (with[i] != without[i])
+                    fail_msg("%s below %s: value %d is %f, not %f", grids[g], ceilings[k], i, (double)with[i], (double)without[i]);
+            free(with);
+            free(without);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -91,6 +118,7 @@ int main(void)
         cmocka_unit_test(solids_made_of_others_and_meshes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(a_room_with_the_light_in_it),
+        cmocka_unit_test(a_ceiling_does_not_hide_the_light_on_it),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
