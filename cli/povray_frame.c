@@ -105,9 +105,11 @@ bool povray_output(const povray *p, int frame, char *out, size_t size)
 
 /* ---- a part of the picture ---- */
 
-/* The first pixel of a part, counted from 0. */
+/* The first pixel of a part, counted from 0, or the one behind it. An end at 1 is that of the picture, not of pixel 1. */
 static int edge_of(double at, int size, bool end)
 {
+    if (end && at == 1.0)
+        return size;
     if (at > 0.0 && at < 1.0)
         return (int)floor(at * size + (end ? 0.5 : 0.0));
     return end ? (int)at : (int)at - 1;

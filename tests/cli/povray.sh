@@ -33,6 +33,13 @@ povray_parts_stand_in_the_whole_picture() {
     [ "$("$PYTHON" "$pixels" size part.png)" = "20 10 16" ]
 }
 
+povray_ends_of_1_are_those_of_the_picture() {
+    small_scene
+    expect 0 "$povc" +Ismall.pov +W20 +H10 +Owhole.png
+    expect 0 "$povc" +Ismall.pov +W20 +H10 +SC1 +EC1 +SR1 +ER1.0 +Opart.png
+    cmp whole.png part.png
+}
+
 povray_animations_are_numbered() {
     small_scene
     expect 0 "$povc" small.pov +W4 +H4 +KFF12 +SF9 +EF10 +Oframe
