@@ -1,5 +1,7 @@
 #include "app.h"
 
+#include "keys.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,8 +12,6 @@ static const char flight_keys[] = "WASDQE";
 static const double RESTART_SECONDS = 0.045;
 static const double FLIGHT_SECONDS = 1.0 / 60.0;
 static const double NOTE_SECONDS = 2.0, GREETING_SECONDS = 5.0;
-
-enum { EXPOSURE_MOST = 20 };
 
 void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
 {
@@ -38,7 +38,7 @@ static double shape_of(const app *a, const pov_camera *c)
     return a->sized || !(fabs(meant / window - 1.0) > as_good) ? window : meant;
 }
 
-void app_set_scene(app *a, const pov_camera *camera, double reach, double size)
+void app_set_scene(app *a, const pov_camera *camera, double reach, double size, const pov_box *box)
 {
     double shape = shape_of(a, camera);
 
@@ -49,6 +49,9 @@ void app_set_scene(app *a, const pov_camera *camera, double reach, double size)
     orbit_fit(&a->orbit, a->width, a->height);
     a->has_scene = true;
     a->size = size > 0.0 ? size : 1.0;
+    a->has_box = box != NULL;
+    if (box)
+        a->box = *box;
     a->orders |= APP_DRAW;
 }
 
@@ -67,7 +70,7 @@ const char *app_view_name(app_view view)
 
 double app_gain(const app *a)
 {
-    return pow(2.0, 0.5 * a->exposure);
+    return pow(2.0, a->exposure / 3.0);
 }
 
 void app_say(app *a, double now, const char *format, ...)
@@ -83,84 +86,12 @@ void app_say(app *a, double now, const char *format, ...)
 
 /* ---- what is typed ---- */
 
-static void face(app *a, orbit_side side)
-{
-    orbit_face(&a->orbit, side);
-    a->moved = true;
-}
-
-static void reset(app *a)
-{
-    orbit_reset(&a->orbit);
-    a->moved = true;
-}
-
-static void expose(app *a, int more, double now)
-{
-    int wanted = a->exposure + more;
-
-    a->exposure = wanted > EXPOSURE_MOST ? EXPOSURE_MOST : wanted < -EXPOSURE_MOST ? -EXPOSURE_MOST : wanted;
-    a->orders |= APP_TONE;
-    app_say(a, now, "exposure %+.1f stops", 0.5 * a->exposure);
-}
-
-static void show_next(app *a, double now)
-{
-    a->view = (app_view)((a->view + 1) % APP_VIEWS);
-    a->orders |= APP_VIEW;
-    app_say(a, now, "%s", app_view_name(a->view));
-}
-
-static void toggle_pause(app *a, double now)
-{
-    a->paused = !a->paused;
-    a->orders |= APP_PAUSE;
-    app_say(a, now, a->paused ? "paused" : "going on");
-}
-
-static void toggle(app *a, bool *what)
-{
-    *what = !*what;
-    a->orders |= APP_DRAW;
-}
-
-/* Commands that need no scene. True: the key was one of them. */
-static bool take_general(app *a, int code)
-{
-    switch (code) {
-    case 'h': case 'H': case '?': case APP_KEY_F1:
-        toggle(a, &a->help);
-        return true;
-    case APP_KEY_F5:
-        a->orders |= APP_RELOAD;
-        return true;
-    case APP_KEY_ESCAPE:
-        a->orders |= APP_QUIT;
-        return true;
-    default:
-        return false;
-    }
-}
-
 static void command(app *a, int code, double now)
 {
-    if (take_general(a, code) || !a->has_scene)
-        return;
-    switch (code) {
-    case '1': face(a, ORBIT_FRONT); break;
-    case '3': face(a, ORBIT_RIGHT); break;
-    case '7': face(a, ORBIT_TOP); break;
-    case 'r': case 'R': case APP_KEY_ENTER: reset(a); break;
-    case 'c': case 'C': a->orders |= APP_PRINT; break;
-    case '[': case '-': expose(a, -1, now); break;
-    case ']': case '+': case '=': expose(a, 1, now); break;
-    case 'p': case 'P': toggle_pause(a, now); break;
-    case 's': case 'S': a->orders |= APP_SNAPSHOT; break;
-    case 'i': case 'I': toggle(a, &a->inspect); break;
-    case 'g': case 'G': toggle(a, &a->curve); break;
-    case APP_KEY_TAB: show_next(a, now); break;
-    default: break;
-    }
+    const keys_row *row = keys_find(code);
+
+    if (row && (row->always || a->has_scene))
+        row->act(a, now);
 }
 
 /* ---- flight ---- */

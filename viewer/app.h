@@ -1,12 +1,13 @@
-/* app.h - the viewer's state: events go in, orders come out. No window, no OpenGL, no thread; the only query to a scene
- * is a distance. Positions are in pixels of the framebuffer, from its upper left corner. */
+/* app.h - the viewer's state: events go in, orders come out. No window, no OpenGL, no thread; the only queries to a scene
+ * are a distance and an extent. Positions are in pixels of the framebuffer, from its upper left corner. */
 #ifndef VIEWER_APP_H
 #define VIEWER_APP_H
 
 #include "orbit.h"
 
 /* Keys with a printed capital are named by its ASCII code, others by these. */
-enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_SHIFT };
+enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_SHIFT,
+       APP_KEY_HOME };
 enum { APP_LEFT, APP_RIGHT, APP_MIDDLE, APP_BUTTONS };
 
 typedef enum app_event_kind {
@@ -44,6 +45,9 @@ typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY } app_drag;
 /* Distance to a surface along orbit_ray(x, y), in lengths of that ray; not positive: none. */
 typedef double app_probe(void *user, double x, double y);
 
+/* A box around what is seen of the object at (x, y). False: there is none. */
+typedef bool app_extent(void *user, double x, double y, pov_box *out);
+
 typedef struct app {
     orbit orbit;
     bool has_scene;
@@ -58,7 +62,7 @@ typedef struct app {
     unsigned flying;         /* a bit for each of the keys WASDQE that is held */
     double flown;            /* time up to which flight was computed */
     app_view view;
-    int exposure;            /* in half stops */
+    int exposure;            /* in thirds of a stop */
     bool paused, help, inspect, curve;
     bool greets;             /* a word on the help when the first scene is there */
     bool moved, resized;     /* the job has not been told yet */
@@ -66,13 +70,16 @@ typedef struct app {
     unsigned orders;
     char note[160];          /* a word to the user, until */
     double note_until;
+    bool has_box;
+    pov_box box;             /* around the finite objects */
     app_probe *probe;
+    app_extent *extent;
     void *probe_user;
 } app;
 
 void app_init(app *a, int width, int height, app_probe *probe, void *probe_user);
-/* A scene was loaded: its camera, its size. */
-void app_set_scene(app *a, const pov_camera *camera, double reach, double size);
+/* A scene was loaded: its camera, its size, a box around its finite objects or NULL. */
+void app_set_scene(app *a, const pov_camera *camera, double reach, double size, const pov_box *box);
 void app_take(app *a, const app_event *event, double now);
 /* Advance the flight to the present time, and return the orders. While the camera moves, the picture is restarted
  * whenever its first coarse pass is complete, and at least 20 times a second. */

@@ -239,3 +239,64 @@ void orbit_reset(orbit *o)
 {
     go_home(o);
 }
+
+/* ---- what it sees ---- */
+
+/* How far from the box's middle the camera must be to have a corner in view, and half of the picture that parallel rays
+ * need, in its present halves. */
+static void fit_corner(const pov_camera *c, pov_vec3 from_middle, double *away, double *part)
+{
+    double ahead = length(c->direction), across = 0.5 * length(c->right), up = 0.5 * length(c->up);
+    double x = fabs(pov_dot(from_middle, pov_unit(c->right))), y = fabs(pov_dot(from_middle, pov_unit(c->up)));
+    double depth = pov_dot(from_middle, pov_unit(c->direction));
+
+    if (c->type == POV_CAMERA_PERSPECTIVE)
+        depth -= ahead * fmax(x / across, y / up);
+    else
+        depth -= 2.0 * length(from_middle);
+    *away = fmax(*away, -depth);
+    *part = fmax(*part, fmax(x / across, y / up));
+}
+
+bool orbit_frame(orbit *o, const pov_box *box)
+{
+    const double margin = 1.05;
+    pov_camera c = orbit_camera(o);
+    pov_vec3 middle = pov_scale(pov_add(box->lo, box->hi), 0.5), half = pov_scale(pov_sub(box->hi, box->lo), 0.5);
+    double away = 0.0, part = 0.0;
+
+    for (int i = 0; i < 8; i++)
+        fit_corner(&c, pov_vec3_of(i & 1 ? half.x : -half.x, i & 2 ? half.y : -half.y, i & 4 ? half.z : -half.z), &away, &part);
+    away *= margin;
+    if (!(away > 0.0 && away < HUGE_VAL && part > 0.0))
+        return false;
+    if (c.type == POV_CAMERA_ORTHOGRAPHIC) {
+        o->camera.right = pov_scale(o->camera.right, margin * part);
+        o->camera.up = pov_scale(o->camera.up, margin * part);
+    }
+    o->reach = away / length(c.direction);
+    o->camera.location = pov_sub(middle, pov_scale(c.direction, o->reach));
+    o->moved = true;
+    return true;
+}
+
+double orbit_widen(orbit *o, double factor)
+{
+    const double narrowest = 1e-3, widest = 30.0;
+    pov_camera c = orbit_camera(o);
+    double wide = 0.5 * length(c.right) / length(c.direction);
+
+    if (c.type == POV_CAMERA_ORTHOGRAPHIC) {
+        o->camera.right = pov_scale(c.right, factor * o->first_shape / o->shape);
+        o->camera.up = pov_scale(c.up, factor);
+        o->moved = true;
+        return 0.0;
+    }
+    if (c.type != POV_CAMERA_PERSPECTIVE)
+        return -1.0;
+    factor = fmin(fmax(wide * factor, fmin(wide, narrowest)), fmax(wide, widest)) / wide;
+    o->camera.direction = pov_scale(c.direction, 1.0 / factor);
+    o->reach *= factor;
+    o->moved = true;
+    return 2.0 * atan(wide * factor) * 180.0 / PI;
+}

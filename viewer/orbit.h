@@ -49,5 +49,11 @@ void orbit_fly(orbit *o, double right, double up, double ahead);
 /* Look at the pivot along an axis from the same distance. */
 void orbit_face(orbit *o, orbit_side side);
 void orbit_reset(orbit *o);
+/* Go back or ahead, in the same direction, until the box is the pivot and just within the picture. False: it has no
+ * extent, or no end. */
+bool orbit_frame(orbit *o, const pov_box *box);
+/* Multiply the width of what is seen at the pivot. Returns the angle across in degrees, 0 for parallel rays, and below 0
+ * for a camera whose field of view this does not change. */
+double orbit_widen(orbit *o, double factor);
 
 #endif

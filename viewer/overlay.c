@@ -1,6 +1,7 @@
 #include "overlay.h"
 
 #include "curve.h"
+#include "keys.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -10,26 +11,6 @@ enum { MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
 
 /* Margin at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
-
-static const char help[] =
-    "#povview\n"
-    "|drag\torbit about what is in the middle\n"
-    "|Shift-drag, middle drag\tpan\n"
-    "|wheel\tgo to what is under the pointer\n"
-    "|right drag\tlook around; W A S D Q E fly, Shift faster\n"
-    "|1  3  7\tfront, right, top\n"
-    "|R, Enter\tback to the scene's camera\n"
-    "|C\tprint the camera as scene text\n"
-    "|[  ], -  +\tless, more exposure\n"
-    "|Tab\tthe next view of picture, normal, depth,\n"
-    "|\tsamples, time, error, certainty\n"
-    "|G\terror against time\n"
-    "|I\twhat is under the pointer\n"
-    "|P\tpause\n"
-    "|S\tsave what is seen as PNG\n"
-    "|F5\tread the scene again; a saved file is by itself\n"
-    "|H, ?, F1\tthis help\n"
-    "|Esc, Ctrl-Q\tquit\n";
 
 static void add(char *out, size_t size, const char *format, ...) POV_PRINTF(3, 4);
 
@@ -41,6 +22,16 @@ static void add(char *out, size_t size, const char *format, ...)
     va_start(list, format);
     vsnprintf(out + used, size - used, format, list);
     va_end(list);
+}
+
+void overlay_write_help(char *out, size_t size)
+{
+    const keys_row *row;
+
+    out[0] = '\0';
+    add(out, size, "#povview\n");
+    for (int i = 0; (row = keys_get(i)); i++)
+        add(out, size, "|%s\t%s\n", row->names, row->help);
 }
 
 void overlay_write_message(const pov_error *err, bool has_scene, char *out, size_t size)
@@ -174,7 +165,7 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
     else if (index == CAPTION)
         add(out, size, "%s", caption(a->view));
     else if (index == HELP && a->help)
-        add(out, size, "%s", help);
+        overlay_write_help(out, size);
 }
 
 bool overlay_update(overlay *o, const app *a, session *s, present *p)

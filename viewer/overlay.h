@@ -13,6 +13,7 @@ bool overlay_update(overlay *o, const app *a, session *s, present *p);
 void overlay_free(overlay *o);
 
 /* The text of the panels. */
+void overlay_write_help(char *out, size_t size);
 void overlay_write_message(const pov_error *err, bool has_scene, char *out, size_t size);
 void overlay_write_place(const session_place *place, char *out, size_t size);
 

@@ -19,19 +19,6 @@ static void warn(void *user, pov_log_level level, const pov_error *note)
         say("warning", note);
 }
 
-static double probe(void *user, double x, double y)
-{
-    session *s = user;
-    pov_camera camera = app_camera(s->app);
-    pov_hit hit = POV_INIT(hit);
-    pov_vec3 org, dir;
-
-    if (!s->tracer || !pov_camera_ray(&camera, x - 0.5, 0.5 - y, &org, &dir) ||
-        !pov_trace_hit(s->tracer, org, dir, &hit))
-        return 0.0;
-    return hit.distance;
-}
-
 /* ---- the job ---- */
 
 bool session_shows_job(const session *s)
@@ -171,31 +158,13 @@ static void restart(session *s, bool resize)
 
 /* ---- scenes ---- */
 
-/* Size of the scene, and the distance to its centre if the camera looks at nothing. */
-static double measure(const pov_scene *scene, const pov_camera *c, double *reach)
-{
-    double along = pov_dot(c->direction, c->direction), size;
-    pov_vec3 middle, across;
-    pov_box box;
-
-    if (!pov_scene_get_bounds(scene, &box))
-        return 10.0 * sqrt(along);
-    across = pov_sub(box.hi, box.lo);
-    size = sqrt(pov_dot(across, across));
-    middle = pov_add(box.lo, pov_scale(across, 0.5));
-    if (!(*reach > 0.0))
-        *reach = pov_dot(pov_sub(middle, c->location), c->direction) / along;
-    if (!(*reach > 0.0))
-        *reach = size / sqrt(along);
-    return size;
-}
-
 static void adopt(session *s, const helper_result *r)
 {
     helper_waste old = { s->job, s->maps, s->tracer, s->scene };
     pov_camera camera = POV_INIT(camera);
     pov_scene_info info = POV_INIT(info);
     double reach = r->reach, size;
+    pov_box box;
     bool again = s->scene != NULL;
 
     helper_dispose(s->helper, &old);
@@ -207,8 +176,8 @@ static void adopt(session *s, const helper_result *r)
     pov_scene_get_info(s->scene, &info);
     s->info = info;
     pov_scene_get_camera(s->scene, &camera);
-    size = measure(s->scene, &camera, &reach);
-    app_set_scene(s->app, &camera, reach, size);
+    size = session_measure(s->scene, &camera, &reach);
+    app_set_scene(s->app, &camera, reach, size, pov_scene_get_bounds(s->scene, &box) ? &box : NULL);
     make_job(s);
     begin_anew(s);
     if (s->picture.toned)
@@ -414,7 +383,8 @@ pov_status session_open(session **out, app *a, const session_desc *desc, pov_err
     }
     s->app = a;
     s->desc = *desc;
-    a->probe = probe;
+    a->probe = session_probe;
+    a->extent = session_extent;
     a->probe_user = s;
     c.log = warn;
     c.plugin_path = desc->args->plugin_path;

@@ -34,4 +34,10 @@ struct session {
 /* Is the view one of the job's? Other views are traced separately, while the job rests. */
 bool session_shows_job(const session *s);
 
+/* The queries of the app, with a session. */
+double session_probe(void *session, double x, double y);
+bool session_extent(void *session, double x, double y, pov_box *out);
+/* Size of the scene, and the distance to its centre if the camera looks at nothing. */
+double session_measure(const pov_scene *scene, const pov_camera *camera, double *reach);
+
 #endif

@@ -29,6 +29,7 @@ static int key_code(int key)
     case GLFW_KEY_ESCAPE: return APP_KEY_ESCAPE;
     case GLFW_KEY_F1: return APP_KEY_F1;
     case GLFW_KEY_F5: return APP_KEY_F5;
+    case GLFW_KEY_HOME: return APP_KEY_HOME;
     case GLFW_KEY_LEFT_SHIFT: case GLFW_KEY_RIGHT_SHIFT: return APP_KEY_SHIFT;
     /* Keys by position, because they steer; GLFW's names are the ASCII codes of the American layout. */
     case GLFW_KEY_W: case GLFW_KEY_A: case GLFW_KEY_S: case GLFW_KEY_D: case GLFW_KEY_Q: case GLFW_KEY_E: return key;

@@ -34,7 +34,7 @@ static app ready(int *probes)
     app a;
 
     app_init(&a, WIDTH, HEIGHT, probes ? probe_seven : NULL, probes);
-    app_set_scene(&a, &c, 10.0, 20.0);
+    app_set_scene(&a, &c, 10.0, 20.0, NULL);
     app_update(&a, 0.0, true);
     return a;
 }
@@ -187,14 +187,18 @@ static void app_orders_what_keys_say(void **state)
     assert_true(app_update(&a, 1.0, true) & APP_QUIT);
 }
 
-static void app_exposure_goes_by_half_stops_and_ends(void **state)
+static void app_exposure_goes_by_thirds_of_a_stop_and_ends(void **state)
 {
     app a = ready(NULL);
 
     (void)state;
     assert_true(app_gain(&a) == 1.0);
     type(&a, ']');
+    assert_string_equal(a.note, "exposure +1/3 stop");
     type(&a, ']');
+    assert_near(app_gain(&a), cbrt(4.0), 1e-15);
+    type(&a, ']');
+    assert_string_equal(a.note, "exposure +1 stops");
     assert_near(app_gain(&a), 2.0, 1e-15);
     assert_true(app_update(&a, 1.0, true) & APP_TONE);
     for (int i = 0; i < 100; i++)
@@ -275,15 +279,15 @@ static void app_shapes_the_picture_by_the_size_that_was_asked_for(void **state)
 
     (void)state;
     app_init(&a, 1000, 500, NULL, NULL);
-    app_set_scene(&a, &c, 10.0, 20.0);
+    app_set_scene(&a, &c, 10.0, 20.0, NULL);
     assert_near(app_camera(&a).right.x, 2.0, 1e-12);
     app_init(&a, 1000, 500, NULL, NULL);
     a.sized = true;
-    app_set_scene(&a, &c, 10.0, 20.0);
+    app_set_scene(&a, &c, 10.0, 20.0, NULL);
     assert_true(app_camera(&a).right.x == c.right.x);
     app_init(&a, 1024, 768, NULL, NULL);
     c.right.x = 1.33;
-    app_set_scene(&a, &c, 10.0, 20.0);
+    app_set_scene(&a, &c, 10.0, 20.0, NULL);
     assert_true(app_camera(&a).right.x == 1.33);
 }
 
@@ -318,7 +322,7 @@ int main(void)
         cmocka_unit_test(app_flies_by_the_clock),
         cmocka_unit_test(app_letters_steer_in_flight_and_command_else),
         cmocka_unit_test(app_orders_what_keys_say),
-        cmocka_unit_test(app_exposure_goes_by_half_stops_and_ends),
+        cmocka_unit_test(app_exposure_goes_by_thirds_of_a_stop_and_ends),
         cmocka_unit_test(app_views_come_round),
         cmocka_unit_test(app_inspector_follows_the_pointer),
         cmocka_unit_test(app_notes_pass),

@@ -379,16 +379,39 @@ static void shot_shows_what_double_decided(void **state)
     end(s);
 }
 
-static void shot_exposes_by_half_stops(void **state)
+static void shot_exposes_by_thirds_of_a_stop(void **state)
 {
     stage *s = begin(good, 0);
     uint8_t *before = copy(see(s, ""));
     double linear = 0.4 * 2.0, stored = 255.0 * (1.055 * pow(linear, 1.0 / 2.4) - 0.055);
 
     (void)state;
-    assert_color(at(see(s, "]]"), WIDTH / 2, HEIGHT / 2), (int)(stored + 0.5), 0, 0, 1);
-    assert_int_equal(differences(see(s, "[["), before), 0);
+    assert_color(at(see(s, "]]]"), WIDTH / 2, HEIGHT / 2), (int)(stored + 0.5), 0, 0, 1);
+    assert_int_equal(differences(see(s, "[[["), before), 0);
     free(before);
+    end(s);
+}
+
+/* A camera that sees a small part of the sphere: A shows it whole, as high as the margin leaves, and F too. */
+static void shot_frames_all_and_what_is_under_the_pointer(void **state)
+{
+    static const char near[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                               "camera { location <0.3, 0.2, -1.2> direction z right x*4/3 up y }\n"
+                               "light_source { <0, 0, -50> rgb 1 }\n"
+                               "sphere { 0, 1 pigment { rgb <1, 0, 0> } finish { ambient 1 diffuse 0 } }\n"
+                               "sphere { <30, 0, 40>, 1 pigment { rgb <0, 1, 0> } }\n";
+    stage *s = begin(near, 0);
+    const uint8_t *p = see(s, "<move 160,120>f");
+
+    (void)state;
+    assert_color(at(p, WIDTH / 2, HEIGHT / 2), 255, 0, 0, 0);
+    assert_color(at(p, WIDTH / 2, 3), 0, 0, 0, 0);
+    assert_color(at(p, 3, HEIGHT / 2), 0, 0, 0, 0);
+    /* The margin is a twentieth of what is seen; two are left for what a grid of rays misses. */
+    assert_color(at(p, WIDTH / 2, HEIGHT / 5), 255, 0, 0, 0);
+    p = see(s, "a");
+    assert_color(at(p, WIDTH / 2, 3), 0, 0, 0, 0);
+    assert_true(s->v.app.orbit.camera.location.z < -20.0);
     end(s);
 }
 
@@ -541,7 +564,8 @@ int main(void)
         cmocka_unit_test(shot_shows_where_the_time_went),
         cmocka_unit_test(shot_shows_the_curve_of_error_against_time),
         cmocka_unit_test(shot_shows_what_double_decided),
-        cmocka_unit_test(shot_exposes_by_half_stops),
+        cmocka_unit_test(shot_exposes_by_thirds_of_a_stop),
+        cmocka_unit_test(shot_frames_all_and_what_is_under_the_pointer),
         cmocka_unit_test(shot_drag_shows_another_side),
         cmocka_unit_test(shot_takes_another_size),
         cmocka_unit_test(shot_inspects_what_is_under_the_pointer),
