@@ -35,10 +35,12 @@ typedef struct finish {
 void finish_init(finish *f);
 bool finish_equal(const finish *a, const finish *b);
 
-/* Is anything reflected under some angle? */
+static inline bool finish_any_above_0(colour c) { return c.r > 0.0f || c.g > 0.0f || c.b > 0.0f; }
+
+/* Is anything reflected under some angle? As in POV-Ray negative components take light away, but not all alone. */
 static inline bool finish_is_mirror(const finish *f)
 {
-    return !colour_is_black(f->reflection.min) || !colour_is_black(f->reflection.max);
+    return finish_any_above_0(f->reflection.min) || finish_any_above_0(f->reflection.max);
 }
 
 /* Does what is reflected or transmitted depend on the angle of the ray, or on what is reflected? */

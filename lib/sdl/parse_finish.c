@@ -5,6 +5,7 @@
 #include "sdl/unsupported.h"
 #include "sdl/value.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Strengths that were given as albedos; they depend on words that may follow. */
@@ -20,12 +21,15 @@ static void read_albedo(pov_reader *in, surface_parsed *s, unsigned bit)
     s->albedos = given ? s->albedos | bit : s->albedos & ~bit;
 }
 
+/* What is below 0 is left out. */
+static float read_strength(pov_reader *in) { return fmaxf(value_float(in), 0.0f); }
+
 static void read_diffuse(pov_reader *in, surface_parsed *s, finish *f)
 {
     s->material.finish.written = 1.0f;
     read_albedo(in, s, ALBEDO_DIFFUSE);
-    f->diffuse = value_float(in);
-    f->diffuse_back = state_accept(in, ',') ? value_float(in) : 0.0f;
+    f->diffuse = read_strength(in);
+    f->diffuse_back = state_accept(in, ',') ? read_strength(in) : 0.0f;
 }
 
 static float read_size(pov_reader *in)
@@ -37,13 +41,14 @@ static float read_size(pov_reader *in)
     return size;
 }
 
+/* The power is 1 / roughness; POV-Ray takes 0 for a roughness of 0: the whole surface shines. */
 static double read_roughness(pov_reader *in)
 {
     const double roughness = value_number(in);
 
     if (roughness == 0.0)
-        report_warn(in, &in->value, "a roughness of 0 leaves no highlight");
-    return roughness;
+        report_warn(in, &in->value, "with a roughness of 0 the highlight is everywhere");
+    return roughness == 0.0 ? HUGE_VAL : roughness;
 }
 
 /* A value that may be left out. */
@@ -52,13 +57,13 @@ static float read_amount(pov_reader *in) { return value_follows(in) ? value_floa
 static void read_specular(pov_reader *in, surface_parsed *s, finish *f)
 {
     read_albedo(in, s, ALBEDO_SPECULAR);
-    f->specular = value_float(in);
+    f->specular = read_strength(in);
 }
 
 static void read_phong(pov_reader *in, surface_parsed *s, finish *f)
 {
     read_albedo(in, s, ALBEDO_PHONG);
-    f->phong = value_float(in);
+    f->phong = read_strength(in);
 }
 
 void parse_finish_item(pov_reader *in, void *self, keyword_id keyword)
@@ -75,8 +80,8 @@ void parse_finish_item(pov_reader *in, void *self, keyword_id keyword)
     case KEYWORD_PHONG_SIZE: f->phong_size = read_size(in); break;
     case KEYWORD_SPECULAR: read_specular(in, s, f); break;
     case KEYWORD_ROUGHNESS: f->roughness = read_roughness(in); break;
-    case KEYWORD_METALLIC: f->metallic = read_amount(in); break;
-    case KEYWORD_CRAND: f->crand = value_float(in); break;
+    case KEYWORD_METALLIC: f->metallic = fmaxf(read_amount(in), 0.0f); break;
+    case KEYWORD_CRAND: f->crand = read_strength(in); break;
     case KEYWORD_CONSERVE_ENERGY: f->conserve_energy = read_amount(in) != 0.0f; break;
     default: f->reflection.exponent = value_float(in); break;
     }
@@ -162,7 +167,7 @@ static void read_irid(pov_reader *in, void *self, keyword_id keyword)
     (void)keyword;
     items_open(in, &b);
     if (value_follows(in))
-        ((surface_parsed *)self)->material.finish.irid.amount = value_float(in);
+        ((surface_parsed *)self)->material.finish.irid.amount = read_strength(in);
     items_close(in, &b, &list, self);
 }
 

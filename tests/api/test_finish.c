@@ -157,6 +157,20 @@ static void a_dielectric_within_another_is_left_without_fresnels_reflection(void
     CHECK(samples);
 }
 
+static void strengths_below_zero_are_left_out(void **state)
+{
+    static const sample samples[] = {
+        { FRONT, GOLD "finish { ambient 0 diffuse .6 phong -1 phong_size 5 specular -1 specular albedo -.5 metallic -1 crand -.1 irid { -.4 thickness .5 } reflection -.3 }",
+          0.36122, 0.24081, 0.12041 },
+        { FRONT, GOLD "finish { ambient .1 diffuse -.5 reflection { -.3, -.3 } }", 0.09, 0.06, 0.03 },
+        { FRONT, GOLD "finish { ambient 0 diffuse 0 reflection rgb <-.3, .5, .2> }", -0.15, 0.3, 0.14 },
+        { FRONT, GOLD "finish { ambient 0 diffuse 0 specular .5 roughness 0 }", 0.5, 0.5, 0.5 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 static void filters_below_zero_are_weighed_by_their_size(void **state)
 {
     static const sample samples[] = {
@@ -179,6 +193,7 @@ int main(void)
         cmocka_unit_test(what_is_reflected_is_not_transmitted_with_conserve_energy),
         cmocka_unit_test(a_finish_that_leaves_nothing_to_transmit_mirrors_where_light_would_be_turned_back),
         cmocka_unit_test(a_dielectric_within_another_is_left_without_fresnels_reflection),
+        cmocka_unit_test(strengths_below_zero_are_left_out),
         cmocka_unit_test(filters_below_zero_are_weighed_by_their_size),
         cmocka_unit_test(a_film_changes_all_light_by_its_wavelength),
     };
