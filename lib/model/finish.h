@@ -49,7 +49,7 @@ static inline bool finish_is_angular(const finish *f)
     const reflection *r = &f->reflection;
 
     return !colour_equal(r->min, r->max) || (r->metallic != 0.0f && finish_is_mirror(f)) || f->conserve_energy ||
-           f->refraction != 1.0f;
+           f->refraction != 1.0f || f->irid.amount != 0.0f;
 }
 
 /* Is there a highlight? */

@@ -1,8 +1,8 @@
 #include "shade/brdf.h"
 
 #include "base/simd.h"
+#include "shade/film.h"
 #include "shade/highlight.h"
-#include "texture/noise.h"
 
 static inline void set_cosines(light_sample *s, const geometry *g, const vec_lanes *normal, uint32_t i, pov_vec3 unit)
 {
@@ -136,18 +136,6 @@ static int64_t whole_of(double sharpness)
     return sharpness >= 1.0 && sharpness <= APPEARANCE_POWER_LANES && sharpness == floor(sharpness) ? (int64_t)sharpness : 0;
 }
 
-/* Turbulence makes a film thinner and thicker, as POV-Ray has it, in the space of the world. */
-static double thickness_at(const model *m, const finish *f, pov_vec3 point)
-{
-    turbulence t = turbulence_default();
-
-    t.octaves = 5;
-    if (f->irid.turbulence == 0.0f || f->irid.amount == 0.0f)
-        return (double)f->irid.thickness;
-    return (double)f->irid.thickness *
-           (1.0 + (double)f->irid.turbulence * (2.0 * noise_turbulence_at(m->noise, m->noise_generator, &t, point) - 1.0));
-}
-
 static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, const model *m, pov_vec3 point)
 {
     const finish *f = a->finish;
@@ -163,7 +151,7 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, const mo
     r->metallic[i] = f->metallic;
     r->brilliance[i] = f->brilliance;
     r->irid[i] = f->irid.amount;
-    r->thickness[i] = thickness_at(m, f, point);
+    r->thickness[i] = film_thickness(m, f, point);
     r->crand[i] = f->crand;
 }
 

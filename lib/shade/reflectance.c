@@ -1,6 +1,7 @@
 #include "shade/reflectance.h"
 
 #include "shade/fade.h"
+#include "shade/film.h"
 #include "shade/highlight.h"
 
 double reflectance_fresnel(double cosine, double ratio)
@@ -64,7 +65,7 @@ static double ratio_at(const shade_context *c, const surface *s)
     return in.count == 1 && crossing.index == 0 ? 1.0 / own : own / crossing.before;
 }
 
-static void set(const shade_context *c, appearance *a, const surface *s, double cosine)
+static void set(const shade_context *c, appearance *a, const surface *s, double cosine, pov_vec3 point)
 {
     const finish *f = a->finish;
     const double ratio = f->reflection.fresnel ? ratio_at(c, s) : 1.0;
@@ -73,6 +74,8 @@ static void set(const shade_context *c, appearance *a, const surface *s, double 
     a->reflection = coefficient_of(by);
     if (f->conserve_energy)
         appearance_set_filter(a, c->scene->model, colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
+    if (f->irid.amount != 0.0f)
+        a->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, cosine, point));
 }
 
 /* The surface's appearance, to be changed. */
@@ -104,7 +107,7 @@ void reflectance_set(const shade_context *c, surfaces *s)
         if (!at->appearance->angular)
             continue;
         own = own_of(s, i);
-        set(c, own, at, s->geometry.cosine[i]);
+        set(c, own, at, s->geometry.cosine[i], lanes_at(&s->geometry.to.point, i));
         appearance_set_filter(own, c->scene->model, colour_scale(own->filter.by, own->finish->refraction));
     }
 }
@@ -114,6 +117,6 @@ void reflectance_set_layers(const shade_context *c, surfaces *s)
     for (uint32_t i = 0; i < s->count; i++) {
         fade(c, &s->at[i]);
         if (s->at[i].appearance->angular)
-            set(c, own_of(s, i), &s->at[i], s->geometry.cosine[i]);
+            set(c, own_of(s, i), &s->at[i], s->geometry.cosine[i], lanes_at(&s->geometry.to.point, i));
     }
 }

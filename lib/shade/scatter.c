@@ -2,6 +2,7 @@
 
 #include "query/passage.h"
 #include "shade/air.h"
+#include "shade/film.h"
 #include "shade/photons.h"
 #include "shade/refract.h"
 #include "shade/spawn.h"
@@ -295,14 +296,27 @@ static inline void cross(scattering *to, const interfaces *p, const surface *s, 
         pass(to, refract_at(to, s, lane, by, lanes_at(&p->to.dir, lane)), crossing);
 }
 
+/* What is left of a ray that is totally reflected. */
+static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane)
+{
+    const finish *f = s->appearance->finish;
+    const coefficient whole = { to->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
+    coefficient out = whole;
+
+    if (f->irid.amount != 0.0f)
+        out.by = colour_mul(out.by, film_mirrored(to->context->scene->model, f, to->on->geometry.cosine[lane],
+                                                  lanes_at(&to->on->geometry.to.point, lane)));
+    return out;
+}
+
 /* Both rays that can continue from an interface. A reflected one keeps its list of dielectrics. Where the filter is dark
  * no ray looks for a way through, so none is turned back: the surface mirrors as its finish says. */
 static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    const coefficient whole = { to->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
-
     if (is_shut(p, lane) && !s->appearance->dark) {
-        reflect_inside(to, s, lane, &whole);
+        const coefficient by = shut_by(to, s, lane);
+
+        reflect_inside(to, s, lane, &by);
         return;
     }
     reflect_some(to, s, lane);
@@ -386,7 +400,6 @@ static void shut_stack(hit_rays *f, uint32_t last)
 {
     const layers *l = f->from;
     const surface *s = &l->on.at[last];
-    const bool fades = f->to->fading;
 
     for (uint32_t i = last + 1; i-- > f->first;) {
         f->reflects[i] = false;
@@ -395,10 +408,8 @@ static void shut_stack(hit_rays *f, uint32_t last)
     }
     f->goes_on[last] = false;
     f->is_shut[last] = true;
-    f->shut[last].by = colour_of(l->of[last].share, l->of[last].share, l->of[last].share);
-    f->shut[last].weight = 1.0f;
-    if (fades)
-        f->shut[last].by = colour_mul(f->shut[last].by, s->faded);
+    f->shut[last] = shut_by(f->to, s, last);
+    f->shut[last].by = colour_scale(f->shut[last].by, l->of[last].share);
 }
 
 static void find_rays(hit_rays *f)

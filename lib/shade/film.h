@@ -1,0 +1,12 @@
+/* film.h - thin films: waves reflected at both their faces add up or cancel out. */
+#ifndef SHADE_FILM_H
+#define SHADE_FILM_H
+
+#include "model/model.h"
+
+/* Turbulence makes a film thinner and thicker, as POV-Ray has it, in the space of the world. */
+double film_thickness(const model *m, const finish *f, pov_vec3 point);
+/* What a film makes of the light that it mirrors at this cosine to the normal. */
+colour film_mirrored(const model *m, const finish *f, double cosine, pov_vec3 point);
+
+#endif
