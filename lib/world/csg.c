@@ -144,6 +144,7 @@ bool csg_make(csg_list *out, const model *m, const csg_source *source)
             out->count++;
             return false;
         }
+        csg_find_chords(t);
     }
     return true;
 }

@@ -58,8 +58,16 @@ typedef struct csg_few {
     double lo[3][CSG_FEW], hi[3][CSG_FEW];
 } csg_few;
 
+/* An intersection of few members, each bounded and convex, and complements of such: columns of csg_few, as bits. */
+enum { CSG_CHORDS_MAX = 64 };
+typedef struct csg_chords {
+    uint32_t all, within;        /* 0: the tree is another one; those that are no complements */
+    uint32_t member[CSG_FEW];
+} csg_chords;
+
 typedef struct csg_tree {
     csg_few few;
+    csg_chords chords;
     csg_member *members;         /* in the order of the text: their leaves are consecutive */
     csg_node *nodes;             /* the first is the root */
     csg_state *outside;          /* by node: states outside all members */
@@ -93,6 +101,8 @@ typedef struct csg_source {
 
 /* For csg_make(): boxes of the members, which may be moved, and of the tree. */
 bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
+/* After it: is the tree such an intersection? */
+void csg_find_chords(csg_tree *t);
 /* Make the trees of a model; false: no memory. Call csg_free() in any case. */
 bool csg_make(csg_list *out, const model *m, const csg_source *source);
 void csg_free(csg_list *all, const env *e);

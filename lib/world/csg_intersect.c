@@ -65,7 +65,7 @@ static const pov_crossing *owner_of(const csg_traversal *w, uint32_t first, uint
     return best ? best : other;
 }
 
-static bool report(const pov_crossing *at, bool enters, pov_hits *hits)
+bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits)
 {
     const uint32_t owner = hits->owner;
     pov_mark mark = at->mark;
@@ -183,7 +183,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
         return true;
     if (csg_member_at(w, at)->patch)
         enters = csg_slope(w, at) < 0.0;
-    return report(at, enters, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
+    return csg_report(at, enters, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
 }
 
 /* False: doubles were not sufficient. Crossings reported so far are right. */
@@ -204,12 +204,21 @@ static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
     return enough;
 }
 
+/* Is the first crossing ahead all that is wanted, of a tree whose crossings doubles can order? */
+static bool is_by_chords(const csg_tree *t, const pov_hits *hits)
+{
+    return t->chords.all && t->open_count == 0 && !hits->always_exact && hits->want != POV_WANT_ALL && hits->tmin == 0.0;
+}
+
 void csg_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     const uint32_t count = hits->count;
     csg_traversal w;
 
-    if (!csg_traversal_init(&w, ((const csg_root *)self)->tree, ray, hits) || traverse(&w, hits, hits->always_exact))
+    csg_traversal_init(&w, ((const csg_root *)self)->tree, ray, hits);
+    if (is_by_chords(w.tree, hits) && csg_chords_first(&w, hits))
+        return;
+    if (!csg_traversal_enters(&w, hits) || traverse(&w, hits, hits->always_exact))
         return;
     if (hits->want == POV_WANT_ALL)
         hits->count = count;   /* the traversal begins again */

@@ -176,12 +176,17 @@ SIMD_CLONES static void enter_few(const csg_few *few, pov_vec3 o, pov_vec3 inver
     narrow_few(few->lo[2], few->hi[2], o.z, inverse.z, wide, enter, leave);
 }
 
+void csg_enter_few(const csg_traversal *w, double *enter, double *leave)
+{
+    enter_few(&w->tree->few, w->ray->org, w->inverse, box_slack * w->size, enter, leave);
+}
+
 static void push_few(csg_traversal *w)
 {
     const csg_few *few = &w->tree->few;
     SIMD_ALIGNED double enter[CSG_FEW], leave[CSG_FEW];
 
-    enter_few(few, w->ray->org, w->inverse, box_slack * w->size, enter, leave);
+    csg_enter_few(w, enter, leave);
     for (uint32_t i = 0; i < few->count; i++)
         if (enter[i] <= leave[i])
             insert(w, few->bound[i], enter[i]);
@@ -358,19 +363,22 @@ static void test_cuts(csg_traversal *w)
 
 /* ---- in order ---- */
 
-bool csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits)
+void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits)
 {
-    double enter, leave = hits->tmax;
-
     w->tree = tree;
     w->ray = ray;
     w->scratch = ((const csg_user *)hits->user)->scratch;
     w->dir = pov_largest(ray->dir);
     w->size = pov_largest(ray->org) + tree->size;
     w->inverse = pov_vec3_of(1.0 / ray->dir.x, 1.0 / ray->dir.y, 1.0 / ray->dir.z);
-    return !tree->boxed || (hits_box(w, &tree->box, &enter, &leave) && hits_cuts(w, enter, leave));
 }
 
+bool csg_traversal_enters(const csg_traversal *w, const pov_hits *hits)
+{
+    double enter, leave = hits->tmax;
+
+    return !w->tree->boxed || (hits_box(w, &w->tree->box, &enter, &leave) && hits_cuts(w, enter, leave));
+}
 
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
 {

@@ -22,8 +22,11 @@ typedef struct csg_traversal {
     double dir, size;            /* largest component of the direction; and of the coordinates involved */
 } csg_traversal;
 
+void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits);
 /* False: the ray passes the tree before tmax. */
-bool csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits);
+bool csg_traversal_enters(const csg_traversal *w, const pov_hits *hits);
+/* Where the ray enters and leaves the boxes of few members. */
+void csg_enter_few(const csg_traversal *w, double *enter, double *leave);
 /* Begin at the start of the ray, and afterwards clear what members remember. */
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact);
 void csg_traversal_end(csg_traversal *w);
@@ -39,6 +42,10 @@ static inline const csg_member *csg_member_at(const csg_traversal *w, const pov_
 
 /* Cosine between the ray and the normal, times the length of the direction. */
 double csg_slope(const csg_traversal *w, const pov_crossing *at);
+/* Report a crossing of a member as one of the tree. False: nothing more is wanted. */
+bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits);
+/* The first crossing of a tree that has them, for hits that want no more. False: doubles were not sufficient; nothing is reported. */
+bool csg_chords_first(csg_traversal *w, pov_hits *hits);
 /* Is a point of the ray inside a member? */
 bool csg_member_holds(const csg_traversal *w, const csg_member *m, double t);
 

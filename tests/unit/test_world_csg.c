@@ -383,7 +383,19 @@ static void a_shared_face_is_the_first_members(void **state)
 
 enum { LEAVES_MAX = 12, CROSSINGS_MAX = 1024, HOLLOWS = 300 };
 
-static node_ref random_leaf(model *m, const shape_class *below, test_random *r)
+/* The classes of random members. */
+typedef struct kinds { shape_class below, sphere, brick; } kinds;
+
+static kinds kinds_of(uint32_t flags)
+{
+    kinds k = { below_class(), test_sphere_class, test_brick_class };
+
+    k.sphere.flags |= flags;
+    k.brick.flags |= flags;
+    return k;
+}
+
+static node_ref random_leaf(model *m, const kinds *of, test_random *r)
 {
     /* On a grid of quarters, so that members share faces and centres. */
     const double x = 0.25 * (double)test_below(r, 9) - 1.0, y = 0.25 * (double)test_below(r, 9) - 1.0;
@@ -392,22 +404,22 @@ static node_ref random_leaf(model *m, const shape_class *below, test_random *r)
     const uint32_t kind = test_below(r, 8);
 
     if (kind == 0)
-        return test_add(m, below, &ground, NULL, 0, 0);
+        return test_add(m, &of->below, &ground, NULL, 0, 0);
     if (kind < 4)
-        return test_add(m, &test_sphere_class, &(test_sphere_shape){ { x, y, z }, size }, NULL, 0,
+        return test_add(m, &of->sphere, &(test_sphere_shape){ { x, y, z }, size }, NULL, 0,
                         kind == 3 && test_below(r, 4) == 0 ? LEAF_INVERSE : 0);
-    return brick(m, pov_vec3_of(x, y, z), pov_vec3_of(x + size, y + 0.5, z + 0.75));
+    return test_add(m, &of->brick, &(test_brick){ { x, y, z }, { x + size, y + 0.5, z + 0.75 } }, NULL, 0, 0);
 }
 
-static node_ref random_tree(model *m, const shape_class *below, test_random *r, int depth)
+static node_ref random_tree(model *m, const kinds *of, test_random *r, int depth)
 {
     node_ref children[3];
     const uint32_t n = 2 + test_below(r, 2);
 
     if (depth == 0 || m->leaves.count >= LEAVES_MAX)
-        return random_leaf(m, below, r);
+        return random_leaf(m, of, r);
     for (uint32_t i = 0; i < n; i++)
-        children[i] = random_tree(m, below, r, depth - 1);
+        children[i] = random_tree(m, of, r, depth - 1);
     return group(m, (node_op)test_below(r, 4), test_below(r, 8) == 0, children, n);
 }
 
@@ -509,25 +521,26 @@ static uint32_t check_ray(const scene *s, node_ref root, pov_ray ray)
     return n;
 }
 
-static void random_trees_are_what_their_members_say_of_points(void **state)
+/* Surfaces of random trees; `by_chords`: how many are intersected by chords. */
+static uint32_t check_trees(const kinds *of, uint64_t seed, uint32_t *by_chords)
 {
-    const shape_class below = below_class();
-    test_random r = { 7 };
+    test_random r = { seed };
     uint32_t surfaces = 0;
 
-    (void)state;
+    *by_chords = 0;
     for (int round = 0; round < 4000; round++) {
         node_ref root;
         scene s;
 
         begin(&s);
-        root = random_tree(&s.model, &below, &r, 1 + (int)test_below(&r, 3));
+        root = random_tree(&s.model, of, &r, 1 + (int)test_below(&r, 3));
         assert_true(model_add_tree(&s.model, root));
         if (s.model.trees.count != 1 || s.model.trees.items[0] != root) {
             model_free(&s.model);   /* a union of others, whose faces are all there */
             continue;
         }
         compile(&s, round % 2 ? POV_ACCEL_TREE : POV_ACCEL_NONE);
+        *by_chords += world_trees(s.world)->items[0].chords.all != 0;
         for (int i = 0; i < 40; i++) {
             const pov_vec3 org = { test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0) };
 
@@ -535,7 +548,28 @@ static void random_trees_are_what_their_members_say_of_points(void **state)
         }
         end(&s);
     }
-    assert_true(surfaces > 10000);
+    return surfaces;
+}
+
+static void random_trees_are_what_their_members_say_of_points(void **state)
+{
+    const kinds of = kinds_of(0);
+    uint32_t by_chords;
+
+    (void)state;
+    assert_true(check_trees(&of, 7, &by_chords) > 10000);
+    assert_int_equal(by_chords, 0);
+}
+
+/* Of convex members: most intersections need no queue. */
+static void convex_members_are_what_their_members_say_of_points(void **state)
+{
+    const kinds of = kinds_of(POV_SHAPE_CONVEX);
+    uint32_t by_chords;
+
+    (void)state;
+    assert_true(check_trees(&of, 13, &by_chords) > 10000);
+    assert_true(by_chords > 100);
 }
 
 /* Members are looked for by their boxes, the nearest first. */
@@ -728,6 +762,7 @@ int main(void)
         cmocka_unit_test(what_only_touches_changes_nothing),
         cmocka_unit_test(a_shared_face_is_the_first_members),
         cmocka_unit_test(random_trees_are_what_their_members_say_of_points),
+        cmocka_unit_test(convex_members_are_what_their_members_say_of_points),
         cmocka_unit_test(many_hollows_are_all_found),
         cmocka_unit_test(crossings_ahead_tell_what_is_inside),
         cmocka_unit_test(light_crosses_the_surfaces_that_are_there),
