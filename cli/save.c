@@ -69,7 +69,8 @@ static void put_name(named *names, int *n, const char *path, const char *what, b
 
 static int list_names(const args *a, const char *checkpoint, named names[NAMES_MAX])
 {
-    static const char *const maps[ARGS_AOVS] = { "--aov certainty", "--aov normal", "--aov depth", "--aov time", "--aov object" };
+    static const char *const maps[ARGS_AOVS] = { "--aov certainty", "--aov normal", "--aov depth", "--aov time", "--aov object",
+                                                 "--aov position", "--aov albedo", "--aov alpha" };
     int n = 0;
 
     put_name(names, &n, a->scene, "the scene", false);
