@@ -107,7 +107,7 @@ pictures_come_with_maps_of_what_is_met() {
     "$PYTHON" "$pixels" between d.pfm 30 24 6 9
     "$PYTHON" "$pixels" between d.pfm 30 0 0 0
     expect 0 "$povc" rich.pov 61 47 out.pfm --aov position p.pfm --aov albedo b.pfm --aov alpha a.pfm
-    "$PYTHON" "$pixels" between p.pfm 30 46 -0.1 0.1
+    "$PYTHON" "$pixels" between p.pfm 30 46 -4.4 0.1
     "$PYTHON" "$pixels" between b.pfm 30 46 0.69 0.71
     "$PYTHON" "$pixels" between a.pfm 30 46 1 1
     expect 0 "$povc" rich.pov 61 47 out.pfm --accuracy max --aov certainty m.pfm
