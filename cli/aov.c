@@ -10,14 +10,18 @@
 
 enum { THREADS_MAX = 64, BAND = 16 };
 
-/* Where the values of a map come from, and how many a pixel has. */
-typedef struct kind { pov_pixels pixels; int values; } kind;
+/* Where the values of a map come from, how many a pixel has, and the names that they have as layers of a file. */
+typedef struct kind { pov_pixels pixels; int values; const char *layers[3]; } kind;
 
 static const kind kinds[ARGS_AOVS] = {
-    [ARGS_AOV_CERTAINTY] = { POV_PIXELS_CERTAINTY, 1 }, [ARGS_AOV_NORMAL] = { POV_PIXELS_NORMAL, 4 },
-    [ARGS_AOV_DEPTH] = { POV_PIXELS_DEPTH, 1 },         [ARGS_AOV_TIME] = { POV_PIXELS_TIME, 1 },
-    [ARGS_AOV_OBJECT] = { POV_PIXELS_OBJECT, 1 },       [ARGS_AOV_POSITION] = { POV_PIXELS_POSITION, 4 },
-    [ARGS_AOV_ALBEDO] = { POV_PIXELS_ALBEDO, 4 },       [ARGS_AOV_ALPHA] = { POV_PIXELS_ALPHA, 1 },
+    [ARGS_AOV_CERTAINTY] = { POV_PIXELS_CERTAINTY, 1, { "certainty.V" } },
+    [ARGS_AOV_NORMAL] = { POV_PIXELS_NORMAL, 4, { "normal.X", "normal.Y", "normal.Z" } },
+    [ARGS_AOV_DEPTH] = { POV_PIXELS_DEPTH, 1, { "depth.Z" } },
+    [ARGS_AOV_TIME] = { POV_PIXELS_TIME, 1, { "time.us" } },
+    [ARGS_AOV_OBJECT] = { POV_PIXELS_OBJECT, 1, { "object.id" } },
+    [ARGS_AOV_POSITION] = { POV_PIXELS_POSITION, 4, { "position.X", "position.Y", "position.Z" } },
+    [ARGS_AOV_ALBEDO] = { POV_PIXELS_ALBEDO, 4, { "albedo.R", "albedo.G", "albedo.B" } },
+    [ARGS_AOV_ALPHA] = { POV_PIXELS_ALPHA, 1, { "alpha.A" } },
 };
 
 typedef struct maps {
@@ -193,6 +197,64 @@ static void colour_pixel(const maps *m, int which, size_t pixel, double scale)
         put(to, scale * (double)v[0], scale * (double)v[0], scale * (double)v[0]);
 }
 
+/* ---- layers of the picture's file: the values themselves ---- */
+
+bool aov_is_layer(const args *a, int which)
+{
+    const char *dot = a->output ? strrchr(a->output, '.') : NULL;
+
+    return a->aov[which] && dot && !a->in_whole && strcmp(a->aov[which], a->output) == 0 && strcasecmp(dot, ".exr") == 0;
+}
+
+static bool any_layer(const args *a)
+{
+    for (int i = 0; i < ARGS_AOVS; i++)
+        if (aov_is_layer(a, i))
+            return true;
+    return false;
+}
+
+/* Seconds to microseconds, and numbers of objects to one more than them: 0 is none. */
+static void scale_layer(const maps *m, int which)
+{
+    const size_t count = (size_t)m->rect.width * (size_t)m->rect.height;
+    float *v = m->values[which];
+
+    for (size_t i = 0; i < count && which == ARGS_AOV_TIME; i++)
+        v[i] *= 1e6f;
+    for (size_t i = 0; i < count && which == ARGS_AOV_OBJECT; i++) {
+        const uint32_t number = object_at(m, i);
+
+        v[i] = number == UINT32_MAX ? 0.0f : (float)number + 1.0f;
+    }
+}
+
+static int list_layers(const maps *m, pov_layer *out)
+{
+    int n = 0;
+
+    for (int i = 0; i < ARGS_AOVS; i++) {
+        if (!aov_is_layer(m->args, i))
+            continue;
+        scale_layer(m, i);
+        for (int c = 0; c < 3 && kinds[i].layers[c]; c++)
+            out[n++] = (pov_layer){ kinds[i].layers[c], m->values[i] + c, kinds[i].values };
+    }
+    return n;
+}
+
+static pov_status write_layers(pov_context *context, const maps *m, pov_error *err)
+{
+    const size_t stride = 4 * sizeof(float) * (size_t)m->rect.width;
+    pov_layer layers[3 * ARGS_AOVS];
+    pov_image_options o = options();
+
+    o.layer_count = list_layers(m, layers);
+    o.layers = layers;
+    pov_job_read(m->job, m->rect, POV_PIXELS_LINEAR_FLOAT, m->pixels, stride);
+    return pov_image_write(context, m->args->output, m->rect.width, m->rect.height, m->pixels, stride, &o, err);
+}
+
 /* ---- writing ---- */
 
 static pov_status write_map(pov_context *context, const maps *m, int which, pov_error *err)
@@ -253,11 +315,13 @@ pov_status aov_write(pov_context *context, pov_job *job, const args *a, pov_erro
         read_all(&m);
         status = is_known(&m) ? POV_OK : fail_memory(err);
     }
-    for (int i = 0; i < ARGS_AOVS; i++) {
-        if (a->aov[i] && status == POV_OK)
+    for (int i = 0; i < ARGS_AOVS && status == POV_OK; i++)
+        if (a->aov[i] && !aov_is_layer(a, i))
             status = write_map(context, &m, i, err);
+    if (status == POV_OK && any_layer(a))
+        status = write_layers(context, &m, err);
+    for (int i = 0; i < ARGS_AOVS; i++)
         free(m.values[i]);
-    }
     free(m.pixels);
     return status;
 }

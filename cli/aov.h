@@ -6,6 +6,8 @@
 
 /* Can the requested maps be written, as far as their names tell? */
 pov_status aov_check(pov_context *context, const args *a, pov_error *err);
+/* Is this map to be layers of the picture's own file? */
+bool aov_is_layer(const args *a, int which);
 /* Write the requested maps of the job, which has ended. */
 pov_status aov_write(pov_context *context, pov_job *job, const args *a, pov_error *err);
 
