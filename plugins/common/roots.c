@@ -1,5 +1,7 @@
 #include "common/roots.h"
 
+#include "common/local.h"
+
 /* Positions to divide an interval at, tried in turn until the polynomial has a certain sign there. */
 static const double cuts[] = { 0.5, 0.4375, 0.5625, 0.375, 0.625, 0.46875 };
 enum { CUTS = sizeof cuts / sizeof cuts[0], DEPTH = 26, DEPTH_TWO = 52 };
@@ -49,9 +51,10 @@ static int changes_of(const int *sign, int degree)
     return open > 0 ? sum + MANY : sum;
 }
 
-static void put(common_brackets *out, double lo, double hi, bool rising)
+/* `part`: of the interval, where the root is about. */
+static void put(common_brackets *out, double lo, double hi, double part, bool rising)
 {
-    const common_bracket one = { lo, hi, rising };
+    const common_bracket one = { lo, hi, lo + (hi - lo) * part, rising };
 
     if (out->count < COMMON_ROOTS_MAX)
         out->at[out->count++] = one;
@@ -59,17 +62,17 @@ static void put(common_brackets *out, double lo, double hi, bool rising)
 
 /* ---- in double ---- */
 
-static double largest_of(const double *b, int degree)
+COMMON_INLINE double largest_of(const double *b, int degree)
 {
     double most = 0.0;
 
     for (int i = 0; i <= degree; i++)
-        most = fmax(most, fabs(b[i]));
+        most = fabs(b[i]) > most ? fabs(b[i]) : most;
     return most;
 }
 
 /* De Casteljau's scheme at a fraction of the interval. */
-static void divide(const double *b, int degree, double at, double *left, double *right)
+COMMON_INLINE void divide(const double *b, int degree, double at, double *left, double *right)
 {
     double w[COMMON_DEGREE_MAX + 1];
 
@@ -83,42 +86,97 @@ static void divide(const double *b, int degree, double at, double *left, double 
     }
 }
 
-static bool isolate(const double *b, int degree, double error, double lo, double hi, int depth, common_brackets *out)
+/* The sign changes of certain signs are those of neighbours. */
+COMMON_INLINE int count_changes(const double *b, int degree, double error)
 {
-    double left[COMMON_DEGREE_MAX + 1], right[COMMON_DEGREE_MAX + 1], more;
-    int sign[COMMON_DEGREE_MAX + 1], changes, i;
+    int sign[COMMON_DEGREE_MAX + 1], open = 0, changes = 0, i;
 
-    for (i = 0; i <= degree; i++)
-        sign[i] = b[i] > error ? 1 : b[i] < -error ? -1 : 0;
-    changes = changes_of(sign, degree);
-    if (changes == 1)
-        put(out, lo, hi, sign[degree] > 0);
-    if (changes <= 1)
+    for (i = 0; i <= degree; i++) {
+        sign[i] = (b[i] > error) - (b[i] < -error);
+        open += sign[i] == 0;
+    }
+    for (i = 0; i < degree; i++)
+        changes += sign[i] != sign[i + 1];
+    return open > 0 ? changes_of(sign, degree) : changes;
+}
+
+/* Where the polygon of the coefficients, which change their sign once, crosses zero. */
+COMMON_INLINE double crossing_of(const double *b, int degree)
+{
+    int i = 0;
+
+    while (i < degree - 1 && (b[i + 1] > 0.0) == (b[0] > 0.0))
+        i++;
+    return (i + b[i] / (b[i] - b[i + 1])) / degree;
+}
+
+/* A part of the interval that is still to be decided. */
+typedef struct piece { double b[COMMON_DEGREE_MAX + 1], lo, hi, error; int depth; } piece;
+
+/* Divide the piece in two: the left one takes its place, the right one follows it. False: there is no certain sign. */
+COMMON_INLINE bool divide_piece(piece *p, int degree)
+{
+    double left[COMMON_DEGREE_MAX + 1], right[COMMON_DEGREE_MAX + 1];
+    const double error = p->error + 0x1p-53 * (degree + 1) * largest_of(p->b, degree);
+
+    for (int i = 0; p->depth < DEPTH && i < CUTS; i++) {
+        const double middle = p->lo + (p->hi - p->lo) * cuts[i];
+        const piece before = *p;
+
+        divide(before.b, degree, cuts[i], left, right);
+        if (!(fabs(left[degree]) > 2.0 * error))
+            continue;
+        for (int k = 0; k <= degree; k++) {
+            p[1].b[k] = left[k];
+            p[0].b[k] = right[k];
+        }
+        p[1].lo = before.lo;
+        p[1].hi = p[0].lo = middle;
+        p[0].error = p[1].error = error;
+        p[0].depth = p[1].depth = before.depth + 1;
         return true;
-    more = error + 0x1p-53 * (degree + 1) * largest_of(b, degree);
-    for (i = 0; depth < DEPTH && i < CUTS; i++) {
-        const double middle = lo + (hi - lo) * cuts[i];
-
-        divide(b, degree, cuts[i], left, right);
-        if (fabs(left[degree]) > 2.0 * more)
-            return isolate(left, degree, more, lo, middle, depth + 1, out) &&
-                   isolate(right, degree, more, middle, hi, depth + 1, out);
     }
     return false;
 }
 
-bool common_isolate(const double *a, double error, int degree, common_brackets *out)
+COMMON_INLINE bool isolate(const double *a, double error, int degree, common_range wanted, common_brackets *out)
 {
-    double b[COMMON_DEGREE_MAX + 1], sum = 0.0;
+    piece stack[DEPTH + 2], *top = stack;
+    double sum = 0.0;
 
     out->count = 0;
     for (int i = 0; i <= degree; i++) {
-        b[i] = 0.0;
+        top->b[i] = 0.0;
         sum += fabs(a[i]);
         for (int k = 0; k <= degree; k++)
-            b[i] += a[k] * basis[degree - 3][k][i].hi;
+            top->b[i] += a[k] * basis[degree - 3][k][i].hi;
     }
-    return isolate(b, degree, error + (degree + 4) * 0x1p-53 * sum, -1.0, 1.0, 0, out);
+    top->error = error + (degree + 4) * 0x1p-53 * sum;
+    top->lo = -1.0;
+    top->hi = 1.0;
+    top->depth = 0;
+    while (top >= stack) {
+        const bool aside = top->hi < wanted.from || top->lo > wanted.to;
+        const int changes = aside ? 0 : count_changes(top->b, degree, top->error);
+
+        if (changes == 1)
+            put(out, top->lo, top->hi, crossing_of(top->b, degree), top->b[degree] > 0.0);
+        if (changes == 1 && wanted.first && top->lo > wanted.ahead)
+            return true;
+        if (changes <= 1)
+            top--;
+        else if (divide_piece(top, degree))
+            top++;
+        else
+            return false;
+    }
+    return true;
+}
+
+/* Loops of a constant degree are unrolled. */
+bool common_isolate(const double *a, double error, int degree, common_range wanted, common_brackets *out)
+{
+    return degree == 4 ? isolate(a, error, 4, wanted, out) : isolate(a, error, 3, wanted, out);
 }
 
 /* ---- in double-double ---- */
@@ -156,7 +214,7 @@ static void isolate_two(const pov_two *b, int degree, double error, double lo, d
         sign[i] = b[i].hi > error ? 1 : b[i].hi < -error ? -1 : 0;
     changes = changes_of(sign, degree);
     if (changes == 1)
-        put(out, lo, hi, sign[degree] > 0);
+        put(out, lo, hi, 0.5, sign[degree] > 0);
     if (changes <= 1)
         return;
     more = error + 0x1p-102 * (degree + 1) * largest_two(b, degree);
@@ -173,7 +231,7 @@ static void isolate_two(const pov_two *b, int degree, double error, double lo, d
     /* A double root, as far as can be told. If the signs at the ends are certain and differ, there is one crossing all
      * the same. */
     if (sign[0] * sign[degree] < 0)
-        put(out, lo, hi, sign[degree] > 0);
+        put(out, lo, hi, 0.5, sign[degree] > 0);
 }
 
 void common_isolate_two(const pov_two *a, double error, int degree, common_brackets *out)
@@ -193,9 +251,11 @@ void common_isolate_two(const pov_two *a, double error, int degree, common_brack
 
 /* ---- the root ---- */
 
-double common_polish(const double *a, int degree, const common_bracket *root)
+/* Newton's method kept in the bracket. A step below SMALL leaves an error of its square. */
+COMMON_INLINE double polish(const double *a, int degree, const common_bracket *root)
 {
-    double lo = root->lo, hi = root->hi, x = 0.5 * (lo + hi);
+    static const double SMALL = 0x1p-24;
+    double lo = root->lo, hi = root->hi, x = root->start;
 
     for (int turn = 0; turn < 64; turn++) {
         double value = a[degree], slope = 0.0, next;
@@ -208,9 +268,14 @@ double common_polish(const double *a, int degree, const common_bracket *root)
         next = slope != 0.0 ? x - value / slope : lo;
         if (!(next > lo && next < hi))
             next = 0.5 * (lo + hi);
-        if (fabs(next - x) <= 0x1p-48)
+        if (fabs(next - x) <= SMALL)
             return next;
         x = next;
     }
     return x;
+}
+
+double common_polish(const double *a, int degree, const common_bracket *root)
+{
+    return degree == 4 ? polish(a, 4, root) : polish(a, 3, root);
 }

@@ -11,16 +11,20 @@
 
 enum { COMMON_DEGREE_MAX = 4, COMMON_ROOTS_MAX = 8 };
 
-/* One root between lo and hi, where the polynomial is rising or falling. */
-typedef struct common_bracket { double lo, hi; bool rising; } common_bracket;
+/* One root between lo and hi, where the polynomial is rising or falling; near `start`. */
+typedef struct common_bracket { double lo, hi, start; bool rising; } common_bracket;
 typedef struct common_brackets { uint32_t count; common_bracket at[COMMON_ROOTS_MAX]; } common_brackets;
+
+/* Which roots are wanted: those between `from` and `to`; `first`: no more than the first that is certainly beyond `ahead`.
+ * Others may be left out. */
+typedef struct common_range { double from, ahead, to; bool first; } common_range;
 
 /* The sum of a[k] x^k for k from 0 to degree (3 or 4), with coefficients that are off by `error` in sum. In growing
  * order. False: double leaves it open. */
-bool common_isolate(const double *a, double error, int degree, common_brackets *out);
+bool common_isolate(const double *a, double error, int degree, common_range wanted, common_brackets *out);
 /* The same in double-double. */
 void common_isolate_two(const pov_two *a, double error, int degree, common_brackets *out);
-/* The root in double, by Newton's method kept in its bracket. */
+/* The root by Newton's method kept in its bracket, to about 2^-44 of the interval. */
 double common_polish(const double *a, int degree, const common_bracket *root);
 
 #endif

@@ -198,13 +198,36 @@ static bool report(const stretch *s, pov_two x, bool rising, bool escalated, pov
     return pov_cross(hits, at, t.lo * s->ray.unit, mark) && !(hits->want == POV_WANT_NEAREST && at > hits->tmin && hits->count > 0);
 }
 
+/* The part of the stretch that counts, with a margin. The inner sheet of a spindle is no hit. */
+static common_range wanted_of(const stretch *s, const pov_hits *hits)
+{
+    static const common_range all = { -HUGE_VAL, HUGE_VAL, HUGE_VAL, false };
+    const double margin = 0x1p-40 * (1.0 + fabs(s->middle) / s->half), per = s->ray.per_unit;
+    const double start = (hits->tmin * per - s->middle) / s->half;
+    const double end = ((hits->tmax + hits->slack) * per - s->middle) / s->half;
+    const common_range part = { start - margin, start + margin, end + margin, true };
+
+    return hits->want == POV_WANT_ALL || hits->always_exact || s->torus->lens.hi > 0.0 ? all : part;
+}
+
+/* Where any crossing will do, does one certainly lie in the interval? Its distance need not be known. */
+static bool is_blocked(const stretch *s, const common_bracket *root, common_range wanted, pov_hits *hits)
+{
+    const pov_mark mark = { root->rising ? EXITING : ENTERING, 0, 0.0, 0.0 };
+    const double t = (s->middle + root->hi * s->half) * s->ray.unit;
+
+    return hits->want == POV_WANT_ANY && wanted.first && root->lo > wanted.ahead &&
+           t * (1.0 + 0x1p-40) + hits->slack < hits->tmax && !pov_cross(hits, t, 0.0, mark);
+}
+
 static void intersect_from_outside(stretch *s, pov_hits *hits)
 {
+    const common_range wanted = wanted_of(s, hits);
     double a[5];
     pov_two exact[5];
     common_brackets roots;
     double error = coefficients(s, a);
-    bool escalated = hits->always_exact || !common_isolate(a, error, 4, &roots);
+    bool escalated = hits->always_exact || !common_isolate(a, error, 4, wanted, &roots);
 
     if (escalated) {
         error = coefficients_two(s, exact);
@@ -212,7 +235,8 @@ static void intersect_from_outside(stretch *s, pov_hits *hits)
         hits->escalated++;
     }
     for (uint32_t i = 0; i < roots.count; i++)
-        if (!report(s, complete(s, common_polish(a, 4, &roots.at[i]), &roots.at[i]), roots.at[i].rising, escalated, hits))
+        if (is_blocked(s, &roots.at[i], wanted, hits) ||
+            !report(s, complete(s, common_polish(a, 4, &roots.at[i]), &roots.at[i]), roots.at[i].rising, escalated, hits))
             return;
 }
 
@@ -239,8 +263,9 @@ static void intersect_from_surface(stretch *s, pov_hits *hits)
     const pov_two start = pov_two_div(pov_two_of(-s->middle, 0.0), pov_two_of(s->half, 0.0));
     const pov_two middle = pov_two_scale(pov_two_add_double(start, 1.0), 0.5);
     const pov_two half = pov_two_scale(pov_two_sub(pov_two_of(1.0, 0.0), start), 0.5);
+    const common_range wanted = { -HUGE_VAL, -HUGE_VAL, HUGE_VAL, wanted_of(s, hits).first };
     pov_two a[5], c[4];
-    double approx[4], error = coefficients_two(s, a), sum = 0.0;
+    double approx[4], error = coefficients_two(s, a), sum = 0.0, near;
     common_brackets roots;
     int i;
 
@@ -255,14 +280,17 @@ static void intersect_from_surface(stretch *s, pov_hits *hits)
         approx[i] = c[i].hi;
         sum += fabs(c[i].hi);
     }
-    common_isolate_two(c, 64.0 * error + 0x1p-96 * sum, 3, &roots);
+    if (hits->always_exact || !common_isolate(approx, 64.0 * error + 0x1p-52 * sum, 3, wanted, &roots))
+        common_isolate_two(c, 64.0 * error + 0x1p-96 * sum, 3, &roots);
     for (uint32_t k = 0; k < roots.count; k++) {
         const common_bracket *y = &roots.at[k];
-        const pov_two scaled = pov_two_mul_double(half, common_polish(approx, 3, y));
-        const common_bracket x = { middle.hi + half.hi * y->lo, middle.hi + half.hi * y->hi, y->rising };
+        const common_bracket x = { middle.hi + half.hi * y->lo, middle.hi + half.hi * y->hi, 0.0, y->rising };
 
         /* Ahead of the start the divided-out factor is positive, so the quartic rises where the cubic does. */
-        if (!report(s, complete(s, pov_two_add(middle, scaled).hi, &x), y->rising, true, hits))
+        if (is_blocked(s, &x, wanted, hits))
+            return;
+        near = pov_two_add(middle, pov_two_mul_double(half, common_polish(approx, 3, y))).hi;
+        if (!report(s, complete(s, near, &x), y->rising, true, hits))
             return;
     }
 }
