@@ -13,6 +13,22 @@
 
 /* ---- loading ---- */
 
+/* The text is read: fractions beyond 1/2. */
+static pov_status tell(const pov_scene *scene, const pov_load_desc *d, double fraction, pov_error *err)
+{
+    if (d->progress && !d->progress(d->progress_user, fraction, scene->model.leaves.count))
+        return err_set(err, POV_E_CANCELLED, "loading was cancelled");
+    return POV_OK;
+}
+
+/* Half of it is reading. */
+static bool tell_reading(void *user, double fraction, size_t objects)
+{
+    const pov_load_desc *d = user;
+
+    return d->progress(d->progress_user, 0.5 * fraction, objects);
+}
+
 static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *err)
 {
     world_options options = { d->accel, d->threads, d->accuracy == POV_ACCURACY_MAX, &scene->model };
@@ -21,14 +37,19 @@ static pov_status compile(pov_scene *scene, const pov_load_desc *d, pov_error *e
 
     scene->model.soft_lights = d->soft_lights;
     scene->model.identity += d->soft_lights;   /* checkpoints of the one are none of the other */
-    status = world_create(&scene->world, &scene->model, &options, err);
-
+    status = tell(scene, d, 0.5, err);
+    if (status == POV_OK)
+        status = world_create(&scene->world, &scene->model, &options, err);
+    if (status == POV_OK)
+        status = tell(scene, d, 0.9, err);
     if (status == POV_OK)
         status = explain_world(&scene->explanation, &scene->model, scene->world, err);
     if (status == POV_OK)
         status = explain_plugins(&scene->explanation, &scene->model, scene->context->plugins, err);
     if (status == POV_OK)
         status = shading_create(&scene->shading, &scene->model, scene->world, err);
+    if (status == POV_OK)
+        status = tell(scene, d, 1.0, err);
     scene->build_seconds = clock_seconds() - start;
     return status;
 }
@@ -64,11 +85,14 @@ static reader_options reader_options_of(const pov_load_desc *d)
 static pov_status read_text(pov_scene *scene, const char *text, size_t length, const char *name,
                             const pov_load_desc *d, pov_error *err)
 {
-    const reader_options options = reader_options_of(d);
+    reader_options options = reader_options_of(d);
+    pov_load_desc told = *d;
     double start = clock_seconds();
     pov_status status;
 
     scene->model.most_rays = d->most_rays;
+    options.progress = d->progress ? tell_reading : NULL;
+    options.progress_user = &told;
     status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
 
     scene->parse_seconds = clock_seconds() - start;

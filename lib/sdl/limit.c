@@ -15,8 +15,23 @@ static size_t scene_bytes(const pov_reader *in)
            m->lights.capacity * sizeof *m->lights.items;
 }
 
+void limit_tell(pov_reader *in)
+{
+    const reader_options *o = in->options;
+    const source *text = in->frames.count > 0 ? in->frames.items[0].text : NULL;
+    const double length = text ? (double)(text->end - text->text) : 0.0;
+
+    in->until_told = LIMIT_TELL_EVERY;
+    if (o && o->progress && !in->failed &&
+        !o->progress(o->progress_user, length > 0.0 ? (double)(text->at - text->text) / length : 0.0, in->model->leaves.count))
+        report_fail(in, &in->token.at, POV_E_CANCELLED, "loading was cancelled");
+}
+
 static void look(pov_reader *in, const place *at)
 {
+    limit_tell(in);
+    if (in->failed)
+        return;
     if (scene_bytes(in) > in->limits.memory)
         report_fail(in, at, POV_E_MEMORY, "this loop has made the scene larger than %zu bytes", in->limits.memory);
     else if (clock_seconds() - in->started > in->limits.seconds)

@@ -8,6 +8,7 @@
 #include "sdl/frame.h"
 #include "sdl/include.h"
 #include "sdl/intrinsic.h"
+#include "sdl/limit.h"
 #include "sdl/macro.h"
 #include "sdl/parse.h"
 #include "sdl/parse_pattern.h"
@@ -112,6 +113,7 @@ static bool start(pov_reader *in, model *m, registry *plugins, const reader_opti
     in->wanted_dialect = options ? options->dialect : POV_DIALECT_AUTO;
     choose_limits(&in->limits, options);
     in->started = clock_seconds();
+    in->until_told = LIMIT_TELL_EVERY;
     include_init(in);
     parse_camera_defaults(&in->camera);
     m->adc_bailout = 1.0 / 255.0;

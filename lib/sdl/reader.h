@@ -35,6 +35,9 @@ typedef struct reader_options {
     int threads;                 /* for that */
     reader_limits limits;
     reader_frames frames;
+    /* How much of the text has been read, and how many objects. False: no more. NULL: nobody is told. */
+    bool (*progress)(void *user, double fraction, size_t objects);
+    void *progress_user;
 } reader_options;
 
 /* Reads the whole text into m, which model_init() made ready. On failure m may hold a part; model_free() it.

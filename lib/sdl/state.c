@@ -3,6 +3,7 @@
 #include "sdl/directive.h"
 #include "sdl/directive_kept.h"
 #include "sdl/frame.h"
+#include "sdl/limit.h"
 #include "sdl/macro.h"
 #include "sdl/report.h"
 
@@ -102,6 +103,13 @@ static void run_directives(pov_reader *in, bool is_forced)
     in->last = last;
 }
 
+static inline void next_of_text(pov_reader *in, source *text)
+{
+    lex_next(&in->words, text, &in->token);
+    if (--in->until_told == 0)
+        limit_tell(in);
+}
+
 void state_advance(pov_reader *in)
 {
     frame *f = in->top;
@@ -113,10 +121,10 @@ void state_advance(pov_reader *in)
     if (f->at < f->end && !f->has_saved)
         in->token = f->tokens->items[f->at++];
     else if (f->text && !f->has_saved)
-        lex_next(&in->words, f->text, &in->token);
+        next_of_text(in, f->text);
     else
         frame_fetch(in, &in->token);
-    if (in->token.kind == TOKEN_END && in->top->kind != FRAME_SCENE)
+    if (in->token.kind == TOKEN_END && !in->failed && in->top->kind != FRAME_SCENE)
         frame_fetch(in, &in->token);
     if (in->token.kind == TOKEN_WORD) {
         if (!(in->token.symbol->flags & KEYWORD_FLAG_BASE))

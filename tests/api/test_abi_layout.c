@@ -17,6 +17,8 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_context_desc, plugin_path, 40);
     AT(pov_load_desc, threads, 20);
     AT(pov_load_desc, accuracy, 24);
+    AT(pov_load_desc, most_rays, 128);
+    AT(pov_load_desc, progress, 136);
     AT(pov_camera, up, 80);
     AT(pov_camera, type, 104);
     AT(pov_scene_info, max_trace_level, 88);

@@ -141,6 +141,11 @@ POV_API bool pov_job_get_pass(pov_job *job, size_t index, pov_pass *out);
 /* Counts of the finished tiles for the index-th class in the order of the scene; false past the last. Classes from the
  * sixteenth on share one count. */
 POV_API bool pov_job_get_class(pov_job *job, size_t index, pov_class_counts *out);
+/* A scene file to an image file, in one call: with a context, a scene and a job of its own, by pov_image_write(), with the
+ * scene's encoding, and with alpha if desc has it. load may be NULL; desc NULL: 800 x 600. image_width and image_height are
+ * desc's where load says nothing. Returns when the file is written, or the error of the step that failed. */
+POV_API pov_status pov_render_file(const char *scene, const char *image, const pov_load_desc *load, const pov_render_desc *desc,
+                                   pov_error *err);
 /* Why a job is POV_JOB_FAILED; POV_OK otherwise. */
 POV_API pov_status pov_job_get_error(pov_job *job, pov_error *err);
 

@@ -67,6 +67,11 @@ typedef struct pov_load_desc {
     bool soft_lights;            /* area lights are lit all over, by chance, and not at the points of their grids only */
     uint64_t most_rays;          /* that may follow from one ray of the camera, shadow rays not counted: more is an error
                                   * while rendering; 0: a default that no honest scene meets, 10^8 */
+    /* Called now and then by the thread that loads. fraction goes from 0 to 1/2 while the text is read, by the place in
+     * it, and on to 1 while the scene is compiled, then in few steps; objects: read so far. False: the load ends with
+     * POV_E_CANCELLED. NULL: nobody is told. */
+    bool (*progress)(void *user, double fraction, size_t objects);
+    void *progress_user;
 } pov_load_desc;
 
 /* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of
