@@ -13,7 +13,8 @@ typedef enum args_progress {
 } args_progress;
 typedef enum args_color { ARGS_COLOR_AUTO, ARGS_COLOR_ALWAYS, ARGS_COLOR_NEVER } args_color;
 /* Maps besides the picture, from the camera rays' hits and from the pixels' time. */
-typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOV_TIME, ARGS_AOV_OBJECT, ARGS_AOVS } args_aov;
+typedef enum args_aov { ARGS_AOV_CERTAINTY, ARGS_AOV_NORMAL, ARGS_AOV_DEPTH, ARGS_AOV_TIME, ARGS_AOV_OBJECT, ARGS_AOV_POSITION,
+    ARGS_AOV_ALBEDO, ARGS_AOV_ALPHA, ARGS_AOVS } args_aov;
 typedef enum args_transfer { ARGS_TRANSFER_SCENE, ARGS_TRANSFER_SRGB, ARGS_TRANSFER_LINEAR } args_transfer;
 
 typedef enum args_sampling { ARGS_SAMPLING_AUTO, ARGS_SAMPLING_UNIFORM, ARGS_SAMPLING_ADAPTIVE } args_sampling;

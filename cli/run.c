@@ -92,7 +92,7 @@ static pov_status render_and_report(const args *a, const messages *m, pov_contex
     if (status == POV_OK && a->stats)
         stats_print(report_stream(a), &s);
     if (status == POV_OK && rendered && !signals_end_asked())
-        status = aov_write(context, scene, r.job, a, err);
+        status = aov_write(context, r.job, a, err);
     if (rendered) {
         *end = r.short_of ? RUN_SHORT : RUN_COMPLETE;
         render_free(&r);

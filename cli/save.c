@@ -1,6 +1,8 @@
 #define _XOPEN_SOURCE 700   /* realpath */
 #include "save.h"
 
+#include "aov.h"
+
 #include <fcntl.h>
 #include <limits.h>
 #include <stdio.h>
@@ -69,7 +71,8 @@ static void put_name(named *names, int *n, const char *path, const char *what, b
 
 static int list_names(const args *a, const char *checkpoint, named names[NAMES_MAX])
 {
-    static const char *const maps[ARGS_AOVS] = { "--aov certainty", "--aov normal", "--aov depth", "--aov time", "--aov object" };
+    static const char *const maps[ARGS_AOVS] = { "--aov certainty", "--aov normal", "--aov depth", "--aov time", "--aov object",
+                                                 "--aov position", "--aov albedo", "--aov alpha" };
     int n = 0;
 
     put_name(names, &n, a->scene, "the scene", false);
@@ -77,7 +80,7 @@ static int list_names(const args *a, const char *checkpoint, named names[NAMES_M
     put_name(names, &n, a->output, "the picture", true);
     put_name(names, &n, a->report, "--report", true);
     for (int i = 0; i < ARGS_AOVS; i++)
-        put_name(names, &n, a->aov[i], maps[i], true);
+        put_name(names, &n, aov_is_layer(a, i) ? NULL : a->aov[i], maps[i], true);
     if (checkpoint[0])
         put_name(names, &n, checkpoint, "the checkpoint", true);
     return n;

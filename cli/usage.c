@@ -41,7 +41,7 @@ static const char *const help[] = {
     "                           as the scene asks)\n"
     "      --format ENDING      image format, whatever OUTPUT is called (default for\n"
     "                           \"-\": png)\n"
-    "      --aov certainty|normal|depth|object|time FILE\n"
+    "      --aov certainty|normal|depth|object|position|albedo|alpha|time FILE\n"
     "                           besides the picture a map of what the pixels' centres\n"
     "                           meet, or of the time that the pixels took\n"
     "\n",

@@ -88,6 +88,31 @@ static int depth_for(const pov_image_format *f, int asked)
     return (asked == 8 || asked == 16) && !(f->depths & (POV_IMAGE_8 | POV_IMAGE_16)) ? 32 : 0;
 }
 
+enum { LAYERS_MAX = 60, LAYER_NAME_MAX = 31 };
+
+static bool are_layers(const pov_image_options *o)
+{
+    bool valid = o->layer_count >= 0 && o->layer_count <= LAYERS_MAX && (o->layers || o->layer_count == 0);
+
+    for (int i = 0; valid && i < o->layer_count; i++) {
+        const pov_layer *l = &o->layers[i];
+
+        valid = l->name && l->name[0] && strlen(l->name) <= LAYER_NAME_MAX && l->values && l->step > 0;
+        for (int j = 0; valid && j < i; j++)
+            valid = strcmp(l->name, o->layers[j].name) != 0;
+    }
+    return valid;
+}
+
+static pov_status check_layers(const char *path, const pov_image_format *format, const pov_image_options *o, pov_error *err)
+{
+    if (!are_layers(o))
+        return err_set(err, POV_E_ARGUMENT, "at most 60 layers have values, and names of their own of 1 to 31 characters");
+    if (o->layer_count > 0 && !(format->depths & POV_IMAGE_LAYERS))
+        return err_file(err, POV_E_ARGUMENT, path, "layers cannot be stored in a .%s file", format->ending);
+    return POV_OK;
+}
+
 static pov_status prepare(pov_context *context, const char *path, const pov_image_options *options,
                           pov_image_options *o, const pov_image_format **format, pov_error *err)
 {
@@ -111,7 +136,7 @@ static pov_status prepare(pov_context *context, const char *path, const pov_imag
                         (*format)->ending);
     if (o->alpha && !((*format)->depths & POV_IMAGE_ALPHA))
         return err_file(err, POV_E_ARGUMENT, path, "alpha cannot be stored in a .%s file", (*format)->ending);
-    return POV_OK;
+    return check_layers(path, *format, o, err);
 }
 
 pov_status pov_image_check(pov_context *context, const char *path, const pov_image_options *options, pov_error *err)
@@ -227,6 +252,8 @@ static pov_status write_image(pov_context *context, place to, int width, int hei
     image.transfer = o.transfer;
     image.gamma = o.gamma;
     image.alpha = o.alpha != 0;
+    image.layers = o.layers;
+    image.layer_count = o.layer_count;
     image.stride = (size_t)width * (image.alpha ? 4 : 3) * (size_t)(image.bits / 8);
     packed = pack(&context->env, &image, rgba, stride);
     if (!packed)

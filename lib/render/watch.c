@@ -1,6 +1,7 @@
 #include "render/job_state.h"
 
 #include "base/clock.h"
+#include "render/maps.h"
 
 #include <string.h>
 
@@ -129,6 +130,17 @@ static void read_tile(pov_job *job, size_t tile, pov_rect rect, pov_pixels forma
     }
 }
 
+/* Of the camera of this moment. Tracing holds no lock. */
+static void trace_map(pov_job *job, pov_rect part, pov_pixels format, void *dst, size_t stride)
+{
+    pov_camera camera;
+
+    mutex_lock(&job->lock);
+    camera = job->camera;
+    mutex_unlock(&job->lock);
+    maps_read(job->scene, &job->settings, &camera, part, format, dst, stride);
+}
+
 /* Pixels outside the picture are not written. */
 void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride)
 {
@@ -140,6 +152,11 @@ void job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t 
     part = meet(all, rect);
     if (part.width == 0 || part.height == 0)
         return;
+    if (maps_has(format)) {
+        dst = (unsigned char *)dst + (size_t)(part.y - rect.y) * stride + (size_t)(part.x - rect.x) * maps_bytes(format);
+        trace_map(job, part, format, dst, stride);
+        return;
+    }
     for (int row = part.y / t->edge; row <= (part.y + part.height - 1) / t->edge; row++)
         for (int column = part.x / t->edge; column <= (part.x + part.width - 1) / t->edge; column++)
             read_tile(job, (size_t)row * (size_t)t->columns + (size_t)column, rect, format, dst, stride);

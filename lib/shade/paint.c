@@ -219,6 +219,18 @@ colour paint_filter(const shading *scene, const hit *h)
     return filter;
 }
 
+uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, texture_term *out)
+{
+    const texture *of = texture_of(shading_constant(scene, h->object)->material, h);
+    pov_vec3 normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
+    group g;
+
+    if (scene->objects_info[h->object].smooth)
+        world_shading_normal(scene->world, ray, h, &normal);
+    begin_single(&g, scene, of, h, normal, pov_unit(ray->dir));
+    return texture_eval(scene->model, of, &g.points, 1, out);
+}
+
 pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *h)
 {
     const texture *of = texture_of(shading_constant(scene, h->object)->material, h);

@@ -98,6 +98,6 @@ static pigment most(const void *self) { return image_most(self); }
 const pattern_class pattern_image_map = {
     IMAGE_CLASS(image_map, PATTERN_UNSHAPED), .evaluate = values, .colours = colours, .most = most,
 };
-const pattern_class pattern_image_pattern = { IMAGE_CLASS(image_pattern, 0), .evaluate = values };
+const pattern_class pattern_image_pattern = { IMAGE_CLASS(image_pattern, PATTERN_UNFOLDED), .evaluate = values };
 const pattern_class pattern_material_map = { IMAGE_CLASS(material_map, PATTERN_UNSHAPED), .evaluate = numbers };
 const pattern_class pattern_bump_map = { IMAGE_CLASS(bump_map, 0), .evaluate = values, .perturb = bump };

@@ -55,7 +55,8 @@ enum {
     PATTERN_OWN_TURBULENCE = 4,  /* turbulence does not move the points: evaluate() sees to it */
     PATTERN_NEEDS_NORMAL = 8,    /* there is no value without a surface */
     PATTERN_BRACED = 16,         /* words and arguments may stand in braces behind the pattern's word */
-    PATTERN_FILE = 32            /* an image or a volume, whose text is read apart */
+    PATTERN_FILE = 32,           /* an image or a volume, whose text is read apart */
+    PATTERN_UNFOLDED = 64        /* without a frequency values stay as they are, whatever the phase */
 };
 
 typedef struct pattern_class {

@@ -55,4 +55,4 @@ static void perturb(const pattern_input *in, double amount, vec_lanes *normal)
 }
 
 const pattern_class pattern_quilted = { .keyword = "quilted", .self_size = sizeof(quilted), .self = &straight, .words = words,
-                                        .word_count = 2, .evaluate = evaluate, .perturb = perturb };
+                                        .word_count = 2, .flags = PATTERN_UNFOLDED, .evaluate = evaluate, .perturb = perturb };

@@ -39,6 +39,30 @@ static void find_normals(const model *m, const texture *layer, const texture_poi
         normal_eval(m, layer->normal, points, n, out);
 }
 
+static bool asks_for_normal(const pigment_node *p)
+{
+    bool asks = p->pattern && p->pattern->class->flags & PATTERN_NEEDS_NORMAL;
+
+    for (uint32_t i = 0; !asks && p->pigments && i < p->count; i++)
+        asks = asks_for_normal(p->pigments[i]);
+    return asks;
+}
+
+/* As in POV-Ray slope and aoi take the normal that the texture itself has bent. */
+static void find_pigments(const model *m, const texture *layer, const texture_points *points, uint32_t n,
+                          const vec_lanes *normals, pigment *out)
+{
+    texture_points bent;
+
+    if (!layer->normal || !points->has_surface || !asks_for_normal(layer->pigment)) {
+        pigment_eval(m, layer->pigment, points, n, out);
+        return;
+    }
+    bent = *points;
+    bent.normal = *normals;
+    pigment_eval(m, layer->pigment, &bent, n, out);
+}
+
 /* The terms of each lane follow one another, from the top. */
 static void add_stack(terms *t, const texture *of, const texture_points *points, const part *p)
 {
@@ -50,8 +74,8 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
     for (uint32_t k = 0; k < count; k++) {
         const texture *layer = layers[count - 1 - k];
 
-        pigment_eval(t->model, layer->pigment, points, p->n, pigments);
         find_normals(t->model, layer, points, p->n, &normals);
+        find_pigments(t->model, layer, points, p->n, &normals, pigments);
         for (uint32_t i = 0; i < p->n; i++) {
             texture_term *out = &t->items[t->count + i * count + k];
 

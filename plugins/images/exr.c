@@ -11,7 +11,41 @@
 
 /* ---- writing: a header of attributes, the places of the rows, the rows ---- */
 
-enum { HEADER = 512, CHANNELS = 3 };
+enum { CHANNELS_MAX = 63, NAME_MAX_BYTES = 32, HEADER = 512 + CHANNELS_MAX * (NAME_MAX_BYTES + 16) };
+
+/* Where a channel's values are, in bytes. */
+typedef struct plane { const char *name; const unsigned char *first; size_t step, stride; } plane;
+
+/* In the order of their names, which files keep. */
+typedef struct planes { int count; plane of[CHANNELS_MAX]; } planes;
+
+static void add_plane(planes *c, plane add)
+{
+    int at = c->count++;
+
+    for (; at > 0 && strcmp(c->of[at - 1].name, add.name) > 0; at--)
+        c->of[at] = c->of[at - 1];
+    c->of[at] = add;
+}
+
+static bool list_planes(const pov_image *image, planes *c)
+{
+    static const char *const colours[] = { "R", "G", "B" };
+
+    c->count = 0;
+    for (int i = 0; i < 3; i++)
+        add_plane(c, (plane){ colours[i], (const unsigned char *)image->pixels + sizeof(float) * (size_t)i, 3 * sizeof(float),
+                                  image->stride });
+    for (int i = 0; i < image->layer_count && c->count < CHANNELS_MAX; i++) {
+        const pov_layer *l = &image->layers[i];
+        const size_t step = (size_t)l->step * sizeof(float);
+
+        if (strlen(l->name) >= NAME_MAX_BYTES)
+            return false;
+        add_plane(c, (plane){ l->name, (const unsigned char *)l->values, step, step * (size_t)image->width });
+    }
+    return c->count == 3 + image->layer_count;
+}
 
 typedef struct header { unsigned char bytes[HEADER]; size_t count; } header;
 
@@ -68,17 +102,26 @@ static void put_window(header *h, const char *name, const pov_image *image)
     put_int(h, (uint32_t)image->height - 1);
 }
 
-static void fill_header(header *h, const pov_image *image)
+static void put_channels(header *h, const planes *c)
+{
+    static const unsigned char end = 0;
+    uint32_t bytes = 1;
+
+    for (int i = 0; i < c->count; i++)
+        bytes += (uint32_t)strlen(c->of[i].name) + 17;
+    put_attribute(h, "channels", "chlist", bytes);
+    for (int i = 0; i < c->count; i++)
+        put_channel(h, c->of[i].name);
+    put_bytes(h, &end, 1);
+}
+
+static void fill_header(header *h, const pov_image *image, const planes *c)
 {
     static const unsigned char magic[] = { 0x76, 0x2f, 0x31, 0x01, 2, 0, 0, 0 }, end = 0;
 
     h->count = 0;
     put_bytes(h, magic, sizeof magic);
-    put_attribute(h, "channels", "chlist", 3 * 18 + 1);
-    put_channel(h, "B");
-    put_channel(h, "G");
-    put_channel(h, "R");
-    put_bytes(h, &end, 1);
+    put_channels(h, c);
     put_attribute(h, "compression", "compression", 1);
     put_bytes(h, &end, 1);
     put_window(h, "dataWindow", image);
@@ -95,38 +138,44 @@ static void fill_header(header *h, const pov_image *image)
     put_bytes(h, &end, 1);
 }
 
-/* Each channel by itself, in the order of their names: blue, green, red. */
-static bool put_row(const pov_image *image, int y, const pov_output *output)
+/* Each channel by itself. */
+static bool put_row(const pov_image *image, const planes *of, int y, const pov_output *output)
 {
-    const float *row = (const float *)(const void *)((const char *)image->pixels + (size_t)y * image->stride);
     unsigned char bytes[4096];
     size_t used = 8;
 
     put_number(bytes, (uint64_t)y, 4);
-    put_number(bytes + 4, (uint64_t)image->width * CHANNELS * sizeof *row, 4);
-    for (int c = CHANNELS - 1; c >= 0; c--)
-        for (int x = 0; x < image->width; x++) {
+    put_number(bytes + 4, (uint64_t)image->width * (uint64_t)of->count * sizeof(float), 4);
+    for (int c = 0; c < of->count; c++) {
+        const unsigned char *at = of->of[c].first + (size_t)y * of->of[c].stride;
+
+        for (int x = 0; x < image->width; x++, at += of->of[c].step) {
             uint32_t bits;
 
-            memcpy(&bits, &row[CHANNELS * x + c], sizeof bits);
+            memcpy(&bits, at, sizeof bits);
             put_number(bytes + used, bits, 4);
             used += 4;
             if (used == sizeof bytes && !output->put(output->user, bytes, used))
                 return false;
             used %= sizeof bytes;
         }
+    }
     return used == 0 || output->put(output->user, bytes, used);
 }
 
 static const char *write_exr(const pov_image *image, const pov_output *output)
 {
-    const uint64_t row = 8 + (uint64_t)image->width * CHANNELS * sizeof(float);
     unsigned char place[8];
+    planes c;
+    uint64_t row;
     header h;
 
+    if (!list_planes(image, &c))
+        return "it has more channels, or longer names, than are written";
+    row = 8 + (uint64_t)image->width * (uint64_t)c.count * sizeof(float);
     if (image->width < 1 || image->height < 1 || row > INT32_MAX)
         return "it has no size that an OpenEXR file can have";
-    fill_header(&h, image);
+    fill_header(&h, image, &c);
     if (!output->put(output->user, h.bytes, h.count))
         return "could not write the header";
     for (int y = 0; y < image->height; y++) {
@@ -135,7 +184,7 @@ static const char *write_exr(const pov_image *image, const pov_output *output)
             return "could not write the header";
     }
     for (int y = 0; y < image->height; y++)
-        if (!put_row(image, y, output))
+        if (!put_row(image, &c, y, output))
             return "could not write a row";
     return NULL;
 }
@@ -333,7 +382,7 @@ static const char *load_exr(const void *bytes, size_t count, const pov_raster_ta
 }
 
 static const pov_image_format exr = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_FLOAT, .ending = "exr", .write = write_exr, .load = load_exr,
+    .size = sizeof(pov_image_format), .depths = POV_IMAGE_FLOAT | POV_IMAGE_LAYERS, .ending = "exr", .write = write_exr, .load = load_exr,
 };
 static const pov_image_format *const formats[] = { &exr, NULL };
 

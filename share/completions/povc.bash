@@ -17,7 +17,7 @@ _povc()
     --dialect) words='auto course povray' ;;
     --accel) words='tree none' ;;
     --accuracy) words='certified max' ;;
-    --aov) words='certainty normal depth object time' ;;
+    --aov) words='certainty normal depth object position albedo alpha time' ;;
     --preview) words='0 2 4 8 16' ;;
     --progress) words='auto bar json none' ;;
     --color) words='auto always never' ;;

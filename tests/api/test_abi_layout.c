@@ -39,6 +39,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_panel, share, 112);
     AT(pov_plot, panel_count, 40);
     AT(pov_image_options, format, 16);
+    AT(pov_image_options, layers, 40);
 }
 
 static void plugin_structs_stay_where_they_are(void **state)
@@ -63,6 +64,7 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_image, pixels, 32);
     AT(pov_image, alpha, 40);
     AT(pov_image, gamma, 48);
+    AT(pov_image, layers, 56);
     AT(pov_image_format, write, 16);
     AT(pov_image_format, read, 24);
     AT(pov_image_format, load, 32);

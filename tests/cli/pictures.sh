@@ -106,9 +106,27 @@ pictures_come_with_maps_of_what_is_met() {
     "$PYTHON" "$pixels" between d.pfm 30 46 4 4.5
     "$PYTHON" "$pixels" between d.pfm 30 24 6 9
     "$PYTHON" "$pixels" between d.pfm 30 0 0 0
+    expect 0 "$povc" rich.pov 61 47 out.pfm --aov position p.pfm --aov albedo b.pfm --aov alpha a.pfm
+    "$PYTHON" "$pixels" between p.pfm 30 46 -4.4 0.1
+    "$PYTHON" "$pixels" between b.pfm 30 46 0.69 0.71
+    "$PYTHON" "$pixels" between a.pfm 30 46 1 1
     expect 0 "$povc" rich.pov 61 47 out.pfm --accuracy max --aov certainty m.pfm
     [ "$("$PYTHON" "$pixels" mean c.pfm)" != "$("$PYTHON" "$pixels" mean m.pfm)" ]
     expect 2 "$povc" rich.pov 61 47 out.pfm --aov depth d.nosuch
+}
+
+pictures_hold_maps_as_layers() {
+    rich_scene
+    expect 2 "$povc" rich.pov 61 47 all.png --aov depth all.png
+    says err "same file"
+    "$povc" rich.pov 9 9 all.exr 2> err || skip "no OpenEXR"
+    expect 0 "$povc" rich.pov 61 47 out.pfm --aov depth d.pfm --aov object o.pfm --aov position p.pfm --aov albedo b.pfm
+    expect 0 "$povc" rich.pov 61 47 all.exr --aov depth all.exr --aov object all.exr --aov position all.exr --aov albedo all.exr \
+        --aov normal all.exr --aov alpha all.exr --aov certainty all.exr --aov time all.exr
+    "$PYTHON" -m venv env > log 2>&1 || skip "no venv for $PYTHON"
+    env/bin/pip install -q numpy OpenEXR > log 2>&1 || skip "PyPI is not reached"
+    env/bin/python "$root/tests/cli/layers.py" all.exr R=out.pfm G=out.pfm B=out.pfm depth.Z=d.pfm object.id=o.pfm \
+        position.X=p.pfm position.Y=p.pfm position.Z=p.pfm albedo.R=b.pfm albedo.G=b.pfm albedo.B=b.pfm
 }
 
 # Cells of 4 by 4 pixels, alike within; together not more than the threads' time, and most of it.

@@ -190,7 +190,7 @@ static void args_refuses_option_values_out_of_range(void **state)
     assert_refused("s 9 9 o --dialect c", "--dialect must be auto, course or povray");
     assert_refused("s 9 9 o --accel grid", "--accel must be tree or none");
     assert_refused("s 9 9 o --accuracy float", "--accuracy must be certified or max");
-    assert_refused("s 9 9 o --aov shadow x.png", "--aov must be certainty, normal, depth, time or object");
+    assert_refused("s 9 9 o --aov shadow x.png", "--aov must be certainty, normal, depth, time, object, position, albedo or alpha");
     assert_refused("s 9 9 o --aov normal", "--aov normal wants the name of an image file");
 }
 

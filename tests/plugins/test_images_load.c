@@ -257,6 +257,27 @@ static void exr_is_loaded_as_it_was_written(void **state)
     refuses_what_is_cut("exr", b.data, b.count, b.count);
 }
 
+/* Layers stand between the colours by their names, and do not disturb these. */
+static void exr_with_layers_has_its_colours(void **state)
+{
+    static const float pixels[2][6] = { { 1, 2, 3, 4, 5, 6 }, { 7, 8, 9, 10, 11, 12 } }, more[12] = { 90, 91, 92, 93 };
+    const pov_layer layers[3] = { { "depth.Z", more, 1 }, { "Gx", more, 2 }, { "A.A", more + 1, 3 } };
+    pov_image image = { .size = sizeof image, .width = 2, .height = 2, .bits = 32, .stride = 24, .pixels = pixels,
+                        .layers = layers, .layer_count = 3 };
+    static loaded l;
+    static bytes b;
+    pov_output output = { &b, put };
+
+    (void)state;
+    if (!open_format("exr"))
+        skip();
+    assert_null(open_format("exr")->write(&image, &output));
+    assert_null(load("exr", b.data, b.count, &l));
+    expect_size(&l, 2, 2, 3, 32);
+    assert_memory_equal(l.pixels, pixels[0], sizeof pixels[0]);
+    assert_memory_equal(l.pixels + l.about.stride, pixels[1], sizeof pixels[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -267,6 +288,7 @@ int main(void)
         cmocka_unit_test(ppm_takes_grey_and_text_and_any_largest_value),
         cmocka_unit_test(what_is_written_is_loaded),
         cmocka_unit_test(exr_is_loaded_as_it_was_written),
+        cmocka_unit_test(exr_with_layers_has_its_colours),
         cmocka_unit_test(alpha_is_written_and_loaded),
     };
 

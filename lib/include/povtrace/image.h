@@ -7,6 +7,13 @@
 
 struct pov_context;
 
+/* One more channel of a file that has layers: "depth.Z" is the channel Z of the layer depth. Names have 1 to 31 characters. */
+typedef struct pov_layer {
+    const char *name;
+    const float *values;     /* of the top left pixel; rows follow without gaps */
+    int step;                /* floats from pixel to pixel */
+} pov_layer;
+
 typedef struct pov_image_options {
     size_t size;
     int bits;                /* bits a channel: 8 or 16; 0: the format's usual depth */
@@ -14,6 +21,8 @@ typedef struct pov_image_options {
     const char *format;      /* ending that names the format if the path does not, as for "-"; NULL: by the path */
     int alpha;               /* not 0: store alpha, and colours divided by it; some formats cannot */
     double gamma;            /* above 0: integers store value ^ (1 / gamma), whatever the transfer */
+    const pov_layer *layers; /* channels besides red, green and blue, of the picture's size; some formats have none */
+    int layer_count;         /* at most 60 */
 } pov_image_options;
 
 /* Receives bytes: put returns false when it accepts no more. */
@@ -55,6 +64,8 @@ typedef struct pov_image {
     const void *pixels;
     int alpha;                     /* not 0: a fourth channel, alpha, for formats of POV_IMAGE_ALPHA */
     double gamma;                  /* above 0: integers hold value ^ (1 / gamma), whatever the transfer */
+    const pov_layer *layers;       /* for formats of POV_IMAGE_LAYERS */
+    int layer_count;
 } pov_image;
 
 /* The reader describes the image, and receives memory for height rows of stride bytes; NULL: no memory. */
@@ -79,7 +90,8 @@ typedef struct pov_raster {
 /* Receives the description before any pixel is decoded, and gives memory for height rows; NULL: it is not wanted. */
 typedef struct pov_raster_target { void *user; void *(*begin)(void *user, const pov_raster *about); } pov_raster_target;
 
-enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2, POV_IMAGE_ALPHA = 1u << 3 };
+enum { POV_IMAGE_8 = 1u << 0, POV_IMAGE_16 = 1u << 1, POV_IMAGE_FLOAT = 1u << 2, POV_IMAGE_ALPHA = 1u << 3,
+       POV_IMAGE_LAYERS = 1u << 4 };
 
 typedef struct pov_image_format {
     uint32_t size, depths;         /* supported POV_IMAGE_*; the lowest depth is the usual one */

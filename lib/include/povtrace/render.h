@@ -42,12 +42,21 @@ typedef struct pov_render_desc {
 typedef enum pov_job_state {
     POV_JOB_IDLE, POV_JOB_RUNNING, POV_JOB_DONE, POV_JOB_CANCELLED, POV_JOB_FAILED
 } pov_job_state;
-/* The last three are maps of one float a pixel: the estimated rms error, below zero where it is not known; the number
+/* ERROR, SAMPLES and TIME are maps of one float a pixel: the estimated rms error, below zero where it is not known; the number
  * of samples; and the pixel's processor seconds since the start, or since the checkpoint of pov_job_load(), below zero
  * if desc.time_map is not set. Values are the same within a cell of 4 by 4 pixels, because those of single pixels would
- * be chance. */
+ * be chance.
+ * The others are of the ray through the centre of each pixel, traced when they are read, by the thread that reads: many
+ * pixels of a call cost less than as many calls, and several threads may read parts at once. What is seen in mirrors or
+ * through glass is not in them. DEPTH: the distance from the eye, one float; 0: no hit. NORMAL: x, y, z, 1 of the unit normal
+ * that faces the eye, POSITION: those of the point, ALBEDO: the pigment's red, green, blue, 1, whatever its light; four
+ * floats, all 0: no hit. OBJECT: a uint32_t, the number of pov_scene_get_object(); UINT32_MAX: no hit. ALPHA: how much of
+ * the background the ray hides, one float, as with desc.alpha. CERTAINTY: one float; 1: double precision decided the hit or
+ * miss, 0: double-double arithmetic was needed. A joined job has none, and memory may end: then floats are NaN, and objects
+ * UINT32_MAX. */
 typedef enum pov_pixels {
-    POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES, POV_PIXELS_TIME
+    POV_PIXELS_DISPLAY8, POV_PIXELS_LINEAR_FLOAT, POV_PIXELS_ERROR, POV_PIXELS_SAMPLES, POV_PIXELS_TIME, POV_PIXELS_DEPTH,
+    POV_PIXELS_NORMAL, POV_PIXELS_POSITION, POV_PIXELS_OBJECT, POV_PIXELS_ALBEDO, POV_PIXELS_ALPHA, POV_PIXELS_CERTAINTY
 } pov_pixels;
 /* The end of a job; NONE: still running, or failed. PART: a part is complete; or, of a joined job, the parts are to go
  * on. */
@@ -113,7 +122,7 @@ POV_API pov_status pov_job_start(pov_job *job, pov_error *err);   /* desc.thread
 POV_API pov_job_state pov_job_step(pov_job *job);                 /* trace one tile on this thread */
 POV_API pov_job_state pov_job_wait(pov_job *job, double seconds); /* until news, the end, or the time is up */
 POV_API bool pov_job_take(pov_job *job, pov_rect *changed);       /* next changed tile, or false; never blocks */
-/* Copy pixels, top row first, four channels; rect is relative to the crop's corner, stride is in bytes. A pixel not yet
+/* Copy pixels, top row first, four channels but for maps; rect is relative to the crop's corner, stride is in bytes. A pixel not yet
  * traced has the value of its nearest coarser one. DISPLAY8 is encoded as the scene asks. */
 POV_API void pov_job_read(pov_job *job, pov_rect rect, pov_pixels format, void *dst, size_t stride);
 /* Drop all pixels and begin with the coarsest; NULL keeps the camera. */

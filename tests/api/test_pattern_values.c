@@ -1,4 +1,4 @@
-/* The slope pattern on a plane that rises at 45 degrees, by height, against what POV-Ray 3.7 gives there. */
+/* What shapes the values of some patterns. First the slope pattern on a plane that rises at 45 degrees, by height, against what POV-Ray 3.7 gives there. */
 #include "support/check.h"
 #include "support/scenes.h"
 
@@ -42,11 +42,38 @@ static void the_lengths_of_both_vectors_are_their_weights(void **state)
         assert_slope(&slopes[i]);
 }
 
+static float *seen_of(const char *pattern, const char *shape)
+{
+    char text[512];
+
+    snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <.3,.4,-10> direction z right 2*x up 4*y }\n"
+             "plane { z, 0 pigment { %s %s } finish { ambient 1 diffuse 0 } }\n", pattern, shape);
+    return scenes_draw(text, WIDTH, HEIGHT, 1, 1);
+}
+
+static void without_a_frequency_a_phase_moves_neither_quilts_nor_images(void **state)
+{
+    static const char *const patterns[] = { "quilted control0 .3 control1 .7", "image_pattern { function 8, 8 { x*y } }" };
+    const size_t bytes = sizeof(float[4]) * WIDTH * HEIGHT;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof patterns / sizeof patterns[0]; i++) {
+        float *as_is = seen_of(patterns[i], ""), *moved = seen_of(patterns[i], "phase .3"), *folded = seen_of(patterns[i], "frequency 1 phase .3");
+
+        assert_memory_equal(as_is, moved, bytes);
+        assert_memory_not_equal(as_is, folded, bytes);
+        free(as_is);
+        free(moved);
+        free(folded);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
+        cmocka_unit_test(without_a_frequency_a_phase_moves_neither_quilts_nor_images),
     };
 
-    return cmocka_run_group_tests_name("slopes", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("values of patterns", tests, NULL, NULL);
 }
