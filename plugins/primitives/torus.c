@@ -54,7 +54,7 @@ static bool bounds(const void *self, pov_box *out)
 /* ---- the surface ---- */
 
 /* The equation's value at a point. */
-static pov_two value_at(const torus *t, pov_two3 p)
+COMMON_INLINE pov_two value_at(const torus *t, pov_two3 p)
 {
     const pov_two level = pov_two_add(pov_two_mul(p.x, p.x), pov_two_mul(p.z, p.z));
     const pov_two g = pov_two_add(pov_two_add(level, pov_two_mul(p.y, p.y)), t->hollow);
@@ -193,7 +193,7 @@ static bool report(const stretch *s, pov_two x, bool rising, bool escalated, pov
     const pov_mark mark = { rising ? EXITING : ENTERING, escalated ? POV_MARK_ESCALATED : 0, 0.0, 0.0 };
     const double at = t.hi * s->ray.unit;
 
-    if (is_in_lens(s->torus, common_along_dd(&s->ray, t)))
+    if (s->torus->lens.hi > 0.0 && is_in_lens(s->torus, common_along_dd(&s->ray, t)))
         return true;
     return pov_cross(hits, at, t.lo * s->ray.unit, mark) && !(hits->want == POV_WANT_NEAREST && at > hits->tmin && hits->count > 0);
 }
@@ -257,40 +257,75 @@ static void restrict_cubic(pov_two c[4], pov_two middle, pov_two half)
     }
 }
 
-/* Divide out the root that the ray starts on, and isolate the roots of the remaining cubic from the start on. */
-static void intersect_from_surface(stretch *s, pov_hits *hits)
+/* From the start to the end of the stretch: x = middle + y half. */
+typedef struct cubic { const stretch *s; pov_two start, middle, half; double approx[4]; } cubic;
+
+/* Divide out the root that the ray starts on, and isolate those of the cubic that remains. */
+static void isolate_two(cubic *r, common_brackets *roots)
 {
-    const pov_two start = pov_two_div(pov_two_of(-s->middle, 0.0), pov_two_of(s->half, 0.0));
-    const pov_two middle = pov_two_scale(pov_two_add_double(start, 1.0), 0.5);
-    const pov_two half = pov_two_scale(pov_two_sub(pov_two_of(1.0, 0.0), start), 0.5);
-    const common_range wanted = { -HUGE_VAL, -HUGE_VAL, HUGE_VAL, wanted_of(s, hits).first };
     pov_two a[5], c[4];
-    double approx[4], error = coefficients_two(s, a), sum = 0.0, near;
-    common_brackets roots;
+    double error = coefficients_two(r->s, a), sum = 0.0;
     int i;
 
-    hits->escalated++;
-    if (!(half.hi > 0.0))
-        return;
     c[3] = a[4];
     for (i = 2; i >= 0; i--)
-        c[i] = pov_two_add(a[i + 1], pov_two_mul(c[i + 1], start));
-    restrict_cubic(c, middle, half);
+        c[i] = pov_two_add(a[i + 1], pov_two_mul(c[i + 1], r->start));
+    restrict_cubic(c, r->middle, r->half);
     for (i = 0; i < 4; i++) {
-        approx[i] = c[i].hi;
+        r->approx[i] = c[i].hi;
         sum += fabs(c[i].hi);
     }
-    if (hits->always_exact || !common_isolate(approx, 64.0 * error + 0x1p-52 * sum, 3, wanted, &roots))
-        common_isolate_two(c, 64.0 * error + 0x1p-96 * sum, 3, &roots);
+    common_isolate_two(c, 64.0 * error + 0x1p-96 * sum, 3, roots);
+}
+
+/* The same in double. The start lies in -1..1, so no coefficient of the cubic is off by more than 4 times the errors of
+ * those of the quartic, and none after the shift by more than 8 times these. False: open. */
+static bool isolate(cubic *r, common_range wanted, common_brackets *roots)
+{
+    const double start = r->start.hi, middle = r->middle.hi, half = r->half.hi;
+    double a[5], *c = r->approx, error = coefficients(r->s, a), sum = 0.0, power = half;
+    int i, j;
+
+    for (i = 0; i < 5; i++)
+        sum += fabs(a[i]);
+    c[3] = a[4];
+    for (i = 2; i >= 0; i--)
+        c[i] = a[i + 1] + c[i + 1] * start;
+    for (j = 0; j < 3; j++)
+        for (i = 2; i >= j; i--)
+            c[i] += c[i + 1] * middle;
+    for (i = 1; i < 4; i++) {
+        c[i] *= power;
+        power *= half;
+    }
+    return fabs(start) <= 1.0 && common_isolate(c, 64.0 * (error + 8.0 * COMMON_U * sum), 3, wanted, roots);
+}
+
+static void intersect_from_surface(stretch *s, pov_hits *hits)
+{
+    const common_range wanted = { -HUGE_VAL, -HUGE_VAL, HUGE_VAL, wanted_of(s, hits).first };
+    cubic r = { .s = s, .start = pov_two_div(pov_two_of(-s->middle, 0.0), pov_two_of(s->half, 0.0)) };
+    common_brackets roots;
+    bool escalated;
+
+    r.middle = pov_two_scale(pov_two_add_double(r.start, 1.0), 0.5);
+    r.half = pov_two_scale(pov_two_sub(pov_two_of(1.0, 0.0), r.start), 0.5);
+    if (!(r.half.hi > 0.0))
+        return;
+    escalated = hits->always_exact || !isolate(&r, wanted, &roots);
+    hits->escalated += escalated;
+    if (escalated)
+        isolate_two(&r, &roots);
     for (uint32_t k = 0; k < roots.count; k++) {
         const common_bracket *y = &roots.at[k];
-        const common_bracket x = { middle.hi + half.hi * y->lo, middle.hi + half.hi * y->hi, 0.0, y->rising };
+        const common_bracket x = { r.middle.hi + r.half.hi * y->lo, r.middle.hi + r.half.hi * y->hi, 0.0, y->rising };
+        double near;
 
         /* Ahead of the start the divided-out factor is positive, so the quartic rises where the cubic does. */
         if (is_blocked(s, &x, wanted, hits))
             return;
-        near = pov_two_add(middle, pov_two_mul_double(half, common_polish(approx, 3, y))).hi;
-        if (!report(s, complete(s, near, &x), y->rising, true, hits))
+        near = pov_two_add(r.middle, pov_two_mul_double(r.half, common_polish(r.approx, 3, y))).hi;
+        if (!report(s, complete(s, near, &x), y->rising, escalated, hits))
             return;
     }
 }
