@@ -209,12 +209,18 @@ static void begin_single(group *g, const shading *scene, const texture *of, cons
     g->points.has_surface = true;
 }
 
-colour paint_filter(const shading *scene, const hit *h)
+/* The normal, turned against the ray. */
+static pov_vec3 facing(const pov_ray *ray, const hit *h)
+{
+    return pov_dot(h->normal, ray->dir) > 0.0 ? pov_scale(h->normal, -1.0) : h->normal;
+}
+
+colour paint_filter(const shading *scene, const pov_ray *ray, const hit *h)
 {
     group g;
     colour filter;
 
-    begin_single(&g, scene, texture_of(shading_constant(scene, h->object)->material, h), h, h->normal, pov_scale(h->normal, -1.0));
+    begin_single(&g, scene, texture_of(shading_constant(scene, h->object)->material, h), h, facing(ray, h), pov_unit(ray->dir));
     texture_filters(scene->model, g.texture, &g.points, 1, &filter);
     return filter;
 }
@@ -234,14 +240,13 @@ uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, textu
 pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *h)
 {
     const texture *of = texture_of(shading_constant(scene, h->object)->material, h);
-    const pov_vec3 facing = pov_dot(h->normal, ray->dir) > 0.0 ? pov_scale(h->normal, -1.0) : h->normal;
     vec_lanes normal;
     group g;
 
     if (!of || of->blend != BLEND_NONE || !of->normal)
         return h->normal;
-    begin_single(&g, scene, of, h, facing, pov_unit(ray->dir));
-    lanes_put(&normal, 0, facing);
+    begin_single(&g, scene, of, h, facing(ray, h), pov_unit(ray->dir));
+    lanes_put(&normal, 0, facing(ray, h));
     normal_eval(scene->model, of->normal, &g.points, 1, &normal);
     return lanes_at(&normal, 0);
 }

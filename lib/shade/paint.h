@@ -29,8 +29,8 @@ void paint_appearance(const shading *scene, const surface *s, const texture_term
 pov_vec3 paint_normal(const surfaces *s, uint32_t lane, const texture_term *t);
 /* Set appearances and normals of surfaces that are one term each. */
 void paint_surfaces(const shading *scene, surfaces *s, const painted *p);
-/* Filter of light that crosses a surface with a varying texture. The hit's point is known. */
-colour paint_filter(const shading *scene, const hit *h);
+/* Filter of light that crosses a surface with a varying texture on this ray. The hit's point is known. */
+colour paint_filter(const shading *scene, const pov_ray *ray, const hit *h);
 /* The terms at a completed hit on a varying texture; room for scene->most_terms. Returns their number. */
 uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, texture_term *out);
 /* The normal at a hit whose point is known, perturbed where its texture is one layer with a normal of its own. */

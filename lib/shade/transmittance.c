@@ -19,15 +19,15 @@ static colour filter_at(const shading *scene, const pov_ray *ray, const pov_cros
     h.object = at->owner;
     h.crossing = *at;
     world_surface(scene->world, ray, &h);
-    return paint_filter(scene, &h);
+    return paint_filter(scene, ray, &h);
 }
 
 /* The same for a known point. */
-static colour filter_of(const shading *scene, const hit *h)
+static colour filter_of(const shading *scene, const pov_ray *ray, const hit *h)
 {
     const appearance *a = shading_constant(scene, h->object);
 
-    return a->varies ? paint_filter(scene, h) : a->filter.by;
+    return a->varies ? paint_filter(scene, ray, h) : a->filter.by;
 }
 
 /* What filters have left of light so far. Their positions along a light path do not matter to the product. It is rounded
@@ -174,7 +174,7 @@ bool transmittance_from(const shade_context *c, const coincident_set *on, const 
     for (; crossed; crossed &= crossed - 1) {
         const uint32_t k = first_of(crossed);
 
-        *through = colour_mul(*through, filter_of(c->scene, &on->at[k]));
+        *through = colour_mul(*through, filter_of(c->scene, ray, &on->at[k]));
         if (walks)
             walk_cross(c->scene, &w, on->at[k].object, !(on->above >> k & 1));
     }

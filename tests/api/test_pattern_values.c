@@ -68,10 +68,34 @@ static void without_a_frequency_a_phase_moves_neither_quilts_nor_images(void **s
     }
 }
 
+/* By the angle at which light falls upon them, on either side. */
+static void light_through_slopes_is_filtered_by_its_own_ray(void **state)
+{
+    static const struct { const char *normal, *pattern; double seen; } discs[] = {
+        { "<.2,.3,1>", "slope { <.2,.5,1> }", 0.05403 }, { "-<.2,.3,1>", "slope { <.2,.5,1> }", 0.05403 },
+        { "<.2,.3,-1>", "slope { <.2,.5,1> }", 0.26588 }, { "<.2,.3,1>", "aoi", 0.11014 }, { "-<.2,.3,1>", "aoi", 0.11014 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof discs / sizeof discs[0]; i++) {
+        char text[768];
+        float *seen;
+
+        snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <0,0,-10> direction z right .002*x up .001*y }\n"
+                 "light_source { <0,0,-1e6> rgb 1 parallel point_at 0 } plane { -z, -5 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n"
+                 "disc { 0, %s, 3 no_image pigment { %s color_map { [0 rgbt <0,0,0,1>] [1 rgbt <1,.5,.2,0>] } } }\n", discs[i].normal, discs[i].pattern);
+        seen = scenes_draw(text, 2, 1, 1, 1);
+        if (fabs((double)seen[0] - discs[i].seen) > 2e-4)
+            fail_msg("%s on %s: %f, not %f", discs[i].pattern, discs[i].normal, (double)seen[0], discs[i].seen);
+        free(seen);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
+        cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
         cmocka_unit_test(without_a_frequency_a_phase_moves_neither_quilts_nor_images),
     };
 
