@@ -74,7 +74,7 @@ static void set(const shade_context *c, appearance *a, const surface *s, double 
     a->reflection = coefficient_of(by);
     if (f->conserve_energy)
         appearance_set_filter(a, c->scene->model, colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
-    if (f->irid.amount != 0.0f)
+    if (f->irid.amount != 0.0f && !a->powered)
         a->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, cosine, point));
 }
 

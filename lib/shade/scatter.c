@@ -86,10 +86,20 @@ static inline void reflect(scattering *to, const surface *s, uint32_t lane, cons
         finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
 }
 
-/* The same where the colour that is seen in the mirror is raised to a power. */
+/* What a film makes of the light that a surface mirrors. */
+static colour filmed(const scattering *to, const surface *s, uint32_t lane)
+{
+    const finish *f = s->appearance->finish;
+
+    if (f->irid.amount == 0.0f)
+        return colour_of(1.0f, 1.0f, 1.0f);
+    return film_mirrored(to->context->scene->model, f, to->on->geometry.cosine[lane], lanes_at(&to->on->geometry.to.point, lane));
+}
+
+/* The same where the colour that is seen in the mirror, through its film, is raised to a power. */
 static void reflect_power(scattering *to, const surface *s, uint32_t lane, const coefficient *by, float exponent)
 {
-    const coefficient factor = coefficient_mul(s->from->factor, *by), clear = { { 1.0f, 1.0f, 1.0f }, factor.weight };
+    const coefficient factor = coefficient_mul(s->from->factor, *by), seen = { filmed(to, s, lane), factor.weight };
     batch *b;
     power_sum *p;
 
@@ -102,7 +112,7 @@ static void reflect_power(scattering *to, const surface *s, uint32_t lane, const
     p->lane[p->count] = s->from->lane;
     p->factor[p->count] = factor.by;
     p->exponent[p->count++] = exponent;
-    finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), clear, true), s, lane);
+    finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), seen, true), s, lane);
 }
 
 /* The reflected ray of an ordinary surface. */
@@ -299,13 +309,10 @@ static inline void cross(scattering *to, const interfaces *p, const surface *s, 
 /* What is left of a ray that is totally reflected. */
 static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane)
 {
-    const finish *f = s->appearance->finish;
-    const coefficient whole = { to->fading ? s->faded : colour_of(1.0f, 1.0f, 1.0f), 1.0f };
-    coefficient out = whole;
+    coefficient out = { filmed(to, s, lane), 1.0f };
 
-    if (f->irid.amount != 0.0f)
-        out.by = colour_mul(out.by, film_mirrored(to->context->scene->model, f, to->on->geometry.cosine[lane],
-                                                  lanes_at(&to->on->geometry.to.point, lane)));
+    if (to->fading)
+        out.by = colour_mul(out.by, s->faded);
     return out;
 }
 

@@ -131,6 +131,7 @@ static void a_film_changes_all_light_by_its_wavelength(void **state)
     static const sample samples[] = {
         { FRONT, GOLD "finish { ambient 0 diffuse .5 irid { .4 thickness .5 } }", 0.34411, 0.13703, 0.09731 },
         { FRONT, BARE "irid { .3 thickness .5 } reflection .3 }", 0.10954, 0.22768, 0.26474 },
+        { FRONT, BARE "irid { .3 thickness .5 } reflection { .3 exponent 2 } }", 0.18128, 0.26134, 0.28182 },
         { FRONT, PRISM "finish { ambient 0 diffuse 0 irid { .3 thickness .5 } }", 0.23645, 0.23848, 0.36132 },
     };
     (void)state;
