@@ -212,40 +212,6 @@ static bool put(args *a, const char *option, const char *text, const char **list
     return true;
 }
 
-static void set_limit(args *a, size_t index, double value)
-{
-    pov_limits *limits = &a->limits;
-    size_t *const sizes[] = { &limits->depth, &limits->array, &limits->string, &limits->memory };
-
-    if (index < sizeof sizes / sizeof sizes[0])
-        *sizes[index] = (size_t)value;
-    else if (index == 4)
-        limits->turns = (uint64_t)value;
-    else if (index == 5)
-        limits->seconds = value;
-    else
-        a->most_rays = value < 1.0 ? 1 : (uint64_t)value;
-}
-
-/* NAME=N */
-static bool read_limit(args *a, const char *text)
-{
-    static const char *const names[] = { "depth", "array", "string", "memory", "turns", "seconds", "rays" };
-    const char *equals = strchr(text, '=');
-    char *end = NULL;
-    const double value = equals ? strtod(equals + 1, &end) : 0.0;
-
-    for (size_t i = 0; equals && i < sizeof names / sizeof names[0]; i++) {
-        if (strncmp(text, names[i], (size_t)(equals - text)) != 0 || names[i][equals - text] != '\0')
-            continue;
-        if (end == equals + 1 || *end != '\0' || !(value > 0.0 && value <= 1e15))
-            break;
-        set_limit(a, i, value);
-        return true;
-    }
-    return args_refuse(a, "--limit wants depth, array, string, turns, memory, seconds or rays, and =N, not \"%s\"", text);
-}
-
 /* Options for loading the scene. */
 static bool read_option_language(args *a, int option, const char *text)
 {
@@ -266,7 +232,7 @@ static bool read_option_language(args *a, int option, const char *text)
         a->write_path = text;
         return true;
     default:
-        return read_limit(a, text);
+        return args_limit(a, text);
     }
 }
 

@@ -53,6 +53,7 @@ typedef struct args {
     const char *write_path;      /* or NULL */
     bool strict, soft_lights;
     pov_limits limits;
+    size_t most_input, most_images;   /* bytes; 0: the library's defaults */
     uint64_t most_rays;          /* that follow from one of the camera; 0: the library's default */
     const pov_animation *animation;   /* or NULL */
     const char *report, *reference;   /* files, or NULL */

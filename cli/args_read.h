@@ -19,5 +19,6 @@ bool args_choice(args *a, const char *what, const char *text, const int *choices
 bool args_positive(args *a, const char *what, const char *text, double *out);
 /* The words that belong to no option, once all options are read. */
 bool args_places(args *a, int count, char **places);
+bool args_limit(args *a, const char *text);
 
 #endif

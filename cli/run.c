@@ -56,6 +56,8 @@ static pov_status load(pov_scene **scene, pov_context *context, const args *a, p
     desc.animation = a->animation;
     desc.limits = a->limits;
     desc.most_rays = a->most_rays;
+    desc.most_input = a->most_input;
+    desc.most_images = a->most_images;
     status = folders ? pov_scene_load_file(scene, context, a->scene, &desc, err)
                      : save_fail(err, POV_E_MEMORY, a->scene, "out of memory");
     free(folders);

@@ -94,7 +94,7 @@ $(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)
 $(BUILD)/obj/tests/plugins/test_images.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 # The pure pieces of povc are tested with the program's own objects.
 $(BUILD)/obj/tests/cli/%.o: ROOM_FLAGS += -Icli
-ARGS_OBJECTS = $(patsubst %,$(BUILD)/obj/cli/%.o,args args_value args_places)
+ARGS_OBJECTS = $(patsubst %,$(BUILD)/obj/cli/%.o,args args_limit args_value args_places)
 $(BUILD)/tests/cli/test_args: $(ARGS_OBJECTS)
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o

@@ -75,7 +75,7 @@ static reader_options reader_options_of(const pov_load_desc *d)
     const pov_animation *a = d->animation;
 
     o.limits = (reader_limits){ d->limits.depth, d->limits.array, d->limits.string, d->limits.turns,
-                                  d->limits.memory, d->limits.seconds };
+                                  d->limits.memory, d->limits.seconds, d->most_input, d->most_images };
     if (a)
         o.frames = (reader_frames){ true, a->clock, a->initial_clock, a->final_clock, a->clock_delta,
                                     a->frame, a->initial_frame, a->final_frame };
@@ -163,7 +163,8 @@ pov_status pov_scene_load_file(pov_scene **out, pov_context *context, const char
     status = create(&scene, context, err);
     if (status < 0)
         return status;
-    status = file_read(&context->env, path, &text, &length, err);
+    status = d.most_input ? file_read_most(&context->env, path, d.most_input, &text, &length, err)
+                          : file_read(&context->env, path, &text, &length, err);
     if (status == POV_OK) {
         /* The text is freed before the world is made: both need not be in memory at once. */
         status = read_text(scene, text, length, path, &d, err);

@@ -8,6 +8,9 @@
  * it. */
 pov_status file_read(const env *e, const char *path, char **bytes, size_t *count, pov_error *err);
 
+/* The same, of at most so many bytes. */
+pov_status file_read_most(const env *e, const char *path, size_t most, char **bytes, size_t *count, pov_error *err);
+
 /* Write beside the target, then rename over it: commit or discard ends the writing. A symbolic link is followed, and
  * the file it points to is replaced. "-", /dev/stdout and the like, devices and pipes are written to directly. */
 typedef struct file_writer {

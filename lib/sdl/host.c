@@ -7,6 +7,7 @@
 #include "sdl/image_heights.h"
 #include "sdl/host_parts.h"
 #include "sdl/include.h"
+#include "sdl/limit.h"
 #include "sdl/parse.h"
 #include "sdl/reader.h"
 #include "sdl/report.h"
@@ -149,7 +150,7 @@ static const void *file(pov_reader *in, const char *name, size_t *bytes)
         return NULL;
     if (!include_find_with(in, s, endings, path))
         report_fail(in, &in->value, POV_E_IO, "there is no file \"%.200s\" in the folders that scenes are read from", name);
-    else if (file_read(in->model->env, path, &text, bytes, &err) < 0)
+    else if (limit_read_file(in, path, &text, bytes, &err) < 0)
         report_fail(in, &in->value, err.status, "%.200s: %.200s", path, err.message);
     else
         copy = state_alloc(in, *bytes + 1, ALIGNMENT);

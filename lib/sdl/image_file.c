@@ -4,6 +4,7 @@
 #include "base/hash.h"
 #include "sdl/image_function.h"
 #include "sdl/include.h"
+#include "sdl/limit.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
 
@@ -56,7 +57,7 @@ static char *read_bytes(pov_reader *in, const char *path, size_t *count)
     pov_error err;
     char *bytes;
 
-    if (file_read(in->model->env, path, &bytes, count, &err) < 0) {
+    if (limit_read_file(in, path, &bytes, count, &err) < 0) {
         report_fail(in, &in->value, err.status, "%.200s: %.200s", path, err.message);
         return NULL;
     }
@@ -74,6 +75,7 @@ typedef struct decoding {
     image *out;
     size_t count;                /* of the file's bytes */
     bool is_cut;
+    size_t wanted;               /* bytes of pixels that the limit forbids, or 0 */
 } decoding;
 
 static bool is_possible(const pov_raster *about, size_t file_bytes)
@@ -114,6 +116,11 @@ static void *begin(void *user, const pov_raster *about)
 
     if (d->out->samples || !is_possible(about, d->count))
         return NULL;
+    if (about->stride * (size_t)about->height > d->in->limits.images - d->in->image_bytes) {
+        d->wanted = about->stride * (size_t)about->height;
+        return NULL;
+    }
+    d->in->image_bytes += about->stride * (size_t)about->height;
     describe(about, d->is_cut, d->out);
     samples = state_alloc(d->in, about->stride * (size_t)about->height, 16);
     d->out->samples = samples;
@@ -138,7 +145,7 @@ static const pov_image_format *find_format(pov_reader *in, const char *ending)
 
 static void decode(pov_reader *in, const char *path, const pov_image_format *format, image *out)
 {
-    decoding d = { in, out, 0, strcmp(format->ending, "png") == 0 };
+    decoding d = { in, out, 0, strcmp(format->ending, "png") == 0, 0 };
     pov_raster_target target = { &d, begin };
     char *bytes = read_bytes(in, path, &d.count);
     const char *wrong;
@@ -146,7 +153,10 @@ static void decode(pov_reader *in, const char *path, const pov_image_format *for
     if (!bytes)
         return;
     wrong = format->load(bytes, d.count, &target);
-    if (wrong || !out->samples)
+    if (d.wanted > 0)
+        report_fail(in, &in->value, POV_E_MEMORY, "%.200s: this image takes %zu bytes, of %zu that images may still take", path,
+                    d.wanted, in->limits.images - in->image_bytes);
+    else if (wrong || !out->samples)
         report_fail(in, &in->value, POV_E_IO, "%.200s: cannot read this image: %s", path, wrong ? wrong : "it holds no picture");
     env_free(in->model->env, bytes);
 }

@@ -6,6 +6,7 @@
 #include "sdl/directive.h"
 #include "sdl/expression.h"
 #include "sdl/frame.h"
+#include "sdl/limit.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
 #include "sdl/text_file.h"
@@ -289,7 +290,7 @@ static char *read_text(pov_reader *in, const string *name, char path[INCLUDE_PAT
     } else if (!include_find(in, name, path)) {
         report_fail(in, &in->value, POV_E_IO, "there is no file \"%s\" in the folders that scenes are read from%s",
                     name->text, has_installed() ? "" : "; POV-Ray's own come with the package povray-includes");
-    } else if (file_read(in->model->env, path, &text, length, &error) < 0) {
+    } else if (limit_read_file(in, path, &text, length, &error) < 0) {
         report_pass_on(in, &in->value, &error);
         text = NULL;
     }

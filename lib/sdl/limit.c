@@ -1,6 +1,7 @@
 #include "sdl/limit.h"
 
 #include "base/clock.h"
+#include "base/file.h"
 #include "sdl/report.h"
 
 /* Turns between two looks at the clock and at the memory. */
@@ -36,6 +37,26 @@ static void look(pov_reader *in, const place *at)
         report_fail(in, at, POV_E_MEMORY, "this loop has made the scene larger than %zu bytes", in->limits.memory);
     else if (clock_seconds() - in->started > in->limits.seconds)
         report_fail(in, at, POV_E_SYNTAX, "reading takes longer than %g seconds", in->limits.seconds);
+}
+
+bool limit_input(pov_reader *in, size_t bytes)
+{
+    const bool fits = bytes <= in->limits.input - in->input;
+
+    in->input += fits ? bytes : 0;
+    return fits;
+}
+
+pov_status limit_read_file(pov_reader *in, const char *path, char **bytes, size_t *count, pov_error *err)
+{
+    const size_t left = in->limits.input - in->input;
+    const bool is_limited = in->limits.input < SIZE_MAX;
+    const pov_status status = is_limited ? file_read_most(in->model->env, path, left, bytes, count, err)
+                                         : file_read(in->model->env, path, bytes, count, err);
+
+    if (status == POV_OK)
+        in->input += *count;
+    return status;
 }
 
 bool limit_turn(pov_reader *in, const place *at)

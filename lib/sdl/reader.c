@@ -60,7 +60,7 @@ static void refuse_other_files(pov_reader *in, const char *text, size_t length)
 #define MEMORY_OF_VALUES (SIZE_MAX / 4 < (uint64_t)1 << 34 ? SIZE_MAX / 4 : (size_t)((uint64_t)1 << 34))
 
 static const reader_limits default_limits = { 1200, (size_t)1 << 27, (size_t)1 << 28, (uint64_t)1 << 30,
-                                              MEMORY_OF_VALUES, 3600.0 };
+                                              MEMORY_OF_VALUES, 3600.0, SIZE_MAX, SIZE_MAX };
 
 static void choose_limits(reader_limits *l, const reader_options *options)
 {
@@ -79,6 +79,10 @@ static void choose_limits(reader_limits *l, const reader_options *options)
         l->memory = options->limits.memory;
     if (options->limits.seconds > 0.0)
         l->seconds = options->limits.seconds;
+    if (options->limits.input)
+        l->input = options->limits.input;
+    if (options->limits.images)
+        l->images = options->limits.images;
 }
 
 /* What a shared item refers to is let go of. */
@@ -284,6 +288,10 @@ static void read(pov_reader *in, const char *text, size_t length, const char *na
     in->defaults = &defaults;
     if (!frame_push_text(in, FRAME_SCENE, s))
         return;
+    if (!limit_input(in, length)) {
+        report_fail(in, &in->token.at, POV_E_IO, "the text is larger than the %zu bytes that may be read", in->limits.input);
+        return;
+    }
     refuse_other_files(in, text, length);
     declare_names(in, name);
     state_advance(in);

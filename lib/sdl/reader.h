@@ -12,6 +12,8 @@ typedef struct reader_limits {
     uint64_t turns;              /* of loops, and calls of macros */
     size_t memory;               /* bytes of values, and of what loops make of the scene */
     double seconds;
+    size_t input;                /* bytes of the text and of all files that it reads */
+    size_t images;               /* bytes of the pixels of images */
 } reader_limits;
 
 /* Which picture of an animation is read. */

@@ -142,6 +142,7 @@ struct pov_reader {
     char own_includes[INCLUDE_PATH_MAX];   /* the folder of this library's include files; "": unknown */
     reader_limits limits;
     uint64_t turns;              /* of loops so far */
+    size_t input, image_bytes;   /* bytes of files and of pixels so far */
     uint32_t until_told;         /* tokens of text until progress is told again */
     uint32_t light_groups;       /* so far */
     double started;              /* when reading began */

@@ -5,6 +5,7 @@
 #include "sdl/directive.h"
 #include "sdl/expression.h"
 #include "sdl/include.h"
+#include "sdl/limit.h"
 #include "sdl/report.h"
 #include "sdl/text.h"
 
@@ -158,7 +159,7 @@ static source *open_to_read(pov_reader *in, const string *name)
     if (!bytes && !in->failed) {
         if (!include_find(in, name, path))
             report_fail(in, &in->value, POV_E_IO, "there is no file \"%s\"", name->text);
-        else if (file_read(in->model->env, path, &bytes, &length, &error) < 0)
+        else if (limit_read_file(in, path, &bytes, &length, &error) < 0)
             report_pass_on(in, &in->value, &error);
     }
     if (in->failed)
@@ -188,7 +189,7 @@ static written *open_to_write(pov_reader *in, const string *name, bool appends)
     w = create(in, name);
     if (!w || !appends || !include_find(in, name, path))
         return w;
-    if (file_read(in->model->env, path, &bytes, &length, &error) < 0) {
+    if (limit_read_file(in, path, &bytes, &length, &error) < 0) {
         report_pass_on(in, &in->value, &error);
         return w;
     }

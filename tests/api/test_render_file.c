@@ -101,12 +101,35 @@ static void each_step_may_fail(void **state)
     forget(&f);
 }
 
+/* The text counts wherever it comes from. */
+static void input_is_limited(void **state)
+{
+    const folder f = make();
+    pov_context *context = scenes_context();
+    pov_load_desc load = POV_INIT(load);
+    pov_error err = { 0 };
+    pov_scene *scene;
+
+    (void)state;
+    load.declares = declares;
+    load.most_input = sizeof text - 2;
+    assert_int_equal(pov_scene_load_text(&scene, context, text, sizeof text - 1, "s", &load, &err), POV_E_IO);
+    assert_non_null(strstr(err.message, "larger than the"));
+    assert_int_equal(pov_scene_load_file(&scene, context, f.scene, &load, &err), POV_E_IO);
+    load.most_input = sizeof text - 1;
+    assert_int_equal(pov_scene_load_text(&scene, context, text, sizeof text - 1, "s", &load, &err), POV_OK);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    forget(&f);
+}
+
 /* The one call has a context of its own, which finds plugins by the environment. */
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_picture_is_that_of_the_steps),
         cmocka_unit_test(each_step_may_fail),
+        cmocka_unit_test(input_is_limited),
     };
 
     setenv("POVTRACE_PLUGIN_PATH", TEST_PLUGINS, 1);

@@ -52,6 +52,25 @@ messages_about_loops_that_do_not_end_say_where() {
     says err "error: more than 1000 turns"
 }
 
+# F6 of the review: no ceiling on memory for input.
+messages_name_the_file_that_is_too_large() {
+    small_scene
+    expect 1 "$povc" --check --limit input=50 small.pov
+    says err "small.pov: error: is larger than the 50 bytes that may still be read"
+    printf '#include "small.pov"\n' > outer.pov
+    expect 1 "$povc" --check --limit input=50 outer.pov
+    says err "larger than the 29 bytes that may still be read"
+    expect 0 "$povc" --check --limit input=1000 outer.pov
+    expect 1 "$povc" --check --limit input=1e6 /dev/zero
+    says err "larger than the 1000000 bytes"
+    { printf 'P6 400 300 255\n'; head -c 360000 /dev/zero; } > wide.ppm
+    printf '#version 3.7; sphere { 0, 1 pigment { image_map { ppm "wide.ppm" } } }\n' > image.pov
+    expect 1 "$povc" --check --limit images=1e5 image.pov
+    says err "wide.ppm: this image takes 360000 bytes, of 100000 that images may still take"
+    says err "image.pov:1:"
+    expect 0 "$povc" --check --limit images=360000 image.pov
+}
+
 messages_are_twenty_errors_at_most() {
     for line in $(seq 30); do echo "sphere { $line, wrong }"; done > w.pov
     expect 1 "$povc" --check w.pov

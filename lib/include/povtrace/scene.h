@@ -72,6 +72,9 @@ typedef struct pov_load_desc {
      * POV_E_CANCELLED. NULL: nobody is told. */
     bool (*progress)(void *user, double fraction, size_t objects);
     void *progress_user;
+    /* Bytes of the text and of all files that it reads, together; and of the pixels of its images, checked before they are
+     * decoded. 0: no limit, but 1 GiB a file and 2 GiB an image. */
+    size_t most_input, most_images;
 } pov_load_desc;
 
 /* Read scene text and compile it for rays. desc may be NULL. A loaded scene never changes, so any number of
