@@ -31,6 +31,18 @@ plugins_that_are_missing_are_named_with_the_folders_tried() {
     [ ! -e out.png ]
 }
 
+# In front: what is not there is found in the usual place.
+plugins_of_a_given_path_stand_in_front() {
+    small_scene
+    mkdir -p path/primitives
+    expect 0 "$povc" small.pov 8 8 usual.png --plugin-path path:elsewhere
+    build_plugin path/primitives/sphere.so <<'END'
+int nothing;
+END
+    expect 1 "$povc" small.pov 8 8 out.png --plugin-path path
+    says err "path/primitives/sphere.so"
+}
+
 plugins_of_another_contract_are_refused() {
     small_scene
     copy_plugins

@@ -225,6 +225,21 @@ refine_counts_the_time_of_a_resumed_run_from_its_own_start() {
     between 0.95 "$(field out.csv wall_s)" 3
 }
 
+# Within a factor of 3 after a fifth of the run.
+refine_predicts_the_end_of_a_number_of_samples() {
+    rich_scene
+    expect 0 "$povc" rich.pov 320 240 out.pfm --spp 150 -t 1 --progress json
+    "$PYTHON" - err <<'END'
+import json, sys
+lines = [json.loads(line) for line in open(sys.argv[1]) if line.startswith('{')]
+end = lines[-1]['seconds']
+late = [line for line in lines if 0.2 * end < line['seconds'] < 0.9 * end]
+assert late, lines
+for line in late:
+    assert (end - line['seconds']) / 3 < line['eta'] < 3 * (end - line['seconds']), (line, end)
+END
+}
+
 # Defect 3: no guess before two passes know their error, and a fair one later.
 refine_tells_the_time_left_only_when_passes_show_it() {
     rich_scene
