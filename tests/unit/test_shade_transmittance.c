@@ -36,7 +36,7 @@ static void end(subject *s)
     model_free(&s->model);
 }
 
-static const segment_end at_one = { 1.0, NULL };
+static const segment_end at_one = { 1.0, NULL, false };
 
 /* From z = -1 to this z. */
 static bool light_to(subject *s, double z, colour *through)
