@@ -27,6 +27,7 @@ typedef struct shape_class {
     bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
     uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
                          double share[3]);
+    bool (*face)(const void *self, uint32_t number, pov_face *out);
 
     size_t block_size, single_block_size;
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);

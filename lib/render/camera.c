@@ -12,6 +12,7 @@ static const camera_class *const classes[POV_CAMERA_TYPES] = {
     [POV_CAMERA_CYLINDER_2] = &camera_cylinder,
     [POV_CAMERA_CYLINDER_3] = &camera_cylinder,
     [POV_CAMERA_CYLINDER_4] = &camera_cylinder,
+    [POV_CAMERA_MESH] = &camera_meshes,
 };
 
 const camera_class *camera_class_of(const pov_camera *camera)

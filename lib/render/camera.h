@@ -14,6 +14,10 @@ typedef struct camera_class {
 const camera_class *camera_class_of(const pov_camera *camera);
 
 extern const camera_class camera_perspective, camera_orthographic, camera_fisheye, camera_ultra_wide, camera_omnimax,
-    camera_panoramic, camera_spherical, camera_cylinder;
+    camera_panoramic, camera_spherical, camera_cylinder, camera_meshes;
+
+/* Rays from the faces of the scene's meshes; those of pixels without a face stay as they are. */
+void camera_mesh_cast(const struct camera_mesh *m, const pov_camera *camera, const raygen_screen *through, uint32_t n,
+                      pov_ray *rays);
 
 #endif

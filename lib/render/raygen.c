@@ -35,6 +35,15 @@ SIMD_CLONES static void place(const raygen_places *restrict p, int width, int he
 void raygen_place(const raygen_places *p, int width, int height, uint32_t n, raygen_screen *out)
 {
     place(p, width, height, n, out);
+    out->width = width;
+    out->height = height;
+}
+
+sample raygen_spread(const pov_camera *camera, uint32_t seed, int x, int y, uint32_t k)
+{
+    const sample number = { k, 0.0 };
+
+    return camera->type == POV_CAMERA_MESH ? number : sample_on_lens(seed, x, y, (int)(k & 1u), k / 2);
 }
 
 unsigned raygen_aim(const pov_camera *camera, const raygen_screen *through, uint32_t n, pov_ray *rays)
@@ -52,6 +61,8 @@ unsigned raygen_cast(const model *m, const pov_camera *camera, const raygen_scre
 {
     const unsigned known = raygen_aim(camera, through, n, rays);
 
+    if (camera->type == POV_CAMERA_MESH && m->camera_mesh)
+        camera_mesh_cast(m->camera_mesh, camera, through, n, rays);
     if (!m->camera_normal)
         return known;
     camera_normal_apply(m, through->u, through->v, n, rays);

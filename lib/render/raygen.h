@@ -2,6 +2,7 @@
 #ifndef RENDER_RAYGEN_H
 #define RENDER_RAYGEN_H
 
+#include "render/sample.h"
 #include "world/surface.h"
 
 /* The ray of a camera through pixel (x, y) of a picture, row 0 at the top. (dx, dy) is the position within the pixel,
@@ -18,9 +19,17 @@ typedef struct raygen_places {
 
 /* The same positions on the screen, in widths to the right of its centre and heights above it. Pixels of a column share
  * u, those of a row v. Where the camera has a lens: points of the unit square that say where on it rays start; the left edge
- * is its centre. */
-typedef struct raygen_screen { double u[RAYGEN_MANY], v[RAYGEN_MANY], lens[2][RAYGEN_MANY]; } raygen_screen;
+ * is its centre. Of a camera of meshes lens[0] is the sample's number in its pixel. */
+typedef struct raygen_screen {
+    double u[RAYGEN_MANY], v[RAYGEN_MANY], lens[2][RAYGEN_MANY];
+    int width, height;           /* of the whole picture, in pixels */
+} raygen_screen;
 static inline bool raygen_has_lens(const pov_camera *c) { return c->lens_radius > 0.0; }
+/* Do samples of a pixel differ in more than their places in it? */
+static inline bool raygen_counts(const pov_camera *c) { return c->lens_radius > 0.0 || c->type == POV_CAMERA_MESH; }
+
+/* Where on the lens the k-th sample of a pixel starts; of a camera of meshes its number. */
+sample raygen_spread(const pov_camera *camera, uint32_t seed, int x, int y, uint32_t k);
 
 /* From -1/2 to 1/2, symmetric bit for bit about the middle. */
 static inline double raygen_u(int x, double dx, int width) { return (((double)x - 0.5 * width) + dx) / width; }

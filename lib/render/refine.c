@@ -49,7 +49,7 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     if (c->count == 0)
         return;
     raygen_place(&c->through, s->width, s->height, c->count, &through);
-    if (raygen_has_lens(&w->claim.camera))
+    if (raygen_counts(&w->claim.camera))
         memcpy(through.lens, c->lens, sizeof through.lens);
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
@@ -85,8 +85,8 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
     p->y[n] = py;
     p->dx[n] = at.x;
     p->dy[n] = at.y;
-    if (raygen_has_lens(&w->claim.camera))
-        place_on_lens(c, n, sample_on_lens(s->seed, px, py, (int)(k & 1u), k / 2));
+    if (raygen_counts(&w->claim.camera))
+        place_on_lens(c, n, raygen_spread(&w->claim.camera, s->seed, px, py, k));
     if (w->job->scene->plan->random)
         c->samples[n] = sample_id_of(s->seed, px, py, k);
     c->alpha[n] = pixel + 6;

@@ -2,7 +2,7 @@
 
 #include "base/err.h"
 #include "base/thread.h"
-#include "render/sample.h"
+#include "render/raygen.h"
 
 #include <math.h>
 #include <string.h>
@@ -90,7 +90,7 @@ pov_status settings_make(settings *s, const pov_render_desc *desc, const pov_cam
 {
     pov_status status = check_size(desc, err);
 
-    s->samples = camera->lens_radius > 0.0 && camera->lens_samples > 1 ? camera->lens_samples : 1;
+    s->samples = raygen_counts(camera) && camera->lens_samples > 1 ? camera->lens_samples : 1;
     s->width = desc->width;
     s->height = desc->height;
     s->wake = desc->wake;

@@ -64,12 +64,12 @@ static void find_middles(middles *m, const settings *s, pov_rect tile)
 static void number_samples(const worker *w, const settings *s, packet *c)
 {
     const pov_rect tile = w->claim.rect;
-    const bool random = w->job->scene->plan->random, lens = raygen_has_lens(&w->claim.camera);
+    const bool random = w->job->scene->plan->random, lens = raygen_counts(&w->claim.camera);
 
     for (uint32_t i = 0; (random || lens) && i < c->count; i++) {
         const int at = (int)(c->out[i] - w->pixels) / 4;
         const int x = s->crop.x + tile.x + at % tile.width, y = s->crop.y + tile.y + at / tile.width;
-        const sample on_lens = sample_on_lens(s->seed, x, y, 0, 0);
+        const sample on_lens = raygen_spread(&w->claim.camera, s->seed, x, y, 0);
 
         if (random)
             c->samples[i] = sample_id_of(s->seed, x, y, 0);
@@ -143,6 +143,8 @@ static void trace_block(worker *w, packet *together, const settings *s, const mi
 
     framebuffer_prefetch(&w->job->framebuffer, part);
     together->count = 0;
+    together->through.width = s->width;
+    together->through.height = s->height;
     for (int y = top; y < top + height; y += l.step)
         take_row(together, m, l, left, right, y, w->pixels + 4 * y * tile.width);
     if (s->sampling)

@@ -1,7 +1,8 @@
+#include "model/camera_mesh.h"
+#include "sdl/parse_camera_mesh.h"
 #include "sdl/parse_texture.h"
 #include "sdl/report.h"
 #include "sdl/textures.h"
-#include "sdl/unsupported.h"
 #include "sdl/value.h"
 
 #include <povtrace/exact.h>
@@ -104,13 +105,11 @@ static void check_angle(pov_reader *in, camera_parsed *c)
     report_fail(in, &c->angle_place, POV_E_SYNTAX, "the angle of a camera lies between 0 and 180 degrees");
 }
 
-/* Rays from the faces of a mesh. */
 static void read_mesh_camera(pov_reader *in, void *self, keyword_id keyword)
 {
-    ((camera_parsed *)self)->type = POV_CAMERA_PERSPECTIVE;
-    unsupported_note(in, &in->last, keyword, "\"mesh_camera\"");
-    if (in->token.kind == '{')
-        unsupported_skip_block(in);
+    (void)keyword;
+    ((camera_parsed *)self)->type = POV_CAMERA_MESH;
+    ((camera_parsed *)self)->mesh = parse_camera_mesh(in);
 }
 
 static void read_cylinder(pov_reader *in, camera_parsed *c)
@@ -336,6 +335,13 @@ static void set_lens(const camera_parsed *c, pov_camera *out)
     out->lens_radius = c->aperture > 0.0 && c->blur_samples > 0.0 && out->focal_distance > 0.0 ? 0.25 * c->aperture : 0.0;
 }
 
+static void set_mesh(const camera_parsed *c, model *m)
+{
+    m->camera_mesh = c->mesh;
+    m->camera.lens_radius = 0.0;
+    m->camera.lens_samples = c->mesh ? (int)c->mesh->rays : 0;
+}
+
 void parse_camera_finish(pov_reader *in)
 {
     const double pi = 3.14159265358979323846;
@@ -360,6 +366,8 @@ void parse_camera_finish(pov_reader *in)
     out->right = f.r;
     out->up = f.u;
     move(in, &c, out);
+    if (c.type == POV_CAMERA_MESH)
+        set_mesh(&c, in->model);
     in->model->camera_normal = c.normal;
     if (c.normal)
         textures_settle_normal(in, c.normal);

@@ -33,6 +33,7 @@ typedef struct camera_parsed {
     place angle_place;
     const transform *map;
     const normal_node *normal;   /* or NULL */
+    const struct camera_mesh *mesh;   /* of a mesh_camera */
 } camera_parsed;
 
 typedef struct settings_parsed {

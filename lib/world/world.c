@@ -64,7 +64,7 @@ static bool find_around(world *w, const compile_state *f, dielectric_list *out, 
             k++;
         m.solid = world_solid(w, leaf);
         box_around(f, i, k < f->finite_count && f->finite[k] == i, &m);
-        if (!wanted && m.boxed && !world_is_within(&m.box, w->model->camera.location))
+        if (!wanted && m.boxed && w->model->camera.type != POV_CAMERA_MESH && !world_is_within(&m.box, w->model->camera.location))
             continue;
         if (!VEC_PUSH(w->env, out, m))
             return false;

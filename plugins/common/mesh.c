@@ -196,3 +196,34 @@ uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_l
         which[i] = at[i];
     return 3;
 }
+
+/* ---- faces as they were written ---- */
+
+static void take_uv(const common_mesh *m, uint32_t face, pov_face *out)
+{
+    const uint32_t *at = m->uvs ? m->uv_faces[face].at : NULL;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        out->uv[i][0] = at && at[0] != COMMON_NO_TEXTURE ? m->uvs[at[i]].u : 0.0;
+        out->uv[i][1] = at && at[0] != COMMON_NO_TEXTURE ? m->uvs[at[i]].v : 0.0;
+    }
+}
+
+bool common_mesh_face(const void *self, uint32_t number, pov_face *out)
+{
+    const common_mesh *m = self;
+    const uint32_t face = number < m->face_count ? m->places[number] : 0;
+    const uint32_t *at = m->normals ? m->normal_faces[face].at : NULL;
+    int i;
+
+    if (number >= m->face_count)
+        return false;
+    out->normal = pov_unit(written_normal(m, face));
+    for (i = 0; i < 3; i++) {
+        out->corners[i] = pov_scale(*corner_of(m, face, i), 1.0 / m->scale);
+        out->normals[i] = at && at[0] != COMMON_NO_TEXTURE ? m->normals[at[i]] : out->normal;
+    }
+    take_uv(m, face, out);
+    return true;
+}

@@ -36,6 +36,7 @@ typedef struct common_mesh {
     const common_face *faces;
     const pov_hierarchy *tree;
     const float *blocks;         /* by leaf: those of its first face begin at COMMON_FACE_ROWS times its number */
+    const uint32_t *places;      /* of the faces, by their order in the text */
     uint32_t face_count;
     bool closed;                 /* each edge has an even number of faces */
     pov_vec3 toward;
@@ -67,6 +68,7 @@ bool common_mesh_shading_normal(const void *self, pov_vec3 point, pov_vec3 point
                                 pov_vec3 *out);
 uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                               uint32_t which[3], double share[3]);
+bool common_mesh_face(const void *self, uint32_t number, pov_face *out);
 
 /* The rest of a class and its plugin, whose functions are these. */
 #define COMMON_MESH_CLASS(word, read) \
@@ -85,6 +87,7 @@ uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_l
         .uv = common_mesh_uv, \
         .shading_normal = common_mesh_shading_normal, \
         .textures = common_mesh_textures, \
+        .face = common_mesh_face, \
     }
 
 #endif

@@ -177,6 +177,16 @@ static void keep_blocks(common_mesh *m, const making *k)
     m->blocks = f.blocks;
 }
 
+static void keep_places(common_mesh *m, const making *k)
+{
+    uint32_t *places = k->host->alloc(k->in, k->count * sizeof *places);
+    uint32_t i;
+
+    for (i = 0; places && i < k->count; i++)
+        places[k->order[i]] = i;
+    m->places = places;
+}
+
 static void keep(common_mesh *m, const common_mesh_parts *p, const making *k)
 {
     m->corners = keep_bytes(k, p->corners, p->corner_count, sizeof *p->corners);
@@ -186,6 +196,7 @@ static void keep(common_mesh *m, const common_mesh_parts *p, const making *k)
     m->uvs = keep_bytes(k, p->uvs, p->uv_count, sizeof *p->uvs);
     m->uv_faces = p->uv_faces ? keep_faces(k, p->uv_faces) : m->faces;
     m->textures = keep_faces(k, p->textures);
+    keep_places(m, k);
     keep_blocks(m, k);
     m->face_count = m->blocks ? p->face_count : 0;
 }

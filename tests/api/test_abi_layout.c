@@ -61,6 +61,7 @@ static void plugin_structs_stay_where_they_are(void **state)
     AT(pov_shape_class, extension, 104);
     AT(pov_shape_class, open, 112);
     AT(pov_shape_class, textures, 136);
+    AT(pov_shape_class, face, 144);
     AT(pov_image, pixels, 32);
     AT(pov_image, alpha, 40);
     AT(pov_image, gamma, 48);

@@ -88,11 +88,11 @@ POV_API void pov_scene_destroy(pov_scene *scene);
 
 /* (u, v) is a position on the screen, each from -1/2 to 1/2. PERSPECTIVE: rays start at location, with the direction
  * direction + u right + v up. ORTHOGRAPHIC: they start at location + u right + v up, all with the same direction. The
- * others: as docs/language.md says. */
+ * others: as docs/language.md says; MESH sees by the faces of the scene that it came with. */
 typedef enum pov_camera_type {
     POV_CAMERA_PERSPECTIVE, POV_CAMERA_ORTHOGRAPHIC, POV_CAMERA_FISHEYE, POV_CAMERA_ULTRA_WIDE, POV_CAMERA_OMNIMAX,
     POV_CAMERA_PANORAMIC, POV_CAMERA_SPHERICAL, POV_CAMERA_CYLINDER_1, POV_CAMERA_CYLINDER_2, POV_CAMERA_CYLINDER_3,
-    POV_CAMERA_CYLINDER_4, POV_CAMERA_TYPES
+    POV_CAMERA_CYLINDER_4, POV_CAMERA_MESH, POV_CAMERA_TYPES
 } pov_camera_type;
 
 typedef struct pov_camera {

@@ -142,6 +142,9 @@ enum {
     POV_SHAPE_ENDLESS = 1u << 6  /* what is inside() of it reaches beyond its bounds */
 };
 
+/* A triangle, its unit normal, and what is at its corners: unit normals that light sees, surface coordinates. */
+typedef struct pov_face { pov_vec3 corners[3], normal, normals[3]; double uv[3][2]; } pov_face;
+
 typedef struct pov_shape_class {
     uint32_t size, flags;
     const char *keyword;
@@ -190,6 +193,8 @@ typedef struct pov_shape_class {
      * add up to one. Returns how many; 0: the object's own texture. NULL: every part has that. */
     uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
                          double share[3]);
+    /* [load] For shapes made of triangles: the face of this number, from 0, in the order of the text. False: there is none. */
+    bool (*face)(const void *self, uint32_t number, pov_face *out);
 } pov_shape_class;
 
 #endif
