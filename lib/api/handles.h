@@ -5,6 +5,7 @@
 #include "api/explain.h"
 #include "base/env.h"
 #include "base/thread.h"
+#include "build/parts.h"
 #include "model/model.h"
 #include "plug/registry.h"
 #include "shade/shading.h"
@@ -15,6 +16,11 @@ struct pov_context {
     registry *plugins;
     mutex lock;                  /* guards users */
     int users;                   /* references: the program, and each scene */
+};
+
+struct pov_builder {
+    pov_context *context;
+    scene_parts parts;
 };
 
 struct pov_scene {

@@ -9,6 +9,7 @@
 #include "render/raygen.h"
 #include "sdl/reader.h"
 
+#include <povtrace/build.h>
 #include <povtrace/math.h>
 
 /* ---- loading ---- */
@@ -82,8 +83,7 @@ static reader_options reader_options_of(const pov_load_desc *d)
     return o;
 }
 
-static pov_status read_text(pov_scene *scene, const char *text, size_t length, const char *name,
-                            const pov_load_desc *d, pov_error *err)
+static pov_status read_parts(pov_scene *scene, const scene_parts *parts, const char *name, const pov_load_desc *d, pov_error *err)
 {
     reader_options options = reader_options_of(d);
     pov_load_desc told = *d;
@@ -93,10 +93,19 @@ static pov_status read_text(pov_scene *scene, const char *text, size_t length, c
     scene->model.most_rays = d->most_rays;
     options.progress = d->progress ? tell_reading : NULL;
     options.progress_user = &told;
-    status = reader_read(&scene->model, scene->context->plugins, text, length, name, &options, err);
+    status = reader_read_parts(&scene->model, scene->context->plugins, parts, name, &options, err);
 
     scene->parse_seconds = clock_seconds() - start;
     return status;
+}
+
+static pov_status read_text(pov_scene *scene, const char *text, size_t length, const char *name, const pov_load_desc *d,
+                            pov_error *err)
+{
+    build_part part = { .kind = BUILD_TEXT, .text = text, .name = name, .length = length };
+    const scene_parts one = { .parts = { &part, 1, 1 } };
+
+    return read_parts(scene, &one, name, d, err);
 }
 
 static pov_status create(pov_scene **out, pov_context *context, pov_error *err)
@@ -186,6 +195,20 @@ pov_status pov_scene_load_text(pov_scene **out, pov_context *context, const char
         return status;
     status = read_text(scene, text, length, name ? name : "(text)", &d, err);
     return conclude(out, scene, name ? name : "(text)", &d, status, err);
+}
+
+pov_status pov_scene_load_builder(pov_scene **out, const pov_builder *builder, const pov_load_desc *desc, pov_error *err)
+{
+    pov_load_desc d;
+    pov_status status = check(out, builder ? builder->context : NULL, builder, desc, &d, err);
+    pov_scene *scene = NULL;
+
+    if (status == POV_OK)
+        status = create(&scene, builder->context, err);
+    if (status < 0)
+        return status;
+    status = read_parts(scene, &builder->parts, "(builder)", &d, err);
+    return conclude(out, scene, "(builder)", &d, status, err);
 }
 
 void pov_scene_destroy(pov_scene *scene)

@@ -33,6 +33,21 @@ frame *frame_push_text(pov_reader *in, frame_kind kind, source *text)
     return push(in, &f);
 }
 
+void frame_begin_text(pov_reader *in, const char *text, size_t length, const char *name)
+{
+    static const token none;
+    source *s = source_add(&in->sources, text, length, name);
+
+    if (!s) {
+        report_memory(in);
+    } else if (in->frames.count == 0) {
+        frame_push_text(in, FRAME_SCENE, s);
+    } else {
+        in->top->text = s;
+        in->token = none;
+    }
+}
+
 frame *frame_push_tokens(pov_reader *in, frame_kind kind, token_buffer *tokens, size_t at, size_t end)
 {
     frame f = fresh(in, kind);

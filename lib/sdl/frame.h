@@ -6,6 +6,8 @@
 
 /* Tokens are the text's from here on. NULL: no memory, and the reader has failed. */
 frame *frame_push_text(pov_reader *in, frame_kind kind, source *text);
+/* The scene goes on with another text, behind which nothing waits; its first token is fetched by state_advance(). */
+void frame_begin_text(pov_reader *in, const char *text, size_t length, const char *name);
 /* Tokens are those of a buffer, which is in use until the frame goes. */
 frame *frame_push_tokens(pov_reader *in, frame_kind kind, token_buffer *tokens, size_t at, size_t end);
 /* The innermost frame goes, with the conditions that began in it if `conditions`. */

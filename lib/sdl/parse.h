@@ -68,6 +68,20 @@ void parse_object(pov_reader *in);
 /* An object is next: a statement, or the name of one. False: none is. */
 bool parse_object_try(pov_reader *in, object_parsed *out);
 bool parse_object_follows(const pov_reader *in);
+/* An object of which nothing has been read. */
+void parse_object_begin(pov_reader *in, object_parsed *o);
+/* Its modifiers, up to the end, which is not taken. */
+void parse_modifiers(pov_reader *in, object_parsed *o, int end);
+/* The class that the word names, or NULL. */
+const shape_class *parse_shape_class(pov_reader *in, symbol *word);
+/* Bytes of what a class parses. */
+static inline size_t parse_shape_size(const shape_class *shape)
+{
+    return shape->prepare ? shape->parsed_size : shape->instance_size;
+}
+/* Many a scene is of a few shapes in many places: what was written as it was the last time that its word stood there is
+ * kept once. */
+void parse_share_shape(pov_reader *in, symbol *word, leaf_node *o);
 /* A copy that lives while the scene is read, without what is not needed of it any more. NULL: no memory, and the reader
  * has failed. */
 object_parsed *parse_keep(pov_reader *in, const object_parsed *o);

@@ -263,6 +263,8 @@ static const keyword_id coming[] = { KEYWORD_NO_BUMP_SCALE, KEYWORD_OTHER };
 static const item_list modifiers = { "an object modifier", ITEMS(modifier_items), quiet, NULL, coming, VALUE_NOTHING,
                                      NULL };
 
+void parse_modifiers(pov_reader *in, object_parsed *o, int end) { items_until(in, end, &modifiers, o); }
+
 /* ---- the shape ---- */
 
 static void guess_keyword(void *user, const char *keyword)
@@ -290,8 +292,7 @@ static void refuse(pov_reader *in, const symbol *word)
     report_misplaced(in, "an object or a setting", &g);
 }
 
-/* The class that the word names, or NULL. */
-static const shape_class *find_shape(pov_reader *in, symbol *word)
+const shape_class *parse_shape_class(pov_reader *in, symbol *word)
 {
     pov_error error;
 
@@ -300,16 +301,9 @@ static const shape_class *find_shape(pov_reader *in, symbol *word)
     return word->shape;
 }
 
-static size_t parsed_size(const shape_class *shape)
+void parse_share_shape(pov_reader *in, symbol *word, leaf_node *o)
 {
-    return shape->prepare ? shape->parsed_size : shape->instance_size;
-}
-
-/* Many a scene is of a few shapes in many places: what was written as it was the last time that its word stood there is
- * kept once. */
-static void share_parsed(pov_reader *in, symbol *word, leaf_node *o)
-{
-    const size_t bytes = parsed_size(o->shape);
+    const size_t bytes = parse_shape_size(o->shape);
 
     if (word->last && memcmp(word->last, o->instance, bytes) == 0 &&
         arena_give_back(&in->model->memory, o->instance, bytes))
@@ -357,13 +351,13 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
         items_close(in, &b, &modifiers, o);
         return;
     }
-    o->leaf.instance = state_alloc(in, parsed_size(word->shape), 32);
+    o->leaf.instance = state_alloc(in, parse_shape_size(word->shape), 32);
     parse_parts_begin(in, &parts);
     if (o->leaf.instance)
         word->shape->parse(o->leaf.instance, &host_functions, in);
     parse_parts_end(in, &parts, o);
     if (!in->failed)
-        share_parsed(in, word, &o->leaf);
+        parse_share_shape(in, word, &o->leaf);
     items_close(in, &b, &modifiers, o);
 }
 
@@ -450,7 +444,7 @@ bool parse_object_follows(const pov_reader *in)
     }
 }
 
-static void begin(pov_reader *in, object_parsed *o)
+void parse_object_begin(pov_reader *in, object_parsed *o)
 {
     memset(o, 0, sizeof *o);
     parse_surface_begin(in, &o->surface);
@@ -467,7 +461,7 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
 {
     symbol *word = in->token.symbol;
 
-    begin(in, o);
+    parse_object_begin(in, o);
     if (in->token.kind != TOKEN_WORD)
         return false;
     switch (word->id) {
@@ -498,7 +492,7 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
             take_named(in, o);
         else if (word->binding || (word->id != KEYWORD_OTHER && !is_shape_keyword(word)))
             return false;
-        else if (find_shape(in, word))
+        else if (parse_shape_class(in, word))
             read_leaf(in, word, o);
         else
             return false;

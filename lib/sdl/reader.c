@@ -11,6 +11,7 @@
 #include "sdl/limit.h"
 #include "sdl/macro.h"
 #include "sdl/parse.h"
+#include "sdl/parse_arrays.h"
 #include "sdl/parse_pattern.h"
 #include "sdl/parse_radiosity.h"
 #include "sdl/recover.h"
@@ -274,33 +275,48 @@ static void decide_dialect(pov_reader *in)
         report_memory(in);
 }
 
-static void read(pov_reader *in, const char *text, size_t length, const char *name)
+static void read_text(pov_reader *in, const build_part *part, bool is_whole)
 {
-    source *s = source_add(&in->sources, text, length, name);
-    surface_parsed defaults;
-
-    if (!s) {
-        report_memory(in);
+    frame_begin_text(in, part->text, part->length, part->name);
+    if (in->failed)
         return;
-    }
-    memset(&defaults, 0, sizeof defaults);
-    material_init(&defaults.material);
-    in->defaults = &defaults;
-    if (!frame_push_text(in, FRAME_SCENE, s))
-        return;
-    if (!limit_input(in, length)) {
+    if (!limit_input(in, part->length)) {
         report_fail(in, &in->token.at, POV_E_IO, "the text is larger than the %zu bytes that may be read", in->limits.input);
         return;
     }
-    refuse_other_files(in, text, length);
-    declare_names(in, name);
+    refuse_other_files(in, part->text, part->length);
     state_advance(in);
-    if (!in->failed && state_at_end(in) && !in->povray_word.source)
+    if (is_whole && !in->failed && state_at_end(in) && !in->povray_word.source)
         report_fail(in, &in->token.at, POV_E_SYNTAX, "there is nothing in this text");
     parse_scene(in);
     if (!in->failed && in->conditions.count > 0)
         report_fail(in, &in->conditions.items[in->conditions.count - 1].at, POV_E_SYNTAX,
                     "there is no \"#end\" for this");
+}
+
+static void read_part(pov_reader *in, const scene_parts *all, const build_part *part)
+{
+    switch (part->kind) {
+    case BUILD_TEXT:
+        read_text(in, part, all->parts.count == 1);
+        break;
+    case BUILD_SHAPES:
+        parse_arrays(in, all, part);
+        break;
+    }
+}
+
+static void read(pov_reader *in, const scene_parts *parts, const char *name)
+{
+    surface_parsed defaults;
+
+    memset(&defaults, 0, sizeof defaults);
+    material_init(&defaults.material);
+    in->defaults = &defaults;
+    frame_begin_text(in, "", 0, name);
+    declare_names(in, name);
+    for (size_t i = 0; i < parts->parts.count && !in->failed; i++)
+        read_part(in, parts, &parts->parts.items[i]);
     if (!in->failed)
         decide_dialect(in);
     if (!in->failed)
@@ -312,11 +328,20 @@ static void read(pov_reader *in, const char *text, size_t length, const char *na
 pov_status reader_read(model *m, registry *plugins, const char *text, size_t length, const char *name,
                        const reader_options *options, pov_error *err)
 {
+    build_part part = { .kind = BUILD_TEXT, .text = text, .name = name, .length = length };
+    const scene_parts one = { .parts = { &part, 1, 1 } };
+
+    return reader_read_parts(m, plugins, &one, name, options, err);
+}
+
+pov_status reader_read_parts(model *m, registry *plugins, const scene_parts *parts, const char *name,
+                             const reader_options *options, pov_error *err)
+{
     pov_reader in;
     pov_status status = POV_OK;
 
     if (start(&in, m, plugins, options))
-        read(&in, text, length, name);
+        read(&in, parts, name);
     else
         report_memory(&in);
     if (options && options->max_trace_level > 0)

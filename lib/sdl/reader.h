@@ -2,6 +2,7 @@
 #ifndef SDL_READER_H
 #define SDL_READER_H
 
+#include "build/parts.h"
 #include "model/model.h"
 #include "plug/registry.h"
 
@@ -42,8 +43,10 @@ typedef struct reader_options {
     void *progress_user;
 } reader_options;
 
-/* Reads the whole text into m, which model_init() made ready. On failure m may hold a part; model_free() it.
- * */
+/* Reads all parts of a scene into m, which model_init() made ready. On failure m may hold a part; model_free() it. */
+pov_status reader_read_parts(model *m, registry *plugins, const scene_parts *parts, const char *name,
+                             const reader_options *options, pov_error *err);
+/* The same of one text. */
 pov_status reader_read(model *m, registry *plugins, const char *text, size_t length, const char *name,
                        const reader_options *options, pov_error *err);
 

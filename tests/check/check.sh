@@ -62,7 +62,7 @@ room() {
 }
 public='<povtrace/[a-z_]+\.h>'
 # All but the contract of plugins.
-plain='<povtrace/(povtrace|base|math|exact|scene|trace|render|image|plot)\.h>'
+plain='<povtrace/(povtrace|base|build|math|exact|scene|trace|render|image|plot)\.h>'
 room lib/include "$public"
 # The rooms of lib, by the table of docs/internals.md: a room includes itself and the rooms of its row. The contract of
 # plugins is for those whose row names one of its headers.

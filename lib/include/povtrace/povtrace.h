@@ -2,6 +2,7 @@
 #ifndef POVTRACE_H
 #define POVTRACE_H
 #include <povtrace/base.h>
+#include <povtrace/build.h>
 #include <povtrace/image.h>
 #include <povtrace/math.h>
 #include <povtrace/plot.h>

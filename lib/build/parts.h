@@ -1,0 +1,52 @@
+/* parts.h - the parts of a scene in their order: texts, and arrays of a program that stand for objects. */
+#ifndef BUILD_PARTS_H
+#define BUILD_PARTS_H
+
+#include "base/arena.h"
+
+#include <povtrace/math.h>
+
+/* Numbers or vectors: of the i-th object those at at + i*stride. */
+typedef struct build_column { const double *at; size_t stride; int width; } build_column;
+
+typedef enum build_kind { BUILD_TEXT, BUILD_SHAPES } build_kind;
+
+enum { BUILD_COLUMNS_MAX = 6 };
+
+typedef struct build_part {
+    build_kind kind;
+    const char *text, *name;     /* of a text; both end with a zero byte */
+    size_t length;
+    const char *word;            /* the shapes' keyword */
+    size_t count;
+    build_column columns[BUILD_COLUMNS_MAX];   /* in the order in which a text has them; the last ones have no width */
+    uint32_t material;           /* 0: none, else its number */
+} build_part;
+
+typedef struct build_material { const char *text; size_t length; } build_material;
+
+typedef struct build_parts { build_part *items; size_t count, capacity; } build_parts;
+typedef struct build_materials { build_material *items; size_t count, capacity; } build_materials;
+
+typedef struct scene_parts {
+    const env *env;
+    arena texts;
+    build_parts parts;
+    build_materials materials;   /* number 1 is the first */
+} scene_parts;
+
+void parts_init(scene_parts *p, const env *e);
+void parts_free(scene_parts *p);
+
+/* Each checks what it is given, and adds it or nothing. */
+pov_status parts_add_text(scene_parts *p, const char *text, size_t length, const char *name, pov_error *err);
+pov_status parts_add_material(scene_parts *p, const char *text, uint32_t *number, pov_error *err);
+/* part: its word, count, columns and material. */
+pov_status parts_add_shapes(scene_parts *p, const build_part *part, pov_error *err);
+
+static inline const build_material *parts_material(const scene_parts *p, uint32_t number)
+{
+    return number > 0 ? &p->materials.items[number - 1] : NULL;
+}
+
+#endif
