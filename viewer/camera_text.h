@@ -4,10 +4,11 @@
 
 #include <povtrace/scene.h>
 
-/* `camera { ... }` that reads back as this camera in a file of this dialect. In the course dialect it uses location,
- * look_at, up, right and angle, exact to the last digits but one. Mirrored or skewed cameras, and all in the povray
- * dialect, are written by their vectors, exactly, which make the file one of the povray dialect. `reach` is the
- * distance to look_at, in lengths of the direction. */
+/* `camera { ... }` for a person to read and edit: location, right, up, angle and look_at, each to a hundred-thousandth,
+ * that of `reach`, the distance to look_at in lengths of the direction. A skewed camera has no such form, nor has one
+ * that the dialect cannot say: it is written exactly. */
 void camera_text(const pov_camera *camera, pov_dialect dialect, double reach, char *out, size_t size);
+/* By its vectors, which read back bit-identical in the povray dialect, and make a file one of it. */
+void camera_text_exact(const pov_camera *camera, char *out, size_t size);
 
 #endif

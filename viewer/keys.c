@@ -122,7 +122,7 @@ static const keys_row rows[] = {
     { "comma", "a wider field of view", { ',' }, false, wider },
     { "period", "a narrower field of view", { '.' }, false, narrower },
     { "R, Enter", "back to the scene's camera", { 'r', APP_KEY_ENTER }, false, reset },
-    { "C", "print the camera as scene text", { 'c' }, false, copy_camera },
+    { "C", "copy the camera as scene text", { 'c' }, false, copy_camera },
     { "[, -", "a third of a stop less exposure", { '[', '-' }, false, darker },
     { "], +", "a third of a stop more exposure", { ']', '+', '=' }, false, brighter },
     { "Tab", "picture, normal, depth, samples, time, error, certainty", { APP_KEY_TAB }, false, show_next },

@@ -61,7 +61,7 @@ static void draw(viewer *v)
 
 pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_error *err)
 {
-    session_desc desc = { &v->args, s->post, s, by_steps };
+    session_desc desc = { &v->args, s->post, s->copy, s, by_steps };
     app_event size = { APP_SIZE, 0, false, 0.0, 0.0, 1.0 };
     pov_status status;
     int width, height;

@@ -1,6 +1,5 @@
 #include "session_state.h"
 
-#include "camera_text.h"
 #include "say.h"
 
 #include <pthread.h>
@@ -8,9 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
-enum { COARSEST = 16, MOST_SNAPSHOTS = 9999, POLITENESS = 5 };
+enum { COARSEST = 16, POLITENESS = 5 };
 
 static void warn(void *user, pov_log_level level, const pov_error *note)
 {
@@ -199,55 +197,6 @@ void session_load(session *s, const char *path)
     fail(s, &err);
 }
 
-/* ---- files ---- */
-
-/* File name: the scene's name without folder and ending, an unused number, .png; in the working folder. */
-static bool free_name(session *s, char *out, size_t size)
-{
-    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    size_t length = strcspn(base, ".");
-
-    while (s->snapshot < MOST_SNAPSHOTS) {
-        s->snapshot++;
-        snprintf(out, size, "%.*s-%03d.png", (int)length, base, s->snapshot);
-        if (access(out, F_OK) != 0)
-            return true;
-    }
-    return false;
-}
-
-static void take_snapshot(session *s)
-{
-    const picture *from = &s->picture;
-    helper_picture p = { s->job, NULL, from->width, from->height, app_gain(s->app), s->info.transfer };
-    size_t bytes = (size_t)from->width * (size_t)from->height * 4;
-    char name[300];
-
-    if (!s->job || !free_name(s, name, sizeof name))
-        return;
-    if (s->app->view != APP_PICTURE) {
-        p.bytes = malloc(bytes);
-        p.transfer = POV_TRANSFER_LINEAR;
-        if (p.bytes)
-            memcpy(p.bytes, from->pixels, bytes);
-    }
-    if ((s->app->view != APP_PICTURE && !p.bytes) || !helper_save(s->helper, name, &p)) {
-        free(p.bytes);
-        app_say(s->app, s->now, "not saved: no memory");
-    }
-}
-
-static void print_camera(const session *s)
-{
-    pov_camera camera = app_camera(s->app);
-    char text[1024];
-
-    camera_text(&camera, s->info.dialect, s->app->orbit.reach, text, sizeof text);
-    fputs(text, stdout);
-    fflush(stdout);
-    app_say(s->app, s->now, "the camera is printed on the terminal");
-}
-
 /* ---- from moment to moment ---- */
 
 static void take_results(session *s)
@@ -287,9 +236,9 @@ static void obey(session *s, unsigned orders)
     if (orders & APP_TONE)
         picture_expose(&s->picture, s->info.transfer, app_gain(s->app));
     if (orders & APP_PRINT)
-        print_camera(s);
+        session_print_camera(s);
     if (orders & APP_SNAPSHOT)
-        take_snapshot(s);
+        session_save(s);
     if (orders & APP_RELOAD)
         session_load(s, s->desc.args->scene);
 }

@@ -13,7 +13,8 @@ typedef struct session session;
 typedef struct session_desc {
     const args *args;
     void (*wake)(void *user);    /* called from any thread: session_update() has work */
-    void *wake_user;
+    void (*copy)(void *user, const char *text);   /* to the clipboard */
+    void *wake_user;             /* of both */
     bool by_steps;               /* session_step() traces, and no threads */
 } session_desc;
 

@@ -34,6 +34,9 @@ struct session {
 /* Is the view one of the job's? Other views are traced separately, while the job rests. */
 bool session_shows_job(const session *s);
 
+/* Write what is seen to a file; print and copy the camera. */
+void session_save(session *s);
+void session_print_camera(session *s);
 /* The queries of the app, with a session. */
 double session_probe(void *session, double x, double y);
 bool session_extent(void *session, double x, double y, pov_box *out);

@@ -19,6 +19,8 @@ struct surface {
     void (*wait)(surface *s, double seconds);
     void (*swap)(surface *s);
     void (*set_title)(surface *s, const char *title);
+    /* Put text into the clipboard, if there is one. */
+    void (*copy)(void *surface, const char *text);
     /* Hide the surface, before the end. */
     void (*hide)(surface *s);
     /* Wake the thread that waits. Any thread. */

@@ -162,6 +162,11 @@ static void set_title(surface *s, const char *title)
     glfwSetWindowTitle(((window_surface *)s)->window, title);
 }
 
+static void copy(void *s, const char *text)
+{
+    glfwSetClipboardString(((window_surface *)s)->window, text);
+}
+
 static void hide(surface *s)
 {
     glfwHideWindow(((window_surface *)s)->window);
@@ -228,6 +233,7 @@ surface *surface_glfw_open(int width, int height, const char *title, pov_error *
     w->base.wait = wait_for_events;
     w->base.swap = swap;
     w->base.set_title = set_title;
+    w->base.copy = copy;
     w->base.hide = hide;
     w->base.post = post;
     w->base.close = close_window;

@@ -93,6 +93,12 @@ static void set_title(surface *s, const char *title)
     (void)title;
 }
 
+static void copy(void *s, const char *text)
+{
+    (void)s;
+    (void)text;
+}
+
 static void close_memory(surface *s)
 {
     memory_surface *m = (memory_surface *)s;
@@ -170,6 +176,7 @@ surface *surface_osmesa_open(int width, int height, pov_error *err)
     m->base.wait = wait_for_post;
     m->base.swap = swap;
     m->base.set_title = set_title;
+    m->base.copy = copy;
     m->base.hide = hide;
     m->base.post = post;
     m->base.close = close_memory;

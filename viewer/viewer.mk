@@ -3,7 +3,8 @@ VIEWER_PACKAGES = glfw3 osmesa cairo
 VIEWER_SOURCES  = $(sort $(wildcard viewer/*.c))
 VIEWER_OBJECTS  = $(VIEWER_SOURCES:%.c=$(BUILD)/obj/%.o)
 # Tests of what needs none of the packages are built everywhere.
-VIEWER_PURE_TESTS = tests/viewer/test_orbit.c tests/viewer/test_app.c tests/viewer/test_args.c tests/viewer/test_keys.c
+VIEWER_PURE_TESTS = tests/viewer/test_orbit.c tests/viewer/test_app.c tests/viewer/test_args.c tests/viewer/test_keys.c \
+                    tests/viewer/test_camera_text.c
 POVVIEW         = $(BUILD)/bin/povview
 
 $(BUILD)/obj/viewer/%.o: ROOM_FLAGS = $(VIEWER_FLAGS) -Iviewer
