@@ -13,6 +13,7 @@ import csv
 import html
 import os
 import re
+import shutil
 import signal
 import subprocess
 import statistics
@@ -54,25 +55,31 @@ def all_scenes(options):
     return Path(folder), scenes
 
 
+GNU_TIME = shutil.which('time')
+
+
 class Run:
-    """One process: exit status (None: out of time), wall and processor seconds, most memory in KiB, what was said."""
+    """One process: exit status (None: out of time), wall and processor seconds, most memory in KiB (None: not known), what was
+    said. The system counts the memory of this script for a process that it starts; GNU time starts it from a small one."""
 
     def __init__(self, command, folder, seconds):
         start = time.monotonic()
-        with tempfile.TemporaryFile() as said:
-            process = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said)
+        with tempfile.TemporaryFile() as said, tempfile.NamedTemporaryFile('r') as most:
+            measured = [GNU_TIME, '-q', '-f', '%M', '-o', most.name, *command] if GNU_TIME else command
+            process = subprocess.Popen(measured, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said,
+                                       start_new_session=True)
             late = []
-            timer = threading.Timer(seconds, lambda: (late.append(True), process.send_signal(signal.SIGKILL)))
+            timer = threading.Timer(seconds, lambda: (late.append(True), os.killpg(process.pid, signal.SIGKILL)))
             timer.start()
             _, status, used = os.wait4(process.pid, 0)
             timer.cancel()
             process.returncode = os.waitstatus_to_exitcode(status)
             said.seek(0)
             self.said = said.read().decode('utf-8', 'replace')
+            self.memory = int(most.read() or 0) or None
         self.status = None if late else process.returncode
         self.wall = time.monotonic() - start
         self.cpu = used.ru_utime + used.ru_stime
-        self.memory = used.ru_maxrss
 
 
 def frames_of(scene):
@@ -256,14 +263,15 @@ def write_times(pairs, out):
     whole = sorted(row['their_seconds'] / row['seconds'] for row in pairs)
     cpu = [row['their_cpu'] / row['cpu'] for row in pairs]
     trace = [row['their_trace'] / row['trace'] for row in pairs if row['their_trace'] and row['trace']]
-    less = sum(row['memory'] <= row['their_memory'] for row in pairs)
+    known = [row for row in pairs if row['memory'] and row['their_memory']]
+    less = sum(row['memory'] <= row['their_memory'] for row in known)
     slower = sorted((row for row in pairs if row['their_cpu'] < row['cpu']), key=lambda row: row['their_cpu'] / row['cpu'])
     out.write(f'## Times and memory\n\nOf the scenes that match, {len(pairs)} were measured with both programs. POV-Ray takes the following times as long as povc '
               '(on a machine that was not idle; processor time is the least disturbed):\n\n| | median | least |\n|---|---|---|\n')
     for what, values in (('whole process, wall time', whole), ('whole process, processor time', cpu), ('tracing, processor time', trace)):
         if values:
             out.write(f'| {what} | {statistics.median(values):.1f} | {min(values):.2f} |\n')
-    out.write(f'\npovc takes at most the memory of POV-Ray in {less} of {len(pairs)}.')
+    out.write(f'\npovc takes at most the memory of POV-Ray in {less} of {len(known)}.')
     if slower:
         out.write(' Slower than POV-Ray by processor time:\n\n| scene | povc s | POV-Ray s |\n|---|---|---|\n')
         out.writelines(f'| {row["scene"]} | {number(row["cpu"])} | {number(row["their_cpu"])} |\n' for row in slower)
