@@ -1,179 +1,437 @@
-/* Scenes from arrays: bit for bit those of the text that the calls name, and what a builder refuses. */
+/* Scenes from arrays: bit for bit those of their texts, and errors of bad arguments. */
 #include "support/check.h"
+#include "support/failing.h"
 #include "support/scenes.h"
 
-#include <povtrace/build.h>
-
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 48, HEIGHT = 36, COUNT = 5, TEXT = 1 << 14 };
+enum { COUNT = 40, WIDTH = 64, HEIGHT = 48, BYTES = WIDTH * HEIGHT * 4 * (int)sizeof(float) };
 
-#define HEAD "#version 3.7; camera { location <1, 2, -6> look_at <0, .5, 0> } light_source { <4, 9, -7> rgb 1 }\n" \
-             "#declare Red = texture { pigment { rgb <1, .2, .1> } finish { phong .5 } }\n"
-#define TAIL "plane { y, -.7 pigment { checker rgb 1 rgb .6 } }\n"
+static const char head[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                           "#include \"colors.inc\"\n"
+                           "camera { location <0, 1, -6> look_at 0 } light_source { <5, 9, -7> rgb 1 }\n"
+                           "#declare Shiny = finish { phong .8 reflection .2 };\n";
+static const char tail[] = "plane { y, -2 pigment { checker rgb 1, Red } }\n";
 
+/* Materials that are read in different ways: constant, moved with the object, clipped, none. */
 static const char *const materials[] = {
-    "", "texture { Red }", "pigment { rgb <.1, .8, .3> } rotate 20*y translate .1*x", "pigment { granite scale .4 } finish { reflection .3 }",
-    "pigment { rgbt <.8, .9, 1, .7> } interior { ior 1.4 } no_shadow",
+    "pigment { rgb <.9, .3, .2> } finish { Shiny }",
+    "texture { pigment { granite scale .3 } } rotate 30*y translate .1*x no_shadow",
+    "pigment { Green } clipped_by { sphere { 0, 1.5 } }",
+    "texture { pigment { rgbt .8 } finish { Shiny } } interior { ior 1.3 }",
+    "",
 };
 
-typedef struct arrays { pov_vec3 a[COUNT], b[COUNT], corners[3 * COUNT], normals[3 * COUNT]; double r[COUNT], s[COUNT]; } arrays;
+typedef struct values { pov_vec3 a[3 * COUNT], b[3 * COUNT]; double r[COUNT], s[COUNT]; } values;
 
-static double place(int i, double step) { return fmod((i + 1) * step, 1.0) * 3.0 - 1.5; }
-
-static void fill(arrays *v)
+static double next(uint32_t *state)
 {
-    for (int i = 0; i < COUNT; i++) {
-        v->a[i] = pov_vec3_of(place(i, 0.618), place(i, 0.414), place(i, 0.732));
-        v->b[i] = pov_add(v->a[i], pov_vec3_of(0.3 + 0.1 * i, 0.7, 0.2));
-        v->r[i] = 0.1 + 0.07 * i;
-        v->s[i] = 0.31 / (i + 1);
-    }
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) / 16777216.0;
+}
+
+static void fill(values *v)
+{
+    uint32_t state = 7;
+
     for (int i = 0; i < 3 * COUNT; i++) {
-        v->corners[i] = pov_vec3_of(place(i, 0.37), place(i, 0.71), place(i, 0.53));
-        v->normals[i] = pov_vec3_of(place(i, 0.11), 2.0, place(i, 0.29));
+        v->a[i] = pov_vec3_of(4.0 * next(&state) - 2.0, 3.0 * next(&state) - 1.5, 4.0 * next(&state) - 2.0);
+        v->b[i] = pov_add(v->a[i], pov_vec3_of(0.9 * next(&state), 0.1 + 0.9 * next(&state), 0.9 * next(&state)));
+    }
+    for (int i = 0; i < COUNT; i++) {
+        v->r[i] = 0.1 + 0.3 * next(&state);
+        v->s[i] = 0.1 + 0.3 * next(&state);
     }
 }
 
-static int put(char *out, size_t at, pov_vec3 p)
+/* ---- the equivalent text ---- */
+
+enum { TEXT_MAX = 1 << 16 };
+
+typedef struct text { char at[TEXT_MAX]; size_t length; } text;
+
+static void put(text *t, const char *format, ...)
 {
-    return snprintf(out + at, TEXT - at, "<%.17g, %.17g, %.17g>", p.x, p.y, p.z);
+    va_list args;
+
+    va_start(args, format);
+    t->length += (size_t)vsnprintf(t->at + t->length, TEXT_MAX - t->length, format, args);
+    va_end(args);
+    assert_true(t->length < TEXT_MAX);
 }
 
-#define PUT(...) (at += (size_t)snprintf(text + at, TEXT - at, __VA_ARGS__))
-#define PUT_VEC(v) (at += (size_t)put(text, at, v))
+static void put_vector(text *t, pov_vec3 v, const char *behind) { put(t, "<%.17g, %.17g, %.17g>%s", v.x, v.y, v.z, behind); }
+static void put_number(text *t, double v, const char *behind) { put(t, "%.17g%s", v, behind); }
 
-/* The text that the calls of build() name. */
-static void write_text(const arrays *v, const char *material, char *text)
+typedef struct kind {
+    const char *word;
+    void (*put)(text *t, const values *v, int i);
+    pov_status (*add)(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err);
+} kind;
+
+static void put_sphere(text *t, const values *v, int i)
 {
-    size_t at = 0;
+    put_vector(t, v->a[i], ", ");
+    put_number(t, v->r[i], " ");
+}
 
-    PUT("%s", HEAD);
-    for (int i = 0; i < COUNT; i++)
-        PUT("sphere { "), PUT_VEC(v->a[i]), PUT(", %.17g %s }\n", v->r[i], material);
-    for (int i = 0; i < COUNT; i++)
-        PUT("cylinder { "), PUT_VEC(v->a[i]), PUT(", "), PUT_VEC(v->b[i]), PUT(", %.17g %s }\n", v->s[i], material);
-    PUT("%s", TAIL);
-    for (int i = 0; i < COUNT; i++)
-        PUT("cone { "), PUT_VEC(v->a[i]), PUT(", %.17g, ", v->r[i]), PUT_VEC(v->b[i]), PUT(", %.17g %s }\n", v->s[i], material);
-    for (int i = 0; i < COUNT; i++)
-        PUT("box { "), PUT_VEC(v->a[i]), PUT(", "), PUT_VEC(v->b[i]), PUT(" %s }\n", material);
-    for (int i = 0; i < 3 * COUNT; i += 3)
-        PUT("triangle { "), PUT_VEC(v->corners[i]), PUT(", "), PUT_VEC(v->corners[i + 1]), PUT(", "), PUT_VEC(v->corners[i + 2]), PUT(" %s }\n", material);
-    for (int i = 0; i < 3 * COUNT; i += 3) {
-        PUT("smooth_triangle { ");
-        for (int k = i; k < i + 3; k++)
-            PUT_VEC(v->corners[k]), PUT(", "), PUT_VEC(v->normals[k]), PUT(k < i + 2 ? ", " : " ");
-        PUT("%s }\n", material);
+static pov_status add_spheres(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err)
+{
+    return pov_builder_add_spheres(b, count, v->a, v->r, material, err);
+}
+
+static void put_cylinder(text *t, const values *v, int i)
+{
+    put_vector(t, v->a[i], ", ");
+    put_vector(t, v->b[i], ", ");
+    put_number(t, v->r[i], " ");
+}
+
+static pov_status add_cylinders(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err)
+{
+    return pov_builder_add_cylinders(b, count, v->a, v->b, v->r, material, err);
+}
+
+static void put_cone(text *t, const values *v, int i)
+{
+    put_vector(t, v->a[i], ", ");
+    put_number(t, v->r[i], ", ");
+    put_vector(t, v->b[i], ", ");
+    put_number(t, v->s[i], " ");
+}
+
+static pov_status add_cones(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err)
+{
+    return pov_builder_add_cones(b, count, v->a, v->r, v->b, v->s, material, err);
+}
+
+static void put_box(text *t, const values *v, int i)
+{
+    put_vector(t, v->a[i], ", ");
+    put_vector(t, v->b[i], " ");
+}
+
+static pov_status add_boxes(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err)
+{
+    return pov_builder_add_boxes(b, count, v->a, v->b, material, err);
+}
+
+static void put_triangle(text *t, const values *v, int i)
+{
+    for (int k = 0; k < 3; k++)
+        put_vector(t, v->a[3 * i + k], k < 2 ? ", " : " ");
+}
+
+static pov_status add_triangles(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err)
+{
+    return pov_builder_add_triangles(b, count, v->a, NULL, material, err);
+}
+
+static void put_smooth_triangle(text *t, const values *v, int i)
+{
+    for (int k = 0; k < 3; k++) {
+        put_vector(t, v->a[3 * i + k], ", ");
+        put_vector(t, v->b[3 * i + k], k < 2 ? ", " : " ");
     }
-    assert_true(at < TEXT - 1);
 }
 
-static pov_builder *build(pov_context *context, const arrays *v, const char *text)
+static pov_status add_smooth_triangles(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err)
+{
+    return pov_builder_add_triangles(b, count, v->a, v->b, material, err);
+}
+
+static const kind kinds[] = {
+    { "sphere", put_sphere, add_spheres },
+    { "cylinder", put_cylinder, add_cylinders },
+    { "cone", put_cone, add_cones },
+    { "box", put_box, add_boxes },
+    { "triangle", put_triangle, add_triangles },
+    { "smooth_triangle", put_smooth_triangle, add_smooth_triangles },
+};
+
+static const size_t kind_count = sizeof kinds / sizeof *kinds, material_count = sizeof materials / sizeof *materials;
+
+/* ---- both ---- */
+
+static float *render(pov_scene *scene)
+{
+    pov_render_desc d = POV_INIT(d);
+    float *pixels;
+
+    d.width = WIDTH;
+    d.height = HEIGHT;
+    pixels = scenes_render(scene, &d);
+    pov_scene_destroy(scene);
+    return pixels;
+}
+
+static pov_builder *builder_of(pov_context *context)
 {
     pov_builder *b;
-    uint32_t m = POV_NO_MATERIAL;
 
     assert_int_equal(pov_builder_create(&b, context, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_text(b, HEAD, strlen(HEAD), NULL, NULL), POV_OK);
-    if (*text)
-        assert_int_equal(pov_builder_material(b, text, &m, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_spheres(b, COUNT, v->a, v->r, m, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_cylinders(b, COUNT, v->a, v->b, v->s, m, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_text(b, TAIL, strlen(TAIL), "floor", NULL), POV_OK);
-    assert_int_equal(pov_builder_add_cones(b, COUNT, v->a, v->r, v->b, v->s, m, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_boxes(b, COUNT, v->a, v->b, m, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_triangles(b, COUNT, v->corners, NULL, m, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_triangles(b, COUNT, v->corners, v->normals, m, NULL), POV_OK);
     return b;
 }
 
-static float *draw(pov_scene *scene)
+static void add_text(pov_builder *b, const char *t)
 {
-    pov_render_desc desc = POV_INIT(desc);
-    float *picture;
-
-    desc.width = WIDTH;
-    desc.height = HEIGHT;
-    picture = scenes_render(scene, &desc);
-    pov_scene_destroy(scene);
-    return picture;
+    assert_int_equal(pov_builder_add_text(b, t, strlen(t), NULL, NULL), POV_OK);
 }
 
-static void arrays_give_the_scene_of_the_text(void **state)
+static uint32_t material_of(pov_builder *b, const char *t)
 {
-    pov_context *context = scenes_context();
-    static char text[TEXT];
-    arrays v;
+    uint32_t number;
 
-    (void)state;
-    fill(&v);
-    for (size_t i = 0; i < sizeof materials / sizeof materials[0]; i++) {
-        pov_builder *b = build(context, &v, materials[i]);
-        pov_scene *built;
-        pov_error err;
-        float *by_arrays, *by_text;
-
-        if (pov_scene_load_builder(&built, b, NULL, &err) != POV_OK)
-            fail_msg("%s: %s", materials[i], err.message);
-        write_text(&v, materials[i], text);
-        by_arrays = draw(built);
-        by_text = draw(scenes_text(context, text));
-        assert_memory_equal(by_arrays, by_text, sizeof(float[4]) * WIDTH * HEIGHT);
-        free(by_arrays);
-        free(by_text);
-        pov_builder_destroy(b);
-    }
-    pov_context_destroy(context);
+    assert_int_equal(pov_builder_material(b, t, &number, NULL), POV_OK);
+    return number;
 }
 
-static void bad_arguments_are_refused_and_add_nothing(void **state)
+static pov_scene *load(pov_builder *b)
+{
+    pov_error err = { POV_OK };
+    pov_scene *scene = NULL;
+
+    if (pov_scene_load_builder(&scene, b, NULL, &err) < 0)
+        fail_msg("%s:%d:%d: %s", err.file, err.line, err.column, err.message);
+    return scene;
+}
+
+static float *draw_arrays(const kind *k, const values *v, const char *material)
 {
     pov_context *context = scenes_context();
-    pov_builder *b;
-    pov_scene *scene;
-    uint32_t m;
-    pov_error err;
-    arrays v;
+    pov_builder *b = builder_of(context);
+    float *pixels;
 
-    (void)state;
-    fill(&v);
-    assert_int_equal(pov_builder_create(NULL, context, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_create(&b, NULL, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_create(&b, context, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_text(b, NULL, 0, NULL, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_material(b, NULL, &m, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_material(b, "no_shadow", NULL, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_add_spheres(b, COUNT, NULL, v.r, 0, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_add_spheres(b, COUNT, v.a, NULL, 0, NULL), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_add_spheres(b, COUNT, v.a, v.r, 7, &err), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_add_spheres(NULL, COUNT, v.a, v.r, 0, NULL), POV_E_ARGUMENT);
-    v.r[3] = NAN;
-    assert_int_equal(pov_builder_add_spheres(b, COUNT, v.a, v.r, 0, &err), POV_E_ARGUMENT);
-    assert_non_null(strstr(err.message, "sphere 3 of 5"));
-    assert_int_equal(pov_builder_add_spheres(b, 0, NULL, NULL, 0, NULL), POV_OK);
-    assert_int_equal(pov_builder_add_text(b, TAIL, strlen(TAIL), NULL, NULL), POV_OK);
-    assert_int_equal(pov_scene_load_builder(&scene, b, NULL, &err), POV_OK);
-    pov_scene_destroy(scene);
-    v.b[2] = v.a[2];
-    assert_int_equal(pov_builder_add_cylinders(b, COUNT, v.a, v.b, v.s, 0, NULL), POV_OK);
-    assert_int_not_equal(pov_scene_load_builder(&scene, b, NULL, &err), POV_OK);
-    assert_non_null(strstr(err.message, "cylinder 2 of 5"));
-    assert_null(scene);
+    add_text(b, head);
+    assert_int_equal(k->add(b, v, COUNT, material_of(b, material), NULL), POV_OK);
+    add_text(b, tail);
+    pixels = render(load(b));
     pov_builder_destroy(b);
-    pov_builder_destroy(NULL);
     pov_context_destroy(context);
+    return pixels;
+}
+
+static float *draw_text(const kind *k, const values *v, const char *material)
+{
+    static text t;
+
+    t.length = 0;
+    put(&t, "%s", head);
+    for (int i = 0; i < COUNT; i++) {
+        put(&t, "%s { ", k->word);
+        k->put(&t, v, i);
+        put(&t, "%s }\n", material);
+    }
+    put(&t, "%s", tail);
+    return scenes_draw(t.at, WIDTH, HEIGHT, 0, 0);
+}
+
+static bool is_one_colour(const float *pixels)
+{
+    for (int i = 4; i < WIDTH * HEIGHT * 4; i++)
+        if (pixels[i] != pixels[i % 4])
+            return false;
+    return true;
+}
+
+static void arrays_are_bit_for_bit_as_their_text(void **state)
+{
+    static values v;
+
+    (void)state;
+    fill(&v);
+    for (size_t k = 0; k < kind_count; k++)
+        for (size_t m = 0; m < material_count; m++) {
+            float *arrays = draw_arrays(&kinds[k], &v, materials[m]), *written = draw_text(&kinds[k], &v, materials[m]);
+
+            if (memcmp(arrays, written, BYTES) != 0)
+                fail_msg("%s with the material \"%s\" is not as its text", kinds[k].word, materials[m]);
+            assert_false(is_one_colour(arrays));
+            free(arrays);
+            free(written);
+        }
+}
+
+static void a_builder_loads_again_and_arrays_alone_are_a_scene(void **state)
+{
+    pov_context *context = scenes_context();
+    pov_builder *b = builder_of(context);
+    static values v;
+
+    (void)state;
+    fill(&v);
+    assert_int_equal(pov_builder_add_spheres(b, COUNT, v.a, v.r, POV_NO_MATERIAL, NULL), POV_OK);
+    for (int i = 0; i < 2; i++) {
+        pov_scene *scene = load(b);
+
+        assert_int_equal(pov_scene_object_count(scene), COUNT);
+        pov_scene_destroy(scene);
+    }
+    pov_builder_destroy(b);
+    pov_context_destroy(context);
+}
+
+/* ---- errors ---- */
+
+static void bad_numbers_are_refused_at_once(void **state)
+{
+    static const double bad[] = { NAN, HUGE_VAL, -HUGE_VAL };
+    pov_context *context = scenes_context();
+    pov_builder *b = builder_of(context);
+    pov_error err;
+    static values v;
+
+    (void)state;
+    for (size_t k = 0; k < kind_count; k++)
+        for (int i = 0; i < 3; i++) {
+            fill(&v);
+            v.a[kinds[k].add == add_triangles ? 3 * COUNT - 1 : COUNT - 1].z = bad[i];
+            assert_int_equal(kinds[k].add(b, &v, COUNT, POV_NO_MATERIAL, &err), POV_E_ARGUMENT);
+            assert_non_null(strstr(err.message, kinds[k].word));
+        }
+    assert_int_equal(pov_scene_object_count(NULL), 0);
+    pov_builder_destroy(b);
+    pov_context_destroy(context);
+}
+
+static void missing_arguments_are_refused(void **state)
+{
+    pov_context *context = scenes_context();
+    pov_builder *b = builder_of(context), *none;
+    const pov_vec3 at = { 0.0, 0.0, 0.0 };
+    const double r = 1.0;
+    pov_scene *scene;
+    uint32_t number;
+
+    (void)state;
+    assert_int_equal(pov_builder_create(NULL, context, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_create(&none, NULL, NULL), POV_E_ARGUMENT);
+    assert_null(none);
+    assert_int_equal(pov_builder_add_text(b, NULL, 3, NULL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_text(NULL, "", 0, NULL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_material(b, NULL, &number, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_material(b, "", NULL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_spheres(NULL, 1, &at, &r, POV_NO_MATERIAL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_spheres(b, 1, NULL, &r, POV_NO_MATERIAL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_spheres(b, 1, &at, NULL, POV_NO_MATERIAL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_spheres(b, 1, &at, &r, 1, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_spheres(b, SIZE_MAX, &at, &r, POV_NO_MATERIAL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_builder_add_spheres(b, 0, NULL, NULL, POV_NO_MATERIAL, NULL), POV_OK);
+    assert_int_equal(pov_scene_load_builder(&scene, NULL, NULL, NULL), POV_E_ARGUMENT);
+    assert_int_equal(pov_scene_load_builder(NULL, b, NULL, NULL), POV_E_ARGUMENT);
+    pov_builder_destroy(NULL);
+    pov_builder_destroy(b);
+    pov_context_destroy(context);
+}
+
+static pov_error error_of(pov_builder *b)
+{
+    pov_scene *scene;
+    pov_error err = { POV_OK };
+
+    assert_true(pov_scene_load_builder(&scene, b, NULL, &err) < 0);
+    assert_null(scene);
+    return err;
+}
+
+static void errors_of_loading_say_where_they_are(void **state)
+{
+    const pov_vec3 ends[2] = { { 0.0, 1.0, 0.0 }, { 1.0, 1.0, 1.0 } }, same[2] = { { 2.0, 1.0, 0.0 }, { 1.0, 1.0, 1.0 } };
+    const double r[2] = { 1.0, 1.0 };
+    pov_context *context = scenes_context();
+    pov_builder *b = builder_of(context);
+    pov_error err;
+
+    (void)state;
+    assert_int_equal(pov_builder_add_cylinders(b, 2, ends, same, r, POV_NO_MATERIAL, NULL), POV_OK);
+    err = error_of(b);
+    assert_int_equal(err.status, POV_E_ARGUMENT);
+    assert_string_equal(err.message, "cylinder 1 of 2: a cylinder needs two different ends");
+    pov_builder_destroy(b);
+
+    b = builder_of(context);
+    assert_int_equal(pov_builder_add_spheres(b, 2, ends, r, material_of(b, "pigment { rgb 1 }\n pigmet { }"), NULL), POV_OK);
+    err = error_of(b);
+    assert_int_equal(err.status, POV_E_SYNTAX);
+    assert_int_equal(err.line, 2);
+    assert_string_equal(err.hint, "pigment");
+    pov_builder_destroy(b);
+
+    b = builder_of(context);
+    add_text(b, "#if (1) sphere { 0, 1 }");
+    assert_int_equal(pov_builder_add_spheres(b, 2, ends, r, POV_NO_MATERIAL, NULL), POV_OK);
+    add_text(b, "#end");
+    err = error_of(b);
+    assert_int_equal(err.status, POV_E_SYNTAX);
+    assert_string_equal(err.message, "there is no \"#end\" for this");
+    pov_builder_destroy(b);
+    pov_context_destroy(context);
+}
+
+/* ---- memory that ends ---- */
+
+static pov_status whole_way(failing *f, const values *v)
+{
+    pov_context_desc d = POV_INIT(d);
+    pov_context *context = NULL;
+    pov_builder *b = NULL;
+    pov_scene *scene = NULL;
+    pov_status status;
+    uint32_t number = 0;
+
+    d.allocator = failing_allocator(f);
+    d.plugin_path = TEST_PLUGINS;
+    status = pov_context_create(&context, &d, NULL);
+    if (status == POV_OK)
+        status = pov_builder_create(&b, context, NULL);
+    if (status == POV_OK)
+        status = pov_builder_add_text(b, head, strlen(head), NULL, NULL);
+    if (status == POV_OK)
+        status = pov_builder_material(b, materials[1], &number, NULL);
+    if (status == POV_OK)
+        status = pov_builder_add_cones(b, COUNT, v->a, v->r, v->b, v->s, number, NULL);
+    if (status == POV_OK)
+        status = pov_scene_load_builder(&scene, b, NULL, NULL);
+    pov_scene_destroy(scene);
+    pov_builder_destroy(b);
+    pov_context_destroy(context);
+    return status;
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    pov_status status = POV_E_MEMORY;
+    static values v;
+    long n;
+
+    (void)state;
+    fill(&v);
+    for (n = 1; status != POV_OK; n++) {
+        failing f;
+
+        failing_init(&f, n);
+        status = whole_way(&f, &v);
+        if (status != POV_OK && status != POV_E_MEMORY)
+            fail_msg("allocation %ld: %s", n, pov_status_name(status));
+        assert_int_equal(f.blocks, 0);
+    }
+    assert_true(n > 20);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(arrays_give_the_scene_of_the_text),
-        cmocka_unit_test(bad_arguments_are_refused_and_add_nothing),
+        cmocka_unit_test(arrays_are_bit_for_bit_as_their_text),
+        cmocka_unit_test(a_builder_loads_again_and_arrays_alone_are_a_scene),
+        cmocka_unit_test(bad_numbers_are_refused_at_once),
+        cmocka_unit_test(missing_arguments_are_refused),
+        cmocka_unit_test(errors_of_loading_say_where_they_are),
+        cmocka_unit_test(every_allocation_may_fail),
     };
 
-    return cmocka_run_group_tests_name("builders", tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }
