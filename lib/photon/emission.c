@@ -114,7 +114,11 @@ bool emission_is_source(const light *l)
     return !colour_is_black(l->color) && !(l->flags & LIGHT_SHADOWLESS) && l->group == 0 && l->through_count == 0;
 }
 
-static bool add(photon_aims *list, const photon_aim *a) { return VEC_PUSH(list->env, list, *a); }
+static bool add(photon_aims *list, photon_aim *a)
+{
+    a->number = (uint32_t)list->count;
+    return VEC_PUSH(list->env, list, *a);
+}
 
 /* From one origin to one target. */
 static bool add_origin(photon_aims *list, photon_aim a, const photon_target *t, const pov_box *around)
@@ -207,11 +211,12 @@ void emission_free(photon_aims *a)
 
 static double fraction(double x) { return x - floor(x); }
 
-/* The place of an emission in its rectangle: Roberts's sequence of two dimensions, by the root of x^3 = x + 1. */
-static void place_of(uint64_t map, uint32_t i, double out[2])
+/* The place of an emission in its rectangle: Roberts's sequence of two dimensions, by the root of x^3 = x + 1. Aims have
+ * shifts of their own: those of the points of an area light are much alike, and so would be their errors. */
+static void place_of(const photon_aim *a, uint64_t map, uint32_t i, double out[2])
 {
     static const double step[2] = { 0.7548776662466927, 0.5698402909980532 };
-    const uint64_t bits = mix_bits(map * 0x9e3779b97f4a7c15u + 1);
+    const uint64_t bits = mix_bits(map * 0x9e3779b97f4a7c15u + 1 + (uint64_t)a->number * 0xd1342543de82ef95u);
 
     out[0] = fraction((double)(bits >> 32) * 0x1p-32 + fraction((double)i * step[0]));
     out[1] = fraction((double)(bits & 0xffffffff) * 0x1p-32 + fraction((double)i * step[1]));
@@ -242,7 +247,7 @@ void emission_rays(const photon_aim *a, uint64_t map, uint32_t first, uint32_t n
         double at[2];
         pov_vec3 to;
 
-        place_of(map, first + i, at);
+        place_of(a, map, first + i, at);
         to = pov_add(a->corner, pov_add(pov_scale(a->sides[0], at[0]), pov_scale(a->sides[1], at[1])));
         *ray = fresh;
         ray->origin_surface = POV_NO_OWNER;

@@ -15,6 +15,7 @@ typedef struct photon_target { pov_box box; bool boxed; } photon_target;
 typedef struct photon_aim {
     const light *light;          /* as it is, but it does not fade */
     light_origin from;
+    uint32_t number;             /* of the aim */
     uint32_t light_number, target;   /* indices */
     pov_vec3 corner, sides[2];   /* of the rectangle: directions from the origin, or starts of parallel light */
     double area;                 /* of the rectangle */

@@ -8,8 +8,9 @@
 
 /* ---- the profile ---- */
 
-/* One channel: distances of the poles from the surface, the attenuation between them, and the reduced albedo. */
-typedef struct channel { double real, image, fades, albedo; } channel;
+/* One channel: distances of the poles from the surface, the attenuation between them, and the reduced albedo. norm: what
+ * makes what each pole gives to the plane a density; share: the first pole's part of both. */
+typedef struct channel { double height[2], fades, albedo, norm[2], share; } channel;
 typedef struct below { channel of[3]; double ior; } below;
 
 static const double pi = 3.14159265358979323846;
@@ -48,8 +49,11 @@ static double boundary_of(double ior)
 
 static channel channel_of(double length, double reflected, double boundary)
 {
-    const double albedo = subsurface_albedo(reflected, boundary);
-    const channel out = { length, length * (1.0 + 4.0 / 3.0 * boundary), sqrt(3.0 * (1.0 - albedo)) / length, albedo };
+    const double albedo = subsurface_albedo(reflected, boundary), fades = sqrt(3.0 * (1.0 - albedo)) / length;
+    const double image = length * (1.0 + 4.0 / 3.0 * boundary), real_left = elementary_exp(-fades * length);
+    const double image_left = elementary_exp(-fades * image);
+    const channel out = { { length, image }, fades, albedo, { 0.5 / (pi * real_left), 0.5 / (pi * image_left) },
+                          real_left / (real_left + image_left) };
 
     return out;
 }
@@ -80,15 +84,14 @@ static double pole(double height, double fades, double square)
 /* Light that leaves per area at this squared distance from where it enters. */
 static double profile(const channel *c, double square)
 {
-    return c->albedo / (4.0 * pi) * (pole(c->real, c->fades, square) + pole(c->image, c->fades, square));
+    return c->albedo / (4.0 * pi) * (pole(c->height[0], c->fades, square) + pole(c->height[1], c->fades, square));
 }
 
 /* ---- points of the surface ---- */
 
 /* Where light may enter: lines through the neighbourhood of a point, along its normal and across. */
-enum { AXES = 3, PROBES = 16, CROSSINGS = 8, PURPOSE = 0x5355 };
-static const int axis_of[PROBES] = { 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2 };
-static const double probes_of[AXES] = { 8.0, 4.0, 4.0 };
+enum { AXES = 3, PROBES = 32, CROSSINGS = 8, PURPOSE = 0x5355 };
+static const double probes_of[AXES] = { 16.0, 8.0, 8.0 };
 
 typedef struct search {
     shade_context *context;
@@ -98,17 +101,69 @@ typedef struct search {
     colour sum;
 } search;
 
-/* A pole lights the plane so: the density of the distances that are drawn. Each of the six poles is drawn alike. */
+/* Channels that are alike are drawn as one. */
+static int channels_of(const below *m)
+{
+    const channel *c = m->of;
+
+    return c[0].height[0] == c[1].height[0] && c[0].height[0] == c[2].height[0] && c[0].fades == c[1].fades &&
+           c[0].fades == c[2].fades ? 1 : 3;
+}
+
+/* The density of the distances that are drawn: for each channel alike, what its poles give to the plane. */
 static double disc_density(const below *m, double square)
 {
+    const int count = channels_of(m);
     double sum = 0.0;
 
-    for (int i = 0; i < 6; i++) {
-        const double h = i & 1 ? m->of[i / 2].image : m->of[i / 2].real, d = sqrt(square + h * h);
+    for (int c = 0; c < count; c++) {
+        const channel *of = &m->of[c];
 
-        sum += h / (2.0 * pi * d * d * d);
+        sum += of->share * of->norm[0] * pole(of->height[0], of->fades, square) +
+               (1.0 - of->share) * of->norm[1] * pole(of->height[1], of->fades, square);
     }
-    return sum / 6.0;
+    return sum / count;
+}
+
+/* What is drawn beyond this distance. */
+static double beyond_disc(const below *m, double square)
+{
+    const int count = channels_of(m);
+    double sum = 0.0;
+
+    for (int c = 0; c < count; c++)
+        for (int k = 0; k < 2; k++) {
+            const channel *of = &m->of[c];
+            const double h = of->height[k], d = sqrt(square + h * h);
+
+            sum += (k ? 1.0 - of->share : of->share) * h / d * elementary_exp(-of->fades * (d - h));
+        }
+    return sum / count;
+}
+
+/* The distance beyond which `rest` is drawn, by Newton's steps for the logarithm, and halving where these leave what is
+ * known. */
+static double draw_radius(const below *m, double rest)
+{
+    double lo = 0.0, hi = m->of[0].height[1] / rest, r;
+
+    for (int c = 1; c < 3; c++)
+        hi = fmax(hi, m->of[c].height[1] / rest);
+    r = fmin(hi, m->of[0].height[0]);
+    for (int i = 0; i < 40; i++) {
+        const double is = beyond_disc(m, r * r), slope = 2.0 * pi * r * disc_density(m, r * r);
+        double next;
+
+        if (is > rest)
+            lo = r;
+        else
+            hi = r;
+        next = r + elementary_log(is / rest) * is / slope;
+        if (fabs(next - r) <= 0x1p-24 * r)
+            break;
+        r = next > lo && next < hi ? next : 0.5 * (lo + hi);
+    }
+    return r;
 }
 
 /* How densely points around `to` with this normal are drawn, by all axes together. */
@@ -225,16 +280,13 @@ static const double before = 64.0;
 
 static void probe(search *s, int k, sequence_point at)
 {
-    const double six = 6.0 * at.x, rest = six - floor(six);
-    const int pick = (int)six < 6 ? (int)six : 5;
-    const double h = pick & 1 ? s->in.of[pick / 2].image : s->in.of[pick / 2].real, cosine = 1.0 - rest;
-    const double r = h * sqrt(fmax(1.0 / (cosine * cosine) - 1.0, 0.0)), angle = 2.0 * pi * at.y;
-    const int axis = axis_of[k];
+    const double r = draw_radius(&s->in, fmax(1.0 - at.x, 0x1p-60)), angle = 2.0 * pi * at.y;
+    const int axis = k < 16 ? 0 : k < 24 ? 1 : 2;
     const pov_vec3 a = s->axes[axis], u = s->axes[(axis + 1) % AXES], v = s->axes[(axis + 2) % AXES];
     const pov_vec3 side = pov_add(pov_scale(u, r * elementary_cos(angle)), pov_scale(v, r * elementary_sin(angle)));
     pov_ray ray = { .origin_surface = POV_NO_OWNER };
 
-    ray.org = pov_add(s->from->at->point, pov_add(side, pov_scale(a, before * (r + h))));
+    ray.org = pov_add(s->from->at->point, pov_add(side, pov_scale(a, before * (r + s->in.of[0].height[0]))));
     ray.dir = pov_scale(a, -1.0);
     follow_line(s, ray);
 }

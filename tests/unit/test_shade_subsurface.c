@@ -74,6 +74,28 @@ static void even_light_gives_the_albedo(void **state)
     }
 }
 
+/* Distances are drawn as the profile has them, for all channels together: one sample of a pixel is hardly noisy. */
+static void even_light_has_little_noise(void **state)
+{
+    float *p = scenes_draw(SCENE("subsurface { }") "box { <-90,-90,0>, <90,90,60> pigment { rgb <.9,.5,.2> } interior { ior 1.3 }"
+                           "finish { ambient 0 diffuse 1 subsurface { translucency <1,.5,2> } } }"
+                           "light_source { <0,0,-1000> rgb 1 parallel point_at 0 }", WIDTH, HEIGHT, 1, 0);
+
+    (void)state;
+    for (int c = 0; c < 3; c++) {
+        double sum = 0.0, squares = 0.0, mean;
+
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            sum += (double)p[4 * i + c];
+            squares += (double)p[4 * i + c] * (double)p[4 * i + c];
+        }
+        mean = sum / (WIDTH * HEIGHT);
+        if (!(sqrt(squares / (WIDTH * HEIGHT) - mean * mean) < 0.03 * mean))
+            fail_msg("channel %d: noise %g of %g", c, sqrt(squares / (WIDTH * HEIGHT) - mean * mean), mean);
+    }
+    free(p);
+}
+
 /* A plate half a mean free path thick. */
 static void a_plate_lets_light_through(void **state)
 {
@@ -103,6 +125,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_albedo_gives_what_it_was_solved_for),
         cmocka_unit_test(even_light_gives_the_albedo),
+        cmocka_unit_test(even_light_has_little_noise),
         cmocka_unit_test(a_plate_lets_light_through),
         cmocka_unit_test(without_the_setting_light_is_diffuse),
     };
