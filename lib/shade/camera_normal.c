@@ -23,7 +23,7 @@ void camera_normal_apply(const model *m, const double *u, const double *v, uint3
         lanes_put(&points.uv, i, zero);
         points.map[i] = NULL;
     }
-    normal_eval(m, m->camera_normal, &points, n, &bent);
+    normal_eval(m, m->camera_normal, NULL, &points, n, &bent);
     for (uint32_t i = 0; i < n; i++)
         if (!is_outside(&rays[i]))
             rays[i].dir = lanes_at(&bent, i);

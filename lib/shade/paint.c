@@ -247,6 +247,6 @@ pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *
         return h->normal;
     begin_single(&g, scene, of, h, facing(ray, h), pov_unit(ray->dir));
     lanes_put(&normal, 0, facing(ray, h));
-    normal_eval(scene->model, of->normal, &g.points, 1, &normal);
+    normal_eval(scene->model, of->normal, NULL, &g.points, 1, &normal);
     return lanes_at(&normal, 0);
 }

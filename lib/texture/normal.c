@@ -303,10 +303,27 @@ static void to_objects(const texture_points *points, uint32_t n, vec_lanes *norm
     }
 }
 
-void normal_eval(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal)
+static void through_blends(const model *m, const normal_blend *b, uint32_t n, vec_lanes *normal, bool back)
+{
+    normal_map map;
+
+    if (!b)
+        return;
+    if (!back)
+        through_blends(m, b->around, n, normal, false);
+    if (map_of_pattern(m, b->pattern, &map))
+        (back ? leave_all : enter_all)(&map, n, normal);
+    if (back)
+        through_blends(m, b->around, n, normal, true);
+}
+
+void normal_eval(const model *m, const normal_node *of, const normal_blend *around, const texture_points *points,
+                 uint32_t n, vec_lanes *normal)
 {
     to_objects(points, n, normal, false);
+    through_blends(m, around, n, normal, false);
     eval(m, of, points, n, normal);
+    through_blends(m, around, n, normal, true);
     to_objects(points, n, normal, true);
     make_unit(n, normal);
 }

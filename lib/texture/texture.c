@@ -2,8 +2,9 @@
 #include "texture/normal.h"
 #include "texture/points.h"
 
-/* Lanes of a node, which of the caller's they are, and their shares. */
+/* Lanes of a node, which of the caller's they are, and their shares; the blends that the node is in. */
 typedef struct part {
+    const normal_blend *around;
     uint32_t n;
     uint8_t lane[LANES_MAX];
     float share[LANES_MAX];
@@ -31,12 +32,12 @@ static void put(const part *p, uint32_t i, const texture *layer, const pigment *
 }
 
 /* Without a surface there is no normal. */
-static void find_normals(const model *m, const texture *layer, const texture_points *points, uint32_t n, vec_lanes *out)
+static void find_normals(const model *m, const texture *layer, const texture_points *points, const part *p, vec_lanes *out)
 {
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 0; i < p->n; i++)
         lanes_put(out, i, points->has_surface ? lanes_at(&points->normal, i) : pov_vec3_of(0.0, 0.0, 0.0));
     if (layer->normal && points->has_surface)
-        normal_eval(m, layer->normal, points, n, out);
+        normal_eval(m, layer->normal, p->around, points, p->n, out);
 }
 
 static bool asks_for_normal(const pigment_node *p)
@@ -74,7 +75,7 @@ static void add_stack(terms *t, const texture *of, const texture_points *points,
     for (uint32_t k = 0; k < count; k++) {
         const texture *layer = layers[count - 1 - k];
 
-        find_normals(t->model, layer, points, p->n, &normals);
+        find_normals(t->model, layer, points, p, &normals);
         find_pigments(t->model, layer, points, p->n, &normals, pigments);
         for (uint32_t i = 0; i < p->n; i++) {
             texture_term *out = &t->items[t->count + i * count + k];
@@ -113,6 +114,7 @@ static void add_member(terms *t, const texture *member, const blending *b, uint3
     texture_points picked;
     part own;
 
+    own.around = outer->around;
     own.n = blend_lanes(b, number, own.lane, own.share);
     if (own.n == 0)
         return;
@@ -126,7 +128,9 @@ static void add_member(terms *t, const texture *member, const blending *b, uint3
 
 static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p)
 {
+    const normal_blend own = { of->pattern, p->around };
     texture_points inner;
+    part outer;
     blending b;
 
     if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS) {
@@ -134,8 +138,11 @@ static void add_terms(terms *t, const texture *of, const texture_points *points,
         return;
     }
     find(t->model, of, points, p->n, &inner, &b);
+    outer = *p;
+    if (of->blend != BLEND_PARTS)
+        outer.around = &own;
     for (uint32_t k = 0; k < of->count; k++)
-        add_member(t, of->textures[k], &b, k, &inner, p);
+        add_member(t, of->textures[k], &b, k, &inner, &outer);
 }
 
 uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out)
@@ -143,6 +150,7 @@ uint32_t texture_eval(const model *m, const texture *of, const texture_points *p
     terms t = { m, out, 0 };
     part all;
 
+    all.around = NULL;
     all.n = n;
     for (uint32_t i = 0; i < n; i++) {
         all.lane[i] = (uint8_t)i;

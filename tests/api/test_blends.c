@@ -1,0 +1,75 @@
+/* Blends of textures: members that are not given, and transformations around members. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define EYE "#version 3.7; camera { orthographic location <0,0,-10> direction z right .001*x up .001*y } "
+#define EYES "#version 3.7; camera { location <0,1,-5> look_at 0 angle 25 } light_source { <-6,0,-7> rgb 1 } "
+#define TURN " scale <1,2,.7> rotate <20,30,80> "
+#define GLOW " finish { ambient 1 diffuse 0 } "
+
+static void assert_red(const char *scene, double red, double green)
+{
+    char text[768];
+    float *p;
+
+    snprintf(text, sizeof text, EYE "%s", scene);
+    p = scenes_draw(text, 1, 1, 1, 1);
+    if (fabs((double)p[0] - red) > 1e-6 || fabs((double)p[1] - green) > 1e-6)
+        fail_msg("%s: %f %f, not %f %f", scene, (double)p[0], (double)p[1], red, green);
+    free(p);
+}
+
+/* Colours that are not given are the pattern's own. */
+static void members_that_a_list_does_not_give_are_the_defaults(void **state)
+{
+    (void)state;
+    assert_red("sphere { 0, 1 pigment { checker rgb 1 translate <.5,.5,.5> + x }" GLOW "}", 0.0, 1.0);
+    assert_red("sphere { 0, 1 pigment { checker pigment { rgb 1 } translate <.5,.5,.5> + x }" GLOW "}", 0.0, 0.0);
+    assert_red("#default { pigment { rgb x } } sphere { 0, 1 pigment { checker pigment { rgb 1 } translate <.5,.5,.5> + x }" GLOW "}", 1.0, 0.0);
+    assert_red("#default { pigment { rgb x } finish { ambient .5 diffuse 0 } } "
+               "sphere { 0, 1 texture { checker texture { pigment { rgb 1 } } translate <.5,.5,.5> + x } }", 0.5, 0.0);
+    assert_red("sphere { 0, 1 pigment { object { sphere { 0, 2 } pigment { rgb 1 } } }" GLOW "}", 0.0, 0.0);
+}
+
+/* A texture on a ball that is turned looks as the whole ball turned. */
+static void bumps_turn_with_the_blend_that_they_are_in(void **state)
+{
+    static const char *const blends[] = {
+        "bozo texture_map { [0 %s] [1 pigment { rgb .5 }] }", "checker texture { %s } texture { pigment { rgb 1 } }",
+        "average texture_map { [1 %s] [1 pigment { rgb 1 }] }", "bozo texture_map { [0 marble texture_map { [0 %s] } rotate 20*z ] }",
+    };
+    enum { W = 12, H = 9 };
+    const char *const bumps = "pigment { rgb 1 } normal { gradient x 2 sine_wave scale .2 }";
+    char texture[256], text[1024];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof blends / sizeof blends[0]; i++) {
+        float *p[2];
+
+        snprintf(texture, sizeof texture, blends[i], bumps);
+        for (int whole = 0; whole < 2; whole++) {
+            snprintf(text, sizeof text, whole ? EYES "sphere { 0, 1 scale 1 / <1,2,.7> texture { %s }" TURN "}"
+                                              : EYES "sphere { 0, 1 texture { %s" TURN "} }", texture);
+            p[whole] = scenes_draw(text, W, H, 1, 1);
+        }
+        for (int k = 0; k < 4 * W * H; k++)
+            if (fabs((double)p[0][k] - (double)p[1][k]) > 1e-5)
+                fail_msg("%s: number %d is %f and %f", blends[i], k, (double)p[0][k], (double)p[1][k]);
+        free(p[0]);
+        free(p[1]);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(members_that_a_list_does_not_give_are_the_defaults),
+        cmocka_unit_test(bumps_turn_with_the_blend_that_they_are_in),
+    };
+
+    return cmocka_run_group_tests_name("blends of textures", tests, NULL, NULL);
+}
