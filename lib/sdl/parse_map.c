@@ -4,6 +4,7 @@
 #include "sdl/parse_texture.h"
 #include "sdl/report.h"
 #include "sdl/value.h"
+#include "texture/pattern.h"
 
 #include <string.h>
 
@@ -159,6 +160,38 @@ static void keep(pov_reader *in, value_kind kind, const entry_list *list, bool h
     out->values = in->failed || !has_values ? NULL : intern(in, values, count * sizeof *values, count * sizeof *values);
     env_free(in->model->env, members);
     env_free(in->model->env, values);
+}
+
+static const void *default_of(pov_reader *in, value_kind kind)
+{
+    static const pigment black = { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f };
+    surface_parsed s;
+
+    switch (kind) {
+    case VALUE_PIGMENT_MAP:
+        return in->defaults->pigment ? in->defaults->pigment : textures_constant(in, &black);
+    case VALUE_DENSITY_MAP:
+        report_expected(in, "\"density\"");
+        return NULL;
+    case VALUE_NORMAL_MAP:
+        return in->defaults->normal;
+    default:
+        parse_surface_begin(in, &s);
+        return parse_surface_node(in, &s);
+    }
+}
+
+void parse_map_complete(pov_reader *in, uint32_t count, map_parsed *list)
+{
+    const void *members[PATTERN_LIST_MAX];
+
+    if (in->failed || list->count >= count)
+        return;
+    memcpy(members, list->members, list->count * sizeof *members);
+    for (uint32_t i = list->count; i < count; i++)
+        members[i] = default_of(in, list->kind);
+    list->count = count;
+    list->members = in->failed ? NULL : intern(in, members, count * sizeof *members, count * sizeof *members);
 }
 
 void parse_map(pov_reader *in, value_kind kind, map_parsed *out)

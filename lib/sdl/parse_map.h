@@ -19,5 +19,7 @@ value_kind parse_map_kind(keyword_id keyword);
 void parse_map(pov_reader *in, value_kind kind, map_parsed *out);
 /* Blocks that begin with the word of a map's members, at most so many. False: none is next. */
 bool parse_map_list(pov_reader *in, value_kind kind, uint32_t most, map_parsed *out);
+/* Make a list whole: members that it does not give are what #default says. */
+void parse_map_complete(pov_reader *in, uint32_t count, map_parsed *list);
 
 #endif

@@ -73,8 +73,8 @@ static bool read_pattern(pov_reader *in, normal_reading *r)
         memset(&r->map, 0, sizeof r->map);
     if (r->pattern.image.has_bump_size)
         r->amount = r->pattern.image.bump_size;
-    if (class->count > 0)
-        parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map);
+    if (class->count > 0 && parse_map_list(in, VALUE_NORMAL_MAP, class->count, &r->map))
+        parse_map_complete(in, class->count, &r->map);
     parse_pattern_close(in, &r->pattern);
     if (r->map.count > 0)
         return true;

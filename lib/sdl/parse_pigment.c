@@ -93,27 +93,13 @@ static void read_colours(pov_reader *in, pigment_reading *r, const pattern_class
     r->map.members = intern(in, list, class->count * sizeof *list, class->count * sizeof *list);
 }
 
-/* Pigments that a list does not give are the pattern's own. */
-static void complete_list(pov_reader *in, map_parsed *map, const pattern_class *class)
-{
-    const pigment_node *list[PATTERN_LIST_MAX];
-
-    if (in->failed || map->count >= class->count)
-        return;
-    memcpy(list, map->members, map->count * sizeof *list);
-    for (uint32_t i = map->count; i < class->count; i++)
-        list[i] = textures_constant(in, &class->list[i]);
-    map->count = class->count;
-    map->members = intern(in, list, class->count * sizeof *list, class->count * sizeof *list);
-}
-
 static void read_list(pov_reader *in, pigment_reading *r)
 {
     const pattern_class *class = r->pattern.parsed.pattern.class;
     const value_kind kind = r->kind == VALUE_DENSITY ? VALUE_DENSITY_MAP : VALUE_PIGMENT_MAP;
 
     if (parse_map_list(in, kind, class->count, &r->map))
-        complete_list(in, &r->map, class);
+        parse_map_complete(in, class->count, &r->map);
     else
         read_colours(in, r, class);
 }
