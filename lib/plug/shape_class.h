@@ -47,6 +47,9 @@ void shape_class_fill(shape_class *out, const pov_shape_class *from);
 /* NULL when the class keeps the form of the contract, else a message that says what is wrong. */
 const char *shape_class_check(const pov_shape_class *c);
 
+/* Patches have no inside, and normals that nothing inverts. A mesh without inside vector is not one of them. */
+static inline bool shape_is_patch(const shape_class *c) { return !(c->flags & POV_SHAPE_SOLID); }
+
 /* Has the shape that parse() wrote an inside? */
 static inline bool shape_is_solid(const shape_class *c, const void *parsed)
 {

@@ -273,7 +273,7 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
 
     info->slot = (casts ? COMPILE_CASTS : 0) | (transparent ? 0 : COMPILE_OPAQUE) | (plain ? COMPILE_PLAIN : 0);
     info->material = o->material;
-    info->inverse = (o->flags & LEAF_INVERSE) != 0;
+    info->inverse = (o->flags & LEAF_INVERSE) != 0 && !shape_is_patch(o->shape);
     info->member = member;
     info->smooth = o->shape->shading_normal != NULL;
     info->no_image = (o->flags & LEAF_NO_IMAGE) != 0;

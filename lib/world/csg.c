@@ -27,11 +27,12 @@ typedef struct inherited { bool complement, turned, hidden; } inherited;
 
 static node_ref add_node(making *k, node_ref node, uint32_t parent, inherited from);
 
-/* A patch has no complement. */
+/* What has no inside has no complement. */
 static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited from)
 {
     const leaf_node *o = &k->model->leaves.items[leaf];
     const uint32_t which = leaf - k->tree->members[0].leaf;
+    const bool turns = from.complement != ((o->flags & LEAF_INVERSE) != 0);
     csg_member *m = &k->tree->members[which];
 
     m->shape = o->shape;
@@ -39,8 +40,8 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
     m->node = node;
     m->hidden = from.hidden;
     m->patch = !shape_is_solid(o->shape, o->instance);
-    m->inverse = !m->patch && from.complement != ((o->flags & LEAF_INVERSE) != 0);
-    m->turned = !m->patch && from.turned != m->inverse;
+    m->inverse = !m->patch && turns;
+    m->turned = !shape_is_patch(o->shape) && from.turned != turns;
     return which;
 }
 

@@ -182,7 +182,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     if (!at)
         return true;
     if (csg_member_at(w, at)->patch)
-        enters = csg_slope(w, at) < 0.0;
+        enters = (csg_slope(w, at) < 0.0) != csg_member_at(w, at)->turned;
     return csg_report(at, enters, hits) && !(hits->want == POV_WANT_NEAREST && at->t > hits->tmin);
 }
 

@@ -131,6 +131,26 @@ static double find_plane(common_polygon *s, const common_corner *corners)
     return largest;
 }
 
+/* The normal's side is that of the first three corners that are not on a line: clockwise, seen from it. */
+static double choose_side(common_polygon *s, const common_corner *corners, double largest)
+{
+    const pov_vec3 n = pov_two3_hi(s->normal);
+    double side = 0.0;
+    uint32_t i;
+
+    for (i = 2; largest > 0.0 && i < s->count && !(fabs(side) > 0x1p-40); i++) {
+        const pov_vec3 a = pov_two3_hi(offset_of(s, &corners[i - 1])), b = pov_two3_hi(offset_of(s, &corners[i]));
+
+        side = pov_dot(pov_unit(n), pov_cross_product(pov_unit(a), pov_unit(b)));
+    }
+    if (side < 0.0) {
+        s->normal.x = pov_two_neg(s->normal.x);
+        s->normal.y = pov_two_neg(s->normal.y);
+        s->normal.z = pov_two_neg(s->normal.z);
+    }
+    return largest;
+}
+
 /* Tolerance of a corner's distance from the plane if each coordinate was rounded once, which moves a corner by at most
  * sqrt(3) roundings. Relative to the first corner it is a b + c, with b and c the two others of the plane and |a| <= 2,
  * |c| <= 1 in their units by their choice. With the first corner's own error that makes 8 such moves; as much again is
@@ -199,7 +219,7 @@ static double take_corners(common_polygon *s, common_corner *corners, uint32_t c
         put_near(s, corners);
     else
         s->corners = corners;
-    return find_plane(s, corners);
+    return choose_side(s, corners, find_plane(s, corners));
 }
 
 /* largest: the length of the normal so far; off: the largest distance of a corner from the plane. */

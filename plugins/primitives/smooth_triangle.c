@@ -8,6 +8,22 @@ static void read_vector(const pov_host *host, pov_reader *in, pov_vec3 *out)
     host->accept(in, ",");
 }
 
+/* As in POV-Ray the side of the normals is the front, and a triangle whose normals are not all on one side is dropped. */
+static bool choose_side(common_triangle *t)
+{
+    int front = 0, back = 0, i;
+
+    for (i = 0; i < 3; i++) {
+        const double side = pov_dot(t->normal, t->at_corner[i]);
+
+        front += side > 0.0;
+        back += side < 0.0;
+    }
+    if (back == 3)
+        t->normal = pov_scale(t->normal, -1.0);
+    return front == 3 || back == 3;
+}
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     common_triangle *t = self;
@@ -25,6 +41,10 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     common_triangle_make(t, corner);
     if (!t->seen)
         host->warn(in, "the corners of this triangle lie on a line: it is not seen");
+    else if (!choose_side(t)) {
+        t->seen = false;
+        host->warn(in, "the normals of this triangle are not all on one side of it: it is not seen");
+    }
 }
 
 static const pov_shape_fast smooth_triangle_fast = {

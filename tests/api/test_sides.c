@@ -1,0 +1,100 @@
+/* Which side of a surface is its back, where interior_texture shows: in the middle of the picture, as in POV-Ray 3.7. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TWO " texture { pigment { rgb <1,0,0> } finish { ambient 1 diffuse 0 } } " \
+            "interior_texture { pigment { rgb <0,1,0> } finish { ambient 1 diffuse 0 } } "
+#define SQUARE "polygon { 5, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1>" TWO
+#define TRIANGLE "triangle { <-1,-1,0>, <1,-1,0>, <0,1,0> "
+#define SMOOTH(a, b, c) "smooth_triangle { <-1,-1,0>, " a ", <1,-1,0>, " b ", <0,1,0>, " c TWO
+#define MESH "mesh { " TRIANGLE "} "
+#define SURFACE "parametric { function { u } function { v } function { 0 } <-1,-1>, <1,1> contained_by { box { -1, 1 } } "
+#define PATCH "bicubic_patch { type 1 u_steps 1 v_steps 1 <-1,-1,0> <-.3,-1,0> <.3,-1,0> <1,-1,0> <-1,-.3,0> <-.3,-.3,0> <.3,-.3,0> <1,-.3,0> " \
+              "<-1,.3,0> <-.3,.3,0> <.3,.3,0> <1,.3,0> <-1,1,0> <-.3,1,0> <.3,1,0> <1,1,0> " TWO
+
+typedef enum side { NOTHING, FRONT, BACK } side;
+static const char *const names[] = { "nothing", "the front", "the back" };
+
+static void assert_side(const char *object, side wanted)
+{
+    char text[1024];
+    float *p;
+    side seen;
+
+    snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <0,0,-10> direction z right .001*x up .001*y } "
+             "background { rgb <0,0,1> } %s", object);
+    p = scenes_draw(text, 1, 1, 1, 1);
+    seen = p[0] == 1.0f ? FRONT : p[1] == 1.0f ? BACK : NOTHING;
+    free(p);
+    if (seen != wanted)
+        fail_msg("%s: %s is seen, not %s", object, names[seen], names[wanted]);
+}
+
+static void the_first_corners_of_a_polygon_give_its_side(void **state)
+{
+    (void)state;
+    assert_side(SQUARE "}", BACK);
+    assert_side(SQUARE "rotate 180*y }", FRONT);
+    assert_side(SQUARE "scale <-1,1,1> }", BACK);
+    assert_side(SQUARE "scale <1,1,-1> }", FRONT);
+    assert_side("polygon { 7, <1,1>, <.5,.5>, <.2,1.5>, <-1,1>, <-1,-1>, <1,-1>, <1,1>" TWO "}", FRONT);
+    assert_side("polygon { 6, <-1,-1>, <0,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1>" TWO "}", BACK);
+    assert_side("polygon { 6, <-1,-1>, <.5,-.9>, <1,-1>, <1,1>, <-1,1>, <-1,-1>" TWO "}", FRONT);
+}
+
+static void normals_of_a_smooth_triangle_give_its_side(void **state)
+{
+    (void)state;
+    assert_side(SMOOTH("-z", "-z", "-z") "}", FRONT);
+    assert_side(SMOOTH("z", "z", "z") "}", BACK);
+    assert_side(SMOOTH("-z", "-z", "-z") "scale <1,1,-1> }", BACK);
+    assert_side(SMOOTH("z", "-z", "-z") "}", NOTHING);
+    assert_side(SMOOTH("x", "-z", "-z") "}", NOTHING);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, z, <0,1,0>, z }" TWO "}", FRONT);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, -z, <0,1,0>, z }" TWO "}", FRONT);
+}
+
+static void a_parametric_surface_faces_the_turn_from_v_to_u(void **state)
+{
+    (void)state;
+    assert_side(SURFACE TWO "}", BACK);
+    assert_side(SURFACE TWO "rotate 180*y }", FRONT);
+}
+
+static void patches_are_not_inverted(void **state)
+{
+    (void)state;
+    assert_side(TRIANGLE TWO "inverse }", FRONT);
+    assert_side(SMOOTH("-z", "-z", "-z") "inverse }", FRONT);
+    assert_side(SQUARE "inverse }", BACK);
+    assert_side(PATCH "}", FRONT);
+    assert_side(PATCH "inverse }", FRONT);
+    assert_side("difference { sphere { 0, 1.5 } " TRIANGLE "} " TWO "}", FRONT);
+}
+
+static void meshes_are_inverted(void **state)
+{
+    (void)state;
+    assert_side(MESH TWO "}", FRONT);
+    assert_side(MESH TWO "inverse }", BACK);
+    assert_side("difference { sphere { 0, 1.5 } " MESH "} " TWO "}", BACK);
+    assert_side("difference { sphere { 0, 1.5 } " MESH "rotate 180*y } " TWO "}", FRONT);
+    assert_side("union { " MESH "} sphere { 5, .1 } inverse " TWO "}", BACK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_first_corners_of_a_polygon_give_its_side),
+        cmocka_unit_test(normals_of_a_smooth_triangle_give_its_side),
+        cmocka_unit_test(a_parametric_surface_faces_the_turn_from_v_to_u),
+        cmocka_unit_test(patches_are_not_inverted),
+        cmocka_unit_test(meshes_are_inverted),
+    };
+
+    return cmocka_run_group_tests_name("sides of surfaces", tests, NULL, NULL);
+}
