@@ -32,7 +32,7 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
 {
     const leaf_node *o = &k->model->leaves.items[leaf];
     const uint32_t which = leaf - k->tree->members[0].leaf;
-    const bool turns = from.complement != ((o->flags & LEAF_INVERSE) != 0);
+    const bool complement = from.complement != ((o->flags & LEAF_INVERSE) != 0);
     csg_member *m = &k->tree->members[which];
 
     m->shape = o->shape;
@@ -40,8 +40,8 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
     m->node = node;
     m->hidden = from.hidden;
     m->patch = !shape_is_solid(o->shape, o->instance);
-    m->inverse = !m->patch && turns;
-    m->turned = !shape_is_patch(o->shape) && from.turned != turns;
+    m->inverse = !m->patch && complement;
+    m->turned = !shape_is_patch(o->shape) && from.turned != complement;
     return which;
 }
 

@@ -9,7 +9,7 @@
 #define EYE "#version 3.7; camera { orthographic location <0,0,-10> direction z right .001*x up .001*y } "
 #define EYES "#version 3.7; camera { location <0,1,-5> look_at 0 angle 25 } light_source { <-6,0,-7> rgb 1 } "
 #define TURN " scale <1,2,.7> rotate <20,30,80> "
-#define GLOW " finish { ambient 1 diffuse 0 } "
+#define LIT " finish { ambient 1 diffuse 0 } "
 
 static void assert_red(const char *scene, double red, double green)
 {
@@ -27,15 +27,15 @@ static void assert_red(const char *scene, double red, double green)
 static void members_that_a_list_does_not_give_are_the_defaults(void **state)
 {
     (void)state;
-    assert_red("sphere { 0, 1 pigment { checker rgb 1 translate <.5,.5,.5> + x }" GLOW "}", 0.0, 1.0);
-    assert_red("sphere { 0, 1 pigment { checker pigment { rgb 1 } translate <.5,.5,.5> + x }" GLOW "}", 0.0, 0.0);
-    assert_red("#default { pigment { rgb x } } sphere { 0, 1 pigment { checker pigment { rgb 1 } translate <.5,.5,.5> + x }" GLOW "}", 1.0, 0.0);
+    assert_red("sphere { 0, 1 pigment { checker rgb 1 translate <.5,.5,.5> + x }" LIT "}", 0.0, 1.0);
+    assert_red("sphere { 0, 1 pigment { checker pigment { rgb 1 } translate <.5,.5,.5> + x }" LIT "}", 0.0, 0.0);
+    assert_red("#default { pigment { rgb x } } sphere { 0, 1 pigment { checker pigment { rgb 1 } translate <.5,.5,.5> + x }" LIT "}", 1.0, 0.0);
     assert_red("#default { pigment { rgb x } finish { ambient .5 diffuse 0 } } "
                "sphere { 0, 1 texture { checker texture { pigment { rgb 1 } } translate <.5,.5,.5> + x } }", 0.5, 0.0);
-    assert_red("sphere { 0, 1 pigment { object { sphere { 0, 2 } pigment { rgb 1 } } }" GLOW "}", 0.0, 0.0);
+    assert_red("sphere { 0, 1 pigment { object { sphere { 0, 2 } pigment { rgb 1 } } }" LIT "}", 0.0, 0.0);
 }
 
-/* A texture on a ball that is turned looks as the whole ball turned. */
+/* A texture on a sphere that is turned looks as the whole sphere turned. */
 static void bumps_turn_with_the_blend_that_they_are_in(void **state)
 {
     static const char *const blends[] = {
