@@ -1,5 +1,5 @@
 /* ovus { R, r }: an egg about the y axis: a sphere of radius R about 0, one of radius r about <0, R, 0>, and between them the
- * arc of a circle turned about the axis, which touches both.
+ * arc of a circle turned about the axis, which touches both. Where r is 2 R or more, the upper sphere alone.
  *
  * It is convex, and the circle's centre lies beyond the axis, so between the two heights where the parts join it is where a
  * quartic is zero. Of each part the crossings at its own heights count. */
@@ -13,6 +13,7 @@ typedef struct ovus {
     double arc, a, h;            /* the circle: radius, and its centre at -a from the axis, at the height h */
     double low, high;            /* heights of the joints */
     double scale, wide;
+    double foot;                 /* of the lowest point below 0, scaled */
 } ovus;
 
 enum { BOTTOM, ARC, TOP };
@@ -26,10 +27,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 
     if (!(fmax(R, r) > 0.0))
         host->fail(in, "the radii of an ovus must not be 0");
-    if (r >= 2.0 * R) {
+    if (r >= 2.0 * R)
         host->warn(in, "the second radius of an ovus should be less than double the first: it is a sphere");
-        R = r;
-    }
     o->scale = pov_inverse_power(R + r);
     o->bottom = R * o->scale;
     o->top = r * o->scale;
@@ -40,13 +39,16 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     share = o->bottom / (K - o->bottom);
     o->low = -o->h * share;
     o->high = K - o->top > 0.0 ? o->bottom + (o->bottom - o->h) * o->top / (K - o->top) : o->bottom;
+    o->foot = r < 2.0 * R ? o->bottom : o->top - o->bottom;
+    if (r >= 2.0 * R)
+        o->low = o->high = -2.0 * o->foot - o->bottom;
     o->wide = fmax(fmax(o->bottom, o->top), o->h >= o->low && o->h <= o->high ? K - o->a : 0.0) * (1.0 + 0x1p-40);
 }
 
 static bool bounds(const void *self, pov_box *out)
 {
     const ovus *o = self;
-    const double wide = o->wide / o->scale, high = (o->bottom + o->top) / o->scale, low = -o->bottom / o->scale;
+    const double wide = o->wide / o->scale, high = (o->bottom + o->top) / o->scale, low = -o->foot / o->scale;
 
     out->lo = pov_vec3_of(-wide, common_below(low), -wide);
     out->hi = pov_vec3_of(wide, common_above(high), wide);
@@ -122,7 +124,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->scale);
     line n;
 
-    if (!common_clip(&k, pov_vec3_of(-o->wide, -o->bottom, -o->wide), pov_vec3_of(o->wide, o->bottom + o->top, o->wide), &n.span) || n.span.hi < 0.0)
+    if (!common_clip(&k, pov_vec3_of(-o->wide, -o->foot, -o->wide), pov_vec3_of(o->wide, o->bottom + o->top, o->wide), &n.span) || n.span.hi < 0.0)
         return;
     n.k = &k;
     n.ray = ray;
@@ -169,13 +171,15 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
         *out = pov_unit(pov_sub(p, pov_vec3_of(0.0, at->mark.feature == TOP ? o->bottom : 0.0, 0.0)));
 }
 
+/* v is the height's angle, seen from the middle of the axis. Source: measured on POV-Ray 3.7. */
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
 {
     const ovus *o = self;
+    const double ring = sqrt(point.x * point.x + point.z * point.z) * o->scale, y = point.y * o->scale;
 
     (void)mark;
     out[0] = common_whole_turn(point.z, point.x);
-    out[1] = (point.y * o->scale + o->bottom) / (2.0 * o->bottom + o->top);
+    out[1] = 0.5 + 2.0 * common_turn(y - 0.5 * (o->bottom + o->top - o->foot), ring);
 }
 
 static const pov_shape_class ovus_class = {

@@ -2,6 +2,7 @@
 #include "support/check.h"
 #include "support/scenes.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,9 +49,33 @@ static void it_counts_for_every_layer(void **state)
                           "texture { pigment { uv_mapping " CHECKS " } } texture { pigment { uv_mapping " STRIPES " } }"));
 }
 
+/* At heights of the axis, against POV-Ray 3.7; 2 stands for no hit. */
+static void v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere(void **state)
+{
+    static const struct { const char *shape; double height, v; } seen[] = {
+        { ".774, .404", -0.5, 0.22269 }, { ".774, .404", 0.2, 0.49915 }, { ".774, .404", 0.9, 0.82275 },
+        { ".3, .5", -0.1, 0.23915 }, { ".3, .5", 0.5, 0.65898 }, { ".3, .9", -0.5, 0.15148 },
+        { ".3, .9", 0.3, 0.5 }, { ".3, .9", 1.1, 0.84852 }, { ".3, .9", -0.65, 2.0 }, { ".3, .9", 1.25, 2.0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++) {
+        char text[512];
+        float *p;
+
+        snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <0,%f,-10> direction z right .001*x up .001*y } background { rgb 2 } "
+                 "ovus { %s pigment { uv_mapping gradient y } finish { ambient 1 diffuse 0 } }", seen[i].height, seen[i].shape);
+        p = scenes_draw(text, 1, 1, 1, 1);
+        if (fabs((double)p[0] - seen[i].v) > 2e-5)
+            fail_msg("ovus { %s } at %f: %f, not %f", seen[i].shape, seen[i].height, (double)p[0], seen[i].v);
+        free(p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere),
         cmocka_unit_test(it_counts_for_a_pigment_a_texture_and_a_material),
         cmocka_unit_test(it_counts_for_every_layer),
     };
