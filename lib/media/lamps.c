@@ -225,6 +225,44 @@ static void find_values(const media_march *l, const light *from, const places *p
     set_values(p, phase, o.scatter, s);
 }
 
+/* ---- light from elsewhere ---- */
+
+/* The depth at a place of the segment. */
+static double depth_at(const media_table *t, int channel, double at)
+{
+    const double *edge = t->strata.edge, *depth = t->depth[channel];
+    uint32_t lo = 0, hi = t->strata.count;
+
+    while (hi - lo > 1) {
+        const uint32_t middle = (lo + hi) / 2;
+
+        if (edge[middle] <= at)
+            lo = middle;
+        else
+            hi = middle;
+    }
+    return edge[hi] > edge[lo] ? depth[lo] + (at - edge[lo]) / (edge[hi] - edge[lo]) * (depth[hi] - depth[lo]) : depth[lo];
+}
+
+colour media_scattered(const media_march *l, const media_light *in)
+{
+    double sum[3] = { 0.0, 0.0, 0.0 };
+    media_optics o;
+
+    if (l->set->varies)
+        media_set_at(l->model, l->set, &l->on, in->at, in->count, NULL, &o);
+    else
+        repeat(l->table.scatter, in->count, o.scatter);
+    for (uint32_t i = 0; i < in->count; i++) {
+        const double phase = mean_phase(l->set, pov_dot(in->from[i], l->on.dir));
+        const float by[3] = { in->light[i].r, in->light[i].g, in->light[i].b };
+
+        for (int c = 0; c < 3; c++)
+            sum[c] += (double)by[c] * phase * o.scatter[c][i] * elementary_exp(-depth_at(&l->table, c, in->at[i]));
+    }
+    return colour_of((float)sum[0], (float)sum[1], (float)sum[2]);
+}
+
 /* ---- choice ---- */
 
 static double size_of(colour c) { return fabs((double)c.r) + fabs((double)c.g) + fabs((double)c.b); }

@@ -47,4 +47,10 @@ typedef struct media_samples {
 bool media_sample_light(const media_march *l, const light *from, const light_class *class, uint32_t number,
                         media_samples *out);
 
+/* Light from somewhere else at points of the segment: where it comes from, unit vectors; n <= LANES_MAX. */
+typedef struct media_light { uint32_t count; double at[LANES_MAX]; pov_vec3 from[LANES_MAX]; colour light[LANES_MAX]; } media_light;
+
+/* What of it is scattered to the beginning of the segment and left there, by length. */
+colour media_scattered(const media_march *l, const media_light *in);
+
 #endif

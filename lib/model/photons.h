@@ -10,6 +10,7 @@ typedef struct photon_settings {
     bool given;
     int max_trace_level;         /* below 0: that of the scene */
     double adc_bailout;          /* below 0: that of the scene */
+    bool media;                  /* photons light media, too */
 } photon_settings;
 
 /* What photons do at an object, or with those of a light, in the upper bits of its flags. What is neither on nor off is

@@ -54,24 +54,57 @@ static bool set_rectangle(photon_aim *a, const extent *e, pov_vec3 middle, const
     return a->area > 0.0 && a->area <= 1e200;
 }
 
-/* The rectangle in the plane at distance 1 along w through which the box is seen. False: part of the box lies beside or
- * behind. */
-static bool cover_box(photon_aim *a, const pov_box *b, pov_vec3 w)
+/* Where the box is seen in the plane at distance 1 along w. False: part of the box lies beside or behind. */
+static bool project_box(const photon_aim *a, const pov_box *b, pov_vec3 w, const pov_vec3 frame[2], extent *e)
 {
     const double least_cosine = 0.2;
-    extent e = nothing;
-    pov_vec3 frame[2];
 
-    frame_across(w, frame);
+    *e = nothing;
     for (int i = 0; i < 8; i++) {
         const pov_vec3 to = pov_sub(corner_of(b, i), a->from.from);
         const double depth = pov_dot(to, w), at[2] = { pov_dot(to, frame[0]) / depth, pov_dot(to, frame[1]) / depth };
 
         if (!(depth > least_cosine * sqrt(pov_dot(to, to))))
             return false;
-        reach(&e, at);
+        reach(e, at);
     }
-    return set_rectangle(a, &e, w, frame);
+    return true;
+}
+
+/* The rectangle in that plane. False: there is none. */
+static bool cover_box(photon_aim *a, const pov_box *b, pov_vec3 w)
+{
+    extent e;
+    pov_vec3 frame[2];
+
+    frame_across(w, frame);
+    return project_box(a, b, w, frame, &e) && set_rectangle(a, &e, w, frame);
+}
+
+/* What lies within this distance of the middle is lit. */
+static void keep_lit(extent *e, double radius)
+{
+    for (int k = 0; k < 2; k++) {
+        e->lo[k] = fmax(e->lo[k], -radius);
+        e->hi[k] = fmin(e->hi[k], radius);
+    }
+}
+
+/* The light comes in a cone that is not wide. */
+static bool is_narrow(const light *l) { return l->type == LIGHT_SPOT && l->falloff >= 0.5; }
+
+/* The same in the plane across the cone's axis. False: nothing of the box is lit. */
+static bool cover_cone(photon_aim *a, const pov_box *b)
+{
+    const double cosine = a->light->falloff, radius = sqrt(fmax(1.0 - cosine * cosine, 0.0)) / cosine;
+    extent e;
+    pov_vec3 frame[2];
+
+    frame_across(a->light->axis, frame);
+    if (!b || !project_box(a, b, a->light->axis, frame, &e))
+        e = (extent){ { -radius, -radius }, { radius, radius } };
+    keep_lit(&e, radius);
+    return e.lo[0] < e.hi[0] && e.lo[1] < e.hi[1] && set_rectangle(a, &e, a->light->axis, frame);
 }
 
 /* One face of the cube of directions. */
@@ -103,6 +136,10 @@ static bool cover_parallel(photon_aim *a, const pov_box *b)
         reach(&depths, depth);
         reach(&e, at);
     }
+    if (a->light->type == LIGHT_CYLINDER)
+        keep_lit(&e, a->light->falloff);
+    if (!(e.lo[0] < e.hi[0] && e.lo[1] < e.hi[1]))
+        return false;
     along = depths.lo[0] > 0.0 ? 0.0 : 2.0 * depths.lo[0] - depths.hi[0];
     return set_rectangle(a, &e, pov_add(a->from.from, pov_scale(a->light->axis, along)), frame);
 }
@@ -128,6 +165,8 @@ static bool add_origin(photon_aims *list, photon_aim a, const photon_target *t, 
 
     if (is_parallel(a.light))
         return !box || !cover_parallel(&a, box) || add(list, &a);
+    if (is_narrow(a.light))
+        return !cover_cone(&a, box) || add(list, &a);
     to = t->boxed ? pov_sub(pov_scale(pov_add(box->lo, box->hi), 0.5), a.from.from) : pov_vec3_of(0, 0, 0);
     if (pov_largest(to) > 0.0 && cover_box(&a, box, pov_unit(to)))
         return add(list, &a);

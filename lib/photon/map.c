@@ -235,13 +235,13 @@ static inline bool holds(const pov_box *b, pov_vec3 p)
 
 /* Photons on a surface that is turned further away, or lies further above or below it, belong to another one. */
 static const double least_alike = 0.5, most_above = 0.5;
+static const double three_by_pi = 0.95492965855137201461;
 
 static inline void try_photon(const photon *p, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user)
 {
     const pov_vec3 to = pov_sub(p->at, at);
     const double square = (double)p->radius * (double)p->radius, near = 1.0 - pov_dot(to, to) / square;
     const double alike = normal.x * (double)p->normal[0] + normal.y * (double)p->normal[1] + normal.z * (double)p->normal[2];
-    const double three_by_pi = 0.95492965855137201461;
 
     if (near > 0.0 && fabs(alike) > least_alike && fabs(pov_dot(to, normal)) < most_above * (double)p->radius)
         visit(user, p, (float)(three_by_pi / square * near * near));
@@ -258,6 +258,50 @@ void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_v
         }
         for (uint32_t k = n->first; k < n->first + n->count; k++)
             try_photon(&m->photons[k], at, normal, visit, user);
+        i++;
+    }
+}
+
+/* ---- rays ---- */
+
+/* Do the box and the ray's first `length` meet? */
+static bool meets(const pov_box *b, pov_vec3 from, pov_vec3 per, double length)
+{
+    const double x0 = (b->lo.x - from.x) * per.x, x1 = (b->hi.x - from.x) * per.x;
+    const double y0 = (b->lo.y - from.y) * per.y, y1 = (b->hi.y - from.y) * per.y;
+    const double z0 = (b->lo.z - from.z) * per.z, z1 = (b->hi.z - from.z) * per.z;
+    const double enters = fmax(fmax(fmin(x0, x1), fmin(y0, y1)), fmax(fmin(z0, z1), 0.0));
+
+    return enters <= fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), length));
+}
+
+/* One over a component: a ray that is as good as parallel is wide of no box that it is in. */
+static double inverse(double d) { return 1.0 / (fabs(d) > 0x1p-60 ? d : copysign(0x1p-60, d)); }
+
+static inline void pass_photon(const photon *p, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user)
+{
+    const pov_vec3 to = pov_sub(p->at, from);
+    const double at = pov_dot(to, dir), square = (double)p->radius * (double)p->radius;
+    const pov_vec3 off = pov_sub(to, pov_scale(dir, at));
+    const double near = 1.0 - pov_dot(off, off) / square;
+
+    if (near > 0.0 && at >= 0.0 && at <= length)
+        pass(user, p, at, (float)(three_by_pi / square * near * near));
+}
+
+void photon_map_follow(const photon_map *m, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user)
+{
+    const pov_vec3 per = pov_vec3_of(inverse(dir.x), inverse(dir.y), inverse(dir.z));
+
+    for (uint32_t i = 0; i < m->node_count;) {
+        const photon_node *n = &m->nodes[i];
+
+        if (!meets(&n->box, from, per, length)) {
+            i = n->skip;
+            continue;
+        }
+        for (uint32_t k = n->first; k < n->first + n->count; k++)
+            pass_photon(&m->photons[k], from, dir, length, pass, user);
         i++;
     }
 }

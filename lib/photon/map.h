@@ -1,8 +1,8 @@
-/* map.h - photons where they arrived, and the light that they make on surfaces.
+/* map.h - photons where they arrived, and the light that they make on surfaces and in media.
  *
  * A photon's light is spread over a disc around it, by Silverman's kernel (1 - (d/r)^2)^2. Discs are small where photons
  * are dense: those of one leaf of the tree reach as far as the n-th nearest photon from its middle. What each disc holds is
- * the photon's light, so no light is lost but at the edges of surfaces. */
+ * the photon's light, so no light is lost but at the edges of surfaces. In media discs lie across the ray that looks. */
 #ifndef PHOTON_MAP_H
 #define PHOTON_MAP_H
 
@@ -39,5 +39,10 @@ void photon_map_free(photon_map *m, const env *e);
  * it brings there per area: its flux times `density`. The order is that of the map. */
 typedef void photon_visit(void *user, const photon *p, float density);
 void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user);
+/* The same of photons in media for those that a ray passes within their radius, on its first `length`: direction unit.
+ * Theirs is light times the length of way that they stand for, and comes per area across the ray. `at`: how far along the
+ * ray the photon is. */
+typedef void photon_pass(void *user, const photon *p, double at, float density);
+void photon_map_follow(const photon_map *m, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user);
 
 #endif

@@ -12,10 +12,10 @@ enum {
 
 /* A map that is being made, or is made. The store's lock guards it until it is done. */
 typedef struct making {
-    photon_list *lists;          /* by chunk */
+    photon_catch *lists;         /* by chunk */
     size_t claimed, traced, chunk_count;
     bool begun, done, failed;
-    photon_map map;
+    photon_maps maps;
 } making;
 
 struct photon_store {
@@ -79,7 +79,8 @@ photon_store *photon_store_create(const env *e, const photon_aims *aims)
 static void free_lists(const photon_store *s, making *m)
 {
     for (size_t i = 0; m->lists && i < m->chunk_count; i++)
-        env_free(s->env, m->lists[i].items);
+        for (int k = 0; k < PHOTON_PLACES; k++)
+            env_free(s->env, m->lists[i].of[k].items);
     env_free(s->env, m->lists);
     m->lists = NULL;
 }
@@ -90,7 +91,8 @@ void photon_store_destroy(photon_store *s)
         return;
     for (int i = 0; i < PHOTON_MAPS; i++) {
         free_lists(s, &s->maps[i]);
-        photon_map_free(&s->maps[i].map, s->env);
+        for (int k = 0; k < PHOTON_PLACES; k++)
+            photon_map_free(&s->maps[i].maps.of[k], s->env);
     }
     condition_destroy(&s->changed);
     mutex_destroy(&s->lock);
@@ -124,19 +126,21 @@ static void begin(photon_store *s, uint32_t number)
     m->failed = !m->lists && m->chunk_count > 0;
 }
 
-/* All photons in the order of the chunks. */
-static photon *join(const photon_store *s, const making *m, uint32_t *count)
+/* All photons of a place in the order of the chunks. */
+static photon *join(const photon_store *s, const making *m, int place, uint32_t *count)
 {
     size_t n = 0, at = 0;
     photon *all;
 
     for (size_t i = 0; i < m->chunk_count; i++)
-        n += m->lists[i].count;
+        n += m->lists[i].of[place].count;
     all = env_resize(s->env, NULL, n > 0 ? n : 1, sizeof *all);
     for (size_t i = 0; all && i < m->chunk_count; i++) {
-        if (m->lists[i].count > 0)
-            memcpy(all + at, m->lists[i].items, m->lists[i].count * sizeof *all);
-        at += m->lists[i].count;
+        const photon_list *some = &m->lists[i].of[place];
+
+        if (some->count > 0)
+            memcpy(all + at, some->items, some->count * sizeof *all);
+        at += some->count;
     }
     *count = (uint32_t)n;
     return all;
@@ -146,11 +150,16 @@ static photon *join(const photon_store *s, const making *m, uint32_t *count)
 static bool complete(photon_store *s, uint32_t number)
 {
     making *m = &s->maps[number];
-    uint32_t count;
-    photon *all = join(s, m, &count);
+    bool made = true;
 
+    for (int k = 0; k < PHOTON_PLACES && made; k++) {
+        uint32_t count;
+        photon *all = join(s, m, k, &count);
+
+        made = all && photon_map_make(&m->maps.of[k], s->env, all, count, nearest_of(number));
+    }
     free_lists(s, m);
-    return all && photon_map_make(&m->map, s->env, all, count, nearest_of(number));
+    return made;
 }
 
 /* Trace the next chunk, and complete the map after the last. The lock is held, but not meanwhile. */
@@ -180,10 +189,10 @@ static void help(photon_store *s, uint32_t number, photon_trace *trace, void *us
         condition_wake_all(&s->changed);
 }
 
-const photon_map *photon_store_take(photon_store *s, uint32_t number, photon_trace *trace, photon_wanted *wanted, void *user)
+const photon_maps *photon_store_take(photon_store *s, uint32_t number, photon_trace *trace, photon_wanted *wanted, void *user)
 {
     making *m = &s->maps[number];
-    const photon_map *out;
+    const photon_maps *out;
 
     mutex_lock(&s->lock);
     if (!m->begun)
@@ -196,7 +205,7 @@ const photon_map *photon_store_take(photon_store *s, uint32_t number, photon_tra
         else
             condition_wait(&s->changed, &s->lock);
     }
-    out = m->done ? &m->map : NULL;
+    out = m->done ? &m->maps : NULL;
     mutex_unlock(&s->lock);
     return out;
 }

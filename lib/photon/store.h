@@ -19,11 +19,16 @@ enum { PHOTON_HALVES = 2, PHOTON_LEVELS = 5, PHOTON_MAPS = PHOTON_HALVES * PHOTO
 
 typedef struct photon_list { photon *items; size_t count, capacity; } photon_list;
 
+/* Photons on surfaces, and in media. */
+enum photon_place { PHOTON_ON, PHOTON_IN, PHOTON_PLACES };
+typedef struct photon_catch { photon_list of[PHOTON_PLACES]; } photon_catch;
+typedef struct photon_maps { photon_map of[PHOTON_PLACES]; } photon_maps;
+
 /* Emissions first .. first + count - 1 of an aim of a map, which has `total` of them. */
 typedef struct photon_chunk { const photon_aim *aim; uint64_t map; uint32_t first, count, total; } photon_chunk;
 
 /* Trace a chunk of emissions, and add what arrives to `out`, whose memory is the store's. False: no memory. */
-typedef bool photon_trace(void *user, const photon_chunk *chunk, photon_list *out);
+typedef bool photon_trace(void *user, const photon_chunk *chunk, photon_catch *out);
 /* Is the work still wanted? */
 typedef bool photon_wanted(void *user);
 
@@ -36,8 +41,8 @@ void photon_store_destroy(photon_store *s);
 uint32_t photon_store_number(uint32_t sample);
 /* Emissions of an aim in a map. */
 uint32_t photon_store_emissions(const photon_aims *aims, uint32_t number);
-/* The map of this number, made with the help of the caller's thread if there is none yet. NULL: no memory, or not
+/* The maps of this number, made with the help of the caller's thread if there is none yet. NULL: no memory, or not
  * wanted. */
-const photon_map *photon_store_take(photon_store *s, uint32_t number, photon_trace *trace, photon_wanted *wanted, void *user);
+const photon_maps *photon_store_take(photon_store *s, uint32_t number, photon_trace *trace, photon_wanted *wanted, void *user);
 
 #endif

@@ -46,14 +46,13 @@ static void skip_accuracy(pov_reader *in, void *self, keyword_id keyword)
     skip_values(in);
 }
 
-/* Photons in media. */
-static void skip_media(pov_reader *in, void *self, keyword_id keyword)
+/* Photons light media if the first number is above 0; how well is left to the picture's samples. */
+static void read_media(pov_reader *in, void *self, keyword_id keyword)
 {
-    const place at = in->last;
-
-    (void)self;
-    skip_values(in);
-    unsupported_note(in, &at, keyword, "\"media\" of photons");
+    (void)keyword;
+    settings_of(self)->media = value_number(in) > 0.0;
+    if (state_accept(in, ','))
+        value_number(in);
 }
 
 /* Photon maps are made anew for each picture. */
@@ -70,7 +69,7 @@ static void skip_file(pov_reader *in, void *self, keyword_id keyword)
 void parse_photon_settings(pov_reader *in, void *self, keyword_id keyword)
 {
     static const item items[] = {
-        { KEYWORD_MAX_TRACE_LEVEL, read_level }, { KEYWORD_ADC_BAILOUT, read_bailout }, { KEYWORD_MEDIA, skip_media },
+        { KEYWORD_MAX_TRACE_LEVEL, read_level }, { KEYWORD_ADC_BAILOUT, read_bailout }, { KEYWORD_MEDIA, read_media },
         { KEYWORD_SPACING, skip_accuracy },      { KEYWORD_COUNT, skip_accuracy },      { KEYWORD_GATHER, skip_accuracy },
         { KEYWORD_JITTER, skip_accuracy },       { KEYWORD_AUTOSTOP, skip_accuracy },   { KEYWORD_RADIUS, skip_accuracy },
         { KEYWORD_EXPAND_THRESHOLDS, skip_accuracy }, { KEYWORD_SAVE_FILE, skip_file }, { KEYWORD_LOAD_FILE, skip_file },

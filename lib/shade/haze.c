@@ -188,6 +188,42 @@ static colour gather(shade_context *c, const path *p, const media_march *march)
     return sum;
 }
 
+/* ---- photons that are scattered to a path ---- */
+
+/* Photons near the segment, a handful at a time. */
+typedef struct lit_photons { const media_march *march; media_light some; colour sum; } lit_photons;
+
+static void empty(lit_photons *g)
+{
+    g->sum = colour_add(g->sum, media_scattered(g->march, &g->some));
+    g->some.count = 0;
+}
+
+static void add_photon(void *user, const photon *p, double at, float density)
+{
+    lit_photons *g = user;
+    media_light *some = &g->some;
+
+    some->at[some->count] = at;
+    some->from[some->count] = pov_vec3_of(-(double)p->dir[0], -(double)p->dir[1], -(double)p->dir[2]);
+    some->light[some->count++] = colour_scale(p->flux, density);
+    if (some->count == LANES_MAX)
+        empty(g);
+}
+
+static colour gather_photons(const photon_map *map, const media_march *march)
+{
+    lit_photons g;
+
+    g.march = march;
+    g.some.count = 0;
+    g.sum = colour_of(0.0f, 0.0f, 0.0f);
+    photon_map_follow(map, march->on.from, march->on.dir, march->on.length, add_photon, &g);
+    if (g.some.count > 0)
+        empty(&g);
+    return g.sum;
+}
+
 /* ---- segments of paths ---- */
 
 /* Random numbers of a path's segment. Those of a pixel's samples fill the strata evenly. */
@@ -216,6 +252,8 @@ static void veil(shade_context *c, const path *p, const media_set *set, const me
     media_march_begin(&march);
     if (set->scatters && c->scene->plan->scattering)
         march.given = colour_add(march.given, gather(c, p, &march));
+    if (set->scatters && c->photons && c->photons[p->lane]->of[PHOTON_IN].node_count > 0 && set->of[0].leaf != MEDIA_AIR)
+        march.given = colour_add(march.given, gather_photons(&c->photons[p->lane]->of[PHOTON_IN], &march));
     *by = colour_mul(*by, march.through);
     *given = colour_add(colour_mul(march.through, *given), march.given);
 }

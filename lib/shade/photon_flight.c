@@ -1,6 +1,8 @@
 #include "shade/photon_flight.h"
 
 #include "base/vec.h"
+#include "media/march.h"
+#include "shade/interior_walk.h"
 #include "shade/scatter.h"
 
 /* Photons of a chunk on their way; what the surfaces of the present batch do to them. */
@@ -8,7 +10,7 @@ typedef struct flight {
     pov_tracer *tracer;
     const photon_scene *scene;
     const photon_chunk *chunk;
-    photon_list *out;            /* NULL: only whether they enter the target is asked */
+    photon_catch *out;           /* NULL: only whether they enter the target is asked */
     bool entered;
     bool reflects[BATCH_MAX], transmits[BATCH_MAX];
 } flight;
@@ -27,9 +29,55 @@ static void deposit(flight *f, const surface *s, pov_vec3 normal)
     const photon p = { s->at->point, colour_scale(s->from->factor.by, by), 0.0f,
                        { (float)dir.x, (float)dir.y, (float)dir.z }, { (float)normal.x, (float)normal.y, (float)normal.z } };
 
-    if (!colour_is_black(p.flux) && !VEC_PUSH(f->scene->env, f->out, p))
+    if (!colour_is_black(p.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_ON], p))
         f->tracer->context.failed = true;
 }
+
+/* ---- in media ---- */
+
+/* The photon at a random point of a segment, for part of its length. */
+static void leave_at(flight *f, const path *p, const media_set *set, const media_segment *on, double at, double part)
+{
+    const media_segment before = { on->from, on->dir, at };
+    const float by = (float)(part * emission_factor(light_of(f), p->travelled + at));
+    const colour left = media_transmittance(f->tracer->context.scene->model, set, &before);
+    const photon one = { pov_add(on->from, pov_scale(on->dir, at)), colour_scale(colour_mul(p->factor.by, left), by), 0.0f,
+                         { (float)on->dir.x, (float)on->dir.y, (float)on->dir.z }, { 0.0f, 0.0f, 0.0f } };
+
+    if (!colour_is_black(one.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_IN], one))
+        f->tracer->context.failed = true;
+}
+
+/* The fewer photons a map has, the more points has each; one of the first level has four. */
+static void leave_in(flight *f, const path *p, const media_set *set, const media_segment *on)
+{
+    const uint32_t level = (uint32_t)f->chunk->map / PHOTON_HALVES, n = level < 2 ? 4u >> level : 1;
+    const media_random random = media_random_of(on);
+    const double part = on->length / n;
+
+    for (uint32_t i = 0; i < n; i++)
+        leave_at(f, p, set, on, ((double)i + media_number(&random, i)) * part, part);
+}
+
+/* What media of objects do to a photon on its way to a surface: they dim it, and scatter what met the target before. Neither
+ * the atmosphere nor fog does, as in POV-Ray. */
+static void cross_media(flight *f, const surface *s, path *p, double length)
+{
+    const shade_context *c = &f->tracer->context;
+    const media_segment on = { s->ray->org, pov_unit(s->ray->dir), length };
+    interior_walk w;
+    media_set set;
+
+    walk_begin(c, p, &w);
+    walk_media(c->scene, &w, &set);
+    if (set.count == 0 || !(length > 0.0))
+        return;
+    if (p->struck && f->out && set.scatters && c->scene->model->photons.media)
+        leave_in(f, p, &set, &on);
+    p->factor.by = colour_mul(p->factor.by, media_transmittance(c->scene->model, &set, &on));
+}
+
+/* ---- arrival ---- */
 
 /* What becomes of a photon at a surface: on its way to the target it goes through what lets photons pass, at the target
  * and behind it it is reflected and refracted where that is on. */
@@ -57,8 +105,12 @@ static void arrive(flight *f, surfaces *on)
         surface *s = &on->at[i];
         path *p = &on->dimmed[i];
 
+        const double far = s->at->crossing.t * sqrt(pov_dot(s->ray->dir, s->ray->dir));
+
         *p = *s->from;
-        p->travelled += s->at->crossing.t * sqrt(pov_dot(s->ray->dir, s->ray->dir));
+        if (f->tracer->context.scene->plan->media)
+            cross_media(f, s, p, far);
+        p->travelled += far;
         s->from = p;
         f->entered = f->entered || (p->struck && !p->mirrored);
         if (p->struck && f->out && s->appearance->lit && !(m->leaves.items[s->at->object].flags & PHOTON_IGNORES))
@@ -148,7 +200,7 @@ static bool fly_chunk(flight *f)
     return !c->failed;
 }
 
-bool photon_flight_trace(void *tracer, const photon_chunk *chunk, photon_list *out)
+bool photon_flight_trace(void *tracer, const photon_chunk *chunk, photon_catch *out)
 {
     pov_tracer *t = tracer;
     flight f = { .tracer = t, .scene = t->context.scene->photons, .chunk = chunk, .out = out };

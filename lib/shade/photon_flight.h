@@ -6,7 +6,7 @@
 #include "shade/tracer.h"
 
 /* Trace a chunk by this tracer, between its own rays; a photon_trace. */
-bool photon_flight_trace(void *tracer, const photon_chunk *chunk, photon_list *out);
+bool photon_flight_trace(void *tracer, const photon_chunk *chunk, photon_catch *out);
 /* Does some photon of the chunk enter the target? */
 bool photon_flight_enters(pov_tracer *t, const photon_chunk *chunk);
 

@@ -115,7 +115,7 @@ void photon_light_add(photon_work *w, const shade_context *c, const finishes *li
     for (uint32_t k = 0; k < lit->count; k++) {
         const uint32_t i = lit->lit[k];
         surface *s = &on->at[i];
-        const photon_map *map = w->maps[s->from->lane];
+        const photon_map *map = &w->maps[s->from->lane]->of[PHOTON_ON];
         colour given;
 
         if (map->node_count == 0 || (m->leaves.items[s->at->object].flags & PHOTON_IGNORES))

@@ -17,8 +17,8 @@ typedef struct photon_lanes {
 
 /* One thread's memory for photons. */
 typedef struct photon_work {
-    const photon_map *known[PHOTON_MAPS];   /* maps that were asked for */
-    const photon_map *maps[BATCH_MAX];      /* by lane of the camera ray */
+    const photon_maps *known[PHOTON_MAPS];   /* maps that were asked for */
+    const photon_maps *maps[BATCH_MAX];      /* by lane of the camera ray */
     photon_lanes lanes;
 } photon_work;
 

@@ -271,6 +271,7 @@ static bool take_maps(pov_tracer *t, uint32_t n)
         }
         w->maps[i] = w->known[number];
     }
+    c->photons = w->maps;
     return true;
 }
 

@@ -128,7 +128,7 @@ static void fail_every_allocation(pov_status (*draw)(const pov_scene *, pov_erro
 static void every_allocation_of_a_picture_may_fail(void **state)
 {
     /* Photons are sent again for each allocation: photons_mirror, the quickest, stands for these. */
-    static const char *const dear[] = { "photons_glass", "photons_dispersion", NULL };
+    static const char *const dear[] = { "photons_glass", "photons_dispersion", "photons_media", NULL };
 
     (void)state;
     fail_every_allocation(render, dear);

@@ -41,14 +41,16 @@ static void the_scene_says_how_far_photons_go(void **state)
 
     (void)state;
     begin(&r, "global_settings { photons { count 20000 gather 20, 100 jitter .4 autostop 0 expand_thresholds .2, 40 "
-              "radius .1, 2, .1, 2 max_trace_level 9 adc_bailout .01 } }");
+              "radius .1, 2, .1, 2 max_trace_level 9 adc_bailout .01 media 100, 2 } }");
     assert_int_equal(r.status, POV_OK);
+    assert_true(r.model.photons.media);
     assert_true(r.model.photons.given);
     assert_int_equal(r.model.photons.max_trace_level, 9);
     assert_true(r.model.photons.adc_bailout == .01);
     reading_end(&r);
     begin(&r, "global_settings { photons { spacing .01 } }");
     assert_int_equal(r.model.photons.max_trace_level, -1);
+    assert_false(r.model.photons.media);
     assert_true(r.model.photons.adc_bailout < 0.0);
     reading_end(&r);
 }

@@ -168,6 +168,66 @@ static void a_flat_mirror_is_a_mirrored_lamp(void **state)
     assert_true(fabs(found / wanted - 1.0) < 0.002);
 }
 
+/* A box of media that light goes straight through, as photons do; `light` comes along z. */
+#define BOX(settings, medium) \
+    "#version 3.7; global_settings { assumed_gamma 1 photons { " settings " } }" \
+    "box { <-1.5,-1.5,-1>, <1.5,1.5,1> hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 }" \
+    "interior { media { " medium " } } photons { target refraction on } }" \
+    "box { <-9,-9,2>, <9,9,3> pigment { rgb 1 } finish { ambient 0 diffuse .8 } }"
+
+/* The mean over the middle of a picture, an eighth of its width and height on each side. */
+static double middle(const char *text, uint32_t samples)
+{
+    float *p = scenes_draw(text, WIDTH, HEIGHT, samples, 0);
+    double sum = 0.0;
+
+    for (int y = 3 * HEIGHT / 8; y < 5 * HEIGHT / 8; y++)
+        for (int x = 3 * WIDTH / 8; x < 5 * WIDTH / 8; x++)
+            sum += (double)red_at(p, x, y);
+    free(p);
+    return sum / (WIDTH / 4 * HEIGHT / 4);
+}
+
+static void assert_middle(const char *text, double wanted, double tolerance)
+{
+    const double found = middle(text, 1);
+
+    if (!(fabs(found / wanted - 1.0) <= tolerance))
+        fail_msg("%g instead of %g", found, wanted);
+}
+
+#define ABOVE "camera { orthographic location <0,0,1.5> direction z right x*4 up y*3 }"
+#define BESIDE "camera { orthographic location <0,-9,0> direction y right x*4 up z*3 }"
+
+/* Media dim photons on each way to a surface, whether they light the media or not. */
+static void media_dim_photons(void **state)
+{
+    (void)state;
+    assert_middle(BOX("", "absorption .3") ABOVE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }", 0.4 * exp(-0.6), 0.01);
+    assert_middle(BOX("media 1", "scattering { 1, .3 }") ABOVE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }",
+                  0.4 * exp(-0.6), 0.01);
+}
+
+/* Three units of the box across the light; the last one fades on its way in, and is dimmed on its way out. */
+static void photons_light_media(void **state)
+{
+    (void)state;
+    assert_middle(BOX("media 1", "scattering { 1, .1 extinction 0 }") BESIDE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }",
+                  0.15, 0.02);
+    assert_middle(BOX("media 1", "scattering { 1, .1 extinction 0 }") BESIDE "light_source { <0,0,-4> rgb .5 }", 0.15, 0.03);
+    assert_middle(BOX("media 1", "scattering { 4, .1 extinction 0 }") BESIDE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }",
+                  0.15 * 0.7994, 0.02);
+    assert_middle(BOX("media 1", "scattering { 1, .2 extinction .5 }") BESIDE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }",
+                  (exp(-0.0625) - exp(-0.1375)) / 0.075 * (1.0 - exp(-0.3)), 0.02);
+}
+
+static void without_the_setting_media_behind_a_target_are_dark(void **state)
+{
+    (void)state;
+    assert_true(middle(BOX("", "scattering { 1, .1 extinction 0 }") BESIDE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }", 1) == 0.0);
+    assert_true(middle(BOX("media 0", "scattering { 1, .1 }") BESIDE "light_source { <0,0,-8> rgb .5 parallel point_at 0 }", 1) == 0.0);
+}
+
 static void assert_alike(const char *a, const char *b)
 {
     float *one = scenes_draw(a, WIDTH, HEIGHT, 1, 0), *other = scenes_draw(b, WIDTH, HEIGHT, 1, 0);
@@ -245,6 +305,9 @@ int main(void)
         cmocka_unit_test(without_targets_light_passes_as_ever),
         cmocka_unit_test(where_no_photons_are_collected_light_comes_straight),
         cmocka_unit_test(photons_that_cannot_leave_the_target_leave_it_dark),
+        cmocka_unit_test(media_dim_photons),
+        cmocka_unit_test(photons_light_media),
+        cmocka_unit_test(without_the_setting_media_behind_a_target_are_dark),
         cmocka_unit_test(the_number_of_threads_changes_no_bit),
     };
 
