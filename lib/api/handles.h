@@ -21,6 +21,7 @@ struct pov_context {
 struct pov_builder {
     pov_context *context;
     scene_parts parts;
+    build_each each;             /* of the next shapes */
 };
 
 struct pov_scene {

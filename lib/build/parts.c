@@ -3,7 +3,6 @@
 #include "base/err.h"
 #include "base/vec.h"
 
-
 #include <string.h>
 
 void parts_init(scene_parts *p, const env *e)
@@ -76,6 +75,20 @@ static pov_status check_column(const build_part *part, const build_column *c, po
     return POV_OK;
 }
 
+static pov_status check_columns(const build_part *part, pov_error *err)
+{
+    const build_each *each = &part->each;
+    pov_status status = POV_OK;
+
+    for (int i = 0; status == POV_OK && i < BUILD_COLUMNS_MAX && part->columns[i].width > 0; i++)
+        status = check_column(part, &part->columns[i], err);
+    if (status == POV_OK && each->colours.at)
+        status = check_column(part, &each->colours, err);
+    if (status == POV_OK && each->matrices.at)
+        status = check_column(part, &each->matrices, err);
+    return status;
+}
+
 static pov_status check_material(const scene_parts *p, uint32_t number, pov_error *err)
 {
     if (number <= p->materials.count)
@@ -83,13 +96,93 @@ static pov_status check_material(const scene_parts *p, uint32_t number, pov_erro
     return err_set(err, POV_E_ARGUMENT, "there is no material %u: the builder has %zu", number, p->materials.count);
 }
 
-pov_status parts_add_shapes(scene_parts *p, const build_part *part, pov_error *err)
+static pov_status check_materials(const scene_parts *p, const build_part *part, pov_error *err)
 {
     pov_status status = check_material(p, part->material, err);
 
-    if (status == POV_OK && part->count > UINT32_MAX / 2)
-        status = err_set(err, POV_E_ARGUMENT, "%zu objects are more than a scene holds", part->count);
-    for (int i = 0; status == POV_OK && i < BUILD_COLUMNS_MAX && part->columns[i].width > 0; i++)
-        status = check_column(part, &part->columns[i], err);
-    return status == POV_OK && part->count > 0 ? add_part(p, part, err) : status;
+    for (size_t i = 0; status == POV_OK && part->each.materials && i < part->count; i++)
+        status = check_material(p, part->each.materials[i], err);
+    return status;
+}
+
+/* ---- lists ---- */
+
+static pov_status check_list(const build_part *part, const build_list *l, pov_error *err)
+{
+    const build_column *c = &l->vectors;
+
+    if (l->count > 1u << 30)
+        return err_set(err, POV_E_ARGUMENT, "%s of %zu are more than a %s holds", l->word, l->count, part->word);
+    if (!c->at && !l->indices && l->count > 0)
+        return err_set(err, POV_E_ARGUMENT, "%s of %zu are NULL", l->word, l->count);
+    for (size_t i = 0; c->at && i < l->count; i++)
+        if (!are_finite(c->at + i * c->stride, c->width))
+            return err_set(err, POV_E_ARGUMENT, "%s %zu of %zu has a number that is infinite or none", l->word, i, l->count);
+    return POV_OK;
+}
+
+/* A lone vector is no array of the program's. */
+static bool keep_vector(scene_parts *p, build_column *c)
+{
+    double *kept = arena_alloc(&p->texts, (size_t)c->width * sizeof *kept, sizeof *kept);
+
+    if (kept)
+        memcpy(kept, c->at, (size_t)c->width * sizeof *kept);
+    c->at = kept;
+    return kept != NULL;
+}
+
+static pov_status keep_lists(scene_parts *p, build_part *part, pov_error *err)
+{
+    build_list *kept = arena_alloc(&p->texts, part->list_count * sizeof *kept, sizeof(void *));
+    pov_status status = kept ? POV_OK : err_memory(err);
+
+    for (size_t i = 0; status == POV_OK && i < part->list_count; i++) {
+        kept[i] = part->lists[i];
+        status = check_list(part, &kept[i], err);
+        if (status == POV_OK && kept[i].is_bare && !keep_vector(p, &kept[i].vectors))
+            status = err_memory(err);
+    }
+    part->lists = kept;
+    return status;
+}
+
+/* ---- the whole ---- */
+
+pov_status parts_add_shapes(scene_parts *p, const build_part *given, pov_error *err)
+{
+    build_part part = *given;
+    pov_status status = POV_OK;
+
+    if (part.count > UINT32_MAX / 2)
+        return err_set(err, POV_E_ARGUMENT, "%zu objects are more than a scene holds", part.count);
+    status = check_materials(p, &part, err);
+    if (status == POV_OK)
+        status = check_columns(&part, err);
+    if (status == POV_OK && part.list_count > 0)
+        status = keep_lists(p, &part, err);
+    return status == POV_OK && part.count > 0 ? add_part(p, &part, err) : status;
+}
+
+static bool is_axis(const pov_vec3 *v) { return are_finite(&v->x, 3) && pov_largest(*v) > 0.0; }
+
+static bool is_usable(const pov_camera *c)
+{
+    return (int)c->type >= 0 && c->type < POV_CAMERA_TYPES && c->type != POV_CAMERA_MESH && are_finite(&c->location.x, 3) &&
+           is_axis(&c->direction) && is_axis(&c->right) && is_axis(&c->up) && are_finite(c->angles, 2) &&
+           are_finite(&c->lens_radius, 1) && are_finite(&c->focal_distance, 1) && c->lens_samples >= 0;
+}
+
+pov_status parts_add_camera(scene_parts *p, const pov_camera *camera, pov_error *err)
+{
+    build_part part = { .kind = BUILD_CAMERA };
+    pov_camera *kept = arena_alloc(&p->texts, sizeof *kept, sizeof(double));
+
+    if (!is_usable(camera))
+        return err_set(err, POV_E_ARGUMENT, "the camera's numbers leave it no picture");
+    if (!kept)
+        return err_memory(err);
+    *kept = *camera;
+    part.camera = kept;
+    return add_part(p, &part, err);
 }

@@ -5,8 +5,14 @@
 #include "sdl/report.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static const place nowhere;
+
+static void refuse(pov_reader *in)
+{
+    report_fail(in, &nowhere, POV_E_UNSUPPORTED, "the plugin of \"%s\" reads what arrays do not give", in->rows->part->word);
+}
 
 /* The next numbers of the object; NULL: there are none left, and the reader has failed. */
 static const double *next(pov_reader *in, int width)
@@ -20,7 +26,7 @@ static const double *next(pov_reader *in, int width)
         r->column++;
         return c->at + r->row * c->stride;
     }
-    report_fail(in, &nowhere, POV_E_UNSUPPORTED, "the plugin of \"%s\" reads what arrays do not give", r->part->word);
+    refuse(in);
     return NULL;
 }
 
@@ -85,6 +91,111 @@ static void warn(pov_reader *in, const char *format, ...)
     va_end(args);
     report_warn(in, &nowhere, "%s", m.text);
 }
+
+/* ---- lists, in the order in which a text has them ---- */
+
+static bool accept_list(pov_reader *in, const char *word)
+{
+    array_rows *r = in->rows;
+    const build_list *l = r->part->lists + r->column;
+
+    if (in->failed || word[0] == ',')
+        return !in->failed;
+    if (r->list || (size_t)r->column == r->part->list_count || strcmp(l->word, word) != 0)
+        return false;
+    r->list = l;
+    r->item = 0;
+    r->is_counted = l->is_bare;
+    r->column++;
+    return true;
+}
+
+static void expect_brace(pov_reader *in, const char *word)
+{
+    array_rows *r = in->rows;
+
+    if (in->failed)
+        return;
+    if (!r->list || (word[0] == '}') != r->is_counted || (word[0] == '}' && r->item < r->list->count))
+        refuse(in);
+    if (word[0] == '}')
+        r->list = NULL;
+}
+
+static double count_of_list(pov_reader *in)
+{
+    array_rows *r = in->rows;
+
+    if (!in->failed && (!r->list || r->is_counted))
+        refuse(in);
+    if (in->failed)
+        return 0.0;
+    r->is_counted = true;
+    return (double)r->list->count;
+}
+
+static bool more_items(pov_reader *in)
+{
+    const array_rows *r = in->rows;
+
+    return !in->failed && r->list && r->is_counted && r->item < r->list->count;
+}
+
+static void item(pov_reader *in, double *out, int width)
+{
+    array_rows *r = in->rows;
+    const build_list *l = r->list;
+    const build_column *c = &l->vectors;
+
+    if (!more_items(in) || (c->at ? c->width : 3) != width) {
+        refuse(in);
+        memset(out, 0, (size_t)width * sizeof *out);
+        return;
+    }
+    for (int i = 0; i < width; i++)
+        out[i] = c->at ? c->at[r->item * c->stride + (size_t)i] : l->indices[3 * r->item + (size_t)i];
+    r->item++;
+    if (l->is_bare)
+        r->list = NULL;
+}
+
+static void vector_of_list(pov_reader *in, pov_vec3 *out)
+{
+    double v[3];
+
+    item(in, v, 3);
+    *out = pov_vec3_of(v[0], v[1], v[2]);
+}
+
+static bool none_is_next(pov_reader *in, const char *word)
+{
+    (void)in;
+    (void)word;
+    return false;
+}
+
+static bool no_number(pov_reader *in)
+{
+    (void)in;
+    return false;
+}
+
+pov_host host_lists(void)
+{
+    pov_host h = host_arrays();
+
+    h.number = count_of_list;
+    h.vector = vector_of_list;
+    h.vector_of = item;
+    h.accept = accept_list;
+    h.expect = expect_brace;
+    h.next_is = none_is_next;
+    h.more = more_items;
+    h.more_numbers = no_number;
+    return h;
+}
+
+/* ---- columns ---- */
 
 /* Another plugin of the keyword may ask for more than numbers. What arrays cannot give is an error. */
 pov_host host_arrays(void)

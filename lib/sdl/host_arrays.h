@@ -10,10 +10,14 @@
 typedef struct array_rows {
     const build_part *part;
     size_t row;
-    int column;
+    int column;                  /* the next one; or the next list, */
+    const build_list *list;      /* the one that is being read, */
+    size_t item;                 /* and its next item */
+    bool is_counted;             /* the count of the list has been read */
 } array_rows;
 
-/* What a plugin is offered meanwhile. */
+/* What a plugin is offered meanwhile: of columns, or of lists. */
 pov_host host_arrays(void);
+pov_host host_lists(void);
 
 #endif

@@ -70,8 +70,11 @@ bool parse_object_try(pov_reader *in, object_parsed *out);
 bool parse_object_follows(const pov_reader *in);
 /* An object of which nothing has been read. */
 void parse_object_begin(pov_reader *in, object_parsed *o);
-/* Its modifiers, up to the end, which is not taken. */
+/* Its modifiers, up to the end, which is not taken; `pigment { color rgbft C }`; `matrix M`, false: it has no inverse, or
+ * the reader has failed. */
 void parse_modifiers(pov_reader *in, object_parsed *o, int end);
+void parse_object_colour(pov_reader *in, object_parsed *o, const pigment *p);
+bool parse_object_matrix(pov_reader *in, object_parsed *o, const double m[12]);
 /* The class that the word names, or NULL. */
 const shape_class *parse_shape_class(pov_reader *in, symbol *word);
 /* Bytes of what a class parses. */
@@ -100,6 +103,8 @@ bool parse_component_texture(pov_reader *in, uint32_t *out);
 /* What was read of a whole object becomes part of the model. */
 void parse_add_object(pov_reader *in, const object_parsed *o);
 void parse_light(pov_reader *in, object_parsed *out);
+/* A light of which position and colour are set: what stands behind them, up to the end of the text. */
+void parse_light_modifiers(pov_reader *in, object_parsed *out);
 void parse_camera(pov_reader *in, camera_parsed *out);
 void parse_global_settings(pov_reader *in, void *self, keyword_id keyword);
 void parse_background(pov_reader *in, void *self, keyword_id keyword);
@@ -114,6 +119,8 @@ value parse_transform_value(pov_reader *in);
 void parse_append_transforms(pov_reader *in, const transform **list, const transform *more, const transform *since);
 uint32_t parse_count_transforms(const transform *list);
 void parse_append_translation(pov_reader *in, const transform **list, pov_vec3 by);
+/* False: it has no inverse, or the reader has failed. */
+bool parse_append_matrix(pov_reader *in, const transform **list, const double m[12]);
 /* What undoes them. */
 const transform *parse_invert_transforms(pov_reader *in, const transform *list);
 /* The last so many of a list, as a list of their own. */
@@ -124,6 +131,7 @@ const transform *parse_last_transforms(pov_reader *in, const transform *list, si
     { KEYWORD_TRANSFORM, read }
 
 void parse_pigment(pov_reader *in, surface_parsed *s);
+void parse_surface_colour(pov_reader *in, surface_parsed *s, const pigment *p);
 void parse_normal(pov_reader *in, surface_parsed *s);
 void parse_finish(pov_reader *in, surface_parsed *s);
 void parse_texture(pov_reader *in, surface_parsed *s);

@@ -8,13 +8,22 @@
 
 #include <string.h>
 
-/* Objects of one part. Their plain twin: the next object is the last leaf again but for its shape. */
+/* What objects of one material have in common. Once one of them has become a leaf and nothing else, the others do too, with
+ * the same map, flags and material: the leaf again but for its shape. */
+typedef struct style {
+    object_parsed object;        /* with its modifiers */
+    leaf_node leaf;
+    bool is_twin;
+} style;
+
+/* Objects of one part. */
 typedef struct arrays {
+    const scene_parts *all;
     const build_part *part;
     symbol *word;
     const shape_class *shape;
-    object_parsed object;        /* with its modifiers */
-    bool twin;
+    style **styles;                /* by number of the material; NULL: not read yet */
+    bool varies;                 /* beyond the materials */
     array_rows rows;
     pov_host host;
 } arrays;
@@ -31,48 +40,96 @@ static symbol *find_word(pov_reader *in, const char *name)
     return word;
 }
 
+static void begin_material(pov_reader *in, const scene_parts *all, uint32_t number)
+{
+    const build_material *m = parts_material(all, number);
+
+    frame_begin_text(in, m ? m->text : "", m ? m->length : 0, "(material)");
+    if (!in->failed)
+        state_advance(in);
+}
+
 static bool begin(pov_reader *in, const scene_parts *all, const build_part *part, arrays *a)
 {
-    const build_material *m = parts_material(all, part->material);
-
     memset(a, 0, sizeof *a);
+    a->all = all;
     a->part = a->rows.part = part;
-    a->host = host_arrays();
-    frame_begin_text(in, m ? m->text : "", m ? m->length : 0, "(material)");
-    state_advance(in);
+    a->varies = part->each.colours.at || part->each.matrices.at;
+    a->host = part->list_count > 0 ? host_lists() : host_arrays();
+    begin_material(in, all, 0);
     a->word = in->failed ? NULL : find_word(in, part->word);
     a->shape = a->word ? parse_shape_class(in, a->word) : NULL;
     if (!a->shape && !in->failed)
         report_fail(in, &in->token.at, POV_E_PLUGIN, "no plugin for \"%s\" in %s", part->word, registry_path(in->plugins));
-    parse_object_begin(in, &a->object);
-    a->object.leaf.line = a->object.leaf.column = 0;
-    a->object.kind = OBJECT_LEAF;
-    a->object.leaf.shape = a->shape;
-    parse_modifiers(in, &a->object, TOKEN_END);
+    a->styles = in->failed ? NULL : arena_alloc(&in->members, (all->materials.count + 1) * sizeof *a->styles, sizeof(void *));
+    if (!a->styles && !in->failed)
+        report_memory(in);
     return !in->failed;
 }
 
-/* The scene's identity depends on its numbers. */
+/* ---- the scene's identity depends on its numbers ---- */
+
+static void note(pov_reader *in, const void *at, size_t bytes) { in->sources.hash = hash_bytes(in->sources.hash, at, bytes); }
+
+static void note_column(pov_reader *in, const build_column *c, size_t count)
+{
+    const bool is_dense = c->stride == (size_t)c->width;
+    const size_t pieces = is_dense ? 1 : count, bytes = (size_t)c->width * (is_dense ? count : 1) * sizeof *c->at;
+
+    for (size_t at = 0; at < pieces && c->at; at++)
+        note(in, c->at + at * c->stride, bytes);
+}
+
 static void note_numbers(pov_reader *in, const build_part *part)
 {
-    for (int i = 0; i < BUILD_COLUMNS_MAX && part->columns[i].width > 0; i++) {
-        const build_column *c = &part->columns[i];
-        const bool is_dense = c->stride == (size_t)c->width;
-        const size_t pieces = is_dense ? 1 : part->count, bytes = (size_t)c->width * (is_dense ? part->count : 1) * sizeof *c->at;
+    for (int i = 0; i < BUILD_COLUMNS_MAX && part->columns[i].width > 0; i++)
+        note_column(in, &part->columns[i], part->count);
+    for (size_t i = 0; i < part->list_count; i++) {
+        const build_list *l = &part->lists[i];
 
-        for (size_t at = 0; at < pieces; at++)
-            in->sources.hash = hash_bytes(in->sources.hash, c->at + at * c->stride, bytes);
+        note_column(in, &l->vectors, l->count);
+        if (l->indices)
+            note(in, l->indices, 3 * l->count * sizeof *l->indices);
     }
+    note_column(in, &part->each.colours, part->count);
+    note_column(in, &part->each.matrices, part->count);
+    if (part->each.materials)
+        note(in, part->each.materials, part->count * sizeof *part->each.materials);
 }
 
 /* ---- one after the other ---- */
 
-static bool read_shape(pov_reader *in, arrays *a, size_t row)
+/* NULL: the reader has failed. */
+static style *read_style(pov_reader *in, arrays *a, uint32_t number)
 {
-    leaf_node *leaf = &a->object.leaf;
+    style *l = arena_alloc(&in->members, sizeof *l, sizeof(double));
 
-    a->rows.row = row;
+    begin_material(in, a->all, number);
+    if (!l)
+        report_memory(in);
+    if (in->failed)
+        return NULL;
+    parse_object_begin(in, &l->object);
+    l->object.leaf.line = l->object.leaf.column = 0;
+    l->object.kind = OBJECT_LEAF;
+    l->object.leaf.shape = a->shape;
+    parse_modifiers(in, &l->object, TOKEN_END);
+    a->styles[number] = l;
+    return in->failed ? NULL : l;
+}
+
+static style *style_of(pov_reader *in, arrays *a)
+{
+    const build_part *part = a->part;
+    const uint32_t number = part->each.materials ? part->each.materials[a->rows.row] : part->material;
+
+    return a->styles[number] ? a->styles[number] : read_style(in, a, number);
+}
+
+static bool read_shape(pov_reader *in, arrays *a, leaf_node *leaf)
+{
     a->rows.column = 0;
+    a->rows.list = NULL;
     leaf->instance = state_alloc(in, parse_shape_size(a->shape), 32);
     if (!leaf->instance)
         return false;
@@ -82,24 +139,64 @@ static bool read_shape(pov_reader *in, arrays *a, size_t row)
     return !in->failed;
 }
 
-/* Once an object has become one leaf and nothing else, those of its material do too, with the same map, flags and
- * material. */
-static void add_first(pov_reader *in, arrays *a)
+static const double *at_row(const build_column *c, size_t row) { return c->at ? c->at + row * c->stride : NULL; }
+
+/* As the text of a colour gives it. */
+static pigment pigment_of(const double *c, int width)
+{
+    const float filter = width > 3 ? (float)c[3] : 0.0f, transmit = width > 4 ? (float)c[4] : 0.0f;
+
+    return (pigment){ colour_of((float)c[0], (float)c[1], (float)c[2]), filter, transmit };
+}
+
+static void add_varied(pov_reader *in, const arrays *a, const style *l, const void *instance)
+{
+    const build_column *colours = &a->part->each.colours;
+    const double *rgbft = at_row(colours, a->rows.row), *matrix = at_row(&a->part->each.matrices, a->rows.row);
+    object_parsed o = l->object;
+
+    o.leaf.instance = (void *)(uintptr_t)instance;
+    if (rgbft) {
+        const pigment p = pigment_of(rgbft, colours->width);
+
+        parse_object_colour(in, &o, &p);
+    }
+    if (matrix && !parse_object_matrix(in, &o, matrix) && !in->failed)
+        a->host.fail(in, "the matrix has no inverse");
+    if (!in->failed)
+        parse_add_object(in, &o);
+}
+
+static void add_first(pov_reader *in, style *l)
 {
     const model *m = in->model;
     const size_t before = m->leaves.count, others = m->groups.count + m->texture_maps.count;
 
-    parse_add_object(in, &a->object);
-    a->twin = m->leaves.count == before + 1 && m->groups.count + m->texture_maps.count == others;
+    parse_add_object(in, &l->object);
+    l->is_twin = m->leaves.count == before + 1 && m->groups.count + m->texture_maps.count == others;
+    if (l->is_twin)
+        l->leaf = m->leaves.items[before];
 }
 
-static void add_twin(pov_reader *in, const arrays *a)
+static void add_twin(pov_reader *in, style *l)
 {
-    leaf_node leaf = in->model->leaves.items[in->model->leaves.count - 1];
-
-    leaf.instance = a->object.leaf.instance;
-    if (!model_add_leaf(in->model, &leaf))
+    l->leaf.instance = l->object.leaf.instance;
+    if (!model_add_leaf(in->model, &l->leaf))
         report_memory(in);
+}
+
+static void add_object(pov_reader *in, arrays *a)
+{
+    style *l = style_of(in, a);
+
+    if (!l || !read_shape(in, a, &l->object.leaf))
+        return;
+    if (a->varies)
+        add_varied(in, a, l, l->object.leaf.instance);
+    else if (l->is_twin)
+        add_twin(in, l);
+    else
+        add_first(in, l);
 }
 
 void parse_arrays(pov_reader *in, const scene_parts *all, const build_part *part)
@@ -113,10 +210,37 @@ void parse_arrays(pov_reader *in, const scene_parts *all, const build_part *part
         return;
     note_numbers(in, part);
     in->rows = &a.rows;
-    for (size_t i = 0; i < part->count && read_shape(in, &a, i); i++)
-        if (a.twin)
-            add_twin(in, &a);
-        else
-            add_first(in, &a);
+    for (; a.rows.row < part->count && !in->failed; a.rows.row++)
+        add_object(in, &a);
     in->rows = NULL;
+}
+
+/* ---- lights ---- */
+
+void parse_array_lights(pov_reader *in, const scene_parts *all, const build_part *part)
+{
+    note_numbers(in, part);
+    for (size_t i = 0; i < part->count && !in->failed; i++) {
+        const double *position = at_row(&part->columns[0], i), *rgb = at_row(&part->columns[1], i);
+        object_parsed o;
+
+        begin_material(in, all, part->each.materials ? part->each.materials[i] : part->material);
+        if (in->failed)
+            return;
+        parse_object_begin(in, &o);
+        o.light.position = pov_vec3_of(position[0], position[1], position[2]);
+        o.light.color = colour_of((float)rgb[0], (float)rgb[1], (float)rgb[2]);
+        parse_light_modifiers(in, &o);
+        if (!in->failed)
+            parse_add_object(in, &o);
+    }
+}
+
+/* ---- the camera ---- */
+
+void parse_given_camera(pov_reader *in, const build_part *part)
+{
+    parse_camera_defaults(&in->camera);
+    in->camera.given = part->camera;
+    note(in, part->camera, sizeof *part->camera);
 }

@@ -350,6 +350,10 @@ void parse_camera_finish(pov_reader *in)
     pov_camera *out = &in->model->camera;
     camera_frame f;
 
+    if (c.given) {
+        *out = *c.given;
+        return;
+    }
     if (pov_largest(c.right) == 0.0)
         c.right = pov_vec3_of(is_povray ? 1.33 : 1.33333, 0.0, 0.0);
     f = is_povray ? povray_frame(&c) : course_frame(&c);

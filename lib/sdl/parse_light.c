@@ -227,6 +227,8 @@ static void begin(light_reading *r, object_parsed *out)
     r->out = out;
     r->angles[0] = r->angles[1] = NAN;
     r->is_parallel = false;
+    out->kind = OBJECT_LIGHT;
+    out->light.type = LIGHT_POINT;
     out->point_at = pov_vec3_of(0.0, 0.0, 1.0);
 }
 
@@ -249,6 +251,15 @@ static void conclude(light_reading *r)
     }
 }
 
+void parse_light_modifiers(pov_reader *in, object_parsed *out)
+{
+    light_reading r;
+
+    begin(&r, out);
+    items_until(in, TOKEN_END, &list, &r);
+    conclude(&r);
+}
+
 /* The colour stands behind the position, as in POV-Ray. */
 void parse_light(pov_reader *in, object_parsed *out)
 {
@@ -257,8 +268,6 @@ void parse_light(pov_reader *in, object_parsed *out)
     block b;
 
     begin(&r, out);
-    out->kind = OBJECT_LIGHT;
-    out->light.type = LIGHT_POINT;
     out->leaf.line = (uint32_t)at.line;
     out->leaf.column = (uint32_t)at.column;
     items_open(in, &b);

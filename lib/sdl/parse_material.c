@@ -28,6 +28,13 @@ void parse_pigment(pov_reader *in, surface_parsed *s)
     s->has_look = true;
 }
 
+void parse_surface_colour(pov_reader *in, surface_parsed *s, const pigment *p)
+{
+    s->pigment = parse_pigment_colour(in, s->pigment, p);
+    s->whole = NULL;
+    s->has_look = true;
+}
+
 void parse_normal(pov_reader *in, surface_parsed *s)
 {
     s->normal = parse_normal_upon(in, s->normal);

@@ -77,18 +77,33 @@ static void read_material(pov_reader *in, void *self, keyword_id keyword)
     parse_material(in, surface_of(in, self));
 }
 
+/* So many transformations came behind what was read before. */
+static void moved(pov_reader *in, object_parsed *o, uint32_t moves)
+{
+    const media **filling = &o->surface.material.interior.media;
+
+    o->surface.moves += moves;
+    if (*filling && moves > 0 && !in->failed)
+        *filling = parse_media_move(in, *filling, parse_last_transforms(in, o->map, moves));
+}
+
 static void move_object(pov_reader *in, void *self, keyword_id keyword)
 {
     object_parsed *o = self;
     const uint32_t before = parse_count_transforms(o->map);
-    const media **filling = &o->surface.material.interior.media;
-    uint32_t moves;
 
     parse_transform(in, &o->map, keyword);
-    moves = parse_count_transforms(o->map) - before;
-    o->surface.moves += moves;
-    if (*filling && moves > 0 && !in->failed)
-        *filling = parse_media_move(in, *filling, parse_last_transforms(in, o->map, moves));
+    moved(in, o, parse_count_transforms(o->map) - before);
+}
+
+bool parse_object_matrix(pov_reader *in, object_parsed *o, const double m[12])
+{
+    const transform *before = o->map;
+
+    if (!parse_append_matrix(in, &o->map, m))
+        return false;
+    moved(in, o, o->map != before);
+    return true;
 }
 
 typedef struct flag_word { keyword_id keyword; uint32_t flag; } flag_word;
@@ -264,6 +279,11 @@ static const item_list modifiers = { "an object modifier", ITEMS(modifier_items)
                                      NULL };
 
 void parse_modifiers(pov_reader *in, object_parsed *o, int end) { items_until(in, end, &modifiers, o); }
+
+void parse_object_colour(pov_reader *in, object_parsed *o, const pigment *p)
+{
+    parse_surface_colour(in, surface_of(in, o), p);
+}
 
 /* ---- the shape ---- */
 

@@ -26,12 +26,14 @@ static pigment read_colour(pov_reader *in)
     return out;
 }
 
-static void take_colour(pov_reader *in, pigment_reading *r)
+static void set_colour(pigment_reading *r, pigment p)
 {
-    r->constant = read_colour(in);
+    r->constant = p;
     r->has_colour = true;
     r->pattern.parsed.pattern.class = NULL;
 }
+
+static void take_colour(pov_reader *in, pigment_reading *r) { set_colour(r, read_colour(in)); }
 
 /* What is read changes the pigment that was there before. */
 static void take_base(pigment_reading *r, const pigment_node *from)
@@ -276,6 +278,19 @@ const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, const
         take_base(&r, base);
     while (!in->failed && in->token.kind != end)
         read_item(in, &r);
+    return make_node(in, &r);
+}
+
+const pigment_node *parse_pigment_colour(pov_reader *in, const pigment_node *base, const pigment *p)
+{
+    pigment_reading r;
+
+    memset(&r, 0, sizeof r);
+    r.kind = VALUE_PIGMENT;
+    parse_pattern_begin(&r.pattern);
+    if (base)
+        take_base(&r, base);
+    set_colour(&r, *p);
     return make_node(in, &r);
 }
 

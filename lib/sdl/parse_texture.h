@@ -15,6 +15,8 @@ const pigment_node *parse_pigment_upon(pov_reader *in, const pigment_node *base)
 const normal_node *parse_normal_node(pov_reader *in);
 const normal_node *parse_normal_upon(pov_reader *in, const normal_node *base);
 const pigment_node *parse_density_node(pov_reader *in);
+/* As the block `{ color rgbft C }`. */
+const pigment_node *parse_pigment_colour(pov_reader *in, const pigment_node *base, const pigment *p);
 
 /* What the surface's textures are; NULL: constant, as its material says. */
 const texture *parse_surface_texture(pov_reader *in, const surface_parsed *s);

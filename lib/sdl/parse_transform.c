@@ -31,17 +31,25 @@ static void mend_scale(pov_reader *in, double *v)
 }
 
 /* A map that flattens space has no way back from a ray. */
-static void append_matrix(pov_reader *in, const transform **list)
+bool parse_append_matrix(pov_reader *in, const transform **list, const double m[12])
 {
-    double m[VALUE_LIST_MAX];
     const transform *alone = NULL;
     pov_affine map;
 
-    value_list(in, "\"<\" and 12 numbers for a matrix", 12, 12, m);
     append(in, &alone, TRANSFORM_MATRIX, m);
-    if (!in->failed && !transform_compose(alone, &map))
-        report_fail(in, &in->value, POV_E_SYNTAX, "the matrix has no inverse");
+    if (in->failed || !transform_compose(alone, &map))
+        return false;
     append(in, list, TRANSFORM_MATRIX, m);
+    return true;
+}
+
+static void append_matrix(pov_reader *in, const transform **list)
+{
+    double m[VALUE_LIST_MAX];
+
+    value_list(in, "\"<\" and 12 numbers for a matrix", 12, 12, m);
+    if (!parse_append_matrix(in, list, m) && !in->failed)
+        report_fail(in, &in->value, POV_E_SYNTAX, "the matrix has no inverse");
 }
 
 static void append_vector(pov_reader *in, const transform **list, keyword_id keyword)

@@ -303,6 +303,12 @@ static void read_part(pov_reader *in, const scene_parts *all, const build_part *
     case BUILD_SHAPES:
         parse_arrays(in, all, part);
         break;
+    case BUILD_LIGHTS:
+        parse_array_lights(in, all, part);
+        break;
+    case BUILD_CAMERA:
+        parse_given_camera(in, part);
+        break;
     }
 }
 

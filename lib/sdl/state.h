@@ -34,6 +34,7 @@ typedef struct camera_parsed {
     const transform *map;
     const normal_node *normal;   /* or NULL */
     const struct camera_mesh *mesh;   /* of a mesh_camera */
+    const pov_camera *given;     /* by a program, instead of all the rest; or NULL */
 } camera_parsed;
 
 typedef struct settings_parsed {

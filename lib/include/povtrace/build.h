@@ -38,6 +38,46 @@ POV_API pov_status pov_builder_add_boxes(pov_builder *builder, size_t count, con
 POV_API pov_status pov_builder_add_triangles(pov_builder *builder, size_t count, const pov_vec3 *corners,
                                              const pov_vec3 *normals, uint32_t material, pov_error *err);
 
+/* mesh2 { vertex_vectors { ... } ... MATERIAL }: `faces` has three numbers of corners for each face. normals and uvs (two
+ * numbers each) are those of the corners, or faces of their own say which; they may be NULL. inside not 0: the inside_vector. */
+typedef struct pov_mesh {
+    size_t size;
+    const pov_vec3 *corners;
+    size_t corner_count;
+    const uint32_t *faces;
+    size_t face_count;
+    const pov_vec3 *normals;
+    size_t normal_count;
+    const uint32_t *normal_faces;
+    const double *uvs;
+    size_t uv_count;
+    const uint32_t *uv_faces;
+    pov_vec3 inside;
+} pov_mesh;
+
+/* One object. mesh is copied, its arrays are not. */
+POV_API pov_status pov_builder_add_mesh(pov_builder *builder, const pov_mesh *mesh, uint32_t material, pov_error *err);
+
+/* What differs from object to object of the next call that adds shapes, and of that call only. Arrays have an element for each
+ * object, or are NULL: a material instead of the call's; behind it `pigment { color rgb C }`, or rgbf, rgbft; and behind that
+ * `matrix <M>`, twelve numbers each. */
+typedef struct pov_each {
+    size_t size;
+    const uint32_t *materials;
+    const double *colours;
+    int channels;                /* numbers of a colour: 3, 4 or 5 */
+    const double *matrices;
+} pov_each;
+
+POV_API pov_status pov_builder_each(pov_builder *builder, const pov_each *each, pov_error *err);
+
+/* light_source { POSITION, rgb COLOUR MATERIAL }; here the material is the text of a light: `spotlight point_at 0`. It is read
+ * for each light. */
+POV_API pov_status pov_builder_add_lights(pov_builder *builder, size_t count, const pov_vec3 *positions,
+                                          const pov_vec3 *colours, uint32_t material, pov_error *err);
+/* The camera, as pov_scene_get_camera() gives it: nothing of it depends on the dialect. Of several cameras the last counts. */
+POV_API pov_status pov_builder_camera(pov_builder *builder, const pov_camera *camera, pov_error *err);
+
 /* Read and compile all that was added, as often as wanted. desc may be NULL. */
 POV_API pov_status pov_scene_load_builder(pov_scene **out, const pov_builder *builder, const pov_load_desc *desc,
                                           pov_error *err);
