@@ -22,15 +22,14 @@ static uint32_t scrambled(uint32_t v, uint32_t seed)
     return v;
 }
 
-/* Sobol's second dimension, mirrored: the columns of Pascal's triangle modulo 2. */
+/* Sobol's second dimension, mirrored: the columns of Pascal's triangle modulo 2, which is a Kronecker power. */
 static uint32_t second_dimension(uint32_t index)
 {
-    uint32_t sum = 0;
-
-    for (uint32_t column = 1u; index != 0; index >>= 1, column ^= column << 1)
-        if (index & 1u)
-            sum ^= column;
-    return sum;
+    index ^= (index & 0xaaaaaaaau) >> 1;
+    index ^= (index & 0xccccccccu) >> 2;
+    index ^= (index & 0xf0f0f0f0u) >> 4;
+    index ^= (index & 0xff00ff00u) >> 8;
+    return index ^ index >> 16;
 }
 
 static double fraction(uint32_t digits)

@@ -25,11 +25,15 @@ static colour share_of(const gathering *to, uint32_t i, float diffuse)
     return to->layers ? colour_mul(to->layers->of[i].by, c) : c;
 }
 
-/* Rays of little weight count less, so there are fewer of them. */
+/* Rays of little weight count less, so there are fewer of them. Deeper surfaces send one by the cosine and one towards a lamp,
+ * where there are some. */
 static uint8_t draws_of(const gathering *to, const path *from, float weight)
 {
-    uint32_t draws = from->gathers == 0 ? to->settings->draws : 1;
+    const float least = 0.2f;
+    uint32_t draws = to->settings->draws;
 
+    if (from->gathers > 0)
+        return world_get_lamps(to->context->scene->world)->count > 0 && weight >= least ? 2 : 1;
     for (; draws > 1 && weight <= 0.5f; weight *= 2.0f)
         draws /= 2;
     return (uint8_t)draws;
@@ -169,10 +173,13 @@ static bool aim(const shade_context *c, const batch *from, uint32_t i, uint32_t 
     const uint32_t draws = from->gather->draws[i], all = c->scene->model->radiosity.draws;
     const bool first = p->gathers == 1;
     const sequence_point at = random_point(&c->samples[p->lane], first ? draw : p->draw, first ? draws : all, p->branch);
+    const guide_kind kind = first || draws == 1 ? GUIDE_EITHER : draw == 0 ? GUIDE_EVEN : GUIDE_LAMPS;
     float by;
 
-    if (!guide_draw(world_get_lamps(c->scene->world), ray->org, lanes_at(&from->gather->normal, i), at, &ray->dir, &by))
+    if (!guide_draw(world_get_lamps(c->scene->world), ray->org, lanes_at(&from->gather->normal, i), at, kind, &ray->dir, &by))
         return false;
+    if (kind == GUIDE_LAMPS)
+        spawn_turn(p, TURN_TO_LAMP);
     p->factor.by = colour_scale(p->factor.by, by);
     if (first)
         p->draw = (uint8_t)draw;

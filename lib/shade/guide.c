@@ -153,28 +153,32 @@ static pov_vec3 draw_lamp(const views *all, pov_vec3 point, double x, double y)
     return aim(&all->of[i], point, x, y);
 }
 
-bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, sequence_point p, pov_vec3 *dir, float *by)
+/* The share of rays towards lamps. Where both kinds are drawn each is half of them. */
+static const double share_either = 0.5, share_both = 0.5;
+
+bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, sequence_point p, guide_kind kind, pov_vec3 *dir,
+                float *by)
 {
+    const double share = kind == GUIDE_EITHER ? share_either : share_both;
     double even, density = 0.0;
     views all;
 
-    *by = 1.0f;
+    *by = kind == GUIDE_EITHER ? 1.0f : 2.0f;
     all.count = 0;
     if (lamps->count > 0)
         find_views(lamps, point, normal, &all);
     if (all.count == 0) {
         *dir = spread(normal, p);
-        return true;
+        return kind != GUIDE_LAMPS;
     }
-    if (p.x < 0.5) {
-        p.x *= 2.0;
-        *dir = spread(normal, p);
-    } else {
-        *dir = draw_lamp(&all, point, 2.0 * p.x - 1.0, p.y);
+    if (kind == GUIDE_EITHER) {
+        kind = p.x < 1.0 - share ? GUIDE_EVEN : GUIDE_LAMPS;
+        p.x = kind == GUIDE_EVEN ? p.x / (1.0 - share) : (p.x - (1.0 - share)) / share;
     }
+    *dir = kind == GUIDE_EVEN ? spread(normal, p) : draw_lamp(&all, point, p.x, p.y);
     even = pov_dot(*dir, normal) * inverse_pi;
     for (uint32_t i = 0; i < all.count; i++)
         density += all.of[i].share * density_of(&all.of[i], point, *dir);
-    *by = (float)(even / (0.5 * even + 0.5 * density));
+    *by = (float)(even / ((1.0 - share) * even + share * density));
     return even > 0.0 && *by > 0.0f;
 }

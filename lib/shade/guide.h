@@ -5,9 +5,13 @@
 #include "base/sequence.h"
 #include "world/world.h"
 
-/* Draw a unit direction about the normal at a point: half of them by the cosine, half towards the boxes of lamps that are above
- * the surface, as far as there are some. by: what the ray counts, so that all together are spread by the cosine. False: the
- * direction is below the surface, where nothing counts. */
-bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, sequence_point p, pov_vec3 *dir, float *by);
+/* How a direction is drawn: by chance as one of the others, by the cosine, or towards a lamp. */
+typedef enum guide_kind { GUIDE_EITHER, GUIDE_EVEN, GUIDE_LAMPS } guide_kind;
+
+/* Draw a unit direction about the normal at a point: by the cosine, or towards the boxes of lamps that are above the surface,
+ * as far as there are some. by: what the ray counts, so that all together are spread by the cosine; of one of each kind,
+ * half of that. False: the direction is below the surface, or there is no lamp for it: nothing counts. */
+bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, sequence_point p, guide_kind kind, pov_vec3 *dir,
+                float *by);
 
 #endif

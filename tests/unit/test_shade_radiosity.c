@@ -184,6 +184,40 @@ static void rays_that_aim_at_a_lamp_count_as_much_as_they_should(void **state)
     tiny_end(&s);
 }
 
+/* A wall of albedo .5 around a lamp of 50, of which it sees a hundredth of its directions: each bounce adds .495 of the one before
+ * to what the lamp gives, .5. */
+static void each_bounce_around_a_lamp_adds_its_term(void **state)
+{
+    enum { ROUNDS = 16384 };
+    double wanted = 0.0;
+
+    (void)state;
+    for (uint32_t n = 1; n <= 4; n++) {
+        double sum = 0.0, squares = 0.0;
+        tiny s;
+
+        begin(&s);
+        s.model.radiosity.recursion_limit = n;
+        s.model.radiosity.draws = 16;
+        tiny_sphere(&s, 0, 0, 0, 2, diffuse(0.5f, 0.0f));
+        tiny_sphere(&s, 0, 0, 0, 0.2, diffuse(0.0f, 50.0f));
+        tiny_build(&s);
+        wanted = 0.5 + 0.495 * wanted;
+        for (uint32_t k = 0; k < ROUNDS; k++) {
+            const pov_ray ray = { .org = { 0, 1, 0 }, .dir = { 0, 1, 0 }, .origin_surface = POV_NO_OWNER };
+            const sample_id id = sample_id_of(3, 1, 1, 2 * k);
+            colour c;
+
+            tracer_colors(s.tracer, &ray, 1, 0, &id, &c, NULL);
+            sum += (double)c.g;
+            squares += (double)c.g * (double)c.g;
+        }
+        assert_near(sum / ROUNDS, 0.5 * wanted, 0.0025);
+        assert_true(squares / ROUNDS - sum / ROUNDS * sum / ROUNDS < 0.022);   /* 0.032 if deeper rays chose between lamp and wall */
+        tiny_end(&s);
+    }
+}
+
 static void a_ray_sees_the_same_alone_and_among_others(void **state)
 {
     sample_id ids[BATCH_MAX];
@@ -225,6 +259,7 @@ int main(void)
         cmocka_unit_test(the_back_gathers_by_its_own_share),
         cmocka_unit_test(lights_count_where_it_hits_and_highlights_do_not),
         cmocka_unit_test(rays_that_aim_at_a_lamp_count_as_much_as_they_should),
+        cmocka_unit_test(each_bounce_around_a_lamp_adds_its_term),
         cmocka_unit_test(a_ray_sees_the_same_alone_and_among_others),
     };
 
