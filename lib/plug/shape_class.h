@@ -25,8 +25,8 @@ typedef struct shape_class {
     bool (*open)(const void *self);
     bool (*solid)(const void *self);
     bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
-    uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
-                         double share[3]);
+    uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
+                         double *share);
     bool (*face)(const void *self, uint32_t number, pov_face *out);
 
     size_t block_size, single_block_size;

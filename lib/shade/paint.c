@@ -33,10 +33,12 @@ typedef struct group {
     texture_part parts[BATCH_MAX];
 } group;
 
+enum { PARTS_FIT = 1 / (TEXTURE_PARTS_MAX == POV_TEXTURES_MAX) };   /* else this does not compile */
+
 /* The part of its object that a hit is on. */
 static void find_part(const shading *scene, const hit *h, texture_part *out)
 {
-    double share[3];
+    double share[POV_TEXTURES_MAX];
 
     out->count = world_part_textures(scene->world, h, out->which, share);
     for (uint32_t i = 0; i < out->count; i++)

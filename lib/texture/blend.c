@@ -76,7 +76,7 @@ static float share_of_part(const blending *b, uint32_t member, const texture_par
     float share = p->count == 0 && member == b->last ? 1.0f : 0.0f;
 
     for (uint32_t i = 0; i < p->count; i++)
-        share += p->which[i] == member ? p->share[i] : 0.0f;
+        share += (p->which[i] < b->last ? p->which[i] : b->last) == member ? p->share[i] : 0.0f;
     return share;
 }
 

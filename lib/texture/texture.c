@@ -175,7 +175,7 @@ uint32_t texture_most_terms(const texture *of)
         before = one;
     }
     if (of->blend == BLEND_PARTS)
-        return sum < 3 * most ? sum : 3 * most;
+        return sum < TEXTURE_PARTS_MAX * most ? sum : TEXTURE_PARTS_MAX * most;
     return of->blend == BLEND_LIST || of->blend == BLEND_MAP ? most : sum;
 }
 

@@ -5,9 +5,11 @@
 #include "base/lanes.h"
 #include "model/model.h"
 
-/* Textures of the part of a surface that a point is on: numbers of members of a BLEND_PARTS, and their shares. None: the
- * last member. */
-typedef struct texture_part { uint32_t count, which[3]; float share[3]; } texture_part;
+enum { TEXTURE_PARTS_MAX = 8 };  /* as many as a shape may give */
+
+/* Textures of the part of a surface that a point is on: numbers of members of a BLEND_PARTS, and their shares. None, and
+ * numbers behind the last: the last member. */
+typedef struct texture_part { uint32_t count, which[TEXTURE_PARTS_MAX]; float share[TEXTURE_PARTS_MAX]; } texture_part;
 
 /* Points by lane, and what patterns and normals ask of the surface there. */
 typedef struct texture_points {

@@ -58,12 +58,12 @@ static bool holds(const world *w, uint32_t leaf, const hit *h)
 }
 
 /* The first of the members that hold the point give equal shares. */
-static uint32_t find_givers(const world *w, const hit *h, uint32_t which[3], double share[3])
+static uint32_t find_givers(const world *w, const hit *h, uint32_t *which, double *share)
 {
     const cutaway *c = model_cutaway(w->model, h->object);
     uint32_t count = 0, i;
 
-    for (i = 0; c && i < c->giver_count && count < 3; i++)
+    for (i = 0; c && i < c->giver_count && count < POV_TEXTURES_MAX; i++)
         if (holds(w, w->model->givers.items[c->giver + i], h))
             which[count++] = i;
     for (i = 0; i < count; i++)
@@ -71,7 +71,7 @@ static uint32_t find_givers(const world *w, const hit *h, uint32_t which[3], dou
     return count;
 }
 
-uint32_t world_part_textures(const world *w, const hit *h, uint32_t which[3], double share[3])
+uint32_t world_part_textures(const world *w, const hit *h, uint32_t *which, double *share)
 {
     const part p = find_part(w, h);
 

@@ -12,6 +12,6 @@ bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_
  * POV-Ray. */
 void world_uv(const world *w, const hit *h, double out[2]);
 /* Textures of the part of a completed hit: numbers of the leaf's own, and their shares. 0: it has none there. */
-uint32_t world_part_textures(const world *w, const hit *h, uint32_t which[3], double share[3]);
+uint32_t world_part_textures(const world *w, const hit *h, uint32_t *which, double *share);
 
 #endif

@@ -177,7 +177,7 @@ void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, doub
 }
 
 uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
-                              uint32_t which[3], double share[3])
+                              uint32_t *which, double *share)
 {
     const common_mesh *m = self;
     const uint32_t face = face_of(m, mark);

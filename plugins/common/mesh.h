@@ -67,7 +67,7 @@ void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, doub
 bool common_mesh_shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                                 pov_vec3 *out);
 uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
-                              uint32_t which[3], double share[3]);
+                              uint32_t *which, double *share);
 bool common_mesh_face(const void *self, uint32_t number, pov_face *out);
 
 /* The rest of a class and its plugin, whose functions are these. */

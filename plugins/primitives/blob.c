@@ -25,7 +25,6 @@ typedef struct blob {
     double scale;
 } blob;
 
-#define NO_TEXTURE 0xffffffffu
 
 static const double NEAR = 0x1p-30;
 
@@ -107,7 +106,7 @@ static void add(blob *b, const pov_host *host, pov_reader *in, const written *w,
         return;
     c->strength = strength;
     c->texture = texture;
-    b->textured |= texture != NO_TEXTURE;
+    b->textured |= texture != POV_OWN_TEXTURE;
     find_map(c, w);
     find_box(c, w);
 }
@@ -121,7 +120,7 @@ static double read_strength(const pov_host *host, pov_reader *in)
 
 static void read_component(blob *b, const pov_host *host, pov_reader *in, bool is_cylinder)
 {
-    uint32_t texture = NO_TEXTURE;
+    uint32_t texture = POV_OWN_TEXTURE;
     double strength;
     bool read = true;
     written w;
@@ -160,7 +159,7 @@ static void read_old(blob *b, const pov_host *host, pov_reader *in)
     host->accept(in, ",");
     host->vector(in, &w.from);
     w.to = w.from;
-    add(b, host, in, &w, strength, NO_TEXTURE);
+    add(b, host, in, &w, strength, POV_OWN_TEXTURE);
 }
 
 static bool read_item(blob *b, const pov_host *host, pov_reader *in)
@@ -453,46 +452,51 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
-/* Keep the three largest, in falling order. Returns how many there are. */
-static uint32_t insert(uint32_t which[3], double share[3], uint32_t n, uint32_t texture, double field)
-{
-    uint32_t j = n < 3 ? n : 3;
+/* Shares of the field so far, in falling order; the least gives way to a larger one. */
+typedef struct shares { uint32_t *which; double *share; uint32_t count; } shares;
 
-    while (j > 0 && share[j - 1] < field)
-        j--;
-    if (j == 3)
-        return n;
-    for (uint32_t i = n < 3 ? n : 2; i > j; i--) {
-        share[i] = share[i - 1];
-        which[i] = which[i - 1];
+static void add_share(shares *s, uint32_t texture, double field)
+{
+    uint32_t i = 0;
+
+    while (i < s->count && s->which[i] != texture)
+        i++;
+    if (i == POV_TEXTURES_MAX && s->share[--i] >= field)
+        return;
+    if (i < s->count && s->which[i] == texture)
+        field += s->share[i];
+    else if (i == s->count)
+        s->count++;
+    for (; i > 0 && s->share[i - 1] < field; i--) {
+        s->share[i] = s->share[i - 1];
+        s->which[i] = s->which[i - 1];
     }
-    share[j] = field;
-    which[j] = texture;
-    return n < 3 ? n + 1 : 3;
+    s->share[i] = field;
+    s->which[i] = texture;
 }
 
-/* By the shares of the components in the field. */
-static uint32_t textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
-                         double share[3])
+/* By the shares of the components in the field, whatever its sign; those without a texture have the blob's. */
+static uint32_t textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
+                         double *share)
 {
     const blob *b = self;
     const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->anchor, b->scale));
+    shares all = { which, share, 0 };
     double sum = 0.0;
-    uint32_t n = 0;
     pov_vec3 slope;
 
     (void)mark;
     for (uint32_t i = 0; b->textured && i < b->count; i++) {
         const double field = fabs(field_of(&b->at[i], p, &slope));
 
-        if (field > 0.0 && b->at[i].texture != NO_TEXTURE)
-            n = insert(which, share, n, b->at[i].texture, field);
+        if (field > 0.0)
+            add_share(&all, b->at[i].texture, field);
     }
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 0; i < all.count; i++)
         sum += share[i];
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 0; i < all.count; i++)
         share[i] /= sum;
-    return n;
+    return all.count;
 }
 
 static const pov_shape_class blob_class = {

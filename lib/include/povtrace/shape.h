@@ -127,6 +127,9 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
  * host->alloc and is never written after parse, and absorb changes only the
  * instance's own bytes. */
 
+#define POV_TEXTURES_MAX 8u             /* most textures of a point of a surface */
+#define POV_OWN_TEXTURE 0xffffffffu     /* the object's, in place of a number */
+
 enum {
     POV_SHAPE_SOLID = 1u << 0,   /* inside() is valid: it may be a dielectric and take part in CSG */
     POV_SHAPE_CONVEX = 1u << 1,  /* a ray that leaves it outward never meets it again: it lies on one side of each tangent plane */
@@ -189,10 +192,11 @@ typedef struct pov_shape_class {
     /* [render] The normal that light sees at a crossing, of any length but zero, where it is another than normal()
      * gives. False: it is not. */
     bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
-    /* [render] Textures of a part of the surface: up to three numbers that host->texture() gave, and their shares, which
-     * add up to one. Returns how many; 0: the object's own texture. NULL: every part has that. */
-    uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t which[3],
-                         double share[3]);
+    /* [render] Textures of a part of the surface: up to POV_TEXTURES_MAX numbers that host->texture() gave or
+     * POV_OWN_TEXTURE, and their shares, which add up to one. Returns how many; 0: the object's own texture. NULL: every
+     * part has that. */
+    uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
+                         double *share);
     /* [load] For shapes made of triangles: the face of this number, from 0, in the order of the text. False: there is none. */
     bool (*face)(const void *self, uint32_t number, pov_face *out);
 } pov_shape_class;
