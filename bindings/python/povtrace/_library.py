@@ -19,6 +19,29 @@ typedef struct pov_context pov_context;
 typedef struct pov_scene pov_scene;
 typedef struct pov_job pov_job;
 typedef struct pov_tracer pov_tracer;
+typedef struct pov_builder pov_builder;
+typedef struct {
+    size_t size;
+    pov_vec3 location, direction, right, up;
+    int type;
+    double angles[2], lens_radius, focal_distance;
+    int lens_samples;
+} pov_camera;
+typedef struct {
+    size_t size;
+    const pov_vec3 *corners;
+    size_t corner_count;
+    const uint32_t *faces;
+    size_t face_count;
+    const pov_vec3 *normals;
+    size_t normal_count;
+    const uint32_t *normal_faces;
+    const double *uvs;
+    size_t uv_count;
+    const uint32_t *uv_faces;
+    pov_vec3 inside;
+} pov_mesh;
+typedef struct { size_t size; const uint32_t *materials; const double *colours; int channels; const double *matrices; } pov_each;
 typedef struct {
     size_t size;
     int dialect, accel, max_trace_level, threads, accuracy;
@@ -49,7 +72,13 @@ typedef struct {
     uint64_t counts[10];
     double spp_mean, est_rmse;
 } pov_progress;
-typedef struct { size_t size; int dialect; const char *dialect_reason; int transfer; } pov_scene_info;
+typedef struct {
+    size_t size;
+    int dialect;
+    const char *dialect_reason;
+    int transfer;
+    double parse_seconds, build_seconds;
+} pov_scene_info;
 typedef struct {
     size_t size;
     double *distance;
@@ -66,7 +95,27 @@ int pov_scene_load_file(pov_scene **out, pov_context *context, const char *path,
                         pov_error *err);
 int pov_scene_load_text(pov_scene **out, pov_context *context, const char *text, size_t length, const char *name,
                         const pov_load_desc *desc, pov_error *err);
+int pov_scene_load_builder(pov_scene **out, const pov_builder *builder, const pov_load_desc *desc, pov_error *err);
 void pov_scene_destroy(pov_scene *scene);
+int pov_builder_create(pov_builder **out, pov_context *context, pov_error *err);
+void pov_builder_destroy(pov_builder *builder);
+int pov_builder_add_text(pov_builder *b, const char *text, size_t length, const char *name, pov_error *err);
+int pov_builder_material(pov_builder *b, const char *text, uint32_t *material, pov_error *err);
+int pov_builder_each(pov_builder *b, const pov_each *each, pov_error *err);
+int pov_builder_add_spheres(pov_builder *b, size_t n, const pov_vec3 *centres, const double *radii, uint32_t material,
+                            pov_error *err);
+int pov_builder_add_cylinders(pov_builder *b, size_t n, const pov_vec3 *bases, const pov_vec3 *tops, const double *radii,
+                              uint32_t material, pov_error *err);
+int pov_builder_add_cones(pov_builder *b, size_t n, const pov_vec3 *bases, const double *base_radii, const pov_vec3 *tops,
+                          const double *top_radii, uint32_t material, pov_error *err);
+int pov_builder_add_boxes(pov_builder *b, size_t n, const pov_vec3 *corners, const pov_vec3 *opposite, uint32_t material,
+                          pov_error *err);
+int pov_builder_add_triangles(pov_builder *b, size_t n, const pov_vec3 *corners, const pov_vec3 *normals, uint32_t material,
+                              pov_error *err);
+int pov_builder_add_mesh(pov_builder *b, const pov_mesh *mesh, uint32_t material, pov_error *err);
+int pov_builder_add_lights(pov_builder *b, size_t n, const pov_vec3 *positions, const pov_vec3 *colours, uint32_t material,
+                           pov_error *err);
+int pov_builder_camera(pov_builder *b, const pov_camera *camera, pov_error *err);
 size_t pov_scene_object_count(const pov_scene *scene);
 void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out);
 int pov_job_create(pov_job **out, const pov_scene *scene, const pov_render_desc *desc, pov_error *err);

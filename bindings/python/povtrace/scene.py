@@ -8,48 +8,16 @@ from typing import Any, NamedTuple, Optional, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._calls import PovError, _at, _call, _make, _sized
 from ._library import ffi, lib
+from .builder import Builder
+
+__all__ = ['Builder', 'Hits', 'Picture', 'PovError', 'Scene']
 
 RUNNING = 1                      # pov_job_state
 LINEAR_FLOAT = 1                 # pov_pixels
 ADAPTIVE = 1                     # pov_sampling
 NOTHING = 0xffffffff             # the object of a miss
-
-
-class PovError(Exception):
-    """What the library said, with the place in the scene's text: file, line and column, 0 where there is none."""
-
-    def __init__(self, err: Any) -> None:
-        text = {name: ffi.string(getattr(err, name)).decode(errors='replace')
-                for name in ('file', 'message', 'excerpt', 'hint')}
-        self.status, self.line, self.column = int(err.status), int(err.line), int(err.column)
-        self.file, self.message, self.excerpt, self.hint = (text[n] for n in ('file', 'message', 'excerpt', 'hint'))
-        place = f'{self.file}:{self.line}:{self.column}: ' if self.line else f'{self.file}: ' if self.file else ''
-        super().__init__(place + self.message + (f'; did you mean "{self.hint}"?' if self.hint else ''))
-
-
-def _call(function: Callable[..., int], *arguments: Any) -> None:
-    """Call what fills a pov_error; it becomes an exception."""
-    err = ffi.new('pov_error *')
-    if function(*arguments, err) < 0:
-        raise PovError(err)
-
-
-def _make(destroy: Callable[[Any], None], kind: str, create: Callable[..., int], *arguments: Any) -> Any:
-    """A handle that is destroyed with the last reference to it."""
-    out = ffi.new(f'{kind} **')
-    _call(create, out, *arguments)
-    return ffi.gc(out[0], destroy)
-
-
-def _sized(kind: str, **values: Any) -> Any:
-    struct = ffi.new(f'{kind} *', values)
-    struct.size = ffi.sizeof(kind)
-    return struct
-
-
-def _at(kind: str, array: NDArray[Any]) -> Any:
-    return ffi.cast(f'{kind} *', ffi.from_buffer(array))
 
 
 def _value(value: Union[float, str]) -> str:
@@ -106,27 +74,43 @@ class Picture:
 
 
 class Scene:
-    """A scene of scene text (str), or of a file (a pathlib.Path). `declare` gives values of #declare: numbers, strings.
+    """A scene of scene text (str), of a file (a pathlib.Path), or of a Builder. `declare` gives values of #declare: numbers,
+    strings.
 
     The interpreter's lock is free while the library reads and traces.
     """
 
-    def __init__(self, source: Union[str, os.PathLike[str]], *, declare: Optional[Mapping[str, Union[float, str]]] = None,
+    def __init__(self, source: Union[str, os.PathLike[str], Builder], *, declare: Optional[Mapping[str, Union[float, str]]] = None,
                  library_path: Optional[str] = None, threads: int = 0) -> None:
         words = [ffi.new('char[]', f'{name}={_value(value)}'.encode()) for name, value in (declare or {}).items()]
         declares = ffi.new('const char *[]', [*words, ffi.NULL])
         path = ffi.NULL if library_path is None else ffi.new('char[]', os.fsencode(library_path))
         desc = _sized('pov_load_desc', declares=declares, library_path=path, threads=threads)
-        self._context = _make(lib.pov_context_destroy, 'pov_context', lib.pov_context_create, ffi.NULL)
-        if isinstance(source, str):
+        self._context = source._context if isinstance(source, Builder) else _make(
+            lib.pov_context_destroy, 'pov_context', lib.pov_context_create, ffi.NULL)
+        what: tuple[Any, ...]
+        if isinstance(source, Builder):
+            what = (lib.pov_scene_load_builder, source._builder, desc)
+        elif isinstance(source, str):
             text = source.encode()
             what = (lib.pov_scene_load_text, self._context, text, len(text), b'(text)', desc)
         else:
             what = (lib.pov_scene_load_file, self._context, os.fsencode(source), desc)
-        self._scene = _make(lib.pov_scene_destroy, 'pov_scene', *what)
+        self._scene: Any = _make(lib.pov_scene_destroy, 'pov_scene', *what)
 
     def __len__(self) -> int:
         return int(lib.pov_scene_object_count(self._scene))
+
+    @property
+    def seconds(self) -> tuple[float, float]:
+        """That reading took, and compiling for rays."""
+        info = self._info()
+        return info.parse_seconds, info.build_seconds
+
+    def _info(self) -> Any:
+        info = _sized('pov_scene_info')
+        lib.pov_scene_get_info(self._scene, info)
+        return info
 
     def render(self, width: int, height: int, *, spp: int = 0, error: float = 0.0, time: float = 0.0, threads: int = 0,
                seed: int = 0, alpha: bool = False, progress: Optional[Callable[[float], Any]] = None,
@@ -166,11 +150,9 @@ class Scene:
         return now
 
     def _read(self, job: Any, width: int, height: int) -> Picture:
-        info = _sized('pov_scene_info')
         pixels = np.empty((height, width, 4), dtype=np.float32)
         lib.pov_job_read(job, (0, 0, width, height), LINEAR_FLOAT, ffi.from_buffer(pixels), width * 16)
-        lib.pov_scene_get_info(self._scene, info)
-        return Picture(self._context, pixels, info.transfer, self._state(job))
+        return Picture(self._context, pixels, self._info().transfer, self._state(job))
 
     def trace(self, origins: ArrayLike, directions: ArrayLike, *, color: bool = False) -> Hits:
         """The nearest hits of rays, (n, 3) each or (3,) for all; fastest where rays that follow each other are alike.
