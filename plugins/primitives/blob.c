@@ -350,7 +350,7 @@ static bool report(const line *n, double t, pov_hits *hits)
     const pov_two at = pov_two_sum(n->base, t);
     const pov_mark mark = { 0, 0, 0.0, 0.0 };
 
-    return pov_cross(hits, at.hi * n->k->unit, at.lo * n->k->unit, mark) && !(hits->want == POV_WANT_NEAREST && hits->count > 0);
+    return pov_cross(hits, at.hi * n->k->unit, at.lo * n->k->unit, mark) && !(hits->want == POV_WANT_NEAREST && at.hi * n->k->unit > hits->tmin);
 }
 
 /* False: nothing more is wanted. */

@@ -150,7 +150,7 @@ static bool report(const line *n, double t, uint32_t feature)
     const pov_mark mark = { feature, 0, 0.0, 0.0 };
     pov_hits *hits = n->hits;
 
-    return pov_cross(hits, at.hi * n->unit, at.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && hits->count > 0);
+    return pov_cross(hits, at.hi * n->unit, at.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && at.hi * n->unit > hits->tmin);
 }
 
 /* Where an inverse parabola through three samples is zero, from a to b; the middle where it would not be between them. */

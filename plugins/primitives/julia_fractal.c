@@ -301,7 +301,7 @@ static bool report(const line *n, sample at)
     const pov_mark mark = { at.place, 0, 0.0, 0.0 };
     pov_hits *hits = n->hits;
 
-    return pov_cross(hits, t.hi * n->unit, t.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && hits->count > 0);
+    return pov_cross(hits, t.hi * n->unit, t.lo * n->unit, mark) && !(hits->want == POV_WANT_NEAREST && t.hi * n->unit > hits->tmin);
 }
 
 static side side_between(const line *n, double from, double to)

@@ -208,6 +208,36 @@ void nearest_is_the_first_of_all_and_any_is_as_nearest(void **unused)
     subject_each_ray(RAYS, agrees);
 }
 
+/* Does the ray meet the shape first where another one was found at `other`? */
+static bool is_found_before(const thing *t, const pov_ray *ray, double other, double first)
+{
+    pov_crossing at = { .t = other, .owner = OWNER + 1 };
+    pov_hits hits = { .tmax = other, .want = POV_WANT_NEAREST, .owner = OWNER, .count = 1, .capacity = 1, .at = &at };
+
+    hits.scratch = subject_scratch(t->self);
+    subject.shape->intersect(t->self, ray, &hits);
+    if (first > other)
+        return at.owner == OWNER + 1 && at.t == other;
+    return at.owner == OWNER && fabs(at.t - first) <= 32.0 * DBL_EPSILON * fabs(first);
+}
+
+/* What was found before, on another shape, only ends the interval. */
+static bool another_only_ends_it(const thing *t, const pov_ray *ray)
+{
+    const double other = 3.0 * t->size * subject_uniform() / subject_length(ray->dir);
+    pov_crossing all[MOST];
+    const uint32_t n = subject_ask(t->self, ray, all);
+    const double first = n > 0 ? all[0].t : HUGE_VAL;
+
+    return fabs(first - other) <= 1e-9 * other || is_found_before(t, ray, other, first);
+}
+
+void what_was_found_before_only_ends_the_interval(void **unused)
+{
+    (void)unused;
+    subject_each_ray(RAYS, another_only_ends_it);
+}
+
 static bool agrees_exactly(const thing *t, const pov_ray *ray)
 {
     pov_crossing quick[MOST], exact[MOST];
