@@ -210,7 +210,8 @@ class Render:
             write_whole(output.with_name(output.name + names[part]), content)
             near[part] = worker
 
-        shared = self.client.scatter(given, broadcast=True, hash=False) if given else {}
+        # In a list it gets a key of its own: a dict's keys would be those of the round before, which may still be there.
+        shared = self.client.scatter([given], broadcast=True, hash=False)[0] if given else {}
         self._run(tasks, 'parts', shared, take, {part: worker for part, worker in near.items() if worker in self.client.nthreads()})
 
     def frames(self, output: Path, first: int, last: int, clocks: tuple[float, float] = (0.0, 1.0),
