@@ -76,9 +76,14 @@ class BuilderTest(unittest.TestCase):
         fade = 'fade_distance 8 fade_power 2'
         self.check(b, f'{HEAD}{shapes} light_source {{ <3, 5, -4>, rgb <1, .5, 0> {fade} }} light_source {{ <-2, 3, -1>,'
                       f'rgb <0, .5, 1> {fade} }}' + self.camera_text(b))
+        camera = povtrace.Scene(b).camera
+        self.assertEqual(camera.type, 'perspective')
+        np.testing.assert_array_equal(camera.location, [0, 1, -6])
+        self.assertAlmostEqual(np.linalg.norm(camera.right) / 2 / np.linalg.norm(camera.direction), np.tan(np.radians(20)))
         seen = povtrace.Scene(b.camera([0, 0, -6], [0, 0, 0], orthographic=4).background([0, 0, 1])).render(40, 30).pixels
         self.assertTrue((seen[0, :, 2] == 1).all())           # 3 high: 1.5 above the middle
         self.assertEqual(np.count_nonzero(seen[15, :, 2] != 1), 20)
+        self.assertEqual(povtrace.Scene(b).camera.type, 'orthographic')
 
     @staticmethod
     def camera_text(_):

@@ -7,9 +7,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .scene import Builder, Hits, Picture, PovError, Scene
+    from .scene import Builder, Camera, Hits, Picture, PovError, Scene
 
-__all__ = ['Builder', 'Hits', 'Picture', 'PovError', 'Scene']
+__all__ = ['Builder', 'Camera', 'Hits', 'Picture', 'PovError', 'Scene']
 
 
 def __getattr__(name: str) -> Any:

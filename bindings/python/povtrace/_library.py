@@ -117,6 +117,7 @@ int pov_builder_add_lights(pov_builder *b, size_t n, const pov_vec3 *positions, 
                            pov_error *err);
 int pov_builder_camera(pov_builder *b, const pov_camera *camera, pov_error *err);
 size_t pov_scene_object_count(const pov_scene *scene);
+void pov_scene_get_camera(const pov_scene *scene, pov_camera *out);
 void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out);
 int pov_job_create(pov_job **out, const pov_scene *scene, const pov_render_desc *desc, pov_error *err);
 void pov_job_destroy(pov_job *job);

@@ -12,11 +12,13 @@ from ._calls import PovError, _at, _call, _make, _sized
 from ._library import ffi, lib
 from .builder import Builder
 
-__all__ = ['Builder', 'Hits', 'Picture', 'PovError', 'Scene']
+__all__ = ['Builder', 'Camera', 'Hits', 'Picture', 'PovError', 'Scene']
 
 RUNNING = 1                      # pov_job_state
 LINEAR_FLOAT = 1                 # pov_pixels
 ADAPTIVE = 1                     # pov_sampling
+CAMERAS = ('perspective', 'orthographic', 'fisheye', 'ultra_wide_angle', 'omnimax', 'panoramic', 'spherical', 'cylinder 1',
+           'cylinder 2', 'cylinder 3', 'cylinder 4', 'mesh_camera')   # pov_camera_type
 NOTHING = 0xffffffff             # the object of a miss
 
 
@@ -32,6 +34,16 @@ class Hits(NamedTuple):
     object: NDArray[np.int64]
     point: NDArray[np.float64]
     color: Optional[NDArray[np.float32]]
+
+
+class Camera(NamedTuple):
+    """A place on the screen is u to the right and v upwards, each from -1/2 to 1/2. Rays of a 'perspective' camera start at
+    location, with the direction direction + u right + v up; of an 'orthographic' one at location + u right + v up."""
+    type: str
+    location: NDArray[np.float64]
+    direction: NDArray[np.float64]
+    right: NDArray[np.float64]
+    up: NDArray[np.float64]
 
 
 class Picture:
@@ -106,6 +118,12 @@ class Scene:
         """That reading took, and compiling for rays."""
         info = self._info()
         return info.parse_seconds, info.build_seconds
+
+    @property
+    def camera(self) -> Camera:
+        c = _sized('pov_camera')
+        lib.pov_scene_get_camera(self._scene, c)
+        return Camera(CAMERAS[c.type], *(np.array([v.x, v.y, v.z]) for v in (c.location, c.direction, c.right, c.up)))
 
     def _info(self) -> Any:
         info = _sized('pov_scene_info')
