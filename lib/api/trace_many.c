@@ -4,6 +4,7 @@
 #include "base/err.h"
 #include "query/query.h"
 #include "shade/tracer.h"
+#include "world/detail.h"
 
 #include <math.h>
 
@@ -37,6 +38,8 @@ static void put_misses(const pov_found *out, size_t first, size_t end)
             out->normal[i] = zero;
         if (out->object)
             out->object[i] = UINT32_MAX;
+        if (out->uv)
+            out->uv[2 * i] = out->uv[2 * i + 1] = 0.0;
     }
 }
 
@@ -46,13 +49,15 @@ static void put_hit(const pov_found *out, size_t i, const shading *scene, const 
         out->distance[i] = h->crossing.t;
     if (out->object)
         out->object[i] = model_object_of(scene->model, h->object);
-    if (!out->point && !out->normal)
+    if (!out->point && !out->normal && !out->uv)
         return;
     world_surface(scene->world, ray, h);
     if (out->point)
         out->point[i] = h->point;
     if (out->normal)
         out->normal[i] = h->entering ? h->normal : pov_scale(h->normal, -1.0);
+    if (out->uv)
+        world_uv(scene->world, h, out->uv + 2 * i);
 }
 
 static void find_hits(pov_tracer *t, const chunk *c, const pov_found *out)
@@ -107,7 +112,7 @@ pov_status pov_trace_many(pov_tracer *tracer, size_t count, const pov_vec3 *org,
 
         take(&c, first, end, org, dir);
         put_misses(&to, first, end);
-        if (c.count > 0 && (to.distance || to.point || to.normal || to.object))
+        if (c.count > 0 && (to.distance || to.point || to.normal || to.object || to.uv))
             find_hits(tracer, &c, &to);
         if (to.rgba)
             put_black(to.rgba, first, end);

@@ -24,7 +24,7 @@ static const char format[] =
 static void draw(const char *moves, float *rgba)
 {
     static pov_vec3 org[COUNT], dir[COUNT];
-    const pov_found out = { sizeof out, NULL, NULL, NULL, NULL, rgba };
+    const pov_found out = { sizeof out, NULL, NULL, NULL, NULL, rgba, NULL };
     pov_context *context = scenes_context();
     pov_camera camera = POV_INIT(camera);
     char text[TEXT];

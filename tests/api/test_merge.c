@@ -31,7 +31,7 @@ static float *colours_of(const char *finish, const char *texture)
 {
     static float rgba[4 * COUNT];
     static pov_vec3 org[COUNT], dir[COUNT];
-    const pov_found out = { sizeof out, NULL, NULL, NULL, NULL, rgba };
+    const pov_found out = { sizeof out, NULL, NULL, NULL, NULL, rgba, NULL };
     pov_context *context = scenes_context();
     char text[TEXT];
     pov_tracer *tracer;

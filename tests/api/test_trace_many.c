@@ -37,7 +37,7 @@ static void many_are_as_single_ones(void **state)
     static pov_vec3 point[COUNT], normal[COUNT];
     static uint32_t object[COUNT];
     static float rgba[4 * COUNT];
-    const pov_found out = { sizeof out, distance, point, normal, object, rgba };
+    const pov_found out = { sizeof out, distance, point, normal, object, rgba, NULL };
     pov_context *context = scenes_context();
     pov_scene *scene = scenes_text(context, text);
     pov_tracer *tracer;
@@ -68,11 +68,47 @@ static void many_are_as_single_ones(void **state)
     pov_context_destroy(context);
 }
 
+/* Surfaces that glow by their uv coordinates tell what these are. */
+static void uv_are_those_of_textures(void **state)
+{
+    static const char glowing[] =
+        "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -4> look_at 0 }\n"
+        "#declare U = texture { uv_mapping pigment { gradient x color_map { [0 rgb 0] [1 rgb x] } } finish { ambient 1 diffuse 0 } }\n"
+        "sphere { 0, 1 texture { U } rotate 30*z translate .2*x } torus { 1.5, .2 texture { U } }\n"
+        "box { <-3, -1.5, -3>, <3, -1, 3> texture { U } scale 1.1 }\n";
+    static rays r;
+    static double uv[2 * COUNT];
+    static float rgba[4 * COUNT];
+    static uint32_t object[COUNT];
+    const pov_found out = { sizeof out, NULL, NULL, NULL, object, rgba, uv };
+    pov_context *context = scenes_context();
+    pov_scene *scene = scenes_text(context, glowing);
+    pov_tracer *tracer;
+    double most = 0.0;
+
+    (void)state;
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    aim(scene, &r);
+    assert_int_equal(pov_trace_many(tracer, COUNT, r.org, r.dir, &out, NULL), POV_OK);
+    for (int i = 0; i < COUNT; i++) {
+        if (object[i] == UINT32_MAX) {
+            assert_true(uv[2 * i] == 0.0 && uv[2 * i + 1] == 0.0);
+            continue;
+        }
+        assert_true(fabs(uv[2 * i] - floor(uv[2 * i]) - rgba[4 * i]) < 1e-6);
+        most = uv[2 * i] > most ? uv[2 * i] : most;
+    }
+    assert_true(most > 0.5);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
 static void what_is_not_asked_for_is_left_out(void **state)
 {
     static rays r;
     static uint32_t object[COUNT];
-    pov_found out = { sizeof out, NULL, NULL, NULL, object, NULL };
+    pov_found out = { sizeof out, NULL, NULL, NULL, object, NULL, NULL };
     pov_context *context = scenes_context();
     pov_scene *scene = scenes_text(context, text);
     pov_tracer *tracer;
@@ -94,7 +130,9 @@ static void what_is_not_asked_for_is_left_out(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_are_as_single_ones), cmocka_unit_test(what_is_not_asked_for_is_left_out),
+        cmocka_unit_test(many_are_as_single_ones),
+        cmocka_unit_test(uv_are_those_of_textures),
+        cmocka_unit_test(what_is_not_asked_for_is_left_out),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

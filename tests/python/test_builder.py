@@ -69,6 +69,13 @@ class BuilderTest(unittest.TestCase):
         self.check(povtrace.Builder().text(EYE).mesh(corners, faces, look, normals=normals, uv=uv, matrix=turn),
                    f'{HEAD}{EYE} mesh2 {{ {text} {look} matrix {vector(turn.ravel())} }}')
 
+    def test_rays_find_uv(self):
+        corners, uv = np.array([[-1, -1, 0], [1, -1, 0], [-1, 1, 0]]), np.array([[0, 0], [1, 0], [0, .5]])
+        scene = povtrace.Scene(povtrace.Builder().mesh(corners, [[0, 1, 2]], uv=uv))
+        hits = scene.trace([[-1, -1, -2], [0, -.5, -2], [3, 3, -2]] + np.array([1e-9, 1e-9, 0]), [0, 0, 1], uv=True)
+        np.testing.assert_allclose(hits.uv, [[0, 0], [.5, .125], [0, 0]], atol=1e-8)
+        self.assertIsNone(scene.trace([0, 0, -2], [0, 0, 1]).uv)
+
     def test_lights_and_the_camera_are_values(self):
         shapes = 'sphere { 0, 1 pigment { rgb 1 } } plane { y, -1 pigment { checker rgb 1 rgb .3 } }'
         b = povtrace.Builder().text(shapes).lights([[3, 5, -4], [-2, 3, -1]], [[1, .5, 0], [0, .5, 1]], 'fade_distance 8 fade_power 2')

@@ -85,6 +85,7 @@ typedef struct {
     pov_vec3 *point, *normal;
     uint32_t *object;
     float *rgba;
+    double *uv;
 } pov_found;
 typedef struct { size_t size; int bits, transfer; const char *format; } pov_image_options;
 typedef struct { void *user; bool (*put)(void *user, const void *bytes, size_t count); } pov_output;

@@ -28,12 +28,14 @@ def _value(value: Union[float, str]) -> str:
 
 class Hits(NamedTuple):
     """By ray: distance in lengths of the direction, inf where nothing is hit; unit normal facing the ray; object, in
-    the order of the text, or -1; point, 0 where nothing is hit; color, linear, what is seen along it, or None."""
+    the order of the text, or -1; point, 0 where nothing is hit; color, linear, what is seen along it, or None; uv, where
+    uv_mapping is asked, or None."""
     distance: NDArray[np.float64]
     normal: NDArray[np.float64]
     object: NDArray[np.int64]
     point: NDArray[np.float64]
     color: Optional[NDArray[np.float32]]
+    uv: Optional[NDArray[np.float64]] = None
 
 
 class Camera(NamedTuple):
@@ -172,21 +174,21 @@ class Scene:
         lib.pov_job_read(job, (0, 0, width, height), LINEAR_FLOAT, ffi.from_buffer(pixels), width * 16)
         return Picture(self._context, pixels, self._info().transfer, self._state(job))
 
-    def trace(self, origins: ArrayLike, directions: ArrayLike, *, color: bool = False) -> Hits:
+    def trace(self, origins: ArrayLike, directions: ArrayLike, *, color: bool = False, uv: bool = False) -> Hits:
         """The nearest hits of rays, (n, 3) each or (3,) for all; fastest where rays that follow each other are alike.
-        color: what is seen along them, too."""
+        color, uv: these too."""
         given = [np.atleast_2d(np.asarray(a, dtype=np.float64)) for a in (origins, directions)]
         if any(a.ndim != 2 or a.shape[1] != 3 for a in given):
             raise ValueError('origins and directions are arrays of (n, 3)')
         org, dirs = (np.ascontiguousarray(a) for a in np.broadcast_arrays(*given))
         n = len(org)
         distance, normal, point, which = np.empty(n), np.empty((n, 3)), np.empty((n, 3)), np.empty(n, np.uint32)
-        rgba = np.empty((n if color else 0, 4), np.float32)
+        rgba, places = np.empty((n if color else 0, 4), np.float32), np.empty((n if uv else 0, 2))
         found = _sized('pov_found', distance=_at('double', distance), normal=_at('pov_vec3', normal),
                        point=_at('pov_vec3', point), object=_at('uint32_t', which),
-                       rgba=_at('float', rgba) if color else ffi.NULL)
+                       rgba=_at('float', rgba) if color else ffi.NULL, uv=_at('double', places) if uv else ffi.NULL)
         tracer = _make(lib.pov_tracer_destroy, 'pov_tracer', lib.pov_tracer_create, self._scene)
         _call(lib.pov_trace_many, tracer, n, _at('pov_vec3', org), _at('pov_vec3', dirs), found)
         ffi.release(tracer)
         number = np.where(which == NOTHING, -1, which.astype(np.int64))
-        return Hits(distance, normal, number, point, rgba[:, :3] if color else None)
+        return Hits(distance, normal, number, point, rgba[:, :3] if color else None, places if uv else None)

@@ -28,6 +28,7 @@ typedef struct pov_found {
     pov_vec3 *point, *normal;    /* as in pov_hit; point of a miss: 0 */
     uint32_t *object;
     float *rgba;                 /* four a ray: the colour seen along it, also where it hits nothing */
+    double *uv;                  /* two a ray: where a pigment with uv_mapping is asked; of a miss: 0 */
 } pov_found;
 
 /* pov_trace_hit() and pov_trace_color() for `count` rays, with the same results, at the speed of packets where rays that follow
