@@ -4,7 +4,9 @@ import subprocess
 import sys
 import tempfile
 import threading
+import types
 import unittest
+import unittest.mock
 
 import numpy as np
 import povtrace
@@ -73,6 +75,43 @@ class SceneTest(unittest.TestCase):
     def test_alpha_hides_the_background(self):
         pixels = self.scene.render(64, 48, alpha=True).pixels
         self.assertEqual((pixels[0, 0, 3], pixels[24, 32, 3]), (0, 1))
+
+    def test_maps_tell_what_is_seen(self):
+        text = TEXT.replace('look_at 0', 'orthographic right 4*x up 3*y')
+        maps = povtrace.Scene(text, declare={'Size': 1}).render(
+            41, 31, spp=4, maps=['depth', 'normal', 'position', 'object', 'albedo', 'alpha', 'certainty', 'samples', 'time']).maps
+        self.assertEqual({name: m.shape for name, m in maps.items() if m.ndim == 2}, dict.fromkeys(
+            ['depth', 'object', 'alpha', 'certainty', 'samples', 'time'], (31, 41)))
+        self.assertAlmostEqual(maps['depth'][15, 20], 3)
+        np.testing.assert_allclose(maps['normal'][15, 20], [0, 0, -1], atol=1e-6)
+        np.testing.assert_allclose(maps['position'][15, 20], [0, 0, -1], atol=1e-6)
+        np.testing.assert_allclose(maps['albedo'][15, 20], [.9, .3, .2], atol=1e-6)
+        self.assertEqual((maps['object'][15, 20], maps['object'][0, 0]), (0, -1))
+        self.assertEqual(maps['samples'][15, 20], 4)
+        self.assertGreaterEqual(maps['time'].min(), 0)
+        self.assertRaises(ValueError, self.scene.render, 8, 8, maps=['colour'])
+
+    def test_loading_tells_how_far_it_is_and_may_be_ended(self):
+        text, told = TEXT + '#for (I, 1, 20000) sphere { I, .1 } #end', []
+        povtrace.Scene(text, declare={'Size': 1}, progress=told.append)
+        self.assertGreater(len(told), 5)
+        self.assertEqual((told, told[-1]), (sorted(told), 1))
+
+        def stop(fraction):
+            raise KeyboardInterrupt
+        self.assertRaises(KeyboardInterrupt, povtrace.Scene, text, declare={'Size': 1}, progress=stop)
+
+    def test_a_picture_grows_in_a_notebook(self):
+        shown = []
+
+        class Handle:
+            update = staticmethod(lambda picture: shown.append(picture.png()))
+        module = types.ModuleType('IPython.display')
+        module.display = lambda display_id: Handle
+        with unittest.mock.patch.dict(sys.modules, {'IPython': types.ModuleType('IPython'), 'IPython.display': module}):
+            last = self.scene.show(400, 300, spp=64)
+        self.assertEqual(shown[-1], last._repr_png_())
+        self.assertTrue(all(png.startswith(b'\x89PNG') for png in shown))
 
     def test_an_error_has_its_place(self):
         with self.assertRaises(povtrace.PovError) as caught:

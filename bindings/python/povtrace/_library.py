@@ -49,6 +49,12 @@ typedef struct {
     int width, height;
     const char *library_path, *write_path;
     const char *const *declares;
+    const void *animation;
+    struct { size_t depth, array, string; uint64_t turns; size_t memory; double seconds; } limits;
+    bool soft_lights;
+    uint64_t most_rays;
+    bool (*progress)(void *user, double fraction, size_t objects);
+    void *progress_user;
 } pov_load_desc;
 typedef struct {
     size_t size;

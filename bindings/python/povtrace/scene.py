@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -19,11 +19,28 @@ LINEAR_FLOAT = 1                 # pov_pixels
 ADAPTIVE = 1                     # pov_sampling
 CAMERAS = ('perspective', 'orthographic', 'fisheye', 'ultra_wide_angle', 'omnimax', 'panoramic', 'spherical', 'cylinder 1',
            'cylinder 2', 'cylinder 3', 'cylinder 4', 'mesh_camera')   # pov_camera_type
+MAPS = {'error': (2, 1), 'samples': (3, 1), 'time': (4, 1), 'depth': (5, 1), 'normal': (6, 4), 'position': (7, 4), 'object': (8, 1),
+        'albedo': (9, 4), 'alpha': (10, 1), 'certainty': (11, 1)}   # pov_pixels, and numbers a pixel
 NOTHING = 0xffffffff             # the object of a miss
 
 
 def _value(value: Union[float, str]) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(float(value))
+
+
+def _teller(progress: Optional[Callable[[float], Any]], raised: list[BaseException]) -> Any:
+    """progress() for the library: false, if it raises."""
+    if progress is None:
+        return ffi.NULL
+
+    def tell(user: Any, fraction: float, objects: int) -> bool:
+        progress(fraction)
+        return True
+
+    def fail(kind: Any, error: BaseException, trace: Any) -> bool:
+        raised.append(error)
+        return False
+    return ffi.callback('bool(void *, double, size_t)', tell, error=False, onerror=fail)
 
 
 class Hits(NamedTuple):
@@ -50,9 +67,11 @@ class Camera(NamedTuple):
 
 class Picture:
     """Linear red, green, blue and alpha as `pixels`, a float32 array of (height, width, 4), top row first. error: the
-    estimated rms error in linear light, None where that is not known; samples: of a pixel, in the mean."""
+    estimated rms error in linear light, None where that is not known; samples: of a pixel, in the mean; maps: those that
+    render() was asked for."""
 
     def __init__(self, context: Any, pixels: NDArray[np.float32], transfer: int, state: Any) -> None:
+        self.maps: dict[str, NDArray[Any]] = {}
         self._context, self._transfer = context, transfer
         self.pixels = pixels
         self.error: Optional[float] = float(state.est_rmse) if state.est_rmse >= 0 else None
@@ -89,17 +108,22 @@ class Picture:
 
 class Scene:
     """A scene of scene text (str), of a file (a pathlib.Path), or of a Builder. `declare` gives values of #declare: numbers,
-    strings.
+    strings. progress is called with a fraction of 1 while it loads, a few times a second or more often; an exception of its,
+    or Ctrl-C while there is one, ends loading.
 
     The interpreter's lock is free while the library reads and traces.
     """
 
     def __init__(self, source: Union[str, os.PathLike[str], Builder], *, declare: Optional[Mapping[str, Union[float, str]]] = None,
-                 library_path: Optional[str] = None, threads: int = 0) -> None:
+                 library_path: Optional[str] = None, threads: int = 0,
+                 progress: Optional[Callable[[float], Any]] = None) -> None:
         words = [ffi.new('char[]', f'{name}={_value(value)}'.encode()) for name, value in (declare or {}).items()]
         declares = ffi.new('const char *[]', [*words, ffi.NULL])
         path = ffi.NULL if library_path is None else ffi.new('char[]', os.fsencode(library_path))
         desc = _sized('pov_load_desc', declares=declares, library_path=path, threads=threads)
+        raised: list[BaseException] = []
+        tell = _teller(progress, raised)             # alive until the scene is made
+        desc.progress = tell
         self._context = source._context if isinstance(source, Builder) else _make(
             lib.pov_context_destroy, 'pov_context', lib.pov_context_create, ffi.NULL)
         what: tuple[Any, ...]
@@ -110,7 +134,12 @@ class Scene:
             what = (lib.pov_scene_load_text, self._context, text, len(text), b'(text)', desc)
         else:
             what = (lib.pov_scene_load_file, self._context, os.fsencode(source), desc)
-        self._scene: Any = _make(lib.pov_scene_destroy, 'pov_scene', *what)
+        try:
+            self._scene: Any = _make(lib.pov_scene_destroy, 'pov_scene', *what)
+        except PovError:
+            if raised:
+                raise raised[0] from None
+            raise
 
     def __len__(self) -> int:
         return int(lib.pov_scene_object_count(self._scene))
@@ -133,13 +162,18 @@ class Scene:
         return info
 
     def render(self, width: int, height: int, *, spp: int = 0, error: float = 0.0, time: float = 0.0, threads: int = 0,
-               seed: int = 0, alpha: bool = False, progress: Optional[Callable[[float], Any]] = None,
+               seed: int = 0, alpha: bool = False, maps: Sequence[str] = (), progress: Optional[Callable[[float], Any]] = None,
                grown: Optional[Callable[[Picture], Any]] = None) -> Picture:
         """Draw: spp samples a pixel, or until the estimated error is `error`, or `time` seconds have passed. alpha: the
-        background is transparent. progress is called with a fraction of 1, and grown with the picture so far, ten times a
+        background is transparent. maps, of what the camera sees first, by name: 'depth', 'normal', 'position', 'object',
+        'albedo', 'alpha', 'certainty'; and of the samples 'error', 'samples', 'time'. progress is called with a fraction of 1, and grown with the picture so far, ten times a
         second; an exception of theirs, or Ctrl-C, ends the job."""
+        unknown = set(maps) - MAPS.keys()
+        if unknown:
+            raise ValueError(f'there is no map {sorted(unknown)[0]!r}; there are {", ".join(MAPS)}')
         desc = _sized('pov_render_desc', width=width, height=height, samples=spp, target_error=error, time_limit=time,
                       threads=threads, sampling=ADAPTIVE if error > 0 or time > 0 else 0, seed=seed, alpha=alpha,
+                      time_map='time' in maps,
                       preview=8 if grown else 0)
         job = _make(lib.pov_job_destroy, 'pov_job', lib.pov_job_create, self._scene, desc)
         try:
@@ -150,7 +184,9 @@ class Scene:
                 if grown:
                     grown(self._read(job, width, height))
             _call(lib.pov_job_get_error, job)
-            return self._read(job, width, height)
+            picture = self._read(job, width, height)
+            picture.maps = {name: self._map(job, name, width, height) for name in maps}
+            return picture
         finally:
             ffi.release(job)
 
@@ -173,6 +209,16 @@ class Scene:
         pixels = np.empty((height, width, 4), dtype=np.float32)
         lib.pov_job_read(job, (0, 0, width, height), LINEAR_FLOAT, ffi.from_buffer(pixels), width * 16)
         return Picture(self._context, pixels, self._info().transfer, self._state(job))
+
+    @staticmethod
+    def _map(job: Any, name: str, width: int, height: int) -> NDArray[Any]:
+        """Vectors have three numbers, an object that is none is -1."""
+        number, channels = MAPS[name]
+        values = np.empty((height, width, channels), dtype=np.uint32 if name == 'object' else np.float32)
+        lib.pov_job_read(job, (0, 0, width, height), number, ffi.from_buffer(values), width * channels * 4)
+        if name == 'object':
+            return np.where(values == NOTHING, -1, values.astype(np.int64))[..., 0]
+        return values[..., :3] if channels == 4 else values[..., 0]
 
     def trace(self, origins: ArrayLike, directions: ArrayLike, *, color: bool = False, uv: bool = False) -> Hits:
         """The nearest hits of rays, (n, 3) each or (3,) for all; fastest where rays that follow each other are alike.
