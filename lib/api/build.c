@@ -159,10 +159,14 @@ pov_status pov_builder_add_mesh(pov_builder *builder, const pov_mesh *mesh, uint
         return status;
     if (!m.corners || !m.faces)
         return err_set(err, POV_E_ARGUMENT, "a mesh has corners and faces");
+    if (m.face_materials && m.materials_a_face != 1 && m.materials_a_face != 3)
+        return err_set(err, POV_E_ARGUMENT, "a face has 1 or 3 materials, not %d", m.materials_a_face);
     list_vectors(&part, lists, "vertex_vectors", &m.corners->x, 3, m.corner_count);
     list_vectors(&part, lists, "normal_vectors", m.normals ? &m.normals->x : NULL, 3, m.normal_count);
     list_vectors(&part, lists, "uv_vectors", m.uvs, 2, m.uv_count);
     list_faces(&part, lists, "face_indices", m.faces, m.face_count);
+    lists[part.list_count - 1].materials = m.face_materials;
+    lists[part.list_count - 1].width = m.materials_a_face;
     list_faces(&part, lists, "normal_indices", m.normals ? m.normal_faces : NULL, m.face_count);
     list_faces(&part, lists, "uv_indices", m.uvs ? m.uv_faces : NULL, m.face_count);
     if (pov_largest(m.inside) > 0.0)

@@ -132,18 +132,57 @@ static bool keep_vector(scene_parts *p, build_column *c)
     return kept != NULL;
 }
 
+/* The materials behind the items, each once, in a list in front of these; NULL: there is no memory. */
+static const build_list *list_materials(scene_parts *p, build_list *to, build_list *items)
+{
+    const size_t most = p->materials.count + 1;
+    uint32_t *places = arena_alloc(&p->texts, most * sizeof *places, sizeof *places);
+    uint32_t *numbers = arena_alloc(&p->texts, most * sizeof *numbers, sizeof *numbers);
+
+    if (!places || !numbers)
+        return NULL;
+    *to = (build_list){ .word = "texture_list", .textures = numbers };
+    for (size_t i = 0; i < (size_t)items->width * items->count; i++)
+        places[items->materials[i]] = 1;
+    for (uint32_t number = 1; number < most; number++)
+        if (places[number]) {
+            places[number] = (uint32_t)to->count;
+            numbers[to->count++] = number;
+        }
+    items->places = places;
+    return to;
+}
+
+static pov_status check_face_materials(const scene_parts *p, const build_list *l, pov_error *err)
+{
+    pov_status status = POV_OK;
+
+    for (size_t i = 0; status == POV_OK && i < (size_t)l->width * l->count; i++)
+        status = check_material(p, l->materials[i], err);
+    return status;
+}
+
 static pov_status keep_lists(scene_parts *p, build_part *part, pov_error *err)
 {
-    build_list *kept = arena_alloc(&p->texts, part->list_count * sizeof *kept, sizeof(void *));
+    build_list *kept = arena_alloc(&p->texts, (part->list_count + 1) * sizeof *kept, sizeof(void *));
     pov_status status = kept ? POV_OK : err_memory(err);
+    size_t count = 0;
 
     for (size_t i = 0; status == POV_OK && i < part->list_count; i++) {
-        kept[i] = part->lists[i];
-        status = check_list(part, &kept[i], err);
-        if (status == POV_OK && kept[i].is_bare && !keep_vector(p, &kept[i].vectors))
+        build_list l = part->lists[i];
+
+        status = check_list(part, &l, err);
+        if (status == POV_OK && l.is_bare && !keep_vector(p, &l.vectors))
             status = err_memory(err);
+        if (status == POV_OK && l.materials)
+            status = check_face_materials(p, &l, err);
+        if (status == POV_OK && l.materials && !list_materials(p, &kept[count++], &l))
+            status = err_memory(err);
+        if (status == POV_OK)
+            kept[count++] = l;
     }
     part->lists = kept;
+    part->list_count = count;
     return status;
 }
 

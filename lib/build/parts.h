@@ -15,7 +15,11 @@ typedef struct build_list {
     size_t count;
     build_column vectors;        /* of two or three numbers; at NULL: these are the indices */
     const uint32_t *indices;
+    const uint32_t *textures;    /* instead of these: numbers of materials */
     bool is_bare;
+    const uint32_t *materials;   /* behind each item so many numbers of materials, unless the first is 0; or NULL */
+    int width;
+    const uint32_t *places;      /* of the materials, by their number, in the list of those that occur */
 } build_list;
 
 /* What differs from object to object; each is NULL where nothing does. */

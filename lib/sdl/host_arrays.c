@@ -1,7 +1,9 @@
 /* A plugin asks for numbers and vectors in the order in which a text has them. That is the order of the columns. */
 #include "sdl/host_arrays.h"
 
+#include "sdl/frame.h"
 #include "sdl/host.h"
+#include "sdl/parse.h"
 #include "sdl/report.h"
 
 #include <stdio.h>
@@ -106,6 +108,7 @@ static bool accept_list(pov_reader *in, const char *word)
     r->list = l;
     r->item = 0;
     r->is_counted = l->is_bare;
+    r->behind = 0;
     r->column++;
     return true;
 }
@@ -122,10 +125,41 @@ static void expect_brace(pov_reader *in, const char *word)
         r->list = NULL;
 }
 
-static double count_of_list(pov_reader *in)
+void host_begin_material(pov_reader *in, const build_material *m)
+{
+    frame_begin_text(in, m ? m->text : "", m ? m->length : 0, "(material)");
+    if (!in->failed)
+        state_advance(in);
+}
+
+/* A material that a text would have in texture { }. */
+static uint32_t texture_of_list(pov_reader *in)
 {
     array_rows *r = in->rows;
 
+    if (!in->failed && (!r->list || !r->list->textures || r->item >= r->list->count))
+        refuse(in);
+    if (in->failed)
+        return 0;
+    host_begin_material(in, parts_material(r->all, r->list->textures[r->item++]));
+    return in->failed ? 0 : parse_part_content(in, TOKEN_END);
+}
+
+/* Behind the last item. */
+static double place_of_material(array_rows *r)
+{
+    const build_list *l = r->list;
+    const uint32_t *numbers = l->materials + (size_t)l->width * (r->item - 1);
+
+    return (double)l->places[numbers[l->width - r->behind--]];
+}
+
+static double number_of_list(pov_reader *in)
+{
+    array_rows *r = in->rows;
+
+    if (!in->failed && r->list && r->behind > 0)
+        return place_of_material(r);
     if (!in->failed && (!r->list || r->is_counted))
         refuse(in);
     if (in->failed)
@@ -141,19 +175,20 @@ static bool more_items(pov_reader *in)
     return !in->failed && r->list && r->is_counted && r->item < r->list->count;
 }
 
-static void item(pov_reader *in, double *out, int width)
+static void take_item(pov_reader *in, double *out, int width)
 {
     array_rows *r = in->rows;
     const build_list *l = r->list;
     const build_column *c = &l->vectors;
 
-    if (!more_items(in) || (c->at ? c->width : 3) != width) {
+    if (!more_items(in) || l->textures || (c->at ? c->width : 3) != width) {
         refuse(in);
         memset(out, 0, (size_t)width * sizeof *out);
         return;
     }
     for (int i = 0; i < width; i++)
         out[i] = c->at ? c->at[r->item * c->stride + (size_t)i] : l->indices[3 * r->item + (size_t)i];
+    r->behind = l->materials && l->materials[(size_t)l->width * r->item] > 0 ? l->width : 0;
     r->item++;
     if (l->is_bare)
         r->list = NULL;
@@ -163,7 +198,7 @@ static void vector_of_list(pov_reader *in, pov_vec3 *out)
 {
     double v[3];
 
-    item(in, v, 3);
+    take_item(in, v, 3);
     *out = pov_vec3_of(v[0], v[1], v[2]);
 }
 
@@ -174,24 +209,21 @@ static bool none_is_next(pov_reader *in, const char *word)
     return false;
 }
 
-static bool no_number(pov_reader *in)
-{
-    (void)in;
-    return false;
-}
+static bool more_behind(pov_reader *in) { return !in->failed && in->rows->list && in->rows->behind > 0; }
 
 pov_host host_lists(void)
 {
     pov_host h = host_arrays();
 
-    h.number = count_of_list;
+    h.number = number_of_list;
     h.vector = vector_of_list;
-    h.vector_of = item;
+    h.vector_of = take_item;
     h.accept = accept_list;
     h.expect = expect_brace;
     h.next_is = none_is_next;
     h.more = more_items;
-    h.more_numbers = no_number;
+    h.more_numbers = more_behind;
+    h.texture = texture_of_list;
     return h;
 }
 

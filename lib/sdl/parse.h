@@ -98,6 +98,8 @@ void parse_parts_surface(pov_reader *in, const object_parsed *o, const transform
                          surface_parsed *s);
 /* A texture is next, behind its word; its number. */
 uint32_t parse_part_texture(pov_reader *in);
+/* The same of the content of its block, up to the end, which is not taken. */
+uint32_t parse_part_content(pov_reader *in, int end);
 /* The same of texture { } or of pigment, normal and finish without it. False: none is next. */
 bool parse_component_texture(pov_reader *in, uint32_t *out);
 /* What was read of a whole object becomes part of the model. */

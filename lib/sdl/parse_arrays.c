@@ -40,23 +40,15 @@ static symbol *find_word(pov_reader *in, const char *name)
     return word;
 }
 
-static void begin_material(pov_reader *in, const scene_parts *all, uint32_t number)
-{
-    const build_material *m = parts_material(all, number);
-
-    frame_begin_text(in, m ? m->text : "", m ? m->length : 0, "(material)");
-    if (!in->failed)
-        state_advance(in);
-}
-
 static bool begin(pov_reader *in, const scene_parts *all, const build_part *part, arrays *a)
 {
     memset(a, 0, sizeof *a);
     a->all = all;
     a->part = a->rows.part = part;
+    a->rows.all = all;
     a->varies = part->each.colours.at || part->each.matrices.at;
     a->host = part->list_count > 0 ? host_lists() : host_arrays();
-    begin_material(in, all, 0);
+    host_begin_material(in, NULL);
     a->word = in->failed ? NULL : find_word(in, part->word);
     a->shape = a->word ? parse_shape_class(in, a->word) : NULL;
     if (!a->shape && !in->failed)
@@ -90,6 +82,8 @@ static void note_numbers(pov_reader *in, const build_part *part)
         note_column(in, &l->vectors, l->count);
         if (l->indices)
             note(in, l->indices, 3 * l->count * sizeof *l->indices);
+        if (l->materials)
+            note(in, l->materials, (size_t)l->width * l->count * sizeof *l->materials);
     }
     note_column(in, &part->each.colours, part->count);
     note_column(in, &part->each.matrices, part->count);
@@ -104,7 +98,7 @@ static style *read_style(pov_reader *in, arrays *a, uint32_t number)
 {
     style *l = arena_alloc(&in->members, sizeof *l, sizeof(double));
 
-    begin_material(in, a->all, number);
+    host_begin_material(in, parts_material(a->all, number));
     if (!l)
         report_memory(in);
     if (in->failed)
@@ -126,14 +120,19 @@ static style *style_of(pov_reader *in, arrays *a)
     return a->styles[number] ? a->styles[number] : read_style(in, a, number);
 }
 
-static bool read_shape(pov_reader *in, arrays *a, leaf_node *leaf)
+static bool read_shape(pov_reader *in, arrays *a, object_parsed *o)
 {
+    leaf_node *leaf = &o->leaf;
+    part_list parts;
+
     a->rows.column = 0;
     a->rows.list = NULL;
     leaf->instance = state_alloc(in, parse_shape_size(a->shape), 32);
     if (!leaf->instance)
         return false;
+    parse_parts_begin(in, &parts);
     a->shape->parse(leaf->instance, &a->host, in);
+    parse_parts_end(in, &parts, o);
     if (!in->failed)
         parse_share_shape(in, a->word, leaf);
     return !in->failed;
@@ -189,7 +188,7 @@ static void add_object(pov_reader *in, arrays *a)
 {
     style *l = style_of(in, a);
 
-    if (!l || !read_shape(in, a, &l->object.leaf))
+    if (!l || !read_shape(in, a, &l->object))
         return;
     if (a->varies)
         add_varied(in, a, l, l->object.leaf.instance);
@@ -224,7 +223,7 @@ void parse_array_lights(pov_reader *in, const scene_parts *all, const build_part
         const double *position = at_row(&part->columns[0], i), *rgb = at_row(&part->columns[1], i);
         object_parsed o;
 
-        begin_material(in, all, part->each.materials ? part->each.materials[i] : part->material);
+        host_begin_material(in, parts_material(all, part->material));
         if (in->failed)
             return;
         parse_object_begin(in, &o);

@@ -32,10 +32,9 @@ void parse_parts_end(pov_reader *in, part_list *parts, object_parsed *o)
 }
 
 /* Equal ones are one. */
-static uint32_t number_of(pov_reader *in, surface_parsed *s)
+static uint32_t number_of_texture(pov_reader *in, const texture *t)
 {
     part_list *parts = in->parts;
-    const texture *t = in->failed ? NULL : parse_surface_node(in, s);
 
     if (in->failed || !parts)
         return 0;
@@ -46,6 +45,13 @@ static uint32_t number_of(pov_reader *in, surface_parsed *s)
         report_memory(in);
     return in->failed ? 0 : (uint32_t)(parts->count - 1);
 }
+
+static uint32_t number_of(pov_reader *in, surface_parsed *s)
+{
+    return number_of_texture(in, in->failed ? NULL : parse_surface_node(in, s));
+}
+
+uint32_t parse_part_content(pov_reader *in, int end) { return number_of_texture(in, parse_texture_node(in, end)); }
 
 uint32_t parse_part_texture(pov_reader *in)
 {

@@ -104,7 +104,7 @@ static void check_is(pov_builder *b, pov_context *context, const text *t, const 
 typedef struct heights {
     pov_vec3 corners[CORNERS], normals[CORNERS];
     double uvs[2 * CORNERS];
-    uint32_t faces[3 * FACES], turned[3 * FACES];
+    uint32_t faces[3 * FACES], turned[3 * FACES], painted[FACES];
 } heights;
 
 static void put_face(uint32_t *to, uint32_t a, uint32_t b, uint32_t c)
@@ -131,6 +131,8 @@ static void fill(heights *h)
         }
     for (uint32_t i = 0; i < 3 * FACES; i++)
         h->turned[i] = CORNERS - 1 - h->faces[i];
+    for (uint32_t i = 0; i < FACES; i++)
+        h->painted[i] = i % 2;
 }
 
 static void put_vectors(text *t, const char *word, const double *v, int width, int n)
@@ -143,15 +145,22 @@ static void put_vectors(text *t, const char *word, const double *v, int width, i
     put(t, " }\n");
 }
 
-static void put_faces(text *t, const char *word, const uint32_t *v)
+/* places: of the textures behind each face, `width` of them; 0: none is there. */
+static void put_faces(text *t, const char *word, const uint32_t *v, const uint32_t *places, int width)
 {
     put(t, "%s { %d", word, FACES);
-    for (int i = 0; i < FACES; i++)
+    for (int i = 0; i < FACES; i++) {
         put(t, ", <%u, %u, %u>", v[3 * i], v[3 * i + 1], v[3 * i + 2]);
+        for (int k = 0; k < width && places[width * i] > 0; k++)
+            put(t, ", %u", places[width * i + k] - 1);
+    }
     put(t, " }\n");
 }
 
-static void put_mesh(text *t, const pov_mesh *m, const char *behind)
+static const char *const paints[] = { "pigment { rgb <0, .2, .9> }", "pigment { rgb 1 }",
+                                      "pigment { granite scale .2 } finish { phong .5 } rotate 20*z" };
+
+static void put_mesh(text *t, const pov_mesh *m, const uint32_t *places, const char *behind)
 {
     put(t, "mesh2 { ");
     put_vectors(t, "vertex_vectors", &m->corners->x, 3, CORNERS);
@@ -159,11 +168,13 @@ static void put_mesh(text *t, const pov_mesh *m, const char *behind)
         put_vectors(t, "normal_vectors", &m->normals->x, 3, CORNERS);
     if (m->uvs)
         put_vectors(t, "uv_vectors", m->uvs, 2, CORNERS);
-    put_faces(t, "face_indices", m->faces);
+    if (m->face_materials)
+        put(t, "texture_list { 2, texture { %s } texture { %s } }", paints[0], paints[2]);
+    put_faces(t, "face_indices", m->faces, places, m->face_materials ? m->materials_a_face : 0);
     if (m->normal_faces)
-        put_faces(t, "normal_indices", m->normal_faces);
+        put_faces(t, "normal_indices", m->normal_faces, NULL, 0);
     if (m->uv_faces)
-        put_faces(t, "uv_indices", m->uv_faces);
+        put_faces(t, "uv_indices", m->uv_faces, NULL, 0);
     if (pov_largest(m->inside) > 0.0) {
         put(t, "inside_vector ");
         put_numbers(t, &m->inside.x, 3);
@@ -214,8 +225,40 @@ static void meshes_are_as_their_text(void **state)
         m = i == 0 ? flat(&h) : rich(&h, i == 2);
         t.length = 0;
         put(&t, "%s", head);
-        put_mesh(&t, &m, look);
+        put_mesh(&t, &m, NULL, look);
         check_is(b, context, &t, i == 0 ? "flat" : i == 1 ? "with normals and uv" : "with faces of normals and uv");
+    }
+}
+
+/* The second paint is no face's: the list has the first and the third. */
+static void faces_have_materials(void **state)
+{
+    static const char look[] = "pigment { rgb <.9, .9, .1> } rotate 20*y";
+    static uint32_t numbers[3 * FACES], places[3 * FACES];
+    static heights h;
+    static text t;
+
+    (void)state;
+    fill(&h);
+    for (int width = 1; width <= 3; width += 2) {
+        pov_context *context = scenes_context();
+        pov_builder *b = builder_of(context);
+        pov_mesh m = rich(&h, true);
+
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(material_of(b, paints[i]), i + 1);
+        for (uint32_t i = 0; i < 3 * FACES; i++) {
+            places[i] = i / (uint32_t)width % 5 == 2 ? 0 : 1 + i % 2;
+            numbers[i] = places[i] == 2 ? 3 : places[i];
+        }
+        m.face_materials = numbers;
+        m.materials_a_face = width;
+        add_text(b, head);
+        assert_int_equal(pov_builder_add_mesh(b, &m, material_of(b, look), NULL), POV_OK);
+        t.length = 0;
+        put(&t, "%s", head);
+        put_mesh(&t, &m, places, look);
+        check_is(b, context, &t, width == 1 ? "a material for each face" : "three materials for each face");
     }
 }
 
@@ -246,6 +289,13 @@ static void wrong_meshes_are_refused(void **state)
     m = flat(&h);
     m.corner_count = SIZE_MAX;
     assert_int_equal(pov_builder_add_mesh(b, &m, 0, &err), POV_E_ARGUMENT);
+    m = flat(&h);
+    m.face_materials = h.faces;
+    m.materials_a_face = 2;
+    assert_int_equal(pov_builder_add_mesh(b, &m, 0, &err), POV_E_ARGUMENT);
+    m.materials_a_face = 1;
+    assert_int_equal(pov_builder_add_mesh(b, &m, 0, &err), POV_E_ARGUMENT);
+    assert_string_equal(err.message, "there is no material 1: the builder has 0");
     m = flat(&h);
     h.faces[5] = CORNERS;
     assert_int_equal(pov_builder_add_mesh(b, &m, 0, &err), POV_OK);
@@ -476,13 +526,15 @@ static void wrong_cameras_and_lights_are_refused(void **state)
 static pov_status build_all(pov_builder *b, const heights *h, const spheres *s)
 {
     const pov_vec3 one = { 1.0, 2.0, 3.0 };
-    const pov_mesh m = rich(h, true);
+    pov_mesh m = rich(h, true);
     pov_camera camera = POV_INIT(camera);
     pov_each each = POV_INIT(each);
     uint32_t first;
     pov_status status = POV_OK;
 
     camera.direction.z = camera.right.x = camera.up.y = 1.0;
+    m.face_materials = h->painted;
+    m.materials_a_face = 1;
     each.colours = s->colours;
     each.channels = 5;
     each.matrices = s->matrices;
@@ -549,6 +601,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(meshes_are_as_their_text),
+        cmocka_unit_test(faces_have_materials),
         cmocka_unit_test(wrong_meshes_are_refused),
         cmocka_unit_test(what_differs_is_as_in_a_text),
         cmocka_unit_test(wrong_differences_are_refused),

@@ -69,6 +69,18 @@ class BuilderTest(unittest.TestCase):
         self.check(povtrace.Builder().text(EYE).mesh(corners, faces, look, normals=normals, uv=uv, matrix=turn),
                    f'{HEAD}{EYE} mesh2 {{ {text} {look} matrix {vector(turn.ravel())} }}')
 
+    def test_faces_have_materials(self):
+        corners, faces = np.array([[-1, -1, 0], [1, -1, .3], [1, 1, 0], [-1, 1, .4]]), [[0, 1, 2], [0, 2, 3]]
+        paints = ['pigment { rgb x }', 'pigment { rgb <0, .5, 1> }']
+        for numbers, behind in (([2, 1], ['1', '0']), ([[1, 2, 1], [2, 2, 1]], ['0, 1, 0', '1, 1, 0'])):
+            b = povtrace.Builder().text(EYE)
+            self.assertEqual([b.material(p) for p in paints], [1, 2])
+            text = (f'vertex_vectors {{ 4, {", ".join(map(vector, corners))} }} texture_list {{ 2, texture {{ {paints[0]} }} texture'
+                    f' {{ {paints[1]} }} }} face_indices {{ 2, <0, 1, 2>, {behind[0]}, <0, 2, 3>, {behind[1]} }}')
+            self.check(b.mesh(corners, faces, face_materials=numbers), f'{HEAD}{EYE} mesh2 {{ {text} }}')
+        self.assertRaises(ValueError, b.mesh, corners, faces, face_materials=[1])
+        self.assertRaises(povtrace.PovError, b.mesh, corners, faces, face_materials=[1, 9])
+
     def test_rays_find_uv(self):
         corners, uv = np.array([[-1, -1, 0], [1, -1, 0], [-1, 1, 0]]), np.array([[0, 0], [1, 0], [0, .5]])
         scene = povtrace.Scene(povtrace.Builder().mesh(corners, [[0, 1, 2]], uv=uv))

@@ -40,6 +40,8 @@ typedef struct {
     size_t uv_count;
     const uint32_t *uv_faces;
     pov_vec3 inside;
+    const uint32_t *face_materials;
+    int materials_a_face;
 } pov_mesh;
 typedef struct { size_t size; const uint32_t *materials; const double *colours; int channels; const double *matrices; } pov_each;
 typedef struct {

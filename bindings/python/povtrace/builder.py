@@ -157,9 +157,11 @@ class Builder:
 
     def mesh(self, corners: ArrayLike, faces: ArrayLike, material: Union[str, int] = '', *, normals: Optional[ArrayLike] = None,
              normal_faces: Optional[ArrayLike] = None, uv: Optional[ArrayLike] = None, uv_faces: Optional[ArrayLike] = None,
-             inside: Optional[Sequence[float]] = None, matrix: Optional[ArrayLike] = None) -> Builder:
+             inside: Optional[Sequence[float]] = None, matrix: Optional[ArrayLike] = None,
+             face_materials: Optional[ArrayLike] = None) -> Builder:
         """Triangles over shared corners: corners (n, 3), faces (m, 3). normals and uv, (k, 3) and (k, 2), are those of the
-        corners, or normal_faces and uv_faces, (m, 3), say which. inside: inside_vector, with which a closed mesh is a solid."""
+        corners, or normal_faces and uv_faces, (m, 3), say which. inside: inside_vector, with which a closed mesh is a solid.
+        face_materials: numbers of materials, (m,), or (m, 3) of the corners, blended between them; 0 is `material`."""
         parts = _sized('pov_mesh')
         self._put(parts, 'corner', _doubles('corners', corners, 3), 'corners')
         counted = _whole('faces', faces, 3)
@@ -171,6 +173,10 @@ class Builder:
         for name, own in (('normal_faces', normal_faces), ('uv_faces', uv_faces)):
             if own is not None:
                 setattr(parts, name, self._keep(self._of(len(counted), name, _whole(name, own, 3))))
+        if face_materials is not None:
+            own = _whole('face_materials', face_materials, *np.shape(face_materials)[1:])
+            parts.face_materials = self._keep(self._of(len(counted), 'face_materials', own))
+            parts.materials_a_face = own[0].size if len(own) else 1
         if inside is not None:
             parts.inside = tuple(float(x) for x in inside)
         number = self._each(1, material, None, matrix)

@@ -149,6 +149,7 @@ class Render:
         scene = scene.resolve()
         folders = [folder.resolve() for folder in folders]
         archive, top = pack([*files_of(scene, folders), *files])
+        povc = os.path.abspath(povc) if os.sep in povc else povc     # workers run it in folders of their own
         self.client, self.size, self.povc, self.quiet = client, size, povc, quiet
         self.scene = str(scene.relative_to(top))
         self.words = words + [word for folder in folders if folder.is_relative_to(top) for word in ('-L', str(folder.relative_to(top)))]

@@ -53,6 +53,10 @@ typedef struct pov_mesh {
     size_t uv_count;
     const uint32_t *uv_faces;
     pov_vec3 inside;
+    /* A material for each face, or POV_NO_MATERIAL: the call's; or three, of its corners. They are textures of a texture_list, in
+     * the order of their numbers. NULL: all faces have the call's. */
+    const uint32_t *face_materials;
+    int materials_a_face;        /* 1 or 3 */
 } pov_mesh;
 
 /* One object. mesh is copied, its arrays are not. */
