@@ -43,36 +43,53 @@ static void put_misses(const pov_found *out, size_t first, size_t end)
     }
 }
 
-static void put_hit(const pov_found *out, size_t i, const shading *scene, const pov_ray *ray, hit *h)
+static void put_surface(const pov_found *out, size_t i, const world *w, const hit *h)
 {
-    if (out->distance)
-        out->distance[i] = h->crossing.t;
-    if (out->object)
-        out->object[i] = model_object_of(scene->model, h->object);
-    if (!out->point && !out->normal && !out->uv)
-        return;
-    world_surface(scene->world, ray, h);
     if (out->point)
         out->point[i] = h->point;
     if (out->normal)
         out->normal[i] = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     if (out->uv)
-        world_uv(scene->world, h, out->uv + 2 * i);
+        world_uv(w, h, out->uv + 2 * i);
+}
+
+/* Points and normals, side by side. */
+static void put_surfaces(pov_tracer *t, const size_t *of, const pov_ray *const *rays, hit *const *hits, uint32_t n,
+                         const pov_found *out)
+{
+    const world *w = t->context.scene->world;
+    incidence unused;
+
+    world_surface_many(w, query_context_own(t->context.context), rays, hits, n, &unused);
+    for (uint32_t i = 0; i < n; i++)
+        put_surface(out, of[i], w, hits[i]);
 }
 
 static void find_hits(pov_tracer *t, const chunk *c, const pov_found *out)
 {
     const shading *scene = t->context.scene;
     const pov_ray *rays[WORLD_MANY];
-    hit hits[WORLD_MANY];
+    hit hits[WORLD_MANY], *met[WORLD_MANY];
+    size_t of[WORLD_MANY];
+    uint32_t n = 0;
     uint64_t found;
 
     for (uint32_t i = 0; i < c->count; i++)
         rays[i] = &c->rays[i];
     found = query_nearest(scene->world, t->context.context, rays, c->count, HUGE_VAL, hits);
-    for (uint32_t i = 0; i < c->count; i++)
-        if (found >> i & 1)
-            put_hit(out, c->of[i], scene, rays[i], &hits[i]);
+    for (uint32_t i = 0; i < c->count; i++) {
+        if (!(found >> i & 1))
+            continue;
+        if (out->distance)
+            out->distance[c->of[i]] = hits[i].crossing.t;
+        if (out->object)
+            out->object[c->of[i]] = model_object_of(scene->model, hits[i].object);
+        rays[n] = rays[i];
+        met[n] = &hits[i];
+        of[n++] = c->of[i];
+    }
+    if (n > 0 && (out->point || out->normal || out->uv))
+        put_surfaces(t, of, rays, met, n, out);
 }
 
 static void find_colours(pov_tracer *t, const chunk *c, float *rgba)

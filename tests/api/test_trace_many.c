@@ -11,7 +11,10 @@ enum { COUNT = 1000 };
 static const char text[] = "#version 3.7; camera { location <0, 1, -4> look_at 0 } light_source { <5, 9, -7> rgb 1 }\n"
                            "sphere { 0, 1 pigment { rgb <1, .5, .2> } finish { reflection .3 } }\n"
                            "box { <-3, -1.5, -3>, <3, -1, 3> pigment { checker rgb 1 rgb .2 } }\n"
-                           "sphere { <1.5, 0, -.5>, .5 pigment { rgbt .9 } interior { ior 1.4 } }\n";
+                           "sphere { <1.5, 0, -.5>, .5 pigment { rgbt .9 } interior { ior 1.4 } }\n"
+                           "torus { .5, .2 scale <1, .5, 1.3> rotate <40, 20, 0> translate <-1.6, .6, -1> }\n"
+                           "superellipsoid { <.4, .3> scale .4 rotate 30*y translate <1.6, 1, 0> }\n"
+                           "difference { box { <-.5, .8, -.5>, <.5, 1.6, .5> } sphere { <0, 1.4, -.5>, .4 } rotate 20*z }\n";
 
 typedef struct rays { pov_vec3 org[COUNT], dir[COUNT]; } rays;
 
