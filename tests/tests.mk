@@ -18,7 +18,7 @@ $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/
 	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
 $(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight): \
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg): \
     $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact families) | $(PRIMITIVES)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving): $(BUILD)/obj/$(1)tests/numerics/leaving.o
 $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o

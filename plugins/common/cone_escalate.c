@@ -78,8 +78,8 @@ static span side_span(const common_cone *s, pov_two3 w, pov_two3 d)
         return out;
     root = pov_two_sqrt(discriminant);
     sum = b.hi < 0.0 ? pov_two_sub(root, b) : pov_two_neg(pov_two_add(b, root));
-    if (a.hi > 0.0 && sum2(r, a, pov_two_neg(grow), b).hi < 0.0)
-        return out;     /* the other half of the double cone */
+    if (a.hi >= 0.0 && sum2(r, a, pov_two_neg(grow), b).hi < 0.0)
+        return out;     /* the other half of the double cone; also for rays along its side */
     out.empty = false;
     first = second = sum.hi == 0.0 ? sum : pov_two_div(c, sum);
     if (a.hi != 0.0 && sum.hi != 0.0)

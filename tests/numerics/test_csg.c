@@ -1,0 +1,419 @@
+/* test_csg.c - random trees of solids against their rules, in 512 bits, on the same doubles.
+ *
+ * Members are spheres, boxes, cylinders and cones of the plugins, part of them on a grid of quarters, part copies of others:
+ * faces coincide, and rays along the grid meet edges and tangents. A ray that met a surface goes on from it twice: straight
+ * ahead, and anywhere. Without arguments a short run; test_csg RAYS [SEED] for a long one. */
+#include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
+
+#include "numerics/families.h"
+
+#include "support/check.h"
+#include "support/fake_reader.h"
+#include "support/shapes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MEMBERS = 27, PLACES_MAX = MEMBERS * PROBE_CROSSINGS, RAYS_OF_A_TREE = 64 };
+
+#define U families_uniform
+
+static long rays = 4000;
+static uint64_t seed = 20261123;
+
+typedef struct tally { long judged, open, hits, shared, wrong; } tally;
+
+/* A tree, its members as probes, and what rays ask. */
+typedef struct scene {
+    model model;
+    probe probes[MEMBERS];
+    pov_reader *in;
+    node_ref root;
+    double on_grid;              /* share of coordinates on the grid */
+    world *world;
+    query_context *context;
+} scene;
+
+/* ---- trees ---- */
+
+static uint32_t below(uint32_t n) { return (uint32_t)(n * U()); }
+
+static double coordinate(const scene *s)
+{
+    const double x = 2.0 * U() - 1.0;
+
+    return U() < s->on_grid ? 0.25 * floor(4.0 * x + 0.5) : x;
+}
+
+static double extent(const scene *s) { return U() < s->on_grid ? 0.25 * (1.0 + below(5)) : 0.1 + 1.2 * U(); }
+
+static void put_point(const scene *s, double *at)
+{
+    for (int i = 0; i < 3; i++)
+        at[i] = coordinate(s);
+}
+
+static void make_member(const scene *s, probe *p)
+{
+    static const kind kinds[] = { SPHERE, BOX, BOX, CYLINDER, CONE };
+    static const int counts[KINDS] = { 4, 6, 8, 7 };
+    double *top;
+
+    memset(p, 0, sizeof *p);
+    p->kind = kinds[below(5)];
+    p->count = counts[p->kind];
+    p->size = 1.0;
+    put_point(s, p->number);
+    if (p->kind == SPHERE)
+        p->number[3] = extent(s);
+    else if (p->kind == BOX)
+        for (int i = 0; i < 3; i++)
+            p->number[3 + i] = p->number[i] + extent(s);
+    if (p->kind != CYLINDER && p->kind != CONE)
+        return;
+    top = p->number + (p->kind == CYLINDER ? 3 : 4);
+    memcpy(top, p->number, 3 * sizeof *top);
+    top[below(3)] += extent(s);
+    p->number[p->count - 1] = extent(s);
+    if (p->kind == CONE)
+        p->number[3] = 0.5 * p->number[7];
+}
+
+/* As parsed: the world prepares it. */
+static void *parse(const scene *s, const probe *p, const shape_class *shape)
+{
+    shape_class written = *shape;
+    void *self = fake_reader_memory(s->in, shape->instance_size + shape->parsed_size);
+
+    if (shape->prepare)
+        written.instance_size = shape->parsed_size;
+    written.prepare = NULL;
+    assert_true(probe_make(p, &written, s->in, self));
+    return self;
+}
+
+static node_ref add_member(scene *s)
+{
+    const uint32_t which = (uint32_t)s->model.leaves.count;
+    const shape_class *shape;
+    probe *p = &s->probes[which];
+
+    if (which > 0 && U() < 0.33 * s->on_grid)
+        *p = s->probes[below(which)];
+    else
+        make_member(s, p);
+    shape = fake_reader_shape(probe_keyword(p->kind));
+    return test_add(&s->model, shape, parse(s, p, shape), NULL, 0, U() < 0.1 ? LEAF_INVERSE : 0);
+}
+
+static node_ref add_tree(scene *s, int depth)
+{
+    const node_op op = (node_op)below(4);
+    const group_node shape = { .op = op, .inverse = U() < 0.1, .united = op == NODE_UNION, .line = 1, .column = 1 };
+    const uint32_t n = 2 + below(2);
+    node_ref children[3], out;
+
+    if (depth == 0)
+        return add_member(s);
+    for (uint32_t i = 0; i < n; i++)
+        children[i] = add_tree(s, depth - 1);
+    assert_true(model_add_group(&s->model, &shape, children, n, &out));
+    return out;
+}
+
+/* ---- the rules ---- */
+
+typedef struct crossing { const exact_crossing *at; uint32_t member; double cosine; } crossing;
+
+/* A ray's crossings ahead, of all members, in order; and where it is at its start, then as places are applied. */
+typedef struct course {
+    exact_result of[MEMBERS];
+    crossing at[PLACES_MAX];
+    int count;
+    bool inside[MEMBERS], open;
+    double scale;                /* of lengths along the ray, in units of its direction */
+} course;
+
+static int value_of(const scene *s, const course *c, node_ref node, int *sense, uint32_t leaf, int turn)
+{
+    const group_node *g;
+    int sum = 0, zeros = 0, value;
+
+    if (!(node & NODE_GROUP)) {
+        const bool inverse = s->model.leaves.items[node].flags & LEAF_INVERSE;
+
+        if (node == leaf && sense)
+            *sense = inverse ? -turn : turn;
+        return c->inside[node] != inverse;
+    }
+    g = &s->model.groups.items[node & ~NODE_GROUP];
+    turn = g->inverse ? -turn : turn;
+    for (uint32_t i = 0; i < g->child_count; i++) {
+        const bool cut = g->op == NODE_DIFFERENCE && i > 0;
+
+        value = value_of(s, c, s->model.children.items[g->child + i], sense, leaf, cut ? -turn : turn);
+        value = cut ? value == 0 : value;
+        sum += value;
+        zeros += value == 0;
+    }
+    value = g->op == NODE_UNION ? sum : g->op == NODE_MERGE ? sum > 0 : zeros > 0 ? 0 : 1 + sum - (int)g->child_count;
+    return g->inverse ? value == 0 : value;
+}
+
+static double cosine_of(const exact_crossing *at, const pov_ray *ray)
+{
+    return fabs(pov_dot(pov_vec3_of(at->normal[0], at->normal[1], at->normal[2]), ray->dir));
+}
+
+static void insert(course *c, const exact_crossing *at, uint32_t member, double cosine)
+{
+    const crossing new = { at, member, cosine };
+    int i = c->count++;
+
+    for (; i > 0 && real_compare(at->t, c->at[i - 1].at->t) < 0; i--)
+        c->at[i] = c->at[i - 1];
+    c->at[i] = new;
+    /* No double-double tells how far away a tangent is. */
+    c->open = c->open || !(cosine > 1e-6);
+}
+
+/* Does it lie at the start? A start may be off its surface by 2^-44 of the size: nearer to others than that it is not judged,
+ * unless it lies on them. */
+static bool is_behind(course *c, const exact_crossing *at, double cosine)
+{
+    const double t = real_double(at->t);
+
+    if (t < 0.0)
+        return true;
+    c->open = c->open || (t * cosine < 0x1p-43 && t > 0x1p-97);
+    return t <= 0x1p-97;
+}
+
+/* Does the ray run in the plane of a cap of a cone or cylinder? Whether the rim is met is then a matter of convention. */
+static bool is_in_cap(const probe *p, const pov_ray *ray)
+{
+    const double o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
+    const double *top = p->number + (p->kind == CYLINDER ? 3 : 4);
+
+    if (p->kind != CYLINDER && p->kind != CONE)
+        return false;
+    for (int i = 0; i < 3; i++)
+        if (top[i] != p->number[i] && d[i] == 0.0 && (o[i] == top[i] || o[i] == p->number[i]))
+            return true;
+    return false;
+}
+
+/* Does the line pass a rim, where two of the crossings are one place? Which of them count is a matter of convention, too. */
+static bool is_on_rim(const exact_result *r)
+{
+    for (int i = 1; i < r->count; i++)
+        if (real_double(real_sub(r->at[i].t, r->at[i - 1].t)) < 0x1p-80)
+            return true;
+    return r->count & 1;
+}
+
+static void find_course(scene *s, const pov_ray *ray, course *c)
+{
+    memset(c, 0, sizeof *c);
+    c->scale = 3.0 + pov_largest(ray->org);
+    for (uint32_t i = 0; i < s->model.leaves.count; i++) {
+        exact_result *r = &c->of[i];
+        int ahead = 0;
+
+        s->probes[i].ray = *ray;
+        probe_exact(&s->probes[i], r);
+        c->open = c->open || is_in_cap(&s->probes[i], ray) || (s->probes[i].kind != BOX && is_on_rim(r));
+        for (int k = 0; k < r->count; k++)
+            if (!is_behind(c, &r->at[k], cosine_of(&r->at[k], ray))) {
+                insert(c, &r->at[k], i, cosine_of(&r->at[k], ray));
+                ahead++;
+            }
+        c->inside[i] = ahead & 1;
+    }
+}
+
+/* The end of the place that begins at `first`. */
+static int end_of(course *c, int first)
+{
+    int end = first + 1;
+
+    for (; end < c->count; end++) {
+        const crossing *a = &c->at[first], *b = &c->at[end];
+        const double gap = real_double(real_sub(b->at->t, a->at->t)) * a->cosine * b->cosine / (a->cosine + b->cosine);
+
+        if (gap > 0x1p-91 * c->scale) {
+            c->open = c->open || gap < 0x1p-80 * c->scale;
+            break;
+        }
+    }
+    return end;
+}
+
+static uint32_t owner_of(const scene *s, course *c, int first, int end, bool enters)
+{
+    uint32_t best = UINT32_MAX;
+
+    for (int i = first; i < end; i++) {
+        const uint32_t m = c->at[i].member;
+        int times = 0, sense = 0;
+
+        for (int k = first; k < end; k++)
+            times += c->at[k].member == m;
+        value_of(s, c, s->root, &sense, m, 1);
+        if (times & 1 && (c->inside[m] == (sense > 0)) == enters && m < best)
+            best = m;
+    }
+    return best;
+}
+
+/* The first surface. False: there is none. */
+static bool first_surface(const scene *s, course *c, real *t, uint32_t *owner, bool *enters, bool *shared)
+{
+    for (int first = 0, end; first < c->count; first = end) {
+        const int before = value_of(s, c, s->root, NULL, 0, 1);
+        int after;
+
+        end = end_of(c, first);
+        for (int i = first; i < end; i++)
+            c->inside[c->at[i].member] ^= true;
+        after = value_of(s, c, s->root, NULL, 0, 1);
+        if (after == before)
+            continue;
+        *t = c->at[first].at->t;
+        *enters = after > before;
+        *shared = end - first > 1;
+        *owner = owner_of(s, c, first, end, *enters);
+        return true;
+    }
+    return false;
+}
+
+/* ---- rays ---- */
+
+static pov_ray new_ray(const scene *s)
+{
+    static const double far[] = { 1.0, 3.0, 10.0, 1e3, 1e6, 1e9 };
+    const pov_vec3 target = pov_vec3_of(coordinate(s), coordinate(s), coordinate(s));
+    pov_vec3 dir = families_direction();
+    pov_ray ray;
+
+    if (U() < 0.4 * s->on_grid)
+        dir = pov_vec3_of((double)below(3) - 1.0, (double)below(3) - 1.0, (double)below(3) - 1.0);
+    if (!(pov_largest(dir) > 0.0))
+        dir.x = 1.0;
+    memset(&ray, 0, sizeof ray);
+    ray.org = pov_sub(target, pov_scale(dir, 4.0 * far[below(6)]));
+    ray.dir = dir;
+    ray.origin_surface = POV_NO_OWNER;
+    return ray;
+}
+
+static void complain(const scene *s, const pov_ray *ray, const char *what, bool on)
+{
+    fprintf(stderr, "%s, %u members, %s surface: <%a %a %a> + <%a %a %a> to <%a %a %a>\n", what, (unsigned)s->model.leaves.count,
+            on ? "on a" : "on no", ray->org.x, ray->org.y, ray->org.z, ray->org_lo.x, ray->org_lo.y, ray->org_lo.z, ray->dir.x,
+            ray->dir.y, ray->dir.z);
+}
+
+/* Within four units in the last place. */
+static bool is_near(real exact, double t) { return fabs(real_double(exact) - t) <= 0x1p-50 * fabs(t); }
+
+/* Judge a ray. True: it met a surface, completed in h. */
+static bool judge(scene *s, const pov_ray *ray, hit *h, tally *out)
+{
+    const pov_ray *one = ray;
+    course c;
+    uint32_t owner = 0;
+    bool enters = false, shared = false, expected, met;
+    const char *what;
+    real t = NULL;
+
+    real_reset();
+    find_course(s, ray, &c);
+    expected = first_surface(s, &c, &t, &owner, &enters, &shared);
+    met = query_nearest(s->world, s->context, &one, 1, HUGE_VAL, h) & 1;
+    if (met)
+        world_surface(s->world, ray, h);
+    if (c.open) {
+        out->open++;
+        return met;
+    }
+    out->judged++;
+    out->hits += expected;
+    out->shared += shared;
+    what = met != expected ? met ? "met nothing" : "missed" : !met ? NULL : !is_near(t, h->crossing.t) ? "distance"
+           : h->object != owner ? "owner" : h->entering != enters ? "side" : NULL;
+    out->wrong += what != NULL;
+    if (what && out->wrong <= 8)
+        complain(s, ray, what, ray->origin_surface != POV_NO_OWNER);
+    return met;
+}
+
+static void leave(pov_ray *ray, const hit *h, pov_vec3 dir)
+{
+    ray->org = h->point;
+    ray->org_lo = h->point_lo;
+    ray->dir = dir;
+    memset(&ray->dir_lo, 0, sizeof ray->dir_lo);
+    test_leave(ray, h);
+}
+
+static void judge_tree(scene *s, tally *out)
+{
+    for (int i = 0; i < RAYS_OF_A_TREE; i++) {
+        pov_ray ray = new_ray(s);
+        hit h;
+
+        for (int turn = 0; turn < 6 && judge(s, &ray, &h, out); turn++)
+            leave(&ray, &h, turn % 2 ? families_direction() : ray.dir);
+    }
+}
+
+static void make_and_judge(tally *out, int round)
+{
+    const world_options options = { .accel = round % 2 ? POV_ACCEL_TREE : POV_ACCEL_NONE, .threads = 1 };
+    scene s;
+
+    memset(&s, 0, sizeof s);
+    test_model_init(&s.model, NULL);
+    s.in = fake_reader_create();
+    s.on_grid = 0.33 * (round % 4);
+    s.root = add_tree(&s, 1 + (int)below(3));
+    assert_true(model_add_tree(&s.model, s.root));
+    if (s.model.trees.count == 1 && s.model.trees.items[0] == s.root) {
+        assert_int_equal(world_create(&s.world, &s.model, &options, NULL), POV_OK);
+        assert_int_equal(query_context_create(&s.context, s.world, NULL), POV_OK);
+        judge_tree(&s, out);
+        query_context_destroy(s.context);
+        world_destroy(s.world);
+    }
+    model_free(&s.model);
+    fake_reader_destroy(s.in);
+}
+
+static void random_trees_keep_their_rules(void **state)
+{
+    tally all = { 0, 0, 0, 0, 0 };
+
+    (void)state;
+    families_seed(seed);
+    for (int round = 0; all.judged < rays; round++)
+        make_and_judge(&all, round);
+    print_message("%ld rays: %ld surfaces, %ld of them shared; %ld too near a tangent or a rim; %ld wrong\n", all.judged,
+                  all.hits, all.shared, all.open, all.wrong);
+    real_free_all();
+    assert_true(all.hits > rays / 5 && all.shared > rays / 200);
+    assert_int_equal(all.wrong, 0);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(random_trees_keep_their_rules) };
+
+    if (argc > 1)
+        rays = strtol(argv[1], NULL, 10);
+    if (argc > 2)
+        seed = strtoull(argv[2], NULL, 10);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
