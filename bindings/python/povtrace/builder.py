@@ -134,7 +134,7 @@ class Builder:
         elif isinstance(material, (int, np.integer)):
             number = int(material)
         else:
-            numbers = [self.material(m) if isinstance(m, str) else m for m in material]
+            numbers = material if isinstance(material, np.ndarray) else [self.material(m) if isinstance(m, str) else m for m in material]
             each.materials = self._keep(self._of(n, 'material', _whole('material', numbers)))
         if colors is not None:
             wide = np.ascontiguousarray(colors, dtype=np.float64)
