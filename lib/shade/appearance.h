@@ -40,6 +40,7 @@ typedef struct appearance {
     uint32_t kinds;              /* FINISH_* */
     const finish *finish;
     const material *material;
+    const struct stack *stack;   /* what layers that are alike everywhere give; NULL: the texture is none of such */
 } appearance;
 
 /* The appearance of a finish and a pigment in this scene. */

@@ -13,10 +13,13 @@ static const texture_term *term_at(const painted *p, uint32_t of, uint32_t k)
     return p->first[of] + k < p->first[of + 1] ? &p->terms[p->order[p->first[of] + k]] : NULL;
 }
 
-static uint32_t count_terms(const painted *p, uint32_t of)
+static uint32_t count_terms(const surfaces *s, const painted *p, uint32_t of)
 {
     const uint32_t count = p->first[of + 1] - p->first[of];
+    const stack *constant = s->at[of].appearance->stack;
 
+    if (constant)
+        return constant->count;
     return count > 0 && !paint_is_merged(p, of) ? count : 1;
 }
 
@@ -29,84 +32,88 @@ static void copy_geometry(geometry *to, uint32_t i, const geometry *from, uint32
     lanes_put(&to->smooth, i, lanes_at(from->raw, lane));
 }
 
-/* The term before the next one; t NULL: the surface's texture is constant, or its terms are as one. */
-static void add(const shade_context *c, layers *l, const surfaces *s, const painted *p, const texture_term *t)
+/* One more surface at the hit of the present one. */
+static uint32_t begin_layer(layers *l, const surfaces *s)
 {
     surfaces *on = &l->on;
     const uint32_t i = on->count++, lane = l->surface;
-    const texture_term *next = term_at(p, lane, l->term);
+
+    on->at[i] = s->at[lane];
+    on->rays[i] = s->rays[lane];
+    on->found[i] = s->found[lane];
+    copy_geometry(&on->geometry, i, &s->geometry, lane);
+    return i;
+}
+
+/* The term before the next one; t NULL: the surface's texture is constant, or its terms are as one. */
+static void add(const shade_context *c, layers *l, const surfaces *s, const painted *p, const texture_term *t)
+{
+    const uint32_t i = begin_layer(l, s), lane = l->surface;
+    const texture_term *next = term_at(p, lane, l->term + 1);
     layer *out = &l->of[i];
 
     out->of = (uint8_t)lane;
     out->first = !t || t->first;
     out->last = !next || next->first;
+    out->is_weighed = false;
     out->share = t ? t->share : 1.0f;
-    on->at[i] = s->at[lane];
-    on->rays[i] = s->rays[lane];
-    on->found[i] = s->found[lane];
-    copy_geometry(&on->geometry, i, &s->geometry, lane);
-    lanes_put(&on->geometry.bent, i, paint_normal(s, lane, t));
+    lanes_put(&l->on.geometry.bent, i, paint_normal(s, lane, t));
     if (!t)
         return;
-    paint_appearance(c->scene, &s->at[lane], t, !out->last, &on->varying[i]);
-    on->at[i].appearance = &on->varying[i];
+    paint_appearance(c->scene, &s->at[lane], t, !out->last, &l->on.varying[i]);
+    l->on.at[i].appearance = &l->on.varying[i];
+}
+
+/* The next layer of a stack that is alike everywhere. */
+static void add_constant(layers *l, const surfaces *s, const stack *of)
+{
+    const uint32_t i = begin_layer(l, s), lane = l->surface;
+    const constant_layer *one = &of->layers[l->term];
+
+    l->of[i] = one->of;
+    l->of[i].of = (uint8_t)lane;
+    lanes_put(&l->on.geometry.bent, i, lanes_at(s->geometry.raw, lane));
+    l->on.at[i].appearance = &one->look;
 }
 
 /* ---- weights ---- */
 
-/* A layer that nothing is left for is as if it were not there. */
-static void hide(surfaces *on, uint32_t i, layer *out)
-{
-    appearance *own = &on->varying[i];
-
-    *own = *on->at[i].appearance;
-    own->lit = own->gathers = own->reflective = own->transmissive = false;
-    own->emitted = out->by = colour_of(0.0f, 0.0f, 0.0f);
-    on->at[i].appearance = own;
-}
-
-/* A share does not count in the weight of a ray. */
-static coefficient share_of(colour c, float share)
-{
-    const coefficient out = { colour_scale(c, share), colour_weight(c) };
-
-    return out;
-}
-
-/* What a layer lets through is what is left for those below it, and at the end for the transmitted ray. What it reflects
- * is not filtered by those above it, but they count in its weight, as POV-Ray has it. */
 static void weigh(const shade_context *c, layers *l, uint32_t i)
 {
-    layer *out = &l->of[i];
     const appearance *a = l->on.at[i].appearance;
+    appearance *own = &l->on.varying[i];
 
-    if (out->first)
-        l->left = colour_of(1.0f, 1.0f, 1.0f);
-    if (!out->first && appearance_is_dark(c->scene->model, l->left)) {
-        hide(&l->on, i, out);
+    if (layer_weigh(&l->of[i], c->scene->model, a, &l->left))
         return;
-    }
-    out->by = colour_scale(l->left, out->share);
-    out->reflection = share_of(a->reflection.by, out->share);
-    out->reflection.weight *= fabsf(colour_luminance(l->left));
-    l->left = colour_mul(l->left, a->filter.by);
-    out->through = share_of(colour_scale(l->left, a->finish->refraction), out->share);
-    out->is_dark = appearance_is_dark(c->scene->model, l->left);
+    if (a != own)
+        *own = *a;
+    layer_hide(&l->of[i], own);
+    l->on.at[i].appearance = own;
 }
 
 /* Do the terms of the next surface fit? Only a surface with more terms than a batch is divided. */
-static bool fits(const layers *l, const painted *p)
+static bool fits(const layers *l, const surfaces *s, const painted *p)
 {
-    return l->on.count == 0 || l->on.count + count_terms(p, l->surface) <= BATCH_MAX;
+    return l->on.count == 0 || l->on.count + count_terms(s, p, l->surface) <= BATCH_MAX;
+}
+
+static void add_next(const shade_context *c, layers *l, const surfaces *s, const painted *p)
+{
+    const stack *constant = s->at[l->surface].appearance->stack;
+
+    if (constant)
+        add_constant(l, s, constant);
+    else
+        add(c, l, s, p, term_at(p, l->surface, l->term));
 }
 
 static void fill(const shade_context *c, layers *l, const surfaces *s, const painted *p)
 {
     l->on.count = 0;
     l->on.shared = true;
-    while (l->surface < s->count && (l->term > 0 || fits(l, p)) && l->on.count < BATCH_MAX) {
-        add(c, l, s, p, term_at(p, l->surface, l->term++));
-        if (l->term < count_terms(p, l->surface))
+    while (l->surface < s->count && (l->term > 0 || fits(l, s, p)) && l->on.count < BATCH_MAX) {
+        add_next(c, l, s, p);
+        if (++l->term < count_terms(s, p, l->surface))
             continue;
         l->surface++;
         l->term = 0;
@@ -126,6 +133,7 @@ bool layers_take(const shade_context *c, layers *l, const surfaces *s, const pai
     if (c->scene->angular || c->scene->plan->fading)
         reflectance_set_layers(c, on);
     for (uint32_t i = 0; i < on->count; i++)
-        weigh(c, l, i);
+        if (!l->of[i].is_weighed)
+            weigh(c, l, i);
     return true;
 }

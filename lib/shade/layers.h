@@ -7,15 +7,7 @@
 
 #include "shade/batch.h"
 #include "shade/paint.h"
-
-typedef struct layer {
-    uint8_t of;                  /* the surface of the batch */
-    bool first, last;            /* of its stack */
-    bool is_dark;                /* nothing is left for what lies below */
-    float share;                 /* of the stack */
-    colour by;                   /* factor of its emitted and reflected light */
-    coefficient reflection, through;   /* of its reflected ray, and the last one's transmitted ray */
-} layer;
+#include "shade/stack.h"
 
 typedef struct layers {
     surfaces on;

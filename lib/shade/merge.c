@@ -11,15 +11,14 @@ typedef struct term_sum {
     bool goes_on;                /* a ray goes through the last stack */
 } term_sum;
 
-/* Other light than that of the light sources is not linear in the colour, or asks for each layer. */
-static bool is_plain_scene(const shading *scene)
+bool merge_is_possible(const shading *scene)
 {
     return !scene->plan->radiosity && !scene->plan->subsurface && !scene->photons;
 }
 
-static bool is_plain(const appearance *a, const texture_term *t)
+bool merge_takes(const appearance *a)
 {
-    return !t->bent && a->kinds == 0 && a->phong == 0.0f && !a->reflective && !a->angular;
+    return a->kinds == 0 && a->phong == 0.0f && !a->reflective && !a->angular;
 }
 
 static void begin_stack(term_sum *sum)
@@ -56,7 +55,7 @@ static bool add_all(term_sum *sum, const painted *p, uint32_t from, uint32_t end
         const appearance *of = shading_finish(sum->scene, t->finish);
         const bool upper = k + 1 < end && !p->terms[p->order[k + 1]].first;
 
-        if (!is_plain(of, t))
+        if (t->bent || !merge_takes(of))
             return false;
         if (t->first)
             begin_stack(sum);
@@ -94,7 +93,7 @@ static bool merge(const shading *scene, const painted *p, uint32_t i, surfaces *
 
 void merge_terms(const shading *scene, surfaces *s, painted *p)
 {
-    if (!is_plain_scene(scene))
+    if (!merge_is_possible(scene))
         return;
     for (uint32_t i = 0; i < s->count; i++)
         if (!paint_is_single(p, i))

@@ -4,6 +4,12 @@
 
 #include "shade/paint.h"
 
+/* Can terms be as one in this scene? Other light than that of the light sources is not linear in the colour, or asks for each
+ * layer. */
+bool merge_is_possible(const shading *scene);
+/* Can terms of this finish? */
+bool merge_takes(const appearance *of);
+
 /* Surfaces whose terms all have matt finishes and the surface's own normal are lit once: light is linear in colours.
  * Sets their appearances and marks them in p->merged. It depends on nothing but the surface's own terms. */
 void merge_terms(const shading *scene, surfaces *s, painted *p);

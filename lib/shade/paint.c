@@ -92,13 +92,13 @@ static const texture *texture_of(const material *m, const hit *h)
     return m->inside && !h->entering ? m->inside : m->texture;
 }
 
-/* Bit i: the texture of surface i varies. */
+/* Bit i: the texture of surface i is to be evaluated. */
 static uint64_t varying(const surfaces *s)
 {
     uint64_t lanes = 0;
 
     for (uint32_t i = 0; i < s->count; i++)
-        lanes |= (uint64_t)s->at[i].appearance->varies << i;
+        lanes |= (uint64_t)(s->at[i].appearance->varies & !s->at[i].appearance->stack) << i;
     return lanes;
 }
 
@@ -155,6 +155,8 @@ bool paint_evaluate(const shading *scene, surfaces *s, painted *p)
     const uint32_t count = evaluate(scene, s, p);
     bool single = true;
 
+    for (uint32_t i = 0; i < s->count; i++)
+        single &= !s->at[i].appearance->stack;
     sort(p, count, s->count);
     p->merged = 0;
     if (scene->most_terms <= 1)

@@ -3,7 +3,9 @@
 #include "base/err.h"
 #include "base/vec.h"
 #include "shade/air.h"
+#include "shade/merge.h"
 #include "shade/photons.h"
+#include "shade/stack.h"
 #include "texture/texture.h"
 
 #include <stdlib.h>
@@ -108,6 +110,47 @@ const appearance *shading_finish(const shading *s, const finish *of)
     return &s->finishes[low];
 }
 
+/* ---- stacks of constant layers ---- */
+
+/* Matt layers are merged at each hit, and need no stack. */
+static bool is_merged(const shading *s, const stack *of)
+{
+    for (uint32_t k = 0; k < of->count; k++)
+        if (!merge_takes(&of->layers[k].look))
+            return false;
+    return merge_is_possible(s);
+}
+
+static bool add_stack(shading *s, const model *m, size_t which, bool weighed)
+{
+    stack *one = stack_create(s->plan, m, &m->materials.items[which], weighed);
+
+    if (!one || !vec_reserve(m->env, (void **)&s->stacks, &s->stack_capacity, s->stack_count, sizeof *s->stacks)) {
+        env_free(m->env, one);
+        return false;
+    }
+    s->stacks[s->stack_count++] = one;
+    s->appearances[which].stack = is_merged(s, one) ? NULL : one;
+    return true;
+}
+
+static bool make_stacks(shading *s, const model *m)
+{
+    const bool weighed = !s->angular && !s->plan->fading;
+
+    for (size_t i = 0; i < m->materials.count; i++)
+        if (stack_is_there(&m->materials.items[i]) && !add_stack(s, m, i, weighed))
+            return false;
+    return true;
+}
+
+static void free_stacks(shading *s)
+{
+    for (size_t i = 0; i < s->stack_count; i++)
+        env_free(s->model->env, s->stacks[i]);
+    env_free(s->model->env, s->stacks);
+}
+
 /* ---- lights ---- */
 
 static bool make_light(scene_light *out, const model *m, const light *l)
@@ -167,6 +210,8 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
         return err_memory(err);
     }
     status = photons_create(s, err);
+    if (status >= 0 && !make_stacks(s, m))
+        status = err_memory(err);
     if (status < 0) {
         shading_destroy(s);
         return status;
@@ -180,6 +225,7 @@ void shading_destroy(shading *s)
     if (!s)
         return;
     photons_destroy(s->photons);
+    free_stacks(s);
     env_free(s->model->env, s->appearances);
     env_free(s->model->env, s->finishes);
     for (size_t i = 0; s->lights && i < s->light_count; i++)

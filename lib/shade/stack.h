@@ -1,0 +1,37 @@
+/* stack.h - layers of a texture, and stacks of them that are alike everywhere: what each of their layers gives is known
+ * before the first ray. */
+#ifndef SHADE_STACK_H
+#define SHADE_STACK_H
+
+#include "shade/appearance.h"
+
+typedef struct layer {
+    uint8_t of;                  /* the surface of the batch */
+    bool first, last;            /* of its stack */
+    bool is_dark;                /* nothing is left for what lies below */
+    bool is_weighed;             /* the factors below are known, whatever the ray */
+    float share;                 /* of the stack */
+    colour by;                   /* factor of its emitted and reflected light */
+    coefficient reflection, through;   /* of its reflected ray, and the last one's transmitted ray */
+} layer;
+
+typedef struct constant_layer { appearance look; layer of; } constant_layer;
+
+/* From the top. */
+typedef struct stack {
+    uint32_t count;
+    constant_layer layers[];
+} stack;
+
+/* Weigh the next layer of its stack. What it lets through, of what is left by those above it, is left for those below it,
+ * and at the end for the transmitted ray. False: nothing is left for it, and it is to be hidden. */
+bool layer_weigh(layer *out, const model *m, const appearance *a, colour *left);
+/* A layer that nothing is left for is as if it were not there. */
+void layer_hide(layer *out, appearance *own);
+
+/* Is the texture of this material a stack of constant layers, of surfaces on both sides? */
+bool stack_is_there(const material *of);
+/* Of such a material; weighed: nothing that rays see of it depends on their angle. NULL: no memory. */
+stack *stack_create(const plan *p, const model *m, const material *of, bool weighed);
+
+#endif
