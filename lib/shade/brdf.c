@@ -151,7 +151,7 @@ static void set_rich(rich_finishes *r, uint32_t i, const appearance *a, const mo
     r->metallic[i] = f->metallic;
     r->brilliance[i] = f->brilliance;
     r->irid[i] = f->irid.amount;
-    r->thickness[i] = film_thickness(m, f, point);
+    r->thickness[i] = f->irid.amount != 0.0f ? film_thickness(m, f, point) : 0.0;
     r->crand[i] = f->crand;
 }
 
