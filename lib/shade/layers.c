@@ -73,7 +73,7 @@ static void add_constant(layers *l, const surfaces *s, const stack *of)
     l->of[i] = one->of;
     l->of[i].of = (uint8_t)lane;
     lanes_put(&l->on.geometry.bent, i, lanes_at(s->geometry.raw, lane));
-    l->on.at[i].appearance = &one->look;
+    l->on.at[i].appearance = &one->appearance;
 }
 
 /* ---- weights ---- */

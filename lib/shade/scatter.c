@@ -393,7 +393,7 @@ typedef struct hit_rays {
     uint32_t first, end;
     coefficient reflected[BATCH_MAX], through[BATCH_MAX], shut[BATCH_MAX];
     bool reflects[BATCH_MAX], goes_on[BATCH_MAX], is_shut[BATCH_MAX];
-    uint32_t mirrors, open;      /* at most so many reflect or are shut, and go on */
+    uint32_t reflected_count, open;      /* at most so many reflect or are shut, and go on */
 } hit_rays;
 
 static bool is_same_normal(const geometry *g, uint32_t a, uint32_t b)
@@ -416,7 +416,7 @@ static void shut_stack(hit_rays *f, uint32_t last)
     }
     f->goes_on[last] = false;
     f->is_shut[last] = true;
-    f->mirrors++;
+    f->reflected_count++;
     f->shut[last] = shut_by(f->to, s, last);
     f->shut[last].by = colour_scale(f->shut[last].by, l->of[last].share);
 }
@@ -425,14 +425,14 @@ static void find_rays(hit_rays *f)
 {
     const layers *l = f->from;
 
-    f->mirrors = f->open = 0;
+    f->reflected_count = f->open = 0;
     for (uint32_t i = f->first; i < f->end; i++) {
         const appearance *a = l->on.at[i].appearance;
 
         f->reflects[i] = a->reflective;
         f->goes_on[i] = l->of[i].last && a->transmissive;
         f->is_shut[i] = false;
-        f->mirrors += f->reflects[i];
+        f->reflected_count += f->reflects[i];
         f->open += f->goes_on[i];
         f->reflected[i] = l->of[i].reflection;
         f->through[i] = l->of[i].through;
@@ -464,7 +464,7 @@ static void send_reflected(hit_rays *f)
     for (uint32_t i = f->first; i < f->end; i++) {
         if (!f->reflects[i] && !f->is_shut[i])
             continue;
-        if (f->mirrors > 1) {
+        if (f->reflected_count > 1) {
             merge(&l->on.geometry, f->end, i, plain, f->reflected, false);
             merge(&l->on.geometry, f->end, i, f->is_shut, f->shut, false);
         }
@@ -510,7 +510,7 @@ void scatter_layers(shade_context *c, const layers *l, batch_queue *q)
         for (f.end = f.first + 1; f.end < l->on.count && l->of[f.end].of == l->of[f.first].of; f.end++)
             ;
         find_rays(&f);
-        if (f.mirrors > 0)
+        if (f.reflected_count > 0)
             send_reflected(&f);
         if (f.open > 0)
             send_through(&f);

@@ -116,7 +116,7 @@ const appearance *shading_finish(const shading *s, const finish *of)
 static bool is_merged(const shading *s, const stack *of)
 {
     for (uint32_t k = 0; k < of->count; k++)
-        if (!merge_takes(&of->layers[k].look))
+        if (!merge_takes(&of->layers[k].appearance))
             return false;
     return merge_is_possible(s);
 }

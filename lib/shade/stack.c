@@ -53,7 +53,7 @@ bool stack_is_there(const material *of)
     return true;
 }
 
-static void make_look(appearance *out, const plan *p, const model *m, const texture *of, bool upper)
+static void make_appearance(appearance *out, const plan *p, const model *m, const texture *of, bool upper)
 {
     static const pigment none;
     appearance bare;
@@ -75,14 +75,14 @@ stack *stack_create(const plan *p, const model *m, const material *of, bool weig
     for (uint32_t k = 0; k < t->count; k++) {
         constant_layer *one = &out->layers[k];
 
-        make_look(&one->look, p, m, t->textures[t->count - 1 - k], k + 1 < t->count);
-        appearance_set_material(&one->look, of);
+        make_appearance(&one->appearance, p, m, t->textures[t->count - 1 - k], k + 1 < t->count);
+        appearance_set_material(&one->appearance, of);
         one->of.first = k == 0;
         one->of.last = k + 1 == t->count;
         one->of.share = 1.0f;
         one->of.is_weighed = weighed;
-        if (weighed && !layer_weigh(&one->of, m, &one->look, &left))
-            layer_hide(&one->of, &one->look);
+        if (weighed && !layer_weigh(&one->of, m, &one->appearance, &left))
+            layer_hide(&one->of, &one->appearance);
     }
     return out;
 }

@@ -15,7 +15,7 @@ typedef struct layer {
     coefficient reflection, through;   /* of its reflected ray, and the last one's transmitted ray */
 } layer;
 
-typedef struct constant_layer { appearance look; layer of; } constant_layer;
+typedef struct constant_layer { appearance appearance; layer of; } constant_layer;
 
 /* From the top. */
 typedef struct stack {
