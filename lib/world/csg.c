@@ -45,15 +45,17 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
     return which;
 }
 
+/* The complement of what is clipped is the complement of its first child, clipped. */
 static node_ref add_group(making *k, const group_node *g, uint32_t parent, inherited from)
 {
     const uint32_t which = k->tree->node_count++;
+    const bool passed_on = g->op == NODE_CLIP && from.complement;
     csg_node *n = &k->tree->nodes[which];
-    inherited to = { false, false, from.hidden };
+    inherited to = { passed_on, false, from.hidden };
 
     n->op = g->op == NODE_DIFFERENCE || g->op == NODE_CLIP ? NODE_INTERSECTION : g->op;
-    n->inverse = from.complement != g->inverse;
-    n->nonzero = from.complement && g->inverse;
+    n->inverse = (from.complement && !passed_on) != g->inverse;
+    n->nonzero = from.complement && !passed_on && g->inverse;
     n->parent = parent;
     n->child = k->tree->child_count;
     n->child_count = g->child_count;

@@ -247,6 +247,29 @@ static void a_clip_takes_surfaces_away_and_adds_none(void **state)
     end(&s);
 }
 
+/* The complement of what is clipped is that of the solid, clipped: no face of the cutter's stands beyond the clip, and the
+ * first member is not there either. */
+static void a_clip_of_a_cutter_clips_what_is_left(void **state)
+{
+    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    node_ref cutter;
+    scene s;
+    hit h;
+
+    (void)state;
+    begin(&s);
+    brick(&s.model, pov_vec3_of(-1.0, -1.0, -1.0), pov_vec3_of(1.0, 1.0, 1.0));
+    brick(&s.model, pov_vec3_of(-2.0, -2.0, -2.0), pov_vec3_of(2.0, 2.0, -0.5));
+    brick(&s.model, pov_vec3_of(-2.0, -2.0, -2.0), pov_vec3_of(2.0, 2.0, 0.25));
+    cutter = pair(&s.model, NODE_CLIP, 1, 2);
+    assert_true(model_add_tree(&s.model, pair(&s.model, NODE_DIFFERENCE, 0, cutter)));
+    compile(&s, POV_ACCEL_TREE);
+    assert_true(next(&s, &ray, &h) && h.object == 1 && h.point.z == -0.5 && h.entering);
+    check_normal(&h, 0.0, 0.0, -1.0);
+    assert_false(next(&s, &ray, &h));
+    end(&s);
+}
+
 /* A face on the skin of what clips it is there, whether it is entered or left. */
 static void what_lies_on_the_clips_skin_is_seen(void **state)
 {
@@ -755,6 +778,7 @@ int main(void)
         cmocka_unit_test(a_merge_has_no_inner_faces),
         cmocka_unit_test(a_union_dissolves),
         cmocka_unit_test(a_clip_takes_surfaces_away_and_adds_none),
+        cmocka_unit_test(a_clip_of_a_cutter_clips_what_is_left),
         cmocka_unit_test(what_lies_on_the_clips_skin_is_seen),
         cmocka_unit_test(a_patch_is_seen_where_being_in_it_would_matter),
         cmocka_unit_test(a_cutter_that_ends_on_the_faces_leaves_no_film),
