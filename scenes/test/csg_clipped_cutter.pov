@@ -11,6 +11,6 @@ difference { sphere { 0, 1 texture { Warm } } object { Cutter } translate -1.4*x
 intersection { sphere { 0, 1 texture { Warm } } object { Cutter inverse } translate <1.4, .6, 0> }
 difference {
     sphere { 0, 1 texture { Warm } }
-    union { object { Cutter } box { -.3, .3 texture { Cold } } clipped_by { plane { x + y, .4 } } }
+    union { sphere { <.4, .5, -.9>, .8 texture { Cold } } box { -.3, .3 texture { Cold } } clipped_by { plane { x + y, .4 } } }
     translate <.8, -1.2, 0>
 }
