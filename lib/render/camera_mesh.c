@@ -79,10 +79,18 @@ static bool find_uv(const camera_atlas *a, double u, double v, camera_face *out)
     return false;
 }
 
+/* A share of the picture as pixels, without what its division has rounded: the first column would else begin before the
+ * faces do. Samples in a pixel are far wider apart than 2^-32. */
+static double pixels_of(double share, int size)
+{
+    return rint(share * size * 0x1p32) * 0x1p-32;
+}
+
 /* The corners of pixels count, but for the first row and the last column, as in POV-Ray. */
 static bool find_place(const camera_mesh *m, const raygen_screen *through, uint32_t lane, camera_face *out)
 {
-    double x = (through->u[lane] + 0.5) * through->width - 0.5, y = (0.5 - through->v[lane]) * through->height - 0.5;
+    double x = pixels_of(through->u[lane] + 0.5, through->width) - 0.5;
+    double y = pixels_of(0.5 - through->v[lane], through->height) - 0.5;
 
     x = x > through->width - 1.5 ? through->width - 1.5 : x;
     y = y < 0.5 ? 0.5 : y;

@@ -1,6 +1,8 @@
 /* From pixels to rays, samples within them, tiles around them, and the frame that holds them. */
 #include "support/near.h"
 
+#include "model/camera_mesh.h"
+#include "render/camera.h"
 #include "render/framebuffer.h"
 #include "render/raygen.h"
 #include "render/sample.h"
@@ -74,6 +76,30 @@ static void orthographic_rays_are_parallel(void **state)
     assert_near(last.org.x, 1.0 - 2.0 * (0.5 / 4 - 0.5), 1e-15);
     assert_near(last.org.z, 3.0, 0.0);
     assert_int_equal(last.origin_surface, POV_NO_OWNER);
+}
+
+/* Two faces whose surface coordinates fill the square, in the plane z = 0. */
+static const camera_uv_face square[2] = {
+    { { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } }, { { 0, 0 }, { 0, 1 }, { 1, 1 } } },
+    { { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 } }, { { 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 } }, { { 0, 0 }, { 1, 1 }, { 1, 0 } } },
+};
+
+static void faces_with_uv_begin_at_the_first_column(void **state)
+{
+    const uint32_t first[2] = { 0, 2 }, numbers[2] = { 0, 1 };
+    const camera_mesh m = { .distribution = 3, .rays = 1, .mesh_count = 1, .atlas = { square, 1, first, numbers } };
+    const pov_camera c = POV_INIT(c);
+    (void)state;
+
+    for (int size = 2; size < 400; size++) {
+        const raygen_screen through = { .u = { raygen_u(0, 0.5, size) }, .v = { raygen_v(size - 1, 0.5, size) },
+                                        .width = size, .height = size };
+        pov_ray ray = { .org = { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+
+        camera_mesh_cast(&m, &c, &through, 1, &ray);
+        assert_near(ray.org.x, 0.0, 0.0);
+        assert_near(ray.org.y, 1.0 / size, 1e-15);
+    }
 }
 
 static void assert_many_are_single(const pov_camera *c, unsigned known)
@@ -415,6 +441,7 @@ int main(void)
         cmocka_unit_test(a_ray_goes_through_the_centre_of_its_pixel),
         cmocka_unit_test(rays_are_symmetric_bit_for_bit),
         cmocka_unit_test(orthographic_rays_are_parallel),
+        cmocka_unit_test(faces_with_uv_begin_at_the_first_column),
         cmocka_unit_test(many_rays_are_single_ones_bit_for_bit),
         cmocka_unit_test(samples_of_a_half_spread_evenly),
         cmocka_unit_test(places_on_the_lens_know_nothing_of_those_in_the_pixel),
