@@ -254,13 +254,42 @@ def textured(kind):
     return Scene((2.0, 3.0, -5.5), (0, 0.2, 0), 42, objects=lay)
 
 
+LAMP = 'light_source { <6,10,-8> rgb 1 %s }'
+CLAY = 'pigment { rgb <.8,.5,.3> } finish { phong .4 ambient .05 }'
+# The lights and the air, and what all objects are made of.
+LIT = {
+    'area': (LAMP % 'area_light 2*x, 2*z, 8, 8', CLAY),
+    'spot': (LAMP % 'spotlight point_at 0 radius 10 falloff 20 fade_distance 9 fade_power 2', CLAY),
+    'fog': (LAMP % '' + ' fog { distance 10 rgb .7 } fog { fog_type 2 distance 4 fog_offset .2 fog_alt .3 rgb .6 }', CLAY),
+    'fresnel': (LAMP % '', 'pigment { rgbt .95 } finish { reflection { 0 1 fresnel } conserve_energy specular .5 '
+                           'roughness .01 } interior { ior 1.5 }'),
+    'layered': (LAMP % '', 'texture { pigment { rgb <.7,.4,.2> } finish { specular .4 diffuse .6 } } '
+                           'texture { pigment { rgbt <1,.9,.8,.5> } finish { phong .7 phong_size 80 reflection .1 brilliance 2 } }'),
+    'metal': (LAMP % '', 'pigment { rgb <.8,.6,.2> } finish { ambient .1 diffuse .4 brilliance 3 specular .8 roughness .02 '
+                         'metallic reflection { .4 metallic } }'),
+}
+
+
+def lit(kind):
+    """Spheres on a floor in some light."""
+    light, text = LIT[kind]
+
+    def lay():
+        yield light
+        yield f'box {{ <-8,-.1,-8>, <8,0,8> {text} }}'
+        for x, z in product(range(5), range(5)):
+            yield f'sphere {{ <{x - 2:g},.45,{z - 2:g}>, .45 {text} }}'
+    return Scene((2.0, 3.0, -5.5), (0, 0.2, 0), 42, lights=[], background=(.4, .5, .7), objects=lay)
+
+
 PAIRS = ('plain', 'mirror', 'filter', 'glass', 'moved', 'light')
 MAKERS = {'flake': (flake, 4), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000), 'rings': (rings, 14),
           'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000),
           'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000)}
 TEXTURED = tuple('texture-' + kind for kind in TEXTURES)
+LIGHTS = tuple('light-' + kind for kind in LIT)
 BENCH = ('flake-4', 'flake-6', 'spheres-1e2', 'spheres-1e4', 'spheres-1e5', 'spheres-1e6', 'mixed-1e2', 'mixed-1e4',
-         'mixed-1e5', 'rings', 'tree', 'hall', 'glass', 'strip', *TEXTURED)
+         'mixed-1e5', 'rings', 'tree', 'hall', 'glass', 'strip', *TEXTURED, *LIGHTS)
 
 
 def scene(name):
@@ -270,8 +299,10 @@ def scene(name):
         return pair(size)
     if kind == 'texture' and size in TEXTURES:
         return textured(size)
+    if kind == 'light' and size in LIT:
+        return lit(size)
     if kind not in MAKERS:
-        every = [*MAKERS, *('pair-' + kind for kind in PAIRS), *TEXTURED]
+        every = [*MAKERS, *('pair-' + kind for kind in PAIRS), *TEXTURED, *LIGHTS]
         raise ValueError(f'no scene "{name}"; there are {", ".join(every)}')
     maker, usual = MAKERS[kind]
     return maker(int(float(size)) if size else usual)
