@@ -2,7 +2,7 @@
  *
  * Rays walk over the grid from cell to cell; levels of minima and maxima let them pass many cells at once. Edges are those
  * of common/triangle.h: no ray slips between two triangles. What is below the water level is left out. Inside is below the
- * surface, down without end. */
+ * surface or the water, down without end. */
 #include "common/clip.h"
 #include "common/triangle.h"
 
@@ -334,7 +334,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     d = c + f->wide;
     height = u + v <= 1.0 ? c[0] + u * (c[1] - c[0]) + v * (d[0] - c[0])
                           : d[1] + (1.0 - u) * (d[0] - d[1]) + (1.0 - v) * (c[1] - d[1]);
-    return p.y < height;
+    return p.y < fmax(height, f->water);
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)

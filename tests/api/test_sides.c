@@ -86,6 +86,21 @@ static void meshes_are_inverted(void **state)
     assert_side("union { " MESH "} sphere { 5, .1 } inverse " TWO "}", BACK);
 }
 
+/* Where the field lies below the water a cut shows the solid up to the water, which has no surface of its own. */
+static void a_cut_height_field_is_solid_up_to_its_water(void **state)
+{
+    static const char cut[] = "intersection { height_field { function 20, 20 { x } water_level .3 translate <-.1,%s,-.5> } box { <-.4,-2,-.3>, <.9,2,2>" TWO "} }";
+    char text[512];
+
+    (void)state;
+    snprintf(text, sizeof text, cut, "-.05");
+    assert_side(text, FRONT);
+    snprintf(text, sizeof text, cut, "-.25");
+    assert_side(text, FRONT);
+    snprintf(text, sizeof text, cut, "-.35");
+    assert_side(text, NOTHING);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -94,6 +109,7 @@ int main(void)
         cmocka_unit_test(a_parametric_surface_faces_the_turn_from_v_to_u),
         cmocka_unit_test(patches_are_not_inverted),
         cmocka_unit_test(meshes_are_inverted),
+        cmocka_unit_test(a_cut_height_field_is_solid_up_to_its_water),
     };
 
     return cmocka_run_group_tests_name("sides of surfaces", tests, NULL, NULL);
