@@ -19,12 +19,13 @@ double reflectance_fresnel(double cosine, double ratio)
     return 0.5 * (across * across + along * along);
 }
 
+/* A cosine below 0 is of a normal that is bent beyond the horizon: as in POV-Ray Fresnel's reflection is whole there. */
 static double course(const reflection *r, double cosine, double ratio)
 {
     const double away = 1.0 - cosine;
 
     if (r->fresnel)
-        return reflectance_fresnel(fabs(cosine), ratio);
+        return cosine < 0.0 ? 1.0 : reflectance_fresnel(cosine, ratio);
     return r->falloff == 1.0f ? away : elementary_pow(away > 0.0 ? away : 0.0, (double)r->falloff);
 }
 

@@ -19,6 +19,9 @@ typedef struct sample { const char *light, *look; double red, green, blue; } sam
 /* A slab of glass within a sphere: opaque solids hold rays too. */
 #define SLAB "no_image no_reflection } sphere { 0, 99 hollow pigment { rgb <.5,.6,.7> } finish { ambient 1 diffuse 0 } } " \
              "box { <-3,-3,0>, <3,3,1> interior { ior 3 } pigment { rgbt <.8,.8,.8,.9> } "
+/* From a bump of -2.9 on, the normal is beyond the horizon. */
+#define LEANING(bump) "no_image no_reflection } disc { 0, <.94,0,-.34>, 1 pigment { rgb 0 } normal { function { z } " bump " translate .3*z } " \
+                      "finish { ambient 0 diffuse 0 "
 #define BARE GOLD "finish { ambient 0 diffuse 0 "
 
 static void see(const sample *s, float *out)
@@ -103,6 +106,10 @@ static void reflection_depends_on_the_angle_and_the_pigment(void **state)
         { FRONT, BARE "reflection { rgb <.1,.2,.3>, rgb <.9,.8,.1> falloff 3 } }", 0.05000, 0.12000, 0.20999 },
         { FRONT, BARE "reflection { .1, .9 fresnel } } interior { ior 1.5 }", 0.06600, 0.07919, 0.09239 },
         { FRONT, BARE "reflection { 0, 1 fresnel } } interior { ior .7 }", 0.01556, 0.01869, 0.02181 },
+        { FRONT, LEANING("-2.5") "reflection { 0, 1 fresnel } } interior { ior 1.5 }", 0.47947, 0.57536, 0.67126 },
+        { FRONT, LEANING("-3") "reflection { 0, 1 fresnel } } interior { ior 1.5 }", 0.5, 0.6, 0.7 },
+        { FRONT, LEANING("-20") "reflection { .1, .7 fresnel } } interior { ior 1.2 }", 0.35, 0.42, 0.49 },
+        { FRONT, LEANING("-3") "reflection { .1, .7 } }", 0.36905, 0.44288, 0.51669 },
         { FRONT, BARE "reflection { .4 metallic } }", 0.18001, 0.14405, 0.08408 },
         { FRONT, BARE "reflection { .6 exponent 2 } }", 0.42426, 0.46476, 0.50199 },
         { FRONT, BARE "reflection { .5 fresnel } } interior { ior 1.5 }", 0.01, 0.012, 0.014 },
