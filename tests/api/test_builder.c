@@ -1,15 +1,15 @@
 /* Scenes from arrays: bit for bit those of their texts, and errors of bad arguments. */
+#include "support/builders.h"
 #include "support/check.h"
 #include "support/failing.h"
 #include "support/scenes.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { COUNT = 40, WIDTH = 64, HEIGHT = 48, BYTES = WIDTH * HEIGHT * 4 * (int)sizeof(float) };
+enum { COUNT = 40, BYTES = BUILT_NUMBERS * (int)sizeof(float) };
 
 static const char head[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
                            "#include \"colors.inc\"\n"
@@ -28,52 +28,32 @@ static const char *const materials[] = {
 
 typedef struct values { pov_vec3 a[3 * COUNT], b[3 * COUNT]; double r[COUNT], s[COUNT]; } values;
 
-static double next(uint32_t *state)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
-}
-
 static void fill(values *v)
 {
     uint32_t state = 7;
 
     for (int i = 0; i < 3 * COUNT; i++) {
-        v->a[i] = pov_vec3_of(4.0 * next(&state) - 2.0, 3.0 * next(&state) - 1.5, 4.0 * next(&state) - 2.0);
-        v->b[i] = pov_add(v->a[i], pov_vec3_of(0.9 * next(&state), 0.1 + 0.9 * next(&state), 0.9 * next(&state)));
+        v->a[i] = pov_vec3_of(4.0 * built_next(&state) - 2.0, 3.0 * built_next(&state) - 1.5, 4.0 * built_next(&state) - 2.0);
+        v->b[i] = pov_add(v->a[i], pov_vec3_of(0.9 * built_next(&state), 0.1 + 0.9 * built_next(&state), 0.9 * built_next(&state)));
     }
     for (int i = 0; i < COUNT; i++) {
-        v->r[i] = 0.1 + 0.3 * next(&state);
-        v->s[i] = 0.1 + 0.3 * next(&state);
+        v->r[i] = 0.1 + 0.3 * built_next(&state);
+        v->s[i] = 0.1 + 0.3 * built_next(&state);
     }
 }
 
 /* ---- the equivalent text ---- */
 
-enum { TEXT_MAX = 1 << 16 };
-
-typedef struct text { char at[TEXT_MAX]; size_t length; } text;
-
-static void put(text *t, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    t->length += (size_t)vsnprintf(t->at + t->length, TEXT_MAX - t->length, format, args);
-    va_end(args);
-    assert_true(t->length < TEXT_MAX);
-}
-
-static void put_vector(text *t, pov_vec3 v, const char *behind) { put(t, "<%.17g, %.17g, %.17g>%s", v.x, v.y, v.z, behind); }
-static void put_number(text *t, double v, const char *behind) { put(t, "%.17g%s", v, behind); }
+static void put_vector(built_text *t, pov_vec3 v, const char *behind) { built_put(t, "<%.17g, %.17g, %.17g>%s", v.x, v.y, v.z, behind); }
+static void put_number(built_text *t, double v, const char *behind) { built_put(t, "%.17g%s", v, behind); }
 
 typedef struct kind {
     const char *word;
-    void (*put)(text *t, const values *v, int i);
+    void (*put)(built_text *t, const values *v, int i);
     pov_status (*add)(pov_builder *b, const values *v, size_t count, uint32_t material, pov_error *err);
 } kind;
 
-static void put_sphere(text *t, const values *v, int i)
+static void put_sphere(built_text *t, const values *v, int i)
 {
     put_vector(t, v->a[i], ", ");
     put_number(t, v->r[i], " ");
@@ -84,7 +64,7 @@ static pov_status add_spheres(pov_builder *b, const values *v, size_t count, uin
     return pov_builder_add_spheres(b, count, v->a, v->r, material, err);
 }
 
-static void put_cylinder(text *t, const values *v, int i)
+static void put_cylinder(built_text *t, const values *v, int i)
 {
     put_vector(t, v->a[i], ", ");
     put_vector(t, v->b[i], ", ");
@@ -96,7 +76,7 @@ static pov_status add_cylinders(pov_builder *b, const values *v, size_t count, u
     return pov_builder_add_cylinders(b, count, v->a, v->b, v->r, material, err);
 }
 
-static void put_cone(text *t, const values *v, int i)
+static void put_cone(built_text *t, const values *v, int i)
 {
     put_vector(t, v->a[i], ", ");
     put_number(t, v->r[i], ", ");
@@ -109,7 +89,7 @@ static pov_status add_cones(pov_builder *b, const values *v, size_t count, uint3
     return pov_builder_add_cones(b, count, v->a, v->r, v->b, v->s, material, err);
 }
 
-static void put_box(text *t, const values *v, int i)
+static void put_box(built_text *t, const values *v, int i)
 {
     put_vector(t, v->a[i], ", ");
     put_vector(t, v->b[i], " ");
@@ -120,7 +100,7 @@ static pov_status add_boxes(pov_builder *b, const values *v, size_t count, uint3
     return pov_builder_add_boxes(b, count, v->a, v->b, material, err);
 }
 
-static void put_triangle(text *t, const values *v, int i)
+static void put_triangle(built_text *t, const values *v, int i)
 {
     for (int k = 0; k < 3; k++)
         put_vector(t, v->a[3 * i + k], k < 2 ? ", " : " ");
@@ -131,7 +111,7 @@ static pov_status add_triangles(pov_builder *b, const values *v, size_t count, u
     return pov_builder_add_triangles(b, count, v->a, NULL, material, err);
 }
 
-static void put_smooth_triangle(text *t, const values *v, int i)
+static void put_smooth_triangle(built_text *t, const values *v, int i)
 {
     for (int k = 0; k < 3; k++) {
         put_vector(t, v->a[3 * i + k], ", ");
@@ -157,59 +137,16 @@ static const size_t kind_count = sizeof kinds / sizeof *kinds, material_count = 
 
 /* ---- both ---- */
 
-static float *render(pov_scene *scene)
-{
-    pov_render_desc d = POV_INIT(d);
-    float *pixels;
-
-    d.width = WIDTH;
-    d.height = HEIGHT;
-    pixels = scenes_render(scene, &d);
-    pov_scene_destroy(scene);
-    return pixels;
-}
-
-static pov_builder *builder_of(pov_context *context)
-{
-    pov_builder *b;
-
-    assert_int_equal(pov_builder_create(&b, context, NULL), POV_OK);
-    return b;
-}
-
-static void add_text(pov_builder *b, const char *t)
-{
-    assert_int_equal(pov_builder_add_text(b, t, strlen(t), NULL, NULL), POV_OK);
-}
-
-static uint32_t material_of(pov_builder *b, const char *t)
-{
-    uint32_t number;
-
-    assert_int_equal(pov_builder_material(b, t, &number, NULL), POV_OK);
-    return number;
-}
-
-static pov_scene *load(pov_builder *b)
-{
-    pov_error err = { POV_OK };
-    pov_scene *scene = NULL;
-
-    if (pov_scene_load_builder(&scene, b, NULL, &err) < 0)
-        fail_msg("%s:%d:%d: %s", err.file, err.line, err.column, err.message);
-    return scene;
-}
-
 static float *draw_arrays(const kind *k, const values *v, const char *material)
 {
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     float *pixels;
 
-    add_text(b, head);
-    assert_int_equal(k->add(b, v, COUNT, material_of(b, material), NULL), POV_OK);
-    add_text(b, tail);
-    pixels = render(load(b));
+    built_add_text(b, head);
+    assert_int_equal(k->add(b, v, COUNT, built_material(b, material), NULL), POV_OK);
+    built_add_text(b, tail);
+    pixels = built_draw(b);
     pov_builder_destroy(b);
     pov_context_destroy(context);
     return pixels;
@@ -217,22 +154,22 @@ static float *draw_arrays(const kind *k, const values *v, const char *material)
 
 static float *draw_text(const kind *k, const values *v, const char *material)
 {
-    static text t;
+    static built_text t;
 
     t.length = 0;
-    put(&t, "%s", head);
+    built_put(&t, "%s", head);
     for (int i = 0; i < COUNT; i++) {
-        put(&t, "%s { ", k->word);
+        built_put(&t, "%s { ", k->word);
         k->put(&t, v, i);
-        put(&t, "%s }\n", material);
+        built_put(&t, "%s }\n", material);
     }
-    put(&t, "%s", tail);
-    return scenes_draw(t.at, WIDTH, HEIGHT, 0, 0);
+    built_put(&t, "%s", tail);
+    return scenes_draw(t.at, BUILT_WIDTH, BUILT_HEIGHT, 0, 0);
 }
 
 static bool is_one_colour(const float *pixels)
 {
-    for (int i = 4; i < WIDTH * HEIGHT * 4; i++)
+    for (int i = 4; i < BUILT_NUMBERS; i++)
         if (pixels[i] != pixels[i % 4])
             return false;
     return true;
@@ -259,14 +196,14 @@ static void arrays_are_bit_for_bit_as_their_text(void **state)
 static void a_builder_loads_again_and_arrays_alone_are_a_scene(void **state)
 {
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     static values v;
 
     (void)state;
     fill(&v);
     assert_int_equal(pov_builder_add_spheres(b, COUNT, v.a, v.r, POV_NO_MATERIAL, NULL), POV_OK);
     for (int i = 0; i < 2; i++) {
-        pov_scene *scene = load(b);
+        pov_scene *scene = built_load(b);
 
         assert_int_equal(pov_scene_object_count(scene), COUNT);
         pov_scene_destroy(scene);
@@ -281,7 +218,7 @@ static void bad_numbers_are_refused_at_once(void **state)
 {
     static const double bad[] = { NAN, HUGE_VAL, -HUGE_VAL };
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     pov_error err;
     static values v;
 
@@ -301,7 +238,7 @@ static void bad_numbers_are_refused_at_once(void **state)
 static void missing_arguments_are_refused(void **state)
 {
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context), *none;
+    pov_builder *b = built_create(context), *none;
     const pov_vec3 at = { 0.0, 0.0, 0.0 };
     const double r = 1.0;
     pov_scene *scene;
@@ -343,7 +280,7 @@ static void errors_of_loading_say_where_they_are(void **state)
     const pov_vec3 ends[2] = { { 0.0, 1.0, 0.0 }, { 1.0, 1.0, 1.0 } }, same[2] = { { 2.0, 1.0, 0.0 }, { 1.0, 1.0, 1.0 } };
     const double r[2] = { 1.0, 1.0 };
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     pov_error err;
 
     (void)state;
@@ -353,18 +290,18 @@ static void errors_of_loading_say_where_they_are(void **state)
     assert_string_equal(err.message, "cylinder 1 of 2: a cylinder needs two different ends");
     pov_builder_destroy(b);
 
-    b = builder_of(context);
-    assert_int_equal(pov_builder_add_spheres(b, 2, ends, r, material_of(b, "pigment { rgb 1 }\n pigmet { }"), NULL), POV_OK);
+    b = built_create(context);
+    assert_int_equal(pov_builder_add_spheres(b, 2, ends, r, built_material(b, "pigment { rgb 1 }\n pigmet { }"), NULL), POV_OK);
     err = error_of(b);
     assert_int_equal(err.status, POV_E_SYNTAX);
     assert_int_equal(err.line, 2);
     assert_string_equal(err.hint, "pigment");
     pov_builder_destroy(b);
 
-    b = builder_of(context);
-    add_text(b, "#if (1) sphere { 0, 1 }");
+    b = built_create(context);
+    built_add_text(b, "#if (1) sphere { 0, 1 }");
     assert_int_equal(pov_builder_add_spheres(b, 2, ends, r, POV_NO_MATERIAL, NULL), POV_OK);
-    add_text(b, "#end");
+    built_add_text(b, "#end");
     err = error_of(b);
     assert_int_equal(err.status, POV_E_SYNTAX);
     assert_string_equal(err.message, "there is no \"#end\" for this");

@@ -1,98 +1,42 @@
 /* Builders: meshes, what differs from object to object, lights and cameras, bit for bit as their texts. */
+#include "support/builders.h"
 #include "support/check.h"
 #include "support/failing.h"
 #include "support/scenes.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { COUNT = 24, EDGE = 6, CORNERS = EDGE * EDGE, FACES = 2 * (EDGE - 1) * (EDGE - 1), TEXT_MAX = 1 << 16 };
-enum { WIDTH = 64, HEIGHT = 48, BYTES = WIDTH * HEIGHT * 4 * (int)sizeof(float) };
+enum { COUNT = 24, EDGE = 6, CORNERS = EDGE * EDGE, FACES = 2 * (EDGE - 1) * (EDGE - 1) };
+enum { BYTES = BUILT_NUMBERS * (int)sizeof(float) };
 
 static const char head[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
                            "camera { location <0, 1, -6> look_at 0 } light_source { <5, 9, -7> rgb 1 }\n";
 
 /* ---- texts ---- */
 
-typedef struct text { char at[TEXT_MAX]; size_t length; } text;
-
-static void put(text *t, const char *format, ...) POV_PRINTF(2, 3);
-static void put(text *t, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    t->length += (size_t)vsnprintf(t->at + t->length, TEXT_MAX - t->length, format, args);
-    va_end(args);
-    assert_true(t->length < TEXT_MAX);
-}
-
-static void put_numbers(text *t, const double *v, int n)
+static void put_numbers(built_text *t, const double *v, int n)
 {
     for (int i = 0; i < n; i++)
-        put(t, "%s%.17g", i ? ", " : "<", v[i]);
-    put(t, ">");
-}
-
-static double next(uint32_t *state)
-{
-    *state = *state * 1664525u + 1013904223u;
-    return (*state >> 8) / 16777216.0;
+        built_put(t, "%s%.17g", i ? ", " : "<", v[i]);
+    built_put(t, ">");
 }
 
 /* ---- builders ---- */
 
-static pov_builder *builder_of(pov_context *context)
-{
-    pov_builder *b;
-
-    assert_int_equal(pov_builder_create(&b, context, NULL), POV_OK);
-    return b;
-}
-
-static void add_text(pov_builder *b, const char *t)
-{
-    assert_int_equal(pov_builder_add_text(b, t, strlen(t), NULL, NULL), POV_OK);
-}
-
-static uint32_t material_of(pov_builder *b, const char *t)
-{
-    uint32_t number;
-
-    assert_int_equal(pov_builder_material(b, t, &number, NULL), POV_OK);
-    return number;
-}
-
-static float *draw(pov_builder *b)
-{
-    pov_render_desc d = POV_INIT(d);
-    pov_error err = { POV_OK };
-    pov_scene *scene;
-    float *pixels;
-
-    if (pov_scene_load_builder(&scene, b, NULL, &err) < 0)
-        fail_msg("%s:%d:%d: %s", err.file, err.line, err.column, err.message);
-    d.width = WIDTH;
-    d.height = HEIGHT;
-    pixels = scenes_render(scene, &d);
-    pov_scene_destroy(scene);
-    return pixels;
-}
-
 /* Is it what the text gives, and is there anything to see? Ends the builder. */
-static void check_is(pov_builder *b, pov_context *context, const text *t, const char *what)
+static void check_is(pov_builder *b, pov_context *context, const built_text *t, const char *what)
 {
-    float *built = draw(b), *written = scenes_draw(t->at, WIDTH, HEIGHT, 0, 0);
+    float *built = built_draw(b), *written = scenes_draw(t->at, BUILT_WIDTH, BUILT_HEIGHT, 0, 0);
     int seen = 0;
 
     if (memcmp(built, written, BYTES) != 0)
         fail_msg("%s: not as its text", what);
-    for (int i = 4; i < WIDTH * HEIGHT * 4; i += 4)
+    for (int i = 4; i < BUILT_NUMBERS; i += 4)
         seen += memcmp(built + i, built, 3 * sizeof *built) != 0;
-    assert_true(seen > WIDTH);
+    assert_true(seen > BUILT_WIDTH);
     free(built);
     free(written);
     pov_builder_destroy(b);
@@ -119,8 +63,8 @@ static void fill(heights *h)
     uint32_t state = 3, f = 0;
 
     for (uint32_t i = 0; i < CORNERS; i++) {
-        h->corners[i] = pov_vec3_of(0.6 * (i % EDGE) - 1.5, 0.6 * (i / EDGE) - 1.5, 0.8 * next(&state));
-        h->normals[i] = pov_vec3_of(next(&state) - 0.5, next(&state) - 0.5, -1.0);
+        h->corners[i] = pov_vec3_of(0.6 * (i % EDGE) - 1.5, 0.6 * (i / EDGE) - 1.5, 0.8 * built_next(&state));
+        h->normals[i] = pov_vec3_of(built_next(&state) - 0.5, built_next(&state) - 0.5, -1.0);
         h->uvs[2 * i] = (i % EDGE) / 3.0;
         h->uvs[2 * i + 1] = (i / EDGE) / 3.0;
     }
@@ -135,51 +79,51 @@ static void fill(heights *h)
         h->painted[i] = i % 2;
 }
 
-static void put_vectors(text *t, const char *word, const double *v, int width, int n)
+static void put_vectors(built_text *t, const char *word, const double *v, int width, int n)
 {
-    put(t, "%s { %d", word, n);
+    built_put(t, "%s { %d", word, n);
     for (int i = 0; i < n; i++) {
-        put(t, ", ");
+        built_put(t, ", ");
         put_numbers(t, v + width * i, width);
     }
-    put(t, " }\n");
+    built_put(t, " }\n");
 }
 
 /* places: of the textures behind each face, `width` of them; 0: none is there. */
-static void put_faces(text *t, const char *word, const uint32_t *v, const uint32_t *places, int width)
+static void put_faces(built_text *t, const char *word, const uint32_t *v, const uint32_t *places, int width)
 {
-    put(t, "%s { %d", word, FACES);
+    built_put(t, "%s { %d", word, FACES);
     for (int i = 0; i < FACES; i++) {
-        put(t, ", <%u, %u, %u>", v[3 * i], v[3 * i + 1], v[3 * i + 2]);
+        built_put(t, ", <%u, %u, %u>", v[3 * i], v[3 * i + 1], v[3 * i + 2]);
         for (int k = 0; k < width && places[width * i] > 0; k++)
-            put(t, ", %u", places[width * i + k] - 1);
+            built_put(t, ", %u", places[width * i + k] - 1);
     }
-    put(t, " }\n");
+    built_put(t, " }\n");
 }
 
 static const char *const paints[] = { "pigment { rgb <0, .2, .9> }", "pigment { rgb 1 }",
                                       "pigment { granite scale .2 } finish { phong .5 } rotate 20*z" };
 
-static void put_mesh(text *t, const pov_mesh *m, const uint32_t *places, const char *behind)
+static void put_mesh(built_text *t, const pov_mesh *m, const uint32_t *places, const char *behind)
 {
-    put(t, "mesh2 { ");
+    built_put(t, "mesh2 { ");
     put_vectors(t, "vertex_vectors", &m->corners->x, 3, CORNERS);
     if (m->normals)
         put_vectors(t, "normal_vectors", &m->normals->x, 3, CORNERS);
     if (m->uvs)
         put_vectors(t, "uv_vectors", m->uvs, 2, CORNERS);
     if (m->face_materials)
-        put(t, "texture_list { 2, texture { %s } texture { %s } }", paints[0], paints[2]);
+        built_put(t, "texture_list { 2, texture { %s } texture { %s } }", paints[0], paints[2]);
     put_faces(t, "face_indices", m->faces, places, m->face_materials ? m->materials_a_face : 0);
     if (m->normal_faces)
         put_faces(t, "normal_indices", m->normal_faces, NULL, 0);
     if (m->uv_faces)
         put_faces(t, "uv_indices", m->uv_faces, NULL, 0);
     if (pov_largest(m->inside) > 0.0) {
-        put(t, "inside_vector ");
+        built_put(t, "inside_vector ");
         put_numbers(t, &m->inside.x, 3);
     }
-    put(t, "%s }\n", behind);
+    built_put(t, "%s }\n", behind);
 }
 
 static pov_mesh flat(const heights *h)
@@ -209,22 +153,22 @@ static void meshes_are_as_their_text(void **state)
 {
     static const char look[] = "uv_mapping pigment { checker rgb 1, rgb <.9, .3, .2> scale .2 } finish { phong .8 } rotate 20*y";
     static heights h;
-    static text t;
+    static built_text t;
 
     (void)state;
     fill(&h);
     for (int i = 0; i < 3; i++) {
         pov_context *context = scenes_context();
-        pov_builder *b = builder_of(context);
+        pov_builder *b = built_create(context);
         pov_mesh m = i == 0 ? flat(&h) : rich(&h, i == 2);
-        uint32_t material = material_of(b, look);
+        uint32_t material = built_material(b, look);
 
-        add_text(b, head);
+        built_add_text(b, head);
         assert_int_equal(pov_builder_add_mesh(b, &m, material, NULL), POV_OK);
         memset(&m, 0, sizeof m);
         m = i == 0 ? flat(&h) : rich(&h, i == 2);
         t.length = 0;
-        put(&t, "%s", head);
+        built_put(&t, "%s", head);
         put_mesh(&t, &m, NULL, look);
         check_is(b, context, &t, i == 0 ? "flat" : i == 1 ? "with normals and uv" : "with faces of normals and uv");
     }
@@ -236,27 +180,27 @@ static void faces_have_materials(void **state)
     static const char look[] = "pigment { rgb <.9, .9, .1> } rotate 20*y";
     static uint32_t numbers[3 * FACES], places[3 * FACES];
     static heights h;
-    static text t;
+    static built_text t;
 
     (void)state;
     fill(&h);
     for (int width = 1; width <= 3; width += 2) {
         pov_context *context = scenes_context();
-        pov_builder *b = builder_of(context);
+        pov_builder *b = built_create(context);
         pov_mesh m = rich(&h, true);
 
         for (int i = 0; i < 3; i++)
-            assert_int_equal(material_of(b, paints[i]), i + 1);
+            assert_int_equal(built_material(b, paints[i]), i + 1);
         for (uint32_t i = 0; i < 3 * FACES; i++) {
             places[i] = i / (uint32_t)width % 5 == 2 ? 0 : 1 + i % 2;
             numbers[i] = places[i] == 2 ? 3 : places[i];
         }
         m.face_materials = numbers;
         m.materials_a_face = width;
-        add_text(b, head);
-        assert_int_equal(pov_builder_add_mesh(b, &m, material_of(b, look), NULL), POV_OK);
+        built_add_text(b, head);
+        assert_int_equal(pov_builder_add_mesh(b, &m, built_material(b, look), NULL), POV_OK);
         t.length = 0;
-        put(&t, "%s", head);
+        built_put(&t, "%s", head);
         put_mesh(&t, &m, places, look);
         check_is(b, context, &t, width == 1 ? "a material for each face" : "three materials for each face");
     }
@@ -265,7 +209,7 @@ static void faces_have_materials(void **state)
 static void wrong_meshes_are_refused(void **state)
 {
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     pov_scene *scene;
     pov_error err;
     pov_mesh m;
@@ -318,13 +262,13 @@ static void fill_spheres(spheres *s)
     uint32_t state = 9;
 
     for (int i = 0; i < COUNT; i++) {
-        s->centres[i] = pov_vec3_of(4.0 * next(&state) - 2.0, 3.0 * next(&state) - 1.5, 4.0 * next(&state) - 2.0);
-        s->radii[i] = 0.2 + 0.3 * next(&state);
+        s->centres[i] = pov_vec3_of(4.0 * built_next(&state) - 2.0, 3.0 * built_next(&state) - 1.5, 4.0 * built_next(&state) - 2.0);
+        s->radii[i] = 0.2 + 0.3 * built_next(&state);
         s->materials[i] = (uint32_t)(i % 5);
         for (int k = 0; k < 5; k++)
-            s->colours[5 * i + k] = k < 3 ? next(&state) : 0.4 * next(&state);
+            s->colours[5 * i + k] = k < 3 ? built_next(&state) : 0.4 * built_next(&state);
         for (int k = 0; k < 12; k++)
-            s->matrices[12 * i + k] = (k % 4 == 0 && k < 9 ? 1.0 : 0.0) + 0.3 * next(&state);
+            s->matrices[12 * i + k] = (k % 4 == 0 && k < 9 ? 1.0 : 0.0) + 0.3 * built_next(&state);
     }
 }
 
@@ -341,18 +285,18 @@ static void compare_spheres(int which, int channels)
 {
     const size_t look_count = sizeof looks / sizeof *looks;
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     pov_each each = POV_INIT(each);
     static spheres s;
-    static text t;
+    static built_text t;
     char what[80];
 
     fill_spheres(&s);
     t.length = 0;
-    put(&t, "%s", head);
-    add_text(b, head);
+    built_put(&t, "%s", head);
+    built_add_text(b, head);
     for (size_t i = 1; i < look_count; i++)
-        assert_int_equal(material_of(b, looks[i]), i);
+        assert_int_equal(built_material(b, looks[i]), i);
     each.materials = which & 1 ? s.materials : NULL;
     each.colours = which & 2 ? s.colours : NULL;
     each.channels = channels;
@@ -363,19 +307,19 @@ static void compare_spheres(int which, int channels)
     for (int i = 0; i <= COUNT; i++) {
         const int k = i % COUNT;
 
-        put(&t, "sphere { ");
+        built_put(&t, "sphere { ");
         put_numbers(&t, &s.centres[k].x, 3);
-        put(&t, ", %.17g %s ", s.radii[k], looks[which & 1 && i < COUNT ? s.materials[k] : 1]);
+        built_put(&t, ", %.17g %s ", s.radii[k], looks[which & 1 && i < COUNT ? s.materials[k] : 1]);
         if (which & 2 && i < COUNT) {
-            put(&t, "pigment { color rgb%s ", channels == 5 ? "ft" : channels == 4 ? "f" : "");
+            built_put(&t, "pigment { color rgb%s ", channels == 5 ? "ft" : channels == 4 ? "f" : "");
             put_numbers(&t, s.colours + channels * k, channels);
-            put(&t, " } ");
+            built_put(&t, " } ");
         }
         if (which & 4 && i < COUNT) {
-            put(&t, "matrix ");
+            built_put(&t, "matrix ");
             put_numbers(&t, s.matrices + 12 * k, 12);
         }
-        put(&t, " }\n");
+        built_put(&t, " }\n");
     }
     snprintf(what, sizeof what, "%d with %d channels", which, channels);
     check_is(b, context, &t, what);
@@ -392,7 +336,7 @@ static void what_differs_is_as_in_a_text(void **state)
 static void wrong_differences_are_refused(void **state)
 {
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     pov_each each = POV_INIT(each);
     pov_scene *scene;
     pov_error err;
@@ -435,24 +379,24 @@ static void lights_are_as_their_text(void **state)
                                          "area_light x, z, 3, 3 looks_like { sphere { 0, .2 pigment { rgb x } } } translate .3*y" };
     static const char eye[] = "camera { location <0, 1, -6> look_at 0 }";
     const pov_vec3 at[2] = { { 3.0, 5.0, -4.0 }, { -2.0, 3.0, -1.0 } }, rgb[2] = { { 0.9, 0.8, 0.1 }, { 0.2, 0.3, 1.0 } };
-    static text t;
+    static built_text t;
 
     (void)state;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         pov_context *context = scenes_context();
-        pov_builder *b = builder_of(context);
+        pov_builder *b = built_create(context);
 
-        add_text(b, shapes);
-        add_text(b, eye);
-        assert_int_equal(pov_builder_add_lights(b, 2, at, rgb, material_of(b, words[i]), NULL), POV_OK);
+        built_add_text(b, shapes);
+        built_add_text(b, eye);
+        assert_int_equal(pov_builder_add_lights(b, 2, at, rgb, built_material(b, words[i]), NULL), POV_OK);
         t.length = 0;
-        put(&t, "%s%s", shapes, eye);
+        built_put(&t, "%s%s", shapes, eye);
         for (int k = 0; k < 2; k++) {
-            put(&t, "light_source { ");
+            built_put(&t, "light_source { ");
             put_numbers(&t, &at[k].x, 3);
-            put(&t, ", rgb ");
+            built_put(&t, ", rgb ");
             put_numbers(&t, &rgb[k].x, 3);
-            put(&t, " %s }\n", words[i]);
+            built_put(&t, " %s }\n", words[i]);
         }
         check_is(b, context, &t, words[i]);
     }
@@ -468,24 +412,24 @@ static void a_camera_is_that_of_its_text(void **state)
         "camera { fisheye location <0, 1, -3> look_at 0 angle 120 }",
         "camera { location <0, 1, -6> look_at 0 aperture .4 focal_point 0 blur_samples 7 }",
     };
-    static text t;
+    static built_text t;
 
     (void)state;
     for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++) {
         pov_context *context = scenes_context();
-        pov_builder *b = builder_of(context);
+        pov_builder *b = built_create(context);
         pov_camera camera = POV_INIT(camera), again = POV_INIT(again);
         pov_scene *scene;
 
         t.length = 0;
-        put(&t, "%s%s%s", shapes, light, cameras[i]);
+        built_put(&t, "%s%s%s", shapes, light, cameras[i]);
         scene = scenes_text(context, t.at);
         pov_scene_get_camera(scene, &camera);
         pov_scene_destroy(scene);
-        add_text(b, "camera { location 5 look_at 0 }");   /* the last one counts */
+        built_add_text(b, "camera { location 5 look_at 0 }");   /* the last one counts */
         assert_int_equal(pov_builder_camera(b, &camera, NULL), POV_OK);
-        add_text(b, shapes);
-        add_text(b, light);
+        built_add_text(b, shapes);
+        built_add_text(b, light);
         assert_int_equal(pov_scene_load_builder(&scene, b, NULL, NULL), POV_OK);
         pov_scene_get_camera(scene, &again);
         assert_memory_equal(&again, &camera, sizeof camera);
@@ -497,7 +441,7 @@ static void a_camera_is_that_of_its_text(void **state)
 static void wrong_cameras_and_lights_are_refused(void **state)
 {
     pov_context *context = scenes_context();
-    pov_builder *b = builder_of(context);
+    pov_builder *b = built_create(context);
     pov_camera camera = POV_INIT(camera);
     const pov_vec3 at = { NAN, 0.0, 0.0 };
     pov_scene *scene;
@@ -515,7 +459,7 @@ static void wrong_cameras_and_lights_are_refused(void **state)
     assert_int_equal(pov_builder_camera(b, &camera, &err), POV_E_ARGUMENT);
     assert_int_equal(pov_builder_add_lights(b, 1, &at, &camera.up, 0, &err), POV_E_ARGUMENT);
     assert_int_equal(pov_builder_add_lights(NULL, 1, &camera.up, &camera.up, 0, &err), POV_E_ARGUMENT);
-    assert_int_equal(pov_builder_add_lights(b, 1, &camera.up, &camera.up, material_of(b, "radius 3"), &err), POV_OK);
+    assert_int_equal(pov_builder_add_lights(b, 1, &camera.up, &camera.up, built_material(b, "radius 3"), &err), POV_OK);
     assert_int_equal(pov_scene_load_builder(&scene, b, NULL, &err), POV_E_SYNTAX);
     pov_builder_destroy(b);
     pov_context_destroy(context);
