@@ -267,15 +267,20 @@ static void read_item(pov_reader *in, pigment_reading *r)
         refuse(in);
 }
 
+static void begin(pigment_reading *r, value_kind kind, const pigment_node *base)
+{
+    memset(r, 0, sizeof *r);
+    r->kind = kind;
+    parse_pattern_begin(&r->pattern);
+    if (base)
+        take_base(r, base);
+}
+
 const pigment_node *parse_pigment_content(pov_reader *in, value_kind kind, const pigment_node *base, int end)
 {
     pigment_reading r;
 
-    memset(&r, 0, sizeof r);
-    r.kind = kind;
-    parse_pattern_begin(&r.pattern);
-    if (base)
-        take_base(&r, base);
+    begin(&r, kind, base);
     while (!in->failed && in->token.kind != end)
         read_item(in, &r);
     return make_node(in, &r);
@@ -285,11 +290,7 @@ const pigment_node *parse_pigment_colour(pov_reader *in, const pigment_node *bas
 {
     pigment_reading r;
 
-    memset(&r, 0, sizeof r);
-    r.kind = VALUE_PIGMENT;
-    parse_pattern_begin(&r.pattern);
-    if (base)
-        take_base(&r, base);
+    begin(&r, VALUE_PIGMENT, base);
     set_colour(&r, *p);
     return make_node(in, &r);
 }
