@@ -153,13 +153,10 @@ static pov_vec3 draw_lamp(const views *all, pov_vec3 point, double x, double y)
     return aim(&all->of[i], point, x, y);
 }
 
-/* The share of rays towards lamps. Where both kinds are drawn each is half of them. */
-static const double share_either = 0.5, share_both = 0.5;
-
+/* Of rays half go towards lamps, by chance or where one of each kind is drawn. */
 bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, sequence_point p, guide_kind kind, pov_vec3 *dir,
                 float *by)
 {
-    const double share = kind == GUIDE_EITHER ? share_either : share_both;
     double even, density = 0.0;
     views all;
 
@@ -172,13 +169,13 @@ bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, seque
         return kind != GUIDE_LAMPS;
     }
     if (kind == GUIDE_EITHER) {
-        kind = p.x < 1.0 - share ? GUIDE_EVEN : GUIDE_LAMPS;
-        p.x = kind == GUIDE_EVEN ? p.x / (1.0 - share) : (p.x - (1.0 - share)) / share;
+        kind = p.x < 0.5 ? GUIDE_EVEN : GUIDE_LAMPS;
+        p.x = kind == GUIDE_EVEN ? 2.0 * p.x : 2.0 * p.x - 1.0;
     }
     *dir = kind == GUIDE_EVEN ? spread(normal, p) : draw_lamp(&all, point, p.x, p.y);
     even = pov_dot(*dir, normal) * inverse_pi;
     for (uint32_t i = 0; i < all.count; i++)
         density += all.of[i].share * density_of(&all.of[i], point, *dir);
-    *by = (float)(even / ((1.0 - share) * even + share * density));
+    *by = (float)(even / (0.5 * even + 0.5 * density));
     return even > 0.0 && *by > 0.0f;
 }
