@@ -2,7 +2,7 @@
 #include "texture/normal.h"
 #include "texture/points.h"
 
-/* Lanes of a node, which of the caller's they are, and their shares; the blends that the node is in. */
+/* Lanes of a node, which of the caller's they are, and their shares; the blends that the node is in, or NULL. */
 typedef struct part {
     const normal_blend *around;
     uint32_t n;
@@ -108,13 +108,14 @@ static void find(const model *m, const texture *of, const texture_points *points
 
 static void add_terms(terms *t, const texture *of, const texture_points *points, const part *p);
 
+/* around: with the blend that it is a member of. */
 static void add_member(terms *t, const texture *member, const blending *b, uint32_t number, const texture_points *points,
-                       const part *outer)
+                       const part *outer, const normal_blend *around)
 {
     texture_points picked;
     part own;
 
-    own.around = outer->around;
+    own.around = around;
     own.n = blend_lanes(b, number, own.lane, own.share);
     if (own.n == 0)
         return;
@@ -130,7 +131,6 @@ static void add_terms(terms *t, const texture *of, const texture_points *points,
 {
     const normal_blend own = { of->pattern, p->around };
     texture_points inner;
-    part outer;
     blending b;
 
     if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS) {
@@ -138,11 +138,8 @@ static void add_terms(terms *t, const texture *of, const texture_points *points,
         return;
     }
     find(t->model, of, points, p->n, &inner, &b);
-    outer = *p;
-    if (of->blend != BLEND_PARTS)
-        outer.around = &own;
     for (uint32_t k = 0; k < of->count; k++)
-        add_member(t, of->textures[k], &b, k, &inner, &outer);
+        add_member(t, of->textures[k], &b, k, &inner, p, of->blend == BLEND_PARTS ? p->around : &own);
 }
 
 uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out)
