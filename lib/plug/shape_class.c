@@ -61,6 +61,7 @@ void shape_class_fill(shape_class *out, const pov_shape_class *from)
     out->shading_normal = c.shading_normal;
     out->textures = c.textures;
     out->face = c.face;
+    out->reversed = c.reversed;
     if (fast_of(&c))
         fill_fast(out, fast_of(&c));
 }

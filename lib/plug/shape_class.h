@@ -28,6 +28,7 @@ typedef struct shape_class {
     uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
                          double *share);
     bool (*face)(const void *self, uint32_t number, pov_face *out);
+    bool (*reversed)(const void *self, const pov_ray *ray, const pov_crossing *at);
 
     size_t block_size, single_block_size;
     bool (*block_pack)(void *block, const pov_frame *frame, const void *const *selves, uint32_t n);

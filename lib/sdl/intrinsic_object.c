@@ -50,7 +50,7 @@ static symbol *read_normal(pov_reader *in)
 
 static void read_trace(pov_reader *in, const intrinsic *row, value *out)
 {
-    object_hit hit = { 0.0, { 0.0, 0.0, 0.0 } };
+    object_hit hit = { 0.0, { 0.0, 0.0, 0.0 }, false };
     pov_vec3 origin, direction;
     const object_parsed *o;
     symbol *normal = NULL;

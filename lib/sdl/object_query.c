@@ -134,8 +134,16 @@ static void find_normal(const subject *s, const pov_ray *ray, const pov_crossing
         s->shape->normal(s->self, ray, at, out);
 }
 
+/* Nothing inverts a patch. */
+static void invert(object_hit *h)
+{
+    if (!h->on_patch)
+        h->normal = pov_scale(h->normal, -1.0);
+}
+
 static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask, object_hit *best)
 {
+    const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     pov_crossing at;
     pov_hits hits;
     subject s;
@@ -155,8 +163,11 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask
     if (found) {
         best->t = at.t;
         find_normal(&s, &ask->ray, &at, &best->normal);
+        best->on_patch = shape_is_patch(s.shape);
+        if (s.shape->reversed && s.shape->reversed(s.self, &ask->ray, &at))
+            best->normal = pov_sub(zero, best->normal);
         if (o->flags & LEAF_INVERSE)
-            best->normal = pov_scale(best->normal, -1.0);
+            invert(best);
     }
     end(in, &s);
     return found;
@@ -185,7 +196,7 @@ static bool trace_member(pov_reader *in, const object_parsed *o, const object_pa
         if (o->op == NODE_UNION || is_surface(in, o, member, &ask.ray, hit.t)) {
             *best = hit;
             if (is_hole)
-                best->normal = pov_scale(hit.normal, -1.0);
+                invert(best);
             return true;
         }
         ask.from = hit.t;
@@ -212,7 +223,7 @@ static bool trace(pov_reader *in, const object_parsed *o, const search *outer, o
     if (found && is_mapped)
         best->normal = map_normal(&map, best->normal);
     if (found && o->kind == OBJECT_GROUP && (o->flags & LEAF_INVERSE))
-        best->normal = pov_scale(best->normal, -1.0);
+        invert(best);
     return found;
 }
 

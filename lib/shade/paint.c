@@ -87,9 +87,14 @@ static void add(group *g, const shading *scene, const surfaces *s, uint32_t lane
 /* ---- terms ---- */
 
 /* The texture of the side that the ray meets. */
-static const texture *texture_of(const material *m, const hit *h)
+static const texture *texture_of(const shading *scene, const material *m, const pov_ray *ray, const hit *h)
 {
-    return m->inside && !h->entering ? m->inside : m->texture;
+    return m->inside && !world_is_at_front(scene->world, ray, h) ? m->inside : m->texture;
+}
+
+static const texture *texture_at(const shading *scene, const surface *s, const pov_ray *ray)
+{
+    return texture_of(scene, s->appearance->material, ray, s->at);
 }
 
 /* Bit i: the texture of surface i is to be evaluated. */
@@ -112,11 +117,11 @@ static uint32_t evaluate(const shading *scene, const surfaces *s, painted *p)
         const surface *first = &s->at[first_of64(rest)];
         uint32_t n;
 
-        begin(&g, texture_of(first->appearance->material, first->at));
+        begin(&g, texture_at(scene, first, s->rays[first_of64(rest)]));
         for (uint64_t lanes = rest; lanes; lanes &= lanes - 1) {
             const uint32_t i = first_of64(lanes);
 
-            if (texture_of(s->at[i].appearance->material, s->at[i].at) != g.texture)
+            if (texture_at(scene, &s->at[i], s->rays[i]) != g.texture)
                 continue;
             add(&g, scene, s, i);
             rest &= ~((uint64_t)1 << i);
@@ -224,14 +229,14 @@ colour paint_filter(const shading *scene, const pov_ray *ray, const hit *h)
     group g;
     colour filter;
 
-    begin_single(&g, scene, texture_of(shading_constant(scene, h->object)->material, h), h, facing(ray, h), pov_unit(ray->dir));
+    begin_single(&g, scene, texture_of(scene, shading_constant(scene, h->object)->material, ray, h), h, facing(ray, h), pov_unit(ray->dir));
     texture_filters(scene->model, g.texture, &g.points, 1, &filter);
     return filter;
 }
 
 uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, texture_term *out)
 {
-    const texture *of = texture_of(shading_constant(scene, h->object)->material, h);
+    const texture *of = texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
     pov_vec3 normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     group g;
 
@@ -243,7 +248,7 @@ uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, textu
 
 pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *h)
 {
-    const texture *of = texture_of(shading_constant(scene, h->object)->material, h);
+    const texture *of = texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
     vec_lanes normal;
     group g;
 

@@ -50,6 +50,19 @@ void world_surface(const world *w, const pov_ray *ray, hit *h)
     set_entering(w, ray, h);
 }
 
+bool world_is_at_front(const world *w, const pov_ray *ray, const hit *h)
+{
+    const shape_class *shape = w->groups[w->objects_info[h->object].group].shape;
+    const shape_ref ref = world_shape(w, h->object);
+    pov_ray own;
+
+    if (!shape->reversed)
+        return h->entering;
+    if (ref.xform)
+        instance_ray(ref.xform, ray, &own);
+    return h->entering != shape->reversed(ref.instance, ref.xform ? &own : ray, &h->crossing);
+}
+
 /* ---- of many ---- */
 
 static inline void put_points(incidence *out, uint32_t i, const pov_ray *ray, const hit *h)

@@ -21,6 +21,8 @@ typedef struct hit {
 
 /* Complete a hit of a query. */
 void world_surface(const world *w, const pov_ray *ray, hit *h);
+/* Does the ray of a complete hit come upon the front of the surface? For most shapes that is the outside. */
+bool world_is_at_front(const world *w, const pov_ray *ray, const hit *h);
 
 enum { WORLD_MANY = LANES_MAX };
 

@@ -98,6 +98,17 @@ static uint32_t find_start(const walk *w)
     return best;
 }
 
+/* A line is outside where it passes the height of the apex. One through the apex itself crosses nothing else. */
+static bool begins_in_cone(const walk *w, pov_vec3 p)
+{
+    const pov_vec3 d = w->k->d;
+    const double along[2] = { d.x / d.y, d.z / d.y };
+
+    if (p.x == p.y * along[0] && p.z == p.y * along[1])
+        return common_outline_inside(&w->s->outline, along);
+    return count_before(w, w->base - p.y / d.y) % 2 == 1;
+}
+
 /* Crossings of the whole line with the sweep, and where it begins inside. */
 static void find_crossings(walk *w, common_cross *room)
 {
@@ -111,8 +122,7 @@ static void find_crossings(walk *w, common_cross *room)
     w->odd = false;
     if (w->s->conic) {
         w->count = common_outline_cross_cone(&w->s->outline, p, w->k->d, room);
-        /* It is outside where it passes the height of the apex. */
-        w->odd = w->k->d.y != 0.0 && count_before(w, w->base - p.y / w->k->d.y) % 2 == 1;
+        w->odd = w->k->d.y != 0.0 && begins_in_cone(w, p);
     } else if (d[0] != 0.0 || d[1] != 0.0) {
         const double range[2] = { w->near.hi - w->base, w->far.hi - w->base };
 
@@ -186,19 +196,35 @@ bool common_swept_inside(const common_swept *s, pov_two3 point)
     return common_outline_inside(&s->outline, p);
 }
 
+/* Across a piece, of any length: to the right of its way; of a cone, to the left. */
+static pov_vec3 across_piece(const common_swept *s, const pov_mark *mark)
+{
+    double point[2], tangent[2];
+
+    common_piece_at(&s->outline.at[mark->feature - s->first - PIECES], mark->u, point, tangent);
+    return s->conic ? pov_cross_product(pov_vec3_of(tangent[0], 0.0, tangent[1]), pov_vec3_of(point[0], 1.0, point[1]))
+                    : joined(s, tangent[1], 0.0, -tangent[0]);
+}
+
+bool common_swept_reversed(const common_swept *s, pov_vec3 dir, const pov_mark *mark)
+{
+    const uint32_t feature = mark->feature - s->first;
+    const bool enters = mark->v > 0.0;
+
+    if (feature < PIECES)
+        return s->upward && feature == LOW_CAP;
+    return ((pov_dot(across_piece(s, mark), dir) < 0.0) != enters) != (s->turned != s->conic);
+}
+
 void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *mark, pov_vec3 *out)
 {
     const uint32_t feature = mark->feature - s->first;
-    double point[2], tangent[2];
 
     if (feature < PIECES) {
         *out = joined(s, 0.0, feature == LOW_CAP ? -1.0 : 1.0, 0.0);
         return;
     }
-    common_piece_at(&s->outline.at[feature - PIECES], mark->u, point, tangent);
-    *out = s->conic ? pov_cross_product(pov_vec3_of(tangent[0], 0.0, tangent[1]), pov_vec3_of(point[0], 1.0, point[1]))
-                    : joined(s, tangent[1], 0.0, -tangent[0]);
-    *out = pov_unit(*out);
+    *out = pov_unit(across_piece(s, mark));
     if (!(pov_largest(*out) > 0.0))
         *out = pov_unit(dir);
     if ((pov_dot(*out, dir) < 0.0) != (mark->v > 0.0))

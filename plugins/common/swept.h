@@ -14,6 +14,8 @@ typedef struct common_swept {
     uint32_t axis;               /* 1: the outline is in x and z, swept along y; 2: in x and y, along z */
     uint32_t first;              /* the number of its first feature: two caps, then a feature a piece */
     bool conic, open;
+    bool upward;                 /* the front of both caps is above */
+    bool turned;                 /* the front of a piece is to the left of its way, else to the right */
     pov_vec3 least, most;        /* its box */
 } common_swept;
 
@@ -27,5 +29,7 @@ bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const com
 bool common_swept_inside(const common_swept *s, pov_two3 point);
 /* Of a crossing of this sweep. */
 void common_swept_normal(const common_swept *s, pov_vec3 dir, const pov_mark *mark, pov_vec3 *out);
+/* Is the front the inner side? */
+bool common_swept_reversed(const common_swept *s, pov_vec3 dir, const pov_mark *mark);
 
 #endif

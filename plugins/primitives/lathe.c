@@ -368,6 +368,14 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
         *out = pov_scale(pov_unit(ray->dir), -1.0);
 }
 
+/* The front is to the right of the curve's way. */
+static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)
+{
+    (void)ray;
+    (void)at;
+    return ((const lathe *)self)->outward < 0.0;
+}
+
 static bool open(const void *self) { return ((const lathe *)self)->open; }
 
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
@@ -388,6 +396,7 @@ static const pov_shape_class lathe_class = {
     .inside = inside,
     .scratch = scratch,
     .open = open,
+    .reversed = reversed,
     .uv = uv,
 };
 

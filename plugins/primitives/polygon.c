@@ -144,9 +144,9 @@ static double choose_side(common_polygon *s, const common_corner *corners, doubl
         side = pov_dot(pov_unit(n), pov_cross_product(pov_unit(a), pov_unit(b)));
     }
     if (side < 0.0) {
-        s->normal.x = pov_two_neg(s->normal.x);
-        s->normal.y = pov_two_neg(s->normal.y);
-        s->normal.z = pov_two_neg(s->normal.z);
+        s->normal.x = pov_two_of(0.0 - s->normal.x.hi, 0.0 - s->normal.x.lo);
+        s->normal.y = pov_two_of(0.0 - s->normal.y.hi, 0.0 - s->normal.y.lo);
+        s->normal.z = pov_two_of(0.0 - s->normal.z.hi, 0.0 - s->normal.z.lo);
     }
     return largest;
 }

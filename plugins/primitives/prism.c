@@ -132,11 +132,13 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     bool read = true;
 
     p->swept.axis = 1;
+    p->swept.upward = true;
     while (read) {
         read = common_spline_read(host, in, &kind) || host->accept(in, "linear_sweep");
         if (host->accept(in, "conic_sweep"))
             read = p->swept.conic = true;
     }
+    p->swept.turned = kind == COMMON_BEZIER;
     read_heights(p, host, in);
     host->accept(in, ",");
     r.at = common_points_read(host, in, &r.count);
@@ -192,6 +194,11 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     common_swept_normal(&((const prism *)self)->swept, ray->dir, &at->mark, out);
 }
 
+static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)
+{
+    return common_swept_reversed(&((const prism *)self)->swept, ray->dir, &at->mark);
+}
+
 static bool open(const void *self) { return ((const prism *)self)->swept.open; }
 
 static const pov_shape_class prism_class = {
@@ -206,6 +213,7 @@ static const pov_shape_class prism_class = {
     .inside = inside,
     .scratch = scratch,
     .open = open,
+    .reversed = reversed,
 };
 
 static const pov_shape_class *const shapes[] = { &prism_class, NULL };

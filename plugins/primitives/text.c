@@ -285,14 +285,23 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
     return false;
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+static const common_swept *glyph_at(const text *t, const pov_crossing *at)
 {
-    const text *t = self;
     uint32_t i = t->count - 1;
 
     while (i > 0 && t->glyph[i].first > at->mark.feature)
         i--;
-    common_swept_normal(&t->glyph[i], ray->dir, &at->mark, out);
+    return &t->glyph[i];
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    common_swept_normal(glyph_at(self, at), ray->dir, &at->mark, out);
+}
+
+static bool reversed(const void *self, const pov_ray *ray, const pov_crossing *at)
+{
+    return common_swept_reversed(glyph_at(self, at), ray->dir, &at->mark);
 }
 
 static const pov_shape_class text_class = {
@@ -306,6 +315,7 @@ static const pov_shape_class text_class = {
     .normal = normal,
     .inside = inside,
     .scratch = scratch,
+    .reversed = reversed,
 };
 
 static const pov_shape_class *const shapes[] = { &text_class, NULL };

@@ -86,6 +86,63 @@ static void meshes_are_inverted(void **state)
     assert_side("union { " MESH "} sphere { 5, .1 } inverse " TWO "}", BACK);
 }
 
+/* Rings of prisms: counterclockwise with x to the right and z up, and the other way. */
+#define RING "<-1,-1>, <1,-1>, <0,1>, <-1,-1>"
+#define BACKWARD "<-1,-1>, <0,1>, <1,-1>, <-1,-1>"
+#define STRAIGHT(ring) "prism { linear_spline -1, 1, 4, " ring TWO
+#define CONE(ring) "prism { conic_sweep .3, 1, 4, " ring " translate -.5*y" TWO
+#define BEZIER(a, b, c) "prism { bezier_spline -1, 1, 12, " a a b b b b c c c c a a TWO
+#define HOLE(ring) "prism { -1, 1, 10, <-1,-1>, <1,-1>, <1,1>, <-1,1>, <-1,-1>, " ring " clipped_by { plane { -z, 0 } }" TWO
+
+static void rings_of_prisms_turn_about_their_fronts(void **state)
+{
+    (void)state;
+    assert_side(STRAIGHT(RING) "}", FRONT);
+    assert_side(STRAIGHT(BACKWARD) "}", BACK);
+    assert_side(STRAIGHT(BACKWARD) "scale <-1,1,1> }", BACK);
+    assert_side(STRAIGHT(BACKWARD) "inverse }", FRONT);
+    assert_side("intersection { sphere { 0, 1.5 } prism { -1, 1, 4, " BACKWARD "} " TWO "}", BACK);
+    assert_side("prism { quadratic_spline -1, 1, 5, <0,1>, " RING TWO "}", FRONT);
+    assert_side("prism { cubic_spline -1, 1, 6, <1,-1>, " BACKWARD ", <0,1>" TWO "}", BACK);
+    assert_side(CONE(RING) "}", FRONT);
+    assert_side(CONE(BACKWARD) "}", BACK);
+    assert_side(BEZIER("<-1,-1>", "<1,-1>", "<0,1>") "}", BACK);
+    assert_side(BEZIER("<-1,-1>", "<0,1>", "<1,-1>") "}", FRONT);
+    assert_side(HOLE("<-.4,-.4>, <.4,-.4>, <.4,.4>, <-.4,.4>, <-.4,-.4>") "}", BACK);
+    assert_side(HOLE("<-.4,-.4>, <-.4,.4>, <.4,.4>, <.4,-.4>, <-.4,-.4>") "}", FRONT);
+}
+
+static void both_caps_of_a_prism_face_up(void **state)
+{
+    (void)state;
+    assert_side(STRAIGHT(RING) "rotate -90*x }", FRONT);
+    assert_side(STRAIGHT(RING) "rotate 90*x }", BACK);
+    assert_side(CONE(BACKWARD) "rotate -90*x }", FRONT);
+    assert_side(CONE(BACKWARD) "rotate 90*x }", BACK);
+}
+
+static void a_lathe_is_faced_to_the_right_of_its_way(void **state)
+{
+    (void)state;
+    assert_side("lathe { linear_spline 3, <0,-1>, <.5,0>, <0,1>" TWO "}", FRONT);
+    assert_side("lathe { linear_spline 3, <0,1>, <.5,0>, <0,-1>" TWO "}", BACK);
+    assert_side("lathe { cubic_spline 5, <0,1.3>, <0,1>, <.5,0>, <0,-1>, <0,-1.3>" TWO "rotate 30*x }", BACK);
+}
+
+/* trace() gives the normal of the front. */
+static void the_front_is_where_a_traced_normal_points(void **state)
+{
+    static const char traced[] = "#declare N = <0,0,0>; #declare O = prism { -1, 1, 4, %s } #declare P = trace(O, -5*z, z, N); box { -1, 1 pigment { rgb <-N.z, N.z, 0> } "
+                                 "finish { ambient 1 diffuse 0 } }";
+    char text[512];
+
+    (void)state;
+    snprintf(text, sizeof text, traced, RING);
+    assert_side(text, FRONT);
+    snprintf(text, sizeof text, traced, BACKWARD);
+    assert_side(text, BACK);
+}
+
 /* Where the field lies below the water a cut shows the solid up to the water, which has no surface of its own. */
 static void a_cut_height_field_is_solid_up_to_its_water(void **state)
 {
@@ -109,6 +166,10 @@ int main(void)
         cmocka_unit_test(a_parametric_surface_faces_the_turn_from_v_to_u),
         cmocka_unit_test(patches_are_not_inverted),
         cmocka_unit_test(meshes_are_inverted),
+        cmocka_unit_test(rings_of_prisms_turn_about_their_fronts),
+        cmocka_unit_test(both_caps_of_a_prism_face_up),
+        cmocka_unit_test(a_lathe_is_faced_to_the_right_of_its_way),
+        cmocka_unit_test(the_front_is_where_a_traced_normal_points),
         cmocka_unit_test(a_cut_height_field_is_solid_up_to_its_water),
     };
 

@@ -199,6 +199,9 @@ typedef struct pov_shape_class {
                          double *share);
     /* [load] For shapes made of triangles: the face of this number, from 0, in the order of the text. False: there is none. */
     bool (*face)(const void *self, uint32_t number, pov_face *out);
+    /* [render] Is the front of the surface at a crossing, where interior_texture is not seen, the side that normal() points
+     * away from? NULL: nowhere. */
+    bool (*reversed)(const void *self, const pov_ray *ray, const pov_crossing *at);
 } pov_shape_class;
 
 #endif
