@@ -11,6 +11,7 @@ static const char flight_keys[] = "WASDQE";
 /* A slow scene is restarted after this time even if its first picture is not complete: about 20 times a second. */
 static const double RESTART_SECONDS = 0.045;
 static const double FLIGHT_SECONDS = 1.0 / 60.0;
+static const double WHEEL_SECONDS = 0.5;
 static const double NOTE_SECONDS = 2.0, GREETING_SECONDS = 5.0;
 
 void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
@@ -24,6 +25,7 @@ void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
     a->probe = probe;
     a->probe_user = probe_user;
     a->restarted = -1.0;
+    a->zoomed = -1.0;
     a->orders = APP_DRAW;
 }
 
@@ -84,6 +86,21 @@ void app_say(app *a, double now, const char *format, ...)
     a->orders |= APP_DRAW;
 }
 
+void app_zoom(app *a, double steps, double now)
+{
+    if (!zoom_step(&a->zoom, steps, a->x, a->y, a->width, a->height))
+        return;
+    if (zoom_is_on(&a->zoom))
+        app_say(a, now, "%d : 1; a drag moves it, 0 shows all", a->zoom.factor);
+    else
+        app_say(a, now, "the whole picture");
+}
+
+void app_pointed(const app *a, double *x, double *y)
+{
+    zoom_to_picture(&a->zoom, a->x, a->y, x, y);
+}
+
 /* ---- what is typed ---- */
 
 static void command(app *a, int code, double now)
@@ -130,6 +147,8 @@ static void take_key(app *a, int code, bool down, double now)
 
     if (code == APP_KEY_SHIFT)
         a->shift = down;
+    if (code == APP_KEY_CONTROL)
+        a->control = down;
     if (key) {
         unsigned bit = 1u << (key - flight_keys);
 
@@ -157,7 +176,7 @@ static void take_button(app *a, int button, bool down, double now)
     if (a->drag != APP_NO_DRAG || !a->has_scene)
         return;
     a->drag_button = button;
-    a->drag = button == APP_RIGHT ? APP_FLY : button == APP_MIDDLE || a->shift ? APP_PAN : APP_ORBIT;
+    a->drag = button == APP_RIGHT ? APP_FLY : zoom_is_on(&a->zoom) ? APP_SHIFT : button == APP_MIDDLE || a->shift ? APP_PAN : APP_ORBIT;
     a->flown = now;
     orbit_set_reach(&a->orbit, probe(a, 0.5, 0.5));
 }
@@ -172,6 +191,11 @@ static void take_pointer(app *a, double x, double y)
         a->orders |= APP_DRAW;
     if (a->drag == APP_NO_DRAG || (right == 0.0 && down == 0.0))
         return;
+    if (a->drag == APP_SHIFT) {
+        zoom_pan(&a->zoom, right * a->width, down * a->height, a->width, a->height);
+        a->orders |= APP_DRAW;
+        return;
+    }
     if (a->drag == APP_ORBIT)
         orbit_turn(&a->orbit, right, down);
     else if (a->drag == APP_PAN)
@@ -181,11 +205,20 @@ static void take_pointer(app *a, double x, double y)
     a->moved = true;
 }
 
-static void take_wheel(app *a, double steps)
+/* Magnified, the wheel goes nearer to the pixels and leaves the camera where it is. */
+static void take_wheel(app *a, double steps, double now)
 {
     double x = a->x / a->width, y = a->y / a->height;
 
     if (!a->has_scene || steps == 0.0)
+        return;
+    if (a->control || zoom_is_on(&a->zoom)) {
+        app_zoom(a, steps, now);
+        a->zoomed = now;
+        return;
+    }
+    /* A wheel that turned too far is no order to the camera. */
+    if (now < a->zoomed + WHEEL_SECONDS)
         return;
     orbit_dolly(&a->orbit, x, y, probe(a, x, y), steps);
     a->moved = true;
@@ -202,6 +235,7 @@ static void take_size(app *a, double width, double height, double scale)
     a->height = (int)height;
     if (a->has_scene)
         orbit_fit(&a->orbit, a->width, a->height);
+    zoom_fit(&a->zoom, a->width, a->height);
     a->resized = true;
 }
 
@@ -216,11 +250,11 @@ void app_take(app *a, const app_event *e, double now)
     case APP_KEY: take_key(a, e->code, e->down, now); break;
     case APP_BUTTON: take_button(a, e->code, e->down, now); break;
     case APP_POINTER: take_pointer(a, e->x, e->y); break;
-    case APP_WHEEL: take_wheel(a, e->y); break;
+    case APP_WHEEL: take_wheel(a, e->y, now); break;
     case APP_SIZE: take_size(a, e->x, e->y, e->scale); break;
     case APP_LEAVE:
         a->flying = 0;
-        a->shift = false;
+        a->shift = a->control = false;
         a->drag = APP_NO_DRAG;
         break;
     case APP_CLOSE: a->orders |= APP_QUIT; break;

@@ -4,10 +4,11 @@
 #define VIEWER_APP_H
 
 #include "orbit.h"
+#include "zoom.h"
 
 /* Keys with a printed capital are named by its ASCII code, others by these. */
 enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_SHIFT,
-       APP_KEY_HOME };
+       APP_KEY_HOME, APP_KEY_CONTROL };
 enum { APP_LEFT, APP_RIGHT, APP_MIDDLE, APP_BUTTONS };
 
 typedef enum app_event_kind {
@@ -40,7 +41,7 @@ enum {
 typedef enum app_view {
     APP_PICTURE, APP_NORMAL, APP_DEPTH, APP_SAMPLES, APP_TIME, APP_ERROR, APP_CERTAINTY, APP_VIEWS
 } app_view;
-typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY } app_drag;
+typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY, APP_SHIFT } app_drag;
 
 /* Distance to a surface along orbit_ray(x, y), in lengths of that ray; not positive: none. */
 typedef double app_probe(void *user, double x, double y);
@@ -56,9 +57,11 @@ typedef struct app {
     int width, height;
     double scale;            /* of text, for displays with small pixels */
     double x, y;             /* the pointer */
+    zoom zoom;
+    double zoomed;           /* when the wheel last changed it */
     app_drag drag;
     int drag_button;
-    bool shift;
+    bool shift, control;
     unsigned flying;         /* a bit for each of the keys WASDQE that is held */
     double flown;            /* time up to which flight was computed */
     app_view view;
@@ -88,6 +91,10 @@ unsigned app_update(app *a, double now, bool coarse_is_there);
 double app_patience(const app *a, double now);
 void app_say(app *a, double now, const char *format, ...) POV_PRINTF(3, 4);
 pov_camera app_camera(const app *a);
+/* Magnify or show more, about the pointer. */
+void app_zoom(app *a, double steps, double now);
+/* Where the pointer is in the picture, in its pixels. */
+void app_pointed(const app *a, double *x, double *y);
 const char *app_view_name(app_view view);
 /* Factor of light before display. */
 double app_gain(const app *a);

@@ -41,8 +41,11 @@ static void frame_all(app *a, double now)
 static void frame_one(app *a, double now)
 {
     pov_box box;
-    bool found = a->extent && a->extent(a->probe_user, a->x / a->width, a->y / a->height, &box);
+    double x, y;
+    bool found;
 
+    app_pointed(a, &x, &y);
+    found = a->extent && a->extent(a->probe_user, x / a->width, y / a->height, &box);
     frame(a, found, &box, "nothing is under the pointer", now);
 }
 
@@ -59,6 +62,12 @@ static void widen(app *a, double factor, double now)
 
 static void wider(app *a, double now) { widen(a, FIELD_STEP, now); }
 static void narrower(app *a, double now) { widen(a, 1.0 / FIELD_STEP, now); }
+
+/* ---- pixels ---- */
+
+static void magnify(app *a, double now) { app_zoom(a, 1.0, now); }
+static void reduce(app *a, double now) { app_zoom(a, -1.0, now); }
+static void show_whole(app *a, double now) { app_zoom(a, -1000.0, now); }
 
 /* ---- the picture ---- */
 
@@ -121,6 +130,9 @@ static const keys_row rows[] = {
     { "F", "the object under the pointer in view", { 'f' }, false, frame_one },
     { "comma", "a wider field of view", { ',' }, false, wider },
     { "period", "a narrower field of view", { '.' }, false, narrower },
+    { "Z, Ctrl-wheel", "magnify pixels; then drag and wheel leave the camera", { 'z' }, false, magnify },
+    { "X", "magnify pixels less", { 'x' }, false, reduce },
+    { "0", "the whole picture", { '0' }, false, show_whole },
     { "R, Enter", "back to the scene's camera", { 'r', APP_KEY_ENTER }, false, reset },
     { "C", "copy the camera as scene text", { 'c' }, false, copy_camera },
     { "[, -", "a third of a stop less exposure", { '[', '-' }, false, darker },

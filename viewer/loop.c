@@ -54,7 +54,7 @@ static void draw(viewer *v)
     /* A minimised window has no size. */
     if (width < 1 || height < 1)
         return;
-    present_draw(v->present, width, height);
+    present_draw(v->present, &v->app.zoom, width, height);
     v->surface->swap(v->surface);
     v->frames++;
 }
@@ -84,7 +84,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
     /* Drivers allocate memory and compile shaders at the first draw: do it now, while nothing is shown. */
     if (status == POV_OK) {
         present_nothing(v->present, width, height);
-        present_draw(v->present, width, height);
+        present_draw(v->present, &v->app.zoom, width, height);
         s->swap(s);
     }
     if (status == POV_OK)

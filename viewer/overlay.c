@@ -1,5 +1,6 @@
 #include "overlay.h"
 
+#include "cells.h"
 #include "curve.h"
 #include "keys.h"
 
@@ -7,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
+enum { CELLS, MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
 
 /* Margin at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
@@ -170,7 +171,7 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
 
 bool overlay_update(overlay *o, const app *a, session *s, present *p)
 {
-    static const int order[PRESENT_PANELS] = { HELP, MESSAGE, CURVE, CAPTION, NOTE, PLACE };
+    static const int order[PRESENT_PANELS] = { CELLS, HELP, MESSAGE, CURVE, CAPTION, NOTE, PLACE };
     char text[TEXT_SIZE];
     bool changed = false;
     unsigned settled = 0;
@@ -183,10 +184,14 @@ bool overlay_update(overlay *o, const app *a, session *s, present *p)
         int x = 0, y = 0;
 
         write(i, a, s, text, sizeof text);
-        fresh = i == CURVE ? curve_set(from, s, a->curve, a->scale)
+        fresh = i == CELLS ? cells_set(from, a, s)
+              : i == CURVE ? curve_set(from, s, a->curve, a->scale)
                            : panel_set(from, text, a->scale, a->width - (int)(2.0 * EDGE * a->scale));
-        place(o, a, i, settled, &x, &y);
-        settled |= 1u << i;
+        /* Numbers in the pixels lie under the panels and are in no one's way. */
+        if (i != CELLS) {
+            place(o, a, i, settled, &x, &y);
+            settled |= 1u << i;
+        }
         if (!fresh && (!from->pixels || (x == o->x[i] && y == o->y[i])))
             continue;
         to.pixels = from->pixels;

@@ -336,10 +336,10 @@ bool panel_set(panel *p, const char *content, double scale, int most_width)
     return true;
 }
 
-bool panel_set_drawing(panel *p, const char *content, double scale, double width, double height,
-                       void (*draw)(cairo_t *c, const void *user), const void *user)
+/* The scale is 0 for a sheet, which has no ground and is drawn in pixels. */
+static bool set_drawing(panel *p, const char *content, double scale, int across, int down,
+                        void (*draw)(cairo_t *c, const void *user), const void *user)
 {
-    int across = (int)ceil(width * scale), down = (int)ceil(height * scale);
     cairo_surface_t *surface;
     cairo_t *c;
 
@@ -349,11 +349,25 @@ bool panel_set_drawing(panel *p, const char *content, double scale, double width
         return true;
     surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, across, down);
     c = cairo_create(surface);
-    ground(c, scale, across, down);
-    cairo_scale(c, scale, scale);
+    if (scale > 0.0) {
+        ground(c, scale, across, down);
+        cairo_scale(c, scale, scale);
+    }
     draw(c, user);
     keep(p, c, surface);
     return true;
+}
+
+bool panel_set_drawing(panel *p, const char *content, double scale, double width, double height,
+                       void (*draw)(cairo_t *c, const void *user), const void *user)
+{
+    return set_drawing(p, content, scale, (int)ceil(width * scale), (int)ceil(height * scale), draw, user);
+}
+
+bool panel_set_sheet(panel *p, const char *content, int width, int height, void (*draw)(cairo_t *c, const void *user),
+                     const void *user)
+{
+    return set_drawing(p, content, 0.0, width, height, draw, user);
 }
 
 void panel_free(panel *p)

@@ -26,6 +26,9 @@ bool panel_set(panel *p, const char *content, double scale, int most_width);
  * it, and is empty for none. */
 bool panel_set_drawing(panel *p, const char *content, double scale, double width, double height,
                        void (*draw)(cairo_t *c, const void *user), const void *user);
+/* The same in pixels, and transparent where nothing is drawn. */
+bool panel_set_sheet(panel *p, const char *content, int width, int height, void (*draw)(cairo_t *c, const void *user),
+                     const void *user);
 void panel_free(panel *p);
 
 #endif

@@ -118,9 +118,11 @@ static void draw(const gl *g, const image *i, float left, float top, float width
     g->end();
 }
 
-void present_draw(present *p, int width, int height)
+void present_draw(present *p, const zoom *z, int width, int height)
 {
     const gl *g = &p->gl;
+    const double factor = zoom_is_on(z) ? z->factor : 1.0;
+    double left, top;
 
     g->viewport(0, 0, width, height);
     g->matrix_mode(GL_PROJECTION);
@@ -130,7 +132,8 @@ void present_draw(present *p, int width, int height)
     g->load_identity();
     g->enable(GL_TEXTURE_2D);
     /* The picture covers everything; missing pixels are black. */
-    draw(g, &p->picture, 0.0f, 0.0f, (float)width, (float)height);
+    zoom_to_window(z, 0.0, 0.0, &left, &top);
+    draw(g, &p->picture, (float)left, (float)top, (float)(factor * width), (float)(factor * height));
     g->enable(GL_BLEND);
     for (int i = 0; i < PRESENT_PANELS; i++) {
         const image *panel = &p->panels[i];

@@ -4,7 +4,7 @@
 
 #include "surface.h"
 
-enum { PRESENT_PANELS = 6 };
+enum { PRESENT_PANELS = 7 };
 
 /* An image of the panel: premultiplied, 0xAARRGGBB in the machine's order of bytes, as cairo has it. */
 typedef struct present_panel { const uint32_t *pixels; int width, height, x, y; } present_panel;
@@ -20,8 +20,8 @@ bool present_nothing(present *p, int width, int height);
 void present_picture(present *p, const uint8_t *pixels, int width, int height, int first, int last);
 /* Set the image of the index-th panel; NULL pixels: none. */
 void present_set_panel(present *p, int index, const present_panel *panel);
-/* Draw everything into a surface of this size, with the picture stretched to it. */
-void present_draw(present *p, int width, int height);
+/* Draw everything into a surface of this size: the magnified part of the picture, or the whole one stretched to it. */
+void present_draw(present *p, const zoom *z, int width, int height);
 /* Red, green, blue and alpha of the drawn surface, upper row first. */
 void present_read(present *p, int width, int height, uint8_t *out);
 

@@ -364,5 +364,6 @@ void session_close(session *s)
     pov_scene_destroy(s->scene);
     pov_context_destroy(s->context);
     picture_free(&s->picture);
+    free(s->traced.values);
     free(s);
 }

@@ -66,6 +66,10 @@ const pov_error *session_error(const session *s);
 /* The index-th pass of the picture since the restart; false past the last. */
 bool session_get_pass(const session *s, size_t index, pov_pass *out);
 bool session_inspect(session *s, session_place *out);
+/* The numbers behind the pixels of a rectangle of the picture in this view, three floats for each of which so many count
+ * as are returned; the first is NAN where nothing is known. Linear colours, normals, depths in units of the scene,
+ * samples, microseconds, errors, and 1 for double or 2 for double-double. */
+int session_values(session *s, pov_rect r, float *out);
 /* The window's title: name, per cent, what is left. */
 void session_title(session *s, char *out, size_t size);
 

@@ -73,11 +73,15 @@ bool session_inspect(session *s, session_place *out)
     const app *a = s->app;
     pov_camera camera = app_camera(a);
     pov_hit hit = POV_INIT(hit);
-    pov_rect pixel = { (int)a->x, (int)a->y, 1, 1 };
+    pov_rect pixel = { 0, 0, 1, 1 };
     pov_vec3 ray;
+    double x, y;
 
     memset(out, 0, sizeof *out);
-    if (!s->job || a->x < 0.0 || a->y < 0.0 || pixel.x >= s->picture.width || pixel.y >= s->picture.height)
+    app_pointed(a, &x, &y);
+    pixel.x = (int)x;
+    pixel.y = (int)y;
+    if (!s->job || x < 0.0 || y < 0.0 || pixel.x >= s->picture.width || pixel.y >= s->picture.height)
         return false;
     out->x = pixel.x;
     out->y = pixel.y;

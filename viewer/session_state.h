@@ -8,6 +8,15 @@
 #include "picture.h"
 #include "session.h"
 
+/* The last values that were traced for pixels, and for which. */
+typedef struct session_traced {
+    float *values;
+    app_view view;
+    unsigned long restarts;
+    pov_camera camera;
+    pov_rect rect;
+} session_traced;
+
 struct session {
     app *app;
     session_desc desc;
@@ -21,6 +30,7 @@ struct session {
     pov_job *job;
     pov_scene_info info;
     picture picture;
+    session_traced traced;
 
     bool unread;                 /* the job has more changed tiles */
     bool wrong;
@@ -40,6 +50,8 @@ void session_print_camera(session *s);
 /* The queries of the app, with a session. */
 double session_probe(void *session, double x, double y);
 bool session_extent(void *session, double x, double y, pov_box *out);
+/* The length in the scene of what depths are counted in. */
+double session_depth_unit(const session *s);
 /* Size of the scene, and the distance to its centre if the camera looks at nothing. */
 double session_measure(const pov_scene *scene, const pov_camera *camera, double *reach);
 

@@ -31,6 +31,7 @@ static int key_code(int key)
     case GLFW_KEY_F5: return APP_KEY_F5;
     case GLFW_KEY_HOME: return APP_KEY_HOME;
     case GLFW_KEY_LEFT_SHIFT: case GLFW_KEY_RIGHT_SHIFT: return APP_KEY_SHIFT;
+    case GLFW_KEY_LEFT_CONTROL: case GLFW_KEY_RIGHT_CONTROL: return APP_KEY_CONTROL;
     /* Keys by position, because they steer; GLFW's names are the ASCII codes of the American layout. */
     case GLFW_KEY_W: case GLFW_KEY_A: case GLFW_KEY_S: case GLFW_KEY_D: case GLFW_KEY_Q: case GLFW_KEY_E: return key;
     default: return 0;

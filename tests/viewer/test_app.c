@@ -311,6 +311,30 @@ static void app_greets_once_and_takes_the_keys_of_other_programs(void **state)
     assert_int_equal(a.exposure, 1);
 }
 
+static void app_magnifies_with_control_and_the_wheel(void **state)
+{
+    app a = ready(NULL);
+    double x, y;
+
+    (void)state;
+    send(&a, APP_POINTER, 0, false, 200.0, 150.0, 1.0);
+    send(&a, APP_KEY, APP_KEY_CONTROL, true, 0.0, 0.0, 1.0);
+    send(&a, APP_WHEEL, 0, false, 0.0, 3.0, 1.0);
+    send(&a, APP_KEY, APP_KEY_CONTROL, false, 0.0, 0.0, 1.0);
+    assert_int_equal(a.zoom.factor, 4);
+    app_pointed(&a, &x, &y);
+    assert_near(x, 200.0, 0.2);
+    assert_near(y, 150.0, 0.2);
+    assert_false(app_update(&a, 1.0, true) & APP_RESTART);
+    /* Back to the whole picture; what the wheel turns too far moves nothing, and later it does again. */
+    send(&a, APP_WHEEL, 0, false, 0.0, -3.0, 2.0);
+    send(&a, APP_WHEEL, 0, false, 0.0, -3.0, 2.1);
+    assert_false(zoom_is_on(&a.zoom));
+    assert_false(app_update(&a, 2.1, true) & APP_RESTART);
+    send(&a, APP_WHEEL, 0, false, 0.0, -3.0, 3.0);
+    assert_true(app_update(&a, 3.0, true) & APP_RESTART);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -330,6 +354,7 @@ int main(void)
         cmocka_unit_test(app_is_calm_before_there_is_a_scene),
         cmocka_unit_test(app_shapes_the_picture_by_the_size_that_was_asked_for),
         cmocka_unit_test(app_greets_once_and_takes_the_keys_of_other_programs),
+        cmocka_unit_test(app_magnifies_with_control_and_the_wheel),
     };
 
     return cmocka_run_group_tests_name("the viewer's state", tests, NULL, NULL);

@@ -1,4 +1,5 @@
 /* The whole viewer on OSMesa, without a display: what it draws, pixel by pixel. */
+#include "cells.h"
 #include "loop.h"
 #include "support/check.h"
 #include "support/scenes.h"
@@ -530,6 +531,96 @@ static void shot_pause_stops_the_picture_and_lets_it_go_on(void **state)
     end(s);
 }
 
+/* The corner of a zoomed view shows each pixel as a square, and the camera is where it was. */
+static void shot_magnifies_pixels_and_leaves_the_camera(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+    const unsigned long restarts = session_restarts(s->v.session);
+    const uint8_t *p = see(s, "<move 200,100>zzzz");
+    const int left = (int)s->v.app.zoom.left, top = (int)s->v.app.zoom.top;
+
+    (void)state;
+    assert_int_equal(s->v.app.zoom.factor, 6);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            double across, down;
+
+            zoom_to_picture(&s->v.app.zoom, x + 0.5, y + 0.5, &across, &down);
+            assert_memory_equal(at(p, x, y), at(before, (int)across, (int)down), 3);
+        }
+    see(s, "<drag 60,-30>");
+    assert_int_equal((int)s->v.app.zoom.left, left - 10);
+    assert_int_equal((int)s->v.app.zoom.top, top + 5);
+    see(s, "<wheel 1>");
+    assert_int_equal(s->v.app.zoom.factor, 8);
+    assert_int_equal(session_restarts(s->v.session), restarts);
+    assert_true(app_camera(&s->v.app).location.z == -5.0);
+    assert_int_equal(differences(see(s, "0"), before), 0);
+    free(before);
+    end(s);
+}
+
+static void assert_written(double value, const char *text)
+{
+    char out[16];
+
+    cells_write(value, out, sizeof out);
+    assert_string_equal(out, text);
+    assert_true(strlen(out) <= 7);
+}
+
+static void shot_writes_numbers_in_six_characters(void **state)
+{
+    (void)state;
+    assert_written(0.0, "0");
+    assert_written(-0.0, "0");
+    assert_written(1.0, "1");
+    assert_written(4096.0, "4096");
+    assert_written(0.4356, "0.436");
+    assert_written(-0.4356, "-0.436");
+    assert_written(0.00144, "0.0014");
+    assert_written(-0.00144, "-0.001");
+    assert_written(1.44e-4, "1.4e-4");
+    assert_written(9.96e-5, "1.0e-4");
+    assert_written(10.949, "10.95");
+    assert_written(99.997, "100.0");
+    assert_written(1234.5, "1234");
+    assert_written(6.02e23, "6.0e23");
+    assert_written(HUGE_VAL, "inf");
+}
+
+/* Values of the pixels in the middle, in each view. */
+static void shot_knows_the_numbers_in_the_pixels(void **state)
+{
+    const pov_rect middle = { WIDTH / 2, HEIGHT / 2, 1, 1 };
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, "<move 160,120>zzzzzzzzz"));
+    float v[3], color[4];
+    int bright = 0;
+
+    (void)state;
+    assert_int_equal(s->v.app.zoom.factor, 32);
+    memcpy(before, see(s, "z"), WIDTH * HEIGHT * 4);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        bright += before[4 * i + 1] > 150 && before[4 * i + 2] > 150;
+    assert_true(bright > 500);
+    assert_int_equal(session_values(s->v.session, middle, v), 3);
+    assert_true(v[0] > 0.1f && v[1] == 0.0f && v[2] == 0.0f);
+    memcpy(color, v, sizeof v);
+    see(s, "<tab>");
+    assert_int_equal(session_values(s->v.session, middle, v), 3);
+    assert_true(v[2] < -0.99f);
+    see(s, "<tab>");
+    assert_int_equal(session_values(s->v.session, middle, v), 1);
+    assert_true(fabsf(v[0] - 4.0f) < 0.001f);
+    see(s, "<tab>");
+    assert_int_equal(session_values(s->v.session, middle, v), 1);
+    assert_true(v[0] == 1.0f);
+    free(before);
+    end(s);
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -570,6 +661,9 @@ int main(void)
         cmocka_unit_test(shot_takes_another_size),
         cmocka_unit_test(shot_inspects_what_is_under_the_pointer),
         cmocka_unit_test(shot_snapshot_is_the_file_that_povc_writes),
+        cmocka_unit_test(shot_magnifies_pixels_and_leaves_the_camera),
+        cmocka_unit_test(shot_writes_numbers_in_six_characters),
+        cmocka_unit_test(shot_knows_the_numbers_in_the_pixels),
         cmocka_unit_test(shot_pause_stops_the_picture_and_lets_it_go_on),
     };
 

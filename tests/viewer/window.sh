@@ -110,6 +110,11 @@ check "C prints a camera" within grep -q '^camera {' out
 xdotool key Return
 check "Enter brings the first picture back" within same again.png first.png
 
+xdotool keydown ctrl click 4 click 4 click 4 keyup ctrl
+check "Ctrl and the wheel magnify" within changed near.png first.png 500
+xdotool key 0
+sleep 2.2   # the word goes away
+check "0 shows the same picture" within same again.png first.png
 xdotool click 4
 check "the wheel goes nearer" within changed near.png first.png 500
 xdotool key r
