@@ -96,6 +96,37 @@ void app_zoom(app *a, double steps, double now)
         app_say(a, now, "the whole picture");
 }
 
+static bool can_compare(const app *a)
+{
+    return a->reference_width == a->width && a->reference_height == a->height;
+}
+
+void app_compare_with(app *a, app_compare how, double now)
+{
+    if (a->reference_width < 1) {
+        app_say(a, now, "nothing to compare with: start with --reference FILE");
+        return;
+    }
+    if (!can_compare(a)) {
+        app_say(a, now, "the reference has %d x %d pixels and the window %d x %d", a->reference_width,
+                a->reference_height, a->width, a->height);
+        return;
+    }
+    a->compare = a->compare == how ? APP_PLAIN : how;
+    a->view = APP_PICTURE;
+    a->orders |= APP_VIEW;
+    if (a->compare == APP_PLAIN)
+        app_say(a, now, "picture");
+}
+
+bool app_shows_reference(const app *a, double x)
+{
+    double pointer, y;
+
+    app_pointed(a, &pointer, &y);
+    return a->compare == APP_REFERENCE || (a->compare == APP_WIPE && x + 0.5 < pointer);
+}
+
 void app_pointed(const app *a, double *x, double *y)
 {
     zoom_to_picture(&a->zoom, a->x, a->y, x, y);
@@ -176,7 +207,9 @@ static void take_button(app *a, int button, bool down, double now)
     if (a->drag != APP_NO_DRAG || !a->has_scene)
         return;
     a->drag_button = button;
-    a->drag = button == APP_RIGHT ? APP_FLY : zoom_is_on(&a->zoom) ? APP_SHIFT : button == APP_MIDDLE || a->shift ? APP_PAN : APP_ORBIT;
+    a->drag = button == APP_RIGHT ? APP_FLY
+            : zoom_is_on(&a->zoom) ? APP_SHIFT
+            : button == APP_MIDDLE || a->shift ? APP_PAN : APP_ORBIT;
     a->flown = now;
     orbit_set_reach(&a->orbit, probe(a, 0.5, 0.5));
 }
@@ -187,7 +220,7 @@ static void take_pointer(app *a, double x, double y)
 
     a->x = x;
     a->y = y;
-    if (a->inspect)
+    if (a->inspect || a->compare == APP_WIPE)
         a->orders |= APP_DRAW;
     if (a->drag == APP_NO_DRAG || (right == 0.0 && down == 0.0))
         return;
@@ -224,7 +257,7 @@ static void take_wheel(app *a, double steps, double now)
     a->moved = true;
 }
 
-static void take_size(app *a, double width, double height, double scale)
+static void take_size(app *a, double width, double height, double scale, double now)
 {
     a->scale = scale > 0.0 ? scale : 1.0;
     a->orders |= APP_DRAW;
@@ -236,6 +269,11 @@ static void take_size(app *a, double width, double height, double scale)
     if (a->has_scene)
         orbit_fit(&a->orbit, a->width, a->height);
     zoom_fit(&a->zoom, a->width, a->height);
+    if (a->compare != APP_PLAIN && !can_compare(a)) {
+        app_compare_with(a, APP_PLAIN, now);
+        a->compare = APP_PLAIN;
+        a->orders |= APP_VIEW;
+    }
     a->resized = true;
 }
 
@@ -251,7 +289,7 @@ void app_take(app *a, const app_event *e, double now)
     case APP_BUTTON: take_button(a, e->code, e->down, now); break;
     case APP_POINTER: take_pointer(a, e->x, e->y); break;
     case APP_WHEEL: take_wheel(a, e->y, now); break;
-    case APP_SIZE: take_size(a, e->x, e->y, e->scale); break;
+    case APP_SIZE: take_size(a, e->x, e->y, e->scale, now); break;
     case APP_LEAVE:
         a->flying = 0;
         a->shift = a->control = false;

@@ -41,6 +41,9 @@ enum {
 typedef enum app_view {
     APP_PICTURE, APP_NORMAL, APP_DEPTH, APP_SAMPLES, APP_TIME, APP_ERROR, APP_CERTAINTY, APP_VIEWS
 } app_view;
+/* The picture, or what is seen of its reference instead: all of it, how far they differ, or the part left of the
+ * pointer. */
+typedef enum app_compare { APP_PLAIN, APP_REFERENCE, APP_DIFFERENCE, APP_WIPE } app_compare;
 typedef enum app_drag { APP_NO_DRAG, APP_ORBIT, APP_PAN, APP_FLY, APP_SHIFT } app_drag;
 
 /* Distance to a surface along orbit_ray(x, y), in lengths of that ray; not positive: none. */
@@ -65,6 +68,8 @@ typedef struct app {
     unsigned flying;         /* a bit for each of the keys WASDQE that is held */
     double flown;            /* time up to which flight was computed */
     app_view view;
+    app_compare compare;     /* with APP_PICTURE only */
+    int reference_width, reference_height;   /* 0: there is no reference */
     int exposure;            /* in thirds of a stop */
     bool paused, help, inspect, curve;
     bool greets;             /* a word on the help when the first scene is there */
@@ -93,6 +98,10 @@ void app_say(app *a, double now, const char *format, ...) POV_PRINTF(3, 4);
 pov_camera app_camera(const app *a);
 /* Magnify or show more, about the pointer. */
 void app_zoom(app *a, double steps, double now);
+/* Compare with the reference, or no more; says why where that cannot be. */
+void app_compare_with(app *a, app_compare how, double now);
+/* Is the reference seen in this column of the picture? */
+bool app_shows_reference(const app *a, double x);
 /* Where the pointer is in the picture, in its pixels. */
 void app_pointed(const app *a, double *x, double *y);
 const char *app_view_name(app_view view);

@@ -12,7 +12,7 @@ enum { LARGEST_SIDE = 16384, MOST_THREADS = 4096, MOST_SAMPLES = 65536, DEEPEST 
 
 enum {
     OPTION_SHOT = 256, OPTION_FRAMES, OPTION_KEYS, OPTION_BENCH, OPTION_SPP, OPTION_ERROR, OPTION_MAX_DEPTH, OPTION_DIALECT,
-    OPTION_PLUGIN_PATH, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_VERSION, OPTION_REFERENCE
 };
 
 static const struct option long_options[] = {
@@ -26,6 +26,7 @@ static const struct option long_options[] = {
     { "max-depth", required_argument, NULL, OPTION_MAX_DEPTH },
     { "dialect", required_argument, NULL, OPTION_DIALECT },
     { "plugin-path", required_argument, NULL, OPTION_PLUGIN_PATH },
+    { "reference", required_argument, NULL, OPTION_REFERENCE },
     { "help", no_argument, NULL, 'h' },
     { "version", no_argument, NULL, OPTION_VERSION },
     { NULL, 0, NULL, 0 },
@@ -103,6 +104,9 @@ static bool read_option(args *a, int option, const char *text)
         return read_whole(a, "--max-depth", text, DEEPEST, &a->max_depth);
     case OPTION_DIALECT:
         return read_dialect(a, text);
+    case OPTION_REFERENCE:
+        a->reference = text;
+        return *text || refuse(a, "--reference wants the name of an image file");
     default:
         a->plugin_path = text;
         return true;

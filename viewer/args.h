@@ -18,6 +18,7 @@ typedef struct args {
     double error;                /* error that ends sampling; 0: no such limit */
     pov_dialect dialect;
     const char *plugin_path;
+    const char *reference;       /* a picture to compare with; NULL: none */
     char problem[256];           /* after ARGS_WRONG */
 } args;
 

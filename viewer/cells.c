@@ -15,8 +15,7 @@ typedef struct sheet {
     pov_rect seen;
     int count;                   /* values of a pixel */
     const float *values;
-    const uint8_t *pixels;       /* of the whole picture */
-    int width;
+    session *session;
 } sheet;
 
 void cells_write(double value, char *out, size_t size)
@@ -61,9 +60,7 @@ static double ink_on(const uint8_t *pixel)
 
 static const uint8_t *pixel_of(const sheet *s, int i)
 {
-    const size_t x = (size_t)(s->seen.x + i % s->seen.width), y = (size_t)(s->seen.y + i / s->seen.width);
-
-    return s->pixels + 4 * (y * (size_t)s->width + x);
+    return session_seen_pixel(s->session, s->seen.x + i % s->seen.width, s->seen.y + i / s->seen.width);
 }
 
 static void draw_cell(cairo_t *c, const sheet *s, int i)
@@ -132,14 +129,12 @@ static bool draw_sheet(panel *p, sheet *s)
 
 bool cells_set(panel *p, const app *a, session *from)
 {
-    sheet s = { a, { 0, 0, 0, 0 }, 0, NULL, NULL, 0 };
+    sheet s = { a, { 0, 0, 0, 0 }, 0, NULL, from };
     float *values;
-    int height;
+    int width, height;
     bool changed;
-
-    s.pixels = session_pixels(from, &s.width, &height);
     /* A picture of the old size is stretched to the new one for a moment, and has no numbers. */
-    if (!cells_seen(a, &s.seen) || !s.pixels || s.width != a->width || height != a->height)
+    if (!cells_seen(a, &s.seen) || !session_pixels(from, &width, &height) || width != a->width || height != a->height)
         return panel_set_sheet(p, "", 1, 1, draw, NULL);
     values = malloc(MOST_VALUES * sizeof *values * (size_t)s.seen.width * (size_t)s.seen.height);
     if (!values)

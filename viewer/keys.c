@@ -90,10 +90,15 @@ static void brighter(app *a, double now) { expose(a, 1, now); }
 
 static void show_next(app *a, double now)
 {
+    a->compare = APP_PLAIN;
     a->view = (app_view)((a->view + 1) % APP_VIEWS);
     a->orders |= APP_VIEW;
     app_say(a, now, "%s", app_view_name(a->view));
 }
+
+static void flip(app *a, double now) { app_compare_with(a, APP_REFERENCE, now); }
+static void differ(app *a, double now) { app_compare_with(a, APP_DIFFERENCE, now); }
+static void wipe(app *a, double now) { app_compare_with(a, APP_WIPE, now); }
 
 static void toggle_pause(app *a, double now)
 {
@@ -138,6 +143,9 @@ static const keys_row rows[] = {
     { "[, -", "a third of a stop less exposure", { '[', '-' }, false, darker },
     { "], +", "a third of a stop more exposure", { ']', '+', '=' }, false, brighter },
     { "Tab", "picture, normal, depth, samples, time, error, certainty", { APP_KEY_TAB }, false, show_next },
+    { "B", "the reference in the picture's place", { 'b' }, false, flip },
+    { "D", "the difference from the reference", { 'd' }, false, differ },
+    { "L", "the reference left of the pointer", { 'l' }, false, wipe },
     { "G", "error against time", { 'g' }, false, toggle_curve },
     { "I", "what is under the pointer", { 'i' }, false, toggle_inspector },
     { "P, Space", "pause and go on", { 'p', ' ' }, false, toggle_pause },

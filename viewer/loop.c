@@ -41,20 +41,26 @@ double viewer_now(const viewer *v)
 
 static void draw(viewer *v)
 {
+    const app *a = &v->app;
+    present_look look = { &a->zoom, 0.0 };
     const uint8_t *pixels;
     int width, height, first, last;
     double scale;
 
     pixels = session_pixels(v->session, &width, &height);
+    look.reference_right = a->compare == APP_REFERENCE ? a->width : a->compare == APP_WIPE ? floor(a->x) : 0.0;
     if (session_take_rows(v->session, &first, &last))
         present_picture(v->present, pixels, width, height, first, last);
+    pixels = session_reference_pixels(v->session, &width, &height);
+    if (session_take_reference_rows(v->session, &first, &last))
+        present_reference(v->present, pixels, width, height, first, last);
     v->drawn = viewer_now(v);
     v->behind = false;
     v->surface->get_size(v->surface, &width, &height, &scale);
     /* A minimised window has no size. */
     if (width < 1 || height < 1)
         return;
-    present_draw(v->present, &v->app.zoom, width, height);
+    present_draw(v->present, &look, width, height);
     v->surface->swap(v->surface);
     v->frames++;
 }
@@ -63,6 +69,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
 {
     session_desc desc = { &v->args, s->post, s->copy, s, by_steps };
     app_event size = { APP_SIZE, 0, false, 0.0, 0.0, 1.0 };
+    present_look look = { &v->app.zoom, 0.0 };
     pov_status status;
     int width, height;
 
@@ -84,7 +91,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
     /* Drivers allocate memory and compile shaders at the first draw: do it now, while nothing is shown. */
     if (status == POV_OK) {
         present_nothing(v->present, width, height);
-        present_draw(v->present, &v->app.zoom, width, height);
+        present_draw(v->present, &look, width, height);
         s->swap(s);
     }
     if (status == POV_OK)

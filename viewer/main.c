@@ -1,5 +1,6 @@
 /* povview - an interactive progressive renderer. */
 #include "loop.h"
+#include "reference.h"
 #include "say.h"
 
 #include <povtrace/povtrace.h>
@@ -25,6 +26,7 @@ static const char *const help[] = {
     "Scene and work\n"
     "      --dialect auto|course|povray\n"
     "                           the rules to read by (default: the text decides)\n"
+    "      --reference FILE     compare with this picture (B, D, L), whose size the window gets\n"
     "      --max-depth N        depth of reflections and refractions, over the scene's own\n"
     "      --spp N              samples a pixel, on average and at most, where the error is\n"
     "      --error E            until the estimated error is this; without either a window goes\n"
@@ -72,6 +74,7 @@ static int window_run(const args *a)
 
 int main(int argc, char **argv)
 {
+    pov_error err = { 0 };
     args a;
 
     switch (args_parse(&a, argc, argv)) {
@@ -85,6 +88,10 @@ int main(int argc, char **argv)
         fprintf(stderr, "povview: error: %s\nTry \"povview --help\".\n", a.problem);
         return EXIT_USAGE;
     default:
+        if (reference_fill_size(&a, &err) < 0) {
+            say("error", &err);
+            return EXIT_ERROR;
+        }
         return a.shot ? shot_run(&a) : a.bench ? bench_run(&a) : window_run(&a);
     }
 }

@@ -1,10 +1,11 @@
 #include "overlay.h"
 
+#include "add.h"
+#include "caption.h"
 #include "cells.h"
 #include "curve.h"
 #include "keys.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -12,18 +13,6 @@ enum { CELLS, MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
 
 /* Margin at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
-
-static void add(char *out, size_t size, const char *format, ...) POV_PRINTF(3, 4);
-
-static void add(char *out, size_t size, const char *format, ...)
-{
-    size_t used = strlen(out);
-    va_list list;
-
-    va_start(list, format);
-    vsnprintf(out + used, size - used, format, list);
-    va_end(list);
-}
 
 void overlay_write_help(char *out, size_t size)
 {
@@ -68,6 +57,9 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
         add(out, size, "|color\t%.4f, %.4f, %.4f\n", (double)p->color[0], (double)p->color[1], (double)p->color[2]);
     else
         add(out, size, "|color\tnot yet\n");
+    if (p->compared)
+        add(out, size, "|reference\t%.4f, %.4f, %.4f\n", (double)p->reference[0], (double)p->reference[1],
+            (double)p->reference[2]);
     if (p->samples > 0.0f)
         add(out, size, "|samples\t%.0f\n", (double)p->samples);
     if (p->seconds > 0.0f)
@@ -138,19 +130,6 @@ static void place(const overlay *o, const app *a, int index, unsigned settled, i
         choose(o, a, settled, p, from, 4, x, y);
 }
 
-/* Legend of a view's colours. */
-static const char *caption(app_view view)
-{
-    static const char *const captions[APP_VIEWS] = {
-        "", "#normal\n red x, green y, blue z: -1 dark, 1 bright\n", "#depth\n white near, black far\n",
-        "#samples a pixel\n~1\t32\t1024\n", "#processor time a pixel\n~1 \xc2\xb5s\t100 \xc2\xb5s\t10 ms\n",
-        "#error\n~0.0001\t0.003\t0.1\n grey: not known\n",
-        "#certainty\n blue: double decides; orange: double-double needed\n",
-    };
-
-    return captions[view];
-}
-
 static void write(int index, const app *a, session *s, char *out, size_t size)
 {
     const pov_error *err = session_error(s);
@@ -164,7 +143,7 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
     else if (index == NOTE && a->note[0])
         add(out, size, " %s\n", a->note);
     else if (index == CAPTION)
-        add(out, size, "%s", caption(a->view));
+        caption_write(a, s, out, size);
     else if (index == HELP && a->help)
         overlay_write_help(out, size);
 }

@@ -258,7 +258,7 @@ static void ground(cairo_t *c, double scale, double width, double height)
     cairo_arc(c, r, height - r, r, right, 2.0 * right);
     cairo_arc(c, r, r, r, 2.0 * right, 3.0 * right);
     cairo_close_path(c);
-    cairo_set_source_rgba(c, 0.05, 0.06, 0.08, 0.84);
+    cairo_set_source_rgba(c, 0.05, 0.06, 0.08, 0.92);
     cairo_fill(c);
 }
 

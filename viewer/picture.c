@@ -120,7 +120,7 @@ static double brightness(picture_kind kind, float value)
     if (!(value > 0.0f))
         return value == 0.0f ? 0.0 : -1.0;
     switch (kind) {
-    case PICTURE_ERROR: t = (log10((double)value) + 4.0) / 3.0; break;
+    case PICTURE_ERROR: case PICTURE_DIFFERENCE: t = (log10((double)value) + 4.0) / 3.0; break;
     case PICTURE_TIME: t = (log10((double)value) + 6.0) / 4.0; break;
     default: t = log2((double)value) / 10.0; break;
     }
@@ -137,6 +137,21 @@ static void read_map(picture *p, pov_job *job, pov_rect r, uint8_t *fresh)
         ramp_color(brightness(p->kind, values[i]), fresh + 4 * i);
 }
 
+/* Differences of colours that are not there yet are none. */
+static void read_difference(picture *p, pov_job *job, pov_rect r, uint8_t *fresh)
+{
+    float linear[4 * PART * PART], d[3];
+
+    pov_job_read(job, r, POV_PIXELS_LINEAR_FLOAT, linear, 4 * (size_t)r.width * sizeof *linear);
+    for (int i = 0; i < r.width * r.height; i++) {
+        const float *color = linear + 4 * i;
+
+        reference_difference(p->reference, r.x + i % r.width, r.y + i / r.width, color, d);
+        ramp_color(brightness(PICTURE_DIFFERENCE, reference_distance(d)), fresh + 4 * i);
+        fresh[4 * i + 3] = color[3] > 0.0f ? 255 : 0;
+    }
+}
+
 /* A rectangle no wider or higher than PART. */
 static void read_part(picture *p, pov_job *job, pov_rect r)
 {
@@ -144,7 +159,10 @@ static void read_part(picture *p, pov_job *job, pov_rect r)
     uint8_t fresh[4 * PART * PART];
     size_t width = (size_t)r.width;
 
-    if (p->kind != PICTURE_COLORS) {
+    /* For a moment the picture may have another size than the reference. */
+    if (p->kind == PICTURE_DIFFERENCE && reference_fits(p->reference, p->width, p->height)) {
+        read_difference(p, job, r, fresh);
+    } else if (p->kind == PICTURE_SAMPLES || p->kind == PICTURE_TIME || p->kind == PICTURE_ERROR) {
         read_map(p, job, r, fresh);
     } else if (p->toned) {
         pov_job_read(job, r, POV_PIXELS_LINEAR_FLOAT, linear, 4 * width * sizeof *linear);

@@ -2,18 +2,19 @@
 #ifndef VIEWER_PICTURE_H
 #define VIEWER_PICTURE_H
 
-#include "tone.h"
+#include "reference.h"
 
 #include <povtrace/render.h>
 
 /* The displayed quantity: colours, errors, or costs. */
-typedef enum picture_kind { PICTURE_COLORS, PICTURE_SAMPLES, PICTURE_TIME, PICTURE_ERROR } picture_kind;
+typedef enum picture_kind { PICTURE_COLORS, PICTURE_SAMPLES, PICTURE_TIME, PICTURE_ERROR, PICTURE_DIFFERENCE } picture_kind;
 
 typedef struct picture {
     uint8_t *pixels;             /* red, green, blue, alpha; alpha 0: nothing yet */
     int width, height;
     int first, last;             /* rows changed since the last query; last < first: none */
     picture_kind kind;
+    const reference *reference;  /* of PICTURE_DIFFERENCE, and of the same size */
     bool toned;                  /* by `tone`; else as the scene asks */
     tone tone;
     int reread;                  /* rows from here on are to be read again; height: none */
@@ -29,7 +30,7 @@ void picture_free(picture *p);
 void picture_restart(picture *p);
 /* Display with this gain; 1 is bit-identical to the job's encoding. */
 void picture_expose(picture *p, pov_transfer transfer, double gain);
-/* Samples from 1 to 1024, a pixel's time from a microsecond to 10 ms and errors from 0.0001 to 0.1 go from dark to
+/* Samples from 1 to 1024, a pixel's time from a microsecond to 10 ms and errors and differences from 0.0001 to 0.1 go from dark to
  * bright, by their logarithm. */
 void picture_show(picture *p, picture_kind kind);
 /* Read all rows again, as time allows. */

@@ -13,7 +13,7 @@ typedef struct image { GLuint texture; int width, height, x, y; bool shown; } im
 
 struct present {
     gl gl;
-    image picture, panels[PRESENT_PANELS];
+    image picture, reference, panels[PRESENT_PANELS];
 };
 
 static void make_image(const gl *g, image *i)
@@ -39,6 +39,7 @@ pov_status present_create(present **out, surface *s, pov_error *err)
         return err->status;
     }
     make_image(&p->gl, &p->picture);
+    make_image(&p->gl, &p->reference);
     for (int i = 0; i < PRESENT_PANELS; i++)
         make_image(&p->gl, &p->panels[i]);
     p->gl.tex_env(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
@@ -55,6 +56,7 @@ void present_destroy(present *p)
     if (!p)
         return;
     p->gl.delete_textures(1, &p->picture.texture);
+    p->gl.delete_textures(1, &p->reference.texture);
     for (int i = 0; i < PRESENT_PANELS; i++)
         p->gl.delete_textures(1, &p->panels[i].texture);
     free(p);
@@ -91,6 +93,11 @@ void present_picture(present *p, const uint8_t *pixels, int width, int height, i
     load(&p->gl, &p->picture, pixels, width, height, first, last, GL_RGBA, GL_UNSIGNED_BYTE);
 }
 
+void present_reference(present *p, const uint8_t *pixels, int width, int height, int first, int last)
+{
+    load(&p->gl, &p->reference, pixels, width, height, first, last, GL_RGBA, GL_UNSIGNED_BYTE);
+}
+
 void present_set_panel(present *p, int index, const present_panel *panel)
 {
     image *i = &p->panels[index];
@@ -103,26 +110,44 @@ void present_set_panel(present *p, int index, const present_panel *panel)
     i->y = panel->y;
 }
 
-static void draw(const gl *g, const image *i, float left, float top, float width, float height)
+/* The left part of an image that would be so wide. */
+static void draw_part(const gl *g, const image *i, float left, float top, float width, float height, float part)
 {
     g->bind_texture(GL_TEXTURE_2D, i->texture);
     g->begin(GL_QUADS);
     g->tex_coord(0.0f, 0.0f);
     g->vertex(left, top);
-    g->tex_coord(1.0f, 0.0f);
-    g->vertex(left + width, top);
-    g->tex_coord(1.0f, 1.0f);
-    g->vertex(left + width, top + height);
+    g->tex_coord(part, 0.0f);
+    g->vertex(left + part * width, top);
+    g->tex_coord(part, 1.0f);
+    g->vertex(left + part * width, top + height);
     g->tex_coord(0.0f, 1.0f);
     g->vertex(left, top + height);
     g->end();
 }
 
-void present_draw(present *p, const zoom *z, int width, int height)
+static void draw(const gl *g, const image *i, float left, float top, float width, float height)
+{
+    draw_part(g, i, left, top, width, height, 1.0f);
+}
+
+/* The picture covers everything; missing pixels are black. */
+static void draw_picture(const present *p, const present_look *look, int width, int height)
+{
+    const double factor = zoom_is_on(look->zoom) ? look->zoom->factor : 1.0;
+    double left, top, part;
+
+    zoom_to_window(look->zoom, 0.0, 0.0, &left, &top);
+    draw(&p->gl, &p->picture, (float)left, (float)top, (float)(factor * width), (float)(factor * height));
+    part = (look->reference_right - left) / (factor * width);
+    if (p->reference.shown && look->reference_right > 0.0)
+        draw_part(&p->gl, &p->reference, (float)left, (float)top, (float)(factor * width), (float)(factor * height),
+                  (float)(part < 1.0 ? part : 1.0));
+}
+
+void present_draw(present *p, const present_look *look, int width, int height)
 {
     const gl *g = &p->gl;
-    const double factor = zoom_is_on(z) ? z->factor : 1.0;
-    double left, top;
 
     g->viewport(0, 0, width, height);
     g->matrix_mode(GL_PROJECTION);
@@ -131,9 +156,7 @@ void present_draw(present *p, const zoom *z, int width, int height)
     g->matrix_mode(GL_MODELVIEW);
     g->load_identity();
     g->enable(GL_TEXTURE_2D);
-    /* The picture covers everything; missing pixels are black. */
-    zoom_to_window(z, 0.0, 0.0, &left, &top);
-    draw(g, &p->picture, (float)left, (float)top, (float)(factor * width), (float)(factor * height));
+    draw_picture(p, look, width, height);
     g->enable(GL_BLEND);
     for (int i = 0; i < PRESENT_PANELS; i++) {
         const image *panel = &p->panels[i];

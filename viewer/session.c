@@ -26,13 +26,13 @@ bool session_shows_job(const session *s)
     return v == APP_PICTURE || v == APP_SAMPLES || v == APP_TIME || v == APP_ERROR;
 }
 
-static picture_kind kind_of(app_view view)
+static picture_kind kind_of(const app *a)
 {
-    switch (view) {
+    switch (a->view) {
     case APP_SAMPLES: return PICTURE_SAMPLES;
     case APP_TIME: return PICTURE_TIME;
     case APP_ERROR: return PICTURE_ERROR;
-    default: return PICTURE_COLORS;
+    default: return a->compare == APP_DIFFERENCE ? PICTURE_DIFFERENCE : PICTURE_COLORS;
     }
 }
 
@@ -121,6 +121,10 @@ static void make_job(session *s)
     d.target_error = s->desc.args->error;
     d.time_map = 1;
     d.camera = &camera;
+    if (reference_fits(&s->reference, d.width, d.height)) {
+        d.reference = s->reference.image.rgba;
+        d.reference_clipped = s->reference.image.bits < 32;
+    }
     d.wake = s->desc.wake;
     d.wake_user = s->desc.wake_user;
     if (pov_job_create(&s->job, s->scene, &d, &err) < 0) {
@@ -180,6 +184,7 @@ static void adopt(session *s, const helper_result *r)
     begin_anew(s);
     if (s->picture.toned)
         picture_expose(&s->picture, info.transfer, app_gain(s->app));
+    reference_expose(&s->reference, info.transfer, app_gain(s->app));
     if (again)
         app_say(s->app, s->now, "read again");
 }
@@ -228,13 +233,15 @@ static void obey(session *s, unsigned orders)
         if (session_shows_job(s)) {
             if (s->maps)
                 maps_stop(s->maps);
-            picture_show(&s->picture, kind_of(s->app->view));
+            picture_show(&s->picture, kind_of(s->app));
         } else {
             draw_map(s);
         }
     }
-    if (orders & APP_TONE)
+    if (orders & APP_TONE) {
         picture_expose(&s->picture, s->info.transfer, app_gain(s->app));
+        reference_expose(&s->reference, s->info.transfer, app_gain(s->app));
+    }
     if (orders & APP_PRINT)
         session_print_camera(s);
     if (orders & APP_SNAPSHOT)
@@ -255,10 +262,11 @@ static void take_pixels(session *s, double budget)
 {
     int first, last;
 
+    s->unread = reference_update(&s->reference, budget);
     if (!s->job || !s->picture.pixels)
         return;
     if (session_shows_job(s)) {
-        s->unread = picture_update(&s->picture, s->job, budget);
+        s->unread |= picture_update(&s->picture, s->job, budget);
     } else if (s->maps && maps_take(s->maps, s->picture.pixels, &first, &last)) {
         picture_touch(&s->picture, first, last);
     }
@@ -342,6 +350,11 @@ pov_status session_open(session **out, app *a, const session_desc *desc, pov_err
     l.threads = desc->args->threads;
     status = pov_context_create(&s->context, &c, err);
     if (status == POV_OK)
+        status = reference_read(&s->reference, s->context, desc->args, err);
+    a->reference_width = s->reference.image.width;
+    a->reference_height = s->reference.image.height;
+    s->picture.reference = &s->reference;
+    if (status == POV_OK)
         status = helper_start(&s->helper, s->context, &l, desc->wake, desc->wake_user, err);
     if (status < 0) {
         session_close(s);
@@ -362,6 +375,7 @@ void session_close(session *s)
     maps_destroy(s->maps);
     pov_tracer_destroy(s->tracer);
     pov_scene_destroy(s->scene);
+    reference_free(&s->reference, s->context);
     pov_context_destroy(s->context);
     picture_free(&s->picture);
     free(s->traced.values);

@@ -29,6 +29,8 @@ typedef struct session_place {
     pov_vec3 point, normal;
     bool certain;
     float color[4];              /* linear colour of the job; alpha 0: not traced yet */
+    bool compared;               /* there is a reference of this size, with this colour */
+    float reference[3];
     float samples, error;        /* number of samples, and estimated error; below 0: not known */
     float seconds;               /* processor seconds of a pixel near it */
 } session_place;
@@ -49,6 +51,14 @@ double session_patience(const session *s, double now);
 const uint8_t *session_pixels(const session *s, int *width, int *height);
 /* The rows that have changed since the last call. False: none. */
 bool session_take_rows(session *s, int *first, int *last);
+/* The same for the reference; NULL: there is none. */
+const uint8_t *session_reference_pixels(const session *s, int *width, int *height);
+bool session_take_reference_rows(session *s, int *first, int *last);
+const char *session_reference_path(const session *s);
+/* The last pass's root mean square of the difference; below 0: not known. */
+double session_reference_rms(const session *s);
+/* Bytes of the pixel that is seen here, the reference's where that is in the picture's place. */
+const uint8_t *session_seen_pixel(const session *s, int x, int y);
 bool session_has_rows(const session *s);
 /* Has each tile of the picture been read since the last restart? */
 bool session_coarse_is_there(const session *s);
@@ -68,7 +78,7 @@ bool session_get_pass(const session *s, size_t index, pov_pass *out);
 bool session_inspect(session *s, session_place *out);
 /* The numbers behind the pixels of a rectangle of the picture in this view, three floats for each of which so many count
  * as are returned; the first is NAN where nothing is known. Linear colours, normals, depths in units of the scene,
- * samples, microseconds, errors, and 1 for double or 2 for double-double. */
+ * samples, microseconds, errors, differences from the reference, and 1 for double or 2 for double-double. */
 int session_values(session *s, pov_rect r, float *out);
 /* The window's title: name, per cent, what is left. */
 void session_title(session *s, char *out, size_t size);

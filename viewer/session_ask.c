@@ -10,22 +10,66 @@ const uint8_t *session_pixels(const session *s, int *width, int *height)
     return s->picture.pixels;
 }
 
-bool session_has_rows(const session *s)
+static bool picture_has_rows(const session *s)
 {
     return s->picture.pixels && s->picture.last >= s->picture.first;
+}
+
+bool session_has_rows(const session *s)
+{
+    return picture_has_rows(s) || (s->reference.bytes && s->reference.last >= s->reference.first);
 }
 
 bool session_take_rows(session *s, int *first, int *last)
 {
     picture *p = &s->picture;
 
-    if (!session_has_rows(s))
+    if (!picture_has_rows(s))
         return false;
     *first = p->first;
     *last = p->last;
     p->first = p->height;
     p->last = -1;
     return true;
+}
+
+const uint8_t *session_reference_pixels(const session *s, int *width, int *height)
+{
+    *width = s->reference.image.width;
+    *height = s->reference.image.height;
+    return s->reference.bytes;
+}
+
+bool session_take_reference_rows(session *s, int *first, int *last)
+{
+    return reference_take_rows(&s->reference, first, last);
+}
+
+const char *session_reference_path(const session *s)
+{
+    return s->desc.args->reference ? s->desc.args->reference : "";
+}
+
+double session_reference_rms(const session *s)
+{
+    pov_pass pass = POV_INIT(pass);
+    double rms = -1.0;
+
+    for (size_t i = 0; s->job && pov_job_get_pass(s->job, i, &pass); i++)
+        rms = pass.ref_rmse;
+    return rms;
+}
+
+bool session_shows_reference(const session *s, int x)
+{
+    return app_shows_reference(s->app, x) && reference_fits(&s->reference, s->picture.width, s->picture.height);
+}
+
+const uint8_t *session_seen_pixel(const session *s, int x, int y)
+{
+    const size_t at = 4 * ((size_t)y * (size_t)s->picture.width + (size_t)x);
+
+    return (session_shows_reference(s, x) ? s->reference.bytes : s->picture.pixels) + at;
 }
 
 bool session_coarse_is_there(const session *s)
@@ -90,6 +134,9 @@ bool session_inspect(session *s, session_place *out)
     pov_job_read(s->job, pixel, POV_PIXELS_SAMPLES, &out->samples, sizeof out->samples);
     pov_job_read(s->job, pixel, POV_PIXELS_ERROR, &out->error, sizeof out->error);
     pov_job_read(s->job, pixel, POV_PIXELS_TIME, &out->seconds, sizeof out->seconds);
+    out->compared = reference_fits(&s->reference, s->picture.width, s->picture.height);
+    if (out->compared)
+        memcpy(out->reference, reference_color(&s->reference, pixel.x, pixel.y), sizeof out->reference);
     out->hit = pov_trace_hit(s->tracer, camera.location, ray, &hit);
     if (!out->hit)
         return true;

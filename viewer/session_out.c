@@ -25,6 +25,12 @@ static bool free_name(session *s, char *out, size_t size)
     return false;
 }
 
+/* Is something else seen than the picture that povc would write? */
+static bool is_colored(const session *s)
+{
+    return s->app->view != APP_PICTURE || s->app->compare != APP_PLAIN;
+}
+
 void session_save(session *s)
 {
     const picture *from = &s->picture;
@@ -34,13 +40,13 @@ void session_save(session *s)
 
     if (!s->job || !free_name(s, name, sizeof name))
         return;
-    if (s->app->view != APP_PICTURE) {
+    if (is_colored(s)) {
         p.bytes = malloc(bytes);
         p.transfer = POV_TRANSFER_LINEAR;
-        if (p.bytes)
-            memcpy(p.bytes, from->pixels, bytes);
+        for (int i = 0; p.bytes && i < from->width * from->height; i++)
+            memcpy(p.bytes + 4 * (size_t)i, session_seen_pixel(s, i % from->width, i / from->width), 4);
     }
-    if ((s->app->view != APP_PICTURE && !p.bytes) || !helper_save(s->helper, name, &p)) {
+    if ((is_colored(s) && !p.bytes) || !helper_save(s->helper, name, &p)) {
         free(p.bytes);
         app_say(s->app, s->now, "not saved: no memory");
     }

@@ -31,6 +31,7 @@ struct session {
     pov_scene_info info;
     picture picture;
     session_traced traced;
+    reference reference;
 
     bool unread;                 /* the job has more changed tiles */
     bool wrong;
@@ -43,6 +44,9 @@ struct session {
 
 /* Is the view one of the job's? Other views are traced separately, while the job rests. */
 bool session_shows_job(const session *s);
+
+/* Is the reference seen in this column? Not while the picture still has another size. */
+bool session_shows_reference(const session *s, int x);
 
 /* Write what is seen to a file; print and copy the camera. */
 void session_save(session *s);

@@ -62,7 +62,13 @@ static void read_colors(const session *s, pov_rect r, float *out)
         pov_rect pixel = { r.x + i % r.width, r.y + i / r.width, 1, 1 };
 
         pov_job_read(s->job, pixel, POV_PIXELS_LINEAR_FLOAT, rgba, sizeof rgba);
+        if (session_shows_reference(s, pixel.x)) {
+            memcpy(out, reference_color(&s->reference, pixel.x, pixel.y), sizeof *out * MOST_VALUES);
+            continue;
+        }
         memcpy(out, rgba, sizeof *out * MOST_VALUES);
+        if (s->picture.kind == PICTURE_DIFFERENCE && reference_fits(&s->reference, s->picture.width, s->picture.height))
+            reference_difference(&s->reference, pixel.x, pixel.y, rgba, out);
         if (!(rgba[3] > 0.0f))
             out[0] = (float)NAN;
     }

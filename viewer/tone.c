@@ -16,6 +16,16 @@ void tone_init(tone *t, pov_transfer transfer, double gain)
         t->codes[i] = (uint8_t)(255.0 * encode(transfer, (double)i / TONE_STEPS) + 0.5);
 }
 
+void tone_exact(pov_transfer transfer, const float *rgba, uint8_t *out)
+{
+    for (int c = 0; c < 3; c++) {
+        double v = (double)rgba[c];
+
+        out[c] = (uint8_t)(255.0 * encode(transfer, v > 0.0 ? v < 1.0 ? v : 1.0 : 0.0) + 0.5);
+    }
+    out[3] = rgba[3] > 0.0f ? 255 : 0;
+}
+
 static uint8_t code(const tone *t, float v)
 {
     v *= t->gain;

@@ -26,8 +26,8 @@ $(POVVIEW): PROGRAM_LIBS = $(VIEWER_LIBS) $(SYSTEM_LIBS)
 $(POVVIEW): $(VIEWER_OBJECTS) $(SHARED)
 	$(call LINK_PROGRAM,$$ORIGIN/../lib)
 
-$(BUILD)/tests/viewer/test_shot: $(filter-out $(BUILD)/obj/viewer/main.o,$(VIEWER_OBJECTS))
-$(BUILD)/tests/viewer/test_shot: TEST_LIBS = $(VIEWER_LIBS)
+$(BUILD)/tests/viewer/test_shot $(BUILD)/tests/viewer/test_pixels: $(filter-out $(BUILD)/obj/viewer/main.o,$(VIEWER_OBJECTS))
+$(BUILD)/tests/viewer/test_shot $(BUILD)/tests/viewer/test_pixels: TEST_LIBS = $(VIEWER_LIBS)
 
 .PHONY: install-viewer uninstall-viewer
 install: install-viewer

@@ -3,12 +3,12 @@
 _povview()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words=
-    local options='--shot --frames --keys --bench --threads --spp --error --max-depth --dialect --plugin-path --help --version'
+    local options='--shot --frames --keys --bench --threads --spp --error --max-depth --dialect --plugin-path --reference --help --version'
 
     COMPREPLY=()
     case $previous in
     --dialect) words='auto course povray' ;;
-    --shot) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
+    --shot | --reference) mapfile -t COMPREPLY < <(compgen -f -- "$current"); return ;;
     --plugin-path) mapfile -t COMPREPLY < <(compgen -d -- "$current"); return ;;
     -t | --threads | --frames | --keys | --spp | --error | --max-depth) return ;;
     *)

@@ -9,5 +9,6 @@ complete -c povview -l error -x -d 'Add samples until the estimated error is thi
 complete -c povview -l max-depth -x -d 'Depth of reflections and refractions'
 complete -c povview -l dialect -x -a 'auto course povray' -d 'The rules to read by'
 complete -c povview -l plugin-path -x -a '(__fish_complete_directories)' -d 'Folders of plugins'
+complete -c povview -l reference -r -d 'Compare with this picture'
 complete -c povview -s h -l help -d 'Help'
 complete -c povview -l version -d 'Version'

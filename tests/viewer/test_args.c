@@ -38,6 +38,8 @@ static void args_are_read(void **state)
     assert_int_equal(parse(&a, "--shot=x.png", "s.pov", "--frames=3", "--keys=h<drag 10,-5>"), ARGS_RUN);
     assert_int_equal(a.frames, 3);
     assert_true(a.samples == 1 && a.error == 0.0);
+    assert_int_equal(parse(&a, "s.pov", "--reference=r.png", NULL, NULL), ARGS_RUN);
+    assert_string_equal(a.reference, "r.png");
     assert_int_equal(parse(&a, "--help", NULL, NULL, NULL), ARGS_HELP);
     assert_int_equal(parse(&a, "--version", NULL, NULL, NULL), ARGS_VERSION);
 }

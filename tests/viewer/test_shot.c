@@ -1,24 +1,14 @@
 /* The whole viewer on OSMesa, without a display: what it draws, pixel by pixel. */
-#include "cells.h"
-#include "loop.h"
-#include "support/check.h"
-#include "support/scenes.h"
+#include "stage.h"
+
+#include <povtrace/image.h>
 
 #include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-enum { WIDTH = 320, HEIGHT = 240 };
-
-/* A red sphere before a black ground; at the camera's height, lit from behind it. */
-static const char good[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
-                           "camera { location <0, 0, -5> look_at 0 }\n"
-                           "light_source { <0, 0, -50> rgb 1 }\n"
-                           "sphere { 0, 1 pigment { rgb <1, 0, 0> } finish { ambient 0 diffuse .4 } }\n";
 static const char wrong[] = "#version 3.7; global_settings { assumed_gamma 1 }\n"
                             "camera { location <0, 0, -5> look_at 0 }\n"
                             "sphere { 0, 1 pigmnet { rgb <1, 0, 0> } }\n";
@@ -26,107 +16,6 @@ static const char green[] = "#version 3.7; global_settings { assumed_gamma 1 }\n
                             "camera { location <0, 0, -9> look_at 0 }\n"
                             "light_source { <0, 0, -50> rgb 1 }\n"
                             "sphere { 0, 1 pigment { rgb <0, 1, 0> } finish { ambient 0 diffuse .4 } }\n";
-
-/* What the libraries below keep to the process's end is theirs, and so are the fences of OSMesa, which has not been
- * built to be looked at. The sanitizers ask for these by name. */
-POV_EXPORT const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libfontconfig.so\nleak:libOSMesa.so\nleak:libLLVM\nleak:libglapi.so\n";
-}
-
-POV_EXPORT const char *__tsan_default_suppressions(void);
-const char *__tsan_default_suppressions(void)
-{
-    return "race:libOSMesa.so\n";
-}
-
-static char folder[] = "/tmp/povview-test-XXXXXX";
-static char scene_path[sizeof folder + 20];
-
-static void write_scene(const char *text)
-{
-    FILE *f = fopen(scene_path, "w");
-
-    assert_non_null(f);
-    assert_true(fputs(text, f) >= 0);
-    assert_int_equal(fclose(f), 0);
-}
-
-typedef struct stage { viewer v; uint8_t *pixels; } stage;
-
-static stage *begin_with(const char *text, int frames, int samples)
-{
-    stage *s = calloc(1, sizeof *s);
-    args a = { .scene = scene_path, .width = WIDTH, .height = HEIGHT, .keys = "", .shot = "", .frames = frames, .samples = samples,
-               .plugin_path = TEST_PLUGINS };
-    pov_error err = { 0 };
-    surface *memory = surface_osmesa_open(WIDTH, HEIGHT, &err);
-
-    assert_non_null(s);
-    write_scene(text);
-    if (!memory || viewer_open(&s->v, &a, memory, frames > 0, &err) < 0)
-        fail_msg("%s", err.message);
-    s->v.fixed_clock = 0.0;
-    shot_wait_for_scene(&s->v);
-    return s;
-}
-
-static stage *begin(const char *text, int frames)
-{
-    return begin_with(text, frames, 1);
-}
-
-/* Do this, wait, and see what is there then. */
-static const uint8_t *see(stage *s, const char *keys)
-{
-    shot_play(&s->v, keys);
-    shot_settle(&s->v);
-    /* Words in passing have passed. */
-    s->v.fixed_clock += 10.0;
-    viewer_step(&s->v);
-    free(s->pixels);
-    s->pixels = malloc((size_t)s->v.app.width * (size_t)s->v.app.height * 4);
-    assert_non_null(s->pixels);
-    present_read(s->v.present, s->v.app.width, s->v.app.height, s->pixels);
-    return s->pixels;
-}
-
-static uint8_t *copy(const uint8_t *pixels)
-{
-    uint8_t *to = malloc(WIDTH * HEIGHT * 4);
-
-    assert_non_null(to);
-    return memcpy(to, pixels, WIDTH * HEIGHT * 4);
-}
-
-static void end(stage *s)
-{
-    viewer_close(&s->v);
-    free(s->pixels);
-    free(s);
-}
-
-static const uint8_t *at(const uint8_t *pixels, int x, int y)
-{
-    return pixels + 4 * (y * WIDTH + x);
-}
-
-static void assert_color(const uint8_t *pixel, int red, int green_, int blue, int tolerance)
-{
-    if (abs(pixel[0] - red) > tolerance || abs(pixel[1] - green_) > tolerance || abs(pixel[2] - blue) > tolerance)
-        fail_msg("%d %d %d is not %d %d %d", pixel[0], pixel[1], pixel[2], red, green_, blue);
-}
-
-/* How many pixels differ, of all. */
-static int differences(const uint8_t *a, const uint8_t *b)
-{
-    int count = 0;
-
-    for (int i = 0; i < WIDTH * HEIGHT; i++)
-        count += memcmp(a + 4 * i, b + 4 * i, 3) != 0;
-    return count;
-}
 
 /* The picture as a program that has no viewer gets it. */
 static uint8_t *plain_picture(const char *text)
@@ -531,115 +420,6 @@ static void shot_pause_stops_the_picture_and_lets_it_go_on(void **state)
     end(s);
 }
 
-/* The corner of a zoomed view shows each pixel as a square, and the camera is where it was. */
-static void shot_magnifies_pixels_and_leaves_the_camera(void **state)
-{
-    stage *s = begin(good, 0);
-    uint8_t *before = copy(see(s, ""));
-    const unsigned long restarts = session_restarts(s->v.session);
-    const uint8_t *p = see(s, "<move 200,100>zzzz");
-    const int left = (int)s->v.app.zoom.left, top = (int)s->v.app.zoom.top;
-
-    (void)state;
-    assert_int_equal(s->v.app.zoom.factor, 6);
-    for (int y = 0; y < HEIGHT; y++)
-        for (int x = 0; x < WIDTH; x++) {
-            double across, down;
-
-            zoom_to_picture(&s->v.app.zoom, x + 0.5, y + 0.5, &across, &down);
-            assert_memory_equal(at(p, x, y), at(before, (int)across, (int)down), 3);
-        }
-    see(s, "<drag 60,-30>");
-    assert_int_equal((int)s->v.app.zoom.left, left - 10);
-    assert_int_equal((int)s->v.app.zoom.top, top + 5);
-    see(s, "<wheel 1>");
-    assert_int_equal(s->v.app.zoom.factor, 8);
-    assert_int_equal(session_restarts(s->v.session), restarts);
-    assert_true(app_camera(&s->v.app).location.z == -5.0);
-    assert_int_equal(differences(see(s, "0"), before), 0);
-    free(before);
-    end(s);
-}
-
-static void assert_written(double value, const char *text)
-{
-    char out[16];
-
-    cells_write(value, out, sizeof out);
-    assert_string_equal(out, text);
-    assert_true(strlen(out) <= 7);
-}
-
-static void shot_writes_numbers_in_six_characters(void **state)
-{
-    (void)state;
-    assert_written(0.0, "0");
-    assert_written(-0.0, "0");
-    assert_written(1.0, "1");
-    assert_written(4096.0, "4096");
-    assert_written(0.4356, "0.436");
-    assert_written(-0.4356, "-0.436");
-    assert_written(0.00144, "0.0014");
-    assert_written(-0.00144, "-0.001");
-    assert_written(1.44e-4, "1.4e-4");
-    assert_written(9.96e-5, "1.0e-4");
-    assert_written(10.949, "10.95");
-    assert_written(99.997, "100.0");
-    assert_written(1234.5, "1234");
-    assert_written(6.02e23, "6.0e23");
-    assert_written(HUGE_VAL, "inf");
-}
-
-/* Values of the pixels in the middle, in each view. */
-static void shot_knows_the_numbers_in_the_pixels(void **state)
-{
-    const pov_rect middle = { WIDTH / 2, HEIGHT / 2, 1, 1 };
-    stage *s = begin(good, 0);
-    uint8_t *before = copy(see(s, "<move 160,120>zzzzzzzzz"));
-    float v[3], color[4];
-    int bright = 0;
-
-    (void)state;
-    assert_int_equal(s->v.app.zoom.factor, 32);
-    memcpy(before, see(s, "z"), WIDTH * HEIGHT * 4);
-    for (int i = 0; i < WIDTH * HEIGHT; i++)
-        bright += before[4 * i + 1] > 150 && before[4 * i + 2] > 150;
-    assert_true(bright > 500);
-    assert_int_equal(session_values(s->v.session, middle, v), 3);
-    assert_true(v[0] > 0.1f && v[1] == 0.0f && v[2] == 0.0f);
-    memcpy(color, v, sizeof v);
-    see(s, "<tab>");
-    assert_int_equal(session_values(s->v.session, middle, v), 3);
-    assert_true(v[2] < -0.99f);
-    see(s, "<tab>");
-    assert_int_equal(session_values(s->v.session, middle, v), 1);
-    assert_true(fabsf(v[0] - 4.0f) < 0.001f);
-    see(s, "<tab>");
-    assert_int_equal(session_values(s->v.session, middle, v), 1);
-    assert_true(v[0] == 1.0f);
-    free(before);
-    end(s);
-}
-
-static int make_folder(void **state)
-{
-    (void)state;
-    if (!mkdtemp(folder) || chdir(folder) != 0)
-        return -1;
-    snprintf(scene_path, sizeof scene_path, "%s/scene.pov", folder);
-    return 0;
-}
-
-static int remove_folder(void **state)
-{
-    static const char *const names[] = { "scene.pov", "scene-001.png", "scene-002.png", "wanted.png" };
-
-    (void)state;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        unlink(names[i]);
-    return chdir("/") == 0 ? rmdir(folder) : -1;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -661,9 +441,6 @@ int main(void)
         cmocka_unit_test(shot_takes_another_size),
         cmocka_unit_test(shot_inspects_what_is_under_the_pointer),
         cmocka_unit_test(shot_snapshot_is_the_file_that_povc_writes),
-        cmocka_unit_test(shot_magnifies_pixels_and_leaves_the_camera),
-        cmocka_unit_test(shot_writes_numbers_in_six_characters),
-        cmocka_unit_test(shot_knows_the_numbers_in_the_pixels),
         cmocka_unit_test(shot_pause_stops_the_picture_and_lets_it_go_on),
     };
 
