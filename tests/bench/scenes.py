@@ -5,6 +5,7 @@ from itertools import product
 
 from formats import Look, Scene, vector
 from geometry import add, around, scaled, unit
+import shapes
 
 PALETTE = ((.85, .35, .25), (.3, .7, .35), (.3, .45, .85), (.85, .75, .3), (.7, .4, .75), (.35, .75, .8))
 MATT = tuple(Look(rgb) for rgb in PALETTE)
@@ -287,6 +288,7 @@ MAKERS = {'flake': (flake, 4), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000
           'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000),
           'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000)}
 TEXTURED = tuple('texture-' + kind for kind in TEXTURES)
+KINDS = tuple('shape-' + kind for kind in shapes.SHAPES)
 LIGHTS = tuple('light-' + kind for kind in LIT)
 BENCH = ('flake-4', 'flake-6', 'spheres-1e2', 'spheres-1e4', 'spheres-1e5', 'spheres-1e6', 'mixed-1e2', 'mixed-1e4',
          'mixed-1e5', 'rings', 'tree', 'hall', 'glass', 'strip', *TEXTURED, *LIGHTS)
@@ -301,8 +303,10 @@ def scene(name):
         return textured(size)
     if kind == 'light' and size in LIT:
         return lit(size)
+    if kind == 'shape' and size in shapes.SHAPES:
+        return shapes.shape(size)
     if kind not in MAKERS:
-        every = [*MAKERS, *('pair-' + kind for kind in PAIRS), *TEXTURED, *LIGHTS]
+        every = [*MAKERS, *('pair-' + kind for kind in PAIRS), *TEXTURED, *LIGHTS, *KINDS]
         raise ValueError(f'no scene "{name}"; there are {", ".join(every)}')
     maker, usual = MAKERS[kind]
     return maker(int(float(size)) if size else usual)
