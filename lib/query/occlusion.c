@@ -64,19 +64,46 @@ static inline bool is_blocked(const leaf_batch *r, const pov_candidate *m, uint3
     return m->definite && (blocking >> m->lane & 1) && r->object[m->lane] != ray->origin_surface;
 }
 
-/* A possible hit of a block. True: the path ends here. */
-static bool take(packet *p, const leaf_batch *r, const pov_candidate *m)
+/* Must a possible hit of a block be intersected? Its ray's hits are initialised then. */
+static bool is_open(packet *p, const leaf_batch *r, const pov_candidate *m)
 {
     const pov_ray *ray = p->rays[m->ray];
 
     if (!(r->casts >> m->lane & 1) || is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray]))
         return false;
-    if (!p->any_blocks) {
-        begin_light(p, m->ray);
-        if (clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]))
-            return false;
+    begin_light(p, m->ray);
+    return p->any_blocks || !clear_solid_passes(r, m, ray, &p->filter_hits[m->ray]);
+}
+
+/* The first n possible hits of a batch with a single shape, so that no ray occurs twice: their rays are transformed side by
+ * side. Returns the lanes whose paths end here. */
+static uint64_t take_instanced(packet *p, const leaf_batch *r, uint32_t n, uint64_t ended)
+{
+    const bool blocks = p->any_blocks || (r->opaque & 1);
+    const pov_candidate *m = p->candidates;
+    pov_ray own[WORLD_MANY];
+    uint8_t lanes[WORLD_MANY];
+    xform_batch instanced;
+    pairs open;
+
+    open.count = instanced.count = 0;
+    leaf_batch_prefetch(r);
+    for (; n > 0; m++, n--) {
+        pov_hits *hits = blocks ? &p->hits[m->ray] : &p->filter_hits[m->ray];
+
+        if ((ended >> m->ray & 1) || !is_open(p, r, m))
+            continue;
+        hits->owner = r->object[0];
+        lanes[open.count] = m->ray;
+        xform_batch_add(&instanced, leaf_batch_xform(r), p->rays[m->ray], &own[open.count]);
+        pairs_put(&open, r->instances, &own[open.count], hits);
     }
-    return ask_some(p, m->ray, r, 1u << m->lane);
+    xform_batch_apply(&instanced);
+    if (open.count > 0)
+        pairs_ask(p->context, r->shape, leaf_batch_class(r), &open, false);
+    for (ended = 0; blocks && open.count > 0; open.count--)
+        ended |= open.hits[open.count - 1]->count > 0 ? bit_of(lanes[open.count - 1]) : 0;
+    return ended;
 }
 
 static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
@@ -89,9 +116,11 @@ static uint64_t filter(packet *p, const leaf_batch *r, uint64_t lanes)
 
     for (i = 0; i < n; i++)
         ended |= (uint64_t)is_blocked(r, &m[i], blocking, p->rays[m[i].ray]) << m[i].ray;
+    if (n > 1 && (r->flags & LEAF_INSTANCED) && !p->from)
+        return ended | take_instanced(p, r, n, ended);
     for (i = 0; i < n; i++)
-        if (!(ended >> m[i].ray & 1))
-            ended |= (uint64_t)take(p, r, &m[i]) << m[i].ray;
+        if (!(ended >> m[i].ray & 1) && is_open(p, r, &m[i]))
+            ended |= (uint64_t)ask_some(p, m[i].ray, r, 1u << m[i].lane) << m[i].ray;
     return ended;
 }
 
