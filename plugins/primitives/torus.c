@@ -82,6 +82,7 @@ typedef struct stretch {
     double middle, half;
     pov_two3 w;                    /* the point at its middle */
     double lost;                   /* error of w from distant origins, in any arithmetic */
+    double bend;                   /* the second derivative along x is not larger, from -1 to 1 */
 } stretch;
 
 /* False: the ray misses the sphere, or the slab, around the torus. */
@@ -93,6 +94,7 @@ static bool enter(stretch *s, const torus *t, const pov_ray *ray)
     pov_vec3 w;
 
     s->torus = t;
+    s->bend = HUGE_VAL;
     s->ray = common_enter(ray, pov_two3_of(zero, zero), t->scale);
     speed = pov_dot(s->ray.d, s->ray.d);
     s->middle = -pov_dot(pov_two3_hi(s->ray.f), s->ray.d) / speed;
@@ -108,7 +110,7 @@ static bool enter(stretch *s, const torus *t, const pov_ray *ray)
 }
 
 /* The quartic in x, and the sum of its coefficients' error bounds. Each is a sum of at most twelve rounded products. */
-static double coefficients(const stretch *s, double a[5])
+static double coefficients(stretch *s, double a[5])
 {
     const double u = 16.0 * COMMON_U, four = 4.0 * s->torus->R * s->torus->R;
     const pov_vec3 w = pov_two3_hi(s->w), d = pov_scale(s->ray.d, s->half);
@@ -121,6 +123,7 @@ static double coefficients(const stretch *s, double a[5])
     a[2] = 2.0 * dd * g + b * b - four * fd;
     a[1] = 2.0 * b * g - four * fb;
     a[0] = g * g - four * fw;
+    s->bend = 12.0 * (a[4] + fabs(a[3]) + fabs(a[2])) + 1.0;
     return u * (dd * dd + 2.0 * dd * size + four * (fd + 2.0 * sqrt(fd * fw) + fw) + size * size + 2.0 * fabs(b) * size) +
            b_error * (2.0 * dd + 2.0 * fabs(b) + 2.0 * size) + 64.0 * s->lost;
 }
@@ -161,7 +164,8 @@ static pov_two distance_at(const stretch *s, pov_two x)
     return pov_two_add_double(pov_two_mul_double(x, s->half), s->middle);
 }
 
-/* Newton's method in double-double, kept in the bracket: one or two steps as a rule. */
+/* Newton's method in double-double, kept in the bracket. A step's error is its square times the second derivative over
+ * the slope: a single step does as a rule. */
 static pov_two complete(const stretch *s, double start, const common_bracket *root)
 {
     double lo = root->lo, hi = root->hi;
@@ -170,7 +174,7 @@ static pov_two complete(const stretch *s, double start, const common_bracket *ro
     for (int turn = 0; turn < 100; turn++) {
         const pov_two3 p = common_along_dd(&s->ray, distance_at(s, x));
         const pov_two value = value_at(s->torus, p);
-        const double step = -0.5 * value.hi / slope_at(s, p);
+        const double slope = slope_at(s, p), step = -0.5 * value.hi / slope;
 
         *((value.hi > 0.0) == root->rising ? &hi : &lo) = x.hi;
         if (!(x.hi + step >= lo && x.hi + step <= hi)) {
@@ -180,7 +184,7 @@ static pov_two complete(const stretch *s, double start, const common_bracket *ro
             continue;
         }
         x = pov_two_add_double(x, step);
-        if (fabs(step) <= 0x1p-70)
+        if (fabs(step) <= 0x1p-70 || step * step * s->bend <= 0x1p-80 * fabs(slope))
             break;
     }
     return x;
@@ -258,7 +262,7 @@ static void restrict_cubic(pov_two c[4], pov_two middle, pov_two half)
 }
 
 /* From the start to the end of the stretch: x = middle + y half. */
-typedef struct cubic { const stretch *s; pov_two start, middle, half; double approx[4]; } cubic;
+typedef struct cubic { stretch *s; pov_two start, middle, half; double approx[4]; } cubic;
 
 /* Divide out the root that the ray starts on, and isolate those of the cubic that remains. */
 static void isolate_two(cubic *r, common_brackets *roots)
