@@ -1,0 +1,219 @@
+/* A torus and one ray: the quartic's roots are isolated, and completed in double-double. */
+#include "common/torus.h"
+
+/* The quartic in double-double, and its errors. */
+static double coefficients_two(const stretch *s, pov_two a[5])
+{
+    const torus *t = s->torus;
+    const pov_two3 w = s->w, dir = common_direction(&s->ray);
+    const pov_two3 d = { pov_two_mul_double(dir.x, s->half), pov_two_mul_double(dir.y, s->half), pov_two_mul_double(dir.z, s->half) };
+    const pov_two dd = pov_two3_dot(d, d), b = pov_two_scale(pov_two3_dot(w, d), 2.0);
+    const pov_two g = pov_two_add(pov_two3_dot(w, w), t->hollow), four = pov_two_scale(t->ring, 4.0);
+    const pov_two fd = pov_two_add(pov_two_mul(d.x, d.x), pov_two_mul(d.z, d.z));
+    const pov_two fb = pov_two_scale(pov_two_add(pov_two_mul(w.x, d.x), pov_two_mul(w.z, d.z)), 2.0);
+    const pov_two fw = pov_two_add(pov_two_mul(w.x, w.x), pov_two_mul(w.z, w.z));
+    const double size = dd.hi + fabs(b.hi) + fw.hi + w.y.hi * w.y.hi + t->ring.hi + t->r * t->r;
+
+    a[4] = pov_two_mul(dd, dd);
+    a[3] = pov_two_scale(pov_two_mul(dd, b), 2.0);
+    a[2] = pov_two_sub(pov_two_add(pov_two_scale(pov_two_mul(dd, g), 2.0), pov_two_mul(b, b)), pov_two_mul(four, fd));
+    a[1] = pov_two_sub(pov_two_scale(pov_two_mul(b, g), 2.0), pov_two_mul(four, fb));
+    a[0] = pov_two_sub(pov_two_mul(g, g), pov_two_mul(four, fw));
+    return 0x1p-97 * size * size + 64.0 * s->lost;
+}
+
+/* Newton's method in double-double, kept in the bracket: a single step as a rule. */
+pov_two common_torus_complete(const stretch *s, double start, const common_bracket *root)
+{
+    double lo = root->lo, hi = root->hi;
+    pov_two x = { start, 0.0 };
+
+    for (int turn = 0; turn < 100; turn++) {
+        const pov_two3 p = common_along_dd(&s->ray, distance_at(s, x));
+        const pov_two value = value_at(s->torus, p);
+        int last;
+        const double step = step_at(s, slope_at(s, p), value.hi, &last);
+
+        *((value.hi > 0.0) == root->rising ? &hi : &lo) = x.hi;
+        if (!(x.hi + step >= lo && x.hi + step <= hi)) {
+            if (!(hi - lo > 0x1p-60))
+                break;
+            x = pov_two_of(0.5 * (lo + hi), 0.0);
+            continue;
+        }
+        x = pov_two_add_double(x, step);
+        if (last)
+            break;
+    }
+    return x;
+}
+
+/* At the distance t in local units. False: no more crossings are wanted. */
+bool common_torus_report(const stretch *s, pov_two t, bool rising, bool escalated, pov_hits *hits)
+{
+    const pov_mark mark = { rising ? EXITING : ENTERING, escalated ? POV_MARK_ESCALATED : 0, 0.0, 0.0 };
+    const double at = t.hi * s->ray.unit;
+
+    if (s->torus->lens.hi > 0.0 && is_in_lens(s->torus, common_along_dd(&s->ray, t)))
+        return true;
+    return pov_cross(hits, at, t.lo * s->ray.unit, mark) && !(hits->want == POV_WANT_NEAREST && at > hits->tmin && hits->count > 0);
+}
+
+/* The part of the stretch that counts, with a margin. The inner sheet of a spindle is no hit. */
+static common_range wanted_of(const stretch *s, const pov_hits *hits)
+{
+    static const common_range all = { -HUGE_VAL, HUGE_VAL, HUGE_VAL, false };
+    const double margin = 0x1p-40 * (1.0 + fabs(s->middle) / s->half), per = s->ray.per_unit;
+    const double start = (hits->tmin * per - s->middle) / s->half;
+    const double end = ((hits->tmax + hits->slack) * per - s->middle) / s->half;
+    const common_range part = { start - margin, start + margin, end + margin, true };
+
+    return hits->want == POV_WANT_ALL || hits->always_exact || s->torus->lens.hi > 0.0 ? all : part;
+}
+
+/* Where any crossing will do, does one certainly lie in the interval? Its distance need not be known. */
+bool common_torus_is_blocked(const stretch *s, const common_bracket *root, common_range wanted, pov_hits *hits)
+{
+    const pov_mark mark = { root->rising ? EXITING : ENTERING, 0, 0.0, 0.0 };
+    const double t = (s->middle + root->hi * s->half) * s->ray.unit;
+
+    return hits->want == POV_WANT_ANY && wanted.first && root->lo > wanted.ahead &&
+           t * (1.0 + 0x1p-40) + hits->slack < hits->tmax && !pov_cross(hits, t, 0.0, mark);
+}
+
+/* ---- from the surface ---- */
+
+/* Taylor's shift and a scaling: the cubic in y where x = middle + y half. */
+static void restrict_cubic(pov_two c[4], pov_two middle, pov_two half)
+{
+    pov_two power = half;
+    int i, j;
+
+    for (j = 0; j < 3; j++)
+        for (i = 2; i >= j; i--)
+            c[i] = pov_two_add(c[i], pov_two_mul(c[i + 1], middle));
+    for (i = 1; i < 4; i++) {
+        c[i] = pov_two_mul(c[i], power);
+        power = pov_two_mul(power, half);
+    }
+}
+
+/* Divide out the root that the ray starts on, and isolate those of the cubic that remains. */
+static void isolate_two(search *r)
+{
+    pov_two a[5], c[4];
+    double error = coefficients_two(&r->s, a), sum = 0.0;
+    int i;
+
+    if (!r->from_here) {
+        common_isolate_two(a, error, 4, &r->roots);
+        return;
+    }
+    c[3] = a[4];
+    for (i = 2; i >= 0; i--)
+        c[i] = pov_two_add(a[i + 1], pov_two_mul(c[i + 1], r->start));
+    restrict_cubic(c, r->middle, r->half);
+    for (i = 0; i < 4; i++) {
+        r->cubic[i] = c[i].hi;
+        sum += fabs(c[i].hi);
+    }
+    common_isolate_two(c, 64.0 * error + 0x1p-96 * sum, 3, &r->roots);
+}
+
+/* The same in double. The start lies in -1..1, so no coefficient of the cubic is off by more than 4 times the errors of
+ * those of the quartic, and none after the shift by more than 8 times these. False: open. */
+static bool isolate(search *r)
+{
+    const double start = r->start.hi, middle = r->middle.hi, half = r->half.hi, *a = r->a;
+    double *c = r->cubic, sum = 0.0, power = half;
+    int i, j;
+
+    if (!r->from_here)
+        return common_isolate(a, r->error, 4, r->wanted, &r->roots);
+    for (i = 0; i < 5; i++)
+        sum += fabs(a[i]);
+    c[3] = a[4];
+    for (i = 2; i >= 0; i--)
+        c[i] = a[i + 1] + c[i + 1] * start;
+    for (j = 0; j < 3; j++)
+        for (i = 2; i >= j; i--)
+            c[i] += c[i + 1] * middle;
+    for (i = 1; i < 4; i++) {
+        c[i] *= power;
+        power *= half;
+    }
+    return fabs(start) <= 1.0 && common_isolate(c, 64.0 * (r->error + 8.0 * COMMON_U * sum), 3, r->wanted, &r->roots);
+}
+
+/* Isolates the roots: those that count, if double does. */
+void common_torus_begin(search *r, bool from_here, pov_hits *hits)
+{
+    r->from_here = from_here;
+    r->wanted = wanted_of(&r->s, hits);
+    r->roots.count = 0;
+    if (from_here) {
+        r->wanted.from = r->wanted.ahead = -HUGE_VAL;
+        r->wanted.to = HUGE_VAL;
+        r->start = pov_two_div(pov_two_of(-r->s.middle, 0.0), pov_two_of(r->s.half, 0.0));
+        r->middle = pov_two_scale(pov_two_add_double(r->start, 1.0), 0.5);
+        r->half = pov_two_scale(pov_two_sub(pov_two_of(1.0, 0.0), r->start), 0.5);
+        if (!(r->half.hi > 0.0))
+            return;
+    }
+    r->escalated = hits->always_exact || !isolate(r);
+    hits->escalated += r->escalated;
+    if (r->escalated)
+        isolate_two(r);
+}
+
+/* The bracket of a root in x. Ahead of the start the divided-out factor is positive, so the quartic rises where the cubic
+ * does. */
+common_bracket common_torus_bracket(const search *r, uint32_t i)
+{
+    const common_bracket *y = &r->roots.at[i];
+    const common_bracket x = { r->middle.hi + r->half.hi * y->lo, r->middle.hi + r->half.hi * y->hi, 0.0, y->rising };
+
+    return r->from_here ? x : *y;
+}
+
+/* Where it is about. */
+double common_torus_start(const search *r, uint32_t i)
+{
+    if (!r->from_here)
+        return common_polish(r->a, 4, &r->roots.at[i]);
+    return pov_two_add(r->middle, pov_two_mul_double(r->half, common_polish(r->cubic, 3, &r->roots.at[i]))).hi;
+}
+
+/* Reports the crossings from the i-th on. */
+void common_torus_finish(const search *r, uint32_t i, pov_hits *hits)
+{
+    for (; i < r->roots.count; i++) {
+        const common_bracket x = common_torus_bracket(r, i);
+
+        pov_two t;
+
+        if (common_torus_is_blocked(&r->s, &x, r->wanted, hits))
+            return;
+        t = distance_at(&r->s, common_torus_complete(&r->s, common_torus_start(r, i), &x));
+        if (!common_torus_report(&r->s, t, x.rising, r->escalated, hits))
+            return;
+    }
+}
+
+void common_torus_intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    search r;
+
+    if (!enter(&r.s, self, ray))
+        return;
+    r.error = coefficients(&r.s, r.a);
+    common_torus_begin(&r, ray->origin_surface == hits->owner, hits);
+    common_torus_finish(&r, 0, hits);
+}
+
+void common_torus_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    *out = pov_unit(normal_at(self, ray, at->t, at->t_lo));
+    if (!(pov_largest(*out) > 0.0))
+        *out = pov_scale(pov_unit(ray->dir), -1.0);
+}
