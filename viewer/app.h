@@ -35,7 +35,8 @@ enum {
     APP_PAUSE = 64,          /* `paused` has changed */
     APP_TONE = 128,          /* `exposure` has changed */
     APP_VIEW = 256,          /* `view` has changed */
-    APP_QUIT = 512
+    APP_QUIT = 512,
+    APP_MARK = 1024          /* `clipped` has changed */
 };
 
 typedef enum app_view {
@@ -71,6 +72,7 @@ typedef struct app {
     app_compare compare;     /* with APP_PICTURE only */
     int reference_width, reference_height;   /* 0: there is no reference */
     int exposure;            /* in thirds of a stop */
+    bool clipped;            /* mark what the display cannot show */
     bool paused, help, inspect, curve;
     bool greets;             /* a word on the help when the first scene is there */
     bool moved, resized;     /* the job has not been told yet */

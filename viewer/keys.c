@@ -88,6 +88,13 @@ static void expose(app *a, int more, double now)
 static void darker(app *a, double now) { expose(a, -1, now); }
 static void brighter(app *a, double now) { expose(a, 1, now); }
 
+static void mark_clipped(app *a, double now)
+{
+    a->clipped = !a->clipped;
+    a->orders |= APP_MARK;
+    app_say(a, now, a->clipped ? "clipped pixels are marked" : "clipped pixels are not marked");
+}
+
 static void show_next(app *a, double now)
 {
     a->compare = APP_PLAIN;
@@ -142,6 +149,7 @@ static const keys_row rows[] = {
     { "C", "copy the camera as scene text", { 'c' }, false, copy_camera },
     { "[, -", "a third of a stop less exposure", { '[', '-' }, false, darker },
     { "], +", "a third of a stop more exposure", { ']', '+', '=' }, false, brighter },
+    { "O", "mark pixels that are clipped", { 'o' }, false, mark_clipped },
     { "Tab", "picture, normal, depth, samples, time, error, certainty", { APP_KEY_TAB }, false, show_next },
     { "B", "the reference in the picture's place", { 'b' }, false, flip },
     { "D", "the difference from the reference", { 'd' }, false, differ },

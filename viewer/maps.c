@@ -1,5 +1,7 @@
 #include "maps.h"
 
+#include "bar.h"
+
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +20,7 @@ struct maps {
     maps_request request;
     uint8_t *pixels;
     size_t capacity;
+    maps_counts counts;
     int first, last;             /* rows not taken yet; last < first: none */
 };
 
@@ -26,20 +29,35 @@ static uint8_t byte_of(double v)
     return (uint8_t)(v > 0.0 ? v < 1.0 ? 255.0 * v + 0.5 : 255.0 : 0.0);
 }
 
-void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba)
+/* Surfaces that are seen edge-on are darker, so that their shape is seen under the colour. */
+static double shade(pov_vec3 ray, const pov_hit *hit)
 {
-    static const uint8_t certain[3] = { 40, 60, 100 }, uncertain[3] = { 255, 150, 30 };
+    const double least = 0.3, length = sqrt(pov_dot(ray, ray) * pov_dot(hit->normal, hit->normal));
 
+    return length > 0.0 ? least + (1.0 - least) * fabs(pov_dot(ray, hit->normal)) / length : 1.0;
+}
+
+static void color_certainty(pov_vec3 ray, const pov_hit *hit, uint8_t *rgba)
+{
+    static const uint8_t certain[3] = { 90, 130, 220 }, uncertain[3] = { 255, 150, 30 };
+    const double light = shade(ray, hit);
+
+    for (int c = 0; c < 3; c++)
+        rgba[c] = byte_of(light * (hit->certain ? certain[c] : uncertain[c]) / 255.0);
+}
+
+void maps_color(const maps_request *request, pov_vec3 ray, const pov_hit *hit, uint8_t *rgba)
+{
     rgba[0] = rgba[1] = rgba[2] = 0;
     rgba[3] = 255;
     if (!hit)
         return;
     if (request->kind == MAPS_CERTAINTY) {
-        memcpy(rgba, hit->certain ? certain : uncertain, 3);
+        color_certainty(ray, hit, rgba);
         return;
     }
     if (request->kind == MAPS_DEPTH) {
-        rgba[0] = rgba[1] = rgba[2] = byte_of(1.0 / (1.0 + pow(hit->distance / request->middle, 3.0)));
+        bar_color(BAR_DEPTH, bar_depth_share(request->middle, hit->distance), rgba);
         return;
     }
     rgba[0] = byte_of(0.5 + 0.5 * hit->normal.x);
@@ -47,24 +65,26 @@ void maps_color(const maps_request *request, const pov_hit *hit, uint8_t *rgba)
     rgba[2] = byte_of(0.5 + 0.5 * hit->normal.z);
 }
 
-static void trace(maps *m, const maps_request *r, int x, int y, uint8_t *rgba)
+static void trace(maps *m, const maps_request *r, int x, int y, uint8_t *rgba, maps_counts *counts)
 {
     double u = (x + 0.5) / r->width - 0.5, v = 0.5 - (y + 0.5) / r->height;
     pov_hit hit = POV_INIT(hit);
-    pov_vec3 org, dir;
+    pov_vec3 org, dir = { 0.0, 0.0, 0.0 };
     bool found = pov_camera_ray(&r->camera, u, v, &org, &dir) && pov_trace_hit(m->tracer, org, dir, &hit);
 
-    maps_color(r, found ? &hit : NULL, rgba);
+    maps_color(r, dir, found ? &hit : NULL, rgba);
+    counts->certain += found && hit.certain;
+    counts->uncertain += found && !hit.certain;
 }
 
 /* One row of pixels `step` apart; pixels of the coarser pass are left unchanged. */
-static void trace_row(maps *m, const maps_request *r, int y, int step, uint8_t *row)
+static void trace_row(maps *m, const maps_request *r, int y, int step, uint8_t *row, maps_counts *counts)
 {
     bool has_coarser = step < COARSEST && y % (2 * step) == 0;
 
     for (int x = 0; x < r->width; x += step)
         if (!has_coarser || x % (2 * step) != 0)
-            trace(m, r, x, y, row + 4 * x);
+            trace(m, r, x, y, row + 4 * x, counts);
 }
 
 /* Copy each pixel of a row to the square that it stands for. The lock is held. */
@@ -94,14 +114,17 @@ static void work(maps *m, const maps_request *r, unsigned generation, uint8_t *r
 {
     for (int step = COARSEST; step >= 1; step /= 2) {
         for (int y = 0; y < r->height; y += step) {
+            maps_counts counts = { 0, 0 };
             bool tell = false, current;
 
-            trace_row(m, r, y, step, row);
+            trace_row(m, r, y, step, row, &counts);
             pthread_mutex_lock(&m->lock);
             current = m->generation == generation && !m->closing;
             if (current) {
                 tell = m->last < m->first;
                 put_row(m, y, step, row);
+                m->counts.certain += counts.certain;
+                m->counts.uncertain += counts.uncertain;
             }
             pthread_mutex_unlock(&m->lock);
             if (!current)
@@ -192,6 +215,7 @@ void maps_begin(maps *m, const maps_request *request)
     pthread_mutex_lock(&m->lock);
     m->generation++;
     m->request = *request;
+    m->counts = (maps_counts){ 0, 0 };
     m->first = request->height;
     m->last = -1;
     if (bytes > m->capacity) {
@@ -232,6 +256,16 @@ bool maps_take(maps *m, uint8_t *pixels, int *first, int *last)
     }
     pthread_mutex_unlock(&m->lock);
     return found;
+}
+
+maps_counts maps_count(maps *m)
+{
+    maps_counts counts;
+
+    pthread_mutex_lock(&m->lock);
+    counts = m->counts;
+    pthread_mutex_unlock(&m->lock);
+    return counts;
 }
 
 bool maps_is_done(maps *m)

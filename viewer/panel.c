@@ -1,6 +1,6 @@
 #include "panel.h"
 
-#include "ramp.h"
+#include "bar.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +10,7 @@
 enum { LINE_SIZE = 640 };
 
 /* In units of the scale. */
-static const double FONT_SIZE = 13.0, LINE_HEIGHT = 18.0, MARGIN = 12.0, GAP = 18.0, RADIUS = 6.0;
+static const double FONT_SIZE = 13.0, LINE_HEIGHT = 18.0, MARGIN = 12.0, GAP = 18.0, RADIUS = 6.0, BAR_WIDTH = 220.0;
 
 /* Drawing passes over the text twice with the same steps: first to measure, then with a surface to draw on. */
 typedef struct pen {
@@ -153,30 +153,68 @@ static void columns(pen *p, char *text)
     next_line(p);
 }
 
-/* The ramp from dark to bright, and its three numbers below. */
+/* One number below the bar, as close to its place as the bar's ends allow; a mark shows the place itself. */
+static void tick(pen *p, double share, const char *text)
+{
+    const double width = BAR_WIDTH * p->scale, half = 0.5 * width_of(p, text), centre = share * width;
+    const double left = fmin(fmax(centre - half, 0.0), width - 2.0 * half);
+
+    if (p->drawing) {
+        cairo_set_source_rgb(p->c, 0.88, 0.88, 0.88);
+        cairo_rectangle(p->c, MARGIN * p->scale + fmin(centre, width - p->scale),
+                        MARGIN * p->scale + p->y - 3.0 * p->scale, p->scale, 4.0 * p->scale);
+        cairo_fill(p->c);
+    }
+    put(p, fmax(left, 0.0), text, 0.88, 0.88, 0.88);
+}
+
+/* A bar of the kind that its first character names; each number follows its position, tabs between. Without numbers it
+ * has those of the bar below it. */
 static void bar(pen *p, char *text)
 {
-    const double width = 180.0 * p->scale, height = 10.0 * p->scale;
-    double share = 0.0;
+    const int kind = text[0], steps = (int)BAR_WIDTH;
 
-    for (int i = 0; p->drawing && i < 180; i++) {
+    for (int i = 0; p->drawing && i < steps; i++) {
         uint8_t c[4];
 
-        ramp_color(i / 179.0, c);
+        bar_color(kind, i / (BAR_WIDTH - 1.0), c);
         cairo_set_source_rgb(p->c, c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
-        cairo_rectangle(p->c, MARGIN * p->scale + i * p->scale, MARGIN * p->scale + p->y + 4.0 * p->scale, 1.5 * p->scale, height);
+        cairo_rectangle(p->c, MARGIN * p->scale + i * p->scale, MARGIN * p->scale + p->y + 4.0 * p->scale,
+                        (i + 1 < steps ? 1.5 : 1.0) * p->scale, 10.0 * p->scale);
         cairo_fill(p->c);
+    }
+    p->widest = fmax(p->widest, BAR_WIDTH * p->scale);
+    if (!text[1]) {
+        p->y += 12.0 * p->scale;
+        return;
     }
     next_line(p);
     choose(p, true, false);
-    for (char *at = text; at; share += 0.5) {
-        char *end = strchr(at, '\t');
+    for (char *at = text + 1; at;) {
+        char *end = strchr(at, '\t'), *number;
+        double share = strtod(at, &number);
 
         if (end)
             *end++ = '\0';
-        put(p, share * (width - width_of(p, at)), at, 0.88, 0.88, 0.88);
+        tick(p, share, number + strspn(number, " "));
         at = end;
     }
+    next_line(p);
+}
+
+/* A square of a colour, six hexadecimal digits, and what it means. */
+static void swatch(pen *p, const char *text)
+{
+    const unsigned long rgb = strtoul(text, NULL, 16);
+
+    if (p->drawing) {
+        cairo_set_source_rgb(p->c, (double)(rgb >> 16 & 255) / 255.0, (double)(rgb >> 8 & 255) / 255.0,
+                             (double)(rgb & 255) / 255.0);
+        cairo_rectangle(p->c, MARGIN * p->scale, MARGIN * p->scale + p->y + 4.0 * p->scale, 11.0 * p->scale, 11.0 * p->scale);
+        cairo_fill(p->c);
+    }
+    choose(p, true, false);
+    put(p, GAP * p->scale, text + strcspn(text, " ") + (strchr(text, ' ') != NULL), 0.88, 0.88, 0.88);
     next_line(p);
 }
 
@@ -238,6 +276,7 @@ static void write_all(pen *p, const char *content)
         case '!': title(p, line + 1, true); break;
         case '|': columns(p, line + 1); break;
         case '~': bar(p, line + 1); break;
+        case '%': swatch(p, line + 1); break;
         case '=': excerpt(p, line + 1, next); break;
         case '^': caret(p, line + 1); break;
         default: words(p, line + (line[0] == ' ')); break;

@@ -17,9 +17,9 @@ typedef struct panel {
 } panel;
 
 /* Show this text, as wide as needed but no wider than so many pixels. The first character of a line is its kind: '#' a
- * title, '!' a warning title, ' ' plain words that are wrapped, '|' two columns with a tab between, '~' a bar of the ramp's colours with
- * the numbers of its ends and its middle, tabs between, '=' text as in a
- * file, which the next line may mark: '^' and as many bytes as come before the caret. Invalid UTF-8 is shown as "?".
+ * title, '!' a warning title, ' ' plain words that are wrapped, '|' two columns with a
+ * tab between, '~' a bar whose kind bar.h names, with numbers that follow their positions, tabs between, '%' a square of
+ * the colour of six hexadecimal digits and its meaning, '=' text as in a file, which the next line may mark: '^' and as many bytes as come before the caret. Invalid UTF-8 is shown as "?".
  * True: the image has changed. */
 bool panel_set(panel *p, const char *content, double scale, int most_width);
 /* The same for a drawing of this size in units of the scale, whose background is drawn already; `content` identifies

@@ -1,5 +1,6 @@
 #include "picture.h"
 
+#include "bar.h"
 #include "ramp.h"
 
 #include <math.h>
@@ -37,8 +38,10 @@ bool picture_resize(picture *p, int width, int height)
 {
     uint8_t *pixels = calloc((size_t)width * (size_t)height, 4);
     unsigned *seen = calloc(cells(width) * cells(height), sizeof *seen);
+    uint8_t *outside = calloc((size_t)width * (size_t)height, 1);
 
-    if (!pixels || !seen) {
+    if (!pixels || !seen || !outside) {
+        free(outside);
         free(pixels);
         free(seen);
         return false;
@@ -51,6 +54,9 @@ bool picture_resize(picture *p, int width, int height)
     }
     free(p->pixels);
     free(p->seen);
+    free(p->outside);
+    p->outside = outside;
+    memset(p->clipped, 0, sizeof p->clipped);
     p->pixels = pixels;
     p->seen = seen;
     p->width = width;
@@ -64,6 +70,7 @@ void picture_free(picture *p)
 {
     free(p->pixels);
     free(p->seen);
+    free(p->outside);
     memset(p, 0, sizeof *p);
 }
 
@@ -85,6 +92,15 @@ void picture_expose(picture *p, pov_transfer transfer, double gain)
 void picture_show(picture *p, picture_kind kind)
 {
     p->kind = kind;
+    picture_reread(p);
+}
+
+void picture_mark(picture *p, bool marked)
+{
+    if (p->outside)
+        memset(p->outside, PICTURE_INSIDE, (size_t)p->width * (size_t)p->height);
+    memset(p->clipped, 0, sizeof p->clipped);
+    p->marked = marked;
     picture_reread(p);
 }
 
@@ -120,9 +136,9 @@ static double brightness(picture_kind kind, float value)
     if (!(value > 0.0f))
         return value == 0.0f ? 0.0 : -1.0;
     switch (kind) {
-    case PICTURE_ERROR: case PICTURE_DIFFERENCE: t = (log10((double)value) + 4.0) / 3.0; break;
-    case PICTURE_TIME: t = (log10((double)value) + 6.0) / 4.0; break;
-    default: t = log2((double)value) / 10.0; break;
+    case PICTURE_ERROR: case PICTURE_DIFFERENCE: t = bar_share(&bar_error, (double)value); break;
+    case PICTURE_TIME: t = bar_share(&bar_seconds, (double)value); break;
+    default: t = bar_share(&bar_samples, (double)value); break;
     }
     return t > 0.0 ? t : 0.0;
 }
@@ -152,6 +168,33 @@ static void read_difference(picture *p, pov_job *job, pov_rect r, uint8_t *fresh
     }
 }
 
+static picture_clipped clipped_as(const float *color, float gain)
+{
+    if (color[0] * gain > 1.0f || color[1] * gain > 1.0f || color[2] * gain > 1.0f)
+        return PICTURE_ABOVE;
+    return color[0] < 0.0f || color[1] < 0.0f || color[2] < 0.0f ? PICTURE_BELOW : PICTURE_INSIDE;
+}
+
+/* Colour what the display cannot show, and keep count of it. */
+static void mark_clipped(picture *p, pov_rect r, const float *linear, uint8_t *fresh)
+{
+    static const uint8_t marks[][4] = { { 0, 0, 0, 0 }, { 255, 0, 255, 255 }, { 0, 255, 255, 255 } };
+    const float gain = p->toned ? p->tone.gain : 1.0f;
+
+    for (int i = 0; i < r.width * r.height; i++) {
+        const size_t at = (size_t)(r.y + i / r.width) * (size_t)p->width + (size_t)(r.x + i % r.width);
+        const picture_clipped now = clipped_as(linear + 4 * i, gain);
+
+        if (!(linear[4 * i + 3] > 0.0f))
+            continue;
+        p->clipped[p->outside[at]]--;
+        p->clipped[now]++;
+        p->outside[at] = (uint8_t)now;
+        if (now != PICTURE_INSIDE)
+            memcpy(fresh + 4 * i, marks[now], 4);
+    }
+}
+
 /* A rectangle no wider or higher than PART. */
 static void read_part(picture *p, pov_job *job, pov_rect r)
 {
@@ -169,6 +212,10 @@ static void read_part(picture *p, pov_job *job, pov_rect r)
         tone_row(&p->tone, linear, fresh, r.width * r.height);
     } else {
         pov_job_read(job, r, POV_PIXELS_DISPLAY8, fresh, 4 * width);
+    }
+    if (p->marked && p->kind == PICTURE_COLORS) {
+        pov_job_read(job, r, POV_PIXELS_LINEAR_FLOAT, linear, 4 * width * sizeof *linear);
+        mark_clipped(p, r, linear, fresh);
     }
     for (int y = 0; y < r.height; y++)
         keep_what_is_there(p->pixels + ((size_t)(r.y + y) * (size_t)p->width + (size_t)r.x) * 4,

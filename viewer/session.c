@@ -66,6 +66,7 @@ static void draw_map(session *s)
         fail(s, &err);
     else
         maps_begin(s->maps, &r);
+    s->middle = r.middle;
 }
 
 typedef struct start { pov_job *job; pov_status status; pov_error error; } start;
@@ -242,6 +243,8 @@ static void obey(session *s, unsigned orders)
         picture_expose(&s->picture, s->info.transfer, app_gain(s->app));
         reference_expose(&s->reference, s->info.transfer, app_gain(s->app));
     }
+    if (orders & APP_MARK)
+        picture_mark(&s->picture, s->app->clipped);
     if (orders & APP_PRINT)
         session_print_camera(s);
     if (orders & APP_SNAPSHOT)

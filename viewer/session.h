@@ -59,6 +59,12 @@ const char *session_reference_path(const session *s);
 double session_reference_rms(const session *s);
 /* Bytes of the pixel that is seen here, the reference's where that is in the picture's place. */
 const uint8_t *session_seen_pixel(const session *s, int x, int y);
+/* Depth of what is middle grey in the depth view, in units of the scene. */
+double session_middle_depth(const session *s);
+/* Pixels whose surface double precision decided, or double-double; of those traced so far. */
+void session_count_certain(const session *s, size_t *certain, size_t *uncertain);
+/* Pixels brighter than the display shows, and with a negative channel, while they are marked. */
+void session_count_clipped(const session *s, size_t *above, size_t *below);
 bool session_has_rows(const session *s);
 /* Has each tile of the picture been read since the last restart? */
 bool session_coarse_is_there(const session *s);

@@ -60,6 +60,27 @@ double session_reference_rms(const session *s)
     return rms;
 }
 
+double session_middle_depth(const session *s)
+{
+    return s->middle * session_depth_unit(s);
+}
+
+void session_count_certain(const session *s, size_t *certain, size_t *uncertain)
+{
+    maps_counts counts = { 0, 0 };
+
+    if (s->maps)
+        counts = maps_count(s->maps);
+    *certain = counts.certain;
+    *uncertain = counts.uncertain;
+}
+
+void session_count_clipped(const session *s, size_t *above, size_t *below)
+{
+    *above = s->picture.clipped[PICTURE_ABOVE];
+    *below = s->picture.clipped[PICTURE_BELOW];
+}
+
 bool session_shows_reference(const session *s, int x)
 {
     return app_shows_reference(s->app, x) && reference_fits(&s->reference, s->picture.width, s->picture.height);

@@ -28,7 +28,7 @@ static bool free_name(session *s, char *out, size_t size)
 /* Is something else seen than the picture that povc would write? */
 static bool is_colored(const session *s)
 {
-    return s->app->view != APP_PICTURE || s->app->compare != APP_PLAIN;
+    return s->app->view != APP_PICTURE || s->app->compare != APP_PLAIN || s->app->clipped;
 }
 
 void session_save(session *s)

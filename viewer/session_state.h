@@ -27,6 +27,7 @@ struct session {
     pov_scene *scene;            /* the members below belong to this scene; NULL: none was loaded so far */
     pov_tracer *tracer;
     maps *maps;                  /* made when first asked for */
+    double middle;               /* the middle depth of the last one, in lengths of the direction */
     pov_job *job;
     pov_scene_info info;
     picture picture;

@@ -218,6 +218,33 @@ static void pixels_of_another_size_are_not_compared(void **state)
     end(s);
 }
 
+/* The sphere's nearest point has 0.4: two stops and more make it too bright. */
+static void pixels_that_are_clipped_are_marked_and_counted(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, "]]]]]]"));
+    const uint8_t *p = see(s, "o");
+    size_t above, below, magenta = 0, full = 0;
+
+    (void)state;
+    for (int i = WIDTH * HEIGHT / 2; i < WIDTH * HEIGHT; i++) {
+        magenta += p[4 * i] == 255 && p[4 * i + 1] == 0 && p[4 * i + 2] == 255;
+        full += before[4 * i] == 255;
+    }
+    session_count_clipped(s->v.session, &above, &below);
+    assert_int_equal(below, 0);
+    assert_true(magenta > 500 && magenta <= full && full - magenta < 100);
+    assert_in_range(above, 2 * magenta - 100, 2 * magenta + 100);
+    assert_true(at(p, WIDTH / 2, HEIGHT / 2 + 10)[2] == 255);
+    /* Less exposure, none. */
+    see(s, "[[[[[[");
+    session_count_clipped(s->v.session, &above, &below);
+    assert_int_equal(above, 0);
+    assert_int_equal(differences(see(s, "o]]]]]]"), before), 0);
+    free(before);
+    end(s);
+}
+
 /* A file of whole numbers holds nothing above 1: the picture is not blamed for what is. */
 static void pixels_above_one_equal_one_of_a_file(void **state)
 {
@@ -243,6 +270,7 @@ int main(void)
         cmocka_unit_test(pixels_wipe_at_the_pointer),
         cmocka_unit_test(pixels_show_the_difference),
         cmocka_unit_test(pixels_of_another_size_are_not_compared),
+        cmocka_unit_test(pixels_that_are_clipped_are_marked_and_counted),
         cmocka_unit_test(pixels_above_one_equal_one_of_a_file),
     };
 

@@ -1,4 +1,5 @@
 /* The whole viewer on OSMesa, without a display: what it draws, pixel by pixel. */
+#include "maps.h"
 #include "stage.h"
 
 #include <povtrace/image.h>
@@ -261,11 +262,27 @@ static void shot_shows_what_double_decided(void **state)
 {
     stage *s = begin(good, 0);
     const uint8_t *p = see(s, "<tab><tab><tab><tab><tab><tab>");
+    size_t certain, uncertain, seen = 0;
+    pov_hit hit = POV_INIT(hit);
+    maps_request request = { .kind = MAPS_CERTAINTY };
+    uint8_t color[4];
 
     (void)state;
     assert_int_equal(s->v.app.view, APP_CERTAINTY);
-    assert_color(at(p, WIDTH / 2, HEIGHT / 2), 40, 60, 100, 0);
+    assert_color(at(p, WIDTH / 2, HEIGHT / 2), 90, 130, 220, 1);
     assert_color(at(p, 5, 5), 0, 0, 0, 0);
+    /* The shape is seen: darker to its edge. Pixels are counted; those of the sphere's lower half lie below the legend. */
+    assert_true(at(p, WIDTH / 2, HEIGHT / 2 + 44)[2] < 160);
+    session_count_certain(s->v.session, &certain, &uncertain);
+    assert_int_equal(uncertain, 0);
+    for (int i = WIDTH * HEIGHT / 2; i < WIDTH * HEIGHT; i++)
+        seen += p[4 * i + 2] > 0;
+    assert_in_range(2 * seen, certain - 100, certain + 100);
+    hit.normal = pov_vec3_of(0, 0, -3);
+    maps_color(&request, pov_vec3_of(0, 0, 2), &hit, color);
+    assert_true(color[0] == 255 && color[1] == 150 && color[2] == 30);
+    maps_color(&request, pov_vec3_of(2, 0, 0), &hit, color);
+    assert_true(color[0] == 77 && color[1] == 45 && color[2] == 9);
     end(s);
 }
 

@@ -172,6 +172,7 @@ toggles h help
 toggles F1 help
 toggles g "the error against time"
 toggles i "what is under the pointer"
+toggles o "clipped pixels, and the legend"
 xdotool key p key 3
 check "P pauses" within title_says ', paused'
 xdotool key p key r
