@@ -20,6 +20,11 @@ class Picture:
             cell[3] += 1
         return Picture(columns, rows, [tuple(s[k] / s[3] for k in range(3)) for s in sums])
 
+    def light_means(self, edge):
+        """The same of the light that the values stand for (a power of 2.2), as values again: edges within pixels do not count."""
+        light = Picture(self.width, self.height, [tuple((v / 255) ** 2.2 for v in pixel) for pixel in self.pixels]).means(edge)
+        return Picture(light.width, light.height, [tuple(255 * v ** (1 / 2.2) for v in pixel) for pixel in light.pixels])
+
 
 def unpack(path):
     """Width, height, bits, kind of colour, and the filtered rows."""
