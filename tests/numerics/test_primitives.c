@@ -129,7 +129,7 @@ static void what_once_failed_is_right(void **state)
         harness_replay(bench, &p, all);
         s = all[0];
         broken += s.rays != 1 || s.miss_false || s.hit_false || s.part_false || s.normal_max > 1e-13
-                  || s.ulp_max > probe_limit(p.kind) || s.selfhit || s.leak;
+                  || s.ulp_max > probe_limit(p.kind) || s.selfhit || s.leak || s.exact_differs || s.scale_differs;
     }
     fclose(file);
     assert_int_equal(broken, 0);
