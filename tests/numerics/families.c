@@ -1,5 +1,7 @@
 #include "numerics/families.h"
 
+#include "numerics/draw.h"
+
 #include <float.h>
 #include <string.h>
 
@@ -15,36 +17,13 @@ double families_uniform(void)
     return (double)(state >> 11) * 0x1p-53;
 }
 
-#define U families_uniform
-
-static double between(double lo, double hi) { return lo + (hi - lo) * U(); }
-static double log_between(double lo, double hi) { return pow(10.0, between(lo, hi)); }
-static double either(double x) { return U() < 0.5 ? x : -x; }
-
 pov_vec3 families_direction(void)
 {
     double z = between(-1.0, 1.0), angle = 6.283185307179586 * U(), r = sqrt(1.0 - z * z);
     return pov_vec3_of(r * cos(angle), r * sin(angle), z);
 }
 
-static pov_vec3 across(pov_vec3 n)
-{
-    return pov_unit(pov_cross_product(n, families_direction()));
-}
-
 /* ---- shapes of size about `size` about a place ---- */
-
-static void put(probe *p, int at, pov_vec3 v)
-{
-    p->number[at] = v.x;
-    p->number[at + 1] = v.y;
-    p->number[at + 2] = v.z;
-}
-
-static pov_vec3 get(const probe *p, int at)
-{
-    return pov_vec3_of(p->number[at], p->number[at + 1], p->number[at + 2]);
-}
 
 static void make_cone(probe *p, double size, pov_vec3 place, double ratio)
 {
@@ -234,14 +213,6 @@ static void point_on(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *nor
 
 /* ---- rays ---- */
 
-static void ray_of(probe *p, pov_vec3 org, pov_vec3 dir)
-{
-    memset(&p->ray, 0, sizeof p->ray);
-    p->ray.org = org;
-    p->ray.dir = dir;
-    p->ray.origin_surface = POV_NO_OWNER;
-}
-
 /* From a distance towards a point; the direction is what the rounded origin makes it. */
 static void ray_from(probe *p, pov_vec3 target, pov_vec3 dir, double distance)
 {
@@ -257,11 +228,6 @@ static pov_vec3 target_near(const probe *p, pov_vec3 place)
 
     point_on(p, place, &at, &normal);
     return pov_add(at, pov_scale(families_direction(), p->size * 0.5 * U() * U()));
-}
-
-static pov_vec3 small_place(double size)
-{
-    return pov_scale(families_direction(), size * between(0.0, 2.0));
 }
 
 /* parameter: distance over size */
@@ -314,6 +280,19 @@ static void at_surface(probe *p, double parameter)
     make_shape(p, 1.0, place);
     point_on(p, place, &at, &normal);
     ray_of(p, pov_add(at, pov_scale(normal, either(p->size * log_between(parameter, -2.0)))), families_direction());
+}
+
+/* Both at once. parameter: how far off the surface the ray starts, as an exponent of ten, at least; its cosine to the
+ * normal is 1e-9 at least. */
+static void near_and_grazing(probe *p, double parameter)
+{
+    const pov_vec3 place = small_place(1.0);
+    pov_vec3 at, normal, dir;
+
+    make_shape(p, 1.0, place);
+    point_on(p, place, &at, &normal);
+    dir = pov_unit(pov_add(across(normal), pov_scale(normal, either(log_between(-9.0, -4.0)))));
+    ray_of(p, pov_add(at, pov_scale(normal, either(p->size * log_between(parameter, -2.0)))), dir);
 }
 
 /* parameter: the exponent of the direction's length */
@@ -525,6 +504,27 @@ static void degenerate(probe *p, double parameter)
     ray_from(p, pov_add(at, pov_scale(families_direction(), 0.1 * U())), families_direction(), log_between(-1.0, 3.0));
 }
 
+/* parameter: the second order over the first, as an exponent of ten, at least; met at cosines of 1e-8 to 1 */
+static void nearly_planes(probe *p, double parameter)
+{
+    const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    double *q = p->number;
+    pov_vec3 at, normal, dir;
+    int i;
+
+    memset(q, 0, 10 * sizeof *q);
+    for (i = 0; i < 6; i++)
+        q[i] = either(log_between(parameter, -3.0));
+    for (i = 6; i < 9; i++)
+        q[i] = either(log_between(-2.0, 0.0));
+    q[9] = 0.1 * U();
+    p->count = 10;
+    p->size = 1.0;
+    point_on_quadric(p, zero, &at, &normal);
+    dir = pov_unit(pov_add(across(normal), pov_scale(normal, either(log_between(-8.0, 0.0)))));
+    ray_from(p, at, dir, log_between(-1.0, 2.0));
+}
+
 static void torture(probe *p, double parameter)
 {
     uint32_t mine[64], n = 0, i;
@@ -565,6 +565,8 @@ const family families[] = {
     { "scale", 1e100, ALL, scaled },
     { "grazing", -15.0, ALL, grazing },
     { "at_surface", -14.0, ALL, at_surface },
+    { "near_grazing", -6.0, ALL, near_and_grazing },
+    { "near_grazing", -13.0, ALL, near_and_grazing },
     { "dir_length", -280.0, ALL, of_length },
     { "dir_length", 280.0, ALL, of_length },
     { "axis_parallel", 0.0, ALL, axis_parallel },
@@ -586,6 +588,7 @@ const family families[] = {
     { "spread", 4.0, SECOND, spread },
     { "spread", 8.0, SECOND, spread },
     { "degenerate", -16.0, SECOND, degenerate },
+    { "nearly_plane", -9.0, SECOND, nearly_planes },
     { "torture", 0.0, ALL, torture },
     { NULL, 0.0, 0, NULL },
 };
