@@ -1,6 +1,7 @@
 #include "common/outline.h"
 
 #include "common/bernstein.h"
+#include "common/simd.h"
 
 #include <string.h>
 
@@ -47,7 +48,7 @@ void common_outline_place(common_outline *o, const double middle[2], double scal
 }
 
 /* Pieces that are tested side by side. */
-enum { SIDE = 8 };
+enum { SIDE = POV_BLOCK_MAX };
 
 bool common_outline_pack(common_outline *o, const pov_host *host, pov_reader *in)
 {
@@ -120,22 +121,26 @@ static inline double side_of(double x, double y, const double p[2], const double
 /* Which of the pieces from `first` on have points on both sides: a bit each. */
 static uint32_t straddling(const common_outline *o, uint32_t first, const double p[2], const double d[2])
 {
-    int64_t above[SIDE] = { 0 }, below[SIDE] = { 0 };
-    uint32_t bits = 0;
+    double most[SIDE], least[SIDE];
+    common_bits both;
 
+    for (int l = 0; l < SIDE; l++) {
+        most[l] = -HUGE_VAL;
+        least[l] = HUGE_VAL;
+    }
     for (uint32_t k = 0; k < o->points; k++) {
         const double *x = o->rows + (2 * k) * o->stride + first, *y = x + o->stride;
 
         for (int l = 0; l < SIDE; l++) {
             const double b = side_of(x[l], y[l], p, d);
 
-            above[l] |= b >= 0.0 ? 1 : 0;
-            below[l] |= b >= 0.0 ? 0 : 1;
+            most[l] = common_greater(b, most[l]);
+            least[l] = common_lesser(b, least[l]);
         }
     }
     for (int l = 0; l < SIDE; l++)
-        bits |= (uint32_t)(above[l] & below[l]) << l;
-    return bits;
+        both.lane[l] = -((int)(most[l] >= 0.0) & (int)(least[l] < 0.0));
+    return common_gather_bits(&both);
 }
 
 /* The line, with what is needed of it. */
@@ -164,15 +169,19 @@ static int place_of(const common_piece *c, const tested *t)
     return behind - before;
 }
 
+/* Of a piece with points on both sides. */
 static uint32_t cross_piece(const common_outline *o, uint32_t i, const tested *t, common_cross *out, uint32_t count)
 {
     const common_piece *c = &o->at[i];
     double b[4], root[3], point[2], tangent[2];
-    uint32_t n;
+    uint32_t n = 1;
 
     for (uint32_t k = 0; k <= c->degree; k++)
         b[k] = side_of(c->x[k], c->y[k], t->p, t->d);
-    n = roots_of(b, c->degree, root);
+    if (c->degree == 1)
+        root[0] = b[0] / (b[0] - b[1]);
+    else
+        n = roots_of(b, c->degree, root);
     for (uint32_t k = 0; k < n; k++) {
         common_cross at = { 0.0, root[k], i };
 
@@ -196,10 +205,9 @@ uint32_t common_outline_cross(const common_outline *o, const double p[2], const 
     uint32_t count = 0;
 
     for (uint32_t first = 0; first < o->count; first += SIDE) {
-        uint32_t bits = straddling(o, first, p, d);
-
-        for (uint32_t i = first; bits != 0 && i < o->count; i++, bits >>= 1) {
-            const int place = bits & 1 ? place_of(&o->at[i], &t) : 1;
+        for (uint32_t bits = straddling(o, first, p, d); bits != 0; bits &= bits - 1) {
+            const uint32_t i = first + common_first_lane(bits);
+            const int place = place_of(&o->at[i], &t);
 
             if (place < 0)
                 *odd ^= is_crossed_oddly(&o->at[i], &t);
