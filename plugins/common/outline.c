@@ -118,6 +118,22 @@ static inline double side_of(double x, double y, const double p[2], const double
     return (x - p[0]) * d[1] - (y - p[1]) * d[0];
 }
 
+/* Of points of pieces side by side, the greatest and least side so far. Not inlined: within the loop over points the compiler
+ * would unroll this one, and not vectorise it. */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static void widen(const double *restrict x, const double *restrict y, const double p[2], const double d[2],
+                  double *restrict most, double *restrict least)
+{
+    for (int l = 0; l < SIDE; l++) {
+        const double b = side_of(x[l], y[l], p, d);
+
+        most[l] = common_greater(b, most[l]);
+        least[l] = common_lesser(b, least[l]);
+    }
+}
+
 /* Which of the pieces from `first` on have points on both sides: a bit each. */
 static uint32_t straddling(const common_outline *o, uint32_t first, const double p[2], const double d[2])
 {
@@ -129,14 +145,9 @@ static uint32_t straddling(const common_outline *o, uint32_t first, const double
         least[l] = HUGE_VAL;
     }
     for (uint32_t k = 0; k < o->points; k++) {
-        const double *x = o->rows + (2 * k) * o->stride + first, *y = x + o->stride;
+        const double *x = o->rows + (2 * k) * o->stride + first;
 
-        for (int l = 0; l < SIDE; l++) {
-            const double b = side_of(x[l], y[l], p, d);
-
-            most[l] = common_greater(b, most[l]);
-            least[l] = common_lesser(b, least[l]);
-        }
+        widen(x, x + o->stride, p, d, most, least);
     }
     for (int l = 0; l < SIDE; l++)
         both.lane[l] = -((int)(most[l] >= 0.0) & (int)(least[l] < 0.0));
