@@ -178,6 +178,7 @@ typedef struct line {
     double a, b, c;              /* the square of the distance to the axis: a s^2 + 2 b s + c */
     double base, unit;           /* s to distance: base + s unit */
     common_span span;            /* in s */
+    double per_height, foot;     /* 1 / d.y; where it is nearest to the axis */
 } line;
 
 /* Rays that rise less than this are taken as level first. */
@@ -201,16 +202,21 @@ static bool make_line(line *n, const lathe *l, const common_ray *k)
     n->c = n->o.x * n->o.x + n->o.z * n->o.z;
     n->span.lo = (span.lo - n->base) / n->unit;
     n->span.hi = (span.hi - n->base) / n->unit;
+    n->per_height = 1.0 / n->d.y;
+    n->foot = n->a > 0.0 ? -n->b / n->a : 0.0;
     return true;
 }
+
+static inline double lesser(double a, double b) { return a < b ? a : b; }
+static inline double greater(double a, double b) { return a > b ? a : b; }
 
 /* Does the line come near enough to the axis at the heights of the part? */
 static bool may_cross(const line *n, const part *p)
 {
-    const double s = (p->low - n->o.y) / n->d.y, t = (p->high - n->o.y) / n->d.y;
-    double lo = fmax(fmin(s, t), n->span.lo), hi = fmin(fmax(s, t), n->span.hi), nearest;
+    const double s = (p->low - n->o.y) * n->per_height, t = (p->high - n->o.y) * n->per_height;
+    double lo = greater(lesser(s, t), n->span.lo), hi = lesser(greater(s, t), n->span.hi), nearest;
 
-    if (n->d.y == 0.0) {
+    if (!(fabs(n->per_height) < HUGE_VAL)) {
         lo = n->span.lo;
         hi = n->span.hi;
         if (n->o.y < p->low || n->o.y > p->high)
@@ -218,7 +224,7 @@ static bool may_cross(const line *n, const part *p)
     }
     if (!(lo <= hi + 0x1p-30))
         return false;
-    nearest = n->a > 0.0 ? fmin(fmax(-n->b / n->a, lo), hi) : lo;
+    nearest = n->a > 0.0 ? lesser(greater(n->foot, lo), hi) : lo;
     return (n->a * nearest + 2.0 * n->b) * nearest + n->c <= p->widest * (1.0 + 0x1p-30) + 0x1p-60;
 }
 
