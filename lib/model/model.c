@@ -80,7 +80,7 @@ void model_drop_maps(model *m)
 
 bool model_set_texture_map(model *m, const pov_affine *map)
 {
-    const uint32_t number = map_table_add(&m->kept_maps, m->env, map), none = 0;
+    const uint32_t number = map_table_add_own(&m->kept_maps, m->env, map), none = 0;
 
     if (number == 0)
         return false;

@@ -123,10 +123,10 @@ bool model_set_texture_map(model *m, const pov_affine *map);
 void model_clear_texture_map(model *m, uint32_t leaf);
 /* What a leaf with LEAF_CUTAWAY has. */
 const cutaway *model_cutaway(const model *m, uint32_t leaf);
-/* NULL: the texture is in the world's space. */
-static inline const inverse_map *model_texture_map(const model *m, uint32_t leaf)
+/* May be written to `space`. NULL: the texture is in the world's space. */
+static inline const inverse_map *model_texture_map(const model *m, uint32_t leaf, inverse_map *space)
 {
-    return leaf < m->texture_maps.count ? map_table_at(&m->kept_maps, m->texture_maps.items[leaf]) : NULL;
+    return leaf < m->texture_maps.count ? map_table_read(&m->kept_maps, m->texture_maps.items[leaf], space) : NULL;
 }
 
 /* Free all transformations: objects have none any more. */

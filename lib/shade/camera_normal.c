@@ -21,7 +21,7 @@ void camera_normal_apply(const model *m, const double *u, const double *v, uint3
         lanes_put(&points.normal, i, lanes_at(&bent, i));
         lanes_put(&points.view, i, lanes_at(&bent, i));
         lanes_put(&points.uv, i, zero);
-        points.map[i] = NULL;
+        points.linear[i] = NULL;
     }
     normal_eval(m, m->camera_normal, NULL, &points, n, &bent);
     for (uint32_t i = 0; i < n; i++)

@@ -55,12 +55,13 @@ static void begin(group *g, const texture *of)
 
 static void add_point(group *g, const shading *scene, const hit *h)
 {
-    const inverse_map *map = model_texture_map(scene->model, h->object);
+    inverse_map space;
+    const inverse_map *map = model_texture_map(scene->model, h->object, &space);
 
     if (g->texture->blend == BLEND_PARTS)
         find_part(scene, h, &g->parts[g->count]);
     texture_point(map, h->point, h->point_lo, g->count, &g->points);
-    g->points.map[g->count] = map;
+    g->points.linear[g->count] = map ? map->linear : NULL;
 }
 
 static void add_uv(group *g, const shading *scene, const hit *h)

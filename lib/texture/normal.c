@@ -61,9 +61,9 @@ static void invert(normal_map *map)
     }
 }
 
-static void map_of(const inverse_map *from, normal_map *out)
+static void map_of(const linear_map *from, normal_map *out)
 {
-    memcpy(out->to, from->linear->m, sizeof out->to);
+    memcpy(out->to, from->m, sizeof out->to);
     invert(out);
 }
 
@@ -288,11 +288,11 @@ static void eval(const model *m, const normal_node *of, const texture_points *po
 /* Lanes may belong to several objects. The space of many is the world. */
 static void to_objects(const texture_points *points, uint32_t n, vec_lanes *normal, bool back)
 {
-    const inverse_map *last = NULL;
+    const linear_map *last = NULL;
     normal_map map;
 
     for (uint32_t i = 0; i < n; i++) {
-        const inverse_map *own = points->map[i];
+        const linear_map *own = points->linear[i];
 
         if (!own)
             continue;

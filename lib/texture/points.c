@@ -145,7 +145,7 @@ static void copy_surface(const texture_points *in, uint32_t n, texture_points *o
     out->uv = in->uv;
     out->normal = in->normal;
     out->view = in->view;
-    memcpy(out->map, in->map, n * sizeof in->map[0]);
+    memcpy(out->linear, in->linear, n * sizeof in->linear[0]);
 }
 
 void points_enter(const model *m, const pattern *p, const texture_points *in, uint32_t n, texture_points *out)
@@ -171,7 +171,7 @@ void points_pick(const texture_points *in, const uint8_t *lane, uint32_t n, text
     pick(&in->normal, lane, n, &out->normal);
     pick(&in->view, lane, n, &out->view);
     for (uint32_t i = 0; i < n; i++)
-        out->map[i] = in->map[lane[i]];
+        out->linear[i] = in->linear[lane[i]];
 }
 
 pattern_input points_input(const model *m, const pattern *p, const texture_points *in, const vec_lanes *at, uint32_t n)

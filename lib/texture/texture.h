@@ -16,9 +16,9 @@ typedef struct texture_points {
     vec_lanes at, at_lo;         /* in double-double, in the space of the object as it was when its texture was written */
     vec_lanes uv;                /* u, v, 0 of the surface */
     vec_lanes normal, view;      /* unit, of the world: the surface's normal, turned against the ray; the ray's direction */
-    const inverse_map *map[LANES_MAX];   /* from the world to the space of `at`; NULL: it is the world */
+    const linear_map *linear[LANES_MAX]; /* of the map from the world to the space of `at`; NULL: it is the world */
     const texture_part *parts;   /* by lane of the whole; for BLEND_PARTS only */
-    bool has_surface;            /* uv, normals, views and maps are there */
+    bool has_surface;            /* uv, normals, views and linear parts are there */
 } texture_points;
 
 /* A part of what a lane's texture is. Its colour is a sum over stacks of layers: share times what the stack returns.

@@ -22,11 +22,12 @@ static const material *material_of(const reading *r, size_t leaf)
 static char colour_at(const reading *r, uint32_t leaf, double x, double y, double z)
 {
     texture_points points;
+    inverse_map space;
     pigment p;
 
     memset(&points, 0, sizeof points);
     assert_non_null(material_of(r, leaf)->texture);
-    texture_point(model_texture_map(&r->model, leaf), pov_vec3_of(x, y, z), pov_vec3_of(0, 0, 0), 0, &points);
+    texture_point(model_texture_map(&r->model, leaf, &space), pov_vec3_of(x, y, z), pov_vec3_of(0, 0, 0), 0, &points);
     pigment_eval(&r->model, material_of(r, leaf)->texture->pigment, &points, 1, &p);
     return p.color.b == 1.0f ? 'b' : p.color.g == 0.0f ? 'r' : p.color.r == 0.0f ? 'g' : 'y';
 }
@@ -51,6 +52,7 @@ static void a_list_replaces_the_colours_that_it_gives(void **state)
 
 static void transformations_of_a_pigment_and_of_its_texture_move_it(void **state)
 {
+    inverse_map space;
     reading r;
 
     (void)state;
@@ -62,7 +64,7 @@ static void transformations_of_a_pigment_and_of_its_texture_move_it(void **state
         assert_int_equal(colour_at(&r, i, 1.5, 0, 1.5), 'r');
         assert_int_equal(colour_at(&r, i, 3.5, 0, 1.5), 'y');
         assert_int_equal(colour_at(&r, i, 0.5, 0, 1.5), 'y');
-        assert_null(model_texture_map(&r.model, i));
+        assert_null(model_texture_map(&r.model, i, &space));
     }
     /* All three are the same, and the last one is its own. */
     assert_int_equal(r.model.kept_maps.count, 1);
@@ -73,6 +75,7 @@ static void transformations_of_a_pigment_and_of_its_texture_move_it(void **state
 
 static void transformations_of_an_object_move_the_texture_that_stands_before_them(void **state)
 {
+    inverse_map space;
     reading r;
 
     (void)state;
@@ -88,7 +91,7 @@ static void transformations_of_an_object_move_the_texture_that_stands_before_the
     assert_int_equal(colour_at(&r, 1, 0.5, 0, -1.5), 'y');
     assert_int_equal(colour_at(&r, 2, 2.5, 0, 0.5), 'r');
     assert_int_equal(colour_at(&r, 2, 1.5, 0, 0.5), 'y');
-    assert_null(model_texture_map(&r.model, 3));
+    assert_null(model_texture_map(&r.model, 3, &space));
     reading_end(&r);
 }
 
@@ -110,9 +113,11 @@ static void members_of_unions_stand_in_the_space_that_their_texture_was_written_
     reading_end(&r);
 }
 
-/* Ten thousand copies of one textured object that stand in ten places. */
-static void copies_share_their_texture_and_maps(void **state)
+/* Ten thousand copies of one textured object: those that are moved have the three numbers of their place each, the others
+ * nothing. The pigment's own map and its linear part are there once, and so is the linear part of all the copies. */
+static void copies_share_their_texture_and_linear_map(void **state)
 {
+    inverse_map space;
     reading r;
 
     (void)state;
@@ -120,7 +125,10 @@ static void copies_share_their_texture_and_maps(void **state)
                   "#declare I = 0; #while (I < 10000) object { O translate <mod(I, 10), 0, 0> } #declare I = I + 1; #end");
     assert_int_equal(r.model.leaves.count, 10000);
     assert_int_equal(r.model.materials.count, 1);
-    assert_int_equal(r.model.kept_maps.count, 10);
+    assert_int_equal(r.model.kept_maps.linear_count, 2);
+    assert_int_equal(r.model.kept_maps.count, 1);
+    assert_int_equal(r.model.kept_maps.brief.count, 9000);
+    assert_null(model_texture_map(&r.model, 9990, &space));
     assert_int_equal(colour_at(&r, 9995, 5.5, 0, 0.5), 'r');
     assert_int_equal(colour_at(&r, 9995, 4.5, 0, 0.5), 'y');
     reading_end(&r);
@@ -133,7 +141,7 @@ int main(void)
         cmocka_unit_test(transformations_of_a_pigment_and_of_its_texture_move_it),
         cmocka_unit_test(transformations_of_an_object_move_the_texture_that_stands_before_them),
         cmocka_unit_test(members_of_unions_stand_in_the_space_that_their_texture_was_written_in),
-        cmocka_unit_test(copies_share_their_texture_and_maps),
+        cmocka_unit_test(copies_share_their_texture_and_linear_map),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

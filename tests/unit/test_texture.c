@@ -5,6 +5,7 @@
 #include "texture/pattern.h"
 #include "texture/texture.h"
 
+#include <math.h>
 #include <string.h>
 
 static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -97,6 +98,57 @@ static void maps_are_kept_once(void **state)
     assert_near(map_table_at(&t, 8)->move[0], -7.0, 0.0);
     assert_null(map_table_at(&t, 0));
     map_table_free(&t, &e);
+}
+
+/* Of `count` objects: bytes of the records, and that each is read as it was written. */
+static size_t bytes_of_moves(double (*place)(uint32_t i, int axis), uint32_t count)
+{
+    map_table t = { 0 };
+    size_t bytes;
+    env e;
+
+    env_init(&e, NULL, NULL, NULL);
+    for (uint32_t i = 0; i < count; i++) {
+        pov_affine map = scaled_and_moved(1.0, 0.0);
+        inverse_map space;
+        const inverse_map *back;
+
+        for (int k = 0; k < 3; k++)
+            map.inv[k][3] = place(i, k);
+        back = map_table_read(&t, map_table_add_own(&t, &e, &map), &space);
+        assert_non_null(back);
+        assert_memory_equal(back->linear->m, t.linear[0]->m, sizeof back->linear->m);
+        for (int k = 0; k < 3; k++) {
+            assert_memory_equal(&back->move[k], &map.inv[k][3], sizeof(double));
+            assert_true(back->move_lo[k] == 0.0);
+        }
+    }
+    bytes = t.count * sizeof *t.items + t.moved.count * sizeof *t.moved.items + t.brief.count * sizeof *t.brief.items;
+    map_table_free(&t, &e);
+    return bytes;
+}
+
+static double decimal_place(uint32_t i, int axis)
+{
+    return ((int32_t)(i * 7919 + (uint32_t)axis * 104729) % 200000 - 100000) / 1e4;
+}
+
+static double binary_place(uint32_t i, int axis)
+{
+    return ((int32_t)i - 500) * 0.0625 + axis * 0.00390625;
+}
+
+static double any_place(uint32_t i, int axis)
+{
+    return sin(i + 0.1) * (axis + 1);
+}
+
+static void maps_of_objects_that_only_move_are_short(void **state)
+{
+    (void)state;
+    assert_true(bytes_of_moves(decimal_place, 1000) <= 12 * 1000);
+    assert_true(bytes_of_moves(binary_place, 1000) <= 12 * 1000);
+    assert_true(bytes_of_moves(any_place, 1000) <= 28 * 1000);
 }
 
 /* Squares far out are as sharp as near the origin: a point 2^-60 off a border stays on its side. */
@@ -225,6 +277,7 @@ int main(void)
         cmocka_unit_test(checker_takes_turns_in_three_directions),
         cmocka_unit_test(a_keyword_of_no_pattern_has_no_class),
         cmocka_unit_test(maps_are_kept_once),
+        cmocka_unit_test(maps_of_objects_that_only_move_are_short),
         cmocka_unit_test(points_are_taken_to_a_texture_in_two_parts),
         cmocka_unit_test(an_object_takes_its_texture_along),
         cmocka_unit_test(a_surface_shows_the_pigment_of_each_point),

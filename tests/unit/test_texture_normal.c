@@ -17,6 +17,8 @@ static pov_vec3 perturbed(const char *text, pov_vec3 at, pov_vec3 normal)
     char scene[512];
     texture_points points;
     texture_term term;
+    inverse_map space;
+    const inverse_map *map;
     reading r;
 
     snprintf(scene, sizeof scene, "#version 3.7; sphere { 0, 1 pigment { rgb 1 } %s }", text);
@@ -25,8 +27,9 @@ static pov_vec3 perturbed(const char *text, pov_vec3 at, pov_vec3 normal)
         fail_msg("%s: %s", text, r.error.message);
     memset(&points, 0, sizeof points);
     points.has_surface = true;
-    texture_point(model_texture_map(&r.model, 0), at, zero, 0, &points);
-    points.map[0] = model_texture_map(&r.model, 0);
+    map = model_texture_map(&r.model, 0, &space);
+    texture_point(map, at, zero, 0, &points);
+    points.linear[0] = map ? map->linear : NULL;
     lanes_put(&points.normal, 0, normal);
     lanes_put(&points.view, 0, pov_scale(normal, -1.0));
     assert_int_equal(texture_eval(&r.model, r.model.materials.items[0].texture, &points, 1, &term), 1);

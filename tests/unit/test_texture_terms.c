@@ -27,10 +27,11 @@ static uint32_t terms_beside(const reading *r, uint32_t leaf, const double *x, d
     const pov_vec3 zero = pov_vec3_of(0, 0, 0);
     const texture *of = material_of(r, leaf)->texture;
     texture_points points;
+    inverse_map space;
 
     memset(&points, 0, sizeof points);
     for (uint32_t i = 0; i < n; i++)
-        texture_point(model_texture_map(&r->model, leaf), pov_vec3_of(x[i], y, y), zero, i, &points);
+        texture_point(model_texture_map(&r->model, leaf, &space), pov_vec3_of(x[i], y, y), zero, i, &points);
     assert_non_null(of);
     return texture_eval(&r->model, of, &points, n, out);
 }
