@@ -21,9 +21,14 @@ void material_set_textures(material *m, const texture *outside, const texture *i
         return;
     m->needs_uv = texture_has_uv(&all);
     texture_bounds(&all, &most, &m->finish);
-    m->pigment = most.color;
-    m->filter = most.filter;
-    m->transmit = most.transmit;
+    material_set_pigment(m, most);
+}
+
+void material_set_pigment(material *m, pigment p)
+{
+    m->pigment = p.color;
+    m->filter = p.filter;
+    m->transmit = p.transmit;
 }
 
 bool material_equal(const material *a, const material *b)

@@ -20,6 +20,7 @@ typedef struct material {
 /* The defaults of the language: black. */
 void material_init(material *m);
 bool material_equal(const material *a, const material *b);
+void material_set_pigment(material *m, pigment p);
 /* Set textures, which may be NULL as above, and pigment and finish after them. */
 void material_set_textures(material *m, const texture *outside, const texture *inside);
 

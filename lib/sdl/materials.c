@@ -5,66 +5,62 @@
 
 #include <string.h>
 
-static uint32_t mix(uint32_t hash, float number)
-{
-    uint32_t bits;
-
-    number += 0.0f;               /* -0 equals 0 */
-    memcpy(&bits, &number, sizeof bits);
-    return (hash ^ bits) * 0x9E3779B1u + (hash >> 15);
-}
-
-static uint32_t mix_colour(uint32_t hash, colour c)
-{
-    return mix(mix(mix(hash, c.r), c.g), c.b);
-}
-
+/* Each number times a factor of its own: the products do not wait for each other. */
 static uint32_t hash_of(const material *m)
 {
     const finish *f = &m->finish;
-    uint32_t hash = mix_colour(m->interior.given, m->pigment);
+    const float numbers[] = {
+        m->pigment.r, m->pigment.g, m->pigment.b, m->filter, m->transmit, f->ambient.r, f->ambient.g, f->ambient.b,
+        f->diffuse, f->phong, f->phong_size, f->metallic, f->specular, (float)f->roughness, f->reflection.max.r,
+        f->reflection.max.g, f->reflection.max.b, (float)m->interior.ior, m->interior.given ? 1.0f : 0.0f,
+    };
+    uint32_t bits, factor = 0x9E3779B1u, hash = (uint32_t)((uintptr_t)m->texture >> 4) ^ (uint32_t)((uintptr_t)m->inside >> 3);
 
-    hash = mix(mix(hash, m->filter), m->transmit);
-    hash = mix_colour(hash, f->ambient);
-    hash = mix(mix(mix(mix(hash, f->diffuse), f->phong), f->phong_size), f->metallic);
-    hash = mix(mix(hash, f->specular), (float)f->roughness);
-    hash = mix_colour(hash, f->reflection.max);
-    hash = mix(hash, (float)m->interior.ior);
-    hash ^= (uint32_t)((uintptr_t)m->texture >> 4) ^ (uint32_t)((uintptr_t)m->inside >> 3);
-    return hash ^ hash >> 16;
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++, factor *= 0x9E3779B1u) {
+        const float number = numbers[i] + 0.0f;   /* -0 equals 0 */
+
+        memcpy(&bits, &number, sizeof bits);
+        hash += bits * factor;
+    }
+    hash = (hash ^ hash >> 16) * 0x85EBCA6Bu;
+    return hash ^ hash >> 13;
 }
 
-/* The slot that holds the material, or the empty one where it belongs. */
-static uint32_t *slot_of(pov_reader *in, const material *m)
+/* The slot that holds the material, or the empty one where it belongs. m NULL: only an empty one. */
+static material_slot *slot_of(const pov_reader *in, const material *m, uint32_t hash)
 {
     const material *items = in->model->materials.items;
-    size_t i = hash_of(m) & (in->material_capacity - 1);
+    size_t i = hash & (in->material_capacity - 1);
+    const material_slot *s;
 
-    while (in->material_slots[i] && !material_equal(&items[in->material_slots[i] - 1], m))
-        i = (i + 1) & (in->material_capacity - 1);
+    for (s = in->material_slots; s[i].number > 0; i = (i + 1) & (in->material_capacity - 1))
+        if (m && s[i].hash == hash && material_equal(&items[s[i].number - 1], m))
+            break;
     return &in->material_slots[i];
 }
 
 static bool grow(pov_reader *in)
 {
-    const material_list *known = &in->model->materials;
-    size_t i, capacity = in->material_capacity ? 2 * in->material_capacity : 64;
-    uint32_t *slots = env_alloc(in->model->env, capacity, sizeof *slots);
+    material_slot *old = in->material_slots;
+    const size_t count = in->material_capacity, capacity = count ? 2 * count : 64;
+    material_slot *slots = env_alloc(in->model->env, capacity, sizeof *slots);
 
     if (!slots)
         return false;
-    env_free(in->model->env, in->material_slots);
     in->material_slots = slots;
     in->material_capacity = capacity;
-    for (i = 0; i < known->count; i++)
-        *slot_of(in, &known->items[i]) = (uint32_t)(i + 1);
+    for (size_t i = 0; i < count; i++)
+        if (old[i].number > 0)
+            *slot_of(in, NULL, old[i].hash) = old[i];
+    env_free(in->model->env, old);
     return true;
 }
 
 uint32_t materials_index(pov_reader *in, const material *m)
 {
     material_list *known = &in->model->materials;
-    uint32_t *slot;
+    material_slot *slot;
+    uint32_t hash;
 
     if (in->failed)
         return 0;
@@ -74,13 +70,14 @@ uint32_t materials_index(pov_reader *in, const material *m)
         report_memory(in);
         return 0;
     }
-    slot = slot_of(in, m);
-    if (*slot)
-        return *slot - 1;
+    hash = hash_of(m);
+    slot = slot_of(in, m, hash);
+    if (slot->number > 0)
+        return slot->number - 1;
     if (!VEC_PUSH(in->model->env, known, *m)) {
         report_memory(in);
         return 0;
     }
-    *slot = (uint32_t)known->count;
-    return *slot - 1;
+    *slot = (material_slot){ hash, (uint32_t)known->count };
+    return slot->number - 1;
 }

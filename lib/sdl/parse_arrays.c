@@ -2,6 +2,7 @@
 
 #include "sdl/frame.h"
 #include "sdl/host_arrays.h"
+#include "sdl/materials.h"
 #include "sdl/parse.h"
 
 #include "base/hash.h"
@@ -9,10 +10,12 @@
 #include <string.h>
 
 /* What objects of one material have in common. Once one of them has become a leaf and nothing else, the others do too, with
- * the same map, flags and material: the leaf again but for its shape. */
+ * the same map, flags and material: the leaf again but for its shape. Where objects have colours of their own, the same holds
+ * but for the pigment, as long as that is constant. */
 typedef struct style {
     object_parsed object;        /* with its modifiers */
     leaf_node leaf;
+    material material;           /* of that leaf */
     bool is_twin;
 } style;
 
@@ -23,7 +26,6 @@ typedef struct arrays {
     symbol *word;
     const shape_class *shape;
     style **styles;                /* by number of the material; NULL: not read yet */
-    bool varies;                 /* beyond the materials */
     array_rows rows;
     pov_host host;
 } arrays;
@@ -46,7 +48,6 @@ static bool begin(pov_reader *in, const scene_parts *all, const build_part *part
     a->all = all;
     a->part = a->rows.part = part;
     a->rows.all = all;
-    a->varies = part->each.colours.at || part->each.matrices.at;
     a->host = part->list_count > 0 ? host_lists() : host_arrays();
     host_begin_material(in, NULL);
     a->word = in->failed ? NULL : find_word(in, part->word);
@@ -148,13 +149,15 @@ static pigment pigment_of(const double *c, int width)
     return (pigment){ colour_of((float)c[0], (float)c[1], (float)c[2]), filter, transmit };
 }
 
-static void add_varied(pov_reader *in, const arrays *a, const style *l, const void *instance)
+/* The first object of its style, or one that must be read whole. */
+static void add_whole(pov_reader *in, const arrays *a, style *l)
 {
+    const model *m = in->model;
     const build_column *colours = &a->part->each.colours;
     const double *rgbft = at_row(colours, a->rows.row), *matrix = at_row(&a->part->each.matrices, a->rows.row);
+    const size_t before = m->leaves.count, others = m->groups.count + m->texture_maps.count;
     object_parsed o = l->object;
 
-    o.leaf.instance = (void *)(uintptr_t)instance;
     if (rgbft) {
         const pigment p = pigment_of(rgbft, colours->width);
 
@@ -162,25 +165,27 @@ static void add_varied(pov_reader *in, const arrays *a, const style *l, const vo
     }
     if (matrix && !parse_object_matrix(in, &o, matrix) && !in->failed)
         a->host.fail(in, "the matrix has no inverse");
-    if (!in->failed)
-        parse_add_object(in, &o);
+    if (in->failed)
+        return;
+    parse_add_object(in, &o);
+    if (in->failed || matrix || m->leaves.count != before + 1 || m->groups.count + m->texture_maps.count != others)
+        return;
+    l->leaf = m->leaves.items[before];
+    l->material = m->materials.items[l->leaf.material];
+    l->is_twin = !rgbft || (!l->material.texture && !l->material.inside);
 }
 
-static void add_first(pov_reader *in, style *l)
+static void add_twin(pov_reader *in, const arrays *a, style *l)
 {
-    const model *m = in->model;
-    const size_t before = m->leaves.count, others = m->groups.count + m->texture_maps.count;
+    const build_column *colours = &a->part->each.colours;
+    const double *rgbft = at_row(colours, a->rows.row);
 
-    parse_add_object(in, &l->object);
-    l->is_twin = m->leaves.count == before + 1 && m->groups.count + m->texture_maps.count == others;
-    if (l->is_twin)
-        l->leaf = m->leaves.items[before];
-}
-
-static void add_twin(pov_reader *in, style *l)
-{
+    if (rgbft) {
+        material_set_pigment(&l->material, pigment_of(rgbft, colours->width));
+        l->leaf.material = materials_index(in, &l->material);
+    }
     l->leaf.instance = l->object.leaf.instance;
-    if (!model_add_leaf(in->model, &l->leaf))
+    if (!in->failed && !model_add_leaf(in->model, &l->leaf))
         report_memory(in);
 }
 
@@ -190,12 +195,10 @@ static void add_object(pov_reader *in, arrays *a)
 
     if (!l || !read_shape(in, a, &l->object))
         return;
-    if (a->varies)
-        add_varied(in, a, l, l->object.leaf.instance);
-    else if (l->is_twin)
-        add_twin(in, l);
+    if (l->is_twin)
+        add_twin(in, a, l);
     else
-        add_first(in, l);
+        add_whole(in, a, l);
 }
 
 void parse_arrays(pov_reader *in, const scene_parts *all, const build_part *part)

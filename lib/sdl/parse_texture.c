@@ -393,11 +393,9 @@ static bool is_constant(const surface_parsed *s)
 
 static void set_constant(const surface_parsed *s, material *out)
 {
-    const pigment black = { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f }, *p = s->pigment ? &s->pigment->most : &black;
+    const pigment black = { { 0.0f, 0.0f, 0.0f }, 0.0f, 0.0f };
 
-    out->pigment = p->color;
-    out->filter = p->filter;
-    out->transmit = p->transmit;
+    material_set_pigment(out, s->pigment ? s->pigment->most : black);
 }
 
 /* Many objects have the texture of the one before. */

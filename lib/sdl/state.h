@@ -100,6 +100,9 @@ typedef struct random_list { random_stream *items; size_t count, capacity; } ran
 
 enum { INCLUDE_PATH_MAX = 4096 };
 
+/* Where equal materials are found: the number counts from 1, 0 is an empty slot. */
+typedef struct material_slot { uint32_t hash, number; } material_slot;
+
 struct pov_reader {
     model *model;
     registry *plugins;
@@ -152,7 +155,7 @@ struct pov_reader {
     int macros;                  /* that were defined */
     intern_table interned;       /* parts of textures */
     material textured;           /* of the textures that were used last */
-    uint32_t *material_slots;    /* a hash table of the model's materials: index + 1, 0 is empty */
+    material_slot *material_slots;   /* a hash table of the model's materials */
     size_t material_capacity;
     struct cutaway_list *cutaway;   /* of the object with cutaway_textures that is being added; NULL: there is none */
     struct array_rows *rows;     /* arrays that a shape is read from; NULL: it is read from text */
