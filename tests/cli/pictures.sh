@@ -62,19 +62,18 @@ pictures_too_large_for_memory_are_an_error() {
     [ ! -e out.png ]
 }
 
-pictures_of_16_by_16_take_less_than_10_ms() {
+# A small picture costs no more than its start: what is touched is counted, since times depend on the machine
+# (make bench-whole has them). A table of 2 MB filled at the start would be seen here.
+pictures_of_16_by_16_touch_less_than_512_pages() {
     [ -z "${POVTRACE_SLOW-}" ] || skip "this build is instrumented"
     nm "$BUILD_DIR/bin/povc" | grep -qE '__(asan|tsan|ubsan)' && skip "this build is instrumented"
     small_scene
     "$PYTHON" - "$povc" <<'END'
-import subprocess, sys, time
-best = 1e9
-for _ in range(30):
-    start = time.perf_counter()
-    subprocess.run([sys.argv[1], "small.pov", "16", "16", "out.png"], check=True)
-    best = min(best, time.perf_counter() - start)
-print("%.2f ms" % (best * 1e3))
-assert best < 0.010, "the fastest of 30 runs took %.2f ms" % (best * 1e3)
+import os, sys
+run = [sys.argv[1], "small.pov", "16", "16", "out.png", "--quiet", "--threads", "1"]
+_, status, used = os.wait4(os.posix_spawn(run[0], run, os.environ), 0)
+print("%d pages" % used.ru_minflt)
+assert status == 0 and used.ru_minflt < 512
 END
 }
 
