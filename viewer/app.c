@@ -12,6 +12,7 @@ static const char flight_keys[] = "WASDQE";
 static const double RESTART_SECONDS = 0.045;
 static const double FLIGHT_SECONDS = 1.0 / 60.0;
 static const double WHEEL_SECONDS = 0.5;
+static const double WHEEL_LINES = 3.0;
 static const double NOTE_SECONDS = 2.0, GREETING_SECONDS = 5.0;
 
 void app_init(app *a, int width, int height, app_probe *probe, void *probe_user)
@@ -94,6 +95,31 @@ void app_zoom(app *a, double steps, double now)
         app_say(a, now, "%d : 1; a drag moves it, 0 shows all", a->zoom.factor);
     else
         app_say(a, now, "the whole picture");
+}
+
+/* ---- the help, where the window is too small for it ---- */
+
+void app_scroll_help(app *a, double lines)
+{
+    const double line = 18.0;
+    double to = a->help_from + lines * line * a->scale;
+
+    to = to < a->help_below ? to : a->help_below;
+    a->help_from = to > 0.0 ? to : 0.0;
+    a->orders |= APP_DRAW;
+}
+
+void app_fit_help(app *a, double below)
+{
+    if (a->help_below == below)
+        return;
+    a->help_below = below;
+    app_scroll_help(a, 0.0);
+}
+
+static bool help_scrolls(const app *a)
+{
+    return a->help && a->help_below > 0.0;
 }
 
 static bool can_compare(const app *a)
@@ -238,11 +264,16 @@ static void take_pointer(app *a, double x, double y)
     a->moved = true;
 }
 
-/* Magnified, the wheel goes nearer to the pixels and leaves the camera where it is. */
+/* Over a help that does not fit, the wheel scrolls it. Magnified, it goes nearer to the pixels and leaves the camera where it is. */
 static void take_wheel(app *a, double steps, double now)
 {
     double x = a->x / a->width, y = a->y / a->height;
 
+    if (help_scrolls(a)) {
+        app_scroll_help(a, -WHEEL_LINES * steps);
+        a->zoomed = now;
+        return;
+    }
     if (!a->has_scene || steps == 0.0)
         return;
     if (a->control || zoom_is_on(&a->zoom)) {

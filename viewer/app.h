@@ -7,8 +7,8 @@
 #include "zoom.h"
 
 /* Keys with a printed capital are named by its ASCII code, others by these. */
-enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_SHIFT,
-       APP_KEY_HOME, APP_KEY_CONTROL };
+enum { APP_KEY_ENTER = 256, APP_KEY_TAB, APP_KEY_ESCAPE, APP_KEY_F1, APP_KEY_F5, APP_KEY_F11, APP_KEY_SHIFT,
+       APP_KEY_HOME, APP_KEY_CONTROL, APP_KEY_UP, APP_KEY_DOWN, APP_KEY_PAGE_UP, APP_KEY_PAGE_DOWN };
 enum { APP_LEFT, APP_RIGHT, APP_MIDDLE, APP_BUTTONS };
 
 typedef enum app_event_kind {
@@ -36,7 +36,8 @@ enum {
     APP_TONE = 128,          /* `exposure` has changed */
     APP_VIEW = 256,          /* `view` has changed */
     APP_QUIT = 512,
-    APP_MARK = 1024          /* `clipped` has changed */
+    APP_MARK = 1024,         /* `clipped` has changed */
+    APP_FULL = 2048          /* `full` has changed */
 };
 
 typedef enum app_view {
@@ -74,6 +75,8 @@ typedef struct app {
     int exposure;            /* in thirds of a stop */
     bool clipped;            /* mark what the display cannot show */
     bool paused, help, inspect, curve;
+    bool full;               /* all of the screen is wanted */
+    double help_from, help_below;   /* pixels of the help above the shown part, at present and at most */
     bool greets;             /* a word on the help when the first scene is there */
     bool moved, resized;     /* the job has not been told yet */
     double restarted;
@@ -96,6 +99,9 @@ void app_take(app *a, const app_event *event, double now);
 unsigned app_update(app *a, double now, bool coarse_is_there);
 /* Seconds until app_update() has work without an event; less than 0: never. */
 double app_patience(const app *a, double now);
+/* So many pixels of the help do not fit into the window. */
+void app_fit_help(app *a, double below);
+void app_scroll_help(app *a, double lines);
 void app_say(app *a, double now, const char *format, ...) POV_PRINTF(3, 4);
 pov_camera app_camera(const app *a);
 /* Magnify or show more, about the pointer. */

@@ -166,7 +166,7 @@ bool curve_set(panel *p, const session *s, bool shown, double scale)
     collect(&c, s);
     if (c.count == 0)
         return panel_set(p, "#error against time\n No error is known before the second sample.\n", scale,
-                         (int)(WIDTH * scale));
+                         &(panel_room){ (int)(WIDTH * scale), 0, 0 });
     snprintf(name, sizeof name, "%d %.17g %.17g", c.count, c.rows[c.count - 1].wall_s, c.rows[0].wall_s);
     return panel_set_drawing(p, name, scale, WIDTH, HEIGHT, draw, &c);
 }

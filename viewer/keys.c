@@ -4,7 +4,7 @@
 
 enum { EXPOSURE_MOST = 30 };
 
-static const double FIELD_STEP = 1.1;
+static const double FIELD_STEP = 1.1, PAGE_LINES = 10.0;
 
 /* ---- the camera ---- */
 
@@ -122,7 +122,31 @@ static void toggle(app *a, bool *what)
     a->orders |= APP_DRAW;
 }
 
-static void toggle_help(app *a, double now) { (void)now; toggle(a, &a->help); }
+static void toggle_help(app *a, double now)
+{
+    (void)now;
+    a->help_from = 0.0;
+    toggle(a, &a->help);
+}
+
+static void scroll(app *a, double lines)
+{
+    if (a->help)
+        app_scroll_help(a, lines);
+}
+
+static void line_up(app *a, double now) { (void)now; scroll(a, -1.0); }
+static void line_down(app *a, double now) { (void)now; scroll(a, 1.0); }
+static void page_up(app *a, double now) { (void)now; scroll(a, -PAGE_LINES); }
+static void page_down(app *a, double now) { (void)now; scroll(a, PAGE_LINES); }
+
+static void toggle_full(app *a, double now)
+{
+    (void)now;
+    a->full = !a->full;
+    a->orders |= APP_FULL;
+}
+
 static void toggle_inspector(app *a, double now) { (void)now; toggle(a, &a->inspect); }
 static void toggle_curve(app *a, double now) { (void)now; toggle(a, &a->curve); }
 static void copy_camera(app *a, double now) { (void)now; a->orders |= APP_PRINT; }
@@ -160,7 +184,16 @@ static const keys_row rows[] = {
     { "S", "save what is seen as PNG", { 's' }, false, save },
     { "F5", "read the scene again; a saved file is by itself", { APP_KEY_F5 }, true, reload },
     { "H, ?, F1", "this help", { 'h', '?', APP_KEY_F1 }, true, toggle_help },
+    { "Up, Down, wheel", "the rest of this help, where it does not fit", { APP_KEY_UP }, true, line_up },
+    { "F11", "the whole screen, and back", { APP_KEY_F11 }, true, toggle_full },
     { "Esc, Ctrl-Q", "quit", { APP_KEY_ESCAPE }, true, quit },
+};
+
+/* Keys that a row above speaks of. */
+static const keys_row unlisted[] = {
+    { "Down", "", { APP_KEY_DOWN }, true, line_down },
+    { "Page Up", "", { APP_KEY_PAGE_UP }, true, page_up },
+    { "Page Down", "", { APP_KEY_PAGE_DOWN }, true, page_down },
 };
 
 const keys_row *keys_get(int index)
@@ -178,5 +211,8 @@ const keys_row *keys_find(int code)
         for (size_t k = 0; k < sizeof row->codes / sizeof row->codes[0] && row->codes[k]; k++)
             if (row->codes[k] == code)
                 return row;
+    for (size_t i = 0; i < sizeof unlisted / sizeof unlisted[0]; i++)
+        if (code && unlisted[i].codes[0] == code)
+            return &unlisted[i];
     return NULL;
 }

@@ -145,6 +145,10 @@ bool viewer_step(viewer *v)
     unsigned orders = session_update(v->session, viewer_now(v), in_hurry ? PIXEL_SECONDS : 1e9);
     bool changed = overlay_update(&v->overlay, &v->app, v->session, v->present);
 
+    app_fit_help(&v->app, overlay_help_below(&v->overlay));
+    if (orders & APP_FULL)
+        v->surface->fill_screen(v->surface, v->app.full);
+
     /* A restart alone changes nothing visible. */
     v->behind = v->behind || (orders & ~(unsigned)APP_RESTART) || changed;
     if (in_hurry ? viewer_now(v) >= due(v) : viewer_is_behind(v))

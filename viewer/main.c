@@ -20,7 +20,8 @@ static const char *const help[] = {
     "      --shot FILE          draw what the window would show into an image file\n"
     "      --frames N           after N passes, the first one the coarsest (default: all)\n"
     "      --keys TEXT          what the user does before: characters are keys, and in brackets\n"
-    "                           <tab> <enter> <home> <f1> <f5> <esc> <drag X,Y> <pan X,Y> <look X,Y>\n"
+    "                           <tab> <enter> <home> <f1> <f5> <esc> <up> <down> <pageup> <pagedown>\n"
+    "                           <drag X,Y> <pan X,Y> <look X,Y>\n"
     "                           <move X,Y> <wheel N> <fly KEYS SECONDS> <size W,H> <load FILE>\n"
     "\n",
     "Scene and work\n"

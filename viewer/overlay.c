@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CELLS, MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 2048 };
+enum { CELLS, MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 4096 };
 
 /* Margin at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
@@ -151,12 +151,14 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
 bool overlay_update(overlay *o, const app *a, session *s, present *p)
 {
     static const int order[PRESENT_PANELS] = { CELLS, HELP, MESSAGE, CURVE, CAPTION, NOTE, PLACE };
+    const int edges = (int)(2.0 * EDGE * a->scale);
     char text[TEXT_SIZE];
     bool changed = false;
     unsigned settled = 0;
 
     for (int k = 0; k < PRESENT_PANELS; k++) {
         const int i = order[k];
+        const panel_room room = { a->width - edges, i == HELP ? a->height - edges : 0, (int)a->help_from };
         panel *from = &o->panels[i];
         present_panel to;
         bool fresh;
@@ -165,7 +167,7 @@ bool overlay_update(overlay *o, const app *a, session *s, present *p)
         write(i, a, s, text, sizeof text);
         fresh = i == CELLS ? cells_set(from, a, s)
               : i == CURVE ? curve_set(from, s, a->curve, a->scale)
-                           : panel_set(from, text, a->scale, a->width - (int)(2.0 * EDGE * a->scale));
+                           : panel_set(from, text, a->scale, &room);
         /* Numbers in the pixels lie under the panels and are in no one's way. */
         if (i != CELLS) {
             place(o, a, i, settled, &x, &y);
@@ -182,6 +184,13 @@ bool overlay_update(overlay *o, const app *a, session *s, present *p)
         changed = true;
     }
     return changed;
+}
+
+int overlay_help_below(const overlay *o)
+{
+    const panel *help = &o->panels[HELP];
+
+    return help->pixels ? help->whole_height - help->height : 0;
 }
 
 void overlay_free(overlay *o)

@@ -11,6 +11,8 @@ typedef struct overlay { panel panels[PRESENT_PANELS]; int x[PRESENT_PANELS], y[
 /* Update the panels and pass changed ones to the presenter. True: some have changed. */
 bool overlay_update(overlay *o, const app *a, session *s, present *p);
 void overlay_free(overlay *o);
+/* Pixels of the help that do not fit. */
+int overlay_help_below(const overlay *o);
 
 /* The text of the panels. */
 void overlay_write_help(char *out, size_t size);

@@ -101,8 +101,8 @@ static void title(pen *p, const char *text, bool warns)
     next_line(p);
 }
 
-/* As many words as fit on each line; a single word that is too long is not broken. */
-static void words(pen *p, const char *text)
+/* As many words as fit on each line, from this column on; a single word that is too long is not broken. */
+static void words(pen *p, double x, const char *text)
 {
     char line[LINE_SIZE];
     size_t used = 0;
@@ -115,9 +115,9 @@ static void words(pen *p, const char *text)
             length = sizeof line - 1 - used;
         memcpy(line + used, text, length);
         line[used + length] = '\0';
-        if (used > 0 && (width_of(p, line) > p->most || length == 0)) {
+        if (used > 0 && (x + width_of(p, line) > p->most || length == 0)) {
             line[used] = '\0';
-            put(p, 0.0, line, 0.88, 0.88, 0.88);
+            put(p, x, line, 0.88, 0.88, 0.88);
             next_line(p);
             text += blank < length ? blank : length;
             used = 0;
@@ -127,7 +127,7 @@ static void words(pen *p, const char *text)
         text += length;
     }
     line[used] = '\0';
-    put(p, 0.0, line, 0.88, 0.88, 0.88);
+    put(p, x, line, 0.88, 0.88, 0.88);
     next_line(p);
 }
 
@@ -145,12 +145,12 @@ static void columns(pen *p, char *text)
         p->column = end > p->column ? end : p->column;
     }
     put(p, 0.0, text, 0.62, 0.80, 1.0);
-    if (second) {
-        clean(second);
-        choose(p, true, false);
-        put(p, p->column, second, 0.88, 0.88, 0.88);
+    if (!second) {
+        next_line(p);
+        return;
     }
-    next_line(p);
+    clean(second);
+    words(p, p->column, second);
 }
 
 /* One number below the bar, as close to its place as the bar's ends allow; a mark shows the place itself. */
@@ -279,7 +279,7 @@ static void write_all(pen *p, const char *content)
         case '%': swatch(p, line + 1); break;
         case '=': excerpt(p, line + 1, next); break;
         case '^': caret(p, line + 1); break;
-        default: words(p, line + (line[0] == ' ')); break;
+        default: words(p, 0.0, line + (line[0] == ' ')); break;
         }
         content = next;
     }
@@ -307,8 +307,10 @@ static void measure(pen *p, const char *content)
 
     p->c = cairo_create(none);
     /* Once for the position of the second column, once with it. */
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
+        p->widest = 0.0;
         write_all(p, content);
+    }
     cairo_destroy(p->c);
     cairo_surface_destroy(none);
 }
@@ -330,31 +332,49 @@ static void keep(panel *p, cairo_t *c, cairo_surface_t *surface)
     p->height = cairo_image_surface_get_height(surface);
 }
 
+/* From here on the lines are drawn further up and only between the margins; the bar shows which part they are. */
+static void scroll(pen *p, int from, int width, int shown, int height)
+{
+    const double margin = MARGIN * p->scale, track = shown - 2.0 * margin, bar = 4.0 * p->scale;
+
+    cairo_set_source_rgb(p->c, 0.62, 0.80, 1.0);
+    cairo_rectangle(p->c, width - 0.5 * margin - 0.5 * bar, margin + track * from / height, bar, track * shown / height);
+    cairo_fill(p->c);
+    cairo_rectangle(p->c, 0.0, 0.5 * margin, width, shown - margin);
+    cairo_clip(p->c);
+    cairo_translate(p->c, 0.0, -from);
+}
+
 static void draw_text(panel *p, pen *with, const char *content)
 {
     double margins = 2.0 * MARGIN * with->scale;
     int width = (int)ceil(with->widest + margins), height = (int)ceil(with->y + margins);
+    const int shown = p->room.height > 0 && p->room.height < height ? p->room.height : height;
     cairo_surface_t *surface;
 
-    width = width < p->most_width ? width : p->most_width;
-    surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width > 1 ? width : 1, height);
+    width = width < p->room.width ? width : p->room.width;
+    surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width > 1 ? width : 1, shown);
     with->c = cairo_create(surface);
-    ground(with->c, with->scale, width, height);
+    ground(with->c, with->scale, width, shown);
+    if (shown < height)
+        scroll(with, p->room.from, width, shown, height);
     with->drawing = true;
     write_all(with, content);
     keep(p, with->c, surface);
+    p->whole_height = height;
 }
 
 /* Does the content differ from the shown one? Then the latter is dropped, and the new name stored. */
-static bool begin(panel *p, const char *content, double scale, int most_width)
+static bool begin(panel *p, const char *content, double scale, const panel_room *room)
 {
     if (content[0] == '\0' && !p->content)
         return false;
-    if (p->content && strcmp(p->content, content) == 0 && p->scale == scale && p->most_width == most_width)
+    if (p->content && strcmp(p->content, content) == 0 && p->scale == scale &&
+        p->room.width == room->width && p->room.height == room->height && p->room.from == room->from)
         return false;
     panel_free(p);
     p->scale = scale;
-    p->most_width = most_width;
+    p->room = *room;
     if (content[0])
         p->content = malloc(strlen(content) + 1);
     if (p->content)
@@ -362,11 +382,11 @@ static bool begin(panel *p, const char *content, double scale, int most_width)
     return true;
 }
 
-bool panel_set(panel *p, const char *content, double scale, int most_width)
+bool panel_set(panel *p, const char *content, double scale, const panel_room *room)
 {
-    pen with = { .scale = scale, .most = most_width - 2.0 * MARGIN * scale };
+    pen with = { .scale = scale, .most = room->width - 2.0 * MARGIN * scale };
 
-    if (!begin(p, content, scale, most_width))
+    if (!begin(p, content, scale, room))
         return false;
     if (p->content) {
         measure(&with, content);
@@ -382,7 +402,7 @@ static bool set_drawing(panel *p, const char *content, double scale, int across,
     cairo_surface_t *surface;
     cairo_t *c;
 
-    if (!begin(p, content, scale, across))
+    if (!begin(p, content, scale, &(panel_room){ across, 0, 0 }))
         return false;
     if (!p->content)
         return true;

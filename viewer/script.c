@@ -12,6 +12,8 @@ typedef struct verb { const char *name; script_kind kind; int code; int numbers;
 static const verb verbs[] = {
     { "tab", SCRIPT_KEY, APP_KEY_TAB, 0, false },   { "enter", SCRIPT_KEY, APP_KEY_ENTER, 0, false },
     { "esc", SCRIPT_KEY, APP_KEY_ESCAPE, 0, false }, { "f1", SCRIPT_KEY, APP_KEY_F1, 0, false },
+    { "up", SCRIPT_KEY, APP_KEY_UP, 0, false },     { "down", SCRIPT_KEY, APP_KEY_DOWN, 0, false },
+    { "pageup", SCRIPT_KEY, APP_KEY_PAGE_UP, 0, false }, { "pagedown", SCRIPT_KEY, APP_KEY_PAGE_DOWN, 0, false },
     { "f5", SCRIPT_KEY, APP_KEY_F5, 0, false },     { "home", SCRIPT_KEY, APP_KEY_HOME, 0, false },
     { "lt", SCRIPT_CHARACTER, '<', 0, false },
     { "drag", SCRIPT_DRAG, 0, 2, false },           { "pan", SCRIPT_PAN, 0, 2, false },

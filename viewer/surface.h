@@ -21,6 +21,8 @@ struct surface {
     void (*set_title)(surface *s, const char *title);
     /* Put text into the clipboard, if there is one. */
     void (*copy)(void *surface, const char *text);
+    /* Take the whole screen, or give it back, where there is one. */
+    void (*fill_screen)(surface *s, bool full);
     /* Hide the surface, before the end. */
     void (*hide)(surface *s);
     /* Wake the thread that waits. Any thread. */

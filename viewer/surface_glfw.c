@@ -9,6 +9,7 @@
 typedef struct window_surface {
     surface base;
     GLFWwindow *window;
+    int x, y, width, height;     /* of the window, while it has the whole screen */
 } window_surface;
 
 static void deliver(GLFWwindow *window, app_event event)
@@ -29,6 +30,11 @@ static int key_code(int key)
     case GLFW_KEY_ESCAPE: return APP_KEY_ESCAPE;
     case GLFW_KEY_F1: return APP_KEY_F1;
     case GLFW_KEY_F5: return APP_KEY_F5;
+    case GLFW_KEY_F11: return APP_KEY_F11;
+    case GLFW_KEY_UP: return APP_KEY_UP;
+    case GLFW_KEY_DOWN: return APP_KEY_DOWN;
+    case GLFW_KEY_PAGE_UP: return APP_KEY_PAGE_UP;
+    case GLFW_KEY_PAGE_DOWN: return APP_KEY_PAGE_DOWN;
     case GLFW_KEY_HOME: return APP_KEY_HOME;
     case GLFW_KEY_LEFT_SHIFT: case GLFW_KEY_RIGHT_SHIFT: return APP_KEY_SHIFT;
     case GLFW_KEY_LEFT_CONTROL: case GLFW_KEY_RIGHT_CONTROL: return APP_KEY_CONTROL;
@@ -40,12 +46,13 @@ static int key_code(int key)
 
 static void on_key(GLFWwindow *window, int key, int scancode, int action, int modifiers)
 {
-    app_event event = { APP_KEY, key_code(key), action == GLFW_PRESS, 0.0, 0.0, 0.0 };
+    app_event event = { APP_KEY, key_code(key), action != GLFW_RELEASE, 0.0, 0.0, 0.0 };
+    const bool scrolls = event.code >= APP_KEY_UP && event.code <= APP_KEY_PAGE_DOWN;
 
     (void)scancode;
     if (key == GLFW_KEY_Q && (modifiers & GLFW_MOD_CONTROL))
         event.kind = APP_CLOSE;
-    if (event.code && action != GLFW_REPEAT)
+    if (event.code && (action != GLFW_REPEAT || scrolls))
         deliver(window, event);
 }
 
@@ -168,6 +175,46 @@ static void copy(void *s, const char *text)
     glfwSetClipboardString(((window_surface *)s)->window, text);
 }
 
+/* The screen that the middle of the window is on; NULL: there is none. */
+static GLFWmonitor *screen_of(const window_surface *w)
+{
+    int count = 0, x, y, wide, high;
+    GLFWmonitor **all = glfwGetMonitors(&count);
+
+    for (int i = 0; i < count; i++) {
+        const GLFWvidmode *mode = glfwGetVideoMode(all[i]);
+        const int right = w->x + w->width / 2, down = w->y + w->height / 2;
+
+        glfwGetMonitorPos(all[i], &x, &y);
+        wide = mode ? mode->width : 0;
+        high = mode ? mode->height : 0;
+        if (right >= x && right < x + wide && down >= y && down < y + high)
+            return all[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+static void fill_screen(surface *s, bool full)
+{
+    window_surface *w = (window_surface *)s;
+    const bool is_full = glfwGetWindowMonitor(w->window) != NULL;
+    const GLFWvidmode *mode;
+    GLFWmonitor *screen;
+
+    if (full == is_full)
+        return;
+    if (!full) {
+        glfwSetWindowMonitor(w->window, NULL, w->x, w->y, w->width, w->height, GLFW_DONT_CARE);
+        return;
+    }
+    glfwGetWindowPos(w->window, &w->x, &w->y);
+    glfwGetWindowSize(w->window, &w->width, &w->height);
+    screen = screen_of(w);
+    mode = screen ? glfwGetVideoMode(screen) : NULL;
+    if (mode)
+        glfwSetWindowMonitor(w->window, screen, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
 static void hide(surface *s)
 {
     glfwHideWindow(((window_surface *)s)->window);
@@ -235,6 +282,7 @@ surface *surface_glfw_open(int width, int height, const char *title, pov_error *
     w->base.swap = swap;
     w->base.set_title = set_title;
     w->base.copy = copy;
+    w->base.fill_screen = fill_screen;
     w->base.hide = hide;
     w->base.post = post;
     w->base.close = close_window;

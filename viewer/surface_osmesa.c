@@ -82,6 +82,12 @@ static void swap(surface *s)
     ((memory_surface *)s)->mesa.finish();
 }
 
+static void fill_screen(surface *s, bool full)
+{
+    (void)s;
+    (void)full;
+}
+
 static void hide(surface *s)
 {
     (void)s;
@@ -177,6 +183,7 @@ surface *surface_osmesa_open(int width, int height, pov_error *err)
     m->base.swap = swap;
     m->base.set_title = set_title;
     m->base.copy = copy;
+    m->base.fill_screen = fill_screen;
     m->base.hide = hide;
     m->base.post = post;
     m->base.close = close_memory;

@@ -184,6 +184,47 @@ static void keys_widen_parallel_rays_but_no_fisheye(void **state)
     assert_false(app_update(&a, 1.0, true) & APP_RESTART);
 }
 
+static void keys_scroll_the_help_within_its_ends(void **state)
+{
+    app_event wheel = { APP_WHEEL, 0, false, 0.0, -1.0, 1.0 };
+    pov_camera c = camera();
+    app a = ready(&c);
+
+    (void)state;
+    type(&a, APP_KEY_DOWN);
+    assert_true(a.help_from == 0.0);
+    type(&a, 'h');
+    app_fit_help(&a, 100.0);
+    app_update(&a, 2.0, true);
+    app_take(&a, &wheel, 2.0);
+    assert_true(a.help_from == 54.0);
+    assert_int_equal(app_update(&a, 2.0, true), APP_DRAW);
+    assert_true(app_camera(&a).location.z == -10.0);
+    type(&a, APP_KEY_PAGE_DOWN);
+    assert_true(a.help_from == 100.0);
+    type(&a, APP_KEY_UP);
+    assert_true(a.help_from == 82.0);
+    app_fit_help(&a, 20.0);
+    assert_true(a.help_from == 20.0);
+    /* Where all of it is seen, the wheel is the camera's. */
+    app_fit_help(&a, 0.0);
+    assert_true(a.help_from == 0.0);
+    app_take(&a, &wheel, 9.0);
+    assert_true(app_camera(&a).location.z < -10.0);
+}
+
+static void keys_want_the_whole_screen_and_give_it_back(void **state)
+{
+    pov_camera c = camera();
+    app a = ready(&c);
+
+    (void)state;
+    type(&a, APP_KEY_F11);
+    assert_true(a.full && (app_update(&a, 2.0, true) & APP_FULL));
+    type(&a, APP_KEY_F11);
+    assert_true(!a.full && (app_update(&a, 2.0, true) & APP_FULL));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -193,6 +234,8 @@ int main(void)
         cmocka_unit_test(keys_frame_nothing_where_nothing_is),
         cmocka_unit_test(keys_change_the_field_of_view_and_not_the_place),
         cmocka_unit_test(keys_widen_parallel_rays_but_no_fisheye),
+        cmocka_unit_test(keys_scroll_the_help_within_its_ends),
+        cmocka_unit_test(keys_want_the_whole_screen_and_give_it_back),
     };
 
     return cmocka_run_group_tests_name("the viewer's keys", tests, NULL, NULL);

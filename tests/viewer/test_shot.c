@@ -93,6 +93,24 @@ static void shot_shows_help_over_the_picture_and_takes_it_away(void **state)
     end(s);
 }
 
+/* The last rows of a help that is taller than the window come into it, and the panel stays inside. */
+static void shot_scrolls_a_help_that_does_not_fit(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *first = copy(see(s, "h"));
+
+    (void)state;
+    assert_true(overlay_help_below(&s->v.overlay) > HEIGHT);
+    assert_color(at(first, 2, 2), 0, 0, 0, 0);
+    assert_color(at(first, 2, HEIGHT - 3), 0, 0, 0, 0);
+    assert_true(differences(first, see(s, "<wheel -1>")) > 500);
+    see(s, "<wheel -1000>");
+    assert_true(s->v.app.help_from == (double)overlay_help_below(&s->v.overlay));
+    assert_true(differences(first, see(s, "<wheel 1000>")) == 0);
+    free(first);
+    end(s);
+}
+
 /* The scene's file is another: the clock goes on, so that it is looked at. */
 static void save(stage *s, const char *text)
 {
@@ -444,6 +462,7 @@ int main(void)
         cmocka_unit_test(shot_after_one_pass_is_squares_of_sixteen),
         cmocka_unit_test(shot_after_five_passes_is_the_whole_picture),
         cmocka_unit_test(shot_shows_help_over_the_picture_and_takes_it_away),
+        cmocka_unit_test(shot_scrolls_a_help_that_does_not_fit),
         cmocka_unit_test(shot_keeps_the_last_good_picture_under_the_message),
         cmocka_unit_test(shot_follows_the_file_and_its_camera_until_the_user_moves),
         cmocka_unit_test(shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one),

@@ -170,6 +170,21 @@ xdotool key Tab
 check "and comes round to the picture" within same again.png first.png
 toggles h help
 toggles F1 help
+xdotool key h
+within changed shown.png first.png 500
+shot help.png
+xdotool click 5
+check "the wheel scrolls a help that does not fit" within changed scrolled.png help.png 500
+xdotool key Up Up Up
+check "and Up scrolls it back" within same scrolled.png help.png
+xdotool key h
+within same again.png first.png
+xdotool key F11
+size_of() { xdotool getwindowgeometry "$window" | grep -q "$1"; }
+check "F11 takes the whole screen" within size_of 'Geometry: 1024x768'
+xdotool key F11
+check "and gives it back" within size_of 'Geometry: 400x300'
+check "with the same picture" within same again.png first.png
 toggles g "the error against time"
 toggles i "what is under the pointer"
 toggles o "clipped pixels, and the legend"
