@@ -272,7 +272,9 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const bool from_here = ray->origin_surface == hits->owner;
     line n;
 
-    if (!common_clip(&k, pov_scale(one, -1.0), one, &n.span) || n.span.hi < 0.0 || n.span.lo * k.unit > hits->tmax)
+    /* Without a direction a ray stays where it is for ever. */
+    if (!common_clip(&k, pov_scale(one, -1.0), one, &n.span) || n.span.hi < 0.0 || !(n.span.hi < HUGE_VAL) ||
+        n.span.lo * k.unit > hits->tmax)
         return;
     n.s = self;
     n.base = from_here ? 0.0 : n.span.lo;

@@ -13,6 +13,7 @@ void nearest_is_the_first_of_all_and_any_is_as_nearest(void **unused);
 void what_was_found_before_only_ends_the_interval(void **unused);
 void always_exact_finds_the_same(void **unused);
 void counting_finds_as_many(void **unused);
+void a_ray_without_a_direction_ends(void **unused);
 void copies_behave_alike(void **unused);
 void an_absorbed_map_is_as_a_mapped_ray(void **unused);
 

@@ -408,6 +408,26 @@ static bool absorbed_agrees(const thing *t, const void *mapped, const pov_affine
     return true;
 }
 
+/* Directions underflow where a ray is mapped into a shape's space. From anywhere within its bounds, that is soon answered. */
+void a_ray_without_a_direction_ends(void **unused)
+{
+    int i, j, broken = 0;
+
+    (void)unused;
+    for (i = 0; i < subject.count; i++) {
+        for (j = 0; j < 100; j++) {
+            pov_ray ray = subject_ray(&subject.things[i]);
+            pov_crossing at[MOST];
+
+            ray.org = pov_add(ray.org, pov_scale(ray.dir, pov_dot(pov_sub(subject.things[i].middle, ray.org), ray.dir) /
+                                                              pov_dot(ray.dir, ray.dir)));
+            ray.dir = pov_vec3_of(0.0, -0.0, 0.0);
+            broken += subject_ask(subject.things[i].self, &ray, at) > 0;
+        }
+    }
+    assert_int_equal(broken, 0);
+}
+
 void an_absorbed_map_is_as_a_mapped_ray(void **unused)
 {
     int i, which, j, taken = 0, broken = 0;

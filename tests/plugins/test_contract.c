@@ -98,6 +98,7 @@ static int check_file(const char *file)
         cmocka_unit_test(a_certified_closed_shape_is_never_missed),
         cmocka_unit_test(a_certified_distance_is_the_same_from_the_other_side),
         cmocka_unit_test(a_certified_planar_surface_is_planar),
+        cmocka_unit_test(a_ray_without_a_direction_ends),
         cmocka_unit_test(copies_behave_alike),
         cmocka_unit_test(an_absorbed_map_is_as_a_mapped_ray),
         cmocka_unit_test(block_filters_never_exclude_a_crossing),
