@@ -5,6 +5,7 @@
  * a ray that misses. Stars, with e or n above 2, are searched by bounds of |x|, |y| and |z| over stretches of the ray. */
 #include "common/clip.h"
 #include "common/powers.h"
+#include "common/simd.h"
 
 typedef struct superellipsoid {
     double e, n;
@@ -76,7 +77,7 @@ static double size_at(const superellipsoid *s, pov_vec3 p)
 }
 
 /* How a norm grows with one of its numbers: the share of it, over its part of the whole. */
-static double growth(double share, double whole, double x) { return x != 0.0 ? share * whole / x : 0.0; }
+COMMON_INLINE double growth(double share, double whole, double x) { return x != 0.0 ? share * whole / x : 0.0; }
 
 COMMON_INLINE double size_and_slope(const superellipsoid *s, pov_vec3 p, bool approx, pov_vec3 *slope)
 {
@@ -265,39 +266,301 @@ static bool search(const line *n, const common_ray *k, double lo, double hi, int
     return search(n, k, lo, middle, depth - 1, hits) && search(n, k, middle, hi, depth - 1, hits);
 }
 
+static const pov_vec3 zero = { 0.0, 0.0, 0.0 }, one = { 1.0, 1.0, 1.0 };
+
+/* False: the ray misses the box, or has no direction, so that it stays where it is for ever. */
+static bool enter(line *n, const superellipsoid *s, const common_ray *k, bool from_here, const pov_hits *hits)
+{
+    if (!common_clip(k, pov_scale(one, -1.0), one, &n->span) || n->span.hi < 0.0 ||
+        !(n->span.hi < HUGE_VAL) || n->span.lo * k->unit > hits->tmax)
+        return false;
+    n->s = s;
+    n->base = from_here ? 0.0 : n->span.lo;
+    n->o = common_along(k, n->base);
+    n->d = k->d;
+    n->span.lo -= n->base;
+    n->span.hi -= n->base;
+    return true;
+}
+
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
-    static const pov_vec3 one = { 1.0, 1.0, 1.0 }, zero = { 0.0, 0.0, 0.0 };
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
     const bool from_here = ray->origin_surface == hits->owner;
     line n;
 
-    /* Without a direction a ray stays where it is for ever. */
-    if (!common_clip(&k, pov_scale(one, -1.0), one, &n.span) || n.span.hi < 0.0 || !(n.span.hi < HUGE_VAL) ||
-        n.span.lo * k.unit > hits->tmax)
+    if (!enter(&n, self, &k, from_here, hits))
         return;
-    n.s = self;
-    n.base = from_here ? 0.0 : n.span.lo;
-    n.o = common_along(&k, n.base);
-    n.d = k.d;
-    n.span.lo -= n.base;
-    n.span.hi -= n.base;
     if (n.s->convex)
         cross_convex(&n, &k, ray, from_here, hits);
     else
         search(&n, &k, from_here ? NEAR : n.span.lo, n.span.hi, 26, hits);
 }
 
-static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+/* ---- several rays side by side ---- */
+
+enum { TOGETHER = 4 };
+typedef double four[TOGETHER];
+
+/* By lane: a line, and its shape's exponents. */
+typedef struct line_lanes { four o[3], d[3], e, n; } line_lanes;
+
+COMMON_INLINE line get_line(const line_lanes *l, superellipsoid *s, uint32_t i)
 {
-    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    line n;
+
+    s->e = l->e[i];
+    s->n = l->n[i];
+    n.s = s;
+    n.o = pov_vec3_of(l->o[0][i], l->o[1][i], l->o[2][i]);
+    n.d = pov_vec3_of(l->d[0][i], l->d[1][i], l->d[2][i]);
+    return n;
+}
+
+static void put_line(line_lanes *l, const line *n, uint32_t i)
+{
+    l->o[0][i] = n->o.x;
+    l->o[1][i] = n->o.y;
+    l->o[2][i] = n->o.z;
+    l->d[0][i] = n->d.x;
+    l->d[1][i] = n->d.y;
+    l->d[2][i] = n->d.z;
+    l->e[i] = n->s->e;
+    l->n[i] = n->s->n;
+}
+
+/* size_along() and approx_along() of all lanes. */
+COMMON_CLONES static void sizes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
+                                      double *restrict slope)
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        superellipsoid s;
+        const line n = get_line(l, &s, i);
+        double by;
+
+        value[i] = value_along(&n, t[i], false, &by);
+        slope[i] = by;
+    }
+}
+
+COMMON_CLONES static void approxes_along(const line_lanes *restrict l, const double *restrict t, double *restrict value,
+                                         double *restrict slope)
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        superellipsoid s;
+        const line n = get_line(l, &s, i);
+        double by;
+
+        value[i] = value_along(&n, t[i], true, &by);
+        slope[i] = by;
+    }
+}
+
+/* One of them: where it is, and whether that is still being looked for. `near`: about the first crossing. */
+typedef struct member { line n; common_ray k; bool open, near; } member;
+
+/* A turn of come_near() from the near end. False: it ends, near the crossing or with a certain miss, or `unsure`. */
+static bool turn_near(member *m, double value, double slope, double *t, bool *unsure)
+{
+    const double next = *t - value / slope;
+
+    m->near = !(value > APPROX);
+    if (!m->near && slope < 0.0 && next >= m->n.span.lo && next <= m->n.span.hi) {
+        *t = next;
+        return true;
+    }
+    *unsure = !m->near && value < 4.0 * APPROX;
+    return false;
+}
+
+/* A turn of approach(). False: it ends, at the crossing or `unsure`. */
+static bool turn_exact(member *m, double value, double slope, double *t, bool *unsure)
+{
+    const double next = *t - value / slope, at = *t;
+
+    if (!(fabs(value) > FINE))
+        return false;
+    *unsure = !(slope < 0.0 && next >= m->n.span.lo && next <= m->n.span.hi);
+    if (*unsure)
+        return false;
+    *t = next;
+    return next != at && !(fabs(value) < LAST);
+}
+
+typedef struct members { member at[TOGETHER]; line_lanes lanes; four t, value, slope; bool unsure[TOGETHER]; } members;
+
+typedef void evaluate(const line_lanes *restrict l, const double *restrict t, double *restrict value, double *restrict slope);
+typedef bool take_turn(member *m, double value, double slope, double *t, bool *unsure);
+
+/* Turns until all have ended. */
+static void take_turns(members *all, evaluate *sizes, take_turn *take)
+{
+    bool any = true;
+
+    for (int turn = 0; turn < 100 && any; turn++) {
+        sizes(&all->lanes, all->t, all->value, all->slope);
+        any = false;
+        for (uint32_t i = 0; i < TOGETHER; i++) {
+            member *m = &all->at[i];
+
+            if (m->open)
+                m->open = take(m, all->value[i], all->slope[i], &all->t[i], &all->unsure[i]);
+            any = any || m->open;
+        }
+    }
+    for (uint32_t i = 0; any && i < TOGETHER; i++)
+        all->unsure[i] = all->unsure[i] || all->at[i].open;
+}
+
+/* As is_certain(), of those near a crossing. */
+static void find_certain(members *all, pov_hits *const *hits, uint32_t n, bool *certain)
+{
+    four behind, value, slope;
+
+    for (uint32_t i = 0; i < TOGETHER; i++)
+        behind[i] = all->t[i] - (fabs(all->value[i]) + 4.0 * APPROX) / all->slope[i];
+    approxes_along(&all->lanes, behind, value, slope);
+    for (uint32_t i = 0; i < n; i++) {
+        const member *m = &all->at[i];
+
+        certain[i] = m->near && all->slope[i] < 0.0 && (m->n.base + all->t[i]) * m->k.unit > hits[i]->tmin &&
+                     (m->n.base + behind[i]) * m->k.unit < hits[i]->tmax && value[i] < -APPROX;
+    }
+}
+
+/* Rays that do not start on a convex shape. The first crossing of each is looked for; those that are not certain of one, or of a
+ * miss, are left to cross_convex(). */
+static void cross_four(members *all, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    bool certain[TOGETHER] = { false }, any = false, some = false;
+
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        put_line(&all->lanes, &all->at[i < n ? i : n - 1].n, i);
+        all->at[i].open = i < n;
+        all->at[i].near = all->unsure[i] = false;
+        all->t[i] = all->at[i < n ? i : n - 1].n.span.lo;
+    }
+    take_turns(all, approxes_along, turn_near);
+    for (uint32_t i = 0; i < n; i++) {
+        any = any || (all->at[i].near && hits[i]->want == POV_WANT_ANY);
+        all->at[i].open = all->at[i].near && hits[i]->want == POV_WANT_NEAREST;
+        some = some || all->at[i].open;
+    }
+    if (any)
+        find_certain(all, hits, n, certain);
+    if (some)
+        take_turns(all, sizes_along, turn_exact);
+    for (uint32_t i = 0; i < n; i++) {
+        const member *m = &all->at[i];
+        const bool is_any = hits[i]->want == POV_WANT_ANY;
+
+        if (!all->unsure[i] && !m->near)
+            continue;
+        if (!all->unsure[i] && (is_any ? certain[i] : hits[i]->want == POV_WANT_NEAREST &&
+                                                      is_enough(&m->n, &m->k, all->t[i], all->slope[i], hits[i])))
+            report(&m->n, &m->k, all->t[i], hits[i]);
+        else
+            cross_convex(&m->n, &m->k, rays[i], false, hits[i]);
+    }
+}
+
+static void intersect_many(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n)
+{
+    const pov_ray *some[TOGETHER];
+    pov_hits *of[TOGETHER];
+    members all;
+    uint32_t count = 0;
+
+    for (uint32_t i = 0; i < n; i++) {
+        const superellipsoid *s = selves[i];
+
+        if (!s->convex || rays[i]->origin_surface == hits[i]->owner || hits[i]->always_exact) {
+            intersect(s, rays[i], hits[i]);
+            continue;
+        }
+        all.at[count].k = common_enter(rays[i], pov_two3_of(zero, zero), 1.0);
+        if (!enter(&all.at[count].n, s, &all.at[count].k, false, hits[i]))
+            continue;
+        some[count] = rays[i];
+        of[count++] = hits[i];
+        if (count == TOGETHER) {
+            cross_four(&all, some, of, count);
+            count = 0;
+        }
+    }
+    if (count > 1)
+        cross_four(&all, some, of, count);
+    else if (count > 0)
+        cross_convex(&all.at[0].n, &all.at[0].k, some[0], false, of[0]);
+}
+
+/* ---- normals ---- */
+
+/* The point of a crossing. */
+static pov_vec3 point_of(const pov_ray *ray, const pov_crossing *at)
+{
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
 
-    size_and_slope(self, pov_two3_hi(common_point(&k, at)), false, out);
-    *out = pov_unit(*out);
-    if (!(pov_largest(*out) > 0.0))
-        *out = pov_scale(pov_unit(ray->dir), -1.0);
+    return pov_two3_hi(common_point(&k, at));
 }
+
+static pov_vec3 unit_of(pov_vec3 slope, const pov_ray *ray)
+{
+    const pov_vec3 unit = pov_unit(slope);
+
+    return pov_largest(unit) > 0.0 ? unit : pov_scale(pov_unit(ray->dir), -1.0);
+}
+
+static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+{
+    pov_vec3 slope;
+
+    size_and_slope(self, point_of(ray, at), false, &slope);
+    *out = unit_of(slope, ray);
+}
+
+/* Of the points o. */
+COMMON_CLONES static void find_slopes(const line_lanes *restrict l, double (*restrict out)[TOGETHER])
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        superellipsoid s;
+        const line n = get_line(l, &s, i);
+        pov_vec3 slope;
+
+        size_and_slope(&s, n.o, false, &slope);
+        out[0][i] = slope.x;
+        out[1][i] = slope.y;
+        out[2][i] = slope.z;
+    }
+}
+
+static void normal_many(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
+                        pov_vec3 *const *out, uint32_t n)
+{
+    four slopes[3];
+    line_lanes lanes;
+
+    for (uint32_t some; n > 0; n -= some, selves += some, rays += some, at += some, out += some) {
+        some = n < TOGETHER ? n : TOGETHER;
+        for (uint32_t i = 0; i < TOGETHER; i++) {
+            const uint32_t j = i < some ? i : some - 1;
+            const line place = { .s = selves[j], .o = point_of(rays[j], at[j]) };
+
+            put_line(&lanes, &place, i);
+        }
+        find_slopes(&lanes, slopes);
+        for (uint32_t i = 0; i < some; i++)
+            *out[i] = unit_of(pov_vec3_of(slopes[0][i], slopes[1][i], slopes[2][i]), rays[i]);
+    }
+}
+
+static const pov_shape_fast superellipsoid_fast = {
+    .size = sizeof(pov_shape_fast),
+    .intersect_many = intersect_many,
+    .normal_many = normal_many,
+};
+
+static const void *extension(const char *name) { return common_is_fast(name) ? &superellipsoid_fast : NULL; }
 
 static const pov_shape_class superellipsoid_class = {
     .size = sizeof(pov_shape_class),
@@ -309,6 +572,7 @@ static const pov_shape_class superellipsoid_class = {
     .intersect = intersect,
     .normal = normal,
     .inside = inside,
+    .extension = extension,
 };
 
 static const pov_shape_class *const shapes[] = { &superellipsoid_class, NULL };
