@@ -10,7 +10,6 @@ python_draws_and_traces() {
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/bindings/python "$PYTHON" "$root/tests/python/test_scene.py" "$povc"
 }
 
-# A wheel with the library inside, installed where there is no compiler, and without the build.
 python_builds_scenes_from_arrays() {
     "$PYTHON" -c 'import cffi, numpy' 2> /dev/null || skip "no cffi and numpy (PyPI) for $PYTHON"
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/bindings/python "$PYTHON" "$root/tests/python/test_builder.py"
@@ -34,6 +33,7 @@ END
     says out 'Unexpected keyword argument "centers"'
 }
 
+# A wheel with the library inside, installed where there is no compiler, and without the build.
 python_wheel_draws_without_a_compiler() {
     "$PYTHON" -m venv env > log 2>&1 || skip "no venv for $PYTHON"
     env/bin/pip install -q cffi numpy 'setuptools>=70' wheel > log 2>&1 || skip "PyPI is not reached"
