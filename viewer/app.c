@@ -164,6 +164,11 @@ static void command(app *a, int code, double now)
 {
     const keys_row *row = keys_find(code);
 
+    if (code >= '1' && code < '1' + a->choices) {
+        a->chosen = code - '1';
+        a->orders |= APP_OPEN;
+        return;
+    }
     if (row && (row->always || a->has_scene))
         row->act(a, now);
 }

@@ -37,7 +37,8 @@ enum {
     APP_VIEW = 256,          /* `view` has changed */
     APP_QUIT = 512,
     APP_MARK = 1024,         /* `clipped` has changed */
-    APP_FULL = 2048          /* `full` has changed */
+    APP_FULL = 2048,         /* `full` has changed */
+    APP_OPEN = 4096          /* read the scene `chosen` of the start page */
 };
 
 typedef enum app_view {
@@ -83,6 +84,7 @@ typedef struct app {
     unsigned orders;
     char note[160];          /* a word to the user, until */
     double note_until;
+    int choices, chosen;     /* scenes on the start page, and the one whose number was typed */
     bool has_box;
     pov_box box;             /* around the finite objects */
     app_probe *probe;

@@ -115,6 +115,8 @@ static bool read_option(args *a, int option, const char *text)
 
 static bool read_places(args *a, int count, char **places)
 {
+    if (count < 1 && !a->shot && !a->bench)
+        return true;
     if (count < 1 || !places[0][0])
         return refuse(a, "SCENE is missing: povview wants SCENE [WIDTH HEIGHT]");
     a->scene = places[0];
@@ -186,5 +188,6 @@ args_verdict args_parse(args *a, int argc, char **argv)
     if (!read_places(a, argc - optind, argv + optind) || !check_together(a))
         return ARGS_WRONG;
     fill_in(a);
+    a->remember = !a->shot && !a->bench;
     return ARGS_RUN;
 }

@@ -7,12 +7,12 @@
 typedef enum args_verdict { ARGS_RUN, ARGS_HELP, ARGS_VERSION, ARGS_WRONG } args_verdict;
 
 typedef struct args {
-    const char *scene;
+    const char *scene;           /* NULL: the window begins with the start page */
     int width, height;           /* 0: not said */
     const char *shot;            /* draw without a display, to this file */
     int frames;                  /* passes that a shot waits for; 0: all */
     const char *keys;            /* keys of a shot; "" for none */
-    bool bench;
+    bool bench, remember;        /* the scene becomes a recent one: where it is shown in a window */
     int threads, max_depth;
     int samples;                 /* samples a pixel, on average and at most */
     double error;                /* error that ends sampling; 0: no such limit */

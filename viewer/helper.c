@@ -1,5 +1,7 @@
 #include "helper.h"
 
+#include "recent.h"
+
 #include <povtrace/image.h>
 
 #include <pthread.h>
@@ -22,6 +24,7 @@ struct helper {
     pov_load_desc desc;
     void (*wake)(void *user);
     void *wake_user;
+    bool remember;
     pthread_t thread;
     pthread_mutex_t lock;        /* guards all below */
     pthread_cond_t changed;
@@ -77,6 +80,8 @@ static void load(helper *h, helper_result *r)
         return;
     }
     look_ahead(r);
+    if (h->remember && strcmp(r->path, "-") != 0)
+        recent_add(r->path);
 }
 
 static void fill(const helper_picture *p, float *rgba)
@@ -217,6 +222,11 @@ static task *new_task(helper_kind kind, const char *path)
         snprintf(t->result.path, sizeof t->result.path, "%s", path);
     }
     return t;
+}
+
+void helper_remember(helper *h, bool remember)
+{
+    h->remember = remember;
 }
 
 bool helper_load(helper *h, const char *path)

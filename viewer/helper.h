@@ -36,6 +36,8 @@ pov_status helper_start(helper **out, pov_context *context, const pov_load_desc 
                         void *wake_user, pov_error *err);
 /* Finishes all tasks, then ends. NULL is allowed. */
 void helper_stop(helper *h);
+/* Put scenes that were read on the list of recent ones. Before the first task. */
+void helper_remember(helper *h, bool remember);
 bool helper_load(helper *h, const char *path);
 bool helper_save(helper *h, const char *path, const helper_picture *picture);
 /* Without memory for a task it is done on this thread. */

@@ -34,6 +34,13 @@ static void take_event(void *user, const app_event *event)
     v->in_events += clock_seconds() - start;
 }
 
+static void take_file(void *user, const char *path)
+{
+    viewer *v = user;
+
+    session_open_scene(v->session, path);
+}
+
 double viewer_now(const viewer *v)
 {
     return v->fixed_clock >= 0.0 ? v->fixed_clock : clock_seconds() - v->began;
@@ -67,7 +74,7 @@ static void draw(viewer *v)
 
 pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_error *err)
 {
-    session_desc desc = { &v->args, s->post, s->copy, s, by_steps };
+    session_desc desc = { &v->args, s->post, s->copy, s, by_steps, a->remember };
     app_event size = { APP_SIZE, 0, false, 0.0, 0.0, 1.0 };
     present_look look = { &v->app.zoom, 0.0 };
     pov_status status;
@@ -96,6 +103,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
     }
     if (status == POV_OK)
         status = session_open(&v->session, &v->app, &desc, err);
+    s->take_file = status == POV_OK ? take_file : NULL;
     if (status < 0)
         viewer_close(v);
     return status;
@@ -105,6 +113,7 @@ pov_status viewer_open(viewer *v, const args *a, surface *s, bool by_steps, pov_
 void viewer_close(viewer *v)
 {
     v->surface->sink = NULL;
+    v->surface->take_file = NULL;
     v->surface->hide(v->surface);
     session_close(v->session);
     overlay_free(&v->overlay);

@@ -10,11 +10,12 @@
 enum { EXIT_COMPLETE = 0, EXIT_ERROR = 1, EXIT_USAGE = 2, USUAL_WIDTH = 1024, USUAL_HEIGHT = 768 };
 
 static const char *const help[] = {
-    "Usage: povview SCENE [WIDTH HEIGHT] [options]\n"
+    "Usage: povview [SCENE [WIDTH HEIGHT]] [options]\n"
     "       povview SCENE [WIDTH HEIGHT] --shot FILE [--frames N] [--keys TEXT]\n"
     "\n"
     "Watch a scene in the POV-Ray language become a picture, walk about in it, and see\n"
     "it change when its file is saved. H shows what the keys and the mouse do.\n"
+    "Without SCENE the window lists recent scenes; a file may be dropped on it.\n"
     "\n",
     "Without a display\n"
     "      --shot FILE          draw what the window would show into an image file\n"

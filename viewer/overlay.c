@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CELLS, MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, TEXT_SIZE = 4096 };
+enum { CELLS, MESSAGE, PLACE, NOTE, CAPTION, CURVE, HELP, START, TEXT_SIZE = 8192 };
 
 /* Margin at the window's edges, in units of the scale. */
 static const double EDGE = 14.0;
@@ -69,6 +69,18 @@ void overlay_write_place(const session_place *p, char *out, size_t size)
     add(out, size, "|pixel\t%d, %d\n", p->x, p->y);
 }
 
+/* Each scene by its name, and the folder it is in. */
+static void write_start(const recent *r, char *out, size_t size)
+{
+    add(out, size, "#povview\n Drop a scene on this window%s\n", r->count > 0 ? ", or type the number of a recent one:" : ".");
+    for (int i = 0; i < r->count; i++) {
+        const char *path = r->paths[i], *slash = strrchr(path, '/');
+
+        add(out, size, "|%d   %s\t%.*s\n", i + 1, slash + 1, (int)(slash > path ? slash - path : 1), path);
+    }
+    add(out, size, " H: help. Esc: quit.\n");
+}
+
 static int least(int a, int b) { return a < b ? a : b; }
 static int most(int a, int b) { return a > b ? a : b; }
 
@@ -118,12 +130,15 @@ static void place(const overlay *o, const app *a, int index, unsigned settled, i
                                    { edge, edge }, { right, edge }, { edge, bottom }, { right, bottom } };
     const int corners[4][2] = { { edge, edge }, { edge, bottom }, { right, bottom }, { right, edge } };
     const int notes[2][2] = { { middle, edge }, { middle, bottom } };
+    const int centre[1][2] = { { middle, (a->height - p->height) / 2 } };
     const int first = index == MESSAGE ? 1 : index == CURVE ? 2 : index == CAPTION ? 3 : 0;
     const int from[4][2] = { { corners[first][0], corners[first][1] }, { corners[first ^ 1][0], corners[first ^ 1][1] },
                              { corners[first ^ 2][0], corners[first ^ 2][1] }, { corners[first ^ 3][0], corners[first ^ 3][1] } };
 
     if (index == PLACE)
         choose(o, a, settled, p, by_pointer, 8, x, y);
+    else if (index == START)
+        choose(o, a, settled, p, centre, 1, x, y);
     else if (index == NOTE)
         choose(o, a, settled, p, notes, 2, x, y);
     else
@@ -146,11 +161,13 @@ static void write(int index, const app *a, session *s, char *out, size_t size)
         caption_write(a, s, out, size);
     else if (index == HELP && a->help)
         overlay_write_help(out, size);
+    else if (index == START && session_choices(s) && !a->help)
+        write_start(session_choices(s), out, size);
 }
 
 bool overlay_update(overlay *o, const app *a, session *s, present *p)
 {
-    static const int order[PRESENT_PANELS] = { CELLS, HELP, MESSAGE, CURVE, CAPTION, NOTE, PLACE };
+    static const int order[PRESENT_PANELS] = { CELLS, HELP, START, MESSAGE, CURVE, CAPTION, NOTE, PLACE };
     const int edges = (int)(2.0 * EDGE * a->scale);
     char text[TEXT_SIZE];
     bool changed = false;

@@ -4,7 +4,7 @@
 
 #include "surface.h"
 
-enum { PRESENT_PANELS = 7 };
+enum { PRESENT_PANELS = 8 };
 
 /* An image of the panel: premultiplied, 0xAARRGGBB in the machine's order of bytes, as cairo has it. */
 typedef struct present_panel { const uint32_t *pixels; int width, height, x, y; } present_panel;

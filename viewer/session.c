@@ -168,7 +168,7 @@ static void adopt(session *s, const helper_result *r)
     pov_scene_info info = POV_INIT(info);
     double reach = r->reach, size;
     pov_box box;
-    bool again = s->scene != NULL;
+    bool again = s->scene != NULL && !s->fresh;
 
     helper_dispose(s->helper, &old);
     s->job = NULL;
@@ -180,6 +180,8 @@ static void adopt(session *s, const helper_result *r)
     s->info = info;
     pov_scene_get_camera(s->scene, &camera);
     size = session_measure(s->scene, &camera, &reach);
+    s->app->has_scene = again;
+    s->fresh = false;
     app_set_scene(s->app, &camera, reach, size, pov_scene_get_bounds(s->scene, &box) ? &box : NULL);
     make_job(s);
     begin_anew(s);
@@ -203,7 +205,42 @@ void session_load(session *s, const char *path)
     fail(s, &err);
 }
 
+void session_open_scene(session *s, const char *path)
+{
+    if (strlen(path) >= sizeof s->path) {
+        app_say(s->app, s->now, "the scene's path is too long");
+        return;
+    }
+    snprintf(s->path, sizeof s->path, "%s", path);
+    file_watch_begin(&s->watch, s->path, s->now);
+    s->snapshot = 0;
+    s->app->choices = 0;
+    s->stale = s->loads;
+    s->fresh = true;
+    session_load(s, s->path);
+}
+
+const recent *session_choices(const session *s)
+{
+    return s->path[0] ? NULL : &s->choices;
+}
+
 /* ---- from moment to moment ---- */
+
+static void take_scene(session *s, const helper_result *r)
+{
+    helper_waste old = { NULL, NULL, r->tracer, r->scene };
+
+    s->loads--;
+    if (s->stale > 0) {
+        s->stale--;
+        helper_dispose(s->helper, &old);
+    } else if (r->scene) {
+        adopt(s, r);
+    } else {
+        fail(s, &r->error);
+    }
+}
 
 static void take_results(session *s)
 {
@@ -211,11 +248,7 @@ static void take_results(session *s)
 
     while (helper_take(s->helper, &r)) {
         if (r.kind == HELPER_LOAD) {
-            s->loads--;
-            if (r.scene)
-                adopt(s, &r);
-            else
-                fail(s, &r.error);
+            take_scene(s, &r);
         } else if (r.error.status < 0) {
             app_say(s->app, s->now, "not saved: %.130s", r.error.message);
         } else {
@@ -249,8 +282,10 @@ static void obey(session *s, unsigned orders)
         session_print_camera(s);
     if (orders & APP_SNAPSHOT)
         session_save(s);
-    if (orders & APP_RELOAD)
-        session_load(s, s->desc.args->scene);
+    if ((orders & APP_RELOAD) && s->path[0])
+        session_load(s, s->path);
+    if (orders & APP_OPEN)
+        session_open_scene(s, s->choices.paths[s->app->chosen]);
 }
 
 static void look_at_job(session *s)
@@ -284,7 +319,7 @@ unsigned session_update(session *s, double now, double budget)
     s->now = now;
     take_results(s);
     if (file_watch_changed(&s->watch, now))
-        session_load(s, s->desc.args->scene);
+        session_load(s, s->path);
     orders = app_update(s->app, now, s->scene && session_shows_job(s) && picture_is_covered(&s->picture));
     obey(s, orders);
     take_pixels(s, budget);
@@ -363,9 +398,14 @@ pov_status session_open(session **out, app *a, const session_desc *desc, pov_err
         session_close(s);
         return status;
     }
-    file_watch_begin(&s->watch, desc->args->scene, 0.0);
-    session_load(s, desc->args->scene);
+    helper_remember(s->helper, desc->remember);
     *out = s;
+    if (desc->args->scene) {
+        session_open_scene(s, desc->args->scene);
+        return POV_OK;
+    }
+    recent_read(&s->choices);
+    a->choices = s->choices.count;
     return POV_OK;
 }
 

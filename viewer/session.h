@@ -5,6 +5,7 @@
 
 #include "app.h"
 #include "args.h"
+#include "recent.h"
 
 #include <povtrace/render.h>
 
@@ -16,6 +17,7 @@ typedef struct session_desc {
     void (*copy)(void *user, const char *text);   /* to the clipboard */
     void *wake_user;             /* of both */
     bool by_steps;               /* session_step() traces, and no threads */
+    bool remember;               /* scenes that were read become recent ones */
 } session_desc;
 
 /* The surface at a position in the picture. */
@@ -41,6 +43,10 @@ pov_status session_open(session **out, app *a, const session_desc *desc, pov_err
 void session_close(session *s);
 /* Load another file in the scene's place. */
 void session_load(session *s, const char *path);
+/* Go over to another scene: its camera counts, and its file is watched. */
+void session_open_scene(session *s, const char *path);
+/* The scenes to choose from while there is none; NULL: there is one, or it is being read. */
+const recent *session_choices(const session *s);
 /* Take the threads' results, execute the app's orders, and copy new pixels into the picture for at most so many
  * seconds. Returns the app's orders. */
 unsigned session_update(session *s, double now, double budget);

@@ -190,7 +190,7 @@ static void describe(const session *s, const char *name, const pov_progress *p, 
 
 void session_title(session *s, char *out, size_t size)
 {
-    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *path = s->path[0] ? s->path : "povview", *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
     pov_progress p = POV_INIT(p);
 
     if (!s->job) {

@@ -13,7 +13,7 @@ enum { MOST_SNAPSHOTS = 9999 };
 /* File name: the scene's name without folder and ending, an unused number, .png; in the working folder. */
 static bool free_name(session *s, char *out, size_t size)
 {
-    const char *path = s->desc.args->scene, *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const char *path = s->path, *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
     size_t length = strcspn(base, ".");
 
     while (s->snapshot < MOST_SNAPSHOTS) {

@@ -22,6 +22,8 @@ struct session {
     session_desc desc;
     pov_context *context;
     helper *helper;
+    char path[RECENT_PATH];      /* the scene's; "" for none */
+    recent choices;              /* while there is none */
     file_watch watch;
 
     pov_scene *scene;            /* the members below belong to this scene; NULL: none was loaded so far */
@@ -38,6 +40,8 @@ struct session {
     bool wrong;
     pov_error error;
     int loads;                   /* requested and not answered */
+    int stale;                   /* of these, of a scene that another one was opened after */
+    bool fresh;                  /* the next scene is another one than was shown */
     int snapshot;                /* the last one's number */
     double now, begun, worked;   /* the clock; when the job began anew, and for how long it has worked since */
     unsigned long restarts;

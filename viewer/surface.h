@@ -29,6 +29,8 @@ struct surface {
     void (*post)(void *surface);
     void (*close)(surface *s);
     surface_sink *sink;
+    /* A file was dropped on the window. */
+    void (*take_file)(void *sink_user, const char *path);
     void *sink_user;
 };
 

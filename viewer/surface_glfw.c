@@ -144,6 +144,15 @@ static void on_close(GLFWwindow *window)
     deliver(window, event);
 }
 
+/* One scene is shown; of several files it is the first. */
+static void on_drop(GLFWwindow *window, int count, const char **paths)
+{
+    window_surface *w = glfwGetWindowUserPointer(window);
+
+    if (count > 0 && w->base.take_file)
+        w->base.take_file(w->base.sink_user, paths[0]);
+}
+
 /* ---- the surface ---- */
 
 static surface_call get_proc(const char *name)
@@ -246,6 +255,7 @@ static void listen_to(GLFWwindow *window)
     glfwSetWindowFocusCallback(window, on_focus);
     glfwSetWindowRefreshCallback(window, on_refresh);
     glfwSetWindowCloseCallback(window, on_close);
+    glfwSetDropCallback(window, on_drop);
 }
 
 static surface *refuse(surface *s, pov_error *err)

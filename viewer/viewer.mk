@@ -4,12 +4,13 @@ VIEWER_SOURCES  = $(sort $(wildcard viewer/*.c))
 VIEWER_OBJECTS  = $(VIEWER_SOURCES:%.c=$(BUILD)/obj/%.o)
 # Tests of what needs none of the packages are built everywhere.
 VIEWER_PURE_TESTS = tests/viewer/test_orbit.c tests/viewer/test_app.c tests/viewer/test_args.c tests/viewer/test_keys.c \
-                    tests/viewer/test_camera_text.c tests/viewer/test_zoom.c tests/viewer/test_bar.c
+                    tests/viewer/test_camera_text.c tests/viewer/test_zoom.c tests/viewer/test_bar.c \
+                    tests/viewer/test_recent.c
 POVVIEW         = $(BUILD)/bin/povview
 
 $(BUILD)/obj/viewer/%.o: ROOM_FLAGS = $(VIEWER_FLAGS) -Iviewer
 $(BUILD)/obj/tests/viewer/%.o: ROOM_FLAGS += $(VIEWER_FLAGS) -Iviewer
-VIEWER_PURE = $(patsubst %,$(BUILD)/obj/viewer/%.o,orbit zoom bar ramp add app keys args script camera_text)
+VIEWER_PURE = $(patsubst %,$(BUILD)/obj/viewer/%.o,orbit zoom bar ramp add app keys args script camera_text recent)
 $(VIEWER_PURE_TESTS:%.c=$(BUILD)/%): $(VIEWER_PURE)
 
 VIEWER_SCRIPTS = tests/viewer/examples.sh

@@ -136,7 +136,8 @@ static inline int make_folder(void **state)
 
 static inline int remove_folder(void **state)
 {
-    static const char *const names[] = { "scene.pov", "scene-001.png", "scene-002.png", "wanted.png", "reference.png", "reference.pfm" };
+    static const char *const names[] = { "scene.pov", "scene-001.png", "scene-002.png", "wanted.png", "reference.png", "reference.pfm",
+                                         "other.pov" };
 
     (void)state;
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)

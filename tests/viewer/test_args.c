@@ -28,6 +28,9 @@ static void args_are_read(void **state)
     assert_int_equal(parse(&a, "s.pov", NULL, NULL, NULL), ARGS_RUN);
     assert_int_equal(a.width, 0);
     assert_true(a.samples > 1 && a.error > 0.0);
+    assert_true(a.remember);
+    assert_int_equal(parse(&a, NULL, NULL, NULL, NULL), ARGS_RUN);
+    assert_null(a.scene);
     assert_int_equal(parse(&a, "s.pov", "--spp=7", NULL, NULL), ARGS_RUN);
     assert_true(a.samples == 7 && a.error == 0.0);
     assert_int_equal(parse(&a, "s.pov", "--error=0.01", NULL, NULL), ARGS_RUN);
@@ -37,6 +40,7 @@ static void args_are_read(void **state)
     assert_int_equal(a.height, 480);
     assert_int_equal(parse(&a, "--shot=x.png", "s.pov", "--frames=3", "--keys=h<drag 10,-5>"), ARGS_RUN);
     assert_int_equal(a.frames, 3);
+    assert_false(a.remember);
     assert_true(a.samples == 1 && a.error == 0.0);
     assert_int_equal(parse(&a, "s.pov", "--reference=r.png", NULL, NULL), ARGS_RUN);
     assert_string_equal(a.reference, "r.png");
@@ -56,7 +60,8 @@ static void assert_refused(const char *first, const char *second, const char *th
 static void args_that_are_wrong_are_named(void **state)
 {
     (void)state;
-    assert_refused(NULL, NULL, NULL, NULL, "SCENE is missing: povview wants SCENE [WIDTH HEIGHT]");
+    assert_refused("--bench", NULL, NULL, NULL, "SCENE is missing: povview wants SCENE [WIDTH HEIGHT]");
+    assert_refused("--shot=x.png", NULL, NULL, NULL, "SCENE is missing: povview wants SCENE [WIDTH HEIGHT]");
     assert_refused("s.pov", "640", NULL, NULL, "HEIGHT is missing: povview wants SCENE [WIDTH HEIGHT]");
     assert_refused("s.pov", "640", "48x", NULL, "HEIGHT must be a whole number from 1 to 16384, not \"48x\"");
     assert_refused("s.pov", "0", "480", NULL, "WIDTH must be a whole number from 1 to 16384, not \"0\"");

@@ -168,6 +168,52 @@ static void shot_follows_the_file_and_its_camera_until_the_user_moves(void **sta
     end(s);
 }
 
+static void write_as(const char *name, const char *text)
+{
+    FILE *f = fopen(name, "w");
+
+    assert_non_null(f);
+    assert_true(fputs(text, f) >= 0);
+    assert_int_equal(fclose(f), 0);
+}
+
+static void shot_goes_over_to_another_scene_and_its_camera(void **state)
+{
+    stage *s = begin(good, 0);
+
+    (void)state;
+    see(s, "<drag 100,0>");
+    write_as("other.pov", green);
+    session_open_scene(s->v.session, "other.pov");
+    assert_color(at(see(s, ""), WIDTH / 2, HEIGHT / 2), 0, 170, 0, 40);
+    see(s, "");
+    assert_string_equal(s->v.title, "other.pov: done in 0.0 s");
+    /* The last one that was asked for counts, whatever was on its way. */
+    session_load(s->v.session, scene_path);
+    session_open_scene(s->v.session, "nowhere.pov");
+    session_open_scene(s->v.session, scene_path);
+    assert_color(at(see(s, ""), WIDTH / 2, HEIGHT / 2), 170, 0, 0, 40);
+    assert_null(session_error(s->v.session));
+    end(s);
+}
+
+static void shot_keeps_the_picture_when_another_scene_cannot_be_read(void **state)
+{
+    stage *s = begin(good, 0);
+    uint8_t *before = copy(see(s, ""));
+
+    (void)state;
+    session_open_scene(s->v.session, "nowhere.pov");
+    assert_color(at(see(s, ""), WIDTH / 2, HEIGHT / 2), before[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2)], 0, 0, 2);
+    assert_non_null(session_error(s->v.session));
+    write_as("other.pov", green);
+    session_open_scene(s->v.session, "other.pov");
+    see(s, "");
+    assert_null(session_error(s->v.session));
+    free(before);
+    end(s);
+}
+
 static void shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one(void **state)
 {
     stage *s = begin(wrong, 0);
@@ -465,6 +511,8 @@ int main(void)
         cmocka_unit_test(shot_scrolls_a_help_that_does_not_fit),
         cmocka_unit_test(shot_keeps_the_last_good_picture_under_the_message),
         cmocka_unit_test(shot_follows_the_file_and_its_camera_until_the_user_moves),
+        cmocka_unit_test(shot_goes_over_to_another_scene_and_its_camera),
+        cmocka_unit_test(shot_keeps_the_picture_when_another_scene_cannot_be_read),
         cmocka_unit_test(shot_of_a_wrong_scene_shows_why_and_waits_for_a_better_one),
         cmocka_unit_test(shot_shows_normals_and_depth),
         cmocka_unit_test(shot_shows_where_the_samples_and_the_error_are),

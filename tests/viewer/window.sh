@@ -20,6 +20,7 @@ end() {
 trap end EXIT
 cd "$work" || exit 1
 passed=0 failed=0
+export XDG_STATE_HOME="$work/state"   # the list of recent scenes is not the user's own
 
 # check NAME COMMAND...: passes if the command does.
 check() {
@@ -226,6 +227,40 @@ gone() { ! kill -0 "$viewer" 2>/dev/null; }
 check "Esc ends it" within gone
 wait "$viewer"
 check "with exit status 0" test $? -eq 0
+viewer=
+check "and nothing was said on standard error" test ! -s err
+
+
+# The start page: the scene above is a recent one now.
+scene 'sphere { 0, 1 pigment { rgb <1, 0, 0> } }'
+mkdir other
+sed 's/rgb <1, 0, 0>/rgb <0, 1, 0>/' scene.pov > "other/two words.pov"
+start() {
+    "$povview" >out 2>err &
+    viewer=$!
+    within named '^povview$' || echo "there is no window"
+}
+named() { window=$(xdotool search --name "$1" 2>/dev/null | head -n 1); [ -n "$window" ]; }
+start
+check "without a scene it lists recent ones" within sh -c 'import -window "$0" start.png &&
+    [ "$(convert start.png -crop 600x300+212+234 -format "%k" info:)" -gt 20 ]' "$window"
+shot start.png
+xdotool key 9
+xdotool key 1
+check "the number of one opens it" within named '^scene.pov: done in'
+check "as it was" test "$(shot one.png; channel one.png 512 384 r)" -gt 90
+if pkg-config --exists x11 && command -v "${CC:-cc}" >/dev/null; then
+    "${CC:-cc}" "$root/tests/viewer/drop.c" -o drop $(pkg-config --cflags --libs x11) || echo "drop.c does not compile"
+    check "a file can be dropped" ./drop "$window" "$work/other/two%20words.pov"
+    check "and is shown" within named '^two words.pov: done in'
+    check "in the scene's place" within looks two.png 512 384 g
+    check "and is the most recent one" grep -q 'two words' "$XDG_STATE_HOME/povtrace/recent"
+    sed 's/rgb <1, 0, 0>/rgb <0, 0, 1>/' scene.pov > new.pov
+    mv new.pov "other/two words.pov"
+    check "and its file is the one that is watched" within looks blue.png 512 384 b
+fi
+xdotool key ctrl+q
+check "Ctrl and Q end it" within gone
 viewer=
 check "and nothing was said on standard error" test ! -s err
 
