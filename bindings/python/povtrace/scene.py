@@ -166,15 +166,14 @@ class Scene:
                grown: Optional[Callable[[Picture], Any]] = None) -> Picture:
         """Draw: spp samples a pixel, or until the estimated error is `error`, or `time` seconds have passed. alpha: the
         background is transparent. maps, of what the camera sees first, by name: 'depth', 'normal', 'position', 'object',
-        'albedo', 'alpha', 'certainty'; and of the samples 'error', 'samples', 'time'. progress is called with a fraction of 1, and grown with the picture so far, ten times a
-        second; an exception of theirs, or Ctrl-C, ends the job."""
+        'albedo', 'alpha', 'certainty'; and of the samples 'error', 'samples', 'time'. progress is called with a fraction of
+        1, and grown with the picture so far, ten times a second; an exception of theirs, or Ctrl-C, ends the job."""
         unknown = set(maps) - MAPS.keys()
         if unknown:
             raise ValueError(f'there is no map {sorted(unknown)[0]!r}; there are {", ".join(MAPS)}')
         desc = _sized('pov_render_desc', width=width, height=height, samples=spp, target_error=error, time_limit=time,
                       threads=threads, sampling=ADAPTIVE if error > 0 or time > 0 else 0, seed=seed, alpha=alpha,
-                      time_map='time' in maps,
-                      preview=8 if grown else 0)
+                      time_map='time' in maps, preview=8 if grown else 0)
         job = _make(lib.pov_job_destroy, 'pov_job', lib.pov_job_create, self._scene, desc)
         try:
             _call(lib.pov_job_start, job)
