@@ -9,6 +9,7 @@ typedef struct curve {
     pov_encoding encoding;
     double power;
     double working;              /* assumed_gamma; 0 or 1: linear light */
+    bool works_in_srgb;          /* it is the curve of sRGB, whatever `working` says */
     bool is_cut;                 /* decoded grey is stored in bytes */
 } curve;
 
@@ -22,11 +23,18 @@ static double srgb_inverse(double v)
     return v <= 0.04045 ? v / 12.92 : elementary_pow((v + 0.055) / 1.055, 2.4);
 }
 
+static double srgb_curve(double v)
+{
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * elementary_pow(v, 1.0 / 2.4) - 0.055;
+}
+
 static double decoded(const curve *c, double v)
 {
     const double linear = c->encoding == POV_ENCODING_SRGB ? srgb_inverse(v)
                         : c->encoding == POV_ENCODING_POWER ? power_of(v, c->power) : v;
 
+    if (c->works_in_srgb)
+        return srgb_curve(linear);
     return c->working > 0.0 ? power_of(linear, 1.0 / c->working) : linear;
 }
 
@@ -59,7 +67,7 @@ static bool is_decoded(const pov_reader *in, const image *of, const image_gamma 
 
 static curve choose(const pov_reader *in, const image *of, const image_gamma *given, bool is_plain)
 {
-    curve c = { POV_ENCODING_STORED, 1.0, 0.0, of->is_cut };
+    curve c = { POV_ENCODING_STORED, 1.0, 0.0, false, of->is_cut };
 
     if (of->encoding == POV_ENCODING_LINEAR && !given->is_given) {
         c.working = is_plain ? 0.0 : in->settings.assumed_gamma;
@@ -68,6 +76,7 @@ static curve choose(const pov_reader *in, const image *of, const image_gamma *gi
         c.power = given->is_given ? given->number : of->power;
         c.working = in->settings.assumed_gamma;
     }
+    c.works_in_srgb = c.working > 0.0 && in->settings.assumed_srgb;
     return c;
 }
 
