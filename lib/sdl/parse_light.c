@@ -22,12 +22,15 @@ static void move_light(pov_reader *in, void *self, keyword_id keyword)
 static void read_type(pov_reader *in, void *self, keyword_id keyword)
 {
     light_reading *r = self;
+    light *l = light_of(self);
 
     (void)in;
-    if (keyword == KEYWORD_PARALLEL)
+    if (keyword == KEYWORD_PARALLEL) {
         r->is_parallel = true;
-    else
-        light_of(self)->type = keyword == KEYWORD_CYLINDER ? LIGHT_CYLINDER : LIGHT_SPOT;
+    } else {
+        l->type = keyword == KEYWORD_CYLINDER ? LIGHT_CYLINDER : LIGHT_SPOT;
+        l->flags &= ~(uint32_t)LIGHT_SHADOWLESS;
+    }
 }
 
 /* The words that say how light is directed stand behind the word that says that it is. */
@@ -240,6 +243,11 @@ static void conclude(light_reading *r)
     const double degree = 3.14159265358979323846 / 180.0;
     light *l = light_of(r);
 
+    /* Spotlight, cylinder and shadowless are of one kind in POV-Ray: the last word counts. */
+    if (l->flags & LIGHT_SHADOWLESS) {
+        r->is_parallel |= l->type == LIGHT_CYLINDER;
+        l->type = LIGHT_POINT;
+    }
     if (r->is_parallel && l->type != LIGHT_CYLINDER)
         l->type = LIGHT_PARALLEL;
     if (l->type == LIGHT_SPOT) {

@@ -72,6 +72,18 @@ static void diffuse_light_follows_brilliance_and_albedo(void **state)
     CHECK(samples);
 }
 
+static void of_spotlight_cylinder_and_shadowless_the_last_counts(void **state)
+{
+    static const sample samples[] = {
+        { "<3,4,-6> rgb 1 spotlight radius 5 falloff 10 point_at <9,0,0> shadowless", GOLD "finish { ambient 0 diffuse 1 }", 0.60203, 0.40136, 0.20067 },
+        { "<3,4,-6> rgb 1 cylinder radius .5 falloff 1 point_at <9,0,0> shadowless", GOLD "finish { ambient 0 diffuse 1 }", 0.55470, 0.36980, 0.18489 },
+        { "<3,4,-6> rgb 1 shadowless spotlight radius 5 falloff 10 point_at <9,0,0>", GOLD "finish { ambient 0 diffuse 1 }", 0.0, 0.0, 0.0 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 static void light_from_behind_counts_where_the_finish_says_so(void **state)
 {
     static const sample samples[] = {
@@ -197,6 +209,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(diffuse_light_follows_brilliance_and_albedo),
+        cmocka_unit_test(of_spotlight_cylinder_and_shadowless_the_last_counts),
         cmocka_unit_test(light_from_behind_counts_where_the_finish_says_so),
         cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
