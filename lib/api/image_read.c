@@ -1,7 +1,7 @@
 #include "api/adapt.h"
 #include "api/image.h"
 #include "base/file.h"
-#include "render/encode.h"
+#include "base/srgb.h"
 
 #include <string.h>
 
@@ -39,7 +39,7 @@ static float linear_of(const pov_image *about, unsigned stored, double most)
 {
     double value = stored / most;
 
-    return (float)(about->transfer == POV_TRANSFER_SRGB ? encode_srgb_inverse(value) : value);
+    return (float)(about->transfer == POV_TRANSFER_SRGB ? srgb_decode(value) : value);
 }
 
 static void unpack_row(const pov_image *about, const unsigned char *row, float *rgba)

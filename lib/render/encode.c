@@ -1,30 +1,22 @@
 #include "render/encode.h"
 
+#include "base/srgb.h"
+
 #include <math.h>
 #include <string.h>
-
-double encode_srgb(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double encode_srgb_inverse(double stored)
-{
-    return stored <= 0.04045 ? stored / 12.92 : pow((stored + 0.055) / 1.055, 2.4);
-}
 
 static double encoded(const encoder *e, double linear)
 {
     if (e->gamma > 0.0)
         return pow(linear, 1.0 / e->gamma);
-    return e->transfer == POV_TRANSFER_SRGB ? encode_srgb(linear) : linear;
+    return e->transfer == POV_TRANSFER_SRGB ? srgb_encode(linear) : linear;
 }
 
 static double encoded_inverse(const encoder *e, double stored)
 {
     if (e->gamma > 0.0)
         return pow(stored, e->gamma);
-    return e->transfer == POV_TRANSFER_SRGB ? encode_srgb_inverse(stored) : stored;
+    return e->transfer == POV_TRANSFER_SRGB ? srgb_decode(stored) : stored;
 }
 
 static void fill_tables(encoder *e)

@@ -22,8 +22,4 @@ void encoder_init(encoder *e, int bits, pov_transfer transfer, double gamma);
  * stored as 0. */
 void encoder_row(const encoder *e, const float *rgba, int width, int channels, void *out);
 
-/* The sRGB curve of IEC 61966-2-1 and its inverse, 0..1 to 0..1. */
-double encode_srgb(double linear);
-double encode_srgb_inverse(double stored);
-
 #endif

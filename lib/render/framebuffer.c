@@ -2,6 +2,7 @@
 
 #include "base/pages.h"
 #include "base/simd.h"
+#include "base/srgb.h"
 
 #include <string.h>
 
@@ -130,7 +131,7 @@ void encoding_make(encoding *e, const gamma *g)
     encoder_init(&e->display, 8, g->transfer, 0.0);
 }
 
-static double decoded(const encoding *e, double value) { return e->decodes_srgb ? encode_srgb_inverse(value) : pow(value, e->decode); }
+static double decoded(const encoding *e, double value) { return e->decodes_srgb ? srgb_decode(value) : pow(value, e->decode); }
 
 /* Linear light is value ^ decode; negative values keep their sign. */
 static float linear_of(const encoding *e, float value)

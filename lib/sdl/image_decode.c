@@ -1,6 +1,6 @@
 #include "sdl/image_decode.h"
 
-#include "base/elementary.h"
+#include "sdl/working.h"
 
 #include <string.h>
 
@@ -8,8 +8,7 @@
 typedef struct curve {
     pov_encoding encoding;
     double power;
-    double working;              /* assumed_gamma; 0 or 1: linear light */
-    bool works_in_srgb;          /* it is the curve of sRGB, whatever `working` says */
+    const settings_parsed *working;   /* NULL: it stays as it is */
     bool is_cut;                 /* decoded grey is stored in bytes */
 } curve;
 
@@ -18,24 +17,12 @@ static double power_of(double v, double power)
     return power == 1.0 ? v : v < 0.0 ? 0.0 : elementary_pow(v, power);
 }
 
-static double srgb_inverse(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : elementary_pow((v + 0.055) / 1.055, 2.4);
-}
-
-static double srgb_curve(double v)
-{
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * elementary_pow(v, 1.0 / 2.4) - 0.055;
-}
-
 static double decoded(const curve *c, double v)
 {
-    const double linear = c->encoding == POV_ENCODING_SRGB ? srgb_inverse(v)
+    const double linear = c->encoding == POV_ENCODING_SRGB ? srgb_decode(v)
                         : c->encoding == POV_ENCODING_POWER ? power_of(v, c->power) : v;
 
-    if (c->works_in_srgb)
-        return srgb_curve(linear);
-    return c->working > 0.0 ? power_of(linear, 1.0 / c->working) : linear;
+    return c->working ? working_of(c->working, linear) : linear;
 }
 
 /* Its brightness in float, cut down to a byte. */
@@ -67,16 +54,15 @@ static bool is_decoded(const pov_reader *in, const image *of, const image_gamma 
 
 static curve choose(const pov_reader *in, const image *of, const image_gamma *given, bool is_plain)
 {
-    curve c = { POV_ENCODING_STORED, 1.0, 0.0, false, of->is_cut };
+    curve c = { POV_ENCODING_STORED, 1.0, NULL, of->is_cut };
 
     if (of->encoding == POV_ENCODING_LINEAR && !given->is_given) {
-        c.working = is_plain ? 0.0 : in->settings.assumed_gamma;
+        c.working = is_plain ? NULL : &in->settings;
     } else if (is_decoded(in, of, given, is_plain)) {
         c.encoding = given->is_given ? given->is_srgb ? POV_ENCODING_SRGB : POV_ENCODING_POWER : of->encoding;
         c.power = given->is_given ? given->number : of->power;
-        c.working = in->settings.assumed_gamma;
+        c.working = &in->settings;
     }
-    c.works_in_srgb = c.working > 0.0 && in->settings.assumed_srgb;
     return c;
 }
 
@@ -152,6 +138,6 @@ void image_decode(pov_reader *in, image_map *map, const image_gamma *given, cons
         map->palette = make_palette(in, map, &c, alphas);
     else if (of->bits < 32)
         map->decoded = make_table(in, &c, of->bits);
-    else if (c.encoding != POV_ENCODING_STORED || (c.working > 0.0 && c.working != 1.0))
+    else if (c.encoding != POV_ENCODING_STORED || (c.working && !working_is_linear(c.working)))
         map->image = make_floats(in, of, &c);
 }

@@ -2,6 +2,7 @@
 
 #include "sdl/expression.h"
 #include "sdl/report.h"
+#include "sdl/working.h"
 
 #include <float.h>
 #include <math.h>
@@ -105,20 +106,6 @@ static void spread(const form *f, int count, const double v[CHANNELS], double ou
     }
 }
 
-/* The curve of sRGB, straight below zero, by its power above one. */
-static double decode(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-}
-
-/* Linear light as the numbers of the scene, which assumed_gamma decodes again. */
-static double as_worked(const pov_reader *in, double linear)
-{
-    const double g = in->settings.assumed_gamma;
-
-    return g > 0.0 && g != 1.0 ? linear > 0.0 ? pow(linear, 1.0 / g) : 0.0 : linear;
-}
-
 static void read_form(pov_reader *in, const form *f, bool bare, double out[CHANNELS])
 {
     const place at = in->token.at;
@@ -129,8 +116,8 @@ static void read_form(pov_reader *in, const form *f, bool bare, double out[CHANN
         report_warn(in, &at, "more numbers than \"%s\" says: the fourth is filter, the fifth transmit",
                     token_keyword_name(f->keyword));
     spread(f, count, v, out);
-    for (i = 0; i < 3 && f->is_encoded && !in->settings.assumed_srgb; i++)
-        out[i] = as_worked(in, decode(out[i]));
+    for (i = 0; i < 3 && f->is_encoded; i++)
+        out[i] = working_of(&in->settings, srgb_decode(out[i]));
 }
 
 void value_colour_channels(pov_reader *in, double out[CHANNELS])

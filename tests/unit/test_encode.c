@@ -1,4 +1,5 @@
 /* Linear values to stored ones. */
+#include "base/srgb.h"
 #include "render/encode.h"
 #include "support/check.h"
 
@@ -54,7 +55,7 @@ static void the_thresholds_are_the_curves_halves(void **state)
     (void)state;
     encoder_init(&e, 8, POV_TRANSFER_SRGB, 0.0);
     for (int i = 0; i < 255; i++)
-        assert_true(fabs(255.0 * encode_srgb((double)e.above[i]) - (i + 0.5)) < 1e-4);
+        assert_true(fabs(255.0 * srgb_encode((double)e.above[i]) - (i + 0.5)) < 1e-4);
 }
 
 static void what_is_beyond_is_clamped_and_no_number_is_black(void **state)
