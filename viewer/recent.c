@@ -48,7 +48,14 @@ static void append(recent *r, const char *path)
         strcpy(r->paths[r->count++], path);
 }
 
-/* A line that is longer than a path may be comes in parts, which name no file. */
+static bool is_readable_file(const char *path)
+{
+    struct stat about;
+
+    return path[0] == '/' && stat(path, &about) == 0 && S_ISREG(about.st_mode) && access(path, R_OK) == 0;
+}
+
+/* A line that is longer than a path may be comes in parts. */
 void recent_read(recent *r)
 {
     char path[RECENT_PATH + 1];
@@ -60,7 +67,7 @@ void recent_read(recent *r)
         return;
     while (fgets(path, sizeof path, f)) {
         path[strcspn(path, "\n")] = '\0';
-        if (path[0] == '/' && access(path, R_OK) == 0)
+        if (is_readable_file(path))
             append(r, path);
     }
     fclose(f);

@@ -97,7 +97,7 @@ static void recent_takes_no_harm_from_a_broken_list(void **state)
     fputs("\nrelative.pov\n\n\x01\xff\n", f);
     fclose(f);
     recent_read(&r);
-    assert_true(r.count <= RECENT_MOST);
+    assert_int_equal(r.count, 0);
     setenv("XDG_STATE_HOME", "/dev/null", 1);
     recent_add("9.pov");
     recent_read(&r);

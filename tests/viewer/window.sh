@@ -230,18 +230,14 @@ check "with exit status 0" test $? -eq 0
 viewer=
 check "and nothing was said on standard error" test ! -s err
 
-
 # The start page: the scene above is a recent one now.
 scene 'sphere { 0, 1 pigment { rgb <1, 0, 0> } }'
 mkdir other
 sed 's/rgb <1, 0, 0>/rgb <0, 1, 0>/' scene.pov > "other/two words.pov"
-start() {
-    "$povview" >out 2>err &
-    viewer=$!
-    within named '^povview$' || echo "there is no window"
-}
 named() { window=$(xdotool search --name "$1" 2>/dev/null | head -n 1); [ -n "$window" ]; }
-start
+"$povview" >out 2>err &
+viewer=$!
+within named '^povview$' || echo "there is no window"
 check "without a scene it lists recent ones" within sh -c 'import -window "$0" start.png &&
     [ "$(convert start.png -crop 600x300+212+234 -format "%k" info:)" -gt 20 ]' "$window"
 shot start.png
