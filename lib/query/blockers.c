@@ -1,18 +1,73 @@
 #include "query/query.h"
+#include "world/csg.h"
 #include "world/internal.h"
 
-typedef struct asking { const world *world; const shaft *in; uint32_t left; query_blocker_fn *add; void *user; } asking;
+typedef struct asking { const world *world; const shaft *in; departure left; query_blocker_fn *add; void *user; } asking;
+
+/* Does no ray of the shaft meet the shape again, having started on it? */
+static bool is_left(const asking *a, const shape_class *shape, uint32_t object, bool is_plane)
+{
+    return object == a->left.object && (is_plane || (a->left.outward && (shape->flags & POV_SHAPE_CONVEX)));
+}
+
+static bool find_plane(const shape_class *shape, const void *self, pov_half_space *out)
+{
+    return shape->half_space && shape->half_space(self, out);
+}
+
+static bool add_plane(const asking *a, blocker *b)
+{
+    b->is_plane = true;
+    return !shaft_may_cross(a->in, b->plane.normal, b->plane.distance) || a->add(a->user, b);
+}
+
+/* ---- trees ---- */
+
+/* More are not told apart. */
+enum { MEMBERS_MAX = 16 };
+
+/* What a member of a tree shows of its surface lies in the tree's box too. */
+static bool add_member(const asking *a, const csg_tree *t, const csg_member *m)
+{
+    blocker b = { .box = m->boxed ? m->box : t->box };
+    const bool is_plane = !m->xform && !m->boxed && find_plane(m->shape, m->instance, &b.plane);
+
+    if (m->hidden || m->absent || is_left(a, m->shape, m->leaf, is_plane))
+        return true;
+    if (is_plane)
+        return (t->boxed && !shaft_may_overlap(a->in, &t->box)) || add_plane(a, &b);
+    if (!m->boxed && !t->boxed)
+        return false;
+    return !shaft_may_overlap(a->in, &b.box) || a->add(a->user, &b);
+}
+
+static const csg_tree *tree_of(const leaf_batch *r, uint32_t lane)
+{
+    const csg_tree *t = r->shape == &csg_class ? ((const csg_root *)leaf_batch_instance(r, lane))->tree : NULL;
+
+    return t && t->member_count <= MEMBERS_MAX ? t : NULL;
+}
+
+static bool add_tree(const asking *a, const csg_tree *t)
+{
+    for (uint32_t i = 0; i < t->member_count; i++)
+        if (!add_member(a, t, &t->members[i]))
+            return false;
+    return true;
+}
+
+/* ---- other objects ---- */
 
 /* The shape's own box, or else the leaf's. */
 static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
 {
     const uint32_t flags = r->shape->flags;
-    blocker b = { .opaque = r->opaque >> lane & 1 };
+    blocker b = { .opaque = r->opaque & r->plain & 1u << lane };
 
     if (!(r->flags & LEAF_INSTANCED) && r->object[lane] < a->world->model->leaves.count &&
         r->shape->bounds(leaf_batch_instance(r, lane), &b.box)) {
-        b.is_box = (flags & POV_SHAPE_BOX) && r->plain >> lane & 1;
-        b.is_sphere = (flags & POV_SHAPE_SPHERE) && r->plain >> lane & 1;
+        b.is_box = flags & POV_SHAPE_BOX;
+        b.is_sphere = flags & POV_SHAPE_SPHERE;
     } else if (leaf) {
         b.box = *leaf;
     } else {
@@ -23,14 +78,15 @@ static bool add_boxed(const asking *a, const leaf_batch *r, uint32_t lane, const
 
 static bool add_shape(const asking *a, const leaf_batch *r, uint32_t lane, const pov_box *leaf)
 {
-    pov_half_space half;
+    const csg_tree *t = tree_of(r, lane);
+    blocker b = { .opaque = false };
+    const bool is_plane = !leaf && !(r->flags & LEAF_INSTANCED) && find_plane(r->shape, leaf_batch_instance(r, lane), &b.plane);
 
-    if (r->object[lane] == a->left && (r->shape->flags & POV_SHAPE_CONVEX))
+    if (is_left(a, r->shape, r->object[lane], is_plane))
         return true;
-    if (!leaf && !(r->flags & LEAF_INSTANCED) && r->shape->half_space &&
-        r->shape->half_space(leaf_batch_instance(r, lane), &half) && !shaft_may_cross(a->in, half.normal, half.distance))
-        return true;
-    return add_boxed(a, r, lane, leaf);
+    if (is_plane)
+        return add_plane(a, &b);
+    return t ? add_tree(a, t) : add_boxed(a, r, lane, leaf);
 }
 
 static bool add_leaf(void *user, const void *leaf, const pov_box *box)
@@ -44,7 +100,7 @@ static bool add_leaf(void *user, const void *leaf, const pov_box *box)
     return true;
 }
 
-bool query_blockers(const world *w, const shaft *s, uint32_t left, query_blocker_fn *add, void *user)
+bool query_blockers(const world *w, const shaft *s, departure left, query_blocker_fn *add, void *user)
 {
     asking a = { w, s, left, add, user };
 

@@ -7,6 +7,8 @@
 #include "bvh/shaft.h"
 #include "world/surface.h"
 
+#include <povtrace/shape_fast.h>
+
 typedef struct query_context query_context;   /* one thread's memory for queries */
 
 pov_status query_context_create(query_context **out, const world *w, pov_error *err);
@@ -45,17 +47,20 @@ uint64_t query_occlusion(const world *w, query_context *k, const pov_ray *const 
  * do crossings. A surface at the end itself is not on the segment. */
 bool query_occlusion_exact(const world *w, query_context *k, const pov_ray *ray, uint32_t which, double tmax,
                            occlusion *out);
-/* What may cast a shadow: something in a box, which is off by a few units in the last place of its coordinates. */
+/* What may cast a shadow: something in a box, which is off by a few units in the last place of its coordinates, or a plane. */
 typedef struct blocker {
     pov_box box;
-    bool is_box, is_sphere;      /* it fills the box, or is the sphere inscribed in it */
-    bool opaque;
+    pov_half_space plane;        /* which it is the surface of, if is_plane */
+    bool is_box, is_sphere;      /* its surface lies on the box's, or on the sphere inscribed in it */
+    bool is_plane, opaque;       /* opaque: of these two the whole surface, and light does not pass */
 } blocker;
 
-/* Name what may cast a shadow in a shaft, until `add` says false. left: an object that all rays of the shaft leave outward, or POV_NO_OWNER.
- * False: `add` said so, or something has no box. */
+/* The object whose surface all rays of a shaft start on; outward: they leave to the side of its own normals. */
+typedef struct departure { uint32_t object; bool outward; } departure;
+
+/* Name what may cast a shadow in a shaft, until `add` says false. False: `add` said so, or something has neither box nor plane. */
 typedef bool query_blocker_fn(void *user, const blocker *b);
-bool query_blockers(const world *w, const shaft *s, uint32_t left, query_blocker_fn *add, void *user);
+bool query_blockers(const world *w, const shaft *s, departure left, query_blocker_fn *add, void *user);
 /* The nearest crossing in (tmin, tmax) with the objects that these leaves are, whoever sees them. False: there is none. */
 bool query_crossing_of(const world *w, query_context *k, const pov_ray *ray, uint32_t leaf, uint32_t leaf_count,
                        double tmin, double tmax, double *t);

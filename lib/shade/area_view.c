@@ -113,12 +113,40 @@ static bool project_sphere(const plane *p, const pov_box *b, grid_part *out)
     return r > small * p->size && project_axis(p, 0, c, r, out) && project_axis(p, 1, c, r, out);
 }
 
+/* Places of one axis that may lie beyond a plane, `height` of it at the light's middle and `rise` along the axes. */
+static void cut_axis(double height, const double rise[2], int axis, const grid_part *all, grid_part *out)
+{
+    const int other = 1 - axis;
+    const double least = height + fmin(rise[other] * all->lo[other], rise[other] * all->hi[other]), at = -least / rise[axis];
+
+    out->lo[axis] = rise[axis] < 0.0 ? at : -HUGE_VAL;
+    out->hi[axis] = rise[axis] > 0.0 ? at : HUGE_VAL;
+}
+
+/* A plane hides what lies beyond it, seen from the point: all of it if the point may lie on the plane. */
+static void project_plane(const plane *p, const grid_part *all, const pov_half_space *h, grid_part *out)
+{
+    const double start = pov_dot(h->normal, p->from) - h->distance, side = start < 0.0 ? -1.0 : 1.0;
+    const double doubt = thin * thin * (p->size + sum_of(p->axes[0]) + sum_of(p->axes[1]) + fabs(h->distance));
+    const double height = side * (start + pov_dot(h->normal, p->to)) - doubt;
+    const double rise[2] = { side * pov_dot(h->normal, p->axes[0]), side * pov_dot(h->normal, p->axes[1]) };
+
+    for (int axis = 0; axis < 2; axis++) {
+        out->lo[axis] = -HUGE_VAL;
+        out->hi[axis] = HUGE_VAL;
+        if (fabs(start) > doubt && fabs(rise[axis]) > doubt)
+            cut_axis(height, rise, axis, all, out);
+    }
+}
+
 /* Where the light may be hidden. */
 static grid_part shadow_of(const plane *p, const grid_part *all, const blocker *b)
 {
     grid_part out;
 
-    if (!b->is_sphere || !project_sphere(p, &b->box, &out))
+    if (b->is_plane)
+        project_plane(p, all, &b->plane, &out);
+    else if (!b->is_sphere || !project_sphere(p, &b->box, &out))
         project_box(p, all, &b->box, &out);
     widen(&out);
     return out;
@@ -170,6 +198,37 @@ static bool box_covers(const plane *p, const pov_box *b, const pov_vec3 corner[4
     return true;
 }
 
+/* ---- what holds all of it ----
+ *
+ * No segment between points well inside a convex solid meets its surface. */
+
+static bool sphere_holds(const plane *p, const pov_box *b, const pov_vec3 corner[4])
+{
+    const pov_vec3 c = pov_sub(pov_scale(pov_add(b->lo, b->hi), 0.5), p->from);
+    const double r = 0.5 * (b->hi.x - b->lo.x), most = (1.0 - margin) * r * r;
+    bool within = r > thin * p->size && pov_dot(c, c) < most;
+
+    for (int i = 0; i < 4; i++) {
+        const pov_vec3 to = pov_sub(corner[i], c);
+
+        within = within && pov_dot(to, to) < most;
+    }
+    return within;
+}
+
+static bool box_holds(const shaft *s, const pov_box *b)
+{
+    const pov_vec3 size = pov_scale(pov_sub(b->hi, b->lo), margin), lo = pov_add(b->lo, size), hi = pov_sub(b->hi, size);
+    const double least = thin * margin * s->size;
+
+    return size.x > least && size.y > least && size.z > least && s->lo.x > lo.x && s->lo.y > lo.y && s->lo.z > lo.z && s->hi.x < hi.x && s->hi.y < hi.y && s->hi.z < hi.z;
+}
+
+static bool holds(const plane *p, const shaft *s, const blocker *b)
+{
+    return b->is_sphere ? sphere_holds(p, &b->box, s->corner) : b->is_box && box_holds(s, &b->box);
+}
+
 static bool covers(const plane *p, const blocker *b, const pov_vec3 corner[4])
 {
     return b->opaque && ((b->is_sphere && sphere_covers(p, &b->box, corner)) || (b->is_box && box_covers(p, &b->box, corner)));
@@ -184,7 +243,7 @@ static bool add_blocker(void *user, const blocker *b)
     finding *f = user;
     const grid_part part = shadow_of(&f->plane, &f->all, b);
 
-    if (!grid_parts_overlap(&part, &f->all))
+    if (!grid_parts_overlap(&part, &f->all) || holds(&f->plane, &f->shaft, b))
         return true;
     f->out->dark = covers(&f->plane, b, f->shaft.corner);
     if (f->out->dark || f->out->count == AREA_VIEW_MAX)
@@ -193,8 +252,8 @@ static bool add_blocker(void *user, const blocker *b)
     return true;
 }
 
-/* The object that all rays to these corners leave outward, as world_origin_aim() has it. */
-static uint32_t find_left(const hit *h, pov_vec3 normal, const pov_vec3 corner[4])
+/* The object that all rays to these corners leave, and whether outward, as world_origin_aim() has it. */
+static departure find_left(const hit *h, pov_vec3 normal, const pov_vec3 corner[4])
 {
     bool up = true, down = true;
 
@@ -204,7 +263,7 @@ static uint32_t find_left(const hit *h, pov_vec3 normal, const pov_vec3 corner[4
         up = up && along > least;
         down = down && -along > least;
     }
-    return (h->outside ? up : down) ? h->object : POV_NO_OWNER;
+    return (departure){ h->object, h->outside ? up : down };
 }
 
 static bool make_shaft(const plane *p, const grid_part *all, shaft *s)

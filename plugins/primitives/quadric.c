@@ -35,6 +35,7 @@ static const pov_shape_fast quadric_fast = {
     .intersect_many = common_quadric_intersect_pairs,
     .normal_many = common_quadric_normal_pairs,
     .ellipsoid = ellipsoid,
+    .half_space = common_quadric_half_space,
     .hull = common_quadric_hull,
 };
 

@@ -69,6 +69,20 @@ static void solids_made_of_others_and_meshes(void **state)
                  "triangle { <-2,.1,-1>, <-1,.1,-1.2>, <-1.4,1.2,-.8>" MATT);
 }
 
+/* What members of a tree show is looked for one by one. */
+static void rooms_made_of_planes(void **state)
+{
+    (void)state;
+    assert_alike("union { plane { z, 0 inverse translate <0,0,4> } plane { y, 0 } plane { <1,0,.3>, -3 }"
+                 " clipped_by { box { <-60,-.5,-60>, <60,70,60> } } pigment { rgb .9 }" LIT "sphere { <0,.5,0>, .5" MATT);
+    assert_alike("intersection { plane { y, 8 } plane { -y, 0 } plane { x, 7 } plane { -x, 6 } plane { z, 5 } plane { -z, 9 } inverse"
+                 " pigment { rgb .9 }" LIT "cylinder { <1,0,0>, <1,1,.3>, .4" MATT);
+    assert_alike(FLOOR "intersection { plane { y, 4.9 rotate 30*z } plane { -y, -4.5 rotate 20*x } plane { <1,0,1>, 9 }"
+                 " sphere { <2,4,-2>, 9 } cylinder { <3,0,-2>, <3,9,-2>, .4 inverse }" MATT);
+    assert_alike("difference { plane { y, 0 } sphere { <.5,0,.5>, .6 } torus { 1, .3 translate <-1,0,0> } pigment { rgb .9 }" LIT
+                 "merge { sphere { <0,1,0>, .4 } box { <.5,.5,-1>, <.9,.9,1> }" MATT);
+}
+
 static void glass_and_what_casts_no_shadow(void **state)
 {
     (void)state;
@@ -80,6 +94,7 @@ static void a_room_with_the_light_in_it(void **state)
 {
     (void)state;
     assert_alike("box { <-8,0,-8>, <8,9,8> inverse pigment { rgb .9 }" LIT "sphere { <3,5,-2>, .3 no_shadow" MATT "sphere { <1,1,0>, 1" MATT);
+    assert_alike("sphere { 0, 40 hollow pigment { gradient y } finish { ambient 1 diffuse 0 } }" FLOOR "box { <-1,0,-1>, <0,1,1>" MATT);
     assert_alike(FLOOR "plane { -z, -4 pigment { rgb .8 }" LIT "plane { <-1,.2,0>, 5" MATT "sphere { <3,4.8,-2>, .2" MATT);
 }
 
@@ -116,6 +131,7 @@ int main(void)
         cmocka_unit_test(spheres_and_boxes_on_a_floor),
         cmocka_unit_test(shapes_that_are_turned_or_open),
         cmocka_unit_test(solids_made_of_others_and_meshes),
+        cmocka_unit_test(rooms_made_of_planes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(a_room_with_the_light_in_it),
         cmocka_unit_test(a_ceiling_does_not_hide_the_light_on_it),
