@@ -37,6 +37,7 @@ typedef struct csg_member {
     bool inverse;                /* the node takes its complement */
     bool turned;                 /* the solid is entered where this member is left, if only this member counts */
     bool boxed;                  /* false: it may be infinite */
+    bool needed;                 /* the tree is within it */
     bool absent;                 /* it is far from the tree, and rays are always outside */
     bool hidden;                 /* it clips: its own surface is not visible */
     bool open;                   /* its surface has gaps: only inside() tells whether a ray is inside */

@@ -261,6 +261,16 @@ static bool ask_extents(csg_tree *t, const env *e, const csg_source *source)
     return kept;
 }
 
+/* Is the tree empty wherever a member, or the complement that its node takes of it, is? */
+static bool is_needed(const csg_tree *t, const csg_member *m)
+{
+    uint32_t node = m->node;
+
+    while (t->nodes[node].op == NODE_INTERSECTION && !t->nodes[node].inverse && node != 0)
+        node = t->nodes[node].parent;
+    return !m->inverse && !m->patch && t->nodes[node].op == NODE_INTERSECTION && !t->nodes[node].inverse;
+}
+
 bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source)
 {
     uint32_t *ids = env_resize(e, NULL, t->member_count, sizeof *ids), count = 0;
@@ -277,6 +287,8 @@ bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source)
             else if (!t->members[i].absent)
                 ids[count++] = i;
         }
+    for (uint32_t i = 0; i < t->member_count; i++)
+        t->members[i].needed = is_needed(t, &t->members[i]);
     if (count > 0) {
         split(t, ids, count);
         find_few(t, count);

@@ -179,7 +179,7 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
     enters = root->value > before;
     at = root->value != before ? owner_of(w, first, end, enters) : find_patch(w, first, end);
     clip(w, first, end, false);
-    if (!at)
+    if (!at || at->t < w->enter)
         return true;
     if (csg_member_at(w, at)->patch)
         enters = (csg_slope(w, at) < 0.0) != csg_member_at(w, at)->turned;
@@ -189,13 +189,14 @@ static bool pass_point(csg_traversal *w, pov_hits *hits)
 /* False: doubles were not sufficient. Crossings reported so far are right. */
 static bool traverse(csg_traversal *w, pov_hits *hits, bool exact)
 {
+    const double last = fmin(hits->tmax + hits->slack, w->leave);
     bool enough = true;
 
     csg_traversal_begin(w, hits, exact);
     for (;;) {
         csg_test_ahead(w);
-        enough = !(w->unsure || is_close(w));
-        if (!enough || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > hits->tmax + hits->slack ||
+        enough = w->missed || !(w->unsure || is_close(w));
+        if (!enough || w->missed || w->scratch->failed || w->applied == w->found.count || w->found.at[w->applied].t > last ||
             !pass_point(w, hits))
             break;
     }

@@ -7,6 +7,8 @@
 
 /* Boxes are tested in doubles. */
 static const double box_slack = 0x1p-48;
+/* Slopes against a half-space are off by less. */
+static const double certain = 0x1p-40;
 
 /* ---- memory ---- */
 
@@ -305,8 +307,9 @@ static void put_in_order(csg_traversal *w, uint32_t first)
     }
 }
 
-/* All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. */
-static void test_member(csg_traversal *w, uint32_t member)
+/* All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. cut: its crossing,
+ * of a half-space that the tree is within; or NULL. */
+static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *cut)
 {
     const csg_member *m = &w->tree->members[member];
     const uint32_t first = w->found.count, escalated = w->found.escalated;
@@ -325,13 +328,14 @@ static void test_member(csg_traversal *w, uint32_t member)
     drop_behind(w, first);
     inside = !m->patch && !m->open && (w->found.count - first) & 1;
     if (!m->boxed && !m->patch && !m->open)
-        inside = inside != ends_inside(w, m, first);
+        inside = inside != (cut && fabs(cut->slope) > certain * w->dir ? (cut->slope < 0.0) != m->inverse : ends_inside(w, m, first));
+    w->missed = w->missed || (m->needed && !m->open && !inside && w->found.count == first);
     if (inside)
         csg_toggle(w, member);
     put_in_order(w, first);
 }
 
-/* The ray is within a cut wherever it is within the others. */
+/* The ray is within a cut wherever it is within the others and the tree's box. */
 static void hold(csg_traversal *w, uint32_t member)
 {
     w->scratch->asked[w->asked_count++] = member;
@@ -339,13 +343,13 @@ static void hold(csg_traversal *w, uint32_t member)
         csg_toggle(w, member);
 }
 
-/* The ray is within the intersection from the last entry into a cut to the first exit from one: other crossings change
- * nothing. */
+/* The ray is within the intersection from the last entry into a cut, or the tree's box, to the first exit from one: other
+ * crossings change nothing. */
 static void test_cuts(csg_traversal *w)
 {
     const csg_tree *t = w->tree;
     cut_crossing at[HALF_SPACES_MAX];
-    double enter = -HUGE_VAL, leave = HUGE_VAL;
+    double enter = w->enter, leave = w->leave;
 
     for (uint32_t i = 0; i < t->cut_count; i++) {
         at[i] = cross(w, &t->cuts[i].within);
@@ -358,7 +362,7 @@ static void test_cuts(csg_traversal *w)
         if (at[i].slope < 0.0 ? at[i].t + at[i].off < enter : at[i].slope > 0.0 && at[i].t - at[i].off > leave)
             hold(w, t->cuts[i].member);
         else
-            test_member(w, t->cuts[i].member);
+            test_member(w, t->cuts[i].member, &at[i]);
 }
 
 /* ---- in order ---- */
@@ -373,11 +377,12 @@ void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *r
     w->inverse = pov_vec3_of(1.0 / ray->dir.x, 1.0 / ray->dir.y, 1.0 / ray->dir.z);
 }
 
-bool csg_traversal_enters(const csg_traversal *w, const pov_hits *hits)
+bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits)
 {
-    double enter, leave = hits->tmax;
-
-    return !w->tree->boxed || (hits_box(w, &w->tree->box, &enter, &leave) && hits_cuts(w, enter, leave));
+    w->enter = 0.0;
+    w->leave = HUGE_VAL;
+    return !w->tree->boxed ||
+           (hits_box(w, &w->tree->box, &w->enter, &w->leave) && hits_cuts(w, w->enter, fmin(w->leave, hits->tmax)));
 }
 
 void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
@@ -395,11 +400,13 @@ void csg_traversal_begin(csg_traversal *w, const pov_hits *hits, bool exact)
     w->found.user = hits->user;
     w->found.scratch = hits->scratch;
     w->applied = w->asked_count = w->near_count = 0;
-    w->unsure = false;
+    w->unsure = w->missed = false;
     memcpy(s->states, t->outside, t->node_count * sizeof *s->states);
+    for (uint32_t i = 0; i < t->endless_count && !w->missed; i++)
+        test_member(w, t->endless[i], NULL);
+    if (w->missed)
+        return;
     test_cuts(w);
-    for (uint32_t i = 0; i < t->endless_count; i++)
-        test_member(w, t->endless[i]);
     if (t->few.count > 0)
         push_few(w);
     else if (t->bounds_count > 0)
@@ -415,7 +422,7 @@ void csg_traversal_end(csg_traversal *w)
 /* Open bounds until the next crossing is before all remaining bounds. */
 void csg_test_ahead(csg_traversal *w)
 {
-    while (w->near_count > 0) {
+    while (w->near_count > 0 && !w->missed) {
         const csg_bound *b;
         uint32_t which;
 
@@ -424,7 +431,7 @@ void csg_test_ahead(csg_traversal *w)
         which = pop(w);
         b = &w->tree->bounds[which];
         if (b->other == 0) {
-            test_member(w, b->member);
+            test_member(w, b->member, NULL);
         } else {
             push(w, which + 1);
             push(w, b->other);

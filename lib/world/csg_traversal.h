@@ -18,13 +18,15 @@ typedef struct csg_traversal {
     uint32_t applied;            /* number of crossings at the front that are behind; the others are in order */
     uint32_t asked_count, near_count;
     bool unsure;                 /* doubles cannot order them */
+    bool missed;                 /* the ray is never inside a member that the tree is within */
+    double enter, leave;         /* of the tree's box; without one, 0 and infinity */
     pov_vec3 inverse;            /* 1 / direction, by component */
     double dir, size;            /* largest component of the direction; and of the coordinates involved */
 } csg_traversal;
 
 void csg_traversal_init(csg_traversal *w, const csg_tree *tree, const pov_ray *ray, const pov_hits *hits);
 /* False: the ray passes the tree before tmax. */
-bool csg_traversal_enters(const csg_traversal *w, const pov_hits *hits);
+bool csg_traversal_enters(csg_traversal *w, const pov_hits *hits);
 /* Where the ray enters and leaves the boxes of few members. */
 void csg_enter_few(const csg_traversal *w, double *enter, double *leave);
 /* Begin at the start of the ray, and afterwards clear what members remember. */
