@@ -278,14 +278,14 @@ static bool is_black(const render *r)
     return true;
 }
 
-/* A black picture has a reason more often than a purpose. */
+/* A black picture has a reason more often than a purpose. One that ended in time may not have begun. */
 static void warn_of_black(const render *r)
 {
     pov_scene_info info = POV_INIT(info);
     pov_camera camera = POV_INIT(camera);
     const char *why = "nothing is in view, or no light reaches it";
 
-    if (!is_black(r))
+    if (r->progress.stop == POV_STOP_TIME || !is_black(r))
         return;
     pov_scene_get_info(r->scene, &info);
     pov_scene_get_camera(r->scene, &camera);

@@ -188,7 +188,7 @@ refine_compares_reports_in_one_plot() {
 }
 
 # Finding N4 of the review: a spot that 1 of 10 000 samples of its pixel meets ended with "estimated error 0" at 8 samples.
-refine_does_not_call_unseen_what_so_few_samples_may_miss() {
+refine_n4_does_not_call_unseen_what_so_few_samples_may_miss() {
     cat > spot.pov <<'END'
 #version 3.7;
 global_settings { assumed_gamma 1 ambient_light rgb 1 }
@@ -203,7 +203,7 @@ END
 }
 
 # Defect 1 of the first hour: the picture was black but for the tiles that were done.
-refine_shows_the_whole_view_however_short_the_time() {
+refine_defect_1_shows_the_whole_view_however_short_the_time() {
     rich_scene
     expect 3 "$povc" rich.pov 1920 1080 out.ppm --time 0.3
     says err "stopped: time limit reached"
@@ -215,10 +215,12 @@ rows = [pixels[3 * 1920 * y:3 * 1920 * (y + 1)] for y in range(0, 1080, 60)]
 dark = sum(1 for row in rows for x in range(0, 1920, 60) if row[3 * x:3 * x + 3] == b'\0\0\0')
 assert dark < 0.6 * len(rows) * 32, dark
 END
+    expect 3 "$povc" rich.pov 1920 1080 out.ppm --time 1e-6
+    says_not err "black"
 }
 
 # Defect 23: the second run is as long as it was asked to be.
-refine_counts_the_time_of_a_resumed_run_from_its_own_start() {
+refine_defect_23_counts_the_time_of_a_resumed_run_from_its_own_start() {
     rich_scene
     expect 3 "$povc" rich.pov 320 240 out.pfm --spp 4000 --partial-every 0.2 --time 0.6
     expect 3 "$povc" rich.pov 320 240 out.pfm --spp 4000 --resume --time 0.4 --report out.csv
@@ -241,7 +243,7 @@ END
 }
 
 # Defect 3: no guess before two passes know their error, and a fair one later.
-refine_tells_the_time_left_only_when_passes_show_it() {
+refine_defect_3_tells_the_time_left_only_when_passes_show_it() {
     rich_scene
     expect 0 "$povc" rich.pov 320 240 out.pfm --error 0.0015 --progress json
     "$PYTHON" - err <<'END'
