@@ -18,9 +18,11 @@ $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/
 	$$(call say,LINK,$$@) $$(CC) $$(LINK_FLAGS) $$(filter %.o,$$^) $$(filter %.a,$$^) -lcmocka $$(TEST_LIBS) $$(SYSTEM_LIBS) -o $$@
 
 $(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg): \
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg findings): \
     $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact families) | $(PRIMITIVES)
-$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving): $(BUILD)/obj/$(1)tests/numerics/leaving.o
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving findings): $(BUILD)/obj/$(1)tests/numerics/leaving.o
+$(addprefix $(BUILD)/tests/$(1)numerics/test_,maps findings): $(BUILD)/obj/$(1)tests/numerics/real_map.o
+$(BUILD)/tests/$(1)numerics/test_findings: $(BUILD)/obj/$(1)tests/numerics/findings.o
 $(BUILD)/tests/$(1)numerics/test_primitives: $(BUILD)/obj/$(1)tests/numerics/harness.o
 $(BUILD)/tests/$(1)plugins/test_contract: $(CONTRACT_SOURCES:%.c=$(BUILD)/obj/$(1)%.o) | $(PRIMITIVES) $(OUT_OF_TREE)
 endef
@@ -46,16 +48,19 @@ $(foreach w,$(WIDE),$(foreach m,textbook qform twofold,$(eval $(call METHOD_RULE
 accuracy-methods: $(METHODS)
 
 # The same harness for long: RAYS of torture for each kind, and a table of all families and methods; EDGES rays at shared
-# edges; LEAVING rays that leave a surface, for every kind and family.
+# edges; LEAVING rays that leave a surface, for every kind and family; FINDINGS rays for every kind and family of
+# tests/numerics/findings.c, 1e7 in all.
 RAYS ?= 500000
 EDGES ?= 100000000
 LEAVING ?= 1000000
+FINDINGS ?= 160000
 .PHONY: accuracy
-accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps) $(METHODS)
+accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings) $(METHODS)
 	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
 	$(BUILD)/tests/numerics/test_watertight $(EDGES)
 	$(BUILD)/tests/numerics/test_leaving $(LEAVING)
 	$(BUILD)/tests/numerics/test_maps $(RAYS)
+	$(BUILD)/tests/numerics/test_findings $(FINDINGS)
 	$(MAKE) --no-print-directory accuracy-report
 
 # The tables of docs/numerics.md and its plots, from the table that was measured last. Plots need cairo.

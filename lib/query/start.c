@@ -24,7 +24,8 @@ static double size_of(const shape_class *shape, const shape_ref *ref, const pov_
     return size;
 }
 
-/* In double alone, an exact zero is one already. beyond: how far from the start the next crossing has to be. */
+/* In double alone, an exact zero is one already; but not where the ray was taken into the shape's space, which rounds. beyond:
+ * how far from the start the next crossing has to be. */
 static bool is_here(const world *w, const pov_ray *ray, hit *h, double *beyond)
 {
     const object_info *info = &w->objects_info[h->object];
@@ -33,7 +34,7 @@ static bool is_here(const world *w, const pov_ray *ray, hit *h, double *beyond)
     const shape_ref ref = world_shape(w, h->object);
     double speed, reach, cosine;
 
-    if (info->member || (certified && !(h->crossing.mark.flags & POV_MARK_ESCALATED)))
+    if (info->member || (certified && !ref.xform && !(h->crossing.mark.flags & POV_MARK_ESCALATED)))
         return false;
     reach = (certified ? same_point : same_point_in_double) * size_of(shape, &ref, ray, &speed);
     world_surface(w, ray, h);

@@ -127,6 +127,26 @@ static span slab_span(const common_cone *s, pov_two z, pov_two dz)
     return out;
 }
 
+/* Rises below this are lost among the least numbers on the way from the ray's start. */
+#define LEVEL 0x1p-900
+
+/* The same of a ray that rises less than that and starts at height z: it is in a cap's plane at its start, or nowhere within
+ * reach. The caps' planes are `below` and above it. */
+static span level_span(const common_cone *s, pov_two z, double dz, double middle)
+{
+    const double below = dz > 0.0 ? z.hi : pov_two_sub(s->height, z).hi, above = dz > 0.0 ? pov_two_sub(s->height, z).hi : z.hi;
+    span out = { false, true, true, { -middle, 0.0 }, { -middle, 0.0 }, CAP_BASE, CAP_TOP };
+
+    out.from_ever = below > 0.0;
+    out.for_ever = above > 0.0;
+    out.empty = below < 0.0 || above < 0.0;
+    if (dz < 0.0) {
+        out.lo_of = CAP_TOP;
+        out.hi_of = CAP_BASE;
+    }
+    return out;
+}
+
 /* Capped: the intersection of the intervals of side and slab. */
 static span intersect_planes(span a, span b)
 {
@@ -177,9 +197,22 @@ static double to_apex(const common_cone *s, const span *side, pov_two3 w, pov_tw
     return !side->empty && fmin(at_lo, at_hi) < 0x1p-4 * fabs(r) && isfinite(there) ? there : 0.0;
 }
 
+/* The direction in local coordinates. A rise that was lost there, where the shape is small along its axis, is the least that
+ * there is. */
+static pov_two3 direction_of(const common_cone *s, const common_ray *k)
+{
+    const pov_two3 world = common_direction(k);
+    pov_two3 d = cone_local(s, world);
+    const double rise = d.z.hi == 0.0 ? pov_two3_dot(s->row[2], scaled(world, 0x1p60)).hi : 0.0;
+
+    if (rise != 0.0)
+        d.z.hi = rise > 0.0 ? 0x1p-1074 : -0x1p-1074;
+    return d;
+}
+
 void common_cone_escalate(const common_cone *s, const common_ray *k, const pov_ray *ray, double middle, pov_hits *hits)
 {
-    const pov_two3 d = cone_local(s, common_direction(k));
+    const pov_two3 d = direction_of(s, k);
     const leaving leaves = ray->origin_surface == hits->owner ? leaving_of(s, k, d, ray->origin_mark.feature)
         : NOT_LEAVING;
     pov_two3 w = local_along(s, k, ray, middle);
@@ -196,7 +229,7 @@ void common_cone_escalate(const common_cone *s, const common_ray *k, const pov_r
         w = local_along(s, k, ray, middle);
         side = side_span(s, w, d);
     }
-    slab = slab_span(s, w.z, d.z);
+    slab = d.z.hi != 0.0 && fabs(d.z.hi) < LEVEL ? level_span(s, cone_local(s, k->f).z, d.z.hi, middle) : slab_span(s, w.z, d.z);
     both = s->open ? side : intersect_planes(side, slab);
     if (both.empty)
         return;

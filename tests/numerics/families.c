@@ -106,7 +106,7 @@ static void make_quadric(probe *p, double size, pov_vec3 place, double spread)
     p->count = 10;
 }
 
-static void make_shape(probe *p, double size, pov_vec3 place)
+void families_shape(probe *p, double size, pov_vec3 place)
 {
     p->size = size;
     p->open = false;
@@ -195,7 +195,7 @@ static void point_on_polygon(const probe *p, pov_vec3 *at, pov_vec3 *normal)
     *normal = pov_unit(pov_cross_product(pov_sub(get(p, 4), a), pov_sub(get(p, 7), a)));
 }
 
-static void point_on(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *normal)
+void families_point(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *normal)
 {
     if (p->kind == SPHERE) {
         *normal = families_direction();
@@ -226,7 +226,7 @@ static pov_vec3 target_near(const probe *p, pov_vec3 place)
 {
     pov_vec3 at, normal;
 
-    point_on(p, place, &at, &normal);
+    families_point(p, place, &at, &normal);
     return pov_add(at, pov_scale(families_direction(), p->size * 0.5 * U() * U()));
 }
 
@@ -235,7 +235,7 @@ static void from_distance(probe *p, double parameter)
 {
     const pov_vec3 place = small_place(1.0);
 
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     ray_from(p, target_near(p, place), families_direction(), parameter * p->size);
 }
 
@@ -244,7 +244,7 @@ static void translated(probe *p, double parameter)
 {
     const pov_vec3 place = pov_scale(pov_vec3_of(between(-1, 1), between(-1, 1), between(-1, 1)), parameter);
 
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     ray_from(p, target_near(p, place), families_direction(), between(0.0, 10.0));
 }
 
@@ -252,7 +252,7 @@ static void scaled(probe *p, double parameter)
 {
     const pov_vec3 place = small_place(parameter);
 
-    make_shape(p, parameter, place);
+    families_shape(p, parameter, place);
     ray_from(p, target_near(p, place), families_direction(), parameter * between(0.0, 10.0));
 }
 
@@ -263,8 +263,8 @@ static void grazing(probe *p, double parameter)
     const double off = either(log_between(parameter, -2.0));
     pov_vec3 at, normal, dir;
 
-    make_shape(p, 1.0, place);
-    point_on(p, place, &at, &normal);
+    families_shape(p, 1.0, place);
+    families_point(p, place, &at, &normal);
     dir = across(normal);
     if (U() < 0.5)
         dir = pov_unit(pov_add(dir, pov_scale(normal, either(log_between(parameter, -2.0)))));
@@ -277,8 +277,8 @@ static void at_surface(probe *p, double parameter)
     const pov_vec3 place = small_place(1.0);
     pov_vec3 at, normal;
 
-    make_shape(p, 1.0, place);
-    point_on(p, place, &at, &normal);
+    families_shape(p, 1.0, place);
+    families_point(p, place, &at, &normal);
     ray_of(p, pov_add(at, pov_scale(normal, either(p->size * log_between(parameter, -2.0)))), families_direction());
 }
 
@@ -289,8 +289,8 @@ static void near_and_grazing(probe *p, double parameter)
     const pov_vec3 place = small_place(1.0);
     pov_vec3 at, normal, dir;
 
-    make_shape(p, 1.0, place);
-    point_on(p, place, &at, &normal);
+    families_shape(p, 1.0, place);
+    families_point(p, place, &at, &normal);
     dir = pov_unit(pov_add(across(normal), pov_scale(normal, either(log_between(-9.0, -4.0)))));
     ray_of(p, pov_add(at, pov_scale(normal, either(p->size * log_between(parameter, -2.0)))), dir);
 }
@@ -313,7 +313,7 @@ static void axis_parallel(probe *p, double parameter)
     int i;
 
     (void)parameter;
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     target = target_near(p, place);
     o[0] = target.x, o[1] = target.y, o[2] = target.z;
     for (i = 0; i < 3; i++) {
@@ -344,7 +344,7 @@ static void near_parallel(probe *p, double parameter)
     const pov_vec3 place = small_place(1.0);
     pov_vec3 at, normal, axis;
 
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     point_on_cone(p, &at, &normal);
     axis = pov_unit(pov_sub(get(p, p->kind == CONE ? 4 : 3), get(p, 0)));
     if (U() < 0.7)
@@ -411,7 +411,7 @@ static void thin_boxes(probe *p, double parameter)
     const int axis = (int)(3.0 * U());
     pov_vec3 at, normal;
 
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     p->number[3 + axis] = p->number[axis] + parameter * (U() < 0.5 ? 1.0 : U());
     point_on_box(p, &at, &normal);
     ray_from(p, at, families_direction(), log_between(-1.0, 3.0));
@@ -424,7 +424,7 @@ static void box_edges(probe *p, double parameter)
     double v[3];
     int i;
 
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     for (i = 0; i < 3; i++)
         v[i] = U() < 0.7 ? p->number[i + 3 * (U() < 0.5)] : p->number[i] + (p->number[3 + i] - p->number[i]) * U();
     ray_from(p,
@@ -439,7 +439,7 @@ static void polygon_edges(probe *p, double parameter)
     int i;
     pov_vec3 a, b;
 
-    make_shape(p, 1.0, place);
+    families_shape(p, 1.0, place);
     i = (int)(((int)p->number[0] - 1) * U());
     a = get(p, 1 + 3 * i);
     b = get(p, 4 + 3 * i);

@@ -19,4 +19,9 @@ void families_seed(uint64_t seed);
 double families_uniform(void);      /* 0 <= x < 1 */
 pov_vec3 families_direction(void);  /* unit, all directions alike */
 
+/* A shape of the kind of p->kind, of size about `size`, about a place. */
+void families_shape(probe *p, double size, pov_vec3 place);
+/* A point on it and the normal there, near enough, in double. */
+void families_point(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *normal);
+
 #endif

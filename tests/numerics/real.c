@@ -2,21 +2,27 @@
 
 #include <stdlib.h>
 
-enum { POOL = 8192, BITS = 512 };
+enum { POOL = 8192 };
 
 static mpfr_t pool[POOL];
-static int used, made;
+static int used, made, bits = 512;
 
 static real fresh(void)
 {
     if (used == POOL)
         abort();
     if (used == made)
-        mpfr_init2(pool[made++], BITS);
+        mpfr_init2(pool[made++], bits);
     return pool[used++];
 }
 
 void real_reset(void) { used = 0; }
+
+void real_precision(int wanted)
+{
+    real_free_all();
+    bits = wanted;
+}
 
 void real_free_all(void)
 {

@@ -1,4 +1,4 @@
-/* real.h - arithmetic in 512 bits, written as expressions.
+/* real.h - arithmetic in 512 bits, or as many as are asked for, written as expressions.
  *
  * Every function gives a new number out of a pool; real_reset() takes all back. MPFR rounds to nearest. */
 #ifndef NUMERICS_REAL_H
@@ -12,6 +12,8 @@ typedef struct real3 { real x, y, z; } real3;
 
 void real_reset(void);
 void real_free_all(void);
+/* Of all that follow; takes back all that there are. */
+void real_precision(int bits);
 
 real real_of(double a);
 real real_of2(double hi, double lo);

@@ -2,6 +2,7 @@
  *
  * test_maps RAYS for a long run. */
 #include "numerics/families.h"
+#include "numerics/real_map.h"
 
 #include "support/check.h"
 #include "support/fake_reader.h"
@@ -17,37 +18,14 @@ static long rays = 4000;
 
 /* ---- maps, in full and in double-double ---- */
 
-typedef struct exact_map { real m[3][4], inverse[3][3]; } exact_map;
-
 static void split(real r, double *hi, double *lo)
 {
     *hi = real_double(r);
     *lo = real_double(real_sub(r, real_of(*hi)));
 }
 
-static real determinant2(real a, real b, real c, real d) { return real_sub(real_mul(a, d), real_mul(b, c)); }
-
-static void invert(exact_map *f)
-{
-    real minor[3][3], det;
-    int i, j;
-
-    for (i = 0; i < 3; i++) {
-        for (j = 0; j < 3; j++) {
-            const int r = (i + 1) % 3, s = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-            minor[i][j] = determinant2(f->m[r][c], f->m[r][d], f->m[s][c], f->m[s][d]);
-        }
-    }
-    det = real_add(real_add(real_mul(f->m[0][0], minor[0][0]), real_mul(f->m[0][1], minor[0][1])),
-                   real_mul(f->m[0][2], minor[0][2]));
-    for (i = 0; i < 3; i++) {
-        for (j = 0; j < 3; j++)
-            f->inverse[i][j] = real_div(minor[j][i], det);
-    }
-}
-
 /* The map that two parts can hold, and its exact inverse rounded to two parts. */
-static void round_map(exact_map *f, pov_affine *out)
+static void round_map(real_map *f, pov_affine *out)
 {
     int i, j;
 
@@ -57,7 +35,7 @@ static void round_map(exact_map *f, pov_affine *out)
             f->m[i][j] = real_of2(out->m[i][j], out->m_lo[i][j]);
         }
     }
-    invert(f);
+    real_map_invert(f);
     for (i = 0; i < 3; i++) {
         real moved = real_of(0.0);
 
@@ -70,7 +48,7 @@ static void round_map(exact_map *f, pov_affine *out)
 }
 
 /* A rotation in 512 bits, from a quaternion. */
-static void turn(exact_map *f)
+static void turn(real_map *f)
 {
     const real one = real_of(1.0), two = real_of(2.0);
     const real w = real_of(U() - 0.5), x = real_of(U() - 0.5), y = real_of(U() - 0.5), z = real_of(U() - 0.5);
@@ -90,7 +68,7 @@ static void turn(exact_map *f)
 
 /* A map that the kind can absorb: a rotation, or a permutation of the axes; a scaling; a translation of up to 1e9
  * sizes. */
-static void make_map(kind k, exact_map *f, pov_affine *out)
+static void make_map(kind k, real_map *f, pov_affine *out)
 {
     const int shift = (int)(3.0 * U()), stretches = k == BOX || (k != SPHERE && U() < 0.5);
     const double scale = pow(10.0, 24.0 * U() - 12.0), far = pow(10.0, 9.0 * U());
@@ -115,17 +93,7 @@ static void make_map(kind k, exact_map *f, pov_affine *out)
     round_map(f, out);
 }
 
-static real3 times(real m[3][3], real3 v)
-{
-    real r[3];
-    int i;
-
-    for (i = 0; i < 3; i++)
-        r[i] = real_add(real_add(real_mul(m[i][0], v.x), real_mul(m[i][1], v.y)), real_mul(m[i][2], v.z));
-    return real3_of(r[0], r[1], r[2]);
-}
-
-static real3 mapped(const exact_map *f, pov_vec3 v, bool point)
+static real3 mapped(const real_map *f, pov_vec3 v, bool point)
 {
     const real x = real_of(v.x), y = real_of(v.y), z = real_of(v.z);
     real r[3];
@@ -154,15 +122,15 @@ static real3 whole(pov_vec3 hi, pov_vec3 lo)
 /* ---- asking ---- */
 
 /* The ray in the world, in double-double; and that very ray back in the shape's space, exactly. */
-static pov_ray world_ray(const exact_map *f, const pov_ray *own, real3 *org, real3 *dir)
+static pov_ray world_ray(const real_map *f, const pov_ray *own, real3 *org, real3 *dir)
 {
-    exact_map copy = *f;
+    real_map copy = *f;
     pov_ray ray = *own;
 
     split3(mapped(f, own->org, true), &ray.org, &ray.org_lo);
     split3(mapped(f, own->dir, false), &ray.dir, &ray.dir_lo);
-    *org = times(copy.inverse, real3_sub(whole(ray.org, ray.org_lo), real3_of(f->m[0][3], f->m[1][3], f->m[2][3])));
-    *dir = times(copy.inverse, whole(ray.dir, ray.dir_lo));
+    *org = real_times(copy.inverse, real3_sub(whole(ray.org, ray.org_lo), real3_of(f->m[0][3], f->m[1][3], f->m[2][3])));
+    *dir = real_times(copy.inverse, whole(ray.dir, ray.dir_lo));
     return ray;
 }
 
@@ -209,7 +177,7 @@ static bool is_near(const probe *p, const exact_crossing *e, const pov_crossing 
 }
 
 /* The exact normal goes by the transposed inverse. */
-static double normal_off(const exact_map *f, const exact_crossing *e, pov_vec3 found)
+static double normal_off(const real_map *f, const exact_crossing *e, pov_vec3 found)
 {
     const real n[3] = { real_of(e->normal[0]), real_of(e->normal[1]), real_of(e->normal[2]) };
     real r[3], length;
@@ -224,7 +192,7 @@ static double normal_off(const exact_map *f, const exact_crossing *e, pov_vec3 f
                      fabs(found.z - real_double(real_div(r[2], length)))));
 }
 
-static bool agrees(const shape_class *shape, const void *self, const exact_map *f, const pov_ray *ray,
+static bool agrees(const shape_class *shape, const void *self, const real_map *f, const pov_ray *ray,
                    const probe *p, const exact_result *e, double limit)
 {
     pov_crossing at[8];
@@ -267,7 +235,7 @@ static long count_wrong(kind k, const family *source, long *taken)
     long i, wrong = 0;
 
     for (i = 0; i < rays; i++) {
-        exact_map f;
+        real_map f;
         exact_result e;
         pov_affine map;
         pov_ray ray;
