@@ -28,7 +28,7 @@ static void an_error_of_a_scene_shows_its_place(void **state)
     pov_context_destroy(context);
 }
 
-static void an_error_without_a_place_is_its_message(void **state)
+static void defect_26_an_error_without_a_place_is_its_message(void **state)
 {
     pov_error err = { .status = POV_E_MEMORY, .message = "out of memory" };
     char out[100];
@@ -43,7 +43,7 @@ static void an_error_without_a_place_is_its_message(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_error_of_a_scene_shows_its_place), cmocka_unit_test(an_error_without_a_place_is_its_message),
+        cmocka_unit_test(an_error_of_a_scene_shows_its_place), cmocka_unit_test(defect_26_an_error_without_a_place_is_its_message),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -158,7 +158,7 @@ static void assert_ppm_wrong(const char *text, const char *feature)
         fail_msg("\"%s\" does not say \"%s\"", err.message, feature);
 }
 
-static void a_wrong_ppm_is_told_apart(void **state)
+static void f8_a_wrong_ppm_is_told_apart(void **state)
 {
     (void)state;
 
@@ -196,7 +196,7 @@ int main(void)
         cmocka_unit_test(what_was_written_is_read),
         cmocka_unit_test(what_is_cut_off_is_refused),
         cmocka_unit_test(ppm_takes_comments_any_largest_value_and_what_follows),
-        cmocka_unit_test(a_wrong_ppm_is_told_apart),
+        cmocka_unit_test(f8_a_wrong_ppm_is_told_apart),
         cmocka_unit_test(a_format_that_cannot_be_read_says_so),
     };
 

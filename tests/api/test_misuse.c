@@ -1,15 +1,16 @@
-/* Findings F12 and F13 of the review: NULL where none is allowed, cameras and sizes that cannot be. */
+/* Findings F9, F12 and F13 of the review: NULL where none is allowed, cameras and sizes that cannot be. */
 #include "support/check.h"
 #include "support/scenes.h"
 
 #include <povtrace/povtrace.h>
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char sphere[] = "light_source { <0, 0, -10> rgb 1 } sphere { <0, 0, 0>, 1 pigment { color red 1 } }";
 
-static void scene_calls_take_null(void **state)
+static void f12_scene_calls_take_null(void **state)
 {
     pov_context *context = scenes_context();
     pov_scene *scene = scenes_text(context, sphere);
@@ -33,7 +34,7 @@ static void scene_calls_take_null(void **state)
     pov_context_destroy(context);
 }
 
-static void job_calls_take_null(void **state)
+static void f12_job_calls_take_null(void **state)
 {
     pov_rect all = { 0, 0, 1, 1 };
     pov_progress progress = POV_INIT(progress);
@@ -57,7 +58,7 @@ static void job_calls_take_null(void **state)
     assert_int_equal(pov_job_get_error(NULL, &err), POV_E_ARGUMENT);
 }
 
-static void job_results_may_go_nowhere(void **state)
+static void f12_job_results_may_go_nowhere(void **state)
 {
     pov_context *context = scenes_context();
     pov_scene *scene = scenes_text(context, sphere);
@@ -81,7 +82,7 @@ static void job_results_may_go_nowhere(void **state)
     pov_context_destroy(context);
 }
 
-static void single_rays_take_null(void **state)
+static void f12_single_rays_take_null(void **state)
 {
     const pov_vec3 org = { 0.0, 0.0, -5.0 }, dir = { 0.0, 0.0, 1.0 };
     pov_context *context = scenes_context();
@@ -104,7 +105,7 @@ static void single_rays_take_null(void **state)
     pov_context_destroy(context);
 }
 
-static void images_want_an_output_a_stride_of_floats_and_a_sized_bitmap(void **state)
+static void f13_images_want_an_output_a_stride_of_floats_and_a_sized_bitmap(void **state)
 {
     pov_context *context = scenes_context();
     pov_output none = { NULL, NULL };
@@ -143,7 +144,7 @@ static pov_status make_with(const pov_scene *scene, pov_vec3 location, pov_vec3 
     return status;
 }
 
-static void cameras_that_cannot_be_are_refused(void **state)
+static void f13_cameras_that_cannot_be_are_refused(void **state)
 {
     const pov_vec3 zero = { 0.0, 0.0, 0.0 }, ahead = { 0.0, 0.0, 1.0 }, aside = { 1.0, 0.0, 0.0 };
     pov_context *context = scenes_context();
@@ -160,15 +161,28 @@ static void cameras_that_cannot_be_are_refused(void **state)
     pov_context_destroy(context);
 }
 
+/* No infinite object, no light, and rays that go through: sums with null pointers that clang's sanitizer sees, where arrays
+ * have no members. */
+static void f9_arrays_without_members_are_not_reached_into(void **state)
+{
+    static const char *const texts[] = { "sphere { <0,0,0>, 1 }", "sphere { <0,0,0>, 1 pigment { rgbt 1 } interior { ior 1.5 } }",
+                                         "sphere { <0,0,0>, 1 pigment { rgbf <1,1,1,.5> } }", "background { rgb 1 }" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        free(scenes_draw(texts[i], 8, 6, 1, 1));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scene_calls_take_null),
-        cmocka_unit_test(job_calls_take_null),
-        cmocka_unit_test(job_results_may_go_nowhere),
-        cmocka_unit_test(single_rays_take_null),
-        cmocka_unit_test(images_want_an_output_a_stride_of_floats_and_a_sized_bitmap),
-        cmocka_unit_test(cameras_that_cannot_be_are_refused),
+        cmocka_unit_test(f9_arrays_without_members_are_not_reached_into),
+        cmocka_unit_test(f12_scene_calls_take_null),
+        cmocka_unit_test(f12_job_calls_take_null),
+        cmocka_unit_test(f12_job_results_may_go_nowhere),
+        cmocka_unit_test(f12_single_rays_take_null),
+        cmocka_unit_test(f13_images_want_an_output_a_stride_of_floats_and_a_sized_bitmap),
+        cmocka_unit_test(f13_cameras_that_cannot_be_are_refused),
     };
 
     return cmocka_run_group_tests_name("misuse", tests, NULL, NULL);

@@ -218,5 +218,15 @@ for plugin in "$BUILD"/lib/povtrace/primitives/*.so; do
 done
 report "no primitive has a variable that can change"
 
+# ---- findings: each has a test ----
+
+grep -v '^#' tests/findings.txt | while read -r finding file rest; do
+    grep -qF -e "$rest" "$file" || echo "$finding: $file has no $rest"
+done > "$work/found"
+for finding in N1 N2 N3 N4 N5 N6 N7 $(seq -f 'F%g' 16) $(seq 30); do
+    grep -q "^$finding " tests/findings.txt || echo "$finding has no test" >> "$work/found"
+done
+report "every finding of the reviews has a test"
+
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -20,13 +20,18 @@ messages_point_at_the_right_place_behind_tabs_and_wide_letters() {
     grep -qE '^<stdin>:1:[0-9]+: error: ' err
 }
 
-messages_guess_the_word_that_was_meant() {
+messages_defect_18_guess_the_word_that_was_meant() {
     printf 'sphere { <0, 0, 0>, 1 pigmnet { color rgb <1, 1, 1> } }\n' > wrong.pov
     expect 1 "$povc" --check wrong.pov
     says err 'did you mean "pigment"?'
+    printf 'Sphere { 0, 1 }\n' > wrong.pov
+    expect 1 "$povc" --check wrong.pov
+    says err 'did you mean "sphere"?'
+    expect 2 "$povc" --treads 3
+    says err 'did you mean "--threads"?'
 }
 
-messages_go_on_behind_an_error_in_the_order_of_lines() {
+messages_defect_13_go_on_behind_an_error_in_the_order_of_lines() {
     printf 'sphere { 0, 1 pigmnt { rgb 1 } }\n#declare A = 3;\nspere { 0, 1 }\n#if (A > 2)\n  cylinder { 0, 1 }\n#end\nbox { 0, A }' > w.pov
     expect 1 "$povc" --check w.pov
     [ "$(sed -n 's/^w\.pov:\([0-9]*\):[0-9]*: error: .*/\1/p' err | tr '\n' ' ')" = "1 3 5 " ]
@@ -53,7 +58,7 @@ messages_about_loops_that_do_not_end_say_where() {
 }
 
 # F6 of the review: no ceiling on memory for input.
-messages_name_the_file_that_is_too_large() {
+messages_f6_name_the_file_that_is_too_large() {
     small_scene
     expect 1 "$povc" --check --limit input=50 small.pov
     says err "small.pov: error: is larger than the 50 bytes that may still be read"
@@ -166,13 +171,13 @@ messages_are_json_for_editors() {
     grep -qxF '{"kind":"error","file":"a \"b\".pov","line":1,"column":15,"message":"unknown word \"pigmnt\" in \"sphere\"","hint":"pigment"}' err
 }
 
-messages_15_an_open_brace_is_named() {
+messages_defect_15_an_open_brace_is_named() {
     printf 'sphere { <0,0,0>, 1 pigment { rgb 1 }\nsphere { <0,0,0>, 1 }\n' > open.pov
     expect 1 "$povc" open.pov 8 6 o.png
     says err 'does not belong in "sphere", whose "{" at 1:8 is still open'
 }
 
-messages_20_a_black_picture_is_explained() {
+messages_defect_20_a_black_picture_is_explained() {
     echo 'sphere { <0,0,5>, 1 }' > dark.pov
     expect 0 "$povc" dark.pov 8 6 o.png
     says err "the picture is black: the scene has no light source"

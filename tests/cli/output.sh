@@ -62,7 +62,7 @@ output_to_a_device_or_pipe_by_name_goes_there() {
 }
 
 # F16 of the review: no fsync before rename. The bytes are on the disk before the name is, and then the folder.
-output_is_on_the_disk_before_its_name_is() {
+output_f16_is_on_the_disk_before_its_name_is() {
     small_scene
     strace -f -o calls true 2> err || skip "strace cannot trace here"
     expect 0 strace -f -y -e trace=fsync,rename,renameat,renameat2 -o calls "$povc" small.pov 9 7 out.png
@@ -133,7 +133,7 @@ output_keeps_the_permissions_of_the_file_it_replaces() {
 }
 
 # F1 of the review: a link stays, and what it points to is replaced.
-output_follows_symbolic_links() {
+output_f1_and_defect_22_follows_symbolic_links() {
     small_scene
     mkdir far
     echo old > far/target.ppm
@@ -153,7 +153,7 @@ output_follows_symbolic_links() {
 }
 
 # F1: as root the whole system's /dev/stdout was replaced by a picture.
-output_to_what_stands_for_a_descriptor_goes_there() {
+output_f1_to_what_stands_for_a_descriptor_goes_there() {
     small_scene
     expect 0 "$povc" small.pov 9 7 plain.ppm
     before=$(ls -l /dev/stdout)
@@ -167,7 +167,7 @@ output_to_what_stands_for_a_descriptor_goes_there() {
 }
 
 # F1: checkpoints too.
-output_checkpoints_follow_links() {
+output_f1_checkpoints_follow_links() {
     small_scene
     echo precious > precious
     ln -s precious out.pfm.checkpoint
@@ -177,14 +177,14 @@ output_checkpoints_follow_links() {
 }
 
 # F4: the only signal is often the last one.
-output_to_a_pipe_that_nobody_reads_ends_with_one_signal() {
+output_f4_to_a_pipe_that_nobody_reads_ends_with_one_signal() {
     small_scene
     mkfifo pipe.ppm
     expect 143 timeout -k 20 --preserve-status 1 "$povc" small.pov 9 7 pipe.ppm
 }
 
 # F7: the name is tried before the work begins.
-output_names_of_any_length_that_the_folder_takes_are_written() {
+output_f7_names_of_any_length_that_the_folder_takes_are_written() {
     small_scene
     long=$(printf 'a%.0s' $(seq 1 251)).ppm
     expect 0 "$povc" small.pov 9 7 "$long"
@@ -197,7 +197,7 @@ output_names_of_any_length_that_the_folder_takes_are_written() {
 }
 
 # F14 of the review, defect 2 of users.md.
-output_names_must_differ() {
+output_f14_and_defect_2_names_must_differ() {
     small_scene
     cp small.pov scene.ppm
     expect 2 "$povc" small.pov 9 7 o.png --report o.png
@@ -212,7 +212,7 @@ output_names_must_differ() {
 }
 
 # F15: what killed processes have left is removed by the next one that writes there, when it is old.
-output_sweeps_what_dead_processes_left() {
+output_f15_sweeps_what_dead_processes_left() {
     small_scene
     sleep 0 & dead=$!
     wait "$dead"

@@ -121,7 +121,7 @@ END
 }
 
 # Defect 29 of the review.
-reports_name_what_a_run_is_repeated_with() {
+reports_defect_29_name_what_a_run_is_repeated_with() {
     small_scene
     expect 0 "$povc" small.pov 8 6 o.png --spp 4 --seed 7 --report r.json
     "$PYTHON" - <<'END'
@@ -142,7 +142,7 @@ END
 }
 
 # F6 of the review: a header of 20000 x 20000 and no pixels took 1.2 GB.
-reports_refuse_a_reference_by_its_header() {
+reports_f6_refuse_a_reference_by_its_header() {
     small_scene
     "$PYTHON" - <<'END'
 import struct, zlib

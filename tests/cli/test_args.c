@@ -115,7 +115,7 @@ static void args_needs_no_sizes_to_check_or_explain(void **state)
 }
 
 /* The size and the output have defaults, and options of their own. */
-static void args_draws_a_scene_alone(void **state)
+static void args_defect_16_draws_a_scene_alone(void **state)
 {
     args a;
 
@@ -212,13 +212,17 @@ static void args_refuses_unknown_options_and_guesses_what_was_meant(void **state
     assert_refused("s 9 9 o --colour never", "did you mean \"--color\"?");
     assert_refused("s 9 9 o --wombat", "there is no option \"--wombat\"");
     assert_refused("s 9 9 o -x", "there is no option \"-x\"");
-    /* Defect 17 of the review. */
-    assert_refused("s -W64 -H48", "POV-Ray's words if one begins with +");
-    assert_refused("-H48 s", "POV-Ray's words if one begins with +");
     assert_refused("s 9 9 o --stats=3", "takes no value");
     assert_refused("s 9 9 o --threads", "wants a value");
     assert_refused("s 9 9 o p", "\"p\" is one word too many");
     assert_refused("", "SCENE is missing");
+}
+
+static void args_defect_17_points_povray_s_users_to_their_words(void **state)
+{
+    (void)state;
+    assert_refused("s -W64 -H48", "POV-Ray's words if one begins with +");
+    assert_refused("-H48 s", "POV-Ray's words if one begins with +");
 }
 
 static void args_answers_help_and_version_first(void **state)
@@ -237,13 +241,14 @@ int main(void)
         cmocka_unit_test(args_reads_scene_sizes_and_output),
         cmocka_unit_test(args_reads_options_wherever_they_stand),
         cmocka_unit_test(args_reads_every_option),
-        cmocka_unit_test(args_draws_a_scene_alone),
+        cmocka_unit_test(args_defect_16_draws_a_scene_alone),
         cmocka_unit_test(args_needs_no_sizes_to_check_or_explain),
         cmocka_unit_test(args_takes_a_dash_for_both_ends_and_names_that_look_like_options_after_two),
         cmocka_unit_test(args_refuses_sizes_that_are_no_whole_numbers_above_zero),
         cmocka_unit_test(args_refuses_option_values_out_of_range),
         cmocka_unit_test(args_refuses_crops_that_are_malformed_empty_or_outside),
         cmocka_unit_test(args_refuses_unknown_options_and_guesses_what_was_meant),
+        cmocka_unit_test(args_defect_17_points_povray_s_users_to_their_words),
         cmocka_unit_test(args_answers_help_and_version_first),
     };
 

@@ -80,7 +80,7 @@ static void assert_text(int columns, const char *expected)
 }
 
 /* F10 and defect 3 of the review: "about 0 s to go" where nothing was known. */
-static void progress_says_no_time_left_that_is_not_known(void **state)
+static void progress_f10_says_no_time_left_that_is_not_known(void **state)
 {
     const pov_progress now = { .size = sizeof now, .fraction = 0.0, .seconds = 11.0, .spp_mean = 1.0, .est_rmse = -1.0,
                                .seconds_left = -1.0, .counts = { .camera = 11000000 } };
@@ -92,7 +92,7 @@ static void progress_says_no_time_left_that_is_not_known(void **state)
 }
 
 /* Defect 12 of the review. */
-static void progress_drops_whole_fields_where_the_terminal_is_narrow(void **state)
+static void progress_defect_12_drops_whole_fields_where_the_terminal_is_narrow(void **state)
 {
     (void)state;
     assert_text(80, "  6.2 %  4 spp  error 0.01  4.4 M rays/s  ETA 1:35");
@@ -108,8 +108,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(progress_never_rounds_up_to_100),
         cmocka_unit_test(progress_says_durations_as_a_clock_does),
-        cmocka_unit_test(progress_says_no_time_left_that_is_not_known),
-        cmocka_unit_test(progress_drops_whole_fields_where_the_terminal_is_narrow),
+        cmocka_unit_test(progress_f10_says_no_time_left_that_is_not_known),
+        cmocka_unit_test(progress_defect_12_drops_whole_fields_where_the_terminal_is_narrow),
         cmocka_unit_test(progress_is_silent_when_asked_to_be),
         cmocka_unit_test(progress_without_a_terminal_is_a_line_each_ten_seconds_at_most),
     };

@@ -45,7 +45,7 @@ usage_output_that_cannot_be_written_is_an_error() {
     says err "cannot write"
 }
 
-usage_a_wrong_ending_is_said_before_any_work() {
+usage_defect_19_a_wrong_ending_is_said_before_any_work() {
     expect 2 "$povc" no-such-scene.pov 8 8 out.gpj
     says err '".gpj"; there are '
     says err 'png, ppm'
@@ -71,7 +71,7 @@ usage_options_may_stand_anywhere() {
     same a.ppm b.ppm
 }
 
-usage_15_and_18_what_counts_for_less_than_it_seems_is_said() {
+usage_defect_21_what_counts_for_less_than_it_seems_is_said() {
     small_scene
     expect 0 "$povc" small.pov 8 6 o.png --spp 2 --spp 3
     says err "warning: --spp is given twice"
@@ -86,19 +86,19 @@ usage_15_and_18_what_counts_for_less_than_it_seems_is_said() {
     [ ! -s err ]
 }
 
-usage_7_a_plugin_path_stands_in_front() {
+usage_defect_7_a_plugin_path_stands_in_front() {
     small_scene
     mkdir mine
     expect 0 "$povc" small.pov 8 6 o.png --plugin-path mine
     [ -s o.png ]
 }
 
-usage_lines_of_the_help_fit_a_terminal() {
+usage_defect_30_lines_of_the_help_fit_a_terminal() {
     "$povc" --help > help
     awk 'length > 80 { print; wide = 1 } END { exit wide }' help
 }
 
-usage_28_many_scenes_are_checked_at_once() {
+usage_defect_28_many_scenes_are_checked_at_once() {
     small_scene a.pov
     small_scene b.pov
     printf 'sphere { 0, 1 pigmnt { rgb 1 } }\n' > c.pov

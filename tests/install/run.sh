@@ -48,6 +48,23 @@ install_puts_the_wider_copies_where_the_loader_looks() {
     done
 }
 
+install_defect_9_the_demo_names_the_viewer() {
+    make_tree -n demo > out
+    says out "$BUILD_DIR/bin/povview scenes/gallery/"
+}
+
+install_defect_10_the_build_says_a_short_line_for_each_file() {
+    make -C "$root" BUILD="$PWD/small" CC="$CC" MAKEFLAGS= "$PWD/small/obj/lib/base/arena.o" > out
+    grep -qE '^CC +lib/base/arena.c *$' out || fail "$(cat out)"
+    awk 'length > 100 { exit 1 }' out
+}
+
+install_defect_27_the_help_names_the_viewer() {
+    make_tree help > out
+    says out "bin/povview"
+    [ ! -x "$BUILD_DIR/bin/povview" ] || [ -s "$stage$prefix/share/bash-completion/completions/povview" ]
+}
+
 # A file that no package takes ends the build of them all, after minutes.
 install_debian_packages_take_every_file() {
     mkdir -p tree/usr/lib/triplet
@@ -93,7 +110,7 @@ install_a_c_program_builds_statically_and_finds_the_plugins() {
     fi
 }
 
-install_a_cpp_program_builds_by_pkg_config_and_runs() {
+install_defect_25_a_cpp_program_builds_by_pkg_config_and_runs() {
     # shellcheck disable=SC2046,SC2086
     "$CXX" -std=c++11 $strict "$here/client.cpp" $(flags --cflags --libs) -o client
     expect 0 env LD_LIBRARY_PATH="$lib" ./client

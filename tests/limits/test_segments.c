@@ -129,13 +129,13 @@ static void expect_judged(void *context, const char *shape, bool is_sphere, bool
     pov_scene_destroy(scene);
 }
 
-static void segments_that_end_at_a_sphere_are_judged_by_their_ends(void **state)
+static void n2_segments_that_end_at_a_sphere_are_judged_by_their_ends(void **state)
 {
     for (size_t s = 0; s < sizeof spheres / sizeof *spheres; s++)
         expect_judged(*state, spheres[s], true, true);
 }
 
-static void segments_that_end_at_a_face_are_judged_by_their_ends(void **state)
+static void n2_segments_that_end_at_a_face_are_judged_by_their_ends(void **state)
 {
     for (size_t s = 0; s < sizeof faces / sizeof *faces; s++)
         expect_judged(*state, faces[s], false, s != 3 && s != 4);
@@ -181,7 +181,7 @@ static double brightness_at(const pov_scene *scene, double x, double y)
     return rgba[0];
 }
 
-static void a_light_on_a_surface_gives_a_clean_shadow(void **state)
+static void n3_a_light_on_a_surface_gives_a_clean_shadow(void **state)
 {
     uint64_t seed = 521288629u;
 
@@ -238,9 +238,9 @@ static void only_light_that_crosses_what_it_is_projected_through_counts(void **s
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(segments_that_end_at_a_sphere_are_judged_by_their_ends, begin, end),
-        cmocka_unit_test_setup_teardown(segments_that_end_at_a_face_are_judged_by_their_ends, begin, end),
-        cmocka_unit_test_setup_teardown(a_light_on_a_surface_gives_a_clean_shadow, begin, end),
+        cmocka_unit_test_setup_teardown(n2_segments_that_end_at_a_sphere_are_judged_by_their_ends, begin, end),
+        cmocka_unit_test_setup_teardown(n2_segments_that_end_at_a_face_are_judged_by_their_ends, begin, end),
+        cmocka_unit_test_setup_teardown(n3_a_light_on_a_surface_gives_a_clean_shadow, begin, end),
         cmocka_unit_test_setup_teardown(only_light_that_crosses_what_it_is_projected_through_counts, begin, end),
     };
 

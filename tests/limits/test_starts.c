@@ -158,14 +158,14 @@ static long expect_places(void *context, int accuracy)
     return all;
 }
 
-static void what_lies_at_the_start_is_not_ahead(void **state) { assert_int_equal(expect_places(*state, 0), 0); }
-static void nor_is_it_in_double_double(void **state) { assert_int_equal(expect_places(*state, 1), 0); }
+static void n1_what_lies_at_the_start_is_not_ahead(void **state) { assert_int_equal(expect_places(*state, 0), 0); }
+static void n1_nor_is_it_in_double_double(void **state) { assert_int_equal(expect_places(*state, 1), 0); }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(what_lies_at_the_start_is_not_ahead, begin, end),
-        cmocka_unit_test_setup_teardown(nor_is_it_in_double_double, begin, end),
+        cmocka_unit_test_setup_teardown(n1_what_lies_at_the_start_is_not_ahead, begin, end),
+        cmocka_unit_test_setup_teardown(n1_nor_is_it_in_double_double, begin, end),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -38,7 +38,7 @@ END
     [ "$(tail -n 1 out)" = "8 passed, 0 failed, 3 skipped" ] || fail "$(cat out)"
 }
 
-runner_says_why_tests_were_skipped() {
+runner_defect_4_says_why_tests_were_skipped() {
     one_skipped tests/unit/test_one
     program tests/unit/script.sh <<'END'
 echo 'ok a_case # skipped: no display'
@@ -50,7 +50,7 @@ END
     [ "$(grep -c '^skipped: ' out)" -eq 2 ] || fail "$(cat out)"
 }
 
-runner_takes_a_program_of_skipped_tests_for_no_failure() {
+runner_defect_4_takes_a_program_of_skipped_tests_for_no_failure() {
     program tests/unit/test_none <<'END'
 echo '[ RUN      ] only'
 echo '[  SKIPPED ] only'

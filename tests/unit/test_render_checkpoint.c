@@ -108,13 +108,13 @@ static void forge_each_byte(pov_sampling sampling, int steps)
     end(&f);
 }
 
-static void a_forged_byte_of_the_first_passes_makes_no_job_wait(void **state)
+static void f5_a_forged_byte_of_the_first_passes_makes_no_job_wait(void **state)
 {
     (void)state;
     forge_each_byte(POV_SAMPLING_UNIFORM, 2);
 }
 
-static void a_forged_byte_of_later_passes_makes_no_job_wait(void **state)
+static void f5_a_forged_byte_of_later_passes_makes_no_job_wait(void **state)
 {
     (void)state;
     forge_each_byte(POV_SAMPLING_ADAPTIVE, 6);
@@ -134,8 +134,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_job_that_has_ended_is_at_its_end_again),
-        cmocka_unit_test(a_forged_byte_of_the_first_passes_makes_no_job_wait),
-        cmocka_unit_test(a_forged_byte_of_later_passes_makes_no_job_wait),
+        cmocka_unit_test(f5_a_forged_byte_of_the_first_passes_makes_no_job_wait),
+        cmocka_unit_test(f5_a_forged_byte_of_later_passes_makes_no_job_wait),
     };
 
     alarm(SECONDS_MOST);

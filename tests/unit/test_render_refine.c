@@ -57,7 +57,7 @@ static void a_constant_stays_itself_bit_for_bit(void **state)
 }
 
 /* Finding N4 of the review: where nothing differs nothing is known but how many samples were alike. */
-static void equal_samples_leave_a_band_and_do_not_end_at_once(void **state)
+static void n4_equal_samples_leave_a_band_and_do_not_end_at_once(void **state)
 {
     pov_render_desc d = refining(0, POV_SAMPLING_ADAPTIVE);
     pov_pass row;
@@ -397,7 +397,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_constant_stays_itself_bit_for_bit),
-        cmocka_unit_test(equal_samples_leave_a_band_and_do_not_end_at_once),
+        cmocka_unit_test(n4_equal_samples_leave_a_band_and_do_not_end_at_once),
         cmocka_unit_test(the_estimate_is_near_the_true_error),
         cmocka_unit_test(an_asked_error_is_reached_and_not_by_far),
         cmocka_unit_test(no_pass_is_a_crumb),

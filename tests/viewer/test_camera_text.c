@@ -67,7 +67,7 @@ static void assert_round(orbit o)
         assert_true(strcspn(line, "\n") < 50);
 }
 
-static void camera_text_is_for_people(void **state)
+static void defect_14_camera_text_is_for_people(void **state)
 {
     orbit o = orbit_of(POV_CAMERA_PERSPECTIVE, pov_vec3_of(4.0 / 3.0, 0, 0), pov_vec3_of(0, 1, 0));
     pov_camera c = orbit_camera(&o);
@@ -137,7 +137,7 @@ static void camera_text_of_a_skewed_camera_is_exact(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(camera_text_is_for_people),
+        cmocka_unit_test(defect_14_camera_text_is_for_people),
         cmocka_unit_test(camera_text_reads_back_as_the_same_view),
         cmocka_unit_test(camera_text_keeps_angles_and_lens),
         cmocka_unit_test(camera_text_of_a_skewed_camera_is_exact),

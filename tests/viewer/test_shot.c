@@ -322,6 +322,32 @@ static void shot_shows_the_curve_of_error_against_time(void **state)
     end(s);
 }
 
+static bool panels_are_apart(const overlay *o)
+{
+    for (int i = 1; i < PRESENT_PANELS; i++)
+        for (int j = i + 1; j < PRESENT_PANELS; j++)
+            if (o->panels[i].pixels && o->panels[j].pixels && o->x[i] < o->x[j] + o->panels[j].width && o->x[j] < o->x[i] + o->panels[i].width
+                && o->y[i] < o->y[j] + o->panels[j].height && o->y[j] < o->y[i] + o->panels[i].height)
+                return false;
+    return true;
+}
+
+/* The inspector lay upon the curve where the pointer was in the curve's corner. */
+static void defect_8_panels_lie_apart(void **state)
+{
+    static const char *const pointers[] = { "<move 700,400>", "<move 780,590>", "<move 20,20>", "<move 790,10>", "<move 10,590>" };
+    stage *s = begin_with(good, 0, 16);
+
+    (void)state;
+    see(s, "<size 800,600>gi");
+    for (size_t i = 0; i < sizeof pointers / sizeof *pointers; i++) {
+        see(s, pointers[i]);
+        if (!panels_are_apart(&s->v.overlay))
+            fail_msg("%s", pointers[i]);
+    }
+    end(s);
+}
+
 static void shot_shows_what_double_decided(void **state)
 {
     stage *s = begin(good, 0);
@@ -518,6 +544,7 @@ int main(void)
         cmocka_unit_test(shot_shows_where_the_samples_and_the_error_are),
         cmocka_unit_test(shot_shows_where_the_time_went),
         cmocka_unit_test(shot_shows_the_curve_of_error_against_time),
+        cmocka_unit_test(defect_8_panels_lie_apart),
         cmocka_unit_test(shot_shows_what_double_decided),
         cmocka_unit_test(shot_exposes_by_thirds_of_a_stop),
         cmocka_unit_test(shot_frames_all_and_what_is_under_the_pointer),
