@@ -293,7 +293,8 @@ static void warn_of_black(const render *r)
         why = "the scene has no object";
     else if (info.lights == 0)
         why = "the scene has no light source, and nothing in view glows";
-    messages_warn(r->messages, "the picture is black: %s; the camera stands at <%g, %g, %g>", why, camera.location.x,
+    messages_warn(r->messages, "the picture is black: %s; %s at <%g, %g, %g>", why,
+                  info.has_camera ? "the camera stands" : "there is no camera, so it stands", camera.location.x,
                   camera.location.y, camera.location.z);
 }
 

@@ -284,6 +284,7 @@ void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out)
     info.materials = m->materials.count;
     info.warnings = m->warnings;
     info.max_trace_level = m->max_trace_level;
+    info.has_camera = m->has_camera;
     adapt_out(out, &info, sizeof info);
 }
 

@@ -68,6 +68,7 @@ typedef struct model {
     map_numbers texture_maps;    /* by leaf: number of the map of the transformations behind its texture; further leaves
                                   * have none */
     pov_camera camera;
+    bool has_camera;             /* the scene gives one */
     const struct camera_mesh *camera_mesh;   /* of cameras of that type; NULL: they see nothing */
     const normal_node *camera_normal;   /* bends the rays of all cameras; NULL: none */
     colour ambient_light, background;

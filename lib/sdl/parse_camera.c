@@ -350,6 +350,7 @@ void parse_camera_finish(pov_reader *in)
     pov_camera *out = &in->model->camera;
     camera_frame f;
 
+    in->model->has_camera = c.given || c.at.source;
     if (c.given) {
         *out = *c.given;
         return;

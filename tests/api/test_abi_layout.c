@@ -22,6 +22,7 @@ static void program_structs_stay_where_they_are(void **state)
     AT(pov_camera, up, 80);
     AT(pov_camera, type, 104);
     AT(pov_scene_info, max_trace_level, 88);
+    AT(pov_scene_info, has_camera, 92);
     AT(pov_plan_row, reason, 32);
     AT(pov_hit, certain, 68);
     AT(pov_hit, shading_normal, 72);

@@ -184,6 +184,9 @@ messages_defect_20_a_black_picture_is_explained() {
     echo 'light_source { 9*y rgb 1 }' > empty.pov
     expect 0 "$povc" empty.pov 8 6 o.png
     says err "the picture is black: the scene has no object"
+    echo 'light_source { 9*y rgb 1 } sphere { 0, 1 }' > inside.pov
+    expect 0 "$povc" inside.pov 8 6 o.png
+    says err "nothing is in view, or no light reaches it; there is no camera, so it stands at <0, 0, 0>"
     small_scene
     expect 0 "$povc" small.pov 8 6 o.png
     [ ! -s err ]

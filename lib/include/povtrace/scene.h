@@ -124,6 +124,7 @@ typedef struct pov_scene_info {
     double parse_seconds, build_seconds;
     size_t objects, infinite_objects, lights, materials, warnings;
     int max_trace_level;
+    bool has_camera;                   /* false: it is seen from the origin along z, as POV-Ray does */
 } pov_scene_info;
 
 POV_API void pov_scene_get_info(const pov_scene *scene, pov_scene_info *out);
