@@ -5,7 +5,7 @@
 #include <povtrace/image.h>
 #include <povtrace/plot.h>
 
-/* Members that abi 3 has from its start: a plugin whose struct is shorter was not built from this contract. */
+/* Members that abi 4 has from its start: a plugin whose struct is shorter was not built from this contract. */
 #define REACHES(ptr, type, last) ((ptr)->size >= offsetof(type, last) + sizeof((ptr)->last))
 
 static const char *check_image(const pov_image_format *f)

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Members that abi 3 has from its start: a plugin whose struct is shorter was not built from this contract. */
+/* Members that abi 4 has from its start: a plugin whose struct is shorter was not built from this contract. */
 #define REACHES(ptr, type, last) ((ptr)->size >= offsetof(type, last) + sizeof((ptr)->last))
 
 enum { INSTANCE_MOST = 1 << 20 };
@@ -58,7 +58,7 @@ void shape_class_fill(shape_class *out, const pov_shape_class *from)
     out->scratch = c.scratch;
     out->open = c.open;
     out->solid = c.solid;
-    out->shading_normal = c.shading_normal;
+    out->shading_normals = c.shading_normals;
     out->textures = c.textures;
     out->face = c.face;
     out->reversed = c.reversed;

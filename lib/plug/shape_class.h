@@ -24,7 +24,8 @@ typedef struct shape_class {
     size_t (*scratch)(const void *self);
     bool (*open)(const void *self);
     bool (*solid)(const void *self);
-    bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
+    uint32_t (*shading_normals)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                pov_vec3 *normal, double *share);
     uint32_t (*textures)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, uint32_t *which,
                          double *share);
     bool (*face)(const void *self, uint32_t number, pov_face *out);

@@ -123,15 +123,26 @@ enum { CROSSINGS_MAX = 4096 };
 
 static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best);
 
-/* The normal that light sees, as in POV-Ray. */
-static void find_normal(const subject *s, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
+/* The normal that light sees, as in POV-Ray, of a leaf that is moved by `map` or by none. */
+static void find_normal(const subject *s, const pov_affine *map, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0), point = pov_add(ray->org, pov_scale(ray->dir, at->t));
+    pov_vec3 normal[POV_NORMALS_MAX];
+    double share[POV_NORMALS_MAX];
+    uint32_t count = 0, i;
 
-    if (s->shape->shading_normal && s->shape->shading_normal(s->self, point, zero, &at->mark, out))
+    if (s->shape->shading_normals)
+        count = s->shape->shading_normals(s->self, point, zero, &at->mark, normal, share);
+    *out = zero;
+    for (i = 0; i < count; i++)
+        *out = pov_add(*out, pov_scale(map ? map_normal(map, normal[i]) : normal[i], share[i]));
+    if (pov_largest(*out) > 0.0) {
         *out = pov_unit(*out);
-    else
-        s->shape->normal(s->self, ray, at, out);
+        return;
+    }
+    s->shape->normal(s->self, ray, at, out);
+    if (map)
+        *out = map_normal(map, *out);
 }
 
 /* Nothing inverts a patch. */
@@ -141,7 +152,7 @@ static void invert(object_hit *h)
         h->normal = pov_scale(h->normal, -1.0);
 }
 
-static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask, object_hit *best)
+static bool trace_leaf(pov_reader *in, const object_parsed *o, const pov_affine *map, const search *ask, object_hit *best)
 {
     const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     pov_crossing at;
@@ -162,7 +173,7 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const search *ask
     found = hits.count > 0 && at.t < best->t;
     if (found) {
         best->t = at.t;
-        find_normal(&s, &ask->ray, &at, &best->normal);
+        find_normal(&s, map, &ask->ray, &at, &best->normal);
         best->on_patch = shape_is_patch(s.shape);
         if (s.shape->reversed && s.shape->reversed(s.self, &ask->ray, &at))
             best->normal = pov_sub(zero, best->normal);
@@ -217,10 +228,10 @@ static bool trace(pov_reader *in, const object_parsed *o, const search *outer, o
         ask.ray.dir = back(&map, outer->ray.dir, 0.0);
     }
     if (o->kind == OBJECT_LEAF)
-        found = trace_leaf(in, o, &ask, best);
+        found = trace_leaf(in, o, is_mapped ? &map : NULL, &ask, best);
     for (member = o->kind == OBJECT_GROUP ? o->first : NULL; member; member = member->next)
         found |= trace_member(in, o, member, ask, best);
-    if (found && is_mapped)
+    if (found && is_mapped && o->kind == OBJECT_GROUP)
         best->normal = map_normal(&map, best->normal);
     if (found && o->kind == OBJECT_GROUP && (o->flags & LEAF_INVERSE))
         invert(best);

@@ -275,7 +275,7 @@ static void note(maker *k, const leaf_node *o, uint32_t index, const pov_box *bo
     info->material = o->material;
     info->inverse = (o->flags & LEAF_INVERSE) != 0 && !shape_is_patch(o->shape);
     info->member = member;
-    info->smooth = o->shape->shading_normal != NULL;
+    info->smooth = o->shape->shading_normals != NULL;
     info->no_image = (o->flags & LEAF_NO_IMAGE) != 0;
     info->no_reflection = (o->flags & LEAF_NO_REFLECTION) != 0;
     info->no_radiosity = (o->flags & LEAF_NO_RADIOSITY) != 0;

@@ -21,14 +21,21 @@ static part find_part(const world *w, const hit *h)
 bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out)
 {
     const part p = find_part(w, h);
-    pov_vec3 found;
+    pov_vec3 normal[POV_NORMALS_MAX], sum = { 0.0, 0.0, 0.0 };
+    double share[POV_NORMALS_MAX];
+    uint32_t count, i;
 
-    if (!p.shape->shading_normal ||
-        !p.shape->shading_normal(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, &found))
+    if (!p.shape->shading_normals)
         return false;
-    if (p.ref.xform)
-        instance_world_normal(p.ref.xform, &found);
-    *out = pov_unit(found);
+    count = p.shape->shading_normals(p.ref.instance, p.point, p.point_lo, &h->crossing.mark, normal, share);
+    for (i = 0; i < count; i++) {
+        if (p.ref.xform)
+            instance_world_normal(p.ref.xform, &normal[i]);
+        sum = pov_add(sum, pov_scale(normal[i], share[i]));
+    }
+    if (!(pov_largest(sum) > 0.0))
+        return false;
+    *out = pov_unit(sum);
     if (pov_dot(*out, ray->dir) > 0.0)
         *out = pov_scale(*out, -1.0);
     return true;

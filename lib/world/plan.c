@@ -86,7 +86,7 @@ static bool survey_model(const model *m, plan_counts *s)
         const leaf_node *o = &m->leaves.items[i];
         s->hidden += (o->flags & hides) != 0;
         counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (plan_is_solid(o) ? SOLID : 0)]++;
-        s->smooth += o->shape->shading_normal != NULL;
+        s->smooth += o->shape->shading_normals != NULL;
     }
     for (i = 0; counts && i < m->materials.count * KINDS; i++)
         count_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);

@@ -141,21 +141,23 @@ static void shares_of(const common_mesh *m, uint32_t face, pov_vec3 point, pov_v
                            pov_scale(point, m->scale), pov_scale(point_lo, m->scale), share);
 }
 
-bool common_mesh_shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
-                                pov_vec3 *out)
+/* A mesh blends the normals in its own space, as POV-Ray's does. */
+uint32_t common_mesh_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                     pov_vec3 *normal, double *share)
 {
     const common_mesh *m = self;
     const uint32_t face = face_of(m, mark);
     const uint32_t *at = m->normals ? m->normal_faces[face].at : NULL;
-    double share[3];
+    double of_corner[3];
 
+    *share = 1.0;
     if (!at || at[0] == COMMON_NO_TEXTURE) {
-        *out = written_normal(m, face);
+        *normal = pov_unit(written_normal(m, face));
         return is_turned(m, face);
     }
-    shares_of(m, face, point, point_lo, share);
-    return common_triangle_blend((const pov_vec3[3]){ m->normals[at[0]], m->normals[at[1]], m->normals[at[2]] }, share,
-                                 out);
+    shares_of(m, face, point, point_lo, of_corner);
+    return common_triangle_blend((const pov_vec3[3]){ m->normals[at[0]], m->normals[at[1]], m->normals[at[2]] }, of_corner,
+                                 normal);
 }
 
 void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])

@@ -64,8 +64,8 @@ bool common_mesh_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 bool common_mesh_solid(const void *self);
 bool common_mesh_open(const void *self);
 void common_mesh_uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2]);
-bool common_mesh_shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
-                                pov_vec3 *out);
+uint32_t common_mesh_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                     pov_vec3 *normal, double *share);
 uint32_t common_mesh_textures(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                               uint32_t *which, double *share);
 bool common_mesh_face(const void *self, uint32_t number, pov_face *out);
@@ -85,7 +85,7 @@ bool common_mesh_face(const void *self, uint32_t number, pov_face *out);
         .solid = common_mesh_solid, \
         .open = common_mesh_open, \
         .uv = common_mesh_uv, \
-        .shading_normal = common_mesh_shading_normal, \
+        .shading_normals = common_mesh_shading_normals, \
         .textures = common_mesh_textures, \
         .face = common_mesh_face, \
     }

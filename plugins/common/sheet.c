@@ -70,14 +70,14 @@ void common_sheet_make(common_sheet *s, const pov_host *host, pov_reader *in, ui
 
 /* ---- rays ---- */
 
-/* The corners of a face, by their numbers: two faces a cell. */
+/* The corners of a face, by their numbers: two faces a cell, split from its least u and v to its greatest. */
 static void corners_of(const common_sheet *s, uint32_t face, uint32_t which[3])
 {
     const uint32_t cell = face / 2, first = cell / (s->wide - 1) * s->wide + cell % (s->wide - 1);
 
-    which[0] = face % 2 == 0 ? first : first + s->wide + 1;
-    which[1] = face % 2 == 0 ? first + 1 : first + s->wide;
-    which[2] = face % 2 == 0 ? first + s->wide : first + 1;
+    which[0] = first;
+    which[1] = face % 2 == 0 ? first + 1 : first + s->wide + 1;
+    which[2] = face % 2 == 0 ? first + s->wide + 1 : first + s->wide;
 }
 
 typedef struct visit { const common_sheet *s; const pov_ray *ray; pov_hits *hits; common_triangle_ray through; } visit;
@@ -130,8 +130,8 @@ static bool visit_cell(void *user, uint32_t cell)
     const common_seen seen[4] = { common_triangle_see(&v->through, a), common_triangle_see(&v->through, b),
                                   common_triangle_see(&v->through, c), common_triangle_see(&v->through, d) };
     const uint32_t above = (uint32_t)(seen[0].above + seen[1].above + seen[2].above + seen[3].above);
-    const pov_vec3 *const low[3] = { a, b, c }, *const high[3] = { d, c, b };
-    const common_seen low_seen[3] = { seen[0], seen[1], seen[2] }, high_seen[3] = { seen[3], seen[2], seen[1] };
+    const pov_vec3 *const low[3] = { a, b, d }, *const high[3] = { a, d, c };
+    const common_seen low_seen[3] = { seen[0], seen[1], seen[3] }, high_seen[3] = { seen[0], seen[3], seen[2] };
 
     return above == 0 || above == 4 || is_beside(seen, v->through.view.error) ||
            (cross_face(v, 2 * cell, low, low_seen) && cross_face(v, 2 * cell + 1, high, high_seen));
@@ -167,15 +167,16 @@ static void shares_of(const common_sheet *s, pov_vec3 point, pov_vec3 point_lo, 
     common_triangle_shares(&s->at[c[0]], &s->at[c[1]], &s->at[c[2]], pov_scale(point, s->scale), pov_scale(point_lo, s->scale), share);
 }
 
-bool common_sheet_shading_normal(const common_sheet *s, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out)
+uint32_t common_sheet_shading_normals(const common_sheet *s, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                      pov_vec3 *normal, double *share)
 {
-    double share[3];
     uint32_t c[3];
 
     corners_of(s, mark->feature, c);
     shares_of(s, point, point_lo, c, share);
-    *out = pov_add(pov_scale(s->normal[c[0]], share[0]), pov_add(pov_scale(s->normal[c[1]], share[1]), pov_scale(s->normal[c[2]], share[2])));
-    return pov_largest(*out) > 0.0;
+    for (int i = 0; i < 3; i++)
+        normal[i] = s->normal[c[i]];
+    return 3;
 }
 
 void common_sheet_uv(const common_sheet *s, pov_vec3 point, const pov_mark *mark, double out[2])

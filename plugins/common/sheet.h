@@ -24,7 +24,8 @@ void common_sheet_make(common_sheet *s, const pov_host *host, pov_reader *in, ui
                        common_sheet_corner *corner, void *user);
 void common_sheet_intersect(const common_sheet *s, const pov_ray *ray, pov_hits *hits);
 void common_sheet_normal(const common_sheet *s, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
-bool common_sheet_shading_normal(const common_sheet *s, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
+uint32_t common_sheet_shading_normals(const common_sheet *s, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                      pov_vec3 *normal, double *share);
 /* u and v of a point, from 0 to 1. */
 void common_sheet_uv(const common_sheet *s, pov_vec3 point, const pov_mark *mark, double out[2]);
 

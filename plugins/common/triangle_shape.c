@@ -59,16 +59,16 @@ bool common_triangle_blend(const pov_vec3 normal[3], const double share[3], pov_
     return pov_largest(*out) > 0.0;
 }
 
-bool common_triangle_shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
-                                    pov_vec3 *out)
+uint32_t common_triangle_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                         pov_vec3 *normal, double *share)
 {
     const common_triangle *t = self;
-    double share[3];
 
     (void)mark;
     common_triangle_shares(&t->corner[0], &t->corner[1], &t->corner[2], pov_scale(point, t->scale),
                            pov_scale(point_lo, t->scale), share);
-    return common_triangle_blend(t->at_corner, share, out);
+    memcpy(normal, t->at_corner, sizeof t->at_corner);
+    return 3;
 }
 
 /* ---- blocks ---- */

@@ -377,7 +377,8 @@ static pov_vec3 corner_normal(const height_field *f, uint32_t x, uint32_t z)
     return pov_unit(pov_vec3_of(trunc(sum.x) * (f->wide - 1.0), trunc(sum.y) * 65536.0, trunc(sum.z) * (f->deep - 1.0)));
 }
 
-static bool shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out)
+static uint32_t shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *normals,
+                                double *share)
 {
     const height_field *f = self;
     double u, v;
@@ -385,11 +386,13 @@ static bool shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, 
 
     (void)mark;
     if (!f->smooth)
-        return false;
+        return 0;
     cell_of(f, pov_add(point, point_lo), &x, &z, &u, &v);
-    *out = pov_add(pov_add(pov_scale(corner_normal(f, x, z), (1.0 - u) * (1.0 - v)), pov_scale(corner_normal(f, x + 1, z), u * (1.0 - v))),
-                   pov_add(pov_scale(corner_normal(f, x, z + 1), (1.0 - u) * v), pov_scale(corner_normal(f, x + 1, z + 1), u * v)));
-    return true;
+    for (uint32_t i = 0; i < 4; i++) {
+        normals[i] = corner_normal(f, x + i % 2, z + i / 2);
+        share[i] = (i % 2 ? u : 1.0 - u) * (i / 2 ? v : 1.0 - v);
+    }
+    return 4;
 }
 
 static bool open(const void *self)
@@ -409,7 +412,7 @@ static const pov_shape_class height_field_class = {
     .normal = normal,
     .inside = inside,
     .open = open,
-    .shading_normal = shading_normal,
+    .shading_normals = shading_normals,
 };
 
 static const pov_shape_class *const shapes[] = { &height_field_class, NULL };

@@ -421,13 +421,15 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 }
 
 /* As POV-Ray has it: of the place after the last, where it was the last that left the sphere. */
-static bool shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out)
+static uint32_t shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out,
+                                double *share)
 {
     const julia *j = self;
 
     if ((j->f && j->f != disc_squared) || mark->feature + 1 != j->places)
-        return false;
+        return 0;
     *out = pov_unit(slope_at(j, pov_add(point, point_lo), mark->feature + 1));
+    *share = 1.0;
     return pov_largest(*out) > 0.0;
 }
 
@@ -441,7 +443,7 @@ static const pov_shape_class julia_class = {
     .intersect = intersect,
     .normal = normal,
     .inside = inside,
-    .shading_normal = shading_normal,
+    .shading_normals = shading_normals,
 };
 
 static const pov_shape_class *const shapes[] = { &julia_class, NULL };

@@ -130,9 +130,10 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
     *out = pov_scale(*out, -1.0);
 }
 
-static bool shading_normal(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out)
+static uint32_t shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *normals,
+                                double *share)
 {
-    return common_sheet_shading_normal(&((const parametric *)self)->sheet, point, point_lo, mark, out);
+    return common_sheet_shading_normals(&((const parametric *)self)->sheet, point, point_lo, mark, normals, share);
 }
 
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
@@ -153,7 +154,7 @@ static const pov_shape_class parametric_class = {
     .intersect = intersect,
     .normal = normal,
     .uv = uv,
-    .shading_normal = shading_normal,
+    .shading_normals = shading_normals,
 };
 
 static const pov_shape_class *const shapes[] = { &parametric_class, NULL };

@@ -66,7 +66,7 @@ static const pov_shape_class smooth_triangle_class = {
     .bounds = common_triangle_bounds,
     .intersect = common_triangle_intersect,
     .normal = common_triangle_plane_normal,
-    .shading_normal = common_triangle_shading_normal,
+    .shading_normals = common_triangle_shading_normals,
     .extension = extension,
 };
 

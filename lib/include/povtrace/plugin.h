@@ -15,7 +15,7 @@
 #include <povtrace/base.h>
 #include <povtrace/math.h>
 
-#define POV_PLUGIN_ABI 3u   /* raised only when an old plugin could not work */
+#define POV_PLUGIN_ABI 4u   /* raised only when an old plugin could not work */
 
 struct pov_shape_class;
 struct pov_image_format;
@@ -72,7 +72,7 @@ typedef struct pov_host {
     /* A hierarchy over n boxes, at least one, finite; items are numbered like their boxes. It lives as long as the
      * scene. NULL after an error. */
     const pov_hierarchy *(*hierarchy)(pov_reader *in, const pov_box *boxes, uint32_t n);
-    /* abi 3 began with these. */
+    /* abi 4 began with these. */
     /* The heights, in 1/65536, that an image stands for: `png "name"`, a format's word or none before the name. Rows from
      * the top; they live as long as the scene. NULL after an error. */
     const uint16_t *(*heights)(pov_reader *in, uint32_t *width, uint32_t *height);
@@ -107,7 +107,7 @@ typedef struct pov_plugin {
     const struct pov_shape_class *const *shapes;     /* each list ends with NULL; or is NULL */
     const struct pov_image_format *const *images;
     const struct pov_plot_format *const *plots;
-    /* abi 3 began with these; patterns, lights, cameras append their own lists */
+    /* abi 4 began with these; patterns, lights, cameras append their own lists */
 } pov_plugin;
 
 #define POV_PLUGIN_SYMBOL "povtrace_plugin"

@@ -127,6 +127,7 @@ static inline bool pov_cross(pov_hits *h, double t, double t_lo, pov_mark mark)
  * host->alloc and is never written after parse, and absorb changes only the
  * instance's own bytes. */
 
+#define POV_NORMALS_MAX 4u              /* most normals that are blended into one */
 #define POV_TEXTURES_MAX 8u             /* most textures of a point of a surface */
 #define POV_OWN_TEXTURE 0xffffffffu     /* the object's, in place of a number */
 
@@ -185,13 +186,15 @@ typedef struct pov_shape_class {
     const void *(*extension)(const char *name);
     /* [load] For solids: has the surface gaps, through which a ray enters without a crossing? NULL: none has. */
     bool (*open)(const void *self);
-    /* abi 3 began with these. The point of the following ones is the sum of both parts, in the space of the instance. */
+    /* abi 4 began with these. The point of the following ones is the sum of both parts, in the space of the instance. */
 
     /* [load] For POV_SHAPE_SOLID: is this shape a solid? Of what parse() wrote. NULL: every one is. */
     bool (*solid)(const void *self);
-    /* [render] The normal that light sees at a crossing, of any length but zero, where it is another than normal()
-     * gives. False: it is not. */
-    bool (*shading_normal)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark, pov_vec3 *out);
+    /* [render] The normal that light sees at a crossing, where it is another than normal() gives, as a blend of up to
+     * POV_NORMALS_MAX unit normals by their shares. The host blends them in the space of the scene, where each has unit
+     * length again. Returns how many; 0: it is no other. */
+    uint32_t (*shading_normals)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
+                                pov_vec3 *normal, double *share);
     /* [render] Textures of a part of the surface: up to POV_TEXTURES_MAX numbers that host->texture() gave or
      * POV_OWN_TEXTURE, and their shares, which add up to one. Returns how many; 0: the object's own texture. NULL: every
      * part has that. */
