@@ -3,16 +3,19 @@
 #include <float.h>
 #include <math.h>
 
-enum { LEAF_PHOTONS = 8 };
-
 /* ---- the tree ---- */
 
 static const pov_box empty_box = { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } };
 
-static void reach(pov_box *b, pov_vec3 p, double r)
+/* fmin() and fmax() are calls. */
+static inline double lesser(double a, double b) { return b < a ? b : a; }
+
+static inline double greater(double a, double b) { return b > a ? b : a; }
+
+static inline void reach(pov_box *b, pov_vec3 p, double r)
 {
-    b->lo = pov_vec3_of(fmin(b->lo.x, p.x - r), fmin(b->lo.y, p.y - r), fmin(b->lo.z, p.z - r));
-    b->hi = pov_vec3_of(fmax(b->hi.x, p.x + r), fmax(b->hi.y, p.y + r), fmax(b->hi.z, p.z + r));
+    b->lo = pov_vec3_of(lesser(b->lo.x, p.x - r), lesser(b->lo.y, p.y - r), lesser(b->lo.z, p.z - r));
+    b->hi = pov_vec3_of(greater(b->hi.x, p.x + r), greater(b->hi.y, p.y + r), greater(b->hi.z, p.z + r));
 }
 
 static double along(pov_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -59,14 +62,14 @@ static void select_kth(photon *p, size_t n, size_t k, int axis)
 
 static uint32_t build(photon_map *m, uint32_t first, uint32_t count)
 {
-    const uint32_t index = m->node_count++, half = (count / LEAF_PHOTONS + 1) / 2 * LEAF_PHOTONS;
+    const uint32_t index = m->node_count++, half = (count / PHOTON_LANES + 1) / 2 * PHOTON_LANES;
     photon_node *n = &m->nodes[index];
 
     n->box = empty_box;
     for (uint32_t i = first; i < first + count; i++)
         reach(&n->box, m->photons[i].at, 0.0);
     n->first = first;
-    n->count = count <= LEAF_PHOTONS ? count : 0;
+    n->count = count <= PHOTON_LANES ? count : 0;
     if (n->count == 0) {
         select_kth(m->photons + first, count, half, longest_axis(&n->box));
         build(m, first, half);
@@ -77,6 +80,30 @@ static uint32_t build(photon_map *m, uint32_t first, uint32_t count)
 }
 
 /* ---- discs ---- */
+
+static photon_block *block_of(const photon_map *m, const photon_node *leaf) { return &m->blocks[leaf->first / PHOTON_LANES]; }
+
+static void fill_block(photon_block *b, const photon *of, uint32_t count)
+{
+    const photon nowhere = { .at = { HUGE_VAL, HUGE_VAL, HUGE_VAL } };
+
+    for (uint32_t i = 0; i < PHOTON_LANES; i++) {
+        const photon *p = i < count ? &of[i] : &nowhere;
+
+        b->at[0][i] = p->at.x;
+        b->at[1][i] = p->at.y;
+        b->at[2][i] = p->at.z;
+        for (int k = 0; k < 3; k++)
+            b->normal[k][i] = p->normal[k];
+    }
+}
+
+static void fill_blocks(photon_map *m)
+{
+    for (uint32_t i = 0; i < m->node_count; i++)
+        if (m->nodes[i].count > 0)
+            fill_block(block_of(m, &m->nodes[i]), m->photons + m->nodes[i].first, m->nodes[i].count);
+}
 
 /* The squares of the distances of the nearest photons found so far: a heap with the largest on top. */
 typedef struct nearest { uint32_t count, most; double *square; } nearest;
@@ -113,17 +140,25 @@ static double distance_square(const pov_box *b, pov_vec3 p)
     return x * x + y * y + z * z;
 }
 
+SIMD_CLONES static void find_squares(const photon_block *restrict b, pov_vec3 at, double *restrict square)
+{
+    for (int i = 0; i < PHOTON_LANES; i++) {
+        const double x = b->at[0][i] - at.x, y = b->at[1][i] - at.y, z = b->at[2][i] - at.z;
+
+        square[i] = x * x + y * y + z * z;
+    }
+}
+
 static void take_leaf(const photon_map *m, const photon_node *n, pov_vec3 at, nearest *h)
 {
-    for (uint32_t i = n->first; i < n->first + n->count; i++) {
-        const pov_vec3 to = pov_sub(m->photons[i].at, at);
-        const double square = pov_dot(to, to);
+    double square[PHOTON_LANES];
 
+    find_squares(block_of(m, n), at, square);
+    for (uint32_t i = 0; i < n->count; i++)
         if (h->count < h->most)
-            sift_up(h, square);
-        else if (square < h->square[0])
-            sift_down(h, square);
-    }
+            sift_up(h, square[i]);
+        else if (square[i] < h->square[0])
+            sift_down(h, square[i]);
 }
 
 /* The nearer child is looked into first. */
@@ -176,7 +211,7 @@ static void widen(photon_map *m)
 
         n->box = empty_box;
         for (uint32_t k = n->first; k < n->first + n->count; k++)
-            reach(&n->box, m->photons[k].at, (double)m->photons[k].radius);
+            reach(&n->box, m->photons[k].at, block_of(m, n)->radius);
         for (uint32_t child = i + 1; n->count == 0 && child < n->skip; child = m->nodes[child].skip) {
             reach(&n->box, m->nodes[child].box.lo, 0.0);
             reach(&n->box, m->nodes[child].box.hi, 0.0);
@@ -186,27 +221,25 @@ static void widen(photon_map *m)
 
 static void set_radii(photon_map *m, nearest *h)
 {
-    for (uint32_t i = 0; i < m->node_count; i++) {
-        const photon_node *n = &m->nodes[i];
-        const double radius = n->count > 0 ? radius_of(m, n, h) : 0.0;
-
-        for (uint32_t k = n->first; k < n->first + n->count; k++)
-            m->photons[k].radius = (float)radius;
-    }
+    for (uint32_t i = 0; i < m->node_count; i++)
+        if (m->nodes[i].count > 0)
+            block_of(m, &m->nodes[i])->radius = (double)(float)radius_of(m, &m->nodes[i], h);
 }
 
 bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t count, uint32_t most)
 {
-    const photon_map none = { photons, count, 0, NULL };
+    const photon_map none = { photons, count, 0, NULL, NULL };
     nearest h = { 0, most < count ? most : count, NULL };
 
     *out = none;
     if (count == 0)
         return true;
-    out->nodes = env_alloc(e, 2 * ((size_t)count / LEAF_PHOTONS + 1), sizeof *out->nodes);
+    out->nodes = env_alloc(e, 2 * ((size_t)count / PHOTON_LANES + 1), sizeof *out->nodes);
+    out->blocks = env_alloc_aligned(e, ((size_t)count / PHOTON_LANES + 1) * sizeof *out->blocks, SIMD_LINE);
     h.square = env_alloc(e, h.most, sizeof *h.square);
-    if (out->nodes && h.square) {
+    if (out->nodes && out->blocks && h.square) {
         build(out, 0, count);
+        fill_blocks(out);
         set_radii(out, &h);
         widen(out);
     }
@@ -219,8 +252,9 @@ bool photon_map_make(photon_map *out, const env *e, photon *photons, uint32_t co
 
 void photon_map_free(photon_map *m, const env *e)
 {
-    const photon_map none = { NULL, 0, 0, NULL };
+    const photon_map none = { NULL, 0, 0, NULL, NULL };
 
+    env_free_aligned(e, m->blocks);
     env_free(e, m->photons);
     env_free(e, m->nodes);
     *m = none;
@@ -237,27 +271,37 @@ static inline bool holds(const pov_box *b, pov_vec3 p)
 static const double least_alike = 0.5, most_above = 0.5;
 static const double three_by_pi = 0.95492965855137201461;
 
-static inline void try_photon(const photon *p, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user)
+/* By lane: what a photon counts for at a point, if it counts there. Returns bit i for lane i that does. */
+SIMD_CLONES static uint32_t try_photons(const photon_block *restrict b, pov_vec3 at, pov_vec3 normal, double *restrict density)
 {
-    const pov_vec3 to = pov_sub(p->at, at);
-    const double square = (double)p->radius * (double)p->radius, near = 1.0 - pov_dot(to, to) / square;
-    const double alike = normal.x * (double)p->normal[0] + normal.y * (double)p->normal[1] + normal.z * (double)p->normal[2];
+    const double square = b->radius * b->radius, most = three_by_pi / square, height = most_above * b->radius;
+    uint32_t held = 0;
 
-    if (near > 0.0 && fabs(alike) > least_alike && fabs(pov_dot(to, normal)) < most_above * (double)p->radius)
-        visit(user, p, (float)(three_by_pi / square * near * near));
+    for (int i = 0; i < PHOTON_LANES; i++) {
+        const double x = b->at[0][i] - at.x, y = b->at[1][i] - at.y, z = b->at[2][i] - at.z;
+        const double near = 1.0 - (x * x + y * y + z * z) / square, above = x * normal.x + y * normal.y + z * normal.z;
+        const double alike = normal.x * (double)b->normal[0][i] + normal.y * (double)b->normal[1][i] + normal.z * (double)b->normal[2][i];
+
+        density[i] = (near > 0.0) & (fabs(alike) > least_alike) & (fabs(above) < height) ? most * near * near : 0.0;
+    }
+    for (int i = 0; i < PHOTON_LANES; i++)
+        held |= (uint32_t)(density[i] > 0.0) << i;
+    return held;
 }
 
 void photon_map_find(const photon_map *m, pov_vec3 at, pov_vec3 normal, photon_visit *visit, void *user)
 {
-    for (uint32_t i = 0; i < m->node_count;) {
+    double density[PHOTON_LANES];
+
+    for (uint32_t i = 0, held; i < m->node_count;) {
         const photon_node *n = &m->nodes[i];
 
         if (!holds(&n->box, at)) {
             i = n->skip;
             continue;
         }
-        for (uint32_t k = n->first; k < n->first + n->count; k++)
-            try_photon(&m->photons[k], at, normal, visit, user);
+        for (held = n->count > 0 ? try_photons(block_of(m, n), at, normal, density) : 0; held; held &= held - 1)
+            visit(user, &m->photons[n->first + first_of(held)], (float)density[first_of(held)]);
         i++;
     }
 }
@@ -270,38 +314,51 @@ static bool meets(const pov_box *b, pov_vec3 from, pov_vec3 per, double length)
     const double x0 = (b->lo.x - from.x) * per.x, x1 = (b->hi.x - from.x) * per.x;
     const double y0 = (b->lo.y - from.y) * per.y, y1 = (b->hi.y - from.y) * per.y;
     const double z0 = (b->lo.z - from.z) * per.z, z1 = (b->hi.z - from.z) * per.z;
-    const double enters = fmax(fmax(fmin(x0, x1), fmin(y0, y1)), fmax(fmin(z0, z1), 0.0));
+    const double enters = greater(greater(lesser(x0, x1), lesser(y0, y1)), greater(lesser(z0, z1), 0.0));
 
-    return enters <= fmin(fmin(fmax(x0, x1), fmax(y0, y1)), fmin(fmax(z0, z1), length));
+    return enters <= lesser(lesser(greater(x0, x1), greater(y0, y1)), lesser(greater(z0, z1), length));
 }
 
 /* One over a component: a ray that is as good as parallel is wide of no box that it is in. */
 static double inverse(double d) { return 1.0 / (fabs(d) > 0x1p-60 ? d : copysign(0x1p-60, d)); }
 
-static inline void pass_photon(const photon *p, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user)
+/* The same of those that the ray passes, and where it does. */
+SIMD_CLONES static uint32_t pass_photons(const photon_block *restrict b, pov_vec3 from, pov_vec3 dir, double length,
+                                         double *restrict where, double *restrict density)
 {
-    const pov_vec3 to = pov_sub(p->at, from);
-    const double at = pov_dot(to, dir), square = (double)p->radius * (double)p->radius;
-    const pov_vec3 off = pov_sub(to, pov_scale(dir, at));
-    const double near = 1.0 - pov_dot(off, off) / square;
+    const double square = b->radius * b->radius, most = three_by_pi / square;
+    uint32_t held = 0;
 
-    if (near > 0.0 && at >= 0.0 && at <= length)
-        pass(user, p, at, (float)(three_by_pi / square * near * near));
+    for (int i = 0; i < PHOTON_LANES; i++) {
+        const double x = b->at[0][i] - from.x, y = b->at[1][i] - from.y, z = b->at[2][i] - from.z;
+        const double at = x * dir.x + y * dir.y + z * dir.z, u = x - dir.x * at, v = y - dir.y * at, w = z - dir.z * at;
+        const double near = 1.0 - (u * u + v * v + w * w) / square;
+
+        where[i] = at;
+        density[i] = (near > 0.0) & (at >= 0.0) & (at <= length) ? most * near * near : 0.0;
+    }
+    for (int i = 0; i < PHOTON_LANES; i++)
+        held |= (uint32_t)(density[i] > 0.0) << i;
+    return held;
 }
 
 void photon_map_follow(const photon_map *m, pov_vec3 from, pov_vec3 dir, double length, photon_pass *pass, void *user)
 {
     const pov_vec3 per = pov_vec3_of(inverse(dir.x), inverse(dir.y), inverse(dir.z));
+    double where[PHOTON_LANES], density[PHOTON_LANES];
 
-    for (uint32_t i = 0; i < m->node_count;) {
+    for (uint32_t i = 0, held; i < m->node_count;) {
         const photon_node *n = &m->nodes[i];
 
         if (!meets(&n->box, from, per, length)) {
             i = n->skip;
             continue;
         }
-        for (uint32_t k = n->first; k < n->first + n->count; k++)
-            pass_photon(&m->photons[k], from, dir, length, pass, user);
+        for (held = n->count > 0 ? pass_photons(block_of(m, n), from, dir, length, where, density) : 0; held; held &= held - 1) {
+            const uint32_t k = first_of(held);
+
+            pass(user, &m->photons[n->first + k], where[k], (float)density[k]);
+        }
         i++;
     }
 }

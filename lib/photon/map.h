@@ -7,6 +7,7 @@
 #define PHOTON_MAP_H
 
 #include "base/env.h"
+#include "base/simd.h"
 #include "model/colour.h"
 
 #include <povtrace/math.h>
@@ -14,7 +15,6 @@
 typedef struct photon {
     pov_vec3 at;
     colour flux;
-    float radius;                /* of its disc */
     float dir[3];                /* it flew in this direction, unit */
     float normal[3];             /* of the surface, towards where it came from */
 } photon;
@@ -22,13 +22,22 @@ typedef struct photon {
 /* A node of the tree, in the order of a traversal: `skip` is the next one that is not below it. */
 typedef struct photon_node {
     pov_box box;                 /* of all discs below it */
-    uint32_t skip, first, count; /* photons of a leaf; count 0: it is none */
+    uint32_t skip, first, count; /* photons of a leaf, first a multiple of PHOTON_LANES; count 0: it is none */
 } photon_node;
 
+/* What lookups ask first of the photons of a leaf, in lanes; those behind the last one are nowhere. */
+enum { PHOTON_LANES = 8 };
+typedef struct photon_block {
+    SIMD_ALIGNED double at[3][PHOTON_LANES];
+    float normal[3][PHOTON_LANES];
+    double radius;               /* of all its discs */
+} photon_block;
+
 typedef struct photon_map {
-    photon *photons;             /* by leaf */
+    photon *photons;             /* by leaf: all but the last one are full */
     uint32_t count, node_count;
     photon_node *nodes;
+    photon_block *blocks;        /* by leaf */
 } photon_map;
 
 /* Make a map of these photons, which becomes the map's: from env_alloc(). nearest: how many photons a disc reaches. False:

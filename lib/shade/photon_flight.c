@@ -26,7 +26,7 @@ static void deposit(flight *f, const surface *s, pov_vec3 normal)
 {
     const pov_vec3 dir = pov_unit(s->ray->dir);
     const float by = (float)emission_factor(light_of(f), s->from->travelled);
-    const photon p = { s->at->point, colour_scale(s->from->factor.by, by), 0.0f,
+    const photon p = { s->at->point, colour_scale(s->from->factor.by, by),
                        { (float)dir.x, (float)dir.y, (float)dir.z }, { (float)normal.x, (float)normal.y, (float)normal.z } };
 
     if (!colour_is_black(p.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_ON], p))
@@ -41,7 +41,7 @@ static void leave_at(flight *f, const path *p, const media_set *set, const media
     const media_segment before = { on->from, on->dir, at };
     const float by = (float)(part * emission_factor(light_of(f), p->travelled + at));
     const colour left = media_transmittance(f->tracer->context.scene->model, set, &before);
-    const photon one = { pov_add(on->from, pov_scale(on->dir, at)), colour_scale(colour_mul(p->factor.by, left), by), 0.0f,
+    const photon one = { pov_add(on->from, pov_scale(on->dir, at)), colour_scale(colour_mul(p->factor.by, left), by),
                          { (float)on->dir.x, (float)on->dir.y, (float)on->dir.z }, { 0.0f, 0.0f, 0.0f } };
 
     if (!colour_is_black(one.flux) && !VEC_PUSH(f->scene->env, &f->out->of[PHOTON_IN], one))

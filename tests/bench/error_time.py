@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""Error against processor time of povc and POV-Ray where light goes further: radiosity, media, photons.
+
+Each scene of tests/bench/light is drawn by both programs at several settings, in turn, one thread, and held against a long
+run of each. Printed and written are the least processor time of the rounds, the rms error against the program's own long
+run, and that against the other's, over the pixels around which one object is seen. Last, how many times as long POV-Ray
+takes to an error of 0.01, by a straight line between its points in logarithms."""
+import argparse
+import csv
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import curves
+import numpy
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / 'compare'))
+import images  # noqa: E402
+
+# Scene: settings of POV-Ray from coarse to fine, and of its long run; samples of povc, and of its own.
+SCENES = {
+    'cornell': ([{'Count': c, 'Bound': b} for c, b in ((35, 1.8), (100, 1.2), (200, .8), (300, .5), (400, .3))],
+                {'Count': 1000, 'Bound': .15}, (1, 2, 4, 8), 128),
+    'fog': ([{'Method': 3, 'Samples': 10}] + [{'Method': 2, 'Samples': s} for s in (3, 5, 10, 20, 40)],
+            {'Method': 2, 'Samples': 400}, (1, 2, 4, 8, 16), 1024),
+    'caustic': ([{'Spacing': s} for s in (.04, .02, .01, .005, .0025)], {'Spacing': .001}, (1, 2, 4, 8, 16, 32), 2048),
+}
+AIM = 0.01
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--povc', default='build/bin/povc')
+    parser.add_argument('--work', default='build/bench')
+    parser.add_argument('--size', default='160x120')
+    parser.add_argument('--rounds', type=int, default=3)
+    parser.add_argument('scenes', nargs='*', help=f'default: {" ".join(SCENES)}')
+    options = parser.parse_args()
+    options.scenes = options.scenes or list(SCENES)
+    options.work = Path(options.work)
+    return options
+
+
+def run(command):
+    """Processor seconds of the process."""
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    message = process.stderr.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    if status:
+        sys.exit(f'{" ".join(map(str, command))}: {message.decode(errors="replace")[-800:]}')
+    return usage.ru_utime + usage.ru_stime
+
+
+def draw_povray(options, scene, setting, output):
+    width, height = options.size.split('x')
+    words = [f'Declare={name}={value}' for name, value in setting.items()]
+    return run(['povray', '-D', '-V', '-A', '+WT1', '+FN16', 'File_Gamma=1.0', f'+W{width}', f'+H{height}', *words,
+                f'+I{HERE}/light/{scene}.pov', f'+O{output}'])
+
+
+def draw_povc(options, scene, samples, output, *more):
+    return run([options.povc, f'{HERE}/light/{scene}.pov', '-s', options.size, '-o', output, '--spp', str(samples),
+                '--sampling', 'uniform', '-t', '1', '-q', *more])
+
+
+def picture(path):
+    read = images.read_png if path.suffix == '.png' else images.read_pfm
+    return numpy.clip(read(path), 0.0, 1.0)
+
+
+def inner(objects):
+    """Pixels whose neighbours all show the same object."""
+    same = numpy.ones(objects.shape[:2], bool)
+    for y in (-1, 0, 1):
+        for x in (-1, 0, 1):
+            same &= (numpy.roll(objects, (y, x), (0, 1)) == objects).all(axis=2)
+    same[[0, -1]] = same[:, [0, -1]] = False
+    return same
+
+
+def rms(a, b, of):
+    return math.sqrt(((a - b)[of] ** 2).mean())
+
+
+def long_runs(options, scene):
+    """Both programs' converged pictures, kept for the next run, and the pixels that count."""
+    _, fine, _, most = SCENES[scene]
+    names = [options.work / f'light-{scene}-{options.size}-{word}' for word in ('povray.png', 'povc.pfm', 'objects.pfm')]
+    if not names[0].exists():
+        draw_povray(options, scene, fine, names[0].with_suffix('.part.png'))
+        names[0].with_suffix('.part.png').rename(names[0])
+    if not names[1].exists() or not names[2].exists():
+        draw_povc(options, scene, most, names[1].with_suffix('.part.pfm'), '--seed', '777', '--aov', 'object', names[2])
+        names[1].with_suffix('.part.pfm').rename(names[1])
+    return picture(names[0]), picture(names[1]), inner(images.read_pfm(names[2]))
+
+
+def measure(options, scene):
+    settings, _, counts, _ = SCENES[scene]
+    theirs, ours, of = long_runs(options, scene)
+    print(f'{scene}: of {of.mean():.2f} of the pixels the long runs are {rms(theirs, ours, of):.5f} apart', flush=True)
+    jobs = [('POV-Ray', ' '.join(map(str, s.values())), draw_povray, s, '.png', theirs, ours) for s in settings]
+    jobs += [('povc', f'{n} a pixel', draw_povc, n, '.pfm', ours, theirs) for n in counts]
+    rows = [{'scene': scene, 'program': job[0], 'setting': job[1], 'seconds': math.inf} for job in jobs]
+    for _ in range(options.rounds):
+        for row, (_, _, draw, setting, ending, own, other) in zip(rows, jobs):
+            output = options.work / f'light-{os.getpid()}{ending}'
+            row['seconds'] = min(row['seconds'], draw(options, scene, setting, output))
+            drawn = picture(output)
+            row['own'], row['other'] = rms(drawn, own, of), rms(drawn, other, of)
+            output.unlink()
+    return rows
+
+
+def time_to(rows, program, column):
+    """Seconds to the error that is aimed at, between the nearest points or beyond the last, by a slope of 1/2 then."""
+    line = sorted((row['seconds'], row[column]) for row in rows if row['program'] == program)
+    for (s, e), (t, f) in zip(line, line[1:]):
+        if e >= AIM > f:
+            return s * (t / s) ** (math.log(e / AIM) / math.log(e / f))
+    return line[0][0] if line[0][1] < AIM else math.nan
+
+
+def main():
+    options = arguments()
+    options.work.mkdir(parents=True, exist_ok=True)
+    rows, panels = [], []
+    for scene in options.scenes:
+        some = measure(options, scene)
+        for row in some:
+            print(f'{row["program"]:8} {row["setting"]:12} {row["seconds"]:7.3f} s   rms {row["own"]:.5f} of its own,'
+                  f' {row["other"]:.5f} of the other\'s long run', flush=True)
+        for column in ('own', 'other'):
+            both = [time_to(some, program, column) for program in ('POV-Ray', 'povc')]
+            print(f'{scene}: to {AIM} of {"each its own" if column == "own" else "the other"}: POV-Ray {both[0]:.3f} s, povc {both[1]:.3f} s,'
+                  f' {both[0] / both[1]:.2f} times', flush=True)
+        panels.append((scene, [(name, [(row['seconds'], row['own']) for row in some if row['program'] == name])
+                               for name in ('POV-Ray', 'povc')]))
+        rows += some
+    with open(options.work / 'light.csv', 'w', newline='', encoding='ascii') as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)
+    (options.work / 'light.svg').write_text(curves.draw('Error against processor time', 'seconds', panels))
+
+
+if __name__ == '__main__':
+    main()
