@@ -8,7 +8,7 @@
 
 /* Shadow rays to a light on a segment: limits to what the scene says, and where it says nothing: for each unit of the
  * light that is seen if nothing shadows it. */
-enum { RAYS_LEAST = 16, RAYS_MOST = LANES_MAX, RAYS_FEW = 4, RAYS_MANY = 32 };
+enum { RAYS_LEAST = 6, RAYS_MOST = LANES_MAX, RAYS_FEW = 4, RAYS_MANY = 32 };
 static const double rays_by_light = 30.0;
 /* Points of the segment, one in each of some strata, and by channel what is left of light from there, times the length
  * that the point stands for. */

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Holds what povc says of its error against the truth, on every scene of the gallery.
 
-The truth is a picture of 65 536 samples a pixel of another seed, kept for the next run. Held are: est_over_true within
-0.85 .. 1.18 in each row from 4 to 1024 samples; the 95 % band around the true error in 90 % of the rows; a true error
-below 0.0024 after --error 0.002; --time 2 ending within 0.1 s. Last, how much more uniform sampling takes than adaptive
-to --error 0.002. The exit status is 1 if something is not held."""
+The truth is a picture of 65 536 samples a pixel of another seed, kept for the next run. Held are, unless options say
+otherwise: est_over_true within 0.85 .. 1.18 in each row from 4 to 1024 samples; the 95 % band around the true error in
+90 % of the rows; a true error below 0.0024 after --error 0.002; --time 2 ending within 0.1 s. Last, how much more uniform
+sampling takes than adaptive to --error 0.002. The exit status is 1 if something is not held."""
 import argparse
 import csv
 import hashlib
@@ -15,9 +15,6 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LOWEST, HIGHEST = 0.85, 1.18
-COVERED = 0.9
-ASKED, REACHED = 0.002, 0.0024
 SECONDS, LATE = 2.0, 0.1
 GAIN = 2.0
 SEED = '777'
@@ -32,10 +29,15 @@ def arguments():
     parser.add_argument('--truth', type=int, default=65536, help='samples a pixel of a reference')
     parser.add_argument('--most', type=int, default=1024, help='samples a pixel of the rows')
     parser.add_argument('--large', default='320x240', help='of the pictures whose cost is compared')
+    parser.add_argument('--ratio', default='0.85,1.18', help='least and largest estimate over truth in a row')
+    parser.add_argument('--covered', type=float, default=0.9, help='share of the rows whose band holds')
+    parser.add_argument('--error', default='0.002,0.0024', help='what is asked for, and below what the truth has to end')
     parser.add_argument('--parts', default='rows,error,time,gain', help='what to do')
     parser.add_argument('scenes', nargs='*', help='default: the gallery')
     options = parser.parse_args()
     options.parts = options.parts.split(',')
+    options.lowest, options.highest = map(float, options.ratio.split(','))
+    options.asked, options.reached = map(float, options.error.split(','))
     options.scenes = [Path(name) for name in options.scenes] or sorted((ROOT / 'scenes/gallery').glob('*.pov'))
     return options
 
@@ -84,7 +86,7 @@ def hold_rows(options, scene, truth):
         ratios = [row['est_over_true'] for row in rows]
         covered = sum(row['est_ci95_lo'] <= row['ref_rmse'] <= row['est_ci95_hi'] for row in rows)
         outside += [f'{way} at {row["spp_mean"]:.0f}: {row["est_over_true"]:.2f}' for row in rows
-                    if not LOWEST <= row['est_over_true'] <= HIGHEST]
+                    if not options.lowest <= row['est_over_true'] <= options.highest]
         count, held = count + len(rows), held + covered
         print(f'{scene.stem:14} {way:9} estimated / true {min(ratios):.2f} ... {max(ratios):.2f}'
               f'   band holds {covered} of {len(rows)}', flush=True)
@@ -98,22 +100,22 @@ def check_rows(options):
         rows, covered, wrong = hold_rows(options, scene, truth_of(options, scene))
         count, held = count + rows, held + covered
         outside += [f'{scene.stem} {text}' for text in wrong]
-    print(f'rows: {len(outside)} of {count} outside {LOWEST} ... {HIGHEST}; bands hold {held} of {count}, '
-          f'{100.0 * held / count:.1f} % ({100 * COVERED:.0f} % asked)')
+    print(f'rows: {len(outside)} of {count} outside {options.lowest} ... {options.highest}; bands hold {held} of {count}, '
+          f'{100.0 * held / count:.1f} % ({100 * options.covered:.0f} % asked)')
     for text in outside:
         print(f'  {text}')
-    return not outside and held >= COVERED * count
+    return not outside and held >= options.covered * count
 
 
 def check_error(options):
     worst = 0.0
     for scene in options.scenes:
-        last = rows_of(options, scene, options.size, '--error', str(ASKED), '--reference', str(truth_of(options, scene)))[-1]
-        print(f'{scene.stem:14} --error {ASKED}: {last["spp_mean"]:.1f} samples, estimated {last["est_rmse"]:.5f}, '
+        last = rows_of(options, scene, options.size, '--error', str(options.asked), '--reference', str(truth_of(options, scene)))[-1]
+        print(f'{scene.stem:14} --error {options.asked}: {last["spp_mean"]:.1f} samples, estimated {last["est_rmse"]:.5f}, '
               f'true {last["ref_rmse"]:.5f}', flush=True)
         worst = max(worst, last['ref_rmse'])
-    print(f'error: largest true error {worst:.5f} ({REACHED} allowed)')
-    return worst < REACHED
+    print(f'error: largest true error {worst:.5f} ({options.reached} allowed)')
+    return worst < options.reached
 
 
 def check_time(options):
@@ -130,7 +132,7 @@ def check_gain(options):
     """What uniform sampling takes over what adaptive sampling takes: the first that is not above the error asked for."""
     times = []
     for scene in options.scenes:
-        both = [rows_of(options, scene, options.large, '-t', '1', '--error', str(ASKED), '--sampling', way)[-1] for way in WAYS]
+        both = [rows_of(options, scene, options.large, '-t', '1', '--error', str(options.asked), '--sampling', way)[-1] for way in WAYS]
         uniform, adaptive = both
         times.append(uniform['cpu_s'] / adaptive['cpu_s'])
         print(f'{scene.stem:14} samples {uniform["spp_mean"]:.1f} / {adaptive["spp_mean"]:.1f}'
