@@ -3,8 +3,9 @@
 
 Each scene of tests/bench/light is drawn by both programs at several settings, in turn, one thread, and held against a long
 run of each. Printed and written are the least processor time of the rounds, the rms error against the program's own long
-run, and that against the other's, over the pixels around which one object is seen. Last, how many times as long POV-Ray
-takes to an error of 0.01, by a straight line between its points in logarithms."""
+run, and that against the other's, over the pixels around which one object is seen. One sample a pixel goes through its
+centre: where shadows have sharp edges such pictures are held against long runs through the centres. Last, how many times as
+long POV-Ray takes to an error of 0.01, by a straight line between its points in logarithms."""
 import argparse
 import csv
 import math
@@ -20,13 +21,14 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / 'compare'))
 import images  # noqa: E402
 
-# Scene: settings of POV-Ray from coarse to fine, and of its long run; samples of povc, and of its own.
+# Scene: settings of POV-Ray from coarse to fine, and of its long run; samples of povc, and of its own; and how many pictures
+# through the centres make one of povc's, or 0. What a scene asks for is what POV-Ray needs for an error of about 0.01.
 SCENES = {
     'cornell': ([{'Count': c, 'Bound': b} for c, b in ((35, 1.8), (100, 1.2), (200, .8), (300, .5), (400, .3))],
-                {'Count': 1000, 'Bound': .15}, (1, 2, 4, 8), 128),
-    'fog': ([{'Method': 3, 'Samples': 10}] + [{'Method': 2, 'Samples': s} for s in (3, 5, 10, 20, 40)],
-            {'Method': 2, 'Samples': 400}, (1, 2, 4, 8, 16), 1024),
-    'caustic': ([{'Spacing': s} for s in (.04, .02, .01, .005, .0025)], {'Spacing': .001}, (1, 2, 4, 8, 16, 32), 2048),
+                {'Count': 1000, 'Bound': .15}, (1, 2, 4), 64, 0),
+    'fog': ([{'Method': 3, 'Samples': 10}] + [{'Method': 2, 'Samples': s} for s in (3, 5, 6, 10, 20, 40)],
+            {'Method': 2, 'Samples': 400}, (1, 2, 4, 8, 16, 32), 1024, 64),
+    'caustic': ([{'Spacing': s} for s in (.02, .01, .005, .0025)], {'Spacing': .001}, (1, 2, 4, 8, 16), 1024, 0),
 }
 # POV-Ray's long run has 9 samples a pixel, as sharp edges of light need them.
 FINE = ('+A0.0', '+AM1', '+R3', '-J')
@@ -87,38 +89,62 @@ def rms(a, b, of):
     return math.sqrt(((a - b)[of] ** 2).mean())
 
 
+def kept(path, make):
+    """A picture that is made once."""
+    if not path.exists():
+        part = path.with_name('part-' + path.name)
+        make(part)
+        part.rename(path)
+    return path
+
+
+def centres(options, scene, count, path):
+    """The mean of pictures through the centres of the pixels."""
+    some = [kept(path.with_name(f'{path.name}.{seed}.pfm'), lambda part, seed=seed: draw_povc(options, scene, 1, part, '--seed', str(seed)))
+            for seed in range(1000, 1000 + count)]
+    mean = sum(picture(one) for one in some) / count
+    for one in some:
+        one.unlink()
+    with open(path, 'wb') as file:
+        numpy.save(file, mean)
+
+
 def long_runs(options, scene):
-    """Both programs' converged pictures, kept for the next run, and the pixels that count."""
-    _, fine, _, most = SCENES[scene]
-    names = [options.work / f'light-{scene}-{options.size}-{word}' for word in ('povray.png', 'povc.pfm', 'objects.pfm')]
-    if not names[0].exists():
-        draw_povray(options, scene, fine, names[0].with_suffix('.part.png'), *FINE)
-        names[0].with_suffix('.part.png').rename(names[0])
-    if not names[1].exists() or not names[2].exists():
-        draw_povc(options, scene, most, names[1].with_suffix('.part.pfm'), '--seed', '777', '--aov', 'object', names[2])
-        names[1].with_suffix('.part.pfm').rename(names[1])
-    return picture(names[0]), picture(names[1]), inner(images.read_pfm(names[2]))
+    """Both programs' converged pictures, of whole pixels and of their centres, and the pixels that count."""
+    _, fine, _, most, count = SCENES[scene]
+    names = [options.work / f'light-{scene}-{options.size}-{word}'
+             for word in ('povray.png', 'povc.pfm', 'objects.pfm', 'povray-centre.png', 'povc-centre.npy')]
+    theirs = picture(kept(names[0], lambda part: draw_povray(options, scene, fine, part, *FINE)))
+    ours = picture(kept(names[1], lambda part: draw_povc(options, scene, most, part, '--seed', '777', '--aov', 'object', names[2])))
+    whole = {'POV-Ray': theirs, 'povc': ours}
+    if not count:
+        return whole, whole, inner(images.read_pfm(names[2]))
+    theirs = picture(kept(names[3], lambda part: draw_povray(options, scene, fine, part)))
+    ours = numpy.load(kept(names[4], lambda part: centres(options, scene, count, part)))
+    return whole, {'POV-Ray': theirs, 'povc': ours}, inner(images.read_pfm(names[2]))
 
 
 def measure(options, scene):
-    settings, _, counts, _ = SCENES[scene]
-    theirs, ours, of = long_runs(options, scene)
-    print(f'{scene}: of {of.mean():.2f} of the pixels the long runs are {rms(theirs, ours, of):.5f} apart', flush=True)
-    jobs = [('POV-Ray', ' '.join(map(str, s.values())), draw_povray, s, '.png', theirs, ours) for s in settings]
-    jobs += [('povc', f'{n} a pixel', draw_povc, n, '.pfm', ours, theirs) for n in counts]
+    settings, _, counts, _, _ = SCENES[scene]
+    whole, centre, of = long_runs(options, scene)
+    print(f'{scene}: of {of.mean():.2f} of the pixels the long runs are {rms(*whole.values(), of):.5f} apart, '
+          f'those of the centres {rms(*centre.values(), of):.5f}', flush=True)
+    jobs = [('POV-Ray', ' '.join(map(str, s.values())), draw_povray, s, '.png', centre) for s in settings]
+    jobs += [('povc', f'{n} a pixel', draw_povc, n, '.pfm', centre if n == 1 else whole) for n in counts]
     rows = [{'scene': scene, 'program': job[0], 'setting': job[1], 'seconds': math.inf} for job in jobs]
     for _ in range(options.rounds):
-        for row, (_, _, draw, setting, ending, own, other) in zip(rows, jobs):
+        for row, (program, _, draw, setting, ending, truth) in zip(rows, jobs):
             output = options.work / f'light-{os.getpid()}{ending}'
             row['seconds'] = min(row['seconds'], draw(options, scene, setting, output))
             drawn = picture(output)
-            row['own'], row['other'] = rms(drawn, own, of), rms(drawn, other, of)
+            row['own'] = rms(drawn, truth[program], of)
+            row['other'] = rms(drawn, truth['povc' if program == 'POV-Ray' else 'POV-Ray'], of)
             output.unlink()
     return rows
 
 
 def time_to(rows, program, column):
-    """Seconds to the error that is aimed at, between the nearest points or beyond the last, by a slope of 1/2 then."""
+    """Seconds to the error that is aimed at, between the nearest points; none where only one side of it was drawn."""
     line = sorted((row['seconds'], row[column]) for row in rows if row['program'] == program)
     for (s, e), (t, f) in zip(line, line[1:]):
         if e >= AIM > f:

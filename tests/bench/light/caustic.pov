@@ -1,6 +1,6 @@
 // A ball and a rod of glass that gather light on a floor. POV-Ray's setting: Spacing, of its photons.
 #version 3.7;
-#ifndef (Spacing) #declare Spacing = 0.01; #end
+#ifndef (Spacing) #declare Spacing = 0.003; #end
 global_settings { assumed_gamma 1 max_trace_level 8 photons { spacing Spacing autostop 0 } }
 camera { location <0, 4, -5> look_at <0.2, 0, 0> angle 48 }
 light_source { <-3, 7, 3> rgb 0.4 }

@@ -1,7 +1,7 @@
 // A spotlight in fog, and 300 small spheres that shade it. POV-Ray's settings: Method, Samples.
 #version 3.7;
 #ifndef (Method) #declare Method = 2; #end
-#ifndef (Samples) #declare Samples = 40; #end
+#ifndef (Samples) #declare Samples = 6; #end
 global_settings { assumed_gamma 1 max_trace_level 5 }
 camera { location <0, 1.5, -8> look_at <0, 1.5, 0> angle 50 }
 light_source { <-3, 5, 2> rgb 1.6 spotlight point_at <0.5, 0, 0> radius 16 falloff 24 }
