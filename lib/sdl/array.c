@@ -161,11 +161,11 @@ static bool names_something(pov_reader *in)
     bool is_there;
 
     in->wants_name = false;
-    if (in->token.kind != TOKEN_WORD && in->token.kind != TOKEN_NUMBER) {
+    if (in->token.kind == ')' || in->token.kind == TOKEN_END) {
         report_expected(in, "a name");
         return false;
     }
-    if (!name || !name->binding) {
+    if (in->token.kind != TOKEN_WORD || !name || !name->binding) {
         state_advance(in);
         return false;
     }

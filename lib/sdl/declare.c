@@ -117,12 +117,11 @@ static bool is_plain(const value *v)
     return v->kind == VALUE_NUMBER || v->kind == VALUE_VECTOR;
 }
 
-/* A global array is another one's: #local changes a copy, but for a parameter. */
-static bool must_copy(const pov_reader *in, const symbol *name, size_t level)
+/* An array from further out is another one's, but for a parameter: #local sets nothing in it. */
+static bool is_anothers(const symbol *name, size_t level)
 {
     const binding *b = name->binding;
 
-    (void)in;
     return b->level < level && !b->lender && b->slot->kind == VALUE_ARRAY;
 }
 
@@ -132,10 +131,6 @@ static void set_element(pov_reader *in, symbol *name, bool is_local, size_t leve
     value *slot, v;
     bool plain;
 
-    if (is_local && must_copy(in, name, level))
-        scope_local(in, name, level, array_copy(in, value_array(name->binding->slot)));
-    if (in->failed)
-        return;
     slot = name->binding->slot;
     lender = name->binding->lender ? name->binding->lender : &name->binding->head;
     lender->uses++;
@@ -143,12 +138,22 @@ static void set_element(pov_reader *in, symbol *name, bool is_local, size_t leve
     state_expect(in, '=');
     v = declare_value(in);
     plain = is_plain(&v);
-    if (slot && lender->kind == VALUE_ARRAY)
+    if (slot && lender->kind == VALUE_ARRAY && !(is_local && is_anothers(name, level)))
         array_set(in, (array *)lender, slot, v);
     else
         value_drop(&in->heap, &v);
     value_unshare(&in->heap, lender);
     end_value(in, plain);
+}
+
+/* A function takes no name that stands for something else. */
+static void refuse_function(pov_reader *in, const symbol *name, const value *v)
+{
+    const value *old = scope_value(name);
+
+    if (!in->failed && old && v->kind == VALUE_FUNCTION && old->kind != VALUE_FUNCTION)
+        report_fail(in, &in->value, POV_E_SYNTAX, "\"%s\" is %s; \"#undef %s\" makes the name free", name->name,
+                    value_name(old), name->name);
 }
 
 static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
@@ -159,6 +164,7 @@ static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
     state_expect(in, '=');
     v = declare_value(in);
     plain = is_plain(&v);
+    refuse_function(in, name, &v);
     if (in->failed)
         value_drop(&in->heap, &v);
     else if (is_local)

@@ -17,6 +17,7 @@
 
 static void run_version(pov_reader *in, const place *at)
 {
+    const bool must_end = in->version >= 3.5;
     double version;
 
     (void)at;
@@ -28,6 +29,8 @@ static void run_version(pov_reader *in, const place *at)
         report_warn(in, &in->value, "version %g is taken as 3.7", version);
         version = 3.7;
     }
+    if (!in->failed && must_end && in->token.kind != ';')
+        report_expected(in, "\";\"");
     in->version = in->settings.version = version;
     state_accept(in, ';');
 }
@@ -49,7 +52,7 @@ static const row rows[] = {
     { "if", condition_if, 1, false },           { "ifdef", condition_ifdef, 1, false },
     { "ifndef", condition_ifdef, 1, false },    { "include", include_run, 0, true },
     { "local", declare_run, 0, false },         { "macro", macro_define, 1, false },
-    { "max_trace_level", parse_old_setting, 0, false },
+    { "max_trace_level", parse_old_setting, 0, true },
     { "range", condition_case, 0, false },      { "read", text_file_read, 0, false },
     { "render", message_run, 0, false },        { "statistics", message_run, 0, false },
     { "switch", condition_switch, 1, false },   { "undef", declare_forget, 0, false },

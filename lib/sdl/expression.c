@@ -200,6 +200,15 @@ static void refuse_component(pov_reader *in, const value *v)
         report_fail(in, &in->token.at, POV_E_SYNTAX, "%s has no component \"%s\"", value_name(v), name);
 }
 
+/* What is not there is 0. */
+static void fill_gray(value *v)
+{
+    int i;
+
+    for (i = v->kind == VALUE_NUMBER ? 1 : v->size; i < 3; i++)
+        v->as.v[i] = 0.0;
+}
+
 static value dot(pov_reader *in, value v)
 {
     const place at = in->token.at;
@@ -210,9 +219,11 @@ static value dot(pov_reader *in, value v)
     i = expression_component(state_keyword(in));
     if (i < 0) {
         report_expected(in, "a component such as \"x\" or \"red\"");
-    } else if (!value_is_arithmetic(&v) || (i == EXPRESSION_GRAY ? v.size < 3 : i >= v.size)) {
+    } else if (!value_is_arithmetic(&v) || (i != EXPRESSION_GRAY && i >= v.size)) {
         refuse_component(in, &v);
     } else {
+        if (i == EXPRESSION_GRAY)
+            fill_gray(&v);
         /* The other components stay where they are: vstr() shows them, as POV-Ray's does. */
         v.as.v[0] = expression_part(v.as.v, i);
         v.kind = VALUE_NUMBER;
@@ -430,7 +441,11 @@ static value choice(pov_reader *in, value chooser)
     state_expect(in, ':');
     b = expression_full(in);
     state_exit(in);
+    if (!in->failed && (a.kind == VALUE_STRING || b.kind == VALUE_STRING))
+        report_fail(in, &in->value, POV_E_SYNTAX, "strings have no \"? :\"");
     value_drop(&in->heap, is_true ? &b : &a);
+    if (in->failed)
+        value_drop(&in->heap, is_true ? &a : &b);
     return in->failed ? nothing() : is_true ? a : b;
 }
 

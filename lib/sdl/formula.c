@@ -123,7 +123,7 @@ static void emit_two(compiler *c, int number, uint32_t to, uint32_t a, uint32_t 
 static uint32_t call_two(compiler *c, int number, bool is_fold)
 {
     const uint32_t mark = c->next;
-    uint32_t first, i, n = read_arguments(c, is_fold ? 1 : 2, is_fold ? 255 : 2, &first);
+    uint32_t first, i, n = read_arguments(c, 2, is_fold ? 255 : 2, &first);
 
     for (i = 1; i < n; i++)
         emit_two(c, number, first, first, first + i);
@@ -235,12 +235,20 @@ static uint32_t call_declared(compiler *c, const function *f)
 
 /* ---- operands ---- */
 
+/* u and v are other words for x and y. */
+static keyword_id plain_name(const symbol *name)
+{
+    return name->id == KEYWORD_U ? KEYWORD_X : name->id == KEYWORD_V ? KEYWORD_Y : name->id;
+}
+
 static bool find_local(const compiler *c, const symbol *name, uint32_t *at)
 {
+    const keyword_id id = plain_name(name);
     size_t i = c->locals.count;
 
     while (i-- > 0)
-        if (c->locals.items[i].name == name) {
+        if (c->locals.items[i].name == name ||
+            (id != KEYWORD_OTHER && plain_name(c->locals.items[i].name) == id)) {
             *at = c->locals.items[i].at;
             return true;
         }

@@ -176,7 +176,6 @@ value function_read_of(pov_reader *in, uint32_t wanted)
     f->model = in->model;
     state_open(in, '{');
     read_content(in, f, parameters, count);
-    state_accept(in, ';');
     state_close(in, '}');
     return value_of_part(VALUE_FUNCTION, f);
 }

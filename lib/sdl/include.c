@@ -171,9 +171,10 @@ bool include_find_with(pov_reader *in, const string *name, const char *const *en
 
 bool include_exists(pov_reader *in, const string *name)
 {
+    static const char *const as_it_is[] = { "", NULL };
     char path[INCLUDE_PATH_MAX];
 
-    return text_file_kept(in, name) || include_find(in, name, path);
+    return text_file_kept(in, name) || include_find_with(in, name, as_it_is, path);
 }
 
 /* ---- texts ---- */

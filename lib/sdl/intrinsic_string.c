@@ -261,7 +261,7 @@ static void read_chr(pov_reader *in, const intrinsic *row, value *out)
     if (!in->failed && (code < 0 || code > LAST_CHARACTER))
         report_fail(in, &in->value, POV_E_SYNTAX, "a character has a number from 0 to %d", LAST_CHARACTER);
     else
-        give(in, out, text_copy(in, buffer, text_put_character(buffer, (unsigned)code)));
+        give(in, out, text_copy(in, buffer, code == 0 ? 0 : text_put_character(buffer, (unsigned)code)));
 }
 
 /* The byte at which a character starts. */

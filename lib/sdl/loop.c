@@ -82,9 +82,9 @@ static void read_range(pov_reader *in, condition *c, double *first)
         return;
     c->variable = in->token.symbol;
     state_advance(in);
-    state_expect(in, ',');
+    state_accept(in, ',');
     *first = expression_number(in);
-    state_expect(in, ',');
+    state_accept(in, ',');
     c->last = expression_number(in);
     c->step = state_accept(in, ',') ? expression_number(in) : 1.0;
     if (!in->failed && c->step == 0.0)

@@ -157,6 +157,13 @@ static void take_fog(pov_reader *in, void *self, const value *v)
     *(fog *)self = *(const fog *)v->as.part;
 }
 
+/* Old scenes leave the word out. */
+static void read_bare_distance(pov_reader *in, fog *f)
+{
+    report_warn(in, &in->token.at, "the \"distance\" of a fog needs its word");
+    f->distance = value_number(in);
+}
+
 static void read_fog_items(pov_reader *in, fog *f)
 {
     static const item items[] = {
@@ -170,6 +177,8 @@ static void read_fog_items(pov_reader *in, fog *f)
     while (!in->failed && in->token.kind != '}')
         if (value_colour_follows(in, in->token.kind == '<'))
             read_fog_colour(in, f);
+        else if (in->token.kind == TOKEN_NUMBER)
+            read_bare_distance(in, f);
         else if (!items_try(in, &list, f))
             items_refuse(in, &list);
 }

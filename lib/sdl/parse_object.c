@@ -342,6 +342,24 @@ static const object_parsed *named_object(const pov_reader *in)
     return NULL;
 }
 
+/* Is an array of these, or of arrays of these. */
+static bool holds_objects(const array *a)
+{
+    size_t i;
+
+    for (i = 0; a->kind == VALUE_ARRAY && i < a->count; i++)
+        if (a->items[i].kind == VALUE_ARRAY)
+            return holds_objects(value_array(&a->items[i]));
+    return a->kind == VALUE_OBJECT;
+}
+
+static bool element_follows(const pov_reader *in)
+{
+    const value *slot = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+
+    return slot && slot->kind == VALUE_ARRAY && holds_objects(value_array(slot));
+}
+
 /* The name of an object, or of an element of an array of them, is next. */
 static void take_named(pov_reader *in, object_parsed *o)
 {
@@ -366,7 +384,7 @@ static void read_leaf(pov_reader *in, symbol *word, object_parsed *o)
     in->value = in->token.at;
     state_advance(in);
     items_open(in, &b);
-    if (named_object(in)) {      /* any object's word may stand before the block of a name */
+    if (named_object(in) || element_follows(in)) {   /* any object's word may stand before the block of a name */
         take_named(in, o);
         items_close(in, &b, &modifiers, o);
         return;

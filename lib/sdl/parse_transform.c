@@ -43,11 +43,24 @@ bool parse_append_matrix(pov_reader *in, const transform **list, const double m[
     return true;
 }
 
+/* A coordinate that no other gives anything to is kept, as by a scale of 1. */
+static void mend_columns(pov_reader *in, double *m)
+{
+    int i;
+
+    for (i = 0; i < 3 && !in->failed; i++)
+        if (m[i] == 0.0 && m[3 + i] == 0.0 && m[6 + i] == 0.0) {
+            m[4 * i] = 1.0;
+            report_warn(in, &in->value, "a scale of 0 counts as 1");
+        }
+}
+
 static void append_matrix(pov_reader *in, const transform **list)
 {
     double m[VALUE_LIST_MAX];
 
     value_list(in, "\"<\" and 12 numbers for a matrix", 12, 12, m);
+    mend_columns(in, m);
     if (!parse_append_matrix(in, list, m) && !in->failed)
         report_fail(in, &in->value, POV_E_SYNTAX, "the matrix has no inverse");
 }

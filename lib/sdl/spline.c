@@ -43,15 +43,18 @@ static spline *copy(pov_reader *in, const spline *from, int capacity)
     return s;
 }
 
-/* A second knot of the same parameter is left out. */
+/* A second knot of the same parameter takes the place of the first one, but is left out at the end: as POV-Ray does. */
 static void insert(spline *s, const knot *k)
 {
     int i = s->count, j;
 
     while (i > 0 && s->knots[i - 1].at > k->at)
         i--;
-    if (i > 0 && s->knots[i - 1].at == k->at)
+    if (i > 0 && s->knots[i - 1].at == k->at) {
+        if (i == 1 || i < s->count)
+            s->knots[i - 1] = *k;
         return;
+    }
     for (j = s->count; j > i; j--)
         s->knots[j] = s->knots[j - 1];
     s->knots[i] = *k;

@@ -154,6 +154,7 @@ value text_literal(pov_reader *in)
     if (s) {
         s->length = lex_unescape(&in->token.at, s->text, &bad);
         s->text[s->length] = '\0';
+        s->length = strlen(s->text);                /* character 0 ends a string */
     }
     if (bad) {
         place at = in->token.at;

@@ -357,10 +357,10 @@ void text_file_write(pov_reader *in, const place *at)
 
 static bool read_sign(pov_reader *in, source *s, token *t)
 {
-    bool is_negative = false;
+    const bool is_negative = t->kind == '-';
 
-    for (; t->kind == '-' || t->kind == '+'; lex_next(&in->words, s, t))
-        is_negative ^= t->kind == '-';
+    if (is_negative || t->kind == '+')
+        lex_next(&in->words, s, t);
     return is_negative;
 }
 
@@ -424,6 +424,8 @@ static void take(pov_reader *in, symbol *name, value v)
     lender = name->binding->lender ? name->binding->lender : &name->binding->head;
     lender->uses++;
     slot = expression_element(in, slot, &lender);
+    if (slot && slot->kind == VALUE_NOTHING)
+        report_fail(in, &in->last, POV_E_SYNTAX, "an element that is read into must have a value");
     if (slot && lender->kind == VALUE_ARRAY)
         array_set(in, (array *)lender, slot, v);
     else

@@ -43,7 +43,8 @@ static const expression_case expressions[] = {
     { "val(\"1e+\")", 1 }, { "val(\"-\")", 0 }, { "defined(5)", 0 }, { "strlen(concat(\"a\", str(-5, -4, 0)))", 5 },
     { "val(substr(\"12345\", 2, 3))", 234 }, { "asc(strupr(\"z\"))", 90 }, { "strlen(vstr(3, 1, \", \", 0, 1))", 13 },
     { "int(floor(-1.5))", -2 }, { "defined(Nobody)", 0 }, { "atan2(0, 1)", 0 }, { "pow(2, 10)", 1024 },
-    { "version", 3.7 }, { "(true & yes & on)", 1 },
+    { "version", 3.7 }, { "(true & yes & on)", 1 }, { "(1).gray", 0.297 }, { "<1,2>.gray", 0.297 * 1 + 0.589 * 2 }, { "defined(\"a\")", 0 },
+    { "defined(+)", 0 }, { "strlen(chr(0))", 0 }, { "strlen(\"a\\u0000b\")", 1 }, { "file_exists(\"\")", 0 },
 };
 
 static void expressions_have_their_values(void **state)
@@ -247,6 +248,42 @@ static void a_file_that_is_included_again_is_read_again(void **state)
                  " #include \"t.inc\"", 5, radii);
 }
 
+static void what_povray_takes_is_taken(void **state)
+{
+    (void)state;
+    assert_radius("#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 2 } } box { A[1] translate x }", 2);
+    assert_radius("max_trace_level 5 sphere { 0, 2 }", 2);
+    assert_radius("fog { color rgb 1 200 } sphere { 0, 2 }", 2);
+    assert_radius("#for (I 2 2) sphere { 0, I } #end", 2);
+    assert_radius("sphere { 0, 2 matrix <1,0,0, 1,0,0, 0,0,1, 0,0,0> }", 2);
+    assert_radius("#declare F = function { u * 10 + v } sphere { 0, F(1, 2, 3) }", 12);
+    assert_radius("#declare F = function (x, v) { x + y } sphere { 0, F(3, 4) }", 7);
+    assert_radius("#declare S = spline { 0, 1 2, 3 4, 8 2, 5 } sphere { 0, S(2).x }", 5);
+    assert_radius("#declare S = spline { 0, 1 0, 2 1, 3 } sphere { 0, S(0).x }", 2);
+    assert_radius("#macro M() #local A[0] = 9; sphere { 0, A[0] } #end #declare A = array[1] { 1 } M()", 1);
+}
+
+static void what_povray_refuses_is_refused(void **state)
+{
+    static const char *const texts[] = {
+        "#version 3.7; #version 3.7 sphere { 0, 1 }", "#declare S = (1 ? \"a\" : \"b\");", "#declare F = function (a) { a; }",
+        "#declare F = function (a) { min(a) }", "#declare F = 5; #declare F = function { x }",
+        "#macro M() #local A[0] = 9; #debug str(A[0], 0, 0) #end #declare A = array[1]; M()",
+        "#fopen W \"w\" write #write (W, \"1\") #fclose W #fopen R \"w\" read #declare A = array[1]; #read (R, A[0])",
+        "#fopen W \"w\" write #write (W, \"--1\") #fclose W #fopen R \"w\" read #read (R, A)",
+    };
+    reading r;
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        reading_begin(&r, texts[i]);
+        if (r.status == POV_OK)
+            fail_msg("%s", texts[i]);
+        reading_end(&r);
+    }
+}
+
 static void splines_and_functions_are_called(void **state)
 {
     (void)state;
@@ -288,6 +325,8 @@ int main(void)
         cmocka_unit_test(what_a_scene_writes_it_can_read_again),
         cmocka_unit_test(a_file_may_be_closed_while_it_is_used),
         cmocka_unit_test(a_file_that_is_included_again_is_read_again),
+        cmocka_unit_test(what_povray_takes_is_taken),
+        cmocka_unit_test(what_povray_refuses_is_refused),
         cmocka_unit_test(splines_and_functions_are_called),
     };
 
