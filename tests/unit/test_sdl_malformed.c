@@ -13,6 +13,8 @@ typedef struct malformed {
     const char *message, *hint;
 } malformed;
 
+enum { TOLD_IN_MACROS = 240 };   /* of the cases below; some are no text that a macro can hold */
+
 #define TEXT(text) text, sizeof(text) - 1
 
 static const malformed cases[] = {
@@ -202,7 +204,7 @@ static const malformed cases[] = {
       "expected \"<\" and 12 numbers for a matrix after \"matrix\", found \"1\"", "" },
     { TEXT("sphere { 0, 1 matrix <1, 2, 3> }"), POV_E_SYNTAX, 1, 30,
       "expected a number after \"3\", found \">\"", "" },
-    { TEXT("sphere { 0, 1 matrix <1,0,0,0,0,0,0,0,1,0,0,0> }"), POV_E_SYNTAX, 1, 22,
+    { TEXT("sphere { 0, 1 matrix <1,0,0,1,0,0,0,1,1,0,0,0> }"), POV_E_SYNTAX, 1, 22,
       "the matrix has no inverse", "" },
     { TEXT("cylinder { <0, 0, 0>, <1, 0, 0>, 1 opne }"), POV_E_SYNTAX, 1, 36,
       "unknown word \"opne\" in \"cylinder\"", "open" },
@@ -468,7 +470,7 @@ static const malformed cases[] = {
     { TEXT("#while (1 #end"), POV_E_SYNTAX, 1, 12,
       "expected \")\" after \"#\", found \"end\"", "" },
     { TEXT("#for (I, 1) #end"), POV_E_SYNTAX, 1, 11,
-      "expected \",\" after \"1\", found \")\"", "" },
+      "expected a number after \"1\", found \")\"", "" },
     { TEXT("#for (1, 2, 3) #end"), POV_E_SYNTAX, 1, 7,
       "expected the name of a variable after \"(\", found \"1\"", "" },
     { TEXT("#for (x, 2, 3) #end"), POV_E_SYNTAX, 1, 7,
@@ -674,6 +676,49 @@ static void every_wrong_text_is_refused_with_its_place(void **state)
     assert_int_equal(wrong, 0);
 }
 
+/* ---- the same within macros ---- */
+
+static bool is_note(const reading *r, int i, const char *message, int line)
+{
+    return strcmp(r->notes[i].message, message) == 0 && r->notes[i].line == line;
+}
+
+
+static bool is_told_with_its_callers(const malformed *c)
+{
+    static const char head[] = "#macro In()\n", tail[] = "\n#end\n#macro Out() In() #end\nOut()";
+    const size_t length = sizeof head - 1 + c->length + sizeof tail - 1;
+    char *text = malloc(length);
+    bool is_told;
+    int lines = 0;
+    reading r;
+
+    assert_non_null(text);
+    memcpy(text, head, sizeof head - 1);
+    memcpy(text + sizeof head - 1, c->text, c->length);
+    memcpy(text + sizeof head - 1 + c->length, tail, sizeof tail - 1);
+    for (size_t i = 0; i < c->length; i++)
+        lines += c->text[i] == '\n';
+    begin_exact(&r, text, length);
+    is_told = r.status == c->status && r.error.line == c->line + 1 && r.error.column == c->column && r.note_count == 2 &&
+              is_note(&r, 0, "in the macro \"In\", called here", lines + 4) &&
+              is_note(&r, 1, "in the macro \"Out\", called here", lines + 5);
+    reading_end(&r);
+    free(text);
+    return is_told;
+}
+
+static void texts_in_macros_are_refused_with_their_callers(void **state)
+{
+    size_t i, told = 0;
+
+    (void)state;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        told += is_told_with_its_callers(&cases[i]);
+    if (told < TOLD_IN_MACROS)
+        fail_msg("%zu of %zu", told, sizeof cases / sizeof cases[0]);
+}
+
 /* ---- sizes that break weak readers ---- */
 
 static void refused_at(const char *text, size_t length, int line, int column)
@@ -721,7 +766,7 @@ static void a_hundred_thousand_directives_and_signs_go_no_deeper(void **state)
     (void)state;
     assert_non_null(text);
     for (i = 0; i < 1300000; i += 13)
-        memcpy(text + i, "#version 3.7 ", 13);
+        memcpy(text + i, "#version 3.1 ", 13);
     begin_exact(&r, text, 1300000);
     assert_int_equal(r.status, POV_OK);
     reading_end(&r);
@@ -901,6 +946,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_wrong_text_is_refused_with_its_place),
+        cmocka_unit_test(texts_in_macros_are_refused_with_their_callers),
         cmocka_unit_test(ten_thousand_nested_braces_are_refused),
         cmocka_unit_test(a_million_nested_comments_are_one_without_an_end),
         cmocka_unit_test(a_hundred_thousand_directives_and_signs_go_no_deeper),
