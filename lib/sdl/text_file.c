@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "sdl/array.h"
+#include "sdl/binary.h"
 #include "sdl/directive.h"
 #include "sdl/expression.h"
 #include "sdl/include.h"
@@ -338,15 +339,47 @@ static void write_item(pov_reader *in, written *w)
     value_drop(&in->heap, &v);
 }
 
+/* Behind the word of a format: numbers and vectors up to a comma. */
+static void write_binary(pov_reader *in, written *w, const binary_format *f)
+{
+    char bytes[4];
+    value v;
+    int i;
+
+    state_advance(in);
+    do {
+        in->wanted = "a number or a vector";
+        v = expression_read(in);
+        if (!value_is_arithmetic(&v) || v.is_colour)
+            report_fail(in, &in->value, POV_E_SYNTAX, "expected a number or a vector, found %s", value_name(&v));
+        for (i = 0; i < v.size && !in->failed; i++)
+            put(in, w, bytes, binary_put(f, v.as.v[i], bytes));
+        if (value_is_shared(&v))
+            value_drop(&in->heap, &v);
+    } while (!in->failed && in->token.kind != ',' && in->token.kind != ')');
+}
+
+static const binary_format *format_follows(pov_reader *in)
+{
+    state_settle(in);
+    return in->token.kind == TOKEN_WORD ? binary_find(in->token.symbol->name) : NULL;
+}
+
 void text_file_write(pov_reader *in, const place *at)
 {
+    const binary_format *format;
+
     text_file *f = NULL;
 
     if (read_name(in, &f) && !f->out)
         report_fail(in, at, POV_E_SYNTAX, "the file is open for reading");
     state_accept(in, ',');
     while (!in->failed && in->token.kind != ')') {
-        write_item(in, f->out);
+        format = format_follows(in);
+        if (format)
+            write_binary(in, f->out, format);
+        else
+            write_item(in, f->out);
         state_accept(in, ',');
     }
     state_close(in, ')');

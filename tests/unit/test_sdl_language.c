@@ -228,6 +228,29 @@ static void what_a_scene_writes_it_can_read_again(void **state)
 }
 
 /* What stands between the brackets of #write and #read may close the file, and open another of its name. */
+static void numbers_are_written_as_bytes(void **state)
+{
+    static const struct { const char *word, *numbers, *bytes; } cases[] = {
+        { "uint8", "64.5", "A" },             { "uint8", "<65, 66>", "AB" },
+        { "uint8", "65 66", "AB" },           { "uint8", "65, 7", "A7" },
+        { "sint8", "300", "\\u007f" },        { "uint16be", "16706", "AB" },
+        { "uint16le", "16706", "BA" },        { "sint16be", "16706", "AB" },
+        { "sint16le", "16706", "BA" },        { "sint32be", "1094861636", "ABCD" },
+        { "sint32le", "1094861636", "DCBA" }, { "sint32be", "1094861636, \"!\"", "ABCD!" },
+    };
+    char text[400];
+    size_t i;
+
+    (void)state;
+    for (i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        snprintf(text, sizeof text,
+                 "#fopen F \"a.txt\" write #write (F, \"\\\"\", %s %s, \"\\\"\") #fclose F "
+                 "#fopen F \"a.txt\" read #read (F, S) sphere { 0, 1 + strcmp(S, \"%s\") }",
+                 cases[i].word, cases[i].numbers, cases[i].bytes);
+        assert_radius(text, 1);
+    }
+}
+
 static void a_file_may_be_closed_while_it_is_used(void **state)
 {
     (void)state;
@@ -323,6 +346,7 @@ int main(void)
         cmocka_unit_test(errors_in_macros_tell_who_called),
         cmocka_unit_test(unions_hand_down_what_their_members_lack),
         cmocka_unit_test(what_a_scene_writes_it_can_read_again),
+        cmocka_unit_test(numbers_are_written_as_bytes),
         cmocka_unit_test(a_file_may_be_closed_while_it_is_used),
         cmocka_unit_test(a_file_that_is_included_again_is_read_again),
         cmocka_unit_test(what_povray_takes_is_taken),
