@@ -156,8 +156,10 @@ static void refuse_function(pov_reader *in, const symbol *name, const value *v)
                     value_name(old), name->name);
 }
 
+/* Macros of the value may still run when it has been read, with a name like this of their own. */
 static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
 {
+    const size_t target = is_local ? level : name->binding ? name->binding->level : 0;
     bool plain;
     value v;
 
@@ -167,10 +169,8 @@ static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
     refuse_function(in, name, &v);
     if (in->failed)
         value_drop(&in->heap, &v);
-    else if (is_local)
-        scope_local(in, name, level, v);
     else
-        scope_declare(in, name, v);
+        scope_local(in, name, target, v);
     end_value(in, plain);
 }
 

@@ -13,11 +13,21 @@ bool scope_push(pov_reader *in)
     return false;
 }
 
+/* Where the chain of a name's bindings, the innermost first, has that of the level or lacks it. */
+static binding **place_of(symbol *name, size_t level)
+{
+    binding **at = &name->binding;
+
+    while (*at && (*at)->level > level)
+        at = &(*at)->outer;
+    return at;
+}
+
 static void unlink_binding(pov_reader *in, binding *b)
 {
     scope *s = &in->scopes.items[b->level];
 
-    b->symbol->binding = b->outer;
+    *place_of(b->symbol, b->level) = b->outer;
     if (b->previous)
         b->previous->next = b->next;
     else
@@ -40,7 +50,7 @@ void scope_pop(pov_reader *in)
 static binding *bind(pov_reader *in, symbol *name, size_t level)
 {
     scope *s = &in->scopes.items[level];
-    binding *b = value_share(&in->heap, VALUE_NOTHING, sizeof *b);
+    binding *b = value_share(&in->heap, VALUE_NOTHING, sizeof *b), **at = place_of(name, level);
 
     if (!b) {
         report_memory(in);
@@ -49,12 +59,12 @@ static binding *bind(pov_reader *in, symbol *name, size_t level)
     b->symbol = name;
     b->slot = &b->own;
     b->level = level;
-    b->outer = name->binding;
+    b->outer = *at;
     b->next = s->first;
     if (b->next)
         b->next->previous = b;
     s->first = b;
-    name->binding = b;
+    *at = b;
     return b;
 }
 
@@ -80,11 +90,11 @@ void scope_declare(pov_reader *in, symbol *name, value v)
 
 void scope_local(pov_reader *in, symbol *name, size_t level, value v)
 {
-    binding *b = name->binding;
+    binding *b = *place_of(name, level);
 
     if (!in->failed && level < in->scopes.count && (!b || b->level < level))
         b = bind(in, name, level);
-    if (in->failed || level >= in->scopes.count || b->level != level)
+    if (in->failed || level >= in->scopes.count)
         value_drop(&in->heap, &v);
     else
         assign(in, b->slot, v);

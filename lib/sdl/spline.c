@@ -93,12 +93,33 @@ static void read_knot(pov_reader *in, knot *k, int *size)
         *size = v.size;
 }
 
-static spline *begin(pov_reader *in)
+/* The name of a spline, or of an array of splines, is next. */
+static bool name_follows(const pov_reader *in)
 {
     const value *v = in->token.kind == TOKEN_WORD ? scope_value(in->token.symbol) : NULL;
+
+    return v && (v->kind == VALUE_SPLINE || (v->kind == VALUE_ARRAY && value_array(v)->kind == VALUE_SPLINE));
+}
+
+static spline *take_named(pov_reader *in)
+{
+    value v = expression_read(in);
+    spline *s = NULL;
+
+    if (!in->failed && v.kind == VALUE_SPLINE)
+        s = copy(in, (const spline *)v.as.shared, ((const spline *)v.as.shared)->count + 16);
+    else if (!in->failed)
+        report_fail(in, &in->value, POV_E_SYNTAX, "expected a spline, found %s", value_name(&v));
+    if (value_is_shared(&v))
+        value_drop(&in->heap, &v);
+    return s;
+}
+
+static spline *begin(pov_reader *in)
+{
     spline *s;
 
-    if (!v || v->kind != VALUE_SPLINE) {
+    if (!name_follows(in)) {
         s = create(in, 16);
         if (s) {
             s->size = 2;
@@ -106,8 +127,7 @@ static spline *begin(pov_reader *in)
         }
         return s;
     }
-    s = copy(in, (const spline *)v->as.shared, ((const spline *)v->as.shared)->count + 16);
-    state_advance(in);
+    s = take_named(in);
     state_accept(in, ',');
     if (s)
         s->type = read_type(in, s->type);
