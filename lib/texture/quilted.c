@@ -37,7 +37,7 @@ SIMD_CLONES static void find(const quilted *q, const vec_lanes *restrict at, uin
     for (uint32_t i = 0; i < n; i++) {
         const double x = from_middle(at->x[i]), y = from_middle(at->y[i]), z = from_middle(at->z[i]);
 
-        value[i] = height(q, sqrt(x * x + y * y + z * z)) * (fabs(x) + fabs(y) + fabs(z)) / 3.0;
+        value[i] = fabs(height(q, sqrt(x * x + y * y + z * z))) * (fabs(x) + fabs(y) + fabs(z)) / 3.0;
     }
 }
 

@@ -90,7 +90,7 @@ static void every_pattern_has_its_measured_values(void **state)
 
     while (samples_next(file, &s))
         check_pattern(&s, &rows);
-    assert_int_equal(rows, 4950);
+    assert_int_equal(rows, 4962);
     fclose(file);
 }
 
