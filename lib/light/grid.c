@@ -1,6 +1,7 @@
 #include "light/grid.h"
 
 #include "base/elementary.h"
+#include "light/aim.h"
 
 #include <povtrace/exact.h>
 
@@ -107,6 +108,8 @@ static grid_part all_places(const light_grid *g)
 
 /* ---- all of it ---- */
 
+static bool has_beams(const light *l) { return l->type == LIGHT_PARALLEL || l->type == LIGHT_CYLINDER; }
+
 /* Cells of a soft light along an axis: more would be fewer samples of the picture. */
 enum { SOFT_CELLS = 2 };
 
@@ -121,7 +124,7 @@ light_grid *grid_create(const env *e, const light *l, bool soft)
         return NULL;
     g->count = (uint32_t)count;
     g->rounded = (l->flags & (LIGHT_CIRCULAR | LIGHT_ORIENT)) != 0;
-    g->moves = soft || (l->flags & (LIGHT_JITTER | LIGHT_ORIENT)) || l->type == LIGHT_PARALLEL || l->type == LIGHT_CYLINDER;
+    g->moves = soft || (l->flags & (LIGHT_JITTER | LIGHT_ORIENT)) || has_beams(l);
     if (soft)
         place_cells(g, cells);
     else
@@ -183,12 +186,27 @@ static light_origin moved_origin(const light *l, pov_vec3 move)
     return out;
 }
 
+/* From a point of the area, moved from the middle, parallel light goes to where the middle's points at: each has a
+ * direction of its own, as in POV-Ray. It begins in the plane across it through that point. */
+static pov_vec3 against_beam(const light *l, pov_vec3 to_middle, pov_vec3 move)
+{
+    const double hardly = 0x1p-100;
+    const pov_vec3 back = pov_unit(pov_sub(move, pov_scale(l->axis, l->aim)));
+    const double distance = pov_dot(pov_add(to_middle, move), back);
+
+    return pov_scale(back, distance > hardly ? distance : hardly);
+}
+
 void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
               vec_lanes *dir, light_origin *ends)
 {
-    const bool jitters = g->cell[0] > 0.0 || g->cell[1] > 0.0;
+    const bool jitters = g->cell[0] > 0.0 || g->cell[1] > 0.0, beams = has_beams(l);
+    const light_origin middle = light_own_origin(l);
+    vec_lanes to_middle;
     pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
 
+    if (beams)
+        light_aim(&middle, at, &to_middle);
     for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
         grid_point p = g->points[k];
         pov_vec3 move;
@@ -204,7 +222,7 @@ void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, co
         if (l->flags & LIGHT_ORIENT)
             turn(l, pov_unit(lanes_at(to, i)), axes);
         move = pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v));
-        lanes_put(dir, i, pov_add(lanes_at(to, i), move));
+        lanes_put(dir, i, beams ? against_beam(l, lanes_at(&to_middle, i), move) : pov_add(lanes_at(to, i), move));
         if (ends && i < at->n)
             ends[i] = moved_origin(l, move);
     }

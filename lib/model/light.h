@@ -30,6 +30,7 @@ typedef struct light {
     uint32_t flags;              /* LIGHT_* */
     pov_vec3 position, position_lo;   /* world space, the sum of both */
     pov_vec3 axis;               /* unit; away from the light */
+    double aim;                  /* how far along the axis it points at; beams from points of an area all meet there */
     colour color;
     double radius, falloff, tightness;   /* SPOT: cosines of the angles; CYLINDER: distances from the axis */
     double fade_distance, fade_power;    /* it fades if both are above 0 */

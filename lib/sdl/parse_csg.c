@@ -172,6 +172,7 @@ static void add_light(pov_reader *in, const object_parsed *o, const around *a, u
     l.through = through;
     l.through_count = (uint32_t)in->model->leaves.count - through;
     l.axis = pov_unit(pov_sub(pov_sub(point_at, l.position), l.position_lo));
+    l.aim = pov_dot(pov_sub(pov_sub(point_at, l.position), l.position_lo), l.axis);
     if (!is_fine || !parse_is_finite(l.position) || !parse_is_finite(l.position_lo)) {
         place at = in->object;
 

@@ -25,10 +25,10 @@ static void aim_at_point(const scene_light *from, uint32_t k, const light_points
 /* A view costs as much as the rays to so many points. */
 enum { VIEW_FROM = 20 };
 
-/* Light that something dims on its way, hidden or not, needs its rays. */
+/* Light that something dims on its way, hidden or not, needs its rays; a view is of light that comes from points. */
 static bool needs_rays(const scene_light *from)
 {
-    return from->grid->count < VIEW_FROM || from->light->through_count > 0 || (from->light->flags & LIGHT_ATTENUATED);
+    return from->grid->count < VIEW_FROM || from->class->parallel || from->light->through_count > 0 || (from->light->flags & LIGHT_ATTENUATED);
 }
 
 /* Views by ray; `open`: rays from which something may hide a part of the light. The others get all of it or nothing; *lit:

@@ -35,9 +35,12 @@ static inline void add_light(surface *s, colour given) { s->lit = colour_add(s->
 static void add_visible(lighting *l, const scene_light *from, const light_sample *s, const light_lanes *in)
 {
     const light_origin origin = light_own_origin(from->light);
+    const bool is_free = !l->context->scene->plan->shadows || (from->light->flags & LIGHT_SHADOWLESS);
     colour through[BATCH_MAX];
 
-    if (!l->context->scene->plan->shadows || (from->light->flags & LIGHT_SHADOWLESS))
+    if (is_free && from->light->through_count > 0)
+        shadow_keep_crossing(l, from->light, in->tmax);
+    if (is_free)
         for (uint32_t i = 0; i < l->count; i++)
             add_light(&l->on->at[l->of[i]], brdf_at(s, l->of[i]));
     else

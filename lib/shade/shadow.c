@@ -88,6 +88,14 @@ static uint64_t shorten(lighting *l, const light *from, double tmax)
     return through;
 }
 
+void shadow_keep_crossing(lighting *l, const light *from, double tmax)
+{
+    uint64_t through = shorten(l, from, tmax);
+
+    for (l->count = 0; through; through &= through - 1)
+        l->of[l->count++] = l->of[first_of64(through)];
+}
+
 /* Light that the atmosphere dims on its whole way. */
 static void attenuate(const lighting *l, const light *from, double tmax, uint64_t lit, colour *through)
 {

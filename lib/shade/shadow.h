@@ -7,6 +7,9 @@
 
 /* The rays to one point of a light source that are not occluded. */
 uint64_t shadow_trace(lighting *l, const light *from, segment_end end, colour *through);
+/* Of the rays to one point of a light those that cross what it is projected through: all that hides a light without shadows.
+ * `rays` is not kept. */
+void shadow_keep_crossing(lighting *l, const light *from, double tmax);
 /* Set the origin surfaces of the rays, at these cosines. NULL: none is so small that it matters. */
 void shadow_name_origins(lighting *l, const double *cosines);
 /* The same of rays from these lanes where the shading normal does not tell the side of a ray: the geometric one does. */

@@ -125,6 +125,22 @@ static void a_ceiling_does_not_hide_the_light_on_it(void **state)
         }
 }
 
+/* POV-Ray's shadows show it: parallel light from a point of the area goes where the middle's points at. */
+static void each_point_of_a_parallel_light_has_a_direction_of_its_own(void **state)
+{
+    static const char body[] = FLOOR "sphere { <0,1,0>, .4" MATT "box { <-2,.5,-1>, <-1,.8,1>" MATT "sphere { <3,3,3>, .3" MATT;
+    float *area = render("light_source { <4,5,-2> rgb 1 parallel point_at <1,0,.5> area_light <3,-1,0>, y, 2, 1 }\n", body);
+    float *lights = render("light_source { <5.5,4.5,-2> rgb .5 parallel point_at <1,0,.5> }"
+                           "light_source { <2.5,5.5,-2> rgb .5 parallel point_at <1,0,.5> }\n", body);
+
+    (void)state;
+    for (int i = 0; i < 4 * WIDTH * HEIGHT; i++)
+        if (!(fabs((double)area[i] - (double)lights[i]) < 2e-5))
+            fail_msg("value %d is %f, not %f", i, (double)area[i], (double)lights[i]);
+    free(area);
+    free(lights);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -134,6 +150,7 @@ int main(void)
         cmocka_unit_test(rooms_made_of_planes),
         cmocka_unit_test(glass_and_what_casts_no_shadow),
         cmocka_unit_test(a_room_with_the_light_in_it),
+        cmocka_unit_test(each_point_of_a_parallel_light_has_a_direction_of_its_own),
         cmocka_unit_test(a_ceiling_does_not_hide_the_light_on_it),
     };
 

@@ -84,6 +84,18 @@ static void of_spotlight_cylinder_and_shadowless_the_last_counts(void **state)
     CHECK(samples);
 }
 
+static void light_without_shadows_is_projected_all_the_same(void **state)
+{
+    static const sample samples[] = {
+        { "<3,4,-6> rgb 1 shadowless projected_through { sphere { <0,9,0>, 1 } }", GOLD "finish { ambient 0 diffuse 1 }", 0.0, 0.0, 0.0 },
+        { "<3,4,-6> rgb 1 shadowless projected_through { sphere { <1.5,2,-3.7>, .9 } }", GOLD "finish { ambient 0 diffuse 1 }", 0.60203, 0.40136, 0.20067 },
+        { "<3,4,-6> rgb 1 projected_through { sphere { <0,9,0>, 1 } }", GOLD "finish { ambient 0 diffuse 1 } no_shadow", 0.0, 0.0, 0.0 },
+    };
+    (void)state;
+
+    CHECK(samples);
+}
+
 static void light_from_behind_counts_where_the_finish_says_so(void **state)
 {
     static const sample samples[] = {
@@ -210,6 +222,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(diffuse_light_follows_brilliance_and_albedo),
         cmocka_unit_test(of_spotlight_cylinder_and_shadowless_the_last_counts),
+        cmocka_unit_test(light_without_shadows_is_projected_all_the_same),
         cmocka_unit_test(light_from_behind_counts_where_the_finish_says_so),
         cmocka_unit_test(highlights_are_those_of_phong_and_of_blinn),
         cmocka_unit_test(reflection_depends_on_the_angle_and_the_pigment),
