@@ -320,10 +320,15 @@ static void through_blends(const model *m, const normal_blend *b, uint32_t n, ve
 void normal_eval(const model *m, const normal_node *of, const normal_blend *around, const texture_points *points,
                  uint32_t n, vec_lanes *normal)
 {
-    to_objects(points, n, normal, false);
+    /* Bumps on uv coordinates do not turn with the object, as in POV-Ray. */
+    const bool turns = !(of && of->pattern && of->pattern->uv && points->has_surface);
+
+    if (turns)
+        to_objects(points, n, normal, false);
     through_blends(m, around, n, normal, false);
     eval(m, of, points, n, normal);
     through_blends(m, around, n, normal, true);
-    to_objects(points, n, normal, true);
+    if (turns)
+        to_objects(points, n, normal, true);
     make_unit(n, normal);
 }

@@ -43,8 +43,12 @@ static double depth_in_copies(const tiling *t, const tiling_tile *tile, double x
     return deepest;
 }
 
-static double value_at(const tiling *t, double x, double z)
+/* A side belongs to the tile behind it, along both axes, as in POV-Ray. */
+static const double nudge = 1e-12;
+
+static double value_at(const tiling *t, double x_at, double z_at)
 {
+    const double x = x_at + nudge, z = z_at + nudge;
     double deepest = -HUGE_VAL, border;
     uint32_t kind = 0;
 

@@ -1,13 +1,13 @@
 #include "texture/hexagonal.h"
 #include "texture/pattern.h"
 
-/* The sixth of a hexagon, by its angle, in which a point lies: bounds belong to the sixth behind them. */
+/* The sixth of a hexagon, by its angle, in which a point lies: bounds belong to the sixth behind them, but for that along -x. */
 SIMD_INLINE double sixth(double x, double z)
 {
     const double line = hexagonal_root3 * x;
     const double upper = z < line ? 0.0 : z > -line ? 1.0 : 2.0, lower = -z < -line ? 3.0 : -z > line ? 4.0 : 5.0;
 
-    return z > 0.0 || (z == 0.0 && x >= 0.0) ? upper : lower;
+    return z >= 0.0 ? upper : lower;
 }
 
 SIMD_CLONES static void find(const vec_lanes *restrict at, uint32_t n, double *restrict value)

@@ -68,6 +68,23 @@ static void without_a_frequency_a_phase_moves_neither_quilts_nor_images(void **s
     }
 }
 
+/* As in POV-Ray: a wall that stands in the middle of the coordinates shows the tiles behind it. */
+static void a_side_belongs_to_the_tile_behind_it(void **state)
+{
+    static const char *const patterns[] = { "triangular", "hexagon", "square", "tiling 5", "tiling 6", "tiling 9", "tiling 11", "tiling 18", "tiling 22" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof patterns / sizeof patterns[0]; i++) {
+        float *on = seen_of(patterns[i], ""), *behind = seen_of(patterns[i], "translate -1e-6*z");
+
+        for (int k = 0; k < 4 * WIDTH * HEIGHT; k++)
+            if (fabs((double)on[k] - (double)behind[k]) > 1e-4)
+                fail_msg("%s: value %d is %f, not %f", patterns[i], k, (double)on[k], (double)behind[k]);
+        free(on);
+        free(behind);
+    }
+}
+
 /* By the angle at which light falls upon them, on either side. */
 static void light_through_slopes_is_filtered_by_its_own_ray(void **state)
 {
@@ -96,6 +113,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
+        cmocka_unit_test(a_side_belongs_to_the_tile_behind_it),
         cmocka_unit_test(without_a_frequency_a_phase_moves_neither_quilts_nor_images),
     };
 

@@ -72,12 +72,38 @@ static void v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere(void **state)
     }
 }
 
+/* The front of a cube that is turned by a quarter: lit from all sides alike, its picture would be turned by as much. */
+static void bumps_do_not_turn_with_the_object(void **state)
+{
+    enum { SIDE = 16 };
+    static const char format[] = "#version 3.7; camera { orthographic location -10*z direction z right 2*x up 2*y }\n"
+                                 "light_source { <5e9,8e9,-6e9> rgb 1 } box { -1, 1 pigment { rgb 1 } normal { uv_mapping bumps .7 scale .05 } "
+                                 "finish { ambient 0 diffuse .8 } %s }\n";
+    char text[512];
+    float *straight, *turned;
+    double most = 0.0;
+
+    (void)state;
+    snprintf(text, sizeof text, format, "");
+    straight = scenes_draw(text, SIDE, SIDE, 1, 1);
+    snprintf(text, sizeof text, format, "rotate 90*z");
+    turned = scenes_draw(text, SIDE, SIDE, 1, 1);
+    for (int y = 0; y < SIDE; y++)
+        for (int x = 0; x < SIDE; x++)
+            most = fmax(most, fabs((double)straight[4 * (y * SIDE + x)] - (double)turned[4 * ((SIDE - 1 - x) * SIDE + y)]));
+    if (most > 1e-5)
+        fail_msg("%g", most);
+    free(straight);
+    free(turned);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(v_of_an_ovus_is_an_angle_and_a_large_top_is_a_sphere),
         cmocka_unit_test(it_counts_for_a_pigment_a_texture_and_a_material),
         cmocka_unit_test(it_counts_for_every_layer),
+        cmocka_unit_test(bumps_do_not_turn_with_the_object),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
