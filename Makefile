@@ -316,6 +316,7 @@ help:
 	@echo "make fuzz       give strangers' bytes to scenes, images, checkpoints and arguments: SECONDS=n each; wants clang"
 	@echo "make mutate     make a dozen mistakes in a copy of the tree, one by one: a test must notice each"
 	@echo "make corpus     draw the scenes that come with POV-Ray beside it: what is read, what matches, what is missing"
+	@echo "                corpus-bits: by threads, tree and copies the same bits; corpus-asan: under the sanitizers"
 	@echo "make programs   the same with scenes that ASE, PyMOL, VTK, vapory, Jmol, Open Babel and Inkscape write"
 	@echo "make validate-error   hold what povc says of its error against the truth; an hour or more the first time"
 	@echo "make bench      time povc against POV-Ray, Tachyon and Embree; bench-counts: its instructions a ray, bench-whole:"

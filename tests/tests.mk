@@ -199,6 +199,14 @@ CORPUS_FLAGS ?=
 .PHONY: corpus
 corpus: all
 	$(PYTHON) tests/corpus/corpus.py --povc $(POVC) --work $(BUILD)/corpus $(CORPUS_FLAGS)
+# The same in every way that must give the same bits; and once, small, in a build of its own with sanitizers.
+.PHONY: corpus-bits corpus-asan
+corpus-bits: all
+	$(PYTHON) tests/corpus/bits.py --povc $(POVC) --work $(BUILD)/corpus-bits $(CORPUS_FLAGS)
+corpus-asan:
+	$(MAKE) BUILD=build-asan WIDE= OPTIMISE=-O1 SANITIZE='-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer' runtime
+	LSAN_OPTIONS='suppressions=$(CURDIR)/tests/support/lsan.supp print_suppressions=0' \
+	    $(PYTHON) tests/corpus/bits.py --povc build-asan/bin/povc --work build-asan/corpus --once --size 32x24 $(CORPUS_FLAGS)
 
 # Scenes as programs write them today: the programs are installed where they can be, and render by the name povray.
 .PHONY: programs

@@ -79,10 +79,30 @@ an_error_tells_the_files_and_macros_around_it() {
     grep -q 'a.pov:2:15: .*in the macro "M", called here' said || fail "$(cat said)"
 }
 
+pictures_are_compared_in_every_way_and_crashes_are_seen() {
+    mkdir scenes
+    printf 'sphere { <0, 0, 5>, 1 } light_source { -9*z rgb 1 }\n' > scenes/a.pov
+    printf 'sphere { <0, 0, 5>, oops }\n' > scenes/b.pov
+    expect 0 "$PYTHON" "$here/bits.py" --povc "$povc" --scenes scenes --work work
+    says out "2 scenes: 1 drawn, the same in every way; 0 late; 0 failed"
+    says work/bits.csv "b.pov,not read"
+    printf '#!/bin/sh\nkill -SEGV $$\n' > crashes
+    printf '#!/bin/sh\necho "a.c:1:2: runtime error: too large" >&2\n' > reports
+    printf '#!/bin/sh\necho $LD_LIBRARY_PATH $* > "$4"\n' > differs
+    chmod +x crashes reports differs
+    expect 1 "$PYTHON" "$here/bits.py" --povc crashes --scenes scenes --work work --once
+    says out "a.pov: ended by SIGSEGV"
+    expect 1 "$PYTHON" "$here/bits.py" --povc reports --scenes scenes --work work --once
+    says out "a.pov: report: a.c:1:2: runtime error"
+    expect 1 "$PYTHON" "$here/bits.py" --povc differs --scenes scenes --work work
+    says out "no tree: other bits"
+}
+
 run_case every_probe_of_the_language_passes
 run_case internal_functions_have_the_measured_values
 run_case a_scene_reads_nothing_outside_of_its_folders
 run_case a_scene_writes_only_where_that_was_allowed
 run_case text_of_a_scene_goes_to_standard_error_as_it_is
 run_case an_error_tells_the_files_and_macros_around_it
+run_case pictures_are_compared_in_every_way_and_crashes_are_seen
 end_cases
