@@ -10,6 +10,7 @@
 typedef struct superellipsoid {
     double e, n;
     bool convex;
+    bool rough;                  /* are rough sizes of use? Large powers multiply their errors */
 } superellipsoid;
 
 /* Exponents below this make edges that no double tells from those of a box. */
@@ -31,6 +32,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     s->e = exponent(host, in, v[0]);
     s->n = exponent(host, in, v[1]);
     s->convex = s->e <= 2.0 && s->n <= 2.0;
+    s->rough = fmin(s->e, s->n) >= 0.0625 && fmax(s->e, s->n) <= 16.0;
 }
 
 static bool bounds(const void *self, pov_box *out)
@@ -43,7 +45,7 @@ static bool bounds(const void *self, pov_box *out)
 
 /* ---- the size of a point ---- */
 
-/* A power within 2^-22 of it, for x from 0 to 2 and y that makes no number below 2^-1000 of it. */
+/* A power within 2^-22 of it, and 2^-24 y, for x from 0 to 3 and y that makes no number below 2^-1000 of it. */
 COMMON_INLINE double approx_power(double x, double y)
 {
     const uint64_t sqrt_half = 0x3fe6a09e667f3bcd, two = 0x4000000000000000;
@@ -226,44 +228,100 @@ static void cross_convex(const line *n, const common_ray *k, const pov_ray *ray,
 
 /* ---- stars ---- */
 
-static double least_of(double a, double b) { return (a < 0.0) != (b < 0.0) ? 0.0 : fmin(fabs(a), fabs(b)); }
+static inline double smaller(double a, double b) { return a < b ? a : b; }
+static inline double larger(double a, double b) { return a > b ? a : b; }
+static inline double least_of(double a, double b) { return (a < 0.0) != (b < 0.0) ? 0.0 : smaller(fabs(a), fabs(b)); }
+
+/* The turn at which a crossing between two points is about known. */
+enum { NARROW = 8 };
+
+/* About the size to the power 2 / n, of a point of the unit cube: that is above one where the size is. */
+static double rough_size(const superellipsoid *s, pov_vec3 p)
+{
+    const double x = approx_power(fabs(p.x), 2.0 / s->e), y = approx_power(fabs(p.y), 2.0 / s->e);
+
+    return approx_power(x + y, s->e / s->n) + approx_power(fabs(p.z), 2.0 / s->n);
+}
+
+/* Is the size of a point above a level, which is one as far as a rough size can tell? */
+static bool is_above(const superellipsoid *s, pov_vec3 p, double level)
+{
+    const double size = s->rough ? rough_size(s, p) : 1.0;
+
+    return fabs(size - 1.0) > APPROX ? size > 1.0 : size_at(s, p) > level;
+}
+
+static bool is_outside(const line *n, double t) { return is_above(n->s, pov_add(n->o, pov_scale(n->d, t)), 1.0); }
 
 /* 1: certainly outside all along; -1: inside; 0: neither. */
 static int side_of(const line *n, double lo, double hi)
 {
     const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo)), b = pov_add(n->o, pov_scale(n->d, hi));
     const pov_vec3 least = { least_of(a.x, b.x), least_of(a.y, b.y), least_of(a.z, b.z) };
-    const pov_vec3 most = { fmax(fabs(a.x), fabs(b.x)), fmax(fabs(a.y), fabs(b.y)), fmax(fabs(a.z), fabs(b.z)) };
+    const pov_vec3 most = { larger(fabs(a.x), fabs(b.x)), larger(fabs(a.y), fabs(b.y)), larger(fabs(a.z), fabs(b.z)) };
 
-    return size_at(n->s, least) > 1.0 + FINE ? 1 : size_at(n->s, most) < 1.0 - FINE ? -1 : 0;
+    return is_above(n->s, least, 1.0 + FINE) ? 1 : is_above(n->s, most, 1.0 - FINE) ? 0 : -1;
+}
+
+/* Between points on different sides, a step of Newton's method from the middle and both sides of where it leads. */
+static void narrow(const line *n, double *lo, double *hi, bool is_out)
+{
+    const double middle = 0.5 * (*lo + *hi), near = 0x1p-20 * (*hi - *lo);
+    double slope, value = size_along(n, middle, &slope), root = middle - value / slope;
+
+    *((value > 0.0) == is_out ? lo : hi) = middle;
+    for (int i = 0; i < 2; i++) {
+        const double t = root + (i == 0 ? -near : near);
+
+        if (t > *lo && t < *hi)
+            *((size_along(n, t, &slope) > 0.0) == is_out ? lo : hi) = t;
+    }
 }
 
 /* A crossing between points on different sides. */
 static double bisect(const line *n, double lo, double hi, bool is_out)
 {
-    while (true) {
+    for (int turn = 0;; turn++) {
         const double middle = 0.5 * (lo + hi);
 
-        if (!(middle > fmin(lo, hi) && middle < fmax(lo, hi)))
+        if (!(middle > lo && middle < hi))
             return middle;
-        *((size_at(n->s, pov_add(n->o, pov_scale(n->d, middle))) > 1.0) == is_out ? &lo : &hi) = middle;
+        if (turn >= NARROW)
+            narrow(n, &lo, &hi, is_out);
+        else
+            *(is_outside(n, middle) == is_out ? &lo : &hi) = middle;
     }
 }
 
-/* False: nothing more is wanted. */
-static bool search(const line *n, const common_ray *k, double lo, double hi, int depth, pov_hits *hits)
+/* Does any crossing do, so that it need not be known where it lies between two distances? */
+static bool is_any_between(const line *n, const common_ray *k, double lo, double hi, const pov_hits *hits)
 {
-    const double middle = 0.5 * (lo + hi);
-    double slope;
-    bool out, still;
+    return hits->want == POV_WANT_ANY && (n->base + lo) * k->unit > hits->tmin && (n->base + hi) * k->unit < hits->tmax - hits->slack;
+}
 
-    if (side_of(n, lo, hi) != 0)
+/* A stretch, and on which side its ends are. */
+typedef struct stretch { double lo, hi; bool out, still; } stretch;
+
+/* False: nothing more is wanted. */
+static bool search(const line *n, const common_ray *k, stretch s, int depth, pov_hits *hits)
+{
+    const double middle = 0.5 * (s.lo + s.hi);
+    stretch near = s, far = s;
+
+    if (side_of(n, s.lo, s.hi) != 0)
         return true;
-    out = size_along(n, lo, &slope) > 0.0;
-    still = size_along(n, hi, &slope) > 0.0;
-    if (depth == 0 || (out != still && depth < 16))
-        return out == still || report(n, k, bisect(n, lo, hi, out), hits);
-    return search(n, k, lo, middle, depth - 1, hits) && search(n, k, middle, hi, depth - 1, hits);
+    if (depth == 0 || (s.out != s.still && depth < 16))
+        return s.out == s.still || report(n, k, is_any_between(n, k, s.lo, s.hi, hits) ? middle : bisect(n, s.lo, s.hi, s.out), hits);
+    near.hi = far.lo = middle;
+    near.still = far.out = is_outside(n, middle);
+    return search(n, k, near, depth - 1, hits) && search(n, k, far, depth - 1, hits);
+}
+
+static void cross_star(const line *n, const common_ray *k, double from, pov_hits *hits)
+{
+    const stretch all = { from, n->span.hi, is_outside(n, from), is_outside(n, n->span.hi) };
+
+    search(n, k, all, 26, hits);
 }
 
 static const pov_vec3 zero = { 0.0, 0.0, 0.0 }, one = { 1.0, 1.0, 1.0 };
@@ -294,7 +352,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     if (n.s->convex)
         cross_convex(&n, &k, ray, from_here, hits);
     else
-        search(&n, &k, from_here ? NEAR : n.span.lo, n.span.hi, 26, hits);
+        cross_star(&n, &k, from_here ? NEAR : n.span.lo, hits);
 }
 
 /* ---- several rays side by side ---- */
