@@ -8,19 +8,19 @@
 /* Higher orders would take too long; cells get as small as 2^-DEPTH of a box of powers of two. */
 enum { ORDER_MOST = 6, MANY = ORDER_MOST + 1, FACE = 12, DEPTH = 6 };
 
-/* Coefficients of x^i y^j z^k. */
-typedef struct tensor { double at[MANY][MANY][MANY]; } tensor;
+/* Coefficients of x^i y^j z^k, or Bernstein coefficients in a box, all powers up to the order: z changes first. */
+typedef struct tensor { double at[MANY * MANY * MANY]; } tensor;
 
-static void take_orders(const common_polynomial *p, int least, tensor *out)
+static void take_all(const common_polynomial *p, tensor *out)
 {
+    const int n = p->order, row = n + 1;
     uint32_t at = 0;
 
     memset(out, 0, sizeof *out);
-    for (int i = p->order; i >= 0; i--)
-        for (int j = p->order - i; j >= 0; j--)
-            for (int k = p->order - i - j; k >= 0; k--, at++)
-                if (i + j + k >= least)
-                    out->at[i][j][k] = p->at[at];
+    for (int i = n; i >= 0; i--)
+        for (int j = n - i; j >= 0; j--)
+            for (int k = n - i - j; k >= 0; k--, at++)
+                out->at[(i * row + j) * row + k] = p->at[at];
 }
 
 static double size_of_order(const common_polynomial *p, int order)
@@ -53,66 +53,100 @@ static void find_map(int n, double lo, double hi, double map[MANY][MANY])
 }
 
 /* out[i] = the sum of map[i][k] in[k]; numbers lie `step` apart. */
-static void apply(int n, double map[MANY][MANY], double *at, int step)
+static void apply(int n, double map[MANY][MANY], const double *in, double *out, int step)
 {
     double sum[MANY];
 
     for (int i = 0; i <= n; i++) {
         sum[i] = 0.0;
         for (int k = 0; k <= n; k++)
-            sum[i] += map[i][k] * at[k * step];
+            sum[i] += map[i][k] * in[k * step];
     }
     for (int i = 0; i <= n; i++)
-        at[i * step] = sum[i];
+        out[i * step] = sum[i];
 }
 
-typedef struct range { double least, most; } range;
-
-static range range_in(const tensor *t, int n, const pov_box *box)
+static double least_of(const double *at, int count)
 {
-    double x[MANY][MANY], y[MANY][MANY], z[MANY][MANY];
-    tensor b = *t;
-    range out = { HUGE_VAL, -HUGE_VAL };
+    double least = at[0];
 
-    find_map(n, box->lo.x, box->hi.x, x);
-    find_map(n, box->lo.y, box->hi.y, y);
-    find_map(n, box->lo.z, box->hi.z, z);
-    for (int i = 0; i <= n; i++)
-        for (int j = 0; j <= n; j++)
-            apply(n, z, b.at[i][j], 1);
-    for (int i = 0; i <= n; i++)
-        for (int k = 0; k <= n; k++)
-            apply(n, y, &b.at[i][0][k], MANY);
-    for (int j = 0; j <= n; j++)
-        for (int k = 0; k <= n; k++)
-            apply(n, x, &b.at[0][j][k], MANY * MANY);
-    for (int i = 0; i <= n; i++)
-        for (int j = 0; j <= n; j++)
-            for (int k = 0; k <= n; k++) {
-                out.least = fmin(out.least, b.at[i][j][k]);
-                out.most = fmax(out.most, b.at[i][j][k]);
-            }
-    return out;
+    for (int i = 1; i < count; i++)
+        least = at[i] < least ? at[i] : least;
+    return least;
+}
+
+/* Bernstein coefficients in the cube from -reach to reach. */
+static void find_bernstein(tensor *t, int n, double reach)
+{
+    const int row = n + 1, steps[3] = { 1, row, row * row };
+    double map[MANY][MANY];
+
+    find_map(n, -reach, reach, map);
+    for (int axis = 0; axis < 3; axis++)
+        for (int from = 0; from < row * row * row; from += row * steps[axis])
+            for (int i = from; i < from + steps[axis]; i++)
+                apply(n, map, t->at + i, t->at + i, steps[axis]);
+}
+
+/* De Casteljau's scheme at the middle of the lines along an axis: the part below it stays, `upper` is the other. */
+static void halve(tensor *t, int n, int step, tensor *upper)
+{
+    const int row = n + 1;
+
+    for (int from = 0; from < row * row * row; from += row * step)
+        for (int k = 0; k <= n; k++) {
+            for (int i = from; i < from + step; i++)
+                upper->at[i + (n - k) * step] = t->at[i + n * step];
+            for (int m = n; m > k; m--)
+                for (int i = from + m * step; i < from + m * step + step; i++)
+                    t->at[i] = 0.5 * (t->at[i] + t->at[i - step]);
+        }
 }
 
 /* ---- how far it reaches ---- */
+
+/* The highest order where one coordinate is one: a polynomial of the others, u^j v^k. */
+static void take_face(const common_polynomial *p, int face, double out[MANY * MANY])
+{
+    const int n = p->order, row = n + 1;
+    uint32_t at = 0;
+
+    memset(out, 0, MANY * MANY * sizeof *out);
+    for (int i = n; i >= 0; i--)
+        for (int j = n - i; j >= 0; j--)
+            for (int k = n - i - j; k >= 0; k--, at++)
+                if (i + j + k == n)
+                    out[face == 0 ? j * row + k : face == 1 ? i * row + k : i * row + j] = p->at[at];
+}
+
+static double least_on_face(const common_polynomial *p, int face, double maps[FACE][MANY][MANY])
+{
+    const int n = p->order, row = n + 1;
+    double all[MANY * MANY], strip[MANY * MANY], cell[MANY * MANY], least = HUGE_VAL;
+
+    take_face(p, face, all);
+    for (int u = 0; u < FACE; u++) {
+        for (int k = 0; k <= n; k++)
+            apply(n, maps[u], all + k, strip + k, row);
+        for (int v = 0; v < FACE && least > 0.0; v++) {
+            for (int j = 0; j <= n; j++)
+                apply(n, maps[v], strip + j * row, cell + j * row, 1);
+            least = fmin(least, least_of(cell, row * row));
+        }
+    }
+    return least;
+}
 
 /* The least value of the highest order where the largest of |x|, |y|, |z| is one. Even orders have it on three faces. */
 static double least_outward(const common_polynomial *p)
 {
     const double side = 2.0 / FACE;
-    double least = HUGE_VAL;
-    tensor t;
+    double least = HUGE_VAL, maps[FACE][MANY][MANY];
 
-    take_orders(p, p->order, &t);
-    for (int face = 0; face < 3; face++)
-        for (int i = 0; i < FACE * FACE && least > 0.0; i++) {
-            const double u = -1.0 + side * (i / FACE), v = -1.0 + side * (i % FACE);
-            const pov_box at[3] = { { { 1.0, u, v }, { 1.0, u + side, v + side } }, { { u, 1.0, v }, { u + side, 1.0, v + side } },
-                                    { { u, v, 1.0 }, { u + side, v + side, 1.0 } } };
-
-            least = fmin(least, range_in(&t, p->order, &at[face]).least);
-        }
+    for (int i = 0; i < FACE; i++)
+        find_map(p->order, -1.0 + side * i, -1.0 + side * i + side, maps[i]);
+    for (int face = 0; face < 3 && least > 0.0; face++)
+        least = fmin(least, least_on_face(p, face, maps));
     return least - 0x1p-40 * size_of_order(p, p->order);
 }
 
@@ -137,7 +171,7 @@ static double find_reach(const common_polynomial *p)
 
 /* ---- the box ---- */
 
-typedef struct hunt { const common_polynomial *p; tensor all; double noise; pov_box found; } hunt;
+typedef struct hunt { int order; double noise; pov_box found; } hunt;
 
 static bool is_found(const hunt *h, const pov_box *b)
 {
@@ -151,27 +185,35 @@ static void join(pov_box *a, const pov_box *b)
     a->hi = pov_vec3_of(fmax(a->hi.x, b->hi.x), fmax(a->hi.y, b->hi.y), fmax(a->hi.z, b->hi.z));
 }
 
-static pov_box part_of(const pov_box *b, int which)
+/* Below or above the middle of an axis. */
+static pov_box half_of(const pov_box *b, int axis, bool above)
 {
-    const pov_vec3 middle = pov_scale(pov_add(b->lo, b->hi), 0.5);
-    const pov_box out = { { which & 1 ? middle.x : b->lo.x, which & 2 ? middle.y : b->lo.y, which & 4 ? middle.z : b->lo.z },
-                          { which & 1 ? b->hi.x : middle.x, which & 2 ? b->hi.y : middle.y, which & 4 ? b->hi.z : middle.z } };
+    pov_box out = *b;
+    double *const lo = axis == 0 ? &out.lo.x : axis == 1 ? &out.lo.y : &out.lo.z;
+    double *const hi = axis == 0 ? &out.hi.x : axis == 1 ? &out.hi.y : &out.hi.z;
 
+    *(above ? lo : hi) = 0.5 * (*lo + *hi);
     return out;
 }
 
-/* Cells that are not certainly outside. */
-static void find_cells(hunt *h, const pov_box *box, int depth)
+/* Cells that are not certainly outside; `t` is of the box, and is used up. */
+static void find_cells(hunt *h, tensor *t, const pov_box *box, int depth)
 {
-    if (is_found(h, box) || range_in(&h->all, h->p->order, box).least > h->noise)
-        return;
-    for (int i = 0; depth < DEPTH && i < 8; i++) {
-        const pov_box part = part_of(box, i);
+    const int row = h->order + 1, axis = depth % 3;
+    pov_box part;
+    tensor upper;
 
-        find_cells(h, &part, depth + 1);
-    }
-    if (depth == DEPTH)
+    if (is_found(h, box) || least_of(t->at, row * row * row) > h->noise)
+        return;
+    if (depth == 3 * DEPTH) {
         join(&h->found, box);
+        return;
+    }
+    halve(t, h->order, axis == 0 ? row * row : axis == 1 ? row : 1, &upper);
+    part = half_of(box, axis, true);
+    find_cells(h, &upper, &part, depth + 1);
+    part = half_of(box, axis, false);
+    find_cells(h, t, &part, depth + 1);
 }
 
 static double noise_at(const common_polynomial *p, double reach)
@@ -189,12 +231,14 @@ bool common_polynomial_find_box(const common_polynomial *p, pov_box *out)
 {
     const double reach = p->order % 2 == 0 && p->order <= ORDER_MOST ? find_reach(p) : 0.0, margin = 0x1p-20 * reach;
     const pov_box all = { { -reach, -reach, -reach }, { reach, reach, reach } };
-    hunt h = { p, { { { { 0.0 } } } }, noise_at(p, reach), { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } } };
+    hunt h = { p->order, noise_at(p, reach), { { HUGE_VAL, HUGE_VAL, HUGE_VAL }, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL } } };
+    tensor t;
 
     if (reach == 0.0)
         return false;
-    take_orders(p, 0, &h.all);
-    find_cells(&h, &all, 0);
+    take_all(p, &t);
+    find_bernstein(&t, p->order, reach);
+    find_cells(&h, &t, &all, 0);
     if (!(h.found.lo.x < h.found.hi.x))
         return false;
     out->lo = pov_sub(h.found.lo, pov_vec3_of(margin, margin, margin));
