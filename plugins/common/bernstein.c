@@ -15,38 +15,13 @@ static void put(brackets *out, const double *b, int degree, double lo, double hi
         out->at[out->count++] = one;
 }
 
-static double largest(const double *b, int degree)
+COMMON_INLINE double largest_of(const double *b, int degree)
 {
     double most = 0.0;
 
     for (int i = 0; i <= degree; i++)
         most = fabs(b[i]) > most ? fabs(b[i]) : most;
     return most;
-}
-
-/* De Casteljau's scheme at the middle. */
-COMMON_INLINE void halve_of(const double *b, int degree, double *left, double *right)
-{
-    double w[COMMON_BERNSTEIN_MAX + 1];
-
-    for (int i = 0; i <= degree; i++)
-        w[i] = b[i];
-    for (int k = 0; k <= degree; k++) {
-        left[k] = w[0];
-        right[degree - k] = w[degree - k];
-        for (int i = 0; i < degree - k; i++)
-            w[i] = 0.5 * (w[i] + w[i + 1]);
-    }
-}
-
-static void halve(const double *b, int degree, double *left, double *right)
-{
-    switch (degree) {
-    case 3: halve_of(b, 3, left, right); break;
-    case 4: halve_of(b, 4, left, right); break;
-    case 6: halve_of(b, 6, left, right); break;
-    default: halve_of(b, degree, left, right); break;
-    }
 }
 
 COMMON_INLINE void bernstein_of(const double *a, int degree, double *b)
@@ -73,10 +48,17 @@ void common_bernstein(const double *a, int degree, double *b)
     }
 }
 
-double common_bernstein_noise(const double *b, int degree) { return 4.0 * 0x1p-53 * (degree + 1) * largest(b, degree); }
+double common_bernstein_noise(const double *b, int degree)
+{
+    switch (degree) {
+    case 3: return 4.0 * 0x1p-53 * (3 + 1) * largest_of(b, 3);
+    case 4: return 4.0 * 0x1p-53 * (4 + 1) * largest_of(b, 4);
+    default: return 4.0 * 0x1p-53 * (degree + 1) * largest_of(b, degree);
+    }
+}
 
 /* The sign changes of the coefficients, where those within the noise change nothing. */
-static int count_changes(const double *b, int degree, double noise)
+COMMON_INLINE int count_changes(const double *b, int degree, double noise)
 {
     bool above = b[0] >= 0.0;
     int changes = 0;
@@ -89,19 +71,62 @@ static int count_changes(const double *b, int degree, double noise)
     return changes + ((b[degree] >= 0.0) != above);
 }
 
-static void decide(const double *b, int degree, double noise, double lo, double hi, int depth, brackets *out)
-{
-    double left[COMMON_BERNSTEIN_MAX + 1], right[COMMON_BERNSTEIN_MAX + 1];
-    const int changes = count_changes(b, degree, noise);
-    const double middle = 0.5 * (lo + hi);
+/* A part of the interval that is still to be decided. */
+typedef struct part { double b[COMMON_BERNSTEIN_MAX + 1], lo, hi; int depth; } part;
 
-    if (changes == 1 || (depth == DEPTH && changes % 2 == 1))
-        put(out, b, degree, lo, hi);
-    if (changes <= 1 || depth == DEPTH)
-        return;
-    halve(b, degree, left, right);
-    decide(left, degree, noise, lo, middle, depth + 1, out);
-    decide(right, degree, noise, middle, hi, depth + 1, out);
+/* De Casteljau's scheme at the middle: the left part follows, and the right one takes the place of both. */
+COMMON_INLINE void halve(part *p, int degree)
+{
+    part *left = p + 1;
+    double w[COMMON_BERNSTEIN_MAX + 1];
+
+    for (int i = 0; i <= degree; i++)
+        w[i] = p->b[i];
+    for (int k = 0; k <= degree; k++) {
+        left->b[k] = w[0];
+        p->b[degree - k] = w[degree - k];
+        for (int i = 0; i < degree - k; i++)
+            w[i] = 0.5 * (w[i] + w[i + 1]);
+    }
+    left->lo = p->lo;
+    left->hi = p->lo = 0.5 * (p->lo + p->hi);
+    left->depth = ++p->depth;
+}
+
+/* Brackets of roots from left to right, up to the first that is certainly beyond a place. */
+COMMON_INLINE void isolate_of(const double *b, int degree, double noise, double beyond, brackets *out)
+{
+    part stack[DEPTH + 1], *top = stack;
+
+    for (int i = 0; i <= degree; i++)
+        top->b[i] = b[i];
+    top->lo = 0.0;
+    top->hi = 1.0;
+    top->depth = 0;
+    while (top >= stack) {
+        const int changes = count_changes(top->b, degree, noise);
+
+        if (changes == 1 || (top->depth == DEPTH && changes % 2 == 1)) {
+            put(out, top->b, degree, top->lo, top->hi);
+            if (top->lo > beyond)
+                return;
+        }
+        if (changes <= 1 || top->depth == DEPTH)
+            top--;
+        else
+            halve(top++, degree);
+    }
+}
+
+/* The loops of small degrees are unrolled. */
+static void isolate(const double *b, int degree, double noise, double beyond, brackets *out)
+{
+    switch (degree) {
+    case 3: isolate_of(b, 3, noise, beyond, out); break;
+    case 4: isolate_of(b, 4, noise, beyond, out); break;
+    case 6: isolate_of(b, 6, noise, beyond, out); break;
+    default: isolate_of(b, degree, noise, beyond, out); break;
+    }
 }
 
 /* ---- the root ---- */
@@ -109,7 +134,7 @@ static void decide(const double *b, int degree, double noise, double lo, double 
 /* The value is the sum of c[i] u^i v^(n-i), v = 1 - u, and so is the slope: stable on the whole of 0..1. */
 typedef struct weighted { double c[COMMON_BERNSTEIN_MAX + 1], slope[COMMON_BERNSTEIN_MAX]; } weighted;
 
-static void weigh(const double *b, int degree, weighted *out)
+COMMON_INLINE void weigh_of(const double *b, int degree, weighted *out)
 {
     double binomial = 1.0;             /* degree over i */
 
@@ -140,9 +165,11 @@ COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *roo
 
     for (int turn = 0; turn < 80; turn++) {
         const double v = 1.0 - x, value = sum_at(w->c, degree, x, v);
+        const bool is_behind = (value > 0.0) == root->rising;
         double next = x - value / sum_at(w->slope, degree - 1, x, v);
 
-        *((value > 0.0) == root->rising ? &hi : &lo) = x;
+        hi = is_behind ? x : hi;
+        lo = is_behind ? lo : x;
         if (next >= lo - BESIDE && next <= hi + BESIDE)
             next = next < lo ? lo : next > hi ? hi : next;
         else
@@ -154,7 +181,16 @@ COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *roo
     return x;
 }
 
-/* The loops of small degrees are unrolled. */
+static void weigh(const double *b, int degree, weighted *out)
+{
+    switch (degree) {
+    case 3: weigh_of(b, 3, out); break;
+    case 4: weigh_of(b, 4, out); break;
+    case 6: weigh_of(b, 6, out); break;
+    default: weigh_of(b, degree, out); break;
+    }
+}
+
 static double polish(const weighted *w, int degree, const bracket *root)
 {
     switch (degree) {
@@ -191,7 +227,7 @@ static uint32_t solve_quadratic(const double *b, double noise, double *root)
     return 2;
 }
 
-uint32_t common_bernstein_roots(const double *b, int degree, double noise, double *root)
+uint32_t common_bernstein_first(const double *b, int degree, double noise, double beyond, double within, double *root)
 {
     brackets found;
     weighted w;
@@ -203,10 +239,21 @@ uint32_t common_bernstein_roots(const double *b, int degree, double noise, doubl
     if (degree == 2)
         return solve_quadratic(b, noise, root);
     found.count = 0;
-    decide(b, degree, noise, 0.0, 1.0, 0, &found);
-    if (found.count > 0)
-        weigh(b, degree, &w);
-    for (uint32_t i = 0; i < found.count; i++)
-        root[i] = polish(&w, degree, &found.at[i]);
+    isolate(b, degree, noise, beyond, &found);
+    for (uint32_t i = 0; i < found.count; i++) {
+        const bracket *one = &found.at[i];
+        const bool will_do = one->lo > beyond && one->hi < within;
+
+        if (i == 0 && !will_do)
+            weigh(b, degree, &w);
+        root[i] = will_do ? one->start : polish(&w, degree, one);
+        if (root[i] > beyond)
+            return i + 1;
+    }
     return found.count;
+}
+
+uint32_t common_bernstein_roots(const double *b, int degree, double noise, double *root)
+{
+    return common_bernstein_first(b, degree, noise, HUGE_VAL, -HUGE_VAL, root);
 }

@@ -18,5 +18,7 @@ void common_bernstein(const double *a, int degree, double *b);
 double common_bernstein_noise(const double *b, int degree);
 /* Roots in growing order, at most `degree` of them. Returns how many. */
 uint32_t common_bernstein_roots(const double *b, int degree, double noise, double *root);
+/* The same up to the first root beyond a place; others may follow it. It need not be known if it is certainly before `within`. */
+uint32_t common_bernstein_first(const double *b, int degree, double noise, double beyond, double within, double *root);
 
 #endif

@@ -259,12 +259,15 @@ COMMON_INLINE double polish(const double *a, int degree, const common_bracket *r
 
     for (int turn = 0; turn < 64; turn++) {
         double value = a[degree], slope = 0.0, next;
+        bool is_behind;
 
         for (int i = degree - 1; i >= 0; i--) {
             slope = slope * x + value;
             value = value * x + a[i];
         }
-        *((value > 0.0) == root->rising ? &hi : &lo) = x;
+        is_behind = (value > 0.0) == root->rising;
+        hi = is_behind ? x : hi;
+        lo = is_behind ? lo : x;
         next = slope != 0.0 ? x - value / slope : lo;
         if (!(next > lo && next < hi))
             next = 0.5 * (lo + hi);
