@@ -44,4 +44,19 @@ static inline bool common_clip(const common_ray *k, pov_vec3 lo, pov_vec3 hi, co
     return out->lo <= out->hi;
 }
 
+/* Distances from a base: where no more than the first crossing is wanted, one beyond `enough` is the last; none beyond `far` counts,
+ * and where any crossing will do, one before `within` need not be known. */
+typedef struct common_wanted { double enough, far, within; } common_wanted;
+
+/* `near`: how far the start of the ray may reach. */
+static inline common_wanted common_wants(const common_ray *k, double base, double near, const pov_hits *hits)
+{
+    const double off = 0x1p-40 * (1.0 + fabs(base)), least = hits->tmin * k->per_unit - base + off;
+    const double most = hits->tmax * k->per_unit, far = most * (1.0 + 0x1p-40) - base + off;
+    const common_wanted w = { hits->want == POV_WANT_ALL ? HUGE_VAL : least > near ? least : near, far,
+                              hits->want == POV_WANT_ANY ? most * (1.0 - 0x1p-40) - base - off : -HUGE_VAL };
+
+    return w;
+}
+
 #endif

@@ -5,18 +5,18 @@
  * which are known beforehand, less those of the ray's squared distance to the axis. Where two pieces touch, both have the
  * same value at the same point, and so have the caps at the ends: what goes in comes out. */
 #include "common/bernstein.h"
-#include "common/clip.h"
+#include "common/boxed.h"
 #include "common/curve.h"
 #include "common/turns.h"
 
-/* Heights, and the Bernstein coefficients of the squared radius between them. */
-typedef struct piece { double low, high, square[4]; } piece;
+/* Heights, the Bernstein coefficients of the squared radius between them, and the largest of these. */
+typedef struct piece { double low, high, square[4], widest; } piece;
 
 typedef struct sor {
     uint32_t count;
     piece *at;
-    pov_two3 anchor;
-    double scale, wide;
+    common_boxed boxed;
+    double wide;
     pov_two low, high;             /* heights of the ends, scaled */
     bool open;
 } sor;
@@ -44,14 +44,15 @@ static bool is_usable(const double (*p)[2], uint32_t n)
 
 static void make_piece(const sor *s, piece *out, const double (*p)[2], uint32_t i)
 {
-    const double length = (p[i + 1][1] - p[i][1]) / 3.0, area = s->scale * s->scale;
+    const double length = (p[i + 1][1] - p[i][1]) / 3.0, area = s->boxed.scale * s->boxed.scale;
 
-    out->low = (p[i][1] - s->anchor.y.hi) * s->scale;
-    out->high = (p[i + 1][1] - s->anchor.y.hi) * s->scale;
+    out->low = (p[i][1] - s->boxed.anchor.y.hi) * s->boxed.scale;
+    out->high = (p[i + 1][1] - s->boxed.anchor.y.hi) * s->boxed.scale;
     out->square[0] = p[i][0] * p[i][0] * area;
     out->square[3] = p[i + 1][0] * p[i + 1][0] * area;
     out->square[1] = out->square[0] + slope_at(p, i) * length * area;
     out->square[2] = out->square[3] - slope_at(p, i + 1) * length * area;
+    out->widest = fmax(fmax(out->square[0], out->square[1]), fmax(out->square[2], out->square[3]));
 }
 
 static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)[2], uint32_t n)
@@ -63,8 +64,8 @@ static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)
     if (!s->at)
         return;
     s->count = n - 3;
-    s->anchor.y.hi = 0.5 * (low + high);
-    s->scale = 1.0;
+    s->boxed.anchor.y.hi = 0.5 * (low + high);
+    s->boxed.scale = 1.0;
     for (int turn = 0; turn < 2; turn++) {
         for (uint32_t i = 0; i < s->count; i++) {
             make_piece(s, &s->at[i], p, i + 1);
@@ -73,11 +74,13 @@ static void make(sor *s, const pov_host *host, pov_reader *in, const double (*p)
         }
         s->wide = sqrt(wide) * (1.0 + 0x1p-50);
         if (turn == 0)
-            s->scale = pov_inverse_power(fmax(s->wide, high - low));
+            s->boxed.scale = pov_inverse_power(fmax(s->wide, high - low));
         wide = 0.0;
     }
-    s->low = pov_two_scale(pov_two_sum(low, -s->anchor.y.hi), s->scale);
-    s->high = pov_two_scale(pov_two_sum(high, -s->anchor.y.hi), s->scale);
+    s->low = pov_two_scale(pov_two_sum(low, -s->boxed.anchor.y.hi), s->boxed.scale);
+    s->high = pov_two_scale(pov_two_sum(high, -s->boxed.anchor.y.hi), s->boxed.scale);
+    s->boxed.lo = pov_vec3_of(-s->wide, s->low.hi, -s->wide);
+    s->boxed.hi = pov_vec3_of(s->wide, s->high.hi, s->wide);
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)
@@ -101,10 +104,10 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 static bool bounds(const void *self, pov_box *out)
 {
     const sor *s = self;
-    const double back = common_inverse(s->scale), wide = common_above(s->wide * back);
+    const double back = common_inverse(s->boxed.scale), wide = common_above(s->wide * back);
 
-    out->lo = pov_vec3_of(-wide, common_below(s->low.hi * back + s->anchor.y.hi), -wide);
-    out->hi = pov_vec3_of(wide, common_above(s->high.hi * back + s->anchor.y.hi), wide);
+    out->lo = pov_vec3_of(-wide, common_below(s->low.hi * back + s->boxed.anchor.y.hi), -wide);
+    out->hi = pov_vec3_of(wide, common_above(s->high.hi * back + s->boxed.anchor.y.hi), wide);
     return true;
 }
 
@@ -116,26 +119,46 @@ typedef struct line {
     double base;
     common_span span;            /* within the box, from the base */
     uint32_t origin;             /* the feature that the ray starts on */
+    double a, b, c, foot;        /* the square of the distance to the axis: a t^2 + 2 b t + c, least at the foot */
+    common_wanted wanted;
 } line;
 
-static bool make_line(line *n, const sor *s, const common_ray *k, const pov_ray *ray, const pov_hits *hits)
-{
-    const pov_vec3 lo = { -s->wide, s->low.hi, -s->wide }, hi = { s->wide, s->high.hi, s->wide };
+/* The square of the distance to the axis, and its half mixed with another point. */
+static double across(pov_vec3 a, pov_vec3 b) { return a.x * b.x + a.z * b.z; }
 
-    if (!common_clip(k, lo, hi, &n->span) || n->span.hi < 0.0 || n->span.lo * k->unit > hits->tmax)
-        return false;
+static void make_line(line *n, const common_entry *e, const pov_ray *ray, const pov_hits *hits)
+{
+    const common_ray *k = &e->k;
+
     n->k = k;
     n->origin = ray->origin_surface == hits->owner ? ray->origin_mark.feature : UINT32_MAX;
-    n->base = n->origin != UINT32_MAX ? 0.0 : n->span.lo;
+    n->base = n->origin != UINT32_MAX ? 0.0 : e->span.lo;
     n->o = common_along(k, n->base);
     n->d = k->d;
-    n->span.lo -= n->base;
-    n->span.hi -= n->base;
-    return true;
+    n->span.lo = e->span.lo - n->base;
+    n->span.hi = e->span.hi - n->base;
+    n->a = across(n->d, n->d);
+    n->b = across(n->o, n->d);
+    n->c = across(n->o, n->o);
+    n->foot = n->a > 0.0 ? -n->b / n->a : 0.0;
+    n->wanted = common_wants(k, n->base, n->origin != UINT32_MAX ? NEAR : -HUGE_VAL, hits);
 }
 
-/* The cubic's Bernstein coefficients between two parameters. */
-static void restrict_to(const double *b, double from, double to, double *out)
+static double mix(double a, double b, double t) { return (1.0 - t) * a + t * b; }
+
+/* The cubic's Bernstein coefficients from an end to a parameter. */
+static void restrict_half(const double *b, double t, bool from_start, double *out)
+{
+    const double p = mix(b[0], b[1], t), q = mix(b[1], b[2], t), r = mix(b[2], b[3], t), left = mix(p, q, t), right = mix(q, r, t);
+
+    out[0] = from_start ? b[0] : b[3];
+    out[1] = from_start ? p : r;
+    out[2] = from_start ? left : right;
+    out[3] = mix(left, right, t);
+}
+
+/* Between two parameters inside. */
+static void restrict_inside(const double *b, double from, double to, double *out)
 {
     double t[3] = { from, from, from };
 
@@ -144,10 +167,25 @@ static void restrict_to(const double *b, double from, double to, double *out)
 
         for (int j = 0; j < 3; j++)
             for (int i = 0; i < 3 - j; i++)
-                w[i] = (1.0 - t[j]) * w[i] + t[j] * w[i + 1];
+                w[i] = mix(w[i], w[i + 1], t[j]);
         out[k] = w[0];
         if (k < 3)
             t[k] = to;
+    }
+}
+
+static void restrict_to(const double *b, double from, double to, double *out)
+{
+    double back[4];
+
+    if (from == 0.0 || from == 1.0) {
+        restrict_half(b, to, from == 0.0, out);
+    } else if (to == 0.0 || to == 1.0) {
+        restrict_half(b, from, to == 0.0, back);
+        for (int k = 0; k < 4; k++)
+            out[k] = back[3 - k];
+    } else {
+        restrict_inside(b, from, to, out);
     }
 }
 
@@ -177,8 +215,13 @@ static bool find_stretch(const line *n, const piece *p, stretch *out)
     return out->lo < out->hi;
 }
 
-/* The square of the distance to the axis, and its half mixed with another point. */
-static double across(pov_vec3 a, pov_vec3 b) { return a.x * b.x + a.z * b.z; }
+/* Is the ray farther from the axis than the piece all along the stretch? */
+static bool passes(const line *n, const piece *p, const stretch *s)
+{
+    const double t = n->foot > s->lo ? n->foot < s->hi ? n->foot : s->hi : s->lo;
+
+    return (n->a * t + 2.0 * n->b) * t + n->c > p->widest * (1.0 + 0x1p-30) + 0x1p-40;
+}
 
 static uint32_t cross_piece(const line *n, const piece *p, double *root)
 {
@@ -187,7 +230,7 @@ static uint32_t cross_piece(const line *n, const piece *p, double *root)
     stretch s;
     uint32_t found;
 
-    if (!find_stretch(n, p, &s))
+    if (!find_stretch(n, p, &s) || s.lo > n->wanted.far || passes(n, p, &s))
         return 0;
     a = pov_add(n->o, pov_scale(n->d, s.lo));
     b = pov_add(n->o, pov_scale(n->d, s.hi));
@@ -198,7 +241,8 @@ static uint32_t cross_piece(const line *n, const piece *p, double *root)
     c[3] = across(b, b) - h[3];
     if (c[0] > 0.0 && c[1] > 0.0 && c[2] > 0.0 && c[3] > 0.0)
         return 0;
-    found = common_bernstein_roots(c, 3, common_bernstein_noise(c, 3), root);
+    found = common_bernstein_first(c, 3, common_bernstein_noise(c, 3), (n->wanted.enough - s.lo) / (s.hi - s.lo),
+                                   (n->wanted.within - s.lo) / (s.hi - s.lo), root);
     for (uint32_t i = 0; i < found; i++)
         root[i] = s.lo + root[i] * (s.hi - s.lo);
     return found;
@@ -238,25 +282,29 @@ static uint32_t find_start(const line *n, uint32_t piece_at, const double *root,
     return best;
 }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
     const sor *s = self;
-    const common_ray k = common_enter(ray, s->anchor, s->scale);
     line n;
 
-    if (s->count == 0 || !make_line(&n, s, &k, ray, hits))
-        return;
-    for (uint32_t i = 0; i < s->count; i++) {
+    make_line(&n, e, ray, hits);
+    for (uint32_t part = 0; part < s->count; part++) {
+        const uint32_t i = n.d.y < 0.0 ? s->count - 1 - part : part;   /* nearer ones first */
         double root[3];
-        const uint32_t found = cross_piece(&n, &s->at[i], root), start = find_start(&n, i, root, found);
+        const uint32_t found = cross_piece(&n, &s->at[i], root);
+        const uint32_t start = find_start(&n, i, root, found);
 
         for (uint32_t j = 0; j < found; j++)
             if (j != start && !report(&n, pov_two_sum(n.base, root[j]), i, hits))
                 return;
+        if (found > 0)
+            n.wanted.far = common_wants(n.k, n.base, 0.0, hits).far;
     }
     if (report_cap(&n, s, false, hits))
         report_cap(&n, s, true, hits);
 }
+
+COMMON_BOXED_CLASS(sor, cross)
 
 /* ---- points ---- */
 
@@ -272,7 +320,7 @@ static double square_at(const piece *p, double y, double *slope)
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const sor *s = self;
-    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, s->anchor, s->scale));
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, s->boxed.anchor, s->boxed.scale));
     double slope;
 
     for (uint32_t i = 0; i < s->count; i++)
@@ -284,7 +332,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const sor *s = self;
-    const common_ray k = common_enter(ray, s->anchor, s->scale);
+    const common_ray k = common_enter(ray, s->boxed.anchor, s->boxed.scale);
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     double slope;
 
@@ -304,7 +352,7 @@ static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double ou
 {
     const sor *s = self;
     const uint32_t i = mark->feature == LOW_CAP ? 0 : mark->feature == HIGH_CAP ? s->count - 1 : mark->feature;
-    const double y = (point.y - s->anchor.y.hi) * s->scale;
+    const double y = (point.y - s->boxed.anchor.y.hi) * s->boxed.scale;
 
     out[0] = common_whole_turn(point.z, point.x);
     out[1] = (i + (y - s->at[i].low) / (s->at[i].high - s->at[i].low)) / s->count;
@@ -321,6 +369,7 @@ static const pov_shape_class sor_class = {
     .normal = normal,
     .inside = inside,
     .open = open,
+    .extension = extension,
     .uv = uv,
 };
 

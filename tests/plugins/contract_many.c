@@ -93,7 +93,7 @@ static void gather(packet *c, uint32_t n)
         c->rays[i] = &c->ray[i];
         c->hits[0][i] = c->hits[1][i] = any_question(t, &c->ray[i], &c->at[0][i]);
         c->hits[1][i].at = &c->at[1][i];
-        c->hits[0][i].scratch = subject_scratch(t->self);
+        c->hits[0][i].scratch = c->hits[1][i].scratch = subject_scratch(t->self);
         c->at[1][i] = c->at[0][i];
         subject.shape->intersect(t->self, &c->ray[i], &c->hits[0][i]);
     }

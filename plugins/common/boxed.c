@@ -1,0 +1,113 @@
+#include "common/boxed.h"
+
+#include "common/lanes.h"
+
+enum { TOGETHER = 4 };
+typedef double four[TOGETHER];
+
+/* By lane: an entry. A ray that misses the box has a span that ends before it begins. */
+typedef struct entry_lanes { four f[6], d[3], d_lo[3], unit, per_unit, lo, hi; } entry_lanes;
+
+/* common_clip_axis() without a branch. */
+COMMON_INLINE void clip_axis(double *lo, double *hi, double from, double d, double least, double most, double margin)
+{
+    const double a = (least - margin - from) / d, b = (most + margin - from) / d;
+    const double inside = from >= least - margin ? from <= most + margin ? HUGE_VAL : -HUGE_VAL : -HUGE_VAL;
+    const double near = d != 0.0 ? a < b ? a : b : -HUGE_VAL, far = d != 0.0 ? a < b ? b : a : inside;
+
+    *lo = near > *lo ? near : *lo;
+    *hi = far < *hi ? far : *hi;
+}
+
+COMMON_CLONES static void enter_four(const common_rays *restrict l, const common_boxed *restrict b, entry_lanes *restrict out)
+{
+    for (uint32_t i = 0; i < TOGETHER; i++) {
+        const pov_ray ray = common_get_ray(l, i);
+        const common_ray k = common_enter(&ray, b->anchor, b->scale);
+        const double margin = 0x1p-40 + 0x1p-48 * pov_largest(pov_two3_hi(k.f));
+        double lo = -HUGE_VAL, hi = HUGE_VAL;
+
+        clip_axis(&lo, &hi, k.f.x.hi, k.d.x, b->lo.x, b->hi.x, margin);
+        clip_axis(&lo, &hi, k.f.y.hi, k.d.y, b->lo.y, b->hi.y, margin);
+        clip_axis(&lo, &hi, k.f.z.hi, k.d.z, b->lo.z, b->hi.z, margin);
+        out->f[0][i] = k.f.x.hi;
+        out->f[1][i] = k.f.x.lo;
+        out->f[2][i] = k.f.y.hi;
+        out->f[3][i] = k.f.y.lo;
+        out->f[4][i] = k.f.z.hi;
+        out->f[5][i] = k.f.z.lo;
+        out->d[0][i] = k.d.x;
+        out->d[1][i] = k.d.y;
+        out->d[2][i] = k.d.z;
+        out->d_lo[0][i] = k.d_lo.x;
+        out->d_lo[1][i] = k.d_lo.y;
+        out->d_lo[2][i] = k.d_lo.z;
+        out->unit[i] = k.unit;
+        out->per_unit[i] = k.per_unit;
+        out->lo[i] = lo;
+        out->hi[i] = hi;
+    }
+}
+
+static common_entry get_entry(const entry_lanes *l, uint32_t i)
+{
+    common_entry e;
+
+    e.k.f.x = pov_two_of(l->f[0][i], l->f[1][i]);
+    e.k.f.y = pov_two_of(l->f[2][i], l->f[3][i]);
+    e.k.f.z = pov_two_of(l->f[4][i], l->f[5][i]);
+    e.k.d = pov_vec3_of(l->d[0][i], l->d[1][i], l->d[2][i]);
+    e.k.d_lo = pov_vec3_of(l->d_lo[0][i], l->d_lo[1][i], l->d_lo[2][i]);
+    e.k.unit = l->unit[i];
+    e.k.per_unit = l->per_unit[i];
+    e.span.lo = l->lo[i];
+    e.span.hi = l->hi[i];
+    return e;
+}
+
+/* Does it reach the box, within the interval? */
+static inline bool reaches(double lo, double hi, double unit, const pov_hits *hits)
+{
+    return lo <= hi && !(hi < 0.0) && !(lo * unit > hits->tmax);
+}
+
+void common_boxed_intersect(const common_boxed *b, common_cross_entry *cross, const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    common_entry e;
+
+    e.k = common_enter(ray, b->anchor, b->scale);
+    if (common_clip(&e.k, b->lo, b->hi, &e.span) && reaches(e.span.lo, e.span.hi, e.k.unit, hits))
+        cross(self, ray, &e, hits);
+}
+
+/* Rays of one shape. */
+static void intersect_four(const common_boxed *b, common_cross_entry *cross, const void *self, const pov_ray *const *rays,
+                           pov_hits *const *hits, uint32_t n)
+{
+    common_rays lanes;
+    entry_lanes all;
+
+    common_put_four_of(&lanes, 0, rays, n);
+    enter_four(&lanes, b, &all);
+    for (uint32_t i = 0; i < n; i++)
+        if (reaches(all.lo[i], all.hi[i], all.unit[i], hits[i])) {
+            const common_entry e = get_entry(&all, i);
+
+            cross(self, rays[i], &e, hits[i]);
+        }
+}
+
+void common_boxed_intersect_many(size_t boxed_at, common_cross_entry *cross, const void *const *selves, const pov_ray *const *rays,
+                                 pov_hits *const *hits, uint32_t n)
+{
+    for (uint32_t i = 0, some; i < n; i += some) {
+        const common_boxed *b = (const common_boxed *)(const void *)((const char *)selves[i] + boxed_at);
+
+        for (some = 1; some < TOGETHER && i + some < n && selves[i + some] == selves[i];)
+            some++;
+        if (some > 1)
+            intersect_four(b, cross, selves[i], rays + i, hits + i, some);
+        else
+            common_boxed_intersect(b, cross, selves[i], rays[i], hits[i]);
+    }
+}
