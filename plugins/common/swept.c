@@ -1,7 +1,5 @@
 #include "common/swept.h"
 
-#include "common/clip.h"
-
 enum { LOW_CAP, HIGH_CAP, PIECES };
 
 /* How near to its start, in sizes, a ray's crossing of the piece it starts on is that start; and of another piece, beside
@@ -41,6 +39,9 @@ void common_swept_close(common_swept *s) { common_swept_bounds(s, &s->least, &s-
 
 /* ---- along a ray ---- */
 
+/* The distance of a plane: to within `off`, and exactly where that has been needed. */
+typedef struct plane { double about, off; pov_two exact; bool known; } plane;
+
 /* A ray among the crossings of the outline. */
 typedef struct walk {
     const common_swept *s;
@@ -50,24 +51,59 @@ typedef struct walk {
     uint32_t origin;             /* the feature that it starts on, or beyond them all */
     bool odd;                    /* inside the sweep before the first crossing */
     double base;                 /* the distance where their parameter is zero */
-    pov_two near, far;           /* distances between the planes */
+    pov_two from, along;         /* the ray across the planes */
+    plane near, far;
     bool rising;                 /* it comes from below */
 } walk;
 
+static const plane never = { HUGE_VAL, 0.0, { HUGE_VAL, 0.0 }, true }, always = { -HUGE_VAL, 0.0, { -HUGE_VAL, 0.0 }, true };
+
+static pov_two height_of(const walk *w, const plane *p) { return (p == &w->near) == w->rising ? w->s->lo : w->s->hi; }
+
+/* Roundings of the difference, of the direction and of the quotient. */
+static void find_plane(walk *w, plane *p)
+{
+    p->about = pov_two_sub(height_of(w, p), w->from).hi / w->along.hi;
+    p->off = 0x1p-50 * fabs(p->about);
+    p->known = false;
+}
+
+static void make_exact(walk *w, plane *p)
+{
+    if (!p->known)
+        p->exact = pov_two_div(pov_two_sub(height_of(w, p), w->from), w->along);
+    p->known = true;
+}
+
 static bool find_slab(walk *w)
 {
-    const pov_two from = w->s->axis == 1 ? w->k->f.y : w->k->f.z;
     const pov_two3 dir = common_direction(w->k);
-    const pov_two d = w->s->axis == 1 ? dir.y : dir.z;
 
-    w->rising = d.hi > 0.0;
-    w->near = pov_two_of(-HUGE_VAL, 0.0);
-    w->far = pov_two_of(HUGE_VAL, 0.0);
-    if (d.hi == 0.0)
-        return pov_two_less(w->s->lo, from) && pov_two_less(from, w->s->hi);
-    w->near = pov_two_div(pov_two_sub(w->rising ? w->s->lo : w->s->hi, from), d);
-    w->far = pov_two_div(pov_two_sub(w->rising ? w->s->hi : w->s->lo, from), d);
+    w->from = w->s->axis == 1 ? w->k->f.y : w->k->f.z;
+    w->along = w->s->axis == 1 ? dir.y : dir.z;
+    w->rising = w->along.hi > 0.0;
+    w->near = always;
+    w->far = never;
+    if (w->along.hi == 0.0)
+        return pov_two_less(w->s->lo, w->from) && pov_two_less(w->from, w->s->hi);
+    find_plane(w, &w->near);
+    find_plane(w, &w->far);
     return true;
+}
+
+/* Is the plane before a distance, or behind it? */
+static bool is_behind(walk *w, plane *p, pov_two t)
+{
+    if (!p->known && !(fabs(t.hi - p->about) > p->off))
+        make_exact(w, p);
+    return p->known ? pov_two_less(p->exact, t) : p->about < t.hi;
+}
+
+static bool is_ahead(walk *w, plane *p, pov_two t)
+{
+    if (!p->known && !(fabs(t.hi - p->about) > p->off))
+        make_exact(w, p);
+    return p->known ? pov_two_less(t, p->exact) : t.hi < p->about;
 }
 
 static uint32_t count_before(const walk *w, double t)
@@ -77,6 +113,15 @@ static uint32_t count_before(const walk *w, double t)
     while (n < w->count && w->base + w->at[n].s < t)
         n++;
     return n;
+}
+
+/* Crossings before a plane. */
+static uint32_t count_up_to(walk *w, plane *p)
+{
+    for (uint32_t i = 0; !p->known && i < w->count; i++)
+        if (!(fabs(w->base + w->at[i].s - p->about) > p->off))
+            make_exact(w, p);
+    return count_before(w, p->known ? p->exact.hi : p->about);
 }
 
 /* The crossing nearest to the start. */
@@ -125,7 +170,7 @@ static void find_crossings(walk *w, common_cross *room, double ahead)
         w->count = common_outline_cross_cone(&w->s->outline, p, w->k->d, room);
         w->odd = w->k->d.y != 0.0 && begins_in_cone(w, p);
     } else if (d[0] != 0.0 || d[1] != 0.0) {
-        const double near = w->near.hi > ahead ? w->near.hi : ahead, range[2] = { near - w->base, w->far.hi - w->base };
+        const double near = w->near.about > ahead ? w->near.about : ahead, range[2] = { near - w->base, w->far.about - w->base };
 
         w->count = common_outline_cross(&w->s->outline, a, d, range, room, &w->odd);
     } else {
@@ -141,43 +186,50 @@ static bool report(const walk *w, pov_two t, uint32_t feature, double u, bool en
     return pov_cross(hits, t.hi * w->k->unit, t.lo * w->k->unit, mark);
 }
 
-static bool report_cap(const walk *w, bool is_near, pov_hits *hits)
+static bool report_cap(walk *w, bool is_near, pov_hits *hits)
 {
     const uint32_t feature = is_near == w->rising ? LOW_CAP : HIGH_CAP;
-    const pov_two t = is_near ? w->near : w->far;
+    plane *p = is_near ? &w->near : &w->far;
 
-    if (w->s->open || w->origin == feature || !(fabs(t.hi) < HUGE_VAL))
+    if (w->s->open || w->origin == feature || !(fabs(p->about) < HUGE_VAL))
         return true;
-    if ((count_before(w, t.hi) + w->odd) % 2 == 0)
+    if (p->about - p->off > common_wants(w->k, 0.0, 0.0, hits).far || (count_up_to(w, p) + w->odd) % 2 == 0)
         return true;
-    return report(w, t, feature, 0.0, is_near, hits);
+    make_exact(w, p);
+    return report(w, p->exact, feature, 0.0, is_near, hits);
 }
 
-bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const common_ray *k, common_cross *room,
-                            pov_hits *hits)
+bool common_swept_cross(const common_swept *s, const pov_ray *ray, const common_entry *e, common_cross *room, pov_hits *hits)
 {
     const bool from_here = ray->origin_surface == hits->owner;
-    common_span span;
     walk w;
 
-    if (!common_clip(k, s->least, s->most, &span) || span.hi < 0.0 || span.lo * k->unit > hits->tmax)
-        return true;
     w.s = s;
-    w.k = k;
+    w.k = &e->k;
     w.origin = from_here ? ray->origin_mark.feature - s->first : UINT32_MAX;
-    w.base = w.origin < PIECES + s->outline.count ? 0.0 : span.lo;
+    w.base = w.origin < PIECES + s->outline.count ? 0.0 : e->span.lo;
     if (!find_slab(&w))
         return true;
-    find_crossings(&w, room, fmin(hits->tmin * k->per_unit, 0.0) - 2.0 * NEAR);
+    find_crossings(&w, room, fmin(hits->tmin * w.k->per_unit, 0.0) - 2.0 * NEAR);
     for (uint32_t i = 0; i < w.count; i++) {
         const pov_two t = pov_two_sum(w.base, w.at[i].s);
 
-        if (i == w.start || !pov_two_less(w.near, t) || !pov_two_less(t, w.far))
+        if (i == w.start || !is_behind(&w, &w.near, t) || !is_ahead(&w, &w.far, t))
             continue;
         if (!report(&w, t, PIECES + w.at[i].piece, w.at[i].u, (i + w.odd) % 2 == 0, hits))
             return false;
     }
     return report_cap(&w, true, hits) && report_cap(&w, false, hits);
+}
+
+bool common_swept_intersect(const common_swept *s, const pov_ray *ray, const common_ray *k, common_cross *room, pov_hits *hits)
+{
+    common_entry e;
+
+    if (!common_clip(k, s->least, s->most, &e.span) || e.span.hi < 0.0 || e.span.lo * k->unit > hits->tmax)
+        return true;
+    e.k = *k;
+    return common_swept_cross(s, ray, &e, room, hits);
 }
 
 /* ---- points ---- */

@@ -7,8 +7,7 @@
 
 typedef struct prism {
     common_swept swept;
-    pov_two3 anchor;
-    double scale;
+    common_boxed boxed;
 } prism;
 
 /* ---- reading ---- */
@@ -95,14 +94,14 @@ static void place(prism *p)
         middle[0] = anchor.x = 0.5 * (o->lo[0] + o->hi[0]);
         anchor.y = 0.5 * (p->swept.lo.hi + p->swept.hi.hi);
         middle[1] = anchor.z = 0.5 * (o->lo[1] + o->hi[1]);
-        p->scale = pov_inverse_power(reach_of(p));
-        common_outline_place(o, middle, p->scale);
+        p->boxed.scale = pov_inverse_power(reach_of(p));
+        common_outline_place(o, middle, p->boxed.scale);
     } else {
-        p->scale = pov_inverse_power(fmax(fabs(p->swept.lo.hi), fabs(p->swept.hi.hi)));
+        p->boxed.scale = pov_inverse_power(fmax(fabs(p->swept.lo.hi), fabs(p->swept.hi.hi)));
     }
-    p->anchor = pov_two3_of(anchor, zero);
-    p->swept.lo = pov_two_scale(pov_two_sum(p->swept.lo.hi, -anchor.y), p->scale);
-    p->swept.hi = pov_two_scale(pov_two_sum(p->swept.hi.hi, -anchor.y), p->scale);
+    p->boxed.anchor = pov_two3_of(anchor, zero);
+    p->swept.lo = pov_two_scale(pov_two_sum(p->swept.lo.hi, -anchor.y), p->boxed.scale);
+    p->swept.hi = pov_two_scale(pov_two_sum(p->swept.hi.hi, -anchor.y), p->boxed.scale);
 }
 
 static void read_heights(prism *p, const pov_host *host, pov_reader *in)
@@ -152,6 +151,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     if (p->swept.outline.count > 0) {
         place(p);
         common_swept_close(&p->swept);
+        p->boxed.lo = p->swept.least;
+        p->boxed.hi = p->swept.most;
         common_outline_pack(&p->swept.outline, host, in);
     }
 }
@@ -161,12 +162,12 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 static bool bounds(const void *self, pov_box *out)
 {
     const prism *p = self;
-    const double back = common_inverse(p->scale);
+    const double back = common_inverse(p->boxed.scale);
     pov_vec3 lo, hi;
 
     common_swept_bounds(&p->swept, &lo, &hi);
-    lo = pov_add(pov_scale(lo, back), pov_two3_hi(p->anchor));
-    hi = pov_add(pov_scale(hi, back), pov_two3_hi(p->anchor));
+    lo = pov_add(pov_scale(lo, back), pov_two3_hi(p->boxed.anchor));
+    hi = pov_add(pov_scale(hi, back), pov_two3_hi(p->boxed.anchor));
     out->lo = pov_vec3_of(common_below(lo.x), common_below(lo.y), common_below(lo.z));
     out->hi = pov_vec3_of(common_above(hi.x), common_above(hi.y), common_above(hi.z));
     return true;
@@ -174,19 +175,18 @@ static bool bounds(const void *self, pov_box *out)
 
 static size_t scratch(const void *self) { return 3 * ((const prism *)self)->swept.outline.count * sizeof(common_cross); }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
-    const prism *p = self;
-    const common_ray k = common_enter(ray, p->anchor, p->scale);
-
-    common_swept_intersect(&p->swept, ray, &k, hits->scratch, hits);
+    common_swept_cross(&((const prism *)self)->swept, ray, e, hits->scratch, hits);
 }
+
+COMMON_BOXED_CLASS(prism, cross)
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const prism *p = self;
 
-    return common_swept_inside(&p->swept, common_offset(point, point_lo, p->anchor, p->scale));
+    return common_swept_inside(&p->swept, common_offset(point, point_lo, p->boxed.anchor, p->boxed.scale));
 }
 
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
@@ -212,6 +212,7 @@ static const pov_shape_class prism_class = {
     .normal = normal,
     .inside = inside,
     .scratch = scratch,
+    .extension = extension,
     .open = open,
     .reversed = reversed,
 };
