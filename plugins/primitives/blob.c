@@ -5,7 +5,7 @@
  * Between the ends of all stretches the field is a quartic. Its Bernstein coefficients are sums of products of those of
  * the quadratics, so neighbours have the same value where they touch. */
 #include "common/bernstein.h"
-#include "common/clip.h"
+#include "common/boxed.h"
 
 /* A component in a space where it is the unit sphere, or what is nearer than one to the line from 0 to z = length. */
 typedef struct component {
@@ -20,11 +20,8 @@ typedef struct blob {
     component *at;
     double threshold;
     bool textured;
-    pov_vec3 lo, hi;
-    pov_two3 anchor;
-    double scale;
+    common_boxed boxed;
 } blob;
-
 
 static const double NEAR = 0x1p-30;
 
@@ -193,16 +190,16 @@ static void place(blob *b)
         hi = pov_vec3_of(fmax(hi.x, c->hi.x), fmax(hi.y, c->hi.y), fmax(hi.z, c->hi.z));
     }
     middle = pov_scale(pov_add(lo, hi), 0.5);
-    b->anchor = pov_two3_of(middle, zero);
-    b->scale = pov_inverse_power(pov_largest(pov_sub(hi, lo)));
-    back = common_inverse(b->scale);
-    b->lo = pov_scale(pov_sub(lo, middle), b->scale);
-    b->hi = pov_scale(pov_sub(hi, middle), b->scale);
+    b->boxed.anchor = pov_two3_of(middle, zero);
+    b->boxed.scale = pov_inverse_power(pov_largest(pov_sub(hi, lo)));
+    back = common_inverse(b->boxed.scale);
+    b->boxed.lo = pov_scale(pov_sub(lo, middle), b->boxed.scale);
+    b->boxed.hi = pov_scale(pov_sub(hi, middle), b->boxed.scale);
     for (uint32_t i = 0; i < b->count; i++) {
         component *c = &b->at[i];
 
-        c->lo = pov_scale(pov_sub(c->lo, middle), b->scale);
-        c->hi = pov_scale(pov_sub(c->hi, middle), b->scale);
+        c->lo = pov_scale(pov_sub(c->lo, middle), b->boxed.scale);
+        c->hi = pov_scale(pov_sub(c->hi, middle), b->boxed.scale);
         for (int j = 0; j < 3; j++) {
             c->m[j][3] += c->m[j][0] * middle.x + c->m[j][1] * middle.y + c->m[j][2] * middle.z;
             for (int k = 0; k < 3; k++)
@@ -227,8 +224,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 static bool bounds(const void *self, pov_box *out)
 {
     const blob *b = self;
-    const pov_vec3 middle = pov_two3_hi(b->anchor), lo = pov_add(pov_scale(b->lo, 1.0 / b->scale), middle);
-    const pov_vec3 hi = pov_add(pov_scale(b->hi, 1.0 / b->scale), middle);
+    const pov_vec3 middle = pov_two3_hi(b->boxed.anchor), lo = pov_add(pov_scale(b->boxed.lo, 1.0 / b->boxed.scale), middle);
+    const pov_vec3 hi = pov_add(pov_scale(b->boxed.hi, 1.0 / b->boxed.scale), middle);
 
     out->lo = pov_vec3_of(common_below(lo.x), common_below(lo.y), common_below(lo.z));
     out->hi = pov_vec3_of(common_above(hi.x), common_above(hi.y), common_above(hi.z));
@@ -244,7 +241,7 @@ static inline double larger(double a, double b) { return a > b ? a : b; }
 /* d^2 / r^2 = a t^2 + 2 b t + c between two distances. */
 typedef struct stretch { double lo, hi, a, b, c, strength; } stretch;
 
-typedef struct line { pov_vec3 o, d; double base; common_span span; const common_ray *k; } line;
+typedef struct line { pov_vec3 o, d; double base; common_span span; common_wanted wanted; const common_ray *k; } line;
 
 static size_t scratch(const void *self)
 {
@@ -367,7 +364,8 @@ static bool cross_between(const blob *b, const line *n, const stretch *s, uint32
         }
     if (active == 0 || (c[0] < 0.0 && c[1] < 0.0 && c[2] < 0.0 && c[3] < 0.0 && c[4] < 0.0))
         return true;
-    found = common_bernstein_roots(c, 4, common_bernstein_noise(c, 4), root);
+    found = common_bernstein_first(c, 4, common_bernstein_noise(c, 4), (n->wanted.enough - from) / (to - from),
+                                   (n->wanted.within - from) / (to - from), root);
     for (uint32_t i = 0; i < found; i++) {
         const double t = from + root[i] * (to - from);
 
@@ -377,24 +375,22 @@ static bool cross_between(const blob *b, const line *n, const stretch *s, uint32
     return true;
 }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
     const blob *b = self;
-    const common_ray k = common_enter(ray, b->anchor, b->scale);
     const bool from_here = ray->origin_surface == hits->owner;
     stretch *s = hits->scratch;
     double *ends = (double *)(void *)(s + 3 * b->count);
     uint32_t count = 0;
     line n;
 
-    n.k = &k;
-    if (!common_clip(&k, b->lo, b->hi, &n.span) || n.span.hi < 0.0 || n.span.lo * k.unit > hits->tmax)
-        return;
-    n.base = from_here ? 0.0 : n.span.lo;
-    n.o = common_along(&k, n.base);
-    n.d = k.d;
+    n.k = &e->k;
+    n.base = from_here ? 0.0 : e->span.lo;
+    n.o = common_along(n.k, n.base);
+    n.d = n.k->d;
     n.span.lo = from_here ? -NEAR : 0.0;
-    n.span.hi -= n.base;
+    n.span.hi = e->span.hi - n.base;
+    n.wanted = common_wants(n.k, n.base, from_here ? NEAR : -HUGE_VAL, hits);
     for (uint32_t i = 0; i < b->count; i++)
         count += find_stretches(&b->at[i], &n, s + count);
     for (uint32_t i = 0; i < count; i++) {
@@ -406,6 +402,8 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         if (ends[i] < ends[i + 1] && !cross_between(b, &n, s, count, ends[i], ends[i + 1], from_here, hits))
             return;
 }
+
+COMMON_BOXED_CLASS(blob, cross)
 
 /* ---- points ---- */
 
@@ -427,7 +425,7 @@ static double field_of(const component *c, pov_vec3 p, pov_vec3 *slope)
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const blob *b = self;
-    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->anchor, b->scale));
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->boxed.anchor, b->boxed.scale));
     double sum = 0.0;
     pov_vec3 slope;
 
@@ -439,7 +437,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const blob *b = self;
-    const common_ray k = common_enter(ray, b->anchor, b->scale);
+    const common_ray k = common_enter(ray, b->boxed.anchor, b->boxed.scale);
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     pov_vec3 sum = { 0.0, 0.0, 0.0 }, slope;
 
@@ -480,7 +478,7 @@ static uint32_t textures(const void *self, pov_vec3 point, pov_vec3 point_lo, co
                          double *share)
 {
     const blob *b = self;
-    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->anchor, b->scale));
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, b->boxed.anchor, b->boxed.scale));
     shares all = { which, share, 0 };
     double sum = 0.0;
     pov_vec3 slope;
@@ -510,6 +508,7 @@ static const pov_shape_class blob_class = {
     .normal = normal,
     .inside = inside,
     .scratch = scratch,
+    .extension = extension,
     .textures = textures,
 };
 

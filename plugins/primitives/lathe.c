@@ -4,7 +4,7 @@
  * is a polynomial in u of the order 2, 4 or 6, without a division; its Bernstein coefficients are sums of three products.
  * Of a ray that hardly rises, the height alone gives u, and the radius gives both distances. */
 #include "common/bernstein.h"
-#include "common/clip.h"
+#include "common/boxed.h"
 #include "common/curve.h"
 #include "common/turns.h"
 
@@ -21,8 +21,8 @@ typedef struct part {
 typedef struct lathe {
     common_outline outline;
     part *parts;
-    pov_two3 anchor;
-    double scale, wide, high;      /* half a box about the anchor, scaled */
+    common_boxed boxed;
+    double wide, high;             /* half a box about the anchor, scaled */
     double outward;                /* 1: the outside is to the right of a curve that rises; else -1 */
     bool open;
 } lathe;
@@ -115,11 +115,13 @@ static void place(lathe *l, const pov_host *host, pov_reader *in)
     middle[1] = 0.5 * (l->outline.lo[1] + l->outline.hi[1]);
     l->wide = fmax(fabs(l->outline.lo[0]), fabs(l->outline.hi[0]));
     l->high = 0.5 * (l->outline.hi[1] - l->outline.lo[1]);
-    l->scale = pov_inverse_power(fmax(l->wide, l->high));
-    l->wide *= l->scale;
-    l->high *= l->scale;
-    l->anchor.y.hi = middle[1];
-    common_outline_place(&l->outline, middle, l->scale);
+    l->boxed.scale = pov_inverse_power(fmax(l->wide, l->high));
+    l->wide *= l->boxed.scale;
+    l->high *= l->boxed.scale;
+    l->boxed.anchor.y.hi = middle[1];
+    l->boxed.lo = pov_vec3_of(-l->wide, -l->high, -l->wide);
+    l->boxed.hi = pov_vec3_of(l->wide, l->high, l->wide);
+    common_outline_place(&l->outline, middle, l->boxed.scale);
     find_gaps(l);
     l->parts = host->alloc(in, l->outline.count * sizeof *l->parts);
     for (uint32_t i = 0; l->parts && i < l->outline.count; i++)
@@ -163,10 +165,10 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
 static bool bounds(const void *self, pov_box *out)
 {
     const lathe *l = self;
-    const double back = common_inverse(l->scale), wide = common_above(l->wide * back), high = l->high * back;
+    const double back = common_inverse(l->boxed.scale), wide = common_above(l->wide * back), high = l->high * back;
 
-    out->lo = pov_vec3_of(-wide, common_below(l->anchor.y.hi - high), -wide);
-    out->hi = pov_vec3_of(wide, common_above(l->anchor.y.hi + high), wide);
+    out->lo = pov_vec3_of(-wide, common_below(l->boxed.anchor.y.hi - high), -wide);
+    out->hi = pov_vec3_of(wide, common_above(l->boxed.anchor.y.hi + high), wide);
     return true;
 }
 
@@ -184,14 +186,11 @@ typedef struct line {
 /* Rays that rise less than this are taken as level first. */
 static const double LEVEL = 0x1p-16, NEAR = 0x1p-30;
 
-static bool make_line(line *n, const lathe *l, const common_ray *k)
+static void make_line(line *n, const common_ray *k, common_span span)
 {
-    const pov_vec3 half = { l->wide, l->high, l->wide }, f = pov_two3_hi(k->f);
+    const pov_vec3 f = pov_two3_hi(k->f);
     const double across = k->d.x * k->d.x + k->d.z * k->d.z;
-    common_span span;
 
-    if (!common_clip(k, pov_scale(half, -1.0), half, &span) || span.hi < 0.0)
-        return false;
     n->base = across > 0.0 ? -(f.x * k->d.x + f.z * k->d.z) / across : span.lo;
     n->base = fmin(fmax(n->base, span.lo), span.hi);
     n->unit = 1.0 / sqrt(pov_dot(k->d, k->d));
@@ -204,7 +203,6 @@ static bool make_line(line *n, const lathe *l, const common_ray *k)
     n->span.hi = (span.hi - n->base) / n->unit;
     n->per_height = 1.0 / n->d.y;
     n->foot = n->a > 0.0 ? -n->b / n->a : 0.0;
-    return true;
 }
 
 static inline double lesser(double a, double b) { return a < b ? a : b; }
@@ -322,16 +320,15 @@ static uint32_t find_start(const line *n, const pov_ray *ray, const pov_hits *hi
     return best;
 }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
     const lathe *l = self;
-    const common_ray k = common_enter(ray, l->anchor, l->scale);
+    const double unit = e->k.unit;
     common_cross *at = hits->scratch;
     uint32_t count = 0, start;
     line n;
 
-    if (!make_line(&n, l, &k) || (n.base + n.span.lo * n.unit) * k.unit > hits->tmax)
-        return;
+    make_line(&n, &e->k, e->span);
     for (uint32_t i = 0; i < l->outline.count; i++) {
         const part *p = &l->parts[i];
 
@@ -343,17 +340,19 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         const pov_two t = pov_two_sum(n.base, at[i].s * n.unit);
         const pov_mark mark = { at[i].piece, 0, at[i].u, 0.0 };
 
-        if (i != start && !pov_cross(hits, t.hi * k.unit, t.lo * k.unit, mark))
+        if (i != start && !pov_cross(hits, t.hi * unit, t.lo * unit, mark))
             return;
     }
 }
+
+COMMON_BOXED_CLASS(lathe, cross)
 
 /* ---- points ---- */
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     const lathe *l = self;
-    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, l->anchor, l->scale));
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, l->boxed.anchor, l->boxed.scale));
     const double at[2] = { sqrt(p.x * p.x + p.z * p.z), p.y };
 
     return common_outline_inside(&l->outline, at);
@@ -362,7 +361,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 static void normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out)
 {
     const lathe *l = self;
-    const common_ray k = common_enter(ray, l->anchor, l->scale);
+    const common_ray k = common_enter(ray, l->boxed.anchor, l->boxed.scale);
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     const double radius = sqrt(p.x * p.x + p.z * p.z);
     double v[2], slope[2], radial;
@@ -401,6 +400,7 @@ static const pov_shape_class lathe_class = {
     .normal = normal,
     .inside = inside,
     .scratch = scratch,
+    .extension = extension,
     .open = open,
     .reversed = reversed,
     .uv = uv,

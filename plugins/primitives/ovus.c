@@ -4,7 +4,7 @@
  * It is convex, and the circle's centre lies beyond the axis, so between the two heights where the parts join it is where a
  * quartic is zero. Of each part the crossings at its own heights count. */
 #include "common/bernstein.h"
-#include "common/clip.h"
+#include "common/boxed.h"
 #include "common/radius.h"
 #include "common/turns.h"
 
@@ -12,7 +12,8 @@ typedef struct ovus {
     double bottom, top;          /* radii, scaled */
     double arc, a, h;            /* the circle: radius, and its centre at -a from the axis, at the height h */
     double low, high;            /* heights of the joints */
-    double scale, wide;
+    double wide;
+    common_boxed boxed;
     double foot;                 /* of the lowest point below 0, scaled */
 } ovus;
 
@@ -29,9 +30,9 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->fail(in, "the radii of an ovus must not be 0");
     if (r >= 2.0 * R)
         host->warn(in, "the second radius of an ovus should be less than double the first: it is a sphere");
-    o->scale = pov_inverse_power(R + r);
-    o->bottom = R * o->scale;
-    o->top = r * o->scale;
+    o->boxed.scale = pov_inverse_power(R + r);
+    o->bottom = R * o->boxed.scale;
+    o->top = r * o->boxed.scale;
     K = o->arc = 2.0 * fmax(o->bottom, o->top);
     /* a^2 + h^2 = (K - R)^2 and a^2 + (h - R)^2 = (K - r)^2. */
     o->h = ((K - o->bottom) * (K - o->bottom) - (K - o->top) * (K - o->top) + o->bottom * o->bottom) / (2.0 * o->bottom);
@@ -43,12 +44,14 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     if (r >= 2.0 * R)
         o->low = o->high = -2.0 * o->foot - o->bottom;
     o->wide = fmax(fmax(o->bottom, o->top), o->h >= o->low && o->h <= o->high ? K - o->a : 0.0) * (1.0 + 0x1p-40);
+    o->boxed.lo = pov_vec3_of(-o->wide, -o->foot, -o->wide);
+    o->boxed.hi = pov_vec3_of(o->wide, o->bottom + o->top, o->wide);
 }
 
 static bool bounds(const void *self, pov_box *out)
 {
     const ovus *o = self;
-    const double wide = o->wide / o->scale, high = (o->bottom + o->top) / o->scale, low = -o->foot / o->scale;
+    const double wide = o->wide / o->boxed.scale, high = (o->bottom + o->top) / o->boxed.scale, low = -o->foot / o->boxed.scale;
 
     out->lo = pov_vec3_of(-wide, common_below(low), -wide);
     out->hi = pov_vec3_of(wide, common_above(high), wide);
@@ -117,26 +120,24 @@ static bool cross_arc(const line *n, const ovus *o, pov_hits *hits)
     return true;
 }
 
-static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
+static void cross(const void *self, const pov_ray *ray, const common_entry *e, pov_hits *hits)
 {
-    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const ovus *o = self;
-    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->scale);
     line n;
 
-    if (!common_clip(&k, pov_vec3_of(-o->wide, -o->foot, -o->wide), pov_vec3_of(o->wide, o->bottom + o->top, o->wide), &n.span) || n.span.hi < 0.0)
-        return;
-    n.k = &k;
+    n.k = &e->k;
     n.ray = ray;
     n.from_here = ray->origin_surface == hits->owner;
-    n.base = n.from_here ? 0.0 : n.span.lo;
-    n.o = common_along(&k, n.base);
-    n.d = k.d;
-    n.span.lo -= n.base;
-    n.span.hi -= n.base;
+    n.base = n.from_here ? 0.0 : e->span.lo;
+    n.o = common_along(n.k, n.base);
+    n.d = n.k->d;
+    n.span.lo = e->span.lo - n.base;
+    n.span.hi = e->span.hi - n.base;
     if (cross_sphere(&n, o, BOTTOM, hits) && cross_sphere(&n, o, TOP, hits))
         cross_arc(&n, o, hits);
 }
+
+COMMON_BOXED_CLASS(ovus, cross)
 
 /* ---- points ---- */
 
@@ -144,7 +145,7 @@ static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const ovus *o = self;
-    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, pov_two3_of(zero, zero), o->scale));
+    const pov_vec3 p = pov_two3_hi(common_offset(point, point_lo, pov_two3_of(zero, zero), o->boxed.scale));
     const double ring = sqrt(p.x * p.x + p.z * p.z), top = p.y - o->bottom, arc = p.y - o->h;
 
     switch (part_of(o, p.y)) {
@@ -161,7 +162,7 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const ovus *o = self;
-    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->scale);
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), o->boxed.scale);
     const pov_vec3 p = pov_two3_hi(common_point(&k, at));
     const double ring = sqrt(p.x * p.x + p.z * p.z), out_by = ring > 0.0 ? (ring + o->a) / ring : 0.0;
 
@@ -175,7 +176,7 @@ static void normal(const void *self, const pov_ray *ray, const pov_crossing *at,
 static void uv(const void *self, pov_vec3 point, const pov_mark *mark, double out[2])
 {
     const ovus *o = self;
-    const double ring = sqrt(point.x * point.x + point.z * point.z) * o->scale, y = point.y * o->scale;
+    const double ring = sqrt(point.x * point.x + point.z * point.z) * o->boxed.scale, y = point.y * o->boxed.scale;
 
     (void)mark;
     out[0] = common_whole_turn(point.z, point.x);
@@ -192,6 +193,7 @@ static const pov_shape_class ovus_class = {
     .intersect = intersect,
     .normal = normal,
     .inside = inside,
+    .extension = extension,
     .uv = uv,
 };
 
