@@ -190,9 +190,8 @@ typedef struct pov_shape_class {
 
     /* [load] For POV_SHAPE_SOLID: is this shape a solid? Of what parse() wrote. NULL: every one is. */
     bool (*solid)(const void *self);
-    /* [render] The normal that light sees at a crossing, where it is another than normal() gives, as a blend of up to
-     * POV_NORMALS_MAX unit normals by their shares. The host blends them in the space of the scene, where each has unit
-     * length again. Returns how many; 0: it is no other. */
+    /* [render] Where light sees another normal than normal() gives: up to POV_NORMALS_MAX unit normals and their shares,
+     * and how many. The host blends them in the space of the scene, where it makes them unit again. 0: it is that one. */
     uint32_t (*shading_normals)(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                                 pov_vec3 *normal, double *share);
     /* [render] Textures of a part of the surface: up to POV_TEXTURES_MAX numbers that host->texture() gave or
