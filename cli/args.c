@@ -420,7 +420,7 @@ static void note_twice(args *a, int option, uint64_t *seen)
 /* Does the name end as another format's does? */
 static bool is_named_otherwise(const char *name, const char *format)
 {
-    static const char *const endings[] = { "png", "ppm", "pfm", "exr", "jpg", "jpeg" };
+    static const char *const endings[] = { "png", "ppm", "pfm", "exr", "hdr", "jpg", "jpeg" };
     const char *dot = strrchr(name, '.');
 
     for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 /* ---- what is wrong ---- */
 
@@ -452,6 +453,18 @@ static bool read_defaults(povray *p)
     return !p->problem[0];
 }
 
+/* The ending may be left out. */
+static void find_input(povray *p)
+{
+    char longer[POVRAY_TEXT + 4];
+
+    if (!p->input[0] || strcmp(p->input, "-") == 0 || access(p->input, F_OK) == 0)
+        return;
+    snprintf(longer, sizeof longer, "%s.pov", p->input);
+    if (access(longer, F_OK) == 0 && strlen(longer) < sizeof p->input)
+        memcpy(p->input, longer, strlen(longer) + 1);
+}
+
 bool povray_parse(povray *p, int argc, char *const *argv)
 {
     memset(p, 0, sizeof *p);
@@ -470,6 +483,7 @@ bool povray_parse(povray *p, int argc, char *const *argv)
     for (int i = 1; i < argc; i++)
         if (!read_word(p, argv[i]))
             return false;
+    find_input(p);
     if (!p->input[0])
         return refuse(p, "no scene is named: +ISCENE.pov, or SCENE.pov");
     if (p->width < 1 || p->height < 1 || p->width > 1000000 || p->height > 1000000)

@@ -46,6 +46,8 @@ bool povray_parse(povray *p, int argc, char *const *argv);
 bool povray_set(povray *p, const char *name, const char *value);
 
 /* The first and last frame to render; one picture without an animation: 0 to 0. */
+/* Is there more than one frame? */
+bool povray_is_animation(const povray *p);
 void povray_frames(const povray *p, int *first, int *last);
 /* The clock of a frame. */
 double povray_clock(const povray *p, int frame);

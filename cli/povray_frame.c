@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_animation(const povray *p) { return p->last_frame > p->first_frame; }
+bool povray_is_animation(const povray *p) { return p->last_frame > p->first_frame; }
 
 /* ---- frames ---- */
 
@@ -24,7 +24,7 @@ static int frame_of(const povray *p, const char *text, int otherwise)
 void povray_frames(const povray *p, int *first, int *last)
 {
     *first = *last = 0;
-    if (!is_animation(p))
+    if (!povray_is_animation(p))
         return;
     *first = frame_of(p, p->subset_start, p->first_frame);
     *last = frame_of(p, p->subset_end, p->last_frame);
@@ -36,7 +36,7 @@ double povray_clock(const povray *p, int frame)
 {
     const int steps = p->last_frame - p->first_frame + (p->cyclic ? 1 : 0);
 
-    if (!is_animation(p))
+    if (!povray_is_animation(p))
         return p->has_clock ? p->clock : 0.0;
     return p->first_clock + (p->last_clock - p->first_clock) * (frame - p->first_frame) / steps;
 }
@@ -97,7 +97,7 @@ bool povray_output(const povray *p, int frame, char *out, size_t size)
         stem_of(name, stem, sizeof stem);
     else
         snprintf(stem, sizeof stem, "%s", name);
-    if (is_animation(p))
+    if (povray_is_animation(p))
         snprintf(number, sizeof number, "%0*d", digits_of(p->last_frame), frame);
     n = snprintf(out, size, "%.*s%s%s.%s", folder, given, stem, number, povray_ending(p));
     return n >= 0 && (size_t)n < size;

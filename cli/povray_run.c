@@ -78,9 +78,11 @@ static bool fill(const povray *p, const messages *m, args *a)
 static pov_animation animation_of(const povray *p, int frame)
 {
     const pov_animation now = { povray_clock(p, frame), p->first_clock, p->last_clock,
-                                povray_clock(p, frame + 1) - povray_clock(p, frame), frame, p->first_frame, p->last_frame };
+                                povray_clock(p, frame + 1) - povray_clock(p, frame), frame, p->first_frame,
+                                p->last_frame + (p->cyclic ? 1 : 0) };
+    const pov_animation still = { .clock = povray_clock(p, frame) };
 
-    return now;
+    return povray_is_animation(p) ? now : still;
 }
 
 static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_error *err)
@@ -95,7 +97,7 @@ static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_err
         snprintf(err->message, sizeof err->message, "the output's name is too long");
         return err->status;
     }
-    a->animation = &now;
+    a->animation = povray_is_animation(p) || p->has_clock ? &now : NULL;
     a->output = p->output_to_file ? output : "/dev/null";
     return run_args(a, m, &end, err);
 }

@@ -1,10 +1,11 @@
-/* hdr.c - Radiance pictures (RGBE), reading: three mantissas and an exponent a pixel, in runs of equal bytes or not. */
+/* hdr.c - Radiance pictures (RGBE): three mantissas and an exponent a pixel, in runs of equal bytes or not. */
 #include "common/bytes.h"
 
 #include <povtrace/image.h>
 #include <povtrace/plugin.h>
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* A line of the header, without its end; false: there is none. */
@@ -149,8 +150,87 @@ static const char *load_hdr(const void *bytes, size_t count, const pov_raster_ta
     return NULL;
 }
 
+/* ---- writing ---- */
+
+enum { ROW_PIXELS = 128, RUNS_LEAST = 8, RUNS_MOST = 32767 };
+
+/* The largest component has a mantissa of 128 to 255. What is not above 0 is black, what is too large the largest. */
+static void put_pixel(const float *colour, unsigned char out[4])
+{
+    const double most = ldexp(255.0, 127 - 8);
+    double largest = 0.0;
+    int exponent;
+
+    for (int c = 0; c < 3; c++)
+        if (colour[c] > largest)
+            largest = colour[c];
+    memset(out, 0, 4);
+    if (!(largest > 1e-38))
+        return;
+    frexp(largest < most ? largest : most, &exponent);
+    for (int c = 0; c < 3; c++)
+        out[c] = colour[c] > 0.0f ? (unsigned char)fmin(ldexp(colour[c], 8 - exponent), 255.0) : 0;
+    out[3] = (unsigned char)(exponent + 128);
+}
+
+/* Readers take a row that begins with 2, 2 for one in runs: so it is one, of runs of different bytes, where it may. */
+static bool put_runs(const pov_output *output, const float *row, int width)
+{
+    const unsigned char head[4] = { 2, 2, (unsigned char)(width >> 8), (unsigned char)(width & 255) };
+
+    if (!output->put(output->user, head, sizeof head))
+        return false;
+    for (int c = 0; c < 4; c++)
+        for (int x = 0; x < width; x += ROW_PIXELS) {
+            unsigned char run[1 + ROW_PIXELS], pixel[4];
+            const int n = width - x < ROW_PIXELS ? width - x : ROW_PIXELS;
+
+            run[0] = (unsigned char)n;
+            for (int i = 0; i < n; i++) {
+                put_pixel(row + 3 * (size_t)(x + i), pixel);
+                run[1 + i] = pixel[c];
+            }
+            if (!output->put(output->user, run, (size_t)n + 1))
+                return false;
+        }
+    return true;
+}
+
+static bool put_row(const pov_output *output, const float *row, int width)
+{
+    if (width >= RUNS_LEAST && width <= RUNS_MOST)
+        return put_runs(output, row, width);
+    for (int x = 0; x < width; x++) {
+        unsigned char pixel[4];
+
+        put_pixel(row + 3 * (size_t)x, pixel);
+        if (!output->put(output->user, pixel, sizeof pixel))
+            return false;
+    }
+    return true;
+}
+
+static const char *write_hdr(const pov_image *image, const pov_output *output)
+{
+    char header[96];
+    const int length = snprintf(header, sizeof header, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n",
+                                image->height, image->width);
+
+    if (!output->put(output->user, header, (size_t)length))
+        return "could not write the header";
+    for (int y = 0; y < image->height; y++)
+        if (!put_row(output, (const float *)(const void *)((const char *)image->pixels + (size_t)y * image->stride),
+                     image->width))
+            return "could not write a row";
+    return NULL;
+}
+
 static const pov_image_format hdr = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_FLOAT, .ending = "hdr", .load = load_hdr,
+    .size = sizeof(pov_image_format),
+    .depths = POV_IMAGE_FLOAT,
+    .ending = "hdr",
+    .write = write_hdr,
+    .load = load_hdr,
 };
 static const pov_image_format *const formats[] = { &hdr, NULL };
 

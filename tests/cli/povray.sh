@@ -103,3 +103,27 @@ povray_alpha_is_written() {
     expect 2 "$povc" small.pov 20 10 own.ppm --alpha
     says err "alpha cannot be stored in a .ppm file"
 }
+
+povray_adds_the_ending_of_a_scene() {
+    small_scene
+    expect 0 "$povc" +Ismall +W20 +H10
+    [ "$("$PYTHON" "$pixels" size small.png)" = "20 10 8" ]
+}
+
+povray_stills_have_no_frames() {
+    echo '#debug str(clock, 0, 2) #debug str(clock_on + frame_number + initial_frame + final_frame + clock_delta, 0, 0)' > s.pov
+    expect 0 "$povc" +Is.pov +W4 +H3 -F
+    says err 0.000
+    expect 0 "$povc" +Is.pov +W4 +H3 -F +K0.5
+    says err 0.501
+    expect 0 "$povc" +Is.pov +W4 +H3 -F +KC +KFF2
+    says err 0.006
+    says err 0.508
+}
+
+povray_writes_radiance_pictures() {
+    small_scene
+    expect 0 "$povc" +Ismall.pov +W20 +H10 +FH
+    head -c 10 small.hdr | grep -q '#?RADIANCE'
+    [ "$(wc -c < small.hdr)" -gt 800 ]
+}

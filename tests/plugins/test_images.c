@@ -118,6 +118,29 @@ static void pfm_stores_little_endian_floats_from_the_bottom(void **state)
     assert_memory_equal(out.data + head + 12, one, 4);
 }
 
+static void hdr_stores_mantissas_and_an_exponent(void **state)
+{
+    static bytes out;
+    static const float pixels[2][3] = { { 1.0f, 0.5f, -2.0f }, { 0.0f, 0.0f, 0.0f } };
+    static float wide[9][3];
+    pov_image image = { .width = 1, .height = 2, .bits = 32, .stride = 12, .pixels = pixels };
+    static const char header[] = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 1\n";
+    size_t head = strlen(header);
+
+    (void)state;
+    assert_null(write_image("hdr", image, &out, sizeof out.data));
+    assert_int_equal(out.count, head + 8);
+    assert_memory_equal(out.data, header, head);
+    assert_memory_equal(out.data + head, "\x80\x40\x00\x81\0\0\0\0", 8);
+    for (int i = 0; i < 9; i++)
+        wide[i][1] = 255.0f;
+    image = (pov_image){ .width = 9, .height = 1, .bits = 32, .stride = sizeof wide, .pixels = wide };
+    assert_null(write_image("hdr", image, &out, sizeof out.data));
+    assert_memory_equal(out.data + out.count - 44, "\x02\x02\0\x09\x09", 5);
+    assert_memory_equal(out.data + out.count - 30, "\x09\xff\xff\xff\xff\xff\xff\xff\xff\xff", 10);
+    assert_memory_equal(out.data + out.count - 10, "\x09\x88\x88\x88\x88\x88\x88\x88\x88\x88", 10);
+}
+
 static bool has_chunk(const bytes *file, const char *name)
 {
     for (size_t i = 0; i + 4 <= file->count; i++) {
@@ -233,6 +256,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ppm_stores_rows_from_the_top_without_their_gaps),
         cmocka_unit_test(ppm_stores_16_bits_high_byte_first),
+        cmocka_unit_test(hdr_stores_mantissas_and_an_exponent),
         cmocka_unit_test(pfm_stores_little_endian_floats_from_the_bottom),
         cmocka_unit_test(png_of_8_bits_reads_back_the_same),
         cmocka_unit_test(png_of_16_bits_reads_back_the_same),
