@@ -176,6 +176,18 @@ static pov_status explain_solids(explanation *e, const model *m, pov_error *err)
     return add(e, err, false, "solids made of others", "left out", "nothing is merged, intersected, cut or clipped");
 }
 
+static pov_status explain_copies(explanation *e, const model *m, pov_error *err)
+{
+    size_t leaves = 0;
+
+    for (size_t i = 0; i < m->parts.count; i++)
+        leaves += m->parts.items[i]->leaves.count;
+    if (m->copies.count > 0)
+        return add(e, err, true, "copies", "stored once", "copies: %zu; of %zu declared solids, of shapes: %zu", m->copies.count,
+                   m->parts.count, leaves);
+    return add(e, err, false, "copies", "left out", "no declared solid is large and used often");
+}
+
 pov_status explain_world(explanation *e, const model *m, const world *w, pov_error *err)
 {
     const world_facts facts = world_get_facts(w);
@@ -191,6 +203,8 @@ pov_status explain_world(explanation *e, const model *m, const world *w, pov_err
         status = explain_objects(e, &facts, m->leaves.count, err);
     if (status == POV_OK)
         status = explain_solids(e, m, err);
+    if (status == POV_OK)
+        status = explain_copies(e, m, err);
     return status == POV_OK ? explain_tree(e, &facts, err) : status;
 }
 
@@ -260,6 +274,9 @@ static bool count_classes(const model *m, tally *t)
 {
     size_t i, k;
 
+    for (i = 0; i < m->parts.count; i++)
+        if (!count_classes(m->parts.items[i], t))
+            return false;
     for (i = 0; i < m->leaves.count; i++) {
         const class_tally one = { m->leaves.items[i].shape, 1 };
         for (k = 0; k < t->count && t->items[k].shape != one.shape; k++)

@@ -250,7 +250,7 @@ bool pov_scene_get_object(const pov_scene *scene, size_t index, const char **key
     solid = model_object(&scene->model, (uint32_t)index, &first);
     if (solid && solid->op == NODE_CLIP)
         solid = NULL;
-    leaf = &scene->model.leaves.items[first];
+    leaf = model_leaf(&scene->model, first);
     if (keyword)
         *keyword = solid ? model_op_keyword(solid->op) : leaf->shape->keyword;
     if (line)

@@ -49,7 +49,7 @@ static pov_hit hit_of(const shading *scene, const pov_ray *ray, const hit *h, do
     found.point = h->point;
     found.normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     found.shading_normal = found.normal;
-    if (scene->objects_info[h->object].smooth)
+    if (shading_info(scene, h->object)->smooth)
         world_shading_normal(scene->world, ray, h, &found.shading_normal);
     found.object = model_object_of(scene->model, h->object);
     found.certain = (h->crossing.mark.flags & POV_MARK_ESCALATED) == 0;

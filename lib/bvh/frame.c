@@ -83,14 +83,14 @@ static bool enter_blindly(bvh_local *l)
     return true;
 }
 
-/* The ray's point at t in the frame, rounded once, however far the ray starts. */
+/* The ray's point at t in the frame, rounded once or twice, however far the ray starts. */
 static pov_vec3 point_at(const bvh_frame *f, const pov_ray *ray, double t)
 {
     pov_two x = pov_recentre(ray->org.x, ray->org_lo.x, f->centre.x, t, ray->dir.x);
     pov_two y = pov_recentre(ray->org.y, ray->org_lo.y, f->centre.y, t, ray->dir.y);
     pov_two z = pov_recentre(ray->org.z, ray->org_lo.z, f->centre.z, t, ray->dir.z);
 
-    return pov_scale(pov_vec3_of(x.hi, y.hi, z.hi), f->scale);
+    return pov_scale(pov_vec3_of(x.hi + t * ray->dir_lo.x, y.hi + t * ray->dir_lo.y, z.hi + t * ray->dir_lo.z), f->scale);
 }
 
 /* Move the start to just before the cube. */

@@ -42,6 +42,19 @@ bool model_is_lit_by(const model *m, uint32_t leaf, const light *l)
     return l->group ? l->group == number : global_lights;
 }
 
+static void free_nodes(model *m)
+{
+    env_free(m->env, m->leaves.items);
+    env_free(m->env, m->groups.items);
+    env_free(m->env, m->children.items);
+    env_free(m->env, m->trees.items);
+    env_free(m->env, m->solids.items);
+    env_free(m->env, m->copies.items);
+    env_free(m->env, m->texture_maps.items);
+    env_free(m->env, m->cutaways.items);
+    env_free(m->env, m->givers.items);
+}
+
 void model_free(model *m)
 {
     while (m->kept.count > 0) {
@@ -50,11 +63,12 @@ void model_free(model *m)
         last->destroy(last->item);
     }
     env_free(m->env, m->kept.items);
-    env_free(m->env, m->leaves.items);
-    env_free(m->env, m->groups.items);
-    env_free(m->env, m->children.items);
-    env_free(m->env, m->trees.items);
-    env_free(m->env, m->solids.items);
+    free_nodes(m);
+    for (size_t i = 0; i < m->parts.count; i++) {
+        free_nodes(m->parts.items[i]);
+        env_free(m->env, m->parts.items[i]);
+    }
+    env_free(m->env, m->parts.items);
     env_free(m->env, m->materials.items);
     env_free(m->env, m->lights.items);
     env_free(m->env, m->light_groups.items);
@@ -62,19 +76,27 @@ void model_free(model *m)
     env_free(m->env, m->rainbows.items);
     map_table_free(&m->kept_maps, m->env);
     env_free_aligned(m->env, m->noise);
-    env_free(m->env, m->texture_maps.items);
-    env_free(m->env, m->cutaways.items);
-    env_free(m->env, m->givers.items);
     arena_free(&m->memory);
     arena_free(&m->maps);
+}
+
+static void drop_maps(model *m)
+{
+    size_t i;
+
+    for (i = 0; i < m->leaves.count; i++)
+        m->leaves.items[i].map = NULL;
+    for (i = 0; i < m->copies.count; i++)
+        m->copies.items[i].map = NULL;
 }
 
 void model_drop_maps(model *m)
 {
     size_t i;
 
-    for (i = 0; i < m->leaves.count; i++)
-        m->leaves.items[i].map = NULL;
+    for (i = 0; i < m->parts.count; i++)
+        drop_maps(m->parts.items[i]);
+    drop_maps(m);
     arena_free(&m->maps);
 }
 

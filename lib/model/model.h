@@ -30,6 +30,22 @@ typedef struct cutaway_leaves { cutaway *items; size_t count, capacity; } cutawa
 typedef struct leaf_numbers { uint32_t *items; size_t count, capacity; } leaf_numbers;
 typedef struct map_numbers { uint32_t *items; size_t count, capacity; } map_numbers;
 
+struct model;
+
+/* A solid that was declared and used often is stored once, as a part, and each use of it is a copy. What is in a copy has
+ * a name too: names are indices of leaves, behind these of trees and of copies, and behind all of them the names in the
+ * first copy's part, and so on. A leaf that no copy holds is named by its index. */
+typedef struct model_copy {
+    const struct model *of;      /* the part */
+    const transform *map;        /* NULL: none */
+    uint32_t leaf;               /* it stands before this one in the text */
+    uint32_t name;               /* of what is first in it */
+    uint32_t objects;            /* in all copies up to this one */
+} model_copy;
+
+typedef struct copy_list { model_copy *items; size_t count, capacity; } copy_list;
+typedef struct part_models { struct model **items; size_t count, capacity; } part_models;
+
 /* How computed values become linear light, and how that is stored. */
 typedef struct gamma {
     bool decodes_srgb;           /* values are as sRGB encodes light, whatever `decode` says */
@@ -50,6 +66,10 @@ typedef struct model {
     node_list children;          /* of the groups, side by side */
     node_list trees;             /* groups that rays intersect as one: no union, unless inverse or part of a tree */
     solid_list solids;           /* in the order of the text; leaves outside any solid are objects of their own */
+    copy_list copies;            /* in the order of the text */
+    part_models parts;           /* models of their own nodes and texture maps; all else is this one's */
+    uint32_t part;               /* of a part: its index, and how many copies there are of it */
+    uint32_t uses;
     material_list materials;
     light_list lights;
     light_group_list light_groups;
@@ -105,9 +125,34 @@ bool model_add_group(model *m, const group_node *shape, const node_ref *children
  * are united. */
 bool model_add_tree(model *m, node_ref root);
 
+/* ---- copies ---- */
+
+/* Exchange what a part has of its own: nodes and texture maps. */
+void model_swap_nodes(model *a, model *b);
+/* A part of the nodes that the model has; the model has none any more, and refers to the part. NULL: no memory. */
+model *model_take_part(model *m);
+/* When all has been read: parts share what is not theirs, and copies get names. False: there are more than there are
+ * names. */
+bool model_name_copies(model *m);
+/* Names of what no copy holds; of all. */
+static inline size_t model_own_names(const model *m) { return m->leaves.count + m->trees.count + m->copies.count; }
+size_t model_all_names(const model *m);
+/* The copy that holds a name, which becomes one of the part; NULL: none does, the name stays. */
+const model_copy *model_copy_of(const model *m, uint32_t *name);
+const leaf_node *model_leaf_within(const model *m, uint32_t name);
+/* The leaf of a name. */
+static inline const leaf_node *model_leaf(const model *m, uint32_t name)
+{
+    return name < m->leaves.count ? &m->leaves.items[name] : model_leaf_within(m, name);
+}
+/* Does the one leaf stand before the other in the text? */
+bool model_is_before(const model *m, uint32_t a, uint32_t b);
+/* The model's leaves stand in this order from now on: the one at i comes from order[i]. False: no memory. */
+bool model_reorder(model *m, const uint32_t *order);
+
 /* Objects of the scene: solids, and leaves that belong to none. */
 size_t model_object_count(const model *m);
-/* The object of a leaf, and the solid of an object; NULL: the object is the leaf returned. */
+/* The object of a leaf, and the solid of an object, with the name of its first leaf; NULL: the object is that leaf. */
 uint32_t model_object_of(const model *m, uint32_t leaf);
 const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf);
 const char *model_op_keyword(node_op op);

@@ -85,51 +85,6 @@ bool model_add_tree(model *m, node_ref root)
     return add_pieces(m, root, true);
 }
 
-/* ---- objects ---- */
-
-size_t model_object_count(const model *m)
-{
-    const solid_node *last = m->solids.count > 0 ? &m->solids.items[m->solids.count - 1] : NULL;
-
-    return last ? last->object + 1 + m->leaves.count - (last->leaf + last->leaf_count) : m->leaves.count;
-}
-
-/* The last solid up to a leaf, or up to an object; NULL: none. */
-static const solid_node *last_solid(const model *m, uint32_t leaf, uint32_t object)
-{
-    size_t low = 0, high = m->solids.count;
-
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-
-        if (m->solids.items[middle].leaf <= leaf && m->solids.items[middle].object <= object)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low > 0 ? &m->solids.items[low - 1] : NULL;
-}
-
-uint32_t model_object_of(const model *m, uint32_t leaf)
-{
-    const solid_node *s = last_solid(m, leaf, UINT32_MAX);
-
-    if (!s)
-        return leaf;
-    return leaf < s->leaf + s->leaf_count ? s->object : s->object + 1 + leaf - (s->leaf + s->leaf_count);
-}
-
-const solid_node *model_object(const model *m, uint32_t object, uint32_t *leaf)
-{
-    const solid_node *s = last_solid(m, UINT32_MAX, object);
-
-    *leaf = s ? s->leaf + s->leaf_count + object - s->object - 1 : object;
-    if (!s || s->object != object)
-        return NULL;
-    *leaf = s->leaf;
-    return s;
-}
-
 const char *model_op_keyword(node_op op)
 {
     static const char *const words[] = { "union", "merge", "intersection", "difference", "clipped_by" };

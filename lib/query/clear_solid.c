@@ -18,7 +18,8 @@ static inline bool enters(const world *w, const pov_ray *ray)
 {
     const uint32_t both = POV_MARK_INWARD | POV_MARK_CLOSED;
 
-    return (ray->origin_mark.flags & both) == both && w->objects_info[ray->origin_surface].plain;
+    return (ray->origin_mark.flags & both) == both && ray->origin_surface < w->own_names &&
+           w->objects_info[ray->origin_surface].plain;
 }
 
 static inline const shape_group *group_of(const world *w, uint32_t which)

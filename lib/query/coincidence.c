@@ -32,7 +32,7 @@ static void begin(packet *p, const world *w, query_context *k, const coincident_
 {
     packet_begin(p, w, k, &ray, 1, tmax, tmax);
     p->traversal.soa.excluded[0] = POV_NO_OWNER;
-    p->from = from;
+    p->from = k->csg.from = from;
     p->candidates_only = p->exact == 0;
     p->exact = 1;
     if (!from)
@@ -94,7 +94,7 @@ static uint32_t find_near(const world *w, query_context *k, const coincident_set
 
 static bool is_solid(const world *w, uint32_t which)
 {
-    const leaf_node *o = &w->model->leaves.items[which];
+    const leaf_node *o = model_leaf(w->model, which);
 
     return shape_is_solid(o->shape, o->instance);
 }
@@ -143,7 +143,7 @@ static bool shares_point(const pov_ray *ray, const hit *first, const hit *h, dou
 }
 
 /* Insert a hit in the order of objects. If an object is crossed twice here, at an edge, its entry counts. */
-static void insert(coincident_set *s, const hit *h)
+static void insert(coincident_set *s, const model *m, const hit *h)
 {
     uint32_t at = s->count;
 
@@ -155,7 +155,7 @@ static void insert(coincident_set *s, const hit *h)
         }
     if (s->count == COINCIDENT_MAX)
         return;
-    for (; at > 0 && s->at[at - 1].object > h->object; at--)
+    for (; at > 0 && model_is_before(m, h->object, s->at[at - 1].object); at--)
         s->at[at] = s->at[at - 1];
     s->at[at] = *h;
     s->count++;
@@ -185,14 +185,14 @@ void world_coincident(const world *w, query_context *k, const pov_ray *ray, cons
         return;
     crossings_sort(at, count, is_nearer);
     complete_hit(w, ray, &at[0], &first);
-    insert(out, &first);
+    insert(out, w->model, &first);
     for (i = 1; i < count; i++) {
         complete_hit(w, ray, &at[i], &next);
         if (!shares_point(ray, &first, &next, size))
             continue;
         next.point = first.point;
         next.point_lo = first.point_lo;
-        insert(out, &next);
+        insert(out, w->model, &next);
     }
     for (i = 0; i < out->count; i++) {
         out->at[i].coincident = (uint16_t)(out->count > 1 ? out->count : 0);
@@ -222,7 +222,7 @@ static bool leave(const world *w, const coincident_set *from, pov_vec3 dir, uint
 
     *crossed = 0;
     for (uint32_t i = 0; i < from->count; i++) {
-        const leaf_node *o = &m->leaves.items[from->at[i].object];
+        const leaf_node *o = model_leaf(m, from->at[i].object);
 
         if ((o->flags & LEAF_NO_SHADOW) || !is_crossed(from, i, pov_dot(from->at[i].normal, dir)))
             continue;

@@ -8,6 +8,7 @@
 pov_status query_context_create(query_context **out, const world *w, pov_error *err)
 {
     query_context *k = env_alloc_aligned(w->env, sizeof *k, SIMD_LINE);
+    csg_size most = { 0, 0 };
     int i;
 
     *out = k;
@@ -21,7 +22,8 @@ pov_status query_context_create(query_context **out, const world *w, pov_error *
     if (w->scratch_bytes > 0)
         k->scratch = env_alloc_aligned(w->env, w->scratch_bytes, SIMD_LINE);
     k->csg.classes = &k->classes;
-    if (csg_scratch_init(&k->csg, world_trees(w), w->env) && (k->scratch || w->scratch_bytes == 0))
+    world_measure_trees(w, &most);
+    if (csg_scratch_init(&k->csg, &most, w->env) && (k->scratch || w->scratch_bytes == 0))
         return POV_OK;
     query_context_destroy(k);
     *out = NULL;

@@ -65,7 +65,7 @@ void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *co
     p->tmax = tmax;
     p->slack = 0.0;
     p->asked = p->deferred_lanes = 0;
-    p->from = NULL;
+    p->from = k->csg.from = NULL;
     p->candidates_only = false;
     take_rays(p, rays, which);
     p->exact = derive_all(&p->traversal, end);

@@ -74,15 +74,6 @@ bool query_blocked(const world *w, query_context *k, const pov_ray *ray, double 
  * of these the earlier object first. Nothing there depends on roundings. More than COINCIDENT_MAX are not told apart:
  * the last objects of them count as any surface near by. */
 
-enum { COINCIDENT_MAX = 16 };
-
-typedef struct coincident_set {
-    uint32_t count;
-    uint32_t above;              /* bit i: the point is on the side that the normal of at[i] points to */
-    uint32_t solid;              /* bit i: at[i] is a solid's */
-    hit at[COINCIDENT_MAX];      /* by object */
-} coincident_set;
-
 /* The coincident set of a hit that has coincident surfaces; sides are those of the ray. `from`: the set that the ray
  * started on, or NULL. */
 void world_coincident(const world *w, query_context *k, const pov_ray *ray, const coincident_set *from, const hit *h,

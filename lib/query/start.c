@@ -1,5 +1,7 @@
 #include "query/start.h"
 
+#include "world/copy_path.h"
+
 /* What double-double cannot tell from the surface lies on it: some hundred times its error, in sizes of the shape and of
  * its distance from the origin of its space. */
 static const double same_point = 0x1p-92;
@@ -9,17 +11,21 @@ static const double same_point_in_double = 0x1p-44;
 static const double least_cosine = 0x1p-54, least_cosine_in_double = 0x1p-20;
 
 /* The size of numbers that take part in an intersection in the space of the shape, and the ray's speed there. */
-static double size_of(const shape_class *shape, const shape_ref *ref, const pov_ray *ray, double *speed)
+static double size_of(const copy_path *at, const pov_ray *ray, double *speed)
 {
-    pov_ray own = *ray;
+    const shape_class *shape = at->world->groups[at->world->objects_info[at->index].group].shape;
+    const shape_ref ref = world_shape(at->world, at->index);
+    pov_ray moved, own;
     pov_box box;
     double size;
 
-    if (ref->xform)
-        instance_ray(ref->xform, ray, &own);
+    ray = copy_path_ray(at, ray, &moved);
+    own = *ray;
+    if (ref.xform)
+        instance_ray(ref.xform, ray, &own);
     *speed = pov_largest(own.dir);
     size = pov_largest(own.org);
-    if (shape->bounds(ref->instance, &box))
+    if (shape->bounds(ref.instance, &box))
         size += fmax(pov_largest(box.lo), pov_largest(box.hi));
     return size;
 }
@@ -28,15 +34,18 @@ static double size_of(const shape_class *shape, const shape_ref *ref, const pov_
  * how far from the start the next crossing has to be. */
 static bool is_here(const world *w, const pov_ray *ray, hit *h, double *beyond)
 {
-    const object_info *info = &w->objects_info[h->object];
-    const shape_class *shape = w->groups[info->group].shape;
-    const bool certified = shape->flags & POV_SHAPE_CERTIFIED;
-    const shape_ref ref = world_shape(w, h->object);
+    const object_info *info;
+    copy_path at;
     double speed, reach, cosine;
+    bool certified, rounds;
 
-    if (info->member || (certified && !ref.xform && !(h->crossing.mark.flags & POV_MARK_ESCALATED)))
+    world_find(w, h->object, &at);
+    info = &at.world->objects_info[at.index];
+    certified = at.world->groups[info->group].shape->flags & POV_SHAPE_CERTIFIED;
+    rounds = copy_path_moves(&at) || world_shape(at.world, at.index).xform;
+    if (info->member || (certified && !rounds && !(h->crossing.mark.flags & POV_MARK_ESCALATED)))
         return false;
-    reach = (certified ? same_point : same_point_in_double) * size_of(shape, &ref, ray, &speed);
+    reach = (certified ? same_point : same_point_in_double) * size_of(&at, ray, &speed);
     world_surface(w, ray, h);
     cosine = fmax(fabs(pov_dot(h->normal, pov_unit(ray->dir))), certified ? least_cosine : least_cosine_in_double);
     *beyond = certified ? h->crossing.t : reach / (speed * cosine);

@@ -53,7 +53,7 @@ static bool pass_unseen(const maps *m, const pov_ray *ray, hit *h)
     passage p = { .world = m->scene->world, .context = m->tracer->context.context, .ray = *ray };
 
     while (passage_next(&p, h))
-        if (!m->scene->objects_info[h->object].no_image)
+        if (!shading_info(m->scene, h->object)->no_image)
             return true;
     return false;
 }
@@ -90,7 +90,7 @@ static double length(pov_vec3 v)
 /* Behind something that is not seen a crossing counts from there. False: the camera sees nothing. */
 static bool complete_one(const maps *m, const pov_ray *ray, hit *h, double *depth)
 {
-    if (m->scene->objects_info[h->object].no_image) {
+    if (shading_info(m->scene, h->object)->no_image) {
         if (!pass_unseen(m, ray, h))
             return false;
         *depth = length(pov_add(pov_sub(h->point, ray->org), h->point_lo));

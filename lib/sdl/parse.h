@@ -34,6 +34,7 @@ typedef struct object_parsed {
     leaf_node leaf;              /* its map and flags are those below */
     struct object_parsed *through;        /* what a light is projected through, or NULL */
     bool is_light_group, global_lights;   /* a union that is one */
+    bool is_named;               /* it is what a name stands for */
     const transform *map;
     uint32_t flags;
     struct object_parsed *first, *next;   /* members of a group, in their order */

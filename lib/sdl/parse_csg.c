@@ -2,6 +2,7 @@
  * where it has none, flags, and transformations behind its own. */
 #include "base/vec.h"
 #include "sdl/materials.h"
+#include "sdl/parse_copies.h"
 #include "sdl/parse_cutaway.h"
 #include "sdl/parse_media.h"
 #include "sdl/parse_texture.h"
@@ -182,6 +183,31 @@ static void add_light(pov_reader *in, const object_parsed *o, const around *a, u
         report_memory(in);
 }
 
+/* ---- declared solids that are used often ---- */
+
+/* Transformations of the groups around; false: one of these is more than a union, or says more. */
+static bool count_outer(const around *a, uint32_t *outer)
+{
+    for (*outer = 0; a; a = a->outer) {
+        const object_parsed *o = a->group;
+        const surface_parsed *s = parse_surface_of(o);
+
+        if (o->kind != OBJECT_GROUP || o->op != NODE_UNION || o->is_light_group || o->clips || o->flags || s->has_look ||
+            s->material.interior.given || a->since)
+            return false;
+        *outer += parse_count_transforms(o->map);
+    }
+    return true;
+}
+
+static bool waits(pov_reader *in, const object_parsed *o, const around *a)
+{
+    uint32_t outer;
+
+    return o->is_named && in->copies && !in->cutaway && count_outer(a, &outer) &&
+           parse_copies_wait(in, o, find_map(in, o, a), outer);
+}
+
 /* ---- light groups ---- */
 
 /* A new number for each. */
@@ -260,7 +286,7 @@ static bool add_whole(pov_reader *in, const object_parsed *o, const around *a, n
     case OBJECT_LEAF:
         return add_leaf(in, o, a, out);
     case OBJECT_GROUP:
-        return add_group(in, o, a, out);
+        return !waits(in, o, a) && add_group(in, o, a, out);
     case OBJECT_LIGHT:
         return add_light_and_objects(in, o, a, out);
     }

@@ -370,6 +370,7 @@ static void take_named(pov_reader *in, object_parsed *o)
     else if (!in->failed)
         report_fail(in, &in->value, POV_E_SYNTAX, "expected an object, found %s", value_name(&v));
     o->next = NULL;
+    o->is_named = true;
     if (value_is_shared(&v))
         value_drop(&in->heap, &v);
 }

@@ -10,7 +10,7 @@
 #include "sdl/intrinsic.h"
 #include "sdl/limit.h"
 #include "sdl/macro.h"
-#include "sdl/parse.h"
+#include "sdl/parse_copies.h"
 #include "sdl/parse_arrays.h"
 #include "sdl/parse_pattern.h"
 #include "sdl/parse_radiosity.h"
@@ -312,13 +312,14 @@ static void read_part(pov_reader *in, const scene_parts *all, const build_part *
     }
 }
 
-static void read(pov_reader *in, const scene_parts *parts, const char *name)
+static void read(pov_reader *in, copies_read *copies, const scene_parts *parts, const char *name)
 {
     surface_parsed defaults;
 
     memset(&defaults, 0, sizeof defaults);
     material_init(&defaults.material);
     in->defaults = &defaults;
+    in->copies = copies;
     frame_begin_text(in, "", 0, name);
     declare_names(in, name);
     for (size_t i = 0; i < parts->parts.count && !in->failed; i++)
@@ -329,6 +330,8 @@ static void read(pov_reader *in, const scene_parts *parts, const char *name)
         parse_camera_finish(in);
     if (!in->failed)
         parse_settings_finish(in);
+    if (!in->failed)
+        parse_copies_finish(in);
 }
 
 pov_status reader_read(model *m, registry *plugins, const char *text, size_t length, const char *name,
@@ -343,11 +346,12 @@ pov_status reader_read(model *m, registry *plugins, const char *text, size_t len
 pov_status reader_read_parts(model *m, registry *plugins, const scene_parts *parts, const char *name,
                              const reader_options *options, pov_error *err)
 {
-    pov_reader in;
+    copies_read copies = { .defaults = NULL };
     pov_status status = POV_OK;
+    pov_reader in;
 
     if (start(&in, m, plugins, options))
-        read(&in, parts, name);
+        read(&in, &copies, parts, name);
     else
         report_memory(&in);
     if (options && options->max_trace_level > 0)
@@ -359,6 +363,7 @@ pov_status reader_read_parts(model *m, registry *plugins, const scene_parts *par
             *err = in.error;
     }
     m->identity = in.sources.hash;
+    parse_copies_free(&copies, m->env);
     free_reader(&in);
     return status;
 }

@@ -159,6 +159,7 @@ struct pov_reader {
     size_t material_capacity;
     struct cutaway_list *cutaway;   /* of the object with cutaway_textures that is being added; NULL: there is none */
     struct array_rows *rows;     /* arrays that a shape is read from; NULL: it is read from text */
+    struct copies_read *copies;  /* uses of declared solids, until all has been read; NULL: none waits */
     struct part_list *parts;     /* textures of the object that is read; NULL: none reads any */
     char tried[TRIED_MAX][TRIED_LENGTH];
     int tried_count;

@@ -7,7 +7,7 @@
 
 const interior *dielectric_interior(const model *m, uint32_t which)
 {
-    return &m->materials.items[m->leaves.items[which].material].interior;
+    return &m->materials.items[model_leaf(m, which)->material].interior;
 }
 
 /* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. Dispersion is the

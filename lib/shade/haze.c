@@ -36,7 +36,7 @@ void haze_dim(const shading *scene, interior_walk *w, const pov_ray *ray, const 
 
             take(by, media_transmittance(scene->model, &set, &s));
         }
-        if (scene->objects_info[at[i].owner].filled)
+        if (shading_info(scene, at[i].owner)->filled)
             world_surface(scene->world, ray, &h);
         walk_cross(scene, w, at[i].owner, h.entering);
         before = at[i].t;

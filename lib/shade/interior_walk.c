@@ -33,7 +33,7 @@ void walk_cross(const shading *scene, interior_walk *w, uint32_t object, bool en
 {
     const uint32_t solid = world_solid(scene->world, object);
 
-    if (scene->objects_info[object].filled)
+    if (shading_info(scene, object)->filled)
         w->solids = entering ? w->solids + 1 : w->solids - (w->solids > 0);
     for (uint32_t i = 0; i < w->count; i++) {
         if (w->in[i] != solid)

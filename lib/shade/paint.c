@@ -31,6 +31,7 @@ typedef struct group {
     uint8_t lane[BATCH_MAX];
     texture_points points;
     texture_part parts[BATCH_MAX];
+    linear_map linear[BATCH_MAX];   /* of what is in copies */
 } group;
 
 enum { PARTS_FIT = 1 / (TEXTURE_PARTS_MAX == POV_TEXTURES_MAX) };   /* else this does not compile */
@@ -56,7 +57,7 @@ static void begin(group *g, const texture *of)
 static void add_point(group *g, const shading *scene, const hit *h)
 {
     inverse_map space;
-    const inverse_map *map = model_texture_map(scene->model, h->object, &space);
+    const inverse_map *map = world_texture_map(scene->world, scene->model, h->object, &space, &g->linear[g->count]);
 
     if (g->texture->blend == BLEND_PARTS)
         find_part(scene, h, &g->parts[g->count]);
@@ -68,7 +69,7 @@ static void add_uv(group *g, const shading *scene, const hit *h)
 {
     double uv[2] = { 0.0, 0.0 };
 
-    if (scene->model->leaves.items[h->object].flags & LEAF_UV)
+    if (model_leaf(scene->model, h->object)->flags & LEAF_UV)
         world_uv(scene->world, h, uv);
     lanes_put(&g->points.uv, g->count, pov_vec3_of(uv[0], uv[1], 0.0));
 }
@@ -241,7 +242,7 @@ uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, textu
     pov_vec3 normal = h->entering ? h->normal : pov_scale(h->normal, -1.0);
     group g;
 
-    if (scene->objects_info[h->object].smooth)
+    if (shading_info(scene, h->object)->smooth)
         world_shading_normal(scene->world, ray, h, &normal);
     begin_single(&g, scene, of, h, normal, pov_unit(ray->dir));
     return texture_eval(scene->model, of, &g.points, 1, out);

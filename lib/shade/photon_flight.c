@@ -83,7 +83,7 @@ static void cross_media(flight *f, const surface *s, path *p, double length)
  * and behind it it is reflected and refracted where that is on. */
 static void decide(flight *f, uint32_t i, const surface *s, path *p)
 {
-    const uint32_t flags = f->tracer->context.scene->model->leaves.items[s->at->object].flags, own = light_of(f)->flags;
+    const uint32_t flags = model_leaf(f->tracer->context.scene->model, s->at->object)->flags, own = light_of(f)->flags;
     const bool is_target = f->scene->target_of[s->at->object] == f->chunk->aim->target + 1;
 
     if (!p->struck && !is_target) {
@@ -113,7 +113,7 @@ static void arrive(flight *f, surfaces *on)
         p->travelled += far;
         s->from = p;
         f->entered = f->entered || (p->struck && !p->mirrored);
-        if (p->struck && f->out && s->appearance->lit && !(m->leaves.items[s->at->object].flags & PHOTON_IGNORES))
+        if (p->struck && f->out && s->appearance->lit && !(model_leaf(m, s->at->object)->flags & PHOTON_IGNORES))
             deposit(f, s, lanes_at(&on->geometry.to.normal, i));
         decide(f, i, s, p);
     }

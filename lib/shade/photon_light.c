@@ -118,7 +118,7 @@ void photon_light_add(photon_work *w, const shade_context *c, const finishes *li
         const photon_map *map = &w->maps[s->from->lane]->of[PHOTON_ON];
         colour given;
 
-        if (map->node_count == 0 || (m->leaves.items[s->at->object].flags & PHOTON_IGNORES))
+        if (map->node_count == 0 || (model_leaf(m, s->at->object)->flags & PHOTON_IGNORES))
             continue;
         given = is_plain(s->appearance) ? light_plain(map, on, i) : light_rich(&w->lanes, m, map, on, i);
         s->lit = colour_add(s->lit, given);

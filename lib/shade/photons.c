@@ -6,7 +6,7 @@
 
 /* ---- targets ---- */
 
-static uint32_t flags_of(const model *m, uint32_t leaf) { return m->leaves.items[leaf].flags; }
+static uint32_t flags_of(const model *m, uint32_t leaf) { return model_leaf(m, leaf)->flags; }
 
 /* Leaves of one solid are one target: they have the same box. */
 static bool is_target(const model *m, uint32_t leaf)
@@ -95,7 +95,7 @@ bool photons_block(const shade_context *c, const pov_ray *ray, const pov_crossin
     if (from != POV_NO_OWNER && (flags_of(c->scene->model, from) & PHOTON_IGNORES))
         return false;
     for (uint32_t i = 0; i < count; i++)
-        if (target_of[at[i].owner] && c->blocks[target_of[at[i].owner] - 1])
+        if (at[i].owner < c->scene->model->leaves.count && target_of[at[i].owner] && c->blocks[target_of[at[i].owner] - 1])
             return true;
     return false;
 }

@@ -201,6 +201,7 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->dims = air_dims(m) || s->plan->media;
     s->scale = find_scale(m, w);
     s->objects_info = world_object_info(w);
+    s->own_names = world_own_names(w);
     s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
     finish_init(&s->plain_finish);
     s->unseen.finish = &s->plain_finish;

@@ -15,6 +15,7 @@ typedef struct shading {
     const world *world;
     const plan *plan;
     const object_info *objects_info;
+    uint32_t own_names;          /* of these; shading_info() */
     appearance *appearances;     /* one a material */
     appearance *finishes;        /* one a finish of varying textures, in the order of their places in memory */
     size_t finish_count;
@@ -37,10 +38,15 @@ void shading_destroy(shading *s);
 
 /* Appearance of a finish of a varying texture, but for its pigment. */
 const appearance *shading_finish(const shading *s, const finish *of);
+/* The record of a surface by its name. */
+static inline const object_info *shading_info(const shading *s, uint32_t which)
+{
+    return which < s->own_names ? &s->objects_info[which] : world_info_within(s->world, which);
+}
 /* Appearance of an object with a constant texture. */
 static inline const appearance *shading_constant(const shading *s, uint32_t which)
 {
-    return &s->appearances[s->objects_info[which].material];
+    return &s->appearances[shading_info(s, which)->material];
 }
 
 #endif

@@ -72,7 +72,7 @@ static inline void place(surfaces *s, surface *at, const batch *b, uint32_t i, u
 /* Has the object no surface for this path? */
 static bool is_unseen(const shading *scene, const path *p, uint32_t object)
 {
-    const object_info *o = &scene->objects_info[object];
+    const object_info *o = shading_info(scene, object);
 
     if (p->gathering)
         return o->no_radiosity;
@@ -218,7 +218,7 @@ static void set_shading_normals(const shading *scene, surfaces *s)
     for (uint32_t i = 0; i < s->count; i++) {
         pov_vec3 normal = lanes_at(&g->to.normal, i);
 
-        if (scene->objects_info[s->found[i]->object].smooth)
+        if (shading_info(scene, s->found[i]->object)->smooth)
             smooth |= world_shading_normal(scene->world, s->rays[i], s->found[i], &normal);
         lanes_put(&g->smooth, i, normal);
     }

@@ -377,7 +377,9 @@ static bool find_classes(survey *s, bool *any_map)
         if (k == s->classes.count && (k == MOST_CLASSES || !VEC_PUSH(s->f->env, &s->classes, last)))
             return false;
     }
-    return s->f->model->trees.count == 0 || VEC_PUSH(s->f->env, &s->classes, &csg_class);   /* the last */
+    *any_map = *any_map || s->f->model->copies.count > 0;
+    return (s->f->model->trees.count == 0 || VEC_PUSH(s->f->env, &s->classes, &csg_class)) &&
+           (s->f->model->copies.count == 0 || VEC_PUSH(s->f->env, &s->classes, &copy_class));   /* the last */
 }
 
 static arena *make_arenas(const env *e, int count)
@@ -408,9 +410,9 @@ static bool allocate(survey *s, bool any_map)
         f->boxes = env_resize(f->env, NULL, n, sizeof *f->boxes);
         f->maps = env_resize(f->env, NULL, n, sizeof *f->maps);
     }
-    if (n > leaves)
+    if (f->model->trees.count > 0)
         f->is_member = env_alloc(f->env, leaves, sizeof *f->is_member);
-    return s->slices && f->staged && f->resident && f->group && f->objects_info && (f->is_member || n == leaves) &&
+    return s->slices && f->staged && f->resident && f->group && f->objects_info && (f->is_member || f->model->trees.count == 0) &&
            (!any_map || (f->moved && f->boxes && f->maps));
 }
 
@@ -461,7 +463,18 @@ static pov_status add_up(survey *s, pov_error *err)
     return POV_OK;
 }
 
-pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, int threads, pov_error *err)
+/* The mark of the host's own classes, which are the last. */
+static uint16_t mark_of(const survey *s, const shape_class *shape)
+{
+    size_t i = s->classes.count;
+
+    while (i > 0 && s->classes.items[i - 1] != shape)
+        i--;
+    return (uint16_t)(i > 0 ? COMPILE_KINDS * (i - 1) : 0);
+}
+
+pov_status compile_objects(compile_state *f, const model *m, world *const *parts, bool use_blocks, int threads,
+                           pov_error *err)
 {
     survey s = { f, { NULL, 0, 0 }, NULL, 0, use_blocks };
     pov_status status = POV_OK;
@@ -471,6 +484,8 @@ pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, in
     f->env = m->env;
     f->model = m;
     f->use_blocks = use_blocks;
+    f->parts = parts;
+    f->part_count = m->parts.count;
     for (size_t i = 0; i < m->materials.count; i++)
         f->located |= interior_is_located(&m->materials.items[i].interior);
     f->large_resident = m->leaves.count > COMPILE_MANY;
@@ -482,8 +497,11 @@ pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, in
         share_work(threads, s.slice_count, compile_slice, &s);
         status = add_up(&s, err);
     }
-    if (status == POV_OK && !(compile_add_trees(f, (uint16_t)(COMPILE_KINDS * (s.classes.count - 1))) &&
-                              compile_make_groups(f, s.classes.items, s.classes.count)))
+    if (status == POV_OK && !compile_add_trees(f, mark_of(&s, &csg_class)))
+        status = err_memory(err);
+    if (status == POV_OK)
+        status = compile_add_copies(f, mark_of(&s, &copy_class), err);
+    if (status == POV_OK && !compile_make_groups(f, s.classes.items, s.classes.count))
         status = err_memory(err);
     env_free(f->env, s.classes.items);
     env_free(f->env, s.slices);
@@ -547,5 +565,7 @@ void compile_free(compile_state *f)
     csg_free(&f->trees, f->env);
     env_free(f->env, f->roots);
     env_free(f->env, f->tree_leaves);
+    env_free(f->env, f->copies);
+    env_free(f->env, f->copy_leaves);
     memset(f, 0, sizeof *f);
 }

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/share.h"
 #include "model/model.h"
+#include "world/copy.h"
 #include "world/csg.h"
 #include "world/leaf_batch.h"
 #include "world/world.h"
@@ -31,7 +32,7 @@ enum { COMPILE_ALIGN = 32 };
  * made, and COMPILE_INFINITE or COMPILE_MEMBER with it. */
 enum { COMPILE_SINGLE, COMPILE_SHARES_LEAF, COMPILE_INSTANCED, COMPILE_KINDS };
 
-/* State of the compilation. Arrays are by object: by leaf, and behind the leaves by tree. A leaf of a tree is a member:
+/* State of the compilation. Arrays are by object: by leaf, behind the leaves by tree, and behind these by copy. A leaf of a tree is a member:
  * it is laid out as others, but rays are not tested against it directly. */
 typedef struct compile_state {
     const env *env;
@@ -59,6 +60,10 @@ typedef struct compile_state {
     csg_list trees;
     csg_root *roots;             /* by tree: its instance */
     leaf_node *tree_leaves;      /* by tree: as of objects */
+    world *const *parts;         /* worlds of the model's parts, made before */
+    size_t part_count;
+    copy_root *copies;           /* by copy: its instance, and as of objects */
+    leaf_node *copy_leaves;
     pov_box bounds;              /* around the finite objects, if there are any */
     pov_box transparent;         /* around transparent objects; inverted if there are none */
     size_t absorbed, composed, packed;
@@ -73,23 +78,29 @@ static inline bool compile_is_resident(const compile_state *f, const shape_class
     return f->large_resident && shape->instance_size >= COMPILE_LARGE;
 }
 
-/* use_blocks: whether shapes may share blocks. On failure call compile_free() as well. */
-pov_status compile_objects(compile_state *f, const model *m, bool use_blocks, int threads, pov_error *err);
-/* The number of objects, trees included, and the record of one. */
+/* use_blocks: whether shapes may share blocks; parts: worlds of the model's parts. On failure call compile_free() as
+ * well. */
+pov_status compile_objects(compile_state *f, const model *m, world *const *parts, bool use_blocks, int threads,
+                           pov_error *err);
+/* The number of objects, trees and copies included, and the record of one. */
 static inline uint32_t compile_count(const compile_state *f)
 {
-    return (uint32_t)(f->model->leaves.count + f->model->trees.count);
+    return (uint32_t)model_own_names(f->model);
 }
 static inline const leaf_node *compile_leaf(const compile_state *f, uint32_t index)
 {
     const size_t n = f->model->leaves.count;
 
-    return index < n ? &f->model->leaves.items[index] : &f->tree_leaves[index - n];
+    if (index < n)
+        return &f->model->leaves.items[index];
+    return index - n < f->trees.count ? &f->tree_leaves[index - n] : &f->copy_leaves[index - n - f->model->trees.count];
 }
 /* For this room: which leaves are members of trees. */
 void compile_mark_members(compile_state *f);
 /* For this room, once all leaves are known: add the trees behind them, with that class mark. */
 bool compile_add_trees(compile_state *f, uint16_t mark);
+/* The same of copies, behind the trees. */
+pov_status compile_add_copies(compile_state *f, uint16_t mark, pov_error *err);
 /* For this room, from the marks: number the groups that have members, and list the objects, in the order of the scene.
  * False: no memory. */
 bool compile_make_groups(compile_state *f, const shape_class *const *classes, size_t count);

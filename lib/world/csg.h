@@ -120,11 +120,16 @@ typedef struct csg_scratch {
     uint32_t *asked;             /* members that were intersected */
     csg_near *near;              /* heap of bounds to be opened, nearest first */
     class_counts *classes;       /* the thread's counters; NULL: none */
+    uint32_t names;              /* a leaf of this index has that name more: it is in a copy */
+    const struct coincident_set *from;   /* surfaces that the ray starts on, each of which copies name by itself; or NULL */
     bool failed;                 /* out of memory; stays so */
 } csg_scratch;
 typedef struct csg_user { csg_scratch *scratch; } csg_user;
 
-bool csg_scratch_init(csg_scratch *s, const csg_list *all, const env *e);
+/* The largest of some trees. */
+typedef struct csg_size { uint32_t nodes, members; } csg_size;
+void csg_measure(const csg_list *all, csg_size *most);
+bool csg_scratch_init(csg_scratch *s, const csg_size *most, const env *e);
 void csg_scratch_free(csg_scratch *s);
 
 /* The functions of the class. */

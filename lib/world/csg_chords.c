@@ -98,7 +98,7 @@ static void intersect(chord_search *s, const csg_member *m)
     const uint32_t escalated = s->found.escalated;
     class_counts *classes = w->scratch->classes;
 
-    s->found.owner = m->leaf;
+    s->found.owner = w->scratch->names + m->leaf;
     if (m->xform)
         instance_intersect(m->xform, m->shape, m->instance, w->ray, &s->found);
     else
@@ -143,7 +143,7 @@ static chord *ask(chord_search *s, uint32_t column)
 static bool find_common(chord_search *s, chord *both)
 {
     const csg_chords *f = &s->w->tree->chords;
-    const uint32_t from = s->w->ray->origin_surface - s->w->tree->members[0].leaf;
+    const uint32_t from = csg_which(s->w, s->w->ray->origin_surface);
     uint32_t left = f->within;
 
     both->in = both->out = NULL;

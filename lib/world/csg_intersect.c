@@ -90,7 +90,7 @@ static bool is_close(const csg_traversal *w)
 
 /* ---- coincident crossings ---- */
 
-static uint32_t which_of(const csg_traversal *w, const pov_crossing *at) { return at->owner - w->tree->members[0].leaf; }
+static uint32_t which_of(const csg_traversal *w, const pov_crossing *at) { return csg_which(w, at->owner); }
 
 /* Apply members that clip: before the others those that uncover surfaces, after them those that cover. So a surface that
  * coincides with the clip's is visible. */

@@ -27,16 +27,22 @@ static bool grow(pov_hits *hits)
     return true;
 }
 
-bool csg_scratch_init(csg_scratch *s, const csg_list *all, const env *e)
+void csg_measure(const csg_list *all, csg_size *most)
 {
-    uint32_t nodes = 0, members = 0;
-
     for (uint32_t i = 0; i < all->count; i++) {
-        nodes = all->items[i].node_count > nodes ? all->items[i].node_count : nodes;
-        members = all->items[i].member_count > members ? all->items[i].member_count : members;
+        const csg_tree *t = &all->items[i];
+
+        most->nodes = t->node_count > most->nodes ? t->node_count : most->nodes;
+        most->members = t->member_count > most->members ? t->member_count : most->members;
     }
+}
+
+bool csg_scratch_init(csg_scratch *s, const csg_size *most, const env *e)
+{
+    const uint32_t nodes = most->nodes, members = most->members;
+
     s->env = e;
-    if (all->count == 0)
+    if (nodes == 0)
         return true;
     s->states = env_alloc(e, nodes, sizeof *s->states);
     s->inside = env_alloc(e, members, sizeof *s->inside);
@@ -316,7 +322,7 @@ static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *c
     bool inside;
 
     w->scratch->asked[w->asked_count++] = member;
-    w->found.owner = m->leaf;
+    w->found.owner = w->scratch->names + m->leaf;
     if (m->xform)
         instance_intersect(m->xform, m->shape, m->instance, w->ray, &w->found);
     else

@@ -37,9 +37,15 @@ void csg_test_ahead(csg_traversal *w);
 /* A member is entered or left: update the nodes above it, up to the first whose value stays. */
 void csg_toggle(csg_traversal *w, uint32_t member);
 
+/* The number of a member by its name. */
+static inline uint32_t csg_which(const csg_traversal *w, uint32_t name)
+{
+    return name - w->scratch->names - w->tree->members[0].leaf;
+}
+
 static inline const csg_member *csg_member_at(const csg_traversal *w, const pov_crossing *at)
 {
-    return &w->tree->members[at->owner - w->tree->members[0].leaf];
+    return &w->tree->members[csg_which(w, at->owner)];
 }
 
 /* Cosine between the ray and the normal, times the length of the direction. */

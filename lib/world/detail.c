@@ -1,16 +1,20 @@
 #include "world/detail.h"
 
-#include "world/internal.h"
+#include "world/copy_path.h"
 
 /* A hit's shape, and its point in the space of the instance. */
-typedef struct part { const shape_class *shape; shape_ref ref; pov_vec3 point, point_lo; } part;
+typedef struct part { const shape_class *shape; shape_ref ref; pov_vec3 point, point_lo; copy_path at; } part;
 
 static part find_part(const world *w, const hit *h)
 {
-    part p = { w->groups[w->objects_info[h->object].group].shape, world_shape(w, h->object), h->point, h->point_lo };
+    part p = { .point = h->point, .point_lo = h->point_lo };
 
+    world_find(w, h->object, &p.at);
+    p.shape = p.at.world->groups[p.at.world->objects_info[p.at.index].group].shape;
+    p.ref = world_shape(p.at.world, p.at.index);
+    copy_path_point(&p.at, &p.point, &p.point_lo);
     if (p.ref.xform) {
-        const pov_two3 own = instance_point(p.ref.xform, h->point, h->point_lo);
+        const pov_two3 own = instance_point(p.ref.xform, p.point, p.point_lo);
 
         p.point = pov_two3_hi(own);
         p.point_lo = pov_two3_lo(own);
@@ -31,6 +35,7 @@ bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_
     for (i = 0; i < count; i++) {
         if (p.ref.xform)
             instance_world_normal(p.ref.xform, &normal[i]);
+        copy_path_normal(&p.at, &normal[i]);
         sum = pov_add(sum, pov_scale(normal[i], share[i]));
     }
     if (!(pov_largest(sum) > 0.0))
@@ -67,11 +72,16 @@ static bool holds(const world *w, uint32_t leaf, const hit *h)
 /* The first of the members that hold the point give equal shares. */
 static uint32_t find_givers(const world *w, const hit *h, uint32_t *which, double *share)
 {
-    const cutaway *c = model_cutaway(w->model, h->object);
+    const cutaway *c;
     uint32_t count = 0, i;
+    copy_path p;
+    hit own = *h;
 
+    world_find(w, h->object, &p);
+    copy_path_point(&p, &own.point, &own.point_lo);
+    c = model_cutaway(p.world->model, p.index);
     for (i = 0; c && i < c->giver_count && count < POV_TEXTURES_MAX; i++)
-        if (holds(w, w->model->givers.items[c->giver + i], h))
+        if (holds(p.world, p.world->model->givers.items[c->giver + i], &own))
             which[count++] = i;
     for (i = 0; i < count; i++)
         share[i] = 1.0 / count;
@@ -82,7 +92,7 @@ uint32_t world_part_textures(const world *w, const hit *h, uint32_t *which, doub
 {
     const part p = find_part(w, h);
 
-    if (w->model->leaves.items[h->object].flags & LEAF_CUTAWAY)
+    if (model_leaf(w->model, h->object)->flags & LEAF_CUTAWAY)
         return find_givers(w, h, which, share);
     if (!p.shape->textures)
         return 0;

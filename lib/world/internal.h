@@ -3,6 +3,7 @@
 #define WORLD_INTERNAL_H
 
 #include "bvh/traverse.h"
+#include "world/copy.h"
 #include "world/csg.h"
 #include "world/leaf_layout.h"
 #include "world/surface.h"
@@ -45,6 +46,7 @@ struct world {
     bool has_tree;
     const bvh_kernels *kernels;
     bool always_exact;
+    bool is_part;                /* of another world */
     size_t scratch_bytes;        /* bytes of a thread's working memory for shapes */
     bool located;                /* light needs the distances of crossings: a transparent object is not plain */
     pov_box bounds, transparent; /* transparent: box around transparent objects */
@@ -58,6 +60,10 @@ struct world {
     world_lamps lamps;
     csg_list trees;              /* objects behind the leaves */
     csg_root *roots;             /* their instances */
+    copy_root *copies;           /* instances of the objects behind the trees */
+    world **parts;               /* what copies refer to */
+    size_t part_count;
+    uint32_t own_names;          /* leaves, trees and copies: the names that no copy holds */
     uint32_t *solids;            /* by leaf; NULL: each leaf is a solid of its own */
 };
 

@@ -37,8 +37,7 @@ static void invert(const instance_xform *x, pov_vec3 column[3])
 
 static pov_vec3 size_of(pov_vec3 v) { return pov_vec3_of(fabs(v.x), fabs(v.y), fabs(v.z)); }
 
-/* Around a box in object space. */
-static void to_world(const instance_xform *x, const pov_box *own, pov_box *out)
+void world_box_of_own(const instance_xform *x, const pov_box *own, pov_box *out)
 {
     const pov_vec3 half = pov_scale(pov_sub(own->hi, own->lo), 0.5);
     const pov_vec3 from = pov_sub(pov_scale(pov_add(own->hi, own->lo), 0.5), x->own_anchor);
@@ -70,7 +69,7 @@ bool world_object_box(const world *w, uint32_t leaf, pov_box *out)
     if (!w->groups[info->group].shape->bounds(at.instance, &own))
         return false;
     if (at.xform)
-        to_world(at.xform, &own, out);
+        world_box_of_own(at.xform, &own, out);
     else
         *out = own;
     return is_finite(out);

@@ -68,10 +68,23 @@ static void count_photons(const model *m, plan_counts *s)
     }
 }
 
-/* Many objects have few materials: objects are counted by material first. False: no memory. */
+/* Many objects have few materials: objects are counted by material first. */
+enum { CASTS = 1, SOLID = 2, KINDS = 4 };
+
+/* Of leaves that are there so many times. */
+static void count_leaves(const model *m, size_t times, uint32_t hides, size_t *counts, plan_counts *s)
+{
+    for (size_t i = 0; i < m->leaves.count; i++) {
+        const leaf_node *o = &m->leaves.items[i];
+        s->hidden += (o->flags & hides) != 0 ? times : 0;
+        counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (plan_is_solid(o) ? SOLID : 0)] += times;
+        s->smooth += o->shape->shading_normals != NULL ? times : 0;
+    }
+}
+
+/* False: no memory. */
 static bool survey_model(const model *m, plan_counts *s)
 {
-    enum { CASTS = 1, SOLID = 2, KINDS = 4 };
     size_t *counts = env_alloc(m->env, m->materials.count * KINDS, sizeof *counts), i;
     const uint32_t hides = LEAF_NO_IMAGE | LEAF_NO_REFLECTION | (m->radiosity.given ? LEAF_NO_RADIOSITY : 0u);
     bool done;
@@ -82,12 +95,10 @@ static bool survey_model(const model *m, plan_counts *s)
         s->attenuated += (m->lights.items[i].flags & LIGHT_ATTENUATED) != 0;
     }
     count_photons(m, s);
-    for (i = 0; counts && i < m->leaves.count; i++) {
-        const leaf_node *o = &m->leaves.items[i];
-        s->hidden += (o->flags & hides) != 0;
-        counts[(size_t)o->material * KINDS + (o->flags & LEAF_NO_SHADOW ? 0 : CASTS) + (plan_is_solid(o) ? SOLID : 0)]++;
-        s->smooth += o->shape->shading_normals != NULL;
-    }
+    if (counts)
+        count_leaves(m, 1, hides, counts, s);
+    for (i = 0; counts && i < m->parts.count; i++)
+        count_leaves(m->parts.items[i], m->parts.items[i]->uses, hides, counts, s);
     for (i = 0; counts && i < m->materials.count * KINDS; i++)
         count_objects(s, &m->materials.items[i / KINDS], i & CASTS, i & SOLID, counts[i]);
     done = counts != NULL;

@@ -1,5 +1,6 @@
 #include "base/simd.h"
-#include "world/internal.h"
+#include "world/object_box.h"
+#include "world/copy_path.h"
 
 /* ---- what world_nearest() leaves open ---- */
 
@@ -20,10 +21,11 @@ static void find_point(const pov_ray *ray, hit *h)
     h->point_lo = pov_two3_lo(p);
 }
 
-static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
+/* index: of the hit's surface in the world. */
+static inline void find_normal_of(const world *w, uint32_t index, const pov_ray *ray, hit *h)
 {
-    const shape_class *shape = w->groups[w->objects_info[h->object].group].shape;
-    const shape_ref ref = world_shape(w, h->object);
+    const shape_class *shape = w->groups[w->objects_info[index].group].shape;
+    const shape_ref ref = world_shape(w, index);
 
     if (ref.xform)
         instance_normal(ref.xform, shape, ref.instance, ray, &h->crossing, &h->normal);
@@ -31,15 +33,35 @@ static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
         shape->normal(ref.instance, ray, &h->crossing, &h->normal);
 }
 
+static void find_copy_normal(const world *w, const pov_ray *ray, hit *h)
+{
+    copy_path p;
+    pov_ray own;
+
+    world_find(w, h->object, &p);
+    find_normal_of(p.world, p.index, copy_path_ray(&p, ray, &own), h);
+    copy_path_normal(&p, &h->normal);
+}
+
+static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
+{
+    if (world_is_own(w, h->object))
+        find_normal_of(w, h->object, ray, h);
+    else
+        find_copy_normal(w, ray, h);
+}
+
 /* The shape's normal is the surface's; for inverse objects it is reversed. */
 static inline void set_entering(const world *w, const pov_ray *ray, hit *h)
 {
+    const object_info *info = world_is_own(w, h->object) ? &w->objects_info[h->object] : world_info_within(w, h->object);
+
     h->entering = h->outside = pov_dot(h->normal, ray->dir) < 0.0;
-    if (w->objects_info[h->object].inverse) {
+    if (info->inverse) {
         h->normal = pov_scale(h->normal, -1.0);
         h->entering = pov_dot(h->normal, ray->dir) < 0.0;
     }
-    if (w->objects_info[h->object].member)   /* its tree's flag is more accurate than a rounded normal */
+    if (info->member)   /* its tree's flag is more accurate than a rounded normal */
         h->entering = (h->crossing.mark.flags & CSG_MARK_ENTERS) != 0;
 }
 
@@ -52,12 +74,17 @@ void world_surface(const world *w, const pov_ray *ray, hit *h)
 
 bool world_is_at_front(const world *w, const pov_ray *ray, const hit *h)
 {
-    const shape_class *shape = w->groups[w->objects_info[h->object].group].shape;
-    const shape_ref ref = world_shape(w, h->object);
-    pov_ray own;
+    const shape_class *shape;
+    pov_ray moved, own;
+    copy_path p;
+    shape_ref ref;
 
+    world_find(w, h->object, &p);
+    shape = p.world->groups[p.world->objects_info[p.index].group].shape;
     if (!shape->reversed)
         return h->entering;
+    ref = world_shape(p.world, p.index);
+    ray = copy_path_ray(&p, ray, &moved);
     if (ref.xform)
         instance_ray(ref.xform, ray, &own);
     return h->entering != shape->reversed(ref.instance, ref.xform ? &own : ray, &h->crossing);
@@ -210,9 +237,14 @@ static uint64_t find_normals(const world *w, const object_space_rays *from, cons
 
     for (some.count = some.instanced_count = some.batch.count = 0; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
-        const shape_group *g = &w->groups[w->objects_info[which].group];
+        const shape_group *g;
         shape_ref ref;
 
+        if (!world_is_own(w, which)) {
+            find_copy_normal(w, rays[i], hits[i]);
+            continue;
+        }
+        g = &w->groups[w->objects_info[which].group];
         if (!g->instanced && g->shape != shape && !g->shape->normal_many) {
             find_normal(w, rays[i], hits[i]);
             continue;
@@ -278,46 +310,101 @@ static bool is_inside(const world *w, const dielectric *m, pov_vec3 point, pov_v
     return inside != ((o->flags & LEAF_INVERSE) != 0);
 }
 
-static double size_of(const dielectric *m)
+static double size_of(const pov_box *box, bool boxed)
 {
-    const pov_vec3 edges = pov_sub(m->box.hi, m->box.lo);
+    const pov_vec3 edges = pov_sub(box->hi, box->lo);
 
-    return m->boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
+    return boxed ? edges.x + edges.y + edges.z : HUGE_VAL;
 }
 
-/* Of nested dielectrics the innermost comes last: a ray that starts there is in it. */
-static bool comes_before(const dielectric *a, const dielectric *b)
+/* A point in the space of a copy's part. */
+static const world *enter_copy(const world *w, const dielectric *m, pov_vec3 *point, pov_vec3 *point_lo)
 {
-    const double size_a = size_of(a), size_b = size_of(b);
+    const uint32_t which = m->object - (uint32_t)(w->model->leaves.count + w->model->trees.count);
+    copy_path p = { .depth = 1, .into = { copy_xform(w, which) } };
 
-    return size_a != size_b ? size_a > size_b : a->object < b->object;
+    copy_path_point(&p, point, point_lo);
+    return w->copies[which].of;
 }
+
+static inline bool is_copy(const dielectric *m) { return m->solid == POV_NO_OWNER; }
 
 uint32_t world_filled_at(const world *w, pov_vec3 point, pov_vec3 point_lo)
 {
     uint32_t count = 0;
 
-    for (size_t i = 0; i < w->filled.count; i++)
-        count += is_inside(w, &w->filled.items[i], point, point_lo);
+    for (size_t i = 0; i < w->filled.count; i++) {
+        const dielectric *m = &w->filled.items[i];
+
+        if (!is_copy(m)) {
+            count += is_inside(w, m, point, point_lo);
+        } else if (!m->boxed || world_is_within(&m->box, point)) {
+            pov_vec3 at = point, at_lo = point_lo;
+            const world *part = enter_copy(w, m, &at, &at_lo);
+
+            count += world_filled_at(part, at, at_lo);
+        }
+    }
     return count;
+}
+
+/* A dielectric that holds the point, of some size. */
+typedef struct found_solid { double size; uint32_t object, solid; } found_solid;
+
+/* Of nested dielectrics the innermost comes last: a ray that starts there is in it. */
+static bool comes_before(const found_solid *a, const found_solid *b)
+{
+    return a->size != b->size ? a->size > b->size : a->object < b->object;
+}
+
+/* The search for the first behind `last`, or of all, so far. */
+typedef struct solid_search { const found_solid *last; found_solid next; bool found; } solid_search;
+
+static bool is_next(const solid_search *s, const found_solid *m)
+{
+    return (!s->last || comes_before(s->last, m)) && (!s->found || comes_before(m, &s->next));
+}
+
+static void search(const world *w, const instance_xform *to, uint32_t name, pov_vec3 point, pov_vec3 point_lo, solid_search *s)
+{
+    for (size_t i = 0; i < w->dielectrics.count; i++) {
+        const dielectric *m = &w->dielectrics.items[i];
+        pov_box box = m->box;
+
+        if (is_copy(m)) {
+            pov_vec3 at = point, at_lo = point_lo;
+            const model_copy *c = &w->model->copies.items[m->object - (w->model->leaves.count + w->model->trees.count)];
+            const world *part;
+
+            if (m->boxed && !world_is_within(&m->box, point))
+                continue;
+            part = enter_copy(w, m, &at, &at_lo);
+            search(part, copy_xform(w, (uint32_t)(c - w->model->copies.items)), name + c->name, at, at_lo, s);
+            continue;
+        }
+        if (to && m->boxed)
+            world_box_of_own(to, &m->box, &box);
+        if (is_next(s, &(found_solid){ size_of(&box, m->boxed), name + m->object, name + m->solid }) &&
+            is_inside(w, m, point, point_lo)) {
+            s->next = (found_solid){ size_of(&box, m->boxed), name + m->object, name + m->solid };
+            s->found = true;
+        }
+    }
 }
 
 /* Few dielectrics contain a point, if any: searching for each is cheaper than sorting all. */
 void world_dielectrics_at(const world *w, pov_vec3 point, pov_vec3 point_lo, void (*visit)(void *user, uint32_t object),
                           void *user)
 {
-    const dielectric *last = NULL, *next;
-    size_t i;
+    found_solid last;
+    solid_search s;
 
-    do {
-        for (next = NULL, i = 0; i < w->dielectrics.count; i++) {
-            const dielectric *m = &w->dielectrics.items[i];
-
-            if ((!last || comes_before(last, m)) && (!next || comes_before(m, next)) && is_inside(w, m, point, point_lo))
-                next = m;
-        }
-        if (next)
-            visit(user, next->solid);
-        last = next;
-    } while (next);
+    for (s.last = NULL;; s.last = &last) {
+        s.found = false;
+        search(w, NULL, 0, point, point_lo, &s);
+        if (!s.found)
+            return;
+        visit(user, s.next.solid);
+        last = s.next;
+    }
 }

@@ -19,6 +19,16 @@ typedef struct hit {
     pov_crossing crossing;
 } hit;
 
+/* Surfaces that share a place: see query.h. */
+enum { COINCIDENT_MAX = 16 };
+
+typedef struct coincident_set {
+    uint32_t count;
+    uint32_t above;              /* bit i: the point is on the side that the normal of at[i] points to */
+    uint32_t solid;              /* bit i: at[i] is a solid's */
+    hit at[COINCIDENT_MAX];      /* by object */
+} coincident_set;
+
 /* Complete a hit of a query. */
 void world_surface(const world *w, const pov_ray *ray, hit *h);
 /* Does the ray of a complete hit come upon the front of the surface? For most shapes that is the outside. */

@@ -1,5 +1,5 @@
 #include "bvh/build.h"
-#include "world/internal.h"
+#include "world/copy_path.h"
 
 #include "base/err.h"
 #include "base/share.h"
@@ -23,6 +23,14 @@ static bool is_wanted(const world *w, const leaf_node *o, around kind)
     case AROUND_DIELECTRIC: return plan_is_dielectric(w->model, o);
     default: return w->plan.opaque_at_start && plan_is_solid(o);
     }
+}
+
+/* For a copy: has its part any of these? */
+static bool has_copy(const compile_state *f, uint32_t copy, around kind)
+{
+    const world *part = f->copies[copy].of;
+
+    return kind == AROUND_FILLED ? part->filled.count > 0 : part->dielectrics.count > 0;
 }
 
 /* For a tree its first leaf of this kind, if any; for a leaf the leaf. */
@@ -51,7 +59,7 @@ static bool find_around(world *w, const compile_state *f, dielectric_list *out, 
     uint32_t i, k;
 
     /* Both lists are in the order of the objects. */
-    for (i = 0, k = 0; i < compile_count(f); i++) {
+    for (i = 0, k = 0; i < w->model->leaves.count + f->trees.count; i++) {
         uint32_t leaf = solid_leaf(w, f, i, kind);
         const bool wanted = leaf != POV_NO_OWNER;
         dielectric m = { .object = i };
@@ -64,8 +72,27 @@ static bool find_around(world *w, const compile_state *f, dielectric_list *out, 
             k++;
         m.solid = world_solid(w, leaf);
         box_around(f, i, k < f->finite_count && f->finite[k] == i, &m);
-        if (!wanted && m.boxed && w->model->camera.type != POV_CAMERA_MESH && !world_is_within(&m.box, w->model->camera.location))
+        if (!wanted && !w->is_part && m.boxed && w->model->camera.type != POV_CAMERA_MESH && !world_is_within(&m.box, w->model->camera.location))
             continue;
+        if (!VEC_PUSH(w->env, out, m))
+            return false;
+    }
+    return true;
+}
+
+/* Copies whose parts have some. */
+static bool find_copies(world *w, const compile_state *f, dielectric_list *out, around kind)
+{
+    const uint32_t first = (uint32_t)(w->model->leaves.count + f->trees.count);
+
+    for (uint32_t i = 0; i < w->model->copies.count; i++) {
+        dielectric m = { .solid = POV_NO_OWNER, .object = first + i };
+
+        if (!has_copy(f, i, kind))
+            continue;
+        m.boxed = f->copies[i].of->infinite_count == 0;
+        if (m.boxed)
+            compile_box(f, first + i, &m.box);
         if (!VEC_PUSH(w->env, out, m))
             return false;
     }
@@ -75,8 +102,10 @@ static bool find_around(world *w, const compile_state *f, dielectric_list *out, 
 /* Solids that may contain the start of a camera's ray. */
 static bool find_starts(world *w, const compile_state *f)
 {
-    return (!w->plan.dielectrics_at_start || find_around(w, f, &w->dielectrics, AROUND_DIELECTRIC)) &&
-           (!(w->plan.media || w->model->fogs.count > 0) || find_around(w, f, &w->filled, AROUND_FILLED));
+    return (!w->plan.dielectrics_at_start || (find_around(w, f, &w->dielectrics, AROUND_DIELECTRIC) &&
+                                              find_copies(w, f, &w->dielectrics, AROUND_DIELECTRIC))) &&
+           (!(w->plan.media || w->model->fogs.count > 0) || (find_around(w, f, &w->filled, AROUND_FILLED) &&
+                                                             find_copies(w, f, &w->filled, AROUND_FILLED)));
 }
 
 /* Members that differ in what fills them are solids of their own. Media are those of the whole where both have some: each
@@ -287,6 +316,8 @@ static pov_status compile(world *w, compile_state *f, const world_options *optio
     w->bounds = f->bounds;
     w->transparent = f->transparent;
     w->located = is_located(w, f);
+    for (size_t i = 0; i < w->part_count; i++)
+        w->located |= w->parts[i]->located;
     if (w->plan.radiosity)
         compile_find_lamps(f, &w->lamps);
     if (!find_solids(w) || !find_starts(w, f) ||
@@ -309,24 +340,53 @@ static void take_over(world *w, compile_state *f)
     w->finite_count = f->finite_count;
     w->trees = f->trees;
     w->roots = f->roots;
+    w->copies = f->copies;
     f->groups = NULL;
     f->resident = NULL;
     f->objects_info = NULL;
     f->trees.items = NULL;
     f->trees.count = 0;
     f->roots = NULL;
+    f->copies = NULL;
 }
 
-static pov_status build(world *w, const world_options *options, pov_error *err)
+static pov_status create(world **out, const model *m, const world *whole, const world_options *options, pov_error *err);
+
+/* Parts do not refer to each other. */
+static pov_status make_parts(world *w, const world_options *options, pov_error *err)
+{
+    const part_models *all = &w->model->parts;
+    world_options of_part = *options;
+    pov_status status = POV_OK;
+
+    if (all->count == 0)
+        return POV_OK;
+    of_part.last = NULL;
+    w->parts = env_alloc(w->env, all->count, sizeof *w->parts);
+    if (!w->parts)
+        return err_memory(err);
+    for (size_t i = 0; i < all->count && status == POV_OK; i++) {
+        status = create(&w->parts[i], all->items[i], w, &of_part, err);
+        w->part_count += status == POV_OK;
+    }
+    return status;
+}
+
+/* whole: the world that the part is of, whose plan holds for it too; or NULL. */
+static pov_status build(world *w, const world *whole, const world_options *options, pov_error *err)
 {
     bool use_blocks = options->accel != POV_ACCEL_NONE && !options->always_exact;
     int threads = w->model->leaves.count < THREADS_FROM ? 1 : share_threads(options->threads);
-    pov_status status = plan_make(&w->plan, w->model, err);
+    pov_status status = whole ? POV_OK : plan_make(&w->plan, w->model, err);
     compile_state f;
 
+    if (whole)
+        w->plan = whole->plan;
+    if (status == POV_OK)
+        status = make_parts(w, options, err);
     if (status < 0)
         return status;
-    status = compile_objects(&f, w->model, use_blocks, threads, err);
+    status = compile_objects(&f, w->model, w->parts, use_blocks, threads, err);
     f.last = options->last;
     if (status == POV_OK && f.composed == 0)
         compile_drop_maps(&f);
@@ -340,22 +400,22 @@ static pov_status build(world *w, const world_options *options, pov_error *err)
     return status;
 }
 
-pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
+static pov_status create(world **out, const model *m, const world *whole, const world_options *options, pov_error *err)
 {
     world *w;
     pov_status status;
 
     *out = NULL;
-    if (m->leaves.count > POV_NO_OWNER - 1u)
-        return err_set(err, POV_E_UNSUPPORTED, "%zu objects are more than this version can hold", m->leaves.count);
     w = env_alloc(m->env, 1, sizeof *w);
     if (!w)
         return err_memory(err);
     w->env = m->env;
     w->model = m;
+    w->is_part = whole != NULL;
+    w->own_names = (uint32_t)model_own_names(m);
     w->always_exact = options->always_exact;
     w->kernels = bvh_kernels_best();
-    status = build(w, options, err);
+    status = build(w, whole, options, err);
     if (status < 0)
         world_destroy(w);
     else
@@ -363,10 +423,22 @@ pov_status world_create(world **out, const model *m, const world_options *option
     return status;
 }
 
+pov_status world_create(world **out, const model *m, const world_options *options, pov_error *err)
+{
+    *out = NULL;
+    if (model_all_names(m) > POV_NO_OWNER - 1u)
+        return err_set(err, POV_E_UNSUPPORTED, "%zu objects are more than this version can hold", model_object_count(m));
+    return create(out, m, NULL, options, err);
+}
+
 void world_destroy(world *w)
 {
     if (!w)
         return;
+    for (size_t i = 0; i < w->part_count; i++)
+        world_destroy(w->parts[i]);
+    env_free(w->env, w->parts);
+    env_free(w->env, w->copies);
     compile_free_groups(w->env, w->groups, w->group_count);
     compile_free_arenas(w->env, w->resident, w->resident_count);
     bvh_free(&w->tree, w->env);
@@ -392,19 +464,31 @@ world_facts world_get_facts(const world *w)
 {
     const bvh *t = &w->tree;
     const world_facts facts = { w->absorbed, w->composed, w->packed, w->infinite_count, w->finite_count, t->node_count,
-                                t->leaf_count, t->frame_count, t->node_count * sizeof(bvh_node) + t->leaf_bytes,
-                                t->depth, w->has_tree ? w->kernels->name : NULL };
+                                t->leaf_count, t->frame_count, t->node_count * sizeof(bvh_node) + t->leaf_bytes, w->part_count,
+                                w->model->copies.count, t->depth, w->has_tree ? w->kernels->name : NULL };
     return facts;
 }
 
 uint32_t world_solid(const world *w, uint32_t leaf)
 {
-    return w->solids ? w->solids[leaf] : leaf;
+    const model_copy *c;
+
+    if (leaf < w->own_names)
+        return w->solids ? w->solids[leaf] : leaf;
+    c = model_copy_of(w->model, &leaf);
+    return c->name + world_solid(w->parts[c->of->part], leaf);
 }
 
-const csg_list *world_trees(const world *w)
+void world_measure_trees(const world *w, csg_size *most)
 {
-    return &w->trees;
+    csg_measure(&w->trees, most);
+    for (size_t i = 0; i < w->part_count; i++)
+        csg_measure(&w->parts[i]->trees, most);
+}
+
+uint32_t world_own_names(const world *w)
+{
+    return w->own_names;
 }
 
 const object_info *world_object_info(const world *w)

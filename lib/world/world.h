@@ -25,7 +25,7 @@ const plan *world_plan(const world *w);
 /* Numbers for --explain: objects whose transformation was absorbed, instances, objects in blocks, without and with a
  * finite box; and the size of the tree. */
 typedef struct world_facts {
-    size_t absorbed, composed, packed, infinite, finite, nodes, leaves, frames, tree_bytes;
+    size_t absorbed, composed, packed, infinite, finite, nodes, leaves, frames, tree_bytes, parts, copies;
     int depth;
     const char *kernels;         /* the code that traverses the tree; NULL: there is no tree */
 } world_facts;
@@ -43,6 +43,17 @@ typedef struct object_info {
     bool filled : 1;             /* it bounds a solid that is not hollow: there is no fog in it and no medium acts */
 } object_info;
 const object_info *world_object_info(const world *w);
+/* The record of a name that is not among the first world_own_names(), which have theirs in that array: of what is in
+ * copies. */
+uint32_t world_own_names(const world *w);
+const object_info *world_info_within(const world *w, uint32_t name);
+/* As model_texture_map(), of a name of any copy; its linear part may be written to `linear`. */
+const inverse_map *world_texture_map_within(const world *w, uint32_t name, inverse_map *space, linear_map *linear);
+static inline const inverse_map *world_texture_map(const world *w, const model *m, uint32_t name, inverse_map *space,
+                                                   linear_map *linear)
+{
+    return name < m->leaves.count ? model_texture_map(m, name, space) : world_texture_map_within(w, name, space, linear);
+}
 /* Where there is radiosity: the boxes of the finite objects that emit most, and what each gives, roughly. */
 enum { WORLD_LAMPS_MAX = 16 };
 typedef struct world_lamp { pov_box box; double power; } world_lamp;
@@ -60,8 +71,9 @@ const char *world_class(const world *w, size_t number);
 
 /* The solid of an object, for dielectrics: the first of its leaves. An object of one leaf is its own solid. */
 uint32_t world_solid(const world *w, uint32_t leaf);
-/* Shapes that rays intersect as one; see csg.h. */
-const struct csg_list *world_trees(const world *w);
+/* Shapes that rays intersect as one: memory for the largest; see csg.h. */
+struct csg_size;
+void world_measure_trees(const world *w, struct csg_size *most);
 
 /* How many solids that are not hollow contain a point, if the scene has fog or media; 0 without. */
 uint32_t world_filled_at(const world *w, pov_vec3 point, pov_vec3 point_lo);

@@ -284,7 +284,23 @@ def lit(kind):
 
 
 PAIRS = ('plain', 'mirror', 'filter', 'glass', 'moved', 'light')
-MAKERS = {'flake': (flake, 4), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000), 'rings': (rings, 14),
+def forest(copies):
+    """Copies of one declared union of 100 000 leaves, each turned and moved: memory should grow by the copies only."""
+    def grow():
+        draw = random.Random(2).random
+        yield '#declare Tree = union {'
+        for _ in range(100000):
+            height, out, turn = draw(), draw(), 2.0 * math.pi * draw()
+            reach = 0.45 * (1.0 - height) * math.sqrt(out)
+            yield f'  sphere {{ {vector((reach * math.cos(turn), height, reach * math.sin(turn)))}, .006 }}'
+        yield '  pigment { rgb <.2,.5,.15> } }'
+        for _ in range(copies):
+            yield (f'object {{ Tree rotate <0,{360.0 * draw():.5g},0> '
+                   f'translate {vector((80.0 * draw() - 40.0, 0.0, 80.0 * draw()))} }}')
+    return Scene((0, 6, -12), (0, 0, 14), 50, looks=MATT, objects=grow)
+
+
+MAKERS = {'flake': (flake, 4), 'forest': (forest, 10000), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000), 'rings': (rings, 14),
           'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000),
           'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000)}
 TEXTURED = tuple('texture-' + kind for kind in TEXTURES)
