@@ -334,6 +334,17 @@ static bool grow_all(builder *b, bvh_draft_child *root, worker *workers)
     return done;
 }
 
+/* The boxes have an order now, which is all that is needed of them. */
+static void keep_slice(void *user, uint32_t slice, int unused)
+{
+    const builder *b = user;
+    const uint32_t end = share_begin(b->in->count, SLICES, slice + 1);
+
+    (void)unused;
+    for (uint32_t i = share_begin(b->in->count, SLICES, slice); i < end; i++)
+        b->in->ids[i] = b->refs[i].id;
+}
+
 static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
 {
     int n = b->threads, i;
@@ -351,7 +362,11 @@ static bool draft_and_lay_out(bvh *out, builder *b, bvh_leaf **leaves)
     done = grow_all(b, &root, workers);
     if (done && b->in->drop)
         b->in->drop(b->in->box_user);
-    done = done && bvh_layout(out, b->in, &root, b->refs, leaves);
+    if (done)
+        share_work(b->threads, SLICES, keep_slice, b);
+    env_free_aligned(b->in->env, b->refs);   /* the largest part of the memory of a build */
+    b->refs = NULL;
+    done = done && bvh_layout(out, b->in, &root, leaves);
     for (i = 0; i < n; i++)
         arena_free(&workers[i].memory);
     env_free(b->in->env, workers);

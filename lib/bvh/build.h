@@ -72,9 +72,9 @@ void bvh_frame_convert(const bvh_frame *frame, const bvh_input *in, bvh_ref *ref
  * frame. */
 typedef struct bvh_leaf { uint32_t begin, at, frame; } bvh_leaf;
 
-/* Turn the draft below `root` into nodes and frames, and the input's ids into the order of the leaves. References hold
+/* Turn the draft below `root` into nodes and frames; the input's ids are in the order of its ranges. References hold
  * numbers of leaves at first. An additional leaf marks the end. */
-bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves);
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves);
 /* Size, place and fill the leaves. The list of leaves is shortened as they are filled. */
 bool bvh_fill_leaves(bvh *out, const bvh_input *in, bvh_leaf **leaves);
 

@@ -3,7 +3,8 @@
 #include "bvh/ray_soa.h"
 #include "bvh/traverse.h"
 
-/* A leaf: up to BVH_WIDTH items in one unit of leaf memory. */
+/* A leaf: up to BVH_WIDTH items in one unit of leaf memory. Where items follow one another that memory is never touched:
+ * where a leaf would be tells its number. */
 typedef struct leaf { uint32_t count, item[BVH_WIDTH]; } leaf;
 
 struct hierarchy {
@@ -11,7 +12,13 @@ struct hierarchy {
     const env *env;
     const bvh_kernels *kernels;
     bvh tree;
+    uint32_t *first;             /* by leaf, the first of its items, and behind the last leaf their number; or NULL */
 };
+
+static inline size_t number_of(const hierarchy *h, const void *at)
+{
+    return (size_t)((const unsigned char *)at - h->tree.leaves) / BVH_UNIT;
+}
 
 /* ---- building ---- */
 
@@ -25,15 +32,22 @@ static size_t leaf_size(void *user, uint32_t slice, uint32_t *ids, uint32_t coun
     return sizeof(leaf);
 }
 
+/* State of a build. */
+typedef struct building { hierarchy *of; const hierarchy_items *items; uint32_t *ids; } building;
+
 static bool allocated(void *user, const void *leaves)
 {
-    (void)user;
-    (void)leaves;
-    return true;
-}
+    const building *b = user;
+    hierarchy *h = b->of;
 
-/* State of a build. */
-typedef struct building { const hierarchy_items *items; uint32_t *ids; } building;
+    (void)leaves;
+    if (!b->items->order)
+        return true;
+    h->first = env_resize(h->env, NULL, h->tree.leaf_count + 1, sizeof *h->first);
+    if (h->first)
+        h->first[h->tree.leaf_count] = b->items->count;
+    return h->first != NULL;
+}
 
 static void fill_leaf(void *user, uint32_t slice, const bvh_frame *frame, const uint32_t *ids, uint32_t count, void *at)
 {
@@ -43,9 +57,13 @@ static void fill_leaf(void *user, uint32_t slice, const bvh_frame *frame, const 
 
     (void)slice;
     (void)frame;
+    if (b->items->order) {
+        b->of->first[number_of(b->of, at)] = (uint32_t)(ids - b->ids);
+        return;
+    }
     l->count = count;
     for (i = 0; i < count; i++)
-        l->item[i] = b->items->order ? (uint32_t)(ids - b->ids) + i : ids[i];
+        l->item[i] = ids[i];
 }
 
 static void filled(void *user, uint32_t slice)
@@ -71,9 +89,9 @@ static pov_box around(const hierarchy_items *items)
 static bool build(hierarchy *h, const hierarchy_items *items)
 {
     const bool shares_leaf = true;
-    uint32_t *ids = env_resize(h->env, NULL, items->count, sizeof *ids), i;
+    uint32_t *ids = items->order ? items->order : env_resize(h->env, NULL, items->count, sizeof *ids), i;
     uint16_t *group = env_alloc(h->env, items->count, sizeof *group);   /* one group for all */
-    building b = { items, ids };
+    building b = { h, items, ids };
     bvh_input in = { .env = h->env, .box = items->box, .box_user = items->user, .bounds = around(items), .ids = ids,
                      .count = items->count, .group = group, .shares_leaf = &shares_leaf, .threads = items->threads,
                      .leaves = { leaf_size, allocated, fill_leaf, filled, &b } };
@@ -82,9 +100,8 @@ static bool build(hierarchy *h, const hierarchy_items *items)
     for (i = 0; ids && i < items->count; i++)
         ids[i] = i;
     built = ids && group && bvh_build(&h->tree, &in);
-    if (built && items->order)
-        memcpy(items->order, ids, items->count * sizeof *ids);
-    env_free(h->env, ids);
+    if (!items->order)
+        env_free(h->env, ids);
     env_free(h->env, group);
     return built;
 }
@@ -94,18 +111,23 @@ static bool build(hierarchy *h, const hierarchy_items *items)
 /* State of one ray's traversal. */
 typedef struct visit {
     bvh_traversal traversal;     /* first: passed to leaves */
+    const hierarchy *of;
     const pov_hits *hits;
     bool (*item)(void *user, uint32_t item);   /* one of these */
     bool (*range)(void *user, uint32_t first, uint32_t count);
     void *user;
 } visit;
 
-static bool visit_all(const visit *v, const leaf *l)
+static bool visit_all(const visit *v, const void *at)
 {
+    const leaf *l = at;
     uint32_t i;
 
-    if (v->range)
-        return v->range(v->user, l->item[0], l->count);
+    if (v->range) {
+        const uint32_t *first = v->of->first + number_of(v->of, at);
+
+        return v->range(v->user, first[0], first[1] - first[0]);
+    }
     for (i = 0; i < l->count; i++)
         if (!v->item(v->user, l->item[i]))
             return false;
@@ -130,6 +152,7 @@ static bool traverse(const pov_hierarchy *self, const pov_ray *ray, const pov_hi
     const hierarchy *h = (const hierarchy *)(const void *)self;
     const pov_ray *const four[4] = { ray, ray, ray, ray };
 
+    v->of = h;
     v->hits = hits;
     v->traversal.tree = &h->tree;
     v->traversal.rays = &ray;
@@ -169,15 +192,12 @@ static bool visit_ranges(const pov_hierarchy *self, const pov_ray *ray, const po
 /* A leaf fills a whole unit of their memory. */
 static bool each_range(const pov_hierarchy *self, bool (*range)(void *user, uint32_t first, uint32_t count), void *user)
 {
-    const bvh *t = &((const hierarchy *)(const void *)self)->tree;
+    const hierarchy *h = (const hierarchy *)(const void *)self;
     size_t i;
 
-    for (i = 0; i < t->leaf_count; i++) {
-        const leaf *l = (const leaf *)(const void *)(t->leaves + i * BVH_UNIT);
-
-        if (!range(user, l->item[0], l->count))
+    for (i = 0; i < h->tree.leaf_count; i++)
+        if (!range(user, h->first[i], h->first[i + 1] - h->first[i]))
             return false;
-    }
     return true;
 }
 
@@ -205,6 +225,7 @@ void hierarchy_destroy(hierarchy *h)
     if (!h)
         return;
     bvh_free(&h->tree, h->env);
+    env_free(h->env, h->first);
     env_free(h->env, h);
 }
 

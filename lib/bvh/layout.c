@@ -10,10 +10,7 @@
 typedef struct layout {
     bvh *out;
     bvh_leaf *leaves;
-    const bvh_ref *refs;
-    uint32_t *ids;
     size_t nodes, frames, laid_leaves;     /* assigned so far */
-    uint32_t laid_ids;
 } layout;
 
 static void count(bvh *out, const bvh_draft_child *c, int depth)
@@ -32,14 +29,13 @@ static void count(bvh *out, const bvh_draft_child *c, int depth)
         count(out, &c->node->child[i], depth + 1);
 }
 
+/* Leaves come in the order of their ranges. */
 static uint32_t put_leaf(layout *l, const bvh_draft_child *c, uint32_t frame)
 {
-    uint32_t index = (uint32_t)l->laid_leaves++, i;
+    const uint32_t index = (uint32_t)l->laid_leaves++;
 
-    l->leaves[index].begin = l->laid_ids;
+    l->leaves[index].begin = c->begin;
     l->leaves[index].frame = frame;
-    for (i = 0; i < c->count; i++)
-        l->ids[l->laid_ids++] = l->refs[c->begin + i].id;
     return BVH_LEAF | index;
 }
 
@@ -56,22 +52,35 @@ static void set_slot(bvh_node *node, int i, const float *lo, const float *hi)
     }
 }
 
+/* The children in the order of their ranges. */
+static void sort_children(const bvh_draft_node *draft, int sorted[BVH_WIDTH])
+{
+    for (int i = 0; i < draft->count; i++) {
+        int at = i;
+
+        for (; at > 0 && draft->child[sorted[at - 1]].begin > draft->child[i].begin; at--)
+            sorted[at] = sorted[at - 1];
+        sorted[at] = i;
+    }
+}
+
 static uint32_t put_node(layout *l, const bvh_draft_node *draft, uint32_t frame)
 {
     static const float never_lo[3] = { HUGE_VALF, HUGE_VALF, HUGE_VALF };
     static const float never_hi[3] = { -HUGE_VALF, -HUGE_VALF, -HUGE_VALF };
     uint32_t index = (uint32_t)l->nodes++;
     bvh_node *node = &l->out->nodes[index];
-    int i;
+    int sorted[BVH_WIDTH], i;
 
+    sort_children(draft, sorted);
     for (i = 0; i < BVH_WIDTH; i++) {
         set_slot(node, i, never_lo, never_hi);
         node->child[i] = BVH_NODE;
     }
     for (i = 0; i < draft->count; i++) {
-        const bvh_draft_child *c = &draft->child[i];
-        set_slot(node, i, c->lo, c->hi);
-        node->child[i] = put(l, c, frame);
+        const bvh_draft_child *c = &draft->child[sorted[i]];
+        set_slot(node, sorted[i], c->lo, c->hi);
+        node->child[sorted[i]] = put(l, c, frame);
     }
     return BVH_NODE | index;
 }
@@ -103,10 +112,10 @@ static void touch_slice(void *user, uint32_t slice, int worker)
         b->nodes[i].child[0] = BVH_NODE;
 }
 
-bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, const bvh_ref *refs, bvh_leaf **leaves)
+bool bvh_layout(bvh *out, const bvh_input *in, const bvh_draft_child *root, bvh_leaf **leaves)
 {
     const size_t most = ~BVH_KIND;
-    layout l = { out, NULL, refs, in->ids, 0, 0, 0, 0 };
+    layout l = { out, NULL, 0, 0, 0 };
 
     *leaves = NULL;
     count(out, root, 0);

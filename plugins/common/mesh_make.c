@@ -127,7 +127,13 @@ static void box_of_face(void *user, uint32_t face, pov_box *out)
 
 /* ---- in memory that stays ---- */
 
-typedef struct making { const pov_host *host; pov_reader *in; const uint32_t *order; uint32_t count; } making;
+typedef struct making { const pov_host *host; pov_reader *in; uint32_t *order; uint32_t count; } making;
+
+/* What has been copied is not needed any more: no two of these are there at once. */
+static void *drop(const making *k, void *of)
+{
+    return of ? k->host->resize(k->in, of, 0) : NULL;
+}
 
 /* Rows by face, in the hierarchy's order. */
 static const common_face *keep_faces(const making *k, const common_face *of)
@@ -177,25 +183,47 @@ static void keep_blocks(common_mesh *m, const making *k)
     m->blocks = f.blocks;
 }
 
+/* Where each face of the text is now: the order turned round in its own memory. What is done has a mark. */
 static void keep_places(common_mesh *m, const making *k)
 {
-    uint32_t *places = k->host->alloc(k->in, k->count * sizeof *places);
+    const uint32_t mark = 0x80000000u;
     uint32_t i;
 
-    for (i = 0; places && i < k->count; i++)
-        places[k->order[i]] = i;
-    m->places = places;
+    for (i = 0; i < k->count; i++) {
+        uint32_t before = i, at = k->order[i];
+
+        if (at & mark)
+            continue;
+        while (at != i) {
+            const uint32_t next = k->order[at];
+
+            k->order[at] = before | mark;
+            before = at;
+            at = next;
+        }
+        k->order[i] = before | mark;
+    }
+    for (i = 0; i < k->count; i++)
+        k->order[i] &= ~mark;
+    m->places = k->order;
 }
 
-static void keep(common_mesh *m, const common_mesh_parts *p, const making *k)
+static void keep(common_mesh *m, common_mesh_parts *p, const making *k)
 {
     m->corners = keep_bytes(k, p->corners, p->corner_count, sizeof *p->corners);
+    p->corners = drop(k, p->corners);
     m->faces = keep_faces(k, p->faces);
+    p->faces = drop(k, p->faces);
     m->normals = keep_bytes(k, p->normals, p->normal_count, sizeof *p->normals);
+    p->normals = drop(k, p->normals);
     m->normal_faces = p->normal_faces ? keep_faces(k, p->normal_faces) : m->faces;
+    p->normal_faces = drop(k, p->normal_faces);
     m->uvs = keep_bytes(k, p->uvs, p->uv_count, sizeof *p->uvs);
+    p->uvs = drop(k, p->uvs);
     m->uv_faces = p->uv_faces ? keep_faces(k, p->uv_faces) : m->faces;
+    p->uv_faces = drop(k, p->uv_faces);
     m->textures = keep_faces(k, p->textures);
+    p->textures = drop(k, p->textures);
     keep_places(m, k);
     keep_blocks(m, k);
     m->face_count = m->blocks ? p->face_count : 0;
@@ -224,7 +252,7 @@ void common_mesh_make(common_mesh *m, common_mesh_parts *p, const pov_host *host
     if (p->face_count == 0)
         host->fail(in, "there are no triangles in this mesh");
     else
-        order = host->resize(in, NULL, p->face_count * sizeof *order);
+        order = host->alloc(in, p->face_count * sizeof *order);
     if (order) {
         boxing boxes = { p, 1.0 / m->scale };
 
@@ -237,7 +265,6 @@ void common_mesh_make(common_mesh *m, common_mesh_parts *p, const pov_host *host
             keep(m, p, &k);
         if (pov_largest(m->toward) > 0.0)
             find_turned(m, &k);
-        host->resize(in, order, 0);
     }
     common_mesh_drop(p, host, in);
 }
