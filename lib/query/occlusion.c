@@ -168,6 +168,7 @@ static uint32_t find_left(const packet *p)
 uint64_t packet_occlusion(packet *p, bvh_traverse_fn *traverse)
 {
     p->traversal.leaf = leaf_occlusion;
+    p->context->csg.light = true;
     p->left = find_left(p);
     return packet_traverse(p, traverse, false);
 }

@@ -66,6 +66,7 @@ void packet_begin(packet *p, const world *w, query_context *k, const pov_ray *co
     p->slack = 0.0;
     p->asked = p->deferred_lanes = 0;
     p->from = k->csg.from = NULL;
+    k->csg.light = false;
     p->candidates_only = false;
     take_rays(p, rays, which);
     p->exact = derive_all(&p->traversal, end);

@@ -2,7 +2,7 @@
 
 #include "base/clock.h"
 #include "base/file.h"
-#include "sdl/report.h"
+#include "sdl/parse_copies.h"
 
 /* Turns between two looks at the clock and at the memory. */
 enum { LOOK_EVERY = 1 << 10 };
@@ -13,7 +13,7 @@ static size_t scene_bytes(const pov_reader *in)
     const model *m = in->model;
 
     return m->memory.bytes + m->maps.bytes + in->members.bytes + m->leaves.capacity * sizeof *m->leaves.items +
-           m->lights.capacity * sizeof *m->lights.items;
+           m->lights.capacity * sizeof *m->lights.items + (in->copies ? in->copies->uses.capacity * sizeof(copy_use) : 0);
 }
 
 void limit_tell(pov_reader *in)
@@ -28,7 +28,7 @@ void limit_tell(pov_reader *in)
         report_fail(in, &in->token.at, POV_E_CANCELLED, "loading was cancelled");
 }
 
-static void look(pov_reader *in, const place *at)
+void limit_look(pov_reader *in, const place *at)
 {
     limit_tell(in);
     if (in->failed)
@@ -65,6 +65,6 @@ bool limit_turn(pov_reader *in, const place *at)
         report_fail(in, at, POV_E_SYNTAX, "more than %llu turns of loops and calls of macros",
                     (unsigned long long)in->limits.turns);
     else if (in->turns % LOOK_EVERY == 0)
-        look(in, at);
+        limit_look(in, at);
     return !in->failed;
 }

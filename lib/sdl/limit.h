@@ -7,6 +7,8 @@
 /* One more turn of a loop, or call of a macro. False: there were too many, or the scene has grown too large or has taken
  * too long; the reader has failed. */
 bool limit_turn(pov_reader *in, const place *at);
+/* Only the latter two. */
+void limit_look(pov_reader *in, const place *at);
 /* Count bytes of text that was read. False: there are more than there may be. */
 bool limit_input(pov_reader *in, size_t bytes);
 /* Read a file as file_read() does, as far as the limit of all input allows. */

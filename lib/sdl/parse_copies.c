@@ -1,6 +1,7 @@
 #include "sdl/parse_copies.h"
 
 #include "base/vec.h"
+#include "sdl/limit.h"
 #include "sdl/parse_texture.h"
 
 #include <string.h>
@@ -251,6 +252,7 @@ static void settle(pov_reader *in, const copies_read *all, stretch *out)
         out[count++] = (stretch){ use->leaf, (uint32_t)m->leaves.count - first };
         shift += (uint32_t)m->leaves.count - first;
         moved |= use->leaf < old;
+        limit_look(in, &use->at);
     }
     if (!in->failed && moved && !put_in_order(m, out, count, old))
         report_memory(in);

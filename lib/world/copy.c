@@ -43,19 +43,26 @@ static uint32_t possible_of(visit *v, const leaf_batch *r)
 
 static inline double just_beyond(double limit) { return limit + limit * 0x1p-44 + 0x1p-1074; }
 
+/* Does nothing more count? Of light that ends at an opaque surface no other crossing does. */
+static inline bool is_over(const visit *v, const leaf_batch *r, uint32_t lane, uint32_t before)
+{
+    return v->hits->count > before &&
+           (v->hits->want == POV_WANT_ANY || (v->scratch->light && (r->opaque >> lane & 1)));
+}
+
 static uint64_t visit_leaf(bvh_traversal *traversal, const void *leaf, uint64_t lanes)
 {
     visit *v = (visit *)(void *)traversal;
 
     for (const leaf_batch *r = leaf; r; r = leaf_batch_next(r))
         for (uint32_t mask = possible_of(v, r); mask; mask &= mask - 1) {
-            const uint32_t lane = first_of(mask);
+            const uint32_t lane = first_of(mask), before = v->hits->count;
 
             v->hits->owner = v->scratch->names + r->object[lane];
             if (v->scratch->from)
                 name(v, v->hits->owner);
             leaf_batch_intersect(r, lane, v->ray, v->hits);
-            if (v->hits->want == POV_WANT_ANY && v->hits->count > 0)
+            if (is_over(v, r, lane, before))
                 return lanes;
         }
     if (v->hits->tmax < traversal->limit[0]) {

@@ -121,6 +121,7 @@ typedef struct csg_scratch {
     csg_near *near;              /* heap of bounds to be opened, nearest first */
     class_counts *classes;       /* the thread's counters; NULL: none */
     uint32_t names;              /* a leaf of this index has that name more: it is in a copy */
+    bool light;                  /* only what takes light away counts: copies end at what is opaque */
     const struct coincident_set *from;   /* surfaces that the ray starts on, each of which copies name by itself; or NULL */
     bool failed;                 /* out of memory; stays so */
 } csg_scratch;

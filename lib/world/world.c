@@ -479,6 +479,11 @@ uint32_t world_solid(const world *w, uint32_t leaf)
     return c->name + world_solid(w->parts[c->of->part], leaf);
 }
 
+const csg_list *world_trees(const world *w)
+{
+    return &w->trees;
+}
+
 void world_measure_trees(const world *w, csg_size *most)
 {
     csg_measure(&w->trees, most);

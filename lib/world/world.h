@@ -71,7 +71,8 @@ const char *world_class(const world *w, size_t number);
 
 /* The solid of an object, for dielectrics: the first of its leaves. An object of one leaf is its own solid. */
 uint32_t world_solid(const world *w, uint32_t leaf);
-/* Shapes that rays intersect as one: memory for the largest; see csg.h. */
+/* Shapes that rays intersect as one; see csg.h; and the memory for the largest, those of parts included. */
+const struct csg_list *world_trees(const world *w);
 struct csg_size;
 void world_measure_trees(const world *w, struct csg_size *most);
 
