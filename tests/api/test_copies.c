@@ -291,6 +291,58 @@ static void a_few_uses_are_written_out_in_their_places(void **state)
     pov_context_destroy(context);
 }
 
+static float *draw_with(pov_context *context, const char *text, pov_accel accel, pov_accuracy accuracy)
+{
+    pov_load_desc d = POV_INIT(d);
+    pov_scene *s;
+    pov_error err;
+    float *p;
+
+    d.accel = accel;
+    d.accuracy = accuracy;
+    if (pov_scene_load_text(&s, context, text, strlen(text), NULL, &d, &err) < 0)
+        fail_msg("%s", err.message);
+    assert_true(has_copies(s));
+    p = draw(s);
+    pov_scene_destroy(s);
+    return p;
+}
+
+static void tree_and_list_give_the_same_picture(void **state)
+{
+    static const char *const scene = MEMBERS("pigment { rgb x }") "pigment { gradient y scale .3 } finish { ambient 1 } #end " T
+        "camera { location <0,2,-9> look_at 0 angle 50 } #for (I, 1, 150) " USE MOVED " } #end ";
+    pov_context *context = scenes_context();
+    char *text = make_text("union", scene, true);
+    float *tree = draw_with(context, text, POV_ACCEL_TREE, POV_ACCURACY_CERTIFIED);
+    float *list = draw_with(context, text, POV_ACCEL_NONE, POV_ACCURACY_CERTIFIED);
+    float *exact = draw_with(context, text, POV_ACCEL_TREE, POV_ACCURACY_MAX);
+
+    (void)state;
+    assert_memory_equal(tree, list, sizeof *tree * WIDTH * HEIGHT * 4);
+    same_pictures(tree, exact);
+    free(tree);
+    free(list);
+    free(exact);
+    free(text);
+    pov_context_destroy(context);
+}
+
+/* A name that stands for more than there are names. */
+static void too_many_copies_are_refused(void **state)
+{
+    pov_context *context = scenes_context();
+    static const char text[] = "#version 3.7; camera { location -5*z } #declare A = union { #for (I, 1, 50000) sphere { I, .1 } #end } "
+                               "#for (I, 1, 100000) object { A translate I*y } #end";
+    pov_scene *s = NULL;
+    pov_error err;
+
+    (void)state;
+    assert_int_equal(pov_scene_load_text(&s, context, text, sizeof text - 1, NULL, NULL, &err), POV_E_UNSUPPORTED);
+    assert_null(s);
+    pov_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -305,6 +357,8 @@ int main(void)
         cmocka_unit_test(copies_stand_anywhere),
         cmocka_unit_test(area_lights_and_uv_textures_are_the_same),
         cmocka_unit_test(a_few_uses_are_written_out_in_their_places),
+        cmocka_unit_test(tree_and_list_give_the_same_picture),
+        cmocka_unit_test(too_many_copies_are_refused),
     };
 
     return cmocka_run_group_tests_name("copies", tests, NULL, NULL);
