@@ -1,5 +1,5 @@
 /* bicubic_patch { type t [flatness f] [u_steps n] [v_steps n] [uv_vectors ...] 16 points }: a Bezier surface, drawn as
- * 2^u_steps times 2^v_steps cells of two triangles, whose corners lie on it and have its normals. */
+ * 2^v_steps by 2^u_steps cells of two triangles, whose corners lie on it and have its normals. */
 #include "common/sheet.h"
 
 enum { STEPS_MAX = 8 };
@@ -98,7 +98,8 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->accept(in, ",");
         host->vector(in, &r.point[i]);
     }
-    common_sheet_make(&p->sheet, host, in, (1u << r.steps[0]) + 1, (1u << r.steps[1]) + 1, surface_at, &r);
+    /* In POV-Ray v_steps are those along a row of points. */
+    common_sheet_make(&p->sheet, host, in, (1u << r.steps[1]) + 1, (1u << r.steps[0]) + 1, surface_at, &r);
 }
 
 static bool bounds(const void *self, pov_box *out)

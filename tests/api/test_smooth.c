@@ -63,8 +63,8 @@ static void a_smooth_height_field_that_is_stretched(void **state)
 }
 
 static const char saddle[] =
-    "bicubic_patch { type 1 u_steps 0 v_steps 0 <0,0,0><1,0,1><2,0,2><3,0,3> <0,1,1><1,1,1><2,1,1><3,1,2> "
-    "<0,2,2><1,2,1><2,2,1><3,2,1> <0,3,3><1,3,2><2,3,1><3,3,0> %s }";
+    "bicubic_patch { type 1 u_steps 0 v_steps %d <0,0,0><1,0,1><2,0,2><3,0,3> <0,1,1><1,1,1><2,1,1><3,1,2> "
+    "<0,2,2><1,2,1><2,2,1><3,2,1> <0,3,3><1,3,2><2,3,1><3,3,0> }";
 
 /* A cell is split from its least u and v to its greatest, where both corners have z = 0; the others have z = 3. */
 static void a_patch_of_one_cell_is_split_from_first_to_last(void **state)
@@ -72,9 +72,20 @@ static void a_patch_of_one_cell_is_split_from_first_to_last(void **state)
     char object[400];
 
     (void)state;
-    snprintf(object, sizeof object, saddle, "");
+    snprintf(object, sizeof object, saddle, 0);
     assert_true(fabs(look(object, 1.5, 1.5).point.z) < 1e-12);
     assert_true(fabs(look(object, 2.0, 1.0).point.z - 1.0) < 1e-12);
+}
+
+/* Halfway along a row a corner is added at z = 1.5, on the first row and on the last; none between the rows. */
+static void v_steps_are_along_a_row(void **state)
+{
+    char object[400];
+
+    (void)state;
+    snprintf(object, sizeof object, saddle, 1);
+    assert_true(fabs(look(object, 1.5, 1.5).point.z - 1.5) < 1e-12);
+    assert_true(fabs(look(object, 0.75, 1.5).point.z - 0.75) < 1e-12);
 }
 
 /* trace() of the language gives the same normal. */
@@ -96,6 +107,7 @@ int main(void)
         cmocka_unit_test(a_smooth_triangle_that_is_stretched),
         cmocka_unit_test(a_smooth_height_field_that_is_stretched),
         cmocka_unit_test(a_patch_of_one_cell_is_split_from_first_to_last),
+        cmocka_unit_test(v_steps_are_along_a_row),
         cmocka_unit_test(trace_blends_alike),
     };
 
