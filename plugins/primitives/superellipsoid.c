@@ -236,31 +236,78 @@ static inline double least_of(double a, double b) { return (a < 0.0) != (b < 0.0
 enum { NARROW = 8 };
 
 /* About the size to the power 2 / n, of a point of the unit cube: that is above one where the size is. */
-static double rough_size(const superellipsoid *s, pov_vec3 p)
+COMMON_INLINE double rough_size(double e, double n, double x, double y, double z)
 {
-    const double x = approx_power(fabs(p.x), 2.0 / s->e), y = approx_power(fabs(p.y), 2.0 / s->e);
-
-    return approx_power(x + y, s->e / s->n) + approx_power(fabs(p.z), 2.0 / s->n);
+    return approx_power(approx_power(fabs(x), 2.0 / e) + approx_power(fabs(y), 2.0 / e), e / n) + approx_power(fabs(z), 2.0 / n);
 }
 
-/* Is the size of a point above a level, which is one as far as a rough size can tell? */
-static bool is_above(const superellipsoid *s, pov_vec3 p, double level)
+static bool is_outside(const line *n, double t)
 {
-    const double size = s->rough ? rough_size(s, p) : 1.0;
+    const pov_vec3 p = pov_add(n->o, pov_scale(n->d, t));
+    const double rough = n->s->rough ? rough_size(n->s->e, n->s->n, p.x, p.y, p.z) : 1.0;
 
-    return fabs(size - 1.0) > APPROX ? size > 1.0 : size_at(s, p) > level;
+    return fabs(rough - 1.0) > APPROX ? rough > 1.0 : size_at(n->s, p) > 1.0;
 }
 
-static bool is_outside(const line *n, double t) { return is_above(n->s, pov_add(n->o, pov_scale(n->d, t)), 1.0); }
+/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with rough sizes, and
+ * exact ones where these do not tell them from one. */
+enum { NEAREST, FARTHEST, MIDDLE, PLACES };
+typedef double place_lanes[PLACES + 1];
+typedef struct places { place_lanes x, y, z, rough, size, shares; bool exact; } places;
 
-/* 1: certainly outside all along; -1: inside; 0: neither. */
-static int side_of(const line *n, double lo, double hi)
+COMMON_CLONES static void rough_sizes(double e, double n, places *restrict p)
+{
+    for (uint32_t i = 0; i < PLACES + 1; i++)
+        p->rough[i] = rough_size(e, n, p->x[i], p->y[i], p->z[i]);
+}
+
+/* size_at() of all. Shares are kept for the compiler, which else moves powers into branches and makes no vectors of them. */
+COMMON_CLONES static void exact_sizes(double e, double n, places *restrict p)
+{
+    for (uint32_t i = 0; i < PLACES + 1; i++) {
+        double of_x, of_ring;
+
+        p->size[i] = norm_of(norm_of(fabs(p->x[i]), fabs(p->y[i]), e, false, &of_x), fabs(p->z[i]), n, false, &of_ring);
+        p->shares[i] = of_x + of_ring;
+    }
+}
+
+static inline void put_axis(double *out, double a, double b, double middle)
+{
+    out[NEAREST] = least_of(a, b);
+    out[FARTHEST] = larger(fabs(a), fabs(b));
+    out[MIDDLE] = out[PLACES] = middle;
+}
+
+static void find_places(const line *n, double lo, double hi, places *out)
 {
     const pov_vec3 a = pov_add(n->o, pov_scale(n->d, lo)), b = pov_add(n->o, pov_scale(n->d, hi));
-    const pov_vec3 least = { least_of(a.x, b.x), least_of(a.y, b.y), least_of(a.z, b.z) };
-    const pov_vec3 most = { larger(fabs(a.x), fabs(b.x)), larger(fabs(a.y), fabs(b.y)), larger(fabs(a.z), fabs(b.z)) };
+    const pov_vec3 m = pov_add(n->o, pov_scale(n->d, 0.5 * (lo + hi)));
 
-    return is_above(n->s, least, 1.0 + FINE) ? 1 : is_above(n->s, most, 1.0 - FINE) ? 0 : -1;
+    put_axis(out->x, a.x, b.x, m.x);
+    put_axis(out->y, a.y, b.y, m.y);
+    put_axis(out->z, a.z, b.z, m.z);
+    if (n->s->rough)
+        rough_sizes(n->s->e, n->s->n, out);
+    for (uint32_t i = 0; !n->s->rough && i < PLACES; i++)
+        out->rough[i] = 1.0;
+    out->exact = false;
+}
+
+static bool is_place_above(const line *n, places *p, uint32_t i, double level)
+{
+    if (fabs(p->rough[i] - 1.0) > APPROX)
+        return p->rough[i] > 1.0;
+    if (!p->exact)
+        exact_sizes(n->s->e, n->s->n, p);
+    p->exact = true;
+    return p->size[i] > level;
+}
+
+/* 1: certainly outside all along; -1: inside; 0: neither. */
+static int side_of(const line *n, places *p)
+{
+    return is_place_above(n, p, NEAREST, 1.0 + FINE) ? 1 : is_place_above(n, p, FARTHEST, 1.0 - FINE) ? 0 : -1;
 }
 
 /* Between points on different sides, a step of Newton's method from the middle and both sides of where it leads. */
@@ -307,13 +354,15 @@ static bool search(const line *n, const common_ray *k, stretch s, int depth, pov
 {
     const double middle = 0.5 * (s.lo + s.hi);
     stretch near = s, far = s;
+    places p;
 
-    if (side_of(n, s.lo, s.hi) != 0)
+    find_places(n, s.lo, s.hi, &p);
+    if (side_of(n, &p) != 0)
         return true;
     if (depth == 0 || (s.out != s.still && depth < 16))
         return s.out == s.still || report(n, k, is_any_between(n, k, s.lo, s.hi, hits) ? middle : bisect(n, s.lo, s.hi, s.out), hits);
     near.hi = far.lo = middle;
-    near.still = far.out = is_outside(n, middle);
+    near.still = far.out = is_place_above(n, &p, MIDDLE, 1.0);
     return search(n, k, near, depth - 1, hits) && search(n, k, far, depth - 1, hits);
 }
 
