@@ -226,7 +226,9 @@ static bool may_cross(const line *n, const part *p)
     return (n->a * nearest + 2.0 * n->b) * nearest + n->c <= p->widest * (1.0 + 0x1p-30) + 0x1p-60;
 }
 
-/* Newton's method for height and radius together, from s and u. */
+/* Newton's method for height and radius together, from s and u, which change by less than REFINED. */
+static const double REFINED = 0x1p-9;
+
 static void refine(const line *n, const part *p, common_cross *at)
 {
     for (int turn = 0; turn < 2; turn++) {
@@ -268,7 +270,6 @@ static void cross_risen(const line *n, const part *p, uint32_t piece, common_cro
 
         common_piece_at(&p->curve, at.u, v, slope);
         at.s = (v[1] - n->o.y) / n->d.y;
-        refine(n, p, &at);
         out[(*count)++] = at;
     }
 }
@@ -290,15 +291,29 @@ static void cross_level(const line *n, const part *p, uint32_t piece, common_cro
         if (!(rest >= 0.0))
             continue;
         for (int sign = -1; sign <= 1; sign += 2) {
-            common_cross at = { (sign * sqrt(rest) - n->b) / n->a, root[i], piece };
+            const common_cross at = { (sign * sqrt(rest) - n->b) / n->a, root[i], piece };
 
-            refine(n, p, &at);
             out[(*count)++] = at;
         }
     }
 }
 
 static size_t scratch(const void *self) { return ORDER * ((const lathe *)self)->outline.count * sizeof(common_cross); }
+
+/* Of rays that start elsewhere and want the first crossing only: keeps those that may be that. */
+static uint32_t keep_first(const line *n, const common_ray *k, const pov_hits *hits, common_cross *at, uint32_t count)
+{
+    const double from = (hits->tmin * k->per_unit - n->base) / n->unit + 2.0 * REFINED;
+    double least = HUGE_VAL;
+    uint32_t kept = 0;
+
+    for (uint32_t i = 0; i < count; i++)
+        least = at[i].s > from ? lesser(least, at[i].s) : least;
+    for (uint32_t i = 0; i < count; i++)
+        if (at[i].s <= least + 2.0 * REFINED)
+            at[kept++] = at[i];
+    return kept;
+}
 
 /* The crossing that the ray starts on, or `count`. */
 static uint32_t find_start(const line *n, const pov_ray *ray, const pov_hits *hits, const common_cross *at, uint32_t count)
@@ -335,6 +350,10 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
         if (may_cross(&n, p))
             (fabs(n.d.y) < LEVEL ? cross_level : cross_risen)(&n, p, i, at, &count);
     }
+    if (count > 1 && hits->want != POV_WANT_ALL && ray->origin_surface != hits->owner)
+        count = keep_first(&n, &e->k, hits, at, count);
+    for (uint32_t i = 0; i < count; i++)
+        refine(&n, &l->parts[at[i].piece], &at[i]);
     start = find_start(&n, ray, hits, at, count);
     for (uint32_t i = 0; i < count; i++) {
         const pov_two t = pov_two_sum(n.base, at[i].s * n.unit);

@@ -62,7 +62,17 @@ static uint32_t part_of(const ovus *o, double y) { return y < o->low ? BOTTOM : 
 
 /* ---- along a ray ---- */
 
-typedef struct line { const common_ray *k; pov_vec3 o, d; double base; common_span span; bool from_here; const pov_ray *ray; } line;
+typedef struct line {
+    const common_ray *k;
+    pov_vec3 o, d;
+    double base;
+    common_span span;
+    double low, high;            /* heights that it has within the box */
+    bool from_here;
+    const pov_ray *ray;
+} line;
+
+static const double MARGIN = 0x1p-30;
 
 static bool report(const line *n, const ovus *o, double t, uint32_t part, pov_hits *hits)
 {
@@ -133,7 +143,9 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     n.d = n.k->d;
     n.span.lo = e->span.lo - n.base;
     n.span.hi = e->span.hi - n.base;
-    if (cross_sphere(&n, o, BOTTOM, hits) && cross_sphere(&n, o, TOP, hits))
+    n.low = n.o.y + (n.d.y < 0.0 ? n.span.hi : n.span.lo) * n.d.y - MARGIN;
+    n.high = n.o.y + (n.d.y < 0.0 ? n.span.lo : n.span.hi) * n.d.y + MARGIN;
+    if ((n.low > o->low || cross_sphere(&n, o, BOTTOM, hits)) && (n.high < o->high || cross_sphere(&n, o, TOP, hits)))
         cross_arc(&n, o, hits);
 }
 
