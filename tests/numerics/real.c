@@ -17,6 +17,8 @@ static real fresh(void)
 }
 
 void real_reset(void) { used = 0; }
+int real_mark(void) { return used; }
+void real_release(int mark) { used = mark; }
 
 void real_precision(int wanted)
 {

@@ -1,6 +1,7 @@
 /* real.h - arithmetic in 512 bits, or as many as are asked for, written as expressions.
  *
- * Every function gives a new number out of a pool; real_reset() takes all back. MPFR rounds to nearest. */
+ * Every function gives a new number out of a pool; real_reset() takes all back, real_release() those since a mark. MPFR rounds
+ * to nearest. */
 #ifndef NUMERICS_REAL_H
 #define NUMERICS_REAL_H
 
@@ -11,6 +12,8 @@ typedef mpfr_ptr real;
 typedef struct real3 { real x, y, z; } real3;
 
 void real_reset(void);
+int real_mark(void);
+void real_release(int mark);
 void real_free_all(void);
 /* Of all that follow; takes back all that there are. */
 void real_precision(int bits);

@@ -1,0 +1,499 @@
+/* test_piecewise.c - shapes whose equation along a ray is a polynomial, or some one after the other, against 512 bits: each crossing
+ * that is there is found, and no other, unless two lie nearer than TOUCH to each other.
+ *
+ * Rays from near and far, aimed anywhere, and rays that graze the surface by 1e-1 to 1e-9 of its size. test_piecewise RAYS for
+ * a long run of each shape. */
+#include "numerics/draw.h"
+#include "numerics/piecewise.h"
+
+#include "support/check.h"
+#include "support/fake_reader.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 32, NUMBERS = 40, RAYS_A_SHAPE = 50 };
+
+/* Of sizes of the shape: crossings nearer to each other, or to the rim of a cap, are open. How far distances may be off, in sizes
+ * and as a part of themselves; grazing rays cross slowly, and where they bend away on both sides (a triple root) slower still. */
+static const double TOUCH = 0x1p-20, OFF = 0x1p-24, PART = 0x1p-48, BENT = 0x1p-14;
+
+static long rays = 3000;
+
+typedef struct shape { int count; double number[NUMBERS]; } shape;
+
+/* Along a ray, with exact numbers. */
+typedef struct along { poly_real x, y, z; real end; } along;
+
+/* What is there: crossings, and whether a double cannot be expected to tell. */
+typedef struct answer { int count; double at[MOST]; bool open; } answer;
+
+typedef struct kind_row {
+    const char *keyword;
+    void (*make)(shape *s, pov_reader *in);
+    void (*solve)(const shape *s, const along *a, answer *out);
+} kind_row;
+
+/* ---- of one polynomial ---- */
+
+static void feed_list(shape *s, pov_reader *in)
+{
+    fake_reader_word(in, "<");
+    for (int i = 0; i < s->count; i++)
+        fake_reader_number(in, s->number[i]);
+    fake_reader_word(in, ">");
+}
+
+/* Of the order 4 the powers of one coordinate are above zero, and the constant below. */
+static void make_polynomial(shape *s, pov_reader *in, int order)
+{
+    s->count = 0;
+    for (int i = order; i >= 0; i--)
+        for (int j = order - i; j >= 0; j--)
+            for (int k = order - i - j; k >= 0; k--) {
+                const bool pure = i + j + k == order && (i == order || j == order || k == order), bounded = order % 2 == 0;
+
+                s->number[s->count++] = pure && bounded ? between(1.0, 2.0) : i + j + k == 0 && bounded ? -between(0.1, 1.0)
+                                        : U() < 0.5 ? 0.0 : between(-0.3, 0.3);
+            }
+    feed_list(s, in);
+}
+
+static void make_cubic(shape *s, pov_reader *in) { make_polynomial(s, in, 3); }
+static void make_quartic(shape *s, pov_reader *in) { make_polynomial(s, in, 4); }
+
+static void collect(const poly_real *p, real from, real to, answer *out)
+{
+    const poly_piece piece = { *p, from, to };
+
+    out->count += poly_roots(&piece, out->at + out->count, MOST - out->count);
+}
+
+static void solve_polynomial(const shape *s, const along *a, int order, answer *out)
+{
+    poly_real powers[3][PIECE_DEGREE], sum = poly_of(real_of(0.0));
+    int at = 0;
+
+    for (int axis = 0; axis < 3; axis++) {
+        powers[axis][0] = poly_of(real_of(1.0));
+        for (int k = 1; k <= order; k++)
+            powers[axis][k] = poly_mul(&powers[axis][k - 1], axis == 0 ? &a->x : axis == 1 ? &a->y : &a->z);
+    }
+    for (int i = order; i >= 0; i--)
+        for (int j = order - i; j >= 0; j--)
+            for (int k = order - i - j; k >= 0; k--, at++) {
+                poly_real term;
+
+                if (s->number[at] == 0.0)
+                    continue;
+                term = poly_mul(&powers[0][i], &powers[1][j]);
+                term = poly_mul(&term, &powers[2][k]);
+                term = poly_scale(&term, real_of(s->number[at]));
+                sum = poly_add(&sum, &term);
+            }
+    collect(&sum, real_of(0.0), a->end, out);
+}
+
+static void solve_cubic(const shape *s, const along *a, answer *out) { solve_polynomial(s, a, 3, out); }
+static void solve_quartic(const shape *s, const along *a, answer *out) { solve_polynomial(s, a, 4, out); }
+
+/* ---- about the y axis ---- */
+
+static poly_real square_across(const along *a)
+{
+    const poly_real x = poly_mul(&a->x, &a->x), z = poly_mul(&a->z, &a->z);
+
+    return poly_add(&x, &z);
+}
+
+/* Between two heights, where the square of the radius is a polynomial of the ray's distance. */
+static void collect_between(const along *a, double low, double high, const poly_real *square, answer *out)
+{
+    const poly_real across = square_across(a), minus = poly_scale(square, real_of(-1.0)), p = poly_add(&across, &minus);
+    real from = real_div(real_sub(real_of(low), a->y.c[0]), a->y.c[1]), to = real_div(real_sub(real_of(high), a->y.c[0]), a->y.c[1]);
+    const real zero = real_of(0.0);
+
+    if (real_compare(from, to) > 0) {
+        const real swap = from;
+
+        from = to;
+        to = swap;
+    }
+    from = real_compare(from, zero) < 0 ? zero : from;
+    to = real_compare(to, a->end) > 0 ? a->end : to;
+    if (real_compare(from, to) < 0)
+        collect(&p, from, to, out);
+}
+
+static void make_points(shape *s, pov_reader *in, bool closed)
+{
+    const int n = 4 + (int)(4.0 * U());
+    double y = between(-1.5, -0.5);
+
+    s->count = 2 * n;
+    fake_reader_number(in, n);
+    for (int i = 0; i < n; i++) {
+        s->number[2 * i] = closed && (i == 0 || i == n - 1) ? 0.0 : between(0.2, 1.0);
+        s->number[2 * i + 1] = y;
+        y += between(0.2, 0.6);
+        fake_reader_word(in, "<");
+        fake_reader_number(in, s->number[2 * i]);
+        fake_reader_number(in, s->number[2 * i + 1]);
+        fake_reader_word(in, ">");
+    }
+}
+
+static void make_sor(shape *s, pov_reader *in) { make_points(s, in, false); }
+
+static void make_lathe(shape *s, pov_reader *in)
+{
+    fake_reader_word(in, "linear_spline");
+    make_points(s, in, true);
+}
+
+static real slope_at(const double *p)
+{
+    const real rise = real_sub(real_of(p[2]), real_of(p[-2])), run = real_sub(real_of(p[3]), real_of(p[-1]));
+
+    return real_div(real_mul(real_mul(real_of(2.0), real_of(p[0])), rise), run);
+}
+
+/* From the values and slopes at both ends: with u from 0 to 1, v0 + s0 u + (3 (v1 - v0) - 2 s0 - s1) u^2 + (2 (v0 - v1) + s0 + s1) u^3. */
+static poly_real square_of_sor(const double *p, const along *a)
+{
+    const real length = real_sub(real_of(p[3]), real_of(p[1]));
+    const real v0 = real_mul(real_of(p[0]), real_of(p[0])), v1 = real_mul(real_of(p[2]), real_of(p[2]));
+    const real s0 = real_mul(slope_at(p), length), s1 = real_mul(slope_at(p + 2), length), rise = real_sub(v1, v0);
+    const real c2 = real_sub(real_mul(real_of(3.0), rise), real_add(real_mul(real_of(2.0), s0), s1));
+    const real c3 = real_sub(real_add(s0, s1), real_mul(real_of(2.0), rise));
+    const poly_real u = poly_line(real_div(real_sub(a->y.c[0], real_of(p[1])), length), real_div(a->y.c[1], length));
+    poly_real sum = poly_scale(&u, c3), more = poly_of(c2);
+
+    sum = poly_add(&sum, &more);
+    sum = poly_mul(&sum, &u);
+    more = poly_of(s0);
+    sum = poly_add(&sum, &more);
+    sum = poly_mul(&sum, &u);
+    more = poly_of(v0);
+    return poly_add(&sum, &more);
+}
+
+static void collect_cap(const along *a, double height, double radius, answer *out)
+{
+    const real t = real_div(real_sub(real_of(height), a->y.c[0]), a->y.c[1]);
+    const poly_real across = square_across(a);
+    const double off = sqrt(real_double(poly_at(&across, t))) - radius;
+
+    if (real_sign(t) < 0 || real_compare(t, a->end) > 0)
+        return;
+    out->open = out->open || fabs(off) < TOUCH;
+    if (off < 0.0)
+        out->at[out->count++] = real_double(t);
+}
+
+static void solve_sor(const shape *s, const along *a, answer *out)
+{
+    const int n = s->count / 2;
+
+    for (int i = 1; i + 2 < n; i++) {
+        const poly_real square = square_of_sor(s->number + 2 * i, a);
+
+        collect_between(a, s->number[2 * i + 1], s->number[2 * i + 3], &square, out);
+    }
+    collect_cap(a, s->number[3], s->number[2], out);
+    collect_cap(a, s->number[2 * n - 3], s->number[2 * n - 4], out);
+}
+
+static void solve_lathe(const shape *s, const along *a, answer *out)
+{
+    for (int i = 0; 2 * i + 3 < s->count; i++) {
+        const double *p = s->number + 2 * i;
+        const real slope = real_div(real_sub(real_of(p[2]), real_of(p[0])), real_sub(real_of(p[3]), real_of(p[1])));
+        const real at_zero = real_add(real_of(p[0]), real_mul(slope, real_sub(a->y.c[0], real_of(p[1]))));
+        const poly_real radius = poly_line(at_zero, real_mul(slope, a->y.c[1])), square = poly_mul(&radius, &radius);
+
+        collect_between(a, p[1], p[3], &square, out);
+    }
+}
+
+/* ---- blobs of spheres ---- */
+
+static void make_blob(shape *s, pov_reader *in)
+{
+    const int n = 2 + (int)(4.0 * U());
+
+    s->count = 5 * n + 1;
+    s->number[0] = between(0.1, 0.6);
+    fake_reader_word(in, "threshold");
+    fake_reader_number(in, s->number[0]);
+    for (int i = 0; i < n; i++) {
+        double *c = s->number + 1 + 5 * i;
+
+        for (int k = 0; k < 3; k++)
+            c[k] = between(-0.6, 0.6);
+        c[3] = between(0.4, 0.9);
+        c[4] = U() < 0.2 ? -between(0.2, 0.8) : between(0.5, 1.5);
+        fake_reader_word(in, "sphere");
+        fake_reader_word(in, "{");
+        fake_reader_word(in, "<");
+        for (int k = 0; k < 3; k++)
+            fake_reader_number(in, c[k]);
+        fake_reader_word(in, ">");
+        fake_reader_number(in, c[3]);
+        fake_reader_number(in, c[4]);
+        fake_reader_word(in, "}");
+    }
+}
+
+/* 1 - d^2 / r^2 along the ray, and where it is above zero. */
+typedef struct depth { poly_real p; real from, to; double strength; bool crossed; } depth;
+
+static poly_real square_from(const poly_real *line, double centre)
+{
+    const poly_real minus = poly_of(real_of(-centre)), off = poly_add(line, &minus);
+
+    return poly_mul(&off, &off);
+}
+
+static depth depth_of(const double *c, const along *a)
+{
+    const poly_real x = square_from(&a->x, c[0]), y = square_from(&a->y, c[1]), z = square_from(&a->z, c[2]);
+    const real radius = real_of(c[3]), by = real_div(real_of(-1.0), real_mul(radius, radius));
+    const poly_real one = poly_of(real_of(1.0));
+    poly_real p = poly_add(&x, &y);
+    real half, square, root;
+    depth d;
+
+    p = poly_add(&p, &z);
+    p = poly_scale(&p, by);
+    d.p = poly_add(&p, &one);
+    d.strength = c[4];
+    half = real_div(d.p.c[1], real_mul(real_of(-2.0), d.p.c[2]));
+    square = real_sub(real_mul(half, half), real_div(d.p.c[0], d.p.c[2]));
+    d.crossed = real_sign(square) > 0;
+    root = d.crossed ? real_sqrt(square) : real_of(0.0);
+    d.from = real_sub(half, root);
+    d.to = real_add(half, root);
+    return d;
+}
+
+static void put_end(real *ends, int *count, real t, const along *a)
+{
+    int i = *count;
+
+    if (real_sign(t) < 0 || real_compare(t, a->end) > 0)
+        return;
+    for (; i > 0 && real_compare(t, ends[i - 1]) < 0; i--)
+        ends[i] = ends[i - 1];
+    ends[i] = t;
+    ++*count;
+}
+
+static void solve_blob(const shape *s, const along *a, answer *out)
+{
+    const int n = (s->count - 1) / 5;
+    depth d[8];
+    real ends[20];
+    int count = 0;
+
+    put_end(ends, &count, real_of(0.0), a);
+    for (int i = 0; i < n; i++) {
+        d[i] = depth_of(s->number + 1 + 5 * i, a);
+        if (!d[i].crossed)
+            continue;
+        put_end(ends, &count, d[i].from, a);
+        put_end(ends, &count, d[i].to, a);
+    }
+    for (int k = 0; k + 1 < count; k++) {
+        poly_real sum = poly_of(real_of(-s->number[0]));
+
+        for (int i = 0; i < n; i++) {
+            poly_real square;
+
+            if (!d[i].crossed || real_compare(d[i].from, ends[k]) > 0 || real_compare(d[i].to, ends[k + 1]) < 0)
+                continue;
+            square = poly_mul(&d[i].p, &d[i].p);
+            square = poly_scale(&square, real_of(d[i].strength));
+            sum = poly_add(&sum, &square);
+        }
+        collect(&sum, ends[k], ends[k + 1], out);
+    }
+}
+
+/* ---- rays ---- */
+
+static pov_ray ray_from(pov_vec3 org, pov_vec3 dir)
+{
+    pov_ray ray;
+
+    memset(&ray, 0, sizeof ray);
+    ray.org = org;
+    ray.dir = dir;
+    ray.origin_surface = POV_NO_OWNER;
+    return ray;
+}
+
+static double distance(void) { return U() < 0.7 ? between(3.0, 6.0) : log_between(1.0, 6.0); }
+
+static pov_ray any_ray(void)
+{
+    const pov_vec3 d = families_direction(), to = pov_vec3_of(between(-1.0, 1.0), between(-1.5, 1.5), between(-1.0, 1.0));
+
+    return ray_from(pov_sub(to, pov_scale(d, distance())), d);
+}
+
+static int by_distance(const void *a, const void *b)
+{
+    const double *s = a, *t = b;
+
+    return (*s > *t) - (*s < *t);
+}
+
+static uint32_t ask(const shape_class *c, const void *self, const pov_ray *ray, double end, pov_crossing *at)
+{
+    static union { char bytes[1 << 16]; double aligned; } scratch;
+    pov_hits hits;
+
+    memset(&hits, 0, sizeof hits);
+    hits.tmax = end;
+    hits.want = POV_WANT_ALL;
+    hits.at = at;
+    hits.capacity = MOST;
+    hits.scratch = &scratch;
+    c->intersect(self, ray, &hits);
+    return hits.count;
+}
+
+/* Beside a crossing of another ray, along the surface there. */
+static pov_ray grazing_ray(const shape_class *c, const void *self)
+{
+    pov_ray ray = any_ray();
+    pov_crossing at[MOST];
+    pov_vec3 normal, p, d;
+
+    if (ask(c, self, &ray, 1e3, at) == 0)
+        return ray;
+    c->normal(self, &ray, &at[0], &normal);
+    p = pov_add(pov_add(ray.org, pov_scale(ray.dir, at[0].t)), pov_scale(normal, either(log_between(-9.0, -1.0))));
+    d = across(normal);
+    return ray_from(pov_sub(p, pov_scale(d, distance())), d);
+}
+
+/* ---- the verdict ---- */
+
+/* Pairs nearer than TOUCH are left out. */
+static int drop_pairs(double *at, int n)
+{
+    int kept = 0;
+
+    for (int i = 0; i < n; i++) {
+        if (kept > 0 && at[i] - at[kept - 1] < TOUCH)
+            kept--;
+        else
+            at[kept++] = at[i];
+    }
+    return kept;
+}
+
+static bool agree(const double *a, int n, const double *b, int m, double off)
+{
+    bool same = n == m;
+
+    for (int i = 0; same && i < n; i++)
+        same = fabs(a[i] - b[i]) <= off + PART * fabs(b[i]);
+    return same;
+}
+
+typedef struct score { long asked, open, wrong, crossings; double off; } score;
+
+static void judge(const kind_row *k, const shape_class *c, const shape *s, const void *self, const pov_ray *ray, score *out)
+{
+    const double end = 2.0 * sqrt(pov_dot(ray->org, ray->org)) + 10.0;
+    pov_crossing at[MOST];
+    const int n = (int)ask(c, self, ray, end, at);
+    double found[MOST];
+    answer there = { 0, { 0.0 }, false };
+    along a;
+
+    real_reset();
+    a.x = poly_line(real_of(ray->org.x), real_of(ray->dir.x));
+    a.y = poly_line(real_of(ray->org.y), real_of(ray->dir.y));
+    a.z = poly_line(real_of(ray->org.z), real_of(ray->dir.z));
+    a.end = real_of(end);
+    k->solve(s, &a, &there);
+    for (int i = 0; i < n; i++)
+        found[i] = at[i].t;
+    qsort(found, (size_t)n, sizeof *found, by_distance);
+    qsort(there.at, (size_t)there.count, sizeof *there.at, by_distance);
+    out->asked++;
+    out->crossings += there.count;
+    if (agree(found, n, there.at, there.count, OFF)) {
+        for (int i = 0; i < n; i++)
+            out->off = fmax(out->off, fabs(found[i] - there.at[i]) - PART * fabs(found[i]));
+        return;
+    }
+    if (there.open || agree(found, drop_pairs(found, n), there.at, drop_pairs(there.at, there.count), BENT)) {
+        out->open++;
+        return;
+    }
+    if (out->wrong++ == 0)
+        fprintf(stderr, "%s: ray <%a,%a,%a> <%a,%a,%a>: %d crossings, found %d\n", k->keyword, ray->org.x, ray->org.y, ray->org.z,
+                ray->dir.x, ray->dir.y, ray->dir.z, there.count, n);
+}
+
+static const kind_row kinds[] = {
+    { "cubic", make_cubic, solve_cubic }, { "quartic", make_quartic, solve_quartic }, { "sor", make_sor, solve_sor },
+    { "lathe", make_lathe, solve_lathe }, { "blob", make_blob, solve_blob },
+};
+
+static void keeps_its_crossings(const kind_row *k)
+{
+    const shape_class *c = fake_reader_shape(k->keyword);
+    score s = { 0, 0, 0, 0, 0.0 };
+
+    assert_non_null(c);
+    families_seed(11);
+    while (s.asked < rays) {
+        pov_reader *in = fake_reader_create();
+        shape one;
+        void *self;
+
+        k->make(&one, in);
+        self = fake_reader_parse(in, c);
+        if (!self)
+            fail_msg("%s: %s", k->keyword, fake_reader_message(in));
+        for (int i = 0; i < RAYS_A_SHAPE; i++) {
+            const pov_ray ray = U() < 0.5 ? any_ray() : grazing_ray(c, self);
+
+            judge(k, c, &one, self, &ray, &s);
+        }
+        fake_reader_destroy(in);
+    }
+    printf("%s: %ld rays, %ld crossings, %ld open, %ld misjudged, off by %.2g sizes\n", k->keyword, s.asked, s.crossings, s.open, s.wrong,
+           s.off);
+    assert_int_equal(s.wrong, 0);
+    assert_true(1000 * s.open <= s.asked);
+}
+
+static void a_cubic_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[0]); }
+static void a_quartic_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[1]); }
+static void a_sor_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[2]); }
+static void a_straight_lathe_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[3]); }
+static void a_blob_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[4]); }
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_cubic_has_its_crossings), cmocka_unit_test(a_quartic_has_its_crossings),
+        cmocka_unit_test(a_sor_has_its_crossings), cmocka_unit_test(a_straight_lathe_has_its_crossings),
+        cmocka_unit_test(a_blob_has_its_crossings),
+    };
+    int failed;
+
+    if (argc > 1)
+        rays = strtol(argv[1], NULL, 10);
+    failed = cmocka_run_group_tests(tests, NULL, NULL);
+    real_free_all();
+    return failed;
+}
