@@ -139,8 +139,10 @@ static bool come_near(const line *n, double sign, double *start)
     return true;
 }
 
-/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. A step from a value
- * below LAST leaves an error of its square. False: no crossing. */
+/* Does a step of Newton's method end at the crossing? It leaves a value of the step's square: of a ray that grazes, steps are long. */
+static inline bool is_last_step(double value, double slope) { return fabs(value) < LAST && fabs(value) < LAST * (slope * slope); }
+
+/* Newton's method from one end of a convex function; sign: 1 from the near end, -1 from the far one. False: no crossing. */
 static bool approach(const line *n, double start, double sign, double *root, double *slope)
 {
     double t = start, value;
@@ -156,7 +158,7 @@ static bool approach(const line *n, double start, double sign, double *root, dou
         next = t - value / *slope;
         if (!(next >= n->span.lo && next <= n->span.hi))
             return false;
-        if (next == t || fabs(value) < LAST) {
+        if (next == t || is_last_step(value, *slope)) {
             t = next;
             break;
         }
@@ -491,7 +493,7 @@ static bool turn_exact(member *m, double value, double slope, double *t, bool *u
     if (*unsure)
         return false;
     *t = next;
-    return next != at && !(fabs(value) < LAST);
+    return next != at && !is_last_step(value, slope);
 }
 
 typedef struct members { member at[TOGETHER]; line_lanes lanes; four t, value, slope; bool unsure[TOGETHER]; } members;

@@ -107,11 +107,10 @@ static poly_real square_across(const along *a)
     return poly_add(&x, &z);
 }
 
-/* Between two heights, where the square of the radius is a polynomial of the ray's distance. */
-static void collect_between(const along *a, double low, double high, const poly_real *square, answer *out)
+/* Where a coordinate of the ray is between two numbers. */
+static void collect_within(const along *a, const poly_real *line, double low, double high, const poly_real *p, answer *out)
 {
-    const poly_real across = square_across(a), minus = poly_scale(square, real_of(-1.0)), p = poly_add(&across, &minus);
-    real from = real_div(real_sub(real_of(low), a->y.c[0]), a->y.c[1]), to = real_div(real_sub(real_of(high), a->y.c[0]), a->y.c[1]);
+    real from = real_div(real_sub(real_of(low), line->c[0]), line->c[1]), to = real_div(real_sub(real_of(high), line->c[0]), line->c[1]);
     const real zero = real_of(0.0);
 
     if (real_compare(from, to) > 0) {
@@ -123,7 +122,15 @@ static void collect_between(const along *a, double low, double high, const poly_
     from = real_compare(from, zero) < 0 ? zero : from;
     to = real_compare(to, a->end) > 0 ? a->end : to;
     if (real_compare(from, to) < 0)
-        collect(&p, from, to, out);
+        collect(p, from, to, out);
+}
+
+/* Between two heights, where the square of the radius is a polynomial of the ray's distance. */
+static void collect_between(const along *a, double low, double high, const poly_real *square, answer *out)
+{
+    const poly_real across = square_across(a), minus = poly_scale(square, real_of(-1.0)), p = poly_add(&across, &minus);
+
+    collect_within(a, &a->y, low, high, &p, out);
 }
 
 static void make_points(shape *s, pov_reader *in, bool closed)
@@ -321,6 +328,94 @@ static void solve_blob(const shape *s, const along *a, answer *out)
     }
 }
 
+/* ---- superellipsoids of even powers ---- */
+
+static poly_real power_of(const poly_real *p, int power)
+{
+    poly_real out = poly_of(real_of(1.0));
+
+    for (int i = 0; i < power; i++)
+        out = poly_mul(&out, p);
+    return out;
+}
+
+/* |x|^a + |y|^a and |z|^b, where one of the powers divides the other. */
+static void make_superellipsoid(shape *s, pov_reader *in)
+{
+    static const int powers[][2] = { { 2, 2 }, { 4, 4 }, { 6, 6 }, { 8, 8 }, { 2, 4 }, { 4, 2 }, { 2, 8 }, { 8, 2 }, { 4, 8 }, { 8, 4 }, { 2, 6 }, { 6, 2 } };
+    const int *p = powers[(int)(12.0 * U())];
+
+    s->count = 2;
+    s->number[0] = p[0];
+    s->number[1] = p[1];
+    fake_reader_word(in, "<");
+    fake_reader_number(in, 2.0 / p[0]);
+    fake_reader_number(in, 2.0 / p[1]);
+    fake_reader_word(in, ">");
+}
+
+/* (x^a + y^a)^(b/a) = 1 - z^b, or x^a + y^a = (1 - z^b)^(a/b). */
+static void solve_superellipsoid(const shape *s, const along *a, answer *out)
+{
+    const int m = (int)s->number[0], n = (int)s->number[1];
+    const poly_real x = power_of(&a->x, m), y = power_of(&a->y, m), z = power_of(&a->z, n), one = poly_of(real_of(1.0));
+    const poly_real ring = poly_add(&x, &y), minus = poly_scale(&z, real_of(-1.0)), rest = poly_add(&one, &minus);
+    const poly_real left = n > m ? power_of(&ring, n / m) : ring, right = n > m ? rest : power_of(&rest, m / n);
+    const poly_real less = poly_scale(&right, real_of(-1.0)), p = poly_add(&left, &less);
+
+    collect_within(a, &a->z, -1.0, 1.0, &p, out);
+}
+
+/* ---- eggs ---- */
+
+static void make_ovus(shape *s, pov_reader *in)
+{
+    s->count = 2;
+    s->number[0] = between(0.3, 0.8);
+    s->number[1] = s->number[0] * between(0.2, 1.8);
+    fake_reader_number(in, s->number[0]);
+    fake_reader_number(in, s->number[1]);
+}
+
+static poly_real sphere_along(const along *a, real height, real radius)
+{
+    const poly_real across = square_across(a), minus = poly_of(real_neg(height)), rise = poly_add(&a->y, &minus);
+    const poly_real square = poly_mul(&rise, &rise), size = poly_of(real_neg(real_mul(radius, radius)));
+    const poly_real all = poly_add(&across, &square);
+
+    return poly_add(&all, &size);
+}
+
+/* The arc's circle has the radius K about (-b, h): (p.p - K^2 + b^2)^2 = 4 b^2 (x^2 + z^2), seen from the height h, on the sheet
+ * where the left side's root is below zero. */
+static void collect_arc(const along *a, real K, real h, real square_b, double low, double high, answer *out)
+{
+    const poly_real g = sphere_along(a, h, K), more = poly_of(square_b), left = poly_add(&g, &more), across = square_across(a);
+    const poly_real square = poly_mul(&left, &left), right = poly_scale(&across, real_mul(real_of(-4.0), square_b));
+    const poly_real p = poly_add(&square, &right);
+    const int before = out->count;
+    int kept = before;
+
+    collect_within(a, &a->y, low, high, &p, out);
+    for (int i = before; i < out->count; i++)
+        if (real_sign(poly_at(&left, real_of(out->at[i]))) < 0)
+            out->at[kept++] = out->at[i];
+    out->count = kept;
+}
+
+static void solve_ovus(const shape *s, const along *a, answer *out)
+{
+    const real R = real_of(s->number[0]), r = real_of(s->number[1]), two = real_of(2.0);
+    const real K = real_mul(two, real_of(fmax(s->number[0], s->number[1]))), KR = real_sub(K, R), Kr = real_sub(K, r);
+    const real rest = real_add(real_sub(real_mul(KR, KR), real_mul(Kr, Kr)), real_mul(R, R)), h = real_div(rest, real_mul(two, R));
+    const real low = real_neg(real_div(real_mul(h, R), KR)), high = real_add(R, real_div(real_mul(real_sub(R, h), r), Kr));
+    const poly_real bottom = sphere_along(a, real_of(0.0), R), top = sphere_along(a, R, r);
+
+    collect_within(a, &a->y, -10.0, real_double(low), &bottom, out);
+    collect_within(a, &a->y, real_double(high), 10.0, &top, out);
+    collect_arc(a, K, h, real_sub(real_mul(KR, KR), real_mul(h, h)), real_double(low), real_double(high), out);
+}
+
 /* ---- rays ---- */
 
 static pov_ray ray_from(pov_vec3 org, pov_vec3 dir)
@@ -445,6 +540,7 @@ static void judge(const kind_row *k, const shape_class *c, const shape *s, const
 static const kind_row kinds[] = {
     { "cubic", make_cubic, solve_cubic }, { "quartic", make_quartic, solve_quartic }, { "sor", make_sor, solve_sor },
     { "lathe", make_lathe, solve_lathe }, { "blob", make_blob, solve_blob },
+    { "superellipsoid", make_superellipsoid, solve_superellipsoid }, { "ovus", make_ovus, solve_ovus },
 };
 
 static void keeps_its_crossings(const kind_row *k)
@@ -481,13 +577,16 @@ static void a_quartic_has_its_crossings(void **state) { (void)state; keeps_its_c
 static void a_sor_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[2]); }
 static void a_straight_lathe_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[3]); }
 static void a_blob_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[4]); }
+static void a_superellipsoid_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[5]); }
+static void an_ovus_has_its_crossings(void **state) { (void)state; keeps_its_crossings(&kinds[6]); }
 
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_cubic_has_its_crossings), cmocka_unit_test(a_quartic_has_its_crossings),
         cmocka_unit_test(a_sor_has_its_crossings), cmocka_unit_test(a_straight_lathe_has_its_crossings),
-        cmocka_unit_test(a_blob_has_its_crossings),
+        cmocka_unit_test(a_blob_has_its_crossings), cmocka_unit_test(a_superellipsoid_has_its_crossings),
+        cmocka_unit_test(an_ovus_has_its_crossings),
     };
     int failed;
 
