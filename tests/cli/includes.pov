@@ -743,3 +743,38 @@ Number(StatisticsArray[2])
 Number(StatisticsArray[3])
 Number(StatisticsArray[4])
 
+
+// ---- equal components ----
+
+Vector(VPerp_To_Vector(x)) Vector(VPerp_To_Vector(y)) Vector(VPerp_To_Vector(z)) Vector(VPerp_To_Vector(-2 * x))
+Vector(VPerp_To_Vector(x + y)) Vector(VPerp_To_Vector(y + z)) Vector(VPerp_To_Vector(x + z)) Vector(VPerp_To_Vector(<1, 5, 1>))
+Vector(VPerp_To_Vector(<1, 1, 1>)) Vector(VPerp_To_Vector(<-1, -1, 2>)) Vector(VPerp_To_Vector(<2, 1, 1>))
+
+// ---- height fields on surfaces ----
+
+// Where rays towards the middle meet an object, and the normals there.
+#macro Traced(V, Middle)
+    #local S = seed(3);
+    #local I = 0;
+    #while (I < 60)
+        #local From = Middle + vnormalize(<rand(S), rand(S), rand(S)> - .5) * 9;
+        #local N = <0, 0, 0>;
+        #local At = trace(V, From, Middle + (<rand(S), rand(S), rand(S)> - .5) * 2 - From, N);
+        #debug concat("= ", vstr(3, At, " ", 0, 5), "; ", vstr(3, N, " ", 0, 4), "\n")
+        #local I = I + 1;
+    #end
+#end
+
+#declare Hf = function (x, y, z) { sin(x * 2) * .4 + y * y * .2 + z * .2 + x * y * .3 }
+#declare HfFlat = HF_Square(Hf, 1, 0, <5, 7>, 0, "", <-2, -1, -2>, <2, 1, 2>)
+Traced(HfFlat, <0, 0, 0>)
+#declare HfSmooth = HF_Square(Hf, 0, 1, <6, 5>, 1, "", <-2, -1, -2>, <2, 1, 2>)
+Traced(HfSmooth, <0, 0, 0>)
+#declare HfBall = HF_Sphere(Hf, 0, 1, <9, 7>, 1, "", <1, 2, 3>, 2, .5)
+Traced(HfBall, <1, 2, 3>)
+#declare HfTube = HF_Cylinder(Hf, 1, 1, <9, 4>, 1, "", <1, 2, 3>, <2, 4, 6>, 2, .5)
+Traced(HfTube, <1.5, 3, 4.5>)
+#declare HfLow = HF_Cylinder(Hf, 0, 0, <7, 4>, 0, "", <-1, 0, 0>, <2, 0, 0>, 1, .2)
+Traced(HfLow, <0, 0, 0>)
+#declare HfRing = HF_Torus(Hf, 0, 1, <12, 9>, 1, "", 2, .5, .3)
+Traced(HfRing, <0, 0, 0>)
