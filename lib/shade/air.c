@@ -194,7 +194,7 @@ uint32_t air_solids_across(const shading *scene, const surface *s)
 {
     const uint32_t before = s->from->solids;
 
-    if (!shading_info(scene, s->at->object)->filled)
+    if (!shading_info(scene, s->at->object)->filled || s->appearance == &scene->unseen)
         return before;
     return s->at->entering ? before + 1 : before - (before > 0);
 }

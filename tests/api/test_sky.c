@@ -65,12 +65,29 @@ static void the_last_sky_counts_and_emission_scales_its_own_light(void **state)
                 0.25 + 0.1, 0.5 + 0.2, 0.4);
 }
 
+/* Solids without fog in them are those that the ray meets, and those that it starts in, as in POV-Ray. */
+static void a_solid_that_is_not_seen_holds_no_fog_up(void **state)
+{
+    static const char wall[] = "fog { distance 5 rgb <.3, .7, .8> } plane { -z, -5 pigment { rgb .5 } finish { ambient 1 diffuse 0 } } ";
+    const double left = exp(-sqrt(50.0) / 5.0), inside = exp(-(sqrt(50.0) - 2.0) / 5.0);
+    char body[512];
+
+    (void)state;
+    snprintf(body, sizeof body, "%ssphere { <0, 2, 2>, 1 pigment { rgbt 1 } }", wall);
+    assert_seen("3.7", body, 0.3 + 0.2 * inside, 0.7 - 0.2 * inside, 0.8 - 0.3 * inside);
+    snprintf(body, sizeof body, "%ssphere { <0, 2, 2>, 1 no_image }", wall);
+    assert_seen("3.7", body, 0.3 + 0.2 * left, 0.7 - 0.2 * left, 0.8 - 0.3 * left);
+    snprintf(body, sizeof body, "%ssphere { 0, 1 no_image }", wall);
+    assert_seen("3.7", body, 0.5, 0.5, 0.5);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_layer_filters_the_background),
         cmocka_unit_test(upper_layers_filter_by_version),
         cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
+        cmocka_unit_test(a_solid_that_is_not_seen_holds_no_fog_up),
         cmocka_unit_test(the_last_sky_counts_and_emission_scales_its_own_light),
     };
 
