@@ -187,11 +187,12 @@ static const colour_entry map[] = {
     { 1.0f, { .color = { 0.0f, 1.0f, 1.0f } } },
 };
 
-#define FRACTAL(name, own, usual_self, check_it) \
+/* Of the others the values are shades of grey. */
+#define FRACTAL(name, own, usual_self, check_it, own_map, own_count) \
     const pattern_class pattern_##name = { \
         .keyword = #name, \
-        .map = map, \
-        .map_count = sizeof map / sizeof map[0], \
+        .map = own_map, \
+        .map_count = own_count, \
         .self_size = sizeof(fractal), \
         .self = usual_self, \
         .words = own, \
@@ -200,6 +201,6 @@ static const colour_entry map[] = {
         .evaluate = evaluate, \
     }
 
-FRACTAL(mandel, mandel_words, &usual, check);
-FRACTAL(julia, julia_words, &usual, check);
-FRACTAL(magnet, magnet_words, &usual_magnet, check_magnet);
+FRACTAL(mandel, mandel_words, &usual, check, map, sizeof map / sizeof map[0]);
+FRACTAL(julia, julia_words, &usual, check, NULL, 0);
+FRACTAL(magnet, magnet_words, &usual_magnet, check_magnet, NULL, 0);

@@ -47,7 +47,7 @@ static void evaluate_object(const pattern_input *in, double *value)
 const pattern_class pattern_object = {
     .keyword = "object",
     .count = 2,
-    .list = { { .color = { 0.0f, 0.0f, 0.0f } }, { .color = { 1.0f, 1.0f, 1.0f } } },
+    .list = { { .color = { 0.0f, 0.0f, 1.0f } }, { .color = { 0.0f, 1.0f, 0.0f } } },
     .self_size = sizeof(object_pattern),
     .evaluate = evaluate_object,
 };

@@ -68,6 +68,29 @@ static void without_a_frequency_a_phase_moves_neither_quilts_nor_images(void **s
     }
 }
 
+static void colours_that_are_left_out_are_those_of_the_pattern(void **state)
+{
+    static const struct { const char *pattern; double red, green, blue; } seen[] = {
+        { "object { sphere { 0, .5 } }", 0.0, 1.0, 0.0 },    { "object { sphere { 9, .5 } }", 0.0, 0.0, 1.0 },
+        { "object { sphere { 0, .5 } rgb 1 }", 0.0, 1.0, 0.0 }, { "julia <0, 0>, 20", 1.0, 1.0, 1.0 },
+        { "julia <3, 0>, 20", 0.0, 0.0, 0.0 },               { "magnet 1 julia <.2, .3>, 20", 1.0, 1.0, 1.0 },
+        { "mandel 20", 0.0, 1.0, 1.0 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++) {
+        char text[512];
+        float *p;
+
+        snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <.1,.1,-10> direction z right .001*x up .001*y }\n"
+                 "plane { z, 0 pigment { %s } finish { ambient 1 diffuse 0 } }\n", seen[i].pattern);
+        p = scenes_draw(text, 1, 1, 1, 1);
+        if (fabs((double)p[0] - seen[i].red) + fabs((double)p[1] - seen[i].green) + fabs((double)p[2] - seen[i].blue) > 1e-5)
+            fail_msg("%s: %f %f %f", seen[i].pattern, (double)p[0], (double)p[1], (double)p[2]);
+        free(p);
+    }
+}
+
 /* As in POV-Ray: a wall that stands in the middle of the coordinates shows the tiles behind it. */
 static void a_side_belongs_to_the_tile_behind_it(void **state)
 {
@@ -113,6 +136,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
+        cmocka_unit_test(colours_that_are_left_out_are_those_of_the_pattern),
         cmocka_unit_test(a_side_belongs_to_the_tile_behind_it),
         cmocka_unit_test(without_a_frequency_a_phase_moves_neither_quilts_nor_images),
     };
