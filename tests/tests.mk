@@ -19,7 +19,7 @@ $(BUILD)/tests/$(1)%: $(BUILD)/obj/$(1)tests/%.o $(SUPPORT_SOURCES:%.c=$(BUILD)/
 
 $(BUILD)/tests/$(1)numerics/%: TEST_LIBS = -lmpfr -lgmp
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving maps watertight csg findings piecewise): \
-    $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact families) | $(PRIMITIVES)
+    $(patsubst %,$(BUILD)/obj/$(1)tests/numerics/%.o,real probe exact exact_torus families families_round) | $(PRIMITIVES)
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,primitives leaving findings): $(BUILD)/obj/$(1)tests/numerics/leaving.o
 $(addprefix $(BUILD)/tests/$(1)numerics/test_,maps findings): $(BUILD)/obj/$(1)tests/numerics/real_map.o
 $(BUILD)/tests/$(1)numerics/test_findings: $(BUILD)/obj/$(1)tests/numerics/findings.o

@@ -1,6 +1,9 @@
 /* A torus and one ray: the quartic's roots are isolated, and completed in double-double. */
 #include "common/torus.h"
 
+/* A ray passes a pole of a spindle so near; crossings there are within the window of it. */
+static const double near_pole = 0x1p-26, window = 0x1p-20;
+
 /* The quartic in double-double, and its errors. */
 static double coefficients_two(const stretch *s, pov_two a[5])
 {
@@ -48,14 +51,36 @@ pov_two common_torus_complete(const stretch *s, double start, const common_brack
     return x;
 }
 
+/* Newton's method for the outer sheet of a spindle alone, rho from the axis: p.p = 2 R rho - (R^2 - r^2). Near a pole the
+ * equation of both sheets is nearly a square. */
+static pov_two refine_outer(const stretch *s, pov_two t)
+{
+    for (int turn = 0; turn < 4; turn++) {
+        const pov_two3 p = common_along_dd(&s->ray, t);
+        const pov_vec3 at = pov_two3_hi(p), d = s->ray.d;
+        const pov_two rho = pov_two_sqrt(pov_two_add(pov_two_mul(p.x, p.x), pov_two_mul(p.z, p.z)));
+        const pov_two level = pov_two_add(pov_two3_dot(p, p), s->torus->hollow);
+        const double value = pov_two_sub(level, pov_two_mul_double(rho, 2.0 * s->torus->R)).hi;
+        const double slope = 2.0 * (pov_dot(at, d) - s->torus->R * (at.x * d.x + at.z * d.z) / rho.hi), step = -value / slope;
+
+        if (!(rho.hi < near_pole && fabs(step) < near_pole))
+            break;
+        t = pov_two_add_double(t, step);
+    }
+    return t;
+}
+
 /* At the distance t in local units. False: no more crossings are wanted. */
 bool common_torus_report(const stretch *s, pov_two t, bool rising, bool escalated, pov_hits *hits)
 {
     const pov_mark mark = { rising ? EXITING : ENTERING, escalated ? POV_MARK_ESCALATED : 0, 0.0, 0.0 };
-    const double at = t.hi * s->ray.unit;
+    double at;
 
     if (s->torus->lens.hi > 0.0 && is_in_lens(s->torus, common_along_dd(&s->ray, t)))
         return true;
+    if (s->torus->lens.hi > 0.0)
+        t = refine_outer(s, t);
+    at = t.hi * s->ray.unit;
     return pov_cross(hits, at, t.lo * s->ray.unit, mark) && !(hits->want == POV_WANT_NEAREST && at > hits->tmin && hits->count > 0);
 }
 
@@ -145,6 +170,92 @@ static bool isolate(search *r)
     return fabs(start) <= 1.0 && common_isolate(c, 64.0 * (r->error + 8.0 * COMMON_U * sum), 3, r->wanted, &r->roots);
 }
 
+/* ---- the poles of a spindle ----
+ *
+ * Its two sheets meet in two points of the axis. So near to one that the roots of both sheets pass for one that touches zero,
+ * sides tell whether the outer sheet was crossed. */
+
+static bool is_inside_at(const stretch *s, double x)
+{
+    const pov_two3 p = common_along_dd(&s->ray, distance_at(s, pov_two_of(x, 0.0)));
+
+    return is_in_lens(s->torus, p) || value_at(s->torus, p).hi <= 0.0;
+}
+
+/* The change of sides between lo and hi, to the last bit. */
+static double find_change(const stretch *s, double lo, double hi, bool before)
+{
+    for (double middle = 0.5 * (lo + hi); middle > lo && middle < hi; middle = 0.5 * (lo + hi))
+        *(is_inside_at(s, middle) == before ? &lo : &hi) = middle;
+    return hi;
+}
+
+/* The root of the outer sheet at x. In y, where the ray starts on the torus. */
+static void put_root(search *r, double x, bool rising)
+{
+    const double at = r->from_here ? (x - r->middle.hi) / r->half.hi : x;
+    const common_bracket root = { at, at, at, rising };
+    uint32_t i = r->roots.count;
+
+    if (i == COMMON_ROOTS_MAX)
+        return;
+    for (; i > 0 && r->roots.at[i - 1].lo >= at; i--)
+        r->roots.at[i] = r->roots.at[i - 1];
+    r->roots.at[i] = root;
+    r->roots.count++;
+}
+
+/* Is the number of crossings of the outer sheet between lo and hi odd? */
+static bool is_crossed(const search *r, double lo, double hi)
+{
+    bool odd = false;
+
+    for (uint32_t i = 0; i < r->roots.count; i++) {
+        const common_bracket at = common_torus_bracket(r, i);
+
+        if (at.lo <= hi && at.hi >= lo) {
+            const pov_two x = common_torus_complete(&r->s, common_torus_start(r, i), &at);
+
+            odd ^= x.hi >= lo && x.hi <= hi && !is_in_lens(r->s.torus, common_along_dd(&r->s.ray, distance_at(&r->s, x)));
+        }
+    }
+    return odd;
+}
+
+/* Near a pole the outer sheet is a cone, and the ray is farthest outside of it where p.p grows by as much as 2 R rho. */
+static double find_outmost(const stretch *s, double x)
+{
+    const pov_vec3 d = pov_scale(s->ray.d, s->half), p = pov_two3_hi(common_along_dd(&s->ray, distance_at(s, pov_two_of(x, 0.0))));
+    const double across = d.x * d.x + d.z * d.z, nearest = -(p.x * d.x + p.z * d.z) / across;
+    const double rho = fabs(p.x * d.z - p.z * d.x) / sqrt(across), share = pov_dot(p, d) / (s->torus->R * sqrt(across));
+    const double off = nearest + rho * share / sqrt((1.0 - share * share) * across);
+
+    return fabs(off) < window ? x + off : x;
+}
+
+static void cross_between(search *r, double lo, double hi)
+{
+    const bool before = is_inside_at(&r->s, lo);
+
+    if ((is_inside_at(&r->s, hi) != before) != is_crossed(r, lo, hi))
+        put_root(r, find_change(&r->s, lo, hi, before), before);
+}
+
+static void cross_pole(search *r, double height)
+{
+    const stretch *s = &r->s;
+    const pov_vec3 d = pov_scale(s->ray.d, s->half), up = pov_sub(pov_vec3_of(0.0, height, 0.0), pov_two3_hi(s->w));
+    const double x = pov_dot(up, d) / pov_dot(d, d);
+    const pov_vec3 off = pov_sub(up, pov_scale(d, x));
+    double outmost;
+
+    if (!(pov_dot(off, off) < near_pole * near_pole) || (r->from_here && !(x - r->start.hi > 4.0 * window)))
+        return;
+    outmost = find_outmost(s, x);
+    cross_between(r, x - 2.0 * window, outmost);
+    cross_between(r, outmost, x + 2.0 * window);
+}
+
 /* Isolates the roots: those that count, if double does. */
 void common_torus_begin(search *r, bool from_here, pov_hits *hits)
 {
@@ -162,8 +273,13 @@ void common_torus_begin(search *r, bool from_here, pov_hits *hits)
     }
     r->escalated = hits->always_exact || !isolate(r);
     hits->escalated += r->escalated;
-    if (r->escalated)
-        isolate_two(r);
+    if (!r->escalated)
+        return;
+    isolate_two(r);
+    if (r->s.torus->lens.hi > 0.0) {
+        cross_pole(r, sqrt(r->s.torus->lens.hi));
+        cross_pole(r, -sqrt(r->s.torus->lens.hi));
+    }
 }
 
 /* The bracket of a root in x. Ahead of the start the divided-out factor is positive, so the quartic rises where the cubic

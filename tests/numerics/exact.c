@@ -1,4 +1,5 @@
 /* exact.c - the primitives once more, by the plainest mathematics there is, in 512 bits. */
+#include "numerics/exact_torus.h"
 #include "numerics/probe.h"
 
 typedef struct line { real3 o, d; } line;
@@ -262,6 +263,46 @@ static void polygon(const probe *p, line l, exact_result *out)
         add(out, real_div(real3_dot(n, real3_sub(point(p->number + 1), l.o)), slope), 0, n, HUGE_VAL);
 }
 
+static void torus(const probe *p, line l, exact_result *out)
+{
+    const real R = real_of(p->number[0]);
+    real t[4];
+    const int n = exact_torus_roots(R, real_of(p->number[1]), l.o, l.d, t);
+
+    for (int i = 0; i < n; i++) {
+        real axis;
+        const real3 normal = exact_torus_normal(R, real3_add(l.o, real3_scale(l.d, t[i])), &axis);
+
+        add(out, t[i], real_sign(real3_dot(normal, l.d)) > 0, normal, real_double(axis));
+    }
+}
+
+/* n . p = d |n| */
+static void plane(const probe *p, line l, exact_result *out)
+{
+    const real3 n = point(p->number);
+    const real slope = real3_dot(n, l.d), level = real_mul(real_of(p->number[3]), real_sqrt(real3_dot(n, n)));
+
+    if (real_sign(slope) != 0)
+        add(out, real_div(real_sub(level, real3_dot(n, l.o)), slope), real_sign(slope) > 0, n, HUGE_VAL);
+}
+
+static void disc(const probe *p, line l, exact_result *out)
+{
+    const real3 n = point(p->number + 3), from = real3_sub(l.o, point(p->number));
+    const real slope = real3_dot(n, l.d), outer = real_of(p->number[6]), inner = real_of(p->number[7]);
+    real t, square;
+    real3 at;
+
+    if (real_sign(slope) == 0)
+        return;
+    t = real_neg(real_div(real3_dot(n, from), slope));
+    at = real3_add(from, real3_scale(l.d, t));
+    square = real3_dot(at, at);
+    if (real_compare(square, real_mul(outer, outer)) < 0 && real_compare(square, real_mul(inner, inner)) >= 0)
+        add(out, t, 0, n, HUGE_VAL);
+}
+
 static void result(const probe *p, line l, exact_result *out)
 {
     const double *n = p->number;
@@ -279,6 +320,12 @@ static void result(const probe *p, line l, exact_result *out)
         cone(p, l, n, n[6], n + 3, n[6], out);
     else if (p->kind == QUADRIC)
         quadric(p, l, out);
+    else if (p->kind == TORUS)
+        torus(p, l, out);
+    else if (p->kind == PLANE)
+        plane(p, l, out);
+    else if (p->kind == DISC)
+        disc(p, l, out);
     else
         polygon(p, l, out);
 }

@@ -1,6 +1,7 @@
 #include "numerics/families.h"
 
 #include "numerics/draw.h"
+#include "numerics/families_round.h"
 
 #include <float.h>
 #include <string.h>
@@ -120,8 +121,10 @@ void families_shape(probe *p, double size, pov_vec3 place)
         p->count = 6;
     } else if (p->kind == QUADRIC) {
         make_quadric(p, size, place, 0.3);
-    } else if (kind_is_planar(p->kind)) {
+    } else if (kind_has_corners(p->kind)) {
         make_polygon(p, size, place);
+    } else if (p->kind == TORUS || p->kind == PLANE || p->kind == DISC) {
+        round_make(p, size, place);
     } else {
         make_cone(p, size, place, U() < 0.2 ? 0.0 : between(0.0, 2.0));
     }
@@ -204,8 +207,10 @@ void families_point(const probe *p, pov_vec3 place, pov_vec3 *at, pov_vec3 *norm
         point_on_box(p, at, normal);
     } else if (p->kind == QUADRIC) {
         point_on_quadric(p, place, at, normal);
-    } else if (kind_is_planar(p->kind)) {
+    } else if (kind_has_corners(p->kind)) {
         point_on_polygon(p, at, normal);
+    } else if (p->kind == TORUS || p->kind == PLANE || p->kind == DISC) {
+        round_point(p, place, at, normal);
     } else {
         point_on_cone(p, at, normal);
     }
@@ -545,7 +550,8 @@ static void torture(probe *p, double parameter)
 
 enum {
     PLANAR_SIDES = 1u << BOX, AXIAL = 1u << CONE | 1u << CYLINDER, SECOND = 1u << QUADRIC,
-    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH, ALL = (1u << KINDS) - 1
+    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH | 1u << SMOOTH_TRIANGLE, RING = 1u << TORUS, ALL = (1u << KINDS) - 1,
+    MOVED = ALL & ~RING
 };
 
 const family families[] = {
@@ -554,9 +560,9 @@ const family families[] = {
     { "distance", 1e6, ALL, from_distance },
     { "distance", 1e9, ALL, from_distance },
     { "distance", 1e12, ALL, from_distance },
-    { "translation", 1e3, ALL, translated },
-    { "translation", 1e6, ALL, translated },
-    { "translation", 1e9, ALL, translated },
+    { "translation", 1e3, MOVED, translated },
+    { "translation", 1e6, MOVED, translated },
+    { "translation", 1e9, MOVED, translated },
     { "scale", 1e-100, ALL, scaled },
     { "scale", 1e-12, ALL, scaled },
     { "scale", 1e-6, ALL, scaled },
@@ -589,6 +595,14 @@ const family families[] = {
     { "spread", 8.0, SECOND, spread },
     { "degenerate", -16.0, SECOND, degenerate },
     { "nearly_plane", -9.0, SECOND, nearly_planes },
+    { "tube", 1e-3, RING, round_tubes },
+    { "tube", 1e-6, RING, round_tubes },
+    { "tube", 1.0 + 0x1p-30, RING, round_tubes },
+    { "tube", 1.0, RING, round_tubes },
+    { "tube", 1e3, RING, round_tubes },
+    { "tangent", -15.0, RING, round_tangents },
+    { "axis", -13.0, RING, round_axes },
+    { "rims", -15.0, 1u << DISC, round_rims },
     { "torture", 0.0, ALL, torture },
     { NULL, 0.0, 0, NULL },
 };

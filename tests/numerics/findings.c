@@ -418,7 +418,7 @@ static void leave_plane(question *q, double parameter)
 }
 
 enum {
-    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH, ALL = (1u << KINDS) - 1, SECOND = 1u << QUADRIC,
+    FLAT = 1u << POLYGON | 1u << TRIANGLE | 1u << MESH, ALL = (2u << MESH) - 1, SECOND = 1u << QUADRIC,
     UPRIGHT = 1u << BOX | 1u << CONE | 1u << CYLINDER
 };
 

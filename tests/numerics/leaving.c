@@ -27,6 +27,8 @@ uint32_t subject_ask(const subject *s, const pov_ray *ray, pov_crossing at[CROSS
 
 double probe_limit(kind k)
 {
+    if (k == PLANE)
+        return 64.0;
     return k == SPHERE || k == QUADRIC ? 16.0 : k == BOX || kind_is_planar(k) ? 4.0 : 32.0;
 }
 

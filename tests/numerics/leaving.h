@@ -27,7 +27,7 @@ typedef enum leaving_verdict { LEFT_WELL, HIT_ITSELF, LEAKED, MISPLACED, NOT_JUD
 leaving_verdict leaving_judge(const subject *s, const probe *q, const pov_crossing *c, double dir, pov_vec3 normal,
                               int *expected);
 
-/* The unit in the last place that errors of t are held against, for this kind: 16, 32 or 4. */
+/* The unit in the last place that errors of t are held against, for this kind: 16, 32, 4 or 64. */
 double probe_limit(kind k);
 double probe_ulps_off(real exact, double t);
 /* Keeps the crossings in front of the origin. False: a distance is out of the range of doubles, or of all reason. */

@@ -7,9 +7,9 @@
 #include <string.h>
 
 static const char *const keywords[KINDS] = { "sphere", "box", "cone", "cylinder", "quadric", "polygon", "triangle",
-                                             "mesh" };
+                                             "mesh", "smooth_triangle", "torus", "plane", "disc" };
 /* How many numbers stand in each place: v a vector, n a number. */
-static const char *const forms[KINDS] = { "vn", "vv", "vnvn", "vvn", "vvvn", "n", "", "" };
+static const char *const forms[KINDS] = { "vn", "vv", "vnvn", "vvn", "vvvn", "n", "", "", "", "nn", "vn", "vvnn" };
 
 const char *probe_keyword(kind k) { return keywords[k]; }
 
@@ -22,16 +22,32 @@ static void feed_vector(pov_reader *in, const double *v)
     fake_reader_word(in, ">");
 }
 
+/* Across two sides, so long that it does not vanish. */
+static void find_normal(const probe *p, double normal[3])
+{
+    const double *v = p->number;
+    const pov_vec3 a = pov_unit(pov_vec3_of(v[4] - v[1], v[5] - v[2], v[6] - v[3]));
+    const pov_vec3 b = pov_unit(pov_vec3_of(v[7] - v[1], v[8] - v[2], v[9] - v[3]));
+    const pov_vec3 n = pov_cross_product(a, b);
+
+    normal[0] = n.x, normal[1] = n.y, normal[2] = n.z;
+}
+
 static void feed_triangle(pov_reader *in, const probe *p)
 {
+    double normal[3];
     int i;
 
+    find_normal(p, normal);
     if (p->kind == MESH) {
         fake_reader_word(in, "triangle");
         fake_reader_word(in, "{");
     }
-    for (i = 1; i < 10; i += 3)
+    for (i = 1; i < 10; i += 3) {
         feed_vector(in, p->number + i);
+        if (p->kind == SMOOTH_TRIANGLE)
+            feed_vector(in, normal);
+    }
     if (p->kind == MESH)
         fake_reader_word(in, "}");
 }
@@ -53,23 +69,29 @@ bool probe_make(const probe *p, const shape_class *shape, pov_reader *in, void *
     }
     for (; p->kind == POLYGON && at < p->count; at += 3)
         feed_vector(in, p->number + at);
-    if (p->kind == TRIANGLE || p->kind == MESH)
+    if (kind_has_corners(p->kind) && p->kind != POLYGON)
         feed_triangle(in, p);
     if (p->open)
         fake_reader_word(in, "open");
     return fake_reader_parse_into(in, shape, self);
 }
 
+/* By what the i-th number is multiplied if lengths are by `power`. */
+static double factor_of(kind k, int i, double power)
+{
+    if (k == QUADRIC)
+        return i < 6 ? 1.0 / (power * power) : i < 9 ? 1.0 / power : 1.0;
+    if ((k == PLANE && i < 3) || (k == DISC && i >= 3 && i < 6) || (kind_has_corners(k) && i == 0))
+        return 1.0;
+    return power;
+}
+
 void probe_scale(probe *p, double power)
 {
     int i;
 
-    for (i = kind_is_planar(p->kind); i < p->count; i++) {
-        if (p->kind != QUADRIC)
-            p->number[i] *= power;
-        else if (i < 9)
-            p->number[i] /= i < 6 ? power * power : power;
-    }
+    for (i = 0; i < p->count; i++)
+        p->number[i] *= factor_of(p->kind, i, power);
     p->ray.org = pov_scale(p->ray.org, power);
     p->ray.org_lo = pov_scale(p->ray.org_lo, power);
     p->size *= power;

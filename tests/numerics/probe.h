@@ -9,12 +9,16 @@
 enum { PROBE_NUMBERS = 64, PROBE_CROSSINGS = 4 };
 
 /* A mesh has one face. */
-typedef enum kind { SPHERE, BOX, CONE, CYLINDER, QUADRIC, POLYGON, TRIANGLE, MESH, KINDS } kind;
+typedef enum kind {
+    SPHERE, BOX, CONE, CYLINDER, QUADRIC, POLYGON, TRIANGLE, MESH, SMOOTH_TRIANGLE, TORUS, PLANE, DISC, KINDS
+} kind;
 
-static inline bool kind_is_planar(kind k) { return k == POLYGON || k == TRIANGLE || k == MESH; }
+static inline bool kind_has_corners(kind k) { return k == POLYGON || k == TRIANGLE || k == MESH || k == SMOOTH_TRIANGLE; }
+static inline bool kind_is_planar(kind k) { return kind_has_corners(k) || k == DISC; }
 
 /* The numbers stand in the order of the scene text: vectors as three. A polygon's begin with its count of
- * points; those of a triangle are a polygon's of three corners, the first of them again at the end. */
+ * points; those of a triangle are a polygon's of three corners, the first of them again at the end; its normals are that
+ * of its plane. */
 typedef struct probe {
     kind kind;
     int count;

@@ -19,6 +19,7 @@ static real fresh(void)
 void real_reset(void) { used = 0; }
 int real_mark(void) { return used; }
 void real_release(int mark) { used = mark; }
+void real_copy(real to, real from) { mpfr_set(to, from, MPFR_RNDN); }
 
 void real_precision(int wanted)
 {

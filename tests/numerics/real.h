@@ -14,6 +14,7 @@ typedef struct real3 { real x, y, z; } real3;
 void real_reset(void);
 int real_mark(void);
 void real_release(int mark);
+void real_copy(real to, real from);
 void real_free_all(void);
 /* Of all that follow; takes back all that there are. */
 void real_precision(int bits);

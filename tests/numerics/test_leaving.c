@@ -33,7 +33,7 @@ static int plain_count(const probe *p, double slope)
 }
 
 /* The crossings that a line can have besides its start. */
-static uint32_t most_crossings(kind k) { return kind_is_planar(k) ? 0 : k == CONE || k == CYLINDER ? 3 : 1; }
+static uint32_t most_crossings(kind k) { return kind_is_planar(k) ? 0 : k == CONE || k == CYLINDER || k == TORUS ? 3 : 1; }
 
 /* Is it plain that nothing here is the start? Distances in doubles are off by far less than that part of the size. */
 static bool is_plainly_well(const probe *q, double slope, const pov_crossing *at, uint32_t n)
@@ -90,13 +90,14 @@ static void leave_once(const subject *s, const probe *p, const pov_crossing *c, 
 static bool is_a_start(const probe *p, const pov_crossing *at, uint32_t n, uint32_t i)
 {
     const double speed = probe_speed(p), dir = at[i].t * speed;
+    const double apart = 1e-6 * (p->kind == TORUS ? p->number[1] : p->size);
 
     if (!(dir < 1e15 * p->size) || at[i].t < 1e-290 || at[i].t > 1e290)
         return false;
     if (p->kind == BOX)
         return true;
-    return (i == 0 || (at[i].t - at[i - 1].t) * speed > 1e-6 * p->size)
-           && (i + 1 == n || (at[i + 1].t - at[i].t) * speed > 1e-6 * p->size);
+    return (i == 0 || (at[i].t - at[i - 1].t) * speed > apart)
+           && (i + 1 == n || (at[i + 1].t - at[i].t) * speed > apart);
 }
 
 static void leave_probe(const subject *s, const probe *p, tally *out)
