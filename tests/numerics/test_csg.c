@@ -1,8 +1,9 @@
 /* test_csg.c - random trees of solids against their rules, in 512 bits, on the same doubles.
  *
- * Members are spheres, boxes, cylinders and cones of the plugins, part of them on a grid of quarters, part copies of others:
- * faces coincide, and rays along the grid meet edges and tangents. A ray that met a surface goes on from it twice: straight
- * ahead, and anywhere. Without arguments a short run; test_csg RAYS [SEED] for a long one. */
+ * Members are spheres, boxes, cylinders, cones, tori, planes and quadrics of the plugins, part of them on a grid of
+ * quarters, part copies of others: faces coincide, and rays along the grid meet edges and tangents. A ray that met a
+ * surface goes on from it twice: straight ahead, and anywhere. Without arguments a short run; test_csg RAYS [SEED] for a
+ * long one. */
 #include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
 
 #include "numerics/families.h"
@@ -54,16 +55,53 @@ static void put_point(const scene *s, double *at)
         at[i] = coordinate(s);
 }
 
+/* Around the y axis; a spindle now and then. */
+static void make_torus(const scene *s, probe *p)
+{
+    p->number[0] = extent(s);
+    p->number[1] = U() < 0.3 ? extent(s) : p->number[0] * (U() < s->on_grid ? 0.5 : (0.1 + 0.8 * U()));
+}
+
+static void make_plane(const scene *s, probe *p)
+{
+    const pov_vec3 n = families_direction();
+
+    p->number[0] = n.x, p->number[1] = n.y, p->number[2] = n.z;
+    if (U() < s->on_grid) {
+        memset(p->number, 0, 3 * sizeof *p->number);
+        p->number[below(3)] = U() < 0.5 ? -1.0 : 1.0;
+    }
+    p->number[3] = coordinate(s);
+}
+
+/* Ellipsoids, and what has no end: cylinders, cones, hyperboloids, paraboloids. */
+static void make_quadric(const scene *s, probe *p)
+{
+    for (int i = 0; i < 3; i++)
+        p->number[i] = U() < s->on_grid ? (double)below(3) - 0.5 * below(4) : 2.0 * U() - 0.5;
+    for (int i = 3; i < 9; i++)
+        p->number[i] = U() < 0.8 ? 0.0 : coordinate(s);
+    p->number[9] = -extent(s);
+}
+
 static void make_member(const scene *s, probe *p)
 {
-    static const kind kinds[] = { SPHERE, BOX, BOX, CYLINDER, CONE };
-    static const int counts[KINDS] = { 4, 6, 8, 7 };
+    static const kind kinds[] = { SPHERE, BOX, BOX, CYLINDER, CONE, TORUS, PLANE, QUADRIC };
+    static const int counts[KINDS] = { [SPHERE] = 4, [BOX] = 6, [CONE] = 8, [CYLINDER] = 7, [QUADRIC] = 10, [TORUS] = 2, [PLANE] = 4 };
     double *top;
 
     memset(p, 0, sizeof *p);
-    p->kind = kinds[below(5)];
+    p->kind = kinds[below(sizeof kinds / sizeof *kinds)];
     p->count = counts[p->kind];
     p->size = 1.0;
+    if (p->kind == TORUS)
+        make_torus(s, p);
+    else if (p->kind == PLANE)
+        make_plane(s, p);
+    else if (p->kind == QUADRIC)
+        make_quadric(s, p);
+    if (p->kind == TORUS || p->kind == PLANE || p->kind == QUADRIC)
+        return;
     put_point(s, p->number);
     if (p->kind == SPHERE)
         p->number[3] = extent(s);
@@ -204,13 +242,55 @@ static bool is_in_cap(const probe *p, const pov_ray *ray)
     return false;
 }
 
+static bool has_no_end(kind k) { return k == PLANE || k == QUADRIC; }
+
+/* On which side of an endless member does the ray end? By the first of these that is not 0: the value of the second order, the
+ * first and the start. None: the ray runs in the surface, which nothing decides. */
+static bool ends_inside(const probe *p, const pov_ray *ray, bool *open)
+{
+    const double *q = p->number, o[3] = { ray->org.x, ray->org.y, ray->org.z }, d[3] = { ray->dir.x, ray->dir.y, ray->dir.z };
+    const double o_lo[3] = { ray->org_lo.x, ray->org_lo.y, ray->org_lo.z };
+    static const int first[6] = { 0, 1, 2, 0, 0, 1 }, second[6] = { 0, 1, 2, 1, 2, 2 };
+    real sum[3] = { real_of(0.0), real_of(0.0), real_of(0.0) }, at[3];
+
+    for (int i = 0; i < 3; i++)
+        at[i] = real_of2(o[i], o_lo[i]);
+    for (int i = 0; i < 6 && p->kind == QUADRIC; i++) {
+        const real c = real_of(q[i]), x = real_of(d[first[i]]), y = real_of(d[second[i]]);
+
+        sum[0] = real_add(sum[0], real_mul(c, real_mul(x, y)));
+        sum[1] = real_add(sum[1], real_mul(c, real_add(real_mul(x, at[second[i]]), real_mul(y, at[first[i]]))));
+        sum[2] = real_add(sum[2], real_mul(c, real_mul(at[first[i]], at[second[i]])));
+    }
+    for (int i = 0; i < 3; i++) {
+        const real c = real_of(q[p->kind == QUADRIC ? 6 + i : i]);
+
+        sum[1] = real_add(sum[1], real_mul(c, real_of(d[i])));
+        sum[2] = real_add(sum[2], real_mul(c, at[i]));
+    }
+    if (p->kind == QUADRIC) {
+        sum[2] = real_add(sum[2], real_of(q[9]));
+    } else {
+        const real3 n = real3_of(real_of(q[0]), real_of(q[1]), real_of(q[2]));
+
+        sum[2] = real_sub(sum[2], real_mul(real_of(q[3]), real_sqrt(real3_dot(n, n))));
+    }
+    for (int i = 0; i < 3; i++)
+        if (real_sign(sum[i]) != 0) {
+            *open = *open || fabs(real_double(sum[i])) < 0x1p-40;
+            return real_sign(sum[i]) < 0;
+        }
+    *open = true;
+    return false;
+}
+
 /* Does the line pass a rim, where two of the crossings are one place? Which of them count is a matter of convention, too. */
-static bool is_on_rim(const exact_result *r)
+static bool is_on_rim(const exact_result *r, kind k)
 {
     for (int i = 1; i < r->count; i++)
         if (real_double(real_sub(r->at[i].t, r->at[i - 1].t)) < 0x1p-80)
             return true;
-    return r->count & 1;
+    return !has_no_end(k) && r->count & 1;
 }
 
 static void find_course(scene *s, const pov_ray *ray, course *c)
@@ -223,13 +303,13 @@ static void find_course(scene *s, const pov_ray *ray, course *c)
 
         s->probes[i].ray = *ray;
         probe_exact(&s->probes[i], r);
-        c->open = c->open || is_in_cap(&s->probes[i], ray) || (s->probes[i].kind != BOX && is_on_rim(r));
+        c->open = c->open || is_in_cap(&s->probes[i], ray) || (s->probes[i].kind != BOX && is_on_rim(r, s->probes[i].kind));
         for (int k = 0; k < r->count; k++)
             if (!is_behind(c, &r->at[k], cosine_of(&r->at[k], ray))) {
                 insert(c, &r->at[k], i, cosine_of(&r->at[k], ray));
                 ahead++;
             }
-        c->inside[i] = ahead & 1;
+        c->inside[i] = (ahead & 1) != (has_no_end(s->probes[i].kind) && ends_inside(&s->probes[i], ray, &c->open));
     }
 }
 
