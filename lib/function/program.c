@@ -68,6 +68,9 @@ int program_two_arguments(const char *name)
     return -1;
 }
 
+const char *program_one_name(uint32_t number) { return ones[number].name; }
+const char *program_two_name(uint32_t number) { return twos[number].name; }
+
 /* ---- running ---- */
 
 static double choose(const double *v, uint32_t count)

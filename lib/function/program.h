@@ -48,5 +48,8 @@ double program_run(const program *p, double *registers);
 /* The number of a function of one or two arguments; -1: unknown name. */
 int program_one_argument(const char *name);
 int program_two_arguments(const char *name);
+/* And back. */
+const char *program_one_name(uint32_t number);
+const char *program_two_name(uint32_t number);
 
 #endif

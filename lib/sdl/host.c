@@ -227,4 +227,5 @@ const pov_host host_functions = {
     .function = host_function,
     .transform = host_transform,
     .component_texture = parse_component_texture,
+    .function_bounds = host_function_bounds,
 };

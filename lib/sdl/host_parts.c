@@ -1,5 +1,7 @@
 #include "sdl/host_parts.h"
 
+#include "function/form.h"
+#include "function/slope.h"
 #include "sdl/function.h"
 #include "sdl/function_host.h"
 #include "sdl/parse.h"
@@ -45,6 +47,51 @@ const pov_function *host_function(pov_reader *in, uint32_t n)
 }
 
 const function *host_function_of(const pov_function *f) { return ((const served *)(const void *)f)->of; }
+
+typedef struct bounded { pov_function_bounds service; tape tape; } bounded;
+
+static const pov_form *bounds_over(const pov_function_bounds *self, pov_form *memory)
+{
+    const tape *t = &((const bounded *)(const void *)self)->tape;
+
+    form_run(t, memory);
+    return &memory[t->result];
+}
+
+static const pov_slope *slopes_at(const pov_function_bounds *self, pov_slope *memory)
+{
+    const tape *t = &((const bounded *)(const void *)self)->tape;
+
+    slope_run(t, memory);
+    return &memory[t->result];
+}
+
+const pov_function_bounds *host_function_bounds(pov_reader *in, const pov_function *f)
+{
+    const function *of = in->failed || !f ? NULL : host_function_of(f);
+    tape t = { 0 };
+    tape_outcome outcome;
+    bounded *b;
+
+    if (!of || of->kind != FUNCTION_FORMULA)
+        return NULL;
+    outcome = tape_record(in->model->env, &of->program, &t);
+    if (outcome == TAPE_NO_MEMORY)
+        report_memory(in);
+    if (outcome != TAPE_RECORDED)
+        return NULL;
+    b = state_alloc(in, sizeof *b + t.count * sizeof *t.steps, 16);
+    if (b) {
+        memcpy(b + 1, t.steps, t.count * sizeof *t.steps);
+        b->service.over = bounds_over;
+        b->service.at = slopes_at;
+        b->service.registers = t.registers;
+        b->tape = t;
+        b->tape.steps = (const tape_step *)(const void *)(b + 1);
+    }
+    env_free(in->model->env, (void *)(uintptr_t)t.steps);
+    return b ? &b->service : NULL;
+}
 
 /* ---- transformations ---- */
 

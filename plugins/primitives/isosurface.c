@@ -1,9 +1,11 @@
 /* isosurface { function { f } ... }: where f is the threshold, within a box or a sphere; inside where it is below.
  *
- * `max_gradient` bounds how fast f changes. So around a point there is no root as near as its value over the bound, and a
- * stretch of the ray is made shorter from both ends before it is halved. Stretches shorter than `accuracy` are searched
- * no further; roots between points on different sides are found to the last bit. Whatever is inside at the skin of the
- * container is closed by it, unless `open`. */
+ * Where bounds of f over stretches of a line are known, they find all crossings (common/level.h), in the cells of a grid that
+ * may hold some (common/cells.h). Else `max_gradient` bounds how fast f changes. So around a point there is no root as near
+ * as its value over the bound, and a stretch of the ray is made shorter from both ends before it is halved. Stretches shorter
+ * than `accuracy` are then searched no further; roots between points on different sides are found to the last bit. Whatever
+ * is inside at the skin of the container is closed by it, unless `open`. */
+#include "common/cells.h"
 #include "common/clip.h"
 
 typedef struct isosurface {
@@ -13,9 +15,12 @@ typedef struct isosurface {
     pov_vec3 lo, hi;             /* the box, or the box of the sphere */
     pov_vec3 centre;
     double radius, size;         /* of the sphere; the largest side of the box */
+    const pov_function_bounds *exact;    /* NULL: none are known */
+    common_cells cells;
 } isosurface;
 
-enum { SURFACE, SKIN, MEMORY = 2048 };   /* MEMORY: doubles that a function may need */
+/* Doubles that a function may need, and registers of its bounds. */
+enum { SURFACE, SKIN, MEMORY = 2048, REGISTERS = MEMORY * sizeof(double) / sizeof(pov_slope) };
 
 /* ---- loading ---- */
 
@@ -80,6 +85,32 @@ static bool read_item(isosurface *s, const pov_host *host, pov_reader *in)
     return true;
 }
 
+/* Does a box lie outside the container? */
+static bool is_outside(const void *self, pov_vec3 middle, pov_vec3 half)
+{
+    const isosurface *s = self;
+    const pov_vec3 from = pov_sub(middle, s->centre);
+    const pov_vec3 near = { fmax(fabs(from.x) - half.x, 0.0), fmax(fabs(from.y) - half.y, 0.0), fmax(fabs(from.z) - half.z, 0.0) };
+
+    return s->sphere && pov_dot(near, near) > s->radius * s->radius * (1.0 + 0x1p-20);
+}
+
+/* Bounds of the function, and the cells where it may pass the threshold. */
+static void find_cells(isosurface *s, const pov_host *host, pov_reader *in)
+{
+    const pov_box box = { s->lo, s->hi };
+    const size_t appended = offsetof(pov_host, function_bounds) + sizeof host->function_bounds;
+
+    s->exact = host->size >= appended && s->function ? host->function_bounds(in, s->function) : NULL;
+    if (s->exact && (s->exact->registers > REGISTERS || !(s->size > 0.0)))
+        s->exact = NULL;
+    if (s->exact)
+        common_cells_make(&s->cells, host, in, s->exact, s->threshold, box, is_outside, s);
+    else
+        host->warn(in, "bounds of this function are not known (it has noise, a pattern or an image, or is too long): "
+                       "max_gradient must not be too low");
+}
+
 static void parse(void *self, const pov_host *host, pov_reader *in)
 {
     isosurface *s = self;
@@ -98,14 +129,21 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
         host->fail(in, "max_gradient and accuracy must be above 0");
     s->size = pov_largest(pov_sub(s->hi, s->lo));
     s->accuracy = fmin(s->accuracy, 0x1p-9 * s->size);
+    find_cells(s, host, in);
 }
 
 static bool bounds(const void *self, pov_box *out)
 {
     const isosurface *s = self;
+    pov_vec3 lo = s->lo, hi = s->hi;
 
-    out->lo = pov_vec3_of(common_below(s->lo.x), common_below(s->lo.y), common_below(s->lo.z));
-    out->hi = pov_vec3_of(common_above(s->hi.x), common_above(s->hi.y), common_above(s->hi.z));
+    if (s->exact) {
+        lo = pov_vec3_of(fmax(lo.x, s->cells.from.x), fmax(lo.y, s->cells.from.y), fmax(lo.z, s->cells.from.z));
+        hi = pov_vec3_of(fmin(hi.x, s->cells.to.x), fmin(hi.y, s->cells.to.y), fmin(hi.z, s->cells.to.z));
+        hi = pov_vec3_of(fmax(lo.x, hi.x), fmax(lo.y, hi.y), fmax(lo.z, hi.z));
+    }
+    out->lo = pov_vec3_of(common_below(lo.x), common_below(lo.y), common_below(lo.z));
+    out->hi = pov_vec3_of(common_above(hi.x), common_above(hi.y), common_above(hi.z));
     return true;
 }
 
@@ -113,13 +151,18 @@ static size_t scratch(const void *self)
 {
     const isosurface *s = self;
 
+    if (s->exact)
+        return s->exact->registers * sizeof(pov_form);
     return s->function ? s->function->memory * sizeof(double) : 0;
 }
 
-static double value_at(const isosurface *s, pov_vec3 p, double *memory)
+/* `memory`: of scratch(), or MEMORY doubles. */
+static double value_at(const isosurface *s, pov_vec3 p, void *memory)
 {
     const double at[3] = { p.x, p.y, p.z };
 
+    if (s->exact)
+        return common_level_value(s->exact, s->threshold, p, memory);
     return s->function->value(s->function, at, memory) - s->threshold;
 }
 
@@ -130,7 +173,7 @@ typedef struct line {
     const isosurface *s;
     pov_vec3 o, d;
     double base, speed, unit;
-    double *memory;
+    void *memory;
     pov_hits *hits;
 } line;
 
@@ -229,7 +272,7 @@ static bool clip(const isosurface *s, const common_ray *k, common_span *span)
     return span->lo < span->hi;
 }
 
-static pov_vec3 slope_at(const isosurface *s, pov_vec3 p, double *memory)
+static pov_vec3 difference_at(const isosurface *s, pov_vec3 p, double *memory)
 {
     const double h = 0x1p-17 * s->size;
     const pov_vec3 x = { h, 0.0, 0.0 }, y = { 0.0, h, 0.0 }, z = { 0.0, 0.0, h };
@@ -237,6 +280,13 @@ static pov_vec3 slope_at(const isosurface *s, pov_vec3 p, double *memory)
     return pov_vec3_of(value_at(s, pov_add(p, x), memory) - value_at(s, pov_sub(p, x), memory),
                        value_at(s, pov_add(p, y), memory) - value_at(s, pov_sub(p, y), memory),
                        value_at(s, pov_add(p, z), memory) - value_at(s, pov_sub(p, z), memory));
+}
+
+static pov_vec3 slope_at(const isosurface *s, pov_vec3 p, void *memory)
+{
+    if (s->exact)
+        return common_level_gradient(s->exact, p, memory);
+    return difference_at(s, p, memory);
 }
 
 /* A ray that starts on the surface: on which side it goes on. */
@@ -249,6 +299,43 @@ static double side_ahead(const line *n, const pov_ray *ray)
     return pov_dot(slope_at(n->s, n->o, n->memory), n->d) >= 0.0 ? 0.0 : -0x1p-1000;
 }
 
+/* Between two samples by the gradient, and the skin. */
+static void intersect_by_gradient(const line *n, sample a, double end, bool enters)
+{
+    const sample b = sample_at(n, end);
+
+    if (enters && a.value < 0.0 && !report(n, 0.0, SKIN))
+        return;
+    if (search(n, a, b) && !n->s->open && b.value < 0.0)
+        report(n, end, SKIN);
+}
+
+static bool found(void *user, double t) { return report(user, t, SURFACE); }
+
+static bool is_below_at(const line *n, const common_level *level, double t)
+{
+    const common_cell kind = common_cells_kind(&n->s->cells, pov_add(n->o, pov_scale(n->d, t)));
+
+    return kind == COMMON_CELL_OPEN ? common_level_is_below(level, t) : kind == COMMON_CELL_BELOW;
+}
+
+static void intersect_by_bounds(line *n, const pov_ray *ray, double end, bool from_surface, bool enters)
+{
+    const pov_hits *hits = n->hits;
+    const isosurface *s = n->s;
+    const bool is_approx = hits->want == POV_WANT_ANY || hits->count_only;
+    common_level level = { .f = s->exact, .threshold = s->threshold, .o = n->o, .d = n->d, .memory = n->memory,
+                           .shortest = 0x1p-46 * s->size / n->speed, .from_surface = from_surface, .found = found, .user = n };
+
+    level.start = from_surface ? side_ahead(n, ray) : 0.0;
+    level.approx_from = hits->tmin / n->unit - n->base;
+    level.approx_to = is_approx ? hits->tmax / n->unit * (1.0 - 0x1p-40) - n->base : -HUGE_VAL;
+    if (enters && is_below_at(n, &level, 0.0) && !report(n, 0.0, SKIN))
+        return;
+    if (common_cells_search(&s->cells, &level, 0.0, end) && !s->open && is_below_at(n, &level, end))
+        report(n, end, SKIN);
+}
+
 static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
 {
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
@@ -256,7 +343,8 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
     const bool from_here = ray->origin_surface == hits->owner, from_skin = from_here && ray->origin_mark.feature == SKIN;
     common_span span;
-    sample a, b;
+    double end;
+    bool enters;
     line n;
 
     if (!clip(s, &k, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
@@ -272,14 +360,17 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     /* A ray that starts on the skin goes in, or is at its end already. */
     if (from_skin && !(span.hi * n.speed > 0x1p-30 * s->size))
         return;
-    a = sample_at(&n, 0.0);
-    b = sample_at(&n, fmin(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n.base);
-    if (from_here && !from_skin)
-        a.value = side_ahead(&n, ray);
-    if (!s->open && span.lo > 0.0 && !from_skin && a.value < 0.0 && !report(&n, 0.0, SKIN))
-        return;
-    if (search(&n, a, b) && !s->open && b.value < 0.0)
-        report(&n, span.hi - n.base, SKIN);
+    enters = !s->open && span.lo > 0.0 && !from_skin;
+    end = fmin(span.hi, hits->tmax * k.per_unit * (1.0 + 0x1p-20)) - n.base;
+    if (s->exact) {
+        intersect_by_bounds(&n, ray, end, from_here && !from_skin, enters);
+    } else {
+        sample a = sample_at(&n, 0.0);
+
+        if (from_here && !from_skin)
+            a.value = side_ahead(&n, ray);
+        intersect_by_gradient(&n, a, end, enters);
+    }
 }
 
 /* ---- points ---- */

@@ -174,8 +174,8 @@ report "every public header compiles alone, in C99 and in C++11"
 lines=$(cd lib/include/povtrace && cat base.h math.h scene.h render.h trace.h image.h plot.h povtrace.h | wc -l)
 [ "$lines" -lt 800 ] || echo "$lines lines for programs" > "$work/found"
 lines=$(cd lib/include/povtrace && cat plugin.h shape.h | wc -l)
-[ "$lines" -lt 330 ] || echo "$lines lines for primitives" >> "$work/found"
-report "the headers for programs stay under 800 lines, those for primitives under 330"
+[ "$lines" -lt 350 ] || echo "$lines lines for primitives" >> "$work/found"
+report "the headers for programs stay under 800 lines, those for primitives under 350"
 
 # ---- what was built ----
 

@@ -20,6 +20,15 @@ messages_point_at_the_right_place_behind_tabs_and_wide_letters() {
     grep -qE '^<stdin>:1:[0-9]+: error: ' err
 }
 
+messages_tell_isosurfaces_whose_max_gradient_counts() {
+    printf '#declare N = function { pattern { bozo } } isosurface { function { y - N(x, y, z) } }\n' > noise.pov
+    "$povc" --check noise.pov 2> err
+    says err "bounds of this function are not known"
+    printf 'isosurface { function { y - sin(x) } }\n' > smooth.pov
+    "$povc" --check smooth.pov 2> err
+    ! grep -q warning err || fail "$(cat err)"
+}
+
 messages_defect_18_guess_the_word_that_was_meant() {
     printf 'sphere { <0, 0, 0>, 1 pigmnet { color rgb <1, 1, 1> } }\n' > wrong.pov
     expect 1 "$povc" --check wrong.pov

@@ -49,6 +49,23 @@ typedef struct pov_function {
     uint32_t parameters, memory;
 } pov_function;
 
+/* A number over stretches of lines, one in each lane. Let u go from -1 to 1 along a stretch: the number is middle + slope u,
+ * off by at most `off`, and its derivative by u is slope, off by at most `slope_off`. What is not known is infinite or NaN. */
+enum { POV_FORMS = 8, POV_SLOPES = 4 };
+typedef struct pov_form { double middle[POV_FORMS], slope[POV_FORMS], off[POV_FORMS], slope_off[POV_FORMS]; } pov_form;
+/* A number at points of lines, and its derivative along them. */
+typedef struct pov_slope { double value[POV_SLOPES], slope[POV_SLOPES]; } pov_slope;
+
+/* Bounds of a function, roundings included. `memory` has `registers` elements, of which the first are the arguments; the
+ * result stands in it. */
+typedef struct pov_function_bounds {
+    /* [render] Over stretches. */
+    const pov_form *(*over)(const struct pov_function_bounds *self, pov_form *memory);
+    /* [render] At points. Values may differ from those of pov_function by what rounding does. */
+    const pov_slope *(*at)(const struct pov_function_bounds *self, pov_slope *memory);
+    uint32_t registers;
+} pov_function_bounds;
+
 /* Errors stick: after the first, every read gives zero, every accept() gives
  * false, more() gives false and warn() says nothing, so a parse function needs no checks. */
 typedef struct pov_host {
@@ -97,6 +114,9 @@ typedef struct pov_host {
     bool (*transform)(pov_reader *in, pov_affine *map);
     /* As texture(), of a component that has a texture { }, or a pigment, normal and finish alone; if one of these is next. */
     bool (*component_texture)(pov_reader *in, uint32_t *out);
+    /* Bounds of what function() gave. They live as long as the scene. NULL: of some part nothing is known between points, as
+     * of noise, patterns and images. */
+    const pov_function_bounds *(*function_bounds)(pov_reader *in, const pov_function *f);
 } pov_host;
 
 /* ---- the one exported symbol -------------------------------------------- */
