@@ -293,7 +293,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     w.from_here = ray->origin_surface == hits->owner;
     w.o = common_along(&k, base);
     w.d = k.d;
-    w.inverse = pov_vec3_of(1.0 / k.d.x, 1.0 / k.d.y, 1.0 / k.d.z);
+    w.inverse = pov_vec3_of(1.0 / (k.d.x + 0.0), 1.0 / (k.d.y + 0.0), 1.0 / (k.d.z + 0.0));   /* of -0 as of 0 */
     w.off_x = margin * fabs(w.inverse.x);
     w.off_z = margin * fabs(w.inverse.z);
     w.cell_x = 1.0 / (f->wide - 1.0);

@@ -101,6 +101,20 @@ static void trace_blends_alike(void **state)
     assert_true(is_near(look(traced, 0.0, 0.0).normal, pov_unit(sum)));
 }
 
+/* Straight down, where two components of the direction are zeros of either sign. */
+static void a_height_field_is_hit_from_straight_above(void **state)
+{
+    static const char field[] = "height_field { function 8, 8 { x*y } rotate %s }";
+    char object[200];
+
+    (void)state;
+    snprintf(object, sizeof object, field, "-90*x");
+    assert_true(look(object, 0.13, 0.37).point.z < 0.0);
+    assert_true(look(object, 0.87, 0.92).point.z < 0.0);
+    assert_true(look("#declare N = <0,0,0>; #declare O = height_field { function 8, 8 { x*y } } #declare P = trace(O, <.13,3,.37>, -y, N); "
+                     "sphere { <0, N.y, 0>, .5 }", 0.0, 1.0).point.z < 0.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -108,6 +122,7 @@ int main(void)
         cmocka_unit_test(a_smooth_height_field_that_is_stretched),
         cmocka_unit_test(a_patch_of_one_cell_is_split_from_first_to_last),
         cmocka_unit_test(v_steps_are_along_a_row),
+        cmocka_unit_test(a_height_field_is_hit_from_straight_above),
         cmocka_unit_test(trace_blends_alike),
     };
 

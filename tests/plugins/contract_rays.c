@@ -238,6 +238,41 @@ void what_was_found_before_only_ends_the_interval(void **unused)
     subject_each_ray(RAYS, another_only_ends_it);
 }
 
+static pov_vec3 with_zeros(pov_vec3 d, unsigned axes, double zero)
+{
+    return pov_vec3_of(axes & 1 ? zero : d.x, axes & 2 ? zero : d.y, axes & 4 ? zero : d.z);
+}
+
+/* Parallel to an axis, or to a plane of two. */
+static bool zeros_have_no_sign(const thing *t, const pov_ray *ray)
+{
+    for (unsigned axes = 1; axes < 7; axes++) {
+        pov_crossing plus[MOST], minus[MOST];
+        pov_ray along = *ray;
+        uint32_t n;
+
+        along.dir = with_zeros(ray->dir, axes, 0.0);
+        along.dir_lo = with_zeros(ray->dir_lo, axes, 0.0);
+        if (!(pov_largest(along.dir) > 0.0))
+            continue;
+        n = subject_ask(t->self, &along, plus);
+        along.dir = with_zeros(ray->dir, axes, -0.0);
+        along.dir_lo = with_zeros(ray->dir_lo, axes, -0.0);
+        if (subject_ask(t->self, &along, minus) != n)
+            return false;
+        for (uint32_t i = 0; i < n; i++)
+            if (plus[i].t != minus[i].t)
+                return false;
+    }
+    return true;
+}
+
+void zeros_of_a_direction_have_no_sign(void **unused)
+{
+    (void)unused;
+    subject_each_ray(RAYS / 4, zeros_have_no_sign);
+}
+
 static bool agrees_exactly(const thing *t, const pov_ray *ray)
 {
     pov_crossing quick[MOST], exact[MOST];
