@@ -6,6 +6,7 @@
 #include "sdl/parse_cutaway.h"
 #include "sdl/parse_media.h"
 #include "sdl/parse_texture.h"
+#include "sdl/textures.h"
 
 /* A group that is being added, or an object whose clip is, and those around it. */
 typedef struct around {
@@ -34,6 +35,38 @@ static surface_parsed find_surface(const pov_reader *in, const object_parsed *o,
             found.material.interior = s->material.interior;
     }
     return found;
+}
+
+/* The first of a list of transformations, without the last few. */
+static const transform *without_last(const transform *list, uint32_t count)
+{
+    for (; list && count > 0; count--)
+        list = list->before;
+    return list;
+}
+
+/* Without one of its own, the interior_texture of the nearest group around that has one. What moves the object's texture and
+ * not that group's is undone. */
+static const texture *find_inside(pov_reader *in, const object_parsed *o, const around *a, const texture *own)
+{
+    const around *giver = a;
+    const surface_parsed *s;
+    const transform *moves;
+
+    while (giver && !parse_surface_of(giver->group)->inside)
+        giver = giver->outer;
+    if (own || !giver)
+        return own;
+    for (s = parse_surface_of(o); a != giver && !s->has_look; a = a->outer) {
+        o = a->group;
+        s = parse_surface_of(o);
+    }
+    moves = parse_last_transforms(in, o->map, s->moves);
+    for (; a != giver; a = a->outer)
+        parse_append_transforms(in, &moves, a->group->map, a->since);
+    s = parse_surface_of(giver->group);
+    parse_append_transforms(in, &moves, without_last(giver->group->map, s->moves), NULL);
+    return textures_move(in, s->inside, parse_invert_transforms(in, moves));
 }
 
 static const transform *find_map(pov_reader *in, const object_parsed *o, const around *a)
@@ -122,6 +155,7 @@ static bool add_leaf(pov_reader *in, const object_parsed *o, const around *a, no
         moves = parse_count_transforms(leaf.map);
     }
     leaf.flags = find_flags(o, a);
+    s.inside = find_inside(in, o, a, s.inside);
     parse_surface_material(in, &s, &m);
     m.interior.media = find_media(in, o, a, m.interior.media);
     leaf.flags |= m.needs_uv ? LEAF_UV : 0;

@@ -536,6 +536,8 @@ bool parse_object_try(pov_reader *in, object_parsed *o)
         else
             return false;
     }
+    if (!in->failed && parse_surface_of(o)->inside && !parse_surface_of(o)->has_look)
+        report_fail(in, &in->value, POV_E_SYNTAX, "an interior_texture needs a texture of the same object beside it");
     return !in->failed;
 }
 
