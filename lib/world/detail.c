@@ -22,7 +22,7 @@ static part find_part(const world *w, const hit *h)
     return p;
 }
 
-bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out)
+bool world_blended_normal(const world *w, const hit *h, pov_vec3 *out)
 {
     const part p = find_part(w, h);
     pov_vec3 normal[POV_NORMALS_MAX], sum = { 0.0, 0.0, 0.0 };
@@ -41,6 +41,13 @@ bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_
     if (!(pov_largest(sum) > 0.0))
         return false;
     *out = pov_unit(sum);
+    return true;
+}
+
+bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out)
+{
+    if (!world_blended_normal(w, h, out))
+        return false;
     if (pov_dot(*out, ray->dir) > 0.0)
         *out = pov_scale(*out, -1.0);
     return true;

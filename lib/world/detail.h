@@ -5,6 +5,9 @@
 
 #include "world/surface.h"
 
+/* The normal that a shape blends for a completed hit, of unit length, in the world, on the side of the shape's own. False: it
+ * blends none. */
+bool world_blended_normal(const world *w, const hit *h, pov_vec3 *out);
 /* The shading normal of a completed hit: unit, in the world, facing the ray's start. False: it is the geometric one.
  * Only objects with object_info.smooth have another. */
 bool world_shading_normal(const world *w, const pov_ray *ray, const hit *h, pov_vec3 *out);

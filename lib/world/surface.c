@@ -1,6 +1,7 @@
 #include "base/simd.h"
-#include "world/object_box.h"
 #include "world/copy_path.h"
+#include "world/detail.h"
+#include "world/object_box.h"
 
 /* ---- what world_nearest() leaves open ---- */
 
@@ -78,9 +79,12 @@ bool world_is_at_front(const world *w, const pov_ray *ray, const hit *h)
     pov_ray moved, own;
     copy_path p;
     shape_ref ref;
+    pov_vec3 seen;
 
     world_find(w, h->object, &p);
     shape = p.world->groups[p.world->objects_info[p.index].group].shape;
+    if (shape->shading_normals && world_blended_normal(w, h, &seen))
+        return (pov_dot(seen, ray->dir) < 0.0) == (h->outside == h->entering);
     if (!shape->reversed)
         return h->entering;
     ref = world_shape(p.world, p.index);

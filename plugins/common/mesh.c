@@ -141,17 +141,30 @@ static void shares_of(const common_mesh *m, uint32_t face, pov_vec3 point, pov_v
                            pov_scale(point, m->scale), pov_scale(point_lo, m->scale), share);
 }
 
+/* The normals of a face that is smooth, else NULL. As in POV-Ray one whose unit normals are the same within 1e-5 is not. */
+static const uint32_t *smooth_face(const common_mesh *m, uint32_t face)
+{
+    const uint32_t *at = m->normals ? m->normal_faces[face].at : NULL;
+    pov_vec3 u, v;
+
+    if (!at || at[0] == COMMON_NO_TEXTURE)
+        return NULL;
+    u = pov_sub(m->normals[at[1]], m->normals[at[0]]);
+    v = pov_sub(m->normals[at[2]], m->normals[at[0]]);
+    return pov_dot(u, u) > 1e-10 || pov_dot(v, v) > 1e-10 ? at : NULL;
+}
+
 /* A mesh blends the normals in its own space, as POV-Ray's does. */
 uint32_t common_mesh_shading_normals(const void *self, pov_vec3 point, pov_vec3 point_lo, const pov_mark *mark,
                                      pov_vec3 *normal, double *share)
 {
     const common_mesh *m = self;
     const uint32_t face = face_of(m, mark);
-    const uint32_t *at = m->normals ? m->normal_faces[face].at : NULL;
+    const uint32_t *at = smooth_face(m, face);
     double of_corner[3];
 
     *share = 1.0;
-    if (!at || at[0] == COMMON_NO_TEXTURE) {
+    if (!at) {
         *normal = pov_unit(written_normal(m, face));
         return is_turned(m, face);
     }
@@ -216,15 +229,16 @@ bool common_mesh_face(const void *self, uint32_t number, pov_face *out)
 {
     const common_mesh *m = self;
     const uint32_t face = number < m->face_count ? m->places[number] : 0;
-    const uint32_t *at = m->normals ? m->normal_faces[face].at : NULL;
+    const uint32_t *at;
     int i;
 
     if (number >= m->face_count)
         return false;
+    at = smooth_face(m, face);
     out->normal = pov_unit(written_normal(m, face));
     for (i = 0; i < 3; i++) {
         out->corners[i] = pov_scale(*corner_of(m, face, i), 1.0 / m->scale);
-        out->normals[i] = at && at[0] != COMMON_NO_TEXTURE ? m->normals[at[i]] : out->normal;
+        out->normals[i] = at ? m->normals[at[i]] : out->normal;
     }
     take_uv(m, face, out);
     return true;

@@ -83,7 +83,7 @@ static void surface_at(void *user, double u, double v, pov_vec3 *at, pov_vec3 *n
             by_u = pov_add(by_u, pov_scale(r->point[4 * j + i], da[i] * b[j]));
             by_v = pov_add(by_v, pov_scale(r->point[4 * j + i], a[i] * db[j]));
         }
-    *normal = pov_unit(pov_cross_product(by_u, by_v));
+    *normal = pov_unit(pov_cross_product(by_v, by_u));
 }
 
 static void parse(void *self, const pov_host *host, pov_reader *in)

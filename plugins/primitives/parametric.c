@@ -27,8 +27,8 @@ static void corner_at(void *user, double u, double v, pov_vec3 *at, pov_vec3 *no
     const double du = p->to[0] - p->from[0], dv = p->to[1] - p->from[1], x = p->from[0] + u * du, y = p->from[1] + v * dv, h = 0x1p-16;
 
     *at = point_at(r, x, y);
-    *normal = pov_unit(pov_cross_product(pov_sub(point_at(r, x, y + h * dv), point_at(r, x, y - h * dv)),
-                                         pov_sub(point_at(r, x + h * du, y), point_at(r, x - h * du, y))));
+    *normal = pov_unit(pov_cross_product(pov_sub(point_at(r, x + h * du, y), point_at(r, x - h * du, y)),
+                                         pov_sub(point_at(r, x, y + h * dv), point_at(r, x, y - h * dv))));
 }
 
 static void read_container(parametric *p, const pov_host *host, pov_reader *in)

@@ -13,8 +13,9 @@
 #define SMOOTH(a, b, c) "smooth_triangle { <-1,-1,0>, " a ", <1,-1,0>, " b ", <0,1,0>, " c TWO
 #define MESH "mesh { " TRIANGLE "} "
 #define SURFACE "parametric { function { u } function { v } function { 0 } <-1,-1>, <1,1> contained_by { box { -1, 1 } } "
-#define PATCH "bicubic_patch { type 1 u_steps 1 v_steps 1 <-1,-1,0> <-.3,-1,0> <.3,-1,0> <1,-1,0> <-1,-.3,0> <-.3,-.3,0> <.3,-.3,0> <1,-.3,0> " \
-              "<-1,.3,0> <-.3,.3,0> <.3,.3,0> <1,.3,0> <-1,1,0> <-.3,1,0> <.3,1,0> <1,1,0> " TWO
+#define PATCH PATCH_SHAPE TWO
+#define PATCH_SHAPE "bicubic_patch { type 1 u_steps 1 v_steps 1 <-1,-1,0> <-.3,-1,0> <.3,-1,0> <1,-1,0> <-1,-.3,0> <-.3,-.3,0> <.3,-.3,0> <1,-.3,0> " \
+              "<-1,.3,0> <-.3,.3,0> <.3,.3,0> <1,.3,0> <-1,1,0> <-.3,1,0> <.3,1,0> <1,1,0> "
 
 typedef enum side { NOTHING, FRONT, BACK } side;
 static const char *const names[] = { "nothing", "the front", "the back" };
@@ -54,8 +55,58 @@ static void normals_of_a_smooth_triangle_give_its_side(void **state)
     assert_side(SMOOTH("-z", "-z", "-z") "scale <1,1,-1> }", BACK);
     assert_side(SMOOTH("z", "-z", "-z") "}", NOTHING);
     assert_side(SMOOTH("x", "-z", "-z") "}", NOTHING);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, -z, <0,1,0>, z }" TWO "}", BACK);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, z + .1 * x, <0,1,0>, z }" TWO "}", BACK);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, -z, <1,-1,0>, .1 * x - z, <0,1,0>, -z }" TWO "}", FRONT);
+    assert_side("difference { sphere { 0, 1.5 } mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, z + .1 * x, <0,1,0>, z } } " TWO "}", FRONT);
+}
+
+/* Where the light sees a slope that turns away, though the face does not. */
+static void the_blend_at_a_point_gives_its_side(void **state)
+{
+    (void)state;
+    assert_side(SMOOTH("<1,0,-.2>", "<1,0,-.2>", "<1,0,-.2>") "rotate -40*y }", BACK);
+    assert_side("smooth_triangle { <-1,-1,0>, <1,0,-.2>, <1,-1,0>, -z, <0,1,0>, <1,0,-.2> rotate -40*y" TWO "}", BACK);
+    assert_side("smooth_triangle { <-1,-1,0>, <1,0,-.2>, <1,-1,0>, -z, <0,1,0>, -z rotate -40*y" TWO "}", FRONT);
+}
+
+/* All normals of a face the same: it is not smooth, and its side is that of its corners. */
+static void equal_normals_make_a_flat_face(void **state)
+{
+    (void)state;
     assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, z, <0,1,0>, z }" TWO "}", FRONT);
-    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, -z, <0,1,0>, z }" TWO "}", FRONT);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <0,1,0>, z, <1,-1,0>, z }" TWO "}", BACK);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, z + 1e-6 * x, <0,1,0>, z }" TWO "}", FRONT);
+    assert_side("mesh { smooth_triangle { <-1,-1,0>, z, <1,-1,0>, z + 1e-4 * x, <0,1,0>, z }" TWO "}", BACK);
+}
+
+#define HALF(look) "sphere { 0, 1 " look "clipped_by { plane { -z, 0 } } } "
+#define OWN "pigment { rgb <0,0,1> } finish { ambient 1 diffuse 0 } "
+
+/* A member that has only a texture of its own has the interior_texture of the group around it. */
+static void a_group_gives_its_interior_texture(void **state)
+{
+    (void)state;
+    assert_side("union { " HALF(OWN) TWO "}", BACK);
+    assert_side("merge { union { union { " HALF(OWN) "} " TWO "} sphere { 9, 1 } " OWN "}", BACK);
+    assert_side("union { " HALF(OWN "interior_texture { " OWN "} ") TWO "}", NOTHING);
+}
+
+/* It keeps its place in the group, whatever moves the member. */
+static void an_interior_texture_stays_with_its_group(void **state)
+{
+    static const char moved[] = "union { sphere { 0, 1 " OWN "rotate 90*z translate .2*y clipped_by { plane { -z, 0 } } } texture { " OWN "} "
+                                "interior_texture { pigment { gradient y color_map { [.5 rgb x] [.5 rgb y] } translate %s*y } "
+                                "finish { ambient 1 diffuse 0 } } %s }";
+    char text[512];
+
+    (void)state;
+    snprintf(text, sizeof text, moved, ".25", "");
+    assert_side(text, BACK);
+    snprintf(text, sizeof text, moved, "-.25", "");
+    assert_side(text, FRONT);
+    snprintf(text, sizeof text, moved, ".25", "translate .3*y");
+    assert_side(text, FRONT);
 }
 
 static void a_parametric_surface_faces_the_turn_from_v_to_u(void **state)
@@ -132,15 +183,21 @@ static void a_lathe_is_faced_to_the_right_of_its_way(void **state)
 /* trace() gives the normal of the front. */
 static void the_front_is_where_a_traced_normal_points(void **state)
 {
-    static const char traced[] = "#declare N = <0,0,0>; #declare O = prism { -1, 1, 4, %s } #declare P = trace(O, -5*z, z, N); box { -1, 1 pigment { rgb <-N.z, N.z, 0> } "
+    static const char traced[] = "#declare N = <0,0,0>; #declare O = %s } #declare P = trace(O, -5*z, z, N); box { -1, 1 pigment { rgb <-N.z, N.z, 0> } "
                                  "finish { ambient 1 diffuse 0 } }";
-    char text[512];
+    char text[1024];
 
     (void)state;
-    snprintf(text, sizeof text, traced, RING);
+    snprintf(text, sizeof text, traced, "prism { -1, 1, 4, " RING);
     assert_side(text, FRONT);
-    snprintf(text, sizeof text, traced, BACKWARD);
+    snprintf(text, sizeof text, traced, "prism { -1, 1, 4, " BACKWARD);
     assert_side(text, BACK);
+    snprintf(text, sizeof text, traced, SURFACE);
+    assert_side(text, BACK);
+    snprintf(text, sizeof text, traced, PATCH_SHAPE);
+    assert_side(text, FRONT);
+    snprintf(text, sizeof text, traced, "mesh { smooth_triangle { <-1,-1,0>, z + x, <1,-1,0>, z + x, <0,1,0>, z + x }");
+    assert_side(text, FRONT);
 }
 
 /* Where the field lies below the water a cut shows the solid up to the water, which has no surface of its own. */
@@ -163,6 +220,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_corners_of_a_polygon_give_its_side),
         cmocka_unit_test(normals_of_a_smooth_triangle_give_its_side),
+        cmocka_unit_test(the_blend_at_a_point_gives_its_side),
+        cmocka_unit_test(equal_normals_make_a_flat_face),
+        cmocka_unit_test(a_group_gives_its_interior_texture),
+        cmocka_unit_test(an_interior_texture_stays_with_its_group),
         cmocka_unit_test(a_parametric_surface_faces_the_turn_from_v_to_u),
         cmocka_unit_test(patches_are_not_inverted),
         cmocka_unit_test(meshes_are_inverted),
