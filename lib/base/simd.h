@@ -30,10 +30,12 @@
 #define SIMD_NOINLINE
 #endif
 
-/* A function that such a loop calls: it must be inlined. */
+/* SIMD_INLINE: a function that such a loop calls: it must be inlined. SIMD_RARE: one that is hardly ever called. */
 #if defined(__GNUC__)
+#define SIMD_RARE __attribute__((cold))
 #define SIMD_INLINE __attribute__((always_inline)) static inline
 #else
+#define SIMD_RARE
 #define SIMD_INLINE static inline
 #endif
 

@@ -4,6 +4,7 @@
 #define MODEL_MODEL_H
 
 #include "base/arena.h"
+#include "base/simd.h"
 #include "model/air.h"
 #include "model/light.h"
 #include "model/map_table.h"
@@ -139,7 +140,7 @@ static inline size_t model_own_names(const model *m) { return m->leaves.count + 
 size_t model_all_names(const model *m);
 /* The copy that holds a name, which becomes one of the part; NULL: none does, the name stays. */
 const model_copy *model_copy_of(const model *m, uint32_t *name);
-const leaf_node *model_leaf_within(const model *m, uint32_t name);
+SIMD_RARE const leaf_node *model_leaf_within(const model *m, uint32_t name);
 /* The leaf of a name. */
 static inline const leaf_node *model_leaf(const model *m, uint32_t name)
 {

@@ -44,19 +44,10 @@ static void find_copy_normal(const world *w, const pov_ray *ray, hit *h)
     copy_path_normal(&p, &h->normal);
 }
 
-static inline void find_normal(const world *w, const pov_ray *ray, hit *h)
-{
-    if (world_is_own(w, h->object))
-        find_normal_of(w, h->object, ray, h);
-    else
-        find_copy_normal(w, ray, h);
-}
 
 /* The shape's normal is the surface's; for inverse objects it is reversed. */
-static inline void set_entering(const world *w, const pov_ray *ray, hit *h)
+static inline void set_entering(const object_info *info, const pov_ray *ray, hit *h)
 {
-    const object_info *info = world_is_own(w, h->object) ? &w->objects_info[h->object] : world_info_within(w, h->object);
-
     h->entering = h->outside = pov_dot(h->normal, ray->dir) < 0.0;
     if (info->inverse) {
         h->normal = pov_scale(h->normal, -1.0);
@@ -69,8 +60,13 @@ static inline void set_entering(const world *w, const pov_ray *ray, hit *h)
 void world_surface(const world *w, const pov_ray *ray, hit *h)
 {
     find_point(ray, h);
-    find_normal(w, ray, h);
-    set_entering(w, ray, h);
+    if (world_is_own(w, h->object)) {
+        find_normal_of(w, h->object, ray, h);
+        set_entering(&w->objects_info[h->object], ray, h);
+    } else {
+        find_copy_normal(w, ray, h);
+        set_entering(world_info_within(w, h->object), ray, h);
+    }
 }
 
 bool world_is_at_front(const world *w, const pov_ray *ray, const hit *h)
@@ -241,16 +237,11 @@ static uint64_t find_normals(const world *w, const object_space_rays *from, cons
 
     for (some.count = some.instanced_count = some.batch.count = 0; left; left &= left - 1) {
         const uint32_t i = first_of64(left), which = hits[i]->object, n = some.count;
-        const shape_group *g;
+        const shape_group *g = &w->groups[w->objects_info[which].group];
         shape_ref ref;
 
-        if (!world_is_own(w, which)) {
-            find_copy_normal(w, rays[i], hits[i]);
-            continue;
-        }
-        g = &w->groups[w->objects_info[which].group];
         if (!g->instanced && g->shape != shape && !g->shape->normal_many) {
-            find_normal(w, rays[i], hits[i]);
+            find_normal_of(w, which, rays[i], hits[i]);
             continue;
         }
         if (shape && g->shape != shape) {
@@ -272,10 +263,28 @@ static uint64_t find_normals(const world *w, const object_space_rays *from, cons
     return others;
 }
 
+/* Of what is in copies; returns the others. */
+static uint64_t find_copy_normals(const world *w, const pov_ray *const *rays, hit *const *hits, uint64_t left)
+{
+    uint64_t others = 0;
+
+    for (; left; left &= left - 1) {
+        const uint32_t i = first_of64(left);
+
+        if (world_is_own(w, hits[i]->object)) {
+            others |= (uint64_t)1 << i;
+            continue;
+        }
+        find_copy_normal(w, rays[i], hits[i]);
+        set_entering(world_info_within(w, hits[i]->object), rays[i], hits[i]);
+    }
+    return others;
+}
+
 void world_surface_many(const world *w, const object_space_rays *from, const pov_ray *const *rays, hit *const *hits,
                         uint32_t n, incidence *out)
 {
-    uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0;
+    uint64_t left = n > 0 ? ~(uint64_t)0 >> (WORLD_MANY - n) : 0, own;
     uint32_t i;
 
     if (n >= LANES)
@@ -284,10 +293,13 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
         find_point(rays[i], hits[i]);
         put_points(out, i, rays[i], hits[i]);
     }
-    while (left)
+    if (w->copies)
+        left = find_copy_normals(w, rays, hits, left);
+    for (own = left; left;)
         left = find_normals(w, from, rays, hits, left);
     for (i = 0; i < n; i++) {
-        set_entering(w, rays[i], hits[i]);
+        if (own >> i & 1)
+            set_entering(&w->objects_info[hits[i]->object], rays[i], hits[i]);
         put_normal(out, i, hits[i]);
     }
 }

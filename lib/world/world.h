@@ -4,6 +4,7 @@
 #ifndef WORLD_WORLD_H
 #define WORLD_WORLD_H
 
+#include "base/simd.h"
 #include "model/model.h"
 #include "world/plan.h"
 
@@ -46,9 +47,9 @@ const object_info *world_object_info(const world *w);
 /* The record of a name that is not among the first world_own_names(), which have theirs in that array: of what is in
  * copies. */
 uint32_t world_own_names(const world *w);
-const object_info *world_info_within(const world *w, uint32_t name);
+SIMD_RARE const object_info *world_info_within(const world *w, uint32_t name);
 /* As model_texture_map(), of a name of any copy; its linear part may be written to `linear`. */
-const inverse_map *world_texture_map_within(const world *w, uint32_t name, inverse_map *space, linear_map *linear);
+SIMD_RARE const inverse_map *world_texture_map_within(const world *w, uint32_t name, inverse_map *space, linear_map *linear);
 static inline const inverse_map *world_texture_map(const world *w, const model *m, uint32_t name, inverse_map *space,
                                                    linear_map *linear)
 {
