@@ -15,7 +15,7 @@ typedef struct crackle {
 } crackle;
 
 /* Points relative to the lowest corner of the cube in the middle. */
-enum { CUBES = 27, NEAREST = 3 };
+enum { CUBES = 27, NEAREST = 3, ROOM = 32 };
 typedef struct neighbourhood { double x[CUBES], y[CUBES], z[CUBES]; } neighbourhood;
 
 /* Numbers of the three cubes along an axis. */
@@ -68,7 +68,7 @@ SIMD_INLINE double distance(const crackle *c, double metric, double measured)
         return sqrt(measured + c->offset * c->offset);
     if (metric == 1.0)
         return measured + c->offset;
-    return elementary_pow(measured + elementary_pow(c->offset, metric), 1.0 / metric);
+    return elementary_pow(c->offset == 0.0 ? measured : measured + elementary_pow(c->offset, metric), 1.0 / metric);
 }
 
 SIMD_INLINE double smaller(double a, double b) { return a < b ? a : b; }
@@ -116,6 +116,64 @@ SIMD_INLINE void find_least(double metric, int last, const neighbourhood *near, 
             m->least[k][i] = HUGE_VAL;
     for (int c = 0; c < CUBES; c++)
         put_point(metric, last, near->x[c], near->y[c], near->z[c], n, m);
+}
+
+/* ---- other metrics ---- */
+
+/* Their distances d take powers, and lie between the usual distance e and e times this one: d <= e <= d f for metrics above
+ * 2, e <= d <= e f for those below. So points that are farther than the last one that counts by more than f do not count. The
+ * square, and a little more, as both are rounded. */
+static double spread_of(double metric)
+{
+    return metric > 0.0 ? elementary_pow(3.0, fabs(1.0 - 2.0 / metric)) * (1.0 + 0x1p-20) : HUGE_VAL;
+}
+
+/* Vectors to the points that may count. The rest of a vector repeats the last one. */
+typedef struct candidates {
+    SIMD_ALIGNED double x[ROOM];
+    SIMD_ALIGNED double y[ROOM];
+    SIMD_ALIGNED double z[ROOM];
+    uint32_t n;
+} candidates;
+
+SIMD_INLINE void choose(double spread, int last, const neighbourhood *near, pov_vec3 at, candidates *out)
+{
+    double square[CUBES], least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+    uint32_t n = 0;
+
+    for (int c = 0; c < CUBES; c++)
+        square[c] = measure(2.0, near->x[c] - at.x, near->y[c] - at.y, near->z[c] - at.z);
+    for (int c = 0; c < CUBES; c++)
+        put_one(least, square[c]);
+    for (int c = 0; c < CUBES; c++) {
+        out->x[n] = near->x[c] - at.x;
+        out->y[n] = near->y[c] - at.y;
+        out->z[n] = near->z[c] - at.z;
+        n += !(square[c] > least[last] * spread);
+    }
+    out->n = n;
+    for (uint32_t i = n; i < lanes_whole(n); i++) {
+        out->x[i] = out->x[n - 1];
+        out->y[i] = out->y[n - 1];
+        out->z[i] = out->z[n - 1];
+    }
+}
+
+SIMD_INLINE void find_least_other(double metric, double spread, int last, const neighbourhood *near, members *m)
+{
+    for (uint32_t i = 0; i < m->n; i++) {
+        SIMD_ALIGNED double measured[ROOM];
+        double least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
+        candidates some;
+
+        choose(spread, last, near, lanes_at(&m->at, i), &some);
+        for (uint32_t k = 0; k < lanes_whole(some.n); k++)
+            measured[k] = measure(metric, some.x[k], some.y[k], some.z[k]);
+        for (uint32_t k = 0; k < some.n; k++)
+            put_one(least, measured[k]);
+        for (int k = 0; k < NEAREST; k++)
+            m->least[k][i] = least[k];
+    }
 }
 
 /* ---- the cubes behind the neighbours ---- */
@@ -207,9 +265,10 @@ SIMD_INLINE void put_values(const pattern_input *in, double metric, int last, po
     }
 }
 
-/* last: of the three distances, the last that counts. A lane that is not a number is in no cube. */
-SIMD_INLINE void find_values(const pattern_input *in, double metric, int last, double *value)
+/* usual: the metric is 2. last: of the three distances, the last that counts. A lane that is not a number is in no cube. */
+SIMD_INLINE void find_values(const pattern_input *in, bool usual, double metric, int last, double *value)
 {
+    const double spread = usual ? 1.0 : spread_of(metric);
     vec_lanes corners;
     neighbourhood near;
     members m;
@@ -222,35 +281,55 @@ SIMD_INLINE void find_values(const pattern_input *in, double metric, int last, d
 
         value[first] = 0.0;
         fill(in->noise, corner, &near);
-        find_least(metric, last, &near, &m);
+        if (usual)
+            find_least(metric, last, &near, &m);
+        else
+            find_least_other(metric, spread, last, &near, &m);
         put_values(in, metric, last, corner, &m, value);
         rest &= ~(found | (uint64_t)1 << first);
     }
 }
 
 /* The usual metric with two distances and with three, and all else. */
-SIMD_CLONES static void find_two(const pattern_input *in, double *value) { find_values(in, 2.0, 1, value); }
-SIMD_CLONES static void find_three(const pattern_input *in, double *value) { find_values(in, 2.0, 2, value); }
-SIMD_CLONES static void find_other(const pattern_input *in, double metric, double *value) { find_values(in, metric, 2, value); }
+SIMD_CLONES static void find_two(const pattern_input *in, double *value) { find_values(in, true, 2.0, 1, value); }
+SIMD_CLONES static void find_three(const pattern_input *in, double *value) { find_values(in, true, 2.0, 2, value); }
+SIMD_CLONES static void find_other(const pattern_input *in, double metric, int last, double *value)
+{
+    find_values(in, false, metric, last, value);
+}
+
+/* The nearest point so far, and the distance to it, in the measure. */
+typedef struct found_point { double least; pov_vec3 at; } found_point;
+
+/* Ask the cubes around a point, or those behind these. */
+static void ask_cubes(const noise_tables *t, double metric, pov_vec3 corner, pov_vec3 f, bool behind, found_point *out)
+{
+    for (int i = -2; i <= 2; i++)
+        for (int j = -2; j <= 2; j++)
+            for (int k = -2; k <= 2; k++) {
+                const double *random;
+                double measured;
+
+                if (behind != (abs(i) == 2 || abs(j) == 2 || abs(k) == 2))
+                    continue;
+                random = &t->cell[noise_hash(t, cube_of(corner.x + i), cube_of(corner.y + j), cube_of(corner.z + k))];
+                measured = measure(metric, i + random[0] - f.x, j + random[1] - f.y, k + random[2] - f.z);
+                if (measured < out->least) {
+                    out->least = measured;
+                    out->at = pov_vec3_of(corner.x + i + random[0], corner.y + j + random[1], corner.z + k + random[2]);
+                }
+            }
+}
 
 static pov_vec3 nearest(const noise_tables *t, double metric, pov_vec3 p)
 {
     const pov_vec3 corner = corner_of(p), f = pov_sub(p, corner);
-    double least = HUGE_VAL;
-    pov_vec3 best = p;
+    found_point best = { HUGE_VAL, p };
 
-    for (int i = -2; i <= 2; i++)
-        for (int j = -2; j <= 2; j++)
-            for (int k = -2; k <= 2; k++) {
-                const double *random = &t->cell[noise_hash(t, cube_of(corner.x + i), cube_of(corner.y + j), cube_of(corner.z + k))];
-                const double measured = measure(metric, i + random[0] - f.x, j + random[1] - f.y, k + random[2] - f.z);
-
-                if (measured < least) {
-                    least = measured;
-                    best = pov_vec3_of(corner.x + i + random[0], corner.y + j + random[1], corner.z + k + random[2]);
-                }
-            }
-    return best;
+    ask_cubes(t, metric, corner, f, false, &best);
+    if (best.least > reach_of(metric, f))
+        ask_cubes(t, metric, corner, f, true, &best);
+    return best.at;
 }
 
 pov_vec3 cube_nearest(const noise_tables *t, pov_vec3 at)
@@ -263,7 +342,7 @@ static void evaluate(const pattern_input *in, double *value)
     const crackle *c = in->of->self;
 
     if (!c->solid && c->metric != 2.0)
-        find_other(in, c->metric, value);
+        find_other(in, c->metric, c->form.z != 0.0 ? 2 : 1, value);
     else if (!c->solid)
         (c->form.z != 0.0 ? find_three : find_two)(in, value);
     if (!c->solid)
