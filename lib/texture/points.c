@@ -200,6 +200,8 @@ void points_values(const pattern_input *in, double *value)
         class->evaluate(in, value);
     if (class->flags & PATTERN_UNSHAPED)
         return;
+    for (uint32_t i = in->n; i < lanes_whole(in->n); i++)
+        value[i] = value[in->n - 1];
     if (class->count == 0 || in->of->wave.frequency != 0.0f || in->of->wave.form != WAVE_RAMP)
         wave_shape(&in->of->wave, in->n, value);
 }
