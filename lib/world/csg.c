@@ -45,6 +45,38 @@ static node_ref add_member(making *k, uint32_t leaf, uint32_t node, inherited fr
     return which;
 }
 
+static bool has_clip(const model *m, const group_node *g)
+{
+    for (uint32_t i = 0; i < g->child_count; i++) {
+        const node_ref child = m->children.items[g->child + i];
+
+        if ((child & NODE_GROUP) && (group_at(m, child)->op == NODE_CLIP || has_clip(m, group_at(m, child))))
+            return true;
+    }
+    return false;
+}
+
+/* The complement of a group whose members are clipped: of a union what the complements of its children have in common, else what
+ * any of them holds. */
+static node_ref add_complement(making *k, const group_node *g, uint32_t parent, inherited from)
+{
+    const bool united = g->op == NODE_UNION || g->op == NODE_MERGE;
+    const uint32_t which = k->tree->node_count++;
+    csg_node *n = &k->tree->nodes[which];
+    inherited to = { true, from.turned, from.hidden };
+
+    n->op = united ? NODE_INTERSECTION : NODE_MERGE;
+    n->parent = parent;
+    n->child = k->tree->child_count;
+    n->child_count = g->child_count;
+    k->tree->child_count += g->child_count;
+    for (uint32_t i = 0; i < g->child_count; i++) {
+        k->tree->children[n->child + i] = add_node(k, k->model->children.items[g->child + i], which, to);
+        to.complement = g->op != NODE_DIFFERENCE;
+    }
+    return which | NODE_GROUP;
+}
+
 /* The complement of what is clipped is the complement of its first child, clipped. */
 static node_ref add_group(making *k, const group_node *g, uint32_t parent, inherited from)
 {
@@ -71,7 +103,12 @@ static node_ref add_group(making *k, const group_node *g, uint32_t parent, inher
 
 static node_ref add_node(making *k, node_ref node, uint32_t parent, inherited from)
 {
-    return node & NODE_GROUP ? add_group(k, group_at(k->model, node), parent, from) : add_member(k, node, parent, from);
+    const group_node *g = node & NODE_GROUP ? group_at(k->model, node) : NULL;
+
+    if (!g)
+        return add_member(k, node, parent, from);
+    return g->op != NODE_CLIP && from.complement != g->inverse && has_clip(k->model, g) ? add_complement(k, g, parent, from)
+                                                                                          : add_group(k, g, parent, from);
 }
 
 /* ---- values where no member is entered ---- */
