@@ -4,7 +4,7 @@
 
 #include "numerics/real.h"
 
-/* Where a line meets it, in growing order; of a spindle the outer sheet alone. Touching it counts as meeting it twice or
+/* Where a line meets it, in growing order; of a spindle the outer sheet alone. Touching it counts twice or
  * not at all. */
 int exact_torus_roots(real R, real r, real3 o, real3 d, real t[4]);
 /* The normal there, of any length; axis: how far from the axis. */
