@@ -184,13 +184,34 @@ static bool trace_leaf(pov_reader *in, const object_parsed *o, const pov_affine 
     return found;
 }
 
-/* A crossing of a member is one of the group where being in the member decides about being in the group. */
+static bool is_sheet(const object_parsed *o)
+{
+    const object_parsed *member;
+
+    for (member = o->kind == OBJECT_GROUP ? o->first : NULL; member; member = member->next)
+        if (!is_sheet(member))
+            return false;
+    return o->kind == OBJECT_GROUP || !shape_is_solid(o->leaf.shape, o->leaf.instance);
+}
+
+/* So little of the ray is far beyond its rounding. */
+static double grain(const pov_ray *ray, double t)
+{
+    return 1e-9 * (fabs(t) + sqrt(pov_dot(ray->org, ray->org) / pov_dot(ray->dir, ray->dir)));
+}
+
+/* A crossing of a solid is one of the group where before it is in the group and behind it is not, or the other way round:
+ * faces of members may coincide. One of a sheet is, where being in it decides about being in the group. */
 static bool is_surface(pov_reader *in, const object_parsed *o, const object_parsed *member, const pov_ray *ray,
                        double t)
 {
+    const double step = grain(ray, t);
     const pov_vec3 point = pov_add(ray->org, pov_scale(ray->dir, t));
 
-    return group_holds(in, o, point, member, true) != group_holds(in, o, point, member, false);
+    if (is_sheet(member))
+        return group_holds(in, o, point, member, true) != group_holds(in, o, point, member, false);
+    return group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t - step)), NULL, false) !=
+           group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t + step)), NULL, false);
 }
 
 static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask,

@@ -778,3 +778,23 @@ Traced(HfTube, <1.5, 3, 4.5>)
 Traced(HfLow, <0, 0, 0>)
 #declare HfRing = HF_Torus(Hf, 0, 1, <12, 9>, 1, "", 2, .5, .3)
 Traced(HfRing, <0, 0, 0>)
+
+// ---- bevelled letters, where there are fonts ----
+
+#macro Letters(V)
+    #local S = seed(5);
+    #local I = 0;
+    #while (I < 100)
+        #local At = <rand(S) * .9, rand(S) * .8, -1>;
+        #local N = <0, 0, 0>;
+        #local Hit = trace(V, At, z, N);
+        #debug concat("= ", vstr(3, Hit, " ", 0, 5), "; ", vstr(3, N, " ", 0, 4), "\n")
+        #local I = I + 1;
+    #end
+#end
+#if (file_exists("timrom.ttf"))
+    #declare Sharp = Bevelled_Text("timrom.ttf", "Ag", 8, 35, .05, .3, .1 * x, 0)
+    Letters(Sharp)
+    #declare Three = Bevelled_Text("timrom.ttf", "W", 3, 20, .1, .5, 0, 1)
+    Letters(Three)
+#end

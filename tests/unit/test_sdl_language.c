@@ -284,6 +284,7 @@ static void what_povray_takes_is_taken(void **state)
     assert_radius("#declare S = spline { 0, 1 2, 3 4, 8 2, 5 } sphere { 0, S(2).x }", 5);
     assert_radius("#declare S = spline { 0, 1 0, 2 1, 3 } sphere { 0, S(0).x }", 2);
     assert_radius("#declare A = array[1] { spline { 0, 1 1, 3 } } #declare S = spline { A[0] 3, 9 } sphere { 0, S(2).x }", 6);
+    assert_radius("#declare A = intersection { box { 0, 1 } box { <-1, .2, 0>, <.5, 2, 3> } } sphere { 0, 3 + trace(A, <.3, .5, -3>, z).z }", 3);
     assert_radius("#macro M() #local P = 1; P + 1; #end #macro N() #local P = M(); sphere { 0, P } #end N()", 2);
     assert_radius("#macro M() #local P = 1; P + 1; #end #declare P = 7; #declare P = M(); sphere { 0, P }", 2);
     assert_radius("#macro M() #local A[0] = 9; sphere { 0, A[0] } #end #declare A = array[1] { 1 } M()", 1);
