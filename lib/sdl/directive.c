@@ -30,7 +30,7 @@ static void run_version(pov_reader *in, const place *at)
         version = 3.7;
     }
     if (!in->failed && must_end && in->token.kind != ';')
-        report_expected(in, "\";\"");
+        report_warn(in, &in->value, "since version 3.5 a \"#version\" ends with \";\"");
     in->version = in->settings.version = version;
     state_accept(in, ';');
 }

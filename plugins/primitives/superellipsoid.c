@@ -10,7 +10,7 @@
 typedef struct superellipsoid {
     double e, n;
     bool convex;
-    bool rough;                  /* are rough sizes of use? Large powers multiply their errors */
+    bool approx;                  /* are approximate sizes of use? Large powers multiply their errors */
 } superellipsoid;
 
 /* Exponents below this make edges that no double tells from those of a box. */
@@ -32,7 +32,7 @@ static void parse(void *self, const pov_host *host, pov_reader *in)
     s->e = exponent(host, in, v[0]);
     s->n = exponent(host, in, v[1]);
     s->convex = s->e <= 2.0 && s->n <= 2.0;
-    s->rough = fmin(s->e, s->n) >= 0.0625 && fmax(s->e, s->n) <= 16.0;
+    s->approx = fmin(s->e, s->n) >= 0.0625 && fmax(s->e, s->n) <= 16.0;
 }
 
 static bool bounds(const void *self, pov_box *out)
@@ -238,7 +238,7 @@ static inline double least_of(double a, double b) { return (a < 0.0) != (b < 0.0
 enum { NARROW = 8 };
 
 /* About the size to the power 2 / n, of a point of the unit cube: that is above one where the size is. */
-COMMON_INLINE double rough_size(double e, double n, double x, double y, double z)
+COMMON_INLINE double approx_size(double e, double n, double x, double y, double z)
 {
     return approx_power(approx_power(fabs(x), 2.0 / e) + approx_power(fabs(y), 2.0 / e), e / n) + approx_power(fabs(z), 2.0 / n);
 }
@@ -246,21 +246,21 @@ COMMON_INLINE double rough_size(double e, double n, double x, double y, double z
 static bool is_outside(const line *n, double t)
 {
     const pov_vec3 p = pov_add(n->o, pov_scale(n->d, t));
-    const double rough = n->s->rough ? rough_size(n->s->e, n->s->n, p.x, p.y, p.z) : 1.0;
+    const double approx = n->s->approx ? approx_size(n->s->e, n->s->n, p.x, p.y, p.z) : 1.0;
 
-    return fabs(rough - 1.0) > APPROX ? rough > 1.0 : size_at(n->s, p) > 1.0;
+    return fabs(approx - 1.0) > APPROX ? approx > 1.0 : size_at(n->s, p) > 1.0;
 }
 
-/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with rough sizes, and
+/* Of a stretch: what is nearest to the planes of its coordinates, what is farthest from them, and its middle; with approximate sizes, and
  * exact ones where these do not tell them from one. */
 enum { NEAREST, FARTHEST, MIDDLE, PLACES };
 typedef double place_lanes[PLACES + 1];
-typedef struct places { place_lanes x, y, z, rough, size, shares; bool exact; } places;
+typedef struct places { place_lanes x, y, z, approx, size, shares; bool exact; } places;
 
-COMMON_CLONES static void rough_sizes(double e, double n, places *restrict p)
+COMMON_CLONES static void approx_sizes(double e, double n, places *restrict p)
 {
     for (uint32_t i = 0; i < PLACES + 1; i++)
-        p->rough[i] = rough_size(e, n, p->x[i], p->y[i], p->z[i]);
+        p->approx[i] = approx_size(e, n, p->x[i], p->y[i], p->z[i]);
 }
 
 /* size_at() of all. Shares are kept for the compiler, which else moves powers into branches and makes no vectors of them. */
@@ -289,17 +289,17 @@ static void find_places(const line *n, double lo, double hi, places *out)
     put_axis(out->x, a.x, b.x, m.x);
     put_axis(out->y, a.y, b.y, m.y);
     put_axis(out->z, a.z, b.z, m.z);
-    if (n->s->rough)
-        rough_sizes(n->s->e, n->s->n, out);
-    for (uint32_t i = 0; !n->s->rough && i < PLACES; i++)
-        out->rough[i] = 1.0;
+    if (n->s->approx)
+        approx_sizes(n->s->e, n->s->n, out);
+    for (uint32_t i = 0; !n->s->approx && i < PLACES; i++)
+        out->approx[i] = 1.0;
     out->exact = false;
 }
 
 static bool is_place_above(const line *n, places *p, uint32_t i, double level)
 {
-    if (fabs(p->rough[i] - 1.0) > APPROX)
-        return p->rough[i] > 1.0;
+    if (fabs(p->approx[i] - 1.0) > APPROX)
+        return p->approx[i] > 1.0;
     if (!p->exact)
         exact_sizes(n->s->e, n->s->n, p);
     p->exact = true;

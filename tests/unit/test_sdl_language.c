@@ -293,7 +293,7 @@ static void what_povray_takes_is_taken(void **state)
 static void what_povray_refuses_is_refused(void **state)
 {
     static const char *const texts[] = {
-        "#version 3.7; #version 3.7 sphere { 0, 1 }", "#declare S = (1 ? \"a\" : \"b\");", "#declare F = function (a) { a; }",
+        "#declare S = (1 ? \"a\" : \"b\");", "#declare F = function (a) { a; }",
         "#declare F = function (a) { min(a) }", "#declare F = 5; #declare F = function { x }",
         "#macro M() #local A[0] = 9; #debug str(A[0], 0, 0) #end #declare A = array[1]; M()",
         "#fopen W \"w\" write #write (W, \"1\") #fclose W #fopen R \"w\" read #declare A = array[1]; #read (R, A[0])",
