@@ -242,6 +242,7 @@ static void judge_light(pov_tracer *tracer, question *q, const char *scene, doub
 static void ask_scene(pov_context *context, const finding *f, question *q, tally *out)
 {
     const bool is_light = f->what == A_LIGHT;
+    pov_load_desc desc = POV_INIT(desc);
     char text[8192];
     double wall = 0.0;
     pov_scene *scene;
@@ -254,7 +255,8 @@ static void ask_scene(pov_context *context, const finding *f, question *q, tally
         wall = q->on.z + 64.0 * q->p.size;
     }
     put_scene(text, q, wall);
-    if (pov_scene_load_text(&scene, context, text, strlen(text), "finding.pov", NULL, &err) != POV_OK) {
+    desc.threads = 1;
+    if (pov_scene_load_text(&scene, context, text, strlen(text), "finding.pov", &desc, &err) != POV_OK) {
         out->open += RAYS_OF_A_SCENE;
         return;
     }
@@ -306,6 +308,7 @@ static long judge_family(pov_context *context, const finding *f)
         print_message("%s, %s: %ld rays, %ld misjudged, %ld left out; ulp %.3g (%.3g from 1e-6 sizes off), %.3g of 2^-44 sizes,"
                       " %.2g of the limit; normal %.2g\n", f->name, probe_keyword((kind)k), t.judged, t.wrong, t.open, t.ulps,
                       t.far_ulps, t.part, t.beyond, t.normal);
+        fflush(stdout);
         broken += t.wrong > 0 || t.judged < rays_wanted / 4 || !(t.beyond <= 1.0) || !(t.normal <= f->normal);
     }
     return broken;
