@@ -96,7 +96,7 @@ def main():
     options.work.mkdir(parents=True, exist_ok=True)
     folder, scenes = all_scenes(options)
     index, count = map(int, options.part.split('/'))
-    failed, read, late = 0, 0, 0
+    failed, read, refused, late = 0, 0, 0, 0
     with open(options.work / 'bits.csv', 'w', newline='') as file:
         rows = csv.writer(file)
         rows.writerow(('scene', 'found', 'seconds'))
@@ -105,13 +105,14 @@ def main():
             rows.writerow((scene.relative_to(folder), found, f'{seconds:.2f}'))
             file.flush()
             read += found == 'same'
+            refused += found == 'not read'
             slow = found and all(part.endswith('late') for part in found.split('; '))
             late += slow
             if found not in ('same', 'not read'):
                 failed += not slow
                 print(f'{scene.relative_to(folder)}: {found}', flush=True)
-    print(f'{len(scenes[index - 1::count])} scenes: {read} drawn, the same in every way; {late} late; {failed} failed')
-    return failed > 0
+    print(f'{len(scenes[index - 1::count])} scenes: {read} drawn, the same in every way; {refused} not read; {late} late; {failed} failed')
+    return failed > 0 or read == 0   # a povc that does not run draws none
 
 
 if __name__ == '__main__':

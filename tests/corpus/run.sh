@@ -84,7 +84,7 @@ pictures_are_compared_in_every_way_and_crashes_are_seen() {
     printf 'sphere { <0, 0, 5>, 1 } light_source { -9*z rgb 1 }\n' > scenes/a.pov
     printf 'sphere { <0, 0, 5>, oops }\n' > scenes/b.pov
     expect 0 "$PYTHON" "$here/bits.py" --povc "$povc" --scenes scenes --work work
-    says out "2 scenes: 1 drawn, the same in every way; 0 late; 0 failed"
+    says out "2 scenes: 1 drawn, the same in every way; 1 not read; 0 late; 0 failed"
     says work/bits.csv "b.pov,not read"
     printf '#!/bin/sh\nkill -SEGV $$\n' > crashes
     printf '#!/bin/sh\necho "a.c:1:2: runtime error: too large" >&2\n' > reports
