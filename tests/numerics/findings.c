@@ -432,7 +432,7 @@ const finding findings[] = {
     { "n5_grazed_quadrics_that_are_nearly_planes", SECOND, A_RAY, 512, 1e-13, make_nearly_plane, -9.0, graze, -15.0 },
     { "n5_quadrics_written_out_far_away", SECOND, A_RAY, 512, 1e-13, make_far_quadric, 1e8, graze, -8.0 },
     { "n5_starts_near_a_surface_that_graze_it", ALL, A_RAY, 512, 1e-13, make_any, 0.0, graze, -9.0 },
-    { "n5_uneven_and_sheared_maps", ALL, A_RAY, 512, 1e-13, make_mapped, 2.0, graze, -9.0 },
+    { "n5_uneven_and_sheared_maps", ALL, A_RAY, 512, 1e-12, make_mapped, 2.0, graze, -9.0 },
     { "n6_denormal_components_leave_a_plane", UPRIGHT, A_RAY, 4096, 1e-13, make_upright, 0.0, leave_plane, 0.0 },
     { "n7_uneven_maps_from_far_away", ALL, A_RAY, 512, 1e-12, make_mapped, 2.0, from_far, 12.0 },
     { "n7_pairs_of_planes", SECOND, A_RAY, 512, 1e-10, make_planes, 0.0, graze, -12.0 },
