@@ -181,18 +181,20 @@ static axis axis_of(double o, double d, double start, double lo, double size, do
 /* The stretches that are collected until there are enough to ask for; the last one may still grow. */
 typedef struct stretches { double lo[POV_FORMS], hi[POV_FORMS]; int count; bool grows; } stretches;
 
+static bool ask(stretches *s, common_level *n)
+{
+    const int count = s->count;
+
+    s->count = 0;
+    return count == 0 || common_level_search(n, s->lo, s->hi, count);
+}
+
 /* Stretches shorter than `least` go on in the next cell: where a ray starts on the surface, no end must be as near as that. */
 static bool collect(stretches *s, common_level *n, double lo, double hi, double least)
 {
-    bool more;
-
     if (!s->grows) {
-        if (s->count == POV_FORMS) {
-            more = common_level_search(n, s->lo, s->hi, s->count);
-            s->count = 0;
-            if (!more)
-                return false;
-        }
+        if (s->count == POV_FORMS && !ask(s, n))
+            return false;
         s->lo[s->count++] = lo;
     }
     s->hi[s->count - 1] = hi;
@@ -207,6 +209,7 @@ bool common_cells_search(const common_cells *c, common_level *n, double lo, doub
                   axis_of(n->o.z, n->d.z, lo, c->lo.z, c->size.z, c->per_size.z, N * N) };
     const uint8_t *kind = &c->kind[a[0].at + N * (a[1].at + N * a[2].at)];
     const double least = 0x1p26 * n->shortest;
+    common_cell side = n->start < 0.0 ? COMMON_CELL_BELOW : COMMON_CELL_ABOVE;
     stretches s = { .count = 0 };
     bool is_inside = true;
     double t = lo;
@@ -219,11 +222,17 @@ bool common_cells_search(const common_cells *c, common_level *n, double lo, doub
         next->at += next->step > 0 ? 1 : -1;
         is_inside = next->at != next->end;
         end = is_inside ? end : hi;      /* with what rounding left */
+        /* Behind a crossing for certain: it need not be looked for farther on. */
+        if (*kind != side && *kind != COMMON_CELL_OPEN && !s.grows) {
+            side = (common_cell)*kind;
+            if (!ask(&s, n))
+                return false;
+        }
         if (end > t && (*kind == COMMON_CELL_OPEN || s.grows) && !collect(&s, n, t, end, least))
             return false;
         t = end > t ? end : t;
         kind += is_inside ? next->step : 0;
         next->next += next->size;
     }
-    return s.count == 0 || common_level_search(n, s.lo, s.hi, s.count);
+    return ask(&s, n);
 }
