@@ -24,7 +24,7 @@ double common_level_value(const pov_function_bounds *f, double threshold, pov_ve
     return f->at(f, memory)->value[0] - threshold;
 }
 
-pov_vec3 common_level_gradient(const pov_function_bounds *f, pov_vec3 at, pov_slope *memory)
+pov_vec3 common_level_gradient(const pov_function_bounds *f, pov_vec3 at, pov_slope *memory, double *value)
 {
     const pov_slope *found;
 
@@ -34,6 +34,7 @@ pov_vec3 common_level_gradient(const pov_function_bounds *f, pov_vec3 at, pov_sl
         put_slope(&memory[2], l, at.z, l == 2);
     }
     found = f->at(f, memory);
+    *value = found->value[0];
     return pov_vec3_of(found->slope[0], found->slope[1], found->slope[2]);
 }
 
@@ -215,6 +216,15 @@ static bool is_nowhere(const common_level *n, const stretch *s)
     return known == 0;
 }
 
+/* Where the function has no value on one side, there is no surface, as in POV-Ray. */
+static bool is_at_border(const common_level *n, const stretch *s)
+{
+    const double at[POV_SLOPES] = { s->lo, s->lo, s->hi, s->hi };
+    const pov_slope found = sample(n, at);
+
+    return found.value[0] != found.value[0] || found.value[2] != found.value[2];
+}
+
 static bool judge_stretch(common_level *n, const stretch *s)
 {
     const double reach = (fabs(s->slope) + s->off) * (1.0 + 0x1p-48) + 0x1p-51 * fabs(s->middle);
@@ -227,7 +237,7 @@ static bool judge_stretch(common_level *n, const stretch *s)
         return true;
     if (!is_short(n, s))
         return divide(n, s);
-    if (common_level_is_below(n, s->lo) == common_level_is_below(n, s->hi))
+    if (common_level_is_below(n, s->lo) == common_level_is_below(n, s->hi) || is_at_border(n, s))
         return true;
     return n->found(n->user, 0.5 * (s->lo + s->hi));
 }

@@ -27,7 +27,8 @@ typedef struct common_level {
 bool common_level_search(common_level *n, const double *lo, const double *hi, int count);
 /* Value of the function less the threshold, at a point; `memory` for f->registers of pov_slope. */
 double common_level_value(const pov_function_bounds *f, double threshold, pov_vec3 at, pov_slope *memory);
-pov_vec3 common_level_gradient(const pov_function_bounds *f, pov_vec3 at, pov_slope *memory);
+/* Its gradient, and the function's value there. */
+pov_vec3 common_level_gradient(const pov_function_bounds *f, pov_vec3 at, pov_slope *memory, double *value);
 /* Below the threshold at a point of the line? */
 bool common_level_is_below(const common_level *n, double t);
 

@@ -282,10 +282,17 @@ static pov_vec3 difference_at(const isosurface *s, pov_vec3 p, double *memory)
                        value_at(s, pov_add(p, z), memory) - value_at(s, pov_sub(p, z), memory));
 }
 
+/* Where the function jumps past the threshold, its gradient says nothing of the surface. */
 static pov_vec3 slope_at(const isosurface *s, pov_vec3 p, void *memory)
 {
-    if (s->exact)
-        return common_level_gradient(s->exact, p, memory);
+    pov_vec3 slope;
+    double value;
+
+    if (!s->exact)
+        return difference_at(s, p, memory);
+    slope = common_level_gradient(s->exact, p, memory, &value);
+    if (fabs(value - s->threshold) <= 0x1p-20 * s->size * pov_largest(slope) && pov_largest(slope) < HUGE_VAL)
+        return slope;
     return difference_at(s, p, memory);
 }
 

@@ -372,10 +372,46 @@ static void the_picture_is_the_same_whatever_max_gradient_says(void **user)
     free(first);
 }
 
+static long hits_of(const char *function, pov_vec3 org, pov_vec3 dir, hits *out, pov_vec3 *normal)
+{
+    pov_context *context = scenes_context();
+    pov_hit first = { .size = sizeof first };
+    pov_tracer *tracer;
+    pov_scene *scene;
+    char text[512];
+
+    snprintf(text, sizeof text, "isosurface { function { %s } pigment { rgb 1 } }", function);
+    scene = scenes_text(context, text);
+    assert_int_equal(pov_tracer_create(&tracer, scene, NULL), POV_OK);
+    out->count = 0;
+    out->dir = dir;
+    pov_trace_hits(tracer, org, dir, note, out);
+    if (pov_trace_hit(tracer, org, dir, &first))
+        *normal = first.normal;
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+    return out->count;
+}
+
+static void a_jump_is_a_surface_and_the_border_of_a_domain_is_none(void **user)
+{
+    const pov_vec3 org = { 3.0, 0.3, 0.2 }, dir = { -1.0, 0.0, 0.0 };
+    pov_vec3 normal = { 0.0, 0.0, 0.0 };
+    hits h;
+
+    (void)user;
+    assert_int_equal(hits_of("select(x - 0.25, -1, 1) + 0.1*y", org, dir, &h, &normal), 2);
+    assert_true(fabs(h.t[0] - 2.75) < 1e-12 && normal.x > 0.99 && fabs(h.t[1] - 4.0) < 1e-12);
+    assert_int_equal(hits_of("ln(x) + y", org, dir, &h, &normal), 1);
+    assert_true(fabs(h.t[0] - (3.0 - exp(-0.3))) < 1e-12);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(no_ray_slips_through_and_crossings_are_where_they_are),
-                                        cmocka_unit_test(the_picture_is_the_same_whatever_max_gradient_says) };
+                                        cmocka_unit_test(the_picture_is_the_same_whatever_max_gradient_says),
+                                        cmocka_unit_test(a_jump_is_a_surface_and_the_border_of_a_domain_is_none) };
 
     if (argc > 1)
         rays = strtol(argv[1], NULL, 10);
