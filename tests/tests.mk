@@ -56,11 +56,12 @@ EDGES ?= 100000000
 LEAVING ?= 1000000
 FINDINGS ?= 160000
 .PHONY: accuracy
-accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings) $(METHODS)
+accuracy: $(addprefix $(BUILD)/tests/numerics/,test_primitives test_watertight test_leaving test_maps test_findings test_piecewise) $(METHODS)
 	$(BUILD)/tests/numerics/test_primitives $(RAYS) $(BUILD)/accuracy.csv
 	$(BUILD)/tests/numerics/test_watertight $(EDGES)
 	$(BUILD)/tests/numerics/test_leaving $(LEAVING)
 	$(BUILD)/tests/numerics/test_maps $(RAYS)
+	$(BUILD)/tests/numerics/test_piecewise $(RAYS)
 	$(BUILD)/tests/numerics/test_findings $(FINDINGS)
 	$(MAKE) --no-print-directory accuracy-report
 
