@@ -19,8 +19,8 @@ difference {
     cylinder { <0, 0.001, 0>, <0, 0.3, 0>, 0.8 }
     cylinder { <0, -1, 0>, <0, 1, 0>, 0.76 }
     pigment { rgb <0.75, 0.55, 0.25> } finish { ambient 0 diffuse 0.1 reflection <0.85, 0.66, 0.33> metallic }
-    photons { target reflection on refraction off } translate <1.75, 0, 0.75>
+    photons { target reflection on refraction off } translate <2.05, 0, -0.1>
 }
 prism { linear_sweep 0, 1.3, 4, <-0.36, -0.21>, <0.36, -0.21>, <0, 0.42>, <-0.36, -0.21>
     pigment { rgbf 0.98 } finish { Clear } interior { ior 1.55 dispersion 1.12 dispersion_samples 12 }
-    photons { target refraction on reflection off } rotate 78*y translate <0.1, 0.001, 1.7> }
+    photons { target refraction on reflection off } rotate 40*y translate <-0.2, 0.001, 1.4> }
