@@ -6,7 +6,7 @@
 
 /* Directions from a surface that the camera sees: as many as POV-Ray has rays, or a
  * power of two below. More would take the time that samples of the picture need. */
-enum { COUNT_DEFAULT = 35, DRAWS_MAX = 64 };
+enum { COUNT_DEFAULT = 35, DRAWS_MAX = 16 };
 
 static uint32_t draws_of(double count)
 {

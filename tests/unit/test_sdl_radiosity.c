@@ -36,7 +36,7 @@ static void every_word_is_read(void **state)
               "gray_threshold .25 low_error_factor .5 max_sample 3 maximum_reuse .2 media on minimum_reuse .01 "
               "nearest_count 10, 5 normal on pretrace_start .08 pretrace_end .01 recursion_limit 3 subsurface off } }");
     assert_int_equal(r.status, POV_OK);
-    assert_true(r.model.radiosity.recursion_limit == 3 && r.model.radiosity.draws == 64);
+    assert_true(r.model.radiosity.recursion_limit == 3 && r.model.radiosity.draws == 16);
     assert_true(r.model.radiosity.brightness == .5f && r.model.radiosity.gray_threshold == .25f);
     assert_true(r.model.radiosity.max_sample == 3.0f && r.model.radiosity.adc_bailout == .02);
     assert_true(r.model.radiosity.uses_normals && r.model.radiosity.sees_media);
