@@ -384,6 +384,17 @@ static void whole(tape_op op, const pov_form *a, pov_form *restrict to)
     }
 }
 
+/* a - b cut(a / b). */
+static void rest_of(const pov_form *a, const pov_form *b, pov_form *restrict to)
+{
+    pov_form turns, product;
+
+    divide(a, b, &product);
+    whole(TAPE_CUT, &product, &turns);
+    multiply(b, &turns, &product);
+    subtract(a, &product, to);
+}
+
 static void compare(tape_op op, const pov_form *a, const pov_form *b, pov_form *restrict to)
 {
     for (int l = 0; l < LANES; l++) {
@@ -460,6 +471,7 @@ void form_run(const tape *t, pov_form *r)
         case TAPE_ABS: size_of(a, to); break;
         case TAPE_MIN: least(a, b, to); break;
         case TAPE_MAX: largest(a, b, to); break;
+        case TAPE_MOD: rest_of(a, b, to); break;
         case TAPE_SQRT: form_sqrt(a, s->k, s->is_positive, to); break;
         case TAPE_POWER: form_power(a, s->k, s->is_positive, to); break;
         case TAPE_SIN: form_sin(a, s->k, s->is_positive, to); break;

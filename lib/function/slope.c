@@ -95,6 +95,7 @@ SIMD_INLINE void pair(tape_op op, const pov_slope *a, const pov_slope *b, pov_sl
         case TAPE_DIVIDE: value = av / bv; slope = (as - value * bs) / bv; break;
         case TAPE_MIN: value = lesser(av, bv); slope = bv < av ? bs : as; break;
         case TAPE_MAX: value = greater(av, bv); slope = bv > av ? bs : as; break;
+        case TAPE_MOD: value = fmod(av, bv); slope = as - bs * ((av - value) / bv); break;
         case TAPE_ATAN2: value = elementary_atan2(av, bv); slope = (bv * as - av * bs) / (av * av + bv * bv); break;
         case TAPE_LESS: value = av < bv; break;
         case TAPE_AT_MOST: value = av <= bv; break;
@@ -114,6 +115,7 @@ static void divide(const pov_slope *a, const pov_slope *b, pov_slope *to) { pair
 static void least(const pov_slope *a, const pov_slope *b, pov_slope *to) { pair(TAPE_MIN, a, b, to); }
 static void largest(const pov_slope *a, const pov_slope *b, pov_slope *to) { pair(TAPE_MAX, a, b, to); }
 static void angle(const pov_slope *a, const pov_slope *b, pov_slope *to) { pair(TAPE_ATAN2, a, b, to); }
+static void rest_of(const pov_slope *a, const pov_slope *b, pov_slope *to) { pair(TAPE_MOD, a, b, to); }
 static void compare(tape_op op, const pov_slope *a, const pov_slope *b, pov_slope *to)
 {
     switch (op) {
@@ -173,6 +175,7 @@ void slope_run(const tape *t, pov_slope *r)
         case TAPE_ABS: slope_abs(a, s->k, to); break;
         case TAPE_MIN: least(a, b, to); break;
         case TAPE_MAX: largest(a, b, to); break;
+        case TAPE_MOD: rest_of(a, b, to); break;
         case TAPE_SQRT: slope_sqrt(a, s->k, to); break;
         case TAPE_POWER: slope_power(a, s->k, to); break;
         case TAPE_SIN: slope_sin(a, s->k, to); break;

@@ -244,6 +244,7 @@ static uint32_t comparison(recorder *r, tape_op op, uint32_t a, uint32_t b)
     case TAPE_OR: return record_constant(r, x != 0.0 || y != 0.0);
     case TAPE_MIN: return record_constant(r, y < x ? y : x);
     case TAPE_MAX: return record_constant(r, y > x ? y : x);
+    case TAPE_MOD: return record_constant(r, fmod(x, y));
     default: return record_constant(r, elementary_atan2(x, y));
     }
 }
@@ -253,7 +254,7 @@ uint32_t record_two(recorder *r, const char *name, uint32_t a, uint32_t b)
     if (strcmp(name, "pow") == 0)
         return power(r, a, b);
     if (strcmp(name, "mod") == 0)
-        return subtract(r, a, multiply(r, b, one(r, TAPE_CUT, divide(r, a, b))));
+        return comparison(r, TAPE_MOD, a, b);
     if (strcmp(name, "div") == 0)
         return one(r, TAPE_CUT, divide(r, a, b));
     return comparison(r, strcmp(name, "min") == 0 ? TAPE_MIN : strcmp(name, "max") == 0 ? TAPE_MAX : TAPE_ATAN2, a, b);
@@ -345,7 +346,7 @@ static uint32_t operands_of(const node *n, uint32_t out[3])
     switch (n->op) {
     case ARGUMENT: case TAPE_CONSTANT:
         return 0;
-    case TAPE_ADD: case TAPE_SUBTRACT: case TAPE_MULTIPLY: case TAPE_DIVIDE: case TAPE_MIN: case TAPE_MAX: case TAPE_ATAN2:
+    case TAPE_ADD: case TAPE_SUBTRACT: case TAPE_MULTIPLY: case TAPE_DIVIDE: case TAPE_MIN: case TAPE_MAX: case TAPE_MOD: case TAPE_ATAN2:
     case TAPE_LESS: case TAPE_AT_MOST: case TAPE_EQUAL: case TAPE_AND: case TAPE_OR: case TAPE_BELOW: case TAPE_ZERO:
     case TAPE_HEX_ALONG: case TAPE_HEX_ACROSS:
         out[0] = n->a;

@@ -12,7 +12,7 @@ typedef enum tape_op {
     TAPE_CONSTANT,               /* to = k */
     TAPE_ADD, TAPE_SUBTRACT, TAPE_MULTIPLY, TAPE_DIVIDE,   /* of a and b */
     TAPE_OFFSET, TAPE_SCALE,     /* a + k, a k */
-    TAPE_ABS, TAPE_MIN, TAPE_MAX,
+    TAPE_ABS, TAPE_MIN, TAPE_MAX, TAPE_MOD,
     TAPE_SQRT, TAPE_POWER,       /* TAPE_POWER: a^k, k no small whole number */
     TAPE_SIN, TAPE_COS, TAPE_EXP, TAPE_LN, TAPE_ASIN, TAPE_ATAN, TAPE_ASINH, TAPE_ATAN2,
     TAPE_FLOOR, TAPE_CEIL, TAPE_CUT,

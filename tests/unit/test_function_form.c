@@ -220,6 +220,21 @@ static void what_is_equal_or_constant_is_recorded_once(void **user)
     env_free(&memory, (void *)(uintptr_t)t.steps);
 }
 
+/* The rest of 1 by a step that is a little above 1/5 is nearly that step, not 0. */
+static void a_rest_is_exact(void **user)
+{
+    const instruction code[] = { { PROGRAM_CONSTANT, 0, 1, 0, 0 }, { PROGRAM_TWO, (uint16_t)program_two_arguments("mod"), 0, 0, 1 } };
+    const double fifth = 0.2, at[3] = { 1.0, 0.0, 0.0 }, dir[3] = { 1.0, 0.0, 0.0 };
+    const program p = { 3, 3, 3, 0, 2, code, &fifth, NULL, NULL };
+    tape t;
+
+    (void)user;
+    assert_int_equal(tape_record(&memory, &p, &t), TAPE_RECORDED);
+    assert_true(slope_of(&t, at, dir).value[0] == fmod(1.0, 0.2) && slope_of(&t, at, dir).value[0] > 0.1);
+    assert_true(slope_of(&t, at, dir).slope[0] == 1.0);
+    env_free(&memory, (void *)(uintptr_t)t.steps);
+}
+
 static void a_host_and_an_open_repetition_have_no_tape(void **user)
 {
     const instruction host[] = { { PROGRAM_HOST, 0, 0, 0, 0 } };
@@ -239,6 +254,7 @@ int main(void)
         cmocka_unit_test(forms_hold_the_functions_of_one_and_two_arguments),
         cmocka_unit_test(a_square_is_as_narrow_as_it_can_be),
         cmocka_unit_test(what_is_equal_or_constant_is_recorded_once),
+        cmocka_unit_test(a_rest_is_exact),
         cmocka_unit_test(a_host_and_an_open_repetition_have_no_tape),
     };
 
