@@ -69,7 +69,7 @@ static void evaluate_agate(const pattern_input *in, double *value)
     const agate *self = in->of->self;
 
     noise_turbulence(in->noise, in->generator, &in->of->turbulence, in->at, in->n, value);
-    to_agate(self->turbulence, in->at->z, lanes_whole(in->n), value);
+    to_agate(self->turbulence, in->at->z, in->n, value);
 }
 
 /* ---- wood ---- */
