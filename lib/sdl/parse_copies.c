@@ -59,10 +59,10 @@ static bool holds_named(const object_parsed *first)
     return false;
 }
 
-/* May it be a part, whatever is in it? */
+/* May it be a part, whatever is in it? The interior_texture of a whole is moved otherwise. */
 static bool may_wait(const object_parsed *o)
 {
-    return o->is_named && o->kind == OBJECT_GROUP && o->first && !o->is_light_group && !o->clips &&
+    return o->is_named && !parse_surface_of(o)->inside && o->kind == OBJECT_GROUP && o->first && !o->is_light_group && !o->clips &&
            !(o->flags & (LEAF_INVERSE | PHOTON_TARGET | LEAF_CUTAWAY)) && !parse_surface_of(o)->material.interior.media;
 }
 

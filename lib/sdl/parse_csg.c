@@ -226,7 +226,7 @@ static bool count_outer(const around *a, uint32_t *outer)
         const object_parsed *o = a->group;
         const surface_parsed *s = parse_surface_of(o);
 
-        if (o->kind != OBJECT_GROUP || o->op != NODE_UNION || o->is_light_group || o->clips || o->flags || s->has_look ||
+        if (o->kind != OBJECT_GROUP || o->op != NODE_UNION || o->is_light_group || o->clips || o->flags || s->has_look || s->inside ||
             s->material.interior.given || a->since)
             return false;
         *outer += parse_count_transforms(o->map);

@@ -169,6 +169,24 @@ static void assert_same_of(const char *of, const char *scene)
 
 static void assert_same(const char *scene) { assert_same_of("union", scene); }
 
+/* The same scene, bit for bit, without copies. */
+static void assert_written_out(const char *scene)
+{
+    pov_context *context = scenes_context();
+    pov_scene *named = load(context, "union", scene, true), *written = load(context, "union", scene, false);
+    float *a = draw(named), *b = draw(written);
+
+    assert_false(has_copies(named));
+    assert_memory_equal(a, b, sizeof *a * WIDTH * HEIGHT * 4);
+    same_numbers(named, written);
+    same_rays(named, written);
+    free(a);
+    free(b);
+    pov_scene_destroy(named);
+    pov_scene_destroy(written);
+    pov_context_destroy(context);
+}
+
 #define T "#if (Copies) #declare T = OF { M() } #end "
 
 static void textures_bumps_mirrors_and_shadows_move_with_copies(void **state)
@@ -234,6 +252,14 @@ static void uses_may_differ(void **state)
                 "#for (I, 1, 300) #if (Copies) object { U #else OF { M() rotate 20*x pigment { marble scale .3 } scale 1.2 #end " MOVED " no_image } " USE MOVED " } #end ");
 }
 
+/* It is moved otherwise than textures. */
+static void a_solid_with_an_interior_texture_is_written_out(void **state)
+{
+    (void)state;
+    assert_written_out(MEMBERS("") "disc { 0, x, 1 } pigment { rgb .8 } scale 1.1 interior_texture { pigment { gradient x scale .2 } } #end " T VIEW
+                       FLOOR FOREST(""));
+}
+
 static void scenes_of_any_size_are_the_same(void **state)
 {
     static const char *const forest = MEMBERS("pigment { rgbf .5 }") "pigment { gradient y scale .3 } #end " T
@@ -269,26 +295,13 @@ static void area_lights_and_uv_textures_are_the_same(void **state)
                 "light_source { <5,10,-8> rgb 1 area_light 4*x, 4*y, 4, 4 adaptive 1 } " FLOOR FOREST(""));
 }
 
-/* What does not pay is written out, where it stood: the same scene, bit for bit. */
+/* What does not pay is written out, where it stood. */
 static void a_few_uses_are_written_out_in_their_places(void **state)
 {
-    static const char *const scene = MEMBERS("pigment { rgbf .5 }") "pigment { gradient y scale .3 } #end " T VIEW
-        "sphere { 0, .5 pigment { rgb <1,0,0> } } " USE "translate x } difference { sphere { 0, 1 } box { 0, 2 } translate -x pigment { agate } } "
-        USE "rotate 40*y } union { " USE "translate -x } cone { 0, 1, y, 0 } pigment { rgb .5 } } " FLOOR;
-    pov_context *context = scenes_context();
-    pov_scene *named = load(context, "union", scene, true), *written = load(context, "union", scene, false);
-    float *a = draw(named), *b = draw(written);
-
     (void)state;
-    assert_false(has_copies(named));
-    assert_memory_equal(a, b, sizeof *a * WIDTH * HEIGHT * 4);
-    same_numbers(named, written);
-    same_rays(named, written);
-    free(a);
-    free(b);
-    pov_scene_destroy(named);
-    pov_scene_destroy(written);
-    pov_context_destroy(context);
+    assert_written_out(MEMBERS("pigment { rgbf .5 }") "pigment { gradient y scale .3 } #end " T VIEW
+        "sphere { 0, .5 pigment { rgb <1,0,0> } } " USE "translate x } difference { sphere { 0, 1 } box { 0, 2 } translate -x pigment { agate } } "
+        USE "rotate 40*y } union { " USE "translate -x } cone { 0, 1, y, 0 } pigment { rgb .5 } } " FLOOR);
 }
 
 static float *draw_with(pov_context *context, const char *text, pov_accel accel, pov_accuracy accuracy)
@@ -353,6 +366,7 @@ int main(void)
         cmocka_unit_test(copies_of_a_difference_are_the_same),
         cmocka_unit_test(a_union_with_an_interior_is_one_solid),
         cmocka_unit_test(uses_may_differ),
+        cmocka_unit_test(a_solid_with_an_interior_texture_is_written_out),
         cmocka_unit_test(scenes_of_any_size_are_the_same),
         cmocka_unit_test(copies_stand_anywhere),
         cmocka_unit_test(area_lights_and_uv_textures_are_the_same),
