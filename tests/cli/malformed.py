@@ -29,7 +29,7 @@ BODIES = {
     "finish-unknown": b"sphere { 0, 1 finish { shiny 1 } }", "finish-no-value": b"sphere { 0, 1 finish { phong } }",
     "ior-word": b"sphere { 0, 1 interior { ior glass } }", "ior-negative": b"sphere { 0, 1 interior { ior -1 } }",
     "rotate-word": b"sphere { 0, 1 rotate x_axis }", "translate-nothing": b"sphere { 0, 1 translate }", "matrix-short": b"sphere { 0, 1 matrix <1,0,0> }",
-    "matrix-flat": b"sphere { 0, 1 matrix <1,0,0, 0,0,0, 0,0,1, 0,0,0> }", "comment-open": b"/* and no end", "comment-nested-open": b"/* /* */",
+    "matrix-flat": b"sphere { 0, 1 matrix <1,1,0, 1,1,0, 0,0,1, 0,0,0> }", "comment-open": b"/* and no end", "comment-nested-open": b"/* /* */",
     "string-open": b'sphere { 0, 1 pigment { "red', "declare": b"#declare R = 1", "include": b'#include "no such file"', "macro": b"#macro M() M() #end M()",
     "while": b"#while (1", "hash-only": b"#", "hash-unknown": b"#frobnicate", "version-word": b"#version many;",
     "union": b"union { sphere { 0, 1 }", "torus": b"torus { 1, .2", "fog": b"fog { distance 1", "normal": b"sphere { 0, 1 normal { bumps 1 }",
