@@ -15,7 +15,7 @@ typedef struct crackle {
 } crackle;
 
 /* Points relative to the lowest corner of the cube in the middle. */
-enum { CUBES = 27, NEAREST = 3, ROOM = 32 };
+enum { CUBES = 27, NEAREST = 3, BUFFER = 32 };
 typedef struct neighbourhood { double x[CUBES], y[CUBES], z[CUBES]; } neighbourhood;
 
 /* Numbers of the three cubes along an axis. */
@@ -130,9 +130,9 @@ static double spread_of(double metric)
 
 /* Vectors to the points that may count. The rest of a vector repeats the last one. */
 typedef struct candidates {
-    SIMD_ALIGNED double x[ROOM];
-    SIMD_ALIGNED double y[ROOM];
-    SIMD_ALIGNED double z[ROOM];
+    SIMD_ALIGNED double x[BUFFER];
+    SIMD_ALIGNED double y[BUFFER];
+    SIMD_ALIGNED double z[BUFFER];
     uint32_t n;
 } candidates;
 
@@ -162,7 +162,7 @@ SIMD_INLINE void choose(double spread, int last, const neighbourhood *near, pov_
 SIMD_INLINE void find_least_other(double metric, double spread, int last, const neighbourhood *near, members *m)
 {
     for (uint32_t i = 0; i < m->n; i++) {
-        SIMD_ALIGNED double measured[ROOM];
+        SIMD_ALIGNED double measured[BUFFER];
         double least[NEAREST] = { HUGE_VAL, HUGE_VAL, HUGE_VAL };
         candidates some;
 
