@@ -289,6 +289,7 @@
     ROW(ORIENT, "orient", 0) \
     ROW(ORIENTATION, "orientation", 0) \
     ROW(ORTHOGRAPHIC, "orthographic", 0) \
+    ROW(OVUS, "ovus", KEYWORD_FLAG_SHAPE) \
     ROW(PANORAMIC, "panoramic", 0) \
     ROW(PARALLEL, "parallel", 0) \
     ROW(PARAMETRIC, "parametric", KEYWORD_FLAG_SHAPE) \

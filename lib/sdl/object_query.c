@@ -6,6 +6,7 @@
 typedef struct subject {
     const shape_class *shape;
     const void *self;
+    void *own;           /* the same where it was prepared for this */
     void *scratch;
     unsigned char buffer[POV_PREPARED_MAX + 64];
 } subject;
@@ -16,13 +17,14 @@ static bool begin(pov_reader *in, const object_parsed *o, subject *s)
 
     s->shape = o->leaf.shape;
     s->self = o->leaf.instance;
+    s->own = NULL;
     s->scratch = NULL;
     if (s->shape->prepare) {
         void *at = s->buffer + (64 - ((uintptr_t)s->buffer & 63));
 
         memset(s->buffer, 0, sizeof s->buffer);
         s->shape->prepare(at, o->leaf.instance);
-        s->self = at;
+        s->self = s->own = at;
     }
     bytes = s->shape->scratch ? s->shape->scratch(s->self) : 0;
     if (bytes > 0)
@@ -300,6 +302,41 @@ static void clip(pov_box *box, const pov_box *by)
     box->hi = pov_vec3_of(fmin(box->hi.x, by->hi.x), fmin(box->hi.y, by->hi.y), fmin(box->hi.z, by->hi.z));
 }
 
+/* The shape takes in as many of its transformations as it can; the others move its box. */
+static bool leaf_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
+{
+    const bool takes = o->leaf.shape->prepare && o->leaf.shape->absorb;
+    const transform *first = takes ? o->map : NULL;
+    uint32_t left = takes ? 0 : parse_count_transforms(o->map);
+    bool has_box;
+    pov_affine map;
+    subject s;
+
+    if (!begin(in, o, &s))
+        return false;
+    while (first && !(transform_compose(first, &map) && s.shape->absorb(s.own, &map))) {
+        first = first->before;
+        left++;
+    }
+    has_box = s.shape->bounds(s.self, out);
+    end(in, &s);
+    if (has_box && left > 0 && transform_compose(parse_last_transforms(in, o->map, left), &map))
+        *out = map_box(&map, out);
+    return has_box;
+}
+
+/* As in POV-Ray each transformation moves the box that the one before has left. */
+static void move_box(pov_reader *in, const transform *moves, pov_box *box)
+{
+    pov_affine map;
+
+    if (!moves)
+        return;
+    move_box(in, moves->before, box);
+    if (transform_compose(parse_last_transforms(in, moves, 1), &map))
+        *box = map_box(&map, box);
+}
+
 static bool group_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 {
     const object_parsed *member;
@@ -332,17 +369,10 @@ static bool group_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 
 bool object_bounds(pov_reader *in, const object_parsed *o, pov_box *out)
 {
-    bool has_box = false;
-    pov_affine map;
-    subject s;
-
-    if (o->kind == OBJECT_LEAF && begin(in, o, &s)) {
-        has_box = s.shape->bounds(s.self, out);
-        end(in, &s);
-    } else if (o->kind == OBJECT_GROUP) {
-        has_box = group_bounds(in, o, out);
-    }
-    if (has_box && find_map(o, &map))
-        *out = map_box(&map, out);
-    return has_box;
+    if (o->kind == OBJECT_LEAF)
+        return leaf_bounds(in, o, out);
+    if (o->kind != OBJECT_GROUP || !group_bounds(in, o, out))
+        return false;
+    move_box(in, o->map, out);
+    return true;
 }
