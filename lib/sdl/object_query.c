@@ -1,5 +1,6 @@
 #include "sdl/object_query.h"
 
+#include <float.h>
 #include <string.h>
 
 /* A leaf's shape, ready to be asked. */
@@ -67,6 +68,8 @@ static pov_vec3 map_normal(const pov_affine *map, pov_vec3 n)
 
 /* ---- points ---- */
 
+static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts);
+
 /* Does the group hold a point that `but`, one of its members, is taken to hold, or not to? */
 static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, const object_parsed *but,
                         bool but_holds)
@@ -75,19 +78,16 @@ static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, 
     bool is_first = true;
 
     for (member = o->first; member; member = member->next, is_first = false) {
-        const bool holds = member == but ? but_holds : object_holds(in, member, point);
+        const bool cuts = o->op == NODE_DIFFERENCE && !is_first;
+        const bool holds = member == but ? but_holds != cuts : holds_as(in, member, point, cuts);
 
         switch (o->op) {
         case NODE_UNION: case NODE_MERGE:
             if (holds)
                 return true;
             break;
-        case NODE_INTERSECTION:
+        case NODE_INTERSECTION: case NODE_DIFFERENCE:
             if (!holds)
-                return false;
-            break;
-        case NODE_DIFFERENCE:
-            if (holds != is_first)
                 return false;
             break;
         case NODE_CLIP:          /* no statement makes one */
@@ -97,13 +97,33 @@ static bool group_holds(pov_reader *in, const object_parsed *o, pov_vec3 point, 
     return o->first && (o->op == NODE_INTERSECTION || o->op == NODE_DIFFERENCE);
 }
 
-bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point)
+/* Is the point in all that clips the object? Of its transformations only those behind a clip move this one. */
+static bool clips_hold(pov_reader *in, const object_parsed *o, pov_vec3 point)
+{
+    for (const object_parsed *clip = o->clips; clip; clip = clip->next) {
+        const transform *moves = NULL;
+        pov_vec3 at = point;
+        pov_affine map;
+
+        parse_append_transforms(in, &moves, o->map, clip->since);
+        if (moves && transform_compose(moves, &map))
+            at = back(&map, point, 1.0);
+        if (!object_holds(in, clip, at))
+            return false;
+    }
+    return true;
+}
+
+/* The object, or what it leaves when it cuts: of a clipped one that is clipped too, as in POV-Ray. */
+static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts)
 {
     const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
     bool holds = false;
     pov_affine map;
     subject s;
 
+    if (o->clips && !clips_hold(in, o, point))
+        return false;
     if (find_map(o, &map))
         point = back(&map, point, 1.0);
     if (o->kind == OBJECT_LEAF && begin(in, o, &s)) {
@@ -112,8 +132,10 @@ bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point)
     } else if (o->kind == OBJECT_GROUP) {
         holds = group_holds(in, o, point, NULL, false);
     }
-    return holds != ((o->flags & LEAF_INVERSE) != 0);
+    return holds != (((o->flags & LEAF_INVERSE) != 0) != cuts);
 }
+
+bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point) { return holds_as(in, o, point, false); }
 
 /* ---- rays ---- */
 
@@ -216,6 +238,9 @@ static bool is_surface(pov_reader *in, const object_parsed *o, const object_pars
            group_holds(in, o, pov_add(ray->org, pov_scale(ray->dir, t + step)), NULL, false);
 }
 
+/* A crossing may lie a little behind its distance as a double: it is not met again. */
+static double behind(double t) { return t + fmax(DBL_EPSILON * fabs(t), DBL_MIN); }
+
 static bool trace_member(pov_reader *in, const object_parsed *o, const object_parsed *member, search ask,
                          object_hit *best)
 {
@@ -233,12 +258,13 @@ static bool trace_member(pov_reader *in, const object_parsed *o, const object_pa
                 invert(best);
             return true;
         }
-        ask.from = hit.t;
+        ask.from = behind(hit.t);
     }
     return false;
 }
 
-static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best)
+/* Of an object as if nothing clipped it. */
+static bool trace_whole(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best)
 {
     const object_parsed *member;
     search ask = *outer;
@@ -259,6 +285,24 @@ static bool trace(pov_reader *in, const object_parsed *o, const search *outer, o
     if (found && o->kind == OBJECT_GROUP && (o->flags & LEAF_INVERSE))
         invert(best);
     return found;
+}
+
+static bool trace(pov_reader *in, const object_parsed *o, const search *outer, object_hit *best)
+{
+    search ask = *outer;
+
+    for (int i = 0; i < CROSSINGS_MAX; i++) {
+        object_hit hit = *best;
+
+        if (!trace_whole(in, o, &ask, &hit))
+            return false;
+        if (!o->clips || clips_hold(in, o, pov_add(ask.ray.org, pov_scale(ask.ray.dir, hit.t)))) {
+            *best = hit;
+            return true;
+        }
+        ask.from = behind(hit.t);
+    }
+    return false;
 }
 
 bool object_trace(pov_reader *in, const object_parsed *o, pov_vec3 origin, pov_vec3 direction, object_hit *out)

@@ -1,0 +1,97 @@
+/* test_object_queries.c - what the language asks of objects that are moved and clipped, as POV-Ray answers it. */
+#include "support/check.h"
+#include "support/scenes.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* The value of an expression behind some declarations, as the radius of a ball. */
+static void assert_value(const char *declared, const char *expression, double value)
+{
+    char text[700];
+    pov_context *context = scenes_context();
+    pov_hit hit = POV_INIT(hit);
+    pov_scene *scene;
+    pov_tracer *tracer;
+    pov_error err;
+
+    snprintf(text, sizeof text, "#version 3.7; camera { location -9*z } %s sphere { 0, %s }", declared, expression);
+    scene = scenes_text(context, text);
+    assert_int_equal(pov_tracer_create(&tracer, scene, &err), POV_OK);
+    assert_true(pov_trace_hit(tracer, pov_vec3_of(0.0, 0.0, -99.0), pov_vec3_of(0.0, 0.0, 1.0), &hit));
+    if (fabs(-hit.point.z - value) > 1e-9)
+        fail_msg("%s: %s is %.9g, not %.9g", declared, expression, -hit.point.z, value);
+    pov_tracer_destroy(tracer);
+    pov_scene_destroy(scene);
+    pov_context_destroy(context);
+}
+
+/* How wide the box of an object is along x. */
+static void assert_width(const char *object, double width)
+{
+    char declared[300];
+
+    snprintf(declared, sizeof declared, "#declare S = %s", object);
+    assert_value(declared, "max_extent(S).x - min_extent(S).x", width);
+}
+
+static void a_shape_takes_in_its_transformations(void **state)
+{
+    (void)state;
+    assert_width("sphere { <1,2,3>, 1 rotate <30,40,50> }", 2.0);
+    assert_width("sphere { <1,2,3>, 1 rotate <30,40,50> scale <3,2,1> }", 6.0);
+    assert_width("torus { 1, .5 rotate 45*y rotate -45*y }", 3.0);
+    assert_width("ovus { .5, .25 }", 1.0);
+}
+
+static void each_transformation_of_a_group_moves_the_box_before_it(void **state)
+{
+    (void)state;
+    assert_width("union { sphere { 0, 1 } sphere { 0, 1 } rotate 45*y }", sqrt(8.0));
+    assert_width("union { box { 0, 1 } box { 0, 1 } rotate 45*y rotate -45*y }", 2.0);
+    assert_width("intersection { box { 0, 1 } box { -1, 1 } translate x rotate 45*y }", sqrt(2.0));
+}
+
+#define TRACED(object) "#declare N = <0,0,0>; #declare S = " object " #declare P = trace(S, -9*z, z, N);"
+
+static void what_is_clipped_away_is_not_met(void **state)
+{
+    (void)state;
+    assert_value(TRACED("sphere { 0, 1 clipped_by { plane { -z, 0 } } }"), "P.z", 1.0);
+    assert_value(TRACED("sphere { 0, 1 clipped_by { plane { z, 0 } } }"), "-P.z", 1.0);
+    assert_value(TRACED("sphere { 0, 1 translate 5*z clipped_by { plane { -z, -5 } } translate -4*z }"), "P.z", 2.0);
+    assert_value(TRACED("sphere { 0, 1 clipped_by { plane { y, 0 } plane { -z, 0 } } rotate 180*y }"), "-P.z", 1.0);
+    assert_value(TRACED("union { sphere { 0, 2 clipped_by { plane { -z, 0 } } } sphere { 0, 1 } clipped_by { box { <-9,-9,-.5>, 9 } } }"), "P.z", 1.0);
+}
+
+/* Also of what is inverse, and of what cuts: behind the clip nothing of the whole is left. */
+static void a_point_is_inside_where_the_clips_are(void **state)
+{
+    (void)state;
+    assert_value("#declare S = sphere { 0, 1 clipped_by { plane { -z, 0 } } }", "1 + inside(S, .5*z)", 2.0);
+    assert_value("#declare S = sphere { 0, 1 clipped_by { plane { -z, 0 } } }", "1 + inside(S, -.5*z)", 1.0);
+    assert_value("#declare S = sphere { 0, 1 inverse clipped_by { plane { -z, 0 } } }", "1 + inside(S, 2*z)", 2.0);
+    assert_value("#declare S = sphere { 0, 1 inverse clipped_by { plane { -z, 0 } } }", "1 + inside(S, -2*z)", 1.0);
+    assert_value(TRACED("difference { box { -2, 2 } sphere { 0, 3 clipped_by { plane { z, 1 } } } }"), "1 + vlength(N)", 1.0);
+}
+
+/* A member that ends where another is met again and again by rays of an oblique map. */
+static void no_crossing_is_met_twice(void **state)
+{
+    (void)state;
+    assert_value(TRACED("intersection { torus { 1, .3 rotate <20,30,40> inverse } sphere { 0, 1.5 scale <1,1.1,1.2> rotate 33*x } "
+                        "sphere { 0, .1 rotate 12*y } }"), "vlength(P)", 0.1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_shape_takes_in_its_transformations),
+        cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
+        cmocka_unit_test(what_is_clipped_away_is_not_met),
+        cmocka_unit_test(a_point_is_inside_where_the_clips_are),
+        cmocka_unit_test(no_crossing_is_met_twice),
+    };
+
+    return cmocka_run_group_tests_name("object_queries", tests, NULL, NULL);
+}
