@@ -129,7 +129,8 @@ static const struct hard { const char *keyword, *text; double x, y, z, half; } h
     { "quadric", "<1, 1, 1>, <0, 0, 0>, <0, 0, 0>, 1e-12", 0.0, 0.0, 0.0, 1e-5 },
 };
 
-static uint64_t state = 88172645463325252u;
+static const uint64_t seed = 88172645463325252u;
+static uint64_t state;
 
 double subject_length(pov_vec3 a) { return sqrt(pov_dot(a, a)); }
 
@@ -240,6 +241,7 @@ bool subject_set_up(const char *file)
 {
     size_t i;
 
+    state = seed;                /* what is asked of a plugin does not depend on those before it */
     memset(&subject, 0, sizeof subject);
     snprintf(subject.file, sizeof subject.file, "%s", file);
     subject.shape = fake_reader_load(file);
