@@ -114,10 +114,12 @@ static bool clips_hold(pov_reader *in, const object_parsed *o, pov_vec3 point)
     return true;
 }
 
-/* The object, or what it leaves when it cuts: of a clipped one that is clipped too, as in POV-Ray. */
+/* The object, or what it leaves when it cuts: of a clipped one that is clipped too, and of a surface that holds nothing nothing
+ * is left, as in POV-Ray. */
 static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, bool cuts)
 {
     const pov_vec3 zero = pov_vec3_of(0.0, 0.0, 0.0);
+    const bool turned = ((o->flags & LEAF_INVERSE) != 0) != cuts;
     bool holds = false;
     pov_affine map;
     subject s;
@@ -127,12 +129,12 @@ static bool holds_as(pov_reader *in, const object_parsed *o, pov_vec3 point, boo
     if (find_map(o, &map))
         point = back(&map, point, 1.0);
     if (o->kind == OBJECT_LEAF && begin(in, o, &s)) {
-        holds = shape_is_solid(s.shape, o->leaf.instance) && s.shape->inside(s.self, point, zero);
+        holds = shape_is_solid(s.shape, o->leaf.instance) ? s.shape->inside(s.self, point, zero) : turned;
         end(in, &s);
     } else if (o->kind == OBJECT_GROUP) {
         holds = group_holds(in, o, point, NULL, false);
     }
-    return holds != (((o->flags & LEAF_INVERSE) != 0) != cuts);
+    return holds != turned;
 }
 
 bool object_holds(pov_reader *in, const object_parsed *o, pov_vec3 point) { return holds_as(in, o, point, false); }

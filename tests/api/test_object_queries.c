@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The value of an expression behind some declarations, as the radius of a ball. */
+/* The value of an expression behind some declarations, as the radius of a sphere. */
 static void assert_value(const char *declared, const char *expression, double value)
 {
     char text[700];
@@ -75,6 +75,14 @@ static void a_point_is_inside_where_the_clips_are(void **state)
     assert_value(TRACED("difference { box { -2, 2 } sphere { 0, 3 clipped_by { plane { z, 1 } } } }"), "1 + vlength(N)", 1.0);
 }
 
+/* Not even where it cuts or is inverse: what it cuts from is gone, and of both only the surface in it is left. */
+static void a_triangle_holds_nothing(void **state)
+{
+    (void)state;
+    assert_value(TRACED("difference { sphere { 0, 1 } triangle { <-2,-2,.5>, <2,-2,.5>, <0,2,.5> } }"), "P.z", 0.5);
+    assert_value("#declare S = triangle { x, y, z inverse }", "1 + inside(S, <9,9,9>)", 1.0);
+}
+
 /* A member that ends where another is met again and again by rays of an oblique map. */
 static void no_crossing_is_met_twice(void **state)
 {
@@ -90,6 +98,7 @@ int main(void)
         cmocka_unit_test(each_transformation_of_a_group_moves_the_box_before_it),
         cmocka_unit_test(what_is_clipped_away_is_not_met),
         cmocka_unit_test(a_point_is_inside_where_the_clips_are),
+        cmocka_unit_test(a_triangle_holds_nothing),
         cmocka_unit_test(no_crossing_is_met_twice),
     };
 
