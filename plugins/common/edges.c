@@ -20,6 +20,12 @@ common_view common_view_make(pov_vec3 org, pov_vec3 org_lo, const common_ray *k,
     return s;
 }
 
+/* A corner seen from the ray's origin, off by less than 2^-100 of its size. */
+static pov_two from_origin(const common_view *s, const double *corner, int i)
+{
+    return pov_two_add_double(pov_two_sum(corner[i], -s->o[i]), -s->o_lo[i]);
+}
+
 /* Adds sign (v - o) d for one coordinate of the corner and one of the direction. */
 static void add_terms(common_expansion *e, const common_view *s, const double *v, int i, int j, double sign)
 {
@@ -32,22 +38,30 @@ static void add_terms(common_expansion *e, const common_view *s, const double *v
     }
 }
 
+/* The same products and their difference in double-double, each within 2^-98 of its size. */
+static pov_two height_in_two(const common_view *s, const double *v, double *size)
+{
+    const pov_two up = from_origin(s, v, s->up), forward = from_origin(s, v, s->forward);
+    const pov_two rise = pov_two_of(s->d[s->up], s->d_lo[s->up]), run = pov_two_of(s->d[s->forward], s->d_lo[s->forward]);
+
+    *size = fabs(up.hi * run.hi) + fabs(forward.hi * rise.hi);
+    return pov_two_sub(pov_two_mul(up, run), pov_two_mul(forward, rise));
+}
+
 bool common_view_is_above(const common_view *s, const pov_vec3 *corner)
 {
     common_expansion e;
-    double v[3];
+    double v[3], size;
+    pov_two height;
 
     common_set3(v, *corner);
+    height = height_in_two(s, v, &size);
+    if (fabs(height.hi) > 0x1p-94 * size + 0x1p-900)
+        return height.hi > 0.0;
     common_expansion_clear(&e);
     add_terms(&e, s, v, s->up, s->forward, 1.0);
     add_terms(&e, s, v, s->forward, s->up, -1.0);
     return common_expansion_sign(&e) > 0;
-}
-
-/* A corner seen from the ray's origin, off by less than 2^-100 of its size. */
-static pov_two from_origin(const common_view *s, const double *corner, int i)
-{
-    return pov_two_add_double(pov_two_sum(corner[i], -s->o[i]), -s->o_lo[i]);
 }
 
 /* The sign in double-double: each of the six products of three is off by less than 2^-97 of its size, and so is their sum.

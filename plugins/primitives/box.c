@@ -1,8 +1,8 @@
 /* box { <corner>, <opposite corner> }
  *
  * Three slabs. The order of planes along the ray is a comparison of quotients; where they are too close for doubles,
- * their cross products are compared exactly. The box is closed: edges and corners belong to it. A planar one, without extent
- * along an axis, is one surface: a ray is never inside. */
+ * their cross products are compared in double-double, and exactly where that does not tell. The box is closed: edges
+ * and corners belong to it. A planar one, without extent along an axis, is one surface: a ray is never inside. */
 #include "common/affine.h"
 #include "common/expansion.h"
 #include "common/box_block.h"
@@ -98,11 +98,37 @@ static void add_product(common_expansion *e, const slabs *s, int plane, int axis
     }
 }
 
+/* The product of the distance to a plane and the direction along another axis, within 2^-100 of *size. */
+static pov_two cross_product(const slabs *s, int plane, int axis, double factor, double *size)
+{
+    const double d = factor * s->d[axis];
+
+    *size = (fabs(s->shape->plane[plane].hi) + fabs(s->o[plane / 2])) * fabs(d);
+    return pov_two_mul(distance_to(s, plane), pov_two_of(d, factor * s->d_lo[axis]));
+}
+
+/* The sign of the difference of both products: in double-double, and exactly where that leaves it open. */
+static int compare_products(const slabs *s, int p, int q)
+{
+    const double power = pov_inverse_power(fmax(fabs(s->d[p / 2]), fabs(s->d[q / 2])));
+    double size_p, size_q;
+    const pov_two difference = pov_two_sub(cross_product(s, p, q / 2, power, &size_p),
+                                           cross_product(s, q, p / 2, power, &size_q));
+    common_expansion e;
+
+    if (fabs(difference.hi) > 0x1p-98 * (size_p + size_q) + 0x1p-900)
+        return difference.hi > 0.0 ? 1 : -1;
+    common_expansion_clear(&e);
+    add_product(&e, s, p, q / 2, power);
+    add_product(&e, s, q, p / 2, -power);
+    return common_expansion_sign(&e);
+}
+
 /* Negative, zero or positive if the ray crosses plane p before, with or after plane q. Neither is parallel to it. */
 static int compare(slabs *s, int p, int q)
 {
-    double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q])), power;
-    common_expansion e;
+    const double difference = s->t[p] - s->t[q], slack = s->slack * (fabs(s->t[p]) + fabs(s->t[q]));
+    int sign;
 
     /* A finite and an infinite distance need no slack. */
     if (difference > slack || difference == HUGE_VAL)
@@ -110,11 +136,8 @@ static int compare(slabs *s, int p, int q)
     if (difference < -slack || difference == -HUGE_VAL)
         return -1;
     s->escalated = true;
-    power = pov_inverse_power(fmax(fabs(s->d[p / 2]), fabs(s->d[q / 2])));
-    common_expansion_clear(&e);
-    add_product(&e, s, p, q / 2, power);
-    add_product(&e, s, q, p / 2, -power);
-    return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -common_expansion_sign(&e) : common_expansion_sign(&e);
+    sign = compare_products(s, p, q);
+    return (s->d[p / 2] < 0.0) != (s->d[q / 2] < 0.0) ? -sign : sign;
 }
 
 /* The planes where the ray enters and leaves all three slabs, -1 for none. False: it is beside one of
