@@ -114,14 +114,6 @@ static bool cross_face(visit *v, uint32_t face, const pov_vec3 *const at[3], con
            !is_within(v, at[0], at[1], at[2]) || common_triangle_cross(&v->through, at[0], at[1], at[2], mark, v->hits);
 }
 
-/* Are all corners on one side of the ray for certain? */
-static bool is_beside(const common_seen seen[4], double error)
-{
-    const double a = seen[0].across, b = seen[1].across, c = seen[2].across, d = seen[3].across;
-
-    return (a > error && b > error && c > error && d > error) || (a < -error && b < -error && c < -error && d < -error);
-}
-
 static bool visit_cell(void *user, uint32_t cell)
 {
     visit *v = user;
@@ -129,11 +121,10 @@ static bool visit_cell(void *user, uint32_t cell)
     const pov_vec3 *a = v->s->at + cell / (wide - 1) * wide + cell % (wide - 1), *b = a + 1, *c = a + wide, *d = c + 1;
     const common_seen seen[4] = { common_triangle_see(&v->through, a), common_triangle_see(&v->through, b),
                                   common_triangle_see(&v->through, c), common_triangle_see(&v->through, d) };
-    const uint32_t above = (uint32_t)(seen[0].above + seen[1].above + seen[2].above + seen[3].above);
     const pov_vec3 *const low[3] = { a, b, d }, *const high[3] = { a, d, c };
     const common_seen low_seen[3] = { seen[0], seen[1], seen[3] }, high_seen[3] = { seen[0], seen[3], seen[2] };
 
-    return above == 0 || above == 4 || is_beside(seen, v->through.view.error) ||
+    return common_triangle_are_beside(&v->through, seen) ||
            (cross_face(v, 2 * cell, low, low_seen) && cross_face(v, 2 * cell + 1, high, high_seen));
 }
 

@@ -44,6 +44,16 @@ static inline bool common_triangle_is_passed(common_triangle_ray *r, const pov_v
     return within;
 }
 
+/* Are four corners certainly all above or below the ray's level, or all on one side of it? */
+static inline bool common_triangle_are_beside(const common_triangle_ray *r, const common_seen s[4])
+{
+    const double a = s[0].across, b = s[1].across, c = s[2].across, d = s[3].across, error = r->view.error;
+    const int above = s[0].above + s[1].above + s[2].above + s[3].above;
+
+    return above == 0 || above == 4 || (a > error && b > error && c > error && d > error) ||
+           (a < -error && b < -error && c < -error && d < -error);
+}
+
 static inline bool common_triangle_is_hit(common_triangle_ray *r, const pov_vec3 *a, const pov_vec3 *b,
                                           const pov_vec3 *c)
 {
