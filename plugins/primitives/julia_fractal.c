@@ -14,6 +14,7 @@ typedef struct julia {
     number c, slice;             /* slice: a unit vector, the hyperplane's normal */
     double at;                   /* and its distance */
     double reach;                /* of the sphere */
+    pov_box box;                 /* around it */
     double shortest;             /* stretches below this are searched no further */
     uint32_t places;             /* n */
     function *f;                 /* of hypercomplex numbers; NULL: of quaternions, sqr or cube */
@@ -94,36 +95,6 @@ static bool read_item(julia *j, wishes *w, const pov_host *host, pov_reader *in)
 }
 
 static double square_of(const number *q) { return q->v[0] * q->v[0] + q->v[1] * q->v[1] + q->v[2] * q->v[2] + q->v[3] * q->v[3]; }
-
-static void parse(void *self, const pov_host *host, pov_reader *in)
-{
-    wishes w = { NULL, false, false, false };
-    julia *j = self;
-
-    host->vector_of(in, j->c.v, 4);
-    j->slice.v[3] = 1.0;
-    j->places = 20;
-    j->shortest = 1.0 / 20.0;
-    while (read_item(j, &w, host, in))
-        continue;
-    if (w.f && w.quaternion)
-        host->fail(in, "quaternions have the functions sqr and cube only");
-    if (w.cube && w.hypercomplex)
-        host->warn(in, "hypercomplex numbers have no \"cube\": \"sqr\" is taken, as by POV-Ray");
-    j->cube = w.cube;
-    j->f = w.f ? w.f : w.hypercomplex ? disc_squared : NULL;
-    j->reach = j->f ? 4.0 : fmin(1.0 + sqrt(square_of(&j->c)), 2.0);
-    j->shortest *= 0x1p-4;
-}
-
-static bool bounds(const void *self, pov_box *out)
-{
-    const double r = ((const julia *)self)->reach * (1.0 + 0x1p-20);
-
-    out->lo = pov_vec3_of(-r, -r, -r);
-    out->hi = pov_vec3_of(r, r, r);
-    return true;
-}
 
 /* ---- the sequence of a sphere ---- */
 
@@ -248,6 +219,84 @@ static side follow(const julia *j, pov_vec3 p, double off, uint32_t places, trai
     return follow_pair(j, disc_of(a[0] - a[3], a[1] + a[2], sqrt_two * off), disc_of(a[0] + a[3], a[1] - a[2], sqrt_two * off), places, out);
 }
 
+/* ---- the box around it ---- */
+
+/* Halves of the cube around the sphere, one axis after the other. */
+enum { HALVES = 12, PLACES_OF_BOX = 20 };
+
+static bool is_boxed(const pov_box *all, const pov_box *b)
+{
+    return b->lo.x >= all->lo.x && b->lo.y >= all->lo.y && b->lo.z >= all->lo.z && b->hi.x <= all->hi.x && b->hi.y <= all->hi.y &&
+           b->hi.z <= all->hi.z;
+}
+
+static void add_box(pov_box *all, const pov_box *b)
+{
+    all->lo = pov_vec3_of(fmin(all->lo.x, b->lo.x), fmin(all->lo.y, b->lo.y), fmin(all->lo.z, b->lo.z));
+    all->hi = pov_vec3_of(fmax(all->hi.x, b->hi.x), fmax(all->hi.y, b->hi.y), fmax(all->hi.z, b->hi.z));
+}
+
+/* Cells that are not certainly outside. */
+static void find_cells(julia *j, const pov_box *cell, double rate, uint32_t left)
+{
+    const pov_vec3 size = pov_sub(cell->hi, cell->lo), middle = pov_scale(pov_add(cell->lo, cell->hi), 0.5);
+    pov_box part = *cell;
+    trail at;
+
+    if (is_boxed(&j->box, cell) ||
+        follow(j, middle, 0.5 * sqrt(pov_dot(size, size)) * rate, j->places < PLACES_OF_BOX ? j->places : PLACES_OF_BOX, &at) == SIDE_OUT)
+        return;
+    if (left == 0) {
+        add_box(&j->box, cell);
+        return;
+    }
+    *(left % 3 == 0 ? &part.hi.x : left % 3 == 1 ? &part.hi.y : &part.hi.z) = left % 3 == 0 ? middle.x : left % 3 == 1 ? middle.y : middle.z;
+    find_cells(j, &part, rate, left - 1);
+    part = *cell;
+    *(left % 3 == 0 ? &part.lo.x : left % 3 == 1 ? &part.lo.y : &part.lo.z) = left % 3 == 0 ? middle.x : left % 3 == 1 ? middle.y : middle.z;
+    find_cells(j, &part, rate, left - 1);
+}
+
+static void find_box(julia *j)
+{
+    const double r = j->reach * (1.0 + 0x1p-20), *n = j->slice.v;
+    const pov_box cube = { { -r, -r, -r }, { r, r, r } };
+    /* How fast the fourth number changes. */
+    const double last = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / fabs(n[3]);
+
+    j->box.lo = cube.hi;
+    j->box.hi = cube.lo;
+    find_cells(j, &cube, sqrt(1.0 + last * last), HALVES);
+}
+
+static void parse(void *self, const pov_host *host, pov_reader *in)
+{
+    wishes w = { NULL, false, false, false };
+    julia *j = self;
+
+    host->vector_of(in, j->c.v, 4);
+    j->slice.v[3] = 1.0;
+    j->places = 20;
+    j->shortest = 1.0 / 20.0;
+    while (read_item(j, &w, host, in))
+        continue;
+    if (w.f && w.quaternion)
+        host->fail(in, "quaternions have the functions sqr and cube only");
+    if (w.cube && w.hypercomplex)
+        host->warn(in, "hypercomplex numbers have no \"cube\": \"sqr\" is taken, as by POV-Ray");
+    j->cube = w.cube;
+    j->f = w.f ? w.f : w.hypercomplex ? disc_squared : NULL;
+    j->reach = j->f ? 4.0 : fmin(1.0 + sqrt(square_of(&j->c)), 2.0);
+    j->shortest *= 0x1p-4;
+    find_box(j);
+}
+
+static bool bounds(const void *self, pov_box *out)
+{
+    *out = ((const julia *)self)->box;
+    return true;
+}
+
 /* ---- along a ray ---- */
 
 /* Points at o + t d; numbers change by `rate` t. */
@@ -278,17 +327,32 @@ static sample sample_at(const line *n, double t)
 
 static bool is_out(sample a) { return a.value > 0.0; }
 
-/* Between two points on different sides; a place beyond the last is none. */
+/* What is left of the value that stays, where the other one becomes `next` from `before` (Anderson and Bjorck). */
+static double weight(double next, double before)
+{
+    const double rest = 1.0 - next / before;
+
+    return rest > 0.0 ? rest : 0.5;
+}
+
+/* Between two points on different sides; a place beyond the last is none. The side whose value has stayed counts for less the next
+ * time, and each guess goes a little beyond the root, so that both come near. */
 static sample refine(const line *n, sample a, sample b)
 {
+    double from = a.value, to = b.value;
+
     for (int turn = 0; turn < 200; turn++) {
-        const double middle = 0.5 * (a.t + b.t), guess = a.t - a.value * (b.t - a.t) / (b.value - a.value);
-        const sample c = sample_at(n, turn % 3 < 2 && guess > a.t && guess < b.t ? guess : middle);
+        const double least = 0x1p-50 * (fabs(a.t) + n->j->reach / n->rate), share = from / (from - to);
+        const double guess = a.t + share * (b.t - a.t) + (share < 0.5 ? 0.5 : -0.5) * least;
+        const sample c = sample_at(n, turn % 8 < 7 && guess > a.t && guess < b.t ? guess : 0.5 * (a.t + b.t));
+        double *const kept = is_out(c) == is_out(a) ? &to : &from;
 
         if (!(c.t > a.t && c.t < b.t))
             break;
-        *(is_out(c) == is_out(a) ? &a : &b) = c;
-        if (b.t - a.t <= 0x1p-50 * (fabs(a.t) + n->j->reach / n->rate))
+        *kept *= weight(c.value, kept == &to ? from : to);
+        *(kept == &to ? &a : &b) = c;
+        *(kept == &to ? &from : &to) = c.value;
+        if (b.t - a.t <= least)
             break;
     }
     return is_out(a) ? a : b;
@@ -378,14 +442,12 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
     static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
     const julia *j = self;
     const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
-    const double a = pov_dot(k.d, k.d), middle = -pov_dot(pov_two3_hi(k.f), k.d) / a, reach = j->reach * (1.0 + 0x1p-20);
-    const pov_vec3 w = common_along(&k, middle);
-    const double rest = reach * reach - pov_dot(w, w), half = rest > 0.0 ? sqrt(rest / a) : 0.0;
+    common_span span;
     line n;
 
-    n.base = fmax(middle - half, 0.0);
-    if (!(rest > 0.0) || middle + half <= 0.0 || n.base * k.unit > hits->tmax)
+    if (!common_clip(&k, j->box.lo, j->box.hi, &span) || span.hi <= 0.0 || span.lo * k.unit > hits->tmax)
         return;
+    n.base = fmax(span.lo, 0.0);
     n.j = j;
     n.o = common_along(&k, n.base);
     n.d = k.d;
@@ -397,7 +459,7 @@ static void intersect(const void *self, const pov_ray *ray, pov_hits *hits)
         n.near = 0x1p-26 * j->reach / n.rate;
         n.side = side_ahead(&n, ray);
     }
-    march(&n, sample_at(&n, 0.0), middle + half - n.base, hits->tmax * k.per_unit * (1.0 + 0x1p-20) - n.base);
+    march(&n, sample_at(&n, 0.0), span.hi - n.base, hits->tmax * k.per_unit * (1.0 + 0x1p-20) - n.base);
 }
 
 /* ---- points ---- */
