@@ -1,4 +1,5 @@
-/* bmp.c - Windows bitmaps, reading: 1, 4 and 8 bits with a palette, 24 and 32 bits; not packed. */
+/* bmp.c - Windows bitmaps, not packed. Written: 24 bits, or 32 with alpha. Read: 1, 4 and 8 bits with a palette, too. */
+#include "common/bgr.h"
 #include "common/bytes.h"
 
 #include <povtrace/image.h>
@@ -138,8 +139,40 @@ static const char *load_bmp(const void *bytes, size_t count, const pov_raster_ta
     return NULL;
 }
 
+/* ---- writing ---- */
+
+enum { FILE_HEADER = 14, INFO_HEADER = 40 };
+
+static const char *write_bmp(const pov_image *image, const pov_output *output)
+{
+    static const unsigned char zeros[4];
+    const int channels = image->alpha ? 4 : 3;
+    const size_t bytes = (size_t)image->width * (size_t)channels, padding = (4 - bytes % 4) % 4;
+    const uint64_t size = (uint64_t)(bytes + padding) * (uint64_t)image->height;
+    unsigned char head[FILE_HEADER + INFO_HEADER] = { 'B', 'M' };
+
+    if (size > UINT32_MAX - sizeof head)
+        return "a BMP has less than 4 GiB";
+    common_put4(head + 2, (uint32_t)(size + sizeof head));
+    common_put4(head + 10, sizeof head);
+    common_put4(head + 14, INFO_HEADER);
+    common_put4(head + 18, (uint32_t)image->width);
+    common_put4(head + 22, (uint32_t)image->height);
+    common_put2(head + 26, 1);
+    common_put2(head + 28, 8u * (unsigned)channels);
+    common_put4(head + 34, (uint32_t)size);
+    if (!output->put(output->user, head, sizeof head))
+        return "could not write the header";
+    for (int y = image->height - 1; y >= 0; y--)
+        if (!common_put_bgr((const char *)image->pixels + (size_t)y * image->stride, image->width, channels, output->put,
+                            output->user) ||
+            !output->put(output->user, zeros, padding))
+            return "could not write a row";
+    return NULL;
+}
+
 static const pov_image_format bmp = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_8, .ending = "bmp", .load = load_bmp,
+    .size = sizeof(pov_image_format), .depths = POV_IMAGE_8 | POV_IMAGE_ALPHA, .ending = "bmp", .write = write_bmp, .load = load_bmp,
 };
 static const pov_image_format *const formats[] = { &bmp, NULL };
 

@@ -1,4 +1,5 @@
-/* tga.c - Truevision TGA, reading: indexed, true colour and grey, packed or not. */
+/* tga.c - Truevision TGA. Written: true colour, not packed. Read: indexed, true colour and grey, packed or not. */
+#include "common/bgr.h"
 #include "common/bytes.h"
 
 #include <povtrace/image.h>
@@ -144,8 +145,30 @@ static const char *load_tga(const void *bytes, size_t count, const pov_raster_ta
     return pixels ? read_pixels(&in, &h, pixels) : "there is no memory for it";
 }
 
+/* ---- writing ---- */
+
+static const char *write_tga(const pov_image *image, const pov_output *output)
+{
+    const int channels = image->alpha ? 4 : 3;
+    unsigned char head[18] = { [2] = COLOUR, [17] = 32 };   /* rows from the top */
+
+    if (image->width > 65535 || image->height > 65535)
+        return "a TGA has at most 65535 x 65535 pixels";
+    common_put2(head + 12, (unsigned)image->width);
+    common_put2(head + 14, (unsigned)image->height);
+    head[16] = (unsigned char)(8 * channels);
+    head[17] |= image->alpha ? 8 : 0;
+    if (!output->put(output->user, head, sizeof head))
+        return "could not write the header";
+    for (int y = 0; y < image->height; y++)
+        if (!common_put_bgr((const char *)image->pixels + (size_t)y * image->stride, image->width, channels, output->put,
+                            output->user))
+            return "could not write a row";
+    return NULL;
+}
+
 static const pov_image_format tga = {
-    .size = sizeof(pov_image_format), .depths = POV_IMAGE_8, .ending = "tga", .load = load_tga,
+    .size = sizeof(pov_image_format), .depths = POV_IMAGE_8 | POV_IMAGE_ALPHA, .ending = "tga", .write = write_tga, .load = load_tga,
 };
 static const pov_image_format *const formats[] = { &tga, NULL };
 

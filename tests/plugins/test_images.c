@@ -101,6 +101,19 @@ static void ppm_stores_16_bits_high_byte_first(void **state)
     assert_memory_equal(out.data + out.count - 2, "\xff\xff", 2);
 }
 
+/* The header as POV-Ray 3.7 writes it with +FT, then blue, green, red from the top left. */
+static void tga_has_the_header_of_povrays(void **state)
+{
+    static const unsigned char header[18] = { 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0, 2, 0, 24, 32 }, first[] = { 3, 2, 1, 6, 5, 4 };
+    static bytes out;
+
+    (void)state;
+    assert_null(write_image("tga", image8(POV_TRANSFER_SRGB), &out, sizeof out.data));
+    assert_int_equal(out.count, 18 + 18);
+    assert_memory_equal(out.data, header, 18);
+    assert_memory_equal(out.data + 18, first, 6);
+}
+
 static void pfm_stores_little_endian_floats_from_the_bottom(void **state)
 {
     static bytes out;
@@ -239,6 +252,10 @@ static void every_format_stops_when_the_output_is_full(void **state)
         assert_non_null(write_image("pfm", image, &out, limit));
     for (size_t limit = 0; limit < 13 + 36; limit += 3)
         assert_non_null(write_image("ppm", image16(), &out, limit));
+    for (size_t limit = 0; limit < 18 + 18; limit++)
+        assert_non_null(write_image("tga", image8(POV_TRANSFER_SRGB), &out, limit));
+    for (size_t limit = 0; limit < 54 + 24; limit++)
+        assert_non_null(write_image("bmp", image8(POV_TRANSFER_SRGB), &out, limit));
 }
 
 static void png_refuses_a_size_that_it_cannot_hold(void **state)
@@ -257,6 +274,7 @@ int main(void)
         cmocka_unit_test(ppm_stores_rows_from_the_top_without_their_gaps),
         cmocka_unit_test(ppm_stores_16_bits_high_byte_first),
         cmocka_unit_test(hdr_stores_mantissas_and_an_exponent),
+        cmocka_unit_test(tga_has_the_header_of_povrays),
         cmocka_unit_test(pfm_stores_little_endian_floats_from_the_bottom),
         cmocka_unit_test(png_of_8_bits_reads_back_the_same),
         cmocka_unit_test(png_of_16_bits_reads_back_the_same),

@@ -216,6 +216,33 @@ static void alpha_is_written_and_loaded(void **state)
     assert_true(l.about.power > 1.999 && l.about.power < 2.001);
 }
 
+/* Three pixels a row, so that a row of BMP ends with bytes that stand for nothing. */
+static void tga_and_bmp_load_what_they_wrote(void **state)
+{
+    static const char *const endings[] = { "tga", "bmp" };
+    static const unsigned char pixels[2][16] = { { 1, 2, 3, 4, 5, 6, 7, 8, 9, 99, 99, 99, 99, 99, 99, 99 },
+                                                 { 11, 12, 13, 14, 15, 16, 17, 18, 255, 99, 99, 99, 99, 99, 99, 99 } };
+    pov_image image = { .size = sizeof image, .width = 3, .height = 2, .bits = 8, .stride = 16, .pixels = pixels };
+    static loaded l;
+    static bytes b;
+    pov_output output = { &b, put };
+
+    (void)state;
+    for (size_t i = 0; i < 2; i++)
+        for (int alpha = 0; alpha < 2; alpha++) {
+            const size_t row = alpha ? 12 : 9;
+
+            image.alpha = alpha;
+            b.count = 0;
+            assert_null(open_format(endings[i])->write(&image, &output));
+            assert_null(load(endings[i], b.data, b.count, &l));
+            expect_size(&l, 3, 2, alpha ? 4 : 3, 8);
+            assert_memory_equal(l.pixels, pixels[0], row);
+            assert_memory_equal(l.pixels + row, pixels[1], row);
+            refuses_what_is_cut(endings[i], b.data, b.count, b.count - 3);
+        }
+}
+
 static void what_is_written_is_loaded(void **state)
 {
     static const char *const endings[] = { "png", "jpeg" };
@@ -287,6 +314,7 @@ int main(void)
         cmocka_unit_test(hdr_gives_the_middle_of_what_a_mantissa_stands_for),
         cmocka_unit_test(ppm_takes_grey_and_text_and_any_largest_value),
         cmocka_unit_test(what_is_written_is_loaded),
+        cmocka_unit_test(tga_and_bmp_load_what_they_wrote),
         cmocka_unit_test(exr_is_loaded_as_it_was_written),
         cmocka_unit_test(exr_with_layers_has_its_colours),
         cmocka_unit_test(alpha_is_written_and_loaded),
