@@ -19,7 +19,7 @@ enum {
     OPTION_SPP = 256, OPTION_MAX_DEPTH, OPTION_BITS, OPTION_TRANSFER, OPTION_FORMAT, OPTION_EXPLAIN,
     OPTION_DIALECT, OPTION_ACCEL, OPTION_ACCURACY, OPTION_AOV, OPTION_CROP, OPTION_CHECK, OPTION_STATS, OPTION_PREVIEW, OPTION_PROGRESS,
     OPTION_COLOR, OPTION_ERROR, OPTION_TIME, OPTION_SAMPLING, OPTION_COMPARE, OPTION_PARTIAL_EVERY, OPTION_RESUME, OPTION_SEED, OPTION_REPORT, OPTION_REFERENCE,
-    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_TEV, OPTION_MESSAGES, OPTION_HELP, OPTION_VERSION
+    OPTION_PLUGIN_PATH, OPTION_STRICT, OPTION_SOFT_LIGHTS, OPTION_ALLOW_WRITE, OPTION_LIMIT, OPTION_ALPHA, OPTION_PART, OPTION_MERGE, OPTION_TEV, OPTION_FRAMES, OPTION_CLOCK, OPTION_MESSAGES, OPTION_HELP, OPTION_VERSION
 };
 
 static const struct option long_options[] = {
@@ -35,6 +35,8 @@ static const struct option long_options[] = {
     { "transfer", required_argument, NULL, OPTION_TRANSFER },
     { "alpha", no_argument, NULL, OPTION_ALPHA },
     { "format", required_argument, NULL, OPTION_FORMAT },
+    { "frames", required_argument, NULL, OPTION_FRAMES },
+    { "clock", required_argument, NULL, OPTION_CLOCK },
     { "explain", no_argument, NULL, OPTION_EXPLAIN },
     { "dialect", required_argument, NULL, OPTION_DIALECT },
     { "accel", required_argument, NULL, OPTION_ACCEL },
@@ -222,6 +224,10 @@ static bool read_option_language(args *a, int option, const char *text)
         return put(a, "-D", text, a->declares, &a->declare_count);
     case 'L':
         return put(a, "-L", text, a->folders, &a->folder_count);
+    case OPTION_FRAMES:
+        return args_frames(a, text);
+    case OPTION_CLOCK:
+        return args_clock(a, text);
     case OPTION_STRICT:
         a->strict = true;
         return true;
@@ -284,6 +290,7 @@ static bool read_option(args *a, int option, const char *text)
         a->plugin_path = text;
         return true;
     case 'L': case 'D': case OPTION_STRICT: case OPTION_SOFT_LIGHTS: case OPTION_ALLOW_WRITE: case OPTION_LIMIT:
+    case OPTION_FRAMES: case OPTION_CLOCK:
         return read_option_language(a, option, text);
     case OPTION_EXPLAIN:
         a->explain = true;
@@ -420,7 +427,7 @@ static void note_twice(args *a, int option, uint64_t *seen)
 /* Does the name end as another format's does? */
 static bool is_named_otherwise(const char *name, const char *format)
 {
-    static const char *const endings[] = { "png", "ppm", "pfm", "exr", "hdr", "jpg", "jpeg" };
+    static const char *const endings[] = { "png", "ppm", "pfm", "exr", "hdr", "jpg", "jpeg", "tga", "bmp" };
     const char *dot = strrchr(name, '.');
 
     for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)
@@ -490,7 +497,7 @@ args_verdict args_parse(args *a, int argc, char **argv)
         if (option == OPTION_AOV ? !read_aov(a, optarg, argc, argv) : !read_option(a, option, optarg))
             return ARGS_WRONG;
     }
-    if (!args_places(a, argc - optind, argv + optind))
+    if (!args_check_frames(a) || !args_places(a, argc - optind, argv + optind))
         return ARGS_WRONG;
     note_odd(a);
     return ARGS_RUN;

@@ -2,7 +2,7 @@
 #ifndef CLI_ARGS_H
 #define CLI_ARGS_H
 
-#include <povtrace/povtrace.h>
+#include "frames.h"
 
 typedef enum args_verdict { ARGS_RUN, ARGS_HELP, ARGS_VERSION, ARGS_WRONG } args_verdict;
 typedef enum args_progress {
@@ -56,6 +56,9 @@ typedef struct args {
     size_t most_input, most_images;   /* bytes; 0: the library's defaults */
     uint64_t most_rays;          /* that follow from one of the camera; 0: the library's default */
     const pov_animation *animation;   /* or NULL */
+    frames frames;
+    bool has_clock;              /* --clock is given */
+    struct progress *progress_of_all; /* of an animation; NULL: each picture has its own */
     const char *report, *reference;   /* files, or NULL */
     char **compared;             /* of --compare: reports, and the plot to draw; or NULL */
     int compared_count;

@@ -20,5 +20,9 @@ bool args_positive(args *a, const char *what, const char *text, double *out);
 /* The words that belong to no option, once all options are read. */
 bool args_places(args *a, int count, char **places);
 bool args_limit(args *a, const char *text);
+bool args_frames(args *a, const char *text);
+bool args_clock(args *a, const char *text);
+/* Once all options are read. */
+bool args_check_frames(args *a);
 
 #endif

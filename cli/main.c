@@ -1,5 +1,6 @@
 /* povc - render a scene to an image file. */
 #include "args.h"
+#include "frames_run.h"
 #include "messages.h"
 #include "povray.h"
 #include "povray_run.h"
@@ -54,7 +55,7 @@ int main(int argc, char **argv)
         usage_print_help();
     } else if (verdict == ARGS_VERSION) {
         usage_print_version();
-    } else if (run_args(&a, &m, &end, &err) < 0) {
+    } else if (frames_run(&a, &m, &end, &err) < 0) {
         messages_error(&m, &err);
         code = err.status == POV_E_ARGUMENT ? EXIT_USAGE : EXIT_ERROR;
     } else if (end != RUN_COMPLETE) {

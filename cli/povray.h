@@ -6,9 +6,11 @@
 #ifndef CLI_POVRAY_H
 #define CLI_POVRAY_H
 
-#include <povtrace/povtrace.h>
+#include "frames.h"
 
-enum { POVRAY_TEXT = 1024, POVRAY_LIST = 64 };
+#include <limits.h>
+
+enum { POVRAY_TEXT = 1024, POVRAY_LIST = 64, POVRAY_NO_FRAME = INT_MIN };
 
 /* Texts of settings that may be given several times. */
 typedef struct povray_list { char item[POVRAY_LIST][POVRAY_TEXT]; int count; } povray_list;
@@ -17,6 +19,7 @@ typedef struct povray_list { char item[POVRAY_LIST][POVRAY_TEXT]; int count; } p
 typedef struct povray {
     int width, height;
     char input[POVRAY_TEXT], output[POVRAY_TEXT];
+    char found[POVRAY_TEXT];     /* where the input is: in a folder of Library_Path, or with its ending; empty: nowhere */
     bool output_to_file;
     char type;                   /* N PNG, P PPM, E OpenEXR, J JPEG, ...: the letter of +F */
     int bits;                    /* bits a channel; 0: the usual depth */
@@ -29,10 +32,13 @@ typedef struct povray {
                                                             * 0: not given */
     bool has_clock, cyclic, resume;
     double clock, first_clock, last_clock;
-    int first_frame, last_frame, frame_step;
+    int first_frame, last_frame; /* POVRAY_NO_FRAME: not given */
+    int frame_step;
     char subset_start[32], subset_end[32];   /* frames, or fractions of all below 1 */
     bool verbose;
     povray_list library, declares, ignored;   /* ignored: unsupported settings, for a warning each */
+    povray_list doubts;          /* whole lines of warning */
+    int ini_depth;               /* INI files within each other */
     char problem[POVRAY_TEXT];   /* message; empty: no problem */
 } povray;
 
@@ -45,14 +51,10 @@ bool povray_parse(povray *p, int argc, char *const *argv);
 /* One setting as an INI file has it. */
 bool povray_set(povray *p, const char *name, const char *value);
 
-/* The first and last frame to render; one picture without an animation: 0 to 0. */
-/* Is there more than one frame? */
-bool povray_is_animation(const povray *p);
-void povray_frames(const povray *p, int *first, int *last);
-/* The clock of a frame. */
-double povray_clock(const povray *p, int frame);
-/* The output's name for a frame; "-" is standard output. False: it is too long. */
-bool povray_output(const povray *p, int frame, char *out, size_t size);
+/* The pictures of an animation, if there is one: not so if neither the first nor the last frame is given. */
+frames povray_frames(const povray *p);
+/* The output's name, before a frame's number is put in; "-" is standard output. False: it is too long. */
+bool povray_output(const povray *p, char *out, size_t size);
 /* The crop of the picture; width 0: all of it. False: empty. */
 bool povray_crop(const povray *p, pov_rect *out);
 /* The ending of the image format. */

@@ -5,40 +5,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool povray_is_animation(const povray *p) { return p->last_frame > p->first_frame; }
-
 /* ---- frames ---- */
 
-/* A frame by its number, or by the fraction of the animation before it. */
-static int frame_of(const povray *p, const char *text, int otherwise)
+/* A frame by its number, or by the part of the animation that it ends, as POV-Ray counts it from 1. */
+static int frame_of(const char *text, const frames *f, int otherwise)
 {
     const double value = strtod(text, NULL);
+    int frame;
 
     if (!text[0])
         return otherwise;
-    if (strchr(text, '.') && value <= 1.0)
-        return p->first_frame + (int)floor(value * (p->last_frame - p->first_frame) + 0.5);
-    return (int)value;
+    frame = value > 0.0 && value < 1.0 ? f->first - 1 + (int)floor(value * (f->last - f->first + 1)) : (int)value;
+    return frame < f->first ? f->first : frame;
 }
 
-void povray_frames(const povray *p, int *first, int *last)
+frames povray_frames(const povray *p)
 {
-    *first = *last = 0;
-    if (!povray_is_animation(p))
-        return;
-    *first = frame_of(p, p->subset_start, p->first_frame);
-    *last = frame_of(p, p->subset_end, p->last_frame);
-    *first = *first < p->first_frame ? p->first_frame : *first;
-    *last = *last > p->last_frame ? p->last_frame : *last;
-}
+    const bool asked = p->first_frame != POVRAY_NO_FRAME || p->last_frame != POVRAY_NO_FRAME;
+    frames f = { .asked = asked, .first = 1, .last = 1, .cyclic = p->cyclic, .first_clock = p->first_clock,
+                 .last_clock = p->last_clock };
 
-double povray_clock(const povray *p, int frame)
-{
-    const int steps = p->last_frame - p->first_frame + (p->cyclic ? 1 : 0);
-
-    if (!povray_is_animation(p))
-        return p->has_clock ? p->clock : 0.0;
-    return p->first_clock + (p->last_clock - p->first_clock) * (frame - p->first_frame) / steps;
+    if (p->first_frame != POVRAY_NO_FRAME)
+        f.first = p->first_frame < 0 ? 0 : p->first_frame;
+    if (p->last_frame != POVRAY_NO_FRAME)
+        f.last = p->last_frame;
+    f.last = f.last < f.first ? f.first : f.last;
+    f.from = frame_of(p->subset_start, &f, f.first);
+    f.to = frame_of(p->subset_end, &f, f.last);
+    f.step = p->frame_step < 1 ? 1 : p->frame_step;
+    return f;
 }
 
 /* ---- the output ---- */
@@ -53,17 +48,6 @@ const char *povray_ending(const povray *p)
         if (types[i].type == p->type)
             return types[i].ending;
     return "png";
-}
-
-static int digits_of(int n)
-{
-    int digits = 1;
-
-    while (n >= 10) {
-        n /= 10;
-        digits++;
-    }
-    return digits;
 }
 
 /* The input's name without folder and ending. */
@@ -81,25 +65,24 @@ static bool ends_in(const char *name, const char *ending)
     return n > m + 1 && name[n - m - 1] == '.' && strcmp(name + n - m, ending) == 0;
 }
 
-/* POV-Ray accepts a folder, a name with or without the ending, or nothing; frame numbers come before the ending. */
-bool povray_output(const povray *p, int frame, char *out, size_t size)
+/* POV-Ray accepts a folder, a name with or without the ending, or nothing: then the picture goes beside the scene. */
+bool povray_output(const povray *p, char *out, size_t size)
 {
-    const char *given = p->output, *slash = strrchr(given, '/'), *name = slash ? slash + 1 : given;
-    char stem[POVRAY_TEXT], number[16] = "";
-    const int folder = (int)(name - given);
+    const bool is_piped = strcmp(p->input, "-") == 0;
+    const char *given = p->output[0] || is_piped ? p->output : p->input, *slash = strrchr(given, '/');
+    const char *name = slash ? slash + 1 : given;
+    char stem[POVRAY_TEXT];
     int n;
 
     if (strcmp(given, "-") == 0 || strcmp(given, "stdout") == 0)
         return snprintf(out, size, "-") < (int)size;
-    if (name[0] == '\0')
-        stem_of(strcmp(p->input, "-") == 0 ? "stdin" : p->input, stem, sizeof stem);
+    if (!p->output[0] || name[0] == '\0')
+        stem_of(is_piped ? "stdin" : p->input, stem, sizeof stem);
     else if (ends_in(name, povray_ending(p)))
         stem_of(name, stem, sizeof stem);
     else
         snprintf(stem, sizeof stem, "%s", name);
-    if (povray_is_animation(p))
-        snprintf(number, sizeof number, "%0*d", digits_of(p->last_frame), frame);
-    n = snprintf(out, size, "%.*s%s%s.%s", folder, given, stem, number, povray_ending(p));
+    n = snprintf(out, size, "%.*s%s.%s", (int)(name - given), given, stem, povray_ending(p));
     return n >= 0 && (size_t)n < size;
 }
 

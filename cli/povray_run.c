@@ -1,7 +1,7 @@
 #include "povray_run.h"
+#include "frames_run.h"
 #include "messages.h"
 #include "povray.h"
-#include "run.h"
 #include "signals.h"
 
 #include <stdio.h>
@@ -32,15 +32,19 @@ static void say_gamma(const povray *p, const messages *m, args *a)
         a->gamma = number;
 }
 
-static bool stores_alpha(const povray *p) { return strcmp(povray_ending(p), "png") == 0; }
+static bool stores_alpha(const povray *p) { return strchr("NTCB", p->type) != NULL; }
 
 /* Unsupported settings, one line each. */
 static void say_ignored(const povray *p, const messages *m)
 {
+    for (int i = 0; i < p->doubts.count; i++)
+        messages_say(m, "%s", p->doubts.item[i]);
     for (int i = 0; i < p->ignored.count; i++)
         messages_say(m, "\"%s\" is not a setting of povc; it is left out", p->ignored.item[i]);
     if (p->alpha && !stores_alpha(p))
         messages_say(m, "Output_Alpha: a picture of this type is written without transparency");
+    if (p->type == 'C')
+        messages_say(m, "Output_File_Type=C: the TGA is written without compression");
     if (p->quality < 9)
         messages_say(m, "Quality=%d: pictures are drawn at full quality", p->quality);
 }
@@ -55,13 +59,17 @@ static void fill_lists(const povray *p, args *a)
 
 static bool fill(const povray *p, const messages *m, args *a)
 {
-    memset(a, 0, sizeof *a);
+    static pov_animation still;
+
+    still.clock = p->clock;
+    a->animation = p->has_clock ? &still : NULL;
+    a->frames = povray_frames(p);
     a->preview = -1;
-    a->scene = p->input;
+    a->scene = p->found[0] ? p->found : p->input;
     a->width = p->width;
     a->height = p->height;
     a->threads = p->threads > 0 ? p->threads : 0;
-    a->bits = p->bits == 8 || p->bits == 16 ? p->bits : 0;
+    a->bits = p->bits > 8 && strchr("NP", p->type) ? 16 : 0;
     a->seed = p->seed > 0 ? p->seed : 0;
     a->resume = p->resume;
     a->alpha = p->alpha && stores_alpha(p);
@@ -75,33 +83,6 @@ static bool fill(const povray *p, const messages *m, args *a)
     return povray_crop(p, &a->crop);
 }
 
-static pov_animation animation_of(const povray *p, int frame)
-{
-    const pov_animation now = { povray_clock(p, frame), p->first_clock, p->last_clock,
-                                povray_clock(p, frame + 1) - povray_clock(p, frame), frame, p->first_frame,
-                                p->last_frame + (p->cyclic ? 1 : 0) };
-    const pov_animation still = { .clock = povray_clock(p, frame) };
-
-    return povray_is_animation(p) ? now : still;
-}
-
-static pov_status draw(const povray *p, args *a, messages *m, int frame, pov_error *err)
-{
-    const pov_animation now = animation_of(p, frame);
-    char output[POVRAY_TEXT + 32];
-    run_end end = RUN_COMPLETE;
-
-    memset(err, 0, sizeof *err);
-    if (!povray_output(p, frame, output, sizeof output)) {
-        err->status = POV_E_ARGUMENT;
-        snprintf(err->message, sizeof err->message, "the output's name is too long");
-        return err->status;
-    }
-    a->animation = povray_is_animation(p) || p->has_clock ? &now : NULL;
-    a->output = p->output_to_file ? output : "/dev/null";
-    return run_args(a, m, &end, err);
-}
-
 static int refuse(const messages *m, const char *why)
 {
     pov_error err = { 0 };
@@ -111,35 +92,29 @@ static int refuse(const messages *m, const char *why)
     return EXIT_FATAL;
 }
 
-static int draw_frames(const povray *p, args *a, messages *m)
-{
-    int first, last, frame, code = EXIT_DRAWN;
-    pov_error err;
-
-    povray_frames(p, &first, &last);
-    for (frame = first; frame <= last && code == EXIT_DRAWN && !signals_end_asked(); frame += p->frame_step)
-        if (draw(p, a, m, frame, &err) < 0) {
-            messages_error(m, &err);
-            code = EXIT_FATAL;
-        }
-    return code;
-}
-
 int povray_run(int argc, char **argv)
 {
     static povray p;             /* large, and once a process */
+    static char output[POVRAY_TEXT + 32];
     args a = { .progress = ARGS_PROGRESS_NONE };
+    run_end end = RUN_COMPLETE;
+    pov_error err = { 0 };
     messages m;
-    int code;
 
     messages_init(&m, &a);
     if (!povray_parse(&p, argc, argv))
         return refuse(&m, p.problem);
+    if (!povray_output(&p, output, sizeof output))
+        return refuse(&m, "the output's name is too long");
+    a.output = p.output_to_file ? output : "/dev/null";
     if (!fill(&p, &m, &a))
         return refuse(&m, "the part of the picture that is asked for holds no pixel");
     say_ignored(&p, &m);
-    code = draw_frames(&p, &a, &m);
+    if (frames_run(&a, &m, &end, &err) < 0) {
+        messages_error(&m, &err);
+        return EXIT_FATAL;
+    }
     if (signals_end_asked())
         signals_end_by(signals_end_asked());
-    return code;
+    return EXIT_DRAWN;
 }

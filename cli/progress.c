@@ -22,8 +22,21 @@ void progress_init(progress *p, const args *a)
     }
 }
 
+pov_progress progress_over_all(const progress *p, const pov_progress *now)
+{
+    pov_progress all = *now;
+
+    if (p->frames == 0)
+        return all;
+    all.fraction = p->done + 1 < p->frames || now->fraction < 1.0 ? (p->done + now->fraction) / p->frames : 1.0;
+    all.seconds = p->before + now->seconds;
+    all.seconds_left = all.fraction > 0.0 ? all.seconds * (1.0 - all.fraction) / all.fraction : -1.0;
+    return all;
+}
+
 bool progress_due(const progress *p, double seconds)
 {
+    seconds += p->before;
     switch (p->mode) {
     case ARGS_PROGRESS_JSON:
         return seconds - p->shown >= every_json;
@@ -107,35 +120,47 @@ size_t progress_text(const pov_progress *now, int columns, char *out, size_t siz
     return width;
 }
 
-static void draw_bar(const pov_progress *now)
+/* "frame 12 (3 of 100) ", in front of all else; nothing of a single picture. */
+static void label(const progress *p, char *out, size_t size)
 {
-    const int columns = screen_columns();
-    char text[224], bar[64];
-    int room = columns - (int)progress_text(now, columns, text, sizeof text) - 4, full;
+    out[0] = '\0';
+    if (p->frames > 0)
+        snprintf(out, size, "frame %d (%d of %d) ", p->frame, p->done + 1, p->frames);
+}
 
+static void draw_bar(const progress *p, const pov_progress *now)
+{
+    char text[224], bar[64], frame[64];
+    int columns = screen_columns();
+    int room, full;
+
+    label(p, frame, sizeof frame);
+    columns -= (int)strlen(frame);
+    room = columns - (int)progress_text(now, columns, text, sizeof text) - 4;
     room = room > 40 ? 40 : room < 0 ? 0 : room;
     full = (int)(now->fraction * room);
     memset(bar, ' ', sizeof bar);
     memset(bar, '#', (size_t)(full < 0 ? 0 : full > room ? room : full));
     if (room >= BAR_LEAST)
-        fprintf(stderr, "\r[%.*s] %s\033[K", room, bar, text);
+        fprintf(stderr, "\r%s[%.*s] %s\033[K", frame, room, bar, text);
     else
-        fprintf(stderr, "\r%.*s\033[K", columns - 1, text);
+        fprintf(stderr, "\r%.*s\033[K", columns > 1 ? columns - 1 : 0, text);
     fflush(stderr);
 }
 
-static void write_line(const pov_progress *now)
+static void write_line(const progress *p, const pov_progress *now)
 {
-    char percent[16], spent[32], left[32] = "";
+    char percent[16], spent[32], left[32] = "", frame[64];
 
+    label(p, frame, sizeof frame);
     progress_percent(now->fraction, percent, sizeof percent);
     progress_duration(now->seconds, spent, sizeof spent);
     if (now->seconds_left >= 0.0)
         progress_duration(now->seconds_left, left, sizeof left);
-    fprintf(stderr, "povc: %s %% after %s%s%s%s\n", percent, spent, left[0] ? ", about " : "", left, left[0] ? " to go" : "");
+    fprintf(stderr, "povc: %s%s %% after %s%s%s%s\n", frame, percent, spent, left[0] ? ", about " : "", left, left[0] ? " to go" : "");
 }
 
-static void write_json(const pov_progress *now)
+static void write_json(const progress *p, const pov_progress *now)
 {
     char percent[16];
 
@@ -150,27 +175,34 @@ static void write_json(const pov_progress *now)
         fprintf(stderr, ",\"error\":%.6g", now->est_rmse);
     if (now->seconds_left >= 0.0)
         fprintf(stderr, ",\"eta\":%.3f", now->seconds_left);
+    if (p->frames > 0)
+        fprintf(stderr, ",\"frame\":%d,\"frames_done\":%d,\"frames\":%d", p->frame, p->done, p->frames);
     fprintf(stderr, "}\n");
     fflush(stderr);
 }
 
-void progress_show(progress *p, const pov_progress *now)
+void progress_show(progress *p, const pov_progress *frame)
 {
-    p->shown = now->seconds;
+    const pov_progress now = progress_over_all(p, frame);
+
+    p->shown = now.seconds;
     if (p->mode == ARGS_PROGRESS_JSON) {
-        write_json(now);
+        write_json(p, &now);
     } else if (p->mode == ARGS_PROGRESS_BAR && p->lines) {
-        write_line(now);
+        write_line(p, &now);
     } else if (p->mode == ARGS_PROGRESS_BAR) {
-        draw_bar(now);
+        draw_bar(p, &now);
         p->drawn = true;
     }
 }
 
-void progress_end(progress *p, const pov_progress *now)
+void progress_end(progress *p, const pov_progress *frame)
 {
+    const pov_progress now = progress_over_all(p, frame);
+
     if (p->mode == ARGS_PROGRESS_JSON)
-        write_json(now);
+        write_json(p, &now);
+    p->before += p->frames > 0 ? frame->seconds : 0.0;
     if (p->drawn) {
         fprintf(stderr, "\r\033[K");
         fflush(stderr);

@@ -314,7 +314,7 @@ static pov_status write_report(render *r, pov_error *err)
 static pov_status trace(render *r, pov_error *err)
 {
     pov_job_state state;
-    progress shown;
+    progress own, *shown = r->args->progress_of_all ? r->args->progress_of_all : &own;
     partial kept;
     tev viewer;
     pov_status status = partial_begin(&kept, r->args, r->messages, r->job, err);
@@ -327,12 +327,13 @@ static pov_status trace(render *r, pov_error *err)
         status = pov_job_start(r->job, err);
     if (status < 0)
         return status;
-    progress_init(&shown, r->args);
-    state = watch(r, &shown, &kept, &viewer);
+    if (!r->args->progress_of_all)
+        progress_init(&own, r->args);
+    state = watch(r, shown, &kept, &viewer);
     tev_end(&viewer);
     r->progress.size = sizeof r->progress;
     pov_job_get_progress(r->job, &r->progress);
-    progress_end(&shown, &r->progress);
+    progress_end(shown, &r->progress);
     if (state == POV_JOB_FAILED)
         return pov_job_get_error(r->job, err);
     if (r->args->parts > 0)

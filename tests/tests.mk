@@ -101,11 +101,11 @@ $(BUILD)/tests/golden/test_golden: | $(IMAGES) $(PRIMITIVES)
 $(BUILD)/obj/tests/plugins/test_images.o: ROOM_FLAGS += $(shell $(PKG_CONFIG) --cflags libpng)
 # The pure pieces of povc are tested with the program's own objects.
 $(BUILD)/obj/tests/cli/%.o: ROOM_FLAGS += -Icli
-ARGS_OBJECTS = $(patsubst %,$(BUILD)/obj/cli/%.o,args args_limit args_value args_places)
+ARGS_OBJECTS = $(patsubst %,$(BUILD)/obj/cli/%.o,args args_limit args_value args_places args_frames)
 $(BUILD)/tests/cli/test_args: $(ARGS_OBJECTS)
 $(BUILD)/tests/cli/test_text: $(BUILD)/obj/cli/text.o
 $(BUILD)/tests/cli/test_progress: $(BUILD)/obj/cli/progress.o $(BUILD)/obj/cli/messages.o $(BUILD)/obj/cli/text.o
-$(BUILD)/tests/cli/test_povray: $(BUILD)/obj/cli/povray.o $(BUILD)/obj/cli/povray_frame.o
+$(BUILD)/tests/cli/test_povray: $(patsubst %,$(BUILD)/obj/cli/%.o,povray povray_ini povray_frame frames)
 
 # Scripts are run like programs, and first, for some take longest; they find what was built in $BUILD_DIR and the compiler in $CC.
 TEST_SCRIPTS = $(VIEWER_SCRIPTS) $(sort $(wildcard tests/cli/run.sh tests/docs/examples.py tests/corpus/run.sh tests/docs/links.py tests/install/run.sh tests/cluster/run.sh tests/python/run.sh)) tests/runner/run.sh

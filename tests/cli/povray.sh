@@ -58,6 +58,10 @@ povray_errors_end_in_1_and_unknown_settings_do_not() {
     says err "none.pov: error: cannot open"
     expect 1 "$povc" +Ismall.pov +Wide
     says err "Width must be a whole number"
+    expect 0 "$povc" +Ismall.pov +W4x +H3
+    says err "Width=4x is read as 4"
+    expect 1 "$povc" +Ismall.pov +Wide
+    says err "Width must be a whole number"
     expect 0 "$povc" +Ismall.pov +W4 +H4 Nonsense=3 +MV3.6
     says err '"Nonsense" is not a setting of povc; it is left out'
 }
@@ -119,6 +123,34 @@ povray_stills_have_no_frames() {
     expect 0 "$povc" +Is.pov +W4 +H3 -F +KC +KFF2
     says err 0.006
     says err 0.508
+}
+
+povray_writes_tga_and_bmp() {
+    small_scene
+    expect 0 "$povc" +Ismall.pov +W21 +H10 +FT
+    [ "$(wc -c < small.tga)" = 648 ]
+    expect 0 "$povc" +Ismall.pov +W21 +H10 +FC16 +UA +Oc
+    [ "$(wc -c < c.tga)" = 858 ]
+    says err "written without compression"
+    expect 0 "$povc" +Ismall.pov +W21 +H10 Output_File_Type=B
+    [ "$(wc -c < small.bmp)" = 694 ]
+    expect 0 "$povc" small.pov 21 10 own.bmp --alpha
+    [ "$(wc -c < own.bmp)" = 894 ]
+    expect 1 "$povc" +Ismall.pov +W21 +H10 +FS
+    says err 'there is no file type "S"'
+}
+
+# As POV-Ray does; its +I- does not work in 3.7.0.10, ours does.
+povray_pictures_stand_beside_their_scene() {
+    mkdir sub lib
+    small_scene sub/s.pov
+    small_scene lib/found.pov
+    expect 0 "$povc" +Isub/s.pov +W4 +H3
+    [ -s sub/s.png ]
+    expect 0 "$povc" +Isub/s.pov +W4 +H3 +Oname
+    [ -s name.png ]
+    expect 0 "$povc" +Llib +Ifound +W4 +H3
+    [ -s found.png ]
 }
 
 povray_writes_radiance_pictures() {

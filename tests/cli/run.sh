@@ -1,6 +1,6 @@
 #!/bin/sh
 # povc as its users meet it. BUILD_DIR names the build, $CC the compiler for plugins that are wrong on purpose.
-# Usage: tests/cli/run.sh [WORD ...]; words choose among: usage messages malformed output signals plugins wide pictures reports refine parts povray includes
+# Usage: tests/cli/run.sh [WORD ...]; words choose among: usage messages malformed output signals plugins wide pictures reports refine parts povray frames includes
 . "$(dirname "$0")/../support/cases.sh"
 
 drive=$root/tests/cli/drive.py
@@ -28,7 +28,7 @@ sphere { <0, -100, 0>, 100 pigment { color rgb <.7, .7, .7> } finish { ambient .
 END
 }
 
-for group in ${*:-usage messages malformed output signals plugins wide pictures reports refine parts povray includes}; do
+for group in ${*:-usage messages malformed output signals plugins wide pictures reports refine parts povray frames includes}; do
     . "$root/tests/cli/$group.sh"
     run_cases_of "$root/tests/cli/$group.sh" "$group"
 done

@@ -253,7 +253,7 @@ def as_plugin(files: SceneFiles) -> Any:
 # ---- the command ----
 
 def span(text: str) -> tuple[int, int]:
-    first, _, last = text.partition('-')
+    first, _, last = text.replace('..', '-').partition('-')
     return int(first), int(last or first)
 
 
