@@ -1,10 +1,10 @@
 #include "texture/tiling.h"
 
 #include "texture/pattern.h"
+#include "texture/penrose.h"
 
-/* Tiles of several kinds: the value is kind + 1 at their borders and falls towards kind inside, by the number of kinds.
- * pavement has tiles of one kind. */
-typedef struct tiling_choice { int32_t number, sides, tiles, pattern, interior, exterior, form; } tiling_choice;
+/* Tiles of several kinds: the value is kind + 1 at their borders and falls towards kind inside, by the number of kinds. */
+typedef struct tiling_choice { int32_t number; } tiling_choice;
 
 static const double cos15 = 0.96592582628906828675, sin15 = 0.25881904510252076235;
 static const double cos30 = 0.86602540378443864676, cos45 = 0.70710678118654752440;
@@ -64,73 +64,40 @@ static double value_at(const tiling *t, double x_at, double z_at)
     return (kind + (border > 0.0 ? border < 1.0 ? border : 1.0 : 0.0)) / t->kinds;
 }
 
+static double tiled(int32_t number, double x, double z)
+{
+    switch (number) {
+    case 25: return penrose_pentagons(x, z);
+    case 26: return penrose_kites(x, z);
+    case 27: return penrose_rhombi(x, z);
+    default: return value_at(&tiling_table[number - 1], x, z);
+    }
+}
+
 static void evaluate(const pattern_input *in, double *value)
 {
     const tiling_choice *c = in->of->self;
 
     for (uint32_t i = 0; i < in->n; i++)
-        value[i] = value_at(&tiling_table[c->number - 1], in->at->x[i], in->at->z[i]);
+        value[i] = tiled(c->number, in->at->x[i], in->at->z[i]);
 }
 
-static const char *check_tiling(const void *self)
+static const char *check(const void *self)
 {
     const int32_t number = ((const tiling_choice *)self)->number;
 
-    if (number < 1 || number > 27)
-        return "the number of a tiling must be between 1 and 27";
-    return number <= TILINGS ? NULL : "tilings 25 to 27, which never repeat, are not supported yet";
+    return number >= 1 && number <= TILINGS + 3 ? NULL : "the number of a tiling must be between 1 and 27";
 }
 
-/* ---- pavement ---- */
+static const pattern_word words[] = { { NULL, PATTERN_INTEGER, offsetof(tiling_choice, number), false } };
+static const tiling_choice usual = { .number = 1 };
 
-/* The triangles of tiling 3 without their kinds; squares; hexagons. */
-static double paved(int32_t sides, double x, double z)
-{
-    const double value = value_at(&tiling_table[sides == 3 ? 2 : sides == 4 ? 0 : TILINGS], x, z);
-
-    return sides != 3 ? value : value > 0.5 ? 2.0 * value - 1.0 : 2.0 * value;
-}
-
-static void evaluate_pavement(const pattern_input *in, double *value)
-{
-    const tiling_choice *c = in->of->self;
-
-    for (uint32_t i = 0; i < in->n; i++)
-        value[i] = paved(c->sides, in->at->x[i], in->at->z[i]);
-}
-
-static const char *check_pavement(const void *self)
-{
-    const tiling_choice *c = self;
-
-    if (c->sides != 3 && c->sides != 4 && c->sides != 6)
-        return "\"number_of_sides\" of pavement must be 3, 4 or 6";
-    if (c->tiles < 1 || c->tiles > 6)
-        return "\"number_of_tiles\" of pavement must be between 1 and 6";
-    return c->tiles == 1 ? NULL : "pavements whose tiles have several cells are not supported yet";
-}
-
-static const pattern_word tiling_words[] = { { NULL, PATTERN_INTEGER, offsetof(tiling_choice, number), false } };
-static const pattern_word pavement_words[] = {
-    { "number_of_sides", PATTERN_INTEGER, offsetof(tiling_choice, sides), false },
-    { "number_of_tiles", PATTERN_INTEGER, offsetof(tiling_choice, tiles), false },
-    { "pattern", PATTERN_INTEGER, offsetof(tiling_choice, pattern), false },
-    { "interior", PATTERN_INTEGER, offsetof(tiling_choice, interior), false },
-    { "exterior", PATTERN_INTEGER, offsetof(tiling_choice, exterior), false },
-    { "form", PATTERN_INTEGER, offsetof(tiling_choice, form), false },
+const pattern_class pattern_tiling = {
+    .keyword = "tiling",
+    .self_size = sizeof(tiling_choice),
+    .self = &usual,
+    .words = words,
+    .word_count = sizeof words / sizeof words[0],
+    .check = check,
+    .evaluate = evaluate,
 };
-static const tiling_choice usual = { .number = 1, .sides = 3, .tiles = 1, .pattern = 1 };
-
-#define TILING_CLASS(name, own, checks, evaluates) \
-    const pattern_class pattern_##name = { \
-        .keyword = #name, \
-        .self_size = sizeof(tiling_choice), \
-        .self = &usual, \
-        .words = own, \
-        .word_count = sizeof own / sizeof own[0], \
-        .check = checks, \
-        .evaluate = evaluates, \
-    }
-
-TILING_CLASS(tiling, tiling_words, check_tiling, evaluate);
-TILING_CLASS(pavement, pavement_words, check_pavement, evaluate_pavement);

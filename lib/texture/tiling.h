@@ -22,7 +22,7 @@ typedef struct tiling {
 } tiling;
 
 extern const tiling_outline tiling_outlines[];
-/* Number n of the language is the n-1st; the last is pavement's of hexagons. */
-extern const tiling tiling_table[TILINGS + 1];
+/* Number n of the language is the n-1st. */
+extern const tiling tiling_table[TILINGS];
 
 #endif

@@ -125,13 +125,10 @@ static const tiling_tile tiles24[] = {
     { 1, 0, 4.732050807568877, 4.098076211353316 }, { 1, 0, 7.098076211353315, 5.464101615137753 },
 };
 
-/* Of pavement. */
-static const tiling_tile hexagons[] = { { 1, 0, 1.0, 0.0 } };
-
 #define TILING(kinds, inner, ax, az, bx, bz, tiles) \
     { kinds, sizeof tiles / sizeof tiles[0], inner, { ax, az }, { bx, bz }, tiles }
 
-const tiling tiling_table[TILINGS + 1] = {
+const tiling tiling_table[TILINGS] = {
     TILING(1, 0.5, 1.0, 0.0, 0.0, 1.0, tiles1),
     TILING(1, 0.8660254037844386, 1.5, 0.8660254037844386, 0.0, 1.732050807568877, tiles2),
     TILING(2, 0.2886751345948129, 1.0, 0.0, 0.5, 0.8660254037844386, tiles3),
@@ -156,5 +153,4 @@ const tiling tiling_table[TILINGS + 1] = {
     TILING(3, 0.2886751345948129, 3.732050807568877, 0.0, 1.866025403784439, 3.232050807568877, tiles22),
     TILING(3, 0.5, 4.732050807568877, 0.0, 2.366025403784439, 4.098076211353315, tiles23),
     TILING(5, 0.5, 4.732050807568877, 0.0, 2.366025403784439, 4.098076211353315, tiles24),
-    TILING(1, 0.2886751345948129, 1.5, 0.8660254037844386, 0.0, 1.732050807568877, hexagons),
 };

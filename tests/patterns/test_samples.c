@@ -1,6 +1,7 @@
 /* test_samples.c - asks the language for every value that was measured from POV-Ray: function { pattern { } } and #debug.
  *
- * samples.txt has values of patterns, warps.txt where warps take points to. */
+ * samples.txt has values of patterns, tiles.txt those of tiles through pigments (floats), warps.txt where warps take points
+ * to. */
 #include "support/near.h"
 #include "support/reading.h"
 #include "support/samples.h"
@@ -57,7 +58,7 @@ static void put_call(text *t, const samples *s, uint32_t i)
     }
 }
 
-static void check_pattern(const samples *s, uint32_t *rows)
+static void check_pattern(const samples *s, double tolerance, uint32_t *rows)
 {
     const bool is_noise = strncmp(s->text, "noise", 5) == 0;
     const bool is_vector = strncmp(s->text, "dnoise", 6) == 0 || strncmp(s->text, "vturb", 5) == 0;
@@ -77,20 +78,33 @@ static void check_pattern(const samples *s, uint32_t *rows)
     }
     read_text(&r, &t);
     for (uint32_t i = 0; i < s->count; i++, ++*rows)
-        assert_near(printed(&r, i), s->value[i], 1e-12);
+        assert_near(printed(&r, i), s->value[i], tolerance);
     reading_end(&r);
 }
 
 static void every_pattern_has_its_measured_values(void **state)
 {
-    FILE *file = samples_open();
+    FILE *file = samples_open("samples.txt");
     uint32_t rows = 0;
     samples s;
     (void)state;
 
     while (samples_next(file, &s))
-        check_pattern(&s, &rows);
+        check_pattern(&s, 1e-12, &rows);
     assert_int_equal(rows, 4962);
+    fclose(file);
+}
+
+static void every_pavement_and_penroses_tilings_have_their_measured_values(void **state)
+{
+    FILE *file = samples_open("tiles.txt");
+    uint32_t rows = 0;
+    samples s;
+    (void)state;
+
+    while (samples_next(file, &s))
+        check_pattern(&s, 2e-6, &rows);
+    assert_int_equal(rows, 1077);
     fclose(file);
 }
 
@@ -186,6 +200,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pattern_has_its_measured_values),
+        cmocka_unit_test(every_pavement_and_penroses_tilings_have_their_measured_values),
         cmocka_unit_test(every_warp_moves_points_as_measured),
         cmocka_unit_test(formulas_ask_patterns_pigments_and_maps),
         cmocka_unit_test(patterns_that_need_a_surface_have_no_function),

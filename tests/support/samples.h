@@ -1,4 +1,4 @@
-/* samples.h - values of POV-Ray's patterns at points, as measured: tests/patterns/samples.txt. A line ": TEXT" begins a
+/* samples.h - values of POV-Ray's patterns at points, as measured: tests/patterns/samples.txt and others. A line ": TEXT" begins a
  * pattern, lines "x y z value" follow. */
 #ifndef SUPPORT_SAMPLES_H
 #define SUPPORT_SAMPLES_H
@@ -17,10 +17,13 @@ typedef struct samples {
     uint32_t count;
 } samples;
 
-static inline FILE *samples_open(void)
+static inline FILE *samples_open(const char *name)
 {
-    FILE *file = fopen(TEST_ROOT "/tests/patterns/samples.txt", "r");
+    char path[sizeof TEST_ROOT + 64];
+    FILE *file;
 
+    snprintf(path, sizeof path, TEST_ROOT "/tests/patterns/%s", name);
+    file = fopen(path, "r");
     assert_non_null(file);
     return file;
 }

@@ -45,7 +45,7 @@ static void find_vector(const noise_tables *t, const samples *s, const vec_lanes
 static void noise_is_as_measured(void **state)
 {
     noise_tables *t = make();
-    FILE *file = samples_open();
+    FILE *file = samples_open("samples.txt");
     double value[LANES_MAX];
     uint32_t count = 0;
     vec_lanes at;
