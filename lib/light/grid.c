@@ -197,34 +197,41 @@ static pov_vec3 against_beam(const light *l, pov_vec3 to_middle, pov_vec3 move)
     return pov_scale(back, distance > hardly ? distance : hardly);
 }
 
-void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
-              vec_lanes *dir, light_origin *ends)
+/* From the middle to the k-th point, for light on a point of a surface. */
+static pov_vec3 move_of(const light *l, const light_grid *g, uint32_t k, uint32_t draw, pov_vec3 point, pov_vec3 to)
 {
-    const bool jitters = g->cell[0] > 0.0 || g->cell[1] > 0.0, beams = has_beams(l);
+    grid_point p = g->points[k];
+    pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
+
+    if (g->cell[0] > 0.0 || g->cell[1] > 0.0) {
+        const uint64_t bits = mix(point, k, draw);
+
+        p.u = moved(p.u, g->cell[0], bits);
+        p.v = moved(p.v, g->cell[1], bits >> 32);
+    }
+    if (g->rounded)
+        round_off(&p.u, &p.v);
+    if (l->flags & LIGHT_ORIENT)
+        turn(l, pov_unit(to), axes);
+    return pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v));
+}
+
+void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
+              const uint8_t *lanes, uint32_t count, vec_lanes *dir, light_origin *ends)
+{
+    const bool beams = has_beams(l);
     const light_origin middle = light_own_origin(l);
     vec_lanes to_middle;
-    pov_vec3 axes[2] = { l->area.axes[0], l->area.axes[1] };
 
     if (beams)
         light_aim(&middle, at, &to_middle);
-    for (uint32_t i = 0; i < lanes_whole(at->n); i++) {
-        grid_point p = g->points[k];
-        pov_vec3 move;
+    for (uint32_t n = 0; n < count; n++) {
+        const uint32_t i = lanes ? lanes[n] : n;
+        const pov_vec3 move = move_of(l, g, k, draw, lanes_at(at->point, i), lanes_at(to, i));
 
-        if (jitters) {
-            const uint64_t bits = mix(lanes_at(at->point, i), k, draw);
-
-            p.u = moved(p.u, g->cell[0], bits);
-            p.v = moved(p.v, g->cell[1], bits >> 32);
-        }
-        if (g->rounded)
-            round_off(&p.u, &p.v);
-        if (l->flags & LIGHT_ORIENT)
-            turn(l, pov_unit(lanes_at(to, i)), axes);
-        move = pov_add(pov_scale(axes[0], p.u), pov_scale(axes[1], p.v));
         lanes_put(dir, i, beams ? against_beam(l, lanes_at(&to_middle, i), move) : pov_add(lanes_at(to, i), move));
-        if (ends && i < at->n)
-            ends[i] = moved_origin(l, move);
+        if (ends)
+            ends[n] = moved_origin(l, move);
     }
 }
 

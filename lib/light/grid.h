@@ -35,11 +35,12 @@ void grid_axes(const light *l, pov_vec3 to, pov_vec3 axes[2]);
 /* soft: the area is lit all over, and the points are a few of it, by chance, instead of those that the scene says. NULL:
  * no memory. */
 light_grid *grid_create(const env *e, const light *l, bool soft);
-/* Directions to the k-th point by lane, where `to` are those to the light's position, and if `ends` is not NULL the places
- * that they are rounded to. Points that jitter lie where the
- * bits of the lit point say, otherwise for each draw; those that turn lie in a plane across the direction. */
+/* Directions to the k-th point by lane for `count` of the lanes, the first ones if `lanes` is NULL, where `to` are those to
+ * the light's position; and if `ends` is not NULL the places that they are rounded to, in the order of `lanes`. Points that
+ * jitter lie where the bits of the lit point say, otherwise for each draw; those that turn lie in a plane across the
+ * direction. */
 void grid_aim(const light *l, const light_grid *g, uint32_t k, uint32_t draw, const light_points *at, const vec_lanes *to,
-              vec_lanes *dir, light_origin *ends);
+              const uint8_t *lanes, uint32_t count, vec_lanes *dir, light_origin *ends);
 /* A point that is drawn by the weights, neighbours by neighbouring numbers; 0 <= u < 1. */
 uint32_t grid_draw(const light_grid *g, double u);
 /* Where the k-th point of a grid that does not move is. */

@@ -9,13 +9,13 @@
 /* Which draw of points that move: those for shadows, or those whose light is reflected. */
 enum { DRAW_SHADOWS, DRAW_REFLECTED };
 
-/* Directions to the k-th point of an area light, and the point: by lane where it moves. */
-static void aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to, light_lanes *in,
-                         light_origin *ends)
+/* Directions to the k-th point of an area light from some lanes, and the point: one for each where it moves. */
+static void aim_at_point(const scene_light *from, uint32_t k, const light_points *at, const vec_lanes *to,
+                         const uint8_t *lanes, uint32_t count, light_lanes *in, light_origin *ends)
 {
     in->tmax = 1.0;
     if (from->grid->moves) {
-        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, &in->dir, ends);
+        grid_aim(from->light, from->grid, k, DRAW_SHADOWS, at, to, lanes, count, &in->dir, ends);
     } else {
         ends[0] = grid_origin(from->light, from->grid, k);
         light_aim(ends, at, &in->dir);
@@ -86,17 +86,15 @@ static uint64_t trace_point(lighting *l, const scene_light *from, uint32_t k, co
 {
     const bool moves = from->grid->moves;
     const light_points at = lighting_points(l);
-    light_origin by_lane[BATCH_MAX], ends[BATCH_MAX];
+    light_origin ends[BATCH_MAX];
     colour some[BATCH_MAX];
     light_lanes in;
     uint64_t lit = 0;
 
-    aim_at_point(from, k, &at, to, &in, by_lane);
+    aim_at_point(from, k, &at, to, l->of, l->count, &in, ends);
     shadow_name_sides(l, l->of, l->count, &in.dir);
-    for (uint32_t i = 0; i < l->count; i++) {
+    for (uint32_t i = 0; i < l->count; i++)
         l->own[l->of[i]].dir = lanes_at(&in.dir, l->of[i]);
-        ends[i] = by_lane[moves ? l->of[i] : 0];
-    }
     for (uint64_t rest = shadow_trace(l, from->light, shadow_end(from, &in, ends, moves), some); rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 
@@ -168,7 +166,7 @@ static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t
         lanes_put(&low, i, lanes_at(&g->to.point_lo, lane));
         lanes_put(&middle, i, lanes_at(to, lane));
     }
-    aim_at_point(from, k, &at, &middle, &in, end);
+    aim_at_point(from, k, &at, &middle, NULL, 1, &in, end);
     return lanes_at(&in.dir, 0);
 }
 
@@ -200,7 +198,7 @@ static void find_incident(const scene_light *from, uint32_t k, const light_point
                           light_lanes *in)
 {
     if (from->grid->moves) {
-        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, &in->dir, NULL);
+        grid_aim(from->light, from->grid, k, DRAW_REFLECTED, at, &middle->dir, NULL, at->n, &in->dir, NULL);
     } else {
         const light_origin origin = grid_origin(from->light, from->grid, k);
 

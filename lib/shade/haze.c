@@ -94,7 +94,7 @@ static pov_vec3 aim_at_area(const beams *b, uint32_t i, uint32_t part, const med
         lanes_put(&to, lane, lanes_at(&b->samples.in.dir, i));
     }
     if (g->moves) {
-        grid_aim(l, g, k, DRAW_SCATTERED, &at, &to, &dir, NULL);
+        grid_aim(l, g, k, DRAW_SCATTERED, &at, &to, NULL, 1, &dir, NULL);
     } else {
         origin = grid_origin(l, g, k);
         light_aim(&origin, &at, &dir);

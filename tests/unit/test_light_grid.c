@@ -70,7 +70,7 @@ static void offsets_at(const light *l, const light_grid *g, uint32_t k, uint32_t
         lanes_put(&point, i, pov_vec3_of(0.1 * i, 1.0, 0.3));
         lanes_put(&to, i, pov_vec3_of(0.0, 5.0, 0.0));
     }
-    grid_aim(l, g, k, draw, &at, &to, out, NULL);
+    grid_aim(l, g, k, draw, &at, &to, NULL, at.n, out, NULL);
     for (uint32_t i = 0; i < LANES_MAX; i++)
         out->y[i] -= 5.0;
 }
