@@ -183,13 +183,17 @@ static pov_status write_file(pov_context *context, const char *path, const pov_i
     return status;
 }
 
-/* Colours divided by their alpha; without any they are black. */
+/* Colours divided by their alpha; without any they are black. As in POV-Ray, what is brighter than it is opaque is made as
+ * opaque as it is bright: a highlight on glass would be lost else, for a file holds nothing above 1. */
 static void divide_by_alpha(const float *rgba, int count, float *out)
 {
     for (int i = 0; i < count; i++, rgba += 4, out += 4) {
+        const float grey = 0.297f * rgba[0] + 0.589f * rgba[1] + 0.114f * rgba[2], bright = grey < 1.0f ? grey : 1.0f;
+        const float alpha = rgba[3] > bright ? rgba[3] : bright;
+
         for (int c = 0; c < 3; c++)
-            out[c] = rgba[3] > 0.0f ? rgba[c] / rgba[3] : 0.0f;
-        out[3] = rgba[3];
+            out[c] = alpha > 0.0f ? rgba[c] / alpha : 0.0f;
+        out[3] = alpha;
     }
 }
 

@@ -6,8 +6,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { WIDTH = 9, HEIGHT = 7 };
+
+typedef struct bytes_kept { unsigned char data[64]; size_t count; } bytes_kept;
 
 #define SPHERE(pigment) "sphere { 0, 1.2 pigment { " pigment " } finish { ambient 1 diffuse 0 } } "
 #define GLASS SPHERE("rgbft <.8, .5, .2, .3, .2>")
@@ -140,6 +143,49 @@ static void nothing_is_outside_of_a_round_picture(void **state)
     assert_corner(NEW, "background { rgb 1 } camera { fisheye location -10*z right x up y }", 0.0, 0.0, 0.0, 0.0);
 }
 
+static bool keep(void *user, const void *bytes, size_t count)
+{
+    bytes_kept *k = user;
+
+    if (k->count + count > sizeof k->data)
+        return false;
+    memcpy(k->data + k->count, bytes, count);
+    k->count += count;
+    return true;
+}
+
+/* POV-Ray 3.7.0.10, +UA +FN16, rgbt colours without light: red, green, blue and alpha of the file. 8 bits of them. */
+static void what_is_brighter_than_opaque_is_made_opaque(void **state)
+{
+    static const struct { float rgb[3], transmit, file[4]; } rows[] = {
+        { { 3, .5f, .25f }, .6f, { 1, .674f, .4911f, .4856f } }, { { 1, 1, 1 }, .6f, { 1, 1, 1, .4f } },
+        { { 1.2f, 1.1f, 1 }, .5f, { 1, .9928f, .952f, .5592f } }, { { 0, 0, 9 }, .7f, { 0, 0, 1, .3078f } },
+        { { 5, 5, 5 }, .9f, { 1, 1, 1, .5f } }, { { 1.5f, .2f, .2f }, .5f, { 1, .4845f, .4845f, .5f } },
+        { { 3, .5f, .25f }, 0, { 1, .7354f, .5371f, 1 } }, { { 3, .5f, .25f }, 1, { 0, 0, 0, 0 } },
+    };
+    pov_image_options options = POV_INIT(options);
+    pov_context *context = scenes_context();
+    pov_error err;
+
+    (void)state;
+    options.alpha = 1;
+    options.format = "tga";
+    options.transfer = POV_TRANSFER_SRGB;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        static const int places[4] = { 20, 19, 18, 21 };   /* behind the header of 18 bytes: blue, green, red, alpha */
+        float rgba[4] = { 0, 0, 0, 1.0f - rows[i].transmit };
+        bytes_kept kept = { { 0 }, 0 };
+        const pov_output to = { &kept, keep };
+
+        for (int c = 0; c < 3; c++)
+            rgba[c] = rows[i].rgb[c] * rgba[3];
+        assert_int_equal(pov_image_put(context, &to, 1, 1, rgba, sizeof rgba, &options, &err), POV_OK);
+        for (int c = 0; c < 4; c++)
+            assert_true(fabs(kept.data[places[c]] - 255.0 * (double)rows[i].file[c]) < 1.0);
+    }
+    pov_context_destroy(context);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -151,6 +197,7 @@ int main(void)
         cmocka_unit_test(alpha_is_the_mean_of_the_samples),
         cmocka_unit_test(colours_are_decoded_as_if_they_were_opaque),
         cmocka_unit_test(nothing_is_outside_of_a_round_picture),
+        cmocka_unit_test(what_is_brighter_than_opaque_is_made_opaque),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
