@@ -34,6 +34,7 @@ typedef struct csg_member {
     const instance_xform *xform; /* NULL: own space is the world */
     uint8_t class_number;        /* in class_counts */
     uint32_t leaf, node;         /* its index in the model; its parent node */
+    uint32_t same;               /* the earliest member with the same instance and transform: one surface with it */
     bool inverse;                /* the node takes its complement */
     bool turned;                 /* the solid is entered where this member is left, if only this member counts */
     bool boxed;                  /* false: it may be infinite */
@@ -104,6 +105,8 @@ typedef struct csg_source {
 bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 /* After it: is the tree such an intersection? */
 void csg_find_chords(csg_tree *t);
+/* Once members have instances: which of them are one surface? False: no memory. */
+bool csg_find_same(csg_tree *t, const env *e);
 /* Make the trees of a model; false: no memory. Call csg_free() in any case. */
 bool csg_make(csg_list *out, const model *m, const csg_source *source);
 void csg_free(csg_list *all, const env *e);

@@ -313,6 +313,28 @@ static void put_in_order(csg_traversal *w, uint32_t first)
     }
 }
 
+/* The name by which a ray leaves a member that it starts on: of members that are one surface it knows one. */
+static uint32_t name_of(const csg_traversal *w, const csg_member *m)
+{
+    const uint32_t from = csg_which(w, w->ray->origin_surface);
+
+    return from < w->tree->member_count && w->tree->members[from].same == m->same ? w->ray->origin_surface
+                                                                                    : w->scratch->names + m->leaf;
+}
+
+static void intersect(csg_traversal *w, const csg_member *m)
+{
+    const uint32_t first = w->found.count;
+
+    w->found.owner = name_of(w, m);
+    if (m->xform)
+        instance_intersect(m->xform, m->shape, m->instance, w->ray, &w->found);
+    else
+        m->shape->intersect(m->instance, w->ray, &w->found);
+    for (uint32_t i = first; i < w->found.count; i++)
+        w->found.at[i].owner = w->scratch->names + m->leaf;
+}
+
 /* All crossings of a member ahead; the parity of their number tells whether the ray starts inside it. cut: its crossing,
  * of a half-space that the tree is within; or NULL. */
 static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *cut)
@@ -322,11 +344,7 @@ static void test_member(csg_traversal *w, uint32_t member, const cut_crossing *c
     bool inside;
 
     w->scratch->asked[w->asked_count++] = member;
-    w->found.owner = w->scratch->names + m->leaf;
-    if (m->xform)
-        instance_intersect(m->xform, m->shape, m->instance, w->ray, &w->found);
-    else
-        m->shape->intersect(m->instance, w->ray, &w->found);
+    intersect(w, m);
     if (w->scratch->classes) {
         w->scratch->classes->of[m->class_number].asked++;
         w->scratch->classes->of[m->class_number].escalated += w->found.escalated - escalated;

@@ -150,9 +150,9 @@ static bool find_solids(world *w)
 }
 
 /* Members get their positions from their batches. */
-static void bind_trees(world *w)
+static bool bind_trees(world *w)
 {
-    for (uint32_t i = 0; i < w->trees.count; i++)
+    for (uint32_t i = 0; i < w->trees.count; i++) {
         for (uint32_t k = 0; k < w->trees.items[i].member_count; k++) {
             csg_member *m = &w->trees.items[i].members[k];
             const shape_ref ref = world_shape(w, m->leaf);
@@ -163,6 +163,10 @@ static void bind_trees(world *w)
             m->open = m->shape->open && m->shape->open(m->instance);
             w->trees.items[i].open_count += m->open;
         }
+        if (!csg_find_same(&w->trees.items[i], w->env))
+            return false;
+    }
+    return true;
 }
 
 /* ---- lists and the tree ---- */
@@ -393,8 +397,8 @@ static pov_status build(world *w, const world *whole, const world_options *optio
     if (status == POV_OK)
         status = compile(w, &f, options, err);
     take_over(w, &f);
-    if (status == POV_OK)
-        bind_trees(w);
+    if (status == POV_OK && !bind_trees(w))
+        status = err_memory(err);
     compile_drop_maps(&f);
     compile_free(&f);
     return status;
