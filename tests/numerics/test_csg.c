@@ -213,20 +213,31 @@ static void insert(course *c, const exact_crossing *at, uint32_t member, double 
     for (; i > 0 && real_compare(at->t, c->at[i - 1].at->t) < 0; i--)
         c->at[i] = c->at[i - 1];
     c->at[i] = new;
-    /* No double-double tells how far away a tangent is. */
-    c->open = c->open || !(cosine > 1e-6);
+    /* No double-double tells whether a tangent is met. */
+    c->open = c->open || !(cosine > 1e-12);
 }
 
-/* Does it lie at the start? A start may be off its surface by 2^-44 of the size: nearer to others than that it is not judged,
- * unless it lies on them. */
+/* Does it lie at the start, by the rule, or behind it? Not judged: neither clearly. */
 static bool is_behind(course *c, const exact_crossing *at, double cosine)
 {
-    const double t = real_double(at->t);
+    const double t = real_double(at->t), apart = t * cosine / c->scale;
 
-    if (t < 0.0)
-        return true;
-    c->open = c->open || (t * cosine < 0x1p-43 && t > 0x1p-97);
-    return t <= 0x1p-97;
+    c->open = c->open || (apart > 0x1p-97 && apart < 0x1p-90);
+    return apart < 0x1p-92;
+}
+
+/* The crossing at which the ray leaves a member: of one that is left by name, that next to the start. -1: none. */
+static int left_crossing(const scene *s, const pov_ray *ray, uint32_t member, const exact_result *r)
+{
+    const probe *p = &s->probes[member], *from = ray->origin_surface == POV_NO_OWNER ? NULL : &s->probes[ray->origin_surface];
+    int best = -1;
+
+    if (!from || p->kind != from->kind || memcmp(p->number, from->number, sizeof p->number) != 0)
+        return -1;
+    for (int k = 0; k < r->count; k++)
+        if (best < 0 || fabs(real_double(r->at[k].t)) < fabs(real_double(r->at[best].t)))
+            best = k;
+    return best >= 0 && fabs(real_double(r->at[best].t)) * cosine_of(&r->at[best], ray) < 0x1p-43 ? best : -1;
 }
 
 /* Does the ray run in the plane of a cap of a cone or cylinder? Whether the rim is met is then a matter of convention. */
@@ -241,6 +252,12 @@ static bool is_in_cap(const probe *p, const pov_ray *ray)
         if (top[i] != p->number[i] && d[i] == 0.0 && (o[i] == top[i] || o[i] == p->number[i]))
             return true;
     return false;
+}
+
+/* Along the axis both sheets of a spindle meet in the poles, which have no normal. */
+static bool is_on_axis(const probe *p, const pov_ray *ray)
+{
+    return p->kind == TORUS && ray->org.x == 0.0 && ray->org.z == 0.0 && ray->dir.x == 0.0 && ray->dir.z == 0.0;
 }
 
 static bool has_no_end(kind k) { return k == PLANE || k == QUADRIC; }
@@ -278,7 +295,7 @@ static bool ends_inside(const probe *p, const pov_ray *ray, bool *open)
     }
     for (int i = 0; i < 3; i++)
         if (real_sign(sum[i]) != 0) {
-            *open = *open || fabs(real_double(sum[i])) < 0x1p-40;
+            *open = *open || fabs(real_double(sum[i])) < 0x1p-80;
             return real_sign(sum[i]) < 0;
         }
     *open = true;
@@ -300,13 +317,15 @@ static void find_course(scene *s, const pov_ray *ray, course *c)
     c->scale = 3.0 + pov_largest(ray->org);
     for (uint32_t i = 0; i < s->model.leaves.count; i++) {
         exact_result *r = &c->of[i];
-        int ahead = 0;
+        int ahead = 0, left;
 
         s->probes[i].ray = *ray;
         probe_exact(&s->probes[i], r);
-        c->open = c->open || is_in_cap(&s->probes[i], ray) || (s->probes[i].kind != BOX && is_on_rim(r, s->probes[i].kind));
+        left = left_crossing(s, ray, i, r);
+        c->open = c->open || is_in_cap(&s->probes[i], ray) || is_on_axis(&s->probes[i], ray) ||
+                  (s->probes[i].kind != BOX && is_on_rim(r, s->probes[i].kind));
         for (int k = 0; k < r->count; k++)
-            if (!is_behind(c, &r->at[k], cosine_of(&r->at[k], ray))) {
+            if (k != left && !is_behind(c, &r->at[k], cosine_of(&r->at[k], ray))) {
                 insert(c, &r->at[k], i, cosine_of(&r->at[k], ray));
                 ahead++;
             }
@@ -349,7 +368,7 @@ static uint32_t owner_of(const scene *s, course *c, int first, int end, bool ent
 }
 
 /* The first surface. False: there is none. */
-static bool first_surface(const scene *s, course *c, real *t, uint32_t *owner, bool *enters, bool *shared)
+static bool first_surface(const scene *s, course *c, real *t, double *cosine, uint32_t *owner, bool *enters, bool *shared)
 {
     for (int first = 0, end; first < c->count; first = end) {
         const int before = value_of(s, c, s->root, NULL, 0, 1);
@@ -362,6 +381,7 @@ static bool first_surface(const scene *s, course *c, real *t, uint32_t *owner, b
         if (after == before)
             continue;
         *t = c->at[first].at->t;
+        *cosine = c->at[first].cosine;
         *enters = after > before;
         *shared = end - first > 1;
         *owner = owner_of(s, c, first, end, *enters);
@@ -397,8 +417,11 @@ static void complain(const scene *s, const pov_ray *ray, const char *what, bool 
             ray->dir.y, ray->dir.z);
 }
 
-/* Within four units in the last place. */
-static bool is_near(real exact, double t) { return fabs(real_double(exact) - t) <= 0x1p-50 * fabs(t); }
+/* Within four units in the last place, and what a point is rounded to in two parts; more where a surface is grazed. */
+static bool is_near(const course *c, double cosine, real exact, double t)
+{
+    return fabs(real_double(exact) - t) <= 0x1p-50 * fabs(t) + 0x1p-97 * c->scale / (cosine * cosine);
+}
 
 /* Judge a ray. True: it met a surface, completed in h. */
 static bool judge(scene *s, const pov_ray *ray, hit *h, tally *out)
@@ -408,11 +431,12 @@ static bool judge(scene *s, const pov_ray *ray, hit *h, tally *out)
     uint32_t owner = 0;
     bool enters = false, shared = false, expected, met;
     const char *what;
+    double cosine = 1.0;
     real t = NULL;
 
     real_reset();
     find_course(s, ray, &c);
-    expected = first_surface(s, &c, &t, &owner, &enters, &shared);
+    expected = first_surface(s, &c, &t, &cosine, &owner, &enters, &shared);
     met = query_nearest(s->world, s->context, &one, 1, HUGE_VAL, h) & 1;
     if (met)
         world_surface(s->world, ray, h);
@@ -423,7 +447,7 @@ static bool judge(scene *s, const pov_ray *ray, hit *h, tally *out)
     out->judged++;
     out->hits += expected;
     out->shared += shared;
-    what = met != expected ? met ? "met nothing" : "missed" : !met ? NULL : !is_near(t, h->crossing.t) ? "distance"
+    what = met != expected ? met ? "met nothing" : "missed" : !met ? NULL : !is_near(&c, cosine, t, h->crossing.t) ? "distance"
            : h->object != owner ? "owner" : h->entering != enters ? "side" : NULL;
     out->wrong += what != NULL;
     if (what && out->wrong <= 8)
