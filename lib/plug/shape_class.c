@@ -35,6 +35,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->ellipsoid = f.ellipsoid;
     out->half_space = f.half_space;
     out->hull = f.hull;
+    out->convex = f.convex;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

@@ -42,6 +42,7 @@ typedef struct shape_class {
     bool (*ellipsoid)(const void *self, pov_ellipsoid *out);
     bool (*half_space)(const void *self, pov_half_space *out);
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
+    bool (*convex)(const void *self, pov_convex *out);
 } shape_class;
 
 /* Complete a class that shape_class_check() has accepted. */

@@ -193,6 +193,7 @@ void csg_free(csg_list *all, const env *e)
 {
     for (uint32_t i = 0; i < all->count; i++) {
         env_free(e, all->items[i].members);
+        env_free(e, all->items[i].outline);
         env_free(e, all->items[i].nodes);
         env_free(e, all->items[i].outside);
         env_free(e, all->items[i].children);

@@ -67,9 +67,19 @@ typedef struct csg_chords {
     uint32_t member[CSG_FEW];
 } csg_chords;
 
+/* What their surfaces are, about, side by side: csg_outline.c. */
+typedef struct csg_outline {
+    pov_vec3 centre;             /* of the tree's box */
+    double size, per_size;       /* half of its largest extent, and the inverse */
+    uint32_t slabs, quadrics;    /* filled up to whole vectors */
+    uint8_t slab_of[3 * CSG_FEW], quadric_of[CSG_FEW];   /* columns */
+    double numbers[];
+} csg_outline;
+
 typedef struct csg_tree {
     csg_few few;
     csg_chords chords;
+    csg_outline *outline;        /* of chords; NULL: not known */
     csg_member *members;         /* in the order of the text: their leaves are consecutive */
     csg_node *nodes;             /* the first is the root */
     csg_state *outside;          /* by node: states outside all members */
@@ -107,6 +117,8 @@ bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 void csg_find_chords(csg_tree *t);
 /* Once members have instances: which of them are one surface? False: no memory. */
 bool csg_find_same(csg_tree *t, const env *e);
+/* And what do they look like, where they are chords? False: no memory. */
+bool csg_find_outline(csg_tree *t, const env *e);
 /* Make the trees of a model; false: no memory. Call csg_free() in any case. */
 bool csg_make(csg_list *out, const model *m, const csg_source *source);
 void csg_free(csg_list *all, const env *e);

@@ -215,12 +215,68 @@ static void begin(chord_search *s, csg_traversal *w, const pov_hits *hits)
     s->asked = 0;
 }
 
+static uint32_t column_from(const csg_traversal *w)
+{
+    const uint32_t from = csg_which(w, w->ray->origin_surface);
+    uint32_t i = 0;
+
+    if (from >= w->tree->member_count)
+        return CSG_FEW;
+    while (i < w->tree->few.count && w->tree->chords.member[i] != from)
+        i++;
+    return i < w->tree->few.count ? i : CSG_FEW;
+}
+
+/* Where any crossing will do, and one certainly lies before the end, its distance need not be known. */
+static bool is_enough(const csg_first *f, const pov_hits *hits)
+{
+    return hits->want == POV_WANT_ANY && f->t + f->off < hits->tmax - hits->slack;
+}
+
+/* Report the crossing that the outline has found. False: its member does not have it. */
+static bool report_found(chord_search *s, const csg_first *f, pov_hits *hits)
+{
+    const csg_member *m = &s->w->tree->members[s->w->tree->chords.member[f->column]];
+    const pov_crossing about = { .t = f->t, .owner = s->w->scratch->names + m->leaf };
+    const pov_crossing *at = &about;
+
+    if (!is_enough(f, hits)) {
+        const chord *c = ask(s, f->column);
+
+        at = f->enters ? c->in : c->out;
+        if (s->unsure || !at)
+            return false;
+        hits->escalated += s->found.escalated;
+    }
+    csg_report(at, f->inward, hits);
+    return true;
+}
+
+/* False: open. */
+static bool is_found(csg_traversal *w, pov_hits *hits)
+{
+    chord_search s;
+    csg_first first;
+
+    switch (csg_outline_first(w->tree, w->ray, column_from(w), hits->tmax + hits->slack, &first)) {
+    case CSG_NOTHING:
+        return true;
+    case CSG_CROSSED:
+        begin(&s, w, hits);
+        return report_found(&s, &first, hits);
+    default:
+        return false;
+    }
+}
+
 bool csg_chords_first(csg_traversal *w, pov_hits *hits)
 {
     const csg_chords *f = &w->tree->chords;
     chord_search s;
     chord both;
 
+    if (w->tree->outline && is_found(w, hits))
+        return true;
     begin(&s, w, hits);
     csg_enter_few(w, s.enter, s.leave);
     for (uint32_t left = f->within; left; left &= left - 1)

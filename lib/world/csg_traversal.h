@@ -52,8 +52,18 @@ static inline const csg_member *csg_member_at(const csg_traversal *w, const pov_
 double csg_slope(const csg_traversal *w, const pov_crossing *at);
 /* Report a crossing of a member as one of the tree. False: nothing more is wanted. */
 bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits);
-/* The first crossing of a tree that has them, for hits that want no more. False: doubles were not sufficient; nothing is reported. */
+/* The first crossing of a tree that has them, for hits that want no more. False: doubles were not sufficient; nothing is
+ * reported. */
 bool csg_chords_first(csg_traversal *w, pov_hits *hits);
+/* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or
+ * CSG_FEW. */
+typedef enum csg_found { CSG_NOTHING, CSG_CROSSED, CSG_OPEN } csg_found;
+typedef struct csg_first {
+    uint32_t column;
+    bool enters, inward;         /* the member; the tree */
+    double t, off;               /* about where, and by how much less than this that may be off */
+} csg_first;
+csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out);
 /* Is a point of the ray inside a member? */
 bool csg_member_holds(const csg_traversal *w, const csg_member *m, double t);
 

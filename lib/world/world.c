@@ -163,7 +163,7 @@ static bool bind_trees(world *w)
             m->open = m->shape->open && m->shape->open(m->instance);
             w->trees.items[i].open_count += m->open;
         }
-        if (!csg_find_same(&w->trees.items[i], w->env))
+        if (!csg_find_same(&w->trees.items[i], w->env) || !csg_find_outline(&w->trees.items[i], w->env))
             return false;
     }
     return true;

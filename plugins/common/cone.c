@@ -174,6 +174,34 @@ bool common_cone_bounds(const void *self, pov_box *out)
     return true;
 }
 
+/* Of the local coordinates x, y, z: x^2 + y^2 - (radius + slope z)^2 <= 0 within 0 <= z <= height. */
+bool common_cone_convex(const void *self, pov_convex *out)
+{
+    const common_cone *s = self;
+    const double steep = s->slope.hi, radius = s->radius.hi;
+    pov_vec3 row[3];
+    pov_convex c = { .centre = pov_two3_hi(s->anchor), .slabs = 1, .constant = -radius * radius, .round = true };
+
+    for (int i = 0; i < 3; i++)
+        row[i] = pov_scale(pov_two3_hi(s->row[i]), s->scale);
+    for (int i = 0; i < 3; i++) {
+        const pov_vec3 r = row[i];
+        const double by = i == 2 ? -steep * steep : 1.0;
+
+        c.square[0] += by * r.x * r.x;
+        c.square[1] += by * r.y * r.y;
+        c.square[2] += by * r.z * r.z;
+        c.square[3] += by * r.x * r.y;
+        c.square[4] += by * r.x * r.z;
+        c.square[5] += by * r.y * r.z;
+    }
+    c.linear = pov_scale(row[2], -radius * steep);
+    c.normal[0] = row[2];
+    c.hi[0] = s->height.hi;
+    *out = c;
+    return !s->empty;
+}
+
 /* The new rows are the old ones times the inverse map. Any affine map could be absorbed. One that changes angles much
  * would lose precision in the products, unless it is axial. */
 bool common_cone_absorb(void *self, const pov_affine *map)

@@ -54,6 +54,17 @@ typedef struct pov_ellipsoid { pov_vec3 centre, centre_lo, row[3]; } pov_ellipso
 typedef struct pov_half_space { pov_vec3 normal; double distance; } pov_half_space;
 enum { POV_HULL_MAX = 6 };
 
+/* A bounded convex solid: what slabs, each of lo <= normal . w <= hi, and a quadric have in common, w from the centre. The quadric
+ * is w . (square w) + 2 linear . w + constant <= 0, its square by xx, yy, zz, xy, xz, yz. Normals need not be unit vectors. All
+ * may be rounded: surfaces are where they are within 2^-44 of the solid's size and of the centre's distance from the origin. */
+typedef struct pov_convex {
+    pov_vec3 centre, normal[3];
+    double lo[3], hi[3], square[6], constant;
+    pov_vec3 linear;
+    uint32_t slabs;
+    bool round;                  /* it has a quadric */
+} pov_convex;
+
 typedef struct pov_shape_fast {
     uint32_t size;
     bool full_leaves;            /* block_filter takes as long for one shape of a block as for all: leaves should be
@@ -85,6 +96,8 @@ typedef struct pov_shape_fast {
     bool (*half_space)(const void *self, pov_half_space *out);
     /* [load] Up to POV_HULL_MAX half-spaces that hold the part of an infinite solid that lies within the n given ones. */
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
+    /* [load] Is it such a solid? Solids made of several then look for a ray's crossing in all side by side. */
+    bool (*convex)(const void *self, pov_convex *out);
 } pov_shape_fast;
 
 #endif

@@ -1,0 +1,371 @@
+/* Where a ray crosses a tree first, about: the members' slabs and quadrics side by side, in doubles about the tree's middle, in
+ * units of its size. Where two crossings, or a crossing and the ray's start, are nearer to each other than what roundings may
+ * amount to, that stays open. docs/numerics.md ("Outlines") derives the constants. */
+#include "base/simd.h"
+#include "world/csg_traversal.h"
+
+#include <string.h>
+
+enum { SLABS = 3 * CSG_FEW, QUADRICS = CSG_FEW, SLAB_NUMBERS = 5, QUADRIC_NUMBERS = 10, FOUR = 4 };
+
+/* Numbers stand side by side by four slabs, or four quadrics; here is the first of one. */
+static double *numbers_of(double *numbers, uint32_t each, uint32_t i) { return numbers + i / FOUR * FOUR * each + i % FOUR; }
+
+/* Lengths are in units of the tree's size. */
+static const double margin = 0x1p-20;        /* crossings are where they are within half of this */
+static const double farthest = 0x1p26;       /* rays from beyond, and trees as far from the origin, are left to others */
+static const double least_slope = 0x1p-22;   /* a ray along a slab crosses it far from the tree, */
+static const double least_height = 0x1p-17;  /* unless it runs this near to the slab's end */
+static const double least_square = 0x1p-20, least_chord = 0x1p-22, least_miss = 0x1p-40;
+
+/* ---- making one ---- */
+
+/* Points of the tree's units to what the member's slabs and quadric are of: w = column q + from. */
+typedef struct own_map { pov_vec3 column[3], from; } own_map;
+
+static pov_vec3 linear_part(const own_map *m, pov_vec3 q)
+{
+    return pov_add(pov_add(pov_scale(m->column[0], q.x), pov_scale(m->column[1], q.y)), pov_scale(m->column[2], q.z));
+}
+
+/* False: it is too far away. */
+static bool find_map(const csg_member *m, const pov_convex *c, const csg_outline *of, own_map *out)
+{
+    const double size = of->size;
+    double least = 0.0, from;
+
+    memset(out, 0, sizeof *out);
+    if (m->xform) {
+        const own_map linear = { { m->xform->column[0], m->xform->column[1], m->xform->column[2] }, { 0.0, 0.0, 0.0 } };
+        const pov_vec3 middle = linear_part(&linear, pov_sub(of->centre, m->xform->anchor));
+
+        for (int i = 0; i < 3; i++)
+            out->column[i] = pov_scale(linear.column[i], size);
+        out->from = pov_sub(pov_add(middle, m->xform->own_anchor), c->centre);
+        from = fmax(pov_largest(middle), fmax(pov_largest(m->xform->own_anchor), pov_largest(c->centre)));
+    } else {
+        out->column[0].x = out->column[1].y = out->column[2].z = size;
+        out->from = pov_sub(of->centre, c->centre);
+        from = fmax(pov_largest(of->centre), pov_largest(c->centre));
+    }
+    for (int i = 0; i < 3; i++)
+        least = i == 0 ? pov_largest(out->column[0]) : fmin(least, pov_largest(out->column[i]));
+    return from < farthest * least && pov_largest(of->centre) < farthest * size;
+}
+
+static double dot_square(const double s[6], pov_vec3 a, pov_vec3 b)
+{
+    return s[0] * a.x * b.x + s[1] * a.y * b.y + s[2] * a.z * b.z + s[3] * (a.x * b.y + a.y * b.x) +
+           s[4] * (a.x * b.z + a.z * b.x) + s[5] * (a.y * b.z + a.z * b.y);
+}
+
+/* False: it is as good as flat, or nothing is known. */
+static bool add_slab(const pov_convex *c, int which, const own_map *map, double *to)
+{
+    const pov_vec3 own = c->normal[which];
+    const pov_vec3 n = pov_vec3_of(pov_dot(own, map->column[0]), pov_dot(own, map->column[1]), pov_dot(own, map->column[2]));
+    const double length = sqrt(pov_dot(n, n)), shift = pov_dot(own, map->from);
+
+    to[0] = n.x / length;
+    to[FOUR] = n.y / length;
+    to[2 * FOUR] = n.z / length;
+    to[3 * FOUR] = (c->lo[which] - shift) / length;
+    to[4 * FOUR] = (c->hi[which] - shift) / length;
+    return length > 0.0 && to[4 * FOUR] - to[3 * FOUR] > least_height && fabs(to[3 * FOUR]) < farthest &&
+           fabs(to[4 * FOUR]) < farthest;
+}
+
+static bool add_quadric(const pov_convex *c, const own_map *map, double *to)
+{
+    static const int first[6] = { 0, 1, 2, 0, 0, 1 }, second[6] = { 0, 1, 2, 1, 2, 2 };
+    double number[QUADRIC_NUMBERS], largest = 0.0;
+    bool known = true;
+
+    for (int i = 0; i < 6; i++)
+        number[i] = dot_square(c->square, map->column[first[i]], map->column[second[i]]);
+    for (int i = 0; i < 3; i++)
+        number[6 + i] = dot_square(c->square, map->column[i], map->from) + pov_dot(c->linear, map->column[i]);
+    number[9] = dot_square(c->square, map->from, map->from) + 2.0 * pov_dot(c->linear, map->from) + c->constant;
+    for (int i = 0; i < QUADRIC_NUMBERS; i++)
+        largest = fmax(largest, fabs(number[i]));
+    for (int i = 0; i < QUADRIC_NUMBERS; i++) {
+        to[i * FOUR] = number[i] / largest;
+        known = known && to[i * FOUR] >= -1.0 && to[i * FOUR] <= 1.0;
+    }
+    return known;
+}
+
+/* What fills up a vector: crossed nowhere near, and met never, in a column that nobody asks. */
+static void fill_up(csg_outline *of, double *slabs, double *quadrics, uint32_t slab_count, uint32_t quadric_count)
+{
+    for (uint32_t i = slab_count; i < of->slabs; i++) {
+        double *to = numbers_of(slabs, SLAB_NUMBERS, i);
+
+        to[3 * FOUR] = -1.0;
+        to[4 * FOUR] = 1.0;
+        of->slab_of[i] = CSG_FEW;
+    }
+    for (uint32_t i = quadric_count; i < of->quadrics; i++) {
+        double *to = numbers_of(quadrics, QUADRIC_NUMBERS, i);
+
+        to[0] = to[FOUR] = to[2 * FOUR] = to[9 * FOUR] = 1.0;
+        of->quadric_of[i] = CSG_FEW;
+    }
+}
+
+static bool add_all(const csg_tree *t, const pov_convex *all, csg_outline *of)
+{
+    double *slabs = of->numbers, *quadrics = of->numbers + SLAB_NUMBERS * of->slabs;
+    uint32_t s = 0, q = 0;
+
+    for (uint32_t i = 0; i < t->few.count; i++) {
+        own_map map;
+
+        if (!find_map(&t->members[t->chords.member[i]], &all[i], of, &map))
+            return false;
+        for (uint32_t k = 0; k < all[i].slabs; k++, s++) {
+            of->slab_of[s] = (uint8_t)i;
+            if (!add_slab(&all[i], (int)k, &map, numbers_of(slabs, SLAB_NUMBERS, s)))
+                return false;
+        }
+        if (all[i].round) {
+            of->quadric_of[q] = (uint8_t)i;
+            if (!add_quadric(&all[i], &map, numbers_of(quadrics, QUADRIC_NUMBERS, q)))
+                return false;
+            q++;
+        }
+    }
+    fill_up(of, slabs, quadrics, s, q);
+    return true;
+}
+
+bool csg_find_outline(csg_tree *t, const env *e)
+{
+    pov_convex all[CSG_FEW];
+    const pov_vec3 extent = pov_sub(t->box.hi, t->box.lo);
+    csg_outline of = { .centre = pov_add(t->box.lo, pov_scale(extent, 0.5)), .size = 0.5 * pov_largest(extent) };
+
+    of.per_size = 1.0 / of.size;
+    if (!t->chords.all || !(of.per_size > 1e-100 && of.per_size < 1e100))
+        return true;
+    for (uint32_t i = 0; i < t->few.count; i++) {
+        const csg_member *m = &t->members[t->chords.member[i]];
+
+        if (!m->shape->convex || m->open || !m->shape->convex(m->instance, &all[i]))
+            return true;
+        of.slabs += all[i].slabs;
+        of.quadrics += all[i].round;
+    }
+    of.slabs = (of.slabs + FOUR - 1) / FOUR * FOUR;
+    of.quadrics = (of.quadrics + FOUR - 1) / FOUR * FOUR;
+    t->outline = env_alloc(e, 1, sizeof of + (SLAB_NUMBERS * of.slabs + QUADRIC_NUMBERS * of.quadrics) * sizeof(double));
+    if (!t->outline)
+        return false;
+    *t->outline = of;
+    if (!add_all(t, all, t->outline)) {
+        env_free(e, t->outline);
+        t->outline = NULL;
+    }
+    return true;
+}
+
+/* ---- a ray ---- */
+
+/* A ray in the tree's units, from the point that is nearest to the tree's middle, with a unit vector. It starts at `start`. */
+typedef struct near_ray { pov_vec3 at, along; double start, per_unit; } near_ray;
+
+/* False: it comes from too far away. */
+static bool come_near(const csg_outline *of, const pov_ray *ray, near_ray *out)
+{
+    const pov_vec3 from = pov_scale(pov_sub(ray->org, of->centre), of->per_size);
+    const double length = sqrt(pov_dot(ray->dir, ray->dir)), inverse = 1.0 / length;
+
+    out->along = pov_scale(ray->dir, inverse);
+    out->start = pov_dot(from, out->along);
+    out->at = pov_sub(from, pov_scale(out->along, out->start));
+    out->per_unit = inverse * of->size;
+    return pov_largest(from) < farthest && length > 1e-100 && length < 1e100;
+}
+
+/* By slab and quadric: where a ray is within; a number other than 0 where that is open. */
+typedef struct stretches { SIMD_ALIGNED double in[SLABS + QUADRICS], out[SLABS + QUADRICS], open[SLABS + QUADRICS]; } stretches;
+
+SIMD_INLINE void cross_slabs(const double *restrict number, pov_vec3 p, pov_vec3 d, double *restrict in, double *restrict out,
+                             double *restrict open)
+{
+    for (uint32_t i = 0; i < FOUR; i++) {
+        const double x = number[i], y = number[FOUR + i], z = number[2 * FOUR + i];
+        const double height = x * p.x + y * p.y + z * p.z, along = x * d.x + y * d.y + z * d.z, size = fabs(along);
+        const double slope = size > 1e-30 ? along : 1e-30, lo = number[3 * FOUR + i] - height, hi = number[4 * FOUR + i] - height;
+        const double inverse = 1.0 / slope, a = lo * inverse, b = hi * inverse;
+        const double nearest = fabs(lo) < fabs(hi) ? fabs(lo) : fabs(hi);
+
+        in[i] = a < b ? a : b;
+        out[i] = a < b ? b : a;
+        open[i] = size < least_slope && nearest < least_height ? 1.0 : 0.0;
+    }
+}
+
+SIMD_INLINE void cross_quadrics(const double *restrict number, pov_vec3 p, pov_vec3 d, double *restrict in, double *restrict out,
+                                double *restrict open)
+{
+    for (uint32_t i = 0; i < FOUR; i++) {
+        const double *of = number + i;
+        const double xx = of[0], yy = of[FOUR], zz = of[2 * FOUR], xy = of[3 * FOUR], xz = of[4 * FOUR], yz = of[5 * FOUR];
+        const double lx = of[6 * FOUR], ly = of[7 * FOUR], lz = of[8 * FOUR];
+        const double dx = xx * d.x + xy * d.y + xz * d.z, dy = xy * d.x + yy * d.y + yz * d.z, dz = xz * d.x + yz * d.y + zz * d.z;
+        const double px = xx * p.x + xy * p.y + xz * p.z, py = xy * p.x + yy * p.y + yz * p.z, pz = xz * p.x + yz * p.y + zz * p.z;
+        const double a = dx * d.x + dy * d.y + dz * d.z, b = dx * p.x + dy * p.y + dz * p.z + lx * d.x + ly * d.y + lz * d.z;
+        const double c = (px + 2.0 * lx) * p.x + (py + 2.0 * ly) * p.y + (pz + 2.0 * lz) * p.z + of[9 * FOUR];
+        const double within = b * b - a * c, root = sqrt(within > 0.0 ? within : 0.0), inverse = 1.0 / (a > least_square ? a : 1.0);
+        const double missed = within < -least_miss ? HUGE_VAL : 0.0;
+
+        in[i] = (-b - root) * inverse + missed;
+        out[i] = (-b + root) * inverse - missed;
+        open[i] = a > least_square && (root * a > least_chord || missed > 0.0) ? 0.0 : 1.0;
+    }
+}
+
+SIMD_CLONES static void cross_all(const csg_outline *of, pov_vec3 p, pov_vec3 d, stretches *restrict s)
+{
+    const double *quadrics = of->numbers + SLAB_NUMBERS * of->slabs;
+
+    for (uint32_t i = 0; i < of->slabs; i += FOUR)
+        cross_slabs(of->numbers + SLAB_NUMBERS * i, p, d, s->in + i, s->out + i, s->open + i);
+    for (uint32_t i = 0, k = of->slabs; i < of->quadrics; i += FOUR, k += FOUR)
+        cross_quadrics(quadrics + QUADRIC_NUMBERS * i, p, d, s->in + k, s->out + k, s->open + k);
+}
+
+/* ---- the members' intervals ---- */
+
+typedef struct intervals { double in[CSG_FEW + 1], out[CSG_FEW + 1]; } intervals;
+
+static bool is_near(double a, double b) { return fabs(a - b) <= margin; }
+
+/* False: open. */
+static bool gather(const csg_outline *of, const near_ray *k, uint32_t columns, intervals *io)
+{
+    const uint32_t count = of->slabs + of->quadrics;
+    double open = 0.0;
+    stretches s;
+
+    cross_all(of, k->at, k->along, &s);
+    for (uint32_t i = 0; i < columns; i++) {
+        io->in[i] = -HUGE_VAL;
+        io->out[i] = HUGE_VAL;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t c = i < of->slabs ? of->slab_of[i] : of->quadric_of[i - of->slabs];
+
+        if (c == CSG_FEW)
+            continue;
+        io->in[c] = s.in[i] > io->in[c] ? s.in[i] : io->in[c];
+        io->out[c] = s.out[i] < io->out[c] ? s.out[i] : io->out[c];
+        open += s.open[i];
+    }
+    return open == 0.0;
+}
+
+/* A member that is never entered ahead has the interval from infinity to minus infinity, one that the ray starts in begins at
+ * minus infinity. `from`: the column that the ray starts on the surface of. False: open. */
+static bool begin(double start, uint32_t columns, uint32_t from, intervals *io)
+{
+    for (uint32_t i = 0; i < columns; i++) {
+        const bool enters = is_near(io->in[i], start), leaves = is_near(io->out[i], start);
+
+        if (is_near(io->in[i], io->out[i]) || (i == from ? enters == leaves || io->in[i] > io->out[i]
+                                                              : io->in[i] < io->out[i] && (enters || leaves)))
+            return false;
+        if (io->in[i] > io->out[i] || leaves || io->out[i] < start) {
+            io->in[i] = HUGE_VAL;
+            io->out[i] = -HUGE_VAL;
+        } else if (enters || io->in[i] < start) {
+            io->in[i] = -HUGE_VAL;
+        }
+    }
+    return true;
+}
+
+/* ---- the first crossing ---- */
+
+/* Which crossing is it, if no other one is near? */
+static csg_found find_end(const intervals *of, uint32_t columns, double at, csg_first *out)
+{
+    uint32_t times = 0;
+
+    for (uint32_t i = 0; i < columns; i++) {
+        if (of->in[i] == at || of->out[i] == at) {
+            out->column = i;
+            out->enters = of->in[i] == at;
+        }
+        times += (uint32_t)is_near(of->in[i], at) + (uint32_t)is_near(of->out[i], at);
+    }
+    return times == 1 ? CSG_CROSSED : CSG_OPEN;
+}
+
+/* The end of the hollows that hold the ray at `*at`. False: open. */
+static bool leave_hollows(const intervals *of, uint32_t hollows, double *at)
+{
+    for (uint32_t rest = hollows; rest; ) {
+        const uint32_t i = first_of(rest);
+
+        rest &= rest - 1;
+        if (of->in[i] >= *at + margin || of->out[i] <= *at - margin || of->in[i] > of->out[i])
+            continue;
+        if (is_near(of->in[i], *at) || is_near(of->out[i], *at)) {
+            if (of->out[i] != *at)
+                return false;
+            continue;
+        }
+        *at = of->out[i];
+        rest = hollows;
+    }
+    return true;
+}
+
+static double find_exit(const intervals *of, uint32_t hollows, double leave)
+{
+    for (; hollows; hollows &= hollows - 1) {
+        const double in = of->in[first_of(hollows)];
+
+        leave = in < leave && in > -HUGE_VAL ? in : leave;
+    }
+    return leave;
+}
+
+/* A ray that is never within all members that are no complements, or within hollows until it leaves these: nothing. */
+static csg_found find(const csg_tree *t, const intervals *of, const near_ray *k, double most, csg_first *out)
+{
+    const uint32_t hollows = t->chords.all & ~t->chords.within;
+    double enter = -HUGE_VAL, leave = HUGE_VAL, at;
+    csg_found found;
+
+    for (uint32_t left = t->chords.within; left; left &= left - 1) {
+        enter = fmax(enter, of->in[first_of(left)]);
+        leave = fmin(leave, of->out[first_of(left)]);
+    }
+    if (enter > leave + margin || (enter - k->start - margin) * k->per_unit > most)
+        return CSG_NOTHING;
+    at = enter > -HUGE_VAL ? enter : k->start;
+    if (enter > leave - margin || !leave_hollows(of, hollows, &at))
+        return CSG_OPEN;
+    if (at > leave - margin)
+        return at > leave + margin ? CSG_NOTHING : CSG_OPEN;
+    if (at == k->start)
+        at = find_exit(of, hollows, leave);
+    found = find_end(of, t->few.count, at, out);
+    out->t = (at - k->start) * k->per_unit;
+    out->off = margin * k->per_unit;
+    out->inward = out->enters == (t->chords.within >> out->column & 1);
+    return found;
+}
+
+csg_found csg_outline_first(const csg_tree *t, const pov_ray *ray, uint32_t from, double most, csg_first *out)
+{
+    near_ray k;
+    intervals of;
+
+    if (!come_near(t->outline, ray, &k) || !gather(t->outline, &k, t->few.count, &of) || !begin(k.start, t->few.count, from, &of))
+        return CSG_OPEN;
+    return find(t, &of, &k, most, out);
+}

@@ -1,0 +1,222 @@
+/* test_csg_outline.c - solids of few convex members, moved, turned and stretched: the first crossing that their outlines find
+ * against the walk in double-double, which does not know them. */
+#include "query/context.h"   /* before probe.h, whose name for a kind it uses for a parameter */
+
+#include "numerics/families.h"
+
+#include "support/check.h"
+#include "support/fake_reader.h"
+#include "support/shapes.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 6, RAYS_OF_A_TREE = 200 };
+
+#define U families_uniform
+
+static long rays = 40000;
+
+typedef struct side { world *world; query_context *context; } side;
+typedef struct scene {
+    model model;
+    pov_reader *in;
+    const transform *map;        /* of most members: then faces of theirs lie on each other */
+    side filtered, exact;
+} scene;
+typedef struct tally { long rays, hits, blocked; } tally;
+
+static uint32_t below(uint32_t n) { return (uint32_t)(n * U()); }
+
+static double coordinate(void) { return U() < 0.3 ? 0.25 * (double)below(9) - 1.0 : 2.0 * U() - 1.0; }
+
+/* The other corner or end: often where another member has its own. */
+static void put_end(probe *p)
+{
+    double *to = p->number + (p->kind == CONE ? 4 : 3);
+    const bool upright = p->kind != BOX && U() < 0.6;
+
+    for (int i = 0; i < 3; i++)
+        to[i] = p->number[i] + (p->kind == BOX ? U() < 0.5 ? 0.5 : 0.2 + U() : upright ? 0.0 : coordinate());
+    if (upright)
+        to[below(3)] += U() < 0.7 ? 0.5 : U() + 0.2;
+}
+
+static void make_probe(probe *p)
+{
+    static const kind kinds[] = { SPHERE, BOX, CYLINDER, CONE };
+    static const int counts[KINDS] = { [SPHERE] = 4, [BOX] = 6, [CONE] = 8, [CYLINDER] = 7 };
+    const double size = U() < 0.3 ? 0.5 : 0.2 + U();
+
+    memset(p, 0, sizeof *p);
+    p->kind = kinds[below(4)];
+    p->count = counts[p->kind];
+    p->size = 1.0;
+    for (int i = 0; i < 3; i++)
+        p->number[i] = 0.5 * coordinate();
+    if (p->kind == SPHERE)
+        p->number[3] = size;
+    else
+        put_end(p);
+    if (p->kind == CYLINDER)
+        p->number[6] = size;
+    if (p->kind == CONE)
+        p->number[3] = U() < 0.3 ? 0.0 : U(), p->number[7] = size;
+}
+
+static const transform *make_map(model *m)
+{
+    const transform *t = NULL;
+    const double all = U() < 0.5 ? 1.0 : 0.5 + U();
+
+    if (U() < 0.3)
+        return NULL;
+    if (U() < 0.7)
+        t = test_transform(m, t, TRANSFORM_SCALE, all * (0.6 + U()), all, all * (U() < 0.5 ? 1.0 : 0.6 + U()));
+    if (U() < 0.7)
+        t = test_transform(m, t, TRANSFORM_ROTATE, U() < 0.3 ? 90.0 : 360.0 * U(), 360.0 * U(), U() < 0.3 ? 0.0 : 360.0 * U());
+    return test_transform(m, t, TRANSFORM_TRANSLATE, 0.5 * coordinate(), 0.5 * coordinate(), 0.5 * coordinate());
+}
+
+static node_ref add_member(scene *s)
+{
+    shape_class written;
+    const shape_class *shape;
+    probe p;
+    void *self;
+
+    make_probe(&p);
+    shape = fake_reader_shape(probe_keyword(p.kind));
+    written = *shape;
+    self = fake_reader_memory(s->in, shape->instance_size + shape->parsed_size);
+    if (shape->prepare)
+        written.instance_size = shape->parsed_size;
+    written.prepare = NULL;
+    assert_true(probe_make(&p, &written, s->in, self));
+    return test_add(&s->model, shape, self, U() < 0.6 ? s->map : make_map(&s->model), 0, 0);
+}
+
+static void make_tree(scene *s)
+{
+    const uint32_t within = 1 + below(2), n = within + 1 + below(MOST - within);
+    group_node both = { .op = NODE_INTERSECTION, .line = 1, .column = 1 }, all = { .op = NODE_DIFFERENCE, .line = 1, .column = 1 };
+    node_ref children[MOST], root;
+
+    for (uint32_t i = 0; i < within; i++)
+        children[i] = add_member(s);
+    if (within > 1)
+        assert_true(model_add_group(&s->model, &both, children, within, &children[0]));
+    for (uint32_t i = within; i < n; i++)
+        children[1 + i - within] = add_member(s);
+    assert_true(model_add_group(&s->model, &all, children, 1 + n - within, &root));
+    assert_true(model_add_tree(&s->model, root));
+}
+
+static void compile(side *out, const model *m, bool exact)
+{
+    const world_options options = { .accel = POV_ACCEL_TREE, .threads = 1, .always_exact = exact };
+
+    assert_int_equal(world_create(&out->world, m, &options, NULL), POV_OK);
+    assert_int_equal(query_context_create(&out->context, out->world, NULL), POV_OK);
+}
+
+static void discard(side *s)
+{
+    query_context_destroy(s->context);
+    world_destroy(s->world);
+}
+
+static pov_ray new_ray(void)
+{
+    static const double far[] = { 0.2, 3.0, 10.0, 1e3, 1e6, 1e9 };
+    const pov_vec3 target = pov_vec3_of(coordinate(), coordinate(), coordinate());
+    pov_vec3 dir = U() < 0.2 ? pov_vec3_of((double)below(3) - 1.0, (double)below(3) - 1.0, (double)below(3) - 1.0)
+                             : families_direction();
+    pov_ray ray;
+
+    if (!(pov_largest(dir) > 0.0))
+        dir.x = 1.0;
+    memset(&ray, 0, sizeof ray);
+    ray.org = pov_sub(target, pov_scale(dir, far[below(6)]));
+    ray.dir = pov_scale(dir, U() < 0.5 ? 1.0 : 1e-3);
+    ray.origin_surface = POV_NO_OWNER;
+    return ray;
+}
+
+/* Do both say the same? True: there is a hit. */
+static bool compare(const scene *s, const pov_ray *ray, hit *h, tally *out)
+{
+    const bool met = test_nearest(s->filtered.world, s->filtered.context, ray, HUGE_VAL, h);
+    uint32_t owners[TEST_CROSSINGS], count;
+    hit truth;
+
+    out->rays++;
+    assert_int_equal(met, test_nearest(s->exact.world, s->exact.context, ray, HUGE_VAL, &truth));
+    if (!met)
+        return false;
+    out->hits++;
+    world_surface(s->filtered.world, ray, h);
+    world_surface(s->exact.world, ray, &truth);
+    assert_int_equal(h->object, truth.object);
+    assert_int_equal(h->entering, truth.entering);
+    assert_true(fabs(h->crossing.t - truth.crossing.t) <= 0x1p-49 * truth.crossing.t);
+    for (int i = -1; i <= 1; i++) {
+        const double most = h->crossing.t * (1.0 + i * 1e-6);
+        const bool clear = test_light(s->filtered.world, s->filtered.context, ray, most, owners, &count);
+
+        assert_int_equal(clear, test_light(s->exact.world, s->exact.context, ray, most, owners, &count));
+        out->blocked += !clear;
+    }
+    return true;
+}
+
+static void ask(const scene *s, tally *out)
+{
+    for (int i = 0; i < RAYS_OF_A_TREE; i++) {
+        pov_ray ray = new_ray();
+        hit h;
+
+        for (int turn = 0; turn < 5 && compare(s, &ray, &h, out); turn++) {
+            ray.org = h.point;
+            ray.org_lo = h.point_lo;
+            ray.dir = turn % 2 ? families_direction() : ray.dir;
+            test_leave(&ray, &h);
+        }
+    }
+}
+
+static void outlines_find_what_the_walk_finds(void **state)
+{
+    tally all = { 0, 0, 0 };
+
+    (void)state;
+    families_seed(20261125);
+    while (all.rays < rays) {
+        scene s;
+
+        memset(&s, 0, sizeof s);
+        test_model_init(&s.model, NULL);
+        s.in = fake_reader_create();
+        s.map = make_map(&s.model);
+        make_tree(&s);
+        compile(&s.filtered, &s.model, false);
+        compile(&s.exact, &s.model, true);
+        ask(&s, &all);
+        discard(&s.filtered);
+        discard(&s.exact);
+        model_free(&s.model);
+        fake_reader_destroy(s.in);
+    }
+    print_message("%ld rays, %ld hits, %ld blocked\n", all.rays, all.hits, all.blocked);
+    assert_true(all.hits > rays / 5 && all.blocked > all.hits / 2);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(outlines_find_what_the_walk_finds) };
+
+    if (argc > 1)
+        rays = strtol(argv[1], NULL, 10);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
