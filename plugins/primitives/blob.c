@@ -10,6 +10,8 @@
 /* A component in a space where it is the unit sphere, or what is nearer than one to the line from 0 to z = length. */
 typedef struct component {
     double m[3][4];              /* from the blob's space, scaled */
+    pov_vec3 centre;             /* of a sphere that nothing has moved, scaled, and 1 / radius^2; or 0 */
+    double per_square;
     double length, strength;
     pov_vec3 lo, hi;             /* its box, scaled */
     uint32_t texture;
@@ -104,6 +106,8 @@ static void add(blob *b, const pov_host *host, pov_reader *in, const written *w,
     c->strength = strength;
     c->texture = texture;
     b->textured |= texture != POV_OWN_TEXTURE;
+    c->centre = w->from;
+    c->per_square = w->moved || pov_largest(pov_sub(w->to, w->from)) > 0.0 ? 0.0 : 1.0 / (w->radius * w->radius);
     find_map(c, w);
     find_box(c, w);
 }
@@ -200,6 +204,8 @@ static void place(blob *b)
 
         c->lo = pov_scale(pov_sub(c->lo, middle), b->boxed.scale);
         c->hi = pov_scale(pov_sub(c->hi, middle), b->boxed.scale);
+        c->centre = pov_scale(pov_sub(c->centre, middle), b->boxed.scale);
+        c->per_square *= back * back;
         for (int j = 0; j < 3; j++) {
             c->m[j][3] += c->m[j][0] * middle.x + c->m[j][1] * middle.y + c->m[j][2] * middle.z;
             for (int k = 0; k < 3; k++)
@@ -238,8 +244,8 @@ static bool bounds(const void *self, pov_box *out)
 static inline double smaller(double a, double b) { return a < b ? a : b; }
 static inline double larger(double a, double b) { return a > b ? a : b; }
 
-/* d^2 / r^2 = a t^2 + 2 b t + c between two distances. */
-typedef struct stretch { double lo, hi, a, b, c, strength; } stretch;
+/* d^2 / r^2 = a t^2 + 2 b t + c between two distances; the field adds no more than `most` there. */
+typedef struct stretch { double lo, hi, a, b, c, strength, most; } stretch;
 
 typedef struct line { pov_vec3 o, d; double base; common_span span; common_wanted wanted; const common_ray *k; } line;
 
@@ -261,7 +267,7 @@ static pov_vec3 mapped(const component *c, pov_vec3 p, double one)
 static uint32_t keep(stretch *s, common_span within)
 {
     const double d = s->b * s->b - s->a * (s->c - 1.0);
-    double middle, half;
+    double middle, half, depth;
 
     if (!(s->a > 0.0 && d > 0.0 && within.lo < within.hi))
         return 0;
@@ -269,14 +275,27 @@ static uint32_t keep(stretch *s, common_span within)
     half = sqrt(d) / s->a;
     s->lo = larger(within.lo, middle - half);
     s->hi = smaller(within.hi, middle + half);
+    depth = d / s->a;
+    s->most = larger(s->strength, 0.0) * depth * depth;
     return s->lo < s->hi;
+}
+
+static uint32_t find_sphere(const component *c, const line *n, stretch *out)
+{
+    const pov_vec3 o = pov_sub(n->o, c->centre);
+
+    out->a = pov_dot(n->d, n->d) * c->per_square;
+    out->b = pov_dot(o, n->d) * c->per_square;
+    out->c = pov_dot(o, o) * c->per_square;
+    out->strength = c->strength;
+    return keep(out, n->span);
 }
 
 static uint32_t find_stretches(const component *c, const line *n, stretch *out)
 {
     const pov_vec3 o = mapped(c, n->o, 1.0), d = mapped(c, n->d, 0.0);
-    const stretch near_end = { 0.0, 0.0, pov_dot(d, d), pov_dot(o, d), pov_dot(o, o), c->strength };
-    stretch tube = { 0.0, 0.0, d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y, o.x * o.x + o.y * o.y, c->strength }, far = near_end;
+    const stretch near_end = { 0.0, 0.0, pov_dot(d, d), pov_dot(o, d), pov_dot(o, o), c->strength, 0.0 };
+    stretch tube = { 0.0, 0.0, d.x * d.x + d.y * d.y, o.x * d.x + o.y * d.y, o.x * o.x + o.y * o.y, c->strength, 0.0 }, far = near_end;
     const double first = -o.z / d.z, second = (c->length - o.z) / d.z;
     common_span start = n->span, middle = n->span, end = n->span;
     uint32_t count = 0;
@@ -284,6 +303,8 @@ static uint32_t find_stretches(const component *c, const line *n, stretch *out)
     out[0] = near_end;
     if (c->length == 0.0 || (d.z == 0.0 && o.z <= 0.0))
         return keep(out, n->span);
+    if (tube.a > 0.0 && !(tube.b * tube.b - tube.a * (tube.c - 1.0) > 0.0))
+        return 0;                /* it passes the endless cylinder, which holds the ends */
     far.b -= c->length * d.z;
     far.c += c->length * (c->length - 2.0 * o.z);
     if (d.z == 0.0) {
@@ -302,6 +323,7 @@ static uint32_t find_stretches(const component *c, const line *n, stretch *out)
         count += keep(&out[count], middle);
     } else if (tube.c < 1.0 && middle.lo < middle.hi) {
         out[count].lo = middle.lo;
+        out[count].most = larger(c->strength, 0.0);
         out[count++].hi = middle.hi;
     }
     out[count] = d.z > 0.0 ? far : near_end;
@@ -350,19 +372,25 @@ static bool report(const line *n, double t, pov_hits *hits)
     return pov_cross(hits, at.hi * n->k->unit, at.lo * n->k->unit, mark) && !(hits->want == POV_WANT_NEAREST && at.hi * n->k->unit > hits->tmin);
 }
 
+/* Far more than roundings. */
+static bool stays_below(const blob *b, double most) { return most <= b->threshold * (1.0 - 0x1p-30) && b->threshold > 0.0; }
+
 /* False: nothing more is wanted. */
 static bool cross_between(const blob *b, const line *n, const stretch *s, uint32_t count, double from, double to, bool from_here,
                           pov_hits *hits)
 {
-    double c[5] = { -b->threshold, -b->threshold, -b->threshold, -b->threshold, -b->threshold }, root[4];
-    uint32_t found, active = 0;
+    double c[5] = { -b->threshold, -b->threshold, -b->threshold, -b->threshold, -b->threshold }, root[4], most = 0.0;
+    uint32_t found;
 
     for (uint32_t i = 0; i < count; i++)
-        if (s[i].lo <= from && s[i].hi >= to) {
+        if (s[i].lo <= from && s[i].hi >= to)
+            most += s[i].most;
+    if (stays_below(b, most))
+        return true;
+    for (uint32_t i = 0; i < count; i++)
+        if (s[i].lo <= from && s[i].hi >= to)
             add_field(&s[i], from, to, c);
-            active++;
-        }
-    if (active == 0 || (c[0] < 0.0 && c[1] < 0.0 && c[2] < 0.0 && c[3] < 0.0 && c[4] < 0.0))
+    if ((c[0] < 0.0 && c[1] < 0.0 && c[2] < 0.0 && c[3] < 0.0 && c[4] < 0.0))
         return true;
     found = common_bernstein_first(c, 4, common_bernstein_noise(c, 4), (n->wanted.enough - from) / (to - from),
                                    (n->wanted.within - from) / (to - from), root);
@@ -381,6 +409,7 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     const bool from_here = ray->origin_surface == hits->owner;
     stretch *s = hits->scratch;
     double *ends = (double *)(void *)(s + 3 * b->count);
+    double most = 0.0;
     uint32_t count = 0;
     line n;
 
@@ -392,13 +421,17 @@ static void cross(const void *self, const pov_ray *ray, const common_entry *e, p
     n.span.hi = e->span.hi - n.base;
     n.wanted = common_wants(n.k, n.base, from_here ? NEAR : -HUGE_VAL, hits);
     for (uint32_t i = 0; i < b->count; i++)
-        count += find_stretches(&b->at[i], &n, s + count);
+        count += b->at[i].per_square > 0.0 ? find_sphere(&b->at[i], &n, s + count) : find_stretches(&b->at[i], &n, s + count);
+    for (uint32_t i = 0; i < count; i++)
+        most += s[i].most;
+    if (stays_below(b, most))
+        return;
     for (uint32_t i = 0; i < count; i++) {
         ends[2 * i] = s[i].lo;
         ends[2 * i + 1] = s[i].hi;
     }
     sort(ends, 2 * count);
-    for (uint32_t i = 0; i + 1 < 2 * count; i++)
+    for (uint32_t i = 0; i + 1 < 2 * count && ends[i] <= n.wanted.far; i++)
         if (ends[i] < ends[i + 1] && !cross_between(b, &n, s, count, ends[i], ends[i + 1], from_here, hits))
             return;
 }
@@ -413,13 +446,17 @@ static double field_of(const component *c, pov_vec3 p, pov_vec3 *slope)
     pov_vec3 q = mapped(c, p, 1.0);
     double depth, factor;
 
-    q.z -= fmin(fmax(q.z, 0.0), c->length);
+    q.z -= smaller(larger(q.z, 0.0), c->length);
     depth = 1.0 - pov_dot(q, q);
-    factor = depth > 0.0 ? -4.0 * c->strength * depth : 0.0;
+    if (!(depth > 0.0)) {
+        *slope = pov_vec3_of(0.0, 0.0, 0.0);
+        return 0.0;
+    }
+    factor = -4.0 * c->strength * depth;
     slope->x = factor * (c->m[0][0] * q.x + c->m[1][0] * q.y + c->m[2][0] * q.z);
     slope->y = factor * (c->m[0][1] * q.x + c->m[1][1] * q.y + c->m[2][1] * q.z);
     slope->z = factor * (c->m[0][2] * q.x + c->m[1][2] * q.y + c->m[2][2] * q.z);
-    return depth > 0.0 ? c->strength * depth * depth : 0.0;
+    return c->strength * depth * depth;
 }
 
 static bool inside(const void *self, pov_vec3 point, pov_vec3 point_lo)
