@@ -131,8 +131,9 @@ static void isolate(const double *b, int degree, double noise, double beyond, br
 
 /* ---- the root ---- */
 
-/* The value is the sum of c[i] u^i v^(n-i), v = 1 - u, and so is the slope: stable on the whole of 0..1. */
-typedef struct weighted { double c[COMMON_BERNSTEIN_MAX + 1], slope[COMMON_BERNSTEIN_MAX]; } weighted;
+/* The value is the sum of c[i] u^i v^(n-i), v = 1 - u, and so are the slope and half the second derivative: stable on the whole
+ * of 0..1. */
+typedef struct weighted { double c[COMMON_BERNSTEIN_MAX + 1], slope[COMMON_BERNSTEIN_MAX], bend[COMMON_BERNSTEIN_MAX - 1]; } weighted;
 
 COMMON_INLINE void weigh_of(const double *b, int degree, weighted *out)
 {
@@ -142,6 +143,8 @@ COMMON_INLINE void weigh_of(const double *b, int degree, weighted *out)
         out->c[i] = binomial * b[i];
         if (i < degree)
             out->slope[i] = binomial * (degree - i) * (b[i + 1] - b[i]);
+        if (i + 1 < degree)
+            out->bend[i] = 0.5 * binomial * (degree - i) * (degree - i - 1) * ((b[i + 2] - b[i + 1]) - (b[i + 1] - b[i]));
         binomial = binomial * (degree - i) / (i + 1);
     }
 }
@@ -157,16 +160,18 @@ COMMON_INLINE double sum_at(const double *c, int degree, double u, double v)
     return sum;
 }
 
-/* Newton's method kept in the bracket. A step below SMALL leaves an error of its square. */
+/* Halley's method kept in the bracket, of which a step below SMALL leaves an error of its cube; where the curve bends much before the
+ * root Newton's, of which a step below SMALLER leaves one of its square. */
 COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *root)
 {
-    static const double SMALL = 0x1p-30, BESIDE = 0x1p-40;
+    static const double SMALL = 0x1p-24, SMALLER = 0x1p-30, BESIDE = 0x1p-40;
     double lo = root->lo, hi = root->hi, x = root->start;
 
     for (int turn = 0; turn < 80; turn++) {
-        const double v = 1.0 - x, value = sum_at(w->c, degree, x, v);
-        const bool is_behind = (value > 0.0) == root->rising;
-        double next = x - value / sum_at(w->slope, degree - 1, x, v);
+        const double v = 1.0 - x, value = sum_at(w->c, degree, x, v), slope = sum_at(w->slope, degree - 1, x, v);
+        const double square = slope * slope, bend = value * sum_at(w->bend, degree - 2, x, v);
+        const bool is_behind = (value > 0.0) == root->rising, is_straight = fabs(bend) <= 0.5 * square;
+        double next = x - value * slope / (is_straight ? square - bend : square);
 
         hi = is_behind ? x : hi;
         lo = is_behind ? lo : x;
@@ -174,7 +179,7 @@ COMMON_INLINE double polish_of(const weighted *w, int degree, const bracket *roo
             next = next < lo ? lo : next > hi ? hi : next;
         else
             next = 0.5 * (lo + hi);
-        if (fabs(next - x) <= SMALL)
+        if (fabs(next - x) <= (is_straight ? SMALL : SMALLER))
             return next;
         x = next;
     }
