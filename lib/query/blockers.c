@@ -2,12 +2,25 @@
 #include "world/csg.h"
 #include "world/internal.h"
 
-typedef struct asking { const world *world; const shaft *in; departure left; query_blocker_fn *add; void *user; } asking;
+/* unseen: objects that cast no shadow count too. */
+typedef struct asking {
+    const world *world;
+    const shaft *in;
+    departure left[2];
+    bool unseen;
+    query_blocker_fn *add;
+    void *user;
+} asking;
 
 /* Does no ray of the shaft meet the shape again, having started on it? */
 static bool is_left(const asking *a, const shape_class *shape, uint32_t object, bool is_plane)
 {
-    return object == a->left.object && (is_plane || (a->left.outward && (shape->flags & POV_SHAPE_CONVEX)));
+    const bool convex = shape->flags & POV_SHAPE_CONVEX;
+
+    for (int i = 0; i < 2; i++)
+        if (object == a->left[i].object && (is_plane || (a->left[i].outward && convex)))
+            return true;
+    return false;
 }
 
 static bool find_plane(const shape_class *shape, const void *self, pov_half_space *out)
@@ -94,16 +107,37 @@ static bool add_leaf(void *user, const void *leaf, const pov_box *box)
     const asking *a = user;
 
     for (const leaf_batch *r = leaf; r; r = leaf_batch_next(r))
-        for (uint32_t casts = r->casts & leaf_batch_lanes(r); casts; casts &= casts - 1)
+        for (uint32_t casts = (a->unseen ? ~0u : r->casts) & leaf_batch_lanes(r); casts; casts &= casts - 1)
             if (!add_shape(a, r, first_of(casts), box))
                 return false;
     return true;
 }
 
+static bool search(const asking *a)
+{
+    void *user = (void *)(uintptr_t)a;
+
+    return add_leaf(user, a->world->infinite, NULL) && add_leaf(user, a->world->list, NULL) &&
+           (!a->world->has_tree || shaft_search(&a->world->tree, a->in, add_leaf, user));
+}
+
 bool query_blockers(const world *w, const shaft *s, departure left, query_blocker_fn *add, void *user)
 {
-    asking a = { w, s, left, add, user };
+    const asking a = { w, s, { left, { POV_NO_OWNER, false } }, false, add, user };
 
-    return add_leaf(&a, w->infinite, NULL) && add_leaf(&a, w->list, NULL) &&
-           (!w->has_tree || shaft_search(&w->tree, s, add_leaf, &a));
+    return search(&a);
+}
+
+static bool is_none(void *user, const blocker *b)
+{
+    (void)user;
+    (void)b;
+    return false;
+}
+
+bool query_is_clear(const world *w, const shaft *s, departure from, departure to)
+{
+    const asking a = { w, s, { from, to }, true, is_none, NULL };
+
+    return search(&a);
 }

@@ -61,6 +61,9 @@ typedef struct departure { uint32_t object; bool outward; } departure;
 /* Name what may cast a shadow in a shaft, until `add` says false. False: `add` said so, or something has neither box nor plane. */
 typedef bool query_blocker_fn(void *user, const blocker *b);
 bool query_blockers(const world *w, const shaft *s, departure left, query_blocker_fn *add, void *user);
+/* Is nothing in a shaft but what its rays leave, and what the segments that count end on from its own outside? False: there may be
+ * something. */
+bool query_is_clear(const world *w, const shaft *s, departure from, departure to);
 /* The nearest crossing in (tmin, tmax) with the objects that these leaves are, whoever sees them. False: there is none. */
 bool query_crossing_of(const world *w, query_context *k, const pov_ray *ray, uint32_t leaf, uint32_t leaf_count,
                        double tmin, double tmax, double *t);

@@ -22,7 +22,8 @@ typedef struct group {
 
 /* Measurements of a group: sums over its pixels. */
 typedef struct showing {
-    double square, fourth;       /* of the estimated squared error, and of that squared */
+    double square, fourth;       /* of the estimated squared error, and of that squared; with sets the sum's square, as often as a set
+                                  * has groups */
     double light[3], light_square;   /* of linear light, and of its mean square */
     double off_square, off_max;  /* against the reference */
 } showing;
@@ -34,6 +35,7 @@ typedef struct cells {
     showing *shown;              /* the same; NULL when a pixel has one sample and there is no reference */
     double *seconds;             /* processor seconds of each cell; NULL: not measured */
     int sums;                    /* numbers a pixel in `halves` */
+    bool sets;                   /* the errors of the pixels of a set are alike */
     double *halves;              /* the sums of both, three each, and that of alpha if there is alpha; NULL when a pixel
                                   * has one sample */
     const float *reference;      /* linear light, four channels a pixel, the caller's; or NULL */
@@ -53,6 +55,9 @@ void cells_free(cells *c, const env *e);
 void cells_clear(cells *c);
 cell_range cells_of(pov_rect tile);
 pov_rect cells_rect(const cells *c, int column, int row);
+/* Rays of radiosity use what others of their set find: the pixels of one colour of a square of cells. */
+enum { SET_CELLS = 2, SET_EDGE = SET_CELLS * CELL_EDGE, SET_PIXELS = SET_EDGE * SET_EDGE / GROUPS };
+
 /* A corner cell may be so narrow that its second group has none. */
 size_t cells_pixels(const cells *c, size_t group);
 /* Variance of the light of the pixels of a group that has some. */

@@ -71,8 +71,8 @@ static void place_on_lens(packet *c, uint32_t n, sample at)
     c->lens[1][n] = at.y;
 }
 
-/* The k-th sample of a pixel of a cell of the claimed tile. */
-static void add_sample(worker *w, const settings *s, packet *c, int cell, int x, int y, uint32_t k)
+/* The k-th sample of a pixel of a cell of the claimed tile. set: see random.h. */
+static void add_sample(worker *w, const settings *s, packet *c, int cell, int x, int y, uint32_t k, uint64_t set, uint32_t place)
 {
     const pov_rect tile = w->claim.rect;
     const int px = s->crop.x + tile.x + x, py = s->crop.y + tile.y + y;
@@ -89,6 +89,8 @@ static void add_sample(worker *w, const settings *s, packet *c, int cell, int x,
         place_on_lens(c, n, raygen_spread(&w->claim.camera, s->seed, px, py, k));
     if (w->job->scene->plan->random)
         c->samples[n] = sample_id_of(s->seed, px, py, k);
+    c->samples[n].set = w->job->scene->plan->random ? set : 0;
+    c->samples[n].place = place;
     c->alpha[n] = pixel + 6;
     c->sums[n] = pixel + 3 * (k & 1u);
     c->cells[n] = cell;
@@ -108,10 +110,64 @@ static bool refine_group(worker *w, const settings *s, cell_range range, int num
         for (int y = top; y < top + CELL_EDGE && y < tile.height; y++)
             for (int x = left; x < left + CELL_EDGE && x < tile.width; x++)
                 if (group_of(range.columns, x, y) == (size_t)number)
-                    add_sample(w, s, c, cell, x, y, g->count);
+                    add_sample(w, s, c, cell, x, y, g->count, 0, 0);
         if (worker_is_given_up(w))
             return false;
     }
+    return true;
+}
+
+/* ---- sets ---- */
+
+/* The next sample of the pixels of one colour of a square of two by two cells whose groups need it. */
+static void refine_set(worker *w, const settings *s, cell_range range, int column, int row, int parity, uint32_t k, packet *c)
+{
+    const pov_rect tile = w->claim.rect;
+    const int left = column * CELL_EDGE, top = row * CELL_EDGE;
+    const uint64_t set = random_set(s->seed, (uint32_t)(32 + parity), s->crop.x + tile.x + left, s->crop.y + tile.y + top);
+    uint32_t place = 0;
+
+    if (c->count > BATCH_MAX - SET_PIXELS)
+        trace_packet(w, s, c);
+    for (int y = top; y < top + SET_EDGE && y < tile.height; y++)
+        for (int x = left; x < left + SET_EDGE && x < tile.width; x++) {
+            const size_t number = group_of(range.columns, x, y);
+            const group *g = &w->refinement->groups[number];
+
+            if (((x ^ y) & 1) == parity && g->count <= k && k < g->target)
+                add_sample(w, s, c, (int)(number / GROUPS), x, y, k, set, place++);
+        }
+}
+
+/* Take the next samples of all pixels of the tile, those of a set together. False: given up. */
+static bool refine_sets(worker *w, const settings *s, cell_range range, packet *c)
+{
+    refinement *r = w->refinement;
+    const int all = GROUPS * range.columns * range.rows;
+    uint32_t first = UINT32_MAX, last = 0;
+
+    for (int i = 0; i < all; i++) {
+        first = r->groups[i].count < first ? r->groups[i].count : first;
+        last = r->groups[i].target > last ? r->groups[i].target : last;
+    }
+    for (uint32_t k = first; k < last; k++)
+        for (int row = 0; row < range.rows; row += SET_CELLS)
+            for (int column = 0; column < range.columns; column += SET_CELLS)
+                for (int parity = 0; parity < GROUPS; parity++) {
+                    refine_set(w, s, range, column, row, parity, k, c);
+                    if (worker_is_given_up(w))
+                        return false;
+                }
+    for (int i = 0; i < all; i++)
+        r->groups[i].count = r->groups[i].target;
+    return true;
+}
+
+static bool refine_groups(worker *w, const settings *s, cell_range range, packet *c)
+{
+    for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
+        if (!refine_group(w, s, range, i, c))
+            return false;
     return true;
 }
 
@@ -124,9 +180,8 @@ bool refine_more(worker *w, const settings *s, const cells *c, const encoding *e
     meter_begin(w->meter);
     together.count = 0;
     raygen_begin(&w->claim.camera, together.rays, BATCH_MAX);
-    for (int i = 0; i < GROUPS * range.columns * range.rows; i++)
-        if (!refine_group(w, s, range, i, &together))
-            return false;
+    if (!(w->job->scene->plan->radiosity ? refine_sets(w, s, range, &together) : refine_groups(w, s, range, &together)))
+        return false;
     trace_packet(w, s, &together);
     if (worker_is_given_up(w))
         return false;

@@ -42,6 +42,7 @@ pov_status worker_prepare(worker *w, const shading *scene, bool (*ask)(void *wor
 /* A packet of rays, for the pixels of a block of the lattice. */
 typedef struct packet {
     uint32_t count;
+    uint64_t set;                /* see random.h */
     raygen_screen through;
     float *out[BATCH_MAX];
     sample_id samples[BATCH_MAX];   /* if plan->random */
@@ -73,6 +74,8 @@ static void number_samples(const worker *w, const settings *s, packet *c)
 
         if (random)
             c->samples[i] = sample_id_of(s->seed, x, y, 0);
+        c->samples[i].set = c->set;
+        c->samples[i].place = i;
         c->through.lens[0][i] = on_lens.x;
         c->through.lens[1][i] = on_lens.y;
     }
@@ -145,6 +148,7 @@ static void trace_block(worker *w, packet *together, const settings *s, const mi
     together->count = 0;
     together->through.width = s->width;
     together->through.height = s->height;
+    together->set = w->job->scene->plan->radiosity ? random_set(s->seed, (uint32_t)l.step, s->crop.x + part.x, s->crop.y + part.y) : 0;
     for (int y = top; y < top + height; y += l.step)
         take_row(together, m, l, left, right, y, w->pixels + 4 * y * tile.width);
     if (s->sampling)
@@ -163,6 +167,8 @@ bool worker_trace(worker *w, const settings *s)
 
     raygen_begin(&c->camera, together.rays, BATCH_MAX);
     find_middles(&m, s, c->rect);
+    if (w->job->scene->plan->radiosity && edge > TILE_EDGE_MIN)
+        edge = TILE_EDGE_MIN;
     meter_begin(w->meter);
     for (int y = 0; y < c->rect.height; y += edge)
         for (int x = 0; x < c->rect.width; x += edge) {

@@ -25,6 +25,7 @@ typedef struct appearance {
     bool powered;                /* what is reflected is raised to a power */
     bool dark;                   /* no ray goes through so dark a filter */
     bool angular;                /* what is reflected or transmitted depends on the angle */
+    bool even;                   /* of a material: it is the same from everywhere on one side */
     bool needs_point;            /* one of these: more than emission is seen of it */
     double highlight_cutoff;     /* at a specular cosine up to this the highlight adds nothing to a float of
                                   * APPEARANCE_VISIBLE or more */

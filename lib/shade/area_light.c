@@ -153,8 +153,8 @@ static pov_vec3 aim_at_some(const lighting *l, const scene_light *from, uint32_t
 {
     const path *p = l->on->at[lane].from;
     const shade_context *c = l->context;
-    const uint32_t number = (uint32_t)(from - c->scene->lights), draws = c->scene->model->radiosity.draws;
-    const sequence_point u = random_point(&c->samples[p->lane], p->draw, draws, p->branch * 0x85ebca6bu + number + 1);
+    const uint32_t number = (uint32_t)(from - c->scene->lights);
+    const sequence_point u = random_point_of_set(&c->samples[p->lane], p->draw, p->draws, p->branch * 0x85ebca6bu + number + 1);
     const uint32_t k = grid_draw(from->grid, u.x);
     const geometry *g = &l->on->geometry;
     vec_lanes point, low, middle;

@@ -3,6 +3,7 @@
 #include "base/elementary.h"
 #include "base/vec.h"
 #include "shade/gather.h"
+#include "shade/reuse.h"
 
 /* ---- batches, filled and spare ---- */
 
@@ -49,6 +50,10 @@ static void give_power(batch_queue *q, power_sum *p)
 {
     if (!p)
         return;
+    if (p->reuse) {
+        p->reuse->next = q->spare_reuse;
+        q->spare_reuse = p->reuse;
+    }
     p->next = q->spare_power;
     q->spare_power = p;
 }
@@ -61,10 +66,22 @@ bool batch_add_power(batch_queue *q, const env *e, batch *b)
         q->spare_power = p->next;
     else
         p = env_alloc(e, 1, sizeof *p);
-    if (p)
+    if (p) {
         p->count = 0;
+        p->reuse = NULL;
+    }
     b->power = p;
     return p != NULL;
+}
+
+bool batch_add_reuse(batch_queue *q, const env *e, power_sum *p)
+{
+    p->reuse = q->spare_reuse;
+    if (p->reuse)
+        q->spare_reuse = p->reuse->next;
+    else
+        p->reuse = env_alloc_aligned(e, sizeof *p->reuse, SIMD_LINE);
+    return p->reuse != NULL;
 }
 
 static bool add_gather(batch_queue *q, const env *e, batch *b)
@@ -202,6 +219,12 @@ void batch_free(batch_queue *q, const env *e)
         q->spare_gather = g->next;
         env_free_aligned(e, g);
     }
+    while (q->spare_reuse) {
+        reuse *r = q->spare_reuse;
+
+        q->spare_reuse = r->next;
+        env_free_aligned(e, r);
+    }
     while (q->spare_power) {
         power_sum *p = q->spare_power;
 
@@ -273,9 +296,11 @@ static float raise(float x, float exponent)
 
 static colour raise_all(colour c, float e) { return colour_of(raise(c.r, e), raise(c.g, e), raise(c.b, e)); }
 
-static void end_sum(batch_queue *q, const shade_context *c, power_sum *p)
+static void end_sum(batch_queue *q, shade_context *c, power_sum *p)
 {
-    for (uint32_t i = 0; i < p->count; i++) {
+    if (p->reuse)
+        reuse_spread(c, p);
+    for (uint32_t i = 0; !p->reuse && i < p->count; i++) {
         const colour seen = p->seen[p->lane[i]];
         const colour counts = p->gathers ? gather_sample(&c->scene->model->radiosity, seen) : raise_all(seen, p->exponent[i]);
         colour *out = &p->out[p->lane[i]];
@@ -291,6 +316,10 @@ static bool draw(batch_queue *q, shade_context *c)
     wait *w = &q->waits.items[q->waits.count - 1];
 
     c->failed = c->failed || !gather_draw(c, q, w->paths, w->draw);
+    if (q->now->count == 0) {
+        give_power(q, q->now->power);
+        q->now->power = NULL;
+    }
     c->dielectrics.count = w->dielectrics;
     c->coincident_sets.count = w->coincident_sets;
     if (gather_has_draw(w->paths, ++w->draw))
@@ -397,6 +426,7 @@ bool batch_next(batch_queue *q, shade_context *c)
 {
     if (!choose(q, c))
         return false;
+    q->now->reuse = q->now->power ? q->now->power->reuse : NULL;
     if (q->now->power && !begin_sum(q, c)) {
         c->failed = true;
         return false;

@@ -22,6 +22,7 @@ typedef struct batch_queue {
     batch *spare;
     power_sum *spare_power;
     gather_origins *spare_gather;
+    struct reuse *spare_reuse;
     wait_stack waits;
 } batch_queue;
 
@@ -38,6 +39,8 @@ void batch_begin(batch_queue *q, colour *out);
 batch *batch_grow(batch_queue *q, const env *e, branches *list, uint32_t lane);
 /* Give the batch a sum of its own. False: no memory. */
 bool batch_add_power(batch_queue *q, const env *e, batch *b);
+/* Room for what its samples find. False: no memory. */
+bool batch_add_reuse(batch_queue *q, const env *e, power_sum *p);
 
 static inline batch *batch_branch(batch_queue *q, const env *e, branches *list, uint32_t lane)
 {

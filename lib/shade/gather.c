@@ -2,6 +2,7 @@
 
 #include "shade/air.h"
 #include "shade/guide.h"
+#include "shade/reuse.h"
 #include "shade/spawn.h"
 
 /* ---- origins ---- */
@@ -85,7 +86,6 @@ static void add(gathering *to, uint32_t i, bool behind, colour by)
     if (!b)
         return;
     b->gather->draws[b->count] = draws_of(to, s->from, factor.weight);
-    factor.by = colour_scale(factor.by, 1.0f / (float)b->gather->draws[b->count]);
     set_sides(to, b->gather, b->count, i, behind);
     next = spawn(b, s, pov_vec3_of(0.0, 0.0, 0.0), factor, true);
     next->clear = 0.0f;
@@ -167,66 +167,178 @@ static void name_side(pov_ray *ray, const gather_origins *g, uint32_t i)
     world_origin_leave(ray, g->outside[i] != g->behind[i], along, 1.0);
 }
 
-/* False: the ray is not needed. */
-static bool aim(const shade_context *c, const batch *from, uint32_t i, uint32_t draw, path *p, pov_ray *ray)
+/* The rays of one draw. */
+typedef struct drawing {
+    shade_context *context;
+    const batch *from;
+    uint32_t draw;
+    batch *to;
+    power_sum *sum;              /* NULL: all is added as it is found */
+} drawing;
+
+/* Note where a ray starts whose samples its neighbours may use, and how it was drawn. */
+static void note_start(const drawing *d, uint32_t i, const path *p, const guide_views *all, bool goes, pov_vec3 dir, float by)
 {
-    const uint32_t draws = from->gather->draws[i], all = c->scene->model->radiosity.draws;
+    const uint32_t n = d->sum->count;
+    const gather_origins *g = d->from->gather;
+    const uint32_t lamps = world_get_lamps(d->context->scene->world)->count;
+    reuse *r = d->sum->reuse;
+
+    lanes_put(&r->start, n, d->from->own[i].org);
+    lanes_put(&r->normal, n, lanes_at(&g->normal, i));
+    lanes_put(&r->face, n, lanes_at(&g->face, i));
+    r->rays[n] = d->from->own[i];
+    r->outside[n] = g->outside[i] != g->behind[i];
+    r->from_object[n] = d->from->own[i].origin_surface;
+    r->sets[n] = p->coincident ? 0 : d->context->samples[p->lane].set;
+    r->by[n] = by;
+    r->guided[n] = all->count > 0;
+    for (uint32_t k = 0; k < lamps; k++)
+        r->lamps[k][n] = 0.0;
+    for (uint32_t k = 0; k < all->count; k++) {
+        r->lamps[all->of[k].lamp][n] = all->of[k].share / all->of[k].whole;
+        r->lamps_seen |= (uint64_t)1 << all->of[k].lamp;
+    }
+    r->found[p->lane] = goes ? REUSE_SKY : REUSE_NOTHING;   /* until a surface is found */
+    lanes_put(&r->end, p->lane, dir);
+}
+
+/* What a ray finds counts by this factor; if it is summed up, when that is complete. */
+static void note_factor(const drawing *d, path *p, float by)
+{
+    uint32_t n;
+
+    if (!d->sum) {
+        p->factor.by = colour_scale(p->factor.by, by);
+        return;
+    }
+    n = d->sum->count++;
+    d->sum->lane[n] = p->lane;
+    d->sum->factor[n] = d->sum->reuse ? p->factor.by : colour_scale(p->factor.by, by);
+    p->factor.by = colour_of(1.0f, 1.0f, 1.0f);
+}
+
+/* False: the ray is not needed; what others find may count for its start. */
+static bool aim(const drawing *d, uint32_t i, uint32_t n)
+{
+    const shade_context *c = d->context;
+    const gather_origins *g = d->from->gather;
+    const uint32_t draws = g->draws[i];
+    path *p = &d->to->paths[n];
+    pov_ray *ray = &d->to->own[n];
     const bool first = p->gathers == 1;
-    const sequence_point at = random_point(&c->samples[p->lane], first ? draw : p->draw, first ? draws : all, p->branch);
-    const guide_kind kind = first || draws == 1 ? GUIDE_EITHER : draw == 0 ? GUIDE_EVEN : GUIDE_LAMPS;
+    const guide_kind kind = first || draws == 1 ? GUIDE_EITHER : d->draw == 0 ? GUIDE_EVEN : GUIDE_LAMPS;
+    const pov_vec3 normal = lanes_at(&g->normal, i);
+    sequence_point at;
+    guide_views all;
+    bool goes;
     float by;
 
-    if (!guide_draw(world_get_lamps(c->scene->world), ray->org, lanes_at(&from->gather->normal, i), at, kind, &ray->dir, &by))
+    if (first) {
+        p->draw = (uint8_t)d->draw;
+        p->draws = (uint8_t)draws;
+    }
+    at = random_point_of_set(&c->samples[p->lane], p->draw, p->draws, p->branch);
+    guide_find(world_get_lamps(c->scene->world), ray->org, normal, &all);
+    goes = guide_draw(&all, ray->org, normal, at, kind, &ray->dir, &by);
+    if (!goes && !(d->sum && d->sum->reuse))
         return false;
     if (kind == GUIDE_LAMPS)
         spawn_turn(p, TURN_TO_LAMP);
-    p->factor.by = colour_scale(p->factor.by, by);
-    if (first)
-        p->draw = (uint8_t)draw;
-    name_side(ray, from->gather, i);
-    return true;
+    p->factor.by = colour_scale(p->factor.by, 1.0f / (float)draws);
+    if (d->sum && d->sum->reuse)
+        note_start(d, i, p, &all, goes, ray->dir, by);
+    note_factor(d, p, by);
+    name_side(ray, g, i);
+    return goes;
 }
 
-static void draw_ray(const shade_context *c, const batch *from, uint32_t i, uint32_t draw, batch *to)
+static void draw_ray(const drawing *d, uint32_t i)
 {
-    const uint32_t n = to->count;
+    const uint32_t n = d->to->count;
 
-    to->paths[n] = from->paths[i];
-    to->own[n] = from->own[i];
-    to->count += aim(c, from, i, draw, &to->paths[n], &to->own[n]);
+    d->to->paths[n] = d->from->paths[i];
+    d->to->own[n] = d->from->own[i];
+    d->to->count += aim(d, i, n);
+}
+
+/* ---- sets ---- */
+
+static uint64_t set_of(const shade_context *c, const batch *b, uint32_t i)
+{
+    return b->paths[i].coincident ? 0 : c->samples[b->paths[i].lane].set;
+}
+
+/* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them. The paths end by the weight
+ * of the one that counts most. */
+static void draw_alike(const shade_context *c, batch *b, uint32_t from, uint32_t to)
+{
+    const uint32_t most = c->scene->model->radiosity.draws;
+    uint32_t draws = 1;
+    float weight = 0.0f;
+
+    while (draws < most && draws * (to - from) < 2 * most)
+        draws *= 2;
+    for (uint32_t i = from; i < to; i++)
+        weight = fmaxf(weight, b->paths[i].factor.weight);
+    for (uint32_t i = from; i < to; i++) {
+        b->gather->draws[i] = (uint8_t)draws;
+        b->paths[i].factor.weight = weight;
+    }
+}
+
+/* Are there sets in the batch? */
+static bool find_sets(const shade_context *c, batch *b)
+{
+    bool some = false;
+
+    if (b->count < 2 || b->paths[0].gathers != 1 || !reuse_is_possible(c))
+        return false;
+    for (uint32_t from = 0, to; from < b->count; from = to) {
+        const uint64_t set = set_of(c, b, from);
+
+        for (to = from + 1; to < b->count && set && set_of(c, b, to) == set; to++)
+            ;
+        some = some || to - from > 1;
+        if (to - from > 1)
+            draw_alike(c, b, from, to);
+    }
+    return some;
 }
 
 /* Samples that are not added as they are have sums of their own. */
-static bool sum_up(shade_context *c, batch_queue *q, batch *b)
+static bool sum_up(drawing *d, batch_queue *q)
 {
+    const shade_context *c = d->context;
     const radiosity_settings *r = &c->scene->model->radiosity;
+    const bool reuses = d->from->gather->reuses;
 
-    if (!(r->gray_threshold > 0.0f || r->max_sample > 0.0f))
+    if (!(reuses || r->gray_threshold > 0.0f || r->max_sample > 0.0f))
         return true;
-    if (!batch_add_power(q, c->env, b))
+    if (!batch_add_power(q, c->env, d->to) || (reuses && !batch_add_reuse(q, c->env, d->to->power)))
         return false;
-    b->power->gathers = true;
-    for (; b->power->count < b->count; b->power->count++) {
-        path *p = &b->paths[b->power->count];
-
-        b->power->lane[b->power->count] = p->lane;
-        b->power->factor[b->power->count] = p->factor.by;
-        p->factor.by = colour_of(1.0f, 1.0f, 1.0f);
-    }
+    d->sum = d->to->power;
+    d->sum->gathers = true;
+    if (reuses)
+        d->sum->reuse->lamps_seen = 0;
     return true;
 }
 
-bool gather_draw(shade_context *c, batch_queue *q, const batch *from, uint32_t draw)
+bool gather_draw(shade_context *c, batch_queue *q, batch *from, uint32_t draw)
 {
-    batch *to = q->now;
+    drawing d = { c, from, draw, q->now, NULL };
 
-    to->count = 0;
-    to->power = NULL;
-    to->out = from->out;
+    if (draw == 0)
+        from->gather->reuses = find_sets(c, from);
+    d.to->count = 0;
+    d.to->power = NULL;
+    d.to->out = from->out;
+    if (!sum_up(&d, q))
+        return false;
     for (uint32_t i = 0; i < from->count; i++)
         if (draw < from->gather->draws[i])
-            draw_ray(c, from, i, draw, to);
-    return sum_up(c, q, to);
+            draw_ray(&d, i);
+    return true;
 }
 
 colour gather_sample(const radiosity_settings *r, colour seen)

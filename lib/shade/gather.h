@@ -16,7 +16,7 @@ void gather_begin_layers(shade_context *c, const layers *l, batch_queue *q);
 /* Is there some ray that needs another draw? */
 bool gather_has_draw(const batch *b, uint32_t draw);
 /* Make q->now the rays of a draw from these origins. False: no memory. */
-bool gather_draw(shade_context *c, batch_queue *q, const batch *from, uint32_t draw);
+bool gather_draw(shade_context *c, batch_queue *q, batch *from, uint32_t draw);
 /* What a sample counts for. */
 colour gather_sample(const radiosity_settings *r, colour seen);
 

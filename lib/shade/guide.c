@@ -30,16 +30,7 @@ static const double *component(const pov_vec3 *v, int axis) { return axis == 0 ?
 
 static double at(pov_vec3 v, int axis) { return *component(&v, axis); }
 
-/* A lamp as seen from a point: the sides of its box that look there, and its share of the directions. */
-typedef struct view {
-    const pov_box *box;
-    double area[3], side[3], whole, share;
-} view;
-
-/* The lamps above a surface. */
-typedef struct views { uint32_t count; view of[WORLD_LAMPS_MAX]; } views;
-
-static void find_sides(view *v, pov_vec3 point)
+static void find_sides(guide_view *v, pov_vec3 point)
 {
     const pov_vec3 size = pov_sub(v->box->hi, v->box->lo);
 
@@ -69,15 +60,16 @@ static double expected(const world_lamp *l, pov_vec3 point)
     return l->power / (pov_dot(to, to) + pov_dot(half, half));
 }
 
-static void find_views(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, views *out)
+void guide_find(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, guide_views *out)
 {
     double sum = 0.0;
 
     out->count = 0;
     for (uint32_t i = 0; i < lamps->count; i++) {
-        view *v = &out->of[out->count];
+        guide_view *v = &out->of[out->count];
 
         v->box = &lamps->items[i].box;
+        v->lamp = i;
         if (!(height_of(v->box, point, normal) > 0.0))
             continue;
         find_sides(v, point);
@@ -92,7 +84,7 @@ static void find_views(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal
 }
 
 /* Densities are by solid angle. A ray enters a box through one of the faces that look to its start. */
-static double density_of(const view *v, pov_vec3 point, pov_vec3 dir)
+static double density_of(const guide_view *v, pov_vec3 point, pov_vec3 dir)
 {
     double enters = 0.0, leaves = HUGE_VAL;
     int face = -1;
@@ -126,7 +118,7 @@ static double rest_of(double *u, double share)
 }
 
 /* Towards a point of the faces, all alike. */
-static pov_vec3 aim(const view *v, pov_vec3 point, double x, double y)
+static pov_vec3 aim(const guide_view *v, pov_vec3 point, double x, double y)
 {
     double left = x * v->whole, to[3];
     int face = 0, b, c;
@@ -142,7 +134,7 @@ static pov_vec3 aim(const view *v, pov_vec3 point, double x, double y)
     return pov_unit(pov_vec3_of(to[0], to[1], to[2]));
 }
 
-static pov_vec3 draw_lamp(const views *all, pov_vec3 point, double x, double y)
+static pov_vec3 draw_lamp(const guide_views *all, pov_vec3 point, double x, double y)
 {
     uint32_t i = 0;
 
@@ -154,17 +146,13 @@ static pov_vec3 draw_lamp(const views *all, pov_vec3 point, double x, double y)
 }
 
 /* Of rays half go towards lamps, by chance or where one of each kind is drawn. */
-bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, sequence_point p, guide_kind kind, pov_vec3 *dir,
+bool guide_draw(const guide_views *all, pov_vec3 point, pov_vec3 normal, sequence_point p, guide_kind kind, pov_vec3 *dir,
                 float *by)
 {
     double even, density = 0.0;
-    views all;
 
     *by = kind == GUIDE_EITHER ? 1.0f : 2.0f;
-    all.count = 0;
-    if (lamps->count > 0)
-        find_views(lamps, point, normal, &all);
-    if (all.count == 0) {
+    if (all->count == 0) {
         *dir = spread(normal, p);
         return kind != GUIDE_LAMPS;
     }
@@ -172,10 +160,10 @@ bool guide_draw(const world_lamps *lamps, pov_vec3 point, pov_vec3 normal, seque
         kind = p.x < 0.5 ? GUIDE_EVEN : GUIDE_LAMPS;
         p.x = kind == GUIDE_EVEN ? 2.0 * p.x : 2.0 * p.x - 1.0;
     }
-    *dir = kind == GUIDE_EVEN ? spread(normal, p) : draw_lamp(&all, point, p.x, p.y);
+    *dir = kind == GUIDE_EVEN ? spread(normal, p) : draw_lamp(all, point, p.x, p.y);
     even = pov_dot(*dir, normal) * inverse_pi;
-    for (uint32_t i = 0; i < all.count; i++)
-        density += all.of[i].share * density_of(&all.of[i], point, *dir);
+    for (uint32_t i = 0; i < all->count; i++)
+        density += all->of[i].share * density_of(&all->of[i], point, *dir);
     *by = (float)(even / (0.5 * even + 0.5 * density));
     return even > 0.0 && *by > 0.0f;
 }

@@ -150,7 +150,7 @@ static void begin_lottery(const lighting *l, const uint8_t *all, uint32_t count,
 
         out->sum[all[k]] = out->won[all[k]] = 0.0;
         out->light[all[k]] = UINT32_MAX;
-        out->number[all[k]] = random_point(&c->samples[p->lane], p->draw, c->scene->model->radiosity.draws, p->branch * 0x85ebca6bu).x;
+        out->number[all[k]] = random_point_of_set(&c->samples[p->lane], p->draw, p->draws, p->branch * 0x85ebca6bu).x;
     }
 }
 

@@ -21,7 +21,7 @@ typedef struct path {
     bool mirrored;               /* it was reflected on its way, and not only transmitted */
     bool gathering;              /* its ray gathers light for a diffuse surface */
     uint8_t gathers;             /* how many of its rays did */
-    uint8_t draw;                /* the number of the first of these */
+    uint8_t draw, draws;         /* the number of the first of these, of how many */
     uint32_t branch;             /* mixed from its turns: different paths of a camera ray have different random numbers */
     bool struck;                 /* of a photon: it met its target */
     double travelled;            /* of a photon: how far it came until it started here */
@@ -36,6 +36,7 @@ typedef struct path {
 typedef struct power_sum {
     uint32_t count;
     bool gathers;                /* samples of radiosity */
+    struct reuse *reuse;         /* NULL, or what they find counts for their neighbours too */
     uint32_t lane[WORLD_MANY];
     colour factor[WORLD_MANY];
     float exponent[WORLD_MANY];
@@ -50,6 +51,7 @@ typedef struct gather_origins {
     uint8_t draws[WORLD_MANY];
     bool outside[WORLD_MANY];    /* the ray to the surface came from outside of the object */
     bool behind[WORLD_MANY];     /* they leave to the other side */
+    bool reuses;                 /* what some of the rays find counts for others */
     struct gather_origins *next;         /* next of the spare ones */
 } gather_origins;
 
@@ -65,6 +67,7 @@ typedef struct batch {
     colour *out;                 /* where its colours are added, by lane of the camera ray */
     gather_origins *gather;            /* NULL, or these are the origins of rays that gather light */
     power_sum *power;                /* NULL, or what is done with the sum of its colours: `out` is set when it begins */
+    struct reuse *reuse;         /* NULL, or where what its rays find is noted */
     struct batch *next;          /* next of the spare batches */
 } batch;
 

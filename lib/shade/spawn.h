@@ -28,6 +28,7 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     next->gathering = false;
     next->gathers = p->gathers;
     next->draw = p->draw;
+    next->draws = p->draws;
     next->branch = p->branch;
     next->struck = p->struck;
     next->travelled = p->travelled;

@@ -80,7 +80,7 @@ static bool is_unseen(const shading *scene, const path *p, uint32_t object)
 }
 
 /* Does the surface need more than its emission? */
-static inline bool is_kept(shade_context *c, surface *s, colour *out)
+static inline bool is_kept(shade_context *c, const batch *b, surface *s, colour *out)
 {
     const shading *scene = c->scene;
     const appearance *a;
@@ -99,7 +99,7 @@ static inline bool is_kept(shade_context *c, surface *s, colour *out)
     s->appearance = a = shading_constant(scene, s->at->object);
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
-    if (a->needs_point)
+    if (a->needs_point || b->reuse)
         return true;
     accumulate(s->from, a->emitted, out);
     return false;
@@ -134,7 +134,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
         place(s, &s->at[n], b, i, n);
         if (hit_single(c, &s->at[n])) {
             dim(c, s, &s->at[n], out);
-            n += is_kept(c, &s->at[n], out);
+            n += is_kept(c, b, &s->at[n], out);
         } else if (!c->photons_fly) {
             air_background(c, b, (uint64_t)1 << i, out);
         }
@@ -180,7 +180,7 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     for (rest = found; rest; rest &= rest - 1) {
         place(s, at, b, first_of64(rest), n);
         dim(c, s, at, out);
-        if (is_kept(c, at, out)) {
+        if (is_kept(c, b, at, out)) {
             at++;
             n++;
         }

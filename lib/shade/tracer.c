@@ -6,6 +6,7 @@
 #include "shade/accumulate.h"
 #include "shade/gather.h"
 #include "shade/photon_flight.h"
+#include "shade/reuse.h"
 #include "shade/scatter.h"
 
 #include <string.h>
@@ -137,10 +138,14 @@ static void shade_surfaces(pov_tracer *t, colour *out)
 static void shade_batch(pov_tracer *t, const batch *b, colour *out)
 {
     shade_context *c = &t->context;
+    bool single;
 
     surfaces_find(c, &t->surfaces, b, out);
     batch_begin(&t->queue, out);
-    if (surfaces_complete(c, &t->surfaces, &t->painted))
+    single = surfaces_complete(c, &t->surfaces, &t->painted);
+    if (b->reuse)
+        reuse_note(c, &t->surfaces, b->reuse);
+    if (single)
         shade_surfaces(t, out);
     else
         shade_layers(t, out);
@@ -346,7 +351,7 @@ static const sample_id *number_rays(pov_tracer *t, const pov_ray *rays, uint32_t
         return NULL;
     for (uint32_t i = 0; i < n; i++) {
         const uint64_t bits = mix_bits(elementary_bits(rays[i].dir.x) * 0x9e3779b97f4a7c15u ^ elementary_bits(rays[i].dir.y));
-        const sample_id id = { mix_bits(bits ^ elementary_bits(rays[i].dir.z)), 0 };
+        const sample_id id = { mix_bits(bits ^ elementary_bits(rays[i].dir.z)), 0, 0, 0 };
 
         t->own_samples[i] = id;
     }
@@ -396,7 +401,7 @@ void tracer_colors(pov_tracer *t, const pov_ray *rays, uint32_t n, unsigned know
     uint32_t i, some;
 
     for (i = 0; i < n && !t->context.failed && !ask->given_up; i += some) {
-        some = ask->ask && ask->every < BATCH_MAX ? (uint32_t)ask->every : BATCH_MAX;
+        some = ask->ask && ask->every < BATCH_MAX && !t->context.scene->plan->radiosity ? (uint32_t)ask->every : BATCH_MAX;
         some = some < n - i ? some : n - i;
         trace(t, rays + i, some, known, samples ? samples + i : NULL, out + i, alpha ? alpha + i : NULL);
     }

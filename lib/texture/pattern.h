@@ -56,6 +56,7 @@ enum {
     PATTERN_NEEDS_NORMAL = 8,    /* there is no value without a surface */
     PATTERN_BRACED = 16,         /* words and arguments may stand in braces behind the pattern's word */
     PATTERN_FILE = 32,           /* an image or a volume, whose text is read apart */
+    PATTERN_NEEDS_VIEW = 128,    /* it depends on where it is seen from */
     PATTERN_UNFOLDED = 64        /* without a frequency values stay as they are, whatever the phase */
 };
 

@@ -74,6 +74,6 @@ const pattern_class pattern_slope = {
 
 const pattern_class pattern_aoi = {
     .keyword = "aoi",
-    .flags = PATTERN_NEEDS_NORMAL,
+    .flags = PATTERN_NEEDS_NORMAL | PATTERN_NEEDS_VIEW,
     .evaluate = evaluate_aoi,
 };

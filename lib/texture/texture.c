@@ -40,13 +40,35 @@ static void find_normals(const model *m, const texture *layer, const texture_poi
         normal_eval(m, layer->normal, p->around, points, p->n, out);
 }
 
-static bool asks_for_normal(const pigment_node *p)
-{
-    bool asks = p->pattern && p->pattern->class->flags & PATTERN_NEEDS_NORMAL;
+static bool asks(const pattern *p, unsigned flag) { return p && p->class->flags & flag; }
 
-    for (uint32_t i = 0; !asks && p->pigments && i < p->count; i++)
-        asks = asks_for_normal(p->pigments[i]);
-    return asks;
+static bool pigment_asks(const pigment_node *p, unsigned flag)
+{
+    bool found = asks(p->pattern, flag);
+
+    for (uint32_t i = 0; !found && p->pigments && i < p->count; i++)
+        found = pigment_asks(p->pigments[i], flag);
+    return found;
+}
+
+static bool normal_asks(const normal_node *n, unsigned flag)
+{
+    bool found = asks(n->pattern, flag);
+
+    for (uint32_t i = 0; !found && n->normals && i < n->count; i++)
+        found = n->normals[i] && normal_asks(n->normals[i], flag);
+    return found;
+}
+
+bool texture_is_of_view(const texture *of)
+{
+    const unsigned flag = PATTERN_NEEDS_VIEW;
+    bool found = asks(of->pattern, flag) || (of->blend == BLEND_NONE && (pigment_asks(of->pigment, flag) ||
+                                                                         (of->normal && normal_asks(of->normal, flag))));
+
+    for (uint32_t i = 0; !found && of->blend != BLEND_NONE && i < of->count; i++)
+        found = texture_is_of_view(of->textures[i]);
+    return found;
 }
 
 /* As in POV-Ray slope and aoi take the normal that the texture itself has bent. */
@@ -55,7 +77,7 @@ static void find_pigments(const model *m, const texture *layer, const texture_po
 {
     texture_points bent;
 
-    if (!layer->normal || !points->has_surface || !asks_for_normal(layer->pigment)) {
+    if (!layer->normal || !points->has_surface || !pigment_asks(layer->pigment, PATTERN_NEEDS_NORMAL)) {
         pigment_eval(m, layer->pigment, points, n, out);
         return;
     }

@@ -39,6 +39,8 @@ void texture_point(const inverse_map *map, pov_vec3 point, pov_vec3 point_lo, ui
  * have the same order alone and beside others. */
 uint32_t texture_eval(const model *m, const texture *of, const texture_points *points, uint32_t n, texture_term *out);
 uint32_t texture_most_terms(const texture *of);
+/* Does some pattern depend on where the surface is seen from? */
+bool texture_is_of_view(const texture *of);
 /* Factors of light that crosses the surface. */
 void texture_filters(const model *m, const texture *of, const texture_points *points, uint32_t n, colour *out);
 /* Evaluate a pigment alone. */

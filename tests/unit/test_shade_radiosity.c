@@ -248,6 +248,104 @@ static void a_ray_sees_the_same_alone_and_among_others(void **state)
     tiny_end(&s);
 }
 
+/* ---- sets of rays, which use what others of them find ---- */
+
+enum { SET = 16 };
+
+/* A corner of floor and wall with a lamp before it, a sphere in its light, and the sky. */
+static void build_corner(tiny *s)
+{
+    begin(s);
+    s->model.radiosity.recursion_limit = 2;
+    s->model.radiosity.draws = 4;
+    s->model.background = colour_of(0.1f, 0.1f, 0.1f);
+    tiny_plane(s, 0, 1, 0, -1, diffuse(0.75f, 0.0f));
+    tiny_plane(s, 0, 0, -1, -5, diffuse(0.5f, 0.0f));
+    tiny_sphere(s, 0, 0.5, 3.5, 0.4, diffuse(0.0f, 4.0f));
+    tiny_sphere(s, 0.3, -0.3, 4, 0.3, diffuse(0.5f, 0.0f));
+    tiny_build(s);
+}
+
+/* Rays to both sides of the corner, and past it to the sphere. */
+static pov_ray ray_to_corner(uint32_t i)
+{
+    const pov_ray ray = { .dir = { 0.1 * (i % 4) - 0.15, -0.16 - 0.04 * (i / 4), 1 }, .origin_surface = POV_NO_OWNER };
+
+    return ray;
+}
+
+static void number_set(sample_id *ids, uint32_t number, uint64_t set)
+{
+    for (uint32_t i = 0; i < SET; i++) {
+        ids[i] = sample_id_of(5, (int)i, 1, number);
+        ids[i].set = set;
+        ids[i].place = i;
+    }
+}
+
+/* Means and variances by ray. */
+static void trace_corner(tiny *s, uint64_t set, uint32_t rounds, double mean[SET], double *variance)
+{
+    double squares[SET] = { 0 };
+    pov_ray rays[SET];
+    colour seen[SET];
+    sample_id ids[SET];
+
+    *variance = 0.0;
+    for (uint32_t i = 0; i < SET; i++) {
+        rays[i] = ray_to_corner(i);
+        mean[i] = 0.0;
+    }
+    for (uint32_t k = 0; k < rounds; k++) {
+        number_set(ids, 2 * k, set);
+        tracer_colors(s->tracer, rays, SET, TRACER_SOUND, ids, seen, NULL);
+        for (uint32_t i = 0; i < SET; i++) {
+            mean[i] += (double)seen[i].g / rounds;
+            squares[i] += (double)seen[i].g * (double)seen[i].g / rounds;
+        }
+    }
+    for (uint32_t i = 0; i < SET; i++)
+        *variance += (squares[i] - mean[i] * mean[i]) / SET;
+}
+
+static void what_neighbours_find_keeps_the_mean_and_lowers_the_noise(void **state)
+{
+    enum { ROUNDS = 16384 };
+    double alone[SET], together[SET], noise_alone, noise_together;
+    tiny s;
+
+    (void)state;
+    build_corner(&s);
+    trace_corner(&s, 0, ROUNDS, alone, &noise_alone);
+    trace_corner(&s, 1000, ROUNDS, together, &noise_together);
+    for (uint32_t i = 0; i < SET; i++)
+        assert_near(together[i], alone[i], 0.01 * alone[i] + 0.0015);
+    assert_true(noise_together < noise_alone);   /* with a quarter of the rays that gather */
+    tiny_end(&s);
+}
+
+static void a_set_sees_the_same_alone_and_among_others(void **state)
+{
+    pov_ray rays[3 * SET];
+    sample_id ids[3 * SET];
+    colour many[3 * SET], some[SET];
+    tiny s;
+
+    (void)state;
+    build_corner(&s);
+    for (uint32_t k = 0; k < 3; k++) {
+        number_set(ids + SET * k, k, 100 + k);
+        for (uint32_t i = 0; i < SET; i++)
+            rays[SET * k + i] = ray_to_corner(i);
+    }
+    tracer_colors(s.tracer, rays, 3 * SET, TRACER_SOUND, ids, many, NULL);
+    for (uint32_t k = 0; k < 3; k++) {
+        tracer_colors(s.tracer, rays + SET * k, SET, TRACER_SOUND, ids + SET * k, some, NULL);
+        assert_memory_equal(many + SET * k, some, sizeof some);
+    }
+    tiny_end(&s);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -261,6 +359,8 @@ int main(void)
         cmocka_unit_test(rays_that_aim_at_a_lamp_count_as_much_as_they_should),
         cmocka_unit_test(each_bounce_around_a_lamp_adds_its_term),
         cmocka_unit_test(a_ray_sees_the_same_alone_and_among_others),
+        cmocka_unit_test(what_neighbours_find_keeps_the_mean_and_lowers_the_noise),
+        cmocka_unit_test(a_set_sees_the_same_alone_and_among_others),
     };
 
     return cmocka_run_group_tests_name("radiosity", tests, NULL, NULL);
