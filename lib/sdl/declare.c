@@ -160,11 +160,14 @@ static void refuse_function(pov_reader *in, const symbol *name, const value *v)
 static void set(pov_reader *in, symbol *name, bool is_local, size_t level)
 {
     const size_t target = is_local ? level : name->binding ? name->binding->level : 0;
+    const symbol *outer = in->declaring;
     bool plain;
     value v;
 
     state_expect(in, '=');
+    in->declaring = name;
     v = declare_value(in);
+    in->declaring = outer;
     plain = is_plain(&v);
     refuse_function(in, name, &v);
     if (in->failed)

@@ -322,6 +322,8 @@ static uint32_t primary(compiler *c)
         at = keyword(c);
     } else if (in->token.symbol->binding) {
         at = declared(c);
+    } else if (in->token.symbol == in->declaring) {
+        report_fail(in, &in->token.at, POV_E_SYNTAX, "\"%s\" is being declared: a function cannot call itself", in->declaring->name);
     } else {
         report_undeclared(in);
     }

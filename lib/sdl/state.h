@@ -120,6 +120,7 @@ struct pov_reader {
     int nesting;                 /* brackets of any kind that are open */
     int depth;                   /* calls of the reader's own functions within each other */
     bool wants_name;             /* a macro's name is not called */
+    const symbol *declaring;     /* the name whose value is read; NULL: none */
     token token;                 /* the next one, not taken yet */
     place last;                  /* the one that was taken last; source NULL: none was */
     place object;                /* the word of the statement that is being read */

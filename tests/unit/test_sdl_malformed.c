@@ -566,7 +566,7 @@ static const malformed cases[] = {
     { TEXT("#declare F = function () { 1 };"), POV_E_SYNTAX, 1, 24,
       "expected the name of a parameter after \"(\", found \")\"", "" },
     { TEXT("#declare F = function (x) { F(x) };"), POV_E_SYNTAX, 1, 29,
-      "\"F\" is not declared", "" },
+      "\"F\" is being declared: a function cannot call itself", "" },
     { TEXT("#declare F = function (sphere) { 1 };"), POV_E_SYNTAX, 1, 24,
       "expected the name of a parameter after \"(\", found \"sphere\"", "" },
     { TEXT("#declare F = function { x }; #declare F = 1;"), POV_E_SYNTAX, 1, 39,
