@@ -51,6 +51,9 @@ void common_quadric_intersect_pairs(const void *const *selves, const pov_ray *co
 void common_quadric_normal_pairs(const void *const *selves, const pov_ray *const *rays, const pov_crossing *const *at,
                                  pov_vec3 *const *out, uint32_t n);
 
+/* The same for shapes that are planes. */
+void common_plane_intersect_pairs(const void *const *selves, const pov_ray *const *rays, pov_hits *const *hits, uint32_t n);
+
 /* Many pairs at once; `one` intersects those that double precision leaves open. */
 typedef void common_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
 typedef void common_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);

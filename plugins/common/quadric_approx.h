@@ -151,4 +151,29 @@ COMMON_INLINE pov_vec3 gradient_beyond(const common_quadric *s, const common_ray
                        g.z.hi + (g.z.lo + step * move.z));
 }
 
+/* ---- planes ---- */
+
+/* Without a second order the value at the origin and the slope, both in double-double, give the crossing as exactly. */
+typedef struct plane_crossing {
+    common_root root;
+    double slope;            /* negative: the ray enters */
+    int is_sound;            /* the root's error bound holds */
+} plane_crossing;
+
+COMMON_INLINE plane_crossing cross_plane(pov_two3 n, pov_two at_anchor, const common_ray *k)
+{
+    const pov_vec3 n_size = pov_vec3_of(fabs(n.x.hi), fabs(n.y.hi), fabs(n.z.hi));
+    const pov_two value = pov_two_add(common_fast_dot(n, k->f), at_anchor), slope = common_fast_dot(n, common_direction(k));
+    const double value_error = 0x1p-98 * (common_sum_of_sizes(n_size, pov_two3_hi(k->f)) + fabs(at_anchor.hi));
+    const double slope_error = 0x1p-98 * common_sum_of_sizes(n_size, k->d), size = fabs(slope.hi);
+    plane_crossing c;
+
+    c.root.t = pov_two_neg(pov_two_div(value, slope));
+    c.root.error = 1.1 * (value_error + fabs(c.root.t.hi) * slope_error) / size + 0x1p-100 * fabs(c.root.t.hi);
+    c.root.feature = c.root.flags = 0;
+    c.slope = slope.hi;
+    c.is_sound = (int)(size > 16.0 * slope_error) & (int)(size > COMMON_TINY) & (int)(fabs(value.hi) > COMMON_TINY);
+    return c;
+}
+
 #endif

@@ -181,25 +181,17 @@ static common_residual residual(const void *self, const common_ray *k, pov_two3 
     return quadric_residual(self, k, w);
 }
 
-/* No second order: a plane. Its value at the origin and its slope in double-double give the crossing as exactly. */
 static bool fast_plane(const quadric *s, const common_ray *k, pov_hits *hits)
 {
     const pov_two3 n = { s->q[G], s->q[H], s->q[I] };
-    const pov_vec3 n_size = pov_vec3_of(s->size[G], s->size[H], s->size[I]);
-    const pov_two value = pov_two_add(common_fast_dot(n, k->f), s->q[J]),
-        slope = common_fast_dot(n, common_direction(k));
-    const double value_error = 0x1p-98 * (common_sum_of_sizes(n_size, pov_two3_hi(k->f)) + s->size[J]);
-    const double slope_error = 0x1p-98 * common_sum_of_sizes(n_size, k->d);
+    const plane_crossing c = cross_plane(n, s->q[J], k);
     common_verdict verdict;
-    common_root root;
 
-    if (!(fabs(slope.hi) > 16.0 * slope_error && fabs(slope.hi) > COMMON_TINY && fabs(value.hi) > COMMON_TINY))
+    if (!c.is_sound)
         return false;
-    root.t = pov_two_neg(pov_two_div(value, slope));
-    root.error = 1.1 * (value_error + fabs(root.t.hi) * slope_error) / fabs(slope.hi) + 0x1p-100 * fabs(root.t.hi);
-    verdict = common_judge(&root, k->unit, HUGE_VAL, hits);
+    verdict = common_judge(&c.root, k->unit, HUGE_VAL, hits);
     if (verdict == COMMON_GOOD)
-        pov_cross(hits, root.t.hi * k->unit, root.t.lo * k->unit, common_mark(slope.hi < 0.0 ? ENTERING : EXITING, 0));
+        pov_cross(hits, c.root.t.hi * k->unit, c.root.t.lo * k->unit, common_mark(c.slope < 0.0 ? ENTERING : EXITING, 0));
     return verdict != COMMON_OPEN;
 }
 

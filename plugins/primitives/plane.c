@@ -48,12 +48,12 @@ static bool bounds(const void *self, pov_box *out)
 
 static bool absorb(void *self, const pov_affine *map) { return common_quadric_absorb(self, map); }
 
-/* The lanes of quadrics are for those with a second order: a plane is intersected by itself. */
 static const pov_shape_fast plane_fast = {
     .size = sizeof(pov_shape_fast),
     .block_size = sizeof(common_quadric_block),
     .block_pack = common_quadric_pack,
     .block_filter = common_quadric_filter,
+    .intersect_many = common_plane_intersect_pairs,
     .half_space = common_quadric_half_space,
 };
 
