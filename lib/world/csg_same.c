@@ -1,5 +1,6 @@
-/* Members of a tree that are one surface: equal records under equal transforms. Their crossings agree to the bit if all are left
- * by the name of the one that a ray starts on; by their own names, one's root is divided out and the others' are rounded. */
+/* Members of a tree that are one surface: equal records under equal transforms. Their crossings have the same bits if all
+ * are left by the name of the one that a ray starts on; by their own names, one's root is divided out and the others' are
+ * rounded. */
 #include "base/hash.h"
 #include "world/csg.h"
 
