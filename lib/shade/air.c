@@ -162,7 +162,7 @@ static bool rainbow_veil(const rainbow *r, const segment *s, veil *out)
     if (!(at > 0.0 && at < 1.0))
         return false;
     c = map_colour(r, at);
-    weight = (1.0 - (passed > (double)c.transmit ? passed : (double)c.transmit)) * arc_share(r, s->dir);
+    weight = fmin(1.0 - passed, (1.0 - (double)c.transmit) * arc_share(r, s->dir));
     out->by = colour_of((float)(1.0 - weight), (float)(1.0 - weight), (float)(1.0 - weight));
     out->given = colour_scale(c.color, (float)weight);
     return true;

@@ -55,7 +55,7 @@ static double height(const image_map *map, image_place at, double left, double u
 {
     at.u += left / map->image->width;
     at.v += up / map->image->height;
-    return map->use_index && map->palette ? image_index(map, at) : image_grey(map, at);
+    return map->use_index && map->palette ? trunc(image_index(map, at)) : image_grey(map, at);
 }
 
 /* Across the normal: in the xz plane, and upwards. */

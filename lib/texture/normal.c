@@ -194,9 +194,10 @@ static void add_slope(const normal_node *of, const pattern_input *in, vec_lanes 
     }
 }
 
-/* ---- nodes: normals are in the space of the points ---- */
+/* ---- nodes: normals are in the space of the points. A list that is not scaled has no members that are ---- */
 
-static void perturb(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal)
+static void perturb(const model *m, const normal_node *of, const texture_points *points, uint32_t n, bool is_scaled,
+                    vec_lanes *normal)
 {
     const pattern_class *class = of->pattern->class;
     normal_map map;
@@ -208,7 +209,7 @@ static void perturb(const model *m, const normal_node *of, const texture_points 
     in = points_input(m, of->pattern, points, &at, n);
     if (has_map)
         enter_all(&map, n, normal);
-    if (of->is_scaled)
+    if (is_scaled)
         make_unit(n, normal);
     if (class->perturb)
         class->perturb(&in, of->amount, normal);
@@ -216,13 +217,15 @@ static void perturb(const model *m, const normal_node *of, const texture_points 
         add_slope(of, &in, normal);
     if (has_map)
         leave_all(&map, n, normal);
-    make_unit(n, normal);
+    if (is_scaled)
+        make_unit(n, normal);
 }
 
-static void eval(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal);
+static void eval(const model *m, const normal_node *of, const texture_points *points, uint32_t n, bool is_scaled,
+                 vec_lanes *normal);
 
 static void add_member(const model *m, const normal_node *member, const blending *b, uint32_t number,
-                       const texture_points *points, const vec_lanes *normal, vec_lanes *sum)
+                       const texture_points *points, bool is_scaled, const vec_lanes *normal, vec_lanes *sum)
 {
     uint8_t lane[LANES_MAX];
     float share[LANES_MAX];
@@ -235,7 +238,7 @@ static void add_member(const model *m, const normal_node *member, const blending
     points_pick(points, lane, n, &picked);
     for (uint32_t i = 0; i < n; i++)
         lanes_put(&own, i, lanes_at(normal, lane[i]));
-    eval(m, member, &picked, n, &own);
+    eval(m, member, &picked, n, is_scaled, &own);
     for (uint32_t i = 0; i < n; i++)
         lanes_put(sum, lane[i], pov_add(lanes_at(sum, lane[i]), pov_scale(lanes_at(&own, i), share[i])));
 }
@@ -251,7 +254,7 @@ static void find(const model *m, const normal_node *of, const texture_points *in
 }
 
 static void blend_members(const model *m, const normal_node *of, const texture_points *points, uint32_t n,
-                          vec_lanes *normal)
+                          bool is_scaled, vec_lanes *normal)
 {
     texture_points inner;
     vec_lanes sum;
@@ -263,24 +266,27 @@ static void blend_members(const model *m, const normal_node *of, const texture_p
     find(m, of, &inner, n, &b);
     if (has_map)
         enter_all(&map, n, normal);
-    make_unit(n, normal);
+    if (is_scaled)
+        make_unit(n, normal);
     memset(&sum, 0, sizeof sum);
     for (uint32_t k = 0; k < of->count; k++)
-        add_member(m, of->normals[k], &b, k, &inner, normal, &sum);
+        add_member(m, of->normals[k], &b, k, &inner, is_scaled, normal, &sum);
     if (has_map)
         leave_all(&map, n, &sum);
     make_unit(n, &sum);
     *normal = sum;
 }
 
-static void eval(const model *m, const normal_node *of, const texture_points *points, uint32_t n, vec_lanes *normal)
+static void eval(const model *m, const normal_node *of, const texture_points *points, uint32_t n, bool is_scaled,
+                 vec_lanes *normal)
 {
     if (!of || !of->pattern)
         return;
+    is_scaled &= of->is_scaled;
     if (of->blend == BLEND_NONE)
-        perturb(m, of, points, n, normal);
+        perturb(m, of, points, n, is_scaled, normal);
     else
-        blend_members(m, of, points, n, normal);
+        blend_members(m, of, points, n, is_scaled, normal);
 }
 
 /* ---- the world ---- */
@@ -326,7 +332,7 @@ void normal_eval(const model *m, const normal_node *of, const normal_blend *arou
     if (turns)
         to_objects(points, n, normal, false);
     through_blends(m, around, n, normal, false);
-    eval(m, of, points, n, normal);
+    eval(m, of, points, n, true, normal);
     through_blends(m, around, n, normal, true);
     if (turns)
         to_objects(points, n, normal, true);

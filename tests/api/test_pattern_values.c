@@ -44,7 +44,7 @@ static void the_lengths_of_both_vectors_are_their_weights(void **state)
 
 static float *seen_of(const char *pattern, const char *shape)
 {
-    char text[512];
+    char text[1024];
 
     snprintf(text, sizeof text, "#version 3.7; camera { orthographic location <.3,.4,-10> direction z right 2*x up 4*y }\n"
              "plane { z, 0 pigment { %s %s } finish { ambient 1 diffuse 0 } }\n", pattern, shape);
@@ -131,6 +131,40 @@ static void light_through_slopes_is_filtered_by_its_own_ray(void **state)
     }
 }
 
+/* A bent normal's component across a plane that is seen from the front, in halves of that along the view. */
+static double halves(const float *by_x, const float *by_y, int i, bool along_y)
+{
+    const double pi = 3.14159265358979323846;
+    const double x = cos(pi * (1.0 - (double)by_x[4 * i])), y = cos(pi * (1.0 - (double)by_y[4 * i]));
+
+    return 2.0 * (along_y ? y : x) / sqrt(1.0 - x * x - y * y);
+}
+
+/* As measured: a bump_map by index has whole heights between pixels, too. */
+static void heights_by_index_are_whole_between_pixels(void **state)
+{
+    static const char bumps[] = "} normal { bump_map { gif \"" TEST_ROOT "/scenes/test/images/tiles.gif\" use_index interpolate 2 bump_size 1 } scale 3";
+    char text[512];
+    float *by_x, *by_y;
+    double most = 0.0;
+
+    (void)state;
+    snprintf(text, sizeof text, "color_map { [0 rgb 0] [1 rgb 1] } %s", bumps);
+    by_x = seen_of("slope x", text);
+    by_y = seen_of("slope y", text);
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        for (int k = 0; k < 2; k++) {
+            const double n = halves(by_x, by_y, i, k);
+
+            if (fabs(n - floor(n + 0.5)) > 1e-3 * (1.0 + fabs(n)))
+                fail_msg("pixel %d is bent by %f", i, n);
+            most = fmax(most, fabs(n));
+        }
+    assert_true(most > 0.9);
+    free(by_x);
+    free(by_y);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -139,6 +173,7 @@ int main(void)
         cmocka_unit_test(colours_that_are_left_out_are_those_of_the_pattern),
         cmocka_unit_test(a_side_belongs_to_the_tile_behind_it),
         cmocka_unit_test(without_a_frequency_a_phase_moves_neither_quilts_nor_images),
+        cmocka_unit_test(heights_by_index_are_whole_between_pixels),
     };
 
     return cmocka_run_group_tests_name("values of patterns", tests, NULL, NULL);

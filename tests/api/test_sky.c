@@ -81,6 +81,21 @@ static void a_solid_that_is_not_seen_holds_no_fog_up(void **state)
     assert_seen("3.7", body, 0.5, 0.5, 0.5);
 }
 
+/* As measured. Half of the bow is there beside its direction's `up`; before something near it is as strong as anywhere. */
+static void the_arc_of_a_rainbow_limits_what_its_distance_leaves(void **state)
+{
+    static const char bow[] = "plane { -z, -5 pigment { rgb 0 } finish { ambient 0 diffuse 0 } } rainbow { direction z angle 45 width 20 distance 20 "
+                              "color_map { [0 rgbt <1, 1, 1, %.1f>] [1 rgbt <1, 1, 1, %.1f>] } up x arc_angle 360 falloff_angle 0 }";
+    const double near = 1.0 - exp(-sqrt(50.0) / 20.0);
+    char body[512];
+
+    (void)state;
+    snprintf(body, sizeof body, bow, 0.0, 0.0);
+    assert_seen("3.7", body, near, near, near);
+    snprintf(body, sizeof body, bow, 0.8, 0.8);
+    assert_seen("3.7", body, 0.1, 0.1, 0.1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -88,6 +103,7 @@ int main(void)
         cmocka_unit_test(upper_layers_filter_by_version),
         cmocka_unit_test(a_background_lets_nothing_through_before_version_3_7),
         cmocka_unit_test(a_solid_that_is_not_seen_holds_no_fog_up),
+        cmocka_unit_test(the_arc_of_a_rainbow_limits_what_its_distance_leaves),
         cmocka_unit_test(the_last_sky_counts_and_emission_scales_its_own_light),
     };
 

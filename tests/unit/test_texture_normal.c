@@ -113,6 +113,20 @@ static void maps_mix_unit_normals(void **state)
                             pov_vec3_of(0.3, 0.7, -0.8), up), z);
 }
 
+/* As measured: a list that is not scaled has members that are not, and mixes normals that are not unit. */
+static void a_list_without_scaled_bumps_has_no_members_with_them(void **state)
+{
+    const pov_vec3 at = pov_scale(place, 4.0), x = { 1.0, 0.0, 0.0 }, z = { 0.0, 0.0, 1.0 };
+    (void)state;
+
+    assert_normal(perturbed("normal { gradient y normal_map { [0 bumps 1 scale 4] [1 bumps 1 scale 4] } no_bump_scale }", at, up),
+                  plus(up, noise_there, 0.25));
+    assert_normal(perturbed("normal { gradient y normal_map { [0 bumps 1] [1 bumps 1] } scale 4 no_bump_scale }", at, up),
+                  plus(up, noise_there, 0.25));
+    assert_normal(perturbed("normal { average normal_map { [1 gradient x 10] [3 gradient z 10] } no_bump_scale }", place, up),
+                  plus(plus(up, x, -1.0 / 3.0), z, -1.0));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -121,6 +135,7 @@ int main(void)
         cmocka_unit_test(bumps_scale_with_their_pattern),
         cmocka_unit_test(objects_take_their_bumps_along),
         cmocka_unit_test(maps_mix_unit_normals),
+        cmocka_unit_test(a_list_without_scaled_bumps_has_no_members_with_them),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
