@@ -306,10 +306,10 @@ static inline void cross(scattering *to, const interfaces *p, const surface *s, 
         pass(to, refract_at(to, s, lane, by, lanes_at(&p->to.dir, lane)), crossing);
 }
 
-/* What is left of a ray that is totally reflected. */
-static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane)
+/* What is left of a ray that is totally reflected. The filter that it does not cross counts in its weight, as in POV-Ray. */
+static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane, const coefficient *filter)
 {
-    coefficient out = { filmed(to, s, lane), 1.0f };
+    coefficient out = { filmed(to, s, lane), filter->weight };
 
     if (to->fading)
         out.by = colour_mul(out.by, s->faded);
@@ -321,7 +321,7 @@ static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane
 static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
     if (is_shut(p, lane) && !s->appearance->dark) {
-        const coefficient by = shut_by(to, s, lane);
+        const coefficient by = shut_by(to, s, lane, &s->appearance->filter);
 
         reflect_inside(to, s, lane, &by);
         return;
@@ -403,21 +403,19 @@ static bool is_same_normal(const geometry *g, uint32_t a, uint32_t b)
 
 static float exponent_of(const layers *l, uint32_t i) { return l->on.at[i].appearance->finish->reflection.exponent; }
 
-/* Total reflection takes the place of all that a stack reflects. */
+/* Total reflection takes the place of all that a stack reflects. The film of the stack's upper layer acts, as in POV-Ray. */
 static void shut_stack(hit_rays *f, uint32_t last)
 {
     const layers *l = f->from;
-    const surface *s = &l->on.at[last];
+    uint32_t top = last;
 
-    for (uint32_t i = last + 1; i-- > f->first;) {
-        f->reflects[i] = false;
-        if (l->of[i].first)
-            break;
-    }
+    f->reflects[last] = false;
+    while (top > f->first && !l->of[top].first)
+        f->reflects[--top] = false;
     f->goes_on[last] = false;
     f->is_shut[last] = true;
     f->reflected_count++;
-    f->shut[last] = shut_by(f->to, s, last);
+    f->shut[last] = shut_by(f->to, &l->on.at[top], top, &l->of[last].through);
     f->shut[last].by = colour_scale(f->shut[last].by, l->of[last].share);
 }
 

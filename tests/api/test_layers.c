@@ -2,6 +2,7 @@
 #include "support/check.h"
 #include "support/scenes.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,12 +73,60 @@ static void layers_below_an_opaque_one_are_hidden(void **state)
     free(alone);
 }
 
+/* The camera is in glass below a surface that reflects totally; below it are a filter and a light floor. */
+static double seen_from_below(const char *bailout, const char *texture)
+{
+    char text[1024];
+    float *picture, seen;
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 9 adc_bailout %s }\n"
+             "#default { finish { ambient 0 diffuse 0 } } camera { location -y look_at 2*x angle 1 }\n"
+             "plane { y, -5 pigment { rgb 1 } finish { ambient 1 } }\n"
+             "disc { -3*y, y, 99 pigment { rgbt <1, 1, 1, .9> } interior { ior 1.5 } }\n"
+             "plane { y, 0 %s interior { ior 1.5 } }\n", bailout, texture);
+    picture = scenes_draw(text, 1, 1, 1, 1);
+    seen = picture[0];
+    free(picture);
+    return (double)seen;
+}
+
+/* As measured: a ray that is totally reflected keeps its colour, but the filters that it does not cross count in its weight. */
+static void total_reflection_weighs_as_much_as_what_would_go_through(void **state)
+{
+    static const char two[] = "texture { pigment { rgbt <1, 1, 1, .7> } finish { reflection .4 conserve_energy } } texture { pigment { rgbt <1, 1, 1, .8> } }";
+    static const char *const one[] = { "pigment { rgbt <1, 1, 1, .8> }", "pigment { checker rgbt <1, 1, 1, .8> rgbt <1, 1, 1, .8> }" };
+    (void)state;
+
+    for (int i = 0; i < 2; i++) {
+        assert_true(fabs(seen_from_below(".71", one[i]) - 0.9) < 1e-6);
+        assert_true(seen_from_below(".73", one[i]) == 0.0);
+    }
+    assert_true(fabs(seen_from_below(".3", two) - 0.9) < 1e-6);
+    assert_true(seen_from_below(".31", two) == 0.0);
+}
+
+/* As measured: of layers the upper one's film is seen in total reflection. */
+static void the_upper_film_is_seen_in_total_reflection(void **state)
+{
+    static const char plain[] = "texture { pigment { rgbt <1, 1, 1, .7> } }", film[] = "texture { pigment { rgbt <1, 1, 1, .7> } finish { irid { .4 thickness .3 } } }";
+    char above[256], below[256];
+    (void)state;
+
+    snprintf(above, sizeof above, "%s %s", plain, film);
+    snprintf(below, sizeof below, "%s %s", film, plain);
+    assert_true(fabs(seen_from_below("0", film) - 0.9 * 0.6965) < 0.02);
+    assert_true(seen_from_below("0", above) == seen_from_below("0", film));
+    assert_true(fabs(seen_from_below("0", below) - 0.9) < 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(constant_layers_give_what_patterns_of_one_colour_give),
         cmocka_unit_test(what_depends_on_the_angle_is_weighed_at_each_hit),
         cmocka_unit_test(layers_below_an_opaque_one_are_hidden),
+        cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
+        cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
