@@ -37,6 +37,8 @@ static double fraction(uint32_t digits)
     return ((double)digits + 0.5) / 4294967296.0;
 }
 
+double sequence_first(uint32_t index, uint32_t seed) { return fraction(mirrored(scrambled(index, seed))); }
+
 sequence_point sequence_at(uint32_t index, uint64_t seeds)
 {
     sequence_point p;

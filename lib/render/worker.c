@@ -70,14 +70,17 @@ static void number_samples(const worker *w, const settings *s, packet *c)
     for (uint32_t i = 0; (random || lens) && i < c->count; i++) {
         const int at = (int)(c->out[i] - w->pixels) / 4;
         const int x = s->crop.x + tile.x + at % tile.width, y = s->crop.y + tile.y + at / tile.width;
-        const sample on_lens = raygen_spread(&w->claim.camera, s->seed, x, y, 0);
 
         if (random)
             c->samples[i] = sample_id_of(s->seed, x, y, 0);
         c->samples[i].set = c->set;
         c->samples[i].place = i;
-        c->through.lens[0][i] = on_lens.x;
-        c->through.lens[1][i] = on_lens.y;
+        if (lens) {
+            const sample on_lens = raygen_spread(&w->claim.camera, s->seed, x, y, 0);
+
+            c->through.lens[0][i] = on_lens.x;
+            c->through.lens[1][i] = on_lens.y;
+        }
     }
 }
 

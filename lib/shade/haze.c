@@ -231,7 +231,7 @@ static media_random random_of(const shade_context *c, const path *p, bool air)
 {
     const sample_id *id = &c->samples[p->lane], half = { id->pixel, id->number & 1, 0, 0 };
     const uint32_t purpose = (p->branch + p->draw) * 0x9e3779b1u + (air ? TURN_AIR : TURN_MEDIA);
-    const media_random r = { random_bits(&half, purpose), random_point(id, 0, 1, purpose).x };
+    const media_random r = { random_bits(&half, purpose), random_number(id, purpose) };
 
     return r;
 }

@@ -48,6 +48,14 @@ static inline sequence_point random_point(const sample_id *of, uint32_t k, uint3
     return sequence_at(sequence_shuffle((of->number >> 1) * count + k, (uint32_t)(key >> 13)), mix_bits(key));
 }
 
+/* The first component alone of the only point of a sample. */
+static inline double random_number(const sample_id *of, uint32_t purpose)
+{
+    const uint64_t key = mix_bits(of->pixel + (((uint64_t)purpose << 1 | (of->number & 1u)) + 1) * 0x9e3779b97f4a7c15u);
+
+    return sequence_first(sequence_shuffle(of->number >> 1, (uint32_t)(key >> 13)), (uint32_t)mix_bits(key));
+}
+
 /* The same of a sample that may belong to a set: then the points of all of the set fill the square evenly. */
 static inline sequence_point random_point_of_set(const sample_id *of, uint32_t k, uint32_t count, uint32_t purpose)
 {
