@@ -36,6 +36,7 @@ static void fill_fast(shape_class *out, const pov_shape_fast *from)
     out->half_space = f.half_space;
     out->hull = f.hull;
     out->convex = f.convex;
+    out->intersect_between = f.intersect_between;
 }
 
 void shape_class_fill(shape_class *out, const pov_shape_class *from)

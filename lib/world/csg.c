@@ -185,6 +185,7 @@ bool csg_make(csg_list *out, const model *m, const csg_source *source)
             return false;
         }
         csg_find_chords(t);
+        csg_find_clipped(t);
     }
     return true;
 }

@@ -76,9 +76,13 @@ typedef struct csg_outline {
     double numbers[];
 } csg_outline;
 
+/* One surface, clipped by convex solids: their members. */
+typedef struct csg_clipped { uint32_t count, surface, clip[CSG_FEW]; } csg_clipped;
+
 typedef struct csg_tree {
     csg_few few;
     csg_chords chords;
+    csg_clipped clipped;         /* count 0: the tree is another one */
     csg_outline *outline;        /* of chords; NULL: not known */
     csg_member *members;         /* in the order of the text: their leaves are consecutive */
     csg_node *nodes;             /* the first is the root */
@@ -115,6 +119,8 @@ typedef struct csg_source {
 bool csg_find_bounds(csg_tree *t, const env *e, const csg_source *source);
 /* After it: is the tree such an intersection? */
 void csg_find_chords(csg_tree *t);
+/* Or is it one surface that convex solids clip? */
+void csg_find_clipped(csg_tree *t);
 /* Once members have instances: which of them are one surface? False: no memory. */
 bool csg_find_same(csg_tree *t, const env *e);
 /* And what do they look like, where they are chords? False: no memory. */

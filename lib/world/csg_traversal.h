@@ -55,6 +55,8 @@ bool csg_report(const pov_crossing *at, bool enters, pov_hits *hits);
 /* The first crossing of a tree that has them, for hits that want no more. False: doubles were not sufficient; nothing is
  * reported. */
 bool csg_chords_first(csg_traversal *w, pov_hits *hits);
+/* The same of a surface that convex solids clip. */
+bool csg_clipped_first(csg_traversal *w, pov_hits *hits);
 /* Which crossing of a tree with an outline is the first that is not beyond `most`? `from`: the column that the ray starts on, or
  * CSG_FEW. */
 typedef enum csg_found { CSG_NOTHING, CSG_CROSSED, CSG_OPEN } csg_found;

@@ -286,6 +286,20 @@ void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits 
     search_line(&s, c + s.from_here, p->order - s.from_here);
 }
 
+void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits)
+{
+    static const pov_vec3 zero = { 0.0, 0.0, 0.0 };
+    const common_polynomial *p = self;
+    const common_ray k = common_enter(ray, pov_two3_of(zero, zero), 1.0);
+    search s = { &k, 0.0, 0.0, ray->origin_surface == hits->owner, hits };
+    const double lo = s.from_here ? 0.0 : hits->tmin * k.per_unit * (1.0 - 0x1p-40), hi = hits->tmax * k.per_unit * (1.0 + 0x1p-40);
+
+    if (p->bounded || !isfinite(hi))
+        common_polynomial_intersect(self, ray, hits);
+    else
+        search_stretch(&s, p, lo, hi);
+}
+
 /* ---- points ---- */
 
 /* The value, and its slope. */

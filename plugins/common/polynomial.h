@@ -2,7 +2,7 @@
 #ifndef COMMON_POLYNOMIAL_H
 #define COMMON_POLYNOMIAL_H
 
-#include <povtrace/shape.h>
+#include "common/local.h"
 
 enum { COMMON_ORDER_MAX = 35 };
 
@@ -37,10 +37,14 @@ bool common_polynomial_find_box(const common_polynomial *p, pov_box *out);
 /* Functions of the class. */
 bool common_polynomial_bounds(const void *self, pov_box *out);
 void common_polynomial_intersect(const void *self, const pov_ray *ray, pov_hits *hits);
+void common_polynomial_intersect_between(const void *self, const pov_ray *ray, pov_hits *hits);
 void common_polynomial_normal(const void *self, const pov_ray *ray, const pov_crossing *at, pov_vec3 *out);
 bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_lo);
 
 #define COMMON_POLYNOMIAL_CLASS(word, reader)                                                                              \
+    static const pov_shape_fast fast = { .size = sizeof(pov_shape_fast),                                                   \
+                                         .intersect_between = common_polynomial_intersect_between };                       \
+    static const void *extension(const char *name) { return common_is_fast(name) ? &fast : NULL; }                         \
     static const pov_shape_class word##_class = {                                                                          \
         .size = sizeof(pov_shape_class),                                                                                   \
         .flags = POV_SHAPE_SOLID,                                                                                          \
@@ -51,6 +55,7 @@ bool common_polynomial_inside(const void *self, pov_vec3 point, pov_vec3 point_l
         .intersect = common_polynomial_intersect,                                                                          \
         .normal = common_polynomial_normal,                                                                                \
         .inside = common_polynomial_inside,                                                                                \
+        .extension = extension,                                                                                            \
     };                                                                                                                     \
     static const pov_shape_class *const shapes[] = { &word##_class, NULL };                                                \
     POV_PLUGIN(word) = { .abi = POV_PLUGIN_ABI, .size = sizeof(pov_plugin), .name = #word, .version = "1", .shapes = shapes }

@@ -98,6 +98,9 @@ typedef struct pov_shape_fast {
     uint32_t (*hull)(const void *self, const pov_half_space *within, uint32_t n, pov_half_space *out);
     /* [load] Is it such a solid? Solids made of several then look for a ray's crossing in all side by side. */
     bool (*convex)(const void *self, pov_convex *out);
+    /* [render] As intersect() for POV_WANT_ALL, where the interval comes from the scene around the shape and depends on nothing but the
+     * ray: it may shorten the search, and last bits of crossings may depend on it. */
+    void (*intersect_between)(const void *self, const pov_ray *ray, pov_hits *hits);
 } pov_shape_fast;
 
 #endif

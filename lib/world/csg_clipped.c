@@ -1,0 +1,173 @@
+/* The first crossing of one surface that convex solids clip, such as an endless one within a sphere. It is the first one between where
+ * the ray enters the last of them and where it leaves the first, whatever is inside the surface. Where crossings are too close for
+ * doubles, and where more than the first is wanted, csg_intersect.c has the rules. */
+#include "world/csg_traversal.h"
+
+/* Crossings of the surface are looked for a little beyond the clips. */
+static const double beside = 0x1p-41;
+/* Slopes below this may have the other sign. */
+static const double certain = 0x1p-30;
+
+enum { CROSSINGS = 8 };
+
+/* ---- which trees ---- */
+
+static bool clips(const csg_member *m)
+{
+    return m->hidden && m->boxed && !m->inverse && !m->patch && !m->absent && (m->shape->flags & POV_SHAPE_CONVEX);
+}
+
+static bool is_surface(const csg_member *m) { return !m->hidden && !m->patch && !m->absent; }
+
+/* Nothing but intersections? */
+static bool is_intersection(const csg_tree *t, node_ref node)
+{
+    const csg_node *n = &t->nodes[node & ~NODE_GROUP];
+
+    if (!(node & NODE_GROUP))
+        return true;
+    if (n->op != NODE_INTERSECTION || n->inverse)
+        return false;
+    for (uint32_t i = 0; i < n->child_count; i++)
+        if (!is_intersection(t, t->children[n->child + i]))
+            return false;
+    return true;
+}
+
+void csg_find_clipped(csg_tree *t)
+{
+    csg_clipped found = { 0 };
+    uint32_t surfaces = 0;
+
+    if (!t->boxed || t->empty || t->member_count > CSG_FEW || !is_intersection(t, NODE_GROUP))
+        return;
+    for (uint32_t i = 0; i < t->member_count; i++)
+        if (clips(&t->members[i]))
+            found.clip[found.count++] = i;
+        else if (is_surface(&t->members[i]) && surfaces++ == 0)
+            found.surface = i;
+        else
+            return;
+    if (surfaces == 1)
+        t->clipped = found;
+}
+
+/* ---- members ---- */
+
+typedef struct clip_search {
+    csg_traversal *w;
+    double enter, leave;         /* of all clips */
+    uint32_t escalated;
+    bool unsure;
+    pov_crossing at[CROSSINGS];
+} clip_search;
+
+static bool no_more(pov_hits *hits)
+{
+    (void)hits;
+    return false;
+}
+
+/* Crossings of a member between two distances, into `at`. */
+static uint32_t intersect(clip_search *s, const csg_member *m, const pov_ray *own, double from, double to, const pov_hits *hits)
+{
+    pov_hits found = { .tmin = from, .tmax = to, .want = POV_WANT_ALL, .at = s->at, .capacity = CROSSINGS, .grow = no_more,
+                       .user = hits->user, .scratch = hits->scratch, .owner = s->w->scratch->names + m->leaf };
+    class_counts *classes = s->w->scratch->classes;
+
+    (m->shape->intersect_between ? m->shape->intersect_between : m->shape->intersect)(m->instance, own, &found);
+    if (classes) {
+        classes->of[m->class_number].asked++;
+        classes->of[m->class_number].escalated += found.escalated;
+    }
+    s->escalated += found.escalated;
+    s->unsure = s->unsure || found.count == CROSSINGS;
+    for (uint32_t i = 0; i < found.count; i++)
+        s->unsure = s->unsure || s->at[i].t * s->w->dir <= CSG_SEPARATION * s->w->size;
+    return found.count;
+}
+
+/* Crossings at two distances: is the second one farther? Where that is open the answer does not matter. */
+static bool is_before(clip_search *s, double a, double b)
+{
+    s->unsure = s->unsure || fabs(b - a) <= CSG_SEPARATION * fabs(b);
+    return a < b;
+}
+
+static const pov_ray *ray_of(const clip_search *s, const csg_member *m, pov_ray *own)
+{
+    if (!m->xform)
+        return s->w->ray;
+    instance_ray(m->xform, s->w->ray, own);
+    return own;
+}
+
+/* False: the ray is never within the clip. */
+static bool narrow(clip_search *s, const csg_member *m, const pov_hits *hits)
+{
+    pov_ray own;
+    const uint32_t count = intersect(s, m, ray_of(s, m, &own), 0.0, HUGE_VAL, hits);
+    const bool in_order = count < 2 || is_before(s, s->at[0].t, s->at[1].t);
+    const double in = count < 2 ? 0.0 : s->at[!in_order].t, out = count == 0 ? 0.0 : s->at[count < 2 ? 0 : in_order].t;
+
+    s->unsure = s->unsure || count > 2;
+    if (s->unsure || count == 0)
+        return false;
+    if (in > 0.0)
+        s->enter = s->enter > 0.0 && is_before(s, in, s->enter) ? s->enter : in;
+    s->leave = isfinite(s->leave) && is_before(s, s->leave, out) ? s->leave : out;
+    return is_before(s, s->enter, s->leave);
+}
+
+/* The first of the surface's crossings within the clips. NULL: there is none. */
+static const pov_crossing *first_of_surface(clip_search *s, uint32_t count)
+{
+    const pov_crossing *first = NULL;
+
+    for (uint32_t i = 0; i < count; i++) {
+        if (is_before(s, s->at[i].t, s->enter) || is_before(s, s->leave, s->at[i].t))
+            continue;
+        first = !first || is_before(s, s->at[i].t, first->t) ? &s->at[i] : first;
+    }
+    return first;
+}
+
+/* False: the slope is too small to tell whether the ray enters. Where any crossing will do, that does not matter. */
+static bool report(const csg_member *m, const pov_ray *own, const pov_crossing *at, pov_hits *hits)
+{
+    double slope = 0.0;
+    pov_vec3 normal;
+
+    if (hits->want != POV_WANT_ANY) {
+        m->shape->normal(m->instance, own, at, &normal);
+        slope = pov_dot(normal, own->dir);
+        if (!(fabs(slope) > certain * pov_largest(own->dir)))
+            return false;
+    }
+    csg_report(at, (slope < 0.0) != m->turned, hits);
+    return true;
+}
+
+bool csg_clipped_first(csg_traversal *w, pov_hits *hits)
+{
+    const csg_clipped *c = &w->tree->clipped;
+    const csg_member *m = &w->tree->members[c->surface];
+    clip_search s = { .w = w, .leave = HUGE_VAL };
+    const pov_crossing *first;
+    const pov_ray *ray;
+    pov_ray own;
+
+    if (!csg_traversal_enters(w, hits))
+        return true;
+    for (uint32_t i = 0; i < c->count; i++)
+        if (!narrow(&s, &w->tree->members[c->clip[i]], hits))
+            return !s.unsure;
+    if (s.enter > hits->tmax + hits->slack)
+        return true;
+    ray = ray_of(&s, m, &own);
+    first = first_of_surface(&s, intersect(&s, m, ray, s.enter * (1.0 - beside), s.leave * (1.0 + beside), hits));
+    if (s.unsure)
+        return false;
+    hits->escalated += s.escalated;
+    return !first || report(m, ray, first, hits);
+}
