@@ -99,7 +99,7 @@ def summary(job, drawers, rounds, off):
 def bench_scene(name, every, options):
     work = Path(options.work)
     povray, tachyon = make_scenes.make(name, work / 'scenes', options.width, options.height)
-    job = programs.Job(name, povray, tachyon, options.width, options.height)
+    job = programs.Job(name, povray, tachyon, options.width, options.height, name.partition('-')[0] == 'mesh')
     drawers = [program for program in every if program.can_draw(job)]
     off = {} if options.no_pictures else compare_pictures(job, drawers, work / 'pictures')
     return list(summary(job, drawers, measure(job, drawers, options.runs), off))

@@ -1,4 +1,4 @@
-// The sphere scenes of the bench, read from the simple text that make_scenes.py writes.
+// The sphere and mesh scenes of the bench, read from the simple text that make_scenes.py writes.
 #ifndef BENCH_EMBREE_SCENE_HPP
 #define BENCH_EMBREE_SCENE_HPP
 
@@ -32,6 +32,7 @@ struct Look {
 };
 struct Light { Vec place, rgb; };
 struct Sphere { float x, y, z, radius; };
+struct Face { uint32_t corner[3]; };
 struct Scene {
     Vec location { 0, 0, 0 }, look_at { 0, 0, 1 }, background { 0, 0, 0 };
     float angle = 60, aspect = 4.0f / 3.0f;
@@ -40,6 +41,8 @@ struct Scene {
     std::vector<Sphere> spheres;
     std::vector<Look> looks;
     std::vector<uint16_t> compile_material;    // a number for each sphere
+    std::vector<Vec> corners;                  // of a mesh, of the first look
+    std::vector<Face> faces;
 };
 
 class Reader {
@@ -139,6 +142,29 @@ inline void read_sphere(Reader &in, Scene &scene)
     scene.compile_material.push_back(number_look(scene, look));
 }
 
+inline void read_mesh(Reader &in, Scene &scene)
+{
+    Look look;
+
+    for (std::string word = in.word(); word != "}" && !word.empty(); word = in.word()) {
+        if (word == "vertex_vectors" && in.word() == "{") {
+            scene.corners.resize(static_cast<size_t>(in.number()));
+            for (Vec &corner : scene.corners)
+                corner = in.vector();
+            in.word();
+        } else if (word == "face_indices" && in.word() == "{") {
+            scene.faces.resize(static_cast<size_t>(in.number()));
+            for (Face &face : scene.faces)
+                for (uint32_t &corner : face.corner)
+                    corner = static_cast<uint32_t>(in.number());
+            in.word();
+        } else {
+            each_item(in, [&](const std::string &inner) { read_look(in, inner, look); });
+        }
+    }
+    scene.looks.push_back(look);
+}
+
 inline void read_light(Reader &in, Scene &scene)
 {
     Light light = { in.vector(), { 0, 0, 0 } };
@@ -171,6 +197,8 @@ inline Scene read_scene(const char *path)
     for (std::string word = in.word(); !word.empty(); word = in.word()) {
         if (word == "sphere" && in.word() == "{")
             read_sphere(in, scene);
+        else if (word == "mesh2" && in.word() == "{")
+            read_mesh(in, scene);
         else if (word == "light_source" && in.word() == "{")
             read_light(in, scene);
         else if (word == "camera")

@@ -1,4 +1,4 @@
-// A small tracer over Embree for the bench: it reads the sphere scenes that make_scenes.py writes and sends the rays
+// A small tracer over Embree for the bench: it reads the sphere and mesh scenes that make_scenes.py writes and sends the rays
 // that povc sends for them (camera, shadow and mirrored rays with the same cut-offs), in single precision.
 //
 //     embree_spheres SCENE.pov WIDTH HEIGHT [OUT.ppm] [--packet 8|16]
@@ -132,7 +132,7 @@ private:
             normal = normal * -1.0f;
         Vec mirrored = path.direction - normal * (2.0f * dot(normal, path.direction));
         return { path.start + path.direction * distance, normal, mirrored,
-                 &scene.looks[scene.compile_material[which]] };
+                 &scene.looks[scene.faces.empty() ? scene.compile_material[which] : 0] };
     }
 
     // Whether a light stands before the surface, its direction and distance.
@@ -280,14 +280,34 @@ bool write_ppm(const char *path, const std::vector<Vec> &picture, int width, int
 
 // ---- the run ----
 
-RTCScene build(RTCDevice device, const Scene &scene)
+RTCGeometry spheres_of(RTCDevice device, const Scene &scene)
 {
-    RTCScene built = rtcNewScene(device);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
     void *buffer = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, sizeof(Sphere),
                                            scene.spheres.size());
 
     std::memcpy(buffer, scene.spheres.data(), scene.spheres.size() * sizeof(Sphere));
+    return geometry;
+}
+
+RTCGeometry mesh_of(RTCDevice device, const Scene &scene)
+{
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    void *corners = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec),
+                                            scene.corners.size());
+    void *faces = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(Face),
+                                          scene.faces.size());
+
+    std::memcpy(corners, scene.corners.data(), scene.corners.size() * sizeof(Vec));
+    std::memcpy(faces, scene.faces.data(), scene.faces.size() * sizeof(Face));
+    return geometry;
+}
+
+RTCScene build(RTCDevice device, const Scene &scene)
+{
+    RTCScene built = rtcNewScene(device);
+    RTCGeometry geometry = scene.faces.empty() ? spheres_of(device, scene) : mesh_of(device, scene);
+
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(built, geometry);
     rtcReleaseGeometry(geometry);
@@ -340,8 +360,8 @@ int main(int count, char **words)
     _mm_setcsr(_mm_getcsr() | 0x8040);
     double begun = seconds();
     Scene scene = read_scene(options.scene);
-    if (scene.spheres.empty()) {
-        std::fprintf(stderr, "embree_spheres: no spheres in %s\n", options.scene);
+    if (scene.spheres.empty() && scene.faces.empty()) {
+        std::fprintf(stderr, "embree_spheres: no spheres and no mesh in %s\n", options.scene);
         return 1;
     }
     double parsed = seconds();

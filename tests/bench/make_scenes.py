@@ -9,7 +9,7 @@ import formats
 import scenes
 
 HERE = Path(__file__).resolve().parent
-SOURCES = ('make_scenes.py', 'scenes.py', 'shapes.py', 'formats.py', 'geometry.py')
+SOURCES = ('make_scenes.py', 'scenes.py', 'shapes.py', 'solids.py', 'formats.py', 'geometry.py')
 
 
 def arguments():

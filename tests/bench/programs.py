@@ -18,12 +18,13 @@ class ProgramError(Exception):
 
 @dataclass(frozen=True)
 class Job:
-    """A scene to draw. `tachyon` is None where the scene holds more than spheres."""
+    """A scene to draw. `tachyon` is None where the scene holds more than spheres; `is_mesh`: it holds one mesh."""
     name: str
     povray: object
     tachyon: object
     width: int
     height: int
+    is_mesh: bool = False
 
 
 def run(command):
@@ -112,6 +113,9 @@ class Embree(Program):
         super().__init__(path)
         self.packet = packet
         self.name = f'Embree x{packet}' if packet > 1 else 'Embree'
+
+    def can_draw(self, job):
+        return job.is_mesh or super().can_draw(job)
 
     def draw(self, job, picture=None):
         output = [picture] if picture else []

@@ -6,6 +6,7 @@ from itertools import product
 from formats import Look, Scene, vector
 from geometry import add, around, scaled, unit
 import shapes
+import solids
 
 PALETTE = ((.85, .35, .25), (.3, .7, .35), (.3, .45, .85), (.85, .75, .3), (.7, .4, .75), (.35, .75, .8))
 MATT = tuple(Look(rgb) for rgb in PALETTE)
@@ -302,7 +303,10 @@ def forest(copies):
 
 MAKERS = {'flake': (flake, 4), 'forest': (forest, 10000), 'spheres': (spheres, 1000), 'mixed': (mixed, 1000), 'rings': (rings, 14),
           'tree': (tree, 8), 'hall': (hall, 12), 'glass': (glass, 7), 'strip': (strip, 20000),
-          'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000)}
+          'moved': (moved('even'), 1000), 'stretched': (moved('stretched'), 1000),
+          'csg': (solids.csg(True), 1000), 'csg_dark': (solids.csg(False), 1000),
+          'csg_turned': (solids.csg(True, True), 1000), 'bored': (solids.bored, 10000),
+          'tori': (solids.tori(True), 500), 'tori_dark': (solids.tori(False), 500), 'mesh': (solids.mesh, 1000000)}
 TEXTURED = tuple('texture-' + kind for kind in TEXTURES)
 KINDS = tuple('shape-' + kind for kind in shapes.SHAPES)
 LIGHTS = tuple('light-' + kind for kind in LIT)
