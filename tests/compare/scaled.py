@@ -3,7 +3,7 @@
 
     python3 tests/compare/scaled.py --povc build/bin/povc FOLDER [--only NAME]
 
-Each scene of the folder is drawn as it is and then scaled by 1e-6 and 1e6, and moved by 1e7. Held is that at most 0.5 % of the
+Each scene of the folder is drawn as it is and then scaled by 1e-6, 1e6 and 1e-100, and moved by 1e7. Held is that at most 0.5 % of the
 pixels differ by more than 2/255.
 """
 
@@ -19,7 +19,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import probes
 
-CHANGES = {'scaled by 1e-6': 'scale 1e-6', 'scaled by 1e6': 'scale 1e6', 'moved by 1e7': 'translate <1e7, 1e7, -1e7>'}
+CHANGES = {'scaled by 1e-6': 'scale 1e-6', 'scaled by 1e6': 'scale 1e6', 'scaled by 1e-100': 'scale 1e-100',
+           'moved by 1e7': 'translate <1e7, 1e7, -1e7>'}
 STILL = {'global_settings', 'background', 'sky_sphere', 'fog', 'rainbow', 'default'}
 TOKEN = re.compile(r'"(?:\\.|[^"\\])*"|//[^\n]*|/\*.*?\*/|#\s*\w+|\w+|[{}]|\s+|.', re.S)
 WIDTH, HEIGHT = 80, 60
