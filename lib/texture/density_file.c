@@ -3,13 +3,13 @@
 
 /* A volume fills the unit cube; voxel i begins at i / n, and neighbours repeat. Outside it is 0. */
 
-static double voxel(const density_file *d, int64_t x, int64_t y, int64_t z)
+static double voxel(const density_file *d, size_t index)
 {
-    const int64_t nx = d->size[0], ny = d->size[1], nz = d->size[2];
-    const size_t index = (size_t)((((z % nz + nz) % nz) * ny + (y % ny + ny) % ny) * nx + (x % nx + nx) % nx);
     const unsigned char *at = d->samples + index * d->bytes;
     uint32_t value = 0, most = 0;
 
+    if (d->bytes == 1)
+        return *at / 255.0;
     for (uint32_t i = 0; i < d->bytes; i++) {
         value = value << 8 | at[i];
         most = most << 8 | 255u;
@@ -17,7 +17,9 @@ static double voxel(const density_file *d, int64_t x, int64_t y, int64_t z)
     return (double)value / most;
 }
 
-/* Weights of the voxels before, at, behind, and two behind. */
+/* Along one axis: weights of the voxels before, at, behind, and two behind, and where they are. */
+typedef struct neighbours { double weight[4]; size_t at[4]; } neighbours;
+
 static void find_weights(int32_t interpolation, double t, double w[4])
 {
     if (interpolation == 2) {
@@ -32,17 +34,30 @@ static void find_weights(int32_t interpolation, double t, double w[4])
     }
 }
 
-static double sum_voxels(const density_file *d, const int64_t low[3], double w[3][4])
+static void find_neighbours(const density_file *d, int axis, double at, neighbours *out)
 {
+    const double scaled = at * d->size[axis];
+    const int64_t low = (int64_t)scaled, n = d->size[axis];
+
+    find_weights(d->interpolation, scaled - (double)low, out->weight);
+    for (int i = 0; i < 4; i++)
+        out->at[i] = out->weight[i] != 0.0 ? (size_t)(((low + i - 1) % n + n) % n) : 0;
+}
+
+static double sum_voxels(const density_file *d, const neighbours by[3])
+{
+    const neighbours *x = &by[0], *y = &by[1], *z = &by[2];
+    const size_t nx = d->size[0], ny = d->size[1];
+    const int first = d->interpolation == 2 ? 0 : 1, end = d->interpolation == 2 ? 4 : 2 + d->interpolation;
     double sum = 0.0;
 
-    for (int k = 0; k < 4; k++)
-        for (int j = 0; j < 4; j++)
-            for (int i = 0; i < 4; i++) {
-                const double weight = w[0][i] * w[1][j] * w[2][k];
+    for (int k = first; k < end; k++)
+        for (int j = first; j < end; j++)
+            for (int i = first; i < end; i++) {
+                const double weight = x->weight[i] * y->weight[j] * z->weight[k];
 
                 if (weight != 0.0)
-                    sum += weight * voxel(d, low[0] + i - 1, low[1] + j - 1, low[2] + k - 1);
+                    sum += weight * voxel(d, (z->at[k] * ny + y->at[j]) * nx + x->at[i]);
             }
     return sum;
 }
@@ -50,18 +65,15 @@ static double sum_voxels(const density_file *d, const int64_t low[3], double w[3
 static double value_at(const density_file *d, pov_vec3 p)
 {
     const double at[3] = { p.x, p.y, p.z };
-    int64_t low[3];
-    double w[3][4], sum;
+    neighbours by[3];
+    double sum;
 
-    for (int a = 0; a < 3; a++) {
-        const double scaled = at[a] * d->size[a];
-
-        if (!(at[a] >= 0.0 && at[a] < 1.0))
+    for (int axis = 0; axis < 3; axis++)
+        if (!(at[axis] >= 0.0 && at[axis] < 1.0))
             return 0.0;
-        low[a] = (int64_t)scaled;
-        find_weights(d->interpolation, scaled - (double)low[a], w[a]);
-    }
-    sum = sum_voxels(d, low, w);
+    for (int axis = 0; axis < 3; axis++)
+        find_neighbours(d, axis, at[axis], &by[axis]);
+    sum = sum_voxels(d, by);
     return sum > 0.0 ? sum : 0.0;
 }
 
