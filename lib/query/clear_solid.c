@@ -85,7 +85,7 @@ void clear_solid_exits(const world *w, query_context *k, const pov_ray *const *r
     for (i = 0; i < n; i++)
         if (enters(w, rays[i])) {
             e->known |= bit_of(i);
-            hits_begin(&e->hits[i], w, &k->hit_buffers[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
+            hits_begin(&e->hits[i], &k->hit_buffers[i], tmax, POV_WANT_NEAREST, &out[i].crossing);
         }
     for (left = e->known; left;)
         left = ask_class(w, k, rays, left, e);

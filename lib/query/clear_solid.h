@@ -16,13 +16,15 @@ bool clear_solid_any_enters(const pov_ray *const *rays, uint32_t n);
 /* Light that starts on a closed solid and enters it: does it pass, and definitely leave it before its path ends? */
 bool clear_solid_light_exits(const world *w, const pov_ray *ray, double tmax);
 
-/* Note a definite hit of a transparent solid, without a position. */
+/* Note a definite hit of a transparent solid, whose distance nobody asks for. */
 static inline bool clear_solid_note(pov_hits *hits, uint32_t owner)
 {
-    const pov_mark mark = { 0, 0, 0.0, 0.0 };
+    const pov_crossing at = { 0.0, 0.0, owner, { 0, 0, 0.0, 0.0 } };
 
-    hits->owner = owner;
-    return pov_cross(hits, hits->tmax < 1.0 ? 0.5 * hits->tmax : 0.5, 0.0, mark);
+    if (hits->count == hits->capacity && !hits->grow(hits))
+        return false;
+    hits->at[hits->count++] = at;
+    return true;
 }
 
 /* Note two hits of a solid that light definitely enters and leaves, without intersecting it. */

@@ -9,7 +9,7 @@ static void cross(const world *w, query_context *k, const pov_ray *ray, uint32_t
     pov_crossing at;
     pov_hits hits;
 
-    hits_begin(&hits, w, &k->hit_buffers[0], *tmax, POV_WANT_NEAREST, &at);
+    hits_begin(&hits, &k->hit_buffers[0], *tmax, POV_WANT_NEAREST, &at);
     hits.owner = which;
     hits.tmin = tmin;
     if (ref.xform)

@@ -38,7 +38,7 @@ static void defer(packet *p, const leaf_batch *r, const pov_candidate *m)
 
     if (m->hi < p->traversal.limit[i])
         lower(p, i, m->hi);
-    if ((p->deferred_lanes & bit_of(i)) && !is_beyond(d->lo, p->traversal.limit[i]))
+    if ((p->deferred_lanes & bit_of(i)) && !is_beyond(p, i, d->lo))
         ask_one(p, i, d->batch, d->lane);
     d->batch = r;
     d->lane = m->lane;
@@ -72,7 +72,7 @@ static void filter(packet *p, const leaf_batch *r, uint64_t lanes)
         const pov_ray *ray = p->rays[m->ray];
         const bool left = r->object[m->lane] == ray->origin_surface;
 
-        if (is_beyond(m->lo, p->traversal.limit[m->ray]) ||
+        if (is_beyond(p, m->ray, m->lo) ||
             (left && is_excluded(r, m->lane, ray, p->traversal.soa.excluded[m->ray])))
             continue;
         /* The filter does not know the root that a ray starts on. */
@@ -165,7 +165,7 @@ static void resolve_deferred(packet *p)
         const uint32_t i = first_of64(rest);
         const leaf_batch *r = p->deferred[i].batch;
 
-        if (is_beyond(p->deferred[i].lo, p->traversal.limit[i]))
+        if (is_beyond(p, i, p->deferred[i].lo))
             continue;
         left |= bit_of(i);
         if (r->flags & LEAF_INSTANCED)
@@ -206,6 +206,13 @@ static void begin_from_exit_hits(packet *p, const exit_hits *e)
     }
 }
 
+/* True for whatever start_may_be_here() is, with what is known of the lane: its length is at most twice its largest
+ * component, and its size is not below that of its origin's. */
+static inline bool may_be_at_start(const packet *p, uint32_t i, double t)
+{
+    return t * p->traversal.length[i] < 0x1p-29 * (p->world->extent + p->traversal.soa.size[i]) || p->exact >> i & 1;
+}
+
 /* Rays with a hit, as bits of the caller's. */
 static uint64_t end_nearest(packet *p)
 {
@@ -226,7 +233,8 @@ static uint64_t end_nearest(packet *p)
         SIMD_PREFETCH(&p->world->objects_info[out->object]);
         if (hits->tied)
             coincidence_resolve(p->world, p->context, p->rays[i], NULL, out);
-        if (start_may_be_here(p->world, p->rays[i], out->crossing.t) &&
+        if (p->rays[i]->origin_surface == POV_NO_OWNER && may_be_at_start(p, i, out->crossing.t) &&
+            start_may_be_here(p->world, p->rays[i], out->crossing.t) &&
             !start_leave(p->world, p->context, p->rays[i], p->tmax, &from, out))
             found &= ~bit_of(p->of[i]);
     }

@@ -224,33 +224,49 @@ static inline bool are_in_order(const pov_crossing *at, uint32_t count)
     return true;
 }
 
-static inline bool is_near_end(const packet *p, uint32_t i)
+/* In scenes where whatever is there blocks. */
+static uint64_t end_plain_light(packet *p, uint64_t blocked, occlusion *out)
 {
-    return p->hits[i].near_end || (!p->any_blocks && p->filter_hits[i].near_end);
+    uint64_t dark = 0, rest;
+
+    for (rest = p->asked; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+        const pov_hits *hits = &p->hits[i];
+
+        p->context->escalated += hits->escalated;
+        if (hits->near_end && !(blocked >> i & 1))
+            out->near_end |= bit_of(p->of[i]);
+    }
+    for (rest = blocked; rest; rest &= rest - 1)
+        dark |= bit_of(p->of[first_of64(rest)]);
+    return dark;
 }
 
 uint64_t packet_end_light(packet *p, uint64_t blocked, occlusion *out)
 {
     uint64_t dark = 0, rest;
 
+    if (p->any_blocks)
+        return end_plain_light(p, blocked, out);
     for (rest = p->asked | blocked; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest), of = p->of[i];
-        const bool is_asked = p->asked >> i & 1;
         const pov_hits *hits = &p->filter_hits[i];
 
-        if (is_asked) {
+        if (p->asked >> i & 1)
             p->context->escalated += escalated_of(p, i);
-            out->near_end |= is_near_end(p, i) && !(blocked >> i & 1) ? bit_of(of) : 0;
-        }
         if (blocked >> i & 1) {
             dark |= bit_of(of);
-        } else if (is_asked && !p->any_blocks && hits->count > 0) {
-            if (!are_in_order(hits->at, hits->count))
-                crossings_sort(hits->at, hits->count, is_before);
-            out->crossed |= bit_of(of);
-            out->at[of] = hits->at;
-            out->count[of] = hits->count;
+            continue;
         }
+        if (p->hits[i].near_end | hits->near_end)
+            out->near_end |= bit_of(of);
+        if (hits->count == 0)
+            continue;
+        if (!are_in_order(hits->at, hits->count))
+            crossings_sort(hits->at, hits->count, is_before);
+        out->crossed |= bit_of(of);
+        out->at[of] = hits->at;
+        out->count[of] = hits->count;
     }
     return dark;
 }

@@ -45,11 +45,8 @@ static inline double just_beyond(double limit)
     return limit + limit * PACKET_TIE + 0x1p-1074;
 }
 
-/* Can a hit at lo or later be excluded? */
-static inline bool is_beyond(double lo, double limit)
-{
-    return lo > just_beyond(limit);
-}
+/* Can a hit of the lane at lo or later be excluded? */
+static inline bool is_beyond(const packet *p, uint32_t i, double lo) { return lo > p->traversal.soa.tmax[i]; }
 
 static inline void lower(packet *p, uint32_t i, double limit)
 {
@@ -115,7 +112,7 @@ static inline void packet_intersect(packet *p, uint32_t i, const leaf_batch *r, 
 
 static inline void packet_begin_hits(const packet *p, uint32_t i, pov_hits *hits, pov_want want, pov_crossing *at)
 {
-    hits_begin(hits, p->world, &p->context->hit_buffers[p->of[i]], p->tmax, want, at);
+    hits_begin(hits, &p->context->hit_buffers[p->of[i]], p->tmax, want, at);
 }
 
 /* ---- a query ---- */

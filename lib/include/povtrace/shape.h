@@ -63,10 +63,10 @@ typedef struct pov_hits {
 /* Is a crossing before the end of the interval? Within the slack of it, that stays open. */
 static inline bool pov_is_before_end(pov_hits *h, double t, double t_lo)
 {
-    const double before = h->slack > 0.0 ? (h->tmax - t) - t_lo : 0.0;
-
-    h->near_end = h->near_end || fabs(before) < h->slack;
-    return h->slack > 0.0 ? before > h->slack : t < h->tmax;
+    if (!(h->slack > 0.0))
+        return t < h->tmax;
+    h->near_end = h->near_end || fabs((h->tmax - t) - t_lo) < h->slack;
+    return (h->tmax - t) - t_lo > h->slack;
 }
 
 /* Is the crossing nearer than the one found so far? Of equal ones the earlier object of the scene wins, so that the
