@@ -94,10 +94,12 @@ static void trace_packet(worker *w, const settings *s, packet *c)
     known = raygen_cast(w->job->scene->model, &w->claim.camera, &c->through, c->count, c->rays);
     tracer_colors(w->tracer, c->rays, c->count, known, c->samples, seen, s->alpha ? alpha : NULL);
     for (uint32_t i = 0; i < c->count; i++) {
-        const float at[4] = { seen[i].r, seen[i].g, seen[i].b, s->alpha ? alpha[i] : 1.0f };
+        const float at[4] = { seen[i].r, seen[i].g, seen[i].b, 1.0f };
 
         memcpy(c->out[i], at, sizeof at);
     }
+    for (uint32_t i = 0; s->alpha && i < c->count; i++)
+        c->out[i][3] = alpha[i];
 }
 
 /* Positions of the rays within their pixels, if those are not the centres. */

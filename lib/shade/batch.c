@@ -29,6 +29,7 @@ static batch *take_spare(batch_queue *q, const env *e)
         b = make(e);
     if (b) {
         b->count = 0;
+        b->last = UINT32_MAX;
         b->power = NULL;
         b->gather = NULL;
     }
@@ -159,6 +160,7 @@ void batch_begin(batch_queue *q, colour *out)
     drop(q, &q->gathered, 0);
     drop(q, &q->transmitted, 1);
     mirrored->count = transmitted->count = 0;
+    mirrored->last = transmitted->last = UINT32_MAX;
     q->out = mirrored->out = transmitted->out = out;
 }
 

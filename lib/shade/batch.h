@@ -46,7 +46,7 @@ static inline batch *batch_branch(batch_queue *q, const env *e, branches *list, 
 {
     batch *b = list->items[0];
 
-    return b->count == 0 || b->paths[b->count - 1].lane != lane ? b : batch_grow(q, e, list, lane);
+    return b->last != lane ? b : batch_grow(q, e, list, lane);
 }
 
 /* Move the next of the branches and the waiting batches to q->now. False: none, or c->failed. */

@@ -1,6 +1,7 @@
 #include "shade/dielectric.h"
 
 #include "base/elementary.h"
+#include "base/simd.h"
 #include "base/vec.h"
 
 #include <string.h>
@@ -10,32 +11,53 @@ const interior *dielectric_interior(const model *m, uint32_t which)
     return &m->materials.items[model_leaf(m, which)->material].interior;
 }
 
-/* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. Dispersion is the
- * ior of violet over that of red. */
+/* A surface without an interior bounds a dielectric of ior 1: a bubble. So does one with an invalid ior. */
+static inline double white_ior(const interior *in) { return in->ior > 0.0 && in->ior <= 1e100 ? in->ior : 1.0; }
+
+/* Dispersion is the ior of violet over that of red. */
 double dielectric_ior(const interior *in, float hue)
 {
-    const double middle = in->ior > 0.0 && in->ior <= 1e100 ? in->ior : 1.0;
+    const double middle = white_ior(in);
 
     return hue < 0.0f || in->dispersion == 1.0 ? middle : middle * elementary_pow(in->dispersion, (double)hue - 0.5);
 }
 
-static double ior_of(const model *m, uint32_t which, float hue) { return dielectric_ior(dielectric_interior(m, which), hue); }
+static inline double ior_of(const model *m, uint32_t which, float hue, bool white)
+{
+    const interior *in = &m->materials.items[model_leaf(m, which)->material].interior;
+
+    return white ? white_ior(in) : dielectric_ior(in, hue);
+}
+
+static inline void cross(const uint32_t *list, size_t count, const model *m, uint32_t which, float hue, bool white, dielectric_crossing *out)
+{
+    size_t index = 0;
+
+    while (index < count && list[index] != which)
+        index++;
+    out->object = which;
+    out->index = index;
+    out->before = out->after = count > 0 ? ior_of(m, list[count - 1], hue, white) : 1.0;
+    if (index == count)
+        out->after = ior_of(m, which, hue, white);
+    else if (index == count - 1)
+        out->after = index > 0 ? ior_of(m, list[index - 1], hue, white) : 1.0;
+}
+
+SIMD_NOINLINE static void cross_coloured(const uint32_t *list, size_t count, const model *m, uint32_t which, float hue, dielectric_crossing *out)
+{
+    cross(list, count, m, which, hue, false, out);
+}
 
 void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which, float hue,
                       dielectric_crossing *out)
 {
-    const uint32_t *list = in.count > 0 ? stack->items + in.first : NULL;
-    size_t index = 0;
+    const uint32_t *list = stack->items + in.first;
 
-    while (index < in.count && list[index] != which)
-        index++;
-    out->object = which;
-    out->index = index;
-    out->before = out->after = in.count > 0 ? ior_of(m, list[in.count - 1], hue) : 1.0;
-    if (index == in.count)
-        out->after = ior_of(m, which, hue);
-    else if (index == in.count - 1)
-        out->after = index > 0 ? ior_of(m, list[index - 1], hue) : 1.0;
+    if (hue < 0.0f)
+        cross(list, in.count, m, which, hue, true, out);
+    else
+        cross_coloured(list, in.count, m, which, hue, out);
 }
 
 bool dielectric_is_in(const dielectric_stack *stack, dielectric_span in, uint32_t which)

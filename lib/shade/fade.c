@@ -29,7 +29,7 @@ static inline double length_of(pov_vec3 v) { return sqrt(pov_dot(v, v)); }
 void fade_inside(const shade_context *c, const path *p, const pov_ray *ray, const hit *h, colour *by)
 {
     const shading *scene = c->scene;
-    const uint32_t solid = world_solid(scene->world, h->object);
+    const uint32_t solid = shading_solid(scene, h->object);
     const interior *in = dielectric_interior(scene->model, solid);
 
     if (!(in->fade_distance > 0.0) || !dielectric_is_in(&c->dielectrics, p->inside, solid))
@@ -91,7 +91,7 @@ void fade_crossings(const shading *scene, const interior_walk *around, const pov
 
     sort(at, count);
     for (uint32_t i = 0; i < count; i++) {
-        const uint32_t solid = world_solid(scene->world, at[i].owner);
+        const uint32_t solid = shading_solid(scene, at[i].owner);
         const interior *in = dielectric_interior(scene->model, solid);
 
         if (in->caustics != 0.0f)

@@ -63,7 +63,7 @@ static void go_behind(const gathering *to, const surface *s, path *next)
         next->solids = air_solids_across(c->scene, s);
     if (!c->scene->plan->refraction || !s->appearance->transmissive)
         return;
-    dielectric_cross(&c->dielectrics, next->inside, c->scene->model, world_solid(c->scene->world, s->at->object), next->hue, &crossing);
+    dielectric_cross(&c->dielectrics, next->inside, c->scene->model, shading_solid(c->scene, s->at->object), next->hue, &crossing);
     c->failed = c->failed || !dielectric_pass(&c->dielectrics, c->env, &next->inside, &crossing);
 }
 

@@ -31,7 +31,7 @@ void walk_begin(const shade_context *c, const path *p, interior_walk *w)
 
 void walk_cross(const shading *scene, interior_walk *w, uint32_t object, bool entering)
 {
-    const uint32_t solid = world_solid(scene->world, object);
+    const uint32_t solid = shading_solid(scene, object);
 
     if (shading_info(scene, object)->filled)
         w->solids = entering ? w->solids + 1 : w->solids - (w->solids > 0);

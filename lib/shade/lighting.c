@@ -100,8 +100,7 @@ static void begin(lighting *l, shade_context *c, surfaces *on)
         const surface *s = &on->at[i];
         pov_ray *ray = &l->own[i];
 
-        ray->org = s->at->point;
-        ray->org_lo = s->at->point_lo;
+        world_origin_put(ray, s->at);
         world_origin_reflect(ray, s->at, 1.0);
     }
 }

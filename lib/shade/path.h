@@ -8,6 +8,7 @@
 #include "shade/dielectric.h"
 #include "shade/geometry.h"
 
+/* Members that change at each surface come first; a path that continues takes over the others as they are, from `inside` on. */
 typedef struct path {
     coefficient factor;          /* product of the coefficients along the path, and of their weights */
     int level;                   /* 1: the camera ray */
@@ -15,18 +16,18 @@ typedef struct path {
     uint32_t coincident, above;  /* it starts on coincident surfaces: index in context->coincident_sets, counted from 1,
                                   * and its sides of them; 0: it does not */
     dielectric_span inside;      /* the dielectrics around it */
-    uint32_t solids;             /* where there is fog or media: how many solids it is in that are not hollow */
-    int zero_steps;              /* consecutive steps of length zero: see query/passage.h */
-    float clear;                 /* in pictures with alpha: how much of what is behind it shines through; 0: it was reflected */
-    bool mirrored;               /* it was reflected on its way, and not only transmitted */
-    bool gathering;              /* its ray gathers light for a diffuse surface */
-    uint8_t gathers;             /* how many of its rays did */
-    uint8_t draw, draws;         /* the number of the first of these, of how many */
-    uint32_t branch;             /* mixed from its turns: different paths of a camera ray have different random numbers */
-    bool struck;                 /* of a photon: it met its target */
     double travelled;            /* of a photon: how far it came until it started here */
+    uint32_t solids;             /* where there is fog or media: how many solids it is in that are not hollow */
+    uint32_t branch;             /* mixed from its turns: different paths of a camera ray have different random numbers */
+    float clear;                 /* in pictures with alpha: how much of what is behind it shines through; 0: it was reflected */
     float hue;                   /* its place in the spectrum, from red (0) to violet (1), since it was dispersed; or
                                   * PATH_WHITE */
+    uint16_t zero_steps;         /* consecutive steps of length zero: see query/passage.h */
+    bool mirrored;               /* it was reflected on its way, and not only transmitted */
+    bool gathering;              /* its ray gathers light for a diffuse surface */
+    bool struck;                 /* of a photon: it met its target */
+    uint8_t gathers;             /* how many of its rays did */
+    uint8_t draw, draws;         /* the number of the first of these, of how many */
 } path;
 
 #define PATH_WHITE (-1.0f)
@@ -60,6 +61,7 @@ typedef struct gather_origins {
 enum { BATCH_MAX = WORLD_MANY };
 typedef struct batch {
     uint32_t count;
+    uint32_t last;               /* lane of the last path; UINT32_MAX: there is none */
     bool camera;                 /* these are camera rays: nothing has been added to their colours yet */
     path paths[BATCH_MAX];
     const pov_ray *rays[BATCH_MAX];   /* rays of the paths: the caller's camera rays, or those in `own` */

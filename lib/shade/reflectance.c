@@ -58,7 +58,7 @@ static double ratio_at(const shade_context *c, const surface *s)
 {
     const shading *scene = c->scene;
     const dielectric_span in = s->from->inside;
-    const uint32_t object = world_solid(scene->world, s->at->object);
+    const uint32_t object = shading_solid(scene, s->at->object);
     const double own = dielectric_ior(dielectric_interior(scene->model, object), s->from->hue);
     dielectric_crossing crossing;
 

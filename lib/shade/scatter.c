@@ -46,13 +46,13 @@ typedef struct scattering {
 
 /* ---- reflected rays ---- */
 
-static inline batch *branch_of(scattering *to, branches *list, const surface *s, bool powered)
+/* NULL: no memory. */
+static inline batch *branch_of(scattering *to, branches *list, const surface *s)
 {
-    batch_queue *q = to->queue;
-    const env *e = to->context->env;
-    batch *b = powered ? batch_grow(q, e, list, s->from->lane) : batch_branch(q, e, list, s->from->lane);
+    batch *b = batch_branch(to->queue, to->context->env, list, s->from->lane);
 
-    to->context->failed = to->context->failed || !b;
+    if (!b)
+        to->context->failed = true;
     return b;
 }
 
@@ -81,7 +81,7 @@ static inline void reflect(scattering *to, const surface *s, uint32_t lane, cons
 
     if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
         return;
-    b = branch_of(to, &to->queue->mirrored, s, false);
+    b = branch_of(to, &to->queue->mirrored, s);
     if (b)
         finish_reflected(to, b, spawn(b, s, lanes_at(to->on->geometry.mirrored, lane), factor, true), s, lane);
 }
@@ -97,7 +97,7 @@ static colour filmed(const scattering *to, const surface *s, uint32_t lane)
 }
 
 /* The same where the colour that is seen in the mirror, through its film, is raised to a power. */
-static void reflect_power(scattering *to, const surface *s, uint32_t lane, const coefficient *by, float exponent)
+SIMD_NOINLINE static void reflect_power(scattering *to, const surface *s, uint32_t lane, const coefficient *by, float exponent)
 {
     const coefficient factor = coefficient_mul(s->from->factor, *by), seen = { filmed(to, s, lane), factor.weight };
     batch *b;
@@ -105,9 +105,11 @@ static void reflect_power(scattering *to, const surface *s, uint32_t lane, const
 
     if (!passes_cutoff(&to->limits, s->from, &factor, to->limits.level))
         return;
-    b = branch_of(to, &to->queue->powered, s, true);
-    if (!b)
+    b = batch_grow(to->queue, to->context->env, &to->queue->powered, s->from->lane);
+    if (!b) {
+        to->context->failed = true;
         return;
+    }
     p = b->power;
     p->lane[p->count] = s->from->lane;
     p->factor[p->count] = factor.by;
@@ -142,13 +144,14 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
         return NULL;
     if (to->fading)
         factor.by = colour_mul(factor.by, s->faded);
-    b = branch_of(to, &to->queue->transmitted, s, false);
+    b = branch_of(to, &to->queue->transmitted, s);
     if (!b)
         return NULL;
     next = spawn(b, s, direction, factor, deeper);
     world_origin_transmit(&b->own[b->count++], s->at, cosine);
     next->above ^= 1u << s->on;
-    next->gathering = s->from->gathering && s->appearance == &to->context->scene->unseen;
+    if (s->from->gathering)
+        next->gathering = s->appearance == &to->context->scene->unseen;
     spawn_turn(next, TURN_TRANSMITTED);
     if (to->context->alpha)
         next->clear *= colour_grey(by->by);
@@ -161,7 +164,8 @@ static inline path *spawn_across(scattering *to, const surface *s, const coeffic
 /* Is the filter so dark that no ray goes through? */
 static inline bool is_dark(scattering *to, const appearance *a)
 {
-    to->limits.cut_weight += a->dark;
+    if (a->dark)
+        to->limits.cut_weight++;
     return a->dark;
 }
 
@@ -177,7 +181,7 @@ static inline path *transmit(scattering *to, const surface *s, uint32_t lane, co
     }
     out = spawn_across(to, s, by, s->ray->dir, to->on->geometry.view_side[lane], false);
     if (out)
-        out->zero_steps = zero_steps;
+        out->zero_steps = (uint16_t)zero_steps;
     return out;
 }
 
@@ -220,7 +224,7 @@ static inline void find_interfaces(const shade_context *c, const surfaces *on, i
     for (uint32_t i = 0; i < n; i++, s++) {
         if (!s->appearance->transmissive || s->appearance->clear)
             continue;
-        dielectric_cross(&c->dielectrics, s->from->inside, scene->model, world_solid(scene->world, s->at->object),
+        dielectric_cross(&c->dielectrics, s->from->inside, scene->model, shading_solid(scene, s->at->object),
                          s->from->hue, &p->crossing[i]);
         p->to.before[i] = p->crossing[i].before;
         p->to.after[i] = p->crossing[i].after;
@@ -263,7 +267,7 @@ static inline bool is_dispersed(const scattering *to, const surface *s, const di
            dielectric_interior(scene->model, crossing->object)->dispersion != 1.0;
 }
 
-static void disperse(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
+SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const surface *s, uint32_t lane, const coefficient *by)
 {
     const dielectric_crossing *crossing = &p->crossing[lane];
     const interior *in = dielectric_interior(to->context->scene->model, crossing->object);
@@ -331,6 +335,16 @@ static inline void split(scattering *to, const interfaces *p, const surface *s, 
         cross(to, p, s, lane, &s->appearance->filter);
 }
 
+/* Where nothing transmits rays. */
+static void mirror_lanes(scattering *to)
+{
+    const uint32_t n = to->on->count;
+    const surface *s = to->on->at;
+
+    for (uint32_t i = 0; i < n; i++, s++)
+        reflect_some(to, s, i);
+}
+
 static void scatter_lanes(scattering *to, bool refraction)
 {
     const uint32_t n = to->on->count;
@@ -377,9 +391,13 @@ static void count(const scattering *to)
 
 void scatter(shade_context *c, const surfaces *on, batch_queue *q)
 {
+    const plan *p = c->scene->plan;
     scattering to = begin(c, on, q);
 
-    scatter_lanes(&to, c->scene->plan->refraction);
+    if (p->transmission || p->hidden)
+        scatter_lanes(&to, p->refraction);
+    else
+        mirror_lanes(&to);
     count(&to);
 }
 

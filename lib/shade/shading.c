@@ -204,6 +204,7 @@ pov_status shading_create(shading **out, const model *m, const world *w, pov_err
     s->scale = find_scale(m, w);
     s->objects_info = world_object_info(w);
     s->own_names = world_own_names(w);
+    s->solids = world_own_solids(w);
     s->unseen.transmissive = s->unseen.needs_point = s->unseen.clear = true;
     finish_init(&s->plain_finish);
     s->unseen.finish = &s->plain_finish;

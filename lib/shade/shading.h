@@ -15,6 +15,7 @@ typedef struct shading {
     const world *world;
     const plan *plan;
     const object_info *objects_info;
+    const uint32_t *solids;      /* see world_own_solids() */
     uint32_t own_names;          /* of these; shading_info() */
     appearance *appearances;     /* one a material */
     appearance *finishes;        /* one a finish of varying textures, in the order of their places in memory */
@@ -42,6 +43,13 @@ const appearance *shading_finish(const shading *s, const finish *of);
 static inline const object_info *shading_info(const shading *s, uint32_t which)
 {
     return which < s->own_names ? &s->objects_info[which] : world_info_within(s->world, which);
+}
+/* As world_solid(). */
+static inline uint32_t shading_solid(const shading *s, uint32_t leaf)
+{
+    if (leaf >= s->own_names)
+        return world_solid(s->world, leaf);
+    return s->solids ? s->solids[leaf] : leaf;
 }
 /* Appearance of an object with a constant texture. */
 static inline const appearance *shading_constant(const shading *s, uint32_t which)

@@ -12,27 +12,16 @@ static inline path *spawn(batch *b, const surface *s, pov_vec3 direction, coeffi
     path *next = &b->paths[b->count];
     pov_ray *ray = &b->own[b->count];
 
-    ray->org = s->at->point;
-    ray->org_lo = s->at->point_lo;
+    world_origin_put(ray, s->at);
     ray->dir = direction;
+    simd_copy(&next->inside, &p->inside, sizeof *next - offsetof(path, inside));
+    next->lane = b->last = p->lane;
     next->factor = factor;
     next->level = p->level + deeper;
-    next->lane = p->lane;
     next->coincident = s->coincident;
     next->above = s->above;
-    next->inside = p->inside;
-    next->solids = p->solids;
     next->zero_steps = 0;
-    next->clear = p->clear;
-    next->mirrored = p->mirrored;
     next->gathering = false;
-    next->gathers = p->gathers;
-    next->draw = p->draw;
-    next->draws = p->draws;
-    next->branch = p->branch;
-    next->struck = p->struck;
-    next->travelled = p->travelled;
-    next->hue = p->hue;
     return next;
 }
 

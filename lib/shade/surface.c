@@ -79,8 +79,14 @@ static bool is_unseen(const shading *scene, const path *p, uint32_t object)
     return p->mirrored ? o->no_reflection : o->no_image;
 }
 
-/* Does the surface need more than its emission? */
-static inline bool is_kept(shade_context *c, const batch *b, surface *s, colour *out)
+/* Are there photons, surfaces that not all rays see, fog, or samples that neighbours use? */
+static inline bool any_special(const shade_context *c, const batch *b)
+{
+    return c->photons_fly || c->scene->plan->hidden || c->scene->dims || b->reuse;
+}
+
+/* Does the surface need more than its emission? special: see any_special(). */
+static inline bool is_kept(shade_context *c, const batch *b, surface *s, bool special, colour *out)
 {
     const shading *scene = c->scene;
     const appearance *a;
@@ -88,18 +94,18 @@ static inline bool is_kept(shade_context *c, const batch *b, surface *s, colour 
     if (s->at->coincident && !s->coincident)
         find_coincident(c, s);
     s->lit = colour_of(0.0f, 0.0f, 0.0f);
-    if (c->photons_fly) {
+    if (special && c->photons_fly) {
         s->appearance = shading_constant(scene, s->at->object);
         return true;
     }
-    if (scene->plan->hidden && is_unseen(scene, s->from, s->at->object)) {
+    if (special && scene->plan->hidden && is_unseen(scene, s->from, s->at->object)) {
         s->appearance = &scene->unseen;
         return true;
     }
     s->appearance = a = shading_constant(scene, s->at->object);
     if (!a->lit && scene->plan->lighting)
         c->counts.shadow_idle += scene->model->lights.count;
-    if (a->needs_point || b->reuse)
+    if (a->needs_point || (special && b->reuse))
         return true;
     accumulate(s->from, a->emitted, out);
     return false;
@@ -134,7 +140,7 @@ static uint32_t find_each(shade_context *c, surfaces *s, const batch *b, colour 
         place(s, &s->at[n], b, i, n);
         if (hit_single(c, &s->at[n])) {
             dim(c, s, &s->at[n], out);
-            n += is_kept(c, b, &s->at[n], out);
+            n += is_kept(c, b, &s->at[n], true, out);
         } else if (!c->photons_fly) {
             air_background(c, b, (uint64_t)1 << i, out);
         }
@@ -167,6 +173,7 @@ static void add_background(shade_context *c, const batch *b, uint64_t rays, colo
 
 void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
 {
+    const bool special = any_special(c, b);
     surface *at = s->at;
     uint64_t found, rest;
     uint32_t n = 0;
@@ -179,8 +186,9 @@ void surfaces_find(shade_context *c, surfaces *s, const batch *b, colour *out)
     add_background(c, b, ~found & ~(uint64_t)0 >> (BATCH_MAX - b->count), out);
     for (rest = found; rest; rest &= rest - 1) {
         place(s, at, b, first_of64(rest), n);
-        dim(c, s, at, out);
-        if (is_kept(c, b, at, out)) {
+        if (special)
+            dim(c, s, at, out);
+        if (is_kept(c, b, at, special, out)) {
             at++;
             n++;
         }

@@ -45,6 +45,19 @@ static bool make_buffers(pov_tracer *t)
     return t->layers && t->shadow_rays;
 }
 
+/* Mirrors and glass may send two rays for each: with a deep limit and without a bail-out they never end. */
+static uint64_t most_rays(const model *m)
+{
+    return m->most_rays > 0 ? m->most_rays : 100000000;
+}
+
+/* Can more rays follow from one than may? Where each surface sends one mirrored ray at most, each is a level deeper. */
+static bool may_exceed(const shading *s)
+{
+    return s->plan->transmission || s->plan->hidden || s->plan->radiosity || s->most_terms > 1 ||
+           (uint64_t)s->model->max_trace_level > most_rays(s->model);
+}
+
 pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
 {
     const env *e = scene->model->env;
@@ -56,6 +69,7 @@ pov_status tracer_create(pov_tracer **out, const shading *scene, pov_error *err)
     t->context.env = e;
     t->context.scene = scene;
     t->camera.camera = true;
+    t->counts_followers = may_exceed(scene);
     make_camera_paths(&t->camera);
     geometry_begin(&t->surfaces.geometry);
     status = make_buffers(t) ? query_context_create(&t->context.context, scene->world, err) : err_memory(err);
@@ -289,19 +303,17 @@ SIMD_CLONES static bool are_finite(const float *x, uint32_t n)
     return !out;
 }
 
-/* Mirrors and glass may send two rays for each: with a deep limit and without a bail-out they never end. */
-static uint64_t most_rays(const model *m)
-{
-    return m->most_rays > 0 ? m->most_rays : 100000000;
-}
-
-/* Count the rays of a batch. False: a camera ray has more than it may have. */
+/* Count the rays of a batch, which are of different camera rays. False: one has more than it may have. */
 static bool count_followers(pov_tracer *t, const batch *b, uint64_t most)
 {
     bool enough = true;
 
     for (uint32_t i = 0; i < b->count; i++)
-        enough &= ++t->followers[b->paths[i].lane] <= most;
+        t->followers[b->paths[i].lane]++;
+    if (++t->follower_batches <= most)
+        return true;
+    for (uint32_t i = 0; i < b->count; i++)
+        enough &= t->followers[b->paths[i].lane] <= most;
     return enough;
 }
 
@@ -318,15 +330,14 @@ static void follow(pov_tracer *t, colour *out)
     shade_context *c = &t->context;
     const batch *b = &t->camera;
     const uint64_t most = most_rays(c->scene->model);
-    bool first = true;
 
+    t->follower_batches = 0;
     for (shade_batch(t, b, out); !c->failed && !interrupt_is_due(&c->interrupt, b->count); b = t->queue.now) {
         if (!batch_next(&t->queue, c))
             return;
-        if (first)
+        if (t->counts_followers && t->follower_batches == 0)
             memset(t->followers, 0, sizeof t->followers);
-        first = false;
-        if (!count_followers(t, t->queue.now, most)) {
+        if (t->counts_followers && !count_followers(t, t->queue.now, most)) {
             c->failed = c->exhausted = true;
             return;
         }

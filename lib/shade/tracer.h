@@ -14,7 +14,9 @@ struct pov_tracer {
     batch camera;                /* paths of camera rays; their constant members were set once */
     bool camera_odd, camera_inside;   /* its paths are not those of all lanes in order; some are in dielectrics */
     sample_id own_samples[BATCH_MAX];   /* of rays that nobody numbered */
+    bool counts_followers;       /* more rays may follow than may */
     uint64_t followers[BATCH_MAX];      /* rays that followed, by lane of the camera ray */
+    uint64_t follower_batches;   /* their batches */
     batch_queue queue;
     surfaces surfaces;           /* of the present batch */
     painted painted;             /* their textures */

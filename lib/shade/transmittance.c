@@ -134,6 +134,18 @@ static uint64_t find_exactly(const shade_context *c, const pov_ray *const *rays,
     return lit;
 }
 
+/* Constant filters, whose places do not matter: bit i: something of ray i's light is left. */
+static uint64_t filter_plainly(const shading *scene, const occlusion *found, uint64_t lit, colour *through)
+{
+    for (uint64_t rest = found->crossed; rest; rest &= rest - 1) {
+        const uint32_t i = first_of64(rest);
+
+        if (!multiply(scene, found->at[i], found->count[i], &through[i]))
+            lit &= ~((uint64_t)1 << i);
+    }
+    return lit;
+}
+
 uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, const path *const *from, uint32_t n,
                             segment_end end, colour *through)
 {
@@ -145,6 +157,8 @@ uint64_t transmittance_find(const shade_context *c, const pov_ray *const *rays, 
         lit = find_exactly(c, rays, end, lit, &found);
     for (uint32_t i = 0; i < n; i++)
         through[i] = colour_of(1.0f, 1.0f, 1.0f);
+    if (!c->scene->plan->located && !c->scene->plan->textures && !c->blocks)
+        return filter_plainly(c->scene, &found, lit, through);
     for (rest = found.crossed; rest; rest &= rest - 1) {
         const uint32_t i = first_of64(rest);
 

@@ -55,6 +55,11 @@ void world_surface_many(const world *w, const object_space_rays *from, const pov
 /* Some hundred times the error of normals. */
 #define WORLD_GRAZING 0x1p-36
 
+enum { SURFACE_POINT_AGREES = 1 / (offsetof(hit, point_lo) == sizeof(pov_vec3) && offsetof(pov_ray, org_lo) == sizeof(pov_vec3)) };
+
+/* Start a ray at the point of a hit. */
+static inline void world_origin_put(pov_ray *ray, const hit *h) { simd_copy(ray, h, 2 * sizeof(pov_vec3)); }
+
 /* Record the surface on which a secondary ray starts. The mark is assembled in registers first: the next read would
  * otherwise stall on store forwarding. */
 static inline void world_set_origin(pov_ray *ray, const hit *h, uint32_t known)

@@ -483,6 +483,11 @@ uint32_t world_solid(const world *w, uint32_t leaf)
     return c->name + world_solid(w->parts[c->of->part], leaf);
 }
 
+const uint32_t *world_own_solids(const world *w)
+{
+    return w->solids;
+}
+
 const csg_list *world_trees(const world *w)
 {
     return &w->trees;

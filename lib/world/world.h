@@ -72,6 +72,8 @@ const char *world_class(const world *w, size_t number);
 
 /* The solid of an object, for dielectrics: the first of its leaves. An object of one leaf is its own solid. */
 uint32_t world_solid(const world *w, uint32_t leaf);
+/* The same by name for the first world_own_names(); NULL: each is its own. */
+const uint32_t *world_own_solids(const world *w);
 /* Shapes that rays intersect as one; see csg.h; and the memory for the largest, those of parts included. */
 const struct csg_list *world_trees(const world *w);
 struct csg_size;
