@@ -85,6 +85,37 @@ static inline uint32_t bvh_octant(const pov_ray *ray)
 #endif
 }
 
+/* The octant of all of several rays; 8: they have several. */
+static inline uint32_t bvh_common_octant(const pov_ray *const *rays, uint32_t n)
+{
+#if defined(__AVX__) && defined(__GNUC__)
+    typedef long long bits __attribute__((vector_size(32)));
+    typedef double doubles __attribute__((vector_size(32)));
+    bits any = { 0, 0, 0, 0 }, all = ~any;
+    uint32_t octant;
+
+    if (bvh_octant(rays[0]) != bvh_octant(rays[n - 1]))
+        return 8;
+    for (uint32_t i = 0; i < n; i++) {
+        bits d;
+
+        memcpy(&d, (const char *)rays[i] + offsetof(pov_ray, dir), sizeof d);
+        any |= d;
+        all &= d;
+    }
+    octant = (uint32_t)__builtin_ia32_movmskpd256((doubles)any) & 7;
+    return octant == ((uint32_t)__builtin_ia32_movmskpd256((doubles)all) & 7) ? octant : 8;
+#else
+    uint32_t any = 0, all = 7;
+
+    for (uint32_t i = 0; i < n; i++) {
+        any |= bvh_octant(rays[i]);
+        all &= bvh_octant(rays[i]);
+    }
+    return any == all ? any : 8;
+#endif
+}
+
 /* A ray that starts further away than BVH_NEAR half-sizes of the frame is moved near it. False: it misses. */
 #define BVH_NEAR 8.0
 /* Directions with lengths in this range need no rescaling. */

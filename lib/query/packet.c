@@ -100,15 +100,19 @@ uint64_t packet_traverse(packet *p, bvh_traverse_fn *traverse, bool nearest)
  * other. */
 enum { PACKET_LEAST = 8, INTERLEAVED_LEAST = 5 };
 
-/* Rays of one octant form a packet for a tree; a list takes all. */
+/* Rays of one octant form a packet for a tree; a list takes all. Most packets are of one octant. */
 static void divide(const world *w, const pov_ray *const *rays, uint32_t n, uint64_t of[8])
 {
+    const uint32_t common = w->has_tree ? bvh_common_octant(rays, n) : 0;
     uint32_t i;
 
     for (i = 0; i < 8; i++)
         of[i] = 0;
-    for (i = 0; i < n; i++)
-        of[w->has_tree ? bvh_octant(rays[i]) : 0] |= bit_of(i);
+    if (common < 8)
+        of[common] = all_of(n);
+    else
+        for (i = 0; i < n; i++)
+            of[bvh_octant(rays[i])] |= bit_of(i);
 }
 
 /* Are there at least so many lanes? */
