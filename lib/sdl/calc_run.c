@@ -62,7 +62,7 @@ static bool load(const calc_name *n, double *r)
 
 static bool is_equal(double a, double b)
 {
-    return a == b || fabs(a - b) <= EXPRESSION_NEAR;
+    return !(fabs(a - b) > EXPRESSION_NEAR);
 }
 
 /* False: it is none of these. */

@@ -43,6 +43,6 @@ double expression_to_number(pov_reader *in, value v);
 bool expression_to_vector(pov_reader *in, value *v);
 string *expression_to_string(pov_reader *in, value v);
 
-static inline bool expression_is_true(double number) { return !(fabs(number) <= EXPRESSION_NEAR); }
+static inline bool expression_is_true(double number) { return fabs(number) > EXPRESSION_NEAR; }
 
 #endif

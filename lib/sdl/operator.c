@@ -6,9 +6,10 @@
 
 #include <math.h>
 
+/* What is no number equals all, as in POV-Ray, and so do infinite numbers of one sign. */
 static double equal(double a, double b)
 {
-    return a == b || fabs(a - b) <= EXPRESSION_NEAR;
+    return !(fabs(a - b) > EXPRESSION_NEAR);
 }
 
 static double operate(int op, double a, double b)

@@ -324,6 +324,7 @@ static void read(pov_reader *in, copies_read *copies, const scene_parts *parts, 
     declare_names(in, name);
     for (size_t i = 0; i < parts->parts.count && !in->failed; i++)
         read_part(in, parts, &parts->parts.items[i]);
+    text_file_store_open(in);
     if (!in->failed)
         decide_dialect(in);
     if (!in->failed)

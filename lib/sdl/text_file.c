@@ -17,6 +17,7 @@ typedef struct written {
     struct written *next;
     char *bytes;
     size_t count, capacity;
+    bool is_open;
     char name[];
 } written;
 
@@ -112,11 +113,12 @@ static bool is_allowed(const pov_reader *in, const char *name)
            !file_is_link(name);
 }
 
-static void store(pov_reader *in, const written *w)
+static void store(pov_reader *in, written *w)
 {
     file_writer *writer;
     pov_error error;
 
+    w->is_open = false;
     if (!is_allowed(in, w->name)) {
         report_warn(in, &in->last, "\"%s\" is kept for this scene alone: writing files was not allowed", w->name);
         return;
@@ -134,6 +136,13 @@ static void store(pov_reader *in, const written *w)
             report_pass_on(in, &in->last, &error);
     }
     env_free(in->model->env, writer);
+}
+
+void text_file_store_open(pov_reader *in)
+{
+    for (written *w = in->written; w && !in->failed; w = w->next)
+        if (w->is_open)
+            store(in, w);
 }
 
 void text_file_free_all(pov_reader *in)
@@ -185,9 +194,13 @@ static written *open_to_write(pov_reader *in, const string *name, bool appends)
 
     if (w && !appends)
         w->count = 0;
-    if (w)
+    if (w) {
+        w->is_open = true;
         return w;
+    }
     w = create(in, name);
+    if (w)
+        w->is_open = true;
     if (!w || !appends || !include_find(in, name, path))
         return w;
     if (limit_read_file(in, path, &bytes, &length, &error) < 0) {

@@ -14,6 +14,8 @@ void text_file_close(pov_reader *in, const place *at);
 bool text_file_kept(const pov_reader *in, const string *name);
 /* Its bytes, with an end mark that is not counted, for the caller to free. NULL: there is none, or no memory. */
 char *text_file_copy(pov_reader *in, const string *name, size_t *length);
+/* At the end of the text: what it has not closed. */
+void text_file_store_open(pov_reader *in);
 void text_file_free_all(pov_reader *in);
 
 #endif

@@ -63,6 +63,9 @@ END
     "$povc" --check -q --allow-write ../open a.pov
     [ ! -e ../closed.txt ] && [ ! -e here.txt ] || fail "a file was written outside"
     [ "$(cat ../open/new.txt)" = x ] || fail "no file was written"
+    printf '#fopen A "../open/left.txt" write #write (A, "y")\n' > b.pov
+    "$povc" --check -q --allow-write ../open b.pov
+    [ "$(cat ../open/left.txt)" = y ] || fail "a file that was not closed is not written"
 }
 
 text_of_a_scene_goes_to_standard_error_as_it_is() {

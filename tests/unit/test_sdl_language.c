@@ -44,7 +44,9 @@ static const expression_case expressions[] = {
     { "val(substr(\"12345\", 2, 3))", 234 }, { "asc(strupr(\"z\"))", 90 }, { "strlen(vstr(3, 1, \", \", 0, 1))", 13 },
     { "int(floor(-1.5))", -2 }, { "defined(Nobody)", 0 }, { "atan2(0, 1)", 0 }, { "pow(2, 10)", 1024 },
     { "version", 3.7 }, { "(true & yes & on)", 1 }, { "(1).gray", 0.297 }, { "<1,2>.gray", 0.297 * 1 + 0.589 * 2 }, { "defined(\"a\")", 0 },
-    { "defined(+)", 0 }, { "strlen(chr(0))", 0 }, { "strlen(\"a\\u0000b\")", 1 }, { "file_exists(\"\")", 0 },
+    { "(mod(1, 0) ? 1 : 2)", 2 }, { "!mod(1, 0)", 1 }, { "(mod(1, 0) & 1)", 0 }, { "(mod(1, 0) | 0)", 0 },   /* as POV-Ray has it */
+    { "(mod(1, 0) = 5)", 1 }, { "(mod(1, 0) != 5)", 0 }, { "(mod(1, 0) < 5)", 0 }, { "(mod(1, 0) <= 5)", 1 }, { "(1e400 = 1e400)", 1 },
+    { "(1e400 = -1e400)", 0 }, { "defined(+)", 0 }, { "strlen(chr(0))", 0 }, { "strlen(\"a\\u0000b\")", 1 }, { "file_exists(\"\")", 0 },
 };
 
 static void expressions_have_their_values(void **state)
