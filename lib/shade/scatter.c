@@ -281,7 +281,9 @@ SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const su
 
         if (!refract(lanes_at(&to->on->geometry.view, lane), lanes_at(p->normal, lane), p->cosine[lane],
                      crossing->before, dielectric_ior(in, hue), &dir)) {
-            reflect_inside(to, s, lane, &some);
+            const coefficient shut = { colour_mul(some.by, filmed(to, s, lane)), some.weight };
+
+            reflect_inside(to, s, lane, &shut);
             continue;
         }
         out = refract_at(to, s, lane, &some, dir);
@@ -291,10 +293,12 @@ SIMD_NOINLINE static void disperse(scattering *to, const interfaces *p, const su
     }
 }
 
-/* Is light totally reflected? */
-static inline bool is_shut(const interfaces *p, uint32_t lane)
+/* Is light totally reflected? What is dispersed is asked colour by colour: the filter colours what is turned back there, and
+ * the surface mirrors as well, as in POV-Ray. */
+static inline bool is_shut(const scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    return p->crossing[lane].before != p->crossing[lane].after && !(p->to.squared_cosine[lane] > 0.0);
+    return p->crossing[lane].before != p->crossing[lane].after && !(p->to.squared_cosine[lane] > 0.0) &&
+           !is_dispersed(to, s, &p->crossing[lane]);
 }
 
 /* The transmitted ray. */
@@ -324,7 +328,7 @@ static coefficient shut_by(const scattering *to, const surface *s, uint32_t lane
  * no ray looks for a way through, so none is turned back: the surface mirrors as its finish says. */
 static inline void split(scattering *to, const interfaces *p, const surface *s, uint32_t lane)
 {
-    if (is_shut(p, lane) && !s->appearance->dark) {
+    if (is_shut(to, p, s, lane) && !s->appearance->dark) {
         const coefficient by = shut_by(to, s, lane, &s->appearance->filter);
 
         reflect_inside(to, s, lane, &by);
@@ -410,7 +414,7 @@ typedef struct hit_rays {
     const interfaces *crossed;   /* NULL: nothing is refracted */
     uint32_t first, end;
     coefficient reflected[BATCH_MAX], through[BATCH_MAX], shut[BATCH_MAX];
-    bool reflects[BATCH_MAX], goes_on[BATCH_MAX], is_shut[BATCH_MAX];
+    bool reflects[BATCH_MAX], goes_on[BATCH_MAX], is_dark[BATCH_MAX], is_shut[BATCH_MAX];
     uint32_t reflected_count, open;      /* at most so many reflect or are shut, and go on */
 } hit_rays;
 
@@ -421,39 +425,52 @@ static bool is_same_normal(const geometry *g, uint32_t a, uint32_t b)
 
 static float exponent_of(const layers *l, uint32_t i) { return l->on.at[i].appearance->finish->reflection.exponent; }
 
-/* Total reflection takes the place of all that a stack reflects. The film of the stack's upper layer acts, as in POV-Ray. */
-static void shut_stack(hit_rays *f, uint32_t last)
+/* Total reflection takes the place of all that a stack, from `top` to `last`, reflects. */
+static void shut_stack(hit_rays *f, uint32_t top, uint32_t last)
 {
     const layers *l = f->from;
-    uint32_t top = last;
 
-    f->reflects[last] = false;
-    while (top > f->first && !l->of[top].first)
-        f->reflects[--top] = false;
-    f->goes_on[last] = false;
-    f->is_shut[last] = true;
+    for (uint32_t i = top; i <= last; i++)
+        f->reflects[i] = false;
+    f->goes_on[top] = false;
+    f->is_shut[top] = true;
     f->reflected_count++;
-    f->shut[last] = shut_by(f->to, &l->on.at[top], top, &l->of[last].through);
-    f->shut[last].by = colour_scale(f->shut[last].by, l->of[last].share);
+    f->shut[top] = shut_by(f->to, &l->on.at[top], top, &l->of[last].through);
+    f->shut[top].by = colour_scale(f->shut[top].by, l->of[last].share);
+}
+
+/* The ray through a stack. The normal of its upper layer bends it, and that layer's film colours it where it is totally
+ * reflected, as in POV-Ray: the ray is kept there. */
+static void find_way_through(hit_rays *f, uint32_t top, uint32_t last)
+{
+    const layers *l = f->from;
+    const appearance *a = l->on.at[top].appearance;
+
+    if (!a->transmissive || !l->on.at[last].appearance->transmissive)
+        return;
+    f->goes_on[top] = true;
+    f->open++;
+    f->through[top] = l->of[last].through;
+    f->is_dark[top] = l->of[last].is_dark;
+    if (f->crossed && !a->clear && !f->is_dark[top] && is_shut(f->to, f->crossed, &l->on.at[top], top))
+        shut_stack(f, top, last);
 }
 
 static void find_rays(hit_rays *f)
 {
     const layers *l = f->from;
+    uint32_t top = f->first;
 
     f->reflected_count = f->open = 0;
     for (uint32_t i = f->first; i < f->end; i++) {
-        const appearance *a = l->on.at[i].appearance;
-
-        f->reflects[i] = a->reflective;
-        f->goes_on[i] = l->of[i].last && a->transmissive;
-        f->is_shut[i] = false;
+        f->reflects[i] = l->on.at[i].appearance->reflective;
         f->reflected_count += f->reflects[i];
-        f->open += f->goes_on[i];
         f->reflected[i] = l->of[i].reflection;
-        f->through[i] = l->of[i].through;
-        if (f->goes_on[i] && f->crossed && !a->clear && !l->of[i].is_dark && is_shut(f->crossed, i))
-            shut_stack(f, i);
+        f->is_shut[i] = f->goes_on[i] = false;
+        if (l->of[i].first)
+            top = i;
+        if (l->of[i].last)
+            find_way_through(f, top, i);
     }
 }
 
@@ -500,7 +517,7 @@ static void send_through(hit_rays *f)
     for (uint32_t i = f->first; i < f->end; i++) {
         const surface *s = &l->on.at[i];
 
-        if (!f->goes_on[i] || l->of[i].is_dark)
+        if (!f->goes_on[i] || f->is_dark[i])
             continue;
         merge(&l->on.geometry, f->end, i, f->goes_on, f->through, !f->crossed);
         if (f->crossed && !s->appearance->clear)

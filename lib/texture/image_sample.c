@@ -39,7 +39,7 @@ image_place image_place_at(const image_map *map, pov_vec3 point)
 
     if (!is_finite_pair(at.u, at.v))
         at.u = at.v = 0.0;
-    at.is_outside = map->once && (at.u < 0.0 || at.u >= 1.0 || at.v < 0.0 || at.v >= 1.0);
+    at.is_outside = map->once && (at.u < 0.0 || at.u > 1.0 || at.v < 0.0 || at.v > 1.0);
     return at;
 }
 
@@ -227,16 +227,25 @@ static void find_taps(image_interpolation how, double x, double y, taps *out)
     (how == IMAGE_BICUBIC ? find_cubic : how == IMAGE_BILINEAR ? find_linear : find_near)(x - left, y - top, out);
 }
 
+/* From 0 to below 1. */
+static double repeated(double v)
+{
+    const double f = fraction(v);
+
+    return f < 1.0 ? f : 0.0;
+}
+
+/* A whole v is the lower edge, and not the upper one of the next copy. */
 static parts find(const image_map *map, const kind *k, image_place at)
 {
     const int64_t width = map->image->width, height = map->image->height;
-    const double x = fraction(at.u) * (double)width, y = (1.0 - fraction(at.v)) * (double)height;
+    const double x = repeated(at.u) * (double)width, y = (1.0 - repeated(at.v)) * (double)height;
     parts out = { { 0.0 } };
     double part[PARTS];
     taps t;
 
     if (map->interpolation == IMAGE_PIXELS) {
-        k->get(map, bound((int64_t)x, width, false), bound((int64_t)y, height, false), out.of);
+        k->get(map, bound((int64_t)x, width, true), bound((int64_t)y, height, true), out.of);
         return out;
     }
     find_taps(map->interpolation, x - 0.5, y - 0.5, &t);

@@ -111,6 +111,17 @@ static void white_light_is_dispersed_into_its_colours(void **state)
     assert_seen("sphere { 0, 2" CLEAR "interior { ior 1.5 dispersion 1.1 dispersion_samples 2 } }", 0.99380, 1.0, 0.99620);
 }
 
+/* As measured: colours that are turned back where white light would enter are filtered, and the surface mirrors as well. */
+static void dispersed_colours_are_turned_back_one_by_one(void **state)
+{
+    (void)state;
+
+    assert_seen("plane { <1, 0, -.3>, 0 pigment { rgbt <1, 1, 1, .5> } finish { ambient 0 diffuse 0 } interior { ior .6 dispersion 1.05 dispersion_samples 2 } }",
+                0.4969, 0.5, 0.4981);
+    assert_seen("plane { <1, 0, -.3>, 0 pigment { rgbt <1, 1, 1, .5> } finish { ambient 0 diffuse 0 reflection .25 } interior { ior .6 dispersion 1.05 dispersion_samples 2 } }",
+                0.7469, 0.75, 0.7481);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -121,6 +132,7 @@ int main(void)
         cmocka_unit_test(members_with_interiors_of_their_own_are_solids_of_their_own),
         cmocka_unit_test(hidden_objects_are_passed),
         cmocka_unit_test(white_light_is_dispersed_into_its_colours),
+        cmocka_unit_test(dispersed_colours_are_turned_back_one_by_one),
     };
 
     return cmocka_run_group_tests_name("interiors", tests, NULL, NULL);

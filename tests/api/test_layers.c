@@ -119,6 +119,34 @@ static void the_upper_film_is_seen_in_total_reflection(void **state)
     assert_true(fabs(seen_from_below("0", below) - 0.9) < 1e-6);
 }
 
+static float *glass(const char *upper, const char *lower)
+{
+    char text[1024];
+
+    snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 } #default { finish { ambient 0 diffuse 0 } }\n"
+             "camera { location <0, 1, -4> look_at 0 angle 40 } plane { y, -1 pigment { checker rgb 1 rgb .2 } finish { ambient 1 } }\n"
+             "box { -1, 1 texture { pigment { rgbt <1, 1, 1, .8> } %s } texture { pigment { rgbf <1, 1, .5, .9> } %s }\n"
+             "interior { ior 1.8 } rotate <20, 30, 10> }\n", lower, upper);
+    return scenes_draw(text, WIDTH, HEIGHT, 1, 1);
+}
+
+/* As measured: of layers the upper one's normal bends what goes through. */
+static void the_upper_normal_bends_what_goes_through(void **state)
+{
+    static const char bumps[] = "normal { bumps .4 scale .3 }";
+    float *both = glass(bumps, bumps), *upper = glass(bumps, ""), *lower = glass("", bumps), *none = glass("", "");
+    const size_t bytes = sizeof(float[4]) * WIDTH * HEIGHT;
+    (void)state;
+
+    assert_memory_equal(both, upper, bytes);
+    assert_memory_equal(none, lower, bytes);
+    assert_memory_not_equal(both, none, bytes);
+    free(both);
+    free(upper);
+    free(lower);
+    free(none);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -126,6 +154,7 @@ int main(void)
         cmocka_unit_test(what_depends_on_the_angle_is_weighed_at_each_hit),
         cmocka_unit_test(layers_below_an_opaque_one_are_hidden),
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
+        cmocka_unit_test(the_upper_normal_bends_what_goes_through),
         cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -179,6 +179,29 @@ static void formulas_ask_patterns_pigments_and_maps(void **state)
     reading_end(&r);
 }
 
+/* As in POV-Ray: where images begin again the pixels to the right and above count, and one that is there once has all its
+ * edges. */
+static void images_begin_at_their_lower_left_corner(void **state)
+{
+    static const char *const words[] = { "", "once" };
+    (void)state;
+
+    for (int once = 0; once < 2; once++) {
+        static text t;
+        reading r;
+
+        t.used = 0;
+        put(&t, "#version 3.7;\n#declare F = function { pattern { image_pattern { function 8, 8 { .2 + .7*y - .1*x } %s } } }\n", words[once]);
+        put(&t, "#debug str(F(.3, 0, 0) - F(.3, 1e-9, 0), 0, 9)\n#debug str(F(.3, 1, 0) - F(.3, 1e-9, 0), 0, 9)\n");
+        put(&t, "#debug str(F(0, .3, 0) - F(1e-9, .3, 0), 0, 9)\n#debug str(F(1, .3, 0) - F(1e-9, .3, 0), 0, 9)\n");
+        put(&t, "#debug str(F(1, 1, 0) - F(1e-9, 1e-9, 0), 0, 9)\n#debug str(F(.3, -1e-20, 0) - F(.3, 1e-9, 0) * %d, 0, 9)\n", !once);
+        read_text(&r, &t);
+        for (uint32_t i = 0; i < 6; i++)
+            assert_near(printed(&r, i), 0.0, 1e-9);
+        reading_end(&r);
+    }
+}
+
 static void patterns_that_need_a_surface_have_no_function(void **state)
 {
     static const char *const wrong[] = { "slope y", "average", "aoi" };
@@ -203,6 +226,7 @@ int main(void)
         cmocka_unit_test(every_pavement_and_penroses_tilings_have_their_measured_values),
         cmocka_unit_test(every_warp_moves_points_as_measured),
         cmocka_unit_test(formulas_ask_patterns_pigments_and_maps),
+        cmocka_unit_test(images_begin_at_their_lower_left_corner),
         cmocka_unit_test(patterns_that_need_a_surface_have_no_function),
     };
 
