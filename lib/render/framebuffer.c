@@ -37,7 +37,7 @@ void framebuffer_clear(framebuffer *f)
 
 lattice framebuffer_lattice(const framebuffer *f, int pass)
 {
-    lattice l = { f->first_step >> pass, pass > 0 };
+    lattice l = { f->first_step >> pass, pass > 0, f->again && pass + 1 == f->passes };
 
     return l;
 }
@@ -52,7 +52,7 @@ void framebuffer_put(framebuffer *f, size_t tile, int pass, const float *pixels)
     pov_rect r = tiles_rect(f->tiles, tile);
     lattice l = framebuffer_lattice(f, pass);
 
-    if (l.step == 1 && !l.finer)
+    if (l.step == 1 && (!l.finer || l.again))
         framebuffer_replace(f, tile, pixels);
     else
         for (int y = 0; y < r.height; y += l.step)

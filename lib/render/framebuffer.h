@@ -11,6 +11,7 @@ enum { LATTICES_MAX = 5 };       /* steps 16, 8, 4, 2, 1 */
 typedef struct framebuffer {
     const tiles *tiles;
     int first_step, passes;      /* the coarsest lattice; 1 + log2 of it */
+    bool again;                  /* the last pass traces all pixels: what they show depends on their neighbours in it */
     float *pixels;               /* red, green, blue, alpha as computed; valid where `done` says so */
     uint8_t *done;               /* for each tile one bit for each finished pass */
 } framebuffer;

@@ -37,6 +37,7 @@ static pov_status make_parts(pov_job *job, int parts, pov_error *err)
     if (!cells_make(&job->cells, job->env, s))
         return err_memory(err);
     job->cells.sets = job->scene && job->scene->plan->radiosity;
+    job->framebuffer.again = job->cells.sets;
     job->cells.reference = s->reference;
     job->cells.reference_clipped = s->reference_clipped;
     if (s->time_map && !cells_count_time(&job->cells, job->env))

@@ -29,17 +29,18 @@ void tiles_free(tiles *t, const env *e);
 /* The last column and row may be narrower. */
 pov_rect tiles_rect(const tiles *t, size_t index);
 
-/* One pass over a tile: pixels at multiples of `step` from its corner, without multiples of 2 step when a coarser pass
- * has traced those. */
-typedef struct lattice { int step; bool finer; } lattice;
+/* One pass over a tile: pixels at multiples of `step` from its corner. finer: a coarser pass has traced multiples of 2 step;
+ * they are left out, or traced again if `again`. */
+typedef struct lattice { int step; bool finer, again; } lattice;
 
 static inline bool lattice_has(lattice l, int x, int y)
 {
     int coarser = 2 * l.step - 1;
 
-    return ((x | y) & (l.step - 1)) == 0 && (!l.finer || ((x | y) & coarser) != 0);
+    return ((x | y) & (l.step - 1)) == 0 && (!l.finer || l.again || ((x | y) & coarser) != 0);
 }
 
+/* Those that no coarser pass has traced. */
 size_t lattice_pixels(lattice l, int width, int height);
 
 #endif

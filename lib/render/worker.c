@@ -126,7 +126,7 @@ static void take_row(packet *c, const middles *m, lattice l, int left, int right
 {
     /* Pixels that a coarser pass has traced are left out: every other pixel of its rows, and no pixel of the rows
      * between. */
-    const bool between = l.finer && (y & l.step) == 0;
+    const bool between = l.finer && !l.again && (y & l.step) == 0;
     const int step = between ? 2 * l.step : l.step;
     const double v = m->v[y];
     uint32_t n = c->count;

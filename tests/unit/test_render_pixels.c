@@ -269,7 +269,7 @@ static void passes_have_every_pixel_of_a_tile_once(void **state)
         for (int height = 1; height <= 33; height += 3) {
             unsigned char seen[33][33] = { { 0 } };
             for (int step = 16; step > 0; step /= 2) {
-                lattice l = { step, step < 16 };
+                lattice l = { step, step < 16, false };
                 size_t count = 0;
                 for (int y = 0; y < height; y++)
                     for (int x = 0; x < width; x++)
