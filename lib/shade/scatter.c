@@ -441,7 +441,7 @@ static void shut_stack(hit_rays *f, uint32_t top, uint32_t last)
 
 /* The ray through a stack. The normal of its upper layer bends it, and that layer's film colours it where it is totally
  * reflected, as in POV-Ray: the ray is kept there. */
-static void find_way_through(hit_rays *f, uint32_t top, uint32_t last)
+static void find_through(hit_rays *f, uint32_t top, uint32_t last)
 {
     const layers *l = f->from;
     const appearance *a = l->on.at[top].appearance;
@@ -470,7 +470,7 @@ static void find_rays(hit_rays *f)
         if (l->of[i].first)
             top = i;
         if (l->of[i].last)
-            find_way_through(f, top, i);
+            find_through(f, top, i);
     }
 }
 
