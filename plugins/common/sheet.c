@@ -1,5 +1,7 @@
 #include "common/sheet.h"
 
+#include "common/simd.h"
+
 static void include(pov_box *box, pov_vec3 p)
 {
     box->lo = pov_vec3_of(fmin(box->lo.x, p.x), fmin(box->lo.y, p.y), fmin(box->lo.z, p.z));
@@ -38,6 +40,27 @@ static void make_cells(common_sheet *s, const pov_host *host, pov_reader *in, co
     s->cells = boxes ? host->hierarchy(in, boxes, count) : NULL;
 }
 
+static void put_corner(common_sheet_cell *to, int i, pov_vec3 p)
+{
+    to->at[0][i] = p.x;
+    to->at[1][i] = p.y;
+    to->at[2][i] = p.z;
+}
+
+static void make_sides(common_sheet *s, const pov_host *host, pov_reader *in)
+{
+    const uint32_t count = (s->wide - 1) * (s->deep - 1);
+    common_sheet_cell *cell = host->alloc(in, count * sizeof *cell);
+
+    for (uint32_t i = 0; cell && i < count; i++) {
+        const pov_vec3 *c = s->at + i / (s->wide - 1) * s->wide + i % (s->wide - 1);
+
+        for (int k = 0; k < 4; k++)
+            put_corner(&cell[i], k, pov_sub(c[k / 2 * s->wide + k % 2], s->anchor));
+    }
+    s->cell = cell;
+}
+
 static bool is_finite(pov_vec3 v) { return isfinite(v.x) && isfinite(v.y) && isfinite(v.z); }
 
 void common_sheet_make(common_sheet *s, const pov_host *host, pov_reader *in, uint32_t wide, uint32_t deep,
@@ -66,6 +89,7 @@ void common_sheet_make(common_sheet *s, const pov_host *host, pov_reader *in, ui
         at[i] = pov_scale(at[i], s->scale);
     s->at = at;
     s->normal = normal;
+    make_sides(s, host, in);
 }
 
 /* ---- rays ---- */
@@ -80,7 +104,7 @@ static void corners_of(const common_sheet *s, uint32_t face, uint32_t which[3])
     which[2] = face % 2 == 0 ? first + s->wide + 1 : first + s->wide;
 }
 
-typedef struct visit { const common_sheet *s; const pov_ray *ray; pov_hits *hits; common_triangle_ray through; } visit;
+typedef struct visit { const common_sheet *s; const pov_ray *ray; pov_hits *hits; common_triangle_ray through; bool entered; } visit;
 
 /* Of a surface with a container: is the crossing within it? */
 static bool is_within(visit *v, const pov_vec3 *a, const pov_vec3 *b, const pov_vec3 *c)
@@ -114,9 +138,34 @@ static bool cross_face(visit *v, uint32_t face, const pov_vec3 *const at[3], con
            !is_within(v, at[0], at[1], at[2]) || common_triangle_cross(&v->through, at[0], at[1], at[2], mark, v->hits);
 }
 
-static bool visit_cell(void *user, uint32_t cell)
+/* Are all four corners certainly on one side of the ray, or of its level? */
+static bool is_beside(const common_view *v, const common_sheet_cell *c)
 {
-    visit *v = user;
+    const double *p = c->at[v->across], *q = c->at[v->up], *r = c->at[v->forward];
+    const double from_p = v->w[v->across], from_q = v->w[v->up], from_r = v->w[v->forward];
+    const double dp = v->d[v->across], dq = v->d[v->up], dr = v->d[v->forward];
+    double across[4], up[4], least[2], most[2];
+
+    for (int i = 0; i < 4; i++) {
+        across[i] = (p[i] - from_p) * dr - (r[i] - from_r) * dp;
+        up[i] = (q[i] - from_q) * dr - (r[i] - from_r) * dq;
+    }
+    least[0] = common_lesser(common_lesser(across[0], across[1]), common_lesser(across[2], across[3]));
+    most[0] = common_greater(common_greater(across[0], across[1]), common_greater(across[2], across[3]));
+    least[1] = common_lesser(common_lesser(up[0], up[1]), common_lesser(up[2], up[3]));
+    most[1] = common_greater(common_greater(up[0], up[1]), common_greater(up[2], up[3]));
+    return !v->exact && (least[0] > v->error || most[0] < -v->error || least[1] > v->error || most[1] < -v->error);
+}
+
+static void enter(visit *v)
+{
+    if (!v->entered)
+        common_triangle_enter(&v->through, v->ray, v->s->anchor, v->s->scale, v->hits->always_exact);
+    v->entered = true;
+}
+
+static bool cross_cell(visit *v, uint32_t cell)
+{
     const uint32_t wide = v->s->wide;
     const pov_vec3 *a = v->s->at + cell / (wide - 1) * wide + cell % (wide - 1), *b = a + 1, *c = a + wide, *d = c + 1;
     const common_seen seen[4] = { common_triangle_see(&v->through, a), common_triangle_see(&v->through, b),
@@ -128,16 +177,24 @@ static bool visit_cell(void *user, uint32_t cell)
            (cross_face(v, 2 * cell, low, low_seen) && cross_face(v, 2 * cell + 1, high, high_seen));
 }
 
+static bool visit_cell(void *user, uint32_t cell)
+{
+    visit *v = user;
+
+    enter(v);
+    return is_beside(&v->through.view, &v->s->cell[cell]) || cross_cell(v, cell);
+}
+
 void common_sheet_intersect(const common_sheet *s, const pov_ray *ray, pov_hits *hits)
 {
     visit v;
 
-    if (!s->cells)
+    if (!s->cells || !s->cell)
         return;
     v.s = s;
     v.ray = ray;
     v.hits = hits;
-    common_triangle_enter(&v.through, ray, s->anchor, s->scale, hits->always_exact);
+    v.entered = false;
     s->cells->visit(s->cells, ray, hits, visit_cell, &v);
 }
 
