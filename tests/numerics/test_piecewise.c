@@ -8,6 +8,7 @@
 
 #include "support/check.h"
 #include "support/fake_reader.h"
+#include "support/rays.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -417,17 +418,6 @@ static void solve_ovus(const shape *s, const along *a, answer *out)
 }
 
 /* ---- rays ---- */
-
-static pov_ray ray_from(pov_vec3 org, pov_vec3 dir)
-{
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = org;
-    ray.dir = dir;
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
-}
 
 static double distance(void) { return U() < 0.7 ? between(3.0, 6.0) : log_between(1.0, 6.0); }
 

@@ -2,6 +2,7 @@
 #include "support/check.h"
 #include "support/failing.h"
 #include "support/near.h"
+#include "support/rays.h"
 #include "support/shapes.h"
 
 #include "query/context.h"
@@ -29,17 +30,6 @@ static query_context *traversal_in(const world *w)
     return k;
 }
 
-static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
-{
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = org;
-    ray.dir = dir;
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
-}
-
 static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
 
 /* ---- light ---- */
@@ -48,7 +38,7 @@ static const pov_vec3 ahead = { 0.0, 0.0, 1.0 };
 static void light_crosses_transparent_surfaces_in_the_order_of_objects(void **state)
 {
     const uint32_t owners[6] = { 0, 0, 1, 1, 2, 2 };
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -1.0), ahead);
     uint32_t found[TEST_CROSSINGS], count, i;
     model m;
     world *w;
@@ -80,7 +70,7 @@ static void light_crosses_transparent_surfaces_in_the_order_of_objects(void **st
 /* Of objects that are not plain shading is told where they are crossed; nothing is taken from a filter's word. */
 static void crossings_of_objects_that_are_not_plain_are_located(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -1.0), ahead);
     const pov_ray *rays = &ray;
     occlusion found;
     model m;
@@ -121,7 +111,7 @@ static void crossings_of_objects_that_are_not_plain_are_located(void **state)
 
 static void an_opaque_object_behind_glass_blocks_light(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -1.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -1.0), ahead);
     uint32_t found[TEST_CROSSINGS], count;
     model m;
     world *w;
@@ -144,7 +134,7 @@ static void an_opaque_object_behind_glass_blocks_light(void **state)
 
 static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
     uint32_t found[TEST_CROSSINGS], count;
     model m;
@@ -169,7 +159,7 @@ static void what_throws_no_shadow_is_passed_by_light_but_not_by_sight(void **sta
 
 static void a_ray_that_leaves_a_sphere_hits_its_other_side_only(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     model m;
     world *w;
     query_context *k;
@@ -232,7 +222,7 @@ static void instance_matches_plain(double radius, pov_vec3 centre, double distan
              0, 0);
     for (i = 0; i < 50; i++) {
         pov_vec3 dir = pov_unit(test_direction(r));
-        pov_ray ray = ray_of(pov_add(centre, pov_scale(dir, -distance)), pov_scale(dir, test_uniform(r, 0.1, 3.0)));
+        pov_ray ray = ray_from(pov_add(centre, pov_scale(dir, -distance)), pov_scale(dir, test_uniform(r, 0.1, 3.0)));
         bool x, y;
         hit g, h;
         ray.org = pov_add(ray.org, pov_scale(test_direction(r), 0.9 * radius));
@@ -267,7 +257,7 @@ static void an_instance_of_a_sphere_matches_a_plain_one_however_far(void **state
 static void a_stretched_and_turned_sphere_is_an_ellipsoid(void **state)
 {
     test_sphere_shape unit = { { 0.0, 0.0, 0.0 }, 1.0 };
-    pov_ray ray = ray_of(pov_vec3_of(7.0, 3.0, -50.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(7.0, 3.0, -50.0), ahead);
     const transform *map;
     model m;
     hit h;
@@ -328,7 +318,7 @@ static void a_box_around_an_instance_holds_all_of_it(void **state)
 static void an_inverse_object_turns_its_normal(void **state)
 {
     test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     model m;
     hit h;
     bool found;
@@ -398,7 +388,7 @@ static void fill(model *m)
 /* Build and trace with memory that ends at the n-th request, for each n until there was enough. */
 static void memory_may_end_anywhere(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     long n, crossings = 0;
     bool enough = false;
 

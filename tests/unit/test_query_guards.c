@@ -1,11 +1,10 @@
 /* The constants that guard what queries leave out: rays made for the worst that each has to allow for, so that a constant
  * weakened by 2^8 is noticed. Random rays do not come near it. */
 #include "support/check.h"
+#include "support/rays.h"
 #include "support/shapes.h"
 
 #include <povtrace/exact.h>
-
-#include <string.h>
 
 enum { ROUNDS = 400 };
 
@@ -33,17 +32,6 @@ static void end(scene *s)
     query_context_destroy(s->context);
     world_destroy(s->world);
     model_free(&s->model);
-}
-
-static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
-{
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = org;
-    ray.dir = dir;
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
 }
 
 static bool nearest(const scene *s, const pov_ray *ray, hit *out)
@@ -80,7 +68,7 @@ static pov_ray ray_past_an_edge(test_random *r)
     dir[first] = -in * test_uniform(r, 0.2, 1.0);
     dir[second] = out * test_uniform(r, 0.2, 1.0);
     dir[third] = test_uniform(r, -1.0, 1.0);
-    return ray_of(pov_vec3_of(at[0] - far * dir[0], at[1] - far * dir[1], at[2] - far * dir[2]),
+    return ray_from(pov_vec3_of(at[0] - far * dir[0], at[1] - far * dir[1], at[2] - far * dir[2]),
                   pov_vec3_of(dir[0], dir[1], dir[2]));
 }
 
@@ -133,7 +121,7 @@ static void tilted_normal(const void *self, const pov_ray *ray, const pov_crossi
 static void a_ray_that_goes_in_by_less_than_normals_are_off_comes_out(void **state)
 {
     const test_sphere_shape sphere = { { 0.0, 0.0, 0.0 }, 1.0 };
-    const pov_ray down = ray_of(pov_vec3_of(0.0, 5.0, 0.0), pov_vec3_of(0.0, -1.0, 0.0));
+    const pov_ray down = ray_from(pov_vec3_of(0.0, 5.0, 0.0), pov_vec3_of(0.0, -1.0, 0.0));
     shape_class tilted = test_plain_sphere_class;
     scene s;
 
@@ -149,7 +137,7 @@ static void a_ray_that_goes_in_by_less_than_normals_are_off_comes_out(void **sta
 
         assert_true(nearest(&s, &down, &h));
         world_surface(s.world, &down, &h);
-        ray = ray_of(h.point, pov_vec3_of(1.0, -inward, 0.0));
+        ray = ray_from(h.point, pov_vec3_of(1.0, -inward, 0.0));
         ray.org_lo = h.point_lo;
         test_leave(&ray, &h);
         assert_true(nearest(&s, &ray, &h));
@@ -169,14 +157,14 @@ static const double face = 0x1p-20 - 0x1p-60;
 static pov_ray ray_within(const scene *s, test_random *r)
 {
     const pov_vec3 out = pov_scale(test_direction(r), 9.0);
-    const pov_ray from = ray_of(out, pov_sub(pov_vec3_of(-0.5, 0.0, 0.0), out));
+    const pov_ray from = ray_from(out, pov_sub(pov_vec3_of(-0.5, 0.0, 0.0), out));
     pov_vec3 to = { face, test_uniform(r, -0.9, 0.9), test_uniform(r, -0.9, 0.9) };
     pov_ray ray;
     hit h;
 
     assert_true(nearest(s, &from, &h));
     world_surface(s->world, &from, &h);
-    ray = ray_of(h.point, pov_scale(pov_sub(to, h.point), test_uniform(r, 0.3, 3.0)));
+    ray = ray_from(h.point, pov_scale(pov_sub(to, h.point), test_uniform(r, 0.3, 3.0)));
     ray.org_lo = h.point_lo;
     test_leave(&ray, &h);
     return ray;
@@ -297,7 +285,7 @@ static const shape_class wall_class = {
 static void assert_tie(const shape_class *shape, bool nearer_first, pov_accel accel)
 {
     const wall near = { 1.0, 60.0 * 0x1p-53 }, far = { 1.0 + 228.0 * 0x1p-53, -60.0 * 0x1p-53 };
-    const pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, 0.0), pov_vec3_of(0.0, 0.0, 1.0)), *many[2] = { &ray, &ray };
+    const pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, 0.0), pov_vec3_of(0.0, 0.0, 1.0)), *many[2] = { &ray, &ray };
     hit h, hits[2];
     scene s;
 

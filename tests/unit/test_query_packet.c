@@ -1,5 +1,6 @@
 /* Rays that go together get the answers of single rays bit for bit, whatever they are and wherever they go. */
 #include "support/check.h"
+#include "support/rays.h"
 #include "support/shapes.h"
 
 #include "world/internal.h"
@@ -66,17 +67,6 @@ static void add_objects(subject *s, int n, double scale, pov_vec3 offset, bool c
             test_add(&s->model, &test_sphere_class, &sphere, NULL, surface, flags);
         }
     }
-}
-
-static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
-{
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = org;
-    ray.dir = dir;
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
 }
 
 /* What many say, with the bits of those that meet anything, is what single ones say. */
@@ -209,7 +199,7 @@ static int same_packet(subject *s, const pov_ray *rays, uint32_t n, pov_vec3 lam
             if (hits[i].object == POV_NO_OWNER)
                 continue;
             world_surface(s->world, all[i], &hits[i]);
-            shadows[lit] = ray_of(hits[i].point, pov_sub(lamp, hits[i].point));
+            shadows[lit] = ray_from(hits[i].point, pov_sub(lamp, hits[i].point));
             shadows[lit].org_lo = hits[i].point_lo;
             test_leave(&shadows[lit], &hits[i]);
             lights[lit] = &shadows[lit];
@@ -232,7 +222,7 @@ static int beam(subject *s, uint32_t n, pov_vec3 from, pov_vec3 to, double sprea
 
     for (i = 0; i < n; i++) {
         pov_vec3 d = pov_add(pov_sub(to, from), pov_vec3_of(spread * (i % 8), spread * (i / 8), spread * (i % 3)));
-        rays[i] = ray_of(from, pov_scale(d, length));
+        rays[i] = ray_from(from, pov_scale(d, length));
     }
     return same_packet(s, rays, n, pov_add(to, pov_vec3_of(spread, 100.0 * spread, -30.0 * spread)));
 }
@@ -307,7 +297,7 @@ static void rays_of_all_directions_at_once(void **state)
     build(&s, POV_ACCEL_TREE);
     for (k = 0; k < 60; k++) {
         for (i = 0; i < WORLD_MANY; i++)
-            rays[i] = ray_of(somewhere(&s, 1.5), test_direction(&s.random));
+            rays[i] = ray_from(somewhere(&s, 1.5), test_direction(&s.random));
         hits += (uint32_t)same_packet(&s, rays, WORLD_MANY, pov_vec3_of(2.0, 3.0, -4.0));
     }
     assert_true(hits > 1000);
@@ -330,7 +320,7 @@ static void rays_along_axes(void **state)
         for (i = 0; i < WORLD_MANY; i++) {
             double d[3] = { small[i % 4], small[i / 4 % 4], small[(i + k) % 4] };
             d[k % 3] = k % 2 ? -1.0 : 1.0;
-            rays[i] = ray_of(pov_vec3_of(0.03 * (i % 8), 0.04 * (i / 8), 0.01 * i), pov_vec3_of(d[0], d[1], d[2]));
+            rays[i] = ray_from(pov_vec3_of(0.03 * (i % 8), 0.04 * (i / 8), 0.01 * i), pov_vec3_of(d[0], d[1], d[2]));
         }
         hits += (uint32_t)same_packet(&s, rays, 4 * (1 + k % 16), pov_vec3_of(0.0, 3.0, 0.0));
     }
@@ -354,7 +344,7 @@ static void absurd_rays_among_ordinary_ones(void **state)
         for (i = 0; i < WORLD_MANY; i++) {
             pov_vec3 from = i % 5 == 4 ? pov_vec3_of(-1e200, -1e200, -1e200) : somewhere(&s, 1.0);
             pov_vec3 d = pov_vec3_of(test_uniform(&s.random, 0.1, 1.0), test_uniform(&s.random, 0.1, 1.0), 0.5);
-            rays[i] = ray_of(from, pov_scale(d, i % 3 == 0 ? length[i / 3 % 4] : 1.0));
+            rays[i] = ray_from(from, pov_scale(d, i % 3 == 0 ? length[i / 3 % 4] : 1.0));
         }
         hits += (uint32_t)same_packet(&s, rays, WORLD_MANY, pov_vec3_of(0.0, 3.0, 0.0));
     }

@@ -1,5 +1,6 @@
 /* What is left of light behind transparent surfaces. */
 #include "support/check.h"
+#include "support/rays.h"
 #include "support/shapes.h"
 #include "support/squares.h"
 
@@ -41,13 +42,8 @@ static const segment_end at_one = { 1.0, NULL, false };
 /* From z = -1 to this z. */
 static bool light_to(subject *s, double z, colour *through)
 {
-    pov_ray ray;
-    const pov_ray *rays = &ray;
+    const pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -1.0), pov_vec3_of(0.0, 0.0, z + 1.0)), *rays = &ray;
 
-    memset(&ray, 0, sizeof ray);
-    ray.org.z = -1.0;
-    ray.dir.z = z + 1.0;
-    ray.origin_surface = POV_NO_OWNER;
     return transmittance_find(&s->context, &rays, NULL, 1, at_one, through) != 0;
 }
 

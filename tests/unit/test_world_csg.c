@@ -1,6 +1,7 @@
 /* world/csg and csg_traversal: solids made of others, met as one object: where they begin and end, whose surface that
  * is, and what happens where surfaces of members lie on each other. */
 #include "support/check.h"
+#include "support/rays.h"
 #include "support/shapes.h"
 
 #include "query/context.h"
@@ -67,17 +68,6 @@ static void end(scene *s)
     model_free(&s->model);
 }
 
-static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
-{
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = org;
-    ray.dir = dir;
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
-}
-
 /* The next surface on the way, on which the ray then stands. */
 static bool next(const scene *s, pov_ray *ray, hit *h)
 {
@@ -127,7 +117,7 @@ static shape_class below_class(void)
 /* The sphere of radius 2 about 0 without the sphere of radius 1 about (0, 0, -1.5): along z from -0.5 to 2. */
 static void a_sphere_without_a_sphere_begins_at_the_hollow(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     scene s;
     hit h;
 
@@ -153,7 +143,7 @@ static void a_sphere_without_a_sphere_begins_at_the_hollow(void **state)
 /* Off the axis: where the hollow's sphere x^2 + (z + 1.5)^2 = 1 is left at x = 0.6 stands z = -0.7. */
 static void its_hollow_looks_into_it(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.6, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.6, 0.0, -5.0), ahead);
     scene s;
     hit h;
 
@@ -171,7 +161,7 @@ static void its_hollow_looks_into_it(void **state)
 
 static void an_intersection_is_what_both_hold(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     scene s;
     hit h;
 
@@ -189,7 +179,7 @@ static void an_intersection_is_what_both_hold(void **state)
 
 static void a_merge_has_no_inner_faces(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     scene s;
     hit h;
 
@@ -208,7 +198,7 @@ static void a_merge_has_no_inner_faces(void **state)
 /* A union that nothing stands above is its members, whose inner faces are there. */
 static void a_union_dissolves(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     scene s;
     hit h;
     uint32_t count = 0;
@@ -232,7 +222,7 @@ static void a_union_dissolves(void **state)
 /* The near half of a sphere is cut away: what is seen is the far half, from within. */
 static void a_clip_takes_surfaces_away_and_adds_none(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     scene s;
     hit h;
 
@@ -251,7 +241,7 @@ static void a_clip_takes_surfaces_away_and_adds_none(void **state)
  * first member is not there either. */
 static void a_clip_of_a_cutter_clips_what_is_left(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead);
     node_ref cutter;
     scene s;
     hit h;
@@ -273,7 +263,7 @@ static void a_clip_of_a_cutter_clips_what_is_left(void **state)
 /* A face on the skin of what clips it is there, whether it is entered or left. */
 static void what_lies_on_the_clips_skin_is_seen(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, -5.0), ahead);
     scene s;
     hit h;
 
@@ -299,7 +289,7 @@ static void a_patch_is_seen_where_being_in_it_would_matter(void **state)
     patch.flags = 0;
     patch.inside = NULL;
     for (int i = 0; i < 3; i++) {
-        pov_ray ray = ray_of(pov_vec3_of(0.0, 5.0, 0.0), pov_vec3_of(0.0, -1.0, 0.0));
+        pov_ray ray = ray_from(pov_vec3_of(0.0, 5.0, 0.0), pov_vec3_of(0.0, -1.0, 0.0));
         const test_ground ground = { 0.5 };
         scene s;
         hit h;
@@ -322,7 +312,7 @@ static void a_patch_is_seen_where_being_in_it_would_matter(void **state)
 
 static uint32_t count_ahead(const scene *s, pov_vec3 org, pov_vec3 dir)
 {
-    pov_ray ray = ray_of(org, dir);
+    pov_ray ray = ray_from(org, dir);
     uint32_t count = 0;
     hit h;
 
@@ -364,7 +354,7 @@ static void what_is_taken_from_itself_is_gone(void **state)
 /* A brick that only touches the other takes nothing away, not even its face's name. */
 static void what_only_touches_changes_nothing(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+    pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, -5.0), ahead);
     scene s;
     hit h;
 
@@ -386,7 +376,7 @@ static void a_shared_face_is_the_first_members(void **state)
 
     (void)state;
     for (int i = 0; i < 2; i++) {
-        pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), ahead);
+        pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, -5.0), ahead);
         scene s;
         hit h;
 
@@ -567,7 +557,7 @@ static uint32_t check_trees(const kinds *of, uint64_t seed, uint32_t *by_chords)
         for (int i = 0; i < 40; i++) {
             const pov_vec3 org = { test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0) };
 
-            surfaces += check_ray(&s, root, ray_of(org, test_direction(&r)));
+            surfaces += check_ray(&s, root, ray_from(org, test_direction(&r)));
         }
         end(&s);
     }
@@ -616,7 +606,7 @@ static void many_hollows_are_all_found(void **state)
     for (int i = 0; i < 1000; i++) {
         const pov_vec3 org = { test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0), test_uniform(&r, -2.0, 2.0) };
 
-        surfaces += check_ray(&s, root, ray_of(org, test_direction(&r)));
+        surfaces += check_ray(&s, root, ray_from(org, test_direction(&r)));
     }
     assert_true(surfaces > 500);
     end(&s);
@@ -644,7 +634,7 @@ static void crossings_ahead_tell_what_is_inside(void **state)
         root.tree = &world_trees(s.world)->items[0];
         for (int i = 0; i < 40; i++) {
             const pov_vec3 none = { 0.0, 0.0, 0.0 };
-            const pov_ray ray = ray_of(pov_vec3_of(test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
+            const pov_ray ray = ray_from(pov_vec3_of(test_uniform(&r, -1.5, 1.5), test_uniform(&r, -1.5, 1.5),
                                                    test_uniform(&r, -1.5, 1.5)), test_direction(&r));
             pov_crossing at[16];
             pov_hits hits;
@@ -669,7 +659,7 @@ static void crossings_ahead_tell_what_is_inside(void **state)
 /* Light passes the surfaces that are there, each by its leaf: the near one of what was cut out, the far one of the rest. */
 static void light_crosses_the_surfaces_that_are_there(void **state)
 {
-    const pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead), *one = &ray;
+    const pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead), *one = &ray;
     occlusion out;
     uint32_t glass;
     scene s;
@@ -694,7 +684,7 @@ static void light_crosses_the_surfaces_that_are_there(void **state)
 /* An opaque member ends light, but only where its surface is there. */
 static void light_ends_at_what_is_opaque(void **state)
 {
-    const pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), ahead), *one = &ray;
+    const pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), ahead), *one = &ray;
     occlusion out;
     scene s;
 

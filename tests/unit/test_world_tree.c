@@ -1,10 +1,9 @@
 /* The tree gives the list's answers bit for bit, whatever the scene. */
 #include "support/check.h"
+#include "support/rays.h"
 #include "support/shapes.h"
 
 #include "world/internal.h"
-
-#include <string.h>
 
 /* ---- two worlds of one model ---- */
 
@@ -98,17 +97,6 @@ static int follow(pair *p, pov_ray ray, pov_vec3 lamp)
     return hits;
 }
 
-static pov_ray ray_of(pov_vec3 org, pov_vec3 dir)
-{
-    pov_ray ray;
-
-    memset(&ray, 0, sizeof ray);
-    ray.org = org;
-    ray.dir = dir;
-    ray.origin_surface = POV_NO_OWNER;
-    return ray;
-}
-
 /* Rays from within, from near, from far, along axes; positions and sizes times `scale`, moved by `offset`. */
 static int trace(pair *p, test_random *r, int rays, double scale, pov_vec3 offset)
 {
@@ -127,7 +115,7 @@ static int trace(pair *p, test_random *r, int rays, double scale, pov_vec3 offse
         if (i % 7 == 0)
             d = pov_scale(d, 1e-7);
         hits +=
-            follow(p, ray_of(pov_add(o, offset), d), pov_add(offset, pov_scale(pov_vec3_of(2.0, 5.0, -3.0), scale)));
+            follow(p, ray_from(pov_add(o, offset), d), pov_add(offset, pov_scale(pov_vec3_of(2.0, 5.0, -3.0), scale)));
     }
     return hits;
 }
@@ -273,7 +261,7 @@ static void a_long_thin_scene_is_the_same(void **state)
 
 static void objects_all_alike_are_the_same_and_the_first_wins(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), pov_vec3_of(0.0, 0.1, 1.0));
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), pov_vec3_of(0.0, 0.1, 1.0));
     test_random r = { 33 };
     model m;
     pair p;
@@ -339,7 +327,7 @@ static void points_alone_make_a_tree(void **state)
 
 static void a_tree_may_be_of_one_object_but_not_of_none(void **state)
 {
-    pov_ray ray = ray_of(pov_vec3_of(0.0, 0.0, -5.0), pov_vec3_of(0.0, 0.0, 1.0));
+    pov_ray ray = ray_from(pov_vec3_of(0.0, 0.0, -5.0), pov_vec3_of(0.0, 0.0, 1.0));
     test_random r = { 36 };
     model m;
     pov_box box;
@@ -421,7 +409,7 @@ static void of_equal_distances_the_earlier_object_wins(void **state)
 {
     test_random r = { 38 };
     test_brick brick = { { -0.5, -0.5, 0.0 }, { 0.5, 0.5, 1.0 } };
-    pov_ray ray = ray_of(pov_vec3_of(0.1, 0.2, -5.0), pov_vec3_of(0.0, 0.0, 1.0));
+    pov_ray ray = ray_from(pov_vec3_of(0.1, 0.2, -5.0), pov_vec3_of(0.0, 0.0, 1.0));
     model m;
     pair p;
     hit h;
@@ -465,7 +453,7 @@ static void rays_of_every_length_and_distance_are_the_same(void **state)
                 pov_vec3 dir = pov_unit(test_direction(&r)),
                          o = pov_add(pov_scale(dir, -distances[k]), somewhere(&r, 1.0));
                 hit h;
-                pov_ray ray = ray_of(o, pov_scale(dir, lengths[i]));
+                pov_ray ray = ray_from(o, pov_scale(dir, lengths[i]));
                 same_answers(&p, &ray, HUGE_VAL, &h);
                 same_answers(&p, &ray, distances[k] / lengths[i], &h);
             }
