@@ -118,7 +118,10 @@ static void remove_parts(const found *f, const args *a)
 
 static void say_end(const messages *m, const pov_progress *p, bool short_of)
 {
-    if (p->est_rmse >= 0.0)
+    if (p->est_rmse == 0.0)
+        messages_say(m, "joined after round %d; %.1f samples a pixel, all samples alike%s", p->round, p->spp_mean,
+                     short_of ? "; the error is not known" : "");
+    else if (p->est_rmse > 0.0)
         messages_say(m, "joined after round %d; %.1f samples a pixel, estimated error %.3g%s", p->round, p->spp_mean, p->est_rmse,
                      short_of ? ", target error not reached" : "");
 }
@@ -137,7 +140,7 @@ static pov_status finish(const args *a, const messages *m, pov_context *context,
     if (status < 0)
         return status;
     remove_parts(f, a);
-    if (note.error > 0.0 && p.stop == POV_STOP_SAMPLES)
+    if (note.error > 0.0 && (p.stop == POV_STOP_SAMPLES || p.est_rmse == 0.0))
         *end = RUN_SHORT;
     say_end(m, &p, *end == RUN_SHORT);
     return POV_OK;

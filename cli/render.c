@@ -244,15 +244,17 @@ static double last_band(pov_job *job)
     return end;
 }
 
-/* The reason why refinement ended, when there was a choice. */
+/* The reason why refinement ended, when there was a choice. Where all samples were alike nothing is known of the error, so what
+ * was asked for was not reached, however many samples there are. */
 static void say_end(render *r)
 {
     const args *a = r->args;
     const pov_progress *p = &r->progress;
+    const bool alike = p->stop == POV_STOP_ERROR && p->est_rmse == 0.0;
     char reached[160] = "", percent[16];
 
     r->short_of = (p->stop == POV_STOP_TIME && (a->error > 0.0 || a->samples > 0 || p->spp_mean < 1.0)) ||
-                  (p->stop == POV_STOP_SAMPLES && a->error > 0.0);
+                  (p->stop == POV_STOP_SAMPLES && a->error > 0.0) || alike;
     if (!(a->error > 0.0 || a->time > 0.0))
         return;
     if (p->spp_mean < 1.0) {
@@ -265,9 +267,10 @@ static void say_end(render *r)
                  last_band(r->job));
     else if (p->est_rmse > 0.0)
         snprintf(reached, sizeof reached, ", estimated error %.3g", p->est_rmse);
-    messages_say(r->messages, "stopped: %s reached after %.2f s; %.1f samples a pixel%s%s",
-                 p->stop == POV_STOP_ERROR ? "target error" : p->stop == POV_STOP_TIME ? "time limit" : "number of samples",
-                 p->seconds, p->spp_mean, reached, r->short_of && a->error > 0.0 ? ", target error not reached" : "");
+    messages_say(r->messages, "stopped: %s after %.2f s; %.1f samples a pixel%s%s",
+                 alike ? "no sample differs" : p->stop == POV_STOP_ERROR ? "target error reached" :
+                 p->stop == POV_STOP_TIME ? "time limit reached" : "number of samples reached", p->seconds, p->spp_mean, reached,
+                 alike ? "; the error is not known" : r->short_of && a->error > 0.0 ? ", target error not reached" : "");
 }
 
 static bool is_black(const render *r)
