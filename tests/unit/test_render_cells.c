@@ -1,0 +1,56 @@
+/* What the halves of the pixels' samples say of the error. */
+#include "render/cells.h"
+
+#include "support/check.h"
+#include "support/near.h"
+
+/* A picture of one set, 8x8 pixels, two samples a pixel that differ by .5 in every channel. */
+static showing measure(bool sets)
+{
+    static group groups[GROUPS * TILE_CELLS_MAX];
+    static showing shown[GROUPS * TILE_CELLS_MAX];
+    static double halves[6 * SET_EDGE * SET_EDGE];
+    static float pixels[4 * SET_EDGE * SET_EDGE];
+    const cells c = { .width = SET_EDGE, .height = SET_EDGE, .sums = 6, .sets = sets };
+    const pov_rect all = { 0, 0, SET_EDGE, SET_EDGE };
+    encoding linear = { .decode = 1.0 };
+
+    for (int i = 0; i < GROUPS * SET_CELLS * SET_CELLS; i++)
+        groups[i].count = groups[i].target = 2;
+    for (int i = 0; i < SET_EDGE * SET_EDGE; i++)
+        for (int k = 0; k < 6; k++)
+            halves[6 * i + k] = k < 3 ? 0.25 : 0.75;
+    cells_measure(&c, all, &linear, groups, shown, halves, pixels);
+    return shown[0];
+}
+
+enum { PIXELS = CELL_EDGE * CELL_EDGE / GROUPS };
+
+static void the_halves_difference_tells_the_error(void **state)
+{
+    const showing s = measure(false);
+
+    (void)state;
+    assert_near(s.square, PIXELS * 0.0625, 1e-12);
+    assert_near(s.fourth, PIXELS * 0.0625 * 0.0625, 1e-12);
+}
+
+/* Pixels that err alike are as one: the band is that of sets. */
+static void the_band_of_sets_is_wider(void **state)
+{
+    const showing s = measure(true);
+
+    (void)state;
+    assert_near(s.square, PIXELS * 0.0625, 1e-12);
+    assert_near(s.fourth * SET_CELLS * SET_CELLS, SET_PIXELS * 0.0625 * SET_PIXELS * 0.0625, 1e-9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_halves_difference_tells_the_error),
+        cmocka_unit_test(the_band_of_sets_is_wider),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
