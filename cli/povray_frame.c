@@ -5,6 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Within what an int holds. */
+static int whole(double value)
+{
+    return !(value < 1e9) ? 1000000000 : value > -1e9 ? (int)value : -1000000000;
+}
+
 /* ---- frames ---- */
 
 /* A frame by its number, or by the part of the animation that it ends, as POV-Ray counts it from 1. */
@@ -15,7 +21,7 @@ static int frame_of(const char *text, const frames *f, int otherwise)
 
     if (!text[0])
         return otherwise;
-    frame = value > 0.0 && value < 1.0 ? f->first - 1 + (int)floor(value * (f->last - f->first + 1)) : (int)value;
+    frame = value > 0.0 && value < 1.0 ? f->first - 1 + (int)floor(value * (f->last - f->first + 1)) : whole(value);
     return frame < f->first ? f->first : frame;
 }
 
@@ -95,7 +101,7 @@ static int edge_of(double at, int size, bool end)
         return size;
     if (at > 0.0 && at < 1.0)
         return (int)floor(at * size + (end ? 0.5 : 0.0));
-    return end ? (int)at : (int)at - 1;
+    return end ? whole(at) : whole(at) - 1;
 }
 
 bool povray_crop(const povray *p, pov_rect *out)

@@ -223,7 +223,7 @@ static void frames_are_chosen_as_povray_does(void **state)
         { "+KFF10 +EF0.1", 1, 1, 1 }, { "+KFF10 +SF1.0 +EF3", 1, 3, 1 }, { "+KFF10 +SF0 +EF2", 1, 2, 1 },
         { "+KFI11 +KFF30 +SF3 +EF13", 11, 13, 1 }, { "+KFI11 +KFF30 +SF28 +EF40", 28, 40, 1 }, { "+KFI-1 +KFF2", 0, 2, 1 },
         { "+KFI2 +KFF2", 2, 2, 1 }, { "+KFF1", 1, 1, 1 }, { "+KFI5", 5, 5, 1 }, { "+KFI3 +KFF1", 3, 3, 1 },
-        { "+KFF10 Frame_Step=3", 1, 10, 3 }, { "+KFF10 Frame_Step=-3", 1, 10, 1 },
+        { "+KFF10 Frame_Step=3", 1, 10, 3 }, { "+KFF10 Frame_Step=-3", 1, 10, 1 }, { "+KFF10 +EF1e300", 1, 1000000000, 1 },
     };
 
     (void)state;
@@ -276,6 +276,8 @@ static void a_part_is_pixels_from_1_or_parts_of_all(void **state)
     assert_true(parse("s.pov +W20 +H10"));
     assert_true(povray_crop(&p, &r) && r.width == 0);
     assert_true(parse("s.pov +W20 +H10 +SC15 +EC10"));
+    assert_false(povray_crop(&p, &r));
+    assert_true(parse("s.pov +W20 +H10 +SC1 +EC1e300"));
     assert_false(povray_crop(&p, &r));
 }
 
