@@ -425,13 +425,13 @@ static bool is_same_normal(const geometry *g, uint32_t a, uint32_t b)
 
 static float exponent_of(const layers *l, uint32_t i) { return l->on.at[i].appearance->finish->reflection.exponent; }
 
-/* Total reflection takes the place of all that a stack, from `top` to `last`, reflects. */
+/* Total reflection takes the place of what a stack, from `top` to `last`, reflects with the same normal. */
 static void shut_stack(hit_rays *f, uint32_t top, uint32_t last)
 {
     const layers *l = f->from;
 
     for (uint32_t i = top; i <= last; i++)
-        f->reflects[i] = false;
+        f->reflects[i] = f->reflects[i] && !is_same_normal(&l->on.geometry, top, i);
     f->goes_on[top] = false;
     f->is_shut[top] = true;
     f->reflected_count++;

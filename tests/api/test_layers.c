@@ -119,6 +119,20 @@ static void the_upper_film_is_seen_in_total_reflection(void **state)
     assert_true(fabs(seen_from_below("0", below) - 0.9) < 1e-6);
 }
 
+/* As measured: total reflection takes the place of the mirrors that have its normal, and of no others. */
+static void mirrors_with_other_normals_stay_beside_total_reflection(void **state)
+{
+    static const char plain[] = "texture { pigment { rgbt <1, 1, 1, .7> } }", mirror[] = "texture { pigment { rgbt <1, 1, 1, .7> } finish { reflection .25 } }";
+    static const char bent[] = "texture { pigment { rgbt <1, 1, 1, .7> } normal { bumps .001 } }";
+    char like[256], unlike[256];
+    (void)state;
+
+    snprintf(like, sizeof like, "%s %s", mirror, plain);
+    snprintf(unlike, sizeof unlike, "%s %s", mirror, bent);
+    assert_true(fabs(seen_from_below("0", like) - 0.9) < 1e-6);
+    assert_true(fabs(seen_from_below("0", unlike) - 0.9 * 1.25) < 1e-6);
+}
+
 static float *glass(const char *upper, const char *lower)
 {
     char text[1024];
@@ -155,6 +169,7 @@ int main(void)
         cmocka_unit_test(layers_below_an_opaque_one_are_hidden),
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
         cmocka_unit_test(the_upper_normal_bends_what_goes_through),
+        cmocka_unit_test(mirrors_with_other_normals_stay_beside_total_reflection),
         cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
