@@ -23,9 +23,9 @@ static float factor(const finish *f, double length, float wavelength)
     return 1.0f + f->irid.amount * (float)elementary_cos(full_turn * length / (double)wavelength);
 }
 
-colour film_mirrored(const model *m, const finish *f, double cosine, pov_vec3 point)
+colour film_mirrored(const model *m, const finish *f, double cosines, pov_vec3 point)
 {
-    const double length = film_thickness(m, f, point) * 2.0 * fabs(cosine);
+    const double length = film_thickness(m, f, point) * cosines;
     const colour waves = m->irid_wavelength;
 
     return colour_of(factor(f, length, waves.r), factor(f, length, waves.g), factor(f, length, waves.b));

@@ -33,6 +33,17 @@ void geometry_begin(geometry *g);
 /* Compute view, reflected direction and cosine from n rays and shading normals. */
 void geometry_turn(geometry *g, uint32_t n);
 
+/* The cosines to the shading normal of the ways to and from lane i's mirror, added up. They differ where a perturbed normal
+ * would mirror the ray into the surface. */
+static inline double geometry_cosines(const geometry *g, uint32_t i)
+{
+    const pov_vec3 mirrored = lanes_at(g->mirrored, i);
+
+    if (g->cosine[i] >= 0.0 && g->mirrored->x[i] == g->reflected.x[i] && g->mirrored->y[i] == g->reflected.y[i] && g->mirrored->z[i] == g->reflected.z[i])
+        return 2.0 * g->cosine[i];
+    return g->cosine[i] + fabs(pov_dot(lanes_at(g->shading, i), mirrored));
+}
+
 /* Normalise a vector whose squared length is within double's range, bit for bit as pov_unit(). Returns -1, or 0 if it
  * is out of range and the result invalid. (An integer as wide as a double makes the shortest loops.) */
 static inline int64_t geometry_unit(double x, double y, double z, pov_vec3 *out)

@@ -66,17 +66,17 @@ static double ratio_at(const shade_context *c, const surface *s)
     return in.count == 1 && crossing.index == 0 ? 1.0 / own : own / crossing.before;
 }
 
-static void set(const shade_context *c, appearance *a, const surface *s, double cosine, pov_vec3 point)
+static void set(const shade_context *c, appearance *a, const surface *s, const geometry *g, uint32_t lane)
 {
     const finish *f = a->finish;
     const double ratio = f->reflection.fresnel ? ratio_at(c, s) : 1.0;
-    const colour by = reflectance_of(c->scene->model, f, a->pigment, cosine, ratio);
+    const colour by = reflectance_of(c->scene->model, f, a->pigment, g->cosine[lane], ratio);
 
     a->reflection = coefficient_of(by);
     if (f->conserve_energy)
         appearance_set_filter(a, c->scene->model, colour_mul(a->filter.by, colour_of(1.0f - by.r, 1.0f - by.g, 1.0f - by.b)));
     if (f->irid.amount != 0.0f && !a->powered)
-        a->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, cosine, point));
+        a->reflection.by = colour_mul(by, film_mirrored(c->scene->model, f, geometry_cosines(g, lane), lanes_at(&g->to.point, lane)));
 }
 
 /* The surface's appearance, to be changed. */
@@ -108,7 +108,7 @@ void reflectance_set(const shade_context *c, surfaces *s)
         if (!at->appearance->angular)
             continue;
         own = own_of(s, i);
-        set(c, own, at, s->geometry.cosine[i], lanes_at(&s->geometry.to.point, i));
+        set(c, own, at, &s->geometry, i);
         appearance_set_filter(own, c->scene->model, colour_scale(own->filter.by, own->finish->refraction));
     }
 }
@@ -118,6 +118,6 @@ void reflectance_set_layers(const shade_context *c, surfaces *s)
     for (uint32_t i = 0; i < s->count; i++) {
         fade(c, &s->at[i]);
         if (s->at[i].appearance->angular)
-            set(c, own_of(s, i), &s->at[i], s->geometry.cosine[i], lanes_at(&s->geometry.to.point, i));
+            set(c, own_of(s, i), &s->at[i], &s->geometry, i);
     }
 }

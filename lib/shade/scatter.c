@@ -93,7 +93,7 @@ static colour filmed(const scattering *to, const surface *s, uint32_t lane)
 
     if (f->irid.amount == 0.0f)
         return colour_of(1.0f, 1.0f, 1.0f);
-    return film_mirrored(to->context->scene->model, f, to->on->geometry.cosine[lane], lanes_at(&to->on->geometry.to.point, lane));
+    return film_mirrored(to->context->scene->model, f, geometry_cosines(&to->on->geometry, lane), lanes_at(&to->on->geometry.to.point, lane));
 }
 
 /* The same where the colour that is seen in the mirror, through its film, is raised to a power. */

@@ -133,6 +133,23 @@ static void mirrors_with_other_normals_stay_beside_total_reflection(void **state
     assert_true(fabs(seen_from_below("0", unlike) - 0.9 * 1.25) < 1e-6);
 }
 
+/* As measured: where a bent normal would mirror a ray into the surface, a film is as thick as the ray finds it that goes
+ * another way. */
+static void films_are_as_thick_as_the_mirrored_ray_finds_them(void **state)
+{
+    static const double reds[] = { 0.617, 0.084, 0.584, 0.098, 0.913, 0.102, 0.753, 0.051, 0.270, 0.479 };
+    float *picture = scenes_draw("#version 3.7; global_settings { assumed_gamma 1 }\n"
+                                 "camera { location <0,3,-6> look_at 0 angle 30 } background { rgb 1 }\n"
+                                 "plane { y,-1 pigment { rgb 0 } normal { bumps .6 scale .2 }\n"
+                                 "finish { ambient 0 diffuse 0 reflection .5 irid { .9 thickness .55 turbulence 0 } } }\n", 10, 8, 1, 1);
+    (void)state;
+
+    for (int x = 0; x < 10; x++)
+        if (fabs((double)picture[4 * (4 * 10 + x)] - reds[x]) > 0.005)
+            fail_msg("pixel %d is %f", x, (double)picture[4 * (4 * 10 + x)]);
+    free(picture);
+}
+
 static float *glass(const char *upper, const char *lower)
 {
     char text[1024];
@@ -170,6 +187,7 @@ int main(void)
         cmocka_unit_test(total_reflection_weighs_as_much_as_what_would_go_through),
         cmocka_unit_test(the_upper_normal_bends_what_goes_through),
         cmocka_unit_test(mirrors_with_other_normals_stay_beside_total_reflection),
+        cmocka_unit_test(films_are_as_thick_as_the_mirrored_ray_finds_them),
         cmocka_unit_test(the_upper_film_is_seen_in_total_reflection),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
