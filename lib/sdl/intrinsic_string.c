@@ -165,36 +165,50 @@ static void read_str(pov_reader *in, const intrinsic *row, value *out)
     give(in, out, text_copy(in, buffer, (size_t)n));
 }
 
-typedef struct builder { char *items; size_t count, capacity; } builder;
+/* Most strings need no other room. */
+typedef struct builder {
+    char *items;                 /* NULL: in `first` */
+    size_t count, capacity;
+    char first[128];
+} builder;
+
+static void begin(builder *b)
+{
+    b->items = NULL;
+    b->count = 0;
+    b->capacity = sizeof b->first;
+}
 
 static bool add(pov_reader *in, builder *b, const char *text, size_t length)
 {
-    while (b->capacity - b->count < length) {
-        size_t capacity = 2 * b->capacity + length;
+    if (b->capacity - b->count < length) {
+        const size_t capacity = 2 * b->capacity + length;
         char *items = env_resize(in->model->env, b->items, capacity, 1);
 
         if (!items) {
             report_memory(in);
             return false;
         }
+        if (!b->items)
+            memcpy(items, b->first, b->count);
         b->items = items;
         b->capacity = capacity;
     }
     if (length > 0)
-        memcpy(b->items + b->count, text, length);
+        memcpy((b->items ? b->items : b->first) + b->count, text, length);
     b->count += length;
     return true;
 }
 
 static void conclude(pov_reader *in, builder *b, value *out)
 {
-    give(in, out, text_copy(in, b->items, b->count));
+    give(in, out, text_copy(in, b->items ? b->items : b->first, b->count));
     env_free(in->model->env, b->items);
 }
 
 static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
 {
-    builder b = { NULL, 0, 0 };
+    builder b;
     char buffer[NUMBER_BUFFER];
     int32_t size, width, digits;
     string *between;
@@ -202,6 +216,7 @@ static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
     int i, n;
 
     (void)row;
+    begin(&b);
     state_open(in, '(');
     size = expression_integer(expression_number(in));
     comma(in);
@@ -232,11 +247,12 @@ static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
 
 static void read_concat(pov_reader *in, const intrinsic *row, value *out)
 {
-    builder b = { NULL, 0, 0 };
+    builder b;
     bool has_comma;
     string *s;
 
     (void)row;
+    begin(&b);
     state_open(in, '(');
     do {
         s = read_string(in);

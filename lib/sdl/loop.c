@@ -114,15 +114,19 @@ void loop_for(pov_reader *in, const place *at)
 /* The body may have changed the variable. */
 static bool count_on(pov_reader *in, const condition *c)
 {
-    const value *v = scope_value(c->variable);
+    const binding *b = c->variable->binding;
+    const size_t level = in->scopes.count - 1;
     double n;
 
-    if (!v || v->kind != VALUE_NUMBER) {
+    if (!b || b->slot->kind != VALUE_NUMBER) {
         report_fail(in, &c->at, POV_E_SYNTAX, "\"%s\" is no number any more", c->variable->name);
         return false;
     }
-    n = v->as.v[0] + c->step;
-    scope_local(in, c->variable, in->scopes.count - 1, value_of_number(n));
+    n = b->slot->as.v[0] + c->step;
+    if (b->level == level)
+        b->slot->as.v[0] = n;
+    else
+        scope_local(in, c->variable, level, value_of_number(n));
     return is_within(c, n);
 }
 
