@@ -269,12 +269,13 @@ static uint64_t set_of(const shade_context *c, const batch *b, uint32_t i)
     return b->paths[i].coincident ? 0 : c->samples[b->paths[i].lane].set;
 }
 
-/* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them. The paths end by the weight
- * of the one that counts most. */
+/* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them; where rays may find
+ * what counts for none but themselves, at least a quarter as often as one that is alone. The paths end by the weight of the
+ * one that counts most. */
 static void draw_alike(const shade_context *c, batch *b, uint32_t from, uint32_t to)
 {
     const uint32_t most = c->scene->model->radiosity.draws;
-    uint32_t draws = 1;
+    uint32_t draws = c->scene->even || most < 4 ? 1 : most / 4;
     float weight = 0.0f;
 
     while (draws < most && draws * (to - from) < 2 * most)

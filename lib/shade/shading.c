@@ -24,10 +24,12 @@ static void make_appearance(shading *s, appearance *out, const model *m, const m
     out->even = !out->reflective && !out->transmissive && !of->inside && !(out->kinds & (FINISH_IRID | FINISH_CRAND)) &&
                 !(out->below_weight > 0.0f) && !(of->texture && texture_is_of_view(of->texture));
     s->angular |= !out->varies && out->angular;
+    s->even &= out->even;
 }
 
 static bool make_appearances(shading *s, const model *m)
 {
+    s->even = true;
     s->appearances = env_alloc(m->env, m->materials.count, sizeof *s->appearances);
     for (size_t i = 0; s->appearances && i < m->materials.count; i++)
         make_appearance(s, &s->appearances[i], m, &m->materials.items[i]);

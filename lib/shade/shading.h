@@ -22,6 +22,7 @@ typedef struct shading {
     size_t finish_count;
     uint32_t most_terms;         /* of a texture at a point */
     bool angular;                /* some finish reflects or transmits by the angle of the ray */
+    bool even;                   /* all materials are: see appearance.h */
     struct stack **stacks;
     size_t stack_count, stack_capacity;
     finish plain_finish;         /* the default */
