@@ -270,12 +270,12 @@ static uint64_t set_of(const shade_context *c, const batch *b, uint32_t i)
 }
 
 /* Each ray of a set is drawn as often as makes twice the samples of one that is alone for all of them; where rays may find
- * what counts for none but themselves, at least a quarter as often as one that is alone. The paths end by the weight of the
+ * what counts for none but themselves, at least half as often as one that is alone. The paths end by the weight of the
  * one that counts most. */
 static void draw_alike(const shade_context *c, batch *b, uint32_t from, uint32_t to)
 {
     const uint32_t most = c->scene->model->radiosity.draws;
-    uint32_t draws = c->scene->even || most < 4 ? 1 : most / 4;
+    uint32_t draws = c->scene->even || most < 2 ? 1 : most / 2;
     float weight = 0.0f;
 
     while (draws < most && draws * (to - from) < 2 * most)
