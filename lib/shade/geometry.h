@@ -41,7 +41,7 @@ static inline double geometry_cosines(const geometry *g, uint32_t i)
 
     if (g->cosine[i] >= 0.0 && g->mirrored->x[i] == g->reflected.x[i] && g->mirrored->y[i] == g->reflected.y[i] && g->mirrored->z[i] == g->reflected.z[i])
         return 2.0 * g->cosine[i];
-    return g->cosine[i] + fabs(pov_dot(lanes_at(g->shading, i), mirrored));
+    return fabs(g->cosine[i]) + fabs(pov_dot(lanes_at(g->shading, i), mirrored));
 }
 
 /* Normalise a vector whose squared length is within double's range, bit for bit as pov_unit(). Returns -1, or 0 if it
