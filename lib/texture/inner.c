@@ -2,6 +2,8 @@
 
 #include "texture/points.h"
 
+#include <math.h>
+
 /* ---- object ---- */
 
 static pov_vec3 to_own(const double m[3][4], pov_vec3 p)
@@ -80,6 +82,7 @@ const pattern_class pattern_pigment_pattern = {
 
 /* ---- function ---- */
 
+/* What is above 1 repeats with a period of 1, as in gradients; what is below 0 is left to the wave. */
 static void evaluate_function(const pattern_input *in, double *value)
 {
     const function_pattern *self = in->of->self;
@@ -88,6 +91,8 @@ static void evaluate_function(const pattern_input *in, double *value)
         const double at[3] = { in->at->x[i], in->at->y[i], in->at->z[i] };
 
         value[i] = self->value(self->self, at, 0);
+        if (value[i] > 1.0)
+            value[i] -= floor(value[i]);
     }
 }
 

@@ -42,6 +42,28 @@ static void the_lengths_of_both_vectors_are_their_weights(void **state)
         assert_slope(&slopes[i]);
 }
 
+/* As measured: the other patterns' period is a little more than 1 where there is a frequency. */
+static void functions_repeat_with_a_period_of_one(void **state)
+{
+    static const struct { const char *pattern; double value; } seen[] = {
+        { "function { 10000.25 }", 0.25 }, { "function { 10000.25 } frequency 2 phase .1", 0.6 }, { "function { 10000.25 } frequency 0", 0.25 },
+        { "function { 1 }", 1.0 }, { "function { -10000.25 }", 0.85 },
+    };
+    (void)state;
+
+    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++) {
+        char text[512];
+        float *picture;
+
+        snprintf(text, sizeof text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                 "plane { z, 1 pigment { %s color_map { [0 rgb 0] [1 rgb 1] } } finish { ambient 1 diffuse 0 } }\n", seen[i].pattern);
+        picture = scenes_draw(text, 1, 1, 1, 1);
+        if (fabs((double)picture[0] - seen[i].value) > 1e-4)
+            fail_msg("%s is %f", seen[i].pattern, (double)picture[0]);
+        free(picture);
+    }
+}
+
 static float *seen_of(const char *pattern, const char *shape)
 {
     char text[1024];
@@ -168,6 +190,7 @@ static void heights_by_index_are_whole_between_pixels(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(functions_repeat_with_a_period_of_one),
         cmocka_unit_test(the_lengths_of_both_vectors_are_their_weights),
         cmocka_unit_test(light_through_slopes_is_filtered_by_its_own_ray),
         cmocka_unit_test(colours_that_are_left_out_are_those_of_the_pattern),
