@@ -13,6 +13,17 @@ bool calc_index(const pov_reader *in, size_t *index)
     return true;
 }
 
+bool calc_is_argument(const pov_reader *in)
+{
+    size_t index;
+    int next;
+
+    if (!calc_index(in, &index) || index + 1 >= in->top->end)
+        return false;
+    next = in->top->tokens->items[index + 1].kind;
+    return next == ',' || next == ')';
+}
+
 static calc *renew(pov_reader *in, token_buffer *b, size_t index, replay_kind grammar, replay **slot, unsigned misses)
 {
     calc *c = misses > MISSES_MAX ? NULL : calc_compile(in, b, index, grammar);

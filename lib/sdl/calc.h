@@ -73,6 +73,8 @@ value calc_value(const calc *c, const double r[CALC_REGISTERS]);
 calc *calc_at(pov_reader *in, token_buffer *b, size_t index, replay_kind grammar);
 /* The expression from the next token on, if it is compiled: its value, and it has been taken. */
 bool calc_read(pov_reader *in, replay_kind grammar, value *out);
+/* Is the next token, of kept ones, an argument by itself: is a comma or a parenthesis behind it? */
+bool calc_is_argument(const pov_reader *in);
 /* The index in its buffer of the token that is next. False: it comes from a text. */
 bool calc_index(const pov_reader *in, size_t *index);
 

@@ -505,6 +505,12 @@ double expression_number(pov_reader *in)
     const char *wanted = in->wanted;
     double number;
 
+    if (in->token.kind == TOKEN_NUMBER && !in->failed && calc_is_argument(in)) {
+        in->value = in->token.at;
+        number = in->token.number;
+        state_advance(in);
+        return number;
+    }
     in->wanted = "a number";
     number = expression_to_number(in, expression_read(in));
     in->wanted = wanted;

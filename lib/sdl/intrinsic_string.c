@@ -1,5 +1,6 @@
 #include "sdl/intrinsic.h"
 
+#include "sdl/calc.h"
 #include "sdl/expression.h"
 #include "sdl/include.h"
 #include "sdl/number.h"
@@ -245,6 +246,24 @@ static void read_vstr(pov_reader *in, const intrinsic *row, value *out)
     conclude(in, &b, out);
 }
 
+static bool is_plain(const place *literal)
+{
+    for (uint32_t i = 1; i + 1 < literal->length; i++)
+        if (literal->start[i] == '\\' || literal->start[i] == '\0' || (unsigned char)literal->start[i] >= 0x80)
+            return false;
+    return true;
+}
+
+/* Of kept tokens a literal that is an argument by itself is joined as it stands: no string is made of it. */
+static bool add_literal(pov_reader *in, builder *b)
+{
+    if (in->token.kind != TOKEN_STRING || !calc_is_argument(in) || !is_plain(&in->token.at) ||
+        !add(in, b, in->token.at.start + 1, in->token.at.length - 2))
+        return false;
+    state_advance(in);
+    return true;
+}
+
 static void read_concat(pov_reader *in, const intrinsic *row, value *out)
 {
     builder b;
@@ -255,7 +274,7 @@ static void read_concat(pov_reader *in, const intrinsic *row, value *out)
     begin(&b);
     state_open(in, '(');
     do {
-        s = read_string(in);
+        s = add_literal(in, &b) ? NULL : read_string(in);
         if (s)
             add(in, &b, s->text, s->length);
         let_go(in, s);
