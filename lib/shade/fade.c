@@ -65,20 +65,14 @@ static void take(double by[3], colour c)
 }
 
 /* Light that crosses a surface steeply is focused by it. */
-static colour caustics(const interior *in, pov_vec3 normal, pov_vec3 dir)
-{
-    const double cosine = fabs(pov_dot(normal, pov_unit(dir))), power = 45.0 * (double)in->caustics;
-    const float by = (float)(1.0 + elementary_pow(cosine < 1.0 ? cosine : 1.0, power));
-
-    return colour_of(by, by, by);
-}
-
 static colour caustics_at(const shading *scene, const interior *in, const pov_ray *ray, const pov_crossing *at)
 {
     hit h = { .object = at->owner, .crossing = *at };
+    float by;
 
     world_surface(scene->world, ray, &h);
-    return caustics(in, paint_bent_normal(scene, ray, &h), ray->dir);
+    by = (float)paint_focus(scene, ray, &h, 45.0 * (double)in->caustics);
+    return colour_of(by, by, by);
 }
 
 /* Without a power what is seen through a solid is halved, but not the light that comes through it: so has POV-Ray it. */

@@ -248,16 +248,13 @@ uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, textu
     return texture_eval(scene->model, of, &g.points, 1, out);
 }
 
-pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *h)
+double paint_focus(const shading *scene, const pov_ray *ray, const hit *h, double power)
 {
     const texture *of = texture_of(scene, shading_constant(scene, h->object)->material, ray, h);
-    vec_lanes normal;
     group g;
 
-    if (!of || of->blend != BLEND_NONE || !of->normal)
-        return h->normal;
+    if (!of)
+        return texture_focus_of(h->normal, pov_unit(ray->dir), power);
     begin_single(&g, scene, of, h, facing(ray, h), pov_unit(ray->dir));
-    lanes_put(&normal, 0, facing(ray, h));
-    normal_eval(scene->model, of->normal, NULL, &g.points, 1, &normal);
-    return lanes_at(&normal, 0);
+    return texture_focus(scene->model, of, &g.points, power);
 }

@@ -33,7 +33,7 @@ void paint_surfaces(const shading *scene, surfaces *s, const painted *p);
 colour paint_filter(const shading *scene, const pov_ray *ray, const hit *h);
 /* The terms at a completed hit on a varying texture; room for scene->most_terms. Returns their number. */
 uint32_t paint_hit(const shading *scene, const pov_ray *ray, const hit *h, texture_term *out);
-/* The normal at a hit whose point is known, perturbed where its texture is one layer with a normal of its own. */
-pov_vec3 paint_bent_normal(const shading *scene, const pov_ray *ray, const hit *h);
+/* The factor of light on this ray that its texture focuses, as texture_focus() says. The hit's point is known. */
+double paint_focus(const shading *scene, const pov_ray *ray, const hit *h, double power);
 
 #endif

@@ -2,6 +2,10 @@
 #include "texture/normal.h"
 #include "texture/points.h"
 
+#include "base/elementary.h"
+
+#include <math.h>
+
 /* Lanes of a node, which of the caller's they are, and their shares; the blends that the node is in, or NULL. */
 typedef struct part {
     const normal_blend *around;
@@ -254,4 +258,54 @@ void texture_filters(const model *m, const texture *of, const texture_points *po
     memset(out, 0, n * sizeof *out);
     for (uint32_t k = 0; k < of->count; k++)
         add_filters(m, of->textures[k], &b, k, &inner, out);
+}
+
+/* ---- the focus of light that crosses the surface ---- */
+
+double texture_focus_of(pov_vec3 normal, pov_vec3 view, double power)
+{
+    const double cosine = fabs(pov_dot(normal, view));
+
+    return 1.0 + elementary_pow(cosine < 1.0 ? cosine : 1.0, power);
+}
+
+static double stack_focus(const model *m, const texture *of, const texture_points *points, const normal_blend *around, double power)
+{
+    uint32_t count;
+    const texture *const *layers = layers_of(&of, &count);
+    double by = 1.0;
+    vec_lanes normal;
+    part one;
+
+    one.around = around;
+    one.n = 1;
+    for (uint32_t k = 0; k < count; k++) {
+        find_normals(m, layers[k], points, &one, &normal);
+        by *= texture_focus_of(lanes_at(&normal, 0), lanes_at(&points->view, 0), power);
+    }
+    return by;
+}
+
+static double focus_within(const model *m, const texture *of, const texture_points *points, const normal_blend *around, double power)
+{
+    const normal_blend own = { of->pattern, around };
+    texture_points inner;
+    double by = 0.0;
+    blending b;
+
+    if (of->blend == BLEND_NONE || of->blend == BLEND_LAYERS)
+        return stack_focus(m, of, points, around, power);
+    find(m, of, points, 1, &inner, &b);
+    for (uint32_t k = 0; k < of->count; k++) {
+        part member;
+
+        if (blend_lanes(&b, k, member.lane, member.share) != 0)
+            by += (double)member.share[0] * focus_within(m, of->textures[k], &inner, of->blend == BLEND_PARTS ? around : &own, power);
+    }
+    return by;
+}
+
+double texture_focus(const model *m, const texture *of, const texture_points *points, double power)
+{
+    return focus_within(m, of, points, NULL, power);
 }

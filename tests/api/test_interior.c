@@ -70,6 +70,20 @@ static void light_on_its_way_fades_and_is_focused(void **state)
     assert_seen(WALL("-30") "sphere { 0, 2 no_image pigment { rgbt <1, 1, 1, 0.25> } interior { caustics 0.5 } }", 0.25, 0.25, 0.25);
 }
 
+static void every_layer_focuses_light_by_its_own_normal(void **state)
+{
+#define PANE(texture) WALL("-30") "box { <-3, -3, -1>, <3, 3, 1> no_image " texture " interior { caustics 0.02 } }"
+#define LEVEL "texture { pigment { rgbt <1, 1, 1, 0.4> } } "
+#define STEEP "pigment { rgbt <1, 1, 1, 0.4> } normal { gradient x 20 scale 40 translate 7 * x } "
+    (void)state;
+    assert_seen(PANE(LEVEL), 0.64, 0.64, 0.64);
+    assert_seen(PANE(LEVEL LEVEL), 0.4096, 0.4096, 0.4096);
+    assert_seen(PANE("texture { " STEEP " }"), 0.30907, 0.30907, 0.30907);
+    assert_seen(PANE(LEVEL "texture { " STEEP " }"), 0.19780, 0.19780, 0.19780);
+    assert_seen(PANE("texture { checker texture { " STEEP " } texture { " STEEP " } }"), 0.30907, 0.30907, 0.30907);
+    assert_seen(PANE("texture { average texture_map { [1 " STEEP "] [1 pigment { rgbt <1, 1, 1, 0.4> }] } }"), 0.45965, 0.45965, 0.45965);
+}
+
 /* What a ray crosses for the first time it enters, whichever way the surface faces. */
 static void light_fades_between_two_surfaces_of_one_interior(void **state)
 {
@@ -128,6 +142,7 @@ int main(void)
         cmocka_unit_test(light_fades_where_a_ray_leaves_a_solid),
         cmocka_unit_test(colour_and_power_shape_the_fading),
         cmocka_unit_test(light_on_its_way_fades_and_is_focused),
+        cmocka_unit_test(every_layer_focuses_light_by_its_own_normal),
         cmocka_unit_test(light_fades_between_two_surfaces_of_one_interior),
         cmocka_unit_test(members_with_interiors_of_their_own_are_solids_of_their_own),
         cmocka_unit_test(hidden_objects_are_passed),
