@@ -47,11 +47,20 @@ static float *pixel(const framebuffer *f, int x, int y)
     return f->pixels + 4 * ((size_t)y * (size_t)f->tiles->width + (size_t)x);
 }
 
+/* Threads may end a coarse pass of a tile after its last one, which has drawn the same pixels. */
+static bool is_outdone(const framebuffer *f, size_t tile, int pass)
+{
+    return f->again && pass + 1 < f->passes && (f->done[tile] >> (f->passes - 1) & 1);
+}
+
 void framebuffer_put(framebuffer *f, size_t tile, int pass, const float *pixels)
 {
     pov_rect r = tiles_rect(f->tiles, tile);
     lattice l = framebuffer_lattice(f, pass);
 
+    f->done[tile] |= (uint8_t)(1u << pass);
+    if (is_outdone(f, tile, pass))
+        return;
     if (l.step == 1 && (!l.finer || l.again))
         framebuffer_replace(f, tile, pixels);
     else
@@ -59,7 +68,6 @@ void framebuffer_put(framebuffer *f, size_t tile, int pass, const float *pixels)
             for (int x = 0; x < r.width; x += l.step)
                 if (lattice_has(l, x, y))
                     memcpy(pixel(f, r.x + x, r.y + y), pixels + 4 * (y * r.width + x), 4 * sizeof *pixels);
-    f->done[tile] |= (uint8_t)(1u << pass);
 }
 
 void framebuffer_touch(const framebuffer *f, size_t part, size_t parts)

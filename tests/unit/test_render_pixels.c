@@ -359,6 +359,25 @@ static void a_finer_pass_shows_only_when_the_coarser_ones_are_in(void **state)
     teardown(&b);
 }
 
+static void a_coarse_pass_that_is_late_changes_nothing_of_a_last_one_that_draws_all(void **state)
+{
+    board b;
+
+    (void)state;
+    setup(&b);
+    b.framebuffer.again = true;
+    fill(&b, 2.0f);
+    framebuffer_put(&b.framebuffer, 0, 2, b.pixels);
+    fill(&b, 1.0f);
+    framebuffer_put(&b.framebuffer, 0, 1, b.pixels);
+    framebuffer_put(&b.framebuffer, 0, 0, b.pixels);
+    assert_true(framebuffer_has(&b.framebuffer, 0));
+    for (int y = 0; y < 16; y++)
+        for (int x = 0; x < 16; x++)
+            assert_float_equal(framebuffer_pixels(&b.framebuffer, x, y)[0], 2.0f, 0.0f);
+    teardown(&b);
+}
+
 static void a_cleared_framebuffer_shows_nothing(void **state)
 {
     board b;
@@ -451,6 +470,7 @@ int main(void)
         cmocka_unit_test(passes_have_every_pixel_of_a_tile_once),
         cmocka_unit_test(a_missing_pixel_shows_its_nearest_coarser_one),
         cmocka_unit_test(a_finer_pass_shows_only_when_the_coarser_ones_are_in),
+        cmocka_unit_test(a_coarse_pass_that_is_late_changes_nothing_of_a_last_one_that_draws_all),
         cmocka_unit_test(a_cleared_framebuffer_shows_nothing),
         cmocka_unit_test(display_bytes_are_rounded_on_the_scene_s_curve),
         cmocka_unit_test(linear_values_are_decoded_and_unclamped),
