@@ -52,7 +52,7 @@ SIMD_NOINLINE static void cross_coloured(const uint32_t *list, size_t count, con
 void dielectric_cross(const dielectric_stack *stack, dielectric_span in, const model *m, uint32_t which, float hue,
                       dielectric_crossing *out)
 {
-    const uint32_t *list = stack->items + in.first;
+    const uint32_t *list = in.count > 0 ? stack->items + in.first : NULL;   /* an empty stack has no items */
 
     if (hue < 0.0f)
         cross(list, in.count, m, which, hue, true, out);
